@@ -1,0 +1,48 @@
+# One function for each kind of thing that Filters/Core and Testing/Core are made of.
+
+# waft_core_library(<Name> SOURCES ... [DEPENDS <Core libraries>...] [PRIVATE <third-party targets>...])
+# A static, position-independent library WaftCore<Name>. Its include root is Filters/Core, and no VTK
+# folder is on its include path. Third-party libraries stay private, Eigen excepted (types of Base).
+function(waft_core_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  set(target WaftCore${name})
+  add_library(${target} STATIC ${arg_SOURCES})
+  target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}/Filters/Core")
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wno-unknown-pragmas)
+  foreach(dependency IN LISTS arg_DEPENDS)
+    target_link_libraries(${target} PUBLIC WaftCore${dependency})
+  endforeach()
+  target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE ${arg_PRIVATE})
+endfunction()
+
+# waft_core_test(<Library> <source>... [DEPENDS <more Core libraries>] [PRIVATE <third-party targets>])
+# One GoogleTest program WaftTest<Library>; each TEST becomes a ctest entry named Core.<Library>.*.
+function(waft_core_test name)
+  cmake_parse_arguments(arg "" "" "DEPENDS;PRIVATE" ${ARGN})
+  set(target WaftTest${name})
+  add_executable(${target} ${arg_UNPARSED_ARGUMENTS})
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/Testing/Core")
+  target_link_libraries(${target} PRIVATE WaftCore${name} GTest::gtest_main ${arg_PRIVATE})
+  foreach(dependency IN LISTS arg_DEPENDS)
+    target_link_libraries(${target} PRIVATE WaftCore${dependency})
+  endforeach()
+  target_compile_definitions(${target} PRIVATE "WAFT_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\"")
+  gtest_discover_tests(${target} TEST_PREFIX "Core.${name}." DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT 300)
+endfunction()
+
+# waft_core_benchmark(<Name> <source>... DEPENDS <Core libraries>): a program WaftBenchmark<Name>
+# that prints figures; it is built with the rest and never run as a test.
+function(waft_core_benchmark name)
+  cmake_parse_arguments(arg "" "" "DEPENDS;PRIVATE" ${ARGN})
+  set(target WaftBenchmark${name})
+  add_executable(${target} ${arg_UNPARSED_ARGUMENTS})
+  target_link_libraries(${target} PRIVATE ${arg_PRIVATE})
+  foreach(dependency IN LISTS arg_DEPENDS)
+    target_link_libraries(${target} PRIVATE WaftCore${dependency})
+  endforeach()
+  target_compile_definitions(${target} PRIVATE "WAFT_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\"")
+endfunction()
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Threads REQUIRED)

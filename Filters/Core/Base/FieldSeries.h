@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A vector field on a regular lattice at a sequence of times: a user's wind, a coarse estimated
+// wind.
+#pragma once
+
+#include "Base/Result.h"
+#include "Base/Types.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+enum class FieldMeaning
+{
+  Acceleration, // array `Wind`: acts as an acceleration [m/s^2]
+  Velocity      // array `Velocity`: draws by drag towards it [m/s]
+};
+
+/// Values at lattice points Origin + (i, j, k) * Spacing, i fastest, one list per time. Sampling is
+/// trilinear in space and linear in time, clamped to the lattice and to the first and last time.
+struct FieldSeries
+{
+  FieldMeaning Meaning = FieldMeaning::Acceleration;
+  std::array<int, 3> Dimensions{ 0, 0, 0 };
+  Vec3 Origin = Vec3::Zero();
+  Vec3 Spacing = Vec3::Ones();
+  std::vector<double> Times;                             // s, increasing
+  std::vector<std::vector<std::array<float, 3>>> Values; // [time][point]
+
+  bool IsEmpty() const { return this->Values.empty(); }
+  std::size_t NumberOfPoints() const
+  {
+    return static_cast<std::size_t>(this->Dimensions[0]) * this->Dimensions[1] *
+           this->Dimensions[2];
+  }
+  /// Sizes agree, times increase, every value is finite.
+  Result Validate(const std::string& name) const;
+  Vec3 Sample(const Vec3& x, double time) const;
+  /// The same and its Jacobian d value_i / d x_j.
+  Vec3 Sample(const Vec3& x, double time, Mat3& jacobian) const;
+};
+
+} // namespace waft

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Types.h"
+
+#include <array>
+#include <vector>
+
+namespace waft
+{
+
+/// Triangles in a list of points. Counter-clockwise seen from outside.
+struct TriangleMesh
+{
+  std::vector<Vec3> Points;                  // m
+  std::vector<std::array<int, 3>> Triangles; // indices into Points
+};
+
+/// A closed obstacle that may move without turning.
+struct ObstacleMesh
+{
+  int ObstacleId = 0;
+  TriangleMesh Mesh;         // where it stands at frame 0
+  std::vector<Vec3> Offsets; // displacement from frame 0, one a frame; empty: it stands still
+
+  bool IsMoving() const { return !this->Offsets.empty(); }
+  /// Displacement at a frame, linear between frames.
+  Vec3 Offset(double frame) const
+  {
+    if (this->Offsets.empty())
+    {
+      return Vec3::Zero();
+    }
+    const double last = static_cast<double>(this->Offsets.size() - 1);
+    const double f = std::clamp(frame, 0.0, last);
+    const auto k = static_cast<std::size_t>(f);
+    const std::size_t next = std::min(k + 1, this->Offsets.size() - 1);
+    return this->Offsets[k] +
+           (f - static_cast<double>(k)) * (this->Offsets[next] - this->Offsets[k]);
+  }
+};
+
+} // namespace waft

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one error contract of Core: a Result, never an exception across a library's boundary.
+#pragma once
+
+#include <string>
+#include <utility>
+
+namespace waft
+{
+
+/// Success, or a sentence that names the place (file, row, array, object) and what was expected.
+class [[nodiscard]] Result
+{
+public:
+  static Result Ok() { return {}; }
+  static Result Error(std::string message)
+  {
+    Result result;
+    result.Failed = true;
+    result.Text = std::move(message);
+    return result;
+  }
+  /// The caller's Monitor asked to stop; outputs hold the best result so far where that has a
+  /// meaning.
+  static Result Stopped()
+  {
+    Result result;
+    result.WasStopped = true;
+    return result;
+  }
+
+  explicit operator bool() const { return !this->Failed; }
+  bool IsStopped() const { return this->WasStopped; }
+  const std::string& Message() const { return this->Text; }
+
+private:
+  bool Failed = false;
+  bool WasStopped = false;
+  std::string Text;
+};
+
+} // namespace waft

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Words that every library of Waft shares: vectors, the volume, the time line. Metres, seconds,
+// kilograms, radians; z is up.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace waft
+{
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+using Quat = Eigen::Quaterniond; // body to world, unit; written (w, x, y, z) outside
+
+/// Standard gravity [m/s^2]; used where a real mass falls, never for the reduced gravity of
+/// objects.
+constexpr double StandardGravity = 9.80665;
+
+/// The volume: an axis-aligned box [m]. Sides and top are walls, the floor is the ground.
+struct Box
+{
+  Vec3 Min{ -2.0, -2.0, 0.0 };
+  Vec3 Max{ 2.0, 2.0, 4.0 };
+
+  Vec3 Size() const { return this->Max - this->Min; }
+  Vec3 Center() const { return 0.5 * (this->Min + this->Max); }
+  /// L: the larger horizontal side [m].
+  double Width() const { return std::max(this->Size().x(), this->Size().y()); }
+  /// Distance from x to the nearest face [m]; negative outside.
+  double InnerDistance(const Vec3& x) const
+  {
+    return std::min((x - this->Min).minCoeff(), (this->Max - x).minCoeff());
+  }
+  bool Contains(const Vec3& x) const { return this->InnerDistance(x) >= 0.0; }
+};
+
+/// Frames are numbered from 0; frame k is at time k / FramesPerSecond [s].
+struct Timeline
+{
+  int NumberOfFrames = 300;
+  double FramesPerSecond = 30.0;
+
+  double Step() const { return 1.0 / this->FramesPerSecond; }
+  double Time(double frame) const { return frame / this->FramesPerSecond; }
+};
+
+/// What every data set of a scene carries as field data.
+struct SceneInfo
+{
+  Box Bounds;
+  Timeline Time;
+  double AirDensity = 1.2; // kg/m^3
+  std::uint64_t Seed = 1;
+};
+
+} // namespace waft

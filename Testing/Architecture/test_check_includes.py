@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Each rule of check_includes.py rejects a planted violation and accepts the clean file beside it."""
+import pathlib
+import tempfile
+import unittest
+
+import check_includes
+
+
+class Rules(unittest.TestCase):
+    def violations(self, files):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name, text in files.items():
+                path = root / name
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(text)
+            return [reason for _, _, reason in check_includes.check(root)]
+
+    def test_clean_tree(self):
+        self.assertEqual([], self.violations({
+            "Filters/Core/Grid/Solver.cxx": '#include "Base/Types.h"\n#include "Grid/Solver.h"\n#include <vector>\n',
+            "Filters/Motion/vtkAFilter.h": "",
+            "Filters/Motion/vtkAFilter.cxx": '#include "vtkAFilter.h"\n#include <vtkPolyData.h>\n',
+        }))
+
+    def test_core_sees_no_vtk(self):
+        found = self.violations({"Filters/Core/Grid/Solver.cxx": "#include <vtkPolyData.h>\n"})
+        self.assertEqual(["Core includes VTK: vtkPolyData.h"], found)
+
+    def test_libraries_keep_their_order(self):
+        found = self.violations({"Filters/Core/Grid/Solver.h": '#include "Planning/Planner.h"\n'})
+        self.assertEqual(["Grid may not include Planning: Planning/Planner.h"], found)
+
+    def test_third_party_stays_with_its_owner(self):
+        found = self.violations({"Filters/Core/Planning/Planner.cxx": "#include <CGAL/AABB_tree.h>\n"})
+        self.assertEqual(1, len(found))
+
+    def test_wrappers_do_not_include_each_other(self):
+        found = self.violations({
+            "Sources/vtkASource.h": "",
+            "Filters/Motion/vtkBFilter.cxx": '#include "vtkASource.h"\n',
+        })
+        self.assertEqual(["includes the wrapper vtkASource.h"], found)
+
+    def test_unknown_library(self):
+        self.assertEqual(1, len(self.violations({"Filters/Core/Misc/A.h": "\n"})))
+
+
+if __name__ == "__main__":
+    unittest.main()
