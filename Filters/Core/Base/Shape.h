@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Mesh.h"
+#include "Base/Types.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+/// A thin body as a triangle mesh with a texture: centred on its centre of mass; body axes x along
+/// the length, y across, z along the normal (curled edges towards +z). One block of the data set
+/// Shapes.
+struct Shape
+{
+  std::string Name;
+  TriangleMesh Mesh;                                     // m
+  std::vector<std::array<double, 2>> TextureCoordinates; // one a point, or empty
+  double DragCoefficient = 1.2;
+  double AreaDensity = 0.1;   // kg/m^2
+  double Thickness = 0.0005;  // m
+  double SettlingSpeed = 0.8; // m/s, terminal fall speed in still air
+  int ClassId = -1;
+  std::array<double, 3> Color{ 1.0, 1.0, 1.0 };
+  std::string Texture; // path of an image, or empty
+};
+
+} // namespace waft
