@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The rigid motion that best continues one window of samples with another (Shi et al. 2005, Eq. 1).
+#pragma once
+
+#include "Base/Types.h"
+#include "Trajectory/MotionDatabase.h"
+
+#include <vector>
+
+namespace waft
+{
+
+/// Which rotations may carry a segment to its place. Free ones turn many segments upside down.
+enum class RotationFreedom
+{
+  Yaw = 0,        // about the vertical only
+  YawAndTilt = 1, // the vertical may lean by at most the tilt limit
+  Any = 2         // as printed in the paper
+};
+
+/// "Yaw", "YawAndTilt", "Any".
+const char* ToString(RotationFreedom freedom);
+
+/// Default tilt limit [rad]: 20 degrees.
+constexpr double DefaultMaxTilt = 0.34906585039886591;
+
+/// The exact minimum of sum_j |tail_j - (R head_j + t)|^2 over translations t and the rotations R
+/// allowed (Eq. 1, by Horn's quaternion form; the paper's principal axes only approximate it).
+/// tail, head: the same number (at least two) of samples [m]. maxTilt [rad]: the largest angle
+/// between R z and z, used by YawAndTilt. A window without bend (the deviation from its line is
+/// under 2 % of its length) does not determine the rotation about its line: of all optimal
+/// rotations the smallest is taken.
+///
+/// Cost is the residual rms over the mean chord of the two windows; IsConnectible is true when it
+/// is finite: the caller compares Cost with a threshold of its own. Rotation has w >= 0.
+Connection AlignWindows(const std::vector<Vec3>& tail, const std::vector<Vec3>& head,
+                        RotationFreedom freedom, double maxTilt = DefaultMaxTilt);
+
+/// The largest angle between the vertical and its image [rad].
+double TiltOf(const Quat& rotation);
+
+} // namespace waft
