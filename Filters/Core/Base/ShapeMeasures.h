@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What other stages ask of a thin body: its mass, its extent, how it lies.
+#pragma once
+
+#include "Base/Shape.h"
+
+namespace waft
+{
+
+/// Sum of the areas of the triangles [m^2].
+double SurfaceArea(const TriangleMesh& mesh);
+
+/// Centre of mass of a shell of even thickness [m]; of the points when the area is zero.
+Vec3 ShellCentroid(const TriangleMesh& mesh);
+
+/// The longest side of the box around the mesh along the body's axes [m].
+double LargestExtent(const TriangleMesh& mesh);
+
+/// AreaDensity times the area [kg].
+double ShellMass(const Shape& shape);
+
+/// Half the largest extent [m].
+double ClearanceRadius(const Shape& shape);
+
+/// Height of the centre of mass above a plane that the body lies on with its z axis up [m].
+double RestHeight(const Shape& shape);
+
+} // namespace waft

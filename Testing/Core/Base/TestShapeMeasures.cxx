@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/ShapeMeasures.h"
+
+#include <gtest/gtest.h>
+
+using namespace waft;
+
+namespace
+{
+
+// Two triangles of areas 0.5 and 1, the second one raised by 3 cm.
+Shape TwoTriangles()
+{
+  Shape shape;
+  shape.Mesh.Points = { { 0.0, 0.0, -0.02 }, { 1.0, 0.0, -0.02 }, { 0.0, 1.0, -0.02 },
+                        { 0.0, 0.0, 0.01 },  { 2.0, 0.0, 0.01 },  { 0.0, 1.0, 0.01 } };
+  shape.Mesh.Triangles = { { 0, 1, 2 }, { 3, 4, 5 } };
+  shape.AreaDensity = 0.2;
+  return shape;
+}
+
+} // namespace
+
+TEST(ShapeMeasures, OfTwoTriangles)
+{
+  const Shape shape = TwoTriangles();
+  EXPECT_DOUBLE_EQ(SurfaceArea(shape.Mesh), 1.5);
+  EXPECT_DOUBLE_EQ(ShellMass(shape), 0.3);
+  EXPECT_DOUBLE_EQ(LargestExtent(shape.Mesh), 2.0);
+  EXPECT_DOUBLE_EQ(ClearanceRadius(shape), 1.0);
+  EXPECT_DOUBLE_EQ(RestHeight(shape), 0.02);
+  const Vec3 expected((0.5 / 3.0 + 2.0 / 3.0) / 1.5, 1.0 / 3.0, 0.0);
+  EXPECT_LT((ShellCentroid(shape.Mesh) - expected).norm(), 1e-15);
+}
+
+TEST(ShapeMeasures, OfAMeshWithoutArea)
+{
+  TriangleMesh mesh;
+  EXPECT_EQ(LargestExtent(mesh), 0.0);
+  EXPECT_EQ(ShellCentroid(mesh), Vec3::Zero());
+  mesh.Points = { { 1.0, 0.0, 0.0 }, { 3.0, 0.0, 0.0 } };
+  EXPECT_EQ(ShellCentroid(mesh), Vec3(2.0, 0.0, 0.0));
+}
