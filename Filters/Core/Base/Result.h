@@ -40,3 +40,10 @@ private:
 };
 
 } // namespace waft
+
+/// Returns the Result of a call from the function around it when the call failed.
+#define WAFT_RETURN_IF_FAILED(call)                                                                \
+  if (::waft::Result waftStep = (call); !waftStep)                                                 \
+  {                                                                                                \
+    return waftStep;                                                                               \
+  }

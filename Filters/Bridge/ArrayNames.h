@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every array and block name that stages pass on, once.
+#pragma once
+
+namespace waft
+{
+namespace names
+{
+
+// Field data of every output.
+constexpr const char* Bounds = "Bounds";
+constexpr const char* NumberOfFrames = "NumberOfFrames";
+constexpr const char* FramesPerSecond = "FramesPerSecond";
+constexpr const char* AirDensity = "AirDensity";
+constexpr const char* Seed = "Seed";
+
+// Tracks and poses.
+constexpr const char* Frame = "Frame";
+constexpr const char* Time = "Time";
+constexpr const char* Velocity = "Velocity";
+constexpr const char* ForceType = "ForceType";
+constexpr const char* VortexId = "VortexId";
+constexpr const char* VortexAcceleration = "VortexAcceleration";
+constexpr const char* WindAcceleration = "WindAcceleration";
+constexpr const char* Force = "Force";
+constexpr const char* AirVelocity = "AirVelocity";
+constexpr const char* SPHVelocity = "SPHVelocity";
+constexpr const char* ObjectId = "ObjectId";
+constexpr const char* Orientation = "Orientation";
+constexpr const char* AngularVelocity = "AngularVelocity";
+constexpr const char* Torque = "Torque";
+constexpr const char* ResidualForce = "ResidualForce";
+
+// Objects.
+constexpr const char* ShapeId = "ShapeId";
+constexpr const char* Mass = "Mass";
+constexpr const char* SettlingSpeed = "SettlingSpeed";
+constexpr const char* ClassId = "ClassId";
+constexpr const char* ClearanceRadius = "ClearanceRadius";
+constexpr const char* RestHeight = "RestHeight";
+
+// Shapes (field data of each block).
+constexpr const char* DragCoefficient = "DragCoefficient";
+constexpr const char* AreaDensity = "AreaDensity";
+constexpr const char* Thickness = "Thickness";
+constexpr const char* Texture = "Texture";
+constexpr const char* Color = "Color";
+
+// Constraints and report.
+constexpr const char* Kind = "Kind";
+constexpr const char* Value = "Value";
+constexpr const char* Radius = "Radius";
+constexpr const char* Until = "Until";
+constexpr const char* Row = "Row";
+constexpr const char* Target = "Target";
+constexpr const char* Group = "Group";
+constexpr const char* Residual = "Residual";
+constexpr const char* Status = "Status";
+constexpr const char* Message = "Message";
+
+// Obstacles.
+constexpr const char* ObstacleId = "ObstacleId";
+
+// Vortices.
+constexpr const char* Strength = "Strength";
+constexpr const char* CenterTime = "CenterTime";
+constexpr const char* Duration = "Duration";
+constexpr const char* CoreRadius = "CoreRadius";
+constexpr const char* Confidence = "Confidence";
+constexpr const char* ObjectCount = "ObjectCount";
+
+// Wind and smoke fields.
+constexpr const char* Wind = "Wind";
+constexpr const char* Density = "Density";
+constexpr const char* Pressure = "Pressure";
+constexpr const char* Vorticity = "Vorticity";
+constexpr const char* VortexForce = "VortexForce";
+constexpr const char* WindForce = "WindForce";
+constexpr const char* Obstacle = "Obstacle";
+
+// Particles.
+constexpr const char* ParticleId = "ParticleId";
+
+} // namespace names
+} // namespace waft

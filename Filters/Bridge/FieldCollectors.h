@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Surfaces and fields that vary in time, gathered step by step into the form that Core reads, and
+// lattices of Core as images.
+#pragma once
+
+#include "Base/FieldSeries.h"
+#include "Base/Mesh.h"
+#include "Base/Result.h"
+#include "Base/Types.h"
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkPolyData;
+
+namespace waft
+{
+
+/// Triangles of a surface (polygons are fanned, strips refused); owner: for messages.
+Result MeshFromPolyData(vtkPolyData* data, const std::string& owner, TriangleMesh& mesh);
+
+/// Obstacles as one surface with the point data `ObstacleId`.
+void ObstaclesToPolyData(const std::vector<ObstacleMesh>& obstacles, double frame,
+                         const SceneInfo& info, vtkPolyData* data);
+
+/// Gathers the obstacles over the steps of a time-varying surface. Every obstacle may move, not
+/// turn or deform. Without `ObstacleId` the whole surface is obstacle 0.
+class ObstacleCollector
+{
+public:
+  /// The surface at one time; steps come in increasing order of time. A data set whose points did
+  /// not change since the last step costs nothing.
+  Result Add(vtkPolyData* data, double time, const Timeline& line);
+  std::vector<ObstacleMesh> Take();
+
+private:
+  std::vector<ObstacleMesh> Obstacles;
+  std::vector<int> Frames;              // of the steps seen
+  std::vector<std::vector<Vec3>> Steps; // [step][obstacle] displacement
+  unsigned long LastChange = 0;
+};
+
+/// Gathers the steps of a time-varying image with `Wind` (an acceleration) or `Velocity`.
+class FieldCollector
+{
+public:
+  Result Add(vtkImageData* data, double time);
+  FieldSeries Take();
+
+private:
+  FieldSeries Series;
+};
+
+/// One step of a series as an image with the array `Wind` or `Velocity`; time is sampled.
+void FieldSeriesToImage(const FieldSeries& series, double time, const SceneInfo& info,
+                        vtkImageData* data);
+
+} // namespace waft

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/ShapeData.h"
+
+#include "Bridge/ArrayNames.h"
+#include "Bridge/Arrays.h"
+#include "Bridge/FieldCollectors.h"
+#include "Bridge/SceneData.h"
+
+#include <vtkCellArray.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+
+namespace waft
+{
+namespace
+{
+
+double Number(vtkFieldData* fields, const char* name, double fallback)
+{
+  vtkDataArray* array = fields->GetArray(name);
+  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : fallback;
+}
+
+void ShapeToPolyData(const Shape& shape, vtkPolyData* data)
+{
+  vtkNew<vtkPoints> points;
+  SetPoints(points, shape.Mesh.Points);
+  vtkNew<vtkCellArray> triangles;
+  for (const auto& t : shape.Mesh.Triangles)
+  {
+    const vtkIdType ids[3] = { t[0], t[1], t[2] };
+    triangles->InsertNextCell(3, ids);
+  }
+  data->SetPoints(points);
+  data->SetPolys(triangles);
+  if (!shape.TextureCoordinates.empty())
+  {
+    vtkNew<vtkFloatArray> coordinates;
+    coordinates->SetName("TextureCoordinates");
+    coordinates->SetNumberOfComponents(2);
+    for (const auto& uv : shape.TextureCoordinates)
+    {
+      coordinates->InsertNextTuple2(uv[0], uv[1]);
+    }
+    data->GetPointData()->SetTCoords(coordinates);
+  }
+  vtkFieldData* fields = data->GetFieldData();
+  AddDoubles(fields, names::DragCoefficient, { shape.DragCoefficient });
+  AddDoubles(fields, names::AreaDensity, { shape.AreaDensity });
+  AddDoubles(fields, names::Thickness, { shape.Thickness });
+  AddDoubles(fields, names::SettlingSpeed, { shape.SettlingSpeed });
+  AddInts(fields, names::ClassId, { shape.ClassId });
+  AddVectors(fields, names::Color, { Vec3(shape.Color[0], shape.Color[1], shape.Color[2]) });
+  AddStrings(fields, names::Texture, { shape.Texture });
+}
+
+Result ShapeFromPolyData(vtkPolyData* data, const std::string& name, Shape& shape)
+{
+  shape.Name = name;
+  WAFT_RETURN_IF_FAILED(MeshFromPolyData(data, "Shapes: block " + name, shape.Mesh));
+  if (shape.Mesh.Triangles.empty())
+  {
+    return Result::Error("Shapes: block " + name + ": expected at least one triangle");
+  }
+  if (vtkDataArray* coordinates = data->GetPointData()->GetTCoords())
+  {
+    for (vtkIdType i = 0; i < coordinates->GetNumberOfTuples(); ++i)
+    {
+      shape.TextureCoordinates.push_back(
+        { coordinates->GetComponent(i, 0), coordinates->GetComponent(i, 1) });
+    }
+  }
+  vtkFieldData* fields = data->GetFieldData();
+  shape.DragCoefficient = Number(fields, names::DragCoefficient, shape.DragCoefficient);
+  shape.AreaDensity = Number(fields, names::AreaDensity, shape.AreaDensity);
+  shape.Thickness = Number(fields, names::Thickness, shape.Thickness);
+  shape.SettlingSpeed = Number(fields, names::SettlingSpeed, shape.SettlingSpeed);
+  shape.ClassId = static_cast<int>(Number(fields, names::ClassId, shape.ClassId));
+  vtkDataArray* color = fields->GetArray(names::Color);
+  for (int c = 0; color && color->GetNumberOfComponents() == 3 && c < 3; ++c)
+  {
+    shape.Color[static_cast<std::size_t>(c)] = color->GetComponent(0, c);
+  }
+  auto* texture = vtkStringArray::SafeDownCast(fields->GetAbstractArray(names::Texture));
+  if (texture && texture->GetNumberOfValues() > 0)
+  {
+    shape.Texture = texture->GetValue(0);
+  }
+  return Result::Ok();
+}
+
+} // namespace
+
+void ShapesToMultiBlock(const std::vector<Shape>& shapes, const SceneInfo& info,
+                        vtkMultiBlockDataSet* data)
+{
+  data->Initialize();
+  data->SetNumberOfBlocks(static_cast<unsigned int>(shapes.size()));
+  for (unsigned int i = 0; i < shapes.size(); ++i)
+  {
+    vtkNew<vtkPolyData> block;
+    ShapeToPolyData(shapes[i], block);
+    data->SetBlock(i, block);
+    data->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), shapes[i].Name.c_str());
+  }
+  SceneInfoToFieldData(info, data);
+}
+
+Result ShapesFromMultiBlock(vtkMultiBlockDataSet* data, std::vector<Shape>& shapes)
+{
+  std::vector<Shape> read;
+  for (unsigned int i = 0; i < data->GetNumberOfBlocks(); ++i)
+  {
+    const char* name =
+      data->HasMetaData(i) && data->GetMetaData(i)->Has(vtkCompositeDataSet::NAME())
+        ? data->GetMetaData(i)->Get(vtkCompositeDataSet::NAME())
+        : nullptr;
+    const std::string title = name ? name : std::to_string(i);
+    auto* block = vtkPolyData::SafeDownCast(data->GetBlock(i));
+    if (!block)
+    {
+      return Result::Error("Shapes: block " + title + ": expected a surface (vtkPolyData)");
+    }
+    Shape shape;
+    WAFT_RETURN_IF_FAILED(ShapeFromPolyData(block, title, shape));
+    read.push_back(std::move(shape));
+  }
+  shapes = std::move(read);
+  return Result::Ok();
+}
+
+} // namespace waft

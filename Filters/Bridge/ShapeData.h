@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shapes: a multi-block data set of named surfaces.
+#pragma once
+
+#include "Base/Result.h"
+#include "Base/Shape.h"
+#include "Base/Types.h"
+
+#include <vector>
+
+class vtkMultiBlockDataSet;
+
+namespace waft
+{
+
+/// Block i is shape i, by its name; field data `DragCoefficient`, `AreaDensity`, `Thickness`,
+/// `SettlingSpeed`, `ClassId`, `Color`, `Texture`.
+void ShapesToMultiBlock(const std::vector<Shape>& shapes, const SceneInfo& info,
+                        vtkMultiBlockDataSet* data);
+/// Polygons are split into triangles; absent field data has the defaults of Shape. Fails on a block
+/// that is no surface or has no triangle.
+Result ShapesFromMultiBlock(vtkMultiBlockDataSet* data, std::vector<Shape>& shapes);
+
+} // namespace waft

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/StageExecution.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkDataObject.h>
+#include <vtkDemandDrivenPipeline.h>
+#include <vtkExecutive.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationExecutivePortKey.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkSMPTools.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include "Bridge/SceneData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+using Sddp = vtkStreamingDemandDrivenPipeline;
+
+namespace waft
+{
+namespace
+{
+
+std::vector<vtkMTimeType> CurrentSignature(vtkAlgorithm* stage, vtkInformationVector** inputs)
+{
+  std::vector<vtkMTimeType> signature{ stage->GetMTime() };
+  for (int port = 0; port < stage->GetNumberOfInputPorts(); ++port)
+  {
+    const int connections = inputs[port]->GetNumberOfInformationObjects();
+    signature.push_back(static_cast<vtkMTimeType>(connections));
+    for (int i = 0; i < connections; ++i)
+    {
+      vtkExecutive* executive = nullptr;
+      int producerPort = 0;
+      vtkExecutive::PRODUCER()->Get(inputs[port]->GetInformationObject(i), executive, producerPort);
+      auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(executive);
+      signature.push_back(pipeline ? pipeline->GetPipelineMTime() : 0);
+    }
+  }
+  return signature;
+}
+
+// The time line that the data of an input carry, if any.
+bool TimelineOf(vtkInformation* input, Timeline& line)
+{
+  vtkDataObject* data = vtkDataObject::GetData(input);
+  if (!data || !data->GetFieldData()->HasArray("NumberOfFrames"))
+  {
+    return false;
+  }
+  SceneInfo info;
+  if (!SceneInfoFromFieldData(data, info))
+  {
+    return false;
+  }
+  line = info.Time;
+  return true;
+}
+
+} // namespace
+
+bool StageMonitor::Tick(double fraction, const std::string& text)
+{
+  this->Stage->SetProgressText(text.c_str());
+  this->Stage->UpdateProgress(std::clamp(fraction, 0.0, 1.0));
+  return !this->Stage->CheckAbort() && !this->Stage->GetAbortExecute();
+}
+
+ParallelFor SmpFor()
+{
+  if (std::strcmp(vtkSMPTools::GetBackend(), "Sequential") == 0 &&
+      !std::getenv("VTK_SMP_BACKEND_IN_USE"))
+  {
+    vtkSMPTools::SetBackend("STDThread");
+  }
+  return [](std::size_t count, const std::function<void(std::size_t, std::size_t)>& body)
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+                     [&body](vtkIdType begin, vtkIdType end)
+                     { body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
+  };
+}
+
+bool StageCache::IsCurrent(vtkAlgorithm* stage, vtkInformationVector** inputs) const
+{
+  return !this->Signature.empty() && this->Signature == CurrentSignature(stage, inputs);
+}
+
+void StageCache::MarkCurrent(vtkAlgorithm* stage, vtkInformationVector** inputs)
+{
+  this->Signature = CurrentSignature(stage, inputs);
+}
+
+void TimeSweep::RequestSteps(vtkAlgorithm* stage, vtkInformationVector** inputs, bool isCurrent)
+{
+  if (this->Step == 0)
+  {
+    this->NumberOfSteps = 1;
+    for (const int port : this->Ports)
+    {
+      for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+      {
+        const int steps = inputs[port]->GetInformationObject(i)->Length(Sddp::TIME_STEPS());
+        this->NumberOfSteps = std::max(this->NumberOfSteps, static_cast<std::size_t>(steps));
+      }
+    }
+  }
+  for (int port = 0; port < stage->GetNumberOfInputPorts(); ++port)
+  {
+    const bool isSwept =
+      std::find(this->Ports.begin(), this->Ports.end(), port) != this->Ports.end();
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* input = inputs[port]->GetInformationObject(i);
+      const int steps = input->Length(Sddp::TIME_STEPS());
+      if (steps > 0)
+      {
+        const std::size_t due = !isSwept ? 0 : isCurrent ? this->NumberOfSteps - 1 : this->Step;
+        const int step = std::min(static_cast<int>(due), steps - 1);
+        input->Set(Sddp::UPDATE_TIME_STEP(), input->Get(Sddp::TIME_STEPS())[step]);
+      }
+    }
+  }
+}
+
+double TimeSweep::DataTime(vtkInformation* input)
+{
+  vtkDataObject* data = vtkDataObject::GetData(input);
+  return data && data->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP())
+           ? data->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP())
+           : 0.0;
+}
+
+double TimeSweep::Fraction() const
+{
+  return static_cast<double>(this->Step) / static_cast<double>(this->NumberOfSteps);
+}
+
+bool TimeSweep::Continue(vtkInformation* request)
+{
+  if (this->Step + 1 < this->NumberOfSteps)
+  {
+    ++this->Step;
+    request->Set(Sddp::CONTINUE_EXECUTING(), 1);
+    return true;
+  }
+  this->Reset(request);
+  return false;
+}
+
+void TimeSweep::Reset(vtkInformation* request)
+{
+  this->Step = 0;
+  request->Remove(Sddp::CONTINUE_EXECUTING());
+}
+
+void PassTimeSteps(vtkAlgorithm* stage, vtkInformationVector** inputs,
+                   vtkInformationVector* outputs)
+{
+  for (int port = 0; port < stage->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* input = inputs[port]->GetInformationObject(i);
+      if (!input->Has(Sddp::TIME_STEPS()))
+      {
+        continue;
+      }
+      for (int out = 0; out < outputs->GetNumberOfInformationObjects(); ++out)
+      {
+        outputs->GetInformationObject(out)->CopyEntry(input, Sddp::TIME_STEPS());
+        outputs->GetInformationObject(out)->CopyEntry(input, Sddp::TIME_RANGE());
+      }
+      return;
+    }
+  }
+  for (int port = 0; port < stage->GetNumberOfInputPorts(); ++port)
+  {
+    Timeline line;
+    if (inputs[port]->GetNumberOfInformationObjects() > 0 &&
+        TimelineOf(inputs[port]->GetInformationObject(0), line))
+    {
+      SetTimeSteps(line, outputs);
+      return;
+    }
+  }
+}
+
+void SetTimeSteps(const Timeline& line, vtkInformationVector* outputs)
+{
+  std::vector<double> times;
+  for (int frame = 0; frame < line.NumberOfFrames; ++frame)
+  {
+    times.push_back(line.Time(frame));
+  }
+  const double range[2] = { times.front(), times.back() };
+  for (int out = 0; out < outputs->GetNumberOfInformationObjects(); ++out)
+  {
+    vtkInformation* output = outputs->GetInformationObject(out);
+    output->Set(Sddp::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+    output->Set(Sddp::TIME_RANGE(), range, 2);
+  }
+}
+
+double RequestedTime(vtkInformationVector* outputs, int port, const Timeline& line)
+{
+  vtkInformation* output = outputs->GetInformationObject(port);
+  const double asked =
+    output->Has(Sddp::UPDATE_TIME_STEP()) ? output->Get(Sddp::UPDATE_TIME_STEP()) : 0.0;
+  const double time = std::clamp(asked, 0.0, line.Time(line.NumberOfFrames - 1));
+  if (vtkDataObject* data = vtkDataObject::GetData(output))
+  {
+    data->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  }
+  return time;
+}
+
+int RequestedFrame(vtkInformationVector* outputs, int port, const Timeline& line)
+{
+  return static_cast<int>(std::lround(RequestedTime(outputs, port, line) * line.FramesPerSecond));
+}
+
+int Fail(vtkAlgorithm* stage, vtkInformationVector* outputs, const std::string& message)
+{
+  for (int out = 0; out < outputs->GetNumberOfInformationObjects(); ++out)
+  {
+    if (vtkDataObject* data = vtkDataObject::GetData(outputs->GetInformationObject(out)))
+    {
+      data->Initialize();
+    }
+  }
+  vtkErrorWithObjectMacro(stage, << message);
+  return 0;
+}
+
+} // namespace waft

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How every stage runs in the pipeline: progress and abort, threads, a result that is kept and
+// served frame by frame, inputs that are pulled over all their time steps.
+//
+// A stage holds a StageCache and, when an input varies in time, a TimeSweep, and does this:
+//
+//   RequestInformation   PassTimeSteps(inputs, outputs);
+//   RequestUpdateExtent  sweep.RequestSteps(this, inputs, cache.IsCurrent(this, inputs));
+//   RequestData          if (!cache.IsCurrent(this, inputs))
+//                        {
+//                          take the data of this step; if (sweep.Continue(request)) return 1;
+//                          validate; compute; keep the result;
+//                          cache.MarkCurrent(this, inputs);
+//                        }
+//                        fill the outputs for RequestedTime(outputs, port);
+//
+// On a failure: return Fail(this, outputs, message), which reports and empties the outputs; return
+// 0.
+#pragma once
+
+#include "Base/Monitor.h"
+#include "Base/Parallel.h"
+#include "Base/Types.h"
+
+#include <vtkType.h>
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataObject;
+class vtkInformation;
+class vtkInformationVector;
+
+namespace waft
+{
+
+/// Passes progress to an algorithm and asks it for abort.
+class StageMonitor : public Monitor
+{
+public:
+  explicit StageMonitor(vtkAlgorithm* stage) : Stage(stage) {}
+  bool Tick(double fraction, const std::string& text) override;
+
+private:
+  vtkAlgorithm* Stage;
+};
+
+/// vtkSMPTools. Debian's VTK runs one thread unless told otherwise: when nobody chose a backend (by
+/// VTK_SMP_BACKEND_IN_USE or vtkSMPTools::SetBackend), STDThread is taken.
+ParallelFor SmpFor();
+
+/// Knows whether a kept result still belongs to the parameters of its stage and to what comes in:
+/// the stage's own MTime and each input's pipeline MTime, never the MTime of the data, which
+/// changes at every frame.
+class StageCache
+{
+public:
+  bool IsCurrent(vtkAlgorithm* stage, vtkInformationVector** inputs) const;
+  void MarkCurrent(vtkAlgorithm* stage, vtkInformationVector** inputs);
+  void Forget() { this->Signature.clear(); }
+
+private:
+  std::vector<vtkMTimeType> Signature;
+};
+
+/// Pulls inputs over all their time steps, one pass of RequestData a step.
+class TimeSweep
+{
+public:
+  /// In the constructor of the stage: the input ports that may vary in time. The others are asked
+  /// for their first step only.
+  explicit TimeSweep(std::vector<int> ports) : Ports(std::move(ports)) {}
+  /// In RequestUpdateExtent. With isCurrent the step seen last is asked for again, which costs
+  /// nothing.
+  void RequestSteps(vtkAlgorithm* stage, vtkInformationVector** inputs, bool isCurrent);
+  /// The time of the data that an input shows in this pass [s] (0 without time).
+  static double DataTime(vtkInformation* input);
+  bool IsFirst() const { return this->Step == 0; }
+  /// Fraction of the steps that were pulled.
+  double Fraction() const;
+  /// In RequestData, when this step's data was taken: true when another pass was asked for.
+  bool Continue(vtkInformation* request);
+  /// After a failure in the middle of a sweep.
+  void Reset(vtkInformation* request);
+
+private:
+  std::vector<int> Ports;
+  std::size_t Step = 0;
+  std::size_t NumberOfSteps = 1;
+};
+
+/// The number of input ports of a stage is read from it; gives all outputs the time steps of the
+/// first input that has any, else of the first input whose data carry a scene's field data.
+void PassTimeSteps(vtkAlgorithm* stage, vtkInformationVector** inputs,
+                   vtkInformationVector* outputs);
+/// Gives all outputs the frames of a time line.
+void SetTimeSteps(const Timeline& line, vtkInformationVector* outputs);
+
+/// The time asked of an output port [s], clamped to the time line, and stamped on its data.
+double RequestedTime(vtkInformationVector* outputs, int port, const Timeline& line);
+/// The same as the nearest frame.
+int RequestedFrame(vtkInformationVector* outputs, int port, const Timeline& line);
+
+/// Reports an error of the stage and leaves every output empty; returns 0 for RequestData to
+/// return.
+int Fail(vtkAlgorithm* stage, vtkInformationVector* outputs, const std::string& message);
+
+} // namespace waft
