@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Data that go from Core to VTK come back as they were.
+#include "Base/Random.h"
+#include "Bridge/ArrayNames.h"
+#include "Bridge/FieldCollectors.h"
+#include "Bridge/SceneData.h"
+#include "Bridge/ShapeData.h"
+#include "Bridge/TrackData.h"
+
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkImageData.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace waft;
+
+namespace
+{
+
+std::vector<Track> TwoTracks()
+{
+  Random random(4);
+  std::vector<Track> tracks(2);
+  for (int t = 0; t < 2; ++t)
+  {
+    tracks[t].ObjectId = 10 + t;
+    for (int k = 0; k < 5; ++k)
+    {
+      tracks[t].Positions.push_back(random.Direction());
+      tracks[t].VortexIds.push_back(k - 1);
+      tracks[t].ForceTypes.push_back(static_cast<ForceType>(k % 3));
+      tracks[t].Forces.push_back(random.Direction());
+    }
+  }
+  return tracks;
+}
+
+} // namespace
+
+TEST(Bridge, TracksComeBackBitForBit)
+{
+  const std::vector<Track> tracks = TwoTracks();
+  vtkNew<vtkPolyData> data;
+  TracksToPolyData(tracks, SceneInfo(), data);
+  EXPECT_EQ(data->GetPoints()->GetDataType(), VTK_DOUBLE);
+  EXPECT_EQ(data->GetNumberOfLines(), 2);
+  std::vector<Track> back;
+  ASSERT_TRUE(TracksFromPolyData(data, back));
+  ASSERT_EQ(back.size(), 2u);
+  for (int t = 0; t < 2; ++t)
+  {
+    EXPECT_EQ(back[t].ObjectId, tracks[t].ObjectId);
+    EXPECT_EQ(back[t].Positions, tracks[t].Positions);
+    EXPECT_EQ(back[t].VortexIds, tracks[t].VortexIds);
+    EXPECT_EQ(back[t].ForceTypes, tracks[t].ForceTypes);
+    EXPECT_EQ(back[t].Forces, tracks[t].Forces);
+    EXPECT_TRUE(back[t].AirVelocities.empty());
+  }
+}
+
+TEST(Bridge, NamesArrayAndEntryOfANumberThatIsNotFinite)
+{
+  vtkNew<vtkPolyData> data;
+  TracksToPolyData(TwoTracks(), SceneInfo(), data);
+  data->GetPointData()->GetArray("Force")->SetComponent(3, 1,
+                                                        std::numeric_limits<double>::quiet_NaN());
+  std::vector<Track> back;
+  const Result result = TracksFromPolyData(data, back);
+  EXPECT_FALSE(result);
+  EXPECT_EQ(result.Message(), "Tracks: array `Force`: entry 3 is not a finite number");
+}
+
+TEST(Bridge, ConstraintsComeBack)
+{
+  std::vector<Constraint> rows(3);
+  rows[0].ObjectId = 4;
+  rows[0].Frame = 20;
+  rows[0].Value = Vec3(1.0, 2.0, 3.0);
+  rows[0].Radius = 0.25;
+  rows[1].Kind = ConstraintKind::Orientation;
+  rows[1].Orientation = Quat(0.5, -0.5, 0.5, -0.5);
+  rows[1].Row = 1;
+  rows[2].Kind = ConstraintKind::Rest;
+  rows[2].Value = Vec3(0.1, 0.2, 0.3);
+  rows[2].Frame = 200;
+  rows[2].Until = 250;
+  rows[2].Row = 2;
+  rows[2].Group = 5;
+  vtkNew<vtkPolyData> data;
+  ConstraintsToPolyData(rows, SceneInfo(), data);
+  double place[3];
+  data->GetPoint(2, place);
+  EXPECT_EQ(Vec3(place[0], place[1], place[2]), rows[2].Value);
+  std::vector<Constraint> back;
+  ASSERT_TRUE(ConstraintsFromPolyData(data, Timeline(), back));
+  ASSERT_EQ(back.size(), 3u);
+  EXPECT_EQ(back[0].Value, rows[0].Value);
+  EXPECT_EQ(back[0].Radius, 0.25);
+  EXPECT_EQ(back[1].Orientation.coeffs(), rows[1].Orientation.coeffs());
+  EXPECT_EQ(back[2].Until, 250);
+  EXPECT_EQ(back[2].Group, 5);
+
+  const Result late = ConstraintsFromPolyData(data, Timeline{ 100, 30.0 }, back);
+  EXPECT_EQ(late.Message(), "Constraints: vertex 2: array `Frame`: expected 0 to 99, found 200");
+}
+
+TEST(Bridge, VorticesAndObjectsComeBack)
+{
+  std::vector<Vortex> vortices(2);
+  vortices[1].VortexId = 9;
+  vortices[1].P2 = Vec3(1.0, 1.0, 2.0);
+  vortices[1].Strength = -3.0;
+  vortices[1].Confidence = 0.5;
+  vtkNew<vtkPolyData> data;
+  VorticesToPolyData(vortices, SceneInfo(), data);
+  std::vector<Vortex> back;
+  ASSERT_TRUE(VorticesFromPolyData(data, back));
+  ASSERT_EQ(back.size(), 2u);
+  EXPECT_EQ(back[1].P2, vortices[1].P2);
+  EXPECT_EQ(back[1].Strength, -3.0);
+  EXPECT_EQ(back[1].Confidence, 0.5);
+
+  std::vector<MotionObject> objects(2);
+  vtkNew<vtkPolyData> table;
+  ObjectsToPolyData(objects, SceneInfo(), table);
+  std::vector<MotionObject> read;
+  EXPECT_EQ(ObjectsFromPolyData(table, read).Message(),
+            "Objects: array `ObjectId`: 0 stands twice, ids must differ");
+}
+
+TEST(Bridge, ObstaclesThatMoveAreSeenAsDisplacements)
+{
+  ObstacleMesh box;
+  box.ObstacleId = 3;
+  box.Mesh.Points = { Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1) };
+  box.Mesh.Triangles = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
+  ObstacleMesh still = box;
+  still.ObstacleId = 1;
+  for (int frame = 0; frame < 4; ++frame)
+  {
+    box.Offsets.push_back(Vec3(0.1 * frame * frame, 0.0, -0.2 * frame));
+  }
+  SceneInfo info;
+  info.Time.NumberOfFrames = 4;
+  ObstacleCollector collector;
+  for (int frame = 0; frame < 4; ++frame)
+  {
+    vtkNew<vtkPolyData> data;
+    ObstaclesToPolyData({ box, still }, frame, info, data);
+    ASSERT_TRUE(collector.Add(data, info.Time.Time(frame), info.Time));
+  }
+  const std::vector<ObstacleMesh> back = collector.Take();
+  ASSERT_EQ(back.size(), 2u);
+  EXPECT_EQ(back[0].ObstacleId, 1);
+  EXPECT_FALSE(back[0].IsMoving());
+  EXPECT_EQ(back[0].Mesh.Points, still.Mesh.Points);
+  ASSERT_EQ(back[1].Offsets.size(), 4u);
+  for (int frame = 0; frame < 4; ++frame)
+  {
+    EXPECT_LT((back[1].Offsets[frame] - box.Offsets[frame]).norm(), 1e-12);
+  }
+}
+
+TEST(Bridge, AnObstacleThatTurnsIsRefused)
+{
+  ObstacleMesh box;
+  box.Mesh.Points = { Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1) };
+  box.Mesh.Triangles = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
+  ObstacleMesh turned = box;
+  for (Vec3& point : turned.Mesh.Points)
+  {
+    point = Vec3(-point.y(), point.x(), point.z());
+  }
+  ObstacleCollector collector;
+  vtkNew<vtkPolyData> first;
+  ObstaclesToPolyData({ box }, 0, SceneInfo(), first);
+  ASSERT_TRUE(collector.Add(first, 0.0, Timeline()));
+  vtkNew<vtkPolyData> second;
+  ObstaclesToPolyData({ turned }, 0, SceneInfo(), second);
+  const Result result = collector.Add(second, 0.1, Timeline());
+  EXPECT_NE(result.Message().find("obstacle 0"), std::string::npos) << result.Message();
+}
+
+TEST(Bridge, WindStepsComeBack)
+{
+  FieldSeries wind;
+  wind.Dimensions = { 3, 2, 2 };
+  wind.Origin = Vec3(-1.0, 0.0, 0.5);
+  wind.Spacing = Vec3(1.0, 2.0, 0.5);
+  Random random(8);
+  for (const double time : { 0.0, 0.5 })
+  {
+    wind.Times.push_back(time);
+    wind.Values.emplace_back();
+    for (int i = 0; i < 12; ++i)
+    {
+      wind.Values.back().push_back(
+        { float(random.Uniform()), float(random.Uniform()), float(random.Uniform()) });
+    }
+  }
+  FieldCollector collector;
+  for (const double time : wind.Times)
+  {
+    vtkNew<vtkImageData> image;
+    FieldSeriesToImage(wind, time, SceneInfo(), image);
+    ASSERT_TRUE(collector.Add(image, time));
+  }
+  const FieldSeries back = collector.Take();
+  EXPECT_EQ(back.Values, wind.Values);
+  EXPECT_EQ(back.Origin, wind.Origin);
+  EXPECT_EQ(back.Meaning, FieldMeaning::Acceleration);
+}
+
+TEST(Bridge, ShapesComeBack)
+{
+  Shape leaf;
+  leaf.Name = "leaf";
+  leaf.Mesh.Points = { Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0) };
+  leaf.Mesh.Triangles = { { 0, 1, 2 } };
+  leaf.TextureCoordinates = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.0, 1.0 } };
+  leaf.Texture = "leaf.png";
+  leaf.Color = { 0.5, 0.25, 0.125 };
+  leaf.SettlingSpeed = 0.7;
+  vtkNew<vtkMultiBlockDataSet> data;
+  ShapesToMultiBlock({ leaf }, SceneInfo(), data);
+  std::vector<Shape> back;
+  ASSERT_TRUE(ShapesFromMultiBlock(data, back));
+  ASSERT_EQ(back.size(), 1u);
+  EXPECT_EQ(back[0].Name, "leaf");
+  EXPECT_EQ(back[0].Mesh.Points, leaf.Mesh.Points);
+  EXPECT_EQ(back[0].Mesh.Triangles, leaf.Mesh.Triangles);
+  EXPECT_EQ(back[0].TextureCoordinates, leaf.TextureCoordinates);
+  EXPECT_EQ(back[0].Texture, "leaf.png");
+  EXPECT_EQ(back[0].Color, leaf.Color);
+  EXPECT_EQ(back[0].SettlingSpeed, 0.7);
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PipelineTesting.h"
+
+#include "Bridge/SceneData.h"
+
+#include <vtkObjectSource.h>
+#include <vtkPolyData.h>
+
+#include <gtest/gtest.h>
+
+TEST(ObjectSource, GivesOneObjectWithItsScene)
+{
+  vtkNew<vtkObjectSource> source;
+  source->SetPosition(0.5, -1.0, 2.0);
+  source->SetOrientation(0.0, 0.0, 0.0, 2.0);
+  source->SetObjectId(7);
+  source->SetSettlingSpeed(0.3);
+  source->SetNumberOfFrames(31);
+  source->Update();
+
+  std::vector<waft::MotionObject> objects;
+  ASSERT_TRUE(waft::ObjectsFromPolyData(source->GetOutput(), objects));
+  ASSERT_EQ(objects.size(), 1u);
+  EXPECT_EQ(objects[0].ObjectId, 7);
+  EXPECT_EQ(objects[0].Position, waft::Vec3(0.5, -1.0, 2.0));
+  EXPECT_EQ(objects[0].Orientation.coeffs(), waft::Quat(0.0, 0.0, 0.0, 1.0).coeffs());
+  EXPECT_EQ(objects[0].SettlingSpeed, 0.3);
+  waft::SceneInfo info;
+  ASSERT_TRUE(waft::SceneInfoFromFieldData(source->GetOutput(), info));
+  EXPECT_EQ(info.Time.NumberOfFrames, 31);
+  EXPECT_EQ(info.Bounds.Max, waft::Vec3(2.0, 2.0, 4.0));
+  EXPECT_EQ(TimeSteps(source).size(), 31u);
+}
+
+TEST(ObjectSource, RefusesAnOrientationOfZeros)
+{
+  vtkNew<vtkObjectSource> source;
+  source->SetOrientation(0.0, 0.0, 0.0, 0.0);
+  ErrorLog errors(source);
+  source->Update();
+  EXPECT_TRUE(errors.Contains("Orientation: expected a quaternion")) << errors.Text;
+  EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
+}
