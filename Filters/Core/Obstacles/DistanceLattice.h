@@ -29,8 +29,11 @@ struct DistanceLattice
   double Sample(const Vec3& x, Vec3& gradient) const;
 };
 
-/// Fills lattice.Values from its Dimensions, Origin, Spacing and Band: the least distance to the
-/// union of the obstacles as they stand at a frame. The surfaces must be closed.
+/// Fills lattice.Values from its Dimensions, Origin, Spacing and Band: the signed distance to the
+/// nearest obstacle as they stand at a frame, where within Band, else Band with the sign. Errors: a
+/// lattice without points, spacing or band that is not positive, an obstacle that ObstacleSet
+/// would refuse (cutting itself excepted: it is not looked for here). On failure lattice.Values is
+/// empty. Runs on one thread.
 Result ComputeDistanceLattice(const std::vector<ObstacleMesh>& obstacles, double frame,
                               DistanceLattice& lattice);
 

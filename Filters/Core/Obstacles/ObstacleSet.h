@@ -29,9 +29,12 @@ public:
   ObstacleSet(ObstacleSet&&) noexcept;
   ObstacleSet& operator=(ObstacleSet&&) noexcept;
 
-  /// Fails when a surface is not closed, cuts itself, is empty or holds a number that is not
-  /// finite; the message names the obstacle. Different obstacles may touch or overlap. An
-  /// inside-out surface is turned. On failure the set is left as it was.
+  /// Fails when a surface is not closed (an edge that does not belong to exactly two triangles is
+  /// named), cuts or touches itself, is empty, holds a number that is not finite, or when two
+  /// obstacles have one id; the message names the obstacle and the place. Different obstacles may
+  /// touch or overlap. Inside-out surfaces and single triangles are turned, connected component by
+  /// component; a component inside an odd number of others of its obstacle bounds a cavity. On
+  /// failure the set is left as it was.
   Result Build(std::vector<ObstacleMesh> obstacles);
 
   bool IsEmpty() const;
@@ -41,17 +44,24 @@ public:
   /// Signed distance to the nearest obstacle [m], negative inside; at most `limit` (a query that
   /// needs no more than the limit is cheaper). `ignored`: the id of an obstacle left out.
   double SignedDistance(const Vec3& x, double frame, double limit = 1e30, int ignored = -1) const;
-  /// The same, with the closest point and the outward normal there.
+  /// The same without a limit, with the closest point and the normal there: the gradient of the
+  /// signed distance, or on the surface itself that of the face. Without obstacles: 1e30, and the
+  /// hit's ObstacleId is -1.
   double SignedDistance(const Vec3& x, double frame, SurfaceHit& hit, int ignored = -1) const;
+  /// The same to one obstacle alone; 1e30 when there is none of this id.
+  double SignedDistanceTo(int obstacleId, const Vec3& x, double frame, SurfaceHit& hit) const;
 
   /// True when a ball of this radius swept from a (at frameA) to b (at frameB) on a straight line
-  /// stays clear of every obstacle.
+  /// at constant speed stays clear of every obstacle: no surface point nearer to the centre than
+  /// the radius, no surface crossed, the centre outside. Exact up to rounding, moving obstacles
+  /// included (their motion is straight between whole frames). A ball that only touches is clear.
   bool IsClear(const Vec3& a, double frameA, const Vec3& b, double frameB, double radius,
                int ignored = -1) const;
 
   /// The first surface straight below x at a frame. From a point inside an obstacle: the top of the
-  /// solid that x is in (a target is never "inside" what it lands on). False when there is nothing
-  /// below.
+  /// solid that x is in (a target is never "inside" what it lands on); obstacles that overlap or
+  /// touch there are one solid. The normal is the face's. False, and hit left as it was, when there
+  /// is nothing below.
   bool SurfaceBelow(const Vec3& x, double frame, SurfaceHit& hit) const;
 
 private:

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Obstacles/NarrowBand.h"
+
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/MeshToVolume.h>
+
+#include <tbb/task_arena.h>
+
+namespace waft
+{
+
+void UnsignedNarrowBand(const TriangleMesh& mesh, const Vec3& offset,
+                        const DistanceLattice& lattice, std::vector<float>& distance)
+{
+  // In index space the lattice's points are the integers.
+  std::vector<openvdb::Vec3s> points;
+  points.reserve(mesh.Points.size());
+  for (const Vec3& p : mesh.Points)
+  {
+    const Vec3 index = (p + offset - lattice.Origin) / lattice.Spacing;
+    points.emplace_back(openvdb::Vec3d(index.x(), index.y(), index.z()));
+  }
+  std::vector<openvdb::Vec3I> triangles;
+  triangles.reserve(mesh.Triangles.size());
+  for (const auto& t : mesh.Triangles)
+  {
+    triangles.emplace_back(t[0], t[1], t[2]);
+  }
+  const openvdb::tools::QuadAndTriangleDataAdapter<openvdb::Vec3s, openvdb::Vec3I> adapter(
+    points, triangles);
+  const auto transform = openvdb::math::Transform::createLinearTransform(lattice.Spacing);
+  const auto width = static_cast<float>(lattice.Band / lattice.Spacing + 1.0);
+  openvdb::FloatGrid::Ptr grid;
+  tbb::task_arena alone(1); // threads are the caller's to give
+  alone.execute(
+    [&]
+    {
+      grid = openvdb::tools::meshToVolume<openvdb::FloatGrid>(
+        adapter, *transform, width, width, openvdb::tools::UNSIGNED_DISTANCE_FIELD);
+    });
+  const auto nx = static_cast<std::size_t>(lattice.Dimensions[0]);
+  const auto ny = static_cast<std::size_t>(lattice.Dimensions[1]);
+  distance.assign(nx * ny * lattice.Dimensions[2], 0.0F);
+  auto accessor = grid->getConstAccessor();
+  const auto band = static_cast<float>(lattice.Band + lattice.Spacing);
+  for (int k = 0; k < lattice.Dimensions[2]; ++k)
+  {
+    for (int j = 0; j < lattice.Dimensions[1]; ++j)
+    {
+      for (int i = 0; i < lattice.Dimensions[0]; ++i)
+      {
+        const float value = accessor.getValue(openvdb::Coord(i, j, k));
+        distance[(k * ny + j) * nx + i] = std::min(std::abs(value), band);
+      }
+    }
+  }
+}
+
+} // namespace waft

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Obstacles/Rest.h"
+
+#include <cmath>
+
+namespace waft
+{
+
+namespace
+{
+
+constexpr double SteepestNormal = 0.1; // z of the normal, 84 degrees
+constexpr double LandingSlack = 1e-6;  // m: a resting centre lies at its distance up to rounding
+
+/// Samples of the centre against the obstacle it lands on.
+bool StaysAbove(const ObstacleSet& obstacles, int obstacleId, double distance, const Vec3& a,
+                double frameA, const Vec3& b, double frameB)
+{
+  const int steps = std::max(4, static_cast<int>(std::ceil(8.0 * (frameB - frameA))));
+  for (int k = 0; k <= steps; ++k)
+  {
+    const double part = static_cast<double>(k) / steps;
+    SurfaceHit hit;
+    if (obstacles.SignedDistanceTo(obstacleId, a + part * (b - a),
+                                   frameA + part * (frameB - frameA),
+                                   hit) < distance - LandingSlack)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+bool RestingPlace(const ObstacleSet& obstacles, const Vec3& value, double frame, double restHeight,
+                  Vec3& centre, SurfaceHit& hit)
+{
+  if (!obstacles.SurfaceBelow(value, frame, hit))
+  {
+    return false;
+  }
+  const double slope = std::max(hit.Normal.z(), SteepestNormal);
+  centre = Vec3(value.x(), value.y(), hit.Point.z() + restHeight / slope);
+  return true;
+}
+
+std::vector<LandingWindow> LandingWindows(const MotionObject& object,
+                                          const std::vector<Constraint>& rows,
+                                          const ObstacleSet& obstacles, double framesPerSecond)
+{
+  std::vector<LandingWindow> windows;
+  for (const Constraint& row : rows)
+  {
+    SurfaceHit hit;
+    Vec3 centre;
+    if (row.ObjectId != object.ObjectId || row.Kind != ConstraintKind::Rest ||
+        !RestingPlace(obstacles, row.Value, row.Frame, object.RestHeight, centre, hit))
+    {
+      continue;
+    }
+    LandingWindow window;
+    window.ObstacleId = hit.ObstacleId;
+    window.Frame = row.Frame;
+    window.Until = std::max(row.Until, row.Frame);
+    window.First = row.Frame - framesPerSecond;
+    window.Last = window.Until + framesPerSecond;
+    window.Centre = centre;
+    window.Point = hit.Point;
+    window.Normal = hit.Normal;
+    window.Row = row.Row;
+    window.Target = row.Target;
+    windows.push_back(window);
+  }
+  std::stable_sort(windows.begin(), windows.end(),
+                   [](const LandingWindow& l, const LandingWindow& r)
+                   { return l.Frame < r.Frame; });
+  return windows;
+}
+
+Clearance RequiredClearance(const MotionObject& object, const std::vector<LandingWindow>& windows,
+                            double frame)
+{
+  Clearance clearance;
+  clearance.Radius = object.ClearanceRadius;
+  double nearest = 0.0; // frames to the rest itself: where windows overlap, the nearer one counts
+  for (const LandingWindow& window : windows)
+  {
+    const double away = std::max({ window.Frame - frame, frame - window.Until, 0.0 });
+    if (frame >= window.First && frame <= window.Last && (clearance.Exempt < 0 || away < nearest))
+    {
+      nearest = away;
+      clearance.Exempt = window.ObstacleId;
+      clearance.LandingDistance = object.RestHeight;
+    }
+  }
+  return clearance;
+}
+
+bool IsMotionClear(const ObstacleSet& obstacles, const MotionObject& object,
+                   const std::vector<LandingWindow>& windows, const Vec3& a, double frameA,
+                   const Vec3& b, double frameB)
+{
+  std::vector<double> cuts{ frameA, frameB };
+  for (std::size_t w = 0; w < windows.size(); ++w)
+  {
+    cuts.push_back(windows[w].First);
+    cuts.push_back(windows[w].Last);
+    if (w > 0)
+    {
+      cuts.push_back(0.5 * (windows[w - 1].Until + windows[w].Frame));
+    }
+  }
+  std::sort(cuts.begin(), cuts.end());
+  const auto place = [&](double frame)
+  { return frameB > frameA ? Vec3(a + (frame - frameA) / (frameB - frameA) * (b - a)) : b; };
+  double from = frameA;
+  Vec3 x = a;
+  for (const double cut : cuts)
+  {
+    if (cut <= from || cut > frameB)
+    {
+      continue;
+    }
+    const Vec3 y = cut == frameB ? b : place(cut);
+    const Clearance clearance = RequiredClearance(object, windows, 0.5 * (from + cut));
+    if (!obstacles.IsClear(x, from, y, cut, clearance.Radius, clearance.Exempt) ||
+        (clearance.Exempt >= 0 &&
+         !StaysAbove(obstacles, clearance.Exempt, clearance.LandingDistance, x, from, y, cut)))
+    {
+      return false;
+    }
+    from = cut;
+    x = y;
+  }
+  if (frameA == frameB)
+  {
+    const Clearance clearance = RequiredClearance(object, windows, frameA);
+    return obstacles.IsClear(a, frameA, b, frameB, clearance.Radius, clearance.Exempt) &&
+           (clearance.Exempt < 0 || StaysAbove(obstacles, clearance.Exempt,
+                                               clearance.LandingDistance, a, frameA, b, frameB));
+  }
+  return true;
+}
+
+bool KeepsInside(const Box& volume, const Clearance& clearance, const Vec3& x)
+{
+  const double r = clearance.Radius;
+  const double floor = clearance.Exempt >= 0 ? clearance.LandingDistance - LandingSlack : r;
+  return x.x() - volume.Min.x() >= r && volume.Max.x() - x.x() >= r &&
+         x.y() - volume.Min.y() >= r && volume.Max.y() - x.y() >= r &&
+         volume.Max.z() - x.z() >= r && x.z() - volume.Min.z() >= floor;
+}
+
+} // namespace waft

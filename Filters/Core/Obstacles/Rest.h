@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where things come to rest, and what clearance holds around a landing: the one place that planner,
+// optimiser and rotation ask.
+#pragma once
+
+#include "Base/Motion.h"
+#include "Obstacles/ObstacleSet.h"
+
+#include <vector>
+
+namespace waft
+{
+
+/// The centre of a body that lies on the first surface straight below `value` at a frame: x and y
+/// are the value's, the height is the surface's plus restHeight / normal.z, so that a body lying in
+/// the tangent plane touches it (on faces steeper than 84 degrees as if they were 84). False when
+/// there is nothing below.
+bool RestingPlace(const ObstacleSet& obstacles, const Vec3& value, double frame, double restHeight,
+                  Vec3& centre, SurfaceHit& hit);
+
+/// One rest row and the time around it in which its surface does not count as an obstacle: from one
+/// second before the row's Frame to one second after its Until.
+struct LandingWindow
+{
+  int ObstacleId = -1; // the surface landed on
+  int Frame = 0;       // the row's own
+  int Until = 0;
+  double First = 0.0;          // frames
+  double Last = 0.0;           // frames
+  Vec3 Centre = Vec3::Zero();  // resting place of the centre
+  Vec3 Point = Vec3::Zero();   // of the surface, straight below
+  Vec3 Normal = Vec3::UnitZ(); // of the surface there
+  int Row = 0;
+  int Target = 0;
+};
+
+/// The windows of one object in order of Frame. rows: constraints of the scene; those of other
+/// objects, of other kinds, and rests with nothing below are passed over.
+std::vector<LandingWindow> LandingWindows(const MotionObject& object,
+                                          const std::vector<Constraint>& rows,
+                                          const ObstacleSet& obstacles, double framesPerSecond);
+
+/// What holds for the centre of an object at one frame.
+struct Clearance
+{
+  double Radius = 0.0;          // m, to every obstacle but the exempt one, to sides and top
+  int Exempt = -1;              // the obstacle it lands on or leaves, -1: none
+  double LandingDistance = 0.0; // m, least signed distance to the exempt obstacle: the RestHeight
+};
+
+Clearance RequiredClearance(const MotionObject& object, const std::vector<LandingWindow>& windows,
+                            double frame);
+
+/// Swept version: from a at frameA to b at frameB, frameA <= frameB, split where a window begins or
+/// ends. Within a window the centre keeps its LandingDistance (less 1e-6 m for rounding) from the
+/// exempt obstacle, looked at in at least 8 places a frame. Walls are not looked at.
+bool IsMotionClear(const ObstacleSet& obstacles, const MotionObject& object,
+                   const std::vector<LandingWindow>& windows, const Vec3& a, double frameA,
+                   const Vec3& b, double frameB);
+
+/// True when x keeps the clearance's radius from the sides and the top of the volume and from its
+/// floor; during a landing LandingDistance (less 1e-6 m) is enough from the floor.
+bool KeepsInside(const Box& volume, const Clearance& clearance, const Vec3& x);
+
+} // namespace waft

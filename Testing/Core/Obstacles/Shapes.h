@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Closed surfaces for the tests of obstacles.
+#pragma once
+
+#include "Base/Mesh.h"
+
+#include <cmath>
+
+namespace waft::testing
+{
+
+inline TriangleMesh BoxMesh(const Vec3& low, const Vec3& high)
+{
+  TriangleMesh mesh;
+  for (int n = 0; n < 8; ++n)
+  {
+    mesh.Points.emplace_back(n & 1 ? high.x() : low.x(), n & 2 ? high.y() : low.y(),
+                             n & 4 ? high.z() : low.z());
+  }
+  mesh.Triangles = { { 0, 2, 1 }, { 1, 2, 3 }, { 4, 5, 6 }, { 5, 7, 6 }, { 0, 1, 4 }, { 1, 5, 4 },
+                     { 2, 6, 3 }, { 3, 6, 7 }, { 0, 4, 2 }, { 2, 4, 6 }, { 1, 3, 5 }, { 3, 7, 5 } };
+  return mesh;
+}
+
+/// A torus about the z axis; every triangle has points of its own, as readers of STL give them,
+/// and the seam closes only up to rounding.
+inline TriangleMesh TorusMesh(const Vec3& centre, double ring, double tube, int n, int m)
+{
+  const auto point = [&](int i, int j)
+  {
+    const double u = 2.0 * EIGEN_PI * i / n;
+    const double v = 2.0 * EIGEN_PI * j / m;
+    return Vec3(centre + Vec3((ring + tube * std::cos(v)) * std::cos(u),
+                              (ring + tube * std::cos(v)) * std::sin(u), tube * std::sin(v)));
+  };
+  TriangleMesh mesh;
+  const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c)
+  {
+    const int first = static_cast<int>(mesh.Points.size());
+    mesh.Points.insert(mesh.Points.end(), { a, b, c });
+    mesh.Triangles.push_back({ first, first + 1, first + 2 });
+  };
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < m; ++j)
+    {
+      add(point(i, j), point(i + 1, j), point(i + 1, j + 1));
+      add(point(i, j), point(i + 1, j + 1), point(i, j + 1));
+    }
+  }
+  return mesh;
+}
+
+inline void Append(TriangleMesh& mesh, const TriangleMesh& other)
+{
+  const int first = static_cast<int>(mesh.Points.size());
+  mesh.Points.insert(mesh.Points.end(), other.Points.begin(), other.Points.end());
+  for (const auto& t : other.Triangles)
+  {
+    mesh.Triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
+  }
+}
+
+inline void Turn(TriangleMesh& mesh)
+{
+  for (auto& t : mesh.Triangles)
+  {
+    std::swap(t[1], t[2]);
+  }
+}
+
+} // namespace waft::testing

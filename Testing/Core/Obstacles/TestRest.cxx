@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Obstacles/Rest.h"
+
+#include "Obstacles/Shapes.h"
+
+#include <gtest/gtest.h>
+
+using namespace waft;
+using namespace waft::testing;
+
+namespace
+{
+
+/// Ground, and a wedge whose upper face climbs 30 degrees along x.
+ObstacleSet Scene()
+{
+  ObstacleMesh ground, wedge, wall;
+  ground.Mesh = BoxMesh(Vec3(-4, -4, -1), Vec3(4, 4, 0));
+  wedge.ObstacleId = 1;
+  wedge.Mesh = BoxMesh(Vec3(0, -1, 0), Vec3(1, 1, 1));
+  for (Vec3& p : wedge.Mesh.Points)
+  {
+    p.z() = p.z() > 0.5 ? 0.2 + p.x() * std::tan(EIGEN_PI / 6.0) : 0.0;
+  }
+  wall.ObstacleId = 2;
+  wall.Mesh = BoxMesh(Vec3(-1.2, -1, 0), Vec3(-1.1, 1, 2));
+  ObstacleSet set;
+  const Result result = set.Build({ ground, wedge, wall });
+  EXPECT_TRUE(static_cast<bool>(result)) << result.Message();
+  return set;
+}
+
+Constraint RestRow(const Vec3& value, int frame, int until)
+{
+  Constraint row;
+  row.ObjectId = 5;
+  row.Kind = ConstraintKind::Rest;
+  row.Value = value;
+  row.Frame = frame;
+  row.Until = until;
+  return row;
+}
+
+MotionObject Leaf()
+{
+  MotionObject leaf;
+  leaf.ObjectId = 5;
+  leaf.ClearanceRadius = 0.05;
+  leaf.RestHeight = 0.01;
+  return leaf;
+}
+
+} // namespace
+
+TEST(Rest, BodyTouchesTheSlope)
+{
+  const ObstacleSet set = Scene();
+  Vec3 centre;
+  SurfaceHit hit;
+  ASSERT_TRUE(RestingPlace(set, Vec3(0.4, 0.1, 3.0), 0, 0.02, centre, hit));
+  EXPECT_EQ(hit.ObstacleId, 1);
+  EXPECT_NEAR(set.SignedDistance(centre, 0), 0.02, 1e-12);
+  EXPECT_EQ(centre.x(), 0.4);
+  EXPECT_EQ(centre.y(), 0.1);
+  ASSERT_TRUE(RestingPlace(set, Vec3(2, 2, -0.3), 0, 0.0, centre, hit)); // a target in the ground
+  EXPECT_EQ(centre.z(), 0.0);
+  EXPECT_FALSE(RestingPlace(set, Vec3(9, 0, 3), 0, 0.02, centre, hit));
+}
+
+TEST(Rest, WindowsSpanOneSecondBeforeAndAfter)
+{
+  const ObstacleSet set = Scene();
+  const MotionObject leaf = Leaf();
+  std::vector<Constraint> rows{ RestRow(Vec3(2, 2, 1), 100, 120), RestRow(Vec3(0.5, 0, 3), 60, 70),
+                                RestRow(Vec3(9, 9, 1), 10, 20) };
+  rows.push_back(RestRow(Vec3(1, 1, 1), 5, 6));
+  rows.back().ObjectId = 4;
+  const auto windows = LandingWindows(leaf, rows, set, 10.0);
+  ASSERT_EQ(windows.size(), 2u);
+  EXPECT_EQ(windows[0].ObstacleId, 1);
+  EXPECT_EQ(windows[0].First, 50.0);
+  EXPECT_EQ(windows[0].Last, 80.0);
+  EXPECT_EQ(windows[1].ObstacleId, 0);
+  EXPECT_EQ(RequiredClearance(leaf, windows, 49.9).Exempt, -1);
+  EXPECT_EQ(RequiredClearance(leaf, windows, 50.0).Exempt, 1);
+  EXPECT_EQ(RequiredClearance(leaf, windows, 50.0).LandingDistance, 0.01);
+  EXPECT_EQ(RequiredClearance(leaf, windows, 85.0).Exempt, -1);
+  EXPECT_EQ(RequiredClearance(leaf, windows, 130.0).Exempt, 0);
+  EXPECT_EQ(RequiredClearance(leaf, windows, 130.0).Radius, 0.05);
+}
+
+TEST(Rest, LandingIsAllowedInItsWindowOnly)
+{
+  const ObstacleSet set = Scene();
+  const MotionObject leaf = Leaf();
+  const auto windows = LandingWindows(leaf, { RestRow(Vec3(-0.5, 0, 3), 100, 120) }, set, 10.0);
+  ASSERT_EQ(windows.size(), 1u);
+  const Vec3 place = windows[0].Centre;
+  EXPECT_NEAR(place.z(), 0.01, 1e-15);
+  const Vec3 above = place + Vec3(0, 0, 0.03);
+  EXPECT_TRUE(IsMotionClear(set, leaf, windows, above, 99, place, 100));
+  EXPECT_TRUE(IsMotionClear(set, leaf, windows, place, 100, place, 120));
+  EXPECT_FALSE(IsMotionClear(set, leaf, windows, above, 85, above, 89)); // too early
+  EXPECT_FALSE(IsMotionClear(set, leaf, windows, above, 85, above, 95)); // begins too early
+  EXPECT_FALSE(IsMotionClear(set, leaf, windows, place, 110, place - Vec3(0, 0, 0.001), 111));
+  // The wall still counts while the leaf lies on the ground.
+  EXPECT_FALSE(IsMotionClear(set, leaf, windows, Vec3(-1.06, 0, 0.01), 110, place, 111));
+  EXPECT_TRUE(IsMotionClear(set, leaf, windows, Vec3(-1.04, 0, 0.01), 110, place, 111));
+}
+
+TEST(Rest, FloorOfTheVolumeGivesWayToALanding)
+{
+  const ObstacleSet set = Scene();
+  const MotionObject leaf = Leaf();
+  const auto windows = LandingWindows(leaf, { RestRow(Vec3(-0.5, 0, 3), 100, 120) }, set, 10.0);
+  const Box volume;
+  EXPECT_TRUE(KeepsInside(volume, RequiredClearance(leaf, windows, 110), windows[0].Centre));
+  EXPECT_FALSE(KeepsInside(volume, RequiredClearance(leaf, windows, 50), windows[0].Centre));
+  EXPECT_TRUE(KeepsInside(volume, RequiredClearance(leaf, windows, 50), Vec3(0, 0, 0.05)));
+  EXPECT_FALSE(KeepsInside(volume, RequiredClearance(leaf, windows, 50), Vec3(0, 1.96, 1)));
+}
