@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Singular value decomposition of the segments of one length (Shi et al. 2005, section 3.2).
+#pragma once
+
+#include "Trajectory/MotionDatabase.h"
+
+#include <Eigen/Core>
+
+namespace waft
+{
+
+/// samples: one segment a column [3 NumberOfSamples x segments], in their own frames [m]. Keeps
+/// the least number of singular directions about the mean whose rest has an rms of at most
+/// relativeError times the rms of the segments. Fills Mean, Basis and RelativeError of the group
+/// and gives the coefficients [rank x segments].
+Eigen::MatrixXd CompressSegments(const Eigen::MatrixXd& samples, double relativeError,
+                                 SegmentGroup& group);
+
+} // namespace waft

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trajectory/TrajectoryClusters.h"
+
+#include "Base/Random.h"
+#include "Trajectory/Compression.h"
+#include "Trajectory/SegmentFrame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace waft
+{
+
+namespace
+{
+
+/// A part of a track that becomes a segment.
+struct Piece
+{
+  int Simulation = 0;
+  int Track = 0;
+  SampleRange Range;
+  int Length = 0; // index in GroupLengths
+};
+
+Result CheckTrack(const Track& track, std::size_t simulation)
+{
+  const std::string place = "track of object " + std::to_string(track.ObjectId) +
+                            " of simulation " + std::to_string(simulation) + ": ";
+  const std::size_t count = track.Positions.size();
+  for (const Vec3& position : track.Positions)
+  {
+    if (!position.allFinite())
+    {
+      return Result::Error(place + "a position is not finite");
+    }
+  }
+  for (const std::size_t size :
+       { track.ForceTypes.size(), track.VortexIds.size(), track.WindAccelerations.size() })
+  {
+    if (size != 0 && size != count)
+    {
+      return Result::Error(place + "the annotation does not have one entry a sample");
+    }
+  }
+  return Result::Ok();
+}
+
+double MeanSpeed(const Track& track, const SampleRange& range, double framesPerSecond)
+{
+  double length = 0.0;
+  for (int i = range.First; i + 1 < range.First + range.Count; ++i)
+  {
+    length += (track.Positions[i + 1] - track.Positions[i]).norm();
+  }
+  return length * framesPerSecond / (range.Count - 1);
+}
+
+std::vector<Piece> CutTracks(const ClusterInput& input, const SegmentationOptions& options,
+                             const std::vector<int>& lengths, int simulation)
+{
+  const double feature = options.FeatureCurvature > 0.0
+                           ? options.FeatureCurvature
+                           : 4.0 / std::max(input.Volume.Width(), 1e-12);
+  const std::vector<Track>& tracks = input.Simulations[simulation].Tracks;
+  std::vector<Piece> pieces;
+  for (std::size_t t = 0; t < tracks.size(); ++t)
+  {
+    const std::vector<double> curvature =
+      CurvatureAlong(tracks[t].Positions, 1.0 / input.FramesPerSecond);
+    for (const SampleRange& range : CutPath(curvature, options, feature))
+    {
+      const auto above = std::upper_bound(lengths.begin(), lengths.end(), range.Count);
+      const int length = static_cast<int>(above - lengths.begin()) - 1;
+      if (length < 0)
+      {
+        continue;
+      }
+      const SampleRange kept = Truncate(range, lengths[length], curvature);
+      if (MeanSpeed(tracks[t], kept, input.FramesPerSecond) >= options.LeastSpeed)
+      {
+        pieces.push_back({ simulation, static_cast<int>(t), kept, length });
+      }
+    }
+  }
+  return pieces;
+}
+
+/// Keeps `count` of the pieces, each with equal chance, in their order.
+void Thin(std::vector<Piece>& pieces, int count, std::uint64_t seed)
+{
+  if (count <= 0 || pieces.size() <= static_cast<std::size_t>(count))
+  {
+    return;
+  }
+  Random random(seed, 0x7417);
+  std::vector<std::size_t> order(pieces.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    order[i] = i;
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    std::swap(order[i], order[i + random.Index(static_cast<std::uint32_t>(order.size() - i))]);
+  }
+  order.resize(count);
+  std::sort(order.begin(), order.end());
+  std::vector<Piece> kept;
+  for (const std::size_t i : order)
+  {
+    kept.push_back(pieces[i]);
+  }
+  pieces = std::move(kept);
+}
+
+/// The segment of a piece, but for its group and coefficients; its vortices are added to the list.
+Segment Annotated(const ClusterInput& input, const Piece& piece, const SegmentFrame& frame,
+                  std::vector<Vortex>& vortices)
+{
+  const TracedSimulation& simulation = input.Simulations[piece.Simulation];
+  const Track& track = simulation.Tracks[piece.Track];
+  Segment segment;
+  segment.Simulation = piece.Simulation;
+  segment.ForceTypes.assign(piece.Range.Count, ForceType::None);
+  segment.VortexIds.assign(piece.Range.Count, -1);
+  std::map<int, int> stored; // VortexId of the run -> index in the list
+  for (int i = 0; i < piece.Range.Count; ++i)
+  {
+    const int sample = piece.Range.First + i;
+    if (!track.WindAccelerations.empty())
+    {
+      segment.MeanWind += track.WindAccelerations[sample] / piece.Range.Count;
+    }
+    if (!track.ForceTypes.empty())
+    {
+      segment.ForceTypes[i] = track.ForceTypes[sample];
+    }
+    if (track.VortexIds.empty() || segment.ForceTypes[i] != ForceType::Vortex)
+    {
+      continue;
+    }
+    const int id = track.VortexIds[sample];
+    const auto found = stored.find(id);
+    if (found != stored.end())
+    {
+      segment.VortexIds[i] = found->second;
+      continue;
+    }
+    const auto vortex = std::find_if(simulation.Vortices.begin(), simulation.Vortices.end(),
+                                     [id](const Vortex& v) { return v.VortexId == id; });
+    if (id < 0 || vortex == simulation.Vortices.end())
+    {
+      continue;
+    }
+    segment.VortexIds[i] = stored[id] = static_cast<int>(vortices.size());
+    vortices.push_back(LocalVortex(*vortex, frame, piece.Range.First / input.FramesPerSecond));
+    vortices.back().VortexId = segment.VortexIds[i];
+  }
+  segment.MeanWind = frame.Rotation.conjugate() * segment.MeanWind;
+  return segment;
+}
+
+/// Fills groups, segments and vortices; the trees read the coefficients.
+std::vector<TreeInput> Compress(const ClusterInput& input, const std::vector<Piece>& pieces,
+                                const std::vector<int>& lengths, double relativeError,
+                                MotionDatabase& database)
+{
+  std::vector<TreeInput> trees;
+  for (std::size_t length = 0; length < lengths.size(); ++length)
+  {
+    std::vector<const Piece*> members;
+    for (const Piece& piece : pieces)
+    {
+      if (piece.Length == static_cast<int>(length))
+      {
+        members.push_back(&piece);
+      }
+    }
+    if (members.empty())
+    {
+      continue;
+    }
+    TreeInput tree;
+    Eigen::MatrixXd samples(3 * lengths[length], static_cast<Eigen::Index>(members.size()));
+    for (std::size_t m = 0; m < members.size(); ++m)
+    {
+      const Piece& piece = *members[m];
+      const auto& positions = input.Simulations[piece.Simulation].Tracks[piece.Track].Positions;
+      const std::vector<Vec3> part(positions.begin() + piece.Range.First,
+                                   positions.begin() + piece.Range.First + piece.Range.Count);
+      const SegmentFrame frame = FrameOf(part);
+      samples.col(static_cast<Eigen::Index>(m)) = LocalSamples(part, frame);
+      tree.Segments.push_back(static_cast<int>(database.Segments.size()));
+      database.Segments.push_back(Annotated(input, piece, frame, database.Vortices));
+      database.Segments.back().Group = static_cast<int>(database.Groups.size());
+    }
+    SegmentGroup group;
+    tree.Coefficients = CompressSegments(samples, relativeError, group);
+    for (std::size_t m = 0; m < members.size(); ++m)
+    {
+      database.Segments[tree.Segments[m]].Coefficients =
+        tree.Coefficients.col(static_cast<Eigen::Index>(m));
+    }
+    database.Groups.push_back(std::move(group));
+    trees.push_back(std::move(tree));
+  }
+  return trees;
+}
+
+double TopSpeedOf(const MotionDatabase& database)
+{
+  double longest = 0.0;
+  for (std::size_t s = 0; s < database.Segments.size(); ++s)
+  {
+    const std::vector<Vec3> positions = database.Reconstruct(static_cast<int>(s));
+    for (std::size_t i = 0; i + 1 < positions.size(); ++i)
+    {
+      longest = std::max(longest, (positions[i + 1] - positions[i]).norm());
+    }
+  }
+  return longest * database.FramesPerSecond;
+}
+
+/// The share of a whole kernel's progress that a part of it makes.
+class PartMonitor : public Monitor
+{
+public:
+  PartMonitor(Monitor& whole, double begin, double end) : Whole(whole), Begin(begin), End(end) {}
+  bool Tick(double fraction, const std::string& text) override
+  {
+    return this->Whole.Tick(this->Begin + (this->End - this->Begin) * fraction, text);
+  }
+
+private:
+  Monitor& Whole;
+  double Begin;
+  double End;
+};
+
+} // namespace
+
+Result ClusterOptions::Validate() const
+{
+  if (this->Window < 3 || this->Window > this->Segmentation.ShortestSegment)
+  {
+    return Result::Error("Window: expected 3 samples to those of the shortest segment");
+  }
+  if (!(this->RelativeError >= 1e-6 && this->RelativeError <= 1.0))
+  {
+    return Result::Error("RelativeError: expected a number from 1e-6 to 1");
+  }
+  if (this->MaximumSegments < 0)
+  {
+    return Result::Error("MaximumSegments: expected 0 (no limit) or a positive number");
+  }
+  for (const Result& result :
+       { this->Segmentation.Validate(), this->Trees.Validate(), this->Connections.Validate() })
+  {
+    if (!result)
+    {
+      return result;
+    }
+  }
+  return Result::Ok();
+}
+
+Result ClusterTrajectories(const ClusterInput& input, const ClusterOptions& options,
+                           const ParallelFor& parallelFor, Monitor& monitor,
+                           MotionDatabase& database)
+{
+  if (Result result = options.Validate(); !result)
+  {
+    return result;
+  }
+  if (!(input.FramesPerSecond > 0.0))
+  {
+    return Result::Error("FramesPerSecond: expected a positive number");
+  }
+  const std::vector<int> lengths = GroupLengths(options.Segmentation);
+  std::vector<Piece> pieces;
+  for (std::size_t s = 0; s < input.Simulations.size(); ++s)
+  {
+    if (!monitor.Tick(0.3 * s / input.Simulations.size(), "Cutting trajectories"))
+    {
+      return Result::Stopped();
+    }
+    for (const Track& track : input.Simulations[s].Tracks)
+    {
+      if (Result result = CheckTrack(track, s); !result)
+      {
+        return result;
+      }
+    }
+    const std::vector<Piece> more =
+      CutTracks(input, options.Segmentation, lengths, static_cast<int>(s));
+    pieces.insert(pieces.end(), more.begin(), more.end());
+  }
+  if (pieces.empty())
+  {
+    return Result::Error("tracks: none has " + std::to_string(lengths.front()) +
+                         " samples that move, the shortest segment");
+  }
+  Thin(pieces, options.MaximumSegments, options.Trees.Seed);
+
+  MotionDatabase result;
+  result.FramesPerSecond = input.FramesPerSecond;
+  result.Volume = input.Volume;
+  result.Window = options.Window;
+  result.SettlingSpeed = input.SettlingSpeed;
+  if (!monitor.Tick(0.3, "Compressing segments"))
+  {
+    return Result::Stopped();
+  }
+  const std::vector<TreeInput> trees =
+    Compress(input, pieces, lengths, options.RelativeError, result);
+  result.TopSpeed = TopSpeedOf(result);
+
+  PartMonitor clustering(monitor, 0.4, 0.8);
+  Result done =
+    BuildClusterTrees(trees, options.Trees, parallelFor, clustering, result.Nodes, result.TopNodes);
+  if (!done || done.IsStopped())
+  {
+    return done;
+  }
+  PartMonitor connecting(monitor, 0.8, 1.0);
+  done = BuildConnectionTable(options.Connections, parallelFor, connecting, result);
+  if (!done || done.IsStopped())
+  {
+    return done;
+  }
+  database = std::move(result);
+  return Result::Ok();
+}
+
+} // namespace waft

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From traced trajectories to the motion database (Shi et al. 2005, section 3.2): cut, group,
+// compress, cluster, connect.
+#pragma once
+
+#include "Base/ForceFields.h"
+#include "Base/Monitor.h"
+#include "Base/Motion.h"
+#include "Base/Parallel.h"
+#include "Base/Result.h"
+#include "Trajectory/ClusterTree.h"
+#include "Trajectory/ConnectionTable.h"
+#include "Trajectory/MotionDatabase.h"
+#include "Trajectory/Segmentation.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace waft
+{
+
+/// One run whose air was traced.
+struct TracedSimulation
+{
+  /// Annotated; one sample a frame from frame 0. Tracks without annotation count as undriven.
+  std::vector<Track> Tracks;
+  /// Those that the VortexIds of the tracks name.
+  std::vector<Vortex> Vortices;
+};
+
+struct ClusterInput
+{
+  std::vector<TracedSimulation> Simulations;
+  double FramesPerSecond = 30.0;
+  Box Volume;
+  double SettlingSpeed = 0.0; // with which the tracers fell [m/s]
+};
+
+struct ClusterOptions
+{
+  SegmentationOptions Segmentation;
+  /// Samples that consecutive segments overlap in; at most the shortest segment.
+  int Window = 6;
+  /// Of the compression: rms left out over rms of the segments of a group, 1e-6 to 1.
+  double RelativeError = 0.002;
+  /// More segments than this are thinned at random; 0: all are kept.
+  int MaximumSegments = 6000;
+  ClusterTreeOptions Trees; // its Seed serves the thinning, too
+  ConnectionOptions Connections;
+
+  Result Validate() const;
+};
+
+/// Fails when no track is long enough for a segment. Groups without segments are left out.
+Result ClusterTrajectories(const ClusterInput& input, const ClusterOptions& options,
+                           const ParallelFor& parallelFor, Monitor& monitor,
+                           MotionDatabase& database);
+
+} // namespace waft

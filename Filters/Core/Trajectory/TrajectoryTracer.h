@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Follows massless tracers through a sampled flow, fed frame by frame (Shi et al. 2005, end of
+// section 3.1).
+#pragma once
+
+#include "Base/ForceFields.h"
+#include "Base/Monitor.h"
+#include "Base/Motion.h"
+#include "Base/Parallel.h"
+#include "Base/Result.h"
+#include "Base/Types.h"
+#include "Trajectory/Annotation.h"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace waft
+{
+
+/// Where the samples of a flow are: Origin + (i, j, k) * Spacing, i fastest. In a smoke grid these
+/// are the voxel centres.
+struct FlowLattice
+{
+  std::array<int, 3> Dimensions{ 0, 0, 0 };
+  Vec3 Origin = Vec3::Zero();  // m
+  Vec3 Spacing = Vec3::Ones(); // m
+
+  std::size_t NumberOfPoints() const
+  {
+    return static_cast<std::size_t>(this->Dimensions[0]) * this->Dimensions[1] *
+           this->Dimensions[2];
+  }
+};
+
+/// The flow at one time. The two force lists may be empty: then the closed forms of the vortices
+/// serve for the first, and there is no wind.
+struct FlowFrame
+{
+  double Time = 0.0;                             // s
+  std::vector<std::array<float, 3>> Velocity;    // m/s
+  std::vector<std::array<float, 3>> VortexForce; // m/s^2
+  std::vector<std::array<float, 3>> WindForce;   // m/s^2
+};
+
+struct TraceOptions
+{
+  /// Tracers start at every SeedStride-th lattice point along each axis, centred; at least 1.
+  int SeedStride = 8;
+  /// Samples of the trajectories per second.
+  double FramesPerSecond = 30.0;
+  /// Tracers end where they leave it.
+  Box Volume;
+  /// Tracers sink through the air at this speed [m/s]; 0: they follow it.
+  double SettlingSpeed = 0.0;
+  AnnotationOptions Annotation;
+
+  Result Validate() const;
+};
+
+/// True where a tracer cannot be; from many threads at once.
+using SolidTest = std::function<bool(const Vec3& x, double time)>;
+
+/// Classical Runge-Kutta steps of fourth order in a velocity that is trilinear in space and linear
+/// in time between the last two frames fed; only these are kept. One sample per frame of
+/// FramesPerSecond from the time of the first flow frame on, whatever the times of the others; a
+/// trajectory ends with the last sample inside the volume and outside what is solid.
+class TrajectoryTracer
+{
+public:
+  /// vortices: of the flow, for the annotation; isSolid may be empty.
+  Result Begin(const FlowLattice& lattice, const TraceOptions& options,
+               std::vector<Vortex> vortices = {}, SolidTest isSolid = {});
+  /// Frames come in increasing order of time.
+  Result Feed(FlowFrame frame, const ParallelFor& parallelFor);
+  /// Annotated trajectories, one per seed in the order of the lattice (ObjectId counts them).
+  std::vector<Track> Finish();
+
+  std::size_t NumberOfTracers() const { return this->Tracers.size(); }
+  /// Those that are still inside.
+  std::size_t NumberOfLiving() const;
+
+private:
+  struct Tracer
+  {
+    Vec3 Position = Vec3::Zero();
+    bool IsLiving = true;
+    Track Path;
+  };
+
+  void PlaceSeeds();
+  Result CheckFrame(const FlowFrame& frame) const;
+  void Advance(Tracer& tracer) const;
+  void Record(Tracer& tracer, double time) const;
+  bool CanBeAt(const Vec3& x, double time) const;
+  Vec3 VelocityAt(const Vec3& x, double time) const;
+  Vec3 Step(const Vec3& x, double time, double step) const;
+
+  FlowLattice Lattice;
+  TraceOptions Options;
+  std::vector<Vortex> Vortices;
+  SolidTest IsSolid;
+  FlowFrame Before;
+  FlowFrame Now;
+  double StartTime = 0.0;
+  bool HasFrame = false;
+  int NextSample = 0;
+  std::vector<Tracer> Tracers;
+};
+
+} // namespace waft
