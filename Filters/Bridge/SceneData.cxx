@@ -189,7 +189,7 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
                            vtkPolyData* data)
 {
   std::vector<Vec3> places;
-  std::vector<int> objects, frames, untils, rows, targets, groups, classes;
+  std::vector<int> objects, frames, untils, rows, targets, groups, classes, statuses;
   std::vector<unsigned char> kinds;
   std::vector<double> radii;
   vtkNew<vtkDoubleArray> values;
@@ -206,6 +206,7 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
     targets.push_back(row.Target);
     groups.push_back(row.Group);
     classes.push_back(row.ClassId);
+    statuses.push_back(static_cast<int>(row.Status));
     kinds.push_back(static_cast<unsigned char>(row.Kind));
     radii.push_back(row.Radius);
     if (row.Kind == ConstraintKind::Orientation)
@@ -231,6 +232,7 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
   AddInts(arrays, names::Target, targets);
   AddInts(arrays, names::Group, groups);
   AddInts(arrays, names::ClassId, classes);
+  AddInts(arrays, names::Status, statuses);
   SceneInfoToFieldData(info, data);
 }
 
@@ -238,7 +240,7 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
                                std::vector<Constraint>& constraints)
 {
   const ArrayPlace place{ data->GetPointData(), "Constraints", data->GetNumberOfPoints() };
-  std::vector<int> objects, frames, kinds, untils, rows, targets, groups, classes;
+  std::vector<int> objects, frames, kinds, untils, rows, targets, groups, classes, statuses;
   std::vector<double> radii;
   std::vector<Quat> values;
   const int last = time.NumberOfFrames - 1;
@@ -255,6 +257,7 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   WAFT_RETURN_IF_FAILED(ReadInts(place, names::Target, targets, &zero));
   WAFT_RETURN_IF_FAILED(ReadInts(place, names::Group, groups, &none));
   WAFT_RETURN_IF_FAILED(ReadInts(place, names::ClassId, classes, &none));
+  WAFT_RETURN_IF_FAILED(ReadInts(place, names::Status, statuses, &zero));
   constraints.clear();
   for (std::size_t i = 0; i < objects.size(); ++i)
   {
@@ -299,6 +302,7 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
     row.Target = targets[i];
     row.Group = groups[i];
     row.ClassId = classes[i];
+    row.Status = static_cast<ConstraintStatus>(std::clamp(statuses[i], 0, 3));
     constraints.push_back(row);
   }
   return Result::Ok();

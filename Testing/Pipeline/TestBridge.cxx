@@ -93,6 +93,7 @@ TEST(Bridge, ConstraintsComeBack)
   rows[2].Until = 250;
   rows[2].Row = 2;
   rows[2].Group = 5;
+  rows[2].Status = ConstraintStatus::Unreachable;
   vtkNew<vtkPolyData> data;
   ConstraintsToPolyData(rows, SceneInfo(), data);
   double place[3];
@@ -106,6 +107,8 @@ TEST(Bridge, ConstraintsComeBack)
   EXPECT_EQ(back[1].Orientation.coeffs(), rows[1].Orientation.coeffs());
   EXPECT_EQ(back[2].Until, 250);
   EXPECT_EQ(back[2].Group, 5);
+  EXPECT_EQ(back[0].Status, ConstraintStatus::Met);
+  EXPECT_EQ(back[2].Status, ConstraintStatus::Unreachable);
 
   const Result late = ConstraintsFromPolyData(data, Timeline{ 100, 30.0 }, back);
   EXPECT_EQ(late.Message(), "Constraints: vertex 2: array `Frame`: expected 0 to 99, found 200");

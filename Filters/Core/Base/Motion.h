@@ -68,6 +68,17 @@ enum class ConstraintKind : unsigned char
 /// "position", "velocity", "acceleration", "orientation", "rest".
 const char* ToString(ConstraintKind kind);
 
+enum class ConstraintStatus
+{
+  Met,
+  Infeasible, // by itself: inside an obstacle or outside the volume
+  Conflict,   // with another row, named
+  Unreachable // no path found in the limits; the path comes as near as it could
+};
+
+/// "met", "infeasible", "conflict", "unreachable".
+const char* ToString(ConstraintStatus status);
+
 /// One wish about one object at one frame.
 struct Constraint
 {
@@ -82,18 +93,9 @@ struct Constraint
   int Target = 0;                      // place in that row's list of targets
   int Group = -1;                      // rows of one group go to distinct objects
   int ClassId = -1;                    // -1: any
+  ConstraintStatus Status =
+    ConstraintStatus::Met; // what an earlier stage found: only met rows bind
 };
-
-enum class ConstraintStatus
-{
-  Met,
-  Infeasible, // by itself: inside an obstacle or outside the volume
-  Conflict,   // with another row, named
-  Unreachable // no path found in the limits; the path comes as near as it could
-};
-
-/// "met", "infeasible", "conflict", "unreachable".
-const char* ToString(ConstraintStatus status);
 
 /// One line of the Report, one per (Row, Target).
 struct ReportRow

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command `waft`."""
+import argparse
+import sys
+
+from waft import failures
+
+DESCRIPTION = "Motion of light things in air that goes where you say and moves like things carried by one air."
+EXIT = """exit status: 0 all constraints met; 2 malformed input or usage, nothing computed; 3 some constraint could not
+be met (named in constraints.csv and below), all others are; 4 stopped early, best so far written; 1 anything else"""
+
+
+def positive_int(text):
+    value = int(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError(f"expected a number of 1 or more, found {text}")
+    return value
+
+
+def seed(text):
+    value = int(text)
+    if not 0 <= value < 2 ** 31:
+        raise argparse.ArgumentTypeError(f"expected 0 to {2 ** 31 - 1}, found {text}")
+    return value
+
+
+def positive(text):
+    value = float(text)
+    if not 0.0 < value < float("inf"):
+        raise argparse.ArgumentTypeError(f"expected a positive number, found {text}")
+    return value
+
+
+def size(text):
+    width, separator, height = text.partition("x")
+    if not separator or not width.isdigit() or not height.isdigit() or not int(width) or not int(height):
+        raise argparse.ArgumentTypeError(f"expected WxH such as 1280x720, found {text}")
+    return int(width), int(height)
+
+
+def parser():
+    main = argparse.ArgumentParser(prog="waft", description=DESCRIPTION, epilog=EXIT)
+    commands = main.add_subparsers(dest="command", required=True, metavar="COMMAND")
+
+    make = commands.add_parser("synthesize", help="a scene file to an animation", epilog=EXIT)
+    make.add_argument("scene", help="scene file, *.waft.json")
+    make.add_argument("--output", required=True, metavar="DIR", help="folder for the results")
+    make.add_argument("--database", metavar="FILE", help="motion database, .vtm (default: the embedded one)")
+    make.add_argument("--seed", type=seed, help="instead of the scene's")
+    make.add_argument("--threads", type=positive_int, help="default: all cores; the result is the same")
+    make.add_argument("--time-limit", type=positive, metavar="S", help="seconds; the best so far is written")
+    make.add_argument("--preview", action="store_true", help="coarse optimisation, for a quick look")
+    make.add_argument("--resume", action="store_true", help="go on from what an earlier run left in DIR")
+    make.set_defaults(run=run_synthesize)
+
+    base = commands.add_parser("database", help="a motion database from simulations of smoke")
+    base.add_argument("--output", required=True, metavar="FILE.vtm")
+    base.add_argument("--simulations", type=positive_int, default=8, help="default 8")
+    base.add_argument("--frames", type=positive_int, default=300, help="frames of each, default 300")
+    base.add_argument("--resolution", type=positive_int, default=64, help="cells along a side, default 64")
+    base.add_argument("--seed", type=seed, default=1)
+    base.add_argument("--threads", type=positive_int)
+    base.set_defaults(run=run_database)
+
+    show = commands.add_parser("render", help="pictures and a movie of a result")
+    show.add_argument("folder", metavar="DIR", help="what synthesize wrote")
+    show.add_argument("--frames", metavar="A:B:S", help="first, last and step; default all")
+    show.add_argument("--size", type=size, default=(1280, 720), metavar="WxH")
+    show.add_argument("--movie", action="store_true")
+    show.set_defaults(run=run_render)
+
+    demo = commands.add_parser("demo", help="the embedded scenes, start to finish, with pictures")
+    demo.add_argument("--output", default="demo", metavar="DIR")
+    demo.add_argument("--threads", type=positive_int)
+    demo.set_defaults(run=run_demo)
+    return main
+
+
+def run_synthesize(options):
+    from waft.synthesis import synthesize
+
+    run = synthesize(options.scene, output=options.output, database=options.database, seed=options.seed,
+                     threads=options.threads, time_limit=options.time_limit, preview=options.preview,
+                     resume=options.resume, quiet=False)
+    tell(run, options.output)
+    return run.status
+
+
+def tell(run, folder):
+    """What came out, on stderr: constraints that are not met, and a line of figures."""
+    for row in run.report:
+        if row["Status"] != "met":
+            print(f"waft: row {row['Row']} target {row['Target']} (object {row['ObjectId']}, frame {row['Frame']}, "
+                  f"{row['Kind']}): {row['Status']}: {row['Message']}", file=sys.stderr)
+    met = sum(row["Status"] == "met" for row in run.report)
+    seconds = ", ".join(f"{name} {watch.seconds:.1f} s" for name, watch in run.watches.items())
+    print(f"{folder}: {met} of {len(run.report)} constraints met ({seconds})", file=sys.stderr)
+
+
+def run_database(options):
+    from waft.database import make_database
+
+    make_database(options.output, simulations=options.simulations, frames=options.frames,
+                  resolution=options.resolution, seed=options.seed, threads=options.threads, quiet=False)
+    return failures.ALL_MET
+
+
+def run_render(options):
+    from waft.render import render
+
+    render(options.folder, frames=options.frames, size=options.size, movie=options.movie)
+    return failures.ALL_MET
+
+
+def run_demo(options):
+    from waft.demo import run_demo as demo
+
+    return demo(options.output, threads=options.threads)
+
+
+def main(arguments=None):
+    options = parser().parse_args(arguments)
+    try:
+        return options.run(options)
+    except failures.WaftError as error:
+        print(f"waft: {error}", file=sys.stderr)
+        return error.status
+    except KeyboardInterrupt:
+        print("waft: interrupted", file=sys.stderr)
+        return failures.STOPPED_EARLY
+    except OSError as error:
+        print(f"waft: {error}", file=sys.stderr)
+        return failures.FAILED

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The embedded scenes, start to finish, with pictures."""
+import pathlib
+import sys
+
+from waft import failures
+from waft.cli import tell
+from waft.loading import data_file
+from waft.synthesis import synthesize
+
+SCENES = ("feather-waypoints", "leaves-letters")
+
+
+def run_demo(folder, threads=None):
+    """Synthesises and renders each scene into FOLDER/<scene>; returns the worst exit status."""
+    from waft.render import render
+
+    status = failures.ALL_MET
+    for name in SCENES:
+        target = pathlib.Path(folder) / name
+        print(f"{name}: planning, optimising, turning ...", file=sys.stderr)
+        run = synthesize(data_file(f"Scenes/{name}.waft.json"), output=target, threads=threads, quiet=False)
+        tell(run, target)
+        status = max(status, run.status)
+        last = int(run.output("reader").GetFieldData().GetArray("NumberOfFrames").GetValue(0)) - 1
+        print(f"{name}: rendering ...", file=sys.stderr)
+        render(target, frames=f"0:{last}:{max(1, last // 6)}", size=(960, 540))
+    print(f"Pictures are in {folder}/*/frames; {folder}/*/animation.glb opens in Blender.", file=sys.stderr)
+    return status

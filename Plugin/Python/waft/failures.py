@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What can go wrong, and the exit status that says so."""
+
+ALL_MET = 0
+FAILED = 1
+MALFORMED = 2
+NOT_ALL_MET = 3
+STOPPED_EARLY = 4
+
+
+class WaftError(Exception):
+    """A run could not be done; `status` is the exit status of the command."""
+
+    status = FAILED
+
+
+class BadInput(WaftError):
+    """Malformed input or usage: the message names file, place in it and what was expected."""
+
+    status = MALFORMED
+
+
+class Interrupted(WaftError):
+    """Stopped before there was anything worth writing."""
+
+    status = STOPPED_EARLY

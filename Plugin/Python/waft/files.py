@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files that appear whole or not at all."""
+import contextlib
+import csv
+import json
+import os
+import pathlib
+import shutil
+import tempfile
+
+
+class OutputFolder:
+    """Gathers a run's files beside the folder they are for, and moves them in when all are there.
+
+    Old results stay as they were until commit(); names that the run did not write are left alone.
+    """
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self._staging = pathlib.Path(tempfile.mkdtemp(prefix=".waft-", dir=self.folder))
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        shutil.rmtree(self._staging, ignore_errors=True)
+
+    def path(self, name):
+        """Where to write the file of this name for now."""
+        return str(self._staging / name)
+
+    def commit(self):
+        for entry in sorted(self._staging.iterdir()):
+            target = self.folder / entry.name
+            if target.is_dir() and not target.is_symlink():
+                shutil.rmtree(target)
+            os.replace(entry, target)
+
+
+def number(value):
+    """A double with 17 significant digits, which reads back bit for bit."""
+    return format(value, ".17g")
+
+
+def write_csv(path, header, rows):
+    with open(path, "w", newline="", encoding="utf-8") as stream:
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(header)
+        writer.writerows(rows)
+
+
+def write_json(path, content):
+    with open(path, "w", encoding="utf-8") as stream:
+        json.dump(content, stream, indent=2)
+        stream.write("\n")
+
+
+def write_xml(data, path):
+    """A VTK data set in its XML format, compressed; raises OSError when it could not be written."""
+    from vtkmodules.vtkIOXML import (vtkXMLImageDataWriter, vtkXMLMultiBlockDataWriter,
+                                     vtkXMLPolyDataWriter)
+
+    writers = {".vtp": vtkXMLPolyDataWriter, ".vti": vtkXMLImageDataWriter,
+               ".vtm": vtkXMLMultiBlockDataWriter}
+    writer = writers[pathlib.Path(path).suffix]()
+    writer.SetInputDataObject(data)
+    writer.SetFileName(str(path))
+    if writer.Write() != 1:
+        raise OSError(f"{path}: could not be written")
+
+
+def write_pvd(path, entries):
+    """A ParaView collection of (time, file) entries, files relative to it."""
+    with open(path, "w", encoding="utf-8") as stream:
+        stream.write('<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n  <Collection>\n')
+        for time, file in entries:
+            stream.write(f'    <DataSet timestep="{number(time)}" part="0" file="{file}"/>\n')
+        stream.write("  </Collection>\n</VTKFile>\n")
+
+
+def table_rows(table):
+    """Header and rows of a vtkTable, doubles with 17 digits."""
+    header = [table.GetColumnName(c) for c in range(table.GetNumberOfColumns())]
+    rows = []
+    for r in range(table.GetNumberOfRows()):
+        row = []
+        for c in range(table.GetNumberOfColumns()):
+            value = table.GetValue(r, c)
+            row.append(number(value.ToDouble()) if value.IsDouble() or value.IsFloat()
+                       else value.ToString())
+        rows.append(row)
+    return header, rows
+
+
+@contextlib.contextmanager
+def replaced(path):
+    """A temporary path beside a file, moved onto it when the block ends well."""
+    path = pathlib.Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    staging = pathlib.Path(tempfile.mkdtemp(prefix=".waft-", dir=path.parent))
+    try:
+        yield str(staging / path.name)
+        for entry in sorted(staging.iterdir()):
+            target = path.parent / entry.name
+            if target.is_dir() and not target.is_symlink():
+                shutil.rmtree(target)
+            os.replace(entry, target)
+    finally:
+        shutil.rmtree(staging, ignore_errors=True)

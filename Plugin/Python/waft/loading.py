@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where the installed tree (or the build tree, which is laid out alike) keeps what the package needs."""
+import os
+import pathlib
+
+_PACKAGE = pathlib.Path(__file__).resolve().parent
+
+
+def _find_upwards(pattern):
+    for folder in _PACKAGE.parents:
+        found = sorted(folder.glob(pattern))
+        if found:
+            return found[0]
+        if (folder / "share" / "waft").exists():
+            break
+    return None
+
+
+def version():
+    """The version of this Waft, as text."""
+    return (_find_upwards("share/waft/VERSION").read_text().strip())
+
+
+def data_file(name):
+    """Path of a file that comes with Waft: "Database/embedded.vtm", "Scenes/...".
+
+    WAFT_DATA names another folder. Raises FileNotFoundError when there is no such file.
+    """
+    folder = os.environ.get("WAFT_DATA") or _find_upwards("share/waft/Data")
+    path = pathlib.Path(folder or ".") / name
+    if not path.exists():
+        raise FileNotFoundError(f"{path}: no such file among Waft's data")
+    return str(path)
+
+
+def load_plugin():
+    """Makes the proxies known to paraview.simple, once; a clear error when ParaView's version differs."""
+    from paraview import simple
+
+    if hasattr(simple, "StylisticPlannerFilter"):
+        return
+    plugin = _find_upwards("lib*/paraview-*/plugins/Waft/Waft.so") or _find_upwards(
+        "lib/*/paraview-*/plugins/Waft/Waft.so")
+    if plugin is None:
+        raise ImportError(f"the ParaView plugin Waft.so was not found above {_PACKAGE}")
+    built_for = plugin.parts[-4].replace("paraview-", "")
+    running = str(simple.GetParaViewVersion())
+    if running != built_for:
+        raise ImportError(f"Waft was built for ParaView {built_for}, this is ParaView {running}")
+    simple.LoadPlugin(str(plugin), remote=False, ns=vars(simple))

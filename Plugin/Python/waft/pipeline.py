@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The pipeline of a scene: each stage a ParaView proxy, joined by VTK data alone."""
+from paraview import simple
+
+from waft.failures import BadInput
+from waft.loading import data_file
+from waft.watching import StageWatch
+
+
+class Pipeline:
+    """The live proxies: reader, database, planner, spacetime, rotation.
+
+    Change a property of any of them and call UpdatePipeline() on the last: only what depends on the
+    change is computed again.
+    """
+
+    STAGES = ("reader", "database", "planner", "spacetime", "rotation")
+
+    def __init__(self, scene, database=None):
+        self.reader = simple.MotionSceneReader(registrationName="Scene", FileName=str(scene))
+        database = str(database or data_file("Database/embedded.vtm"))
+        self.database = simple.XMLMultiBlockDataReader(registrationName="Database", FileName=[database])
+        self.database.TimeArray = "None"
+        self.planner = None
+        self.spacetime = None
+        self.rotation = None
+        self.watches = {}
+
+    def watch(self, name, clock):
+        self.watches[name] = StageWatch(name, getattr(self, name), clock)
+        return self.watches[name]
+
+    def update(self, name):
+        """Updates a stage that is watched; raises BadInput with its message when it failed."""
+        getattr(self, name).UpdatePipeline()
+        watch = self.watches[name]
+        if watch.errors and not watch.was_aborted:
+            raise BadInput(watch.message())
+
+    def output(self, name, port=0):
+        """The data object of an output port, on this side."""
+        return getattr(self, name).GetClientSideObject().GetOutputDataObject(port)
+
+    # The stages are joined one by one: which optional inputs there are is known once the reader ran.
+
+    def add_planner(self, seed):
+        self.planner = simple.StylisticPlannerFilter(
+            registrationName="Planner", Database=self.database, Objects=self._scene("Objects"),
+            Constraints=self._scene("Constraints"), Obstacles=self._scene("Obstacles"))
+        self.planner.Seed = seed
+
+    def add_spacetime(self, seed):
+        inputs = {"Obstacles": self._scene("Obstacles"), "Vortices": self._vortices()}
+        if self.output("reader", 5).GetNumberOfPoints() > 0:
+            inputs["Wind"] = self._scene("Wind")
+        self.spacetime = simple.SPHSpacetimeFilter(
+            registrationName="Spacetime", Tracks=simple.OutputPort(self.planner, 0),
+            Objects=self._scene("Objects"), Constraints=simple.OutputPort(self.planner, 3), **inputs)
+        self.spacetime.Seed = seed
+
+    def add_rotation(self, seed):
+        self.rotation = simple.RotationRefineFilter(
+            registrationName="Rotation", Tracks=simple.OutputPort(self.spacetime, 0),
+            Objects=self._scene("Objects"), Shapes=self._scene("Shapes"),
+            Obstacles=self._scene("Obstacles"), Constraints=simple.OutputPort(self.planner, 3))
+        self.rotation.Seed = seed
+
+    def _scene(self, name):
+        ports = ("Objects", "Constraints", "Obstacles", "Shapes", "Vortices", "Wind")
+        return simple.OutputPort(self.reader, ports.index(name))
+
+    def _vortices(self):
+        planned = simple.OutputPort(self.planner, 4)
+        if self.output("reader", 4).GetNumberOfCells() == 0:
+            return planned
+        return simple.AppendGeometry(registrationName="Vortices", Input=[self._scene("Vortices"), planned])

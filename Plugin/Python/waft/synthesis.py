@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""From a scene file to an animation."""
+import math
+import pathlib
+
+from waft import failures
+from waft.files import OutputFolder, number, table_rows, write_csv, write_json, write_pvd, write_xml
+from waft.loading import version
+from waft.watching import Clock
+
+STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
+
+
+def set_threads(threads):
+    """Number of threads of every stage (None: all cores). Results do not depend on it."""
+    from vtkmodules.vtkCommonCore import vtkSMPTools
+
+    vtkSMPTools.SetBackend("STDThread" if threads != 1 else "Sequential")
+    vtkSMPTools.Initialize(threads or 0)
+
+
+def synthesize(scene, output=None, database=None, seed=None, threads=None, time_limit=None,
+               preview=False, resume=False, quiet=True):
+    """Plans, optimises and turns the objects of a scene; returns the live Pipeline of proxies.
+
+    scene: path of a *.waft.json file. output: a folder for the files of `waft synthesize` (none: nothing
+    is written). database: a motion database, .vtm (default: the one that comes with Waft). seed: instead
+    of the scene's. threads: number of threads (default all; the result is the same). time_limit: seconds.
+    preview: a coarse optimisation, for a quick look. resume: goes on from what an earlier run with the
+    same inputs left in the folder.
+
+    The Pipeline has, besides the proxies: status (exit status of the command), report (the constraints,
+    one dictionary per row), warnings. Raises BadInput on malformed input; nothing is written then.
+    """
+    from waft.pipeline import Pipeline
+
+    for path, what in ((scene, "scene"), (database, "database")):
+        if path is not None and not pathlib.Path(path).is_file():
+            raise failures.BadInput(f"{path}: no such {what} file")
+    set_threads(threads)
+    pipeline = Pipeline(scene, database)
+    with Clock(time_limit, quiet) as clock:
+        _run(pipeline, clock, seed, preview)
+        pipeline.stopped = clock.interrupted or clock.timed_out
+    pipeline.report = constraint_report(pipeline)
+    pipeline.warnings = [w for watch in pipeline.watches.values() for w in watch.errors]
+    unmet = [row for row in pipeline.report if row["Status"] != "met"]
+    pipeline.status = (failures.STOPPED_EARLY if pipeline.stopped
+                       else failures.NOT_ALL_MET if unmet else failures.ALL_MET)
+    if output is not None:
+        write_results(pipeline, output, scene, seed)
+    return pipeline
+
+
+def _run(pipeline, clock, seed, preview):
+    pipeline.watch("reader", clock)
+    pipeline.update("reader")
+    pipeline.watch("database", clock)
+    pipeline.update("database")
+    if seed is None:
+        seed = int(pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0))
+    pipeline.seed = seed
+
+    pipeline.add_planner(seed)
+    pipeline.watch("planner", clock)
+    pipeline.update("planner")
+    if clock.should_stop() and pipeline.output("planner").GetNumberOfPoints() == 0:
+        raise failures.Interrupted("stopped before any path was planned")
+
+    pipeline.add_spacetime(seed)
+    watch = pipeline.watch("spacetime", clock)
+    if preview:
+        pipeline.spacetime.NumberOfGasParticles = 600
+        pipeline.spacetime.IterationScale = 0.25
+    left = clock.remaining()
+    if left is not None:
+        pipeline.spacetime.TimeLimit = max(left, 0.001)
+    pipeline.update("spacetime")
+    clock.timed_out = clock.timed_out or (left is not None and watch.seconds >= left)
+
+    pipeline.add_rotation(seed)
+    pipeline.watch("rotation", clock)
+    if clock.should_stop():
+        # The best so far is still turned and written: this stage is quick.
+        clock.interrupted, clock.time_limit, stopped = False, None, True
+    else:
+        stopped = False
+    pipeline.update("rotation")
+    clock.interrupted = clock.interrupted or stopped
+
+
+def constraint_report(pipeline):
+    """The optimiser's report, with the orientation rows measured on the poses."""
+    header, rows = table_rows(pipeline.output("spacetime", 5))
+    report = [dict(zip(header, row)) for row in rows]
+    _measure_orientations(pipeline, report)
+    return report
+
+
+def _measure_orientations(pipeline, report):
+    constraints = pipeline.output("planner", 3)
+    arrays = constraints.GetPointData()
+    poses = pipeline.output("rotation", 1)
+    by_place = {(int(r["Row"]), int(r["Target"])): r for r in report if r["Kind"] == "orientation"}
+    if not by_place or poses.GetNumberOfPoints() == 0:
+        return
+    ids = [int(poses.GetCellData().GetArray("ObjectId").GetValue(c)) for c in range(poses.GetNumberOfCells())]
+    turned = poses.GetPointData().GetArray("Orientation")
+    frames = poses.GetNumberOfPoints() // max(1, poses.GetNumberOfCells())
+    for i in range(constraints.GetNumberOfPoints()):
+        place = (int(arrays.GetArray("Row").GetValue(i)), int(arrays.GetArray("Target").GetValue(i)))
+        if int(arrays.GetArray("Kind").GetValue(i)) != 3 or place not in by_place:
+            continue
+        row = by_place[place]
+        if row["Status"] != "met":
+            continue
+        frame = int(arrays.GetArray("Frame").GetValue(i))
+        track = ids.index(int(arrays.GetArray("ObjectId").GetValue(i)))
+        wanted = arrays.GetArray("Value").GetTuple4(i)
+        seen = turned.GetTuple4(track * frames + frame)
+        dot = min(1.0, abs(sum(a * b for a, b in zip(wanted, seen))))
+        sine = math.sqrt(max(0.0, 1.0 - dot * dot))
+        residual = max(0.0, 2.0 * math.atan2(sine, dot) - arrays.GetArray("Radius").GetValue(i))
+        row["Residual"] = number(residual)
+        if residual > 1e-6:
+            row["Status"] = "unreachable"
+            row["Message"] = f"the orientation is off by {residual:.3g} rad beyond its radius"
+
+
+def write_results(pipeline, folder, scene, seed):
+    """Every file of a run, all at once: see the user guide for what each holds."""
+    with OutputFolder(folder) as out:
+        write_xml(pipeline.output("planner"), out.path("planned.vtp"))
+        write_xml(pipeline.output("spacetime"), out.path("optimized.vtp"))
+        write_xml(pipeline.output("rotation", 1), out.path("poses.vtp"))
+        write_xml(pipeline.output("spacetime", 2), out.path("vortices.vtp"))
+        write_xml(pipeline.output("reader", 0), out.path("objects.vtp"))
+        write_xml(pipeline.output("reader", 3), out.path("shapes.vtm"))
+        write_xml(pipeline.output("planner", 3), out.path("constraints.vtp"))
+        _write_series(pipeline, "reader", 2, "obstacles", ".vtp", out, only_if_moving=True)
+        _write_series(pipeline, "spacetime", 3, "wind", ".vti", out)
+        write_csv(out.path("convergence.csv"), *table_rows(pipeline.output("spacetime", 4)))
+        _write_report(pipeline, out.path("constraints.csv"))
+        _write_animation(pipeline, out)
+        write_json(out.path("report.json"), _summary(pipeline, scene))
+        out.commit()
+
+
+def _write_series(pipeline, stage, port, name, suffix, out, only_if_moving=False):
+    """NAME.pvd with one file a step in the folder NAME, or one file when nothing changes."""
+    import os
+
+    from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Sddp
+
+    algorithm = getattr(pipeline, stage).GetClientSideObject()
+    times = list(algorithm.GetOutputInformation(port).Get(Sddp.TIME_STEPS()) or (0.0,))
+    first = _at(algorithm, port, times[0])
+    if only_if_moving and _same_points(first, _at(algorithm, port, times[-1])):
+        write_xml(first, out.path(name + suffix))
+        return
+    os.mkdir(out.path(name))
+    entries = []
+    for step, time in enumerate(times):
+        file = f"{name}/{name}_{step:04d}{suffix}"
+        write_xml(_at(algorithm, port, time), out.path(file))
+        entries.append((time, file))
+    write_pvd(out.path(name + ".pvd"), entries)
+
+
+def _at(algorithm, port, time):
+    from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Sddp
+
+    algorithm.GetOutputInformation(port).Set(Sddp.UPDATE_TIME_STEP(), time)
+    algorithm.Update(port)
+    copy = algorithm.GetOutputDataObject(port).NewInstance()
+    copy.DeepCopy(algorithm.GetOutputDataObject(port))
+    return copy
+
+
+def _same_points(a, b):
+    return a.GetNumberOfPoints() == b.GetNumberOfPoints() and all(
+        a.GetPoint(i) == b.GetPoint(i) for i in range(a.GetNumberOfPoints()))
+
+
+def _write_report(pipeline, path):
+    header = ["Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message"]
+    write_csv(path, header, [[row[name] for name in header] for row in pipeline.report])
+
+
+def _write_animation(pipeline, out):
+    from waft.vtkWaftFilters import vtkMotionAnimationWriter
+
+    writer = vtkMotionAnimationWriter()
+    writer.SetInputDataObject(0, pipeline.output("rotation", 1))
+    writer.SetInputDataObject(1, pipeline.output("reader", 0))
+    writer.SetInputDataObject(2, pipeline.output("reader", 3))
+    for name in ("animation.glb", "poses.csv"):
+        writer.SetFileName(out.path(name))
+        if not writer.Write():
+            raise failures.WaftError(f"{name}: could not be written")
+
+
+def _summary(pipeline, scene):
+    header, rows = table_rows(pipeline.output("spacetime", 4))
+    convergence = [dict(zip(header, row)) for row in rows]
+    counts = {status: 0 for status in STATUS_ORDER}
+    for row in pipeline.report:
+        counts[row["Status"]] += 1
+    return {
+        "version": version(),
+        "scene": pathlib.Path(scene).name,
+        "seed": pipeline.seed,
+        "stages": {name: {"seconds": watch.seconds, "peakMemoryMB": watch.peak_mb}
+                   for name, watch in pipeline.watches.items()},
+        "energy": {"before": float(convergence[0]["E"]), "after": float(convergence[-1]["E"])}
+        if convergence else None,
+        "constraints": {**counts, "unmet": [row for row in pipeline.report if row["Status"] != "met"]},
+        "stoppedEarly": pipeline.stopped,
+        "warnings": pipeline.warnings,
+    }

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Errors, progress, interrupts and time limits of the stages of a pipeline."""
+import resource
+import signal
+import sys
+import time
+
+
+class StageWatch:
+    """Follows one proxy's algorithm while it executes.
+
+    Attributes: errors (texts), seconds (wall time of its executions), peak_mb (the process's peak memory
+    when it ended), was_aborted.
+    """
+
+    def __init__(self, name, proxy, clock, port=0):
+        self.name = name
+        self.errors = []
+        self.seconds = 0.0
+        self.peak_mb = 0.0
+        self.was_aborted = False
+        self._clock = clock
+        self._started = None
+        self._shown = None
+        self.algorithm = proxy.GetClientSideObject()
+        self.algorithm.AddObserver("StartEvent", self._start)
+        self.algorithm.AddObserver("EndEvent", self._end)
+        self.algorithm.AddObserver("ProgressEvent", self._progress)
+
+        def error(_caller, _event, text):
+            self.errors.append(text)
+
+        # VTK hands the text over only when the observer says that it wants a string.
+        error.CallDataType = "string0"
+        self.algorithm.AddObserver("ErrorEvent", error)
+        self.algorithm.GetExecutive().AddObserver("ErrorEvent", error)
+
+    def _start(self, *_):
+        self._started = time.monotonic()
+
+    def _end(self, *_):
+        if self._started is not None:
+            self.seconds += time.monotonic() - self._started
+            self._started = None
+        self.peak_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
+
+    def _progress(self, *_):
+        if self._clock.should_stop() and not self.was_aborted:
+            self.was_aborted = True
+            self.algorithm.SetAbortExecute(1)
+        self._clock.show(self.name, self.algorithm.GetProgress(), self.algorithm.GetProgressText())
+
+    def message(self):
+        """The first error as one line, without VTK's preamble of source file and class."""
+        text = self.errors[0] if self.errors else ""
+        lines = [line for line in text.splitlines() if line.strip()]
+        kept = [line for line in lines if not line.startswith(("ERROR: In", "Generic Warning"))]
+        line = " ".join(kept)
+        head, separator, tail = line.partition("): ")
+        return tail if separator and "(0x" in head else line
+
+
+class Clock:
+    """Time limit, interrupt and a progress line on stderr (when it is a terminal)."""
+
+    def __init__(self, time_limit=None, quiet=False):
+        self.started = time.monotonic()
+        self.time_limit = time_limit
+        self.interrupted = False
+        self.timed_out = False
+        self._quiet = quiet or not sys.stderr.isatty()
+        self._last = 0.0
+
+    def __enter__(self):
+        self._handlers = {s: signal.signal(s, self._stop) for s in (signal.SIGINT, signal.SIGTERM)}
+        return self
+
+    def __exit__(self, *_):
+        for number, handler in self._handlers.items():
+            signal.signal(number, handler if handler is not None else signal.SIG_DFL)
+        if not self._quiet:
+            print("\r\033[K", end="", file=sys.stderr)
+
+    def _stop(self, *_):
+        self.interrupted = True
+
+    def remaining(self):
+        """Seconds left of the time limit; None without one."""
+        if not self.time_limit:
+            return None
+        return self.time_limit - (time.monotonic() - self.started)
+
+    def should_stop(self):
+        left = self.remaining()
+        if left is not None and left <= 0.0:
+            self.timed_out = True
+        return self.interrupted or self.timed_out
+
+    def show(self, name, fraction, text):
+        now = time.monotonic()
+        if self._quiet or now - self._last < 0.2:
+            return
+        self._last = now
+        print(f"\r\033[K{name} {100.0 * fraction:3.0f} %  {text or ''}"[:110], end="", file=sys.stderr)
