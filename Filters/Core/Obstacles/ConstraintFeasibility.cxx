@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Obstacles/ConstraintFeasibility.h"
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace waft
+{
+
+namespace
+{
+
+std::string Text(const Vec3& p)
+{
+  char text[96];
+  std::snprintf(text, sizeof(text), "(%.6g, %.6g, %.6g)", p.x(), p.y(), p.z());
+  return text;
+}
+
+std::string Metres(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.4g m", value);
+  return text;
+}
+
+std::string ExpectedInside(const Box& box)
+{
+  return ", expected between " + Text(box.Min) + " and " + Text(box.Max);
+}
+
+std::string WhyPositionInfeasible(const Constraint& row, const MotionObject* object,
+                                  const std::vector<LandingWindow>& windows,
+                                  const ObstacleSet& obstacles, const SceneInfo& scene)
+{
+  const Box& box = scene.Bounds;
+  const double tolerance = 1e-9 * box.Width();
+  const double outside = (box.Min - row.Value).cwiseMax(row.Value - box.Max).cwiseMax(0.0).norm();
+  if (outside > row.Radius + tolerance)
+  {
+    return "the position " + Text(row.Value) + " lies " + Metres(outside) + " outside the volume" +
+           ExpectedInside(box);
+  }
+  const int exempt = object ? RequiredClearance(*object, windows, row.Frame).Exempt : -1;
+  SurfaceHit hit;
+  const double distance = obstacles.SignedDistance(row.Value, row.Frame, hit, exempt);
+  if (distance < -row.Radius - tolerance)
+  {
+    return "the position " + Text(row.Value) + " lies " + Metres(-distance) + " inside obstacle " +
+           std::to_string(hit.ObstacleId) + ", expected outside; the nearest free place is " +
+           Text(hit.Point);
+  }
+  return {};
+}
+
+std::string WhyRestInfeasible(const Constraint& row, const MotionObject* object,
+                              const ObstacleSet& obstacles, const SceneInfo& scene)
+{
+  const Box& box = scene.Bounds;
+  const double tolerance = 1e-9 * box.Width();
+  Vec3 centre;
+  SurfaceHit hit;
+  if (row.Until < row.Frame)
+  {
+    return "rests until frame " + std::to_string(row.Until) + ", expected " +
+           std::to_string(row.Frame) + " or later";
+  }
+  if (!RestingPlace(obstacles, row.Value, row.Frame, object ? object->RestHeight : 0.0, centre,
+                    hit))
+  {
+    return "there is no surface below " + Text(row.Value) + " to rest on";
+  }
+  if (box.InnerDistance(centre) < -tolerance)
+  {
+    return "the resting place " + Text(centre) + " lies outside the volume" + ExpectedInside(box);
+  }
+  SurfaceHit other;
+  if (obstacles.SignedDistance(centre, row.Frame, other, hit.ObstacleId) < -tolerance)
+  {
+    return "the resting place " + Text(centre) + " lies inside obstacle " +
+           std::to_string(other.ObstacleId);
+  }
+  for (const ObstacleMesh& obstacle : obstacles.Obstacles())
+  {
+    for (int f = row.Frame + 1; obstacle.ObstacleId == hit.ObstacleId && f <= row.Until; ++f)
+    {
+      if ((obstacle.Offset(f) - obstacle.Offset(row.Frame)).norm() > tolerance)
+      {
+        return "obstacle " + std::to_string(hit.ObstacleId) + " below " + Text(row.Value) +
+               " moves at frame " + std::to_string(f) + ", expected a surface that stands still";
+      }
+    }
+  }
+  return {};
+}
+
+} // namespace
+
+std::string WhyInfeasible(const Constraint& row, const MotionObject* object,
+                          const std::vector<LandingWindow>& windows, const ObstacleSet& obstacles,
+                          const SceneInfo& scene)
+{
+  if (row.ObjectId >= 0 && !object)
+  {
+    return "there is no object " + std::to_string(row.ObjectId);
+  }
+  const int frames = scene.Time.NumberOfFrames;
+  if (row.Frame < 0 || row.Frame >= frames)
+  {
+    return "frame " + std::to_string(row.Frame) + " is outside the range, expected 0 to " +
+           std::to_string(frames - 1);
+  }
+  if (!row.Value.allFinite() || !row.Orientation.coeffs().allFinite() ||
+      !std::isfinite(row.Radius) || row.Radius < 0.0)
+  {
+    return "its value or radius is not a finite number, expected numbers and a radius from 0";
+  }
+  switch (row.Kind)
+  {
+    case ConstraintKind::Position:
+      return WhyPositionInfeasible(row, object, windows, obstacles, scene);
+    case ConstraintKind::Rest:
+      return WhyRestInfeasible(row, object, obstacles, scene);
+    default:
+      return {};
+  }
+}
+
+std::vector<bool> FindUnassignable(const std::vector<Constraint>& constraints,
+                                   const std::vector<MotionObject>& objects)
+{
+  struct Group
+  {
+    std::map<int, std::size_t> Taken; // by class; -1: of any class
+    std::size_t Total = 0;
+    std::set<std::pair<int, int>> Placed, Refused; // (Row, Target)
+  };
+  std::map<int, std::size_t> available;
+  for (const MotionObject& object : objects)
+  {
+    ++available[object.ClassId];
+  }
+  std::map<int, Group> groups;
+  std::vector<bool> refused(constraints.size(), false);
+  for (std::size_t n = 0; n < constraints.size(); ++n)
+  {
+    const Constraint& row = constraints[n];
+    Group lone;
+    Group& group = row.Group >= 0 ? groups[row.Group] : lone;
+    const std::pair<int, int> target(row.Row, row.Target);
+    if (row.ObjectId >= 0 || group.Placed.count(target))
+    {
+      continue;
+    }
+    const bool classFull = row.ClassId >= 0 && group.Taken[row.ClassId] >= available[row.ClassId];
+    if (group.Refused.count(target) || classFull || group.Total >= objects.size())
+    {
+      group.Refused.insert(target);
+      refused[n] = true;
+      continue;
+    }
+    ++group.Taken[row.ClassId];
+    ++group.Total;
+    group.Placed.insert(target);
+  }
+  return refused;
+}
+
+} // namespace waft

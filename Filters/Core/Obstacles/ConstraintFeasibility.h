@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Wishes that are impossible by themselves.
+#pragma once
+
+#include "Base/Motion.h"
+#include "Base/Types.h"
+#include "Obstacles/ObstacleSet.h"
+#include "Obstacles/Rest.h"
+
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+/// Why this constraint cannot be, or an empty text. object: whose it is, nullptr while not
+/// assigned. windows: the object's landings.
+std::string WhyInfeasible(const Constraint& row, const MotionObject* object,
+                          const std::vector<LandingWindow>& windows, const ObstacleSet& obstacles,
+                          const SceneInfo& scene);
+
+/// For each constraint, in order: true when its target cannot get an object of its own because its
+/// group has more targets than there are objects of the class. Earlier targets go first.
+std::vector<bool> FindUnassignable(const std::vector<Constraint>& constraints,
+                                   const std::vector<MotionObject>& objects);
+
+} // namespace waft

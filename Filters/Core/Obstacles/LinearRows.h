@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Exact wishes about one object as linear equations on its positions.
+#pragma once
+
+#include "Base/Motion.h"
+#include "Base/Types.h"
+
+#include <map>
+#include <set>
+#include <vector>
+
+namespace waft
+{
+
+/// Coefficients, by frame, of the positions in a position (1), a velocity [1/s] or an acceleration
+/// [1/s^2] at a frame: CentralVelocities applied no times, once or twice. Empty where the time line
+/// is too short.
+std::map<int, double> PositionStencil(ConstraintKind kind, int frame, const Timeline& time);
+
+/// A growing set of equations sum_f c_f x_f = b (x_f and b in space) in echelon form.
+class LinearRows
+{
+public:
+  enum class Answer
+  {
+    Independent,
+    Implied, // follows from the others
+    Contradictory
+  };
+
+  /// Adds an equation; `tag` names its origin. When it is contradictory nothing is added, `tags`
+  /// holds the origins of what it contradicts and `gap` by how much [m, with the largest
+  /// coefficient scaled to 1].
+  Answer Add(const std::map<int, double>& coefficients, const Vec3& value, int tag,
+             double tolerance, std::set<int>& tags, double& gap);
+
+  /// Forgets all equations with this tag, which must be the last that was added.
+  void Withdraw(int tag);
+
+private:
+  struct Row
+  {
+    std::map<int, double> Coefficients; // that of the lowest frame is 1
+    Vec3 Value;
+    std::set<int> Tags;
+    int Tag;
+  };
+  std::map<int, Row> Rows; // by lowest frame
+};
+
+} // namespace waft

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Obstacles/ConstraintCheck.h"
+
+#include "Base/Random.h"
+#include "Obstacles/LinearRows.h"
+#include "Obstacles/Rest.h"
+#include "Obstacles/Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace waft;
+using namespace waft::testing;
+
+namespace
+{
+
+constexpr auto Met = ConstraintStatus::Met;
+constexpr auto Infeasible = ConstraintStatus::Infeasible;
+constexpr auto Conflict = ConstraintStatus::Conflict;
+constexpr auto Unreachable = ConstraintStatus::Unreachable;
+
+struct Fixture
+{
+  std::vector<Constraint> Rows;
+  std::vector<MotionObject> Objects;
+  ObstacleSet Obstacles;
+  SceneInfo Scene;
+
+  Fixture()
+  {
+    ObstacleMesh ground, box, lift;
+    ground.Mesh = BoxMesh(Vec3(-2, -2, -1), Vec3(2, 2, 0));
+    box.ObstacleId = 1;
+    box.Mesh = BoxMesh(Vec3(0.5, -0.5, 0), Vec3(1.5, 0.5, 1));
+    lift.ObstacleId = 2;
+    lift.Mesh = BoxMesh(Vec3(-1.5, -0.5, 0.5), Vec3(-1, 0, 0.6));
+    for (int f = 0; f < 100; ++f)
+    {
+      lift.Offsets.emplace_back(0.0, 0.0, 0.01 * std::max(0, f - 50));
+    }
+    const Result result = this->Obstacles.Build({ ground, box, lift });
+    EXPECT_TRUE(static_cast<bool>(result)) << result.Message();
+    for (int id = 0; id < 3; ++id)
+    {
+      MotionObject object;
+      object.ObjectId = id;
+      object.ClassId = id / 2;
+      object.Position = Vec3(0, 0, 2);
+      object.RestHeight = 0.01;
+      this->Objects.push_back(object);
+    }
+    this->Scene.Time.NumberOfFrames = 100;
+    this->Scene.Time.FramesPerSecond = 10.0;
+  }
+  Constraint& Add(ConstraintKind kind, int frame, const Vec3& value, double radius = 0.0)
+  {
+    Constraint row;
+    row.ObjectId = 0;
+    row.Kind = kind;
+    row.Frame = frame;
+    row.Until = frame;
+    row.Value = value;
+    row.Radius = radius;
+    row.Row = static_cast<int>(this->Rows.size());
+    this->Rows.push_back(row);
+    return this->Rows.back();
+  }
+  std::vector<ReportRow> Judged() const
+  {
+    return JudgeConstraints(this->Rows, this->Objects, this->Obstacles, this->Scene);
+  }
+  std::vector<ConstraintStatus> Statuses() const
+  {
+    std::vector<ConstraintStatus> statuses;
+    for (const ReportRow& line : this->Judged())
+    {
+      EXPECT_EQ(line.Message.empty(), line.Status == Met) << line.Message;
+      statuses.push_back(line.Status);
+    }
+    return statuses;
+  }
+};
+
+using Statuses = std::vector<ConstraintStatus>;
+using Kind = ConstraintKind;
+
+} // namespace
+
+TEST(ConstraintCheck, PlacesThatCannotBeAreInfeasible)
+{
+  Fixture f;
+  f.Add(Kind::Position, 10, Vec3(1, 0, 0.7));      // in the box
+  f.Add(Kind::Position, 11, Vec3(1, 0, 0.7), 0.2); // its whole ball too
+  f.Add(Kind::Position, 12, Vec3(1, 0, 0.7), 0.4); // the ball reaches out
+  f.Add(Kind::Position, 13, Vec3(0, 0, 4.5));      // above the top
+  f.Add(Kind::Position, 14, Vec3(0, 0, 4.5), 0.6);
+  f.Add(Kind::Position, 15, Vec3(0, 0, -0.1));        // below the ground
+  f.Add(Kind::Position, 16, Vec3(-1.2, -0.2, 0.55));  // in the lift, before it rises
+  f.Add(Kind::Position, 90, Vec3(-1.2, -0.2, 0.55));  // after
+  f.Add(Kind::Rest, 50, Vec3(1, 0, 0.5));             // inside the box: lies on its top
+  f.Add(Kind::Position, 52, Vec3(1, 0, 0.9999), 0.1); // at rest on it by then
+  f.Rows[8].Until = 52;
+  f.Add(Kind::Rest, 60, Vec3(9, 9, 1));                  // nothing below
+  f.Add(Kind::Rest, 45, Vec3(-1.2, -0.2, 1)).Until = 70; // the lift moves
+  f.Rows.back().ObjectId = 1;
+  f.Add(Kind::Position, 100, Vec3(0, 0, 1));             // no such frame
+  f.Add(Kind::Position, 20, Vec3(0, 0, 1)).ObjectId = 7; // no such object
+  f.Add(Kind::Velocity, 21, Vec3(0, 0, std::numeric_limits<double>::quiet_NaN()));
+  const Statuses expected{ Infeasible, Infeasible, Met,        Infeasible, Met,
+                           Infeasible, Infeasible, Met,        Met,        Met,
+                           Infeasible, Infeasible, Infeasible, Infeasible, Infeasible };
+  EXPECT_EQ(f.Statuses(), expected);
+  EXPECT_NE(f.Judged()[0].Message.find("0.3 m inside obstacle 1"), std::string::npos)
+    << f.Judged()[0].Message;
+  EXPECT_NE(f.Judged()[3].Message.find("0.5 m outside the volume"), std::string::npos)
+    << f.Judged()[3].Message;
+  EXPECT_NE(f.Judged()[11].Message.find("obstacle 2"), std::string::npos);
+}
+
+TEST(ConstraintCheck, BallsAndPointsOfOneFrameMustMeet)
+{
+  Fixture f;
+  f.Add(Kind::Position, 10, Vec3(0, 1, 2), 0.1);
+  f.Add(Kind::Position, 10, Vec3(0, 1.3, 2), 0.21);
+  f.Add(Kind::Position, 10, Vec3(0, 1.3, 2), 0.19);
+  f.Add(Kind::Position, 0, Vec3(0, 0, 2.1));
+  f.Add(Kind::Position, 0, Vec3(0, 0, 2.1), 0.11);
+  f.Add(Kind::Velocity, 30, Vec3(1, 0, 0));
+  f.Add(Kind::Velocity, 30, Vec3(1.5, 0, 0), 0.4);
+  f.Add(Kind::Velocity, 30, Vec3(1, 0, 0));
+  f.Add(Kind::Position, 10, Vec3(0, 9, 2)).ObjectId = 1; // outside, and another object's
+  EXPECT_EQ(f.Statuses(),
+            (Statuses{ Met, Met, Conflict, Conflict, Met, Met, Conflict, Met, Infeasible }));
+  EXPECT_NE(f.Judged()[2].Message.find(
+              "row 2 target 0 (position at frame 10) contradicts row 0 target 0 (position at "
+              "frame 10): 0.3 m apart, expected at most 0.29 m"),
+            std::string::npos)
+    << f.Judged()[2].Message;
+  EXPECT_NE(f.Judged()[3].Message.find("the object's start"), std::string::npos);
+}
+
+TEST(ConstraintCheck, RestHoldsItsPlaceAndItsStillness)
+{
+  Fixture f;
+  f.Add(Kind::Rest, 40, Vec3(-0.5, 1, 1)).Until = 60;
+  f.Add(Kind::Position, 50, Vec3(-0.5, 1, 0.01)); // the place itself
+  f.Add(Kind::Position, 55, Vec3(-0.5, 1, 0.2));
+  f.Add(Kind::Velocity, 50, Vec3(0, 0, 0.1));
+  f.Add(Kind::Velocity, 51, Vec3::Zero());
+  f.Add(Kind::Velocity, 40, Vec3(0, 0, -0.5)); // still arriving
+  f.Add(Kind::Velocity, 60, Vec3(0, 0, 0.5));  // lifting off
+  f.Add(Kind::Rest, 60, Vec3(-0.4, 1, 1)).Until = 70;
+  f.Add(Kind::Rest, 61, Vec3(-0.4, 1, 1)).Until = 70;
+  EXPECT_EQ(f.Statuses(),
+            (Statuses{ Met, Met, Conflict, Conflict, Met, Met, Met, Conflict, Conflict }));
+  // The last one would throw the object from one place to the other in a frame: with the velocity
+  // of row 6 that cannot be, without it, it can.
+  f.Rows.erase(f.Rows.begin() + 6);
+  EXPECT_EQ(f.Statuses().back(), Met);
+}
+
+TEST(ConstraintCheck, VelocitiesAndAccelerationsAgainstAdjacentPlaces)
+{
+  Fixture f;
+  f.Add(Kind::Position, 20, Vec3(0, 0, 2));
+  f.Add(Kind::Position, 22, Vec3(0.2, 0, 2));
+  f.Add(Kind::Velocity, 21, Vec3(1, 0, 0)); // 0.2 m in two frames of 0.1 s
+  f.Add(Kind::Velocity, 21, Vec3(1, 0.1, 0));
+  f.Add(Kind::Velocity, 23, Vec3(0, 1, 0));
+  f.Add(Kind::Position, 24, Vec3(0.2, 0.2, 2)); // what the velocity says
+  f.Add(Kind::Position, 26, Vec3(0.2, 0.5, 2), 0.05);
+  f.Add(Kind::Velocity, 25, Vec3(0, 1.2, 0)); // 0.24 m: not within the ball of row 6
+  f.Add(Kind::Velocity, 25, Vec3(0, 1.2, 0), 0.1);
+  f.Add(Kind::Acceleration, 22, Vec3(-5, 5, 0)); // ((0,1) - (1,0)) / 0.2 s
+  f.Add(Kind::Acceleration, 22, Vec3(-5, 5, 1));
+  f.Add(Kind::Acceleration, 22, Vec3(-5, 5, 1), 1.5);
+  EXPECT_EQ(f.Statuses(), (Statuses{ Met, Met, Met, Conflict, Met, Met, Met, Conflict, Met, Met,
+                                     Conflict, Met }));
+  // Through a chain: velocities at 41 and 43 and places at 40 and 44 leave one equation too many.
+  Fixture chain;
+  chain.Add(Kind::Position, 40, Vec3(0, 0, 2));
+  chain.Add(Kind::Velocity, 41, Vec3(1, 0, 0));
+  chain.Add(Kind::Velocity, 43, Vec3(1, 0, 0));
+  chain.Add(Kind::Position, 44, Vec3(0.5, 0, 2));
+  EXPECT_EQ(chain.Statuses(), (Statuses{ Met, Met, Met, Conflict }));
+  const std::string message = chain.Judged()[3].Message;
+  for (const char* part : { "row 0", "row 1", "row 2", "row 3" })
+  {
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  }
+  chain.Rows[3].Value.x() = 0.4;
+  EXPECT_EQ(chain.Statuses(), (Statuses{ Met, Met, Met, Met }));
+}
+
+TEST(ConstraintCheck, StencilsAreTheCentralDifferences)
+{
+  const Timeline time{ 9, 12.0 };
+  Random random(8);
+  std::vector<Vec3> x(9);
+  for (Vec3& p : x)
+  {
+    p = random.Direction();
+  }
+  const auto v = CentralVelocities(x, time.Step());
+  const auto a = CentralVelocities(v, time.Step());
+  for (int f = 0; f < 9; ++f)
+  {
+    Vec3 sumV = Vec3::Zero(), sumA = Vec3::Zero();
+    for (const auto& [k, c] : PositionStencil(Kind::Velocity, f, time))
+    {
+      sumV += c * x[k];
+    }
+    for (const auto& [k, c] : PositionStencil(Kind::Acceleration, f, time))
+    {
+      sumA += c * x[k];
+    }
+    EXPECT_LT((sumV - v[f]).norm(), 1e-12);
+    EXPECT_LT((sumA - a[f]).norm(), 1e-11);
+  }
+}
+
+TEST(ConstraintCheck, OrientationsOfOneFrameMustAgree)
+{
+  Fixture f;
+  f.Add(Kind::Orientation, 30, Vec3::Zero());
+  f.Add(Kind::Orientation, 30, Vec3::Zero(), 0.2).Orientation =
+    Quat(Eigen::AngleAxisd(0.3, Vec3::UnitX()));
+  f.Add(Kind::Orientation, 30, Vec3::Zero(), 0.2).Orientation =
+    Quat(-Quat(Eigen::AngleAxisd(0.1, Vec3::UnitX())).coeffs()); // the same turn, other sign
+  EXPECT_EQ(f.Statuses(), (Statuses{ Met, Conflict, Met }));
+}
+
+TEST(ConstraintCheck, LinesAreSortedAndTargetsWithoutObjectAreNamed)
+{
+  Fixture f;
+  for (int target = 4; target >= 0; --target)
+  {
+    Constraint& row = f.Add(Kind::Position, 50, Vec3(0.3 * target - 0.6, 1, 1));
+    row.ObjectId = -1;
+    row.Row = 3;
+    row.Target = target;
+    row.Group = 0;
+    row.ClassId = target < 2 ? 1 : -1; // one object of class 1, two of class 0
+    Constraint still = row;
+    still.Kind = Kind::Velocity;
+    f.Rows.push_back(still);
+  }
+  std::reverse(f.Rows.begin(), f.Rows.end());
+  f.Add(Kind::Position, 60, Vec3(0, 1, 1)).Row = 1;
+  const auto report = f.Judged();
+  ASSERT_EQ(report.size(), 6u);
+  EXPECT_EQ(report[0].Row, 1);
+  for (int target = 0; target < 5; ++target)
+  {
+    EXPECT_EQ(report[target + 1].Target, target);
+    const bool fails = target == 1 || target == 4;
+    EXPECT_EQ(report[target + 1].Status, fails ? Infeasible : Met) << target;
+    EXPECT_EQ(IsBinding(f.Rows[2 * target], report), !fails);
+  }
+}
+
+TEST(ConstraintCheck, TargetsAreKeptOrRefusedWhole)
+{
+  Fixture f;
+  f.Add(Kind::Position, 30, Vec3(0, 0, 2));
+  Constraint& place = f.Add(Kind::Position, 32, Vec3(0.5, 0, 2));
+  place.Row = 1;
+  Constraint speed = place;
+  speed.Kind = Kind::Velocity;
+  speed.Frame = 31;
+  f.Rows.push_back(speed); // contradicts the two places
+  Constraint later = place;
+  later.Row = 2;
+  later.Value.x() = 0.7; // free, as row 1 is refused
+  f.Rows.push_back(later);
+  EXPECT_EQ(f.Statuses(), (Statuses{ Met, Conflict, Met }));
+}
+
+TEST(ConstraintResiduals, AreDistancesBeyondTheRadius)
+{
+  Fixture f;
+  Track track;
+  for (int k = 0; k < 100; ++k)
+  {
+    const double t = 0.1 * k;
+    track.Positions.emplace_back(std::sin(t), 0.2 * t, 2.0 + 0.1 * t * t);
+  }
+  for (int k = 60; k <= 70; ++k)
+  {
+    track.Positions[k] = Vec3(-0.5, 1, 0.01);
+  }
+  track.Positions[64].x() += 0.02;
+  const auto v = CentralVelocities(track.Positions, 0.1);
+  const auto a = CentralVelocities(v, 0.1);
+  f.Add(Kind::Position, 10, track.Positions[10]);
+  f.Add(Kind::Position, 11, track.Positions[11] + Vec3(0, 0.3, 0), 0.1);
+  f.Add(Kind::Position, 12, track.Positions[12] + Vec3(0, 0.3, 0), 0.31);
+  f.Add(Kind::Velocity, 13, v[13]);
+  f.Add(Kind::Velocity, 14, v[14] + Vec3(0.5, 0, 0));
+  f.Add(Kind::Acceleration, 15, a[15]);
+  f.Add(Kind::Acceleration, 16, a[16] + Vec3(0, 0, 0.25));
+  f.Add(Kind::Rest, 60, Vec3(-0.5, 1, 1)).Until = 70;
+  f.Add(Kind::Rest, 65, Vec3(-0.5, 1, 1)).Until = 70;
+  f.Add(Kind::Position, 20, Vec3(0, 0, 9)); // infeasible: keeps its status and sentence
+  auto report = f.Judged();
+  for (ReportRow& line : report)
+  {
+    line.Status = line.Row == 9 ? Infeasible : Met;
+    line.Message = line.Row == 9 ? "too high" : "";
+  }
+  MeasureResiduals(f.Rows, { track }, f.Objects, f.Obstacles, f.Scene, report);
+  const std::vector<double> residuals{
+    0, 0.2, 0, 0, 0.5, 0, 0.25, 0.02, 0, (track.Positions[20] - Vec3(0, 0, 9)).norm()
+  };
+  const Statuses statuses{ Met, Unreachable, Met,         Met, Unreachable,
+                           Met, Unreachable, Unreachable, Met, Infeasible };
+  for (std::size_t n = 0; n < report.size(); ++n)
+  {
+    EXPECT_NEAR(report[n].Residual, residuals[n], 1e-12) << n;
+    EXPECT_EQ(report[n].Status, statuses[n]) << n;
+  }
+  EXPECT_NE(report[4].Message.find("velocity at frame 14: missed by 0.5 m/s, expected at most"),
+            std::string::npos)
+    << report[4].Message;
+  EXPECT_EQ(report[9].Message, "too high");
+}
+
+TEST(ConstraintResiduals, OrientationsAndRowsWithoutAnObject)
+{
+  Fixture f;
+  PoseTrack pose;
+  pose.Orientations.assign(100, Quat(Eigen::AngleAxisd(0.5, Vec3::UnitZ())));
+  f.Add(Kind::Orientation, 10, Vec3::Zero()).Orientation = Quat(-pose.Orientations[0].coeffs());
+  f.Add(Kind::Orientation, 11, Vec3::Zero(), 0.1);
+  f.Add(Kind::Position, 12, Vec3(0, 0, 1)).ObjectId = -1;
+  auto report = f.Judged();
+  MeasureOrientationResiduals(f.Rows, { pose }, report);
+  MeasureResiduals(f.Rows, {}, f.Objects, f.Obstacles, f.Scene, report);
+  EXPECT_NEAR(report[0].Residual, 0.0, 1e-12);
+  EXPECT_EQ(report[0].Status, Met);
+  EXPECT_NEAR(report[1].Residual, 0.4, 1e-12);
+  EXPECT_EQ(report[1].Status, Unreachable);
+  EXPECT_EQ(report[2].Status, Unreachable);
+  EXPECT_EQ(report[2].Message, "no object was assigned to it");
+}
