@@ -19,6 +19,7 @@ CORE_MAY_INCLUDE = {
     "Grid": {"Base"},
     "Obstacles": {"Base"},
     "Trajectory": {"Base", "Obstacles"},
+    "Database": {"Base", "Grid", "Obstacles", "Trajectory"},
     "Planning": {"Base", "Obstacles", "Trajectory"},
     "Vortex": {"Base"},
     "Particles": {"Base", "Obstacles"},
