@@ -78,6 +78,34 @@ constexpr const char* VortexForce = "VortexForce";
 constexpr const char* WindForce = "WindForce";
 constexpr const char* Obstacle = "Obstacle";
 
+// Motion database: its blocks, and their arrays that are not named above.
+constexpr const char* Segments = "Segments";
+constexpr const char* Basis = "Basis"; // the block and its array
+constexpr const char* Nodes = "Nodes";
+constexpr const char* Connections = "Connections";
+constexpr const char* Vortices = "Vortices";
+constexpr const char* Provenance = "Provenance";
+constexpr const char* Window = "Window";
+constexpr const char* TopSpeed = "TopSpeed";
+constexpr const char* Simulation = "Simulation";
+constexpr const char* Coefficients = "Coefficients";
+constexpr const char* MeanWind = "MeanWind";
+constexpr const char* Mean = "Mean";
+constexpr const char* Rank = "Rank";
+constexpr const char* RelativeError = "RelativeError";
+constexpr const char* Parent = "Parent";
+constexpr const char* Medoid = "Medoid";
+constexpr const char* FirstChild = "FirstChild";
+constexpr const char* NumberOfChildren = "NumberOfChildren";
+constexpr const char* NumberOfSegments = "NumberOfSegments";
+constexpr const char* Before = "Before";
+constexpr const char* After = "After";
+constexpr const char* Cost = "Cost";
+constexpr const char* IsConnectible = "IsConnectible";
+constexpr const char* Rotation = "Rotation";
+constexpr const char* Translation = "Translation";
+constexpr const char* Key = "Key";
+
 // Particles.
 constexpr const char* ParticleId = "ParticleId";
 

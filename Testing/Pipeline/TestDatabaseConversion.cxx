@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The motion database goes to VTK, to files and back without a bit changed.
+#include "Base/Random.h"
+#include "Bridge/ArrayNames.h"
+#include "Bridge/DatabaseConversion.h"
+#include "Trajectory/TrajectoryClusters.h"
+
+#include <vtkCellData.h>
+#include <vtkDataObjectTreeIterator.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+#include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLMultiBlockDataWriter.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <unistd.h>
+
+using namespace waft;
+
+namespace
+{
+
+MotionDatabase Small()
+{
+  Random random(9);
+  Vortex vortex;
+  vortex.VortexId = 3;
+  vortex.Strength = 2.0;
+  TracedSimulation simulation;
+  simulation.Vortices = { vortex };
+  for (int t = 0; t < 12; ++t)
+  {
+    Track track;
+    track.ObjectId = t;
+    Vec3 x = random.Direction();
+    double heading = random.Uniform(0.0, 6.0);
+    double turn = 0.0;
+    for (int i = 0; i < 90; ++i)
+    {
+      track.Positions.push_back(x);
+      track.ForceTypes.push_back(i < 40 ? ForceType::Vortex : ForceType::Wind);
+      track.VortexIds.push_back(i < 40 ? 3 : -1);
+      track.WindAccelerations.push_back(random.Direction());
+      turn += 0.02 * random.Normal() - 0.1 * turn;
+      heading += turn;
+      x += 0.02 * Vec3(std::cos(heading), std::sin(heading), 0.5 * std::sin(0.1 * i + t));
+    }
+    simulation.Tracks.push_back(std::move(track));
+  }
+  ClusterInput input;
+  input.Simulations = { simulation };
+  input.SettlingSpeed = 0.1;
+  MotionDatabase database;
+  SilentMonitor monitor;
+  const Result result =
+    ClusterTrajectories(input, ClusterOptions(), SerialFor(), monitor, database);
+  EXPECT_TRUE(result) << result.Message();
+  database.Provenance = { { "Seed", "1" }, { "Bounds", "-2 2 -2 2 0 4" } };
+  return database;
+}
+
+void ExpectEqual(const MotionDatabase& a, const MotionDatabase& b)
+{
+  EXPECT_EQ(a.FramesPerSecond, b.FramesPerSecond);
+  EXPECT_EQ(a.Volume.Min, b.Volume.Min);
+  EXPECT_EQ(a.Volume.Max, b.Volume.Max);
+  EXPECT_EQ(a.Window, b.Window);
+  EXPECT_EQ(a.SettlingSpeed, b.SettlingSpeed);
+  EXPECT_EQ(a.TopSpeed, b.TopSpeed);
+  EXPECT_EQ(a.TopNodes, b.TopNodes);
+  EXPECT_EQ(a.Provenance, b.Provenance);
+  ASSERT_EQ(a.Groups.size(), b.Groups.size());
+  for (std::size_t g = 0; g < a.Groups.size(); ++g)
+  {
+    EXPECT_EQ(a.Groups[g].NumberOfSamples, b.Groups[g].NumberOfSamples);
+    EXPECT_EQ(a.Groups[g].Mean, b.Groups[g].Mean);
+    EXPECT_EQ(a.Groups[g].Basis, b.Groups[g].Basis);
+    EXPECT_EQ(a.Groups[g].RelativeError, b.Groups[g].RelativeError);
+  }
+  ASSERT_EQ(a.Segments.size(), b.Segments.size());
+  for (std::size_t s = 0; s < a.Segments.size(); ++s)
+  {
+    EXPECT_EQ(a.Segments[s].Group, b.Segments[s].Group);
+    EXPECT_EQ(a.Segments[s].Simulation, b.Segments[s].Simulation);
+    EXPECT_EQ(a.Segments[s].Coefficients, b.Segments[s].Coefficients);
+    EXPECT_EQ(a.Segments[s].ForceTypes, b.Segments[s].ForceTypes);
+    EXPECT_EQ(a.Segments[s].VortexIds, b.Segments[s].VortexIds);
+    EXPECT_EQ(a.Segments[s].MeanWind, b.Segments[s].MeanWind);
+    EXPECT_EQ(a.Reconstruct(static_cast<int>(s)), b.Reconstruct(static_cast<int>(s)));
+  }
+  ASSERT_EQ(a.Nodes.size(), b.Nodes.size());
+  for (std::size_t n = 0; n < a.Nodes.size(); ++n)
+  {
+    EXPECT_EQ(a.Nodes[n].Parent, b.Nodes[n].Parent);
+    EXPECT_EQ(a.Nodes[n].Group, b.Nodes[n].Group);
+    EXPECT_EQ(a.Nodes[n].Medoid, b.Nodes[n].Medoid);
+    EXPECT_EQ(a.Nodes[n].FirstChild, b.Nodes[n].FirstChild);
+    EXPECT_EQ(a.Nodes[n].NumberOfChildren, b.Nodes[n].NumberOfChildren);
+    EXPECT_EQ(a.Nodes[n].NumberOfSegments, b.Nodes[n].NumberOfSegments);
+    EXPECT_EQ(a.Nodes[n].Radius, b.Nodes[n].Radius);
+  }
+  ASSERT_EQ(a.Connections.size(), b.Connections.size());
+  for (std::size_t c = 0; c < a.Connections.size(); ++c)
+  {
+    EXPECT_EQ(a.Connections[c].Cost, b.Connections[c].Cost);
+    EXPECT_EQ(a.Connections[c].Rotation.coeffs(), b.Connections[c].Rotation.coeffs());
+    EXPECT_EQ(a.Connections[c].Translation, b.Connections[c].Translation);
+    EXPECT_EQ(a.Connections[c].IsConnectible, b.Connections[c].IsConnectible);
+  }
+  ASSERT_EQ(a.Vortices.size(), b.Vortices.size());
+  for (std::size_t v = 0; v < a.Vortices.size(); ++v)
+  {
+    EXPECT_EQ(a.Vortices[v].P1, b.Vortices[v].P1);
+    EXPECT_EQ(a.Vortices[v].P2, b.Vortices[v].P2);
+    EXPECT_EQ(a.Vortices[v].Strength, b.Vortices[v].Strength);
+    EXPECT_EQ(a.Vortices[v].CenterTime, b.Vortices[v].CenterTime);
+  }
+}
+
+} // namespace
+
+TEST(DatabaseConversion, ComesBackBitForBit)
+{
+  const MotionDatabase database = Small();
+  EXPECT_GT(database.Segments.size(), 20u);
+  EXPECT_FALSE(database.Vortices.empty());
+  vtkNew<vtkMultiBlockDataSet> data;
+  DatabaseToMultiBlock(database, data);
+  MotionDatabase back;
+  const Result result = DatabaseFromMultiBlock(data, back);
+  ASSERT_TRUE(result) << result.Message();
+  ExpectEqual(database, back);
+}
+
+TEST(DatabaseConversion, ComesBackBitForBitThroughFiles)
+{
+  MotionDatabase database = Small();
+  for (const bool hasVortices : { true, false })
+  {
+    if (!hasVortices)
+    {
+      database.Vortices.clear();
+      for (Segment& segment : database.Segments)
+      {
+        std::fill(segment.VortexIds.begin(), segment.VortexIds.end(), -1);
+      }
+    }
+    vtkNew<vtkMultiBlockDataSet> data;
+    DatabaseToMultiBlock(database, data);
+    const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() /
+      ("waft-database-" + std::to_string(static_cast<long>(::getpid())));
+    std::filesystem::create_directories(folder);
+    const std::string file = (folder / "small.vtm").string();
+    vtkNew<vtkXMLMultiBlockDataWriter> writer;
+    writer->SetInputDataObject(data);
+    writer->SetFileName(file.c_str());
+    ASSERT_EQ(writer->Write(), 1);
+    vtkNew<vtkXMLMultiBlockDataReader> reader;
+    reader->SetFileName(file.c_str());
+    reader->Update();
+    auto* read = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+    ASSERT_TRUE(read);
+    MotionDatabase back;
+    const Result result = DatabaseFromMultiBlock(read, back);
+    ASSERT_TRUE(result) << result.Message();
+    ExpectEqual(database, back);
+    std::filesystem::remove_all(folder);
+  }
+}
+
+TEST(DatabaseConversion, LeavesAreSurfacesAndTables)
+{
+  vtkNew<vtkMultiBlockDataSet> data;
+  DatabaseToMultiBlock(Small(), data);
+  ASSERT_EQ(data->GetNumberOfBlocks(), 6u);
+  for (unsigned int b = 0; b < 6; ++b)
+  {
+    vtkDataObject* block = data->GetBlock(b);
+    EXPECT_TRUE(vtkPolyData::SafeDownCast(block) || vtkTable::SafeDownCast(block));
+    EXPECT_TRUE(block->GetFieldData()->HasArray("Seed"));
+  }
+}
+
+TEST(DatabaseConversion, NamesWhatIsWrong)
+{
+  const MotionDatabase database = Small();
+  MotionDatabase back;
+  vtkNew<vtkMultiBlockDataSet> empty;
+  EXPECT_NE(DatabaseFromMultiBlock(empty, back).Message().find("`Segments`"), std::string::npos);
+
+  vtkNew<vtkMultiBlockDataSet> data;
+  DatabaseToMultiBlock(database, data);
+  vtkTable::SafeDownCast(data->GetBlock(2))->RemoveColumnByName("Medoid");
+  const Result missing = DatabaseFromMultiBlock(data, back);
+  EXPECT_NE(missing.Message().find("Nodes"), std::string::npos) << missing.Message();
+  EXPECT_NE(missing.Message().find("Medoid"), std::string::npos) << missing.Message();
+
+  DatabaseToMultiBlock(database, data);
+  vtkPolyData::SafeDownCast(data->GetBlock(0))
+    ->GetCellData()
+    ->GetArray("Coefficients")
+    ->SetComponent(2, 0, std::nan(""));
+  const Result wrong = DatabaseFromMultiBlock(data, back);
+  EXPECT_NE(wrong.Message().find("segment 2"), std::string::npos) << wrong.Message();
+  EXPECT_TRUE(back.Segments.empty());
+}
