@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Constraints of a scene file: each becomes rows of one object at one frame.
+#include "Scene/Assignment.h"
+#include "Scene/SceneReader.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace waft
+{
+
+namespace
+{
+
+struct KindName
+{
+  const char* Name;
+  ConstraintKind Kind;
+  bool MayBeUnassigned;
+};
+
+constexpr KindName SimpleKinds[] = { { "position", ConstraintKind::Position, true },
+                                     { "rest", ConstraintKind::Rest, true },
+                                     { "velocity", ConstraintKind::Velocity, false },
+                                     { "acceleration", ConstraintKind::Acceleration, false },
+                                     { "orientation", ConstraintKind::Orientation, false } };
+
+} // namespace
+
+int SceneReader::ObjectId(const SceneNode& node, int lowest) const
+{
+  const int last = static_cast<int>(this->Out.Objects.size()) - 1;
+  return static_cast<int>(node.Integer(
+    lowest, last, lowest < 0 ? "the id of an object or -1 for any" : "the id of an object"));
+}
+
+void SceneReader::ReadConstraints(const SceneNode& node)
+{
+  const std::size_t rows = node.Size("a list of constraints");
+  for (std::size_t row = 0; row < rows; ++row)
+  {
+    this->ReadConstraint(node.Item(row), static_cast<int>(row));
+  }
+}
+
+void SceneReader::ReadConstraint(const SceneNode& node, int row)
+{
+  const std::string expected =
+    "position, rest, velocity, acceleration, orientation, path or keyframe";
+  const SceneNode kindNode = node.At("kind", expected);
+  const std::string kind = kindNode.Text();
+  if (kind == "path")
+  {
+    this->ReadPath(node, row);
+    return;
+  }
+  if (kind == "keyframe")
+  {
+    this->ReadKeyframe(node, row);
+    return;
+  }
+  const auto* simple = std::find_if(std::begin(SimpleKinds), std::end(SimpleKinds),
+                                    [&](const KindName& k) { return kind == k.Name; });
+  if (simple == std::end(SimpleKinds))
+  {
+    kindNode.Fail(expected);
+  }
+  node.CheckFields(kind + "Constraint");
+  Constraint constraint;
+  constraint.Row = row;
+  constraint.Kind = simple->Kind;
+  constraint.ObjectId =
+    this->ObjectId(node.At("object", "the id of an object"), simple->MayBeUnassigned ? -1 : 0);
+  constraint.Frame = this->Frame(node.At("frame", "a frame of the scene"));
+  constraint.Until = constraint.Frame;
+  if (simple->Kind == ConstraintKind::Orientation)
+  {
+    constraint.Orientation = node.At("value", "a quaternion [w, x, y, z]").Rotation();
+  }
+  else
+  {
+    constraint.Value = node.At("value", "a vector [x, y, z]").Vector();
+  }
+  if (node.Has("radius"))
+  {
+    constraint.Radius = node.At("radius", "").NonNegative();
+  }
+  if (simple->Kind == ConstraintKind::Rest)
+  {
+    const int last = this->Out.Info.Time.NumberOfFrames - 1;
+    constraint.Until =
+      node.Has("until")
+        ? static_cast<int>(
+            node.At("until", "").Integer(constraint.Frame, last, "a frame not before `frame`"))
+        : last;
+  }
+  this->Out.Constraints.push_back(constraint);
+}
+
+void SceneReader::ReadPath(const SceneNode& node, int row)
+{
+  node.CheckFields("pathConstraint");
+  Constraint constraint;
+  constraint.Row = row;
+  constraint.ObjectId = this->ObjectId(node.At("object", "the id of an object"), 0);
+  const int first = this->Frame(node.At("firstFrame", "a frame of the scene"));
+  if (node.Has("radius"))
+  {
+    constraint.Radius = node.At("radius", "").NonNegative();
+  }
+  const SceneNode points = node.At("points", "a list of points, one a frame");
+  const std::size_t count = points.Size("a list of points, one a frame");
+  const int room = this->Out.Info.Time.NumberOfFrames - first;
+  if (count == 0 || count > static_cast<std::size_t>(room))
+  {
+    points.FailWith("expected 1 to " + std::to_string(room) + " points, one a frame from frame " +
+                    std::to_string(first) + " to the last, found " + std::to_string(count));
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    constraint.Frame = first + static_cast<int>(i);
+    constraint.Until = constraint.Frame;
+    constraint.Value = points.Item(i).Vector();
+    this->Out.Constraints.push_back(constraint);
+  }
+}
+
+std::vector<int> SceneReader::ObjectIds(const SceneNode& node) const
+{
+  std::vector<int> ids(this->Out.Objects.size());
+  std::iota(ids.begin(), ids.end(), 0);
+  if (node.Has("objects"))
+  {
+    ids.clear();
+    const SceneNode list = node.At("objects", "");
+    for (std::size_t i = 0; i < list.Size("a list of ids of objects"); ++i)
+    {
+      const int id = this->ObjectId(list.Item(i), 0);
+      if (std::find(ids.begin(), ids.end(), id) != ids.end())
+      {
+        list.Item(i).Fail("an id that is not in the list already");
+      }
+      ids.push_back(id);
+    }
+  }
+  return ids;
+}
+
+// Where an object is known to be last before a frame: its start or its latest row of position or
+// rest.
+static Vec3 LastPlace(const Scene& scene, int id, int frame)
+{
+  Vec3 place = scene.Objects[id].Position;
+  int latest = -1;
+  for (const Constraint& c : scene.Constraints)
+  {
+    const bool isPlace = c.Kind == ConstraintKind::Position || c.Kind == ConstraintKind::Rest;
+    if (c.ObjectId == id && isPlace && c.Frame < frame && c.Frame > latest)
+    {
+      latest = c.Frame;
+      place = c.Value;
+    }
+  }
+  return place;
+}
+
+std::vector<int> SceneReader::AssignAmong(const std::vector<int>& objects,
+                                          const std::vector<Target>& targets, int frame,
+                                          const SceneNode& node) const
+{
+  constexpr double forbidden = 1e9; // m^2
+  std::vector<std::vector<double>> costs(targets.size());
+  for (std::size_t t = 0; t < targets.size(); ++t)
+  {
+    for (const int id : objects)
+    {
+      const bool fits =
+        targets[t].ClassId < 0 || targets[t].ClassId == this->Out.Objects[id].ClassId;
+      const Vec3 from = LastPlace(this->Out, id, frame);
+      costs[t].push_back((from - targets[t].Position).squaredNorm() + (fits ? 0.0 : forbidden));
+    }
+  }
+  std::vector<int> assigned;
+  for (const std::size_t place : LeastCostAssignment(costs))
+  {
+    assigned.push_back(objects[place]);
+  }
+  for (std::size_t t = 0; t < targets.size(); ++t)
+  {
+    const int targetClass = targets[t].ClassId;
+    if (targetClass >= 0 && this->Out.Objects[assigned[t]].ClassId != targetClass)
+    {
+      node.FailWith("expected enough objects of class \"" + this->Out.Classes[targetClass] +
+                    "\" in `objects`, found too few");
+    }
+  }
+  return assigned;
+}
+
+void SceneReader::ReadKeyframe(const SceneNode& node, int row)
+{
+  node.CheckFields("keyframeConstraint");
+  const int last = this->Out.Info.Time.NumberOfFrames - 1;
+  Constraint constraint;
+  constraint.Row = row;
+  constraint.Group = row;
+  constraint.Frame = this->Frame(node.At("frame", "a frame of the scene"));
+  constraint.Until = constraint.Frame;
+  if (node.Has("radius"))
+  {
+    constraint.Radius = node.At("radius", "").NonNegative();
+  }
+  bool rests = false;
+  std::optional<Vec3> velocity;
+  if (node.Has("velocity"))
+  {
+    const SceneNode v = node.At("velocity", "");
+    rests = v.IsString() && v.Text() == "rest";
+    const bool isNone = v.IsString() && v.Text() == "none";
+    if (!rests && !isNone && !v.IsArray())
+    {
+      v.Fail("a vector [x, y, z], \"rest\" or \"none\"");
+    }
+    if (v.IsArray())
+    {
+      velocity = v.Vector();
+    }
+  }
+  if (rests)
+  {
+    constraint.Kind = ConstraintKind::Rest;
+    constraint.Until = last;
+  }
+  if (node.Has("until"))
+  {
+    const SceneNode until = node.At("until", "");
+    if (!rests)
+    {
+      until.FailWith("expected `until` only with \"velocity\": \"rest\"");
+    }
+    constraint.Until =
+      static_cast<int>(until.Integer(constraint.Frame, last, "a frame not before `frame`"));
+  }
+  bool inOrder = false;
+  if (node.Has("assign"))
+  {
+    const SceneNode assign = node.At("assign", "");
+    inOrder = assign.Text() == "inOrder";
+    if (!inOrder && assign.Text() != "optimal")
+    {
+      assign.Fail("optimal or inOrder");
+    }
+  }
+  const std::vector<int> ids = this->ObjectIds(node);
+  const SceneNode targetsNode = node.At("targets", "targets");
+  const std::vector<Target> targets = this->ReadTargets(targetsNode, row, ids.size());
+  if (targets.size() > ids.size())
+  {
+    targetsNode.FailWith("expected at most " + std::to_string(ids.size()) +
+                         " targets (the number of objects), found " +
+                         std::to_string(targets.size()));
+  }
+  // "Any object" means any of the scene; a choice among a few is made here.
+  std::vector<int> assigned(targets.size(), -1);
+  if (inOrder)
+  {
+    std::copy_n(ids.begin(), targets.size(), assigned.begin());
+  }
+  else if (node.Has("objects") && ids.size() < this->Out.Objects.size())
+  {
+    assigned = this->AssignAmong(ids, targets, constraint.Frame, node);
+  }
+  for (std::size_t t = 0; t < targets.size(); ++t)
+  {
+    constraint.Target = static_cast<int>(t);
+    constraint.ObjectId = assigned[t];
+    constraint.ClassId = targets[t].ClassId;
+    constraint.Value = targets[t].Position;
+    this->Out.Constraints.push_back(constraint);
+    if (velocity)
+    {
+      Constraint moving = constraint;
+      moving.Kind = ConstraintKind::Velocity;
+      moving.Value = *velocity;
+      moving.Radius = 0.0;
+      this->Out.Constraints.push_back(moving);
+    }
+  }
+}
+
+} // namespace waft

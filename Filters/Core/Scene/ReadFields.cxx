@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Obstacles, winds and vortices of a scene file.
+#include "Base/Primitives.h"
+#include "Scene/SceneReader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+
+void SceneReader::ReadObstacles(const SceneNode& node)
+{
+  const std::size_t count = node.Size("a list of obstacles");
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const SceneNode item = node.Item(i);
+    ObstacleMesh obstacle = this->ReadObstacle(item, static_cast<int>(i));
+    for (const ObstacleMesh& other : this->Out.Obstacles)
+    {
+      if (other.ObstacleId == obstacle.ObstacleId)
+      {
+        item.FailWith("expected an id of its own, found " + std::to_string(obstacle.ObstacleId) +
+                      " for two obstacles");
+      }
+    }
+    this->Out.Obstacles.push_back(std::move(obstacle));
+  }
+}
+
+ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int place)
+{
+  const std::string expected = "box, sphere, cylinder or mesh";
+  const SceneNode kindNode = node.At("kind", expected);
+  const std::string kind = kindNode.Text();
+  ObstacleMesh obstacle;
+  if (kind == "box")
+  {
+    node.CheckFields("boxObstacle");
+    Box box;
+    box.Min = node.At("min", "a corner [x, y, z]").Vector();
+    box.Max = node.At("max", "a corner [x, y, z]").Vector();
+    if (!(box.Size().minCoeff() > 0.0))
+    {
+      node.At("max", "").Fail("a corner above `min` along each axis");
+    }
+    obstacle.Mesh = MakeBox(box);
+  }
+  else if (kind == "sphere")
+  {
+    node.CheckFields("sphereObstacle");
+    const Vec3 center = node.At("center", "a point [x, y, z]").Vector();
+    obstacle.Mesh = MakeSphere(center, node.At("radius", "a radius in metres").Positive());
+  }
+  else if (kind == "cylinder")
+  {
+    node.CheckFields("cylinderObstacle");
+    const Vec3 base = node.At("base", "a point [x, y, z]").Vector();
+    const Vec3 top = node.At("top", "a point [x, y, z]").Vector();
+    if (!((top - base).norm() > 0.0))
+    {
+      node.At("top", "").Fail("a point apart from `base`");
+    }
+    obstacle.Mesh = MakeCylinder(base, top, node.At("radius", "a radius in metres").Positive());
+  }
+  else if (kind == "mesh")
+  {
+    node.CheckFields("meshObstacle");
+    const SceneNode file = node.At("file", "a file of a closed surface");
+    this->Check(this->Assets.LoadMesh(this->File(file), obstacle.Mesh), file);
+    if (obstacle.Mesh.Triangles.empty())
+    {
+      file.Fail("a surface with triangles");
+    }
+    const double scale = node.Has("scale") ? node.At("scale", "").Positive() : 1.0;
+    const Vec3 position =
+      node.Has("position") ? node.At("position", "").Vector() : Vec3(Vec3::Zero());
+    for (Vec3& p : obstacle.Mesh.Points)
+    {
+      p = scale * p + position;
+    }
+  }
+  else
+  {
+    kindNode.Fail(expected);
+  }
+  constexpr std::int64_t largest = 1000000000;
+  obstacle.ObstacleId =
+    node.Has("id") ? static_cast<int>(node.At("id", "").Integer(0, largest, "an id")) : place;
+  if (node.Has("motion"))
+  {
+    this->ReadMotion(node.At("motion", ""), obstacle);
+  }
+  return obstacle;
+}
+
+// The obstacle stands as its own fields say at the first key; from there it moves by the difference
+// of positions, on straight lines, and stays where it is before the first key and after the last.
+void SceneReader::ReadMotion(const SceneNode& node, ObstacleMesh& obstacle)
+{
+  std::vector<std::pair<int, Vec3>> keys;
+  const std::size_t count = node.Size("a list of {frame, position}");
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const SceneNode key = node.Item(i);
+    key.CheckFields("motionKey");
+    const SceneNode frameNode = key.At("frame", "a frame of the scene");
+    const int frame = this->Frame(frameNode);
+    if (!keys.empty() && frame <= keys.back().first)
+    {
+      frameNode.Fail("a frame after " + std::to_string(keys.back().first));
+    }
+    keys.emplace_back(frame, key.At("position", "a point [x, y, z]").Vector());
+  }
+  if (keys.size() < 2)
+  {
+    return;
+  }
+  std::size_t segment = 0;
+  for (int frame = 0; frame < this->Out.Info.Time.NumberOfFrames; ++frame)
+  {
+    while (segment + 2 < keys.size() && frame > keys[segment + 1].first)
+    {
+      ++segment;
+    }
+    const auto& [frameA, a] = keys[segment];
+    const auto& [frameB, b] = keys[segment + 1];
+    const double s = std::clamp(double(frame - frameA) / (frameB - frameA), 0.0, 1.0);
+    obstacle.Offsets.emplace_back(a + s * (b - a) - keys.front().second);
+  }
+}
+
+void SceneReader::AddGround()
+{
+  if (!this->HasGround)
+  {
+    return;
+  }
+  // Wider than the volume, so that its sides are never the nearest surface, and thick enough that
+  // no step of an object crosses it.
+  const Box& bounds = this->Out.Info.Bounds;
+  const double margin = bounds.Width();
+  const double thickness = 0.25 * bounds.Width();
+  int id = static_cast<int>(this->Out.Obstacles.size());
+  for (const ObstacleMesh& obstacle : this->Out.Obstacles)
+  {
+    id = std::max(id, obstacle.ObstacleId + 1);
+  }
+  Box slab;
+  slab.Min = Vec3(bounds.Min.x() - margin, bounds.Min.y() - margin, this->GroundHeight - thickness);
+  slab.Max = Vec3(bounds.Max.x() + margin, bounds.Max.y() + margin, this->GroundHeight);
+  ObstacleMesh ground;
+  ground.ObstacleId = id;
+  ground.Mesh = MakeBox(slab);
+  this->Out.GroundId = id;
+  this->Out.Obstacles.push_back(std::move(ground));
+}
+
+void SceneReader::ReadWinds(const SceneNode& node)
+{
+  const std::size_t count = node.Size("a list of winds");
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const SceneNode item = node.Item(i);
+    if (item.Has("file"))
+    {
+      item.CheckFields("windFile");
+      const SceneNode file = item.At("file", "");
+      const std::string path = this->File(file);
+      const std::string extension = path.substr(std::min(path.rfind('.'), path.size()));
+      if (extension != ".vti" && extension != ".pvd" && extension != ".vdb")
+      {
+        file.Fail("a .vti, .pvd or .vdb file");
+      }
+      this->Out.WindFiles.push_back({ path, this->Name + ": " + file.Pointer() });
+      continue;
+    }
+    item.CheckFields("analyticWind");
+    AnalyticWind wind;
+    wind.Direction = item.At("direction", "a direction [x, y, z]").Vector();
+    if (!(wind.Direction.norm() > 1e-12))
+    {
+      item.At("direction", "").Fail("a direction that is not zero");
+    }
+    wind.Direction.normalize();
+    wind.Strength = item.At("strength", "a strength in m/s^2").Number();
+    wind.Center = item.At("center", "a point [x, y, z]").Vector();
+    wind.Radius = item.At("radius", "a radius in metres").Positive();
+    wind.CenterTime = item.At("centerTime", "a time in seconds").Number();
+    wind.Duration = item.At("duration", "a duration in seconds").Positive();
+    this->Out.Winds.push_back(wind);
+  }
+}
+
+void SceneReader::ReadVortices(const SceneNode& node)
+{
+  const std::size_t count = node.Size("a list of vortices");
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const SceneNode item = node.Item(i);
+    item.CheckFields("vortex");
+    Vortex vortex;
+    vortex.VortexId = static_cast<int>(i);
+    vortex.P1 = item.At("p1", "a pole [x, y, z]").Vector();
+    vortex.P2 = item.At("p2", "a pole [x, y, z]").Vector();
+    if (!((vortex.P2 - vortex.P1).norm() > 0.0))
+    {
+      item.At("p2", "").Fail("a pole apart from `p1`");
+    }
+    vortex.Strength = item.At("strength", "a strength in m^2/s^2").Number();
+    vortex.CenterTime = item.At("centerTime", "a time in seconds").Number();
+    vortex.Duration = item.At("duration", "a duration in seconds").Positive();
+    vortex.CoreRadius = item.At("coreRadius", "a radius in metres").Positive();
+    this->Out.Vortices.push_back(vortex);
+  }
+}
+
+} // namespace waft

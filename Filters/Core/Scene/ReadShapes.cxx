@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shapes and objects of a scene file.
+#include "Base/ShapeMeasures.h"
+#include "Scene/BlueNoise.h"
+#include "Scene/MeshQueries.h"
+#include "Scene/SceneReader.h"
+
+#include <algorithm>
+
+namespace waft
+{
+
+namespace
+{
+
+constexpr int MostObjects = 100000;
+
+} // namespace
+
+void SceneReader::ReadShapes(const SceneNode& node)
+{
+  for (const std::string& name : node.Fields())
+  {
+    this->ReadShape(node.At(name, ""), name);
+  }
+}
+
+void SceneReader::ReadShape(const SceneNode& node, const std::string& name)
+{
+  node.CheckFields("shape");
+  const double size = node.Has("size") ? node.At("size", "").Positive() : 0.0;
+  Shape shape;
+  if (node.Has("builtin") == node.Has("mesh"))
+  {
+    node.Fail("either `builtin` or `mesh`");
+  }
+  if (node.Has("builtin"))
+  {
+    const SceneNode builtin = node.At("builtin", "");
+    this->Check(this->Assets.LoadBuiltinShape(builtin.Text(), size, shape), builtin);
+  }
+  else
+  {
+    const SceneNode mesh = node.At("mesh", "");
+    this->Check(this->Assets.LoadShapeMesh(this->File(mesh), size, shape), mesh);
+  }
+  shape.Name = name;
+  if (node.Has("texture"))
+  {
+    shape.Texture = this->File(node.At("texture", ""));
+  }
+  const auto number = [&](const char* field, double& value)
+  {
+    if (node.Has(field))
+    {
+      value = node.At(field, "").Positive();
+    }
+  };
+  number("areaDensity", shape.AreaDensity);
+  number("thickness", shape.Thickness);
+  number("dragCoefficient", shape.DragCoefficient);
+  number("settlingSpeed", shape.SettlingSpeed);
+  if (node.Has("color"))
+  {
+    const SceneNode color = node.At("color", "");
+    const Vec3 rgb = color.Vector();
+    if (rgb.minCoeff() < 0.0 || rgb.maxCoeff() > 1.0)
+    {
+      color.Fail("a colour [r, g, b] of numbers from 0 to 1");
+    }
+    shape.Color = { rgb[0], rgb[1], rgb[2] };
+  }
+  if (node.Has("class"))
+  {
+    const std::string text = node.At("class", "").Text();
+    auto& classes = this->Out.Classes;
+    const auto found = std::find(classes.begin(), classes.end(), text);
+    shape.ClassId = static_cast<int>(found - classes.begin());
+    if (found == classes.end())
+    {
+      classes.push_back(text);
+    }
+  }
+  this->Out.Shapes.push_back(std::move(shape));
+}
+
+void SceneReader::ReadObjects(const SceneNode& node)
+{
+  const std::size_t entries = node.Size("a list of objects");
+  for (std::size_t entry = 0; entry < entries; ++entry)
+  {
+    this->ReadObjectEntry(node.Item(entry), entry);
+  }
+}
+
+void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t entry)
+{
+  const bool inRegion = node.Has("count") || node.Has("region");
+  const bool atPositions = !inRegion && node.Has("positions");
+  node.CheckFields(inRegion ? "objectsInRegion"
+                            : (atPositions ? "objectsAtPositions" : "singleObject"));
+  const SceneNode shapeNode = node.At("shape", "the name of a shape");
+  const std::string shapeName = shapeNode.Text();
+  const auto& shapes = this->Out.Shapes;
+  const auto shape =
+    std::find_if(shapes.begin(), shapes.end(), [&](const Shape& s) { return s.Name == shapeName; });
+  if (shape == shapes.end())
+  {
+    std::string known;
+    for (const Shape& s : shapes)
+    {
+      known += (known.empty() ? "" : ", ") + s.Name;
+    }
+    shapeNode.Fail("the name of a shape (" + (known.empty() ? "there are none" : known) + ")");
+  }
+  MotionObject object;
+  object.ShapeId = static_cast<int>(shape - shapes.begin());
+  object.ClassId = shape->ClassId;
+  object.SettlingSpeed = shape->SettlingSpeed;
+  object.ClearanceRadius = ClearanceRadius(*shape);
+  object.RestHeight = RestHeight(*shape);
+  object.Mass = node.Has("mass") ? node.At("mass", "").Positive() : ShellMass(*shape);
+  if (node.Has("velocity"))
+  {
+    object.Velocity = node.At("velocity", "").Vector();
+  }
+  if (node.Has("orientation"))
+  {
+    object.Orientation = node.At("orientation", "").Rotation();
+  }
+  if (node.Has("angularVelocity"))
+  {
+    object.AngularVelocity = node.At("angularVelocity", "").Vector();
+  }
+  std::vector<Vec3> positions;
+  if (inRegion)
+  {
+    positions = this->SpreadObjects(node, entry, object.ClearanceRadius);
+  }
+  else if (atPositions)
+  {
+    const SceneNode list = node.At("positions", "");
+    for (std::size_t i = 0; i < list.Size("a list of points"); ++i)
+    {
+      positions.push_back(list.Item(i).Vector());
+    }
+  }
+  else
+  {
+    positions.push_back(node.At("position", "a point [x, y, z]").Vector());
+  }
+  for (const Vec3& position : positions)
+  {
+    object.ObjectId = static_cast<int>(this->Out.Objects.size());
+    object.Position = position;
+    this->Out.Objects.push_back(object);
+  }
+}
+
+std::vector<Vec3> SceneReader::SpreadObjects(const SceneNode& node, std::size_t entry,
+                                             double radius)
+{
+  const auto count = static_cast<std::size_t>(
+    node.At("count", "a number of objects").Integer(1, MostObjects, "a number of objects"));
+  const SceneNode regionNode = node.At("region", "a region {min, max}");
+  regionNode.CheckFields("region");
+  Box region;
+  region.Min = regionNode.At("min", "a point [x, y, z]").Vector();
+  region.Max = regionNode.At("max", "a point [x, y, z]").Vector();
+  if (region.Size().minCoeff() < 0.0)
+  {
+    regionNode.Fail("a region whose max is not below its min");
+  }
+  std::uint64_t seed = this->Out.Info.Seed;
+  if (node.Has("seed"))
+  {
+    seed = static_cast<std::uint64_t>(
+      node.At("seed", "").Integer(0, std::int64_t(9007199254740991), "a seed"));
+  }
+  const auto& objects = this->Out.Objects;
+  const auto isAdmissible = [&](const Vec3& x)
+  {
+    if (this->Out.Info.Bounds.InnerDistance(x) < radius)
+    {
+      return false;
+    }
+    for (const MotionObject& other : objects)
+    {
+      if ((other.Position - x).norm() < radius + other.ClearanceRadius)
+      {
+        return false;
+      }
+    }
+    return std::all_of(this->Out.Obstacles.begin(), this->Out.Obstacles.end(),
+                       [&](const ObstacleMesh& o) { return IsOutside(o.Mesh, x, radius); });
+  };
+  const std::vector<Vec3> positions = SpreadInBox(region, count, seed, entry, isAdmissible);
+  if (positions.size() < count)
+  {
+    regionNode.FailWith("expected room for " + std::to_string(count) + " objects of radius " +
+                        std::to_string(radius) +
+                        " m inside the volume and clear of obstacles and other objects, found " +
+                        std::to_string(positions.size()) + " places");
+  }
+  double nearest = 1e300;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      nearest = std::min(nearest, (positions[i] - positions[j]).norm());
+    }
+  }
+  if (nearest < 2.0 * radius)
+  {
+    this->Out.Warnings.push_back(this->Name + ": " + regionNode.Pointer() + ": " +
+                                 std::to_string(count) + " objects start as near as " +
+                                 std::to_string(nearest) + " m in this region and are " +
+                                 std::to_string(2.0 * radius) + " m wide");
+  }
+  return positions;
+}
+
+} // namespace waft

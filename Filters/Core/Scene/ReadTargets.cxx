@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Targets of a keyframe: points, or points sampled from a text, a picture or a surface.
+#include "Scene/SceneReader.h"
+
+#include <algorithm>
+
+namespace waft
+{
+
+SceneReader::Placement SceneReader::ReadPlacement(const SceneNode& node, bool needsWidth) const
+{
+  Placement place;
+  place.Origin = node.At("origin", "the centre [x, y, z]").Vector();
+  const auto direction = [&](const char* field, Vec3& value)
+  {
+    if (node.Has(field))
+    {
+      const Vec3 v = node.At(field, "").Vector();
+      if (!(v.norm() > 1e-12))
+      {
+        node.At(field, "").Fail("a direction that is not zero");
+      }
+      value = v.normalized();
+    }
+  };
+  direction("u", place.U);
+  direction("v", place.V);
+  if (place.U.cross(place.V).norm() < 1e-3)
+  {
+    node.FailWith("expected directions `u` and `v` that are not parallel, found parallel ones");
+  }
+  if (needsWidth || node.Has("width"))
+  {
+    place.Width = node.At("width", "a width in metres").Positive();
+  }
+  return place;
+}
+
+std::vector<SceneReader::Target> SceneReader::SamplePlane(const SceneNode& node,
+                                                          const TargetMask& mask, std::size_t count,
+                                                          const std::vector<int>& classIds,
+                                                          int row) const
+{
+  const Placement place = this->ReadPlacement(node, true);
+  std::vector<std::size_t> limits(classIds.size(), 0);
+  for (std::size_t c = 0; c < classIds.size(); ++c)
+  {
+    limits[c] = static_cast<std::size_t>(
+      std::count_if(this->Out.Objects.begin(), this->Out.Objects.end(),
+                    [&](const MotionObject& o) { return o.ClassId == classIds[c]; }));
+  }
+  std::vector<PlaneTarget> samples;
+  this->Check(
+    SampleMask(mask, count, limits, this->Out.Info.Seed, static_cast<std::uint64_t>(row), samples),
+    node);
+  std::vector<Target> targets;
+  for (const PlaneTarget& sample : samples)
+  {
+    targets.push_back({ place.Origin + place.Width * (sample.X * place.U + sample.Y * place.V),
+                        sample.Class < 0 ? -1 : classIds[sample.Class] });
+  }
+  return targets;
+}
+
+std::vector<SceneReader::Target> SceneReader::SampleMesh(const SceneNode& node, std::size_t count,
+                                                         int row) const
+{
+  const SceneNode file = node.At("mesh", "");
+  TriangleMesh mesh;
+  this->Check(this->Assets.LoadMesh(this->File(file), mesh), file);
+  if (mesh.Points.empty())
+  {
+    file.Fail("a mesh with points");
+  }
+  Vec3 low = mesh.Points.front();
+  Vec3 high = low;
+  for (const Vec3& p : mesh.Points)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Placement place = this->ReadPlacement(node, false);
+  const double extent = high.x() - low.x();
+  if (node.Has("width") && !(extent > 0.0))
+  {
+    file.Fail("a mesh that extends along its x axis (`width` scales it)");
+  }
+  const double scale = node.Has("width") ? place.Width / extent : 1.0;
+  std::vector<Vec3> points;
+  this->Check(
+    SampleSurface(mesh, count, this->Out.Info.Seed, static_cast<std::uint64_t>(row), points), file);
+  const Vec3 w = place.U.cross(place.V).normalized();
+  std::vector<Target> targets;
+  for (const Vec3& p : points)
+  {
+    const Vec3 local = scale * (p - 0.5 * (low + high));
+    targets.push_back(
+      { place.Origin + local.x() * place.U + local.y() * place.V + local.z() * w, -1 });
+  }
+  return targets;
+}
+
+std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node, int row,
+                                                          std::size_t objects) const
+{
+  const char* kinds[] = { "points", "text", "image", "mesh" };
+  const auto given =
+    std::count_if(std::begin(kinds), std::end(kinds), [&](const char* k) { return node.Has(k); });
+  if (given != 1)
+  {
+    (void)node.Fields(); // says so when this is no object at all
+    node.Fail("targets with one of `points`, `text`, `image` and `mesh`");
+  }
+  std::vector<Target> targets;
+  if (node.Has("points"))
+  {
+    node.CheckFields("pointTargets");
+    const SceneNode points = node.At("points", "");
+    for (std::size_t i = 0; i < points.Size("a list of points"); ++i)
+    {
+      targets.push_back({ points.Item(i).Vector(), -1 });
+    }
+    return targets;
+  }
+  node.CheckFields(node.Has("text") ? "textTargets"
+                                    : (node.Has("image") ? "imageTargets" : "meshTargets"));
+  std::size_t count = objects;
+  if (node.Has("count"))
+  {
+    constexpr std::int64_t most = 100000;
+    count = static_cast<std::size_t>(node.At("count", "").Integer(1, most, "a number of targets"));
+  }
+  if (node.Has("mesh"))
+  {
+    return this->SampleMesh(node, count, row);
+  }
+  Picture picture;
+  if (node.Has("text"))
+  {
+    const SceneNode text = node.At("text", "");
+    std::string font = node.Has("font") ? node.At("font", "").Text() : "sans";
+    if (font != "sans" && font != "serif" && font != "mono")
+    {
+      font = this->File(node.At("font", ""));
+    }
+    if (text.Text().empty())
+    {
+      text.Fail("a text that is not empty");
+    }
+    this->Check(this->Assets.DrawText(text.Text(), font, picture), text);
+    return this->SamplePlane(node, MaskFromPicture(picture, {}), count, {}, row);
+  }
+  const SceneNode image = node.At("image", "");
+  this->Check(this->Assets.LoadPicture(this->File(image), picture), image);
+  std::vector<int> classIds;
+  std::vector<std::array<double, 3>> colors;
+  if (node.Has("classes"))
+  {
+    const SceneNode classes = node.At("classes", "");
+    for (const std::string& name : classes.Fields())
+    {
+      const SceneNode color = classes.At(name, "");
+      const auto found = std::find(this->Out.Classes.begin(), this->Out.Classes.end(), name);
+      if (found == this->Out.Classes.end())
+      {
+        color.FailWith("expected the class of a shape, found the unknown class \"" + name + "\"");
+      }
+      const Vec3 rgb = color.Vector();
+      classIds.push_back(static_cast<int>(found - this->Out.Classes.begin()));
+      colors.push_back({ rgb[0], rgb[1], rgb[2] });
+    }
+    if (!node.Has("count"))
+    {
+      count = 0;
+      for (const MotionObject& object : this->Out.Objects)
+      {
+        count += std::find(classIds.begin(), classIds.end(), object.ClassId) != classIds.end();
+      }
+    }
+  }
+  return this->SamplePlane(node, MaskFromPicture(picture, colors), count, classIds, row);
+}
+
+} // namespace waft

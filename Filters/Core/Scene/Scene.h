@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene as the stages use it: everything expanded, nothing left to look up.
+#pragma once
+
+#include "Base/ForceFields.h"
+#include "Base/Motion.h"
+#include "Base/Result.h"
+#include "Base/Shape.h"
+#include "Scene/SceneAssets.h"
+
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+/// A wind that is read from a file: .vti, .pvd or .vdb.
+struct WindFile
+{
+  std::string Path;  // resolved against the scene file's folder
+  std::string Place; // "FILE: /json/pointer", for messages
+};
+
+/// The contents of a scene file. Shapes keep the order of the file (ShapeId is the place), objects
+/// are numbered in the order of the expanded list, ClassId is the place in Classes.
+struct Scene
+{
+  SceneInfo Info;
+  std::string Title;
+  std::vector<std::string> Classes;
+  std::vector<Shape> Shapes;
+  std::vector<MotionObject> Objects;
+  std::vector<Constraint> Constraints;
+  std::vector<ObstacleMesh> Obstacles; // the ground last, when there is one
+  int GroundId = -1;                   // ObstacleId of the ground; -1: none
+  std::vector<AnalyticWind> Winds;
+  std::vector<WindFile> WindFiles;
+  std::vector<Vortex> Vortices;
+  std::vector<std::string> Warnings; // what was read and is odd, a sentence each
+};
+
+/// Reads a scene file, version 1 (Documentation/SceneFiles.md). A failure's message is
+/// `FILE: /json/pointer: expected what, found what`, and the scene is left as it was.
+Result ReadScene(const std::string& file, const SceneAssets& assets, Scene& scene);
+
+/// The same from a text; file names are resolved against `folder`, `name` stands in messages.
+Result ParseScene(const std::string& text, const std::string& name, const std::string& folder,
+                  const SceneAssets& assets, Scene& scene);
+
+} // namespace waft

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/SceneNode.h"
+
+#include "Scene/SceneFields.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+
+namespace
+{
+
+// A field's name as a token of a JSON pointer (RFC 6901).
+std::string Token(const std::string& field)
+{
+  std::string token;
+  for (const char c : field)
+  {
+    token += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+  }
+  return token;
+}
+
+std::string Describe(const SceneJson& value)
+{
+  std::string text = value.dump(-1, ' ', false, SceneJson::error_handler_t::replace);
+  constexpr std::size_t longest = 60;
+  if (text.size() <= longest)
+  {
+    return text;
+  }
+  if (value.is_object())
+  {
+    return "an object";
+  }
+  if (value.is_array())
+  {
+    return "a list of " + std::to_string(value.size());
+  }
+  return text.substr(0, longest) + "...";
+}
+
+std::string Brief(double number)
+{
+  return SceneJson(number).dump();
+}
+
+} // namespace
+
+SceneNode::SceneNode(const SceneJson& value, std::string pointer) :
+  Value(value), Place(std::move(pointer))
+{
+}
+
+void SceneNode::Fail(const std::string& expected) const
+{
+  this->FailWith("expected " + expected + ", found " + Describe(this->Value));
+}
+
+void SceneNode::FailWith(const std::string& message) const
+{
+  throw SceneError{ (this->Place.empty() ? std::string("/") : this->Place) + ": " + message };
+}
+
+bool SceneNode::Has(const std::string& field) const
+{
+  return this->Value.is_object() && this->Value.contains(field);
+}
+
+SceneNode SceneNode::At(const std::string& field, const std::string& expected) const
+{
+  if (!this->Value.is_object())
+  {
+    this->Fail("an object");
+  }
+  const auto found = this->Value.find(field);
+  if (found == this->Value.end())
+  {
+    throw SceneError{ this->Place + "/" + Token(field) + ": expected " + expected +
+                      ", found nothing" };
+  }
+  return { *found, this->Place + "/" + Token(field) };
+}
+
+SceneNode SceneNode::Item(std::size_t i) const
+{
+  return { this->Value[i], this->Place + "/" + std::to_string(i) };
+}
+
+std::size_t SceneNode::Size(const std::string& expected) const
+{
+  if (!this->Value.is_array())
+  {
+    this->Fail(expected);
+  }
+  return this->Value.size();
+}
+
+std::vector<std::string> SceneNode::Fields() const
+{
+  if (!this->Value.is_object())
+  {
+    this->Fail("an object");
+  }
+  std::vector<std::string> fields;
+  for (const auto& item : this->Value.items())
+  {
+    if (item.key().empty() || item.key().front() != '_')
+    {
+      fields.push_back(item.key());
+    }
+  }
+  return fields;
+}
+
+void SceneNode::CheckFields(const std::string& table) const
+{
+  const std::vector<std::string>& known = SceneFieldsOf(table).Fields;
+  for (const std::string& field : this->Fields())
+  {
+    if (std::find(known.begin(), known.end(), field) == known.end())
+    {
+      std::string list;
+      for (const std::string& name : known)
+      {
+        list += (list.empty() ? "" : ", ") + name;
+      }
+      throw SceneError{ this->Place + "/" + Token(field) + ": expected one of the fields " + list +
+                        ", found the unknown field \"" + field + "\"" };
+    }
+  }
+}
+
+double SceneNode::Number(double low, double high) const
+{
+  const double number = this->Value.is_number() ? this->Value.get<double>() : NAN;
+  if (std::isfinite(number) && number >= low && number <= high)
+  {
+    return number;
+  }
+  if (std::isinf(low) && std::isinf(high))
+  {
+    this->Fail("a finite number");
+  }
+  this->Fail("a number " + (std::isinf(high) ? "of at least " + Brief(low)
+                                             : "from " + Brief(low) + " to " + Brief(high)));
+}
+
+double SceneNode::Positive() const
+{
+  const double number = this->Value.is_number() ? this->Value.get<double>() : NAN;
+  if (!std::isfinite(number) || number <= 0.0)
+  {
+    this->Fail("a number above 0");
+  }
+  return number;
+}
+
+double SceneNode::NonNegative() const
+{
+  return this->Number(0.0);
+}
+
+std::int64_t SceneNode::Integer(std::int64_t low, std::int64_t high, const std::string& what) const
+{
+  // 3.0 is an integer in JSON's own sense (draft-07 of the schema says so too).
+  const double number = this->Value.is_number() ? this->Value.get<double>() : NAN;
+  if (!(number == std::floor(number)) || number < static_cast<double>(low) ||
+      number > static_cast<double>(high))
+  {
+    this->Fail(what + " (an integer from " + std::to_string(low) + " to " + std::to_string(high) +
+               ")");
+  }
+  return this->Value.is_number_integer() ? this->Value.get<std::int64_t>()
+                                         : static_cast<std::int64_t>(number);
+}
+
+bool SceneNode::Boolean() const
+{
+  if (!this->Value.is_boolean())
+  {
+    this->Fail("true or false");
+  }
+  return this->Value.get<bool>();
+}
+
+std::string SceneNode::Text() const
+{
+  if (!this->Value.is_string())
+  {
+    this->Fail("a text");
+  }
+  return this->Value.get<std::string>();
+}
+
+std::vector<double> SceneNode::Numbers(std::size_t count, const std::string& expected) const
+{
+  if (!this->Value.is_array() || this->Value.size() != count)
+  {
+    this->Fail(expected);
+  }
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    numbers.push_back(this->Item(i).Number());
+  }
+  return numbers;
+}
+
+Vec3 SceneNode::Vector() const
+{
+  const std::vector<double> v = this->Numbers(3, "a vector [x, y, z]");
+  return { v[0], v[1], v[2] };
+}
+
+Quat SceneNode::Rotation() const
+{
+  const std::vector<double> q = this->Numbers(4, "a quaternion [w, x, y, z]");
+  const Quat rotation(q[0], q[1], q[2], q[3]);
+  const double length = rotation.norm();
+  if (!(length > 1e-12) || !std::isfinite(length))
+  {
+    this->Fail("a quaternion [w, x, y, z] that is not zero");
+  }
+  // One that is unit to the last digits stays as it was written.
+  return std::abs(length - 1.0) < 1e-15 ? rotation : rotation.normalized();
+}
+
+} // namespace waft

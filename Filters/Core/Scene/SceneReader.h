@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parts of the reader of scenes, one a section of the file. Private to this library.
+#pragma once
+
+#include "Scene/Scene.h"
+#include "Scene/SceneNode.h"
+#include "Scene/TargetSampling.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+class SceneReader
+{
+public:
+  SceneReader(std::string name, std::string folder, const SceneAssets& assets, Scene& scene) :
+    Name(std::move(name)), Folder(std::move(folder)), Assets(assets), Out(scene)
+  {
+  }
+
+  /// Throws SceneError.
+  void Read(const SceneNode& root);
+
+private:
+  // A keyframe's target in the world.
+  struct Target
+  {
+    Vec3 Position = Vec3::Zero();
+    int ClassId = -1;
+  };
+  // Where targets of a text, a picture or a mesh lie.
+  struct Placement
+  {
+    Vec3 Origin = Vec3::Zero();
+    Vec3 U = Vec3::UnitX();
+    Vec3 V = Vec3::UnitY();
+    double Width = 1.0;
+  };
+
+  // ReadScene.cxx
+  void ReadInfo(const SceneNode& root);
+  int Frame(const SceneNode& node) const;
+  std::string File(const SceneNode& node) const;
+  void Check(const Result& result, const SceneNode& node) const;
+
+  // ReadShapes.cxx
+  void ReadShapes(const SceneNode& node);
+  void ReadShape(const SceneNode& node, const std::string& name);
+  void ReadObjects(const SceneNode& node);
+  void ReadObjectEntry(const SceneNode& node, std::size_t entry);
+  std::vector<Vec3> SpreadObjects(const SceneNode& node, std::size_t entry, double radius);
+
+  // ReadFields.cxx
+  void ReadObstacles(const SceneNode& node);
+  ObstacleMesh ReadObstacle(const SceneNode& node, int place);
+  void ReadMotion(const SceneNode& node, ObstacleMesh& obstacle);
+  void AddGround();
+  void ReadWinds(const SceneNode& node);
+  void ReadVortices(const SceneNode& node);
+
+  // ReadConstraints.cxx
+  void ReadConstraints(const SceneNode& node);
+  void ReadConstraint(const SceneNode& node, int row);
+  void ReadPath(const SceneNode& node, int row);
+  void ReadKeyframe(const SceneNode& node, int row);
+  int ObjectId(const SceneNode& node, int lowest) const;
+  std::vector<int> ObjectIds(const SceneNode& node) const;
+  std::vector<int> AssignAmong(const std::vector<int>& objects, const std::vector<Target>& targets,
+                               int frame, const SceneNode& node) const;
+
+  // ReadTargets.cxx
+  std::vector<Target> ReadTargets(const SceneNode& node, int row, std::size_t objects) const;
+  std::vector<Target> SamplePlane(const SceneNode& node, const TargetMask& mask, std::size_t count,
+                                  const std::vector<int>& classIds, int row) const;
+  std::vector<Target> SampleMesh(const SceneNode& node, std::size_t count, int row) const;
+  Placement ReadPlacement(const SceneNode& node, bool needsWidth) const;
+
+  std::string Name;
+  std::string Folder;
+  const SceneAssets& Assets;
+  Scene& Out;
+  bool HasGround = true;
+  double GroundHeight = 0.0;
+};
+
+} // namespace waft

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Writes the textures of Data/Shapes:  WaftPaintShapeTextures FOLDER
+#include "Shapes/TextureImage.h"
+
+#include <zlib.h>
+
+#include <cstdio>
+#include <fstream>
+
+namespace
+{
+
+struct Job
+{
+  const char* File;
+  waft::TextureOptions Options;
+};
+
+void Append32(std::vector<std::uint8_t>& bytes, std::uint32_t value)
+{
+  for (int shift = 24; shift >= 0; shift -= 8)
+  {
+    bytes.push_back(static_cast<std::uint8_t>(value >> shift));
+  }
+}
+
+void AppendChunk(std::vector<std::uint8_t>& bytes, const char* type,
+                 const std::vector<std::uint8_t>& data)
+{
+  Append32(bytes, static_cast<std::uint32_t>(data.size()));
+  const std::size_t start = bytes.size();
+  bytes.insert(bytes.end(), type, type + 4);
+  bytes.insert(bytes.end(), data.begin(), data.end());
+  Append32(bytes, static_cast<std::uint32_t>(crc32(0, &bytes[start], uInt(bytes.size() - start))));
+}
+
+// PNG, 8-bit RGBA, each row filtered by the row above (type 2).
+std::vector<std::uint8_t> EncodePng(const std::vector<std::uint8_t>& pixels, int width, int height)
+{
+  std::vector<std::uint8_t> rows;
+  const std::size_t stride = 4 * static_cast<std::size_t>(width);
+  for (int row = 0; row < height; ++row)
+  {
+    const std::size_t at = stride * static_cast<std::size_t>(height - 1 - row); // top row first
+    rows.push_back(2);
+    for (std::size_t i = 0; i < stride; ++i)
+    {
+      const int above = row > 0 ? pixels[at + stride + i] : 0;
+      rows.push_back(static_cast<std::uint8_t>(pixels[at + i] - above));
+    }
+  }
+  std::vector<std::uint8_t> packed(compressBound(rows.size()));
+  uLongf size = packed.size();
+  compress2(packed.data(), &size, rows.data(), rows.size(), 9);
+  packed.resize(size);
+  std::vector<std::uint8_t> png = { 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n' };
+  std::vector<std::uint8_t> header;
+  Append32(header, static_cast<std::uint32_t>(width));
+  Append32(header, static_cast<std::uint32_t>(height));
+  header.insert(header.end(), { 8, 6, 0, 0, 0 });
+  AppendChunk(png, "IHDR", header);
+  AppendChunk(png, "IDAT", packed);
+  AppendChunk(png, "IEND", {});
+  return png;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  if (argc != 2)
+  {
+    std::fprintf(stderr, "usage: %s FOLDER\n", argv[0]);
+    return 2;
+  }
+  using Color = std::array<double, 3>;
+  const auto job = [](const char* file, const char* builtin, int width, int height, Color base,
+                      Color edge, Color vein, double blotches, std::uint64_t seed) {
+    return Job{ file, { builtin, width, height, base, edge, vein, blotches, seed } };
+  };
+  const Job jobs[] = {
+    job("leaf-green.png", "leaf", 384, 192, { 0.36, 0.52, 0.14 }, { 0.66, 0.62, 0.16 },
+        { 0.74, 0.78, 0.44 }, 0.35, 1),
+    job("leaf-gold.png", "leaf", 384, 192, { 0.90, 0.68, 0.15 }, { 0.80, 0.42, 0.10 },
+        { 0.62, 0.38, 0.12 }, 0.6, 2),
+    job("maple-red.png", "maple", 352, 352, { 0.80, 0.20, 0.09 }, { 0.88, 0.46, 0.12 },
+        { 0.48, 0.10, 0.07 }, 0.6, 3),
+    job("oak-brown.png", "oak", 384, 224, { 0.70, 0.43, 0.16 }, { 0.45, 0.25, 0.10 },
+        { 0.86, 0.66, 0.36 }, 0.6, 4),
+    job("willow-yellow.png", "willow", 384, 96, { 0.80, 0.74, 0.28 }, { 0.66, 0.48, 0.14 },
+        { 0.93, 0.89, 0.55 }, 0.5, 5),
+    job("feather-barred.png", "feather", 512, 160, { 0.93, 0.90, 0.84 }, { 0.44, 0.31, 0.22 },
+        { 0.90, 0.84, 0.72 }, 0.9, 6),
+    job("feather-white.png", "feather", 512, 160, { 0.96, 0.95, 0.93 }, { 0.80, 0.82, 0.86 },
+        { 0.93, 0.89, 0.80 }, 0.4, 7),
+    job("down-white.png", "down", 256, 256, { 0.98, 0.97, 0.95 }, { 0.90, 0.90, 0.92 },
+        { 0.95, 0.95, 0.95 }, 0.0, 8),
+    job("petal-pink.png", "petal", 256, 224, { 0.98, 0.78, 0.84 }, { 0.88, 0.36, 0.52 },
+        { 0.80, 0.30, 0.46 }, 0.0, 9),
+  };
+  for (const Job& job : jobs)
+  {
+    std::vector<std::uint8_t> pixels;
+    const waft::Result result = waft::PaintTexture(job.Options, pixels);
+    if (!result)
+    {
+      std::fprintf(stderr, "%s: %s\n", job.File, result.Message().c_str());
+      return 1;
+    }
+    const std::vector<std::uint8_t> png = EncodePng(pixels, job.Options.Width, job.Options.Height);
+    const std::string path = std::string(argv[1]) + "/" + job.File;
+    std::ofstream stream(path, std::ios::binary);
+    stream.write(reinterpret_cast<const char*>(png.data()), std::streamsize(png.size()));
+    if (!stream)
+    {
+      std::fprintf(stderr, "%s: cannot be written\n", path.c_str());
+      return 1;
+    }
+    std::printf("%s %zu bytes\n", path.c_str(), png.size());
+  }
+  return 0;
+}

@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes/TextureImage.h"
+
+#include "Base/Random.h"
+#include "Shapes/Outline.h"
+#include "Shapes/ThinShape.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+
+namespace
+{
+
+using Color = std::array<double, 3>;
+
+double Smooth(double low, double high, double x)
+{
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+Color Mix(const Color& a, const Color& b, double t)
+{
+  return { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]) };
+}
+
+Color Scale(const Color& a, double s)
+{
+  return { a[0] * s, a[1] * s, a[2] * s };
+}
+
+// Smooth noise from -1 to 1: random values on a lattice, and octaves of it.
+class Noise
+{
+public:
+  explicit Noise(std::uint64_t seed)
+  {
+    Random random(seed, 7);
+    for (double& value : this->Values)
+    {
+      value = random.Uniform(-1.0, 1.0);
+    }
+  }
+  double At(double x, double y) const
+  {
+    const double fx = std::floor(x);
+    const double fy = std::floor(y);
+    const double u = Smooth(0.0, 1.0, x - fx);
+    const double v = Smooth(0.0, 1.0, y - fy);
+    const auto i = static_cast<long>(fx);
+    const auto j = static_cast<long>(fy);
+    const double low = this->Value(i, j) + u * (this->Value(i + 1, j) - this->Value(i, j));
+    const double high =
+      this->Value(i, j + 1) + u * (this->Value(i + 1, j + 1) - this->Value(i, j + 1));
+    return low + v * (high - low);
+  }
+  double Octaves(double x, double y, int count) const
+  {
+    double sum = 0.0;
+    double weight = 0.5;
+    for (int octave = 0; octave < count; ++octave)
+    {
+      sum += weight * this->At(x + 17.3 * octave, y - 9.1 * octave);
+      x *= 2.0;
+      y *= 2.0;
+      weight *= 0.5;
+    }
+    return sum;
+  }
+
+private:
+  static constexpr int Side = 64;
+  double Value(long i, long j) const
+  {
+    return this->Values[static_cast<std::size_t>((i & (Side - 1)) + Side * (j & (Side - 1)))];
+  }
+  std::array<double, Side * Side> Values;
+};
+
+// 1 on a line, 0 away from it.
+double Line(double distance, double halfWidth)
+{
+  return 1.0 - Smooth(0.6 * halfWidth, 1.4 * halfWidth, std::abs(distance));
+}
+
+// Distance of a number to the nearest integer.
+double ToInteger(double x)
+{
+  return x - std::round(x);
+}
+
+struct Painter
+{
+  const TextureOptions& Options;
+  const Outline Plan;
+  const Noise Grain;
+
+  // How strongly a vein shows at a place of a strip: rib, side veins that bend towards the tip,
+  // and a net between them.
+  double StripVeins(double s, double t, double y) const
+  {
+    const double across = std::abs(t);
+    const double rib = Line(y - this->Plan.Middle(s), 0.009 * (1.15 - s));
+    const double lead = s - 0.20 * std::pow(across, 1.4) + (t > 0.0 ? 0.0 : 0.03);
+    const double side = Line(ToInteger(11.0 * lead) / 11.0, 0.0042 * (1.2 - 0.7 * across)) *
+                        Smooth(1.05, 0.7, across);
+    const double net =
+      0.30 * Line(ToInteger(55.0 * (s + 0.5 * across)) / 55.0, 0.003) * Smooth(0.02, 0.2, across);
+    return std::max({ rib, 0.8 * side, net });
+  }
+
+  // One rib into each lobe of a maple leaf, with side veins.
+  double StarVeins(double angle, double r) const
+  {
+    double veins = 0.0;
+    for (const double lobe : { 0.0, 0.86, -0.86, 1.72, -1.72 })
+    {
+      const double off = std::remainder(angle - lobe, 2.0 * M_PI);
+      const double along = r * std::cos(off);
+      const double away = r * std::sin(off);
+      if (along > 0.0 && std::abs(off) < 0.43)
+      {
+        veins = std::max(veins, Line(away, 0.008 * (1.2 - 1.5 * r)));
+        const double lead = along - 0.9 * std::abs(away);
+        veins = std::max(veins, 0.6 * Line(ToInteger(14.0 * lead) / 14.0, 0.004));
+      }
+    }
+    return veins;
+  }
+
+  Color LeafColor(double across, double veins, double x, double y) const
+  {
+    const double blotch = this->Grain.Octaves(7.0 * x, 7.0 * y, 5);
+    const double edge = Smooth(0.45, 1.05, across + 0.5 * blotch);
+    const double spots = this->Options.Blotches * Smooth(0.05, 0.45, blotch);
+    Color color =
+      Mix(this->Options.Base, this->Options.Edge, std::clamp(0.8 * edge + spots, 0.0, 1.0));
+    color = Scale(color, 1.0 + 0.22 * this->Grain.Octaves(24.0 * x, 24.0 * y, 3));
+    return Mix(color, this->Options.Vein, 0.75 * veins);
+  }
+
+  void Leaf(double x, double y, Color& color, double& alpha) const
+  {
+    const OutlinePlace place = this->Plan.PlaceOf(x, y);
+    if (this->Plan.Type == Outline::Kind::Star)
+    {
+      const double r = std::hypot(x - this->Plan.CenterX, y);
+      color = this->LeafColor(place.Across, this->StarVeins(place.Along, r), x, y);
+      alpha = place.Across < 1.03 ? 1.0 : 0.0;
+    }
+    else
+    {
+      const double s = std::clamp(place.Along, 0.0, 1.0);
+      color = this->LeafColor(std::abs(place.Across), this->StripVeins(s, place.Across, y), x, y);
+      // Teeth: the edge runs back a little and jumps out again.
+      const double phase = 26.0 * s;
+      const double tooth =
+        this->Options.Builtin == "leaf" ? 0.06 * (phase - std::floor(phase)) : 0.0;
+      const bool inside = place.Along > -0.01 && place.Along < 1.01;
+      alpha = inside && std::abs(place.Across) < 1.02 - tooth ? 1.0 : 0.0;
+    }
+    this->Stem(x, y, color, alpha);
+  }
+
+  // Whatever lies before the blade is stem.
+  void Stem(double x, double y, Color& color, double& alpha) const
+  {
+    const double end =
+      this->Plan.Type == Outline::Kind::Star ? this->Plan.CenterX : this->Plan.BladeStart;
+    if (this->Plan.StemWidth > 0.0 && x < end)
+    {
+      const double s = x / end;
+      const double middle = -0.12 * end * (1.0 - s) * (1.0 - s) +
+                            (this->Plan.Type == Outline::Kind::Star ? 0.0 : this->Plan.Middle(0.0));
+      if (std::abs(y - middle) < 0.7 * this->Plan.StemWidth)
+      {
+        const double round = 1.0 - 0.5 * std::abs(y - middle) / this->Plan.StemWidth;
+        const double tint = this->Options.Builtin == "feather" ? 0.0 : 0.3;
+        color = Scale(Mix(this->Options.Vein, this->Options.Edge, tint), round);
+        alpha = 1.0;
+      }
+    }
+  }
+
+  void Feather(double x, double y, Color& color, double& alpha) const
+  {
+    const OutlinePlace place = this->Plan.PlaceOf(x, y);
+    const double s = std::clamp(place.Along, 0.0, 1.0);
+    const double across = std::abs(place.Across);
+    const double off = y - this->Plan.Middle(s);
+    // Barbs leave the shaft forwards; clumps of them part at the splits.
+    const double barb = s - 0.9 * std::abs(off) * (1.0 + 0.6 * across);
+    const double fine = 0.5 + 0.5 * std::cos(2.0 * M_PI * 150.0 * barb);
+    const double clumps = this->Grain.Octaves(60.0 * barb, off > 0.0 ? 3.0 : 8.0, 2);
+    const double bands = Smooth(-0.1, 0.35,
+                                std::sin(2.0 * M_PI * (5.2 * (s - 0.3 * std::abs(off)) + 0.2)) +
+                                  0.8 * this->Grain.Octaves(14.0 * x, 22.0 * y, 3));
+    color = Mix(this->Options.Base, this->Options.Edge,
+                this->Options.Blotches * bands * Smooth(0.10, 0.35, s));
+    color = Mix(color, { 0.97, 0.96, 0.94 }, 0.7 * Smooth(0.16, 0.02, s));
+    color = Scale(color, 0.90 + 0.10 * fine + 0.16 * clumps);
+    const double shaft = Line(off, 0.0085 * (1.05 - s));
+    color = Mix(color, Scale(this->Options.Vein, 1.0 - 0.25 * Smooth(-0.006, 0.006, off)), shaft);
+    alpha = place.Along > -0.005 && place.Along < 1.0 && across < 1.0 ? 1.0 : 0.0;
+    for (const auto& split : { std::array<double, 3>{ 0.34, 1.0, 0.35 },
+                               { 0.63, 1.0, 0.55 },
+                               { 0.47, -1.0, 0.45 },
+                               { 0.80, -1.0, 0.5 },
+                               { 0.23, -1.0, 0.3 } })
+    {
+      const double open = 0.012 * Smooth(split[2], 1.0, across);
+      if (off * split[1] > 0.0 && std::abs(barb - split[0] + 0.06) < open)
+      {
+        alpha = 0.0;
+      }
+    }
+    // Loose barbs at the base.
+    if (s < 0.13 && across > 0.25 && this->Grain.At(170.0 * barb, 5.0 * off) > 0.25 - 3.0 * s)
+    {
+      alpha = 0.0;
+    }
+    // The edge is frayed by single barbs.
+    if (across > 0.93 && this->Grain.At(150.0 * barb, 2.0) > 0.1)
+    {
+      alpha = 0.0;
+    }
+    if (shaft > 0.5 && place.Along > 0.0 && place.Along < 1.0)
+    {
+      alpha = 1.0;
+    }
+    this->Stem(x, y, color, alpha);
+  }
+
+  void Down(double x, double y, Color& color, double& alpha) const
+  {
+    const OutlinePlace place = this->Plan.PlaceOf(x, y);
+    const double bend = place.Along + 0.6 * this->Grain.At(3.0 * x, 3.0 * y);
+    const double wisps = this->Grain.At(14.0 * bend, 2.0 * place.Across) +
+                         0.7 * this->Grain.At(37.0 * bend, 3.0 * place.Across);
+    color = Scale(Mix(this->Options.Base, this->Options.Edge, 0.5 * Smooth(0.2, 1.0, place.Across)),
+                  1.0 + 0.08 * wisps);
+    alpha = place.Across < 1.0 && wisps > 1.9 * place.Across - 1.35 ? 1.0 : 0.0;
+  }
+
+  void Petal(double x, double y, Color& color, double& alpha) const
+  {
+    const OutlinePlace place = this->Plan.PlaceOf(x, y);
+    const double s = std::clamp(place.Along, 0.0, 1.0);
+    const double lines = 0.5 + 0.5 * std::cos(60.0 * place.Across);
+    color = Mix(this->Options.Edge, this->Options.Base, Smooth(0.0, 0.75, s));
+    color = Mix(color, this->Options.Vein, 0.12 * lines * (1.0 - 0.6 * s));
+    color = Scale(color, 1.0 + 0.10 * this->Grain.Octaves(12.0 * x, 12.0 * y, 4));
+    const double notch = 0.07 * Line(place.Across, 0.16);
+    alpha = s < 1.0 - notch && std::abs(place.Across) < 1.02 ? 1.0 : 0.0;
+  }
+
+  void Paint(double x, double y, Color& color, double& alpha) const
+  {
+    if (this->Options.Builtin == "feather")
+    {
+      this->Feather(x, y, color, alpha);
+    }
+    else if (this->Options.Builtin == "down")
+    {
+      this->Down(x, y, color, alpha);
+    }
+    else if (this->Options.Builtin == "petal")
+    {
+      this->Petal(x, y, color, alpha);
+    }
+    else
+    {
+      this->Leaf(x, y, color, alpha);
+    }
+  }
+};
+
+} // namespace
+
+Result TextureOptions::Validate() const
+{
+  if (this->Width < 16 || this->Width > 4096 || this->Height < 16 || this->Height > 4096)
+  {
+    return Result::Error("expected a width and a height from 16 to 4096 pixels");
+  }
+  for (const auto& color : { this->Base, this->Edge, this->Vein })
+  {
+    for (const double c : color)
+    {
+      if (!(c >= 0.0 && c <= 1.0))
+      {
+        return Result::Error("expected colours of numbers from 0 to 1");
+      }
+    }
+  }
+  if (!(this->Blotches >= 0.0 && this->Blotches <= 1.0))
+  {
+    return Result::Error("Blotches: expected a number from 0 to 1");
+  }
+  return Result::Ok();
+}
+
+Result PaintTexture(const TextureOptions& options, std::vector<std::uint8_t>& pixels)
+{
+  Result valid = options.Validate();
+  if (!valid)
+  {
+    return valid;
+  }
+  Outline outline;
+  Result known = OutlineOf(options.Builtin, outline);
+  if (!known)
+  {
+    return known;
+  }
+  const PlanBox box = TextureBox(outline);
+  const Painter painter{ options, outline, Noise(options.Seed) };
+  pixels.assign(4 * static_cast<std::size_t>(options.Width) * options.Height, 0);
+  constexpr int fine = 3; // samples a side of a pixel
+  for (int j = 0; j < options.Height; ++j)
+  {
+    for (int i = 0; i < options.Width; ++i)
+    {
+      Color sum{ 0.0, 0.0, 0.0 };
+      double cover = 0.0;
+      for (int k = 0; k < fine * fine; ++k)
+      {
+        const double u = (i + (k % fine + 0.5) / fine) / options.Width;
+        const double v = (j + (k / fine + 0.5) / fine) / options.Height;
+        Color color{};
+        double alpha = 0.0;
+        painter.Paint(box.X0 + u * (box.X1 - box.X0), box.Y0 + v * (box.Y1 - box.Y0), color, alpha);
+        cover += alpha;
+        for (int c = 0; c < 3; ++c)
+        {
+          sum[c] += color[c];
+        }
+      }
+      // Colour goes on beyond the outline, so that filtering does not darken its edge.
+      std::uint8_t* pixel =
+        &pixels[4 * (static_cast<std::size_t>(j) * options.Width + static_cast<std::size_t>(i))];
+      for (int c = 0; c < 3; ++c)
+      {
+        pixel[c] = static_cast<std::uint8_t>(
+          std::lround(255.0 * std::clamp(sum[c] / (fine * fine), 0.0, 1.0)));
+      }
+      pixel[3] = static_cast<std::uint8_t>(std::lround(255.0 * cover / (fine * fine)));
+    }
+  }
+  return Result::Ok();
+}
+
+} // namespace waft

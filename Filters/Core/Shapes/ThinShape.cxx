@@ -1,0 +1,440 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes/ThinShape.h"
+
+#include "Base/ShapeMeasures.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace waft
+{
+
+namespace
+{
+
+// A flat sheet and, at each point, how far it is from the middle towards the edge.
+struct FlatSheet
+{
+  std::vector<std::array<double, 2>> Points;
+  std::vector<double> Rise; // m per unit of curl, in units of the outline
+  std::vector<std::array<int, 3>> Triangles;
+};
+
+// Rows are closer together where the outline closes.
+double RowPlace(int row, int rows)
+{
+  return 0.5 - 0.5 * std::cos(M_PI * row / rows);
+}
+
+void AddStrip(const Outline& outline, const SheetOptions& options, FlatSheet& sheet)
+{
+  const int columns = options.Columns;
+  const auto add = [&](double along, double across)
+  {
+    double x = 0.0;
+    double y = 0.0;
+    outline.PointAt({ along, across }, x, y);
+    sheet.Points.push_back({ x, y });
+    const double width = across > 0.0 ? outline.Left(along) : outline.Right(along);
+    sheet.Rise.push_back(0.5 * across * across * width);
+    return static_cast<int>(sheet.Points.size()) - 1;
+  };
+  const int base = add(0.0, 0.0);
+  int previous = -1;
+  for (int row = 1; row < options.Rows; ++row)
+  {
+    const int first = static_cast<int>(sheet.Points.size());
+    for (int c = 0; c <= columns; ++c)
+    {
+      add(RowPlace(row, options.Rows), -1.0 + 2.0 * c / columns);
+    }
+    for (int c = 0; c < columns; ++c)
+    {
+      if (previous < 0)
+      {
+        sheet.Triangles.push_back({ base, first + c, first + c + 1 });
+      }
+      else
+      {
+        sheet.Triangles.push_back({ previous + c, first + c, first + c + 1 });
+        sheet.Triangles.push_back({ previous + c, first + c + 1, previous + c + 1 });
+      }
+    }
+    previous = first;
+  }
+  const int tip = add(1.0, 0.0);
+  for (int c = 0; c < columns; ++c)
+  {
+    sheet.Triangles.push_back({ previous + c, tip, previous + c + 1 });
+  }
+}
+
+void AddStar(const Outline& outline, const SheetOptions& options, FlatSheet& sheet)
+{
+  const int sectors = 2 * options.Rows;
+  const int rings = std::max(2, options.Columns / 2);
+  sheet.Points.push_back({ outline.CenterX, 0.0 });
+  sheet.Rise.push_back(0.0);
+  for (int ring = 1; ring <= rings; ++ring)
+  {
+    for (int i = 0; i < sectors; ++i)
+    {
+      const double angle = 2.0 * M_PI * i / sectors;
+      const double across = static_cast<double>(ring) / rings;
+      double x = 0.0;
+      double y = 0.0;
+      outline.PointAt({ angle, across }, x, y);
+      sheet.Points.push_back({ x, y });
+      sheet.Rise.push_back(0.5 * across * across * outline.Radius(angle));
+    }
+  }
+  const auto at = [&](int ring, int i) { return 1 + (ring - 1) * sectors + i % sectors; };
+  for (int i = 0; i < sectors; ++i)
+  {
+    sheet.Triangles.push_back({ 0, at(1, i), at(1, i + 1) });
+    for (int ring = 1; ring < rings; ++ring)
+    {
+      sheet.Triangles.push_back({ at(ring, i), at(ring + 1, i), at(ring + 1, i + 1) });
+      sheet.Triangles.push_back({ at(ring, i), at(ring + 1, i + 1), at(ring, i + 1) });
+    }
+  }
+}
+
+// The stem or bare shaft, narrower towards its end, bent a little, ending in the blade.
+void AddStem(const Outline& outline, FlatSheet& sheet)
+{
+  constexpr int pieces = 6;
+  const double end = outline.Type == Outline::Kind::Star ? outline.CenterX : outline.BladeStart;
+  const double endY = outline.Type == Outline::Kind::Star ? 0.0 : outline.Middle(0.0);
+  const int first = static_cast<int>(sheet.Points.size());
+  for (int i = 0; i <= pieces; ++i)
+  {
+    const double s = static_cast<double>(i) / pieces;
+    const double half = 0.5 * outline.StemWidth * (1.0 - 0.4 * s);
+    const double y = endY - 0.12 * end * (1.0 - s) * (1.0 - s);
+    sheet.Points.push_back({ s * end, y - half });
+    sheet.Points.push_back({ s * end, y + half });
+    sheet.Rise.insert(sheet.Rise.end(), { 0.0, 0.0 });
+  }
+  for (int i = 0; i < pieces; ++i)
+  {
+    const int a = first + 2 * i;
+    sheet.Triangles.push_back({ a, a + 2, a + 3 });
+    sheet.Triangles.push_back({ a, a + 3, a + 1 });
+  }
+}
+
+FlatSheet Flatten(const Outline& outline, const SheetOptions& options)
+{
+  FlatSheet sheet;
+  if (outline.Type == Outline::Kind::Star)
+  {
+    AddStar(outline, options, sheet);
+  }
+  else
+  {
+    AddStrip(outline, options, sheet);
+  }
+  if (outline.StemWidth > 0.0)
+  {
+    AddStem(outline, sheet);
+  }
+  return sheet;
+}
+
+void Center(TriangleMesh& mesh)
+{
+  const Vec3 center = ShellCentroid(mesh);
+  for (Vec3& p : mesh.Points)
+  {
+    p -= center;
+  }
+}
+
+void ScaleTo(double size, TriangleMesh& mesh)
+{
+  const double scale = size / LargestExtent(mesh);
+  for (Vec3& p : mesh.Points)
+  {
+    p *= scale;
+  }
+}
+
+TriangleMesh Sphere(int meridians, int parallels)
+{
+  TriangleMesh mesh;
+  mesh.Points.emplace_back(0.0, 0.0, 0.5);
+  for (int j = 1; j < parallels; ++j)
+  {
+    for (int i = 0; i < meridians; ++i)
+    {
+      const double polar = M_PI * j / parallels;
+      const double turn = 2.0 * M_PI * i / meridians;
+      mesh.Points.emplace_back(0.5 * std::sin(polar) * std::cos(turn),
+                               0.5 * std::sin(polar) * std::sin(turn), 0.5 * std::cos(polar));
+    }
+  }
+  mesh.Points.emplace_back(0.0, 0.0, -0.5);
+  const int south = static_cast<int>(mesh.Points.size()) - 1;
+  const auto at = [&](int j, int i) { return 1 + (j - 1) * meridians + i % meridians; };
+  for (int i = 0; i < meridians; ++i)
+  {
+    mesh.Triangles.push_back({ 0, at(1, i), at(1, i + 1) });
+    for (int j = 1; j + 1 < parallels; ++j)
+    {
+      mesh.Triangles.push_back({ at(j, i), at(j + 1, i), at(j + 1, i + 1) });
+      mesh.Triangles.push_back({ at(j, i), at(j + 1, i + 1), at(j, i + 1) });
+    }
+    mesh.Triangles.push_back({ south, at(parallels - 1, i + 1), at(parallels - 1, i) });
+  }
+  return mesh;
+}
+
+SheetOptions SheetOf(const std::string& name)
+{
+  SheetOptions options;
+  if (name == "maple")
+  {
+    options.Rows = 42; // 84 sectors: its teeth
+    options.Columns = 8;
+    options.Curl = 0.35;
+    options.Camber = 0.06;
+  }
+  else if (name == "oak")
+  {
+    options.Rows = 44; // its lobes
+    options.Columns = 8;
+    options.Curl = 0.35;
+    options.Camber = 0.07;
+  }
+  else if (name == "willow")
+  {
+    options.Columns = 6;
+    options.Curl = 0.5;
+    options.Camber = 0.10;
+    options.Twist = 0.3;
+  }
+  else if (name == "feather")
+  {
+    options.Rows = 36;
+    options.Curl = 0.5;
+    options.Camber = 0.10;
+    options.Twist = 0.15;
+  }
+  else if (name == "down")
+  {
+    options.Curl = 0.8;
+    options.Camber = 0.1;
+  }
+  else if (name == "petal")
+  {
+    options.Rows = 20;
+    options.Curl = 0.7;
+    options.Camber = 0.12;
+  }
+  else if (name == "disc")
+  {
+    options.Curl = 0.0;
+    options.Camber = 0.0;
+  }
+  return options;
+}
+
+} // namespace
+
+Result SheetOptions::Validate() const
+{
+  const auto within = [](double value, double low, double high)
+  { return value >= low && value <= high; };
+  if (!(this->Length > 0.0) || !std::isfinite(this->Length))
+  {
+    return Result::Error("Length: expected a length above 0");
+  }
+  if (!within(this->Curl, 0.0, 2.0) || !within(this->Camber, 0.0, 0.5) ||
+      !within(this->Twist, -1.0, 1.0))
+  {
+    return Result::Error("expected Curl from 0 to 2, Camber from 0 to 0.5, Twist from -1 to 1");
+  }
+  if (this->Rows < 4 || this->Rows > 200 || this->Columns < 2 || this->Columns > 64 ||
+      this->Columns % 2 != 0)
+  {
+    return Result::Error("expected Rows from 4 to 200 and an even number of Columns from 2 to 64");
+  }
+  return Result::Ok();
+}
+
+const std::vector<BuiltinShape>& BuiltinShapes()
+{
+  static const std::vector<BuiltinShape> shapes = {
+    { "leaf", 0.10, 0.8, 0.10, 0.0004, 1.2, { 0.45, 0.56, 0.18 } },
+    { "maple", 0.14, 0.9, 0.11, 0.0004, 1.2, { 0.75, 0.22, 0.10 } },
+    { "oak", 0.13, 0.8, 0.12, 0.0005, 1.2, { 0.62, 0.38, 0.15 } },
+    { "willow", 0.12, 0.7, 0.09, 0.0003, 1.2, { 0.78, 0.70, 0.25 } },
+    { "feather", 0.20, 0.4, 0.04, 0.0005, 1.2, { 0.90, 0.88, 0.84 } },
+    { "down", 0.05, 0.15, 0.02, 0.0010, 1.2, { 0.96, 0.95, 0.93 } },
+    { "petal", 0.04, 0.6, 0.06, 0.0003, 1.2, { 0.95, 0.72, 0.78 } },
+    { "bubble", 0.06, 0.05, 0.002, 0.000002, 0.47, { 0.80, 0.90, 0.98 } },
+    { "disc", 0.10, 0.9, 0.12, 0.0002, 1.2, { 0.95, 0.95, 0.92 } },
+  };
+  return shapes;
+}
+
+PlanBox TextureBox(const Outline& outline)
+{
+  constexpr double margin = 0.02;
+  const FlatSheet sheet = Flatten(outline, SheetOptions());
+  PlanBox box{ 1e300, 1e300, -1e300, -1e300 };
+  for (const auto& p : sheet.Points)
+  {
+    box.X0 = std::min(box.X0, p[0]);
+    box.Y0 = std::min(box.Y0, p[1]);
+    box.X1 = std::max(box.X1, p[0]);
+    box.Y1 = std::max(box.Y1, p[1]);
+  }
+  const double growX = margin * (box.X1 - box.X0);
+  const double growY = margin * (box.Y1 - box.Y0);
+  return { box.X0 - growX, box.Y0 - growY, box.X1 + growX, box.Y1 + growY };
+}
+
+Result MakeSheet(const Outline& outline, const SheetOptions& options, Shape& shape)
+{
+  Result valid = options.Validate();
+  if (!valid)
+  {
+    return valid;
+  }
+  const FlatSheet sheet = Flatten(outline, options);
+  const PlanBox box = TextureBox(outline);
+  TriangleMesh mesh;
+  mesh.Triangles = sheet.Triangles;
+  shape.TextureCoordinates.clear();
+  for (std::size_t i = 0; i < sheet.Points.size(); ++i)
+  {
+    const double x = sheet.Points[i][0];
+    const double y = sheet.Points[i][1];
+    shape.TextureCoordinates.push_back(
+      { (x - box.X0) / (box.X1 - box.X0), (y - box.Y0) / (box.Y1 - box.Y0) });
+    const double rise = options.Curl * sheet.Rise[i] + options.Camber * 4.0 * (x - 0.5) * (x - 0.5);
+    // The twist turns a cross-section about the length; it starts in the middle so that both ends
+    // share it.
+    const double turn = options.Twist * (x - 0.5);
+    mesh.Points.emplace_back(x, y * std::cos(turn) - rise * std::sin(turn),
+                             y * std::sin(turn) + rise * std::cos(turn));
+  }
+  ScaleTo(options.Length, mesh);
+  Center(mesh);
+  shape.Mesh = std::move(mesh);
+  return Result::Ok();
+}
+
+Result MakeBuiltinShape(const std::string& name, double size, Shape& shape)
+{
+  std::string known;
+  for (const BuiltinShape& builtin : BuiltinShapes())
+  {
+    known += (known.empty() ? "" : ", ") + builtin.Name;
+    if (builtin.Name != name)
+    {
+      continue;
+    }
+    Shape made;
+    made.Name = name;
+    made.AreaDensity = builtin.AreaDensity;
+    made.SettlingSpeed = builtin.SettlingSpeed;
+    made.Thickness = builtin.Thickness;
+    made.DragCoefficient = builtin.DragCoefficient;
+    made.Color = builtin.Color;
+    const double length = size > 0.0 ? size : builtin.Size;
+    if (name == "bubble")
+    {
+      made.Mesh = Sphere(24, 14);
+      for (const Vec3& p : made.Mesh.Points)
+      {
+        made.TextureCoordinates.push_back({ 0.5 + p.x(), 0.5 + p.y() });
+      }
+      ScaleTo(length, made.Mesh);
+    }
+    else
+    {
+      Outline outline;
+      Result result = OutlineOf(name, outline);
+      SheetOptions options = SheetOf(name);
+      options.Length = length;
+      if (result)
+      {
+        result = MakeSheet(outline, options, made);
+      }
+      if (!result)
+      {
+        return result;
+      }
+    }
+    shape = std::move(made);
+    return Result::Ok();
+  }
+  return Result::Error("expected a built-in shape (" + known + "), found \"" + name + "\"");
+}
+
+Result AlignShape(double size, TriangleMesh& mesh)
+{
+  for (const Vec3& p : mesh.Points)
+  {
+    if (!p.allFinite())
+    {
+      return Result::Error("expected finite points, found one that is not");
+    }
+  }
+  const double area = SurfaceArea(mesh);
+  if (!(area > 0.0))
+  {
+    return Result::Error("expected a surface with an area, found none");
+  }
+  Center(mesh);
+  // Second moments of the shell: exact over each triangle.
+  Mat3 moments = Mat3::Zero();
+  for (const auto& t : mesh.Triangles)
+  {
+    const Vec3& a = mesh.Points[t[0]];
+    const Vec3& b = mesh.Points[t[1]];
+    const Vec3& c = mesh.Points[t[2]];
+    const Vec3 sum = a + b + c;
+    const double share = 0.5 * (b - a).cross(c - a).norm() / 12.0;
+    moments +=
+      share * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
+  }
+  const Eigen::SelfAdjointEigenSolver<Mat3> axes(moments); // ascending
+  Mat3 rotation;
+  rotation.row(0) = axes.eigenvectors().col(2).transpose();
+  rotation.row(2) = axes.eigenvectors().col(0).transpose();
+  double skewX = 0.0;
+  double skewZ = 0.0;
+  for (const auto& t : mesh.Triangles)
+  {
+    const Vec3& a = mesh.Points[t[0]];
+    const double share = (mesh.Points[t[1]] - a).cross(mesh.Points[t[2]] - a).norm();
+    const Vec3 center = (a + mesh.Points[t[1]] + mesh.Points[t[2]]) / 3.0;
+    skewX += share * std::pow(rotation.row(0).dot(center), 3);
+    skewZ += share * std::pow(rotation.row(2).dot(center), 3);
+  }
+  if (skewX < 0.0)
+  {
+    rotation.row(0) *= -1.0;
+  }
+  if (skewZ < 0.0)
+  {
+    rotation.row(2) *= -1.0;
+  }
+  rotation.row(1) = Vec3(rotation.row(2)).cross(Vec3(rotation.row(0))).transpose();
+  for (Vec3& p : mesh.Points)
+  {
+    p = rotation * p;
+  }
+  if (size > 0.0)
+  {
+    ScaleTo(size, mesh);
+  }
+  return Result::Ok();
+}
+
+} // namespace waft

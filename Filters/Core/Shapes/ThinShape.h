@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Curved sheets from outlines, the built-in shapes, and a user's own meshes put on their body axes.
+#pragma once
+
+#include "Base/Result.h"
+#include "Base/Shape.h"
+#include "Shapes/Outline.h"
+
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+/// How a flat outline is bent and cut into triangles.
+struct SheetOptions
+{
+  double Length = 0.1;  // m, the largest extent of the result
+  double Curl = 0.3;    // rise of the edges over half the local width, 0..2
+  double Camber = 0.05; // rise of both ends over the length, 0..0.5
+  double Twist = 0.0;   // rad, of the tip against the base, -1..1
+  int Rows = 28;        // along a strip, 4..200; sectors of a star are twice as many
+  int Columns = 8;      // across a strip, 2..64, even; rings of a star are half as many
+
+  Result Validate() const;
+};
+
+/// One of the names that a scene may give to `builtin`, with its numbers.
+struct BuiltinShape
+{
+  std::string Name;
+  double Size;          // m, largest extent
+  double SettlingSpeed; // m/s
+  double AreaDensity;   // kg/m^2
+  double Thickness;     // m
+  double DragCoefficient;
+  std::array<double, 3> Color;
+};
+
+const std::vector<BuiltinShape>& BuiltinShapes();
+
+/// The sheet of an outline with texture coordinates (the plan's bounding box with a margin of 2 %),
+/// centred on its centre of mass: x along the length, y across, z along the normal, edges up.
+/// Numbers of `shape` other than the mesh are left alone.
+Result MakeSheet(const Outline& outline, const SheetOptions& options, Shape& shape);
+
+/// A built-in shape with its numbers. size: largest extent [m], 0 the default one. The bubble is a
+/// closed sphere, all others are sheets.
+Result MakeBuiltinShape(const std::string& name, double size, Shape& shape);
+
+/// Puts a mesh on its body axes: centre of mass of the shell at the origin, the axis of largest
+/// spread along x, of least spread along z, edges up (the third moment along z is not negative),
+/// the heavier end towards -x; then scales it to the size (largest extent [m], 0 leaves it). Fails
+/// on a mesh without area or with numbers that are not finite.
+Result AlignShape(double size, TriangleMesh& mesh);
+
+/// The plan's bounding box, for textures: u = (x - x0) / (x1 - x0), v = (y - y0) / (y1 - y0), in
+/// units of the outline.
+struct PlanBox
+{
+  double X0, Y0, X1, Y1;
+};
+PlanBox TextureBox(const Outline& outline);
+
+} // namespace waft

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every message names the place, what was expected and what was found.
+#include "TestAssets.h"
+
+#include <gtest/gtest.h>
+
+using namespace waft;
+
+namespace
+{
+
+struct Bad
+{
+  const char* Fields; // of a scene that has one leaf, object 0
+  const char* Message;
+};
+
+std::string Whole(const std::string& fields)
+{
+  return R"({"waft": 1, "shapes": {"leaf": {"builtin": "leaf"}},
+    "objects": [{"shape": "leaf", "position": [0, 0, 3]}])" +
+         std::string(fields.empty() ? "" : ", ") + fields + "}";
+}
+
+} // namespace
+
+TEST(SceneErrors, NameThePlace)
+{
+  const Bad cases[] = {
+    { R"("wind": [])", "/wind: expected one of the fields waft, " },
+    { R"("time": {"frames": 1})", "/time/frames: expected a number of frames (an integer from 2" },
+    { R"("time": {"frames": 10.5})", "/time/frames: expected a number of frames" },
+    { R"("time": {"framesPerSecond": 0})",
+      "/time/framesPerSecond: expected a number above 0, found 0" },
+    { R"("time": 3)", "/time: expected an object, found 3" },
+    { R"("title": 3)", "/title: expected a text, found 3" },
+    { R"("seed": -1)", "/seed: expected a seed" },
+    { R"("domain": {"min": [0, 0, 0], "max": [1, 0, 1]})", "/domain: expected a volume" },
+    { R"("domain": {"min": [0, 0]})", "/domain/min: expected a vector [x, y, z], found [0,0]" },
+    { R"("domain": {"min": [0, "a", 0]})", "/domain/min/1: expected a finite number, found \"a\"" },
+    { R"("ground": {"enabled": 1})", "/ground/enabled: expected true or false, found 1" },
+    { R"("air": {"density": -1})", "/air/density: expected a number above 0, found -1" },
+    { R"("obstacles": [{"kind": "cone"}])",
+      "/obstacles/0/kind: expected box, sphere, cylinder or mesh" },
+    { R"("obstacles": [{"kind": "box", "min": [0, 0, 0], "max": [1, 1, 0]}])",
+      "/obstacles/0/max: expected a corner" },
+    { R"("obstacles": [{"kind": "sphere", "center": [0, 0, 0]}])",
+      "/obstacles/0/radius: expected a radius in metres, found nothing" },
+    { R"("obstacles": [{"kind": "sphere", "center": [0, 0, 0], "radius": -2}])",
+      "/obstacles/0/radius: expected a number above 0, found -2" },
+    { R"("obstacles": [{"kind": "mesh", "file": "nowhere.ply"}])",
+      "/obstacles/0/file: expected a file that exists, found none at" },
+    { R"("obstacles": [{"kind": "box", "min": [0, 0, 0], "max": [1, 1, 1], "id": 1},
+         {"kind": "box", "min": [0, 0, 0], "max": [1, 1, 1]}])",
+      "/obstacles/1: expected an id of its own, found 1" },
+    { R"("obstacles": [{"kind": "box", "min": [0, 0, 0], "max": [1, 1, 1], "motion":
+         [{"frame": 3, "position": [0, 0, 0]}, {"frame": 3, "position": [0, 0, 0]}]}])",
+      "/obstacles/0/motion/1/frame: expected a frame after 3, found 3" },
+    { R"("winds": [{"direction": [0, 0, 0]}])",
+      "/winds/0/direction: expected a direction that is not zero" },
+    { R"("winds": [{"direction": [1, 0, 0]}])", "/winds/0/strength: expected a strength" },
+    { R"("winds": [{"file": "LICENSE"}])", "/winds/0/file: expected a .vti, .pvd or .vdb file" },
+    { R"("winds": [{"file": "a.vti", "strength": 2}])",
+      "/winds/0/strength: expected one of the fields file" },
+    { R"("vortices": [{"p1": [0, 0, 0], "p2": [0, 0, 0]}])",
+      "/vortices/0/p2: expected a pole apart" },
+    { R"("constraints": {})", "/constraints: expected a list of constraints, found {}" },
+    { R"("constraints": [{}])", "/constraints/0/kind: expected position, rest" },
+    { R"("constraints": [{"kind": "jump"}])",
+      "/constraints/0/kind: expected position, rest, velocity, acceleration, orientation, path or "
+      "keyframe, found \"jump\"" },
+    { R"("constraints": [{"kind": "position", "frame": 3}])",
+      "/constraints/0/object: expected the id of an object, found nothing" },
+    { R"("constraints": [{"kind": "position", "object": 1, "frame": 3, "value": [0, 0, 0]}])",
+      "/constraints/0/object: expected the id of an object or -1 for any (an integer from -1 to "
+      "0), found 1" },
+    { R"("constraints": [{"kind": "velocity", "object": -1, "frame": 3, "value": [0, 0, 0]}])",
+      "/constraints/0/object: expected the id of an object (an integer from 0 to 0), found -1" },
+    { R"("constraints": [{"kind": "position", "object": 0, "frame": 300, "value": [0, 0, 0]}])",
+      "/constraints/0/frame: expected a frame of the scene (an integer from 0 to 299), found 300" },
+    { R"("constraints": [{"kind": "position", "object": 0, "frame": -1, "value": [0, 0, 0]}])",
+      "/constraints/0/frame: expected a frame" },
+    { R"("constraints": [{"kind": "position", "object": 0, "frame": 1, "value": [0, 0, 0], "radius": -0.1}])",
+      "/constraints/0/radius: expected a number of at least 0" },
+    { R"("constraints": [{"kind": "position", "object": 0, "frame": 1, "value": [0, 0, 0], "until": 3}])",
+      "/constraints/0/until: expected one of the fields kind, object" },
+    { R"("constraints": [{"kind": "rest", "object": 0, "frame": 9, "until": 3, "value": [0, 0, 0]}])",
+      "/constraints/0/until: expected a frame not before `frame`" },
+    { R"("constraints": [{"kind": "orientation", "object": 0, "frame": 9, "value": [0, 0, 0, 0]}])",
+      "/constraints/0/value: expected a quaternion" },
+    { R"("constraints": [{"kind": "path", "object": 0, "firstFrame": 299, "points": [[0, 0, 0], [0, 0, 0]]}])",
+      "/constraints/0/points: expected 1 to 1 points" },
+    { R"("constraints": [{"kind": "keyframe", "frame": 9, "targets": {"points": [[0, 0, 0], [0, 0, 1]]}}])",
+      "/constraints/0/targets: expected at most 1 targets" },
+    { R"("constraints": [{"kind": "keyframe", "frame": 9, "targets": {"points": [[0, 0]]}}])",
+      "/constraints/0/targets/points/0: expected a vector" },
+    { R"("constraints": [{"kind": "keyframe", "frame": 9, "targets": {}}])",
+      "/constraints/0/targets: expected targets with one of" },
+    { R"("constraints": [{"kind": "keyframe", "frame": 9, "objects": [0, 0], "targets": {"points": []}}])",
+      "/constraints/0/objects/1: expected an id that is not in the list" },
+    { R"("constraints": [{"kind": "keyframe", "frame": 9, "assign": "best", "targets": {"points": []}}])",
+      "/constraints/0/assign: expected optimal or inOrder, found \"best\"" },
+    { R"("constraints": [{"kind": "keyframe", "frame": 9, "velocity": "fast", "targets": {"points": []}}])",
+      "/constraints/0/velocity: expected a vector" },
+    { R"("constraints": [{"kind": "keyframe", "frame": 9, "targets": {"text": "A", "origin": [0, 0, 0]}}])",
+      "/constraints/0/targets/width: expected a width in metres, found nothing" },
+    { R"("constraints": [{"kind": "keyframe", "frame": 9, "targets": {"text": "A", "origin": [0, 0, 0], "width": 1, "u": [0, 1, 0]}}])",
+      "/constraints/0/targets: expected directions `u` and `v` that are not parallel" },
+    { R"("constraints": [{"kind": "keyframe", "frame": 9, "targets": {"image": "LICENSE", "origin": [0, 0, 0], "width": 1, "classes": {"red": [1, 0, 0]}}}])",
+      "/constraints/0/targets/classes/red: expected the class of a shape" },
+  };
+  for (const Bad& bad : cases)
+  {
+    const std::string message = ErrorOf(Whole(bad.Fields));
+    EXPECT_EQ(message.find(std::string("test.json: ") + bad.Message), 0u)
+      << bad.Fields << "\n  " << message;
+  }
+}
+
+TEST(SceneErrors, OfShapesAndObjects)
+{
+  const auto shape = [](const std::string& fields)
+  { return ErrorOf(R"({"waft": 1, "shapes": {"a/b": {)" + fields + "}}}"); };
+  EXPECT_EQ(shape(R"("builtin": "spoon")").find("test.json: /shapes/a~1b/builtin: expected a "),
+            0u);
+  EXPECT_EQ(shape(R"("size": 1)").find("test.json: /shapes/a~1b: expected either `builtin` or"),
+            0u);
+  EXPECT_EQ(shape(R"("builtin": "leaf", "size": 0)"),
+            "test.json: /shapes/a~1b/size: expected a number above 0, found 0");
+  EXPECT_EQ(shape(R"("builtin": "leaf", "color": [0, 2, 0])").find("test.json: /shapes/a~1b/color"),
+            0u);
+  EXPECT_NE(shape(R"("mesh": "no.ply")").find("/mesh: expected a file that exists"),
+            std::string::npos);
+  const auto object = [](const std::string& fields)
+  {
+    return ErrorOf(R"({"waft": 1, "shapes": {"leaf": {"builtin": "leaf"}}, "objects": [{)" +
+                   fields + "}]}");
+  };
+  EXPECT_EQ(object(R"("shape": "feather", "position": [0, 0, 1])"),
+            "test.json: /objects/0/shape: expected the name of a shape (leaf), found \"feather\"");
+  EXPECT_EQ(object(R"("shape": "leaf")"),
+            "test.json: /objects/0/position: expected a point [x, y, z], found nothing");
+  EXPECT_EQ(object(R"("shape": "leaf", "count": 3)").find("test.json: /objects/0/region"), 0u);
+  EXPECT_EQ(
+    object(R"("shape": "leaf", "count": 0, "region": {})").find("test.json: /objects/0/count"), 0u);
+  EXPECT_NE(object(R"("shape": "leaf", "count": 3, "region": {"min": [5, 5, 5], "max": [6, 6, 6]})")
+              .find("/objects/0/region: expected room for 3 objects"),
+            std::string::npos);
+  EXPECT_NE(object(R"("shape": "leaf", "count": 3, "positions": [])")
+              .find("/objects/0/positions: expected one of the fields shape, count, region"),
+            std::string::npos);
+}
+
+TEST(SceneErrors, OfTheFormatItself)
+{
+  EXPECT_EQ(ErrorOf("{}"), "test.json: /waft: expected the format's version 1, found nothing");
+  EXPECT_EQ(ErrorOf(R"({"waft": 2})").find("test.json: /waft: expected the format's version 1"),
+            0u);
+  EXPECT_EQ(ErrorOf("[]"), "test.json: /: expected an object, found []");
+  EXPECT_EQ(
+    ErrorOf("{\"waft\": 1,\n  \"seed\": }").find("test.json: line 2, column 11: expected JSON, "),
+    0u)
+    << ErrorOf("{\"waft\": 1,\n  \"seed\": }");
+  EXPECT_EQ(ErrorOf("").find("test.json: line 1, column 1: expected JSON"), 0u) << ErrorOf("");
+  EXPECT_EQ(ErrorOf(R"({"waft": 1, "air": {"density": 1e999}})").find("test.json: "), 0u);
+  EXPECT_EQ(ErrorOf(R"({"waft": 1, "air": {"density": NaN}})").find("test.json: line 1, column"),
+            0u);
+}
+
+TEST(SceneErrors, OfMissingFiles)
+{
+  Scene scene;
+  const Result result = ReadScene("/nowhere/scene.waft.json", TestAssets(), scene);
+  EXPECT_FALSE(result);
+  EXPECT_EQ(result.Message(),
+            "/nowhere/scene.waft.json: expected a scene file, found no such file");
+  EXPECT_FALSE(ReadScene(WAFT_SOURCE_DIR, TestAssets(), scene)) << "a folder";
+}
