@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Vortex/VortexFit.h"
+
+#include "Vortex/VortexRegion.h"
+#include "Vortex/VortexSearch.h"
+
+#include <cmath>
+#include <exception>
+#include <set>
+#include <string>
+
+namespace waft
+{
+
+namespace
+{
+
+constexpr std::size_t FewestSamples = 8; // 3 numbers each for 11 + 3 unknowns
+
+struct Slot
+{
+  Vortex Value;
+  bool Fitted = false;
+  bool IsNew = false;
+  std::set<int> Claims; // the VortexIds whose samples it takes
+};
+
+class Fitter
+{
+public:
+  Fitter(const std::vector<VortexSample>& samples, const VortexFitOptions& options,
+         Monitor& monitor) :
+    Samples(samples),
+    Options(options), Progress(monitor)
+  {
+  }
+
+  void Run(const std::vector<Vortex>& priors, std::vector<Vortex>& fitted)
+  {
+    int nextId = 0;
+    for (const Vortex& prior : priors)
+    {
+      this->Slots.push_back({ prior, false, false, { prior.VortexId } });
+      nextId = std::max(nextId, prior.VortexId + 1);
+    }
+    for (const VortexSample& sample : this->Samples)
+    {
+      nextId = std::max(nextId, sample.VortexId + 1);
+    }
+    for (int sweep = 0; sweep < this->Options.Sweeps && !this->Stopped; ++sweep)
+    {
+      for (std::size_t n = 0; n < this->Slots.size() && !this->Stopped; ++n)
+      {
+        const bool known = n < priors.size();
+        this->Refit(n, known ? &priors[n] : nullptr, sweep);
+      }
+      if (this->Merge())
+      {
+        continue; // what has been merged deserves another look, if rounds are left
+      }
+    }
+    this->Seek(nextId);
+    fitted.clear();
+    for (const Slot& slot : this->Slots)
+    {
+      fitted.push_back(slot.Value);
+    }
+  }
+
+  bool IsStopped() const { return this->Stopped; }
+
+private:
+  /// What all other vortices that have been fitted leave of a sample's acceleration.
+  std::vector<VortexSample> Remaining(std::size_t except) const
+  {
+    std::vector<VortexSample> rest = this->Samples;
+    for (VortexSample& sample : rest)
+    {
+      for (std::size_t n = 0; n < this->Slots.size(); ++n)
+      {
+        // A prior that has not had its turn counts as well: it is the best that is known of it.
+        if (n != except)
+        {
+          sample.Acceleration -= this->Slots[n].Value.Acceleration(sample.Position, sample.Time);
+        }
+      }
+    }
+    return rest;
+  }
+
+  void Note(const VortexSearchResult& found, const std::vector<VortexSample>& used, Slot& slot)
+  {
+    FromParameters(found.Parameters, slot.Value);
+    slot.Value.ObjectCount = CountWitnesses(slot.Value, used);
+    const double witnesses = slot.Value.ObjectCount >= 3   ? 1.0
+                             : slot.Value.ObjectCount == 2 ? 0.7
+                             : slot.Value.ObjectCount == 1 ? 0.3
+                                                           : 0.0;
+    slot.Value.Confidence = found.Explained * found.Precision * witnesses;
+    slot.Fitted = true;
+  }
+
+  void Refit(std::size_t n, const Vortex* prior, int sweep)
+  {
+    Slot& slot = this->Slots[n];
+    const std::vector<VortexSample> rest = this->Remaining(n);
+    const std::vector<VortexSample> used =
+      SamplesOf(slot.Value, slot.Claims, rest, this->Options.Bounds.Width());
+    if (used.size() < FewestSamples)
+    {
+      if (!slot.Fitted)
+      {
+        slot.Value.ObjectCount = 0;
+      }
+      return;
+    }
+    const VortexParameters belief = ToParameters(prior ? *prior : slot.Value);
+    VortexFitOptions options = this->Options;
+    if (sweep > 0)
+    {
+      options.NumberOfStarts = 1; // from where it is: only the others have changed
+    }
+    const VortexParameters start = ToParameters(slot.Value);
+    const auto stream = static_cast<std::uint64_t>(slot.Value.VortexId);
+    const VortexSearchResult found =
+      SearchVortex(used, sweep > 0 ? &start : &belief, slot.IsNew ? nullptr : &belief, options,
+                   stream, this->Progress, this->Stopped);
+    this->Note(found, used, slot);
+  }
+
+  /// Merges later vortices into earlier ones; true when something was merged.
+  bool Merge()
+  {
+    bool merged = false;
+    for (std::size_t a = 0; a < this->Slots.size(); ++a)
+    {
+      for (std::size_t b = a + 1; b < this->Slots.size();)
+      {
+        Slot& first = this->Slots[a];
+        Slot& second = this->Slots[b];
+        if (!first.Fitted || !second.Fitted ||
+            !AreDuplicates(first.Value, second.Value, this->Options))
+        {
+          ++b;
+          continue;
+        }
+        // Each was fitted to what the other leaves, so together they act with both strengths.
+        const double sign =
+          (first.Value.P2 - first.Value.P1).dot(second.Value.P2 - second.Value.P1) < 0.0 ? -1.0
+                                                                                         : 1.0;
+        first.Value.Strength += sign * second.Value.Strength;
+        first.Claims.insert(second.Claims.begin(), second.Claims.end());
+        this->Slots.erase(this->Slots.begin() + static_cast<std::ptrdiff_t>(b));
+        this->Refit(a, nullptr, 1);
+        merged = true;
+      }
+    }
+    return merged;
+  }
+
+  /// New vortices in what remains, where most energy is.
+  void Seek(int nextId)
+  {
+    if (this->Options.MaximumNewVortices == 0)
+    {
+      return;
+    }
+    std::vector<VortexSample> rest = this->Remaining(this->Slots.size());
+    int tries = 3 * this->Options.MaximumNewVortices;
+    int added = 0;
+    while (added < this->Options.MaximumNewVortices && tries-- > 0 && !this->Stopped)
+    {
+      std::vector<std::size_t> region;
+      const std::vector<VortexSample> seed =
+        StrongestRegion(rest, this->Options.Bounds.Width(), region);
+      if (seed.size() < FewestSamples)
+      {
+        return;
+      }
+      Slot slot;
+      slot.IsNew = true;
+      slot.Value.VortexId = nextId;
+      VortexSearchResult found =
+        SearchVortex(seed, nullptr, nullptr, this->Options, static_cast<std::uint64_t>(nextId),
+                     this->Progress, this->Stopped);
+      this->Note(found, seed, slot);
+      // Once more with all that feel it, wherever they were found.
+      const std::vector<VortexSample> felt =
+        SamplesOf(slot.Value, {}, rest, this->Options.Bounds.Width());
+      if (felt.size() >= FewestSamples && !this->Stopped)
+      {
+        const VortexParameters start = found.Parameters;
+        found = SearchVortex(felt, &start, nullptr, this->Options,
+                             static_cast<std::uint64_t>(nextId), this->Progress, this->Stopped);
+        this->Note(found, felt, slot);
+      }
+      if (found.Explained >= this->Options.MinimumGain && slot.Value.ObjectCount > 0)
+      {
+        for (VortexSample& sample : rest)
+        {
+          sample.Acceleration -= slot.Value.Acceleration(sample.Position, sample.Time);
+        }
+        this->Slots.push_back(slot);
+        ++nextId;
+        ++added;
+      }
+      else
+      {
+        for (const std::size_t n : region)
+        {
+          rest[n].Weight = 0.0; // nothing of this shape is to be found here
+        }
+      }
+    }
+    for (std::size_t n = 0; n < this->Slots.size() && !this->Stopped; ++n)
+    {
+      if (this->Slots[n].IsNew)
+      {
+        this->Refit(n, nullptr, 1);
+      }
+    }
+    this->Merge();
+  }
+
+  const std::vector<VortexSample>& Samples;
+  const VortexFitOptions& Options;
+  Monitor& Progress;
+  std::vector<Slot> Slots;
+  bool Stopped = false;
+};
+
+Result Check(const std::vector<VortexSample>& samples, const std::vector<Vortex>& priors)
+{
+  for (std::size_t n = 0; n < samples.size(); ++n)
+  {
+    const VortexSample& s = samples[n];
+    if (!s.Position.allFinite() || !s.Acceleration.allFinite() || !std::isfinite(s.Time) ||
+        !std::isfinite(s.Weight) || s.Weight < 0.0)
+    {
+      return Result::Error("vortex fit: sample " + std::to_string(n) + " (track " +
+                           std::to_string(s.Track) + ", frame " + std::to_string(s.Frame) +
+                           ") holds a number that is not finite, or a negative weight");
+    }
+  }
+  std::set<int> ids;
+  for (const Vortex& v : priors)
+  {
+    const std::string name = "vortex fit: vortex " + std::to_string(v.VortexId);
+    if (!v.P1.allFinite() || !v.P2.allFinite() || !std::isfinite(v.Strength) ||
+        !std::isfinite(v.CenterTime) || !((v.P2 - v.P1).norm() > 0.0) || !(v.Duration > 0.0) ||
+        !(v.CoreRadius > 0.0) || !std::isfinite(v.Duration) || !std::isfinite(v.CoreRadius))
+    {
+      return Result::Error(name + ": expected finite numbers, poles apart, and a positive duration "
+                                  "and core radius");
+    }
+    if (v.VortexId < 0 || !ids.insert(v.VortexId).second)
+    {
+      return Result::Error(name + ": expected ids from 0, each used once");
+    }
+  }
+  return Result::Ok();
+}
+
+} // namespace
+
+Result VortexFitOptions::Validate() const
+{
+  const auto bad = [](const char* what)
+  { return Result::Error(std::string("vortex fit: ") + what); };
+  if (!this->Bounds.Min.allFinite() || !this->Bounds.Max.allFinite() ||
+      this->Bounds.Size().minCoeff() <= 0.0)
+  {
+    return bad("Bounds, expected a box with positive sides");
+  }
+  if (this->NumberOfStarts < 1 || this->NumberOfStarts > 64)
+  {
+    return bad("NumberOfStarts, expected 1 to 64");
+  }
+  if (this->Sweeps < 1 || this->Sweeps > 20)
+  {
+    return bad("Sweeps, expected 1 to 20");
+  }
+  if (this->MaximumNewVortices < 0 || this->MaximumNewVortices > 1000)
+  {
+    return bad("MaximumNewVortices, expected 0 to 1000");
+  }
+  if (!(this->MinimumGain >= 0.0 && this->MinimumGain <= 1.0))
+  {
+    return bad("MinimumGain, expected 0 to 1");
+  }
+  if (this->MaximumSamples < 30)
+  {
+    return bad("MaximumSamples, expected 30 or more");
+  }
+  const double pairs[][2] = { { this->MinimumDuration, this->MaximumDuration },
+                              { this->MinimumCoreRadius, this->MaximumCoreRadius },
+                              { this->MinimumLength, this->MaximumLength } };
+  for (const auto& pair : pairs)
+  {
+    if (!(pair[0] > 0.0 && pair[0] < pair[1] && std::isfinite(pair[1])))
+    {
+      return bad("bounds of duration, core radius and length, expected 0 < minimum < maximum");
+    }
+  }
+  for (const double deviation :
+       { this->CenterDeviation, this->AxisDeviation, this->StrengthDeviation, this->TimeDeviation,
+         this->ShapeDeviation, this->MaximumStrength })
+  {
+    if (!(deviation > 0.0 && std::isfinite(deviation)))
+    {
+      return bad("deviations and MaximumStrength, expected positive numbers");
+    }
+  }
+  return Result::Ok();
+}
+
+Result FitVortices(const std::vector<VortexSample>& samples, const std::vector<Vortex>& priors,
+                   const VortexFitOptions& options, Monitor& monitor, std::vector<Vortex>& fitted)
+{
+  if (Result result = options.Validate(); !result)
+  {
+    return result;
+  }
+  if (Result result = Check(samples, priors); !result)
+  {
+    return result;
+  }
+  try
+  {
+    Fitter fitter(samples, options, monitor);
+    fitter.Run(priors, fitted);
+    return fitter.IsStopped() ? Result::Stopped() : Result::Ok();
+  }
+  catch (const std::exception& error)
+  {
+    return Result::Error(std::string("vortex fit: ") + error.what());
+  }
+}
+
+} // namespace waft
