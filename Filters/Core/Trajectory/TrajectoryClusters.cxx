@@ -3,6 +3,7 @@
 
 #include "Base/Random.h"
 #include "Trajectory/Compression.h"
+#include "Trajectory/ParameterText.h"
 #include "Trajectory/SegmentFrame.h"
 
 #include <algorithm>
@@ -265,6 +266,27 @@ Result ClusterOptions::Validate() const
   return Result::Ok();
 }
 
+std::map<std::string, std::string> ParametersOf(const ClusterOptions& options)
+{
+  const SegmentationOptions& cuts = options.Segmentation;
+  std::map<std::string, std::string> p;
+  p["Seed"] = ParameterText(options.Trees.Seed);
+  p["Window"] = ParameterText(options.Window);
+  p["RelativeError"] = ParameterText(options.RelativeError);
+  p["MaximumSegments"] = ParameterText(options.MaximumSegments);
+  p["SegmentLengths"] = ParameterText(cuts.ShortestSegment, cuts.LongestSegment);
+  p["LengthRatio"] = ParameterText(cuts.LengthRatio);
+  p["FeatureCurvature"] = ParameterText(cuts.FeatureCurvature);
+  p["FeatureContrast"] = ParameterText(cuts.FeatureContrast);
+  p["LeastSpeed"] = ParameterText(cuts.LeastSpeed);
+  p["NumberOfTopNodes"] = ParameterText(options.Trees.NumberOfTopNodes);
+  p["Branching"] = ParameterText(options.Trees.Branching);
+  p["RotationFreedom"] = ToString(options.Connections.Freedom);
+  p["MaxTilt"] = ParameterText(options.Connections.MaxTilt);
+  p["NotConnectible"] = ParameterText(options.Connections.NotConnectible);
+  return p;
+}
+
 Result ClusterTrajectories(const ClusterInput& input, const ClusterOptions& options,
                            const ParallelFor& parallelFor, Monitor& monitor,
                            MotionDatabase& database)
@@ -329,6 +351,7 @@ Result ClusterTrajectories(const ClusterInput& input, const ClusterOptions& opti
   {
     return done;
   }
+  result.Provenance = ParametersOf(options);
   database = std::move(result);
   return Result::Ok();
 }

@@ -13,7 +13,8 @@
 #include "Trajectory/MotionDatabase.h"
 #include "Trajectory/Segmentation.h"
 
-#include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace waft
@@ -50,6 +51,9 @@ struct ClusterOptions
 
   Result Validate() const;
 };
+
+/// Keys and values, as they come into the database's Provenance.
+std::map<std::string, std::string> ParametersOf(const ClusterOptions& options);
 
 /// Fails when no track is long enough for a segment. Groups without segments are left out.
 Result ClusterTrajectories(const ClusterInput& input, const ClusterOptions& options,
