@@ -20,6 +20,7 @@ constexpr std::size_t FewestSamples = 8; // 3 numbers each for 11 + 3 unknowns
 struct Slot
 {
   Vortex Value;
+  Vortex Prior;
   bool Fitted = false;
   bool IsNew = false;
   std::set<int> Claims; // the VortexIds whose samples it takes
@@ -38,26 +39,26 @@ public:
   void Run(const std::vector<Vortex>& priors, std::vector<Vortex>& fitted)
   {
     int nextId = 0;
+    this->Sum.assign(this->Samples.size(), Vec3::Zero());
     for (const Vortex& prior : priors)
     {
-      this->Slots.push_back({ prior, false, false, { prior.VortexId } });
+      this->AddToSum(prior, 1.0);
+      this->Slots.push_back({ prior, prior, false, false, { prior.VortexId } });
       nextId = std::max(nextId, prior.VortexId + 1);
     }
     for (const VortexSample& sample : this->Samples)
     {
       nextId = std::max(nextId, sample.VortexId + 1);
     }
-    for (int sweep = 0; sweep < this->Options.Sweeps && !this->Stopped; ++sweep)
+    const int sweeps =
+      priors.size() > 1 ? this->Options.Sweeps : 1; // one has no others to wait for
+    for (int sweep = 0; sweep < sweeps && !this->Stopped; ++sweep)
     {
       for (std::size_t n = 0; n < this->Slots.size() && !this->Stopped; ++n)
       {
-        const bool known = n < priors.size();
-        this->Refit(n, known ? &priors[n] : nullptr, sweep);
+        this->Refit(n, sweep);
       }
-      if (this->Merge())
-      {
-        continue; // what has been merged deserves another look, if rounds are left
-      }
+      this->Merge();
     }
     this->Seek(nextId);
     fitted.clear();
@@ -70,22 +71,30 @@ public:
   bool IsStopped() const { return this->Stopped; }
 
 private:
-  /// What all other vortices that have been fitted leave of a sample's acceleration.
-  std::vector<VortexSample> Remaining(std::size_t except) const
+  /// What all vortices but one leave of the samples' accelerations. A prior that has not had its
+  /// turn counts as well: it is the best that is known of it.
+  std::vector<VortexSample> Remaining(const Vortex* except) const
   {
     std::vector<VortexSample> rest = this->Samples;
-    for (VortexSample& sample : rest)
+    for (std::size_t k = 0; k < rest.size(); ++k)
     {
-      for (std::size_t n = 0; n < this->Slots.size(); ++n)
+      rest[k].Acceleration -= this->Sum[k];
+      if (except)
       {
-        // A prior that has not had its turn counts as well: it is the best that is known of it.
-        if (n != except)
-        {
-          sample.Acceleration -= this->Slots[n].Value.Acceleration(sample.Position, sample.Time);
-        }
+        rest[k].Acceleration += except->Acceleration(rest[k].Position, rest[k].Time);
       }
     }
     return rest;
+  }
+
+  /// Keeps Sum, the acceleration of all vortices at the samples, in step.
+  void AddToSum(const Vortex& vortex, double factor)
+  {
+    for (std::size_t k = 0; k < this->Samples.size(); ++k)
+    {
+      this->Sum[k] +=
+        factor * vortex.Acceleration(this->Samples[k].Position, this->Samples[k].Time);
+    }
   }
 
   void Note(const VortexSearchResult& found, const std::vector<VortexSample>& used, Slot& slot)
@@ -100,10 +109,10 @@ private:
     slot.Fitted = true;
   }
 
-  void Refit(std::size_t n, const Vortex* prior, int sweep)
+  void Refit(std::size_t n, int sweep)
   {
     Slot& slot = this->Slots[n];
-    const std::vector<VortexSample> rest = this->Remaining(n);
+    const std::vector<VortexSample> rest = this->Remaining(&slot.Value);
     const std::vector<VortexSample> used =
       SamplesOf(slot.Value, slot.Claims, rest, this->Options.Bounds.Width());
     if (used.size() < FewestSamples)
@@ -114,7 +123,7 @@ private:
       }
       return;
     }
-    const VortexParameters belief = ToParameters(prior ? *prior : slot.Value);
+    const VortexParameters belief = ToParameters(slot.IsNew ? slot.Value : slot.Prior);
     VortexFitOptions options = this->Options;
     if (sweep > 0)
     {
@@ -125,13 +134,14 @@ private:
     const VortexSearchResult found =
       SearchVortex(used, sweep > 0 ? &start : &belief, slot.IsNew ? nullptr : &belief, options,
                    stream, this->Progress, this->Stopped);
+    this->AddToSum(slot.Value, -1.0);
     this->Note(found, used, slot);
+    this->AddToSum(slot.Value, 1.0);
   }
 
-  /// Merges later vortices into earlier ones; true when something was merged.
-  bool Merge()
+  /// Merges later vortices into earlier ones.
+  void Merge()
   {
-    bool merged = false;
     for (std::size_t a = 0; a < this->Slots.size(); ++a)
     {
       for (std::size_t b = a + 1; b < this->Slots.size();)
@@ -148,14 +158,16 @@ private:
         const double sign =
           (first.Value.P2 - first.Value.P1).dot(second.Value.P2 - second.Value.P1) < 0.0 ? -1.0
                                                                                          : 1.0;
+        this->AddToSum(first.Value, -1.0);
+        this->AddToSum(second.Value, -1.0);
         first.Value.Strength += sign * second.Value.Strength;
+        this->AddToSum(first.Value, 1.0);
         first.Claims.insert(second.Claims.begin(), second.Claims.end());
         this->Slots.erase(this->Slots.begin() + static_cast<std::ptrdiff_t>(b));
-        this->Refit(a, nullptr, 1);
-        merged = true;
+        first.Prior.Strength = first.Value.Strength;
+        this->Refit(a, 1);
       }
     }
-    return merged;
   }
 
   /// New vortices in what remains, where most energy is.
@@ -165,7 +177,7 @@ private:
     {
       return;
     }
-    std::vector<VortexSample> rest = this->Remaining(this->Slots.size());
+    std::vector<VortexSample> rest = this->Remaining(nullptr);
     int tries = 3 * this->Options.MaximumNewVortices;
     int added = 0;
     while (added < this->Options.MaximumNewVortices && tries-- > 0 && !this->Stopped)
@@ -200,6 +212,7 @@ private:
         {
           sample.Acceleration -= slot.Value.Acceleration(sample.Position, sample.Time);
         }
+        this->AddToSum(slot.Value, 1.0);
         this->Slots.push_back(slot);
         ++nextId;
         ++added;
@@ -216,7 +229,7 @@ private:
     {
       if (this->Slots[n].IsNew)
       {
-        this->Refit(n, nullptr, 1);
+        this->Refit(n, 1);
       }
     }
     this->Merge();
@@ -226,6 +239,7 @@ private:
   const VortexFitOptions& Options;
   Monitor& Progress;
   std::vector<Slot> Slots;
+  std::vector<Vec3> Sum;
   bool Stopped = false;
 };
 
