@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One object's rows as marks along its time line.
+#pragma once
+
+#include "Base/Motion.h"
+#include "Planning/Clearance.h"
+#include "Planning/Warp.h"
+
+#include <vector>
+
+namespace waft
+{
+
+struct Mark
+{
+  int Frame = 0;
+  int Until = 0; // larger than Frame when the object lies still
+  Vec3 Position = Vec3::Zero();
+  double Radius = 0.0;
+  bool IsRest = false;
+  bool Halts = false; // asked to have no speed, though in the air
+  bool HasVelocity = false;
+  Vec3 Velocity = Vec3::Zero(); // m per frame
+  int Constraint = -1;          // index in the scene's list, -1: the start
+};
+
+/// A velocity or acceleration row in terms of positions, met within Radius [m, scaled as the row].
+struct MotionRow
+{
+  LinearRow Row;
+  double Radius = 0.0;
+};
+
+struct Itinerary
+{
+  std::vector<Mark> Marks; // by frame, the first at frame 0
+  std::vector<ContactStretch> Contacts;
+  std::vector<MotionRow> Rows;
+};
+
+/// rows: all constraints of the scene; isUsed: one a row, those that are false are passed over.
+/// Where two rows speak of one frame the tighter one counts.
+Itinerary MakeItinerary(const MotionObject& object, const std::vector<Constraint>& rows,
+                        const std::vector<unsigned char>& isUsed, const ObstacleSet& obstacles,
+                        const SceneInfo& scene);
+
+} // namespace waft

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole path of one object: its spans one after the other, then all of them made one motion.
+#pragma once
+
+#include "Planning/Itinerary.h"
+#include "Planning/SpanPlan.h"
+#include "Planning/Vortices.h"
+
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+struct ObjectPlanOptions
+{
+  std::uint64_t Seed = 1;
+  SpanPlanOptions Span;
+  double Tolerance = 0.0005; // m, by which the swept centre may miss the clearance radius
+};
+
+/// What happened to one mark.
+struct MarkOutcome
+{
+  int Constraint = -1;
+  bool IsReached = true;
+  double RetimingFactor = 1.0;
+  double Cost = 0.0;
+  int NumberOfBranches = 0;
+  std::string Message;
+};
+
+/// The trees of one span.
+struct SpanTrees
+{
+  int FirstFrame = 0;
+  int LastFrame = 0;
+  std::vector<Branch> Trees[2];
+};
+
+struct ObjectPlan
+{
+  std::vector<Vec3> Positions; // one a frame
+  std::vector<SegmentUse> Uses;
+  std::vector<UseSample> Samples; // one a frame
+  std::vector<MarkOutcome> Outcomes;
+  std::vector<SpanTrees> Spans;
+  double WorstSlack = 0.0; // of the swept centre against what is required [m]
+  int WorstFrame = -1;
+};
+
+ObjectPlan PlanObject(const SegmentLibrary& library, const MotionObject& object,
+                      const Itinerary& itinerary, const ObstacleSet& obstacles,
+                      const SceneInfo& scene, const ObjectPlanOptions& options);
+
+} // namespace waft

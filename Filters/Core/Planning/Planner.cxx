@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Planning/Planner.h"
+
+#include "Obstacles/ConstraintCheck.h"
+#include "Planning/Assignment.h"
+#include "Planning/ObjectPlan.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+#include <string>
+
+namespace waft
+{
+
+namespace
+{
+
+/// Objects that are planned between two ticks of the monitor.
+constexpr std::size_t BatchSize = 8;
+
+Result CheckInput(const PlanInput& input)
+{
+  const Timeline& time = input.Scene.Time;
+  if (time.NumberOfFrames < 1 || !(time.FramesPerSecond > 0.0))
+  {
+    return Result::Error("planner: the scene has no frames, at least one expected");
+  }
+  if (!((input.Scene.Bounds.Size().array() > 0.0).all()))
+  {
+    return Result::Error("planner: the volume is empty");
+  }
+  std::set<int> ids;
+  for (const MotionObject& object : input.Objects)
+  {
+    if (!ids.insert(object.ObjectId).second)
+    {
+      return Result::Error("planner: ObjectId " + std::to_string(object.ObjectId) +
+                           " occurs twice in the objects");
+    }
+    if (!object.Position.allFinite() || !object.Velocity.allFinite())
+    {
+      return Result::Error("planner: position or velocity of object " +
+                           std::to_string(object.ObjectId) + " is not finite");
+    }
+  }
+  for (const Constraint& row : input.Constraints)
+  {
+    const std::string name = "planner: constraint row " + std::to_string(row.Row) + ", target " +
+                             std::to_string(row.Target);
+    if (row.Frame < 0 || row.Frame >= time.NumberOfFrames)
+    {
+      return Result::Error(name + ": frame " + std::to_string(row.Frame) + " is outside 0.." +
+                           std::to_string(time.NumberOfFrames - 1));
+    }
+    if (row.ObjectId >= 0 && ids.count(row.ObjectId) == 0)
+    {
+      return Result::Error(name + ": there is no object " + std::to_string(row.ObjectId));
+    }
+    if (!row.Value.allFinite() || !std::isfinite(row.Radius))
+    {
+      return Result::Error(name + ": Value or Radius is not finite");
+    }
+  }
+  return Result::Ok();
+}
+
+/// Adds a sentence to the line of a constraint.
+void Tell(std::vector<ReportRow>& report, const Constraint& row, bool isReached,
+          const std::string& text)
+{
+  for (ReportRow& line : report)
+  {
+    if (line.Row == row.Row && line.Target == row.Target)
+    {
+      if (line.Status == ConstraintStatus::Met && !isReached)
+      {
+        line.Status = ConstraintStatus::Unreachable;
+      }
+      line.Message += (line.Message.empty() || text.empty() ? "" : "; ") + text;
+    }
+  }
+}
+
+void StoreTrees(const SegmentLibrary& library, int objectId, const std::vector<SpanTrees>& spans,
+                std::size_t limit, std::vector<TreeBranch>& output)
+{
+  for (std::size_t s = 0; s < spans.size(); ++s)
+  {
+    for (int tree = 0; tree < 2; ++tree)
+    {
+      const auto base = static_cast<int>(output.size());
+      for (const Branch& branch : spans[s].Trees[tree])
+      {
+        if (output.size() >= limit)
+        {
+          return;
+        }
+        TreeBranch stored;
+        stored.ObjectId = objectId;
+        stored.Span = static_cast<int>(s);
+        stored.Tree = tree;
+        stored.Parent = branch.Parent < 0 ? -1 : base + branch.Parent;
+        stored.Segment = branch.Body.Segment;
+        stored.Cost = branch.Cost;
+        stored.Frame =
+          tree == 0 ? spans[s].FirstFrame + branch.Elapsed : spans[s].LastFrame - branch.Elapsed;
+        const std::vector<Vec3>& samples = library.Samples(branch.Body.Segment);
+        for (int k = branch.Body.First; k <= branch.Body.Last; ++k)
+        {
+          stored.Points.push_back(branch.Body.Place * samples[k]);
+        }
+        output.push_back(std::move(stored));
+      }
+    }
+  }
+}
+
+std::string Describe(const MarkOutcome& outcome)
+{
+  if (outcome.NumberOfBranches == 0)
+  {
+    return outcome.Message;
+  }
+  char text[128];
+  std::snprintf(text, sizeof text, "%sretimed by %.3f, cost %.3g, %d branches",
+                outcome.Message.empty() ? "" : "; ", outcome.RetimingFactor, outcome.Cost,
+                outcome.NumberOfBranches);
+  return outcome.Message + text;
+}
+
+} // namespace
+
+Result PlanOptions::Validate() const
+{
+  if (!(this->RetimingLimit >= 0.0) || this->RetimingLimit > 0.5)
+  {
+    return Result::Error("planner: RetimingLimit must lie between 0 and 0.5");
+  }
+  if (this->MaximumNumberOfBranches < 1)
+  {
+    return Result::Error("planner: MaximumNumberOfBranches must be at least 1");
+  }
+  if (!(this->ConnectionThreshold > 0.0) || !(this->JoinThreshold > 0.0))
+  {
+    return Result::Error("planner: thresholds must be positive");
+  }
+  if (!(this->MaximumTilt >= 0.0))
+  {
+    return Result::Error("planner: MaximumTilt must not be negative");
+  }
+  return Result::Ok();
+}
+
+Result PlanMotion(const PlanInput& input, const PlanOptions& options,
+                  const ParallelFor& parallelFor, Monitor& monitor, PlanOutput& output)
+{
+  output = PlanOutput();
+  if (Result valid = options.Validate(); !valid)
+  {
+    return valid;
+  }
+  if (Result valid = CheckInput(input); !valid)
+  {
+    return valid;
+  }
+  SegmentLibrary library;
+  SegmentLibraryOptions libraryOptions;
+  libraryOptions.FramesPerSecond = input.Scene.Time.FramesPerSecond;
+  libraryOptions.Freedom = options.Freedom;
+  libraryOptions.MaximumTilt = options.MaximumTilt;
+  libraryOptions.MaximumConnectionCost = options.ConnectionThreshold;
+  if (Result built = library.Build(input.Database, libraryOptions, parallelFor); !built)
+  {
+    return built;
+  }
+  if (!monitor.Tick(0.02, "Assigning objects to targets"))
+  {
+    return Result::Stopped();
+  }
+  output.Constraints = input.Constraints;
+  AssignRows(input.Objects, output.Constraints);
+  output.Report = JudgeConstraints(output.Constraints, input.Objects, input.Obstacles, input.Scene);
+  std::vector<unsigned char> isUsed(output.Constraints.size(), 0);
+  for (std::size_t i = 0; i < output.Constraints.size(); ++i)
+  {
+    isUsed[i] = IsBinding(output.Constraints[i], output.Report) ? 1 : 0;
+  }
+
+  ObjectPlanOptions objectOptions;
+  const double width = input.Scene.Bounds.Width();
+  objectOptions.Seed = options.Seed;
+  objectOptions.Tolerance = 2e-4 * width;
+  objectOptions.Span.RetimingLimit = options.RetimingLimit;
+  objectOptions.Span.JoinThreshold = options.JoinThreshold;
+  objectOptions.Span.Margin = 5e-3 * width;
+  objectOptions.Span.CheckMargin = 2e-4 * width;
+  objectOptions.Span.MaximumNumberOfBranches = options.MaximumNumberOfBranches;
+  const std::size_t count = input.Objects.size();
+  std::vector<ObjectPlan> plans(count);
+  std::size_t done = 0;
+  bool stopped = false;
+  while (done < count && !stopped)
+  {
+    const std::size_t batch = std::min(BatchSize, count - done);
+    parallelFor(batch,
+                [&](std::size_t begin, std::size_t end)
+                {
+                  for (std::size_t i = done + begin; i < done + end; ++i)
+                  {
+                    const Itinerary itinerary = MakeItinerary(input.Objects[i], output.Constraints,
+                                                              isUsed, input.Obstacles, input.Scene);
+                    plans[i] = PlanObject(library, input.Objects[i], itinerary, input.Obstacles,
+                                          input.Scene, objectOptions);
+                  }
+                });
+    done += batch;
+    stopped = !monitor.Tick(0.05 + 0.93 * static_cast<double>(done) / static_cast<double>(count),
+                            "Planned " + std::to_string(done) + " of " + std::to_string(count) +
+                              " objects");
+  }
+
+  // In the order of the objects, so that ids do not depend on threads.
+  for (std::size_t i = 0; i < done; ++i)
+  {
+    Track track;
+    track.ObjectId = input.Objects[i].ObjectId;
+    track.Positions = std::move(plans[i].Positions);
+    Annotate(library, plans[i].Uses, plans[i].Samples, input.Scene.Time.FramesPerSecond, track,
+             output.Vortices);
+    output.Tracks.push_back(std::move(track));
+    StoreTrees(library, input.Objects[i].ObjectId, plans[i].Spans,
+               static_cast<std::size_t>(std::max(0, options.MaximumNumberOfStoredBranches)),
+               output.Trees);
+    const MarkOutcome* worst = nullptr;
+    for (const MarkOutcome& outcome : plans[i].Outcomes)
+    {
+      if (outcome.Constraint >= 0)
+      {
+        Tell(output.Report, output.Constraints[outcome.Constraint], outcome.IsReached,
+             outcome.IsReached ? Describe(outcome)
+                               : "no path found in the limits" +
+                                   (outcome.Message.empty() ? "" : ": " + outcome.Message));
+        worst = &outcome;
+      }
+    }
+    if (plans[i].WorstFrame >= 0 && worst != nullptr)
+    {
+      char text[128];
+      std::snprintf(text, sizeof text, "object %d comes %.3g m too near to something at frame %d",
+                    input.Objects[i].ObjectId, -plans[i].WorstSlack, plans[i].WorstFrame);
+      Tell(output.Report, output.Constraints[worst->Constraint], true, text);
+    }
+  }
+  MeasureResiduals(output.Constraints, output.Tracks, input.Objects, input.Obstacles, input.Scene,
+                   output.Report);
+  return stopped ? Result::Stopped() : Result::Ok();
+}
+
+} // namespace waft

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Stylistic motion planning (Shi et al. 2005, section 4): every object flies on segments of the
+// motion database from mark to mark, around obstacles, in the time there is.
+#pragma once
+
+#include "Base/ForceFields.h"
+#include "Base/Monitor.h"
+#include "Base/Motion.h"
+#include "Base/Parallel.h"
+#include "Base/Result.h"
+#include "Obstacles/ObstacleSet.h"
+#include "Trajectory/Alignment.h"
+#include "Trajectory/MotionDatabase.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace waft
+{
+
+struct PlanInput
+{
+  const MotionDatabase& Database;
+  const std::vector<MotionObject>& Objects;
+  const std::vector<Constraint>& Constraints;
+  const ObstacleSet& Obstacles;
+  SceneInfo Scene;
+};
+
+struct PlanOptions
+{
+  std::uint64_t Seed = 1;
+  RotationFreedom Freedom = RotationFreedom::YawAndTilt;
+  double MaximumTilt = DefaultMaxTilt; // rad
+  /// Residual over chord (Eq. 1) above which two segments are not connectible.
+  double ConnectionThreshold = 0.06;
+  /// Relative offset of velocity at which a join is taken at once; it grows as the search lasts.
+  double JoinThreshold = 0.05;
+  /// Limit of branches of the two trees of one span.
+  int MaximumNumberOfBranches = 2000;
+  /// Frames that a path lasts may differ from the frames there are by this share before retiming.
+  double RetimingLimit = 0.15;
+  /// Branches kept for output, over all objects, in the order of the objects.
+  int MaximumNumberOfStoredBranches = 20000;
+
+  Result Validate() const;
+};
+
+/// One branch of a tree, as a polyline.
+struct TreeBranch
+{
+  int ObjectId = 0;
+  int Span = 0;      // place of the flight along the object's time line
+  int Tree = 0;      // 0 from the start, 1 from the goal
+  int Parent = -1;   // place in PlanOutput::Trees, -1: a root
+  int Segment = 0;   // of the database
+  double Cost = 0.0; // of the connection to the parent
+  int Frame = 0;     // of the free end
+  std::vector<Vec3> Points;
+};
+
+struct PlanOutput
+{
+  std::vector<Track> Tracks; // one an object, in their order, NumberOfFrames samples
+  std::vector<TreeBranch> Trees;
+  std::vector<ReportRow> Report;
+  std::vector<Constraint> Constraints; // as given, every row assigned
+  std::vector<Vortex> Vortices;        // of the segments used, moved with them
+};
+
+/// Objects are planned independently and in parallel: what an object does depends on its own rows,
+/// the Seed and its ObjectId only. Rows that cannot be met are named in the report and all the
+/// others are still met. Errors: a database that is not valid, no frames, a row of an unknown
+/// object or frame, numbers that are not finite.
+Result PlanMotion(const PlanInput& input, const PlanOptions& options,
+                  const ParallelFor& parallelFor, Monitor& monitor, PlanOutput& output);
+
+} // namespace waft

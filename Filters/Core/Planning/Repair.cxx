@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Planning/Repair.h"
+
+#include <cmath>
+#include <map>
+
+namespace waft
+{
+
+namespace
+{
+
+constexpr int PointsPerFrame = 8;
+constexpr int Rounds = 40;
+
+double Worst(const std::vector<Violation>& violations, int& frame)
+{
+  double worst = 0.0;
+  frame = -1;
+  for (const Violation& violation : violations)
+  {
+    if (violation.Slack < worst)
+    {
+      worst = violation.Slack;
+      frame = violation.Frame;
+    }
+  }
+  return worst;
+}
+
+} // namespace
+
+std::vector<Violation> FindViolations(const ClearanceField& field,
+                                      const std::vector<Vec3>& positions, double tolerance)
+{
+  std::vector<Violation> result;
+  const auto count = static_cast<int>(positions.size());
+  for (int frame = 0; frame + 1 < count; ++frame)
+  {
+    const Vec3& a = positions[frame];
+    const Vec3& b = positions[frame + 1];
+    const double step = (b - a).norm();
+    double here = 1e30;
+    if (!(field.Obstacles != nullptr && field.Obstacles->HasMoving()))
+    {
+      // With room to spare nothing between the frames can be hit.
+      here = field.Distance(a, frame) - field.Required(a);
+      if (here > 1.4 * step && field.ContactAt(frame) == field.ContactAt(frame + 1.0))
+      {
+        continue;
+      }
+    }
+    if (step == 0.0 && here > -tolerance)
+    {
+      continue;
+    }
+    Violation violation;
+    violation.Frame = frame;
+    for (int i = 0; i < PointsPerFrame; ++i)
+    {
+      const double u = static_cast<double>(i) / PointsPerFrame;
+      const Vec3 x = a + u * (b - a);
+      Vec3 away = Vec3::Zero();
+      const double slack = field.Distance(x, frame + u, away) - field.Required(x);
+      if (slack < violation.Slack)
+      {
+        violation.Slack = slack;
+        violation.Push = -slack * away;
+      }
+    }
+    if (violation.Slack < -tolerance)
+    {
+      result.push_back(violation);
+    }
+  }
+  return result;
+}
+
+std::vector<Vec3> RepairPath(const ClearanceField& field, WarpProblem warp, double tolerance,
+                             const std::vector<Vec3>& path, const std::vector<Vec3>& fallback,
+                             double& worstSlack, int& worstFrame)
+{
+  std::vector<Vec3> best = path;
+  std::vector<Violation> violations = FindViolations(field, path, tolerance);
+  worstSlack = Worst(violations, worstFrame);
+  if (violations.empty())
+  {
+    return best;
+  }
+  const std::vector<Violation> separate = FindViolations(field, fallback, tolerance);
+  std::map<int, Vec3> wishes;
+  std::vector<Vec3> current = path;
+  for (int round = 0; round < Rounds && !violations.empty(); ++round)
+  {
+    for (const Violation& violation : violations)
+    {
+      const Vec3 push = violation.Push + violation.Push.normalized() * (2.0 * tolerance);
+      for (int frame : { violation.Frame, violation.Frame + 1 })
+      {
+        if (warp.IsFixed[frame] == 0)
+        {
+          // Marks are soft: what one round does not bring about the next ones add.
+          wishes.emplace(frame, current[frame]).first->second += push;
+        }
+      }
+    }
+    warp.Soft.clear();
+    for (const auto& [frame, value] : wishes)
+    {
+      warp.Soft.push_back({ frame, value, 0.05 });
+    }
+    current = SolveWarp(warp);
+    violations = FindViolations(field, current, tolerance);
+    int frame = -1;
+    const double worst = Worst(violations, frame);
+    if (worst > worstSlack)
+    {
+      worstSlack = worst;
+      worstFrame = frame;
+      best = current;
+    }
+  }
+  int frame = -1;
+  const double worst = Worst(separate, frame);
+  if (worst > worstSlack)
+  {
+    worstSlack = worst;
+    worstFrame = frame;
+    best = fallback;
+  }
+  return best;
+}
+
+} // namespace waft

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Planning/SpanPlan.h"
+
+#include "Planning/FreeFlight.h"
+#include "Planning/Refinement.h"
+#include "Planning/Warp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace waft
+{
+
+namespace
+{
+
+/// How much faster than the database a step may be, of the 1.5 times that are promised.
+constexpr double SpeedAllowance = 1.4;
+
+class SpanPlanner
+{
+public:
+  SpanPlanner(const SegmentLibrary& library, const ClearanceField& field,
+              const SpanRequest& request, const SpanPlanOptions& options) :
+    Library(library),
+    Field(field), Request(request), Options(options)
+  {
+  }
+
+  SpanResult Run(Random random);
+
+private:
+  ClearanceField FlightField() const;
+  bool Try(PieceChain chain, bool toGoal, bool check, SpanResult& result) const;
+  bool TryRefined(const PieceChain& chain, bool toGoal, SpanResult& result) const;
+  bool Search(const ClearanceField& field, const SpanTask& task, bool reachable, Random& random,
+              SpanResult& result) const;
+  bool CanGoOn(const std::vector<Vec3>& positions, const SpanResult& result) const;
+  void Hover(SpanResult& result) const;
+
+  const SegmentLibrary& Library;
+  const ClearanceField& Field;
+  SpanRequest Request;
+  SpanPlanOptions Options;
+};
+
+/// The field on the clock of flight: braking and launching last half as many frames there.
+ClearanceField SpanPlanner::FlightField() const
+{
+  ClearanceField field = this->Field;
+  const double first = this->Request.FirstFrame;
+  const double flight = std::lround(this->Request.Clock.FlightFrames());
+  for (ContactStretch& contact : field.Contacts)
+  {
+    if (this->Request.Clock.LaunchFrames > 0 && contact.FirstFrame <= first)
+    {
+      contact.LastFrame =
+        std::min(contact.LastFrame, first + 0.5 * this->Request.Clock.LaunchFrames);
+    }
+    else if (this->Request.Clock.BrakeFrames > 0 &&
+             contact.LastFrame >= first + this->Request.Clock.Frames)
+    {
+      contact.FirstFrame = std::max(first, first + flight - 0.5 * this->Request.Clock.BrakeFrames);
+    }
+  }
+  // Marks that are tighter than the margin lower it next to them.
+  for (const SpanEnd* end : { &this->Request.Start, &this->Request.Goal })
+  {
+    const double frame = end == &this->Request.Start ? first : first + flight;
+    const double distance = field.Distance(end->Position, frame);
+    if (distance < field.Radius + this->Options.Margin)
+    {
+      field.TightMarks.push_back({ end->Position, distance - this->Options.Margin - 1e-9 });
+    }
+  }
+  return field;
+}
+
+bool SpanPlanner::Try(PieceChain chain, bool toGoal, bool check, SpanResult& result) const
+{
+  SpanClock clock = this->Request.Clock;
+  result.Halts = false;
+  if (this->Request.HasGoal && !toGoal && clock.BrakeFrames == 0)
+  {
+    // A dead end: it stops there, so that it can turn.
+    clock.BrakeFrames = std::min(
+      static_cast<int>(std::lround(this->Library.Options().FramesPerSecond)), clock.Frames / 2);
+    result.Halts = true;
+  }
+  const std::vector<Vec3> raw = BlendChain(this->Library, chain);
+  const std::vector<Vec3> path = RetimePath(raw, clock);
+  const auto before = static_cast<int>(this->Request.Before.size());
+  const int after = this->Request.Goal.IsRest && toGoal ? 2 : 0;
+  const int count = before + clock.Frames + 1 + after;
+
+  Vec3 goal = this->Request.Goal.Position;
+  if (toGoal && this->Request.GoalRadius > 0.0)
+  {
+    const Vec3 offset = path.back() - goal;
+    const double distance = offset.norm();
+    goal += offset * std::min(1.0, 0.9 * this->Request.GoalRadius / std::max(distance, 1e-300));
+  }
+  WarpProblem warp;
+  warp.SecondDifferences.assign(count, Vec3::Zero());
+  warp.IsFixed.assign(count, 0);
+  warp.Fixed.assign(count, Vec3::Zero());
+  const std::vector<Vec3> bends = SecondDifferences(path);
+  for (int k = 1; k < clock.Frames; ++k)
+  {
+    warp.SecondDifferences[before + k] = bends[k];
+  }
+  const auto fix = [&](int k, const Vec3& value)
+  {
+    warp.IsFixed[k] = 1;
+    warp.Fixed[k] = value;
+  };
+  for (int k = 0; k < before; ++k)
+  {
+    fix(k, this->Request.Before[k]);
+  }
+  fix(before, this->Request.Start.Position);
+  if (before > 0 && clock.Frames > 1 && clock.LaunchFrames == 0)
+  {
+    warp.SecondDifferences[before] = bends[1];
+  }
+  for (int k = 0; k <= after && toGoal; ++k)
+  {
+    fix(before + clock.Frames + k, goal);
+  }
+  if (!toGoal)
+  {
+    // The end stays where the chain brings it.
+    fix(before + clock.Frames, path.back() - path.front() + this->Request.Start.Position);
+  }
+  if (before == 0 && this->Request.Start.HasVelocity && clock.Frames >= 3)
+  {
+    warp.Rows.push_back({ { 0, 1, 2 }, { -1.5, 2.0, -0.5 }, this->Request.Start.Velocity });
+  }
+  const std::vector<Vec3> solved = SolveWarp(warp);
+  const std::vector<Vec3> positions(solved.begin() + before,
+                                    solved.begin() + before + clock.Frames + 1);
+  if (check)
+  {
+    const double top = SpeedAllowance * this->Library.TopStep();
+    for (int k = 1; k <= clock.Frames; ++k)
+    {
+      if ((positions[k] - positions[k - 1]).norm() > top)
+      {
+        return false;
+      }
+    }
+    // The given ends themselves are judged elsewhere.
+    if (clock.Frames > 1 &&
+        this->Field.FirstHit(positions, 1, clock.Frames - 1, this->Request.FirstFrame + 1, 1.0,
+                             this->Options.CheckMargin) >= 0)
+    {
+      return false;
+    }
+  }
+  result.Positions = positions;
+  result.Bends = bends;
+  result.Pieces = chain.Pieces;
+  const double flight = clock.FlightFrames();
+  const double scale = (static_cast<double>(raw.size()) - 1.0) / flight;
+  result.RetimingFactor = scale;
+  const std::vector<int> beginnings = chain.Beginnings(this->Library.Window());
+  result.PieceFrames.clear();
+  for (std::size_t i = 0; i < chain.Pieces.size(); ++i)
+  {
+    result.PieceFrames.push_back(
+      static_cast<int>(std::lround((beginnings[i] - chain.Pieces[i].First) / scale)));
+  }
+  result.Sources.assign(static_cast<std::size_t>(clock.Frames) + 1, FrameSource());
+  std::size_t piece = 0;
+  for (int frame = 0; frame <= clock.Frames; ++frame)
+  {
+    const double index = clock.Flown(frame) * scale;
+    while (piece + 1 < beginnings.size() &&
+           index >= beginnings[piece + 1] + 0.5 * (this->Library.Window() - 1))
+    {
+      ++piece;
+    }
+    const Piece& body = chain.Pieces[piece];
+    result.Sources[frame] = { static_cast<int>(piece),
+                              std::clamp(body.First +
+                                           static_cast<int>(std::lround(index - beginnings[piece])),
+                                         body.First, body.Last) };
+  }
+  const Piece& last = chain.Pieces.back();
+  const auto end = static_cast<int>(this->Library.Samples(last.Segment).size()) - 1;
+  result.HasContinuation = this->Request.GoesOn && end - last.Last >= this->Library.Window();
+  result.Continuation = last;
+  result.Continuation.First = last.Last;
+  result.Continuation.Last = end;
+  result.Continuation.Place.Translation +=
+    positions.back() - last.Place * this->Library.Samples(last.Segment)[last.Last];
+  result.HasContinuation = result.HasContinuation && !result.Halts;
+  return !check || !this->Request.GoesOn || result.Halts || this->CanGoOn(positions, result);
+}
+
+/// A path that reaches its mark head on to a wall leaves the next flight no way.
+bool SpanPlanner::CanGoOn(const std::vector<Vec3>& positions, const SpanResult& result) const
+{
+  const int ahead = this->Library.Window() + 4;
+  std::vector<Vec3> next{ positions.back() };
+  const std::vector<Vec3>& samples = this->Library.Samples(result.Continuation.Segment);
+  const Vec3 step = positions.back() - positions[positions.size() - 2];
+  for (int k = 1; k <= ahead; ++k)
+  {
+    next.push_back(result.HasContinuation &&
+                       result.Continuation.First + k <= result.Continuation.Last
+                     ? Vec3(result.Continuation.Place * samples[result.Continuation.First + k])
+                     : Vec3(next.back() + step));
+  }
+  return this->Field.FirstHit(next, 1, ahead,
+                              this->Request.FirstFrame + this->Request.Clock.Frames + 1, 1.0,
+                              this->Options.CheckMargin) < 0;
+}
+
+bool SpanPlanner::TryRefined(const PieceChain& chain, bool toGoal, SpanResult& result) const
+{
+  if (!this->Try(chain, toGoal, true, result))
+  {
+    return false;
+  }
+  PieceChain refined = chain;
+  const double shift = 0.1 * this->Library.TypicalStep() * this->Request.Clock.Frames /
+                       static_cast<double>(std::max<std::size_t>(1, chain.Pieces.size()));
+  if (RefineChain(this->Library, shift, refined).NumberOfReplaced > 0)
+  {
+    SpanResult better = result;
+    if (this->Try(refined, toGoal, true, better))
+    {
+      result = better;
+    }
+  }
+  return true;
+}
+
+void SpanPlanner::Hover(SpanResult& result) const
+{
+  const auto frames = static_cast<std::size_t>(this->Request.Clock.Frames) + 1;
+  result.Positions.assign(frames, this->Request.Start.Position);
+  result.Bends.assign(frames, Vec3::Zero());
+  result.Sources.assign(frames, FrameSource());
+  result.Pieces.clear();
+  result.PieceFrames.clear();
+  result.HasContinuation = false;
+}
+
+bool SpanPlanner::Search(const ClearanceField& field, const SpanTask& task, bool reachable,
+                         Random& random, SpanResult& result) const
+{
+  SpanSearchOptions searchOptions;
+  searchOptions.RetimingLimit = this->Options.RetimingLimit;
+  searchOptions.Margin = this->Options.Margin;
+  SpanSearch search(this->Library, field, task, searchOptions, Random(random));
+  const auto attempt = [&](const Join& join)
+  {
+    PieceChain chain;
+    chain.Pieces = search.Chain(join, chain.JoinPlace);
+    chain.JoinAngle = join.Angle;
+    if (!this->TryRefined(chain, true, result))
+    {
+      return false;
+    }
+    result.Distance = join.Distance;
+    result.Cost = join.Score;
+    return true;
+  };
+  bool found = false;
+  Join join;
+  const int limit = this->Options.MaximumNumberOfBranches;
+  int tries = 0;
+  for (int step = 0; reachable && !found && step < 6 * limit && search.NumberOfBranches() < limit;
+       ++step)
+  {
+    // What is asked of a join grows milder the longer the search takes.
+    const double patience = step / 300.0;
+    const double threshold = this->Options.JoinThreshold * (1.0 + patience * patience);
+    while (!found && search.Take(std::min(threshold, 0.6), join))
+    {
+      found = attempt(join);
+      ++tries;
+    }
+    if (tries > limit)
+    {
+      break;
+    }
+    search.Step();
+  }
+  while (reachable && !found && search.Take(1.0, join))
+  {
+    found = attempt(join);
+  }
+  for (int step = 0; !reachable && step < 200; ++step)
+  {
+    search.Step();
+  }
+  result.ReachesGoal = found;
+  for (std::size_t i = 0; !found && i < search.Approaches().size(); ++i)
+  {
+    const Join& nearest = search.Approaches()[i];
+    PieceChain chain;
+    chain.Pieces = search.Chain(nearest, chain.JoinPlace);
+    found = this->Try(chain, false, true, result);
+    result.Distance = nearest.Distance;
+    result.Cost = nearest.Score;
+  }
+  for (int tree = 0; tree < 2; ++tree)
+  {
+    result.Trees[tree] = search.Tree(tree);
+  }
+  return found;
+}
+
+SpanResult SpanPlanner::Run(Random random)
+{
+  SpanResult result;
+  SpanTask task;
+  task.Start = this->Request.Start;
+  task.Goal = this->Request.Goal;
+  task.Frames = std::max(1, static_cast<int>(std::lround(this->Request.Clock.FlightFrames())));
+  task.FirstFrame = this->Request.FirstFrame;
+  task.HasContinuation = this->Request.HasContinuation;
+  task.Continuation = this->Request.Continuation;
+  task.GoesOn = this->Request.GoesOn;
+
+  bool reachable = this->Request.HasGoal;
+  if (this->Request.HasGoal)
+  {
+    const Vec3 way = task.Goal.Position - task.Start.Position;
+    const double needed = std::max(0.0, way.norm() - this->Request.GoalRadius) / task.Frames;
+    const double top = this->Library.TopStep();
+    if (needed > top)
+    {
+      const double rate = this->Library.Options().FramesPerSecond;
+      char text[160];
+      std::snprintf(text, sizeof text,
+                    "asks for %.3g m/s on average, the database's top speed is %.3g m/s",
+                    needed * rate, top * rate);
+      result.Message = text;
+    }
+    if (needed > SpeedAllowance * top)
+    {
+      reachable = false;
+      task.Goal.Position = task.Start.Position + way.normalized() * (top * task.Frames);
+    }
+  }
+  const ClearanceField flight = this->FlightField();
+  if (this->Request.HasGoal && this->Search(flight, task, reachable, random, result))
+  {
+    if (!result.ReachesGoal)
+    {
+      result.Distance = (result.Positions.back() - this->Request.Goal.Position).norm();
+    }
+    return result;
+  }
+  random.Bits();
+  PieceChain chain;
+  chain.Pieces = FlyFree(this->Library, flight, task, this->Options.Margin,
+                         this->Options.MaximumNumberOfBranches, random);
+  chain.JoinPlace = static_cast<int>(chain.Pieces.size());
+  if (chain.Pieces.empty() ||
+      (!this->TryRefined(chain, false, result) && !this->Try(chain, false, false, result)))
+  {
+    this->Hover(result);
+  }
+  result.ReachesGoal = !this->Request.HasGoal;
+  result.Distance =
+    this->Request.HasGoal ? (result.Positions.back() - this->Request.Goal.Position).norm() : 0.0;
+  return result;
+}
+
+} // namespace
+
+SpanResult PlanSpan(const SegmentLibrary& library, const ClearanceField& field,
+                    const SpanRequest& request, const SpanPlanOptions& options, Random random)
+{
+  return SpanPlanner(library, field, request, options).Run(random);
+}
+
+} // namespace waft

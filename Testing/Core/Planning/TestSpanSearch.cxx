@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Planning/SpanSearch.h"
+
+#include "SwirlDatabase.h"
+
+#include <gtest/gtest.h>
+
+using namespace waft;
+
+namespace
+{
+
+const SegmentLibrary& Library()
+{
+  static const SegmentLibrary library = []
+  {
+    SegmentLibrary built;
+    const Result result = built.Build(test::SwirlDatabase(), SegmentLibraryOptions(), SerialFor());
+    EXPECT_TRUE(bool(result)) << result.Message();
+    return built;
+  }();
+  return library;
+}
+
+SpanTask OpenTask()
+{
+  SpanTask task;
+  task.Start.Position = Vec3(-1.2, -0.5, 2.5);
+  task.Goal.Position = Vec3(1.0, 0.6, 1.4);
+  task.Frames = 180;
+  return task;
+}
+
+} // namespace
+
+TEST(SegmentLibrary, PlacesSuccessorsSoThatWindowsMeetInTheRightDirection)
+{
+  const SegmentLibrary& library = Library();
+  ASSERT_GE(library.Database().Segments.size(), 200u);
+  const int window = library.Window();
+  int checked = 0;
+  for (int top = 0; top < library.NumberOfTops(); ++top)
+  {
+    const std::vector<Vec3>& first = library.Samples(library.SegmentOfTop(top));
+    for (const Neighbour& next : library.Successors(top))
+    {
+      if (next.Cost > 0.06)
+      {
+        continue;
+      }
+      const std::vector<Vec3>& second = library.Samples(library.SegmentOfTop(next.Top));
+      double sum = 0.0;
+      for (int j = 0; j < window; ++j)
+      {
+        sum += (first[first.size() - window + j] - next.Place * second[j]).squaredNorm();
+      }
+      const double chord = (first.back() - first[first.size() - window]).norm();
+      EXPECT_LT(std::sqrt(sum / window), 0.2 * chord);
+      EXPECT_LT((next.FreeEnd - next.Place * second.back()).norm(), 1e-12);
+      ++checked;
+    }
+    for (const Neighbour& previous : library.Predecessors(top))
+    {
+      // The same pair seen from the one that comes after.
+      const Neighbour* same = library.Connection(previous.Top, top);
+      ASSERT_NE(same, nullptr);
+      const Placement both = same->Place * previous.Place;
+      EXPECT_LT((both.Rotation - Mat3::Identity()).norm() + both.Translation.norm(), 1e-9);
+    }
+  }
+  EXPECT_GT(checked, 200);
+}
+
+TEST(SegmentLibrary, KeepsTheTiltWithinItsLimit)
+{
+  Random random(3);
+  for (int trial = 0; trial < 100; ++trial)
+  {
+    Mat3 rotation =
+      Eigen::AngleAxisd(random.Uniform(0.0, 3.0), random.Direction()).toRotationMatrix();
+    Library().LimitTilt(rotation);
+    EXPECT_LE(std::acos(std::min(1.0, rotation(2, 2))), DefaultMaxTilt + 1e-9);
+    EXPECT_LT((rotation * rotation.transpose() - Mat3::Identity()).norm(), 1e-12);
+  }
+}
+
+TEST(SpanSearch, SeedNodeAndSegmentEqualBruteForce)
+{
+  const SegmentLibrary& library = Library();
+  const ObstacleSet obstacles;
+  ClearanceField field;
+  field.Obstacles = &obstacles;
+  const SpanTask task = OpenTask();
+  SpanSearch search(library, field, task, SpanSearchOptions(), Random(5));
+  for (int i = 0; i < 200; ++i)
+  {
+    search.Step();
+  }
+  Random random(9);
+  int different = 0;
+  const Branch* last = nullptr;
+  for (int state = 0; state < 60; ++state)
+  {
+    const int tree = state % 2;
+    const Vec3 seed = random.InBox(Box());
+    const double elapsed = random.Uniform(0.0, task.Frames);
+    int wanted = -1;
+    double least = 1e300;
+    for (std::size_t i = 0; i < search.Tree(tree).size(); ++i)
+    {
+      const Branch& branch = search.Tree(tree)[i];
+      const std::vector<Vec3>& samples = library.Samples(branch.Body.Segment);
+      const Vec3 end =
+        branch.Body.Place * samples[tree == 0 ? branch.Body.Last : branch.Body.First];
+      const double late = library.TypicalStep() * (branch.Elapsed - elapsed);
+      const double distance = (end - seed).squaredNorm() + late * late;
+      if (branch.Elapsed < task.Frames && branch.Failures < 12 && distance < least)
+      {
+        least = distance;
+        wanted = static_cast<int>(i);
+      }
+    }
+    const int node = search.SeedNode(tree, seed, elapsed);
+    ASSERT_EQ(node, wanted);
+    const Branch& parent = search.Tree(tree)[node];
+    different += &parent == last ? 0 : 1;
+    last = &parent;
+    const Neighbour* chosen = search.BestSegment(tree, parent, seed);
+    ASSERT_NE(chosen, nullptr);
+    double nearest = 1e300;
+    int top = -1;
+    for (int candidate = 0; candidate < library.NumberOfTops(); ++candidate)
+    {
+      const Neighbour* entry = tree == 0 ? library.Connection(parent.Body.Top, candidate)
+                                         : library.Connection(candidate, parent.Body.Top);
+      if (entry == nullptr)
+      {
+        continue;
+      }
+      const std::vector<Vec3>& samples = library.Samples(library.SegmentOfTop(candidate));
+      const Placement place =
+        parent.Body.Place * (tree == 0 ? entry->Place : entry->Place.Inverse());
+      const double distance =
+        (place * (tree == 0 ? samples.back() : samples.front()) - seed).norm();
+      if (distance < nearest)
+      {
+        nearest = distance;
+        top = candidate;
+      }
+    }
+    EXPECT_EQ(chosen->Top, top);
+  }
+  EXPECT_GT(different, 20);
+}
+
+TEST(SpanSearch, GrowsBothTreesInsideTheVolumeAndFindsCheapJoins)
+{
+  const SegmentLibrary& library = Library();
+  const ObstacleSet obstacles;
+  ClearanceField field;
+  field.Obstacles = &obstacles;
+  const SpanTask task = OpenTask();
+  SpanSearch search(library, field, task, SpanSearchOptions(), Random(6));
+  for (int i = 0; i < 300; ++i)
+  {
+    search.Step();
+  }
+  for (int tree = 0; tree < 2; ++tree)
+  {
+    EXPECT_GT(search.Tree(tree).size(), 40u);
+    for (const Branch& branch : search.Tree(tree))
+    {
+      for (int k = branch.Body.First; k <= branch.Body.Last; ++k)
+      {
+        const Vec3 x = branch.Body.Place * library.Samples(branch.Body.Segment)[k];
+        EXPECT_GT(field.Bounds.InnerDistance(x), field.Radius);
+      }
+    }
+  }
+  Join join;
+  ASSERT_TRUE(search.Take(0.3, join));
+  EXPECT_LE(std::abs(join.RawFrames - task.Frames), 0.15 * task.Frames);
+  int place = 0;
+  const std::vector<Piece> chain = search.Chain(join, place);
+  int frames = 0;
+  for (const Piece& piece : chain)
+  {
+    frames += piece.Last - piece.First;
+  }
+  frames -= (library.Window() - 1) * (static_cast<int>(chain.size()) - 1);
+  EXPECT_EQ(frames, join.RawFrames);
+  double before = join.Score;
+  while (search.Take(1.0, join))
+  {
+    EXPECT_GE(join.Score, before);
+    before = join.Score;
+  }
+}

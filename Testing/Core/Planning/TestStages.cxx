@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Blending, retiming, refinement, free flight, clearance: each stage on its own.
+#include "Planning/Blending.h"
+#include "Planning/FreeFlight.h"
+#include "Planning/Refinement.h"
+#include "Planning/Repair.h"
+
+#include "Base/Primitives.h"
+#include "SwirlDatabase.h"
+
+#include <gtest/gtest.h>
+
+using namespace waft;
+
+namespace
+{
+
+const SegmentLibrary& Library()
+{
+  static const SegmentLibrary library = []
+  {
+    SegmentLibrary built;
+    EXPECT_TRUE(bool(built.Build(test::SwirlDatabase(), SegmentLibraryOptions(), SerialFor())));
+    return built;
+  }();
+  return library;
+}
+
+SpanTask FreeTask(int frames)
+{
+  SpanTask task;
+  task.Start.Position = Vec3(0.2, -0.3, 2.1);
+  task.Frames = frames;
+  return task;
+}
+
+PieceChain RandomChain(std::uint64_t seed, int frames = 240)
+{
+  static const ObstacleSet obstacles;
+  ClearanceField field;
+  field.Obstacles = &obstacles;
+  PieceChain chain;
+  chain.Pieces = FlyFree(Library(), field, FreeTask(frames), 0.01, 2000, Random(seed));
+  chain.JoinPlace = static_cast<int>(chain.Pieces.size());
+  return chain;
+}
+
+} // namespace
+
+TEST(FreeFlight, LastsItsFramesInsideTheVolume)
+{
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  {
+    const PieceChain chain = RandomChain(seed);
+    ASSERT_GE(chain.Pieces.size(), 3u);
+    EXPECT_NEAR(chain.NumberOfSamples(Library().Window()) - 1, 240, 6);
+    for (const Piece& piece : chain.Pieces)
+    {
+      for (int k = piece.First; k < piece.Last - 8; ++k)
+      {
+        EXPECT_GT(Box().InnerDistance(piece.Place * Library().Samples(piece.Segment)[k]), 0.05);
+      }
+    }
+  }
+}
+
+TEST(Blending, GivesBackDatabaseStepsOutsideTheOverlaps)
+{
+  const SegmentLibrary& library = Library();
+  const PieceChain chain = RandomChain(4);
+  const std::vector<Vec3> path = BlendChain(library, chain);
+  ASSERT_EQ(static_cast<int>(path.size()), chain.NumberOfSamples(library.Window()));
+  const std::vector<int> beginnings = chain.Beginnings(library.Window());
+  int compared = 0;
+  for (std::size_t i = 0; i < chain.Pieces.size(); ++i)
+  {
+    const Piece& piece = chain.Pieces[i];
+    const std::vector<Vec3>& samples = library.Samples(piece.Segment);
+    const int length = piece.Last - piece.First;
+    for (int k = library.Window() - 1; k < length - (library.Window() - 1); ++k)
+    {
+      const Vec3 own = samples[piece.First + k + 1] - samples[piece.First + k];
+      const Vec3 step = path[beginnings[i] + k + 1] - path[beginnings[i] + k];
+      EXPECT_LT((piece.Place.Rotation.transpose() * step - own).norm(), 1e-12);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 60);
+}
+
+TEST(Blending, SpreadsTheTurnOfTheJoinEvenly)
+{
+  const SegmentLibrary& library = Library();
+  PieceChain straight = RandomChain(5);
+  PieceChain turned = straight;
+  turned.JoinPlace = 2;
+  turned.JoinAngle = 0.4;
+  const Mat3 turn = Eigen::AngleAxisd(0.4, Vec3::UnitZ()).toRotationMatrix();
+  for (std::size_t i = 2; i < turned.Pieces.size(); ++i)
+  {
+    turned.Pieces[i].Place.Rotation = turn * turned.Pieces[i].Place.Rotation;
+  }
+  // With the later pieces turned by the join's angle, each step is turned by its share of it.
+  const std::vector<Vec3> a = BlendChain(library, straight);
+  const std::vector<Vec3> b = BlendChain(library, turned);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k + 1 < a.size(); ++k)
+  {
+    const double share = 0.4 * (k + 0.5) / (a.size() - 1.0);
+    const Vec3 wanted = Eigen::AngleAxisd(share, Vec3::UnitZ()) * (a[k + 1] - a[k]);
+    EXPECT_LT((b[k + 1] - b[k] - wanted).norm(), 1e-12);
+  }
+}
+
+TEST(SpanClock, BrakesAndLaunchesSmoothly)
+{
+  SpanClock clock;
+  clock.Frames = 100;
+  clock.BrakeFrames = 30;
+  clock.LaunchFrames = 20;
+  EXPECT_DOUBLE_EQ(clock.FlightFrames(), 75.0);
+  EXPECT_DOUBLE_EQ(clock.Flown(0.0), 0.0);
+  EXPECT_NEAR(clock.Flown(100.0), 75.0, 1e-12);
+  EXPECT_NEAR(clock.Flown(60.0) - clock.Flown(59.0), 1.0, 1e-12);
+  for (int k = 1; k <= 100; ++k)
+  {
+    const double rate = clock.Flown(k) - clock.Flown(k - 1);
+    EXPECT_GE(rate, -1e-12);
+    EXPECT_LE(rate, 1.0 + 1e-12);
+  }
+  EXPECT_LT(clock.Flown(1.0), 0.01);
+  EXPECT_LT(75.0 - clock.Flown(99.0), 0.01);
+}
+
+TEST(RetimePath, KeepsSamplesAtTheSamePaceAndShapesAtAnother)
+{
+  std::vector<Vec3> circle;
+  for (int k = 0; k <= 90; ++k)
+  {
+    circle.emplace_back(std::cos(0.05 * k), std::sin(0.05 * k), 0.01 * k);
+  }
+  SpanClock clock;
+  clock.Frames = 90;
+  const std::vector<Vec3> same = RetimePath(circle, clock);
+  for (int k = 0; k <= 90; ++k)
+  {
+    EXPECT_LT((same[k] - circle[k]).norm(), 1e-12);
+  }
+  clock.Frames = 100;
+  const std::vector<Vec3> slower = RetimePath(circle, clock);
+  for (int k = 8; k <= 92; ++k)
+  {
+    const double u = 0.05 * 0.9 * k;
+    EXPECT_LT((slower[k] - Vec3(std::cos(u), std::sin(u), 0.2 * u)).norm(), 1e-6);
+  }
+}
+
+TEST(Refinement, NeverRaisesTheCostAndOftenLowersIt)
+{
+  int lowered = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  {
+    PieceChain chain = RandomChain(seed);
+    const PieceChain before = chain;
+    const RefinementResult result = RefineChain(Library(), 0.2, chain);
+    EXPECT_LE(result.CostAfter, result.CostBefore + 1e-12);
+    lowered += result.CostAfter < 0.95 * result.CostBefore ? 1 : 0;
+    double sum = 0.0;
+    for (std::size_t i = 1; i < chain.Pieces.size(); ++i)
+    {
+      sum += ConnectionCost(Library(), chain.Pieces[i - 1], chain.Pieces[i]);
+      EXPECT_EQ(Library().Samples(chain.Pieces[i].Segment).size(),
+                Library().Samples(before.Pieces[i].Segment).size());
+    }
+    EXPECT_NEAR(sum, result.CostAfter, 1e-12);
+  }
+  EXPECT_GT(lowered, 10);
+}
+
+TEST(Refinement, FindsAPlantedPerfectSegment)
+{
+  // The middle piece is one of its cluster's children; put the representative in its place.
+  const SegmentLibrary& library = Library();
+  const MotionDatabase& database = library.Database();
+  int tried = 0;
+  for (int top = 0; top < library.NumberOfTops() && tried < 10; ++top)
+  {
+    const ClusterNode& node = database.Nodes[database.TopNodes[top]];
+    if (node.FirstChild < 0)
+    {
+      continue;
+    }
+    const int planted = database.Nodes[node.FirstChild + node.NumberOfChildren - 1].Medoid;
+    if (planted == node.Medoid)
+    {
+      continue;
+    }
+    // Neighbours cut out of the planted segment itself continue it without any residual.
+    const auto last = static_cast<int>(library.Samples(planted).size()) - 1;
+    const int window = library.Window();
+    PieceChain chain;
+    chain.Pieces = { { planted, top, 0, window - 1, {} },
+                     { node.Medoid, top, 0, last, {} },
+                     { planted, top, last - (window - 1), last, {} } };
+    chain.JoinPlace = 3;
+    const RefinementResult result = RefineChain(library, 10.0, chain);
+    EXPECT_EQ(chain.Pieces[1].Segment, planted);
+    EXPECT_LT(result.CostAfter, 1e-12);
+    EXPECT_GT(result.CostBefore, 1e-4);
+    ++tried;
+  }
+  EXPECT_GE(tried, 3);
+}
+
+TEST(Clearance, SkippingFindsTheHitsThatEverySampleFinds)
+{
+  std::vector<ObstacleMesh> meshes(1);
+  meshes[0].Mesh = MakeBox(Box{ Vec3(-0.3, -0.4, 0.0), Vec3(0.3, 0.5, 2.0) });
+  ObstacleSet obstacles;
+  ASSERT_TRUE(bool(obstacles.Build(meshes)));
+  ClearanceField field;
+  field.Obstacles = &obstacles;
+  Random random(2);
+  int hits = 0;
+  for (int trial = 0; trial < 100; ++trial)
+  {
+    std::vector<Vec3> path{ random.InBox(Box{ Vec3(-1, -1, 0.5), Vec3(1, 1, 3) }) };
+    Vec3 velocity = 0.02 * random.Direction();
+    for (int k = 0; k < 80; ++k)
+    {
+      velocity += 0.002 * random.Direction();
+      path.push_back(path.back() + velocity);
+    }
+    bool any = false;
+    for (std::size_t k = 0; k < path.size(); ++k)
+    {
+      any = any || field.Distance(path[k], 0.0) < field.Radius + 0.01;
+    }
+    EXPECT_EQ(field.FirstHit(path, 0, 80, 0.0, 1.0, 0.01) >= 0, any);
+    hits += any ? 1 : 0;
+  }
+  EXPECT_GT(hits, 20);
+  EXPECT_LT(hits, 95);
+}
+
+TEST(Repair, EasesAPathOutOfABox)
+{
+  std::vector<ObstacleMesh> meshes(1);
+  meshes[0].Mesh = MakeBox(Box{ Vec3(-0.2, -2.0, 0.0), Vec3(0.2, 2.0, 2.0) });
+  ObstacleSet obstacles;
+  ASSERT_TRUE(bool(obstacles.Build(meshes)));
+  ClearanceField field;
+  field.Obstacles = &obstacles;
+  WarpProblem warp;
+  warp.SecondDifferences.assign(101, Vec3::Zero());
+  warp.IsFixed.assign(101, 0);
+  warp.Fixed.assign(101, Vec3::Zero());
+  warp.IsFixed[0] = warp.IsFixed[100] = 1;
+  warp.Fixed[0] = Vec3(-1.5, 0.0, 1.98);
+  warp.Fixed[100] = Vec3(1.5, 0.0, 1.98);
+  const std::vector<Vec3> path = SolveWarp(warp);
+  ASSERT_FALSE(FindViolations(field, path, 0.001).empty());
+  double slack = 0.0;
+  int frame = 0;
+  const std::vector<Vec3> repaired = RepairPath(field, warp, 0.001, path, path, slack, frame);
+  EXPECT_TRUE(FindViolations(field, repaired, 0.001).empty());
+  EXPECT_EQ(frame, -1);
+  EXPECT_EQ(repaired.front(), path.front());
+  for (const Vec3& bend : SecondDifferences(repaired))
+  {
+    EXPECT_LT(bend.norm(), 0.01);
+  }
+}
