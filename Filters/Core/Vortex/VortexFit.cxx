@@ -26,6 +26,21 @@ struct Slot
   std::set<int> Claims; // the VortexIds whose samples it takes
 };
 
+/// Passes ticks on with the fraction of the whole fit.
+class ScaledMonitor : public Monitor
+{
+public:
+  explicit ScaledMonitor(Monitor& outer) : Outer(outer) {}
+  bool Tick(double, const std::string& text) override
+  {
+    return this->Outer.Tick(this->Fraction, text);
+  }
+  double Fraction = 0.0;
+
+private:
+  Monitor& Outer;
+};
+
 class Fitter
 {
 public:
@@ -56,6 +71,8 @@ public:
     {
       for (std::size_t n = 0; n < this->Slots.size() && !this->Stopped; ++n)
       {
+        this->Progress.Fraction =
+          (sweep + static_cast<double>(n) / static_cast<double>(this->Slots.size())) / (sweeps + 1);
         this->Refit(n, sweep);
       }
       this->Merge();
@@ -182,6 +199,7 @@ private:
     int added = 0;
     while (added < this->Options.MaximumNewVortices && tries-- > 0 && !this->Stopped)
     {
+      this->Progress.Fraction = 0.7 + 0.3 * added / this->Options.MaximumNewVortices;
       std::vector<std::size_t> region;
       const std::vector<VortexSample> seed =
         StrongestRegion(rest, this->Options.Bounds.Width(), region);
@@ -237,7 +255,7 @@ private:
 
   const std::vector<VortexSample>& Samples;
   const VortexFitOptions& Options;
-  Monitor& Progress;
+  ScaledMonitor Progress;
   std::vector<Slot> Slots;
   std::vector<Vec3> Sum;
   bool Stopped = false;

@@ -4,6 +4,7 @@
 #include "Base/Random.h"
 #include "Vortex/VortexCosts.h"
 #include "Vortex/VortexRegion.h"
+#include "Vortex/VortexSamples.h"
 
 #include <ceres/gradient_checker.h>
 #include <ceres/sphere_manifold.h>
@@ -418,4 +419,31 @@ TEST(VortexFit, RefusesBadNumbersByName)
   EXPECT_EQ(fitted.size(), 1u);
   EXPECT_TRUE(static_cast<bool>(FitVortices({}, {}, {}, monitor, fitted)));
   EXPECT_TRUE(fitted.empty());
+}
+
+TEST(VortexSamples, AreForcesLessWindWithTheirAnnotation)
+{
+  Track track;
+  track.ObjectId = 8;
+  track.Positions = { Vec3(0, 0, 1), Vec3(0, 0.1, 1), Vec3(0, 0.2, 1) };
+  track.Forces = { Vec3(1, 2, 3), Vec3::Zero(), Vec3(4, 5, 6) };
+  track.WindAccelerations = { Vec3(0.5, 0, 0), Vec3::Zero(), Vec3(0, 0.5, 0) };
+  track.ForceTypes = { ForceType::Vortex, ForceType::None, ForceType::Wind };
+  track.VortexIds = { 3, -1, 3 };
+  const Timeline time{ 3, 10.0 };
+  std::vector<VortexSample> samples;
+  ASSERT_TRUE(static_cast<bool>(SamplesFromTracks({ track }, time, true, samples)));
+  ASSERT_EQ(samples.size(), 3u);
+  EXPECT_EQ(samples[0].Acceleration, Vec3(0.5, 2, 3));
+  EXPECT_EQ(samples[0].VortexId, 3);
+  EXPECT_EQ(samples[1].Weight, 0.0);
+  EXPECT_EQ(samples[2].VortexId, -1);
+  EXPECT_EQ(samples[2].Time, 0.2);
+  ASSERT_TRUE(static_cast<bool>(SamplesFromTracks({ track }, time, false, samples)));
+  EXPECT_EQ(samples[0].Acceleration, Vec3(1, 2, 3));
+  const Vortex v = Truth(1);
+  EXPECT_EQ(VortexForces(track, { v, v }, time)[1], 2.0 * v.Acceleration(Vec3(0, 0.1, 1), 0.1));
+  track.Forces.clear();
+  const Result result = SamplesFromTracks({ track }, time, false, samples);
+  EXPECT_NE(result.Message().find("object 8 has no point data `Force`"), std::string::npos);
 }
