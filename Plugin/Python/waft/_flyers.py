@@ -1,0 +1,267 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What flies: the objects, their shadows, the trails behind them and the marks they aim at."""
+
+import math
+import os
+import sys
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkIOImage import vtkImageReader2Factory
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkTexture
+
+from ._scenery import lines, texture
+
+_MARK = (0.86, 0.25, 0.16)
+_TRAIL = (0.25, 0.33, 0.45)
+_CUT_OUT = "//VTK::TCoord::Impl\n  if (gl_FragData[0].a < 0.5) discard;\n"
+
+
+def rotation(quaternion):
+    """3 x 3 matrix of a unit quaternion (w, x, y, z)."""
+    w, x, y, z = quaternion
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def _set(matrix, linear, offset):
+    entries = np.eye(4)
+    entries[:3, :3] = linear
+    entries[:3, 3] = offset
+    matrix.DeepCopy(entries.ravel().tolist())
+
+
+def _is_closed(surface):
+    edges = vtkFeatureEdges()
+    edges.SetInputData(surface)
+    edges.BoundaryEdgesOn()
+    edges.FeatureEdgesOff()
+    edges.NonManifoldEdgesOff()
+    edges.ManifoldEdgesOff()
+    edges.Update()
+    return edges.GetOutput().GetNumberOfCells() == 0
+
+
+def _load_texture(path):
+    if not os.path.isfile(path):
+        print(f"waft render: warning: {path}: texture missing, plain colour instead", file=sys.stderr)
+        return None
+    reader = vtkImageReader2Factory.CreateImageReader2(path)
+    if reader is None:
+        print(f"waft render: warning: {path}: not an image, plain colour instead", file=sys.stderr)
+        return None
+    reader.SetFileName(path)
+    made = vtkTexture()
+    made.SetInputConnection(reader.GetOutputPort())
+    made.InterpolateOn()
+    made.MipmapOn()
+    return made
+
+
+class _Look:
+    """Mapper, texture and surface properties that all objects of one shape share."""
+
+    def __init__(self, body):
+        normals = vtkPolyDataNormals()
+        normals.SetInputData(body.surface)
+        normals.SplittingOff()
+        # The whole outline of an open sheet is kept as it is: consistency only.
+        normals.ConsistencyOn()
+        normals.Update()
+        self.mapper = vtkPolyDataMapper()
+        self.mapper.SetInputConnection(normals.GetOutputPort())
+        self.mapper.ScalarVisibilityOff()
+        self.color = body.color
+        self.extent = body.extent
+        self.texture = _load_texture(body.texture) if body.texture else None
+        # A light closed film (a soap bubble) lets the light through.
+        self.film = body.area_density < 0.01 and _is_closed(body.surface)
+
+    def object_actor(self):
+        actor = self._actor()
+        look = actor.GetProperty()
+        look.SetColor(*self.color)
+        look.SetAmbient(0.42)
+        look.SetDiffuse(0.70)
+        look.SetSpecular(0.9 if self.film else 0.12)
+        look.SetSpecularPower(60.0 if self.film else 12.0)
+        if self.film:
+            look.SetOpacity(0.35)
+        else:
+            # Cut out by alpha rather than blended: right from every side without sorting.
+            actor.ForceOpaqueOn()
+            if self.texture:
+                actor.GetShaderProperty().AddFragmentShaderReplacement(
+                    "//VTK::TCoord::Impl", True, _CUT_OUT, False
+                )
+        return actor
+
+    def shadow_actor(self):
+        actor = self._actor()
+        actor.GetProperty().SetColor(0.0, 0.0, 0.0)
+        actor.GetProperty().LightingOff()
+        actor.ForceTranslucentOn()
+        return actor
+
+    def _actor(self):
+        actor = vtkActor()
+        actor.SetMapper(self.mapper)
+        if self.texture:
+            actor.SetTexture(self.texture)
+        return actor
+
+
+class Objects:
+    """One actor per object and two for its shadow: its outline cast along the sun's rays, which
+    pales with height, and a soft spot that takes over."""
+
+    def __init__(self, motion, renderer, scenery):
+        self._motion = motion
+        self._scenery = scenery
+        looks = [_Look(body) for body in motion.bodies]
+        spot = self._spot()
+        self._items = []
+        for index, shape in enumerate(motion.shapes):
+            look = looks[shape]
+            actors = [look.object_actor(), look.shadow_actor(), spot()]
+            matrices = [vtkMatrix4x4() for _ in actors]
+            for actor, matrix in zip(actors, matrices):
+                actor.SetUserMatrix(matrix)
+                renderer.AddActor(actor)
+            self._items.append((index, look, actors, matrices))
+
+    def move_to(self, frame):
+        for index, look, actors, matrices in self._items:
+            place = self._motion.positions[index, frame]
+            turn = rotation(self._motion.orientations[index, frame])
+            _set(matrices[0], turn, place)
+            self._cast(place, turn, look, actors[1:], matrices[1:])
+
+    def _cast(self, place, turn, look, actors, matrices):
+        # From a little above, so that an object that lies on a surface finds it.
+        lift = 0.02 * look.extent
+        met = self._scenery.below(place - lift * self._scenery.sun)
+        for actor in actors:
+            actor.SetVisibility(met is not None)
+        if met is None:
+            return
+        spot, normal, distance = met
+        nearness = distance / (3.0 * look.extent)
+        sharp = 0.42 * math.exp(-nearness)
+        soft = 0.30 * (1.0 - math.exp(-nearness)) / (1.0 + (nearness / 3.0) ** 1.5)
+        actors[0].GetProperty().SetOpacity(sharp)
+        actors[0].SetVisibility(bool(sharp > 0.01))
+        actors[1].GetProperty().SetOpacity(soft)
+        actors[1].SetVisibility(bool(soft > 0.01))
+        sun = self._scenery.sun
+        # x -> x - sun (n . (x - spot)) / (n . sun): along the sun's rays onto the plane of the surface.
+        flatten = np.eye(3) - np.outer(sun, normal) / (normal @ sun)
+        shift = sun * (normal @ spot) / (normal @ sun)
+        _set(matrices[0], flatten @ turn, flatten @ place + shift)
+        side = np.cross(normal, [0.0, 1.0, 0.0] if abs(normal[1]) < 0.9 else [1.0, 0.0, 0.0])
+        side /= np.linalg.norm(side)
+        width = look.extent * (1.0 + 0.35 * nearness)
+        basis = width * np.stack([side, np.cross(normal, side), normal], axis=1)
+        _set(matrices[1], basis, spot)
+
+    @staticmethod
+    def _spot():
+        """A maker of soft round spots of width 1 in the plane z = 0."""
+        axis = np.linspace(-1.0, 1.0, 64)
+        radius = np.hypot(*np.meshgrid(axis, axis))
+        fall = np.where(radius < 1.0, np.exp(-4.0 * radius**2) * (1.0 - radius**2), 0.0)
+        pixels = np.zeros((64, 64, 4), np.uint8)
+        pixels[..., 3] = (255.0 * np.clip(fall, 0.0, 1.0) + 0.5).astype(np.uint8)
+        shade = texture(pixels)
+        plane = vtkPlaneSource()
+        plane.SetOrigin(-1.0, -1.0, 0.0)
+        plane.SetPoint1(1.0, -1.0, 0.0)
+        plane.SetPoint2(-1.0, 1.0, 0.0)
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(plane.GetOutputPort())
+
+        def make():
+            actor = vtkActor()
+            actor.SetMapper(mapper)
+            actor.SetTexture(shade)
+            actor.GetProperty().SetColor(0.0, 0.0, 0.0)
+            actor.GetProperty().LightingOff()
+            actor.ForceTranslucentOn()
+            return actor
+
+        return make
+
+
+class Trails:
+    """Where each object was in the last second, fading."""
+
+    def __init__(self, motion, renderer, seconds=1.0, width=1.5):
+        self._motion = motion
+        self._length = max(int(round(seconds * motion.frames_per_second)), 1)
+        self._actor = vtkActor()
+        self._actor.SetMapper(vtkPolyDataMapper())
+        self._actor.GetProperty().LightingOff()
+        self._actor.GetProperty().SetLineWidth(width)
+        self._actor.ForceTranslucentOn()
+        renderer.AddActor(self._actor)
+
+    def move_to(self, frame):
+        first = max(frame - self._length, 0)
+        count = frame - first + 1
+        self._actor.SetVisibility(count > 1)
+        if count < 2:
+            return
+        points = self._motion.positions[:, first : frame + 1, :].reshape(-1, 3)
+        objects = len(self._motion.positions)
+        order = np.arange(objects * count).reshape(objects, count)
+        data = lines(points, order)
+        age = (frame - np.arange(first, frame + 1)) / self._length
+        shade = np.empty((objects, count, 4), np.uint8)
+        shade[..., :3] = (255.0 * np.array(_TRAIL)).astype(np.uint8)
+        shade[..., 3] = (130.0 * (1.0 - age) ** 1.5).astype(np.uint8)
+        data.GetPointData().SetScalars(numpy_to_vtk(shade.reshape(-1, 4), deep=True))
+        self._actor.GetMapper().SetInputData(data)
+
+
+def add_marks(motion, renderer, size):
+    """Small balls where objects pass, a ball of the given radius where one is given, a line for a
+    partial trajectory. Marks of objects that come to rest lie below them and are left out."""
+    for point, radius in motion.marks.flying:
+        _ball(renderer, point, 0.004 * size, 0.9)
+        if radius > 0.004 * size:
+            _ball(renderer, point, radius, 0.16)
+    for points in motion.marks.paths:
+        actor = vtkActor()
+        actor.SetMapper(vtkPolyDataMapper())
+        actor.GetMapper().SetInputData(lines(points, [range(len(points))]))
+        look = actor.GetProperty()
+        look.SetColor(*_MARK)
+        look.SetOpacity(0.6)
+        look.SetLineWidth(2.0)
+        look.LightingOff()
+        renderer.AddActor(actor)
+
+
+def _ball(renderer, point, radius, opacity):
+    sphere = vtkSphereSource()
+    sphere.SetCenter(*point)
+    sphere.SetRadius(radius)
+    sphere.SetThetaResolution(24)
+    sphere.SetPhiResolution(16)
+    actor = vtkActor()
+    actor.SetMapper(vtkPolyDataMapper())
+    actor.GetMapper().SetInputConnection(sphere.GetOutputPort())
+    look = actor.GetProperty()
+    look.SetColor(*_MARK)
+    look.SetAmbient(0.45)
+    look.SetDiffuse(0.6)
+    look.SetOpacity(opacity)
+    renderer.AddActor(actor)

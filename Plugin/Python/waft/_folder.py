@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What `waft synthesize` wrote in a folder, as arrays and VTK data ready to be drawn."""
+
+import os
+import xml.etree.ElementTree as ElementTree
+from dataclasses import dataclass, field
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader, vtkXMLPolyDataReader
+
+from .failures import BadInput
+
+
+@dataclass
+class Body:
+    """One shape: its surface in body axes, its look, and its largest extent in metres."""
+
+    name: str
+    surface: vtkPolyData
+    color: tuple = (1.0, 1.0, 1.0)
+    texture: str = ""
+    area_density: float = 0.1
+
+    @property
+    def extent(self):
+        bounds = np.reshape(self.surface.GetBounds(), (3, 2))
+        return float(np.max(bounds[:, 1] - bounds[:, 0]))
+
+
+@dataclass
+class Marks:
+    """Places that the scene asks for: single points (with a radius) and partial trajectories."""
+
+    flying: list = field(default_factory=list)  # (point, radius)
+    resting: list = field(default_factory=list)  # point
+    paths: list = field(default_factory=list)  # points, one a frame
+
+
+@dataclass
+class Motion:
+    """All objects' motion: positions [object, frame, 3] in metres, orientations (w, x, y, z)."""
+
+    folder: str
+    bounds: np.ndarray
+    frames_per_second: float
+    object_ids: np.ndarray
+    positions: np.ndarray
+    orientations: np.ndarray
+    shapes: np.ndarray
+    bodies: list
+    marks: Marks
+    obstacles: list  # (time in seconds, vtkPolyData), growing time
+
+    @property
+    def number_of_frames(self):
+        return self.positions.shape[1]
+
+    def obstacles_at(self, frame):
+        """The obstacles of a frame: the last of the series that is not later."""
+        time = frame / self.frames_per_second + 1e-9
+        past = [surface for when, surface in self.obstacles if when <= time]
+        return past[-1] if past else (self.obstacles[0][1] if self.obstacles else None)
+
+
+def load(folder):
+    """Reads a folder; raises BadInput that names the file and the lack."""
+    poses = read_surface(_need(folder, "poses.vtp"))
+    ids, positions, orientations = _poses(poses)
+    objects = read_surface(_need(folder, "objects.vtp"))
+    shape_of = dict(
+        zip(
+            _array(objects.GetPointData(), "ObjectId", "objects.vtp").tolist(),
+            _array(objects.GetPointData(), "ShapeId", "objects.vtp").tolist(),
+        )
+    )
+    bodies = _bodies(folder)
+    shapes = []
+    for number in ids.tolist():
+        if not 0 <= shape_of.get(number, -1) < len(bodies):
+            raise BadInput(f"objects.vtp: object {number} has no shape in shapes.vtm")
+        shapes.append(shape_of[number])
+    fields = poses.GetFieldData()
+    rate = fields.GetArray("FramesPerSecond")
+    box = fields.GetArray("Bounds")
+    return Motion(
+        folder=folder,
+        bounds=vtk_to_numpy(box).ravel().astype(float)
+        if box
+        else np.array([-2.0, 2.0, -2.0, 2.0, 0.0, 4.0]),
+        frames_per_second=float(rate.GetComponent(0, 0)) if rate else 30.0,
+        object_ids=ids,
+        positions=positions,
+        orientations=orientations,
+        shapes=np.array(shapes, dtype=int),
+        bodies=bodies,
+        marks=_marks(folder),
+        obstacles=_obstacles(folder),
+    )
+
+
+def read_surface(path):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    if reader.GetErrorCode():
+        raise BadInput(f"{path}: not a VTK surface file that can be read")
+    return reader.GetOutput()
+
+
+def _need(folder, name):
+    path = os.path.join(folder, name)
+    if not os.path.isfile(path):
+        raise BadInput(f"{path}: missing; `waft synthesize` writes it")
+    return path
+
+
+def _array(attributes, name, place):
+    array = attributes.GetArray(name)
+    if array is None:
+        raise BadInput(f"{place}: the array {name} is missing")
+    return vtk_to_numpy(array)
+
+
+def _poses(poses):
+    lines = poses.GetLines()
+    if poses.GetNumberOfLines() == 0:
+        raise BadInput("poses.vtp: expected one polyline per object, found none")
+    offsets = vtk_to_numpy(lines.GetOffsetsArray())
+    order = vtk_to_numpy(lines.GetConnectivityArray())
+    lengths = np.diff(offsets)
+    if np.any(lengths != lengths[0]):
+        raise BadInput("poses.vtp: expected polylines with the same number of frames")
+    ids = np.array(_array(poses.GetCellData(), "ObjectId", "poses.vtp"), dtype=int)
+    points = vtk_to_numpy(poses.GetPoints().GetData()).astype(float)
+    quaternions = np.array(_array(poses.GetPointData(), "Orientation", "poses.vtp"), dtype=float)
+    shape = (len(lengths), int(lengths[0]))
+    return ids, points[order].reshape(*shape, 3), quaternions[order].reshape(*shape, 4)
+
+
+def _bodies(folder):
+    reader = vtkXMLMultiBlockDataReader()
+    reader.SetFileName(_need(folder, "shapes.vtm"))
+    reader.Update()
+    blocks = reader.GetOutput()
+    bodies = []
+    for index in range(blocks.GetNumberOfBlocks()):
+        surface = blocks.GetBlock(index)
+        if surface is None or surface.GetNumberOfPoints() == 0:
+            raise BadInput(f"shapes.vtm: block {index} is no surface")
+        name = ""
+        if blocks.HasMetaData(index):
+            name = blocks.GetMetaData(index).Get(blocks.NAME()) or ""
+        body = Body(name, surface)
+        fields = surface.GetFieldData()
+        color = fields.GetArray("Color")
+        if color is not None and color.GetNumberOfComponents() == 3:
+            body.color = color.GetTuple3(0)
+        density = fields.GetArray("AreaDensity")
+        if density is not None:
+            body.area_density = density.GetComponent(0, 0)
+        texture = fields.GetAbstractArray("Texture")
+        if texture is not None and texture.GetNumberOfValues() > 0 and texture.GetValue(0):
+            # Relative paths are meant from the folder itself.
+            body.texture = os.path.join(folder, texture.GetValue(0))
+        bodies.append(body)
+    return bodies
+
+
+def _marks(folder):
+    marks = Marks()
+    path = os.path.join(folder, "constraints.vtp")
+    if not os.path.isfile(path):
+        return marks
+    data = read_surface(path)
+    if data.GetNumberOfPoints() == 0:
+        return marks
+    points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    columns = data.GetPointData()
+    kind, frame, radius, row, target = (
+        _array(columns, name, "constraints.vtp")
+        for name in ("Kind", "Frame", "Radius", "Row", "Target")
+    )
+    marks.resting = [points[i] for i in np.flatnonzero(kind == 4)]
+    groups = {}
+    for i in np.flatnonzero(kind == 0):
+        groups.setdefault((row[i], target[i]), []).append(i)
+    for members in groups.values():
+        if len(members) > 1:
+            members.sort(key=lambda i: frame[i])
+            marks.paths.append(points[members])
+        else:
+            marks.flying.append((points[members[0]], float(radius[members[0]])))
+    return marks
+
+
+def _obstacles(folder):
+    series = os.path.join(folder, "obstacles.pvd")
+    if os.path.isfile(series):
+        steps = [
+            (float(step.get("timestep")), os.path.join(folder, step.get("file")))
+            for step in ElementTree.parse(series).iter("DataSet")
+        ]
+        return [(time, read_surface(path)) for time, path in sorted(steps)]
+    single = os.path.join(folder, "obstacles.vtp")
+    return [(0.0, read_surface(single))] if os.path.isfile(single) else []

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures and movies on disk. A file appears under its name when it is whole, or not at all."""
+
+import os
+import shutil
+import subprocess
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+
+from ._scenery import image
+
+
+def grab(window, samples):
+    """The window's picture as vtkImageData; `samples` x `samples` pixels of it make one."""
+    reader = vtkWindowToImageFilter()
+    reader.SetInput(window)
+    reader.SetInputBufferTypeToRGB()
+    reader.ReadFrontBufferOff()
+    reader.ShouldRerenderOff()
+    reader.Update()
+    taken = reader.GetOutput()
+    if samples == 1:
+        return taken
+    width, height, _ = taken.GetDimensions()
+    pixels = vtk_to_numpy(taken.GetPointData().GetScalars())
+    blocks = pixels.reshape(height // samples, samples, width // samples, samples, 3)
+    total = blocks.sum(axis=(1, 3), dtype=np.uint16)
+    return image(((total + samples * samples // 2) // (samples * samples)).astype(np.uint8))
+
+
+def write_png(picture, path):
+    part = path + ".part"
+    writer = vtkPNGWriter()
+    writer.SetInputData(picture)
+    writer.SetCompressionLevel(4)
+    writer.SetFileName(part)
+    writer.Write()
+    if writer.GetErrorCode():
+        remove(part)
+        raise OSError(f"{path}: cannot be written")
+    os.replace(part, path)
+
+
+def remove(path):
+    if os.path.exists(path):
+        os.remove(path)
+
+
+class OggMovie:
+    """An Ogg Theora movie."""
+
+    def __init__(self, path, rate):
+        self._path = path
+        self._part = path + ".part"
+        self._writer = vtkOggTheoraWriter()
+        self._writer.SetFileName(self._part)
+        self._writer.SetRate(max(int(round(rate)), 1))
+        self._writer.SetQuality(2)
+        self._started = False
+
+    def add(self, picture):
+        self._writer.SetInputData(picture)
+        if not self._started:
+            self._writer.Start()
+            self._started = True
+        self._writer.Write()
+
+    def close(self):
+        self._writer.End()
+        os.replace(self._part, self._path)
+
+    def discard(self):
+        if self._started:
+            self._writer.End()
+        remove(self._part)
+
+
+class Mp4Movie:
+    """An MP4 movie by the program ffmpeg, which gets raw pictures through a pipe."""
+
+    def __init__(self, path, rate):
+        self._path = path
+        self._part = path + ".part"
+        self._rate = rate
+        self._process = None
+
+    @staticmethod
+    def available():
+        return shutil.which("ffmpeg") is not None
+
+    def add(self, picture):
+        width, height, _ = picture.GetDimensions()
+        if self._process is None:
+            self._process = subprocess.Popen(
+                ["ffmpeg", "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24"]
+                + ["-s", f"{width}x{height}", "-r", f"{self._rate:.6g}", "-i", "-"]
+                # Rows come from the bottom; H.264 wants even sizes.
+                + ["-vf", "vflip,pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"]
+                + ["-f", "mp4", self._part],
+                stdin=subprocess.PIPE,
+            )
+        pixels = vtk_to_numpy(picture.GetPointData().GetScalars())
+        self._process.stdin.write(np.ascontiguousarray(pixels).tobytes())
+
+    def close(self):
+        self._process.stdin.close()
+        if self._process.wait() != 0:
+            remove(self._part)
+            raise OSError(f"{self._path}: ffmpeg failed")
+        os.replace(self._part, self._path)
+
+    def discard(self):
+        if self._process is not None:
+            self._process.kill()
+            self._process.wait()
+        remove(self._part)

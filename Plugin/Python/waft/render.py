@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures and movies of a folder that `waft synthesize` wrote, drawn with plain VTK."""
+
+import os
+
+from vtkmodules.vtkRenderingCore import vtkMapper, vtkRenderer, vtkRenderWindow
+
+from ._cameras import VIEWS, Cameras
+from ._flyers import Objects, Trails, add_marks
+from ._folder import load
+from ._output import Mp4Movie, OggMovie, grab, remove, write_png
+from ._scenery import Scenery
+from .failures import BadInput, WaftError
+
+
+def parse_frames(text, count):
+    """Frame numbers of "A:B:S": from A to B (B included), every S; "A" alone is one frame, and what
+    is left out is the first frame, the last one, and 1. Raises BadInput."""
+    if text is None or text == "":
+        return range(count)
+    parts = str(text).split(":")
+    try:
+        numbers = [int(part) if part else None for part in parts]
+    except ValueError:
+        numbers = []
+    if not 1 <= len(numbers) <= 3 or (len(numbers) == 1 and numbers[0] is None):
+        raise BadInput(f"frames '{text}': expected A, A:B or A:B:S with whole numbers")
+    first = numbers[0] if numbers[0] is not None else 0
+    last = first if len(numbers) == 1 else numbers[1]
+    last = count - 1 if last is None else min(last, count - 1)
+    step = numbers[2] if len(numbers) == 3 and numbers[2] is not None else 1
+    if first < 0 or first >= count or last < first or step < 1:
+        raise BadInput(
+            f"frames '{text}': expected 0 <= A <= B and S >= 1; the animation has frames 0 to {count - 1}"
+        )
+    return range(first, last + 1, step)
+
+
+class Stage:
+    """The drawn scene: `draw(view, frame)` leaves the picture in the window and returns it."""
+
+    def __init__(self, motion, size=(1280, 720), samples=2, paths=True, targets=True):
+        self._samples = samples
+        self._renderer = vtkRenderer()
+        self._window = vtkRenderWindow()
+        self._window.SetOffScreenRendering(1)
+        self._window.SetMultiSamples(0)
+        self._window.SetSize(size[0] * samples, size[1] * samples)
+        self._window.AddRenderer(self._renderer)
+        self._scenery = Scenery(motion, self._renderer, line_width=samples)
+        self._cameras = Cameras(motion, size[0] / size[1])
+        self._moving = [self._scenery, Objects(motion, self._renderer, self._scenery)]
+        if paths:
+            self._moving.append(Trails(motion, self._renderer, width=1.2 * samples))
+        if targets:
+            add_marks(motion, self._renderer, self._scenery.size)
+        self._frame = None
+
+    def draw(self, view, frame):
+        if frame != self._frame:
+            for part in self._moving:
+                part.move_to(frame)
+            self._frame = frame
+        camera = self._cameras.at(view, frame)
+        # VTK turns the lights into the camera's axes only when the camera is newer than last time.
+        camera.Modified()
+        self._renderer.SetActiveCamera(camera)
+        self._scenery.show_sky(self._cameras.horizon(view, frame))
+        # A setting of the whole process that ParaView changes: pictures are not to depend on it.
+        resolve = vtkMapper.GetResolveCoincidentTopology()
+        vtkMapper.SetResolveCoincidentTopology(0)
+        self._window.Render()
+        vtkMapper.SetResolveCoincidentTopology(resolve)
+        return grab(self._window, self._samples)
+
+
+def render(
+    folder,
+    frames=None,
+    size=(1280, 720),
+    movie=False,
+    views=("side", "top"),
+    paths=True,
+    targets=True,
+    samples=2,
+    progress=None,
+):
+    """Draws the motion of a folder.
+
+    folder:   what `waft synthesize` wrote
+    frames:   "A:B:S", from A to B (B included), every S; all frames if None
+    size:     width and height in pixels
+    movie:    also FOLDER/<view>.ogv, and <view>.mp4 where the program ffmpeg is found
+    views:    of "side", "top" (straight down, x to the right) and "follow"
+    paths:    a faint trail of each object's last second
+    targets:  small marks where the scene wants objects to pass
+    samples:  samples x samples pixels are drawn for each one (1: jagged, and the fastest)
+    progress: called with the part done (0..1) and a sentence after each picture
+
+    Writes FOLDER/frames/<view>_0000.png and so on, each whole or not at all, and returns the list
+    of files written. Raises BadInput on a bad folder or argument, and
+    WaftError without a display.
+    """
+    views = (views,) if isinstance(views, str) else tuple(views)
+    for view in views:
+        if view not in VIEWS:
+            raise BadInput(f"view '{view}': expected one of {', '.join(VIEWS)}")
+    if not views or samples < 1 or len(size) != 2 or min(size) < 16 or max(size) > 16384:
+        raise BadInput("expected at least one view, samples >= 1 and a size of 16 to 16384 pixels")
+    motion = load(folder)
+    numbers = parse_frames(frames, motion.number_of_frames)
+    if not os.environ.get("DISPLAY"):
+        raise WaftError(
+            "rendering needs a display; run it under: xvfb-run -a -s \"-screen 0 1280x1024x24\""
+        )
+    place = os.path.join(folder, "frames")
+    os.makedirs(place, exist_ok=True)
+    stage = Stage(motion, size, samples, paths, targets)
+    movies = {}
+    if movie:
+        rate = motion.frames_per_second / numbers.step
+        for view in views:
+            movies[view] = [OggMovie(os.path.join(folder, view + ".ogv"), rate)]
+            if Mp4Movie.available():
+                movies[view].append(Mp4Movie(os.path.join(folder, view + ".mp4"), rate))
+    written = []
+    try:
+        for done, frame in enumerate(numbers):
+            for view in views:
+                picture = stage.draw(view, frame)
+                path = os.path.join(place, f"{view}_{frame:04d}.png")
+                write_png(picture, path)
+                written.append(path)
+                for film in movies.get(view, []):
+                    film.add(picture)
+            if progress:
+                progress((done + 1) / len(numbers), f"frame {frame} drawn")
+        for view in list(movies):
+            for film in movies[view]:
+                film.close()
+                written.append(film._path)
+            del movies[view]
+    finally:
+        for films in movies.values():
+            for film in films:
+                film.discard()
+    return written

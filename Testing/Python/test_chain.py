@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The whole chain in pvbatch: every stage a proxy by its name, numbers asserted, one picture compared.
+
+    pvbatch test_chain.py BASELINE.png FOLDER     FOLDER: for the scene and the pictures
+"""
+import json
+import os
+import sys
+
+from paraview import simple
+
+import waft
+import picture
+
+BASELINE, FOLDER = sys.argv[1], sys.argv[2]
+FRAMES = 61
+MARK = [0.35, -0.2, 1.9]
+SCENE = {
+    "waft": 1,
+    "title": "Three leaves",
+    "time": {"frames": FRAMES},
+    "shapes": {"leaf": {"builtin": "maple", "size": 0.35}},
+    "objects": [{"shape": "leaf", "positions": [[-0.5, -0.4, 2.6], [0.6, 0.5, 2.7], [-0.3, 0.7, 2.4]]}],
+    "constraints": [{"kind": "position", "object": 0, "frame": FRAMES - 1, "value": MARK}],
+}
+
+
+def check(condition, text):
+    if not condition:
+        raise AssertionError(text)
+    print("ok:", text)
+
+
+def build():
+    os.makedirs(FOLDER, exist_ok=True)
+    scene = os.path.join(FOLDER, "chain.waft.json")
+    with open(scene, "w", encoding="utf-8") as stream:
+        json.dump(SCENE, stream)
+    reader = simple.MotionSceneReader(FileName=scene)
+    reader.UpdatePipeline()
+    objects, constraints, obstacles, shapes = (simple.OutputPort(reader, i) for i in range(4))
+    database = simple.XMLMultiBlockDataReader(FileName=[waft.data_file("Database/embedded.vtm")])
+    planner = simple.StylisticPlannerFilter(
+        Database=database, Objects=objects, Constraints=constraints, Obstacles=obstacles)
+    spacetime = simple.SPHSpacetimeFilter(
+        Tracks=simple.OutputPort(planner, 0), Objects=objects, Constraints=simple.OutputPort(planner, 3),
+        Obstacles=obstacles, Vortices=simple.OutputPort(planner, 4))
+    spacetime.NumberOfGasParticles = 400
+    rotation = simple.RotationRefineFilter(
+        Tracks=simple.OutputPort(spacetime, 0), Objects=objects, Shapes=shapes, Obstacles=obstacles,
+        Constraints=simple.OutputPort(planner, 3))
+    return reader, planner, spacetime, rotation
+
+
+def check_numbers(planner, spacetime, rotation):
+    rotation.UpdatePipeline()
+    poses = rotation.GetClientSideObject().GetOutputDataObject(1)
+    check(poses.GetNumberOfPoints() == 3 * FRAMES, "poses have a point an object and a frame")
+    for name in ("Frame", "Time", "Velocity", "ForceType", "VortexId", "Force", "AirVelocity", "SPHVelocity",
+                 "Orientation", "AngularVelocity", "Torque"):
+        check(poses.GetPointData().HasArray(name), f"poses carry {name}")
+    for track, start in enumerate(SCENE["objects"][0]["positions"]):
+        check(max(abs(a - b) for a, b in zip(poses.GetPoint(track * FRAMES), start)) <= 4e-9, f"object {track} starts at its place")
+    check(max(abs(a - b) for a, b in zip(poses.GetPoint(FRAMES - 1), MARK)) <= 4e-9, "the mark is hit exactly")
+    turned = poses.GetPointData().GetArray("Orientation")
+    norms = [sum(c * c for c in turned.GetTuple4(i)) for i in range(turned.GetNumberOfTuples())]
+    check(max(abs(n - 1.0) for n in norms) < 1e-9, "quaternions are unit")
+
+    convergence = spacetime.GetClientSideObject().GetOutputDataObject(4)
+    stages = [convergence.GetColumnByName("Stage").GetValue(r) for r in range(convergence.GetNumberOfRows())]
+    energies = [convergence.GetColumnByName("E").GetValue(r) for r in range(convergence.GetNumberOfRows())]
+    passes = [convergence.GetColumnByName("Pass").GetValue(r) for r in range(convergence.GetNumberOfRows())]
+    check((stages[0], stages[-1]) == ("initial", "final"), "convergence runs from initial to final")
+    check(energies[-1] < 0.5 * energies[0], f"E falls from {energies[0]:.4g} to {energies[-1]:.4g}")
+    rises = sum(energies[i] > energies[i - 1] for i in range(1, len(stages))
+                if (stages[i], passes[i]) == (stages[i - 1], passes[i - 1]))
+    check(rises == 0, "E never grows within a stage")
+    report = spacetime.GetClientSideObject().GetOutputDataObject(5)
+    check([report.GetColumnByName("Status").GetValue(r) for r in range(report.GetNumberOfRows())] == ["met"],
+          "the report says met")
+    tracks = planner.GetClientSideObject().GetOutputDataObject(0)
+    check(tracks.GetNumberOfCells() == 3, "one planned track an object")
+
+
+def check_frames_come_from_the_cache(spacetime, rotation):
+    """Playing runs no stage again: what each output shows was computed once."""
+    runs = []
+    spacetime.GetClientSideObject().AddObserver("ProgressEvent", lambda *_: runs.append(1))
+    shown = set()
+    for frame in (0, 30, 12, 60, 30):
+        rotation.UpdatePipeline(frame / 30.0)
+        meshes = rotation.GetClientSideObject().GetOutputDataObject(0)
+        shown.add(meshes.GetPoint(0))
+    check(not runs, "serving frames does not run the optimiser")
+    check(len(shown) == 4, "each frame shows its own pose, in any order")
+
+
+def take_picture(rotation, frame, name):
+    view = simple.GetActiveViewOrCreate("RenderView")
+    view.ViewTime = frame / 30.0
+    view.ViewSize = [320, 240]
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = [0.1, 0.1, 0.15]
+    view.CameraPosition = [0.0, -6.0, 2.4]
+    view.CameraFocalPoint = [0.0, 0.0, 2.3]
+    view.CameraViewUp = [0.0, 0.0, 1.0]
+    view.CameraViewAngle = 25.0
+    shown = simple.Show(simple.OutputPort(rotation, 0), view)
+    simple.ColorBy(shown, None)
+    shown.DiffuseColor = [0.9, 0.5, 0.2]
+    path = os.path.join(FOLDER, name)
+    simple.SaveScreenshot(path, view)
+    return picture.read(path)
+
+
+def check_picture(rotation):
+    seen = take_picture(rotation, 30, "chain.png")
+    later = take_picture(rotation, 31, "chain-later.png")
+    baseline = picture.read(BASELINE)
+    check(picture.agree(seen, baseline), f"the picture agrees with {os.path.basename(BASELINE)}")
+    check(not picture.agree(later, baseline), "the picture one frame later is rejected")
+    check(not picture.agree(picture.mirrored(seen), baseline), "the mirrored picture is rejected")
+
+
+def main():
+    _, planner, spacetime, rotation = build()
+    check_numbers(planner, spacetime, rotation)
+    check_frames_come_from_the_cache(spacetime, rotation)
+    check_picture(rotation)
+    print("all checks passed")
+
+
+main()

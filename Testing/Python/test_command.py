@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command as a person runs it: exit status, messages, files that are whole or untouched.
+
+    test_command.py WAFT       WAFT: the command of the build or of an installed tree
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import motion_checks
+
+WAFT = sys.argv.pop(1)
+
+# Small enough for a test, and every stage runs: two leaves to a mark each, the one rests on the ground.
+SCENE = {
+    "waft": 1,
+    "title": "Two leaves",
+    "time": {"frames": 91},
+    "shapes": {"leaf": {"builtin": "leaf"}},
+    "objects": [{"shape": "leaf", "positions": [[-0.6, -0.5, 2.6], [0.6, 0.4, 2.8]]}],
+    "constraints": [
+        {"kind": "position", "object": 0, "frame": 90, "value": [0.3, -0.2, 1.6]},
+        {"kind": "rest", "object": 1, "frame": 80, "value": [0.2, 0.3, 1.0]},
+    ],
+}
+
+
+def run(*arguments, **options):
+    return subprocess.run([WAFT, *map(str, arguments)], capture_output=True, text=True, check=False, **options)
+
+
+class Command(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def scene(self, change=None, name="scene.waft.json"):
+        content = json.loads(json.dumps(SCENE))
+        if change:
+            change(content)
+        path = self.folder / name
+        path.write_text(json.dumps(content), encoding="utf-8")
+        return path
+
+    def refused(self, scene, *parts, status=2, options=()):
+        """Exit status, message and untouched old results of a run that must be refused."""
+        out = self.folder / "out"
+        out.mkdir(exist_ok=True)
+        (out / "poses.csv").write_text("old", encoding="utf-8")
+        done = run("synthesize", scene, "--output", out, *options)
+        self.assertEqual(status, done.returncode, done.stderr)
+        for part in parts:
+            self.assertIn(part, done.stderr)
+        self.assertEqual("old", (out / "poses.csv").read_text(encoding="utf-8"))
+        self.assertEqual(["poses.csv"], [entry.name for entry in out.iterdir()])
+
+    def test_missing_scene(self):
+        self.refused(self.folder / "none.waft.json", "none.waft.json", "no such")
+
+    def test_broken_json(self):
+        path = self.folder / "broken.waft.json"
+        path.write_text('{"waft": 1,\n "objects": [}', encoding="utf-8")
+        self.refused(path, "broken.waft.json", "line 2")
+
+    def test_unknown_field(self):
+        self.refused(self.scene(lambda s: s["objects"][0].update(colour=1)), "/objects/0", "colour")
+
+    def test_unknown_object(self):
+        self.refused(self.scene(lambda s: s["constraints"][0].update(object=7)), "/constraints/0/object", "7")
+
+    def test_frame_out_of_range(self):
+        self.refused(self.scene(lambda s: s["constraints"][0].update(frame=91)), "/constraints/0/frame", "91")
+
+    def test_missing_database(self):
+        self.refused(self.scene(), "none.vtm", options=("--database", self.folder / "none.vtm"))
+
+    def test_empty_database(self):
+        path = self.folder / "empty.vtm"
+        path.write_text('<?xml version="1.0"?><VTKFile type="vtkMultiBlockDataSet" version="1.0">'
+                        "<vtkMultiBlockDataSet/></VTKFile>", encoding="utf-8")
+        self.refused(self.scene(), "Segments", options=("--database", path))
+
+    def test_open_obstacle(self):
+        (self.folder / "open.obj").write_text("v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\n", encoding="utf-8")
+        self.refused(self.scene(lambda s: s.update(obstacles=[{"kind": "mesh", "file": "open.obj"}])),
+                     "closed")
+
+    def test_unknown_command_and_option(self):
+        self.assertEqual(2, run("fly").returncode)
+        self.assertEqual(2, run("synthesize", self.scene(), "--output", self.folder / "o", "--seed", "x").returncode)
+
+    def test_same_bytes_on_one_and_two_threads(self):
+        scene = self.scene()
+        poses = []
+        for threads in (1, 2):
+            out = self.folder / f"threads{threads}"
+            done = run("synthesize", scene, "--output", out, "--threads", threads)
+            self.assertEqual(0, done.returncode, done.stderr)
+            poses.append((out / "poses.csv").read_bytes())
+        self.assertEqual(poses[0], poses[1])
+        figures = motion_checks.measure(out, scene)
+        self.assertEqual([], motion_checks.violations(figures))
+        self.assertEqual(("initial", "final"), (figures["first_stage"], figures["last_stage"]))
+        wanted = {"planned.vtp", "optimized.vtp", "poses.vtp", "poses.csv", "vortices.vtp", "wind.pvd",
+                  "convergence.csv", "constraints.csv", "animation.glb", "report.json"}
+        self.assertLessEqual(wanted, {entry.name for entry in out.iterdir()})
+
+    def test_a_row_that_cannot_be_met_is_named_and_the_others_are_met(self):
+        def inside(scene):
+            scene["obstacles"] = [{"kind": "sphere", "center": [0.9, -0.9, 1.5], "radius": 0.3}]
+            scene["constraints"].append({"kind": "position", "object": 0, "frame": 45, "value": [0.9, -0.9, 1.5]})
+        out = self.folder / "out"
+        scene = self.scene(inside)
+        done = run("synthesize", scene, "--output", out)
+        self.assertEqual(3, done.returncode, done.stderr)
+        self.assertIn("row 2", done.stderr)
+        self.assertIn("infeasible", done.stderr)
+        report = (out / "constraints.csv").read_text(encoding="utf-8").splitlines()
+        self.assertEqual(4, len(report))
+        self.assertEqual(2, sum(",met," in line for line in report))
+        tracks = motion_checks.read_poses(out / "poses.csv")
+        self.assertLessEqual(motion_checks.distance(tracks[0][90].x, SCENE["constraints"][0]["value"]), 4e-9)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

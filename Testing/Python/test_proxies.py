@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every proxy of the plugin: it can be made by its name, its Python attributes have the names of its
+properties, everything is documented, and each default is the one of the VTK class, getter by getter.
+
+    pvpython test_proxies.py XML_FOLDER"""
+
+import glob
+import os
+import sys
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+from paraview import servermanager, simple
+
+import waft  # noqa: F401 (loads the plugin)
+from waft import vtkWaftFilters, vtkWaftSources
+
+XML = sys.argv[1]
+VALUES = ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty", "IdTypeVectorProperty")
+
+
+def described_proxies():
+    """(file, element) of each proxy that the plugin's XML files describe."""
+    found = []
+    for path in sorted(glob.glob(os.path.join(XML, "*.xml"))):
+        for group in ElementTree.parse(path).getroot().iter("ProxyGroup"):
+            found += [(os.path.basename(path), element) for element in group
+                      if element.tag.endswith("Proxy")]
+    return found
+
+
+def fresh_object(class_name):
+    module = vtkWaftSources if hasattr(vtkWaftSources, class_name) else vtkWaftFilters
+    return getattr(module, class_name)()
+
+
+def as_list(value):
+    """A getter's answer as a list: numbers and text side by side, nothing set as empty text."""
+    if value is None:
+        return [""]
+    if isinstance(value, (tuple, list)):
+        return list(value)
+    return [int(value) if isinstance(value, bool) else value]
+
+
+def default_of(proxy, name):
+    """What a fresh proxy holds for a property, as a list."""
+    held = proxy.SMProxy.GetProperty(name)
+    return [held.GetElement(i) for i in range(held.GetNumberOfElements())]
+
+
+def make(name):
+    """A proxy by its name, as a script does it; inputs stay open."""
+    simple.SetActiveSource(None)
+    return getattr(servermanager.sources, name, None) or getattr(servermanager.filters, name)
+
+
+class ProxyTest(unittest.TestCase):
+    def test_there_are_proxies(self):
+        self.assertGreater(len(described_proxies()), 0)
+
+    def test_each_is_in_paraview_simple(self):
+        for path, element in described_proxies():
+            with self.subTest(file=path, proxy=element.get("name")):
+                self.assertTrue(callable(getattr(simple, element.get("name"), None)))
+
+    def test_labels_keep_names(self):
+        """ParaView makes the Python attribute from the label without its blanks."""
+        for path, element in described_proxies():
+            with self.subTest(file=path, proxy=element.get("name")):
+                label = element.get("label", element.get("name"))
+                self.assertEqual(label.replace(" ", ""), element.get("name"))
+                attributes = make(element.get("name"))().ListProperties()
+                for described in element:
+                    if described.tag in VALUES and described.get("information_only") != "1":
+                        self.assertIn(described.get("name"), attributes)
+
+    def test_everything_is_documented(self):
+        for path, element in described_proxies():
+            for described in [element] + [p for p in element if p.tag.endswith("Property")]:
+                if described.get("is_internal") == "1" or described.get("panel_visibility") == "never":
+                    continue
+                with self.subTest(file=path, name=described.get("name")):
+                    text = described.find("Documentation")
+                    self.assertIsNotNone(text, "no Documentation")
+                    self.assertTrue((text.text or "").strip(), "empty Documentation")
+
+    def test_defaults_are_those_of_the_class(self):
+        for path, element in described_proxies():
+            proxy = make(element.get("name"))()
+            proxy.UpdateVTKObjects()
+            used = proxy.GetClientSideObject()
+            fresh = fresh_object(element.get("class"))
+            for described in element:
+                if described.tag not in VALUES or described.get("information_only") == "1":
+                    continue
+                with self.subTest(file=path, property=described.get("name")):
+                    self.check_property(proxy, described, used, fresh)
+
+    def check_property(self, proxy, described, used, fresh):
+        command = described.get("command", "")
+        self.assertTrue(command, "no command")
+        self.assertTrue(hasattr(fresh, command), f"{fresh.GetClassName()} has no {command}")
+        shown = default_of(proxy, described.get("name"))
+        if described.get("repeat_command") == "1" or described.get("repeatable") == "1":
+            self.assertEqual(shown, [], "expected a list that is empty at first")
+            return
+        self.assertTrue(command.startswith("Set"), f"{command}: expected a setter")
+        getter = "Get" + command[3:]
+        self.assertTrue(hasattr(fresh, getter), f"{fresh.GetClassName()} has no {getter}")
+        wanted = as_list(getattr(fresh, getter)())
+        self.assertEqual(shown, wanted, "the proxy's default is not the class's")
+        self.assertEqual(as_list(getattr(used, getter)()), wanted,
+                         "the proxy's object does not start with the default")
+
+
+if __name__ == "__main__":
+    done = unittest.main(argv=sys.argv[:1], exit=False)
+    sys.exit(0 if done.result.wasSuccessful() else 1)

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`waft render` on a small fixed folder: pictures equal to the ones kept in Data/Baseline, and
+unlike the pictures one frame later and mirrored; files, movies and errors.
+
+    pvbatch test_render.py BASELINE_FOLDER WORK_FOLDER [--update]"""
+
+import os
+import shutil
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import picture  # noqa: E402
+import sample_folder  # noqa: E402
+
+from waft.failures import BadInput, WaftError  # noqa: E402
+from waft.render import parse_frames, render  # noqa: E402
+
+BASELINE, WORK = sys.argv[1:3]
+UPDATE = "--update" in sys.argv
+SIZE = (480, 270)
+FRAME = 36
+VIEWS = ("side", "top", "follow")
+
+
+class RenderTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(WORK, ignore_errors=True)
+        sample_folder.write(WORK)
+        cls.written = render(WORK, frames=f"{FRAME}:{FRAME + 1}", size=SIZE, views=VIEWS, samples=1)
+
+    def frame(self, view, frame):
+        return os.path.join(WORK, "frames", f"{view}_{frame:04d}.png")
+
+    def test_pictures_are_as_kept(self):
+        for view in VIEWS:
+            kept = os.path.join(BASELINE, f"render_{view}.png")
+            if UPDATE:
+                shutil.copyfile(self.frame(view, FRAME), kept)
+            wanted = picture.read(kept)
+            drawn = picture.read(self.frame(view, FRAME))
+            self.assertLessEqual(picture.differing(drawn, wanted), picture.FRACTION, view)
+            later = picture.read(self.frame(view, FRAME + 1))
+            self.assertFalse(picture.agree(later, wanted), f"{view}: one frame later passes")
+            self.assertFalse(picture.agree(picture.mirrored(drawn), wanted), f"{view}: mirrored passes")
+
+    def test_files(self):
+        wanted = sorted(self.frame(view, k) for view in VIEWS for k in (FRAME, FRAME + 1))
+        self.assertEqual(sorted(self.written), wanted)
+        self.assertEqual(sorted(os.listdir(os.path.join(WORK, "frames"))),
+                         [os.path.basename(path) for path in wanted])
+
+    def test_a_frame_alone_equals_the_frame_in_a_row(self):
+        place = WORK + "-alone"
+        shutil.rmtree(place, ignore_errors=True)
+        shutil.copytree(WORK, place)
+        shutil.rmtree(os.path.join(place, "frames"))
+        render(place, frames=str(FRAME + 1), size=SIZE, views=VIEWS, samples=1)
+        for view in VIEWS:
+            alone = picture.read(os.path.join(place, "frames", f"{view}_{FRAME + 1:04d}.png"))
+            row = picture.read(self.frame(view, FRAME + 1))
+            self.assertEqual(abs(alone - row).max(), 0, view)
+
+    def test_samples_smooth_and_keep_the_picture(self):
+        place = WORK + "-smooth"
+        shutil.rmtree(place, ignore_errors=True)
+        sample_folder.write(place)
+        render(place, frames=str(FRAME), size=SIZE, views="side", samples=2)
+        smooth = picture.read(os.path.join(place, "frames", f"side_{FRAME:04d}.png"))
+        jagged = picture.read(self.frame("side", FRAME))
+        self.assertEqual(smooth.shape, jagged.shape)
+        # Outlines differ, surfaces do not.
+        self.assertLess(picture.differing(smooth, jagged), 0.05)
+        self.assertFalse(picture.agree(smooth, jagged))
+
+    def test_movie(self):
+        place = WORK + "-movie"
+        shutil.rmtree(place, ignore_errors=True)
+        sample_folder.write(place)
+        written = render(place, frames="0::12", size=(160, 90), views="top", movie=True, samples=1)
+        self.assertIn(os.path.join(place, "top.ogv"), written)
+        with open(os.path.join(place, "top.ogv"), "rb") as movie:
+            self.assertEqual(movie.read(4), b"OggS")
+        left = [name for _, _, names in os.walk(place) for name in names if name.endswith(".part")]
+        self.assertEqual(left, [])
+
+    def test_frames(self):
+        self.assertEqual(list(parse_frames(None, 4)), [0, 1, 2, 3])
+        self.assertEqual(list(parse_frames("1:3", 4)), [1, 2, 3])
+        self.assertEqual(list(parse_frames("0:99:2", 4)), [0, 2])
+        self.assertEqual(list(parse_frames("2", 4)), [2])
+        self.assertEqual(list(parse_frames("::3", 4)), [0, 3])
+        for bad in ("4", "-1:2", "3:1", "0:3:0", "a:b", "0:1:2:3", "0:3:-1", "1.5"):
+            with self.assertRaises(BadInput, msg=bad) as caught:
+                parse_frames(bad, 4)
+            self.assertIn(bad, str(caught.exception))
+
+    def test_bad_folders_and_arguments(self):
+        empty = WORK + "-empty"
+        shutil.rmtree(empty, ignore_errors=True)
+        os.makedirs(empty)
+        with self.assertRaisesRegex(BadInput, "poses.vtp"):
+            render(empty)
+        self.assertEqual(os.listdir(empty), [])
+        with self.assertRaisesRegex(BadInput, "below"):
+            render(WORK, views=("below",))
+        with self.assertRaisesRegex(BadInput, "size"):
+            render(WORK, size=(0, 100))
+        screen = os.environ.pop("DISPLAY")
+        try:
+            with self.assertRaisesRegex(WaftError, "xvfb-run"):
+                render(WORK)
+        finally:
+            os.environ["DISPLAY"] = screen
+
+    def test_a_missing_texture_is_named_and_replaced(self):
+        place = WORK + "-plain"
+        shutil.rmtree(place, ignore_errors=True)
+        sample_folder.write(place)
+        os.remove(os.path.join(place, "leaf.png"))
+        render(place, frames="0", size=(160, 90), views="side", samples=1)
+        self.assertTrue(os.path.isfile(os.path.join(place, "frames", "side_0000.png")))
+
+    def test_nothing_half_written_when_it_breaks(self):
+        place = WORK + "-broken"
+        shutil.rmtree(place, ignore_errors=True)
+        sample_folder.write(place)
+
+        def stop(part, text):
+            if part > 0.5:
+                raise InterruptedError(text)
+
+        with self.assertRaises(InterruptedError):
+            render(place, frames="0:9:3", size=(160, 90), views="top", movie=True, samples=1,
+                   progress=stop)
+        self.assertFalse(os.path.exists(os.path.join(place, "top.ogv")))
+        left = [name for _, _, names in os.walk(place) for name in names if name.endswith(".part")]
+        self.assertEqual(left, [])
+
+
+if __name__ == "__main__":
+    done = unittest.main(argv=sys.argv[:1], exit=False)
+    # pvbatch keeps its own exit status unless told.
+    sys.stdout.flush()
+    os._exit(0 if done.result.wasSuccessful() else 1)
