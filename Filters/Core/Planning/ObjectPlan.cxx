@@ -43,7 +43,8 @@ private:
   Piece Continuation;
   bool Halted = false;    // the flight before came to a stop
   std::vector<int> Seams; // frames at which two flights meet
-  int Shortest = 0;       // spans of fewer frames are drawn, not searched
+  StyleHistory History;
+  int Shortest = 0; // spans of fewer frames are drawn, not searched
 };
 
 ObjectPlanner::ObjectPlanner(const SegmentLibrary& library, const MotionObject& object,
@@ -183,6 +184,7 @@ void ObjectPlanner::PlanFlight(std::size_t from, int lastFrame)
   {
     request.Before = { request.Start.Position, request.Start.Position };
   }
+  request.History = this->History;
   const std::uint64_t stream =
     static_cast<std::uint64_t>(this->Object.ObjectId) * 8192u + static_cast<std::uint64_t>(from);
   SpanResult span = PlanSpan(this->Library, this->Field, request, this->Options.Span,
@@ -217,6 +219,9 @@ void ObjectPlanner::KeepSpan(const SpanRequest& request, SpanResult& span)
       this->Plan.Samples[first + k] = { base + span.Sources[k].Piece, span.Sources[k].Sample };
     }
   }
+  StyleGauge::Append(span.Positions, this->Scene.Time.Step(),
+                     std::max(1, request.Clock.LaunchFrames), frames - request.Clock.BrakeFrames,
+                     this->History);
   for (int k = 1; k < frames; ++k)
   {
     this->Warp.SecondDifferences[first + k] = span.Bends[k];

@@ -6,10 +6,11 @@
 #include "Planning/ObjectPlan.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <set>
 #include <string>
 
@@ -21,6 +22,49 @@ namespace
 
 /// Objects that are planned between two ticks of the monitor.
 constexpr std::size_t BatchSize = 8;
+
+/// One map for each size of object, made when first asked for.
+class RoomMaps
+{
+public:
+  RoomMaps(const PlanInput& input, double margin) : Input(input), Margin(margin)
+  {
+    // Where obstacles move a map tells nothing.
+    if (!input.Obstacles.IsEmpty() && !input.Obstacles.HasMoving())
+    {
+      for (const MotionObject& object : input.Objects)
+      {
+        this->Maps[object.ClearanceRadius];
+      }
+    }
+  }
+  const RoomMap* Of(const MotionObject& object)
+  {
+    const auto entry = this->Maps.find(object.ClearanceRadius);
+    if (entry == this->Maps.end())
+    {
+      return nullptr;
+    }
+    std::call_once(entry->second.Once,
+                   [&]()
+                   {
+                     entry->second.Map =
+                       std::make_unique<RoomMap>(this->Input.Obstacles, this->Input.Scene.Bounds,
+                                                 object.ClearanceRadius + this->Margin);
+                   });
+    return entry->second.Map.get();
+  }
+
+private:
+  struct LazyMap
+  {
+    std::once_flag Once;
+    std::unique_ptr<RoomMap> Map;
+  };
+  const PlanInput& Input;
+  double Margin;
+  std::map<double, LazyMap> Maps;
+};
 
 Result CheckInput(const PlanInput& input)
 {
@@ -199,6 +243,11 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   objectOptions.Span.Margin = 5e-3 * width;
   objectOptions.Span.CheckMargin = 2e-4 * width;
   objectOptions.Span.MaximumNumberOfBranches = options.MaximumNumberOfBranches;
+  objectOptions.Span.NumberOfCandidates = options.NumberOfCandidates;
+  objectOptions.Span.FrameStep = input.Scene.Time.Step();
+  const StyleGauge gauge(input.Database);
+  objectOptions.Span.Gauge = &gauge;
+  RoomMaps rooms(input, objectOptions.Span.Margin);
   const std::size_t count = input.Objects.size();
   std::vector<ObjectPlan> plans(count);
   std::size_t done = 0;
@@ -213,8 +262,10 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
                   {
                     const Itinerary itinerary = MakeItinerary(input.Objects[i], output.Constraints,
                                                               isUsed, input.Obstacles, input.Scene);
+                    ObjectPlanOptions own = objectOptions;
+                    own.Span.Rooms = [&rooms, &input, i]() { return rooms.Of(input.Objects[i]); };
                     plans[i] = PlanObject(library, input.Objects[i], itinerary, input.Obstacles,
-                                          input.Scene, objectOptions);
+                                          input.Scene, own);
                   }
                 });
     done += batch;

@@ -38,6 +38,8 @@ private:
               SpanResult& result) const;
   bool CanGoOn(const std::vector<Vec3>& positions, const SpanResult& result) const;
   void Hover(SpanResult& result) const;
+  double StyleDistance(const std::vector<Vec3>& positions) const;
+  std::vector<Vec3> WayAround(const ClearanceField& field, const SpanTask& task) const;
 
   const SegmentLibrary& Library;
   const ClearanceField& Field;
@@ -249,6 +251,39 @@ void SpanPlanner::Hover(SpanResult& result) const
   result.HasContinuation = false;
 }
 
+/// Of the whole flight so far with this span, braking and launching left out.
+double SpanPlanner::StyleDistance(const std::vector<Vec3>& positions) const
+{
+  if (this->Options.Gauge == nullptr)
+  {
+    return 0.0;
+  }
+  StyleHistory history = this->Request.History;
+  StyleGauge::Append(positions, this->Options.FrameStep,
+                     std::max(1, this->Request.Clock.LaunchFrames),
+                     this->Request.Clock.Frames - this->Request.Clock.BrakeFrames, history);
+  return this->Options.Gauge->Distance(std::move(history));
+}
+
+/// Empty where the straight way is free.
+std::vector<Vec3> SpanPlanner::WayAround(const ClearanceField& field, const SpanTask& task) const
+{
+  if (!this->Options.Rooms || field.Obstacles == nullptr || field.Obstacles->IsEmpty())
+  {
+    return {};
+  }
+  const Vec3 lift = Vec3(0.0, 0.0, field.Radius + this->Options.Margin);
+  const Vec3 a = task.Start.Position + (task.Start.IsRest ? lift : Vec3(Vec3::Zero()));
+  const Vec3 b = task.Goal.Position + (task.Goal.IsRest ? lift : Vec3(Vec3::Zero()));
+  const double radius = std::min({ field.Radius, field.Required(a), field.Required(b) });
+  if (field.Obstacles->IsClear(a, 0.0, b, 0.0, 0.9 * std::max(0.0, radius)))
+  {
+    return {};
+  }
+  const RoomMap* rooms = this->Options.Rooms();
+  return rooms != nullptr ? rooms->FindWay(a, b) : std::vector<Vec3>();
+}
+
 bool SpanPlanner::Search(const ClearanceField& field, const SpanTask& task, bool reachable,
                          Random& random, SpanResult& result) const
 {
@@ -256,44 +291,58 @@ bool SpanPlanner::Search(const ClearanceField& field, const SpanTask& task, bool
   searchOptions.RetimingLimit = this->Options.RetimingLimit;
   searchOptions.Margin = this->Options.Margin;
   SpanSearch search(this->Library, field, task, searchOptions, Random(random));
+  double best = 1e300;
+  int candidates = 0;
   const auto attempt = [&](const Join& join)
   {
     PieceChain chain;
     chain.Pieces = search.Chain(join, chain.JoinPlace);
     chain.JoinAngle = join.Angle;
-    if (!this->TryRefined(chain, true, result))
+    SpanResult candidate = result;
+    if (!this->TryRefined(chain, true, candidate))
     {
-      return false;
+      return;
     }
-    result.Distance = join.Distance;
-    result.Cost = join.Score;
-    return true;
+    ++candidates;
+    const double merit = join.Score + this->StyleDistance(candidate.Positions);
+    if (merit < best)
+    {
+      best = merit;
+      result = std::move(candidate);
+      result.Distance = join.Distance;
+      result.Cost = join.Score;
+    }
   };
-  bool found = false;
   Join join;
   const int limit = this->Options.MaximumNumberOfBranches;
+  const int enough = this->Options.Gauge != nullptr ? this->Options.NumberOfCandidates : 1;
   int tries = 0;
-  for (int step = 0; reachable && !found && step < 6 * limit && search.NumberOfBranches() < limit;
+  int firstFound = 0;
+  for (int step = 0; reachable && candidates < enough && step < 6 * limit &&
+                     search.NumberOfBranches() < limit && tries <= limit;
        ++step)
   {
     // What is asked of a join grows milder the longer the search takes.
     const double patience = step / 300.0;
-    const double threshold = this->Options.JoinThreshold * (1.0 + patience * patience);
-    while (!found && search.Take(std::min(threshold, 0.6), join))
+    const double threshold =
+      std::min(0.6, this->Options.JoinThreshold * (1.0 + patience * patience));
+    while (candidates < enough && search.Take(threshold, join))
     {
-      found = attempt(join);
+      attempt(join);
       ++tries;
     }
-    if (tries > limit)
+    firstFound = candidates == 0 ? step : firstFound;
+    if (candidates > 0 && step > 2 * firstFound + 100)
     {
       break;
     }
     search.Step();
   }
-  while (reachable && !found && search.Take(1.0, join))
+  while (reachable && candidates == 0 && search.Take(1.0, join))
   {
-    found = attempt(join);
+    attempt(join);
   }
+  bool found = candidates > 0;
   for (int step = 0; !reachable && step < 200; ++step)
   {
     search.Step();
@@ -349,6 +398,10 @@ SpanResult SpanPlanner::Run(Random random)
     }
   }
   const ClearanceField flight = this->FlightField();
+  if (this->Request.HasGoal)
+  {
+    task.Way = this->WayAround(flight, task);
+  }
   if (this->Request.HasGoal && this->Search(flight, task, reachable, random, result))
   {
     if (!result.ReachesGoal)

@@ -4,7 +4,10 @@
 #pragma once
 
 #include "Planning/Blending.h"
+#include "Planning/RoomMap.h"
+#include "Planning/StyleGauge.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +26,7 @@ struct SpanRequest
   Piece Continuation;
   bool GoesOn = false;
   std::vector<Vec3> Before; // the two positions before the start, or none
+  StyleHistory History;     // of the flights before
 };
 
 struct SpanPlanOptions
@@ -32,6 +36,10 @@ struct SpanPlanOptions
   double Margin = 0.02;        // m, kept beyond the clearance radius while growing
   double CheckMargin = 0.001;  // m, kept beyond it by what comes out
   int MaximumNumberOfBranches = 2000;
+  int NumberOfCandidates = 8;        // paths found, of which the one nearest to the style is taken
+  double FrameStep = 1.0 / 30.0;     // s
+  const StyleGauge* Gauge = nullptr; // or null: the first path found is taken
+  std::function<const RoomMap*()> Rooms; // asked where the straight way is blocked, or empty
 };
 
 /// Which sample of which piece flies at a frame.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/SpanSearch.h"
 
+#include "Planning/RoomMap.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -47,6 +49,11 @@ SpanSearch::SpanSearch(const SegmentLibrary& library, const ClearanceField& fiel
                     Vec3::Constant(std::max(0.3 * reach, 2.0 * field.Radius));
   this->SeedBox.Min = field.Bounds.Min.cwiseMax(centre - half);
   this->SeedBox.Max = field.Bounds.Max.cwiseMin(centre + half);
+  for (const Vec3& x : task.Way)
+  {
+    this->SeedBox.Min = this->SeedBox.Min.cwiseMin(x);
+    this->SeedBox.Max = this->SeedBox.Max.cwiseMax(x);
+  }
   if (task.Frames <= library.LongestSegment())
   {
     this->AddSinglePieces();
@@ -221,14 +228,18 @@ Vec3 SpanSearch::Seed(double& frame)
 {
   const double u = this->Stream.Uniform();
   frame = u * this->Task.Frames;
-  if (this->Stream.Uniform() < 0.5)
+  const bool hasWay = !this->Task.Way.empty();
+  if (this->Stream.Uniform() < (hasWay ? 0.8 : 0.5))
   {
-    // About the straight way, as far from it as there is time for.
-    const double spread =
+    // About the way, as far from it as there is time for, or in a maze as there is room.
+    const double time =
       0.35 * this->Library.TypicalStep() * this->Task.Frames * std::sqrt(u * (1.0 - u));
+    const double spread = hasWay ? std::min(time, 4.0 * this->Field.Radius) : time;
     const Vec3 offset(this->Stream.Normal(), this->Stream.Normal(), this->Stream.Normal());
-    const Vec3 x = this->Task.Start.Position +
-                   u * (this->Task.Goal.Position - this->Task.Start.Position) + spread * offset;
+    const Vec3 x =
+      spread * offset + (hasWay ? PointAlong(this->Task.Way, u)
+                                : Vec3(this->Task.Start.Position +
+                                       u * (this->Task.Goal.Position - this->Task.Start.Position)));
     return x.cwiseMax(this->SeedBox.Min).cwiseMin(this->SeedBox.Max);
   }
   return this->Stream.InBox(this->SeedBox);

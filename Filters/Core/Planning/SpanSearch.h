@@ -39,8 +39,9 @@ struct SpanTask
   int Frames = 0;
   double FirstFrame = 0.0; // on the scene's time line
   bool HasContinuation = false;
-  Piece Continuation;  // what is left of the segment that reached the start
-  bool GoesOn = false; // flight continues beyond the goal
+  Piece Continuation;    // what is left of the segment that reached the start
+  bool GoesOn = false;   // flight continues beyond the goal
+  std::vector<Vec3> Way; // a coarse way around obstacles, or empty: straight
 };
 
 struct SpanSearchOptions

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A coarse map of where a body of one size fits, to lead the trees through mazes.
+#pragma once
+
+#include "Planning/Clearance.h"
+
+#include <array>
+#include <vector>
+
+namespace waft
+{
+
+class RoomMap
+{
+public:
+  /// Looks at the centres of about 32 cells along the width of the volume; obstacles as they stand
+  /// at frame 0. clearance: that the body keeps [m].
+  RoomMap(const ObstacleSet& obstacles, const Box& bounds, double clearance);
+
+  /// A shortest way over the cells from a to b, both included (A*; ends that do not fit themselves,
+  /// like places of rest, are entered from the nearest cell that does). Empty when the map shows
+  /// none.
+  std::vector<Vec3> FindWay(const Vec3& a, const Vec3& b) const;
+
+private:
+  using Cell = std::array<int, 3>;
+  std::size_t Index(const Cell& cell) const;
+  Vec3 Center(const Cell& cell) const;
+  bool NearestFree(const Vec3& x, Cell& cell) const;
+  bool IsPassable(const Cell& a, const Cell& b) const;
+
+  const ObstacleSet& Obstacles;
+  Box Bounds;
+  double Clearance = 0.0;
+  double Spacing = 0.0;
+  Cell Counts{ 1, 1, 1 };
+  std::vector<float> Room; // distance to the nearest thing at each centre [m]
+};
+
+/// Point at a share (0..1) of the length of a polyline.
+Vec3 PointAlong(const std::vector<Vec3>& way, double share);
+
+} // namespace waft
