@@ -69,7 +69,11 @@ bool StageMonitor::Tick(double fraction, const std::string& text)
 {
   this->Stage->SetProgressText(text.c_str());
   this->Stage->UpdateProgress(std::clamp(fraction, 0.0, 1.0));
-  return !this->Stage->CheckAbort() && !this->Stage->GetAbortExecute();
+  const bool isAborted = this->Stage->CheckAbort() || this->Stage->GetAbortExecute();
+  // CheckAbort marks the outputs, and the executive would empty what the stage gives: its best so
+  // far.
+  this->Stage->SetAbortOutput(false);
+  return !isAborted;
 }
 
 ParallelFor SmpFor()
@@ -217,6 +221,23 @@ double RequestedTime(vtkInformationVector* outputs, int port, const Timeline& li
   if (vtkDataObject* data = vtkDataObject::GetData(output))
   {
     data->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  }
+  return time;
+}
+
+double RequestedTimeOfAll(vtkInformation* request, vtkInformationVector* outputs,
+                          const Timeline& line)
+{
+  const int asking = request->Has(vtkExecutive::FROM_OUTPUT_PORT())
+                       ? std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()))
+                       : 0;
+  const double time = RequestedTime(outputs, asking, line);
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    if (vtkDataObject* data = vtkDataObject::GetData(outputs->GetInformationObject(port)))
+    {
+      data->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    }
   }
   return time;
 }
