@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Installs the build into an empty prefix, moves it, and uses it from there: by PV_PLUGIN_PATH, by
+`import waft`, by its command, and from another CMake project. Nothing of it may lead back to the build.
+
+    python3 test_install.py BUILD SOURCE WORK"""
+
+import glob
+import os
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+BUILD, SOURCE, WORK = (os.path.realpath(path) for path in sys.argv[1:4])
+HERE = os.path.dirname(os.path.abspath(__file__))
+PREFIX = os.path.join(WORK, "moved")
+PACKAGES = os.path.join(PREFIX, "lib", "python3", "dist-packages")
+NOISE = re.compile(r"ERR\||FATL\||Traceback")
+
+
+def environment(**extra):
+    """This process's, without what points to some Waft."""
+    kept = {k: v for k, v in os.environ.items()
+            if k not in ("PYTHONPATH", "PV_PLUGIN_PATH", "LD_LIBRARY_PATH", "WAFT_DATA")}
+    return {**kept, "PYTHONDONTWRITEBYTECODE": "1", **extra}
+
+
+def run(command, **extra):
+    done = subprocess.run(command, env=environment(**extra), cwd=WORK, text=True, check=False,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    return done.returncode, done.stdout
+
+
+class InstallTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(WORK, ignore_errors=True)
+        os.makedirs(WORK)
+        first = os.path.join(WORK, "prefix")
+        status, text = run(["cmake", "--install", BUILD, "--prefix", first])
+        if status != 0:
+            raise RuntimeError(text)
+        # What works after a move does not lean on the place that it was installed to.
+        os.rename(first, PREFIX)
+
+    def check_run(self, command, **extra):
+        status, text = run(command, **extra)
+        self.assertEqual(status, 0, text)
+        self.assertIsNone(NOISE.search(text), text)
+        return text
+
+    def test_libraries_do_not_lead_back_to_the_build(self):
+        libraries = [path for path in glob.glob(os.path.join(PREFIX, "**", "*.so*"), recursive=True)
+                     if not os.path.islink(path)]
+        self.assertGreaterEqual(len(libraries), 5, libraries)
+        for path in libraries:
+            status, text = run(["readelf", "-d", path])
+            self.assertEqual(status, 0, text)
+            for line in text.splitlines():
+                if "PATH)" in line or "NEEDED" in line:
+                    for place in re.search(r"\[(.*)\]", line).group(1).split(":"):
+                        self.assertFalse(place.startswith("/"), f"{path}: {line}")
+
+    def test_no_file_names_the_build(self):
+        for folder, _, names in os.walk(PREFIX):
+            for name in names:
+                if name.endswith((".py", ".cmake", ".xml", ".json", ".txt")) or folder.endswith("bin"):
+                    with open(os.path.join(folder, name), encoding="utf-8") as file:
+                        text = file.read()
+                    self.assertNotIn(BUILD, text, name)
+                    self.assertNotIn(SOURCE, text, name)
+
+    def test_by_plugin_path(self):
+        places = glob.glob(os.path.join(PREFIX, "lib*", "paraview-*", "plugins"))
+        self.assertEqual(len(places), 1, places)
+        self.check_run(["pvpython", os.path.join(HERE, "use_installed.py"), PREFIX, "path"],
+                       PV_PLUGIN_PATH=places[0])
+
+    def test_by_import(self):
+        self.check_run(["pvpython", os.path.join(HERE, "use_installed.py"), PREFIX, "package"],
+                       PYTHONPATH=PACKAGES)
+
+    def test_by_both(self):
+        places = glob.glob(os.path.join(PREFIX, "lib*", "paraview-*", "plugins"))
+        self.check_run(["pvbatch", os.path.join(HERE, "use_installed.py"), PREFIX, "package"],
+                       PYTHONPATH=PACKAGES, PV_PLUGIN_PATH=places[0])
+
+    def test_command(self):
+        command = os.path.join(PREFIX, "bin", "waft")
+        text = self.check_run([command, "--help"])
+        for word in ("synthesize", "render", "database", "demo"):
+            self.assertIn(word, text)
+        status, text = run([command, "fly"])
+        self.assertEqual(status, 2, text)
+        status, text = run([command, "synthesize", "missing.waft.json", "--output", "out"])
+        self.assertEqual(status, 2, text)
+        self.assertIn("missing.waft.json", text)
+        self.assertFalse(os.path.exists(os.path.join(WORK, "out")))
+
+    def test_command_through_a_link(self):
+        link = os.path.join(WORK, "waft-link")
+        os.symlink(os.path.join(PREFIX, "bin", "waft"), link)
+        self.assertIn("synthesize", self.check_run([link, "--help"]))
+
+    def test_data_came_along(self):
+        data = os.path.join(PREFIX, "share", "waft", "Data")
+        self.assertTrue(os.path.isdir(data))
+        for kind in ("Scenes", "Shapes", "Database"):
+            for path in glob.glob(os.path.join(SOURCE, "Data", kind, "*")):
+                self.assertTrue(os.path.exists(os.path.join(data, kind, os.path.basename(path))), path)
+
+    def test_another_project_builds_with_it(self):
+        if not glob.glob(os.path.join(PREFIX, "lib", "cmake", "waft", "WaftConfig.cmake")):
+            self.skipTest("this build installs no CMake package")
+        build = os.path.join(WORK, "downstream")
+        self.check_run(["cmake", "-S", os.path.join(HERE, "Downstream"), "-B", build,
+                        f"-DCMAKE_PREFIX_PATH={PREFIX}", "-DCMAKE_BUILD_TYPE=Release"])
+        self.check_run(["cmake", "--build", build])
+        status, text = run([os.path.join(build, "uses-waft")])
+        self.assertEqual(status, 0, text)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
