@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rotation/Flight.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace waft
+{
+namespace
+{
+constexpr int MostSteps = 256;        // a frame
+constexpr double StepOfRate = 0.25;   // product of step and fastest rate
+constexpr double SettlingRate = 7.0;  // rad/s, critically damped
+constexpr double LeastFlatness = 0.3; // below it a body has no glide of its own
+
+struct Rates
+{
+  Vec3 Torque = Vec3::Zero();
+  Vec3 Slip = Vec3::Zero();
+};
+
+template <typename T>
+T Between(const std::vector<T>& samples, double frame)
+{
+  const double last = static_cast<double>(samples.size() - 1);
+  const double f = std::clamp(frame, 0.0, last);
+  const auto k = static_cast<std::size_t>(f);
+  const std::size_t next = std::min(k + 1, samples.size() - 1);
+  return samples[k] + (f - static_cast<double>(k)) * (samples[next] - samples[k]);
+}
+
+Rates Derive(const FlightBody& body, const FlightPath& path, const FlightState& state, double frame,
+             double share)
+{
+  Rates rates;
+  if (body.AirDensity <= 0.0)
+  {
+    return rates;
+  }
+  const Mat3 turn = state.Orientation.toRotationMatrix();
+  const Vec3 omega = turn.transpose() * state.AngularVelocity(body);
+  const Vec3 given = Between(path.RelativeVelocities, frame);
+  Mat3 gradient = CrossMatrix(omega);
+  if (!path.AirGradients.empty())
+  {
+    gradient -= turn.transpose() * Between(path.AirGradients, frame) * turn;
+  }
+  const Vec3 velocity = turn.transpose() * (given + state.Slip);
+  const Wrench air = body.Panels->Evaluate(velocity, gradient, body.Coefficients);
+  const double density = share * body.AirDensity;
+  rates.Torque = density * (turn * air.Torque);
+  if (body.Slips)
+  {
+    // On the given path a plate broadside to it is in balance; any other pose slips.
+    const Vec3 balance = 0.5 * body.Coefficients.Drag * body.Panels->Area() * given.norm() * given;
+    rates.Slip = turn * (body.InverseMass * (density * (air.Force + turn.transpose() * balance))) -
+                 body.Follow * state.Slip;
+  }
+  return rates;
+}
+
+Vec3 SettlingTorque(const FlightBody& body, const Settling& settling, const FlightState& state)
+{
+  const Mat3 turn = state.Orientation.toRotationMatrix();
+  const Vec3 up = turn.col(2);
+  const Vec3 error = LogMap(LeastTurn(up, settling.Normal, turn.col(0)));
+  const Vec3 acceleration =
+    SettlingRate * SettlingRate * error - 2.0 * SettlingRate * state.AngularVelocity(body);
+  return settling.Weight * (turn * (body.Inertia * (turn.transpose() * acceleration)));
+}
+} // namespace
+
+FlightBody::FlightBody(const PanelBody& panels, const ShellProperties& properties, double mass,
+                       double airDensity, const AirCoefficients& coefficients, double damping,
+                       double follow) :
+  Panels(&panels),
+  Coefficients(coefficients), AirDensity(airDensity), Damping(damping), Follow(follow)
+{
+  const bool plate = coefficients.Model == AirModel::Plate;
+  this->Inertia = mass * properties.InertiaPerMass;
+  Mat3 moved = mass * Mat3::Identity();
+  if (plate)
+  {
+    this->Inertia += airDensity * panels.AddedInertia();
+    moved += airDensity * panels.AddedMass();
+  }
+  // A straight line of triangles has no inertia about itself.
+  this->Inertia += 1e-9 * this->Inertia.trace() * Mat3::Identity();
+  this->InverseInertia = this->Inertia.inverse();
+  this->InverseMass = moved.inverse();
+  this->Slips = plate && panels.Flatness() >= LeastFlatness;
+
+  const Mat3& spread = properties.SecondMoment;
+  const double press =
+    airDensity * coefficients.Drag * panels.Area() * (plate ? 1.0 + coefficients.Lift : 1.0);
+  const Mat3 arms = spread.trace() * Mat3::Identity() - spread;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Mat3> damped(arms, this->Inertia,
+                                                              Eigen::EigenvaluesOnly);
+  const Vec3& n = panels.Normal();
+  this->Mobility = std::max(press * damped.eigenvalues().maxCoeff(),
+                            this->Slips ? press * n.dot(this->InverseMass * n) : 0.0);
+  const Eigen::SelfAdjointEigenSolver<Mat3> inertia(this->Inertia, Eigen::EigenvaluesOnly);
+  const double reach = std::sqrt(spread.trace());
+  this->Stiffness =
+    std::sqrt(0.5 * press * std::sqrt(std::max(inertia.eigenvalues()[0] / (mass + 1e-300), 0.0)) /
+              inertia.eigenvalues()[0]);
+  this->Stiffness =
+    std::max(this->Stiffness, std::sqrt(0.5 * press * reach / inertia.eigenvalues()[2]));
+}
+
+Vec3 FlightState::AngularVelocity(const FlightBody& body) const
+{
+  const Mat3 turn = this->Orientation.toRotationMatrix();
+  return turn * (body.InverseInertia * (turn.transpose() * this->AngularMomentum));
+}
+
+void FlightState::SetAngularVelocity(const FlightBody& body, const Vec3& omega)
+{
+  const Mat3 turn = this->Orientation.toRotationMatrix();
+  this->AngularMomentum = turn * (body.Inertia * (turn.transpose() * omega));
+}
+
+Vec3 AirTorque(const FlightBody& body, const FlightPath& path, const FlightState& state,
+               double frame)
+{
+  return Derive(body, path, state, frame, 1.0).Torque;
+}
+
+void AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
+                  const Settling& settling, FlightState& state)
+{
+  const double spin = state.AngularVelocity(body).norm();
+  const double speed = std::max(path.RelativeVelocities[frame].norm(),
+                                Between(path.RelativeVelocities, frame + 1.0).norm()) +
+                       state.Slip.norm() + spin * 2.0 * std::sqrt(body.Panels->Area());
+  const double rate = std::max({ spin, body.Mobility * speed, body.Stiffness * speed,
+                                 settling.Weight > 0.0 ? 2.0 * SettlingRate : 0.0 });
+  const double wanted = std::ceil(path.Step * rate / StepOfRate);
+  const int steps = static_cast<int>(std::clamp(wanted, 2.0, static_cast<double>(MostSteps)));
+  const double share = wanted > MostSteps ? MostSteps / wanted : 1.0;
+  const double h = path.Step / steps;
+  const double fade = std::exp(-0.5 * h * body.Damping);
+  for (int i = 0; i < steps; ++i)
+  {
+    const double here = frame + static_cast<double>(i) / steps;
+    // Damping is exact in two halves about the step, so that its rate holds for any step.
+    state.AngularMomentum *= fade;
+    Rates rates = Derive(body, path, state, here, share);
+    if (settling.Weight > 0.0)
+    {
+      rates.Torque += SettlingTorque(body, settling, state);
+    }
+    FlightState middle = state;
+    middle.Orientation = ExpMap(0.5 * h * state.AngularVelocity(body)) * state.Orientation;
+    middle.AngularMomentum += 0.5 * h * rates.Torque;
+    middle.Slip += 0.5 * h * rates.Slip;
+    rates = Derive(body, path, middle, here + 0.5 / steps, share);
+    if (settling.Weight > 0.0)
+    {
+      rates.Torque += SettlingTorque(body, settling, middle);
+    }
+    state.Orientation = (ExpMap(h * middle.AngularVelocity(body)) * state.Orientation).normalized();
+    state.AngularMomentum += h * rates.Torque;
+    state.Slip += h * rates.Slip;
+    state.AngularMomentum *= fade;
+  }
+}
+
+} // namespace waft

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One body turning in the air along a given path of its centre.
+#pragma once
+
+#include "Rotation/PanelBody.h"
+
+#include <vector>
+
+namespace waft
+{
+
+/// What the air does along the path, one sample a frame.
+struct FlightPath
+{
+  double Step = 1.0 / 30.0;             // s between frames
+  std::vector<Vec3> RelativeVelocities; // m/s, of the centre relative to the air, world
+  std::vector<Mat3> AirGradients;       // 1/s, of the air's velocity, world; or empty
+};
+
+/// A body with the constants of its motion.
+class FlightBody
+{
+public:
+  /// damping [1/s] turns the angular momentum down as exp(-damping t). follow [1/s]: how fast the
+  /// hidden sideslip is forgotten.
+  FlightBody(const PanelBody& panels, const ShellProperties& properties, double mass,
+             double airDensity, const AirCoefficients& coefficients, double damping, double follow);
+
+  const PanelBody* Panels;
+  AirCoefficients Coefficients;
+  double AirDensity;   // kg/m^3
+  double Damping;      // 1/s
+  double Follow;       // 1/s
+  Mat3 Inertia;        // kg m^2, body axes, air that moves along included
+  Mat3 InverseInertia; // 1/(kg m^2)
+  Mat3 InverseMass;    // 1/kg, body axes, air that moves along included
+  double Mobility;     // 1/m: rate of damping per relative speed
+  double Stiffness;    // 1/m: angular frequency per relative speed
+  bool Slips;          // has a sideslip of its own
+};
+
+/// The body wants its z axis along Normal: what the cushion of air over a surface and the artist's
+/// wish for a soft landing do together. Weight 0..1.
+struct Settling
+{
+  Vec3 Normal = Vec3::UnitZ();
+  double Weight = 0.0;
+};
+
+/// Orientation, angular momentum [kg m^2/s, world] and sideslip [m/s, world]. The slip is the
+/// difference between the velocity of a plate that flies by itself, drawn along by the path, and
+/// that of the path: without it a plate could not flutter or tumble, as its own glide feeds both.
+struct FlightState
+{
+  Quat Orientation = Quat::Identity();
+  Vec3 AngularMomentum = Vec3::Zero();
+  Vec3 Slip = Vec3::Zero();
+
+  Vec3 AngularVelocity(const FlightBody& body) const;
+  void SetAngularVelocity(const FlightBody& body, const Vec3& omega);
+};
+
+/// The air's torque [N m, world] at a frame.
+Vec3 AirTorque(const FlightBody& body, const FlightPath& path, const FlightState& state,
+               double frame);
+
+/// Takes the state from a frame to the next one: midpoint steps on the rotation group, as many as
+/// the fastest rate asks for; where even the most are too few the air's force is lessened.
+void AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
+                  const Settling& settling, FlightState& state);
+
+} // namespace waft

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The air's force and torque on a thin body as a sum over flat panels: rasterised once from all
+// around for what hides what, then evaluated in about a microsecond.
+#pragma once
+
+#include "Base/Parallel.h"
+#include "Base/Result.h"
+#include "Base/Shape.h"
+#include "Rotation/Rasterizer.h"
+#include "Rotation/RigidBody.h"
+
+#include <vector>
+
+namespace waft
+{
+
+enum class AirModel
+{
+  Paper = 0, // drag against the motion of each visible piece of surface (paper, Eq. 5)
+  Plate = 1  // pressure along the normal, moving centre of pressure, circulation, added mass
+};
+
+struct AirCoefficients
+{
+  AirModel Model = AirModel::Plate;
+  double Drag = 1.2;           // cd, broadside
+  double Lift = 1.0;           // extra slope of the normal force at small angles of attack
+  double Friction = 0.08;      // tangential drag, as a share of cd
+  double PressureShift = 0.5;  // centre of pressure edge-on, in half chords ahead of the centre
+  double RotationalLift = 1.1; // C_R of Andersen, Pesavento, Wang 2005
+};
+
+/// Forces are for air of unit density: multiply by it.
+class PanelBody
+{
+public:
+  /// resolution: pixels on a side of each picture, 8 to 1024.
+  Result Build(const Shape& shape, const ShellProperties& properties, int resolution,
+               const ParallelFor& parallel);
+
+  /// All in body axes. velocity: of the body's origin relative to the air there [m/s]; gradient:
+  /// how that changes over the body, [omega]x minus the gradient of the air's velocity [1/s].
+  Wrench Evaluate(const Vec3& velocity, const Mat3& gradient,
+                  const AirCoefficients& coefficients) const;
+
+  /// Foreshortened area [m^2] seen along a direction, by the panels.
+  double ForeshortenedArea(const Vec3& direction) const;
+
+  const Vec3& Normal() const { return this->PlateNormal; }
+  /// 1 for a flat sheet, 0 for a closed round body.
+  double Flatness() const { return this->PlateFlatness; }
+  /// Inertia [m^5] and mass [m^3] of the air that moves with the body, per unit density.
+  const Mat3& AddedInertia() const { return this->AirInertia; }
+  const Mat3& AddedMass() const { return this->AirMass; }
+  double Area() const { return this->TotalArea; }
+  bool HidesItself() const { return !this->Visibility.empty(); }
+  int NumberOfPanels() const { return static_cast<int>(this->Panels.size()); }
+
+private:
+  struct Panel
+  {
+    double X, Y, Z;    // m, centroid
+    double NX, NY, NZ; // unit normal
+    double Area;       // m^2
+  };
+  struct Piece
+  {
+    Vec3 Centroid = Vec3::Zero();
+    Vec3 VectorArea = Vec3::Zero();
+    int Triangle = 0;
+  };
+  /// Four nodes of the table of directions and their weights.
+  struct Mixture
+  {
+    const float* Nodes[4];
+    double Weights[4];
+  };
+
+  void SplitMesh(const TriangleMesh& mesh, std::vector<Piece>& pieces) const;
+  void Gather(std::vector<Piece>& pieces, std::size_t begin, std::size_t end, int budget,
+              std::vector<int>& panelOfPiece);
+  void LookFromAllAround(const TriangleMesh& mesh, const std::vector<Piece>& pieces,
+                         const std::vector<int>& panelOfPiece, int resolution,
+                         const ParallelFor& parallel);
+  void SetAddedMass(const ShellProperties& properties);
+  Mixture Mix(const Vec3& direction) const;
+  double VisiblePart(const Mixture& mixture, std::size_t panel) const;
+  Wrench PlateCorrections(const Vec3& velocity, const Mat3& gradient,
+                          const AirCoefficients& coefficients) const;
+
+  std::vector<Panel> Panels;
+  std::vector<float> Visibility; // [face][row][column][panel], 0..1; empty: nothing hides anything
+  double TotalArea = 0.0;
+  Vec3 PlateNormal = Vec3::UnitZ();
+  double PlateFlatness = 1.0;
+  Mat3 Spread = Mat3::Zero(); // m^2, second moment of the area
+  Mat3 AirInertia = Mat3::Zero();
+  Mat3 AirMass = Mat3::Zero();
+};
+
+} // namespace waft

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rotation/RotationRefine.h"
+
+#include "Base/Random.h"
+#include "Obstacles/Rest.h"
+#include "Rotation/Turning.h"
+
+#include <cmath>
+#include <map>
+
+namespace waft
+{
+namespace
+{
+struct PreparedShape
+{
+  ShellProperties Properties;
+  PanelBody Panels;
+};
+
+bool IsBetween(double x, double low, double high)
+{
+  return std::isfinite(x) && x >= low && x <= high;
+}
+
+Result CheckTracks(const RotationInput& input, std::map<int, std::size_t>& objectOfId)
+{
+  for (std::size_t i = 0; i < input.Objects.size(); ++i)
+  {
+    const MotionObject& object = input.Objects[i];
+    const std::string name = "object " + std::to_string(object.ObjectId);
+    if (!objectOfId.emplace(object.ObjectId, i).second)
+    {
+      return Result::Error(name + " is there twice");
+    }
+    if (object.ShapeId < 0 || object.ShapeId >= static_cast<int>(input.Shapes.size()))
+    {
+      return Result::Error(name + ": ShapeId " + std::to_string(object.ShapeId) + " of " +
+                           std::to_string(input.Shapes.size()) + " shapes");
+    }
+    if (!(object.Mass > 0.0) || !std::isfinite(object.Mass))
+    {
+      return Result::Error(name + ": Mass must be positive");
+    }
+    if (!object.AngularVelocity.allFinite())
+    {
+      return Result::Error(name + ": AngularVelocity is not finite");
+    }
+  }
+  for (const Track& track : input.Tracks)
+  {
+    const std::string name = "track of object " + std::to_string(track.ObjectId);
+    if (objectOfId.count(track.ObjectId) == 0)
+    {
+      return Result::Error(name + ": there is no such object");
+    }
+    if (track.Positions.empty() || track.Positions.size() != input.Tracks[0].Positions.size())
+    {
+      return Result::Error(name + ": expected " + std::to_string(input.Tracks[0].Positions.size()) +
+                           " frames, found " + std::to_string(track.Positions.size()));
+    }
+    if (!track.AirVelocities.empty() && track.AirVelocities.size() != track.Positions.size())
+    {
+      return Result::Error(name + ": AirVelocity has another length than the positions");
+    }
+    for (std::size_t k = 0; k < track.Positions.size(); ++k)
+    {
+      if (!track.Positions[k].allFinite() ||
+          (!track.AirVelocities.empty() && !track.AirVelocities[k].allFinite()))
+      {
+        return Result::Error(name + ", frame " + std::to_string(k) + ": a number is not finite");
+      }
+    }
+  }
+  return Result::Ok();
+}
+
+FlightPath MakePath(const RotationInput& input, const Track& track)
+{
+  FlightPath path;
+  path.Step = input.Scene.Time.Step();
+  path.RelativeVelocities = CentralVelocities(track.Positions, path.Step);
+  const bool wind = input.Wind != nullptr && !input.Wind->IsEmpty() &&
+                    input.Wind->Meaning == FieldMeaning::Velocity;
+  for (std::size_t k = 0; k < track.Positions.size(); ++k)
+  {
+    Mat3 gradient = Mat3::Zero();
+    Vec3 air = Vec3::Zero();
+    if (wind)
+    {
+      air = input.Wind->Sample(track.Positions[k], input.Scene.Time.Time(static_cast<double>(k)),
+                               gradient);
+      path.AirGradients.push_back(gradient);
+    }
+    path.RelativeVelocities[k] -= track.AirVelocities.empty() ? air : track.AirVelocities[k];
+  }
+  return path;
+}
+
+TurningPlan MakePlan(const RotationInput& input, const RotationOptions& options,
+                     const MotionObject& object, const Track& track)
+{
+  TurningPlan plan;
+  plan.Object = &object;
+  plan.Path = &track;
+  plan.Body = &input.Shapes[object.ShapeId];
+  plan.Obstacles = input.Obstacles;
+  plan.Time = input.Scene.Time;
+  plan.LandingTime = options.LandingTime;
+  plan.TurningTime = options.TurningTime;
+  plan.Tolerance = 1e-3 * input.Scene.Bounds.Width();
+  const int last = static_cast<int>(track.Positions.size()) - 1;
+  for (const Constraint& row : input.Constraints)
+  {
+    // A row that an earlier stage found impossible does not bind.
+    if (row.ObjectId != object.ObjectId || row.Status != ConstraintStatus::Met || row.Frame < 0 ||
+        row.Frame > last)
+    {
+      continue;
+    }
+    if (row.Kind == ConstraintKind::Orientation)
+    {
+      plan.Keys.push_back(row);
+    }
+    else if (row.Kind == ConstraintKind::Rest)
+    {
+      std::vector<LandingWindow> windows;
+      if (input.Obstacles != nullptr)
+      {
+        windows = LandingWindows(object, { row }, *input.Obstacles, plan.Time.FramesPerSecond);
+      }
+      if (windows.empty())
+      {
+        LandingWindow level; // nothing below
+        level.Frame = row.Frame;
+        level.Until = std::max(row.Until, row.Frame);
+        windows.push_back(level);
+      }
+      plan.Rests.push_back(windows[0]);
+    }
+  }
+  const auto earlier = [](const auto& a, const auto& b) { return a.Frame < b.Frame; };
+  std::stable_sort(plan.Keys.begin(), plan.Keys.end(), earlier);
+  std::stable_sort(plan.Rests.begin(), plan.Rests.end(), earlier);
+  for (std::size_t i = 0; i + 1 < plan.Rests.size(); ++i)
+  {
+    plan.Rests[i].Until = std::min(plan.Rests[i].Until, plan.Rests[i + 1].Frame);
+  }
+  return plan;
+}
+
+AirCoefficients Coefficients(const RotationInput& input, const RotationOptions& options,
+                             const MotionObject& object)
+{
+  AirCoefficients coefficients;
+  coefficients.Model = options.Model;
+  coefficients.Drag = input.Shapes[object.ShapeId].DragCoefficient;
+  coefficients.Lift = options.Lift;
+  coefficients.PressureShift = options.PressureShift;
+  // No two leaves are cut alike.
+  Random random(input.Scene.Seed, 0x70053 + static_cast<std::uint64_t>(object.ObjectId));
+  const auto vary = [&](double& value)
+  { value *= 1.0 + options.Variation * random.Uniform(-1.0, 1.0); };
+  vary(coefficients.Drag);
+  vary(coefficients.Lift);
+  vary(coefficients.PressureShift);
+  vary(coefficients.RotationalLift);
+  return coefficients;
+}
+} // namespace
+
+Result RotationOptions::Validate() const
+{
+  if (!IsBetween(this->Damping, 0.0, 1e3))
+  {
+    return Result::Error("Damping must be from 0 to 1000 per second");
+  }
+  if (!IsBetween(this->Lift, 0.0, 4.0))
+  {
+    return Result::Error("Lift must be from 0 to 4");
+  }
+  if (!IsBetween(this->PressureShift, 0.0, 1.0))
+  {
+    return Result::Error("PressureShift must be from 0 to 1");
+  }
+  if (!IsBetween(this->Follow, 0.0, 1e3))
+  {
+    return Result::Error("Follow must be from 0 to 1000 per second");
+  }
+  if (!IsBetween(this->Variation, 0.0, 0.5))
+  {
+    return Result::Error("Variation must be from 0 to 0.5");
+  }
+  if (!IsBetween(this->LandingTime, 0.0, 1e3) || !IsBetween(this->TurningTime, 0.0, 1e3))
+  {
+    return Result::Error("LandingTime and TurningTime must be from 0 to 1000 s");
+  }
+  if (this->RasterSize < 8 || this->RasterSize > 1024)
+  {
+    return Result::Error("RasterSize must be from 8 to 1024");
+  }
+  return Result::Ok();
+}
+
+Result RunRotationRefine(const RotationInput& input, const RotationOptions& options,
+                         const ParallelFor& parallel, Monitor& monitor, RotationOutput& output)
+{
+  WAFT_RETURN_IF_FAILED(options.Validate());
+  std::map<int, std::size_t> objectOfId;
+  WAFT_RETURN_IF_FAILED(CheckTracks(input, objectOfId));
+  if (!IsBetween(input.Scene.AirDensity, 0.0, 1e6))
+  {
+    return Result::Error("AirDensity must be 0 or more");
+  }
+
+  std::vector<unsigned char> used(input.Shapes.size(), 0);
+  for (const Track& track : input.Tracks)
+  {
+    used[input.Objects[objectOfId[track.ObjectId]].ShapeId] = 1;
+  }
+  std::vector<PreparedShape> shapes(input.Shapes.size());
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+  {
+    if (used[s] == 0)
+    {
+      continue;
+    }
+    WAFT_RETURN_IF_FAILED(ComputeShellProperties(input.Shapes[s], shapes[s].Properties));
+    WAFT_RETURN_IF_FAILED(
+      shapes[s].Panels.Build(input.Shapes[s], shapes[s].Properties, options.RasterSize, parallel));
+    if (!monitor.Tick(0.1 * (s + 1) / shapes.size(), "Looking at shapes from all around"))
+    {
+      return Result::Stopped();
+    }
+  }
+
+  std::vector<TurningOutcome> outcomes(input.Tracks.size());
+  constexpr std::size_t Batch = 8; // objects between two ticks of the monitor
+  for (std::size_t first = 0; first < outcomes.size(); first += Batch)
+  {
+    const std::size_t count = std::min(Batch, outcomes.size() - first);
+    parallel(count,
+             [&](std::size_t begin, std::size_t end)
+             {
+               for (std::size_t i = first + begin; i < first + end; ++i)
+               {
+                 const Track& track = input.Tracks[i];
+                 const MotionObject& object = input.Objects[objectOfId.at(track.ObjectId)];
+                 const PreparedShape& shape = shapes[object.ShapeId];
+                 const FlightBody body(shape.Panels, shape.Properties, object.Mass,
+                                       input.Scene.AirDensity, Coefficients(input, options, object),
+                                       options.Damping, options.Follow);
+                 TurningPlan plan = MakePlan(input, options, object, track);
+                 plan.BoundingRadius = shape.Properties.BoundingRadius;
+                 outcomes[i] = TurnObject(plan, body, MakePath(input, track));
+               }
+             });
+    const double done = static_cast<double>(first + count) / outcomes.size();
+    if (!monitor.Tick(0.1 + 0.9 * done, "Turning objects"))
+    {
+      return Result::Stopped();
+    }
+  }
+
+  RotationOutput result;
+  for (TurningOutcome& outcome : outcomes)
+  {
+    for (std::size_t k = 0; k < outcome.Poses.Orientations.size(); ++k)
+    {
+      if (!outcome.Poses.Orientations[k].coeffs().allFinite() ||
+          !outcome.Poses.AngularVelocities[k].allFinite())
+      {
+        return Result::Error("object " + std::to_string(outcome.Poses.ObjectId) + ", frame " +
+                             std::to_string(k) + ": its pose is not finite");
+      }
+    }
+    result.Poses.push_back(std::move(outcome.Poses));
+    result.Report.insert(result.Report.end(), outcome.Report.begin(), outcome.Report.end());
+    result.Warnings.insert(result.Warnings.end(), outcome.Warnings.begin(), outcome.Warnings.end());
+  }
+  output = std::move(result);
+  return Result::Ok();
+}
+
+} // namespace waft

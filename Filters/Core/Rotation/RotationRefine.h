@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Shi et al. 2005, section 6: how each object turns while its centre follows a given path.
+#pragma once
+
+#include "Base/FieldSeries.h"
+#include "Base/Monitor.h"
+#include "Base/Motion.h"
+#include "Base/Parallel.h"
+#include "Base/Pose.h"
+#include "Base/Result.h"
+#include "Base/Shape.h"
+#include "Obstacles/ObstacleSet.h"
+#include "Rotation/PanelBody.h"
+
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+struct RotationOptions
+{
+  AirModel Model = AirModel::Plate;
+  double Damping = 0.3;       // 1/s, of the angular momentum; 0 or more
+  double Lift = 1.0;          // extra slope of the normal force at small angles of attack, 0..4
+  double PressureShift = 0.5; // half chords, 0..1
+  double Follow = 0.5;        // 1/s: how fast the hidden sideslip is forgotten; 0 or more
+  double Variation = 0.15;    // 0..0.5: how much objects of one shape differ, by the scene's seed
+  double LandingTime = 1.0;   // s in which a body settles before it rests
+  double TurningTime = 2.0;   // s, at most, over which an orientation row draws the pose
+  int RasterSize = 128;       // pixels, 8..1024
+
+  Result Validate() const;
+};
+
+struct RotationInput
+{
+  SceneInfo Scene;
+  std::vector<MotionObject> Objects;
+  std::vector<Track> Tracks; // all of one length, one for each object, any order
+  std::vector<Shape> Shapes; // by ShapeId
+  std::vector<Constraint> Constraints;
+  const ObstacleSet* Obstacles = nullptr; // or none
+  /// The air's velocity where tracks carry none; its gradient counts in any case. A field of
+  /// accelerations is passed over: it has acted on the path already.
+  const FieldSeries* Wind = nullptr;
+};
+
+struct RotationOutput
+{
+  std::vector<PoseTrack> Poses;      // in the order of Tracks
+  std::vector<ReportRow> Report;     // one for each orientation row
+  std::vector<std::string> Warnings; // objects and shapes are named
+};
+
+/// Fails when a shape has no area, a mass is not positive, a track has no object or another length;
+/// nothing is written then. Results do not depend on the number of threads.
+Result RunRotationRefine(const RotationInput& input, const RotationOptions& options,
+                         const ParallelFor& parallel, Monitor& monitor, RotationOutput& output);
+
+} // namespace waft

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rotation/Turning.h"
+
+#include "Rotation/Contact.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace waft
+{
+namespace
+{
+/// From 0 to 1 with two derivatives that vanish at both ends.
+double Ease(double x)
+{
+  const double t = std::clamp(x, 0.0, 1.0);
+  return t * t * t * (10.0 + t * (6.0 * t - 15.0));
+}
+
+std::string Number(double x)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.3g", x);
+  return text;
+}
+
+class Turning
+{
+public:
+  Turning(const TurningPlan& plan, const FlightBody& body, const FlightPath& path) :
+    Plan(plan), Body(body), Path(path), Last(static_cast<int>(plan.Path->Positions.size()) - 1),
+    Frames(plan.Path->Positions.size()), Changed(plan.Path->Positions.size(), 0)
+  {
+    this->Out.Poses.ObjectId = plan.Object->ObjectId;
+    this->Out.Poses.Orientations.assign(this->Frames.size(), Quat::Identity());
+    this->Out.Poses.AngularVelocities.assign(this->Frames.size(), Vec3::Zero());
+    this->Out.Poses.Torques.assign(this->Frames.size(), Vec3::Zero());
+  }
+
+  TurningOutcome Run()
+  {
+    this->Start();
+    int frame = this->State.Frame;
+    while (frame < this->Last)
+    {
+      frame = this->FlyToNextEvent(frame);
+    }
+    this->KeepAbove();
+    this->SetAngularVelocities();
+    this->JoinSigns();
+    this->ReportKeys();
+    return std::move(this->Out);
+  }
+
+private:
+  struct Now
+  {
+    FlightState Flight;
+    int Frame = 0;
+  };
+
+  const Constraint* KeyAt(int first, int last) const
+  {
+    for (const Constraint& key : this->Plan.Keys)
+    {
+      if (key.Frame >= first && key.Frame <= last)
+      {
+        return &key;
+      }
+    }
+    return nullptr;
+  }
+
+  const LandingWindow* RestAfter(int frame) const
+  {
+    for (const LandingWindow& rest : this->Plan.Rests)
+    {
+      if (rest.Frame > frame)
+      {
+        return &rest;
+      }
+    }
+    return nullptr;
+  }
+
+  void Start()
+  {
+    Quat q = this->Plan.Object->Orientation;
+    const double norm = q.norm();
+    const std::string name = "object " + std::to_string(this->Plan.Object->ObjectId);
+    if (!(norm > 1e-12) || !std::isfinite(norm))
+    {
+      this->Out.Warnings.push_back(name + ": its Orientation is no quaternion; it starts level");
+      q = Quat::Identity();
+    }
+    else
+    {
+      if (std::abs(norm - 1.0) > 1e-6)
+      {
+        this->Out.Warnings.push_back(name + ": its Orientation had length " + Number(norm) +
+                                     " and was made unit");
+      }
+      q.coeffs() /= norm;
+    }
+    if (const Constraint* key = this->KeyAt(0, 0))
+    {
+      q = this->Towards(q, *key);
+      this->Frames[0].Freedom = PoseFreedom::Fixed;
+    }
+    this->State.Flight.Orientation = q;
+    this->State.Flight.SetAngularVelocity(this->Body, this->Plan.Object->AngularVelocity);
+    this->Record(0);
+    if (!this->Plan.Rests.empty() && this->Plan.Rests.front().Frame <= 0)
+    {
+      this->LieStill(this->Plan.Rests.front(), 0);
+    }
+  }
+
+  void Record(int frame)
+  {
+    const FlightState& state = this->State.Flight;
+    this->Out.Poses.Orientations[frame] = state.Orientation;
+    this->Out.Poses.AngularVelocities[frame] = state.AngularVelocity(this->Body);
+    this->Out.Poses.Torques[frame] = AirTorque(this->Body, this->Path, state, frame);
+  }
+
+  /// The pose nearest to q that a row allows.
+  static Quat Towards(const Quat& q, const Constraint& key)
+  {
+    const Quat wanted = key.Orientation.normalized();
+    if (key.Radius <= 0.0)
+    {
+      return wanted;
+    }
+    const Vec3 away = LogMap(q * wanted.conjugate());
+    const double angle = away.norm();
+    return angle <= key.Radius
+             ? q
+             : (ExpMap(away * (key.Radius * (1.0 - 1e-12) / angle)) * wanted).normalized();
+  }
+
+  int FlyToNextEvent(int from)
+  {
+    const LandingWindow* rest = this->RestAfter(from);
+    int end = this->Last;
+    const Constraint* key = this->KeyAt(from + 1, this->Last);
+    if (key != nullptr && key->Frame < (rest != nullptr ? rest->Frame : this->Last + 1))
+    {
+      end = key->Frame;
+    }
+    else
+    {
+      key = nullptr;
+      end = rest != nullptr ? std::min(rest->Frame, this->Last) : this->Last;
+    }
+    const double fps = this->Plan.Time.FramesPerSecond;
+    for (int k = from; k < end; ++k)
+    {
+      Settling settling;
+      if (rest != nullptr)
+      {
+        // A little earlier than the blend itself, so that little is left for it to do.
+        const double left = (rest->Frame - k) / fps;
+        settling.Normal = rest->Normal;
+        settling.Weight = Ease((1.4 * this->Plan.LandingTime - left) /
+                               std::max(0.6 * this->Plan.LandingTime, 1e-9));
+      }
+      AdvanceFrame(this->Body, this->Path, k, settling, this->State.Flight);
+      this->Record(k + 1);
+    }
+    this->State.Frame = end;
+    if (key != nullptr)
+    {
+      this->MeetKey(*key, from);
+    }
+    else if (rest != nullptr && rest->Frame <= this->Last)
+    {
+      this->Land(*rest, from);
+      return this->State.Frame;
+    }
+    return end;
+  }
+
+  /// Turns the poses before a key by a share of what is missing there, more and more.
+  void MeetKey(const Constraint& key, int from)
+  {
+    const int k = key.Frame;
+    std::vector<Quat>& poses = this->Out.Poses.Orientations;
+    const Quat target = Towards(poses[k], key);
+    const Quat missing = target * poses[k].conjugate();
+    const Vec3 turn = LogMap(missing);
+    const double most = this->Plan.TurningTime * this->Plan.Time.FramesPerSecond;
+    const double span = std::min<double>(k - from, std::max(most, 1.0));
+    for (int i = std::max(from + 1, static_cast<int>(std::ceil(k - span))); i < k; ++i)
+    {
+      poses[i] = (ExpMap(Ease(1.0 - (k - i) / span) * turn) * poses[i]).normalized();
+      this->Changed[i] = turn.norm() > 1e-12;
+    }
+    poses[k] = target;
+    this->Frames[k].Freedom = PoseFreedom::Fixed;
+    this->Out.Poses.AngularVelocities[k] = missing * this->Out.Poses.AngularVelocities[k];
+    FlightState& state = this->State.Flight;
+    state.AngularMomentum = missing * state.AngularMomentum;
+    state.Orientation = target;
+  }
+
+  Quat LyingPose(const LandingWindow& rest, const Quat& arriving) const
+  {
+    // A row within the rest chooses the heading.
+    const Constraint* key = this->KeyAt(rest.Frame, rest.Until);
+    const Quat heading = key != nullptr ? key->Orientation.normalized() : arriving;
+    const Mat3 turn = heading.toRotationMatrix();
+    return (LeastTurn(turn.col(2), rest.Normal, turn.col(0)) * heading).normalized();
+  }
+
+  void Land(const LandingWindow& rest, int from)
+  {
+    std::vector<Quat>& poses = this->Out.Poses.Orientations;
+    const Quat lying = this->LyingPose(rest, poses[rest.Frame]);
+    const double span = std::min<double>(
+      rest.Frame - from, std::max(this->Plan.LandingTime * this->Plan.Time.FramesPerSecond, 1.0));
+    Quat after = Quat::Identity();
+    for (int i = rest.Frame - 1; i > from && i > rest.Frame - span; --i)
+    {
+      // The same way round as a frame later: the turn left to do never jumps.
+      Quat left = lying * poses[i].conjugate();
+      if (left.dot(after) < 0.0)
+      {
+        left.coeffs() = -left.coeffs();
+      }
+      after = left;
+      const double share = Ease(1.0 - (rest.Frame - i) / span);
+      poses[i] = (ExpMap(share * SignedLogMap(left)) * poses[i]).normalized();
+      this->Frames[i] = { PoseFreedom::Landing, lying };
+      this->Changed[i] = 1;
+    }
+    this->State.Flight.Orientation = lying;
+    this->LieStill(rest, rest.Frame);
+  }
+
+  /// The same pose from a frame to the end of the rest; then free flight begins anew.
+  void LieStill(const LandingWindow& rest, int first)
+  {
+    const Quat lying = this->LyingPose(rest, this->State.Flight.Orientation);
+    const int end = std::min(rest.Until, this->Last);
+    for (int i = first; i <= end; ++i)
+    {
+      this->Out.Poses.Orientations[i] = lying;
+      this->Out.Poses.AngularVelocities[i].setZero();
+      this->Out.Poses.Torques[i].setZero();
+      this->Frames[i].Freedom = PoseFreedom::Fixed;
+      this->Changed[i] = 0;
+    }
+    const int second = static_cast<int>(std::ceil(this->Plan.Time.FramesPerSecond));
+    for (int i = end + 1; i <= std::min(end + second, this->Last); ++i)
+    {
+      this->Frames[i].Freedom = PoseFreedom::Leaving;
+    }
+    this->State.Flight = FlightState();
+    this->State.Flight.Orientation = lying;
+    this->State.Frame = end;
+  }
+
+  void KeepAbove()
+  {
+    ContactInput contact;
+    contact.Mesh = &this->Plan.Body->Mesh;
+    contact.BoundingRadius = this->Plan.BoundingRadius;
+    contact.Positions = &this->Plan.Path->Positions;
+    contact.Frames = &this->Frames;
+    contact.Obstacles = this->Plan.Obstacles;
+    contact.SmoothingFrames =
+      std::max(1, static_cast<int>(std::lround(0.12 * this->Plan.Time.FramesPerSecond)));
+    const double deepest = KeepAboveSurfaces(contact, this->Out.Poses.Orientations, this->Changed);
+    if (deepest > this->Plan.Tolerance)
+    {
+      this->Out.Warnings.push_back("object " + std::to_string(this->Plan.Object->ObjectId) +
+                                   ": its mesh lies up to " + Number(deepest) +
+                                   " m below a surface, as its centre comes too near");
+    }
+  }
+
+  /// Where poses were turned after the flight, the angular velocity is that of the exported poses:
+  /// central differences, on the branch nearest to the flight's own.
+  void SetAngularVelocities()
+  {
+    const std::vector<Quat>& poses = this->Out.Poses.Orientations;
+    for (int k = 0; k <= this->Last; ++k)
+    {
+      if (this->Changed[k] == 0 || this->Last == 0)
+      {
+        continue;
+      }
+      const int before = std::max(k - 1, 0);
+      const int after = std::min(k + 1, this->Last);
+      const double time = (after - before) * this->Path.Step;
+      Vec3 turn = LogMap(poses[after] * poses[before].conjugate());
+      const double angle = turn.norm();
+      if (angle > 1e-9)
+      {
+        const double own = this->Out.Poses.AngularVelocities[k].dot(turn) / angle * time;
+        const double full = 2.0 * std::acos(-1.0);
+        turn *= 1.0 + std::round((own - angle) / full) * full / angle;
+      }
+      this->Out.Poses.AngularVelocities[k] = turn / time;
+    }
+  }
+
+  void JoinSigns()
+  {
+    std::vector<Quat>& poses = this->Out.Poses.Orientations;
+    for (std::size_t k = 1; k < poses.size(); ++k)
+    {
+      if (poses[k].dot(poses[k - 1]) < 0.0)
+      {
+        poses[k].coeffs() = -poses[k].coeffs();
+      }
+    }
+  }
+
+  void ReportKeys()
+  {
+    for (const Constraint& key : this->Plan.Keys)
+    {
+      ReportRow row;
+      row.Row = key.Row;
+      row.Target = key.Target;
+      row.ObjectId = key.ObjectId;
+      row.Frame = key.Frame;
+      row.Kind = ConstraintKind::Orientation;
+      const Quat& pose = this->Out.Poses.Orientations[key.Frame];
+      const double angle = LogMap(pose * key.Orientation.normalized().conjugate()).norm();
+      row.Residual = std::max(0.0, angle - key.Radius);
+      if (row.Residual > 1e-9)
+      {
+        row.Status = ConstraintStatus::Conflict;
+        row.Message =
+          "object " + std::to_string(key.ObjectId) + ", frame " + std::to_string(key.Frame) +
+          ": another row or the surface it rests on asks for a pose " + Number(angle) + " rad away";
+      }
+      this->Out.Report.push_back(row);
+    }
+  }
+
+  const TurningPlan& Plan;
+  const FlightBody& Body;
+  const FlightPath& Path;
+  int Last;
+  Now State;
+  TurningOutcome Out;
+  std::vector<ContactFrame> Frames;
+  std::vector<unsigned char> Changed;
+};
+} // namespace
+
+TurningOutcome TurnObject(const TurningPlan& plan, const FlightBody& body, const FlightPath& path)
+{
+  return Turning(plan, body, path).Run();
+}
+
+} // namespace waft

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One object from the first frame to the last: free flight between orientation rows and rests.
+#pragma once
+
+#include "Base/Motion.h"
+#include "Base/Pose.h"
+#include "Base/Shape.h"
+#include "Obstacles/Rest.h"
+#include "Rotation/Flight.h"
+
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+/// What happens to one object; rests do not overlap and are in order, keys are in order of Frame.
+struct TurningPlan
+{
+  const MotionObject* Object = nullptr;
+  const Track* Path = nullptr;
+  const Shape* Body = nullptr;
+  double BoundingRadius = 0.0;      // m
+  std::vector<LandingWindow> Rests; // ObstacleId -1: nothing below, it hangs level
+  std::vector<Constraint> Keys;     // orientation rows
+  const ObstacleSet* Obstacles = nullptr;
+  Timeline Time;
+  double LandingTime = 1.0; // s
+  double TurningTime = 2.0; // s
+  double Tolerance = 0.0;   // m: a vertex deeper than this below a surface is told
+};
+
+struct TurningOutcome
+{
+  PoseTrack Poses;
+  std::vector<ReportRow> Report;
+  std::vector<std::string> Warnings;
+};
+
+TurningOutcome TurnObject(const TurningPlan& plan, const FlightBody& body, const FlightPath& path);
+
+} // namespace waft

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RotationFixtures.h"
+
+#include <gtest/gtest.h>
+
+using namespace waft;
+using namespace waft::fixtures;
+
+namespace
+{
+ObstacleSet Ground(double tiltX = 0.0)
+{
+  ObstacleMesh slab;
+  slab.ObstacleId = 0;
+  slab.Mesh = MakeBox({ Vec3(-4.0, -4.0, -1.0), Vec3(4.0, 4.0, 0.0) });
+  for (Vec3& p : slab.Mesh.Points)
+  {
+    p.z() += tiltX * p.x();
+  }
+  ObstacleSet obstacles;
+  const Result result = obstacles.Build({ slab });
+  EXPECT_TRUE(result) << result.Message();
+  return obstacles;
+}
+
+struct Landed
+{
+  RotationInput Input;
+  RotationOutput Output;
+};
+
+/// A leaf lands at frame 90 and rests to frame 130, then rises again.
+Landed Land(const ObstacleSet& obstacles, const Quat& start, double phase, double slope = 0.0)
+{
+  Landed landed;
+  const Shape leaf = CurledLeaf();
+  landed.Input = OneObject(leaf, std::vector<Vec3>(1, Vec3::Zero()));
+  const double height = RestHeight(leaf) * std::sqrt(1.0 + slope * slope);
+  const Vec3 place(0.3, -0.2, 0.3 * slope + height);
+  std::vector<Vec3> path = LandingPath(place, 90, 131, phase);
+  for (int k = 1; k <= 60; ++k)
+  {
+    const double t = k / 30.0;
+    path.push_back(place + Vec3(0.1 * t * t, 0.05 * t * t, 0.5 * t * t / (1.0 + t)));
+  }
+  for (Vec3& x : path)
+  {
+    x.z() = std::max(x.z(), slope * x.x() + height);
+  }
+  landed.Input.Tracks[0].Positions = path;
+  landed.Input.Objects[0].Orientation = start;
+  landed.Input.Objects[0].AngularVelocity = Vec3(3.0, 1.0, 2.0);
+  landed.Input.Obstacles = &obstacles;
+  Constraint rest;
+  rest.ObjectId = 0;
+  rest.Kind = ConstraintKind::Rest;
+  rest.Frame = 90;
+  rest.Until = 130;
+  rest.Value = Vec3(0.3, -0.2, 1.0);
+  landed.Input.Constraints = { rest };
+  SilentMonitor silent;
+  const Result result = RunRotationRefine(landed.Input, {}, SerialFor(), silent, landed.Output);
+  EXPECT_TRUE(result) << result.Message();
+  return landed;
+}
+
+double LowestVertex(const Landed& landed, int frame, double slope)
+{
+  const Vec3 normal = Vec3(-slope, 0.0, 1.0).normalized();
+  double lowest = 1e300;
+  for (const Vec3& p : landed.Input.Shapes[0].Mesh.Points)
+  {
+    const Vec3 x =
+      landed.Input.Tracks[0].Positions[frame] + landed.Output.Poses[0].Orientations[frame] * p;
+    lowest = std::min(lowest, x.dot(normal));
+  }
+  return lowest;
+}
+
+void ExpectGoodLanding(const Landed& landed, double slope)
+{
+  const PoseTrack& poses = landed.Output.Poses[0];
+  const Vec3 normal = Vec3(-slope, 0.0, 1.0).normalized();
+  EXPECT_TRUE(landed.Output.Warnings.empty());
+  for (int k = 0; k < static_cast<int>(poses.Orientations.size()); ++k)
+  {
+    EXPECT_GE(LowestVertex(landed, k, slope), -1e-9) << k;
+    if (k > 0)
+    {
+      EXPECT_GT(poses.Orientations[k].dot(poses.Orientations[k - 1]), 0.0);
+    }
+  }
+  for (int k = 90; k <= 130; ++k)
+  {
+    EXPECT_EQ(poses.Orientations[k].coeffs(), poses.Orientations[90].coeffs());
+    EXPECT_EQ(poses.AngularVelocities[k].norm(), 0.0);
+    EXPECT_LT(LowestVertex(landed, k, slope), 1e-3 * 4.0);
+    EXPECT_GT((poses.Orientations[k] * Vec3::UnitZ()).dot(normal), 1.0 - 1e-12);
+  }
+  // It comes to rest gently and stirs again afterwards.
+  EXPECT_LT(poses.AngularVelocities[89].norm(), 0.5);
+  EXPECT_GT(Angle(poses.Orientations[150], poses.Orientations[130]), 1e-4);
+  for (int k = 60; k < 90; ++k)
+  {
+    EXPECT_LT(Angle(poses.Orientations[k + 1], poses.Orientations[k]), 0.8) << k;
+  }
+}
+} // namespace
+
+TEST(Landing, OnLevelGroundFromAnyPose)
+{
+  const ObstacleSet ground = Ground();
+  for (int i = 0; i < 12; ++i)
+  {
+    const Quat start = ExpMap(0.5 * i * Vec3(std::cos(1.0 * i), std::sin(1.0 * i), 0.2));
+    ExpectGoodLanding(Land(ground, start, 0.7 * i), 0.0);
+  }
+}
+
+TEST(Landing, OnASlope)
+{
+  const ObstacleSet slope = Ground(0.4);
+  ExpectGoodLanding(Land(slope, Quat(0.1, 1.0, 0.0, 0.0).normalized(), 1.0, 0.4), 0.4);
+}
+
+TEST(Landing, ARowWithinTheRestChoosesTheHeading)
+{
+  const ObstacleSet ground = Ground();
+  Landed landed = Land(ground, Quat::Identity(), 0.0);
+  Constraint key = landed.Input.Constraints[0];
+  key.Kind = ConstraintKind::Orientation;
+  key.Frame = 95;
+  key.Orientation = ExpMap(Vec3(0.0, 0.0, 2.0));
+  landed.Input.Constraints.push_back(key);
+  SilentMonitor silent;
+  ASSERT_TRUE(RunRotationRefine(landed.Input, {}, SerialFor(), silent, landed.Output));
+  EXPECT_LT(Angle(landed.Output.Poses[0].Orientations[90], key.Orientation), 1e-9);
+  EXPECT_EQ(landed.Output.Report[0].Status, ConstraintStatus::Met);
+}
+
+TEST(Landing, RestFromTheFirstFrame)
+{
+  const ObstacleSet ground = Ground();
+  const Shape leaf = CurledLeaf();
+  RotationInput input = OneObject(leaf, std::vector<Vec3>(20, Vec3(0.0, 0.0, RestHeight(leaf))));
+  input.Obstacles = &ground;
+  input.Objects[0].Orientation = ExpMap(Vec3(0.4, 0.2, 1.0));
+  Constraint rest;
+  rest.ObjectId = 0;
+  rest.Kind = ConstraintKind::Rest;
+  rest.Until = 19;
+  input.Constraints = { rest };
+  RotationOutput output;
+  SilentMonitor silent;
+  ASSERT_TRUE(RunRotationRefine(input, {}, SerialFor(), silent, output));
+  for (const Quat& q : output.Poses[0].Orientations)
+  {
+    EXPECT_EQ(q.coeffs(), output.Poses[0].Orientations[0].coeffs());
+  }
+}
+
+TEST(Landing, ABodyThatPassesOverTheGroundDoesNotCutIt)
+{
+  // The centre passes at 0.02 m, less than half the leaf's length.
+  const ObstacleSet ground = Ground();
+  std::vector<Vec3> path;
+  for (int k = 0; k < 90; ++k)
+  {
+    const double t = (k - 45) / 30.0;
+    path.emplace_back(t, 0.1 * t, 0.02 + 0.3 * t * t);
+  }
+  RotationInput input = OneObject(CurledLeaf(), path);
+  input.Obstacles = &ground;
+  input.Objects[0].AngularVelocity = Vec3(2.0, 6.0, 0.0);
+  Landed landed;
+  landed.Input = input;
+  SilentMonitor silent;
+  ASSERT_TRUE(RunRotationRefine(input, {}, SerialFor(), silent, landed.Output));
+  for (int k = 0; k < 90; ++k)
+  {
+    EXPECT_GE(LowestVertex(landed, k, 0.0), -1e-9) << k;
+  }
+}

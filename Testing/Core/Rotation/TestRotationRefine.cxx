@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Random.h"
+#include "RotationFixtures.h"
+
+#include <gtest/gtest.h>
+
+using namespace waft;
+using namespace waft::fixtures;
+
+namespace
+{
+RotationOutput Refine(const RotationInput& input, const RotationOptions& options = {},
+                      int threads = 1)
+{
+  SilentMonitor silent;
+  RotationOutput output;
+  const Result result = RunRotationRefine(input, options, ThreadedFor(threads), silent, output);
+  EXPECT_TRUE(result) << result.Message();
+  return output;
+}
+
+Mat3 BodyInertia(const RotationInput& input)
+{
+  ShellProperties p;
+  EXPECT_TRUE(ComputeShellProperties(input.Shapes[0], p));
+  return input.Objects[0].Mass * p.InertiaPerMass;
+}
+
+std::vector<Vec3> SwayingPath(int frames, double phase = 0.0)
+{
+  std::vector<Vec3> path;
+  for (int k = 0; k < frames; ++k)
+  {
+    const double t = k / 30.0;
+    path.emplace_back(0.4 * std::sin(1.7 * t + phase), 0.3 * std::cos(1.1 * t), 9.0 - 0.8 * t);
+  }
+  return path;
+}
+} // namespace
+
+TEST(RotationRefine, WithoutTorqueAngularMomentumStays)
+{
+  RotationInput input = OneObject(CurledLeaf(), SwayingPath(301));
+  input.Scene.AirDensity = 0.0;
+  input.Objects[0].AngularVelocity = Vec3(4.0, -2.0, 7.0);
+  input.Objects[0].Orientation = Quat(0.8, 0.1, -0.5, 0.3).normalized();
+  RotationOptions options;
+  options.Damping = 0.0;
+  const PoseTrack poses = Refine(input, options).Poses[0];
+  const Mat3 inertia = BodyInertia(input);
+  const auto momentum = [&](int k)
+  {
+    const Mat3 turn = poses.Orientations[k].toRotationMatrix();
+    return Vec3(turn * inertia * turn.transpose() * poses.AngularVelocities[k]);
+  };
+  const auto energy = [&](int k) { return 0.5 * momentum(k).dot(poses.AngularVelocities[k]); };
+  double turned = 0.0;
+  for (int k = 1; k <= 300; ++k)
+  {
+    EXPECT_LT((momentum(k) - momentum(0)).norm(), 1e-6 * momentum(0).norm());
+    EXPECT_NEAR(energy(k), energy(0), 0.02 * energy(0));
+    turned = std::max(turned, Angle(poses.Orientations[k], poses.Orientations[0]));
+  }
+  EXPECT_GT(turned, 1.0);
+}
+
+TEST(RotationRefine, DampingRateIsAsStated)
+{
+  RotationInput input = OneObject(Sheet(0.1, 0.05), StraightPath(Vec3::Zero(), Vec3::Zero(), 91));
+  input.Scene.AirDensity = 0.0;
+  input.Objects[0].AngularVelocity = Vec3(0.0, 0.0, 9.0);
+  RotationOptions options;
+  options.Damping = 1.5;
+  const PoseTrack poses = Refine(input, options).Poses[0];
+  const double rate = std::log(9.0 / poses.AngularVelocities[90].norm()) / 3.0;
+  EXPECT_NEAR(rate, 1.5, 0.02 * 1.5);
+}
+
+TEST(RotationRefine, AirThatMovesAlongTurnsNothing)
+{
+  RotationInput input = OneObject(CurledLeaf(), SwayingPath(100));
+  input.Tracks[0].AirVelocities =
+    CentralVelocities(input.Tracks[0].Positions, input.Scene.Time.Step());
+  input.Objects[0].Orientation = Quat(0.8, 0.1, -0.5, 0.3).normalized();
+  for (const AirModel model : { AirModel::Paper, AirModel::Plate })
+  {
+    RotationOptions options;
+    options.Model = model;
+    const PoseTrack poses = Refine(input, options).Poses[0];
+    for (const Quat& q : poses.Orientations)
+    {
+      EXPECT_LT(Angle(q, input.Objects[0].Orientation), 1e-9);
+    }
+    for (const Vec3& torque : poses.Torques)
+    {
+      EXPECT_LT(torque.norm(), 1e-15);
+    }
+  }
+}
+
+TEST(RotationRefine, WindIsTheAirWhereTracksCarryNone)
+{
+  RotationInput input =
+    OneObject(CurledLeaf(), StraightPath(Vec3::Zero(), Vec3(0.5, 0.2, -0.1), 60));
+  FieldSeries wind;
+  wind.Meaning = FieldMeaning::Velocity;
+  wind.Dimensions = { 2, 2, 2 };
+  wind.Times = { 0.0 };
+  wind.Values = { std::vector<std::array<float, 3>>(8, { 0.5F, 0.2F, -0.1F }) };
+  input.Wind = &wind;
+  const RotationOutput still = Refine(input);
+  for (const Vec3& torque : still.Poses[0].Torques)
+  {
+    EXPECT_LT(torque.norm(), 1e-12);
+  }
+  wind.Meaning = FieldMeaning::Acceleration;
+  EXPECT_GT(Refine(input).Poses[0].Torques[0].norm(), 1e-9);
+}
+
+TEST(RotationRefine, EquivariantUnderRotationOfTheWorld)
+{
+  const Quat world = Quat(0.3, -0.6, 0.2, 0.7).normalized();
+  RotationInput input = OneObject(CurledLeaf(), SwayingPath(60));
+  input.Objects[0].AngularVelocity = Vec3(1.0, 2.0, -1.0);
+  RotationInput turned = input;
+  for (Vec3& x : turned.Tracks[0].Positions)
+  {
+    x = world * x;
+  }
+  turned.Objects[0].Orientation = world * input.Objects[0].Orientation;
+  turned.Objects[0].AngularVelocity = world * input.Objects[0].AngularVelocity;
+  for (const AirModel model : { AirModel::Paper, AirModel::Plate })
+  {
+    RotationOptions options;
+    options.Model = model;
+    const PoseTrack a = Refine(input, options).Poses[0];
+    const PoseTrack b = Refine(turned, options).Poses[0];
+    for (std::size_t k = 0; k < a.Orientations.size(); ++k)
+    {
+      EXPECT_LT(Angle(world * a.Orientations[k], b.Orientations[k]), 1e-6);
+    }
+  }
+}
+
+TEST(RotationRefine, SymmetricPlateBroadsideDoesNotTurn)
+{
+  const RotationInput input =
+    OneObject(Sheet(0.1, 0.06), StraightPath(Vec3(0.0, 0.0, 3.0), Vec3(0.0, 0.0, -0.9), 31));
+  for (const AirModel model : { AirModel::Paper, AirModel::Plate })
+  {
+    RotationOptions options;
+    options.Model = model;
+    const RotationOutput output = Refine(input, options);
+    for (const Quat& q : output.Poses[0].Orientations)
+    {
+      EXPECT_LT(Angle(q, Quat::Identity()), 1e-6);
+    }
+  }
+}
+
+TEST(RotationRefine, LightestBodiesAtGreatSpeedDoNotBlowUp)
+{
+  Shape down = CurledLeaf(0.02);
+  down.AreaDensity = 0.002;
+  for (const AirModel model : { AirModel::Paper, AirModel::Plate })
+  {
+    RotationInput input = OneObject(down, StraightPath(Vec3::Zero(), Vec3(12.0, 5.0, -9.0), 40));
+    input.Objects[0].AngularVelocity = Vec3(50.0, 20.0, 90.0);
+    RotationOptions options;
+    options.Model = model;
+    const PoseTrack poses = Refine(input, options).Poses[0];
+    for (std::size_t k = 0; k < poses.Orientations.size(); ++k)
+    {
+      EXPECT_NEAR(poses.Orientations[k].norm(), 1.0, 1e-12);
+      EXPECT_LT(poses.AngularVelocities[k].norm(), 5000.0);
+    }
+  }
+}
+
+TEST(RotationRefine, OrientationRowsAreMetAndTheMotionStaysSmooth)
+{
+  RotationInput input = OneObject(CurledLeaf(), SwayingPath(180));
+  Random random(9);
+  std::vector<Quat> wanted;
+  for (const int frame : { 0, 60, 110, 179 })
+  {
+    Constraint key;
+    key.ObjectId = 0;
+    key.Frame = frame;
+    key.Kind = ConstraintKind::Orientation;
+    const Vec3 axis = random.Direction();
+    key.Orientation = ExpMap(random.Uniform(0.5, 3.0) * axis);
+    key.Radius = frame == 110 ? 0.2 : 0.0;
+    key.Row = frame;
+    input.Constraints.push_back(key);
+  }
+  const RotationOutput output = Refine(input);
+  const std::vector<Quat>& q = output.Poses[0].Orientations;
+  for (const Constraint& key : input.Constraints)
+  {
+    EXPECT_LE(Angle(q[key.Frame], key.Orientation), key.Radius + 1e-9);
+  }
+  ASSERT_EQ(output.Report.size(), 4u);
+  for (const ReportRow& row : output.Report)
+  {
+    EXPECT_EQ(row.Status, ConstraintStatus::Met) << row.Message;
+  }
+  const Vec3 largest = *std::max_element(
+    output.Poses[0].AngularVelocities.begin(), output.Poses[0].AngularVelocities.end(),
+    [](const Vec3& a, const Vec3& b) { return a.norm() < b.norm(); });
+  for (std::size_t k = 1; k < q.size(); ++k)
+  {
+    EXPECT_GT(q[k].dot(q[k - 1]), 0.0) << k;
+    EXPECT_LT(Angle(q[k], q[k - 1]), largest.norm() / 30.0 * 1.5 + 0.2) << k;
+  }
+}
+
+TEST(RotationRefine, TwoWishesAtOneFrameAreNamed)
+{
+  RotationInput input = OneObject(CurledLeaf(), SwayingPath(60));
+  for (const double angle : { 0.3, 1.0 })
+  {
+    Constraint key;
+    key.ObjectId = 0;
+    key.Frame = 30;
+    key.Kind = ConstraintKind::Orientation;
+    key.Orientation = ExpMap(Vec3(angle, 0.0, 0.0));
+    input.Constraints.push_back(key);
+  }
+  const RotationOutput output = Refine(input);
+  ASSERT_EQ(output.Report.size(), 2u);
+  EXPECT_EQ(output.Report[0].Status, ConstraintStatus::Met);
+  EXPECT_EQ(output.Report[1].Status, ConstraintStatus::Conflict);
+  EXPECT_NEAR(output.Report[1].Residual, 0.7, 1e-9);
+}
+
+TEST(RotationRefine, SameBitsForAnyNumberOfThreads)
+{
+  RotationInput input = OneObject(CurledLeaf(), SwayingPath(50));
+  for (int i = 1; i < 9; ++i)
+  {
+    input.Objects.push_back(input.Objects[0]);
+    input.Objects[i].ObjectId = i;
+    input.Tracks.push_back(input.Tracks[0]);
+    input.Tracks[i].ObjectId = i;
+    input.Tracks[i].Positions = SwayingPath(50, 0.4 * i);
+  }
+  const RotationOutput one = Refine(input, {}, 1);
+  const RotationOutput two = Refine(input, {}, 2);
+  for (std::size_t i = 0; i < one.Poses.size(); ++i)
+  {
+    for (std::size_t k = 0; k < one.Poses[i].Orientations.size(); ++k)
+    {
+      EXPECT_EQ(one.Poses[i].Orientations[k].coeffs(), two.Poses[i].Orientations[k].coeffs());
+      EXPECT_EQ(one.Poses[i].Torques[k], two.Poses[i].Torques[k]);
+    }
+  }
+}
+
+TEST(RotationRefine, ErrorsNameThePlace)
+{
+  SilentMonitor silent;
+  RotationOutput output;
+  const auto message = [&](const RotationInput& input)
+  {
+    const Result result = RunRotationRefine(input, {}, SerialFor(), silent, output);
+    EXPECT_FALSE(result);
+    EXPECT_TRUE(output.Poses.empty());
+    return result.Message();
+  };
+  const RotationInput good = OneObject(CurledLeaf(), SwayingPath(10));
+  RotationInput bad = good;
+  bad.Objects[0].Mass = 0.0;
+  EXPECT_NE(message(bad).find("object 0: Mass"), std::string::npos);
+  bad = good;
+  bad.Tracks[0].ObjectId = 7;
+  EXPECT_NE(message(bad).find("object 7"), std::string::npos);
+  bad = good;
+  bad.Shapes[0].Mesh.Triangles.clear();
+  EXPECT_NE(message(bad).find("shape 'leaf'"), std::string::npos);
+  bad = good;
+  bad.Tracks[0].Positions[3].x() = std::nan("");
+  EXPECT_NE(message(bad).find("frame 3"), std::string::npos);
+  RotationOptions options;
+  options.Damping = -1.0;
+  EXPECT_FALSE(options.Validate());
+}
+
+TEST(RotationRefine, StopsWhenAsked)
+{
+  struct Stopper : Monitor
+  {
+    bool Tick(double, const std::string&) override { return false; }
+  };
+  Stopper stopper;
+  RotationOutput output;
+  const RotationInput input = OneObject(CurledLeaf(), SwayingPath(10));
+  EXPECT_TRUE(RunRotationRefine(input, {}, SerialFor(), stopper, output).IsStopped());
+  EXPECT_TRUE(output.Poses.empty());
+}
