@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Particles/NeighborList.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace waft
+{
+namespace
+{
+
+struct CellGrid
+{
+  float Min[3];
+  float Inverse;
+  int Size[3];
+
+  int Index(int axis, float p) const
+  {
+    const int cell = static_cast<int>((p - this->Min[axis]) * this->Inverse);
+    return std::clamp(cell, 0, this->Size[axis] - 1);
+  }
+};
+
+CellGrid MakeGrid(std::size_t n, const float* const points[3], float reach)
+{
+  CellGrid grid;
+  float extent = 0.0f;
+  for (int a = 0; a < 3; ++a)
+  {
+    const auto range = std::minmax_element(points[a], points[a] + n);
+    grid.Min[a] = *range.first;
+    extent = std::max(extent, *range.second - *range.first);
+    grid.Size[a] = static_cast<int>(std::min(128.0f, (*range.second - *range.first) / reach)) + 1;
+  }
+  // Cells never smaller than the reach, also when an extent was cut to 128 cells.
+  grid.Inverse = 1.0f / std::max(reach, extent / 128.0f);
+  return grid;
+}
+
+} // namespace
+
+void NeighborList::Build(const SphKernelTable& kernels, std::size_t n, std::size_t numberOfGas,
+                         const float* x, const float* y, const float* z, float reach,
+                         NeighborScratch& scratch)
+{
+  const float* points[3] = { x, y, z };
+  this->Count = n;
+  this->Reference.resize(3 * n);
+  for (int a = 0; a < 3; ++a)
+  {
+    std::copy(points[a], points[a] + n, this->Reference.begin() + a * n);
+  }
+  const CellGrid grid = MakeGrid(n, points, reach);
+  const std::size_t cells = static_cast<std::size_t>(grid.Size[0]) * grid.Size[1] * grid.Size[2];
+
+  // Counting sort by cell, x fastest: the three cells along x are one range.
+  scratch.CellStarts.assign(cells + 1, 0);
+  scratch.CellOf.resize(n);
+  scratch.Order.resize(n);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const int cell = (grid.Index(2, z[i]) * grid.Size[1] + grid.Index(1, y[i])) * grid.Size[0] +
+                     grid.Index(0, x[i]);
+    scratch.CellOf[i] = static_cast<std::uint32_t>(cell);
+    ++scratch.CellStarts[cell + 1];
+  }
+  for (std::size_t c = 0; c < cells; ++c)
+  {
+    scratch.CellStarts[c + 1] += scratch.CellStarts[c];
+  }
+  std::vector<float>* sorted[3] = { &scratch.X, &scratch.Y, &scratch.Z };
+  for (auto* row : sorted)
+  {
+    row->resize(n + 8);
+  }
+  {
+    std::vector<std::uint32_t> next(scratch.CellStarts.begin(), scratch.CellStarts.end() - 1);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const std::uint32_t place = next[scratch.CellOf[i]]++;
+      scratch.Order[place] = static_cast<std::uint32_t>(i);
+      for (int a = 0; a < 3; ++a)
+      {
+        (*sorted[a])[place] = points[a][i];
+      }
+    }
+  }
+
+  const bool narrow = n < std::numeric_limits<std::uint16_t>::max();
+  this->Starts.assign(n + 1, 0);
+  this->Narrow.clear();
+  this->Wide.clear();
+  scratch.Found.resize(n + 8);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const float p[3] = { x[i], y[i], z[i] };
+    std::size_t count = 0;
+    const int cx = grid.Index(0, x[i]), cy = grid.Index(1, y[i]), cz = grid.Index(2, z[i]);
+    for (int k = std::max(0, cz - 1); k <= std::min(grid.Size[2] - 1, cz + 1); ++k)
+    {
+      for (int j = std::max(0, cy - 1); j <= std::min(grid.Size[1] - 1, cy + 1); ++j)
+      {
+        const std::size_t row = (static_cast<std::size_t>(k) * grid.Size[1] + j) * grid.Size[0];
+        const std::size_t begin = scratch.CellStarts[row + std::max(0, cx - 1)];
+        const std::size_t end = scratch.CellStarts[row + std::min(grid.Size[0] - 1, cx + 1) + 1];
+        std::size_t found = kernels.Near(scratch.X.data(), scratch.Y.data(), scratch.Z.data(),
+                                         begin, end, p, reach * reach, scratch.Found.data());
+        for (std::size_t f = 0; f < found; ++f)
+        {
+          const std::uint32_t other = scratch.Order[scratch.Found[f]];
+          if (other == i || (i >= numberOfGas && other >= numberOfGas))
+          {
+            continue;
+          }
+          narrow ? this->Narrow.push_back(static_cast<std::uint16_t>(other))
+                 : this->Wide.push_back(other);
+          ++count;
+        }
+      }
+    }
+    for (; count % 8 != 0; ++count)
+    {
+      narrow ? this->Narrow.push_back(static_cast<std::uint16_t>(n))
+             : this->Wide.push_back(static_cast<std::uint32_t>(n));
+    }
+    this->Starts[i + 1] = this->Starts[i] + static_cast<std::uint32_t>(count / 8);
+  }
+}
+
+bool NeighborList::IsStale(const float* x, const float* y, const float* z, float distance) const
+{
+  const std::size_t n = this->Count;
+  if (n == 0)
+  {
+    return true;
+  }
+  const float* rx = this->Reference.data();
+  const float* ry = rx + n;
+  const float* rz = ry + n;
+  float largest = 0.0f;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const float dx = x[i] - rx[i];
+    const float dy = y[i] - ry[i];
+    const float dz = z[i] - rz[i];
+    const float d2 = dx * dx + dy * dy + dz * dz;
+    largest = largest > d2 ? largest : d2;
+  }
+  return !(largest <= distance * distance);
+}
+
+SphNeighbors NeighborList::View() const
+{
+  const bool narrow = this->Wide.empty();
+  return { this->Starts.data(), narrow ? this->Narrow.data() : nullptr,
+           narrow ? nullptr : this->Wide.data() };
+}
+
+std::size_t NeighborList::MemoryBytes() const
+{
+  return this->Starts.capacity() * sizeof(std::uint32_t) +
+         this->Narrow.capacity() * sizeof(std::uint16_t) +
+         this->Wide.capacity() * sizeof(std::uint32_t) + this->Reference.capacity() * sizeof(float);
+}
+
+} // namespace waft

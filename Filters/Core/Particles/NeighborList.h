@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Verlet lists with a skin: valid until a particle has moved half the skin.
+#pragma once
+
+#include "Particles/SphKernels.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace waft
+{
+
+/// Work space of a list's construction, one a thread.
+struct NeighborScratch
+{
+  std::vector<std::uint32_t> CellStarts, CellOf, Order, Found;
+  std::vector<float> X, Y, Z;
+};
+
+/// Full neighbour lists of one frame. Particles from numberOfGas on belong to objects and do not
+/// see each other. Two bytes an entry up to 65535 particles, four beyond.
+class NeighborList
+{
+public:
+  /// x, y, z: n coordinates; reach: support plus skin.
+  void Build(const SphKernelTable& kernels, std::size_t n, std::size_t numberOfGas, const float* x,
+             const float* y, const float* z, float reach, NeighborScratch& scratch);
+  /// True when a particle has moved farther than `distance` since Build, or nothing was built.
+  bool IsStale(const float* x, const float* y, const float* z, float distance) const;
+
+  SphNeighbors View() const;
+  std::size_t NumberOfEntries() const
+  {
+    return this->Starts.empty() ? 0 : 8 * static_cast<std::size_t>(this->Starts.back());
+  }
+  std::size_t MemoryBytes() const;
+
+private:
+  std::size_t Count = 0;
+  std::vector<std::uint32_t> Starts;
+  std::vector<std::uint16_t> Narrow;
+  std::vector<std::uint32_t> Wide;
+  std::vector<float> Reference; // positions at Build, three rows
+};
+
+} // namespace waft

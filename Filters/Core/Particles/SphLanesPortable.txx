@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Eight floats as an array, for any machine.
+struct Lanes
+{
+  float Value[8];
+
+  static Lanes Set(float a) { return { { a, a, a, a, a, a, a, a } }; }
+  static Lanes Load(const float* p)
+  {
+    Lanes r;
+    for (int k = 0; k < 8; ++k)
+    {
+      r.Value[k] = p[k];
+    }
+    return r;
+  }
+  void Store(float* p) const
+  {
+    for (int k = 0; k < 8; ++k)
+    {
+      p[k] = this->Value[k];
+    }
+  }
+};
+
+template <typename Function>
+inline Lanes Each(Function function)
+{
+  Lanes r;
+  for (int k = 0; k < 8; ++k)
+  {
+    r.Value[k] = function(k);
+  }
+  return r;
+}
+
+inline Lanes operator+(const Lanes& a, const Lanes& b)
+{
+  return Each([&](int k) { return a.Value[k] + b.Value[k]; });
+}
+inline Lanes operator-(const Lanes& a, const Lanes& b)
+{
+  return Each([&](int k) { return a.Value[k] - b.Value[k]; });
+}
+inline Lanes operator*(const Lanes& a, const Lanes& b)
+{
+  return Each([&](int k) { return a.Value[k] * b.Value[k]; });
+}
+inline Lanes operator/(const Lanes& a, const Lanes& b)
+{
+  return Each([&](int k) { return a.Value[k] / b.Value[k]; });
+}
+inline Lanes Fma(const Lanes& a, const Lanes& b, const Lanes& c)
+{
+  return Each([&](int k) { return a.Value[k] * b.Value[k] + c.Value[k]; });
+}
+inline Lanes Fnma(const Lanes& a, const Lanes& b, const Lanes& c)
+{
+  return Each([&](int k) { return c.Value[k] - a.Value[k] * b.Value[k]; });
+}
+inline Lanes Max(const Lanes& a, const Lanes& b)
+{
+  return Each([&](int k) { return a.Value[k] > b.Value[k] ? a.Value[k] : b.Value[k]; });
+}
+inline Lanes Sqrt(const Lanes& a)
+{
+  return Each([&](int k) { return __builtin_sqrtf(a.Value[k]); });
+}
+inline Lanes Less(const Lanes& a, const Lanes& b, const Lanes& yes, const Lanes& no)
+{
+  return Each([&](int k) { return a.Value[k] < b.Value[k] ? yes.Value[k] : no.Value[k]; });
+}
+inline unsigned LessMask(const Lanes& a, const Lanes& b)
+{
+  unsigned mask = 0;
+  for (int k = 0; k < 8; ++k)
+  {
+    mask |= a.Value[k] < b.Value[k] ? 1u << k : 0u;
+  }
+  return mask;
+}
+inline float Sum(const Lanes& a)
+{
+  const float* v = a.Value;
+  return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
+}
+
+template <typename Index>
+inline void LoadFour(const float* base, const Index* index, Lanes out[4])
+{
+  for (int k = 0; k < 8; ++k)
+  {
+    const float* record = base + 8 * static_cast<std::size_t>(index[k]);
+    for (int c = 0; c < 4; ++c)
+    {
+      out[c].Value[k] = record[c];
+    }
+  }
+}

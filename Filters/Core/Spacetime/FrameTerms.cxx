@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/FrameTerms.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+namespace
+{
+
+constexpr float SpringStiffness = 0.3f;  // [1 / (dx frame^2)]: keeps gas off the walls
+constexpr float SpringReach = 0.3f;      // [dx]
+constexpr float FarAway = -1e4f;         // where the particle without mass lies [dx]
+constexpr double LeastTimeFactor = 1e-4; // a vortex weaker than this share of itself is left out
+
+} // namespace
+
+FrameTerms::FrameTerms(const SpacetimeModel& model, const SphKernelTable& kernels) :
+  Model(model), Kernels(kernels), Constants(model.Fluid.Constants()), BodyStride(model.Stride())
+{
+  const std::size_t n = model.NumberOfParticles();
+  this->ParticleStride = (n + 15) / 16 * 16;
+  const std::size_t p = this->ParticleStride;
+  const std::size_t b = this->BodyStride;
+  this->X.assign(3 * p, 0.0f);
+  this->Records.resize(n + 1);
+  this->Records[n] = { FarAway, FarAway, FarAway, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
+  this->Adjoints.assign(n + 1, SphAdjointRecord{});
+  for (auto* v : { &this->Density, &this->PressureSlope, &this->Psi, &this->Bar })
+  {
+    v->assign(p, 0.0f);
+  }
+  this->PsiGradient.assign(3 * p, 0.0f);
+  this->PsiHessian.assign(6 * p, 0.0f);
+  this->ParticleRates.assign(6 * p, 0.0f);
+  this->ParticleBars.assign(6 * p, 0.0f);
+  this->SpringForce.assign(3 * p, 0.0f);
+  this->SpringSlope.assign(6 * p, 0.0f);
+  this->Force.assign(3 * b, 0.0f);
+  this->Jacobian.assign(9 * b, 0.0f);
+  this->Rates.assign(6 * b, 0.0f);
+  this->Bars.assign(6 * b, 0.0f);
+}
+
+double FrameTerms::PressureOf(std::size_t i) const
+{
+  return this->Records[i].Pressure * static_cast<double>(this->Density[i]) * this->Density[i];
+}
+
+void FrameTerms::PlaceParticles(const float* state)
+{
+  const std::size_t ng = this->Model.NumberOfGas;
+  const std::size_t per = this->Model.Offsets.size();
+  const float gasMass = static_cast<float>(this->Model.Fluid.GasMass);
+  const float objectMass = static_cast<float>(this->Model.Fluid.ObjectMass);
+  const std::size_t s = this->BodyStride;
+  for (std::size_t i = 0; i < ng; ++i)
+  {
+    this->Records[i] = { state[i],         state[s + i],     state[2 * s + i], gasMass,
+                         state[3 * s + i], state[4 * s + i], state[5 * s + i], 0.0f };
+  }
+  for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
+  {
+    const float* q = state + ng + o;
+    for (std::size_t k = 0; k < per; ++k)
+    {
+      const auto& d = this->Model.Offsets[k];
+      this->Records[ng + o * per + k] = { q[0] + d[0], q[s] + d[1], q[2 * s] + d[2], objectMass,
+                                          q[3 * s],    q[4 * s],    q[5 * s],        0.0f };
+    }
+  }
+  const std::size_t n = this->Model.NumberOfParticles();
+  const std::size_t p = this->ParticleStride;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    this->X[i] = this->Records[i].X;
+    this->X[p + i] = this->Records[i].Y;
+    this->X[2 * p + i] = this->Records[i].Z;
+  }
+}
+
+// One more surface beside the walls: 1 - Psi is multiplied by 1 - psi(d).
+void FrameTerms::AddObstacle(std::size_t i, int frame)
+{
+  const float point[3] = { this->Records[i].X, this->Records[i].Y, this->Records[i].Z };
+  float normal[3], curve[6];
+  const double d = this->Model.Obstacles.Evaluate(point, frame, normal, curve);
+  const double inverse = this->Constants.InverseSupport;
+  const double s = 1.0 - std::abs(d) * inverse;
+  if (s <= 0.0 && d >= 0.0)
+  {
+    return;
+  }
+  const double t = std::max(0.0, s);
+  const double psi = std::pow(t, 6) * (3.5 - 4.5 * t + 1.5 * t * t);
+  const double q = d < 0.0 ? psi : 1.0 - psi;
+  const double q1 = inverse * std::pow(t, 5) * (21.0 - 31.5 * t + 12.0 * t * t);
+  const double q2 = (d < 0.0 ? 1.0 : -1.0) * inverse * inverse * std::pow(t, 4) *
+                    (105.0 - 189.0 * t + 84.0 * t * t);
+  const std::size_t p = this->ParticleStride;
+  const double wall = 1.0 - this->Psi[i];
+  double w1[3];
+  for (int a = 0; a < 3; ++a)
+  {
+    w1[a] = -this->PsiGradient[a * p + i];
+  }
+  constexpr int First[6] = { 0, 0, 0, 1, 1, 2 };
+  constexpr int Second[6] = { 0, 1, 2, 1, 2, 2 };
+  for (int k = 0; k < 6; ++k)
+  {
+    const int a = First[k];
+    const int b = Second[k];
+    const double w2 = -this->PsiHessian[k * p + i];
+    const double o2 = q2 * normal[a] * normal[b] + q1 * curve[k];
+    this->PsiHessian[k * p + i] =
+      static_cast<float>(-(w2 * q + wall * o2 + q1 * (w1[a] * normal[b] + w1[b] * normal[a])));
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    this->PsiGradient[a * p + i] = static_cast<float>(-(w1[a] * q + wall * q1 * normal[a]));
+  }
+  this->Psi[i] = static_cast<float>(1.0 - wall * q);
+  if (i < this->Model.NumberOfGas && d < SpringReach)
+  {
+    const double depth = SpringReach - d;
+    for (int a = 0; a < 3; ++a)
+    {
+      this->SpringForce[a * p + i] +=
+        static_cast<float>(SpringStiffness * depth * depth * normal[a]);
+    }
+    for (int k = 0; k < 6; ++k)
+    {
+      this->SpringSlope[k * p + i] +=
+        static_cast<float>(SpringStiffness * (depth * depth * curve[k] -
+                                              2.0 * depth * normal[First[k]] * normal[Second[k]]));
+    }
+  }
+}
+
+void FrameTerms::AddWalls(int frame)
+{
+  SphBox box;
+  for (int a = 0; a < 3; ++a)
+  {
+    box.Min[a] = 0.0f;
+    box.Max[a] = static_cast<float>(this->Model.Size[a]);
+  }
+  const std::size_t p = this->ParticleStride;
+  this->Kernels.Walls(this->Constants, box, p, this->X.data(), this->X.data() + p,
+                      this->X.data() + 2 * p, this->Psi.data(),
+                      this->ParticleRows(this->PsiGradient), this->ParticleRows(this->PsiHessian));
+  std::fill(this->SpringSlope.begin(), this->SpringSlope.end(), 0.0f);
+  constexpr int Diagonal[3] = { 0, 3, 5 };
+  for (int a = 0; a < 3; ++a)
+  {
+    const float* x = this->X.data() + a * p;
+    float* force = this->SpringForce.data() + a * p;
+    float* slope = this->SpringSlope.data() + Diagonal[a] * p;
+    for (std::size_t i = 0; i < this->Model.NumberOfGas; ++i)
+    {
+      const float low = std::max(0.0f, SpringReach - x[i]);
+      const float high = std::max(0.0f, SpringReach - (box.Max[a] - x[i]));
+      force[i] = SpringStiffness * (low * low - high * high);
+      slope[i] = -2.0f * SpringStiffness * (low + high);
+    }
+  }
+  if (!this->Model.Obstacles.IsEmpty())
+  {
+    const std::size_t n = this->Model.NumberOfParticles();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      this->AddObstacle(i, frame);
+    }
+  }
+}
+
+void FrameTerms::AddFields(const float* state, int frame)
+{
+  const std::size_t s = this->BodyStride;
+  std::fill(this->Force.begin(), this->Force.end(), 0.0f);
+  std::fill(this->Jacobian.begin(), this->Jacobian.end(), 0.0f);
+  this->Active.clear();
+  for (const Vortex& vortex : this->Model.Vortices)
+  {
+    const double factor = vortex.TimeFactor(frame);
+    if (factor < LeastTimeFactor)
+    {
+      continue;
+    }
+    SphVortex v;
+    for (int a = 0; a < 3; ++a)
+    {
+      v.P1[a] = static_cast<float>(vortex.P1[a]);
+      v.P2[a] = static_cast<float>(vortex.P2[a]);
+    }
+    v.Strength = static_cast<float>(vortex.Strength * factor / (4.0 * M_PI));
+    v.Core = static_cast<float>(vortex.CoreRadius * vortex.CoreRadius *
+                                (vortex.P2 - vortex.P1).squaredNorm());
+    this->Active.push_back(v);
+  }
+  const SphRows force{ this->Force.data(), s };
+  const SphRows jacobian{ this->Jacobian.data(), s };
+  this->Kernels.Vortices(this->Active.data(), this->Active.size(), s, state, state + s,
+                         state + 2 * s, force, jacobian);
+  const std::size_t n = this->Model.NumberOfBodies();
+  if (!this->Model.Wind.IsEmpty())
+  {
+    this->Model.Wind.At(frame, this->WindCoefficients);
+    this->Kernels.Spline(this->Model.Wind.Field(this->WindCoefficients), 1.0f, n, state, state + s,
+                         state + 2 * s, force, jacobian);
+  }
+  this->BackgroundDrag = 0.0f;
+  const SplineWind& background = this->Model.Background;
+  if (!background.IsEmpty())
+  {
+    background.At(frame, this->BackgroundCoefficients);
+    this->BackgroundDrag = static_cast<float>(background.Drag);
+    const float factor = background.Drag > 0.0 ? this->BackgroundDrag : 1.0f;
+    this->Kernels.Spline(background.Field(this->BackgroundCoefficients), factor, n, state,
+                         state + s, state + 2 * s, force, jacobian);
+    for (std::size_t k = 0; k<3 * s&& this->BackgroundDrag> 0.0f; ++k)
+    {
+      this->Force[k] -= this->BackgroundDrag * state[3 * s + k];
+    }
+  }
+}
+
+void FrameTerms::Forward(const float* state, int frame, NeighborList& list, double skin)
+{
+  const std::size_t ng = this->Model.NumberOfGas;
+  const std::size_t n = this->Model.NumberOfParticles();
+  const std::size_t p = this->ParticleStride;
+  this->PlaceParticles(state);
+  const float* x = this->X.data();
+  if (list.IsStale(x, x + p, x + 2 * p, static_cast<float>(0.5 * skin)))
+  {
+    list.Build(this->Kernels, n, ng, x, x + p, x + 2 * p,
+               static_cast<float>(this->Model.Fluid.Support() + skin), this->Scratch);
+    ++this->Rebuilds;
+  }
+  const SphNeighbors neighbors = list.View();
+  this->AddWalls(frame);
+  this->Kernels.Density(this->Constants, this->Records.data(), neighbors, n, this->Density.data());
+  const float self = static_cast<float>(this->Model.Fluid.GasMass * this->Model.Fluid.Kernel(0.0));
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    this->Density[i] += this->Psi[i] + (i < ng ? self : 0.0f);
+    this->Records[i].Pressure = static_cast<float>(this->Model.Fluid.Pressure(this->Density[i]));
+    this->PressureSlope[i] = static_cast<float>(this->Model.Fluid.PressureSlope(this->Density[i]));
+  }
+  this->Kernels.Accelerate(this->Constants, this->Records.data(), neighbors, n,
+                           { this->ParticleRates.data(), p },
+                           { this->ParticleRates.data() + 3 * p, p });
+  this->AddFields(state, frame);
+
+  const std::size_t per = this->Model.Offsets.size();
+  const float share = 1.0f / static_cast<float>(per);
+  for (int c = 0; c < 3; ++c)
+  {
+    float* a = this->ParticleRates.data() + c * p;
+    const float* d = this->ParticleRates.data() + (3 + c) * p;
+    const float* gradient = this->PsiGradient.data() + c * p;
+    const float* spring = this->SpringForce.data() + c * p;
+    const float* external = this->External(c);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      a[i] -= 2.0f * this->Records[i].Pressure * gradient[i];
+    }
+    float* bodyA = this->Acceleration(c);
+    float* bodyD = this->Average(c);
+    for (std::size_t i = 0; i < ng; ++i)
+    {
+      bodyA[i] = a[i] + spring[i] + external[i];
+      bodyD[i] = d[i];
+    }
+    const float fall = c == 2 ? static_cast<float>(this->Model.Gravity) : 0.0f;
+    for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
+    {
+      float sumA = 0.0f, sumD = 0.0f;
+      for (std::size_t k = ng + o * per; k < ng + (o + 1) * per; ++k)
+      {
+        sumA += a[k];
+        sumD += d[k];
+      }
+      bodyD[ng + o] = share * sumD;
+      // Drag towards the air about the object: D is the mean velocity of the air relative to it.
+      bodyA[ng + o] =
+        share * sumA + external[ng + o] - fall + this->Model.DragRates[o] * bodyD[ng + o];
+    }
+  }
+}
+
+void FrameTerms::Adjoint(NeighborList& list, float* gradient)
+{
+  const std::size_t ng = this->Model.NumberOfGas;
+  const std::size_t n = this->Model.NumberOfParticles();
+  const std::size_t per = this->Model.Offsets.size();
+  const std::size_t p = this->ParticleStride;
+  const std::size_t s = this->BodyStride;
+  const SphNeighbors neighbors = list.View();
+  const float share = 1.0f / static_cast<float>(per);
+  const auto fill = [&](std::size_t particle, std::size_t body, float factor, float drag)
+  {
+    SphAdjointRecord& record = this->Adjoints[particle];
+    float* out = &record.AX;
+    for (int c = 0; c < 3; ++c)
+    {
+      const float abar = this->AccelerationBar(c)[body];
+      out[c] = factor * abar;
+      out[4 + c] = factor * (this->AverageBar(c)[body] + drag * abar);
+    }
+  };
+  for (std::size_t i = 0; i < ng; ++i)
+  {
+    fill(i, i, 1.0f, 0.0f);
+  }
+  for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
+  {
+    for (std::size_t k = 0; k < per; ++k)
+    {
+      fill(ng + o * per + k, ng + o, share, this->Model.DragRates[o]);
+    }
+  }
+  this->Kernels.AdjointPressure(this->Constants, this->Records.data(), this->Adjoints.data(),
+                                neighbors, n, this->Bar.data());
+  const float* g0 = this->PsiGradient.data();
+  const float* h = this->PsiHessian.data();
+  const float* k6 = this->SpringSlope.data();
+  float* xbar = this->ParticleBars.data();
+  std::fill(xbar + 3 * p, xbar + 6 * p, 0.0f);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    SphAdjointRecord& r = this->Adjoints[i];
+    const float dot = g0[i] * r.AX + g0[p + i] * r.AY + g0[2 * p + i] * r.AZ;
+    r.Density = this->PressureSlope[i] * (this->Bar[i] - 2.0f * dot);
+    const float q = -2.0f * this->Records[i].Pressure;
+    const float xx = q * h[i] + k6[i];
+    const float xy = q * h[p + i] + k6[p + i];
+    const float xz = q * h[2 * p + i] + k6[2 * p + i];
+    const float yy = q * h[3 * p + i] + k6[3 * p + i];
+    const float yz = q * h[4 * p + i] + k6[4 * p + i];
+    const float zz = q * h[5 * p + i] + k6[5 * p + i];
+    xbar[i] = r.Density * g0[i] + xx * r.AX + xy * r.AY + xz * r.AZ;
+    xbar[p + i] = r.Density * g0[p + i] + xy * r.AX + yy * r.AY + yz * r.AZ;
+    xbar[2 * p + i] = r.Density * g0[2 * p + i] + xz * r.AX + yz * r.AY + zz * r.AZ;
+  }
+  this->Kernels.AdjointState(this->Constants, this->Records.data(), this->Adjoints.data(),
+                             neighbors, n, { xbar, p }, { xbar + 3 * p, p });
+  for (int c = 0; c < 6; ++c)
+  {
+    float* g = gradient + c * s;
+    const float* bar = xbar + c * p;
+    for (std::size_t i = 0; i < ng; ++i)
+    {
+      g[i] += bar[i];
+    }
+    for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
+    {
+      float sum = 0.0f;
+      for (std::size_t k = ng + o * per; k < ng + (o + 1) * per; ++k)
+      {
+        sum += bar[k];
+      }
+      g[ng + o] += sum;
+    }
+  }
+  const std::size_t bodies = this->Model.NumberOfBodies();
+  const float* j = this->Jacobian.data();
+  for (int c = 0; c < 3; ++c)
+  {
+    const float* a0 = this->AccelerationBar(0);
+    const float* a1 = this->AccelerationBar(1);
+    const float* a2 = this->AccelerationBar(2);
+    float* g = gradient + c * s;
+    float* gv = gradient + (3 + c) * s;
+    const float* abar = this->AccelerationBar(c);
+    for (std::size_t i = 0; i < bodies; ++i)
+    {
+      g[i] += j[c * s + i] * a0[i] + j[(3 + c) * s + i] * a1[i] + j[(6 + c) * s + i] * a2[i];
+      gv[i] -= this->BackgroundDrag * abar[i];
+    }
+  }
+}
+
+} // namespace waft

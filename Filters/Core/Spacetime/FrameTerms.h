@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The SPH block of one frame: accelerations, velocity averages and external forces of all bodies,
+// and the adjoint of these.
+#pragma once
+
+#include "Particles/NeighborList.h"
+#include "Spacetime/SpacetimeModel.h"
+
+#include <vector>
+
+namespace waft
+{
+
+/// Work space for one frame at a time, one a thread. Rows of bodies have the model's stride, rows
+/// of particles a stride of their own.
+class FrameTerms
+{
+public:
+  FrameTerms(const SpacetimeModel& model, const SphKernelTable& kernels);
+
+  /// state: the frame's six rows. Rebuilds `list` when a particle has moved half the skin.
+  /// Then Acceleration (all of it, external fields included) and Average hold.
+  void Forward(const float* state, int frame, NeighborList& list, double skin);
+  /// AccelerationBar and AverageBar in; adds their pull-back to the six rows of `gradient`.
+  void Adjoint(NeighborList& list, float* gradient);
+
+  float* Acceleration(int c) { return this->Rates.data() + c * this->BodyStride; }
+  float* Average(int c) { return this->Rates.data() + (3 + c) * this->BodyStride; }
+  float* AccelerationBar(int c) { return this->Bars.data() + c * this->BodyStride; }
+  float* AverageBar(int c) { return this->Bars.data() + (3 + c) * this->BodyStride; }
+  /// Acceleration by vortices and by winds alone.
+  const float* External(int c) const { return this->Force.data() + c * this->BodyStride; }
+  const float* Densities() const { return this->Density.data(); }
+  double PressureOf(std::size_t particle) const;
+  /// Kernel mass of gas about object particle k (what D is an average over).
+  std::size_t NumberOfRebuilds() const { return this->Rebuilds; }
+
+private:
+  void PlaceParticles(const float* state);
+  void AddWalls(int frame);
+  void AddObstacle(std::size_t i, int frame);
+  void AddFields(const float* state, int frame);
+  SphRows ParticleRows(std::vector<float>& v) const { return { v.data(), this->ParticleStride }; }
+
+  const SpacetimeModel& Model;
+  const SphKernelTable& Kernels;
+  SphConstants Constants;
+  std::size_t BodyStride, ParticleStride;
+  std::size_t Rebuilds = 0;
+
+  std::vector<float> X;           // 3 rows of particles
+  std::vector<SphRecord> Records; // particles and the far one
+  std::vector<SphAdjointRecord> Adjoints;
+  std::vector<float> Density, PressureSlope, Psi, Bar; // particles
+  std::vector<float> PsiGradient, PsiHessian;          // 3 and 6 rows
+  std::vector<float> ParticleRates;                    // a and D: 6 rows
+  std::vector<float> ParticleBars;                     // x and v: 6 rows
+  std::vector<float> SpringForce, SpringSlope;         // gas: 3 rows and 6 of the Jacobian
+  std::vector<float> Force, Jacobian;                  // bodies: 3 and 9 rows
+  std::vector<float> Rates, Bars;                      // bodies: 6 rows
+  std::vector<float> WindCoefficients, BackgroundCoefficients;
+  float BackgroundDrag = 0.0f;
+  std::vector<SphVortex> Active;
+  NeighborScratch Scratch;
+};
+
+} // namespace waft

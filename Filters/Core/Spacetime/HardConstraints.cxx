@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/HardConstraints.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+namespace
+{
+
+constexpr double Inside = 1.0 - 1e-6;   // of a radius: float rounding stays within the ball
+constexpr double OnSphere = 1.0 - 1e-3; // of a radius: farther out a ball counts as touched
+
+Vec3 Get(const float* p, std::size_t stride)
+{
+  return Vec3(p[0], p[stride], p[2 * stride]);
+}
+
+void Set(float* p, std::size_t stride, const Vec3& value)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    p[c * stride] = static_cast<float>(value[c]);
+  }
+}
+
+} // namespace
+
+HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& level,
+                                 const ConstraintTable& table, const ParallelFor& parallel) :
+  Model(model),
+  Level(level), Table(table), Parallel(parallel)
+{
+  this->LevelOfFrame.assign(model.NumberOfFrames, -1);
+  std::vector<bool> hasFrame(model.NumberOfFrames, false);
+  for (std::size_t j = 0; j < level.NumberOfFrames(); ++j)
+  {
+    this->LevelOfFrame[level.Frames[j]] = static_cast<int>(j);
+    hasFrame[level.Frames[j]] = true;
+  }
+  this->Clusters = MakeClusters(model, table, hasFrame);
+
+  const std::size_t no = model.NumberOfObjects;
+  std::vector<bool> taken(level.NumberOfFrames() * no, false);
+  for (const LinearCluster& cluster : this->Clusters)
+  {
+    for (const int frame : cluster.Frames())
+    {
+      taken[this->LevelOfFrame[frame] * no + cluster.Object()] = true;
+    }
+  }
+  for (const PositionBall& ball : table.Balls)
+  {
+    const int j = this->LevelOfFrame[ball.Frame];
+    if (j >= 0 && !(model.Flag(ball.Frame, ball.Object) & FixedPosition))
+    {
+      if (!taken[j * no + ball.Object])
+      {
+        this->Balls.push_back(
+          { static_cast<std::size_t>(j), ball.Object, ball.Center, ball.Radius });
+      }
+    }
+  }
+  for (const LevelBall& ball : this->Balls)
+  {
+    taken[ball.Frame * no + ball.Object] = true;
+  }
+  for (std::size_t j = 0; j < level.NumberOfFrames() && !table.Planned.empty(); ++j)
+  {
+    for (std::size_t o = 0; o < no; ++o)
+    {
+      if (!taken[j * no + o] && !(model.Flag(level.Frames[j], o) & FixedPosition))
+      {
+        this->LeashBalls.push_back(
+          { j, o, table.Planned[static_cast<std::size_t>(level.Frames[j]) * no + o], 0.0 });
+      }
+    }
+  }
+}
+
+std::size_t HardConstraints::Place(std::size_t j, std::size_t object) const
+{
+  return j * this->Model.FrameSize() + this->Model.NumberOfGas + object;
+}
+
+void HardConstraints::ForBalls(const std::function<void(const LevelBall&)>& visit) const
+{
+  for (const LevelBall& ball : this->Balls)
+  {
+    visit(ball);
+  }
+  for (const LevelBall& ball : this->LeashBalls)
+  {
+    if (this->Leash > 0.0)
+    {
+      visit({ ball.Frame, ball.Object, ball.Center, this->Leash });
+    }
+  }
+}
+
+void HardConstraints::Project(StateVector& state) const
+{
+  const std::size_t stride = this->Model.Stride();
+  const std::size_t no = this->Model.NumberOfObjects;
+  this->Parallel(
+    this->Level.NumberOfFrames(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t j = begin; j < end; ++j)
+      {
+        float* frame = state.data() + j * this->Model.FrameSize();
+        for (int c = 0; c < 3; ++c)
+        {
+          float* x = frame + c * stride;
+          const auto size = static_cast<float>(this->Model.Size[c]);
+          for (std::size_t i = 0; i < this->Model.NumberOfGas; ++i)
+          {
+            x[i] = std::min(std::max(x[i], 0.0f), size);
+          }
+        }
+        for (std::size_t o = 0; o < no; ++o)
+        {
+          const int flags = this->Model.Flag(this->Level.Frames[j], o);
+          float* p = state.data() + this->Place(j, o);
+          if (flags & FixedPosition)
+          {
+            Set(
+              p, stride,
+              this->Table.FixedPositions[static_cast<std::size_t>(this->Level.Frames[j]) * no + o]);
+          }
+          if (flags & FixedVelocity)
+          {
+            Set(p + 3 * stride, stride, Vec3::Zero());
+          }
+        }
+      }
+    });
+  this->ForBalls(
+    [&](const LevelBall& ball)
+    {
+      float* p = state.data() + this->Place(ball.Frame, ball.Object);
+      const Vec3 d = Get(p, stride) - ball.Center;
+      const double r = d.norm();
+      if (r > ball.Radius * Inside)
+      {
+        Set(p, stride, ball.Center + (ball.Radius * Inside / r) * d);
+      }
+    });
+  this->ProjectClusters(state);
+}
+
+void HardConstraints::ProjectClusters(StateVector& state) const
+{
+  const std::size_t stride = this->Model.Stride();
+  for (const LinearCluster& cluster : this->Clusters)
+  {
+    const std::vector<int>& frames = cluster.Frames();
+    Eigen::MatrixX3d x(frames.size(), 3);
+    for (std::size_t k = 0; k < frames.size(); ++k)
+    {
+      x.row(k) =
+        Get(state.data() + this->Place(this->LevelOfFrame[frames[k]], cluster.Object()), stride);
+    }
+    cluster.Project(x);
+    for (std::size_t k = 0; k < frames.size(); ++k)
+    {
+      Set(state.data() + this->Place(this->LevelOfFrame[frames[k]], cluster.Object()), stride,
+          x.row(k).transpose());
+    }
+  }
+}
+
+void HardConstraints::FindActive(const StateVector& state, const StateVector& gradient)
+{
+  const std::size_t stride = this->Model.Stride();
+  this->ActiveBalls.clear();
+  this->ForBalls(
+    [&](const LevelBall& ball)
+    {
+      const std::size_t place = this->Place(ball.Frame, ball.Object);
+      const Vec3 d = Get(state.data() + place, stride) - ball.Center;
+      const double r = d.norm();
+      if (r < ball.Radius * OnSphere || r == 0.0)
+      {
+        return;
+      }
+      const Vec3 n = d / r;
+      if (Get(gradient.data() + place, stride).dot(n) < 0.0)
+      {
+        this->ActiveBalls.push_back(
+          { place,
+            { static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()) } });
+      }
+    });
+}
+
+void HardConstraints::ProjectTangent(StateVector& direction) const
+{
+  const std::size_t stride = this->Model.Stride();
+  const std::size_t no = this->Model.NumberOfObjects;
+  for (std::size_t j = 0; j < this->Level.NumberOfFrames(); ++j)
+  {
+    for (std::size_t o = 0; o < no; ++o)
+    {
+      const int flags = this->Model.Flag(this->Level.Frames[j], o);
+      float* p = direction.data() + this->Place(j, o);
+      if (flags & FixedPosition)
+      {
+        Set(p, stride, Vec3::Zero());
+      }
+      if (flags & FixedVelocity)
+      {
+        Set(p + 3 * stride, stride, Vec3::Zero());
+      }
+    }
+  }
+  for (const Active& active : this->ActiveBalls)
+  {
+    float* p = direction.data() + active.Place;
+    const Vec3 n(active.Normal[0], active.Normal[1], active.Normal[2]);
+    const Vec3 d = Get(p, stride);
+    Set(p, stride, d - d.dot(n) * n);
+  }
+  for (const LinearCluster& cluster : this->Clusters)
+  {
+    const std::vector<int>& frames = cluster.Frames();
+    Eigen::MatrixX3d x(frames.size(), 3);
+    for (std::size_t k = 0; k < frames.size(); ++k)
+    {
+      x.row(k) = Get(
+        direction.data() + this->Place(this->LevelOfFrame[frames[k]], cluster.Object()), stride);
+    }
+    cluster.ProjectTangent(x);
+    for (std::size_t k = 0; k < frames.size(); ++k)
+    {
+      Set(direction.data() + this->Place(this->LevelOfFrame[frames[k]], cluster.Object()), stride,
+          x.row(k).transpose());
+    }
+  }
+}
+
+double HardConstraints::MaxViolation(const StateVector& state) const
+{
+  const std::size_t stride = this->Model.Stride();
+  double largest = 0.0;
+  for (const LevelBall& ball : this->Balls)
+  {
+    const Vec3 d = Get(state.data() + this->Place(ball.Frame, ball.Object), stride) - ball.Center;
+    largest = std::max(largest, d.norm() - ball.Radius);
+  }
+  for (const LinearCluster& cluster : this->Clusters)
+  {
+    Eigen::MatrixX3d x(cluster.Frames().size(), 3);
+    for (std::size_t k = 0; k < cluster.Frames().size(); ++k)
+    {
+      const auto j = static_cast<std::size_t>(this->LevelOfFrame[cluster.Frames()[k]]);
+      x.row(k) = Get(state.data() + this->Place(j, cluster.Object()), stride);
+    }
+    largest = std::max(largest, cluster.Violation(x));
+  }
+  return largest;
+}
+
+} // namespace waft

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The user's requirements and the leash as sets that every accepted iterate lies in.
+#pragma once
+
+#include "Base/Parallel.h"
+#include "Spacetime/SpacetimeModel.h"
+#include "Spacetime/StateVector.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace waft
+{
+
+/// |x - Center| <= Radius for an object's position at a frame [dx].
+struct PositionBall
+{
+  int Frame = 0;
+  std::size_t Object = 0;
+  Vec3 Center = Vec3::Zero();
+  double Radius = 0.0;
+};
+
+/// |sum of Coefficient x(Frame) - Value| <= Radius: a velocity or an acceleration as a finite
+/// difference of positions.
+struct LinearRow
+{
+  struct Term
+  {
+    int Frame;
+    double Coefficient;
+  };
+  std::size_t Object = 0;
+  std::vector<Term> Terms;
+  Vec3 Value = Vec3::Zero();
+  double Radius = 0.0;
+};
+
+/// All requirements of a problem, in dx and frames.
+struct ConstraintTable
+{
+  /// Exact positions, of those (frame, object) flagged FixedPosition [frame * objects + object].
+  std::vector<Vec3> FixedPositions;
+  std::vector<PositionBall> Balls;
+  std::vector<LinearRow> Rows;
+  /// Planned positions [frame * objects + object], centres of the leash.
+  std::vector<Vec3> Planned;
+};
+
+/// Rows of one object that share frames, with the positions that they bind.
+class LinearCluster
+{
+public:
+  LinearCluster(std::size_t object, std::vector<const LinearRow*> rows,
+                const std::vector<PositionBall>& balls, const SpacetimeModel& model,
+                const ConstraintTable& table);
+
+  std::size_t Object() const { return this->Owner; }
+  const std::vector<int>& Frames() const { return this->FreeFrames; } // free ones
+  /// positions: one row a free frame; moved to the nearest that meets the rows and balls.
+  void Project(Eigen::MatrixX3d& positions) const;
+  /// Removes what would leave the exact rows.
+  void ProjectTangent(Eigen::MatrixX3d& change) const;
+  /// Largest violation of a row, by its own radius, in the row's unit.
+  double Violation(const Eigen::MatrixX3d& positions) const;
+
+private:
+  void ProjectExact(Eigen::MatrixX3d& positions) const;
+
+  std::size_t Owner;
+  std::vector<int> FreeFrames;
+  Eigen::MatrixXd Exact, Inverse; // rows of radius 0; pseudo-inverse A^T (A A^T)^-1
+  Eigen::MatrixX3d ExactValues;
+  struct BallRow
+  {
+    Eigen::RowVectorXd Coefficients;
+    Eigen::RowVector3d Value;
+    double Radius;
+  };
+  std::vector<BallRow> BallRows;
+  struct BallPoint
+  {
+    int Index;
+    Eigen::RowVector3d Center;
+    double Radius;
+  };
+  std::vector<BallPoint> BallPoints;
+};
+
+/// Groups the rows of each object that share free frames.
+std::vector<LinearCluster> MakeClusters(const SpacetimeModel& model, const ConstraintTable& table,
+                                        const std::vector<bool>& hasFrame);
+
+class HardConstraints
+{
+public:
+  HardConstraints(const SpacetimeModel& model, const TimeLevel& level, const ConstraintTable& table,
+                  const ParallelFor& parallel);
+
+  /// Radius about the planned positions [dx]; zero: none. The user's own requirements win.
+  void SetLeash(double radius) { this->Leash = radius; }
+
+  /// The nearest state that meets everything (gas is held in its box).
+  void Project(StateVector& state) const;
+  /// Balls that the descent direction -gradient would leave.
+  void FindActive(const StateVector& state, const StateVector& gradient);
+  /// Removes from a direction what leaves fixed values, active balls and exact rows.
+  void ProjectTangent(StateVector& direction) const;
+  /// Largest violation of a position [dx], in single precision.
+  double MaxViolation(const StateVector& state) const;
+
+private:
+  std::size_t Place(std::size_t j, std::size_t object) const;
+  void ProjectClusters(StateVector& state) const;
+
+  const SpacetimeModel& Model;
+  const TimeLevel& Level;
+  const ConstraintTable& Table;
+  const ParallelFor& Parallel;
+  double Leash = 0.0;
+  struct LevelBall
+  {
+    std::size_t Frame, Object;
+    Vec3 Center;
+    double Radius;
+  };
+  void ForBalls(const std::function<void(const LevelBall&)>& visit) const;
+  std::vector<LevelBall> Balls;      // the user's
+  std::vector<LevelBall> LeashBalls; // radius as set
+  std::vector<LinearCluster> Clusters;
+  std::vector<int> LevelOfFrame; // -1: not on this level
+  struct Active
+  {
+    std::size_t Place;
+    float Normal[3];
+  };
+  std::vector<Active> ActiveBalls;
+};
+
+} // namespace waft

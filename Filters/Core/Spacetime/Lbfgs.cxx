@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/Lbfgs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+namespace
+{
+
+constexpr double Armijo = 1e-4;
+constexpr int LineSearchTrials = 10;
+constexpr int ToleranceWindow = 20; // iterations
+
+} // namespace
+
+Lbfgs::Lbfgs(std::size_t frames, std::size_t frameSize, const ParallelFor& parallel, int history) :
+  Space(frames, frameSize, parallel), Capacity(static_cast<std::size_t>(std::max(1, history)))
+{
+  const std::size_t n = this->Space.Size();
+  for (auto* v : { &this->Gradient, &this->Trial, &this->TrialGradient, &this->Step, &this->Work })
+  {
+    v->assign(n, 0.0f);
+  }
+}
+
+// Step = -P H P g by the two-loop recursion with H0 = gamma P M^-1 P.
+void Lbfgs::Direction(const TimelinePreconditioner& preconditioner,
+                      const HardConstraints& constraints)
+{
+  std::vector<double> alpha(this->S.size());
+  this->Work = this->Gradient;
+  constraints.ProjectTangent(this->Work);
+  for (std::size_t k = this->S.size(); k-- > 0;)
+  {
+    alpha[k] = this->Rho[k] * this->Space.Dot(this->S[k], this->Work);
+    this->Space.Add(-alpha[k], this->Y[k], this->Work);
+  }
+  constraints.ProjectTangent(this->Work);
+  preconditioner.Solve(this->Work, this->Step);
+  constraints.ProjectTangent(this->Step);
+  this->Space.Scale(this->Gamma, this->Step);
+  for (std::size_t k = 0; k < this->S.size(); ++k)
+  {
+    const double beta = this->Rho[k] * this->Space.Dot(this->Y[k], this->Step);
+    this->Space.Add(alpha[k] - beta, this->S[k], this->Step);
+  }
+  constraints.ProjectTangent(this->Step);
+  this->Space.Scale(-1.0, this->Step);
+}
+
+bool Lbfgs::LineSearch(SpacetimeObjective& objective, const HardConstraints& constraints,
+                       Monitor* monitor, const StateVector& state, SpacetimeTerms& terms,
+                       bool& stopped)
+{
+  const double slope = this->Space.Dot(this->Gradient, this->Step);
+  if (!(slope < 0.0))
+  {
+    return false;
+  }
+  double alpha = 1.0;
+  for (int trial = 0; trial < LineSearchTrials; ++trial)
+  {
+    this->Space.Combine(state, alpha, this->Step, this->Trial);
+    constraints.Project(this->Trial);
+    SpacetimeTerms next;
+    if (!objective.Evaluate(this->Trial, &this->TrialGradient, next, monitor))
+    {
+      stopped = true;
+      return false;
+    }
+    if (std::isfinite(next.E) && next.E <= terms.E + Armijo * alpha * slope)
+    {
+      terms = next;
+      return true;
+    }
+    const double curve = next.E - terms.E - alpha * slope;
+    const double best =
+      std::isfinite(next.E) && curve > 0.0 ? -slope * alpha * alpha / (2.0 * curve) : 0.1 * alpha;
+    alpha = std::clamp(best, 0.1 * alpha, 0.5 * alpha);
+  }
+  return false;
+}
+
+void Lbfgs::Remember(const TimelinePreconditioner& preconditioner,
+                     const HardConstraints& constraints, const StateVector& state)
+{
+  StateVector s, y;
+  if (this->S.size() == this->Capacity)
+  {
+    s = std::move(this->S.front());
+    y = std::move(this->Y.front());
+    this->S.erase(this->S.begin());
+    this->Y.erase(this->Y.begin());
+    this->Rho.erase(this->Rho.begin());
+  }
+  s.resize(state.size());
+  y.resize(state.size());
+  this->Space.Combine(this->Trial, -1.0, state, s);
+  this->Space.Combine(this->TrialGradient, -1.0, this->Gradient, y);
+  const double sy = this->Space.Dot(s, y);
+  const double bound = 1e-9 * std::sqrt(this->Space.Dot(s, s)) * std::sqrt(this->Space.Dot(y, y));
+  if (!(sy > bound))
+  {
+    return;
+  }
+  this->Work = y;
+  constraints.ProjectTangent(this->Work);
+  preconditioner.Solve(this->Work, this->Step);
+  const double yMy = this->Space.Dot(this->Work, this->Step);
+  this->Gamma = yMy > 0.0 ? sy / yMy : 1.0;
+  this->S.push_back(std::move(s));
+  this->Y.push_back(std::move(y));
+  this->Rho.push_back(1.0 / sy);
+}
+
+LbfgsEnd Lbfgs::Minimize(SpacetimeObjective& objective,
+                         const TimelinePreconditioner& preconditioner, HardConstraints& constraints,
+                         const LbfgsOptions& options, const Observer& observer, Monitor* monitor,
+                         StateVector& state)
+{
+  this->S.clear();
+  this->Y.clear();
+  this->Rho.clear();
+  this->Gamma = 1.0;
+  SpacetimeTerms terms;
+  constraints.Project(state);
+  if (!objective.Evaluate(state, &this->Gradient, terms, monitor) || !observer(0, terms))
+  {
+    return LbfgsEnd::Stopped;
+  }
+  std::vector<double> energies{ terms.E };
+  for (int iteration = 1; iteration <= options.MaximumNumberOfIterations; ++iteration)
+  {
+    constraints.FindActive(state, this->Gradient);
+    bool stopped = false;
+    this->Direction(preconditioner, constraints);
+    bool lower = this->LineSearch(objective, constraints, monitor, state, terms, stopped);
+    if (!lower && !stopped && !this->S.empty())
+    {
+      this->S.clear();
+      this->Y.clear();
+      this->Rho.clear();
+      this->Direction(preconditioner, constraints);
+      lower = this->LineSearch(objective, constraints, monitor, state, terms, stopped);
+    }
+    if (stopped)
+    {
+      return LbfgsEnd::Stopped;
+    }
+    if (!lower)
+    {
+      return LbfgsEnd::NoDescent;
+    }
+    this->Remember(preconditioner, constraints, state);
+    std::swap(state, this->Trial);
+    std::swap(this->Gradient, this->TrialGradient);
+    energies.push_back(terms.E);
+    if (!observer(iteration, terms))
+    {
+      return LbfgsEnd::Stopped;
+    }
+    if (iteration >= ToleranceWindow && energies[iteration - ToleranceWindow] - terms.E <
+                                          options.Tolerance * energies[iteration - ToleranceWindow])
+    {
+      return LbfgsEnd::Converged;
+    }
+  }
+  return LbfgsEnd::Iterations;
+}
+
+} // namespace waft

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Projected, preconditioned L-BFGS: every accepted iterate is feasible and E never grows.
+#pragma once
+
+#include "Base/Monitor.h"
+#include "Spacetime/HardConstraints.h"
+#include "Spacetime/SpacetimeObjective.h"
+#include "Spacetime/TimelinePreconditioner.h"
+
+#include <functional>
+#include <vector>
+
+namespace waft
+{
+
+struct LbfgsOptions
+{
+  int MaximumNumberOfIterations = 100;
+  double Tolerance = 1e-2; // stop when E falls by less than this share in 20 iterations; 0: never
+};
+
+enum class LbfgsEnd
+{
+  Converged,
+  Iterations,
+  NoDescent, // the line search found nothing lower
+  Stopped    // the monitor or the observer asked to stop
+};
+
+/// The solver's vectors, kept from stage to stage; its memory of curvature is dropped where the
+/// problem changes.
+class Lbfgs
+{
+public:
+  Lbfgs(std::size_t frames, std::size_t frameSize, const ParallelFor& parallel, int history);
+
+  /// Called after each accepted iterate; returns false to stop.
+  using Observer = std::function<bool(int iteration, const SpacetimeTerms& terms)>;
+
+  /// Minimises from `state`, which always holds the best feasible iterate. Iteration 0 is the
+  /// projected start.
+  LbfgsEnd Minimize(SpacetimeObjective& objective, const TimelinePreconditioner& preconditioner,
+                    HardConstraints& constraints, const LbfgsOptions& options,
+                    const Observer& observer, Monitor* monitor, StateVector& state);
+
+private:
+  void Direction(const TimelinePreconditioner& preconditioner, const HardConstraints& constraints);
+  bool LineSearch(SpacetimeObjective& objective, const HardConstraints& constraints,
+                  Monitor* monitor, const StateVector& state, SpacetimeTerms& terms, bool& stopped);
+  void Remember(const TimelinePreconditioner& preconditioner, const HardConstraints& constraints,
+                const StateVector& state);
+
+  VectorSpace Space;
+  std::size_t Capacity;
+  StateVector Gradient, Trial, TrialGradient, Step, Work;
+  std::vector<StateVector> S, Y; // ring, the oldest first
+  std::vector<double> Rho;       // 1 / s.y
+  double Gamma = 1.0;
+};
+
+} // namespace waft

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Terms of E among objects and surfaces: clearance and contact.
+#pragma once
+
+#include "Spacetime/SpacetimeModel.h"
+
+namespace waft
+{
+
+/// How far [dx] object o must keep from the floor and from obstacles at a frame.
+double FloorClearance(const SpacetimeModel& model, int frame, std::size_t object);
+double ObstacleClearance(const SpacetimeModel& model, int frame, std::size_t object);
+
+/// Half the weighted sum of squares of the depths below the required clearance (walls, floor,
+/// obstacles) and below the contact distance of pairs of objects. Adds scale times the gradient to
+/// the six rows of `gradient` where it is not null. Objects at fixed positions are left out.
+double AddObjectTerms(const SpacetimeModel& model, int frame, double scale, const float* state,
+                      float* gradient);
+
+} // namespace waft

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/SpacetimeModel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace waft
+{
+
+void SplineWind::At(double frame, std::vector<float>& coefficients) const
+{
+  const double last = static_cast<double>(this->Knots.size() - 1);
+  const double s = std::clamp(frame / this->FramesPerKnot, 0.0, last);
+  const auto k = static_cast<std::size_t>(s);
+  const std::size_t next = std::min(k + 1, this->Knots.size() - 1);
+  const auto t = static_cast<float>(s - static_cast<double>(k));
+  coefficients.resize(this->Knots[k].size());
+  for (std::size_t i = 0; i < coefficients.size(); ++i)
+  {
+    coefficients[i] = (1.0f - t) * this->Knots[k][i] + t * this->Knots[next][i];
+  }
+}
+
+SphSplineField SplineWind::Field(const std::vector<float>& coefficients) const
+{
+  SphSplineField field;
+  for (int a = 0; a < 3; ++a)
+  {
+    field.Dimensions[a] = this->Dimensions[a];
+    field.Origin[a] = static_cast<float>(this->Origin[a]);
+    field.InverseSpacing[a] = static_cast<float>(1.0 / this->Spacing[a]);
+  }
+  field.Coefficients = coefficients.data();
+  return field;
+}
+
+TimeLevel TimeLevel::Full(int numberOfFrames, int window)
+{
+  std::vector<int> frames(numberOfFrames);
+  std::iota(frames.begin(), frames.end(), 0);
+  return Make(std::move(frames), window);
+}
+
+TimeLevel TimeLevel::Make(std::vector<int> frames, int window)
+{
+  TimeLevel level;
+  const int n = static_cast<int>(frames.size());
+  level.Frames = std::move(frames);
+  level.Steps.assign(n, 0.0);
+  level.StepWeights.assign(n, 0.0);
+  level.FrameWeights.assign(n, 1.0);
+  level.SmoothWeights.assign(n, 1.0);
+  for (int j = 1; j < n; ++j)
+  {
+    level.Steps[j] = level.Frames[j] - level.Frames[j - 1];
+    level.StepWeights[j] = 1.0 / level.Steps[j];
+  }
+  level.Rows.resize(n);
+  level.Columns.resize(n);
+  const double meanStep = n > 1 ? double(level.Frames[n - 1] - level.Frames[0]) / (n - 1) : 1.0;
+  const int w = std::max(1, static_cast<int>(std::lround(window / meanStep)));
+  for (int j = 0; j < n; ++j)
+  {
+    const double before = j > 0 ? level.Steps[j] : level.Steps[std::min(1, n - 1)];
+    const double after = j + 1 < n ? level.Steps[j + 1] : level.Steps[n - 1];
+    const double span = 0.5 * (before + after);
+    level.FrameWeights[j] = span;
+    // The row measures a second difference (a first one at the ends) over the steps beside it.
+    level.SmoothWeights[j] = span / std::max(1.0, before * before * after * after);
+    if (w == 1 && j > 0 && j + 1 < n)
+    {
+      level.Rows[j] = { { j - 1, after / (before + after) }, { j + 1, before / (before + after) } };
+      continue;
+    }
+    const int first = std::max(0, j - w);
+    const int last = std::min(n - 1, j + w);
+    for (int k = first; k <= last; ++k)
+    {
+      if (k != j)
+      {
+        level.Rows[j].push_back({ k, 1.0 / (last - first) });
+      }
+    }
+  }
+  for (int j = 0; j < n; ++j)
+  {
+    for (const Neighbor& neighbor : level.Rows[j])
+    {
+      level.Columns[neighbor.Frame].push_back({ j, neighbor.Coefficient });
+    }
+  }
+  return level;
+}
+
+bool StepIsBound(const SpacetimeModel& model, const TimeLevel& level, std::size_t j,
+                 std::size_t object)
+{
+  for (int frame = level.Frames[j - 1] + 1; frame <= level.Frames[j]; ++frame)
+  {
+    if (model.Flag(frame, object) & NoDynamics)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace waft

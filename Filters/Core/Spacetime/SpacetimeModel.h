@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The spacetime problem without units: lengths in gas spacings dx from the corner of the volume,
+// times in frames. What is known and fixed while E is minimised.
+#pragma once
+
+#include "Base/ForceFields.h"
+#include "Particles/ObstacleField.h"
+#include "Particles/SphFluid.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace waft
+{
+
+/// Weights of Eq. 2 and Eq. 4 and of the terms beside them. E is half the weighted sum of squares
+/// of residuals in dx and dx / frame.
+struct SpacetimeWeights
+{
+  double Position = 10.0;       // c1
+  double Velocity = 1.0;        // c2
+  double Coherence = 0.2;       // c3
+  double SpatialShare = 0.5;    // c31; c32 = 1 - c31
+  int TemporalWindow = 1;       // w of Eq. 4 [frames]
+  double XsphFactor = 0.0;      // epsilon of Eq. 10
+  double Clearance = 10.0;      // objects nearer to a surface than they may be
+  double Contact = 0.3;         // objects nearer to each other than ContactDistance
+  double ContactDistance = 0.0; // d0 [dx]
+};
+
+/// What holds for one object at one frame.
+enum ObjectFrameFlags : std::uint8_t
+{
+  FixedPosition = 1,
+  FixedVelocity = 2,
+  NoDynamics = 4,      // the step into this frame is not one of free flight
+  NoCoherence = 8,     // the object lies still
+  LandsOnFloor = 16,   // clearance to the floor is reduced to the rest height
+  LandsOnObstacle = 32 // the same for obstacles
+};
+
+/// A wind as quadratic B-splines on a lattice in space, linear in time.
+struct SplineWind
+{
+  std::array<int, 3> Dimensions{ 0, 0, 0 };
+  Vec3 Origin = Vec3::Zero();  // first node [dx]
+  Vec3 Spacing = Vec3::Ones(); // [dx]
+  double FramesPerKnot = 1.0;
+  std::vector<std::vector<float>> Knots; // (x, y, z, 0) a node [dx / frame^2], or [dx / frame]
+  double Drag = 0.0; // 0: an acceleration; otherwise draws velocities with this rate [1 / frame]
+
+  bool IsEmpty() const { return this->Knots.empty(); }
+  /// Coefficients at a frame.
+  void At(double frame, std::vector<float>& coefficients) const;
+  SphSplineField Field(const std::vector<float>& coefficients) const;
+};
+
+/// Everything but the unknowns.
+struct SpacetimeModel
+{
+  SphFluid Fluid;
+  SpacetimeWeights Weights;
+  Vec3 Size = Vec3::Ones(); // of the gas' box [dx]
+  int NumberOfFrames = 0;
+  std::size_t NumberOfGas = 0;
+  std::size_t NumberOfObjects = 0;
+  std::vector<std::array<float, 3>> Offsets; // of an object's particles from its centre [dx]
+
+  double Gravity = 0.0;            // g' of objects, downwards [dx / frame^2]
+  std::vector<float> DragRates;    // one an object [1 / frame]
+  std::vector<float> Clearances;   // one an object [dx]
+  std::vector<float> RestHeights;  // one an object [dx]
+  std::vector<std::uint8_t> Flags; // [frame * NumberOfObjects + object]
+
+  std::vector<Vortex> Vortices; // in dx and frames
+  SplineWind Wind;              // estimated
+  SplineWind Background;        // the user's
+  ObstacleField Obstacles;
+
+  std::size_t NumberOfBodies() const { return this->NumberOfGas + this->NumberOfObjects; }
+  std::size_t NumberOfParticles() const
+  {
+    return this->NumberOfGas + this->NumberOfObjects * this->Offsets.size();
+  }
+  /// Length of a component row of bodies: padded, so that rows are whole vectors.
+  std::size_t Stride() const { return (this->NumberOfBodies() + 15) / 16 * 16; }
+  /// Floats of one frame: x, y, z, u, v, w of all bodies.
+  std::size_t FrameSize() const { return 6 * this->Stride(); }
+  std::uint8_t Flag(int frame, std::size_t object) const
+  {
+    return this->Flags[static_cast<std::size_t>(frame) * this->NumberOfObjects + object];
+  }
+  double BodyWeight(std::size_t body) const
+  {
+    return body < this->NumberOfGas ? 1.0 : static_cast<double>(this->Offsets.size());
+  }
+};
+
+/// Some frames of the time line, in order, the first and the last among them. Steps may differ.
+struct TimeLevel
+{
+  std::vector<int> Frames;
+  /// Entry j: frames from level frame j - 1 to j (entry 0 is 0).
+  std::vector<double> Steps;
+  /// Weights that keep E an integral over time: of the residuals into j, of D^j and of the
+  /// smoothness row j. All one at full resolution.
+  std::vector<double> StepWeights, FrameWeights, SmoothWeights;
+  /// Row j of Eq. 4's second term: v^j - sum of Coefficients[k] v^k over the neighbours in time.
+  struct Neighbor
+  {
+    int Frame;
+    double Coefficient;
+  };
+  std::vector<std::vector<Neighbor>> Rows;    // neighbours of row j
+  std::vector<std::vector<Neighbor>> Columns; // rows in which frame j is a neighbour
+
+  std::size_t NumberOfFrames() const { return this->Frames.size(); }
+  /// frames: increasing.
+  static TimeLevel Make(std::vector<int> frames, int window);
+  /// All frames.
+  static TimeLevel Full(int numberOfFrames, int window);
+};
+
+/// True when the step into level frame j is not free flight for the object.
+bool StepIsBound(const SpacetimeModel& model, const TimeLevel& level, std::size_t j,
+                 std::size_t object);
+
+} // namespace waft

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/SpacetimeObjective.h"
+
+#include "Spacetime/ObjectTerms.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+
+struct SpacetimeObjective::Worker
+{
+  Worker(const SpacetimeModel& model, const SphKernelTable& kernels) : Terms(model, kernels) {}
+  FrameTerms Terms;
+};
+
+SpacetimeObjective::SpacetimeObjective(const SpacetimeModel& model, const TimeLevel& level,
+                                       const ParallelFor& parallel, const SphKernelTable& kernels,
+                                       double skin) :
+  Problem(model),
+  Times(level), Parallel(parallel), Kernels(kernels), Skin(skin)
+{
+  const double own = model.Fluid.GasMass * model.Fluid.Kernel(0.0);
+  this->SpatialScale = 1.0 / ((1.0 - own) * (1.0 - own));
+  const std::size_t frames = level.NumberOfFrames();
+  this->Lists.resize(frames);
+  this->Residuals.assign(frames * 9 * model.Stride(), 0.0f);
+  this->FrameSums.resize(frames);
+  this->Bound.assign(frames * model.NumberOfObjects, 0);
+  for (std::size_t j = 1; j < frames; ++j)
+  {
+    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    {
+      this->Bound[j * model.NumberOfObjects + o] = StepIsBound(model, level, j, o) ? 1 : 0;
+    }
+  }
+}
+
+SpacetimeObjective::~SpacetimeObjective() = default;
+
+std::unique_ptr<SpacetimeObjective::Worker> SpacetimeObjective::Borrow()
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->PoolMutex);
+    if (!this->Pool.empty())
+    {
+      auto worker = std::move(this->Pool.back());
+      this->Pool.pop_back();
+      return worker;
+    }
+  }
+  return std::make_unique<Worker>(this->Problem, this->Kernels);
+}
+
+void SpacetimeObjective::Return(std::unique_ptr<Worker> worker)
+{
+  const std::lock_guard<std::mutex> lock(this->PoolMutex);
+  this->Pool.push_back(std::move(worker));
+}
+
+FrameTerms& SpacetimeObjective::ForwardFrame(const StateVector& state, std::size_t j)
+{
+  if (this->Pool.empty())
+  {
+    this->Pool.push_back(std::make_unique<Worker>(this->Problem, this->Kernels));
+  }
+  FrameTerms& terms = this->Pool.front()->Terms;
+  terms.Forward(state.data() + j * this->Problem.FrameSize(), this->Times.Frames[j], this->Lists[j],
+                this->Skin);
+  return terms;
+}
+
+std::size_t SpacetimeObjective::NumberOfPairs() const
+{
+  std::size_t sum = 0;
+  for (const NeighborList& list : this->Lists)
+  {
+    sum += list.NumberOfEntries();
+  }
+  return sum;
+}
+
+bool SpacetimeObjective::Chunked(std::size_t count, Monitor* monitor, double from, double to,
+                                 const std::function<void(std::size_t, std::size_t)>& body)
+{
+  // About 0.1 s of one core between two calls of the monitor.
+  const std::size_t chunk =
+    std::max<std::size_t>(2, 600000 / std::max<std::size_t>(1, this->Problem.NumberOfParticles()));
+  for (std::size_t first = 0; first < count; first += chunk)
+  {
+    const std::size_t size = std::min(chunk, count - first);
+    this->Parallel(size,
+                   [&](std::size_t begin, std::size_t end) { body(first + begin, first + end); });
+    if (monitor &&
+        !monitor->Tick(from + (to - from) * static_cast<double>(first + size) / count, {}))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std::size_t j,
+                                  StateVector* gradient)
+{
+  const SpacetimeModel& model = this->Problem;
+  const SpacetimeWeights& weights = model.Weights;
+  const std::size_t stride = model.Stride();
+  const std::size_t bodies = model.NumberOfBodies();
+  const std::size_t ng = model.NumberOfGas;
+  const bool last = j + 1 == this->Times.NumberOfFrames();
+  const float* here = state.data() + j * model.FrameSize();
+  FrameTerms& terms = worker.Terms;
+  terms.Forward(here, this->Times.Frames[j], this->Lists[j], this->Skin);
+
+  const double step = last ? 0.0 : this->Times.Steps[j + 1];
+  const double share = last ? 0.0 : this->Times.StepWeights[j + 1];
+  const float wx = static_cast<float>(weights.Position * share);
+  const float wv = static_cast<float>(weights.Velocity * share);
+  const float ws = static_cast<float>(weights.Coherence * weights.SpatialShare *
+                                      this->SpatialScale * this->Times.FrameWeights[j]);
+  const auto s = static_cast<float>(step);
+  const auto eps = static_cast<float>(weights.XsphFactor);
+  double ex = 0.0, ev = 0.0, ec = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const float* x = here + c * stride;
+    const float* v = here + (3 + c) * stride;
+    const float* xn = x + model.FrameSize();
+    const float* vn = v + model.FrameSize();
+    const float* a = terms.Acceleration(c);
+    const float* d = terms.Average(c);
+    float* abar = terms.AccelerationBar(c);
+    float* dbar = terms.AverageBar(c);
+    float* outX = last ? nullptr : this->Residuals.data() + ((j + 1) * 9 + c) * stride;
+    float* outV = last ? nullptr : this->Residuals.data() + ((j + 1) * 9 + 3 + c) * stride;
+    for (std::size_t i = 0; i < bodies; ++i)
+    {
+      float weight = 1.0f, flight = 1.0f, air = 1.0f;
+      if (i >= ng)
+      {
+        const std::size_t o = i - ng;
+        weight = static_cast<float>(model.Offsets.size());
+        air = model.Flag(this->Times.Frames[j], o) & NoCoherence ? 0.0f : 1.0f;
+        flight = !last && this->Bound[(j + 1) * model.NumberOfObjects + o] ? 0.0f : 1.0f;
+      }
+      const float rs = air * d[i];
+      ec += static_cast<double>(weight * rs) * rs;
+      dbar[i] = weight * ws * rs;
+      abar[i] = 0.0f;
+      if (!last)
+      {
+        const float rx = flight * ((xn[i] - x[i]) - s * (vn[i] + eps * d[i]));
+        const float rv = flight * ((vn[i] - v[i]) - s * a[i]);
+        ex += static_cast<double>(weight * rx) * rx;
+        ev += static_cast<double>(weight * rv) * rv;
+        outX[i] = weight * wx * rx;
+        outV[i] = weight * wv * rv;
+        abar[i] = -s * outV[i];
+        dbar[i] -= s * eps * outX[i];
+      }
+    }
+  }
+  SpacetimeTerms& sums = this->FrameSums[j];
+  sums.Ex = 0.5 * share * ex;
+  sums.Ev = 0.5 * share * ev;
+  sums.Ec = 0.5 * weights.SpatialShare * this->SpatialScale * this->Times.FrameWeights[j] * ec;
+  if (gradient)
+  {
+    float* g = gradient->data() + j * model.FrameSize();
+    std::fill(g, g + model.FrameSize(), 0.0f);
+    terms.Adjoint(this->Lists[j], g);
+  }
+}
+
+void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
+{
+  const SpacetimeModel& model = this->Problem;
+  const std::size_t stride = model.Stride();
+  const std::size_t ng = model.NumberOfGas;
+  const double share = 1.0 - model.Weights.SpatialShare;
+  const double w = this->Times.SmoothWeights[j];
+  const auto factor = static_cast<float>(model.Weights.Coherence * share * w);
+  double sum = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    float* r = this->Residuals.data() + (j * 9 + 6 + c) * stride;
+    const auto row = [&](std::size_t k)
+    { return state.data() + k * model.FrameSize() + (3 + c) * stride; };
+    std::copy(row(j), row(j) + model.NumberOfBodies(), r);
+    for (const TimeLevel::Neighbor& neighbor : this->Times.Rows[j])
+    {
+      const float* v = row(neighbor.Frame);
+      const auto coefficient = static_cast<float>(neighbor.Coefficient);
+      for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
+      {
+        r[i] -= coefficient * v[i];
+      }
+    }
+    for (std::size_t i = 0; i < ng; ++i)
+    {
+      sum += static_cast<double>(r[i]) * r[i];
+      r[i] *= factor;
+    }
+    const auto weight = static_cast<float>(model.Offsets.size());
+    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    {
+      float& value = r[ng + o];
+      value *= model.Flag(this->Times.Frames[j], o) & NoCoherence ? 0.0f : 1.0f;
+      sum += static_cast<double>(weight * value) * value;
+      value *= weight * factor;
+    }
+  }
+  this->FrameSums[j].Ec += 0.5 * share * w * sum;
+}
+
+void SpacetimeObjective::GatherFrame(std::size_t j, StateVector& gradient) const
+{
+  const SpacetimeModel& model = this->Problem;
+  const std::size_t stride = model.Stride();
+  const std::size_t n = model.NumberOfBodies();
+  const bool last = j + 1 == this->Times.NumberOfFrames();
+  const auto row = [&](std::size_t k, int kind, int c)
+  { return this->Residuals.data() + (k * 9 + 3 * kind + c) * stride; };
+  float* g = gradient.data() + j * model.FrameSize();
+  const auto step = static_cast<float>(this->Times.Steps[j]);
+  for (int c = 0; c < 3; ++c)
+  {
+    float* gx = g + c * stride;
+    float* gv = g + (3 + c) * stride;
+    if (j > 0)
+    {
+      const float* rx = row(j, 0, c);
+      const float* rv = row(j, 1, c);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        gx[i] += rx[i];
+        gv[i] += rv[i] - step * rx[i];
+      }
+    }
+    if (!last)
+    {
+      const float* rx = row(j + 1, 0, c);
+      const float* rv = row(j + 1, 1, c);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        gx[i] -= rx[i];
+        gv[i] -= rv[i];
+      }
+    }
+    const float* rt = row(j, 2, c);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      gv[i] += rt[i];
+    }
+    for (const TimeLevel::Neighbor& column : this->Times.Columns[j])
+    {
+      const float* other = row(column.Frame, 2, c);
+      const auto coefficient = static_cast<float>(column.Coefficient);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        gv[i] -= coefficient * other[i];
+      }
+    }
+  }
+}
+
+bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradient,
+                                  SpacetimeTerms& terms, Monitor* monitor)
+{
+  ++this->Evaluations;
+  const std::size_t frames = this->Times.NumberOfFrames();
+  const bool done = this->Chunked(
+    frames, monitor, 0.0, 0.9,
+    [&](std::size_t begin, std::size_t end)
+    {
+      auto worker = this->Borrow();
+      for (std::size_t j = begin; j < end; ++j)
+      {
+        this->SphFrame(*worker, state, j, gradient);
+        this->SmoothRow(state, j);
+        float* g = gradient ? gradient->data() + j * this->Problem.FrameSize() : nullptr;
+        this->FrameSums[j].Beside =
+          this->Times.FrameWeights[j] *
+          AddObjectTerms(this->Problem, this->Times.Frames[j], this->Times.FrameWeights[j],
+                         state.data() + j * this->Problem.FrameSize(), g);
+      }
+      this->Return(std::move(worker));
+    });
+  if (!done)
+  {
+    return false;
+  }
+  if (gradient)
+  {
+    this->Parallel(frames,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                     for (std::size_t j = begin; j < end; ++j)
+                     {
+                       this->GatherFrame(j, *gradient);
+                     }
+                   });
+  }
+  terms = SpacetimeTerms();
+  for (const SpacetimeTerms& sum : this->FrameSums)
+  {
+    terms.Ex += sum.Ex;
+    terms.Ev += sum.Ev;
+    terms.Ec += sum.Ec;
+    terms.Beside += sum.Beside;
+  }
+  const SpacetimeWeights& w = this->Problem.Weights;
+  terms.E = w.Position * terms.Ex + w.Velocity * terms.Ev + w.Coherence * terms.Ec + terms.Beside;
+  return true;
+}
+
+void SpacetimeObjective::VelocityResidual(std::size_t j, std::size_t body, double rv[3]) const
+{
+  const std::size_t stride = this->Problem.Stride();
+  const double weight =
+    this->Problem.BodyWeight(body) * this->Problem.Weights.Velocity * this->Times.StepWeights[j];
+  for (int c = 0; c < 3; ++c)
+  {
+    rv[c] = weight > 0.0 ? this->Residuals[(j * 9 + 3 + c) * stride + body] / weight : 0.0;
+  }
+}
+
+void SpacetimeObjective::ObjectResiduals(std::vector<double>& ex, std::vector<double>& ev,
+                                         std::vector<int>& steps) const
+{
+  const SpacetimeModel& model = this->Problem;
+  const std::size_t stride = model.Stride();
+  ex.assign(model.NumberOfObjects, 0.0);
+  ev.assign(model.NumberOfObjects, 0.0);
+  steps.assign(model.NumberOfObjects, 0);
+  for (std::size_t j = 1; j < this->Times.NumberOfFrames(); ++j)
+  {
+    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    {
+      if (this->Bound[j * model.NumberOfObjects + o])
+      {
+        continue;
+      }
+      const std::size_t i = model.NumberOfGas + o;
+      const double weight = model.BodyWeight(i) * this->Times.StepWeights[j];
+      for (int c = 0; c < 3; ++c)
+      {
+        const double rx = this->Residuals[(j * 9 + c) * stride + i] /
+                          (weight * std::max(1e-12, model.Weights.Position));
+        const double rv = this->Residuals[(j * 9 + 3 + c) * stride + i] /
+                          (weight * std::max(1e-12, model.Weights.Velocity));
+        ex[o] += 0.5 * rx * rx;
+        ev[o] += 0.5 * rv * rv;
+      }
+      ++steps[o];
+    }
+  }
+}
+
+} // namespace waft

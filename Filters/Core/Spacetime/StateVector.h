@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Long vectors of unknowns, one block a frame, and their arithmetic: parallel over blocks, sums in
+// the order of the blocks.
+#pragma once
+
+#include "Base/Parallel.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace waft
+{
+
+using StateVector = std::vector<float>;
+
+class VectorSpace
+{
+public:
+  VectorSpace(std::size_t blocks, std::size_t blockSize, const ParallelFor& parallel) :
+    Blocks(blocks), BlockSize(blockSize), Parallel(parallel)
+  {
+  }
+
+  std::size_t Size() const { return this->Blocks * this->BlockSize; }
+  double Dot(const StateVector& a, const StateVector& b) const;
+  /// y += factor x
+  void Add(double factor, const StateVector& x, StateVector& y) const;
+  /// out = a + factor b
+  void Combine(const StateVector& a, double factor, const StateVector& b, StateVector& out) const;
+  void Scale(double factor, StateVector& x) const;
+
+private:
+  std::size_t Blocks, BlockSize;
+  const ParallelFor& Parallel;
+};
+
+} // namespace waft
