@@ -27,16 +27,18 @@ struct EnsembleOptions
   int NumberOfVortices = 10;
   int NumberOfWinds = 6;
   int NumberOfObstacles = 2;
+  int NumberOfEmitters = 3; // balls that give off smoke
 
   /// Diameter: twice the radius where the acceleration at mid-segment falls to half its maximum.
   Range VortexDiameter{ 0.22, 0.44 };
   Range VortexLength{ 0.3, 0.8 };
-  Range VortexAcceleration{ 0.4, 1.6 }; // m/s^2, the largest at mid-segment
-  Range VortexDuration{ 2.0, 4.0 };     // s, standard deviation
+  Range VortexAcceleration{ 0.25, 1.0 }; // m/s^2, the largest at mid-segment
+  Range VortexDuration{ 2.0, 4.0 };      // s, standard deviation
   Range WindRadius{ 0.2, 0.5 };
-  Range WindAcceleration{ 0.3, 1.2 }; // m/s^2
+  Range WindAcceleration{ 0.2, 0.8 }; // m/s^2
   Range WindDuration{ 0.7, 2.0 };     // s, standard deviation
-  Range ObstacleSize{ 0.08, 0.25 };
+  Range ObstacleSize{ 0.08, 0.25 };   // full extent across
+  Range EmitterRadius{ 0.05, 0.1 };
 
   Result Validate() const;
 };
@@ -46,6 +48,14 @@ struct Ensemble
   SmokeForces Forces;
   std::vector<ObstacleMesh> Obstacles; // closed; boxes, cylinders, spheres
 };
+
+/// Size of the acceleration of Eq. 13 (Shi et al. 2005), regularised, per strength [1/m], at a
+/// distance [m] from the middle of a vortex of this length and core radius [m].
+double VortexProfile(double length, double coreRadius, double distance);
+/// The core radius [m] that gives a vortex of this length [m] this diameter [m].
+double CoreRadiusForDiameter(double length, double diameter);
+/// The largest value of VortexProfile over the distances [1/m].
+double LargestVortexProfile(double length, double coreRadius);
 
 /// The scene of a seed: the same on every machine.
 Result MakeEnsemble(const EnsembleOptions& options, Ensemble& ensemble);

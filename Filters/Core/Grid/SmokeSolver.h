@@ -28,7 +28,8 @@ struct SmokeStatistics
 struct SmokeState
 {
   int Frame = -1;
-  double Time = 0.0;
+  double Time = 0.0;          // s
+  double PotentialStep = 0.0; // s, of the last pressure solve
   std::vector<std::vector<float>> Arrays;
 };
 

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What pushes the air: vortices, winds, confinement, buoyancy; and where smoke comes from.
+#include "Grid/SmokeInternals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+namespace
+{
+
+/// Forces weaker than this part of their peak are left out.
+constexpr double NegligibleFactor = 1e-5;
+
+std::array<float, 3> ToFloats(const Vec3& v)
+{
+  return { static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()) };
+}
+
+} // namespace
+
+void SmokeSolver::Internals::AddVortices(double time, const ParallelFor& parallelFor,
+                                         const VectorArrays& sum) const
+{
+  std::vector<VortexNow> now;
+  for (const Vortex& vortex : this->Forces.Vortices)
+  {
+    const double factor = vortex.TimeFactor(time);
+    if (factor < NegligibleFactor)
+    {
+      continue;
+    }
+    VortexNow v;
+    const Vec3 r0 = vortex.P2 - vortex.P1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      v.P1[axis] = static_cast<float>(vortex.P1[axis]);
+      v.P2[axis] = static_cast<float>(vortex.P2[axis]);
+      v.R0[axis] = static_cast<float>(r0[axis]);
+    }
+    v.Scale = static_cast<float>(factor * vortex.Strength / (4.0 * M_PI));
+    v.Core = static_cast<float>(vortex.CoreRadius * vortex.CoreRadius * r0.squaredNorm());
+    now.push_back(v);
+  }
+  ForPlanes(parallelFor, this->Layout.N[2],
+            [&](int k)
+            {
+              for (const VortexNow& vortex : now)
+              {
+                AddVortexPlane(this->Layout, this->FirstCenter, this->Spacing, vortex, sum, k);
+              }
+            });
+}
+
+void SmokeSolver::Internals::AddWinds(double time, double dt, const ParallelFor& parallelFor,
+                                      const ConstVectorArrays& center,
+                                      const VectorArrays& sum) const
+{
+  const StaggeredLayout& layout = this->Layout;
+  for (const AnalyticWind& wind : this->Forces.Winds)
+  {
+    const double s = (time - wind.CenterTime) / wind.Duration;
+    const double factor = std::exp(-0.5 * s * s);
+    if (factor < NegligibleFactor)
+    {
+      continue;
+    }
+    std::array<FloatArray, 3> along;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int i = 0; i < layout.N[axis]; ++i)
+      {
+        const double d =
+          (this->FirstCenter[axis] + i * this->Spacing[axis] - wind.Center[axis]) / wind.Radius;
+        along[axis].push_back(static_cast<float>(std::exp(-0.5 * d * d)));
+      }
+    }
+    const std::array<float, 3> vector = ToFloats(factor * wind.Strength * wind.Direction);
+    ForPlanes(parallelFor, layout.N[2],
+              [&](int k) {
+                AddSeparablePlane(layout, vector, along[0].data(), along[1].data(), along[2].data(),
+                                  sum, k);
+              });
+  }
+  const FieldSeries& field = this->Forces.Wind;
+  if (field.IsEmpty())
+  {
+    return;
+  }
+  // A velocity draws the air with rate r; over dt implicitly, so that no rate is too large.
+  const bool drags = field.Meaning == FieldMeaning::Velocity;
+  const float rate =
+    static_cast<float>(this->Options.WindDrag / (1.0 + this->Options.WindDrag * dt));
+  ForPlanes(parallelFor, layout.N[2],
+            [&](int k)
+            {
+              for (int j = 0; j < layout.N[1]; ++j)
+              {
+                for (int i = 0; i < layout.N[0]; ++i)
+                {
+                  const Vec3 x(this->FirstCenter[0] + i * this->Spacing[0],
+                               this->FirstCenter[1] + j * this->Spacing[1],
+                               this->FirstCenter[2] + k * this->Spacing[2]);
+                  const std::array<float, 3> value = ToFloats(field.Sample(x, time));
+                  const std::ptrdiff_t p = layout.Index(i, j, k);
+                  for (int axis = 0; axis < 3; ++axis)
+                  {
+                    sum[axis][p] += drags ? rate * (value[axis] - center[axis][p]) : value[axis];
+                  }
+                }
+              }
+            });
+}
+
+void SmokeSolver::Internals::ComputeCenters(const ParallelFor& parallelFor,
+                                            std::array<FloatArray, 3>& center) const
+{
+  const ConstVectorArrays faces = ConstPointers(this->Velocity);
+  const VectorArrays cells = Pointers(center);
+  ForPlanes(parallelFor, this->Layout.N[2],
+            [&](int k) { CenterVelocityPlane(this->Layout, faces, cells, k); });
+}
+
+void SmokeSolver::Internals::ComputeVorticity(const ParallelFor& parallelFor,
+                                              const std::array<FloatArray, 3>& center,
+                                              std::array<FloatArray, 3>& vorticity,
+                                              FloatArray& size) const
+{
+  const ConstVectorArrays cells = ConstPointers(center);
+  const VectorArrays out = Pointers(vorticity);
+  ForPlanes(parallelFor, this->Layout.N[2],
+            [&](int k)
+            { VorticityPlane(this->Layout, this->Spacing, cells, out, size.data(), k); });
+}
+
+void SmokeSolver::Internals::AddConfinementAndBuoyancy(const ParallelFor& parallelFor)
+{
+  const StaggeredLayout& layout = this->Layout;
+  if (this->Options.Confinement > 0.0)
+  {
+    for (FloatArray& component : this->Center)
+    {
+      FillGhosts(layout, this->DerivedEnds, -1, component.data());
+    }
+    this->ComputeVorticity(parallelFor, this->Center, this->Vorticity, this->VorticitySize);
+    FillGhosts(layout, this->DerivedEnds, -1, this->VorticitySize.data());
+    const float strength =
+      static_cast<float>(this->Options.Confinement * this->Options.Spacing().minCoeff());
+    ForPlanes(parallelFor, layout.N[2],
+              [&](int k)
+              {
+                ConfinePlane(layout, this->Spacing, strength, ConstPointers(this->Vorticity),
+                             this->VorticitySize.data(), Pointers(this->Acceleration), k);
+              });
+  }
+  const float lift = static_cast<float>(this->Options.BuoyancyTemperature);
+  const float weight = static_cast<float>(this->Options.BuoyancyDensity);
+  if ((lift != 0.0f && this->HasWarmth) || (weight != 0.0f && this->HasSmoke))
+  {
+    ForPlanes(parallelFor, layout.N[2],
+              [&](int k)
+              {
+                for (int j = 0; j < layout.N[1]; ++j)
+                {
+                  const std::ptrdiff_t row = layout.Index(0, j, k);
+                  for (std::ptrdiff_t p = row; p < row + layout.N[0]; ++p)
+                  {
+                    this->Acceleration[2][p] +=
+                      lift * this->Temperature[p] - weight * this->Density[p];
+                  }
+                }
+              });
+  }
+}
+
+void SmokeSolver::Internals::Emit(double time)
+{
+  const StaggeredLayout& layout = this->Layout;
+  const Vec3 spacing = this->Options.Spacing();
+  const double soft = spacing.maxCoeff();
+  for (const SmokeEmitter& emitter : this->Forces.Emitters)
+  {
+    if (time < emitter.StartTime || time > emitter.EndTime)
+    {
+      continue;
+    }
+    std::array<int, 3> low, high;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double middle = (emitter.Center[axis] - this->Options.Bounds.Min[axis]) / spacing[axis];
+      const double reach = (emitter.Radius + soft) / spacing[axis];
+      low[axis] = static_cast<int>(std::clamp<double>(middle - reach, 0.0, layout.N[axis]));
+      high[axis] = static_cast<int>(std::clamp<double>(middle + reach + 1, 0.0, layout.N[axis]));
+    }
+    for (int k = low[2]; k < high[2]; ++k)
+    {
+      for (int j = low[1]; j < high[1]; ++j)
+      {
+        for (int i = low[0]; i < high[0]; ++i)
+        {
+          const Vec3 x =
+            this->Options.Bounds.Min + Vec3(i + 0.5, j + 0.5, k + 0.5).cwiseProduct(spacing);
+          const double inside = (emitter.Radius - (x - emitter.Center).norm()) / soft + 0.5;
+          const std::ptrdiff_t p = layout.Index(i, j, k);
+          if (inside <= 0.0 || this->Solids.CenterIsSolid()[p])
+          {
+            continue;
+          }
+          const double share = std::min(inside, 1.0);
+          this->Density[p] =
+            std::max(this->Density[p], static_cast<float>(share * emitter.Density));
+          if (emitter.Temperature != 0.0)
+          {
+            this->Temperature[p] += static_cast<float>(
+              share * (emitter.Temperature - static_cast<double>(this->Temperature[p])));
+          }
+        }
+      }
+    }
+  }
+}
+
+} // namespace waft

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The state of a smoke solver and the parts of its step.
+#pragma once
+
+#include "Grid/AirKernels.h"
+#include "Grid/PressureSolver.h"
+#include "Grid/SmokeSolver.h"
+#include "Grid/SolidFaces.h"
+
+namespace waft
+{
+
+using FloatArray = std::vector<float>;
+
+inline VectorArrays Pointers(std::array<FloatArray, 3>& arrays)
+{
+  return { arrays[0].data(), arrays[1].data(), arrays[2].data() };
+}
+inline ConstVectorArrays ConstPointers(const std::array<FloatArray, 3>& arrays)
+{
+  return { arrays[0].data(), arrays[1].data(), arrays[2].data() };
+}
+
+template <typename Body>
+void ForPlanes(const ParallelFor& parallelFor, int count, const Body& body)
+{
+  parallelFor(static_cast<std::size_t>(count),
+              [&](std::size_t begin, std::size_t end)
+              {
+                for (std::size_t k = begin; k < end; ++k)
+                {
+                  body(static_cast<int>(k));
+                }
+              });
+}
+
+struct SmokeSolver::Internals
+{
+  SmokeOptions Options;
+  SmokeForces Forces;
+  StaggeredLayout Layout;
+  AxisEnds Ends{};        // of what the air carries
+  AxisEnds DerivedEnds{}; // of what is derived from it: no jump at an open end
+  std::array<float, 3> Spacing{ 1.0f, 1.0f, 1.0f };
+  std::array<float, 3> FirstCenter{ 0.0f, 0.0f, 0.0f };
+
+  SolidFaces Solids;
+  PressureSolver Pressure;
+
+  // The state.
+  int Frame = -1;
+  double Time = 0.0;
+  std::array<FloatArray, 3> Velocity;
+  FloatArray Density;
+  FloatArray Temperature;
+  FloatArray Potential;       // phi = dt p / rho [m^2/s], the pressure's layout
+  double PotentialStep = 0.0; // the dt in it [s]
+  bool HasSmoke = false;
+  bool HasWarmth = false;
+
+  // Work space.
+  std::array<FloatArray, 3> NewVelocity, Center, Vorticity, Acceleration;
+  FloatArray VorticitySize, NewScalar, Backward, RightHandSide;
+  SmokeStatistics Statistics;
+
+  void Prepare();
+  void BuildSolids(const FloatArray& distances,
+                   const std::vector<std::array<float, 3>>& velocities);
+
+  /// One frame's time in substeps; false when stopped.
+  bool Advance(double start, double duration, const ParallelFor& parallelFor,
+               const std::function<bool()>& goOn);
+  bool Substep(double start, double dt, const ParallelFor& parallelFor,
+               const std::function<bool()>& goOn);
+  double LargestSpeed() const; // in voxels per second
+
+  // SmokeForcing.cxx
+  void AddVortices(double time, const ParallelFor& parallelFor, const VectorArrays& sum) const;
+  /// Winds in closed form and the sampled one; center: the air's velocity, for a wind that drags.
+  void AddWinds(double time, double dt, const ParallelFor& parallelFor,
+                const ConstVectorArrays& center, const VectorArrays& sum) const;
+  void AddConfinementAndBuoyancy(const ParallelFor& parallelFor);
+  void ComputeCenters(const ParallelFor& parallelFor, std::array<FloatArray, 3>& center) const;
+  void ComputeVorticity(const ParallelFor& parallelFor, const std::array<FloatArray, 3>& center,
+                        std::array<FloatArray, 3>& vorticity, FloatArray& size) const;
+  void Emit(double time);
+
+  // SmokeTransport.cxx
+  double Energy(const std::array<FloatArray, 3>& faces, const ParallelFor& parallelFor) const;
+  void AdvectVelocity(double dt, const ParallelFor& parallelFor);
+  /// time: after the step.
+  void AdvectScalars(double time, double dt, const ParallelFor& parallelFor);
+  void Advect(int faceAxis, const FloatArray& source, FloatArray& target, double dt,
+              const ParallelFor& parallelFor);
+  bool Project(double dt, const ParallelFor& parallelFor, const std::function<bool()>& goOn);
+  void FinishVelocity();
+  void FinishScalar(FloatArray& values) const;
+};
+
+} // namespace waft
