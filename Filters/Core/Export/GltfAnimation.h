@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The motion as a binary glTF 2.0 file that Blender, Houdini and game engines read: one mesh a
+// shape, one animated node an object.
+#pragma once
+
+#include "Base/Result.h"
+#include "Base/Shape.h"
+#include "Export/ImageFile.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+/// A shape and its texture.
+struct AnimatedShape
+{
+  Shape Body;                // z up, metres
+  std::vector<Vec3> Normals; // one a point; empty: made from the triangles
+  ImageFile Texture;         // embedded; without it the colour alone
+};
+
+/// An object and its motion, one sample a frame; z up.
+struct AnimatedObject
+{
+  int ObjectId = 0;
+  std::size_t Shape = 0; // place in the list of shapes
+  std::vector<Vec3> Positions;
+  std::vector<Quat> Orientations; // body to world, unit
+};
+
+/// glTF is y-up: a point (x, y, z) is written as (x, z, -y), a quaternion (w, x, y, z) as
+/// (w, x, z, -y). Nodes are named object-0, object-1, ...; keys are linear, at frame /
+/// framesPerSecond, and share one list of times. Materials have two sides and cut by the texture's
+/// alpha. Fails on poses of different lengths, an unknown shape, or numbers that are not finite.
+Result GltfAnimation(const std::vector<AnimatedShape>& shapes,
+                     const std::vector<AnimatedObject>& objects, double framesPerSecond,
+                     std::string& bytes);
+
+/// The same as a .glb file, whole or not at all.
+Result WriteAnimationGlb(const std::string& path, const std::vector<AnimatedShape>& shapes,
+                         const std::vector<AnimatedObject>& objects, double framesPerSecond);
+
+} // namespace waft

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Base/Motion.h"
+#include "Base/Pose.h"
+#include "Base/Result.h"
+
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+/// The text of poses.csv: the header
+/// object,frame,time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz
+/// and one line per object and frame, in the order of tracks, then of frames. Numbers have 17
+/// significant digits, so that reading them gives the same bits. Velocities are central differences
+/// of the positions. Fails when poses do not fit the tracks.
+Result PosesCsv(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses,
+                const Timeline& time, std::string& text);
+
+/// The same as a file, whole or not at all.
+Result WritePosesCsv(const std::string& path, const std::vector<Track>& tracks,
+                     const std::vector<PoseTrack>& poses, const Timeline& time);
+
+} // namespace waft

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Primitives.h"
+#include "Base/Random.h"
+#include "Export/GltfAnimation.h"
+
+#include <gtest/gtest.h>
+
+#include <tiny_gltf.h>
+
+#include <filesystem>
+
+using namespace waft;
+
+namespace
+{
+// A PNG of one pixel.
+const unsigned char Pixel[] = { 0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a, 0,    0,    0,    0x0d,
+                                'I',  'H', 'D', 'R', 0,    0,    0,    1,    0,    0,    0,    1,
+                                8,    6,   0,   0,   0,    0x1f, 0x15, 0xc4, 0x89, 0,    0,    0,
+                                0x0d, 'I', 'D', 'A', 'T',  0x78, 0x9c, 0x63, 0xf8, 0xcf, 0xc0, 0xf0,
+                                0x1f, 0,   5,   0,   1,    0xff, 0x89, 0x99, 0x3d, 0x1d, 0,    0,
+                                0,    0,   'I', 'E', 'N',  'D',  0xae, 0x42, 0x60, 0x82 };
+
+std::vector<AnimatedShape> Shapes()
+{
+  std::vector<AnimatedShape> shapes(2);
+  shapes[0].Body.Name = "box";
+  shapes[0].Body.Mesh = MakeBox({ Vec3(-1.0, -2.0, -3.0), Vec3(1.0, 2.0, 3.0) });
+  shapes[1].Body.Name = "ball";
+  shapes[1].Body.Mesh = MakeSphere(Vec3::Zero(), 0.1, 8, 6);
+  shapes[1].Body.TextureCoordinates.assign(shapes[1].Body.Mesh.Points.size(), { 0.25, 0.125 });
+  shapes[1].Texture = { std::string(reinterpret_cast<const char*>(Pixel), sizeof(Pixel)),
+                        "image/png" };
+  return shapes;
+}
+
+std::vector<AnimatedObject> Objects()
+{
+  Random random(5);
+  std::vector<AnimatedObject> objects(3);
+  for (int i = 0; i < 3; ++i)
+  {
+    objects[i].ObjectId = 10 * i;
+    objects[i].Shape = static_cast<std::size_t>(i % 2);
+    for (int k = 0; k < 7; ++k)
+    {
+      objects[i].Positions.push_back(4.0 * random.Direction());
+      const Vec3 axis = random.Direction();
+      objects[i].Orientations.emplace_back(Eigen::AngleAxisd(random.Uniform(), axis));
+    }
+  }
+  return objects;
+}
+
+const float* Floats(const tinygltf::Model& model, int accessor)
+{
+  const tinygltf::BufferView& view = model.bufferViews[model.accessors[accessor].bufferView];
+  return reinterpret_cast<const float*>(model.buffers[view.buffer].data.data() + view.byteOffset);
+}
+} // namespace
+
+TEST(GltfAnimation, PosesReadBackWithYUp)
+{
+  const std::vector<AnimatedObject> objects = Objects();
+  std::string bytes;
+  ASSERT_TRUE(GltfAnimation(Shapes(), objects, 24.0, bytes));
+  tinygltf::Model model;
+  tinygltf::TinyGLTF reader;
+  std::string error, warning;
+  ASSERT_TRUE(reader.LoadBinaryFromMemory(&model, &error, &warning,
+                                          reinterpret_cast<const unsigned char*>(bytes.data()),
+                                          static_cast<unsigned int>(bytes.size())))
+    << error;
+  EXPECT_TRUE(warning.empty()) << warning;
+  ASSERT_EQ(model.meshes.size(), 2u);
+  ASSERT_EQ(model.nodes.size(), 3u);
+  ASSERT_EQ(model.animations.size(), 1u);
+  ASSERT_EQ(model.images.size(), 1u);
+  EXPECT_EQ(model.images[0].width, 1);
+  EXPECT_EQ(model.materials[1].alphaMode, "MASK");
+  EXPECT_TRUE(model.materials[0].doubleSided);
+  const Quat toYUp(Eigen::AngleAxisd(-0.5 * std::acos(-1.0), Vec3::UnitX()));
+  int times = -1;
+  for (const tinygltf::AnimationChannel& channel : model.animations[0].channels)
+  {
+    const tinygltf::AnimationSampler& sampler = model.animations[0].samplers[channel.sampler];
+    const AnimatedObject& object = objects[channel.target_node];
+    EXPECT_EQ(model.nodes[channel.target_node].name, "object-" + std::to_string(object.ObjectId));
+    EXPECT_TRUE(times < 0 || times == sampler.input);
+    times = sampler.input;
+    for (int k = 0; k < 7; ++k)
+    {
+      EXPECT_NEAR(Floats(model, sampler.input)[k], k / 24.0, 1e-6);
+      if (channel.target_path == "translation")
+      {
+        const float* v = Floats(model, sampler.output) + 3 * k;
+        EXPECT_LT((Vec3(v[0], v[1], v[2]) - toYUp * object.Positions[k]).norm(), 1e-5);
+      }
+      else
+      {
+        ASSERT_EQ(channel.target_path, "rotation");
+        const float* v = Floats(model, sampler.output) + 4 * k;
+        const Quat expected = toYUp * object.Orientations[k] * toYUp.conjugate();
+        EXPECT_LT((Quat(v[3], v[0], v[1], v[2]).coeffs() - expected.coeffs()).norm(), 1e-6);
+      }
+    }
+  }
+  const tinygltf::Primitive& ball = model.meshes[1].primitives[0];
+  EXPECT_FLOAT_EQ(Floats(model, ball.attributes.at("TEXCOORD_0"))[1], 0.875F);
+  const tinygltf::Accessor& box =
+    model.accessors[model.meshes[0].primitives[0].attributes.at("POSITION")];
+  EXPECT_EQ(box.maxValues, (std::vector<double>{ 1.0, 3.0, 2.0 }));
+}
+
+TEST(GltfAnimation, BadDataAreNamedAndNothingIsWritten)
+{
+  const std::filesystem::path path =
+    std::filesystem::path(testing::TempDir()) / "waft-bad-animation.glb";
+  std::filesystem::remove(path);
+  const auto message = [&](const std::vector<AnimatedObject>& objects)
+  {
+    const Result result = WriteAnimationGlb(path.string(), Shapes(), objects, 30.0);
+    EXPECT_FALSE(result);
+    EXPECT_FALSE(std::filesystem::exists(path));
+    return result.Message();
+  };
+  std::vector<AnimatedObject> objects = Objects();
+  objects[2].Shape = 2;
+  EXPECT_NE(message(objects).find("object 20: shape 2"), std::string::npos);
+  objects = Objects();
+  objects[1].Positions.pop_back();
+  EXPECT_NE(message(objects).find("object 10"), std::string::npos);
+  objects = Objects();
+  objects[0].Positions[4].x() = std::nan("");
+  EXPECT_NE(message(objects).find("frame 4"), std::string::npos);
+  ASSERT_TRUE(WriteAnimationGlb(path.string(), Shapes(), Objects(), 30.0));
+  EXPECT_TRUE(std::filesystem::remove(path));
+}
+
+TEST(ImageFile, OnlyImagesAreTaken)
+{
+  ImageFile image;
+  EXPECT_FALSE(ReadImageFile("/no/such/image.png", image));
+  EXPECT_FALSE(ReadImageFile(__FILE__, image));
+}

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Random.h"
+#include "Export/PosesCsv.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <sstream>
+
+using namespace waft;
+
+TEST(PosesCsv, ReadsBackBitByBit)
+{
+  Random random(7);
+  std::vector<Track> tracks(2);
+  std::vector<PoseTrack> poses(2);
+  const Timeline time{ 5, 24.0 };
+  for (int i = 0; i < 2; ++i)
+  {
+    tracks[i].ObjectId = poses[i].ObjectId = 3 * i;
+    for (int k = 0; k < 5; ++k)
+    {
+      tracks[i].Positions.push_back(random.Direction());
+      const Vec3 axis = random.Direction();
+      poses[i].Orientations.emplace_back(Eigen::AngleAxisd(random.Uniform(), axis));
+      poses[i].AngularVelocities.push_back(1e-7 * random.Direction());
+    }
+  }
+  std::string text;
+  ASSERT_TRUE(PosesCsv(tracks, poses, time, text));
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "object,frame,time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz");
+  for (int i = 0; i < 2; ++i)
+  {
+    const std::vector<Vec3> velocities = CentralVelocities(tracks[i].Positions, time.Step());
+    for (int k = 0; k < 5; ++k)
+    {
+      ASSERT_TRUE(std::getline(lines, line));
+      std::vector<double> v;
+      std::istringstream cells(line);
+      for (std::string cell; std::getline(cells, cell, ',');)
+      {
+        v.push_back(std::strtod(cell.c_str(), nullptr));
+      }
+      const Quat& q = poses[i].Orientations[k];
+      const Vec3& x = tracks[i].Positions[k];
+      const Vec3& w = poses[i].AngularVelocities[k];
+      const std::vector<double> expected{ 3.0 * i,
+                                          1.0 * k,
+                                          k / 24.0,
+                                          x.x(),
+                                          x.y(),
+                                          x.z(),
+                                          q.w(),
+                                          q.x(),
+                                          q.y(),
+                                          q.z(),
+                                          velocities[k].x(),
+                                          velocities[k].y(),
+                                          velocities[k].z(),
+                                          w.x(),
+                                          w.y(),
+                                          w.z() };
+      EXPECT_EQ(v, expected);
+    }
+  }
+  EXPECT_FALSE(std::getline(lines, line));
+  poses[1].ObjectId = 9;
+  EXPECT_FALSE(PosesCsv(tracks, poses, time, text));
+}
