@@ -99,7 +99,13 @@ void SetTimeSteps(const Timeline& line, vtkInformationVector* outputs);
 
 /// The time asked of an output port [s], clamped to the time line, and stamped on its data.
 double RequestedTime(vtkInformationVector* outputs, int port, const Timeline& line);
-/// The same as the nearest frame.
+/// The time asked of the output port that this pass of RequestData serves, clamped to the time line,
+/// and stamped on the data of all ports. A stage of several ports that vary in time takes this one:
+/// the pipeline notes after a pass that every port was made for the asking port's time, and does
+/// not ask the others for that time again.
+double RequestedTimeOfAll(vtkInformation* request, vtkInformationVector* outputs,
+                          const Timeline& line);
+/// The same as RequestedTime, as the nearest frame.
 int RequestedFrame(vtkInformationVector* outputs, int port, const Timeline& line);
 
 /// Reports an error of the stage and leaves every output empty; returns 0 for RequestData to

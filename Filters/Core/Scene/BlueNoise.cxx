@@ -76,12 +76,14 @@ double PackingDistance(double measure, int dimensions, std::size_t count)
 }
 
 std::vector<std::size_t> EliminateSamples(const std::vector<Vec3>& candidates, std::size_t count,
-                                          double spacing)
+                                          double spacing, const std::vector<Vec3>& taken)
 {
   std::vector<char> kept(candidates.size(), 1);
   if (candidates.size() > count && spacing > 0.0)
   {
-    const auto neighbors = Neighbors(candidates, spacing);
+    std::vector<Vec3> all = candidates;
+    all.insert(all.end(), taken.begin(), taken.end());
+    const auto neighbors = Neighbors(all, spacing);
     std::vector<double> crowding(candidates.size(), 0.0);
     std::set<std::pair<double, std::size_t>> order; // the most crowded last
     for (std::size_t i = 0; i < candidates.size(); ++i)
@@ -99,7 +101,7 @@ std::vector<std::size_t> EliminateSamples(const std::vector<Vec3>& candidates, s
       kept[worst] = 0;
       for (const Neighbor& neighbor : neighbors[worst])
       {
-        if (kept[neighbor.Index])
+        if (neighbor.Index < candidates.size() && kept[neighbor.Index])
         {
           order.erase({ crowding[neighbor.Index], neighbor.Index });
           crowding[neighbor.Index] -= neighbor.Weight;
@@ -121,9 +123,10 @@ std::vector<std::size_t> EliminateSamples(const std::vector<Vec3>& candidates, s
 
 std::vector<Vec3> SpreadInBox(const Box& box, std::size_t count, std::uint64_t seed,
                               std::uint64_t stream,
-                              const std::function<bool(const Vec3&)>& isAdmissible)
+                              const std::function<bool(const Vec3&)>& isAdmissible,
+                              const std::vector<Vec3>& taken)
 {
-  constexpr std::size_t candidatesPerPoint = 8;
+  constexpr std::size_t candidatesPerPoint = 16;
   constexpr std::size_t triesPerCandidate = 50;
   Random random(seed, stream);
   std::vector<Vec3> candidates;
@@ -151,9 +154,12 @@ std::vector<Vec3> SpreadInBox(const Box& box, std::size_t count, std::uint64_t s
       ++dimensions;
     }
   }
-  const double spacing = PackingDistance(measure, dimensions, count);
+  const auto sharing =
+    std::count_if(taken.begin(), taken.end(), [&](const Vec3& p) { return box.Contains(p); });
+  const double spacing =
+    PackingDistance(measure, dimensions, count + static_cast<std::size_t>(sharing));
   std::vector<Vec3> points;
-  for (const std::size_t i : EliminateSamples(candidates, count, spacing))
+  for (const std::size_t i : EliminateSamples(candidates, count, spacing, taken))
   {
     points.push_back(candidates[i]);
   }

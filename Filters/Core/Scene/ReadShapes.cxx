@@ -194,7 +194,12 @@ std::vector<Vec3> SceneReader::SpreadObjects(const SceneNode& node, std::size_t 
     return std::all_of(this->Out.Obstacles.begin(), this->Out.Obstacles.end(),
                        [&](const ObstacleMesh& o) { return IsOutside(o.Mesh, x, radius); });
   };
-  const std::vector<Vec3> positions = SpreadInBox(region, count, seed, entry, isAdmissible);
+  std::vector<Vec3> taken;
+  for (const MotionObject& other : objects)
+  {
+    taken.push_back(other.Position);
+  }
+  const std::vector<Vec3> positions = SpreadInBox(region, count, seed, entry, isAdmissible, taken);
   if (positions.size() < count)
   {
     regionNode.FailWith("expected room for " + std::to_string(count) + " objects of radius " +

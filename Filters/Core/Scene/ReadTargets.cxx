@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Targets of a keyframe: points, or points sampled from a text, a picture or a surface.
+#include "Scene/LetterSpacing.h"
 #include "Scene/SceneReader.h"
 
 #include <algorithm>
@@ -148,6 +149,8 @@ std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node,
       text.Fail("a text that is not empty");
     }
     this->Check(this->Assets.DrawText(text.Text(), font, picture), text);
+    const double distance = TargetDistance(MaskFromPicture(picture, {}), count);
+    picture = SpreadLetters(picture, distance);
     return this->SamplePlane(node, MaskFromPicture(picture, {}), count, {}, row);
   }
   const SceneNode image = node.At("image", "");

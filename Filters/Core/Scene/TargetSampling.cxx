@@ -355,6 +355,14 @@ TargetMask MaskFromPicture(const Picture& picture,
   return mask;
 }
 
+double TargetDistance(const TargetMask& mask, std::size_t count)
+{
+  const double area = std::accumulate(mask.Weights.begin(), mask.Weights.end(), 0.0);
+  const double length = static_cast<double>(MiddleLines(mask, -1).Points.size());
+  const double onLines = length / static_cast<double>(std::max<std::size_t>(count, 1));
+  return length > 0.0 && area / length < onLines ? onLines : PackingDistance(area, 2, count);
+}
+
 Result SampleMask(const TargetMask& mask, std::size_t count,
                   const std::vector<std::size_t>& classLimits, std::uint64_t seed,
                   std::uint64_t stream, std::vector<PlaneTarget>& targets)

@@ -39,6 +39,10 @@ struct PlaneTarget
 TargetMask MaskFromPicture(const Picture& picture,
                            const std::vector<std::array<double, 3>>& classColors);
 
+/// About the distance of `count` targets in a mask of one class [pixels]: along the strokes where
+/// they are thin, else of a packing of its area. 0 for an empty mask.
+double TargetDistance(const TargetMask& mask, std::size_t count);
+
 /// `count` targets, evenly spread by the weights, relaxed. Where strokes are thin beside the
 /// distance of targets (text), the targets lie on the strokes' middle lines, ends included; else
 /// they are a weighted centroidal Voronoi tessellation. Sorted by x. classLimits: the most targets

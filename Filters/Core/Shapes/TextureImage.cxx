@@ -253,7 +253,7 @@ struct Painter
     color = Mix(this->Options.Edge, this->Options.Base, Smooth(0.0, 0.75, s));
     color = Mix(color, this->Options.Vein, 0.12 * lines * (1.0 - 0.6 * s));
     color = Scale(color, 1.0 + 0.10 * this->Grain.Octaves(12.0 * x, 12.0 * y, 4));
-    const double notch = 0.07 * Line(place.Across, 0.16);
+    const double notch = 0.06 * std::exp(-(y / 0.05) * (y / 0.05));
     alpha = s < 1.0 - notch && std::abs(place.Across) < 1.02 ? 1.0 : 0.0;
   }
 

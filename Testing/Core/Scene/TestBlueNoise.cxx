@@ -62,6 +62,15 @@ TEST(BlueNoise, KeepsToAdmissiblePlaces)
   EXPECT_TRUE(SpreadInBox(box, 40, 1, 0, [](const Vec3&) { return false; }).empty());
 }
 
+TEST(BlueNoise, LaterPointsKeepAwayFromEarlierOnes)
+{
+  const Box box{ Vec3(-1.0, -1.0, 0.0), Vec3(1.0, 1.0, 2.0) };
+  std::vector<Vec3> all = SpreadInBox(box, 20, 5, 0, Anywhere);
+  const auto more = SpreadInBox(box, 20, 5, 1, Anywhere, all);
+  all.insert(all.end(), more.begin(), more.end());
+  EXPECT_GT(NearestPair(all), 0.45 * PackingDistance(8.0, 3, 40));
+}
+
 TEST(MeshQueries, BallsAgainstABoxAndASphere)
 {
   const TriangleMesh box = MakeBox(Box{ Vec3(0.0, 0.0, 0.0), Vec3(1.0, 2.0, 3.0) });

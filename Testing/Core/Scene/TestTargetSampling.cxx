@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Primitives.h"
 #include "Scene/BlueNoise.h"
+#include "Scene/LetterSpacing.h"
 #include "Scene/StrokeThinning.h"
 #include "Scene/TargetSampling.h"
 #include "TestAssets.h"
@@ -64,6 +65,33 @@ TEST(StrokeThinning, LeavesTheMiddleOfABar)
   }
   EXPECT_GT(count, 22);
   EXPECT_LE(count, 30);
+}
+
+TEST(LetterSpacing, MovesLettersApartAndKeepsThem)
+{
+  // Two bars 3 wide and 2 apart, a dot above the second one.
+  Picture text;
+  text.Width = 8;
+  text.Height = 12;
+  for (int y = 0; y < 12; ++y)
+  {
+    for (int x = 0; x < 8; ++x)
+    {
+      const bool ink = x < 3 ? y < 10 : x > 4 && (y < 8 || y > 9);
+      text.Pixels.push_back({ 0.f, 0.f, 0.f, ink ? 1.f : 0.f });
+    }
+  }
+  const Picture spread = SpreadLetters(text, 6.0);
+  ASSERT_EQ(spread.Width, 12);
+  for (int y = 0; y < 12; ++y)
+  {
+    for (int x = 0; x < 12; ++x)
+    {
+      const bool ink = x < 3 ? y < 10 : x > 8 && (y < 8 || y > 9);
+      EXPECT_EQ(spread.Pixels[y * 12 + x][3], ink ? 1.f : 0.f) << x << " " << y;
+    }
+  }
+  EXPECT_EQ(SpreadLetters(text, 1.0).Pixels, text.Pixels);
 }
 
 TEST(TargetSampling, AFilledSquareBecomesAnEvenSpread)

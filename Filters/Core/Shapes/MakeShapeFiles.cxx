@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes the textures of Data/Shapes:  WaftPaintShapeTextures FOLDER
+// Writes the meshes and textures of Data/Shapes:  WaftMakeShapeFiles FOLDER
 #include "Shapes/TextureImage.h"
+#include "Shapes/ThinShape.h"
 
 #include <zlib.h>
 
@@ -64,6 +65,31 @@ std::vector<std::uint8_t> EncodePng(const std::vector<std::uint8_t>& pixels, int
   return png;
 }
 
+// Wavefront OBJ with texture coordinates, metres, z up.
+bool WriteObj(const std::string& path, const waft::Shape& shape)
+{
+  std::FILE* file = std::fopen(path.c_str(), "w");
+  if (!file)
+  {
+    return false;
+  }
+  std::fprintf(file, "# Waft %s: metres, z up, x along the length\n", shape.Name.c_str());
+  for (const waft::Vec3& p : shape.Mesh.Points)
+  {
+    std::fprintf(file, "v %.7f %.7f %.7f\n", p.x(), p.y(), p.z());
+  }
+  for (const auto& t : shape.TextureCoordinates)
+  {
+    std::fprintf(file, "vt %.5f %.5f\n", t[0], t[1]);
+  }
+  for (const auto& t : shape.Mesh.Triangles)
+  {
+    std::fprintf(file, "f %d/%d %d/%d %d/%d\n", t[0] + 1, t[0] + 1, t[1] + 1, t[1] + 1, t[2] + 1,
+                 t[2] + 1);
+  }
+  return std::fclose(file) == 0;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -117,6 +143,17 @@ int main(int argc, char** argv)
       return 1;
     }
     std::printf("%s %zu bytes\n", path.c_str(), png.size());
+  }
+  for (const char* name : { "leaf", "maple", "oak", "feather" })
+  {
+    waft::Shape shape;
+    const std::string path = std::string(argv[1]) + "/" + name + ".obj";
+    if (!waft::MakeBuiltinShape(name, 0.0, shape) || !WriteObj(path, shape))
+    {
+      std::fprintf(stderr, "%s: cannot be written\n", path.c_str());
+      return 1;
+    }
+    std::printf("%s %zu triangles\n", path.c_str(), shape.Mesh.Triangles.size());
   }
   return 0;
 }

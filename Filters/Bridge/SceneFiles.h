@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What scene files name, read by VTK's readers: meshes, pictures, text, winds.
+#pragma once
+
+#include "Base/FieldSeries.h"
+#include "Scene/SceneAssets.h"
+
+namespace waft
+{
+
+/// Built-in shapes of Core; meshes from .vtp, .obj, .ply, .stl and .glb (glTF is y-up and is turned
+/// to z-up); pictures from whatever VTK's image readers know; text by FreeType.
+class VtkSceneAssets : public SceneAssets
+{
+public:
+  Result LoadBuiltinShape(const std::string& builtin, double size, Shape& shape) const override;
+  Result LoadShapeMesh(const std::string& path, double size, Shape& shape) const override;
+  Result LoadMesh(const std::string& path, TriangleMesh& mesh) const override;
+  Result LoadPicture(const std::string& path, Picture& picture) const override;
+  Result DrawText(const std::string& text, const std::string& font,
+                  Picture& picture) const override;
+};
+
+/// A wind from a .vti (one time, which then holds throughout) or a .pvd (a series of .vti) with the
+/// point data `Wind` or `Velocity`.
+Result ReadWindFile(const std::string& path, FieldSeries& wind);
+
+} // namespace waft

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All winds of a scene as one field on a lattice.
+#pragma once
+
+#include "Base/FieldSeries.h"
+#include "Scene/Scene.h"
+
+class vtkImageData;
+
+namespace waft
+{
+
+/// Analytic winds and wind files added up. The lattice is the finest of the files'; without files
+/// one over the volume whose spacing is a sixteenth of its width or half the smallest radius, at
+/// most 65 points a side.
+class SceneWind
+{
+public:
+  /// Reads the files. Fails when one cannot be read (the message names its place in the scene) or
+  /// when a file with `Velocity` comes together with another wind: drag and acceleration do not add
+  /// up.
+  Result Build(const Scene& scene);
+  bool IsEmpty() const { return this->Analytic.empty() && this->Files.empty(); }
+  /// The extent of the lattice (0, -1, ... without wind).
+  void WholeExtent(int extent[6]) const;
+  /// The field at a time [s]; an image without points when there is no wind.
+  void Fill(double time, const SceneInfo& info, vtkImageData* image) const;
+
+private:
+  std::vector<AnalyticWind> Analytic;
+  std::vector<FieldSeries> Files;
+  FieldSeries Lattice; // its dimensions, origin, spacing and meaning
+};
+
+} // namespace waft

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMotionSceneReader.h"
+
+#include "Bridge/FieldCollectors.h"
+#include "Bridge/SceneData.h"
+#include "Bridge/SceneFiles.h"
+#include "Bridge/SceneWind.h"
+#include "Bridge/ShapeData.h"
+#include "Bridge/StageExecution.h"
+#include "Obstacles/SurfaceRepair.h"
+#include "Scene/Scene.h"
+
+#include <vtkDemandDrivenPipeline.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+vtkStandardNewMacro(vtkMotionSceneReader);
+
+namespace
+{
+
+enum Port
+{
+  Objects,
+  Constraints,
+  Obstacles,
+  Shapes,
+  Vortices,
+  Wind,
+  NumberOfPorts
+};
+
+// What the reader of the format cannot see: surfaces that are not closed or cut themselves.
+waft::Result CheckObstacles(const std::string& file, waft::Scene& scene)
+{
+  for (std::size_t i = 0; i < scene.Obstacles.size(); ++i)
+  {
+    const std::string name = file + ": /obstacles/" + std::to_string(i);
+    waft::TriangleMesh& mesh = scene.Obstacles[i].Mesh;
+    waft::Result result = waft::RepairSurface(name, mesh);
+    if (result)
+    {
+      result = waft::CheckSelfIntersection(name, mesh);
+    }
+    if (!result)
+    {
+      return result;
+    }
+  }
+  return waft::Result::Ok();
+}
+
+} // namespace
+
+struct vtkMotionSceneReader::Contents
+{
+  waft::Scene Scene;
+  waft::SceneWind Wind;
+  waft::StageCache Cache;
+  std::string Error;
+
+  void Load(const std::string& file)
+  {
+    waft::Scene scene;
+    waft::Result result = waft::ReadScene(file, waft::VtkSceneAssets(), scene);
+    if (result)
+    {
+      result = CheckObstacles(file, scene);
+    }
+    if (result)
+    {
+      result = this->Wind.Build(scene);
+    }
+    this->Error = result.Message();
+    this->Scene = std::move(scene);
+  }
+};
+
+vtkMotionSceneReader::vtkMotionSceneReader() : Read(new Contents)
+{
+  this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(NumberOfPorts);
+}
+
+vtkMotionSceneReader::~vtkMotionSceneReader() = default;
+
+void vtkMotionSceneReader::SetFileName(const std::string& name)
+{
+  this->FileName = name;
+  this->Modified();
+}
+
+int vtkMotionSceneReader::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == Shapes ? "vtkMultiBlockDataSet"
+                                             : port == Wind ? "vtkImageData"
+                                                            : "vtkPolyData");
+  return 1;
+}
+
+vtkTypeBool vtkMotionSceneReader::ProcessRequest(vtkInformation* request,
+                                                 vtkInformationVector** inputs,
+                                                 vtkInformationVector* outputs)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    return this->RequestInformation(outputs);
+  }
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    return this->RequestData(request, outputs);
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+int vtkMotionSceneReader::RequestInformation(vtkInformationVector* outputs)
+{
+  int extent[6] = { 0, -1, 0, -1, 0, -1 };
+  vtkInformation* wind = outputs->GetInformationObject(Wind);
+  wind->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  if (this->FileName.empty())
+  {
+    return 1; // a reader that was just made: RequestData asks for the name
+  }
+  if (!this->Read->Cache.IsCurrent(this, nullptr))
+  {
+    this->Read->Load(this->FileName);
+    this->Read->Cache.MarkCurrent(this, nullptr);
+    for (const std::string& warning : this->Read->Scene.Warnings)
+    {
+      vtkWarningMacro(<< warning);
+    }
+  }
+  if (this->Read->Error.empty())
+  {
+    waft::SetTimeSteps(this->Read->Scene.Info.Time, outputs);
+    this->Read->Wind.WholeExtent(extent);
+    wind->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  }
+  return 1;
+}
+
+int vtkMotionSceneReader::RequestData(vtkInformation* request, vtkInformationVector* outputs)
+{
+  if (this->FileName.empty())
+  {
+    return waft::Fail(this, outputs, "FileName: expected a scene file, found no name");
+  }
+  if (!this->Read->Error.empty())
+  {
+    return waft::Fail(this, outputs, this->Read->Error);
+  }
+  const waft::Scene& scene = this->Read->Scene;
+  const waft::SceneInfo& info = scene.Info;
+  const double time = waft::RequestedTimeOfAll(request, outputs, info.Time);
+  waft::ObjectsToPolyData(scene.Objects, info, vtkPolyData::GetData(outputs, Objects));
+  waft::ConstraintsToPolyData(scene.Constraints, info, vtkPolyData::GetData(outputs, Constraints));
+  waft::ObstaclesToPolyData(scene.Obstacles, time * info.Time.FramesPerSecond, info,
+                            vtkPolyData::GetData(outputs, Obstacles));
+  waft::ShapesToMultiBlock(scene.Shapes, info, vtkMultiBlockDataSet::GetData(outputs, Shapes));
+  waft::VorticesToPolyData(scene.Vortices, info, vtkPolyData::GetData(outputs, Vortices));
+  this->Read->Wind.Fill(time, info, vtkImageData::GetData(outputs, Wind));
+  (void)waft::RequestedTimeOfAll(request, outputs, info.Time); // filling has cleared the stamps
+  return 1;
+}
+
+void vtkMotionSceneReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n";
+}
