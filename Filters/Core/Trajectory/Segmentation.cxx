@@ -63,8 +63,11 @@ void SplitLong(const std::vector<double>& curvature, const SegmentationOptions& 
   for (std::size_t i = 0; i + 1 < cuts.size();)
   {
     const int count = cuts[i + 1] - cuts[i] + 1;
-    const int begin = cuts[i] + options.ShortestSegment - 1;
-    const int end = cuts[i + 1] - options.ShortestSegment + 1;
+    // Near the middle: the least curvature of all often lies beside an end, and would leave a part
+    // of the shortest length.
+    const int margin = std::max(options.ShortestSegment - 1, count / 3);
+    const int begin = cuts[i] + margin;
+    const int end = cuts[i + 1] - margin;
     if (count > options.LongestSegment && begin <= end)
     {
       cuts.insert(cuts.begin() + static_cast<std::ptrdiff_t>(i + 1),
@@ -200,16 +203,19 @@ std::vector<SampleRange> CutPath(const std::vector<double>& curvature,
 
 std::vector<int> GroupLengths(const SegmentationOptions& options)
 {
+  // As many steps as come nearest to the ratio, so that the last group is the longest segment.
+  const double span = double(options.LongestSegment) / options.ShortestSegment;
+  const int steps =
+    std::max(1, static_cast<int>(std::lround(std::log(span) / std::log(options.LengthRatio))));
   std::vector<int> lengths;
-  double length = options.ShortestSegment;
-  while (length < options.LongestSegment + 0.5)
+  for (int i = 0; i <= steps; ++i)
   {
-    const int rounded = static_cast<int>(std::lround(length));
-    if (lengths.empty() || rounded > lengths.back())
+    const int length =
+      static_cast<int>(std::lround(options.ShortestSegment * std::pow(span, double(i) / steps)));
+    if (lengths.empty() || length > lengths.back())
     {
-      lengths.push_back(std::min(rounded, options.LongestSegment));
+      lengths.push_back(length);
     }
-    length *= options.LengthRatio;
   }
   return lengths;
 }

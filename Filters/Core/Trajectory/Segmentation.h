@@ -15,7 +15,7 @@ struct SegmentationOptions
   /// Lengths of segments, in samples, both ends included.
   int ShortestSegment = 12;
   int LongestSegment = 60;
-  /// Lengths of the groups grow by this ratio from the shortest to the longest; above 1.
+  /// Lengths of the groups grow by about this ratio from the shortest to the longest; above 1.
   double LengthRatio = 1.5;
   /// A bend whose curvature peaks below this is no feature [1/m]; 0: four over the width of the
   /// volume.
@@ -46,9 +46,9 @@ struct SampleRange
 };
 
 /// Cuts a path between its features, joins what is shorter than the shortest segment over the cut
-/// of higher curvature, and splits what is longer than the longest at the least curvature (a
-/// feature only when it alone is longer). Consecutive ranges share a sample; together they cover
-/// the path. Empty when the path is shorter than the shortest segment.
+/// of higher curvature, and splits what is longer than the longest at the least curvature of
+/// its middle third (a feature only when it alone is longer). Consecutive ranges share a sample;
+/// together they cover the path. Empty when the path is shorter than the shortest segment.
 std::vector<SampleRange> CutPath(const std::vector<double>& curvature,
                                  const SegmentationOptions& options, double featureCurvature);
 

@@ -336,12 +336,12 @@ TEST(Clusters, VorticesTravelWithTheirSegments)
 TEST(Clusters, ThreadsDoNotChangeABit)
 {
   ClusterOptions options;
-  options.MaximumSegments = 500;
+  options.MaximumSegments = 400;
   const ClusterInput input = Traced(1, 4);
   const MotionDatabase one = Build(input, options, 1);
   const MotionDatabase two = Build(input, options, 2);
-  ASSERT_EQ(one.Segments.size(), 500u);
-  ASSERT_EQ(two.Segments.size(), 500u);
+  ASSERT_EQ(one.Segments.size(), 400u);
+  ASSERT_EQ(two.Segments.size(), 400u);
   ASSERT_EQ(one.Nodes.size(), two.Nodes.size());
   for (std::size_t s = 0; s < one.Segments.size(); ++s)
   {

@@ -109,10 +109,10 @@ TEST(Segmentation, LengthsAreGeometricAndTruncationKeepsTheBend)
   const std::vector<int> lengths = GroupLengths(SegmentationOptions());
   ASSERT_GE(lengths.size(), 4u);
   EXPECT_EQ(lengths.front(), 12);
-  EXPECT_LE(lengths.back(), 60);
+  EXPECT_EQ(lengths.back(), 60);
   for (std::size_t i = 0; i + 1 < lengths.size(); ++i)
   {
-    EXPECT_NEAR(double(lengths[i + 1]) / lengths[i], 1.5, 0.05);
+    EXPECT_NEAR(double(lengths[i + 1]) / lengths[i], 1.5, 0.03);
   }
   std::vector<double> curvature(40, 0.0);
   for (int i = 28; i < 34; ++i)

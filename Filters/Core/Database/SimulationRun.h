@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One random simulation, traced while it runs.
+#pragma once
+
+#include "Base/Monitor.h"
+#include "Base/Result.h"
+#include "Database/DatabaseBuild.h"
+#include "Grid/SmokeSolver.h"
+#include "Obstacles/DistanceLattice.h"
+#include "Trajectory/TrajectoryClusters.h"
+#include "Trajectory/TrajectoryTracer.h"
+
+#include <memory>
+
+namespace waft
+{
+
+/// Begin, then Step NumberOfSteps times, then Finish. Steps of different runs may be taken from
+/// different threads at once.
+class SimulationRun
+{
+public:
+  Result Begin(const DatabaseOptions& options, int simulation);
+  /// Frames of the warm-up and of the run.
+  int NumberOfSteps() const { return this->WarmUpFrames + this->Frames; }
+  /// One frame of air; after the warm-up the tracers move with it. Serial.
+  Result Step(Monitor& monitor);
+  TracedSimulation Finish();
+
+private:
+  Result PlaceObstacles(const SmokeOptions& options, const std::vector<ObstacleMesh>& obstacles);
+
+  int WarmUpFrames = 0;
+  int Frames = 0;
+  int StepsTaken = 0;
+  double StartTime = 0.0; // of the tracers, in the solver's time [s]
+  SmokeSolver Solver;
+  SmokeFrame Fields;
+  TrajectoryTracer Tracer;
+  std::vector<Vortex> Vortices; // in the tracers' time
+  std::shared_ptr<DistanceLattice> Distances;
+};
+
+/// The parameters of the smoke that DatabaseOptions stand for.
+Result SmokeOptionsOf(const DatabaseOptions& options, SmokeOptions& smoke);
+
+} // namespace waft
