@@ -106,6 +106,11 @@ constexpr const char* Rotation = "Rotation";
 constexpr const char* Translation = "Translation";
 constexpr const char* Key = "Key";
 
+// Planning trees, and their arrays that are not named above.
+constexpr const char* Span = "Span";
+constexpr const char* Tree = "Tree";
+constexpr const char* Segment = "Segment";
+
 // Particles.
 constexpr const char* ParticleId = "ParticleId";
 

@@ -12,6 +12,26 @@ namespace
 
 constexpr int PointsPerFrame = 8;
 constexpr int Rounds = 40;
+/// Of the plane of rest, which nothing goes below [m].
+constexpr double ContactTolerance = 1e-8;
+
+/// What is left below a plane of rest by less than the tolerance is laid on to it.
+void LayOnContacts(const ClearanceField& field, const WarpProblem& warp, double tolerance,
+                   std::vector<Vec3>& path)
+{
+  for (std::size_t k = 0; k < path.size(); ++k)
+  {
+    const ContactStretch* contact = field.ContactAt(static_cast<double>(k));
+    if (contact != nullptr && warp.IsFixed[k] == 0)
+    {
+      const double height = (path[k] - contact->Centre).dot(contact->Normal);
+      if (height < 0.0 && height > -4.0 * tolerance)
+      {
+        path[k] -= height * contact->Normal;
+      }
+    }
+  }
+}
 
 double Worst(const std::vector<Violation>& violations, int& frame)
 {
@@ -68,7 +88,9 @@ std::vector<Violation> FindViolations(const ClearanceField& field,
         violation.Push = -slack * away;
       }
     }
-    if (violation.Slack < -tolerance)
+    const bool atContact =
+      field.ContactAt(frame) != nullptr && field.ContactAt(frame + 1.0) != nullptr;
+    if (violation.Slack < -(atContact ? ContactTolerance : tolerance))
     {
       result.push_back(violation);
     }
@@ -81,7 +103,8 @@ std::vector<Vec3> RepairPath(const ClearanceField& field, WarpProblem warp, doub
                              double& worstSlack, int& worstFrame)
 {
   std::vector<Vec3> best = path;
-  std::vector<Violation> violations = FindViolations(field, path, tolerance);
+  LayOnContacts(field, warp, tolerance, best);
+  std::vector<Violation> violations = FindViolations(field, best, tolerance);
   worstSlack = Worst(violations, worstFrame);
   if (violations.empty())
   {
@@ -110,6 +133,7 @@ std::vector<Vec3> RepairPath(const ClearanceField& field, WarpProblem warp, doub
       warp.Soft.push_back({ frame, value, 0.05 });
     }
     current = SolveWarp(warp);
+    LayOnContacts(field, warp, tolerance, current);
     violations = FindViolations(field, current, tolerance);
     int frame = -1;
     const double worst = Worst(violations, frame);

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkStylisticPlannerFilter
+ * @brief   flies objects on segments of a motion database from mark to mark, around obstacles
+ *
+ * Input port 0, Database (vtkMultiBlockDataSet): a motion database.
+ * Input port 1, Objects (vtkPolyData): one vertex an object; its field data give the volume and the
+ * frames.
+ * Input port 2, Constraints (vtkPolyData): one vertex a row.
+ * Input port 3, Obstacles (vtkPolyData, optional, may move): closed surfaces, `ObstacleId`.
+ *
+ * Output port 0, Tracks (vtkPolyData): one polyline an object, one point a frame, annotated with
+ * what drove the segments (`ForceType`, `VortexId`, `VortexAcceleration`, `WindAcceleration`).
+ * Output port 1, Trees (vtkPolyData): one polyline a branch of the two trees of each flight; cell
+ * data `ObjectId`, `Span`, `Tree` (0 from the start, 1 from the goal), `Parent`, `Segment`, `Cost`,
+ * `Frame`.
+ * Output port 2, Report (vtkTable): one line per row and target of the constraints.
+ * Output port 3, Constraints (vtkPolyData): the rows, those for any object (-1) assigned.
+ * Output port 4, Vortices (vtkPolyData): those of the segments used, moved with them.
+ *
+ * Shi et al. 2005, section 4: two rapidly-exploring random trees of database segments, uniform
+ * redistribution of what is left over, refinement down the clusters, blending. Each flight lasts
+ * exactly its frames. Objects without rows, and the time after an object's last row, fly free.
+ * Rows that cannot be met are named in the report and all the others are still met. The same Seed
+ * gives the same bytes on any number of threads. Stopped half way, it gives the objects planned so
+ * far.
+ */
+#ifndef vtkStylisticPlannerFilter_h
+#define vtkStylisticPlannerFilter_h
+
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkWaftFiltersModule.h"
+
+#include <memory>
+
+class VTKWAFTFILTERS_EXPORT vtkStylisticPlannerFilter : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkStylisticPlannerFilter* New();
+  vtkTypeMacro(vtkStylisticPlannerFilter, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum RotationFreedoms
+  {
+    YAW = 0,
+    YAW_AND_TILT = 1,
+    ANY = 2
+  };
+  ///@{
+  /** Which rotations may carry a segment to its place: Yaw (0), YawAndTilt (1) or Any (2). */
+  vtkSetClampMacro(RotationFreedom, int, YAW, ANY);
+  vtkGetMacro(RotationFreedom, int);
+  ///@}
+  ///@{
+  /** Largest lean of the vertical under YawAndTilt [rad], 0..pi. */
+  vtkSetClampMacro(MaxTilt, double, 0.0, 3.14159265358979323846);
+  vtkGetMacro(MaxTilt, double);
+  ///@}
+  ///@{
+  /** Residual over chord of the shared window (Eq. 1) above which two representatives do not
+   * follow each other; more than 0. */
+  vtkSetMacro(ConnectionThreshold, double);
+  vtkGetMacro(ConnectionThreshold, double);
+  ///@}
+  ///@{
+  /** Relative offset of velocity that a path found at once may cost; more is granted as the search
+   * lasts; more than 0. */
+  vtkSetMacro(JoinThreshold, double);
+  vtkGetMacro(JoinThreshold, double);
+  ///@}
+  ///@{
+  /** Paths looked for in each flight; the one nearest to the style of the database is taken;
+   * 1..1000. */
+  vtkSetClampMacro(NumberOfCandidates, int, 1, 1000);
+  vtkGetMacro(NumberOfCandidates, int);
+  ///@}
+  ///@{
+  /** Limit of branches of the two trees of one flight, 1..1000000. */
+  vtkSetClampMacro(MaximumNumberOfBranches, int, 1, 1000000);
+  vtkGetMacro(MaximumNumberOfBranches, int);
+  ///@}
+  ///@{
+  /** Share by which a path may last longer or shorter before its time is scaled, 0..0.5. */
+  vtkSetClampMacro(RetimingLimit, double, 0.0, 0.5);
+  vtkGetMacro(RetimingLimit, double);
+  ///@}
+  ///@{
+  /** Seed of everything random, 0 or more. */
+  vtkSetClampMacro(Seed, int, 0, VTK_INT_MAX);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+protected:
+  vtkStylisticPlannerFilter();
+  ~vtkStylisticPlannerFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector** inputs,
+                         vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
+                          vtkInformationVector* outputs) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                  vtkInformationVector* outputs) override;
+
+private:
+  vtkStylisticPlannerFilter(const vtkStylisticPlannerFilter&) = delete;
+  void operator=(const vtkStylisticPlannerFilter&) = delete;
+
+  int RotationFreedom = YAW_AND_TILT;
+  double MaxTilt = 0.34906585039886591;
+  double ConnectionThreshold = 0.06;
+  double JoinThreshold = 0.05;
+  int NumberOfCandidates = 8;
+  int MaximumNumberOfBranches = 2000;
+  double RetimingLimit = 0.15;
+  int Seed = 1;
+
+  struct Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PipelineTesting.h"
+
+#include "../Core/Planning/SwirlDatabase.h"
+#include "Base/Primitives.h"
+#include "Bridge/DatabaseConversion.h"
+#include "Bridge/FieldCollectors.h"
+#include "Bridge/SceneData.h"
+#include "Bridge/TrackData.h"
+
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkStylisticPlannerFilter.h>
+#include <vtkTable.h>
+#include <vtkTrivialProducer.h>
+#include <vtkVariant.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+using namespace waft;
+
+struct Pipeline
+{
+  SceneInfo Info;
+  std::vector<MotionObject> Objects;
+  std::vector<Constraint> Constraints;
+  vtkNew<vtkMultiBlockDataSet> Database;
+  vtkNew<vtkPolyData> ObjectData;
+  vtkNew<vtkPolyData> ConstraintData;
+  vtkNew<vtkPolyData> ObstacleData;
+  vtkNew<vtkTrivialProducer> Producers[4];
+  vtkNew<vtkStylisticPlannerFilter> Filter;
+
+  Pipeline()
+  {
+    for (int i = 0; i < 12; ++i)
+    {
+      MotionObject object;
+      object.ObjectId = i;
+      object.Position = Vec3(-1.2 + 0.2 * i, -0.8, 2.6);
+      object.RestHeight = 0.003;
+      this->Objects.push_back(object);
+    }
+    Constraint row;
+    row.ObjectId = 0;
+    row.Frame = 120;
+    row.Value = Vec3(0.7, 0.6, 2.2);
+    this->Constraints.push_back(row);
+    for (int i = 0; i < 6; ++i)
+    {
+      Constraint rest;
+      rest.Kind = ConstraintKind::Rest;
+      rest.Frame = 220;
+      rest.Until = 299;
+      rest.Row = 1;
+      rest.Target = i;
+      rest.Group = 0;
+      rest.Value = Vec3(-1.0 + 0.4 * i, 1.0, 1.0);
+      this->Constraints.push_back(rest);
+    }
+    ObstacleMesh ground;
+    ground.Mesh = MakeBox(Box{ Vec3(-3, -3, -1), Vec3(3, 3, 0) });
+    ObstacleMesh box;
+    box.ObstacleId = 1;
+    box.Mesh = MakeBox(Box{ Vec3(-0.1, -0.4, 0.0), Vec3(0.1, 0.4, 2.0) });
+    DatabaseToMultiBlock(test::SwirlDatabase(), this->Database);
+    ObjectsToPolyData(this->Objects, this->Info, this->ObjectData);
+    ConstraintsToPolyData(this->Constraints, this->Info, this->ConstraintData);
+    ObstaclesToPolyData({ ground, box }, 0.0, this->Info, this->ObstacleData);
+    vtkDataObject* data[4] = { this->Database, this->ObjectData, this->ConstraintData,
+                               this->ObstacleData };
+    for (int port = 0; port < 4; ++port)
+    {
+      this->Producers[port]->SetOutput(data[port]);
+      this->Filter->SetInputConnection(port, this->Producers[port]->GetOutputPort());
+    }
+  }
+  vtkPolyData* Output(int port)
+  {
+    return vtkPolyData::SafeDownCast(this->Filter->GetOutputDataObject(port));
+  }
+  std::vector<Track> Tracks()
+  {
+    std::vector<Track> tracks;
+    EXPECT_TRUE(TracksFromPolyData(this->Output(0), tracks));
+    return tracks;
+  }
+};
+
+} // namespace
+
+TEST(StylisticPlannerFilter, PlansTracksTreesReportRowsAndVortices)
+{
+  Pipeline p;
+  ErrorLog errors(p.Filter);
+  p.Filter->Update();
+  EXPECT_EQ(errors.Text, "");
+  const std::vector<Track> tracks = p.Tracks();
+  ASSERT_EQ(tracks.size(), 12u);
+  for (const Track& track : tracks)
+  {
+    ASSERT_EQ(track.Positions.size(), 300u);
+    EXPECT_EQ(track.Positions[0], p.Objects[track.ObjectId].Position);
+    for (const Vec3& x : track.Positions)
+    {
+      EXPECT_TRUE(p.Info.Bounds.Contains(x));
+    }
+  }
+  EXPECT_EQ(tracks[0].Positions[120], Vec3(0.7, 0.6, 2.2));
+
+  std::vector<Constraint> assigned;
+  ASSERT_TRUE(ConstraintsFromPolyData(p.Output(3), p.Info.Time, assigned));
+  ASSERT_EQ(assigned.size(), p.Constraints.size());
+  for (const Constraint& row : assigned)
+  {
+    ASSERT_GE(row.ObjectId, 0);
+    if (row.Kind == ConstraintKind::Rest)
+    {
+      const Vec3 place(row.Value.x(), row.Value.y(), 0.003);
+      EXPECT_LT((tracks[row.ObjectId].Positions[299] - place).norm(), 4e-9);
+      EXPECT_EQ(tracks[row.ObjectId].Positions[299], tracks[row.ObjectId].Positions[220]);
+    }
+  }
+  auto* report = vtkTable::SafeDownCast(p.Filter->GetOutputDataObject(2));
+  ASSERT_EQ(report->GetNumberOfRows(), 7);
+  for (vtkIdType i = 0; i < 7; ++i)
+  {
+    EXPECT_EQ(report->GetValueByName(i, "Status").ToString(), "met");
+  }
+  vtkPolyData* trees = p.Output(1);
+  EXPECT_GT(trees->GetNumberOfLines(), 50);
+  for (const char* name : { "ObjectId", "Span", "Tree", "Parent", "Segment", "Cost", "Frame" })
+  {
+    EXPECT_TRUE(trees->GetCellData()->HasArray(name)) << name;
+  }
+  EXPECT_GT(p.Output(4)->GetNumberOfCells(), 0);
+  for (int port = 0; port < 5; ++port)
+  {
+    EXPECT_TRUE(p.Filter->GetOutputDataObject(port)->GetFieldData()->HasArray("Bounds")) << port;
+  }
+}
+
+TEST(StylisticPlannerFilter, ServesEveryFrameFromOnePlan)
+{
+  Pipeline p;
+  p.Filter->Update();
+  const std::vector<Track> before = p.Tracks();
+  const std::vector<double> steps = TimeSteps(p.Filter);
+  ASSERT_EQ(steps.size(), 300u);
+  int ticks = 0;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&ticks);
+  command->SetCallback([](vtkObject*, unsigned long, void* count, void* fraction)
+                       { *static_cast<int*>(count) += *static_cast<double*>(fraction) < 1.0; });
+  p.Filter->AddObserver(vtkCommand::ProgressEvent, command);
+  for (int frame : { 250, 3, 120 })
+  {
+    p.Filter->UpdateTimeStep(steps[frame], -1, 1, 0);
+  }
+  const int served = ticks;
+  EXPECT_EQ(p.Tracks()[5].Positions, before[5].Positions);
+  p.Filter->SetSeed(9);
+  p.Filter->Update();
+  EXPECT_GT(ticks, served + 1);
+  EXPECT_NE(p.Tracks()[5].Positions, before[5].Positions);
+  p.Filter->SetSeed(1);
+  p.Filter->Update();
+  EXPECT_EQ(p.Tracks()[5].Positions, before[5].Positions);
+}
+
+TEST(StylisticPlannerFilter, NamesWhatIsWrongAndLeavesItsOutputsEmpty)
+{
+  Pipeline p;
+  p.Database->SetBlock(0, nullptr);
+  p.Database->Modified();
+  ErrorLog errors(p.Filter);
+  p.Filter->Update();
+  EXPECT_TRUE(errors.Contains("Segments")) << errors.Text;
+  EXPECT_EQ(p.Output(0)->GetNumberOfPoints(), 0);
+
+  Pipeline q;
+  q.ConstraintData->GetPointData()->GetArray("Value")->SetComponent(0, 1, std::nan(""));
+  ErrorLog nan(q.Filter);
+  q.Filter->Update();
+  EXPECT_TRUE(nan.Contains("Value")) << nan.Text;
+  EXPECT_EQ(q.Output(0)->GetNumberOfPoints(), 0);
+}
+
+TEST(StylisticPlannerFilter, StopsWhenAskedWithWhatItHas)
+{
+  Pipeline p;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(
+    [](vtkObject* filter, unsigned long, void*, void* fraction)
+    {
+      if (*static_cast<double*>(fraction) > 0.3)
+      {
+        static_cast<vtkAlgorithm*>(filter)->SetAbortExecute(1);
+      }
+    });
+  p.Filter->AddObserver(vtkCommand::ProgressEvent, command);
+  p.Filter->Update();
+  EXPECT_GT(p.Output(0)->GetNumberOfLines(), 0);
+  EXPECT_LT(p.Output(0)->GetNumberOfLines(), 12);
+}
