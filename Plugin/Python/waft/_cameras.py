@@ -30,11 +30,6 @@ def _fit(points, direction, aspect):
     return center @ axes, float(distance)
 
 
-def _corners(low, high):
-    return np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1])
-                     for z in (low[2], high[2])])
-
-
 def _perspective(center, direction, distance, size):
     camera = vtkCamera()
     camera.SetViewAngle(_VIEW_ANGLE)
@@ -54,9 +49,8 @@ class Cameras:
         bounds = motion.bounds
         self._size = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
         reach = 0.5 * max(body.extent for body in motion.bodies)
-        self._low = motion.positions.min(axis=(0, 1)) - reach
-        self._high = motion.positions.max(axis=(0, 1)) + reach
         self._reach = reach
+        self._highest = float(motion.positions[..., 2].max()) + reach
         self._fixed = {}
 
     def at(self, view, frame):
@@ -79,10 +73,12 @@ class Cameras:
     def _side(self):
         direction = np.array([-0.20, 1.0, -0.15])
         direction /= np.linalg.norm(direction)
-        low, high = self._low.copy(), self._high.copy()
+        places = self._motion.positions[:, ::5, :].reshape(-1, 3)
+        reach = self._reach * np.array([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
         # The floor below the motion belongs to the picture.
-        low[2] = min(low[2], self._motion.bounds[4])
-        center, distance = _fit(_corners(low, high), direction, self._aspect)
+        floor = places * [1.0, 1.0, 0.0] + [0.0, 0.0, self._motion.bounds[4]]
+        seen = np.concatenate([places + reach[0], places + reach[1], floor])
+        center, distance = _fit(seen, direction, self._aspect)
         return _perspective(center, direction, distance, self._size)
 
     def _top(self):
@@ -95,7 +91,7 @@ class Cameras:
         high = places.max(axis=0)[:2] + 2.0 * self._reach
         center = 0.5 * (low + high)
         extent = np.maximum(high - low, 0.4 * self._size)
-        top = self._high[2] + 0.5 * self._size
+        top = self._highest + 0.5 * self._size
         camera = vtkCamera()
         camera.ParallelProjectionOn()
         camera.SetParallelScale(0.5 * _MARGIN * max(extent[1], extent[0] / self._aspect))

@@ -156,7 +156,7 @@ class Objects:
         spot, normal, distance = met
         nearness = distance / (3.0 * look.extent)
         sharp = 0.42 * math.exp(-nearness)
-        soft = 0.30 * (1.0 - math.exp(-nearness)) / (1.0 + (nearness / 3.0) ** 1.5)
+        soft = 0.22 * (1.0 - math.exp(-nearness)) / (1.0 + (nearness / 2.5) ** 1.5)
         actors[0].GetProperty().SetOpacity(sharp)
         actors[0].SetVisibility(bool(sharp > 0.01))
         actors[1].GetProperty().SetOpacity(soft)

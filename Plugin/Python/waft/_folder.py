@@ -162,10 +162,15 @@ def _bodies(folder):
             body.area_density = density.GetComponent(0, 0)
         texture = fields.GetAbstractArray("Texture")
         if texture is not None and texture.GetNumberOfValues() > 0 and texture.GetValue(0):
-            # Relative paths are meant from the folder itself.
-            body.texture = os.path.join(folder, texture.GetValue(0))
+            body.texture = _find_texture(folder, texture.GetValue(0))
         bodies.append(body)
     return bodies
+
+
+def _find_texture(folder, path):
+    """A relative path is meant from the folder, or from where the run was started."""
+    beside = os.path.join(folder, path)
+    return path if os.path.isfile(path) and not os.path.isfile(beside) else beside
 
 
 def _marks(folder):

@@ -27,8 +27,9 @@ def grab(window, samples):
         return taken
     width, height, _ = taken.GetDimensions()
     pixels = vtk_to_numpy(taken.GetPointData().GetScalars())
-    blocks = pixels.reshape(height // samples, samples, width // samples, samples, 3)
-    total = blocks.sum(axis=(1, 3), dtype=np.uint16)
+    pixels = pixels.reshape(height, width, 3).astype(np.uint16)
+    rows = sum(pixels[i::samples] for i in range(samples))
+    total = sum(rows[:, i::samples] for i in range(samples))
     return image(((total + samples * samples // 2) // (samples * samples)).astype(np.uint8))
 
 
