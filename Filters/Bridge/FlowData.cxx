@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/FlowData.h"
+
+#include "Bridge/ArrayNames.h"
+
+#include <vtkDataArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
+#include <vtkPointData.h>
+
+#include <cstring>
+
+namespace waft
+{
+namespace
+{
+
+Result ReadField(vtkImageData* data, const char* name, bool isNeeded,
+                 std::vector<std::array<float, 3>>& values)
+{
+  vtkDataArray* array = data->GetPointData()->GetArray(name);
+  if (!array && !isNeeded)
+  {
+    values.clear();
+    return Result::Ok();
+  }
+  if (!array || array->GetNumberOfComponents() != 3)
+  {
+    return Result::Error(std::string("Input: expected the point data array `") + name +
+                         "` of 3 components");
+  }
+  values.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  if (auto* floats = vtkFloatArray::SafeDownCast(array))
+  {
+    std::memcpy(values.data(), floats->GetPointer(0), values.size() * sizeof(values[0]));
+    return Result::Ok();
+  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      values[i][c] = static_cast<float>(array->GetComponent(static_cast<vtkIdType>(i), c));
+    }
+  }
+  return Result::Ok();
+}
+
+} // namespace
+
+Result FlowLatticeFromImage(vtkImageData* data, FlowLattice& lattice)
+{
+  if (data->GetNumberOfPoints() == 0)
+  {
+    return Result::Error("Input: expected an image with points");
+  }
+  if (!data->GetDirectionMatrix()->IsIdentity())
+  {
+    return Result::Error("Input: expected an image whose axes are those of the world");
+  }
+  data->GetDimensions(lattice.Dimensions.data());
+  data->GetSpacing(lattice.Spacing.data());
+  data->GetPoint(0, lattice.Origin.data());
+  return Result::Ok();
+}
+
+Result FlowFrameFromImage(vtkImageData* data, double time, FlowFrame& frame)
+{
+  frame.Time = time;
+  WAFT_RETURN_IF_FAILED(ReadField(data, names::Velocity, true, frame.Velocity));
+  WAFT_RETURN_IF_FAILED(ReadField(data, names::VortexForce, false, frame.VortexForce));
+  return ReadField(data, names::WindForce, false, frame.WindForce);
+}
+
+} // namespace waft

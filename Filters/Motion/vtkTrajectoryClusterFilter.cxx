@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTrajectoryClusterFilter.h"
+
+#include "Bridge/ArrayNames.h"
+#include "Bridge/DatabaseConversion.h"
+#include "Bridge/SceneData.h"
+#include "Bridge/StageExecution.h"
+#include "Bridge/TrackData.h"
+#include "Trajectory/TrajectoryClusters.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+vtkStandardNewMacro(vtkTrajectoryClusterFilter);
+
+struct vtkTrajectoryClusterFilter::Internals
+{
+  waft::StageCache Cache;
+  waft::MotionDatabase Database;
+};
+
+namespace
+{
+
+// One connection of the inputs as a simulation; the first one gives rate, volume and settling.
+waft::Result AddSimulation(vtkPolyData* tracks, vtkPolyData* vortices, waft::ClusterInput& input)
+{
+  waft::TracedSimulation simulation;
+  WAFT_RETURN_IF_FAILED(waft::TracksFromPolyData(tracks, simulation.Tracks));
+  if (vortices)
+  {
+    WAFT_RETURN_IF_FAILED(waft::VorticesFromPolyData(vortices, simulation.Vortices));
+  }
+  waft::SceneInfo info;
+  WAFT_RETURN_IF_FAILED(waft::SceneInfoFromFieldData(tracks, info));
+  if (input.Simulations.empty())
+  {
+    input.FramesPerSecond = info.Time.FramesPerSecond;
+    input.Volume = info.Bounds;
+    vtkDataArray* settling = tracks->GetFieldData()->GetArray(waft::names::SettlingSpeed);
+    input.SettlingSpeed =
+      settling && settling->GetNumberOfTuples() > 0 ? settling->GetComponent(0, 0) : 0.0;
+  }
+  else if (info.Time.FramesPerSecond != input.FramesPerSecond)
+  {
+    return waft::Result::Error("Input " + std::to_string(input.Simulations.size()) +
+                               ": field data `FramesPerSecond`: " + "expected " +
+                               std::to_string(input.FramesPerSecond) + " as in the first");
+  }
+  input.Simulations.push_back(std::move(simulation));
+  return waft::Result::Ok();
+}
+
+waft::Result Gather(vtkInformationVector** inputs, waft::ClusterInput& input)
+{
+  for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
+  {
+    const bool hasVortices = i < inputs[1]->GetNumberOfInformationObjects();
+    WAFT_RETURN_IF_FAILED(AddSimulation(vtkPolyData::GetData(inputs[0], i),
+                                        hasVortices ? vtkPolyData::GetData(inputs[1], i) : nullptr,
+                                        input));
+  }
+  return waft::Result::Ok();
+}
+
+} // namespace
+
+vtkTrajectoryClusterFilter::vtkTrajectoryClusterFilter() : Impl(std::make_unique<Internals>())
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+vtkTrajectoryClusterFilter::~vtkTrajectoryClusterFilter() = default;
+
+int vtkTrajectoryClusterFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkTrajectoryClusterFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
+                                            vtkInformationVector* outputs)
+{
+  Internals& impl = *this->Impl;
+  if (!impl.Cache.IsCurrent(this, inputs))
+  {
+    waft::ClusterOptions options;
+    options.Segmentation.ShortestSegment = this->ShortestSegment;
+    options.Segmentation.LongestSegment = this->LongestSegment;
+    options.Segmentation.LengthRatio = this->LengthRatio;
+    options.Segmentation.FeatureCurvature = this->FeatureCurvature;
+    options.Segmentation.FeatureContrast = this->FeatureContrast;
+    options.Segmentation.LeastSpeed = this->LeastSpeed;
+    options.Window = this->Window;
+    options.RelativeError = this->RelativeError;
+    options.MaximumSegments = this->MaximumSegments;
+    options.Trees.NumberOfTopNodes = this->NumberOfTopNodes;
+    options.Trees.Branching = this->Branching;
+    options.Trees.Seed = static_cast<std::uint64_t>(this->Seed);
+    options.Connections.Freedom = static_cast<waft::RotationFreedom>(this->RotationFreedom);
+    options.Connections.MaxTilt = this->MaxTilt;
+    options.Connections.NotConnectible = this->NotConnectible;
+
+    impl.Cache.Forget();
+    waft::ClusterInput input;
+    waft::StageMonitor monitor(this);
+    waft::Result result = Gather(inputs, input);
+    result = result
+               ? waft::ClusterTrajectories(input, options, waft::SmpFor(), monitor, impl.Database)
+               : result;
+    if (!result)
+    {
+      return waft::Fail(this, outputs, result.Message());
+    }
+    if (result.IsStopped())
+    {
+      vtkMultiBlockDataSet::GetData(outputs)->Initialize();
+      return 1;
+    }
+    impl.Cache.MarkCurrent(this, inputs);
+  }
+  waft::DatabaseToMultiBlock(impl.Database, vtkMultiBlockDataSet::GetData(outputs));
+  return 1;
+}
+
+void vtkTrajectoryClusterFilter::RemoveAllVortices()
+{
+  this->SetInputConnection(1, nullptr);
+}
+
+void vtkTrajectoryClusterFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ShortestSegment: " << this->ShortestSegment << "\n";
+  os << indent << "LongestSegment: " << this->LongestSegment << "\n";
+  os << indent << "LengthRatio: " << this->LengthRatio << "\n";
+  os << indent << "FeatureCurvature: " << this->FeatureCurvature << "\n";
+  os << indent << "FeatureContrast: " << this->FeatureContrast << "\n";
+  os << indent << "LeastSpeed: " << this->LeastSpeed << "\n";
+  os << indent << "Window: " << this->Window << "\n";
+  os << indent << "RelativeError: " << this->RelativeError << "\n";
+  os << indent << "MaximumSegments: " << this->MaximumSegments << "\n";
+  os << indent << "NumberOfTopNodes: " << this->NumberOfTopNodes << "\n";
+  os << indent << "Branching: " << this->Branching << "\n";
+  os << indent << "RotationFreedom: " << this->RotationFreedom << "\n";
+  os << indent << "MaxTilt: " << this->MaxTilt << "\n";
+  os << indent << "NotConnectible: " << this->NotConnectible << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+}

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTrajectoryTraceFilter.h"
+
+#include "Bridge/ArrayNames.h"
+#include "Bridge/Arrays.h"
+#include "Bridge/FieldCollectors.h"
+#include "Bridge/FlowData.h"
+#include "Bridge/SceneData.h"
+#include "Bridge/StageExecution.h"
+#include "Bridge/TrackData.h"
+#include "Obstacles/ObstacleSet.h"
+
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <cmath>
+
+vtkStandardNewMacro(vtkTrajectoryTraceFilter);
+
+struct vtkTrajectoryTraceFilter::Internals
+{
+  waft::StageCache Cache;
+  waft::TimeSweep Sweep{ { 0, 2 } };
+  waft::TrajectoryTracer Tracer;
+  waft::ObstacleSet Obstacles; // as they stand at the present step
+  vtkMTimeType ObstacleChange = 0;
+  double LastTime = 0.0;
+  waft::SceneInfo Info;
+  std::vector<waft::Track> Tracks;
+
+  waft::Result Begin(vtkInformationVector** inputs, const waft::TraceOptions& options);
+  waft::Result UpdateObstacles(vtkPolyData* data);
+  waft::Result Feed(vtkInformationVector** inputs, bool isFirst);
+  waft::Result FeedSteady(vtkInformationVector** inputs);
+};
+
+namespace
+{
+
+// The scene of the flow: its field data, else the image's bounds and the rate of its time steps.
+waft::Result SceneOfFlow(vtkInformation* input, vtkImageData* image, waft::SceneInfo& info)
+{
+  double b[6];
+  image->GetBounds(b);
+  info.Bounds = waft::Box{ waft::Vec3(b[0], b[2], b[4]), waft::Vec3(b[1], b[3], b[5]) };
+  const int steps = input->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+  if (steps > 1)
+  {
+    const double* times = input->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+    info.Time.NumberOfFrames = steps;
+    info.Time.FramesPerSecond = (steps - 1) / (times[steps - 1] - times[0]);
+  }
+  return waft::SceneInfoFromFieldData(image, info);
+}
+
+} // namespace
+
+waft::Result vtkTrajectoryTraceFilter::Internals::Begin(vtkInformationVector** inputs,
+                                                        const waft::TraceOptions& options)
+{
+  vtkImageData* image = vtkImageData::GetData(inputs[0]);
+  this->Info = waft::SceneInfo();
+  waft::FlowLattice lattice;
+  WAFT_RETURN_IF_FAILED(waft::FlowLatticeFromImage(image, lattice));
+  WAFT_RETURN_IF_FAILED(SceneOfFlow(inputs[0]->GetInformationObject(0), image, this->Info));
+  std::vector<waft::Vortex> vortices;
+  if (vtkPolyData* lines = vtkPolyData::GetData(inputs[1]))
+  {
+    WAFT_RETURN_IF_FAILED(waft::VorticesFromPolyData(lines, vortices));
+  }
+  waft::TraceOptions trace = options;
+  trace.FramesPerSecond = this->Info.Time.FramesPerSecond;
+  trace.Volume = this->Info.Bounds;
+  waft::SolidTest isSolid;
+  this->Obstacles = waft::ObstacleSet();
+  this->ObstacleChange = 0;
+  if (vtkPolyData::GetData(inputs[2]))
+  {
+    isSolid = [this](const waft::Vec3& x, double)
+    { return this->Obstacles.SignedDistance(x, 0.0, 0.0) < 0.0; };
+  }
+  return this->Tracer.Begin(lattice, trace, std::move(vortices), std::move(isSolid));
+}
+
+waft::Result vtkTrajectoryTraceFilter::Internals::UpdateObstacles(vtkPolyData* data)
+{
+  if (!data || !data->GetPoints() || data->GetPoints()->GetMTime() == this->ObstacleChange)
+  {
+    return waft::Result::Ok();
+  }
+  this->ObstacleChange = data->GetPoints()->GetMTime();
+  waft::ObstacleCollector collector;
+  WAFT_RETURN_IF_FAILED(collector.Add(data, 0.0, this->Info.Time));
+  return this->Obstacles.Build(collector.Take());
+}
+
+waft::Result vtkTrajectoryTraceFilter::Internals::Feed(vtkInformationVector** inputs, bool isFirst)
+{
+  const double time = waft::TimeSweep::DataTime(inputs[0]->GetInformationObject(0));
+  if (!isFirst && time <= this->LastTime)
+  {
+    return waft::Result::Ok(); // the obstacles have more steps than the flow
+  }
+  WAFT_RETURN_IF_FAILED(this->UpdateObstacles(vtkPolyData::GetData(inputs[2])));
+  waft::FlowFrame frame;
+  WAFT_RETURN_IF_FAILED(waft::FlowFrameFromImage(vtkImageData::GetData(inputs[0]), time, frame));
+  this->LastTime = time;
+  return this->Tracer.Feed(std::move(frame), waft::SmpFor());
+}
+
+waft::Result vtkTrajectoryTraceFilter::Internals::FeedSteady(vtkInformationVector** inputs)
+{
+  vtkInformation* input = inputs[0]->GetInformationObject(0);
+  if (input->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) > 1 ||
+      this->Info.Time.NumberOfFrames < 2)
+  {
+    return waft::Result::Ok();
+  }
+  waft::FlowFrame frame;
+  const double end = this->LastTime + this->Info.Time.Time(this->Info.Time.NumberOfFrames - 1);
+  WAFT_RETURN_IF_FAILED(waft::FlowFrameFromImage(vtkImageData::GetData(inputs[0]), end, frame));
+  return this->Tracer.Feed(std::move(frame), waft::SmpFor());
+}
+
+vtkTrajectoryTraceFilter::vtkTrajectoryTraceFilter() : Impl(std::make_unique<Internals>())
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+vtkTrajectoryTraceFilter::~vtkTrajectoryTraceFilter() = default;
+
+int vtkTrajectoryTraceFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkImageData" : "vtkPolyData");
+  if (port > 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkTrajectoryTraceFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
+                                                 vtkInformationVector* outputs)
+{
+  waft::PassTimeSteps(this, inputs, outputs);
+  return 1;
+}
+
+int vtkTrajectoryTraceFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
+                                                  vtkInformationVector*)
+{
+  this->Impl->Sweep.RequestSteps(this, inputs, this->Impl->Cache.IsCurrent(this, inputs));
+  return 1;
+}
+
+int vtkTrajectoryTraceFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                                          vtkInformationVector* outputs)
+{
+  Internals& impl = *this->Impl;
+  if (!impl.Cache.IsCurrent(this, inputs))
+  {
+    waft::TraceOptions options;
+    options.SeedStride = this->SeedStride;
+    options.SettlingSpeed = this->SettlingSpeed;
+    options.Annotation.VortexShare = this->VortexShare;
+    options.Annotation.ForceFloor = this->ForceFloor;
+    options.Annotation.ShortestRun = this->ShortestRun;
+    const bool isFirst = impl.Sweep.IsFirst();
+    waft::Result result = isFirst ? impl.Begin(inputs, options) : waft::Result::Ok();
+    result = result ? impl.Feed(inputs, isFirst) : result;
+    if (!result)
+    {
+      impl.Sweep.Reset(request);
+      return waft::Fail(this, outputs, result.Message());
+    }
+    waft::StageMonitor monitor(this);
+    const bool goesOn = monitor.Tick(impl.Sweep.Fraction(), "Tracing trajectories");
+    if (goesOn && impl.Sweep.Continue(request))
+    {
+      return 1;
+    }
+    impl.Sweep.Reset(request);
+    result = goesOn ? impl.FeedSteady(inputs) : waft::Result::Ok();
+    if (!result)
+    {
+      return waft::Fail(this, outputs, result.Message());
+    }
+    impl.Tracks = impl.Tracer.Finish();
+    impl.Cache.Forget();
+    if (goesOn)
+    {
+      impl.Cache.MarkCurrent(this, inputs);
+    }
+  }
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  waft::TracksToPolyData(impl.Tracks, impl.Info, output);
+  waft::AddDoubles(output->GetFieldData(), waft::names::SettlingSpeed, { this->SettlingSpeed });
+  waft::RequestedTime(outputs, 0, impl.Info.Time);
+  return 1;
+}
+
+void vtkTrajectoryTraceFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SeedStride: " << this->SeedStride << "\n";
+  os << indent << "SettlingSpeed: " << this->SettlingSpeed << "\n";
+  os << indent << "VortexShare: " << this->VortexShare << "\n";
+  os << indent << "ForceFloor: " << this->ForceFloor << "\n";
+  os << indent << "ShortestRun: " << this->ShortestRun << "\n";
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMotionDatabaseSource.h"
+
+#include "Bridge/DatabaseConversion.h"
+#include "Bridge/StageExecution.h"
+#include "Database/DatabaseBuild.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkObjectFactory.h>
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkMotionDatabaseSource);
+
+struct vtkMotionDatabaseSource::Internals
+{
+  waft::StageCache Cache;
+  waft::MotionDatabase Database;
+};
+
+vtkMotionDatabaseSource::vtkMotionDatabaseSource() : Impl(std::make_unique<Internals>())
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkMotionDatabaseSource::~vtkMotionDatabaseSource() = default;
+
+int vtkMotionDatabaseSource::RequestData(vtkInformation*, vtkInformationVector** inputs,
+                                         vtkInformationVector* outputs)
+{
+  Internals& impl = *this->Impl;
+  if (!impl.Cache.IsCurrent(this, inputs))
+  {
+    const auto range = [](const double* ends) { return waft::Range{ ends[0], ends[1] }; };
+    waft::DatabaseOptions options;
+    options.NumberOfSimulations = this->NumberOfSimulations;
+    options.NumberOfFrames = this->NumberOfFrames;
+    options.FramesPerSecond = this->FramesPerSecond;
+    const double* b = this->Bounds;
+    options.Bounds = waft::Box{ waft::Vec3(b[0], b[2], b[4]), waft::Vec3(b[1], b[3], b[5]) };
+    options.Resolution = this->Resolution;
+    options.WarmUpSeconds = this->WarmUpSeconds;
+    options.SettlingSpeed = this->SettlingSpeed;
+    options.Seed = static_cast<std::uint64_t>(this->Seed);
+    options.Trace.SeedStride = this->SeedStride;
+    options.Ensemble.NumberOfVortices = this->NumberOfVortices;
+    options.Ensemble.NumberOfWinds = this->NumberOfWinds;
+    options.Ensemble.NumberOfObstacles = this->NumberOfObstacles;
+    options.Ensemble.VortexDiameter = range(this->VortexDiameter);
+    options.Ensemble.VortexLength = range(this->VortexLength);
+    options.Ensemble.VortexAcceleration = range(this->VortexAcceleration);
+    options.Ensemble.VortexDuration = range(this->VortexDuration);
+    options.Ensemble.WindRadius = range(this->WindRadius);
+    options.Ensemble.WindAcceleration = range(this->WindAcceleration);
+    options.Ensemble.WindDuration = range(this->WindDuration);
+    options.Ensemble.ObstacleSize = range(this->ObstacleSize);
+    options.Cluster.MaximumSegments = this->MaximumSegments;
+    options.Cluster.RelativeError = this->RelativeError;
+    options.Cluster.Trees.NumberOfTopNodes = this->NumberOfTopNodes;
+    options.Cluster.Connections.NotConnectible = this->NotConnectible;
+    options.Cluster.Connections.Freedom = static_cast<waft::RotationFreedom>(this->RotationFreedom);
+
+    impl.Cache.Forget();
+    waft::StageMonitor monitor(this);
+    const waft::ParallelFor parallelFor = waft::SmpFor();
+    options.SimulationsAtOnce =
+      std::max(options.SimulationsAtOnce, vtkSMPTools::GetEstimatedNumberOfThreads());
+    const waft::Result result = waft::BuildDatabase(options, parallelFor, monitor, impl.Database);
+    if (!result)
+    {
+      return waft::Fail(this, outputs, result.Message());
+    }
+    if (result.IsStopped())
+    {
+      vtkMultiBlockDataSet::GetData(outputs)->Initialize();
+      return 1;
+    }
+    impl.Cache.MarkCurrent(this, inputs);
+  }
+  waft::DatabaseToMultiBlock(impl.Database, vtkMultiBlockDataSet::GetData(outputs));
+  return 1;
+}
+
+void vtkMotionDatabaseSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&os, indent](const char* name, const double* ends)
+  { os << indent << name << ": " << ends[0] << " " << ends[1] << "\n"; };
+  os << indent << "NumberOfSimulations: " << this->NumberOfSimulations << "\n";
+  os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n";
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "SeedStride: " << this->SeedStride << "\n";
+  os << indent << "NumberOfVortices: " << this->NumberOfVortices << "\n";
+  os << indent << "NumberOfWinds: " << this->NumberOfWinds << "\n";
+  os << indent << "NumberOfObstacles: " << this->NumberOfObstacles << "\n";
+  os << indent << "MaximumSegments: " << this->MaximumSegments << "\n";
+  os << indent << "NumberOfTopNodes: " << this->NumberOfTopNodes << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  const double* b = this->Bounds;
+  os << indent << "Bounds: " << b[0] << " " << b[1] << " " << b[2] << " " << b[3] << " " << b[4]
+     << " " << b[5] << "\n";
+  os << indent << "FramesPerSecond: " << this->FramesPerSecond << "\n";
+  os << indent << "WarmUpSeconds: " << this->WarmUpSeconds << "\n";
+  os << indent << "SettlingSpeed: " << this->SettlingSpeed << "\n";
+  os << indent << "RelativeError: " << this->RelativeError << "\n";
+  os << indent << "NotConnectible: " << this->NotConnectible << "\n";
+  os << indent << "RotationFreedom: " << this->RotationFreedom << "\n";
+  print("VortexDiameter", this->VortexDiameter);
+  print("VortexLength", this->VortexLength);
+  print("VortexAcceleration", this->VortexAcceleration);
+  print("VortexDuration", this->VortexDuration);
+  print("WindRadius", this->WindRadius);
+  print("WindAcceleration", this->WindAcceleration);
+  print("WindDuration", this->WindDuration);
+  print("ObstacleSize", this->ObstacleSize);
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PipelineTesting.h"
+
+#include "Bridge/DatabaseConversion.h"
+#include "Database/DatabaseBuild.h"
+
+#include <vtkMotionDatabaseSource.h>
+#include <vtkMultiBlockDataSet.h>
+
+#include <gtest/gtest.h>
+
+using namespace waft;
+
+namespace
+{
+
+void MakeSmall(vtkMotionDatabaseSource* source)
+{
+  source->SetNumberOfSimulations(2);
+  source->SetNumberOfFrames(45);
+  source->SetResolution(16);
+  source->SetWarmUpSeconds(1.0);
+  source->SetSeedStride(2);
+}
+
+} // namespace
+
+TEST(MotionDatabaseSource, GivesTheDatabaseOfCore)
+{
+  vtkNew<vtkMotionDatabaseSource> source;
+  MakeSmall(source);
+  source->SetSeed(3);
+  source->Update();
+  MotionDatabase database;
+  const Result result = DatabaseFromMultiBlock(source->GetOutput(), database);
+  ASSERT_TRUE(result) << result.Message();
+
+  DatabaseOptions options;
+  options.NumberOfSimulations = 2;
+  options.NumberOfFrames = 45;
+  options.Resolution = 16;
+  options.WarmUpSeconds = 1.0;
+  options.Trace.SeedStride = 2;
+  options.Seed = 3;
+  MotionDatabase direct;
+  SilentMonitor monitor;
+  ASSERT_TRUE(BuildDatabase(options, SerialFor(), monitor, direct));
+  EXPECT_EQ(database.Provenance, direct.Provenance);
+  ASSERT_EQ(database.Segments.size(), direct.Segments.size());
+  for (std::size_t s = 0; s < direct.Segments.size(); ++s)
+  {
+    ASSERT_EQ(database.Segments[s].Coefficients, direct.Segments[s].Coefficients);
+  }
+}
+
+TEST(MotionDatabaseSource, AbortedItGivesNothing)
+{
+  vtkNew<vtkMotionDatabaseSource> source;
+  MakeSmall(source);
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+      if (algorithm->GetProgress() > 0.3)
+      {
+        algorithm->SetAbortExecute(1);
+      }
+    });
+  source->AddObserver(vtkCommand::ProgressEvent, stop);
+  source->Update();
+  EXPECT_EQ(source->GetOutput()->GetNumberOfBlocks(), 0u);
+}
+
+TEST(MotionDatabaseSource, NamesTheParameterThatIsWrong)
+{
+  vtkNew<vtkMotionDatabaseSource> source;
+  MakeSmall(source);
+  source->SetBounds(-2.0, 2.0, -2.0, 2.0, 0.0, 3.9);
+  ErrorLog errors(source);
+  source->Update();
+  EXPECT_TRUE(errors.Contains("Bounds")) << errors.Text;
+  EXPECT_EQ(source->GetOutput()->GetNumberOfBlocks(), 0u);
+}
+
+TEST(MotionDatabaseSource, DefaultsAreThoseOfCore)
+{
+  vtkNew<vtkMotionDatabaseSource> source;
+  const DatabaseOptions o;
+  EXPECT_EQ(source->GetNumberOfSimulations(), o.NumberOfSimulations);
+  EXPECT_EQ(source->GetNumberOfFrames(), o.NumberOfFrames);
+  EXPECT_EQ(source->GetFramesPerSecond(), o.FramesPerSecond);
+  EXPECT_EQ(source->GetResolution(), o.Resolution);
+  EXPECT_EQ(source->GetWarmUpSeconds(), o.WarmUpSeconds);
+  EXPECT_EQ(source->GetSettlingSpeed(), o.SettlingSpeed);
+  EXPECT_EQ(static_cast<std::uint64_t>(source->GetSeed()), o.Seed);
+  EXPECT_EQ(source->GetSeedStride(), o.Trace.SeedStride);
+  EXPECT_EQ(source->GetNumberOfVortices(), o.Ensemble.NumberOfVortices);
+  EXPECT_EQ(source->GetNumberOfWinds(), o.Ensemble.NumberOfWinds);
+  EXPECT_EQ(source->GetNumberOfObstacles(), o.Ensemble.NumberOfObstacles);
+  EXPECT_EQ(source->GetMaximumSegments(), o.Cluster.MaximumSegments);
+  EXPECT_EQ(source->GetNumberOfTopNodes(), o.Cluster.Trees.NumberOfTopNodes);
+  EXPECT_EQ(source->GetRelativeError(), o.Cluster.RelativeError);
+  EXPECT_EQ(source->GetNotConnectible(), o.Cluster.Connections.NotConnectible);
+  EXPECT_EQ(source->GetRotationFreedom(), static_cast<int>(o.Cluster.Connections.Freedom));
+  const auto expect = [](const double* ends, const Range& range)
+  {
+    EXPECT_EQ(ends[0], range.Low);
+    EXPECT_EQ(ends[1], range.High);
+  };
+  expect(source->GetVortexDiameter(), o.Ensemble.VortexDiameter);
+  expect(source->GetVortexLength(), o.Ensemble.VortexLength);
+  expect(source->GetVortexAcceleration(), o.Ensemble.VortexAcceleration);
+  expect(source->GetVortexDuration(), o.Ensemble.VortexDuration);
+  expect(source->GetWindRadius(), o.Ensemble.WindRadius);
+  expect(source->GetWindAcceleration(), o.Ensemble.WindAcceleration);
+  expect(source->GetWindDuration(), o.Ensemble.WindDuration);
+  expect(source->GetObstacleSize(), o.Ensemble.ObstacleSize);
+}
