@@ -6,6 +6,8 @@
 #include "Obstacles/Rest.h"
 #include "Obstacles/Shapes.h"
 
+#include <Eigen/QR>
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -344,4 +346,68 @@ TEST(ConstraintResiduals, OrientationsAndRowsWithoutAnObject)
   EXPECT_EQ(report[1].Status, Unreachable);
   EXPECT_EQ(report[2].Status, Unreachable);
   EXPECT_EQ(report[2].Message, "no object was assigned to it");
+}
+
+TEST(ConstraintCheck, ALineMayContradictItself)
+{
+  Fixture f;
+  f.Add(Kind::Position, 30, Vec3(0, 0, 2));
+  f.Add(Kind::Position, 32, Vec3(0.5, 0, 2)).Row = 0;
+  f.Add(Kind::Velocity, 31, Vec3(0, 0, 0)).Row = 0;
+  f.Add(Kind::Position, 30, Vec3(0, 0.1, 2)).Row = 1; // free again
+  EXPECT_EQ(f.Statuses(), (Statuses{ Conflict, Met }));
+  EXPECT_NE(f.Judged()[0].Message.find("contradicts itself"), std::string::npos);
+}
+
+TEST(ConstraintCheck, AgreesWithDenseLinearAlgebraOnExactRows)
+{
+  int conflicts = 0;
+  for (int seed = 0; seed < 200; ++seed)
+  {
+    Random random(static_cast<std::uint64_t>(seed));
+    Fixture f;
+    constexpr int frames = 10;
+    f.Scene.Time.NumberOfFrames = frames;
+    std::vector<Vec3> x{ f.Objects[0].Position };
+    for (int k = 1; k < frames; ++k)
+    {
+      x.push_back(x.back() + 0.1 * random.Direction());
+    }
+    const std::vector<Vec3> v = CentralVelocities(x, f.Scene.Time.Step());
+    const std::vector<Vec3> a = CentralVelocities(v, f.Scene.Time.Step());
+    Eigen::MatrixXd kept = Eigen::MatrixXd::Zero(1, frames + 3); // coefficients and values
+    kept(0, 0) = 1.0;
+    kept.row(0).tail<3>() = x[0].transpose();
+    Statuses expected;
+    for (int n = 0; n < 16; ++n)
+    {
+      const auto kind = static_cast<Kind>(random.Index(3));
+      const int frame = static_cast<int>(random.Index(frames));
+      Vec3 value = kind == Kind::Position ? x[frame] : kind == Kind::Velocity ? v[frame] : a[frame];
+      if (random.Uniform() < 0.2)
+      {
+        value += 0.01 * random.Direction();
+      }
+      f.Add(kind, frame, value);
+      Eigen::MatrixXd more = Eigen::MatrixXd::Zero(kept.rows() + 1, frames + 3);
+      more.topRows(kept.rows()) = kept;
+      double largest = 0.0;
+      for (const auto& [k, c] : PositionStencil(kind, frame, f.Scene.Time))
+      {
+        more(kept.rows(), k) = c;
+        largest = std::max(largest, std::abs(c));
+      }
+      more.row(kept.rows()).tail<3>() = value.transpose();
+      more.row(kept.rows()) /= largest;
+      const Eigen::MatrixXd left = more.leftCols(frames);
+      const Eigen::MatrixXd right = more.rightCols(3);
+      const Eigen::MatrixXd solved = left.completeOrthogonalDecomposition().solve(right);
+      const bool isConsistent = (left * solved - right).norm() < 1e-7;
+      expected.push_back(isConsistent ? Met : Conflict);
+      kept = isConsistent ? more : kept;
+      conflicts += !isConsistent;
+    }
+    EXPECT_EQ(f.Statuses(), expected) << seed;
+  }
+  EXPECT_GT(conflicts, 200);
 }

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Obstacles/ConstraintConflicts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace waft
+{
+
+namespace
+{
+
+std::string Number(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.4g", value);
+  return text;
+}
+
+std::string Apart(double distance, double allowed, const char* unit)
+{
+  return Number(distance) + unit + " apart, expected at most " + Number(allowed) + unit;
+}
+
+} // namespace
+
+ObjectWishes::ObjectWishes(const Vec3& start, double tolerance) : Tolerance(tolerance)
+{
+  Wish wish;
+  wish.Stencil = { { 0, 1.0 } };
+  wish.Value = start;
+  this->Add(wish);
+}
+
+Contradiction ObjectWishes::Add(const Wish& wish)
+{
+  Contradiction found = wish.IsPlace() ? this->CheckPlace(wish) : this->CheckSameDerivative(wish);
+  if (found.IsEmpty() && !wish.IsPlace())
+  {
+    found = this->CheckDerivative(wish, wish);
+  }
+  std::set<int> lines;
+  double gap = 0.0;
+  if (found.IsEmpty() && wish.Radius == 0.0 &&
+      this->Exact.Add(wish.Stencil, wish.Value, wish.Line, this->Tolerance, lines, gap) ==
+        LinearRows::Answer::Contradictory)
+  {
+    found = { wish, lines, "no positions satisfy all of them, " + Number(gap) + " m are missing" };
+  }
+  if (found.IsEmpty())
+  {
+    (wish.IsPlace() ? this->Places[wish.Frame] : this->Derivatives).push_back(wish);
+  }
+  return found;
+}
+
+Contradiction ObjectWishes::CheckPlace(const Wish& wish) const
+{
+  const auto places = this->Places.find(wish.Frame);
+  for (std::size_t n = 0; places != this->Places.end() && n < places->second.size(); ++n)
+  {
+    const Wish& other = places->second[n];
+    const double distance = (wish.Value - other.Value).norm();
+    if (distance > wish.Radius + other.Radius + this->Tolerance)
+    {
+      return { wish, { other.Line }, Apart(distance, wish.Radius + other.Radius, " m") };
+    }
+  }
+  for (const Wish& derivative : this->Derivatives)
+  {
+    Contradiction found;
+    if (derivative.Stencil.count(wish.Frame))
+    {
+      found = this->CheckDerivative(derivative, wish);
+    }
+    if (!found.IsEmpty())
+    {
+      return found;
+    }
+  }
+  return {};
+}
+
+Contradiction ObjectWishes::CheckSameDerivative(const Wish& wish) const
+{
+  for (const Wish& other : this->Derivatives)
+  {
+    const double distance = (wish.Value - other.Value).norm();
+    if (other.Kind == wish.Kind && other.Frame == wish.Frame &&
+        distance > wish.Radius + other.Radius + this->Tolerance)
+    {
+      const char* unit = wish.Kind == ConstraintKind::Velocity ? " m/s" : " m/s^2";
+      return { wish, { other.Line }, Apart(distance, wish.Radius + other.Radius, unit) };
+    }
+  }
+  return {};
+}
+
+/// Places at all frames of a derivative's stencil decide whether it can hold: the smallest ball of
+/// each frame counts, the candidate's among them.
+Contradiction ObjectWishes::CheckDerivative(const Wish& derivative, const Wish& candidate) const
+{
+  Vec3 centre = -derivative.Value;
+  double reach = derivative.Radius;
+  double largest = 0.0;
+  std::set<int> lines{ derivative.Line };
+  for (const auto& [frame, c] : derivative.Stencil)
+  {
+    const Wish* best = candidate.IsPlace() && candidate.Frame == frame ? &candidate : nullptr;
+    const auto places = this->Places.find(frame);
+    for (std::size_t n = 0; places != this->Places.end() && n < places->second.size(); ++n)
+    {
+      const Wish& place = places->second[n];
+      best = !best || place.Radius < best->Radius ? &place : best;
+    }
+    if (!best)
+    {
+      return {};
+    }
+    centre += c * best->Value;
+    reach += std::abs(c) * best->Radius;
+    largest = std::max(largest, std::abs(c));
+    lines.insert(best->Line);
+  }
+  if (largest == 0.0 || centre.norm() <= reach + largest * this->Tolerance)
+  {
+    return {};
+  }
+  lines.erase(candidate.Line);
+  return { candidate, lines,
+           "the places allow no " + std::string(ToString(derivative.Kind)) + " nearer than " +
+             Number(centre.norm() - reach + derivative.Radius) + " to the one wished, expected " +
+             Number(derivative.Radius) };
+}
+
+Contradiction ObjectWishes::AddOrientation(const Constraint& row, int line)
+{
+  for (const auto& [other, otherLine] : this->Orientations)
+  {
+    const double angle = row.Orientation.angularDistance(other.Orientation);
+    if (other.Frame == row.Frame && angle > row.Radius + other.Radius + 1e-6)
+    {
+      Wish wish;
+      wish.Line = line;
+      wish.Kind = row.Kind;
+      wish.Frame = row.Frame;
+      return { wish, { otherLine }, Apart(angle, row.Radius + other.Radius, " rad") };
+    }
+  }
+  this->Orientations.emplace_back(row, line);
+  return {};
+}
+
+void ObjectWishes::Withdraw(int line)
+{
+  const auto erase = [line](std::vector<Wish>& list)
+  {
+    list.erase(std::remove_if(list.begin(), list.end(),
+                              [line](const Wish& wish) { return wish.Line == line; }),
+               list.end());
+  };
+  this->Exact.Withdraw(line);
+  erase(this->Derivatives);
+  for (auto& [frame, list] : this->Places)
+  {
+    erase(list);
+  }
+  auto& turns = this->Orientations;
+  turns.erase(std::remove_if(turns.begin(), turns.end(),
+                             [line](const auto& turn) { return turn.second == line; }),
+              turns.end());
+}
+
+} // namespace waft
