@@ -32,12 +32,12 @@ struct EnsembleOptions
   /// Diameter: twice the radius where the acceleration at mid-segment falls to half its maximum.
   Range VortexDiameter{ 0.22, 0.44 };
   Range VortexLength{ 0.3, 0.8 };
-  Range VortexAcceleration{ 0.25, 1.0 }; // m/s^2, the largest at mid-segment
-  Range VortexDuration{ 2.0, 4.0 };      // s, standard deviation
+  Range VortexAcceleration{ 0.23, 0.92 }; // m/s^2, the largest at mid-segment
+  Range VortexDuration{ 2.0, 4.0 };       // s, standard deviation
   Range WindRadius{ 0.2, 0.5 };
-  Range WindAcceleration{ 0.2, 0.8 }; // m/s^2
-  Range WindDuration{ 0.7, 2.0 };     // s, standard deviation
-  Range ObstacleSize{ 0.08, 0.25 };   // full extent across
+  Range WindAcceleration{ 0.18, 0.72 }; // m/s^2
+  Range WindDuration{ 0.7, 2.0 };       // s, standard deviation
+  Range ObstacleSize{ 0.08, 0.25 };     // full extent across
   Range EmitterRadius{ 0.05, 0.1 };
 
   Result Validate() const;
