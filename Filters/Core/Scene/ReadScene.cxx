@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace waft
@@ -42,9 +43,29 @@ std::string Reason(const std::string& what)
 
 SceneJson ParseText(const std::string& text, const std::string& name)
 {
+  // A field that stands twice in an object would silently win or lose.
+  std::vector<std::set<std::string>> fields;
+  const auto refuseTwice = [&](int, SceneJson::parse_event_t event, SceneJson& value)
+  {
+    if (event == SceneJson::parse_event_t::object_start)
+    {
+      fields.emplace_back();
+    }
+    else if (event == SceneJson::parse_event_t::object_end)
+    {
+      fields.pop_back();
+    }
+    else if (event == SceneJson::parse_event_t::key &&
+             !fields.back().insert(value.get<std::string>()).second)
+    {
+      throw SceneError{ name + ": expected every field of an object once, found " + value.dump() +
+                        " twice" };
+    }
+    return true;
+  };
   try
   {
-    return SceneJson::parse(text);
+    return SceneJson::parse(text, refuseTwice);
   }
   catch (const SceneJson::parse_error& error)
   {

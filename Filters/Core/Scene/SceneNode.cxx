@@ -23,11 +23,18 @@ std::string Token(const std::string& field)
   return token;
 }
 
+// Short values as they are; long ones by their kind (nothing is walked deeply: a file may nest its
+// lists a million times).
 std::string Describe(const SceneJson& value)
 {
-  std::string text = value.dump(-1, ' ', false, SceneJson::error_handler_t::replace);
   constexpr std::size_t longest = 60;
-  if (text.size() <= longest)
+  const bool isShallow =
+    !value.is_structured() ||
+    (value.size() <= longest && std::none_of(value.begin(), value.end(),
+                                             [](const SceneJson& v) { return v.is_structured(); }));
+  const std::string text =
+    isShallow ? value.dump(-1, ' ', false, SceneJson::error_handler_t::replace) : std::string();
+  if (isShallow && text.size() <= longest)
   {
     return text;
   }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every message names the place, what was expected and what was found.
+#include "Base/Random.h"
 #include "TestAssets.h"
 
 #include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
 
 using namespace waft;
 
@@ -165,6 +169,41 @@ TEST(SceneErrors, OfTheFormatItself)
   EXPECT_EQ(ErrorOf(R"({"waft": 1, "air": {"density": 1e999}})").find("test.json: "), 0u);
   EXPECT_EQ(ErrorOf(R"({"waft": 1, "air": {"density": NaN}})").find("test.json: line 1, column"),
             0u);
+}
+
+TEST(SceneErrors, OfFieldsThatStandTwice)
+{
+  EXPECT_EQ(ErrorOf(R"({"waft": 1, "time": {"frames": 30, "frames": 60}})"),
+            "test.json: expected every field of an object once, found \"frames\" twice");
+}
+
+TEST(SceneErrors, SurviveDeepNestingAndDamagedText)
+{
+  const std::string deep(200000, '[');
+  EXPECT_FALSE(ErrorOf(deep).empty());
+  EXPECT_NE(ErrorOf(R"({"waft": 1, "objects": [[)" + deep + std::string(200002, ']') + "}")
+              .find("/objects/0: expected an object, found a list of 1"),
+            std::string::npos);
+  std::ifstream stream(std::string(WAFT_SOURCE_DIR) + "/Data/Scenes/leaves-letters.waft.json");
+  std::stringstream whole;
+  whole << stream.rdbuf();
+  Random random(6);
+  int refused = 0;
+  for (int trial = 0; trial < 300; ++trial)
+  {
+    std::string text = whole.str();
+    for (int change = 0; change < 3; ++change)
+    {
+      const auto at = random.Index(static_cast<std::uint32_t>(text.size()));
+      text[at] = static_cast<char>(random.Index(256));
+    }
+    Scene scene;
+    const Result result =
+      ParseScene(text, "t", std::string(WAFT_SOURCE_DIR) + "/Data/Scenes", TestAssets(), scene);
+    refused += !result;
+    EXPECT_TRUE(result || result.Message().rfind("t: ", 0) == 0) << result.Message();
+  }
+  EXPECT_GT(refused, 100);
 }
 
 TEST(SceneErrors, OfMissingFiles)
