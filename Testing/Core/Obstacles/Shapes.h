@@ -51,6 +51,43 @@ inline TriangleMesh TorusMesh(const Vec3& centre, double ring, double tube, int 
   return mesh;
 }
 
+/// Stairs of unit cubes, n by n columns, column (i, j) as high as i + j + 1: the boundary faces of
+/// the cubes.
+inline TriangleMesh StairsMesh(int n)
+{
+  const auto isSolid = [n](int i, int j, int k)
+  { return i >= 0 && j >= 0 && k >= 0 && i < n && j < n && k <= i + j; };
+  TriangleMesh mesh;
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      for (int k = 0; k <= i + j; ++k)
+      {
+        for (int face = 0; face < 6; ++face)
+        {
+          const int axis = face / 2;
+          int next[3] = { i, j, k };
+          next[axis] += face % 2 ? 1 : -1;
+          if (isSolid(next[0], next[1], next[2]))
+          {
+            continue;
+          }
+          Vec3 corner(i, j, k);
+          corner[axis] += face % 2;
+          const Vec3 u = Vec3::Unit((axis + 1) % 3);
+          const Vec3 v = Vec3::Unit((axis + 2) % 3);
+          const int first = static_cast<int>(mesh.Points.size());
+          mesh.Points.insert(mesh.Points.end(), { corner, corner + u, corner + u + v, corner + v });
+          mesh.Triangles.push_back({ first, first + 1, first + 2 });
+          mesh.Triangles.push_back({ first, first + 2, first + 3 });
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
 inline void Append(TriangleMesh& mesh, const TriangleMesh& other)
 {
   const int first = static_cast<int>(mesh.Points.size());

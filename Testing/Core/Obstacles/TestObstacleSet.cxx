@@ -106,6 +106,51 @@ TEST(ObstacleSet, InsideEqualsWindingNumberOnATorusWithRoundedSeam)
   EXPECT_GT(inside, 300);
 }
 
+TEST(ObstacleSet, PointsAboveEdgesAndVerticesAreDecided)
+{
+  constexpr int n = 5;
+  const ObstacleSet set = Built({ Still(0, StairsMesh(n)) });
+  for (int i = -2; i <= 4 * n + 2; ++i)
+  {
+    for (int j = -2; j <= 4 * n + 2; ++j)
+    {
+      for (int k = -2; k <= 8 * n; ++k)
+      {
+        const Vec3 x(0.25 * i, 0.25 * j, 0.25 * k);
+        // Brute force over the columns: distance to the nearest box of the union, if outside.
+        double outside = 1e30;
+        bool isInside = false;
+        for (int a = 0; a < n; ++a)
+        {
+          for (int b = 0; b < n; ++b)
+          {
+            const double d = DistanceToBox(x, Vec3(a, b, 0), Vec3(a + 1, b + 1, a + b + 1));
+            outside = std::min(outside, d);
+            isInside = isInside || d < 0.0;
+          }
+        }
+        const double distance = set.SignedDistance(x, 0.0);
+        if (outside > 0.0)
+        {
+          ASSERT_NEAR(distance, outside, 1e-12) << x.transpose();
+        }
+        else if (isInside)
+        {
+          ASSERT_LT(distance, 0.0) << x.transpose();
+        }
+        SurfaceHit hit;
+        const bool overColumn =
+          i % 4 != 0 && j % 4 != 0 && i > 0 && j > 0 && i < 4 * n && j < 4 * n;
+        if (overColumn && k >= 0)
+        {
+          ASSERT_TRUE(set.SurfaceBelow(x, 0.0, hit));
+          ASSERT_NEAR(hit.Point.z(), i / 4 + j / 4 + 1, 1e-12) << x.transpose();
+        }
+      }
+    }
+  }
+}
+
 TEST(ObstacleSet, SweptBallAgreesWithDenseSampling)
 {
   const ObstacleSet set = Built({ Still(0, TorusMesh(Vec3::Zero(), 1.0, 0.3, 32, 16)),
