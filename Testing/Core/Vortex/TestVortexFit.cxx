@@ -447,3 +447,28 @@ TEST(VortexSamples, AreForcesLessWindWithTheirAnnotation)
   const Result result = SamplesFromTracks({ track }, time, false, samples);
   EXPECT_NE(result.Message().find("object 8 has no point data `Force`"), std::string::npos);
 }
+
+TEST(VortexFit, FindsNothingInNoiseAndInAUniformWind)
+{
+  Random random(12);
+  std::vector<VortexSample> samples;
+  for (int track = 0; track < 6; ++track)
+  {
+    AddTrack(Truth(track), track, 0.0, random, samples, false);
+  }
+  for (VortexSample& s : samples)
+  {
+    s.Acceleration =
+      Vec3(0.5, 0.2, 0.0) + 0.1 * Vec3(random.Normal(), random.Normal(), random.Normal());
+  }
+  VortexFitOptions options;
+  options.MaximumNewVortices = 4;
+  SilentMonitor monitor;
+  std::vector<Vortex> fitted;
+  ASSERT_TRUE(static_cast<bool>(FitVortices(samples, {}, options, monitor, fitted)));
+  for (const Vortex& v : fitted)
+  {
+    EXPECT_LT(v.Confidence, 0.2);
+  }
+  EXPECT_TRUE(fitted.empty()) << fitted.size();
+}
