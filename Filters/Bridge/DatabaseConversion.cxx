@@ -51,6 +51,13 @@ vtkNew<vtkDoubleArray> ZeroRows(const char* name, std::size_t rows, Eigen::Index
   return array;
 }
 
+// The points of segments are only looked at; to a micrometre they take half of the room in a file.
+Vec3 ForDisplay(const Vec3& x)
+{
+  constexpr double grain = 1.0 / (1 << 20);
+  return (x / grain).array().round().matrix() * grain;
+}
+
 vtkDoubleArray* FindRows(const ArrayPlace& place, const char* name, Result& result)
 {
   auto* array = vtkDoubleArray::SafeDownCast(place.Data->GetArray(name));
@@ -78,11 +85,11 @@ void WriteSegments(const MotionDatabase& database, vtkPolyData* data)
     lines->InsertNextCell(static_cast<int>(path.size()));
     for (std::size_t i = 0; i < path.size(); ++i)
     {
-      lines->InsertCellPoint(static_cast<vtkIdType>(positions.size() + i));
+      lines->InsertCellPoint(static_cast<vtkIdType>(positions.size()));
       types.push_back(static_cast<unsigned char>(segment.ForceTypes[i]));
       vortexIds.push_back(segment.VortexIds[i]);
+      positions.push_back(ForDisplay(path[i]));
     }
-    positions.insert(positions.end(), path.begin(), path.end());
     groups.push_back(segment.Group);
     simulations.push_back(segment.Simulation);
     winds.push_back(segment.MeanWind);

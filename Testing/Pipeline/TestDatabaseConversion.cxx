@@ -3,6 +3,7 @@
 #include "Base/Random.h"
 #include "Bridge/ArrayNames.h"
 #include "Bridge/DatabaseConversion.h"
+#include "Trajectory/Style.h"
 #include "Trajectory/TrajectoryClusters.h"
 
 #include <vtkCellData.h>
@@ -209,4 +210,49 @@ TEST(DatabaseConversion, NamesWhatIsWrong)
   const Result wrong = DatabaseFromMultiBlock(data, back);
   EXPECT_NE(wrong.Message().find("segment 2"), std::string::npos) << wrong.Message();
   EXPECT_TRUE(back.Segments.empty());
+}
+
+TEST(EmbeddedDatabase, IsWholeAndFliesAsItShould)
+{
+  const std::filesystem::path folder = std::filesystem::path(WAFT_SOURCE_DIR) / "Data" / "Database";
+  vtkNew<vtkXMLMultiBlockDataReader> reader;
+  reader->SetFileName((folder / "embedded.vtm").string().c_str());
+  reader->Update();
+  auto* read = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  ASSERT_TRUE(read);
+  MotionDatabase database;
+  const Result result = DatabaseFromMultiBlock(read, database);
+  ASSERT_TRUE(result) << result.Message();
+  EXPECT_GE(database.Segments.size(), 3000u);
+  EXPECT_LE(database.Segments.size(), 8000u);
+  EXPECT_GE(database.TopNodes.size(), 60u);
+  EXPECT_LE(database.TopNodes.size(), 150u);
+  EXPECT_GE(std::stoi(database.Provenance.at("NumberOfSimulations")), 8);
+
+  const StyleSamples style = StyleOf(database);
+  EXPECT_GE(Quantile(style.Speed, 0.5), 0.4);
+  EXPECT_LE(Quantile(style.Speed, 0.5), 0.7);
+  EXPECT_GE(Quantile(style.Speed, 0.95), 1.3);
+
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+  {
+    bytes += entry.is_regular_file() ? entry.file_size() : 0;
+  }
+  EXPECT_LE(bytes, 8u * 1024 * 1024);
+
+  // Every representative can be followed and can follow.
+  const std::size_t count = database.TopNodes.size();
+  for (std::size_t a = 0; a < count; ++a)
+  {
+    int after = 0;
+    int before = 0;
+    for (std::size_t b = 0; b < count; ++b)
+    {
+      after += database.At(a, b).IsConnectible;
+      before += database.At(b, a).IsConnectible;
+    }
+    EXPECT_GT(after, 0) << "representative " << a;
+    EXPECT_GT(before, 0) << "representative " << a;
+  }
 }
