@@ -158,7 +158,7 @@ AirCoefficients Coefficients(const RotationInput& input, const RotationOptions& 
   coefficients.Lift = options.Lift;
   coefficients.PressureShift = options.PressureShift;
   // No two leaves are cut alike.
-  Random random(input.Scene.Seed, 0x70053 + static_cast<std::uint64_t>(object.ObjectId));
+  Random random(options.Seed, 0x70053 + static_cast<std::uint64_t>(object.ObjectId));
   const auto vary = [&](double& value)
   { value *= 1.0 + options.Variation * random.Uniform(-1.0, 1.0); };
   vary(coefficients.Drag);

@@ -25,10 +25,11 @@ struct RotationOptions
   double Lift = 1.0;          // extra slope of the normal force at small angles of attack, 0..4
   double PressureShift = 0.5; // half chords, 0..1
   double Follow = 0.5;        // 1/s: how fast the hidden sideslip is forgotten; 0 or more
-  double Variation = 0.15;    // 0..0.5: how much objects of one shape differ, by the scene's seed
+  double Variation = 0.15;    // 0..0.5: how much objects of one shape differ, by Seed
   double LandingTime = 1.0;   // s in which a body settles before it rests
   double TurningTime = 2.0;   // s, at most, over which an orientation row draws the pose
   int RasterSize = 128;       // pixels, 8..1024
+  std::uint64_t Seed = 1;
 
   Result Validate() const;
 };

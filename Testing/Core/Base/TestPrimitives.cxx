@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/MeshNormals.h"
 #include "Base/Primitives.h"
 
 #include <gtest/gtest.h>
@@ -69,4 +70,16 @@ TEST(Primitives, PointsLieOnTheirSurface)
   {
     EXPECT_NEAR((point - center).norm(), 0.5, 1e-12);
   }
+}
+
+TEST(SmoothNormals, OfASphereAreRadial)
+{
+  TriangleMesh sphere = MakeSphere(Vec3::Zero(), 2.0, 64, 32);
+  sphere.Points.push_back(Vec3::Zero());
+  const std::vector<Vec3> normals = SmoothNormals(sphere);
+  for (std::size_t i = 0; i + 1 < normals.size(); ++i)
+  {
+    EXPECT_GT(normals[i].dot(sphere.Points[i]), 2.0 * 0.999);
+  }
+  EXPECT_EQ(normals.back(), Vec3(Vec3::UnitZ()));
 }

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Poses (tracks that turn) and the meshes posed by them.
+#pragma once
+
+#include "Base/Motion.h"
+#include "Base/Pose.h"
+#include "Base/Result.h"
+#include "Base/Shape.h"
+#include "Base/Types.h"
+
+#include <vtkNew.h>
+
+#include <vector>
+
+class vtkPolyData;
+
+namespace waft
+{
+
+/// Tracks plus the point data `Orientation`, `AngularVelocity`, `Torque`. poses: one for each
+/// track, in their order.
+void PosesToPolyData(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses,
+                     const SceneInfo& info, vtkPolyData* data);
+/// Needs `Orientation`; the other arrays are zero where absent.
+Result PosesFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,
+                         std::vector<PoseTrack>& poses);
+
+/// All objects' meshes as one surface: triangles, texture coordinates, `ObjectId` and `ShapeId` (of
+/// points and cells) are made once, points and normals for each frame.
+class PosedMeshes
+{
+public:
+  PosedMeshes();
+  ~PosedMeshes();
+  /// Every track has an object, every object a shape (Fails otherwise).
+  Result Build(const std::vector<Shape>& shapes, const std::vector<MotionObject>& objects,
+               const std::vector<Track>& tracks, const SceneInfo& info);
+  /// frame is clamped to the frames there are. tracks: the ones of Build.
+  void Fill(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses, int frame,
+            vtkPolyData* data) const;
+
+private:
+  struct Body
+  {
+    std::vector<Vec3> Points;
+    std::vector<Vec3> Normals;
+  };
+  std::vector<Body> Bodies;             // by shape
+  std::vector<std::size_t> BodyOfTrack; // by track
+  vtkNew<vtkPolyData> Template;         // without points
+};
+
+} // namespace waft

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMotionAnimationWriter.h"
+
+#include "Bridge/PoseData.h"
+#include "Bridge/SceneData.h"
+#include "Bridge/ShapeData.h"
+#include "Bridge/StageExecution.h"
+#include "Export/GltfAnimation.h"
+#include "Export/PosesCsv.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+#include <map>
+
+vtkStandardNewMacro(vtkMotionAnimationWriter);
+
+namespace
+{
+
+bool EndsWith(const std::string& text, const std::string& end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+} // namespace
+
+struct vtkMotionAnimationWriter::Internals
+{
+  waft::StageCache Cache;
+  bool Written = false;
+  std::vector<std::string> Warnings;
+
+  waft::Result Run(vtkInformationVector** inputs, const std::string& fileName);
+  waft::Result WriteGlb(vtkInformationVector** inputs, const std::vector<waft::Track>& tracks,
+                        const std::vector<waft::PoseTrack>& poses, double framesPerSecond,
+                        const std::string& fileName);
+};
+
+waft::Result vtkMotionAnimationWriter::Internals::Run(vtkInformationVector** inputs,
+                                                      const std::string& fileName)
+{
+  this->Warnings.clear();
+  vtkPolyData* data = vtkPolyData::GetData(inputs[0]);
+  waft::SceneInfo info;
+  WAFT_RETURN_IF_FAILED(waft::SceneInfoFromFieldData(data, info));
+  std::vector<waft::Track> tracks;
+  std::vector<waft::PoseTrack> poses;
+  WAFT_RETURN_IF_FAILED(waft::PosesFromPolyData(data, tracks, poses));
+  if (EndsWith(fileName, ".csv"))
+  {
+    return waft::WritePosesCsv(fileName, tracks, poses, info.Time);
+  }
+  if (EndsWith(fileName, ".glb"))
+  {
+    return this->WriteGlb(inputs, tracks, poses, info.Time.FramesPerSecond, fileName);
+  }
+  return waft::Result::Error("FileName: expected a name ending in .glb or .csv, found " + fileName);
+}
+
+waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(
+  vtkInformationVector** inputs, const std::vector<waft::Track>& tracks,
+  const std::vector<waft::PoseTrack>& poses, double framesPerSecond, const std::string& fileName)
+{
+  std::vector<waft::MotionObject> objects;
+  WAFT_RETURN_IF_FAILED(waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[1]), objects));
+  std::vector<waft::Shape> bodies;
+  WAFT_RETURN_IF_FAILED(
+    waft::ShapesFromMultiBlock(vtkMultiBlockDataSet::GetData(inputs[2]), bodies));
+  std::vector<waft::AnimatedShape> shapes;
+  for (waft::Shape& body : bodies)
+  {
+    waft::AnimatedShape shape;
+    shape.Body = std::move(body);
+    if (!shape.Body.Texture.empty())
+    {
+      const waft::Result read = waft::ReadImageFile(shape.Body.Texture, shape.Texture);
+      if (!read)
+      {
+        this->Warnings.push_back("shape '" + shape.Body.Name + "': " + read.Message());
+      }
+    }
+    shapes.push_back(std::move(shape));
+  }
+  std::map<int, int> shapeOfObject;
+  for (const waft::MotionObject& object : objects)
+  {
+    shapeOfObject[object.ObjectId] = object.ShapeId;
+  }
+  std::vector<waft::AnimatedObject> animated;
+  for (std::size_t i = 0; i < tracks.size(); ++i)
+  {
+    const auto found = shapeOfObject.find(tracks[i].ObjectId);
+    if (found == shapeOfObject.end() || found->second < 0)
+    {
+      return waft::Result::Error("Poses: object " + std::to_string(tracks[i].ObjectId) +
+                                 ": expected an object of this id and its shape");
+    }
+    animated.push_back({ tracks[i].ObjectId, static_cast<std::size_t>(found->second),
+                         tracks[i].Positions, poses[i].Orientations });
+  }
+  return waft::WriteAnimationGlb(fileName, shapes, animated, framesPerSecond);
+}
+
+vtkMotionAnimationWriter::vtkMotionAnimationWriter() : Impl(std::make_unique<Internals>())
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+vtkMotionAnimationWriter::~vtkMotionAnimationWriter() = default;
+
+int vtkMotionAnimationWriter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
+            port == 2 ? "vtkMultiBlockDataSet" : "vtkPolyData");
+  return 1;
+}
+
+int vtkMotionAnimationWriter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
+                                                 vtkInformationVector* outputs)
+{
+  waft::PassTimeSteps(this, inputs, outputs);
+  return 1;
+}
+
+int vtkMotionAnimationWriter::RequestData(vtkInformation*, vtkInformationVector** inputs,
+                                          vtkInformationVector* outputs)
+{
+  Internals& impl = *this->Impl;
+  if (!this->FileName.empty() && !impl.Cache.IsCurrent(this, inputs))
+  {
+    impl.Written = false;
+    const waft::Result result = impl.Run(inputs, this->FileName);
+    for (const std::string& warning : impl.Warnings)
+    {
+      vtkWarningMacro(<< warning);
+    }
+    if (!result)
+    {
+      return waft::Fail(this, outputs, result.Message());
+    }
+    impl.Written = true;
+    impl.Cache.MarkCurrent(this, inputs);
+  }
+  vtkPolyData::GetData(outputs)->ShallowCopy(vtkPolyData::GetData(inputs[0]));
+  return 1;
+}
+
+bool vtkMotionAnimationWriter::Write()
+{
+  if (this->FileName.empty())
+  {
+    vtkErrorMacro("FileName: expected a name ending in .glb or .csv, found none");
+    return false;
+  }
+  this->Impl->Cache.Forget();
+  this->Impl->Written = false;
+  this->Modified();
+  this->Update();
+  return this->Impl->Written;
+}
+
+void vtkMotionAnimationWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n";
+}

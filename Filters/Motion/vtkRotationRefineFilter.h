@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkRotationRefineFilter
+ * @brief   turns objects in the air while their centres follow given paths
+ *
+ * Input port 0, Tracks (vtkPolyData): one polyline an object, one point a frame; the point data
+ * `AirVelocity` [m/s], when there, is the air's velocity along the path.
+ * Input port 1, Objects (vtkPolyData): `ObjectId`, `ShapeId`, `Mass`, initial `Orientation` and
+ * `AngularVelocity`.
+ * Input port 2, Shapes (vtkMultiBlockDataSet): the meshes, centred on their mass.
+ * Input port 3, Obstacles (vtkPolyData, optional): closed surfaces, may move.
+ * Input port 4, Wind (vtkImageData, optional): a field with `Velocity` [m/s] is the air where
+ * tracks carry none, and its gradient turns bodies; one with `Wind` (an acceleration) is passed
+ * over. Input port 5, Constraints (vtkPolyData, optional): rows of kind orientation are met, rows
+ * of kind rest lay the body on its surface.
+ *
+ * Output port 0, Meshes (vtkPolyData, time-varying): all meshes posed at the current time, with
+ * texture coordinates, normals and the point and cell data `ObjectId`, `ShapeId`.
+ * Output port 1, Poses (vtkPolyData): Tracks with `Orientation` (w, x, y, z), `AngularVelocity`
+ * [rad/s, world] and `Torque` [N m, world] at every frame.
+ *
+ * Shi et al. 2005, section 6 (model Paper: drag, Eq. 5, on each visible piece of surface); the
+ * model Plate adds what lets thin bodies flutter and tumble: see
+ * Documentation/RotationRefineFilter.md.
+ */
+#ifndef vtkRotationRefineFilter_h
+#define vtkRotationRefineFilter_h
+
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkWaftFiltersModule.h"
+
+#include <memory>
+
+class VTKWAFTFILTERS_EXPORT vtkRotationRefineFilter : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkRotationRefineFilter* New();
+  vtkTypeMacro(vtkRotationRefineFilter, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** 0: Paper, 1: Plate. */
+  vtkSetClampMacro(Model, int, 0, 1);
+  vtkGetMacro(Model, int);
+  ///@}
+  ///@{
+  /** Rate at which angular momentum dies away besides the air's drag [1/s], 0..1000. */
+  vtkSetClampMacro(Damping, double, 0.0, 1000.0);
+  vtkGetMacro(Damping, double);
+  ///@}
+  ///@{
+  /** Extra slope of the normal force at small angles of attack, 0..4 (Plate). */
+  vtkSetClampMacro(Lift, double, 0.0, 4.0);
+  vtkGetMacro(Lift, double);
+  ///@}
+  ///@{
+  /** Centre of pressure of an edge-on plate, in half chords ahead of the centre, 0..1 (Plate). */
+  vtkSetClampMacro(PressureShift, double, 0.0, 1.0);
+  vtkGetMacro(PressureShift, double);
+  ///@}
+  ///@{
+  /** Rate at which the hidden sideslip is forgotten [1/s], 0..1000 (Plate). */
+  vtkSetClampMacro(Follow, double, 0.0, 1000.0);
+  vtkGetMacro(Follow, double);
+  ///@}
+  ///@{
+  /** How much objects of one shape differ, 0..0.5. */
+  vtkSetClampMacro(Variation, double, 0.0, 0.5);
+  vtkGetMacro(Variation, double);
+  ///@}
+  ///@{
+  /** Time in which a body settles before it rests [s], 0..1000. */
+  vtkSetClampMacro(LandingTime, double, 0.0, 1000.0);
+  vtkGetMacro(LandingTime, double);
+  ///@}
+  ///@{
+  /** Longest time over which an orientation row draws the pose towards it [s], 0..1000. */
+  vtkSetClampMacro(TurningTime, double, 0.0, 1000.0);
+  vtkGetMacro(TurningTime, double);
+  ///@}
+  ///@{
+  /** Pixels on a side of the pictures that tell what hides what, 8..1024. */
+  vtkSetClampMacro(RasterSize, int, 8, 1024);
+  vtkGetMacro(RasterSize, int);
+  ///@}
+  ///@{
+  /** Seed of the variation, 0 or more. */
+  vtkSetClampMacro(Seed, int, 0, VTK_INT_MAX);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+protected:
+  vtkRotationRefineFilter();
+  ~vtkRotationRefineFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector** inputs,
+                         vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
+                          vtkInformationVector*) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                  vtkInformationVector* outputs) override;
+
+private:
+  vtkRotationRefineFilter(const vtkRotationRefineFilter&) = delete;
+  void operator=(const vtkRotationRefineFilter&) = delete;
+
+  int Model = 1;
+  double Damping = 0.3;
+  double Lift = 1.0;
+  double PressureShift = 0.5;
+  double Follow = 0.5;
+  double Variation = 0.15;
+  double LandingTime = 1.0;
+  double TurningTime = 2.0;
+  int RasterSize = 128;
+  int Seed = 1;
+
+  struct Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif

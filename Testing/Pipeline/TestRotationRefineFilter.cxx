@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PipelineTesting.h"
+
+#include "Base/Primitives.h"
+#include "Base/ShapeMeasures.h"
+#include "Bridge/ArrayNames.h"
+#include "Bridge/FieldCollectors.h"
+#include "Bridge/PoseData.h"
+#include "Bridge/SceneData.h"
+#include "Bridge/ShapeData.h"
+#include "Bridge/TrackData.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkGLTFReader.h>
+#include <vtkMotionAnimationWriter.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkRotationRefineFilter.h>
+#include <vtkTrivialProducer.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+using namespace waft;
+
+namespace
+{
+
+constexpr int Frames = 60;
+
+Shape Leaf(const std::string& name, double length)
+{
+  Shape shape;
+  shape.Name = name;
+  for (int j = 0; j < 3; ++j)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      shape.Mesh.Points.emplace_back(length * (i / 3.0 - 0.5), 0.5 * length * (j / 2.0 - 0.5),
+                                     0.1 * length * (i - 1.5) * (i - 1.5));
+      shape.TextureCoordinates.push_back({ i / 3.0, j / 2.0 });
+      if (i < 3 && j < 2)
+      {
+        const int p = 4 * j + i;
+        shape.Mesh.Triangles.push_back({ p, p + 1, p + 5 });
+        shape.Mesh.Triangles.push_back({ p, p + 5, p + 4 });
+      }
+    }
+  }
+  const Vec3 center = ShellCentroid(shape.Mesh);
+  for (Vec3& p : shape.Mesh.Points)
+  {
+    p -= center;
+  }
+  return shape;
+}
+
+/// Two leaves and a smaller one that fall over the ground; the first lies still from frame 40 on.
+struct Pipeline
+{
+  SceneInfo Info;
+  std::vector<Shape> Shapes{ Leaf("leaf", 0.1), Leaf("petal", 0.04) };
+  std::vector<Track> Tracks;
+  vtkNew<vtkPolyData> TrackData, ObjectData, ObstacleData, RowData;
+  vtkNew<vtkMultiBlockDataSet> ShapeData;
+  vtkNew<vtkTrivialProducer> Producers[5];
+  vtkNew<vtkRotationRefineFilter> Filter;
+
+  Pipeline()
+  {
+    this->Info.Time.NumberOfFrames = Frames;
+    std::vector<MotionObject> objects;
+    for (int i = 0; i < 3; ++i)
+    {
+      MotionObject object;
+      object.ObjectId = 5 * i;
+      object.ShapeId = i % 2;
+      const Shape& shape = this->Shapes[static_cast<std::size_t>(object.ShapeId)];
+      object.Mass = ShellMass(shape);
+      object.RestHeight = RestHeight(shape);
+      object.ClearanceRadius = ClearanceRadius(shape);
+      object.Orientation = Quat(Eigen::AngleAxisd(0.5 * i, Vec3::UnitX()));
+      Track track;
+      track.ObjectId = object.ObjectId;
+      for (int k = 0; k < Frames; ++k)
+      {
+        const double left = std::max(0, 40 - k) / 30.0;
+        track.Positions.emplace_back(0.3 * i + 0.2 * std::sin(3.0 * left) * std::min(left, 1.0),
+                                     0.1 * left, object.RestHeight + 0.5 * i + 0.6 * left * left);
+      }
+      object.Position = track.Positions[0];
+      objects.push_back(object);
+      this->Tracks.push_back(track);
+    }
+    Constraint rest;
+    rest.ObjectId = 0;
+    rest.Frame = 40;
+    rest.Until = Frames - 1;
+    rest.Kind = ConstraintKind::Rest;
+    rest.Value = this->Tracks[0].Positions[40];
+    TracksToPolyData(this->Tracks, this->Info, this->TrackData);
+    ObjectsToPolyData(objects, this->Info, this->ObjectData);
+    ShapesToMultiBlock(this->Shapes, this->Info, this->ShapeData);
+    ConstraintsToPolyData({ rest }, this->Info, this->RowData);
+    ObstacleMesh ground;
+    ground.Mesh = MakeBox({ Vec3(-2.0, -2.0, -1.0), Vec3(2.0, 2.0, 0.0) });
+    ObstaclesToPolyData({ ground }, 0.0, this->Info, this->ObstacleData);
+    vtkDataObject* data[5] = { this->TrackData, this->ObjectData, this->ShapeData,
+                               this->ObstacleData, this->RowData };
+    const int ports[5] = { 0, 1, 2, 3, 5 };
+    for (int i = 0; i < 5; ++i)
+    {
+      this->Producers[i]->SetOutput(data[i]);
+      this->Filter->SetInputConnection(ports[i], this->Producers[i]->GetOutputPort());
+    }
+  }
+
+  vtkPolyData* Meshes(int frame)
+  {
+    this->Filter->UpdateTimeStep(this->Info.Time.Time(frame));
+    return this->Filter->GetOutput(0);
+  }
+};
+
+} // namespace
+
+TEST(RotationRefineFilter, PosesAndMeshesAgree)
+{
+  Pipeline pipeline;
+  ErrorLog errors(pipeline.Filter);
+  vtkPolyData* meshes = pipeline.Meshes(25);
+  EXPECT_EQ(errors.Text, "");
+  std::vector<Track> tracks;
+  std::vector<PoseTrack> poses;
+  ASSERT_TRUE(PosesFromPolyData(pipeline.Filter->GetOutput(1), tracks, poses));
+  ASSERT_EQ(tracks.size(), 3u);
+  ASSERT_EQ(poses[0].Orientations.size(), static_cast<std::size_t>(Frames));
+  vtkPointData* arrays = pipeline.Filter->GetOutput(1)->GetPointData();
+  for (const char* name : { names::Velocity, names::AngularVelocity, names::Torque })
+  {
+    ASSERT_TRUE(arrays->HasArray(name)) << name;
+  }
+  ASSERT_EQ(meshes->GetNumberOfPoints(), 36);
+  ASSERT_TRUE(meshes->GetPointData()->GetTCoords());
+  ASSERT_TRUE(meshes->GetPointData()->GetNormals());
+  EXPECT_EQ(meshes->GetCellData()->GetArray(names::ObjectId)->GetTuple1(12), 5);
+  EXPECT_EQ(meshes->GetCellData()->GetArray(names::ShapeId)->GetTuple1(12), 1);
+  for (std::size_t t = 0; t < 3; ++t)
+  {
+    for (std::size_t i = 0; i < 12; ++i)
+    {
+      const Vec3 expected =
+        tracks[t].Positions[25] + poses[t].Orientations[25] * pipeline.Shapes[t % 2].Mesh.Points[i];
+      const Vec3 found(meshes->GetPoint(static_cast<vtkIdType>(12 * t + i)));
+      EXPECT_LT((found - expected).norm(), 1e-12);
+    }
+  }
+  for (std::size_t k = 40; k < Frames; ++k)
+  {
+    EXPECT_EQ(poses[0].Orientations[k].coeffs(), poses[0].Orientations[40].coeffs());
+    EXPECT_EQ(poses[0].AngularVelocities[k].norm(), 0.0);
+  }
+}
+
+TEST(RotationRefineFilter, PlayingComputesOnceAndOrderDoesNotMatter)
+{
+  Pipeline pipeline;
+  EXPECT_EQ(TimeSteps(pipeline.Filter).size(), static_cast<std::size_t>(Frames));
+  vtkNew<vtkPolyData> early;
+  early->DeepCopy(pipeline.Meshes(7));
+  int progress = 0;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&progress);
+  command->SetCallback([](vtkObject*, unsigned long, void* count, void*)
+                       { ++*static_cast<int*>(count); });
+  pipeline.Filter->AddObserver(vtkCommand::ProgressEvent, command);
+  for (int k = Frames - 1; k >= 0; --k)
+  {
+    pipeline.Meshes(k);
+  }
+  const int whilePlaying = progress;
+  vtkPolyData* again = pipeline.Meshes(7);
+  for (vtkIdType i = 0; i < early->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(Vec3(early->GetPoint(i)), Vec3(again->GetPoint(i)));
+  }
+  pipeline.Filter->SetDamping(3.0);
+  vtkPolyData* damped = pipeline.Meshes(7);
+  EXPECT_GT(progress, whilePlaying);
+  EXPECT_LE(whilePlaying, 2 * Frames); // the pipeline's own events at the begin and the end
+  double moved = 0.0;
+  for (vtkIdType i = 0; i < early->GetNumberOfPoints(); ++i)
+  {
+    moved = std::max(moved, (Vec3(early->GetPoint(i)) - Vec3(damped->GetPoint(i))).norm());
+  }
+  EXPECT_GT(moved, 1e-6);
+}
+
+TEST(RotationRefineFilter, ErrorsNameTheArrayAndLeaveNothing)
+{
+  Pipeline pipeline;
+  pipeline.TrackData->GetCellData()->RemoveArray(names::ObjectId);
+  ErrorLog errors(pipeline.Filter);
+  pipeline.Filter->Update();
+  EXPECT_TRUE(errors.Contains("ObjectId")) << errors.Text;
+  EXPECT_EQ(pipeline.Filter->GetOutput(0)->GetNumberOfPoints(), 0);
+  EXPECT_EQ(pipeline.Filter->GetOutput(1)->GetNumberOfPoints(), 0);
+}
+
+TEST(RotationRefineFilter, AbortLeavesNothingAndTheNextRunIsWhole)
+{
+  Pipeline pipeline;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback([](vtkObject* stage, unsigned long, void*, void*)
+                       { vtkAlgorithm::SafeDownCast(stage)->SetAbortExecute(1); });
+  const unsigned long id = pipeline.Filter->AddObserver(vtkCommand::ProgressEvent, command);
+  pipeline.Filter->Update();
+  EXPECT_EQ(pipeline.Filter->GetOutput(1)->GetNumberOfPoints(), 0);
+  pipeline.Filter->RemoveObserver(id);
+  pipeline.Filter->SetAbortExecute(0);
+  pipeline.Filter->Modified();
+  pipeline.Filter->Update();
+  EXPECT_EQ(pipeline.Filter->GetOutput(1)->GetNumberOfPoints(), 3 * Frames);
+}
+
+TEST(MotionAnimationWriter, ParaViewsReaderSeesTheSamePoses)
+{
+  Pipeline pipeline;
+  const std::string path =
+    (std::filesystem::path(testing::TempDir()) / "waft-pipeline-animation.glb").string();
+  std::filesystem::remove(path);
+  vtkNew<vtkMotionAnimationWriter> writer;
+  writer->SetInputConnection(0, pipeline.Filter->GetOutputPort(1));
+  writer->SetInputConnection(1, pipeline.Producers[1]->GetOutputPort());
+  writer->SetInputConnection(2, pipeline.Producers[2]->GetOutputPort());
+  writer->Update();
+  EXPECT_FALSE(std::filesystem::exists(path));
+  writer->SetFileName(path);
+  ASSERT_TRUE(writer->Write());
+
+  vtkNew<vtkGLTFReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->SetFrameRate(30);
+  reader->ApplyDeformationsToGeometryOn();
+  reader->UpdateInformation();
+  ASSERT_EQ(reader->GetNumberOfAnimations(), 1);
+  EXPECT_NEAR(reader->GetAnimationDuration(0), (Frames - 1) / 30.0, 1e-4);
+  reader->EnableAnimation(0);
+  for (const int frame : { 0, 17, 33, Frames - 1 })
+  {
+    reader->UpdateInformation();
+    reader->UpdateTimeStep(pipeline.Info.Time.Time(frame));
+    vtkPolyData* meshes = pipeline.Meshes(frame);
+    std::vector<vtkPolyData*> found;
+    std::vector<vtkDataObject*> open{ reader->GetOutput() };
+    while (!open.empty())
+    {
+      vtkDataObject* data = open.back();
+      open.pop_back();
+      if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
+      {
+        for (unsigned int i = blocks->GetNumberOfBlocks(); i-- > 0;)
+        {
+          open.push_back(blocks->GetBlock(i));
+        }
+      }
+      else if (auto* surface = vtkPolyData::SafeDownCast(data))
+      {
+        found.push_back(surface);
+      }
+    }
+    ASSERT_EQ(found.size(), 3u);
+    for (std::size_t t = 0; t < 3; ++t)
+    {
+      ASSERT_EQ(found[t]->GetNumberOfPoints(), 12);
+      for (vtkIdType i = 0; i < 12; ++i)
+      {
+        const Vec3 x(meshes->GetPoint(static_cast<vtkIdType>(12 * t) + i));
+        const Vec3 y(found[t]->GetPoint(i));
+        EXPECT_LT((y - Vec3(x.x(), x.z(), -x.y())).norm(), 1e-4) << "frame " << frame;
+      }
+    }
+  }
+  std::filesystem::remove(path);
+}
+
+TEST(MotionAnimationWriter, CsvAndErrors)
+{
+  Pipeline pipeline;
+  vtkNew<vtkMotionAnimationWriter> writer;
+  writer->SetInputConnection(0, pipeline.Filter->GetOutputPort(1));
+  writer->SetInputConnection(1, pipeline.Producers[1]->GetOutputPort());
+  writer->SetInputConnection(2, pipeline.Producers[2]->GetOutputPort());
+  const std::string path =
+    (std::filesystem::path(testing::TempDir()) / "waft-pipeline-poses.csv").string();
+  writer->SetFileName(path);
+  ASSERT_TRUE(writer->Write());
+  std::ifstream file(path);
+  std::string line;
+  int lines = 0;
+  while (std::getline(file, line))
+  {
+    ++lines;
+  }
+  EXPECT_EQ(lines, 1 + 3 * Frames);
+  std::filesystem::remove(path);
+  ErrorLog errors(writer);
+  writer->SetFileName("animation.txt");
+  EXPECT_FALSE(writer->Write());
+  EXPECT_TRUE(errors.Contains(".glb or .csv")) << errors.Text;
+  errors.Text.clear();
+  writer->SetFileName("/no/such/folder/a.glb");
+  EXPECT_FALSE(writer->Write());
+  EXPECT_TRUE(errors.Contains("/no/such/folder/a.glb")) << errors.Text;
+}
