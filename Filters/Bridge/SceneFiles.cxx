@@ -2,10 +2,9 @@
 #include "Bridge/SceneFiles.h"
 
 #include "Bridge/FieldCollectors.h"
+#include "Bridge/FileReading.h"
 #include "Shapes/ThinShape.h"
 
-#include <vtkAlgorithm.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCompositeDataGeometryFilter.h>
 #include <vtkDataArray.h>
 #include <vtkGLTFReader.h>
@@ -22,14 +21,9 @@
 #include <vtkSmartPointer.h>
 #include <vtkTextProperty.h>
 #include <vtkTriangleFilter.h>
-#include <vtkXMLDataElement.h>
-#include <vtkXMLImageDataReader.h>
 #include <vtkXMLPolyDataReader.h>
-#include <vtkXMLUtilities.h>
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 
 namespace waft
 {
@@ -39,49 +33,12 @@ namespace
 // Longest side of a picture that targets are sampled from; larger ones are averaged down.
 constexpr int LongestSide = 600;
 
-std::string Extension(const std::string& path)
-{
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return extension;
-}
-
-// Runs an algorithm; its error texts become the message instead of going to the console.
-Result Run(vtkAlgorithm* algorithm)
-{
-  std::string text;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&text);
-  command->SetCallback(
-    [](vtkObject*, unsigned long, void* client, void* message)
-    {
-      auto* collected = static_cast<std::string*>(client);
-      if (message && collected->empty())
-      {
-        *collected = static_cast<const char*>(message);
-      }
-    });
-  const unsigned long tag = algorithm->AddObserver(vtkCommand::ErrorEvent, command);
-  algorithm->Update();
-  algorithm->RemoveObserver(tag);
-  if (text.empty())
-  {
-    return Result::Ok();
-  }
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())))
-  {
-    text.pop_back();
-  }
-  return Result::Error("expected a file that can be read, found: " + text);
-}
-
 template <class Reader>
 Result ReadWith(const std::string& path, vtkPolyData* data)
 {
   vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
-  const Result result = Run(reader);
+  const Result result = RunReader(reader);
   if (result)
   {
     data->ShallowCopy(reader->GetOutputDataObject(0));
@@ -93,7 +50,7 @@ Result ReadGltf(const std::string& path, vtkPolyData* data)
 {
   vtkNew<vtkGLTFReader> reader;
   reader->SetFileName(path.c_str());
-  Result result = Run(reader);
+  Result result = RunReader(reader);
   if (!result)
   {
     return result;
@@ -224,48 +181,6 @@ Picture Cropped(const Picture& picture)
   return cropped;
 }
 
-Result AddWindStep(const std::string& path, double time, FieldCollector& collector)
-{
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-  {
-    return Result::Error("expected a file that exists, found none at \"" + path + "\"");
-  }
-  vtkNew<vtkXMLImageDataReader> reader;
-  reader->SetFileName(path.c_str());
-  Result result = Run(reader);
-  return result ? collector.Add(reader->GetOutput(), time) : result;
-}
-
-// The steps of a .pvd in order of time.
-Result PvdSteps(const std::string& path, std::vector<std::pair<double, std::string>>& steps)
-{
-  const auto root =
-    vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(path.c_str()));
-  vtkXMLDataElement* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
-  if (!collection)
-  {
-    return Result::Error("expected a ParaView collection of .vti files, found none");
-  }
-  for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i)
-  {
-    vtkXMLDataElement* entry = collection->GetNestedElement(i);
-    const char* file = entry->GetAttribute("file");
-    double time = i;
-    entry->GetScalarAttribute("timestep", time);
-    if (!file || Extension(file) != ".vti")
-    {
-      return Result::Error("expected .vti files in the collection, found \"" +
-                           std::string(file ? file : "") + "\"");
-    }
-    steps.emplace_back(time, (std::filesystem::path(path).parent_path() / file).string());
-  }
-  std::stable_sort(steps.begin(), steps.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  return steps.empty() ? Result::Error("expected at least one file in the collection, found none")
-                       : Result::Ok();
-}
-
 } // namespace
 
 Result VtkSceneAssets::LoadBuiltinShape(const std::string& builtin, double size, Shape& shape) const
@@ -308,7 +223,7 @@ Result VtkSceneAssets::LoadPicture(const std::string& path, Picture& picture) co
     return Result::Error("expected a picture (.png, .jpg, .tif, .bmp ...), found another file");
   }
   reader->SetFileName(path.c_str());
-  const Result result = Run(reader);
+  const Result result = RunReader(reader);
   return result ? PictureFromImage(reader->GetOutput(), picture) : result;
 }
 
@@ -353,38 +268,6 @@ Result VtkSceneAssets::DrawText(const std::string& text, const std::string& font
   return result && picture.IsEmpty()
            ? Result::Error("expected a text with something to draw, found none")
            : result;
-}
-
-Result ReadWindFile(const std::string& path, FieldSeries& wind)
-{
-  std::vector<std::pair<double, std::string>> steps;
-  if (Extension(path) == ".vti")
-  {
-    steps.emplace_back(0.0, path);
-  }
-  else if (Extension(path) == ".pvd")
-  {
-    Result result = PvdSteps(path, steps);
-    if (!result)
-    {
-      return result;
-    }
-  }
-  else
-  {
-    return Result::Error("expected a .vti or .pvd file (convert .vdb by the VDB reader first)");
-  }
-  FieldCollector collector;
-  for (const auto& [time, file] : steps)
-  {
-    Result result = AddWindStep(file, time, collector);
-    if (!result)
-    {
-      return result;
-    }
-  }
-  wind = collector.Take();
-  return wind.Validate("Wind");
 }
 
 } // namespace waft

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What scene files name, read by VTK's readers: meshes, pictures, text, winds.
+// What scene files name, read by VTK's readers: meshes, pictures, text.
 #pragma once
 
-#include "Base/FieldSeries.h"
 #include "Scene/SceneAssets.h"
 
 namespace waft
@@ -20,9 +19,5 @@ public:
   Result DrawText(const std::string& text, const std::string& font,
                   Picture& picture) const override;
 };
-
-/// A wind from a .vti (one time, which then holds throughout) or a .pvd (a series of .vti) with the
-/// point data `Wind` or `Velocity`.
-Result ReadWindFile(const std::string& path, FieldSeries& wind);
 
 } // namespace waft

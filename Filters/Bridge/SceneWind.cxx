@@ -3,7 +3,7 @@
 
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/SceneData.h"
-#include "Bridge/SceneFiles.h"
+#include "Bridge/WindFiles.h"
 
 #include <vtkImageData.h>
 
@@ -42,7 +42,7 @@ Result SceneWind::Build(const Scene& scene)
   for (const WindFile& file : scene.WindFiles)
   {
     FieldSeries wind;
-    const Result result = ReadWindFile(file.Path, wind);
+    const Result result = ReadWindFile(file.Path, scene.Info.Time, wind);
     if (!result)
     {
       return Result::Error(file.Place + ": " + result.Message());

@@ -262,6 +262,31 @@ TEST(MotionSceneReader, WindFilesAndSeries)
   EXPECT_TRUE(errors.Contains("/winds/0/file: expected the only wind")) << errors.Text;
 }
 
+// Fixtures/wind_0000.vdb and wind_0030.vdb: 5^3 voxels of 1 m from (-2, -2, 0) on with
+// Wind = (s, s / 2, x), s = 1 and 3.
+TEST(MotionSceneReader, VolumesAreASeriesByTheirNumbers)
+{
+  Folder folder;
+  const std::string fixtures = std::string(WAFT_SOURCE_DIR) + "/Testing/Pipeline/Fixtures";
+  for (const char* name : { "wind_0000.vdb", "wind_0030.vdb" })
+  {
+    std::filesystem::copy_file(fixtures + "/" + name, folder.File(name));
+  }
+  vtkNew<vtkMotionSceneReader> reader;
+  reader->SetFileName(
+    folder.Write("a.waft.json", R"({"waft": 1, "winds": [{"file": "wind_0000.vdb"}]})"));
+  reader->UpdateInformation();
+  reader->GetOutputInformation(5)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), 0.5);
+  reader->Update(5);
+  vtkDataArray* values = WindOutput(reader)->GetPointData()->GetArray("Wind");
+  ASSERT_TRUE(values);
+  ASSERT_EQ(values->GetNumberOfTuples(), 125);
+  const vtkIdType place = WindOutput(reader)->FindPoint(1.0, 0.0, 3.0);
+  EXPECT_NEAR(values->GetComponent(place, 0), 2.0, 1e-6);
+  EXPECT_NEAR(values->GetComponent(place, 1), 1.0, 1e-6);
+  EXPECT_NEAR(values->GetComponent(place, 2), 1.0, 1e-6);
+}
+
 TEST(MotionSceneReader, ErrorsNameThePlaceAndEmptyTheOutputs)
 {
   Folder folder;

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Obstacles/VectorVolume.h"
+
+#include <openvdb/openvdb.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+using namespace waft;
+
+namespace
+{
+
+std::string Temporary(const std::string& name)
+{
+  return (std::filesystem::temp_directory_path() /
+          ("waft-" + std::to_string(static_cast<long>(::getpid())) + "-" + name))
+    .string();
+}
+
+// v = (x, 2 y, 3 z) in metres on voxels of 0.25 m from (-1, 0, 0.5) on.
+std::string WriteVolume(const std::string& name, double turn)
+{
+  openvdb::initialize();
+  auto grid = openvdb::Vec3SGrid::create();
+  grid->setName(name);
+  auto transform = openvdb::math::Transform::createLinearTransform(0.25);
+  transform->postTranslate(openvdb::Vec3d(-1.0, 0.0, 0.5));
+  if (turn != 0.0)
+  {
+    transform->preRotate(turn);
+  }
+  grid->setTransform(transform);
+  auto accessor = grid->getAccessor();
+  for (int k = 0; k < 4; ++k)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      for (int i = 0; i < 5; ++i)
+      {
+        const openvdb::Vec3d x = grid->indexToWorld(openvdb::Coord(i, j, k));
+        accessor.setValue(openvdb::Coord(i, j, k),
+                          openvdb::Vec3s(float(x.x()), float(2.0 * x.y()), float(3.0 * x.z())));
+      }
+    }
+  }
+  const std::string path = Temporary(name + ".vdb");
+  openvdb::io::File file(path);
+  file.write({ grid });
+  file.close();
+  return path;
+}
+
+} // namespace
+
+TEST(VectorVolume, GivesTheLatticeAndTheValues)
+{
+  for (const char* name : { "Wind", "Velocity" })
+  {
+    const std::string path = WriteVolume(name, 0.0);
+    FieldSeries step;
+    const Result result = ReadVectorVolume(path, 0.5, step);
+    ASSERT_TRUE(result) << result.Message();
+    EXPECT_EQ(step.Meaning == FieldMeaning::Acceleration, std::string(name) == "Wind");
+    EXPECT_EQ(step.Dimensions, (std::array<int, 3>{ 5, 3, 4 }));
+    EXPECT_EQ(step.Times, std::vector<double>{ 0.5 });
+    const Vec3 x(-0.4, 0.3, 0.9);
+    EXPECT_LT((step.Sample(x, 0.0) - Vec3(-0.4, 0.6, 2.7)).norm(), 1e-6);
+    std::filesystem::remove(path);
+  }
+}
+
+TEST(VectorVolume, SaysWhatIsWrong)
+{
+  FieldSeries step;
+  step.Times = { 7.0 };
+  const std::string other = WriteVolume("Pressure", 0.0);
+  EXPECT_NE(ReadVectorVolume(other, 0.0, step).Message().find("found neither"), std::string::npos);
+  std::filesystem::remove(other);
+  const std::string turned = WriteVolume("Wind", 0.3);
+  EXPECT_NE(ReadVectorVolume(turned, 0.0, step).Message().find("scales and shifts"),
+            std::string::npos);
+  std::filesystem::remove(turned);
+  const std::string text = Temporary("text.vdb");
+  std::ofstream(text) << "no volume";
+  EXPECT_FALSE(ReadVectorVolume(text, 0.0, step));
+  std::filesystem::remove(text);
+  EXPECT_FALSE(ReadVectorVolume("/nowhere.vdb", 0.0, step));
+  EXPECT_EQ(step.Times, std::vector<double>{ 7.0 }) << "left as it was";
+}
