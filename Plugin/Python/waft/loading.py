@@ -44,7 +44,7 @@ def load_plugin():
     if plugin is None:
         raise ImportError(f"the ParaView plugin Waft.so was not found above {_PACKAGE}")
     built_for = plugin.parts[-4].replace("paraview-", "")
-    running = str(simple.GetParaViewVersion())
+    running = f"{simple.GetParaViewVersion().major}.{simple.GetParaViewVersion().minor}"
     if running != built_for:
         raise ImportError(f"Waft was built for ParaView {built_for}, this is ParaView {running}")
     simple.LoadPlugin(str(plugin), remote=False, ns=vars(simple))
