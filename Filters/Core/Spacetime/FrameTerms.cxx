@@ -203,6 +203,7 @@ void FrameTerms::AddFields(const float* state, int frame)
   const SphRows jacobian{ this->Jacobian.data(), s };
   this->Kernels.Vortices(this->Active.data(), this->Active.size(), s, state, state + s,
                          state + 2 * s, force, jacobian);
+  this->VortexForce = this->Force;
   const std::size_t n = this->Model.NumberOfBodies();
   if (!this->Model.Wind.IsEmpty())
   {
@@ -237,7 +238,6 @@ void FrameTerms::Forward(const float* state, int frame, NeighborList& list, doub
   {
     list.Build(this->Kernels, n, ng, x, x + p, x + 2 * p,
                static_cast<float>(this->Model.Fluid.Support() + skin), this->Scratch);
-    ++this->Rebuilds;
   }
   const SphNeighbors neighbors = list.View();
   this->AddWalls(frame);

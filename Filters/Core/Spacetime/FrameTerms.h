@@ -28,12 +28,15 @@ public:
   float* Average(int c) { return this->Rates.data() + (3 + c) * this->BodyStride; }
   float* AccelerationBar(int c) { return this->Bars.data() + c * this->BodyStride; }
   float* AverageBar(int c) { return this->Bars.data() + (3 + c) * this->BodyStride; }
-  /// Acceleration by vortices and by winds alone.
+  /// Acceleration by vortices and winds.
   const float* External(int c) const { return this->Force.data() + c * this->BodyStride; }
+  /// Acceleration by vortices alone.
+  const float* ByVortices(int c) const { return this->VortexForce.data() + c * this->BodyStride; }
+  /// By particle: density, P (in rho0 dx^2 / frame^2), and the share of the density that is not
+  /// gas.
   const float* Densities() const { return this->Density.data(); }
   double PressureOf(std::size_t particle) const;
-  /// Kernel mass of gas about object particle k (what D is an average over).
-  std::size_t NumberOfRebuilds() const { return this->Rebuilds; }
+  const float* WallShares() const { return this->Psi.data(); }
 
 private:
   void PlaceParticles(const float* state);
@@ -46,7 +49,6 @@ private:
   const SphKernelTable& Kernels;
   SphConstants Constants;
   std::size_t BodyStride, ParticleStride;
-  std::size_t Rebuilds = 0;
 
   std::vector<float> X;           // 3 rows of particles
   std::vector<SphRecord> Records; // particles and the far one
@@ -56,7 +58,7 @@ private:
   std::vector<float> ParticleRates;                    // a and D: 6 rows
   std::vector<float> ParticleBars;                     // x and v: 6 rows
   std::vector<float> SpringForce, SpringSlope;         // gas: 3 rows and 6 of the Jacobian
-  std::vector<float> Force, Jacobian;                  // bodies: 3 and 9 rows
+  std::vector<float> Force, Jacobian, VortexForce;     // bodies: 3, 9 and 3 rows
   std::vector<float> Rates, Bars;                      // bodies: 6 rows
   std::vector<float> WindCoefficients, BackgroundCoefficients;
   float BackgroundDrag = 0.0f;

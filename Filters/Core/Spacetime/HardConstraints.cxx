@@ -171,9 +171,37 @@ void HardConstraints::ProjectClusters(StateVector& state) const
   }
 }
 
+void HardConstraints::FindWalls(std::size_t j, const StateVector& state,
+                                const StateVector& gradient)
+{
+  std::vector<std::size_t>& active = this->ActiveWalls[j];
+  active.clear();
+  for (int c = 0; c < 3; ++c)
+  {
+    const std::size_t row = j * this->Model.FrameSize() + c * this->Model.Stride();
+    const auto size = static_cast<float>(this->Model.Size[c]);
+    for (std::size_t i = row; i < row + this->Model.NumberOfGas; ++i)
+    {
+      if ((state[i] <= 0.0f && gradient[i] > 0.0f) || (state[i] >= size && gradient[i] < 0.0f))
+      {
+        active.push_back(i);
+      }
+    }
+  }
+}
+
 void HardConstraints::FindActive(const StateVector& state, const StateVector& gradient)
 {
   const std::size_t stride = this->Model.Stride();
+  this->ActiveWalls.resize(this->Level.NumberOfFrames());
+  this->Parallel(this->Level.NumberOfFrames(),
+                 [&](std::size_t begin, std::size_t end)
+                 {
+                   for (std::size_t j = begin; j < end; ++j)
+                   {
+                     this->FindWalls(j, state, gradient);
+                   }
+                 });
   this->ActiveBalls.clear();
   this->ForBalls(
     [&](const LevelBall& ball)
@@ -213,6 +241,13 @@ void HardConstraints::ProjectTangent(StateVector& direction) const
       {
         Set(p + 3 * stride, stride, Vec3::Zero());
       }
+    }
+  }
+  for (const std::vector<std::size_t>& walls : this->ActiveWalls)
+  {
+    for (const std::size_t i : walls)
+    {
+      direction[i] = 0.0f;
     }
   }
   for (const Active& active : this->ActiveBalls)

@@ -103,9 +103,9 @@ public:
 
   /// The nearest state that meets everything (gas is held in its box).
   void Project(StateVector& state) const;
-  /// Balls that the descent direction -gradient would leave.
+  /// Balls, and walls of the gas' box, that the descent direction -gradient would leave.
   void FindActive(const StateVector& state, const StateVector& gradient);
-  /// Removes from a direction what leaves fixed values, active balls and exact rows.
+  /// Removes from a direction what leaves fixed values, active balls and walls and exact rows.
   void ProjectTangent(StateVector& direction) const;
   /// Largest violation of a position [dx], in single precision.
   double MaxViolation(const StateVector& state) const;
@@ -113,11 +113,12 @@ public:
 private:
   std::size_t Place(std::size_t j, std::size_t object) const;
   void ProjectClusters(StateVector& state) const;
+  void FindWalls(std::size_t j, const StateVector& state, const StateVector& gradient);
 
   const SpacetimeModel& Model;
   const TimeLevel& Level;
   const ConstraintTable& Table;
-  const ParallelFor& Parallel;
+  ParallelFor Parallel;
   double Leash = 0.0;
   struct LevelBall
   {
@@ -136,6 +137,7 @@ private:
     float Normal[3];
   };
   std::vector<Active> ActiveBalls;
+  std::vector<std::vector<std::size_t>> ActiveWalls; // by level frame: coordinates held at a wall
 };
 
 } // namespace waft

@@ -120,10 +120,6 @@ LbfgsEnd Lbfgs::Minimize(SpacetimeObjective& objective,
                          const LbfgsOptions& options, const Observer& observer, Monitor* monitor,
                          StateVector& state)
 {
-  this->S.clear();
-  this->Y.clear();
-  this->Rho.clear();
-  this->Gamma = 1.0;
   SpacetimeTerms terms;
   constraints.Project(state);
   if (!objective.Evaluate(state, &this->Gradient, terms, monitor) || !observer(0, terms))

@@ -27,8 +27,8 @@ enum class LbfgsEnd
   Stopped    // the monitor or the observer asked to stop
 };
 
-/// The solver's vectors, kept from stage to stage; its memory of curvature is dropped where the
-/// problem changes.
+/// The solver's vectors and its memory of curvature, kept from stage to stage: leash and fields
+/// change E's curvature little.
 class Lbfgs
 {
 public:

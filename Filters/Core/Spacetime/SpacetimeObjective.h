@@ -33,7 +33,7 @@ struct SpacetimeTerms
 class SpacetimeObjective
 {
 public:
-  /// The model, the level and parallel must outlive the objective.
+  /// The model and the level must outlive the objective.
   SpacetimeObjective(const SpacetimeModel& model, const TimeLevel& level,
                      const ParallelFor& parallel, const SphKernelTable& kernels,
                      double skin = 0.15);
@@ -70,7 +70,7 @@ private:
 
   const SpacetimeModel& Problem;
   const TimeLevel& Times;
-  const ParallelFor& Parallel;
+  ParallelFor Parallel;
   const SphKernelTable& Kernels;
   double Skin;
   double SpatialScale; // 1 / (1 - m W(0))^2

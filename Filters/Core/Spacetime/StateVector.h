@@ -31,7 +31,7 @@ public:
 
 private:
   std::size_t Blocks, BlockSize;
-  const ParallelFor& Parallel;
+  ParallelFor Parallel;
 };
 
 } // namespace waft

@@ -56,11 +56,17 @@ std::vector<int> CoarseFrames(const SpacetimeModel& model, const ConstraintTable
 StateVector Restrict(const SpacetimeModel& model, const TimeLevel& level, const StateVector& full)
 {
   const std::size_t size = model.FrameSize();
+  const std::size_t half = size / 2;
   StateVector coarse(level.NumberOfFrames() * size);
   for (std::size_t j = 0; j < level.NumberOfFrames(); ++j)
   {
     const float* source = full.data() + level.Frames[j] * size;
-    std::copy(source, source + size, coarse.data() + j * size);
+    float* out = coarse.data() + j * size;
+    std::copy(source, source + size, out);
+    for (std::size_t i = 0; i < half && j > 0; ++i)
+    {
+      out[half + i] = (out[i] - out[i - size]) / static_cast<float>(level.Steps[j]);
+    }
   }
   return coarse;
 }
@@ -69,20 +75,32 @@ void Prolong(const SpacetimeModel& model, const TimeLevel& level, const StateVec
              StateVector& full)
 {
   const std::size_t size = model.FrameSize();
-  for (std::size_t j = 0; j < level.NumberOfFrames(); ++j)
+  const std::size_t half = size / 2;
+  const std::size_t last = level.NumberOfFrames() - 1;
+  std::copy(coarse.begin(), coarse.begin() + static_cast<std::ptrdiff_t>(size), full.begin());
+  for (std::size_t j = 1; j <= last; ++j)
   {
-    const float* b = coarse.data() + j * size;
-    const float* a = j > 0 ? b - size : b;
-    const int first = j > 0 ? level.Frames[j - 1] : level.Frames[0];
-    for (int frame = j > 0 ? first + 1 : first; frame <= level.Frames[j]; ++frame)
+    // Cubic Hermite with central slopes over the four level frames about this step.
+    const std::size_t before = j > 1 ? j - 2 : 0;
+    const std::size_t after = std::min(j + 1, last);
+    const float* p[4] = { coarse.data() + before * size, coarse.data() + (j - 1) * size,
+                          coarse.data() + j * size, coarse.data() + after * size };
+    const float step = static_cast<float>(level.Steps[j]);
+    const float left = step / static_cast<float>(level.Frames[j] - level.Frames[before]);
+    const float right = step / static_cast<float>(level.Frames[after] - level.Frames[j - 1]);
+    for (int frame = level.Frames[j - 1] + 1; frame <= level.Frames[j]; ++frame)
     {
-      const float t =
-        j > 0 ? static_cast<float>(frame - first) / static_cast<float>(level.Frames[j] - first)
-              : 1.0f;
+      const float t = static_cast<float>(frame - level.Frames[j - 1]) / step;
+      const float h1 = t * t * (3.0f - 2.0f * t);
+      const float g0 = t * (1.0f - t) * (1.0f - t) * left;
+      const float g1 = -t * t * (1.0f - t) * right;
       float* out = full.data() + frame * size;
-      for (std::size_t i = 0; i < size; ++i)
+      const float* previous = out - size;
+      for (std::size_t i = 0; i < half; ++i)
       {
-        out[i] = (1.0f - t) * a[i] + t * b[i];
+        out[i] =
+          p[1][i] + h1 * (p[2][i] - p[1][i]) + g0 * (p[2][i] - p[0][i]) + g1 * (p[3][i] - p[1][i]);
+        out[half + i] = out[i] - previous[i];
       }
     }
   }

@@ -17,10 +17,11 @@ namespace waft
 std::vector<int> CoarseFrames(const SpacetimeModel& model, const ConstraintTable& table,
                               int stride);
 
-/// The level's frames of a state at full resolution.
+/// The level's frames of a state at full resolution; velocities are those of the level's steps.
 StateVector Restrict(const SpacetimeModel& model, const TimeLevel& level, const StateVector& full);
 
-/// Linear interpolation of a level's state to all frames.
+/// Cubic interpolation of a level's positions to all frames. Velocities are backward differences: a
+/// step's velocity belongs to its middle, so those of longer steps would come too early.
 void Prolong(const SpacetimeModel& model, const TimeLevel& level, const StateVector& coarse,
              StateVector& full);
 

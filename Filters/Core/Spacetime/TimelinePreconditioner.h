@@ -37,7 +37,7 @@ private:
 
   const SpacetimeModel& Model;
   const TimeLevel& Level;
-  const ParallelFor& Parallel;
+  ParallelFor Parallel;
   double Damping;
   Band Gas;
   std::vector<Band> Objects;

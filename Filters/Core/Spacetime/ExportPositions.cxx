@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/SpacetimeExport.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+namespace
+{
+
+constexpr int SmallestRamp = 6;         // frames over which the fallback blends in
+constexpr int FallbackRounds = 5;       // the ramp doubles each time
+constexpr double ClearanceSlack = 5e-4; // of L, of the 1e-3 that clearance may miss
+
+// One object's motion, made exact.
+class ObjectExport
+{
+public:
+  ObjectExport(const SpacetimeInput& input, const SpacetimeSetup& setup, std::size_t object,
+               const std::vector<LinearCluster>& clusters) :
+    Input(input),
+    Setup(setup), Index(object), Object(setup.Objects[object])
+  {
+    this->Object.ClearanceRadius =
+      std::max(0.0, this->Object.ClearanceRadius - ClearanceSlack * input.Scene.Bounds.Width());
+    for (const LinearCluster& cluster : clusters)
+    {
+      if (cluster.Object() == object)
+      {
+        this->Clusters.push_back(&cluster);
+      }
+    }
+    for (const PositionBall& ball : setup.Table.Balls)
+    {
+      if (ball.Object == object)
+      {
+        this->Balls.push_back(&ball);
+      }
+    }
+  }
+
+  /// x in metres, one a frame.
+  void MakeExact(std::vector<Vec3>& x) const
+  {
+    const std::size_t no = this->Setup.Model.NumberOfObjects;
+    for (std::size_t frame = 0; frame < x.size(); ++frame)
+    {
+      if (this->Setup.Model.Flag(static_cast<int>(frame), this->Index) & FixedPosition)
+      {
+        x[frame] = this->Setup.ExactPositions[frame * no + this->Index];
+      }
+    }
+    for (const PositionBall* ball : this->Balls)
+    {
+      if (this->Setup.Model.Flag(ball->Frame, this->Index) & FixedPosition)
+      {
+        continue;
+      }
+      const Vec3 centre = this->Setup.ToWorld(ball->Center);
+      const double radius = ball->Radius * this->Setup.Spacing;
+      const Vec3 d = x[ball->Frame] - centre;
+      if (d.norm() > radius)
+      {
+        x[ball->Frame] = centre + (radius / d.norm()) * d;
+      }
+    }
+    for (const LinearCluster* cluster : this->Clusters)
+    {
+      const std::vector<int>& frames = cluster->Frames();
+      Eigen::MatrixX3d positions(frames.size(), 3);
+      for (std::size_t k = 0; k < frames.size(); ++k)
+      {
+        positions.row(k) = this->Setup.FromWorld(x[frames[k]]).transpose();
+      }
+      cluster->Project(positions);
+      for (std::size_t k = 0; k < frames.size(); ++k)
+      {
+        x[frames[k]] = this->Setup.ToWorld(positions.row(k).transpose());
+      }
+    }
+  }
+
+  /// Frames after which the step is not clear.
+  std::vector<std::size_t> Blocked(const std::vector<Vec3>& x) const
+  {
+    const auto& windows = this->Setup.Landings[this->Index];
+    std::vector<std::size_t> blocked;
+    for (std::size_t k = 0; k + 1 < x.size(); ++k)
+    {
+      const double frame = static_cast<double>(k);
+      const bool clear =
+        KeepsInside(this->Input.Scene.Bounds, RequiredClearance(this->Object, windows, frame),
+                    x[k]) &&
+        KeepsInside(this->Input.Scene.Bounds, RequiredClearance(this->Object, windows, frame + 1.0),
+                    x[k + 1]) &&
+        IsMotionClear(this->Setup.Obstacles, this->Object, windows, x[k], frame, x[k + 1],
+                      frame + 1.0);
+      if (!clear)
+      {
+        blocked.push_back(k);
+      }
+    }
+    return blocked;
+  }
+
+  /// Where the optimised motion is not clear it goes back to the planned one, with soft ends.
+  /// share: how much of the plan each frame got.
+  bool Clear(std::vector<Vec3>& x, std::vector<double>& share) const
+  {
+    const std::vector<Vec3>& planned = this->Input.Tracks[this->Index].Positions;
+    const std::vector<Vec3> free = x;
+    share.assign(x.size(), 0.0);
+    std::vector<std::size_t> blocked = this->Blocked(x);
+    int ramp = SmallestRamp;
+    for (int round = 0; round < FallbackRounds && !blocked.empty(); ++round, ramp *= 2)
+    {
+      for (const std::size_t k : blocked)
+      {
+        const long first = static_cast<long>(k) - ramp;
+        const long last = static_cast<long>(k) + 1 + ramp;
+        for (long f = std::max(0L, first); f <= std::min<long>(last, long(x.size()) - 1); ++f)
+        {
+          const double outside =
+            std::max({ 0.0, double(k) - double(f) - 1.0, double(f) - double(k) - 2.0 });
+          const double s = std::clamp(1.0 - outside / ramp, 0.0, 1.0);
+          share[f] = std::max(share[f], s * s * (3.0 - 2.0 * s));
+        }
+      }
+      for (std::size_t f = 0; f < x.size(); ++f)
+      {
+        x[f] = free[f] + share[f] * (planned[f] - free[f]);
+      }
+      this->MakeExact(x);
+      blocked = this->Blocked(x);
+    }
+    return blocked.empty();
+  }
+
+private:
+  const SpacetimeInput& Input;
+  const SpacetimeSetup& Setup;
+  std::size_t Index;
+  MotionObject Object;
+  std::vector<const LinearCluster*> Clusters;
+  std::vector<const PositionBall*> Balls;
+};
+
+} // namespace
+
+std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
+                                               const SpacetimeSetup& setup, StateVector& state,
+                                               std::vector<std::string>& warnings)
+{
+  const SpacetimeModel& model = setup.Model;
+  const std::size_t stride = model.Stride();
+  const auto frames = static_cast<std::size_t>(model.NumberOfFrames);
+  const std::vector<LinearCluster> clusters =
+    MakeClusters(model, setup.Table, std::vector<bool>(frames, true));
+  std::vector<std::vector<Vec3>> positions(model.NumberOfObjects);
+  for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+  {
+    std::vector<Vec3>& x = positions[o];
+    x.resize(frames);
+    for (std::size_t frame = 0; frame < frames; ++frame)
+    {
+      const float* p = state.data() + frame * model.FrameSize() + model.NumberOfGas + o;
+      x[frame] = setup.ToWorld(Vec3(p[0], p[stride], p[2 * stride]));
+    }
+    const ObjectExport object(input, setup, o, clusters);
+    object.MakeExact(x);
+    std::vector<double> share;
+    if (!object.Clear(x, share))
+    {
+      warnings.push_back("object " + std::to_string(setup.Objects[o].ObjectId) +
+                         ": the planned path leaves less than the clearance asked for");
+    }
+    const std::vector<Vec3>& planned = input.Tracks[o].Positions;
+    for (std::size_t frame = 0; frame < frames; ++frame)
+    {
+      float* p = state.data() + frame * model.FrameSize() + model.NumberOfGas + o;
+      const Vec3 local = setup.FromWorld(x[frame]);
+      const std::size_t k = std::max<std::size_t>(1, frame);
+      for (int c = 0; c < 3; ++c)
+      {
+        p[c * stride] = static_cast<float>(local[c]);
+        const double own = (planned[k][c] - planned[k - 1][c]) / setup.Spacing;
+        float& v = p[(3 + c) * stride];
+        v += static_cast<float>(share[frame] * (own - v));
+      }
+    }
+  }
+  return positions;
+}
+
+} // namespace waft

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/FieldUpdates.h"
+
+#include "Spacetime/WindEstimate.h"
+#include "Vortex/VortexFit.h"
+
+#include <cmath>
+#include <set>
+
+namespace waft
+{
+namespace
+{
+
+constexpr double WindBound = 1.8; // of the vortices' rms acceleration: twice would be an error
+constexpr double VortexTolerance = 1.02; // E may grow by this factor for new vortices
+constexpr int SampleStride = 2;          // frames between samples of a vortex fit
+
+template <typename Visit>
+void ForFlights(const SpacetimeModel& model, const TimeLevel& level, const StateVector& state,
+                Visit visit)
+{
+  const std::size_t stride = model.Stride();
+  for (std::size_t j = 0; j + 1 < level.NumberOfFrames(); ++j)
+  {
+    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    {
+      if (!StepIsBound(model, level, j + 1, o))
+      {
+        const float* p = state.data() + j * model.FrameSize() + model.NumberOfGas + o;
+        visit(j, o, Vec3(p[0], p[stride], p[2 * stride]));
+      }
+    }
+  }
+}
+
+Vec3 VortexAcceleration(const SpacetimeModel& model, const Vec3& x, double frame)
+{
+  Vec3 sum = Vec3::Zero();
+  for (const Vortex& vortex : model.Vortices)
+  {
+    sum += vortex.Acceleration(x, frame);
+  }
+  return sum;
+}
+
+} // namespace
+
+FieldStrengths MeasureFields(const SpacetimeModel& model, const TimeLevel& level,
+                             const StateVector& state)
+{
+  FieldStrengths sums;
+  std::size_t count = 0;
+  ForFlights(model, level, state,
+             [&](std::size_t j, std::size_t, const Vec3& x)
+             {
+               sums.Vortices += VortexAcceleration(model, x, level.Frames[j]).squaredNorm();
+               if (!model.Wind.IsEmpty())
+               {
+                 sums.Wind += SampleWind(model.Wind, x, level.Frames[j]).squaredNorm();
+               }
+               ++count;
+             });
+  const double n = static_cast<double>(std::max<std::size_t>(1, count));
+  return { std::sqrt(sums.Vortices / n), std::sqrt(sums.Wind / n) };
+}
+
+bool UpdateWind(SpacetimeModel& model, SpacetimeObjective& objective, const StateVector& state,
+                const ParallelFor& parallel, Monitor* monitor, SpacetimeTerms& terms)
+{
+  // The residuals that the estimate reads belong to the last evaluation: make that this state.
+  if (!objective.Evaluate(state, nullptr, terms, monitor))
+  {
+    return false;
+  }
+  const SplineWind before = model.Wind;
+  const SplineWind fitted = EstimateWind(objective, state, WindOptions(), parallel);
+  for (double share = 1.0; share > 0.2; share *= 0.5)
+  {
+    model.Wind = fitted;
+    const FieldStrengths strengths = MeasureFields(model, objective.Level(), state);
+    double factor = share;
+    if (strengths.Vortices > 0.0 && strengths.Wind > WindBound * strengths.Vortices)
+    {
+      factor *= WindBound * strengths.Vortices / strengths.Wind;
+    }
+    for (std::vector<float>& knot : model.Wind.Knots)
+    {
+      for (float& value : knot)
+      {
+        value *= static_cast<float>(factor);
+      }
+    }
+    SpacetimeTerms next;
+    if (!objective.Evaluate(state, nullptr, next, monitor))
+    {
+      model.Wind = before;
+      return false;
+    }
+    if (std::isfinite(next.E) && next.E < terms.E)
+    {
+      terms = next;
+      return true;
+    }
+  }
+  model.Wind = before;
+  return objective.Evaluate(state, nullptr, terms, monitor);
+}
+
+bool UpdateVortices(SpacetimeSetup& setup, SpacetimeObjective& objective,
+                    const std::vector<Track>& planned, const Box& bounds, std::uint64_t seed,
+                    const StateVector& state, Monitor& monitor, SpacetimeTerms& terms)
+{
+  SpacetimeModel& model = setup.Model;
+  if (!objective.Evaluate(state, nullptr, terms, &monitor))
+  {
+    return false;
+  }
+  std::vector<Vortex> priors;
+  std::set<int> known;
+  for (const Vortex& vortex : model.Vortices)
+  {
+    priors.push_back(ToWorld(setup, vortex));
+    known.insert(vortex.VortexId);
+  }
+  const TimeLevel& level = objective.Level();
+  std::vector<VortexSample> samples;
+  ForFlights(model, level, state,
+             [&](std::size_t j, std::size_t o, const Vec3& x)
+             {
+               const int frame = level.Frames[j];
+               if (j % SampleStride != 0)
+               {
+                 return;
+               }
+               double rv[3];
+               objective.VelocityResidual(j + 1, model.NumberOfGas + o, rv);
+               // What the motion asks for: the fields as they are and what they leave over.
+               Vec3 a = VortexAcceleration(model, x, frame) +
+                        Vec3(rv[0], rv[1], rv[2]) / level.Steps[j + 1];
+               if (!model.Wind.IsEmpty())
+               {
+                 a += SampleWind(model.Wind, x, frame);
+               }
+               VortexSample sample;
+               sample.Track = static_cast<int>(o);
+               sample.Frame = frame;
+               sample.Time = frame * setup.FrameStep;
+               sample.Position = setup.ToWorld(x);
+               sample.Acceleration = a * setup.AccelerationUnit();
+               const std::vector<int>& ids = planned[o].VortexIds;
+               if (static_cast<std::size_t>(frame) < ids.size() && known.count(ids[frame]))
+               {
+                 sample.VortexId = ids[frame];
+               }
+               samples.push_back(sample);
+             });
+  VortexFitOptions options;
+  options.Bounds = bounds;
+  options.Seed = seed;
+  std::vector<Vortex> fitted;
+  const Result result = FitVortices(samples, priors, options, monitor, fitted);
+  if (!result || result.IsStopped() || fitted.empty())
+  {
+    return !result.IsStopped();
+  }
+  const std::vector<Vortex> before = model.Vortices;
+  model.Vortices.clear();
+  for (const Vortex& vortex : fitted)
+  {
+    model.Vortices.push_back(ToModel(setup, vortex));
+  }
+  SpacetimeTerms next;
+  const bool evaluated = objective.Evaluate(state, nullptr, next, &monitor);
+  if (evaluated && std::isfinite(next.E) && next.E <= VortexTolerance * terms.E)
+  {
+    terms = next;
+    return true;
+  }
+  model.Vortices = before;
+  return evaluated;
+}
+
+} // namespace waft

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The other half of the alternation: force fields for the motion as it is.
+#pragma once
+
+#include "Base/Monitor.h"
+#include "Spacetime/SpacetimeObjective.h"
+#include "Spacetime/SpacetimeSetup.h"
+
+#include <vector>
+
+namespace waft
+{
+
+/// Root mean square over objects and frames of free flight [dx / frame^2].
+struct FieldStrengths
+{
+  double Vortices = 0.0;
+  double Wind = 0.0; // the estimated one
+};
+FieldStrengths MeasureFields(const SpacetimeModel& model, const TimeLevel& level,
+                             const StateVector& state);
+
+/// Estimates the wind anew, holds it to a bound set by the vortices and keeps it where E falls.
+/// terms: E at `state` before, and after. False when the monitor stopped it.
+bool UpdateWind(SpacetimeModel& model, SpacetimeObjective& objective, const StateVector& state,
+                const ParallelFor& parallel, Monitor* monitor, SpacetimeTerms& terms);
+
+/// Fits the vortices to the accelerations that the objects' motion asks for (Shi et al. 2005,
+/// section 5) and keeps them where E does not grow by more than a few percent.
+bool UpdateVortices(SpacetimeSetup& setup, SpacetimeObjective& objective,
+                    const std::vector<Track>& planned, const Box& bounds, std::uint64_t seed,
+                    const StateVector& state, Monitor& monitor, SpacetimeTerms& terms);
+
+} // namespace waft

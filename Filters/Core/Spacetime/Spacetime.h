@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The spacetime optimisation of Shi et al. 2005, section 5: planned paths become the motion of
+// things in one body of air, with the user's requirements met exactly.
+#pragma once
+
+#include "Base/FieldSeries.h"
+#include "Base/ForceFields.h"
+#include "Base/Mesh.h"
+#include "Base/Monitor.h"
+#include "Base/Motion.h"
+#include "Base/Parallel.h"
+#include "Base/Result.h"
+#include "Base/Types.h"
+
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+struct SpacetimeOptions
+{
+  int NumberOfGasParticles = 2500;   // 64..200000: gives the spacing dx
+  int NumberOfObjectParticles = 125; // 1..: shared among the objects, one to five each
+  double PositionWeight = 10.0;      // c1 of Eq. 2, from 0
+  double VelocityWeight = 1.0;       // c2
+  double CoherenceWeight = 0.3;      // c3: how much objects move with the air about them
+  double SpatialShare = 0.5;         // c31 of Eq. 4, 0..1; c32 = 1 - c31
+  int TemporalWindow = 1;            // w of Eq. 4, 1..30 frames
+  double SmoothingLength = 1.2;      // h / dx, 0.8..2
+  double CourantNumber = 0.5;        // c0 frame / h, 0.1..1: how stiff the gas is
+  double Viscosity = 0.3;            // alpha, 0..2
+  double XsphFactor = 0.0;           // epsilon of Eq. 10, 0..1
+  double PressureExponent = 1.0;     // gamma of Eq. 12, 1..7
+  double EffectiveGravity = 0.8;     // g' of objects [m/s^2], from 0
+  double ContactDistance = -1.0; // d0 [m]; negative: from the objects' sizes; 0: no contact term
+  double WindDrag = 2.0;         // [1/s] with which a wind given as a velocity draws
+  bool EstimateWind = true;
+  bool FitVortexFields = true;
+  int Passes = 2; // 1..10 alternations with the force fields
+  bool UseLeash = true;
+  int LeashIterations = 20;           // for each of the five radii
+  int MaximumNumberOfIterations = 60; // of each stage without leash
+  double Tolerance = 0.01;            // least relative fall of E in 20 iterations; 0: none
+  double TimeLimit = 0.0;             // s; 0: none. A limit may break bit-equality
+  int HistorySize = 6;                // of L-BFGS, 1..20
+
+  Result Validate() const;
+};
+
+struct SpacetimeInput
+{
+  SceneInfo Scene;
+  std::vector<Track> Tracks;           // planned, one an object, one sample a frame
+  std::vector<MotionObject> Objects;   // those of the tracks
+  std::vector<Constraint> Constraints; // every row assigned
+  std::vector<ObstacleMesh> Obstacles; // the ground among them
+  std::vector<Vortex> Vortices;        // first guess and priors
+  FieldSeries Wind;                    // the user's, or empty: a fixed background
+};
+
+/// All particles, gas first, then the objects' in the order of the tracks. World units.
+struct ParticleSeries
+{
+  struct Frame
+  {
+    std::vector<float> Positions, Velocities; // three each
+    std::vector<float> Densities, Pressures;  // kg/m^3, Pa
+    std::vector<float> Winds, VortexForces;   // three each, m/s^2
+  };
+  std::vector<int> ObjectIds; // -1: gas
+  std::vector<float> Masses;  // kg, as the SPH sums weigh them
+  std::vector<Frame> Frames;
+};
+
+struct ConvergenceRow
+{
+  int Pass = 0;
+  std::string Stage;
+  int Iteration = 0;
+  double E = 0.0, Ex = 0.0, Ev = 0.0, Ec = 0.0;
+  double MaxViolation = 0.0; // m
+  double Leash = 0.0;        // m; 0: released
+  double Seconds = 0.0;      // since RunSpacetime began
+};
+
+struct SpacetimeOutput
+{
+  std::vector<Track> Tracks; // in the order of the input
+  ParticleSeries Particles;
+  std::vector<Vortex> Vortices;
+  FieldSeries Wind; // estimated plus the user's acceleration, on the optimiser's lattice
+  std::vector<ConvergenceRow> Convergence;
+  std::vector<ReportRow> Report;
+  std::vector<double> PositionResiduals; // rms of x against its prediction by object [dx]
+  std::vector<double> VelocityResiduals; // the same of v [dx / frame]
+  double Spacing = 0.0;                  // dx [m]
+  std::vector<std::string> Warnings;
+};
+
+/// Errors: tracks that are empty, not finite or of different lengths, constraints or tracks without
+/// object, a volume too small for the gas. Stopped (by the monitor or by TimeLimit): the output
+/// holds the best feasible motion so far.
+Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options,
+                    const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output);
+
+} // namespace waft

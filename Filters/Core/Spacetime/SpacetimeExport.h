@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From the solver's state to tracks in double precision that meet every requirement, and the
+// fields at them.
+#pragma once
+
+#include "Spacetime/Spacetime.h"
+#include "Spacetime/SpacetimeObjective.h"
+#include "Spacetime/SpacetimeSetup.h"
+
+#include <vector>
+
+namespace waft
+{
+
+/// Positions by object and frame [m]: exact rows bit-identical, balls and linear rows met in
+/// double, and swept clearance kept by falling back towards the planned path where it is not. The
+/// state is brought to the same positions. warnings: objects whose clearance could not be kept.
+std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
+                                               const SpacetimeSetup& setup, StateVector& state,
+                                               std::vector<std::string>& warnings);
+
+/// Fills Tracks (fields, air, raw velocities), Particles, Vortices and Wind of the output.
+bool ExportFields(const SpacetimeInput& input, const SpacetimeSetup& setup,
+                  SpacetimeObjective& objective, const StateVector& state,
+                  const std::vector<std::vector<Vec3>>& positions, Monitor& monitor,
+                  SpacetimeOutput& output);
+
+} // namespace waft

@@ -1,0 +1,464 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/SpacetimeSetup.h"
+
+#include "Obstacles/ConstraintCheck.h"
+#include "Obstacles/LinearRows.h"
+#include "Particles/GasLattice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace waft
+{
+namespace
+{
+
+constexpr double ParticleRing = 0.3;         // radius of an object's particles [dx]
+constexpr double LatticeSpacing = 0.4;       // of the obstacles' distances [dx]
+constexpr double LargestContact = 0.5;       // [dx]
+constexpr double ObjectMassShare = 0.1;      // of a gas particle's mass, at most
+constexpr double AllObjectsMassShare = 0.02; // of all gas, at most
+
+Result CheckTracks(const SpacetimeInput& input)
+{
+  if (input.Tracks.empty())
+  {
+    return Result::Error("Tracks: no track, at least one expected");
+  }
+  const auto frames = static_cast<std::size_t>(input.Scene.Time.NumberOfFrames);
+  if (frames < 3)
+  {
+    return Result::Error("NumberOfFrames: at least 3 expected");
+  }
+  for (const Track& track : input.Tracks)
+  {
+    const std::string name = "Tracks, object " + std::to_string(track.ObjectId);
+    if (track.Positions.size() != frames)
+    {
+      return Result::Error(name + ": " + std::to_string(track.Positions.size()) +
+                           " points, one a frame (" + std::to_string(frames) + ") expected");
+    }
+    for (std::size_t k = 0; k < frames; ++k)
+    {
+      if (!track.Positions[k].allFinite())
+      {
+        return Result::Error(name + ": not a finite position at frame " + std::to_string(k));
+      }
+    }
+  }
+  return Result::Ok();
+}
+
+// Objects in the order of the tracks.
+Result MatchObjects(const SpacetimeInput& input, SpacetimeSetup& setup)
+{
+  std::map<int, const MotionObject*> byId;
+  for (const MotionObject& object : input.Objects)
+  {
+    byId[object.ObjectId] = &object;
+  }
+  std::map<int, bool> used;
+  for (const Track& track : input.Tracks)
+  {
+    if (byId.find(track.ObjectId) == byId.end() || used[track.ObjectId])
+    {
+      return Result::Error("Tracks: object " + std::to_string(track.ObjectId) +
+                           " is not in Objects, or has two tracks");
+    }
+    used[track.ObjectId] = true;
+    setup.Objects.push_back(*byId[track.ObjectId]);
+  }
+  for (const Constraint& row : input.Constraints)
+  {
+    if (row.ObjectId >= 0 && !used[row.ObjectId])
+    {
+      return Result::Error("Constraints, row " + std::to_string(row.Row) + ": object " +
+                           std::to_string(row.ObjectId) + " has no track");
+    }
+  }
+  return Result::Ok();
+}
+
+// A slab below the whole volume is not an obstacle in the gas but its floor.
+bool IsGround(const ObstacleMesh& obstacle, const Box& volume, double& top)
+{
+  if (obstacle.IsMoving() || obstacle.Mesh.Points.empty())
+  {
+    return false;
+  }
+  Vec3 low = obstacle.Mesh.Points.front();
+  Vec3 high = low;
+  for (const Vec3& p : obstacle.Mesh.Points)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const double slack = 1e-9 * volume.Width();
+  for (const Vec3& p : obstacle.Mesh.Points)
+  {
+    if (std::min(p.z() - low.z(), high.z() - p.z()) > slack)
+    {
+      return false;
+    }
+  }
+  top = high.z();
+  return low.x() <= volume.Min.x() + slack && low.y() <= volume.Min.y() + slack &&
+         high.x() >= volume.Max.x() - slack && high.y() >= volume.Max.y() - slack &&
+         low.z() <= volume.Min.z() + slack && top < volume.Max.z();
+}
+
+Result SetUpVolume(const SpacetimeInput& input, const SpacetimeOptions& options,
+                   SpacetimeSetup& setup, std::vector<int>& grounds)
+{
+  Box box = input.Scene.Bounds;
+  if (!((box.Size().array() > 0.0).all() && box.Size().allFinite()))
+  {
+    return Result::Error("Bounds: a volume with a positive size expected");
+  }
+  std::vector<ObstacleMesh> inside;
+  for (const ObstacleMesh& obstacle : input.Obstacles)
+  {
+    double top = 0.0;
+    if (IsGround(obstacle, box, top))
+    {
+      box.Min.z() = std::max(box.Min.z(), top);
+      grounds.push_back(obstacle.ObstacleId);
+    }
+    else
+    {
+      inside.push_back(obstacle);
+    }
+  }
+  if (Result result = setup.Obstacles.Build(input.Obstacles); !result)
+  {
+    return result;
+  }
+  const GasLattice lattice = GasLattice::Make(box, options.NumberOfGasParticles);
+  if (*std::min_element(lattice.Dimensions.begin(), lattice.Dimensions.end()) < 3)
+  {
+    return Result::Error("Bounds: too flat for " + std::to_string(options.NumberOfGasParticles) +
+                         " gas particles, at least three layers each way expected");
+  }
+  setup.Origin = box.Min;
+  setup.Spacing = lattice.Spacing;
+  setup.FrameStep = input.Scene.Time.Step();
+  SpacetimeModel& model = setup.Model;
+  model.Size = lattice.SizeInSpacings();
+  model.NumberOfFrames = input.Scene.Time.NumberOfFrames;
+  const double support = 2.0 * options.SmoothingLength;
+  if (Result result =
+        model.Obstacles.Build(inside, box, LatticeSpacing * setup.Spacing, setup.Spacing,
+                              (support + 1.0) * setup.Spacing, model.NumberOfFrames);
+      !result)
+  {
+    return result;
+  }
+
+  model.Fluid.SmoothingLength = options.SmoothingLength;
+  model.Fluid.SoundSpeed = options.CourantNumber * options.SmoothingLength;
+  model.Fluid.Viscosity = options.Viscosity;
+  model.Fluid.Gamma = options.PressureExponent;
+  // Objects feel the air by drag with their own settling speed, not by the gas' viscosity.
+  model.Fluid.ObjectViscosity = 0.0;
+  model.Fluid.GasMass = lattice.ParticleMass(model.Fluid);
+
+  std::vector<Vec3> gas;
+  for (const Vec3& point : lattice.Points())
+  {
+    if (model.Obstacles.IsEmpty() || model.Obstacles.Distance(point, 0) > 0.25)
+    {
+      gas.push_back(point);
+    }
+  }
+  model.NumberOfGas = gas.size();
+  model.NumberOfObjects = input.Tracks.size();
+  if (gas.size() < 27)
+  {
+    return Result::Error("Obstacles: they leave no room for the gas");
+  }
+  const int per =
+    std::clamp(options.NumberOfObjectParticles / static_cast<int>(model.NumberOfObjects), 1, 5);
+  for (int k = 0; k < per; ++k)
+  {
+    const double angle = 2.0 * M_PI * k / per;
+    const double radius = per > 1 ? ParticleRing : 0.0;
+    model.Offsets.push_back({ static_cast<float>(radius * std::cos(angle)),
+                              static_cast<float>(radius * std::sin(angle)), 0.0f });
+  }
+  const double particles = static_cast<double>(per) * model.NumberOfObjects;
+  model.Fluid.ObjectMass =
+    model.Fluid.GasMass *
+    std::min(ObjectMassShare, AllObjectsMassShare * static_cast<double>(gas.size()) / particles);
+
+  setup.Start.assign(model.NumberOfFrames * model.FrameSize(), 0.0f);
+  for (int frame = 0; frame < model.NumberOfFrames; ++frame)
+  {
+    float* state = setup.Start.data() + frame * model.FrameSize();
+    for (int c = 0; c < 3; ++c)
+    {
+      for (std::size_t i = 0; i < gas.size(); ++i)
+      {
+        state[c * model.Stride() + i] = static_cast<float>(gas[i][c]);
+      }
+    }
+  }
+  return model.Fluid.Validate();
+}
+
+void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
+                  SpacetimeSetup& setup)
+{
+  SpacetimeModel& model = setup.Model;
+  const std::size_t no = model.NumberOfObjects;
+  const double gravity = options.EffectiveGravity;
+  model.Gravity = gravity / setup.AccelerationUnit();
+  double radii = 0.0;
+  for (const MotionObject& object : setup.Objects)
+  {
+    // In still air drag and effective gravity balance at the settling speed.
+    model.DragRates.push_back(
+      static_cast<float>(setup.FrameStep * gravity / std::max(0.01, object.SettlingSpeed)));
+    model.Clearances.push_back(static_cast<float>(object.ClearanceRadius / setup.Spacing));
+    model.RestHeights.push_back(static_cast<float>(object.RestHeight / setup.Spacing));
+    radii += object.ClearanceRadius / setup.Spacing / static_cast<double>(no);
+  }
+  model.Weights.ContactDistance = options.ContactDistance < 0.0
+                                    ? std::min(LargestContact, 2.0 * radii)
+                                    : options.ContactDistance / setup.Spacing;
+  model.Flags.assign(static_cast<std::size_t>(model.NumberOfFrames) * no, 0);
+  setup.Table.FixedPositions.assign(model.Flags.size(), Vec3::Zero());
+  setup.Table.Planned.resize(model.Flags.size());
+  setup.ExactPositions.assign(model.Flags.size(), Vec3::Zero());
+  for (std::size_t o = 0; o < no; ++o)
+  {
+    const std::vector<Vec3>& x = input.Tracks[o].Positions;
+    for (int frame = 0; frame < model.NumberOfFrames; ++frame)
+    {
+      setup.Table.Planned[static_cast<std::size_t>(frame) * no + o] = setup.FromWorld(x[frame]);
+      float* state = setup.Start.data() + frame * model.FrameSize() + model.NumberOfGas + o;
+      const int k = std::max(1, frame);
+      for (int c = 0; c < 3; ++c)
+      {
+        state[c * model.Stride()] = static_cast<float>(setup.FromWorld(x[frame])[c]);
+        state[(3 + c) * model.Stride()] =
+          static_cast<float>((x[k][c] - x[k - 1][c]) / setup.Spacing);
+      }
+    }
+  }
+}
+
+void Fix(SpacetimeSetup& setup, int frame, std::size_t object, const Vec3& position, int flags)
+{
+  const std::size_t place = static_cast<std::size_t>(frame) * setup.Model.NumberOfObjects + object;
+  setup.Model.Flags[place] |= static_cast<std::uint8_t>(flags | FixedPosition);
+  setup.ExactPositions[place] = position;
+  setup.Table.FixedPositions[place] = setup.FromWorld(position);
+}
+
+void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
+                   const std::vector<Constraint>& binding, SpacetimeSetup& setup)
+{
+  SpacetimeModel& model = setup.Model;
+  const int frames = model.NumberOfFrames;
+  for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+  {
+    setup.Landings.push_back(
+      LandingWindows(setup.Objects[o], binding, setup.Obstacles, input.Scene.Time.FramesPerSecond));
+    for (const LandingWindow& window : setup.Landings.back())
+    {
+      const bool floor =
+        std::find(grounds.begin(), grounds.end(), window.ObstacleId) != grounds.end();
+      const auto flags = [&](int frame) -> std::uint8_t&
+      { return model.Flags[static_cast<std::size_t>(frame) * model.NumberOfObjects + o]; };
+      for (int frame = std::max(0, static_cast<int>(std::floor(window.First)));
+           frame <= std::min(frames - 1, static_cast<int>(std::ceil(window.Last))); ++frame)
+      {
+        flags(frame) |= floor ? LandsOnFloor : LandsOnObstacle;
+      }
+      for (int frame = window.Frame; frame <= std::min(frames - 1, window.Until); ++frame)
+      {
+        Fix(setup, frame, o, window.Centre, NoCoherence);
+        // It arrives with a speed of its own; the surface takes that and its weight.
+        if (frame > window.Frame)
+        {
+          flags(frame) |= FixedVelocity | NoDynamics;
+        }
+      }
+      if (window.Until + 1 < frames)
+      {
+        flags(window.Until + 1) |= NoDynamics;
+      }
+    }
+  }
+}
+
+void SetUpConstraints(const SpacetimeInput& input, const std::vector<int>& grounds,
+                      SpacetimeSetup& setup)
+{
+  SpacetimeModel& model = setup.Model;
+  setup.Report = JudgeConstraints(input.Constraints, setup.Objects, setup.Obstacles, input.Scene);
+  std::map<int, std::size_t> index;
+  for (std::size_t o = 0; o < setup.Objects.size(); ++o)
+  {
+    index[setup.Objects[o].ObjectId] = o;
+    Fix(setup, 0, o, setup.Objects[o].Position, 0);
+  }
+  std::vector<Constraint> binding;
+  for (const Constraint& row : input.Constraints)
+  {
+    if (row.ObjectId >= 0 && IsBinding(row, setup.Report))
+    {
+      binding.push_back(row);
+    }
+  }
+  SetUpLandings(input, grounds, binding, setup);
+  for (const Constraint& row : binding)
+  {
+    const std::size_t o = index[row.ObjectId];
+    if (row.Kind == ConstraintKind::Position && row.Radius <= 0.0)
+    {
+      Fix(setup, row.Frame, o, row.Value, 0);
+    }
+    else if (row.Kind == ConstraintKind::Position)
+    {
+      setup.Table.Balls.push_back(
+        { row.Frame, o, setup.FromWorld(row.Value), row.Radius / setup.Spacing });
+    }
+    else if (row.Kind == ConstraintKind::Velocity || row.Kind == ConstraintKind::Acceleration)
+    {
+      const double scale =
+        row.Kind == ConstraintKind::Velocity ? setup.FrameStep : setup.FrameStep * setup.FrameStep;
+      LinearRow linear;
+      linear.Object = o;
+      for (const auto& [frame, coefficient] :
+           PositionStencil(row.Kind, row.Frame, input.Scene.Time))
+      {
+        linear.Terms.push_back({ frame, coefficient * scale });
+      }
+      linear.Value = row.Value * (scale / setup.Spacing);
+      linear.Radius = row.Radius * (scale / setup.Spacing);
+      if (!linear.Terms.empty())
+      {
+        setup.Table.Rows.push_back(linear);
+      }
+    }
+  }
+  (void)model;
+}
+
+void SetUpBackground(const SpacetimeInput& input, const SpacetimeOptions& options,
+                     SpacetimeSetup& setup)
+{
+  if (input.Wind.IsEmpty())
+  {
+    return;
+  }
+  constexpr int LongestKnot = 5; // frames
+  SpacetimeModel& model = setup.Model;
+  SplineWind& wind = model.Background;
+  const bool velocity = input.Wind.Meaning == FieldMeaning::Velocity;
+  wind.Drag = velocity ? options.WindDrag * setup.FrameStep : 0.0;
+  wind.Origin = Vec3::Constant(-1.0);
+  for (int a = 0; a < 3; ++a)
+  {
+    wind.Dimensions[a] = static_cast<int>(std::ceil(model.Size[a])) + 3;
+  }
+  const double unit = velocity ? setup.Spacing / setup.FrameStep : setup.AccelerationUnit();
+  const bool steady = input.Wind.Times.size() == 1;
+  wind.FramesPerKnot = LongestKnot;
+  const int knots = steady ? 1 : (model.NumberOfFrames - 1) / LongestKnot + 2;
+  for (int knot = 0; knot < knots; ++knot)
+  {
+    std::vector<float> values;
+    const double time = knot * wind.FramesPerKnot * setup.FrameStep;
+    for (int k = 0; k < wind.Dimensions[2]; ++k)
+    {
+      for (int j = 0; j < wind.Dimensions[1]; ++j)
+      {
+        for (int i = 0; i < wind.Dimensions[0]; ++i)
+        {
+          const Vec3 value =
+            input.Wind.Sample(setup.ToWorld(wind.Origin + Vec3(i, j, k)), time) / unit;
+          for (int c = 0; c < 3; ++c)
+          {
+            values.push_back(static_cast<float>(value[c]));
+          }
+          values.push_back(0.0f);
+        }
+      }
+    }
+    wind.Knots.push_back(std::move(values));
+  }
+}
+
+} // namespace
+
+Vortex ToModel(const SpacetimeSetup& setup, const Vortex& vortex)
+{
+  Vortex v = vortex;
+  v.P1 = setup.FromWorld(vortex.P1);
+  v.P2 = setup.FromWorld(vortex.P2);
+  v.Strength = vortex.Strength / (setup.AccelerationUnit() * setup.Spacing);
+  v.CenterTime = vortex.CenterTime / setup.FrameStep;
+  v.Duration = vortex.Duration / setup.FrameStep;
+  v.CoreRadius = vortex.CoreRadius / setup.Spacing;
+  return v;
+}
+
+Vortex ToWorld(const SpacetimeSetup& setup, const Vortex& vortex)
+{
+  Vortex v = vortex;
+  v.P1 = setup.ToWorld(vortex.P1);
+  v.P2 = setup.ToWorld(vortex.P2);
+  v.Strength = vortex.Strength * setup.AccelerationUnit() * setup.Spacing;
+  v.CenterTime = vortex.CenterTime * setup.FrameStep;
+  v.Duration = vortex.Duration * setup.FrameStep;
+  v.CoreRadius = vortex.CoreRadius * setup.Spacing;
+  return v;
+}
+
+Result MakeSetup(const SpacetimeInput& input, const SpacetimeOptions& options,
+                 SpacetimeSetup& setup)
+{
+  setup = SpacetimeSetup();
+  std::vector<int> grounds;
+  for (const Result& result :
+       { options.Validate(), CheckTracks(input), MatchObjects(input, setup) })
+  {
+    if (!result)
+    {
+      return result;
+    }
+  }
+  if (Result result = SetUpVolume(input, options, setup, grounds); !result)
+  {
+    return result;
+  }
+  SpacetimeWeights& weights = setup.Model.Weights;
+  weights.Position = options.PositionWeight;
+  weights.Velocity = options.VelocityWeight;
+  weights.Coherence = options.CoherenceWeight;
+  weights.SpatialShare = options.SpatialShare;
+  weights.TemporalWindow = options.TemporalWindow;
+  weights.XsphFactor = options.XsphFactor;
+  SetUpObjects(input, options, setup);
+  SetUpConstraints(input, grounds, setup);
+  SetUpBackground(input, options, setup);
+  for (const Vortex& vortex : input.Vortices)
+  {
+    const Vortex v = ToModel(setup, vortex);
+    const bool finite = v.P1.allFinite() && v.P2.allFinite() && std::isfinite(v.Strength) &&
+                        std::isfinite(v.CenterTime) && v.Duration > 0.0 && v.CoreRadius > 0.0;
+    if (!finite || (v.P1 - v.P2).norm() <= 0.0)
+    {
+      return Result::Error("Vortices, VortexId " + std::to_string(vortex.VortexId) +
+                           ": finite numbers, two different poles, positive Duration and "
+                           "CoreRadius expected");
+    }
+    setup.Model.Vortices.push_back(v);
+  }
+  return Result::Ok();
+}
+
+} // namespace waft
