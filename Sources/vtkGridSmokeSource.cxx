@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkGridSmokeSource.h"
+
+#include "Bridge/FieldCollectors.h"
+#include "Bridge/SceneData.h"
+#include "Bridge/SmokeData.h"
+#include "Bridge/StageExecution.h"
+#include "Grid/SmokeEnsemble.h"
+#include "Grid/SmokeSeries.h"
+
+#include <vtkDemandDrivenPipeline.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkGridSmokeSource);
+
+namespace
+{
+
+enum InputPort
+{
+  ObstaclesIn,
+  WindIn,
+  VorticesIn,
+  NumberOfInputs
+};
+
+enum OutputPort
+{
+  SmokeOut,
+  VorticesOut,
+  ObstaclesOut,
+  NumberOfOutputs
+};
+
+constexpr std::size_t Megabyte = std::size_t(1) << 20;
+
+waft::Range RangeOf(const double* range)
+{
+  return waft::Range{ range[0], range[1] };
+}
+
+template <typename Data>
+Data* Input(vtkInformationVector** inputs, int port)
+{
+  return inputs[port]->GetNumberOfInformationObjects() > 0 ? Data::GetData(inputs[port]) : nullptr;
+}
+
+} // namespace
+
+struct vtkGridSmokeSource::Internals
+{
+  waft::StageCache Cache;
+  waft::TimeSweep Sweep{ { ObstaclesIn, WindIn } };
+  waft::ObstacleCollector ObstacleSteps;
+  waft::FieldCollector WindSteps;
+  waft::SceneInfo Info;
+  std::vector<waft::Vortex> Vortices;
+  std::vector<waft::ObstacleMesh> Obstacles;
+  waft::SmokeSeries Series;
+
+  waft::SceneInfo SceneOf(const vtkGridSmokeSource& self) const;
+  waft::SmokeOptions OptionsOf(const vtkGridSmokeSource& self) const;
+  waft::EnsembleOptions EnsembleOf(const vtkGridSmokeSource& self) const;
+  waft::Result Collect(vtkInformationVector** inputs);
+  waft::Result Begin(const vtkGridSmokeSource& self, vtkInformationVector** inputs);
+  /// Fills the outputs; frame becomes an earlier one when the stage was stopped.
+  waft::Result Show(vtkGridSmokeSource& self, int& frame, vtkInformationVector* outputs);
+};
+
+waft::SceneInfo vtkGridSmokeSource::Internals::SceneOf(const vtkGridSmokeSource& self) const
+{
+  waft::SceneInfo info;
+  const double* b = self.Bounds;
+  info.Bounds = waft::Box{ waft::Vec3(b[0], b[2], b[4]), waft::Vec3(b[1], b[3], b[5]) };
+  info.Time = waft::Timeline{ self.NumberOfFrames, self.FramesPerSecond };
+  info.AirDensity = self.AirDensity;
+  info.Seed = static_cast<std::uint64_t>(self.Seed);
+  return info;
+}
+
+waft::SmokeOptions vtkGridSmokeSource::Internals::OptionsOf(const vtkGridSmokeSource& self) const
+{
+  waft::SmokeOptions options;
+  options.Bounds = this->Info.Bounds;
+  std::copy(self.Resolution, self.Resolution + 3, options.Resolution.begin());
+  options.FramesPerSecond = self.FramesPerSecond;
+  options.WarmUpSeconds = self.WarmUpSeconds;
+  options.Advection = static_cast<waft::AdvectionScheme>(self.Advection);
+  options.Boundary = { static_cast<waft::BoundaryKind>(self.BoundaryX),
+                       static_cast<waft::BoundaryKind>(self.BoundaryY),
+                       static_cast<waft::BoundaryKind>(self.BoundaryZ) };
+  options.ClosedFloor = self.ClosedFloor;
+  options.Confinement = self.Confinement;
+  options.BuoyancyDensity = self.BuoyancyDensity;
+  options.BuoyancyTemperature = self.BuoyancyTemperature;
+  options.Dissipation = self.Dissipation;
+  options.WindDrag = self.WindDrag;
+  options.CourantNumber = self.CourantNumber;
+  options.Tolerance = self.Tolerance;
+  options.AirDensity = self.AirDensity;
+  return options;
+}
+
+waft::EnsembleOptions vtkGridSmokeSource::Internals::EnsembleOf(
+  const vtkGridSmokeSource& self) const
+{
+  waft::EnsembleOptions options;
+  options.Seed = this->Info.Seed;
+  options.Bounds = this->Info.Bounds;
+  options.Time = this->Info.Time;
+  options.WarmUpSeconds = self.WarmUpSeconds;
+  options.NumberOfVortices = self.NumberOfVortices;
+  options.NumberOfWinds = self.NumberOfWinds;
+  options.NumberOfObstacles = self.NumberOfObstacles;
+  options.NumberOfEmitters = self.NumberOfEmitters;
+  options.VortexDiameter = RangeOf(self.VortexDiameter);
+  options.VortexLength = RangeOf(self.VortexLength);
+  options.VortexAcceleration = RangeOf(self.VortexAcceleration);
+  options.VortexDuration = RangeOf(self.VortexDuration);
+  options.WindRadius = RangeOf(self.WindRadius);
+  options.WindAcceleration = RangeOf(self.WindAcceleration);
+  options.WindDuration = RangeOf(self.WindDuration);
+  options.ObstacleSize = RangeOf(self.ObstacleSize);
+  return options;
+}
+
+waft::Result vtkGridSmokeSource::Internals::Collect(vtkInformationVector** inputs)
+{
+  if (this->Sweep.IsFirst())
+  {
+    this->ObstacleSteps = waft::ObstacleCollector();
+    this->WindSteps = waft::FieldCollector();
+  }
+  if (auto* surface = Input<vtkPolyData>(inputs, ObstaclesIn))
+  {
+    const double time = waft::TimeSweep::DataTime(inputs[ObstaclesIn]->GetInformationObject(0));
+    WAFT_RETURN_IF_FAILED(this->ObstacleSteps.Add(surface, time, this->Info.Time));
+  }
+  if (auto* image = Input<vtkImageData>(inputs, WindIn))
+  {
+    const double time = waft::TimeSweep::DataTime(inputs[WindIn]->GetInformationObject(0));
+    WAFT_RETURN_IF_FAILED(this->WindSteps.Add(image, time));
+  }
+  return waft::Result::Ok();
+}
+
+waft::Result vtkGridSmokeSource::Internals::Begin(const vtkGridSmokeSource& self,
+                                                  vtkInformationVector** inputs)
+{
+  const waft::SmokeOptions options = this->OptionsOf(self);
+  WAFT_RETURN_IF_FAILED(options.Validate());
+  waft::Ensemble random;
+  WAFT_RETURN_IF_FAILED(waft::MakeEnsemble(this->EnsembleOf(self), random));
+  for (waft::SmokeEmitter& emitter : random.Forces.Emitters)
+  {
+    emitter.Temperature = self.EmitterTemperature;
+  }
+
+  // What comes in keeps its ids; what is random is numbered after it.
+  this->Vortices.clear();
+  if (auto* lines = Input<vtkPolyData>(inputs, VorticesIn))
+  {
+    WAFT_RETURN_IF_FAILED(waft::VorticesFromPolyData(lines, this->Vortices));
+  }
+  int vortexId = 0;
+  for (const waft::Vortex& vortex : this->Vortices)
+  {
+    vortexId = std::max(vortexId, vortex.VortexId + 1);
+  }
+  for (waft::Vortex& vortex : random.Forces.Vortices)
+  {
+    vortex.VortexId = vortexId++;
+    this->Vortices.push_back(vortex);
+  }
+  this->Obstacles = this->ObstacleSteps.Take();
+  int obstacleId = 0;
+  for (const waft::ObstacleMesh& obstacle : this->Obstacles)
+  {
+    obstacleId = std::max(obstacleId, obstacle.ObstacleId + 1);
+  }
+  for (waft::ObstacleMesh& obstacle : random.Obstacles)
+  {
+    obstacle.ObstacleId = obstacleId++;
+    this->Obstacles.push_back(std::move(obstacle));
+  }
+
+  waft::SmokeSeriesInput input;
+  input.Options = options;
+  input.Forces = std::move(random.Forces);
+  input.Forces.Vortices = this->Vortices;
+  input.Forces.Wind = this->WindSteps.Take();
+  input.NumberOfFrames = this->Info.Time.NumberOfFrames;
+  input.CacheLimit = static_cast<std::size_t>(self.CacheLimit) * Megabyte;
+  if (!this->Obstacles.empty())
+  {
+    input.Solids =
+      [obstacles = this->Obstacles, options](int frame, auto& distances, auto& velocities)
+    { return waft::NodeDistances(obstacles, frame, options, distances, velocities); };
+    input.SolidsMove = std::any_of(this->Obstacles.begin(), this->Obstacles.end(),
+                                   [](const waft::ObstacleMesh& o) { return o.IsMoving(); });
+  }
+  return this->Series.Begin(std::move(input));
+}
+
+waft::Result vtkGridSmokeSource::Internals::Show(vtkGridSmokeSource& self, int& frame,
+                                                 vtkInformationVector* outputs)
+{
+  waft::StageMonitor monitor(&self);
+  std::shared_ptr<const waft::SmokeFrame> fields;
+  WAFT_RETURN_IF_FAILED(this->Series.At(frame, waft::SmpFor(), monitor, fields));
+  if (fields)
+  {
+    frame = fields->Frame;
+    waft::SmokeFrameToImage(*fields, this->Info, vtkImageData::GetData(outputs, SmokeOut));
+  }
+  waft::VorticesToPolyData(this->Vortices, this->Info, vtkPolyData::GetData(outputs, VorticesOut));
+  waft::ObstaclesToPolyData(this->Obstacles, frame, this->Info,
+                            vtkPolyData::GetData(outputs, ObstaclesOut));
+  return waft::Result::Ok();
+}
+
+vtkGridSmokeSource::vtkGridSmokeSource() : Impl(std::make_unique<Internals>())
+{
+  this->SetNumberOfInputPorts(NumberOfInputs);
+  this->SetNumberOfOutputPorts(NumberOfOutputs);
+}
+
+vtkGridSmokeSource::~vtkGridSmokeSource() = default;
+
+double vtkGridSmokeSource::GetCacheSize() const
+{
+  return static_cast<double>(this->Impl->Series.BytesKept()) / static_cast<double>(Megabyte);
+}
+
+int vtkGridSmokeSource::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
+            port == WindIn ? "vtkImageData" : "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+int vtkGridSmokeSource::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == SmokeOut ? "vtkImageData" : "vtkPolyData");
+  return 1;
+}
+
+vtkTypeBool vtkGridSmokeSource::ProcessRequest(vtkInformation* request,
+                                               vtkInformationVector** inputs,
+                                               vtkInformationVector* outputs)
+{
+  using Sddp = vtkStreamingDemandDrivenPipeline;
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    return this->RequestInformation(outputs);
+  }
+  if (request->Has(Sddp::REQUEST_UPDATE_EXTENT()))
+  {
+    this->Impl->Sweep.RequestSteps(this, inputs, this->Impl->Cache.IsCurrent(this, inputs));
+    if (inputs[WindIn]->GetNumberOfInformationObjects() > 0 &&
+        inputs[WindIn]->GetInformationObject(0)->Has(Sddp::WHOLE_EXTENT()))
+    {
+      // All of the wind, whatever its lattice: the pipeline would ask for the extent of the smoke.
+      vtkInformation* wind = inputs[WindIn]->GetInformationObject(0);
+      wind->Set(Sddp::UPDATE_EXTENT(), wind->Get(Sddp::WHOLE_EXTENT()), 6);
+    }
+    return 1;
+  }
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    return this->RequestData(request, inputs, outputs);
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+int vtkGridSmokeSource::RequestInformation(vtkInformationVector* outputs)
+{
+  const int* n = this->Resolution;
+  const int extent[6] = { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };
+  outputs->GetInformationObject(SmokeOut)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(),
+                                               extent, 6);
+  if (this->FramesPerSecond > 0.0)
+  {
+    waft::SetTimeSteps(waft::Timeline{ this->NumberOfFrames, this->FramesPerSecond }, outputs);
+  }
+  return 1;
+}
+
+int vtkGridSmokeSource::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                                    vtkInformationVector* outputs)
+{
+  Internals& impl = *this->Impl;
+  if (!impl.Cache.IsCurrent(this, inputs))
+  {
+    impl.Info = impl.SceneOf(*this);
+    waft::Result result = impl.Collect(inputs);
+    if (result && impl.Sweep.Continue(request))
+    {
+      return 1;
+    }
+    result = result ? impl.Begin(*this, inputs) : result;
+    if (!result)
+    {
+      impl.Sweep.Reset(request);
+      impl.Cache.Forget();
+      return waft::Fail(this, outputs, result.Message());
+    }
+    impl.Cache.MarkCurrent(this, inputs);
+  }
+  const double time = waft::RequestedTimeOfAll(request, outputs, impl.Info.Time);
+  int frame = static_cast<int>(std::lround(time * impl.Info.Time.FramesPerSecond));
+  const waft::Result shown = impl.Show(*this, frame, outputs);
+  if (!shown)
+  {
+    impl.Cache.Forget();
+    return waft::Fail(this, outputs, shown.Message());
+  }
+  for (int port = 0; port < NumberOfOutputs; ++port)
+  {
+    vtkDataObject::GetData(outputs, port)
+      ->GetInformation()
+      ->Set(vtkDataObject::DATA_TIME_STEP(), impl.Info.Time.Time(frame));
+  }
+  return 1;
+}
+
+void vtkGridSmokeSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto range = [&os, indent](const char* name, const double* values)
+  { os << indent << name << ": " << values[0] << " " << values[1] << "\n"; };
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "Resolution: " << this->Resolution[0] << " " << this->Resolution[1] << " "
+     << this->Resolution[2] << "\n";
+  os << indent << "Bounds:";
+  for (const double bound : this->Bounds)
+  {
+    os << " " << bound;
+  }
+  os << "\n";
+  os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n";
+  os << indent << "FramesPerSecond: " << this->FramesPerSecond << "\n";
+  os << indent << "AirDensity: " << this->AirDensity << "\n";
+  os << indent << "WarmUpSeconds: " << this->WarmUpSeconds << "\n";
+  os << indent << "Advection: " << this->Advection << "\n";
+  os << indent << "BoundaryX: " << this->BoundaryX << "\n";
+  os << indent << "BoundaryY: " << this->BoundaryY << "\n";
+  os << indent << "BoundaryZ: " << this->BoundaryZ << "\n";
+  os << indent << "ClosedFloor: " << this->ClosedFloor << "\n";
+  os << indent << "Confinement: " << this->Confinement << "\n";
+  os << indent << "BuoyancyDensity: " << this->BuoyancyDensity << "\n";
+  os << indent << "BuoyancyTemperature: " << this->BuoyancyTemperature << "\n";
+  os << indent << "EmitterTemperature: " << this->EmitterTemperature << "\n";
+  os << indent << "Dissipation: " << this->Dissipation << "\n";
+  os << indent << "WindDrag: " << this->WindDrag << "\n";
+  os << indent << "CourantNumber: " << this->CourantNumber << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "NumberOfVortices: " << this->NumberOfVortices << "\n";
+  os << indent << "NumberOfWinds: " << this->NumberOfWinds << "\n";
+  os << indent << "NumberOfObstacles: " << this->NumberOfObstacles << "\n";
+  os << indent << "NumberOfEmitters: " << this->NumberOfEmitters << "\n";
+  range("VortexDiameter", this->VortexDiameter);
+  range("VortexLength", this->VortexLength);
+  range("VortexAcceleration", this->VortexAcceleration);
+  range("VortexDuration", this->VortexDuration);
+  range("WindRadius", this->WindRadius);
+  range("WindAcceleration", this->WindAcceleration);
+  range("WindDuration", this->WindDuration);
+  range("ObstacleSize", this->ObstacleSize);
+  os << indent << "CacheLimit: " << this->CacheLimit << "\n";
+}
