@@ -114,5 +114,17 @@ constexpr const char* Segment = "Segment";
 // Particles.
 constexpr const char* ParticleId = "ParticleId";
 
+// Convergence.
+constexpr const char* Pass = "Pass";
+constexpr const char* Stage = "Stage";
+constexpr const char* Iteration = "Iteration";
+constexpr const char* E = "E";
+constexpr const char* Ex = "Ex";
+constexpr const char* Ev = "Ev";
+constexpr const char* Ec = "Ec";
+constexpr const char* MaxViolation = "MaxViolation";
+constexpr const char* Leash = "Leash";
+constexpr const char* Seconds = "Seconds";
+
 } // namespace names
 } // namespace waft

@@ -49,14 +49,13 @@ class Pipeline:
             Constraints=self._scene("Constraints"), Obstacles=self._scene("Obstacles"))
         self.planner.Seed = seed
 
-    def add_spacetime(self, seed):
+    def add_spacetime(self):
         inputs = {"Obstacles": self._scene("Obstacles"), "Vortices": self._vortices()}
         if self.output("reader", 5).GetNumberOfPoints() > 0:
             inputs["Wind"] = self._scene("Wind")
         self.spacetime = simple.SPHSpacetimeFilter(
             registrationName="Spacetime", Tracks=simple.OutputPort(self.planner, 0),
             Objects=self._scene("Objects"), Constraints=simple.OutputPort(self.planner, 3), **inputs)
-        self.spacetime.Seed = seed
 
     def add_rotation(self, seed):
         self.rotation = simple.RotationRefineFilter(

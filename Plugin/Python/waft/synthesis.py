@@ -67,11 +67,12 @@ def _run(pipeline, clock, seed, preview):
     if clock.should_stop() and pipeline.output("planner").GetNumberOfPoints() == 0:
         raise failures.Interrupted("stopped before any path was planned")
 
-    pipeline.add_spacetime(seed)
+    pipeline.add_spacetime()
     watch = pipeline.watch("spacetime", clock)
     if preview:
         pipeline.spacetime.NumberOfGasParticles = 600
-        pipeline.spacetime.IterationScale = 0.25
+        pipeline.spacetime.LeashIterations = 5
+        pipeline.spacetime.MaximumNumberOfIterations = 20
     left = clock.remaining()
     if left is not None:
         pipeline.spacetime.TimeLimit = max(left, 0.001)

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSPHSpacetimeFilter
+ * @brief   turns planned paths into the motion of things in one body of air, marks met exactly
+ *
+ * Input port 0, Tracks (vtkPolyData): planned paths, one polyline an object, one point a frame.
+ * Input port 1, Objects (vtkPolyData): one vertex an object.
+ * Input port 2, Constraints (vtkPolyData): rows, each assigned to an object; those that a stage
+ * before found impossible (`Status`) do not bind.
+ * Input port 3, Obstacles (vtkPolyData, optional, may move): closed surfaces.
+ * Input port 4, Vortices (vtkPolyData, optional): first guesses and priors.
+ * Input port 5, Wind (vtkImageData, optional, may vary in time): `Wind` or `Velocity`, a fixed
+ * background.
+ *
+ * Output port 0, Tracks (vtkPolyData): with `Force`, `AirVelocity` and `SPHVelocity` besides.
+ * Output port 1, Particles (vtkPolyData, varies in time): gas and object particles.
+ * Output port 2, Vortices (vtkPolyData): as fitted.
+ * Output port 3, Wind (vtkImageData, varies in time): on the optimiser's own lattice [m/s^2].
+ * Output port 4, Convergence (vtkTable): one row an iteration.
+ * Output port 5, Report (vtkTable): one line per row and target of the constraints.
+ *
+ * Shi et al. 2005, section 5 and Appendix B: all positions and velocities of all frames are
+ * unknowns of one cost E = c1 Ex + c2 Ev + c3 Ec (Eq. 2), under hard constraints; wind and vortices
+ * are estimated in alternation with it. E never grows within a stage. The result is the same, bit
+ * by bit, on any number of threads. Stopped half way or by TimeLimit, it gives the best motion so
+ * far.
+ */
+#ifndef vtkSPHSpacetimeFilter_h
+#define vtkSPHSpacetimeFilter_h
+
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkWaftFiltersModule.h"
+
+#include <memory>
+
+class VTKWAFTFILTERS_EXPORT vtkSPHSpacetimeFilter : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSPHSpacetimeFilter* New();
+  vtkTypeMacro(vtkSPHSpacetimeFilter, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Gas particles that fill the volume; they set the spacing dx. 64 to 200000. */
+  vtkSetClampMacro(NumberOfGasParticles, int, 64, 200000);
+  vtkGetMacro(NumberOfGasParticles, int);
+  ///@}
+  ///@{
+  /** Particles of all objects together, shared among them, one to five each. 1 to 100000. */
+  vtkSetClampMacro(NumberOfObjectParticles, int, 1, 100000);
+  vtkGetMacro(NumberOfObjectParticles, int);
+  ///@}
+  ///@{
+  /** Weight c1 of Eq. 2: positions follow their prediction. 0 to 1e+06. */
+  vtkSetClampMacro(PositionWeight, double, 0.0, 1e+06);
+  vtkGetMacro(PositionWeight, double);
+  ///@}
+  ///@{
+  /** Weight c2 of Eq. 2: velocities follow their prediction. 0 to 1e+06. */
+  vtkSetClampMacro(VelocityWeight, double, 0.0, 1e+06);
+  vtkGetMacro(VelocityWeight, double);
+  ///@}
+  ///@{
+  /** Weight c3 of Eq. 2: how much objects move with the air about them. 0 to 1e+06. */
+  vtkSetClampMacro(CoherenceWeight, double, 0.0, 1e+06);
+  vtkGetMacro(CoherenceWeight, double);
+  ///@}
+  ///@{
+  /** Share c31 of neighbours in space in Eq. 4; the rest is neighbours in time. 0 to 1. */
+  vtkSetClampMacro(SpatialShare, double, 0.0, 1.0);
+  vtkGetMacro(SpatialShare, double);
+  ///@}
+  ///@{
+  /** Frames w to either side in Eq. 4. 1 to 30. */
+  vtkSetClampMacro(TemporalWindow, int, 1, 30);
+  vtkGetMacro(TemporalWindow, int);
+  ///@}
+  ///@{
+  /** Smoothing length h over the spacing dx. 0.8 to 2. */
+  vtkSetClampMacro(SmoothingLength, double, 0.8, 2.0);
+  vtkGetMacro(SmoothingLength, double);
+  ///@}
+  ///@{
+  /** Sound speed times frame step over h: how stiff the gas is. 0.1 to 1. */
+  vtkSetClampMacro(CourantNumber, double, 0.1, 1.0);
+  vtkGetMacro(CourantNumber, double);
+  ///@}
+  ///@{
+  /** Artificial viscosity alpha. 0 to 2. */
+  vtkSetClampMacro(Viscosity, double, 0.0, 2.0);
+  vtkGetMacro(Viscosity, double);
+  ///@}
+  ///@{
+  /** Factor epsilon of the XSPH correction, Eq. 10. 0 to 1. */
+  vtkSetClampMacro(XsphFactor, double, 0.0, 1.0);
+  vtkGetMacro(XsphFactor, double);
+  ///@}
+  ///@{
+  /** Exponent gamma of the equation of state, Eq. 12. 1 to 7. */
+  vtkSetClampMacro(PressureExponent, double, 1.0, 7.0);
+  vtkGetMacro(PressureExponent, double);
+  ///@}
+  ///@{
+  /** Reduced gravity of the objects in m/s^2; with it and drag they fall at their
+   * SettlingSpeed in still air. 0 to 100. */
+  vtkSetClampMacro(EffectiveGravity, double, 0.0, 100.0);
+  vtkGetMacro(EffectiveGravity, double);
+  ///@}
+  ///@{
+  /** Distance between centres that objects keep, in metres; negative: from their sizes; 0:
+   * none. -1 to 100. */
+  vtkSetClampMacro(ContactDistance, double, -1.0, 100.0);
+  vtkGetMacro(ContactDistance, double);
+  ///@}
+  ///@{
+  /** Rate in 1/s with which a wind given as a velocity draws the gas. 0 to 1000. */
+  vtkSetClampMacro(WindDrag, double, 0.0, 1000.0);
+  vtkGetMacro(WindDrag, double);
+  ///@}
+  ///@{
+  /** Estimate a smooth wind from what nothing else explains, and freeze it in the prediction. */
+  vtkSetMacro(EstimateWind, bool);
+  vtkGetMacro(EstimateWind, bool);
+  vtkBooleanMacro(EstimateWind, bool);
+  ///@}
+  ///@{
+  /** Fit the vortices anew between the passes. */
+  vtkSetMacro(FitVortexFields, bool);
+  vtkGetMacro(FitVortexFields, bool);
+  vtkBooleanMacro(FitVortexFields, bool);
+  ///@}
+  ///@{
+  /** Alternations of solving with estimating the force fields. 1 to 10. */
+  vtkSetClampMacro(Passes, int, 1, 10);
+  vtkGetMacro(Passes, int);
+  ///@}
+  ///@{
+  /** Keep every point near the planned path at first, in a ball that grows and is then
+   * removed. */
+  vtkSetMacro(UseLeash, bool);
+  vtkGetMacro(UseLeash, bool);
+  vtkBooleanMacro(UseLeash, bool);
+  ///@}
+  ///@{
+  /** Iterations at each of the five radii of the leash. 1 to 10000. */
+  vtkSetClampMacro(LeashIterations, int, 1, 10000);
+  vtkGetMacro(LeashIterations, int);
+  ///@}
+  ///@{
+  /** Iterations of each stage without leash. 1 to 100000. */
+  vtkSetClampMacro(MaximumNumberOfIterations, int, 1, 100000);
+  vtkGetMacro(MaximumNumberOfIterations, int);
+  ///@}
+  ///@{
+  /** A stage ends when E fell by less than this share in 20 iterations; 0: never. 0 to 1. */
+  vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+  ///@{
+  /** Seconds after which the best motion so far is given; 0: no limit. With a limit two runs
+   * may differ. 0 to 1e+09. */
+  vtkSetClampMacro(TimeLimit, double, 0.0, 1e+09);
+  vtkGetMacro(TimeLimit, double);
+  ///@}
+  ///@{
+  /** Pairs that L-BFGS keeps. 1 to 20. */
+  vtkSetClampMacro(HistorySize, int, 1, 20);
+  vtkGetMacro(HistorySize, int);
+  ///@}
+
+protected:
+  vtkSPHSpacetimeFilter();
+  ~vtkSPHSpacetimeFilter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector** inputs,
+                         vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
+                          vtkInformationVector* outputs) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                  vtkInformationVector* outputs) override;
+
+private:
+  vtkSPHSpacetimeFilter(const vtkSPHSpacetimeFilter&) = delete;
+  void operator=(const vtkSPHSpacetimeFilter&) = delete;
+
+  int NumberOfGasParticles = 2500;
+  int NumberOfObjectParticles = 125;
+  double PositionWeight = 10.0;
+  double VelocityWeight = 1.0;
+  double CoherenceWeight = 0.3;
+  double SpatialShare = 0.5;
+  int TemporalWindow = 1;
+  double SmoothingLength = 1.2;
+  double CourantNumber = 0.5;
+  double Viscosity = 0.3;
+  double XsphFactor = 0.0;
+  double PressureExponent = 1.0;
+  double EffectiveGravity = 0.8;
+  double ContactDistance = -1.0;
+  double WindDrag = 2.0;
+  bool EstimateWind = true;
+  bool FitVortexFields = true;
+  int Passes = 2;
+  bool UseLeash = true;
+  int LeashIterations = 20;
+  int MaximumNumberOfIterations = 60;
+  double Tolerance = 0.01;
+  double TimeLimit = 0.0;
+  int HistorySize = 6;
+
+  struct Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif
