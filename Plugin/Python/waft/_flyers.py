@@ -79,9 +79,10 @@ class _Look:
         self.mapper = vtkPolyDataMapper()
         self.mapper.SetInputConnection(normals.GetOutputPort())
         self.mapper.ScalarVisibilityOff()
-        self.color = body.color
         self.extent = body.extent
         self.texture = _load_texture(body.texture) if body.texture else None
+        # A texture has its own colours: the plain one would tint them.
+        self.color = (1.0, 1.0, 1.0) if self.texture else body.color
         # A light closed film (a soap bubble) lets the light through.
         self.film = body.area_density < 0.01 and _is_closed(body.surface)
 
@@ -89,8 +90,8 @@ class _Look:
         actor = self._actor()
         look = actor.GetProperty()
         look.SetColor(*self.color)
-        look.SetAmbient(0.42)
-        look.SetDiffuse(0.70)
+        look.SetAmbient(0.46)
+        look.SetDiffuse(0.72)
         look.SetSpecular(0.9 if self.film else 0.12)
         look.SetSpecularPower(60.0 if self.film else 12.0)
         if self.film:
@@ -201,11 +202,13 @@ class Objects:
 
 
 class Trails:
-    """Where each object was in the last second, fading."""
+    """Where each object was in the last second, fading; with at most three objects the whole way
+    since the start, fainter."""
 
-    def __init__(self, motion, renderer, seconds=1.0, width=1.5):
+    def __init__(self, motion, renderer, width=1.5):
         self._motion = motion
-        self._length = max(int(round(seconds * motion.frames_per_second)), 1)
+        self._length = max(int(round(motion.frames_per_second)), 1)
+        self._whole = len(motion.positions) <= 3
         self._actor = vtkActor()
         self._actor.SetMapper(vtkPolyDataMapper())
         self._actor.GetProperty().LightingOff()
@@ -214,7 +217,7 @@ class Trails:
         renderer.AddActor(self._actor)
 
     def move_to(self, frame):
-        first = max(frame - self._length, 0)
+        first = 0 if self._whole else max(frame - self._length, 0)
         count = frame - first + 1
         self._actor.SetVisibility(count > 1)
         if count < 2:
@@ -223,10 +226,11 @@ class Trails:
         objects = len(self._motion.positions)
         order = np.arange(objects * count).reshape(objects, count)
         data = lines(points, order)
-        age = (frame - np.arange(first, frame + 1)) / self._length
+        age = np.minimum((frame - np.arange(first, frame + 1)) / self._length, 1.0)
         shade = np.empty((objects, count, 4), np.uint8)
         shade[..., :3] = (255.0 * np.array(_TRAIL)).astype(np.uint8)
-        shade[..., 3] = (130.0 * (1.0 - age) ** 1.5).astype(np.uint8)
+        floor = 95.0 if self._whole else 0.0
+        shade[..., 3] = (floor + (130.0 - floor) * (1.0 - age) ** 1.5).astype(np.uint8)
         data.GetPointData().SetScalars(numpy_to_vtk(shade.reshape(-1, 4), deep=True))
         self._actor.GetMapper().SetInputData(data)
 

@@ -174,6 +174,7 @@ class Scenery:
         if key not in self._skies:
             rows = np.linspace(0.0, 1.0, 256)
             above = np.clip((rows - horizon) / max(1.0 - min(horizon, 0.6), 0.2), 0.0, 1.0)[:, None]
+            above = above**1.5
             color = _HORIZON * (1.0 - above) + _SKY * above
             if self.ground is None:
                 mix = rows[:, None]

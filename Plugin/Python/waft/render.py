@@ -92,7 +92,7 @@ def render(
     size:     width and height in pixels
     movie:    also FOLDER/<view>.ogv, and <view>.mp4 where the program ffmpeg is found
     views:    of "side", "top" (straight down, x to the right) and "follow"
-    paths:    a faint trail of each object's last second
+    paths:    a faint trail of each object's last second (up to three objects: since the start)
     targets:  small marks where the scene wants objects to pass
     samples:  samples x samples pixels are drawn for each one (1: jagged, and the fastest)
     progress: called with the part done (0..1) and a sentence after each picture

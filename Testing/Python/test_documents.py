@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The pages: every link leads to a file, and Python examples can be parsed.
+
+    test_documents.py SOURCE"""
+
+import ast
+import glob
+import os
+import re
+import sys
+import unittest
+
+SOURCE = sys.argv[1]
+DOCUMENTATION = os.path.join(SOURCE, "Documentation")
+LINK = re.compile(r"\]\(([^)#]+)(?:#[^)]*)?\)")
+EXAMPLE = re.compile(r"^```python\n(.*?)^```", re.MULTILINE | re.DOTALL)
+
+
+def pages():
+    return [os.path.join(SOURCE, name) for name in ("README.md", "CHANGELOG.md")] + sorted(
+        glob.glob(os.path.join(DOCUMENTATION, "*.md")))
+
+
+def text_of(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+class DocumentsTest(unittest.TestCase):
+    def test_links_lead_somewhere(self):
+        for page in pages():
+            for target in LINK.findall(text_of(page)):
+                if "://" not in target:
+                    with self.subTest(page=os.path.relpath(page, SOURCE), target=target):
+                        self.assertTrue(os.path.exists(os.path.join(os.path.dirname(page), target)))
+
+    def test_examples_are_python(self):
+        found = 0
+        for page in pages():
+            for example in EXAMPLE.findall(text_of(page)):
+                ast.parse(example, page)
+                found += 1
+        self.assertGreaterEqual(found, 3)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
