@@ -220,7 +220,7 @@ Connection AlignWindows(const std::vector<Vec3>& tail, const std::vector<Vec3>& 
       headTail = first.Length * second.Length * second.Line * first.Line.transpose();
     }
     Mat4 horn = HornMatrix(headTail);
-    horn(0, 0) += TieBreak * horn.norm();
+    horn(0, 0) += std::max(TieBreak * horn.norm(), 1e-300); // a window at rest: no rotation
     const double lean = std::sin(0.5 * std::clamp(maxTilt, 0.0, 3.14159265358979));
     q = freedom == RotationFreedom::Any ? TopEigenvector(horn) : LeaningAtMost(horn, lean * lean);
   }

@@ -2,6 +2,7 @@
 #include "Database/DatabaseBuild.h"
 #include "Database/SimulationRun.h"
 #include "Obstacles/ObstacleSet.h"
+#include "Trajectory/Style.h"
 
 #include <gtest/gtest.h>
 
@@ -129,6 +130,32 @@ TEST(DatabaseBuild, RunsAreTracedAroundTheirObstacles)
     }
   }
   EXPECT_EQ(longest, 60u);
+}
+
+TEST(DatabaseBuild, StyleSurvivesCutsAndCompression)
+{
+  DatabaseOptions options = Small();
+  options.NumberOfFrames = 90;
+  SimulationRun run;
+  ASSERT_TRUE(run.Begin(options, 2));
+  SilentMonitor monitor;
+  for (int step = 0; step < run.NumberOfSteps(); ++step)
+  {
+    ASSERT_TRUE(run.Step(monitor));
+  }
+  ClusterInput input;
+  input.Simulations.push_back(run.Finish());
+  StyleSamples traced;
+  for (const Track& track : input.Simulations[0].Tracks)
+  {
+    AppendStyle(track.Positions, 1.0 / 30.0, traced);
+  }
+  MotionDatabase database;
+  ASSERT_TRUE(ClusterTrajectories(input, options.Cluster, SerialFor(), monitor, database));
+  const StyleSamples kept = StyleOf(database);
+  EXPECT_LT(KolmogorovSmirnov(traced.LogCurvature, kept.LogCurvature), 0.1);
+  EXPECT_LT(KolmogorovSmirnov(traced.Acceleration, kept.Acceleration), 0.08);
+  EXPECT_LT(KolmogorovSmirnov(traced.Speed, kept.Speed), 0.08);
 }
 
 TEST(DatabaseBuild, WarmUpByStepsIsThatOfTheSolver)

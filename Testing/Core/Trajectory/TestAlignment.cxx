@@ -173,3 +173,17 @@ TEST(Alignment, CostIsDirectionlessInPlaceAndGrowsWithMisfit)
               std::sqrt(2.0 / 3.0) * 0.05 / 0.15, 1e-9);
   EXPECT_FALSE(AlignWindows(line, { Vec3::Zero() }, RotationFreedom::Any).IsConnectible);
 }
+
+TEST(Alignment, WindowsAtRestAreNotTurned)
+{
+  const std::vector<Vec3> still(6, Vec3(1, 2, 3));
+  Random random(8);
+  for (const RotationFreedom freedom :
+       { RotationFreedom::Yaw, RotationFreedom::YawAndTilt, RotationFreedom::Any })
+  {
+    const Connection c = AlignWindows(still, std::vector<Vec3>(6, Vec3::Zero()), freedom);
+    EXPECT_EQ(c.Rotation.w(), 1.0) << ToString(freedom);
+    EXPECT_EQ(c.Translation, Vec3(1, 2, 3));
+    EXPECT_TRUE(std::isfinite(AlignWindows(still, Bent(random), freedom).Cost));
+  }
+}
