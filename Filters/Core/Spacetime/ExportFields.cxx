@@ -120,17 +120,17 @@ FieldSeries ExportWind(const SpacetimeInput& input, const SpacetimeSetup& setup)
 {
   const SpacetimeModel& model = setup.Model;
   const bool background = !model.Background.IsEmpty() && model.Background.Drag <= 0.0;
-  const SplineWind& shape = !model.Wind.IsEmpty() ? model.Wind : model.Background;
+  const SplineWind shape = MakeWindLattice(model, WindOptions().FramesPerKnot);
+  const std::size_t knots =
+    !model.Wind.IsEmpty()
+      ? model.Wind.Knots.size()
+      : (background ? 1 + static_cast<std::size_t>(model.NumberOfFrames / shape.FramesPerKnot) : 1);
   FieldSeries field;
   field.Meaning = FieldMeaning::Acceleration;
-  if (model.Wind.IsEmpty() && !background)
-  {
-    return field;
-  }
   field.Dimensions = shape.Dimensions;
   field.Origin = setup.ToWorld(shape.Origin);
   field.Spacing = setup.Spacing * shape.Spacing;
-  for (std::size_t knot = 0; knot < shape.Knots.size(); ++knot)
+  for (std::size_t knot = 0; knot < knots; ++knot)
   {
     const double frame = static_cast<double>(knot) * shape.FramesPerKnot;
     field.Times.push_back(input.Scene.Time.Time(frame));

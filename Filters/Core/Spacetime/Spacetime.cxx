@@ -7,6 +7,7 @@
 #include "Spacetime/SpacetimeExport.h"
 #include "Spacetime/SpacetimeSetup.h"
 #include "Spacetime/TimeLevels.h"
+#include "Spacetime/WindEstimate.h"
 
 #include <algorithm>
 #include <chrono>
@@ -324,7 +325,11 @@ Result SpacetimeRun::Run()
   this->Record(this->Options.Passes, "final", 0, terms, fine.Constraints.MaxViolation(this->State),
                0.0);
   const bool limited = this->Options.TimeLimit > 0.0 && this->Seconds() > this->Options.TimeLimit;
-  return this->Stopped || (limited && !finished) ? Result::Stopped() : Result::Ok();
+  if (limited && !finished)
+  {
+    this->Output.Warnings.push_back("TimeLimit: reached before the last stage; the best so far");
+  }
+  return this->Stopped ? Result::Stopped() : Result::Ok();
 }
 
 Result CheckRange(const char* name, double value, double low, double high)
@@ -373,6 +378,11 @@ Result SpacetimeOptions::Validate() const
     }
   }
   return Result::Ok();
+}
+
+std::array<int, 3> WindLatticeDimensions(const Box& volume)
+{
+  return WindLatticeOf(volume.Size());
 }
 
 Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options,

@@ -12,6 +12,7 @@
 #include "Base/Result.h"
 #include "Base/Types.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -89,7 +90,7 @@ struct SpacetimeOutput
   std::vector<Track> Tracks; // in the order of the input
   ParticleSeries Particles;
   std::vector<Vortex> Vortices;
-  FieldSeries Wind; // estimated plus the user's acceleration, on the optimiser's lattice
+  FieldSeries Wind; // estimated plus the user's acceleration, on the wind's lattice; zero without
   std::vector<ConvergenceRow> Convergence;
   std::vector<ReportRow> Report;
   std::vector<double> PositionResiduals; // rms of x against its prediction by object [dx]
@@ -98,9 +99,12 @@ struct SpacetimeOutput
   std::vector<std::string> Warnings;
 };
 
+/// Points of the lattice on which the wind is estimated and handed out; it spans the volume.
+std::array<int, 3> WindLatticeDimensions(const Box& volume);
+
 /// Errors: tracks that are empty, not finite or of different lengths, constraints or tracks without
-/// object, a volume too small for the gas. Stopped (by the monitor or by TimeLimit): the output
-/// holds the best feasible motion so far.
+/// object, a volume too small for the gas. Stopped (by the monitor): the output holds the best
+/// feasible motion so far; so it does at the TimeLimit, which is a warning.
 Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options,
                     const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output);
 

@@ -74,9 +74,10 @@ struct SpacetimeModel
   std::vector<float> RestHeights;  // one an object [dx]
   std::vector<std::uint8_t> Flags; // [frame * NumberOfObjects + object]
 
-  std::vector<Vortex> Vortices; // in dx and frames
-  SplineWind Wind;              // estimated
-  SplineWind Background;        // the user's
+  std::vector<Vortex> Vortices;            // in dx and frames
+  SplineWind Wind;                         // estimated
+  std::array<int, 3> WindNodes{ 0, 0, 0 }; // of its lattice; zero: from Size
+  SplineWind Background;                   // the user's
   ObstacleField Obstacles;
 
   std::size_t NumberOfBodies() const { return this->NumberOfGas + this->NumberOfObjects; }

@@ -146,6 +146,8 @@ Result SetUpVolume(const SpacetimeInput& input, const SpacetimeOptions& options,
   SpacetimeModel& model = setup.Model;
   model.Size = lattice.SizeInSpacings();
   model.NumberOfFrames = input.Scene.Time.NumberOfFrames;
+  // The nodes depend on the volume alone, so that the lattice is known before anything is computed.
+  model.WindNodes = WindLatticeDimensions(input.Scene.Bounds);
   const double support = 2.0 * options.SmoothingLength;
   if (Result result =
         model.Obstacles.Build(inside, box, LatticeSpacing * setup.Spacing, setup.Spacing,

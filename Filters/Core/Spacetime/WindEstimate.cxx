@@ -88,16 +88,7 @@ WindFit::WindFit(const SpacetimeObjective& objective, const StateVector& state,
   Options(options), Parallel(parallel)
 {
   const SpacetimeModel& model = objective.Model();
-  const double cell = model.Size.maxCoeff() / options.CellsAlongWidth;
-  for (int a = 0; a < 3; ++a)
-  {
-    // Nodes half a cell outside the box on either side.
-    const int cells = std::max(2, static_cast<int>(std::lround(model.Size[a] / cell)));
-    this->Shape.Spacing[a] = model.Size[a] / cells;
-    this->Shape.Origin[a] = -0.5 * this->Shape.Spacing[a];
-    this->Shape.Dimensions[a] = cells + 2;
-  }
-  this->Shape.FramesPerKnot = options.FramesPerKnot;
+  this->Shape = MakeWindLattice(model, options.FramesPerKnot);
   this->Knots = static_cast<int>(std::ceil((model.NumberOfFrames - 1) / options.FramesPerKnot)) + 1;
   this->Collect(state);
 }
@@ -411,6 +402,31 @@ SplineWind WindFit::Solve() const
 }
 
 } // namespace
+
+std::array<int, 3> WindLatticeOf(const Vec3& size)
+{
+  constexpr double CellsAlongWidth = 5.0;
+  std::array<int, 3> dimensions;
+  for (int a = 0; a < 3; ++a)
+  {
+    const double cells = std::round(size[a] * CellsAlongWidth / size.maxCoeff());
+    dimensions[a] = std::max(2, static_cast<int>(cells)) + 2;
+  }
+  return dimensions;
+}
+
+SplineWind MakeWindLattice(const SpacetimeModel& model, double framesPerKnot)
+{
+  SplineWind wind;
+  wind.Dimensions = model.WindNodes[0] > 0 ? model.WindNodes : WindLatticeOf(model.Size);
+  for (int a = 0; a < 3; ++a)
+  {
+    wind.Spacing[a] = model.Size[a] / (wind.Dimensions[a] - 2);
+    wind.Origin[a] = -0.5 * wind.Spacing[a];
+  }
+  wind.FramesPerKnot = framesPerKnot;
+  return wind;
+}
 
 SplineWind EstimateWind(const SpacetimeObjective& objective, const StateVector& state,
                         const WindOptions& options, const ParallelFor& parallel)

@@ -11,7 +11,6 @@ namespace waft
 
 struct WindOptions
 {
-  int CellsAlongWidth = 5; // of the lattice along the longest side
   double FramesPerKnot = 15.0;
   int GasStride = 8;          // every eighth gas particle witnesses, in turn
   double Ridge = 0.05;        // of the mean weight at a node
@@ -19,6 +18,13 @@ struct WindOptions
   double TimeSmoothing = 0.3; // of the mean weight at a node, on first differences in time
   int Iterations = 30;        // of conjugate gradients
 };
+
+/// Nodes of the wind's lattice: five cells along the longest side, and half a cell beyond each
+/// wall.
+std::array<int, 3> WindLatticeOf(const Vec3& size);
+
+/// A wind of this size [dx] without values.
+SplineWind MakeWindLattice(const SpacetimeModel& model, double framesPerKnot);
 
 /// Least squares over particles and frames: the wind's B-spline coefficients are the discrete curl
 /// (central differences) of a vector potential on the nodes plus a mean flow at each knot in time,
