@@ -162,14 +162,19 @@ Segment Annotated(const ClusterInput& input, const Piece& piece, const SegmentFr
   return segment;
 }
 
-/// Fills groups, segments and vortices; the trees read the coefficients.
+/// Fills groups, segments and vortices; the trees read the coefficients. Ends early when asked to
+/// stop.
 std::vector<TreeInput> Compress(const ClusterInput& input, const std::vector<Piece>& pieces,
                                 const std::vector<int>& lengths, double relativeError,
-                                MotionDatabase& database)
+                                Monitor& monitor, MotionDatabase& database)
 {
   std::vector<TreeInput> trees;
   for (std::size_t length = 0; length < lengths.size(); ++length)
   {
+    if (!monitor.Tick(double(length) / lengths.size(), "Compressing segments"))
+    {
+      return {};
+    }
     std::vector<const Piece*> members;
     for (const Piece& piece : pieces)
     {
@@ -330,12 +335,13 @@ Result ClusterTrajectories(const ClusterInput& input, const ClusterOptions& opti
   result.Volume = input.Volume;
   result.Window = options.Window;
   result.SettlingSpeed = input.SettlingSpeed;
-  if (!monitor.Tick(0.3, "Compressing segments"))
+  PartMonitor compressing(monitor, 0.3, 0.4);
+  const std::vector<TreeInput> trees =
+    Compress(input, pieces, lengths, options.RelativeError, compressing, result);
+  if (trees.empty())
   {
     return Result::Stopped();
   }
-  const std::vector<TreeInput> trees =
-    Compress(input, pieces, lengths, options.RelativeError, result);
   result.TopSpeed = TopSpeedOf(result);
 
   PartMonitor clustering(monitor, 0.4, 0.8);
