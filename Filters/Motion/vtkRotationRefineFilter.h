@@ -108,7 +108,7 @@ private:
   int Model = 1;
   double Damping = 0.3;
   double Lift = 1.0;
-  double PressureShift = 0.5;
+  double PressureShift = 0.0;
   double Follow = 0.5;
   double Variation = 0.15;
   double LandingTime = 1.0;

@@ -11,14 +11,15 @@ namespace waft
 namespace
 {
 constexpr int MostSteps = 256;        // a frame
-constexpr double StepOfRate = 0.25;   // product of step and fastest rate
+constexpr double StepOfRate = 0.4;    // product of step and fastest rate
 constexpr double SettlingRate = 7.0;  // rad/s, critically damped
 constexpr double LeastFlatness = 0.3; // below it a body has no glide of its own
 
 struct Rates
 {
-  Vec3 Torque = Vec3::Zero();
-  Vec3 Slip = Vec3::Zero();
+  Vec3 Torque = Vec3::Zero(); // of the air
+  Vec3 Momentum = Vec3::Zero();
+  Vec3 AngularMomentum = Vec3::Zero();
 };
 
 template <typename T>
@@ -31,6 +32,16 @@ T Between(const std::vector<T>& samples, double frame)
   return samples[k] + (f - static_cast<double>(k)) * (samples[next] - samples[k]);
 }
 
+Vec3 Slope(const std::vector<Vec3>& samples, double frame)
+{
+  const auto k = static_cast<std::size_t>(std::max(frame, 0.0));
+  return k + 1 < samples.size() ? Vec3(samples[k + 1] - samples[k]) : Vec3(Vec3::Zero());
+}
+
+/// Kirchhoff's equations of a rigid body in air (Lamb 1932, section 124) in world axes,
+///   dP/dt = F,  dL/dt = T - w x P,
+/// with w the velocity relative to the air and P, L with the air that moves along. The term w x P
+/// turns a plate broadside; it and the changing P keep the energy of the moving air in the account.
 Rates Derive(const FlightBody& body, const FlightPath& path, const FlightState& state, double frame,
              double share)
 {
@@ -47,17 +58,22 @@ Rates Derive(const FlightBody& body, const FlightPath& path, const FlightState& 
   {
     gradient -= turn.transpose() * Between(path.AirGradients, frame) * turn;
   }
-  const Vec3 velocity = turn.transpose() * (given + state.Slip);
-  const Wrench air = body.Panels->Evaluate(velocity, gradient, body.Coefficients);
+  const Vec3 velocity = body.Slips ? state.Velocity(body) : given;
+  const Wrench air =
+    body.Panels->Evaluate(turn.transpose() * velocity, gradient, body.Coefficients);
   const double density = share * body.AirDensity;
   rates.Torque = density * (turn * air.Torque);
   if (body.Slips)
   {
-    // On the given path a plate broadside to it is in balance; any other pose slips.
-    const Vec3 balance = 0.5 * body.Coefficients.Drag * body.Panels->Area() * given.norm() * given;
-    rates.Slip = turn * (body.InverseMass * (density * (air.Force + turn.transpose() * balance))) -
-                 body.Follow * state.Slip;
+    // A plate broadside to its path is in balance with what draws it along; any other pose slips.
+    const Vec3 drawn = 0.5 * body.Coefficients.Drag * body.Panels->Area() * given.norm() * given;
+    const Vec3 wanted =
+      Slope(path.RelativeVelocities, frame) / path.Step - body.Follow * (velocity - given);
+    rates.Momentum =
+      density * (turn * air.Force + drawn) + turn * (body.Mass * (turn.transpose() * wanted));
+    rates.Torque -= share * velocity.cross(state.Momentum);
   }
+  rates.AngularMomentum = rates.Torque;
   return rates;
 }
 
@@ -89,10 +105,12 @@ FlightBody::FlightBody(const PanelBody& panels, const ShellProperties& propertie
   // A straight line of triangles has no inertia about itself.
   this->Inertia += 1e-9 * this->Inertia.trace() * Mat3::Identity();
   this->InverseInertia = this->Inertia.inverse();
+  this->Mass = moved;
   this->InverseMass = moved.inverse();
   this->Slips = plate && panels.Flatness() >= LeastFlatness;
 
   const Mat3& spread = properties.SecondMoment;
+  this->Reach = std::sqrt(spread.trace());
   const double press =
     airDensity * coefficients.Drag * panels.Area() * (plate ? 1.0 + coefficients.Lift : 1.0);
   const Mat3 arms = spread.trace() * Mat3::Identity() - spread;
@@ -102,12 +120,8 @@ FlightBody::FlightBody(const PanelBody& panels, const ShellProperties& propertie
   this->Mobility = std::max(press * damped.eigenvalues().maxCoeff(),
                             this->Slips ? press * n.dot(this->InverseMass * n) : 0.0);
   const Eigen::SelfAdjointEigenSolver<Mat3> inertia(this->Inertia, Eigen::EigenvaluesOnly);
-  const double reach = std::sqrt(spread.trace());
-  this->Stiffness =
-    std::sqrt(0.5 * press * std::sqrt(std::max(inertia.eigenvalues()[0] / (mass + 1e-300), 0.0)) /
-              inertia.eigenvalues()[0]);
-  this->Stiffness =
-    std::max(this->Stiffness, std::sqrt(0.5 * press * reach / inertia.eigenvalues()[2]));
+  const double stiff = 0.5 * press * this->Reach + airDensity * panels.AddedMass().trace();
+  this->Stiffness = std::sqrt(stiff / inertia.eigenvalues()[0]);
 }
 
 Vec3 FlightState::AngularVelocity(const FlightBody& body) const
@@ -122,6 +136,18 @@ void FlightState::SetAngularVelocity(const FlightBody& body, const Vec3& omega)
   this->AngularMomentum = turn * (body.Inertia * (turn.transpose() * omega));
 }
 
+Vec3 FlightState::Velocity(const FlightBody& body) const
+{
+  const Mat3 turn = this->Orientation.toRotationMatrix();
+  return turn * (body.InverseMass * (turn.transpose() * this->Momentum));
+}
+
+void FlightState::SetVelocity(const FlightBody& body, const Vec3& velocity)
+{
+  const Mat3 turn = this->Orientation.toRotationMatrix();
+  this->Momentum = turn * (body.Mass * (turn.transpose() * velocity));
+}
+
 Vec3 AirTorque(const FlightBody& body, const FlightPath& path, const FlightState& state,
                double frame)
 {
@@ -134,7 +160,7 @@ void AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
   const double spin = state.AngularVelocity(body).norm();
   const double speed = std::max(path.RelativeVelocities[frame].norm(),
                                 Between(path.RelativeVelocities, frame + 1.0).norm()) +
-                       state.Slip.norm() + spin * 2.0 * std::sqrt(body.Panels->Area());
+                       (body.Slips ? state.Velocity(body).norm() : 0.0) + spin * body.Reach;
   const double rate = std::max({ spin, body.Mobility * speed, body.Stiffness * speed,
                                  settling.Weight > 0.0 ? 2.0 * SettlingRate : 0.0 });
   const double wanted = std::ceil(path.Step * rate / StepOfRate);
@@ -150,20 +176,20 @@ void AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
     Rates rates = Derive(body, path, state, here, share);
     if (settling.Weight > 0.0)
     {
-      rates.Torque += SettlingTorque(body, settling, state);
+      rates.AngularMomentum += SettlingTorque(body, settling, state);
     }
     FlightState middle = state;
     middle.Orientation = ExpMap(0.5 * h * state.AngularVelocity(body)) * state.Orientation;
-    middle.AngularMomentum += 0.5 * h * rates.Torque;
-    middle.Slip += 0.5 * h * rates.Slip;
+    middle.AngularMomentum += 0.5 * h * rates.AngularMomentum;
+    middle.Momentum += 0.5 * h * rates.Momentum;
     rates = Derive(body, path, middle, here + 0.5 / steps, share);
     if (settling.Weight > 0.0)
     {
-      rates.Torque += SettlingTorque(body, settling, middle);
+      rates.AngularMomentum += SettlingTorque(body, settling, middle);
     }
     state.Orientation = (ExpMap(h * middle.AngularVelocity(body)) * state.Orientation).normalized();
-    state.AngularMomentum += h * rates.Torque;
-    state.Slip += h * rates.Slip;
+    state.AngularMomentum += h * rates.AngularMomentum;
+    state.Momentum += h * rates.Momentum;
     state.AngularMomentum *= fade;
   }
 }

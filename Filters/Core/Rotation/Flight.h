@@ -33,9 +33,11 @@ public:
   double Follow;       // 1/s
   Mat3 Inertia;        // kg m^2, body axes, air that moves along included
   Mat3 InverseInertia; // 1/(kg m^2)
-  Mat3 InverseMass;    // 1/kg, body axes, air that moves along included
+  Mat3 Mass;           // kg, body axes, air that moves along included
+  Mat3 InverseMass;    // 1/kg
   double Mobility;     // 1/m: rate of damping per relative speed
   double Stiffness;    // 1/m: angular frequency per relative speed
+  double Reach;        // m, root mean square distance of the area from the centre
   bool Slips;          // has a sideslip of its own
 };
 
@@ -47,17 +49,21 @@ struct Settling
   double Weight = 0.0;
 };
 
-/// Orientation, angular momentum [kg m^2/s, world] and sideslip [m/s, world]. The slip is the
-/// difference between the velocity of a plate that flies by itself, drawn along by the path, and
-/// that of the path: without it a plate could not flutter or tumble, as its own glide feeds both.
+/// The state of a body, in world axes. A plate flies by a velocity of its own relative to the air:
+/// it glides and overshoots about the path that draws it along. Without this hidden sideslip it
+/// could not flutter or tumble, as its glide feeds both; only its turning is shown. All other
+/// bodies move as the path does.
 struct FlightState
 {
   Quat Orientation = Quat::Identity();
-  Vec3 AngularMomentum = Vec3::Zero();
-  Vec3 Slip = Vec3::Zero();
+  Vec3 AngularMomentum = Vec3::Zero(); // kg m^2/s
+  Vec3 Momentum = Vec3::Zero();        // kg m/s, relative to the air, air that moves along included
 
   Vec3 AngularVelocity(const FlightBody& body) const;
   void SetAngularVelocity(const FlightBody& body, const Vec3& omega);
+  /// Relative to the air [m/s]; only of bodies that slip.
+  Vec3 Velocity(const FlightBody& body) const;
+  void SetVelocity(const FlightBody& body, const Vec3& velocity);
 };
 
 /// The air's torque [N m, world] at a frame.

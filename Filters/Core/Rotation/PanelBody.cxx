@@ -261,12 +261,13 @@ double PanelBody::ForeshortenedArea(const Vec3& direction) const
   return area;
 }
 
-Wrench PanelBody::Evaluate(const Vec3& velocity, const Mat3& gradient,
+Wrench PanelBody::Evaluate(const Vec3& velocity, const Mat3& fullGradient,
                            const AirCoefficients& coefficients) const
 {
   const bool hides = this->HidesItself();
   const Mixture mixture = hides ? this->Mix(velocity) : Mixture{};
   const bool plate = coefficients.Model == AirModel::Plate;
+  const Mat3 gradient = (plate ? coefficients.TurningDrag : 1.0) * fullGradient;
   const double drag = 0.5 * coefficients.Drag;
   const double friction = drag * coefficients.Friction;
   const double lift = coefficients.Lift * this->PlateFlatness;
@@ -313,7 +314,7 @@ Wrench PanelBody::Evaluate(const Vec3& velocity, const Mat3& gradient,
   total.Torque = Vec3(tx, ty, tz);
   if (plate && this->PlateFlatness > 0.0)
   {
-    const Wrench more = this->PlateCorrections(velocity, gradient, coefficients);
+    const Wrench more = this->PlateCorrections(velocity, fullGradient, coefficients);
     total.Force += more.Force;
     total.Torque += more.Torque;
   }

@@ -26,7 +26,8 @@ struct AirCoefficients
   double Drag = 1.2;           // cd, broadside
   double Lift = 1.0;           // extra slope of the normal force at small angles of attack
   double Friction = 0.08;      // tangential drag, as a share of cd
-  double PressureShift = 0.5;  // centre of pressure edge-on, in half chords ahead of the centre
+  double PressureShift = 0.0;  // centre of pressure edge-on, in half chords ahead of the centre
+  double TurningDrag = 0.4;    // share of the drag on velocities that come from turning
   double RotationalLift = 1.1; // C_R of Andersen, Pesavento, Wang 2005
 };
 

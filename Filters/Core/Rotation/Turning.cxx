@@ -109,6 +109,7 @@ private:
     }
     this->State.Flight.Orientation = q;
     this->State.Flight.SetAngularVelocity(this->Body, this->Plan.Object->AngularVelocity);
+    this->State.Flight.SetVelocity(this->Body, this->Path.RelativeVelocities[0]);
     this->Record(0);
     if (!this->Plan.Rests.empty() && this->Plan.Rests.front().Frame <= 0)
     {
@@ -200,8 +201,10 @@ private:
     this->Frames[k].Freedom = PoseFreedom::Fixed;
     this->Out.Poses.AngularVelocities[k] = missing * this->Out.Poses.AngularVelocities[k];
     FlightState& state = this->State.Flight;
+    const Vec3 velocity = state.Velocity(this->Body);
     state.AngularMomentum = missing * state.AngularMomentum;
     state.Orientation = target;
+    state.SetVelocity(this->Body, velocity);
   }
 
   Quat LyingPose(const LandingWindow& rest, const Quat& arriving) const
@@ -258,6 +261,7 @@ private:
     }
     this->State.Flight = FlightState();
     this->State.Flight.Orientation = lying;
+    this->State.Flight.SetVelocity(this->Body, this->Path.RelativeVelocities[end]);
     this->State.Frame = end;
   }
 

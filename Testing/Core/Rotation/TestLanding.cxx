@@ -100,7 +100,7 @@ void ExpectGoodLanding(const Landed& landed, double slope)
   // It comes to rest gently and stirs again afterwards.
   EXPECT_LT(poses.AngularVelocities[89].norm(), 0.5);
   EXPECT_GT(Angle(poses.Orientations[150], poses.Orientations[130]), 1e-4);
-  for (int k = 60; k < 90; ++k)
+  for (int k = 70; k < 90; ++k)
   {
     EXPECT_LT(Angle(poses.Orientations[k + 1], poses.Orientations[k]), 0.8) << k;
   }

@@ -140,6 +140,7 @@ TEST(PanelBody, PlateLiftAndCentreOfPressure)
   const Prepared sheet = Prepare(Sheet(length, 0.1));
   AirCoefficients coefficients;
   coefficients.Friction = 0.0;
+  coefficients.PressureShift = 0.5;
   for (const double alpha : { 0.1, 0.5, 1.2 })
   {
     const Vec3 w(std::cos(alpha), 0.0, -std::sin(alpha));
