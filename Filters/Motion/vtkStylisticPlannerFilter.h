@@ -111,8 +111,8 @@ private:
   double MaxTilt = 0.34906585039886591;
   double ConnectionThreshold = 0.06;
   double JoinThreshold = 0.05;
-  int NumberOfCandidates = 8;
-  int MaximumNumberOfBranches = 2000;
+  int NumberOfCandidates = 32;
+  int MaximumNumberOfBranches = 20000;
   double RetimingLimit = 0.15;
   int Seed = 1;
 

@@ -14,6 +14,7 @@ namespace waft
 /// centre only stays above the plane in which it will lie.
 struct ContactStretch
 {
+  int Constraint = -1; // the row that asks for the rest
   double FirstFrame = 0.0;
   double LastFrame = 0.0;
   int Surface = -1;            // ObstacleId, -1: the floor of the volume

@@ -54,6 +54,7 @@ private:
   const SpanTask& Task;
   double Margin;
   Random Stream;
+  double Tolerance = 0.05; // of the velocity at the start, relative
 };
 
 bool FlightGrower::Fits(const Piece& piece, double firstFrame) const
@@ -91,8 +92,9 @@ bool FlightGrower::PlaceRoot(Level& level)
     yaw =
       std::atan2(own.x() * wish.y() - own.y() * wish.x(), own.x() * wish.x() + own.y() * wish.y());
     const Vec3 turned = Eigen::AngleAxisd(yaw, Vec3::UnitZ()) * own;
-    if ((turned - wish).norm() > 0.3 * wish.norm() + 0.2 * this->Library.TypicalStep() &&
-        this->Stream.Uniform() < 0.95)
+    // The more draws miss, the less is asked.
+    this->Tolerance += 0.002;
+    if ((turned - wish).norm() > this->Tolerance * (wish.norm() + this->Library.TypicalStep()))
     {
       return false;
     }

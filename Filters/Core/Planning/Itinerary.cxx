@@ -102,6 +102,7 @@ Itinerary MakeItinerary(const MotionObject& object, const std::vector<Constraint
     mark.Position = row.Value;
     mark.Position.z() = scene.Bounds.Min.z() + object.RestHeight;
     ContactStretch contact;
+    contact.Constraint = index[i];
     contact.FirstFrame = row.Frame - scene.Time.FramesPerSecond;
     contact.LastFrame = row.Until + scene.Time.FramesPerSecond;
     for (const LandingWindow& window : windows)

@@ -24,6 +24,7 @@ private:
   void PlanFlight(std::size_t from, int lastFrame);
   void Draw(const Mark& from, const Mark& to);
   void LieStill(const Mark& mark);
+  void Miss(Mark& mark, const Vec3& place);
   void Fix(int frame, const Vec3& position);
   SpanEnd EndAt(std::size_t mark, bool isGoal) const;
   bool IsDrawn(std::size_t mark) const;
@@ -33,7 +34,7 @@ private:
 
   const SegmentLibrary& Library;
   const MotionObject& Object;
-  const Itinerary& Way;
+  Itinerary Way; // marks that are missed become places where the object just was
   const SceneInfo& Scene;
   const ObjectPlanOptions& Options;
   ClearanceField Field;
@@ -138,6 +139,19 @@ void ObjectPlanner::Draw(const Mark& from, const Mark& to)
   this->Plan.Outcomes.push_back(outcome);
 }
 
+/// The object goes on from where it came to.
+void ObjectPlanner::Miss(Mark& mark, const Vec3& place)
+{
+  auto& contacts = this->Field.Contacts;
+  contacts.erase(std::remove_if(contacts.begin(), contacts.end(),
+                                [&](const ContactStretch& contact)
+                                { return contact.Constraint == mark.Constraint; }),
+                 contacts.end());
+  mark.Until = mark.Frame;
+  mark.Position = place;
+  mark.IsRest = mark.Halts = mark.HasVelocity = false;
+}
+
 void ObjectPlanner::LieStill(const Mark& mark)
 {
   const Vec3 position = this->Plan.Positions[mark.Frame];
@@ -167,6 +181,7 @@ void ObjectPlanner::PlanFlight(std::size_t from, int lastFrame)
   {
     request.Goal = this->EndAt(from + 1, true);
     request.GoalRadius = marks[from + 1].Radius;
+    request.GoalConstraint = marks[from + 1].Constraint;
     request.GoesOn = !brakes && lastFrame + 1 < this->Scene.Time.NumberOfFrames;
   }
   else
@@ -199,6 +214,10 @@ void ObjectPlanner::PlanFlight(std::size_t from, int lastFrame)
     outcome.NumberOfBranches = static_cast<int>(span.Trees[0].size() + span.Trees[1].size());
     outcome.Message = span.Message;
     this->Plan.Outcomes.push_back(outcome);
+    if (!span.ReachesGoal)
+    {
+      this->Miss(this->Way.Marks[from + 1], span.Positions.back());
+    }
   }
   this->KeepSpan(request, span);
 }
@@ -329,8 +348,9 @@ void ObjectPlanner::Unite()
   {
     united = SolveWarp(this->Warp);
   }
-  this->Plan.Positions = RepairPath(this->Field, this->Warp, this->Options.Tolerance, united,
-                                    separate, this->Plan.WorstSlack, this->Plan.WorstFrame);
+  this->Plan.Positions =
+    RepairPath(this->Field, this->Warp, this->Options.Tolerance, 1.45 * this->Library.TopStep(),
+               united, separate, this->Plan.WorstSlack, this->Plan.WorstFrame);
 }
 
 ObjectPlan ObjectPlanner::Run()

@@ -37,10 +37,10 @@ struct PlanOptions
   /// Relative offset of velocity at which a join is taken at once; it grows as the search lasts.
   double JoinThreshold = 0.05;
   /// Limit of branches of the two trees of one span.
-  int MaximumNumberOfBranches = 2000;
+  int MaximumNumberOfBranches = 20000;
   /// Paths looked for in each span; the one nearest to the database's curvatures and accelerations
   /// is taken.
-  int NumberOfCandidates = 8;
+  int NumberOfCandidates = 32;
   /// Frames that a path lasts may differ from the frames there are by this share before retiming.
   double RetimingLimit = 0.15;
   /// Branches kept for output, over all objects, in the order of the objects.

@@ -99,18 +99,36 @@ std::vector<Violation> FindViolations(const ClearanceField& field,
 }
 
 std::vector<Vec3> RepairPath(const ClearanceField& field, WarpProblem warp, double tolerance,
-                             const std::vector<Vec3>& path, const std::vector<Vec3>& fallback,
-                             double& worstSlack, int& worstFrame)
+                             double maximumStep, const std::vector<Vec3>& path,
+                             const std::vector<Vec3>& fallback, double& worstSlack, int& worstFrame)
 {
-  std::vector<Vec3> best = path;
-  LayOnContacts(field, warp, tolerance, best);
-  std::vector<Violation> violations = FindViolations(field, best, tolerance);
-  worstSlack = Worst(violations, worstFrame);
-  if (violations.empty())
+  std::vector<Vec3> best;
+  double least = 1e300;
+  const auto offer = [&](std::vector<Vec3> candidate)
+  {
+    LayOnContacts(field, warp, tolerance, candidate);
+    std::vector<Violation> violations = FindViolations(field, candidate, tolerance);
+    int frame = -1;
+    const double slack = Worst(violations, frame);
+    double excess = 0.0;
+    for (std::size_t k = 1; k < candidate.size(); ++k)
+    {
+      excess = std::max(excess, (candidate[k] - candidate[k - 1]).norm() - maximumStep);
+    }
+    if (excess - slack < least)
+    {
+      least = excess - slack;
+      worstSlack = slack;
+      worstFrame = frame;
+      best = std::move(candidate);
+    }
+    return violations;
+  };
+  std::vector<Violation> violations = offer(path);
+  if (!(least > 0.0))
   {
     return best;
   }
-  const std::vector<Violation> separate = FindViolations(field, fallback, tolerance);
   std::map<int, Vec3> wishes;
   std::vector<Vec3> current = path;
   for (int round = 0; round < Rounds && !violations.empty(); ++round)
@@ -133,24 +151,11 @@ std::vector<Vec3> RepairPath(const ClearanceField& field, WarpProblem warp, doub
       warp.Soft.push_back({ frame, value, 0.05 });
     }
     current = SolveWarp(warp);
-    LayOnContacts(field, warp, tolerance, current);
-    violations = FindViolations(field, current, tolerance);
-    int frame = -1;
-    const double worst = Worst(violations, frame);
-    if (worst > worstSlack)
-    {
-      worstSlack = worst;
-      worstFrame = frame;
-      best = current;
-    }
+    violations = offer(current);
   }
-  int frame = -1;
-  const double worst = Worst(separate, frame);
-  if (worst > worstSlack)
+  if (least > 0.0)
   {
-    worstSlack = worst;
-    worstFrame = frame;
-    best = fallback;
+    offer(fallback);
   }
   return best;
 }

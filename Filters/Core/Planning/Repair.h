@@ -23,9 +23,10 @@ std::vector<Violation> FindViolations(const ClearanceField& field,
 
 /// Eases the path out of what it violates by soft marks in its own warp problem, so that the
 /// correction is as smooth as the redistribution; of the path, the corrected one and `fallback`
-/// returns the one with the least violation.
+/// returns the one with the least violation, steps longer than maximumStep [m] counted as such.
 std::vector<Vec3> RepairPath(const ClearanceField& field, WarpProblem warp, double tolerance,
-                             const std::vector<Vec3>& path, const std::vector<Vec3>& fallback,
-                             double& worstSlack, int& worstFrame);
+                             double maximumStep, const std::vector<Vec3>& path,
+                             const std::vector<Vec3>& fallback, double& worstSlack,
+                             int& worstFrame);
 
 } // namespace waft

@@ -18,20 +18,30 @@ namespace
 /// How much faster than the database a step may be, of the 1.5 times that are promised.
 constexpr double SpeedAllowance = 1.4;
 
+/// Free flights tried before the object is left to hover.
+constexpr int FreeAttempts = 8;
+
 class SpanPlanner
 {
 public:
   SpanPlanner(const SegmentLibrary& library, const ClearanceField& field,
               const SpanRequest& request, const SpanPlanOptions& options) :
     Library(library),
-    Field(field), Request(request), Options(options)
+    Field(field), MissField(field), Request(request), Options(options)
   {
+    auto& contacts = this->MissField.Contacts;
+    contacts.erase(std::remove_if(contacts.begin(), contacts.end(),
+                                  [&](const ContactStretch& contact) {
+                                    return contact.Constraint >= 0 &&
+                                           contact.Constraint == request.GoalConstraint;
+                                  }),
+                   contacts.end());
   }
 
   SpanResult Run(Random random);
 
 private:
-  ClearanceField FlightField() const;
+  ClearanceField FlightField(const ClearanceField& base) const;
   bool Try(PieceChain chain, bool toGoal, bool check, SpanResult& result) const;
   bool TryRefined(const PieceChain& chain, bool toGoal, SpanResult& result) const;
   bool Search(const ClearanceField& field, const SpanTask& task, bool reachable, Random& random,
@@ -39,18 +49,19 @@ private:
   bool CanGoOn(const std::vector<Vec3>& positions, const SpanResult& result) const;
   void Hover(SpanResult& result) const;
   double StyleDistance(const std::vector<Vec3>& positions) const;
-  std::vector<Vec3> WayAround(const ClearanceField& field, const SpanTask& task) const;
+  bool WayAround(const ClearanceField& field, SpanTask& task) const;
 
   const SegmentLibrary& Library;
   const ClearanceField& Field;
+  ClearanceField MissField; // holds when the goal is not reached
   SpanRequest Request;
   SpanPlanOptions Options;
 };
 
 /// The field on the clock of flight: braking and launching last half as many frames there.
-ClearanceField SpanPlanner::FlightField() const
+ClearanceField SpanPlanner::FlightField(const ClearanceField& base) const
 {
-  ClearanceField field = this->Field;
+  ClearanceField field = base;
   const double first = this->Request.FirstFrame;
   const double flight = std::lround(this->Request.Clock.FlightFrames());
   for (ContactStretch& contact : field.Contacts)
@@ -154,8 +165,9 @@ bool SpanPlanner::Try(PieceChain chain, bool toGoal, bool check, SpanResult& res
     }
     // The given ends themselves are judged elsewhere.
     if (clock.Frames > 1 &&
-        this->Field.FirstHit(positions, 1, clock.Frames - 1, this->Request.FirstFrame + 1, 1.0,
-                             this->Options.CheckMargin) >= 0)
+        (toGoal ? this->Field : this->MissField)
+            .FirstHit(positions, 1, clock.Frames - 1, this->Request.FirstFrame + 1, 1.0,
+                      this->Options.CheckMargin) >= 0)
     {
       return false;
     }
@@ -240,15 +252,23 @@ bool SpanPlanner::TryRefined(const PieceChain& chain, bool toGoal, SpanResult& r
   return true;
 }
 
+/// Where no piece of the database fits: comes to a stop and stays.
 void SpanPlanner::Hover(SpanResult& result) const
 {
   const auto frames = static_cast<std::size_t>(this->Request.Clock.Frames) + 1;
+  const Vec3 step = this->Request.Before.empty()
+                      ? Vec3(Vec3::Zero())
+                      : Vec3(this->Request.Start.Position - this->Request.Before.back());
+  result = SpanResult();
   result.Positions.assign(frames, this->Request.Start.Position);
-  result.Bends.assign(frames, Vec3::Zero());
+  for (std::size_t k = 1; k < frames; ++k)
+  {
+    const double rate = std::max(0.0, 1.0 - static_cast<double>(k) / 8.0);
+    result.Positions[k] = result.Positions[k - 1] + rate * rate * step;
+  }
+  result.Bends = SecondDifferences(result.Positions);
   result.Sources.assign(frames, FrameSource());
-  result.Pieces.clear();
-  result.PieceFrames.clear();
-  result.HasContinuation = false;
+  result.Halts = true;
 }
 
 /// Of the whole flight so far with this span, braking and launching left out.
@@ -265,12 +285,12 @@ double SpanPlanner::StyleDistance(const std::vector<Vec3>& positions) const
   return this->Options.Gauge->Distance(std::move(history));
 }
 
-/// Empty where the straight way is free.
-std::vector<Vec3> SpanPlanner::WayAround(const ClearanceField& field, const SpanTask& task) const
+/// Sets task.Way where the straight one is blocked; false when the map shows none.
+bool SpanPlanner::WayAround(const ClearanceField& field, SpanTask& task) const
 {
   if (!this->Options.Rooms || field.Obstacles == nullptr || field.Obstacles->IsEmpty())
   {
-    return {};
+    return true;
   }
   const Vec3 lift = Vec3(0.0, 0.0, field.Radius + this->Options.Margin);
   const Vec3 a = task.Start.Position + (task.Start.IsRest ? lift : Vec3(Vec3::Zero()));
@@ -278,10 +298,15 @@ std::vector<Vec3> SpanPlanner::WayAround(const ClearanceField& field, const Span
   const double radius = std::min({ field.Radius, field.Required(a), field.Required(b) });
   if (field.Obstacles->IsClear(a, 0.0, b, 0.0, 0.9 * std::max(0.0, radius)))
   {
-    return {};
+    return true;
   }
   const RoomMap* rooms = this->Options.Rooms();
-  return rooms != nullptr ? rooms->FindWay(a, b) : std::vector<Vec3>();
+  if (rooms == nullptr)
+  {
+    return true;
+  }
+  task.Way = rooms->FindWay(a, b);
+  return !task.Way.empty();
 }
 
 bool SpanPlanner::Search(const ClearanceField& field, const SpanTask& task, bool reachable,
@@ -332,7 +357,7 @@ bool SpanPlanner::Search(const ClearanceField& field, const SpanTask& task, bool
       ++tries;
     }
     firstFound = candidates == 0 ? step : firstFound;
-    if (candidates > 0 && step > 2 * firstFound + 100)
+    if (candidates > 0 && step > 3 * firstFound + 200)
     {
       break;
     }
@@ -397,10 +422,14 @@ SpanResult SpanPlanner::Run(Random random)
       task.Goal.Position = task.Start.Position + way.normalized() * (top * task.Frames);
     }
   }
-  const ClearanceField flight = this->FlightField();
+  const ClearanceField flight = this->FlightField(this->Field);
   if (this->Request.HasGoal)
   {
-    task.Way = this->WayAround(flight, task);
+    if (!this->WayAround(flight, task))
+    {
+      this->Options.MaximumNumberOfBranches =
+        std::max(1, this->Options.MaximumNumberOfBranches / 20);
+    }
   }
   if (this->Request.HasGoal && this->Search(flight, task, reachable, random, result))
   {
@@ -410,13 +439,20 @@ SpanResult SpanPlanner::Run(Random random)
     }
     return result;
   }
-  random.Bits();
-  PieceChain chain;
-  chain.Pieces = FlyFree(this->Library, flight, task, this->Options.Margin,
-                         this->Options.MaximumNumberOfBranches, random);
-  chain.JoinPlace = static_cast<int>(chain.Pieces.size());
-  if (chain.Pieces.empty() ||
-      (!this->TryRefined(chain, false, result) && !this->Try(chain, false, false, result)))
+  const ClearanceField missed = this->FlightField(this->MissField);
+  bool flies = false;
+  for (int attempt = 0; attempt < FreeAttempts && !flies; ++attempt)
+  {
+    random.Bits();
+    // At last the seam is left to be healed.
+    task.Start.HasVelocity = this->Request.Start.HasVelocity && attempt + 2 < FreeAttempts;
+    PieceChain chain;
+    chain.Pieces = FlyFree(this->Library, missed, task, this->Options.Margin, 2000, random);
+    chain.JoinPlace = static_cast<int>(chain.Pieces.size());
+    flies = !chain.Pieces.empty() && this->TryRefined(chain, false, result);
+    task.HasContinuation = false;
+  }
+  if (!flies)
   {
     this->Hover(result);
   }

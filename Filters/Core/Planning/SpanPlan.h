@@ -20,6 +20,7 @@ struct SpanRequest
   SpanEnd Goal;
   bool HasGoal = true;
   double GoalRadius = 0.0; // anywhere in this ball is as good [m]
+  int GoalConstraint = -1; // the row, whose contact is void when it is not reached
   int FirstFrame = 0;
   SpanClock Clock;
   bool HasContinuation = false;
@@ -35,8 +36,8 @@ struct SpanPlanOptions
   double JoinThreshold = 0.05; // score at which a join is taken at once
   double Margin = 0.02;        // m, kept beyond the clearance radius while growing
   double CheckMargin = 0.001;  // m, kept beyond it by what comes out
-  int MaximumNumberOfBranches = 2000;
-  int NumberOfCandidates = 8;        // paths found, of which the one nearest to the style is taken
+  int MaximumNumberOfBranches = 20000;
+  int NumberOfCandidates = 32;       // paths found, of which the one nearest to the style is taken
   double FrameStep = 1.0 / 30.0;     // s
   const StyleGauge* Gauge = nullptr; // or null: the first path found is taken
   std::function<const RoomMap*()> Rooms; // asked where the straight way is blocked, or empty

@@ -262,7 +262,7 @@ TEST(Repair, EasesAPathOutOfABox)
   ASSERT_FALSE(FindViolations(field, path, 0.001).empty());
   double slack = 0.0;
   int frame = 0;
-  const std::vector<Vec3> repaired = RepairPath(field, warp, 0.001, path, path, slack, frame);
+  const std::vector<Vec3> repaired = RepairPath(field, warp, 0.001, 1.0, path, path, slack, frame);
   EXPECT_TRUE(FindViolations(field, repaired, 0.001).empty());
   EXPECT_EQ(frame, -1);
   EXPECT_EQ(repaired.front(), path.front());
