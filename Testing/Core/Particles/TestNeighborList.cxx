@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Random.h"
+#include "Particles/NeighborList.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace waft;
+
+namespace
+{
+
+void CheckAgainstBruteForce(std::size_t n, std::size_t gas, const Vec3& size, float reach)
+{
+  Random random(7);
+  std::vector<float> x[3];
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Vec3 p = random.InBox({ -size, size });
+    for (int c = 0; c < 3; ++c)
+    {
+      x[c].push_back(static_cast<float>(p[c]));
+    }
+  }
+  NeighborScratch scratch;
+  NeighborList list;
+  list.Build(FastestSphKernels(), n, gas, x[0].data(), x[1].data(), x[2].data(), reach, scratch);
+  const SphNeighbors view = list.View();
+  for (std::size_t i = 0; i < n; i += 7)
+  {
+    std::set<std::size_t> listed, expected;
+    for (std::size_t k = 8 * view.Starts[i]; k < 8 * view.Starts[i + 1]; ++k)
+    {
+      const std::size_t other = view.Narrow ? view.Narrow[k] : view.Wide[k];
+      ASSERT_LE(other, n);
+      if (other < n)
+      {
+        EXPECT_TRUE(listed.insert(other).second);
+      }
+    }
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      float r2 = 0.0f;
+      for (int c = 0; c < 3; ++c)
+      {
+        r2 += (x[c][i] - x[c][j]) * (x[c][i] - x[c][j]);
+      }
+      if (j != i && (i < gas || j < gas) && r2 < reach * reach)
+      {
+        expected.insert(j);
+      }
+    }
+    EXPECT_EQ(listed, expected) << i;
+  }
+}
+
+} // namespace
+
+TEST(NeighborList, EqualsBruteForce)
+{
+  CheckAgainstBruteForce(700, 650, Vec3(4.0, 3.0, 5.0), 2.55f);
+  CheckAgainstBruteForce(300, 300, Vec3(9.0, 0.5, 0.5), 1.0f);
+  CheckAgainstBruteForce(40, 20, Vec3(0.2, 0.2, 0.2), 2.0f);
+}
+
+TEST(NeighborList, UsesWideIndicesForManyParticles)
+{
+  CheckAgainstBruteForce(66000, 65900, Vec3(20.0, 20.0, 20.0), 1.0f);
+}
+
+TEST(NeighborList, IsStaleOnlyAfterALongMove)
+{
+  std::vector<float> x{ 0.0f, 1.0f, 2.0f }, y(3, 0.0f), z(3, 0.0f);
+  NeighborScratch scratch;
+  NeighborList list;
+  EXPECT_TRUE(list.IsStale(x.data(), y.data(), z.data(), 0.1f));
+  list.Build(FastestSphKernels(), 3, 3, x.data(), y.data(), z.data(), 2.5f, scratch);
+  y[1] = 0.09f;
+  EXPECT_FALSE(list.IsStale(x.data(), y.data(), z.data(), 0.1f));
+  y[1] = 0.11f;
+  EXPECT_TRUE(list.IsStale(x.data(), y.data(), z.data(), 0.1f));
+}
