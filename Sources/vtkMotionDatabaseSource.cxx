@@ -19,7 +19,42 @@ struct vtkMotionDatabaseSource::Internals
 {
   waft::StageCache Cache;
   waft::MotionDatabase Database;
+
+  static waft::DatabaseOptions Options(vtkMotionDatabaseSource* self);
 };
+
+waft::DatabaseOptions vtkMotionDatabaseSource::Internals::Options(vtkMotionDatabaseSource* self)
+{
+  const auto range = [](const double* ends) { return waft::Range{ ends[0], ends[1] }; };
+  waft::DatabaseOptions options;
+  options.NumberOfSimulations = self->NumberOfSimulations;
+  options.NumberOfFrames = self->NumberOfFrames;
+  options.FramesPerSecond = self->FramesPerSecond;
+  const double* b = self->Bounds;
+  options.Bounds = waft::Box{ waft::Vec3(b[0], b[2], b[4]), waft::Vec3(b[1], b[3], b[5]) };
+  options.Resolution = self->Resolution;
+  options.WarmUpSeconds = self->WarmUpSeconds;
+  options.SettlingSpeed = self->SettlingSpeed;
+  options.Seed = static_cast<std::uint64_t>(self->Seed);
+  options.Trace.SeedStride = self->SeedStride;
+  options.Ensemble.NumberOfVortices = self->NumberOfVortices;
+  options.Ensemble.NumberOfWinds = self->NumberOfWinds;
+  options.Ensemble.NumberOfObstacles = self->NumberOfObstacles;
+  options.Ensemble.VortexDiameter = range(self->VortexDiameter);
+  options.Ensemble.VortexLength = range(self->VortexLength);
+  options.Ensemble.VortexAcceleration = range(self->VortexAcceleration);
+  options.Ensemble.VortexDuration = range(self->VortexDuration);
+  options.Ensemble.WindRadius = range(self->WindRadius);
+  options.Ensemble.WindAcceleration = range(self->WindAcceleration);
+  options.Ensemble.WindDuration = range(self->WindDuration);
+  options.Ensemble.ObstacleSize = range(self->ObstacleSize);
+  options.Cluster.MaximumSegments = self->MaximumSegments;
+  options.Cluster.RelativeError = self->RelativeError;
+  options.Cluster.Trees.NumberOfTopNodes = self->NumberOfTopNodes;
+  options.Cluster.Connections.NotConnectible = self->NotConnectible;
+  options.Cluster.Connections.Freedom = static_cast<waft::RotationFreedom>(self->RotationFreedom);
+  return options;
+}
 
 vtkMotionDatabaseSource::vtkMotionDatabaseSource() : Impl(std::make_unique<Internals>())
 {
@@ -34,51 +69,27 @@ int vtkMotionDatabaseSource::RequestData(vtkInformation*, vtkInformationVector**
   Internals& impl = *this->Impl;
   if (!impl.Cache.IsCurrent(this, inputs))
   {
-    const auto range = [](const double* ends) { return waft::Range{ ends[0], ends[1] }; };
-    waft::DatabaseOptions options;
-    options.NumberOfSimulations = this->NumberOfSimulations;
-    options.NumberOfFrames = this->NumberOfFrames;
-    options.FramesPerSecond = this->FramesPerSecond;
-    const double* b = this->Bounds;
-    options.Bounds = waft::Box{ waft::Vec3(b[0], b[2], b[4]), waft::Vec3(b[1], b[3], b[5]) };
-    options.Resolution = this->Resolution;
-    options.WarmUpSeconds = this->WarmUpSeconds;
-    options.SettlingSpeed = this->SettlingSpeed;
-    options.Seed = static_cast<std::uint64_t>(this->Seed);
-    options.Trace.SeedStride = this->SeedStride;
-    options.Ensemble.NumberOfVortices = this->NumberOfVortices;
-    options.Ensemble.NumberOfWinds = this->NumberOfWinds;
-    options.Ensemble.NumberOfObstacles = this->NumberOfObstacles;
-    options.Ensemble.VortexDiameter = range(this->VortexDiameter);
-    options.Ensemble.VortexLength = range(this->VortexLength);
-    options.Ensemble.VortexAcceleration = range(this->VortexAcceleration);
-    options.Ensemble.VortexDuration = range(this->VortexDuration);
-    options.Ensemble.WindRadius = range(this->WindRadius);
-    options.Ensemble.WindAcceleration = range(this->WindAcceleration);
-    options.Ensemble.WindDuration = range(this->WindDuration);
-    options.Ensemble.ObstacleSize = range(this->ObstacleSize);
-    options.Cluster.MaximumSegments = this->MaximumSegments;
-    options.Cluster.RelativeError = this->RelativeError;
-    options.Cluster.Trees.NumberOfTopNodes = this->NumberOfTopNodes;
-    options.Cluster.Connections.NotConnectible = this->NotConnectible;
-    options.Cluster.Connections.Freedom = static_cast<waft::RotationFreedom>(this->RotationFreedom);
-
+    waft::DatabaseOptions options = Internals::Options(this);
     impl.Cache.Forget();
+    impl.Database = waft::MotionDatabase();
     waft::StageMonitor monitor(this);
     const waft::ParallelFor parallelFor = waft::SmpFor();
     options.SimulationsAtOnce =
-      std::max(options.SimulationsAtOnce, vtkSMPTools::GetEstimatedNumberOfThreads());
+      std::clamp(vtkSMPTools::GetEstimatedNumberOfThreads(), options.SimulationsAtOnce, 32);
     const waft::Result result = waft::BuildDatabase(options, parallelFor, monitor, impl.Database);
     if (!result)
     {
       return waft::Fail(this, outputs, result.Message());
     }
-    if (result.IsStopped())
+    if (result.IsStopped() && impl.Database.Segments.empty())
     {
       vtkMultiBlockDataSet::GetData(outputs)->Initialize();
       return 1;
     }
-    impl.Cache.MarkCurrent(this, inputs);
+    if (!result.IsStopped())
+    {
+      impl.Cache.MarkCurrent(this, inputs);
+    }
   }
   waft::DatabaseToMultiBlock(impl.Database, vtkMultiBlockDataSet::GetData(outputs));
   return 1;

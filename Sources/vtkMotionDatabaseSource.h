@@ -10,7 +10,7 @@
  * Simulations of air with random vortices, decaying winds and obstacles (Shi et al. 2005, section
  * 3.1) run side by side, one thread each, and are traced while they run, with two frames of each in
  * memory. The same Seed gives the same output bit by bit on any number of threads. Stopped half
- * way, it gives nothing.
+ * way, it gives the database of the simulations that are whole, or nothing.
  */
 #ifndef vtkMotionDatabaseSource_h
 #define vtkMotionDatabaseSource_h
@@ -191,10 +191,10 @@ private:
   double NotConnectible = 0.15;
   double VortexDiameter[2] = { 0.22, 0.44 };
   double VortexLength[2] = { 0.3, 0.8 };
-  double VortexAcceleration[2] = { 0.35, 1.4 };
+  double VortexAcceleration[2] = { 0.27, 1.05 };
   double VortexDuration[2] = { 2.0, 4.0 };
   double WindRadius[2] = { 0.2, 0.5 };
-  double WindAcceleration[2] = { 0.22, 0.9 };
+  double WindAcceleration[2] = { 0.16, 0.65 };
   double WindDuration[2] = { 0.7, 2.0 };
   double ObstacleSize[2] = { 0.08, 0.25 };
   int RotationFreedom = YAW_AND_TILT;

@@ -22,6 +22,8 @@ struct vtkTrajectoryClusterFilter::Internals
 {
   waft::StageCache Cache;
   waft::MotionDatabase Database;
+
+  static waft::ClusterOptions Options(vtkTrajectoryClusterFilter* self);
 };
 
 namespace
@@ -70,6 +72,28 @@ waft::Result Gather(vtkInformationVector** inputs, waft::ClusterInput& input)
 
 } // namespace
 
+waft::ClusterOptions vtkTrajectoryClusterFilter::Internals::Options(
+  vtkTrajectoryClusterFilter* self)
+{
+  waft::ClusterOptions options;
+  options.Segmentation.ShortestSegment = self->ShortestSegment;
+  options.Segmentation.LongestSegment = self->LongestSegment;
+  options.Segmentation.LengthRatio = self->LengthRatio;
+  options.Segmentation.FeatureCurvature = self->FeatureCurvature;
+  options.Segmentation.FeatureContrast = self->FeatureContrast;
+  options.Segmentation.LeastSpeed = self->LeastSpeed;
+  options.Window = self->Window;
+  options.RelativeError = self->RelativeError;
+  options.MaximumSegments = self->MaximumSegments;
+  options.Trees.NumberOfTopNodes = self->NumberOfTopNodes;
+  options.Trees.Branching = self->Branching;
+  options.Trees.Seed = static_cast<std::uint64_t>(self->Seed);
+  options.Connections.Freedom = static_cast<waft::RotationFreedom>(self->RotationFreedom);
+  options.Connections.MaxTilt = self->MaxTilt;
+  options.Connections.NotConnectible = self->NotConnectible;
+  return options;
+}
+
 vtkTrajectoryClusterFilter::vtkTrajectoryClusterFilter() : Impl(std::make_unique<Internals>())
 {
   this->SetNumberOfInputPorts(2);
@@ -94,30 +118,13 @@ int vtkTrajectoryClusterFilter::RequestData(vtkInformation*, vtkInformationVecto
   Internals& impl = *this->Impl;
   if (!impl.Cache.IsCurrent(this, inputs))
   {
-    waft::ClusterOptions options;
-    options.Segmentation.ShortestSegment = this->ShortestSegment;
-    options.Segmentation.LongestSegment = this->LongestSegment;
-    options.Segmentation.LengthRatio = this->LengthRatio;
-    options.Segmentation.FeatureCurvature = this->FeatureCurvature;
-    options.Segmentation.FeatureContrast = this->FeatureContrast;
-    options.Segmentation.LeastSpeed = this->LeastSpeed;
-    options.Window = this->Window;
-    options.RelativeError = this->RelativeError;
-    options.MaximumSegments = this->MaximumSegments;
-    options.Trees.NumberOfTopNodes = this->NumberOfTopNodes;
-    options.Trees.Branching = this->Branching;
-    options.Trees.Seed = static_cast<std::uint64_t>(this->Seed);
-    options.Connections.Freedom = static_cast<waft::RotationFreedom>(this->RotationFreedom);
-    options.Connections.MaxTilt = this->MaxTilt;
-    options.Connections.NotConnectible = this->NotConnectible;
-
     impl.Cache.Forget();
     waft::ClusterInput input;
     waft::StageMonitor monitor(this);
     waft::Result result = Gather(inputs, input);
-    result = result
-               ? waft::ClusterTrajectories(input, options, waft::SmpFor(), monitor, impl.Database)
-               : result;
+    result = result ? waft::ClusterTrajectories(input, Internals::Options(this), waft::SmpFor(),
+                                                monitor, impl.Database)
+                    : result;
     if (!result)
     {
       return waft::Fail(this, outputs, result.Message());

@@ -72,6 +72,34 @@ TEST(MotionDatabaseSource, AbortedItGivesNothing)
   EXPECT_EQ(source->GetOutput()->GetNumberOfBlocks(), 0u);
 }
 
+TEST(MotionDatabaseSource, AbortedLaterItGivesTheSimulationsThatAreWhole)
+{
+  vtkNew<vtkMotionDatabaseSource> source;
+  MakeSmall(source);
+  source->SetNumberOfSimulations(64); // more than run at once
+  source->SetNumberOfFrames(30);
+  source->SetWarmUpSeconds(0.5);
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+      const std::string text = algorithm->GetProgressText() ? algorithm->GetProgressText() : "";
+      if (text.rfind("Simulations 1 ", 0) != 0 && !text.empty())
+      {
+        algorithm->SetAbortExecute(1);
+      }
+    });
+  source->AddObserver(vtkCommand::ProgressEvent, stop);
+  source->Update();
+  MotionDatabase database;
+  const Result result = DatabaseFromMultiBlock(source->GetOutput(), database);
+  ASSERT_TRUE(result) << result.Message();
+  const int whole = std::stoi(database.Provenance.at("NumberOfSimulations"));
+  EXPECT_GE(whole, 1);
+  EXPECT_LT(whole, 64);
+}
+
 TEST(MotionDatabaseSource, NamesTheParameterThatIsWrong)
 {
   vtkNew<vtkMotionDatabaseSource> source;

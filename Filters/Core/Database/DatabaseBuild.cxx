@@ -56,6 +56,35 @@ Result Advance(std::vector<std::unique_ptr<SimulationRun>>& runs, int first, int
   return Result::Ok();
 }
 
+/// Runs in batches; `traced` gets those that are whole, when it is stopped, too.
+Result Simulate(const DatabaseOptions& options, const ParallelFor& parallelFor, Monitor& monitor,
+                std::vector<TracedSimulation>& traced)
+{
+  for (int first = 0; first < options.NumberOfSimulations; first += options.SimulationsAtOnce)
+  {
+    const int last = std::min(first + options.SimulationsAtOnce, options.NumberOfSimulations);
+    std::vector<std::unique_ptr<SimulationRun>> runs;
+    for (int simulation = first; simulation < last; ++simulation)
+    {
+      runs.push_back(std::make_unique<SimulationRun>());
+      if (Result begun = runs.back()->Begin(options, simulation); !begun)
+      {
+        return Result::Error("simulation " + std::to_string(simulation) + ": " + begun.Message());
+      }
+    }
+    const Result advanced = Advance(runs, first, options.NumberOfSimulations, parallelFor, monitor);
+    if (!advanced || advanced.IsStopped())
+    {
+      return advanced;
+    }
+    for (const std::unique_ptr<SimulationRun>& run : runs)
+    {
+      traced.push_back(run->Finish());
+    }
+  }
+  return Result::Ok();
+}
+
 class LastPart : public Monitor
 {
 public:
@@ -73,10 +102,10 @@ private:
 
 DatabaseOptions::DatabaseOptions()
 {
-  // So that the median speed of the tracers is near 0.65 m/s and one in twenty samples is faster
-  // than 1.35 m/s, in the default volume.
-  this->Ensemble.VortexAcceleration = { 0.35, 1.4 };
-  this->Ensemble.WindAcceleration = { 0.22, 0.9 };
+  // So that the median speed of the tracers is near 0.6 m/s and one in twenty samples is faster
+  // than 1.3 m/s, in the default volume.
+  this->Ensemble.VortexAcceleration = { 0.27, 1.05 };
+  this->Ensemble.WindAcceleration = { 0.16, 0.65 };
   this->Ensemble.NumberOfEmitters = 0; // nobody sees this smoke
 }
 
@@ -126,41 +155,28 @@ Result BuildDatabase(const DatabaseOptions& options, const ParallelFor& parallel
   traced.FramesPerSecond = options.FramesPerSecond;
   traced.Volume = options.Bounds;
   traced.SettlingSpeed = options.SettlingSpeed;
-  for (int first = 0; first < options.NumberOfSimulations; first += options.SimulationsAtOnce)
+  const Result simulated = Simulate(options, parallelFor, monitor, traced.Simulations);
+  if (!simulated || (simulated.IsStopped() && traced.Simulations.empty()))
   {
-    const int last = std::min(first + options.SimulationsAtOnce, options.NumberOfSimulations);
-    std::vector<std::unique_ptr<SimulationRun>> runs;
-    for (int simulation = first; simulation < last; ++simulation)
-    {
-      runs.push_back(std::make_unique<SimulationRun>());
-      if (Result begun = runs.back()->Begin(options, simulation); !begun)
-      {
-        return Result::Error("simulation " + std::to_string(simulation) + ": " + begun.Message());
-      }
-    }
-    const Result advanced = Advance(runs, first, options.NumberOfSimulations, parallelFor, monitor);
-    if (!advanced || advanced.IsStopped())
-    {
-      return advanced;
-    }
-    for (const std::unique_ptr<SimulationRun>& run : runs)
-    {
-      traced.Simulations.push_back(run->Finish());
-    }
+    return simulated;
   }
 
-  ClusterOptions cluster = options.Cluster;
-  cluster.Trees.Seed = options.Seed;
+  DatabaseOptions whole = options;
+  whole.NumberOfSimulations = static_cast<int>(traced.Simulations.size());
+  whole.Cluster.Trees.Seed = options.Seed;
   LastPart clustering(monitor);
+  SilentMonitor silent; // of a stop it was told already
   MotionDatabase result;
-  const Result clustered = ClusterTrajectories(traced, cluster, parallelFor, clustering, result);
+  const Result clustered =
+    ClusterTrajectories(traced, whole.Cluster, parallelFor,
+                        simulated.IsStopped() ? static_cast<Monitor&>(silent) : clustering, result);
   if (!clustered || clustered.IsStopped())
   {
     return clustered;
   }
-  result.Provenance = ProvenanceOf(options);
+  result.Provenance = ProvenanceOf(whole);
   database = std::move(result);
-  return Result::Ok();
+  return simulated;
 }
 
 } // namespace waft

@@ -45,7 +45,8 @@ struct DatabaseOptions
 };
 
 /// One thread a simulation, two frames in memory each. The same options give the same database bit
-/// by bit, whatever the number of threads. Provenance lists the parameters.
+/// by bit, whatever the number of threads. Provenance lists the parameters. When it is stopped, the
+/// database is that of the first simulations that are whole, untouched when there is none.
 Result BuildDatabase(const DatabaseOptions& options, const ParallelFor& parallelFor,
                      Monitor& monitor, MotionDatabase& database);
 

@@ -217,6 +217,17 @@ TEST(DatabaseBuild, StopsWhenAskedAndRefusesWhatIsWrong)
   MotionDatabase database;
   SilentMonitor monitor;
   DatabaseOptions options = Small();
+  options.SimulationsAtOnce = 1;
+  StopAfter inTheThird(200); // of 90 frames each
+  EXPECT_TRUE(BuildDatabase(options, SerialFor(), inTheThird, database).IsStopped());
+  options.NumberOfSimulations = 2;
+  const MotionDatabase two = Build(options, 1);
+  EXPECT_EQ(database.Provenance, two.Provenance);
+  ASSERT_EQ(database.Segments.size(), two.Segments.size());
+  EXPECT_EQ(database.Segments.back().Coefficients, two.Segments.back().Coefficients);
+
+  database = MotionDatabase();
+  options = Small();
   options.Bounds.Max.z() = 3.9;
   EXPECT_NE(BuildDatabase(options, SerialFor(), monitor, database).Message().find("Bounds"),
             std::string::npos);
