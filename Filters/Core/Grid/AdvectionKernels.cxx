@@ -18,70 +18,116 @@ struct Reach
   float Low = 0.0f;
   float High = 0.0f;
   float Period = 0.0f; // 0: not periodic
-
-  /// The displacement d from sample i (shifted by s) that stays within reach.
-  float Limit(int i, float s, float d) const
-  {
-    const float at = static_cast<float>(i) + s;
-    if (this->Period > 0.0f)
-    {
-      d -= this->Period * std::floor((at + d) / this->Period);
-    }
-    return std::min(std::max(d, this->Low - at), this->High - at);
-  }
 };
 
-std::array<Reach, 3> ReachOf(const CarrierFlow& flow, int faceAxis)
+Reach ReachOf(const StaggeredLayout& layout, const AxisEnds& ends, int faceAxis, int axis)
 {
-  std::array<Reach, 3> reach;
-  for (int axis = 0; axis < 3; ++axis)
+  const int n = layout.N[axis];
+  const bool onFaces = axis == faceAxis;
+  if (ends[axis][0] == EndKind::Wrap)
   {
-    const int n = flow.Layout->N[axis];
-    const bool onFaces = axis == faceAxis;
-    // Up to a wall, and one voxel into the outside, where everything is zero.
-    const float wall = onFaces ? 0.0f : -0.5f;
-    reach[axis].Low = flow.Ends[axis][0] == EndKind::Outside ? -1.0f : wall;
-    reach[axis].High = flow.Ends[axis][1] == EndKind::Outside ? (onFaces ? n + 1.0f : n)
-                                                              : n + (onFaces ? 0.0f : wall);
-    if (flow.Ends[axis][0] == EndKind::Wrap)
-    {
-      reach[axis] = { 0.0f, static_cast<float>(n), static_cast<float>(n) };
-    }
+    return { 0.0f, static_cast<float>(n), static_cast<float>(n) };
   }
+  // Up to a wall, and one voxel into the outside, where everything is zero.
+  const float wall = onFaces ? 0.0f : -0.5f;
+  Reach reach;
+  reach.Low = ends[axis][0] == EndKind::Outside ? -1.0f : wall;
+  reach.High =
+    ends[axis][1] == EndKind::Outside ? (onFaces ? n + 1.0f : n) : n + (onFaces ? 0.0f : wall);
   return reach;
 }
 
-// The lower corner of the voxel of samples around a point, and the place within it.
+// The displacement d from the place `at` that stays within reach.
+inline float Limit(const Reach& reach, float at, float d)
+{
+  return std::min(std::max(d, reach.Low - at), reach.High - at);
+}
+
+// The same on a periodic axis.
+inline float Wrapped(const Reach& reach, float at, float d)
+{
+  return Limit(reach, at, d - reach.Period * std::floor((at + d) / reach.Period));
+}
+
+// Displacements are multiples of 2^-18 voxels (up to 16 voxels): sums with halves and complements
+// to one are then exact, so that a mirror image of the air is carried to the same bits.
+inline float Quantize(float d)
+{
+  constexpr float grain = 48.0f;
+  return (d + grain) - grain;
+}
+
+// d becomes its fraction; its floor times the stride is added to corner.
+inline void Split(float& d, std::ptrdiff_t stride, int& corner)
+{
+  const int whole = static_cast<int>(d);
+  const int floor = whole - (d < static_cast<float>(whole) ? 1 : 0);
+  corner += floor * static_cast<int>(stride);
+  d -= static_cast<float>(floor);
+}
+
+// Feet of a row from displacements dx, dy, dz [voxels] of the samples at place (i, j, k) + shift of
+// the index space of the faces of faceAxis, which are relative to (i, j, k) again afterwards.
+inline void __attribute__((always_inline))
+RowFeet(const StaggeredLayout& layout, const AxisEnds& ends, int faceAxis, const float* shift,
+        int j, int k, const float* dx, const float* dy, const float* dz, int count, FootRow& feet)
+{
+  const Reach rx = ReachOf(layout, ends, faceAxis, 0);
+  const Reach ry = ReachOf(layout, ends, faceAxis, 1);
+  const Reach rz = ReachOf(layout, ends, faceAxis, 2);
+  const float y = static_cast<float>(j) + shift[1];
+  const float z = static_cast<float>(k) + shift[2];
+  int* corner = feet.Corner.data();
+  float* tx = feet.Tx.data();
+  float* ty = feet.Ty.data();
+  float* tz = feet.Tz.data();
+  const bool wraps = rx.Period > 0.0f || ry.Period > 0.0f || rz.Period > 0.0f;
+  if (wraps)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      const float x = static_cast<float>(i) + shift[0];
+      tx[i] = (rx.Period > 0.0f ? Wrapped(rx, x, dx[i]) : Limit(rx, x, dx[i])) + shift[0];
+      ty[i] = (ry.Period > 0.0f ? Wrapped(ry, y, dy[i]) : Limit(ry, y, dy[i])) + shift[1];
+      tz[i] = (rz.Period > 0.0f ? Wrapped(rz, z, dz[i]) : Limit(rz, z, dz[i])) + shift[2];
+    }
+  }
+  else
+  {
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i)
+    {
+      const float x = static_cast<float>(i) + shift[0];
+      tx[i] = Limit(rx, x, dx[i]) + shift[0];
+      ty[i] = Limit(ry, y, dy[i]) + shift[1];
+      tz[i] = Limit(rz, z, dz[i]) + shift[2];
+    }
+  }
+#pragma GCC ivdep
+  for (int i = 0; i < count; ++i)
+  {
+    int at = i;
+    Split(tx[i], 1, at);
+    Split(ty[i], layout.StrideY, at);
+    Split(tz[i], layout.StrideZ, at);
+    corner[i] = at;
+  }
+}
+
 struct Foot
 {
-  std::ptrdiff_t Base;
+  std::ptrdiff_t Corner;
   float Tx, Ty, Tz;
 };
 
-inline int FloorOf(float d)
+inline Foot FootAt(const FootRow& feet, std::ptrdiff_t row, int i)
 {
-  const int whole = static_cast<int>(d);
-  return whole - (d < static_cast<float>(whole) ? 1 : 0);
-}
-
-// dx, dy, dz: displacements from sample (i, j, k).
-inline Foot FootAt(const StaggeredLayout& layout, int i, int j, int k, float dx, float dy, float dz)
-{
-  const int fx = FloorOf(dx);
-  const int fy = FloorOf(dy);
-  const int fz = FloorOf(dz);
-  return { layout.Index(i + fx, j + fy, k + fz), dx - static_cast<float>(fx),
-           dy - static_cast<float>(fy), dz - static_cast<float>(fz) };
-}
-
-inline Foot FootAt(const StaggeredLayout& layout, const FootRow& feet, int i)
-{
-  return FootAt(layout, i, feet.J, feet.K, feet.X[i], feet.Y[i], feet.Z[i]);
+  return { row + feet.Corner[i], feet.Tx[i], feet.Ty[i], feet.Tz[i] };
 }
 
 inline float Linear(const StaggeredLayout& layout, const float* values, const Foot& foot)
 {
-  const float* p = values + foot.Base;
+  const float* p = values + foot.Corner;
   const Float4 a = Load4(p);
   const Float4 b = Load4(p + layout.StrideY);
   const Float4 c = Load4(p + layout.StrideZ);
@@ -127,92 +173,98 @@ inline Float4 CubicAlongZ(const float* p, std::ptrdiff_t stride, float t)
 
 } // namespace
 
-void TraceRow(const CarrierFlow& flow, int faceAxis, int j, int k, FootRow& feet)
+WAFT_SIMD_CLONES
+void TracePlane(const CarrierFlow& flow, int k, const std::array<float*, 3>& displacement)
 {
   const StaggeredLayout& layout = *flow.Layout;
-  const int count = layout.Count(0, faceAxis);
-  const std::ptrdiff_t row = layout.Index(0, j, k);
-  feet.J = j;
-  feet.K = k;
-  float* out[3] = { feet.X.data(), feet.Y.data(), feet.Z.data() };
-  // The velocity at a sample of one axis's faces is there; of the others the mean of the nearest.
-  for (int axis = 0; axis < 3; ++axis)
+  const int count = layout.N[0];
+  FootRow feet;
+  feet.Resize(count);
+  std::vector<float> half[3];
+  for (std::vector<float>& h : half)
   {
-    const float* v = flow.Velocity[axis] + row;
-    const std::ptrdiff_t own = layout.Stride(axis);
-    const float half = -0.5f * flow.Scale[axis];
-    if (axis == faceAxis)
-    {
-      for (int i = 0; i < count; ++i)
-      {
-        out[axis][i] = half * v[i];
-      }
-    }
-    else if (faceAxis < 0)
-    {
-      for (int i = 0; i < count; ++i)
-      {
-        out[axis][i] = half * (0.5f * (v[i] + v[i + own]));
-      }
-    }
-    else
-    {
-      const std::ptrdiff_t other = layout.Stride(faceAxis);
-      for (int i = 0; i < count; ++i)
-      {
-        out[axis][i] = half * (0.25f * ((v[i] + v[i + own]) + (v[i - other] + v[i + own - other])));
-      }
-    }
+    h.resize(count);
   }
-
-  const std::array<Reach, 3> reach = ReachOf(flow, faceAxis);
-  const std::array<Reach, 3> flowReach[3] = { ReachOf(flow, 0), ReachOf(flow, 1),
-                                              ReachOf(flow, 2) };
-  // From the index space of these samples to that of the faces of an axis.
-  float shift[3][3];
-  for (int axis = 0; axis < 3; ++axis)
+  for (int j = 0; j < layout.N[1]; ++j)
   {
-    for (int c = 0; c < 3; ++c)
-    {
-      shift[axis][c] = (axis == c ? 0.5f : 0.0f) - (faceAxis == c ? 0.5f : 0.0f);
-    }
-  }
-  for (int i = 0; i < count; ++i)
-  {
-    float step[3];
+    const std::ptrdiff_t row = layout.Index(0, j, k);
     for (int axis = 0; axis < 3; ++axis)
     {
-      const std::array<Reach, 3>& r = flowReach[axis];
-      const float* s = shift[axis];
-      const Foot foot =
-        FootAt(layout, i, j, k, r[0].Limit(i, s[0], out[0][i]) + s[0],
-               r[1].Limit(j, s[1], out[1][i]) + s[1], r[2].Limit(k, s[2], out[2][i]) + s[2]);
-      step[axis] = flow.Scale[axis] * Linear(layout, flow.Velocity[axis], foot);
+      const float* v = flow.Velocity[axis] + row;
+      const float* next = v + layout.Stride(axis);
+      float* h = half[axis].data();
+      const float scale = -0.25f * flow.Scale[axis];
+#pragma GCC ivdep
+      for (int i = 0; i < count; ++i)
+      {
+        h[i] = Quantize(scale * (v[i] + next[i]));
+      }
     }
-    out[0][i] = reach[0].Limit(i, 0.0f, -step[0]);
-    out[1][i] = reach[1].Limit(j, 0.0f, -step[1]);
-    out[2][i] = reach[2].Limit(k, 0.0f, -step[2]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      // A cell's centre lies half a face's distance above its lower face.
+      float shift[3] = { 0.0f, 0.0f, 0.0f };
+      shift[axis] = 0.5f;
+      RowFeet(layout, flow.Ends, axis, shift, j, k, half[0].data(), half[1].data(), half[2].data(),
+              count, feet);
+      float* out = displacement[axis] + row;
+      for (int i = 0; i < count; ++i)
+      {
+        out[i] =
+          Quantize(-flow.Scale[axis] * Linear(layout, flow.Velocity[axis], FootAt(feet, row, i)));
+      }
+    }
   }
 }
 
-void SampleLinearRow(const StaggeredLayout& layout, const float* values, const FootRow& feet,
-                     int count, float* out)
+WAFT_SIMD_CLONES
+void FindFeet(const StaggeredLayout& layout, const AxisEnds& ends,
+              const std::array<const float*, 3>& displacement, int faceAxis, int j, int k,
+              FootRow& feet)
+{
+  const int count = layout.Count(0, faceAxis);
+  const std::ptrdiff_t row = layout.Index(0, j, k);
+  const float* d[3] = { displacement[0] + row, displacement[1] + row, displacement[2] + row };
+  const float none[3] = { 0.0f, 0.0f, 0.0f };
+  if (faceAxis < 0)
+  {
+    RowFeet(layout, ends, faceAxis, none, j, k, d[0], d[1], d[2], count, feet);
+    return;
+  }
+  const std::ptrdiff_t back = layout.Stride(faceAxis);
+  float* mean[3] = { feet.Tx.data(), feet.Ty.data(), feet.Tz.data() };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const float* here = d[axis];
+    const float* before = here - back;
+    float* out = mean[axis];
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i)
+    {
+      out[i] = 0.5f * (here[i] + before[i]);
+    }
+  }
+  RowFeet(layout, ends, faceAxis, none, j, k, mean[0], mean[1], mean[2], count, feet);
+}
+
+void SampleLinearRow(const StaggeredLayout& layout, const float* values, std::ptrdiff_t row,
+                     const FootRow& feet, int count, float* out)
 {
   for (int i = 0; i < count; ++i)
   {
-    out[i] = Linear(layout, values, FootAt(layout, feet, i));
+    out[i] = Linear(layout, values, FootAt(feet, row, i));
   }
 }
 
-void SampleCubicRow(const StaggeredLayout& layout, const float* values, const FootRow& feet,
-                    int count, float* out)
+void SampleCubicRow(const StaggeredLayout& layout, const float* values, std::ptrdiff_t row,
+                    const FootRow& feet, int count, float* out)
 {
   const std::ptrdiff_t sy = layout.StrideY;
   const std::ptrdiff_t sz = layout.StrideZ;
   for (int i = 0; i < count; ++i)
   {
-    const Foot foot = FootAt(layout, feet, i);
-    const float* p = values + foot.Base - 1;
+    const Foot foot = FootAt(feet, row, i);
+    const float* p = values + foot.Corner - 1;
     const Float4 line =
       Cubic(CubicAlongZ(p - sy, sz, foot.Tz), CubicAlongZ(p, sz, foot.Tz),
             CubicAlongZ(p + sy, sz, foot.Tz), CubicAlongZ(p + 2 * sy, sz, foot.Tz), foot.Ty);
@@ -220,14 +272,14 @@ void SampleCubicRow(const StaggeredLayout& layout, const float* values, const Fo
   }
 }
 
-void CorrectMacCormackRow(const StaggeredLayout& layout, const float* source, const FootRow& feet,
-                          int count, const float* values, const float* forward,
+void CorrectMacCormackRow(const StaggeredLayout& layout, const float* source, std::ptrdiff_t row,
+                          const FootRow& feet, int count, const float* forward,
                           const float* backward, float* out)
 {
   for (int i = 0; i < count; ++i)
   {
-    const Foot foot = FootAt(layout, feet, i);
-    const float* p = source + foot.Base;
+    const Foot foot = FootAt(feet, row, i);
+    const float* p = source + foot.Corner;
     float low = p[0];
     float high = p[0];
     for (int corner = 1; corner < 8; ++corner)
@@ -237,7 +289,7 @@ void CorrectMacCormackRow(const StaggeredLayout& layout, const float* source, co
       low = std::min(low, value);
       high = std::max(high, value);
     }
-    const float corrected = forward[i] + 0.5f * (values[i] - backward[i]);
+    const float corrected = forward[i] + 0.5f * (source[row + i] - backward[i]);
     out[i] = std::min(std::max(corrected, low), high);
   }
 }

@@ -19,36 +19,42 @@ struct CarrierFlow
   std::array<float, 3> Scale{ 0.0f, 0.0f, 0.0f }; // dt / spacing; negative: backwards in time
 };
 
-/// Where the air of a row of samples (0.., J, K) was one time step earlier: displacements in
-/// voxels, within the reach of the arrays. Not places: their rounding would depend on the side of
-/// the grid.
+/// Where the values of a row of samples are looked up: the sample at the lower corner of the voxel
+/// around each foot, counted from the row's first sample, and the place within that voxel, 0..1.
 struct FootRow
 {
-  std::vector<float> X, Y, Z;
-  int J = 0;
-  int K = 0;
+  std::vector<int> Corner;
+  std::vector<float> Tx, Ty, Tz;
   void Resize(int n)
   {
-    this->X.resize(n);
-    this->Y.resize(n);
-    this->Z.resize(n);
+    this->Corner.resize(n);
+    this->Tx.resize(n);
+    this->Ty.resize(n);
+    this->Tz.resize(n);
   }
 };
 
-/// Traces the samples (0.., j, k) of an array on the faces of faceAxis (-1: cell centres) back by a
-/// Runge-Kutta step of second order (midpoint rule).
-void TraceRow(const CarrierFlow& flow, int faceAxis, int j, int k, FootRow& feet);
+/// Displacements in voxels, one time step back, of the cell centres of plane k: a Runge-Kutta step
+/// of second order (midpoint rule). Not places: their rounding would depend on the side of the
+/// grid.
+void TracePlane(const CarrierFlow& flow, int k, const std::array<float*, 3>& displacement);
 
-/// Values at the feet: trilinear.
-void SampleLinearRow(const StaggeredLayout& layout, const float* values, const FootRow& feet,
-                     int count, float* out);
+/// Feet of the samples (0.., j, k) on the faces of faceAxis (-1: cell centres): displacements of
+/// the cells, their mean at a face; kept within the arrays.
+void FindFeet(const StaggeredLayout& layout, const AxisEnds& ends,
+              const std::array<const float*, 3>& displacement, int faceAxis, int j, int k,
+              FootRow& feet);
+
+/// Values at the feet of the row that begins at sample `row`: trilinear.
+void SampleLinearRow(const StaggeredLayout& layout, const float* values, std::ptrdiff_t row,
+                     const FootRow& feet, int count, float* out);
 /// Cubic along each axis in turn, slopes limited so that no new extremum arises.
-void SampleCubicRow(const StaggeredLayout& layout, const float* values, const FootRow& feet,
-                    int count, float* out);
-/// out = forward + (values - backward) / 2 held within the eight samples around the feet
-/// (MacCormack, Selle et al. 2008). The three rows begin at sample (0, j, k).
-void CorrectMacCormackRow(const StaggeredLayout& layout, const float* source, const FootRow& feet,
-                          int count, const float* values, const float* forward,
+void SampleCubicRow(const StaggeredLayout& layout, const float* values, std::ptrdiff_t row,
+                    const FootRow& feet, int count, float* out);
+/// out = forward + (values - backward) / 2 held within the eight samples of `source` around the
+/// feet (MacCormack, Selle et al. 2008). The other rows begin at sample `row`.
+void CorrectMacCormackRow(const StaggeredLayout& layout, const float* source, std::ptrdiff_t row,
+                          const FootRow& feet, int count, const float* forward,
                           const float* backward, float* out);
 
 } // namespace waft

@@ -79,7 +79,7 @@ bool PressureSolver::Coarsen(Level& fine, Level& coarse) const
   coarse.Cells = PaddedCells(n);
   for (int axis = 0; axis < 3; ++axis)
   {
-    coarse.W[axis].assign(coarse.Cells.Size(), 0.0f);
+    std::vector<double> sums(coarse.Cells.Size(), 0.0);
     std::array<int, 3> end = fine.Cells.N;
     ++end[axis];
     for (int k = 0; k < end[2]; ++k)
@@ -97,12 +97,13 @@ bool PressureSolver::Coarsen(Level& fine, Level& coarse) const
           std::array<int, 3> to{ i / fine.Ratio[0], j / fine.Ratio[1], k / fine.Ratio[2] };
           to[axis] = isLast ? n[axis] : to[axis];
           // A face between aggregates that are one cell thick along its axis needs no halving.
-          const float scale = fine.Ratio[axis] == 2 ? 0.5f : 1.0f;
-          coarse.W[axis][coarse.Cells.Index(to[0], to[1], to[2])] +=
+          const double scale = fine.Ratio[axis] == 2 ? 0.5 : 1.0;
+          sums[coarse.Cells.Index(to[0], to[1], to[2])] +=
             scale * fine.W[axis][fine.Cells.Index(i, j, k)];
         }
       }
     }
+    coarse.W[axis].assign(sums.begin(), sums.end());
   }
   this->FinishLevel(coarse);
   return true;

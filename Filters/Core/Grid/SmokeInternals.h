@@ -60,7 +60,8 @@ struct SmokeSolver::Internals
 
   // Work space.
   std::array<FloatArray, 3> NewVelocity, Center, Vorticity, Acceleration;
-  FloatArray VorticitySize, NewScalar, Backward, RightHandSide;
+  std::array<FloatArray, 3> Backwards, Forwards; // displacements of the cells' air [voxels]
+  FloatArray VorticitySize, NewScalar, Returned, RightHandSide;
   SmokeStatistics Statistics;
 
   void Prepare();
@@ -87,10 +88,13 @@ struct SmokeSolver::Internals
 
   // SmokeTransport.cxx
   double Energy(const std::array<FloatArray, 3>& faces, const ParallelFor& parallelFor) const;
+  /// Traces the air, too: before AdvectScalars.
   void AdvectVelocity(double dt, const ParallelFor& parallelFor);
   /// time: after the step.
   void AdvectScalars(double time, double dt, const ParallelFor& parallelFor);
-  void Advect(int faceAxis, const FloatArray& source, FloatArray& target, double dt,
+  void Trace(double dt, const ParallelFor& parallelFor,
+             std::array<FloatArray, 3>& displacement) const;
+  void Advect(int faceAxis, const FloatArray& source, FloatArray& target,
               const ParallelFor& parallelFor);
   bool Project(double dt, const ParallelFor& parallelFor, const std::function<bool()>& goOn);
   void FinishVelocity();

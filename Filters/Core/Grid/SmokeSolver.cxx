@@ -48,6 +48,12 @@ void SmokeSolver::Internals::Prepare()
       component.assign(size, 0.0f);
     }
   }
+  const bool goesBothWays = options.Advection == AdvectionScheme::MacCormack;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Backwards[axis].assign(size, 0.0f);
+    this->Forwards[axis].assign(goesBothWays ? size : 0, 0.0f);
+  }
   for (FloatArray* field :
        { &this->Density, &this->Temperature, &this->VorticitySize, &this->NewScalar })
   {

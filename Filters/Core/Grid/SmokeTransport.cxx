@@ -23,24 +23,36 @@ double Seconds()
 
 } // namespace
 
-void SmokeSolver::Internals::Advect(int faceAxis, const FloatArray& source, FloatArray& target,
-                                    double dt, const ParallelFor& parallelFor)
+void SmokeSolver::Internals::Trace(double dt, const ParallelFor& parallelFor,
+                                   std::array<FloatArray, 3>& displacement) const
 {
-  const StaggeredLayout& layout = this->Layout;
   CarrierFlow flow;
-  flow.Layout = &layout;
+  flow.Layout = &this->Layout;
   flow.Ends = this->Ends;
   flow.Velocity = ConstPointers(this->Velocity);
   for (int axis = 0; axis < 3; ++axis)
   {
     flow.Scale[axis] = static_cast<float>(dt) / this->Spacing[axis];
   }
+  const VectorArrays out = Pointers(displacement);
+  ForPlanes(parallelFor, this->Layout.N[2], [&](int k) { TracePlane(flow, k, out); });
+  for (float* component : out)
+  {
+    FillGhosts(this->Layout, this->DerivedEnds, -1, component);
+  }
+}
+
+void SmokeSolver::Internals::Advect(int faceAxis, const FloatArray& source, FloatArray& target,
+                                    const ParallelFor& parallelFor)
+{
+  const StaggeredLayout& layout = this->Layout;
   const AdvectionScheme scheme = this->Options.Advection;
   const int count = layout.Count(0, faceAxis);
   const int rows = layout.Count(1, faceAxis);
   const int planes = layout.Count(2, faceAxis);
-  const auto forEachRow = [&](const CarrierFlow& carrier, const auto& body)
+  const auto forEachRow = [&](const std::array<FloatArray, 3>& displacement, const auto& body)
   {
+    const ConstVectorArrays d = ConstPointers(displacement);
     parallelFor(static_cast<std::size_t>(planes),
                 [&](std::size_t begin, std::size_t end)
                 {
@@ -50,43 +62,33 @@ void SmokeSolver::Internals::Advect(int faceAxis, const FloatArray& source, Floa
                   {
                     for (int j = 0; j < rows; ++j)
                     {
-                      TraceRow(carrier, faceAxis, j, k, feet);
+                      FindFeet(layout, this->Ends, d, faceAxis, j, k, feet);
                       body(layout.Index(0, j, k), feet);
                     }
                   }
                 });
   };
-  forEachRow(flow,
+  forEachRow(this->Backwards,
              [&](std::ptrdiff_t row, const FootRow& feet)
              {
-               if (scheme == AdvectionScheme::MonotoneCubic)
-               {
-                 SampleCubicRow(layout, source.data(), feet, count, target.data() + row);
-               }
-               else
-               {
-                 SampleLinearRow(layout, source.data(), feet, count, target.data() + row);
-               }
+               const bool cubic = scheme == AdvectionScheme::MonotoneCubic;
+               (cubic ? SampleCubicRow : SampleLinearRow)(layout, source.data(), row, feet, count,
+                                                          target.data() + row);
              });
   if (scheme != AdvectionScheme::MacCormack)
   {
     return;
   }
   FillGhosts(layout, this->Ends, faceAxis, target.data());
-  CarrierFlow back = flow;
-  for (float& scale : back.Scale)
-  {
-    scale = -scale;
-  }
-  this->Backward.resize(layout.Size());
-  forEachRow(back, [&](std::ptrdiff_t row, const FootRow& feet)
-             { SampleLinearRow(layout, target.data(), feet, count, this->Backward.data() + row); });
-  forEachRow(flow,
+  this->Returned.resize(layout.Size());
+  forEachRow(
+    this->Forwards, [&](std::ptrdiff_t row, const FootRow& feet)
+    { SampleLinearRow(layout, target.data(), row, feet, count, this->Returned.data() + row); });
+  forEachRow(this->Backwards,
              [&](std::ptrdiff_t row, const FootRow& feet)
              {
-               CorrectMacCormackRow(layout, source.data(), feet, count, source.data() + row,
-                                    target.data() + row, this->Backward.data() + row,
-                                    target.data() + row);
+               CorrectMacCormackRow(layout, source.data(), row, feet, count, target.data() + row,
+                                    this->Returned.data() + row, target.data() + row);
              });
 }
 
@@ -111,9 +113,14 @@ double SmokeSolver::Internals::Energy(const std::array<FloatArray, 3>& faces,
 
 void SmokeSolver::Internals::AdvectVelocity(double dt, const ParallelFor& parallelFor)
 {
+  this->Trace(dt, parallelFor, this->Backwards);
+  if (this->Options.Advection == AdvectionScheme::MacCormack)
+  {
+    this->Trace(-dt, parallelFor, this->Forwards);
+  }
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->Advect(axis, this->Velocity[axis], this->NewVelocity[axis], dt, parallelFor);
+    this->Advect(axis, this->Velocity[axis], this->NewVelocity[axis], parallelFor);
   }
   // Transport alone makes no energy. The limited MacCormack scheme may make a little; that is taken
   // back, so that without forces the energy never grows (the projection only removes some).
@@ -146,7 +153,7 @@ void SmokeSolver::Internals::AdvectScalars(double time, double dt, const Paralle
   const float kept = static_cast<float>(std::exp(-this->Options.Dissipation * dt));
   const auto carry = [&](FloatArray& values)
   {
-    this->Advect(-1, values, this->NewScalar, dt, parallelFor);
+    this->Advect(-1, values, this->NewScalar, parallelFor);
     std::swap(values, this->NewScalar);
     for (float& value : values)
     {

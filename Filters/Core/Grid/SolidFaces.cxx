@@ -318,16 +318,22 @@ void SolidFaces::Extend(const std::vector<Link>& links, float* values) const
 {
   for (const Link& link : links)
   {
+    // Opposite neighbours are added first: a mirror image gives the same bits.
     float sum = 0.0f;
     int count = 0;
-    for (int bit = 0; bit < 6; ++bit)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      if (link.Neighbours & (1u << bit))
+      const std::ptrdiff_t step = this->Layout.Stride(axis);
+      float pair = 0.0f;
+      for (int side = 0; side < 2; ++side)
       {
-        const std::ptrdiff_t step = this->Layout.Stride(bit / 2);
-        sum += values[link.At + (bit % 2 == 0 ? -step : step)];
-        ++count;
+        if (link.Neighbours & (1u << (2 * axis + side)))
+        {
+          pair += values[link.At + (side == 0 ? -step : step)];
+          ++count;
+        }
       }
+      sum += pair;
     }
     values[link.At] = sum / static_cast<float>(count);
   }

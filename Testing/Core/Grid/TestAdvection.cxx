@@ -69,6 +69,13 @@ double ErrorAfterATurn(int n, Scheme scheme, double* largest = nullptr)
   flow.Scale.fill(static_cast<float>(2.0 * M_PI / steps * n));
   CarrierFlow back = flow;
   back.Scale.fill(-flow.Scale[0]);
+  std::array<std::vector<float>, 3> backwards = velocity;
+  std::array<std::vector<float>, 3> forwards = velocity;
+  for (int k = 0; k < 4; ++k)
+  {
+    TracePlane(flow, k, { backwards[0].data(), backwards[1].data(), backwards[2].data() });
+    TracePlane(back, k, { forwards[0].data(), forwards[1].data(), forwards[2].data() });
+  }
   FootRow feet;
   feet.Resize(n);
   std::vector<float> moved = values;
@@ -76,33 +83,36 @@ double ErrorAfterATurn(int n, Scheme scheme, double* largest = nullptr)
   for (int step = 0; step < steps; ++step)
   {
     FillGhosts(layout, Walls, -1, values.data());
-    const auto forRows = [&](const CarrierFlow& carrier, const auto& body)
+    const auto forRows =
+      [&](const std::array<std::vector<float>, 3>& displacement, const auto& body)
     {
       for (int k = 0; k < 4; ++k)
       {
         for (int j = 0; j < n; ++j)
         {
-          TraceRow(carrier, -1, j, k, feet);
+          FindFeet(layout, Walls,
+                   { displacement[0].data(), displacement[1].data(), displacement[2].data() }, -1,
+                   j, k, feet);
           body(layout.Index(0, j, k));
         }
       }
     };
-    forRows(flow,
+    forRows(backwards,
             [&](std::ptrdiff_t row)
             {
               (scheme == Scheme::Cubic ? SampleCubicRow : SampleLinearRow)(
-                layout, values.data(), feet, n, moved.data() + row);
+                layout, values.data(), row, feet, n, moved.data() + row);
             });
     if (scheme == Scheme::MacCormack)
     {
       FillGhosts(layout, Walls, -1, moved.data());
-      forRows(back, [&](std::ptrdiff_t row)
-              { SampleLinearRow(layout, moved.data(), feet, n, returned.data() + row); });
-      forRows(flow,
+      forRows(forwards, [&](std::ptrdiff_t row)
+              { SampleLinearRow(layout, moved.data(), row, feet, n, returned.data() + row); });
+      forRows(backwards,
               [&](std::ptrdiff_t row)
               {
-                CorrectMacCormackRow(layout, values.data(), feet, n, values.data() + row,
-                                     moved.data() + row, returned.data() + row, moved.data() + row);
+                CorrectMacCormackRow(layout, values.data(), row, feet, n, moved.data() + row,
+                                     returned.data() + row, moved.data() + row);
               });
     }
     std::swap(values, moved);
@@ -171,21 +181,21 @@ TEST(Advection, CubicIsExactForLinearFieldsAndMonotone)
   }
   FootRow feet; // places (6 + 0.1 s, 4.37, 9.81)
   feet.Resize(40);
-  feet.J = 4;
-  feet.K = 10;
   for (int s = 0; s < 40; ++s)
   {
-    feet.X[s] = 6.0f + 0.1f * s - s;
-    feet.Y[s] = 0.37f;
-    feet.Z[s] = -0.19f;
+    const float x = 6.0f + 0.1f * s;
+    feet.Corner[s] = static_cast<int>(layout.Index(static_cast<int>(x), 4, 9));
+    feet.Tx[s] = x - std::floor(x);
+    feet.Ty[s] = 0.37f;
+    feet.Tz[s] = 0.81f;
   }
   std::vector<float> out(40);
-  SampleCubicRow(layout, ramp.data(), feet, 40, out.data());
+  SampleCubicRow(layout, ramp.data(), 0, feet, 40, out.data());
   for (int s = 0; s < 40; ++s)
   {
     EXPECT_NEAR(out[s], 0.3 * (6.0 + 0.1 * s) - 0.2 * 4.37 + 0.1 * 9.81, 1e-5);
   }
-  SampleCubicRow(layout, edge.data(), feet, 40, out.data());
+  SampleCubicRow(layout, edge.data(), 0, feet, 40, out.data());
   for (int s = 1; s < 40; ++s)
   {
     EXPECT_GE(out[s], out[s - 1]);
