@@ -107,7 +107,7 @@ private:
 
   int Model = 1;
   double Damping = 0.3;
-  double Lift = 1.0;
+  double Lift = 2.0;
   double PressureShift = 0.0;
   double Follow = 0.5;
   double Variation = 0.15;

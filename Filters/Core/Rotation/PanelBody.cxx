@@ -12,6 +12,8 @@ namespace
 constexpr int MaxPanels = 96;
 constexpr int MaxRoundPanels = 384; // a closed body's outline needs finer ones
 constexpr double RoundFlatness = 0.3;
+constexpr double TipRatio = 1.2;   // of the fastest autorotation
+constexpr double CatchRatio = 0.3; // tip speed at half of the autorotation's drive
 constexpr int Nodes = 7; // of the table of directions, along each side of a face of the cube
 
 Vec3 NodeDirection(int face, int row, int column)
@@ -323,7 +325,9 @@ Wrench PanelBody::Evaluate(const Vec3& velocity, const Mat3& fullGradient,
 
 /// What a sum over independent panels lacks: suction at the leading edge, which moves the centre of
 /// pressure ahead of the centre by PressureShift half chords times cos(alpha), and the circulation
-/// of a turning plate, 0.5 C_R chord^2 omega per unit of span.
+/// of a turning plate, 0.5 C_R chord^2 omega per unit of span; and the drive of autorotation:
+/// separated flow keeps a turning plate turning with tips about as fast as it flies, whatever its
+/// inertia (Iversen 1979; Lugt 1983).
 Wrench PanelBody::PlateCorrections(const Vec3& velocity, const Mat3& gradient,
                                    const AirCoefficients& coefficients) const
 {
@@ -350,6 +354,13 @@ Wrench PanelBody::PlateCorrections(const Vec3& velocity, const Mat3& gradient,
     const Vec3 chordwise = n.cross(spin) / rate;
     const double chord = 4.0 * std::sqrt(chordwise.dot(this->Spread * chordwise));
     total.Force += 0.5 * coefficients.RotationalLift * scale * chord * spin.cross(velocity);
+    // Drives up to a tip speed of TipRatio of the flight's speed, but little while turning slowly.
+    const double across = (velocity - velocity.dot(spin) / (rate * rate) * spin).norm();
+    const double tip = 0.5 * chord * rate;
+    const double caught =
+      tip * tip / (tip * tip + CatchRatio * CatchRatio * across * across + 1e-30);
+    const double drive = across * std::max(across - tip / TipRatio, 0.0) * caught;
+    total.Torque += 0.25 * coefficients.Autorotation * scale * chord * drive / rate * spin;
   }
   return total;
 }

@@ -24,10 +24,11 @@ struct AirCoefficients
 {
   AirModel Model = AirModel::Plate;
   double Drag = 1.2;           // cd, broadside
-  double Lift = 1.0;           // extra slope of the normal force at small angles of attack
-  double Friction = 0.08;      // tangential drag, as a share of cd
+  double Lift = 2.0;           // extra slope of the normal force at small angles of attack
+  double Friction = 0.12;      // tangential drag, as a share of cd
   double PressureShift = 0.0;  // centre of pressure edge-on, in half chords ahead of the centre
-  double TurningDrag = 0.4;    // share of the drag on velocities that come from turning
+  double TurningDrag = 0.8;    // share of the drag on velocities that come from turning
+  double Autorotation = 0.8;   // torque that keeps a turning plate turning
   double RotationalLift = 1.1; // C_R of Andersen, Pesavento, Wang 2005
 };
 

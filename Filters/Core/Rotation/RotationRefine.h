@@ -22,7 +22,7 @@ struct RotationOptions
 {
   AirModel Model = AirModel::Plate;
   double Damping = 0.3;       // 1/s, of the angular momentum; 0 or more
-  double Lift = 1.0;          // extra slope of the normal force at small angles of attack, 0..4
+  double Lift = 2.0;          // extra slope of the normal force at small angles of attack, 0..4
   double PressureShift = 0.0; // half chords, 0..1
   double Follow = 0.5;        // 1/s: how fast the hidden sideslip is forgotten; 0 or more
   double Variation = 0.15;    // 0..0.5: how much objects of one shape differ, by Seed
