@@ -9,6 +9,7 @@
 #include <vtkMatrix3x3.h>
 #include <vtkPointData.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace waft
@@ -70,6 +71,55 @@ Result FlowFrameFromImage(vtkImageData* data, double time, FlowFrame& frame)
   WAFT_RETURN_IF_FAILED(ReadField(data, names::Velocity, true, frame.Velocity));
   WAFT_RETURN_IF_FAILED(ReadField(data, names::VortexForce, false, frame.VortexForce));
   return ReadField(data, names::WindForce, false, frame.WindForce);
+}
+
+bool SolidVoxels::Contains(const Vec3& x) const
+{
+  if (this->Values.empty())
+  {
+    return false;
+  }
+  double solid = 0.0;
+  int low[3];
+  double share[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int last = this->Lattice.Dimensions[axis] - 1;
+    const double place =
+      std::clamp((x[axis] - this->Lattice.Origin[axis]) / this->Lattice.Spacing[axis], 0.0,
+                 static_cast<double>(last));
+    low[axis] = std::min(static_cast<int>(place), std::max(last - 1, 0));
+    share[axis] = place - low[axis];
+  }
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double weight = 1.0;
+    std::size_t index = 0;
+    for (int axis = 2; axis >= 0; --axis)
+    {
+      const bool isHigh = ((corner >> axis) & 1) != 0;
+      const int last = this->Lattice.Dimensions[axis] - 1;
+      weight *= isHigh ? share[axis] : 1.0 - share[axis];
+      index = index * static_cast<std::size_t>(last + 1) + std::min(low[axis] + isHigh, last);
+    }
+    solid += this->Values[index] != 0 ? weight : 0.0;
+  }
+  return solid > 0.5;
+}
+
+void SolidVoxelsFromImage(vtkImageData* data, const FlowLattice& lattice, SolidVoxels& solid)
+{
+  vtkDataArray* array = data->GetPointData()->GetArray(names::Obstacle);
+  solid.Lattice = lattice;
+  solid.Values.clear();
+  if (array && array->GetNumberOfComponents() == 1)
+  {
+    solid.Values.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
+    for (std::size_t i = 0; i < solid.Values.size(); ++i)
+    {
+      solid.Values[i] = array->GetComponent(static_cast<vtkIdType>(i), 0) != 0.0 ? 1 : 0;
+    }
+  }
 }
 
 } // namespace waft

@@ -5,6 +5,8 @@
 #include "Base/Result.h"
 #include "Trajectory/TrajectoryTracer.h"
 
+#include <vector>
+
 class vtkImageData;
 
 namespace waft
@@ -16,5 +18,19 @@ Result FlowLatticeFromImage(vtkImageData* data, FlowLattice& lattice);
 /// Needs the point data `Velocity`; `VortexForce` and `WindForce` are read when present. Each has
 /// three components.
 Result FlowFrameFromImage(vtkImageData* data, double time, FlowFrame& frame);
+
+/// The solid part of a flow as voxels; none when the image does not say.
+struct SolidVoxels
+{
+  FlowLattice Lattice;
+  std::vector<unsigned char> Values; // 0 air, else solid
+
+  /// By the trilinear mean of the voxels around x, so that a wall between two centres stands half
+  /// way.
+  bool Contains(const Vec3& x) const;
+};
+
+/// The point data `Obstacle`, when it is there.
+void SolidVoxelsFromImage(vtkImageData* data, const FlowLattice& lattice, SolidVoxels& solid);
 
 } // namespace waft

@@ -27,6 +27,8 @@ struct vtkTrajectoryTraceFilter::Internals
   waft::StageCache Cache;
   waft::TimeSweep Sweep{ { 0, 2 } };
   waft::TrajectoryTracer Tracer;
+  waft::FlowLattice Lattice;
+  waft::SolidVoxels Solid;     // as the flow says at the present step
   waft::ObstacleSet Obstacles; // as they stand at the present step
   vtkMTimeType ObstacleChange = 0;
   double LastTime = 0.0;
@@ -65,8 +67,7 @@ waft::Result vtkTrajectoryTraceFilter::Internals::Begin(vtkInformationVector** i
 {
   vtkImageData* image = vtkImageData::GetData(inputs[0]);
   this->Info = waft::SceneInfo();
-  waft::FlowLattice lattice;
-  WAFT_RETURN_IF_FAILED(waft::FlowLatticeFromImage(image, lattice));
+  WAFT_RETURN_IF_FAILED(waft::FlowLatticeFromImage(image, this->Lattice));
   WAFT_RETURN_IF_FAILED(SceneOfFlow(inputs[0]->GetInformationObject(0), image, this->Info));
   std::vector<waft::Vortex> vortices;
   if (vtkPolyData* lines = vtkPolyData::GetData(inputs[1]))
@@ -76,15 +77,14 @@ waft::Result vtkTrajectoryTraceFilter::Internals::Begin(vtkInformationVector** i
   waft::TraceOptions trace = options;
   trace.FramesPerSecond = this->Info.Time.FramesPerSecond;
   trace.Volume = this->Info.Bounds;
-  waft::SolidTest isSolid;
   this->Obstacles = waft::ObstacleSet();
   this->ObstacleChange = 0;
-  if (vtkPolyData::GetData(inputs[2]))
+  const waft::SolidTest isSolid = [this](const waft::Vec3& x, double)
   {
-    isSolid = [this](const waft::Vec3& x, double)
-    { return this->Obstacles.SignedDistance(x, 0.0, 0.0) < 0.0; };
-  }
-  return this->Tracer.Begin(lattice, trace, std::move(vortices), std::move(isSolid));
+    return this->Solid.Contains(x) ||
+           (!this->Obstacles.IsEmpty() && this->Obstacles.SignedDistance(x, 0.0, 0.0) < 0.0);
+  };
+  return this->Tracer.Begin(this->Lattice, trace, std::move(vortices), isSolid);
 }
 
 waft::Result vtkTrajectoryTraceFilter::Internals::UpdateObstacles(vtkPolyData* data)
@@ -107,8 +107,10 @@ waft::Result vtkTrajectoryTraceFilter::Internals::Feed(vtkInformationVector** in
     return waft::Result::Ok(); // the obstacles have more steps than the flow
   }
   WAFT_RETURN_IF_FAILED(this->UpdateObstacles(vtkPolyData::GetData(inputs[2])));
+  vtkImageData* image = vtkImageData::GetData(inputs[0]);
+  waft::SolidVoxelsFromImage(image, this->Lattice, this->Solid);
   waft::FlowFrame frame;
-  WAFT_RETURN_IF_FAILED(waft::FlowFrameFromImage(vtkImageData::GetData(inputs[0]), time, frame));
+  WAFT_RETURN_IF_FAILED(waft::FlowFrameFromImage(image, time, frame));
   this->LastTime = time;
   return this->Tracer.Feed(std::move(frame), waft::SmpFor());
 }

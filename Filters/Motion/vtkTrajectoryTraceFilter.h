@@ -4,11 +4,11 @@
  * @brief   follows massless tracers through a flow that varies in time
  *
  * Input port 0, Input (vtkImageData, time-varying): point data `Velocity` [m/s] (float or
- * double[3]), optional `VortexForce` and `WindForce` [m/s^2]. A flow of one time step is taken as
- * steady over the scene's frames.
- * Input port 1, Vortices (vtkPolyData, optional): the vortices that drive the flow, for the
- * annotation. Without `VortexForce` their closed forms serve for it.
- * Input port 2, Obstacles (vtkPolyData, optional, may move): tracers end where they meet one.
+ * double[3]), optional `VortexForce` and `WindForce` [m/s^2], optional `Obstacle` (1: solid;
+ * tracers end there). A flow of one time step is taken as steady over the scene's frames. Input
+ * port 1, Vortices (vtkPolyData, optional): the vortices that drive the flow, for the annotation.
+ * Without `VortexForce` their closed forms serve for it. Input port 2, Obstacles (vtkPolyData,
+ * optional, may move): tracers end where they meet one.
  *
  * Output port 0, Tracks (vtkPolyData): one polyline per tracer, one point a frame, annotated with
  * `ForceType`, `VortexId`, `VortexAcceleration` and `WindAcceleration`; field data `SettlingSpeed`.

@@ -24,6 +24,7 @@
 #include <vtkTrajectoryClusterFilter.h>
 #include <vtkTrajectoryTraceFilter.h>
 #include <vtkTrivialProducer.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <gtest/gtest.h>
 
@@ -44,6 +45,7 @@ public:
   int Frames = 61;
   bool HasVelocity = true;
   double Phase = 0.0;
+  bool HasSolid = false;
   int Executions = 0;
 
 protected:
@@ -91,6 +93,16 @@ protected:
                                  0.5 * (std::sin(1.7 * x[1]) + std::cos(1.7 * x[0])));
     }
     image->GetPointData()->AddArray(velocity);
+    if (this->HasSolid)
+    {
+      vtkNew<vtkUnsignedCharArray> solid; // where x > 0.5: between two points
+      solid->SetName("Obstacle");
+      for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+      {
+        solid->InsertNextValue(image->GetPoint(i)[0] > 0.5 ? 1 : 0);
+      }
+      image->GetPointData()->AddArray(solid);
+    }
     SceneInfo scene;
     scene.Time.NumberOfFrames = this->Frames;
     SceneInfoToFieldData(scene, image);
@@ -168,6 +180,28 @@ TEST(TrajectoryTraceFilter, ObstaclesEndTracers)
                    x.z() < 3.499);
     }
   }
+}
+
+TEST(TrajectoryTraceFilter, SolidVoxelsOfTheFlowEndTracers)
+{
+  vtkNew<SwirlSource> source;
+  source->HasSolid = true;
+  vtkNew<vtkTrajectoryTraceFilter> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetSeedStride(4);
+  filter->Update();
+  const std::vector<Track> tracks = TracksOf(filter);
+  EXPECT_EQ(tracks.size(), 48u); // one of four layers of seeds is solid: x = 1.375
+  double farthest = -2.0;
+  for (const Track& track : tracks)
+  {
+    for (const Vec3& x : track.Positions)
+    {
+      farthest = std::max(farthest, x.x());
+    }
+  }
+  EXPECT_LE(farthest, 0.5 + 1e-9); // the wall stands half way between the points at 0.375 and 0.625
+  EXPECT_GT(farthest, 0.4);
 }
 
 TEST(TrajectoryTraceFilter, NamesTheArrayThatIsMissing)
