@@ -129,6 +129,32 @@ void NeighborList::Build(const SphKernelTable& kernels, std::size_t n, std::size
   }
 }
 
+void NeighborList::Update(const SphKernelTable& kernels, std::size_t n, std::size_t numberOfGas,
+                          const float* x, const float* y, const float* z, float support,
+                          NeighborScratch& scratch)
+{
+  // A list costs about as much to build as four evaluations of its sums.
+  constexpr int FewUses = 5;
+  constexpr int ManyUses = 15;
+  constexpr float NarrowestSkin = 0.1f;
+  constexpr float WidestSkin = 0.5f;
+  if (!this->IsStale(x, y, z, 0.5f * this->Skin))
+  {
+    ++this->Uses;
+    return;
+  }
+  if (this->Count > 0 && this->Uses < FewUses)
+  {
+    this->Skin = std::min(WidestSkin, 1.4f * this->Skin);
+  }
+  else if (this->Uses > ManyUses)
+  {
+    this->Skin = std::max(NarrowestSkin, 0.8f * this->Skin);
+  }
+  this->Uses = 0;
+  this->Build(kernels, n, numberOfGas, x, y, z, support + this->Skin, scratch);
+}
+
 bool NeighborList::IsStale(const float* x, const float* y, const float* z, float distance) const
 {
   const std::size_t n = this->Count;

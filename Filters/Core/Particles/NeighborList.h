@@ -26,6 +26,11 @@ public:
   /// x, y, z: n coordinates; reach: support plus skin.
   void Build(const SphKernelTable& kernels, std::size_t n, std::size_t numberOfGas, const float* x,
              const float* y, const float* z, float reach, NeighborScratch& scratch);
+  /// Builds again when a particle has moved half the skin since the last time. The skin adapts:
+  /// wider while particles move far from one call to the next, narrower once they settle. What it
+  /// is depends on the calls so far, the sums over the lists do not.
+  void Update(const SphKernelTable& kernels, std::size_t n, std::size_t numberOfGas, const float* x,
+              const float* y, const float* z, float support, NeighborScratch& scratch);
   /// True when a particle has moved farther than `distance` since Build, or nothing was built.
   bool IsStale(const float* x, const float* y, const float* z, float distance) const;
 
@@ -38,6 +43,8 @@ public:
 
 private:
   std::size_t Count = 0;
+  float Skin = 0.2f; // [dx]
+  int Uses = 0;      // calls of Update since Build
   std::vector<std::uint32_t> Starts;
   std::vector<std::uint16_t> Narrow;
   std::vector<std::uint32_t> Wide;

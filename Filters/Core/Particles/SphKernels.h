@@ -81,6 +81,14 @@ struct SphRows
   float* Row(int c) const { return this->Data + c * this->Stride; }
 };
 
+/// Arithmetic of long vectors of single precision with sums in double, in a fixed order.
+struct VectorKernels
+{
+  double (*Dot)(std::size_t n, const float* a, const float* b);
+  /// y += factor x; returns y . z.
+  double (*AddDot)(std::size_t n, float factor, const float* x, float* y, const float* z);
+};
+
 /// One instruction set's versions. Sums run in the order of the lists: the result does not depend
 /// on threads.
 struct SphKernelTable
@@ -115,6 +123,7 @@ struct SphKernelTable
   /// spare.
   std::size_t (*Near)(const float* x, const float* y, const float* z, std::size_t begin,
                       std::size_t end, const float* p, float radius2, std::uint32_t* found);
+  VectorKernels Vectors;
 };
 
 /// The fastest version that this machine runs.

@@ -82,3 +82,24 @@ inline void LoadFour(const float* base, const Index* index, Lanes out[4])
   out[2] = { _mm256_shuffle_ps(t1, t3, 0x44) };
   out[3] = { _mm256_shuffle_ps(t1, t3, 0xEE) };
 }
+
+/// Products summed in double precision.
+struct DoubleSum
+{
+  __m256d Low = _mm256_setzero_pd();
+  __m256d High = _mm256_setzero_pd();
+
+  void AddProduct(Lanes a, Lanes b)
+  {
+    this->Low = _mm256_fmadd_pd(_mm256_cvtps_pd(_mm256_castps256_ps128(a.Value)),
+                                _mm256_cvtps_pd(_mm256_castps256_ps128(b.Value)), this->Low);
+    this->High = _mm256_fmadd_pd(_mm256_cvtps_pd(_mm256_extractf128_ps(a.Value, 1)),
+                                 _mm256_cvtps_pd(_mm256_extractf128_ps(b.Value, 1)), this->High);
+  }
+  double Total() const
+  {
+    double v[4];
+    _mm256_storeu_pd(v, _mm256_add_pd(this->Low, this->High));
+    return (v[0] + v[1]) + (v[2] + v[3]);
+  }
+};

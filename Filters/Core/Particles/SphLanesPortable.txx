@@ -97,3 +97,21 @@ inline void LoadFour(const float* base, const Index* index, Lanes out[4])
     }
   }
 }
+
+struct DoubleSum
+{
+  double Value[8] = {};
+
+  void AddProduct(const Lanes& a, const Lanes& b)
+  {
+    for (int k = 0; k < 8; ++k)
+    {
+      this->Value[k] += static_cast<double>(a.Value[k]) * b.Value[k];
+    }
+  }
+  double Total() const
+  {
+    const double* v = this->Value;
+    return ((v[0] + v[4]) + (v[1] + v[5])) + ((v[2] + v[6]) + (v[3] + v[7]));
+  }
+};

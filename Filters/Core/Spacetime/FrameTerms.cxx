@@ -227,18 +227,15 @@ void FrameTerms::AddFields(const float* state, int frame)
   }
 }
 
-void FrameTerms::Forward(const float* state, int frame, NeighborList& list, double skin)
+void FrameTerms::Forward(const float* state, int frame, NeighborList& list)
 {
   const std::size_t ng = this->Model.NumberOfGas;
   const std::size_t n = this->Model.NumberOfParticles();
   const std::size_t p = this->ParticleStride;
   this->PlaceParticles(state);
   const float* x = this->X.data();
-  if (list.IsStale(x, x + p, x + 2 * p, static_cast<float>(0.5 * skin)))
-  {
-    list.Build(this->Kernels, n, ng, x, x + p, x + 2 * p,
-               static_cast<float>(this->Model.Fluid.Support() + skin), this->Scratch);
-  }
+  list.Update(this->Kernels, n, ng, x, x + p, x + 2 * p,
+              static_cast<float>(this->Model.Fluid.Support()), this->Scratch);
   const SphNeighbors neighbors = list.View();
   this->AddWalls(frame);
   this->Kernels.Density(this->Constants, this->Records.data(), neighbors, n, this->Density.data());

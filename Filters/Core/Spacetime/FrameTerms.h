@@ -18,9 +18,9 @@ class FrameTerms
 public:
   FrameTerms(const SpacetimeModel& model, const SphKernelTable& kernels);
 
-  /// state: the frame's six rows. Rebuilds `list` when a particle has moved half the skin.
+  /// state: the frame's six rows. Brings `list` up to date.
   /// Then Acceleration (all of it, external fields included) and Average hold.
-  void Forward(const float* state, int frame, NeighborList& list, double skin);
+  void Forward(const float* state, int frame, NeighborList& list);
   /// AccelerationBar and AverageBar in; adds their pull-back to the six rows of `gradient`.
   void Adjoint(NeighborList& list, float* gradient);
 

@@ -29,22 +29,26 @@ Lbfgs::Lbfgs(std::size_t frames, std::size_t frameSize, const ParallelFor& paral
 void Lbfgs::Direction(const TimelinePreconditioner& preconditioner,
                       const HardConstraints& constraints)
 {
-  std::vector<double> alpha(this->S.size());
+  const std::size_t count = this->S.size();
+  std::vector<double> alpha(count);
   this->Work = this->Gradient;
   constraints.ProjectTangent(this->Work);
-  for (std::size_t k = this->S.size(); k-- > 0;)
+  double product = count > 0 ? this->Space.Dot(this->S[count - 1], this->Work) : 0.0;
+  for (std::size_t k = count; k-- > 0;)
   {
-    alpha[k] = this->Rho[k] * this->Space.Dot(this->S[k], this->Work);
-    this->Space.Add(-alpha[k], this->Y[k], this->Work);
+    alpha[k] = this->Rho[k] * product;
+    const StateVector& next = k > 0 ? this->S[k - 1] : this->Work;
+    product = this->Space.AddDot(-alpha[k], this->Y[k], this->Work, next);
   }
   constraints.ProjectTangent(this->Work);
   preconditioner.Solve(this->Work, this->Step);
   constraints.ProjectTangent(this->Step);
   this->Space.Scale(this->Gamma, this->Step);
-  for (std::size_t k = 0; k < this->S.size(); ++k)
+  product = count > 0 ? this->Space.Dot(this->Y[0], this->Step) : 0.0;
+  for (std::size_t k = 0; k < count; ++k)
   {
-    const double beta = this->Rho[k] * this->Space.Dot(this->Y[k], this->Step);
-    this->Space.Add(alpha[k] - beta, this->S[k], this->Step);
+    const StateVector& next = k + 1 < count ? this->Y[k + 1] : this->Step;
+    product = this->Space.AddDot(alpha[k] - this->Rho[k] * product, this->S[k], this->Step, next);
   }
   constraints.ProjectTangent(this->Step);
   this->Space.Scale(-1.0, this->Step);

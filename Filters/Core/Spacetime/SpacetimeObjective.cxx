@@ -16,10 +16,9 @@ struct SpacetimeObjective::Worker
 };
 
 SpacetimeObjective::SpacetimeObjective(const SpacetimeModel& model, const TimeLevel& level,
-                                       const ParallelFor& parallel, const SphKernelTable& kernels,
-                                       double skin) :
+                                       const ParallelFor& parallel, const SphKernelTable& kernels) :
   Problem(model),
-  Times(level), Parallel(parallel), Kernels(kernels), Skin(skin)
+  Times(level), Parallel(parallel), Kernels(kernels)
 {
   const double own = model.Fluid.GasMass * model.Fluid.Kernel(0.0);
   this->SpatialScale = 1.0 / ((1.0 - own) * (1.0 - own));
@@ -66,8 +65,8 @@ FrameTerms& SpacetimeObjective::ForwardFrame(const StateVector& state, std::size
     this->Pool.push_back(std::make_unique<Worker>(this->Problem, this->Kernels));
   }
   FrameTerms& terms = this->Pool.front()->Terms;
-  terms.Forward(state.data() + j * this->Problem.FrameSize(), this->Times.Frames[j], this->Lists[j],
-                this->Skin);
+  terms.Forward(state.data() + j * this->Problem.FrameSize(), this->Times.Frames[j],
+                this->Lists[j]);
   return terms;
 }
 
@@ -112,7 +111,7 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
   const bool last = j + 1 == this->Times.NumberOfFrames();
   const float* here = state.data() + j * model.FrameSize();
   FrameTerms& terms = worker.Terms;
-  terms.Forward(here, this->Times.Frames[j], this->Lists[j], this->Skin);
+  terms.Forward(here, this->Times.Frames[j], this->Lists[j]);
 
   const double step = last ? 0.0 : this->Times.Steps[j + 1];
   const double share = last ? 0.0 : this->Times.StepWeights[j + 1];

@@ -35,8 +35,7 @@ class SpacetimeObjective
 public:
   /// The model and the level must outlive the objective.
   SpacetimeObjective(const SpacetimeModel& model, const TimeLevel& level,
-                     const ParallelFor& parallel, const SphKernelTable& kernels,
-                     double skin = 0.15);
+                     const ParallelFor& parallel, const SphKernelTable& kernels);
   ~SpacetimeObjective();
 
   /// E, and its gradient where asked for (not null). Deterministic for any number of threads.
@@ -72,7 +71,6 @@ private:
   const TimeLevel& Times;
   ParallelFor Parallel;
   const SphKernelTable& Kernels;
-  double Skin;
   double SpatialScale; // 1 / (1 - m W(0))^2
   std::size_t Evaluations = 0;
 

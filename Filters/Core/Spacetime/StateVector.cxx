@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/StateVector.h"
 
+#include "Particles/SphKernels.h"
+
 namespace waft
 {
 
-double VectorSpace::Dot(const StateVector& a, const StateVector& b) const
+// blockSum(first, size) of each block, added up in the order of the blocks.
+double VectorSpace::Sum(const std::function<double(std::size_t, std::size_t)>& blockSum) const
 {
   std::vector<double> sums(this->Blocks, 0.0);
   this->Parallel(this->Blocks,
@@ -12,23 +15,7 @@ double VectorSpace::Dot(const StateVector& a, const StateVector& b) const
                  {
                    for (std::size_t k = begin; k < end; ++k)
                    {
-                     const float* x = a.data() + k * this->BlockSize;
-                     const float* y = b.data() + k * this->BlockSize;
-                     // Eight running sums: fixed order, and short enough chains to be fast.
-                     double s[8] = {};
-                     std::size_t i = 0;
-                     for (; i + 8 <= this->BlockSize; i += 8)
-                     {
-                       for (int c = 0; c < 8; ++c)
-                       {
-                         s[c] += static_cast<double>(x[i + c]) * y[i + c];
-                       }
-                     }
-                     for (; i < this->BlockSize; ++i)
-                     {
-                       s[0] += static_cast<double>(x[i]) * y[i];
-                     }
-                     sums[k] = ((s[0] + s[4]) + (s[1] + s[5])) + ((s[2] + s[6]) + (s[3] + s[7]));
+                     sums[k] = blockSum(k * this->BlockSize, this->BlockSize);
                    }
                  });
   double total = 0.0;
@@ -37,6 +24,23 @@ double VectorSpace::Dot(const StateVector& a, const StateVector& b) const
     total += s;
   }
   return total;
+}
+
+double VectorSpace::Dot(const StateVector& a, const StateVector& b) const
+{
+  const VectorKernels& kernels = FastestSphKernels().Vectors;
+  return this->Sum([&](std::size_t first, std::size_t size)
+                   { return kernels.Dot(size, a.data() + first, b.data() + first); });
+}
+
+double VectorSpace::AddDot(double factor, const StateVector& x, StateVector& y,
+                           const StateVector& z) const
+{
+  const VectorKernels& kernels = FastestSphKernels().Vectors;
+  const auto f = static_cast<float>(factor);
+  return this->Sum(
+    [&](std::size_t first, std::size_t size)
+    { return kernels.AddDot(size, f, x.data() + first, y.data() + first, z.data() + first); });
 }
 
 void VectorSpace::Add(double factor, const StateVector& x, StateVector& y) const

@@ -6,6 +6,7 @@
 #include "Base/Parallel.h"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace waft
@@ -25,11 +26,15 @@ public:
   double Dot(const StateVector& a, const StateVector& b) const;
   /// y += factor x
   void Add(double factor, const StateVector& x, StateVector& y) const;
+  /// y += factor x; returns y . z
+  double AddDot(double factor, const StateVector& x, StateVector& y, const StateVector& z) const;
   /// out = a + factor b
   void Combine(const StateVector& a, double factor, const StateVector& b, StateVector& out) const;
   void Scale(double factor, StateVector& x) const;
 
 private:
+  double Sum(const std::function<double(std::size_t, std::size_t)>& blockSum) const;
+
   std::size_t Blocks, BlockSize;
   ParallelFor Parallel;
 };

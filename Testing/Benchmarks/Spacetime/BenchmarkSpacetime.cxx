@@ -62,7 +62,6 @@ int main(int argc, char** argv)
   const int coarse = static_cast<int>(Argument(argc, argv, "--coarse", 100));
   const int fine = static_cast<int>(Argument(argc, argv, "--fine", 100));
   const int history = static_cast<int>(Argument(argc, argv, "--history", 6));
-  const double skin = Argument(argc, argv, "--skin", 0.15);
   const bool portable = Argument(argc, argv, "--portable", 0) != 0;
   problem.Build();
 
@@ -76,7 +75,7 @@ int main(int argc, char** argv)
   const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, 1);
   StateVector state = problem.Start;
   {
-    SpacetimeObjective objective(model, full, parallel, kernels, skin);
+    SpacetimeObjective objective(model, full, parallel, kernels);
     SpacetimeTerms terms;
     StateVector gradient(state.size());
     objective.Evaluate(state, &gradient, terms);
@@ -98,7 +97,7 @@ int main(int argc, char** argv)
   const double cpu = CpuSeconds();
   const auto solve = [&](const TimeLevel& level, int iterations, StateVector& x)
   {
-    SpacetimeObjective objective(model, level, parallel, kernels, skin);
+    SpacetimeObjective objective(model, level, parallel, kernels);
     const TimelinePreconditioner preconditioner(model, level, parallel);
     HardConstraints constraints(model, level, problem.Table, parallel);
     Lbfgs solver(level.NumberOfFrames(), model.FrameSize(), parallel, history);

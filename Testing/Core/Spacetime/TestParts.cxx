@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Levels of time, the preconditioner, clusters of linear rows, the wind's least squares.
+#include "Spacetime/HardConstraints.h"
+#include "Spacetime/SpacetimeSetup.h"
+#include "Spacetime/TimeLevels.h"
+#include "Spacetime/TimelinePreconditioner.h"
+#include "Spacetime/WindEstimate.h"
+#include "SpacetimeScenes.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+using namespace waft;
+
+namespace
+{
+
+SpacetimeSetup MakeProblem(const SpacetimeInput& input, int gas = 125)
+{
+  SpacetimeOptions options;
+  options.NumberOfGasParticles = gas;
+  options.NumberOfObjectParticles = 3;
+  SpacetimeSetup setup;
+  const Result result = MakeSetup(input, options, setup);
+  EXPECT_TRUE(result) << result.Message();
+  return setup;
+}
+
+} // namespace
+
+TEST(TimeLevels, HoldEveryFrameOfARequirement)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 40;
+  SpacetimeInput input = MakeScene(scene);
+  Constraint row = input.Constraints[0];
+  row.Row = 9;
+  row.Frame = 13;
+  row.Radius = 0.2;
+  row.Value = input.Tracks[0].Positions[13];
+  input.Constraints.push_back(row);
+  row.Row = 10;
+  row.Frame = 21;
+  row.Radius = 0.0;
+  row.Kind = ConstraintKind::Velocity;
+  row.Value = Vec3(0.1, 0.0, 0.0);
+  input.Constraints.push_back(row);
+  const SpacetimeSetup setup = MakeProblem(input);
+  const std::vector<int> frames = CoarseFrames(setup.Model, setup.Table, 2);
+  for (const int frame : { 0, 13, 20, 22, 39 })
+  {
+    EXPECT_TRUE(std::binary_search(frames.begin(), frames.end(), frame)) << frame;
+  }
+  EXPECT_LT(frames.size(), 26u);
+  for (std::size_t k = 1; k < frames.size(); ++k)
+  {
+    EXPECT_LE(frames[k] - frames[k - 1], 2);
+    EXPECT_GE(frames[k] - frames[k - 1], 1);
+  }
+  // Uniform motion passes from level to level unchanged.
+  StateVector full(40 * setup.Model.FrameSize());
+  for (std::size_t k = 0; k < full.size(); ++k)
+  {
+    const std::size_t frame = k / setup.Model.FrameSize();
+    const bool position = k % setup.Model.FrameSize() < 3 * setup.Model.Stride();
+    full[k] = position ? 1.0f + 0.25f * static_cast<float>(frame) : 0.25f;
+  }
+  const TimeLevel level = TimeLevel::Make(frames, 1);
+  StateVector back(full.size(), 0.0f);
+  Prolong(setup.Model, level, Restrict(setup.Model, level, full), back);
+  for (std::size_t k = 0; k < full.size(); ++k)
+  {
+    ASSERT_NEAR(back[k], full[k], 1e-5);
+  }
+}
+
+TEST(TimelinePreconditioner, InvertsTheTimeCoupling)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 12;
+  scene.NumberOfObjects = 2;
+  const SpacetimeInput input = MakeScene(scene);
+  const SpacetimeSetup setup = MakeProblem(input);
+  const SpacetimeModel& model = setup.Model;
+  const TimeLevel level = TimeLevel::Full(12, 1);
+  const double damping = 1e-3;
+  const TimelinePreconditioner preconditioner(model, level, SerialFor(), damping);
+  // The same matrix, dense, from the rows' definition.
+  const SpacetimeWeights& w = model.Weights;
+  for (const std::size_t body : { std::size_t(4), model.NumberOfGas + 1 })
+  {
+    const bool object = body >= model.NumberOfGas;
+    Eigen::MatrixXd m = Eigen::MatrixXd::Identity(24, 24) * damping;
+    const auto add = [&](const std::vector<std::pair<int, double>>& row, double weight)
+    {
+      Eigen::VectorXd v = Eigen::VectorXd::Zero(24);
+      for (const auto& [place, value] : row)
+      {
+        v[place] += value;
+      }
+      m += weight * v * v.transpose();
+    };
+    for (int j = 0; j < 12; ++j)
+    {
+      add({ { 2 * j + 1, 1.0 } }, w.Coherence * w.SpatialShare);
+      std::vector<std::pair<int, double>> row{ { 2 * j + 1, 1.0 } };
+      const int count = (j > 0) + (j < 11);
+      for (const int k : { j - 1, j + 1 })
+      {
+        if (k >= 0 && k < 12)
+        {
+          row.push_back({ 2 * k + 1, -1.0 / count });
+        }
+      }
+      add(row, w.Coherence * (1.0 - w.SpatialShare));
+      if (j > 0)
+      {
+        add({ { 2 * j, 1.0 }, { 2 * j - 2, -1.0 }, { 2 * j + 1, -1.0 } }, w.Position);
+        add({ { 2 * j + 1, 1.0 }, { 2 * j - 1, -1.0 } }, w.Velocity);
+      }
+    }
+    m *= object ? static_cast<double>(model.Offsets.size()) : 1.0;
+    std::vector<int> free;
+    for (int k = 0; k < 24; ++k)
+    {
+      const bool fixed = object && k % 2 == 0 && (k == 0 || k == 22);
+      if (!fixed)
+      {
+        free.push_back(k);
+      }
+    }
+    StateVector in(12 * model.FrameSize(), 0.0f), out(in.size(), 0.0f);
+    Random random(2);
+    Eigen::VectorXd right(free.size());
+    const auto place = [&](int k)
+    { return (k / 2) * model.FrameSize() + (k % 2 ? 4 : 1) * model.Stride() + body; };
+    for (std::size_t k = 0; k < free.size(); ++k)
+    {
+      right[k] = random.Normal();
+      in[place(free[k])] = static_cast<float>(right[k]);
+    }
+    Eigen::MatrixXd reduced(free.size(), free.size());
+    for (std::size_t r = 0; r < free.size(); ++r)
+    {
+      for (std::size_t c = 0; c < free.size(); ++c)
+      {
+        reduced(r, c) = m(free[r], free[c]);
+      }
+    }
+    const Eigen::VectorXd expected = reduced.ldlt().solve(right);
+    preconditioner.Solve(in, out);
+    for (std::size_t k = 0; k < free.size(); ++k)
+    {
+      EXPECT_NEAR(out[place(free[k])], expected[k], 2e-3 * expected.lpNorm<Eigen::Infinity>());
+    }
+    if (object)
+    {
+      EXPECT_EQ(out[place(0)], 0.0f);
+      EXPECT_EQ(out[place(22)], 0.0f);
+    }
+  }
+}
+
+TEST(LinearCluster, ProjectsOntoRowsAndBallsTogether)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 20;
+  scene.NumberOfObjects = 1;
+  const SpacetimeInput input = MakeScene(scene);
+  const SpacetimeSetup setup = MakeProblem(input);
+  ConstraintTable table = setup.Table;
+  LinearRow exact;
+  exact.Terms = { { 4, -0.5 }, { 6, 0.5 } };
+  exact.Value = Vec3(0.2, 0.1, -0.3);
+  LinearRow ball;
+  ball.Terms = { { 5, -0.5 }, { 6, 0.5 } };
+  ball.Value = Vec3(0.0, 0.4, 0.0);
+  ball.Radius = 0.05;
+  table.Rows = { exact, ball };
+  table.Balls = { { 5, 0, Vec3(3.0, 3.0, 3.0), 0.5 } };
+  const auto clusters = MakeClusters(setup.Model, table, std::vector<bool>(20, true));
+  ASSERT_EQ(clusters.size(), 1u);
+  EXPECT_EQ(clusters[0].Frames(), (std::vector<int>{ 4, 5, 6 }));
+  Eigen::MatrixX3d x(3, 3);
+  x << 2.0, 3.0, 3.5, 4.0, 3.0, 3.0, 3.0, 2.0, 3.0;
+  EXPECT_GT(clusters[0].Violation(x), 0.1);
+  clusters[0].Project(x);
+  EXPECT_LT(clusters[0].Violation(x), 1e-9);
+  Eigen::MatrixX3d once = x;
+  clusters[0].Project(once);
+  EXPECT_LT((once - x).norm(), 1e-9);
+  // A tangent step keeps the exact row.
+  Eigen::MatrixX3d step = Eigen::MatrixX3d::Random(3, 3);
+  clusters[0].ProjectTangent(step);
+  EXPECT_LT((0.5 * (step.row(2) - step.row(0))).norm(), 1e-12);
+  EXPECT_GT(step.norm(), 1e-3);
+}
+
+TEST(WindEstimate, RecoversASmoothWindThatIsFreeOfDivergence)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 40;
+  const SpacetimeInput input = MakeScene(scene);
+  SpacetimeSetup setup = MakeProblem(input, 1000);
+  SpacetimeModel& model = setup.Model;
+  model.Vortices.clear();
+  model.Gravity = 0.0;
+  const auto truth = [&](const Vec3& x, double frame)
+  {
+    // A turning flow and a mean one that grows with time.
+    const Vec3 r = x - 0.5 * model.Size;
+    return Vec3(1e-2 * Vec3(-r.y(), r.x(), 0.0) + 2e-2 * frame / 40.0 * Vec3(1.0, 0.5, 0.0));
+  };
+  // Gas at rest whose velocities the wind alone explains.
+  StateVector state = setup.Start;
+  const std::size_t stride = model.Stride();
+  for (int frame = 0; frame < 40; ++frame)
+  {
+    for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
+    {
+      float* p = state.data() + frame * model.FrameSize() + i;
+      const Vec3 x(p[0], p[stride], p[2 * stride]);
+      for (int c = 0; c < 3 && frame > 0; ++c)
+      {
+        const float* before = p - model.FrameSize() + (3 + c) * stride;
+        p[(3 + c) * stride] = *before + static_cast<float>(truth(x, frame - 1)[c]);
+      }
+      for (int c = 0; c < 3 && frame == 0; ++c)
+      {
+        p[(3 + c) * stride] = 0.0f;
+      }
+    }
+  }
+  model.Fluid.Viscosity = 0.0;
+  const TimeLevel level = TimeLevel::Full(40, 1);
+  SpacetimeObjective objective(model, level, SerialFor(), FastestSphKernels());
+  SpacetimeTerms terms;
+  objective.Evaluate(state, nullptr, terms);
+  WindOptions options;
+  options.Ridge = 1e-3;
+  options.Curvature = 1e-3;
+  options.TimeSmoothing = 1e-3;
+  options.Iterations = 100;
+  const SplineWind wind = EstimateWind(objective, state, options, SerialFor());
+  double error = 0.0, scale = 0.0;
+  for (double frame : { 5.0, 20.0, 33.0 })
+  {
+    for (const Vec3& s : { Vec3(0.3, 0.4, 0.5), Vec3(0.6, 0.7, 0.3), Vec3(0.5, 0.2, 0.8) })
+    {
+      const Vec3 x = s.cwiseProduct(model.Size);
+      error = std::max(error, (SampleWind(wind, x, frame) - truth(x, frame)).norm());
+      scale = std::max(scale, truth(x, frame).norm());
+    }
+  }
+  EXPECT_LT(error, 0.15 * scale);
+  // The coefficients' divergence by central differences.
+  const auto& n = wind.Dimensions;
+  const auto at = [&](int i, int j, int k, int c)
+  { return wind.Knots[1][4 * ((static_cast<std::size_t>(k) * n[1] + j) * n[0] + i) + c]; };
+  for (int k = 1; k + 1 < n[2]; ++k)
+  {
+    for (int j = 1; j + 1 < n[1]; ++j)
+    {
+      for (int i = 1; i + 1 < n[0]; ++i)
+      {
+        const double divergence =
+          0.5 * (at(i + 1, j, k, 0) - at(i - 1, j, k, 0)) / wind.Spacing[0] +
+          0.5 * (at(i, j + 1, k, 1) - at(i, j - 1, k, 1)) / wind.Spacing[1] +
+          0.5 * (at(i, j, k + 1, 2) - at(i, j, k - 1, 2)) / wind.Spacing[2];
+        EXPECT_NEAR(divergence, 0.0, 1e-6);
+      }
+    }
+  }
+}

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole optimisation on small scenes.
+#include "Spacetime/Spacetime.h"
+#include "SpacetimeScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+using namespace waft;
+
+namespace
+{
+
+SpacetimeOptions QuickOptions()
+{
+  SpacetimeOptions options;
+  options.NumberOfGasParticles = 343;
+  options.NumberOfObjectParticles = 25;
+  options.LeashIterations = 8;
+  options.MaximumNumberOfIterations = 40;
+  return options;
+}
+
+SpacetimeOutput RunScene(const SpacetimeInput& input, const SpacetimeOptions& options,
+                         int threads = 2)
+{
+  SilentMonitor monitor;
+  SpacetimeOutput output;
+  const Result result = RunSpacetime(input, options, ThreadedFor(threads), monitor, output);
+  EXPECT_TRUE(result) << result.Message();
+  EXPECT_FALSE(result.IsStopped());
+  return output;
+}
+
+void ExpectMonotone(const SpacetimeOutput& output)
+{
+  double seconds = 0.0;
+  for (std::size_t k = 0; k < output.Convergence.size(); ++k)
+  {
+    const ConvergenceRow& row = output.Convergence[k];
+    EXPECT_TRUE(std::isfinite(row.E));
+    EXPECT_GE(row.Seconds, seconds);
+    seconds = row.Seconds;
+    if (k > 0 && output.Convergence[k - 1].Stage == row.Stage)
+    {
+      EXPECT_LE(row.E, output.Convergence[k - 1].E) << row.Stage << " " << row.Iteration;
+    }
+  }
+  EXPECT_EQ(output.Convergence.front().Stage, "initial");
+  EXPECT_EQ(output.Convergence.back().Stage, "final");
+}
+
+void ExpectAllMet(const SpacetimeOutput& output)
+{
+  for (const ReportRow& row : output.Report)
+  {
+    EXPECT_EQ(row.Status, ConstraintStatus::Met) << row.Row << ": " << row.Message;
+  }
+}
+
+Constraint Row(int object, int frame, ConstraintKind kind, const Vec3& value, double radius,
+               int row)
+{
+  Constraint c;
+  c.ObjectId = object;
+  c.Frame = frame;
+  c.Kind = kind;
+  c.Value = value;
+  c.Radius = radius;
+  c.Row = row;
+  return c;
+}
+
+/// <|v_i - v_j|^2> of pairs nearer than r over twice the variance of v.
+double Incoherence(const std::vector<Track>& tracks, double r, double step)
+{
+  double pairs = 0.0, square = 0.0;
+  Vec3 mean = Vec3::Zero();
+  long pairCount = 0, count = 0;
+  std::vector<std::vector<Vec3>> v;
+  for (const Track& track : tracks)
+  {
+    v.push_back(CentralVelocities(track.Positions, step));
+  }
+  for (std::size_t k = 0; k < tracks[0].Positions.size(); ++k)
+  {
+    for (std::size_t i = 0; i < tracks.size(); ++i)
+    {
+      mean += v[i][k];
+      square += v[i][k].squaredNorm();
+      ++count;
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        if ((tracks[i].Positions[k] - tracks[j].Positions[k]).norm() < r)
+        {
+          pairs += (v[i][k] - v[j][k]).squaredNorm();
+          ++pairCount;
+        }
+      }
+    }
+  }
+  mean /= double(count);
+  return pairs / double(pairCount) / (2.0 * (square / double(count) - mean.squaredNorm()));
+}
+
+} // namespace
+
+TEST(RunSpacetime, MakesPlannedPathsCoherentAndKeepsExactRowsToTheBit)
+{
+  SceneOptions scene;
+  scene.NumberOfObjects = 20;
+  scene.NumberOfFrames = 90;
+  const SpacetimeInput input = MakeScene(scene);
+  const SpacetimeOutput output = RunScene(input, QuickOptions());
+  ExpectMonotone(output);
+  ExpectAllMet(output);
+  EXPECT_LT(output.Convergence.back().E, 0.1 * output.Convergence.front().E);
+  for (std::size_t o = 0; o < input.Tracks.size(); ++o)
+  {
+    EXPECT_LT(output.PositionResiduals[o], 4e-3);
+    EXPECT_LT(output.VelocityResiduals[o], 4e-3);
+    const std::vector<Vec3>& x = output.Tracks[o].Positions;
+    EXPECT_EQ(std::memcmp(x.front().data(), input.Objects[o].Position.data(), sizeof(Vec3)), 0);
+    EXPECT_EQ(std::memcmp(x.back().data(), input.Constraints[o].Value.data(), sizeof(Vec3)), 0);
+    for (const Vec3& p : x)
+    {
+      EXPECT_GE(input.Scene.Bounds.InnerDistance(p), input.Objects[o].ClearanceRadius - 4e-3);
+    }
+  }
+  const double step = input.Scene.Time.Step();
+  const double planned = Incoherence(input.Tracks, 0.8, step);
+  const double found = Incoherence(output.Tracks, 0.8, step);
+  EXPECT_LT(found, 0.7 * planned);
+}
+
+TEST(RunSpacetime, MeetsBallsVelocitiesAndAccelerations)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 60;
+  SpacetimeInput input = MakeScene(scene);
+  const int a = input.Objects[0].ObjectId;
+  const int b = input.Objects[1].ObjectId;
+  const Vec3 near = input.Tracks[0].Positions[20] + Vec3(0.1, 0.05, 0.0);
+  input.Constraints.push_back(Row(a, 20, ConstraintKind::Position, near, 0.03, 10));
+  input.Constraints.push_back(Row(a, 40, ConstraintKind::Velocity, Vec3(0.4, -0.2, 0.1), 0.0, 11));
+  input.Constraints.push_back(Row(a, 59, ConstraintKind::Velocity, Vec3(0.0, 0.3, -0.2), 0.0, 12));
+  input.Constraints.push_back(
+    Row(b, 25, ConstraintKind::Acceleration, Vec3(0.0, 1.0, 0.5), 0.0, 13));
+  input.Constraints.push_back(Row(b, 26, ConstraintKind::Velocity, Vec3(0.1, 0.2, 0.3), 0.05, 14));
+  input.Constraints.push_back(Row(b, 45, ConstraintKind::Position,
+                                  input.Tracks[1].Positions[45] + Vec3(0.05, 0, 0), 0.0, 15));
+  input.Constraints.push_back(Row(b, 46, ConstraintKind::Velocity, Vec3(0.2, 0.0, -0.3), 0.0, 16));
+  const SpacetimeOutput output = RunScene(input, QuickOptions());
+  ExpectMonotone(output);
+  ExpectAllMet(output);
+  const double step = input.Scene.Time.Step();
+  const auto x = [&](int o, int k) { return output.Tracks[o].Positions[k]; };
+  const auto velocity = [&](int o, int k)
+  { return CentralVelocities(output.Tracks[o].Positions, step)[k]; };
+  EXPECT_LE((x(0, 20) - near).norm(), 0.03 + 4e-9);
+  EXPECT_LT((velocity(0, 40) - Vec3(0.4, -0.2, 0.1)).norm(), 1e-9);
+  EXPECT_LT((velocity(0, 59) - Vec3(0.0, 0.3, -0.2)).norm(), 1e-9);
+  EXPECT_LE((velocity(1, 26) - Vec3(0.1, 0.2, 0.3)).norm(), 0.05 + 1e-9);
+  const Vec3 acceleration = (velocity(1, 26) - velocity(1, 24)) / (2.0 * step);
+  EXPECT_LT((acceleration - Vec3(0.0, 1.0, 0.5)).norm(), 1e-7);
+  EXPECT_LT((velocity(1, 46) - Vec3(0.2, 0.0, -0.3)).norm(), 1e-9);
+  EXPECT_EQ(x(1, 45), input.Constraints[8].Value);
+}
+
+TEST(RunSpacetime, LandsAtTheRestingPlaceAndKeepsClearOfAPillar)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 80;
+  scene.Land = true;
+  scene.NumberOfObjects = 6;
+  SpacetimeInput input = MakeScene(scene);
+  ObstacleMesh pillar;
+  pillar.ObstacleId = 1;
+  pillar.Mesh = BoxMesh(Vec3(1.35, -0.6, -0.1), Vec3(1.8, 0.6, 2.2));
+  input.Obstacles.push_back(pillar);
+  const SpacetimeOutput output = RunScene(input, QuickOptions());
+  ExpectMonotone(output);
+  ExpectAllMet(output);
+  EXPECT_TRUE(output.Warnings.empty());
+  ObstacleSet obstacles;
+  ASSERT_TRUE(obstacles.Build(input.Obstacles));
+  for (std::size_t o = 0; o < input.Tracks.size(); ++o)
+  {
+    MotionObject object = input.Objects[o];
+    object.ClearanceRadius -= 1e-3 * input.Scene.Bounds.Width();
+    const auto windows = LandingWindows(object, input.Constraints, obstacles, 30.0);
+    ASSERT_EQ(windows.size(), 1u);
+    const std::vector<Vec3>& x = output.Tracks[o].Positions;
+    for (int k = windows[0].Frame; k <= windows[0].Until; ++k)
+    {
+      EXPECT_EQ(x[k], windows[0].Centre);
+    }
+    for (std::size_t k = 0; k + 1 < x.size(); ++k)
+    {
+      EXPECT_TRUE(IsMotionClear(obstacles, object, windows, x[k], double(k), x[k + 1], k + 1.0))
+        << o << " at " << k;
+    }
+  }
+}
+
+TEST(RunSpacetime, GivesTheSameBitsOnAnyNumberOfThreads)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 40;
+  const SpacetimeInput input = MakeScene(scene);
+  SpacetimeOptions options = QuickOptions();
+  options.MaximumNumberOfIterations = 15;
+  const SpacetimeOutput one = RunScene(input, options, 1);
+  const SpacetimeOutput two = RunScene(input, options, 2);
+  ASSERT_EQ(one.Convergence.size(), two.Convergence.size());
+  for (std::size_t k = 0; k < one.Convergence.size(); ++k)
+  {
+    EXPECT_EQ(one.Convergence[k].E, two.Convergence[k].E);
+  }
+  for (std::size_t o = 0; o < one.Tracks.size(); ++o)
+  {
+    EXPECT_EQ(one.Tracks[o].Positions, two.Tracks[o].Positions);
+    EXPECT_EQ(one.Tracks[o].AirVelocities, two.Tracks[o].AirVelocities);
+  }
+  EXPECT_EQ(one.Wind.Values, two.Wind.Values);
+  EXPECT_EQ(one.Particles.Frames[20].Positions, two.Particles.Frames[20].Positions);
+}
+
+TEST(RunSpacetime, FillsItsOutputs)
+{
+  SceneOptions scene;
+  scene.NumberOfObjects = 1;
+  scene.NumberOfFrames = 50;
+  SpacetimeInput input = MakeScene(scene);
+  input.Scene.Bounds.Max = Vec3(2.0, 2.0, 3.3); // not a cube
+  SpacetimeOptions options = QuickOptions();
+  options.MaximumNumberOfIterations = 20;
+  const SpacetimeOutput output = RunScene(input, options);
+  const Track& track = output.Tracks[0];
+  ASSERT_EQ(track.Forces.size(), 50u);
+  ASSERT_EQ(track.AirVelocities.size(), 50u);
+  ASSERT_EQ(track.SphVelocities.size(), 50u);
+  double vortex = 0.0, wind = 0.0;
+  for (std::size_t k = 0; k < 50; ++k)
+  {
+    EXPECT_LT((track.Forces[k] - track.VortexAccelerations[k] - track.WindAccelerations[k]).norm(),
+              1e-12);
+    Vec3 expected = Vec3::Zero();
+    for (const Vortex& v : output.Vortices)
+    {
+      expected += v.Acceleration(track.Positions[k], input.Scene.Time.Time(double(k)));
+    }
+    EXPECT_LT((expected - track.VortexAccelerations[k]).norm(), 1e-4);
+    vortex += track.VortexAccelerations[k].squaredNorm();
+    wind += track.WindAccelerations[k].squaredNorm();
+  }
+  EXPECT_GT(wind, 0.0);
+  EXPECT_LE(std::sqrt(wind), 2.0 * std::sqrt(vortex));
+  EXPECT_EQ(output.Wind.Dimensions, WindLatticeDimensions(input.Scene.Bounds));
+  ASSERT_TRUE(output.Wind.Validate("wind"));
+  ASSERT_EQ(output.Particles.Frames.size(), 50u);
+  for (const auto& frame : output.Particles.Frames)
+  {
+    ASSERT_EQ(frame.Positions.size(), 3 * output.Particles.ObjectIds.size());
+    for (std::size_t i = 0; i < output.Particles.ObjectIds.size(); ++i)
+    {
+      const Vec3 x(frame.Positions[3 * i], frame.Positions[3 * i + 1], frame.Positions[3 * i + 2]);
+      EXPECT_GE(input.Scene.Bounds.InnerDistance(x), -1e-5);
+    }
+  }
+}
+
+namespace
+{
+
+class StopAfter : public Monitor
+{
+public:
+  explicit StopAfter(double fraction) : Fraction(fraction) {}
+  bool Tick(double fraction, const std::string&) override
+  {
+    EXPECT_GE(fraction, this->Last - 1e-9);
+    this->Last = fraction;
+    return fraction < this->Fraction;
+  }
+  double Fraction, Last = 0.0;
+};
+
+} // namespace
+
+TEST(RunSpacetime, KeepsTheBestSoFarWhenStopped)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 40;
+  const SpacetimeInput input = MakeScene(scene);
+  StopAfter monitor(0.4);
+  SpacetimeOutput output;
+  const Result result = RunSpacetime(input, QuickOptions(), SerialFor(), monitor, output);
+  ASSERT_TRUE(result) << result.Message();
+  EXPECT_TRUE(result.IsStopped());
+  ASSERT_EQ(output.Tracks.size(), input.Tracks.size());
+  ExpectAllMet(output);
+  EXPECT_LT(output.Convergence.back().E, output.Convergence.front().E);
+}
+
+TEST(RunSpacetime, NamesBadInputAndLeavesTheOutputEmpty)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 20;
+  const SpacetimeInput good = MakeScene(scene);
+  const auto message = [](const SpacetimeInput& input, const SpacetimeOptions& options)
+  {
+    SilentMonitor monitor;
+    SpacetimeOutput output;
+    const Result result = RunSpacetime(input, options, SerialFor(), monitor, output);
+    EXPECT_FALSE(result);
+    EXPECT_TRUE(output.Tracks.empty());
+    EXPECT_TRUE(output.Convergence.empty());
+    return result.Message();
+  };
+  SpacetimeInput bad = good;
+  bad.Tracks[1].Positions[7].y() = std::nan("");
+  EXPECT_NE(message(bad, {}).find("object 11: not a finite position at frame 7"),
+            std::string::npos);
+  bad = good;
+  bad.Tracks[2].Positions.pop_back();
+  EXPECT_NE(message(bad, {}).find("object 12: 19 points"), std::string::npos);
+  bad = good;
+  bad.Tracks.clear();
+  EXPECT_NE(message(bad, {}).find("Tracks"), std::string::npos);
+  bad = good;
+  bad.Constraints[0].ObjectId = 99;
+  EXPECT_NE(message(bad, {}).find("object 99"), std::string::npos);
+  bad = good;
+  bad.Vortices[0].P2 = bad.Vortices[0].P1;
+  EXPECT_NE(message(bad, {}).find("VortexId 0"), std::string::npos);
+  bad = good;
+  bad.Scene.Bounds.Max.z() = 0.05;
+  EXPECT_NE(message(bad, {}).find("too flat"), std::string::npos);
+  SpacetimeOptions options;
+  options.CourantNumber = 5.0;
+  EXPECT_NE(message(good, options).find("CourantNumber"), std::string::npos);
+}
