@@ -15,9 +15,12 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkMotionSceneReader);
 
@@ -63,6 +66,10 @@ struct vtkMotionSceneReader::Contents
   waft::SceneWind Wind;
   waft::StageCache Cache;
   std::string Error;
+  bool IsMoving = false; // an obstacle does
+  // What does not change in time, filled once: later stages ask for every frame.
+  vtkNew<vtkPolyData> KeptObjects, KeptConstraints, KeptObstacles, KeptVortices;
+  vtkNew<vtkMultiBlockDataSet> KeptShapes;
 
   void Load(const std::string& file)
   {
@@ -78,6 +85,19 @@ struct vtkMotionSceneReader::Contents
     }
     this->Error = result.Message();
     this->Scene = std::move(scene);
+    this->Keep();
+  }
+
+  void Keep()
+  {
+    const waft::SceneInfo& info = this->Scene.Info;
+    this->IsMoving = std::any_of(this->Scene.Obstacles.begin(), this->Scene.Obstacles.end(),
+                                 [](const waft::ObstacleMesh& o) { return o.IsMoving(); });
+    waft::ObjectsToPolyData(this->Scene.Objects, info, this->KeptObjects);
+    waft::ConstraintsToPolyData(this->Scene.Constraints, info, this->KeptConstraints);
+    waft::ObstaclesToPolyData(this->Scene.Obstacles, 0.0, info, this->KeptObstacles);
+    waft::VorticesToPolyData(this->Scene.Vortices, info, this->KeptVortices);
+    waft::ShapesToMultiBlock(this->Scene.Shapes, info, this->KeptShapes);
   }
 };
 
@@ -155,16 +175,20 @@ int vtkMotionSceneReader::RequestData(vtkInformation* request, vtkInformationVec
   {
     return waft::Fail(this, outputs, this->Read->Error);
   }
-  const waft::Scene& scene = this->Read->Scene;
-  const waft::SceneInfo& info = scene.Info;
+  const Contents& read = *this->Read;
+  const waft::SceneInfo& info = read.Scene.Info;
   const double time = waft::RequestedTimeOfAll(request, outputs, info.Time);
-  waft::ObjectsToPolyData(scene.Objects, info, vtkPolyData::GetData(outputs, Objects));
-  waft::ConstraintsToPolyData(scene.Constraints, info, vtkPolyData::GetData(outputs, Constraints));
-  waft::ObstaclesToPolyData(scene.Obstacles, time * info.Time.FramesPerSecond, info,
-                            vtkPolyData::GetData(outputs, Obstacles));
-  waft::ShapesToMultiBlock(scene.Shapes, info, vtkMultiBlockDataSet::GetData(outputs, Shapes));
-  waft::VorticesToPolyData(scene.Vortices, info, vtkPolyData::GetData(outputs, Vortices));
-  this->Read->Wind.Fill(time, info, vtkImageData::GetData(outputs, Wind));
+  vtkPolyData::GetData(outputs, Objects)->ShallowCopy(read.KeptObjects);
+  vtkPolyData::GetData(outputs, Constraints)->ShallowCopy(read.KeptConstraints);
+  vtkPolyData::GetData(outputs, Obstacles)->ShallowCopy(read.KeptObstacles);
+  vtkPolyData::GetData(outputs, Vortices)->ShallowCopy(read.KeptVortices);
+  vtkMultiBlockDataSet::GetData(outputs, Shapes)->ShallowCopy(read.KeptShapes);
+  if (read.IsMoving)
+  {
+    waft::ObstaclesToPolyData(read.Scene.Obstacles, time * info.Time.FramesPerSecond, info,
+                              vtkPolyData::GetData(outputs, Obstacles));
+  }
+  read.Wind.Fill(time, info, vtkImageData::GetData(outputs, Wind));
   (void)waft::RequestedTimeOfAll(request, outputs, info.Time); // filling has cleared the stamps
   return 1;
 }

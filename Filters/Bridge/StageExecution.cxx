@@ -69,11 +69,13 @@ bool StageMonitor::Tick(double fraction, const std::string& text)
 {
   this->Stage->SetProgressText(text.c_str());
   this->Stage->UpdateProgress(std::clamp(fraction, 0.0, 1.0));
-  const bool isAborted = this->Stage->CheckAbort() || this->Stage->GetAbortExecute();
+  this->IsStopped = this->IsStopped || this->Stage->CheckAbort() || this->Stage->GetAbortExecute();
   // CheckAbort marks the outputs, and the executive would empty what the stage gives: its best so
-  // far.
+  // far. The wish to stop is taken back at once, since taking it back later would modify the stage
+  // and make it run again.
   this->Stage->SetAbortOutput(false);
-  return !isAborted;
+  this->Stage->SetAbortExecute(0);
+  return !this->IsStopped;
 }
 
 ParallelFor SmpFor()

@@ -44,6 +44,7 @@ public:
 
 private:
   vtkAlgorithm* Stage;
+  bool IsStopped = false;
 };
 
 /// vtkSMPTools. Debian's VTK runs one thread unless told otherwise: when nobody chose a backend (by
@@ -99,10 +100,10 @@ void SetTimeSteps(const Timeline& line, vtkInformationVector* outputs);
 
 /// The time asked of an output port [s], clamped to the time line, and stamped on its data.
 double RequestedTime(vtkInformationVector* outputs, int port, const Timeline& line);
-/// The time asked of the output port that this pass of RequestData serves, clamped to the time line,
-/// and stamped on the data of all ports. A stage of several ports that vary in time takes this one:
-/// the pipeline notes after a pass that every port was made for the asking port's time, and does
-/// not ask the others for that time again.
+/// The time asked of the output port that this pass of RequestData serves, clamped to the time
+/// line, and stamped on the data of all ports. A stage of several ports that vary in time takes
+/// this one: the pipeline notes after a pass that every port was made for the asking port's time,
+/// and does not ask the others for that time again.
 double RequestedTimeOfAll(vtkInformation* request, vtkInformationVector* outputs,
                           const Timeline& line);
 /// The same as RequestedTime, as the nearest frame.

@@ -30,10 +30,12 @@ class Pipeline:
         self.watches[name] = StageWatch(name, getattr(self, name), clock)
         return self.watches[name]
 
-    def update(self, name):
+    def update(self, name, can_stop=True):
         """Updates a stage that is watched; raises BadInput with its message when it failed."""
-        getattr(self, name).UpdatePipeline()
         watch = self.watches[name]
+        watch.can_stop = can_stop
+        getattr(self, name).UpdatePipeline()
+        watch.can_stop = False
         if watch.errors and not watch.was_aborted:
             raise BadInput(watch.message())
 

@@ -64,8 +64,8 @@ def _run(pipeline, clock, seed, preview):
     pipeline.add_planner(seed)
     pipeline.watch("planner", clock)
     pipeline.update("planner")
-    if clock.should_stop() and pipeline.output("planner").GetNumberOfPoints() == 0:
-        raise failures.Interrupted("stopped before any path was planned")
+    if pipeline.watches["planner"].was_aborted:
+        raise failures.Interrupted("stopped before the paths were planned: nothing was written")
 
     pipeline.add_spacetime()
     watch = pipeline.watch("spacetime", clock)
@@ -81,13 +81,7 @@ def _run(pipeline, clock, seed, preview):
 
     pipeline.add_rotation(seed)
     pipeline.watch("rotation", clock)
-    if clock.should_stop():
-        # The best so far is still turned and written: this stage is quick.
-        clock.interrupted, clock.time_limit, stopped = False, None, True
-    else:
-        stopped = False
-    pipeline.update("rotation")
-    clock.interrupted = clock.interrupted or stopped
+    pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
 
 
 def constraint_report(pipeline):

@@ -19,6 +19,7 @@ class StageWatch:
         self.seconds = 0.0
         self.peak_mb = 0.0
         self.was_aborted = False
+        self.can_stop = False  # while the stage computes, not while it serves frames later
         self._clock = clock
         self._started = None
         self._shown = None
@@ -45,7 +46,7 @@ class StageWatch:
         self.peak_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
 
     def _progress(self, *_):
-        if self._clock.should_stop() and not self.was_aborted:
+        if self.can_stop and self._clock.should_stop() and not self.was_aborted:
             self.was_aborted = True
             self.algorithm.SetAbortExecute(1)
         self._clock.show(self.name, self.algorithm.GetProgress(), self.algorithm.GetProgressText())
