@@ -109,6 +109,10 @@ bool FlightGrower::PlaceRoot(Level& level)
 bool FlightGrower::Advance(const Level& from, int successor, Level& level)
 {
   const Neighbour& entry = this->Library.Successors(from.Body.Top)[successor];
+  if (!entry.IsSmooth)
+  {
+    return false;
+  }
   Piece piece;
   piece.Top = entry.Top;
   piece.Segment = this->Library.SegmentOfTop(entry.Top);

@@ -153,11 +153,17 @@ void SegmentLibrary::ConnectTops(const ParallelFor& parallelFor)
         }
         std::stable_sort(after.begin(), after.end(),
                          [](const Neighbour& x, const Neighbour& y) { return x.Cost < y.Cost; });
+        const double smooth = this->Settings.MaximumConnectionCost;
         std::size_t kept = 0;
-        while (kept < after.size() &&
-               (after[kept].Cost <= this->Settings.MaximumConnectionCost ||
-                static_cast<int>(kept) < this->Settings.MinimumNumberOfNeighbours))
+        while (kept < after.size())
         {
+          after[kept].IsSmooth = after[kept].Cost <= smooth ||
+                                 static_cast<int>(kept) < this->Settings.MinimumNumberOfNeighbours;
+          if (!after[kept].IsSmooth &&
+              after[kept].Cost > this->Settings.RoughConnectionFactor * smooth)
+          {
+            break;
+          }
           ++kept;
         }
         after.resize(kept);
@@ -175,6 +181,7 @@ void SegmentLibrary::ConnectTops(const ParallelFor& parallelFor)
       Neighbour previous;
       previous.Top = static_cast<int>(a);
       previous.Cost = next.Cost;
+      previous.IsSmooth = next.IsSmooth;
       previous.Place = next.Place.Inverse();
       previous.FreeEnd = previous.Place * this->AllSamples[this->Tops[a]].front();
       this->Before[static_cast<std::size_t>(next.Top)].push_back(previous);

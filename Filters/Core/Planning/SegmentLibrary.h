@@ -36,8 +36,9 @@ struct Placement
 /// A neighbour that fits at one end of a segment, placed in that segment's frame.
 struct Neighbour
 {
-  int Top = 0;       // place in MotionDatabase::TopNodes
-  double Cost = 0.0; // residual rms over window chord (Eq. 1)
+  int Top = 0;          // place in MotionDatabase::TopNodes
+  double Cost = 0.0;    // residual rms over window chord (Eq. 1)
+  bool IsSmooth = true; // within the threshold; the others serve where no smooth way is found
   Placement Place;
   Vec3 FreeEnd = Vec3::Zero(); // its other end, in the frame of the segment it is attached to
 };
@@ -47,8 +48,9 @@ struct SegmentLibraryOptions
   double FramesPerSecond = 30.0; // of the scene
   RotationFreedom Freedom = RotationFreedom::YawAndTilt;
   double MaximumTilt = DefaultMaxTilt; // rad
-  double MaximumConnectionCost = 0.06; // above it two representatives are not connectible
-  int MinimumNumberOfNeighbours = 10;  // the best ones are kept even above that cost
+  double MaximumConnectionCost = 0.06; // above it two representatives do not connect smoothly
+  int MinimumNumberOfNeighbours = 10;  // the best ones count as smooth even above that cost
+  double RoughConnectionFactor = 2.5;  // up to this times that cost they connect roughly
 };
 
 class SegmentLibrary

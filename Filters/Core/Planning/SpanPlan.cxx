@@ -347,6 +347,10 @@ bool SpanPlanner::Search(const ClearanceField& field, const SpanTask& task, bool
                      search.NumberOfBranches() < limit && tries <= limit;
        ++step)
   {
+    if (candidates == 0 && step == (task.Way.empty() ? 3000 : 600))
+    {
+      search.AllowRough();
+    }
     // What is asked of a join grows milder the longer the search takes.
     const double patience = step / 300.0;
     const double threshold =

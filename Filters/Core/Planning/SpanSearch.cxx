@@ -278,6 +278,10 @@ const Neighbour* SpanSearch::BestSegment(int tree, const Branch& parent, const V
   double bestDistance = 1e300;
   for (const Neighbour& entry : list)
   {
+    if (!entry.IsSmooth && !this->TakesRough)
+    {
+      continue;
+    }
     const double distance = (entry.FreeEnd - local).squaredNorm();
     if (distance < bestDistance)
     {
@@ -332,10 +336,6 @@ void SpanSearch::Step()
       !this->IsFree(branch.Body, firstFrame))
   {
     ++this->Trees[tree][node].Failures;
-    if (tree == 0)
-    {
-      this->CloseOnGoal(node);
-    }
     return;
   }
   this->Insert(tree, branch);
@@ -371,7 +371,7 @@ void SpanSearch::MeetOther(int tree, int index)
     const Branch& forward = tree == 0 ? own : other;
     const Branch& backward = tree == 0 ? other : own;
     const Neighbour* entry = this->Library.Connection(forward.Body.Top, backward.Body.Top);
-    if (entry == nullptr)
+    if (entry == nullptr || (!entry->IsSmooth && !this->TakesRough))
     {
       continue;
     }
@@ -402,6 +402,10 @@ void SpanSearch::CloseOnGoal(int index)
   // A root that passes the goal by itself would be a single piece; here one more is attached.
   for (const Neighbour& entry : this->Library.Successors(parent.Body.Top))
   {
+    if (!entry.IsSmooth && !this->TakesRough)
+    {
+      continue;
+    }
     const std::vector<Vec3>& samples = this->Library.Samples(this->Library.SegmentOfTop(entry.Top));
     const auto end = static_cast<int>(samples.size()) - 1;
     const int low = std::max(this->Window, static_cast<int>(std::ceil(this->Task.Frames - limit)) -

@@ -84,6 +84,8 @@ public:
   /// One attempt: a seed point, the seed node, the segment whose free end comes closest, collision,
   /// minimum connection cost. Trees alternate.
   void Step();
+  /// From now on rough connections count, too.
+  void AllowRough() { this->TakesRough = true; }
   /// The best join not handed out yet, when its score is at most the threshold.
   bool Take(double threshold, Join& join);
   /// The forward paths that come nearest to the goal about in time.
@@ -127,6 +129,7 @@ private:
   int Turn = 0;
   int Window = 0;
   int RootFailures[2] = { 0, 0 };
+  bool TakesRough = false; // connections that are not smooth count, too
   std::vector<Branch> Trees[2];
   std::vector<Join> Joins; // best first
   std::vector<Join> Nearest;

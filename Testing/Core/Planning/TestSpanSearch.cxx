@@ -133,7 +133,7 @@ TEST(SpanSearch, SeedNodeAndSegmentEqualBruteForce)
     {
       const Neighbour* entry = tree == 0 ? library.Connection(parent.Body.Top, candidate)
                                          : library.Connection(candidate, parent.Body.Top);
-      if (entry == nullptr)
+      if (entry == nullptr || !entry->IsSmooth)
       {
         continue;
       }
