@@ -25,7 +25,8 @@ vtkStandardNewMacro(vtkTrajectoryTraceFilter);
 struct vtkTrajectoryTraceFilter::Internals
 {
   waft::StageCache Cache;
-  waft::TimeSweep Sweep{ { 0, 2 } };
+  // All ports: when one source gives flow and vortices, they must be asked for one time.
+  waft::TimeSweep Sweep{ { 0, 1, 2 } };
   waft::TrajectoryTracer Tracer;
   waft::FlowLattice Lattice;
   waft::SolidVoxels Solid;     // as the flow says at the present step
