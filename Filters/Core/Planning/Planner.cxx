@@ -6,13 +6,18 @@
 #include "Planning/ObjectPlan.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <cstdio>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <set>
 #include <string>
+#include <thread>
 
 namespace waft
 {
@@ -20,8 +25,34 @@ namespace waft
 namespace
 {
 
-/// Objects that are planned between two ticks of the monitor.
-constexpr std::size_t BatchSize = 8;
+/// Runs the work in a thread of its own while the caller's ticks the monitor.
+void RunWhileTicking(const std::function<void()>& work, std::size_t count,
+                     const std::atomic<std::size_t>& done, std::atomic<bool>& stop,
+                     Monitor& monitor)
+{
+  std::mutex mutex;
+  std::condition_variable ended;
+  bool hasEnded = false;
+  std::thread worker(
+    [&]()
+    {
+      work();
+      const std::lock_guard<std::mutex> lock(mutex);
+      hasEnded = true;
+      ended.notify_one();
+    });
+  std::unique_lock<std::mutex> lock(mutex);
+  while (!ended.wait_for(lock, std::chrono::milliseconds(50), [&]() { return hasEnded; }))
+  {
+    const std::size_t planned = done;
+    const bool goesOn = monitor.Tick(
+      0.05 + 0.9 * static_cast<double>(planned) / static_cast<double>(count),
+      "Planned " + std::to_string(planned) + " of " + std::to_string(count) + " objects");
+    stop = stop || !goesOn;
+  }
+  lock.unlock();
+  worker.join();
+}
 
 /// One map for each size of object, made when first asked for.
 class RoomMaps
@@ -250,33 +281,34 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   RoomMaps rooms(input, objectOptions.Span.Margin);
   const std::size_t count = input.Objects.size();
   std::vector<ObjectPlan> plans(count);
-  std::size_t done = 0;
-  bool stopped = false;
-  while (done < count && !stopped)
+  std::vector<unsigned char> isDone(count, 0);
+  std::atomic<std::size_t> done{ 0 };
+  std::atomic<bool> stop{ false };
+  objectOptions.Span.Stop = &stop;
+  const auto planRange = [&](std::size_t begin, std::size_t end)
   {
-    const std::size_t batch = std::min(BatchSize, count - done);
-    parallelFor(batch,
-                [&](std::size_t begin, std::size_t end)
-                {
-                  for (std::size_t i = done + begin; i < done + end; ++i)
-                  {
-                    const Itinerary itinerary = MakeItinerary(input.Objects[i], output.Constraints,
-                                                              isUsed, input.Obstacles, input.Scene);
-                    ObjectPlanOptions own = objectOptions;
-                    own.Span.Rooms = [&rooms, &input, i]() { return rooms.Of(input.Objects[i]); };
-                    plans[i] = PlanObject(library, input.Objects[i], itinerary, input.Obstacles,
-                                          input.Scene, own);
-                  }
-                });
-    done += batch;
-    stopped = !monitor.Tick(0.05 + 0.93 * static_cast<double>(done) / static_cast<double>(count),
-                            "Planned " + std::to_string(done) + " of " + std::to_string(count) +
-                              " objects");
-  }
+    for (std::size_t i = begin; i < end && !stop; ++i)
+    {
+      ObjectPlanOptions own = objectOptions;
+      own.Span.Rooms = [&rooms, &input, i]() { return rooms.Of(input.Objects[i]); };
+      const Itinerary itinerary =
+        MakeItinerary(input.Objects[i], output.Constraints, isUsed, input.Obstacles, input.Scene);
+      plans[i] =
+        PlanObject(library, input.Objects[i], itinerary, input.Obstacles, input.Scene, own);
+      isDone[i] = stop ? 0 : 1;
+      ++done;
+    }
+  };
+  RunWhileTicking([&]() { parallelFor(count, planRange); }, count, done, stop, monitor);
+  const bool stopped = stop;
 
   // In the order of the objects, so that ids do not depend on threads.
-  for (std::size_t i = 0; i < done; ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
+    if (isDone[i] == 0)
+    {
+      continue;
+    }
     Track track;
     track.ObjectId = input.Objects[i].ObjectId;
     track.Positions = std::move(plans[i].Positions);

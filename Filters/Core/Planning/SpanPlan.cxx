@@ -347,6 +347,10 @@ bool SpanPlanner::Search(const ClearanceField& field, const SpanTask& task, bool
                      search.NumberOfBranches() < limit && tries <= limit;
        ++step)
   {
+    if (this->Options.Stop != nullptr && this->Options.Stop->load())
+    {
+      break;
+    }
     if (candidates == 0 && step == (task.Way.empty() ? 3000 : 600))
     {
       search.AllowRough();

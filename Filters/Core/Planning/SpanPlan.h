@@ -7,6 +7,7 @@
 #include "Planning/RoomMap.h"
 #include "Planning/StyleGauge.h"
 
+#include <atomic>
 #include <functional>
 #include <string>
 #include <vector>
@@ -37,10 +38,11 @@ struct SpanPlanOptions
   double Margin = 0.02;        // m, kept beyond the clearance radius while growing
   double CheckMargin = 0.001;  // m, kept beyond it by what comes out
   int MaximumNumberOfBranches = 20000;
-  int NumberOfCandidates = 32;       // paths found, of which the one nearest to the style is taken
-  double FrameStep = 1.0 / 30.0;     // s
-  const StyleGauge* Gauge = nullptr; // or null: the first path found is taken
-  std::function<const RoomMap*()> Rooms; // asked where the straight way is blocked, or empty
+  int NumberOfCandidates = 32;   // paths found, of which the one nearest to the style is taken
+  double FrameStep = 1.0 / 30.0; // s
+  const std::atomic<bool>* Stop = nullptr; // asked for while searching
+  const StyleGauge* Gauge = nullptr;       // or null: the first path found is taken
+  std::function<const RoomMap*()> Rooms;   // asked where the straight way is blocked, or empty
 };
 
 /// Which sample of which piece flies at a frame.

@@ -383,6 +383,80 @@ TEST(Planner, ShowsItsTrees)
   EXPECT_GT(trees[1], 5);
 }
 
+TEST(Planner, KeepsClearInRandomScenes)
+{
+  int met = 0;
+  int rows = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed)
+  {
+    PlanScene scene;
+    Random random(seed, 40);
+    const int boxes = 2 + static_cast<int>(random.Index(8));
+    for (int i = 0; i < boxes; ++i)
+    {
+      const Vec3 center = random.InBox(Box{ Vec3(-1.8, -1.8, 0.0), Vec3(1.8, 1.8, 3.5) });
+      const Vec3 half = random.InBox(Box{ Vec3(0.05, 0.05, 0.1), Vec3(0.6, 0.6, 0.8) });
+      scene.AddBox(center - half, center + half);
+    }
+    ASSERT_TRUE(bool(scene.Obstacles.Build(scene.Meshes)));
+    const auto clearPoint = [&]()
+    {
+      Vec3 x;
+      do
+      {
+        x = random.InBox(Box{ Vec3(-1.8, -1.8, 0.2), Vec3(1.8, 1.8, 3.8) });
+      } while (scene.Obstacles.SignedDistance(x, 0.0) < 0.06);
+      return x;
+    };
+    for (int object = 0; object < 2; ++object)
+    {
+      scene.AddObject(clearPoint());
+      scene.AddRow(ConstraintKind::Position, object, 110, clearPoint());
+      scene.AddRow(ConstraintKind::Position, object, 240, clearPoint());
+    }
+    const PlanOutput output = scene.Run(seed);
+    for (const Track& track : output.Tracks)
+    {
+      EXPECT_GE(LeastSlack(scene, track, 0, 299), -0.004) << seed;
+      EXPECT_LE(FastestStep(track), 1.5 * test::SwirlDatabase().TopSpeed) << seed;
+    }
+    for (const ReportRow& line : output.Report)
+    {
+      ++rows;
+      if (line.Status == ConstraintStatus::Met)
+      {
+        ++met;
+        EXPECT_LE(line.Residual, 4e-9);
+      }
+    }
+  }
+  EXPECT_GE(met, rows * 3 / 4);
+}
+
+TEST(Planner, StopsWhenAskedInTheMiddleOfASearch)
+{
+  // Sealed, with far more branches than there is patience for.
+  PlanScene scene;
+  scene.AddBox(Vec3(-0.05, -2.0, 0.0), Vec3(0.05, 2.0, 4.0));
+  scene.AddObject(Vec3(-1.5, 0.0, 2.0));
+  scene.AddRow(ConstraintKind::Position, 0, 299, Vec3(1.2, 0.0, 2.0));
+  ASSERT_TRUE(bool(scene.Obstacles.Build(scene.Meshes)));
+  struct StopsAtThird : Monitor
+  {
+    bool Tick(double, const std::string&) override { return ++this->Ticks < 3; }
+    int Ticks = 0;
+  } monitor;
+  PlanOptions options;
+  options.MaximumNumberOfBranches = 1000000;
+  PlanOutput output;
+  const PlanInput input{ test::SwirlDatabase(), scene.Objects, scene.Constraints, scene.Obstacles,
+                         scene.Scene };
+  const Result result = PlanMotion(input, options, SerialFor(), monitor, output);
+  EXPECT_TRUE(result.IsStopped());
+  EXPECT_EQ(monitor.Ticks, 3);
+  EXPECT_TRUE(output.Tracks.empty());
+}
+
 TEST(Planner, RefusesWhatIsMalformed)
 {
   PlanScene scene;
