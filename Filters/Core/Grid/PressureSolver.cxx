@@ -10,6 +10,7 @@ namespace
 {
 
 constexpr int CoarsestSweeps = 12;
+constexpr std::size_t FewestCellsForThreads = 100000;
 /// 1 / (c + r cos(pi / 4)), 1 / (c - r cos(pi / 4)) for the interval [c - r, c + r] = [1/3, 2]: all
 /// of the spectrum of D^-1 A (at most 2) that varies within an aggregate.
 constexpr float Damping[2] = { 0.5695013f, 1.7318686f };
@@ -277,6 +278,22 @@ void PressureSolver::Smooth(Level& level, const float* b, float* x, bool fromZer
 
 void PressureSolver::Cycle(std::size_t index, const float* b, float* x,
                            const ParallelFor& parallelFor)
+{
+  Level& level = this->Levels[index];
+  const std::size_t cells =
+    static_cast<std::size_t>(level.Cells.N[0]) * level.Cells.N[1] * level.Cells.N[2];
+  if (cells < FewestCellsForThreads && index > 0)
+  {
+    // The coarser levels together are less work than the start of a thread.
+    const ParallelFor serial = SerialFor();
+    this->CycleOnThreads(index, b, x, serial);
+    return;
+  }
+  this->CycleOnThreads(index, b, x, parallelFor);
+}
+
+void PressureSolver::CycleOnThreads(std::size_t index, const float* b, float* x,
+                                    const ParallelFor& parallelFor)
 {
   Level& level = this->Levels[index];
   this->Smooth(level, b, x, true, parallelFor);

@@ -67,6 +67,7 @@ private:
   void Smooth(Level& level, const float* b, float* x, bool fromZero,
               const ParallelFor& parallelFor) const;
   void Cycle(std::size_t level, const float* b, float* x, const ParallelFor& parallelFor);
+  void CycleOnThreads(std::size_t level, const float* b, float* x, const ParallelFor& parallelFor);
   double Sum(const ParallelFor& parallelFor, const std::function<double(int)>& ofPlane);
 
   std::array<bool, 3> Periodic{ false, false, false };

@@ -9,6 +9,12 @@
 
 namespace waft
 {
+namespace
+{
+
+constexpr std::size_t FewestCellsForThreads = 100000;
+
+} // namespace
 
 SmokeSolver::SmokeSolver() : Impl(std::make_unique<Internals>()) {}
 SmokeSolver::~SmokeSolver() = default;
@@ -146,7 +152,7 @@ Result SmokeSolver::SetSolids(const std::vector<float>& distances,
   return Result::Ok();
 }
 
-Result SmokeSolver::Step(const ParallelFor& parallelFor, Monitor& monitor)
+Result SmokeSolver::Step(const ParallelFor& threads, Monitor& monitor)
 {
   Internals& s = *this->Impl;
   if (s.Velocity[0].empty())
@@ -154,6 +160,9 @@ Result SmokeSolver::Step(const ParallelFor& parallelFor, Monitor& monitor)
     return Result::Error("The solver has not begun");
   }
   const SmokeState before = this->Save();
+  // A loop over a small grid is less work than the start of a thread.
+  const bool isSmall = s.Options.NumberOfCells() < FewestCellsForThreads;
+  const ParallelFor parallelFor = isSmall ? SerialFor() : threads;
   s.Statistics = SmokeStatistics();
   const double frame = 1.0 / s.Options.FramesPerSecond;
   int steps = 1;

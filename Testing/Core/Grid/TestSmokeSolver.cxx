@@ -403,7 +403,7 @@ TEST(SmokeSolver, MovingSolidPushesTheAir)
 TEST(SmokeSolver, IsTheSameWithTwoThreadsAndFromASavedState)
 {
   SmokeOptions options = Options(20, BoundaryKind::Open);
-  options.Resolution = { 20, 24, 18 };
+  options.Resolution = { 48, 52, 44 }; // large enough for threads to be used
   options.WarmUpSeconds = 0.2;
   SmokeForces forces = Stirring();
   SmokeEmitter emitter;
