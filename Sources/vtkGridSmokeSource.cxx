@@ -26,6 +26,7 @@ namespace
 
 enum InputPort
 {
+  NothingIn,
   ObstaclesIn,
   WindIn,
   VorticesIn,
@@ -242,8 +243,9 @@ double vtkGridSmokeSource::GetCacheSize() const
 
 int vtkGridSmokeSource::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
-            port == WindIn ? "vtkImageData" : "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == WindIn      ? "vtkImageData"
+                                                      : port == NothingIn ? "vtkDataObject"
+                                                                          : "vtkPolyData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }

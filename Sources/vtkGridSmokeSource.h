@@ -3,10 +3,12 @@
  * @class   vtkGridSmokeSource
  * @brief   air and smoke moved by vortices and winds on a grid
  *
- * Input port 0, Obstacles (vtkPolyData, optional, may move): closed surfaces.
- * Input port 1, Wind (vtkImageData, optional, may vary in time): a user's own wind; with `Wind` an
- * acceleration [m/s^2], with only `Velocity` [m/s] a drag towards it at the rate WindDrag.
- * Input port 2, Vortices (vtkPolyData, optional): vortices besides the random ones.
+ * Input port 0 takes nothing: ParaView's Python connects the active source to the first port of
+ * what it makes, and a source must not depend on what happens to be active. Input port 1, Obstacles
+ * (vtkPolyData, optional, may move): closed surfaces. Input port 2, Wind (vtkImageData, optional,
+ * may vary in time): a user's own wind; with `Wind` an acceleration [m/s^2], with only `Velocity`
+ * [m/s] a drag towards it at the rate WindDrag. Input port 3, Vortices (vtkPolyData, optional):
+ * vortices besides the random ones.
  *
  * Output port 0, Smoke (vtkImageData, time-varying): its points are the voxels' centres; point data
  * `Velocity` [m/s], `Vorticity` [1/s], `VortexForce`, `WindForce` [m/s^2] (float[3]), `Density`,

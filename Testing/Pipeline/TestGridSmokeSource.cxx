@@ -188,8 +188,8 @@ TEST(GridSmokeSource, TakesObstaclesThatMoveAndVortices)
   source->SetNumberOfVortices(1);
   source->SetNumberOfWinds(0);
   source->SetNumberOfObstacles(0);
-  source->SetInputConnection(0, box->GetOutputPort());
-  source->SetInputDataObject(2, lines);
+  source->SetInputConnection(1, box->GetOutputPort());
+  source->SetInputDataObject(3, lines);
   source->UpdateTimeStep(0.3);
   EXPECT_EQ(box->Requests, 10);
   std::vector<waft::Vortex> vortices;
@@ -230,7 +230,7 @@ TEST(GridSmokeSource, TakesAWindAsImage)
   source->SetNumberOfWinds(0);
   source->SetNumberOfObstacles(0);
   source->SetBoundaryX(vtkGridSmokeSource::PERIODIC);
-  source->SetInputDataObject(1, wind);
+  source->SetInputDataObject(2, wind);
   source->UpdateTimeStep(0.3);
   EXPECT_NEAR(Values(source, "WindForce")[300], 0.5, 1e-6);
   const vtkIdType middle = Smoke(source)->FindPoint(0.0, 0.0, 2.0);
@@ -278,7 +278,7 @@ TEST(GridSmokeSource, NamesWhatIsWrong)
   MakeSmall(empty);
   vtkNew<vtkImageData> noArrays;
   noArrays->SetDimensions(2, 2, 2);
-  empty->SetInputDataObject(1, noArrays);
+  empty->SetInputDataObject(2, noArrays);
   ErrorLog more(empty);
   empty->Update();
   EXPECT_TRUE(more.Contains("Wind")) << more.Text;
