@@ -12,7 +12,7 @@ namespace
 constexpr float SpringStiffness = 0.3f;  // [1 / (dx frame^2)]: keeps gas off the walls
 constexpr float SpringReach = 0.3f;      // [dx]
 constexpr float FarAway = -1e4f;         // where the particle without mass lies [dx]
-constexpr double LeastTimeFactor = 1e-4; // a vortex weaker than this share of itself is left out
+constexpr double LeastTimeFactor = 1e-3; // a vortex weaker than this share of itself is left out
 
 } // namespace
 

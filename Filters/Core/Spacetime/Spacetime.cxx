@@ -365,6 +365,7 @@ Result SpacetimeOptions::Validate() const
          CheckRange("EffectiveGravity", this->EffectiveGravity, 0.0, 20.0),
          CheckRange("ContactDistance", this->ContactDistance, -Large, Large),
          CheckRange("WindDrag", this->WindDrag, 0.0, 100.0),
+         CheckRange("MaximumNumberOfVortices", this->MaximumNumberOfVortices, 0, 1000),
          CheckRange("Passes", this->Passes, 1, 10),
          CheckRange("LeashIterations", this->LeashIterations, 1, 10000),
          CheckRange("MaximumNumberOfIterations", this->MaximumNumberOfIterations, 0, 100000),

@@ -38,7 +38,8 @@ struct SpacetimeOptions
   double WindDrag = 2.0;         // [1/s] with which a wind given as a velocity draws
   bool EstimateWind = true;
   bool FitVortexFields = true;
-  int Passes = 2; // 1..10 alternations with the force fields
+  int MaximumNumberOfVortices = 12; // kept of those that planned paths bring, 0..1000
+  int Passes = 2;                   // 1..10 alternations with the force fields
   bool UseLeash = true;
   int LeashIterations = 20;           // for each of the five radii
   int MaximumNumberOfIterations = 60; // of each stage without leash
@@ -56,7 +57,7 @@ struct SpacetimeInput
   std::vector<MotionObject> Objects;   // those of the tracks
   std::vector<Constraint> Constraints; // every row assigned
   std::vector<ObstacleMesh> Obstacles; // the ground among them
-  std::vector<Vortex> Vortices;        // first guess and priors
+  std::vector<Vortex> Vortices;        // first guesses and priors; see SelectVortices
   FieldSeries Wind;                    // the user's, or empty: a fixed background
 };
 

@@ -4,6 +4,7 @@
 #include "Obstacles/ConstraintCheck.h"
 #include "Obstacles/LinearRows.h"
 #include "Particles/GasLattice.h"
+#include "Spacetime/VortexSelection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -458,7 +459,11 @@ Result MakeSetup(const SpacetimeInput& input, const SpacetimeOptions& options,
                            ": finite numbers, two different poles, positive Duration and "
                            "CoreRadius expected");
     }
-    setup.Model.Vortices.push_back(v);
+  }
+  for (const Vortex& vortex :
+       SelectVortices(input.Vortices, input.Tracks, input.Scene, options.MaximumNumberOfVortices))
+  {
+    setup.Model.Vortices.push_back(ToModel(setup, vortex));
   }
   return Result::Ok();
 }

@@ -4,6 +4,7 @@
 #include "Spacetime/SpacetimeSetup.h"
 #include "Spacetime/TimeLevels.h"
 #include "Spacetime/TimelinePreconditioner.h"
+#include "Spacetime/VortexSelection.h"
 #include "Spacetime/WindEstimate.h"
 #include "SpacetimeScenes.h"
 
@@ -271,4 +272,41 @@ TEST(WindEstimate, RecoversASmoothWindThatIsFreeOfDivergence)
       }
     }
   }
+}
+
+TEST(SelectVortices, KeepsTheArtistsAndTheStrongestOfEachPlaceAndTime)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 60;
+  scene.NumberOfObjects = 2;
+  SpacetimeInput input = MakeScene(scene);
+  Vortex base = input.Vortices[0];
+  std::vector<Vortex> vortices;
+  const auto add = [&](int id, double x, double strength)
+  {
+    base.VortexId = id;
+    base.Strength = strength;
+    base.P1 = Vec3(x, 0.0, 0.5);
+    base.P2 = Vec3(x, 0.0, 2.5);
+    vortices.push_back(base);
+  };
+  add(0, 0.0, 1.0);
+  add(1, 0.1, 2.0);  // beside the first and stronger
+  add(2, 1.5, 1.5);  // elsewhere
+  add(3, -1.5, 0.1); // weak
+  add(7, 0.0, 0.1);  // the artist's: nobody claims it
+  for (Track& track : input.Tracks)
+  {
+    for (int frame = 0; frame < 60; ++frame)
+    {
+      track.VortexIds.push_back(frame % 4);
+    }
+  }
+  std::vector<int> ids;
+  for (const Vortex& vortex : SelectVortices(vortices, input.Tracks, input.Scene, 2))
+  {
+    ids.push_back(vortex.VortexId);
+  }
+  EXPECT_EQ(ids, (std::vector<int>{ 1, 2, 7 }));
+  EXPECT_EQ(SelectVortices(vortices, input.Tracks, input.Scene, 0).size(), 1u);
 }
