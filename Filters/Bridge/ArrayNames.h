@@ -125,6 +125,8 @@ constexpr const char* Ec = "Ec";
 constexpr const char* MaxViolation = "MaxViolation";
 constexpr const char* Leash = "Leash";
 constexpr const char* Seconds = "Seconds";
+constexpr const char* PositionResidual = "PositionResidual"; // of tracks
+constexpr const char* VelocityResidual = "VelocityResidual";
 
 } // namespace names
 } // namespace waft

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSPHSpacetimeFilter.h"
 
+#include "Bridge/ArrayNames.h"
+#include "Bridge/Arrays.h"
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/SpacetimeData.h"
@@ -8,11 +10,13 @@
 #include "Bridge/TrackData.h"
 #include "Spacetime/Spacetime.h"
 
+#include <vtkCellData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 
 #include <cmath>
@@ -43,18 +47,6 @@ enum OutputPort
   ReportPort,
   NumberOfOutputs
 };
-
-// A wind of zeros on the corners of the volume, for when there is none.
-waft::FieldSeries NoWind(const waft::SceneInfo& info)
-{
-  waft::FieldSeries wind;
-  wind.Dimensions = { 2, 2, 2 };
-  wind.Origin = info.Bounds.Min;
-  wind.Spacing = info.Bounds.Size();
-  wind.Times = { 0.0 };
-  wind.Values.emplace_back(8, std::array<float, 3>{ 0.0f, 0.0f, 0.0f });
-  return wind;
-}
 
 } // namespace
 
@@ -161,14 +153,18 @@ void vtkSPHSpacetimeFilter::Internals::Fill(vtkInformation* request,
 {
   const double time = waft::RequestedTimeOfAll(request, outputs, this->Info.Time);
   const int frame = static_cast<int>(std::lround(time * this->Info.Time.FramesPerSecond));
-  waft::TracksToPolyData(this->Result.Tracks, this->Info,
-                         vtkPolyData::GetData(outputs, TracksPort));
+  vtkPolyData* tracks = vtkPolyData::GetData(outputs, TracksPort);
+  waft::TracksToPolyData(this->Result.Tracks, this->Info, tracks);
+  waft::AddDoubles(tracks->GetCellData(), waft::names::PositionResidual,
+                   this->Result.PositionResiduals);
+  waft::AddDoubles(tracks->GetCellData(), waft::names::VelocityResidual,
+                   this->Result.VelocityResiduals);
   waft::ParticlesToPolyData(this->Result.Particles, frame, this->Info,
                             vtkPolyData::GetData(outputs, ParticlesPort));
   waft::VorticesToPolyData(this->Result.Vortices, this->Info,
                            vtkPolyData::GetData(outputs, VorticesPort));
-  waft::FieldSeriesToImage(this->Result.Wind.IsEmpty() ? NoWind(this->Info) : this->Result.Wind,
-                           time, this->Info, vtkImageData::GetData(outputs, WindPort));
+  waft::FieldSeriesToImage(this->Result.Wind, time, this->Info,
+                           vtkImageData::GetData(outputs, WindPort));
   waft::ConvergenceToTable(this->Result.Convergence, this->Info,
                            vtkTable::GetData(outputs, ConvergencePort));
   waft::ReportToTable(this->Result.Report, this->Info, vtkTable::GetData(outputs, ReportPort));
@@ -207,6 +203,16 @@ int vtkSPHSpacetimeFilter::RequestInformation(vtkInformation*, vtkInformationVec
                                               vtkInformationVector* outputs)
 {
   waft::PassTimeSteps(this, inputs, outputs);
+  // The wind's lattice depends on the volume alone.
+  waft::SceneInfo info;
+  if (vtkPolyData* tracks = vtkPolyData::GetData(inputs[PlannedPort]))
+  {
+    (void)waft::SceneInfoFromFieldData(tracks, info);
+  }
+  const std::array<int, 3> n = waft::WindLatticeDimensions(info.Bounds);
+  const int extent[6] = { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };
+  outputs->GetInformationObject(WindPort)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(),
+                                               extent, 6);
   return 1;
 }
 

@@ -12,7 +12,9 @@
  * Input port 5, Wind (vtkImageData, optional, may vary in time): `Wind` or `Velocity`, a fixed
  * background.
  *
- * Output port 0, Tracks (vtkPolyData): with `Force`, `AirVelocity` and `SPHVelocity` besides.
+ * Output port 0, Tracks (vtkPolyData): with `Force`, `AirVelocity` and `SPHVelocity` besides, and
+ * the cell data `PositionResidual` [dx] and `VelocityResidual` [dx / frame]: root mean squares of
+ * what gas dynamics does not explain, in gas spacings.
  * Output port 1, Particles (vtkPolyData, varies in time): gas and object particles.
  * Output port 2, Vortices (vtkPolyData): as fitted.
  * Output port 3, Wind (vtkImageData, varies in time): on the optimiser's own lattice [m/s^2].
