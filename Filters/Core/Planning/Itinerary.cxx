@@ -151,6 +151,10 @@ Itinerary MakeItinerary(const MotionObject& object, const std::vector<Constraint
   bool startsAsTold = false;
   for (const Constraint& row : own)
   {
+    if (count < 2)
+    {
+      break; // one frame has no motion
+    }
     if (row.Kind == ConstraintKind::Velocity)
     {
       result.Rows.push_back(

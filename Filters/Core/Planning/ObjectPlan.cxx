@@ -22,7 +22,7 @@ public:
 
 private:
   void PlanFlight(std::size_t from, int lastFrame);
-  void Draw(const Mark& from, const Mark& to);
+  void Draw(const Mark& from, Mark& to);
   void LieStill(const Mark& mark);
   void Miss(Mark& mark, const Vec3& place);
   void Fix(int frame, const Vec3& position);
@@ -42,8 +42,9 @@ private:
   WarpProblem Warp;
   bool HasContinuation = false;
   Piece Continuation;
-  bool Halted = false;    // the flight before came to a stop
-  std::vector<int> Seams; // frames at which two flights meet
+  bool Halted = false;     // the flight before came to a stop
+  bool LastReached = true; // the mark before
+  std::vector<int> Seams;  // frames at which two flights meet
   StyleHistory History;
   int Shortest = 0; // spans of fewer frames are drawn, not searched
 };
@@ -120,22 +121,41 @@ SpanEnd ObjectPlanner::EndAt(std::size_t index, bool isGoal) const
   return end;
 }
 
-void ObjectPlanner::Draw(const Mark& from, const Mark& to)
+void ObjectPlanner::Draw(const Mark& from, Mark& to)
 {
+  const Vec3 start = this->Plan.Positions[from.Until];
+  const int frames = to.Frame - from.Until;
+  MarkOutcome outcome;
+  outcome.Constraint = to.Constraint;
+  // Frame by frame from one place that was met to the next it is the artist's own path, as fast as
+  // it may be.
+  const bool isGiven = frames == 1 && from.Constraint >= 0 && this->LastReached;
+  const double most = 1.4 * this->Library.TopStep() * frames;
+  const Vec3 way = to.Position - start;
+  if (!isGiven && way.norm() - to.Radius > most)
+  {
+    Vec3 place = start + way.normalized() * (0.7 * most);
+    while (
+      (place - start).norm() > 1e-3 &&
+      this->Field.FirstHit({ start, 0.5 * (start + place), place }, 1, 2, to.Frame, 0.0, 0.0) >= 0)
+    {
+      place = 0.5 * (start + place);
+    }
+    outcome.IsReached = false;
+    outcome.Message = "far faster than the database's top speed";
+    this->Miss(to, place);
+  }
   for (int frame = from.Until + 1; frame <= to.Frame; ++frame)
   {
-    const double u =
-      static_cast<double>(frame - from.Until) / static_cast<double>(to.Frame - from.Until);
-    this->Plan.Positions[frame] =
-      this->Plan.Positions[from.Until] + u * (to.Position - this->Plan.Positions[from.Until]);
+    const double u = static_cast<double>(frame - from.Until) / static_cast<double>(frames);
+    this->Plan.Positions[frame] = start + u * (to.Position - start);
   }
   this->Fix(to.Frame, to.Position);
   this->Seams.push_back(from.Until);
   this->Seams.push_back(to.Frame);
   this->HasContinuation = false;
   this->Halted = false;
-  MarkOutcome outcome;
-  outcome.Constraint = to.Constraint;
+  this->LastReached = outcome.IsReached;
   this->Plan.Outcomes.push_back(outcome);
 }
 
@@ -214,6 +234,7 @@ void ObjectPlanner::PlanFlight(std::size_t from, int lastFrame)
     outcome.NumberOfBranches = static_cast<int>(span.Trees[0].size() + span.Trees[1].size());
     outcome.Message = span.Message;
     this->Plan.Outcomes.push_back(outcome);
+    this->LastReached = span.ReachesGoal;
     if (!span.ReachesGoal)
     {
       this->Miss(this->Way.Marks[from + 1], span.Positions.back());
@@ -348,9 +369,9 @@ void ObjectPlanner::Unite()
   {
     united = SolveWarp(this->Warp);
   }
-  this->Plan.Positions =
-    RepairPath(this->Field, this->Warp, this->Options.Tolerance, 1.45 * this->Library.TopStep(),
-               united, separate, this->Plan.WorstSlack, this->Plan.WorstFrame);
+  this->Plan.Positions = RepairPath(
+    this->Field, this->Warp, this->Options.Tolerance, 1.45 * this->Library.TopStep(), united,
+    this->Warp.Rows.empty() ? separate : united, this->Plan.WorstSlack, this->Plan.WorstFrame);
 }
 
 ObjectPlan ObjectPlanner::Run()
@@ -373,7 +394,7 @@ ObjectPlan ObjectPlanner::Run()
     }
     else if (this->IsDrawn(i))
     {
-      this->Draw(marks[i], marks[i + 1]);
+      this->Draw(marks[i], this->Way.Marks[i + 1]);
     }
     else
     {

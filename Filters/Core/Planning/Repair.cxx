@@ -65,18 +65,20 @@ std::vector<Violation> FindViolations(const ClearanceField& field,
     {
       // With room to spare nothing between the frames can be hit.
       here = field.Distance(a, frame) - field.Required(a);
-      if (here > 1.4 * step && field.ContactAt(frame) == field.ContactAt(frame + 1.0))
+      if (here > 1.4 * step && frame + 2 < count &&
+          field.ContactAt(frame) == field.ContactAt(frame + 1.0))
       {
         continue;
       }
     }
-    if (step == 0.0 && here > -tolerance)
+    if (step == 0.0 && here > -tolerance && here < 1e30)
     {
       continue;
     }
     Violation violation;
     violation.Frame = frame;
-    for (int i = 0; i < PointsPerFrame; ++i)
+    const int points = frame + 2 == count ? PointsPerFrame + 1 : PointsPerFrame;
+    for (int i = 0; i < points; ++i)
     {
       const double u = static_cast<double>(i) / PointsPerFrame;
       const Vec3 x = a + u * (b - a);

@@ -82,12 +82,14 @@ Result SegmentLibrary::Build(const MotionDatabase& database, const SegmentLibrar
   {
     const int segment = database.Nodes[node].Medoid;
     const std::vector<Vec3>& samples = this->AllSamples[segment];
-    if (static_cast<int>(samples.size()) < 2 * this->WindowSamples)
+    if (samples.size() < 5)
     {
-      return Result::Error("motion database: a representative of " +
+      return Result::Error("motion database: a representative has only " +
                            std::to_string(samples.size()) +
-                           " samples is shorter than two overlap windows at this frame rate");
+                           " samples at this frame rate, at least 5 expected");
     }
+    // The overlaps with the segment before and the one after must not meet.
+    this->WindowSamples = std::min(this->WindowSamples, (static_cast<int>(samples.size()) + 1) / 2);
     this->Tops.push_back(segment);
     this->Longest = std::max(this->Longest, static_cast<int>(samples.size()) - 1);
     for (std::size_t k = 1; k < samples.size(); ++k)

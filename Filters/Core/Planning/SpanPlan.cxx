@@ -164,10 +164,10 @@ bool SpanPlanner::Try(PieceChain chain, bool toGoal, bool check, SpanResult& res
       }
     }
     // The given ends themselves are judged elsewhere.
-    if (clock.Frames > 1 &&
-        (toGoal ? this->Field : this->MissField)
-            .FirstHit(positions, 1, clock.Frames - 1, this->Request.FirstFrame + 1, 1.0,
-                      this->Options.CheckMargin) >= 0)
+    const int lastChecked = toGoal ? clock.Frames - 1 : clock.Frames;
+    if (lastChecked >= 1 && (toGoal ? this->Field : this->MissField)
+                                .FirstHit(positions, 1, lastChecked, this->Request.FirstFrame + 1,
+                                          1.0, this->Options.CheckMargin) >= 0)
     {
       return false;
     }
@@ -260,11 +260,19 @@ void SpanPlanner::Hover(SpanResult& result) const
                       ? Vec3(Vec3::Zero())
                       : Vec3(this->Request.Start.Position - this->Request.Before.back());
   result = SpanResult();
-  result.Positions.assign(frames, this->Request.Start.Position);
-  for (std::size_t k = 1; k < frames; ++k)
+  for (double pause : { 8.0, 4.0, 2.0, 1.0 })
   {
-    const double rate = std::max(0.0, 1.0 - static_cast<double>(k) / 8.0);
-    result.Positions[k] = result.Positions[k - 1] + rate * rate * step;
+    result.Positions.assign(frames, this->Request.Start.Position);
+    for (std::size_t k = 1; k < frames; ++k)
+    {
+      const double rate = std::max(0.0, 1.0 - static_cast<double>(k) / pause);
+      result.Positions[k] = result.Positions[k - 1] + rate * rate * step;
+    }
+    if (this->MissField.FirstHit(result.Positions, 1, static_cast<int>(frames) - 1,
+                                 this->Request.FirstFrame + 1, 1.0, 0.0) < 0)
+    {
+      break;
+    }
   }
   result.Bends = SecondDifferences(result.Positions);
   result.Sources.assign(frames, FrameSource());

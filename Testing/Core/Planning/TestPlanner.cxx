@@ -335,6 +335,36 @@ TEST(Planner, NamesAWishThatIsFarTooFast)
   EXPECT_LE(FastestStep(output.Tracks[0]), 1.5 * test::SwirlDatabase().TopSpeed);
 }
 
+TEST(Planner, WorksAtOtherFrameRatesAndWithHardlyAnyFrames)
+{
+  for (double rate : { 24.0, 60.0 })
+  {
+    PlanScene scene;
+    scene.Scene.Time.FramesPerSecond = rate;
+    scene.AddObject(Vec3(-1.0, 0.0, 2.0));
+    const int frame = static_cast<int>(5.0 * rate);
+    scene.AddRow(ConstraintKind::Position, 0, std::min(frame, 250), Vec3(0.8, 0.4, 2.2));
+    const PlanOutput output = scene.Run(1);
+    EXPECT_EQ(output.Report[0].Status, ConstraintStatus::Met) << rate;
+    EXPECT_LE(FastestStep(output.Tracks[0]) / 30.0 * rate, 1.5 * test::SwirlDatabase().TopSpeed);
+  }
+  for (int frames : { 1, 2, 3, 9 })
+  {
+    PlanScene scene;
+    scene.Scene.Time.NumberOfFrames = frames;
+    scene.AddObject(Vec3(-1.0, 0.0, 2.0));
+    scene.Objects[0].Velocity = Vec3(0.2, 0.0, 0.0);
+    scene.AddRow(ConstraintKind::Velocity, 0, 0, Vec3(0.3, 0.0, 0.0));
+    scene.AddRow(ConstraintKind::Acceleration, 0, frames - 1, Vec3(0.0, 0.1, 0.0));
+    const PlanOutput output = scene.Run(1);
+    ASSERT_EQ(output.Tracks[0].Positions.size(), static_cast<std::size_t>(frames));
+    for (const Vec3& x : output.Tracks[0].Positions)
+    {
+      EXPECT_TRUE(x.allFinite());
+    }
+  }
+}
+
 TEST(Planner, CarriesAnnotationAndVorticesWithTheSegments)
 {
   PlanScene scene;
