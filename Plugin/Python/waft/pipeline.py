@@ -18,10 +18,12 @@ class Pipeline:
 
     def __init__(self, scene, database=None):
         self.reader = simple.MotionSceneReader(registrationName="Scene", FileName=str(scene))
-        database = str(database or data_file("Database/embedded.vtm"))
-        self.database = simple.XMLMultiBlockDataReader(registrationName="Database", FileName=[database])
+        self.database_file = str(database or data_file("Database/embedded.vtm"))
+        self.database = simple.XMLMultiBlockDataReader(
+            registrationName="Database", FileName=[self.database_file])
         self.database.TimeArray = "None"
         self.planner = None
+        self._planned = {}  # outputs of the planner, or of readers of what an earlier run left
         self.spacetime = None
         self.rotation = None
         self.watches = {}
@@ -50,20 +52,33 @@ class Pipeline:
             registrationName="Planner", Database=self.database, Objects=self._scene("Objects"),
             Constraints=self._scene("Constraints"), Obstacles=self._scene("Obstacles"))
         self.planner.Seed = seed
+        self._planned = {port: simple.OutputPort(self.planner, port) for port in (0, 3, 4)}
+
+    def take_plan(self, tracks, constraints, vortices):
+        """Goes on from files of an earlier run instead of planning."""
+        for port, path in ((0, tracks), (3, constraints), (4, vortices)):
+            reader = simple.XMLPolyDataReader(FileName=[str(path)])
+            reader.TimeArray = "None"
+            self._planned[port] = reader
+
+    def planned(self, port):
+        """The data object of an output of the planner (0 tracks, 3 constraints, 4 vortices)."""
+        source = self._planned[port]
+        return source.GetClientSideObject().GetOutputDataObject(source.Port)
 
     def add_spacetime(self):
         inputs = {"Obstacles": self._scene("Obstacles"), "Vortices": self._vortices()}
         if self.output("reader", 5).GetNumberOfPoints() > 0:
             inputs["Wind"] = self._scene("Wind")
         self.spacetime = simple.SPHSpacetimeFilter(
-            registrationName="Spacetime", Tracks=simple.OutputPort(self.planner, 0),
-            Objects=self._scene("Objects"), Constraints=simple.OutputPort(self.planner, 3), **inputs)
+            registrationName="Spacetime", Tracks=self._planned[0],
+            Objects=self._scene("Objects"), Constraints=self._planned[3], **inputs)
 
     def add_rotation(self, seed):
         self.rotation = simple.RotationRefineFilter(
             registrationName="Rotation", Tracks=simple.OutputPort(self.spacetime, 0),
             Objects=self._scene("Objects"), Shapes=self._scene("Shapes"),
-            Obstacles=self._scene("Obstacles"), Constraints=simple.OutputPort(self.planner, 3))
+            Obstacles=self._scene("Obstacles"), Constraints=self._planned[3])
         self.rotation.Seed = seed
 
     def _scene(self, name):
@@ -71,7 +86,7 @@ class Pipeline:
         return simple.OutputPort(self.reader, ports.index(name))
 
     def _vortices(self):
-        planned = simple.OutputPort(self.planner, 4)
+        planned = self._planned[4]
         if self.output("reader", 4).GetNumberOfCells() == 0:
             return planned
         return simple.AppendGeometry(registrationName="Vortices", Input=[self._scene("Vortices"), planned])

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From a scene file to an animation."""
+import csv
+import hashlib
+import json
 import math
 import pathlib
 
@@ -40,7 +43,10 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
     set_threads(threads)
     pipeline = Pipeline(scene, database)
     with Clock(time_limit, quiet) as clock:
-        _run(pipeline, clock, seed, preview)
+        _read(pipeline, clock, seed)
+        pipeline.key = run_key(scene, pipeline.database_file, pipeline.seed, preview)
+        pipeline.earlier = earlier_run(output, pipeline.key) if resume else None
+        _run(pipeline, clock, preview, output)
         pipeline.stopped = clock.interrupted or clock.timed_out
     pipeline.report = constraint_report(pipeline)
     pipeline.warnings = [w for watch in pipeline.watches.values() for w in watch.errors]
@@ -52,7 +58,23 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
     return pipeline
 
 
-def _run(pipeline, clock, seed, preview):
+def run_key(scene, database, seed, preview):
+    """Tells runs apart: two of one key go the same way."""
+    parts = [pathlib.Path(scene).read_bytes(), str(pathlib.Path(database).resolve()).encode(),
+             f"{seed} {preview} {version()}".encode()]
+    return hashlib.sha256(b"\0".join(parts)).hexdigest()
+
+
+def earlier_run(folder, key):
+    """The report of a run of the same key that was stopped early in this folder, or None."""
+    path = pathlib.Path(folder or ".") / "report.json"
+    if folder is None or not path.is_file():
+        return None
+    report = json.loads(path.read_text(encoding="utf-8"))
+    return report if report.get("key") == key and report.get("stoppedEarly") else None
+
+
+def _read(pipeline, clock, seed):
     pipeline.watch("reader", clock)
     pipeline.update("reader")
     pipeline.watch("database", clock)
@@ -61,11 +83,17 @@ def _run(pipeline, clock, seed, preview):
         seed = int(pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0))
     pipeline.seed = seed
 
-    pipeline.add_planner(seed)
-    pipeline.watch("planner", clock)
-    pipeline.update("planner")
-    if pipeline.watches["planner"].was_aborted:
-        raise failures.Interrupted("stopped before the paths were planned: nothing was written")
+
+def _run(pipeline, clock, preview, folder):
+    if pipeline.earlier:
+        folder = pathlib.Path(folder)
+        pipeline.take_plan(folder / "optimized.vtp", folder / "constraints.vtp", folder / "vortices.vtp")
+    else:
+        pipeline.add_planner(pipeline.seed)
+        pipeline.watch("planner", clock)
+        pipeline.update("planner")
+        if pipeline.watches["planner"].was_aborted:
+            raise failures.Interrupted("stopped before the paths were planned: nothing was written")
 
     pipeline.add_spacetime()
     watch = pipeline.watch("spacetime", clock)
@@ -79,7 +107,7 @@ def _run(pipeline, clock, seed, preview):
     pipeline.update("spacetime")
     clock.timed_out = clock.timed_out or (left is not None and watch.seconds >= left)
 
-    pipeline.add_rotation(seed)
+    pipeline.add_rotation(pipeline.seed)
     pipeline.watch("rotation", clock)
     pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
 
@@ -93,7 +121,7 @@ def constraint_report(pipeline):
 
 
 def _measure_orientations(pipeline, report):
-    constraints = pipeline.output("planner", 3)
+    constraints = pipeline.planned(3)
     arrays = constraints.GetPointData()
     poses = pipeline.output("rotation", 1)
     by_place = {(int(r["Row"]), int(r["Target"])): r for r in report if r["Kind"] == "orientation"}
@@ -125,19 +153,22 @@ def _measure_orientations(pipeline, report):
 def write_results(pipeline, folder, scene, seed):
     """Every file of a run, all at once: see the user guide for what each holds."""
     with OutputFolder(folder) as out:
-        write_xml(pipeline.output("planner"), out.path("planned.vtp"))
+        if not pipeline.earlier:
+            write_xml(pipeline.planned(0), out.path("planned.vtp"))
         write_xml(pipeline.output("spacetime"), out.path("optimized.vtp"))
         write_xml(pipeline.output("rotation", 1), out.path("poses.vtp"))
         write_xml(pipeline.output("spacetime", 2), out.path("vortices.vtp"))
         write_xml(pipeline.output("reader", 0), out.path("objects.vtp"))
         write_xml(pipeline.output("reader", 3), out.path("shapes.vtm"))
-        write_xml(pipeline.output("planner", 3), out.path("constraints.vtp"))
+        write_xml(pipeline.planned(3), out.path("constraints.vtp"))
         _write_series(pipeline, "reader", 2, "obstacles", ".vtp", out, only_if_moving=True)
         _write_series(pipeline, "spacetime", 3, "wind", ".vti", out)
-        write_csv(out.path("convergence.csv"), *table_rows(pipeline.output("spacetime", 4)))
+        header, rows = _convergence(pipeline, folder)
+        write_csv(out.path("convergence.csv"), header, rows)
         _write_report(pipeline, out.path("constraints.csv"))
         _write_animation(pipeline, out)
-        write_json(out.path("report.json"), _summary(pipeline, scene))
+        write_json(out.path("report.json"), _summary(pipeline, scene, dict(zip(header, rows[0])),
+                                                     dict(zip(header, rows[-1]))))
         out.commit()
 
 
@@ -195,9 +226,21 @@ def _write_animation(pipeline, out):
             raise failures.WaftError(f"{name}: could not be written")
 
 
-def _summary(pipeline, scene):
+def _convergence(pipeline, folder):
+    """The optimiser's rows; after those of the run that this one goes on from, if any."""
     header, rows = table_rows(pipeline.output("spacetime", 4))
-    convergence = [dict(zip(header, row)) for row in rows]
+    if not pipeline.earlier:
+        return header, rows
+    with open(pathlib.Path(folder) / "convergence.csv", newline="", encoding="utf-8") as stream:
+        before = list(csv.reader(stream))[1:-1]
+    seconds = header.index("Seconds")
+    start = float(before[-1][seconds])
+    for row in rows[1:]:
+        row[seconds] = number(start + float(row[seconds]))
+    return header, before + rows[1:]
+
+
+def _summary(pipeline, scene, first, last):
     counts = {status: 0 for status in STATUS_ORDER}
     for row in pipeline.report:
         counts[row["Status"]] += 1
@@ -205,10 +248,10 @@ def _summary(pipeline, scene):
         "version": version(),
         "scene": pathlib.Path(scene).name,
         "seed": pipeline.seed,
+        "key": pipeline.key,
         "stages": {name: {"seconds": watch.seconds, "peakMemoryMB": watch.peak_mb}
                    for name, watch in pipeline.watches.items()},
-        "energy": {"before": float(convergence[0]["E"]), "after": float(convergence[-1]["E"])}
-        if convergence else None,
+        "energy": {"before": float(first["E"]), "after": float(last["E"])},
         "constraints": {**counts, "unmet": [row for row in pipeline.report if row["Status"] != "met"]},
         "stoppedEarly": pipeline.stopped,
         "warnings": pipeline.warnings,
