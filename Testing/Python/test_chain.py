@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The whole chain in pvbatch: every stage a proxy by its name, numbers asserted, one picture compared.
 
-    pvbatch test_chain.py BASELINE.png FOLDER     FOLDER: for the scene and the pictures
+    pvbatch test_chain.py BASELINE.png FOLDER [--update]     FOLDER: for the scene and the pictures
 """
 import json
 import os
+import shutil
 import sys
 
 from paraview import simple
@@ -102,12 +103,12 @@ def take_picture(rotation, frame, name):
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
     view.Background = [0.1, 0.1, 0.15]
-    view.CameraPosition = [0.0, -6.0, 2.4]
-    view.CameraFocalPoint = [0.0, 0.0, 2.3]
+    view.CameraPosition = [0.0, -2.2, 4.8]
+    view.CameraFocalPoint = [0.05, 0.1, 2.2]
     view.CameraViewUp = [0.0, 0.0, 1.0]
-    view.CameraViewAngle = 25.0
+    view.CameraViewAngle = 32.0
     shown = simple.Show(simple.OutputPort(rotation, 0), view)
-    simple.ColorBy(shown, None)
+    shown.ColorArrayName = ["POINTS", ""]
     shown.DiffuseColor = [0.9, 0.5, 0.2]
     path = os.path.join(FOLDER, name)
     simple.SaveScreenshot(path, view)
@@ -117,6 +118,8 @@ def take_picture(rotation, frame, name):
 def check_picture(rotation):
     seen = take_picture(rotation, 30, "chain.png")
     later = take_picture(rotation, 31, "chain-later.png")
+    if "--update" in sys.argv:
+        shutil.copyfile(os.path.join(FOLDER, "chain.png"), BASELINE)
     baseline = picture.read(BASELINE)
     check(picture.agree(seen, baseline), f"the picture agrees with {os.path.basename(BASELINE)}")
     check(not picture.agree(later, baseline), "the picture one frame later is rejected")
