@@ -47,6 +47,14 @@ std::vector<Vec3> Resample(const std::vector<Vec3>& samples, double ratio)
 
 } // namespace
 
+Vec3 CentralStep(const std::vector<Vec3>& samples, int k)
+{
+  const auto last = static_cast<int>(samples.size()) - 1;
+  const int a = std::max(0, k - 1);
+  const int b = std::min(last, k + 1);
+  return (samples[b] - samples[a]) / static_cast<double>(b - a);
+}
+
 Result SegmentLibrary::Build(const MotionDatabase& database, const SegmentLibraryOptions& options,
                              const ParallelFor& parallelFor)
 {

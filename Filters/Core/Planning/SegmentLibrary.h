@@ -53,6 +53,9 @@ struct SegmentLibraryOptions
   double RoughConnectionFactor = 2.5;  // up to this times that cost they connect roughly
 };
 
+/// Mean step to and from a sample (one-sided at the ends) [m per frame].
+Vec3 CentralStep(const std::vector<Vec3>& samples, int k);
+
 class SegmentLibrary
 {
 public:

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How the two trees meet: joins found, kept in order of their score, and handed out.
+#include "Planning/SpanSearch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+
+namespace
+{
+
+constexpr std::size_t KeptJoins = 32;
+constexpr std::size_t KeptApproaches = 12;
+
+} // namespace
+
+double SpanSearch::Score(double gap, double angle, int rawFrames, double mismatch) const
+{
+  const double frames = this->Task.Frames;
+  return gap / (this->Library.TypicalStep() * frames) + 0.25 * std::abs(angle) +
+         0.5 * std::abs(rawFrames - frames) / frames + 0.1 * mismatch;
+}
+
+void SpanSearch::MeetOther(int tree, int index)
+{
+  const double limit = this->Options.RetimingLimit * this->Task.Frames;
+  const Branch& own = this->Trees[tree][index];
+  const std::vector<Branch>& others = this->Trees[1 - tree];
+  const double worst = this->Joins.size() < KeptJoins ? 1.5 : this->Joins.back().Score;
+  const double reach = worst * this->Library.TypicalStep() * this->Task.Frames;
+  for (std::size_t i = 0; i < others.size(); ++i)
+  {
+    const Branch& other = others[i];
+    const int raw = own.Elapsed + other.Elapsed - (this->Window - 1);
+    if (std::abs(raw - this->Task.Frames) > limit ||
+        (own.FreeEnd - other.FreeEnd).squaredNorm() > (reach + 0.5) * (reach + 0.5))
+    {
+      continue;
+    }
+    const Branch& forward = tree == 0 ? own : other;
+    const Branch& backward = tree == 0 ? other : own;
+    const Neighbour* entry = this->Library.Connection(forward.Body.Top, backward.Body.Top);
+    if (entry == nullptr || (!entry->IsSmooth && !this->TakesRough))
+    {
+      continue;
+    }
+    const Placement predicted = forward.Body.Place * entry->Place;
+    const Vec3 head = this->Library.Samples(backward.Body.Segment).front();
+    const Mat3 turn = backward.Body.Place.Rotation * predicted.Rotation.transpose();
+    Join join;
+    join.Forward = tree == 0 ? index : static_cast<int>(i);
+    join.Backward = tree == 0 ? static_cast<int>(i) : index;
+    join.RawFrames = raw;
+    join.Distance = (backward.Body.Place * head - predicted * head).norm();
+    join.Angle = std::atan2(turn(1, 0) - turn(0, 1), turn(0, 0) + turn(1, 1));
+    join.Score = this->Score(join.Distance, join.Angle, raw, own.Mismatch + other.Mismatch);
+    if (join.Score < worst)
+    {
+      this->Offer(join);
+    }
+  }
+}
+
+void SpanSearch::CloseOnGoal(int index)
+{
+  const Branch& parent = this->Trees[0][index];
+  const double limit = this->Options.RetimingLimit * this->Task.Frames;
+  const double typical = this->Library.TypicalStep() * this->Task.Frames;
+  const Vec3 goal = parent.Body.Place.Inverse() * this->Task.Goal.Position;
+  const int overlap = this->Window - 1;
+  // A root that passes the goal by itself would be a single piece; here one more is attached.
+  for (const Neighbour& entry : this->Library.Successors(parent.Body.Top))
+  {
+    if (!entry.IsSmooth && !this->TakesRough)
+    {
+      continue;
+    }
+    const std::vector<Vec3>& samples = this->Library.Samples(this->Library.SegmentOfTop(entry.Top));
+    const auto end = static_cast<int>(samples.size()) - 1;
+    const int low = std::max(this->Window, static_cast<int>(std::ceil(this->Task.Frames - limit)) -
+                                             parent.Elapsed + overlap);
+    const int high = std::min(end, static_cast<int>(std::floor(this->Task.Frames + limit)) -
+                                     parent.Elapsed + overlap);
+    Join best;
+    best.Score = 1e30;
+    for (int last = low; last <= high; ++last)
+    {
+      const double gap = (entry.Place * samples[last] - goal).norm();
+      if (gap > 1.5 * typical)
+      {
+        continue;
+      }
+      const int raw = parent.Elapsed - overlap + last;
+      const double score = this->Score(gap, 0.0, raw, parent.Mismatch);
+      if (score < best.Score)
+      {
+        best.Score = score;
+        best.RawFrames = raw;
+        best.Distance = gap;
+        best.LastPiece.Last = last;
+      }
+    }
+    const bool offered = this->Joins.size() < KeptJoins || best.Score < this->Joins.back().Score;
+    const bool nearer =
+      this->Nearest.size() < KeptApproaches || best.Distance < this->Nearest.back().Distance;
+    if (best.Score > 1e29 || (!offered && !nearer))
+    {
+      continue;
+    }
+    best.Forward = index;
+    best.HasLastPiece = true;
+    best.LastPiece.Top = entry.Top;
+    best.LastPiece.Segment = this->Library.SegmentOfTop(entry.Top);
+    best.LastPiece.Place = parent.Body.Place * entry.Place;
+    const Vec3 hinge = best.LastPiece.Place * samples.front();
+    this->Library.LimitTilt(best.LastPiece.Place.Rotation);
+    best.LastPiece.Place.Translation = hinge - best.LastPiece.Place.Rotation * samples.front();
+    best.Distance =
+      (best.LastPiece.Place * samples[best.LastPiece.Last] - this->Task.Goal.Position).norm();
+    best.Score = this->Score(best.Distance, 0.0, best.RawFrames, parent.Mismatch);
+    if (this->Task.Goal.HasVelocity)
+    {
+      const Vec3 own = best.LastPiece.Place.Rotation * CentralStep(samples, best.LastPiece.Last);
+      best.Score += 0.1 * (own - this->Task.Goal.Velocity).norm() / this->Library.TypicalStep();
+    }
+    if (this->Task.Goal.IsRest && !this->CanEndHere(best.LastPiece))
+    {
+      continue;
+    }
+    this->Offer(best);
+    if (nearer && this->IsFree(best.LastPiece, this->Task.FirstFrame + parent.Elapsed - overlap))
+    {
+      this->OfferApproach(best);
+    }
+  }
+}
+
+void SpanSearch::Offer(const Join& join)
+{
+  const auto place =
+    std::upper_bound(this->Joins.begin(), this->Joins.end(), join,
+                     [](const Join& a, const Join& b) { return a.Score < b.Score; });
+  this->Joins.insert(place, join);
+  if (this->Joins.size() > KeptJoins)
+  {
+    this->Joins.pop_back();
+  }
+}
+
+void SpanSearch::OfferApproach(const Join& join)
+{
+  const auto place =
+    std::upper_bound(this->Nearest.begin(), this->Nearest.end(), join,
+                     [](const Join& a, const Join& b) { return a.Distance < b.Distance; });
+  this->Nearest.insert(place, join);
+  if (this->Nearest.size() > KeptApproaches)
+  {
+    this->Nearest.pop_back();
+  }
+}
+
+bool SpanSearch::Take(double threshold, Join& join)
+{
+  if (this->Joins.empty() || this->Joins.front().Score > threshold)
+  {
+    return false;
+  }
+  join = this->Joins.front();
+  this->Joins.erase(this->Joins.begin());
+  return true;
+}
+
+std::vector<Piece> SpanSearch::Chain(const Join& join, int& joinPlace) const
+{
+  std::vector<Piece> chain;
+  for (int i = join.Forward; i >= 0; i = this->Trees[0][i].Parent)
+  {
+    chain.push_back(this->Trees[0][i].Body);
+  }
+  std::reverse(chain.begin(), chain.end());
+  joinPlace = static_cast<int>(chain.size());
+  if (join.HasLastPiece)
+  {
+    chain.push_back(join.LastPiece);
+  }
+  for (int i = join.Backward; i >= 0; i = this->Trees[1][i].Parent)
+  {
+    chain.push_back(this->Trees[1][i].Body);
+  }
+  return chain;
+}
+
+} // namespace waft
