@@ -49,3 +49,4 @@ vtk_module_wrap_python(
   WRAPPED_MODULES waft_wrapped_modules)
 
 add_subdirectory(Plugin/Python)
+include(WaftPackage)
