@@ -354,6 +354,7 @@ Result SpacetimeOptions::Validate() const
          CheckRange("NumberOfObjectParticles", this->NumberOfObjectParticles, 1, 100000),
          CheckRange("PositionWeight", this->PositionWeight, 1e-6, Large),
          CheckRange("VelocityWeight", this->VelocityWeight, 1e-6, Large),
+         CheckRange("ObjectVelocityShare", this->ObjectVelocityShare, 1e-6, 1.0),
          CheckRange("CoherenceWeight", this->CoherenceWeight, 0.0, Large),
          CheckRange("SpatialShare", this->SpatialShare, 0.0, 1.0),
          CheckRange("TemporalWindow", this->TemporalWindow, 1, 30),

@@ -19,15 +19,16 @@ namespace waft
 /// of residuals in dx and dx / frame.
 struct SpacetimeWeights
 {
-  double Position = 10.0;       // c1
-  double Velocity = 1.0;        // c2
-  double Coherence = 0.2;       // c3
-  double SpatialShare = 0.5;    // c31; c32 = 1 - c31
-  int TemporalWindow = 1;       // w of Eq. 4 [frames]
-  double XsphFactor = 0.0;      // epsilon of Eq. 10
-  double Clearance = 10.0;      // objects nearer to a surface than they may be
-  double Contact = 0.3;         // objects nearer to each other than ContactDistance
-  double ContactDistance = 0.0; // d0 [dx]
+  double Position = 10.0;           // c1
+  double Velocity = 1.0;            // c2
+  double ObjectVelocityShare = 1.0; // of c2, for objects
+  double Coherence = 0.2;           // c3
+  double SpatialShare = 0.5;        // c31; c32 = 1 - c31
+  int TemporalWindow = 1;           // w of Eq. 4 [frames]
+  double XsphFactor = 0.0;          // epsilon of Eq. 10
+  double Clearance = 10.0;          // objects nearer to a surface than they may be
+  double Contact = 0.3;             // objects nearer to each other than ContactDistance
+  double ContactDistance = 0.0;     // d0 [dx]
 };
 
 /// What holds for one object at one frame.
@@ -96,6 +97,12 @@ struct SpacetimeModel
   double BodyWeight(std::size_t body) const
   {
     return body < this->NumberOfGas ? 1.0 : static_cast<double>(this->Offsets.size());
+  }
+  /// The weight of a body's velocity residual.
+  double VelocityWeight(std::size_t body) const
+  {
+    return this->BodyWeight(body) * this->Weights.Velocity *
+           (body < this->NumberOfGas ? 1.0 : this->Weights.ObjectVelocityShare);
   }
 };
 

@@ -136,11 +136,12 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
     float* outV = last ? nullptr : this->Residuals.data() + ((j + 1) * 9 + 3 + c) * stride;
     for (std::size_t i = 0; i < bodies; ++i)
     {
-      float weight = 1.0f, flight = 1.0f, air = 1.0f;
+      float weight = 1.0f, flight = 1.0f, air = 1.0f, forces = 1.0f;
       if (i >= ng)
       {
         const std::size_t o = i - ng;
         weight = static_cast<float>(model.Offsets.size());
+        forces = weight * static_cast<float>(weights.ObjectVelocityShare);
         air = model.Flag(this->Times.Frames[j], o) & NoCoherence ? 0.0f : 1.0f;
         flight = !last && this->Bound[(j + 1) * model.NumberOfObjects + o] ? 0.0f : 1.0f;
       }
@@ -153,9 +154,9 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
         const float rx = flight * ((xn[i] - x[i]) - s * (vn[i] + eps * d[i]));
         const float rv = flight * ((vn[i] - v[i]) - s * a[i]);
         ex += static_cast<double>(weight * rx) * rx;
-        ev += static_cast<double>(weight * rv) * rv;
+        ev += static_cast<double>(forces * rv) * rv;
         outX[i] = weight * wx * rx;
-        outV[i] = weight * wv * rv;
+        outV[i] = forces * wv * rv;
         abar[i] = -s * outV[i];
         dbar[i] -= s * eps * outX[i];
       }
@@ -318,8 +319,7 @@ bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradien
 void SpacetimeObjective::VelocityResidual(std::size_t j, std::size_t body, double rv[3]) const
 {
   const std::size_t stride = this->Problem.Stride();
-  const double weight =
-    this->Problem.BodyWeight(body) * this->Problem.Weights.Velocity * this->Times.StepWeights[j];
+  const double weight = this->Problem.VelocityWeight(body) * this->Times.StepWeights[j];
   for (int c = 0; c < 3; ++c)
   {
     rv[c] = weight > 0.0 ? this->Residuals[(j * 9 + 3 + c) * stride + body] / weight : 0.0;
@@ -343,13 +343,13 @@ void SpacetimeObjective::ObjectResiduals(std::vector<double>& ex, std::vector<do
         continue;
       }
       const std::size_t i = model.NumberOfGas + o;
-      const double weight = model.BodyWeight(i) * this->Times.StepWeights[j];
+      const double share = this->Times.StepWeights[j];
+      const double weightX = model.BodyWeight(i) * model.Weights.Position * share;
+      const double weightV = model.VelocityWeight(i) * share;
       for (int c = 0; c < 3; ++c)
       {
-        const double rx = this->Residuals[(j * 9 + c) * stride + i] /
-                          (weight * std::max(1e-12, model.Weights.Position));
-        const double rv = this->Residuals[(j * 9 + 3 + c) * stride + i] /
-                          (weight * std::max(1e-12, model.Weights.Velocity));
+        const double rx = this->Residuals[(j * 9 + c) * stride + i] / std::max(1e-12, weightX);
+        const double rv = this->Residuals[(j * 9 + 3 + c) * stride + i] / std::max(1e-12, weightV);
         ex[o] += 0.5 * rx * rx;
         ev[o] += 0.5 * rv * rv;
       }

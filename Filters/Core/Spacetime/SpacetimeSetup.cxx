@@ -20,7 +20,7 @@ constexpr double LatticeSpacing = 0.4;       // of the obstacles' distances [dx]
 constexpr double LargestContact = 0.5;       // [dx]
 constexpr double ObjectMassShare = 0.1;      // of a gas particle's mass, at most
 constexpr double AllObjectsMassShare = 0.02; // of all gas, at most
-constexpr double LandingReach = 0.8; // growth of the way from the plan before a rest [m/s^2]
+constexpr double LandingReach = 0.8;        // growth of the way from the plan before a rest [m/s^2]
 
 Result CheckTracks(const SpacetimeInput& input)
 {
@@ -281,9 +281,8 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
       {
         flags(frame) |= floor ? LandsOnFloor : LandsOnObstacle;
       }
-      // Just before, it follows the plan, which comes down softly: what brakes a leaf there, the
-      // air between it and the ground, is finer than the gas. The reach grows as half LandingReach
-      // t^2.
+      // Just before, it follows the plan, which comes down softly: what brakes a leaf there, the air
+      // between it and the ground, is finer than the gas. The reach grows as half LandingReach t^2.
       const double rate = input.Scene.Time.FramesPerSecond;
       for (int frame = std::max(1, window.Frame - static_cast<int>(rate)); frame < window.Frame;
            ++frame)
@@ -455,6 +454,7 @@ Result MakeSetup(const SpacetimeInput& input, const SpacetimeOptions& options,
   SpacetimeWeights& weights = setup.Model.Weights;
   weights.Position = options.PositionWeight;
   weights.Velocity = options.VelocityWeight;
+  weights.ObjectVelocityShare = options.ObjectVelocityShare;
   weights.Coherence = options.CoherenceWeight;
   weights.SpatialShare = options.SpatialShare;
   weights.TemporalWindow = options.TemporalWindow;

@@ -99,40 +99,41 @@ void WindFit::Collect(const StateVector& state)
   const TimeLevel& level = this->Objective.Level();
   const std::size_t stride = model.Stride();
   this->Samples.resize(level.NumberOfFrames());
-  this->Parallel(
-    level.NumberOfFrames() - 1,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t j = begin; j < end; ++j)
-      {
-        const double step = level.Steps[j + 1];
-        for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
-        {
-          const bool gas = i < model.NumberOfGas;
-          if ((gas && (i + 3 * j) % this->Options.GasStride != 0) ||
-              (!gas && StepIsBound(model, level, j + 1, i - model.NumberOfGas)))
-          {
-            continue;
-          }
-          const float* p = state.data() + j * model.FrameSize() + i;
-          const Vec3 x(p[0], p[stride], p[2 * stride]);
-          double rv[3];
-          this->Objective.VelocityResidual(j + 1, i, rv);
-          const Vec3 now =
-            model.Wind.IsEmpty() ? Vec3(Vec3::Zero()) : SampleWind(model.Wind, x, level.Frames[j]);
-          Sample sample;
-          sample.Weight =
-            static_cast<float>((gas ? this->Options.GasStride : 1.0) * model.BodyWeight(i) * step);
-          for (int a = 0; a < 3; ++a)
-          {
-            sample.Target[a] = static_cast<float>(rv[a] / step + now[a]);
-            SplineWeights((x[a] - this->Shape.Origin[a]) / this->Shape.Spacing[a],
-                          this->Shape.Dimensions[a], sample.First[a], sample.Weights[a]);
-          }
-          this->Samples[j].push_back(sample);
-        }
-      }
-    });
+  this->Parallel(level.NumberOfFrames() - 1,
+                 [&](std::size_t begin, std::size_t end)
+                 {
+                   for (std::size_t j = begin; j < end; ++j)
+                   {
+                     const double step = level.Steps[j + 1];
+                     for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
+                     {
+                       const bool gas = i < model.NumberOfGas;
+                       if ((gas && (i + 3 * j) % this->Options.GasStride != 0) ||
+                           (!gas && StepIsBound(model, level, j + 1, i - model.NumberOfGas)))
+                       {
+                         continue;
+                       }
+                       const float* p = state.data() + j * model.FrameSize() + i;
+                       const Vec3 x(p[0], p[stride], p[2 * stride]);
+                       double rv[3];
+                       this->Objective.VelocityResidual(j + 1, i, rv);
+                       const Vec3 now = model.Wind.IsEmpty()
+                                          ? Vec3(Vec3::Zero())
+                                          : SampleWind(model.Wind, x, level.Frames[j]);
+                       Sample sample;
+                       sample.Weight = static_cast<float>((gas ? this->Options.GasStride : 1.0) *
+                                                          model.VelocityWeight(i) * step);
+                       for (int a = 0; a < 3; ++a)
+                       {
+                         sample.Target[a] = static_cast<float>(rv[a] / step + now[a]);
+                         SplineWeights((x[a] - this->Shape.Origin[a]) / this->Shape.Spacing[a],
+                                       this->Shape.Dimensions[a], sample.First[a],
+                                       sample.Weights[a]);
+                       }
+                       this->Samples[j].push_back(sample);
+                     }
+                   }
+                 });
   double total = 0.0;
   for (const auto& frame : this->Samples)
   {

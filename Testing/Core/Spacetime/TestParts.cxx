@@ -117,7 +117,8 @@ TEST(TimelinePreconditioner, InvertsTheTimeCoupling)
       if (j > 0)
       {
         add({ { 2 * j, 1.0 }, { 2 * j - 2, -1.0 }, { 2 * j + 1, -1.0 } }, w.Position);
-        add({ { 2 * j + 1, 1.0 }, { 2 * j - 1, -1.0 } }, w.Velocity);
+        add({ { 2 * j + 1, 1.0 }, { 2 * j - 1, -1.0 } },
+            w.Velocity * (object ? w.ObjectVelocityShare : 1.0));
       }
     }
     m *= object ? static_cast<double>(model.Offsets.size()) : 1.0;
