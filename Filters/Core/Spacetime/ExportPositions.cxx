@@ -51,6 +51,7 @@ public:
         x[frame] = this->Setup.ExactPositions[frame * no + this->Index];
       }
     }
+    this->KeepInside(x);
     for (const PositionBall* ball : this->Balls)
     {
       if (this->Setup.Model.Flag(ball->Frame, this->Index) & FixedPosition)
@@ -77,6 +78,28 @@ public:
       for (std::size_t k = 0; k < frames.size(); ++k)
       {
         x[frames[k]] = this->Setup.ToWorld(positions.row(k).transpose());
+      }
+    }
+  }
+
+  // Walls and floor: the penalty in E leaves a hair's breadth, that a shift takes away.
+  void KeepInside(std::vector<Vec3>& x) const
+  {
+    const Vec3& low = this->Setup.Origin;
+    const Vec3 high = this->Setup.ToWorld(this->Setup.Model.Size);
+    const double radius = this->Object.ClearanceRadius;
+    for (std::size_t frame = 0; frame < x.size(); ++frame)
+    {
+      const int flags = this->Setup.Model.Flag(static_cast<int>(frame), this->Index);
+      if (flags & FixedPosition)
+      {
+        continue;
+      }
+      for (int c = 0; c < 3; ++c)
+      {
+        const bool lands = c == 2 && (flags & LandsOnFloor);
+        const double least = low[c] + (lands ? this->Object.RestHeight : radius);
+        x[frame][c] = std::max(least, std::min(x[frame][c], high[c] - radius));
       }
     }
   }

@@ -72,9 +72,8 @@ HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& l
     {
       if (!taken[j * no + o] && !(model.Flag(level.Frames[j], o) & FixedPosition))
       {
-        const std::size_t place = static_cast<std::size_t>(level.Frames[j]) * no + o;
-        const double reach = table.Reach.empty() ? 0.0 : table.Reach[place];
-        this->LeashBalls.push_back({ j, o, table.Planned[place], reach });
+        this->LeashBalls.push_back(
+          { j, o, table.Planned[static_cast<std::size_t>(level.Frames[j]) * no + o], 0.0 });
       }
     }
   }
@@ -93,11 +92,9 @@ void HardConstraints::ForBalls(const std::function<void(const LevelBall&)>& visi
   }
   for (const LevelBall& ball : this->LeashBalls)
   {
-    const bool isShort = ball.Radius > 0.0 && (this->Leash <= 0.0 || ball.Radius < this->Leash);
-    const double radius = isShort ? ball.Radius : this->Leash;
-    if (radius > 0.0)
+    if (this->Leash > 0.0)
     {
-      visit({ ball.Frame, ball.Object, ball.Center, radius });
+      visit({ ball.Frame, ball.Object, ball.Center, this->Leash });
     }
   }
 }

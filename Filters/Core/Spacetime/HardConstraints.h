@@ -46,8 +46,6 @@ struct ConstraintTable
   std::vector<LinearRow> Rows;
   /// Planned positions [frame * objects + object], centres of the leash.
   std::vector<Vec3> Planned;
-  /// How far from there an object may be at most [dx], as Planned; 0: as far as the leash lets it.
-  std::vector<double> Reach;
 };
 
 /// Rows of one object that share frames, with the positions that they bind.

@@ -62,6 +62,39 @@ double ClearanceTerms(const SpacetimeModel& model, int frame, double scale, cons
   return sum;
 }
 
+// Distance beyond the reach about the approach of a landing.
+double LandingTerms(const SpacetimeModel& model, int frame, double scale, const float* state,
+                    float* gradient)
+{
+  if (model.Reach.empty())
+  {
+    return 0.0;
+  }
+  const std::size_t stride = model.Stride();
+  const double weight = model.Weights.Landing;
+  double sum = 0.0;
+  for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+  {
+    const std::size_t place = static_cast<std::size_t>(frame) * model.NumberOfObjects + o;
+    if (model.Reach[place] <= 0.0f || (model.Flags[place] & FixedPosition))
+    {
+      continue;
+    }
+    const std::size_t i = model.NumberOfGas + o;
+    const Vec3 d = Vec3(state[i], state[stride + i], state[2 * stride + i]) - model.Approach[place];
+    const double beyond = d.norm() - model.Reach[place];
+    if (beyond > 0.0)
+    {
+      sum += 0.5 * weight * beyond * beyond;
+      for (int c = 0; c < 3 && gradient; ++c)
+      {
+        gradient[c * stride + i] += static_cast<float>(scale * weight * beyond * d[c] / d.norm());
+      }
+    }
+  }
+  return sum;
+}
+
 double ContactTerms(const SpacetimeModel& model, int frame, double scale, const float* state,
                     float* gradient)
 {
@@ -132,6 +165,7 @@ double AddObjectTerms(const SpacetimeModel& model, int frame, double scale, cons
                       float* gradient)
 {
   return ClearanceTerms(model, frame, scale, state, gradient) +
+         LandingTerms(model, frame, scale, state, gradient) +
          ContactTerms(model, frame, scale, state, gradient);
 }
 

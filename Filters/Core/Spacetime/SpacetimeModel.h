@@ -27,6 +27,7 @@ struct SpacetimeWeights
   int TemporalWindow = 1;           // w of Eq. 4 [frames]
   double XsphFactor = 0.0;          // epsilon of Eq. 10
   double Clearance = 10.0;          // objects nearer to a surface than they may be
+  double Landing = 1.0;             // objects farther from their approach than they may be
   double Contact = 0.3;             // objects nearer to each other than ContactDistance
   double ContactDistance = 0.0;     // d0 [dx]
 };
@@ -69,10 +70,14 @@ struct SpacetimeModel
   std::size_t NumberOfObjects = 0;
   std::vector<std::array<float, 3>> Offsets; // of an object's particles from its centre [dx]
 
-  double Gravity = 0.0;            // g' of objects, downwards [dx / frame^2]
-  std::vector<float> DragRates;    // one an object [1 / frame]
-  std::vector<float> Clearances;   // one an object [dx]
-  std::vector<float> RestHeights;  // one an object [dx]
+  double Gravity = 0.0;           // g' of objects, downwards [dx / frame^2]
+  std::vector<float> DragRates;   // one an object [1 / frame]
+  std::vector<float> Clearances;  // one an object [dx]
+  std::vector<float> RestHeights; // one an object [dx]
+  /// A place that an object should be near to at a frame, before it lands, and how near [dx];
+  /// Reach 0: none. Both [frame * NumberOfObjects + object].
+  std::vector<Vec3> Approach;
+  std::vector<float> Reach;
   std::vector<std::uint8_t> Flags; // [frame * NumberOfObjects + object]
 
   std::vector<Vortex> Vortices;            // in dx and frames

@@ -20,7 +20,7 @@ constexpr double LatticeSpacing = 0.4;       // of the obstacles' distances [dx]
 constexpr double LargestContact = 0.5;       // [dx]
 constexpr double ObjectMassShare = 0.1;      // of a gas particle's mass, at most
 constexpr double AllObjectsMassShare = 0.02; // of all gas, at most
-constexpr double LandingReach = 0.8;        // growth of the way from the plan before a rest [m/s^2]
+constexpr double LandingReach = 0.8; // growth of the way from the plan before a rest [m/s^2]
 
 Result CheckTracks(const SpacetimeInput& input)
 {
@@ -233,7 +233,7 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
   model.Flags.assign(static_cast<std::size_t>(model.NumberOfFrames) * no, 0);
   setup.Table.FixedPositions.assign(model.Flags.size(), Vec3::Zero());
   setup.Table.Planned.resize(model.Flags.size());
-  setup.Table.Reach.assign(model.Flags.size(), 0.0);
+  model.Reach.assign(model.Flags.size(), 0.0f);
   setup.ExactPositions.assign(model.Flags.size(), Vec3::Zero());
   for (std::size_t o = 0; o < no; ++o)
   {
@@ -251,6 +251,7 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
       }
     }
   }
+  model.Approach = setup.Table.Planned;
 }
 
 void Fix(SpacetimeSetup& setup, int frame, std::size_t object, const Vec3& position, int flags)
@@ -281,15 +282,16 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
       {
         flags(frame) |= floor ? LandsOnFloor : LandsOnObstacle;
       }
-      // Just before, it follows the plan, which comes down softly: what brakes a leaf there, the air
-      // between it and the ground, is finer than the gas. The reach grows as half LandingReach t^2.
+      // Just before, it follows the plan, which comes down softly: what brakes a leaf there, the
+      // air between it and the ground, is finer than the gas. The reach grows as half LandingReach
+      // t^2.
       const double rate = input.Scene.Time.FramesPerSecond;
       for (int frame = std::max(1, window.Frame - static_cast<int>(rate)); frame < window.Frame;
            ++frame)
       {
         const double before = (window.Frame - frame) / rate;
-        setup.Table.Reach[static_cast<std::size_t>(frame) * model.NumberOfObjects + o] =
-          0.5 * LandingReach * before * before / setup.Spacing;
+        model.Reach[static_cast<std::size_t>(frame) * model.NumberOfObjects + o] =
+          static_cast<float>(0.5 * LandingReach * before * before / setup.Spacing);
       }
       for (int frame = window.Frame; frame <= std::min(frames - 1, window.Until); ++frame)
       {
