@@ -207,7 +207,7 @@ private:
   int Passes = 2;
   bool UseLeash = true;
   int LeashIterations = 20;
-  int MaximumNumberOfIterations = 60;
+  int MaximumNumberOfIterations = 90;
   double Tolerance = 0.01;
   double TimeLimit = 0.0;
   int HistorySize = 6;

@@ -10,6 +10,7 @@ namespace
 {
 
 constexpr int SmallestRamp = 6;         // frames over which the fallback blends in
+constexpr double FallbackSpeed = 0.3;   // of going back to the plan, at most [m/s]
 constexpr int FallbackRounds = 5;       // the ramp doubles each time
 constexpr double ClearanceSlack = 5e-4; // of L, of the 1e-3 that clearance may miss
 
@@ -135,18 +136,22 @@ public:
     const std::vector<Vec3> free = x;
     share.assign(x.size(), 0.0);
     std::vector<std::size_t> blocked = this->Blocked(x);
-    int ramp = SmallestRamp;
-    for (int round = 0; round < FallbackRounds && !blocked.empty(); ++round, ramp *= 2)
+    long shortest = SmallestRamp;
+    for (int round = 0; round < FallbackRounds && !blocked.empty(); ++round, shortest *= 2)
     {
       for (const std::size_t k : blocked)
       {
+        // As long as it takes to change over without a jump of speed.
+        const double away = (planned[k] - free[k]).norm();
+        const long ramp = std::max<long>(
+          shortest, std::lround(1.5 * away / (FallbackSpeed * this->Setup.FrameStep)));
         const long first = static_cast<long>(k) - ramp;
         const long last = static_cast<long>(k) + 1 + ramp;
         for (long f = std::max(0L, first); f <= std::min<long>(last, long(x.size()) - 1); ++f)
         {
           const double outside =
             std::max({ 0.0, double(k) - double(f) - 1.0, double(f) - double(k) - 2.0 });
-          const double s = std::clamp(1.0 - outside / ramp, 0.0, 1.0);
+          const double s = std::clamp(1.0 - outside / static_cast<double>(ramp), 0.0, 1.0);
           share[f] = std::max(share[f], s * s * (3.0 - 2.0 * s));
         }
       }

@@ -43,7 +43,7 @@ struct SpacetimeOptions
   int Passes = 2;                   // 1..10 alternations with the force fields
   bool UseLeash = true;
   int LeashIterations = 20;           // for each of the five radii
-  int MaximumNumberOfIterations = 60; // of each stage without leash
+  int MaximumNumberOfIterations = 90; // of each stage without leash
   double Tolerance = 0.01;            // least relative fall of E in 20 iterations; 0: none
   double TimeLimit = 0.0;             // s; 0: none. A limit may break bit-equality
   int HistorySize = 6;                // of L-BFGS, 1..20
