@@ -42,13 +42,19 @@ Elements<float> Vectors(const std::vector<Vec3>& vectors)
   return elements;
 }
 
+tinygltf::Value Extras(const std::string& name, tinygltf::Value value)
+{
+  return tinygltf::Value(tinygltf::Value::Object{ { name, std::move(value) } });
+}
+
 class Writer
 {
 public:
-  Writer()
+  explicit Writer(double framesPerSecond) : FramesPerSecond(framesPerSecond)
   {
     this->Model.asset.version = "2.0";
     this->Model.asset.generator = "Waft";
+    this->Model.asset.extras = Extras("framesPerSecond", tinygltf::Value(framesPerSecond));
     this->Model.buffers.emplace_back();
     this->Model.scenes.emplace_back();
     this->Model.defaultScene = 0;
@@ -89,12 +95,12 @@ public:
     this->Model.meshes.push_back(mesh);
   }
 
-  void AddTimes(std::size_t frames, double framesPerSecond)
+  void AddTimes(std::size_t frames)
   {
     Elements<float> times;
     for (std::size_t k = 0; k < frames; ++k)
     {
-      times.Values.push_back(static_cast<float>(static_cast<double>(k) / framesPerSecond));
+      times.Values.push_back(static_cast<float>(static_cast<double>(k) / this->FramesPerSecond));
     }
     this->Times = this->AddAccessor(times, 0);
     this->Model.animations.emplace_back();
@@ -104,7 +110,9 @@ public:
   void AddObject(const AnimatedObject& object)
   {
     tinygltf::Node node;
-    node.name = "object-" + std::to_string(object.ObjectId);
+    const std::string& shape = this->Model.meshes[object.Shape].name;
+    node.name = (shape.empty() ? "object" : shape) + "-" + std::to_string(object.ObjectId);
+    node.extras = Extras("ObjectId", tinygltf::Value(object.ObjectId));
     node.mesh = static_cast<int>(object.Shape);
     const Vec3 place = ToYUp(object.Positions[0]);
     const Vec3 axis = ToYUp(object.Orientations[0].vec());
@@ -186,10 +194,15 @@ private:
     material.doubleSided = true;
     material.pbrMetallicRoughness.metallicFactor = 0.0;
     material.pbrMetallicRoughness.roughnessFactor = 0.8;
-    const auto& color = shape.Body.Color;
-    material.pbrMetallicRoughness.baseColorFactor = { color[0], color[1], color[2], 1.0 };
-    if (!shape.Texture.Bytes.empty())
+    if (shape.Texture.Bytes.empty() || shape.Body.TextureCoordinates.empty())
     {
+      const auto& color = shape.Body.Color;
+      material.pbrMetallicRoughness.baseColorFactor = { color[0], color[1], color[2], 1.0 };
+    }
+    else
+    {
+      // A texture has its own colours: the plain one would tint them.
+      material.pbrMetallicRoughness.baseColorFactor = { 1.0, 1.0, 1.0, 1.0 };
       tinygltf::Image image;
       image.name = shape.Body.Name;
       image.mimeType = shape.Texture.MimeType;
@@ -223,6 +236,7 @@ private:
   }
 
   tinygltf::Model Model;
+  double FramesPerSecond;
   int Times = -1;
 };
 
@@ -291,7 +305,7 @@ Result GltfAnimation(const std::vector<AnimatedShape>& shapes,
   WAFT_RETURN_IF_FAILED(Check(shapes, objects, framesPerSecond));
   try
   {
-    Writer writer;
+    Writer writer(framesPerSecond);
     for (const AnimatedShape& shape : shapes)
     {
       AnimatedShape whole = shape;
@@ -303,7 +317,7 @@ Result GltfAnimation(const std::vector<AnimatedShape>& shapes,
     }
     if (!objects.empty())
     {
-      writer.AddTimes(objects[0].Positions.size(), framesPerSecond);
+      writer.AddTimes(objects[0].Positions.size());
     }
     for (const AnimatedObject& object : objects)
     {

@@ -19,7 +19,7 @@ struct AnimatedShape
 {
   Shape Body;                // z up, metres
   std::vector<Vec3> Normals; // one a point; empty: made from the triangles
-  ImageFile Texture;         // embedded; without it the colour alone
+  ImageFile Texture;         // embedded; without it, or without texture coordinates, Body.Color
 };
 
 /// An object and its motion, one sample a frame; z up.
@@ -32,9 +32,12 @@ struct AnimatedObject
 };
 
 /// glTF is y-up: a point (x, y, z) is written as (x, z, -y), a quaternion (w, x, y, z) as
-/// (w, x, z, -y). Nodes are named object-0, object-1, ...; keys are linear, at frame /
-/// framesPerSecond, and share one list of times. Materials have two sides and cut by the texture's
-/// alpha. Fails on poses of different lengths, an unknown shape, or numbers that are not finite.
+/// (w, x, z, -y). Nodes are named after shape and ObjectId (leaf-0, leaf-1, oak-2, ...), which is
+/// also in their extras; keys are linear, at frame / framesPerSecond, and share one list of times;
+/// framesPerSecond itself is in the asset's extras. Materials have two sides. A shape with texture
+/// and texture coordinates has the texture's own colours, cut by its alpha at one half; another one
+/// has its Color. Fails on poses of different lengths, an unknown shape, or numbers that are not
+/// finite.
 Result GltfAnimation(const std::vector<AnimatedShape>& shapes,
                      const std::vector<AnimatedObject>& objects, double framesPerSecond,
                      std::string& bytes);

@@ -26,8 +26,10 @@ std::vector<AnimatedShape> Shapes()
   std::vector<AnimatedShape> shapes(2);
   shapes[0].Body.Name = "box";
   shapes[0].Body.Mesh = MakeBox({ Vec3(-1.0, -2.0, -3.0), Vec3(1.0, 2.0, 3.0) });
+  shapes[0].Body.Color = { 0.25, 0.5, 0.75 };
   shapes[1].Body.Name = "ball";
   shapes[1].Body.Mesh = MakeSphere(Vec3::Zero(), 0.1, 8, 6);
+  shapes[1].Body.Color = { 0.8, 0.6, 0.1 };
   shapes[1].Body.TextureCoordinates.assign(shapes[1].Body.Mesh.Points.size(), { 0.25, 0.125 });
   shapes[1].Texture = { std::string(reinterpret_cast<const char*>(Pixel), sizeof(Pixel)),
                         "image/png" };
@@ -57,14 +59,12 @@ const float* Floats(const tinygltf::Model& model, int accessor)
   const tinygltf::BufferView& view = model.bufferViews[model.accessors[accessor].bufferView];
   return reinterpret_cast<const float*>(model.buffers[view.buffer].data.data() + view.byteOffset);
 }
-} // namespace
 
-TEST(GltfAnimation, PosesReadBackWithYUp)
+void WriteAndRead(const std::vector<AnimatedShape>& shapes,
+                  const std::vector<AnimatedObject>& objects, double rate, tinygltf::Model& model)
 {
-  const std::vector<AnimatedObject> objects = Objects();
   std::string bytes;
-  ASSERT_TRUE(GltfAnimation(Shapes(), objects, 24.0, bytes));
-  tinygltf::Model model;
+  ASSERT_TRUE(GltfAnimation(shapes, objects, rate, bytes));
   tinygltf::TinyGLTF reader;
   std::string error, warning;
   ASSERT_TRUE(reader.LoadBinaryFromMemory(&model, &error, &warning,
@@ -72,20 +72,25 @@ TEST(GltfAnimation, PosesReadBackWithYUp)
                                           static_cast<unsigned int>(bytes.size())))
     << error;
   EXPECT_TRUE(warning.empty()) << warning;
+}
+} // namespace
+
+TEST(GltfAnimation, PosesReadBackWithYUp)
+{
+  const std::vector<AnimatedObject> objects = Objects();
+  tinygltf::Model model;
+  ASSERT_NO_FATAL_FAILURE(WriteAndRead(Shapes(), objects, 24.0, model));
   ASSERT_EQ(model.meshes.size(), 2u);
   ASSERT_EQ(model.nodes.size(), 3u);
   ASSERT_EQ(model.animations.size(), 1u);
   ASSERT_EQ(model.images.size(), 1u);
   EXPECT_EQ(model.images[0].width, 1);
-  EXPECT_EQ(model.materials[1].alphaMode, "MASK");
-  EXPECT_TRUE(model.materials[0].doubleSided);
   const Quat toYUp(Eigen::AngleAxisd(-0.5 * std::acos(-1.0), Vec3::UnitX()));
   int times = -1;
   for (const tinygltf::AnimationChannel& channel : model.animations[0].channels)
   {
     const tinygltf::AnimationSampler& sampler = model.animations[0].samplers[channel.sampler];
     const AnimatedObject& object = objects[channel.target_node];
-    EXPECT_EQ(model.nodes[channel.target_node].name, "object-" + std::to_string(object.ObjectId));
     EXPECT_TRUE(times < 0 || times == sampler.input);
     times = sampler.input;
     for (int k = 0; k < 7; ++k)
@@ -110,6 +115,60 @@ TEST(GltfAnimation, PosesReadBackWithYUp)
   const tinygltf::Accessor& box =
     model.accessors[model.meshes[0].primitives[0].attributes.at("POSITION")];
   EXPECT_EQ(box.maxValues, (std::vector<double>{ 1.0, 3.0, 2.0 }));
+}
+
+TEST(GltfAnimation, MaterialsAreWhiteUnderATextureAndColouredWithout)
+{
+  tinygltf::Model model;
+  ASSERT_NO_FATAL_FAILURE(WriteAndRead(Shapes(), Objects(), 24.0, model));
+  ASSERT_EQ(model.materials.size(), 2u);
+  const tinygltf::Material& plain = model.materials[model.meshes[0].primitives[0].material];
+  EXPECT_EQ(plain.pbrMetallicRoughness.baseColorFactor,
+            (std::vector<double>{ 0.25, 0.5, 0.75, 1.0 }));
+  EXPECT_EQ(plain.pbrMetallicRoughness.baseColorTexture.index, -1);
+  EXPECT_EQ(plain.alphaMode, "OPAQUE");
+  EXPECT_TRUE(plain.doubleSided);
+  const tinygltf::Material& painted = model.materials[model.meshes[1].primitives[0].material];
+  EXPECT_EQ(painted.pbrMetallicRoughness.baseColorFactor,
+            (std::vector<double>{ 1.0, 1.0, 1.0, 1.0 }));
+  EXPECT_EQ(painted.pbrMetallicRoughness.baseColorTexture.index, 0);
+  EXPECT_EQ(painted.alphaMode, "MASK");
+  EXPECT_EQ(painted.alphaCutoff, 0.5);
+  EXPECT_TRUE(painted.doubleSided);
+}
+
+TEST(GltfAnimation, ATextureWithoutCoordinatesLeavesTheColour)
+{
+  std::vector<AnimatedShape> shapes = Shapes();
+  shapes[1].Body.TextureCoordinates.clear();
+  tinygltf::Model model;
+  ASSERT_NO_FATAL_FAILURE(WriteAndRead(shapes, Objects(), 24.0, model));
+  const tinygltf::Material& material = model.materials[model.meshes[1].primitives[0].material];
+  EXPECT_EQ(material.pbrMetallicRoughness.baseColorFactor,
+            (std::vector<double>{ 0.8, 0.6, 0.1, 1.0 }));
+  EXPECT_EQ(material.pbrMetallicRoughness.baseColorTexture.index, -1);
+  EXPECT_TRUE(model.textures.empty());
+}
+
+TEST(GltfAnimation, NodesTellShapeAndObjectAndTheFileItsRate)
+{
+  const double rate = 24000.0 / 1001.0;
+  std::vector<AnimatedShape> shapes = Shapes();
+  shapes[1].Body.Name.clear();
+  tinygltf::Model model;
+  ASSERT_NO_FATAL_FAILURE(WriteAndRead(shapes, Objects(), rate, model));
+  const char* names[] = { "box-0", "object-10", "box-20" };
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(model.nodes[i].name, names[i]);
+    EXPECT_EQ(model.nodes[i].extras.Get("ObjectId").Get<int>(), 10 * i);
+  }
+  EXPECT_EQ(model.asset.extras.Get("framesPerSecond").Get<double>(), rate);
+  const tinygltf::AnimationSampler& sampler = model.animations[0].samplers[0];
+  for (int k = 0; k < 7; ++k)
+  {
+    EXPECT_EQ(Floats(model, sampler.input)[k], static_cast<float>(k / rate));
+  }
 }
 
 TEST(GltfAnimation, BadDataAreNamedAndNothingIsWritten)
