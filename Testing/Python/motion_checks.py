@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a finished animation must satisfy, measured on the files of a run alone.
+"""What a finished animation must satisfy, measured on the files of a run and its scene alone.
 
-    motion_checks.py DIR SCENE       prints a table of figures; exit status 1 when a hard limit is missed
+    motion_checks.py DIR SCENE [DATABASE.vtm]     prints a table of figures, style and coherence among them;
+                                                  exit status 1 when a hard limit is missed
 """
 import collections
 import csv
@@ -10,58 +11,88 @@ import math
 import pathlib
 import sys
 
-Pose = collections.namedtuple("Pose", "x q v w")
+import clearance_checks
+import result_files
+import style_checks
+from result_files import ACCELERATION, ORIENTATION, POSITION, REST, VELOCITY, distance, read_poses, volume
+
+EMBEDDED = pathlib.Path(__file__).resolve().parents[2] / "Data/Database/embedded.vtm"
 
 
-def read_poses(path):
-    """{object: [Pose per frame]} of a poses.csv."""
-    tracks = collections.defaultdict(list)
-    with open(path, newline="", encoding="utf-8") as stream:
-        for row in csv.DictReader(stream):
-            values = {name: float(value) for name, value in row.items() if name not in ("object", "frame")}
-            assert len(tracks[int(row["object"])]) == int(row["frame"]), "frames out of order"
-            tracks[int(row["object"])].append(Pose(
-                tuple(values[c] for c in ("x", "y", "z")),
-                tuple(values[c] for c in ("qw", "qx", "qy", "qz")),
-                tuple(values[c] for c in ("vx", "vy", "vz")),
-                tuple(values[c] for c in ("wx", "wy", "wz"))))
-    return dict(tracks)
+def row_errors(rows, scene):
+    """Texts: where what the run took for the rows is not what the scene says."""
+    errors = []
+    by_place = collections.defaultdict(list)
+    for row in rows:
+        by_place[row.row].append(row)
+    for number, wish in enumerate(scene.get("constraints", [])):
+        found = by_place.pop(number, [])
+        kinds = {"position": POSITION, "velocity": VELOCITY, "acceleration": ACCELERATION,
+                 "orientation": ORIENTATION, "rest": REST, "path": POSITION, "keyframe": POSITION}
+        place = f"constraint {number}"
+        if wish["kind"] == "keyframe":
+            wanted = _keyframe_targets(wish)
+            first = [r for r in found if r.kind == (REST if wish.get("velocity") == "rest" else POSITION)]
+            if not first or (wanted is not None and [r.value[:3] for r in first] != wanted):
+                errors.append(f"{place}: its targets are others")
+            if any(r.frame != wish["frame"] for r in first):
+                errors.append(f"{place}: its frame is another")
+            ids = [r.object for r in first]
+            if len(set(ids)) != len(ids) or not set(ids) <= set(wish.get("objects", ids)):
+                errors.append(f"{place}: two targets for one object, or an object that is not in its list")
+            continue
+        points = wish["points"] if wish["kind"] == "path" else [wish["value"]]
+        frame = wish["firstFrame"] if wish["kind"] == "path" else wish["frame"]
+        wanted = [(kinds[wish["kind"]], frame + k, tuple(map(float, p)), wish.get("radius", 0.0))
+                  for k, p in enumerate(points)]
+        width = len(points[0])
+        seen = [(r.kind, r.frame, r.value[:width], r.radius) for r in found]
+        # An orientation is made a unit quaternion.
+        if wish["kind"] != "orientation" and seen != wanted:
+            errors.append(f"{place}: taken as {seen}")
+        if found and wish.get("object", -1) >= 0 and {r.object for r in found} != {wish["object"]}:
+            errors.append(f"{place}: given to another object")
+    return errors + [f"row {number}: not in the scene" for number in by_place]
 
 
-def volume(scene):
-    domain = scene.get("domain", {})
-    low = domain.get("min", [-2.0, -2.0, 0.0])
-    high = domain.get("max", [2.0, 2.0, 4.0])
-    ground = scene.get("ground", {}).get("height", low[2])
-    return low, high, ground, max(high[0] - low[0], high[1] - low[1])
+def _keyframe_targets(wish):
+    points = wish["targets"].get("points")
+    return None if points is None else [tuple(map(float, p)) for p in points]
 
 
-def distance(a, b):
-    return math.dist(a, b)
-
-
-def exact_residual(tracks, scene):
-    """Largest distance to an exact or ball position row beyond its radius, over L; rest rows along the surface."""
-    width = volume(scene)[3]
-    worst = 0.0
-    for row in scene.get("constraints", []):
-        if row["kind"] == "position" and row["object"] >= 0:
-            x = tracks[row["object"]][row["frame"]].x
-            worst = max(worst, distance(x, row["value"]) - row.get("radius", 0.0))
-        elif row["kind"] == "rest" and row["object"] >= 0:
-            x = tracks[row["object"]][row["frame"]].x
-            worst = max(worst, distance(x[:2], row["value"][:2]))
-        elif row["kind"] == "path":
-            for k, point in enumerate(row["points"]):
-                x = tracks[row["object"]][row["firstFrame"] + k].x
-                worst = max(worst, distance(x, point) - row.get("radius", 0.0))
-    return worst / width
+def residuals(tracks, rows, rate):
+    """Largest miss beyond its radius of the rows that are said to be met, by kind: places [m], velocity [m/s],
+    acceleration [m/s^2], orientation [rad]. A rest counts along the surface, and by how far the body stirs."""
+    worst = collections.Counter({"place": 0.0, "velocity": 0.0, "acceleration": 0.0, "orientation": 0.0})
+    for row in rows:
+        if row.status != "met":
+            continue
+        track = tracks[row.object]
+        pose = track[row.frame]
+        if row.kind == POSITION:
+            name, miss = "place", distance(pose.x, row.value[:3])
+        elif row.kind == REST:
+            name = "place"
+            miss = max(distance(p.x[:2], row.value[:2]) + abs(p.x[2] - pose.x[2])
+                       for p in track[row.frame:row.until + 1])
+        elif row.kind == VELOCITY:
+            name, miss = "velocity", distance(pose.v, row.value[:3])
+        elif row.kind == ACCELERATION:
+            name = "acceleration"
+            a = [0.5 * rate * (n - p) for p, n in zip(track[row.frame - 1].v, track[row.frame + 1].v)]
+            miss = distance(a, row.value[:3])
+        else:
+            name = "orientation"
+            dot = min(1.0, abs(sum(a * b for a, b in zip(pose.q, row.value))))
+            miss = 2.0 * math.atan2(math.sqrt(1.0 - dot * dot), dot)
+        worst[name] = max(worst[name], miss - row.radius)
+    return worst
 
 
 def outside(tracks, scene):
     """Largest distance of a centre beyond the volume or below the ground [m]; 0 when all are inside."""
     low, high, ground, _ = volume(scene)
-    floor = (low[0], low[1], max(low[2], ground))
+    floor = (low[0], low[1], low[2] if ground is None else max(low[2], ground))
     return max(max(max(floor[c] - p.x[c], p.x[c] - high[c], 0.0) for c in range(3))
                for track in tracks.values() for p in track)
 
@@ -74,7 +105,7 @@ def quaternion_error(tracks):
     return worst, flips
 
 
-def longest_step(tracks, rate):
+def top_speed(tracks, rate):
     """Fastest speed between two frames [m/s]."""
     return max(distance(p.x, n.x) * rate for track in tracks.values() for p, n in zip(track, track[1:]))
 
@@ -85,50 +116,41 @@ def velocity_error(tracks, rate):
                for track in tracks.values() for k in range(1, len(track) - 1))
 
 
-def coherence(tracks, radius, ground):
-    """S(r): mean squared difference of velocities of pairs nearer than r over twice their variance, in the air."""
-    numbers = sorted(tracks)
-    near = pairs = 0.0
-    velocities = []
-    for frame in range(0, len(tracks[numbers[0]]), 5):
-        poses = [tracks[n][frame] for n in numbers]
-        poses = [p for p in poses if math.hypot(*p.v) > 1e-6]
-        velocities += [p.v for p in poses]
-        for i, a in enumerate(poses):
-            for b in poses[:i]:
-                if distance(a.x, b.x) < radius:
-                    near += distance(a.v, b.v) ** 2
-                    pairs += 1.0
-    if not pairs:
-        return float("nan")
-    mean = [sum(v[c] for v in velocities) / len(velocities) for c in range(3)]
-    variance = sum(distance(v, mean) ** 2 for v in velocities) / len(velocities)
-    return near / pairs / (2.0 * variance)
-
-
 def measure(folder, scene_file):
-    """All figures of a run as a dictionary."""
+    """The figures of a run that have a hard limit, and a few to look at, as a dictionary."""
+    folder = pathlib.Path(folder)
     scene = json.loads(pathlib.Path(scene_file).read_text(encoding="utf-8"))
-    tracks = read_poses(pathlib.Path(folder) / "poses.csv")
+    tracks = read_poses(folder / "poses.csv")
+    rows = result_files.read_rows(folder)
     rate = scene.get("time", {}).get("framesPerSecond", 30)
-    low, high, ground, width = volume(scene)
+    width = volume(scene)[3]
     error, flips = quaternion_error(tracks)
-    with open(pathlib.Path(folder) / "convergence.csv", newline="", encoding="utf-8") as stream:
+    speed = top_speed(tracks, rate)
+    missed = residuals(tracks, rows, rate)
+    with open(folder / "convergence.csv", newline="", encoding="utf-8") as stream:
         convergence = list(csv.DictReader(stream))
     rises = 0
     for before, after in zip(convergence, convergence[1:]):
         same = (before["Pass"], before["Stage"]) == (after["Pass"], after["Stage"])
         rises += same and float(after["E"]) > float(before["E"])
+    clear = clearance_checks.measure(folder, scene, tracks, rows, rate)
     return {
         "objects": len(tracks),
-        "frames": {len(track) for track in tracks.values()},
-        "exact_residual": exact_residual(tracks, scene),
+        "frames": max(len(track) for track in tracks.values()),
+        "rows": len(rows),
+        "rows_unmet": sum(row.status != "met" for row in rows),
+        "row_errors": len(row_errors(rows, scene)),
+        "exact_residual": missed["place"] / width,
+        "velocity_residual": missed["velocity"] / speed,
+        "acceleration_residual": missed["acceleration"] / (speed * rate),
+        "orientation_residual": missed["orientation"],
         "outside": outside(tracks, scene),
+        "clearance_shortfall": clear.shortfall / width,
+        "landing_depth": clear.depth / width,
         "quaternion_error": error,
         "quaternion_flips": flips,
-        "top_speed": longest_step(tracks, rate),
+        "top_speed": speed,
         "velocity_error": velocity_error(tracks, rate),
-        "coherence": coherence(tracks, 0.2 * width, ground),
         "energy_ratio": float(convergence[-1]["E"]) / float(convergence[0]["E"]),
         "energy_rises": rises,
         "first_stage": convergence[0]["Stage"],
@@ -136,9 +158,16 @@ def measure(folder, scene_file):
     }
 
 
+# In the units of measure(): lengths over L, velocities over the top speed.
 LIMITS = {
+    "row_errors": 0,
     "exact_residual": 1e-9,
+    "velocity_residual": 1e-6,
+    "acceleration_residual": 1e-6,
+    "orientation_residual": 1e-6,
     "outside": 0.0,
+    "clearance_shortfall": 1e-3,
+    "landing_depth": 1e-3,
     "quaternion_error": 1e-9,
     "quaternion_flips": 0,
     "velocity_error": 1e-9,
@@ -152,10 +181,29 @@ def violations(figures):
             for name, limit in LIMITS.items() if not figures[name] <= limit]
 
 
+def print_table(figures, style):
+    for name, value in figures.items():
+        text = f"{value:.4g}" if isinstance(value, float) else str(value)
+        limit = f"   at most {LIMITS[name]:g}" if name in LIMITS else ""
+        print(f"{name:22} {text:>12}{limit}")
+    print()
+    print(f"{'':22} " + "".join(f"{kind:>12}" for kind in style_checks.KINDS) + "   wanted")
+    for name, line in style.items():
+        cells = "".join(f"{line[kind]:12.3f}" if kind in line else " " * 12 for kind in style_checks.KINDS)
+        print(f"{name:22} {cells}   {style_checks.WANTED.get(name, '')}")
+
+
+def main(folder, scene_file, database=EMBEDDED):
+    figures = measure(folder, scene_file)
+    print_table(figures, style_checks.measure(folder, json.loads(pathlib.Path(scene_file).read_text(encoding="utf-8")),
+                                              database))
+    bad = violations(figures)
+    if bad:
+        print("\n" + "\n".join(bad))
+    return 1 if bad else 0
+
+
 if __name__ == "__main__":
-    found = measure(sys.argv[1], sys.argv[2])
-    for name, value in found.items():
-        print(f"{name:18} {value}")
-    bad = violations(found)
-    print("\n".join(bad))
-    sys.exit(1 if bad else 0)
+    if len(sys.argv) not in (3, 4):
+        sys.exit(__doc__)
+    sys.exit(main(*sys.argv[1:]))

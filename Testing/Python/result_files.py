@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The files of a run and the volume of its scene as plain Python data, read without VTK or Waft, so that checks
+rest on what was written alone."""
+import array
+import base64
+import collections
+import csv
+import math
+import pathlib
+import struct
+import sys
+import xml.etree.ElementTree as ElementTree
+import zlib
+
+Pose = collections.namedtuple("Pose", "x q v w")
+
+# A row that the run was to meet: Constraints of the run, with the status of its line in the report.
+Row = collections.namedtuple("Row", "row target object frame until kind value radius status")
+POSITION, VELOCITY, ACCELERATION, ORIENTATION, REST = range(5)
+
+_TYPES = {"Float64": "d", "Float32": "f", "Int64": "q", "UInt64": "Q", "Int32": "i", "UInt32": "I",
+          "Int16": "h", "UInt16": "H", "Int8": "b", "UInt8": "B"}
+
+
+def volume(scene):
+    """Corners of the volume, height of the ground (None without one), width L."""
+    domain = scene.get("domain", {})
+    low = domain.get("min", [-2.0, -2.0, 0.0])
+    high = domain.get("max", [2.0, 2.0, 4.0])
+    ground = scene.get("ground", {})
+    height = ground.get("height", low[2]) if ground.get("enabled", True) else None
+    return low, high, height, max(high[0] - low[0], high[1] - low[1])
+
+
+def read_poses(path):
+    """{object: [Pose per frame]} of a poses.csv."""
+    tracks = collections.defaultdict(list)
+    with open(path, newline="", encoding="utf-8") as stream:
+        for row in csv.DictReader(stream):
+            values = {name: float(value) for name, value in row.items() if name not in ("object", "frame")}
+            assert len(tracks[int(row["object"])]) == int(row["frame"]), "frames out of order"
+            tracks[int(row["object"])].append(Pose(
+                tuple(values[c] for c in ("x", "y", "z")),
+                tuple(values[c] for c in ("qw", "qx", "qy", "qz")),
+                tuple(values[c] for c in ("vx", "vy", "vz")),
+                tuple(values[c] for c in ("wx", "wy", "wz"))))
+    return dict(tracks)
+
+
+class PolyData:
+    """points [(x, y, z)]; lines and polys [[point index]]; point, cell and field {name: [value or tuple]}."""
+
+    def __init__(self, path):
+        root = ElementTree.parse(path).getroot()
+        assert root.get("byte_order") == "LittleEndian" and sys.byteorder == "little", path
+        self._header = {"UInt32": "I", "UInt64": "Q"}[root.get("header_type", "UInt32")]
+        self._compressed = root.get("compressor") == "vtkZLibDataCompressor"
+        appended = root.find("AppendedData")
+        self._appended = appended.text.strip()[1:] if appended is not None else ""
+        data = root.find("PolyData")
+        piece = data.find("Piece")
+        self.field = self._arrays(data.find("FieldData"))
+        self.point = self._arrays(piece.find("PointData"))
+        self.cell = self._arrays(piece.find("CellData"))
+        self.points = next(iter(self._arrays(piece.find("Points")).values()), [])
+        self.lines = self._cells(piece.find("Lines"))
+        self.polys = self._cells(piece.find("Polys"))
+
+    def _arrays(self, parent):
+        found = parent.findall("DataArray") if parent is not None else []
+        return {a.get("Name"): self._values(a) for a in found if a.get("type") in _TYPES}
+
+    def _cells(self, parent):
+        arrays = self._arrays(parent)
+        starts = [0] + arrays.get("offsets", [])
+        return [arrays["connectivity"][a:b] for a, b in zip(starts, starts[1:])]
+
+    def _values(self, entry):
+        if entry.get("format") == "ascii":
+            flat = [float(word) for word in (entry.text or "").split()]
+        else:
+            is_appended = entry.get("format") == "appended"
+            text = self._appended[int(entry.get("offset")):] if is_appended else entry.text.strip()
+            values = array.array(_TYPES[entry.get("type")])
+            values.frombytes(self._bytes(text))
+            flat = values.tolist()
+        width = int(entry.get("NumberOfComponents", 1))
+        return flat if width == 1 else [tuple(flat[i:i + width]) for i in range(0, len(flat), width)]
+
+    def _bytes(self, text):
+        size = struct.calcsize("<" + self._header)
+
+        def numbers(start, count):
+            return struct.unpack(f"<{count}{self._header}", _decode(text, start, count * size)[0])
+
+        if not self._compressed:
+            length, = numbers(0, 1)
+            return _decode(text, 0, size + length)[0][size:]
+        blocks, = numbers(0, 1)
+        lengths = numbers(0, 3 + blocks)[3:]
+        _, start = _decode(text, 0, (3 + blocks) * size)
+        packed, _ = _decode(text, start, sum(lengths))
+        result, place = b"", 0
+        for length in lengths:
+            result += zlib.decompress(packed[place:place + length])
+            place += length
+        return result
+
+
+def _decode(text, start, length):
+    """The bytes of a piece of base64 of this many bytes, and where the next one begins."""
+    end = start + (length + 2) // 3 * 4
+    return base64.b64decode(text[start:end])[:length], end
+
+
+def read_tracks(path):
+    """{object: [position per frame]} of Tracks."""
+    data = PolyData(path)
+    return {number: [data.points[i] for i in line] for number, line in zip(data.cell["ObjectId"], data.lines)}
+
+
+def read_rows(folder):
+    """Every Row of a run, those for any object assigned, with the status of its line in constraints.csv."""
+    folder = pathlib.Path(folder)
+    with open(folder / "constraints.csv", newline="", encoding="utf-8") as stream:
+        status = {(int(line["Row"]), int(line["Target"])): line["Status"] for line in csv.DictReader(stream)}
+    point = PolyData(folder / "constraints.vtp").point
+    names = ("Row", "Target", "ObjectId", "Frame", "Until", "Kind", "Value", "Radius")
+    return [Row(*values, status[values[0], values[1]]) for values in zip(*(point[name] for name in names))]
+
+
+def read_shapes(folder):
+    """{object: points of its shape in body axes}."""
+    folder = pathlib.Path(folder)
+    files = [entry.get("file") for entry in ElementTree.parse(folder / "shapes.vtm").iter("DataSet")]
+    shapes = [PolyData(folder / file).points for file in files]
+    objects = PolyData(folder / "objects.vtp").point
+    return {number: shapes[shape] for number, shape in zip(objects["ObjectId"], objects["ShapeId"])}
+
+
+def read_obstacle_surfaces(folder):
+    """{ObstacleId: [triangle of three points]} as they stand at frame 0."""
+    folder = pathlib.Path(folder)
+    path = folder / "obstacles.vtp"
+    if (folder / "obstacles.pvd").exists():
+        path = folder / next(ElementTree.parse(folder / "obstacles.pvd").iter("DataSet")).get("file")
+    data = PolyData(path)
+    surfaces = collections.defaultdict(list)
+    for corners in data.polys:
+        surfaces[data.point["ObstacleId"][corners[0]]].append([data.points[i] for i in corners])
+    return dict(surfaces)
+
+
+def rotated(quaternion, vector):
+    """A vector turned by a unit quaternion (w, x, y, z)."""
+    w, x, y, z = quaternion
+    a, b, c = vector
+    t = (2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a))
+    return (a + w * t[0] + y * t[2] - z * t[1], b + w * t[1] + z * t[0] - x * t[2], c + w * t[2] + x * t[1] - y * t[0])
+
+
+distance = math.dist

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The measures of motion_checks.py and its helpers on motions whose figures are known.
+
+    test_motion_checks.py DATABASE.vtm"""
+import math
+import pathlib
+import random
+import sys
+import unittest
+
+import clearance_checks
+import motion_checks
+import result_files
+import style_checks
+from result_files import ACCELERATION, ORIENTATION, POSITION, REST, VELOCITY, Pose, Row
+
+DATABASE = pathlib.Path(sys.argv.pop(1))
+RATE = 30.0
+
+
+def row(kind, value, **other):
+    fields = {"row": 0, "target": 0, "object": 0, "frame": 10, "until": 10, "kind": kind, "radius": 0.0,
+              "status": "met"}
+    return Row(**{**fields, **other, "value": tuple(value) + (0.0,) * (4 - len(value))})
+
+
+def steady(velocity, frames=30):
+    return [Pose(tuple(k / RATE * v for v in velocity), (1.0, 0.0, 0.0, 0.0), tuple(velocity), (0.0, 0.0, 0.0))
+            for k in range(frames)]
+
+
+class Files(unittest.TestCase):
+    def test_segments_of_the_embedded_database(self):
+        data = result_files.PolyData(DATABASE.parent / "embedded" / "embedded_0.vtp")
+        lengths = [len(line) for line in data.lines]
+        self.assertEqual({12: 235, 18: 1069, 27: 1914, 40: 2677, 60: 105}, {n: lengths.count(n) for n in set(lengths)})
+        self.assertEqual([30.0], data.field["FramesPerSecond"])
+        self.assertEqual(len(data.lines), len(data.cell["Group"]))
+        # Each begins at the origin; what the compression leaves out is millimetres.
+        self.assertLess(max(math.hypot(*data.points[line[0]]) for line in data.lines), 0.02)
+
+    def test_rotation(self):
+        half = math.sqrt(0.5)
+        for a, b in zip((0.0, 1.0, 3.0), result_files.rotated((half, 0.0, 0.0, half), (1.0, 0.0, 3.0))):
+            self.assertAlmostEqual(a, b, 15)
+
+
+class Rows(unittest.TestCase):
+    def worst(self, name, *rows, velocity=(0.3, 0.0, 0.0)):
+        return motion_checks.residuals({0: steady(velocity)}, rows, RATE)[name]
+
+    def test_places(self):
+        at = (0.1, 0.0, 0.0)
+        self.assertLess(self.worst("place", row(POSITION, at)), 1e-15)
+        self.assertAlmostEqual(0.02, self.worst("place", row(POSITION, (0.1, 0.02, 0.0))))
+        self.assertAlmostEqual(0.005, self.worst("place", row(POSITION, (0.1, 0.02, 0.0), radius=0.015)))
+        self.assertEqual(0.0, self.worst("place", row(POSITION, (0.1, 0.02, 0.0), status="infeasible")))
+
+    def test_a_rest_is_at_its_place_and_still(self):
+        self.assertEqual(0.0, self.worst("place", row(REST, (0.0, 0.0, 9.0), until=20), velocity=(0.0, 0.0, 0.0)))
+        self.assertAlmostEqual(0.1, self.worst("place", row(REST, (0.1, 0.0, 9.0), until=20)))
+        falling = self.worst("place", row(REST, (0.0, 0.0, 9.0), until=16), velocity=(0.0, 0.0, -1.0))
+        self.assertAlmostEqual(0.2, falling)
+
+    def test_velocity_acceleration_orientation(self):
+        self.assertAlmostEqual(0.1, self.worst("velocity", row(VELOCITY, (0.3, 0.1, 0.0))))
+        self.assertAlmostEqual(0.4, self.worst("acceleration", row(ACCELERATION, (0.0, 0.0, 0.5), radius=0.1)))
+        turned = (math.cos(0.1), math.sin(0.1), 0.0, 0.0)
+        self.assertAlmostEqual(0.2, self.worst("orientation", row(ORIENTATION, turned)))
+        self.assertAlmostEqual(0.2, self.worst("orientation", row(ORIENTATION, [-c for c in turned])))
+
+    def test_rows_are_those_of_the_scene(self):
+        points = [[0.0, 0.0, 1.0], [1.0, 0.0, 1.0]]
+        scene = {"constraints": [
+            {"kind": "keyframe", "frame": 10, "targets": {"points": points}, "objects": [0, 1]},
+            {"kind": "position", "object": 2, "frame": 5, "value": [1, 2, 3]}]}
+        good = [row(POSITION, points[0], object=1), row(POSITION, points[1], target=1),
+                row(POSITION, (1.0, 2.0, 3.0), row=1, object=2, frame=5)]
+        self.assertEqual([], motion_checks.row_errors(good, scene))
+        for bad in (good[1:], good[:2], good + [row(POSITION, points[0], row=2)],
+                    [good[0], good[1]._replace(object=1), good[2]], [good[0], good[1]._replace(object=3), good[2]],
+                    [good[0], good[1]._replace(frame=11), good[2]], good[:2] + [good[2]._replace(object=0)],
+                    good[:2] + [good[2]._replace(value=(1.0, 2.0, 3.1, 0.0))]):
+            self.assertEqual(1, len(motion_checks.row_errors(bad, scene)), bad)
+
+
+class Styles(unittest.TestCase):
+    def test_helix(self):
+        radius, pitch, omega = 0.4, 0.1, 3.0
+        path = [(radius * math.cos(omega * k / RATE), radius * math.sin(omega * k / RATE), pitch * omega * k / RATE)
+                for k in range(60)]
+        style = style_checks.Style()
+        style.add(path, RATE, range(1, 59))
+        self.assertEqual(58, len(style.speed))
+        for value, curvature, acceleration in zip(style.speed, style.log_curvature, style.acceleration):
+            self.assertAlmostEqual(omega * math.hypot(radius, pitch), value, 2)
+            self.assertAlmostEqual(math.log(radius / (radius ** 2 + pitch ** 2)), curvature, 2)
+            self.assertAlmostEqual(omega ** 2 * radius, acceleration, 1)
+
+    def test_kolmogorov_smirnov(self):
+        for a, b, wanted in (([1, 2, 3], [3, 1, 2], 0.0), ([1, 2], [3, 4], 1.0), ([1, 2, 3, 4], [3, 4, 5, 6], 0.5),
+                             ([], [1], 1.0)):
+            self.assertEqual(wanted, style_checks.kolmogorov_smirnov(a, b))
+
+    def test_database_is_as_its_page_says(self):
+        style = style_checks.database_style(DATABASE)
+        self.assertAlmostEqual(0.64, sorted(style.speed)[len(style.speed) // 2], 2)
+        self.assertAlmostEqual(0.51, sorted(style.acceleration)[len(style.acceleration) // 2], 2)
+        self.assertAlmostEqual(math.log(0.94), sorted(style.log_curvature)[len(style.log_curvature) // 2], 2)
+
+    def test_free_frames(self):
+        rows = [row(POSITION, (0, 0, 0), frame=k) for k in (20, 40, 41, 42)]
+        rows += [row(REST, (0, 0, 0), frame=100, until=110), row(POSITION, (0, 0, 0), frame=60, object=1)]
+        left_out = set(range(1, 199)) - set(style_checks.free_frames(0, 200, rows, RATE))
+        self.assertEqual({40, 41, 42} | set(range(69, 142)), left_out)
+
+    def test_spline_goes_through_its_marks_smoothly_and_stops_at_a_rest(self):
+        marks = [(0, (0.0, 0.0, 2.0), None), (30, (1.0, 0.5, 1.5), None), (50, (0.0, 1.0, 1.2), None),
+                 (90, (-1.0, 0.0, 0.0), 99), (120, (0.0, 0.0, 1.0), None)]
+        path = style_checks.spline(marks)
+        self.assertEqual(121, len(path))
+        for frame, place, _ in marks:
+            self.assertEqual(place, path[frame])
+        self.assertEqual([marks[3][1]] * 10, path[90:100])
+        bends = [[path[k - 1][c] - 2.0 * path[k][c] + path[k + 1][c] for c in range(3)] for k in range(1, 90)]
+        self.assertLess(max(math.dist(a, b) for a, b in zip(bends, bends[1:])), 0.3 * max(math.hypot(*b) for b in bends))
+        self.assertLess(math.dist(path[89], path[90]), 0.1 * math.dist(path[70], path[71]))
+        lines = style_checks.straight(marks)
+        self.assertAlmostEqual(0.75, lines[15][2] - 1.0)
+
+    def test_coherence(self):
+        generator = random.Random(4)
+        flying = {i: range(40) for i in range(40)}
+
+        def tracks(velocity):
+            starts = [[generator.uniform(-1.0, 1.0) for _ in range(3)] for _ in flying]
+            ways = [velocity(x) for x in starts]
+            return {i: [tuple(a + 0.01 * k / RATE * b for a, b in zip(starts[i], ways[i])) for k in range(40)] for i in flying}
+        alone = style_checks.coherence(tracks(lambda _: [generator.gauss(0.0, 1.0) for _ in range(3)]), flying, 0.8, RATE)
+        self.assertAlmostEqual(1.0, alone, delta=0.15)
+        turning = style_checks.coherence(tracks(lambda x: [-x[1], x[0], 0.0]), flying, 0.4, RATE)
+        self.assertLess(turning, 0.12)
+
+
+class Clearances(unittest.TestCase):
+    def test_distances(self):
+        box = {"kind": "box", "min": [-1.0, -0.5, 0.0], "max": [1.0, 0.5, 2.0]}
+        cube = clearance_checks._box(box)
+        self.assertAlmostEqual(5.0, cube((4.0, 4.5, 1.0), 9.0))
+        self.assertAlmostEqual(-0.4, cube((0.0, 0.1, 1.0), 9.0))
+        self.assertAlmostEqual(0.5, clearance_checks._sphere({"center": [1, 1, 1], "radius": 0.5})((1.0, 2.0, 1.0), 9.0))
+        rod = clearance_checks._cylinder({"base": [0, 0, 0], "top": [0, 2, 0], "radius": 0.5})
+        self.assertAlmostEqual(5.0, rod((3.5, 6.0, 0.0), 9.0))
+        self.assertAlmostEqual(-0.1, rod((0.0, 1.9, 0.0), 9.0))
+        x, y, z = zip(box["min"], box["max"])
+        corner = [(a, b, c) for a in x for b in y for c in z]
+        faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+        mesh = clearance_checks._mesh([[corner[a], corner[b], corner[c]] for p, q, r, s in faces for a, b, c in ((p, q, r), (p, r, s))])
+        generator = random.Random(2)
+        for _ in range(300):
+            point = tuple(generator.uniform(-2.0, 2.5) for _ in range(3))
+            self.assertAlmostEqual(cube(point, 9.0), mesh(point, 9.0), 12)
+
+    def test_moving_obstacle(self):
+        keys = [{"frame": 10, "position": [5, 0, 0]}, {"frame": 20, "position": [6, 0, 0]}, {"frame": 30, "position": [6, 2, 0]}]
+        for frame, wanted in ((0, (0, 0, 0)), (15, (0.5, 0, 0)), (25.5, (1, 1.1, 0)), (99, (1, 2, 0))):
+            for a, b in zip(wanted, clearance_checks._offset(keys, frame)):
+                self.assertAlmostEqual(a, b)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
