@@ -2,6 +2,7 @@
 #include "Scene/Scene.h"
 #include "Scene/SceneReader.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -72,9 +73,15 @@ SceneJson ParseText(const std::string& text, const std::string& name)
     throw SceneError{ name + ": " + LineAndColumn(text, error.byte) + ": expected JSON, " +
                       Reason(error.what()) };
   }
-  catch (const SceneJson::exception& error) // a number beyond the range of doubles
+  catch (const SceneJson::out_of_range& error) // "... number overflow parsing '1e999'"
   {
-    throw SceneError{ name + ": expected JSON with finite numbers, " + error.what() };
+    const std::string what = error.what();
+    const std::size_t quote = what.find('\'');
+    const std::string number =
+      quote == std::string::npos ? what : what.substr(quote + 1, what.rfind('\'') - quote - 1);
+    const std::size_t place = std::min(text.find(number), text.size());
+    throw SceneError{ name + ": " + LineAndColumn(text, place + 1) +
+                      ": expected a finite number, found " + number };
   }
 }
 

@@ -28,10 +28,15 @@ std::string Token(const std::string& field)
 std::string Describe(const SceneJson& value)
 {
   constexpr std::size_t longest = 60;
+  const auto isFlat = [](const SceneJson& v)
+  {
+    return !v.is_structured() ||
+           (v.size() <= longest &&
+            std::none_of(v.begin(), v.end(), [](const SceneJson& w) { return w.is_structured(); }));
+  };
   const bool isShallow =
     !value.is_structured() ||
-    (value.size() <= longest && std::none_of(value.begin(), value.end(),
-                                             [](const SceneJson& v) { return v.is_structured(); }));
+    (value.size() <= longest && std::all_of(value.begin(), value.end(), isFlat));
   const std::string text =
     isShallow ? value.dump(-1, ' ', false, SceneJson::error_handler_t::replace) : std::string();
   if (isShallow && text.size() <= longest)

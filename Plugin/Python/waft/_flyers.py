@@ -80,7 +80,8 @@ class _Look:
         self.mapper.SetInputConnection(normals.GetOutputPort())
         self.mapper.ScalarVisibilityOff()
         self.extent = body.extent
-        self.texture = _load_texture(body.texture) if body.texture else None
+        has_coordinates = body.surface.GetPointData().GetTCoords() is not None
+        self.texture = _load_texture(body.texture) if body.texture and has_coordinates else None
         # A texture has its own colours: the plain one would tint them.
         self.color = (1.0, 1.0, 1.0) if self.texture else body.color
         # A light closed film (a soap bubble) lets the light through.

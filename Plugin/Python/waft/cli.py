@@ -10,32 +10,28 @@ EXIT = """exit status: 0 all constraints met; 2 malformed input or usage, nothin
 be met (named in constraints.csv and below), all others are; 4 stopped early, best so far written; 1 anything else"""
 
 
-def positive_int(text):
-    value = int(text)
-    if value < 1:
-        raise argparse.ArgumentTypeError(f"expected a number of 1 or more, found {text}")
-    return value
+def _argument(kind, expected, accepts):
+    """An argparse type: kind(text) where accepts(value), else an error that says what was expected."""
+    def convert(text):
+        try:
+            value = kind(text)
+        except ValueError:
+            value = None
+        if value is None or not accepts(value):
+            raise argparse.ArgumentTypeError(f"expected {expected}, found '{text}'")
+        return value
+    return convert
 
 
-def seed(text):
-    value = int(text)
-    if not 0 <= value < 2 ** 31:
-        raise argparse.ArgumentTypeError(f"expected 0 to {2 ** 31 - 1}, found {text}")
-    return value
-
-
-def positive(text):
-    value = float(text)
-    if not 0.0 < value < float("inf"):
-        raise argparse.ArgumentTypeError(f"expected a positive number, found {text}")
-    return value
-
-
-def size(text):
-    width, separator, height = text.partition("x")
-    if not separator or not width.isdigit() or not height.isdigit() or not int(width) or not int(height):
-        raise argparse.ArgumentTypeError(f"expected WxH such as 1280x720, found {text}")
+def _size(text):
+    width, height = text.split("x")
     return int(width), int(height)
+
+
+positive_int = _argument(int, "a whole number of 1 or more", lambda n: n >= 1)
+seed = _argument(int, f"a whole number from 0 to {2 ** 31 - 1}", lambda n: 0 <= n < 2 ** 31)
+positive = _argument(float, "a positive number", lambda x: 0.0 < x < float("inf"))
+size = _argument(_size, "WxH such as 1280x720, each from 16 to 16384", lambda s: all(16 <= n <= 16384 for n in s))
 
 
 def parser():
@@ -87,7 +83,9 @@ def run_synthesize(options):
 
 
 def tell(run, folder):
-    """What came out, on stderr: constraints that are not met, and a line of figures."""
+    """What came out, on stderr: warnings, constraints that are not met, and a line of figures."""
+    for warning in run.warnings:
+        print(f"waft: warning: {warning}", file=sys.stderr)
     for row in run.report:
         if row["Status"] != "met":
             print(f"waft: row {row['Row']} target {row['Target']} (object {row['ObjectId']}, frame {row['Frame']}, "

@@ -8,6 +8,8 @@ import pathlib
 import shutil
 import tempfile
 
+from waft.failures import BadInput
+
 
 class OutputFolder:
     """Gathers a run's files beside the folder they are for, and moves them in when all are there.
@@ -31,11 +33,27 @@ class OutputFolder:
         return str(self._staging / name)
 
     def commit(self):
-        for entry in sorted(self._staging.iterdir()):
-            target = self.folder / entry.name
-            if target.is_dir() and not target.is_symlink():
-                shutil.rmtree(target)
-            os.replace(entry, target)
+        _move_in(self._staging, self.folder)
+
+
+def _move_in(staging, folder):
+    """What is in `staging` takes the place of entries of the same names in `folder`."""
+    for entry in sorted(staging.iterdir()):
+        target = folder / entry.name
+        if target.is_dir() and not target.is_symlink():
+            shutil.rmtree(target)
+        os.replace(entry, target)
+
+
+def check_folder(folder):
+    """Raises BadInput unless files can be written in the folder, or it can be made; makes nothing."""
+    place = pathlib.Path(folder).absolute()
+    while not place.exists() and place != place.parent:
+        place = place.parent
+    if not place.is_dir():
+        raise BadInput(f"{place}: expected a folder for the results, found a file")
+    if not os.access(place, os.W_OK | os.X_OK):
+        raise BadInput(f"{place}: expected a folder that may be written in")
 
 
 def number(value):
@@ -101,10 +119,6 @@ def replaced(path):
     staging = pathlib.Path(tempfile.mkdtemp(prefix=".waft-", dir=path.parent))
     try:
         yield str(staging / path.name)
-        for entry in sorted(staging.iterdir()):
-            target = path.parent / entry.name
-            if target.is_dir() and not target.is_symlink():
-                shutil.rmtree(target)
-            os.replace(entry, target)
+        _move_in(staging, path.parent)
     finally:
         shutil.rmtree(staging, ignore_errors=True)

@@ -18,7 +18,7 @@ def _find_upwards(pattern):
 
 def version():
     """The version of this Waft, as text."""
-    return (_find_upwards("share/waft/VERSION").read_text().strip())
+    return _find_upwards("share/waft/VERSION").read_text(encoding="utf-8").strip()
 
 
 def data_file(name):

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pipeline of a scene: each stage a ParaView proxy, joined by VTK data alone."""
+import pathlib
+import xml.etree.ElementTree as ElementTree
+
 from paraview import simple
 
 from waft.failures import BadInput
@@ -14,11 +17,11 @@ class Pipeline:
     change is computed again.
     """
 
-    STAGES = ("reader", "database", "planner", "spacetime", "rotation")
-
     def __init__(self, scene, database=None):
-        self.reader = simple.MotionSceneReader(registrationName="Scene", FileName=str(scene))
+        self.scene_file = str(scene)
+        self.reader = simple.MotionSceneReader(registrationName="Scene")  # the file once it is watched
         self.database_file = str(database or data_file("Database/embedded.vtm"))
+        _check_database(self.database_file)
         self.database = simple.XMLMultiBlockDataReader(
             registrationName="Database", FileName=[self.database_file])
         self.database.TimeArray = "None"
@@ -27,6 +30,16 @@ class Pipeline:
         self.spacetime = None
         self.rotation = None
         self.watches = {}
+
+    def read(self, clock):
+        """The scene and the database."""
+        self.watch("reader", clock)
+        self.reader.FileName = self.scene_file
+        self.update("reader")
+        if self.output("reader").GetNumberOfPoints() == 0:
+            raise BadInput(f"{self.scene_file}: /objects: expected at least one object, found none")
+        self.watch("database", clock)
+        self.update("database")
 
     def watch(self, name, clock):
         self.watches[name] = StageWatch(name, getattr(self, name), clock)
@@ -39,7 +52,9 @@ class Pipeline:
         getattr(self, name).UpdatePipeline()
         watch.can_stop = False
         if watch.errors and not watch.was_aborted:
-            raise BadInput(watch.message())
+            message = watch.errors[0]
+            is_database = name == "database" or message.startswith(("motion database: ", "Segments: "))
+            raise BadInput(f"{self.database_file}: {message}" if is_database else message)
 
     def output(self, name, port=0):
         """The data object of an output port, on this side."""
@@ -90,3 +105,22 @@ class Pipeline:
         if self.output("reader", 4).GetNumberOfCells() == 0:
             return planned
         return simple.AppendGeometry(registrationName="Vortices", Input=[self._scene("Vortices"), planned])
+
+
+def _check_database(path):
+    """Raises BadInput when a file is no multi-block data set (VTK's reader crashes on some of those) or one of its
+    blocks' files is missing. Which blocks there must be is the planner's to judge."""
+    path = pathlib.Path(path)
+    if not path.is_file():
+        raise BadInput(f"{path}: no such database file")
+    try:
+        for _, entry in ElementTree.iterparse(path, events=("start",)):
+            if entry.tag == "VTKFile" and entry.get("type") != "vtkMultiBlockDataSet":
+                raise BadInput(f"{path}: expected a motion database (vtkMultiBlockDataSet), found "
+                               f"{entry.get('type')}")
+            if entry.tag == "AppendedData":
+                break
+            if entry.get("file") and not (path.parent / entry.get("file")).is_file():
+                raise BadInput(f"{path}: block {entry.get('name')}: no such file as {entry.get('file')}")
+    except ElementTree.ParseError as error:
+        raise BadInput(f"{path}: expected a motion database (.vtm), found no XML: {error}") from error

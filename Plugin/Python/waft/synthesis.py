@@ -4,12 +4,14 @@ import csv
 import hashlib
 import json
 import math
+import os
 import pathlib
 
 from waft import failures
-from waft.files import OutputFolder, number, table_rows, write_csv, write_json, write_pvd, write_xml
+from waft.files import (OutputFolder, check_folder, number, table_rows, write_csv, write_json, write_pvd,
+                        write_xml)
 from waft.loading import version
-from waft.watching import Clock
+from waft.watching import Clock, collect
 
 STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
 
@@ -37,24 +39,27 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
     """
     from waft.pipeline import Pipeline
 
-    for path, what in ((scene, "scene"), (database, "database")):
-        if path is not None and not pathlib.Path(path).is_file():
-            raise failures.BadInput(f"{path}: no such {what} file")
+    if not pathlib.Path(scene).is_file():
+        raise failures.BadInput(f"{scene}: no such scene file")
+    if output is not None:
+        check_folder(output)
     set_threads(threads)
     pipeline = Pipeline(scene, database)
     with Clock(time_limit, quiet) as clock:
-        _read(pipeline, clock, seed)
+        pipeline.read(clock)
+        scene_seed = pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)
+        pipeline.seed = int(scene_seed) if seed is None else seed
         pipeline.key = run_key(scene, pipeline.database_file, pipeline.seed, preview)
         pipeline.earlier = earlier_run(output, pipeline.key) if resume else None
         _run(pipeline, clock, preview, output)
         pipeline.stopped = clock.interrupted or clock.timed_out
     pipeline.report = constraint_report(pipeline)
-    pipeline.warnings = [w for watch in pipeline.watches.values() for w in watch.errors]
+    pipeline.warnings = [text for watch in pipeline.watches.values() for text in watch.errors + watch.warnings]
     unmet = [row for row in pipeline.report if row["Status"] != "met"]
     pipeline.status = (failures.STOPPED_EARLY if pipeline.stopped
                        else failures.NOT_ALL_MET if unmet else failures.ALL_MET)
     if output is not None:
-        write_results(pipeline, output, scene, seed)
+        write_results(pipeline, output, scene)
     return pipeline
 
 
@@ -66,22 +71,18 @@ def run_key(scene, database, seed, preview):
 
 
 def earlier_run(folder, key):
-    """The report of a run of the same key that was stopped early in this folder, or None."""
-    path = pathlib.Path(folder or ".") / "report.json"
-    if folder is None or not path.is_file():
+    """The report of a run of the same key that was stopped early in this folder and is whole, or None."""
+    if folder is None:
         return None
-    report = json.loads(path.read_text(encoding="utf-8"))
+    folder = pathlib.Path(folder)
+    needed = ("report.json", "optimized.vtp", "constraints.vtp", "vortices.vtp", "convergence.csv")
+    if not all((folder / name).is_file() for name in needed):
+        return None
+    try:
+        report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
+    except ValueError:
+        return None
     return report if report.get("key") == key and report.get("stoppedEarly") else None
-
-
-def _read(pipeline, clock, seed):
-    pipeline.watch("reader", clock)
-    pipeline.update("reader")
-    pipeline.watch("database", clock)
-    pipeline.update("database")
-    if seed is None:
-        seed = int(pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0))
-    pipeline.seed = seed
 
 
 def _run(pipeline, clock, preview, folder):
@@ -150,7 +151,7 @@ def _measure_orientations(pipeline, report):
             row["Message"] = f"the orientation is off by {residual:.3g} rad beyond its radius"
 
 
-def write_results(pipeline, folder, scene, seed):
+def write_results(pipeline, folder, scene):
     """Every file of a run, all at once: see the user guide for what each holds."""
     with OutputFolder(folder) as out:
         if not pipeline.earlier:
@@ -174,8 +175,6 @@ def write_results(pipeline, folder, scene, seed):
 
 def _write_series(pipeline, stage, port, name, suffix, out, only_if_moving=False):
     """NAME.pvd with one file a step in the folder NAME, or one file when nothing changes."""
-    import os
-
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Sddp
 
     algorithm = getattr(pipeline, stage).GetClientSideObject()
@@ -217,13 +216,16 @@ def _write_animation(pipeline, out):
     from waft.vtkWaftFilters import vtkMotionAnimationWriter
 
     writer = vtkMotionAnimationWriter()
+    errors = []
+    collect(writer, "ErrorEvent", errors)
+    collect(writer, "WarningEvent", pipeline.warnings)
     writer.SetInputDataObject(0, pipeline.output("rotation", 1))
     writer.SetInputDataObject(1, pipeline.output("reader", 0))
     writer.SetInputDataObject(2, pipeline.output("reader", 3))
     for name in ("animation.glb", "poses.csv"):
         writer.SetFileName(out.path(name))
         if not writer.Write():
-            raise failures.WaftError(f"{name}: could not be written")
+            raise failures.WaftError(f"{name}: could not be written: {'; '.join(errors)}")
 
 
 def _convergence(pipeline, folder):

@@ -6,16 +6,35 @@ import sys
 import time
 
 
+def collect(vtk_object, event, texts):
+    """Appends what an object says with ErrorEvent or WarningEvent to a list, a line each, instead of VTK's printing."""
+    def take(_caller, _event, text):
+        texts.append(_line(text))
+
+    # VTK hands the text over only when the observer says that it wants a string.
+    take.CallDataType = "string0"
+    vtk_object.AddObserver(event, take)
+
+
+def _line(text):
+    """A message of VTK without its preamble of source file, class and address."""
+    preambles = ("ERROR: In", "Warning: In", "Generic Warning")
+    line = " ".join(part for part in text.splitlines() if part.strip() and not part.startswith(preambles))
+    head, separator, tail = line.partition("): ")
+    return tail if separator and "(0x" in head else line
+
+
 class StageWatch:
     """Follows one proxy's algorithm while it executes.
 
-    Attributes: errors (texts), seconds (wall time of its executions), peak_mb (the process's peak memory
-    when it ended), was_aborted.
+    Attributes: errors and warnings (each a line), seconds (wall time of its executions), peak_mb (the process's
+    peak memory when it ended), was_aborted.
     """
 
     def __init__(self, name, proxy, clock, port=0):
         self.name = name
         self.errors = []
+        self.warnings = []
         self.seconds = 0.0
         self.peak_mb = 0.0
         self.was_aborted = False
@@ -28,13 +47,9 @@ class StageWatch:
         self.algorithm.AddObserver("EndEvent", self._end)
         self.algorithm.AddObserver("ProgressEvent", self._progress)
 
-        def error(_caller, _event, text):
-            self.errors.append(text)
-
-        # VTK hands the text over only when the observer says that it wants a string.
-        error.CallDataType = "string0"
-        self.algorithm.AddObserver("ErrorEvent", error)
-        self.algorithm.GetExecutive().AddObserver("ErrorEvent", error)
+        collect(self.algorithm, "ErrorEvent", self.errors)
+        collect(self.algorithm.GetExecutive(), "ErrorEvent", self.errors)
+        collect(self.algorithm, "WarningEvent", self.warnings)
 
     def _start(self, *_):
         self._started = time.monotonic()
@@ -50,15 +65,6 @@ class StageWatch:
             self.was_aborted = True
             self.algorithm.SetAbortExecute(1)
         self._clock.show(self.name, self.algorithm.GetProgress(), self.algorithm.GetProgressText())
-
-    def message(self):
-        """The first error as one line, without VTK's preamble of source file and class."""
-        text = self.errors[0] if self.errors else ""
-        lines = [line for line in text.splitlines() if line.strip()]
-        kept = [line for line in lines if not line.startswith(("ERROR: In", "Generic Warning"))]
-        line = " ".join(kept)
-        head, separator, tail = line.partition("): ")
-        return tail if separator and "(0x" in head else line
 
 
 class Clock:
