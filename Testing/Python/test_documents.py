@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pages: every link leads to a file, and Python examples can be parsed.
+"""The pages: every link leads to a file, the index lists every page, and Python examples can be parsed.
 
     test_documents.py SOURCE"""
 
@@ -33,6 +33,12 @@ class DocumentsTest(unittest.TestCase):
                 if "://" not in target:
                     with self.subTest(page=os.path.relpath(page, SOURCE), target=target):
                         self.assertTrue(os.path.exists(os.path.join(os.path.dirname(page), target)))
+
+    def test_every_page_is_in_the_index(self):
+        listed = LINK.findall(text_of(os.path.join(DOCUMENTATION, "README.md")))
+        for page in glob.glob(os.path.join(DOCUMENTATION, "*.md")):
+            if os.path.basename(page) != "README.md":
+                self.assertIn(os.path.basename(page), listed)
 
     def test_examples_are_python(self):
         found = 0
