@@ -22,13 +22,13 @@ def measure(folder, scene, tracks, rows, rate):
         body = shapes[number]
         radius = 0.5 * max(max(p[c] for p in body) - min(p[c] for p in body) for c in range(3))
         landings = _landings(number, track, rows, rate, surfaces)
-        for k in range(len(track) - 1):
-            for i in range(SAMPLES):
-                frame = k + i / SAMPLES
-                x = tuple(a + i / SAMPLES * (b - a) for a, b in zip(track[k].x, track[k + 1].x))
-                for name, surface in surfaces.items():
-                    if not any(first <= frame <= last and name == landed for first, last, landed in landings):
-                        shortfall = max(shortfall, radius - surface(x, frame, radius))
+        for sample in range(SAMPLES * (len(track) - 1) + 1):
+            frame = sample / SAMPLES
+            k = int(frame)
+            x = tuple(a + (frame - k) * (b - a) for a, b in zip(track[k].x, track[min(k + 1, len(track) - 1)].x))
+            for name, surface in surfaces.items():
+                if not any(first <= frame <= last and name == landed for first, last, landed in landings):
+                    shortfall = max(shortfall, radius - surface(x, frame, radius))
         for first, last, landed in landings:
             if landed == "ground":
                 for k in range(max(0, math.ceil(first)), min(len(track) - 1, int(last)) + 1):

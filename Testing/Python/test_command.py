@@ -5,6 +5,7 @@
 """
 import json
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
@@ -30,6 +31,14 @@ SCENE = {
 
 def run(*arguments, **options):
     return subprocess.run([WAFT, *map(str, arguments)], capture_output=True, text=True, check=False, **options)
+
+
+def gltf_json(path):
+    """The JSON chunk of a .glb file."""
+    content = path.read_bytes()
+    magic, _, _, length, kind = struct.unpack("<4sIII4s", content[:20])
+    assert (magic, kind) == (b"glTF", b"JSON")
+    return json.loads(content[20:20 + length])
 
 
 class Command(unittest.TestCase):
@@ -66,6 +75,18 @@ class Command(unittest.TestCase):
         path.write_text('{"waft": 1,\n "objects": [}', encoding="utf-8")
         self.refused(path, "broken.waft.json", "line 2")
 
+    def test_numbers_that_are_none(self):
+        for number, parts in (("NaN", ("line 1", "column")), ("1e999", ("line 1", "column", "finite", "1e999")),
+                              ('"nan"', ("/constraints/0/value/2", "finite"))):
+            path = self.scene()
+            path.write_text(path.read_text(encoding="utf-8").replace("1.6", number), encoding="utf-8")
+            with self.subTest(number=number):
+                self.refused(path, "scene.waft.json", *parts)
+
+    def test_no_objects(self):
+        self.refused(self.scene(lambda s: s.update(objects=[], constraints=[])), "scene.waft.json", "/objects",
+                     "at least one")
+
     def test_unknown_field(self):
         self.refused(self.scene(lambda s: s["objects"][0].update(colour=1)), "/objects/0", "colour")
 
@@ -82,7 +103,27 @@ class Command(unittest.TestCase):
         path = self.folder / "empty.vtm"
         path.write_text('<?xml version="1.0"?><VTKFile type="vtkMultiBlockDataSet" version="1.0">'
                         "<vtkMultiBlockDataSet/></VTKFile>", encoding="utf-8")
-        self.refused(self.scene(), "Segments", options=("--database", path))
+        self.refused(self.scene(), "empty.vtm", "Segments", options=("--database", path))
+
+    def test_what_is_no_database(self):
+        for name, text, part in (("junk.vtm", "junk", "no XML"), ("nothing.vtm", "", "no XML"),
+                                 ("x.vtp", '<VTKFile type="PolyData"><PolyData/></VTKFile>', "found PolyData"),
+                                 ("lost.vtm", '<VTKFile type="vtkMultiBlockDataSet"><vtkMultiBlockDataSet>'
+                                  '<DataSet index="0" name="Segments" file="lost/lost_0.vtp"/>'
+                                  "</vtkMultiBlockDataSet></VTKFile>", "lost_0.vtp")):
+            path = self.folder / name
+            path.write_text(text, encoding="utf-8")
+            with self.subTest(name=name):
+                self.refused(self.scene(), name, part, options=("--database", path))
+
+    def test_output_that_is_a_file_is_refused_before_anything_is_computed(self):
+        path = self.folder / "taken"
+        path.write_text("old", encoding="utf-8")
+        for out in (path, path / "below"):
+            done = run("synthesize", self.scene(), "--output", out)
+            self.assertEqual(2, done.returncode, done.stderr)
+            self.assertIn("taken: expected a folder", done.stderr)
+        self.assertEqual("old", path.read_text(encoding="utf-8"))
 
     def test_open_obstacle(self):
         (self.folder / "open.obj").write_text("v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\n", encoding="utf-8")
@@ -91,16 +132,26 @@ class Command(unittest.TestCase):
 
     def test_unknown_command_and_option(self):
         self.assertEqual(2, run("fly").returncode)
-        self.assertEqual(2, run("synthesize", self.scene(), "--output", self.folder / "o", "--seed", "x").returncode)
+        for option, value, part in (("--seed", "x", "whole number"), ("--seed", "-1", "from 0"),
+                                    ("--threads", "0", "1 or more"), ("--time-limit", "nan", "positive")):
+            done = run("synthesize", self.scene(), "--output", self.folder / "o", option, value)
+            self.assertEqual(2, done.returncode)
+            self.assertRegex(done.stderr, f"{option}: expected .*{part}.*, found '{value}'")
 
     def test_same_bytes_on_one_and_two_threads(self):
-        scene = self.scene()
+        def change(scene):
+            points = [[0.5, 0.3, 2.4], [-0.45, -0.4, 2.3]]
+            scene["constraints"].append({"kind": "keyframe", "frame": 25, "targets": {"points": points}})
+            (self.folder / "torn.png").write_text("torn", encoding="utf-8")
+            scene["shapes"]["leaf"].update(texture="torn.png", color=[0.1, 0.6, 0.2])
+        scene = self.scene(change)
         poses = []
         for threads in (1, 2):
             out = self.folder / f"threads{threads}"
             done = run("synthesize", scene, "--output", out, "--threads", threads)
             self.assertEqual(0, done.returncode, done.stderr)
             poses.append((out / "poses.csv").read_bytes())
+            self.assertIn("waft: warning: shape 'leaf'", done.stderr)
         self.assertEqual(poses[0], poses[1])
         figures = motion_checks.measure(out, scene)
         self.assertEqual([], motion_checks.violations(figures))
@@ -108,6 +159,23 @@ class Command(unittest.TestCase):
         wanted = {"planned.vtp", "optimized.vtp", "poses.vtp", "poses.csv", "vortices.vtp", "wind.pvd",
                   "convergence.csv", "constraints.csv", "animation.glb", "report.json"}
         self.assertLessEqual(wanted, {entry.name for entry in out.iterdir()})
+        warnings = json.loads((out / "report.json").read_text(encoding="utf-8"))["warnings"]
+        self.assertEqual(1, len(warnings), warnings)
+        self.assertIn("torn.png is neither PNG nor JPEG", warnings[0])
+        # The texture is none, so the leaf has its own colour.
+        gltf = gltf_json(out / "animation.glb")
+        self.assertEqual(["leaf-0", "leaf-1"], [node["name"] for node in gltf["nodes"]])
+        self.assertEqual([0.1, 0.6, 0.2, 1.0], gltf["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"])
+        self.assertTrue(gltf["materials"][0]["doubleSided"])
+        self.assertEqual(30, gltf["asset"]["extras"]["framesPerSecond"])
+        # The measures see a target that is missed by a micrometre.
+        lines = poses[1].decode().splitlines()
+        place = next(i for i, line in enumerate(lines) if line.startswith("1,25,"))
+        cells = lines[place].split(",")
+        lines[place] = ",".join([*cells[:3], repr(float(cells[3]) + 1e-6), *cells[4:]])
+        (out / "poses.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
+        self.assertTrue(any("exact_residual" in text
+                            for text in motion_checks.violations(motion_checks.measure(out, scene))))
 
     def test_a_row_that_cannot_be_met_is_named_and_the_others_are_met(self):
         def inside(scene):

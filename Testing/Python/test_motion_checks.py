@@ -7,6 +7,7 @@ import pathlib
 import random
 import sys
 import unittest
+import unittest.mock
 
 import clearance_checks
 import motion_checks
@@ -123,7 +124,8 @@ class Styles(unittest.TestCase):
             self.assertEqual(place, path[frame])
         self.assertEqual([marks[3][1]] * 10, path[90:100])
         bends = [[path[k - 1][c] - 2.0 * path[k][c] + path[k + 1][c] for c in range(3)] for k in range(1, 90)]
-        self.assertLess(max(math.dist(a, b) for a, b in zip(bends, bends[1:])), 0.3 * max(math.hypot(*b) for b in bends))
+        jump = max(math.dist(a, b) for a, b in zip(bends, bends[1:]))
+        self.assertLess(jump, 0.3 * max(math.hypot(*b) for b in bends))
         self.assertLess(math.dist(path[89], path[90]), 0.1 * math.dist(path[70], path[71]))
         lines = style_checks.straight(marks)
         self.assertAlmostEqual(0.75, lines[15][2] - 1.0)
@@ -135,8 +137,10 @@ class Styles(unittest.TestCase):
         def tracks(velocity):
             starts = [[generator.uniform(-1.0, 1.0) for _ in range(3)] for _ in flying]
             ways = [velocity(x) for x in starts]
-            return {i: [tuple(a + 0.01 * k / RATE * b for a, b in zip(starts[i], ways[i])) for k in range(40)] for i in flying}
-        alone = style_checks.coherence(tracks(lambda _: [generator.gauss(0.0, 1.0) for _ in range(3)]), flying, 0.8, RATE)
+            return {i: [tuple(a + 0.01 * k / RATE * b for a, b in zip(starts[i], ways[i])) for k in range(40)]
+                    for i in flying}
+        random_ways = tracks(lambda _: [generator.gauss(0.0, 1.0) for _ in range(3)])
+        alone = style_checks.coherence(random_ways, flying, 0.8, RATE)
         self.assertAlmostEqual(1.0, alone, delta=0.15)
         turning = style_checks.coherence(tracks(lambda x: [-x[1], x[0], 0.0]), flying, 0.4, RATE)
         self.assertLess(turning, 0.12)
@@ -148,21 +152,42 @@ class Clearances(unittest.TestCase):
         cube = clearance_checks._box(box)
         self.assertAlmostEqual(5.0, cube((4.0, 4.5, 1.0), 9.0))
         self.assertAlmostEqual(-0.4, cube((0.0, 0.1, 1.0), 9.0))
-        self.assertAlmostEqual(0.5, clearance_checks._sphere({"center": [1, 1, 1], "radius": 0.5})((1.0, 2.0, 1.0), 9.0))
+        ball = clearance_checks._sphere({"center": [1, 1, 1], "radius": 0.5})
+        self.assertAlmostEqual(0.5, ball((1.0, 2.0, 1.0), 9.0))
         rod = clearance_checks._cylinder({"base": [0, 0, 0], "top": [0, 2, 0], "radius": 0.5})
         self.assertAlmostEqual(5.0, rod((3.5, 6.0, 0.0), 9.0))
         self.assertAlmostEqual(-0.1, rod((0.0, 1.9, 0.0), 9.0))
         x, y, z = zip(box["min"], box["max"])
         corner = [(a, b, c) for a in x for b in y for c in z]
         faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-        mesh = clearance_checks._mesh([[corner[a], corner[b], corner[c]] for p, q, r, s in faces for a, b, c in ((p, q, r), (p, r, s))])
+        halves = [half for p, q, r, s in faces for half in ((p, q, r), (p, r, s))]
+        mesh = clearance_checks._mesh([[corner[i] for i in half] for half in halves])
         generator = random.Random(2)
         for _ in range(300):
             point = tuple(generator.uniform(-2.0, 2.5) for _ in range(3))
             self.assertAlmostEqual(cube(point, 9.0), mesh(point, 9.0), 12)
 
+    def test_a_flight_through_a_box_a_wall_and_a_landing(self):
+        body = [(0.1, 0.0, -0.02), (-0.1, 0.05, 0.0)]  # clearance radius 0.1
+        box = {"kind": "box", "min": [0.5, -1.0, 1.0], "max": [1.0, 1.0, 2.0]}
+
+        def measure(top, rows=(), obstacles=(), frames=45):
+            # Straight down a slope from (0, 0, top) at 1.5 m/s each way.
+            track = [p._replace(x=(p.x[0], 0.0, top - p.x[0])) for p in steady((1.5, 0.0, 0.0), frames)]
+            with unittest.mock.patch.object(result_files, "read_shapes", return_value={0: body}):
+                return clearance_checks.measure(".", {"obstacles": obstacles}, {0: track}, rows, RATE)
+        # Deepest in the box at (0.75, 0, 1.5); at last 0.2 m beyond the wall x = 2.
+        self.assertAlmostEqual(0.1 + 0.25, measure(2.25, obstacles=[box], frames=31).shortfall)
+        self.assertAlmostEqual(0.1 + 0.2, measure(2.25).shortfall)
+        # To 0.05 m over the ground: too near, unless it lands there; then its vertices count.
+        self.assertAlmostEqual(0.05, measure(1.2 - 0.05, frames=23).shortfall)
+        landed = row(REST, (1.1, 0.0, 0.05), frame=22, until=22)
+        self.assertEqual((0.0, 0.0), measure(1.15, [landed], frames=23))
+        self.assertAlmostEqual(0.01, measure(1.11, [landed], frames=23).depth)
+
     def test_moving_obstacle(self):
-        keys = [{"frame": 10, "position": [5, 0, 0]}, {"frame": 20, "position": [6, 0, 0]}, {"frame": 30, "position": [6, 2, 0]}]
+        keys = [{"frame": 10, "position": [5, 0, 0]}, {"frame": 20, "position": [6, 0, 0]},
+                {"frame": 30, "position": [6, 2, 0]}]
         for frame, wanted in ((0, (0, 0, 0)), (15, (0.5, 0, 0)), (25.5, (1, 1.1, 0)), (99, (1, 2, 0))):
             for a, b in zip(wanted, clearance_checks._offset(keys, frame)):
                 self.assertAlmostEqual(a, b)

@@ -114,6 +114,27 @@ class RenderTest(unittest.TestCase):
         finally:
             os.environ["DISPLAY"] = screen
 
+    def test_damaged_folders_are_named_by_file(self):
+        def lose_blocks(place):
+            shutil.rmtree(os.path.join(place, "shapes"))
+
+        def spoil(name):
+            def damage(place):
+                with open(os.path.join(place, name), "w", encoding="utf-8") as file:
+                    file.write("junk")
+            return damage
+
+        cases = ((spoil("poses.vtp"), "poses.vtp: not a VTK"), (spoil("objects.vtp"), "objects.vtp: not a VTK"),
+                 (spoil("shapes.vtm"), "shapes.vtm: expected"), (lose_blocks, "shapes.vtm: block leaf: no such file"),
+                 (spoil("obstacles.pvd"), "obstacles.pvd: not a collection"))
+        for number, (damage, wanted) in enumerate(cases):
+            place = f"{WORK}-damaged{number}"
+            shutil.rmtree(place, ignore_errors=True)
+            sample_folder.write(place)
+            damage(place)
+            with self.subTest(wanted), self.assertRaisesRegex(BadInput, wanted):
+                render(place)
+
     def test_a_missing_texture_is_named_and_replaced(self):
         place = WORK + "-plain"
         shutil.rmtree(place, ignore_errors=True)

@@ -11,6 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader, vtkXMLPolyDataReader
 
 from .failures import BadInput
+from .files import check_blocks
 
 
 @dataclass
@@ -66,9 +67,9 @@ class Motion:
 
 def load(folder):
     """Reads a folder; raises BadInput that names the file and the lack."""
-    poses = read_surface(_need(folder, "poses.vtp"))
+    poses = read_surface(os.path.join(folder, "poses.vtp"))
     ids, positions, orientations = _poses(poses)
-    objects = read_surface(_need(folder, "objects.vtp"))
+    objects = read_surface(os.path.join(folder, "objects.vtp"))
     shape_of = dict(
         zip(
             _array(objects.GetPointData(), "ObjectId", "objects.vtp").tolist(),
@@ -102,18 +103,15 @@ def load(folder):
 
 def read_surface(path):
     reader = vtkXMLPolyDataReader()
+    if not os.path.isfile(path):
+        raise BadInput(f"{path}: missing; `waft synthesize` writes it")
+    if not reader.CanReadFile(path):
+        raise BadInput(f"{path}: not a VTK surface file (.vtp)")
     reader.SetFileName(path)
     reader.Update()
     if reader.GetErrorCode():
         raise BadInput(f"{path}: not a VTK surface file that can be read")
     return reader.GetOutput()
-
-
-def _need(folder, name):
-    path = os.path.join(folder, name)
-    if not os.path.isfile(path):
-        raise BadInput(f"{path}: missing; `waft synthesize` writes it")
-    return path
 
 
 def _array(attributes, name, place):
@@ -141,7 +139,9 @@ def _poses(poses):
 
 def _bodies(folder):
     reader = vtkXMLMultiBlockDataReader()
-    reader.SetFileName(_need(folder, "shapes.vtm"))
+    path = os.path.join(folder, "shapes.vtm")
+    check_blocks(path, "list of shapes")
+    reader.SetFileName(path)
     reader.Update()
     blocks = reader.GetOutput()
     bodies = []
@@ -203,10 +203,13 @@ def _marks(folder):
 def _obstacles(folder):
     series = os.path.join(folder, "obstacles.pvd")
     if os.path.isfile(series):
-        steps = [
-            (float(step.get("timestep")), os.path.join(folder, step.get("file")))
-            for step in ElementTree.parse(series).iter("DataSet")
-        ]
+        try:
+            steps = [
+                (float(step.get("timestep")), os.path.join(folder, step.get("file")))
+                for step in ElementTree.parse(series).iter("DataSet")
+            ]
+        except (ElementTree.ParseError, TypeError, ValueError) as error:
+            raise BadInput(f"{series}: not a collection with a timestep and a file each: {error}") from error
         return [(time, read_surface(path)) for time, path in sorted(steps)]
     single = os.path.join(folder, "obstacles.vtp")
     return [(0.0, read_surface(single))] if os.path.isfile(single) else []

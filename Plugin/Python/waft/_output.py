@@ -55,7 +55,7 @@ class OggMovie:
     """An Ogg Theora movie."""
 
     def __init__(self, path, rate):
-        self._path = path
+        self.path = path
         self._part = path + ".part"
         self._writer = vtkOggTheoraWriter()
         self._writer.SetFileName(self._part)
@@ -72,7 +72,7 @@ class OggMovie:
 
     def close(self):
         self._writer.End()
-        os.replace(self._part, self._path)
+        os.replace(self._part, self.path)
 
     def discard(self):
         if self._started:
@@ -84,7 +84,7 @@ class Mp4Movie:
     """An MP4 movie by the program ffmpeg, which gets raw pictures through a pipe."""
 
     def __init__(self, path, rate):
-        self._path = path
+        self.path = path
         self._part = path + ".part"
         self._rate = rate
         self._process = None
@@ -111,8 +111,8 @@ class Mp4Movie:
         self._process.stdin.close()
         if self._process.wait() != 0:
             remove(self._part)
-            raise OSError(f"{self._path}: ffmpeg failed")
-        os.replace(self._part, self._path)
+            raise OSError(f"{self.path}: ffmpeg failed")
+        os.replace(self._part, self.path)
 
     def discard(self):
         if self._process is not None:

@@ -7,6 +7,7 @@ import os
 import pathlib
 import shutil
 import tempfile
+import xml.etree.ElementTree as ElementTree
 
 from waft.failures import BadInput
 
@@ -54,6 +55,24 @@ def check_folder(folder):
         raise BadInput(f"{place}: expected a folder for the results, found a file")
     if not os.access(place, os.W_OK | os.X_OK):
         raise BadInput(f"{place}: expected a folder that may be written in")
+
+
+def check_blocks(path, what):
+    """Raises BadInput when a file is no multi-block data set (VTK's reader crashes on some of those) or the file of one
+    of its blocks is missing. what: names the file's content in the message."""
+    path = pathlib.Path(path)
+    if not path.is_file():
+        raise BadInput(f"{path}: no such {what} file")
+    try:
+        for _, entry in ElementTree.iterparse(path, events=("start",)):
+            if entry.tag == "VTKFile" and entry.get("type") != "vtkMultiBlockDataSet":
+                raise BadInput(f"{path}: expected a {what} (vtkMultiBlockDataSet), found {entry.get('type')}")
+            if entry.tag == "AppendedData":
+                break
+            if entry.get("file") and not (path.parent / entry.get("file")).is_file():
+                raise BadInput(f"{path}: block {entry.get('name')}: no such file as {entry.get('file')}")
+    except ElementTree.ParseError as error:
+        raise BadInput(f"{path}: expected a {what} (.vtm), found no XML: {error}") from error
 
 
 def number(value):

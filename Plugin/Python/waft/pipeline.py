@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pipeline of a scene: each stage a ParaView proxy, joined by VTK data alone."""
-import pathlib
-import xml.etree.ElementTree as ElementTree
-
 from paraview import simple
 
 from waft.failures import BadInput
+from waft.files import check_blocks
 from waft.loading import data_file
 from waft.watching import StageWatch
 
@@ -21,7 +19,7 @@ class Pipeline:
         self.scene_file = str(scene)
         self.reader = simple.MotionSceneReader(registrationName="Scene")  # the file once it is watched
         self.database_file = str(database or data_file("Database/embedded.vtm"))
-        _check_database(self.database_file)
+        check_blocks(self.database_file, "motion database")
         self.database = simple.XMLMultiBlockDataReader(
             registrationName="Database", FileName=[self.database_file])
         self.database.TimeArray = "None"
@@ -105,22 +103,3 @@ class Pipeline:
         if self.output("reader", 4).GetNumberOfCells() == 0:
             return planned
         return simple.AppendGeometry(registrationName="Vortices", Input=[self._scene("Vortices"), planned])
-
-
-def _check_database(path):
-    """Raises BadInput when a file is no multi-block data set (VTK's reader crashes on some of those) or one of its
-    blocks' files is missing. Which blocks there must be is the planner's to judge."""
-    path = pathlib.Path(path)
-    if not path.is_file():
-        raise BadInput(f"{path}: no such database file")
-    try:
-        for _, entry in ElementTree.iterparse(path, events=("start",)):
-            if entry.tag == "VTKFile" and entry.get("type") != "vtkMultiBlockDataSet":
-                raise BadInput(f"{path}: expected a motion database (vtkMultiBlockDataSet), found "
-                               f"{entry.get('type')}")
-            if entry.tag == "AppendedData":
-                break
-            if entry.get("file") and not (path.parent / entry.get("file")).is_file():
-                raise BadInput(f"{path}: block {entry.get('name')}: no such file as {entry.get('file')}")
-    except ElementTree.ParseError as error:
-        raise BadInput(f"{path}: expected a motion database (.vtm), found no XML: {error}") from error

@@ -138,7 +138,7 @@ def render(
         for view in list(movies):
             for film in movies[view]:
                 film.close()
-                written.append(film._path)
+                written.append(film.path)
             del movies[view]
     finally:
         for films in movies.values():
