@@ -181,17 +181,22 @@ class Command(unittest.TestCase):
         def inside(scene):
             scene["obstacles"] = [{"kind": "sphere", "center": [0.9, -0.9, 1.5], "radius": 0.3}]
             scene["constraints"].append({"kind": "position", "object": 0, "frame": 45, "value": [0.9, -0.9, 1.5]})
+            # 2.6 m in a third of a second
+            scene["constraints"].append({"kind": "position", "object": 1, "frame": 10, "value": [-1.4, -1.2, 1.9]})
         out = self.folder / "out"
         scene = self.scene(inside)
         done = run("synthesize", scene, "--output", out)
         self.assertEqual(3, done.returncode, done.stderr)
         self.assertIn("row 2", done.stderr)
         self.assertIn("infeasible", done.stderr)
+        self.assertRegex(done.stderr, "row 3.*unreachable.*top speed")
         report = (out / "constraints.csv").read_text(encoding="utf-8").splitlines()
-        self.assertEqual(4, len(report))
+        self.assertEqual(5, len(report))
         self.assertEqual(2, sum(",met," in line for line in report))
         tracks = motion_checks.read_poses(out / "poses.csv")
         self.assertLessEqual(motion_checks.distance(tracks[0][90].x, SCENE["constraints"][0]["value"]), 4e-9)
+        steps = [motion_checks.distance(a.x, b.x) * 30.0 for a, b in zip(tracks[1], tracks[1][1:])]
+        self.assertLess(max(steps), 4.0)  # nobody is thrown at a mark that is too far
 
 
 if __name__ == "__main__":

@@ -101,6 +101,13 @@ private:
             "objects"
           : WhyInfeasible(row, this->Find(row.ObjectId), this->WindowsOf(row.ObjectId),
                           this->Obstacles, this->Scene);
+      if (why.empty() && line.Status == ConstraintStatus::Met &&
+          row.Status != ConstraintStatus::Met)
+      {
+        line.Status = row.Status;
+        line.Message = std::string(ToString(row.Kind)) + " at frame " + std::to_string(row.Frame) +
+                       ": found " + ToString(row.Status) + " by an earlier stage";
+      }
       if (!why.empty() && line.Status == ConstraintStatus::Met)
       {
         line.Status = ConstraintStatus::Infeasible;

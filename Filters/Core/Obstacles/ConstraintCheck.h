@@ -23,7 +23,8 @@ namespace waft
 /// they, as linear equations on positions (velocity and acceleration as central differences), have
 /// no common solution; balls where they have no common point, or none with the velocities and
 /// accelerations on adjacent frames. Rows with ObjectId -1 are judged for conflicts once assigned:
-/// call again then. All else is Met, with an empty message and no residual yet.
+/// call again then. A row that an earlier stage found unmet (its Status) stays so. All else is Met,
+/// with an empty message and no residual yet.
 std::vector<ReportRow> JudgeConstraints(const std::vector<Constraint>& constraints,
                                         const std::vector<MotionObject>& objects,
                                         const ObstacleSet& obstacles, const SceneInfo& scene);

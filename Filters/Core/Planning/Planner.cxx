@@ -160,6 +160,21 @@ void Tell(std::vector<ReportRow>& report, const Constraint& row, bool isReached,
   }
 }
 
+/// Later stages must not force what no path was found for: that would be a jump.
+void MarkUnmet(const std::vector<ReportRow>& report, std::vector<Constraint>& constraints)
+{
+  for (Constraint& row : constraints)
+  {
+    for (const ReportRow& line : report)
+    {
+      if (line.Row == row.Row && line.Target == row.Target)
+      {
+        row.Status = line.Status;
+      }
+    }
+  }
+}
+
 void StoreTrees(const SegmentLibrary& library, int objectId, const std::vector<SpanTrees>& spans,
                 std::size_t limit, std::vector<TreeBranch>& output)
 {
@@ -338,6 +353,7 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
       Tell(output.Report, output.Constraints[worst->Constraint], true, text);
     }
   }
+  MarkUnmet(output.Report, output.Constraints);
   MeasureResiduals(output.Constraints, output.Tracks, input.Objects, input.Obstacles, input.Scene,
                    output.Report);
   return stopped ? Result::Stopped() : Result::Ok();

@@ -75,7 +75,7 @@ def earlier_run(folder, key):
     if folder is None:
         return None
     folder = pathlib.Path(folder)
-    needed = ("report.json", "optimized.vtp", "constraints.vtp", "vortices.vtp", "convergence.csv")
+    needed = ("report.json", "optimized.vtp", "constraints.vtp", "constraints.csv", "vortices.vtp", "convergence.csv")
     if not all((folder / name).is_file() for name in needed):
         return None
     try:
@@ -89,12 +89,15 @@ def _run(pipeline, clock, preview, folder):
     if pipeline.earlier:
         folder = pathlib.Path(folder)
         pipeline.take_plan(folder / "optimized.vtp", folder / "constraints.vtp", folder / "vortices.vtp")
+        with open(folder / "constraints.csv", encoding="utf-8", newline="") as file:
+            pipeline.plan_report = list(csv.DictReader(file))
     else:
         pipeline.add_planner(pipeline.seed)
         pipeline.watch("planner", clock)
         pipeline.update("planner")
         if pipeline.watches["planner"].was_aborted:
             raise failures.Interrupted("stopped before the paths were planned: nothing was written")
+        pipeline.plan_report = _dictionaries(pipeline.output("planner", 2))
 
     pipeline.add_spacetime()
     watch = pipeline.watch("spacetime", clock)
@@ -114,11 +117,18 @@ def _run(pipeline, clock, preview, folder):
 
 
 def constraint_report(pipeline):
-    """The optimiser's report, with the orientation rows measured on the poses."""
-    header, rows = table_rows(pipeline.output("spacetime", 5))
-    report = [dict(zip(header, row)) for row in rows]
+    """The optimiser's report, with the reasons of the planner and the orientation rows measured on the poses."""
+    report = _dictionaries(pipeline.output("spacetime", 5))
+    reasons = {(row["Row"], row["Target"]): row["Message"] for row in pipeline.plan_report if row["Status"] != "met"}
+    for row in report:
+        row["Message"] = reasons.get((row["Row"], row["Target"]), row["Message"])
     _measure_orientations(pipeline, report)
     return report
+
+
+def _dictionaries(table):
+    header, rows = table_rows(table)
+    return [dict(zip(header, row)) for row in rows]
 
 
 def _measure_orientations(pipeline, report):

@@ -90,6 +90,15 @@ using Kind = ConstraintKind;
 
 } // namespace
 
+TEST(ConstraintCheck, RowsThatAnEarlierStageFoundUnmetStaySo)
+{
+  Fixture f;
+  f.Add(Kind::Position, 10, Vec3(0, 1, 2));
+  f.Add(Kind::Position, 20, Vec3(0, 0, 2)).Status = ConstraintStatus::Unreachable;
+  f.Add(Kind::Position, 20, Vec3(0, 0.5, 2)); // would contradict the row before, did that bind
+  EXPECT_EQ(f.Statuses(), (Statuses{ Met, ConstraintStatus::Unreachable, Met }));
+}
+
 TEST(ConstraintCheck, PlacesThatCannotBeAreInfeasible)
 {
   Fixture f;

@@ -317,6 +317,11 @@ TEST(Planner, NamesASealedWayAndPlansAllTheRest)
   EXPECT_EQ(status[1], ConstraintStatus::Met);
   EXPECT_EQ(status[2], ConstraintStatus::Met);
   EXPECT_EQ(status[3], ConstraintStatus::Infeasible);
+  // Later stages know what not to force.
+  for (const Constraint& row : output.Constraints)
+  {
+    EXPECT_EQ(row.Status, status[row.Row]) << row.Row;
+  }
   EXPECT_EQ(output.Tracks[0].Positions[280], Vec3(-1.2, 0.3, 2.0));
   for (const Track& track : output.Tracks)
   {
