@@ -2,6 +2,7 @@
 #include "vtkGridSmokeSource.h"
 
 #include "Bridge/FieldCollectors.h"
+#include "Bridge/FieldSweep.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/SmokeData.h"
 #include "Bridge/StageExecution.h"
@@ -59,9 +60,7 @@ Data* Input(vtkInformationVector** inputs, int port)
 struct vtkGridSmokeSource::Internals
 {
   waft::StageCache Cache;
-  waft::TimeSweep Sweep{ { ObstaclesIn, WindIn } };
-  waft::ObstacleCollector ObstacleSteps;
-  waft::FieldCollector WindSteps;
+  waft::FieldSweep Fields{ ObstaclesIn, WindIn };
   waft::SceneInfo Info;
   std::vector<waft::Vortex> Vortices;
   std::vector<waft::ObstacleMesh> Obstacles;
@@ -70,7 +69,6 @@ struct vtkGridSmokeSource::Internals
   waft::SceneInfo SceneOf(const vtkGridSmokeSource& self) const;
   waft::SmokeOptions OptionsOf(const vtkGridSmokeSource& self) const;
   waft::EnsembleOptions EnsembleOf(const vtkGridSmokeSource& self) const;
-  waft::Result Collect(vtkInformationVector** inputs);
   waft::Result Begin(const vtkGridSmokeSource& self, vtkInformationVector** inputs);
   /// Fills the outputs; frame becomes an earlier one when the stage was stopped.
   waft::Result Show(vtkGridSmokeSource& self, int& frame, vtkInformationVector* outputs);
@@ -133,26 +131,6 @@ waft::EnsembleOptions vtkGridSmokeSource::Internals::EnsembleOf(
   return options;
 }
 
-waft::Result vtkGridSmokeSource::Internals::Collect(vtkInformationVector** inputs)
-{
-  if (this->Sweep.IsFirst())
-  {
-    this->ObstacleSteps = waft::ObstacleCollector();
-    this->WindSteps = waft::FieldCollector();
-  }
-  if (auto* surface = Input<vtkPolyData>(inputs, ObstaclesIn))
-  {
-    const double time = waft::TimeSweep::DataTime(inputs[ObstaclesIn]->GetInformationObject(0));
-    WAFT_RETURN_IF_FAILED(this->ObstacleSteps.Add(surface, time, this->Info.Time));
-  }
-  if (auto* image = Input<vtkImageData>(inputs, WindIn))
-  {
-    const double time = waft::TimeSweep::DataTime(inputs[WindIn]->GetInformationObject(0));
-    WAFT_RETURN_IF_FAILED(this->WindSteps.Add(image, time));
-  }
-  return waft::Result::Ok();
-}
-
 waft::Result vtkGridSmokeSource::Internals::Begin(const vtkGridSmokeSource& self,
                                                   vtkInformationVector** inputs)
 {
@@ -181,7 +159,7 @@ waft::Result vtkGridSmokeSource::Internals::Begin(const vtkGridSmokeSource& self
     vortex.VortexId = vortexId++;
     this->Vortices.push_back(vortex);
   }
-  this->Obstacles = this->ObstacleSteps.Take();
+  this->Obstacles = this->Fields.TakeObstacles();
   int obstacleId = 0;
   for (const waft::ObstacleMesh& obstacle : this->Obstacles)
   {
@@ -197,7 +175,7 @@ waft::Result vtkGridSmokeSource::Internals::Begin(const vtkGridSmokeSource& self
   input.Options = options;
   input.Forces = std::move(random.Forces);
   input.Forces.Vortices = this->Vortices;
-  input.Forces.Wind = this->WindSteps.Take();
+  input.Forces.Wind = this->Fields.TakeWind();
   input.NumberOfFrames = this->Info.Time.NumberOfFrames;
   input.CacheLimit = static_cast<std::size_t>(self.CacheLimit) * Megabyte;
   if (!this->Obstacles.empty())
@@ -260,21 +238,14 @@ vtkTypeBool vtkGridSmokeSource::ProcessRequest(vtkInformation* request,
                                                vtkInformationVector** inputs,
                                                vtkInformationVector* outputs)
 {
-  using Sddp = vtkStreamingDemandDrivenPipeline;
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
     return this->RequestInformation(outputs);
   }
-  if (request->Has(Sddp::REQUEST_UPDATE_EXTENT()))
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
   {
-    this->Impl->Sweep.RequestSteps(this, inputs, this->Impl->Cache.IsCurrent(this, inputs));
-    if (inputs[WindIn]->GetNumberOfInformationObjects() > 0 &&
-        inputs[WindIn]->GetInformationObject(0)->Has(Sddp::WHOLE_EXTENT()))
-    {
-      // All of the wind, whatever its lattice: the pipeline would ask for the extent of the smoke.
-      vtkInformation* wind = inputs[WindIn]->GetInformationObject(0);
-      wind->Set(Sddp::UPDATE_EXTENT(), wind->Get(Sddp::WHOLE_EXTENT()), 6);
-    }
+    this->Impl->Fields.RequestSteps(this, request, inputs, outputs,
+                                    this->Impl->Cache.IsCurrent(this, inputs));
     return 1;
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
@@ -304,15 +275,15 @@ int vtkGridSmokeSource::RequestData(vtkInformation* request, vtkInformationVecto
   if (!impl.Cache.IsCurrent(this, inputs))
   {
     impl.Info = impl.SceneOf(*this);
-    waft::Result result = impl.Collect(inputs);
-    if (result && impl.Sweep.Continue(request))
+    waft::Result result = impl.Fields.Take(inputs, impl.Info.Time);
+    if (result && impl.Fields.Continue(request))
     {
       return 1;
     }
     result = result ? impl.Begin(*this, inputs) : result;
     if (!result)
     {
-      impl.Sweep.Reset(request);
+      impl.Fields.Reset(request);
       impl.Cache.Forget();
       return waft::Fail(this, outputs, result.Message());
     }

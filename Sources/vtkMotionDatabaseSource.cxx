@@ -8,6 +8,7 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkSMPTools.h>
 
@@ -18,7 +19,7 @@ vtkStandardNewMacro(vtkMotionDatabaseSource);
 struct vtkMotionDatabaseSource::Internals
 {
   waft::StageCache Cache;
-  waft::MotionDatabase Database;
+  vtkNew<vtkMultiBlockDataSet> Kept; // the database
 
   static waft::DatabaseOptions Options(vtkMotionDatabaseSource* self);
 };
@@ -71,27 +72,28 @@ int vtkMotionDatabaseSource::RequestData(vtkInformation*, vtkInformationVector**
   {
     waft::DatabaseOptions options = Internals::Options(this);
     impl.Cache.Forget();
-    impl.Database = waft::MotionDatabase();
+    waft::MotionDatabase database;
     waft::StageMonitor monitor(this);
     const waft::ParallelFor parallelFor = waft::SmpFor();
     options.SimulationsAtOnce =
       std::clamp(vtkSMPTools::GetEstimatedNumberOfThreads(), options.SimulationsAtOnce, 32);
-    const waft::Result result = waft::BuildDatabase(options, parallelFor, monitor, impl.Database);
+    const waft::Result result = waft::BuildDatabase(options, parallelFor, monitor, database);
     if (!result)
     {
       return waft::Fail(this, outputs, result.Message());
     }
-    if (result.IsStopped() && impl.Database.Segments.empty())
+    if (result.IsStopped() && database.Segments.empty())
     {
       vtkMultiBlockDataSet::GetData(outputs)->Initialize();
       return 1;
     }
+    waft::DatabaseToMultiBlock(database, impl.Kept);
     if (!result.IsStopped())
     {
       impl.Cache.MarkCurrent(this, inputs);
     }
   }
-  waft::DatabaseToMultiBlock(impl.Database, vtkMultiBlockDataSet::GetData(outputs));
+  vtkMultiBlockDataSet::GetData(outputs)->ShallowCopy(impl.Kept);
   return 1;
 }
 

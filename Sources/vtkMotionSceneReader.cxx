@@ -185,8 +185,8 @@ int vtkMotionSceneReader::RequestData(vtkInformation* request, vtkInformationVec
   vtkMultiBlockDataSet::GetData(outputs, Shapes)->ShallowCopy(read.KeptShapes);
   if (read.IsMoving)
   {
-    waft::ObstaclesToPolyData(read.Scene.Obstacles, time * info.Time.FramesPerSecond, info,
-                              vtkPolyData::GetData(outputs, Obstacles));
+    waft::MoveObstacles(read.Scene.Obstacles, time * info.Time.FramesPerSecond,
+                        vtkPolyData::GetData(outputs, Obstacles));
   }
   read.Wind.Fill(time, info, vtkImageData::GetData(outputs, Wind));
   (void)waft::RequestedTimeOfAll(request, outputs, info.Time); // filling has cleared the stamps

@@ -65,6 +65,15 @@ Result SplitObstacles(vtkPolyData* data, std::vector<ObstacleMesh>& obstacles)
   return Result::Ok();
 }
 
+// A step that is not later than the last one: the same again when other inputs have more steps.
+Result SeenAlready(const std::string& owner, double time, double last)
+{
+  return time == last
+           ? Result::Ok()
+           : Result::Error(owner + ": expected time steps that increase, found " +
+                           std::to_string(time) + " s after " + std::to_string(last) + " s");
+}
+
 // How an obstacle stands away from where it stood first; fails when it turned or deformed.
 Result Displacement(const ObstacleMesh& first, const ObstacleMesh& now, double time, Vec3& offset)
 {
@@ -117,18 +126,12 @@ Result MeshFromPolyData(vtkPolyData* data, const std::string& owner, TriangleMes
 void ObstaclesToPolyData(const std::vector<ObstacleMesh>& obstacles, double frame,
                          const SceneInfo& info, vtkPolyData* data)
 {
-  std::vector<Vec3> positions;
   std::vector<int> ids;
   vtkNew<vtkCellArray> triangles;
   for (const ObstacleMesh& obstacle : obstacles)
   {
-    const auto first = static_cast<vtkIdType>(positions.size());
-    const Vec3 offset = obstacle.Offset(frame);
-    for (const Vec3& point : obstacle.Mesh.Points)
-    {
-      positions.push_back(point + offset);
-      ids.push_back(obstacle.ObstacleId);
-    }
+    const auto first = static_cast<vtkIdType>(ids.size());
+    ids.insert(ids.end(), obstacle.Mesh.Points.size(), obstacle.ObstacleId);
     for (const auto& t : obstacle.Mesh.Triangles)
     {
       const vtkIdType corners[3] = { first + t[0], first + t[1], first + t[2] };
@@ -136,18 +139,37 @@ void ObstaclesToPolyData(const std::vector<ObstacleMesh>& obstacles, double fram
     }
   }
   data->Initialize();
-  vtkNew<vtkPoints> points;
-  SetPoints(points, positions);
-  data->SetPoints(points);
   data->SetPolys(triangles);
   AddInts(data->GetPointData(), names::ObstacleId, ids);
   SceneInfoToFieldData(info, data);
+  MoveObstacles(obstacles, frame, data);
+}
+
+void MoveObstacles(const std::vector<ObstacleMesh>& obstacles, double frame, vtkPolyData* data)
+{
+  std::vector<Vec3> positions;
+  for (const ObstacleMesh& obstacle : obstacles)
+  {
+    const Vec3 offset = obstacle.Offset(frame);
+    for (const Vec3& point : obstacle.Mesh.Points)
+    {
+      positions.push_back(point + offset);
+    }
+  }
+  vtkNew<vtkPoints> points;
+  SetPoints(points, positions);
+  data->SetPoints(points);
 }
 
 Result ObstacleCollector::Add(vtkPolyData* data, double time, const Timeline& line)
 {
+  if (!this->Steps.empty() && time <= this->LastTime)
+  {
+    return SeenAlready("Obstacles", time, this->LastTime);
+  }
   const int frame = static_cast<int>(std::lround(time * line.FramesPerSecond));
-  const unsigned long change = data->GetPoints() ? data->GetPoints()->GetMTime() : 0;
+  const vtkMTimeType change = data->GetPoints() ? data->GetPoints()->GetMTime() : 0;
+  this->LastTime = time;
   if (!this->Steps.empty() && change == this->LastChange)
   {
     this->Frames.push_back(frame);
@@ -210,7 +232,7 @@ Result FieldCollector::Add(vtkImageData* data, double time)
 {
   if (!this->Series.IsEmpty() && time <= this->Series.Times.back())
   {
-    return Result::Ok(); // a step that was seen already: other inputs have more steps
+    return SeenAlready("Wind", time, this->Series.Times.back());
   }
   vtkPointData* arrays = data->GetPointData();
   vtkDataArray* values = arrays->GetArray(names::Wind);

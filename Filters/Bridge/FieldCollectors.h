@@ -8,6 +8,8 @@
 #include "Base/Result.h"
 #include "Base/Types.h"
 
+#include <vtkType.h>
+
 #include <string>
 #include <vector>
 
@@ -23,14 +25,17 @@ Result MeshFromPolyData(vtkPolyData* data, const std::string& owner, TriangleMes
 /// Obstacles as one surface with the point data `ObstacleId`.
 void ObstaclesToPolyData(const std::vector<ObstacleMesh>& obstacles, double frame,
                          const SceneInfo& info, vtkPolyData* data);
+/// Gives a shallow copy of such a surface the points of another frame.
+void MoveObstacles(const std::vector<ObstacleMesh>& obstacles, double frame, vtkPolyData* data);
 
 /// Gathers the obstacles over the steps of a time-varying surface. Every obstacle may move, not
 /// turn or deform. Without `ObstacleId` the whole surface is obstacle 0.
 class ObstacleCollector
 {
 public:
-  /// The surface at one time; steps come in increasing order of time. A data set whose points did
-  /// not change since the last step costs nothing.
+  /// The surface at one time [s]; steps come in increasing order of time (the same step again is
+  /// passed over, an earlier one refused). A data set whose points did not change since the last
+  /// step costs nothing.
   Result Add(vtkPolyData* data, double time, const Timeline& line);
   std::vector<ObstacleMesh> Take();
 
@@ -38,13 +43,15 @@ private:
   std::vector<ObstacleMesh> Obstacles;
   std::vector<int> Frames;              // of the steps seen
   std::vector<std::vector<Vec3>> Steps; // [step][obstacle] displacement
-  unsigned long LastChange = 0;
+  vtkMTimeType LastChange = 0;
+  double LastTime = 0.0;
 };
 
 /// Gathers the steps of a time-varying image with `Wind` (an acceleration) or `Velocity`.
 class FieldCollector
 {
 public:
+  /// As that of ObstacleCollector.
   Result Add(vtkImageData* data, double time);
   FieldSeries Take();
 

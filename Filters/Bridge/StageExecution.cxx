@@ -8,6 +8,7 @@
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationExecutivePortKey.h>
+#include <vtkInformationExecutivePortVectorKey.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkSMPTools.h>
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <set>
 
 using Sddp = vtkStreamingDemandDrivenPipeline;
 
@@ -26,6 +28,14 @@ namespace waft
 {
 namespace
 {
+
+vtkExecutive* ProducerOf(vtkInformation* input)
+{
+  vtkExecutive* producer = nullptr;
+  int port = 0;
+  vtkExecutive::PRODUCER()->Get(input, producer, port);
+  return producer;
+}
 
 std::vector<vtkMTimeType> CurrentSignature(vtkAlgorithm* stage, vtkInformationVector** inputs)
 {
@@ -36,14 +46,92 @@ std::vector<vtkMTimeType> CurrentSignature(vtkAlgorithm* stage, vtkInformationVe
     signature.push_back(static_cast<vtkMTimeType>(connections));
     for (int i = 0; i < connections; ++i)
     {
-      vtkExecutive* executive = nullptr;
-      int producerPort = 0;
-      vtkExecutive::PRODUCER()->Get(inputs[port]->GetInformationObject(i), executive, producerPort);
-      auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(executive);
+      auto* pipeline =
+        vtkDemandDrivenPipeline::SafeDownCast(ProducerOf(inputs[port]->GetInformationObject(i)));
       signature.push_back(pipeline ? pipeline->GetPipelineMTime() : 0);
     }
   }
   return signature;
+}
+
+bool HasDataTime(vtkInformation* input)
+{
+  vtkDataObject* data = vtkDataObject::GetData(input);
+  return data && data->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP());
+}
+
+// A producer and all that is upstream of it.
+void AddUpstream(vtkExecutive* producer, std::set<vtkExecutive*>& upstream)
+{
+  if (producer == nullptr || !upstream.insert(producer).second)
+  {
+    return;
+  }
+  for (int port = 0; port < producer->GetNumberOfInputPorts(); ++port)
+  {
+    vtkInformationVector* inputs = producer->GetInputInformation(port);
+    for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
+    {
+      AddUpstream(ProducerOf(inputs->GetInformationObject(i)), upstream);
+    }
+  }
+}
+
+std::set<vtkExecutive*> UpstreamOf(vtkAlgorithm* stage, vtkInformationVector** inputs)
+{
+  std::set<vtkExecutive*> upstream;
+  for (int port = 0; port < stage->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      AddUpstream(ProducerOf(inputs[port]->GetInformationObject(i)), upstream);
+    }
+  }
+  return upstream;
+}
+
+// Whether a consumer of any output of a producer is one of those that count.
+template <typename Test>
+bool AnyConsumer(vtkExecutive* producer, const Test& counts)
+{
+  vtkInformationVector* outputs = producer->GetOutputInformation();
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkInformation* output = outputs->GetInformationObject(port);
+    vtkExecutive** consumers = vtkExecutive::CONSUMERS()->GetExecutives(output);
+    const int count = vtkExecutive::CONSUMERS()->Length(output);
+    if (std::any_of(consumers, consumers + count, counts))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Whether nobody else takes an output of the source of this input.
+bool IsOnlyConsumer(vtkAlgorithm* stage, vtkInformation* input)
+{
+  vtkExecutive* producer = ProducerOf(input);
+  return producer != nullptr && !AnyConsumer(producer, [stage](vtkExecutive* other)
+                                             { return other != stage->GetExecutive(); });
+}
+
+// Whether what is upstream of a stage serves others as well, which are not upstream of it.
+bool SharesUpstream(vtkAlgorithm* stage, vtkInformationVector** inputs)
+{
+  const std::set<vtkExecutive*> upstream = UpstreamOf(stage, inputs);
+  const auto isOther = [&](vtkExecutive* consumer)
+  { return consumer != stage->GetExecutive() && upstream.count(consumer) == 0; };
+  return std::any_of(upstream.begin(), upstream.end(),
+                     [&](vtkExecutive* producer) { return AnyConsumer(producer, isOther); });
+}
+
+// The output port that a pass serves.
+int AskingPort(vtkInformation* request)
+{
+  return request->Has(vtkExecutive::FROM_OUTPUT_PORT())
+           ? std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()))
+           : 0;
 }
 
 // The time line that the data of an input carry, if any.
@@ -103,7 +191,9 @@ void StageCache::MarkCurrent(vtkAlgorithm* stage, vtkInformationVector** inputs)
   this->Signature = CurrentSignature(stage, inputs);
 }
 
-void TimeSweep::RequestSteps(vtkAlgorithm* stage, vtkInformationVector** inputs, bool isCurrent)
+void TimeSweep::RequestSteps(vtkAlgorithm* stage, vtkInformation* request,
+                             vtkInformationVector** inputs, vtkInformationVector* outputs,
+                             bool isCurrent)
 {
   if (this->Step == 0)
   {
@@ -117,29 +207,38 @@ void TimeSweep::RequestSteps(vtkAlgorithm* stage, vtkInformationVector** inputs,
       }
     }
   }
+  const bool isPulling = !isCurrent && this->NumberOfSteps > 1 && this->HasNewStep();
+  vtkInformation* output = outputs->GetInformationObject(AskingPort(request));
+  const bool mayMislead = isPulling && SharesUpstream(stage, inputs);
+  this->MustReturn = false;
   for (int port = 0; port < stage->GetNumberOfInputPorts(); ++port)
   {
-    const bool isSwept =
-      std::find(this->Ports.begin(), this->Ports.end(), port) != this->Ports.end();
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
     {
       vtkInformation* input = inputs[port]->GetInformationObject(i);
       const int steps = input->Length(Sddp::TIME_STEPS());
-      if (steps > 0)
+      if (steps == 0)
       {
-        const std::size_t due = !isSwept ? 0 : isCurrent ? this->NumberOfSteps - 1 : this->Step;
-        const int step = std::min(static_cast<int>(due), steps - 1);
-        input->Set(Sddp::UPDATE_TIME_STEP(), input->Get(Sddp::TIME_STEPS())[step]);
+        continue;
       }
+      const double* times = input->Get(Sddp::TIME_STEPS());
+      const double asked = steps > 1 && output->Has(Sddp::UPDATE_TIME_STEP())
+                             ? output->Get(Sddp::UPDATE_TIME_STEP())
+                             : times[0];
+      const bool rests = isCurrent && HasDataTime(input) && IsOnlyConsumer(stage, input);
+      const double due = isPulling ? times[std::min(static_cast<int>(this->Step), steps - 1)]
+                         : rests   ? DataTime(input)
+                                   : asked;
+      this->MustReturn = this->MustReturn || (mayMislead && due != asked);
+      input->Set(Sddp::UPDATE_TIME_STEP(), due);
     }
   }
 }
 
 double TimeSweep::DataTime(vtkInformation* input)
 {
-  vtkDataObject* data = vtkDataObject::GetData(input);
-  return data && data->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP())
-           ? data->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP())
+  return HasDataTime(input)
+           ? vtkDataObject::GetData(input)->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP())
            : 0.0;
 }
 
@@ -150,7 +249,7 @@ double TimeSweep::Fraction() const
 
 bool TimeSweep::Continue(vtkInformation* request)
 {
-  if (this->Step + 1 < this->NumberOfSteps)
+  if (this->Step + 1 < this->NumberOfSteps || (this->HasNewStep() && this->MustReturn))
   {
     ++this->Step;
     request->Set(Sddp::CONTINUE_EXECUTING(), 1);
@@ -230,10 +329,7 @@ double RequestedTime(vtkInformationVector* outputs, int port, const Timeline& li
 double RequestedTimeOfAll(vtkInformation* request, vtkInformationVector* outputs,
                           const Timeline& line)
 {
-  const int asking = request->Has(vtkExecutive::FROM_OUTPUT_PORT())
-                       ? std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()))
-                       : 0;
-  const double time = RequestedTime(outputs, asking, line);
+  const double time = RequestedTime(outputs, AskingPort(request), line);
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
     if (vtkDataObject* data = vtkDataObject::GetData(outputs->GetInformationObject(port)))

@@ -5,10 +5,12 @@
 // A stage holds a StageCache and, when an input varies in time, a TimeSweep, and does this:
 //
 //   RequestInformation   PassTimeSteps(inputs, outputs);
-//   RequestUpdateExtent  sweep.RequestSteps(this, inputs, cache.IsCurrent(this, inputs));
+//   RequestUpdateExtent  sweep.RequestSteps(this, request, inputs, outputs,
+//                                           cache.IsCurrent(this, inputs));
 //   RequestData          if (!cache.IsCurrent(this, inputs))
 //                        {
-//                          take the data of this step; if (sweep.Continue(request)) return 1;
+//                          if (sweep.HasNewStep()) take the data of this step;
+//                          if (sweep.Continue(request)) return 1;
 //                          validate; compute; keep the result;
 //                          cache.MarkCurrent(this, inputs);
 //                        }
@@ -65,19 +67,32 @@ private:
   std::vector<vtkMTimeType> Signature;
 };
 
-/// Pulls inputs over all their time steps, one pass of RequestData a step.
+/// Pulls inputs over all their time steps, one pass of RequestData a step, and after the last one
+/// back to the time that was asked of the stage.
+///
+/// All input ports, swept or not, are asked for the same step, and a stage whose result is current
+/// asks for the time that is asked of itself. So after every pass all that is upstream stands at
+/// one time. This matters because ports often come from one source, directly or by way of other
+/// stages: a source fills all its outputs whenever one of them is asked for another time, and the
+/// consumer would see the time that was asked for last.
+///
+/// Two passes are spared, as sources may be slow: the one back, when nobody else takes anything of
+/// all that is upstream; and, once the result is current, any of a source that serves this stage
+/// alone: it does not execute, and so nothing upstream of it is disturbed.
 class TimeSweep
 {
 public:
-  /// In the constructor of the stage: the input ports that may vary in time. The others are asked
-  /// for their first step only.
+  /// In the constructor of the stage: the input ports whose steps are seen one by one. Of the
+  /// others any step will do.
   explicit TimeSweep(std::vector<int> ports) : Ports(std::move(ports)) {}
-  /// In RequestUpdateExtent. With isCurrent the step seen last is asked for again, which costs
-  /// nothing.
-  void RequestSteps(vtkAlgorithm* stage, vtkInformationVector** inputs, bool isCurrent);
+  /// In RequestUpdateExtent.
+  void RequestSteps(vtkAlgorithm* stage, vtkInformation* request, vtkInformationVector** inputs,
+                    vtkInformationVector* outputs, bool isCurrent);
   /// The time of the data that an input shows in this pass [s] (0 without time).
   static double DataTime(vtkInformation* input);
   bool IsFirst() const { return this->Step == 0; }
+  /// False in the pass back to the time that was asked: its step was seen already.
+  bool HasNewStep() const { return this->Step < this->NumberOfSteps; }
   /// Fraction of the steps that were pulled.
   double Fraction() const;
   /// In RequestData, when this step's data was taken: true when another pass was asked for.
@@ -89,6 +104,7 @@ private:
   std::vector<int> Ports;
   std::size_t Step = 0;
   std::size_t NumberOfSteps = 1;
+  bool MustReturn = false; // the last step is not the one that was asked of the stage
 };
 
 /// The number of input ports of a stage is read from it; gives all outputs the time steps of the

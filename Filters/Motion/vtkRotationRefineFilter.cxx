@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRotationRefineFilter.h"
 
-#include "Bridge/FieldCollectors.h"
+#include "Bridge/KeptStage.h"
 #include "Bridge/PoseData.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/ShapeData.h"
@@ -13,11 +13,10 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
-#include <cmath>
+#include <utility>
 
 vtkStandardNewMacro(vtkRotationRefineFilter);
 
@@ -35,87 +34,99 @@ enum InputPort
   NumberOfInputs
 };
 
+enum OutputPort
+{
+  MeshesPort,
+  PosesPort,
+  NumberOfOutputs
+};
+
 } // namespace
 
-struct vtkRotationRefineFilter::Internals
+struct vtkRotationRefineFilter::Internals : waft::KeptStage
 {
-  waft::StageCache Cache;
-  waft::TimeSweep Sweep{ { ObstaclesPort, WindPort } };
-  waft::ObstacleCollector Obstacles;
-  waft::FieldCollector Wind;
-  waft::SceneInfo Info;
+  vtkRotationRefineFilter* Self;
   std::vector<waft::Track> Tracks;
   waft::RotationOutput Rotation;
   waft::PosedMeshes Meshes;
-  vtkNew<vtkPolyData> Poses;
 
-  waft::Result Gather(vtkInformationVector** inputs, bool isFirst);
-  waft::Result Run(vtkInformationVector** inputs, const waft::RotationOptions& options,
-                   waft::Monitor& monitor);
+  explicit Internals(vtkRotationRefineFilter* self) :
+    KeptStage(self, TracksPort, ObstaclesPort, WindPort), Self(self)
+  {
+  }
+  waft::RotationOptions Options() const;
+  waft::Result Take(vtkInformationVector** inputs, waft::RotationInput& input);
+  waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  void FillVarying(double time, vtkInformationVector* outputs) const override;
 };
 
-waft::Result vtkRotationRefineFilter::Internals::Gather(vtkInformationVector** inputs, bool isFirst)
+waft::RotationOptions vtkRotationRefineFilter::Internals::Options() const
 {
-  if (isFirst)
-  {
-    this->Info = waft::SceneInfo();
-    WAFT_RETURN_IF_FAILED(
-      waft::SceneInfoFromFieldData(vtkPolyData::GetData(inputs[TracksPort]), this->Info));
-    this->Obstacles = waft::ObstacleCollector();
-    this->Wind = waft::FieldCollector();
-  }
-  vtkPolyData* obstacles = vtkPolyData::GetData(inputs[ObstaclesPort]);
-  if (obstacles != nullptr && obstacles->GetNumberOfPoints() > 0)
-  {
-    const double time = waft::TimeSweep::DataTime(inputs[ObstaclesPort]->GetInformationObject(0));
-    WAFT_RETURN_IF_FAILED(this->Obstacles.Add(obstacles, time, this->Info.Time));
-  }
-  vtkImageData* wind = vtkImageData::GetData(inputs[WindPort]);
-  if (wind != nullptr && wind->GetNumberOfPoints() > 0)
-  {
-    const double time = waft::TimeSweep::DataTime(inputs[WindPort]->GetInformationObject(0));
-    WAFT_RETURN_IF_FAILED(this->Wind.Add(wind, time));
-  }
-  return waft::Result::Ok();
+  waft::RotationOptions options;
+  options.Model = static_cast<waft::AirModel>(this->Self->Model);
+  options.Damping = this->Self->Damping;
+  options.Lift = this->Self->Lift;
+  options.PressureShift = this->Self->PressureShift;
+  options.Follow = this->Self->Follow;
+  options.Variation = this->Self->Variation;
+  options.LandingTime = this->Self->LandingTime;
+  options.TurningTime = this->Self->TurningTime;
+  options.RasterSize = this->Self->RasterSize;
+  options.Seed = static_cast<std::uint64_t>(this->Self->Seed);
+  return options;
 }
 
-waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inputs,
-                                                     const waft::RotationOptions& options,
-                                                     waft::Monitor& monitor)
+waft::Result vtkRotationRefineFilter::Internals::Take(vtkInformationVector** inputs,
+                                                      waft::RotationInput& input)
 {
-  waft::RotationInput input;
-  input.Scene = this->Info;
+  input.Scene = this->Scene;
   WAFT_RETURN_IF_FAILED(
     waft::TracksFromPolyData(vtkPolyData::GetData(inputs[TracksPort]), input.Tracks));
   WAFT_RETURN_IF_FAILED(
     waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[ObjectsPort]), input.Objects));
   WAFT_RETURN_IF_FAILED(
     waft::ShapesFromMultiBlock(vtkMultiBlockDataSet::GetData(inputs[ShapesPort]), input.Shapes));
-  vtkPolyData* rows = vtkPolyData::GetData(inputs[ConstraintsPort]);
-  if (rows != nullptr && rows->GetNumberOfPoints() > 0)
-  {
-    WAFT_RETURN_IF_FAILED(waft::ConstraintsFromPolyData(rows, this->Info.Time, input.Constraints));
-  }
+  return this->TakeConstraints(inputs[ConstraintsPort], input.Constraints);
+}
+
+waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inputs,
+                                                     waft::Monitor& monitor)
+{
+  this->Tracks.clear();
+  waft::RotationInput input;
+  WAFT_RETURN_IF_FAILED(this->Take(inputs, input));
   waft::ObstacleSet obstacles;
-  WAFT_RETURN_IF_FAILED(obstacles.Build(this->Obstacles.Take()));
+  WAFT_RETURN_IF_FAILED(obstacles.Build(this->Fields.TakeObstacles()));
   input.Obstacles = &obstacles;
-  const waft::FieldSeries wind = this->Wind.Take();
+  const waft::FieldSeries wind = this->Fields.TakeWind();
   input.Wind = &wind;
-  WAFT_RETURN_IF_FAILED(this->Meshes.Build(input.Shapes, input.Objects, input.Tracks, this->Info));
+  WAFT_RETURN_IF_FAILED(this->Meshes.Build(input.Shapes, input.Objects, input.Tracks, this->Scene));
   const waft::Result result =
-    waft::RunRotationRefine(input, options, waft::SmpFor(), monitor, this->Rotation);
-  this->Tracks = std::move(input.Tracks);
-  if (result && !result.IsStopped())
+    waft::RunRotationRefine(input, this->Options(), waft::SmpFor(), monitor, this->Rotation);
+  if (result && !result.IsStopped()) // half of the poses are of no use
   {
-    waft::PosesToPolyData(this->Tracks, this->Rotation.Poses, this->Info, this->Poses);
+    this->Tracks = std::move(input.Tracks);
+    this->Warnings = this->Rotation.Warnings;
+    waft::PosesToPolyData(this->Tracks, this->Rotation.Poses, this->Scene,
+                          this->Kept<vtkPolyData>(PosesPort));
   }
   return result;
 }
 
-vtkRotationRefineFilter::vtkRotationRefineFilter() : Impl(std::make_unique<Internals>())
+void vtkRotationRefineFilter::Internals::FillVarying(double time,
+                                                     vtkInformationVector* outputs) const
+{
+  if (!this->Tracks.empty())
+  {
+    this->Meshes.Fill(this->Tracks, this->Rotation.Poses, this->FrameAt(time),
+                      vtkPolyData::GetData(outputs, MeshesPort));
+  }
+}
+
+vtkRotationRefineFilter::vtkRotationRefineFilter() : Impl(std::make_unique<Internals>(this))
 {
   this->SetNumberOfInputPorts(NumberOfInputs);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(NumberOfOutputs);
 }
 
 vtkRotationRefineFilter::~vtkRotationRefineFilter() = default;
@@ -139,63 +150,17 @@ int vtkRotationRefineFilter::RequestInformation(vtkInformation*, vtkInformationV
   return 1;
 }
 
-int vtkRotationRefineFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
-                                                 vtkInformationVector*)
+int vtkRotationRefineFilter::RequestUpdateExtent(vtkInformation* request,
+                                                 vtkInformationVector** inputs,
+                                                 vtkInformationVector* outputs)
 {
-  this->Impl->Sweep.RequestSteps(this, inputs, this->Impl->Cache.IsCurrent(this, inputs));
-  return 1;
+  return this->Impl->RequestUpdateExtent(request, inputs, outputs);
 }
 
 int vtkRotationRefineFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
                                          vtkInformationVector* outputs)
 {
-  Internals& impl = *this->Impl;
-  if (!impl.Cache.IsCurrent(this, inputs))
-  {
-    waft::Result result = impl.Gather(inputs, impl.Sweep.IsFirst());
-    if (result && impl.Sweep.Continue(request))
-    {
-      return 1;
-    }
-    impl.Sweep.Reset(request);
-    impl.Cache.Forget();
-    waft::RotationOptions options;
-    options.Model = static_cast<waft::AirModel>(this->Model);
-    options.Damping = this->Damping;
-    options.Lift = this->Lift;
-    options.PressureShift = this->PressureShift;
-    options.Follow = this->Follow;
-    options.Variation = this->Variation;
-    options.LandingTime = this->LandingTime;
-    options.TurningTime = this->TurningTime;
-    options.RasterSize = this->RasterSize;
-    options.Seed = static_cast<std::uint64_t>(this->Seed);
-    waft::StageMonitor monitor(this);
-    result = result ? impl.Run(inputs, options, monitor) : result;
-    if (!result)
-    {
-      return waft::Fail(this, outputs, result.Message());
-    }
-    if (result.IsStopped())
-    {
-      for (int port = 0; port < 2; ++port)
-      {
-        vtkPolyData::GetData(outputs, port)->Initialize();
-      }
-      return 1;
-    }
-    impl.Cache.MarkCurrent(this, inputs);
-    for (const std::string& warning : impl.Rotation.Warnings)
-    {
-      vtkWarningMacro(<< warning);
-    }
-  }
-  const double time = waft::RequestedTimeOfAll(request, outputs, impl.Info.Time);
-  const int frame = static_cast<int>(std::lround(time * impl.Info.Time.FramesPerSecond));
-  vtkPolyData::GetData(outputs, 1)->ShallowCopy(impl.Poses);
-  impl.Meshes.Fill(impl.Tracks, impl.Rotation.Poses, frame, vtkPolyData::GetData(outputs, 0));
-  waft::RequestedTimeOfAll(request, outputs, impl.Info.Time); // stamps what was filled
-  return 1;
+  return this->Impl->RequestData(request, inputs, outputs);
 }
 
 void vtkRotationRefineFilter::PrintSelf(ostream& os, vtkIndent indent)

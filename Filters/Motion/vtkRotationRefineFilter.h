@@ -96,8 +96,8 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector** inputs,
                          vtkInformationVector* outputs) override;
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
-                          vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
+                          vtkInformationVector* outputs) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,
                   vtkInformationVector* outputs) override;
 

@@ -4,6 +4,7 @@
 #include "Bridge/ArrayNames.h"
 #include "Bridge/Arrays.h"
 #include "Bridge/FieldCollectors.h"
+#include "Bridge/KeptStage.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/SpacetimeData.h"
 #include "Bridge/StageExecution.h"
@@ -18,8 +19,6 @@
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
-
-#include <cmath>
 
 vtkStandardNewMacro(vtkSPHSpacetimeFilter);
 
@@ -50,128 +49,107 @@ enum OutputPort
 
 } // namespace
 
-struct vtkSPHSpacetimeFilter::Internals
+struct vtkSPHSpacetimeFilter::Internals : waft::KeptStage
 {
-  waft::StageCache Cache;
-  waft::TimeSweep Sweep{ { ObstaclesPort, BackgroundPort } };
-  waft::ObstacleCollector Obstacles;
-  waft::FieldCollector Background;
-  waft::SceneInfo Info;
-  waft::SpacetimeOutput Result;
+  vtkSPHSpacetimeFilter* Self;
+  waft::SpacetimeOutput Solution;
 
-  static waft::SpacetimeOptions Options(const vtkSPHSpacetimeFilter& stage);
-  waft::Result Gather(vtkInformationVector** inputs, bool isFirst);
-  waft::Result Run(vtkInformationVector** inputs, const waft::SpacetimeOptions& options,
-                   waft::Monitor& monitor);
-  void Fill(vtkInformation* request, vtkInformationVector* outputs) const;
+  explicit Internals(vtkSPHSpacetimeFilter* self) :
+    KeptStage(self, PlannedPort, ObstaclesPort, BackgroundPort), Self(self)
+  {
+  }
+  waft::SpacetimeOptions Options() const;
+  waft::Result Take(vtkInformationVector** inputs, waft::SpacetimeInput& input);
+  waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  void KeepSolution();
+  void FillVarying(double time, vtkInformationVector* outputs) const override;
 };
 
-waft::SpacetimeOptions vtkSPHSpacetimeFilter::Internals::Options(const vtkSPHSpacetimeFilter& stage)
+waft::SpacetimeOptions vtkSPHSpacetimeFilter::Internals::Options() const
 {
   waft::SpacetimeOptions options;
-  options.NumberOfGasParticles = stage.NumberOfGasParticles;
-  options.NumberOfObjectParticles = stage.NumberOfObjectParticles;
-  options.PositionWeight = stage.PositionWeight;
-  options.VelocityWeight = stage.VelocityWeight;
-  options.CoherenceWeight = stage.CoherenceWeight;
-  options.SpatialShare = stage.SpatialShare;
-  options.TemporalWindow = stage.TemporalWindow;
-  options.SmoothingLength = stage.SmoothingLength;
-  options.CourantNumber = stage.CourantNumber;
-  options.Viscosity = stage.Viscosity;
-  options.XsphFactor = stage.XsphFactor;
-  options.PressureExponent = stage.PressureExponent;
-  options.EffectiveGravity = stage.EffectiveGravity;
-  options.ContactDistance = stage.ContactDistance;
-  options.WindDrag = stage.WindDrag;
-  options.EstimateWind = stage.EstimateWind;
-  options.FitVortexFields = stage.FitVortexFields;
-  options.Passes = stage.Passes;
-  options.UseLeash = stage.UseLeash;
-  options.LeashIterations = stage.LeashIterations;
-  options.MaximumNumberOfIterations = stage.MaximumNumberOfIterations;
-  options.Tolerance = stage.Tolerance;
-  options.TimeLimit = stage.TimeLimit;
-  options.HistorySize = stage.HistorySize;
+  options.NumberOfGasParticles = this->Self->NumberOfGasParticles;
+  options.NumberOfObjectParticles = this->Self->NumberOfObjectParticles;
+  options.PositionWeight = this->Self->PositionWeight;
+  options.VelocityWeight = this->Self->VelocityWeight;
+  options.CoherenceWeight = this->Self->CoherenceWeight;
+  options.SpatialShare = this->Self->SpatialShare;
+  options.TemporalWindow = this->Self->TemporalWindow;
+  options.SmoothingLength = this->Self->SmoothingLength;
+  options.CourantNumber = this->Self->CourantNumber;
+  options.Viscosity = this->Self->Viscosity;
+  options.XsphFactor = this->Self->XsphFactor;
+  options.PressureExponent = this->Self->PressureExponent;
+  options.EffectiveGravity = this->Self->EffectiveGravity;
+  options.ContactDistance = this->Self->ContactDistance;
+  options.WindDrag = this->Self->WindDrag;
+  options.EstimateWind = this->Self->EstimateWind;
+  options.FitVortexFields = this->Self->FitVortexFields;
+  options.Passes = this->Self->Passes;
+  options.UseLeash = this->Self->UseLeash;
+  options.LeashIterations = this->Self->LeashIterations;
+  options.MaximumNumberOfIterations = this->Self->MaximumNumberOfIterations;
+  options.Tolerance = this->Self->Tolerance;
+  options.TimeLimit = this->Self->TimeLimit;
+  options.HistorySize = this->Self->HistorySize;
   return options;
 }
 
-waft::Result vtkSPHSpacetimeFilter::Internals::Gather(vtkInformationVector** inputs, bool isFirst)
+waft::Result vtkSPHSpacetimeFilter::Internals::Take(vtkInformationVector** inputs,
+                                                    waft::SpacetimeInput& input)
 {
-  if (isFirst)
-  {
-    this->Info = waft::SceneInfo();
-    WAFT_RETURN_IF_FAILED(
-      waft::SceneInfoFromFieldData(vtkPolyData::GetData(inputs[PlannedPort]), this->Info));
-    this->Obstacles = waft::ObstacleCollector();
-    this->Background = waft::FieldCollector();
-  }
-  vtkPolyData* obstacles = vtkPolyData::GetData(inputs[ObstaclesPort]);
-  if (obstacles != nullptr && obstacles->GetNumberOfPoints() > 0)
-  {
-    const double time = waft::TimeSweep::DataTime(inputs[ObstaclesPort]->GetInformationObject(0));
-    WAFT_RETURN_IF_FAILED(this->Obstacles.Add(obstacles, time, this->Info.Time));
-  }
-  vtkImageData* wind = vtkImageData::GetData(inputs[BackgroundPort]);
-  if (wind != nullptr && wind->GetNumberOfPoints() > 0)
-  {
-    const double time = waft::TimeSweep::DataTime(inputs[BackgroundPort]->GetInformationObject(0));
-    WAFT_RETURN_IF_FAILED(this->Background.Add(wind, time));
-  }
-  return waft::Result::Ok();
-}
-
-waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs,
-                                                   const waft::SpacetimeOptions& options,
-                                                   waft::Monitor& monitor)
-{
-  waft::SpacetimeInput input;
-  input.Scene = this->Info;
+  input.Scene = this->Scene;
   WAFT_RETURN_IF_FAILED(
     waft::TracksFromPolyData(vtkPolyData::GetData(inputs[PlannedPort]), input.Tracks));
   WAFT_RETURN_IF_FAILED(
     waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[ObjectsPort]), input.Objects));
-  vtkPolyData* rows = vtkPolyData::GetData(inputs[ConstraintsPort]);
-  if (rows != nullptr && rows->GetNumberOfPoints() > 0)
-  {
-    WAFT_RETURN_IF_FAILED(waft::ConstraintsFromPolyData(rows, this->Info.Time, input.Constraints));
-  }
-  vtkPolyData* vortices = vtkPolyData::GetData(inputs[GuessedVorticesPort]);
-  if (vortices != nullptr)
+  WAFT_RETURN_IF_FAILED(this->TakeConstraints(inputs[ConstraintsPort], input.Constraints));
+  if (vtkPolyData* vortices = vtkPolyData::GetData(inputs[GuessedVorticesPort]))
   {
     WAFT_RETURN_IF_FAILED(waft::VorticesFromPolyData(vortices, input.Vortices));
   }
-  input.Obstacles = this->Obstacles.Take();
-  input.Wind = this->Background.Take();
-  WAFT_RETURN_IF_FAILED(input.Wind.Validate("Wind"));
-  this->Result = waft::SpacetimeOutput();
-  return waft::RunSpacetime(input, options, waft::SmpFor(), monitor, this->Result);
+  input.Obstacles = this->Fields.TakeObstacles();
+  input.Wind = this->Fields.TakeWind();
+  return input.Wind.Validate("Wind");
 }
 
-void vtkSPHSpacetimeFilter::Internals::Fill(vtkInformation* request,
-                                            vtkInformationVector* outputs) const
+waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs,
+                                                   waft::Monitor& monitor)
 {
-  const double time = waft::RequestedTimeOfAll(request, outputs, this->Info.Time);
-  const int frame = static_cast<int>(std::lround(time * this->Info.Time.FramesPerSecond));
-  vtkPolyData* tracks = vtkPolyData::GetData(outputs, TracksPort);
-  waft::TracksToPolyData(this->Result.Tracks, this->Info, tracks);
-  waft::AddDoubles(tracks->GetCellData(), waft::names::PositionResidual,
-                   this->Result.PositionResiduals);
-  waft::AddDoubles(tracks->GetCellData(), waft::names::VelocityResidual,
-                   this->Result.VelocityResiduals);
-  waft::ParticlesToPolyData(this->Result.Particles, frame, this->Info,
-                            vtkPolyData::GetData(outputs, ParticlesPort));
-  waft::VorticesToPolyData(this->Result.Vortices, this->Info,
-                           vtkPolyData::GetData(outputs, VorticesPort));
-  waft::FieldSeriesToImage(this->Result.Wind, time, this->Info,
-                           vtkImageData::GetData(outputs, WindPort));
-  waft::ConvergenceToTable(this->Result.Convergence, this->Info,
-                           vtkTable::GetData(outputs, ConvergencePort));
-  waft::ReportToTable(this->Result.Report, this->Info, vtkTable::GetData(outputs, ReportPort));
-  waft::RequestedTimeOfAll(request, outputs, this->Info.Time);
+  this->Solution = waft::SpacetimeOutput();
+  waft::SpacetimeInput input;
+  WAFT_RETURN_IF_FAILED(this->Take(inputs, input));
+  WAFT_RETURN_IF_FAILED(
+    waft::RunSpacetime(input, this->Options(), waft::SmpFor(), monitor, this->Solution));
+  this->Warnings = this->Solution.Warnings;
+  this->KeepSolution();
+  return waft::Result::Ok(); // also when stopped: the best so far is shown until something changes
 }
 
-vtkSPHSpacetimeFilter::vtkSPHSpacetimeFilter() : Impl(std::make_unique<Internals>())
+void vtkSPHSpacetimeFilter::Internals::KeepSolution()
+{
+  auto* tracks = this->Kept<vtkPolyData>(TracksPort);
+  waft::TracksToPolyData(this->Solution.Tracks, this->Scene, tracks);
+  waft::AddDoubles(tracks->GetCellData(), waft::names::PositionResidual,
+                   this->Solution.PositionResiduals);
+  waft::AddDoubles(tracks->GetCellData(), waft::names::VelocityResidual,
+                   this->Solution.VelocityResiduals);
+  waft::VorticesToPolyData(this->Solution.Vortices, this->Scene,
+                           this->Kept<vtkPolyData>(VorticesPort));
+  waft::ConvergenceToTable(this->Solution.Convergence, this->Scene,
+                           this->Kept<vtkTable>(ConvergencePort));
+  waft::ReportToTable(this->Solution.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
+}
+
+void vtkSPHSpacetimeFilter::Internals::FillVarying(double time, vtkInformationVector* outputs) const
+{
+  waft::ParticlesToPolyData(this->Solution.Particles, this->FrameAt(time), this->Scene,
+                            vtkPolyData::GetData(outputs, ParticlesPort));
+  waft::FieldSeriesToImage(this->Solution.Wind, time, this->Scene,
+                           vtkImageData::GetData(outputs, WindPort));
+}
+
+vtkSPHSpacetimeFilter::vtkSPHSpacetimeFilter() : Impl(std::make_unique<Internals>(this))
 {
   this->SetNumberOfInputPorts(NumberOfInputs);
   this->SetNumberOfOutputPorts(NumberOfOutputs);
@@ -216,40 +194,17 @@ int vtkSPHSpacetimeFilter::RequestInformation(vtkInformation*, vtkInformationVec
   return 1;
 }
 
-int vtkSPHSpacetimeFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
-                                               vtkInformationVector*)
+int vtkSPHSpacetimeFilter::RequestUpdateExtent(vtkInformation* request,
+                                               vtkInformationVector** inputs,
+                                               vtkInformationVector* outputs)
 {
-  this->Impl->Sweep.RequestSteps(this, inputs, this->Impl->Cache.IsCurrent(this, inputs));
-  return 1;
+  return this->Impl->RequestUpdateExtent(request, inputs, outputs);
 }
 
 int vtkSPHSpacetimeFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
                                        vtkInformationVector* outputs)
 {
-  Internals& impl = *this->Impl;
-  if (!impl.Cache.IsCurrent(this, inputs))
-  {
-    waft::Result result = impl.Gather(inputs, impl.Sweep.IsFirst());
-    if (result && impl.Sweep.Continue(request))
-    {
-      return 1;
-    }
-    impl.Sweep.Reset(request);
-    impl.Cache.Forget();
-    waft::StageMonitor monitor(this);
-    result = result ? impl.Run(inputs, Internals::Options(*this), monitor) : result;
-    if (!result)
-    {
-      return waft::Fail(this, outputs, result.Message());
-    }
-    for (const std::string& warning : impl.Result.Warnings)
-    {
-      vtkWarningMacro(<< warning);
-    }
-    impl.Cache.MarkCurrent(this, inputs);
-  }
-  impl.Fill(request, outputs);
-  return 1;
+  return this->Impl->RequestData(request, inputs, outputs);
 }
 
 void vtkSPHSpacetimeFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -2,7 +2,7 @@
 #include "vtkStylisticPlannerFilter.h"
 
 #include "Bridge/DatabaseConversion.h"
-#include "Bridge/FieldCollectors.h"
+#include "Bridge/KeptStage.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/StageExecution.h"
 #include "Bridge/TrackData.h"
@@ -42,41 +42,34 @@ enum OutputPort
 
 } // namespace
 
-struct vtkStylisticPlannerFilter::Internals
+struct vtkStylisticPlannerFilter::Internals : waft::KeptStage
 {
-  waft::StageCache Cache;
-  waft::TimeSweep Sweep{ { ObstaclesPort } };
-  waft::ObstacleCollector Collector;
-  waft::SceneInfo Info;
-  waft::PlanOutput Plan;
+  vtkStylisticPlannerFilter* Self;
 
-  waft::Result Gather(vtkInformationVector** inputs, bool isFirst);
-  waft::Result Run(vtkInformationVector** inputs, const waft::PlanOptions& options,
-                   waft::Monitor& monitor);
-  void Fill(vtkInformationVector* outputs) const;
+  explicit Internals(vtkStylisticPlannerFilter* self) :
+    KeptStage(self, ObjectsPort, ObstaclesPort), Self(self)
+  {
+  }
+  waft::PlanOptions Options() const;
+  waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  void KeepPlan(const waft::PlanOutput& plan);
 };
 
-waft::Result vtkStylisticPlannerFilter::Internals::Gather(vtkInformationVector** inputs,
-                                                          bool isFirst)
+waft::PlanOptions vtkStylisticPlannerFilter::Internals::Options() const
 {
-  if (isFirst)
-  {
-    this->Info = waft::SceneInfo();
-    WAFT_RETURN_IF_FAILED(
-      waft::SceneInfoFromFieldData(vtkPolyData::GetData(inputs[ObjectsPort]), this->Info));
-    this->Collector = waft::ObstacleCollector();
-  }
-  vtkPolyData* obstacles = vtkPolyData::GetData(inputs[ObstaclesPort]);
-  if (obstacles == nullptr || obstacles->GetNumberOfPoints() == 0)
-  {
-    return waft::Result::Ok();
-  }
-  const double time = waft::TimeSweep::DataTime(inputs[ObstaclesPort]->GetInformationObject(0));
-  return this->Collector.Add(obstacles, time, this->Info.Time);
+  waft::PlanOptions options;
+  options.Seed = static_cast<std::uint64_t>(this->Self->Seed);
+  options.Freedom = static_cast<waft::RotationFreedom>(this->Self->RotationFreedom);
+  options.MaximumTilt = this->Self->MaxTilt;
+  options.ConnectionThreshold = this->Self->ConnectionThreshold;
+  options.JoinThreshold = this->Self->JoinThreshold;
+  options.NumberOfCandidates = this->Self->NumberOfCandidates;
+  options.MaximumNumberOfBranches = this->Self->MaximumNumberOfBranches;
+  options.RetimingLimit = this->Self->RetimingLimit;
+  return options;
 }
 
 waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** inputs,
-                                                       const waft::PlanOptions& options,
                                                        waft::Monitor& monitor)
 {
   waft::MotionDatabase database;
@@ -86,33 +79,27 @@ waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** in
   WAFT_RETURN_IF_FAILED(
     waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[ObjectsPort]), objects));
   std::vector<waft::Constraint> constraints;
-  vtkPolyData* rows = vtkPolyData::GetData(inputs[ConstraintsPort]);
-  if (rows != nullptr && rows->GetNumberOfPoints() > 0)
-  {
-    WAFT_RETURN_IF_FAILED(waft::ConstraintsFromPolyData(rows, this->Info.Time, constraints));
-  }
+  WAFT_RETURN_IF_FAILED(this->TakeConstraints(inputs[ConstraintsPort], constraints));
   waft::ObstacleSet obstacles;
-  WAFT_RETURN_IF_FAILED(obstacles.Build(this->Collector.Take()));
-  const waft::PlanInput input{ database, objects, constraints, obstacles, this->Info };
-  return waft::PlanMotion(input, options, waft::SmpFor(), monitor, this->Plan);
+  WAFT_RETURN_IF_FAILED(obstacles.Build(this->Fields.TakeObstacles()));
+  const waft::PlanInput input{ database, objects, constraints, obstacles, this->Scene };
+  waft::PlanOutput plan;
+  const waft::Result result =
+    waft::PlanMotion(input, this->Options(), waft::SmpFor(), monitor, plan);
+  this->KeepPlan(plan); // also when stopped: what was planned so far
+  return result;
 }
 
-void vtkStylisticPlannerFilter::Internals::Fill(vtkInformationVector* outputs) const
+void vtkStylisticPlannerFilter::Internals::KeepPlan(const waft::PlanOutput& plan)
 {
-  waft::TracksToPolyData(this->Plan.Tracks, this->Info, vtkPolyData::GetData(outputs, TracksPort));
-  waft::TreesToPolyData(this->Plan.Trees, this->Info, vtkPolyData::GetData(outputs, TreesPort));
-  waft::ReportToTable(this->Plan.Report, this->Info, vtkTable::GetData(outputs, ReportPort));
-  waft::ConstraintsToPolyData(this->Plan.Constraints, this->Info,
-                              vtkPolyData::GetData(outputs, AssignedPort));
-  waft::VorticesToPolyData(this->Plan.Vortices, this->Info,
-                           vtkPolyData::GetData(outputs, VorticesPort));
-  for (int port = 0; port < NumberOfOutputs; ++port)
-  {
-    waft::RequestedTime(outputs, port, this->Info.Time);
-  }
+  waft::TracksToPolyData(plan.Tracks, this->Scene, this->Kept<vtkPolyData>(TracksPort));
+  waft::TreesToPolyData(plan.Trees, this->Scene, this->Kept<vtkPolyData>(TreesPort));
+  waft::ReportToTable(plan.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
+  waft::ConstraintsToPolyData(plan.Constraints, this->Scene, this->Kept<vtkPolyData>(AssignedPort));
+  waft::VorticesToPolyData(plan.Vortices, this->Scene, this->Kept<vtkPolyData>(VorticesPort));
 }
 
-vtkStylisticPlannerFilter::vtkStylisticPlannerFilter() : Impl(std::make_unique<Internals>())
+vtkStylisticPlannerFilter::vtkStylisticPlannerFilter() : Impl(std::make_unique<Internals>(this))
 {
   this->SetNumberOfInputPorts(NumberOfInputs);
   this->SetNumberOfOutputPorts(NumberOfOutputs);
@@ -144,48 +131,17 @@ int vtkStylisticPlannerFilter::RequestInformation(vtkInformation*, vtkInformatio
   return 1;
 }
 
-int vtkStylisticPlannerFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
-                                                   vtkInformationVector*)
+int vtkStylisticPlannerFilter::RequestUpdateExtent(vtkInformation* request,
+                                                   vtkInformationVector** inputs,
+                                                   vtkInformationVector* outputs)
 {
-  this->Impl->Sweep.RequestSteps(this, inputs, this->Impl->Cache.IsCurrent(this, inputs));
-  return 1;
+  return this->Impl->RequestUpdateExtent(request, inputs, outputs);
 }
 
 int vtkStylisticPlannerFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
                                            vtkInformationVector* outputs)
 {
-  Internals& impl = *this->Impl;
-  if (!impl.Cache.IsCurrent(this, inputs))
-  {
-    waft::Result result = impl.Gather(inputs, impl.Sweep.IsFirst());
-    if (result && impl.Sweep.Continue(request))
-    {
-      return 1;
-    }
-    impl.Sweep.Reset(request);
-    impl.Cache.Forget();
-    waft::PlanOptions options;
-    options.Seed = static_cast<std::uint64_t>(this->Seed);
-    options.Freedom = static_cast<waft::RotationFreedom>(this->RotationFreedom);
-    options.MaximumTilt = this->MaxTilt;
-    options.ConnectionThreshold = this->ConnectionThreshold;
-    options.JoinThreshold = this->JoinThreshold;
-    options.NumberOfCandidates = this->NumberOfCandidates;
-    options.MaximumNumberOfBranches = this->MaximumNumberOfBranches;
-    options.RetimingLimit = this->RetimingLimit;
-    waft::StageMonitor monitor(this);
-    result = result ? impl.Run(inputs, options, monitor) : result;
-    if (!result)
-    {
-      return waft::Fail(this, outputs, result.Message());
-    }
-    if (!result.IsStopped())
-    {
-      impl.Cache.MarkCurrent(this, inputs);
-    }
-  }
-  impl.Fill(outputs);
-  return 1;
+  return this->Impl->RequestData(request, inputs, outputs);
 }
 
 void vtkStylisticPlannerFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -13,15 +13,17 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 
 vtkStandardNewMacro(vtkTrajectoryClusterFilter);
 
 struct vtkTrajectoryClusterFilter::Internals
 {
   waft::StageCache Cache;
-  waft::MotionDatabase Database;
+  vtkNew<vtkMultiBlockDataSet> Kept; // the database
 
   static waft::ClusterOptions Options(vtkTrajectoryClusterFilter* self);
 };
@@ -112,6 +114,15 @@ int vtkTrajectoryClusterFilter::FillInputPortInformation(int port, vtkInformatio
   return 1;
 }
 
+int vtkTrajectoryClusterFilter::RequestInformation(vtkInformation*, vtkInformationVector**,
+                                                   vtkInformationVector* outputs)
+{
+  // A database has no time: a stage that pulls its inputs over time must not pull the tracks.
+  outputs->GetInformationObject(0)->Remove(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+  outputs->GetInformationObject(0)->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
+  return 1;
+}
+
 int vtkTrajectoryClusterFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
                                             vtkInformationVector* outputs)
 {
@@ -120,10 +131,11 @@ int vtkTrajectoryClusterFilter::RequestData(vtkInformation*, vtkInformationVecto
   {
     impl.Cache.Forget();
     waft::ClusterInput input;
+    waft::MotionDatabase database;
     waft::StageMonitor monitor(this);
     waft::Result result = Gather(inputs, input);
     result = result ? waft::ClusterTrajectories(input, Internals::Options(this), waft::SmpFor(),
-                                                monitor, impl.Database)
+                                                monitor, database)
                     : result;
     if (!result)
     {
@@ -134,9 +146,10 @@ int vtkTrajectoryClusterFilter::RequestData(vtkInformation*, vtkInformationVecto
       vtkMultiBlockDataSet::GetData(outputs)->Initialize();
       return 1;
     }
+    waft::DatabaseToMultiBlock(database, impl.Kept);
     impl.Cache.MarkCurrent(this, inputs);
   }
-  waft::DatabaseToMultiBlock(impl.Database, vtkMultiBlockDataSet::GetData(outputs));
+  vtkMultiBlockDataSet::GetData(outputs)->ShallowCopy(impl.Kept);
   return 1;
 }
 

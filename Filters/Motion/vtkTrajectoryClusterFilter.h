@@ -120,6 +120,8 @@ protected:
   ~vtkTrajectoryClusterFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector** inputs,
+                         vtkInformationVector* outputs) override;
   int RequestData(vtkInformation*, vtkInformationVector** inputs,
                   vtkInformationVector* outputs) override;
 

@@ -13,6 +13,7 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -22,11 +23,23 @@
 
 vtkStandardNewMacro(vtkTrajectoryTraceFilter);
 
+namespace
+{
+
+enum InputPort
+{
+  FlowPort,
+  VorticesPort,
+  ObstaclesPort,
+  NumberOfInputs
+};
+
+} // namespace
+
 struct vtkTrajectoryTraceFilter::Internals
 {
   waft::StageCache Cache;
-  // All ports: when one source gives flow and vortices, they must be asked for one time.
-  waft::TimeSweep Sweep{ { 0, 1, 2 } };
+  waft::TimeSweep Sweep{ { FlowPort, ObstaclesPort } };
   waft::TrajectoryTracer Tracer;
   waft::FlowLattice Lattice;
   waft::SolidVoxels Solid;     // as the flow says at the present step
@@ -34,7 +47,7 @@ struct vtkTrajectoryTraceFilter::Internals
   vtkMTimeType ObstacleChange = 0;
   double LastTime = 0.0;
   waft::SceneInfo Info;
-  std::vector<waft::Track> Tracks;
+  vtkNew<vtkPolyData> Tracks;
 
   waft::Result Begin(vtkInformationVector** inputs, const waft::TraceOptions& options);
   waft::Result UpdateObstacles(vtkPolyData* data);
@@ -66,12 +79,12 @@ waft::Result SceneOfFlow(vtkInformation* input, vtkImageData* image, waft::Scene
 waft::Result vtkTrajectoryTraceFilter::Internals::Begin(vtkInformationVector** inputs,
                                                         const waft::TraceOptions& options)
 {
-  vtkImageData* image = vtkImageData::GetData(inputs[0]);
+  vtkImageData* image = vtkImageData::GetData(inputs[FlowPort]);
   this->Info = waft::SceneInfo();
   WAFT_RETURN_IF_FAILED(waft::FlowLatticeFromImage(image, this->Lattice));
-  WAFT_RETURN_IF_FAILED(SceneOfFlow(inputs[0]->GetInformationObject(0), image, this->Info));
+  WAFT_RETURN_IF_FAILED(SceneOfFlow(inputs[FlowPort]->GetInformationObject(0), image, this->Info));
   std::vector<waft::Vortex> vortices;
-  if (vtkPolyData* lines = vtkPolyData::GetData(inputs[1]))
+  if (vtkPolyData* lines = vtkPolyData::GetData(inputs[VorticesPort]))
   {
     WAFT_RETURN_IF_FAILED(waft::VorticesFromPolyData(lines, vortices));
   }
@@ -102,13 +115,13 @@ waft::Result vtkTrajectoryTraceFilter::Internals::UpdateObstacles(vtkPolyData* d
 
 waft::Result vtkTrajectoryTraceFilter::Internals::Feed(vtkInformationVector** inputs, bool isFirst)
 {
-  const double time = waft::TimeSweep::DataTime(inputs[0]->GetInformationObject(0));
+  const double time = waft::TimeSweep::DataTime(inputs[FlowPort]->GetInformationObject(0));
   if (!isFirst && time <= this->LastTime)
   {
     return waft::Result::Ok(); // the obstacles have more steps than the flow
   }
-  WAFT_RETURN_IF_FAILED(this->UpdateObstacles(vtkPolyData::GetData(inputs[2])));
-  vtkImageData* image = vtkImageData::GetData(inputs[0]);
+  WAFT_RETURN_IF_FAILED(this->UpdateObstacles(vtkPolyData::GetData(inputs[ObstaclesPort])));
+  vtkImageData* image = vtkImageData::GetData(inputs[FlowPort]);
   waft::SolidVoxelsFromImage(image, this->Lattice, this->Solid);
   waft::FlowFrame frame;
   WAFT_RETURN_IF_FAILED(waft::FlowFrameFromImage(image, time, frame));
@@ -118,7 +131,7 @@ waft::Result vtkTrajectoryTraceFilter::Internals::Feed(vtkInformationVector** in
 
 waft::Result vtkTrajectoryTraceFilter::Internals::FeedSteady(vtkInformationVector** inputs)
 {
-  vtkInformation* input = inputs[0]->GetInformationObject(0);
+  vtkInformation* input = inputs[FlowPort]->GetInformationObject(0);
   if (input->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) > 1 ||
       this->Info.Time.NumberOfFrames < 2)
   {
@@ -126,21 +139,23 @@ waft::Result vtkTrajectoryTraceFilter::Internals::FeedSteady(vtkInformationVecto
   }
   waft::FlowFrame frame;
   const double end = this->LastTime + this->Info.Time.Time(this->Info.Time.NumberOfFrames - 1);
-  WAFT_RETURN_IF_FAILED(waft::FlowFrameFromImage(vtkImageData::GetData(inputs[0]), end, frame));
+  WAFT_RETURN_IF_FAILED(
+    waft::FlowFrameFromImage(vtkImageData::GetData(inputs[FlowPort]), end, frame));
   return this->Tracer.Feed(std::move(frame), waft::SmpFor());
 }
 
 vtkTrajectoryTraceFilter::vtkTrajectoryTraceFilter() : Impl(std::make_unique<Internals>())
 {
-  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfInputPorts(NumberOfInputs);
 }
 
 vtkTrajectoryTraceFilter::~vtkTrajectoryTraceFilter() = default;
 
 int vtkTrajectoryTraceFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkImageData" : "vtkPolyData");
-  if (port > 0)
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
+            port == FlowPort ? "vtkImageData" : "vtkPolyData");
+  if (port != FlowPort)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
@@ -154,10 +169,12 @@ int vtkTrajectoryTraceFilter::RequestInformation(vtkInformation*, vtkInformation
   return 1;
 }
 
-int vtkTrajectoryTraceFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
-                                                  vtkInformationVector*)
+int vtkTrajectoryTraceFilter::RequestUpdateExtent(vtkInformation* request,
+                                                  vtkInformationVector** inputs,
+                                                  vtkInformationVector* outputs)
 {
-  this->Impl->Sweep.RequestSteps(this, inputs, this->Impl->Cache.IsCurrent(this, inputs));
+  this->Impl->Sweep.RequestSteps(this, request, inputs, outputs,
+                                 this->Impl->Cache.IsCurrent(this, inputs));
   return 1;
 }
 
@@ -175,7 +192,7 @@ int vtkTrajectoryTraceFilter::RequestData(vtkInformation* request, vtkInformatio
     options.Annotation.ShortestRun = this->ShortestRun;
     const bool isFirst = impl.Sweep.IsFirst();
     waft::Result result = isFirst ? impl.Begin(inputs, options) : waft::Result::Ok();
-    result = result ? impl.Feed(inputs, isFirst) : result;
+    result = result && impl.Sweep.HasNewStep() ? impl.Feed(inputs, isFirst) : result;
     if (!result)
     {
       impl.Sweep.Reset(request);
@@ -193,16 +210,16 @@ int vtkTrajectoryTraceFilter::RequestData(vtkInformation* request, vtkInformatio
     {
       return waft::Fail(this, outputs, result.Message());
     }
-    impl.Tracks = impl.Tracer.Finish();
+    waft::TracksToPolyData(impl.Tracer.Finish(), impl.Info, impl.Tracks);
+    waft::AddDoubles(impl.Tracks->GetFieldData(), waft::names::SettlingSpeed,
+                     { this->SettlingSpeed });
     impl.Cache.Forget();
     if (goesOn)
     {
       impl.Cache.MarkCurrent(this, inputs);
     }
   }
-  vtkPolyData* output = vtkPolyData::GetData(outputs);
-  waft::TracksToPolyData(impl.Tracks, impl.Info, output);
-  waft::AddDoubles(output->GetFieldData(), waft::names::SettlingSpeed, { this->SettlingSpeed });
+  vtkPolyData::GetData(outputs)->ShallowCopy(impl.Tracks);
   waft::RequestedTime(outputs, 0, impl.Info.Time);
   return 1;
 }

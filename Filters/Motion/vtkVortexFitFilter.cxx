@@ -3,8 +3,8 @@
 
 #include "Bridge/ArrayNames.h"
 #include "Bridge/Arrays.h"
+#include "Bridge/KeptStage.h"
 #include "Bridge/SceneData.h"
-#include "Bridge/StageExecution.h"
 #include "Bridge/TrackData.h"
 #include "Vortex/VortexFit.h"
 #include "Vortex/VortexSamples.h"
@@ -21,49 +21,90 @@
 
 vtkStandardNewMacro(vtkVortexFitFilter);
 
-struct vtkVortexFitFilter::Internals
+namespace
 {
-  waft::StageCache Cache;
-  waft::SceneInfo Info;
-  std::vector<waft::Vortex> Fitted;
-  vtkNew<vtkPolyData> Tracks;
 
-  waft::Result Run(vtkPolyData* tracks, vtkPolyData* priors, bool subtractWind,
-                   waft::VortexFitOptions options, waft::Monitor& monitor);
-  void Annotate(vtkPolyData* input, const std::vector<waft::Track>& tracks);
+enum InputPort
+{
+  TracksPort,
+  PriorsPort,
+  NumberOfInputs
 };
 
-waft::Result vtkVortexFitFilter::Internals::Run(vtkPolyData* input, vtkPolyData* lines,
-                                                bool subtractWind, waft::VortexFitOptions options,
+enum OutputPort
+{
+  VorticesPort,
+  ExplainedPort,
+  NumberOfOutputs
+};
+
+} // namespace
+
+struct vtkVortexFitFilter::Internals : waft::KeptStage
+{
+  vtkVortexFitFilter* Self;
+
+  explicit Internals(vtkVortexFitFilter* self) : KeptStage(self, TracksPort), Self(self) {}
+  waft::VortexFitOptions Options() const;
+  waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  void KeepForces(vtkPolyData* input, const std::vector<waft::Track>& tracks,
+                  const std::vector<waft::Vortex>& fitted);
+};
+
+waft::VortexFitOptions vtkVortexFitFilter::Internals::Options() const
+{
+  waft::VortexFitOptions options;
+  options.Bounds = this->Scene.Bounds;
+  options.MaximumNewVortices = this->Self->MaximumNewVortices;
+  options.MinimumGain = this->Self->MinimumGain;
+  options.UniformBackground = this->Self->UniformBackground;
+  options.NumberOfStarts = this->Self->NumberOfStarts;
+  options.Sweeps = this->Self->Sweeps;
+  options.Seed = static_cast<std::uint64_t>(this->Self->Seed);
+  for (double* deviation :
+       { &options.CenterDeviation, &options.AxisDeviation, &options.StrengthDeviation,
+         &options.TimeDeviation, &options.ShapeDeviation })
+  {
+    *deviation *= this->Self->PriorFreedom;
+  }
+  return options;
+}
+
+waft::Result vtkVortexFitFilter::Internals::Run(vtkInformationVector** inputs,
                                                 waft::Monitor& monitor)
 {
-  this->Info = waft::SceneInfo();
-  WAFT_RETURN_IF_FAILED(waft::SceneInfoFromFieldData(input, this->Info));
-  std::vector<waft::Track> tracks;
+  if (!(this->Self->PriorFreedom > 0.0) || !std::isfinite(this->Self->PriorFreedom))
+  {
+    return waft::Result::Error("PriorFreedom: expected a number above 0");
+  }
+  vtkPolyData* input = vtkPolyData::GetData(inputs[TracksPort]);
   if (input->GetNumberOfCells() == 0)
   {
     return waft::Result::Error("Tracks: no lines, expected one polyline per object");
   }
+  std::vector<waft::Track> tracks;
   WAFT_RETURN_IF_FAILED(waft::TracksFromPolyData(input, tracks));
   std::vector<waft::Vortex> priors;
-  if (lines)
+  if (vtkPolyData* lines = vtkPolyData::GetData(inputs[PriorsPort]))
   {
     WAFT_RETURN_IF_FAILED(waft::VorticesFromPolyData(lines, priors));
   }
   std::vector<waft::VortexSample> samples;
-  WAFT_RETURN_IF_FAILED(waft::SamplesFromTracks(tracks, this->Info.Time, subtractWind, samples));
-  options.Bounds = this->Info.Bounds;
-  this->Fitted.clear();
-  const waft::Result result = waft::FitVortices(samples, priors, options, monitor, this->Fitted);
+  WAFT_RETURN_IF_FAILED(
+    waft::SamplesFromTracks(tracks, this->Scene.Time, this->Self->SubtractWind, samples));
+  std::vector<waft::Vortex> fitted;
+  const waft::Result result = waft::FitVortices(samples, priors, this->Options(), monitor, fitted);
   if (result)
   {
-    this->Annotate(input, tracks);
+    waft::VorticesToPolyData(fitted, this->Scene, this->Kept<vtkPolyData>(VorticesPort));
+    this->KeepForces(input, tracks, fitted);
   }
   return result;
 }
 
-void vtkVortexFitFilter::Internals::Annotate(vtkPolyData* input,
-                                             const std::vector<waft::Track>& tracks)
+void vtkVortexFitFilter::Internals::KeepForces(vtkPolyData* input,
+                                               const std::vector<waft::Track>& tracks,
+                                               const std::vector<waft::Vortex>& fitted)
 {
   const auto count = static_cast<std::size_t>(input->GetNumberOfPoints());
   std::vector<waft::Vec3> explained(count, waft::Vec3::Zero());
@@ -71,8 +112,7 @@ void vtkVortexFitFilter::Internals::Annotate(vtkPolyData* input,
   vtkNew<vtkIdList> line;
   for (std::size_t t = 0; t < tracks.size(); ++t)
   {
-    const std::vector<waft::Vec3> forces =
-      waft::VortexForces(tracks[t], this->Fitted, this->Info.Time);
+    const std::vector<waft::Vec3> forces = waft::VortexForces(tracks[t], fitted, this->Scene.Time);
     input->GetCellPoints(static_cast<vtkIdType>(t), line);
     for (std::size_t k = 0; k < forces.size(); ++k)
     {
@@ -81,15 +121,16 @@ void vtkVortexFitFilter::Internals::Annotate(vtkPolyData* input,
       residual[point] = tracks[t].Forces[k] - forces[k];
     }
   }
-  this->Tracks->ShallowCopy(input);
-  waft::AddVectors(this->Tracks->GetPointData(), waft::names::VortexForce, explained);
-  waft::AddVectors(this->Tracks->GetPointData(), waft::names::ResidualForce, residual);
+  auto* kept = this->Kept<vtkPolyData>(ExplainedPort);
+  kept->ShallowCopy(input);
+  waft::AddVectors(kept->GetPointData(), waft::names::VortexForce, explained);
+  waft::AddVectors(kept->GetPointData(), waft::names::ResidualForce, residual);
 }
 
-vtkVortexFitFilter::vtkVortexFitFilter() : Impl(std::make_unique<Internals>())
+vtkVortexFitFilter::vtkVortexFitFilter() : Impl(std::make_unique<Internals>(this))
 {
-  this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfInputPorts(NumberOfInputs);
+  this->SetNumberOfOutputPorts(NumberOfOutputs);
 }
 
 vtkVortexFitFilter::~vtkVortexFitFilter() = default;
@@ -97,7 +138,7 @@ vtkVortexFitFilter::~vtkVortexFitFilter() = default;
 int vtkVortexFitFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  if (port == 1)
+  if (port == PriorsPort)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
@@ -111,48 +152,10 @@ int vtkVortexFitFilter::RequestInformation(vtkInformation*, vtkInformationVector
   return 1;
 }
 
-int vtkVortexFitFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
+int vtkVortexFitFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
                                     vtkInformationVector* outputs)
 {
-  Internals& impl = *this->Impl;
-  if (!impl.Cache.IsCurrent(this, inputs))
-  {
-    if (!(this->PriorFreedom > 0.0) || !std::isfinite(this->PriorFreedom))
-    {
-      return waft::Fail(this, outputs, "PriorFreedom: expected a number above 0");
-    }
-    waft::VortexFitOptions options;
-    options.MaximumNewVortices = this->MaximumNewVortices;
-    options.MinimumGain = this->MinimumGain;
-    options.UniformBackground = this->UniformBackground;
-    options.NumberOfStarts = this->NumberOfStarts;
-    options.Sweeps = this->Sweeps;
-    options.Seed = static_cast<std::uint64_t>(this->Seed);
-    for (double* deviation :
-         { &options.CenterDeviation, &options.AxisDeviation, &options.StrengthDeviation,
-           &options.TimeDeviation, &options.ShapeDeviation })
-    {
-      *deviation *= this->PriorFreedom;
-    }
-    waft::StageMonitor monitor(this);
-    const waft::Result result =
-      impl.Run(vtkPolyData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1]), this->SubtractWind,
-               options, monitor);
-    impl.Cache.Forget();
-    if (!result)
-    {
-      return waft::Fail(this, outputs, result.Message());
-    }
-    if (!result.IsStopped())
-    {
-      impl.Cache.MarkCurrent(this, inputs);
-    }
-  }
-  waft::VorticesToPolyData(impl.Fitted, impl.Info, vtkPolyData::GetData(outputs, 0));
-  vtkPolyData::GetData(outputs, 1)->ShallowCopy(impl.Tracks);
-  waft::RequestedTime(outputs, 0, impl.Info.Time);
-  waft::RequestedTime(outputs, 1, impl.Info.Time);
-  return 1;
+  return this->Impl->RequestData(request, inputs, outputs);
 }
 
 void vtkVortexFitFilter::PrintSelf(ostream& os, vtkIndent indent)

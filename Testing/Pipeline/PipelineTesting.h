@@ -13,19 +13,23 @@
 #include <string>
 #include <vector>
 
-/// Collects the error texts of an algorithm (and of its executive) instead of printing them.
+/// Collects the error texts (or warnings) of an algorithm and of its executive instead of printing
+/// them.
 class ErrorLog
 {
 public:
-  explicit ErrorLog(vtkAlgorithm* algorithm)
+  explicit ErrorLog(vtkAlgorithm* algorithm, unsigned long event = vtkCommand::ErrorEvent)
   {
     this->Command->SetClientData(this);
     this->Command->SetCallback(
       [](vtkObject*, unsigned long, void* self, void* text)
       { static_cast<ErrorLog*>(self)->Text += static_cast<const char*>(text); });
-    algorithm->AddObserver(vtkCommand::ErrorEvent, this->Command);
-    algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
+    algorithm->AddObserver(event, this->Command);
+    algorithm->GetExecutive()->AddObserver(event, this->Command);
   }
+  ~ErrorLog() { this->Command->SetCallback(nullptr); }
+  ErrorLog(const ErrorLog&) = delete;
+  ErrorLog& operator=(const ErrorLog&) = delete;
   bool Contains(const std::string& part) const
   {
     return this->Text.find(part) != std::string::npos;
@@ -48,6 +52,36 @@ public:
                                { ++static_cast<ExecutionCount*>(self)->Value; });
     algorithm->AddObserver(vtkCommand::StartEvent, this->Command);
   }
+
+  ~ExecutionCount() { this->Command->SetCallback(nullptr); }
+  ExecutionCount(const ExecutionCount&) = delete;
+  ExecutionCount& operator=(const ExecutionCount&) = delete;
+
+  int Value = 0;
+
+private:
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+/// Counts the sentences of progress that an algorithm gives while it computes; that it begins and
+/// ends (0 and 1) does not count.
+class WorkCount
+{
+public:
+  explicit WorkCount(vtkAlgorithm* algorithm)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long, void* self, void* progress)
+      {
+        const double fraction = *static_cast<double*>(progress);
+        static_cast<WorkCount*>(self)->Value += fraction > 0.0 && fraction < 1.0;
+      });
+    algorithm->AddObserver(vtkCommand::ProgressEvent, this->Command);
+  }
+  ~WorkCount() { this->Command->SetCallback(nullptr); }
+  WorkCount(const WorkCount&) = delete;
+  WorkCount& operator=(const WorkCount&) = delete;
 
   int Value = 0;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PipelineTesting.h"
 
+#include "SceneFolder.h"
+
 #include "Base/ShapeMeasures.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/SceneFiles.h"
@@ -19,33 +21,9 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <unistd.h>
 
 namespace
 {
-
-// A folder of its own that goes away with the test.
-class Folder
-{
-public:
-  Folder() :
-    Path(std::filesystem::temp_directory_path() /
-         ("waft-scene-" + std::to_string(static_cast<long>(::getpid()))))
-  {
-    std::filesystem::create_directories(this->Path);
-  }
-  ~Folder() { std::filesystem::remove_all(this->Path); }
-  std::string Write(const std::string& name, const std::string& text) const
-  {
-    std::ofstream(this->Path / name) << text;
-    return (this->Path / name).string();
-  }
-  std::string File(const std::string& name) const { return (this->Path / name).string(); }
-
-private:
-  std::filesystem::path Path;
-};
 
 std::string SceneFile(const std::string& name)
 {
@@ -163,7 +141,7 @@ TEST(MotionSceneReader, TheScenesOfTheProjectCanBeFlown)
 
 TEST(MotionSceneReader, MovingObstaclesAndWindsFollowTheTime)
 {
-  Folder folder;
+  SceneFolder folder;
   vtkNew<vtkMotionSceneReader> reader;
   reader->SetFileName(folder.Write("a.waft.json", R"({"waft": 1, "time": {"frames": 61},
     "ground": {"enabled": false},
@@ -208,7 +186,7 @@ TEST(MotionSceneReader, ReadsTheSceneOnceForAllFrames)
 
 TEST(MotionSceneReader, MeshesOfShapesAndObstacles)
 {
-  Folder folder;
+  SceneFolder folder;
   folder.Write("body.obj", Tetrahedron);
   vtkNew<vtkMotionSceneReader> reader;
   reader->SetFileName(folder.Write("a.waft.json", R"({"waft": 1, "ground": {"enabled": false},
@@ -231,7 +209,7 @@ TEST(MotionSceneReader, MeshesOfShapesAndObstacles)
 
 TEST(MotionSceneReader, WindFilesAndSeries)
 {
-  Folder folder;
+  SceneFolder folder;
   WriteWind(folder.File("a.vti"), "Wind", 1.f);
   WriteWind(folder.File("b.vti"), "Wind", 3.f);
   WriteWind(folder.File("v.vti"), "Velocity", 1.f);
@@ -266,7 +244,7 @@ TEST(MotionSceneReader, WindFilesAndSeries)
 // Wind = (s, s / 2, x), s = 1 and 3.
 TEST(MotionSceneReader, VolumesAreASeriesByTheirNumbers)
 {
-  Folder folder;
+  SceneFolder folder;
   const std::string fixtures = std::string(WAFT_SOURCE_DIR) + "/Testing/Pipeline/Fixtures";
   for (const char* name : { "wind_0000.vdb", "wind_0030.vdb" })
   {
@@ -289,7 +267,7 @@ TEST(MotionSceneReader, VolumesAreASeriesByTheirNumbers)
 
 TEST(MotionSceneReader, ErrorsNameThePlaceAndEmptyTheOutputs)
 {
-  Folder folder;
+  SceneFolder folder;
   folder.Write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   folder.Write("broken.ply", "this is no ply file\n");
   const std::string cases[][2] = {

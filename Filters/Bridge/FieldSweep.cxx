@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/FieldSweep.h"
+
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+using Sddp = vtkStreamingDemandDrivenPipeline;
+
+namespace waft
+{
+namespace
+{
+
+std::vector<int> PortsThatAre(std::initializer_list<int> ports)
+{
+  std::vector<int> found;
+  for (const int port : ports)
+  {
+    if (port != FieldSweep::NoPort)
+    {
+      found.push_back(port);
+    }
+  }
+  return found;
+}
+
+// The input of a port, null when there is no such port or nothing is connected to it.
+vtkInformation* InputOf(vtkInformationVector** inputs, int port)
+{
+  return port != FieldSweep::NoPort && inputs[port]->GetNumberOfInformationObjects() > 0
+           ? inputs[port]->GetInformationObject(0)
+           : nullptr;
+}
+
+} // namespace
+
+FieldSweep::FieldSweep(int obstaclesPort, int windPort) :
+  ObstaclesPort(obstaclesPort), WindPort(windPort), Sweep(PortsThatAre({ obstaclesPort, windPort }))
+{
+}
+
+void FieldSweep::RequestSteps(vtkAlgorithm* stage, vtkInformation* request,
+                              vtkInformationVector** inputs, vtkInformationVector* outputs,
+                              bool isCurrent)
+{
+  this->Sweep.RequestSteps(stage, request, inputs, outputs, isCurrent);
+  vtkInformation* wind = InputOf(inputs, this->WindPort);
+  if (wind != nullptr && wind->Has(Sddp::WHOLE_EXTENT()))
+  {
+    // The pipeline would ask for the extent of the image that the stage gives.
+    wind->Set(Sddp::UPDATE_EXTENT(), wind->Get(Sddp::WHOLE_EXTENT()), 6);
+  }
+}
+
+Result FieldSweep::Take(vtkInformationVector** inputs, const Timeline& line)
+{
+  if (this->Sweep.IsFirst())
+  {
+    this->Obstacles = ObstacleCollector();
+    this->Wind = FieldCollector();
+  }
+  if (!this->Sweep.HasNewStep())
+  {
+    return Result::Ok();
+  }
+  if (vtkInformation* input = InputOf(inputs, this->ObstaclesPort))
+  {
+    vtkPolyData* data = vtkPolyData::GetData(input);
+    if (data != nullptr && data->GetNumberOfPoints() > 0)
+    {
+      WAFT_RETURN_IF_FAILED(this->Obstacles.Add(data, TimeSweep::DataTime(input), line));
+    }
+  }
+  if (vtkInformation* input = InputOf(inputs, this->WindPort))
+  {
+    vtkImageData* data = vtkImageData::GetData(input);
+    if (data != nullptr && data->GetNumberOfPoints() > 0)
+    {
+      WAFT_RETURN_IF_FAILED(this->Wind.Add(data, TimeSweep::DataTime(input)));
+    }
+  }
+  return Result::Ok();
+}
+
+} // namespace waft

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/KeptStage.h"
+
+#include "Bridge/SceneData.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+
+namespace waft
+{
+
+KeptStage::KeptStage(vtkAlgorithm* stage, int scenePort, int obstaclesPort, int windPort) :
+  Fields(obstaclesPort, windPort), Stage(stage), ScenePort(scenePort)
+{
+}
+
+int KeptStage::RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
+                                   vtkInformationVector* outputs)
+{
+  const bool isCurrent = this->Cache.IsCurrent(this->Stage, inputs);
+  this->Fields.RequestSteps(this->Stage, request, inputs, outputs, isCurrent);
+  return 1;
+}
+
+int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                           vtkInformationVector* outputs)
+{
+  if (!this->Cache.IsCurrent(this->Stage, inputs))
+  {
+    Result result = Result::Ok();
+    if (this->Fields.IsFirst())
+    {
+      this->Scene = SceneInfo();
+      result = SceneInfoFromFieldData(vtkDataObject::GetData(inputs[this->ScenePort]), this->Scene);
+    }
+    result = result ? this->Fields.Take(inputs, this->Scene.Time) : result;
+    if (result && this->Fields.Continue(request))
+    {
+      return 1;
+    }
+    this->Fields.Reset(request);
+    this->Cache.Forget();
+    result = result ? this->Refresh(inputs) : result;
+    if (!result)
+    {
+      return Fail(this->Stage, outputs, result.Message());
+    }
+    if (!result.IsStopped())
+    {
+      this->Cache.MarkCurrent(this->Stage, inputs);
+    }
+  }
+  const double time = RequestedTimeOfAll(request, outputs, this->Scene.Time);
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject* output = vtkDataObject::GetData(outputs, port);
+    output->Initialize();
+    const auto at = static_cast<std::size_t>(port);
+    if (at < this->Keep.size() && this->Keep[at])
+    {
+      output->ShallowCopy(this->Keep[at]);
+    }
+  }
+  this->FillVarying(time, outputs);
+  RequestedTimeOfAll(request, outputs, this->Scene.Time); // filling has cleared the stamps
+  return 1;
+}
+
+Result KeptStage::Refresh(vtkInformationVector** inputs)
+{
+  this->Keep.clear();
+  this->Warnings.clear();
+  StageMonitor monitor(this->Stage);
+  const Result result = this->Run(inputs, monitor);
+  if (result)
+  {
+    for (const std::string& warning : this->Warnings)
+    {
+      vtkWarningWithObjectMacro(this->Stage, << warning);
+    }
+  }
+  return result;
+}
+
+void KeptStage::FillVarying(double, vtkInformationVector*) const {}
+
+Result KeptStage::TakeConstraints(vtkInformationVector* input,
+                                  std::vector<Constraint>& constraints) const
+{
+  vtkPolyData* rows = vtkPolyData::GetData(input);
+  if (rows == nullptr || rows->GetNumberOfPoints() == 0)
+  {
+    return Result::Ok();
+  }
+  return ConstraintsFromPolyData(rows, this->Scene.Time, constraints);
+}
+
+int KeptStage::FrameAt(double time) const
+{
+  return static_cast<int>(std::lround(time * this->Scene.Time.FramesPerSecond));
+}
+
+} // namespace waft
