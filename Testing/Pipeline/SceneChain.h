@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A small scene with a moving obstacle and all stages from its file to posed meshes.
+#pragma once
+
+#include "SceneFolder.h"
+
+#include <vtkMotionSceneReader.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRotationRefineFilter.h>
+#include <vtkSPHSpacetimeFilter.h>
+#include <vtkStylisticPlannerFilter.h>
+#include <vtkXMLMultiBlockDataReader.h>
+
+#include <string>
+#include <vector>
+
+/// Every stage takes all it can from the reader itself (the wind: see BlowWind); planning uses the
+/// database of the project.
+struct SceneChain
+{
+  enum ReaderPort
+  {
+    Objects,
+    Constraints,
+    Obstacles,
+    Shapes,
+    Vortices,
+    Wind
+  };
+
+  SceneFolder Folder;
+  vtkNew<vtkMotionSceneReader> Reader;
+  vtkNew<vtkXMLMultiBlockDataReader> Database;
+  vtkNew<vtkStylisticPlannerFilter> Planner;
+  vtkNew<vtkSPHSpacetimeFilter> Spacetime;
+  vtkNew<vtkRotationRefineFilter> Rotation;
+
+  explicit SceneChain(const std::string& scene)
+  {
+    this->Reader->SetFileName(this->Folder.Write("scene.waft.json", scene));
+    this->Database->SetFileName(WAFT_SOURCE_DIR "/Data/Database/embedded.vtm");
+    const auto fromReader = [this](vtkAlgorithm* stage, int port, ReaderPort what)
+    { stage->SetInputConnection(port, this->Reader->GetOutputPort(what)); };
+
+    this->Planner->SetInputConnection(0, this->Database->GetOutputPort());
+    fromReader(this->Planner, 1, Objects);
+    fromReader(this->Planner, 2, Constraints);
+    fromReader(this->Planner, 3, Obstacles);
+
+    this->Spacetime->SetInputConnection(0, this->Planner->GetOutputPort(0));
+    fromReader(this->Spacetime, 1, Objects);
+    this->Spacetime->SetInputConnection(2, this->Planner->GetOutputPort(3));
+    fromReader(this->Spacetime, 3, Obstacles);
+    fromReader(this->Spacetime, 4, Vortices);
+    this->Spacetime->SetNumberOfGasParticles(343);
+    this->Spacetime->SetNumberOfObjectParticles(6);
+    this->Spacetime->SetPasses(1);
+    this->Spacetime->SetLeashIterations(4);
+    this->Spacetime->SetMaximumNumberOfIterations(15);
+
+    this->Rotation->SetInputConnection(0, this->Spacetime->GetOutputPort(0));
+    fromReader(this->Rotation, 1, Objects);
+    fromReader(this->Rotation, 2, Shapes);
+    fromReader(this->Rotation, 3, Obstacles);
+    this->Rotation->SetInputConnection(5, this->Planner->GetOutputPort(3));
+  }
+
+  /// Of a scene that has winds; the objects turn in the wind that the optimiser estimates.
+  void BlowWind()
+  {
+    this->Spacetime->SetInputConnection(5, this->Reader->GetOutputPort(Wind));
+    this->Rotation->SetInputConnection(4, this->Spacetime->GetOutputPort(3));
+  }
+
+  std::vector<vtkAlgorithm*> Stages() const
+  {
+    return { this->Reader, this->Planner, this->Spacetime, this->Rotation };
+  }
+
+  static vtkPolyData* Poly(vtkAlgorithm* stage, int port)
+  {
+    return vtkPolyData::SafeDownCast(stage->GetOutputDataObject(port));
+  }
+};
