@@ -85,6 +85,7 @@ waft::SpacetimeOptions vtkSPHSpacetimeFilter::Internals::Options() const
   options.WindDrag = this->Self->WindDrag;
   options.EstimateWind = this->Self->EstimateWind;
   options.FitVortexFields = this->Self->FitVortexFields;
+  options.MaximumNumberOfVortices = this->Self->MaximumNumberOfVortices;
   options.Passes = this->Self->Passes;
   options.UseLeash = this->Self->UseLeash;
   options.LeashIterations = this->Self->LeashIterations;
@@ -230,6 +231,7 @@ void vtkSPHSpacetimeFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Passes: " << this->Passes << "\n";
   os << indent << "UseLeash: " << this->UseLeash << "\n";
   os << indent << "LeashIterations: " << this->LeashIterations << "\n";
+  os << indent << "MaximumNumberOfVortices: " << this->MaximumNumberOfVortices << "\n";
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";

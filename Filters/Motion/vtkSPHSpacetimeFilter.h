@@ -53,13 +53,13 @@ public:
   vtkGetMacro(NumberOfObjectParticles, int);
   ///@}
   ///@{
-  /** Weight c1 of Eq. 2: positions follow their prediction. 0 to 1e+06. */
-  vtkSetClampMacro(PositionWeight, double, 0.0, 1e+06);
+  /** Weight c1 of Eq. 2: positions follow their prediction. 1e-6 to 1e+06. */
+  vtkSetClampMacro(PositionWeight, double, 1e-6, 1e+06);
   vtkGetMacro(PositionWeight, double);
   ///@}
   ///@{
-  /** Weight c2 of Eq. 2: velocities follow their prediction. 0 to 1e+06. */
-  vtkSetClampMacro(VelocityWeight, double, 0.0, 1e+06);
+  /** Weight c2 of Eq. 2: velocities follow their prediction. 1e-6 to 1e+06. */
+  vtkSetClampMacro(VelocityWeight, double, 1e-6, 1e+06);
   vtkGetMacro(VelocityWeight, double);
   ///@}
   ///@{
@@ -104,8 +104,8 @@ public:
   ///@}
   ///@{
   /** Reduced gravity of the objects in m/s^2; with it and drag they fall at their
-   * SettlingSpeed in still air. 0 to 100. */
-  vtkSetClampMacro(EffectiveGravity, double, 0.0, 100.0);
+   * SettlingSpeed in still air. 0 to 20. */
+  vtkSetClampMacro(EffectiveGravity, double, 0.0, 20.0);
   vtkGetMacro(EffectiveGravity, double);
   ///@}
   ///@{
@@ -115,8 +115,8 @@ public:
   vtkGetMacro(ContactDistance, double);
   ///@}
   ///@{
-  /** Rate in 1/s with which a wind given as a velocity draws the gas. 0 to 1000. */
-  vtkSetClampMacro(WindDrag, double, 0.0, 1000.0);
+  /** Rate in 1/s with which a wind given as a velocity draws the gas. 0 to 100. */
+  vtkSetClampMacro(WindDrag, double, 0.0, 100.0);
   vtkGetMacro(WindDrag, double);
   ///@}
   ///@{
@@ -130,6 +130,12 @@ public:
   vtkSetMacro(FitVortexFields, bool);
   vtkGetMacro(FitVortexFields, bool);
   vtkBooleanMacro(FitVortexFields, bool);
+  ///@}
+  ///@{
+  /** How many of the vortices that the planned paths bring stir the air, the strongest of each
+   * place and time first; those of the scene itself always do. 0 to 1000. */
+  vtkSetClampMacro(MaximumNumberOfVortices, int, 0, 1000);
+  vtkGetMacro(MaximumNumberOfVortices, int);
   ///@}
   ///@{
   /** Alternations of solving with estimating the force fields. 1 to 10. */
@@ -149,7 +155,8 @@ public:
   vtkGetMacro(LeashIterations, int);
   ///@}
   ///@{
-  /** Iterations of each stage without leash. 1 to 100000. */
+  /** Iterations of each pass; the two stages at the end, over all frames, have a third each.
+   * 1 to 100000. */
   vtkSetClampMacro(MaximumNumberOfIterations, int, 1, 100000);
   vtkGetMacro(MaximumNumberOfIterations, int);
   ///@}
@@ -190,8 +197,8 @@ private:
   int NumberOfGasParticles = 2500;
   int NumberOfObjectParticles = 125;
   double PositionWeight = 10.0;
-  double VelocityWeight = 1.0;
-  double CoherenceWeight = 0.3;
+  double VelocityWeight = 2.0;
+  double CoherenceWeight = 0.25;
   double SpatialShare = 0.5;
   int TemporalWindow = 1;
   double SmoothingLength = 1.2;
@@ -207,7 +214,8 @@ private:
   int Passes = 2;
   bool UseLeash = true;
   int LeashIterations = 20;
-  int MaximumNumberOfIterations = 90;
+  int MaximumNumberOfVortices = 12;
+  int MaximumNumberOfIterations = 150;
   double Tolerance = 0.01;
   double TimeLimit = 0.0;
   int HistorySize = 6;

@@ -145,11 +145,11 @@ FieldSeries ExportWind(const SpacetimeInput& input, const SpacetimeSetup& setup)
           Vec3 value = Vec3::Zero();
           if (!model.Wind.IsEmpty())
           {
-            value += SampleWind(model.Wind, x, frame);
+            value += SampleField(model.Wind, x, frame);
           }
           if (background)
           {
-            value += SampleWind(model.Background, x, frame);
+            value += SampleField(model.Background, x, frame);
           }
           value *= setup.AccelerationUnit();
           values.push_back({ static_cast<float>(value.x()), static_cast<float>(value.y()),

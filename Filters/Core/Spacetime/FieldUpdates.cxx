@@ -57,7 +57,7 @@ FieldStrengths MeasureFields(const SpacetimeModel& model, const TimeLevel& level
                sums.Vortices += VortexAcceleration(model, x, level.Frames[j]).squaredNorm();
                if (!model.Wind.IsEmpty())
                {
-                 sums.Wind += SampleWind(model.Wind, x, level.Frames[j]).squaredNorm();
+                 sums.Wind += SampleField(model.Wind, x, level.Frames[j]).squaredNorm();
                }
                ++count;
              });
@@ -140,7 +140,7 @@ bool UpdateVortices(SpacetimeSetup& setup, SpacetimeObjective& objective,
                         Vec3(rv[0], rv[1], rv[2]) / level.Steps[j + 1];
                if (!model.Wind.IsEmpty())
                {
-                 a += SampleWind(model.Wind, x, frame);
+                 a += SampleField(model.Wind, x, frame);
                }
                VortexSample sample;
                sample.Track = static_cast<int>(o);

@@ -41,6 +41,7 @@ FrameTerms::FrameTerms(const SpacetimeModel& model, const SphKernelTable& kernel
   this->Jacobian.assign(9 * b, 0.0f);
   this->Rates.assign(6 * b, 0.0f);
   this->Bars.assign(6 * b, 0.0f);
+  this->Cushions.resize(model.NumberOfObjects);
 }
 
 double FrameTerms::PressureOf(std::size_t i) const
@@ -227,6 +228,22 @@ void FrameTerms::AddFields(const float* state, int frame)
   }
 }
 
+void FrameTerms::AddCushions(const float* state, int frame)
+{
+  const std::size_t s = this->BodyStride;
+  for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
+  {
+    const std::size_t i = this->Model.NumberOfGas + o;
+    const auto row = [&](int c) { return static_cast<double>(state[c * s + i]); };
+    this->Cushions[o] = LandingCushion(this->Model, frame, o, Vec3(row(0), row(1), row(2)),
+                                       Vec3(row(3), row(4), row(5)));
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Acceleration(c)[i] += static_cast<float>(this->Cushions[o].Acceleration[c]);
+    }
+  }
+}
+
 void FrameTerms::Forward(const float* state, int frame, NeighborList& list)
 {
   const std::size_t ng = this->Model.NumberOfGas;
@@ -286,6 +303,7 @@ void FrameTerms::Forward(const float* state, int frame, NeighborList& list)
         share * sumA + external[ng + o] - fall + this->Model.DragRates[o] * bodyD[ng + o];
     }
   }
+  this->AddCushions(state, frame);
 }
 
 void FrameTerms::Adjoint(NeighborList& list, float* gradient)
@@ -376,6 +394,22 @@ void FrameTerms::Adjoint(NeighborList& list, float* gradient)
     {
       g[i] += j[c * s + i] * a0[i] + j[(3 + c) * s + i] * a1[i] + j[(6 + c) * s + i] * a2[i];
       gv[i] -= this->BackgroundDrag * abar[i];
+    }
+  }
+  for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
+  {
+    const std::size_t i = ng + o;
+    Vec3 bar;
+    for (int c = 0; c < 3; ++c)
+    {
+      bar[c] = this->AccelerationBar(c)[i];
+    }
+    const Vec3 byPosition = this->Cushions[o].ByPosition.transpose() * bar;
+    const Vec3 byVelocity = this->Cushions[o].ByVelocity.transpose() * bar;
+    for (int c = 0; c < 3; ++c)
+    {
+      gradient[c * s + i] += static_cast<float>(byPosition[c]);
+      gradient[(3 + c) * s + i] += static_cast<float>(byVelocity[c]);
     }
   }
 }

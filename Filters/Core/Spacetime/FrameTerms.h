@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Particles/NeighborList.h"
+#include "Spacetime/GroundCushion.h"
 #include "Spacetime/SpacetimeModel.h"
 
 #include <vector>
@@ -43,6 +44,7 @@ private:
   void AddWalls(int frame);
   void AddObstacle(std::size_t i, int frame);
   void AddFields(const float* state, int frame);
+  void AddCushions(const float* state, int frame);
   SphRows ParticleRows(std::vector<float>& v) const { return { v.data(), this->ParticleStride }; }
 
   const SpacetimeModel& Model;
@@ -62,6 +64,7 @@ private:
   std::vector<float> Rates, Bars;                      // bodies: 6 rows
   std::vector<float> WindCoefficients, BackgroundCoefficients;
   float BackgroundDrag = 0.0f;
+  std::vector<CushionForce> Cushions; // one an object
   std::vector<SphVortex> Active;
   NeighborScratch Scratch;
 };

@@ -62,16 +62,16 @@ double ClearanceTerms(const SpacetimeModel& model, int frame, double scale, cons
   return sum;
 }
 
-// Distance beyond the reach about the approach of a landing.
-double LandingTerms(const SpacetimeModel& model, int frame, double scale, const float* state,
-                    float* gradient)
+// Distance beyond the reach about the approach.
+double ReachTerms(const SpacetimeModel& model, int frame, double scale, const float* state,
+                  float* gradient)
 {
   if (model.Reach.empty())
   {
     return 0.0;
   }
   const std::size_t stride = model.Stride();
-  const double weight = model.Weights.Landing;
+  const double weight = model.Weights.Reach;
   double sum = 0.0;
   for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
   {
@@ -165,7 +165,7 @@ double AddObjectTerms(const SpacetimeModel& model, int frame, double scale, cons
                       float* gradient)
 {
   return ClearanceTerms(model, frame, scale, state, gradient) +
-         LandingTerms(model, frame, scale, state, gradient) +
+         ReachTerms(model, frame, scale, state, gradient) +
          ContactTerms(model, frame, scale, state, gradient);
 }
 

@@ -3,6 +3,7 @@
 
 #include "Obstacles/ConstraintCheck.h"
 #include "Spacetime/FieldUpdates.h"
+#include "Spacetime/GasStart.h"
 #include "Spacetime/Lbfgs.h"
 #include "Spacetime/SpacetimeExport.h"
 #include "Spacetime/SpacetimeSetup.h"
@@ -98,6 +99,9 @@ private:
   bool Minimize(LevelSolver& solver, StateVector& state, int pass, const std::string& stage,
                 int iterations, double leash);
   bool UpdateFields(LevelSolver& solver, const StateVector& state, int pass, bool vortices);
+  /// Of each of the two stages that follow a coarse level: large changes are made there, for half
+  /// the work.
+  int LastIterations() const { return (this->Options.MaximumNumberOfIterations + 2) / 3; }
   bool SolveCoarse();
   bool SolveFine(LevelSolver& fine);
   void Plan();
@@ -226,6 +230,7 @@ bool SpacetimeRun::SolveCoarse()
 bool SpacetimeRun::SolveFine(LevelSolver& fine)
 {
   const int iterations = this->Options.MaximumNumberOfIterations;
+  const int last = this->Coarse.empty() ? iterations : this->LastIterations();
   const int pass = this->Options.Passes;
   bool going = true;
   for (int step = 0; step < LeashSteps && this->Options.UseLeash && this->Coarse.empty() && going;
@@ -241,16 +246,15 @@ bool SpacetimeRun::SolveFine(LevelSolver& fine)
     going = this->Minimize(fine, this->State, k, "free " + std::to_string(k), iterations, 0.0) &&
             this->UpdateFields(fine, this->State, k, true);
   }
-  return going && this->Minimize(fine, this->State, pass, "fine a", iterations, 0.0) &&
+  return going && this->Minimize(fine, this->State, pass, "fine a", last, 0.0) &&
          this->UpdateFields(fine, this->State, pass, false) &&
-         this->Minimize(fine, this->State, pass, "fine b", iterations, 0.0);
+         this->Minimize(fine, this->State, pass, "fine b", last, 0.0);
 }
 
 void SpacetimeRun::Plan()
 {
   const SpacetimeModel& model = this->Setup.Model;
   const std::vector<int> coarse = CoarseFrames(model, this->Setup.Table, CoarseStride);
-  double work = 2.0 * this->Options.MaximumNumberOfIterations;
   const double early = this->Options.Passes * this->Options.MaximumNumberOfIterations +
                        (this->Options.UseLeash ? LeashSteps * this->Options.LeashIterations : 0);
   if (static_cast<double>(coarse.size()) < WorthCoarsening * model.NumberOfFrames &&
@@ -258,6 +262,8 @@ void SpacetimeRun::Plan()
   {
     this->Coarse = coarse;
   }
+  const double work =
+    2.0 * (this->Coarse.empty() ? this->Options.MaximumNumberOfIterations : this->LastIterations());
   const double share =
     this->Coarse.empty() ? 1.0 : static_cast<double>(coarse.size()) / model.NumberOfFrames;
   this->AllWork = 1.03 * (work + share * early);
@@ -278,12 +284,19 @@ Result SpacetimeRun::Run()
   {
     SpacetimeObjective objective(model, full, this->Parallel, FastestSphKernels());
     objective.Evaluate(this->State, nullptr, terms);
+    if (!std::isfinite(terms.E))
+    {
+      return Result::Error("Tracks: the planned motion has no finite cost");
+    }
+    this->Record(0, "initial", 0, terms, 0.0, 0.0);
+    StageMonitor monitor(this->Progress, 0.0, 0.0, 1);
+    monitor.Text = "spacetime: moving the gas";
+    if (StartGas(objective, this->Parallel, monitor, this->State))
+    {
+      objective.Evaluate(this->State, nullptr, terms);
+      this->Record(0, "gas moved", 0, terms, 0.0, 0.0);
+    }
   }
-  if (!std::isfinite(terms.E))
-  {
-    return Result::Error("Tracks: the planned motion has no finite cost");
-  }
-  this->Record(0, "initial", 0, terms, 0.0, 0.0);
 
   bool going = true;
   if (!this->Coarse.empty())
@@ -354,7 +367,6 @@ Result SpacetimeOptions::Validate() const
          CheckRange("NumberOfObjectParticles", this->NumberOfObjectParticles, 1, 100000),
          CheckRange("PositionWeight", this->PositionWeight, 1e-6, Large),
          CheckRange("VelocityWeight", this->VelocityWeight, 1e-6, Large),
-         CheckRange("ObjectVelocityShare", this->ObjectVelocityShare, 1e-6, 1.0),
          CheckRange("CoherenceWeight", this->CoherenceWeight, 0.0, Large),
          CheckRange("SpatialShare", this->SpatialShare, 0.0, 1.0),
          CheckRange("TemporalWindow", this->TemporalWindow, 1, 30),

@@ -24,9 +24,8 @@ struct SpacetimeOptions
   int NumberOfGasParticles = 2500;   // 64..200000: gives the spacing dx
   int NumberOfObjectParticles = 125; // 1..: shared among the objects, one to five each
   double PositionWeight = 10.0;      // c1 of Eq. 2, from 0
-  double VelocityWeight = 1.0;       // c2
-  double ObjectVelocityShare = 1.0;  // of c2, for objects: room for motion finer than the gas shows
-  double CoherenceWeight = 0.3;      // c3: how much objects move with the air about them
+  double VelocityWeight = 2.0;       // c2
+  double CoherenceWeight = 0.25;     // c3: how much objects move with the air about them
   double SpatialShare = 0.5;         // c31 of Eq. 4, 0..1; c32 = 1 - c31
   int TemporalWindow = 1;            // w of Eq. 4, 1..30 frames
   double SmoothingLength = 1.2;      // h / dx, 0.8..2
@@ -42,11 +41,12 @@ struct SpacetimeOptions
   int MaximumNumberOfVortices = 12; // kept of those that planned paths bring, 0..1000
   int Passes = 2;                   // 1..10 alternations with the force fields
   bool UseLeash = true;
-  int LeashIterations = 20;           // for each of the five radii
-  int MaximumNumberOfIterations = 90; // of each stage without leash
-  double Tolerance = 0.01;            // least relative fall of E in 20 iterations; 0: none
-  double TimeLimit = 0.0;             // s; 0: none. A limit may break bit-equality
-  int HistorySize = 6;                // of L-BFGS, 1..20
+  int LeashIterations = 20; // for each of the five radii
+  /// Of each pass; the two last stages, over all frames after a coarse level, take a third each.
+  int MaximumNumberOfIterations = 150;
+  double Tolerance = 0.01; // least relative fall of E in 20 iterations; 0: none
+  double TimeLimit = 0.0;  // s; 0: none. A limit may break bit-equality
+  int HistorySize = 6;     // of L-BFGS, 1..20
 
   Result Validate() const;
 };

@@ -19,17 +19,16 @@ namespace waft
 /// of residuals in dx and dx / frame.
 struct SpacetimeWeights
 {
-  double Position = 10.0;           // c1
-  double Velocity = 1.0;            // c2
-  double ObjectVelocityShare = 1.0; // of c2, for objects
-  double Coherence = 0.2;           // c3
-  double SpatialShare = 0.5;        // c31; c32 = 1 - c31
-  int TemporalWindow = 1;           // w of Eq. 4 [frames]
-  double XsphFactor = 0.0;          // epsilon of Eq. 10
-  double Clearance = 10.0;          // objects nearer to a surface than they may be
-  double Landing = 1.0;             // objects farther from their approach than they may be
-  double Contact = 0.3;             // objects nearer to each other than ContactDistance
-  double ContactDistance = 0.0;     // d0 [dx]
+  double Position = 10.0;       // c1
+  double Velocity = 1.0;        // c2
+  double Coherence = 0.2;       // c3
+  double SpatialShare = 0.5;    // c31; c32 = 1 - c31
+  int TemporalWindow = 1;       // w of Eq. 4 [frames]
+  double XsphFactor = 0.0;      // epsilon of Eq. 10
+  double Clearance = 10.0;      // objects nearer to a surface than they may be
+  double Reach = 1.0;           // objects farther from their approach than they may be
+  double Contact = 0.3;         // objects nearer to each other than ContactDistance
+  double ContactDistance = 0.0; // d0 [dx]
 };
 
 /// What holds for one object at one frame.
@@ -74,7 +73,8 @@ struct SpacetimeModel
   std::vector<float> DragRates;   // one an object [1 / frame]
   std::vector<float> Clearances;  // one an object [dx]
   std::vector<float> RestHeights; // one an object [dx]
-  /// A place that an object should be near to at a frame, before it lands, and how near [dx];
+  /// A place that an object should be near to at a frame, after its start and before it lands, and
+  /// how near [dx];
   /// Reach 0: none. Both [frame * NumberOfObjects + object].
   std::vector<Vec3> Approach;
   std::vector<float> Reach;
@@ -103,11 +103,17 @@ struct SpacetimeModel
   {
     return body < this->NumberOfGas ? 1.0 : static_cast<double>(this->Offsets.size());
   }
+  /// How fast the air moves upwards about an object that settles freely [dx / frame]: there drag
+  /// and effective gravity balance.
+  float SettlingSlip(std::size_t object) const
+  {
+    const float rate = this->DragRates[object];
+    return rate > 0.0f ? static_cast<float>(this->Gravity) / rate : 0.0f;
+  }
   /// The weight of a body's velocity residual.
   double VelocityWeight(std::size_t body) const
   {
-    return this->BodyWeight(body) * this->Weights.Velocity *
-           (body < this->NumberOfGas ? 1.0 : this->Weights.ObjectVelocityShare);
+    return this->BodyWeight(body) * this->Weights.Velocity;
   }
 };
 

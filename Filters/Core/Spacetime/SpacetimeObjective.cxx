@@ -136,16 +136,16 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
     float* outV = last ? nullptr : this->Residuals.data() + ((j + 1) * 9 + 3 + c) * stride;
     for (std::size_t i = 0; i < bodies; ++i)
     {
-      float weight = 1.0f, flight = 1.0f, air = 1.0f, forces = 1.0f;
+      float weight = 1.0f, flight = 1.0f, air = 1.0f, slip = 0.0f;
       if (i >= ng)
       {
         const std::size_t o = i - ng;
         weight = static_cast<float>(model.Offsets.size());
-        forces = weight * static_cast<float>(weights.ObjectVelocityShare);
         air = model.Flag(this->Times.Frames[j], o) & NoCoherence ? 0.0f : 1.0f;
+        slip = c == 2 ? model.SettlingSlip(o) : 0.0f;
         flight = !last && this->Bound[(j + 1) * model.NumberOfObjects + o] ? 0.0f : 1.0f;
       }
-      const float rs = air * d[i];
+      const float rs = air * (d[i] - slip);
       ec += static_cast<double>(weight * rs) * rs;
       dbar[i] = weight * ws * rs;
       abar[i] = 0.0f;
@@ -154,9 +154,9 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
         const float rx = flight * ((xn[i] - x[i]) - s * (vn[i] + eps * d[i]));
         const float rv = flight * ((vn[i] - v[i]) - s * a[i]);
         ex += static_cast<double>(weight * rx) * rx;
-        ev += static_cast<double>(forces * rv) * rv;
+        ev += static_cast<double>(weight * rv) * rv;
         outX[i] = weight * wx * rx;
-        outV[i] = forces * wv * rv;
+        outV[i] = weight * wv * rv;
         abar[i] = -s * outV[i];
         dbar[i] -= s * eps * outX[i];
       }

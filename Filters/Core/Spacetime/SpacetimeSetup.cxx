@@ -20,6 +20,8 @@ constexpr double LatticeSpacing = 0.4;       // of the obstacles' distances [dx]
 constexpr double LargestContact = 0.5;       // [dx]
 constexpr double ObjectMassShare = 0.1;      // of a gas particle's mass, at most
 constexpr double AllObjectsMassShare = 0.02; // of all gas, at most
+constexpr double LeastCore = 1.5;            // of a vortex [dx]: the gas cannot follow a finer one
+constexpr double StartReach = 1.6;   // growth of the way from the plan after the start [m/s^2]
 constexpr double LandingReach = 0.8; // growth of the way from the plan before a rest [m/s^2]
 
 Result CheckTracks(const SpacetimeInput& input)
@@ -252,6 +254,15 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
     }
   }
   model.Approach = setup.Table.Planned;
+  // What starts at a given place does not leap away from it: the way from the plan grows as half
+  // StartReach t^2.
+  const double rate = input.Scene.Time.FramesPerSecond;
+  for (int frame = 1; frame < std::min(model.NumberOfFrames, static_cast<int>(rate)); ++frame)
+  {
+    const double after = frame / rate;
+    std::fill_n(model.Reach.begin() + static_cast<std::ptrdiff_t>(frame * no), no,
+                static_cast<float>(0.5 * StartReach * after * after / setup.Spacing));
+  }
 }
 
 void Fix(SpacetimeSetup& setup, int frame, std::size_t object, const Vec3& position, int flags)
@@ -282,9 +293,8 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
       {
         flags(frame) |= floor ? LandsOnFloor : LandsOnObstacle;
       }
-      // Just before, it follows the plan, which comes down softly: what brakes a leaf there, the
-      // air between it and the ground, is finer than the gas. The reach grows as half LandingReach
-      // t^2.
+      // Just before, it follows the plan, which comes down softly: the last of what brakes a leaf
+      // there is finer than the gas. The reach grows as half LandingReach t^2.
       const double rate = input.Scene.Time.FramesPerSecond;
       for (int frame = std::max(1, window.Frame - static_cast<int>(rate)); frame < window.Frame;
            ++frame)
@@ -420,7 +430,7 @@ Vortex ToModel(const SpacetimeSetup& setup, const Vortex& vortex)
   v.Strength = vortex.Strength / (setup.AccelerationUnit() * setup.Spacing);
   v.CenterTime = vortex.CenterTime / setup.FrameStep;
   v.Duration = vortex.Duration / setup.FrameStep;
-  v.CoreRadius = vortex.CoreRadius / setup.Spacing;
+  v.CoreRadius = std::max(vortex.CoreRadius / setup.Spacing, LeastCore);
   return v;
 }
 
@@ -456,7 +466,6 @@ Result MakeSetup(const SpacetimeInput& input, const SpacetimeOptions& options,
   SpacetimeWeights& weights = setup.Model.Weights;
   weights.Position = options.PositionWeight;
   weights.Velocity = options.VelocityWeight;
-  weights.ObjectVelocityShare = options.ObjectVelocityShare;
   weights.Coherence = options.CoherenceWeight;
   weights.SpatialShare = options.SpatialShare;
   weights.TemporalWindow = options.TemporalWindow;

@@ -92,8 +92,7 @@ TimelinePreconditioner::Band TimelinePreconditioner::Factor(long object) const
       const double share = this->Level.StepWeights[j];
       addRow({ { 2 * j, 1.0 }, { 2 * j - 2, -1.0 }, { 2 * j + 1, -this->Level.Steps[j] } },
              w.Position * share);
-      addRow({ { 2 * j + 1, 1.0 }, { 2 * j - 1, -1.0 } },
-             w.Velocity * share * (object < 0 ? 1.0 : w.ObjectVelocityShare));
+      addRow({ { 2 * j + 1, 1.0 }, { 2 * j - 1, -1.0 } }, w.Velocity * share);
     }
   }
 

@@ -117,8 +117,7 @@ TEST(TimelinePreconditioner, InvertsTheTimeCoupling)
       if (j > 0)
       {
         add({ { 2 * j, 1.0 }, { 2 * j - 2, -1.0 }, { 2 * j + 1, -1.0 } }, w.Position);
-        add({ { 2 * j + 1, 1.0 }, { 2 * j - 1, -1.0 } },
-            w.Velocity * (object ? w.ObjectVelocityShare : 1.0));
+        add({ { 2 * j + 1, 1.0 }, { 2 * j - 1, -1.0 } }, w.Velocity);
       }
     }
     m *= object ? static_cast<double>(model.Offsets.size()) : 1.0;
@@ -239,10 +238,10 @@ TEST(WindEstimate, RecoversASmoothWindThatIsFreeOfDivergence)
   SpacetimeTerms terms;
   objective.Evaluate(state, nullptr, terms);
   WindOptions options;
-  options.Ridge = 1e-3;
-  options.Curvature = 1e-3;
-  options.TimeSmoothing = 1e-3;
-  options.Iterations = 100;
+  options.Fit.Ridge = 1e-3;
+  options.Fit.Curvature = 1e-3;
+  options.Fit.TimeSmoothing = 1e-3;
+  options.Fit.Iterations = 100;
   const SplineWind wind = EstimateWind(objective, state, options, SerialFor());
   double error = 0.0, scale = 0.0;
   for (double frame : { 5.0, 20.0, 33.0 })
@@ -250,7 +249,7 @@ TEST(WindEstimate, RecoversASmoothWindThatIsFreeOfDivergence)
     for (const Vec3& s : { Vec3(0.3, 0.4, 0.5), Vec3(0.6, 0.7, 0.3), Vec3(0.5, 0.2, 0.8) })
     {
       const Vec3 x = s.cwiseProduct(model.Size);
-      error = std::max(error, (SampleWind(wind, x, frame) - truth(x, frame)).norm());
+      error = std::max(error, (SampleField(wind, x, frame) - truth(x, frame)).norm());
       scale = std::max(scale, truth(x, frame).norm());
     }
   }

@@ -113,11 +113,12 @@ TEST(RunSpacetime, MakesPlannedPathsCoherentAndKeepsExactRowsToTheBit)
   scene.NumberOfObjects = 20;
   scene.NumberOfFrames = 90;
   const SpacetimeInput input = MakeScene(scene);
-  const SpacetimeOutput output = RunScene(input, QuickOptions());
+  SpacetimeOptions options = QuickOptions();
+  options.MaximumNumberOfIterations = 120;
+  const SpacetimeOutput output = RunScene(input, options);
   ExpectMonotone(output);
   ExpectAllMet(output);
-  // Three seconds are short to set the air in motion; at full length it is less than half of this.
-  EXPECT_LT(output.Convergence.back().E, 0.13 * output.Convergence.front().E);
+  EXPECT_LT(output.Convergence.back().E, 0.1 * output.Convergence.front().E);
   for (std::size_t o = 0; o < input.Tracks.size(); ++o)
   {
     EXPECT_LT(output.PositionResiduals[o], 4e-3);
@@ -133,7 +134,7 @@ TEST(RunSpacetime, MakesPlannedPathsCoherentAndKeepsExactRowsToTheBit)
   const double step = input.Scene.Time.Step();
   const double planned = Incoherence(input.Tracks, 0.8, step);
   const double found = Incoherence(output.Tracks, 0.8, step);
-  EXPECT_LT(found, 0.8 * planned);
+  EXPECT_LT(found, 0.7 * planned);
 }
 
 TEST(RunSpacetime, MeetsBallsVelocitiesAndAccelerations)

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/GasStart.h"
+
+#include "Spacetime/SplineFit.h"
+#include "Spacetime/WindEstimate.h"
+
+#include <algorithm>
+
+namespace waft
+{
+namespace
+{
+
+constexpr double FramesPerKnot = 15.0;
+constexpr double StillWeight = 0.01; // of a gas particle that knows of no object, against an object
+constexpr double WallWeight = 0.2;   // of one at a wall: the flow must not cross it
+constexpr double WallReach = 0.6;    // [dx]
+constexpr double Pull = 0.02; // towards the flow [1 / frame]: the vortices lead, the flow keeps up
+constexpr double Inside = 0.05; // gas is kept this far from the walls [dx]
+
+Vec3 Row(const float* state, std::size_t stride, std::size_t i)
+{
+  return { state[i], state[stride + i], state[2 * stride + i] };
+}
+
+SplineWind FitFlow(const SpacetimeModel& model, const TimeLevel& level, const StateVector& state,
+                   const ParallelFor& parallel)
+{
+  const std::size_t stride = model.Stride();
+  std::vector<SplineSamples> samples(level.NumberOfFrames());
+  for (std::size_t j = 0; j < samples.size(); ++j)
+  {
+    samples[j].Frame = level.Frames[j];
+    const float* here = state.data() + j * model.FrameSize();
+    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    {
+      if (j == 0 || StepIsBound(model, level, j, o))
+      {
+        continue;
+      }
+      SplineSamples::Sample sample;
+      sample.Place = Row(here, stride, model.NumberOfGas + o);
+      sample.Value = Row(here + 3 * stride, stride, model.NumberOfGas + o);
+      sample.Value.z() += model.SettlingSlip(o);
+      samples[j].Samples.push_back(sample);
+    }
+    for (std::size_t i = j % 8; i < model.NumberOfGas; i += 8)
+    {
+      SplineSamples::Sample sample;
+      sample.Place = Row(here, stride, i);
+      const bool atWall = (sample.Place.array() < WallReach).any() ||
+                          ((model.Size - sample.Place).array() < WallReach).any();
+      sample.Weight = 8.0 * (atWall ? WallWeight : StillWeight);
+      samples[j].Samples.push_back(sample);
+    }
+  }
+  return FitSplineField(MakeWindLattice(model, FramesPerKnot), KnotsOf(model, FramesPerKnot),
+                        samples, SplineFitOptions(), parallel);
+}
+
+} // namespace
+
+bool StartGas(SpacetimeObjective& objective, const ParallelFor& parallel, Monitor& monitor,
+              StateVector& state)
+{
+  const SpacetimeModel& model = objective.Model();
+  const TimeLevel& level = objective.Level();
+  const std::size_t stride = model.Stride();
+  const std::size_t gas = model.NumberOfGas;
+  const SplineWind flow = FitFlow(model, level, state, parallel);
+  const StateVector still = state;
+  for (std::size_t i = 0; i < gas; ++i)
+  {
+    const Vec3 v = SampleField(flow, Row(state.data(), stride, i), 0.0);
+    for (int c = 0; c < 3; ++c)
+    {
+      state[(3 + c) * stride + i] = static_cast<float>(v[c]);
+    }
+  }
+  for (std::size_t j = 0; j + 1 < level.NumberOfFrames(); ++j)
+  {
+    if (!monitor.Tick(static_cast<double>(j) / level.NumberOfFrames(), {}))
+    {
+      state = still;
+      return false;
+    }
+    FrameTerms& terms = objective.ForwardFrame(state, j);
+    const float* here = state.data() + j * model.FrameSize();
+    float* next = state.data() + (j + 1) * model.FrameSize();
+    const double step = level.Steps[j + 1];
+    for (std::size_t i = 0; i < gas; ++i)
+    {
+      const Vec3 u = SampleField(flow, Row(here, stride, i), level.Frames[j]);
+      for (int c = 0; c < 3; ++c)
+      {
+        const double v = here[(3 + c) * stride + i];
+        const double a = terms.Acceleration(c)[i] + Pull * (u[c] - v);
+        const double after = v + step * a;
+        const double x = here[c * stride + i] + step * after;
+        next[(3 + c) * stride + i] = static_cast<float>(after);
+        next[c * stride + i] = static_cast<float>(std::clamp(x, Inside, model.Size[c] - Inside));
+      }
+    }
+  }
+  return true;
+}
+
+} // namespace waft

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/GroundCushion.h"
+
+namespace waft
+{
+namespace
+{
+
+constexpr double Stiffness = 4.0;  // of the cushion against free drag, one radius up
+constexpr double CoreShare = 0.25; // of the radius: where the cushion is stiffest
+
+struct Surface
+{
+  double Distance = 0.0;
+  Vec3 Normal = Vec3::UnitZ();
+  Eigen::Matrix3d Curvature = Eigen::Matrix3d::Zero(); // second derivatives of the distance
+};
+
+Surface ObstacleSurface(const SpacetimeModel& model, int frame, const Vec3& position)
+{
+  const Eigen::Vector3f p = position.cast<float>();
+  float normal[3], curve[6];
+  Surface surface;
+  surface.Distance = model.Obstacles.Evaluate(p.data(), frame, normal, curve);
+  surface.Normal = Vec3(normal[0], normal[1], normal[2]);
+  surface.Curvature << curve[0], curve[1], curve[2], curve[1], curve[3], curve[4], curve[2],
+    curve[4], curve[5];
+  return surface;
+}
+
+} // namespace
+
+CushionForce LandingCushion(const SpacetimeModel& model, int frame, std::size_t object,
+                            const Vec3& position, const Vec3& velocity)
+{
+  CushionForce force;
+  const std::uint8_t flag = model.Flag(frame, object);
+  if (!(flag & (LandsOnFloor | LandsOnObstacle)))
+  {
+    return force;
+  }
+  Surface surface;
+  surface.Distance = position.z();
+  if (!(flag & LandsOnFloor))
+  {
+    surface = ObstacleSurface(model, frame, position);
+  }
+  const double radius = model.Clearances[object];
+  const double height = surface.Distance - model.RestHeights[object];
+  const double core = CoreShare * radius;
+  const double rate =
+    Stiffness * model.DragRates[object] * radius * radius / (height * height + core * core);
+  const double slope = -2.0 * height / (height * height + core * core) * rate;
+  const Vec3& n = surface.Normal;
+  const double approach = velocity.dot(n);
+  force.Acceleration = -rate * approach * n;
+  force.ByVelocity = -rate * n * n.transpose();
+  force.ByPosition = -n * (slope * approach * n + rate * surface.Curvature * velocity).transpose() -
+                     rate * approach * surface.Curvature;
+  return force;
+}
+
+} // namespace waft

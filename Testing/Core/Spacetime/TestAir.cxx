@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the air does to light things: terminal fall, the cushion above a surface, the moving start.
+#include "Spacetime/GasStart.h"
+#include "Spacetime/GroundCushion.h"
+#include "Spacetime/SpacetimeSetup.h"
+#include "SpacetimeScenes.h"
+
+#include <gtest/gtest.h>
+
+using namespace waft;
+
+namespace
+{
+
+SpacetimeSetup MakeProblem(const SpacetimeInput& input)
+{
+  SpacetimeOptions options;
+  options.NumberOfGasParticles = 343;
+  options.NumberOfObjectParticles = 25;
+  SpacetimeSetup setup;
+  const Result result = MakeSetup(input, options, setup);
+  EXPECT_TRUE(result) << result.Message();
+  return setup;
+}
+
+double* Component(Vec3& v, int c)
+{
+  return v.data() + c;
+}
+
+} // namespace
+
+TEST(SettlingSlip, AThingThatFallsAtItsSettlingSpeedThroughStillAirIsAtOneWithIt)
+{
+  SceneOptions scene;
+  scene.NumberOfObjects = 1;
+  scene.NumberOfFrames = 3;
+  SpacetimeInput input = MakeScene(scene);
+  input.Vortices.clear();
+  MotionObject& object = input.Objects[0];
+  object.Position = Vec3(0.0, 0.0, 2.0);
+  const double fall = object.SettlingSpeed * input.Scene.Time.Step();
+  input.Tracks[0].Positions = { object.Position, object.Position - fall * Vec3::UnitZ(),
+                                object.Position - 2.0 * fall * Vec3::UnitZ() };
+  input.Constraints.clear();
+  const auto coherence = [&](double factor)
+  {
+    SpacetimeSetup setup = MakeProblem(input);
+    const SpacetimeModel& model = setup.Model;
+    for (int j = 0; j < 3; ++j)
+    {
+      setup.Start[j * model.FrameSize() + 5 * model.Stride() + model.NumberOfGas] *=
+        static_cast<float>(factor);
+    }
+    const TimeLevel level = TimeLevel::Full(3, 1);
+    SpacetimeObjective objective(model, level, SerialFor(), FastestSphKernels());
+    SpacetimeTerms terms;
+    objective.Evaluate(setup.Start, nullptr, terms);
+    return terms.Ec;
+  };
+  EXPECT_LT(coherence(1.0), 0.01 * coherence(0.0));
+  EXPECT_LT(coherence(1.0), 0.01 * coherence(2.0));
+}
+
+TEST(LandingCushion, HasExactDerivativesAboveTheFloorAndAnObstacle)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 20;
+  scene.Land = true;
+  SpacetimeInput input = MakeScene(scene);
+  ObstacleMesh table;
+  table.ObstacleId = 1;
+  table.Mesh = BoxMesh(Vec3(-0.6, -0.6, 0.2), Vec3(0.6, 0.6, 0.6));
+  input.Obstacles.push_back(table);
+  SpacetimeSetup setup = MakeProblem(input);
+  SpacetimeModel& model = setup.Model;
+  for (const std::uint8_t flag : { LandsOnFloor, LandsOnObstacle })
+  {
+    model.Flags.assign(model.Flags.size(), flag);
+    // Beside an edge of the table the distance is curved.
+    const Vec3 place = flag == LandsOnFloor ? setup.FromWorld(Vec3(1.0, 1.0, 0.06))
+                                            : setup.FromWorld(Vec3(0.68, 0.1, 0.67));
+    const Vec3 velocity(0.02, -0.03, -0.08);
+    const CushionForce force = LandingCushion(model, 3, 1, place, velocity);
+    EXPECT_GT(force.Acceleration.norm(), 1e-5);
+    EXPECT_LT(force.Acceleration.dot(velocity), 0.0);
+    const double h = 1e-3;
+    for (int c = 0; c < 3; ++c)
+    {
+      Vec3 ahead = place, behind = place, faster = velocity, slower = velocity;
+      *Component(ahead, c) += h;
+      *Component(behind, c) -= h;
+      *Component(faster, c) += h;
+      *Component(slower, c) -= h;
+      const Vec3 byPlace = (LandingCushion(model, 3, 1, ahead, velocity).Acceleration -
+                            LandingCushion(model, 3, 1, behind, velocity).Acceleration) /
+                           (2.0 * h);
+      const Vec3 byVelocity = (LandingCushion(model, 3, 1, place, faster).Acceleration -
+                               LandingCushion(model, 3, 1, place, slower).Acceleration) /
+                              (2.0 * h);
+      EXPECT_LT((byPlace - force.ByPosition.col(c)).norm(), 0.05 * force.ByPosition.norm() + 1e-6)
+        << int(flag) << c;
+      EXPECT_LT((byVelocity - force.ByVelocity.col(c)).norm(), 1e-3 * force.ByVelocity.norm());
+    }
+  }
+  model.Flags.assign(model.Flags.size(), 0);
+  EXPECT_EQ(LandingCushion(model, 3, 1, Vec3(1.0, 1.0, 0.1), -Vec3::UnitZ()).Acceleration,
+            Vec3(Vec3::Zero()));
+}
+
+TEST(LandingCushion, StopsASettlingLeafSoftlyAboveTheFloor)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 20;
+  scene.Land = true;
+  SpacetimeSetup setup = MakeProblem(MakeScene(scene));
+  SpacetimeModel& model = setup.Model;
+  model.Flags.assign(model.Flags.size(), LandsOnFloor);
+  const Vec3 x0 = setup.FromWorld(Vec3(0.0, 0.0, 0.4));
+  Vec3 x = x0;
+  Vec3 v = -model.SettlingSlip(0) * Vec3::UnitZ();
+  double hardest = 0.0;
+  int frames = 0;
+  for (; x.z() > model.RestHeights[0] + 0.2 * model.Clearances[0] && frames < 300; ++frames)
+  {
+    const Vec3 force = LandingCushion(model, 3, 0, x, v).Acceleration -
+                       (model.Gravity + model.DragRates[0] * v.z()) * Vec3::UnitZ();
+    hardest = std::max(hardest, force.norm());
+    v += force;
+    x += v;
+  }
+  EXPECT_GT(frames, (x0 - x).z() / model.SettlingSlip(0)); // longer than free fall
+  EXPECT_LT(frames, 60);
+  EXPECT_LT(v.norm(), 0.3 * model.SettlingSlip(0));
+  EXPECT_LT(hardest, 15.0 * model.Gravity);
+}
+
+TEST(StartGas, MovesTheAirWithTheObjectsAndKeepsItsDynamics)
+{
+  // Everything is carried along by one stream.
+  SceneOptions scene;
+  scene.NumberOfObjects = 20;
+  scene.NumberOfFrames = 60;
+  SpacetimeInput input = MakeScene(scene);
+  input.Vortices.clear();
+  const double step = input.Scene.Time.Step();
+  for (Track& track : input.Tracks)
+  {
+    for (int k = 1; k < scene.NumberOfFrames; ++k)
+    {
+      const Vec3 x = track.Positions[k - 1] - Vec3(0.0, 0.0, 2.0);
+      const Vec3 u = 0.5 * Vec3(-x.y(), x.x(), 0.0); // a slow turn about the middle
+      track.Positions[k] = track.Positions[k - 1] + step * u;
+    }
+  }
+  SpacetimeSetup setup = MakeProblem(input);
+  const SpacetimeModel& model = setup.Model;
+  const TimeLevel level = TimeLevel::Full(scene.NumberOfFrames, 1);
+  SpacetimeObjective objective(model, level, SerialFor(), FastestSphKernels());
+  SpacetimeTerms still, moved;
+  objective.Evaluate(setup.Start, nullptr, still);
+  StateVector state = setup.Start;
+  SilentMonitor monitor;
+  ASSERT_TRUE(StartGas(objective, SerialFor(), monitor, state));
+  objective.Evaluate(state, nullptr, moved);
+  EXPECT_LT(moved.Ev, still.Ev);
+  for (int j = 0; j < scene.NumberOfFrames; ++j)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const float* before = setup.Start.data() + j * model.FrameSize() + c * model.Stride();
+      const float* after = state.data() + j * model.FrameSize() + c * model.Stride();
+      for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
+      {
+        if (i >= model.NumberOfGas)
+        {
+          EXPECT_EQ(after[i], before[i]);
+        }
+        else
+        {
+          EXPECT_GE(after[i], 0.0f);
+          EXPECT_LE(after[i], model.Size[c]);
+        }
+      }
+    }
+  }
+}
