@@ -11,6 +11,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkSMPTools.h>
+#include <vtkTable.h>
 
 #include <algorithm>
 
@@ -20,6 +21,7 @@ struct vtkMotionDatabaseSource::Internals
 {
   waft::StageCache Cache;
   vtkNew<vtkMultiBlockDataSet> Kept; // the database
+  vtkNew<vtkTable> KeptCoverage;
 
   static waft::DatabaseOptions Options(vtkMotionDatabaseSource* self);
 };
@@ -29,6 +31,8 @@ waft::DatabaseOptions vtkMotionDatabaseSource::Internals::Options(vtkMotionDatab
   const auto range = [](const double* ends) { return waft::Range{ ends[0], ends[1] }; };
   waft::DatabaseOptions options;
   options.NumberOfSimulations = self->NumberOfSimulations;
+  options.StopBelow = self->StopBelow;
+  options.KeptIn = self->KeptIn;
   options.NumberOfFrames = self->NumberOfFrames;
   options.FramesPerSecond = self->FramesPerSecond;
   const double* b = self->Bounds;
@@ -60,9 +64,16 @@ waft::DatabaseOptions vtkMotionDatabaseSource::Internals::Options(vtkMotionDatab
 vtkMotionDatabaseSource::vtkMotionDatabaseSource() : Impl(std::make_unique<Internals>())
 {
   this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(2);
 }
 
 vtkMotionDatabaseSource::~vtkMotionDatabaseSource() = default;
+
+int vtkMotionDatabaseSource::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkMultiBlockDataSet" : "vtkTable");
+  return 1;
+}
 
 int vtkMotionDatabaseSource::RequestData(vtkInformation*, vtkInformationVector** inputs,
                                          vtkInformationVector* outputs)
@@ -73,11 +84,12 @@ int vtkMotionDatabaseSource::RequestData(vtkInformation*, vtkInformationVector**
     waft::DatabaseOptions options = Internals::Options(this);
     impl.Cache.Forget();
     waft::MotionDatabase database;
+    std::vector<waft::CoveragePoint> coverage;
     waft::StageMonitor monitor(this);
     const waft::ParallelFor parallelFor = waft::SmpFor();
-    options.SimulationsAtOnce =
-      std::clamp(vtkSMPTools::GetEstimatedNumberOfThreads(), options.SimulationsAtOnce, 32);
-    const waft::Result result = waft::BuildDatabase(options, parallelFor, monitor, database);
+    options.SimulationsAtOnce = std::clamp(vtkSMPTools::GetEstimatedNumberOfThreads(), 1, 32);
+    const waft::Result result =
+      waft::BuildDatabase(options, parallelFor, monitor, database, coverage);
     if (!result)
     {
       return waft::Fail(this, outputs, result.Message());
@@ -85,15 +97,18 @@ int vtkMotionDatabaseSource::RequestData(vtkInformation*, vtkInformationVector**
     if (result.IsStopped() && database.Segments.empty())
     {
       vtkMultiBlockDataSet::GetData(outputs)->Initialize();
+      vtkTable::GetData(outputs, 1)->Initialize();
       return 1;
     }
     waft::DatabaseToMultiBlock(database, impl.Kept);
+    waft::CoverageToTable(coverage, impl.KeptCoverage);
     if (!result.IsStopped())
     {
       impl.Cache.MarkCurrent(this, inputs);
     }
   }
   vtkMultiBlockDataSet::GetData(outputs)->ShallowCopy(impl.Kept);
+  vtkTable::GetData(outputs, 1)->ShallowCopy(impl.KeptCoverage);
   return 1;
 }
 
@@ -103,6 +118,8 @@ void vtkMotionDatabaseSource::PrintSelf(ostream& os, vtkIndent indent)
   const auto print = [&os, indent](const char* name, const double* ends)
   { os << indent << name << ": " << ends[0] << " " << ends[1] << "\n"; };
   os << indent << "NumberOfSimulations: " << this->NumberOfSimulations << "\n";
+  os << indent << "StopBelow: " << this->StopBelow << "\n";
+  os << indent << "KeptIn: " << this->KeptIn << "\n";
   os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
   os << indent << "SeedStride: " << this->SeedStride << "\n";

@@ -7,10 +7,15 @@
  * `Vortices`, `Provenance`; the leaves are vtkPolyData and vtkTable. It can be written with
  * vtkXMLMultiBlockDataWriter and read back without a bit changed.
  *
+ * Output port 1 (vtkTable): coverage, a row for each simulation but the first: `Simulations` (that
+ * were there before it), `NewSegments` (that it brought), `NewShare` (of these, farther from all
+ * before than 5 % of the rms chord, 0..1).
+ *
  * Simulations of air with random vortices, decaying winds and obstacles (Shi et al. 2005, section
  * 3.1) run side by side, one thread each, and are traced while they run, with two frames of each in
  * memory. The same Seed gives the same output bit by bit on any number of threads. Stopped half
- * way, it gives the database of the simulations that are whole, or nothing.
+ * way, it gives the database of the simulations that are whole, or nothing; with a folder KeptIn
+ * the next execution goes on from there.
  */
 #ifndef vtkMotionDatabaseSource_h
 #define vtkMotionDatabaseSource_h
@@ -19,6 +24,7 @@
 #include "vtkWaftSourcesModule.h"
 
 #include <memory>
+#include <string>
 
 class VTKWAFTSOURCES_EXPORT vtkMotionDatabaseSource : public vtkMultiBlockDataSetAlgorithm
 {
@@ -35,9 +41,21 @@ public:
   };
 
   ///@{
-  /** Simulations, each with vortices, winds and obstacles of its own. */
+  /** Simulations, each with vortices, winds and obstacles of its own; at most, with StopBelow. */
   vtkSetClampMacro(NumberOfSimulations, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfSimulations, int);
+  ///@}
+  ///@{
+  /** The first simulation of whose segments a smaller share than this is new is the last; 0: all
+   * are run. */
+  vtkSetClampMacro(StopBelow, double, 0.0, 1.0);
+  vtkGetMacro(StopBelow, double);
+  ///@}
+  ///@{
+  /** A folder where simulations that are whole are kept, and taken from when they are of the same
+   * parameters; empty: none. */
+  vtkSetMacro(KeptIn, std::string);
+  vtkGetMacro(KeptIn, std::string);
   ///@}
   ///@{
   /** Frames of each simulation. */
@@ -166,6 +184,7 @@ protected:
   vtkMotionDatabaseSource();
   ~vtkMotionDatabaseSource() override;
 
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector** inputs,
                   vtkInformationVector* outputs) override;
 
@@ -174,6 +193,8 @@ private:
   void operator=(const vtkMotionDatabaseSource&) = delete;
 
   int NumberOfSimulations = 8;
+  double StopBelow = 0.0;
+  std::string KeptIn;
   int NumberOfFrames = 300;
   int Resolution = 64;
   int SeedStride = 8;

@@ -106,6 +106,11 @@ constexpr const char* Rotation = "Rotation";
 constexpr const char* Translation = "Translation";
 constexpr const char* Key = "Key";
 
+// Coverage of a motion database.
+constexpr const char* Simulations = "Simulations";
+constexpr const char* NewSegments = "NewSegments";
+constexpr const char* NewShare = "NewShare";
+
 // Planning trees, and their arrays that are not named above.
 constexpr const char* Span = "Span";
 constexpr const char* Tree = "Tree";

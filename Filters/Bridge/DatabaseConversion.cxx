@@ -463,4 +463,20 @@ Result DatabaseFromMultiBlock(vtkMultiBlockDataSet* data, MotionDatabase& databa
   return Result::Ok();
 }
 
+void CoverageToTable(const std::vector<CoveragePoint>& coverage, vtkTable* table)
+{
+  std::vector<int> simulations, segments;
+  std::vector<double> shares;
+  for (const CoveragePoint& point : coverage)
+  {
+    simulations.push_back(point.Simulations);
+    segments.push_back(point.NewSegments);
+    shares.push_back(point.NewShare);
+  }
+  table->Initialize();
+  AddInts(table->GetRowData(), names::Simulations, simulations);
+  AddInts(table->GetRowData(), names::NewSegments, segments);
+  AddDoubles(table->GetRowData(), names::NewShare, shares);
+}
+
 } // namespace waft

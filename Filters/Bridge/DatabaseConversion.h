@@ -18,10 +18,14 @@
 #pragma once
 
 #include "Base/Result.h"
+#include "Trajectory/Coverage.h"
 #include "Trajectory/MotionDatabase.h"
+
+#include <vector>
 
 class vtkDataObject;
 class vtkMultiBlockDataSet;
+class vtkTable;
 
 namespace waft
 {
@@ -33,5 +37,8 @@ void DatabaseToMultiBlock(const MotionDatabase& database, vtkMultiBlockDataSet* 
 /// may be absent. Fails with the name of the
 /// block and the array when something is missing or does not fit (MotionDatabase::Validate).
 Result DatabaseFromMultiBlock(vtkMultiBlockDataSet* data, MotionDatabase& database);
+
+/// Columns `Simulations`, `NewSegments`, `NewShare`.
+void CoverageToTable(const std::vector<CoveragePoint>& coverage, vtkTable* table);
 
 } // namespace waft

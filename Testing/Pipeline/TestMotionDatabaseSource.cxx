@@ -6,8 +6,13 @@
 
 #include <vtkMotionDatabaseSource.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkTable.h>
+#include <vtkVariant.h>
 
 #include <gtest/gtest.h>
+
+#include <filesystem>
+#include <unistd.h>
 
 using namespace waft;
 
@@ -43,14 +48,21 @@ TEST(MotionDatabaseSource, GivesTheDatabaseOfCore)
   options.Trace.SeedStride = 2;
   options.Seed = 3;
   MotionDatabase direct;
+  std::vector<CoveragePoint> coverage;
   SilentMonitor monitor;
-  ASSERT_TRUE(BuildDatabase(options, SerialFor(), monitor, direct));
+  ASSERT_TRUE(BuildDatabase(options, SerialFor(), monitor, direct, coverage));
   EXPECT_EQ(database.Provenance, direct.Provenance);
   ASSERT_EQ(database.Segments.size(), direct.Segments.size());
   for (std::size_t s = 0; s < direct.Segments.size(); ++s)
   {
     ASSERT_EQ(database.Segments[s].Coefficients, direct.Segments[s].Coefficients);
   }
+  auto* table = vtkTable::SafeDownCast(source->GetOutputDataObject(1));
+  ASSERT_EQ(table->GetNumberOfRows(), 1);
+  EXPECT_EQ(table->GetValueByName(0, "Simulations").ToInt(), 1);
+  EXPECT_EQ(table->GetValueByName(0, "NewSegments").ToInt(), coverage[0].NewSegments);
+  EXPECT_EQ(table->GetValueByName(0, "NewShare").ToDouble(), coverage[0].NewShare);
+  EXPECT_GT(coverage[0].NewShare, 0.0);
 }
 
 TEST(MotionDatabaseSource, AbortedItGivesNothing)
@@ -72,32 +84,44 @@ TEST(MotionDatabaseSource, AbortedItGivesNothing)
   EXPECT_EQ(source->GetOutput()->GetNumberOfBlocks(), 0u);
 }
 
-TEST(MotionDatabaseSource, AbortedLaterItGivesTheSimulationsThatAreWhole)
+TEST(MotionDatabaseSource, AbortedLaterItGivesTheSimulationsThatAreWholeAndGoesOn)
 {
+  const std::string folder = (std::filesystem::temp_directory_path() /
+                              ("waft-kept-" + std::to_string(static_cast<long>(::getpid()))))
+                               .string();
   vtkNew<vtkMotionDatabaseSource> source;
   MakeSmall(source);
   source->SetNumberOfSimulations(64); // more than run at once
   source->SetNumberOfFrames(30);
   source->SetWarmUpSeconds(0.5);
+  source->SetKeptIn(folder);
   vtkNew<vtkCallbackCommand> stop;
   stop->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void*)
+    [](vtkObject* caller, unsigned long, void*, void* progress)
     {
-      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-      const std::string text = algorithm->GetProgressText() ? algorithm->GetProgressText() : "";
-      if (text.rfind("Simulations 1 ", 0) != 0 && !text.empty())
+      if (*static_cast<double*>(progress) > 0.6)
       {
-        algorithm->SetAbortExecute(1);
+        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
       }
     });
-  source->AddObserver(vtkCommand::ProgressEvent, stop);
+  const unsigned long tag = source->AddObserver(vtkCommand::ProgressEvent, stop);
   source->Update();
   MotionDatabase database;
-  const Result result = DatabaseFromMultiBlock(source->GetOutput(), database);
+  Result result = DatabaseFromMultiBlock(source->GetOutput(), database);
   ASSERT_TRUE(result) << result.Message();
   const int whole = std::stoi(database.Provenance.at("NumberOfSimulations"));
   EXPECT_GE(whole, 1);
   EXPECT_LT(whole, 64);
+  EXPECT_EQ(vtkTable::SafeDownCast(source->GetOutputDataObject(1))->GetNumberOfRows(), whole - 1);
+
+  source->RemoveObserver(tag);
+  source->SetAbortExecute(0);
+  source->SetNumberOfSimulations(whole + 1);
+  source->Update();
+  result = DatabaseFromMultiBlock(source->GetOutput(), database);
+  ASSERT_TRUE(result) << result.Message();
+  EXPECT_EQ(std::stoi(database.Provenance.at("NumberOfSimulations")), whole + 1);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(MotionDatabaseSource, NamesTheParameterThatIsWrong)
@@ -116,6 +140,8 @@ TEST(MotionDatabaseSource, DefaultsAreThoseOfCore)
   vtkNew<vtkMotionDatabaseSource> source;
   const DatabaseOptions o;
   EXPECT_EQ(source->GetNumberOfSimulations(), o.NumberOfSimulations);
+  EXPECT_EQ(source->GetStopBelow(), o.StopBelow);
+  EXPECT_EQ(source->GetKeptIn(), o.KeptIn);
   EXPECT_EQ(source->GetNumberOfFrames(), o.NumberOfFrames);
   EXPECT_EQ(source->GetFramesPerSecond(), o.FramesPerSecond);
   EXPECT_EQ(source->GetResolution(), o.Resolution);

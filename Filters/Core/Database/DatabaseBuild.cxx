@@ -3,11 +3,11 @@
 
 #include "Base/Random.h"
 #include "Database/Provenance.h"
+#include "Database/SimulationQueue.h"
 #include "Database/SimulationRun.h"
+#include "Database/TracedFiles.h"
 
-#include <algorithm>
 #include <cmath>
-#include <memory>
 
 namespace waft
 {
@@ -17,86 +17,48 @@ namespace
 
 constexpr double SimulationShare = 0.95; // of the progress; the rest is cutting and clustering
 
-/// Advances some runs to their end, all by one frame at a time, so that the caller's monitor is
-/// asked between frames.
-Result Advance(std::vector<std::unique_ptr<SimulationRun>>& runs, int first, int all,
-               const ParallelFor& parallelFor, Monitor& monitor)
-{
-  const int steps = runs.front()->NumberOfSteps();
-  const int last = first + static_cast<int>(runs.size());
-  const std::string who = "Simulations " + std::to_string(first + 1) + " to " +
-                          std::to_string(last) + " of " + std::to_string(all);
-  for (int step = 0; step < steps; ++step)
-  {
-    const double done = first + double(step) / steps * (last - first);
-    if (!monitor.Tick(SimulationShare * done / all,
-                      who + ", frame " + std::to_string(step + 1) + " of " + std::to_string(steps)))
-    {
-      return Result::Stopped();
-    }
-    std::vector<Result> results(runs.size(), Result::Ok());
-    parallelFor(runs.size(),
-                [&](std::size_t begin, std::size_t end)
-                {
-                  for (std::size_t r = begin; r < end; ++r)
-                  {
-                    SilentMonitor silent;
-                    results[r] = runs[r]->Step(silent);
-                  }
-                });
-    for (std::size_t r = 0; r < runs.size(); ++r)
-    {
-      if (!results[r])
-      {
-        return Result::Error("simulation " + std::to_string(first + r) + ": " +
-                             results[r].Message());
-      }
-    }
-  }
-  return Result::Ok();
-}
-
-/// Runs in batches; `traced` gets those that are whole, when it is stopped, too.
-Result Simulate(const DatabaseOptions& options, const ParallelFor& parallelFor, Monitor& monitor,
-                std::vector<TracedSimulation>& traced)
-{
-  for (int first = 0; first < options.NumberOfSimulations; first += options.SimulationsAtOnce)
-  {
-    const int last = std::min(first + options.SimulationsAtOnce, options.NumberOfSimulations);
-    std::vector<std::unique_ptr<SimulationRun>> runs;
-    for (int simulation = first; simulation < last; ++simulation)
-    {
-      runs.push_back(std::make_unique<SimulationRun>());
-      if (Result begun = runs.back()->Begin(options, simulation); !begun)
-      {
-        return Result::Error("simulation " + std::to_string(simulation) + ": " + begun.Message());
-      }
-    }
-    const Result advanced = Advance(runs, first, options.NumberOfSimulations, parallelFor, monitor);
-    if (!advanced || advanced.IsStopped())
-    {
-      return advanced;
-    }
-    for (const std::unique_ptr<SimulationRun>& run : runs)
-    {
-      traced.push_back(run->Finish());
-    }
-  }
-  return Result::Ok();
-}
-
-class LastPart : public Monitor
+/// A part of the progress of the whole.
+class PartMonitor : public Monitor
 {
 public:
-  explicit LastPart(Monitor& whole) : Whole(whole) {}
+  PartMonitor(Monitor& whole, double start, double share) : Whole(whole), Start(start), Share(share)
+  {
+  }
   bool Tick(double fraction, const std::string& text) override
   {
-    return this->Whole.Tick(SimulationShare + (1.0 - SimulationShare) * fraction, text);
+    return this->Whole.Tick(this->Start + this->Share * fraction, text);
   }
 
 private:
   Monitor& Whole;
+  double Start;
+  double Share;
 };
+
+/// Runs and measures one simulation after the other; `traced` gets those that are whole, when it is
+/// stopped, too.
+Result Simulate(const DatabaseOptions& options, const ParallelFor& parallelFor, Monitor& monitor,
+                std::vector<TracedSimulation>& traced, Coverage& coverage)
+{
+  const TracedFiles files(options.KeptIn, SimulationText(options));
+  SimulationQueue queue(options, files);
+  while (static_cast<int>(traced.size()) < options.NumberOfSimulations)
+  {
+    TracedSimulation next;
+    const Result result = queue.Next(parallelFor, monitor, next);
+    if (!result || result.IsStopped())
+    {
+      return result;
+    }
+    traced.push_back(std::move(next));
+    coverage.Add(traced.back().Tracks, parallelFor);
+    if (!coverage.Curve().empty() && coverage.Curve().back().NewShare < options.StopBelow)
+    {
+      break;
+    }
+  }
+  return Result::Ok();
+}
 
 } // namespace
 
@@ -133,6 +95,10 @@ Result DatabaseOptions::Validate() const
   {
     return Result::Error("WarmUpSeconds: expected a number of at least 0");
   }
+  if (!(this->StopBelow >= 0.0 && this->StopBelow <= 1.0))
+  {
+    return Result::Error("StopBelow: expected a share from 0 to 1");
+  }
   WAFT_RETURN_IF_FAILED(this->Trace.Validate());
   return this->Cluster.Validate();
 }
@@ -145,7 +111,8 @@ std::uint64_t SimulationSeed(std::uint64_t seed, int simulation)
 }
 
 Result BuildDatabase(const DatabaseOptions& options, const ParallelFor& parallelFor,
-                     Monitor& monitor, MotionDatabase& database)
+                     Monitor& monitor, MotionDatabase& database,
+                     std::vector<CoveragePoint>& coverage)
 {
   WAFT_RETURN_IF_FAILED(options.Validate());
   SmokeOptions smoke;
@@ -155,7 +122,9 @@ Result BuildDatabase(const DatabaseOptions& options, const ParallelFor& parallel
   traced.FramesPerSecond = options.FramesPerSecond;
   traced.Volume = options.Bounds;
   traced.SettlingSpeed = options.SettlingSpeed;
-  const Result simulated = Simulate(options, parallelFor, monitor, traced.Simulations);
+  Coverage measured(options.Cluster.Segmentation, options.FramesPerSecond, options.Bounds.Width());
+  PartMonitor simulating(monitor, 0.0, SimulationShare);
+  const Result simulated = Simulate(options, parallelFor, simulating, traced.Simulations, measured);
   if (!simulated || (simulated.IsStopped() && traced.Simulations.empty()))
   {
     return simulated;
@@ -164,7 +133,7 @@ Result BuildDatabase(const DatabaseOptions& options, const ParallelFor& parallel
   DatabaseOptions whole = options;
   whole.NumberOfSimulations = static_cast<int>(traced.Simulations.size());
   whole.Cluster.Trees.Seed = options.Seed;
-  LastPart clustering(monitor);
+  PartMonitor clustering(monitor, SimulationShare, 1.0 - SimulationShare);
   SilentMonitor silent; // of a stop it was told already
   MotionDatabase result;
   const Result clustered =
@@ -176,6 +145,7 @@ Result BuildDatabase(const DatabaseOptions& options, const ParallelFor& parallel
   }
   result.Provenance = ProvenanceOf(whole);
   database = std::move(result);
+  coverage = measured.Curve();
   return simulated;
 }
 

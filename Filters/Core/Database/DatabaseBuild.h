@@ -8,10 +8,13 @@
 #include "Base/Result.h"
 #include "Grid/SmokeEnsemble.h"
 #include "Grid/SmokeOptions.h"
+#include "Trajectory/Coverage.h"
 #include "Trajectory/TrajectoryClusters.h"
 #include "Trajectory/TrajectoryTracer.h"
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace waft
 {
@@ -20,7 +23,7 @@ namespace waft
 /// hold for all of them.
 struct DatabaseOptions
 {
-  int NumberOfSimulations = 8;
+  int NumberOfSimulations = 8; // at most, when StopBelow is set
   int NumberOfFrames = 300;
   double FramesPerSecond = 30.0;
   Box Bounds;
@@ -34,6 +37,12 @@ struct DatabaseOptions
   std::uint64_t Seed = 1;
   /// Runs advanced side by side: memory grows with it, results do not depend on it.
   int SimulationsAtOnce = 4;
+  /// The first simulation of whose segments a smaller share than this is new is the last (Coverage;
+  /// Shi et al. 2005 stop when no new shapes are seen); 0: all are run.
+  double StopBelow = 0.0;
+  /// Simulations that are whole are kept in this folder, and taken from it when a run of the same
+  /// parameters left them there; empty: nothing is kept. The folder may be removed afterwards.
+  std::string KeptIn;
 
   EnsembleOptions Ensemble;
   SmokeOptions Smoke;
@@ -46,9 +55,12 @@ struct DatabaseOptions
 
 /// One thread a simulation, two frames in memory each. The same options give the same database bit
 /// by bit, whatever the number of threads. Provenance lists the parameters. When it is stopped, the
-/// database is that of the first simulations that are whole, untouched when there is none.
+/// database is that of the first simulations that are whole, untouched when there is none; called
+/// again with the same KeptIn it goes on with those that follow. coverage: what each simulation but
+/// the first brought.
 Result BuildDatabase(const DatabaseOptions& options, const ParallelFor& parallelFor,
-                     Monitor& monitor, MotionDatabase& database);
+                     Monitor& monitor, MotionDatabase& database,
+                     std::vector<CoveragePoint>& coverage);
 
 /// The seed of one of its simulations.
 std::uint64_t SimulationSeed(std::uint64_t seed, int simulation);

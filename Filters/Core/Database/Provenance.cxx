@@ -27,13 +27,12 @@ const char* Name(AdvectionScheme scheme)
            : (scheme == AdvectionScheme::MonotoneCubic ? "MonotoneCubic" : "MacCormack");
 }
 
-} // namespace
-
-std::map<std::string, std::string> ProvenanceOf(const DatabaseOptions& options)
+/// All that a simulation of a given index depends on.
+std::map<std::string, std::string> ParametersOfSimulations(const DatabaseOptions& options)
 {
-  std::map<std::string, std::string> p = ParametersOf(options.Cluster);
+  std::map<std::string, std::string> p;
+  p["Version"] = WAFT_VERSION;
   p["Seed"] = ParameterText(options.Seed);
-  p["NumberOfSimulations"] = ParameterText(options.NumberOfSimulations);
   p["NumberOfFrames"] = ParameterText(options.NumberOfFrames);
   p["FramesPerSecond"] = ParameterText(options.FramesPerSecond);
   const Vec3& min = options.Bounds.Min;
@@ -53,11 +52,16 @@ std::map<std::string, std::string> ProvenanceOf(const DatabaseOptions& options)
                   smoke.ClosedFloor ? "ClosedFloor" : "OpenFloor");
   p["Confinement"] = ParameterText(smoke.Confinement);
   p["CourantNumber"] = ParameterText(smoke.CourantNumber);
+  p["MaximumSubsteps"] = ParameterText(smoke.MaximumSubsteps);
   p["Tolerance"] = ParameterText(smoke.Tolerance);
+  p["MaximumIterations"] = ParameterText(smoke.MaximumIterations);
+  p["Buoyancy"] = ParameterText(smoke.BuoyancyTemperature, smoke.BuoyancyDensity);
+  p["Dissipation"] = ParameterText(smoke.Dissipation);
   const EnsembleOptions& scene = options.Ensemble;
   p["NumberOfVortices"] = ParameterText(scene.NumberOfVortices);
   p["NumberOfWinds"] = ParameterText(scene.NumberOfWinds);
   p["NumberOfObstacles"] = ParameterText(scene.NumberOfObstacles);
+  p["NumberOfEmitters"] = ParameterText(scene.NumberOfEmitters);
   p["VortexDiameter"] = Text(scene.VortexDiameter);
   p["VortexLength"] = Text(scene.VortexLength);
   p["VortexAcceleration"] = Text(scene.VortexAcceleration);
@@ -66,7 +70,28 @@ std::map<std::string, std::string> ProvenanceOf(const DatabaseOptions& options)
   p["WindAcceleration"] = Text(scene.WindAcceleration);
   p["WindDuration"] = Text(scene.WindDuration);
   p["ObstacleSize"] = Text(scene.ObstacleSize);
+  p["EmitterRadius"] = Text(scene.EmitterRadius);
   return p;
+}
+
+} // namespace
+
+std::map<std::string, std::string> ProvenanceOf(const DatabaseOptions& options)
+{
+  std::map<std::string, std::string> p = ParametersOfSimulations(options);
+  p["NumberOfSimulations"] = ParameterText(options.NumberOfSimulations);
+  p.merge(ParametersOf(options.Cluster)); // Seed is that of the simulations
+  return p;
+}
+
+std::string SimulationText(const DatabaseOptions& options)
+{
+  std::string text;
+  for (const auto& [key, value] : ParametersOfSimulations(options))
+  {
+    text += key + " = " + value + "\n";
+  }
+  return text;
 }
 
 } // namespace waft

@@ -14,4 +14,8 @@ namespace waft
 /// are in it, as ClusterTrajectories gives them.
 std::map<std::string, std::string> ProvenanceOf(const DatabaseOptions& options);
 
+/// A line for each of the parameters that the simulations depend on; neither their number nor what
+/// is made of them is among these.
+std::string SimulationText(const DatabaseOptions& options);
+
 } // namespace waft

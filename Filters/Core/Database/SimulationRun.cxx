@@ -7,6 +7,21 @@
 namespace waft
 {
 
+namespace
+{
+
+int WarmUpFramesOf(const DatabaseOptions& options)
+{
+  return static_cast<int>(std::lround(options.WarmUpSeconds * options.FramesPerSecond));
+}
+
+} // namespace
+
+int StepsOfSimulation(const DatabaseOptions& options)
+{
+  return WarmUpFramesOf(options) + options.NumberOfFrames;
+}
+
 Result SmokeOptionsOf(const DatabaseOptions& options, SmokeOptions& smoke)
 {
   smoke = options.Smoke;
@@ -30,9 +45,7 @@ Result SmokeOptionsOf(const DatabaseOptions& options, SmokeOptions& smoke)
 
 Result SimulationRun::Begin(const DatabaseOptions& options, int simulation)
 {
-  this->WarmUpFrames =
-    static_cast<int>(std::lround(options.WarmUpSeconds * options.FramesPerSecond));
-  this->Frames = options.NumberOfFrames;
+  this->WarmUpFrames = WarmUpFramesOf(options);
   this->StepsTaken = 0;
   this->StartTime = this->WarmUpFrames / options.FramesPerSecond;
 
@@ -118,7 +131,12 @@ Result SimulationRun::Step(Monitor& monitor)
 
 TracedSimulation SimulationRun::Finish()
 {
-  return { this->Tracer.Finish(), std::move(this->Vortices) };
+  TracedSimulation traced{ this->Tracer.Finish(), std::move(this->Vortices) };
+  for (Track& track : traced.Tracks)
+  {
+    track.VortexAccelerations = {};
+  }
+  return traced;
 }
 
 } // namespace waft

@@ -15,23 +15,22 @@
 namespace waft
 {
 
-/// Begin, then Step NumberOfSteps times, then Finish. Steps of different runs may be taken from
+/// Begin, then Step StepsOfSimulation times, then Finish. Steps of different runs may be taken from
 /// different threads at once.
 class SimulationRun
 {
 public:
   Result Begin(const DatabaseOptions& options, int simulation);
-  /// Frames of the warm-up and of the run.
-  int NumberOfSteps() const { return this->WarmUpFrames + this->Frames; }
-  /// One frame of air; after the warm-up the tracers move with it. Serial.
+  /// One frame of air; after the warm-up the tracers move with it. Serial. Stopped by the monitor
+  /// it is where it was before.
   Result Step(Monitor& monitor);
+  /// Its tracks have all that becomes part of a database: no VortexAccelerations.
   TracedSimulation Finish();
 
 private:
   Result PlaceObstacles(const SmokeOptions& options, const std::vector<ObstacleMesh>& obstacles);
 
   int WarmUpFrames = 0;
-  int Frames = 0;
   int StepsTaken = 0;
   double StartTime = 0.0; // of the tracers, in the solver's time [s]
   SmokeSolver Solver;
@@ -40,6 +39,9 @@ private:
   std::vector<Vortex> Vortices; // in the tracers' time
   std::shared_ptr<DistanceLattice> Distances;
 };
+
+/// Frames of the warm-up and of the run.
+int StepsOfSimulation(const DatabaseOptions& options);
 
 /// The parameters of the smoke that DatabaseOptions stand for.
 Result SmokeOptionsOf(const DatabaseOptions& options, SmokeOptions& smoke);

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trajectory/Coverage.h"
 
+#include "Trajectory/SegmentFrame.h"
+#include "Trajectory/TrackPieces.h"
+
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace waft
 {
@@ -10,63 +16,150 @@ namespace waft
 namespace
 {
 
-/// Rms distance between the ends of the segments of each group [m].
-std::vector<double> Chords(const MotionDatabase& database)
+Eigen::MatrixXd PrincipalDirections(const Eigen::MatrixXd& samples)
 {
-  std::vector<double> squares(database.Groups.size(), 0.0);
-  std::vector<int> counts(database.Groups.size(), 0);
-  for (std::size_t s = 0; s < database.Segments.size(); ++s)
+  const Eigen::VectorXd mean = samples.rowwise().mean();
+  const Eigen::MatrixXd centered = samples.colwise() - mean;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(centered * centered.transpose());
+  return axes.eigenvectors().rowwise().reverse();
+}
+
+Eigen::MatrixXf SortedByFirstRow(const Eigen::MatrixXf& columns)
+{
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(columns.cols()));
+  std::iota(order.begin(), order.end(), Eigen::Index(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Eigen::Index a, Eigen::Index b) { return columns(0, a) < columns(0, b); });
+  Eigen::MatrixXf sorted(columns.rows(), columns.cols());
+  for (std::size_t i = 0; i < order.size(); ++i)
   {
-    const std::vector<Vec3> path = database.Reconstruct(static_cast<int>(s));
-    squares[database.Segments[s].Group] += (path.back() - path.front()).squaredNorm();
-    ++counts[database.Segments[s].Group];
+    sorted.col(static_cast<Eigen::Index>(i)) = columns.col(order[i]);
   }
-  for (std::size_t g = 0; g < squares.size(); ++g)
+  return sorted;
+}
+
+/// Whether the squared distance is at most the limit; it gives up where a part of it is more.
+bool IsNear(const float* a, const float* b, Eigen::Index size, float limit)
+{
+  constexpr Eigen::Index part = 4;
+  float sum = 0.0f;
+  Eigen::Index i = 0;
+  for (; i + part <= size && sum <= limit; i += part)
   {
-    squares[g] = std::sqrt(squares[g] / std::max(counts[g], 1));
+    for (Eigen::Index j = i; j < i + part; ++j)
+    {
+      sum += (a[j] - b[j]) * (a[j] - b[j]);
+    }
   }
-  return squares;
+  for (; i < size && sum <= limit; ++i)
+  {
+    sum += (a[i] - b[i]) * (a[i] - b[i]);
+  }
+  return sum <= limit;
+}
+
+/// Whether one of the columns, sorted by the first row, is within reach of the sample.
+bool HasNear(const Eigen::MatrixXf& columns, const float* sample, float reach)
+{
+  const Eigen::Index size = columns.rows();
+  const Eigen::Index count = columns.cols();
+  const auto before = [&](Eigen::Index column) { return columns(0, column) < sample[0] - reach; };
+  Eigen::Index low = 0;
+  for (Eigen::Index high = count; low < high;)
+  {
+    const Eigen::Index middle = (low + high) / 2;
+    before(middle) ? low = middle + 1 : high = middle;
+  }
+  for (Eigen::Index c = low; c < count && columns(0, c) <= sample[0] + reach; ++c)
+  {
+    if (IsNear(columns.col(c).data(), sample, size, reach * reach))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 } // namespace
 
-std::vector<CoveragePoint> CoverageCurve(const MotionDatabase& database, double tolerance)
+Coverage::Coverage(const SegmentationOptions& options, double framesPerSecond, double width) :
+  Options(options), FramesPerSecond(framesPerSecond), Width(width)
 {
-  int simulations = 0;
-  for (const Segment& segment : database.Segments)
+  for (const int length : GroupLengths(options))
   {
-    simulations = std::max(simulations, segment.Simulation + 1);
+    this->Groups.emplace_back();
+    this->Groups.back().NumberOfSamples = length;
   }
-  const std::vector<double> chords = Chords(database);
-  std::vector<CoveragePoint> curve;
-  for (int next = 1; next < simulations; ++next)
+}
+
+int Coverage::CountNew(const Group& group, const Block& block, const ParallelFor& parallelFor)
+{
+  const double chord = std::sqrt(group.SquaredChords / group.NumberOfSegments);
+  const float reach = static_cast<float>(Tolerance * chord * std::sqrt(group.NumberOfSamples));
+  std::vector<unsigned char> isNew(static_cast<std::size_t>(block.cols()), 0);
+  parallelFor(isNew.size(),
+              [&](std::size_t begin, std::size_t end)
+              {
+                for (std::size_t s = begin; s < end; ++s)
+                {
+                  const float* sample = block.col(static_cast<Eigen::Index>(s)).data();
+                  isNew[s] = std::none_of(group.Blocks.begin(), group.Blocks.end(),
+                                          [&](const Block& earlier)
+                                          { return HasNear(earlier, sample, reach); });
+                }
+              });
+  return std::accumulate(isNew.begin(), isNew.end(), 0);
+}
+
+void Coverage::Add(const std::vector<Track>& tracks, const ParallelFor& parallelFor)
+{
+  std::vector<int> lengths;
+  for (const Group& group : this->Groups)
   {
-    CoveragePoint point;
-    point.Simulations = next;
-    int isNew = 0;
-    for (const Segment& segment : database.Segments)
+    lengths.push_back(group.NumberOfSamples);
+  }
+  std::vector<std::vector<Eigen::VectorXd>> samples(this->Groups.size());
+  for (const TrackPiece& piece :
+       CutTracks(tracks, this->FramesPerSecond, this->Width, this->Options, lengths))
+  {
+    const std::vector<Vec3> part = PositionsOf(tracks, piece);
+    Group& group = this->Groups[piece.Length];
+    group.SquaredChords += (part.back() - part.front()).squaredNorm();
+    ++group.NumberOfSegments;
+    samples[piece.Length].push_back(LocalSamples(part, FrameOf(part)));
+  }
+  CoveragePoint point;
+  point.Simulations = this->Simulations++;
+  int isNew = 0;
+  for (std::size_t g = 0; g < this->Groups.size(); ++g)
+  {
+    if (samples[g].empty())
     {
-      if (segment.Simulation != next)
-      {
-        continue;
-      }
-      ++point.NewSegments;
-      const double limit = tolerance * chords[segment.Group];
-      const int samples = database.Groups[segment.Group].NumberOfSamples;
-      const double squared = limit * limit * samples;
-      const bool isKnown =
-        std::any_of(database.Segments.begin(), database.Segments.end(),
-                    [&](const Segment& other)
-                    {
-                      return other.Simulation < next && other.Group == segment.Group &&
-                             (other.Coefficients - segment.Coefficients).squaredNorm() <= squared;
-                    });
-      isNew += isKnown ? 0 : 1;
+      continue;
     }
-    point.NewShare = point.NewSegments > 0 ? double(isNew) / point.NewSegments : 0.0;
-    curve.push_back(point);
+    Group& group = this->Groups[g];
+    Eigen::MatrixXd columns(3 * group.NumberOfSamples,
+                            static_cast<Eigen::Index>(samples[g].size()));
+    for (std::size_t s = 0; s < samples[g].size(); ++s)
+    {
+      columns.col(static_cast<Eigen::Index>(s)) = samples[g][s];
+    }
+    if (group.Directions.size() == 0)
+    {
+      group.Directions = PrincipalDirections(columns);
+    }
+    const Block block =
+      SortedByFirstRow((group.Directions.transpose() * columns).template cast<float>());
+    point.NewSegments += static_cast<int>(block.cols());
+    isNew += CountNew(group, block, parallelFor);
+    group.Blocks.push_back(block);
   }
-  return curve;
+  if (point.Simulations == 0)
+  {
+    return; // everything in it is new
+  }
+  point.NewShare = point.NewSegments > 0 ? double(isNew) / point.NewSegments : 0.0;
+  this->Points.push_back(point);
 }
 
 } // namespace waft

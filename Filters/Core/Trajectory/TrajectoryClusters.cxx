@@ -5,6 +5,7 @@
 #include "Trajectory/Compression.h"
 #include "Trajectory/ParameterText.h"
 #include "Trajectory/SegmentFrame.h"
+#include "Trajectory/TrackPieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,13 +17,9 @@ namespace waft
 namespace
 {
 
-/// A part of a track that becomes a segment.
-struct Piece
+struct Piece : TrackPiece
 {
   int Simulation = 0;
-  int Track = 0;
-  SampleRange Range;
-  int Length = 0; // index in GroupLengths
 };
 
 Result CheckTrack(const Track& track, std::size_t simulation)
@@ -46,46 +43,6 @@ Result CheckTrack(const Track& track, std::size_t simulation)
     }
   }
   return Result::Ok();
-}
-
-double MeanSpeed(const Track& track, const SampleRange& range, double framesPerSecond)
-{
-  double length = 0.0;
-  for (int i = range.First; i + 1 < range.First + range.Count; ++i)
-  {
-    length += (track.Positions[i + 1] - track.Positions[i]).norm();
-  }
-  return length * framesPerSecond / (range.Count - 1);
-}
-
-std::vector<Piece> CutTracks(const ClusterInput& input, const SegmentationOptions& options,
-                             const std::vector<int>& lengths, int simulation)
-{
-  const double feature = options.FeatureCurvature > 0.0
-                           ? options.FeatureCurvature
-                           : 4.0 / std::max(input.Volume.Width(), 1e-12);
-  const std::vector<Track>& tracks = input.Simulations[simulation].Tracks;
-  std::vector<Piece> pieces;
-  for (std::size_t t = 0; t < tracks.size(); ++t)
-  {
-    const std::vector<double> curvature =
-      CurvatureAlong(tracks[t].Positions, 1.0 / input.FramesPerSecond);
-    for (const SampleRange& range : CutPath(curvature, options, feature))
-    {
-      const auto above = std::upper_bound(lengths.begin(), lengths.end(), range.Count);
-      const int length = static_cast<int>(above - lengths.begin()) - 1;
-      if (length < 0)
-      {
-        continue;
-      }
-      const SampleRange kept = Truncate(range, lengths[length], curvature);
-      if (MeanSpeed(tracks[t], kept, input.FramesPerSecond) >= options.LeastSpeed)
-      {
-        pieces.push_back({ simulation, static_cast<int>(t), kept, length });
-      }
-    }
-  }
-  return pieces;
 }
 
 /// Keeps `count` of the pieces, each with equal chance, in their order.
@@ -192,9 +149,7 @@ std::vector<TreeInput> Compress(const ClusterInput& input, const std::vector<Pie
     for (std::size_t m = 0; m < members.size(); ++m)
     {
       const Piece& piece = *members[m];
-      const auto& positions = input.Simulations[piece.Simulation].Tracks[piece.Track].Positions;
-      const std::vector<Vec3> part(positions.begin() + piece.Range.First,
-                                   positions.begin() + piece.Range.First + piece.Range.Count);
+      const std::vector<Vec3> part = PositionsOf(input.Simulations[piece.Simulation].Tracks, piece);
       const SegmentFrame frame = FrameOf(part);
       samples.col(static_cast<Eigen::Index>(m)) = LocalSamples(part, frame);
       tree.Segments.push_back(static_cast<int>(database.Segments.size()));
@@ -319,9 +274,11 @@ Result ClusterTrajectories(const ClusterInput& input, const ClusterOptions& opti
         return result;
       }
     }
-    const std::vector<Piece> more =
-      CutTracks(input, options.Segmentation, lengths, static_cast<int>(s));
-    pieces.insert(pieces.end(), more.begin(), more.end());
+    for (const TrackPiece& piece : CutTracks(input.Simulations[s].Tracks, input.FramesPerSecond,
+                                             input.Volume.Width(), options.Segmentation, lengths))
+    {
+      pieces.push_back({ piece, static_cast<int>(s) });
+    }
   }
   if (pieces.empty())
   {

@@ -2,14 +2,14 @@
 // WaftBenchmarkDatabase [simulations] [frames] [resolution] [threads]: time of each part of a
 // motion database, and what it holds.
 #include "Database/DatabaseBuild.h"
-#include "Trajectory/Coverage.h"
-#include "Trajectory/NearestSegment.h"
 #include "Trajectory/Style.h"
 
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+
+#include <sys/resource.h>
 
 using namespace waft;
 
@@ -40,6 +40,14 @@ double Wall()
   return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
+/// Largest memory of the process so far [MB].
+double PeakMemory()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
 double Cpu()
 {
   return double(std::clock()) / CLOCKS_PER_SEC;
@@ -59,17 +67,20 @@ int main(int argc, char** argv)
 
   Print monitor;
   MotionDatabase database;
+  std::vector<CoveragePoint> coverage;
   const double wall = Wall();
   const double cpu = Cpu();
-  const Result result = BuildDatabase(options, ThreadedFor(threads), monitor, database);
+  options.SimulationsAtOnce = threads;
+  const Result result = BuildDatabase(options, ThreadedFor(threads), monitor, database, coverage);
   if (!result)
   {
     std::fprintf(stderr, "%s\n", result.Message().c_str());
     return 1;
   }
-  std::printf("%d simulations of %d frames at %d^3, tolerance %g, %d threads: %.1f s, CPU %.1f s\n",
+  std::printf("%d simulations of %d frames at %d^3, tolerance %g, %d threads: %.1f s, CPU %.1f s, "
+              "%.0f MB at most\n",
               options.NumberOfSimulations, options.NumberOfFrames, options.Resolution,
-              options.Smoke.Tolerance, threads, Wall() - wall, Cpu() - cpu);
+              options.Smoke.Tolerance, threads, Wall() - wall, Cpu() - cpu, PeakMemory());
   std::size_t connectible = 0;
   for (const Connection& connection : database.Connections)
   {
@@ -97,7 +108,7 @@ int main(int argc, char** argv)
               Quantile(style.Acceleration, 0.5), Quantile(style.Acceleration, 0.95),
               std::exp(Quantile(style.LogCurvature, 0.5)),
               std::exp(Quantile(style.LogCurvature, 0.95)));
-  for (const CoveragePoint& point : CoverageCurve(database))
+  for (const CoveragePoint& point : coverage)
   {
     std::printf("coverage: %d simulations, %.1f %% of %d further segments are new\n",
                 point.Simulations, 100.0 * point.NewShare, point.NewSegments);

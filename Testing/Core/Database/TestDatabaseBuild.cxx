@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
 using namespace waft;
 
 namespace
@@ -22,30 +26,109 @@ DatabaseOptions Small()
   return options;
 }
 
-MotionDatabase Build(const DatabaseOptions& options, int threads)
+struct Built
 {
-  MotionDatabase database;
-  SilentMonitor monitor;
-  const Result result = BuildDatabase(options, ThreadedFor(threads), monitor, database);
-  EXPECT_TRUE(result) << result.Message();
-  return database;
+  MotionDatabase Database;
+  std::vector<CoveragePoint> Coverage;
+  Result Outcome = Result::Ok();
+};
+
+Built BuildWith(const DatabaseOptions& options, int threads, Monitor& monitor)
+{
+  Built built;
+  built.Outcome =
+    BuildDatabase(options, ThreadedFor(threads), monitor, built.Database, built.Coverage);
+  return built;
 }
 
-class StopAfter : public Monitor
+Built BuildAll(const DatabaseOptions& options, int threads)
+{
+  SilentMonitor monitor;
+  Built built = BuildWith(options, threads, monitor);
+  EXPECT_TRUE(built.Outcome) << built.Outcome.Message();
+  return built;
+}
+
+MotionDatabase Build(const DatabaseOptions& options, int threads)
+{
+  return BuildAll(options, threads).Database;
+}
+
+void ExpectEqual(const MotionDatabase& one, const MotionDatabase& two)
+{
+  EXPECT_EQ(one.Provenance, two.Provenance);
+  ASSERT_EQ(one.Segments.size(), two.Segments.size());
+  for (std::size_t s = 0; s < one.Segments.size(); ++s)
+  {
+    ASSERT_EQ(one.Segments[s].Coefficients, two.Segments[s].Coefficients);
+    ASSERT_EQ(one.Segments[s].ForceTypes, two.Segments[s].ForceTypes);
+    ASSERT_EQ(one.Segments[s].VortexIds, two.Segments[s].VortexIds);
+    ASSERT_EQ(one.Segments[s].MeanWind, two.Segments[s].MeanWind);
+  }
+  ASSERT_EQ(one.Vortices.size(), two.Vortices.size());
+  for (std::size_t v = 0; v < one.Vortices.size(); ++v)
+  {
+    ASSERT_EQ(one.Vortices[v].P2, two.Vortices[v].P2);
+    ASSERT_EQ(one.Vortices[v].CenterTime, two.Vortices[v].CenterTime);
+  }
+  ASSERT_EQ(one.Nodes.size(), two.Nodes.size());
+  for (std::size_t n = 0; n < one.Nodes.size(); ++n)
+  {
+    ASSERT_EQ(one.Nodes[n].Medoid, two.Nodes[n].Medoid);
+  }
+}
+
+// A folder that is removed with it.
+class Folder
 {
 public:
-  explicit StopAfter(int ticks) : Left(ticks) {}
-  bool Tick(double fraction, const std::string&) override
+  Folder() :
+    Path(std::filesystem::temp_directory_path() /
+         ("waft-database-" + std::to_string(static_cast<long>(::getpid()))))
   {
-    EXPECT_GE(fraction, this->Last);
-    this->Last = fraction;
-    return --this->Left >= 0;
+    std::filesystem::remove_all(this->Path);
+  }
+  ~Folder() { std::filesystem::remove_all(this->Path); }
+  std::string Text() const { return this->Path.string(); }
+  std::string File(int simulation) const
+  {
+    return (this->Path / ("simulation" + std::to_string(simulation))).string();
+  }
+  int NumberOfFiles() const
+  {
+    return static_cast<int>(std::distance(std::filesystem::directory_iterator(this->Path), {}));
   }
 
 private:
-  int Left;
+  std::filesystem::path Path;
+};
+
+// Stops from a fraction on; remembers the first one.
+class StopFrom : public Monitor
+{
+public:
+  explicit StopFrom(double fraction) : Limit(fraction) {}
+  double First = -1.0;
+  bool Tick(double fraction, const std::string& text) override
+  {
+    EXPECT_GE(fraction, this->Last);
+    EXPECT_LE(fraction, 1.0);
+    EXPECT_FALSE(text.empty());
+    this->First = this->First < 0.0 ? fraction : this->First;
+    this->Last = fraction;
+    return fraction < this->Limit;
+  }
+
+private:
+  double Limit;
   double Last = 0.0;
 };
+
+/// The progress at which this many of three simulations are done.
+double After(double simulations)
+{
+  return 0.95 * simulations / 3.0;
+}
 
 } // namespace
 
@@ -74,23 +157,15 @@ TEST(DatabaseBuild, NeitherThreadsNorBatchesChangeABit)
 {
   DatabaseOptions options = Small();
   options.SimulationsAtOnce = 1;
-  const MotionDatabase one = Build(options, 1);
+  const Built one = BuildAll(options, 1);
   options.SimulationsAtOnce = 2;
-  const MotionDatabase two = Build(options, 2);
-  EXPECT_EQ(one.Provenance, two.Provenance);
-  ASSERT_EQ(one.Segments.size(), two.Segments.size());
-  for (std::size_t s = 0; s < one.Segments.size(); ++s)
-  {
-    ASSERT_EQ(one.Segments[s].Coefficients, two.Segments[s].Coefficients);
-    ASSERT_EQ(one.Segments[s].VortexIds, two.Segments[s].VortexIds);
-  }
-  ASSERT_EQ(one.Nodes.size(), two.Nodes.size());
-  for (std::size_t n = 0; n < one.Nodes.size(); ++n)
-  {
-    ASSERT_EQ(one.Nodes[n].Medoid, two.Nodes[n].Medoid);
-  }
+  const Built two = BuildAll(options, 2);
+  ExpectEqual(one.Database, two.Database);
+  ASSERT_EQ(one.Coverage.size(), 2u);
+  ASSERT_EQ(two.Coverage.size(), 2u);
+  EXPECT_EQ(one.Coverage[1].NewShare, two.Coverage[1].NewShare);
   options.Seed = 2;
-  EXPECT_NE(Build(options, 2).TopSpeed, one.TopSpeed);
+  EXPECT_NE(Build(options, 2).TopSpeed, one.Database.TopSpeed);
 }
 
 TEST(DatabaseBuild, RunsAreTracedAroundTheirObstacles)
@@ -100,7 +175,7 @@ TEST(DatabaseBuild, RunsAreTracedAroundTheirObstacles)
   SimulationRun run;
   ASSERT_TRUE(run.Begin(options, 0));
   SilentMonitor monitor;
-  for (int step = 0; step < run.NumberOfSteps(); ++step)
+  for (int step = 0; step < StepsOfSimulation(options); ++step)
   {
     const Result result = run.Step(monitor);
     ASSERT_TRUE(result) << result.Message();
@@ -139,7 +214,7 @@ TEST(DatabaseBuild, StyleSurvivesCutsAndCompression)
   SimulationRun run;
   ASSERT_TRUE(run.Begin(options, 2));
   SilentMonitor monitor;
-  for (int step = 0; step < run.NumberOfSteps(); ++step)
+  for (int step = 0; step < StepsOfSimulation(options); ++step)
   {
     ASSERT_TRUE(run.Step(monitor));
   }
@@ -167,7 +242,7 @@ TEST(DatabaseBuild, WarmUpByStepsIsThatOfTheSolver)
   SimulationRun run;
   ASSERT_TRUE(run.Begin(options, 1));
   SilentMonitor monitor;
-  for (int step = 0; step < run.NumberOfSteps(); ++step)
+  for (int step = 0; step < StepsOfSimulation(options); ++step)
   {
     ASSERT_TRUE(run.Step(monitor));
   }
@@ -204,40 +279,119 @@ TEST(DatabaseBuild, WarmUpByStepsIsThatOfTheSolver)
   EXPECT_GT(fastest, 0.3);
 }
 
-TEST(DatabaseBuild, StopsWhenAskedAndRefusesWhatIsWrong)
+TEST(DatabaseBuild, StoppedItGivesTheSimulationsThatAreWhole)
 {
-  for (const int ticks : { 0, 5, 60, 100 })
-  {
-    MotionDatabase database;
-    StopAfter monitor(ticks);
-    const Result result = BuildDatabase(Small(), SerialFor(), monitor, database);
-    EXPECT_TRUE(result.IsStopped()) << ticks;
-    EXPECT_TRUE(database.Segments.empty());
-  }
-  MotionDatabase database;
-  SilentMonitor monitor;
   DatabaseOptions options = Small();
   options.SimulationsAtOnce = 1;
-  StopAfter inTheThird(200); // of 90 frames each
-  EXPECT_TRUE(BuildDatabase(options, SerialFor(), inTheThird, database).IsStopped());
-  options.NumberOfSimulations = 2;
-  const MotionDatabase two = Build(options, 1);
-  EXPECT_EQ(database.Provenance, two.Provenance);
-  ASSERT_EQ(database.Segments.size(), two.Segments.size());
-  EXPECT_EQ(database.Segments.back().Coefficients, two.Segments.back().Coefficients);
+  for (const double fraction : { 0.0, 0.01, After(0.9) })
+  {
+    StopFrom monitor(fraction);
+    const Built built = BuildWith(options, 1, monitor);
+    EXPECT_TRUE(built.Outcome.IsStopped()) << fraction;
+    EXPECT_TRUE(built.Database.Segments.empty());
+    EXPECT_TRUE(built.Coverage.empty());
+  }
+  StopFrom clustering(0.96);
+  EXPECT_TRUE(BuildWith(options, 1, clustering).Outcome.IsStopped());
 
-  database = MotionDatabase();
-  options = Small();
+  StopFrom inTheThird(After(2.5));
+  const Built stopped = BuildWith(options, 1, inTheThird);
+  EXPECT_TRUE(stopped.Outcome.IsStopped());
+  options.NumberOfSimulations = 2;
+  ExpectEqual(stopped.Database, Build(options, 1));
+  ASSERT_EQ(stopped.Coverage.size(), 1u);
+}
+
+TEST(DatabaseBuild, GoesOnWithWhatWasKept)
+{
+  const Folder folder;
+  DatabaseOptions options = Small();
+  const Built whole = BuildAll(options, 1);
+  options.KeptIn = folder.Text();
+  options.SimulationsAtOnce = 1;
+  StopFrom inTheThird(After(2.5));
+  EXPECT_TRUE(BuildWith(options, 1, inTheThird).Outcome.IsStopped());
+  EXPECT_EQ(folder.NumberOfFiles(), 2);
+
+  StopFrom never(2.0);
+  const Built resumed = BuildWith(options, 1, never);
+  EXPECT_TRUE(resumed.Outcome && !resumed.Outcome.IsStopped());
+  EXPECT_GE(never.First, After(1.0)); // nothing of the first is done again
+  EXPECT_EQ(folder.NumberOfFiles(), 3);
+  ExpectEqual(resumed.Database, whole.Database);
+  EXPECT_EQ(resumed.Coverage[1].NewShare, whole.Coverage[1].NewShare);
+
+  // A damaged one is simulated again, the others are not.
+  std::filesystem::resize_file(folder.File(0), std::filesystem::file_size(folder.File(0)) / 2);
+  StopFrom again(2.0);
+  ExpectEqual(BuildWith(options, 1, again).Database, whole.Database);
+  EXPECT_LT(again.First, After(1.0));
+  {
+    std::fstream file(folder.File(2), std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(5000);
+    file.put('\x7f');
+  }
+  ExpectEqual(BuildAll(options, 2).Database, whole.Database);
+
+  // So are those of other parameters; what is made of them is not a parameter of a simulation.
+  options.Cluster.MaximumSegments = 200;
+  StopFrom thinner(2.0);
+  EXPECT_EQ(BuildWith(options, 1, thinner).Database.Segments.size(), 200u);
+  EXPECT_GE(thinner.First, After(2.9));
+  options.Seed = 9;
+  StopFrom other(2.0);
+  EXPECT_NE(BuildWith(options, 1, other).Database.TopSpeed, whole.Database.TopSpeed);
+  EXPECT_LT(other.First, After(1.0));
+
+  options.KeptIn = folder.File(0) + "/below";
+  SilentMonitor monitor;
+  EXPECT_NE(BuildWith(options, 1, monitor).Outcome.Message().find("folder"), std::string::npos);
+}
+
+TEST(DatabaseBuild, EndsWhereHardlyAnythingIsNew)
+{
+  DatabaseOptions options = Small();
+  options.NumberOfSimulations = 5;
+  options.SimulationsAtOnce = 3;
+  const Built all = BuildAll(options, 2);
+  ASSERT_EQ(all.Coverage.size(), 4u);
+  // The first share below the threshold is that of the simulation after `last`.
+  std::size_t last = 1;
+  while (last < 3 && all.Coverage[last].NewShare >= all.Coverage[0].NewShare)
+  {
+    ++last;
+  }
+  ASSERT_LT(all.Coverage[last].NewShare, all.Coverage[0].NewShare);
+  options.StopBelow = 0.5 * (all.Coverage[last].NewShare + all.Coverage[0].NewShare);
+  for (std::size_t i = 0; i < last; ++i)
+  {
+    ASSERT_GE(all.Coverage[i].NewShare, options.StopBelow);
+  }
+  const Built fewer = BuildAll(options, 2);
+  EXPECT_EQ(fewer.Coverage.size(), last + 1);
+  options.SimulationsAtOnce = 1;
+  options.StopBelow = 0.0;
+  options.NumberOfSimulations = static_cast<int>(last) + 2;
+  ExpectEqual(fewer.Database, Build(options, 1));
+}
+
+TEST(DatabaseBuild, RefusesWhatIsWrong)
+{
+  const auto message = [](const DatabaseOptions& options)
+  {
+    SilentMonitor monitor;
+    return BuildWith(options, 1, monitor).Outcome.Message();
+  };
+  DatabaseOptions options = Small();
   options.Bounds.Max.z() = 3.9;
-  EXPECT_NE(BuildDatabase(options, SerialFor(), monitor, database).Message().find("Bounds"),
-            std::string::npos);
+  EXPECT_NE(message(options).find("Bounds"), std::string::npos);
   options = Small();
   options.NumberOfSimulations = 0;
-  EXPECT_NE(
-    BuildDatabase(options, SerialFor(), monitor, database).Message().find("NumberOfSimulations"),
-    std::string::npos);
+  EXPECT_NE(message(options).find("NumberOfSimulations"), std::string::npos);
   options = Small();
   options.Ensemble.WindAcceleration.Low = 9.0;
-  EXPECT_NE(BuildDatabase(options, SerialFor(), monitor, database).Message().find("WindAcc"),
-            std::string::npos);
+  EXPECT_NE(message(options).find("WindAcc"), std::string::npos);
+  options = Small();
+  options.StopBelow = 1.5;
+  EXPECT_NE(message(options).find("StopBelow"), std::string::npos);
 }

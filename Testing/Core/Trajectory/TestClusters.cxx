@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AnalyticFlow.h"
-#include "Trajectory/Coverage.h"
 #include "Trajectory/KMeans.h"
 #include "Trajectory/NearestSegment.h"
 #include "Trajectory/SegmentFrame.h"
@@ -439,17 +438,4 @@ TEST(Clusters, StopsWhenAsked)
   }
   EXPECT_GT(stopped, 5);
   EXPECT_LT(stopped, 40);
-}
-
-TEST(Clusters, CoverageCountsWhatIsNew)
-{
-  ClusterOptions options;
-  options.MaximumSegments = 0;
-  ClusterInput input = Traced(2, 6);
-  input.Simulations.push_back(input.Simulations[0]); // nothing new
-  const std::vector<CoveragePoint> curve = CoverageCurve(Build(input, options));
-  ASSERT_EQ(curve.size(), 2u);
-  EXPECT_GT(curve[0].NewShare, 0.1);
-  EXPECT_EQ(curve[1].NewShare, 0.0);
-  EXPECT_GT(curve[1].NewSegments, 50);
 }
