@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Grid/SmokeSolver.h"
+#include "SmokeScenes.h"
 
 #include <gtest/gtest.h>
 
@@ -7,271 +7,7 @@
 #include <limits>
 
 using namespace waft;
-
-namespace
-{
-
-SmokeOptions Options(int n, BoundaryKind kind)
-{
-  SmokeOptions options;
-  options.Resolution = { n, n, n };
-  options.Boundary.fill(kind);
-  options.WarmUpSeconds = 0.0;
-  return options;
-}
-
-SmokeForces Stirring()
-{
-  SmokeForces forces;
-  Vortex vortex;
-  vortex.P1 = Vec3(0.5, 0.3, 0.6);
-  vortex.P2 = Vec3(0.2, 0.6, 3.2);
-  vortex.Strength = 6.0;
-  vortex.CoreRadius = 0.3;
-  vortex.CenterTime = 0.1;
-  forces.Vortices = { vortex };
-  AnalyticWind wind;
-  wind.Direction = Vec3(0.6, 0.0, 0.8);
-  wind.Center = Vec3(-0.5, 0.2, 1.5);
-  wind.Strength = 2.0;
-  wind.CenterTime = 0.2;
-  forces.Winds = { wind };
-  return forces;
-}
-
-std::vector<float> SphereDistances(const SmokeOptions& options, const Vec3& center, double radius)
-{
-  std::vector<float> distances;
-  const Vec3 h = options.Spacing();
-  for (int k = 0; k <= options.Resolution[2]; ++k)
-  {
-    for (int j = 0; j <= options.Resolution[1]; ++j)
-    {
-      for (int i = 0; i <= options.Resolution[0]; ++i)
-      {
-        const Vec3 x = options.Bounds.Min + Vec3(i, j, k).cwiseProduct(h);
-        distances.push_back(static_cast<float>((x - center).norm() - radius));
-      }
-    }
-  }
-  return distances;
-}
-
-void RunFrames(SmokeSolver& solver, int frames, const ParallelFor& parallelFor = SerialFor())
-{
-  SilentMonitor monitor;
-  for (int frame = 0; frame < frames; ++frame)
-  {
-    ASSERT_TRUE(solver.Step(parallelFor, monitor));
-  }
-}
-
-const Vec3 BallCenter(-0.3, 0.1, 2.0);
-constexpr double BallRadius = 0.7;
-
-class ProjectionTest : public testing::TestWithParam<std::tuple<int, BoundaryKind>>
-{
-};
-
-// Smooth, free of divergence, no flow through the walls of the default volume.
-Vec3 Eddies(const Vec3& x)
-{
-  const double a = M_PI / 2.0;
-  return Vec3(std::sin(a * (x.x() + 2)) * std::cos(a * (x.y() + 2)),
-              -std::cos(a * (x.x() + 2)) * std::sin(a * (x.y() + 2)), 0.0) +
-         0.5 * Vec3(0.0, std::sin(a * (x.y() + 2)) * std::cos(a * x.z()),
-                    -std::cos(a * (x.y() + 2)) * std::sin(a * x.z()));
-}
-
-} // namespace
-
-TEST_P(ProjectionTest, LeavesNoDivergenceAndNoFlowThroughSolids)
-{
-  const auto [n, kind] = GetParam();
-  const SmokeOptions options = Options(n, kind);
-  SmokeSolver solver;
-  ASSERT_TRUE(solver.Begin(options, Stirring()));
-  ASSERT_TRUE(solver.SetSolids(SphereDistances(options, BallCenter, BallRadius)));
-  RunFrames(solver, 7);
-  EXPECT_LE(solver.MaximumDivergence() / options.FramesPerSecond, 1e-4);
-  EXPECT_GT(solver.KineticEnergy(), 1e-3);
-  const Vec3 h = options.Spacing();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const std::vector<float> velocity = solver.FaceVelocities(axis);
-    const std::vector<float> open = solver.FaceFractions(axis);
-    std::size_t p = 0;
-    int closed = 0;
-    std::array<int, 3> count = options.Resolution;
-    ++count[axis];
-    for (int k = 0; k < count[2]; ++k)
-    {
-      for (int j = 0; j < count[1]; ++j)
-      {
-        for (int i = 0; i < count[0]; ++i, ++p)
-        {
-          Vec3 at(i + 0.5, j + 0.5, k + 0.5);
-          at[axis] -= 0.5;
-          const Vec3 x = options.Bounds.Min + at.cwiseProduct(h);
-          const int index = axis == 0 ? i : axis == 1 ? j : k;
-          const bool wall =
-            kind == BoundaryKind::Closed && (index == 0 || index == options.Resolution[axis]);
-          if ((x - BallCenter).norm() < BallRadius - h.x() || wall)
-          {
-            EXPECT_EQ(open[p], 0.0f);
-            EXPECT_EQ(velocity[p], 0.0f);
-            ++closed;
-          }
-          else if ((x - BallCenter).norm() > BallRadius + h.x() &&
-                   !(axis == 2 && k == 0 && kind == BoundaryKind::Open))
-          {
-            EXPECT_EQ(open[p], 1.0f);
-          }
-        }
-      }
-    }
-    EXPECT_GT(closed, 100);
-  }
-  SmokeFrame frame;
-  solver.Read(frame);
-  int solid = 0;
-  for (std::size_t c = 0; c < frame.Obstacle.size(); ++c)
-  {
-    solid += frame.Obstacle[c];
-    EXPECT_TRUE(frame.Obstacle[c] == 0 ||
-                (frame.Velocity[c] == std::array<float, 3>{ 0.0f, 0.0f, 0.0f }));
-  }
-  EXPECT_NEAR(solid * h.prod(), 4.0 / 3.0 * M_PI * std::pow(BallRadius, 3), 0.05);
-}
-
-INSTANTIATE_TEST_SUITE_P(Boundaries, ProjectionTest,
-                         testing::Combine(testing::Values(32, 64),
-                                          testing::Values(BoundaryKind::Closed, BoundaryKind::Open,
-                                                          BoundaryKind::Periodic)));
-
-TEST(SmokeSolver, EnergyNeverGrowsWithoutForces)
-{
-  for (const BoundaryKind kind :
-       { BoundaryKind::Closed, BoundaryKind::Periodic, BoundaryKind::Open })
-  {
-    for (const AdvectionScheme scheme :
-         { AdvectionScheme::Linear, AdvectionScheme::MonotoneCubic, AdvectionScheme::MacCormack })
-    {
-      SmokeOptions options = Options(20, kind);
-      options.Advection = scheme;
-      options.Confinement = 0.0;
-      SmokeSolver solver;
-      ASSERT_TRUE(solver.Begin(options, {}));
-      ASSERT_TRUE(solver.SetSolids(SphereDistances(options, BallCenter, BallRadius)));
-      ASSERT_TRUE(solver.SetVelocity(Eddies, true));
-      double energy = solver.KineticEnergy();
-      ASSERT_GT(energy, 1.0);
-      for (int step = 0; step < 30; ++step)
-      {
-        RunFrames(solver, 1);
-        const double next = solver.KineticEnergy();
-        EXPECT_LE(next, energy * (1.0 + 1e-6))
-          << "boundary " << int(kind) << " scheme " << int(scheme) << " step " << step;
-        energy = next;
-      }
-    }
-  }
-}
-
-TEST(SmokeSolver, TaylorGreenStaysAndItsErrorConverges)
-{
-  // A steady flow of air without friction: what changes is the scheme's error.
-  const double a = M_PI / 2.0;
-  const auto flow = [a](const Vec3& x)
-  {
-    return Vec3(std::sin(a * x.x()) * std::cos(a * x.y()),
-                -std::cos(a * x.x()) * std::sin(a * x.y()), 0.0);
-  };
-  double errors[2];
-  for (int level = 0; level < 2; ++level)
-  {
-    const int n = level == 0 ? 16 : 32;
-    SmokeOptions options = Options(n, BoundaryKind::Periodic);
-    options.Resolution[2] = 4;
-    options.Bounds.Max.z() = 4.0 * 4 / n;
-    options.Confinement = 0.0;
-    options.FramesPerSecond = 7.5 * n / 16;
-    SmokeSolver solver;
-    ASSERT_TRUE(solver.Begin(options, {}));
-    ASSERT_TRUE(solver.SetVelocity(flow, false));
-    EXPECT_LT(solver.MaximumDivergence(), 1e-5);
-    RunFrames(solver, 8 * n / 16);
-    const std::vector<float> u = solver.FaceVelocities(0);
-    double sum = 0.0;
-    std::size_t p = 0;
-    for (int k = 0; k < 4; ++k)
-    {
-      for (int j = 0; j < n; ++j)
-      {
-        for (int i = 0; i <= n; ++i, ++p)
-        {
-          const Vec3 x(-2.0 + 4.0 * i / n, -2.0 + 4.0 * (j + 0.5) / n, 0.0);
-          sum += std::pow(u[p] - flow(x).x(), 2);
-        }
-      }
-    }
-    errors[level] = std::sqrt(sum / p);
-  }
-  EXPECT_LT(errors[1], 0.05);
-  EXPECT_GT(std::log2(errors[0] / errors[1]), 0.9); // first order in time
-}
-
-TEST(SmokeSolver, ConfinementRaisesEnstrophy)
-{
-  double enstrophy[2];
-  for (int on = 0; on < 2; ++on)
-  {
-    SmokeOptions options = Options(24, BoundaryKind::Closed);
-    options.Confinement = on;
-    SmokeSolver solver;
-    ASSERT_TRUE(solver.Begin(options, {}));
-    ASSERT_TRUE(solver.SetVelocity(Eddies, true));
-    RunFrames(solver, 20);
-    enstrophy[on] = solver.Enstrophy();
-  }
-  EXPECT_GT(enstrophy[1], 1.02 * enstrophy[0]);
-}
-
-TEST(SmokeSolver, SymmetricSceneStaysSymmetric)
-{
-  // Mirrored in the plane x = 0: a rising wind over a ball in the middle. Voxels of 1/8 m, so that
-  // the scene itself is symmetric to the last bit.
-  SmokeOptions options = Options(32, BoundaryKind::Open);
-  SmokeForces forces;
-  AnalyticWind wind;
-  wind.Direction = Vec3::UnitZ();
-  wind.Center = Vec3(0.0, 0.3, 1.0);
-  wind.Strength = 1.0;
-  wind.Duration = 10.0;
-  forces.Winds = { wind };
-  SmokeSolver solver;
-  ASSERT_TRUE(solver.Begin(options, forces));
-  ASSERT_TRUE(solver.SetSolids(SphereDistances(options, Vec3(0.0, 0.0, 2.3), 0.6)));
-  RunFrames(solver, 100);
-  SmokeFrame frame;
-  solver.Read(frame);
-  double worst = 0.0;
-  double fastest = 0.0;
-  const int n = 32;
-  for (int row = 0; row < n * n; ++row)
-  {
-    for (int i = 0; i < n; ++i)
-    {
-      const auto& a = frame.Velocity[row * n + i];
-      const auto& b = frame.Velocity[row * n + n - 1 - i];
-      worst = std::max({ worst, std::abs(double(a[0]) + b[0]), std::abs(double(a[1]) - b[1]),
-                         std::abs(double(a[2]) - b[2]) });
-      fastest = std::max<double>(fastest, a[2]);
-    }
-  }
-  EXPECT_GT(fastest, 0.5);
-  EXPECT_EQ(worst, 0.0); // to the last bit
-}
+using namespace waft::test;
 
 TEST(SmokeSolver, EvenWindInAClosedBoxOnlyMakesPressure)
 {
@@ -291,6 +27,42 @@ TEST(SmokeSolver, EvenWindInAClosedBoxOnlyMakesPressure)
   // dp/dx = rho a: 1.2 Pa/m over 15 voxels of 0.25 m.
   EXPECT_NEAR(frame.Pressure[15] - frame.Pressure[0], 1.2 * 3.75, 0.01);
   EXPECT_NEAR(frame.WindForce[77][0], 1.0, 1e-6);
+}
+
+TEST(SmokeSolver, WindMayVaryInSpaceAndTime)
+{
+  // An acceleration of y t along x, which is free of divergence: speed y t^2 / 2.
+  SmokeOptions options = Options(16, BoundaryKind::Closed);
+  options.Boundary[0] = BoundaryKind::Periodic;
+  options.Confinement = 0.0;
+  SmokeForces forces;
+  forces.Wind.Dimensions = { 2, 2, 2 };
+  forces.Wind.Origin = options.Bounds.Min;
+  forces.Wind.Spacing = options.Bounds.Size();
+  forces.Wind.Times = { 0.0, 0.5, 2.0 };
+  for (const double time : forces.Wind.Times)
+  {
+    const float low = static_cast<float>(-2.0 * time);
+    const float high = static_cast<float>(2.0 * time);
+    std::vector<std::array<float, 3>> step;
+    for (const float value : { low, low, high, high, low, low, high, high })
+    {
+      step.push_back({ value, 0.0f, 0.0f });
+    }
+    forces.Wind.Values.push_back(step);
+  }
+  SmokeSolver solver;
+  ASSERT_TRUE(solver.Begin(options, forces));
+  RunFrames(solver, 31); // 1 s
+  SmokeFrame frame;
+  solver.Read(frame);
+  for (int j = 0; j < 16; ++j)
+  {
+    const double y = -2.0 + (j + 0.5) * 0.25;
+    const std::size_t cell = 5 + 16 * (static_cast<std::size_t>(j) + 16 * 7);
+    EXPECT_NEAR(frame.Velocity[cell][0], 0.5 * y, 2e-3) << j;
+    EXPECT_NEAR(frame.WindForce[cell][0], y, 1e-5);
+  }
 }
 
 TEST(SmokeSolver, WindThatIsAVelocityDrawsTheAirToIt)

@@ -266,8 +266,8 @@ TEST(Clusters, NearestSegmentThroughTheTree)
       const Eigen::VectorXd coefficients =
         CoefficientsOf(database.Groups[g], queries.Reconstruct(static_cast<int>(q)));
       const NearestResult all = FindNearestByAll(database, static_cast<int>(g), coefficients);
-      const NearestResult tree = FindNearest(database, static_cast<int>(g), coefficients,
-                                             std::max(40, all.Evaluations / 10));
+      const NearestResult tree =
+        FindNearest(database, static_cast<int>(g), coefficients, all.Evaluations / 10);
       const NearestResult exact = FindNearest(database, static_cast<int>(g), coefficients, 0);
       EXPECT_EQ(exact.Distance, all.Distance);
       ++asked;
@@ -278,7 +278,7 @@ TEST(Clusters, NearestSegmentThroughTheTree)
   }
   ASSERT_GE(asked, 100);
   EXPECT_GE(found, 0.9 * asked) << found << " of " << asked;
-  EXPECT_LE(evaluations, 0.11 * reference);
+  EXPECT_LE(evaluations, reference / 10);
 }
 
 TEST(Clusters, VorticesTravelWithTheirSegments)

@@ -177,7 +177,12 @@ TEST(Tracer, AnnotationFollowsTheForces)
     {
       const Vec3& x = track.Positions[i];
       const double time = i / 30.0;
-      const ForceType type = ClassifyForce(vortexForce(x, time), wind(x, time), options.Annotation);
+      // The rule itself: half of both together, above a floor.
+      const double vortex = vortexForce(x, time).norm();
+      const double air = wind(x, time).norm();
+      const ForceType type = vortex > 0.5 * (vortex + air) && vortex > 0.05 ? ForceType::Vortex
+                             : air > 0.05                                   ? ForceType::Wind
+                                                                            : ForceType::None;
       const bool isLeft = left.Acceleration(x, time).norm() > other.Acceleration(x, time).norm();
       const int id = type == ForceType::Vortex ? (isLeft ? 7 : 3) : -1;
       ++points;
