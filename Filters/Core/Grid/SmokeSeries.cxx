@@ -62,9 +62,12 @@ Result SmokeSeries::Begin(SmokeSeriesInput input)
   {
     return started;
   }
-  const double state = static_cast<double>(SizeOf(this->Solver.Save()));
+  SmokeFrame frame;
+  this->Solver.Read(frame);
+  const std::size_t state = SizeOf(this->Solver.Save());
+  this->KeepsCheckpoints = state + SizeOf(frame) <= this->Input.CacheLimit;
   const double room = CheckpointShare * static_cast<double>(this->Input.CacheLimit);
-  const double count = std::max(room / state, 1.0);
+  const double count = std::max(room / static_cast<double>(state), 1.0);
   this->CheckpointInterval =
     std::max(ShortestCheckpointInterval,
              static_cast<int>(std::min(this->Input.NumberOfFrames / count + 1.0, 1e9)));
@@ -121,7 +124,8 @@ Result SmokeSeries::StepOnce(const ParallelFor& parallelFor, Monitor& monitor)
     }
   }
   const Result stepped = this->Solver.Step(parallelFor, monitor);
-  if (stepped && !stepped.IsStopped() && next % this->CheckpointInterval == 0)
+  if (stepped && !stepped.IsStopped() && this->KeepsCheckpoints &&
+      next % this->CheckpointInterval == 0)
   {
     this->Checkpoints.emplace(next, this->Solver.Save());
   }

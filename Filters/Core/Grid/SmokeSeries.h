@@ -27,6 +27,7 @@ struct SmokeSeriesInput
 
 /// Computes frames when they are first asked for and keeps those nearest to the last one asked for,
 /// as many as CacheLimit holds; the others are computed again from checkpoints, to the same bits.
+/// One frame is kept whatever the limit, without checkpoints when there is no room beside it.
 class SmokeSeries
 {
 public:
@@ -51,6 +52,7 @@ private:
   SmokeSolver Solver;
   std::map<int, std::shared_ptr<const SmokeFrame>> Frames;
   std::map<int, SmokeState> Checkpoints;
+  bool KeepsCheckpoints = true;
   int CheckpointInterval = 16;
   int Computed = 0;
 };

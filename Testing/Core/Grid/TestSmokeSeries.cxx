@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace waft;
 
 namespace
@@ -74,6 +76,35 @@ TEST(SmokeSeries, FramesOutOfOrderEqualFramesInOrder)
     EXPECT_LE(small.BytesKept(), limit);
   }
   EXPECT_FALSE(small.At(40, SerialFor(), monitor, fields));
+}
+
+TEST(SmokeSeries, KeepsToAnyLimitThatHoldsAFrame)
+{
+  SilentMonitor monitor;
+  std::shared_ptr<const SmokeFrame> fields;
+  SmokeSeries whole;
+  ASSERT_TRUE(whole.Begin(MovingBall(std::size_t(1) << 30)));
+  ASSERT_TRUE(whole.At(0, SerialFor(), monitor, fields));
+  const std::size_t frame = 12 * 12 * 12 * (4 * 3 * 4 + 2 * 4 + 1); // bytes
+  const std::size_t state = whole.BytesKept() - frame;
+  EXPECT_GT(state, frame / 4);
+  std::shared_ptr<const SmokeFrame> last;
+  ASSERT_TRUE(whole.At(25, SerialFor(), monitor, last));
+  for (const std::size_t limit :
+       { std::size_t(1), frame, frame + state - 1, frame + state, 3 * frame + 2 * state })
+  {
+    SmokeSeries small;
+    ASSERT_TRUE(small.Begin(MovingBall(limit)));
+    for (const int at : { 20, 3, 25 })
+    {
+      ASSERT_TRUE(small.At(at, SerialFor(), monitor, fields));
+      EXPECT_EQ(fields->Frame, at);
+      EXPECT_LE(small.BytesKept(), std::max(limit, frame));
+    }
+    EXPECT_EQ(fields->Velocity, last->Velocity) << limit;
+    // From 3 to 25 it goes on; back to 3 the way is shorter with a checkpoint of frame 0 or 16.
+    EXPECT_EQ(small.FramesComputed(), limit >= frame + state ? 21 + 3 + 22 : 21 + 4 + 22) << limit;
+  }
 }
 
 TEST(SmokeSeries, GivesTheLastFrameReachedWhenStopped)
