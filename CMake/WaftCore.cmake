@@ -46,3 +46,15 @@ endfunction()
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(Threads REQUIRED)
+
+# waft_find_openvdb(): the target OpenVDB::openvdb in the folder that calls it. Its find module is not where
+# CMake looks for such, and it brings targets that must not be seen by other folders' packages.
+macro(waft_find_openvdb)
+  find_path(WAFT_OPENVDB_MODULES FindOpenVDB.cmake
+    HINTS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/OpenVDB /usr/lib/cmake/OpenVDB
+    PATH_SUFFIXES lib/cmake/OpenVDB lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/OpenVDB
+    DOC "The folder cmake/OpenVDB that libopenvdb-dev installs")
+  mark_as_advanced(WAFT_OPENVDB_MODULES)
+  list(APPEND CMAKE_MODULE_PATH "${WAFT_OPENVDB_MODULES}")
+  find_package(OpenVDB REQUIRED COMPONENTS openvdb)
+endmacro()

@@ -3,7 +3,8 @@
 
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/FileReading.h"
-#include "Obstacles/VectorVolume.h"
+#include "Volumes/VectorVolume.h"
+#include "Volumes/VolumeSeries.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -89,46 +90,10 @@ FieldSeries OnLatticeOf(const FieldSeries& lattice, const FieldSeries& step)
   return moved;
 }
 
-// The files of a series of volumes with their frames, in order; a single file is frame 0.
-std::vector<std::pair<int, std::string>> VdbFiles(const std::string& path)
-{
-  const std::filesystem::path given(path);
-  const auto split = [](const std::string& stem)
-  {
-    const std::size_t last = stem.find_last_not_of("0123456789");
-    return last == std::string::npos ? std::size_t(0) : last + 1;
-  };
-  const std::string stem = given.stem().string();
-  const std::string prefix = stem.substr(0, split(stem));
-  std::vector<std::pair<int, std::string>> files;
-  constexpr std::size_t mostDigits = 9;
-  if (prefix == stem || stem.size() - prefix.size() > mostDigits)
-  {
-    files.emplace_back(0, path);
-    return files;
-  }
-  std::error_code error;
-  const std::filesystem::path folder =
-    given.parent_path().empty() ? std::filesystem::path(".") : given.parent_path();
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-  {
-    const std::string other = entry.path().stem().string();
-    const bool isOne = entry.path().extension() == given.extension() &&
-                       other.size() > prefix.size() && other.size() <= prefix.size() + mostDigits &&
-                       other.substr(0, split(other)) == prefix;
-    if (isOne)
-    {
-      files.emplace_back(std::stoi(other.substr(prefix.size())), entry.path().string());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 Result ReadVdbSeries(const std::string& path, const Timeline& line, FieldSeries& wind)
 {
   FieldSeries series;
-  for (const auto& [frame, file] : VdbFiles(path))
+  for (const auto& [frame, file] : SeriesFiles(path))
   {
     FieldSeries step;
     Result result = ReadVectorVolume(file, line.Time(frame), step);

@@ -18,6 +18,7 @@ CORE_MAY_INCLUDE = {
     "Shapes": {"Base"},
     "Grid": {"Base"},
     "Obstacles": {"Base"},
+    "Volumes": {"Base"},
     "Trajectory": {"Base", "Obstacles"},
     "Database": {"Base", "Grid", "Obstacles", "Trajectory"},
     "Planning": {"Base", "Obstacles", "Trajectory"},
@@ -29,7 +30,7 @@ CORE_MAY_INCLUDE = {
 }
 THIRD_PARTY_OWNERS = {
     "CGAL": {"Obstacles"},
-    "openvdb": {"Obstacles"},
+    "openvdb": {"Obstacles", "Volumes"},
     "ceres": {"Vortex"},
     "nlohmann": {"Scene"},
     "tiny_gltf.h": {"Export"},

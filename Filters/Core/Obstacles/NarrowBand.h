@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one place that includes OpenVDB.
+// The level sets of OpenVDB.
 #pragma once
 
 #include "Obstacles/DistanceLattice.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Obstacles/VectorVolume.h"
+#include "Volumes/VectorVolume.h"
 
 #include <openvdb/openvdb.h>
 
