@@ -9,6 +9,10 @@ DESCRIPTION = "Motion of light things in air that goes where you say and moves l
 EXIT = """exit status: 0 all constraints met; 2 malformed input or usage, nothing computed; 3 some constraint could not
 be met (named in constraints.csv and below), all others are; 4 stopped early, best so far written; 1 anything else"""
 
+DATABASE_EXIT = """exit status: 0 done; 2 malformed usage, nothing computed; 4 stopped early, the database of the
+simulations that are whole written (nothing when there is none); 1 anything else. FILE.coverage.csv tells what
+each simulation added"""
+
 
 def _argument(kind, expected, accepts):
     """An argparse type: kind(text) where accepts(value), else an error that says what was expected."""
@@ -31,6 +35,7 @@ def _size(text):
 positive_int = _argument(int, "a whole number of 1 or more", lambda n: n >= 1)
 seed = _argument(int, f"a whole number from 0 to {2 ** 31 - 1}", lambda n: 0 <= n < 2 ** 31)
 positive = _argument(float, "a positive number", lambda x: 0.0 < x < float("inf"))
+share = _argument(float, "a share above 0, at most 1", lambda x: 0.0 < x <= 1.0)
 size = _argument(_size, "WxH such as 1280x720, each from 16 to 16384", lambda s: all(16 <= n <= 16384 for n in s))
 
 
@@ -49,13 +54,19 @@ def parser():
     make.add_argument("--resume", action="store_true", help="go on from what an earlier run left in DIR")
     make.set_defaults(run=run_synthesize)
 
-    base = commands.add_parser("database", help="a motion database from simulations of smoke")
+    base = commands.add_parser("database", help="a motion database from simulations of smoke", epilog=DATABASE_EXIT)
     base.add_argument("--output", required=True, metavar="FILE.vtm")
     base.add_argument("--simulations", type=positive_int, default=8, help="default 8")
     base.add_argument("--frames", type=positive_int, default=300, help="frames of each, default 300")
     base.add_argument("--resolution", type=positive_int, default=64, help="cells along a side, default 64")
     base.add_argument("--seed", type=seed, default=1)
-    base.add_argument("--threads", type=positive_int)
+    base.add_argument("--threads", type=positive_int, help="default: all cores; the result is the same")
+    base.add_argument("--until-covered", type=share, nargs="?", const=0.05, default=0.0, metavar="SHARE",
+                      help="stop when less than this share of a simulation's segments is new (without a number "
+                           "0.05); --simulations is then the most")
+    base.add_argument("--time-limit", type=positive, metavar="S", help="seconds; the simulations that are whole "
+                                                                       "are used")
+    base.add_argument("--resume", action="store_true", help="go on from what a stopped run left beside FILE")
     base.set_defaults(run=run_database)
 
     show = commands.add_parser("render", help="pictures and a movie of a result")
@@ -98,9 +109,17 @@ def tell(run, folder):
 def run_database(options):
     from waft.database import make_database
 
-    make_database(options.output, simulations=options.simulations, frames=options.frames,
-                  resolution=options.resolution, seed=options.seed, threads=options.threads, quiet=False)
-    return failures.ALL_MET
+    made = make_database(options.output, simulations=options.simulations, frames=options.frames,
+                         resolution=options.resolution, seed=options.seed, threads=options.threads,
+                         time_limit=options.time_limit, stop_below=options.until_covered, resume=options.resume,
+                         quiet=False)
+    count = len(made.coverage) + 1
+    print(f"{options.output}: {count} simulations" + (
+        f", {100.0 * made.coverage[-1][2]:.1f} % of the last one's segments are new" if made.coverage else ""),
+        file=sys.stderr)
+    if made.stopped:
+        print("stopped early; --resume goes on", file=sys.stderr)
+    return failures.STOPPED_EARLY if made.stopped else failures.ALL_MET
 
 
 def run_render(options):

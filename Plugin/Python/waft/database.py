@@ -1,36 +1,76 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A motion database from simulations of smoke."""
+import dataclasses
 import pathlib
+import shutil
 
 from paraview import simple
 
 from waft import failures
-from waft.files import check_folder, replaced, write_xml
+from waft.files import check_folder, replaced, table_rows, write_csv, write_xml
 from waft.synthesis import set_threads
 from waft.watching import Clock, StageWatch
 
 
-def make_database(path, simulations=8, frames=300, resolution=64, seed=1, threads=None, quiet=True):
-    """Simulates, traces, cuts and clusters; writes PATH (.vtm and the folder beside it), whole or not at all.
+@dataclasses.dataclass
+class Made:
+    """A database that was made: its proxy, whether it was stopped before all simulations were done, and the
+    rows of its coverage (simulations before, segments brought, share of these that is new)."""
 
-    The same seed gives the same bytes on any number of threads.
+    source: object
+    stopped: bool
+    coverage: list
+
+
+def coverage_file(path):
+    """Where the coverage of a database is written: FILE.coverage.csv beside FILE.vtm."""
+    return pathlib.Path(path).with_suffix(".coverage.csv")
+
+
+def kept_folder(path):
+    """Where simulations that are whole wait for the others; it is gone when all are there."""
+    return pathlib.Path(f"{path}.kept")
+
+
+def make_database(path, simulations=8, frames=300, resolution=64, seed=1, threads=None, time_limit=None,
+                  stop_below=0.0, resume=False, quiet=True):
+    """Simulates, traces, cuts and clusters; writes PATH (.vtm and the folder beside it) and its coverage,
+    whole or not at all, and returns what was Made.
+
+    The same seed gives the same bytes on any number of threads. stop_below: the first simulation of whose
+    segments a smaller share than this is new is the last. Stopped by the time limit [s] or an interrupt, the
+    database is that of the simulations that are whole (Interrupted is raised when there is none), and these
+    are kept; with resume a run of the same parameters goes on from there.
     """
     if not str(path).endswith(".vtm"):
         raise failures.BadInput(f"{path}: expected a file name that ends with .vtm")
     check_folder(pathlib.Path(path).parent)
+    kept = kept_folder(path)
+    if not resume:
+        shutil.rmtree(kept, ignore_errors=True)
     set_threads(threads)
     source = simple.MotionDatabaseSource()
     source.NumberOfSimulations = simulations
     source.NumberOfFrames = frames
     source.Resolution = resolution
     source.Seed = seed
-    with Clock(quiet=quiet) as clock:
+    source.StopBelow = stop_below
+    source.KeptIn = str(kept)
+    with Clock(time_limit, quiet) as clock:
         watch = StageWatch("database", source, clock)
+        watch.can_stop = True
         source.UpdatePipeline()
-    if watch.was_aborted:
-        raise failures.Interrupted("stopped before the database was whole")
     if watch.errors:
         raise failures.BadInput(watch.errors[0])
+    algorithm = source.GetClientSideObject()
+    database = algorithm.GetOutputDataObject(0)
+    if database.GetNumberOfBlocks() == 0:
+        raise failures.Interrupted("stopped before a simulation was whole")
+    header, rows = table_rows(algorithm.GetOutputDataObject(1))
     with replaced(path) as staging:
-        write_xml(source.GetClientSideObject().GetOutputDataObject(0), staging)
-    return source
+        write_xml(database, staging)
+        write_csv(coverage_file(staging), header, rows)
+    if not watch.was_aborted:
+        shutil.rmtree(kept, ignore_errors=True)
+    coverage = [(int(before), int(segments), float(share)) for before, segments, share in rows]
+    return Made(source, watch.was_aborted, coverage)
