@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Times one step of smoke: a sphere in a closed box, a vortex, limited cubic advection, vorticity
-// confinement, max |div u| dt <= 1e-4; beside the same step as a textbook writes it.
+// confinement, max |div u| dt <= 1e-4; beside the same step as a textbook writes it. Then a series
+// of frames in a cache that does not hold them all.
 //
 //   WaftBenchmarkGrid [largest grid, default 128] [steps, default 10]
+#include "Grid/SmokeSeries.h"
 #include "Grid/SmokeSolver.h"
 #include "PlainSmoke.h"
 
@@ -10,6 +12,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+
+#include <sys/resource.h>
 
 using namespace waft;
 
@@ -91,12 +95,12 @@ double TimeSolver(int n, int steps, int threads)
     divergence = std::max(divergence, solver.MaximumDivergence() / options.FramesPerSecond);
   }
   const double total = sum.AdvectionSeconds + sum.ForceSeconds + sum.PressureSeconds;
-  std::printf("waft   %3d^3  %d thread%s  %6.1f ms a step (cpu %.1f; advection %.1f, forces %.1f, "
-              "pressure %.1f with %.1f iterations)  max |div u| dt %.1e  energy %.4f\n",
-              n, threads, threads == 1 ? " " : "s", 1e3 * total, 1e3 * cpu,
-              1e3 * sum.AdvectionSeconds, 1e3 * sum.ForceSeconds, 1e3 * sum.PressureSeconds,
-              sum.PressureIterations / static_cast<double>(steps), divergence,
-              solver.KineticEnergy());
+  std::printf(
+    "waft   %3d^3  %d thread%s  %6.1f ms a step (cpu %.1f; advection %.1f, forces %.1f, "
+    "pressure %.1f: %.0f %%, %.1f iterations)  max |div u| dt %.1e  energy %.4f\n",
+    n, threads, threads == 1 ? " " : "s", 1e3 * total, 1e3 * cpu, 1e3 * sum.AdvectionSeconds,
+    1e3 * sum.ForceSeconds, 1e3 * sum.PressureSeconds, 100.0 * sum.PressureSeconds / total,
+    sum.PressureIterations / static_cast<double>(steps), divergence, solver.KineticEnergy());
   return total;
 }
 
@@ -130,6 +134,50 @@ double TimePlain(int n, int steps)
   return total;
 }
 
+double PeakMegabytes()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+/// Frames one after the other, then from the last one back.
+void TimeSeries(int n, int frames, int backwards, int megabytes)
+{
+  SmokeSeriesInput input;
+  input.Options.Resolution = { n, n, n };
+  input.Options.WarmUpSeconds = 0.0;
+  Vortex vortex = TheVortex();
+  vortex.P1 += input.Options.Bounds.Min;
+  vortex.P2 += input.Options.Bounds.Min;
+  input.Forces.Vortices = { vortex };
+  input.NumberOfFrames = frames;
+  input.CacheLimit = static_cast<std::size_t>(megabytes) << 20;
+  SmokeSeries series;
+  SilentMonitor monitor;
+  std::shared_ptr<const SmokeFrame> fields;
+  if (!series.Begin(std::move(input)))
+  {
+    return;
+  }
+  const double before = PeakMegabytes();
+  const double start = CpuSeconds();
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    (void)series.At(frame, SerialFor(), monitor, fields);
+  }
+  const double forth = CpuSeconds() - start;
+  for (int frame = frames - 1; frame >= frames - backwards; --frame)
+  {
+    (void)series.At(frame, SerialFor(), monitor, fields);
+  }
+  std::printf(
+    "series %3d^3  1 thread   %d frames %.1f s of cpu; the last %d again, backwards, %.1f "
+    "s; %d computed, %.0f of %d MB kept, the process grew by %.0f MB\n",
+    n, frames, forth, backwards, CpuSeconds() - start - forth, series.FramesComputed(),
+    static_cast<double>(series.BytesKept()) / (1 << 20), megabytes, PeakMegabytes() - before);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -141,6 +189,7 @@ int main(int argc, char** argv)
               steps);
   std::printf("wall clock; on a busy machine the cpu time tells more\n");
   const double small = TimeSolver(64, steps, 1);
+  TimeSeries(64, 60, 40, 256); // before what needs more memory
   TimeSolver(64, steps, 2);
   const double plain = TimePlain(64, steps);
   std::printf("plain / waft at 64^3: %.1f\n", plain / small);

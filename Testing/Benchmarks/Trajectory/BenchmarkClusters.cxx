@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // WaftBenchmarkClusters [segments] [threads]: cutting, compressing and clustering of random
-// swirling tracks, and nearest segments through the trees beside the full comparison.
+// swirling tracks, beside the trees as a textbook makes them, and nearest segments through the
+// trees beside the full comparison.
 #include "Base/Random.h"
+#include "PlainClusters.h"
 #include "Trajectory/NearestSegment.h"
 #include "Trajectory/TrajectoryClusters.h"
 
@@ -42,6 +44,68 @@ Track Wander(int id)
     x += speed / 30.0 * Vec3(std::cos(heading), std::sin(heading), std::sin(4.0 * climb));
   }
   return track;
+}
+
+std::vector<std::size_t> GroupSizes(const MotionDatabase& database)
+{
+  std::vector<std::size_t> sizes(database.Groups.size(), 0);
+  for (const Segment& segment : database.Segments)
+  {
+    ++sizes[segment.Group];
+  }
+  return sizes;
+}
+
+std::vector<std::vector<double>> SamplesOf(const MotionDatabase& database, int group)
+{
+  std::vector<std::vector<double>> samples;
+  for (std::size_t s = 0; s < database.Segments.size(); ++s)
+  {
+    if (database.Segments[s].Group != group)
+    {
+      continue;
+    }
+    samples.emplace_back();
+    for (const Vec3& x : database.Reconstruct(static_cast<int>(s)))
+    {
+      samples.back().insert(samples.back().end(), x.data(), x.data() + 3);
+    }
+  }
+  return samples;
+}
+
+/// Of the segments to the means of their top nodes.
+double SquaresOfTopLevel(const MotionDatabase& database)
+{
+  std::vector<int> top(database.Nodes.size());
+  std::vector<std::vector<int>> members(database.Nodes.size());
+  for (std::size_t n = 0; n < database.Nodes.size(); ++n)
+  {
+    const ClusterNode& node = database.Nodes[n];
+    top[n] = node.Parent < 0 ? static_cast<int>(n) : top[node.Parent];
+    if (node.FirstChild < 0)
+    {
+      members[top[n]].push_back(node.Medoid);
+    }
+  }
+  double squares = 0.0;
+  for (const std::vector<int>& segments : members)
+  {
+    if (segments.empty())
+    {
+      continue;
+    }
+    Eigen::VectorXd mean = 0.0 * database.Segments[segments[0]].Coefficients;
+    for (const int segment : segments)
+    {
+      mean += database.Segments[segment].Coefficients / static_cast<double>(segments.size());
+    }
+    for (const int segment : segments)
+    {
+      squares += (database.Segments[segment].Coefficients - mean).squaredNorm();
+    }
+  }
+  return squares;
 }
 
 class Stages : public Monitor
@@ -89,6 +153,21 @@ int main(int argc, char** argv)
   std::printf("%zu segments in %zu groups, %zu nodes, relative error %g, %d threads: %.2f s\n",
               database.Segments.size(), database.Groups.size(), database.Nodes.size(),
               options.RelativeError, threads, Wall() - start);
+
+  const double plainStart = Wall();
+  const std::vector<int> shares = TopNodeShares(GroupSizes(database), 100);
+  long plainNodes = 0;
+  double plainSquares = 0.0;
+  for (std::size_t g = 0; g < database.Groups.size(); ++g)
+  {
+    const PlainTree tree = PlainClusters(SamplesOf(database, static_cast<int>(g)), shares[g],
+                                         options.Trees.Branching, options.Trees.Iterations);
+    plainNodes += tree.Nodes;
+    plainSquares += tree.SumOfSquares;
+  }
+  std::printf("plain trees of the same segments, uncompressed, 1 thread: %ld nodes, %.2f s; sum of "
+              "squares of the top level %.4g, of the above %.4g\n",
+              plainNodes, Wall() - plainStart, plainSquares, SquaresOfTopLevel(database));
 
   // Queries half way between two segments.
   Random random(3);

@@ -4,6 +4,7 @@
 #include "Database/DatabaseBuild.h"
 #include "Trajectory/Style.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -77,10 +78,12 @@ int main(int argc, char** argv)
     std::fprintf(stderr, "%s\n", result.Message().c_str());
     return 1;
   }
-  std::printf("%d simulations of %d frames at %d^3, tolerance %g, %d threads: %.1f s, CPU %.1f s, "
-              "%.0f MB at most\n",
-              options.NumberOfSimulations, options.NumberOfFrames, options.Resolution,
-              options.Smoke.Tolerance, threads, Wall() - wall, Cpu() - cpu, PeakMemory());
+  const int seeds = std::max(1, options.Resolution / options.Trace.SeedStride);
+  std::printf(
+    "%d simulations, %d tracers, %d frames at %d^3, tolerance %g, %d threads: %.1f s, CPU "
+    "%.1f s, %.0f MB at most\n",
+    options.NumberOfSimulations, seeds * seeds * seeds, options.NumberOfFrames, options.Resolution,
+    options.Smoke.Tolerance, threads, Wall() - wall, Cpu() - cpu, PeakMemory());
   std::size_t connectible = 0;
   for (const Connection& connection : database.Connections)
   {
