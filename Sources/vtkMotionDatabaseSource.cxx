@@ -14,8 +14,33 @@
 #include <vtkTable.h>
 
 #include <algorithm>
+#include <chrono>
 
 vtkStandardNewMacro(vtkMotionDatabaseSource);
+
+namespace
+{
+
+/// Progress and abort of a stage, and an end in time.
+class TimedMonitor : public waft::StageMonitor
+{
+public:
+  /// limit: s; 0: none.
+  TimedMonitor(vtkAlgorithm* stage, double limit) : StageMonitor(stage), Limit(limit) {}
+  bool Tick(double fraction, const std::string& text) override
+  {
+    const std::chrono::duration<double> passed = Clock::now() - this->Start;
+    return StageMonitor::Tick(fraction, text) &&
+           (this->Limit <= 0.0 || passed.count() < this->Limit);
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point Start = Clock::now();
+  double Limit;
+};
+
+} // namespace
 
 struct vtkMotionDatabaseSource::Internals
 {
@@ -85,7 +110,7 @@ int vtkMotionDatabaseSource::RequestData(vtkInformation*, vtkInformationVector**
     impl.Cache.Forget();
     waft::MotionDatabase database;
     std::vector<waft::CoveragePoint> coverage;
-    waft::StageMonitor monitor(this);
+    TimedMonitor monitor(this, this->TimeLimit);
     const waft::ParallelFor parallelFor = waft::SmpFor();
     options.SimulationsAtOnce = std::clamp(vtkSMPTools::GetEstimatedNumberOfThreads(), 1, 32);
     const waft::Result result =
@@ -120,6 +145,7 @@ void vtkMotionDatabaseSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfSimulations: " << this->NumberOfSimulations << "\n";
   os << indent << "StopBelow: " << this->StopBelow << "\n";
   os << indent << "KeptIn: " << this->KeptIn << "\n";
+  os << indent << "TimeLimit: " << this->TimeLimit << "\n";
   os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
   os << indent << "SeedStride: " << this->SeedStride << "\n";

@@ -58,6 +58,11 @@ public:
   vtkGetMacro(KeptIn, std::string);
   ///@}
   ///@{
+  /** The run is stopped after this many seconds, as by an abort; 0: none. */
+  vtkSetClampMacro(TimeLimit, double, 0.0, 1e+09);
+  vtkGetMacro(TimeLimit, double);
+  ///@}
+  ///@{
   /** Frames of each simulation. */
   vtkSetClampMacro(NumberOfFrames, int, 2, VTK_INT_MAX);
   vtkGetMacro(NumberOfFrames, int);
@@ -195,6 +200,7 @@ private:
   int NumberOfSimulations = 8;
   double StopBelow = 0.0;
   std::string KeptIn;
+  double TimeLimit = 0.0;
   int NumberOfFrames = 300;
   int Resolution = 64;
   int SeedStride = 8;

@@ -124,6 +124,19 @@ TEST(MotionDatabaseSource, AbortedLaterItGivesTheSimulationsThatAreWholeAndGoesO
   std::filesystem::remove_all(folder);
 }
 
+TEST(MotionDatabaseSource, EndsAtItsTimeLimit)
+{
+  vtkNew<vtkMotionDatabaseSource> source;
+  MakeSmall(source);
+  source->SetNumberOfSimulations(100000);
+  source->SetTimeLimit(3.0);
+  source->Update();
+  MotionDatabase database;
+  const Result result = DatabaseFromMultiBlock(source->GetOutput(), database);
+  ASSERT_TRUE(result) << result.Message();
+  EXPECT_LT(std::stoi(database.Provenance.at("NumberOfSimulations")), 1000);
+}
+
 TEST(MotionDatabaseSource, NamesTheParameterThatIsWrong)
 {
   vtkNew<vtkMotionDatabaseSource> source;
@@ -142,6 +155,7 @@ TEST(MotionDatabaseSource, DefaultsAreThoseOfCore)
   EXPECT_EQ(source->GetNumberOfSimulations(), o.NumberOfSimulations);
   EXPECT_EQ(source->GetStopBelow(), o.StopBelow);
   EXPECT_EQ(source->GetKeptIn(), o.KeptIn);
+  EXPECT_EQ(source->GetTimeLimit(), 0.0);
   EXPECT_EQ(source->GetNumberOfFrames(), o.NumberOfFrames);
   EXPECT_EQ(source->GetFramesPerSecond(), o.FramesPerSecond);
   EXPECT_EQ(source->GetResolution(), o.Resolution);

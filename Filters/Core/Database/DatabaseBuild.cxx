@@ -17,22 +17,36 @@ namespace
 
 constexpr double SimulationShare = 0.95; // of the progress; the rest is cutting and clustering
 
-/// A part of the progress of the whole.
-class PartMonitor : public Monitor
+/// The part of the progress that simulations make.
+class SimulationMonitor : public Monitor
 {
 public:
-  PartMonitor(Monitor& whole, double start, double share) : Whole(whole), Start(start), Share(share)
-  {
-  }
+  explicit SimulationMonitor(Monitor& whole) : Whole(whole) {}
   bool Tick(double fraction, const std::string& text) override
   {
-    return this->Whole.Tick(this->Start + this->Share * fraction, text);
+    return this->Whole.Tick(SimulationShare * fraction, text);
   }
 
 private:
   Monitor& Whole;
-  double Start;
-  double Share;
+};
+
+/// Tells how far it is and goes on: what the simulations took minutes for is clustered in seconds,
+/// and without that there is nothing to show for them.
+class ToTheEnd : public Monitor
+{
+public:
+  explicit ToTheEnd(Monitor& whole) : Whole(whole) {}
+  bool Tick(double fraction, const std::string& text) override
+  {
+    const double part = SimulationShare + (1.0 - SimulationShare) * fraction;
+    this->IsAsked = this->IsAsked && this->Whole.Tick(part, text);
+    return true;
+  }
+
+private:
+  Monitor& Whole;
+  bool IsAsked = true; // until it says stop
 };
 
 /// Runs and measures one simulation after the other; `traced` gets those that are whole, when it is
@@ -123,7 +137,7 @@ Result BuildDatabase(const DatabaseOptions& options, const ParallelFor& parallel
   traced.Volume = options.Bounds;
   traced.SettlingSpeed = options.SettlingSpeed;
   Coverage measured(options.Cluster.Segmentation, options.FramesPerSecond, options.Bounds.Width());
-  PartMonitor simulating(monitor, 0.0, SimulationShare);
+  SimulationMonitor simulating(monitor);
   const Result simulated = Simulate(options, parallelFor, simulating, traced.Simulations, measured);
   if (!simulated || (simulated.IsStopped() && traced.Simulations.empty()))
   {
@@ -133,16 +147,12 @@ Result BuildDatabase(const DatabaseOptions& options, const ParallelFor& parallel
   DatabaseOptions whole = options;
   whole.NumberOfSimulations = static_cast<int>(traced.Simulations.size());
   whole.Cluster.Trees.Seed = options.Seed;
-  PartMonitor clustering(monitor, SimulationShare, 1.0 - SimulationShare);
+  ToTheEnd clustering(monitor);
   SilentMonitor silent; // of a stop it was told already
   MotionDatabase result;
-  const Result clustered =
-    ClusterTrajectories(traced, whole.Cluster, parallelFor,
-                        simulated.IsStopped() ? static_cast<Monitor&>(silent) : clustering, result);
-  if (!clustered || clustered.IsStopped())
-  {
-    return clustered;
-  }
+  WAFT_RETURN_IF_FAILED(ClusterTrajectories(
+    traced, whole.Cluster, parallelFor,
+    simulated.IsStopped() ? static_cast<Monitor&>(silent) : clustering, result));
   result.Provenance = ProvenanceOf(whole);
   database = std::move(result);
   coverage = measured.Curve();

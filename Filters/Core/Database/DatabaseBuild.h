@@ -55,9 +55,9 @@ struct DatabaseOptions
 
 /// One thread a simulation, two frames in memory each. The same options give the same database bit
 /// by bit, whatever the number of threads. Provenance lists the parameters. When it is stopped, the
-/// database is that of the first simulations that are whole, untouched when there is none; called
-/// again with the same KeptIn it goes on with those that follow. coverage: what each simulation but
-/// the first brought.
+/// database is that of the first simulations that are whole, untouched when there is none (cutting
+/// and clustering them takes some seconds more); called again with the same KeptIn it goes on with
+/// those that follow. coverage: what each simulation but the first brought.
 Result BuildDatabase(const DatabaseOptions& options, const ParallelFor& parallelFor,
                      Monitor& monitor, MotionDatabase& database,
                      std::vector<CoveragePoint>& coverage);

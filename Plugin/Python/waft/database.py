@@ -70,7 +70,8 @@ def make_database(path, simulations=8, frames=300, resolution=64, seed=1, thread
     with replaced(path) as staging:
         write_xml(database, staging)
         write_csv(coverage_file(staging), header, rows)
-    if not watch.was_aborted:
-        shutil.rmtree(kept, ignore_errors=True)
     coverage = [(int(before), int(segments), float(share)) for before, segments, share in rows]
-    return Made(source, watch.was_aborted, coverage)
+    stopped = watch.was_aborted and len(coverage) + 1 < simulations
+    if not stopped:
+        shutil.rmtree(kept, ignore_errors=True)
+    return Made(source, stopped, coverage)

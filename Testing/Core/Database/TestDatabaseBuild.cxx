@@ -291,8 +291,11 @@ TEST(DatabaseBuild, StoppedItGivesTheSimulationsThatAreWhole)
     EXPECT_TRUE(built.Database.Segments.empty());
     EXPECT_TRUE(built.Coverage.empty());
   }
+  // When all are whole, it is clustered to the end.
   StopFrom clustering(0.96);
-  EXPECT_TRUE(BuildWith(options, 1, clustering).Outcome.IsStopped());
+  const Built whole = BuildWith(options, 1, clustering);
+  EXPECT_TRUE(whole.Outcome && !whole.Outcome.IsStopped());
+  EXPECT_EQ(whole.Database.Provenance.at("NumberOfSimulations"), "3");
 
   StopFrom inTheThird(After(2.5));
   const Built stopped = BuildWith(options, 1, inTheThird);
