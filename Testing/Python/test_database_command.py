@@ -77,6 +77,7 @@ class DatabaseCommand(unittest.TestCase):
         done = self.database(path, "--simulations", whole + 1, "--resume")
         self.assertEqual(0, done.returncode, done.stderr)
         done = self.database(other, "--simulations", whole + 1)
+        self.assertEqual(0, done.returncode, done.stderr)
         self.assertEqual(self.database_bytes(other), self.database_bytes(path))
         self.assertFalse(kept.exists())
 

@@ -25,7 +25,7 @@ struct CoveragePoint
 /// rms distance over the samples to every earlier segment of their length, both in the frames of
 /// SegmentFrame.h, is above Tolerance times the rms chord of the segments of that length so far,
 /// their own included. Every segment counts, also those that a database is thinned by. Memory: four
-/// bytes a coordinate, some 1.5 MB for a simulation of 512 tracers and 300 frames.
+/// bytes a coordinate, less than 1 MB for a simulation of 512 tracers and 300 frames.
 class Coverage
 {
 public:
