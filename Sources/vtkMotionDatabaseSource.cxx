@@ -57,6 +57,7 @@ waft::DatabaseOptions vtkMotionDatabaseSource::Internals::Options(vtkMotionDatab
   waft::DatabaseOptions options;
   options.NumberOfSimulations = self->NumberOfSimulations;
   options.StopBelow = self->StopBelow;
+  options.CoverageTolerance = self->CoverageTolerance;
   options.KeptIn = self->KeptIn;
   options.NumberOfFrames = self->NumberOfFrames;
   options.FramesPerSecond = self->FramesPerSecond;
@@ -144,6 +145,7 @@ void vtkMotionDatabaseSource::PrintSelf(ostream& os, vtkIndent indent)
   { os << indent << name << ": " << ends[0] << " " << ends[1] << "\n"; };
   os << indent << "NumberOfSimulations: " << this->NumberOfSimulations << "\n";
   os << indent << "StopBelow: " << this->StopBelow << "\n";
+  os << indent << "CoverageTolerance: " << this->CoverageTolerance << "\n";
   os << indent << "KeptIn: " << this->KeptIn << "\n";
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";
   os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n";

@@ -9,7 +9,7 @@
  *
  * Output port 1 (vtkTable): coverage, a row for each simulation but the first: `Simulations` (that
  * were there before it), `NewSegments` (that it brought), `NewShare` (of these, farther from all
- * before than 5 % of the rms chord, 0..1).
+ * before than CoverageTolerance, 0..1).
  *
  * Simulations of air with random vortices, decaying winds and obstacles (Shi et al. 2005, section
  * 3.1) run side by side, one thread each, and are traced while they run, with two frames of each in
@@ -50,6 +50,12 @@ public:
    * are run. */
   vtkSetClampMacro(StopBelow, double, 0.0, 1.0);
   vtkGetMacro(StopBelow, double);
+  ///@}
+  ///@{
+  /** A segment is new when its rms distance to all before is above this share of the rms chord of
+   * the segments of its length. */
+  vtkSetClampMacro(CoverageTolerance, double, 1e-6, 1.0);
+  vtkGetMacro(CoverageTolerance, double);
   ///@}
   ///@{
   /** A folder where simulations that are whole are kept, and taken from when they are of the same
@@ -199,6 +205,7 @@ private:
 
   int NumberOfSimulations = 8;
   double StopBelow = 0.0;
+  double CoverageTolerance = 0.05;
   std::string KeptIn;
   double TimeLimit = 0.0;
   int NumberOfFrames = 300;

@@ -154,6 +154,7 @@ TEST(MotionDatabaseSource, DefaultsAreThoseOfCore)
   const DatabaseOptions o;
   EXPECT_EQ(source->GetNumberOfSimulations(), o.NumberOfSimulations);
   EXPECT_EQ(source->GetStopBelow(), o.StopBelow);
+  EXPECT_EQ(source->GetCoverageTolerance(), o.CoverageTolerance);
   EXPECT_EQ(source->GetKeptIn(), o.KeptIn);
   EXPECT_EQ(source->GetTimeLimit(), 0.0);
   EXPECT_EQ(source->GetNumberOfFrames(), o.NumberOfFrames);

@@ -113,6 +113,10 @@ Result DatabaseOptions::Validate() const
   {
     return Result::Error("StopBelow: expected a share from 0 to 1");
   }
+  if (!(this->CoverageTolerance > 0.0 && this->CoverageTolerance <= 1.0))
+  {
+    return Result::Error("CoverageTolerance: expected a share above 0, at most 1");
+  }
   WAFT_RETURN_IF_FAILED(this->Trace.Validate());
   return this->Cluster.Validate();
 }
@@ -136,7 +140,8 @@ Result BuildDatabase(const DatabaseOptions& options, const ParallelFor& parallel
   traced.FramesPerSecond = options.FramesPerSecond;
   traced.Volume = options.Bounds;
   traced.SettlingSpeed = options.SettlingSpeed;
-  Coverage measured(options.Cluster.Segmentation, options.FramesPerSecond, options.Bounds.Width());
+  Coverage measured(options.Cluster.Segmentation, options.FramesPerSecond, options.Bounds.Width(),
+                    options.CoverageTolerance);
   SimulationMonitor simulating(monitor);
   const Result simulated = Simulate(options, parallelFor, simulating, traced.Simulations, measured);
   if (!simulated || (simulated.IsStopped() && traced.Simulations.empty()))

@@ -40,6 +40,8 @@ struct DatabaseOptions
   /// The first simulation of whose segments a smaller share than this is new is the last (Coverage;
   /// Shi et al. 2005 stop when no new shapes are seen); 0: all are run.
   double StopBelow = 0.0;
+  /// A segment is new when its rms distance to all before is above this share of the rms chord.
+  double CoverageTolerance = Coverage::DefaultTolerance;
   /// Simulations that are whole are kept in this folder, and taken from it when a run of the same
   /// parameters left them there; empty: nothing is kept. The folder may be removed afterwards.
   std::string KeptIn;

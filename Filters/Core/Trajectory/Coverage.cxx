@@ -82,8 +82,10 @@ bool HasNear(const Eigen::MatrixXf& columns, const float* sample, float reach)
 
 } // namespace
 
-Coverage::Coverage(const SegmentationOptions& options, double framesPerSecond, double width) :
-  Options(options), FramesPerSecond(framesPerSecond), Width(width)
+Coverage::Coverage(const SegmentationOptions& options, double framesPerSecond, double width,
+                   double tolerance) :
+  Options(options),
+  FramesPerSecond(framesPerSecond), Width(width), Tolerance(tolerance)
 {
   for (const int length : GroupLengths(options))
   {
@@ -92,10 +94,11 @@ Coverage::Coverage(const SegmentationOptions& options, double framesPerSecond, d
   }
 }
 
-int Coverage::CountNew(const Group& group, const Block& block, const ParallelFor& parallelFor)
+int Coverage::CountNew(const Group& group, const Block& block, const ParallelFor& parallelFor) const
 {
   const double chord = std::sqrt(group.SquaredChords / group.NumberOfSegments);
-  const float reach = static_cast<float>(Tolerance * chord * std::sqrt(group.NumberOfSamples));
+  const float reach =
+    static_cast<float>(this->Tolerance * chord * std::sqrt(group.NumberOfSamples));
   std::vector<unsigned char> isNew(static_cast<std::size_t>(block.cols()), 0);
   parallelFor(isNew.size(),
               [&](std::size_t begin, std::size_t end)

@@ -23,16 +23,17 @@ struct CoveragePoint
 
 /// Takes simulations one after the other and tells of each what share of its segments is new: their
 /// rms distance over the samples to every earlier segment of their length, both in the frames of
-/// SegmentFrame.h, is above Tolerance times the rms chord of the segments of that length so far,
+/// SegmentFrame.h, is above a tolerance times the rms chord of the segments of that length so far,
 /// their own included. Every segment counts, also those that a database is thinned by. Memory: four
 /// bytes a coordinate, less than 1 MB for a simulation of 512 tracers and 300 frames.
 class Coverage
 {
 public:
-  static constexpr double Tolerance = 0.05;
+  static constexpr double DefaultTolerance = 0.05;
 
   /// width: of the volume [m].
-  Coverage(const SegmentationOptions& options, double framesPerSecond, double width);
+  Coverage(const SegmentationOptions& options, double framesPerSecond, double width,
+           double tolerance = DefaultTolerance);
 
   /// The tracks of the next simulation. Results do not depend on the number of threads.
   void Add(const std::vector<Track>& tracks, const ParallelFor& parallelFor);
@@ -53,11 +54,12 @@ private:
     Eigen::MatrixXd Directions;
     std::vector<Block> Blocks;
   };
-  static int CountNew(const Group& group, const Block& block, const ParallelFor& parallelFor);
+  int CountNew(const Group& group, const Block& block, const ParallelFor& parallelFor) const;
 
   SegmentationOptions Options;
   double FramesPerSecond;
   double Width;
+  double Tolerance;
   std::vector<Group> Groups;
   std::vector<CoveragePoint> Points;
   int Simulations = 0;

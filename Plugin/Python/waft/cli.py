@@ -64,6 +64,9 @@ def parser():
     base.add_argument("--until-covered", type=share, nargs="?", const=0.05, default=0.0, metavar="SHARE",
                       help="stop when less than this share of a simulation's segments is new (without a number "
                            "0.05); --simulations is then the most")
+    base.add_argument("--coverage-tolerance", type=share, default=0.05, metavar="SHARE",
+                      help="a segment is new when it is farther from all before than this share of the rms chord, "
+                           "default 0.05")
     base.add_argument("--time-limit", type=positive, metavar="S", help="seconds; the simulations that are whole "
                                                                        "are used")
     base.add_argument("--resume", action="store_true", help="go on from what a stopped run left beside FILE")
@@ -111,7 +114,8 @@ def run_database(options):
 
     made = make_database(options.output, simulations=options.simulations, frames=options.frames,
                          resolution=options.resolution, seed=options.seed, threads=options.threads,
-                         time_limit=options.time_limit, stop_below=options.until_covered, resume=options.resume,
+                         time_limit=options.time_limit, stop_below=options.until_covered,
+                         coverage_tolerance=options.coverage_tolerance, resume=options.resume,
                          quiet=False)
     count = len(made.coverage) + 1
     print(f"{options.output}: {count} simulations" + (

@@ -33,12 +33,13 @@ def kept_folder(path):
 
 
 def make_database(path, simulations=8, frames=300, resolution=64, seed=1, threads=None, time_limit=None,
-                  stop_below=0.0, resume=False, quiet=True):
+                  stop_below=0.0, coverage_tolerance=0.05, resume=False, quiet=True):
     """Simulates, traces, cuts and clusters; writes PATH (.vtm and the folder beside it) and its coverage,
     whole or not at all, and returns what was Made.
 
     The same seed gives the same bytes on any number of threads. stop_below: the first simulation of whose
-    segments a smaller share than this is new is the last. Stopped by the time limit [s] or an interrupt, the
+    segments a smaller share than this is new is the last; new is what is farther from all before than
+    coverage_tolerance of the rms chord. Stopped by the time limit [s] or an interrupt, the
     database is that of the simulations that are whole (Interrupted is raised when there is none), and these
     are kept; with resume a run of the same parameters goes on from there.
     """
@@ -55,6 +56,7 @@ def make_database(path, simulations=8, frames=300, resolution=64, seed=1, thread
     source.Resolution = resolution
     source.Seed = seed
     source.StopBelow = stop_below
+    source.CoverageTolerance = coverage_tolerance
     source.KeptIn = str(kept)
     with Clock(time_limit, quiet) as clock:
         watch = StageWatch("database", source, clock)

@@ -397,4 +397,7 @@ TEST(DatabaseBuild, RefusesWhatIsWrong)
   options = Small();
   options.StopBelow = 1.5;
   EXPECT_NE(message(options).find("StopBelow"), std::string::npos);
+  options = Small();
+  options.CoverageTolerance = 0.0;
+  EXPECT_NE(message(options).find("CoverageTolerance"), std::string::npos);
 }

@@ -36,6 +36,7 @@ std::vector<Track> Traced(double phase)
 class PlainCoverage
 {
 public:
+  explicit PlainCoverage(double tolerance) : Tolerance(tolerance) {}
   CoveragePoint Add(const std::vector<Track>& tracks)
   {
     const std::vector<int> lengths = GroupLengths(SegmentationOptions());
@@ -62,7 +63,7 @@ public:
         for (const Eigen::VectorXd& other : this->Known[length])
         {
           const double squared = (segment - other).squaredNorm() / lengths[length];
-          isKnown = isKnown || squared <= 0.05 * 0.05 * chord;
+          isKnown = isKnown || squared <= this->Tolerance * this->Tolerance * chord;
         }
         isNew += isKnown ? 0 : 1;
       }
@@ -77,6 +78,7 @@ public:
   }
 
 private:
+  double Tolerance;
   std::map<int, std::vector<Eigen::VectorXd>> Known;
   std::map<int, std::vector<double>> Chords;
 };
@@ -85,23 +87,26 @@ private:
 
 TEST(Coverage, IsThatOfItsDefinition)
 {
-  Coverage coverage(SegmentationOptions(), Rate, Width);
-  PlainCoverage plain;
-  std::vector<CoveragePoint> expected;
-  for (int simulation = 0; simulation < 5; ++simulation)
+  for (const double tolerance : { Coverage::DefaultTolerance, 0.12 })
   {
-    const std::vector<Track> tracks = Traced(0.3 * simulation);
-    coverage.Add(tracks, SerialFor());
-    expected.push_back(plain.Add(tracks));
-  }
-  ASSERT_EQ(coverage.Curve().size(), 4u); // none for the first
-  for (int i = 0; i < 4; ++i)
-  {
-    EXPECT_EQ(coverage.Curve()[i].Simulations, i + 1);
-    EXPECT_EQ(coverage.Curve()[i].NewSegments, expected[i + 1].NewSegments);
-    EXPECT_NEAR(coverage.Curve()[i].NewShare, expected[i + 1].NewShare, 1e-12);
-    EXPECT_GT(coverage.Curve()[i].NewShare, 0.02);
-    EXPECT_LT(coverage.Curve()[i].NewShare, 0.98);
+    Coverage coverage(SegmentationOptions(), Rate, Width, tolerance);
+    PlainCoverage plain(tolerance);
+    std::vector<CoveragePoint> expected;
+    for (int simulation = 0; simulation < 5; ++simulation)
+    {
+      const std::vector<Track> tracks = Traced(0.3 * simulation);
+      coverage.Add(tracks, SerialFor());
+      expected.push_back(plain.Add(tracks));
+    }
+    ASSERT_EQ(coverage.Curve().size(), 4u); // none for the first
+    for (int i = 0; i < 4; ++i)
+    {
+      EXPECT_EQ(coverage.Curve()[i].Simulations, i + 1);
+      EXPECT_EQ(coverage.Curve()[i].NewSegments, expected[i + 1].NewSegments);
+      EXPECT_NEAR(coverage.Curve()[i].NewShare, expected[i + 1].NewShare, 1e-12);
+      EXPECT_GT(coverage.Curve()[i].NewShare, 0.01);
+      EXPECT_LT(coverage.Curve()[i].NewShare, 0.98);
+    }
   }
 }
 
