@@ -3,10 +3,23 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 
 namespace waft
 {
+
+Eigen::MatrixXd SecondMoments(const Eigen::MatrixXd& columns)
+{
+  constexpr Eigen::Index block = 128;
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(columns.rows(), columns.rows());
+  for (Eigen::Index first = 0; first < columns.cols(); first += block)
+  {
+    const auto part = columns.middleCols(first, std::min(block, columns.cols() - first));
+    sum.noalias() += part * part.transpose();
+  }
+  return sum;
+}
 
 Eigen::MatrixXd CompressSegments(const Eigen::MatrixXd& samples, double relativeError,
                                  SegmentGroup& group)
@@ -18,7 +31,7 @@ Eigen::MatrixXd CompressSegments(const Eigen::MatrixXd& samples, double relative
 
   // The left singular vectors are the eigenvectors of the small square matrix; squaring costs half
   // of the digits, which the stated error does not need: it is measured afterwards.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(centered * centered.transpose());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(SecondMoments(centered));
   const double all = samples.squaredNorm();
   const double allowed = relativeError * relativeError * all;
   double rest = axes.eigenvalues().cwiseMax(0.0).sum();

@@ -16,4 +16,9 @@ namespace waft
 Eigen::MatrixXd CompressSegments(const Eigen::MatrixXd& samples, double relativeError,
                                  SegmentGroup& group);
 
+/// The sum of the outer products of the columns with themselves, in an order of its own: Eigen's
+/// depends on the sizes of the processor's caches when there are many columns, and a database
+/// should not.
+Eigen::MatrixXd SecondMoments(const Eigen::MatrixXd& columns);
+
 } // namespace waft

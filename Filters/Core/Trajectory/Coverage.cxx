@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trajectory/Coverage.h"
 
+#include "Trajectory/Compression.h"
 #include "Trajectory/SegmentFrame.h"
 #include "Trajectory/TrackPieces.h"
 
@@ -20,7 +21,7 @@ Eigen::MatrixXd PrincipalDirections(const Eigen::MatrixXd& samples)
 {
   const Eigen::VectorXd mean = samples.rowwise().mean();
   const Eigen::MatrixXd centered = samples.colwise() - mean;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(centered * centered.transpose());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(SecondMoments(centered));
   return axes.eigenvectors().rowwise().reverse();
 }
 

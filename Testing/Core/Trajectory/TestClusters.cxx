@@ -358,6 +358,46 @@ TEST(Clusters, ThreadsDoNotChangeABit)
   }
 }
 
+TEST(Clusters, CachesOfTheProcessorDoNotChangeABit)
+{
+  ClusterOptions options;
+  options.MaximumSegments = 0;
+  const ClusterInput input = Traced(2, 2); // thousands of segments in a group
+  std::ptrdiff_t l1, l2, l3;
+  Eigen::internal::manage_caching_sizes(Eigen::GetAction, &l1, &l2, &l3);
+  std::vector<MotionDatabase> databases;
+  for (const int size : { 16, 32, 48, 128 })
+  {
+    Eigen::setCpuCacheSizes(size << 10, size << 13, size << 16);
+    databases.push_back(Build(input, options));
+  }
+  Eigen::setCpuCacheSizes(l1, l2, l3);
+  const MotionDatabase& first = databases.front();
+  ASSERT_GT(first.Segments.size(), 2500u);
+  for (const MotionDatabase& other : databases)
+  {
+    ASSERT_EQ(other.Groups.size(), first.Groups.size());
+    for (std::size_t g = 0; g < first.Groups.size(); ++g)
+    {
+      EXPECT_EQ(other.Groups[g].Basis, first.Groups[g].Basis);
+      EXPECT_EQ(other.Groups[g].RelativeError, first.Groups[g].RelativeError);
+    }
+    for (std::size_t s = 0; s < first.Segments.size(); ++s)
+    {
+      ASSERT_EQ(other.Segments[s].Coefficients, first.Segments[s].Coefficients);
+    }
+    for (std::size_t n = 0; n < first.Nodes.size(); ++n)
+    {
+      ASSERT_EQ(other.Nodes[n].Medoid, first.Nodes[n].Medoid);
+      ASSERT_EQ(other.Nodes[n].Radius, first.Nodes[n].Radius);
+    }
+    for (std::size_t c = 0; c < first.Connections.size(); ++c)
+    {
+      ASSERT_EQ(other.Connections[c].Cost, first.Connections[c].Cost);
+    }
+  }
+}
+
 TEST(Clusters, CoincidingSegmentsStillEndInLeavesOfTheirOwn)
 {
   ClusterInput input;
