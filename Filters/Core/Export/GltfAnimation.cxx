@@ -47,6 +47,12 @@ tinygltf::Value Extras(const std::string& name, tinygltf::Value value)
   return tinygltf::Value(tinygltf::Value::Object{ { name, std::move(value) } });
 }
 
+/// The factor is an amount of light; a scene's colour is what a screen is told (sRGB).
+double Linear(double value)
+{
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
 class Writer
 {
 public:
@@ -197,7 +203,8 @@ private:
     if (shape.Texture.Bytes.empty() || shape.Body.TextureCoordinates.empty())
     {
       const auto& color = shape.Body.Color;
-      material.pbrMetallicRoughness.baseColorFactor = { color[0], color[1], color[2], 1.0 };
+      material.pbrMetallicRoughness.baseColorFactor = { Linear(color[0]), Linear(color[1]),
+                                                        Linear(color[2]), 1.0 };
     }
     else
     {
