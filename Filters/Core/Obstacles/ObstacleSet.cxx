@@ -19,6 +19,22 @@ struct ObstacleSet::Internals
   std::vector<TriangleTree> Trees;
   bool Moving = false;
 
+  /// Straight above or below a face its normal tells the side, which is cheaper than counting
+  /// crossings; next to edges and on the surface they are counted.
+  static bool IsInside(const TriangleTree& tree, const Vec3& q,
+                       const TriangleTree::Closest& closest)
+  {
+    const double distance = std::sqrt(closest.SquaredDistance);
+    if (closest.Triangle >= 0 && distance > 1e-9 * (tree.Bounds().Max - tree.Bounds().Min).norm())
+    {
+      const double height = (q - closest.Point).dot(tree.Normal(closest.Triangle));
+      if (std::abs(height) > (1.0 - 1e-9) * distance)
+      {
+        return height < 0.0;
+      }
+    }
+    return tree.IsInside(q);
+  }
   /// Signed distance to obstacle k when it is below `limit`, else `limit`.
   double Signed(std::size_t k, const Vec3& x, double frame, double limit, SurfaceHit* hit) const
   {
@@ -31,14 +47,20 @@ struct ObstacleSet::Internals
     {
       return limit;
     }
-    const bool inside = outside2 == 0.0 && tree.IsInside(q);
+    TriangleTree::Closest closest;
+    if (limit > 0.0)
+    {
+      closest = tree.ClosestPoint(q, std::min(limit * limit, std::numeric_limits<double>::max()));
+    }
+    const bool inside = outside2 == 0.0 && IsInside(tree, q, closest);
     if (!inside && limit <= 0.0)
     {
       return limit;
     }
-    const TriangleTree::Closest closest =
-      inside ? tree.ClosestPoint(q)
-             : tree.ClosestPoint(q, std::min(limit * limit, std::numeric_limits<double>::max()));
+    if (inside && closest.Triangle < 0)
+    {
+      closest = tree.ClosestPoint(q);
+    }
     if (closest.Triangle < 0)
     {
       return limit;
