@@ -6,6 +6,13 @@
 namespace waft
 {
 
+namespace
+{
+
+constexpr double RoomWorthMeasuring = 4.0; // of the radius
+
+} // namespace
+
 const ContactStretch* ClearanceField::ContactAt(double frame) const
 {
   for (const ContactStretch& contact : this->Contacts)
@@ -98,8 +105,10 @@ int ClearanceField::FirstHit(const std::vector<Vec3>& samples, int first, int la
   {
     const double frame = firstFrame + (k - first) * framesPerSample;
     const bool atContact = this->ContactAt(frame) != nullptr;
-    const double slack = this->Distance(samples[k], frame, 1e30) - this->Required(samples[k]) -
-                         (atContact ? -1e-9 : margin);
+    const double wanted = this->Required(samples[k]) + (atContact ? -1e-9 : margin);
+    // Room beyond a few radii only costs time to measure.
+    const double slack =
+      this->Distance(samples[k], frame, wanted + RoomWorthMeasuring * this->Radius) - wanted;
     if (slack < 0.0)
     {
       return k;

@@ -21,6 +21,8 @@ RoomMap::RoomMap(const ObstacleSet& obstacles, const Box& bounds, double clearan
   ClearanceField field;
   field.Obstacles = &obstacles;
   field.Bounds = bounds;
+  // More room than this makes no way better.
+  const double enough = std::max(2.0 * this->Spacing, 4.0 * clearance);
   Cell cell;
   for (cell[2] = 0; cell[2] < this->Counts[2]; ++cell[2])
   {
@@ -29,7 +31,7 @@ RoomMap::RoomMap(const ObstacleSet& obstacles, const Box& bounds, double clearan
       for (cell[0] = 0; cell[0] < this->Counts[0]; ++cell[0])
       {
         this->Room[this->Index(cell)] =
-          static_cast<float>(field.Distance(this->Center(cell), 0.0, 8.0 * this->Spacing));
+          static_cast<float>(field.Distance(this->Center(cell), 0.0, enough));
       }
     }
   }

@@ -161,6 +161,30 @@ void SpanSearch::OfferApproach(const Join& join)
   }
 }
 
+bool SpanSearch::IsGapClear(const Join& join) const
+{
+  const ObstacleSet* obstacles = this->Field.Obstacles;
+  if (obstacles == nullptr || obstacles->IsEmpty() || obstacles->HasMoving() ||
+      this->Task.Goal.IsRest)
+  {
+    return true;
+  }
+  Vec3 from;
+  Vec3 to;
+  if (join.HasLastPiece)
+  {
+    from =
+      join.LastPiece.Place * this->Library.Samples(join.LastPiece.Segment)[join.LastPiece.Last];
+    to = this->Task.Goal.Position;
+  }
+  else
+  {
+    from = this->Trees[0][join.Forward].FreeEnd;
+    to = this->Trees[1][join.Backward].FreeEnd;
+  }
+  return obstacles->IsClear(from, 0.0, to, 0.0, 0.0);
+}
+
 bool SpanSearch::Take(double threshold, Join& join)
 {
   if (this->Joins.empty() || this->Joins.front().Score > threshold)

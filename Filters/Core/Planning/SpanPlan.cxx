@@ -2,8 +2,6 @@
 #include "Planning/SpanPlan.h"
 
 #include "Planning/FreeFlight.h"
-#include "Planning/Refinement.h"
-#include "Planning/Warp.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +13,6 @@ namespace waft
 namespace
 {
 
-/// How much faster than the database a step may be, of the 1.5 times that are promised.
-constexpr double SpeedAllowance = 1.4;
-
 /// Free flights tried before the object is left to hover.
 constexpr int FreeAttempts = 8;
 
@@ -27,7 +22,8 @@ public:
   SpanPlanner(const SegmentLibrary& library, const ClearanceField& field,
               const SpanRequest& request, const SpanPlanOptions& options) :
     Library(library),
-    Field(field), MissField(field), Request(request), Options(options)
+    Field(field), MissField(field), Request(request), Options(options),
+    Fitter(library, this->Field, this->MissField, this->Request, options.CheckMargin)
   {
     auto& contacts = this->MissField.Contacts;
     contacts.erase(std::remove_if(contacts.begin(), contacts.end(),
@@ -42,11 +38,8 @@ public:
 
 private:
   ClearanceField FlightField(const ClearanceField& base) const;
-  bool Try(PieceChain chain, bool toGoal, bool check, SpanResult& result) const;
-  bool TryRefined(const PieceChain& chain, bool toGoal, SpanResult& result) const;
   bool Search(const ClearanceField& field, const SpanTask& task, bool reachable, Random& random,
               SpanResult& result) const;
-  bool CanGoOn(const std::vector<Vec3>& positions, const SpanResult& result) const;
   void Hover(SpanResult& result) const;
   double StyleDistance(const std::vector<Vec3>& positions) const;
   bool WayAround(const ClearanceField& field, SpanTask& task) const;
@@ -56,6 +49,7 @@ private:
   ClearanceField MissField; // holds when the goal is not reached
   SpanRequest Request;
   SpanPlanOptions Options;
+  SpanFitter Fitter;
 };
 
 /// The field on the clock of flight: braking and launching last half as many frames there.
@@ -88,168 +82,6 @@ ClearanceField SpanPlanner::FlightField(const ClearanceField& base) const
     }
   }
   return field;
-}
-
-bool SpanPlanner::Try(PieceChain chain, bool toGoal, bool check, SpanResult& result) const
-{
-  SpanClock clock = this->Request.Clock;
-  result.Halts = false;
-  if (this->Request.HasGoal && !toGoal && clock.BrakeFrames == 0)
-  {
-    // A dead end: it stops there, so that it can turn.
-    clock.BrakeFrames = std::min(
-      static_cast<int>(std::lround(this->Library.Options().FramesPerSecond)), clock.Frames / 2);
-    result.Halts = true;
-  }
-  const std::vector<Vec3> raw = BlendChain(this->Library, chain);
-  const std::vector<Vec3> path = RetimePath(raw, clock);
-  const auto before = static_cast<int>(this->Request.Before.size());
-  const int after = this->Request.Goal.IsRest && toGoal ? 2 : 0;
-  const int count = before + clock.Frames + 1 + after;
-
-  Vec3 goal = this->Request.Goal.Position;
-  if (toGoal && this->Request.GoalRadius > 0.0)
-  {
-    const Vec3 offset = path.back() - goal;
-    const double distance = offset.norm();
-    goal += offset * std::min(1.0, 0.9 * this->Request.GoalRadius / std::max(distance, 1e-300));
-  }
-  WarpProblem warp;
-  warp.SecondDifferences.assign(count, Vec3::Zero());
-  warp.IsFixed.assign(count, 0);
-  warp.Fixed.assign(count, Vec3::Zero());
-  const std::vector<Vec3> bends = SecondDifferences(path);
-  for (int k = 1; k < clock.Frames; ++k)
-  {
-    warp.SecondDifferences[before + k] = bends[k];
-  }
-  const auto fix = [&](int k, const Vec3& value)
-  {
-    warp.IsFixed[k] = 1;
-    warp.Fixed[k] = value;
-  };
-  for (int k = 0; k < before; ++k)
-  {
-    fix(k, this->Request.Before[k]);
-  }
-  fix(before, this->Request.Start.Position);
-  if (before > 0 && clock.Frames > 1 && clock.LaunchFrames == 0)
-  {
-    warp.SecondDifferences[before] = bends[1];
-  }
-  for (int k = 0; k <= after && toGoal; ++k)
-  {
-    fix(before + clock.Frames + k, goal);
-  }
-  if (!toGoal)
-  {
-    // The end stays where the chain brings it.
-    fix(before + clock.Frames, path.back() - path.front() + this->Request.Start.Position);
-  }
-  if (before == 0 && this->Request.Start.HasVelocity && clock.Frames >= 3)
-  {
-    warp.Rows.push_back({ { 0, 1, 2 }, { -1.5, 2.0, -0.5 }, this->Request.Start.Velocity });
-  }
-  const std::vector<Vec3> solved = SolveWarp(warp);
-  const std::vector<Vec3> positions(solved.begin() + before,
-                                    solved.begin() + before + clock.Frames + 1);
-  if (check)
-  {
-    const double top = SpeedAllowance * this->Library.TopStep();
-    for (int k = 1; k <= clock.Frames; ++k)
-    {
-      if ((positions[k] - positions[k - 1]).norm() > top)
-      {
-        return false;
-      }
-    }
-    // The given ends themselves are judged elsewhere.
-    const int lastChecked = toGoal ? clock.Frames - 1 : clock.Frames;
-    if (lastChecked >= 1 && (toGoal ? this->Field : this->MissField)
-                                .FirstHit(positions, 1, lastChecked, this->Request.FirstFrame + 1,
-                                          1.0, this->Options.CheckMargin) >= 0)
-    {
-      return false;
-    }
-  }
-  result.Positions = positions;
-  result.Bends = bends;
-  result.Pieces = chain.Pieces;
-  const double flight = clock.FlightFrames();
-  const double scale = (static_cast<double>(raw.size()) - 1.0) / flight;
-  result.RetimingFactor = scale;
-  const std::vector<int> beginnings = chain.Beginnings(this->Library.Window());
-  result.PieceFrames.clear();
-  for (std::size_t i = 0; i < chain.Pieces.size(); ++i)
-  {
-    result.PieceFrames.push_back(
-      static_cast<int>(std::lround((beginnings[i] - chain.Pieces[i].First) / scale)));
-  }
-  result.Sources.assign(static_cast<std::size_t>(clock.Frames) + 1, FrameSource());
-  std::size_t piece = 0;
-  for (int frame = 0; frame <= clock.Frames; ++frame)
-  {
-    const double index = clock.Flown(frame) * scale;
-    while (piece + 1 < beginnings.size() &&
-           index >= beginnings[piece + 1] + 0.5 * (this->Library.Window() - 1))
-    {
-      ++piece;
-    }
-    const Piece& body = chain.Pieces[piece];
-    result.Sources[frame] = { static_cast<int>(piece),
-                              std::clamp(body.First +
-                                           static_cast<int>(std::lround(index - beginnings[piece])),
-                                         body.First, body.Last) };
-  }
-  const Piece& last = chain.Pieces.back();
-  const auto end = static_cast<int>(this->Library.Samples(last.Segment).size()) - 1;
-  result.HasContinuation = this->Request.GoesOn && end - last.Last >= this->Library.Window();
-  result.Continuation = last;
-  result.Continuation.First = last.Last;
-  result.Continuation.Last = end;
-  result.Continuation.Place.Translation +=
-    positions.back() - last.Place * this->Library.Samples(last.Segment)[last.Last];
-  result.HasContinuation = result.HasContinuation && !result.Halts;
-  return !check || !this->Request.GoesOn || result.Halts || this->CanGoOn(positions, result);
-}
-
-/// A path that reaches its mark head on to a wall leaves the next flight no way.
-bool SpanPlanner::CanGoOn(const std::vector<Vec3>& positions, const SpanResult& result) const
-{
-  const int ahead = this->Library.Window() + 4;
-  std::vector<Vec3> next{ positions.back() };
-  const std::vector<Vec3>& samples = this->Library.Samples(result.Continuation.Segment);
-  const Vec3 step = positions.back() - positions[positions.size() - 2];
-  for (int k = 1; k <= ahead; ++k)
-  {
-    next.push_back(result.HasContinuation &&
-                       result.Continuation.First + k <= result.Continuation.Last
-                     ? Vec3(result.Continuation.Place * samples[result.Continuation.First + k])
-                     : Vec3(next.back() + step));
-  }
-  return this->Field.FirstHit(next, 1, ahead,
-                              this->Request.FirstFrame + this->Request.Clock.Frames + 1, 1.0,
-                              this->Options.CheckMargin) < 0;
-}
-
-bool SpanPlanner::TryRefined(const PieceChain& chain, bool toGoal, SpanResult& result) const
-{
-  if (!this->Try(chain, toGoal, true, result))
-  {
-    return false;
-  }
-  PieceChain refined = chain;
-  const double shift = 0.1 * this->Library.TypicalStep() * this->Request.Clock.Frames /
-                       static_cast<double>(std::max<std::size_t>(1, chain.Pieces.size()));
-  if (RefineChain(this->Library, shift, refined).NumberOfReplaced > 0)
-  {
-    SpanResult better = result;
-    if (this->Try(refined, toGoal, true, better))
-    {
-      result = better;
-    }
-  }
-  return true;
 }
 
 /// Where no piece of the database fits: comes to a stop and stays.
@@ -326,13 +158,19 @@ bool SpanPlanner::Search(const ClearanceField& field, const SpanTask& task, bool
   SpanSearch search(this->Library, field, task, searchOptions, Random(random));
   double best = 1e300;
   int candidates = 0;
+  int tries = 0;
   const auto attempt = [&](const Join& join)
   {
+    if (!search.IsGapClear(join))
+    {
+      return;
+    }
+    ++tries;
     PieceChain chain;
     chain.Pieces = search.Chain(join, chain.JoinPlace);
     chain.JoinAngle = join.Angle;
     SpanResult candidate = result;
-    if (!this->TryRefined(chain, true, candidate))
+    if (!this->Fitter.FitRefined(chain, true, candidate))
     {
       return;
     }
@@ -349,7 +187,6 @@ bool SpanPlanner::Search(const ClearanceField& field, const SpanTask& task, bool
   Join join;
   const int limit = this->Options.MaximumNumberOfBranches;
   const int enough = this->Options.Gauge != nullptr ? this->Options.NumberOfCandidates : 1;
-  int tries = 0;
   int firstFound = 0;
   for (int step = 0; reachable && candidates < enough && step < 6 * limit &&
                      search.NumberOfBranches() < limit && tries <= limit;
@@ -370,7 +207,6 @@ bool SpanPlanner::Search(const ClearanceField& field, const SpanTask& task, bool
     while (candidates < enough && search.Take(threshold, join))
     {
       attempt(join);
-      ++tries;
     }
     firstFound = candidates == 0 ? step : firstFound;
     if (candidates > 0 && step > 3 * firstFound + 200)
@@ -394,7 +230,7 @@ bool SpanPlanner::Search(const ClearanceField& field, const SpanTask& task, bool
     const Join& nearest = search.Approaches()[i];
     PieceChain chain;
     chain.Pieces = search.Chain(nearest, chain.JoinPlace);
-    found = this->Try(chain, false, true, result);
+    found = this->Fitter.Fit(chain, false, result);
     result.Distance = nearest.Distance;
     result.Cost = nearest.Score;
   }
@@ -465,7 +301,7 @@ SpanResult SpanPlanner::Run(Random random)
     PieceChain chain;
     chain.Pieces = FlyFree(this->Library, missed, task, this->Options.Margin, 2000, random);
     chain.JoinPlace = static_cast<int>(chain.Pieces.size());
-    flies = !chain.Pieces.empty() && this->TryRefined(chain, false, result);
+    flies = !chain.Pieces.empty() && this->Fitter.FitRefined(chain, false, result);
     task.HasContinuation = false;
   }
   if (!flies)

@@ -28,6 +28,7 @@ struct SpanEnd
   bool HasVelocity = false;
   Vec3 Velocity = Vec3::Zero(); // wish [m per frame]
   bool IsRest = false;          // the object lies still there
+  double Descent = 0.0; // before a rest: fastest fall in the last second, 0: any [m per frame]
 };
 
 /// A stretch of flight between two marks. `Frames` are frames of flight at the database's own
@@ -86,6 +87,8 @@ public:
   void Step();
   /// From now on rough connections count, too.
   void AllowRough() { this->TakesRough = true; }
+  /// True when no obstacle stands in the gap of a join: through a wall no path can be laid.
+  bool IsGapClear(const Join& join) const;
   /// The best join not handed out yet, when its score is at most the threshold.
   bool Take(double threshold, Join& join);
   /// The forward paths that come nearest to the goal about in time.

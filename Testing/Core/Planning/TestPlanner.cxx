@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whole plans, judged on the tracks that come out.
-#include "Planning/Planner.h"
-
-#include "Base/Primitives.h"
-#include "SwirlDatabase.h"
+#include "PlanScenes.h"
 #include "Trajectory/Style.h"
 
 #include <gtest/gtest.h>
@@ -12,95 +9,10 @@
 #include <map>
 
 using namespace waft;
+using namespace waft::test;
 
 namespace
 {
-
-constexpr int GroundId = 100;
-
-struct PlanScene
-{
-  std::vector<MotionObject> Objects;
-  std::vector<Constraint> Constraints;
-  std::vector<ObstacleMesh> Meshes;
-  ObstacleSet Obstacles;
-  SceneInfo Scene;
-
-  PlanScene()
-  {
-    ObstacleMesh ground;
-    ground.ObstacleId = GroundId;
-    ground.Mesh = MakeBox(Box{ Vec3(-3, -3, -1), Vec3(3, 3, 0) });
-    this->Meshes.push_back(ground);
-  }
-  void AddObject(const Vec3& position)
-  {
-    MotionObject object;
-    object.ObjectId = static_cast<int>(this->Objects.size());
-    object.Position = position;
-    object.RestHeight = 0.002;
-    this->Objects.push_back(object);
-  }
-  void AddBox(const Vec3& low, const Vec3& high)
-  {
-    ObstacleMesh mesh;
-    mesh.ObstacleId = static_cast<int>(this->Meshes.size());
-    mesh.Mesh = MakeBox(Box{ low, high });
-    this->Meshes.push_back(mesh);
-  }
-  Constraint& AddRow(ConstraintKind kind, int object, int frame, const Vec3& value)
-  {
-    Constraint row;
-    row.Kind = kind;
-    row.ObjectId = object;
-    row.Frame = row.Until = frame;
-    row.Value = value;
-    row.Row = static_cast<int>(this->Constraints.size());
-    this->Constraints.push_back(row);
-    return this->Constraints.back();
-  }
-  PlanOutput Run(std::uint64_t seed, const ParallelFor& parallelFor = SerialFor())
-  {
-    EXPECT_TRUE(bool(this->Obstacles.Build(this->Meshes)));
-    const PlanInput input{ test::SwirlDatabase(), this->Objects, this->Constraints, this->Obstacles,
-                           this->Scene };
-    PlanOptions options;
-    options.Seed = seed;
-    PlanOutput output;
-    SilentMonitor monitor;
-    const Result result = PlanMotion(input, options, parallelFor, monitor, output);
-    EXPECT_TRUE(bool(result)) << result.Message();
-    return output;
-  }
-};
-
-/// Least clearance minus radius of the swept centre, 8 samples a frame, in frames [first, last).
-double LeastSlack(const PlanScene& scene, const Track& track, int first, int last)
-{
-  double slack = 1e30;
-  for (int k = first; k < last; ++k)
-  {
-    for (int i = 0; i < 8; ++i)
-    {
-      const double u = i / 8.0;
-      const Vec3 x = (1.0 - u) * track.Positions[k] + u * track.Positions[k + 1];
-      const double distance =
-        std::min(scene.Scene.Bounds.InnerDistance(x), scene.Obstacles.SignedDistance(x, k + u));
-      slack = std::min(slack, distance - scene.Objects[track.ObjectId].ClearanceRadius);
-    }
-  }
-  return slack;
-}
-
-double FastestStep(const Track& track)
-{
-  double fastest = 0.0;
-  for (std::size_t k = 1; k < track.Positions.size(); ++k)
-  {
-    fastest = std::max(fastest, (track.Positions[k] - track.Positions[k - 1]).norm());
-  }
-  return fastest * 30.0;
-}
 
 void AddFeatherRows(PlanScene& scene)
 {
@@ -121,7 +33,7 @@ TEST(Planner, MeetsMarksExactlyClearOfEverythingInStyle)
   StyleSamples style;
   double jump = 0.0;
   double speed = 0.0;
-  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
   {
     const PlanOutput output = scene.Run(seed);
     ASSERT_EQ(output.Tracks.size(), 1u);
@@ -148,7 +60,7 @@ TEST(Planner, MeetsMarksExactlyClearOfEverythingInStyle)
     }
     for (std::size_t k = 1; k < 300; ++k)
     {
-      speed += (track.Positions[k] - track.Positions[k - 1]).norm() / (299.0 * 10.0);
+      speed += (track.Positions[k] - track.Positions[k - 1]).norm() / (299.0 * 20.0);
     }
   }
   EXPECT_LE(jump, 0.05 * speed);
@@ -416,56 +328,6 @@ TEST(Planner, ShowsItsTrees)
   }
   EXPECT_GT(trees[0], 5);
   EXPECT_GT(trees[1], 5);
-}
-
-TEST(Planner, KeepsClearInRandomScenes)
-{
-  int met = 0;
-  int rows = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed)
-  {
-    PlanScene scene;
-    Random random(seed, 40);
-    const int boxes = 2 + static_cast<int>(random.Index(8));
-    for (int i = 0; i < boxes; ++i)
-    {
-      const Vec3 center = random.InBox(Box{ Vec3(-1.8, -1.8, 0.0), Vec3(1.8, 1.8, 3.5) });
-      const Vec3 half = random.InBox(Box{ Vec3(0.05, 0.05, 0.1), Vec3(0.6, 0.6, 0.8) });
-      scene.AddBox(center - half, center + half);
-    }
-    ASSERT_TRUE(bool(scene.Obstacles.Build(scene.Meshes)));
-    const auto clearPoint = [&]()
-    {
-      Vec3 x;
-      do
-      {
-        x = random.InBox(Box{ Vec3(-1.8, -1.8, 0.2), Vec3(1.8, 1.8, 3.8) });
-      } while (scene.Obstacles.SignedDistance(x, 0.0) < 0.06);
-      return x;
-    };
-    for (int object = 0; object < 2; ++object)
-    {
-      scene.AddObject(clearPoint());
-      scene.AddRow(ConstraintKind::Position, object, 110, clearPoint());
-      scene.AddRow(ConstraintKind::Position, object, 240, clearPoint());
-    }
-    const PlanOutput output = scene.Run(seed);
-    for (const Track& track : output.Tracks)
-    {
-      EXPECT_GE(LeastSlack(scene, track, 0, 299), -0.004) << seed;
-      EXPECT_LE(FastestStep(track), 1.5 * test::SwirlDatabase().TopSpeed) << seed;
-    }
-    for (const ReportRow& line : output.Report)
-    {
-      ++rows;
-      if (line.Status == ConstraintStatus::Met)
-      {
-        ++met;
-        EXPECT_LE(line.Residual, 4e-9);
-      }
-    }
-  }
-  EXPECT_GE(met, rows * 3 / 4);
 }
 
 TEST(Planner, StopsWhenAskedInTheMiddleOfASearch)

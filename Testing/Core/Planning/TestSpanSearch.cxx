@@ -196,3 +196,101 @@ TEST(SpanSearch, GrowsBothTreesInsideTheVolumeAndFindsCheapJoins)
     before = join.Score;
   }
 }
+
+TEST(SpanSearch, CheapestJoinEqualsBruteForce)
+{
+  const SegmentLibrary& library = Library();
+  const ObstacleSet obstacles;
+  ClearanceField field;
+  field.Obstacles = &obstacles;
+  SpanTask task = OpenTask();
+  const int overlap = library.Window() - 1;
+  const double limit = 0.15 * task.Frames;
+  std::size_t fromTrees = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed)
+  {
+    SpanSearch search(library, field, task, SpanSearchOptions(), Random(seed));
+    for (int i = 0; i < 40 + 20 * static_cast<int>(seed); ++i)
+    {
+      search.Step();
+    }
+    const auto score = [&](double gap, double angle, int raw)
+    {
+      return gap / (library.TypicalStep() * task.Frames) + 0.25 * std::abs(angle) +
+             0.5 * std::abs(raw - task.Frames) / static_cast<double>(task.Frames);
+    };
+    double least = 1e300;
+    std::vector<double> meetings;
+    for (const Branch& forward : search.Tree(0))
+    {
+      for (int top = 0; top < library.NumberOfTops(); ++top)
+      {
+        const Neighbour* entry = library.Connection(forward.Body.Top, top);
+        if (entry == nullptr || !entry->IsSmooth)
+        {
+          continue;
+        }
+        const std::vector<Vec3>& samples = library.Samples(library.SegmentOfTop(top));
+        Placement place = forward.Body.Place * entry->Place;
+        for (const Branch& backward : search.Tree(1))
+        {
+          const int raw = forward.Elapsed + backward.Elapsed - overlap;
+          if (backward.Body.Top != top || std::abs(raw - task.Frames) > limit)
+          {
+            continue;
+          }
+          const Mat3 turn = backward.Body.Place.Rotation * place.Rotation.transpose();
+          const double angle = std::atan2(turn(1, 0) - turn(0, 1), turn(0, 0) + turn(1, 1));
+          const double gap =
+            (backward.Body.Place * samples.front() - place * samples.front()).norm();
+          meetings.push_back(score(gap, angle, raw));
+        }
+        // Or one more piece, cut where it suits; which cut is judged before its lean is limited.
+        const Placement uncut = place;
+        const Vec3 head = place * samples.front();
+        library.LimitTilt(place.Rotation);
+        place.Translation = head - place.Rotation * samples.front();
+        int best = -1;
+        double bestScore = 1e300;
+        for (int last = overlap + 1; last < static_cast<int>(samples.size()); ++last)
+        {
+          const int raw = forward.Elapsed - overlap + last;
+          const double own = score((uncut * samples[last] - task.Goal.Position).norm(), 0.0, raw);
+          if (std::abs(raw - task.Frames) <= limit && own < bestScore)
+          {
+            bestScore = own;
+            best = last;
+          }
+        }
+        if (best >= 0)
+        {
+          const double own = score((place * samples[best] - task.Goal.Position).norm(), 0.0,
+                                   forward.Elapsed - overlap + best);
+          least = std::min(least, own);
+        }
+      }
+    }
+    // The best of all come first, and of the meetings of the two trees none is passed over.
+    std::sort(meetings.begin(), meetings.end());
+    least = std::min(least, meetings.empty() ? least : meetings.front());
+    Join join;
+    std::size_t handedOut = 0;
+    std::size_t ofTrees = 0;
+    for (; search.Take(1e9, join); ++handedOut)
+    {
+      if (handedOut == 0)
+      {
+        EXPECT_NEAR(join.Score, least, 1e-9) << seed;
+      }
+      if (join.Backward >= 0)
+      {
+        ASSERT_LT(ofTrees, meetings.size()) << seed;
+        EXPECT_NEAR(join.Score, meetings[ofTrees], 1e-9) << seed;
+        ++ofTrees;
+      }
+    }
+    EXPECT_GE(handedOut, 20u) << seed;
+    fromTrees += ofTrees;
+  }
+  EXPECT_GE(fromTrees, 3u);
+}

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Prints how long plans take, how many marks they reach and what memory they need: a maze of 16
+// boxes with windows, the same maze in 100,000 triangles, and letters on the ground. Arguments:
+// number of seeds [50], and one of maze, fine, fast, narrow, letters [all].
+#include "PlanScenes.h"
+#include "Trajectory/Style.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+
+using namespace waft;
+using namespace waft::test;
+
+namespace
+{
+
+double PeakMegabytes()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss / 1024.0;
+}
+
+struct Stopwatch
+{
+  std::chrono::steady_clock::time_point Begin = std::chrono::steady_clock::now();
+  std::clock_t CpuBegin = std::clock();
+
+  double Seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Begin).count();
+  }
+  double CpuSeconds() const
+  {
+    return static_cast<double>(std::clock() - this->CpuBegin) / CLOCKS_PER_SEC;
+  }
+};
+
+int CountMet(const PlanOutput& output)
+{
+  return static_cast<int>(std::count_if(output.Report.begin(), output.Report.end(),
+                                        [](const ReportRow& line)
+                                        { return line.Status == ConstraintStatus::Met; }));
+}
+
+PlanOutput Plan(const PlanScene& scene, std::uint64_t seed, const ParallelFor& parallelFor)
+{
+  PlanOptions options;
+  options.Seed = seed;
+  const PlanInput input{ SwirlDatabase(), scene.Objects, scene.Constraints, scene.Obstacles,
+                         scene.Scene };
+  PlanOutput output;
+  SilentMonitor monitor;
+  PlanScene::Check(PlanMotion(input, options, parallelFor, monitor, output));
+  return output;
+}
+
+void Maze(const char* name, int frames, const MazeSize& size, int seeds)
+{
+  PlanScene scene;
+  AddMaze(scene, size);
+  AddMazeFlight(scene, frames);
+  PlanScene::Check(scene.Obstacles.Build(scene.Meshes));
+  std::size_t triangles = 0;
+  for (std::size_t i = 1; i < scene.Meshes.size(); ++i)
+  {
+    triangles += scene.Meshes[i].Mesh.Triangles.size();
+  }
+  std::vector<double> seconds;
+  StyleSamples style;
+  int met = 0;
+  for (int seed = 1; seed <= seeds; ++seed)
+  {
+    const Stopwatch watch;
+    const PlanOutput output = Plan(scene, static_cast<std::uint64_t>(seed), SerialFor());
+    seconds.push_back(watch.CpuSeconds());
+    met += CountMet(output);
+    AppendStyle(output.Tracks[0].Positions, scene.Scene.Time.Step(), style);
+  }
+  const StyleSamples reference = StyleOf(SwirlDatabase());
+  std::printf("%s, %zu triangles, %d frames: median %.3f s, 95th percentile %.3f s of processor "
+              "time, %d of %d reached, Kolmogorov-Smirnov %.2f curvature %.2f acceleration\n",
+              name, triangles, frames, Quantile(seconds, 0.5), Quantile(seconds, 0.95), met, seeds,
+              KolmogorovSmirnov(reference.LogCurvature, style.LogCurvature),
+              KolmogorovSmirnov(reference.Acceleration, style.Acceleration));
+  std::fflush(stdout);
+}
+
+void Letters(int count)
+{
+  PlanScene scene;
+  AddLetters(scene, count);
+  PlanScene::Check(scene.Obstacles.Build(scene.Meshes));
+  const Stopwatch watch;
+  const PlanOutput output = Plan(scene, 1, ThreadedFor(2));
+  std::printf("letters of %d objects, 300 frames, 2 threads: %.2f s (%.2f s of processor time), "
+              "%d reached, peak memory %.0f MB\n",
+              count, watch.Seconds(), watch.CpuSeconds(), CountMet(output), PeakMegabytes());
+  std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const int seeds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 50;
+  const std::string only = argc > 2 ? argv[2] : "";
+  const auto isWanted = [&](const char* name) { return only.empty() || only == name; };
+  SwirlDatabase();
+  MazeSize fine;
+  fine.Splits = 5;
+  MazeSize narrow;
+  narrow.Window = 0.35;
+  if (isWanted("maze"))
+  {
+    Maze("maze", 300, MazeSize(), seeds);
+  }
+  if (isWanted("fine"))
+  {
+    Maze("fine maze", 300, fine, seeds);
+  }
+  if (isWanted("fast"))
+  {
+    Maze("fast maze", 200, MazeSize(), seeds);
+  }
+  if (isWanted("narrow"))
+  {
+    Maze("narrow maze", 300, narrow, seeds);
+  }
+  if (isWanted("letters"))
+  {
+    Letters(125);
+    Letters(1000);
+  }
+  return 0;
+}
