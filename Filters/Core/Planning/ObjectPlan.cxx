@@ -12,6 +12,10 @@ namespace waft
 namespace
 {
 
+/// Fastest fall in the last second before a rest over the SettlingSpeed: what the air may add near
+/// the ground.
+constexpr double LandingDescent = 1.1;
+
 class ObjectPlanner
 {
 public:
@@ -98,6 +102,7 @@ SpanEnd ObjectPlanner::EndAt(std::size_t index, bool isGoal) const
   SpanEnd end;
   end.Position = isGoal ? mark.Position : this->Plan.Positions[mark.Until];
   end.IsRest = mark.IsRest;
+  end.Descent = LandingDescent * this->Object.SettlingSpeed * this->Scene.Time.Step();
   end.HasVelocity = mark.HasVelocity && !mark.Halts;
   end.Velocity = mark.Velocity;
   if (mark.IsRest || mark.Halts || end.HasVelocity || (!isGoal && this->Halted))
