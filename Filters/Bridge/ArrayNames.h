@@ -116,6 +116,14 @@ constexpr const char* Span = "Span";
 constexpr const char* Tree = "Tree";
 constexpr const char* Segment = "Segment";
 
+// Takes.
+constexpr const char* Take = "Take";
+constexpr const char* Met = "Met";
+constexpr const char* Rows = "Rows";
+constexpr const char* CurvatureDistance = "CurvatureDistance";
+constexpr const char* AccelerationDistance = "AccelerationDistance";
+constexpr const char* Score = "Score";
+
 // Particles.
 constexpr const char* ParticleId = "ParticleId";
 

@@ -5,11 +5,13 @@
 #include "Bridge/Arrays.h"
 #include "Bridge/SceneData.h"
 
+#include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkTable.h>
 
 namespace waft
 {
@@ -55,6 +57,68 @@ void TreesToPolyData(const std::vector<TreeBranch>& trees, const SceneInfo& info
   AddInts(cells, names::Frame, frames);
   AddDoubles(cells, names::Cost, costs);
   SceneInfoToFieldData(info, data);
+}
+
+void TakesToTable(const std::vector<TakeScore>& takes, const SceneInfo& info, vtkTable* table)
+{
+  std::vector<int> numbers;
+  std::vector<int> seeds;
+  std::vector<int> met;
+  std::vector<int> rows;
+  std::vector<double> curvatures;
+  std::vector<double> accelerations;
+  std::vector<double> scores;
+  for (const TakeScore& take : takes)
+  {
+    numbers.push_back(take.Take);
+    seeds.push_back(static_cast<int>(take.Seed));
+    met.push_back(take.NumberOfMet);
+    rows.push_back(take.NumberOfRows);
+    curvatures.push_back(take.Curvature);
+    accelerations.push_back(take.Acceleration);
+    scores.push_back(take.Score);
+  }
+  table->Initialize();
+  vtkFieldData* columns = table->GetRowData();
+  AddInts(columns, names::Take, numbers);
+  AddInts(columns, names::Seed, seeds);
+  AddInts(columns, names::Met, met);
+  AddInts(columns, names::Rows, rows);
+  AddDoubles(columns, names::CurvatureDistance, curvatures);
+  AddDoubles(columns, names::AccelerationDistance, accelerations);
+  AddDoubles(columns, names::Score, scores);
+  SceneInfoToFieldData(info, table);
+}
+
+Result GuidesFromPolyData(vtkPolyData* data, std::vector<Guide>& guides)
+{
+  guides.clear();
+  if (data == nullptr)
+  {
+    return Result::Ok();
+  }
+  std::vector<int> ids;
+  if (data->GetCellData()->HasArray(names::ObjectId))
+  {
+    WAFT_RETURN_IF_FAILED(
+      ReadInts({ data->GetCellData(), "Guides: cell data array", data->GetNumberOfCells() },
+               names::ObjectId, ids));
+  }
+  const vtkIdType before = data->GetNumberOfVerts();
+  for (vtkIdType k = 0; k < data->GetNumberOfLines(); ++k)
+  {
+    Guide guide;
+    guide.ObjectId = ids.empty() ? static_cast<int>(k) : ids[static_cast<std::size_t>(before + k)];
+    vtkIdList* points = data->GetCell(before + k)->GetPointIds();
+    for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
+    {
+      double x[3];
+      data->GetPoint(points->GetId(i), x);
+      guide.Points.emplace_back(x[0], x[1], x[2]);
+    }
+    guides.push_back(std::move(guide));
+  }
+  return Result::Ok();
 }
 
 } // namespace waft

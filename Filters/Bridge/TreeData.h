@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The trees that grew while a motion was planned: one polyline a branch.
+// The trees that grew while a motion was planned, its takes, and the guides it follows.
 #pragma once
 
+#include "Base/Result.h"
 #include "Base/Types.h"
-#include "Planning/Planner.h"
+#include "Planning/Takes.h"
 
 #include <vector>
 
 class vtkPolyData;
+class vtkTable;
 
 namespace waft
 {
@@ -17,5 +19,13 @@ namespace waft
 /// (of the connection to the parent), `Frame` (of the free end).
 void TreesToPolyData(const std::vector<TreeBranch>& trees, const SceneInfo& info,
                      vtkPolyData* data);
+
+/// One line a take: `Take`, `Seed`, `Met` and `Rows` (of the report), `CurvatureDistance` and
+/// `AccelerationDistance` (Kolmogorov-Smirnov, to the database), `Score` (less is better).
+void TakesToTable(const std::vector<TakeScore>& takes, const SceneInfo& info, vtkTable* table);
+
+/// One guide a line cell, for the object that its cell data `ObjectId` names; without that array
+/// the k-th line is for the object of id k. No data: none.
+Result GuidesFromPolyData(vtkPolyData* data, std::vector<Guide>& guides);
 
 } // namespace waft

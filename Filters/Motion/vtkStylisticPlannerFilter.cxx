@@ -7,7 +7,7 @@
 #include "Bridge/StageExecution.h"
 #include "Bridge/TrackData.h"
 #include "Bridge/TreeData.h"
-#include "Planning/Planner.h"
+#include "Planning/Takes.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -27,6 +27,7 @@ enum InputPort
   ObjectsPort,
   ConstraintsPort,
   ObstaclesPort,
+  GuidesPort,
   NumberOfInputs
 };
 
@@ -37,6 +38,7 @@ enum OutputPort
   ReportPort,
   AssignedPort,
   VorticesPort,
+  TakesPort,
   NumberOfOutputs
 };
 
@@ -66,6 +68,7 @@ waft::PlanOptions vtkStylisticPlannerFilter::Internals::Options() const
   options.NumberOfCandidates = this->Self->NumberOfCandidates;
   options.MaximumNumberOfBranches = this->Self->MaximumNumberOfBranches;
   options.RetimingLimit = this->Self->RetimingLimit;
+  options.GuideWeight = this->Self->GuideWeight;
   return options;
 }
 
@@ -82,11 +85,16 @@ waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** in
   WAFT_RETURN_IF_FAILED(this->TakeConstraints(inputs[ConstraintsPort], constraints));
   waft::ObstacleSet obstacles;
   WAFT_RETURN_IF_FAILED(obstacles.Build(this->Fields.TakeObstacles()));
-  const waft::PlanInput input{ database, objects, constraints, obstacles, this->Scene };
+  std::vector<waft::Guide> guides;
+  WAFT_RETURN_IF_FAILED(waft::GuidesFromPolyData(vtkPolyData::GetData(inputs[GuidesPort]), guides));
+  const waft::PlanInput input{ database, objects, constraints, obstacles, this->Scene, guides };
+  const waft::TakeOptions choice{ this->Self->NumberOfTakes, this->Self->Take };
   waft::PlanOutput plan;
+  std::vector<waft::TakeScore> takes;
   const waft::Result result =
-    waft::PlanMotion(input, this->Options(), waft::SmpFor(), monitor, plan);
+    waft::PlanTakes(input, this->Options(), choice, waft::SmpFor(), monitor, plan, takes);
   this->KeepPlan(plan); // also when stopped: what was planned so far
+  waft::TakesToTable(takes, this->Scene, this->Kept<vtkTable>(TakesPort));
   return result;
 }
 
@@ -111,7 +119,7 @@ int vtkStylisticPlannerFilter::FillInputPortInformation(int port, vtkInformation
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
             port == DatabasePort ? "vtkMultiBlockDataSet" : "vtkPolyData");
-  if (port == ObstaclesPort)
+  if (port == ObstaclesPort || port == GuidesPort)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
@@ -120,7 +128,8 @@ int vtkStylisticPlannerFilter::FillInputPortInformation(int port, vtkInformation
 
 int vtkStylisticPlannerFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == ReportPort ? "vtkTable" : "vtkPolyData");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(),
+            port == ReportPort || port == TakesPort ? "vtkTable" : "vtkPolyData");
   return 1;
 }
 
@@ -154,5 +163,8 @@ void vtkStylisticPlannerFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfCandidates: " << this->NumberOfCandidates << "\n";
   os << indent << "MaximumNumberOfBranches: " << this->MaximumNumberOfBranches << "\n";
   os << indent << "RetimingLimit: " << this->RetimingLimit << "\n";
+  os << indent << "GuideWeight: " << this->GuideWeight << "\n";
+  os << indent << "NumberOfTakes: " << this->NumberOfTakes << "\n";
+  os << indent << "Take: " << this->Take << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
 }

@@ -8,6 +8,8 @@
  * frames.
  * Input port 2, Constraints (vtkPolyData): one vertex a row.
  * Input port 3, Obstacles (vtkPolyData, optional, may move): closed surfaces, `ObstacleId`.
+ * Input port 4, Guides (vtkPolyData, optional): a polyline an object, named by the cell data
+ * `ObjectId` (without it, line k is for the object of id k): a rough way, followed loosely.
  *
  * Output port 0, Tracks (vtkPolyData): one polyline an object, one point a frame, annotated with
  * what drove the segments (`ForceType`, `VortexId`, `VortexAcceleration`, `WindAcceleration`).
@@ -17,6 +19,8 @@
  * Output port 2, Report (vtkTable): one line per row and target of the constraints.
  * Output port 3, Constraints (vtkPolyData): the rows, those for any object (-1) assigned.
  * Output port 4, Vortices (vtkPolyData): those of the segments used, moved with them.
+ * Output port 5, Takes (vtkTable): one line a take: `Take`, `Seed`, `Met` and `Rows`,
+ * `CurvatureDistance`, `AccelerationDistance`, `Score` (less is better).
  *
  * Shi et al. 2005, section 4: two rapidly-exploring random trees of database segments, uniform
  * redistribution of what is left over, refinement down the clusters, blending. Each flight lasts
@@ -85,6 +89,21 @@ public:
   vtkGetMacro(RetimingLimit, double);
   ///@}
   ///@{
+  /** How closely paths follow their guides, 0 (not at all) to 1. */
+  vtkSetClampMacro(GuideWeight, double, 0.0, 1.0);
+  vtkGetMacro(GuideWeight, double);
+  ///@}
+  ///@{
+  /** Plans to choose from, of the seeds from Seed on, 1..1000. */
+  vtkSetClampMacro(NumberOfTakes, int, 1, 1000);
+  vtkGetMacro(NumberOfTakes, int);
+  ///@}
+  ///@{
+  /** The take that is given, from 0; -1: the one with the least score. */
+  vtkSetClampMacro(Take, int, -1, 999);
+  vtkGetMacro(Take, int);
+  ///@}
+  ///@{
   /** Seed of everything random, 0 or more. */
   vtkSetClampMacro(Seed, int, 0, VTK_INT_MAX);
   vtkGetMacro(Seed, int);
@@ -114,6 +133,9 @@ private:
   int NumberOfCandidates = 32;
   int MaximumNumberOfBranches = 20000;
   double RetimingLimit = 0.15;
+  double GuideWeight = 0.5;
+  int NumberOfTakes = 1;
+  int Take = 0;
   int Seed = 1;
 
   struct Internals;

@@ -8,10 +8,13 @@
 #include "Bridge/SceneData.h"
 #include "Bridge/TrackData.h"
 
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
+#include <vtkIntArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStylisticPlannerFilter.h>
 #include <vtkTable.h>
@@ -142,7 +145,7 @@ TEST(StylisticPlannerFilter, PlansTracksTreesReportRowsAndVortices)
     EXPECT_TRUE(trees->GetCellData()->HasArray(name)) << name;
   }
   EXPECT_GT(p.Output(4)->GetNumberOfCells(), 0);
-  for (int port = 0; port < 5; ++port)
+  for (int port = 0; port < 6; ++port)
   {
     EXPECT_TRUE(p.Filter->GetOutputDataObject(port)->GetFieldData()->HasArray("Bounds")) << port;
   }
@@ -174,6 +177,75 @@ TEST(StylisticPlannerFilter, ServesEveryFrameFromOnePlan)
   p.Filter->SetSeed(1);
   p.Filter->Update();
   EXPECT_EQ(p.Tracks()[5].Positions, before[5].Positions);
+}
+
+TEST(StylisticPlannerFilter, GivesTheTakeThatIsChosen)
+{
+  Pipeline p;
+  p.Filter->SetSeed(2);
+  p.Filter->Update();
+  const std::vector<Track> second = p.Tracks();
+  p.Filter->SetSeed(1);
+  p.Filter->SetNumberOfTakes(2);
+  p.Filter->SetTake(1);
+  p.Filter->Update();
+  EXPECT_EQ(p.Tracks()[5].Positions, second[5].Positions);
+  auto* takes = vtkTable::SafeDownCast(p.Filter->GetOutputDataObject(5));
+  ASSERT_EQ(takes->GetNumberOfRows(), 2);
+  for (vtkIdType i = 0; i < 2; ++i)
+  {
+    EXPECT_EQ(takes->GetValueByName(i, "Take").ToInt(), i);
+    EXPECT_EQ(takes->GetValueByName(i, "Seed").ToInt(), 1 + i);
+    EXPECT_EQ(takes->GetValueByName(i, "Met").ToInt(), 7);
+    EXPECT_EQ(takes->GetValueByName(i, "Rows").ToInt(), 7);
+    EXPECT_GT(takes->GetValueByName(i, "Score").ToDouble(), 0.0);
+  }
+  p.Filter->SetTake(2);
+  ErrorLog errors(p.Filter);
+  p.Filter->Update();
+  EXPECT_TRUE(errors.Contains("Take is 2")) << errors.Text;
+}
+
+TEST(StylisticPlannerFilter, FollowsGuidesOfTheObjectsTheyName)
+{
+  // Objects 6 and 7 have no row; of the two lines the second is object 6's.
+  Pipeline p;
+  p.Constraints.resize(1);
+  ConstraintsToPolyData(p.Constraints, p.Info, p.ConstraintData);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  for (int line = 0; line < 2; ++line)
+  {
+    lines->InsertNextCell(3);
+    for (int k = 0; k < 3; ++k)
+    {
+      const vtkIdType id = points->InsertNextPoint(-0.5 * k, -0.8 + k, 2.6 - 0.5 * line);
+      lines->InsertCellPoint(id);
+    }
+  }
+  vtkNew<vtkPolyData> guides;
+  guides->SetPoints(points);
+  guides->SetLines(lines);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("ObjectId");
+  ids->InsertNextValue(7);
+  ids->InsertNextValue(6);
+  guides->GetCellData()->AddArray(ids);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(guides);
+  p.Filter->SetInputConnection(4, producer->GetOutputPort());
+  p.Filter->Update();
+  const std::vector<Track> tracks = p.Tracks();
+  EXPECT_LT((tracks[7].Positions[299] - Vec3(-1.0, 1.2, 2.6)).norm(), 0.081);
+  EXPECT_LT((tracks[6].Positions[299] - Vec3(-1.0, 1.2, 2.1)).norm(), 0.081);
+
+  ids->SetValue(0, 40);
+  ids->Modified();
+  guides->Modified();
+  producer->Modified();
+  ErrorLog errors(p.Filter);
+  p.Filter->Update();
+  EXPECT_TRUE(errors.Contains("guide of object 40")) << errors.Text;
 }
 
 TEST(StylisticPlannerFilter, NamesWhatIsWrongAndLeavesItsOutputsEmpty)

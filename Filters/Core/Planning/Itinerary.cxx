@@ -62,6 +62,20 @@ MotionRow MakeRow(const Stencil& stencil, const Vec3& value, double radius)
 
 } // namespace
 
+void Itinerary::Follow(const std::vector<Vec3>& points, double radius, const SceneInfo& scene)
+{
+  this->Way = GuideWay(points);
+  const int last = scene.Time.NumberOfFrames - 1;
+  if (this->Marks.back().Until < last && scene.Bounds.InnerDistance(this->Way.End()) > 0.0)
+  {
+    Mark end;
+    end.Frame = end.Until = last;
+    end.Position = this->Way.End();
+    end.Radius = radius;
+    this->Marks.push_back(end);
+  }
+}
+
 Itinerary MakeItinerary(const MotionObject& object, const std::vector<Constraint>& rows,
                         const std::vector<unsigned char>& isUsed, const ObstacleSet& obstacles,
                         const SceneInfo& scene)

@@ -4,6 +4,7 @@
 
 #include "Base/Motion.h"
 #include "Planning/Clearance.h"
+#include "Planning/Guide.h"
 #include "Planning/Warp.h"
 
 #include <vector>
@@ -36,6 +37,10 @@ struct Itinerary
   std::vector<Mark> Marks; // by frame, the first at frame 0
   std::vector<ContactStretch> Contacts;
   std::vector<MotionRow> Rows;
+  GuideWay Way; // empty: none
+
+  /// Takes up a guide; after the last mark it leads to its own end, within `radius` [m].
+  void Follow(const std::vector<Vec3>& points, double radius, const SceneInfo& scene);
 };
 
 /// rows: all constraints of the scene; isUsed: one a row, those that are false are passed over.

@@ -225,6 +225,11 @@ void ObjectPlanner::PlanFlight(std::size_t from, int lastFrame)
     request.Before = { request.Start.Position, request.Start.Position };
   }
   request.History = this->History;
+  if (hasGoal && !this->Way.Way.IsEmpty())
+  {
+    request.Guide = this->Way.Way.Take(request.Start.Position, request.Goal.Position);
+    request.GuideWeight = this->Options.Span.GuideWeight;
+  }
   const std::uint64_t stream =
     static_cast<std::uint64_t>(this->Object.ObjectId) * 8192u + static_cast<std::uint64_t>(from);
   SpanResult span = PlanSpan(this->Library, this->Field, request, this->Options.Span,

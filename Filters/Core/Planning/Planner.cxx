@@ -140,6 +140,30 @@ Result CheckInput(const PlanInput& input)
       return Result::Error(name + ": Value or Radius is not finite");
     }
   }
+  std::set<int> guided;
+  for (const Guide& guide : input.Guides)
+  {
+    const std::string name = "planner: the guide of object " + std::to_string(guide.ObjectId);
+    if (ids.count(guide.ObjectId) == 0)
+    {
+      return Result::Error(name + ": there is no such object");
+    }
+    if (!guided.insert(guide.ObjectId).second)
+    {
+      return Result::Error(name + ": there is another one, at most one expected");
+    }
+    if (guide.Points.size() < 2)
+    {
+      return Result::Error(name + ": at least 2 points expected");
+    }
+    for (const Vec3& x : guide.Points)
+    {
+      if (!x.allFinite())
+      {
+        return Result::Error(name + ": a point is not finite");
+      }
+    }
+  }
   return Result::Ok();
 }
 
@@ -238,6 +262,10 @@ Result PlanOptions::Validate() const
   {
     return Result::Error("planner: thresholds must be positive");
   }
+  if (!(this->GuideWeight >= 0.0) || this->GuideWeight > 1.0)
+  {
+    return Result::Error("planner: GuideWeight must lie between 0 and 1");
+  }
   if (!(this->MaximumTilt >= 0.0))
   {
     return Result::Error("planner: MaximumTilt must not be negative");
@@ -290,6 +318,7 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   objectOptions.Span.CheckMargin = 2e-4 * width;
   objectOptions.Span.MaximumNumberOfBranches = options.MaximumNumberOfBranches;
   objectOptions.Span.NumberOfCandidates = options.NumberOfCandidates;
+  objectOptions.Span.GuideWeight = options.GuideWeight;
   objectOptions.Span.FrameStep = input.Scene.Time.Step();
   const StyleGauge gauge(input.Database);
   objectOptions.Span.Gauge = &gauge;
@@ -306,8 +335,15 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
     {
       ObjectPlanOptions own = objectOptions;
       own.Span.Rooms = [&rooms, &input, i]() { return rooms.Of(input.Objects[i]); };
-      const Itinerary itinerary =
+      Itinerary itinerary =
         MakeItinerary(input.Objects[i], output.Constraints, isUsed, input.Obstacles, input.Scene);
+      for (const Guide& guide : input.Guides)
+      {
+        if (guide.ObjectId == input.Objects[i].ObjectId && options.GuideWeight > 0.0)
+        {
+          itinerary.Follow(guide.Points, 0.02 * width, input.Scene);
+        }
+      }
       plans[i] =
         PlanObject(library, input.Objects[i], itinerary, input.Obstacles, input.Scene, own);
       isDone[i] = stop ? 0 : 1;

@@ -9,6 +9,7 @@
 #include "Base/Parallel.h"
 #include "Base/Result.h"
 #include "Obstacles/ObstacleSet.h"
+#include "Planning/Guide.h"
 #include "Trajectory/Alignment.h"
 #include "Trajectory/MotionDatabase.h"
 
@@ -25,6 +26,7 @@ struct PlanInput
   const std::vector<Constraint>& Constraints;
   const ObstacleSet& Obstacles;
   SceneInfo Scene;
+  std::vector<Guide> Guides = {}; // at most one an object
 };
 
 struct PlanOptions
@@ -43,6 +45,8 @@ struct PlanOptions
   int NumberOfCandidates = 32;
   /// Frames that a path lasts may differ from the frames there are by this share before retiming.
   double RetimingLimit = 0.15;
+  /// How closely paths follow their guides, 0 (not at all) to 1.
+  double GuideWeight = 0.5;
   /// Branches kept for output, over all objects, in the order of the objects.
   int MaximumNumberOfStoredBranches = 20000;
 

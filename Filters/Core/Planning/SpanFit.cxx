@@ -2,6 +2,7 @@
 #include "Planning/SpanFit.h"
 
 #include "Planning/Refinement.h"
+#include "Planning/RoomMap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,8 @@ constexpr double EasingShare = 0.35;
 /// first it bends about ten frames, at the last hardly more than the frame itself.
 constexpr double FirstPull = 1e-3;
 constexpr double PullGrowth = 6.0;
+/// Pull of a guide of full weight on each frame: what bends within 18 frames is left as it flies.
+constexpr double GuidePull = 1e-5;
 
 /// Which piece flies at each frame, by the middles of the overlaps; indices of samples are those of
 /// the chain.
@@ -124,6 +127,15 @@ SpanFitter::Layout SpanFitter::LayOut(const std::vector<Vec3>& path, const SpanC
   {
     warp.Rows.push_back({ { 0, 1, 2 }, { -1.5, 2.0, -0.5 }, this->Request.Start.Velocity });
   }
+  if (toGoal && this->Request.Guide.size() > 1)
+  {
+    const double pull = GuidePull * this->Request.GuideWeight * this->Request.GuideWeight;
+    for (int k = 1; k < clock.Frames; ++k)
+    {
+      const double share = clock.Flown(k) / clock.FlightFrames();
+      warp.Soft.push_back({ before + k, PointAlong(this->Request.Guide, share), pull });
+    }
+  }
   return layout;
 }
 
@@ -192,6 +204,7 @@ bool SpanFitter::Ease(Layout& layout, const std::vector<Vec3>& anchors, bool toG
   // The given ends themselves are judged elsewhere.
   const int last = toGoal ? layout.Clock.Frames - 1 : layout.Clock.Frames;
   const auto limit = static_cast<std::size_t>(EasingShare * layout.Clock.Frames);
+  const std::vector<SoftMark> guide = layout.Warp.Soft;
   std::vector<double> pulls(positions.size(), 0.0);
   std::size_t before = limit + 1;
   for (int round = 0; last >= 1; ++round)
@@ -223,7 +236,7 @@ bool SpanFitter::Ease(Layout& layout, const std::vector<Vec3>& anchors, bool toG
     {
       pulls[k] = pulls[k] > 0.0 ? PullGrowth * pulls[k] : FirstPull;
     }
-    layout.Warp.Soft.clear();
+    layout.Warp.Soft = guide;
     for (std::size_t k = 0; k < pulls.size(); ++k)
     {
       if (pulls[k] > 0.0)

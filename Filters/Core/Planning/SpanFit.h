@@ -27,6 +27,8 @@ struct SpanRequest
   bool GoesOn = false;
   std::vector<Vec3> Before; // the two positions before the start, or none
   StyleHistory History;     // of the flights before
+  std::vector<Vec3> Guide;  // a rough way from start to goal, or none
+  double GuideWeight = 0.5; // 0..1
 };
 
 /// Which sample of which piece flies at a frame.

@@ -125,13 +125,31 @@ double SpanPlanner::StyleDistance(const std::vector<Vec3>& positions) const
   return this->Options.Gauge->Distance(std::move(history));
 }
 
-/// Sets task.Way where the straight one is blocked; false when the map shows none.
+/// Sets task.Way to the guide, or where that or the straight one is blocked to a way around; false
+/// when the map shows none.
 bool SpanPlanner::WayAround(const ClearanceField& field, SpanTask& task) const
 {
+  task.Way = this->Request.Guide;
   if (!this->Options.Rooms || field.Obstacles == nullptr || field.Obstacles->IsEmpty())
   {
     return true;
   }
+  const auto isClear = [&](const std::vector<Vec3>& way)
+  {
+    for (std::size_t k = 1; k < way.size(); ++k)
+    {
+      if (!field.Obstacles->IsClear(way[k - 1], 0.0, way[k], 0.0, 0.0))
+      {
+        return false;
+      }
+    }
+    return true;
+  };
+  if (task.Way.size() > 1 && isClear(task.Way))
+  {
+    return true;
+  }
+  task.Way.clear();
   const Vec3 lift = Vec3(0.0, 0.0, field.Radius + this->Options.Margin);
   const Vec3 a = task.Start.Position + (task.Start.IsRest ? lift : Vec3(Vec3::Zero()));
   const Vec3 b = task.Goal.Position + (task.Goal.IsRest ? lift : Vec3(Vec3::Zero()));

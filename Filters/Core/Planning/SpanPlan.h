@@ -20,6 +20,7 @@ struct SpanPlanOptions
   double CheckMargin = 0.001;  // m, kept beyond it by what comes out
   int MaximumNumberOfBranches = 20000;
   int NumberOfCandidates = 32;   // paths found, of which the one nearest to the style is taken
+  double GuideWeight = 0.5;      // 0..1
   double FrameStep = 1.0 / 30.0; // s
   const std::atomic<bool>* Stop = nullptr; // asked for while searching
   const StyleGauge* Gauge = nullptr;       // or null: the first path found is taken

@@ -23,6 +23,7 @@ struct PlanScene
   std::vector<ObstacleMesh> Meshes;
   ObstacleSet Obstacles;
   SceneInfo Scene;
+  std::vector<Guide> Guides;
 
   PlanScene()
   {
@@ -67,8 +68,8 @@ struct PlanScene
   PlanOutput Run(const PlanOptions& options, const ParallelFor& parallelFor = SerialFor())
   {
     Check(this->Obstacles.Build(this->Meshes));
-    const PlanInput input{ SwirlDatabase(), this->Objects, this->Constraints, this->Obstacles,
-                           this->Scene };
+    const PlanInput input{ SwirlDatabase(), this->Objects, this->Constraints,
+                           this->Obstacles, this->Scene,   this->Guides };
     PlanOutput output;
     SilentMonitor monitor;
     Check(PlanMotion(input, options, parallelFor, monitor, output));
