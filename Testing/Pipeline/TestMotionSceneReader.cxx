@@ -91,7 +91,8 @@ TEST(MotionSceneReader, EveryPortCarriesTheSceneAndItsFrames)
 
 TEST(MotionSceneReader, TheScenesOfTheProjectCanBeFlown)
 {
-  for (const char* name : { "leaves-letters.waft.json", "feather-waypoints.waft.json" })
+  for (const char* name : { "leaves-letters.waft.json", "feather-waypoints.waft.json",
+                            "feather-spiral.waft.json", "feather-maze.waft.json" })
   {
     SCOPED_TRACE(name);
     vtkNew<vtkMotionSceneReader> reader;
