@@ -198,7 +198,7 @@ private:
   int NumberOfObjectParticles = 125;
   double PositionWeight = 10.0;
   double VelocityWeight = 2.0;
-  double CoherenceWeight = 0.25;
+  double CoherenceWeight = 0.3;
   double SpatialShare = 0.5;
   int TemporalWindow = 1;
   double SmoothingLength = 1.2;
@@ -214,7 +214,7 @@ private:
   int Passes = 2;
   bool UseLeash = true;
   int LeashIterations = 20;
-  int MaximumNumberOfVortices = 12;
+  int MaximumNumberOfVortices = 8;
   int MaximumNumberOfIterations = 150;
   double Tolerance = 0.01;
   double TimeLimit = 0.0;

@@ -288,8 +288,9 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
         std::find(grounds.begin(), grounds.end(), window.ObstacleId) != grounds.end();
       const auto flags = [&](int frame) -> std::uint8_t&
       { return model.Flags[static_cast<std::size_t>(frame) * model.NumberOfObjects + o]; };
-      for (int frame = std::max(0, static_cast<int>(std::floor(window.First)));
-           frame <= std::min(frames - 1, static_cast<int>(std::ceil(window.Last))); ++frame)
+      // The way to and from a frame near the surface lies within the window, too.
+      for (int frame = std::max(0, static_cast<int>(std::ceil(window.First)) + 1);
+           frame <= std::min(frames - 1, static_cast<int>(std::floor(window.Last)) - 1); ++frame)
       {
         flags(frame) |= floor ? LandsOnFloor : LandsOnObstacle;
       }
