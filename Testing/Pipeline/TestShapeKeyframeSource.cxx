@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PipelineTesting.h"
+
+#include "Base/Primitives.h"
+#include "Bridge/FieldCollectors.h"
+#include "Bridge/SceneData.h"
+
+#include <vtkPolyData.h>
+#include <vtkShapeKeyframeSource.h>
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace
+{
+
+std::vector<waft::Constraint> Rows(vtkShapeKeyframeSource* source)
+{
+  std::vector<waft::Constraint> rows;
+  waft::SceneInfo info;
+  EXPECT_TRUE(waft::SceneInfoFromFieldData(source->GetOutput(), info));
+  EXPECT_TRUE(waft::ConstraintsFromPolyData(source->GetOutput(), info.Time, rows));
+  return rows;
+}
+
+} // namespace
+
+TEST(ShapeKeyframeSource, DrawsATextThatLiesOnTheGround)
+{
+  vtkNew<vtkShapeKeyframeSource> source;
+  source->SetText("L");
+  source->SetNumberOfTargets(30);
+  source->SetWidth(1.0);
+  source->SetOrigin(0.5, 0.0, 0.2);
+  source->Update();
+  const std::vector<waft::Constraint> rows = Rows(source);
+  ASSERT_EQ(rows.size(), 30u);
+  int low = 0;
+  int left = 0;
+  std::set<int> targets;
+  for (const waft::Constraint& row : rows)
+  {
+    EXPECT_EQ(row.Kind, waft::ConstraintKind::Rest);
+    EXPECT_EQ(row.ObjectId, -1);
+    EXPECT_EQ(row.Frame, 250);
+    EXPECT_EQ(row.Until, 299);
+    EXPECT_EQ(row.Group, 0);
+    EXPECT_EQ(row.Value.z(), 0.2);
+    EXPECT_LE(std::abs(row.Value.x() - 0.5), 0.5);
+    targets.insert(row.Target);
+    low += row.Value.y() < -0.45 ? 1 : 0;
+    left += row.Value.x() < 0.25 ? 1 : 0;
+  }
+  // An L has a foot and a stem at the left, and nothing at the top right.
+  EXPECT_EQ(targets.size(), 30u);
+  EXPECT_GE(low, 6);
+  EXPECT_GE(left, 12);
+  for (const waft::Constraint& row : rows)
+  {
+    EXPECT_FALSE(row.Value.x() > 0.6 && row.Value.y() > 0.2);
+  }
+}
+
+TEST(ShapeKeyframeSource, DrawsASurfaceWhereItStands)
+{
+  waft::ObstacleMesh ball;
+  ball.Mesh = waft::MakeSphere(waft::Vec3(0.0, 0.0, 2.0), 0.5);
+  vtkNew<vtkPolyData> sphere;
+  waft::ObstaclesToPolyData({ ball }, 0.0, waft::SceneInfo(), sphere);
+  vtkNew<vtkShapeKeyframeSource> source;
+  source->SetInputDataObject(sphere);
+  source->SetShape(vtkShapeKeyframeSource::SURFACE);
+  source->SetNumberOfTargets(100);
+  source->RestOff();
+  source->SetFrame(120);
+  source->Update();
+  const std::vector<waft::Constraint> rows = Rows(source);
+  ASSERT_EQ(rows.size(), 100u);
+  waft::Vec3 sum = waft::Vec3::Zero();
+  for (const waft::Constraint& row : rows)
+  {
+    EXPECT_EQ(row.Kind, waft::ConstraintKind::Position);
+    EXPECT_NEAR((row.Value - waft::Vec3(0.0, 0.0, 2.0)).norm(), 0.5, 0.01);
+    sum += row.Value - waft::Vec3(0.0, 0.0, 2.0);
+  }
+  EXPECT_LT(sum.norm() / 100.0, 0.05);
+}
+
+TEST(ShapeKeyframeSource, DrawsAPictureByTheColoursOfItsClasses)
+{
+  vtkNew<vtkShapeKeyframeSource> source;
+  source->SetShape(vtkShapeKeyframeSource::IMAGE);
+  source->SetImageFile(WAFT_SOURCE_DIR "/Data/Shapes/leaf-gold.png");
+  source->SetNumberOfTargets(40);
+  source->Update();
+  ASSERT_EQ(Rows(source).size(), 40u);
+  source->SetClassColor(0, 0.9, 0.7, 0.2);
+  source->SetClassColor(1, 0.1, 0.1, 0.9);
+  source->Update();
+  int gold = 0;
+  for (const waft::Constraint& row : Rows(source))
+  {
+    gold += row.ClassId == 0 ? 1 : 0;
+  }
+  EXPECT_GE(gold, 36);
+}
+
+TEST(ShapeKeyframeSource, SaysWhatIsWrong)
+{
+  const auto message = [](const auto& change)
+  {
+    vtkNew<vtkShapeKeyframeSource> source;
+    change(source.Get());
+    ErrorLog errors(source);
+    source->Update();
+    EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
+    return errors.Text;
+  };
+  const auto contains = [](const std::string& text, const char* part)
+  { return text.find(part) != std::string::npos; };
+  EXPECT_TRUE(contains(message([](auto* s) { s->SetText(""); }), "Text: expected"));
+  EXPECT_TRUE(contains(message([](auto* s) { s->SetFrame(400); }), "Frame of at most 299"));
+  EXPECT_TRUE(contains(message([](auto* s) { s->SetV(2.0, 0.0, 0.0); }), "U and V"));
+  EXPECT_TRUE(contains(message([](auto* s) { s->SetWidth(0.0); }), "Width"));
+  EXPECT_TRUE(contains(message([](auto* s) { s->SetShape(vtkShapeKeyframeSource::SURFACE); }),
+                       "Input: expected a surface"));
+  EXPECT_TRUE(contains(message([](auto* s) { s->SetShape(vtkShapeKeyframeSource::IMAGE); }),
+                       "ImageFile: expected"));
+}
