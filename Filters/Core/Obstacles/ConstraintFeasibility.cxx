@@ -129,6 +129,16 @@ std::string WhyInfeasible(const Constraint& row, const MotionObject* object,
   }
 }
 
+std::string WhyStartInfeasible(const MotionObject& object,
+                               const std::vector<LandingWindow>& windows,
+                               const ObstacleSet& obstacles, const SceneInfo& scene)
+{
+  Constraint start;
+  start.ObjectId = object.ObjectId;
+  start.Value = object.Position;
+  return WhyPositionInfeasible(start, &object, windows, obstacles, scene);
+}
+
 std::vector<bool> FindUnassignable(const std::vector<Constraint>& constraints,
                                    const std::vector<MotionObject>& objects)
 {

@@ -19,6 +19,11 @@ std::string WhyInfeasible(const Constraint& row, const MotionObject* object,
                           const std::vector<LandingWindow>& windows, const ObstacleSet& obstacles,
                           const SceneInfo& scene);
 
+/// Why an object cannot be where it starts, or an empty text. windows: its landings.
+std::string WhyStartInfeasible(const MotionObject& object,
+                               const std::vector<LandingWindow>& windows,
+                               const ObstacleSet& obstacles, const SceneInfo& scene);
+
 /// For each constraint, in order: true when its target cannot get an object of its own because its
 /// group has more targets than there are objects of the class. Earlier targets go first.
 std::vector<bool> FindUnassignable(const std::vector<Constraint>& constraints,

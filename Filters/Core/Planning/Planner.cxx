@@ -2,7 +2,9 @@
 #include "Planning/Planner.h"
 
 #include "Obstacles/ConstraintCheck.h"
+#include "Obstacles/ConstraintFeasibility.h"
 #include "Planning/Assignment.h"
+#include "Planning/InputCheck.h"
 #include "Planning/ObjectPlan.h"
 
 #include <algorithm>
@@ -15,7 +17,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <set>
 #include <string>
 #include <thread>
 
@@ -97,76 +98,6 @@ private:
   std::map<double, LazyMap> Maps;
 };
 
-Result CheckInput(const PlanInput& input)
-{
-  const Timeline& time = input.Scene.Time;
-  if (time.NumberOfFrames < 1 || !(time.FramesPerSecond > 0.0))
-  {
-    return Result::Error("planner: the scene has no frames, at least one expected");
-  }
-  if (!((input.Scene.Bounds.Size().array() > 0.0).all()))
-  {
-    return Result::Error("planner: the volume is empty");
-  }
-  std::set<int> ids;
-  for (const MotionObject& object : input.Objects)
-  {
-    if (!ids.insert(object.ObjectId).second)
-    {
-      return Result::Error("planner: ObjectId " + std::to_string(object.ObjectId) +
-                           " occurs twice in the objects");
-    }
-    if (!object.Position.allFinite() || !object.Velocity.allFinite())
-    {
-      return Result::Error("planner: position or velocity of object " +
-                           std::to_string(object.ObjectId) + " is not finite");
-    }
-  }
-  for (const Constraint& row : input.Constraints)
-  {
-    const std::string name = "planner: constraint row " + std::to_string(row.Row) + ", target " +
-                             std::to_string(row.Target);
-    if (row.Frame < 0 || row.Frame >= time.NumberOfFrames)
-    {
-      return Result::Error(name + ": frame " + std::to_string(row.Frame) + " is outside 0.." +
-                           std::to_string(time.NumberOfFrames - 1));
-    }
-    if (row.ObjectId >= 0 && ids.count(row.ObjectId) == 0)
-    {
-      return Result::Error(name + ": there is no object " + std::to_string(row.ObjectId));
-    }
-    if (!row.Value.allFinite() || !std::isfinite(row.Radius))
-    {
-      return Result::Error(name + ": Value or Radius is not finite");
-    }
-  }
-  std::set<int> guided;
-  for (const Guide& guide : input.Guides)
-  {
-    const std::string name = "planner: the guide of object " + std::to_string(guide.ObjectId);
-    if (ids.count(guide.ObjectId) == 0)
-    {
-      return Result::Error(name + ": there is no such object");
-    }
-    if (!guided.insert(guide.ObjectId).second)
-    {
-      return Result::Error(name + ": there is another one, at most one expected");
-    }
-    if (guide.Points.size() < 2)
-    {
-      return Result::Error(name + ": at least 2 points expected");
-    }
-    for (const Vec3& x : guide.Points)
-    {
-      if (!x.allFinite())
-      {
-        return Result::Error(name + ": a point is not finite");
-      }
-    }
-  }
-  return Result::Ok();
-}
-
 /// Adds a sentence to the line of a constraint.
 void Tell(std::vector<ReportRow>& report, const Constraint& row, bool isReached,
           const std::string& text)
@@ -180,6 +111,24 @@ void Tell(std::vector<ReportRow>& report, const Constraint& row, bool isReached,
         line.Status = ConstraintStatus::Unreachable;
       }
       line.Message += (line.Message.empty() || text.empty() ? "" : "; ") + text;
+    }
+  }
+}
+
+/// An object that cannot be where it starts is named in each of its lines; they may be met all the
+/// same.
+void TellBadStart(const PlanInput& input, const MotionObject& object, PlanOutput& output)
+{
+  const std::string why = WhyStartInfeasible(
+    object,
+    LandingWindows(object, output.Constraints, input.Obstacles, input.Scene.Time.FramesPerSecond),
+    input.Obstacles, input.Scene);
+  for (ReportRow& line : output.Report)
+  {
+    if (!why.empty() && line.ObjectId == object.ObjectId)
+    {
+      line.Message += (line.Message.empty() ? "object " : "; object ") +
+                      std::to_string(object.ObjectId) + " at its start: " + why;
     }
   }
 }
@@ -281,7 +230,7 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   {
     return valid;
   }
-  if (Result valid = CheckInput(input); !valid)
+  if (Result valid = CheckPlanInput(input); !valid)
   {
     return valid;
   }
@@ -388,6 +337,10 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
                     input.Objects[i].ObjectId, -plans[i].WorstSlack, plans[i].WorstFrame);
       Tell(output.Report, output.Constraints[worst->Constraint], true, text);
     }
+  }
+  for (const MotionObject& object : input.Objects)
+  {
+    TellBadStart(input, object, output);
   }
   MarkUnmet(output.Report, output.Constraints);
   MeasureResiduals(output.Constraints, output.Tracks, input.Objects, input.Obstacles, input.Scene,

@@ -241,6 +241,28 @@ TEST(Planner, NamesASealedWayAndPlansAllTheRest)
   }
 }
 
+TEST(Planner, NamesAStartThatCannotBe)
+{
+  PlanScene scene;
+  scene.AddBox(Vec3(-1.3, -0.3, 1.7), Vec3(-0.7, 0.3, 2.3));
+  scene.AddObject(Vec3(-1.2, 0.0, 2.0));
+  scene.AddObject(Vec3(2.5, 0.0, 2.0));
+  scene.AddObject(Vec3(1.0, 0.0, 2.0));
+  for (int object = 0; object < 3; ++object)
+  {
+    scene.AddRow(ConstraintKind::Position, object, 200, Vec3(0.5, 0.3 * object, 2.0));
+  }
+  const PlanOutput output = scene.Run(1);
+  ASSERT_EQ(output.Report.size(), 3u);
+  EXPECT_NE(output.Report[0].Message.find("object 0 at its start: "), std::string::npos);
+  EXPECT_NE(output.Report[0].Message.find("inside obstacle 1"), std::string::npos)
+    << output.Report[0].Message;
+  EXPECT_NE(output.Report[1].Message.find("outside the volume"), std::string::npos)
+    << output.Report[1].Message;
+  EXPECT_EQ(output.Report[2].Message.find("start"), std::string::npos);
+  EXPECT_EQ(output.Report[2].Status, ConstraintStatus::Met);
+}
+
 TEST(Planner, NamesAWishThatIsFarTooFast)
 {
   PlanScene scene;
