@@ -8,6 +8,7 @@
 #include "Planning/ObjectPlan.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -55,7 +56,7 @@ void RunWhileTicking(const std::function<void()>& work, std::size_t count,
   worker.join();
 }
 
-/// One map for each size of object, made when first asked for.
+/// Maps for each size of object, coarse and fine, made when first asked for.
 class RoomMaps
 {
 public:
@@ -66,25 +67,27 @@ public:
     {
       for (const MotionObject& object : input.Objects)
       {
-        this->Maps[object.ClearanceRadius];
+        this->Maps[object.ClearanceRadius]; // made here, since threads only look up
       }
     }
   }
-  const RoomMap* Of(const MotionObject& object)
+  const RoomMap* Of(const MotionObject& object, int level)
   {
     const auto entry = this->Maps.find(object.ClearanceRadius);
-    if (entry == this->Maps.end())
+    if (entry == this->Maps.end() || level >= static_cast<int>(Levels.size()))
     {
       return nullptr;
     }
-    std::call_once(entry->second.Once,
+    LazyMap& lazy = entry->second[static_cast<std::size_t>(level)];
+    std::call_once(lazy.Once,
                    [&]()
                    {
-                     entry->second.Map =
+                     lazy.Map =
                        std::make_unique<RoomMap>(this->Input.Obstacles, this->Input.Scene.Bounds,
-                                                 object.ClearanceRadius + this->Margin);
+                                                 object.ClearanceRadius + this->Margin,
+                                                 Levels[static_cast<std::size_t>(level)]);
                    });
-    return entry->second.Map.get();
+    return lazy.Map.get();
   }
 
 private:
@@ -95,7 +98,9 @@ private:
   };
   const PlanInput& Input;
   double Margin;
-  std::map<double, LazyMap> Maps;
+  /// Cells along the width: the fine map finds passages hardly wider than the body.
+  static constexpr std::array<int, 2> Levels{ 32, 96 };
+  std::map<double, std::array<LazyMap, Levels.size()>> Maps;
 };
 
 /// Adds a sentence to the line of a constraint.
@@ -283,7 +288,7 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
     for (std::size_t i = begin; i < end && !stop; ++i)
     {
       ObjectPlanOptions own = objectOptions;
-      own.Span.Rooms = [&rooms, &input, i]() { return rooms.Of(input.Objects[i]); };
+      own.Span.Rooms = [&rooms, &input, i](int level) { return rooms.Of(input.Objects[i], level); };
       Itinerary itinerary =
         MakeItinerary(input.Objects[i], output.Constraints, isUsed, input.Obstacles, input.Scene);
       for (const Guide& guide : input.Guides)

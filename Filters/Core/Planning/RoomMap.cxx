@@ -8,14 +8,15 @@
 namespace waft
 {
 
-RoomMap::RoomMap(const ObstacleSet& obstacles, const Box& bounds, double clearance) :
+RoomMap::RoomMap(const ObstacleSet& obstacles, const Box& bounds, double clearance, int cells) :
   Obstacles(obstacles), Bounds(bounds), Clearance(clearance)
 {
   const Vec3 size = bounds.Size();
-  this->Spacing = bounds.Width() / 32.0;
+  this->Spacing = bounds.Width() / cells;
   for (int i = 0; i < 3; ++i)
   {
-    this->Counts[i] = std::clamp(static_cast<int>(std::ceil(size[i] / this->Spacing)), 1, 64);
+    this->Counts[i] =
+      std::clamp(static_cast<int>(std::ceil(size[i] / this->Spacing)), 1, 2 * cells);
   }
   this->Room.resize(static_cast<std::size_t>(this->Counts[0]) * this->Counts[1] * this->Counts[2]);
   ClearanceField field;

@@ -13,9 +13,9 @@ namespace waft
 class RoomMap
 {
 public:
-  /// Looks at the centres of about 32 cells along the width of the volume; obstacles as they stand
-  /// at frame 0. clearance: that the body keeps [m].
-  RoomMap(const ObstacleSet& obstacles, const Box& bounds, double clearance);
+  /// Looks at the centres of about `cells` cells along the width of the volume, at most twice as
+  /// many along any side; obstacles as they stand at frame 0. clearance: that the body keeps [m].
+  RoomMap(const ObstacleSet& obstacles, const Box& bounds, double clearance, int cells);
 
   /// A shortest way over the cells from a to b, both included (A*; ends that do not fit themselves,
   /// like places of rest, are entered from the nearest cell that does). Empty when the map shows

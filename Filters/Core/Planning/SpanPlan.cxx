@@ -158,13 +158,16 @@ bool SpanPlanner::WayAround(const ClearanceField& field, SpanTask& task) const
   {
     return true;
   }
-  const RoomMap* rooms = this->Options.Rooms();
-  if (rooms == nullptr)
+  for (int level = 0; task.Way.empty(); ++level)
   {
-    return true;
+    const RoomMap* rooms = this->Options.Rooms(level);
+    if (rooms == nullptr)
+    {
+      return level == 0;
+    }
+    task.Way = rooms->FindWay(a, b);
   }
-  task.Way = rooms->FindWay(a, b);
-  return !task.Way.empty();
+  return true;
 }
 
 bool SpanPlanner::Search(const ClearanceField& field, const SpanTask& task, bool reachable,

@@ -24,7 +24,9 @@ struct SpanPlanOptions
   double FrameStep = 1.0 / 30.0; // s
   const std::atomic<bool>* Stop = nullptr; // asked for while searching
   const StyleGauge* Gauge = nullptr;       // or null: the first path found is taken
-  std::function<const RoomMap*()> Rooms;   // asked where the straight way is blocked, or empty
+  /// Maps from coarse (0) to fine, null when there is none finer: asked where the straight way is
+  /// blocked, or empty.
+  std::function<const RoomMap*(int)> Rooms;
 };
 
 /// Always returns a path, as near as possible when the goal was not reached.
