@@ -60,7 +60,8 @@ void RunWhileTicking(const std::function<void()>& work, std::size_t count,
 class RoomMaps
 {
 public:
-  RoomMaps(const PlanInput& input, double margin) : Input(input), Margin(margin)
+  RoomMaps(const PlanInput& input, double margin, const std::atomic<bool>& stop) :
+    Input(input), Margin(margin), Stop(stop)
   {
     // Where obstacles move a map tells nothing.
     if (!input.Obstacles.IsEmpty() && !input.Obstacles.HasMoving())
@@ -82,10 +83,10 @@ public:
     std::call_once(lazy.Once,
                    [&]()
                    {
-                     lazy.Map =
-                       std::make_unique<RoomMap>(this->Input.Obstacles, this->Input.Scene.Bounds,
-                                                 object.ClearanceRadius + this->Margin,
-                                                 Levels[static_cast<std::size_t>(level)]);
+                     lazy.Map = std::make_unique<RoomMap>(
+                       this->Input.Obstacles, this->Input.Scene.Bounds,
+                       object.ClearanceRadius + this->Margin,
+                       Levels[static_cast<std::size_t>(level)], this->Stop);
                    });
     return lazy.Map.get();
   }
@@ -98,8 +99,9 @@ private:
   };
   const PlanInput& Input;
   double Margin;
+  const std::atomic<bool>& Stop;
   /// Cells along the width: the fine map finds passages hardly wider than the body.
-  static constexpr std::array<int, 2> Levels{ 32, 96 };
+  static constexpr std::array<int, 2> Levels{ 32, 64 };
   std::map<double, std::array<LazyMap, Levels.size()>> Maps;
 };
 
@@ -276,13 +278,13 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   objectOptions.Span.FrameStep = input.Scene.Time.Step();
   const StyleGauge gauge(input.Database);
   objectOptions.Span.Gauge = &gauge;
-  RoomMaps rooms(input, objectOptions.Span.Margin);
   const std::size_t count = input.Objects.size();
   std::vector<ObjectPlan> plans(count);
   std::vector<unsigned char> isDone(count, 0);
   std::atomic<std::size_t> done{ 0 };
   std::atomic<bool> stop{ false };
   objectOptions.Span.Stop = &stop;
+  RoomMaps rooms(input, objectOptions.Span.Margin, stop);
   const auto planRange = [&](std::size_t begin, std::size_t end)
   {
     for (std::size_t i = begin; i < end && !stop; ++i)

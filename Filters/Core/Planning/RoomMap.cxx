@@ -8,8 +8,10 @@
 namespace waft
 {
 
-RoomMap::RoomMap(const ObstacleSet& obstacles, const Box& bounds, double clearance, int cells) :
-  Obstacles(obstacles), Bounds(bounds), Clearance(clearance)
+RoomMap::RoomMap(const ObstacleSet& obstacles, const Box& bounds, double clearance, int cells,
+                 const std::atomic<bool>& stop) :
+  Obstacles(obstacles),
+  Stop(stop), Bounds(bounds), Clearance(clearance)
 {
   const Vec3 size = bounds.Size();
   this->Spacing = bounds.Width() / cells;
@@ -25,7 +27,7 @@ RoomMap::RoomMap(const ObstacleSet& obstacles, const Box& bounds, double clearan
   // More room than this makes no way better.
   const double enough = std::max(2.0 * this->Spacing, 4.0 * clearance);
   Cell cell;
-  for (cell[2] = 0; cell[2] < this->Counts[2]; ++cell[2])
+  for (cell[2] = 0; cell[2] < this->Counts[2] && !stop; ++cell[2])
   {
     for (cell[1] = 0; cell[1] < this->Counts[1]; ++cell[1])
     {
@@ -127,7 +129,7 @@ std::vector<Vec3> RoomMap::FindWay(const Vec3& a, const Vec3& b) const
   open.emplace(0.0f, static_cast<int>(this->Index(start)));
   const auto goalIndex = static_cast<int>(this->Index(goal));
   std::vector<char> isDone(this->Room.size(), 0);
-  while (!open.empty())
+  while (!open.empty() && !this->Stop)
   {
     const int index = open.top().second;
     open.pop();

@@ -5,6 +5,7 @@
 #include "Planning/Clearance.h"
 
 #include <array>
+#include <atomic>
 #include <vector>
 
 namespace waft
@@ -15,7 +16,9 @@ class RoomMap
 public:
   /// Looks at the centres of about `cells` cells along the width of the volume, at most twice as
   /// many along any side; obstacles as they stand at frame 0. clearance: that the body keeps [m].
-  RoomMap(const ObstacleSet& obstacles, const Box& bounds, double clearance, int cells);
+  /// Stopped half way, the rest counts as full, and no way is found.
+  RoomMap(const ObstacleSet& obstacles, const Box& bounds, double clearance, int cells,
+          const std::atomic<bool>& stop);
 
   /// A shortest way over the cells from a to b, both included (A*; ends that do not fit themselves,
   /// like places of rest, are entered from the nearest cell that does). Empty when the map shows
@@ -30,6 +33,7 @@ private:
   bool IsPassable(const Cell& a, const Cell& b) const;
 
   const ObstacleSet& Obstacles;
+  const std::atomic<bool>& Stop;
   Box Bounds;
   double Clearance = 0.0;
   double Spacing = 0.0;

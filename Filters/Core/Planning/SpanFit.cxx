@@ -22,6 +22,8 @@ constexpr double FirstPull = 1e-3;
 constexpr double PullGrowth = 6.0;
 /// Pull of a guide of full weight on each frame: what bends within 18 frames is left as it flies.
 constexpr double GuidePull = 1e-5;
+/// Of the database's top speed, the mean fall before a landing above which the landing is faster.
+constexpr double DivingShare = 0.6;
 
 /// Which piece flies at each frame, by the middles of the overlaps; indices of samples are those of
 /// the chain.
@@ -50,6 +52,19 @@ struct ChainClock
 private:
   double HalfOverlap;
 };
+
+/// True when a step is longer than `top` [m].
+bool IsTooFast(const std::vector<Vec3>& positions, double top)
+{
+  for (std::size_t k = 1; k < positions.size(); ++k)
+  {
+    if ((positions[k] - positions[k - 1]).norm() > top)
+    {
+      return true;
+    }
+  }
+  return false;
+}
 
 /// Where the trees have the chain at each frame: clear of everything, but with a gap at the join.
 std::vector<Vec3> TreePositions(const SegmentLibrary& library, const PieceChain& chain,
@@ -165,8 +180,12 @@ void SpanFitter::BringDown(Layout& layout, std::vector<Vec3>& positions) const
   const int b = frames - inner;
   layout.Landing = a;
   const double own = (positions[a].z() - positions[b].z()) / (b - a);
-  const double descent =
-    std::clamp(own, 0.25 * this->Request.Goal.Descent, this->Request.Goal.Descent);
+  // A goal that is near in time may be far below: the rest of the span must not have to dive.
+  const double drop = this->Request.Start.Position.z() - this->Request.Goal.Position.z();
+  const double affordable =
+    (drop - DivingShare * this->Library.TopStep() * b) / (inner - 0.5 * cushion);
+  const double most = std::max(this->Request.Goal.Descent, affordable);
+  const double descent = std::clamp(own, 0.25 * this->Request.Goal.Descent, most);
   std::vector<Vec3>& bends = layout.Warp.SecondDifferences;
   for (int k = 1; k < frames; ++k)
   {
@@ -270,18 +289,28 @@ bool SpanFitter::Fit(const PieceChain& chain, const PieceChain& grown, bool toGo
   const std::vector<Vec3> path = RetimePath(BlendChain(this->Library, chain), clock);
   Layout layout = this->LayOut(path, clock, toGoal);
   std::vector<Vec3> positions = this->Frames(layout);
-  this->BringDown(layout, positions);
+  const double top = SpeedAllowance * this->Library.TopStep();
+  result.IsHardLanding = false;
+  if (toGoal)
+  {
+    // The mark comes before the manner.
+    Layout gentle = layout;
+    std::vector<Vec3> lowered = positions;
+    this->BringDown(gentle, lowered);
+    result.IsHardLanding = IsTooFast(lowered, top) && !IsTooFast(positions, top);
+    if (!result.IsHardLanding)
+    {
+      layout = std::move(gentle);
+      positions = std::move(lowered);
+    }
+  }
   if (!this->Ease(layout, TreePositions(this->Library, grown, clock), toGoal, positions))
   {
     return false;
   }
-  const double top = SpeedAllowance * this->Library.TopStep();
-  for (int k = 1; k <= clock.Frames; ++k)
+  if (IsTooFast(positions, top))
   {
-    if ((positions[k] - positions[k - 1]).norm() > top)
-    {
-      return false;
-    }
+    return false;
   }
   result.Positions = positions;
   // Bends that marks and easing brought about stay when spans are united.

@@ -51,8 +51,9 @@ struct SpanResult
   double Cost = 0.0;
   std::vector<Branch> Trees[2];
   bool HasContinuation = false;
-  Piece Continuation; // what is left of the last segment beyond the goal
-  bool Halts = false; // comes to a stop at its end, because the way went no farther
+  Piece Continuation;         // what is left of the last segment beyond the goal
+  bool Halts = false;         // comes to a stop at its end, because the way went no farther
+  bool IsHardLanding = false; // there was no time to come down gently
   std::string Message;
 };
 

@@ -13,6 +13,9 @@ namespace waft
 namespace
 {
 
+/// More than any difference in style.
+constexpr double HardLandingPenalty = 4.0;
+
 /// Free flights tried before the object is left to hover.
 constexpr int FreeAttempts = 8;
 
@@ -196,7 +199,8 @@ bool SpanPlanner::Search(const ClearanceField& field, const SpanTask& task, bool
       return;
     }
     ++candidates;
-    const double merit = join.Score + this->StyleDistance(candidate.Positions);
+    const double merit = join.Score + this->StyleDistance(candidate.Positions) +
+                         (candidate.IsHardLanding ? HardLandingPenalty : 0.0);
     if (merit < best)
     {
       best = merit;
