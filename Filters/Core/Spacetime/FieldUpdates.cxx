@@ -65,9 +65,37 @@ FieldStrengths MeasureFields(const SpacetimeModel& model, const TimeLevel& level
   return { std::sqrt(sums.Vortices / n), std::sqrt(sums.Wind / n) };
 }
 
+namespace
+{
+
+void Scale(SplineWind& wind, double factor)
+{
+  for (std::vector<float>& knot : wind.Knots)
+  {
+    for (float& value : knot)
+    {
+      value *= static_cast<float>(factor);
+    }
+  }
+}
+
+/// The model's wind, no stronger than its vortices allow.
+void HoldWind(SpacetimeModel& model, const TimeLevel& level, const StateVector& state)
+{
+  const FieldStrengths strengths = MeasureFields(model, level, state);
+  if (strengths.Vortices > 0.0 && strengths.Wind > WindBound * strengths.Vortices)
+  {
+    Scale(model.Wind, WindBound * strengths.Vortices / strengths.Wind);
+  }
+}
+
+} // namespace
+
 bool UpdateWind(SpacetimeModel& model, SpacetimeObjective& objective, const StateVector& state,
                 const ParallelFor& parallel, Monitor* monitor, SpacetimeTerms& terms)
 {
+  // New vortices may be weaker than those that the wind was held to.
+  HoldWind(model, objective.Level(), state);
   // The residuals that the estimate reads belong to the last evaluation: make that this state.
   if (!objective.Evaluate(state, nullptr, terms, monitor))
   {
@@ -78,19 +106,8 @@ bool UpdateWind(SpacetimeModel& model, SpacetimeObjective& objective, const Stat
   for (double share = 1.0; share > 0.2; share *= 0.5)
   {
     model.Wind = fitted;
-    const FieldStrengths strengths = MeasureFields(model, objective.Level(), state);
-    double factor = share;
-    if (strengths.Vortices > 0.0 && strengths.Wind > WindBound * strengths.Vortices)
-    {
-      factor *= WindBound * strengths.Vortices / strengths.Wind;
-    }
-    for (std::vector<float>& knot : model.Wind.Knots)
-    {
-      for (float& value : knot)
-      {
-        value *= static_cast<float>(factor);
-      }
-    }
+    HoldWind(model, objective.Level(), state);
+    Scale(model.Wind, share);
     SpacetimeTerms next;
     if (!objective.Evaluate(state, nullptr, next, monitor))
     {

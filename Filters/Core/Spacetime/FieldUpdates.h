@@ -20,7 +20,7 @@ struct FieldStrengths
 FieldStrengths MeasureFields(const SpacetimeModel& model, const TimeLevel& level,
                              const StateVector& state);
 
-/// Estimates the wind anew, holds it to a bound set by the vortices and keeps it where E falls.
+/// Holds the wind to a bound set by the vortices, estimates it anew, and keeps that where E falls.
 /// terms: E at `state` before, and after. False when the monitor stopped it.
 bool UpdateWind(SpacetimeModel& model, SpacetimeObjective& objective, const StateVector& state,
                 const ParallelFor& parallel, Monitor* monitor, SpacetimeTerms& terms);

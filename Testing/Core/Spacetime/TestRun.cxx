@@ -109,9 +109,10 @@ double Incoherence(const std::vector<Track>& tracks, double r, double step)
 
 TEST(RunSpacetime, MakesPlannedPathsCoherentAndKeepsExactRowsToTheBit)
 {
+  // Air takes a few seconds to be set in motion.
   SceneOptions scene;
   scene.NumberOfObjects = 20;
-  scene.NumberOfFrames = 90;
+  scene.NumberOfFrames = 150;
   const SpacetimeInput input = MakeScene(scene);
   SpacetimeOptions options = QuickOptions();
   options.MaximumNumberOfIterations = 120;
