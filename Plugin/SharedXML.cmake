@@ -108,27 +108,17 @@ waft_random_air(WAFT_SMOKE default "0.23 0.92" "0.18 0.72")
 waft_random_air(WAFT_DATABASE advanced "0.27 1.05" "0.16 0.65")
 
 # A port that takes one connection of one type: @WAFT_INPUT_POLYDATA@ inside an InputProperty.
-set(WAFT_INPUT_POLYDATA [=[
+function(waft_input result type domain)
+  string(CONFIGURE [=[
         <ProxyGroupDomain name="groups">
           <Group name="sources"/>
           <Group name="filters"/>
         </ProxyGroupDomain>
-        <DataTypeDomain name="input_type">
-          <DataType value="vtkPolyData"/>
-        </DataTypeDomain>]=])
-set(WAFT_INPUT_IMAGE [=[
-        <ProxyGroupDomain name="groups">
-          <Group name="sources"/>
-          <Group name="filters"/>
-        </ProxyGroupDomain>
-        <DataTypeDomain name="input_type">
-          <DataType value="vtkImageData"/>
-        </DataTypeDomain>]=])
-set(WAFT_INPUT_MULTIBLOCK [=[
-        <ProxyGroupDomain name="groups">
-          <Group name="sources"/>
-          <Group name="filters"/>
-        </ProxyGroupDomain>
-        <DataTypeDomain name="input_type" composite_data_supported="1">
-          <DataType value="vtkMultiBlockDataSet"/>
-        </DataTypeDomain>]=])
+        <DataTypeDomain @domain@>
+          <DataType value="@type@"/>
+        </DataTypeDomain>]=] xml @ONLY)
+  set(${result} "${xml}" PARENT_SCOPE)
+endfunction()
+waft_input(WAFT_INPUT_POLYDATA vtkPolyData [[name="input_type"]])
+waft_input(WAFT_INPUT_IMAGE vtkImageData [[name="input_type"]])
+waft_input(WAFT_INPUT_MULTIBLOCK vtkMultiBlockDataSet [[name="input_type" composite_data_supported="1"]])

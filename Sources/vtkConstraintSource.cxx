@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkConstraintSource.h"
 
+#include "Bridge/PrintValues.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/StageExecution.h"
 
@@ -113,28 +114,19 @@ int vtkConstraintSource::RequestData(vtkInformation*, vtkInformationVector**,
 void vtkConstraintSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto print = [&os, indent](const char* name, const double* values, int count)
-  {
-    os << indent << name << ":";
-    for (int i = 0; i < count; ++i)
-    {
-      os << " " << values[i];
-    }
-    os << "\n";
-  };
   os << indent << "ObjectId: " << this->ObjectId << "\n";
   os << indent << "Kind: " << this->Kind << "\n";
   os << indent << "Frame: " << this->Frame << "\n";
   os << indent << "LastFrame: " << this->LastFrame << "\n";
   os << indent << "Until: " << this->Until << "\n";
-  print("Value", this->Value, 3);
-  print("Orientation", this->Orientation, 4);
+  waft::PrintValues(os, indent, "Value", this->Value, 3);
+  waft::PrintValues(os, indent, "Orientation", this->Orientation, 4);
   os << indent << "Radius: " << this->Radius << "\n";
   for (const std::array<double, 3>& waypoint : this->Waypoints)
   {
-    print("Waypoint", waypoint.data(), 3);
+    waft::PrintValues(os, indent, "Waypoint", waypoint.data(), 3);
   }
-  print("Bounds", this->Bounds, 6);
+  waft::PrintValues(os, indent, "Bounds", this->Bounds, 6);
   os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n";
   os << indent << "FramesPerSecond: " << this->FramesPerSecond << "\n";
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkObjectSource.h"
 
+#include "Bridge/PrintValues.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/StageExecution.h"
 
@@ -64,20 +65,11 @@ int vtkObjectSource::RequestData(vtkInformation*, vtkInformationVector**,
 void vtkObjectSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto print = [&os, indent](const char* name, const double* values, int count)
-  {
-    os << indent << name << ":";
-    for (int i = 0; i < count; ++i)
-    {
-      os << " " << values[i];
-    }
-    os << "\n";
-  };
-  print("Position", this->Position, 3);
-  print("Velocity", this->Velocity, 3);
-  print("Orientation", this->Orientation, 4);
-  print("AngularVelocity", this->AngularVelocity, 3);
-  print("Bounds", this->Bounds, 6);
+  waft::PrintValues(os, indent, "Position", this->Position, 3);
+  waft::PrintValues(os, indent, "Velocity", this->Velocity, 3);
+  waft::PrintValues(os, indent, "Orientation", this->Orientation, 4);
+  waft::PrintValues(os, indent, "AngularVelocity", this->AngularVelocity, 3);
+  waft::PrintValues(os, indent, "Bounds", this->Bounds, 6);
   os << indent << "ObjectId: " << this->ObjectId << "\n";
   os << indent << "ShapeId: " << this->ShapeId << "\n";
   os << indent << "ClassId: " << this->ClassId << "\n";

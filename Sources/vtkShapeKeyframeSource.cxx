@@ -2,6 +2,7 @@
 #include "vtkShapeKeyframeSource.h"
 
 #include "Bridge/FieldCollectors.h"
+#include "Bridge/PrintValues.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/SceneFiles.h"
 #include "Bridge/StageExecution.h"
@@ -184,22 +185,13 @@ int vtkShapeKeyframeSource::RequestData(vtkInformation*, vtkInformationVector** 
 void vtkShapeKeyframeSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto print = [&os, indent](const char* name, const double* values, int count)
-  {
-    os << indent << name << ":";
-    for (int i = 0; i < count; ++i)
-    {
-      os << " " << values[i];
-    }
-    os << "\n";
-  };
   os << indent << "Shape: " << this->Shape << "\n";
   os << indent << "Text: " << this->Text << "\n";
   os << indent << "Font: " << this->Font << "\n";
   os << indent << "ImageFile: " << this->ImageFile << "\n";
   for (const std::array<double, 3>& color : this->ClassColors)
   {
-    print("ClassColor", color.data(), 3);
+    waft::PrintValues(os, indent, "ClassColor", color.data(), 3);
   }
   os << indent << "NumberOfTargets: " << this->NumberOfTargets << "\n";
   os << indent << "Frame: " << this->Frame << "\n";
@@ -207,12 +199,12 @@ void vtkShapeKeyframeSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Until: " << this->Until << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "Group: " << this->Group << "\n";
-  print("Origin", this->Origin, 3);
-  print("U", this->U, 3);
-  print("V", this->V, 3);
+  waft::PrintValues(os, indent, "Origin", this->Origin, 3);
+  waft::PrintValues(os, indent, "U", this->U, 3);
+  waft::PrintValues(os, indent, "V", this->V, 3);
   os << indent << "Width: " << this->Width << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
-  print("Bounds", this->Bounds, 6);
+  waft::PrintValues(os, indent, "Bounds", this->Bounds, 6);
   os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n";
   os << indent << "FramesPerSecond: " << this->FramesPerSecond << "\n";
 }

@@ -5,13 +5,13 @@
 #include "Spacetime/WindEstimate.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace waft
 {
 namespace
 {
 
-constexpr double FramesPerKnot = 15.0;
 constexpr double StillWeight = 0.01; // of a gas particle that knows of no object, against an object
 constexpr double WallWeight = 0.2;   // of one at a wall: the flow must not cross it
 constexpr double WallReach = 0.6;    // [dx]
@@ -26,6 +26,7 @@ Vec3 Row(const float* state, std::size_t stride, std::size_t i)
 SplineWind FitFlow(const SpacetimeModel& model, const TimeLevel& level, const StateVector& state,
                    const ParallelFor& parallel)
 {
+  const WindOptions lattice;
   const std::size_t stride = model.Stride();
   std::vector<SplineSamples> samples(level.NumberOfFrames());
   for (std::size_t j = 0; j < samples.size(); ++j)
@@ -44,18 +45,19 @@ SplineWind FitFlow(const SpacetimeModel& model, const TimeLevel& level, const St
       sample.Value.z() += model.SettlingSlip(o);
       samples[j].Samples.push_back(sample);
     }
-    for (std::size_t i = j % 8; i < model.NumberOfGas; i += 8)
+    const auto every = static_cast<std::size_t>(lattice.GasStride);
+    for (std::size_t i = j % every; i < model.NumberOfGas; i += every)
     {
       SplineSamples::Sample sample;
       sample.Place = Row(here, stride, i);
       const bool atWall = (sample.Place.array() < WallReach).any() ||
                           ((model.Size - sample.Place).array() < WallReach).any();
-      sample.Weight = 8.0 * (atWall ? WallWeight : StillWeight);
+      sample.Weight = lattice.GasStride * (atWall ? WallWeight : StillWeight);
       samples[j].Samples.push_back(sample);
     }
   }
-  return FitSplineField(MakeWindLattice(model, FramesPerKnot), KnotsOf(model, FramesPerKnot),
-                        samples, SplineFitOptions(), parallel);
+  return FitSplineField(MakeWindLattice(model, lattice.FramesPerKnot),
+                        KnotsOf(model, lattice.FramesPerKnot), samples, lattice.Fit, parallel);
 }
 
 } // namespace
@@ -88,6 +90,7 @@ bool StartGas(SpacetimeObjective& objective, const ParallelFor& parallel, Monito
     const float* here = state.data() + j * model.FrameSize();
     float* next = state.data() + (j + 1) * model.FrameSize();
     const double step = level.Steps[j + 1];
+    bool isFinite = true;
     for (std::size_t i = 0; i < gas; ++i)
     {
       const Vec3 u = SampleField(flow, Row(here, stride, i), level.Frames[j]);
@@ -99,7 +102,13 @@ bool StartGas(SpacetimeObjective& objective, const ParallelFor& parallel, Monito
         const double x = here[c * stride + i] + step * after;
         next[(3 + c) * stride + i] = static_cast<float>(after);
         next[c * stride + i] = static_cast<float>(std::clamp(x, Inside, model.Size[c] - Inside));
+        isFinite = isFinite && std::isfinite(after);
       }
+    }
+    if (!isFinite)
+    {
+      state = still;
+      return false;
     }
   }
   return true;

@@ -296,10 +296,11 @@ Result SpacetimeRun::Run()
       objective.Evaluate(this->State, nullptr, terms);
       this->Record(0, "gas moved", 0, terms, 0.0, 0.0);
     }
+    this->Stopped = !monitor.Going;
   }
 
-  bool going = true;
-  if (!this->Coarse.empty())
+  bool going = !this->Stopped;
+  if (going && !this->Coarse.empty())
   {
     this->Share = CoarseTimeShare;
     going = this->SolveCoarse() || !this->Stopped;
