@@ -12,7 +12,7 @@ namespace waft
 namespace
 {
 
-constexpr double WindBound = 1.8; // of the vortices' rms acceleration: twice would be an error
+constexpr double WindBound = 1.8; // of the vortices' rms acceleration; twice would be an error
 constexpr double VortexTolerance = 1.02; // E may grow by this factor for new vortices
 constexpr int SampleStride = 2;          // frames between samples of a vortex fit
 
@@ -44,30 +44,6 @@ Vec3 VortexAcceleration(const SpacetimeModel& model, const Vec3& x, double frame
   return sum;
 }
 
-} // namespace
-
-FieldStrengths MeasureFields(const SpacetimeModel& model, const TimeLevel& level,
-                             const StateVector& state)
-{
-  FieldStrengths sums;
-  std::size_t count = 0;
-  ForFlights(model, level, state,
-             [&](std::size_t j, std::size_t, const Vec3& x)
-             {
-               sums.Vortices += VortexAcceleration(model, x, level.Frames[j]).squaredNorm();
-               if (!model.Wind.IsEmpty())
-               {
-                 sums.Wind += SampleField(model.Wind, x, level.Frames[j]).squaredNorm();
-               }
-               ++count;
-             });
-  const double n = static_cast<double>(std::max<std::size_t>(1, count));
-  return { std::sqrt(sums.Vortices / n), std::sqrt(sums.Wind / n) };
-}
-
-namespace
-{
-
 void Scale(SplineWind& wind, double factor)
 {
   for (std::vector<float>& knot : wind.Knots)
@@ -79,17 +55,49 @@ void Scale(SplineWind& wind, double factor)
   }
 }
 
-/// The model's wind, no stronger than its vortices allow.
+} // namespace
+
 void HoldWind(SpacetimeModel& model, const TimeLevel& level, const StateVector& state)
 {
-  const FieldStrengths strengths = MeasureFields(model, level, state);
-  if (strengths.Vortices > 0.0 && strengths.Wind > WindBound * strengths.Vortices)
+  if (model.Wind.IsEmpty())
   {
-    Scale(model.Wind, WindBound * strengths.Vortices / strengths.Wind);
+    return;
+  }
+  struct Sums
+  {
+    double Vortices = 0.0, Wind = 0.0;
+  } flights, all;
+  const std::size_t stride = model.Stride();
+  for (std::size_t j = 0; j < level.NumberOfFrames(); ++j)
+  {
+    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    {
+      const float* p = state.data() + j * model.FrameSize() + model.NumberOfGas + o;
+      const Vec3 x(p[0], p[stride], p[2 * stride]);
+      const double vortices = VortexAcceleration(model, x, level.Frames[j]).squaredNorm();
+      const double wind = SampleField(model.Wind, x, level.Frames[j]).squaredNorm();
+      all.Vortices += vortices;
+      all.Wind += wind;
+      if (j + 1 < level.NumberOfFrames() && !StepIsBound(model, level, j + 1, o))
+      {
+        flights.Vortices += vortices;
+        flights.Wind += wind;
+      }
+    }
+  }
+  double factor = 1.0;
+  for (const Sums& sums : { flights, all })
+  {
+    if (sums.Vortices > 0.0 && sums.Wind > WindBound * WindBound * sums.Vortices)
+    {
+      factor = std::min(factor, WindBound * std::sqrt(sums.Vortices / sums.Wind));
+    }
+  }
+  if (factor < 1.0)
+  {
+    Scale(model.Wind, factor);
   }
 }
-
-} // namespace
 
 bool UpdateWind(SpacetimeModel& model, SpacetimeObjective& objective, const StateVector& state,
                 const ParallelFor& parallel, Monitor* monitor, SpacetimeTerms& terms)

@@ -11,14 +11,10 @@
 namespace waft
 {
 
-/// Root mean square over objects and frames of free flight [dx / frame^2].
-struct FieldStrengths
-{
-  double Vortices = 0.0;
-  double Wind = 0.0; // the estimated one
-};
-FieldStrengths MeasureFields(const SpacetimeModel& model, const TimeLevel& level,
-                             const StateVector& state);
+/// Weakens the estimated wind so that its root mean square at the objects, over their flights and
+/// over all frames, keeps a bound set by the vortices there (1.8 times theirs). None where there
+/// are none.
+void HoldWind(SpacetimeModel& model, const TimeLevel& level, const StateVector& state);
 
 /// Holds the wind to a bound set by the vortices, estimates it anew, and keeps that where E falls.
 /// terms: E at `state` before, and after. False when the monitor stopped it.

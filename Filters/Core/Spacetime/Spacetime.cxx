@@ -317,6 +317,7 @@ Result SpacetimeRun::Run()
   fine.Constraints.Project(this->State);
   const std::vector<std::vector<Vec3>> positions =
     ExportPositions(this->Input, this->Setup, this->State, this->Output.Warnings);
+  HoldWind(this->Setup.Model, full, this->State); // the objects have moved since it was estimated
   fine.Objective.Evaluate(this->State, nullptr, terms);
   if (!std::isfinite(terms.E))
   {

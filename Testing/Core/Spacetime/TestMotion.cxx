@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the optimisation promises of any scene: E never grows within a stage, what is required
+// holds, the wind explains no more than it may, seams are smoothed and things keep apart.
+#include "Spacetime/Spacetime.h"
+#include "SpacetimeScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace waft;
+
+namespace
+{
+
+SpacetimeOptions SmallOptions()
+{
+  SpacetimeOptions options;
+  options.NumberOfGasParticles = 216;
+  options.NumberOfObjectParticles = 12;
+  options.LeashIterations = 4;
+  options.MaximumNumberOfIterations = 16;
+  return options;
+}
+
+SpacetimeOutput Solve(const SpacetimeInput& input, const SpacetimeOptions& options)
+{
+  SilentMonitor monitor;
+  SpacetimeOutput output;
+  const Result result = RunSpacetime(input, options, ThreadedFor(2), monitor, output);
+  EXPECT_TRUE(result) << result.Message();
+  return output;
+}
+
+struct RandomScene
+{
+  SpacetimeInput Input;
+  SpacetimeOptions Options;
+};
+
+/// Rows of every kind about what is planned, a pillar or none, landings or none, any window.
+RandomScene MakeRandomScene(std::uint64_t seed)
+{
+  Random random(seed, 500);
+  SceneOptions scene;
+  scene.Seed = seed;
+  scene.NumberOfObjects = 1 + static_cast<int>(random.Index(6));
+  scene.NumberOfFrames = 30 + static_cast<int>(random.Index(31));
+  scene.Land = random.Uniform() < 0.5;
+  scene.Wiggle = random.Uniform(0.0, 0.2);
+  RandomScene made{ MakeScene(scene), SmallOptions() };
+  SpacetimeInput& input = made.Input;
+  const double step = input.Scene.Time.Step();
+  for (const Track& track : input.Tracks)
+  {
+    const int frame = 8 + static_cast<int>(random.Index(12));
+    const Vec3 velocity = (track.Positions[frame + 1] - track.Positions[frame - 1]) / (2.0 * step);
+    Constraint row;
+    row.ObjectId = track.ObjectId;
+    row.Row = static_cast<int>(input.Constraints.size());
+    row.Frame = frame;
+    const double kind = random.Uniform();
+    row.Kind = kind < 0.6 ? ConstraintKind::Position
+                          : (kind < 0.8 ? ConstraintKind::Velocity : ConstraintKind::Acceleration);
+    row.Value = row.Kind == ConstraintKind::Position   ? track.Positions[frame]
+                : row.Kind == ConstraintKind::Velocity ? velocity
+                                                       : Vec3(0.3 * random.Direction());
+    row.Value += 0.05 * random.Direction();
+    row.Radius = random.Uniform() < 0.5 ? 0.0 : 0.04;
+    input.Constraints.push_back(row);
+  }
+  if (random.Uniform() < 0.4)
+  {
+    ObstacleMesh pillar;
+    pillar.ObstacleId = 1;
+    pillar.Mesh = BoxMesh(Vec3(1.45, -0.6, -0.1), Vec3(1.8, 0.6, 2.2));
+    input.Obstacles.push_back(pillar);
+  }
+  if (random.Uniform() < 0.3)
+  {
+    input.Vortices.clear();
+  }
+  SpacetimeOptions& options = made.Options;
+  options.TemporalWindow = 1 + static_cast<int>(random.Index(3));
+  options.CoherenceWeight = random.Uniform(0.0, 1.0);
+  options.XsphFactor = random.Uniform() < 0.3 ? 0.2 : 0.0;
+  options.PressureExponent = random.Uniform() < 0.3 ? 7.0 : 1.0;
+  options.UseLeash = random.Uniform() < 0.7;
+  return made;
+}
+
+double RootMeanSquare(const std::vector<Track>& tracks, std::vector<Vec3> Track::*field)
+{
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const Track& track : tracks)
+  {
+    for (const Vec3& a : track.*field)
+    {
+      sum += a.squaredNorm();
+      ++count;
+    }
+  }
+  return std::sqrt(sum / static_cast<double>(count));
+}
+
+/// Of each track the largest acceleration about the frame.
+std::vector<double> SpikesAbout(const std::vector<Track>& tracks, int frame, double step)
+{
+  std::vector<double> spikes;
+  for (const Track& track : tracks)
+  {
+    double spike = 0.0;
+    for (int k = frame - 2; k <= frame + 2; ++k)
+    {
+      const std::vector<Vec3>& x = track.Positions;
+      spike = std::max(spike, (x[k - 1] - 2.0 * x[k] + x[k + 1]).norm() / (step * step));
+    }
+    spikes.push_back(spike);
+  }
+  return spikes;
+}
+
+double NearestPair(const std::vector<Track>& tracks)
+{
+  double nearest = 1e9;
+  for (std::size_t a = 0; a < tracks.size(); ++a)
+  {
+    for (std::size_t b = 0; b < a; ++b)
+    {
+      for (std::size_t k = 0; k < tracks[a].Positions.size(); ++k)
+      {
+        nearest = std::min(nearest, (tracks[a].Positions[k] - tracks[b].Positions[k]).norm());
+      }
+    }
+  }
+  return nearest;
+}
+
+} // namespace
+
+TEST(SpacetimeMotion, NeverRaisesTheCostWithinAStageAndMeetsWhatItCanInRandomScenes)
+{
+  int rows = 0, met = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  {
+    const RandomScene scene = MakeRandomScene(seed);
+    const SpacetimeOutput output = Solve(scene.Input, scene.Options);
+    ASSERT_FALSE(output.Convergence.empty());
+    for (std::size_t k = 1; k < output.Convergence.size(); ++k)
+    {
+      const ConvergenceRow& before = output.Convergence[k - 1];
+      const ConvergenceRow& row = output.Convergence[k];
+      ASSERT_TRUE(std::isfinite(row.E)) << seed;
+      if (before.Stage == row.Stage)
+      {
+        EXPECT_LE(row.E, before.E) << seed << ": " << row.Stage << " " << row.Iteration;
+      }
+    }
+    EXPECT_LT(output.Convergence.back().E, output.Convergence.front().E) << seed;
+    for (const ReportRow& row : output.Report)
+    {
+      ++rows;
+      met += row.Status == ConstraintStatus::Met;
+      EXPECT_NE(row.Status, ConstraintStatus::Unreachable) << seed << ": " << row.Message;
+      EXPECT_TRUE(row.Status == ConstraintStatus::Met || !row.Message.empty()) << seed;
+    }
+    if (!scene.Input.Vortices.empty())
+    {
+      EXPECT_LE(RootMeanSquare(output.Tracks, &Track::WindAccelerations),
+                2.0 * RootMeanSquare(output.Tracks, &Track::VortexAccelerations))
+        << seed;
+    }
+  }
+  std::printf("[ figure ] %d of %d rows met\n", met, rows);
+  EXPECT_GE(met, rows - 2); // a row may ask for what the pillar or another row forbids
+}
+
+TEST(SpacetimeMotion, HalvesTheSpikesOfSeams)
+{
+  SceneOptions scene;
+  scene.NumberOfObjects = 6;
+  scene.NumberOfFrames = 60;
+  SpacetimeInput input = MakeScene(scene);
+  const double step = input.Scene.Time.Step();
+  constexpr int Seam = 30;
+  for (Track& track : input.Tracks)
+  {
+    // Planned pieces that meet at an angle: 0.2 m/s at once.
+    Random random(static_cast<std::uint64_t>(track.ObjectId), 8);
+    const Vec3 kick = 0.2 * random.Direction();
+    for (int k = 0; k < scene.NumberOfFrames; ++k)
+    {
+      const double s = k < Seam
+                         ? k / double(Seam)
+                         : (scene.NumberOfFrames - 1 - k) / double(scene.NumberOfFrames - 1 - Seam);
+      track.Positions[k] += 0.5 * Seam * step * s * kick;
+    }
+  }
+  SpacetimeOptions options = SmallOptions();
+  options.MaximumNumberOfIterations = 60;
+  const SpacetimeOutput output = Solve(input, options);
+  const std::vector<double> planned = SpikesAbout(input.Tracks, Seam, step);
+  const std::vector<double> found = SpikesAbout(output.Tracks, Seam, step);
+  for (std::size_t o = 0; o < planned.size(); ++o)
+  {
+    EXPECT_GT(planned[o], 4.0);
+    EXPECT_LT(found[o], 0.5 * planned[o]) << o;
+  }
+}
+
+TEST(SpacetimeMotion, KeepsThingsInTheAirApart)
+{
+  // Two ways that cross in the middle at the same time, and may go round each other.
+  SceneOptions scene;
+  scene.NumberOfObjects = 4;
+  scene.NumberOfFrames = 90;
+  scene.Wiggle = 0.02;
+  SpacetimeInput input = MakeScene(scene);
+  input.Vortices.clear();
+  for (int pair = 0; pair < 2; ++pair)
+  {
+    const double height = 1.6 + 0.8 * pair;
+    for (int side = 0; side < 2; ++side)
+    {
+      const int o = 2 * pair + side;
+      const Vec3 start(side ? 1.0 : -1.0, 0.3, height);
+      const Vec3 end(side ? -1.0 : 1.0, -0.3, height - 0.5);
+      for (int k = 0; k < scene.NumberOfFrames; ++k)
+      {
+        const double s = k / double(scene.NumberOfFrames - 1);
+        input.Tracks[o].Positions[k] = start + s * (end - start) + Vec3(0.0, 0.005 * side, 0.0);
+      }
+      input.Objects[o].Position = input.Tracks[o].Positions.front();
+      input.Constraints[o].Value = input.Tracks[o].Positions.back();
+    }
+  }
+  const double touching = 2.0 * input.Objects[0].ClearanceRadius;
+  EXPECT_LT(NearestPair(input.Tracks), 0.5 * touching);
+  SpacetimeOptions options = SmallOptions();
+  options.MaximumNumberOfIterations = 80;
+  const double apart = NearestPair(Solve(input, options).Tracks);
+  options.ContactDistance = 0.0;
+  const double free = NearestPair(Solve(input, options).Tracks);
+  std::printf("[ figure ] nearest %.4f m, without the term %.4f m\n", apart, free);
+  EXPECT_GE(apart, touching);
+  EXPECT_LT(free, touching);
+}
