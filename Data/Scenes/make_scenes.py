@@ -1,0 +1,268 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes the scenes that are too long to write by hand, with their pictures and winds, beside itself.
+
+python3 Data/Scenes/make_scenes.py
+
+The same files come out each time, to the byte.
+"""
+import json
+import math
+import pathlib
+import struct
+import zlib
+
+HERE = pathlib.Path(__file__).resolve().parent
+SKY, PETAL, HEART, STEM = (250, 250, 248), (244, 205, 70), (120, 70, 40), (70, 130, 70)
+
+
+# Files
+
+
+def write_scene(name, scene):
+    """As JSON, a line for each field of the outermost level and each member of its lists."""
+    lines = []
+    for key, value in scene.items():
+        if isinstance(value, list) and value:
+            members = ",\n    ".join(json.dumps(member) for member in value)
+            lines.append(f"  {json.dumps(key)}: [\n    {members}\n  ]")
+        else:
+            lines.append(f"  {json.dumps(key)}: {json.dumps(value)}")
+    text = '{\n  "waft": 1,\n' + ",\n".join(lines) + "\n}\n"
+    (HERE / f"{name}.waft.json").write_text(text, encoding="utf-8")
+
+
+def write_png(name, size, color_at):
+    """A square picture; color_at(x, y) of places from -1 to 1, y up: (r, g, b) or (r, g, b, a)."""
+    rows = []
+    for row in range(size):
+        y = 1.0 - (2.0 * row + 1.0) / size
+        pixels = [color_at((2.0 * column + 1.0) / size - 1.0, y) for column in range(size)]
+        rows.append(b"\0" + bytes(value for pixel in pixels for value in pixel))
+    kind = 6 if len(pixels[0]) == 4 else 2
+
+    def chunk(tag, data):
+        return struct.pack(">I", len(data)) + tag + data + struct.pack(">I", zlib.crc32(tag + data))
+
+    (HERE / name).write_bytes(
+        b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", size, size, 8, kind, 0, 0, 0)) +
+        chunk(b"IDAT", zlib.compress(b"".join(rows), 9)) + chunk(b"IEND", b""))
+
+
+def write_wind(name, low, high, cells, times, velocity_at):
+    """A time series of velocities [m/s] on a lattice, as VTK image files and their .pvd."""
+    folder = HERE / name
+    folder.mkdir(exist_ok=True)
+    spacing = [(b - a) / n for a, b, n in zip(low, high, cells)]
+    extent = f"0 {cells[0]} 0 {cells[1]} 0 {cells[2]}"
+    sets = []
+    for number, time in enumerate(times):
+        values = []
+        for k in range(cells[2] + 1):
+            for j in range(cells[1] + 1):
+                for i in range(cells[0] + 1):
+                    place = (low[0] + i * spacing[0], low[1] + j * spacing[1], low[2] + k * spacing[2])
+                    values.extend(f"{value:.3f}" for value in velocity_at(place, time))
+        text = (
+            '<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">\n'
+            f'<ImageData WholeExtent="{extent}" Origin="{low[0]} {low[1]} {low[2]}"'
+            f' Spacing="{spacing[0]} {spacing[1]} {spacing[2]}">\n<Piece Extent="{extent}">\n'
+            '<PointData Vectors="Velocity">\n'
+            '<DataArray type="Float32" Name="Velocity" NumberOfComponents="3" format="ascii">\n'
+            + " ".join(values) +
+            "\n</DataArray>\n</PointData>\n</Piece>\n</ImageData>\n</VTKFile>\n")
+        (folder / f"{number:02d}.vti").write_text(text, encoding="utf-8")
+        sets.append(f'<DataSet timestep="{time:g}" file="{name}/{number:02d}.vti"/>')
+    (HERE / f"{name}.pvd").write_text(
+        '<VTKFile type="Collection" version="1.0">\n<Collection>\n' + "\n".join(sets) +
+        "\n</Collection>\n</VTKFile>\n", encoding="utf-8")
+
+
+def rounded(point):
+    return [round(value, 4) for value in point]
+
+
+# One feather: two marks, or a stretch of its way given; then a dart board (Fig. 4)
+
+
+def feather(texture, size=0.25):
+    return {"feather": {"builtin": "feather", "size": size, "settlingSpeed": 0.4, "texture": f"../Shapes/{texture}.png"}}
+
+
+def board(center, side):
+    """A round board, its face to the middle of the room; side: -1 left, 1 right."""
+    x, y, z = center
+    return {"kind": "cylinder", "base": [x + 0.02 * side, y, z], "top": [x + 0.06 * side, y, z], "radius": 0.3}
+
+
+def feather_scenes():
+    ways = {
+        "a": ("feather-barred", [-1.5, 0.9, 3.2], [(100, [-0.5, -0.7, 2.6]), (200, [0.7, 0.6, 1.9])], [1.55, -0.2, 1.3], 1),
+        "b": ("feather-white", [1.4, 1.2, 2.9], [(85, [0.2, 1.3, 2.2]), (185, [-0.7, -0.2, 2.6])], [-1.5, -0.9, 1.4], -1),
+    }
+    for name, (texture, start, marks, goal, side) in ways.items():
+        rows = [{"kind": "position", "object": 0, "frame": frame, "value": value} for frame, value in marks]
+        write_scene(f"feather-waypoints-{name}", {
+            "title": "A feather past two marks to a dart board",
+            "seed": 11, "shapes": feather(texture), "objects": [{"shape": "feather", "position": start}],
+            "obstacles": [board([goal[0] + 0.15 * side, goal[1], goal[2]], side)],
+            "constraints": rows + [{"kind": "position", "object": 0, "frame": 299, "value": goal}]})
+
+    def spiral(first, last, turns, center, radius, top, fall):
+        """Places of one turn after another about an upright line; radius: at its start and its end."""
+        points = []
+        for frame in range(first, last + 1):
+            s = (frame - first) / (last - first)
+            angle = 2.0 * math.pi * turns * s + math.pi
+            r = radius[0] + (radius[1] - radius[0]) * s
+            points.append(rounded((center[0] + r * math.cos(angle), center[1] + r * math.sin(angle), top - fall * s)))
+        return {"kind": "path", "object": 0, "firstFrame": first, "points": points}
+
+    spirals = {
+        "a": ("feather-white", [-1.5, -0.6, 3.4], spiral(80, 200, 1.5, (-0.1, 0.1), (0.4, 0.4), 2.8, 0.9), [1.5, 0.5, 1.3]),
+        "b": ("feather-barred", [-1.4, 0.9, 3.3], spiral(70, 220, 2.0, (0.0, 0.0), (0.55, 0.2), 2.9, 1.1), [1.5, -0.3, 1.1]),
+    }
+    for name, (texture, start, path, goal) in spirals.items():
+        write_scene(f"feather-spiral-{name}", {
+            "title": "A feather whose middle way is given, a spiral",
+            "seed": 12, "shapes": feather(texture), "objects": [{"shape": "feather", "position": start}],
+            "obstacles": [board([goal[0] + 0.15, goal[1], goal[2]], 1)],
+            "constraints": [path, {"kind": "position", "object": 0, "frame": 299, "value": goal}]})
+
+
+# Leaves: shapes in the air (Fig. 7), on the ground and again (Fig. 8), in a user's wind
+
+ALOFT = {"min": [-1.7, -1.6, 1.6], "max": [1.7, 1.6, 3.7]}
+
+
+def leaves(size=0.17):
+    return {
+        "gold": {"builtin": "leaf", "size": size, "settlingSpeed": 0.5, "texture": "../Shapes/leaf-gold.png"},
+        "maple": {"builtin": "maple", "size": size, "settlingSpeed": 0.5, "texture": "../Shapes/maple-red.png"},
+        "oak": {"builtin": "oak", "size": size, "settlingSpeed": 0.5, "texture": "../Shapes/oak-brown.png"},
+    }
+
+
+def thirds(count, region):
+    names = ("gold", "maple", "oak")
+    return [{"shape": name, "count": (count + k) // 3, "region": region} for k, name in enumerate(names)]
+
+
+def heart(x, y):
+    x, y = 1.25 * x, 1.25 * y + 0.15
+    inside = (x * x + y * y - 1.0) ** 3 - x * x * y ** 3 < 0.0
+    return (200, 40, 40, 255) if inside else (0, 0, 0, 0)
+
+
+def star(x, y):
+    angle = math.atan2(x, y) % (2.0 * math.pi / 5.0)
+    angle = min(angle, 2.0 * math.pi / 5.0 - angle)  # from a point of the star
+    # The straight edge from a point to the notch beside it.
+    point, notch = 0.95, 0.40
+    bx, by = notch * math.cos(math.radians(36.0)) - point, notch * math.sin(math.radians(36.0))
+    r = math.hypot(x, y)
+    inside = bx * r * math.sin(angle) - by * (r * math.cos(angle) - point) > 0.0
+    return (240, 200, 60, 255) if inside else (0, 0, 0, 0)
+
+
+def leaf_scenes():
+    write_png("heart.png", 160, heart)
+    write_png("star.png", 160, star)
+    upright = {"origin": [0, 0, 2.1], "u": [1, 0, 0], "v": [0, 0, 1], "width": 2.6}
+    write_scene("leaves-shapes", {
+        "title": "Leaves that form a heart in the air, then a star, and fly on",
+        "seed": 21, "shapes": leaves(0.14), "objects": thirds(126, ALOFT),
+        "constraints": [
+            {"kind": "keyframe", "frame": 130, "targets": {"image": "heart.png", **upright}},
+            {"kind": "keyframe", "frame": 240, "targets": {"image": "star.png", **upright}}]})
+
+    flat = {"origin": [0, 0, 0.1], "u": [1, 0, 0], "v": [0, 1, 0]}
+    write_scene("leaves-disturbed", {
+        "title": "Leaves at rest, a gust, and a word where they lie down again",
+        "seed": 22, "shapes": leaves(), "objects": thirds(48, {"min": [-1.5, -1.5, 0.3], "max": [1.5, 1.5, 1.2]}),
+        "winds": [{"direction": [0.3, 0.2, 1.0], "strength": 1.2, "center": [0, 0, 0.4], "radius": 1.4,
+                   "centerTime": 3.4, "duration": 0.5}],
+        "constraints": [
+            {"kind": "keyframe", "frame": 50, "until": 90, "velocity": "rest",
+             "targets": {"image": "star.png", "width": 3.0, **flat}},
+            {"kind": "keyframe", "frame": 270, "velocity": "rest",
+             "targets": {"text": "AIR", "font": "sans", "width": 3.2, **flat}}]})
+
+    def gusts(place, time):
+        """One roll of air that fills the room and swings to and fro; nothing passes the walls."""
+        x, z = math.pi * (place[0] + 2.0) / 4.0, math.pi * place[2] / 4.0
+        speed = 0.9 * math.sin(2.0 * math.pi * time / 8.0)
+        return (speed * math.sin(x) * math.cos(z), 0.0, -speed * math.cos(x) * math.sin(z))
+
+    write_wind("gusts", (-2.0, -2.0, 0.0), (2.0, 2.0, 4.0), (8, 8, 8), [0.5 * k for k in range(21)], gusts)
+    write_scene("leaves-in-wind", {
+        "title": "Leaves in a measured wind, some with a mark to pass",
+        "seed": 23, "shapes": leaves(), "objects": thirds(30, {"min": [-1.7, -1.4, 1.8], "max": [0.4, 1.4, 3.6]}),
+        "winds": [{"file": "gusts.pvd"}],
+        "constraints": [
+            {"kind": "position", "object": k, "frame": 170 + 4 * k, "value": rounded((0.7 + 0.08 * k, -1.0 + 0.22 * k, 1.7)),
+             "radius": 0.1} for k in range(10)]})
+
+
+# Feathers that paint (Fig. 9), a thousand petals, bubbles down a stair
+
+
+def unit(color):
+    return [round(part / 255.0, 3) for part in color]
+
+
+def sunflower(x, y):
+    r, angle = math.hypot(x, y - 0.25), math.atan2(x, y - 0.25)
+    if r < 0.24:
+        return HEART
+    if r < 0.52 + 0.10 * math.cos(9.0 * angle):
+        return PETAL
+    if y < -0.2 and abs(x - 0.08 * math.sin(4.0 * y)) < 0.07:
+        return STEM
+    leaf = math.hypot((x - 0.30) / 0.30, (y + 0.62 - 0.3 * (x - 0.3)) / 0.13)
+    return STEM if leaf < 1.0 else SKY
+
+
+def crowd_scenes():
+    write_png("sunflower.png", 200, sunflower)
+    colors = {"petal": (PETAL, 42), "heart": (HEART, 16), "stem": (STEM, 26)}
+    write_scene("feathers-painting", {
+        "title": "Feathers of three colours that paint a flower on the ground",
+        "seed": 31,
+        "shapes": {name: {"builtin": "feather", "size": 0.20, "settlingSpeed": 0.4, "class": name,
+                          "texture": "../Shapes/feather-white.png",
+                          "color": unit(color)} for name, (color, _) in colors.items()},
+        "objects": [{"shape": name, "count": count, "region": {"min": [-1.7, -1.7, 1.6], "max": [1.7, 1.7, 3.7]}}
+                    for name, (_, count) in colors.items()],
+        "constraints": [{"kind": "keyframe", "frame": 255, "velocity": "rest",
+                         "targets": {"image": "sunflower.png", "origin": [0, 0, 0.1], "u": [1, 0, 0], "v": [0, 1, 0],
+                                     "width": 3.6, "classes": {name: unit(color) for name, (color, _) in colors.items()}}}]})
+
+    write_scene("petals-1000", {
+        "title": "A thousand petals that come down as a heart",
+        "seed": 32, "domain": {"min": [-3, -3, 0], "max": [3, 3, 5]},
+        "shapes": {"petal": {"builtin": "petal", "size": 0.07, "settlingSpeed": 0.45, "texture": "../Shapes/petal-pink.png"}},
+        "objects": [{"shape": "petal", "count": 1000, "region": {"min": [-2.6, -2.6, 2.0], "max": [2.6, 2.6, 4.7]}}],
+        "constraints": [{"kind": "keyframe", "frame": 270, "velocity": "rest",
+                         "targets": {"image": "heart.png", "origin": [0, 0, 0.1], "u": [1, 0, 0], "v": [0, 1, 0], "width": 4.6}}]})
+
+    steps = 5
+    stairs = [{"kind": "box", "min": [-2.0 + 0.6 * k, -2.0, 0.0], "max": [-1.4 + 0.6 * k, 2.0, round(1.5 - 0.3 * k, 2)]}
+              for k in range(steps)]
+    ball = {"kind": "sphere", "center": [0.0, -2.6, 0.0], "radius": 0.35,
+            "motion": [{"frame": 0, "position": [0.9, 1.4, 2.2]}, {"frame": 150, "position": [0.9, -1.4, 2.0]},
+                       {"frame": 299, "position": [0.9, 1.4, 2.2]}]}
+    marks = [{"kind": "position", "object": k, "frame": 280, "value": rounded((1.0 + 0.12 * (k % 6), -1.2 + 0.48 * (k // 6), 0.5)),
+              "radius": 0.08} for k in range(36)]
+    write_scene("bubbles-stairs", {
+        "title": "Bubbles down a stair, past a ball that swings",
+        "seed": 33,
+        "shapes": {"bubble": {"builtin": "bubble", "size": 0.08, "settlingSpeed": 0.08}},
+        "objects": [{"shape": "bubble", "count": 36, "region": {"min": [-1.8, -1.4, 1.9], "max": [-0.9, 1.4, 3.2]}}],
+        "obstacles": stairs + [ball], "constraints": marks})
+
+
+if __name__ == "__main__":
+    feather_scenes()
+    leaf_scenes()
+    crowd_scenes()
