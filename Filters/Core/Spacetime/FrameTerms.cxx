@@ -228,14 +228,14 @@ void FrameTerms::AddFields(const float* state, int frame)
   }
 }
 
-void FrameTerms::AddCushions(const float* state, int frame)
+void FrameTerms::AddCushions(const float* state, int frame, double step)
 {
   const std::size_t s = this->BodyStride;
   for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
   {
     const std::size_t i = this->Model.NumberOfGas + o;
     const auto row = [&](int c) { return static_cast<double>(state[c * s + i]); };
-    this->Cushions[o] = LandingCushion(this->Model, frame, o, Vec3(row(0), row(1), row(2)),
+    this->Cushions[o] = LandingCushion(this->Model, frame, step, o, Vec3(row(0), row(1), row(2)),
                                        Vec3(row(3), row(4), row(5)));
     for (int c = 0; c < 3; ++c)
     {
@@ -244,7 +244,7 @@ void FrameTerms::AddCushions(const float* state, int frame)
   }
 }
 
-void FrameTerms::Forward(const float* state, int frame, NeighborList& list)
+void FrameTerms::Forward(const float* state, int frame, double step, NeighborList& list)
 {
   const std::size_t ng = this->Model.NumberOfGas;
   const std::size_t n = this->Model.NumberOfParticles();
@@ -288,7 +288,6 @@ void FrameTerms::Forward(const float* state, int frame, NeighborList& list)
       bodyA[i] = a[i] + spring[i] + external[i];
       bodyD[i] = d[i];
     }
-    const float fall = c == 2 ? static_cast<float>(this->Model.Gravity) : 0.0f;
     for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
     {
       float sumA = 0.0f, sumD = 0.0f;
@@ -299,11 +298,12 @@ void FrameTerms::Forward(const float* state, int frame, NeighborList& list)
       }
       bodyD[ng + o] = share * sumD;
       // Drag towards the air about the object: D is the mean velocity of the air relative to it.
+      const float fall = c == 2 ? this->Model.Gravities[o] : 0.0f;
       bodyA[ng + o] =
         share * sumA + external[ng + o] - fall + this->Model.DragRates[o] * bodyD[ng + o];
     }
   }
-  this->AddCushions(state, frame);
+  this->AddCushions(state, frame, step);
 }
 
 void FrameTerms::Adjoint(NeighborList& list, float* gradient)

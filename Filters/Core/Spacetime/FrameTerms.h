@@ -19,9 +19,9 @@ class FrameTerms
 public:
   FrameTerms(const SpacetimeModel& model, const SphKernelTable& kernels);
 
-  /// state: the frame's six rows. Brings `list` up to date.
+  /// state: the frame's six rows; step: frames to the next one. Brings `list` up to date.
   /// Then Acceleration (all of it, external fields included) and Average hold.
-  void Forward(const float* state, int frame, NeighborList& list);
+  void Forward(const float* state, int frame, double step, NeighborList& list);
   /// AccelerationBar and AverageBar in; adds their pull-back to the six rows of `gradient`.
   void Adjoint(NeighborList& list, float* gradient);
 
@@ -44,7 +44,7 @@ private:
   void AddWalls(int frame);
   void AddObstacle(std::size_t i, int frame);
   void AddFields(const float* state, int frame);
-  void AddCushions(const float* state, int frame);
+  void AddCushions(const float* state, int frame, double step);
   SphRows ParticleRows(std::vector<float>& v) const { return { v.data(), this->ParticleStride }; }
 
   const SpacetimeModel& Model;

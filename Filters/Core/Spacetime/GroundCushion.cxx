@@ -30,7 +30,7 @@ Surface ObstacleSurface(const SpacetimeModel& model, int frame, const Vec3& posi
 
 } // namespace
 
-CushionForce LandingCushion(const SpacetimeModel& model, int frame, std::size_t object,
+CushionForce LandingCushion(const SpacetimeModel& model, int frame, double step, std::size_t object,
                             const Vec3& position, const Vec3& velocity)
 {
   CushionForce force;
@@ -48,9 +48,12 @@ CushionForce LandingCushion(const SpacetimeModel& model, int frame, std::size_t 
   const double radius = model.Clearances[object];
   const double height = surface.Distance - model.RestHeights[object];
   const double core = CoreShare * radius;
-  const double rate =
+  const double free =
     Stiffness * model.DragRates[object] * radius * radius / (height * height + core * core);
-  const double slope = -2.0 * height / (height * height + core * core) * rate;
+  // As a step implicit in this drag would have it. An explicit one takes more than all of the speed
+  // and throws the object back.
+  const double rate = free / (1.0 + step * free);
+  const double slope = -2.0 * height / (height * height + core * core) * rate * rate / free;
   const Vec3& n = surface.Normal;
   const double approach = velocity.dot(n);
   force.Acceleration = -rate * approach * n;

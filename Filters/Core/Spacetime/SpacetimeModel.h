@@ -69,7 +69,7 @@ struct SpacetimeModel
   std::size_t NumberOfObjects = 0;
   std::vector<std::array<float, 3>> Offsets; // of an object's particles from its centre [dx]
 
-  double Gravity = 0.0;           // g' of objects, downwards [dx / frame^2]
+  std::vector<float> Gravities;   // g' of each object, downwards [dx / frame^2]
   std::vector<float> DragRates;   // one an object [1 / frame]
   std::vector<float> Clearances;  // one an object [dx]
   std::vector<float> RestHeights; // one an object [dx]
@@ -108,7 +108,7 @@ struct SpacetimeModel
   float SettlingSlip(std::size_t object) const
   {
     const float rate = this->DragRates[object];
-    return rate > 0.0f ? static_cast<float>(this->Gravity) / rate : 0.0f;
+    return rate > 0.0f ? this->Gravities[object] / rate : 0.0f;
   }
   /// The weight of a body's velocity residual.
   double VelocityWeight(std::size_t body) const

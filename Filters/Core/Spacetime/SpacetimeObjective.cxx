@@ -65,7 +65,8 @@ FrameTerms& SpacetimeObjective::ForwardFrame(const StateVector& state, std::size
     this->Pool.push_back(std::make_unique<Worker>(this->Problem, this->Kernels));
   }
   FrameTerms& terms = this->Pool.front()->Terms;
-  terms.Forward(state.data() + j * this->Problem.FrameSize(), this->Times.Frames[j],
+  const double step = j + 1 < this->Times.NumberOfFrames() ? this->Times.Steps[j + 1] : 1.0;
+  terms.Forward(state.data() + j * this->Problem.FrameSize(), this->Times.Frames[j], step,
                 this->Lists[j]);
   return terms;
 }
@@ -111,9 +112,9 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
   const bool last = j + 1 == this->Times.NumberOfFrames();
   const float* here = state.data() + j * model.FrameSize();
   FrameTerms& terms = worker.Terms;
-  terms.Forward(here, this->Times.Frames[j], this->Lists[j]);
-
   const double step = last ? 0.0 : this->Times.Steps[j + 1];
+  terms.Forward(here, this->Times.Frames[j], last ? 1.0 : step, this->Lists[j]);
+
   const double share = last ? 0.0 : this->Times.StepWeights[j + 1];
   const float wx = static_cast<float>(weights.Position * share);
   const float wv = static_cast<float>(weights.Velocity * share);

@@ -18,6 +18,7 @@ namespace
 constexpr double ParticleRing = 0.3;         // radius of an object's particles [dx]
 constexpr double LatticeSpacing = 0.4;       // of the obstacles' distances [dx]
 constexpr double LargestContact = 0.5;       // [dx]
+constexpr double FastestDrag = 0.45;         // [1 / frame]
 constexpr double ObjectMassShare = 0.1;      // of a gas particle's mass, at most
 constexpr double AllObjectsMassShare = 0.02; // of all gas, at most
 constexpr double LeastCore = 1.5;            // of a vortex [dx]: the gas cannot follow a finer one
@@ -218,13 +219,15 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
   SpacetimeModel& model = setup.Model;
   const std::size_t no = model.NumberOfObjects;
   const double gravity = options.EffectiveGravity;
-  model.Gravity = gravity / setup.AccelerationUnit();
   double radii = 0.0;
   for (const MotionObject& object : setup.Objects)
   {
-    // In still air drag and effective gravity balance at the settling speed.
-    model.DragRates.push_back(
-      static_cast<float>(setup.FrameStep * gravity / std::max(0.01, object.SettlingSpeed)));
+    // In still air drag and effective gravity balance at the settling speed. Both are weakened
+    // alike for what would come to that speed in less than two frames: the step could not follow.
+    const double rate = setup.FrameStep * gravity / std::max(1e-3, object.SettlingSpeed);
+    const double share = std::min(1.0, FastestDrag / rate);
+    model.DragRates.push_back(static_cast<float>(share * rate));
+    model.Gravities.push_back(static_cast<float>(share * gravity / setup.AccelerationUnit()));
     model.Clearances.push_back(static_cast<float>(object.ClearanceRadius / setup.Spacing));
     model.RestHeights.push_back(static_cast<float>(object.RestHeight / setup.Spacing));
     radii += object.ClearanceRadius / setup.Spacing / static_cast<double>(no);

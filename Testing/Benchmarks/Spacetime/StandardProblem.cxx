@@ -115,7 +115,7 @@ void StandardProblem::Build()
     model.Offsets.push_back({ static_cast<float>(radius * std::cos(angle)),
                               static_cast<float>(radius * std::sin(angle)), 0.0f });
   }
-  model.Gravity = 0.2 * step * step / unit;
+  model.Gravities.assign(model.NumberOfObjects, static_cast<float>(0.2 * step * step / unit));
   model.DragRates.assign(model.NumberOfObjects, 0.0f);
   model.Clearances.assign(model.NumberOfObjects, 0.0f);
   model.RestHeights.assign(model.NumberOfObjects, 0.0f);

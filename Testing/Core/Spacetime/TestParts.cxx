@@ -205,7 +205,7 @@ TEST(WindEstimate, RecoversASmoothWindThatIsFreeOfDivergence)
   SpacetimeSetup setup = MakeProblem(input, 1000);
   SpacetimeModel& model = setup.Model;
   model.Vortices.clear();
-  model.Gravity = 0.0;
+  model.Gravities.assign(model.NumberOfObjects, 0.0f);
   const auto truth = [&](const Vec3& x, double frame)
   {
     // A turning flow and a mean one that grows with time.
