@@ -35,7 +35,7 @@ CushionForce LandingCushion(const SpacetimeModel& model, int frame, double step,
 {
   CushionForce force;
   const std::uint8_t flag = model.Flag(frame, object);
-  if (!(flag & (LandsOnFloor | LandsOnObstacle)))
+  if (!(flag & (LandsOnFloor | LandsOnObstacle)) || (flag & LiftsOff))
   {
     return force;
   }

@@ -18,9 +18,9 @@ struct CushionForce
   Eigen::Matrix3d ByVelocity = Eigen::Matrix3d::Zero();
 };
 
-/// The force on an object that is about to land or has just lifted off (flags LandsOnFloor and
-/// LandsOnObstacle of the frame); zero for others. Along the surface's normal n, at the height h
-/// above rest and with the object's radius R (its clearance) and drag rate k:
+/// The force on an object that is about to land (flags LandsOnFloor and LandsOnObstacle of the
+/// frame without LiftsOff); zero for others. Along the surface's normal n, at the height h above
+/// rest and with the object's radius R (its clearance) and drag rate k:
 ///   a = -q / (1 + s q) (v . n) n,   q = 4 k R^2 / (h^2 + (R / 4)^2)
 /// with the step s to the next frame. Far above it is nothing; one radius up it is four times the
 /// free drag; it stops a settling leaf softly, and takes no more than all of its speed in a step.

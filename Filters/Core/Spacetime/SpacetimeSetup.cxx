@@ -22,7 +22,8 @@ constexpr double FastestDrag = 0.45;         // [1 / frame]
 constexpr double ObjectMassShare = 0.1;      // of a gas particle's mass, at most
 constexpr double AllObjectsMassShare = 0.02; // of all gas, at most
 constexpr double LeastCore = 1.5;            // of a vortex [dx]: the gas cannot follow a finer one
-constexpr double StartReach = 1.6;   // growth of the way from the plan after the start [m/s^2]
+constexpr double StartReach =
+  1.6; // growth of the way from the plan after a start or a rest [m/s^2]
 constexpr double LandingReach = 0.8; // growth of the way from the plan before a rest [m/s^2]
 
 Result CheckTracks(const SpacetimeInput& input)
@@ -317,9 +318,13 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
           flags(frame) |= NoDynamics;
         }
       }
-      if (window.Until + 1 < frames)
+      const int second = static_cast<int>(rate);
+      for (int frame = window.Until + 1; frame < std::min(frames, window.Until + second); ++frame)
       {
-        flags(window.Until + 1) |= NoDynamics;
+        const double after = (frame - window.Until) / rate;
+        flags(frame) |= LiftsOff;
+        model.Reach[static_cast<std::size_t>(frame) * model.NumberOfObjects + o] =
+          static_cast<float>(0.5 * StartReach * after * after / setup.Spacing);
       }
     }
   }

@@ -247,3 +247,60 @@ TEST(SpacetimeMotion, KeepsThingsInTheAirApart)
   EXPECT_GE(apart, touching);
   EXPECT_LT(free, touching);
 }
+
+TEST(SpacetimeMotion, LiftsThingsOffARestWithoutAJump)
+{
+  // At rest from frame 25 to 40, then up and away.
+  SceneOptions scene;
+  scene.NumberOfObjects = 4;
+  scene.NumberOfFrames = 80;
+  SpacetimeInput input = MakeScene(scene);
+  const double step = input.Scene.Time.Step();
+  ObstacleSet obstacles;
+  ASSERT_TRUE(obstacles.Build(input.Obstacles));
+  std::vector<Vec3> resting;
+  for (std::size_t o = 0; o < input.Tracks.size(); ++o)
+  {
+    MotionObject& object = input.Objects[o];
+    object.Position.z() = 0.5;
+    Constraint rest;
+    rest.ObjectId = object.ObjectId;
+    rest.Row = static_cast<int>(input.Constraints.size());
+    rest.Frame = 25;
+    rest.Until = 40;
+    rest.Kind = ConstraintKind::Rest;
+    rest.Value = object.Position + Vec3(0.3, 0.2, -0.4);
+    input.Constraints[o].Value = object.Position + Vec3(0.6, -0.3, 0.8);
+    input.Constraints.push_back(rest);
+    const auto windows =
+      LandingWindows(object, { rest }, obstacles, input.Scene.Time.FramesPerSecond);
+    ASSERT_EQ(windows.size(), 1u);
+    resting.push_back(windows.front().Centre);
+    const auto ease = [](double s) { return s * s * (3.0 - 2.0 * s); };
+    for (int k = 0; k < scene.NumberOfFrames; ++k)
+    {
+      input.Tracks[o].Positions[k] =
+        k < 25 ? Vec3(object.Position + ease(k / 25.0) * (resting[o] - object.Position))
+        : k <= 40
+          ? resting[o]
+          : Vec3(resting[o] + ease((k - 40) / 39.0) * (input.Constraints[o].Value - resting[o]));
+    }
+  }
+  SpacetimeOptions options = SmallOptions();
+  options.NumberOfGasParticles = 512;
+  options.MaximumNumberOfIterations = 60;
+  const SpacetimeOutput output = Solve(input, options);
+  for (std::size_t o = 0; o < output.Tracks.size(); ++o)
+  {
+    const std::vector<Vec3>& x = output.Tracks[o].Positions;
+    for (int k = 25; k <= 40; ++k)
+    {
+      EXPECT_EQ(x[k], resting[o]);
+    }
+    for (int k = 1; k + 1 < scene.NumberOfFrames; ++k)
+    {
+      const double change = (x[k - 1] - 2.0 * x[k] + x[k + 1]).norm() / (step * step);
+      EXPECT_LT(change, 8.0) << o << " at " << k; // a jump of 1 cm would be 9
+    }
+  }
+}
