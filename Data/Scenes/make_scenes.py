@@ -179,11 +179,11 @@ def leaf_scenes():
     flat = {"origin": [0, 0, 0.1], "u": [1, 0, 0], "v": [0, 1, 0]}
     write_scene("leaves-disturbed", {
         "title": "Leaves at rest, a gust, and a word where they lie down again",
-        "seed": 22, "shapes": leaves(), "objects": thirds(48, {"min": [-1.5, -1.5, 0.3], "max": [1.5, 1.5, 1.2]}),
+        "seed": 22, "shapes": leaves(), "objects": thirds(48, {"min": [-1.5, -1.5, 0.5], "max": [1.5, 1.5, 1.5]}),
         "winds": [{"direction": [0.3, 0.2, 1.0], "strength": 1.2, "center": [0, 0, 0.4], "radius": 1.4,
-                   "centerTime": 3.4, "duration": 0.5}],
+                   "centerTime": 4.3, "duration": 0.5}],
         "constraints": [
-            {"kind": "keyframe", "frame": 50, "until": 90, "velocity": "rest",
+            {"kind": "keyframe", "frame": 75, "until": 118, "velocity": "rest",
              "targets": {"image": "star.png", "width": 3.0, **flat}},
             {"kind": "keyframe", "frame": 270, "velocity": "rest",
              "targets": {"text": "AIR", "font": "sans", "width": 3.2, **flat}}]})

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The scenes that come with Waft: made again they are the same files, and each can be planned whole.
+
+    pvpython test_scenes.py SCENES_FOLDER"""
+
+import filecmp
+import pathlib
+import runpy
+import shutil
+import sys
+import tempfile
+import unittest
+
+from waft.files import table_rows
+from waft.loading import load_plugin
+from waft.pipeline import Pipeline
+from waft.synthesis import set_threads
+
+FOLDER = pathlib.Path(sys.argv.pop(1))
+
+
+class ScenesTest(unittest.TestCase):
+    def test_the_program_makes_the_same_files(self):
+        with tempfile.TemporaryDirectory() as place:
+            program = shutil.copy(FOLDER / "make_scenes.py", place)
+            runpy.run_path(program, run_name="__main__")
+            made = [path.relative_to(place) for path in pathlib.Path(place).rglob("*")
+                    if path.is_file() and path.suffix != ".py" and "__pycache__" not in path.parts]
+            self.assertGreater(len(made), 10)
+            for name in made:
+                self.assertTrue(filecmp.cmp(pathlib.Path(place) / name, FOLDER / name, shallow=False), name)
+
+    def test_every_scene_can_be_planned(self):
+        scenes = sorted(FOLDER.glob("*.waft.json"))
+        self.assertGreater(len(scenes), 10)
+        for scene in scenes:
+            with self.subTest(scene=scene.name):
+                self.assertEqual(self.unmet(scene), [])
+
+    def test_every_scene_has_its_line_in_the_readme(self):
+        text = (FOLDER / "README.md").read_text(encoding="utf-8")
+        for scene in FOLDER.glob("*.waft.json"):
+            name = scene.name.removesuffix(".waft.json")
+            self.assertTrue(f"`{name}`" in text or f"`{scene.name}`" in text or f"`{name[:-1]}a`, `-b`" in text, name)
+
+    def unmet(self, scene):
+        pipeline = Pipeline(scene)
+        pipeline.reader.FileName = str(scene)
+        pipeline.reader.UpdatePipeline()
+        pipeline.database.UpdatePipeline()
+        pipeline.add_planner(int(pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)))
+        pipeline.planner.UpdatePipeline()
+        header, rows = table_rows(pipeline.output("planner", 2))
+        rows = [dict(zip(header, row)) for row in rows]
+        self.assertGreater(len(rows), 0)
+        return [row for row in rows if row["Status"] != "met"]
+
+
+load_plugin()
+set_threads(None)
+unittest.main()
