@@ -87,7 +87,8 @@ int vtkConstraintSource::RequestData(vtkInformation*, vtkInformationVector**,
   row.Kind = static_cast<waft::ConstraintKind>(this->Kind);
   row.ObjectId = this->ObjectId;
   row.Frame = this->Frame;
-  row.Until = this->Until < 0 ? last : this->Until;
+  const int until = this->Until < 0 ? last : this->Until;
+  row.Until = this->Kind == REST ? until : this->Frame;
   row.Value = waft::Vec3(this->Value);
   const double* q = this->Orientation;
   row.Orientation = waft::Quat(q[0], q[1], q[2], q[3]);

@@ -188,7 +188,23 @@ Result VtkSceneAssets::LoadBuiltinShape(const std::string& builtin, double size,
   return MakeBuiltinShape(builtin, size, shape);
 }
 
+std::vector<std::string> VtkSceneAssets::BuiltinShapeNames() const
+{
+  std::vector<std::string> names;
+  for (const BuiltinShape& builtin : BuiltinShapes())
+  {
+    names.push_back(builtin.Name);
+  }
+  return names;
+}
+
 Result VtkSceneAssets::LoadShapeMesh(const std::string& path, double size, Shape& shape) const
+{
+  WAFT_RETURN_IF_FAILED(this->LoadAlignedShape(path, shape));
+  return AlignShape(size, shape.Mesh);
+}
+
+Result VtkSceneAssets::LoadAlignedShape(const std::string& path, Shape& shape) const
 {
   vtkNew<vtkPolyData> triangles;
   Result result = ReadTriangles(path, triangles, shape.Mesh);
@@ -205,7 +221,7 @@ Result VtkSceneAssets::LoadShapeMesh(const std::string& path, double size, Shape
         { coordinates->GetComponent(i, 0), coordinates->GetComponent(i, 1) });
     }
   }
-  return AlignShape(size, shape.Mesh);
+  return result;
 }
 
 Result VtkSceneAssets::LoadMesh(const std::string& path, TriangleMesh& mesh) const

@@ -13,7 +13,9 @@ class VtkSceneAssets : public SceneAssets
 {
 public:
   Result LoadBuiltinShape(const std::string& builtin, double size, Shape& shape) const override;
+  std::vector<std::string> BuiltinShapeNames() const override;
   Result LoadShapeMesh(const std::string& path, double size, Shape& shape) const override;
+  Result LoadAlignedShape(const std::string& path, Shape& shape) const override;
   Result LoadMesh(const std::string& path, TriangleMesh& mesh) const override;
   Result LoadPicture(const std::string& path, Picture& picture) const override;
   Result DrawText(const std::string& text, const std::string& font,

@@ -52,7 +52,10 @@ def default_of(proxy, name):
 def make(name):
     """A proxy by its name, as a script does it; inputs stay open."""
     simple.SetActiveSource(None)
-    return getattr(servermanager.sources, name, None) or getattr(servermanager.filters, name)
+    for group in (servermanager.sources, servermanager.filters, servermanager.writers):
+        if hasattr(group, name):
+            return getattr(group, name)
+    raise AttributeError(f"no proxy {name}")
 
 
 class ProxyTest(unittest.TestCase):

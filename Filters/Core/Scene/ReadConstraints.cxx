@@ -4,7 +4,6 @@
 #include "Scene/SceneReader.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace waft
 {
@@ -29,9 +28,20 @@ constexpr KindName SimpleKinds[] = { { "position", ConstraintKind::Position, tru
 
 int SceneReader::ObjectId(const SceneNode& node, int lowest) const
 {
-  const int last = static_cast<int>(this->Out.Objects.size()) - 1;
-  return static_cast<int>(node.Integer(
-    lowest, last, lowest < 0 ? "the id of an object or -1 for any" : "the id of an object"));
+  // Ids that are not the places in the list leave gaps.
+  const int last = this->PlaceOfObject.empty() ? -1 : this->PlaceOfObject.rbegin()->first;
+  const char* what = lowest < 0 ? "the id of an object or -1 for any" : "the id of an object";
+  const int id = static_cast<int>(node.Integer(lowest, last, what));
+  if (id >= 0 && this->PlaceOfObject.count(id) == 0)
+  {
+    node.Fail(what);
+  }
+  return id;
+}
+
+const MotionObject& SceneReader::Object(int id) const
+{
+  return this->Out.Objects[this->PlaceOfObject.at(id)];
 }
 
 void SceneReader::ReadConstraints(const SceneNode& node)
@@ -125,18 +135,21 @@ void SceneReader::ReadPath(const SceneNode& node, int row)
   }
 }
 
-std::vector<int> SceneReader::ObjectIds(const SceneNode& node) const
+std::vector<int> SceneReader::ObjectIds(const SceneNode& node, bool mayBeAny) const
 {
-  std::vector<int> ids(this->Out.Objects.size());
-  std::iota(ids.begin(), ids.end(), 0);
+  std::vector<int> ids;
+  for (const MotionObject& object : this->Out.Objects)
+  {
+    ids.push_back(object.ObjectId);
+  }
   if (node.Has("objects"))
   {
     ids.clear();
     const SceneNode list = node.At("objects", "");
     for (std::size_t i = 0; i < list.Size("a list of ids of objects"); ++i)
     {
-      const int id = this->ObjectId(list.Item(i), 0);
-      if (std::find(ids.begin(), ids.end(), id) != ids.end())
+      const int id = this->ObjectId(list.Item(i), mayBeAny ? -1 : 0);
+      if (id >= 0 && std::find(ids.begin(), ids.end(), id) != ids.end())
       {
         list.Item(i).Fail("an id that is not in the list already");
       }
@@ -148,14 +161,14 @@ std::vector<int> SceneReader::ObjectIds(const SceneNode& node) const
 
 // Where an object is known to be last before a frame: its start or its latest row of position or
 // rest.
-static Vec3 LastPlace(const Scene& scene, int id, int frame)
+static Vec3 LastPlace(const Scene& scene, const MotionObject& object, int frame)
 {
-  Vec3 place = scene.Objects[id].Position;
+  Vec3 place = object.Position;
   int latest = -1;
   for (const Constraint& c : scene.Constraints)
   {
     const bool isPlace = c.Kind == ConstraintKind::Position || c.Kind == ConstraintKind::Rest;
-    if (c.ObjectId == id && isPlace && c.Frame < frame && c.Frame > latest)
+    if (c.ObjectId == object.ObjectId && isPlace && c.Frame < frame && c.Frame > latest)
     {
       latest = c.Frame;
       place = c.Value;
@@ -174,9 +187,8 @@ std::vector<int> SceneReader::AssignAmong(const std::vector<int>& objects,
   {
     for (const int id : objects)
     {
-      const bool fits =
-        targets[t].ClassId < 0 || targets[t].ClassId == this->Out.Objects[id].ClassId;
-      const Vec3 from = LastPlace(this->Out, id, frame);
+      const bool fits = targets[t].ClassId < 0 || targets[t].ClassId == this->Object(id).ClassId;
+      const Vec3 from = LastPlace(this->Out, this->Object(id), frame);
       costs[t].push_back((from - targets[t].Position).squaredNorm() + (fits ? 0.0 : forbidden));
     }
   }
@@ -188,7 +200,7 @@ std::vector<int> SceneReader::AssignAmong(const std::vector<int>& objects,
   for (std::size_t t = 0; t < targets.size(); ++t)
   {
     const int targetClass = targets[t].ClassId;
-    if (targetClass >= 0 && this->Out.Objects[assigned[t]].ClassId != targetClass)
+    if (targetClass >= 0 && this->Object(assigned[t]).ClassId != targetClass)
     {
       node.FailWith("expected enough objects of class \"" + this->Out.Classes[targetClass] +
                     "\" in `objects`, found too few");
@@ -251,7 +263,8 @@ void SceneReader::ReadKeyframe(const SceneNode& node, int row)
       assign.Fail("optimal or inOrder");
     }
   }
-  const std::vector<int> ids = this->ObjectIds(node);
+  // In order, -1 leaves a target to any of the objects that the list does not name.
+  const std::vector<int> ids = this->ObjectIds(node, inOrder);
   const SceneNode targetsNode = node.At("targets", "targets");
   const std::vector<Target> targets = this->ReadTargets(targetsNode, row, ids.size());
   if (targets.size() > ids.size())

@@ -126,8 +126,21 @@ void SceneReader::ReadMotion(const SceneNode& node, ObstacleMesh& obstacle)
     const auto& [frameA, a] = keys[segment];
     const auto& [frameB, b] = keys[segment + 1];
     const double s = std::clamp(double(frame - frameA) / (frameB - frameA), 0.0, 1.0);
-    obstacle.Offsets.emplace_back(a + s * (b - a) - keys.front().second);
+    const Vec3 place = s < 1.0 ? Vec3(a + s * (b - a)) : b; // a key is met to the last bit
+    obstacle.Offsets.emplace_back(place - keys.front().second);
   }
+}
+
+TriangleMesh MakeGround(const Box& bounds, double height)
+{
+  // Wider than the volume, so that its sides are never the nearest surface, and thick enough that
+  // no step of an object crosses it.
+  const double margin = bounds.Width();
+  const double thickness = 0.25 * bounds.Width();
+  Box slab;
+  slab.Min = Vec3(bounds.Min.x() - margin, bounds.Min.y() - margin, height - thickness);
+  slab.Max = Vec3(bounds.Max.x() + margin, bounds.Max.y() + margin, height);
+  return MakeBox(slab);
 }
 
 void SceneReader::AddGround()
@@ -136,22 +149,14 @@ void SceneReader::AddGround()
   {
     return;
   }
-  // Wider than the volume, so that its sides are never the nearest surface, and thick enough that
-  // no step of an object crosses it.
-  const Box& bounds = this->Out.Info.Bounds;
-  const double margin = bounds.Width();
-  const double thickness = 0.25 * bounds.Width();
   int id = static_cast<int>(this->Out.Obstacles.size());
   for (const ObstacleMesh& obstacle : this->Out.Obstacles)
   {
     id = std::max(id, obstacle.ObstacleId + 1);
   }
-  Box slab;
-  slab.Min = Vec3(bounds.Min.x() - margin, bounds.Min.y() - margin, this->GroundHeight - thickness);
-  slab.Max = Vec3(bounds.Max.x() + margin, bounds.Max.y() + margin, this->GroundHeight);
   ObstacleMesh ground;
   ground.ObstacleId = id;
-  ground.Mesh = MakeBox(slab);
+  ground.Mesh = MakeGround(this->Out.Info.Bounds, this->GroundHeight);
   this->Out.GroundId = id;
   this->Out.Obstacles.push_back(std::move(ground));
 }
@@ -182,7 +187,10 @@ void SceneReader::ReadWinds(const SceneNode& node)
     {
       item.At("direction", "").Fail("a direction that is not zero");
     }
-    wind.Direction.normalize();
+    if (std::abs(wind.Direction.norm() - 1.0) > 1e-15) // one that is unit stays as it was written
+    {
+      wind.Direction.normalize();
+    }
     wind.Strength = item.At("strength", "a strength in m/s^2").Number();
     wind.Center = item.At("center", "a point [x, y, z]").Vector();
     wind.Radius = item.At("radius", "a radius in metres").Positive();

@@ -34,6 +34,10 @@ void SceneReader::ReadShape(const SceneNode& node, const std::string& name)
   {
     node.Fail("either `builtin` or `mesh`");
   }
+  if (node.Has("builtin") && node.Has("align"))
+  {
+    node.At("align", "").FailWith("expected `align` with `mesh` only");
+  }
   if (node.Has("builtin"))
   {
     const SceneNode builtin = node.At("builtin", "");
@@ -42,7 +46,14 @@ void SceneReader::ReadShape(const SceneNode& node, const std::string& name)
   else
   {
     const SceneNode mesh = node.At("mesh", "");
-    this->Check(this->Assets.LoadShapeMesh(this->File(mesh), size, shape), mesh);
+    const bool mustAlign = !node.Has("align") || node.At("align", "").Boolean();
+    if (!mustAlign && node.Has("size"))
+    {
+      node.At("size", "").FailWith("expected no `size` of a mesh that is taken as it is (`align`)");
+    }
+    this->Check(mustAlign ? this->Assets.LoadShapeMesh(this->File(mesh), size, shape)
+                          : this->Assets.LoadAlignedShape(this->File(mesh), shape),
+                mesh);
   }
   shape.Name = name;
   if (node.Has("texture"))
@@ -72,16 +83,35 @@ void SceneReader::ReadShape(const SceneNode& node, const std::string& name)
   }
   if (node.Has("class"))
   {
-    const std::string text = node.At("class", "").Text();
-    auto& classes = this->Out.Classes;
-    const auto found = std::find(classes.begin(), classes.end(), text);
-    shape.ClassId = static_cast<int>(found - classes.begin());
-    if (found == classes.end())
-    {
-      classes.push_back(text);
-    }
+    shape.ClassId = this->ClassOf(node.At("class", "").Text());
   }
   this->Out.Shapes.push_back(std::move(shape));
+}
+
+// Classes are numbered as they are met.
+int SceneReader::ClassOf(const std::string& name)
+{
+  auto& classes = this->Out.Classes;
+  const auto found = std::find(classes.begin(), classes.end(), name);
+  const auto place = static_cast<int>(found - classes.begin());
+  if (found == classes.end())
+  {
+    classes.push_back(name);
+  }
+  return place;
+}
+
+// The id of the next object: what the entry says, or its place in the expanded list.
+int SceneReader::FreeId(const SceneNode& node) const
+{
+  constexpr std::int64_t largest = 1000000000;
+  const int id = node.Has("id") ? static_cast<int>(node.At("id", "").Integer(0, largest, "an id"))
+                                : static_cast<int>(this->Out.Objects.size());
+  if (this->PlaceOfObject.count(id) > 0)
+  {
+    node.FailWith("expected an id of its own, found " + std::to_string(id) + " for two objects");
+  }
+  return id;
 }
 
 void SceneReader::ReadObjects(const SceneNode& node)
@@ -120,6 +150,23 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t entry)
   object.ClearanceRadius = ClearanceRadius(*shape);
   object.RestHeight = RestHeight(*shape);
   object.Mass = node.Has("mass") ? node.At("mass", "").Positive() : ShellMass(*shape);
+  if (node.Has("settlingSpeed"))
+  {
+    object.SettlingSpeed = node.At("settlingSpeed", "").NonNegative();
+  }
+  if (node.Has("clearanceRadius"))
+  {
+    object.ClearanceRadius = node.At("clearanceRadius", "").NonNegative();
+  }
+  if (node.Has("restHeight"))
+  {
+    object.RestHeight = node.At("restHeight", "").NonNegative();
+  }
+  if (node.Has("class"))
+  {
+    const std::string name = node.At("class", "").Text();
+    object.ClassId = name.empty() ? -1 : this->ClassOf(name);
+  }
   if (node.Has("velocity"))
   {
     object.Velocity = node.At("velocity", "").Vector();
@@ -151,8 +198,9 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t entry)
   }
   for (const Vec3& position : positions)
   {
-    object.ObjectId = static_cast<int>(this->Out.Objects.size());
+    object.ObjectId = this->FreeId(node);
     object.Position = position;
+    this->PlaceOfObject[object.ObjectId] = this->Out.Objects.size();
     this->Out.Objects.push_back(object);
   }
 }

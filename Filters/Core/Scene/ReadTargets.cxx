@@ -101,6 +101,44 @@ std::vector<SceneReader::Target> SceneReader::SampleMesh(const SceneNode& node, 
   return targets;
 }
 
+int SceneReader::TargetClass(const SceneNode& node, const std::string& name) const
+{
+  const auto found = std::find(this->Out.Classes.begin(), this->Out.Classes.end(), name);
+  if (found == this->Out.Classes.end())
+  {
+    node.FailWith("expected the class of a shape, found the unknown class \"" + name + "\"");
+  }
+  return static_cast<int>(found - this->Out.Classes.begin());
+}
+
+// Points, and the class that each is for where they have any ("": any class).
+std::vector<SceneReader::Target> SceneReader::ReadPoints(const SceneNode& node) const
+{
+  node.CheckFields("pointTargets");
+  const SceneNode points = node.At("points", "");
+  std::vector<Target> targets;
+  for (std::size_t i = 0; i < points.Size("a list of points"); ++i)
+  {
+    targets.push_back({ points.Item(i).Vector(), -1 });
+  }
+  if (node.Has("classes"))
+  {
+    const SceneNode classes = node.At("classes", "");
+    if (classes.Size("a list of classes, one a point") != targets.size())
+    {
+      classes.FailWith("expected " + std::to_string(targets.size()) +
+                       " classes, one a point, found " +
+                       std::to_string(classes.Size("a list of classes")));
+    }
+    for (std::size_t i = 0; i < targets.size(); ++i)
+    {
+      const SceneNode name = classes.Item(i);
+      targets[i].ClassId = name.Text().empty() ? -1 : this->TargetClass(name, name.Text());
+    }
+  }
+  return targets;
+}
+
 std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node, int row,
                                                           std::size_t objects) const
 {
@@ -115,13 +153,7 @@ std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node,
   std::vector<Target> targets;
   if (node.Has("points"))
   {
-    node.CheckFields("pointTargets");
-    const SceneNode points = node.At("points", "");
-    for (std::size_t i = 0; i < points.Size("a list of points"); ++i)
-    {
-      targets.push_back({ points.Item(i).Vector(), -1 });
-    }
-    return targets;
+    return this->ReadPoints(node);
   }
   node.CheckFields(node.Has("text") ? "textTargets"
                                     : (node.Has("image") ? "imageTargets" : "meshTargets"));
@@ -163,13 +195,8 @@ std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node,
     for (const std::string& name : classes.Fields())
     {
       const SceneNode color = classes.At(name, "");
-      const auto found = std::find(this->Out.Classes.begin(), this->Out.Classes.end(), name);
-      if (found == this->Out.Classes.end())
-      {
-        color.FailWith("expected the class of a shape, found the unknown class \"" + name + "\"");
-      }
+      classIds.push_back(this->TargetClass(color, name));
       const Vec3 rgb = color.Vector();
-      classIds.push_back(static_cast<int>(found - this->Out.Classes.begin()));
       colors.push_back({ rgb[0], rgb[1], rgb[2] });
     }
     if (!node.Has("count"))

@@ -39,6 +39,9 @@ struct Scene
   std::vector<std::string> Warnings; // what was read and is odd, a sentence each
 };
 
+/// The slab that stands for the ground below a height [m].
+TriangleMesh MakeGround(const Box& bounds, double height);
+
 /// Reads a scene file, version 1 (Documentation/SceneFiles.md). A failure's message is
 /// `FILE: /json/pointer: expected what, found what`, and the scene is left as it was.
 Result ReadScene(const std::string& file, const SceneAssets& assets, Scene& scene);

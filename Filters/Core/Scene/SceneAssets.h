@@ -34,9 +34,13 @@ public:
   /// A built-in shape (leaf, maple, ...) with its numbers; size: largest extent [m], 0 the
   /// default one.
   virtual Result LoadBuiltinShape(const std::string& builtin, double size, Shape& shape) const = 0;
+  /// The names that LoadBuiltinShape knows.
+  virtual std::vector<std::string> BuiltinShapeNames() const = 0;
   /// A thin body from a mesh file, centred and turned to its body axes; size as above, 0 leaves
   /// the file's own.
   virtual Result LoadShapeMesh(const std::string& path, double size, Shape& shape) const = 0;
+  /// The same as it stands in the file, which has it on its body axes already.
+  virtual Result LoadAlignedShape(const std::string& path, Shape& shape) const = 0;
   /// A surface as it is in the file.
   virtual Result LoadMesh(const std::string& path, TriangleMesh& mesh) const = 0;
   /// A picture file.

@@ -6,6 +6,7 @@
 #include "Scene/SceneNode.h"
 #include "Scene/TargetSampling.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,6 +52,8 @@ private:
   void ReadShape(const SceneNode& node, const std::string& name);
   void ReadObjects(const SceneNode& node);
   void ReadObjectEntry(const SceneNode& node, std::size_t entry);
+  int ClassOf(const std::string& name);
+  int FreeId(const SceneNode& node) const;
   std::vector<Vec3> SpreadObjects(const SceneNode& node, std::size_t entry, double radius);
 
   // ReadFields.cxx
@@ -67,12 +70,15 @@ private:
   void ReadPath(const SceneNode& node, int row);
   void ReadKeyframe(const SceneNode& node, int row);
   int ObjectId(const SceneNode& node, int lowest) const;
-  std::vector<int> ObjectIds(const SceneNode& node) const;
+  const MotionObject& Object(int id) const;
+  std::vector<int> ObjectIds(const SceneNode& node, bool mayBeAny) const;
   std::vector<int> AssignAmong(const std::vector<int>& objects, const std::vector<Target>& targets,
                                int frame, const SceneNode& node) const;
 
   // ReadTargets.cxx
   std::vector<Target> ReadTargets(const SceneNode& node, int row, std::size_t objects) const;
+  std::vector<Target> ReadPoints(const SceneNode& node) const;
+  int TargetClass(const SceneNode& node, const std::string& name) const;
   std::vector<Target> SamplePlane(const SceneNode& node, const TargetMask& mask, std::size_t count,
                                   const std::vector<int>& classIds, int row) const;
   std::vector<Target> SampleMesh(const SceneNode& node, std::size_t count, int row) const;
@@ -84,6 +90,7 @@ private:
   Scene& Out;
   bool HasGround = true;
   double GroundHeight = 0.0;
+  std::map<int, std::size_t> PlaceOfObject; // by id
 };
 
 } // namespace waft

@@ -33,3 +33,31 @@ TEST(WriteWholeFile, ReplacesWhatWasThereAndLeavesNothingBeside)
   EXPECT_FALSE(WriteWholeFile((folder / "none" / "d").string(), bytes));
   fs::remove_all(folder);
 }
+
+TEST(WriteWholeFiles, WritesAllOrNothing)
+{
+  const fs::path folder = fs::path(testing::TempDir()) / "waft-atomic-files";
+  fs::remove_all(folder);
+  fs::create_directories(folder / "taken");
+  const std::string first = (folder / "first").string();
+  const std::string deep = (folder / "a" / "b" / "second").string();
+  ASSERT_TRUE(WriteWholeFile(first, "old"));
+  const auto read = [](const std::string& path)
+  {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+  };
+  // The last of them cannot be written: the first stays, and no folder is left.
+  const Result result =
+    WriteWholeFiles({ { first, "new" }, { deep, "second" }, { (folder / "taken").string(), "x" } });
+  EXPECT_FALSE(result);
+  EXPECT_NE(result.Message().find("taken"), std::string::npos) << result.Message();
+  EXPECT_EQ(read(first), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 2);
+  ASSERT_TRUE(WriteWholeFiles({ { first, "new" }, { deep, "second" } }));
+  EXPECT_EQ(read(first), "new");
+  EXPECT_EQ(read(deep), "second");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 3);
+  fs::remove_all(folder);
+}

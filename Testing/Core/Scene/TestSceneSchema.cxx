@@ -2,150 +2,16 @@
 // The published schema against the reader: the same fields, and the same answer on good and bad
 // scenes.
 #include "Scene/SceneFields.h"
+#include "SceneSchema.h"
 #include "TestAssets.h"
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
-#include <fstream>
-#include <regex>
 #include <set>
-#include <sstream>
 
 using namespace waft;
-using Json = nlohmann::json;
 
 namespace
 {
-
-Json LoadJson(const std::string& path)
-{
-  std::ifstream stream(path);
-  return Json::parse(stream);
-}
-
-const Json& Schema()
-{
-  static const Json schema =
-    LoadJson(std::string(WAFT_SOURCE_DIR) + "/Documentation/scene.schema.json");
-  return schema;
-}
-
-bool HasType(const Json& value, const std::string& type)
-{
-  return (type == "object" && value.is_object()) || (type == "array" && value.is_array()) ||
-         (type == "string" && value.is_string()) || (type == "boolean" && value.is_boolean()) ||
-         (type == "number" && value.is_number()) ||
-         (type == "integer" && value.is_number() &&
-          value.get<double>() == std::floor(value.get<double>()));
-}
-
-bool IsValid(const Json& value, const Json& schema);
-
-bool IsValidObject(const Json& value, const Json& schema)
-{
-  for (const Json& name : schema.value("required", Json::array()))
-  {
-    if (!value.contains(name.get<std::string>()))
-    {
-      return false;
-    }
-  }
-  const Json properties = schema.value("properties", Json::object());
-  const Json patterns = schema.value("patternProperties", Json::object());
-  for (const auto& item : value.items())
-  {
-    bool known = properties.contains(item.key());
-    if (known && !IsValid(item.value(), properties[item.key()]))
-    {
-      return false;
-    }
-    for (const auto& pattern : patterns.items())
-    {
-      if (std::regex_search(item.key(), std::regex(pattern.key())))
-      {
-        known = true;
-        if (!IsValid(item.value(), pattern.value()))
-        {
-          return false;
-        }
-      }
-    }
-    if (!known && schema.contains("additionalProperties"))
-    {
-      const Json& rest = schema["additionalProperties"];
-      if (rest.is_boolean() ? !rest.get<bool>() : !IsValid(item.value(), rest))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-int CountValid(const Json& value, const Json& schemas)
-{
-  int count = 0;
-  for (const Json& schema : schemas)
-  {
-    count += IsValid(value, schema);
-  }
-  return count;
-}
-
-// The keywords of draft-07 that the schema uses; any other fails the test below.
-bool IsValid(const Json& value, const Json& schema)
-{
-  if (schema.contains("$ref"))
-  {
-    const std::string ref = schema["$ref"];
-    return IsValid(value, Schema().at(Json::json_pointer(ref.substr(1))));
-  }
-  if (schema.contains("if"))
-  {
-    const char* branch = IsValid(value, schema["if"]) ? "then" : "else";
-    if (schema.contains(branch) && !IsValid(value, schema[branch]))
-    {
-      return false;
-    }
-  }
-  if ((schema.contains("type") && !HasType(value, schema["type"])) ||
-      (schema.contains("const") && value != schema["const"]) ||
-      (schema.contains("enum") &&
-       std::find(schema["enum"].begin(), schema["enum"].end(), value) == schema["enum"].end()) ||
-      (schema.contains("oneOf") && CountValid(value, schema["oneOf"]) != 1) ||
-      (schema.contains("anyOf") && CountValid(value, schema["anyOf"]) == 0) ||
-      (schema.contains("allOf") &&
-       CountValid(value, schema["allOf"]) != static_cast<int>(schema["allOf"].size())))
-  {
-    return false;
-  }
-  if (value.is_number())
-  {
-    const double number = value;
-    return number >= schema.value("minimum", -1e300) && number <= schema.value("maximum", 1e300) &&
-           number > schema.value("exclusiveMinimum", -1e300);
-  }
-  if (value.is_string())
-  {
-    const std::string text = value;
-    return text.size() >= schema.value("minLength", 0u) &&
-           (!schema.contains("pattern") ||
-            std::regex_search(text, std::regex(schema["pattern"].get<std::string>())));
-  }
-  if (value.is_array())
-  {
-    if (value.size() < schema.value("minItems", std::size_t(0)) ||
-        value.size() > schema.value("maxItems", std::size_t(1) << 40))
-    {
-      return false;
-    }
-    return !schema.contains("items") ||
-           std::all_of(value.begin(), value.end(),
-                       [&](const Json& item) { return IsValid(item, schema["items"]); });
-  }
-  return !value.is_object() || IsValidObject(value, schema);
-}
 
 void CollectKeywords(const Json& schema, std::set<std::string>& keywords)
 {
@@ -192,9 +58,11 @@ const char* const Everything = R"({"waft": 1, "title": "T", "seed": 3, "_comment
   "ground": {"height": 0.1, "enabled": true}, "air": {"density": 1.2},
   "shapes": {"leaf": {"builtin": "leaf", "texture": "LICENSE", "size": 0.1, "areaDensity": 0.1,
       "thickness": 0.001, "dragCoefficient": 1.2, "settlingSpeed": 0.8, "color": [1, 0.5, 0],
-      "class": "red"}, "own": {"mesh": "LICENSE", "class": "blue"}},
+      "class": "red"}, "own": {"mesh": "LICENSE", "align": true,
+      "class": "blue"}},
   "objects": [{"shape": "leaf", "position": [0, 0, 3], "velocity": [0, 0, 0],
-      "orientation": [1, 0, 0, 0], "angularVelocity": [0, 0, 1], "mass": 0.001},
+      "orientation": [1, 0, 0, 0], "angularVelocity": [0, 0, 1], "mass": 0.001, "id": 0,
+      "settlingSpeed": 0.7, "clearanceRadius": 0.06, "restHeight": 0.001, "class": "red"},
     {"shape": "leaf", "count": 5, "region": {"min": [-2, -2, 1], "max": [2, 2, 4]}, "seed": 2},
     {"shape": "own", "positions": [[2, 2, 4], [-2, 2, 4]]}],
   "constraints": [{"kind": "position", "object": 0, "frame": 20, "value": [0, 0, 2], "radius": 0.1},
@@ -207,7 +75,8 @@ const char* const Everything = R"({"waft": 1, "title": "T", "seed": 3, "_comment
     {"kind": "keyframe", "frame": 55, "targets": {"text": "L", "font": "sans",
       "origin": [0, 0, 0.2], "u": [1, 0, 0], "v": [0, 1, 0], "width": 2, "count": 4},
       "objects": [3, 4, 5, 6], "assign": "inOrder", "velocity": "rest", "until": 59, "radius": 0},
-    {"kind": "keyframe", "frame": 50, "targets": {"points": [[0, 0, 1]]}, "velocity": [0, 0, 1]},
+    {"kind": "keyframe", "frame": 50, "targets": {"points": [[0, 0, 1]],
+      "classes": ["blue"]}, "velocity": [0, 0, 1]},
     {"kind": "keyframe", "frame": 51, "targets": {"image": "LICENSE", "origin": [0, 0, 0.2],
       "u": [1, 0, 0], "v": [0, 1, 0], "width": 2, "count": 4,
       "classes": {"red": [1, 0, 0], "blue": [0, 0, 1]}}},

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A whole scene as one data set, and as files on disk.
+#pragma once
+
+#include "Base/FieldSeries.h"
+#include "Base/Result.h"
+#include "Scene/Scene.h"
+
+#include <cstddef>
+#include <string>
+
+class vtkImageData;
+class vtkMultiBlockDataSet;
+
+namespace waft
+{
+
+/// What a scene file holds, over all its time.
+struct SceneContents
+{
+  Scene Parts;      // its winds are those of Wind
+  FieldSeries Wind; // empty: none
+};
+
+/// Blocks `Objects`, `Constraints`, `Obstacles` (where they stand at frame 0; of each that moves
+/// the field data `Motion` and its id, a displacement a frame [m]), `Shapes`, `Vortices` and `Wind`
+/// (one image a step, with the field data `Time` [s]); field data `Title`.
+void SceneToBlocks(const SceneContents& scene, vtkMultiBlockDataSet* data);
+/// The same back. Blocks that are missing are empty; only `Objects` has to be there.
+Result SceneFromBlocks(vtkMultiBlockDataSet* data, SceneContents& scene);
+
+/// One step of a series to the last bit; the image is empty before.
+void StepToImage(const FieldSeries& series, std::size_t step, const SceneInfo& info,
+                 vtkImageData* image);
+
+/// Writes a scene file (*.waft.json) and beside it what it cannot say in words: NAME.*.vtp,
+/// NAME.wind.vti or NAME.wind.pvd with the folder NAME.wind. All of them or none, and nothing when
+/// something cannot be written (FormatScene says what). Objects without any shape become discs.
+Result WriteSceneFiles(const SceneContents& scene, const std::string& fileName);
+
+} // namespace waft

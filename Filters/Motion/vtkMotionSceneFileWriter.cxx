@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMotionSceneFileWriter.h"
+
+#include "Bridge/SceneBlocks.h"
+
+#include <vtkErrorCode.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkObjectFactory.h>
+
+vtkStandardNewMacro(vtkMotionSceneFileWriter);
+
+int vtkMotionSceneFileWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
+  return 1;
+}
+
+void vtkMotionSceneFileWriter::WriteData()
+{
+  waft::SceneContents scene;
+  waft::Result result =
+    waft::SceneFromBlocks(vtkMultiBlockDataSet::SafeDownCast(this->GetInput()), scene);
+  result = result ? waft::WriteSceneFiles(scene, this->FileName) : result;
+  if (!result)
+  {
+    vtkErrorMacro(<< result.Message());
+    this->SetErrorCode(vtkErrorCode::UserError);
+  }
+}
+
+void vtkMotionSceneFileWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n";
+}

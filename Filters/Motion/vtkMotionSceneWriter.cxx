@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMotionSceneWriter.h"
+
+#include "Bridge/KeptStage.h"
+#include "Bridge/SceneBlocks.h"
+#include "Bridge/SceneData.h"
+#include "Bridge/ShapeData.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+vtkStandardNewMacro(vtkMotionSceneWriter);
+
+namespace
+{
+
+enum InputPort
+{
+  ObjectsPort,
+  ConstraintsPort,
+  ObstaclesPort,
+  ShapesPort,
+  VorticesPort,
+  WindPort,
+  NumberOfInputs
+};
+
+} // namespace
+
+struct vtkMotionSceneWriter::Internals : waft::KeptStage
+{
+  vtkMotionSceneWriter* Self;
+  bool IsWritten = false;
+
+  explicit Internals(vtkMotionSceneWriter* self) :
+    KeptStage(self, ObjectsPort, ObstaclesPort, WindPort), Self(self)
+  {
+  }
+  waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+};
+
+waft::Result vtkMotionSceneWriter::Internals::Run(vtkInformationVector** inputs, waft::Monitor&)
+{
+  this->IsWritten = false;
+  waft::SceneContents scene;
+  waft::Scene& parts = scene.Parts;
+  parts.Info = this->Scene;
+  parts.Title = this->Self->Title;
+  WAFT_RETURN_IF_FAILED(
+    waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[ObjectsPort]), parts.Objects));
+  WAFT_RETURN_IF_FAILED(this->TakeConstraints(inputs[ConstraintsPort], parts.Constraints));
+  parts.Obstacles = this->Fields.TakeObstacles();
+  scene.Wind = this->Fields.TakeWind();
+  if (auto* shapes = vtkMultiBlockDataSet::GetData(inputs[ShapesPort]))
+  {
+    WAFT_RETURN_IF_FAILED(waft::ShapesFromMultiBlock(shapes, parts.Shapes));
+  }
+  if (vtkPolyData* vortices = vtkPolyData::GetData(inputs[VorticesPort]))
+  {
+    WAFT_RETURN_IF_FAILED(waft::VorticesFromPolyData(vortices, parts.Vortices));
+  }
+  if (!this->Self->FileName.empty())
+  {
+    WAFT_RETURN_IF_FAILED(waft::WriteSceneFiles(scene, this->Self->FileName));
+    this->IsWritten = true;
+  }
+  waft::SceneToBlocks(scene, this->Kept<vtkMultiBlockDataSet>(0));
+  return waft::Result::Ok();
+}
+
+vtkMotionSceneWriter::vtkMotionSceneWriter() : Impl(std::make_unique<Internals>(this))
+{
+  this->SetNumberOfInputPorts(NumberOfInputs);
+}
+
+vtkMotionSceneWriter::~vtkMotionSceneWriter() = default;
+
+int vtkMotionSceneWriter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == ShapesPort ? "vtkMultiBlockDataSet"
+                                                      : port == WindPort ? "vtkImageData"
+                                                                         : "vtkPolyData");
+  if (port != ObjectsPort)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkMotionSceneWriter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
+                                             vtkInformationVector* outputs)
+{
+  waft::PassTimeSteps(this, inputs, outputs);
+  return 1;
+}
+
+int vtkMotionSceneWriter::RequestUpdateExtent(vtkInformation* request,
+                                              vtkInformationVector** inputs,
+                                              vtkInformationVector* outputs)
+{
+  return this->Impl->RequestUpdateExtent(request, inputs, outputs);
+}
+
+int vtkMotionSceneWriter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                                      vtkInformationVector* outputs)
+{
+  return this->Impl->RequestData(request, inputs, outputs);
+}
+
+bool vtkMotionSceneWriter::Write()
+{
+  if (this->FileName.empty())
+  {
+    vtkErrorMacro("FileName: expected a name ending in .waft.json, found none");
+    return false;
+  }
+  this->Impl->IsWritten = false;
+  this->Modified();
+  this->Update();
+  return this->Impl->IsWritten;
+}
+
+void vtkMotionSceneWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "Title: " << this->Title << "\n";
+}

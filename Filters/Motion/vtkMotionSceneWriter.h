@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkMotionSceneWriter
+ * @brief   keeps a scene in a file (*.waft.json)
+ *
+ * Input port 0, Objects (vtkPolyData): one vertex an object; its field data give the volume, the
+ * frames, the air and the seed.
+ * Input port 1, Constraints (vtkPolyData, optional): one vertex a row.
+ * Input port 2, Obstacles (vtkPolyData, optional, may move): surfaces with `ObstacleId`.
+ * Input port 3, Shapes (vtkMultiBlockDataSet, optional): the bodies. Without any, objects of
+ * `ShapeId` 0 are written as discs.
+ * Input port 4, Vortices (vtkPolyData, optional): one line a vortex.
+ * Input port 5, Wind (vtkImageData, optional, may vary in time): `Wind` or `Velocity`.
+ * Output port 0, Scene (vtkMultiBlockDataSet): all of it over all its time, as
+ * vtkMotionSceneFileWriter takes it.
+ *
+ * What sources made by hand, or vtkMotionSceneReader read, edited or not, reads back from the file
+ * the same, number by number; the format is in Documentation/SceneFiles.md, with what it does not
+ * keep. Meshes and winds go into files beside the scene's. All files are written, or none: upon an
+ * error, which names the object, row, shape or obstacle, what stood there before is untouched.
+ * Executing the stage writes, once for each change; without a FileName nothing is written.
+ */
+#ifndef vtkMotionSceneWriter_h
+#define vtkMotionSceneWriter_h
+
+#include "vtkMultiBlockDataSetAlgorithm.h"
+#include "vtkWaftFiltersModule.h"
+
+#include <memory>
+#include <string>
+
+class VTKWAFTFILTERS_EXPORT vtkMotionSceneWriter : public vtkMultiBlockDataSetAlgorithm
+{
+public:
+  static vtkMotionSceneWriter* New();
+  vtkTypeMacro(vtkMotionSceneWriter, vtkMultiBlockDataSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The file to write, ending in .waft.json. */
+  vtkSetMacro(FileName, std::string);
+  vtkGetMacro(FileName, std::string);
+  ///@}
+  ///@{
+  /** The scene's title. */
+  vtkSetMacro(Title, std::string);
+  vtkGetMacro(Title, std::string);
+  ///@}
+
+  /** Writes now, even when nothing changed. False when the file could not be written (the error was
+   * reported). */
+  bool Write();
+
+protected:
+  vtkMotionSceneWriter();
+  ~vtkMotionSceneWriter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector** inputs,
+                         vtkInformationVector* outputs) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
+                          vtkInformationVector* outputs) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                  vtkInformationVector* outputs) override;
+
+private:
+  vtkMotionSceneWriter(const vtkMotionSceneWriter&) = delete;
+  void operator=(const vtkMotionSceneWriter&) = delete;
+
+  std::string FileName;
+  std::string Title;
+
+  struct Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The published JSON schema and a validator for the keywords that it uses.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <regex>
+#include <string>
+
+namespace waft
+{
+
+using Json = nlohmann::json;
+
+inline Json LoadJson(const std::string& path)
+{
+  std::ifstream stream(path);
+  return Json::parse(stream);
+}
+
+inline const Json& Schema()
+{
+  static const Json schema =
+    LoadJson(std::string(WAFT_SOURCE_DIR) + "/Documentation/scene.schema.json");
+  return schema;
+}
+
+inline bool HasType(const Json& value, const std::string& type)
+{
+  return (type == "object" && value.is_object()) || (type == "array" && value.is_array()) ||
+         (type == "string" && value.is_string()) || (type == "boolean" && value.is_boolean()) ||
+         (type == "number" && value.is_number()) ||
+         (type == "integer" && value.is_number() &&
+          value.get<double>() == std::floor(value.get<double>()));
+}
+
+bool IsValid(const Json& value, const Json& schema);
+
+inline bool IsValidObject(const Json& value, const Json& schema)
+{
+  for (const Json& name : schema.value("required", Json::array()))
+  {
+    if (!value.contains(name.get<std::string>()))
+    {
+      return false;
+    }
+  }
+  const Json properties = schema.value("properties", Json::object());
+  const Json patterns = schema.value("patternProperties", Json::object());
+  for (const auto& item : value.items())
+  {
+    bool known = properties.contains(item.key());
+    if (known && !IsValid(item.value(), properties[item.key()]))
+    {
+      return false;
+    }
+    for (const auto& pattern : patterns.items())
+    {
+      if (std::regex_search(item.key(), std::regex(pattern.key())))
+      {
+        known = true;
+        if (!IsValid(item.value(), pattern.value()))
+        {
+          return false;
+        }
+      }
+    }
+    if (!known && schema.contains("additionalProperties"))
+    {
+      const Json& rest = schema["additionalProperties"];
+      if (rest.is_boolean() ? !rest.get<bool>() : !IsValid(item.value(), rest))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+inline int CountValid(const Json& value, const Json& schemas)
+{
+  int count = 0;
+  for (const Json& schema : schemas)
+  {
+    count += IsValid(value, schema);
+  }
+  return count;
+}
+
+// The keywords of draft-07 that the schema uses; any other fails the test below.
+inline bool IsValid(const Json& value, const Json& schema)
+{
+  if (schema.contains("$ref"))
+  {
+    const std::string ref = schema["$ref"];
+    return IsValid(value, Schema().at(Json::json_pointer(ref.substr(1))));
+  }
+  if (schema.contains("if"))
+  {
+    const char* branch = IsValid(value, schema["if"]) ? "then" : "else";
+    if (schema.contains(branch) && !IsValid(value, schema[branch]))
+    {
+      return false;
+    }
+  }
+  if ((schema.contains("type") && !HasType(value, schema["type"])) ||
+      (schema.contains("const") && value != schema["const"]) ||
+      (schema.contains("enum") &&
+       std::find(schema["enum"].begin(), schema["enum"].end(), value) == schema["enum"].end()) ||
+      (schema.contains("oneOf") && CountValid(value, schema["oneOf"]) != 1) ||
+      (schema.contains("anyOf") && CountValid(value, schema["anyOf"]) == 0) ||
+      (schema.contains("allOf") &&
+       CountValid(value, schema["allOf"]) != static_cast<int>(schema["allOf"].size())))
+  {
+    return false;
+  }
+  if (value.is_number())
+  {
+    const double number = value;
+    return number >= schema.value("minimum", -1e300) && number <= schema.value("maximum", 1e300) &&
+           number > schema.value("exclusiveMinimum", -1e300);
+  }
+  if (value.is_string())
+  {
+    const std::string text = value;
+    return text.size() >= schema.value("minLength", 0u) &&
+           (!schema.contains("pattern") ||
+            std::regex_search(text, std::regex(schema["pattern"].get<std::string>())));
+  }
+  if (value.is_array())
+  {
+    if (value.size() < schema.value("minItems", std::size_t(0)) ||
+        value.size() > schema.value("maxItems", std::size_t(1) << 40))
+    {
+      return false;
+    }
+    return !schema.contains("items") ||
+           std::all_of(value.begin(), value.end(),
+                       [&](const Json& item) { return IsValid(item, schema["items"]); });
+  }
+  return !value.is_object() || IsValidObject(value, schema);
+}
+
+} // namespace waft

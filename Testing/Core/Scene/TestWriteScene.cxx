@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene that is written and read again is the same scene.
+#include "Scene/WriteScene.h"
+#include "SceneSchema.h"
+#include "TestAssets.h"
+
+#include <filesystem>
+
+using namespace waft;
+
+namespace
+{
+
+SceneText Written(const Scene& scene)
+{
+  SceneText text;
+  const Result result = FormatScene(scene, TestAssets(), WAFT_SOURCE_DIR, "s", text);
+  EXPECT_TRUE(result) << result.Message();
+  EXPECT_TRUE(IsValid(Json::parse(text.Json), Schema())) << text.Json;
+  return text;
+}
+
+std::string WhyNotWritten(const Scene& scene)
+{
+  SceneText text;
+  const Result result = FormatScene(scene, TestAssets(), WAFT_SOURCE_DIR, "s", text);
+  EXPECT_FALSE(result) << text.Json;
+  EXPECT_TRUE(text.Json.empty());
+  return result.Message();
+}
+
+void ExpectSameRows(const std::vector<Constraint>& a, const std::vector<Constraint>& b)
+{
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    SCOPED_TRACE("row " + std::to_string(i));
+    EXPECT_EQ(a[i].ObjectId, b[i].ObjectId);
+    EXPECT_EQ(a[i].Frame, b[i].Frame);
+    EXPECT_EQ(a[i].Kind, b[i].Kind);
+    EXPECT_EQ(a[i].Value, b[i].Value);
+    EXPECT_EQ(a[i].Orientation.coeffs(), b[i].Orientation.coeffs());
+    EXPECT_EQ(a[i].Radius, b[i].Radius);
+    EXPECT_EQ(a[i].Until, b[i].Until);
+    EXPECT_EQ(a[i].Row, b[i].Row);
+    EXPECT_EQ(a[i].Target, b[i].Target);
+    EXPECT_EQ(a[i].Group, b[i].Group);
+    EXPECT_EQ(a[i].ClassId, b[i].ClassId);
+  }
+}
+
+void ExpectSameObjects(const std::vector<MotionObject>& a, const std::vector<MotionObject>& b)
+{
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    SCOPED_TRACE("object " + std::to_string(i));
+    EXPECT_EQ(a[i].ObjectId, b[i].ObjectId);
+    EXPECT_EQ(a[i].ShapeId, b[i].ShapeId);
+    EXPECT_EQ(a[i].ClassId, b[i].ClassId);
+    EXPECT_EQ(a[i].Mass, b[i].Mass);
+    EXPECT_EQ(a[i].Position, b[i].Position);
+    EXPECT_EQ(a[i].Velocity, b[i].Velocity);
+    EXPECT_EQ(a[i].Orientation.coeffs(), b[i].Orientation.coeffs());
+    EXPECT_EQ(a[i].AngularVelocity, b[i].AngularVelocity);
+    EXPECT_EQ(a[i].SettlingSpeed, b[i].SettlingSpeed);
+    EXPECT_EQ(a[i].ClearanceRadius, b[i].ClearanceRadius);
+    EXPECT_EQ(a[i].RestHeight, b[i].RestHeight);
+  }
+}
+
+void ExpectSameShapes(const std::vector<Shape>& a, const std::vector<Shape>& b)
+{
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    SCOPED_TRACE("shape " + a[i].Name);
+    EXPECT_EQ(a[i].Name, b[i].Name);
+    EXPECT_EQ(a[i].Mesh.Points, b[i].Mesh.Points);
+    EXPECT_EQ(a[i].Mesh.Triangles, b[i].Mesh.Triangles);
+    EXPECT_EQ(a[i].TextureCoordinates, b[i].TextureCoordinates);
+    EXPECT_EQ(a[i].Texture, b[i].Texture);
+    EXPECT_EQ(a[i].DragCoefficient, b[i].DragCoefficient);
+    EXPECT_EQ(a[i].AreaDensity, b[i].AreaDensity);
+    EXPECT_EQ(a[i].Thickness, b[i].Thickness);
+    EXPECT_EQ(a[i].SettlingSpeed, b[i].SettlingSpeed);
+    EXPECT_EQ(a[i].Color, b[i].Color);
+    EXPECT_EQ(a[i].ClassId, b[i].ClassId);
+  }
+}
+
+void ExpectSameScene(const Scene& a, const Scene& b)
+{
+  EXPECT_EQ(a.Title, b.Title);
+  EXPECT_EQ(a.Info.Seed, b.Info.Seed);
+  EXPECT_EQ(a.Info.Time.NumberOfFrames, b.Info.Time.NumberOfFrames);
+  EXPECT_EQ(a.Info.Time.FramesPerSecond, b.Info.Time.FramesPerSecond);
+  EXPECT_EQ(a.Info.AirDensity, b.Info.AirDensity);
+  EXPECT_EQ(a.Info.Bounds.Min, b.Info.Bounds.Min);
+  EXPECT_EQ(a.Info.Bounds.Max, b.Info.Bounds.Max);
+  EXPECT_EQ(a.Classes, b.Classes);
+  ExpectSameShapes(a.Shapes, b.Shapes);
+  ExpectSameObjects(a.Objects, b.Objects);
+  ExpectSameRows(a.Constraints, b.Constraints);
+  ASSERT_EQ(a.Obstacles.size(), b.Obstacles.size());
+  for (std::size_t i = 0; i < a.Obstacles.size(); ++i)
+  {
+    EXPECT_EQ(a.Obstacles[i].ObstacleId, b.Obstacles[i].ObstacleId);
+    EXPECT_EQ(a.Obstacles[i].Mesh.Points, b.Obstacles[i].Mesh.Points);
+    EXPECT_EQ(a.Obstacles[i].Mesh.Triangles, b.Obstacles[i].Mesh.Triangles);
+    EXPECT_EQ(a.Obstacles[i].Offsets, b.Obstacles[i].Offsets);
+  }
+  EXPECT_EQ(a.GroundId, b.GroundId);
+  ASSERT_EQ(a.Vortices.size(), b.Vortices.size());
+  for (std::size_t i = 0; i < a.Vortices.size(); ++i)
+  {
+    EXPECT_EQ(a.Vortices[i].P1, b.Vortices[i].P1);
+    EXPECT_EQ(a.Vortices[i].P2, b.Vortices[i].P2);
+    EXPECT_EQ(a.Vortices[i].Strength, b.Vortices[i].Strength);
+    EXPECT_EQ(a.Vortices[i].CenterTime, b.Vortices[i].CenterTime);
+    EXPECT_EQ(a.Vortices[i].Duration, b.Vortices[i].Duration);
+    EXPECT_EQ(a.Vortices[i].CoreRadius, b.Vortices[i].CoreRadius);
+  }
+  ASSERT_EQ(a.Winds.size(), b.Winds.size());
+  for (std::size_t i = 0; i < a.Winds.size(); ++i)
+  {
+    EXPECT_EQ(a.Winds[i].Direction, b.Winds[i].Direction);
+    EXPECT_EQ(a.Winds[i].Strength, b.Winds[i].Strength);
+    EXPECT_EQ(a.Winds[i].Center, b.Winds[i].Center);
+    EXPECT_EQ(a.Winds[i].Radius, b.Winds[i].Radius);
+    EXPECT_EQ(a.Winds[i].CenterTime, b.Winds[i].CenterTime);
+    EXPECT_EQ(a.Winds[i].Duration, b.Winds[i].Duration);
+  }
+}
+
+const char* const Full =
+  R"({"waft": 1, "title": "A \"title\", with: marks", "seed": 9007199254740991,
+  "time": {"frames": 90, "framesPerSecond": 23.976}, "air": {"density": 1.1},
+  "domain": {"min": [-3.1, -3, 0.1], "max": [3, 3, 5.3]}, "ground": {"height": 0.3},
+  "shapes": {
+    "leaf": {"builtin": "leaf", "texture": "LICENSE", "size": 0.17, "areaDensity": 0.11,
+      "thickness": 0.001, "dragCoefficient": 1.3, "settlingSpeed": 0.7, "color": [1, 0.5, 0.1],
+      "class": "red"},
+    "bubble": {"builtin": "bubble"},
+    "disc": {"builtin": "disc", "size": 0.123456789012, "class": "blue"}},
+  "objects": [
+    {"shape": "leaf", "position": [0, 0, 3], "velocity": [0.1, 0, 0], "orientation": [1, 2, 3, 4],
+      "angularVelocity": [0, 0, 1], "mass": 0.003},
+    {"shape": "disc", "count": 5, "region": {"min": [-2, -2, 1], "max": [2, 2, 4]}},
+    {"shape": "leaf", "positions": [[2, 2, 4], [-2, 2, 4]]},
+    {"shape": "bubble", "position": [1, 1, 4.5], "id": 40, "settlingSpeed": 0, "clearanceRadius": 0.2,
+      "restHeight": 0.01, "class": "green"},
+    {"shape": "leaf", "position": [1, -1, 4.5], "class": ""}],
+  "constraints": [
+    {"kind": "position", "object": 40, "frame": 20, "value": [0, 0, 2], "radius": 0.1},
+    {"kind": "position", "object": -1, "frame": 30, "value": [0, 0.1, 2]},
+    {"kind": "rest", "object": 0, "frame": 40, "until": 50, "value": [0, 0, 2]},
+    {"kind": "velocity", "object": 1, "frame": 20, "value": [0, 0, 0.3], "radius": 0.1},
+    {"kind": "acceleration", "object": 1, "frame": 30, "value": [0, 0, 0]},
+    {"kind": "orientation", "object": 1, "frame": 20, "value": [1, 0.2, 0, 0], "radius": 0.1},
+    {"kind": "path", "object": 2, "firstFrame": 20, "points": [[0, 0, 1], [0, 0.1, 1]], "radius": 0.02},
+    {"kind": "path", "object": 2, "firstFrame": 30, "points": [[0, 0.2, 1]]},
+    {"kind": "keyframe", "frame": 55, "targets": {"text": "L", "origin": [0, 0, 0.5], "width": 2},
+      "velocity": "rest", "until": 80},
+    {"kind": "keyframe", "frame": 84, "targets": {"points": [[0, 0, 1], [1, 0, 1], [1, 1, 1]]},
+      "velocity": [0, 0, 1], "objects": [3, -1, 2], "assign": "inOrder", "radius": 0.3},
+    {"kind": "keyframe", "frame": 85, "targets": {"image": "LICENSE", "origin": [0, 0, 1], "width": 2,
+      "count": 4, "classes": {"red": [1, 0, 0], "blue": [0, 0, 1]}}},
+    {"kind": "keyframe", "frame": 86, "targets": {"points": [[0, 0, 1], [1, 0, 1]],
+      "classes": ["green", ""]}}],
+  "obstacles": [
+    {"kind": "box", "min": [2, 2, 0.1], "max": [2.9, 3, 1], "id": 9, "motion": [
+      {"frame": 10, "position": [0, 0, 0]}, {"frame": 19, "position": [0.1, 0, 1]},
+      {"frame": 50, "position": [0.3, 0, 0.7]}]},
+    {"kind": "sphere", "center": [-2, -2.1, 1.7], "radius": 0.23},
+    {"kind": "cylinder", "base": [2, -2, 0.4], "top": [2.1, -2, 1], "radius": 0.21}],
+  "winds": [{"direction": [1, 0, 1], "strength": 1.7, "center": [0, 0, 0.3], "radius": 1.1,
+    "centerTime": 1.2, "duration": 1.3}],
+  "vortices": [{"p1": [0, 0, 0], "p2": [0, 0.1, 1], "strength": -1.9, "centerTime": 1.7,
+    "duration": 1.6, "coreRadius": 0.15}]})";
+
+} // namespace
+
+TEST(WriteScene, EveryKindOfThingReadsBackTheSame)
+{
+  const Scene scene = Parsed(Full);
+  const SceneText text = Written(scene);
+  EXPECT_TRUE(text.Meshes.empty());
+  ExpectSameScene(scene, Parsed(text.Json));
+  EXPECT_NE(text.Json.find("\"kind\": \"sphere\""), std::string::npos) << text.Json;
+  EXPECT_NE(text.Json.find("\"kind\": \"cylinder\""), std::string::npos);
+  EXPECT_NE(text.Json.find("\"builtin\": \"disc\""), std::string::npos);
+  // Writing again gives the same text.
+  EXPECT_EQ(Written(Parsed(text.Json)).Json, text.Json);
+}
+
+TEST(WriteScene, TheScenesOfTheProjectReadBackTheSame)
+{
+  int count = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(WAFT_SOURCE_DIR) + "/Data/Scenes"))
+  {
+    if (entry.path().extension() == ".json")
+    {
+      SCOPED_TRACE(entry.path());
+      Scene scene;
+      ASSERT_TRUE(ReadScene(entry.path().string(), TestAssets(), scene));
+      ExpectSameScene(scene, Parsed(Written(scene).Json));
+      ++count;
+    }
+  }
+  EXPECT_GE(count, 4);
+}
+
+TEST(WriteScene, MeshesWithoutWordsGoIntoFiles)
+{
+  Scene scene = Parsed(Full);
+  scene.Shapes[1].Mesh.Points[0].x() += 1e-6;
+  scene.Shapes[1].Name = "a bubble/dented";
+  scene.Obstacles[1].Mesh.Points[0].x() += 1e-6;
+  const SceneText text = Written(scene);
+  ASSERT_EQ(text.Meshes.size(), 2u);
+  EXPECT_TRUE(text.Meshes[0].IsShape);
+  EXPECT_EQ(text.Meshes[0].Place, 1u);
+  EXPECT_EQ(text.Meshes[0].Name, "s.shape-a_bubble_dented.vtp");
+  EXPECT_FALSE(text.Meshes[1].IsShape);
+  EXPECT_EQ(text.Meshes[1].Name,
+            "s.obstacle-" + std::to_string(scene.Obstacles[1].ObstacleId) + ".vtp");
+}
+
+TEST(WriteScene, MixedRowsOfOneNumberAreWrittenOneByOne)
+{
+  Scene scene = Parsed(R"({"waft": 1, "shapes": {"a": {"builtin": "leaf"}},
+    "objects": [{"shape": "a", "positions": [[0, 0, 3], [1, 0, 3]]}], "constraints": [
+    {"kind": "keyframe", "frame": 90, "objects": [1, 0], "assign": "inOrder",
+     "targets": {"points": [[0, 0, 1], [1, 0, 1]]}}]})");
+  scene.Constraints[1].Frame = 100; // one target of the keyframe moved in time
+  const Scene read = Parsed(Written(scene).Json);
+  ASSERT_EQ(read.Constraints.size(), 2u);
+  EXPECT_EQ(read.Constraints[1].ObjectId, 0);
+  EXPECT_EQ(read.Constraints[1].Frame, 100);
+  EXPECT_EQ(read.Constraints[1].Value, scene.Constraints[1].Value);
+}
+
+TEST(WriteScene, NamesWhatCannotBeWritten)
+{
+  const Scene good = Parsed(Full);
+  const auto why = [&](const auto& spoil)
+  {
+    Scene bad = good;
+    spoil(bad);
+    return WhyNotWritten(bad);
+  };
+  const auto expect = [](const std::string& message, const std::string& part)
+  { EXPECT_NE(message.find(part), std::string::npos) << message; };
+  expect(why([](Scene& s) { s.Info.Time.NumberOfFrames = 1; }), "NumberOfFrames");
+  expect(why([](Scene& s) { s.Objects[2].ObjectId = 3; }), "3 stands twice");
+  expect(why([](Scene& s) { s.Objects[2].ShapeId = 7; }), "object 2: `ShapeId`");
+  expect(why([](Scene& s) { s.Objects[2].Mass = 0.0; }), "object 2: `Mass`");
+  expect(why([](Scene& s) { s.Shapes[0].Texture = "/no/where.png"; }), "block leaf: `Texture`");
+  expect(why([](Scene& s) { s.Shapes[0].Thickness = 0.0; }), "block leaf: `Thickness`");
+  expect(why([](Scene& s) { s.Constraints[0].ObjectId = 12; }), "row 0, target 0: `ObjectId`");
+  expect(why([](Scene& s) { s.Constraints[3].ObjectId = -1; }), "row 3, target 0: a velocity");
+  expect(why([](Scene& s) { s.Constraints.back().ClassId = 5; }), "`ClassId`");
+  expect(why([](Scene& s) { s.Vortices[0].CoreRadius = 0.0; }), "vortex 0");
+  expect(why([](Scene& s) { s.Title = "\xff"; }), "cannot be written");
+}

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A scene made in ParaView without JSON: planned, kept by the writer and by Save Data, read back, planned again.
+
+    pvpython test_by_hand.py"""
+
+import json
+import os
+import sys
+import tempfile
+import unittest
+
+from paraview import simple
+from paraview.simple import OutputPort, UpdatePipeline
+
+import waft
+
+
+def data_of(source, port=0):
+    return source.GetClientSideObject().GetOutputDataObject(port)
+
+
+def points_of(data):
+    return [data.GetPoint(i) for i in range(data.GetNumberOfPoints())]
+
+
+def embedded_database():
+    database = simple.XMLMultiBlockDataReader(FileName=[waft.data_file("Database/embedded.vtm")])
+    database.TimeArray = "None"
+    return database
+
+
+class ByHandTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        starts = [simple.ObjectSource(ObjectId=k, Position=[-1.0 + k, -0.5, 3.0], SettlingSpeed=0.5) for k in range(3)]
+        cls.objects = simple.AppendGeometry(Input=starts)
+        way = simple.ConstraintSource(ObjectId=1, Frame=100, LastFrame=220, Waypoints=[0, 0, 2.4, 0.6, 0.4, 2.0])
+        speed = simple.ConstraintSource(ObjectId=0, Kind="Velocity", Frame=60, Value=[0.1, 0, -0.1], Radius=0.1)
+        word = simple.ShapeKeyframeSource(Frame=280, NumberOfTargets=3, Width=1.5, Rest=0)
+        word.Origin = [0, 0.2, 1.5]
+        cls.rows = simple.AppendGeometry(Input=[way, speed, word])
+        box = simple.Box(XLength=0.3, YLength=0.3, ZLength=1.2, Center=[-0.4, 0.3, 0.9])
+        cls.wall = simple.Clean(Input=simple.Triangulate(Input=box))
+        cls.database = embedded_database()
+        cls.planner = simple.StylisticPlannerFilter(Database=cls.database, Objects=cls.objects, Constraints=cls.rows,
+                                                    Obstacles=cls.wall)
+        UpdatePipeline(proxy=cls.planner)
+        cls.folder = tempfile.TemporaryDirectory()
+
+    def file(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def test_is_planned_without_json(self):
+        self.assertEqual(data_of(self.planner).GetNumberOfLines(), 3)
+        report = data_of(self.planner, 2)
+        statuses = [report.GetValueByName(row, "Status").ToString() for row in range(report.GetNumberOfRows())]
+        self.assertEqual(len(statuses), 6)
+        messages = [report.GetValueByName(row, "Message").ToString() for row in range(report.GetNumberOfRows())]
+        self.assertGreaterEqual(statuses.count("met"), 5, list(zip(statuses, messages)))
+
+    def check_copy(self, path):
+        reader = simple.MotionSceneReader(FileName=path)
+        UpdatePipeline(proxy=reader)
+        self.assertEqual(points_of(data_of(reader, 0)), points_of(data_of(self.objects)))
+        self.assertEqual(points_of(data_of(reader, 1)), points_of(data_of(self.rows)))
+        self.assertEqual(data_of(reader, 2).GetNumberOfCells(), 12)
+        again = simple.StylisticPlannerFilter(Database=self.database, Objects=OutputPort(reader, 0),
+                                              Constraints=OutputPort(reader, 1), Obstacles=OutputPort(reader, 2))
+        UpdatePipeline(proxy=again)
+        self.assertEqual(points_of(data_of(again)), points_of(data_of(self.planner)))
+
+    def test_the_writer_keeps_it(self):
+        writer = simple.MotionSceneWriter(Objects=self.objects, Constraints=self.rows, Obstacles=self.wall)
+        writer.Title = "By hand"
+        writer.FileName = self.file("hand.waft.json")
+        UpdatePipeline(proxy=writer)
+        with open(self.file("hand.waft.json"), encoding="utf-8") as stream:
+            self.assertEqual(json.load(stream)["title"], "By hand")
+        self.check_copy(self.file("hand.waft.json"))
+
+    def test_save_data_keeps_it(self):
+        scene = simple.MotionSceneWriter(Objects=self.objects, Constraints=self.rows, Obstacles=self.wall)
+        UpdatePipeline(proxy=scene)
+        simple.SaveData(self.file("saved.waft.json"), proxy=scene)
+        self.check_copy(self.file("saved.waft.json"))
+
+
+if __name__ == "__main__":
+    done = unittest.main(argv=sys.argv[:1], exit=False)
+    sys.exit(0 if done.result.wasSuccessful() else 1)
