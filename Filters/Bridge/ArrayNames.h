@@ -116,6 +116,12 @@ constexpr const char* Span = "Span";
 constexpr const char* Tree = "Tree";
 constexpr const char* Segment = "Segment";
 
+// Flights and objects of a plan, and their columns that are not named above.
+constexpr const char* Reached = "Reached";
+constexpr const char* RetimingFactor = "RetimingFactor";
+constexpr const char* Branches = "Branches";
+constexpr const char* Planned = "Planned";
+
 // Takes.
 constexpr const char* Take = "Take";
 constexpr const char* Met = "Met";

@@ -90,6 +90,67 @@ void TakesToTable(const std::vector<TakeScore>& takes, const SceneInfo& info, vt
   SceneInfoToFieldData(info, table);
 }
 
+void FlightsToTable(const std::vector<FlightRow>& flights, const SceneInfo& info, vtkTable* table)
+{
+  std::vector<int> objects, rows, targets, frames, reached, branches;
+  std::vector<double> factors, costs, seconds;
+  for (const FlightRow& flight : flights)
+  {
+    objects.push_back(flight.ObjectId);
+    rows.push_back(flight.Row);
+    targets.push_back(flight.Target);
+    frames.push_back(flight.Frame);
+    reached.push_back(flight.IsReached ? 1 : 0);
+    factors.push_back(flight.RetimingFactor);
+    costs.push_back(flight.Cost);
+    branches.push_back(flight.NumberOfBranches);
+    seconds.push_back(flight.Seconds);
+  }
+  table->Initialize();
+  vtkFieldData* columns = table->GetRowData();
+  AddInts(columns, names::ObjectId, objects);
+  AddInts(columns, names::Row, rows);
+  AddInts(columns, names::Target, targets);
+  AddInts(columns, names::Frame, frames);
+  AddInts(columns, names::Reached, reached);
+  AddDoubles(columns, names::RetimingFactor, factors);
+  AddDoubles(columns, names::Cost, costs);
+  AddInts(columns, names::Branches, branches);
+  AddDoubles(columns, names::Seconds, seconds);
+  SceneInfoToFieldData(info, table);
+}
+
+void ObjectRowsToTable(const std::vector<ObjectRow>& rows, const SceneInfo& info, vtkTable* table)
+{
+  std::vector<int> objects, counts, met, branches, planned;
+  std::vector<double> costs, seconds;
+  std::vector<std::string> statuses, messages;
+  for (const ObjectRow& row : rows)
+  {
+    objects.push_back(row.ObjectId);
+    counts.push_back(row.NumberOfRows);
+    met.push_back(row.NumberOfMet);
+    statuses.emplace_back(ToString(row.Status));
+    costs.push_back(row.Cost);
+    branches.push_back(row.NumberOfBranches);
+    seconds.push_back(row.Seconds);
+    planned.push_back(row.IsPlanned ? 1 : 0);
+    messages.push_back(row.Message);
+  }
+  table->Initialize();
+  vtkFieldData* columns = table->GetRowData();
+  AddInts(columns, names::ObjectId, objects);
+  AddInts(columns, names::Rows, counts);
+  AddInts(columns, names::Met, met);
+  AddStrings(columns, names::Status, statuses);
+  AddDoubles(columns, names::Cost, costs);
+  AddInts(columns, names::Branches, branches);
+  AddDoubles(columns, names::Seconds, seconds);
+  AddInts(columns, names::Planned, planned);
+  AddStrings(columns, names::Message, messages);
+  SceneInfoToFieldData(info, table);
+}
+
 Result GuidesFromPolyData(vtkPolyData* data, std::vector<Guide>& guides)
 {
   guides.clear();

@@ -24,6 +24,13 @@ void TreesToPolyData(const std::vector<TreeBranch>& trees, const SceneInfo& info
 /// `AccelerationDistance` (Kolmogorov-Smirnov, to the database), `Score` (less is better).
 void TakesToTable(const std::vector<TakeScore>& takes, const SceneInfo& info, vtkTable* table);
 
+/// One line a flight to a mark: `ObjectId`, `Row`, `Target`, `Frame`, `Reached`, `RetimingFactor`,
+/// `Cost`, `Branches`, `Seconds`.
+void FlightsToTable(const std::vector<FlightRow>& flights, const SceneInfo& info, vtkTable* table);
+/// One line an object: `ObjectId`, `Rows`, `Met`, `Status`, `Cost`, `Branches`, `Seconds`,
+/// `Planned`, `Message`.
+void ObjectRowsToTable(const std::vector<ObjectRow>& rows, const SceneInfo& info, vtkTable* table);
+
 /// One guide a line cell, for the object that its cell data `ObjectId` names; without that array
 /// the k-th line is for the object of id k. No data: none.
 Result GuidesFromPolyData(vtkPolyData* data, std::vector<Guide>& guides);

@@ -7,6 +7,9 @@
 #include "Bridge/StageExecution.h"
 #include "Bridge/TrackData.h"
 #include "Bridge/TreeData.h"
+#include "Obstacles/SurfaceRepair.h"
+#include "Planning/InputCheck.h"
+#include "Planning/PlanMemory.h"
 #include "Planning/Takes.h"
 
 #include <vtkInformation.h>
@@ -15,6 +18,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkStylisticPlannerFilter);
 
@@ -39,6 +44,8 @@ enum OutputPort
   AssignedPort,
   VorticesPort,
   TakesPort,
+  FlightsPort,
+  ObjectReportPort,
   NumberOfOutputs
 };
 
@@ -47,6 +54,9 @@ enum OutputPort
 struct vtkStylisticPlannerFilter::Internals : waft::KeptStage
 {
   vtkStylisticPlannerFilter* Self;
+  waft::PlanMemory Memory;
+  std::vector<waft::ObstacleMesh> GivenObstacles; // what Obstacles was built from
+  waft::ObstacleSet Obstacles;
 
   explicit Internals(vtkStylisticPlannerFilter* self) :
     KeptStage(self, ObjectsPort, ObstaclesPort), Self(self)
@@ -54,6 +64,7 @@ struct vtkStylisticPlannerFilter::Internals : waft::KeptStage
   }
   waft::PlanOptions Options() const;
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  waft::Result TakeObstacles();
   void KeepPlan(const waft::PlanOutput& plan);
 };
 
@@ -72,6 +83,32 @@ waft::PlanOptions vtkStylisticPlannerFilter::Internals::Options() const
   return options;
 }
 
+/// Builds and checks the obstacles when they are others than the last time.
+waft::Result vtkStylisticPlannerFilter::Internals::TakeObstacles()
+{
+  std::vector<waft::ObstacleMesh> given = this->Fields.TakeObstacles();
+  const bool isSame =
+    std::equal(given.begin(), given.end(), this->GivenObstacles.begin(), this->GivenObstacles.end(),
+               [](const waft::ObstacleMesh& a, const waft::ObstacleMesh& b)
+               {
+                 return a.ObstacleId == b.ObstacleId && a.Mesh.Points == b.Mesh.Points &&
+                        a.Mesh.Triangles == b.Mesh.Triangles && a.Offsets == b.Offsets;
+               });
+  if (isSame)
+  {
+    return waft::Result::Ok();
+  }
+  this->GivenObstacles.clear();
+  WAFT_RETURN_IF_FAILED(this->Obstacles.Build(given));
+  for (const waft::ObstacleMesh& obstacle : this->Obstacles.Obstacles())
+  {
+    WAFT_RETURN_IF_FAILED(waft::CheckSelfIntersection(
+      "Obstacles: obstacle " + std::to_string(obstacle.ObstacleId), obstacle.Mesh));
+  }
+  this->GivenObstacles = std::move(given);
+  return waft::Result::Ok();
+}
+
 waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** inputs,
                                                        waft::Monitor& monitor)
 {
@@ -83,16 +120,21 @@ waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** in
     waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[ObjectsPort]), objects));
   std::vector<waft::Constraint> constraints;
   WAFT_RETURN_IF_FAILED(this->TakeConstraints(inputs[ConstraintsPort], constraints));
-  waft::ObstacleSet obstacles;
-  WAFT_RETURN_IF_FAILED(obstacles.Build(this->Fields.TakeObstacles()));
+  WAFT_RETURN_IF_FAILED(this->TakeObstacles());
   std::vector<waft::Guide> guides;
   WAFT_RETURN_IF_FAILED(waft::GuidesFromPolyData(vtkPolyData::GetData(inputs[GuidesPort]), guides));
-  const waft::PlanInput input{ database, objects, constraints, obstacles, this->Scene, guides };
+  const waft::PlanInput input{
+    database, objects, constraints, this->Obstacles, this->Scene, guides
+  };
   const waft::TakeOptions choice{ this->Self->NumberOfTakes, this->Self->Take };
+  this->Warnings = waft::DatabaseRemarks(database, this->Scene);
   waft::PlanOutput plan;
   std::vector<waft::TakeScore> takes;
-  const waft::Result result =
-    waft::PlanTakes(input, this->Options(), choice, waft::SmpFor(), monitor, plan, takes);
+  const waft::Result result = waft::PlanTakes(input, this->Options(), choice, waft::SmpFor(),
+                                              monitor, plan, takes, &this->Memory);
+  this->Self->NumberOfPlannedObjects =
+    static_cast<int>(std::count_if(plan.Objects.begin(), plan.Objects.end(),
+                                   [](const waft::ObjectRow& object) { return object.IsPlanned; }));
   this->KeepPlan(plan); // also when stopped: what was planned so far
   waft::TakesToTable(takes, this->Scene, this->Kept<vtkTable>(TakesPort));
   return result;
@@ -105,6 +147,16 @@ void vtkStylisticPlannerFilter::Internals::KeepPlan(const waft::PlanOutput& plan
   waft::ReportToTable(plan.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
   waft::ConstraintsToPolyData(plan.Constraints, this->Scene, this->Kept<vtkPolyData>(AssignedPort));
   waft::VorticesToPolyData(plan.Vortices, this->Scene, this->Kept<vtkPolyData>(VorticesPort));
+  waft::FlightsToTable(plan.Flights, this->Scene, this->Kept<vtkTable>(FlightsPort));
+  waft::ObjectRowsToTable(plan.Objects, this->Scene, this->Kept<vtkTable>(ObjectReportPort));
+  for (const waft::ObjectRow& object : plan.Objects)
+  {
+    // The report has no line that could say it.
+    if (object.NumberOfRows == 0 && !object.Message.empty())
+    {
+      this->Warnings.push_back(object.Message);
+    }
+  }
 }
 
 vtkStylisticPlannerFilter::vtkStylisticPlannerFilter() : Impl(std::make_unique<Internals>(this))
@@ -129,7 +181,7 @@ int vtkStylisticPlannerFilter::FillInputPortInformation(int port, vtkInformation
 int vtkStylisticPlannerFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(),
-            port == ReportPort || port == TakesPort ? "vtkTable" : "vtkPolyData");
+            port == ReportPort || port >= TakesPort ? "vtkTable" : "vtkPolyData");
   return 1;
 }
 
@@ -167,4 +219,5 @@ void vtkStylisticPlannerFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfTakes: " << this->NumberOfTakes << "\n";
   os << indent << "Take: " << this->Take << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "NumberOfPlannedObjects: " << this->NumberOfPlannedObjects << "\n";
 }

@@ -21,13 +21,20 @@
  * Output port 4, Vortices (vtkPolyData): those of the segments used, moved with them.
  * Output port 5, Takes (vtkTable): one line a take: `Take`, `Seed`, `Met` and `Rows`,
  * `CurvatureDistance`, `AccelerationDistance`, `Score` (less is better).
+ * Output port 6, Flights (vtkTable): one line a flight to a mark: `ObjectId`, `Row`, `Target`,
+ * `Frame`, `Reached` (1 or 0), `RetimingFactor`, `Cost`, `Branches`, `Seconds`.
+ * Output port 7, ObjectReport (vtkTable): one line an object: `ObjectId`, `Rows`, `Met`, `Status`
+ * (the worst of its rows and of its start), `Cost`, `Branches`, `Seconds`, `Planned` (0: taken from
+ * the run before), `Message`. Seconds are wall time and differ from run to run.
  *
  * Shi et al. 2005, section 4: two rapidly-exploring random trees of database segments, uniform
  * redistribution of what is left over, refinement down the clusters, blending. Each flight lasts
  * exactly its frames. Objects without rows, and the time after an object's last row, fly free.
  * Rows that cannot be met are named in the report and all the others are still met. The same Seed
- * gives the same bytes on any number of threads. Stopped half way, it gives the objects planned so
- * far.
+ * gives the same bytes on any number of threads. A change plans only those objects anew that it
+ * touches, with the same bytes as a plan of all: an object's plan depends on its own data, rows and
+ * guide, and on what all share (database, obstacles, volume, time, options). Stopped half way, it
+ * gives the objects planned so far.
  */
 #ifndef vtkStylisticPlannerFilter_h
 #define vtkStylisticPlannerFilter_h
@@ -109,6 +116,9 @@ public:
   vtkGetMacro(Seed, int);
   ///@}
 
+  /** How many objects the last execution planned; the others were as before. */
+  vtkGetMacro(NumberOfPlannedObjects, int);
+
 protected:
   vtkStylisticPlannerFilter();
   ~vtkStylisticPlannerFilter() override;
@@ -137,6 +147,7 @@ private:
   int NumberOfTakes = 1;
   int Take = 0;
   int Seed = 1;
+  int NumberOfPlannedObjects = 0;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

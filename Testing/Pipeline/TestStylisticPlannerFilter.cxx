@@ -281,3 +281,69 @@ TEST(StylisticPlannerFilter, StopsWhenAskedWithWhatItHas)
   p.Filter->Update();
   EXPECT_EQ(p.Output(0)->GetNumberOfLines(), 12);
 }
+
+TEST(StylisticPlannerFilter, PlansOnlyTheObjectsThatAChangeTouches)
+{
+  Pipeline p;
+  p.Filter->Update();
+  EXPECT_EQ(p.Filter->GetNumberOfPlannedObjects(), 12);
+  const std::vector<Track> before = p.Tracks();
+  // The row of object 0 moves.
+  p.Constraints[0].Value.x() -= 0.2;
+  ConstraintsToPolyData(p.Constraints, p.Info, p.ConstraintData);
+  p.Producers[2]->Modified();
+  p.Filter->Update();
+  EXPECT_EQ(p.Filter->GetNumberOfPlannedObjects(), 1);
+  const std::vector<Track> after = p.Tracks();
+  ASSERT_EQ(after.size(), before.size());
+  EXPECT_NE(after[0].Positions, before[0].Positions);
+  for (std::size_t i = 1; i < after.size(); ++i)
+  {
+    EXPECT_EQ(after[i].Positions, before[i].Positions) << i;
+  }
+  // The same as a plan from scratch, in every table and array but the seconds.
+  Pipeline fresh;
+  fresh.Constraints = p.Constraints;
+  ConstraintsToPolyData(fresh.Constraints, fresh.Info, fresh.ConstraintData);
+  fresh.Filter->Update();
+  EXPECT_EQ(fresh.Filter->GetNumberOfPlannedObjects(), 12);
+  const std::vector<Track> scratch = fresh.Tracks();
+  for (std::size_t i = 0; i < after.size(); ++i)
+  {
+    EXPECT_EQ(after[i].Positions, scratch[i].Positions) << i;
+    EXPECT_EQ(after[i].VortexIds, scratch[i].VortexIds) << i;
+  }
+  for (const int port : { 1, 3, 4 })
+  {
+    ASSERT_EQ(p.Output(port)->GetNumberOfPoints(), fresh.Output(port)->GetNumberOfPoints());
+    for (vtkIdType k = 0; k < p.Output(port)->GetNumberOfPoints(); ++k)
+    {
+      ASSERT_EQ(Vec3(p.Output(port)->GetPoint(k)), Vec3(fresh.Output(port)->GetPoint(k)));
+    }
+  }
+  for (const int port : { 2, 6, 7 })
+  {
+    auto* one = vtkTable::SafeDownCast(p.Filter->GetOutputDataObject(port));
+    auto* other = vtkTable::SafeDownCast(fresh.Filter->GetOutputDataObject(port));
+    ASSERT_EQ(one->GetNumberOfRows(), other->GetNumberOfRows());
+    EXPECT_GT(one->GetNumberOfRows(), 0);
+    for (vtkIdType column = 0; column < one->GetNumberOfColumns(); ++column)
+    {
+      const std::string name = one->GetColumnName(column);
+      for (vtkIdType row = 0;
+           name != "Seconds" && name != "Planned" && row < one->GetNumberOfRows(); ++row)
+      {
+        EXPECT_EQ(one->GetValue(row, column).ToString(), other->GetValue(row, column).ToString())
+          << port << " " << name << " " << row;
+      }
+    }
+  }
+  // An obstacle that moves may change any path: all are planned.
+  double x[3];
+  p.ObstacleData->GetPoint(15, x);
+  p.ObstacleData->GetPoints()->SetPoint(15, x[0], x[1], x[2] + 1e-6);
+  p.ObstacleData->GetPoints()->Modified();
+  p.Producers[3]->Modified();
+  p.Filter->Update();
+  EXPECT_EQ(p.Filter->GetNumberOfPlannedObjects(), 12);
+}

@@ -149,11 +149,24 @@ std::vector<bool> FindUnassignable(const std::vector<Constraint>& constraints,
     std::set<std::pair<int, int>> Placed, Refused; // (Row, Target)
   };
   std::map<int, std::size_t> available;
+  std::map<int, int> classOf; // by ObjectId
   for (const MotionObject& object : objects)
   {
     ++available[object.ClassId];
+    classOf[object.ObjectId] = object.ClassId;
   }
   std::map<int, Group> groups;
+  std::set<std::pair<int, int>> named; // (group, object): given or assigned already
+  for (const Constraint& row : constraints)
+  {
+    const auto found = classOf.find(row.ObjectId);
+    if (row.Group >= 0 && found != classOf.end() && named.emplace(row.Group, row.ObjectId).second)
+    {
+      Group& group = groups[row.Group];
+      ++group.Total;
+      group.Taken[found->second] += found->second >= 0 ? 1 : 0;
+    }
+  }
   std::vector<bool> refused(constraints.size(), false);
   for (std::size_t n = 0; n < constraints.size(); ++n)
   {

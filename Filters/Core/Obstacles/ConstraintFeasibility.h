@@ -25,7 +25,8 @@ std::string WhyStartInfeasible(const MotionObject& object,
                                const ObstacleSet& obstacles, const SceneInfo& scene);
 
 /// For each constraint, in order: true when its target cannot get an object of its own because its
-/// group has more targets than there are objects of the class. Earlier targets go first.
+/// group has more targets than there are objects of the class. Objects that the group names go
+/// first, then earlier targets.
 std::vector<bool> FindUnassignable(const std::vector<Constraint>& constraints,
                                    const std::vector<MotionObject>& objects);
 

@@ -2,6 +2,7 @@
 #include "Planning/InputCheck.h"
 
 #include <cmath>
+#include <cstdio>
 #include <set>
 #include <string>
 
@@ -76,6 +77,33 @@ Result CheckPlanInput(const PlanInput& input)
     }
   }
   return Result::Ok();
+}
+
+std::vector<std::string> DatabaseRemarks(const MotionDatabase& database, const SceneInfo& scene)
+{
+  std::vector<std::string> remarks;
+  char text[256];
+  const double rate = scene.Time.FramesPerSecond;
+  if (std::abs(database.FramesPerSecond - rate) > 1e-6 * rate)
+  {
+    std::snprintf(
+      text, sizeof text,
+      "Database: traced at %.6g frames per second, the scene has %.6g: its segments are "
+      "resampled",
+      database.FramesPerSecond, rate);
+    remarks.emplace_back(text);
+  }
+  const double width = scene.Bounds.Width();
+  if (std::abs(database.Volume.Width() - width) > 0.1 * width)
+  {
+    std::snprintf(text, sizeof text,
+                  "Database: traced in a volume %.6g m wide, the scene's is %.6g m: its segments "
+                  "keep their size and speed, so that marks may be too near or too far apart for "
+                  "them",
+                  database.Volume.Width(), width);
+    remarks.emplace_back(text);
+  }
+  return remarks;
 }
 
 } // namespace waft

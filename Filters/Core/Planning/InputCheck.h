@@ -11,4 +11,8 @@ namespace waft
 /// unknown objects or frames, numbers that are not finite. The message names the place.
 Result CheckPlanInput(const PlanInput& input);
 
+/// What is odd about flying a scene on a database, a sentence each: another frame rate (segments
+/// are resampled), a volume of another size by more than a tenth (segments keep their own).
+std::vector<std::string> DatabaseRemarks(const MotionDatabase& database, const SceneInfo& scene);
+
 } // namespace waft

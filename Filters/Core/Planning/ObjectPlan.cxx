@@ -4,6 +4,7 @@
 #include "Planning/Repair.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace waft
@@ -232,6 +233,7 @@ void ObjectPlanner::PlanFlight(std::size_t from, int lastFrame)
   }
   const std::uint64_t stream =
     static_cast<std::uint64_t>(this->Object.ObjectId) * 8192u + static_cast<std::uint64_t>(from);
+  const auto begin = std::chrono::steady_clock::now();
   SpanResult span = PlanSpan(this->Library, this->Field, request, this->Options.Span,
                              Random(this->Options.Seed, stream));
   if (hasGoal)
@@ -243,6 +245,8 @@ void ObjectPlanner::PlanFlight(std::size_t from, int lastFrame)
     outcome.Cost = span.Cost;
     outcome.NumberOfBranches = static_cast<int>(span.Trees[0].size() + span.Trees[1].size());
     outcome.Message = span.Message;
+    outcome.Seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     this->Plan.Outcomes.push_back(outcome);
     this->LastReached = span.ReachesGoal;
     if (!span.ReachesGoal)
@@ -421,7 +425,10 @@ ObjectPlan PlanObject(const SegmentLibrary& library, const MotionObject& object,
                       const Itinerary& itinerary, const ObstacleSet& obstacles,
                       const SceneInfo& scene, const ObjectPlanOptions& options)
 {
-  return ObjectPlanner(library, object, itinerary, obstacles, scene, options).Run();
+  const auto begin = std::chrono::steady_clock::now();
+  ObjectPlan plan = ObjectPlanner(library, object, itinerary, obstacles, scene, options).Run();
+  plan.Seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return plan;
 }
 
 } // namespace waft

@@ -27,6 +27,7 @@ struct MarkOutcome
   double RetimingFactor = 1.0;
   double Cost = 0.0;
   int NumberOfBranches = 0;
+  double Seconds = 0.0; // spent on the flight to it
   std::string Message;
 };
 
@@ -47,6 +48,7 @@ struct ObjectPlan
   std::vector<SpanTrees> Spans;
   double WorstSlack = 0.0; // of the swept centre against what is required [m]
   int WorstFrame = -1;
+  double Seconds = 0.0; // spent on all of it
 };
 
 ObjectPlan PlanObject(const SegmentLibrary& library, const MotionObject& object,

@@ -2,18 +2,17 @@
 #include "Planning/Planner.h"
 
 #include "Obstacles/ConstraintCheck.h"
-#include "Obstacles/ConstraintFeasibility.h"
 #include "Planning/Assignment.h"
 #include "Planning/InputCheck.h"
 #include "Planning/ObjectPlan.h"
+#include "Planning/PlanMemory.h"
+#include "Planning/PlanReport.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <condition_variable>
-#include <cstdio>
 #include <functional>
 #include <map>
 #include <memory>
@@ -105,56 +104,6 @@ private:
   std::map<double, std::array<LazyMap, Levels.size()>> Maps;
 };
 
-/// Adds a sentence to the line of a constraint.
-void Tell(std::vector<ReportRow>& report, const Constraint& row, bool isReached,
-          const std::string& text)
-{
-  for (ReportRow& line : report)
-  {
-    if (line.Row == row.Row && line.Target == row.Target)
-    {
-      if (line.Status == ConstraintStatus::Met && !isReached)
-      {
-        line.Status = ConstraintStatus::Unreachable;
-      }
-      line.Message += (line.Message.empty() || text.empty() ? "" : "; ") + text;
-    }
-  }
-}
-
-/// An object that cannot be where it starts is named in each of its lines; they may be met all the
-/// same.
-void TellBadStart(const PlanInput& input, const MotionObject& object, PlanOutput& output)
-{
-  const std::string why = WhyStartInfeasible(
-    object,
-    LandingWindows(object, output.Constraints, input.Obstacles, input.Scene.Time.FramesPerSecond),
-    input.Obstacles, input.Scene);
-  for (ReportRow& line : output.Report)
-  {
-    if (!why.empty() && line.ObjectId == object.ObjectId)
-    {
-      line.Message += (line.Message.empty() ? "object " : "; object ") +
-                      std::to_string(object.ObjectId) + " at its start: " + why;
-    }
-  }
-}
-
-/// Later stages must not force what no path was found for: that would be a jump.
-void MarkUnmet(const std::vector<ReportRow>& report, std::vector<Constraint>& constraints)
-{
-  for (Constraint& row : constraints)
-  {
-    for (const ReportRow& line : report)
-    {
-      if (line.Row == row.Row && line.Target == row.Target)
-      {
-        row.Status = line.Status;
-      }
-    }
-  }
-}
-
 void StoreTrees(const SegmentLibrary& library, int objectId, const std::vector<SpanTrees>& spans,
                 std::size_t limit, std::vector<TreeBranch>& output)
 {
@@ -189,17 +138,47 @@ void StoreTrees(const SegmentLibrary& library, int objectId, const std::vector<S
   }
 }
 
-std::string Describe(const MarkOutcome& outcome)
+/// For each object the places of its rows that count.
+std::vector<std::vector<int>> OwnRows(const std::vector<MotionObject>& objects,
+                                      const std::vector<Constraint>& rows,
+                                      const std::vector<unsigned char>& isUsed)
 {
-  if (outcome.NumberOfBranches == 0)
+  std::map<int, std::vector<int>> byId;
+  for (std::size_t i = 0; i < rows.size(); ++i)
   {
-    return outcome.Message;
+    if (isUsed[i] != 0)
+    {
+      byId[rows[i].ObjectId].push_back(static_cast<int>(i));
+    }
   }
-  char text[128];
-  std::snprintf(text, sizeof text, "%sretimed by %.3f, cost %.3g, %d branches",
-                outcome.Message.empty() ? "" : "; ", outcome.RetimingFactor, outcome.Cost,
-                outcome.NumberOfBranches);
-  return outcome.Message + text;
+  std::vector<std::vector<int>> own;
+  for (const MotionObject& object : objects)
+  {
+    own.push_back(byId[object.ObjectId]);
+  }
+  return own;
+}
+
+/// A kept plan whose outcomes name places in the list of all rows again.
+ObjectPlan WithRows(ObjectPlan plan, const std::vector<int>& own)
+{
+  for (MarkOutcome& outcome : plan.Outcomes)
+  {
+    outcome.Constraint =
+      outcome.Constraint < 0 ? -1 : own[static_cast<std::size_t>(outcome.Constraint)];
+  }
+  return plan;
+}
+
+/// The other way: outcomes count the object's own rows, whose places in the list may change.
+ObjectPlan WithOrdinals(ObjectPlan plan, const std::vector<int>& own)
+{
+  for (MarkOutcome& outcome : plan.Outcomes)
+  {
+    const auto found = std::lower_bound(own.begin(), own.end(), outcome.Constraint);
+    outcome.Constraint = outcome.Constraint < 0 ? -1 : static_cast<int>(found - own.begin());
+  }
+  return plan;
 }
 
 } // namespace
@@ -230,7 +209,8 @@ Result PlanOptions::Validate() const
 }
 
 Result PlanMotion(const PlanInput& input, const PlanOptions& options,
-                  const ParallelFor& parallelFor, Monitor& monitor, PlanOutput& output)
+                  const ParallelFor& parallelFor, Monitor& monitor, PlanOutput& output,
+                  PlanMemory* memory)
 {
   output = PlanOutput();
   if (Result valid = options.Validate(); !valid)
@@ -285,10 +265,34 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   std::atomic<bool> stop{ false };
   objectOptions.Span.Stop = &stop;
   RoomMaps rooms(input, objectOptions.Span.Margin, stop);
+  std::vector<unsigned char> isKnown(count, 0);
+  std::vector<std::vector<int>> ownRows = OwnRows(input.Objects, output.Constraints, isUsed);
+  std::vector<std::string> keys(memory != nullptr ? count : 0);
+  std::vector<std::size_t> unknown; // objects to plan
+  if (memory != nullptr)
+  {
+    memory->Begin(SharedKey(input, options));
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (memory != nullptr)
+    {
+      keys[i] = PlanKey(input.Objects[i], output.Constraints, ownRows[i], input.Guides);
+      const ObjectPlan* known = memory->Find(options.Seed, input.Objects[i].ObjectId, keys[i]);
+      if (known != nullptr)
+      {
+        plans[i] = WithRows(*known, ownRows[i]);
+        isKnown[i] = isDone[i] = 1;
+        continue;
+      }
+    }
+    unknown.push_back(i);
+  }
   const auto planRange = [&](std::size_t begin, std::size_t end)
   {
-    for (std::size_t i = begin; i < end && !stop; ++i)
+    for (std::size_t k = begin; k < end && !stop; ++k)
     {
+      const std::size_t i = unknown[k];
       ObjectPlanOptions own = objectOptions;
       own.Span.Rooms = [&rooms, &input, i](int level) { return rooms.Of(input.Objects[i], level); };
       Itinerary itinerary =
@@ -306,8 +310,20 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
       ++done;
     }
   };
-  RunWhileTicking([&]() { parallelFor(count, planRange); }, count, done, stop, monitor);
+  if (!unknown.empty())
+  {
+    RunWhileTicking([&]() { parallelFor(unknown.size(), planRange); }, unknown.size(), done, stop,
+                    monitor);
+  }
   const bool stopped = stop;
+  for (const std::size_t i : unknown)
+  {
+    if (memory != nullptr && isDone[i] != 0)
+    {
+      memory->Keep(options.Seed, input.Objects[i].ObjectId, keys[i],
+                   WithOrdinals(plans[i], ownRows[i]));
+    }
+  }
 
   // In the order of the objects, so that ids do not depend on threads.
   for (std::size_t i = 0; i < count; ++i)
@@ -325,33 +341,14 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
     StoreTrees(library, input.Objects[i].ObjectId, plans[i].Spans,
                static_cast<std::size_t>(std::max(0, options.MaximumNumberOfStoredBranches)),
                output.Trees);
-    const MarkOutcome* worst = nullptr;
-    for (const MarkOutcome& outcome : plans[i].Outcomes)
-    {
-      if (outcome.Constraint >= 0)
-      {
-        Tell(output.Report, output.Constraints[outcome.Constraint], outcome.IsReached,
-             outcome.IsReached ? Describe(outcome)
-                               : "no path found in the limits" +
-                                   (outcome.Message.empty() ? "" : ": " + outcome.Message));
-        worst = &outcome;
-      }
-    }
-    if (plans[i].WorstFrame >= 0 && worst != nullptr)
-    {
-      char text[128];
-      std::snprintf(text, sizeof text, "object %d comes %.3g m too near to something at frame %d",
-                    input.Objects[i].ObjectId, -plans[i].WorstSlack, plans[i].WorstFrame);
-      Tell(output.Report, output.Constraints[worst->Constraint], true, text);
-    }
+    ReportObject(input.Objects[i], plans[i], isKnown[i] == 0, output);
   }
-  for (const MotionObject& object : input.Objects)
-  {
-    TellBadStart(input, object, output);
-  }
+  ReportStarts(input, output);
   MarkUnmet(output.Report, output.Constraints);
   MeasureResiduals(output.Constraints, output.Tracks, input.Objects, input.Obstacles, input.Scene,
                    output.Report);
+  TellApproaches(output);
+  CountLines(output);
   return stopped ? Result::Stopped() : Result::Ok();
 }
 

@@ -14,6 +14,7 @@
 #include "Trajectory/MotionDatabase.h"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace waft
@@ -66,6 +67,34 @@ struct TreeBranch
   std::vector<Vec3> Points;
 };
 
+/// What one flight to a mark took.
+struct FlightRow
+{
+  int ObjectId = 0;
+  int Row = 0;
+  int Target = 0;
+  int Frame = 0;
+  bool IsReached = true;
+  double RetimingFactor = 1.0;
+  double Cost = 0.0;        // of the path laid
+  int NumberOfBranches = 0; // of both trees; 0: drawn, not searched
+  double Seconds = 0.0;     // wall time; it varies from run to run
+};
+
+/// What one object's plan came to.
+struct ObjectRow
+{
+  int ObjectId = 0;
+  int NumberOfRows = 0; // lines of the report that are about it
+  int NumberOfMet = 0;
+  ConstraintStatus Status = ConstraintStatus::Met; // the worst of its lines and of its start
+  double Cost = 0.0;                               // of all its flights to marks
+  int NumberOfBranches = 0;
+  double Seconds = 0.0;  // wall time of its own planning, now or when it was planned
+  bool IsPlanned = true; // false: taken from an earlier run that it would only repeat
+  std::string Message;   // its start, or where it comes too near to something
+};
+
 struct PlanOutput
 {
   std::vector<Track> Tracks; // one an object, in their order, NumberOfFrames samples
@@ -73,13 +102,20 @@ struct PlanOutput
   std::vector<ReportRow> Report;
   std::vector<Constraint> Constraints; // as given, every row assigned
   std::vector<Vortex> Vortices;        // of the segments used, moved with them
+  std::vector<FlightRow> Flights;      // in the order of the objects, then of time
+  std::vector<ObjectRow> Objects;      // one an object that was planned, in their order
 };
 
+class PlanMemory;
+
 /// Objects are planned independently and in parallel: what an object does depends on its own rows,
-/// the Seed and its ObjectId only. Rows that cannot be met are named in the report and all the
-/// others are still met. Errors: a database that is not valid, no frames, a row of an unknown
-/// object or frame, numbers that are not finite.
+/// the Seed and its ObjectId only. With a memory only those are planned whose own rows, data,
+/// guide, database, obstacles, volume or options changed since they were planned last; the result
+/// has the same bytes as without one (but for Seconds and IsPlanned). Rows that cannot be met are
+/// named in the report and all the others are still met. Errors: a database that is not valid, no
+/// frames, a row of an unknown object or frame, numbers that are not finite.
 Result PlanMotion(const PlanInput& input, const PlanOptions& options,
-                  const ParallelFor& parallelFor, Monitor& monitor, PlanOutput& output);
+                  const ParallelFor& parallelFor, Monitor& monitor, PlanOutput& output,
+                  PlanMemory* memory = nullptr);
 
 } // namespace waft

@@ -103,7 +103,7 @@ Result TakeOptions::Validate() const
 
 Result PlanTakes(const PlanInput& input, const PlanOptions& options, const TakeOptions& takes,
                  const ParallelFor& parallelFor, Monitor& monitor, PlanOutput& output,
-                 std::vector<TakeScore>& scores)
+                 std::vector<TakeScore>& scores, PlanMemory* memory)
 {
   output = PlanOutput();
   scores.clear();
@@ -119,7 +119,7 @@ Result PlanTakes(const PlanInput& input, const PlanOptions& options, const TakeO
     own.Seed = options.Seed + static_cast<std::uint64_t>(take);
     TakeMonitor share(monitor, take, takes.NumberOfTakes);
     PlanOutput plan;
-    const Result result = PlanMotion(input, own, parallelFor, share, plan);
+    const Result result = PlanMotion(input, own, parallelFor, share, plan, memory);
     if (!result || result.IsStopped())
     {
       if (take == 0)

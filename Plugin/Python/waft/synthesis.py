@@ -252,6 +252,16 @@ def _convergence(pipeline, folder):
     return header, before + rows[1:]
 
 
+def _planned_objects(pipeline):
+    """What planning came to, one dictionary an object; none when an earlier run's plan was taken."""
+    if pipeline.planner is None:
+        return []
+    kinds = {"ObjectId": int, "Rows": int, "Met": int, "Status": str, "Cost": float, "Branches": int,
+             "Seconds": float, "Message": str}
+    return [{name[0].lower() + name[1:]: kind(row[name]) for name, kind in kinds.items()}
+            for row in _dictionaries(pipeline.output("planner", 7))]
+
+
 def _summary(pipeline, scene, first, last):
     counts = {status: 0 for status in STATUS_ORDER}
     for row in pipeline.report:
@@ -265,6 +275,7 @@ def _summary(pipeline, scene, first, last):
                    for name, watch in pipeline.watches.items()},
         "energy": {"before": float(first["E"]), "after": float(last["E"])},
         "constraints": {**counts, "unmet": [row for row in pipeline.report if row["Status"] != "met"]},
+        "objects": _planned_objects(pipeline),
         "stoppedEarly": pipeline.stopped,
         "warnings": pipeline.warnings,
     }

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Planning/PlanMemory.h"
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+
+namespace waft
+{
+
+namespace
+{
+
+/// Bytes of numbers, one after the other.
+class Key
+{
+public:
+  template <typename Number>
+  void Add(Number number)
+  {
+    static_assert(std::is_arithmetic<Number>::value || std::is_enum<Number>::value, "a number");
+    char bytes[sizeof(Number)];
+    std::memcpy(bytes, &number, sizeof(Number));
+    this->Bytes.append(bytes, sizeof(Number));
+  }
+  void Add(const Vec3& v)
+  {
+    this->Add(v.x());
+    this->Add(v.y());
+    this->Add(v.z());
+  }
+  void Add(const Quat& q)
+  {
+    this->Add(q.w());
+    this->Add(q.x());
+    this->Add(q.y());
+    this->Add(q.z());
+  }
+  std::string Take() { return std::move(this->Bytes); }
+
+private:
+  std::string Bytes;
+};
+
+/// Two sums over 64-bit words that mix differently (the finishers of MurmurHash3 and splitmix64).
+class Digest
+{
+public:
+  void Add(const void* data, std::size_t size)
+  {
+    this->Word(size);
+    const auto* bytes = static_cast<const char*>(data);
+    for (std::size_t i = 0; i < size; i += 8)
+    {
+      std::uint64_t word = 0;
+      std::memcpy(&word, bytes + i, std::min<std::size_t>(8, size - i));
+      this->Word(word);
+    }
+  }
+  template <typename Number>
+  void Add(Number number)
+  {
+    static_assert(std::is_arithmetic<Number>::value || std::is_enum<Number>::value, "a number");
+    this->Add(&number, sizeof(Number));
+  }
+  template <typename Item>
+  void AddList(const std::vector<Item>& items)
+  {
+    static_assert(std::is_arithmetic<Item>::value || std::is_enum<Item>::value, "numbers");
+    this->Add(items.data(), items.size() * sizeof(Item));
+  }
+  template <typename Matrix>
+  void AddMatrix(const Matrix& matrix)
+  {
+    this->Add(matrix.data(), static_cast<std::size_t>(matrix.size()) * sizeof(double));
+  }
+  void Add(const Vec3& v) { this->AddMatrix(v); }
+  std::string Text() const
+  {
+    std::string text(16, '\0');
+    std::memcpy(&text[0], &this->A, 8);
+    std::memcpy(&text[8], &this->B, 8);
+    return text;
+  }
+
+private:
+  void Word(std::uint64_t word)
+  {
+    this->A = (this->A ^ word) * 0xff51afd7ed558ccdULL;
+    this->A ^= this->A >> 33;
+    this->B = (this->B + word + 0x9e3779b97f4a7c15ULL);
+    this->B = (this->B ^ (this->B >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    this->B ^= this->B >> 27;
+  }
+
+  std::uint64_t A = 0x2545f4914f6cdd1dULL;
+  std::uint64_t B = 0;
+};
+
+void AddDatabase(const MotionDatabase& database, Digest& digest)
+{
+  digest.Add(database.FramesPerSecond);
+  digest.Add(database.Volume.Min);
+  digest.Add(database.Volume.Max);
+  digest.Add(database.Window);
+  digest.Add(database.SettlingSpeed);
+  digest.Add(database.TopSpeed);
+  digest.Add(database.Groups.size());
+  for (const SegmentGroup& group : database.Groups)
+  {
+    digest.Add(group.NumberOfSamples);
+    digest.AddMatrix(group.Mean);
+    digest.AddMatrix(group.Basis);
+  }
+  digest.Add(database.Segments.size());
+  for (const Segment& segment : database.Segments)
+  {
+    digest.Add(segment.Group);
+    digest.Add(segment.Simulation);
+    digest.AddMatrix(segment.Coefficients);
+    digest.AddList(segment.ForceTypes);
+    digest.AddList(segment.VortexIds);
+    digest.Add(segment.MeanWind);
+  }
+  digest.Add(database.Nodes.size());
+  for (const ClusterNode& node : database.Nodes)
+  {
+    digest.Add(node.Parent);
+    digest.Add(node.Group);
+    digest.Add(node.Medoid);
+    digest.Add(node.FirstChild);
+    digest.Add(node.NumberOfChildren);
+    digest.Add(node.NumberOfSegments);
+    digest.Add(node.Radius);
+  }
+  digest.AddList(database.TopNodes);
+  for (const Connection& connection : database.Connections)
+  {
+    digest.Add(connection.Cost);
+    digest.AddMatrix(connection.Rotation.coeffs());
+    digest.Add(connection.Translation);
+    digest.Add(connection.IsConnectible);
+  }
+  for (const Vortex& vortex : database.Vortices)
+  {
+    digest.Add(vortex.P1);
+    digest.Add(vortex.P2);
+    digest.Add(vortex.Strength);
+    digest.Add(vortex.CenterTime);
+    digest.Add(vortex.Duration);
+    digest.Add(vortex.CoreRadius);
+  }
+}
+
+std::size_t BytesOf(const ObjectPlan& plan)
+{
+  std::size_t bytes = sizeof(ObjectPlan) + plan.Positions.size() * sizeof(Vec3) +
+                      plan.Uses.size() * sizeof(SegmentUse) +
+                      plan.Samples.size() * sizeof(UseSample) +
+                      plan.Outcomes.size() * sizeof(MarkOutcome);
+  for (const SpanTrees& span : plan.Spans)
+  {
+    bytes += (span.Trees[0].size() + span.Trees[1].size()) * sizeof(Branch);
+  }
+  return bytes;
+}
+
+} // namespace
+
+std::string PlanKey(const MotionObject& object, const std::vector<Constraint>& rows,
+                    const std::vector<int>& own, const std::vector<Guide>& guides)
+{
+  Key key;
+  key.Add(object.ObjectId);
+  key.Add(object.ShapeId);
+  key.Add(object.ClassId);
+  key.Add(object.Mass);
+  key.Add(object.Position);
+  key.Add(object.Velocity);
+  key.Add(object.Orientation);
+  key.Add(object.AngularVelocity);
+  key.Add(object.SettlingSpeed);
+  key.Add(object.ClearanceRadius);
+  key.Add(object.RestHeight);
+  key.Add(own.size());
+  std::map<std::pair<int, int>, int> numbers; // which rows share Row and Target, and their order
+  for (const int place : own)
+  {
+    numbers[{ rows[place].Row, rows[place].Target }] = 0;
+  }
+  int next = 0;
+  for (auto& entry : numbers)
+  {
+    entry.second = next++;
+  }
+  for (const int place : own)
+  {
+    const Constraint& row = rows[place];
+    key.Add(row.Frame);
+    key.Add(row.Kind);
+    key.Add(row.Value);
+    key.Add(row.Orientation);
+    key.Add(row.Radius);
+    key.Add(row.Until);
+    key.Add(numbers[{ row.Row, row.Target }]);
+  }
+  for (const Guide& guide : guides)
+  {
+    if (guide.ObjectId == object.ObjectId)
+    {
+      key.Add(guide.Points.size());
+      for (const Vec3& point : guide.Points)
+      {
+        key.Add(point);
+      }
+    }
+  }
+  return key.Take();
+}
+
+std::string SharedKey(const PlanInput& input, const PlanOptions& options)
+{
+  Digest digest;
+  AddDatabase(input.Database, digest);
+  for (const ObstacleMesh& obstacle : input.Obstacles.Obstacles())
+  {
+    digest.Add(obstacle.ObstacleId);
+    digest.Add(obstacle.Mesh.Points.size());
+    for (const Vec3& point : obstacle.Mesh.Points)
+    {
+      digest.Add(point);
+    }
+    for (const auto& triangle : obstacle.Mesh.Triangles)
+    {
+      digest.Add(triangle.data(), sizeof(triangle));
+    }
+    digest.Add(obstacle.Offsets.size());
+    for (const Vec3& offset : obstacle.Offsets)
+    {
+      digest.Add(offset);
+    }
+  }
+  digest.Add(input.Scene.Bounds.Min);
+  digest.Add(input.Scene.Bounds.Max);
+  digest.Add(input.Scene.Time.NumberOfFrames);
+  digest.Add(input.Scene.Time.FramesPerSecond);
+  digest.Add(options.Freedom);
+  digest.Add(options.MaximumTilt);
+  digest.Add(options.ConnectionThreshold);
+  digest.Add(options.JoinThreshold);
+  digest.Add(options.MaximumNumberOfBranches);
+  digest.Add(options.NumberOfCandidates);
+  digest.Add(options.RetimingLimit);
+  digest.Add(options.GuideWeight);
+  return digest.Text();
+}
+
+void PlanMemory::Begin(const std::string& shared)
+{
+  if (shared != this->Shared)
+  {
+    this->Plans.clear();
+    this->Used = 0;
+    this->Shared = shared;
+  }
+}
+
+const ObjectPlan* PlanMemory::Find(std::uint64_t seed, int objectId, const std::string& key)
+{
+  const auto found = this->Plans.find({ seed, objectId });
+  if (found == this->Plans.end() || found->second.Key != key)
+  {
+    return nullptr;
+  }
+  found->second.LastUse = ++this->Clock;
+  return &found->second.Plan;
+}
+
+void PlanMemory::Keep(std::uint64_t seed, int objectId, const std::string& key,
+                      const ObjectPlan& plan)
+{
+  Entry& entry = this->Plans[{ seed, objectId }];
+  this->Used -= entry.Bytes;
+  entry = { key, plan, BytesOf(plan), ++this->Clock };
+  this->Used += entry.Bytes;
+  while (this->Used > this->Limit && !this->Plans.empty())
+  {
+    this->DropOldest();
+  }
+}
+
+void PlanMemory::DropOldest()
+{
+  const auto oldest = std::min_element(this->Plans.begin(), this->Plans.end(),
+                                       [](const auto& a, const auto& b)
+                                       { return a.second.LastUse < b.second.LastUse; });
+  this->Used -= oldest->second.Bytes;
+  this->Plans.erase(oldest);
+}
+
+} // namespace waft

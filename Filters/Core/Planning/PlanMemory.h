@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Plans of objects that are kept from one run to the next.
+#pragma once
+
+#include "Planning/ObjectPlan.h"
+#include "Planning/Planner.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace waft
+{
+
+/// All that the plan of one object depends on besides what all objects share, byte by byte: the
+/// object, its own rows that count (`own`: their places in the list, in order; numbered among
+/// themselves, since other rows shift their numbers) and its guide.
+std::string PlanKey(const MotionObject& object, const std::vector<Constraint>& rows,
+                    const std::vector<int>& own, const std::vector<Guide>& guides);
+
+/// A digest of what all plans of a scene share: database, obstacles with their motions, volume and
+/// time, and all options but the Seed. 128 bits, by two different sums.
+std::string SharedKey(const PlanInput& input, const PlanOptions& options);
+
+/// Keeps one plan for each Seed and ObjectId, the latest. What was not used for longest is dropped
+/// beyond a limit of memory.
+class PlanMemory
+{
+public:
+  explicit PlanMemory(std::size_t limit = std::size_t(256) << 20) : Limit(limit) {}
+
+  /// Before the plans of one run are asked for: forgets all when what is shared has changed.
+  void Begin(const std::string& shared);
+  /// The plan of this key, or null. Constraint of its outcomes counts the object's own rows.
+  const ObjectPlan* Find(std::uint64_t seed, int objectId, const std::string& key);
+  void Keep(std::uint64_t seed, int objectId, const std::string& key, const ObjectPlan& plan);
+
+  std::size_t Size() const { return this->Plans.size(); }
+  std::size_t Bytes() const { return this->Used; }
+
+private:
+  struct Entry
+  {
+    std::string Key;
+    ObjectPlan Plan;
+    std::size_t Bytes = 0;
+    std::uint64_t LastUse = 0;
+  };
+  void DropOldest();
+
+  std::size_t Limit;
+  std::size_t Used = 0;
+  std::uint64_t Clock = 0;
+  std::string Shared;
+  std::map<std::pair<std::uint64_t, int>, Entry> Plans;
+};
+
+} // namespace waft

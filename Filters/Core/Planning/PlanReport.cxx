@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Planning/PlanReport.h"
+
+#include "Obstacles/ConstraintFeasibility.h"
+#include "Obstacles/Rest.h"
+
+#include <cstdio>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace waft
+{
+
+namespace
+{
+
+/// Adds a sentence to the line of a constraint.
+void Tell(std::vector<ReportRow>& report, const Constraint& row, bool isReached,
+          const std::string& text)
+{
+  for (ReportRow& line : report)
+  {
+    if (line.Row == row.Row && line.Target == row.Target)
+    {
+      if (line.Status == ConstraintStatus::Met && !isReached)
+      {
+        line.Status = ConstraintStatus::Unreachable;
+      }
+      line.Message += (line.Message.empty() || text.empty() ? "" : "; ") + text;
+    }
+  }
+}
+
+std::string Describe(const MarkOutcome& outcome)
+{
+  if (outcome.NumberOfBranches == 0)
+  {
+    return outcome.Message;
+  }
+  char text[128];
+  std::snprintf(text, sizeof text, "%sretimed by %.3f, cost %.3g, %d branches",
+                outcome.Message.empty() ? "" : "; ", outcome.RetimingFactor, outcome.Cost,
+                outcome.NumberOfBranches);
+  return outcome.Message + text;
+}
+
+/// Sentences of one line are parted by semicolons.
+void Append(std::string& message, const std::string& text)
+{
+  message += (message.empty() ? "" : "; ") + text;
+}
+
+/// Worse is larger.
+int Rank(ConstraintStatus status)
+{
+  return status == ConstraintStatus::Met           ? 0
+         : status == ConstraintStatus::Unreachable ? 1
+         : status == ConstraintStatus::Conflict    ? 2
+                                                   : 3;
+}
+
+} // namespace
+
+void ReportObject(const MotionObject& object, const ObjectPlan& plan, bool isPlanned,
+                  PlanOutput& output)
+{
+  ObjectRow own;
+  own.ObjectId = object.ObjectId;
+  own.IsPlanned = isPlanned;
+  own.Seconds = plan.Seconds;
+  const MarkOutcome* last = nullptr;
+  for (const MarkOutcome& outcome : plan.Outcomes)
+  {
+    own.NumberOfBranches += outcome.NumberOfBranches;
+    own.Cost += outcome.Cost;
+    if (outcome.Constraint < 0)
+    {
+      continue; // the end of a guide
+    }
+    const Constraint& row = output.Constraints[outcome.Constraint];
+    Tell(output.Report, row, outcome.IsReached,
+         outcome.IsReached ? Describe(outcome)
+                           : "no path found in the limits" +
+                               (outcome.Message.empty() ? "" : ": " + outcome.Message));
+    output.Flights.push_back({ object.ObjectId, row.Row, row.Target, row.Frame, outcome.IsReached,
+                               outcome.RetimingFactor, outcome.Cost, outcome.NumberOfBranches,
+                               outcome.Seconds });
+    last = &outcome;
+  }
+  if (plan.WorstFrame >= 0)
+  {
+    char text[128];
+    std::snprintf(text, sizeof text, "object %d comes %.3g m too near to something at frame %d",
+                  object.ObjectId, -plan.WorstSlack, plan.WorstFrame);
+    own.Message = text;
+    if (last != nullptr)
+    {
+      Tell(output.Report, output.Constraints[last->Constraint], true, text);
+    }
+  }
+  output.Objects.push_back(std::move(own));
+}
+
+void ReportStarts(const PlanInput& input, PlanOutput& output)
+{
+  std::map<int, std::string> reasons;
+  for (const MotionObject& object : input.Objects)
+  {
+    const std::string why = WhyStartInfeasible(
+      object,
+      LandingWindows(object, output.Constraints, input.Obstacles, input.Scene.Time.FramesPerSecond),
+      input.Obstacles, input.Scene);
+    if (!why.empty())
+    {
+      reasons[object.ObjectId] =
+        "object " + std::to_string(object.ObjectId) + " at its start: " + why;
+    }
+  }
+  for (ReportRow& line : output.Report)
+  {
+    const auto found = reasons.find(line.ObjectId);
+    if (found != reasons.end())
+    {
+      Append(line.Message, found->second);
+    }
+  }
+  for (ObjectRow& own : output.Objects)
+  {
+    const auto found = reasons.find(own.ObjectId);
+    if (found != reasons.end())
+    {
+      own.Status = ConstraintStatus::Infeasible;
+      Append(own.Message, found->second);
+    }
+  }
+}
+
+void MarkUnmet(const std::vector<ReportRow>& report, std::vector<Constraint>& constraints)
+{
+  for (Constraint& row : constraints)
+  {
+    for (const ReportRow& line : report)
+    {
+      if (line.Row == row.Row && line.Target == row.Target)
+      {
+        row.Status = line.Status;
+      }
+    }
+  }
+}
+
+void TellApproaches(PlanOutput& output)
+{
+  std::set<std::pair<int, int>> missed;
+  for (const FlightRow& flight : output.Flights)
+  {
+    if (!flight.IsReached)
+    {
+      missed.emplace(flight.Row, flight.Target);
+    }
+  }
+  for (ReportRow& line : output.Report)
+  {
+    if (missed.count({ line.Row, line.Target }) > 0)
+    {
+      char text[64];
+      std::snprintf(text, sizeof text, "it comes within %.3g m", line.Residual);
+      Append(line.Message, text);
+    }
+  }
+}
+
+void CountLines(PlanOutput& output)
+{
+  std::map<int, ObjectRow*> places;
+  for (ObjectRow& own : output.Objects)
+  {
+    places[own.ObjectId] = &own;
+  }
+  for (const ReportRow& line : output.Report)
+  {
+    const auto found = places.find(line.ObjectId);
+    if (found == places.end())
+    {
+      continue; // of any object, or of one that was not planned
+    }
+    ObjectRow& own = *found->second;
+    ++own.NumberOfRows;
+    own.NumberOfMet += line.Status == ConstraintStatus::Met ? 1 : 0;
+    own.Status = Rank(line.Status) > Rank(own.Status) ? line.Status : own.Status;
+  }
+}
+
+} // namespace waft

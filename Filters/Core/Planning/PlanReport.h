@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the planner says about its plans: lines of rows, of flights and of objects.
+#pragma once
+
+#include "Planning/ObjectPlan.h"
+#include "Planning/Planner.h"
+
+namespace waft
+{
+
+/// Tells the lines of the object's rows what became of them, and adds its flights and its own line.
+void ReportObject(const MotionObject& object, const ObjectPlan& plan, bool isPlanned,
+                  PlanOutput& output);
+
+/// An object that cannot be where it starts is named in its own line, and in each line of its rows;
+/// they may be met all the same.
+void ReportStarts(const PlanInput& input, PlanOutput& output);
+
+/// Later stages must not force what no path was found for: that would be a jump.
+void MarkUnmet(const std::vector<ReportRow>& report, std::vector<Constraint>& constraints);
+
+/// Says of the marks that were not reached how near their objects come to them at their frames;
+/// after the residuals were measured.
+void TellApproaches(PlanOutput& output);
+
+/// Counts the lines of each object, and takes the worst status over into its own.
+void CountLines(PlanOutput& output);
+
+} // namespace waft
