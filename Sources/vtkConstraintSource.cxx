@@ -47,6 +47,15 @@ void vtkConstraintSource::SetWaypoint(int index, double x, double y, double z)
   }
 }
 
+void vtkConstraintSource::GetWaypoint(int index, double place[3]) const
+{
+  const bool isThere = index >= 0 && index < this->GetNumberOfWaypoints();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    place[axis] = isThere ? this->Waypoints[static_cast<std::size_t>(index)][axis] : 0.0;
+  }
+}
+
 int vtkConstraintSource::RequestInformation(vtkInformation*, vtkInformationVector**,
                                             vtkInformationVector* outputs)
 {
@@ -63,7 +72,11 @@ int vtkConstraintSource::RequestData(vtkInformation*, vtkInformationVector**,
   info.Time = waft::Timeline{ this->NumberOfFrames, this->FramesPerSecond };
   const int last = this->NumberOfFrames - 1;
   const int lastFrame = this->LastFrame < 0 ? last : this->LastFrame;
-  const auto count = this->GetNumberOfWaypoints();
+  const int count = this->UseWaypoints ? this->GetNumberOfWaypoints() : 0;
+  if (this->UseWaypoints && count == 0)
+  {
+    return waft::Fail(this, outputs, "Waypoints: expected at least one, since UseWaypoints is on");
+  }
   if (!(info.Time.FramesPerSecond > 0.0))
   {
     return waft::Fail(this, outputs, "FramesPerSecond: expected more than 0");
@@ -123,6 +136,7 @@ void vtkConstraintSource::PrintSelf(ostream& os, vtkIndent indent)
   waft::PrintValues(os, indent, "Value", this->Value, 3);
   waft::PrintValues(os, indent, "Orientation", this->Orientation, 4);
   os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "UseWaypoints: " << this->UseWaypoints << "\n";
   for (const std::array<double, 3>& waypoint : this->Waypoints)
   {
     waft::PrintValues(os, indent, "Waypoint", waypoint.data(), 3);

@@ -3,9 +3,9 @@
  * @class   vtkConstraintSource
  * @brief   wishes about one object, made by hand
  *
- * Output port 0, Constraints (vtkPolyData): one vertex a row. Without waypoints it is one row of
+ * Output port 0, Constraints (vtkPolyData): one vertex a row. Without UseWaypoints it is one row of
  * Kind at Frame: a position, velocity, acceleration or rest of Value, or an orientation. With
- * waypoints it is a position or rest at each of them, at frames evenly spaced from Frame to
+ * UseWaypoints it is a position or rest at each of them, at frames evenly spaced from Frame to
  * LastFrame. `Row` is -1: a row's number is its vertex's, also when several of these are appended.
  * The field data `Bounds`, `NumberOfFrames`, `FramesPerSecond` describe the scene.
  */
@@ -74,10 +74,18 @@ public:
   vtkGetMacro(Radius, double);
   ///@}
   ///@{
+  /** Whether the waypoints count, instead of Value. */
+  vtkSetMacro(UseWaypoints, bool);
+  vtkGetMacro(UseWaypoints, bool);
+  vtkBooleanMacro(UseWaypoints, bool);
+  ///@}
+  ///@{
   /** Places [m] instead of Value, in the order of time. */
   void SetNumberOfWaypoints(int count);
   int GetNumberOfWaypoints() const { return static_cast<int>(this->Waypoints.size()); }
   void SetWaypoint(int index, double x, double y, double z);
+  /** Zeros for a waypoint that is not there. */
+  void GetWaypoint(int index, double place[3]) const;
   ///@}
   ///@{
   /** The volume (xmin, xmax, ymin, ymax, zmin, zmax) [m]. */
@@ -116,7 +124,8 @@ private:
   double Value[3] = { 0.0, 0.0, 2.0 };
   double Orientation[4] = { 1.0, 0.0, 0.0, 0.0 };
   double Radius = 0.0;
-  std::vector<std::array<double, 3>> Waypoints;
+  bool UseWaypoints = false;
+  std::vector<std::array<double, 3>> Waypoints{ { -0.5, 0.0, 2.0 }, { 0.5, 0.0, 2.0 } };
   double Bounds[6] = { -2.0, 2.0, -2.0, 2.0, 0.0, 4.0 };
   int NumberOfFrames = 300;
   double FramesPerSecond = 30.0;

@@ -63,6 +63,9 @@ TEST(ConstraintSource, SpreadsWaypointsEvenlyInTime)
   vtkNew<vtkConstraintSource> source;
   source->SetFrame(20);
   source->SetLastFrame(120);
+  source->Update();
+  EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 1) << "waypoints wait to be used";
+  source->UseWaypointsOn();
   source->SetNumberOfWaypoints(3);
   for (int k = 0; k < 3; ++k)
   {
@@ -118,6 +121,7 @@ TEST(ConstraintSource, SaysWhatIsWrong)
   EXPECT_TRUE(contains(message(
                          [](vtkConstraintSource* s)
                          {
+                           s->UseWaypointsOn();
                            s->SetNumberOfWaypoints(5);
                            s->SetFrame(10);
                            s->SetLastFrame(12);
@@ -127,9 +131,16 @@ TEST(ConstraintSource, SaysWhatIsWrong)
                          [](vtkConstraintSource* s)
                          {
                            s->SetKind(vtkConstraintSource::VELOCITY);
-                           s->SetNumberOfWaypoints(2);
+                           s->UseWaypointsOn();
                          }),
                        "position or rest"));
+  EXPECT_TRUE(contains(message(
+                         [](vtkConstraintSource* s)
+                         {
+                           s->UseWaypointsOn();
+                           s->SetNumberOfWaypoints(0);
+                         }),
+                       "expected at least one"));
   EXPECT_TRUE(contains(message(
                          [](vtkConstraintSource* s)
                          {

@@ -291,6 +291,7 @@ TEST(MotionSceneWriter, WhatIsMadeByHandReadsBack)
   way->SetObjectId(7);
   way->SetFrame(20);
   way->SetLastFrame(60);
+  way->UseWaypointsOn();
   way->SetWaypoint(0, 0.1, 0.2, 2.5);
   way->SetWaypoint(1, 0.4, 0.2, 2.1);
   vtkNew<vtkConstraintSource> speed;

@@ -34,7 +34,8 @@ class ByHandTest(unittest.TestCase):
     def setUpClass(cls):
         starts = [simple.ObjectSource(ObjectId=k, Position=[-1.0 + k, -0.5, 3.0], SettlingSpeed=0.5) for k in range(3)]
         cls.objects = simple.AppendGeometry(Input=starts)
-        way = simple.ConstraintSource(ObjectId=1, Frame=100, LastFrame=220, Waypoints=[0, 0, 2.4, 0.6, 0.4, 2.0])
+        way = simple.ConstraintSource(ObjectId=1, Frame=100, LastFrame=220, UseWaypoints=1,
+                                      Waypoints=[0, 0, 2.4, 0.6, 0.4, 2.0])
         speed = simple.ConstraintSource(ObjectId=0, Kind="Velocity", Frame=60, Value=[0.1, 0, -0.1], Radius=0.1)
         word = simple.ShapeKeyframeSource(Frame=280, NumberOfTargets=3, Width=1.5, Rest=0)
         word.Origin = [0, 0.2, 1.5]

@@ -100,13 +100,25 @@ class ProxyTest(unittest.TestCase):
                 with self.subTest(file=path, property=described.get("name")):
                     self.check_property(proxy, described, used, fresh)
 
+    def list_of(self, described, fresh):
+        """What the class holds for a list of tuples, [] when it has no getters for it."""
+        counter = "Get" + described.get("set_number_command", "")[3:]
+        if not described.get("default_values") or not hasattr(fresh, counter):
+            return []
+        wanted = []
+        for index in range(getattr(fresh, counter)()):
+            place = [0.0] * int(described.get("number_of_elements_per_command", "1"))
+            getattr(fresh, "Get" + described.get("command")[3:])(index, place)
+            wanted += place
+        return wanted
+
     def check_property(self, proxy, described, used, fresh):
         command = described.get("command", "")
         self.assertTrue(command, "no command")
         self.assertTrue(hasattr(fresh, command), f"{fresh.GetClassName()} has no {command}")
         shown = default_of(proxy, described.get("name"))
         if described.get("repeat_command") == "1" or described.get("repeatable") == "1":
-            self.assertEqual(shown, [], "expected a list that is empty at first")
+            self.assertEqual(shown, self.list_of(described, fresh), "the proxy's list is not the class's")
             return
         self.assertTrue(command.startswith("Set"), f"{command}: expected a setter")
         getter = "Get" + command[3:]

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""ParaView's own window on a virtual screen: the sources of the Waft menu, their panels, handles and Apply.
+
+    test_widgets.py PARAVIEW XVFB PLUGINS MODULES"""
+
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PARAVIEW, XVFB, PLUGINS, MODULES = sys.argv[1:5]
+HERE = pathlib.Path(__file__).parent
+PANEL = ("pqClientMainWindow/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/"
+         "scrollAreaWidgetContents/PropertiesFrame/ProxyPanel")
+VIEW = ("pqClientMainWindow/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1/"
+        "Container/Frame.0/CentralWidgetFrame/Viewport")
+
+
+class Screen:
+    """An X server of its own; it names its display once clients may come."""
+
+    def __enter__(self):
+        read, write = os.pipe()
+        self.server = subprocess.Popen([XVFB, "-displayfd", str(write), "-screen", "0", "1400x1000x24", "-noreset"],
+                                       pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as stream:
+            number = stream.readline().strip()
+        if not number:
+            raise RuntimeError("Xvfb: expected a display, found none")
+        return ":" + number
+
+    def __exit__(self, *_):
+        self.server.terminate()
+        self.server.wait()
+
+
+def play(events, folder):
+    """ParaView's exit status, what it printed, and what watch_widgets.py noted."""
+    script = folder / "events.xml"
+    text = (HERE / events).read_text(encoding="utf-8")
+    script.write_text(text.replace("@PANEL@", PANEL).replace("@VIEW@", VIEW), encoding="utf-8")
+    log = folder / "log.jsonl"
+    with Screen() as display:
+        environment = {**os.environ, "DISPLAY": display, "HOME": str(folder), "XDG_RUNTIME_DIR": str(folder),
+                       "PV_PLUGIN_PATH": PLUGINS, "PYTHONPATH": MODULES, "WAFT_GUI_LOG": str(log)}
+        done = subprocess.run([PARAVIEW, "--dr", f"--script={HERE / 'watch_widgets.py'}", f"--test-directory={folder}",
+                               f"--test-script={script}", "--exit"], env=environment, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, timeout=240)
+    notes = [json.loads(line) for line in log.read_text(encoding="utf-8").splitlines()]
+    return done.returncode, done.stdout, notes
+
+
+class WidgetTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory() as folder:
+            cls.status, cls.printed, cls.notes = play("widgets.xml", pathlib.Path(folder))
+
+    def of(self, source):
+        return [note for note in self.notes if note["source"] == source]
+
+    def shown(self, note):
+        return [widget["kind"] for widget in note["widgets"] if widget["shown"]]
+
+    def test_panels_open_without_a_complaint(self):
+        self.assertEqual(self.status, 0, self.printed)
+        for sign in ("ERR|", "WARN|", "FATL|", "Traceback", "critical:"):
+            self.assertNotIn(sign, self.printed)
+
+    def test_a_start_is_typed_and_dragged(self):
+        notes = self.of("ObjectSource")
+        self.assertTrue(all(self.shown(note) == ["HandleWidgetRepresentation"] for note in notes), notes)
+        self.assertIn([[-1.25, 0, 3]], [note["points"] for note in notes], "typed into the panel, applied")
+        dragged = notes[-1]["points"][0]
+        self.assertGreater(math.dist(dragged, [-1.25, 0, 3]), 0.01, "the handle was dragged aside, applied")
+        self.assertAlmostEqual(dragged[2], 3.0, places=6)
+        place = [widget["place"] for widget in notes[-1]["widgets"] if widget["shown"]][0]
+        for axis in range(3):
+            self.assertAlmostEqual(place[axis], dragged[axis], places=5)
+
+    def test_a_wish_is_one_place_and_then_a_way(self):
+        notes = self.of("ConstraintSource")
+        one = [note for note in notes if note["points"] == [[0, 0, 2.5]]]
+        self.assertTrue(one, notes)
+        self.assertEqual(self.shown(one[0]), ["HandleWidgetRepresentation"])
+        self.assertEqual(notes[-1]["points"], [[-0.5, 0, 2], [0.5, 0, 2]])
+        self.assertEqual(self.shown(notes[-1]), ["PolyLineWidgetRepresentation"])
+
+
+if __name__ == "__main__":
+    done = unittest.main(argv=sys.argv[:1], exit=False)
+    sys.exit(0 if done.result.wasSuccessful() else 1)
