@@ -12,11 +12,13 @@
 #include "Planning/PlanMemory.h"
 #include "Planning/Takes.h"
 
+#include <vtkCompositeDataIterator.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -55,6 +57,8 @@ struct vtkStylisticPlannerFilter::Internals : waft::KeptStage
 {
   vtkStylisticPlannerFilter* Self;
   waft::PlanMemory Memory;
+  waft::MotionDatabase Database; // stays in its place, where the memory's tools look for it
+  std::vector<std::pair<vtkDataObject*, vtkMTimeType>> GivenDatabase; // its blocks, and when
   std::vector<waft::ObstacleMesh> GivenObstacles; // what Obstacles was built from
   waft::ObstacleSet Obstacles;
 
@@ -64,6 +68,7 @@ struct vtkStylisticPlannerFilter::Internals : waft::KeptStage
   }
   waft::PlanOptions Options() const;
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  waft::Result TakeDatabase(vtkMultiBlockDataSet* data);
   waft::Result TakeObstacles();
   void KeepPlan(const waft::PlanOutput& plan);
 };
@@ -81,6 +86,26 @@ waft::PlanOptions vtkStylisticPlannerFilter::Internals::Options() const
   options.RetimingLimit = this->Self->RetimingLimit;
   options.GuideWeight = this->Self->GuideWeight;
   return options;
+}
+
+/// Takes the database over when it is another than the last time.
+waft::Result vtkStylisticPlannerFilter::Internals::TakeDatabase(vtkMultiBlockDataSet* data)
+{
+  std::vector<std::pair<vtkDataObject*, vtkMTimeType>> given{ { data, data->GetMTime() } };
+  vtkSmartPointer<vtkCompositeDataIterator> leaf;
+  leaf.TakeReference(data->NewIterator());
+  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+  {
+    vtkDataObject* block = leaf->GetCurrentDataObject();
+    given.emplace_back(block, block->GetMTime());
+  }
+  if (given != this->GivenDatabase)
+  {
+    this->GivenDatabase.clear();
+    WAFT_RETURN_IF_FAILED(waft::DatabaseFromMultiBlock(data, this->Database));
+    this->GivenDatabase = std::move(given);
+  }
+  return waft::Result::Ok();
 }
 
 /// Builds and checks the obstacles when they are others than the last time.
@@ -112,9 +137,7 @@ waft::Result vtkStylisticPlannerFilter::Internals::TakeObstacles()
 waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** inputs,
                                                        waft::Monitor& monitor)
 {
-  waft::MotionDatabase database;
-  WAFT_RETURN_IF_FAILED(
-    waft::DatabaseFromMultiBlock(vtkMultiBlockDataSet::GetData(inputs[DatabasePort]), database));
+  WAFT_RETURN_IF_FAILED(this->TakeDatabase(vtkMultiBlockDataSet::GetData(inputs[DatabasePort])));
   std::vector<waft::MotionObject> objects;
   WAFT_RETURN_IF_FAILED(
     waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[ObjectsPort]), objects));
@@ -123,11 +146,10 @@ waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** in
   WAFT_RETURN_IF_FAILED(this->TakeObstacles());
   std::vector<waft::Guide> guides;
   WAFT_RETURN_IF_FAILED(waft::GuidesFromPolyData(vtkPolyData::GetData(inputs[GuidesPort]), guides));
-  const waft::PlanInput input{
-    database, objects, constraints, this->Obstacles, this->Scene, guides
-  };
+  const waft::PlanInput input{ this->Database,  objects,     constraints,
+                               this->Obstacles, this->Scene, guides };
   const waft::TakeOptions choice{ this->Self->NumberOfTakes, this->Self->Take };
-  this->Warnings = waft::DatabaseRemarks(database, this->Scene);
+  this->Warnings = waft::DatabaseRemarks(this->Database, this->Scene);
   waft::PlanOutput plan;
   std::vector<waft::TakeScore> takes;
   const waft::Result result = waft::PlanTakes(input, this->Options(), choice, waft::SmpFor(),

@@ -39,20 +39,25 @@ class Screen:
         self.server.wait()
 
 
+def run_paraview(folder, arguments):
+    """ParaView's exit status and what it printed."""
+    with Screen() as display:
+        environment = {**os.environ, "DISPLAY": display, "HOME": str(folder), "XDG_RUNTIME_DIR": str(folder),
+                       "PV_PLUGIN_PATH": PLUGINS, "PYTHONPATH": MODULES, "WAFT_GUI_LOG": str(folder / "log"),
+                       "WAFT_GUI_SCENE": str(folder / "kept.waft.json")}
+        done = subprocess.run([PARAVIEW, "--dr", *arguments], env=environment, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, timeout=240)
+    return done.returncode, done.stdout
+
+
 def play(events, folder):
-    """ParaView's exit status, what it printed, and what watch_widgets.py noted."""
+    """Exit status, what was printed, and what watch_widgets.py noted while an event script played."""
     script = folder / "events.xml"
     text = (HERE / events).read_text(encoding="utf-8")
     script.write_text(text.replace("@PANEL@", PANEL).replace("@VIEW@", VIEW), encoding="utf-8")
-    log = folder / "log.jsonl"
-    with Screen() as display:
-        environment = {**os.environ, "DISPLAY": display, "HOME": str(folder), "XDG_RUNTIME_DIR": str(folder),
-                       "PV_PLUGIN_PATH": PLUGINS, "PYTHONPATH": MODULES, "WAFT_GUI_LOG": str(log)}
-        done = subprocess.run([PARAVIEW, "--dr", f"--script={HERE / 'watch_widgets.py'}", f"--test-directory={folder}",
-                               f"--test-script={script}", "--exit"], env=environment, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True, timeout=240)
-    notes = [json.loads(line) for line in log.read_text(encoding="utf-8").splitlines()]
-    return done.returncode, done.stdout, notes
+    status, printed = run_paraview(folder, [f"--script={HERE / 'watch_widgets.py'}", f"--test-directory={folder}",
+                                            f"--test-script={script}", "--exit"])
+    return status, printed, [json.loads(line) for line in (folder / "log").read_text(encoding="utf-8").splitlines()]
 
 
 class WidgetTest(unittest.TestCase):
@@ -67,10 +72,24 @@ class WidgetTest(unittest.TestCase):
     def shown(self, note):
         return [widget["kind"] for widget in note["widgets"] if widget["shown"]]
 
-    def test_panels_open_without_a_complaint(self):
-        self.assertEqual(self.status, 0, self.printed)
+    def check_run(self, status, printed):
+        self.assertEqual(status, 0, printed)
         for sign in ("ERR|", "WARN|", "FATL|", "Traceback", "critical:"):
-            self.assertNotIn(sign, self.printed)
+            self.assertNotIn(sign, printed)
+
+    def test_panels_open_without_a_complaint(self):
+        self.check_run(self.status, self.printed)
+
+    def test_a_scene_is_made_planned_and_kept(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            self.check_run(*run_paraview(folder, [f"--script={HERE / 'panels.py'}"]))
+            result = json.loads((folder / "log").read_text(encoding="utf-8"))
+            kept = json.loads((folder / "kept.waft.json").read_text(encoding="utf-8"))
+        self.assertEqual(result["tracks"], 1)
+        self.assertEqual(result["statuses"], ["met", "met", "met"])
+        self.assertEqual(len(kept["constraints"]), 3)
+        self.assertEqual(kept["objects"][0]["position"], [-1, 0, 3])
 
     def test_a_start_is_typed_and_dragged(self):
         notes = self.of("ObjectSource")

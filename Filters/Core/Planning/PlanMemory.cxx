@@ -152,6 +152,43 @@ void AddDatabase(const MotionDatabase& database, Digest& digest)
   }
 }
 
+/// Of what all plans of a scene share besides the database.
+std::string SharedKey(const PlanInput& input, const PlanOptions& options)
+{
+  Digest digest;
+  for (const ObstacleMesh& obstacle : input.Obstacles.Obstacles())
+  {
+    digest.Add(obstacle.ObstacleId);
+    digest.Add(obstacle.Mesh.Points.size());
+    for (const Vec3& point : obstacle.Mesh.Points)
+    {
+      digest.Add(point);
+    }
+    for (const auto& triangle : obstacle.Mesh.Triangles)
+    {
+      digest.Add(triangle.data(), sizeof(triangle));
+    }
+    digest.Add(obstacle.Offsets.size());
+    for (const Vec3& offset : obstacle.Offsets)
+    {
+      digest.Add(offset);
+    }
+  }
+  digest.Add(input.Scene.Bounds.Min);
+  digest.Add(input.Scene.Bounds.Max);
+  digest.Add(input.Scene.Time.NumberOfFrames);
+  digest.Add(input.Scene.Time.FramesPerSecond);
+  digest.Add(options.Freedom);
+  digest.Add(options.MaximumTilt);
+  digest.Add(options.ConnectionThreshold);
+  digest.Add(options.JoinThreshold);
+  digest.Add(options.MaximumNumberOfBranches);
+  digest.Add(options.NumberOfCandidates);
+  digest.Add(options.RetimingLimit);
+  digest.Add(options.GuideWeight);
+  return digest.Text();
+}
+
 std::size_t BytesOf(const ObjectPlan& plan)
 {
   std::size_t bytes = sizeof(ObjectPlan) + plan.Positions.size() * sizeof(Vec3) +
@@ -218,45 +255,44 @@ std::string PlanKey(const MotionObject& object, const std::vector<Constraint>& r
   return key.Take();
 }
 
-std::string SharedKey(const PlanInput& input, const PlanOptions& options)
+Result MakePlanTools(const MotionDatabase& database, const SegmentLibraryOptions& options,
+                     const ParallelFor& parallelFor, std::shared_ptr<const PlanTools>& tools)
 {
-  Digest digest;
-  AddDatabase(input.Database, digest);
-  for (const ObstacleMesh& obstacle : input.Obstacles.Obstacles())
-  {
-    digest.Add(obstacle.ObstacleId);
-    digest.Add(obstacle.Mesh.Points.size());
-    for (const Vec3& point : obstacle.Mesh.Points)
-    {
-      digest.Add(point);
-    }
-    for (const auto& triangle : obstacle.Mesh.Triangles)
-    {
-      digest.Add(triangle.data(), sizeof(triangle));
-    }
-    digest.Add(obstacle.Offsets.size());
-    for (const Vec3& offset : obstacle.Offsets)
-    {
-      digest.Add(offset);
-    }
-  }
-  digest.Add(input.Scene.Bounds.Min);
-  digest.Add(input.Scene.Bounds.Max);
-  digest.Add(input.Scene.Time.NumberOfFrames);
-  digest.Add(input.Scene.Time.FramesPerSecond);
-  digest.Add(options.Freedom);
-  digest.Add(options.MaximumTilt);
-  digest.Add(options.ConnectionThreshold);
-  digest.Add(options.JoinThreshold);
-  digest.Add(options.MaximumNumberOfBranches);
-  digest.Add(options.NumberOfCandidates);
-  digest.Add(options.RetimingLimit);
-  digest.Add(options.GuideWeight);
-  return digest.Text();
+  auto made = std::make_shared<PlanTools>();
+  WAFT_RETURN_IF_FAILED(made->Library.Build(database, options, parallelFor));
+  made->Gauge = StyleGauge(database);
+  tools = std::move(made);
+  return Result::Ok();
 }
 
-void PlanMemory::Begin(const std::string& shared)
+Result PlanMemory::Tools(const PlanInput& input, const SegmentLibraryOptions& options,
+                         const ParallelFor& parallelFor, std::shared_ptr<const PlanTools>& tools)
 {
+  Key key;
+  key.Add(reinterpret_cast<std::uintptr_t>(&input.Database));
+  key.Add(options.FramesPerSecond);
+  key.Add(options.Freedom);
+  key.Add(options.MaximumTilt);
+  key.Add(options.MaximumConnectionCost);
+  key.Add(options.MinimumNumberOfNeighbours);
+  key.Add(options.RoughConnectionFactor);
+  const std::string wanted = this->DatabaseKey + key.Take();
+  if (!this->KeptTools || wanted != this->ToolsKey)
+  {
+    this->KeptTools.reset();
+    WAFT_RETURN_IF_FAILED(MakePlanTools(input.Database, options, parallelFor, this->KeptTools));
+    this->ToolsKey = wanted;
+  }
+  tools = this->KeptTools;
+  return Result::Ok();
+}
+
+void PlanMemory::Begin(const PlanInput& input, const PlanOptions& options)
+{
+  Digest database;
+  AddDatabase(input.Database, database);
+  this->DatabaseKey = database.Text();
+  const std::string shared = this->DatabaseKey + SharedKey(input, options);
   if (shared != this->Shared)
   {
     this->Plans.clear();

@@ -4,10 +4,13 @@
 
 #include "Planning/ObjectPlan.h"
 #include "Planning/Planner.h"
+#include "Planning/SegmentLibrary.h"
+#include "Planning/StyleGauge.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -20,19 +23,32 @@ namespace waft
 std::string PlanKey(const MotionObject& object, const std::vector<Constraint>& rows,
                     const std::vector<int>& own, const std::vector<Guide>& guides);
 
-/// A digest of what all plans of a scene share: database, obstacles with their motions, volume and
-/// time, and all options but the Seed. 128 bits, by two different sums.
-std::string SharedKey(const PlanInput& input, const PlanOptions& options);
+/// The database as plans use it.
+struct PlanTools
+{
+  SegmentLibrary Library;
+  StyleGauge Gauge;
+};
+
+/// Builds them; fails as SegmentLibrary does.
+Result MakePlanTools(const MotionDatabase& database, const SegmentLibraryOptions& options,
+                     const ParallelFor& parallelFor, std::shared_ptr<const PlanTools>& tools);
 
 /// Keeps one plan for each Seed and ObjectId, the latest. What was not used for longest is dropped
-/// beyond a limit of memory.
+/// beyond a limit of memory. Keeps the tools, too, while the database stays where it is.
 class PlanMemory
 {
 public:
   explicit PlanMemory(std::size_t limit = std::size_t(256) << 20) : Limit(limit) {}
 
-  /// Before the plans of one run are asked for: forgets all when what is shared has changed.
-  void Begin(const std::string& shared);
+  /// Before the plans of one run are asked for: forgets all when what they share has changed:
+  /// database, obstacles with their motions, volume and time, all options but the Seed. Known by
+  /// digests of 128 bits.
+  void Begin(const PlanInput& input, const PlanOptions& options);
+  /// After Begin: the tools of the last run, or new ones when the database or its place in memory
+  /// is another.
+  Result Tools(const PlanInput& input, const SegmentLibraryOptions& options,
+               const ParallelFor& parallelFor, std::shared_ptr<const PlanTools>& tools);
   /// The plan of this key, or null. Constraint of its outcomes counts the object's own rows.
   const ObjectPlan* Find(std::uint64_t seed, int objectId, const std::string& key);
   void Keep(std::uint64_t seed, int objectId, const std::string& key, const ObjectPlan& plan);
@@ -54,6 +70,9 @@ private:
   std::size_t Used = 0;
   std::uint64_t Clock = 0;
   std::string Shared;
+  std::string ToolsKey; // of the database, its place and the options of its library
+  std::string DatabaseKey;
+  std::shared_ptr<const PlanTools> KeptTools;
   std::map<std::pair<std::uint64_t, int>, Entry> Plans;
 };
 

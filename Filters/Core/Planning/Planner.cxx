@@ -221,16 +221,20 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   {
     return valid;
   }
-  SegmentLibrary library;
   SegmentLibraryOptions libraryOptions;
   libraryOptions.FramesPerSecond = input.Scene.Time.FramesPerSecond;
   libraryOptions.Freedom = options.Freedom;
   libraryOptions.MaximumTilt = options.MaximumTilt;
   libraryOptions.MaximumConnectionCost = options.ConnectionThreshold;
-  if (Result built = library.Build(input.Database, libraryOptions, parallelFor); !built)
+  std::shared_ptr<const PlanTools> tools;
+  if (memory != nullptr)
   {
-    return built;
+    memory->Begin(input, options);
   }
+  WAFT_RETURN_IF_FAILED(memory != nullptr
+                          ? memory->Tools(input, libraryOptions, parallelFor, tools)
+                          : MakePlanTools(input.Database, libraryOptions, parallelFor, tools));
+  const SegmentLibrary& library = tools->Library;
   if (!monitor.Tick(0.02, "Assigning objects to targets"))
   {
     return Result::Stopped();
@@ -256,8 +260,7 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   objectOptions.Span.NumberOfCandidates = options.NumberOfCandidates;
   objectOptions.Span.GuideWeight = options.GuideWeight;
   objectOptions.Span.FrameStep = input.Scene.Time.Step();
-  const StyleGauge gauge(input.Database);
-  objectOptions.Span.Gauge = &gauge;
+  objectOptions.Span.Gauge = &tools->Gauge;
   const std::size_t count = input.Objects.size();
   std::vector<ObjectPlan> plans(count);
   std::vector<unsigned char> isDone(count, 0);
@@ -269,10 +272,6 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   std::vector<std::vector<int>> ownRows = OwnRows(input.Objects, output.Constraints, isUsed);
   std::vector<std::string> keys(memory != nullptr ? count : 0);
   std::vector<std::size_t> unknown; // objects to plan
-  if (memory != nullptr)
-  {
-    memory->Begin(SharedKey(input, options));
-  }
   for (std::size_t i = 0; i < count; ++i)
   {
     if (memory != nullptr)
