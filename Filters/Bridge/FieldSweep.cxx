@@ -46,7 +46,12 @@ void FieldSweep::RequestSteps(vtkAlgorithm* stage, vtkInformation* request,
                               vtkInformationVector** inputs, vtkInformationVector* outputs,
                               bool isCurrent)
 {
-  this->Sweep.RequestSteps(stage, request, inputs, outputs, isCurrent);
+  if (this->Keeps && this->Sweep.IsFirst())
+  {
+    this->Signature = InputSignature(inputs[this->ObstaclesPort]);
+    this->IsKept = !this->KeptSignature.empty() && this->Signature == this->KeptSignature;
+  }
+  this->Sweep.RequestSteps(stage, request, inputs, outputs, isCurrent || this->IsKept);
   vtkInformation* wind = InputOf(inputs, this->WindPort);
   if (wind != nullptr && wind->Has(Sddp::WHOLE_EXTENT()))
   {
@@ -55,8 +60,51 @@ void FieldSweep::RequestSteps(vtkAlgorithm* stage, vtkInformation* request,
   }
 }
 
+bool FieldSweep::Continue(vtkInformation* request)
+{
+  if (!this->IsKept && !this->MustSweep)
+  {
+    return this->Sweep.Continue(request);
+  }
+  if (this->MustSweep)
+  {
+    this->MustSweep = false;
+    request->Set(Sddp::CONTINUE_EXECUTING(), 1);
+    return true;
+  }
+  return false;
+}
+
+std::vector<ObstacleMesh> FieldSweep::TakeObstacles()
+{
+  if (!this->IsKept)
+  {
+    std::vector<ObstacleMesh> taken = this->Obstacles.Take();
+    if (!this->Keeps)
+    {
+      return taken;
+    }
+    this->Kept = std::move(taken);
+    this->KeptSignature = this->Signature;
+    this->KeptRate = this->Rate;
+  }
+  return this->Kept;
+}
+
 Result FieldSweep::Take(vtkInformationVector** inputs, const Timeline& line)
 {
+  this->Rate = line.FramesPerSecond;
+  if (this->IsKept && this->Rate != this->KeptRate)
+  {
+    // Frames are others: all steps are to be seen again.
+    this->KeptSignature.clear();
+    this->IsKept = false;
+    this->MustSweep = true;
+  }
+  if (this->IsKept || this->MustSweep)
+  {
+    return Result::Ok();
+  }
   if (this->Sweep.IsFirst())
   {
     this->Obstacles = ObstacleCollector();

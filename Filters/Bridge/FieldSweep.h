@@ -23,6 +23,9 @@ public:
   static constexpr int NoPort = -1;
 
   explicit FieldSweep(int obstaclesPort = NoPort, int windPort = NoPort);
+  /// From now on obstacles are kept from one sweep to the next, and there is no sweep while nothing
+  /// changes upstream of their port. Of a stage without wind only.
+  void KeepObstacles() { this->Keeps = this->WindPort == NoPort; }
   /// Like TimeSweep::RequestSteps; of the wind all is asked for, whatever its lattice.
   void RequestSteps(vtkAlgorithm* stage, vtkInformation* request, vtkInformationVector** inputs,
                     vtkInformationVector* outputs, bool isCurrent);
@@ -30,11 +33,11 @@ public:
   /// What the ports show in this pass. Inputs that are absent or empty are passed over. Fails as
   /// the collectors do.
   Result Take(vtkInformationVector** inputs, const Timeline& line);
-  bool Continue(vtkInformation* request) { return this->Sweep.Continue(request); }
+  bool Continue(vtkInformation* request);
   void Reset(vtkInformation* request) { this->Sweep.Reset(request); }
 
   /// After the last pass, once each.
-  std::vector<ObstacleMesh> TakeObstacles() { return this->Obstacles.Take(); }
+  std::vector<ObstacleMesh> TakeObstacles();
   FieldSeries TakeWind() { return this->Wind.Take(); }
 
 private:
@@ -43,6 +46,12 @@ private:
   TimeSweep Sweep;
   ObstacleCollector Obstacles;
   FieldCollector Wind;
+  bool Keeps = false;
+  bool IsKept = false;    // this run takes the obstacles of an earlier sweep
+  bool MustSweep = false; // it cannot, after all
+  std::vector<vtkMTimeType> Signature, KeptSignature; // of the obstacles' port
+  double Rate = 0.0, KeptRate = 0.0;                  // frames per second
+  std::vector<ObstacleMesh> Kept;
 };
 
 } // namespace waft

@@ -42,14 +42,9 @@ std::vector<vtkMTimeType> CurrentSignature(vtkAlgorithm* stage, vtkInformationVe
   std::vector<vtkMTimeType> signature{ stage->GetMTime() };
   for (int port = 0; port < stage->GetNumberOfInputPorts(); ++port)
   {
-    const int connections = inputs[port]->GetNumberOfInformationObjects();
-    signature.push_back(static_cast<vtkMTimeType>(connections));
-    for (int i = 0; i < connections; ++i)
-    {
-      auto* pipeline =
-        vtkDemandDrivenPipeline::SafeDownCast(ProducerOf(inputs[port]->GetInformationObject(i)));
-      signature.push_back(pipeline ? pipeline->GetPipelineMTime() : 0);
-    }
+    const std::vector<vtkMTimeType> own = InputSignature(inputs[port]);
+    signature.push_back(static_cast<vtkMTimeType>(own.size()));
+    signature.insert(signature.end(), own.begin(), own.end());
   }
   return signature;
 }
@@ -179,6 +174,18 @@ ParallelFor SmpFor()
                      [&body](vtkIdType begin, vtkIdType end)
                      { body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
   };
+}
+
+std::vector<vtkMTimeType> InputSignature(vtkInformationVector* input)
+{
+  std::vector<vtkMTimeType> signature;
+  for (int i = 0; i < input->GetNumberOfInformationObjects(); ++i)
+  {
+    auto* pipeline =
+      vtkDemandDrivenPipeline::SafeDownCast(ProducerOf(input->GetInformationObject(i)));
+    signature.push_back(pipeline ? pipeline->GetPipelineMTime() : 0);
+  }
+  return signature;
 }
 
 bool StageCache::IsCurrent(vtkAlgorithm* stage, vtkInformationVector** inputs) const

@@ -67,6 +67,9 @@ private:
   std::vector<vtkMTimeType> Signature;
 };
 
+/// What may have changed upstream of one input port: the pipeline MTime of each connection.
+std::vector<vtkMTimeType> InputSignature(vtkInformationVector* input);
+
 /// Pulls inputs over all their time steps, one pass of RequestData a step, and after the last one
 /// back to the time that was asked of the stage.
 ///

@@ -65,6 +65,7 @@ struct vtkStylisticPlannerFilter::Internals : waft::KeptStage
   explicit Internals(vtkStylisticPlannerFilter* self) :
     KeptStage(self, ObjectsPort, ObstaclesPort), Self(self)
   {
+    this->Fields.KeepObstacles(); // an edit of a row does not pull them again
   }
   waft::PlanOptions Options() const;
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;

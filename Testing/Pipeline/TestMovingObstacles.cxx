@@ -8,7 +8,9 @@
 #include "Bridge/SceneData.h"
 #include "Bridge/TrackData.h"
 
+#include <vtkConstraintSource.h>
 #include <vtkImplicitPolyDataDistance.h>
+#include <vtkObjectSource.h>
 #include <vtkTable.h>
 #include <vtkVariant.h>
 
@@ -148,4 +150,51 @@ TEST(MovingObstacles, ObjectsKeepClearOfThemFromTheSceneToThePoses)
   // into it on its way.
   EXPECT_LT(LeastSpare(chain.Reader, objects, posed, true), -0.1);
   EXPECT_LT(LeastSpare(chain.Reader, objects, StraightLines(objects, posed), false), -0.1);
+}
+
+TEST(MovingObstacles, AreNotPulledAgainForAnEditOfARow)
+{
+  struct Edited : SceneChain
+  {
+    vtkNew<vtkObjectSource> Leaf;
+    vtkNew<vtkConstraintSource> Row;
+
+    Edited() : SceneChain(AgainstTheLeaves)
+    {
+      this->Leaf->SetPosition(-0.7, 0.0, 2.1);
+      this->Leaf->SetNumberOfFrames(Frames);
+      this->Row->SetNumberOfFrames(Frames);
+      this->Row->SetFrame(59);
+      this->Row->SetValue(0.7, 0.0, 2.0);
+      this->Planner->SetInputConnection(1, this->Leaf->GetOutputPort());
+      this->Planner->SetInputConnection(2, this->Row->GetOutputPort());
+    }
+    std::vector<Vec3> Path()
+    {
+      this->Planner->Update();
+      std::vector<Track> tracks;
+      EXPECT_TRUE(TracksFromPolyData(Poly(this->Planner, 0), tracks));
+      return tracks.at(0).Positions;
+    }
+  };
+  Edited chain;
+  (void)chain.Path();
+  ExecutionCount pulls(chain.Reader);
+  chain.Row->SetValue(0.7, 0.1, 2.0);
+  Edited fresh;
+  fresh.Row->SetValue(0.7, 0.1, 2.0);
+  EXPECT_EQ(chain.Path(), fresh.Path());
+  EXPECT_LE(pulls.Value, 1);
+  // At another frame rate the same surfaces stand at other frames: all are seen again.
+  chain.Leaf->SetFramesPerSecond(24.0);
+  Edited slower;
+  slower.Row->SetValue(0.7, 0.1, 2.0);
+  slower.Leaf->SetFramesPerSecond(24.0);
+  EXPECT_EQ(chain.Path(), slower.Path());
+  EXPECT_GT(pulls.Value, Frames / 2);
+  // And when the obstacles change.
+  pulls.Value = 0;
+  chain.Reader->SetFileName(chain.Folder.File("scene.waft.json"));
+  EXPECT_EQ(chain.Path(), slower.Path());
+  EXPECT_GT(pulls.Value, Frames / 2);
 }
