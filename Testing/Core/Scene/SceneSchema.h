@@ -144,4 +144,10 @@ inline bool IsValid(const Json& value, const Json& schema)
   return !value.is_object() || IsValidObject(value, schema);
 }
 
+/// Pictures cannot be read here; a stand-in's colours are not those that a scene asks for.
+inline bool NamesAPicture(const std::string& sceneFile)
+{
+  return LoadJson(sceneFile).dump().find("\"image\":") != std::string::npos;
+}
+
 } // namespace waft

@@ -108,7 +108,11 @@ void ExpectSameScene(const Scene& a, const Scene& b)
     EXPECT_EQ(a.Obstacles[i].ObstacleId, b.Obstacles[i].ObstacleId);
     EXPECT_EQ(a.Obstacles[i].Mesh.Points, b.Obstacles[i].Mesh.Points);
     EXPECT_EQ(a.Obstacles[i].Mesh.Triangles, b.Obstacles[i].Mesh.Triangles);
-    EXPECT_EQ(a.Obstacles[i].Offsets, b.Obstacles[i].Offsets);
+    ASSERT_EQ(a.Obstacles[i].Offsets.size(), b.Obstacles[i].Offsets.size());
+    for (std::size_t k = 0; k < a.Obstacles[i].Offsets.size(); ++k)
+    {
+      EXPECT_LT((a.Obstacles[i].Offsets[k] - b.Obstacles[i].Offsets[k]).norm(), 1e-12) << k;
+    }
   }
   EXPECT_EQ(a.GroundId, b.GroundId);
   ASSERT_EQ(a.Vortices.size(), b.Vortices.size());
@@ -200,7 +204,7 @@ TEST(WriteScene, TheScenesOfTheProjectReadBackTheSame)
   for (const auto& entry :
        std::filesystem::directory_iterator(std::string(WAFT_SOURCE_DIR) + "/Data/Scenes"))
   {
-    if (entry.path().extension() == ".json")
+    if (entry.path().extension() == ".json" && !NamesAPicture(entry.path().string()))
     {
       SCOPED_TRACE(entry.path());
       Scene scene;
