@@ -10,6 +10,10 @@ namespace waft
 namespace
 {
 
+/// To either side of a connection, over which its pieces are handed over. Over the window alone
+/// what is left of the difference in velocity would take several times the air's accelerations.
+constexpr double HandoverSeconds = 1.0;
+
 /// Quintic step from 0 to 1, flat to second order at both ends.
 double SmoothStep(double u)
 {
@@ -48,42 +52,124 @@ std::vector<int> PieceChain::Beginnings(int window) const
   return result;
 }
 
-std::vector<Vec3> BlendChain(const SegmentLibrary& library, const PieceChain& chain)
+Vec3 Handover::Correction(double place, bool isAfter) const
 {
-  const int window = library.Window();
-  const int count = chain.NumberOfSamples(window);
-  const std::vector<int> beginnings = chain.Beginnings(window);
-  std::vector<Vec3> steps(static_cast<std::size_t>(std::max(0, count - 1)), Vec3::Zero());
+  const double u = (place - this->Centre) / this->Reach;
+  if (isAfter ? u >= 1.0 : u <= -1.0)
+  {
+    return Vec3::Zero();
+  }
+  // The offset rises along a smooth step, the slope along its integral, less what the pieces after
+  // the overlap bring themselves.
+  const double share = SmoothStep(0.5 * (u + 1.0)) - (isAfter ? 1.0 : 0.0);
+  const double ramp =
+    2.0 * SmoothStepIntegral(0.5 * (u + 1.0)) + std::max(u - 1.0, 0.0) - (isAfter ? u : 0.0);
+  return share * this->Offset + ramp * this->Reach * this->Slope;
+}
+
+namespace
+{
+
+using Steps = std::vector<Vec3>;
+
+/// The steps of each piece in the world [m], with its share of the join's turn.
+std::vector<Steps> TurnedSteps(const SegmentLibrary& library, const PieceChain& chain)
+{
+  const int count = chain.NumberOfSamples(library.Window());
+  const std::vector<int> beginnings = chain.Beginnings(library.Window());
+  std::vector<Steps> result;
   for (std::size_t i = 0; i < chain.Pieces.size(); ++i)
   {
     const Piece& piece = chain.Pieces[i];
     const std::vector<Vec3>& samples = library.Samples(piece.Segment);
-    const int length = piece.Last - piece.First;
-    for (int k = 0; k < length; ++k)
+    Steps steps;
+    for (int k = 0; k < piece.Last - piece.First; ++k)
     {
-      // Step k of the piece lies in the overlap with the one before (k < window - 1) or after.
-      double weight = 1.0;
-      if (i > 0 && k < window - 1)
-      {
-        weight = SmoothStep((k + 0.5) / (window - 1));
-      }
-      if (i + 1 < chain.Pieces.size() && k >= length - (window - 1))
-      {
-        weight *= 1.0 - SmoothStep((k - (length - (window - 1)) + 0.5) / (window - 1));
-      }
-      const int sample = beginnings[i] + k;
-      double turn = chain.JoinAngle * (sample + 0.5) / (count - 1);
+      double turn = chain.JoinAngle * (beginnings[i] + k + 0.5) / (count - 1);
       if (static_cast<int>(i) >= chain.JoinPlace)
       {
         turn -= chain.JoinAngle;
       }
       const Vec3 step =
         piece.Place.Rotation * (samples[piece.First + k + 1] - samples[piece.First + k]);
-      steps[sample] += weight * (Eigen::AngleAxisd(turn, Vec3::UnitZ()) * step);
+      steps.push_back(Eigen::AngleAxisd(turn, Vec3::UnitZ()) * step);
+    }
+    result.push_back(std::move(steps));
+  }
+  return result;
+}
+
+/// The line through what the steps of neighbours differ by in their overlap.
+std::vector<Handover> Handovers(const std::vector<Steps>& steps, int overlap, double reach)
+{
+  std::vector<Handover> result;
+  double beginning = 0.0;
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i)
+  {
+    const Steps& before = steps[i];
+    const Steps& after = steps[i + 1];
+    const std::size_t first = before.size() - static_cast<std::size_t>(overlap);
+    beginning += static_cast<double>(first);
+    Handover handover;
+    handover.Centre = beginning + 0.5 * overlap;
+    handover.Reach = std::max(reach, 0.5 * overlap);
+    double squares = 0.0;
+    for (int k = 0; k < overlap; ++k)
+    {
+      const Vec3 difference = after[k] - before[first + k];
+      const double time = k + 0.5 - 0.5 * overlap;
+      handover.Offset += difference / overlap;
+      handover.Slope += time * difference;
+      squares += time * time;
+    }
+    handover.Slope /= squares; // an overlap has two steps at least
+    result.push_back(handover);
+  }
+  return result;
+}
+
+} // namespace
+
+std::vector<Handover> HandOver(const SegmentLibrary& library, const PieceChain& chain)
+{
+  return Handovers(TurnedSteps(library, chain), library.Window() - 1,
+                   HandoverSeconds * library.Options().FramesPerSecond);
+}
+
+std::vector<Vec3> BlendChain(const SegmentLibrary& library, const PieceChain& chain)
+{
+  const int overlap = library.Window() - 1;
+  const std::vector<int> beginnings = chain.Beginnings(library.Window());
+  const std::vector<Steps> own = TurnedSteps(library, chain);
+  const std::vector<Handover> handovers =
+    Handovers(own, overlap, HandoverSeconds * library.Options().FramesPerSecond);
+  Steps steps(static_cast<std::size_t>(std::max(0, chain.NumberOfSamples(library.Window()) - 1)),
+              Vec3::Zero());
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    const auto length = static_cast<int>(own[i].size());
+    for (int k = 0; k < length; ++k)
+    {
+      Vec3 step = own[i][k];
+      for (std::size_t j = 0; j < handovers.size(); ++j)
+      {
+        step += handovers[j].Correction(beginnings[i] + k + 0.5, i > j);
+      }
+      // Step k of the piece lies in the overlap with the one before (k < overlap) or after.
+      double weight = 1.0;
+      if (i > 0)
+      {
+        weight = SmoothStep((k + 0.5) / overlap);
+      }
+      if (i + 1 < own.size())
+      {
+        weight *= 1.0 - SmoothStep((k - (length - overlap) + 0.5) / overlap);
+      }
+      steps[beginnings[i] + k] += weight * step;
     }
   }
   std::vector<Vec3> path;
-  path.reserve(static_cast<std::size_t>(count));
+  path.reserve(steps.size() + 1);
   const Piece& first = chain.Pieces.front();
   path.push_back(first.Place * library.Samples(first.Segment)[first.First]);
   for (const Vec3& step : steps)

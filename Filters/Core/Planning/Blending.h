@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From a chain of placed pieces to one smooth path: the join's turn spread over the whole chain,
-// overlaps blended, time uniformly scaled, landing and lift-off braked.
+// pieces handed over into each other, time uniformly scaled, landing and lift-off braked.
 #pragma once
 
 #include "Planning/SpanSearch.h"
@@ -23,9 +23,29 @@ struct PieceChain
   std::vector<int> Beginnings(int window) const;
 };
 
+/// How one piece goes over into the next. In the overlap their steps differ by about a line in
+/// time; that is handed over smoothly within a second to either side, so that velocity and
+/// acceleration are continuous and no turn is sharper than the air's. Neighbouring handovers may
+/// overlap.
+struct Handover
+{
+  double Centre = 0.0;        // of the overlap, in steps of the chain
+  double Reach = 1.0;         // steps to either side
+  Vec3 Offset = Vec3::Zero(); // step after less step before, at the centre [m per frame]
+  Vec3 Slope = Vec3::Zero();  // what it grows by from step to step [m per frame^2]
+
+  /// What is added at a place of the chain [steps] to the steps of the pieces before the overlap,
+  /// or of those after it: zero beyond the reach on their own side.
+  Vec3 Correction(double place, bool isAfter) const;
+};
+
+/// One a connection of the chain.
+std::vector<Handover> HandOver(const SegmentLibrary& library, const PieceChain& chain);
+
 /// Positions of the chain, one a sample, from the first piece's first sample. Steps, not positions,
-/// are blended (quintic weights over the window), so a gap in place between two pieces never
-/// becomes a kink; the turn of the join is spread evenly over all samples, none at the ends.
+/// are blended (handed over as above; what is left, with quintic weights over the overlap), so a
+/// gap in place between two pieces never becomes a kink; the turn of the join is spread evenly over
+/// all samples, none at the ends.
 std::vector<Vec3> BlendChain(const SegmentLibrary& library, const PieceChain& chain);
 
 /// The time line of a span in frames of flight.

@@ -323,28 +323,47 @@ void ObjectPlanner::KeepSpan(const SpanRequest& request, SpanResult& span)
   this->Continuation = span.Continuation;
 }
 
-/// Where two flights meet the bend is the mean of what it is on both sides.
+/// Where two flights meet what the bend jumps by is handed over within a third of a second to
+/// either side: the acceleration is continuous, the velocity beyond is as before. What is given
+/// frame by frame stays; the flight next to it takes all of the jump.
 void ObjectPlanner::HealSeams()
 {
   const auto count = static_cast<int>(this->Warp.IsFixed.size());
   std::vector<Vec3>& bends = this->Warp.SecondDifferences;
+  const auto isGiven = [&](int k)
+  {
+    return this->Warp.IsFixed[k - 1] != 0 && this->Warp.IsFixed[k] != 0 &&
+           this->Warp.IsFixed[k + 1] != 0;
+  };
   const auto bendAt = [&](int k) -> Vec3
   {
-    if (k < 1 || k + 1 >= count)
-    {
-      return Vec3::Zero();
-    }
-    const bool given = this->Warp.IsFixed[k - 1] != 0 && this->Warp.IsFixed[k] != 0 &&
-                       this->Warp.IsFixed[k + 1] != 0;
-    return given
+    return isGiven(k)
              ? Vec3(this->Warp.Fixed[k - 1] - 2.0 * this->Warp.Fixed[k] + this->Warp.Fixed[k + 1])
              : bends[k];
   };
-  for (int seam : this->Seams)
+  const auto third = static_cast<int>(std::lround(this->Scene.Time.FramesPerSecond / 3.0));
+  for (std::size_t i = 0; i < this->Seams.size(); ++i)
   {
-    if (seam > 0 && seam + 1 < count)
+    const int seam = this->Seams[i];
+    if (seam < 2 || seam + 2 >= count)
     {
-      bends[seam] = 0.5 * (bendAt(seam - 1) + bendAt(seam + 1));
+      continue;
+    }
+    int reach = std::min({ third, seam - 1, count - 2 - seam });
+    reach =
+      i > 0 && this->Seams[i - 1] < seam ? std::min(reach, (seam - this->Seams[i - 1]) / 2) : reach;
+    reach = i + 1 < this->Seams.size() && this->Seams[i + 1] > seam
+              ? std::min(reach, (this->Seams[i + 1] - seam) / 2)
+              : reach;
+    const Vec3 jump = bendAt(seam + 1) - bendAt(seam - 1);
+    const double left = isGiven(seam + 1) ? 1.0 : isGiven(seam - 1) ? 0.0 : 0.5;
+    bends[seam] = bendAt(seam - 1) + left * jump;
+    for (int k = 1; k < reach; ++k)
+    {
+      const double u = static_cast<double>(k) / reach;
+      const double share = (1.0 - u) * (1.0 - u) * (1.0 + 2.0 * u);
+      bends[seam - k] += left * share * jump;
+      bends[seam + k] -= (1.0 - left) * share * jump;
     }
   }
 }
