@@ -12,7 +12,7 @@ namespace
 
 /// To either side of a connection, over which its pieces are handed over. Over the window alone
 /// what is left of the difference in velocity would take several times the air's accelerations.
-constexpr double HandoverSeconds = 1.0;
+constexpr double HandoverSeconds = 1.25;
 
 /// Quintic step from 0 to 1, flat to second order at both ends.
 double SmoothStep(double u)

@@ -24,7 +24,7 @@ struct PieceChain
 };
 
 /// How one piece goes over into the next. In the overlap their steps differ by about a line in
-/// time; that is handed over smoothly within a second to either side, so that velocity and
+/// time; that is handed over smoothly within 1.25 s to either side, so that velocity and
 /// acceleration are continuous and no turn is sharper than the air's. Neighbouring handovers may
 /// overlap.
 struct Handover

@@ -91,8 +91,8 @@ std::vector<Vec3> TreePositions(const SegmentLibrary& library, const PieceChain&
 
 } // namespace
 
-SpanFitter::Layout SpanFitter::LayOut(const std::vector<Vec3>& path, const SpanClock& clock,
-                                      bool toGoal) const
+SpanFitter::Layout SpanFitter::LayOut(const std::vector<Vec3>& path, const Vec3& end,
+                                      const SpanClock& clock, bool toGoal) const
 {
   Layout layout;
   layout.Clock = clock;
@@ -135,8 +135,8 @@ SpanFitter::Layout SpanFitter::LayOut(const std::vector<Vec3>& path, const SpanC
   }
   if (!toGoal)
   {
-    // The end stays where the chain brings it.
-    fix(before + clock.Frames, path.back() - path.front() + this->Request.Start.Position);
+    // The end stays where the trees, which are clear, have it.
+    fix(before + clock.Frames, end);
   }
   if (before == 0 && this->Request.Start.HasVelocity && clock.Frames >= 3)
   {
@@ -246,7 +246,7 @@ bool SpanFitter::Ease(Layout& layout, const std::vector<Vec3>& anchors, bool toG
     }
     // A landing is not eased: that would make it a fall again.
     const bool lands = layout.Landing > 0 && !hits.empty() && hits.back() >= layout.Landing;
-    if (!toGoal || lands || round == EasingRounds || hits.size() >= before)
+    if (lands || round == EasingRounds || hits.size() >= before)
     {
       return false; // or it does not get better
     }
@@ -287,7 +287,8 @@ bool SpanFitter::Fit(const PieceChain& chain, const PieceChain& grown, bool toGo
     result.Halts = true;
   }
   const std::vector<Vec3> path = RetimePath(BlendChain(this->Library, chain), clock);
-  Layout layout = this->LayOut(path, clock, toGoal);
+  const std::vector<Vec3> anchors = TreePositions(this->Library, grown, clock);
+  Layout layout = this->LayOut(path, anchors.back(), clock, toGoal);
   std::vector<Vec3> positions = this->Frames(layout);
   const double top = SpeedAllowance * this->Library.TopStep();
   result.IsHardLanding = false;
@@ -304,11 +305,7 @@ bool SpanFitter::Fit(const PieceChain& chain, const PieceChain& grown, bool toGo
       positions = std::move(lowered);
     }
   }
-  if (!this->Ease(layout, TreePositions(this->Library, grown, clock), toGoal, positions))
-  {
-    return false;
-  }
-  if (IsTooFast(positions, top))
+  if (!this->Ease(layout, anchors, toGoal, positions) || IsTooFast(positions, top))
   {
     return false;
   }

@@ -88,7 +88,9 @@ private:
     int Landing = 0; // frame from which it is brought down, 0: it is not
     WarpProblem Warp;
   };
-  Layout LayOut(const std::vector<Vec3>& path, const SpanClock& clock, bool toGoal) const;
+  /// end: where a path leads that is not to the goal.
+  Layout LayOut(const std::vector<Vec3>& path, const Vec3& end, const SpanClock& clock,
+                bool toGoal) const;
   std::vector<Vec3> Frames(const Layout& layout) const;
   void BringDown(Layout& layout, std::vector<Vec3>& positions) const;
   bool Ease(Layout& layout, const std::vector<Vec3>& anchors, bool toGoal,

@@ -16,6 +16,9 @@ namespace
 /// More than any difference in style.
 constexpr double HardLandingPenalty = 4.0;
 
+/// Of a path twice as fierce as air ever is, against the distances of style.
+constexpr double FiercenessWeight = 0.1;
+
 /// Free flights tried before the object is left to hover.
 constexpr int FreeAttempts = 8;
 
@@ -121,11 +124,17 @@ double SpanPlanner::StyleDistance(const std::vector<Vec3>& positions) const
   {
     return 0.0;
   }
-  StyleHistory history = this->Request.History;
+  StyleHistory flight;
   StyleGauge::Append(positions, this->Options.FrameStep,
                      std::max(1, this->Request.Clock.LaunchFrames),
-                     this->Request.Clock.Frames - this->Request.Clock.BrakeFrames, history);
-  return this->Options.Gauge->Distance(std::move(history));
+                     this->Request.Clock.Frames - this->Request.Clock.BrakeFrames, flight);
+  StyleHistory history = this->Request.History;
+  history.LogCurvature.insert(history.LogCurvature.end(), flight.LogCurvature.begin(),
+                              flight.LogCurvature.end());
+  history.Acceleration.insert(history.Acceleration.end(), flight.Acceleration.begin(),
+                              flight.Acceleration.end());
+  return this->Options.Gauge->Distance(std::move(history)) +
+         FiercenessWeight * this->Options.Gauge->Fierceness(flight);
 }
 
 /// Sets task.Way to the guide, or where that or the straight one is blocked to a way around; false

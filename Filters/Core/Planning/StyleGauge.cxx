@@ -14,6 +14,14 @@ namespace
 
 constexpr int Quantiles = 200;
 
+/// Accelerations of a path that has little time are farther from the database's in any case; its
+/// shape need not be.
+constexpr double CurvatureWeight = 1.25;
+constexpr double AccelerationWeight = 0.75;
+
+/// Of the database's accelerations lie below what counts as fierce.
+constexpr double FierceShare = 0.99;
+
 std::vector<double> QuantilesOf(std::vector<double> values)
 {
   std::vector<double> result;
@@ -59,6 +67,7 @@ double DistanceTo(const std::vector<double>& quantiles, std::vector<double>& val
 StyleGauge::StyleGauge(const MotionDatabase& database)
 {
   StyleSamples samples = StyleOf(database);
+  this->FierceAcceleration = Quantile(samples.Acceleration, FierceShare);
   this->LogCurvature = QuantilesOf(std::move(samples.LogCurvature));
   this->Acceleration = QuantilesOf(std::move(samples.Acceleration));
 }
@@ -81,8 +90,19 @@ void StyleGauge::Append(const std::vector<Vec3>& positions, double step, int fir
 
 double StyleGauge::Distance(StyleHistory history) const
 {
-  return DistanceTo(this->LogCurvature, history.LogCurvature) +
-         DistanceTo(this->Acceleration, history.Acceleration);
+  return CurvatureWeight * DistanceTo(this->LogCurvature, history.LogCurvature) +
+         AccelerationWeight * DistanceTo(this->Acceleration, history.Acceleration);
+}
+
+double StyleGauge::Fierceness(const StyleHistory& flight) const
+{
+  double most = 0.0;
+  for (double acceleration : flight.Acceleration)
+  {
+    most = std::max(most, acceleration);
+  }
+  return this->FierceAcceleration > 0.0 ? std::max(0.0, most / this->FierceAcceleration - 1.0)
+                                        : 0.0;
 }
 
 } // namespace waft

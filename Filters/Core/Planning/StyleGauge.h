@@ -26,13 +26,17 @@ public:
   /// Adds the inner samples first..last-1 of a path [s between samples].
   static void Append(const std::vector<Vec3>& positions, double step, int first, int last,
                      StyleHistory& history);
-  /// Kolmogorov-Smirnov distance of the curvatures plus that of the accelerations; 0 without
-  /// samples.
+  /// Kolmogorov-Smirnov distances of the curvatures and of the accelerations, weighted 1.25 and
+  /// 0.75 and added; 0 without samples.
   double Distance(StyleHistory history) const;
+  /// By how much the largest acceleration of a flight exceeds what one in a hundred samples of the
+  /// database does, relative to that; at least 0.
+  double Fierceness(const StyleHistory& flight) const;
 
 private:
   std::vector<double> LogCurvature; // quantiles, evenly spaced in probability
   std::vector<double> Acceleration;
+  double FierceAcceleration = 0.0; // m/s^2
 };
 
 } // namespace waft
