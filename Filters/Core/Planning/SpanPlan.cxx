@@ -97,7 +97,10 @@ void SpanPlanner::Hover(SpanResult& result) const
   const Vec3 step = this->Request.Before.empty()
                       ? Vec3(Vec3::Zero())
                       : Vec3(this->Request.Start.Position - this->Request.Before.back());
-  result = SpanResult();
+  result.Pieces.clear();
+  result.PieceFrames.clear();
+  result.RetimingFactor = 1.0;
+  result.HasContinuation = false;
   for (double pause : { 8.0, 4.0, 2.0, 1.0 })
   {
     result.Positions.assign(frames, this->Request.Start.Position);
@@ -305,6 +308,7 @@ SpanResult SpanPlanner::Run(Random random)
     if (needed > SpeedAllowance * top)
     {
       reachable = false;
+      result.IsRuledOut = true;
       task.Goal.Position = task.Start.Position + way.normalized() * (top * task.Frames);
     }
   }
@@ -313,6 +317,7 @@ SpanResult SpanPlanner::Run(Random random)
   {
     if (!this->WayAround(flight, task))
     {
+      result.IsRuledOut = true;
       this->Options.MaximumNumberOfBranches =
         std::max(1, this->Options.MaximumNumberOfBranches / 20);
     }
