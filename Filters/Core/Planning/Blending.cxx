@@ -72,27 +72,22 @@ namespace
 
 using Steps = std::vector<Vec3>;
 
-/// The steps of each piece in the world [m], with its share of the join's turn.
-std::vector<Steps> TurnedSteps(const SegmentLibrary& library, const PieceChain& chain)
+/// The steps of each piece [m], those after the join turned back by its angle: as the table has
+/// them.
+std::vector<Steps> UnturnedSteps(const SegmentLibrary& library, const PieceChain& chain)
 {
-  const int count = chain.NumberOfSamples(library.Window());
-  const std::vector<int> beginnings = chain.Beginnings(library.Window());
+  const Mat3 back = Eigen::AngleAxisd(-chain.JoinAngle, Vec3::UnitZ()).toRotationMatrix();
   std::vector<Steps> result;
   for (std::size_t i = 0; i < chain.Pieces.size(); ++i)
   {
     const Piece& piece = chain.Pieces[i];
     const std::vector<Vec3>& samples = library.Samples(piece.Segment);
+    const Mat3 rotation =
+      static_cast<int>(i) >= chain.JoinPlace ? back * piece.Place.Rotation : piece.Place.Rotation;
     Steps steps;
-    for (int k = 0; k < piece.Last - piece.First; ++k)
+    for (int k = piece.First; k < piece.Last; ++k)
     {
-      double turn = chain.JoinAngle * (beginnings[i] + k + 0.5) / (count - 1);
-      if (static_cast<int>(i) >= chain.JoinPlace)
-      {
-        turn -= chain.JoinAngle;
-      }
-      const Vec3 step =
-        piece.Place.Rotation * (samples[piece.First + k + 1] - samples[piece.First + k]);
-      steps.push_back(Eigen::AngleAxisd(turn, Vec3::UnitZ()) * step);
+      steps.push_back(rotation * (samples[k + 1] - samples[k]));
     }
     result.push_back(std::move(steps));
   }
@@ -132,7 +127,7 @@ std::vector<Handover> Handovers(const std::vector<Steps>& steps, int overlap, do
 
 std::vector<Handover> HandOver(const SegmentLibrary& library, const PieceChain& chain)
 {
-  return Handovers(TurnedSteps(library, chain), library.Window() - 1,
+  return Handovers(UnturnedSteps(library, chain), library.Window() - 1,
                    HandoverSeconds * library.Options().FramesPerSecond);
 }
 
@@ -140,7 +135,7 @@ std::vector<Vec3> BlendChain(const SegmentLibrary& library, const PieceChain& ch
 {
   const int overlap = library.Window() - 1;
   const std::vector<int> beginnings = chain.Beginnings(library.Window());
-  const std::vector<Steps> own = TurnedSteps(library, chain);
+  const std::vector<Steps> own = UnturnedSteps(library, chain);
   const std::vector<Handover> handovers =
     Handovers(own, overlap, HandoverSeconds * library.Options().FramesPerSecond);
   Steps steps(static_cast<std::size_t>(std::max(0, chain.NumberOfSamples(library.Window()) - 1)),
@@ -172,9 +167,10 @@ std::vector<Vec3> BlendChain(const SegmentLibrary& library, const PieceChain& ch
   path.reserve(steps.size() + 1);
   const Piece& first = chain.Pieces.front();
   path.push_back(first.Place * library.Samples(first.Segment)[first.First]);
-  for (const Vec3& step : steps)
+  for (std::size_t k = 0; k < steps.size(); ++k)
   {
-    path.push_back(path.back() + step);
+    const double turn = chain.JoinAngle * (k + 0.5) / static_cast<double>(steps.size());
+    path.push_back(path.back() + Eigen::AngleAxisd(turn, Vec3::UnitZ()) * steps[k]);
   }
   return path;
 }

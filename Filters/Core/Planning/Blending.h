@@ -35,7 +35,8 @@ struct Handover
   Vec3 Slope = Vec3::Zero();  // what it grows by from step to step [m per frame^2]
 
   /// What is added at a place of the chain [steps] to the steps of the pieces before the overlap,
-  /// or of those after it: zero beyond the reach on their own side.
+  /// or of those after it, as they are before the turn of the join is spread: zero beyond the reach
+  /// on their own side.
   Vec3 Correction(double place, bool isAfter) const;
 };
 

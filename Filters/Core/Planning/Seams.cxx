@@ -10,9 +10,17 @@ namespace waft
 namespace
 {
 
+constexpr int HealingRounds = 3;
+
 double CubicStep(double u)
 {
   return u * u * (3.0 - 2.0 * u);
+}
+
+/// True when the bend at a sample follows from fixed samples alone.
+bool IsGiven(const WarpProblem& warp, int k)
+{
+  return warp.IsFixed[k - 1] != 0 && warp.IsFixed[k] != 0 && warp.IsFixed[k + 1] != 0;
 }
 
 Vec3 ValueOf(const LinearRow& row, const std::vector<Vec3>& positions)
@@ -59,12 +67,10 @@ void HealSeams(const std::vector<int>& seams, int reach, WarpProblem& warp)
 {
   const auto count = static_cast<int>(warp.IsFixed.size());
   std::vector<Vec3>& bends = warp.SecondDifferences;
-  const auto isGiven = [&](int k)
-  { return warp.IsFixed[k - 1] != 0 && warp.IsFixed[k] != 0 && warp.IsFixed[k + 1] != 0; };
   const auto bendAt = [&](int k) -> Vec3
   {
-    return isGiven(k) ? Vec3(warp.Fixed[k - 1] - 2.0 * warp.Fixed[k] + warp.Fixed[k + 1])
-                      : bends[k];
+    return IsGiven(warp, k) ? Vec3(warp.Fixed[k - 1] - 2.0 * warp.Fixed[k] + warp.Fixed[k + 1])
+                            : bends[k];
   };
   for (std::size_t i = 0; i < seams.size(); ++i)
   {
@@ -79,7 +85,7 @@ void HealSeams(const std::vector<int>& seams, int reach, WarpProblem& warp)
       i + 1 < seams.size() && seams[i + 1] > seam ? std::min(own, (seams[i + 1] - seam) / 2) : own;
     const Vec3 before = bendAt(seam - 1);
     const Vec3 jump = bendAt(seam + 1) - before;
-    const double left = isGiven(seam + 1) ? 1.0 : isGiven(seam - 1) ? 0.0 : 0.5;
+    const double left = IsGiven(warp, seam + 1) ? 1.0 : IsGiven(warp, seam - 1) ? 0.0 : 0.5;
     bends[seam] = before + left * jump;
     for (int k = 1; k < own; ++k)
     {
@@ -98,6 +104,14 @@ std::vector<Vec3> UniteFlights(const std::vector<int>& seams, int reach,
   std::vector<Vec3> united = SolveWarp(warp);
   // Rows with a tolerance are imposed where the motion does not meet them by itself.
   std::vector<int> places;
+  for (int seam : seams)
+  {
+    if (seam > 1 && seam + 2 < static_cast<int>(warp.IsFixed.size()) &&
+        (IsGiven(warp, seam - 1) || IsGiven(warp, seam + 1)))
+    {
+      places.push_back(seam);
+    }
+  }
   for (const MotionRow& row : rows)
   {
     LinearRow imposed = row.Row;
@@ -114,11 +128,15 @@ std::vector<Vec3> UniteFlights(const std::vector<int>& seams, int reach,
     warp.Rows.push_back(imposed);
     places.push_back((imposed.Frames.front() + imposed.Frames.back()) / 2);
   }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
   if (!warp.Rows.empty())
   {
     united = SolveWarp(warp);
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end()), places.end());
+  }
+  // What rows and given stretches bent the path by jumps there in turn.
+  for (int round = 0; round < HealingRounds && !places.empty(); ++round)
+  {
     warp.SecondDifferences = SecondDifferences(united);
     HealSeams(places, reach, warp);
     united = SolveWarp(warp);

@@ -4,6 +4,8 @@
 #include "Planning/FreeFlight.h"
 #include "Planning/Refinement.h"
 #include "Planning/Repair.h"
+#include "Planning/Seams.h"
+#include "Planning/SpanFit.h"
 
 #include "Base/Primitives.h"
 #include "SwirlDatabase.h"
@@ -64,13 +66,19 @@ TEST(FreeFlight, LastsItsFramesInsideTheVolume)
   }
 }
 
-TEST(Blending, GivesBackDatabaseStepsOutsideTheOverlaps)
+TEST(Blending, UndoneGivesBackTheDatabaseOutsideTheOverlaps)
 {
+  // Turn, handovers and rigid motion taken off again, the steps are those of the segments.
   const SegmentLibrary& library = Library();
-  const PieceChain chain = RandomChain(4);
+  PieceChain chain = RandomChain(4);
+  chain.JoinPlace = 2;
+  chain.JoinAngle = 0.3;
   const std::vector<Vec3> path = BlendChain(library, chain);
   ASSERT_EQ(static_cast<int>(path.size()), chain.NumberOfSamples(library.Window()));
+  const std::vector<Handover> handovers = HandOver(library, chain);
+  ASSERT_EQ(handovers.size() + 1, chain.Pieces.size());
   const std::vector<int> beginnings = chain.Beginnings(library.Window());
+  const double steps = static_cast<double>(path.size()) - 1.0;
   int compared = 0;
   for (std::size_t i = 0; i < chain.Pieces.size(); ++i)
   {
@@ -79,13 +87,121 @@ TEST(Blending, GivesBackDatabaseStepsOutsideTheOverlaps)
     const int length = piece.Last - piece.First;
     for (int k = library.Window() - 1; k < length - (library.Window() - 1); ++k)
     {
+      const int at = beginnings[i] + k;
+      Vec3 step =
+        Eigen::AngleAxisd(-0.3 * (at + 0.5) / steps, Vec3::UnitZ()) * Vec3(path[at + 1] - path[at]);
+      for (std::size_t j = 0; j < handovers.size(); ++j)
+      {
+        step -= handovers[j].Correction(at + 0.5, i > j);
+      }
+      if (static_cast<int>(i) >= chain.JoinPlace)
+      {
+        step = Eigen::AngleAxisd(0.3, Vec3::UnitZ()) * step;
+      }
       const Vec3 own = samples[piece.First + k + 1] - samples[piece.First + k];
-      const Vec3 step = path[beginnings[i] + k + 1] - path[beginnings[i] + k];
       EXPECT_LT((piece.Place.Rotation.transpose() * step - own).norm(), 1e-12);
       ++compared;
     }
   }
   EXPECT_GT(compared, 60);
+}
+
+TEST(Handover, IsSmoothAndEndsAtItsReach)
+{
+  Handover handover;
+  handover.Centre = 40.0;
+  handover.Reach = 30.0;
+  handover.Offset = Vec3(0.02, -0.01, 0.005);
+  handover.Slope = Vec3(0.001, 0.002, -0.001);
+  const auto before = [&](double place) { return handover.Correction(place, false); };
+  const auto after = [&](double place) { return handover.Correction(place, true); };
+  EXPECT_EQ(before(9.9), Vec3(Vec3::Zero()));
+  EXPECT_EQ(after(70.1), Vec3(Vec3::Zero()));
+  const double h = 0.01;
+  for (double place = -5.0; place < 85.0; place += h)
+  {
+    // Together with what the pieces differ by, both sides are one motion.
+    const Vec3 difference = handover.Offset + (place - 40.0) * handover.Slope;
+    EXPECT_LT((before(place) - after(place) - difference).norm(), 1e-12) << place;
+    // Twice differentiable: no jump in the second derivative.
+    const auto bend = [&](double x) -> Vec3
+    { return (before(x - h) - 2.0 * before(x) + before(x + h)) / (h * h); };
+    EXPECT_LT((bend(place + h) - bend(place)).norm(), 2e-6) << place;
+  }
+  // Handed over, the offset leaves no shift in place.
+  Handover flat = handover;
+  flat.Slope = Vec3::Zero();
+  Vec3 shift = Vec3::Zero();
+  for (double place = 0.5; place < 80.0; place += 1.0)
+  {
+    shift += flat.Correction(place, place > 40.0);
+  }
+  EXPECT_LT(shift.norm(), 1e-12);
+}
+
+TEST(Blending, LeavesAccelerationsAsTheyAreInTheAir)
+{
+  const SegmentLibrary& library = Library();
+  double most = 0.0;
+  for (std::size_t s = 0; s < library.Database().Segments.size(); ++s)
+  {
+    for (const Vec3& bend : SecondDifferences(library.Samples(static_cast<int>(s))))
+    {
+      most = std::max(most, bend.norm());
+    }
+  }
+  double blended = 0.0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed)
+  {
+    for (const Vec3& bend : SecondDifferences(BlendChain(library, RandomChain(seed))))
+    {
+      blended = std::max(blended, bend.norm());
+    }
+  }
+  EXPECT_LE(blended, most);
+}
+
+TEST(Redistribution, SharesTheGapOutEvenlyAndKeepsTheEnds)
+{
+  // The goal stands where no chain leads; each piece is to take the same part of the gap in each
+  // frame, so that no connection gets a jump of velocity and none is preferred.
+  const SegmentLibrary& library = Library();
+  ClearanceField field;
+  field.Bounds = Box{ Vec3(-9, -9, -9), Vec3(9, 9, 9) };
+  const double width = field.Bounds.Width();
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  {
+    const PieceChain chain = RandomChain(seed);
+    const std::vector<Vec3> chained = BlendChain(library, chain);
+    SpanRequest request;
+    request.Start.Position = chained.front() + Vec3(0.1, -0.2, 0.1);
+    request.Goal.Position = chained.back() + Vec3(0.9, 0.5, -0.6);
+    request.Clock.Frames = 240;
+    const std::vector<Vec3> own = RetimePath(chained, request.Clock);
+    SpanResult result;
+    const SpanFitter fitter(library, field, field, request, 0.001);
+    ASSERT_TRUE(fitter.Fit(chain, true, result)) << seed;
+    EXPECT_LE((result.Positions.front() - request.Start.Position).norm(), 1e-9 * width);
+    EXPECT_LE((result.Positions.back() - request.Goal.Position).norm(), 1e-9 * width);
+    // What each connection takes, a frame: from the middle of its overlap to the next.
+    const std::vector<int> beginnings = chain.Beginnings(library.Window());
+    const double scale = 240.0 / (static_cast<double>(chained.size()) - 1.0);
+    std::vector<Vec3> shares;
+    int from = 0;
+    for (std::size_t i = 1; i <= beginnings.size(); ++i)
+    {
+      const int to = i < beginnings.size() ? static_cast<int>(beginnings[i] * scale) : 240;
+      shares.push_back(((result.Positions[to] - own[to]) - (result.Positions[from] - own[from])) /
+                       (to - from));
+      from = to;
+    }
+    const Vec3 mean = (request.Goal.Position - own[240] - request.Start.Position + own[0]) / 240.0;
+    ASSERT_GT(mean.norm(), 1e-3);
+    for (const Vec3& share : shares)
+    {
+      EXPECT_LE((share - mean).norm(), 0.1 * mean.norm()) << seed;
+    }
+  }
 }
 
 TEST(Blending, SpreadsTheTurnOfTheJoinEvenly)
@@ -269,5 +385,48 @@ TEST(Repair, EasesAPathOutOfABox)
   for (const Vec3& bend : SecondDifferences(repaired))
   {
     EXPECT_LT(bend.norm(), 0.01);
+  }
+}
+
+TEST(Seams, AreHandedOverWithoutAJumpOfAcceleration)
+{
+  // Two flights that bend against each other, and a given stretch at the end.
+  WarpProblem warp;
+  warp.SecondDifferences.assign(121, Vec3(0.0, 0.002, 0.0));
+  std::fill(warp.SecondDifferences.begin() + 50, warp.SecondDifferences.end(),
+            Vec3(0.0, -0.003, 0.001));
+  warp.IsFixed.assign(121, 0);
+  warp.Fixed.assign(121, Vec3::Zero());
+  const auto fix = [&](int k, const Vec3& x)
+  {
+    warp.IsFixed[k] = 1;
+    warp.Fixed[k] = x;
+  };
+  fix(0, Vec3(0, 0, 0));
+  fix(50, Vec3(1, 0.2, 0));
+  for (int k = 100; k <= 120; ++k)
+  {
+    fix(k, Vec3(2.0 + 0.02 * (k - 100), 0.0, 0.0));
+  }
+  const double jump = Vec3(0.0, -0.005, 0.001).norm();
+  std::vector<MotionRow> rows(2);
+  rows[0].Row = { { 24, 26 }, { -0.5, 0.5 }, Vec3(0.03, 0.0, 0.0) };
+  rows[1].Row = { { 73, 75, 77 }, { 0.25, -0.5, 0.25 }, Vec3(0.0, 0.002, 0.0) };
+  const std::vector<Vec3> united = UniteFlights({ 50, 100 }, 10, rows, warp);
+  for (const MotionRow& row : rows)
+  {
+    Vec3 value = Vec3::Zero();
+    for (std::size_t i = 0; i < row.Row.Frames.size(); ++i)
+    {
+      value += row.Row.Weights[i] * united[row.Row.Frames[i]];
+    }
+    EXPECT_LT((value - row.Row.Value).norm(), 1e-12);
+  }
+  EXPECT_EQ(united[50], Vec3(1, 0.2, 0));
+  EXPECT_EQ(united[110], Vec3(2.2, 0, 0));
+  const std::vector<Vec3> bends = SecondDifferences(united);
+  for (int k = 1; k < 119; ++k)
+  {
+    EXPECT_LT((bends[k + 1] - bends[k]).norm(), 0.3 * jump) << k;
   }
 }
