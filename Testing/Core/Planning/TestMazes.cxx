@@ -53,6 +53,51 @@ double LeastBoxSlack(const PlanScene& scene, const Track& track)
   return slack;
 }
 
+/// Distance to a triangle: to its plane where the foot of the perpendicular lies inside, else to
+/// its sides.
+double TriangleDistance(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x)
+{
+  const auto toSide = [&](const Vec3& from, const Vec3& to)
+  {
+    const Vec3 side = to - from;
+    const double u = std::clamp((x - from).dot(side) / side.squaredNorm(), 0.0, 1.0);
+    return (x - from - u * side).norm();
+  };
+  const Vec3 normal = (b - a).cross(c - a).normalized();
+  const Vec3 foot = x - (x - a).dot(normal) * normal;
+  const bool isInside = (b - a).cross(foot - a).dot(normal) >= 0.0 &&
+                        (c - b).cross(foot - b).dot(normal) >= 0.0 &&
+                        (a - c).cross(foot - c).dot(normal) >= 0.0;
+  return isInside ? std::abs((x - a).dot(normal))
+                  : std::min({ toSide(a, b), toSide(b, c), toSide(c, a) });
+}
+
+/// Least distance of the swept centre to any triangle, minus radius, 8 places a frame. A centre
+/// that begins outside and never comes near a surface stays outside.
+double LeastMeshSlack(const PlanScene& scene, const Track& track)
+{
+  double slack = 1e30;
+  for (std::size_t k = 0; k + 1 < track.Positions.size(); ++k)
+  {
+    for (int i = 0; i <= 8; ++i)
+    {
+      const double u = i / 8.0;
+      const Vec3 x = (1.0 - u) * track.Positions[k] + u * track.Positions[k + 1];
+      double distance = scene.Scene.Bounds.InnerDistance(x);
+      for (const ObstacleMesh& obstacle : scene.Meshes)
+      {
+        const std::vector<Vec3>& p = obstacle.Mesh.Points;
+        for (const auto& [a, b, c] : obstacle.Mesh.Triangles)
+        {
+          distance = std::min(distance, TriangleDistance(p[a], p[b], p[c], x));
+        }
+      }
+      slack = std::min(slack, distance - scene.Objects[track.ObjectId].ClearanceRadius);
+    }
+  }
+  return slack;
+}
+
 /// The factor that the report tells, 0 when it tells none.
 double RetimingFactor(const ReportRow& line)
 {
@@ -62,6 +107,24 @@ double RetimingFactor(const ReportRow& line)
              std::sscanf(line.Message.c_str() + place, "retimed by %lf", &factor) == 1
            ? factor
            : 0.0;
+}
+
+TriangleMesh Boulder(Random& random)
+{
+  TriangleMesh mesh = MakeBox(Box{ Vec3(-1, -1, -1), Vec3(1, 1, 1) });
+  for (int k = 0; k < 2; ++k)
+  {
+    mesh = Split(mesh);
+  }
+  const Mat3 turn =
+    Eigen::AngleAxisd(random.Uniform(0.0, M_PI), random.Direction()).toRotationMatrix();
+  const Vec3 size = random.InBox(Box{ Vec3(0.15, 0.15, 0.15), Vec3(0.7, 0.7, 0.7) });
+  const Vec3 center = random.InBox(Box{ Vec3(-1.5, -1.5, 0.3), Vec3(1.5, 1.5, 3.4) });
+  for (Vec3& x : mesh.Points)
+  {
+    x = center + turn * (size.cwiseProduct(x.normalized()) * random.Uniform(0.8, 1.1));
+  }
+  return mesh;
 }
 
 struct MazeCase
@@ -103,10 +166,7 @@ TEST_P(Mazes, AreFlownThroughInTimeClearAndInStyle)
   EXPECT_GE(met, 19);
   const StyleSamples reference = StyleOf(SwirlDatabase());
   EXPECT_LE(KolmogorovSmirnov(reference.LogCurvature, style.LogCurvature), 0.20);
-  if (GetParam().Frames >= 300)
-  {
-    EXPECT_LE(KolmogorovSmirnov(reference.Acceleration, style.Acceleration), 0.35);
-  }
+  EXPECT_LE(KolmogorovSmirnov(reference.Acceleration, style.Acceleration), 0.35);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Mazes,
@@ -177,5 +237,46 @@ TEST(Mazes, NothingIsTouchedIn200RandomScenes)
   std::printf(
     "200 random scenes: %d of %d marks reached, least clearance beyond the radius %.2g m\n", met,
     rows, worst);
-  EXPECT_GE(met, rows * 85 / 100);
+  EXPECT_GE(met, rows * 99 / 100);
+}
+
+TEST(Mazes, NothingIsTouchedAmongMeshesOfAnyShape)
+{
+  // Boulders (balls that were stretched, dented and turned), against brute force over all
+  // triangles.
+  int met = 0;
+  int rows = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+  {
+    PlanScene scene;
+    Random random(seed, 41);
+    for (int i = 0; i < 6; ++i)
+    {
+      ObstacleMesh obstacle;
+      obstacle.ObstacleId = i + 1;
+      obstacle.Mesh = Boulder(random);
+      scene.Meshes.push_back(obstacle);
+    }
+    PlanScene::Check(scene.Obstacles.Build(scene.Meshes));
+    const auto clearPoint = [&]()
+    {
+      Vec3 x;
+      do
+      {
+        x = random.InBox(Box{ Vec3(-1.8, -1.8, 0.2), Vec3(1.8, 1.8, 3.8) });
+      } while (scene.Obstacles.SignedDistance(x, 0.0) < 0.08);
+      return x;
+    };
+    scene.AddObject(clearPoint());
+    scene.AddRow(ConstraintKind::Position, 0, 120, clearPoint());
+    scene.AddRow(ConstraintKind::Position, 0, 240, clearPoint());
+    const PlanOutput output = scene.Run(seed);
+    EXPECT_GE(LeastMeshSlack(scene, output.Tracks[0]), -0.004) << seed;
+    for (const ReportRow& line : output.Report)
+    {
+      ++rows;
+      met += line.Status == ConstraintStatus::Met ? 1 : 0;
+    }
+  }
+  EXPECT_GE(met, rows * 95 / 100);
 }
