@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints how long plans take, how many marks they reach and what memory they need: a maze of 16
-// boxes with windows, the same maze in 100,000 triangles, and letters on the ground. Arguments:
-// number of seeds [50], and one of maze, fine, fast, narrow, letters [all].
+// boxes with windows (and how much faster a classic RRT-Connect gets through it, where OMPL is
+// installed), the same maze in 100,000 triangles, and letters on the ground. Arguments: number of
+// seeds [50], and one of maze, fine, fast, narrow, letters [all].
 #include "PlanScenes.h"
 #include "Trajectory/Style.h"
+#ifdef WAFT_HAS_OMPL
+#include "RRTConnect.h"
+#endif
 
 #include <sys/resource.h>
 
@@ -61,7 +65,8 @@ PlanOutput Plan(const PlanScene& scene, std::uint64_t seed, const ParallelFor& p
   return output;
 }
 
-void Maze(const char* name, int frames, const MazeSize& size, int seeds)
+/// Median seconds of processor time.
+double Maze(const char* name, int frames, const MazeSize& size, int seeds)
 {
   PlanScene scene;
   AddMaze(scene, size);
@@ -89,6 +94,30 @@ void Maze(const char* name, int frames, const MazeSize& size, int seeds)
               name, triangles, frames, Quantile(seconds, 0.5), Quantile(seconds, 0.95), met, seeds,
               KolmogorovSmirnov(reference.LogCurvature, style.LogCurvature),
               KolmogorovSmirnov(reference.Acceleration, style.Acceleration));
+  std::fflush(stdout);
+  return Quantile(seconds, 0.5);
+}
+
+/// The same maze without style and without time.
+void CompareWithRRTConnect(double median, int runs)
+{
+#ifdef WAFT_HAS_OMPL
+  PlanScene scene;
+  AddMaze(scene);
+  AddMazeFlight(scene, 300);
+  PlanScene::Check(scene.Obstacles.Build(scene.Meshes));
+  const MotionObject& object = scene.Objects[0];
+  const std::vector<double> seconds =
+    RunRRTConnect(scene.Obstacles, scene.Scene.Bounds, object.ClearanceRadius, object.Position,
+                  scene.Constraints[0].Value, runs);
+  std::printf("RRT-Connect with straight segments (OMPL): median %.3f s, %zu of %d reached; the "
+              "planner takes %.1f times as long\n",
+              Quantile(seconds, 0.5), seconds.size(), runs, median / Quantile(seconds, 0.5));
+#else
+  static_cast<void>(median);
+  static_cast<void>(runs);
+  std::printf("RRT-Connect with straight segments: built without OMPL (libompl-dev), not run\n");
+#endif
   std::fflush(stdout);
 }
 
@@ -119,7 +148,7 @@ int main(int argc, char** argv)
   narrow.Window = 0.35;
   if (isWanted("maze"))
   {
-    Maze("maze", 300, MazeSize(), seeds);
+    CompareWithRRTConnect(Maze("maze", 300, MazeSize(), seeds), seeds);
   }
   if (isWanted("fine"))
   {
