@@ -14,6 +14,13 @@ namespace
 
 constexpr int FailuresUntilGivenUp = 12;
 
+/// Of seeds about a way around obstacles, in radii of the body.
+constexpr double WaySpread = 4.0;
+/// Of these seeds, how many are where the trees have come to, and the share of the way meant by
+/// that.
+constexpr double FrontShare = 0.5;
+constexpr double FrontLength = 0.06;
+
 } // namespace
 
 SpanSearch::SpanSearch(const SegmentLibrary& library, const ClearanceField& field,
@@ -28,6 +35,16 @@ SpanSearch::SpanSearch(const SegmentLibrary& library, const ClearanceField& fiel
                     Vec3::Constant(std::max(0.3 * reach, 2.0 * field.Radius));
   this->SeedBox.Min = field.Bounds.Min.cwiseMax(centre - half);
   this->SeedBox.Max = field.Bounds.Max.cwiseMin(centre + half);
+  for (std::size_t k = 0; k < task.Way.size(); ++k)
+  {
+    this->WayShares.push_back(
+      k == 0 ? 0.0 : this->WayShares.back() + (task.Way[k] - task.Way[k - 1]).norm());
+  }
+  const double length = this->WayShares.empty() ? 1.0 : std::max(this->WayShares.back(), 1e-300);
+  for (double& share : this->WayShares)
+  {
+    share /= length;
+  }
   for (const Vec3& x : task.Way)
   {
     this->SeedBox.Min = this->SeedBox.Min.cwiseMin(x);
@@ -57,17 +74,23 @@ bool SpanSearch::IsFree(const Piece& piece, double firstFrame) const
                               this->Options.Margin) < 0;
 }
 
-Vec3 SpanSearch::Seed(double& frame)
+Vec3 SpanSearch::Seed(int tree, double& frame)
 {
-  const double u = this->Stream.Uniform();
-  frame = u * this->Task.Frames;
   const bool hasWay = !this->Task.Way.empty();
+  double u = this->Stream.Uniform();
+  if (hasWay && this->Stream.Uniform() < FrontShare)
+  {
+    // About where the tree has come to, rather beyond: through the next window.
+    const double ahead = FrontLength * (2.0 * u - 0.5);
+    u = std::clamp(tree == 0 ? this->Reached[0] + ahead : this->Reached[1] - ahead, 0.0, 1.0);
+  }
+  frame = u * this->Task.Frames;
   if (this->Stream.Uniform() < (hasWay ? 0.8 : 0.5))
   {
     // About the way, as far from it as there is time for, or in a maze as there is room.
     const double time =
       0.35 * this->Library.TypicalStep() * this->Task.Frames * std::sqrt(u * (1.0 - u));
-    const double spread = hasWay ? std::min(time, 4.0 * this->Field.Radius) : time;
+    const double spread = hasWay ? std::min(time, WaySpread * this->Field.Radius) : time;
     const Vec3 offset(this->Stream.Normal(), this->Stream.Normal(), this->Stream.Normal());
     const Vec3 x =
       spread * offset + (hasWay ? PointAlong(this->Task.Way, u)
@@ -76,6 +99,28 @@ Vec3 SpanSearch::Seed(double& frame)
     return x.cwiseMax(this->SeedBox.Min).cwiseMin(this->SeedBox.Max);
   }
   return this->Stream.InBox(this->SeedBox);
+}
+
+/// How far along the way a tree has come: to the place of the way that is nearest to a free end and
+/// in its sight.
+void SpanSearch::NoteProgress(int tree, const Vec3& end)
+{
+  const std::vector<Vec3>& way = this->Task.Way;
+  std::size_t nearest = 0;
+  for (std::size_t k = 1; k < way.size(); ++k)
+  {
+    nearest = (way[k] - end).squaredNorm() < (way[nearest] - end).squaredNorm() ? k : nearest;
+  }
+  if (way.empty() || (way[nearest] - end).norm() > WaySpread * this->Field.Radius)
+  {
+    return;
+  }
+  const double share = this->WayShares[nearest];
+  if ((tree == 0 ? share > this->Reached[0] : share < this->Reached[1]) &&
+      this->Field.Obstacles->IsClear(end, 0.0, way[nearest], 0.0, 0.0))
+  {
+    this->Reached[tree] = share;
+  }
 }
 
 int SpanSearch::SeedNode(int tree, const Vec3& seed, double elapsed) const
@@ -133,7 +178,7 @@ void SpanSearch::Step()
     this->AddRoots(tree, 1);
   }
   double frame = 0.0;
-  const Vec3 seed = this->Seed(frame);
+  const Vec3 seed = this->Seed(tree, frame);
   const int node = this->SeedNode(tree, seed, tree == 0 ? frame : this->Task.Frames - frame);
   if (node < 0)
   {
@@ -177,6 +222,7 @@ void SpanSearch::Step()
 void SpanSearch::Insert(int tree, const Branch& branch)
 {
   this->Trees[tree].push_back(branch);
+  this->NoteProgress(tree, branch.FreeEnd);
   const auto index = static_cast<int>(this->Trees[tree].size()) - 1;
   this->MeetOther(tree, index);
   if (tree == 0)

@@ -121,7 +121,8 @@ private:
   bool IsFree(const Piece& piece, double firstFrame) const;
   bool CanEndHere(const Piece& piece) const;
   double Score(double gap, double angle, int rawFrames, double mismatch) const;
-  Vec3 Seed(double& frame);
+  Vec3 Seed(int tree, double& frame);
+  void NoteProgress(int tree, const Vec3& end);
 
   const SegmentLibrary& Library;
   const ClearanceField& Field;
@@ -129,6 +130,8 @@ private:
   SpanSearchOptions Options;
   Random Stream;
   Box SeedBox;
+  std::vector<double> WayShares;    // of the length of the task's way, one a point
+  double Reached[2] = { 0.0, 1.0 }; // shares of the way the trees have come to
   int Turn = 0;
   int Window = 0;
   int RootFailures[2] = { 0, 0 };

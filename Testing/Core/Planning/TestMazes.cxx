@@ -174,6 +174,23 @@ INSTANTIATE_TEST_SUITE_P(All, Mazes,
                                          MazeCase{ "Narrow", 300, 0.35 }),
                          [](const auto& info) { return info.param.Name; });
 
+TEST(Mazes, WindowsHardlyWiderThanTwiceTheBodyAreFound)
+{
+  PlanScene scene;
+  MazeSize size;
+  size.Window = 0.26;
+  AddMaze(scene, size);
+  AddMazeFlight(scene, 300);
+  int met = 0;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed)
+  {
+    const PlanOutput output = scene.Run(seed);
+    EXPECT_GE(LeastBoxSlack(scene, output.Tracks[0]), -0.004) << seed;
+    met += output.Report[0].Status == ConstraintStatus::Met ? 1 : 0;
+  }
+  EXPECT_GE(met, 5);
+}
+
 TEST(Mazes, OneMoreSealedWallIsNamedAndEndsInTheLimitOfBranches)
 {
   PlanScene scene;
