@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/Repair.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -12,6 +13,8 @@ namespace
 
 constexpr int PointsPerFrame = 8;
 constexpr int Rounds = 40;
+/// Frames to either side of what is in the way that are pushed along.
+constexpr int PushReach = 5;
 /// Of the plane of rest, which nothing goes below [m].
 constexpr double ContactTolerance = 1e-8;
 
@@ -135,16 +138,29 @@ std::vector<Vec3> RepairPath(const ClearanceField& field, WarpProblem warp, doub
   std::vector<Vec3> current = path;
   for (int round = 0; round < Rounds && !violations.empty(); ++round)
   {
+    // Neighbours are pushed along, less with the distance, so that no kink is made.
+    std::map<int, Vec3> pushes;
     for (const Violation& violation : violations)
     {
       const Vec3 push = violation.Push + violation.Push.normalized() * (2.0 * tolerance);
-      for (int frame : { violation.Frame, violation.Frame + 1 })
+      const int first = std::max(0, violation.Frame - PushReach);
+      const int last =
+        std::min(static_cast<int>(current.size()) - 1, violation.Frame + 1 + PushReach);
+      for (int frame = first; frame <= last; ++frame)
       {
-        if (warp.IsFixed[frame] == 0)
-        {
-          // Marks are soft: what one round does not bring about the next ones add.
-          wishes.emplace(frame, current[frame]).first->second += push;
-        }
+        const int away = std::max({ 0, violation.Frame - frame, frame - violation.Frame - 1 });
+        const double u = 1.0 - away / (PushReach + 1.0);
+        const Vec3 own = u * u * (3.0 - 2.0 * u) * push;
+        Vec3& most = pushes.emplace(frame, Vec3::Zero()).first->second;
+        most = own.squaredNorm() > most.squaredNorm() ? own : most;
+      }
+    }
+    for (const auto& [frame, push] : pushes)
+    {
+      if (warp.IsFixed[frame] == 0)
+      {
+        // Marks are soft: what one round does not bring about the next ones add.
+        wishes.emplace(frame, current[frame]).first->second += push;
       }
     }
     warp.Soft.clear();

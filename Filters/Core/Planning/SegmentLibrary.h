@@ -78,6 +78,9 @@ public:
   double TypicalStep() const { return this->MedianStep; }
   /// Largest distance from frame to frame in the database [m].
   double TopStep() const { return this->LargestStep; }
+  /// Largest third difference from sample to sample in the database: what the acceleration of air
+  /// changes by [m per frame^3].
+  double TopJolt() const { return this->LargestJolt; }
   int LongestSegment() const { return this->Longest; }
   /// Turns a rotation that leans beyond the limit of the options back to the limit.
   void LimitTilt(Mat3& rotation) const;
@@ -92,6 +95,7 @@ private:
   int WindowSamples = 6;
   double MedianStep = 0.0;
   double LargestStep = 0.0;
+  double LargestJolt = 0.0;
   int Longest = 0;
   std::vector<std::vector<Vec3>> AllSamples;
   std::vector<int> Tops; // segment of each top-level node

@@ -20,6 +20,8 @@ constexpr double EasingShare = 0.35;
 /// first it bends about ten frames, at the last hardly more than the frame itself.
 constexpr double FirstPull = 1e-3;
 constexpr double PullGrowth = 6.0;
+/// Frames to either side that a pull holds as well.
+constexpr int PullReach = 4;
 /// Pull of a guide of full weight on each frame: what bends within 18 frames is left as it flies.
 constexpr double GuidePull = 1e-5;
 /// Of the database's top speed, the mean fall before a landing above which the landing is faster.
@@ -64,6 +66,39 @@ bool IsTooFast(const std::vector<Vec3>& positions, double top)
     }
   }
   return false;
+}
+
+/// True when the acceleration changes from a frame to the next by more than `most` [m per frame^3].
+bool HasKink(const std::vector<Vec3>& positions, double most)
+{
+  for (std::size_t k = 3; k < positions.size(); ++k)
+  {
+    const Vec3 jolt =
+      positions[k] - 3.0 * positions[k - 1] + 3.0 * positions[k - 2] - positions[k - 3];
+    if (jolt.norm() > most)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// A pull holds its neighbours, too, less with the distance: along with the tree, not to a point,
+/// which would be a kink.
+std::vector<double> Spread(const std::vector<double>& pulls)
+{
+  std::vector<double> result(pulls.size(), 0.0);
+  const auto count = static_cast<int>(pulls.size());
+  for (int k = 0; k < count; ++k)
+  {
+    for (int i = std::max(0, k - PullReach);
+         pulls[k] > 0.0 && i <= std::min(count - 1, k + PullReach); ++i)
+    {
+      const double u = 1.0 - std::abs(i - k) / (PullReach + 1.0);
+      result[i] = std::max(result[i], u * u * u * pulls[k]);
+    }
+  }
+  return result;
 }
 
 /// Where the trees have the chain at each frame: clear of everything, but with a gap at the join.
@@ -256,11 +291,12 @@ bool SpanFitter::Ease(Layout& layout, const std::vector<Vec3>& anchors, bool toG
       pulls[k] = pulls[k] > 0.0 ? PullGrowth * pulls[k] : FirstPull;
     }
     layout.Warp.Soft = guide;
-    for (std::size_t k = 0; k < pulls.size(); ++k)
+    const std::vector<double> spread = Spread(pulls);
+    for (int k = 1; k < last; ++k)
     {
-      if (pulls[k] > 0.0)
+      if (spread[k] > 0.0)
       {
-        layout.Warp.Soft.push_back({ layout.Before + static_cast<int>(k), anchors[k], pulls[k] });
+        layout.Warp.Soft.push_back({ layout.Before + k, anchors[k], spread[k] });
       }
     }
     positions = this->Frames(layout);
@@ -310,6 +346,7 @@ bool SpanFitter::Fit(const PieceChain& chain, const PieceChain& grown, bool toGo
     return false;
   }
   result.Positions = positions;
+  result.IsKinked = HasKink(positions, this->Library.TopJolt());
   // Bends that marks and easing brought about stay when spans are united.
   result.Bends = layout.Warp.Soft.empty() && layout.Warp.Rows.empty()
                    ? SecondDifferences(path)

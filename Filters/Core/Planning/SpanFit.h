@@ -54,6 +54,7 @@ struct SpanResult
   Piece Continuation;         // what is left of the last segment beyond the goal
   bool Halts = false;         // comes to a stop at its end, because the way went no farther
   bool IsHardLanding = false; // there was no time to come down gently
+  bool IsKinked = false;      // more than air ever is, where it was eased around something
   bool IsRuledOut = false;    // it was too far in the time, or the map shows no way to the goal
   std::string Message;
 };

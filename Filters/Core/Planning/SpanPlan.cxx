@@ -15,6 +15,7 @@ namespace
 
 /// More than any difference in style.
 constexpr double HardLandingPenalty = 4.0;
+constexpr double KinkPenalty = 1.0;
 
 /// Of a path twice as fierce as air ever is, against the distances of style.
 constexpr double FiercenessWeight = 0.1;
@@ -212,7 +213,8 @@ bool SpanPlanner::Search(const ClearanceField& field, const SpanTask& task, bool
     }
     ++candidates;
     const double merit = join.Score + this->StyleDistance(candidate.Positions) +
-                         (candidate.IsHardLanding ? HardLandingPenalty : 0.0);
+                         (candidate.IsHardLanding ? HardLandingPenalty : 0.0) +
+                         (candidate.IsKinked ? KinkPenalty : 0.0);
     if (merit < best)
     {
       best = merit;
