@@ -122,3 +122,95 @@ endfunction()
 waft_input(WAFT_INPUT_POLYDATA vtkPolyData [[name="input_type"]])
 waft_input(WAFT_INPUT_IMAGE vtkImageData [[name="input_type"]])
 waft_input(WAFT_INPUT_MULTIBLOCK vtkMultiBlockDataSet [[name="input_type" composite_data_supported="1"]])
+
+# What the sources of one thin body share: <prefix>_BODY, with the defaults of each.
+function(waft_thin_body prefix length curl camber twist areaDensity thickness settlingSpeed)
+  string(CONFIGURE [=[
+      <DoubleVectorProperty name="Length" command="SetLength" number_of_elements="1" default_values="@length@">
+        <DoubleRangeDomain name="range" min="0"/>
+        <Documentation>Largest extent in metres.</Documentation>
+      </DoubleVectorProperty>
+      <DoubleVectorProperty name="Curl" command="SetCurl" number_of_elements="1" default_values="@curl@">
+        <DoubleRangeDomain name="range" min="0" max="2"/>
+        <Documentation>Rise of the edges over half the local width.</Documentation>
+      </DoubleVectorProperty>
+      <DoubleVectorProperty name="Camber" command="SetCamber" number_of_elements="1" default_values="@camber@">
+        <DoubleRangeDomain name="range" min="0" max="0.5"/>
+        <Documentation>Rise of both ends over the length.</Documentation>
+      </DoubleVectorProperty>
+      <DoubleVectorProperty name="Twist" command="SetTwist" number_of_elements="1" default_values="@twist@">
+        <DoubleRangeDomain name="range" min="-1" max="1"/>
+        <Documentation>Turn of the tip against the base, in radians.</Documentation>
+      </DoubleVectorProperty>
+      <DoubleVectorProperty name="AreaDensity" label="Area Density" command="SetAreaDensity"
+        number_of_elements="1" default_values="@areaDensity@" panel_visibility="advanced">
+        <DoubleRangeDomain name="range" min="0"/>
+        <Documentation>Mass of a square metre, in kilograms.</Documentation>
+      </DoubleVectorProperty>
+      <DoubleVectorProperty name="Thickness" command="SetThickness"
+        number_of_elements="1" default_values="@thickness@" panel_visibility="advanced">
+        <DoubleRangeDomain name="range" min="0"/>
+        <Documentation>Thickness in metres.</Documentation>
+      </DoubleVectorProperty>
+      <DoubleVectorProperty name="DragCoefficient" label="Drag Coefficient" command="SetDragCoefficient"
+        number_of_elements="1" default_values="1.2" panel_visibility="advanced">
+        <DoubleRangeDomain name="range" min="0"/>
+        <Documentation>Drag coefficient, broadside.</Documentation>
+      </DoubleVectorProperty>
+      <DoubleVectorProperty name="SettlingSpeed" label="Settling Speed" command="SetSettlingSpeed"
+        number_of_elements="1" default_values="@settlingSpeed@" panel_visibility="advanced">
+        <DoubleRangeDomain name="range" min="0"/>
+        <Documentation>Terminal fall speed in still air, in metres per second.</Documentation>
+      </DoubleVectorProperty>@WAFT_SCENE_PROPERTIES@]=] body @ONLY)
+  set(${prefix}_BODY "${body}" PARENT_SCOPE)
+endfunction()
+waft_thin_body(WAFT_LEAF 0.1 0.3 0.05 0 0.1 0.0004 0.8)
+waft_thin_body(WAFT_FEATHER 0.2 0.5 0.1 0.15 0.04 0.0005 0.4)
+
+# The painted skin of leaves and feathers: <prefix>_SKIN.
+function(waft_skin prefix rows base edge vein blotches)
+  string(CONFIGURE [=[
+      <DoubleVectorProperty name="Width" command="SetWidth" number_of_elements="1" default_values="1">
+        <DoubleRangeDomain name="range" min="0.3" max="3"/>
+        <Documentation>Width of the outline; 1 is what the kind has by nature.</Documentation>
+      </DoubleVectorProperty>
+      <DoubleVectorProperty name="Bend" command="SetBend" number_of_elements="1" default_values="1">
+        <DoubleRangeDomain name="range" min="-5" max="5"/>
+        <Documentation>Bend of the middle line; 1 is what the kind has by nature.</Documentation>
+      </DoubleVectorProperty>
+      <IntVectorProperty name="Rows" command="SetRows" number_of_elements="1" default_values="@rows@" panel_visibility="advanced">
+        <IntRangeDomain name="range" min="4" max="200"/>
+        <Documentation>Rows of the mesh along its length.</Documentation>
+      </IntVectorProperty>
+      <IntVectorProperty name="Columns" command="SetColumns" number_of_elements="1" default_values="8" panel_visibility="advanced">
+        <IntRangeDomain name="range" min="2" max="64"/>
+        <Documentation>Columns of the mesh across; an odd number counts as the next even one.</Documentation>
+      </IntVectorProperty>
+      <StringVectorProperty name="TextureFile" label="Texture File" command="SetTextureFile" number_of_elements="1" default_values="">
+        <Documentation>The PNG file that the painted skin is written to; empty: no skin, the plain Base Color.</Documentation>
+      </StringVectorProperty>
+      <IntVectorProperty name="TextureSize" label="Texture Size" command="SetTextureSize" number_of_elements="1" default_values="512" panel_visibility="advanced">
+        <IntRangeDomain name="range" min="16" max="4096"/>
+        <Documentation>Pixels of the skin along the length.</Documentation>
+      </IntVectorProperty>
+      <DoubleVectorProperty name="BaseColor" label="Base Color" command="SetBaseColor" number_of_elements="3" default_values="@base@">
+        <DoubleRangeDomain name="range" min="0 0 0" max="1 1 1"/>
+        <Documentation>Colour near the middle: red, green, blue.</Documentation>
+      </DoubleVectorProperty>
+      <DoubleVectorProperty name="EdgeColor" label="Edge Color" command="SetEdgeColor" number_of_elements="3" default_values="@edge@">
+        <DoubleRangeDomain name="range" min="0 0 0" max="1 1 1"/>
+        <Documentation>Colour of edges, blotches and bands: red, green, blue.</Documentation>
+      </DoubleVectorProperty>
+      <DoubleVectorProperty name="VeinColor" label="Vein Color" command="SetVeinColor" number_of_elements="3" default_values="@vein@">
+        <DoubleRangeDomain name="range" min="0 0 0" max="1 1 1"/>
+        <Documentation>Colour of veins, stem or shaft: red, green, blue.</Documentation>
+      </DoubleVectorProperty>
+      <DoubleVectorProperty name="Blotches" command="SetBlotches" number_of_elements="1" default_values="@blotches@">
+        <DoubleRangeDomain name="range" min="0" max="1"/>
+        <Documentation>How much of the edge's colour comes in blotches or bands.</Documentation>
+      </DoubleVectorProperty>
+@WAFT_SEED@]=] skin @ONLY)
+  set(${prefix}_SKIN "${skin}" PARENT_SCOPE)
+endfunction()
+waft_skin(WAFT_LEAF 28 "0.36 0.52 0.14" "0.66 0.62 0.16" "0.74 0.78 0.44" 0.35)
+waft_skin(WAFT_FEATHER 36 "0.93 0.9 0.84" "0.44 0.31 0.22" "0.9 0.84 0.72" 0.9)

@@ -43,6 +43,7 @@ constexpr const char* RestHeight = "RestHeight";
 constexpr const char* DragCoefficient = "DragCoefficient";
 constexpr const char* AreaDensity = "AreaDensity";
 constexpr const char* Thickness = "Thickness";
+constexpr const char* Damping = "Damping"; // 1/s
 constexpr const char* Texture = "Texture";
 constexpr const char* Color = "Color";
 

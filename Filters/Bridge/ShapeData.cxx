@@ -58,6 +58,7 @@ void ShapeToPolyData(const Shape& shape, vtkPolyData* data)
   AddDoubles(fields, names::AreaDensity, { shape.AreaDensity });
   AddDoubles(fields, names::Thickness, { shape.Thickness });
   AddDoubles(fields, names::SettlingSpeed, { shape.SettlingSpeed });
+  AddDoubles(fields, names::Damping, { shape.Damping });
   AddInts(fields, names::ClassId, { shape.ClassId });
   AddVectors(fields, names::Color, { Vec3(shape.Color[0], shape.Color[1], shape.Color[2]) });
   AddStrings(fields, names::Texture, { shape.Texture });
@@ -84,6 +85,7 @@ Result ShapeFromPolyData(vtkPolyData* data, const std::string& name, Shape& shap
   shape.AreaDensity = Number(fields, names::AreaDensity, shape.AreaDensity);
   shape.Thickness = Number(fields, names::Thickness, shape.Thickness);
   shape.SettlingSpeed = Number(fields, names::SettlingSpeed, shape.SettlingSpeed);
+  shape.Damping = Number(fields, names::Damping, shape.Damping);
   shape.ClassId = static_cast<int>(Number(fields, names::ClassId, shape.ClassId));
   vtkDataArray* color = fields->GetArray(names::Color);
   for (int c = 0; color && color->GetNumberOfComponents() == 3 && c < 3; ++c)

@@ -23,6 +23,7 @@ struct Shape
   double AreaDensity = 0.1;   // kg/m^2
   double Thickness = 0.0005;  // m
   double SettlingSpeed = 0.8; // m/s, terminal fall speed in still air
+  double Damping = 0.0;       // 1/s, at which the stickiness of the air stops its turning
   int ClassId = -1;
   std::array<double, 3> Color{ 1.0, 1.0, 1.0 };
   std::string Texture; // path of an image, or empty

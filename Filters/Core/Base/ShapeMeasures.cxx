@@ -55,6 +55,24 @@ double LargestExtent(const TriangleMesh& mesh)
   return (high - low).maxCoeff();
 }
 
+void CenterOnMass(TriangleMesh& mesh)
+{
+  const Vec3 center = ShellCentroid(mesh);
+  for (Vec3& p : mesh.Points)
+  {
+    p -= center;
+  }
+}
+
+void ScaleToExtent(double size, TriangleMesh& mesh)
+{
+  const double extent = LargestExtent(mesh);
+  for (Vec3& p : mesh.Points)
+  {
+    p *= extent > 0.0 ? size / extent : 1.0;
+  }
+}
+
 double ShellMass(const Shape& shape)
 {
   return shape.AreaDensity * SurfaceArea(shape.Mesh);

@@ -16,6 +16,12 @@ Vec3 ShellCentroid(const TriangleMesh& mesh);
 /// The longest side of the box around the mesh along the body's axes [m].
 double LargestExtent(const TriangleMesh& mesh);
 
+/// Moves the mesh so that its shell's centre of mass is the origin.
+void CenterOnMass(TriangleMesh& mesh);
+
+/// Scales the mesh about the origin to a largest extent [m]; one without extent stays.
+void ScaleToExtent(double size, TriangleMesh& mesh);
+
 /// AreaDensity times the area [kg].
 double ShellMass(const Shape& shape);
 

@@ -6,6 +6,7 @@
 #include "Scene/SceneReader.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace waft
 {
@@ -58,7 +59,20 @@ void SceneReader::ReadShape(const SceneNode& node, const std::string& name)
   shape.Name = name;
   if (node.Has("texture"))
   {
-    shape.Texture = this->File(node.At("texture", ""));
+    // A body without its picture still flies: it goes on in its plain colour.
+    const SceneNode texture = node.At("texture", "");
+    const std::filesystem::path path = std::filesystem::path(this->Folder) / texture.Text();
+    std::error_code error;
+    if (std::filesystem::is_regular_file(path, error))
+    {
+      shape.Texture = path.lexically_normal().string();
+    }
+    else
+    {
+      this->Out.Warnings.push_back(this->Name + ": " + texture.Pointer() +
+                                   ": expected a file that exists, found none at \"" +
+                                   path.string() + "\"; the shape goes on without a texture");
+    }
   }
   const auto number = [&](const char* field, double& value)
   {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writes the meshes and textures of Data/Shapes:  WaftMakeShapeFiles FOLDER
+#include "Base/AtomicFile.h"
+#include "Shapes/PngImage.h"
 #include "Shapes/TextureImage.h"
 #include "Shapes/ThinShape.h"
 
-#include <zlib.h>
-
 #include <cstdio>
-#include <fstream>
 
 namespace
 {
@@ -14,56 +13,9 @@ namespace
 struct Job
 {
   const char* File;
+  const char* Builtin;
   waft::TextureOptions Options;
 };
-
-void Append32(std::vector<std::uint8_t>& bytes, std::uint32_t value)
-{
-  for (int shift = 24; shift >= 0; shift -= 8)
-  {
-    bytes.push_back(static_cast<std::uint8_t>(value >> shift));
-  }
-}
-
-void AppendChunk(std::vector<std::uint8_t>& bytes, const char* type,
-                 const std::vector<std::uint8_t>& data)
-{
-  Append32(bytes, static_cast<std::uint32_t>(data.size()));
-  const std::size_t start = bytes.size();
-  bytes.insert(bytes.end(), type, type + 4);
-  bytes.insert(bytes.end(), data.begin(), data.end());
-  Append32(bytes, static_cast<std::uint32_t>(crc32(0, &bytes[start], uInt(bytes.size() - start))));
-}
-
-// PNG, 8-bit RGBA, each row filtered by the row above (type 2).
-std::vector<std::uint8_t> EncodePng(const std::vector<std::uint8_t>& pixels, int width, int height)
-{
-  std::vector<std::uint8_t> rows;
-  const std::size_t stride = 4 * static_cast<std::size_t>(width);
-  for (int row = 0; row < height; ++row)
-  {
-    const std::size_t at = stride * static_cast<std::size_t>(height - 1 - row); // top row first
-    rows.push_back(2);
-    for (std::size_t i = 0; i < stride; ++i)
-    {
-      const int above = row > 0 ? pixels[at + stride + i] : 0;
-      rows.push_back(static_cast<std::uint8_t>(pixels[at + i] - above));
-    }
-  }
-  std::vector<std::uint8_t> packed(compressBound(rows.size()));
-  uLongf size = packed.size();
-  compress2(packed.data(), &size, rows.data(), rows.size(), 9);
-  packed.resize(size);
-  std::vector<std::uint8_t> png = { 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n' };
-  std::vector<std::uint8_t> header;
-  Append32(header, static_cast<std::uint32_t>(width));
-  Append32(header, static_cast<std::uint32_t>(height));
-  header.insert(header.end(), { 8, 6, 0, 0, 0 });
-  AppendChunk(png, "IHDR", header);
-  AppendChunk(png, "IDAT", packed);
-  AppendChunk(png, "IEND", {});
-  return png;
-}
 
 // Wavefront OBJ with texture coordinates, metres, z up.
 bool WriteObj(const std::string& path, const waft::Shape& shape)
@@ -102,7 +54,7 @@ int main(int argc, char** argv)
   using Color = std::array<double, 3>;
   const auto job = [](const char* file, const char* builtin, int width, int height, Color base,
                       Color edge, Color vein, double blotches, std::uint64_t seed) {
-    return Job{ file, { builtin, width, height, base, edge, vein, blotches, seed } };
+    return Job{ file, builtin, { width, height, base, edge, vein, blotches, seed } };
   };
   const Job jobs[] = {
     job("leaf-green.png", "leaf", 384, 192, { 0.36, 0.52, 0.14 }, { 0.66, 0.62, 0.16 },
@@ -127,19 +79,22 @@ int main(int argc, char** argv)
   for (const Job& job : jobs)
   {
     std::vector<std::uint8_t> pixels;
-    const waft::Result result = waft::PaintTexture(job.Options, pixels);
+    waft::Outline outline;
+    const std::string path = std::string(argv[1]) + "/" + job.File;
+    std::string png;
+    waft::Result result = waft::OutlineOf(job.Builtin, outline);
+    if (result)
+    {
+      result = waft::PaintTexture(outline, job.Options, pixels);
+    }
+    if (result)
+    {
+      png = waft::EncodePng(pixels, job.Options.Width, job.Options.Height);
+      result = waft::WriteWholeFile(path, png);
+    }
     if (!result)
     {
       std::fprintf(stderr, "%s: %s\n", job.File, result.Message().c_str());
-      return 1;
-    }
-    const std::vector<std::uint8_t> png = EncodePng(pixels, job.Options.Width, job.Options.Height);
-    const std::string path = std::string(argv[1]) + "/" + job.File;
-    std::ofstream stream(path, std::ios::binary);
-    stream.write(reinterpret_cast<const char*>(png.data()), std::streamsize(png.size()));
-    if (!stream)
-    {
-      std::fprintf(stderr, "%s: cannot be written\n", path.c_str());
       return 1;
     }
     std::printf("%s %zu bytes\n", path.c_str(), png.size());

@@ -27,64 +27,96 @@ std::function<double(double)> Blade(double a, double b)
   };
 }
 
-Outline Strip(double bladeStart, double stemWidth, const std::function<double(double)>& halfWidth)
+// A strip with a stem of the given share of its natural length.
+Outline Strip(double bladeStart, double stemWidth, double stemLength,
+              const std::function<double(double)>& halfWidth)
 {
   Outline outline;
   outline.BladeStart = bladeStart;
-  outline.StemWidth = stemWidth;
+  outline.StemStart = bladeStart * (1.0 - stemLength);
+  outline.StemWidth = stemLength > 0.0 ? stemWidth : 0.0;
   outline.Left = halfWidth;
   outline.Right = halfWidth;
   outline.Middle = Zero;
   return outline;
 }
 
-Outline Leaf()
+Outline Ovate(const LeafForm& form)
 {
   const auto blade = Blade(0.62, 0.95);
-  Outline outline = Strip(0.14, 0.012, [=](double s) { return 0.24 * blade(s); });
-  outline.Middle = [](double s) { return 0.02 * std::sin(2.6 * s); };
+  Outline outline = Strip(0.14, 0.012, form.StemLength, [=](double s) { return 0.24 * blade(s); });
+  outline.Middle = [bend = form.Bend](double s) { return 0.02 * bend * std::sin(2.6 * s); };
+  outline.Teeth = 0.06 * form.Lobing;
   return outline;
 }
 
-Outline Willow()
+// Broadest near the base, drawn out to a point.
+Outline Birch(const LeafForm& form)
+{
+  const auto blade = Blade(0.36, 1.15);
+  Outline outline = Strip(0.20, 0.012, form.StemLength, [=](double s) { return 0.30 * blade(s); });
+  outline.Middle = [bend = form.Bend](double s) { return 0.015 * bend * std::sin(3.0 * s); };
+  outline.Teeth = 0.11 * form.Lobing;
+  return outline;
+}
+
+Outline Willow(const LeafForm& form)
 {
   const auto blade = Blade(0.7, 0.9);
-  Outline outline = Strip(0.06, 0.010, [=](double s) { return 0.075 * blade(s); });
-  outline.Middle = [](double s) { return 0.05 * std::sin(3.14159 * s) - 0.02 * s; };
+  Outline outline = Strip(0.06, 0.010, form.StemLength, [=](double s) { return 0.075 * blade(s); });
+  outline.Middle = [bend = form.Bend](double s)
+  { return bend * (0.05 * std::sin(3.14159 * s) - 0.02 * s); };
   return outline;
 }
 
 // Rounded lobes, four a side, deeper in the middle of the blade.
-Outline Oak()
+Outline Oak(const LeafForm& form)
 {
   const auto blade = Blade(0.85, 0.42);
-  const auto lobes = [](double s, double shift)
+  const double depth = 0.40 * form.Lobing;
+  const auto lobes = [depth](double s, double shift)
   {
     const double deep = std::sin(3.14159265 * std::clamp(s, 0.0, 1.0));
-    return 1.0 - 0.40 * deep * (0.5 - 0.5 * std::cos(2.0 * M_PI * (4.0 * s + 0.30 + shift)));
+    return 1.0 - depth * deep * (0.5 - 0.5 * std::cos(2.0 * M_PI * (4.0 * s + 0.30 + shift)));
   };
-  Outline outline = Strip(0.09, 0.014, Zero);
+  Outline outline = Strip(0.09, 0.014, form.StemLength, Zero);
   outline.Left = [=](double s) { return 0.30 * blade(s) * lobes(s, 0.0); };
   outline.Right = [=](double s) { return 0.30 * blade(s) * lobes(s, 0.08); };
-  outline.Middle = [](double s) { return 0.015 * std::sin(3.0 * s); };
+  outline.Middle = [bend = form.Bend](double s) { return 0.015 * bend * std::sin(3.0 * s); };
   return outline;
 }
 
 // The outer vane is narrower than the inner one; the shaft is bare at its base and bent.
-Outline Feather()
+Outline Flight(const FeatherForm& form)
 {
   const auto vane = Blade(0.30, 0.34);
-  Outline outline = Strip(0.20, 0.014, Zero);
-  outline.Left = [=](double s) { return 0.065 * vane(s); };
-  outline.Right = [=](double s) { return 0.105 * vane(s); };
-  outline.Middle = [](double s) { return 0.07 * s * s; };
+  Outline outline = Strip(0.20, 0.014, form.ShaftLength, Zero);
+  outline.Left = [=](double s) { return (0.085 - 0.020 * form.Asymmetry) * vane(s); };
+  outline.Right = [=](double s) { return (0.085 + 0.020 * form.Asymmetry) * vane(s); };
+  outline.Middle = [bend = form.Bend](double s) { return 0.07 * bend * s * s; };
+  outline.Paint = Outline::Skin::Feather;
+  outline.Fluff = 0.13;
+  return outline;
+}
+
+Outline Contour(const FeatherForm& form)
+{
+  const auto vane = Blade(0.42, 0.40);
+  Outline outline = Strip(0.10, 0.012, form.ShaftLength, Zero);
+  outline.Left = [=](double s) { return (0.170 - 0.008 * form.Asymmetry) * vane(s); };
+  outline.Right = [=](double s) { return (0.170 + 0.008 * form.Asymmetry) * vane(s); };
+  outline.Middle = [bend = form.Bend](double s) { return 0.05 * bend * s * s; };
+  outline.Paint = Outline::Skin::Feather;
+  outline.Fluff = 0.42;
   return outline;
 }
 
 Outline Petal()
 {
   const auto blade = Blade(1.0, 0.32);
-  return Strip(0.0, 0.0, [=](double s) { return 0.40 * blade(s); });
+  Outline outline = Strip(0.0, 0.0, 0.0, [=](double s) { return 0.40 * blade(s); });
+  outline.Paint = Outline::Skin::Petal;
+  return outline;
 }
 
 // A pointed lobe about an angle: 1 at its tip, falling linearly.
@@ -95,29 +127,31 @@ double Lobe(double angle, double center, double halfAngle)
 
 // Five lobes about the place where the stem ends, with teeth. The tip of the middle one is at x =
 // 1.
-Outline Maple()
+Outline Maple(const LeafForm& form)
 {
   Outline outline;
   outline.Type = Outline::Kind::Star;
   outline.CenterX = 0.42;
   outline.BladeStart = 0.36;
-  outline.StemWidth = 0.012;
-  outline.Radius = [](double angle)
+  outline.StemStart = outline.CenterX * (1.0 - form.StemLength);
+  outline.StemWidth = form.StemLength > 0.0 ? 0.012 : 0.0;
+  outline.Ribs = { { 0.0, 0.58, 0.46 },
+                   { 0.86, 0.54, 0.42 },
+                   { -0.86, 0.54, 0.42 },
+                   { 1.72, 0.36, 0.42 },
+                   { -1.72, 0.36, 0.42 } };
+  const double between = 0.20 + 0.16 * std::max(0.0, 1.0 - form.Lobing); // reach between lobes
+  outline.Radius = [ribs = outline.Ribs, between, lobing = form.Lobing](double angle)
   {
-    const double lobes[5][3] = { { 0.0, 0.58, 0.46 },
-                                 { 0.86, 0.54, 0.42 },
-                                 { -0.86, 0.54, 0.42 },
-                                 { 1.72, 0.36, 0.42 },
-                                 { -1.72, 0.36, 0.42 } };
     // The blade between the lobes; a notch where the stem comes in.
     const double back = std::abs(std::remainder(angle - M_PI, 2.0 * M_PI));
-    double radius = 0.22 - 0.12 * std::max(0.0, 1.0 - back / 0.8);
-    for (const auto& lobe : lobes)
+    double radius = between + 0.02 - 0.12 * std::max(0.0, 1.0 - back / 0.8);
+    for (const Outline::Rib& rib : ribs)
     {
-      const double height = Lobe(angle, lobe[0], lobe[2]);
-      radius = std::max(radius, 0.20 + (lobe[1] - 0.20) * std::pow(height, 0.9));
+      const double height = Lobe(angle, rib.Angle, rib.HalfAngle);
+      radius = std::max(radius, between + (rib.Reach - between) * std::pow(height, 0.9));
     }
-    return radius * (1.0 - 0.06 * (0.5 - 0.5 * std::cos(angle * 28.0)));
+    return radius * (1.0 - 0.06 * lobing * (0.5 - 0.5 * std::cos(angle * 28.0)));
   };
   return outline;
 }
@@ -134,6 +168,18 @@ Outline Disc(double wobble)
   return outline;
 }
 
+Outline Down()
+{
+  Outline outline = Disc(0.3);
+  outline.Paint = Outline::Skin::Down;
+  return outline;
+}
+
+bool IsBetween(double value, double low, double high)
+{
+  return value >= low && value <= high;
+}
+
 } // namespace
 
 void Outline::PointAt(const OutlinePlace& place, double& x, double& y) const
@@ -142,16 +188,17 @@ void Outline::PointAt(const OutlinePlace& place, double& x, double& y) const
   {
     const double r = place.Across * this->Radius(place.Along);
     x = this->CenterX + r * std::cos(place.Along);
-    y = r * std::sin(place.Along);
+    y = this->Width * r * std::sin(place.Along);
     return;
   }
   const double width = place.Across > 0.0 ? this->Left(place.Along) : this->Right(place.Along);
   x = this->BladeStart + place.Along * (this->BladeEnd - this->BladeStart);
-  y = this->Middle(place.Along) + place.Across * width;
+  y = this->Width * (this->Middle(place.Along) + place.Across * width);
 }
 
-OutlinePlace Outline::PlaceOf(double x, double y) const
+OutlinePlace Outline::PlaceOf(double x, double stretched) const
 {
+  const double y = stretched / this->Width;
   OutlinePlace place;
   if (this->Type == Kind::Star)
   {
@@ -167,33 +214,94 @@ OutlinePlace Outline::PlaceOf(double x, double y) const
   return place;
 }
 
+void Outline::StemAt(double s, double& x, double& y) const
+{
+  const double end = this->StemEnd();
+  const double length = end - this->StemStart;
+  const double endY = this->Type == Kind::Star ? 0.0 : this->Width * this->Middle(0.0);
+  x = this->StemStart + s * length;
+  y = endY - 0.12 * length * (1.0 - s) * (1.0 - s);
+}
+
+Result LeafForm::Validate() const
+{
+  if (!IsBetween(this->Width, 0.3, 3.0) || !IsBetween(this->StemLength, 0.0, 3.0) ||
+      !IsBetween(this->Lobing, 0.0, 1.5) || !IsBetween(this->Bend, -5.0, 5.0))
+  {
+    return Result::Error("expected Width from 0.3 to 3, StemLength from 0 to 3, Lobing from 0 to "
+                         "1.5, Bend from -5 to 5");
+  }
+  return Result::Ok();
+}
+
+Result FeatherForm::Validate() const
+{
+  if (!IsBetween(this->Width, 0.3, 3.0) || !IsBetween(this->ShaftLength, 0.0, 3.0) ||
+      !IsBetween(this->Asymmetry, -2.0, 2.0) || !IsBetween(this->Bend, -5.0, 5.0))
+  {
+    return Result::Error("expected Width from 0.3 to 3, ShaftLength from 0 to 3, Asymmetry from -2 "
+                         "to 2, Bend from -5 to 5");
+  }
+  return Result::Ok();
+}
+
+Result OutlineOfLeaf(const LeafForm& form, Outline& outline)
+{
+  WAFT_RETURN_IF_FAILED(form.Validate());
+  switch (form.Kind)
+  {
+    case LeafKind::Ovate:
+      outline = Ovate(form);
+      break;
+    case LeafKind::Maple:
+      outline = Maple(form);
+      break;
+    case LeafKind::Oak:
+      outline = Oak(form);
+      break;
+    case LeafKind::Willow:
+      outline = Willow(form);
+      break;
+    case LeafKind::Birch:
+      outline = Birch(form);
+      break;
+  }
+  outline.Width = form.Width;
+  return Result::Ok();
+}
+
+Result OutlineOfFeather(const FeatherForm& form, Outline& outline)
+{
+  WAFT_RETURN_IF_FAILED(form.Validate());
+  outline = form.Kind == FeatherKind::Flight    ? Flight(form)
+            : form.Kind == FeatherKind::Contour ? Contour(form)
+                                                : Down();
+  outline.Width = form.Width;
+  return Result::Ok();
+}
+
 Result OutlineOf(const std::string& builtin, Outline& outline)
 {
-  if (builtin == "leaf")
+  const std::pair<const char*, LeafKind> leaves[] = { { "leaf", LeafKind::Ovate },
+                                                      { "maple", LeafKind::Maple },
+                                                      { "oak", LeafKind::Oak },
+                                                      { "willow", LeafKind::Willow } };
+  for (const auto& [name, kind] : leaves)
   {
-    outline = Leaf();
+    if (builtin == name)
+    {
+      LeafForm form;
+      form.Kind = kind;
+      return OutlineOfLeaf(form, outline);
+    }
   }
-  else if (builtin == "maple")
+  if (builtin == "feather" || builtin == "down")
   {
-    outline = Maple();
+    FeatherForm form;
+    form.Kind = builtin == "down" ? FeatherKind::Down : FeatherKind::Flight;
+    return OutlineOfFeather(form, outline);
   }
-  else if (builtin == "oak")
-  {
-    outline = Oak();
-  }
-  else if (builtin == "willow")
-  {
-    outline = Willow();
-  }
-  else if (builtin == "feather")
-  {
-    outline = Feather();
-  }
-  else if (builtin == "down")
-  {
-    outline = Disc(0.3);
-  }
-  else if (builtin == "petal")
+  if (builtin == "petal")
   {
     outline = Petal();
   }

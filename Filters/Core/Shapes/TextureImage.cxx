@@ -116,9 +116,9 @@ struct Painter
   double StarVeins(double angle, double r) const
   {
     double veins = 0.0;
-    for (const double lobe : { 0.0, 0.86, -0.86, 1.72, -1.72 })
+    for (const Outline::Rib& rib : this->Plan.Ribs)
     {
-      const double off = std::remainder(angle - lobe, 2.0 * M_PI);
+      const double off = std::remainder(angle - rib.Angle, 2.0 * M_PI);
       const double along = r * std::cos(off);
       const double away = r * std::sin(off);
       if (along > 0.0 && std::abs(off) < 0.43)
@@ -144,7 +144,7 @@ struct Painter
 
   void Leaf(double x, double y, Color& color, double& alpha) const
   {
-    const OutlinePlace place = this->Plan.PlaceOf(x, y);
+    const OutlinePlace place = this->Plan.PlaceOf(x, this->Plan.Width * y);
     if (this->Plan.Type == Outline::Kind::Star)
     {
       const double r = std::hypot(x - this->Plan.CenterX, y);
@@ -157,8 +157,7 @@ struct Painter
       color = this->LeafColor(std::abs(place.Across), this->StripVeins(s, place.Across, y), x, y);
       // Teeth: the edge runs back a little and jumps out again.
       const double phase = 26.0 * s;
-      const double tooth =
-        this->Options.Builtin == "leaf" ? 0.06 * (phase - std::floor(phase)) : 0.0;
+      const double tooth = this->Plan.Teeth * (phase - std::floor(phase));
       const bool inside = place.Along > -0.01 && place.Along < 1.01;
       alpha = inside && std::abs(place.Across) < 1.02 - tooth ? 1.0 : 0.0;
     }
@@ -168,17 +167,17 @@ struct Painter
   // Whatever lies before the blade is stem.
   void Stem(double x, double y, Color& color, double& alpha) const
   {
-    const double end =
-      this->Plan.Type == Outline::Kind::Star ? this->Plan.CenterX : this->Plan.BladeStart;
-    if (this->Plan.StemWidth > 0.0 && x < end)
+    const double end = this->Plan.StemEnd();
+    if (this->Plan.StemWidth > 0.0 && x < end && x >= this->Plan.StemStart)
     {
-      const double s = x / end;
-      const double middle = -0.12 * end * (1.0 - s) * (1.0 - s) +
-                            (this->Plan.Type == Outline::Kind::Star ? 0.0 : this->Plan.Middle(0.0));
-      if (std::abs(y - middle) < 0.7 * this->Plan.StemWidth)
+      double along = 0.0;
+      double middle = 0.0;
+      this->Plan.StemAt((x - this->Plan.StemStart) / (end - this->Plan.StemStart), along, middle);
+      const double off = std::abs(this->Plan.Width * y - middle);
+      if (off < 0.7 * this->Plan.StemWidth)
       {
-        const double round = 1.0 - 0.5 * std::abs(y - middle) / this->Plan.StemWidth;
-        const double tint = this->Options.Builtin == "feather" ? 0.0 : 0.3;
+        const double round = 1.0 - 0.5 * off / this->Plan.StemWidth;
+        const double tint = this->Plan.Paint == Outline::Skin::Feather ? 0.0 : 0.3;
         color = Scale(Mix(this->Options.Vein, this->Options.Edge, tint), round);
         alpha = 1.0;
       }
@@ -187,7 +186,7 @@ struct Painter
 
   void Feather(double x, double y, Color& color, double& alpha) const
   {
-    const OutlinePlace place = this->Plan.PlaceOf(x, y);
+    const OutlinePlace place = this->Plan.PlaceOf(x, this->Plan.Width * y);
     const double s = std::clamp(place.Along, 0.0, 1.0);
     const double across = std::abs(place.Across);
     const double off = y - this->Plan.Middle(s);
@@ -218,7 +217,9 @@ struct Painter
       }
     }
     // Loose barbs at the base.
-    if (s < 0.13 && across > 0.25 && this->Grain.At(170.0 * barb, 5.0 * off) > 0.25 - 3.0 * s)
+    const double loose = 1.0 - s / this->Plan.Fluff;
+    if (loose > 0.0 && across > 0.25 &&
+        this->Grain.At(170.0 * barb, 5.0 * off) > 0.25 - 0.39 * (1.0 - loose))
     {
       alpha = 0.0;
     }
@@ -236,7 +237,7 @@ struct Painter
 
   void Down(double x, double y, Color& color, double& alpha) const
   {
-    const OutlinePlace place = this->Plan.PlaceOf(x, y);
+    const OutlinePlace place = this->Plan.PlaceOf(x, this->Plan.Width * y);
     const double bend = place.Along + 0.6 * this->Grain.At(3.0 * x, 3.0 * y);
     const double wisps = this->Grain.At(14.0 * bend, 2.0 * place.Across) +
                          0.7 * this->Grain.At(37.0 * bend, 3.0 * place.Across);
@@ -247,7 +248,7 @@ struct Painter
 
   void Petal(double x, double y, Color& color, double& alpha) const
   {
-    const OutlinePlace place = this->Plan.PlaceOf(x, y);
+    const OutlinePlace place = this->Plan.PlaceOf(x, this->Plan.Width * y);
     const double s = std::clamp(place.Along, 0.0, 1.0);
     const double lines = 0.5 + 0.5 * std::cos(60.0 * place.Across);
     color = Mix(this->Options.Edge, this->Options.Base, Smooth(0.0, 0.75, s));
@@ -257,23 +258,24 @@ struct Painter
     alpha = s < 1.0 - notch && std::abs(place.Across) < 1.02 ? 1.0 : 0.0;
   }
 
-  void Paint(double x, double y, Color& color, double& alpha) const
+  /// x, y in the plan as it is stretched; the skins are painted before the stretch.
+  void Paint(double x, double stretched, Color& color, double& alpha) const
   {
-    if (this->Options.Builtin == "feather")
+    const double y = stretched / this->Plan.Width;
+    switch (this->Plan.Paint)
     {
-      this->Feather(x, y, color, alpha);
-    }
-    else if (this->Options.Builtin == "down")
-    {
-      this->Down(x, y, color, alpha);
-    }
-    else if (this->Options.Builtin == "petal")
-    {
-      this->Petal(x, y, color, alpha);
-    }
-    else
-    {
-      this->Leaf(x, y, color, alpha);
+      case Outline::Skin::Feather:
+        this->Feather(x, y, color, alpha);
+        break;
+      case Outline::Skin::Down:
+        this->Down(x, y, color, alpha);
+        break;
+      case Outline::Skin::Petal:
+        this->Petal(x, y, color, alpha);
+        break;
+      case Outline::Skin::Leaf:
+        this->Leaf(x, y, color, alpha);
+        break;
     }
   }
 };
@@ -303,19 +305,10 @@ Result TextureOptions::Validate() const
   return Result::Ok();
 }
 
-Result PaintTexture(const TextureOptions& options, std::vector<std::uint8_t>& pixels)
+Result PaintTexture(const Outline& outline, const TextureOptions& options,
+                    std::vector<std::uint8_t>& pixels)
 {
-  Result valid = options.Validate();
-  if (!valid)
-  {
-    return valid;
-  }
-  Outline outline;
-  Result known = OutlineOf(options.Builtin, outline);
-  if (!known)
-  {
-    return known;
-  }
+  WAFT_RETURN_IF_FAILED(options.Validate());
   const PlanBox box = TextureBox(outline);
   const Painter painter{ options, outline, Noise(options.Seed) };
   pixels.assign(4 * static_cast<std::size_t>(options.Width) * options.Height, 0);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Painted skins of the built-in shapes, made from the same outlines as their meshes.
+// Painted skins of thin shapes, made from the same outlines as their meshes.
 #pragma once
 
 #include "Base/Result.h"
+#include "Shapes/Outline.h"
 
 #include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace waft
@@ -14,7 +14,6 @@ namespace waft
 
 struct TextureOptions
 {
-  std::string Builtin = "leaf";                   // an outline's name
   int Width = 512;                                // pixels along the body's length, 16..4096
   int Height = 256;                               // pixels across
   std::array<double, 3> Base{ 0.45, 0.56, 0.18 }; // colour near the middle rib, 0..1
@@ -28,6 +27,7 @@ struct TextureOptions
 
 /// Red, green, blue, alpha bytes, row 0 at the bottom (v = 0), x fastest. Alpha is 0 outside the
 /// outline, between the teeth of a leaf and in the splits of a feather.
-Result PaintTexture(const TextureOptions& options, std::vector<std::uint8_t>& pixels);
+Result PaintTexture(const Outline& outline, const TextureOptions& options,
+                    std::vector<std::uint8_t>& pixels);
 
 } // namespace waft

@@ -13,154 +13,6 @@ namespace waft
 namespace
 {
 
-// A flat sheet and, at each point, how far it is from the middle towards the edge.
-struct FlatSheet
-{
-  std::vector<std::array<double, 2>> Points;
-  std::vector<double> Rise; // m per unit of curl, in units of the outline
-  std::vector<std::array<int, 3>> Triangles;
-};
-
-// Rows are closer together where the outline closes.
-double RowPlace(int row, int rows)
-{
-  return 0.5 - 0.5 * std::cos(M_PI * row / rows);
-}
-
-void AddStrip(const Outline& outline, const SheetOptions& options, FlatSheet& sheet)
-{
-  const int columns = options.Columns;
-  const auto add = [&](double along, double across)
-  {
-    double x = 0.0;
-    double y = 0.0;
-    outline.PointAt({ along, across }, x, y);
-    sheet.Points.push_back({ x, y });
-    const double width = across > 0.0 ? outline.Left(along) : outline.Right(along);
-    sheet.Rise.push_back(0.5 * across * across * width);
-    return static_cast<int>(sheet.Points.size()) - 1;
-  };
-  const int base = add(0.0, 0.0);
-  int previous = -1;
-  for (int row = 1; row < options.Rows; ++row)
-  {
-    const int first = static_cast<int>(sheet.Points.size());
-    for (int c = 0; c <= columns; ++c)
-    {
-      add(RowPlace(row, options.Rows), -1.0 + 2.0 * c / columns);
-    }
-    for (int c = 0; c < columns; ++c)
-    {
-      if (previous < 0)
-      {
-        sheet.Triangles.push_back({ base, first + c, first + c + 1 });
-      }
-      else
-      {
-        sheet.Triangles.push_back({ previous + c, first + c, first + c + 1 });
-        sheet.Triangles.push_back({ previous + c, first + c + 1, previous + c + 1 });
-      }
-    }
-    previous = first;
-  }
-  const int tip = add(1.0, 0.0);
-  for (int c = 0; c < columns; ++c)
-  {
-    sheet.Triangles.push_back({ previous + c, tip, previous + c + 1 });
-  }
-}
-
-void AddStar(const Outline& outline, const SheetOptions& options, FlatSheet& sheet)
-{
-  const int sectors = 2 * options.Rows;
-  const int rings = std::max(2, options.Columns / 2);
-  sheet.Points.push_back({ outline.CenterX, 0.0 });
-  sheet.Rise.push_back(0.0);
-  for (int ring = 1; ring <= rings; ++ring)
-  {
-    for (int i = 0; i < sectors; ++i)
-    {
-      const double angle = 2.0 * M_PI * i / sectors;
-      const double across = static_cast<double>(ring) / rings;
-      double x = 0.0;
-      double y = 0.0;
-      outline.PointAt({ angle, across }, x, y);
-      sheet.Points.push_back({ x, y });
-      sheet.Rise.push_back(0.5 * across * across * outline.Radius(angle));
-    }
-  }
-  const auto at = [&](int ring, int i) { return 1 + (ring - 1) * sectors + i % sectors; };
-  for (int i = 0; i < sectors; ++i)
-  {
-    sheet.Triangles.push_back({ 0, at(1, i), at(1, i + 1) });
-    for (int ring = 1; ring < rings; ++ring)
-    {
-      sheet.Triangles.push_back({ at(ring, i), at(ring + 1, i), at(ring + 1, i + 1) });
-      sheet.Triangles.push_back({ at(ring, i), at(ring + 1, i + 1), at(ring, i + 1) });
-    }
-  }
-}
-
-// The stem or bare shaft, narrower towards its end, bent a little, ending in the blade.
-void AddStem(const Outline& outline, FlatSheet& sheet)
-{
-  constexpr int pieces = 6;
-  const double end = outline.Type == Outline::Kind::Star ? outline.CenterX : outline.BladeStart;
-  const double endY = outline.Type == Outline::Kind::Star ? 0.0 : outline.Middle(0.0);
-  const int first = static_cast<int>(sheet.Points.size());
-  for (int i = 0; i <= pieces; ++i)
-  {
-    const double s = static_cast<double>(i) / pieces;
-    const double half = 0.5 * outline.StemWidth * (1.0 - 0.4 * s);
-    const double y = endY - 0.12 * end * (1.0 - s) * (1.0 - s);
-    sheet.Points.push_back({ s * end, y - half });
-    sheet.Points.push_back({ s * end, y + half });
-    sheet.Rise.insert(sheet.Rise.end(), { 0.0, 0.0 });
-  }
-  for (int i = 0; i < pieces; ++i)
-  {
-    const int a = first + 2 * i;
-    sheet.Triangles.push_back({ a, a + 2, a + 3 });
-    sheet.Triangles.push_back({ a, a + 3, a + 1 });
-  }
-}
-
-FlatSheet Flatten(const Outline& outline, const SheetOptions& options)
-{
-  FlatSheet sheet;
-  if (outline.Type == Outline::Kind::Star)
-  {
-    AddStar(outline, options, sheet);
-  }
-  else
-  {
-    AddStrip(outline, options, sheet);
-  }
-  if (outline.StemWidth > 0.0)
-  {
-    AddStem(outline, sheet);
-  }
-  return sheet;
-}
-
-void Center(TriangleMesh& mesh)
-{
-  const Vec3 center = ShellCentroid(mesh);
-  for (Vec3& p : mesh.Points)
-  {
-    p -= center;
-  }
-}
-
-void ScaleTo(double size, TriangleMesh& mesh)
-{
-  const double scale = size / LargestExtent(mesh);
-  for (Vec3& p : mesh.Points)
-  {
-    p *= scale;
-  }
-}
-
 TriangleMesh Sphere(int meridians, int parallels)
 {
   TriangleMesh mesh;
@@ -245,17 +97,7 @@ SheetOptions SheetOf(const std::string& name)
 
 Result SheetOptions::Validate() const
 {
-  const auto within = [](double value, double low, double high)
-  { return value >= low && value <= high; };
-  if (!(this->Length > 0.0) || !std::isfinite(this->Length))
-  {
-    return Result::Error("Length: expected a length above 0");
-  }
-  if (!within(this->Curl, 0.0, 2.0) || !within(this->Camber, 0.0, 0.5) ||
-      !within(this->Twist, -1.0, 1.0))
-  {
-    return Result::Error("expected Curl from 0 to 2, Camber from 0 to 0.5, Twist from -1 to 1");
-  }
+  WAFT_RETURN_IF_FAILED(Bending::Validate());
   if (this->Rows < 4 || this->Rows > 200 || this->Columns < 2 || this->Columns > 64 ||
       this->Columns % 2 != 0)
   {
@@ -267,15 +109,15 @@ Result SheetOptions::Validate() const
 const std::vector<BuiltinShape>& BuiltinShapes()
 {
   static const std::vector<BuiltinShape> shapes = {
-    { "leaf", 0.10, 0.8, 0.10, 0.0004, 1.2, { 0.45, 0.56, 0.18 } },
-    { "maple", 0.14, 0.9, 0.11, 0.0004, 1.2, { 0.75, 0.22, 0.10 } },
-    { "oak", 0.13, 0.8, 0.12, 0.0005, 1.2, { 0.62, 0.38, 0.15 } },
-    { "willow", 0.12, 0.7, 0.09, 0.0003, 1.2, { 0.78, 0.70, 0.25 } },
-    { "feather", 0.20, 0.4, 0.04, 0.0005, 1.2, { 0.90, 0.88, 0.84 } },
-    { "down", 0.05, 0.15, 0.02, 0.0010, 1.2, { 0.96, 0.95, 0.93 } },
-    { "petal", 0.04, 0.6, 0.06, 0.0003, 1.2, { 0.95, 0.72, 0.78 } },
-    { "bubble", 0.06, 0.05, 0.002, 0.000002, 0.47, { 0.80, 0.90, 0.98 } },
-    { "disc", 0.10, 0.9, 0.12, 0.0002, 1.2, { 0.95, 0.95, 0.92 } },
+    { "leaf", 0.10, 0.8, 0.10, 0.0004, 1.2, 0.0, { 0.45, 0.56, 0.18 } },
+    { "maple", 0.14, 0.9, 0.11, 0.0004, 1.2, 0.0, { 0.75, 0.22, 0.10 } },
+    { "oak", 0.13, 0.8, 0.12, 0.0005, 1.2, 0.0, { 0.62, 0.38, 0.15 } },
+    { "willow", 0.12, 0.7, 0.09, 0.0003, 1.2, 0.0, { 0.78, 0.70, 0.25 } },
+    { "feather", 0.20, 0.4, 0.04, 0.0005, 1.2, 0.0, { 0.90, 0.88, 0.84 } },
+    { "down", 0.05, 0.15, 0.02, 0.0010, 1.2, 0.5, { 0.96, 0.95, 0.93 } },
+    { "petal", 0.04, 0.6, 0.06, 0.0003, 1.2, 0.25, { 0.95, 0.72, 0.78 } },
+    { "bubble", 0.06, 0.05, 0.002, 0.000002, 0.47, 0.9, { 0.80, 0.90, 0.98 } },
+    { "disc", 0.10, 0.9, 0.12, 0.0002, 1.2, 0.0, { 0.95, 0.95, 0.92 } },
   };
   return shapes;
 }
@@ -283,7 +125,7 @@ const std::vector<BuiltinShape>& BuiltinShapes()
 PlanBox TextureBox(const Outline& outline)
 {
   constexpr double margin = 0.02;
-  const FlatSheet sheet = Flatten(outline, SheetOptions());
+  const FlatSheet sheet = FlattenOutline(outline, SheetOptions().Rows, SheetOptions().Columns);
   PlanBox box{ 1e300, 1e300, -1e300, -1e300 };
   for (const auto& p : sheet.Points)
   {
@@ -304,27 +146,15 @@ Result MakeSheet(const Outline& outline, const SheetOptions& options, Shape& sha
   {
     return valid;
   }
-  const FlatSheet sheet = Flatten(outline, options);
+  const FlatSheet sheet = FlattenOutline(outline, options.Rows, options.Columns);
   const PlanBox box = TextureBox(outline);
-  TriangleMesh mesh;
-  mesh.Triangles = sheet.Triangles;
   shape.TextureCoordinates.clear();
-  for (std::size_t i = 0; i < sheet.Points.size(); ++i)
+  for (const auto& p : sheet.Points)
   {
-    const double x = sheet.Points[i][0];
-    const double y = sheet.Points[i][1];
     shape.TextureCoordinates.push_back(
-      { (x - box.X0) / (box.X1 - box.X0), (y - box.Y0) / (box.Y1 - box.Y0) });
-    const double rise = options.Curl * sheet.Rise[i] + options.Camber * 4.0 * (x - 0.5) * (x - 0.5);
-    // The twist turns a cross-section about the length; it starts in the middle so that both ends
-    // share it.
-    const double turn = options.Twist * (x - 0.5);
-    mesh.Points.emplace_back(x, y * std::cos(turn) - rise * std::sin(turn),
-                             y * std::sin(turn) + rise * std::cos(turn));
+      { (p[0] - box.X0) / (box.X1 - box.X0), (p[1] - box.Y0) / (box.Y1 - box.Y0) });
   }
-  ScaleTo(options.Length, mesh);
-  Center(mesh);
-  shape.Mesh = std::move(mesh);
+  BendSheet(sheet, options, shape);
   return Result::Ok();
 }
 
@@ -343,6 +173,7 @@ Result MakeBuiltinShape(const std::string& name, double size, Shape& shape)
     made.AreaDensity = builtin.AreaDensity;
     made.SettlingSpeed = builtin.SettlingSpeed;
     made.Thickness = builtin.Thickness;
+    made.Damping = builtin.Damping;
     made.DragCoefficient = builtin.DragCoefficient;
     made.Color = builtin.Color;
     const double length = size > 0.0 ? size : builtin.Size;
@@ -353,7 +184,7 @@ Result MakeBuiltinShape(const std::string& name, double size, Shape& shape)
       {
         made.TextureCoordinates.push_back({ 0.5 + p.x(), 0.5 + p.y() });
       }
-      ScaleTo(length, made.Mesh);
+      ScaleToExtent(length, made.Mesh);
     }
     else
     {
@@ -390,7 +221,7 @@ Result AlignShape(double size, TriangleMesh& mesh)
   {
     return Result::Error("expected a surface with an area, found none");
   }
-  Center(mesh);
+  CenterOnMass(mesh);
   // Second moments of the shell: exact over each triangle.
   Mat3 moments = Mat3::Zero();
   for (const auto& t : mesh.Triangles)
@@ -432,7 +263,7 @@ Result AlignShape(double size, TriangleMesh& mesh)
   }
   if (size > 0.0)
   {
-    ScaleTo(size, mesh);
+    ScaleToExtent(size, mesh);
   }
   return Result::Ok();
 }

@@ -4,6 +4,7 @@
 
 #include "Base/Result.h"
 #include "Base/Shape.h"
+#include "Shapes/FlatSheet.h"
 #include "Shapes/Outline.h"
 
 #include <string>
@@ -12,15 +13,11 @@
 namespace waft
 {
 
-/// How a flat outline is bent and cut into triangles.
-struct SheetOptions
+/// How an outline is cut into triangles and bent.
+struct SheetOptions : Bending
 {
-  double Length = 0.1;  // m, the largest extent of the result
-  double Curl = 0.3;    // rise of the edges over half the local width, 0..2
-  double Camber = 0.05; // rise of both ends over the length, 0..0.5
-  double Twist = 0.0;   // rad, of the tip against the base, -1..1
-  int Rows = 28;        // along a strip, 4..200; sectors of a star are twice as many
-  int Columns = 8;      // across a strip, 2..64, even; rings of a star are half as many
+  int Rows = 28;   // along a strip, 4..200; sectors of a star are twice as many
+  int Columns = 8; // across a strip, 2..64, even; rings of a star are half as many
 
   Result Validate() const;
 };
@@ -34,6 +31,7 @@ struct BuiltinShape
   double AreaDensity;   // kg/m^2
   double Thickness;     // m
   double DragCoefficient;
+  double Damping; // 1/s, viscous: 8 pi mu R^3 / I of the sphere, 32/3 mu R^3 / I of a disc
   std::array<double, 3> Color;
 };
 

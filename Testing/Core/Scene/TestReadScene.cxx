@@ -67,6 +67,17 @@ TEST(ReadScene, EveryFieldOfTheGlobalSections)
   EXPECT_TRUE(Parsed(R"({"waft": 1, "ground": {"enabled": false}})").Obstacles.empty());
 }
 
+TEST(ReadScene, AMissingTextureIsTold)
+{
+  const Scene scene =
+    Parsed(R"({"waft": 1, "shapes": {"leaf": {"builtin": "leaf", "texture": "none.png"}}})");
+  ASSERT_EQ(scene.Shapes.size(), 1u);
+  EXPECT_EQ(scene.Shapes[0].Texture, "");
+  ASSERT_EQ(scene.Warnings.size(), 1u);
+  EXPECT_NE(scene.Warnings[0].find("/shapes/leaf/texture"), std::string::npos);
+  EXPECT_NE(scene.Warnings[0].find("none.png"), std::string::npos);
+}
+
 TEST(ReadScene, ShapesTakeWhatTheFileGives)
 {
   const Scene scene = Parsed(R"({"waft": 1, "shapes": {

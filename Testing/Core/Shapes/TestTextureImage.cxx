@@ -13,11 +13,12 @@ TEST(TextureImage, IsOpaqueInsideTheMeshAndClearOutside)
   {
     SCOPED_TRACE(name);
     TextureOptions options;
-    options.Builtin = name;
+    Outline outline;
+    ASSERT_TRUE(OutlineOf(name, outline));
     options.Width = 128;
     options.Height = 96;
     std::vector<std::uint8_t> pixels;
-    ASSERT_TRUE(PaintTexture(options, pixels));
+    ASSERT_TRUE(PaintTexture(outline, options, pixels));
     ASSERT_EQ(pixels.size(), 4u * 128u * 96u);
     Shape shape;
     ASSERT_TRUE(MakeBuiltinShape(name, 0.0, shape));
@@ -44,16 +45,17 @@ TEST(TextureImage, IsOpaqueInsideTheMeshAndClearOutside)
 TEST(TextureImage, FollowsItsSeed)
 {
   TextureOptions options;
-  options.Builtin = "feather";
+  Outline outline;
+  ASSERT_TRUE(OutlineOf("feather", outline));
   options.Width = 64;
   options.Height = 32;
   std::vector<std::uint8_t> first;
   std::vector<std::uint8_t> again;
   std::vector<std::uint8_t> other;
-  ASSERT_TRUE(PaintTexture(options, first));
-  ASSERT_TRUE(PaintTexture(options, again));
+  ASSERT_TRUE(PaintTexture(outline, options, first));
+  ASSERT_TRUE(PaintTexture(outline, options, again));
   options.Seed = 2;
-  ASSERT_TRUE(PaintTexture(options, other));
+  ASSERT_TRUE(PaintTexture(outline, options, other));
   EXPECT_EQ(first, again);
   EXPECT_NE(first, other);
 }
@@ -62,12 +64,12 @@ TEST(TextureImage, RefusesUnknownOutlinesAndColours)
 {
   std::vector<std::uint8_t> pixels;
   TextureOptions options;
-  options.Builtin = "bubble";
-  EXPECT_FALSE(PaintTexture(options, pixels));
-  options.Builtin = "leaf";
+  Outline outline;
+  EXPECT_FALSE(OutlineOf("bubble", outline));
+  ASSERT_TRUE(OutlineOf("leaf", outline));
   options.Edge[1] = 1.5;
-  EXPECT_FALSE(PaintTexture(options, pixels));
+  EXPECT_FALSE(PaintTexture(outline, options, pixels));
   options = TextureOptions();
   options.Width = 3;
-  EXPECT_FALSE(PaintTexture(options, pixels));
+  EXPECT_FALSE(PaintTexture(outline, options, pixels));
 }
