@@ -68,9 +68,12 @@ waft::RotationOptions vtkRotationRefineFilter::Internals::Options() const
   options.Lift = this->Self->Lift;
   options.PressureShift = this->Self->PressureShift;
   options.Follow = this->Self->Follow;
-  options.Variation = this->Self->Variation;
+  options.Roll = this->Self->Roll;
+  options.Spin = this->Self->Spin;
+  options.VariationPerObject = this->Self->VariationPerObject;
   options.LandingTime = this->Self->LandingTime;
   options.TurningTime = this->Self->TurningTime;
+  options.TurningRate = this->Self->TurningRate;
   options.RasterSize = this->Self->RasterSize;
   options.Seed = static_cast<std::uint64_t>(this->Self->Seed);
   return options;
@@ -106,6 +109,14 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
   if (result && !result.IsStopped()) // half of the poses are of no use
   {
     this->Tracks = std::move(input.Tracks);
+    for (std::size_t i = 0; i < this->Tracks.size(); ++i)
+    {
+      const std::vector<waft::Vec3>& shifts = this->Rotation.Shifts[i];
+      for (std::size_t k = 0; k < shifts.size(); ++k)
+      {
+        this->Tracks[i].Positions[k] += shifts[k];
+      }
+    }
     this->Warnings = this->Rotation.Warnings;
     waft::PosesToPolyData(this->Tracks, this->Rotation.Poses, this->Scene,
                           this->Kept<vtkPolyData>(PosesPort));
@@ -171,9 +182,12 @@ void vtkRotationRefineFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Lift: " << this->Lift << "\n";
   os << indent << "PressureShift: " << this->PressureShift << "\n";
   os << indent << "Follow: " << this->Follow << "\n";
-  os << indent << "Variation: " << this->Variation << "\n";
+  os << indent << "Roll: " << this->Roll << "\n";
+  os << indent << "Spin: " << this->Spin << "\n";
+  os << indent << "VariationPerObject: " << this->VariationPerObject << "\n";
   os << indent << "LandingTime: " << this->LandingTime << "\n";
   os << indent << "TurningTime: " << this->TurningTime << "\n";
+  os << indent << "TurningRate: " << this->TurningRate << "\n";
   os << indent << "RasterSize: " << this->RasterSize << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
 }

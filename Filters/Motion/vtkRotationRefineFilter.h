@@ -64,9 +64,19 @@ public:
   vtkGetMacro(Follow, double);
   ///@}
   ///@{
+  /** How readily a body rolls on when it turns over, 0..4; 1 as plates do (Plate). */
+  vtkSetClampMacro(Roll, double, 0.0, 4.0);
+  vtkGetMacro(Roll, double);
+  ///@}
+  ///@{
+  /** Pitch of the propeller that a thin body is about its normal [rad], -1..1 (Plate). */
+  vtkSetClampMacro(Spin, double, -1.0, 1.0);
+  vtkGetMacro(Spin, double);
+  ///@}
+  ///@{
   /** How much objects of one shape differ, 0..0.5. */
-  vtkSetClampMacro(Variation, double, 0.0, 0.5);
-  vtkGetMacro(Variation, double);
+  vtkSetClampMacro(VariationPerObject, double, 0.0, 0.5);
+  vtkGetMacro(VariationPerObject, double);
   ///@}
   ///@{
   /** Time in which a body settles before it rests [s], 0..1000. */
@@ -77,6 +87,11 @@ public:
   /** Longest time over which an orientation row draws the pose towards it [s], 0..1000. */
   vtkSetClampMacro(TurningTime, double, 0.0, 1000.0);
   vtkGetMacro(TurningTime, double);
+  ///@}
+  ///@{
+  /** The fastest turn that an orientation row may ask for [rad/s], 1..1000. */
+  vtkSetClampMacro(TurningRate, double, 1.0, 1000.0);
+  vtkGetMacro(TurningRate, double);
   ///@}
   ///@{
   /** Pixels on a side of the pictures that tell what hides what, 8..1024. */
@@ -110,9 +125,12 @@ private:
   double Lift = 2.0;
   double PressureShift = 0.0;
   double Follow = 0.5;
-  double Variation = 0.15;
+  double Roll = 1.0;
+  double Spin = 0.0;
+  double VariationPerObject = 0.15;
   double LandingTime = 1.0;
   double TurningTime = 2.0;
+  double TurningRate = 60.0;
   int RasterSize = 128;
   int Seed = 1;
 

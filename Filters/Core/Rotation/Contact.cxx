@@ -10,6 +10,7 @@ namespace waft
 namespace
 {
 constexpr double Rounding = 1e-10; // m: a vertex this far below a plane lies on it
+constexpr std::size_t MostPlanes = 16;
 
 struct Plane
 {
@@ -21,6 +22,7 @@ struct Plane
 struct Surroundings
 {
   bool Near = false;
+  bool Plain = true; // the surface is the first plane, as far as the body reaches
   std::vector<Plane> Planes;
   Vec3 Turn = Vec3::Zero(); // rotation vector from the pose to the flat one [rad]
 };
@@ -35,7 +37,7 @@ public:
     this->ChooseFeelers();
   }
 
-  double Solve(std::vector<unsigned char>& changed)
+  double Solve(std::vector<unsigned char>& changed, std::vector<Vec3>& shifts)
   {
     if (!this->LookAround())
     {
@@ -72,7 +74,8 @@ public:
       }
       if (this->Scenes[k].Near)
       {
-        deepest = std::max(deepest, -this->Lowest(k, blend[k]));
+        deepest = std::max(deepest, this->Scenes[k].Plain ? -this->Lowest(k, blend[k])
+                                                          : this->Lift(k, blend[k], shifts[k]));
       }
     }
     for (std::size_t k = 0; k < this->Count; ++k)
@@ -92,7 +95,8 @@ private:
     return (*this->Input.Frames)[k].Freedom != PoseFreedom::Fixed;
   }
 
-  /// Vertices that stand out in some direction: those that touch curved or broken surfaces first.
+  /// Vertices that stand out in some direction, and some of the others: those that touch curved or
+  /// broken surfaces first.
   void ChooseFeelers()
   {
     const std::vector<Vec3>& points = this->Input.Mesh->Points;
@@ -113,9 +117,10 @@ private:
         }
       }
     }
+    const std::size_t stride = std::max<std::size_t>(points.size() / 12, 1);
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-      if (chosen[i] != 0)
+      if (chosen[i] != 0 || i % stride == 0)
       {
         this->Feelers.push_back(points[i]);
       }
@@ -151,6 +156,7 @@ private:
       this->Input.Obstacles->SignedDistance((*this->Input.Positions)[k], static_cast<double>(k),
                                             hit);
       scene.Planes.push_back({ hit.Point, hit.Normal });
+      scene.Plain = this->IsPlain(k);
       Quat turn = this->FlatTurn(k, hit.Normal);
       const bool landing = (*this->Input.Frames)[k].Freedom == PoseFreedom::Landing;
       if (landing && linked && turn.dot(after) < 0.0)
@@ -217,35 +223,100 @@ private:
     return lowest;
   }
 
-  /// Adds the planes that feelers are below of; false when there is none.
-  bool FindMorePlanes(std::size_t k, double blend)
+  /// Is the surface about this frame's pose the first plane alone?
+  bool IsPlain(std::size_t k) const
   {
-    const Quat q = this->Blended(k, blend);
-    bool found = false;
+    const Plane& plane = this->Scenes[k].Planes[0];
     for (const Vec3& feeler : this->Feelers)
     {
-      const Vec3 x = (*this->Input.Positions)[k] + q * feeler;
-      if (this->Input.Obstacles->SignedDistance(x, static_cast<double>(k), 1e-3) < -1e-7 &&
-          this->Scenes[k].Planes.size() < 6)
+      const Vec3 x = (*this->Input.Positions)[k] + this->Orientations[k] * feeler;
+      const double height = (x - plane.Point).dot(plane.Normal);
+      if (std::abs(this->Input.Obstacles->SignedDistance(x, static_cast<double>(k),
+                                                         std::max(height, 0.0) + 1e-6) -
+                   height) > 2e-6)
       {
-        SurfaceHit hit;
-        this->Input.Obstacles->SignedDistance(x, static_cast<double>(k), hit);
-        // A face that looks away from the centre is the far side of something thin.
-        if (((*this->Input.Positions)[k] - hit.Point).dot(hit.Normal) > 0.0)
-        {
-          this->Scenes[k].Planes.push_back({ hit.Point, hit.Normal });
-          found = true;
-        }
+        return false;
       }
     }
-    return found;
+    return true;
+  }
+
+  /// The vertex deepest below a surface and its depth [m], 0 when none is below.
+  double Deepest(const Vec3& center, const Quat& q, double frame, Vec3& deepest) const
+  {
+    double depth = 0.0;
+    for (const Vec3& point : this->Input.Mesh->Points)
+    {
+      const Vec3 x = center + q * point;
+      const double d = this->Input.Obstacles->SignedDistance(x, frame, 1e-6);
+      if (-d > depth)
+      {
+        depth = -d;
+        deepest = x;
+      }
+    }
+    return depth;
+  }
+
+  /// Adds the plane that the deepest vertex is below of; false when there is none.
+  bool FindMorePlanes(std::size_t k, double blend)
+  {
+    Surroundings& scene = this->Scenes[k];
+    Vec3 x;
+    if (scene.Plain || scene.Planes.size() >= MostPlanes ||
+        this->Deepest((*this->Input.Positions)[k], this->Blended(k, blend), static_cast<double>(k),
+                      x) < 1e-7)
+    {
+      return false;
+    }
+    SurfaceHit hit;
+    this->Input.Obstacles->SignedDistance(x, static_cast<double>(k), hit);
+    for (const Plane& plane : scene.Planes)
+    {
+      if (plane.Normal.dot(hit.Normal) > 1.0 - 1e-9 &&
+          std::abs((hit.Point - plane.Point).dot(plane.Normal)) < 1e-9)
+      {
+        return false; // known, and turning alone does not get above it
+      }
+    }
+    // A face that looks away from the centre is the far side of something thin.
+    if (((*this->Input.Positions)[k] - hit.Point).dot(hit.Normal) <= 0.0)
+    {
+      return false;
+    }
+    scene.Planes.push_back({ hit.Point, hit.Normal });
+    return true;
+  }
+
+  /// Moves the centre of a frame out of the surface; returns the depth that is left [m].
+  double Lift(std::size_t k, double blend, Vec3& shift) const
+  {
+    const Quat q = this->Blended(k, blend);
+    const Vec3& center = (*this->Input.Positions)[k];
+    Vec3 moved = Vec3::Zero();
+    Vec3 x;
+    double depth = this->Deepest(center, q, static_cast<double>(k), x);
+    for (int round = 0; round < 12 && depth > Rounding && this->Movable(k); ++round)
+    {
+      SurfaceHit hit;
+      this->Input.Obstacles->SignedDistance(x, static_cast<double>(k), hit);
+      const Vec3 further = moved + (depth + 0.5 * Rounding) * hit.Normal;
+      if ((shift + further).norm() > this->Input.MostShift)
+      {
+        break;
+      }
+      moved = further;
+      depth = this->Deepest(center + moved, q, static_cast<double>(k), x);
+    }
+    shift += moved;
+    return depth;
   }
 
   /// The least blend from `start` on that leaves no vertex below; the best one when none does.
   double LeastBlend(std::size_t k, double start)
   {
     double blend = this->LeastPlaneBlend(k, start);
-    for (int round = 0; round < 3 && this->FindMorePlanes(k, blend); ++round)
+    while (this->FindMorePlanes(k, blend))
     {
       blend = this->LeastPlaneBlend(k, start);
     }
@@ -325,13 +396,13 @@ private:
 } // namespace
 
 double KeepAboveSurfaces(const ContactInput& input, std::vector<Quat>& orientations,
-                         std::vector<unsigned char>& changed)
+                         std::vector<unsigned char>& changed, std::vector<Vec3>& shifts)
 {
   if (input.Obstacles == nullptr || input.Obstacles->IsEmpty() || orientations.empty())
   {
     return 0.0;
   }
-  return ContactSolver(input, orientations).Solve(changed);
+  return ContactSolver(input, orientations).Solve(changed, shifts);
 }
 
 } // namespace waft

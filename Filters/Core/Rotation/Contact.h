@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Turns poses by the least that keeps a mesh above the surfaces near its centre, smoothly in time.
+// Turns poses by the least that keeps a mesh above the surfaces near its centre, smoothly in time;
+// where turning is not enough, moves the centre a little.
 #pragma once
 
 #include "Base/Mesh.h"
@@ -34,11 +35,14 @@ struct ContactInput
   const std::vector<ContactFrame>* Frames = nullptr;
   const ObstacleSet* Obstacles = nullptr;
   int SmoothingFrames = 4; // half-width of the blend in time
+  double MostShift = 0.0;  // m, by which a centre may be moved
 };
 
-/// Changes orientations where a vertex would be below a surface; `changed` marks these frames.
-/// Returns the deepest that a vertex still lies below a surface [m], 0 when none does.
+/// Changes orientations where a vertex would be below a surface; `changed` marks these frames. Adds
+/// to `shifts` [m, one a frame, those that Positions have in them already] what the centre must
+/// move besides, at most MostShift in all; frames that are Fixed are left alone. Returns the
+/// deepest that a vertex still lies below a surface [m], 0 when none does.
 double KeepAboveSurfaces(const ContactInput& input, std::vector<Quat>& orientations,
-                         std::vector<unsigned char>& changed);
+                         std::vector<unsigned char>& changed, std::vector<Vec3>& shifts);
 
 } // namespace waft

@@ -327,7 +327,7 @@ Wrench PanelBody::Evaluate(const Vec3& velocity, const Mat3& fullGradient,
 /// pressure ahead of the centre by PressureShift half chords times cos(alpha), and the circulation
 /// of a turning plate, 0.5 C_R chord^2 omega per unit of span; and the drive of autorotation:
 /// separated flow keeps a turning plate turning with tips about as fast as it flies, whatever its
-/// inertia (Iversen 1979; Lugt 1983).
+/// inertia (Iversen 1979; Lugt 1983). Spin adds what a propeller feels.
 Wrench PanelBody::PlateCorrections(const Vec3& velocity, const Mat3& gradient,
                                    const AirCoefficients& coefficients) const
 {
@@ -345,6 +345,10 @@ Wrench PanelBody::PlateCorrections(const Vec3& velocity, const Mat3& gradient,
                         (1.0 + coefficients.Lift * this->PlateFlatness * cosine * cosine);
     total.Torque += coefficients.PressureShift * halfChord * push * tangential.cross(n);
   }
+  // A propeller's blades lean by Spin the way round: the way it turns does not depend on the side
+  // that is up.
+  total.Torque -= 0.5 * coefficients.Drag * coefficients.Spin * scale *
+                  std::sqrt(this->Spread.trace()) * velocity.norm() * wn * n;
   const Mat3 turning = 0.5 * (gradient - gradient.transpose());
   Vec3 spin(turning(2, 1), turning(0, 2), turning(1, 0));
   spin -= spin.dot(n) * n;

@@ -20,11 +20,14 @@ enum class AirModel
   Plate = 1  // pressure along the normal, moving centre of pressure, circulation, added mass
 };
 
+/// A PressureShift above 0 lets strips tumble more readily, but lays curved bodies on their edges:
+/// the air's own mass turns them as a moving centre of pressure would.
 struct AirCoefficients
 {
   AirModel Model = AirModel::Plate;
   double Drag = 1.2;           // cd, broadside
   double Lift = 2.0;           // extra slope of the normal force at small angles of attack
+  double Spin = 0.0;           // rad, pitch of the propeller that a thin body is about its normal
   double Friction = 0.12;      // tangential drag, as a share of cd
   double PressureShift = 0.0;  // centre of pressure edge-on, in half chords ahead of the centre
   double TurningDrag = 0.8;    // share of the drag on velocities that come from turning

@@ -108,6 +108,7 @@ TurningPlan MakePlan(const RotationInput& input, const RotationOptions& options,
   plan.Time = input.Scene.Time;
   plan.LandingTime = options.LandingTime;
   plan.TurningTime = options.TurningTime;
+  plan.TurningRate = options.TurningRate;
   plan.Tolerance = 1e-3 * input.Scene.Bounds.Width();
   const int last = static_cast<int>(track.Positions.size()) - 1;
   for (const Constraint& row : input.Constraints)
@@ -118,7 +119,19 @@ TurningPlan MakePlan(const RotationInput& input, const RotationOptions& options,
     {
       continue;
     }
-    if (row.Kind == ConstraintKind::Orientation)
+    if (row.Kind == ConstraintKind::Position)
+    {
+      plan.Held.push_back(row.Frame);
+    }
+    else if (row.Kind == ConstraintKind::Velocity || row.Kind == ConstraintKind::Acceleration)
+    {
+      // These are about differences of neighbours, at the ends of the three or four nearest.
+      for (int k = std::max(row.Frame - 3, 0); k <= std::min(row.Frame + 3, last); ++k)
+      {
+        plan.Held.push_back(k);
+      }
+    }
+    else if (row.Kind == ConstraintKind::Orientation)
     {
       plan.Keys.push_back(row);
     }
@@ -157,14 +170,17 @@ AirCoefficients Coefficients(const RotationInput& input, const RotationOptions& 
   coefficients.Drag = input.Shapes[object.ShapeId].DragCoefficient;
   coefficients.Lift = options.Lift;
   coefficients.PressureShift = options.PressureShift;
+  coefficients.Autorotation *= options.Roll;
+  coefficients.Spin = options.Spin;
   // No two leaves are cut alike.
   Random random(options.Seed, 0x70053 + static_cast<std::uint64_t>(object.ObjectId));
   const auto vary = [&](double& value)
-  { value *= 1.0 + options.Variation * random.Uniform(-1.0, 1.0); };
+  { value *= 1.0 + options.VariationPerObject * random.Uniform(-1.0, 1.0); };
   vary(coefficients.Drag);
   vary(coefficients.Lift);
   vary(coefficients.PressureShift);
   vary(coefficients.RotationalLift);
+  vary(coefficients.Spin);
   return coefficients;
 }
 } // namespace
@@ -187,9 +203,17 @@ Result RotationOptions::Validate() const
   {
     return Result::Error("Follow must be from 0 to 1000 per second");
   }
-  if (!IsBetween(this->Variation, 0.0, 0.5))
+  if (!IsBetween(this->Roll, 0.0, 4.0) || !IsBetween(this->Spin, -1.0, 1.0))
   {
-    return Result::Error("Variation must be from 0 to 0.5");
+    return Result::Error("Roll must be from 0 to 4, Spin from -1 to 1 rad");
+  }
+  if (!IsBetween(this->VariationPerObject, 0.0, 0.5))
+  {
+    return Result::Error("VariationPerObject must be from 0 to 0.5");
+  }
+  if (!IsBetween(this->TurningRate, 1.0, 1e3))
+  {
+    return Result::Error("TurningRate must be from 1 to 1000 rad/s");
   }
   if (!IsBetween(this->LandingTime, 0.0, 1e3) || !IsBetween(this->TurningTime, 0.0, 1e3))
   {
@@ -249,7 +273,8 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
                  const PreparedShape& shape = shapes[object.ShapeId];
                  const FlightBody body(shape.Panels, shape.Properties, object.Mass,
                                        input.Scene.AirDensity, Coefficients(input, options, object),
-                                       options.Damping, options.Follow);
+                                       options.Damping + input.Shapes[object.ShapeId].Damping,
+                                       options.Follow);
                  TurningPlan plan = MakePlan(input, options, object, track);
                  plan.BoundingRadius = shape.Properties.BoundingRadius;
                  outcomes[i] = TurnObject(plan, body, MakePath(input, track));
@@ -275,6 +300,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
       }
     }
     result.Poses.push_back(std::move(outcome.Poses));
+    result.Shifts.push_back(std::move(outcome.Shifts));
     result.Report.insert(result.Report.end(), outcome.Report.begin(), outcome.Report.end());
     result.Warnings.insert(result.Warnings.end(), outcome.Warnings.begin(), outcome.Warnings.end());
   }

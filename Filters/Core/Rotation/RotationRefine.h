@@ -24,11 +24,14 @@ struct RotationOptions
   double Damping = 0.3;       // 1/s, of the angular momentum; 0 or more
   double Lift = 2.0;          // extra slope of the normal force at small angles of attack, 0..4
   double PressureShift = 0.0; // half chords, 0..1
+  double Roll = 1.0;          // 0..4: share of the drive that keeps a turning plate turning over
+  double Spin = 0.0;          // rad, -1..1: pitch as of a propeller, about the normal
   double Follow = 0.5;        // 1/s: how fast the hidden sideslip is forgotten; 0 or more
-  double Variation = 0.15;    // 0..0.5: how much objects of one shape differ, by Seed
-  double LandingTime = 1.0;   // s in which a body settles before it rests
-  double TurningTime = 2.0;   // s, at most, over which an orientation row draws the pose
-  int RasterSize = 128;       // pixels, 8..1024
+  double VariationPerObject = 0.15; // 0..0.5: how much objects of one shape differ, by Seed
+  double LandingTime = 1.0;         // s in which a body settles before it rests
+  double TurningTime = 2.0;         // s, at most, over which an orientation row draws the pose
+  double TurningRate = 60.0; // rad/s, 1..1000: rows that ask for more are met by halves and named
+  int RasterSize = 128;      // pixels, 8..1024
   std::uint64_t Seed = 1;
 
   Result Validate() const;
@@ -49,9 +52,12 @@ struct RotationInput
 
 struct RotationOutput
 {
-  std::vector<PoseTrack> Poses;      // in the order of Tracks
+  std::vector<PoseTrack> Poses; // in the order of Tracks
+  /// m, by which centres are moved so that meshes touch surfaces and do not cut them: in the order
+  /// of Tracks, one a frame, or empty for a track that stays; at most 1e-3 of the volume's width.
+  std::vector<std::vector<Vec3>> Shifts;
   std::vector<ReportRow> Report;     // one for each orientation row
-  std::vector<std::string> Warnings; // objects and shapes are named
+  std::vector<std::string> Warnings; // objects and shapes are named; rows that are not met too
 };
 
 /// Fails when a shape has no area, a mass is not positive, a track has no object or another length;

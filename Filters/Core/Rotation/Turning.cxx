@@ -2,14 +2,18 @@
 #include "Rotation/Turning.h"
 
 #include "Rotation/Contact.h"
+#include "Rotation/RestingPose.h"
 
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 namespace waft
 {
 namespace
 {
+constexpr double LeastTold = 1e-5; // m: the centre was moved by less: nobody sees it
+
 /// From 0 to 1 with two derivatives that vanish at both ends.
 double Ease(double x)
 {
@@ -29,9 +33,14 @@ class Turning
 public:
   Turning(const TurningPlan& plan, const FlightBody& body, const FlightPath& path) :
     Plan(plan), Body(body), Path(path), Last(static_cast<int>(plan.Path->Positions.size()) - 1),
-    Frames(plan.Path->Positions.size()), Changed(plan.Path->Positions.size(), 0)
+    Frames(plan.Path->Positions.size()), Changed(plan.Path->Positions.size(), 0),
+    Shifts(plan.Path->Positions.size(), Vec3::Zero()), Held(plan.Path->Positions.size(), 0)
   {
     this->Out.Poses.ObjectId = plan.Object->ObjectId;
+    for (const int frame : plan.Held)
+    {
+      this->Held[frame] = 1;
+    }
     this->Out.Poses.Orientations.assign(this->Frames.size(), Quat::Identity());
     this->Out.Poses.AngularVelocities.assign(this->Frames.size(), Vec3::Zero());
     this->Out.Poses.Torques.assign(this->Frames.size(), Vec3::Zero());
@@ -113,7 +122,8 @@ private:
     this->Record(0);
     if (!this->Plan.Rests.empty() && this->Plan.Rests.front().Frame <= 0)
     {
-      this->LieStill(this->Plan.Rests.front(), 0);
+      const LandingWindow& rest = this->Plan.Rests.front();
+      this->LieStill(rest, 0, this->LyingPose(rest, this->State.Flight.Orientation));
     }
   }
 
@@ -187,7 +197,7 @@ private:
   {
     const int k = key.Frame;
     std::vector<Quat>& poses = this->Out.Poses.Orientations;
-    const Quat target = Towards(poses[k], key);
+    const Quat target = this->WithinReach(poses[from], from, Towards(poses[k], key), key);
     const Quat missing = target * poses[k].conjugate();
     const Vec3 turn = LogMap(missing);
     const double most = this->Plan.TurningTime * this->Plan.Time.FramesPerSecond;
@@ -207,19 +217,47 @@ private:
     state.SetVelocity(this->Body, velocity);
   }
 
-  Quat LyingPose(const LandingWindow& rest, const Quat& arriving) const
+  /// The wanted pose, or as much of the turn to it as the time since the pose `start` allows.
+  Quat WithinReach(const Quat& start, int from, const Quat& wanted, const Constraint& key)
+  {
+    const Vec3 turn = LogMap(wanted * start.conjugate());
+    const double time = (key.Frame - from) / this->Plan.Time.FramesPerSecond;
+    const double share = this->Plan.TurningRate * time / std::max(turn.norm(), 1e-12);
+    if (share >= 1.0)
+    {
+      return wanted;
+    }
+    this->TooFast[&key] = "asks for " + Number(turn.norm() / time) + " rad/s since frame " +
+                          std::to_string(from) + ", more than " + Number(this->Plan.TurningRate);
+    return (ExpMap(share * turn) * start).normalized();
+  }
+
+  RestingPose LyingPose(const LandingWindow& rest, const Quat& arriving) const
   {
     // A row within the rest chooses the heading.
     const Constraint* key = this->KeyAt(rest.Frame, rest.Until);
     const Quat heading = key != nullptr ? key->Orientation.normalized() : arriving;
-    const Mat3 turn = heading.toRotationMatrix();
-    return (LeastTurn(turn.col(2), rest.Normal, turn.col(0)) * heading).normalized();
+    const int first = std::max(rest.Frame, 0);
+    if (rest.ObstacleId < 0 || this->Plan.Obstacles == nullptr)
+    {
+      RestingPose level;
+      const Mat3 turn = heading.toRotationMatrix();
+      level.Orientation = (LeastTurn(turn.col(2), rest.Normal, turn.col(0)) * heading).normalized();
+      return level;
+    }
+    const int end = std::min(rest.Until, this->Last);
+    const bool held = std::any_of(this->Held.begin() + first, this->Held.begin() + end + 1,
+                                  [](unsigned char isHeld) { return isHeld != 0; });
+    return LayDown(this->Plan.Body->Mesh, *this->Plan.Obstacles, first,
+                   this->Plan.Path->Positions[first], rest.Normal, heading,
+                   held ? 0.0 : this->Plan.Tolerance);
   }
 
   void Land(const LandingWindow& rest, int from)
   {
     std::vector<Quat>& poses = this->Out.Poses.Orientations;
-    const Quat lying = this->LyingPose(rest, poses[rest.Frame]);
+    const RestingPose laid = this->LyingPose(rest, poses[rest.Frame]);
+    const Quat& lying = laid.Orientation;
     const double span = std::min<double>(
       rest.Frame - from, std::max(this->Plan.LandingTime * this->Plan.Time.FramesPerSecond, 1.0));
     Quat after = Quat::Identity();
@@ -238,13 +276,13 @@ private:
       this->Changed[i] = 1;
     }
     this->State.Flight.Orientation = lying;
-    this->LieStill(rest, rest.Frame);
+    this->LieStill(rest, rest.Frame, laid);
   }
 
   /// The same pose from a frame to the end of the rest; then free flight begins anew.
-  void LieStill(const LandingWindow& rest, int first)
+  void LieStill(const LandingWindow& rest, int first, const RestingPose& laid)
   {
-    const Quat lying = this->LyingPose(rest, this->State.Flight.Orientation);
+    const Quat lying = laid.Orientation;
     const int end = std::min(rest.Until, this->Last);
     for (int i = first; i <= end; ++i)
     {
@@ -253,6 +291,7 @@ private:
       this->Out.Poses.Torques[i].setZero();
       this->Frames[i].Freedom = PoseFreedom::Fixed;
       this->Changed[i] = 0;
+      this->Shifts[i] = laid.Shift * Vec3::UnitZ();
     }
     const int second = static_cast<int>(std::ceil(this->Plan.Time.FramesPerSecond));
     for (int i = end + 1; i <= std::min(end + second, this->Last); ++i)
@@ -265,30 +304,82 @@ private:
     this->State.Frame = end;
   }
 
+  /// A shift of one frame comes and goes smoothly in the frames around, the largest counts; where
+  /// rows hold the centre there is none.
+  void SpreadShifts(int reach)
+  {
+    const std::vector<Vec3> own = this->Shifts;
+    const double least = 1e-12;
+    for (int k = 0; k <= this->Last; ++k)
+    {
+      for (int i = std::max(0, k - reach); i <= std::min(this->Last, k + reach); ++i)
+      {
+        const double share = Ease(1.0 - std::abs(i - k) / (reach + 1.0));
+        const double size = share * own[k].norm();
+        if (size > this->Shifts[i].norm() && size > least &&
+            this->Frames[i].Freedom != PoseFreedom::Fixed)
+        {
+          this->Shifts[i] = share * own[k];
+        }
+      }
+    }
+    for (int k = 0; k <= this->Last; ++k)
+    {
+      if (this->Held[k] != 0)
+      {
+        this->Shifts[k].setZero();
+      }
+    }
+  }
+
   void KeepAbove()
   {
+    const double fps = this->Plan.Time.FramesPerSecond;
+    const std::string name = "object " + std::to_string(this->Plan.Object->ObjectId);
+    this->SpreadShifts(static_cast<int>(0.5 * this->Plan.LandingTime * fps));
+    std::vector<Vec3> positions = this->Plan.Path->Positions;
+    for (std::size_t k = 0; k < positions.size(); ++k)
+    {
+      positions[k] += this->Shifts[k];
+    }
     ContactInput contact;
     contact.Mesh = &this->Plan.Body->Mesh;
     contact.BoundingRadius = this->Plan.BoundingRadius;
-    contact.Positions = &this->Plan.Path->Positions;
+    contact.Positions = &positions;
     contact.Frames = &this->Frames;
     contact.Obstacles = this->Plan.Obstacles;
-    contact.SmoothingFrames =
-      std::max(1, static_cast<int>(std::lround(0.12 * this->Plan.Time.FramesPerSecond)));
-    const double deepest = KeepAboveSurfaces(contact, this->Out.Poses.Orientations, this->Changed);
+    contact.SmoothingFrames = std::max(1, static_cast<int>(std::lround(0.12 * fps)));
+    contact.MostShift = this->Plan.Tolerance;
+    const double deepest =
+      KeepAboveSurfaces(contact, this->Out.Poses.Orientations, this->Changed, this->Shifts);
+    double farthest = 0.0;
+    this->SpreadShifts(contact.SmoothingFrames);
+    for (const Vec3& shift : this->Shifts)
+    {
+      farthest = std::max(farthest, shift.norm());
+    }
     if (deepest > this->Plan.Tolerance)
     {
-      this->Out.Warnings.push_back("object " + std::to_string(this->Plan.Object->ObjectId) +
-                                   ": its mesh lies up to " + Number(deepest) +
+      this->Out.Warnings.push_back(name + ": its mesh lies up to " + Number(deepest) +
                                    " m below a surface, as its centre comes too near");
+    }
+    if (farthest > 0.0)
+    {
+      this->Out.Shifts = this->Shifts;
+    }
+    if (farthest > LeastTold)
+    {
+      this->Out.Warnings.push_back(name + ": its centre was moved by up to " + Number(farthest) +
+                                   " m so that its mesh touches the surface and does not cut it");
     }
   }
 
   /// Where poses were turned after the flight, the angular velocity is that of the exported poses:
-  /// central differences, on the branch nearest to the flight's own.
+  /// the mean of the turns from the frame before and to the next, each on the branch nearest to the
+  /// flight's own.
   void SetAngularVelocities()
   {
-    const std::vector<Quat>& poses = this->Out.Poses.Orientations;
+    const std::vector<Vec3> own = this->Out.Poses.AngularVelocities;
     for (int k = 0; k <= this->Last; ++k)
     {
       if (this->Changed[k] == 0 || this->Last == 0)
@@ -297,17 +388,27 @@ private:
       }
       const int before = std::max(k - 1, 0);
       const int after = std::min(k + 1, this->Last);
-      const double time = (after - before) * this->Path.Step;
-      Vec3 turn = LogMap(poses[after] * poses[before].conjugate());
-      const double angle = turn.norm();
-      if (angle > 1e-9)
+      Vec3 turn = Vec3::Zero();
+      for (int i = before; i < after; ++i)
       {
-        const double own = this->Out.Poses.AngularVelocities[k].dot(turn) / angle * time;
-        const double full = 2.0 * std::acos(-1.0);
-        turn *= 1.0 + std::round((own - angle) / full) * full / angle;
+        turn += this->TurnToNext(i, own[k]);
       }
-      this->Out.Poses.AngularVelocities[k] = turn / time;
+      this->Out.Poses.AngularVelocities[k] = turn / ((after - before) * this->Path.Step);
     }
+  }
+
+  Vec3 TurnToNext(int frame, const Vec3& own) const
+  {
+    const std::vector<Quat>& poses = this->Out.Poses.Orientations;
+    const Vec3 turn = LogMap(poses[frame + 1] * poses[frame].conjugate());
+    const double angle = turn.norm();
+    if (angle < 1e-9)
+    {
+      return turn;
+    }
+    const double full = 2.0 * std::acos(-1.0);
+    const double expected = own.dot(turn) / angle * this->Path.Step;
+    return turn * (1.0 + std::round((expected - angle) / full) * full / angle);
   }
 
   void JoinSigns()
@@ -337,10 +438,15 @@ private:
       row.Residual = std::max(0.0, angle - key.Radius);
       if (row.Residual > 1e-9)
       {
-        row.Status = ConstraintStatus::Conflict;
-        row.Message =
-          "object " + std::to_string(key.ObjectId) + ", frame " + std::to_string(key.Frame) +
-          ": another row or the surface it rests on asks for a pose " + Number(angle) + " rad away";
+        const auto tooFast = this->TooFast.find(&key);
+        const bool late = tooFast != this->TooFast.end();
+        row.Status = late ? ConstraintStatus::Unreachable : ConstraintStatus::Conflict;
+        row.Message = "object " + std::to_string(key.ObjectId) + ", frame " +
+                      std::to_string(key.Frame) + ": " +
+                      (late ? "the orientation " + tooFast->second
+                            : "another row or the surface it rests on asks for a pose " +
+                                Number(angle) + " rad away");
+        this->Out.Warnings.push_back(row.Message);
       }
       this->Out.Report.push_back(row);
     }
@@ -354,6 +460,9 @@ private:
   TurningOutcome Out;
   std::vector<ContactFrame> Frames;
   std::vector<unsigned char> Changed;
+  std::vector<Vec3> Shifts;                         // m, of the centre
+  std::vector<unsigned char> Held;                  // frames where rows hold the centre
+  std::map<const Constraint*, std::string> TooFast; // rows that no turning rate can meet, and why
 };
 } // namespace
 

@@ -25,14 +25,18 @@ struct TurningPlan
   std::vector<Constraint> Keys;     // orientation rows
   const ObstacleSet* Obstacles = nullptr;
   Timeline Time;
-  double LandingTime = 1.0; // s
-  double TurningTime = 2.0; // s
-  double Tolerance = 0.0;   // m: a vertex deeper than this below a surface is told
+  double LandingTime = 1.0;  // s
+  double TurningTime = 2.0;  // s
+  double TurningRate = 60.0; // rad/s, the most that an orientation row may ask for
+  std::vector<int> Held;     // frames where rows hold the centre: it is not moved there
+  double Tolerance = 0.0;    // m: a vertex deeper than this below a surface is told; also the most
+                             // that the centre may be moved
 };
 
 struct TurningOutcome
 {
   PoseTrack Poses;
+  std::vector<Vec3> Shifts; // m, by which the centre was moved, one a frame; empty: not at all
   std::vector<ReportRow> Report;
   std::vector<std::string> Warnings;
 };

@@ -73,7 +73,7 @@ TEST(PanelBody, ForeshortenedAreaOfRectangleAndSphere)
     const Vec3 d = random.Direction();
     EXPECT_NEAR(sheet.Panels.ForeshortenedArea(d), 0.03 * std::abs(d.z()), 1e-12);
     const double disc = std::acos(-1.0) * 0.05 * 0.05;
-    EXPECT_NEAR(ball.Panels.ForeshortenedArea(d), disc, 0.02 * disc);
+    EXPECT_NEAR(ball.Panels.ForeshortenedArea(d), disc, 0.01 * disc);
   }
 }
 

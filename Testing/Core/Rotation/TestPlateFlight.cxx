@@ -15,10 +15,11 @@ struct Fall
   double TurnRate = 0.0;  // rad/s about the long axis, mean of the second half
   double Tilt = 0.0;      // rad, largest from level in the second half
   double LeastTilt = 0.0; // rad
+  int Overturns = 0;      // times that the other side came up in the second half
 };
 
 /// A strip five times as long as wide falls for 20 s at the speed that its weight and drag balance.
-Fall DropStrip(double width, double areaDensity)
+Fall DropStrip(double width, double areaDensity, double start = 0.3)
 {
   Shape strip = Sheet(5.0 * width, width, 8);
   ShellProperties properties;
@@ -35,15 +36,19 @@ Fall DropStrip(double width, double areaDensity)
   FlightPath path;
   path.RelativeVelocities.assign(Frames + 1, Vec3(0.0, 0.0, -speed));
   FlightState state;
-  state.Orientation = ExpMap(Vec3(0.3, 0.0, 0.0));
+  state.Orientation = ExpMap(Vec3(start, 0.0, 0.0));
   state.SetVelocity(body, path.RelativeVelocities[0]);
   Fall fall;
   fall.LeastTilt = 10.0;
+  bool up = true;
   for (int k = 0; k < Frames; ++k)
   {
     AdvanceFrame(body, path, k, Settling(), state);
+    const bool wasUp = up;
+    up = (state.Orientation * Vec3::UnitZ()).z() > 0.0;
     if (k >= Frames / 2)
     {
+      fall.Overturns += up != wasUp ? 1 : 0;
       fall.TurnRate += state.AngularVelocity(body).x() / (Frames - Frames / 2);
       const double level = std::abs((state.Orientation * Vec3::UnitZ()).z());
       fall.Tilt = std::max(fall.Tilt, std::acos(std::min(level, 1.0)));
@@ -62,20 +67,29 @@ double DensityOf(double froude, double width)
 }
 } // namespace
 
-TEST(PlateFlight, LightStripsFlutterAndHeavyOnesTumble)
+TEST(PlateFlight, FlutterGivesWayToTumblingNearAFroudeNumberOfTwoThirds)
 {
+  // Belmonte, Eisenberg, Moses 1998: 0.67. Strips begin to turn over within 0.15 of it; they turn
+  // on one way steadily from 1.0 on.
   const double width = 0.03;
-  for (const double froude : { 0.2, 0.3, 0.4, 0.5 })
+  for (const double start : { 0.3, 1.0 })
   {
-    const Fall fall = DropStrip(width, DensityOf(froude, width));
-    EXPECT_LT(fall.TurnRate, 0.5) << froude;
-    EXPECT_GT(fall.Tilt, 0.3) << froude;
-    EXPECT_LT(fall.LeastTilt, 0.1) << froude;
-  }
-  for (const double froude : { 1.0, 1.3, 1.6, 2.0 })
-  {
-    const Fall fall = DropStrip(width, DensityOf(froude, width));
-    EXPECT_GT(fall.TurnRate, 10.0) << froude;
+    for (const double froude : { 0.2, 0.3, 0.4, 0.5, 0.52 })
+    {
+      const Fall fall = DropStrip(width, DensityOf(froude, width), start);
+      EXPECT_EQ(fall.Overturns, 0) << froude;
+      EXPECT_LT(fall.TurnRate, 0.5) << froude;
+      EXPECT_GT(fall.Tilt, 0.3) << froude;
+      EXPECT_LT(fall.LeastTilt, 0.1) << froude;
+    }
+    for (const double froude : { 0.7, 0.76, 0.82, 0.9 })
+    {
+      EXPECT_GT(DropStrip(width, DensityOf(froude, width), start).Overturns, 5) << froude;
+    }
+    for (const double froude : { 1.03, 1.3, 1.6, 2.0 })
+    {
+      EXPECT_GT(DropStrip(width, DensityOf(froude, width), start).TurnRate, 10.0) << froude;
+    }
   }
   EXPECT_GT(DropStrip(width, DensityOf(0.5, width)).Tilt,
             DropStrip(width, DensityOf(0.2, width)).Tilt);

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rotation/RestingPose.h"
+
+#include "Rotation/RigidBody.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace waft
+{
+namespace
+{
+constexpr double Touching = 1e-9; // m: a vertex this near to the surface lies on it
+constexpr int MostSteps = 40;
+constexpr double LargestLean = 0.5; // rad, in all
+
+class Layer
+{
+public:
+  Layer(const TriangleMesh& mesh, const ObstacleSet& obstacles, double frame, const Vec3& center,
+        double mostShift) :
+    Mesh(mesh),
+    Obstacles(obstacles), Frame(frame), Center(center), MostShift(mostShift)
+  {
+  }
+
+  /// Moves the centre until the lowest vertex touches; the depth is what is left over.
+  RestingPose Settle(const Quat& q) const
+  {
+    RestingPose pose;
+    pose.Orientation = q;
+    double gap = this->Gap(q, 0.0, 1e30);
+    if (gap > this->MostShift)
+    {
+      return pose; // it hangs in the air
+    }
+    for (int step = 0; step < MostSteps && std::abs(gap) > Touching; ++step)
+    {
+      const double next = std::clamp(pose.Shift - gap, -this->MostShift, this->MostShift);
+      if (next == pose.Shift)
+      {
+        break;
+      }
+      pose.Shift = next;
+      gap = this->Gap(q, pose.Shift, 1e30);
+    }
+    if (gap < 0.0 && gap > -Touching && pose.Shift + Touching <= this->MostShift)
+    {
+      pose.Shift += Touching;
+      gap = 0.0;
+    }
+    pose.Depth = std::max(-gap, 0.0);
+    return pose;
+  }
+
+  /// The normal of the plane, by least squares, through the surface straight below the vertices.
+  Vec3 MeanNormal(const Quat& q, const Vec3& fallback) const
+  {
+    Mat3 moments = Mat3::Zero();
+    Vec3 right = Vec3::Zero();
+    for (const Vec3& point : this->Mesh.Points)
+    {
+      const Vec3 r = q * point;
+      SurfaceHit hit;
+      if (this->Obstacles.SurfaceBelow(this->Center + r + this->MostShift * Vec3::UnitZ(),
+                                       this->Frame, hit))
+      {
+        const Vec3 row(r.x(), r.y(), 1.0);
+        moments += row * row.transpose();
+        right += (hit.Point.z() - this->Center.z()) * row;
+      }
+    }
+    const Eigen::FullPivLU<Mat3> solver(moments);
+    if (!solver.isInvertible())
+    {
+      return fallback;
+    }
+    const Vec3 plane = solver.solve(right);
+    return Vec3(-plane.x(), -plane.y(), 1.0).normalized();
+  }
+
+  /// Leans the body, raised as far as it may be, until it clears the surface or no lean clears
+  /// more: a search by steps that are halved where none helps.
+  RestingPose Lean(const RestingPose& from) const
+  {
+    Vec3 lean = Vec3::Zero();
+    const auto leaning = [&](const Vec3& v) { return (ExpMap(v) * from.Orientation).normalized(); };
+    double gap = this->Gap(leaning(lean), this->MostShift, 0.0);
+    for (double step = 0.16; step > 2e-3 && gap < 0.0;)
+    {
+      Vec3 best = lean;
+      for (int way = 0; way < 8; ++way)
+      {
+        const double angle = 0.25 * way * std::acos(-1.0);
+        const Vec3 next = lean + step * Vec3(std::cos(angle), std::sin(angle), 0.0);
+        const double there =
+          next.norm() > LargestLean ? -1e30 : this->Gap(leaning(next), this->MostShift, 0.0);
+        if (there > gap)
+        {
+          gap = there;
+          best = next;
+        }
+      }
+      step = best == lean ? 0.5 * step : step;
+      lean = best;
+    }
+    const RestingPose leant = this->Settle(leaning(lean));
+    return leant.Depth < from.Depth ? leant : from;
+  }
+
+private:
+  /// Least signed distance of a vertex [m], at most the limit.
+  double Gap(const Quat& q, double shift, double limit) const
+  {
+    double least = limit;
+    for (const Vec3& point : this->Mesh.Points)
+    {
+      const Vec3 r = q * point;
+      const double d = this->Obstacles.SignedDistance(this->Center + r + shift * Vec3::UnitZ(),
+                                                      this->Frame, least);
+      least = std::min(least, d);
+    }
+    return least;
+  }
+
+  const TriangleMesh& Mesh;
+  const ObstacleSet& Obstacles;
+  double Frame;
+  Vec3 Center;
+  double MostShift;
+};
+} // namespace
+
+RestingPose LayDown(const TriangleMesh& mesh, const ObstacleSet& obstacles, double frame,
+                    const Vec3& center, const Vec3& normal, const Quat& heading, double mostShift)
+{
+  const auto along = [&](const Vec3& n)
+  {
+    const Mat3 turn = heading.toRotationMatrix();
+    return (LeastTurn(turn.col(2), n, turn.col(0)) * heading).normalized();
+  };
+  const Layer layer(mesh, obstacles, frame, center, mostShift);
+  RestingPose best = layer.Settle(along(normal));
+  if (best.Depth > Touching)
+  {
+    const RestingPose fitted = layer.Settle(along(layer.MeanNormal(best.Orientation, normal)));
+    for (const RestingPose& pose : { fitted, layer.Lean(fitted), layer.Lean(best) })
+    {
+      best = pose.Depth < best.Depth ? pose : best;
+    }
+  }
+  return best;
+}
+
+} // namespace waft
