@@ -170,3 +170,30 @@ TEST(PanelBody, AddedMassOfADisc)
   EXPECT_NEAR(body.Panels.AddedInertia()(0, 0), 16.0 / 45.0 * std::pow(0.05, 5), 1e-10);
   EXPECT_NEAR(body.Panels.AddedInertia()(2, 2), 0.0, 1e-20);
 }
+
+TEST(PanelBody, TorqueOfAnOffCentreTwoPanelPlate)
+{
+  // Two squares of 0.1 m, at x = 0.15 level and at x = -0.1 tilted by 60 degrees about y.
+  Shape plate;
+  const auto add = [&](const Vec3& center, const Vec3& u, const Vec3& v)
+  {
+    const int first = static_cast<int>(plate.Mesh.Points.size());
+    for (const Vec3& corner : { Vec3(-u - v), Vec3(u - v), Vec3(u + v), Vec3(v - u) })
+    {
+      plate.Mesh.Points.push_back(center + corner);
+    }
+    plate.Mesh.Triangles.push_back({ first, first + 1, first + 2 });
+    plate.Mesh.Triangles.push_back({ first, first + 2, first + 3 });
+  };
+  const double tilt = std::acos(-1.0) / 3.0;
+  const Vec3 left(-0.1, 0.02, 0.01);
+  const Vec3 right(0.15, -0.03, 0.0);
+  add(right, 0.05 * Vec3::UnitX(), 0.05 * Vec3::UnitY());
+  add(left, 0.05 * Vec3(std::cos(tilt), 0.0, std::sin(tilt)), 0.05 * Vec3::UnitY());
+  const Wrench drag =
+    Prepare(plate).Panels.Evaluate(Vec3(0.0, 0.0, -1.7), Mat3::Zero(), PaperDrag());
+  const double press = 0.5 * 1.1 * 1.7 * 1.7;
+  const Vec3 expected = right.cross(Vec3(0.0, 0.0, press * 0.01)) +
+                        left.cross(Vec3(0.0, 0.0, press * 0.01 * std::cos(tilt)));
+  EXPECT_LT((drag.Torque - expected).norm(), 0.02 * expected.norm());
+}
