@@ -138,6 +138,13 @@ void NeighborList::Update(const SphKernelTable& kernels, std::size_t n, std::siz
   constexpr int ManyUses = 15;
   constexpr float NarrowestSkin = 0.1f;
   constexpr float WidestSkin = 0.5f;
+  if (this->IsRestored && this->Reference.size() == 3 * n)
+  {
+    const std::vector<float> at = this->Reference;
+    this->Build(kernels, n, numberOfGas, at.data(), at.data() + n, at.data() + 2 * n,
+                support + this->Skin, scratch);
+  }
+  this->IsRestored = false;
   if (!this->IsStale(x, y, z, 0.5f * this->Skin))
   {
     ++this->Uses;
@@ -175,6 +182,17 @@ bool NeighborList::IsStale(const float* x, const float* y, const float* z, float
     largest = largest > d2 ? largest : d2;
   }
   return !(largest <= distance * distance);
+}
+
+void NeighborList::Exchange(StateStream& stream)
+{
+  stream.Values(this->Skin, this->Uses);
+  stream.List(this->Reference);
+  if (stream.IsReading())
+  {
+    this->Count = 0;
+    this->IsRestored = !this->Reference.empty();
+  }
 }
 
 SphNeighbors NeighborList::View() const

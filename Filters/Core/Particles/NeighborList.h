@@ -2,6 +2,7 @@
 // Verlet lists with a skin: valid until a particle has moved half the skin.
 #pragma once
 
+#include "Base/StateStream.h"
 #include "Particles/SphKernels.h"
 
 #include <cstddef>
@@ -34,6 +35,10 @@ public:
   /// True when a particle has moved farther than `distance` since Build, or nothing was built.
   bool IsStale(const float* x, const float* y, const float* z, float distance) const;
 
+  /// Writes, or reads back, what decides which entries there are, in which order, and when they are
+  /// built anew; after reading, the next Update builds them as they were.
+  void Exchange(StateStream& stream);
+
   SphNeighbors View() const;
   std::size_t NumberOfEntries() const
   {
@@ -43,8 +48,9 @@ public:
 
 private:
   std::size_t Count = 0;
-  float Skin = 0.2f; // [dx]
-  int Uses = 0;      // calls of Update since Build
+  float Skin = 0.2f;       // [dx]
+  int Uses = 0;            // calls of Update since Build
+  bool IsRestored = false; // Reference was read, entries are to be built from it
   std::vector<std::uint32_t> Starts;
   std::vector<std::uint16_t> Narrow;
   std::vector<std::uint32_t> Wide;

@@ -11,7 +11,7 @@ namespace
 
 constexpr double Armijo = 1e-4;
 constexpr int LineSearchTrials = 10;
-constexpr int ToleranceWindow = 20; // iterations
+constexpr std::size_t ToleranceWindow = 20; // iterations
 
 } // namespace
 
@@ -119,20 +119,56 @@ void Lbfgs::Remember(const TimelinePreconditioner& preconditioner,
   this->Rho.push_back(1.0 / sy);
 }
 
+bool Lbfgs::HasConverged(double tolerance) const
+{
+  const std::size_t now = this->Energies.size() - 1;
+  if (now < ToleranceWindow)
+  {
+    return false;
+  }
+  const double before = this->Energies[now - ToleranceWindow];
+  return before - this->Energies[now] < tolerance * before;
+}
+
+void Lbfgs::Exchange(StateStream& stream)
+{
+  const auto vector = [](StateStream& s, StateVector& v) { s.List(v); };
+  stream.List(this->S, vector);
+  stream.List(this->Y, vector);
+  stream.List(this->Rho);
+  stream.List(this->Gradient);
+  stream.List(this->Energies);
+  stream.Values(this->Gamma, this->Terms.E, this->Terms.Ex, this->Terms.Ev, this->Terms.Ec,
+                this->Terms.Beside);
+}
+
 LbfgsEnd Lbfgs::Minimize(SpacetimeObjective& objective,
                          const TimelinePreconditioner& preconditioner, HardConstraints& constraints,
                          const LbfgsOptions& options, const Observer& observer, Monitor* monitor,
                          StateVector& state)
 {
-  SpacetimeTerms terms;
-  constraints.Project(state);
-  if (!objective.Evaluate(state, &this->Gradient, terms, monitor) || !observer(0, terms))
+  SpacetimeTerms& terms = this->Terms;
+  if (!options.GoesOn)
   {
-    return LbfgsEnd::Stopped;
+    constraints.Project(state);
+    this->Energies.clear();
+    if (!objective.Evaluate(state, &this->Gradient, terms, monitor))
+    {
+      return LbfgsEnd::Stopped;
+    }
+    this->Energies.push_back(terms.E);
+    if (!observer(0, terms))
+    {
+      return LbfgsEnd::Stopped;
+    }
   }
-  std::vector<double> energies{ terms.E };
-  for (int iteration = 1; iteration <= options.MaximumNumberOfIterations; ++iteration)
+  while (!this->HasConverged(options.Tolerance))
   {
+    const int iteration = static_cast<int>(this->Energies.size());
+    if (iteration > options.MaximumNumberOfIterations)
+    {
+      return LbfgsEnd::Iterations;
+    }
     constraints.FindActive(state, this->Gradient);
     bool stopped = false;
     this->Direction(preconditioner, constraints);
@@ -156,18 +192,13 @@ LbfgsEnd Lbfgs::Minimize(SpacetimeObjective& objective,
     this->Remember(preconditioner, constraints, state);
     std::swap(state, this->Trial);
     std::swap(this->Gradient, this->TrialGradient);
-    energies.push_back(terms.E);
+    this->Energies.push_back(terms.E);
     if (!observer(iteration, terms))
     {
       return LbfgsEnd::Stopped;
     }
-    if (iteration >= ToleranceWindow && energies[iteration - ToleranceWindow] - terms.E <
-                                          options.Tolerance * energies[iteration - ToleranceWindow])
-    {
-      return LbfgsEnd::Converged;
-    }
   }
-  return LbfgsEnd::Iterations;
+  return LbfgsEnd::Converged;
 }
 
 } // namespace waft

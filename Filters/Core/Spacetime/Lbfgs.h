@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/Monitor.h"
+#include "Base/StateStream.h"
 #include "Spacetime/HardConstraints.h"
 #include "Spacetime/SpacetimeObjective.h"
 #include "Spacetime/TimelinePreconditioner.h"
@@ -17,6 +18,7 @@ struct LbfgsOptions
 {
   int MaximumNumberOfIterations = 100;
   double Tolerance = 1e-2; // stop when E falls by less than this share in 20 iterations; 0: never
+  bool GoesOn = false;     // from the iteration that Exchange read, instead of from iteration 0
 };
 
 enum class LbfgsEnd
@@ -43,7 +45,12 @@ public:
                     HardConstraints& constraints, const LbfgsOptions& options,
                     const Observer& observer, Monitor* monitor, StateVector& state);
 
+  /// From an observer: writes what the iterations after this one depend on, besides the state and
+  /// the objective's lists. Reading: the next Minimize may go on from there.
+  void Exchange(StateStream& stream);
+
 private:
+  bool HasConverged(double tolerance) const;
   void Direction(const TimelinePreconditioner& preconditioner, const HardConstraints& constraints);
   bool LineSearch(SpacetimeObjective& objective, const HardConstraints& constraints,
                   Monitor* monitor, const StateVector& state, SpacetimeTerms& terms, bool& stopped);
@@ -56,6 +63,8 @@ private:
   std::vector<StateVector> S, Y; // ring, the oldest first
   std::vector<double> Rho;       // 1 / s.y
   double Gamma = 1.0;
+  SpacetimeTerms Terms;         // of the present iterate
+  std::vector<double> Energies; // of all iterates of this call of Minimize
 };
 
 } // namespace waft

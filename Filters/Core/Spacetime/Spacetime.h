@@ -44,9 +44,13 @@ struct SpacetimeOptions
   int LeashIterations = 20; // for each of the five radii
   /// Of each pass; the two last stages, over all frames after a coarse level, take a third each.
   int MaximumNumberOfIterations = 150;
-  double Tolerance = 0.01; // least relative fall of E in 20 iterations; 0: none
-  double TimeLimit = 0.0;  // s; 0: none. A limit may break bit-equality
-  int HistorySize = 6;     // of L-BFGS, 1..20
+  double Tolerance = 0.01;    // least relative fall of E in 20 iterations; 0: none
+  double TimeLimit = 0.0;     // s; 0: none. A limit may break bit-equality
+  int HistorySize = 6;        // of L-BFGS, 1..20
+  bool WarmStart = true;      // go on from the motion that the last run left, where there is one
+  std::string CheckpointFile; // empty: none
+  /// s between two writings, at least, and thirty times what one takes; 0: after each iteration.
+  double CheckpointInterval = 10.0;
 
   Result Validate() const;
 };
@@ -101,13 +105,24 @@ struct SpacetimeOutput
   std::vector<std::string> Warnings;
 };
 
+struct SpacetimeMemory; // SpacetimeMemory.h
+
 /// Points of the lattice on which the wind is estimated and handed out; it spans the volume.
 std::array<int, 3> WindLatticeDimensions(const Box& volume);
 
 /// Errors: tracks that are empty, not finite or of different lengths, constraints or tracks without
 /// object, a volume too small for the gas. Stopped (by the monitor): the output holds the best
 /// feasible motion so far; so it does at the TimeLimit, which is a warning.
+///
+/// memory, where there is one, is what the last run left and is left anew: with WarmStart and the
+/// same unknowns (objects, frames, gas) the run goes on from it, else from the planned tracks. An
+/// error empties it.
+///
+/// CheckpointFile is written at intervals, whole or not at all, and removed when the run ends by
+/// itself. One of the same input and options is gone on from, to the same bits as if the run had
+/// never been ended; any other is ignored with a warning.
 Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options,
-                    const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output);
+                    const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
+                    SpacetimeMemory* memory = nullptr);
 
 } // namespace waft

@@ -71,6 +71,14 @@ FrameTerms& SpacetimeObjective::ForwardFrame(const StateVector& state, std::size
   return terms;
 }
 
+void SpacetimeObjective::ExchangeLists(StateStream& stream)
+{
+  for (NeighborList& list : this->Lists)
+  {
+    list.Exchange(stream);
+  }
+}
+
 std::size_t SpacetimeObjective::NumberOfPairs() const
 {
   std::size_t sum = 0;

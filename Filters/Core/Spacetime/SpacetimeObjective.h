@@ -49,6 +49,10 @@ public:
   /// After Evaluate: the velocity residual rv [dx / frame] of a body in the step into frame j.
   void VelocityResidual(std::size_t j, std::size_t body, double rv[3]) const;
 
+  /// Writes, or reads back, what the neighbour lists remember of the evaluations so far: with it
+  /// the next ones give the same bits.
+  void ExchangeLists(StateStream& stream);
+
   /// The rows of one frame at its present state, for outputs. Not thread safe.
   FrameTerms& ForwardFrame(const StateVector& state, std::size_t j);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The whole optimisation on small scenes.
 #include "Spacetime/Spacetime.h"
-#include "SpacetimeScenes.h"
+#include "SpacetimeRuns.h"
 
 #include <gtest/gtest.h>
 
@@ -12,27 +12,6 @@ using namespace waft;
 
 namespace
 {
-
-SpacetimeOptions QuickOptions()
-{
-  SpacetimeOptions options;
-  options.NumberOfGasParticles = 343;
-  options.NumberOfObjectParticles = 25;
-  options.LeashIterations = 8;
-  options.MaximumNumberOfIterations = 40;
-  return options;
-}
-
-SpacetimeOutput RunScene(const SpacetimeInput& input, const SpacetimeOptions& options,
-                         int threads = 2)
-{
-  SilentMonitor monitor;
-  SpacetimeOutput output;
-  const Result result = RunSpacetime(input, options, ThreadedFor(threads), monitor, output);
-  EXPECT_TRUE(result) << result.Message();
-  EXPECT_FALSE(result.IsStopped());
-  return output;
-}
 
 void ExpectMonotone(const SpacetimeOutput& output)
 {

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a computation needs to go on later, as a stream of bytes: one function of a class both
+// writes it and reads it back, so that the two cannot differ.
+#pragma once
+
+#include "Base/Result.h"
+#include "Base/Types.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace waft
+{
+
+/// A sum over bytes that tells damaged or other data apart: FNV-1a over words of eight bytes. It
+/// does not depend on how the bytes are cut into pieces.
+class Checksum
+{
+public:
+  void Add(const void* bytes, std::size_t size);
+  std::uint64_t Sum() const;
+
+private:
+  static std::uint64_t Mix(std::uint64_t sum, std::uint64_t word);
+  void AddByte(unsigned char byte);
+
+  std::uint64_t Value = 14695981039346656037ull;
+  std::uint64_t Word = 0; // bytes that do not fill a word yet
+  std::size_t Held = 0;   // and how many they are
+};
+
+/// Bytes in the machine's own order. Writing leaves what is named as it is. Once anything fails
+/// nothing more is moved and IsGood is false.
+class StateStream
+{
+public:
+  virtual ~StateStream() = default;
+  virtual bool IsReading() const = 0;
+  bool IsGood() const { return this->Good; }
+
+  template <class T>
+  void Value(T& value)
+  {
+    static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
+    this->Move(&value, sizeof(T));
+  }
+  void Value(Vec3& value) { this->Move(value.data(), 3 * sizeof(double)); }
+  template <class... T>
+  void Values(T&... values)
+  {
+    (this->Value(values), ...);
+  }
+  void Text(std::string& text)
+  {
+    text.resize(this->Count(text.size(), 1));
+    this->Move(text.data(), text.size());
+  }
+  /// Of numbers, points or arrays of numbers.
+  template <class T>
+  void List(std::vector<T>& values)
+  {
+    static_assert(std::is_trivially_copyable_v<T> || std::is_same_v<T, Vec3>);
+    this->Resize(values, sizeof(T));
+    this->Move(values.data(), values.size() * sizeof(T));
+  }
+  /// Of anything: exchange(stream, element) moves one.
+  template <class T, class Exchange>
+  void List(std::vector<T>& values, const Exchange& exchange)
+  {
+    this->Resize(values, 1);
+    for (T& value : values)
+    {
+      exchange(*this, value);
+    }
+  }
+
+protected:
+  virtual bool Bytes(void* bytes, std::size_t size) = 0;
+  /// Bytes that may still be read: a damaged number of elements is not believed.
+  virtual std::uint64_t Left() const { return UINT64_MAX; }
+  void Fail() { this->Good = false; }
+
+private:
+  void Move(void* bytes, std::size_t size)
+  {
+    this->Good = this->Good && (size == 0 || this->Bytes(bytes, size));
+  }
+  std::size_t Count(std::size_t count, std::size_t bytes)
+  {
+    std::uint64_t moved = count;
+    this->Value(moved);
+    this->Good = this->Good && (!this->IsReading() || moved <= this->Left() / bytes);
+    return this->IsReading() && !this->Good ? 0 : static_cast<std::size_t>(moved);
+  }
+  template <class T>
+  void Resize(std::vector<T>& values, std::size_t bytes)
+  {
+    const std::size_t count = this->Count(values.size(), bytes);
+    if (this->IsReading())
+    {
+      values.resize(count);
+    }
+  }
+
+  bool Good = true;
+};
+
+/// Keeps nothing but the checksum.
+class DigestStream : public StateStream
+{
+public:
+  bool IsReading() const override { return false; }
+  std::uint64_t Sum() const { return this->Checks.Sum(); }
+
+protected:
+  bool Bytes(void* bytes, std::size_t size) override
+  {
+    this->Checks.Add(bytes, size);
+    return true;
+  }
+
+private:
+  Checksum Checks;
+};
+
+/// Writes a file whole or not at all: under a name of its own, renamed by Commit.
+class StateFileWriter : public StateStream
+{
+public:
+  explicit StateFileWriter(const std::string& path);
+  ~StateFileWriter() override;
+  StateFileWriter(const StateFileWriter&) = delete;
+  void operator=(const StateFileWriter&) = delete;
+
+  bool IsReading() const override { return false; }
+  /// The file takes its place, its checksum at the end. Errors name the path and the reason; what
+  /// stood there before is then untouched and nothing is left beside it.
+  Result Commit();
+
+protected:
+  bool Bytes(void* bytes, std::size_t size) override;
+
+private:
+  std::string Path, Part;
+  std::FILE* File = nullptr;
+  int Reason = 0;
+  Checksum Checks;
+};
+
+/// True when there is a file that StateFileWriter wrote, and it is whole.
+bool IsWholeStateFile(const std::string& path);
+
+/// Reads what StateFileWriter wrote.
+class StateFileReader : public StateStream
+{
+public:
+  explicit StateFileReader(const std::string& path);
+  ~StateFileReader() override;
+  StateFileReader(const StateFileReader&) = delete;
+  void operator=(const StateFileReader&) = delete;
+
+  bool IsReading() const override { return true; }
+  /// Nothing is left over.
+  bool IsAtEnd() const { return this->IsGood() && this->Rest == 0; }
+
+protected:
+  bool Bytes(void* bytes, std::size_t size) override;
+  std::uint64_t Left() const override { return this->Rest; }
+
+private:
+  friend bool IsWholeStateFile(const std::string& path);
+  std::FILE* File = nullptr;
+  std::uint64_t Rest = 0; // bytes before the checksum
+};
+
+} // namespace waft

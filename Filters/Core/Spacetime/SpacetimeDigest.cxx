@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/SpacetimeDigest.h"
+
+#include "Particles/SphKernels.h"
+
+#include <set>
+
+namespace waft
+{
+
+void Exchange(StateStream& stream, Vortex& v)
+{
+  stream.Values(v.VortexId, v.P1, v.P2, v.Strength, v.CenterTime, v.Duration, v.CoreRadius,
+                v.Confidence, v.ObjectCount);
+}
+
+void Exchange(StateStream& stream, SplineWind& wind)
+{
+  stream.Values(wind.Dimensions[0], wind.Dimensions[1], wind.Dimensions[2], wind.Origin,
+                wind.Spacing, wind.FramesPerKnot, wind.Drag);
+  stream.List(wind.Knots, [](StateStream& s, std::vector<float>& knot) { s.List(knot); });
+}
+
+namespace
+{
+
+// A digest changes nothing of what it reads.
+template <class T>
+T& Read(const T& value)
+{
+  return const_cast<T&>(value);
+}
+
+void AddScene(DigestStream& sum, const SceneInfo& scene)
+{
+  SceneInfo s = scene;
+  sum.Values(s.Bounds.Min, s.Bounds.Max, s.Time.NumberOfFrames, s.Time.FramesPerSecond,
+             s.AirDensity, s.Seed);
+}
+
+void AddSurroundings(DigestStream& sum, const SpacetimeInput& input)
+{
+  for (const ObstacleMesh& obstacle : input.Obstacles)
+  {
+    sum.Value(Read(obstacle.ObstacleId));
+    sum.List(Read(obstacle.Mesh.Points));
+    sum.List(Read(obstacle.Mesh.Triangles));
+    sum.List(Read(obstacle.Offsets));
+  }
+  FieldSeries& wind = Read(input.Wind);
+  sum.Values(wind.Meaning, wind.Dimensions[0], wind.Dimensions[1], wind.Dimensions[2], wind.Origin,
+             wind.Spacing);
+  sum.List(wind.Times);
+  sum.List(wind.Values,
+           [](StateStream& s, std::vector<std::array<float, 3>>& values) { s.List(values); });
+}
+
+/// What E is made of.
+void AddPhysics(DigestStream& sum, const SpacetimeOptions& options)
+{
+  SpacetimeOptions o = options;
+  sum.Values(o.NumberOfGasParticles, o.NumberOfObjectParticles, o.PositionWeight, o.VelocityWeight,
+             o.CoherenceWeight, o.SpatialShare, o.TemporalWindow, o.SmoothingLength,
+             o.CourantNumber, o.Viscosity, o.XsphFactor, o.PressureExponent, o.EffectiveGravity,
+             o.ContactDistance, o.WindDrag, o.EstimateWind, o.FitVortexFields,
+             o.MaximumNumberOfVortices);
+}
+
+void AddConstraint(DigestStream& sum, const Constraint& row)
+{
+  Constraint c = row;
+  sum.Values(c.ObjectId, c.Frame, c.Kind, c.Value, c.Radius, c.Until, c.Row, c.Target, c.Status);
+}
+
+void AddObject(DigestStream& sum, const MotionObject& object)
+{
+  MotionObject o = object;
+  sum.Values(o.ObjectId, o.SettlingSpeed, o.ClearanceRadius, o.RestHeight);
+}
+
+std::uint64_t DigestOfVortices(const std::vector<Vortex>& vortices, const std::set<int>& without)
+{
+  DigestStream sum;
+  for (const Vortex& vortex : vortices)
+  {
+    if (without.count(vortex.VortexId) == 0)
+    {
+      Exchange(sum, Read(vortex));
+    }
+  }
+  return sum.Sum();
+}
+
+std::vector<std::uint64_t> DigestOfPlaces(const SpacetimeSetup& setup)
+{
+  const SpacetimeModel& model = setup.Model;
+  const std::size_t no = model.NumberOfObjects;
+  std::vector<DigestStream> sums(model.Flags.size());
+  for (std::size_t place = 0; place < sums.size(); ++place)
+  {
+    DigestStream& sum = sums[place];
+    sum.Values(Read(setup.Table.Planned[place]), Read(model.Flags[place]),
+               Read(model.Reach[place]));
+    if (model.Flags[place] & FixedPosition)
+    {
+      sum.Value(Read(setup.ExactPositions[place]));
+    }
+  }
+  for (const PositionBall& ball : setup.Table.Balls)
+  {
+    sums[static_cast<std::size_t>(ball.Frame) * no + ball.Object].Values(Read(ball.Center),
+                                                                         Read(ball.Radius));
+  }
+  for (const LinearRow& row : setup.Table.Rows)
+  {
+    for (const LinearRow::Term& term : row.Terms)
+    {
+      sums[static_cast<std::size_t>(term.Frame) * no + row.Object].Values(
+        Read(term.Coefficient), Read(row.Value), Read(row.Radius));
+    }
+  }
+  std::vector<std::uint64_t> places;
+  for (const DigestStream& sum : sums)
+  {
+    places.push_back(sum.Sum());
+  }
+  return places;
+}
+
+} // namespace
+
+std::uint64_t DigestOfRun(const SpacetimeInput& input, const SpacetimeOptions& options)
+{
+  DigestStream sum;
+  std::string kernels = FastestSphKernels().Name;
+  sum.Text(kernels);
+  AddScene(sum, input.Scene);
+  AddSurroundings(sum, input);
+  AddPhysics(sum, options);
+  SpacetimeOptions o = options;
+  sum.Values(o.Passes, o.UseLeash, o.LeashIterations, o.MaximumNumberOfIterations, o.Tolerance,
+             o.HistorySize);
+  for (const Track& track : input.Tracks)
+  {
+    sum.Value(Read(track.ObjectId));
+    sum.List(Read(track.Positions));
+    sum.List(Read(track.VortexIds));
+  }
+  for (const MotionObject& object : input.Objects)
+  {
+    AddObject(sum, object);
+    sum.Value(Read(object.Position));
+  }
+  for (const Constraint& row : input.Constraints)
+  {
+    AddConstraint(sum, row);
+  }
+  for (const Vortex& vortex : input.Vortices)
+  {
+    Exchange(sum, Read(vortex));
+  }
+  return sum.Sum();
+}
+
+ProblemDigest DigestOfProblem(const SpacetimeInput& input, const SpacetimeOptions& options,
+                              const SpacetimeSetup& setup)
+{
+  ProblemDigest digest;
+  DigestStream shape;
+  shape.Values(Read(setup.Model.Size), Read(setup.Model.NumberOfFrames), Read(setup.Origin),
+               Read(setup.Spacing), Read(setup.FrameStep));
+  std::uint64_t counts[3] = { setup.Model.NumberOfGas, setup.Model.NumberOfObjects,
+                              setup.Model.Offsets.size() };
+  shape.Values(counts[0], counts[1], counts[2]);
+  DigestStream physics;
+  AddScene(physics, input.Scene);
+  AddSurroundings(physics, input);
+  AddPhysics(physics, options);
+  for (const MotionObject& object : setup.Objects)
+  {
+    shape.Value(Read(object.ObjectId));
+    AddObject(physics, object);
+  }
+  std::set<int> claimed;
+  for (const Track& track : input.Tracks)
+  {
+    claimed.insert(track.VortexIds.begin(), track.VortexIds.end());
+  }
+  digest.Shape = shape.Sum();
+  digest.Physics = physics.Sum();
+  digest.Vortices = DigestOfVortices(input.Vortices, {});
+  digest.SceneVortices = DigestOfVortices(input.Vortices, claimed);
+  digest.Places = DigestOfPlaces(setup);
+  return digest;
+}
+
+} // namespace waft

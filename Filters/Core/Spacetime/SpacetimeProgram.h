@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a run does, step by step: known before it begins, so that it can be left and taken up again
+// at any step.
+#pragma once
+
+#include "Spacetime/Spacetime.h"
+#include "Spacetime/SpacetimeSetup.h"
+
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+/// Either minimises E or estimates the force fields anew.
+struct SpacetimeStep
+{
+  bool IsCoarse = false; // on the coarse level of time
+  bool IsUpdate = false; // of the fields
+  bool FitsVortices = false;
+  int Pass = 1;
+  std::string Name;   // of a minimisation: its stage in Convergence
+  int Iterations = 0; // at most
+  double Leash = 0.0; // m; 0: none
+};
+
+struct SpacetimeProgram
+{
+  std::vector<int> CoarseFrames; // empty: no coarse level is worth while
+  std::vector<SpacetimeStep> Steps;
+
+  /// Iterations at full resolution that steps from `first` on may take.
+  double Work(std::size_t first, int numberOfFrames) const;
+  /// The first step at full resolution, and the step of a name (as a last resort the former).
+  std::size_t FirstFine() const;
+  std::size_t Find(const std::string& name) const;
+};
+
+/// From planned tracks: leash and passes, coarse to fine.
+SpacetimeProgram PlanProgram(const SpacetimeSetup& setup, const SpacetimeOptions& options,
+                             double width);
+/// From a motion that was solved before, under conditions that may have changed.
+SpacetimeProgram PlanAgain(const SpacetimeOptions& options, bool fitVortices);
+
+} // namespace waft

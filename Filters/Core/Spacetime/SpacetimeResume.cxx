@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a run goes on from: a checkpoint of one that was ended, or the motion kept by the last one.
+#include "Spacetime/SpacetimeRun.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace waft
+{
+namespace
+{
+
+constexpr const char* Format = "Waft spacetime checkpoint 1";
+constexpr double WritingShare = 1.0 / 30.0; // of the time, for checkpoints
+
+void ExchangeStep(StateStream& stream, SpacetimeStep& step)
+{
+  stream.Values(step.IsCoarse, step.IsUpdate, step.FitsVortices, step.Pass, step.Iterations,
+                step.Leash);
+  stream.Text(step.Name);
+}
+
+void ExchangeRow(StateStream& stream, ConvergenceRow& row)
+{
+  stream.Values(row.Pass, row.Iteration, row.E, row.Ex, row.Ev, row.Ec, row.MaxViolation, row.Leash,
+                row.Seconds);
+  stream.Text(row.Stage);
+}
+
+} // namespace
+
+// The order is that of reading: the solver can be made once level and frames are known.
+void SpacetimeRun::ExchangeCheckpoint(StateStream& stream)
+{
+  std::uint64_t next = this->Next;
+  bool coarse = this->IsCoarse;
+  stream.List(this->Program.Steps, ExchangeStep);
+  stream.List(this->Program.CoarseFrames);
+  stream.Values(next, coarse, this->GoesOn, this->StartEnergy, this->Before);
+  stream.List(this->Output.Convergence, ExchangeRow);
+  stream.List(this->Setup.Model.Vortices, [](StateStream& s, Vortex& v) { Exchange(s, v); });
+  Exchange(stream, this->Setup.Model.Wind);
+  if (stream.IsReading())
+  {
+    this->Next = static_cast<std::size_t>(next);
+    this->IsCoarse = coarse;
+    this->State.assign(this->Setup.Model.NumberOfFrames * this->Setup.Model.FrameSize(), 0.0f);
+  }
+  stream.List(this->LevelState());
+  if (stream.IsReading())
+  {
+    this->EnterLevel(coarse);
+  }
+  this->Solver->Objective.ExchangeLists(stream);
+  this->Solver->Solver.Exchange(stream);
+}
+
+void SpacetimeRun::KeepCheckpoint(bool now)
+{
+  const double since = this->Elapsed() - this->LastCheckpoint;
+  double interval = this->Options.CheckpointInterval;
+  if (interval > 0.0)
+  {
+    interval = std::max(interval, this->CheckpointCost / WritingShare);
+  }
+  if (this->Options.CheckpointFile.empty() || this->HasCheckpointFailed || this->IsCut ||
+      (!now && since < interval))
+  {
+    return;
+  }
+  const double from = this->Elapsed();
+  StateFileWriter file(this->Options.CheckpointFile);
+  std::string format = Format;
+  std::uint64_t key = DigestOfRun(this->Input, this->Options);
+  file.Text(format);
+  file.Value(key);
+  const double before = std::exchange(this->Before, this->Seconds());
+  this->ExchangeCheckpoint(file);
+  this->Before = before;
+  if (const Result result = file.Commit(); !result)
+  {
+    this->HasCheckpointFailed = true;
+    this->Output.Warnings.push_back("CheckpointFile: " + result.Message());
+  }
+  this->LastCheckpoint = this->Elapsed();
+  this->CheckpointCost = this->LastCheckpoint - from;
+}
+
+bool SpacetimeRun::Resume()
+{
+  const std::string& path = this->Options.CheckpointFile;
+  if (path.empty() || !StateFileReader(path).IsGood())
+  {
+    return false;
+  }
+  const auto ignore = [&](const char* reason)
+  {
+    this->Output.Warnings.push_back("CheckpointFile: " + path + " " + reason +
+                                    ": ignored, solved from the start");
+    return false;
+  };
+  if (!IsWholeStateFile(path))
+  {
+    return ignore("is damaged");
+  }
+  StateFileReader file(path);
+  std::string format;
+  std::uint64_t key = 0;
+  file.Text(format);
+  if (format != Format)
+  {
+    return ignore("is no checkpoint of this version");
+  }
+  file.Value(key);
+  if (key != DigestOfRun(this->Input, this->Options))
+  {
+    return ignore("belongs to other inputs or properties");
+  }
+  this->ExchangeCheckpoint(file);
+  this->IsInside = true;
+  return true;
+}
+
+bool SpacetimeRun::GoOn()
+{
+  if (this->Memory == nullptr || this->Memory->IsEmpty() || !this->Options.WarmStart)
+  {
+    return false;
+  }
+  const ProblemDigest digest = DigestOfProblem(this->Input, this->Options, this->Setup);
+  SpacetimeMemory& memory = *this->Memory;
+  if (digest.Shape != memory.Digest.Shape)
+  {
+    return false;
+  }
+  // Vortices that came with new plans are not taken in, those that somebody changed are.
+  const bool isPlanned = digest.Places != memory.Digest.Places;
+  const bool hasNewVortices = isPlanned ? digest.SceneVortices != memory.Digest.SceneVortices
+                                        : digest.Vortices != memory.Digest.Vortices;
+  SpacetimeModel& model = this->Setup.Model;
+  const std::vector<Vortex> given = model.Vortices;
+  if (!hasNewVortices)
+  {
+    model.Vortices = memory.Vortices;
+  }
+  model.Wind = this->Options.EstimateWind ? memory.Wind : SplineWind();
+  this->State = memory.State;
+  this->MoveToPlan();
+  const SpacetimeTerms terms = this->Measure();
+  if (!std::isfinite(terms.E))
+  {
+    this->Output.Warnings.push_back(
+      "WarmStart: the motion so far has no finite cost under what changed: solved from the start");
+    model.Vortices = given;
+    model.Wind = SplineWind();
+    return false;
+  }
+  this->GoesOn = true;
+  this->StartEnergy = terms.E;
+  if (memory.Stage.empty())
+  {
+    this->Program = PlanAgain(this->Options, hasNewVortices);
+  }
+  else
+  {
+    this->Program = PlanProgram(this->Setup, this->Options, this->Input.Scene.Bounds.Width());
+    this->Next = this->Program.Find(memory.Stage);
+  }
+  this->Record(0, "so far", 0, terms, 0.0, 0.0);
+  return true;
+}
+
+// Objects whose plan was changed keep their way from the plan; all rows hold.
+void SpacetimeRun::MoveToPlan()
+{
+  const SpacetimeModel& model = this->Setup.Model;
+  const std::size_t stride = model.Stride();
+  const std::size_t no = model.NumberOfObjects;
+  for (std::size_t place = 0; place < this->Memory->Planned.size(); ++place)
+  {
+    const auto shift = [&](std::size_t at) -> Vec3
+    { return this->Setup.Table.Planned[at] - this->Memory->Planned[at]; };
+    const Vec3 here = shift(place);
+    const Vec3 change = place >= no ? Vec3(here - shift(place - no)) : Vec3::Zero();
+    if (here.isZero(0.0) && change.isZero(0.0))
+    {
+      continue;
+    }
+    float* p =
+      this->State.data() + (place / no) * model.FrameSize() + model.NumberOfGas + place % no;
+    for (int c = 0; c < 3; ++c)
+    {
+      p[c * stride] += static_cast<float>(here[c]);
+      p[(3 + c) * stride] += static_cast<float>(change[c]);
+    }
+  }
+  const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
+  HardConstraints(model, full, this->Setup.Table, this->Parallel).Project(this->State);
+}
+
+void SpacetimeRun::Remember(std::vector<std::vector<Vec3>> positions)
+{
+  if (this->Memory == nullptr)
+  {
+    return;
+  }
+  SpacetimeMemory& memory = *this->Memory;
+  memory.Digest = DigestOfProblem(this->Input, this->Options, this->Setup);
+  memory.State = std::move(this->State);
+  memory.Vortices = this->Setup.Model.Vortices;
+  memory.Wind = this->Setup.Model.Wind;
+  memory.Planned = this->Setup.Table.Planned;
+  memory.Positions = std::move(positions);
+  const std::vector<SpacetimeStep>& steps = this->Program.Steps;
+  std::size_t at = this->Next;
+  while (at < steps.size() && steps[at].IsUpdate)
+  {
+    ++at;
+  }
+  memory.Stage = at < steps.size() ? steps[at].Name : "";
+}
+
+} // namespace waft

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/SpacetimeRun.h"
+
+#include "Obstacles/ConstraintCheck.h"
+#include "Spacetime/FieldUpdates.h"
+#include "Spacetime/GasStart.h"
+#include "Spacetime/SpacetimeExport.h"
+#include "Spacetime/TimeLevels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace waft
+{
+namespace
+{
+
+constexpr double CoarseTimeShare = 0.5; // of a time limit, for the coarse level
+
+/// Progress of one step as a part of the whole.
+class StepMonitor : public Monitor
+{
+public:
+  StepMonitor(Monitor& outer, double from, double to, int steps) :
+    Outer(outer), From(std::min(1.0, from)), To(std::min(1.0, to)), Steps(std::max(1, steps))
+  {
+  }
+  bool Tick(double fraction, const std::string&) override
+  {
+    const double done = std::min(1.0, (this->Done + fraction) / this->Steps);
+    this->Going =
+      this->Outer.Tick(this->From + (this->To - this->From) * done, this->Text) && this->Going;
+    return this->Going;
+  }
+  int Done = 0;
+  std::string Text;
+  bool Going = true;
+
+private:
+  Monitor& Outer;
+  double From, To;
+  int Steps;
+};
+
+} // namespace
+
+SpacetimeRun::SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& options,
+                           const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
+                           SpacetimeMemory* memory) :
+  Input(input),
+  Options(options), Parallel(parallel), Progress(monitor), Output(output), Memory(memory),
+  Clock(std::chrono::steady_clock::now())
+{
+}
+
+double SpacetimeRun::Elapsed() const
+{
+  const std::chrono::duration<double> d = std::chrono::steady_clock::now() - this->Clock;
+  return d.count();
+}
+
+bool SpacetimeRun::TimeIsUp() const
+{
+  const double share = this->IsCoarse ? CoarseTimeShare : 1.0;
+  return this->Options.TimeLimit > 0.0 && this->Elapsed() > this->Options.TimeLimit * share;
+}
+
+void SpacetimeRun::Record(int pass, const std::string& stage, int iteration,
+                          const SpacetimeTerms& terms, double violation, double leash)
+{
+  ConvergenceRow row;
+  row.Pass = pass;
+  row.Stage = stage;
+  row.Iteration = iteration;
+  row.E = terms.E;
+  row.Ex = terms.Ex;
+  row.Ev = terms.Ev;
+  row.Ec = terms.Ec;
+  row.MaxViolation = std::max(0.0, violation) * this->Setup.Spacing;
+  row.Leash = leash;
+  row.Seconds = this->Seconds();
+  this->Output.Convergence.push_back(std::move(row));
+}
+
+SpacetimeTerms SpacetimeRun::Measure()
+{
+  const TimeLevel full =
+    TimeLevel::Full(this->Setup.Model.NumberOfFrames, this->Options.TemporalWindow);
+  SpacetimeObjective objective(this->Setup.Model, full, this->Parallel, FastestSphKernels());
+  SpacetimeTerms terms;
+  objective.Evaluate(this->State, nullptr, terms);
+  return terms;
+}
+
+Result SpacetimeRun::Begin()
+{
+  this->State = std::move(this->Setup.Start);
+  this->Program = PlanProgram(this->Setup, this->Options, this->Input.Scene.Bounds.Width());
+  const SpacetimeModel& model = this->Setup.Model;
+  const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
+  SpacetimeObjective objective(model, full, this->Parallel, FastestSphKernels());
+  SpacetimeTerms terms;
+  objective.Evaluate(this->State, nullptr, terms);
+  if (!std::isfinite(terms.E))
+  {
+    return Result::Error("Tracks: the planned motion has no finite cost");
+  }
+  this->StartEnergy = terms.E;
+  this->Record(0, "initial", 0, terms, 0.0, 0.0);
+  StepMonitor monitor(this->Progress, 0.0, 0.0, 1);
+  monitor.Text = "spacetime: moving the gas";
+  if (StartGas(objective, this->Parallel, monitor, this->State))
+  {
+    objective.Evaluate(this->State, nullptr, terms);
+    this->Record(0, "gas moved", 0, terms, 0.0, 0.0);
+  }
+  this->Stopped = !monitor.Going;
+  return Result::Ok();
+}
+
+void SpacetimeRun::EnterLevel(bool coarse)
+{
+  if (this->Solver && coarse == this->IsCoarse)
+  {
+    return;
+  }
+  const SpacetimeModel& model = this->Setup.Model;
+  this->LeaveLevel();
+  TimeLevel level = coarse
+                      ? TimeLevel::Make(this->Program.CoarseFrames, this->Options.TemporalWindow)
+                      : TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
+  if (coarse && this->CoarseState.empty())
+  {
+    this->CoarseState = Restrict(model, level, this->State);
+  }
+  this->IsCoarse = coarse;
+  this->Solver = std::make_unique<LevelSolver>(this->Setup, std::move(level), this->Parallel,
+                                               this->Options.HistorySize);
+}
+
+void SpacetimeRun::LeaveLevel()
+{
+  if (this->Solver && this->IsCoarse)
+  {
+    Prolong(this->Setup.Model, this->Solver->Level, this->CoarseState, this->State);
+    this->CoarseState = StateVector();
+  }
+  this->Solver.reset(); // before the next one, which is as large
+}
+
+void SpacetimeRun::TakeSteps()
+{
+  const std::vector<SpacetimeStep>& steps = this->Program.Steps;
+  while (!this->Stopped && this->Next < steps.size())
+  {
+    const SpacetimeStep& step = steps[this->Next];
+    this->EnterLevel(step.IsCoarse);
+    if (step.IsUpdate ? this->UpdateFields(step) : this->Minimize(step))
+    {
+      ++this->Next;
+    }
+    else if (this->IsCoarse && !this->Stopped) // its share of the time is up
+    {
+      this->Next = this->Program.FirstFine();
+    }
+    else
+    {
+      break;
+    }
+    this->IsInside = false;
+  }
+  this->LeaveLevel();
+}
+
+bool SpacetimeRun::Minimize(const SpacetimeStep& step)
+{
+  const int frames = this->Setup.Model.NumberOfFrames;
+  const double from = 1.0 - this->Program.Work(this->Next, frames) / this->AllWork;
+  const double to = 1.0 - this->Program.Work(this->Next + 1, frames) / this->AllWork;
+  StepMonitor monitor(this->Progress, from, to, step.Iterations);
+  monitor.Text = "spacetime: " + step.Name;
+  monitor.Done = this->IsInside ? this->Output.Convergence.back().Iteration : 0;
+  LevelSolver& solver = *this->Solver;
+  StateVector& state = this->LevelState();
+  solver.Constraints.SetLeash(step.Leash / this->Setup.Spacing);
+  LbfgsOptions options;
+  options.MaximumNumberOfIterations = step.Iterations;
+  options.Tolerance = this->Options.Tolerance;
+  options.GoesOn = this->IsInside;
+  const auto observer = [&](int iteration, const SpacetimeTerms& terms)
+  {
+    this->Record(step.Pass, step.Name, iteration, terms, solver.Constraints.MaxViolation(state),
+                 step.Leash);
+    monitor.Done = iteration;
+    char text[160];
+    std::snprintf(text, sizeof(text), "spacetime: %s, iteration %d, E = %.4g", step.Name.c_str(),
+                  iteration, terms.E);
+    monitor.Text = text;
+    const bool isUp = this->TimeIsUp();
+    this->KeepCheckpoint(isUp);
+    this->IsCut = this->IsCut || isUp;
+    return !isUp;
+  };
+  const LbfgsEnd end =
+    solver.Solver.Minimize(solver.Objective, solver.Preconditioner, solver.Constraints, options,
+                           observer, &monitor, state);
+  this->Stopped = this->Stopped || !monitor.Going;
+  return end != LbfgsEnd::Stopped;
+}
+
+bool SpacetimeRun::UpdateFields(const SpacetimeStep& step)
+{
+  const double done =
+    1.0 - this->Program.Work(this->Next, this->Setup.Model.NumberOfFrames) / this->AllWork;
+  StepMonitor monitor(this->Progress, done, done, 1);
+  LevelSolver& solver = *this->Solver;
+  const StateVector& state = this->LevelState();
+  SpacetimeTerms terms;
+  bool going = true;
+  const double violation = solver.Constraints.MaxViolation(state);
+  if (step.FitsVortices && this->Options.FitVortexFields && !this->Setup.Model.Vortices.empty())
+  {
+    monitor.Text = "spacetime: fitting vortices";
+    going = UpdateVortices(this->Setup, solver.Objective, this->Input.Tracks,
+                           this->Input.Scene.Bounds, this->Input.Scene.Seed, state, monitor, terms);
+    if (going)
+    {
+      this->Record(step.Pass, "vortices " + std::to_string(step.Pass), 0, terms, violation, 0.0);
+    }
+  }
+  if (going && this->Options.EstimateWind)
+  {
+    monitor.Text = "spacetime: estimating the wind";
+    going = UpdateWind(this->Setup.Model, solver.Objective, state, this->Parallel, &monitor, terms);
+    if (going)
+    {
+      this->Record(step.Pass, "wind " + std::to_string(this->Output.Convergence.size()), 0, terms,
+                   violation, 0.0);
+    }
+  }
+  this->Stopped = this->Stopped || !monitor.Going;
+  return going;
+}
+
+Result SpacetimeRun::Run()
+{
+  if (Result result = MakeSetup(this->Input, this->Options, this->Setup); !result)
+  {
+    return result;
+  }
+  this->Output.Spacing = this->Setup.Spacing;
+  if (!this->Resume() && !this->GoOn())
+  {
+    if (Result result = this->Begin(); !result)
+    {
+      return result;
+    }
+  }
+  constexpr double ForUpdates = 1.03;
+  this->AllWork =
+    std::max(1.0, ForUpdates * this->Program.Work(0, this->Setup.Model.NumberOfFrames));
+  this->TakeSteps();
+  return this->Finish();
+}
+
+Result SpacetimeRun::Finish()
+{
+  const TimeLevel level =
+    TimeLevel::Full(this->Setup.Model.NumberOfFrames, this->Options.TemporalWindow);
+  const HardConstraints constraints(this->Setup.Model, level, this->Setup.Table, this->Parallel);
+  constraints.Project(this->State);
+  std::vector<std::vector<Vec3>> positions =
+    ExportPositions(this->Input, this->Setup, this->State, this->Output.Warnings);
+  // Neighbour lists made anew: what is exported of a frame depends on that frame alone.
+  SpacetimeObjective objective(this->Setup.Model, level, this->Parallel, FastestSphKernels());
+  SpacetimeTerms terms;
+  objective.Evaluate(this->State, nullptr, terms);
+  if (!std::isfinite(terms.E))
+  {
+    return Result::Error("spacetime: the cost of the result is not finite");
+  }
+  std::vector<double> ex, ev;
+  std::vector<int> steps;
+  objective.ObjectResiduals(ex, ev, steps);
+  for (std::size_t o = 0; o < ex.size(); ++o)
+  {
+    const double n = std::max(1, steps[o]);
+    this->Output.PositionResiduals.push_back(std::sqrt(2.0 * ex[o] / n));
+    this->Output.VelocityResiduals.push_back(std::sqrt(2.0 * ev[o] / n));
+  }
+  (void)ExportFields(this->Input, this->Setup, objective, this->State, positions, this->Progress,
+                     this->Output);
+  this->Output.Report = this->Setup.Report;
+  MeasureResiduals(this->Input.Constraints, this->Output.Tracks, this->Setup.Objects,
+                   this->Setup.Obstacles, this->Input.Scene, this->Output.Report);
+  this->Record(this->Options.Passes, "final", 0, terms, constraints.MaxViolation(this->State), 0.0);
+
+  const bool finished = this->Next >= this->Program.Steps.size();
+  if (this->IsCut && !finished)
+  {
+    this->Output.Warnings.push_back("TimeLimit: reached before the last stage; the best so far");
+  }
+  const double fall = this->StartEnergy - terms.E;
+  if (finished && fall <= std::max(1e-6, this->Options.Tolerance) * this->StartEnergy)
+  {
+    char text[200];
+    std::snprintf(
+      text, sizeof(text),
+      "spacetime: nothing can be bettered by more than Tolerance: E was %.6g and is %.6g",
+      this->StartEnergy, terms.E);
+    this->Output.Warnings.push_back(text);
+  }
+  if (finished && !this->IsCut && !this->Options.CheckpointFile.empty())
+  {
+    std::remove(this->Options.CheckpointFile.c_str());
+  }
+  this->Remember(std::move(positions));
+  return this->Stopped ? Result::Stopped() : Result::Ok();
+}
+
+} // namespace waft

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One run of the optimisation: where it starts, its steps, what it leaves.
+#pragma once
+
+#include "Spacetime/LevelSolver.h"
+#include "Spacetime/SpacetimeMemory.h"
+#include "Spacetime/SpacetimeProgram.h"
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+class SpacetimeRun
+{
+public:
+  SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& options,
+               const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
+               SpacetimeMemory* memory);
+
+  Result Run();
+
+private:
+  double Elapsed() const; // since this run began [s]
+  double Seconds() const { return this->Before + this->Elapsed(); }
+  bool TimeIsUp() const;
+  void Record(int pass, const std::string& stage, int iteration, const SpacetimeTerms& terms,
+              double violation, double leash);
+
+  /// Where to start. GoOn and Resume: false when there is nothing that fits.
+  Result Begin();
+  bool GoOn();
+  bool Resume();
+  void MoveToPlan();
+  /// The cost of State at full resolution, its neighbour lists made anew.
+  SpacetimeTerms Measure();
+
+  /// The steps from Next on. EnterLevel moves the motion to a step's level of time.
+  void TakeSteps();
+  void EnterLevel(bool coarse);
+  void LeaveLevel();
+  StateVector& LevelState() { return this->IsCoarse ? this->CoarseState : this->State; }
+  /// Both return false when the run was stopped.
+  bool Minimize(const SpacetimeStep& step);
+  bool UpdateFields(const SpacetimeStep& step);
+
+  /// A step's observer calls this after each iterate.
+  void KeepCheckpoint(bool now);
+  void ExchangeCheckpoint(StateStream& stream);
+
+  Result Finish();
+  void Remember(std::vector<std::vector<Vec3>> positions);
+
+  const SpacetimeInput& Input;
+  const SpacetimeOptions& Options;
+  ParallelFor Parallel;
+  Monitor& Progress;
+  SpacetimeOutput& Output;
+  SpacetimeMemory* Memory;
+  std::chrono::steady_clock::time_point Clock;
+  double Before = 0.0; // seconds of the runs that this one goes on from
+
+  SpacetimeSetup Setup;
+  SpacetimeProgram Program;
+  std::size_t Next = 0;  // step
+  bool IsInside = false; // Next's minimisation was left between two iterations
+  StateVector State, CoarseState;
+  std::unique_ptr<LevelSolver> Solver; // of the level that the run is on
+  bool IsCoarse = false;
+
+  double AllWork = 1.0;     // expected, in iterations at full resolution
+  bool Stopped = false;     // by the monitor
+  bool IsCut = false;       // by the time limit: what follows is no course to go on from
+  bool GoesOn = false;      // from an earlier motion
+  double StartEnergy = 0.0; // E of what the run starts with
+  double LastCheckpoint = 0.0, CheckpointCost = 0.0; // s
+  bool HasCheckpointFailed = false;
+};
+
+} // namespace waft

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/StateStream.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+using namespace waft;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+struct Sample
+{
+  int Number = 7;
+  bool Flag = true;
+  Vec3 Place{ 1.0, -0.0, 1e-300 };
+  std::string Name = "leaf";
+  std::vector<float> Row{ 1.0f, 2.0f, 3.0f };
+  std::vector<Vec3> Points{ Vec3(1, 2, 3) };
+  std::vector<std::vector<double>> Rows{ { 1.0 }, {}, { 2.0, 3.0 } };
+
+  void Exchange(StateStream& stream)
+  {
+    stream.Values(this->Number, this->Flag, this->Place);
+    stream.Text(this->Name);
+    stream.List(this->Row);
+    stream.List(this->Points);
+    stream.List(this->Rows, [](StateStream& s, std::vector<double>& row) { s.List(row); });
+  }
+};
+
+std::string FreshPath()
+{
+  const fs::path folder = fs::path(testing::TempDir()) / "waft-state-stream";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return (folder / "state").string();
+}
+
+} // namespace
+
+TEST(StateStream, ReadsBackWhatWasWritten)
+{
+  const std::string path = FreshPath();
+  Sample sample;
+  {
+    StateFileWriter writer(path);
+    sample.Exchange(writer);
+    EXPECT_FALSE(fs::exists(path)); // not before it is whole
+    ASSERT_TRUE(writer.Commit());
+  }
+  EXPECT_TRUE(IsWholeStateFile(path));
+  Sample read;
+  read = { 0, false, Vec3::Zero(), "", {}, { Vec3::Zero(), Vec3::Zero() }, { { 4.0 } } };
+  StateFileReader reader(path);
+  read.Exchange(reader);
+  EXPECT_TRUE(reader.IsAtEnd());
+  EXPECT_EQ(read.Number, sample.Number);
+  EXPECT_EQ(read.Flag, sample.Flag);
+  EXPECT_EQ(read.Place, sample.Place);
+  EXPECT_EQ(read.Name, sample.Name);
+  EXPECT_EQ(read.Row, sample.Row);
+  EXPECT_EQ(read.Points, sample.Points);
+  EXPECT_EQ(read.Rows, sample.Rows);
+}
+
+TEST(StateStream, SeesDamageAndBelievesNoNumberOfElements)
+{
+  const std::string path = FreshPath();
+  Sample sample;
+  StateFileWriter writer(path);
+  sample.Exchange(writer);
+  ASSERT_TRUE(writer.Commit());
+  const auto size = static_cast<long>(fs::file_size(path));
+  for (long at = 0; at < size; ++at)
+  {
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekg(at);
+    const char byte = static_cast<char>(file.get());
+    file.seekp(at);
+    file.put(static_cast<char>(byte ^ 0x40));
+    file.close();
+    EXPECT_FALSE(IsWholeStateFile(path)) << at;
+    StateFileReader reader(path); // must not ask for petabytes
+    Sample read;
+    read.Exchange(reader);
+    std::fstream back(path, std::ios::in | std::ios::out | std::ios::binary);
+    back.seekp(at);
+    back.put(byte);
+  }
+  ASSERT_TRUE(IsWholeStateFile(path));
+  fs::resize_file(path, static_cast<std::uintmax_t>(size - 1));
+  EXPECT_FALSE(IsWholeStateFile(path));
+  fs::resize_file(path, 3);
+  EXPECT_FALSE(IsWholeStateFile(path));
+  EXPECT_FALSE(IsWholeStateFile(path + "none"));
+  EXPECT_FALSE(StateFileReader(path + "none").IsGood());
+}
+
+TEST(StateStream, LeavesTheOldFileUntilTheNewOneIsWhole)
+{
+  const std::string path = FreshPath();
+  Sample sample;
+  {
+    StateFileWriter writer(path);
+    sample.Exchange(writer);
+    ASSERT_TRUE(writer.Commit());
+  }
+  {
+    StateFileWriter writer(path);
+    writer.Value(sample.Number); // and gives up
+  }
+  EXPECT_TRUE(IsWholeStateFile(path));
+  EXPECT_EQ(
+    std::distance(fs::directory_iterator(fs::path(path).parent_path()), fs::directory_iterator()),
+    1);
+  StateFileWriter nowhere(path + "/none/state");
+  sample.Exchange(nowhere);
+  const Result result = nowhere.Commit();
+  EXPECT_FALSE(result);
+  EXPECT_NE(result.Message().find("cannot write"), std::string::npos);
+}
+
+TEST(StateStream, ChecksumsDoNotDependOnHowBytesAreCut)
+{
+  const std::string bytes = "twenty-nine bytes of anything";
+  Checksum whole;
+  whole.Add(bytes.data(), bytes.size());
+  for (std::size_t cut = 0; cut <= bytes.size(); ++cut)
+  {
+    Checksum parts;
+    parts.Add(bytes.data(), cut);
+    parts.Add(bytes.data() + cut, bytes.size() - cut);
+    EXPECT_EQ(parts.Sum(), whole.Sum()) << cut;
+  }
+  Checksum longer;
+  longer.Add(bytes.c_str(), bytes.size() + 1); // a zero more
+  EXPECT_NE(longer.Sum(), whole.Sum());
+}

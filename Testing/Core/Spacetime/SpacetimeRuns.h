@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs of the optimiser that tests share.
+#pragma once
+
+#include "Spacetime/SpacetimeMemory.h"
+#include "SpacetimeScenes.h"
+
+#include <gtest/gtest.h>
+
+namespace waft
+{
+
+inline SpacetimeOptions QuickOptions()
+{
+  SpacetimeOptions options;
+  options.NumberOfGasParticles = 343;
+  options.NumberOfObjectParticles = 25;
+  options.LeashIterations = 8;
+  options.MaximumNumberOfIterations = 40;
+  return options;
+}
+
+inline SpacetimeOutput RunScene(const SpacetimeInput& input, const SpacetimeOptions& options,
+                                int threads = 2, SpacetimeMemory* memory = nullptr)
+{
+  SilentMonitor monitor;
+  SpacetimeOutput output;
+  const Result result = RunSpacetime(input, options, ThreadedFor(threads), monitor, output, memory);
+  EXPECT_TRUE(result) << result.Message();
+  EXPECT_FALSE(result.IsStopped());
+  return output;
+}
+
+/// Every bit of what moves and of the way there.
+inline void ExpectSameMotion(const SpacetimeOutput& a, const SpacetimeOutput& b)
+{
+  ASSERT_EQ(a.Convergence.size(), b.Convergence.size());
+  for (std::size_t k = 0; k < a.Convergence.size(); ++k)
+  {
+    EXPECT_EQ(a.Convergence[k].Stage, b.Convergence[k].Stage);
+    EXPECT_EQ(a.Convergence[k].E, b.Convergence[k].E) << a.Convergence[k].Stage;
+  }
+  ASSERT_EQ(a.Tracks.size(), b.Tracks.size());
+  for (std::size_t o = 0; o < a.Tracks.size(); ++o)
+  {
+    EXPECT_EQ(a.Tracks[o].Positions, b.Tracks[o].Positions);
+    EXPECT_EQ(a.Tracks[o].SphVelocities, b.Tracks[o].SphVelocities);
+    EXPECT_EQ(a.Tracks[o].AirVelocities, b.Tracks[o].AirVelocities);
+  }
+  EXPECT_EQ(a.Wind.Values, b.Wind.Values);
+  ASSERT_EQ(a.Particles.Frames.size(), b.Particles.Frames.size());
+  for (std::size_t k = 0; k < a.Particles.Frames.size(); ++k)
+  {
+    EXPECT_EQ(a.Particles.Frames[k].Positions, b.Particles.Frames[k].Positions);
+    EXPECT_EQ(a.Particles.Frames[k].Velocities, b.Particles.Frames[k].Velocities);
+  }
+}
+
+} // namespace waft
