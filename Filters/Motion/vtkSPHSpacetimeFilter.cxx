@@ -10,6 +10,7 @@
 #include "Bridge/StageExecution.h"
 #include "Bridge/TrackData.h"
 #include "Spacetime/Spacetime.h"
+#include "Spacetime/SpacetimeMemory.h"
 
 #include <vtkCellData.h>
 #include <vtkImageData.h>
@@ -53,6 +54,7 @@ struct vtkSPHSpacetimeFilter::Internals : waft::KeptStage
 {
   vtkSPHSpacetimeFilter* Self;
   waft::SpacetimeOutput Solution;
+  waft::SpacetimeMemory Memory; // of the last run, for the next
 
   explicit Internals(vtkSPHSpacetimeFilter* self) :
     KeptStage(self, PlannedPort, ObstaclesPort, BackgroundPort), Self(self)
@@ -93,6 +95,9 @@ waft::SpacetimeOptions vtkSPHSpacetimeFilter::Internals::Options() const
   options.Tolerance = this->Self->Tolerance;
   options.TimeLimit = this->Self->TimeLimit;
   options.HistorySize = this->Self->HistorySize;
+  options.WarmStart = this->Self->WarmStart;
+  options.CheckpointFile = this->Self->CheckpointFile;
+  options.CheckpointInterval = this->Self->CheckpointInterval;
   return options;
 }
 
@@ -121,7 +126,8 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs
   waft::SpacetimeInput input;
   WAFT_RETURN_IF_FAILED(this->Take(inputs, input));
   WAFT_RETURN_IF_FAILED(
-    waft::RunSpacetime(input, this->Options(), waft::SmpFor(), monitor, this->Solution));
+    waft::RunSpacetime(input, this->Options(), waft::SmpFor(), monitor, this->Solution,
+                       &this->Memory));
   this->Warnings = this->Solution.Warnings;
   this->KeepSolution();
   return waft::Result::Ok(); // also when stopped: the best so far is shown until something changes
@@ -157,6 +163,17 @@ vtkSPHSpacetimeFilter::vtkSPHSpacetimeFilter() : Impl(std::make_unique<Internals
 }
 
 vtkSPHSpacetimeFilter::~vtkSPHSpacetimeFilter() = default;
+
+void vtkSPHSpacetimeFilter::Continue()
+{
+  this->Modified();
+}
+
+void vtkSPHSpacetimeFilter::Restart()
+{
+  this->Impl->Memory = waft::SpacetimeMemory();
+  this->Modified();
+}
 
 int vtkSPHSpacetimeFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
@@ -236,4 +253,7 @@ void vtkSPHSpacetimeFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";
   os << indent << "HistorySize: " << this->HistorySize << "\n";
+  os << indent << "WarmStart: " << this->WarmStart << "\n";
+  os << indent << "CheckpointFile: " << this->CheckpointFile << "\n";
+  os << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n";
 }

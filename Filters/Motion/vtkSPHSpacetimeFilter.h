@@ -25,7 +25,7 @@
  * unknowns of one cost E = c1 Ex + c2 Ev + c3 Ec (Eq. 2), under hard constraints; wind and vortices
  * are estimated in alternation with it. E never grows within a stage. The result is the same, bit
  * by bit, on any number of threads. Stopped half way or by TimeLimit, it gives the best motion so
- * far.
+ * far, and the next run goes on from there.
  */
 #ifndef vtkSPHSpacetimeFilter_h
 #define vtkSPHSpacetimeFilter_h
@@ -34,6 +34,7 @@
 #include "vtkWaftFiltersModule.h"
 
 #include <memory>
+#include <string>
 
 class VTKWAFTFILTERS_EXPORT vtkSPHSpacetimeFilter : public vtkPolyDataAlgorithm
 {
@@ -176,6 +177,31 @@ public:
   vtkSetClampMacro(HistorySize, int, 1, 20);
   vtkGetMacro(HistorySize, int);
   ///@}
+  ///@{
+  /** After a change, go on from the motion and the fields of the last run instead of from the
+   * planned tracks, as long as objects, frames and gas are the same. The first run of a filter is
+   * the same with it and without. */
+  vtkSetMacro(WarmStart, bool);
+  vtkGetMacro(WarmStart, bool);
+  vtkBooleanMacro(WarmStart, bool);
+  ///@}
+  ///@{
+  /** A file that the state of a run is written to at intervals, whole or not at all; empty: none.
+   * A run of the same inputs and properties that was ended before its time goes on from it, to the
+   * same bits; a run that ends by itself removes it. */
+  vtkSetStdStringFromCharMacro(CheckpointFile);
+  vtkGetCharFromStdStringMacro(CheckpointFile);
+  ///@}
+  ///@{
+  /** Seconds between two writings of CheckpointFile, and at least thirty times what one takes; 0:
+   * after each iteration. 0 to 1e+06. */
+  vtkSetClampMacro(CheckpointInterval, double, 0.0, 1e+06);
+  vtkGetMacro(CheckpointInterval, double);
+  ///@}
+  /** Solve on: the next update goes on from where the last one ended although nothing changed. */
+  void Continue();
+  /** Forget the last run: the next update starts from the planned tracks. */
+  void Restart();
 
 protected:
   vtkSPHSpacetimeFilter();
@@ -219,6 +245,9 @@ private:
   double Tolerance = 0.01;
   double TimeLimit = 0.0;
   int HistorySize = 6;
+  bool WarmStart = true;
+  std::string CheckpointFile;
+  double CheckpointInterval = 10.0;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -28,7 +28,8 @@ void Set(float* p, std::size_t stride, const Vec3& value)
 } // namespace
 
 HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& level,
-                                 const ConstraintTable& table, const ParallelFor& parallel) :
+                                 const ConstraintTable& table, const ParallelFor& parallel,
+                                 const std::vector<char>& movable) :
   Model(model),
   Level(level), Table(table), Parallel(parallel)
 {
@@ -39,10 +40,11 @@ HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& l
     this->LevelOfFrame[level.Frames[j]] = static_cast<int>(j);
     hasFrame[level.Frames[j]] = true;
   }
-  this->Clusters = MakeClusters(model, table, hasFrame);
+  this->HoldObjects(movable);
+  this->TakeClusters(hasFrame);
 
   const std::size_t no = model.NumberOfObjects;
-  std::vector<bool> taken(level.NumberOfFrames() * no, false);
+  std::vector<bool> taken(this->Held.begin(), this->Held.end());
   for (const LinearCluster& cluster : this->Clusters)
   {
     for (const int frame : cluster.Frames())
@@ -79,6 +81,57 @@ HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& l
   }
 }
 
+void HardConstraints::HoldObjects(const std::vector<char>& movable)
+{
+  const std::size_t no = this->Model.NumberOfObjects;
+  const std::size_t frames = this->Level.NumberOfFrames();
+  this->Held.assign(frames * no, 0);
+  this->IsPart = !movable.empty() || !this->Level.IsFree(0) || !this->Level.IsFree(frames - 1);
+  for (std::size_t k = 0; k < this->Held.size(); ++k)
+  {
+    const bool moves = movable.empty() || movable[this->Model.NumberOfGas + k % no];
+    this->Held[k] = !moves || !this->Level.IsFree(k / no);
+  }
+  for (std::size_t i = 0; i < this->Model.NumberOfGas && !movable.empty(); ++i)
+  {
+    if (!movable[i])
+    {
+      this->HeldGas.push_back(i);
+    }
+  }
+}
+
+void HardConstraints::TakeClusters(const std::vector<bool>& hasFrame)
+{
+  if (!this->IsPart)
+  {
+    this->Clusters = MakeClusters(this->Model, this->Table, hasFrame);
+    return;
+  }
+  const std::size_t no = this->Model.NumberOfObjects;
+  for (LinearCluster& cluster :
+       MakeClusters(this->Model, this->Table, std::vector<bool>(hasFrame.size(), true)))
+  {
+    const auto isHeld = [&](int frame)
+    {
+      const int j = this->LevelOfFrame[frame];
+      return j < 0 || this->Held[j * no + cluster.Object()];
+    };
+    if (std::none_of(cluster.Frames().begin(), cluster.Frames().end(), isHeld))
+    {
+      this->Clusters.push_back(std::move(cluster));
+      continue;
+    }
+    for (const int frame : cluster.Frames())
+    {
+      if (this->LevelOfFrame[frame] >= 0)
+      {
+        this->Held[this->LevelOfFrame[frame] * no + cluster.Object()] = 1;
+      }
+    }
+  }
+}
+
 std::size_t HardConstraints::Place(std::size_t j, std::size_t object) const
 {
   return j * this->Model.FrameSize() + this->Model.NumberOfGas + object;
@@ -109,6 +162,10 @@ void HardConstraints::Project(StateVector& state) const
     {
       for (std::size_t j = begin; j < end; ++j)
       {
+        if (!this->Level.IsFree(j))
+        {
+          continue;
+        }
         float* frame = state.data() + j * this->Model.FrameSize();
         for (int c = 0; c < 3; ++c)
         {
@@ -121,6 +178,10 @@ void HardConstraints::Project(StateVector& state) const
         }
         for (std::size_t o = 0; o < no; ++o)
         {
+          if (this->Held[j * no + o])
+          {
+            continue;
+          }
           const int flags = this->Model.Flag(this->Level.Frames[j], o);
           float* p = state.data() + this->Place(j, o);
           if (flags & FixedPosition)
@@ -223,10 +284,43 @@ void HardConstraints::FindActive(const StateVector& state, const StateVector& gr
     });
 }
 
+void HardConstraints::ClearHeld(StateVector& direction) const
+{
+  const std::size_t size = this->Model.FrameSize();
+  const std::size_t no = this->Model.NumberOfObjects;
+  for (std::size_t j = 0; j < this->Level.NumberOfFrames(); ++j)
+  {
+    float* frame = direction.data() + j * size;
+    if (!this->Level.IsFree(j))
+    {
+      std::fill(frame, frame + size, 0.0f);
+      continue;
+    }
+    for (std::size_t row = 0; row < size; row += this->Model.Stride())
+    {
+      for (const std::size_t i : this->HeldGas)
+      {
+        frame[row + i] = 0.0f;
+      }
+      for (std::size_t o = 0; o < no; ++o)
+      {
+        if (this->Held[j * no + o])
+        {
+          frame[row + this->Model.NumberOfGas + o] = 0.0f;
+        }
+      }
+    }
+  }
+}
+
 void HardConstraints::ProjectTangent(StateVector& direction) const
 {
   const std::size_t stride = this->Model.Stride();
   const std::size_t no = this->Model.NumberOfObjects;
+  if (this->IsPart)
+  {
+    this->ClearHeld(direction);
+  }
   for (std::size_t j = 0; j < this->Level.NumberOfFrames(); ++j)
   {
     for (std::size_t o = 0; o < no; ++o)

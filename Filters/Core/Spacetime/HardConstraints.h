@@ -95,8 +95,11 @@ std::vector<LinearCluster> MakeClusters(const SpacetimeModel& model, const Const
 class HardConstraints
 {
 public:
+  /// movable: by body; those that are not keep their values, as do all at the level's frames that
+  /// are not free. Rows that bind both what may move and what may not are held as they are. Empty:
+  /// all may move.
   HardConstraints(const SpacetimeModel& model, const TimeLevel& level, const ConstraintTable& table,
-                  const ParallelFor& parallel);
+                  const ParallelFor& parallel, const std::vector<char>& movable = {});
 
   /// Radius about the planned positions [dx]; zero: none. The user's own requirements win.
   void SetLeash(double radius) { this->Leash = radius; }
@@ -112,6 +115,9 @@ public:
 
 private:
   std::size_t Place(std::size_t j, std::size_t object) const;
+  void HoldObjects(const std::vector<char>& movable);
+  void TakeClusters(const std::vector<bool>& hasFrame);
+  void ClearHeld(StateVector& direction) const;
   void ProjectClusters(StateVector& state) const;
   void FindWalls(std::size_t j, const StateVector& state, const StateVector& gradient);
 
@@ -131,6 +137,9 @@ private:
   std::vector<LevelBall> LeashBalls; // radius as set
   std::vector<LinearCluster> Clusters;
   std::vector<int> LevelOfFrame; // -1: not on this level
+  bool IsPart = false;
+  std::vector<char> Held; // [level frame * objects + object]: keeps its values
+  std::vector<std::size_t> HeldGas;
   struct Active
   {
     std::size_t Place;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
+#include <type_traits>
 
 namespace waft
 {
@@ -91,6 +93,69 @@ TimeLevel TimeLevel::Make(std::vector<int> frames, int window)
     }
   }
   return level;
+}
+
+int TimeLevel::Reach() const
+{
+  int reach = 1;
+  for (std::size_t j = 0; j < this->Rows.size(); ++j)
+  {
+    for (const Neighbor& neighbor : this->Rows[j])
+    {
+      reach = std::max(reach, std::abs(neighbor.Frame - static_cast<int>(j)));
+    }
+  }
+  return reach;
+}
+
+std::size_t TimeLevel::PartBegin(std::size_t first) const
+{
+  const auto halo = static_cast<std::size_t>(2 * this->Reach());
+  return first - std::min(first, halo);
+}
+
+TimeLevel TimeLevel::Part(std::size_t first, std::size_t last) const
+{
+  const std::size_t begin = this->PartBegin(first);
+  const std::size_t end =
+    std::min(this->NumberOfFrames(), last + 1 + static_cast<std::size_t>(2 * this->Reach()));
+  const auto count = static_cast<int>(end - begin);
+  const auto cut = [&](const auto& list)
+  {
+    using List = std::decay_t<decltype(list)>;
+    return List(list.begin() + static_cast<std::ptrdiff_t>(begin),
+                list.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  TimeLevel part;
+  part.Frames = cut(this->Frames);
+  part.Steps = cut(this->Steps);
+  part.StepWeights = cut(this->StepWeights);
+  part.FrameWeights = cut(this->FrameWeights);
+  part.SmoothWeights = cut(this->SmoothWeights);
+  part.Steps[0] = part.StepWeights[0] = 0.0;
+  part.Rows = cut(this->Rows);
+  part.Columns.resize(part.Rows.size());
+  for (int j = 0; j < count; ++j)
+  {
+    bool isWhole = true;
+    for (Neighbor& neighbor : part.Rows[j])
+    {
+      neighbor.Frame -= static_cast<int>(begin);
+      isWhole = isWhole && neighbor.Frame >= 0 && neighbor.Frame < count;
+    }
+    if (!isWhole) // nothing free is in it
+    {
+      part.Rows[j].clear();
+      part.SmoothWeights[j] = 0.0;
+    }
+    for (const Neighbor& neighbor : part.Rows[j])
+    {
+      part.Columns[neighbor.Frame].push_back({ j, neighbor.Coefficient });
+    }
+  }
+  part.FirstFree = first - begin;
+  part.LastFree = last - begin;
+  return part;
 }
 
 bool StepIsBound(const SpacetimeModel& model, const TimeLevel& level, std::size_t j,

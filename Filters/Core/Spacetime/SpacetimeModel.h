@@ -136,7 +136,19 @@ struct TimeLevel
   std::vector<std::vector<Neighbor>> Rows;    // neighbours of row j
   std::vector<std::vector<Neighbor>> Columns; // rows in which frame j is a neighbour
 
+  /// Unknowns of level frames outside these keep their values.
+  std::size_t FirstFree = 0;
+  std::size_t LastFree = static_cast<std::size_t>(-1);
+
   std::size_t NumberOfFrames() const { return this->Frames.size(); }
+  bool IsFree(std::size_t j) const { return j >= this->FirstFree && j <= this->LastFree; }
+  /// The farthest neighbour in time of any row [level frames].
+  int Reach() const;
+  /// The level frames from `first` to `last`, whose unknowns are free, and as many beside them as
+  /// it takes that E changes by what it changes by on the whole level.
+  TimeLevel Part(std::size_t first, std::size_t last) const;
+  /// The level frame of this one that is frame 0 of Part(first, ...).
+  std::size_t PartBegin(std::size_t first) const;
   /// frames: increasing.
   static TimeLevel Make(std::vector<int> frames, int window);
   /// All frames.

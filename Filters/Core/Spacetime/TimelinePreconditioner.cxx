@@ -41,22 +41,17 @@ TimelinePreconditioner::Band TimelinePreconditioner::Factor(long object) const
   const SpacetimeWeights& w = this->Model.Weights;
   const int frames = static_cast<int>(this->Level.NumberOfFrames());
   const int n = 2 * frames;
-  int reach = 1;
-  for (int j = 0; j < frames; ++j)
-  {
-    for (const auto& neighbor : this->Level.Rows[j])
-    {
-      reach = std::max(reach, std::abs(neighbor.Frame - j));
-    }
-  }
   Band band;
-  band.HalfWidth = std::min(n - 1, 4 * reach);
+  band.HalfWidth = std::min(n - 1, 4 * this->Level.Reach());
   const int h = band.HalfWidth;
   const double weight = object < 0 ? 1.0 : static_cast<double>(this->Model.Offsets.size());
   const auto flag = [&](int j) -> int
   { return object < 0 ? 0 : this->Model.Flag(this->Level.Frames[j], object); };
   const auto isFixed = [&](int unknown)
-  { return (flag(unknown / 2) & (unknown % 2 ? FixedVelocity : FixedPosition)) != 0; };
+  {
+    return !this->Level.IsFree(static_cast<std::size_t>(unknown / 2)) ||
+           (flag(unknown / 2) & (unknown % 2 ? FixedVelocity : FixedPosition)) != 0;
+  };
 
   std::vector<double> a(static_cast<std::size_t>(n) * (h + 1), 0.0); // a[row][row - column]
   const auto addRow = [&](const std::vector<Entry>& row, double factor)

@@ -141,3 +141,18 @@ def replaced(path):
         _move_in(staging, path.parent)
     finally:
         shutil.rmtree(staging, ignore_errors=True)
+
+
+@contextlib.contextmanager
+def replaced_folder(path):
+    """A temporary folder beside a folder, which takes its place when the block ends well."""
+    path = pathlib.Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    staging = pathlib.Path(tempfile.mkdtemp(prefix=".waft-", dir=path.parent))
+    try:
+        made = staging / path.name
+        made.mkdir()
+        yield made
+        _move_in(staging, path.parent)
+    finally:
+        shutil.rmtree(staging, ignore_errors=True)

@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From a scene file to an animation."""
-import csv
-import hashlib
-import json
 import math
 import os
 import pathlib
@@ -11,6 +8,7 @@ from waft import failures
 from waft.files import (OutputFolder, check_folder, number, table_rows, write_csv, write_json, write_pvd,
                         write_xml)
 from waft.loading import version
+from waft.resuming import Checkpoint, run_key
 from waft.watching import Clock, collect
 
 STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
@@ -25,14 +23,15 @@ def set_threads(threads):
 
 
 def synthesize(scene, output=None, database=None, seed=None, threads=None, time_limit=None,
-               preview=False, resume=False, quiet=True):
+               preview=False, resume=False, quiet=True, checkpoint_interval=None):
     """Plans, optimises and turns the objects of a scene; returns the live Pipeline of proxies.
 
     scene: path of a *.waft.json file. output: a folder for the files of `waft synthesize` (none: nothing
     is written). database: a motion database, .vtm (default: the one that comes with Waft). seed: instead
     of the scene's. threads: number of threads (default all; the result is the same). time_limit: seconds.
-    preview: a coarse optimisation, for a quick look. resume: goes on from what an earlier run with the
-    same inputs left in the folder.
+    preview: a coarse optimisation, for a quick look. resume: goes on from where an earlier run with the
+    same inputs was stopped or killed, to the same motion as if it had not been; what it left is in the folder
+    `checkpoint` of output. checkpoint_interval: seconds between two writings there (none: the filter's own).
 
     The Pipeline has, besides the proxies: status (exit status of the command), report (the constraints,
     one dictionary per row), warnings. Raises BadInput on malformed input; nothing is written then.
@@ -49,48 +48,28 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
         pipeline.read(clock)
         scene_seed = pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)
         pipeline.seed = int(scene_seed) if seed is None else seed
-        pipeline.key = run_key(scene, pipeline.database_file, pipeline.seed, preview)
-        pipeline.earlier = earlier_run(output, pipeline.key) if resume else None
-        _run(pipeline, clock, preview, output)
+        pipeline.key = run_key(pipeline, preview)
+        checkpoint = None if output is None else Checkpoint(output, pipeline.key)
+        is_found = resume and checkpoint is not None and checkpoint.is_there()
+        _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval)
         pipeline.stopped = clock.interrupted or clock.timed_out
     pipeline.report = constraint_report(pipeline)
     pipeline.warnings = [text for watch in pipeline.watches.values() for text in watch.errors + watch.warnings]
+    if resume and not is_found:
+        pipeline.warnings.append(f"--resume: {output}: no stopped run of this scene, seed and version: done from the start")
     unmet = [row for row in pipeline.report if row["Status"] != "met"]
     pipeline.status = (failures.STOPPED_EARLY if pipeline.stopped
                        else failures.NOT_ALL_MET if unmet else failures.ALL_MET)
     if output is not None:
-        write_results(pipeline, output, scene)
+        write_results(pipeline, output, scene, checkpoint)
+        if not pipeline.stopped:
+            checkpoint.clear()
     return pipeline
 
 
-def run_key(scene, database, seed, preview):
-    """Tells runs apart: two of one key go the same way."""
-    parts = [pathlib.Path(scene).read_bytes(), str(pathlib.Path(database).resolve()).encode(),
-             f"{seed} {preview} {version()}".encode()]
-    return hashlib.sha256(b"\0".join(parts)).hexdigest()
-
-
-def earlier_run(folder, key):
-    """The report of a run of the same key that was stopped early in this folder and is whole, or None."""
-    if folder is None:
-        return None
-    folder = pathlib.Path(folder)
-    needed = ("report.json", "optimized.vtp", "constraints.vtp", "constraints.csv", "vortices.vtp", "convergence.csv")
-    if not all((folder / name).is_file() for name in needed):
-        return None
-    try:
-        report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
-    except ValueError:
-        return None
-    return report if report.get("key") == key and report.get("stoppedEarly") else None
-
-
-def _run(pipeline, clock, preview, folder):
-    if pipeline.earlier:
-        folder = pathlib.Path(folder)
-        pipeline.take_plan(folder / "optimized.vtp", folder / "constraints.vtp", folder / "vortices.vtp")
-        with open(folder / "constraints.csv", encoding="utf-8", newline="") as file:
-            pipeline.plan_report = list(csv.DictReader(file))
+def _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval):
+    if is_found:
+        checkpoint.take_plan(pipeline)
     else:
         pipeline.add_planner(pipeline.seed)
         pipeline.watch("planner", clock)
@@ -98,6 +77,8 @@ def _run(pipeline, clock, preview, folder):
         if pipeline.watches["planner"].was_aborted:
             raise failures.Interrupted("stopped before the paths were planned: nothing was written")
         pipeline.plan_report = _dictionaries(pipeline.output("planner", 2))
+        if checkpoint is not None:
+            checkpoint.keep_plan(pipeline)
 
     pipeline.add_spacetime()
     watch = pipeline.watch("spacetime", clock)
@@ -105,10 +86,19 @@ def _run(pipeline, clock, preview, folder):
         pipeline.spacetime.NumberOfGasParticles = 600
         pipeline.spacetime.LeashIterations = 5
         pipeline.spacetime.MaximumNumberOfIterations = 20
+    if checkpoint is not None:
+        pipeline.spacetime.CheckpointFile = str(checkpoint.state_file)
+        if checkpoint_interval is not None:
+            pipeline.spacetime.CheckpointInterval = checkpoint_interval
     left = clock.remaining()
     if left is not None:
         pipeline.spacetime.TimeLimit = max(left, 0.001)
-    pipeline.update("spacetime")
+    try:
+        pipeline.update("spacetime")
+    except failures.BadInput:
+        if checkpoint is not None:
+            checkpoint.clear()
+        raise
     clock.timed_out = clock.timed_out or (left is not None and watch.seconds >= left)
 
     pipeline.add_rotation(pipeline.seed)
@@ -161,20 +151,19 @@ def _measure_orientations(pipeline, report):
             row["Message"] = f"the orientation is off by {residual:.3g} rad beyond its radius"
 
 
-def write_results(pipeline, folder, scene):
+def write_results(pipeline, folder, scene, checkpoint):
     """Every file of a run, all at once: see the user guide for what each holds."""
     with OutputFolder(folder) as out:
-        if not pipeline.earlier:
-            write_xml(pipeline.planned(0), out.path("planned.vtp"))
+        checkpoint.copy_plan("planned.vtp", out)
         write_xml(pipeline.output("spacetime"), out.path("optimized.vtp"))
         write_xml(pipeline.output("rotation", 1), out.path("poses.vtp"))
         write_xml(pipeline.output("spacetime", 2), out.path("vortices.vtp"))
         write_xml(pipeline.output("reader", 0), out.path("objects.vtp"))
         write_xml(pipeline.output("reader", 3), out.path("shapes.vtm"))
-        write_xml(pipeline.planned(3), out.path("constraints.vtp"))
+        checkpoint.copy_plan("constraints.vtp", out)
         _write_series(pipeline, "reader", 2, "obstacles", ".vtp", out, only_if_moving=True)
         _write_series(pipeline, "spacetime", 3, "wind", ".vti", out)
-        header, rows = _convergence(pipeline, folder)
+        header, rows = table_rows(pipeline.output("spacetime", 4))
         write_csv(out.path("convergence.csv"), header, rows)
         _write_report(pipeline, out.path("constraints.csv"))
         _write_animation(pipeline, out)
@@ -236,20 +225,6 @@ def _write_animation(pipeline, out):
         writer.SetFileName(out.path(name))
         if not writer.Write():
             raise failures.WaftError(f"{name}: could not be written: {'; '.join(errors)}")
-
-
-def _convergence(pipeline, folder):
-    """The optimiser's rows; after those of the run that this one goes on from, if any."""
-    header, rows = table_rows(pipeline.output("spacetime", 4))
-    if not pipeline.earlier:
-        return header, rows
-    with open(pathlib.Path(folder) / "convergence.csv", newline="", encoding="utf-8") as stream:
-        before = list(csv.reader(stream))[1:-1]
-    seconds = header.index("Seconds")
-    start = float(before[-1][seconds])
-    for row in rows[1:]:
-        row[seconds] = number(start + float(row[seconds]))
-    return header, before + rows[1:]
 
 
 def _planned_objects(pipeline):

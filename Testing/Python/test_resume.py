@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A run of the command that is killed goes on to the files of one that was not.
+
+    pvpython test_resume.py PVPYTHON        the tests; each run is a process of its own
+"""
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+SCENE = {
+    "waft": 1,
+    "seed": 5,
+    "time": {"frames": 61},
+    "shapes": {"leaf": {"builtin": "leaf"}},
+    "objects": [{"shape": "leaf", "positions": [[-0.6, -0.5, 2.6], [0.6, 0.4, 2.8]]}],
+    "constraints": [{"kind": "position", "object": 0, "frame": 60, "value": [-0.2, -0.2, 1.9]}],
+}
+CHILD = """
+import sys
+from waft.synthesis import synthesize
+run = synthesize(sys.argv[1], output=sys.argv[2], preview=True, resume=sys.argv[3] == "resume", threads=1,
+                 time_limit=float(sys.argv[4]) or None, checkpoint_interval=0)
+print("\\n".join(run.warnings), end="")
+sys.exit(run.status)
+"""
+
+
+class Resume(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.scene = self.folder / "scene.waft.json"
+        self.scene.write_text(json.dumps(SCENE), encoding="utf-8")
+        (self.folder / "child.py").write_text(CHILD, encoding="utf-8")
+
+    def start(self, out, resume=False, time_limit=0):
+        return subprocess.Popen([PVPYTHON, str(self.folder / "child.py"), str(self.scene), str(out),
+                                 "resume" if resume else "fresh", str(time_limit)],
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+    def finish(self, out, **options):
+        child = self.start(out, **options)
+        text, _ = child.communicate(timeout=250)
+        return child.returncode, text
+
+    def kill_when(self, out, reached):
+        """Starts a run and kills it as soon as reached(folder of the checkpoint)."""
+        child = self.start(out)
+        while child.poll() is None and not reached(out / "checkpoint"):
+            time.sleep(0.002)
+        child.send_signal(signal.SIGKILL)
+        child.communicate()
+        self.assertEqual(-signal.SIGKILL, child.returncode, "it ended before it could be killed")
+        self.assertFalse((out / "poses.csv").exists())
+
+    def expect_same(self, whole, out):
+        names = ["poses.csv", "planned.vtp", "optimized.vtp", "poses.vtp", "vortices.vtp", "constraints.vtp",
+                 "constraints.csv", "animation.glb"]
+        for name in names:
+            self.assertEqual((whole / name).read_bytes(), (out / name).read_bytes(), name)
+        energies = [[line.split(",")[:7] for line in (folder / "convergence.csv").read_text().splitlines()]
+                    for folder in (whole, out)]
+        self.assertEqual(*energies)
+        self.assertFalse((out / "checkpoint").exists())
+        self.assertEqual([], [entry.name for entry in out.iterdir() if entry.name.startswith(".")])
+
+    def test_killed_at_three_moments(self):
+        whole = self.folder / "whole"
+        self.assertEqual((0, ""), self.finish(whole))
+
+        def planned(folder):
+            return (folder / "key").exists()
+
+        def written(times):
+            seen = set()
+
+            def reached(folder):
+                try:
+                    seen.add(os.stat(folder / "spacetime.state").st_mtime_ns)
+                except OSError:
+                    pass
+                return len(seen) >= times
+            return reached
+
+        for name, moment in (("planned", planned), ("early", written(8)), ("late", written(55))):
+            with self.subTest(moment=name):
+                out = self.folder / name
+                self.kill_when(out, moment)
+                status, text = self.finish(out, resume=True)
+                self.assertEqual((0, ""), (status, text))
+                self.assertFalse("planner" in json.loads((out / "report.json").read_text())["stages"])
+                self.expect_same(whole, out)
+
+        # Out of time, the best so far is written, and a run without a limit goes on.
+        seconds = json.loads((whole / "report.json").read_text())["stages"]
+        out = self.folder / "limited"
+        limit = sum(stage["seconds"] for stage in seconds.values()) - 0.6 * seconds["spacetime"]["seconds"]
+        status, text = self.finish(out, time_limit=limit)
+        if status == 4:  # on a machine that is busier or freer it stops elsewhere, or not at all
+            self.assertTrue((out / "poses.csv").exists())
+        if (out / "checkpoint").exists():
+            status, text = self.finish(out, resume=True)
+            self.assertEqual((0, ""), (status, text))
+            self.expect_same(whole, out)
+
+    def test_nothing_to_go_on_from_is_said(self):
+        out = self.folder / "out"
+        self.kill_when(out, lambda folder: (folder / "key").exists())
+        changed = dict(SCENE, seed=6)
+        self.scene.write_text(json.dumps(changed), encoding="utf-8")
+        status, text = self.finish(out, resume=True)
+        self.assertEqual(0, status)
+        self.assertIn("no stopped run of this scene", text)
+        self.assertIn("planner", json.loads((out / "report.json").read_text())["stages"])
+
+
+if __name__ == "__main__":
+    PVPYTHON = sys.argv[1]
+    done = unittest.main(argv=sys.argv[:1], exit=False, verbosity=2)
+    sys.exit(0 if done.result.wasSuccessful() else 1)
