@@ -19,9 +19,10 @@ class ObjectExport
 {
 public:
   ObjectExport(const SpacetimeInput& input, const SpacetimeSetup& setup, std::size_t object,
-               const std::vector<LinearCluster>& clusters) :
+               const std::vector<LinearCluster>& clusters, const KeptMotion& kept) :
     Input(input),
-    Setup(setup), Index(object), Object(setup.Objects[object])
+    Setup(setup), Index(object), Object(setup.Objects[object]),
+    Weights(input.Tracks[object].Positions.size(), 1.0)
   {
     this->Object.ClearanceRadius =
       std::max(0.0, this->Object.ClearanceRadius - ClearanceSlack * input.Scene.Bounds.Width());
@@ -39,10 +40,29 @@ public:
         this->Balls.push_back(&ball);
       }
     }
+    if (kept.Region != nullptr)
+    {
+      this->Before = &(*kept.Positions)[object];
+      this->FindKept(*kept.Region);
+    }
   }
+
+  bool IsKept(std::size_t frame) const { return this->Weights[frame] <= 0.0; }
 
   /// x in metres, one a frame.
   void MakeExact(std::vector<Vec3>& x) const
+  {
+    this->MeetRows(x);
+    for (std::size_t frame = 0; frame < x.size(); ++frame)
+    {
+      if (this->IsKept(frame))
+      {
+        x[frame] = (*this->Before)[frame];
+      }
+    }
+  }
+
+  void MeetRows(std::vector<Vec3>& x) const
   {
     const std::size_t no = this->Setup.Model.NumberOfObjects;
     for (std::size_t frame = 0; frame < x.size(); ++frame)
@@ -152,7 +172,7 @@ public:
           const double outside =
             std::max({ 0.0, double(k) - double(f) - 1.0, double(f) - double(k) - 2.0 });
           const double s = std::clamp(1.0 - outside / static_cast<double>(ramp), 0.0, 1.0);
-          share[f] = std::max(share[f], s * s * (3.0 - 2.0 * s));
+          share[f] = std::max(share[f], this->Weights[f] * s * s * (3.0 - 2.0 * s));
         }
       }
       for (std::size_t f = 0; f < x.size(); ++f)
@@ -166,18 +186,45 @@ public:
   }
 
 private:
+  // Rows that bind a frame that is kept are kept whole, as in the solver.
+  void FindKept(const EditRegion& region)
+  {
+    const std::size_t body = this->Setup.Model.NumberOfGas + this->Index;
+    const auto frames = static_cast<int>(this->Weights.size());
+    const auto isKept = [&](int frame) { return !region.Moves(frame, body); };
+    for (int frame = 0; frame < frames; ++frame)
+    {
+      const int inside = std::min(region.First > 0 ? frame - region.First + 1 : frames,
+                                  region.Last + 1 < frames ? region.Last - frame + 1 : frames);
+      this->Weights[frame] = isKept(frame) ? 0.0 : std::min(1.0, inside / (SmallestRamp + 1.0));
+    }
+    for (const LinearCluster* cluster : this->Clusters)
+    {
+      if (std::any_of(cluster->Frames().begin(), cluster->Frames().end(), isKept))
+      {
+        for (const int frame : cluster->Frames())
+        {
+          this->Weights[frame] = 0.0;
+        }
+      }
+    }
+  }
+
   const SpacetimeInput& Input;
   const SpacetimeSetup& Setup;
   std::size_t Index;
   MotionObject Object;
   std::vector<const LinearCluster*> Clusters;
   std::vector<const PositionBall*> Balls;
+  std::vector<double> Weights; // of going back to the plan, by frame; 0: kept as it was
+  const std::vector<Vec3>* Before = nullptr;
 };
 
 } // namespace
 
 std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
-                                               const SpacetimeSetup& setup, StateVector& state,
+                                               const SpacetimeSetup& setup, const KeptMotion& kept,
+                                               StateVector& state,
                                                std::vector<std::string>& warnings)
 {
   const SpacetimeModel& model = setup.Model;
@@ -195,7 +242,7 @@ std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
       const float* p = state.data() + frame * model.FrameSize() + model.NumberOfGas + o;
       x[frame] = setup.ToWorld(Vec3(p[0], p[stride], p[2 * stride]));
     }
-    const ObjectExport object(input, setup, o, clusters);
+    const ObjectExport object(input, setup, o, clusters, kept);
     object.MakeExact(x);
     std::vector<double> share;
     if (!object.Clear(x, share))
@@ -206,6 +253,10 @@ std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
     const std::vector<Vec3>& planned = input.Tracks[o].Positions;
     for (std::size_t frame = 0; frame < frames; ++frame)
     {
+      if (object.IsKept(frame))
+      {
+        continue;
+      }
       float* p = state.data() + frame * model.FrameSize() + model.NumberOfGas + o;
       const Vec3 local = setup.FromWorld(x[frame]);
       const std::size_t k = std::max<std::size_t>(1, frame);

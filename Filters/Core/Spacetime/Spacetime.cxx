@@ -51,6 +51,8 @@ Result SpacetimeOptions::Validate() const
          CheckRange("Tolerance", this->Tolerance, 0.0, 1.0),
          CheckRange("TimeLimit", this->TimeLimit, 0.0, Large),
          CheckRange("HistorySize", this->HistorySize, 1, 20),
+         CheckRange("EditDuration", this->EditDuration, 0.0, Large),
+         CheckRange("EditRadius", this->EditRadius, 0.0, Large),
          CheckRange("CheckpointInterval", this->CheckpointInterval, 0.0, Large) })
   {
     if (!result)

@@ -44,10 +44,15 @@ struct SpacetimeOptions
   int LeashIterations = 20; // for each of the five radii
   /// Of each pass; the two last stages, over all frames after a coarse level, take a third each.
   int MaximumNumberOfIterations = 150;
-  double Tolerance = 0.01;    // least relative fall of E in 20 iterations; 0: none
-  double TimeLimit = 0.0;     // s; 0: none. A limit may break bit-equality
-  int HistorySize = 6;        // of L-BFGS, 1..20
-  bool WarmStart = true;      // go on from the motion that the last run left, where there is one
+  double Tolerance = 0.01; // least relative fall of E in 20 iterations; 0: none
+  double TimeLimit = 0.0;  // s; 0: none. A limit may break bit-equality
+  int HistorySize = 6;     // of L-BFGS, 1..20
+  bool WarmStart = true;   // go on from the motion that the last run left, where there is one
+  /// When only some tracks or rows changed since the last run, what is solved again: frames within
+  /// EditDuration of the changed ones [s], bodies within EditRadius of the changed objects [m].
+  /// Nothing else moves. One of them 0: all is solved on.
+  double EditDuration = 1.0;
+  double EditRadius = 1.0;
   std::string CheckpointFile; // empty: none
   /// s between two writings, at least, and thirty times what one takes; 0: after each iteration.
   double CheckpointInterval = 10.0;

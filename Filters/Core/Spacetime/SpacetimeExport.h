@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Spacetime/Spacetime.h"
+#include "Spacetime/SpacetimeEdit.h"
 #include "Spacetime/SpacetimeObjective.h"
 #include "Spacetime/SpacetimeSetup.h"
 
@@ -12,11 +13,19 @@
 namespace waft
 {
 
+/// What a local edit leaves as it was: all outside its region. Both null: nothing.
+struct KeptMotion
+{
+  const EditRegion* Region = nullptr;
+  const std::vector<std::vector<Vec3>>* Positions = nullptr; // by object and frame [m]
+};
+
 /// Positions by object and frame [m]: exact rows bit-identical, balls and linear rows met in
 /// double, and swept clearance kept by falling back towards the planned path where it is not. The
 /// state is brought to the same positions. warnings: objects whose clearance could not be kept.
 std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
-                                               const SpacetimeSetup& setup, StateVector& state,
+                                               const SpacetimeSetup& setup, const KeptMotion& kept,
+                                               StateVector& state,
                                                std::vector<std::string>& warnings);
 
 /// Fills Tracks (fields, air, raw velocities), Particles, Vortices and Wind of the output.

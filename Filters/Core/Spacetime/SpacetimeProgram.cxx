@@ -124,6 +124,14 @@ SpacetimeProgram PlanProgram(const SpacetimeSetup& setup, const SpacetimeOptions
   return program;
 }
 
+SpacetimeProgram PlanEdit(const SpacetimeOptions& options)
+{
+  SpacetimeProgram program;
+  program.Steps.push_back(
+    Minimise(false, options.Passes, "edit", (options.MaximumNumberOfIterations + 1) / 2));
+  return program;
+}
+
 SpacetimeProgram PlanAgain(const SpacetimeOptions& options, bool fitVortices)
 {
   SpacetimeProgram program;

@@ -41,5 +41,7 @@ SpacetimeProgram PlanProgram(const SpacetimeSetup& setup, const SpacetimeOptions
                              double width);
 /// From a motion that was solved before, under conditions that may have changed.
 SpacetimeProgram PlanAgain(const SpacetimeOptions& options, bool fitVortices);
+/// From a motion that was solved before, some of it changed: the fields stay as they are.
+SpacetimeProgram PlanEdit(const SpacetimeOptions& options);
 
 } // namespace waft

@@ -65,6 +65,7 @@ void SpacetimeRun::KeepCheckpoint(bool now)
     interval = std::max(interval, this->CheckpointCost / WritingShare);
   }
   if (this->Options.CheckpointFile.empty() || this->HasCheckpointFailed || this->IsCut ||
+      !this->Region.IsEmpty() || // short, and its end depends on what only this process has
       (!now && since < interval))
   {
     return;
@@ -146,7 +147,19 @@ bool SpacetimeRun::GoOn()
   }
   model.Wind = this->Options.EstimateWind ? memory.Wind : SplineWind();
   this->State = memory.State;
-  this->MoveToPlan();
+  MoveToPlan(memory, this->Options, this->Setup, this->State);
+  TimeLevel level = TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
+  if (isPlanned && !hasNewVortices && memory.Stage.empty() &&
+      digest.Physics == memory.Digest.Physics && this->Options.EditDuration > 0.0 &&
+      this->Options.EditRadius > 0.0)
+  {
+    this->Region = FindEditRegion(memory, digest, this->Options, this->Setup, this->State);
+    this->ResetOutside(memory.State);
+    level.FirstFree = static_cast<std::size_t>(this->Region.First);
+    level.LastFree = static_cast<std::size_t>(this->Region.Last);
+  }
+  HardConstraints(model, level, this->Setup.Table, this->Parallel, this->Region.Movable)
+    .Project(this->State);
   const SpacetimeTerms terms = this->Measure();
   if (!std::isfinite(terms.E))
   {
@@ -154,11 +167,16 @@ bool SpacetimeRun::GoOn()
       "WarmStart: the motion so far has no finite cost under what changed: solved from the start");
     model.Vortices = given;
     model.Wind = SplineWind();
+    this->Region = EditRegion();
     return false;
   }
   this->GoesOn = true;
   this->StartEnergy = terms.E;
-  if (memory.Stage.empty())
+  if (!this->Region.IsEmpty())
+  {
+    this->Program = PlanEdit(this->Options);
+  }
+  else if (memory.Stage.empty())
   {
     this->Program = PlanAgain(this->Options, hasNewVortices);
   }
@@ -171,32 +189,21 @@ bool SpacetimeRun::GoOn()
   return true;
 }
 
-// Objects whose plan was changed keep their way from the plan; all rows hold.
-void SpacetimeRun::MoveToPlan()
+// Bodies outside the region are where they were, to the bit.
+void SpacetimeRun::ResetOutside(const StateVector& before)
 {
   const SpacetimeModel& model = this->Setup.Model;
-  const std::size_t stride = model.Stride();
-  const std::size_t no = model.NumberOfObjects;
-  for (std::size_t place = 0; place < this->Memory->Planned.size(); ++place)
+  for (int frame = 0; frame < model.NumberOfFrames; ++frame)
   {
-    const auto shift = [&](std::size_t at) -> Vec3
-    { return this->Setup.Table.Planned[at] - this->Memory->Planned[at]; };
-    const Vec3 here = shift(place);
-    const Vec3 change = place >= no ? Vec3(here - shift(place - no)) : Vec3::Zero();
-    if (here.isZero(0.0) && change.isZero(0.0))
+    for (std::size_t body = 0; body < model.NumberOfBodies(); ++body)
     {
-      continue;
-    }
-    float* p =
-      this->State.data() + (place / no) * model.FrameSize() + model.NumberOfGas + place % no;
-    for (int c = 0; c < 3; ++c)
-    {
-      p[c * stride] += static_cast<float>(here[c]);
-      p[(3 + c) * stride] += static_cast<float>(change[c]);
+      for (std::size_t row = 0; row < 6 && !this->Region.Moves(frame, body); ++row)
+      {
+        const std::size_t at = frame * model.FrameSize() + row * model.Stride() + body;
+        this->State[at] = before[at];
+      }
     }
   }
-  const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
-  HardConstraints(model, full, this->Setup.Table, this->Parallel).Project(this->State);
 }
 
 void SpacetimeRun::Remember(std::vector<std::vector<Vec3>> positions)

@@ -125,26 +125,40 @@ void SpacetimeRun::EnterLevel(bool coarse)
   {
     return;
   }
-  const SpacetimeModel& model = this->Setup.Model;
   this->LeaveLevel();
+  const SpacetimeModel& model = this->Setup.Model;
   TimeLevel level = coarse
                       ? TimeLevel::Make(this->Program.CoarseFrames, this->Options.TemporalWindow)
                       : TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
-  if (coarse && this->CoarseState.empty())
+  if (coarse && this->PartState.empty())
   {
-    this->CoarseState = Restrict(model, level, this->State);
+    this->PartState = Restrict(model, level, this->State);
+  }
+  if (!this->Region.IsEmpty())
+  {
+    level = level.Part(static_cast<std::size_t>(this->Region.First),
+                       static_cast<std::size_t>(this->Region.Last));
+    const float* begin = this->State.data() + level.Frames.front() * model.FrameSize();
+    this->PartState.assign(begin, begin + level.NumberOfFrames() * model.FrameSize());
   }
   this->IsCoarse = coarse;
   this->Solver = std::make_unique<LevelSolver>(this->Setup, std::move(level), this->Parallel,
-                                               this->Options.HistorySize);
+                                               this->Options.HistorySize, this->Region.Movable);
 }
 
 void SpacetimeRun::LeaveLevel()
 {
+  const SpacetimeModel& model = this->Setup.Model;
   if (this->Solver && this->IsCoarse)
   {
-    Prolong(this->Setup.Model, this->Solver->Level, this->CoarseState, this->State);
-    this->CoarseState = StateVector();
+    Prolong(model, this->Solver->Level, this->PartState, this->State);
+    this->PartState = StateVector();
+  }
+  else if (this->Solver && !this->Region.IsEmpty())
+  {
+    std::copy(this->PartState.begin(), this->PartState.end(),
+              this->State.data() + this->Solver->Level.Frames.front() * model.FrameSize());
+    this->PartState = StateVector();
   }
   this->Solver.reset(); // before the next one, which is as large
 }
@@ -269,9 +283,17 @@ Result SpacetimeRun::Finish()
   const TimeLevel level =
     TimeLevel::Full(this->Setup.Model.NumberOfFrames, this->Options.TemporalWindow);
   const HardConstraints constraints(this->Setup.Model, level, this->Setup.Table, this->Parallel);
-  constraints.Project(this->State);
+  KeptMotion kept;
+  if (this->Region.IsEmpty())
+  {
+    constraints.Project(this->State);
+  }
+  else
+  {
+    kept = { &this->Region, &this->Memory->Positions };
+  }
   std::vector<std::vector<Vec3>> positions =
-    ExportPositions(this->Input, this->Setup, this->State, this->Output.Warnings);
+    ExportPositions(this->Input, this->Setup, kept, this->State, this->Output.Warnings);
   // Neighbour lists made anew: what is exported of a frame depends on that frame alone.
   SpacetimeObjective objective(this->Setup.Model, level, this->Parallel, FastestSphKernels());
   SpacetimeTerms terms;
@@ -302,7 +324,8 @@ Result SpacetimeRun::Finish()
     this->Output.Warnings.push_back("TimeLimit: reached before the last stage; the best so far");
   }
   const double fall = this->StartEnergy - terms.E;
-  if (finished && fall <= std::max(1e-6, this->Options.Tolerance) * this->StartEnergy)
+  if (finished && this->Region.IsEmpty() &&
+      fall <= std::max(1e-6, this->Options.Tolerance) * this->StartEnergy)
   {
     char text[200];
     std::snprintf(

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Spacetime/LevelSolver.h"
+#include "Spacetime/SpacetimeEdit.h"
 #include "Spacetime/SpacetimeMemory.h"
 #include "Spacetime/SpacetimeProgram.h"
 
@@ -34,7 +35,7 @@ private:
   Result Begin();
   bool GoOn();
   bool Resume();
-  void MoveToPlan();
+  void ResetOutside(const StateVector& before);
   /// The cost of State at full resolution, its neighbour lists made anew.
   SpacetimeTerms Measure();
 
@@ -42,7 +43,10 @@ private:
   void TakeSteps();
   void EnterLevel(bool coarse);
   void LeaveLevel();
-  StateVector& LevelState() { return this->IsCoarse ? this->CoarseState : this->State; }
+  StateVector& LevelState()
+  {
+    return this->IsCoarse || !this->Region.IsEmpty() ? this->PartState : this->State;
+  }
   /// Both return false when the run was stopped.
   bool Minimize(const SpacetimeStep& step);
   bool UpdateFields(const SpacetimeStep& step);
@@ -65,9 +69,10 @@ private:
 
   SpacetimeSetup Setup;
   SpacetimeProgram Program;
-  std::size_t Next = 0;  // step
-  bool IsInside = false; // Next's minimisation was left between two iterations
-  StateVector State, CoarseState;
+  std::size_t Next = 0;                // step
+  bool IsInside = false;               // Next's minimisation was left between two iterations
+  StateVector State, PartState;        // all frames; those of the coarse level or about an edit
+  EditRegion Region;                   // all that moves, when an edit is local
   std::unique_ptr<LevelSolver> Solver; // of the level that the run is on
   bool IsCoarse = false;
 
