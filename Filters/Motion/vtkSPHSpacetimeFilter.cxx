@@ -96,6 +96,9 @@ waft::SpacetimeOptions vtkSPHSpacetimeFilter::Internals::Options() const
   options.TimeLimit = this->Self->TimeLimit;
   options.HistorySize = this->Self->HistorySize;
   options.WarmStart = this->Self->WarmStart;
+  options.EditDuration = this->Self->EditDuration;
+  options.EditRadius = this->Self->EditRadius;
+  options.MemoryLimit = this->Self->MemoryLimit;
   options.CheckpointFile = this->Self->CheckpointFile;
   options.CheckpointInterval = this->Self->CheckpointInterval;
   return options;
@@ -125,9 +128,8 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs
   this->Solution = waft::SpacetimeOutput();
   waft::SpacetimeInput input;
   WAFT_RETURN_IF_FAILED(this->Take(inputs, input));
-  WAFT_RETURN_IF_FAILED(
-    waft::RunSpacetime(input, this->Options(), waft::SmpFor(), monitor, this->Solution,
-                       &this->Memory));
+  WAFT_RETURN_IF_FAILED(waft::RunSpacetime(input, this->Options(), waft::SmpFor(), monitor,
+                                           this->Solution, &this->Memory));
   this->Warnings = this->Solution.Warnings;
   this->KeepSolution();
   return waft::Result::Ok(); // also when stopped: the best so far is shown until something changes
@@ -254,6 +256,9 @@ void vtkSPHSpacetimeFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeLimit: " << this->TimeLimit << "\n";
   os << indent << "HistorySize: " << this->HistorySize << "\n";
   os << indent << "WarmStart: " << this->WarmStart << "\n";
+  os << indent << "EditDuration: " << this->EditDuration << "\n";
+  os << indent << "EditRadius: " << this->EditRadius << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "CheckpointFile: " << this->CheckpointFile << "\n";
   os << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n";
 }

@@ -186,6 +186,24 @@ public:
   vtkBooleanMacro(WarmStart, bool);
   ///@}
   ///@{
+  /** When only some tracks or rows changed since the last run: seconds before and after the changed
+   * frames that are solved again; 0: all is solved on. 0 to 1000. */
+  vtkSetClampMacro(EditDuration, double, 0.0, 1000.0);
+  vtkGetMacro(EditDuration, double);
+  ///@}
+  ///@{
+  /** Then: metres about the changed objects within which gas and objects move; nothing else does.
+   * 0: all is solved on. 0 to 1000. */
+  vtkSetClampMacro(EditRadius, double, 0.0, 1000.0);
+  vtkGetMacro(EditRadius, double);
+  ///@}
+  ///@{
+  /** Megabytes that a run may take besides its input; 0: no limit. Frames are solved in windows, in
+   * several times the time, where all at once would take more. 0 to 1e+09. */
+  vtkSetClampMacro(MemoryLimit, double, 0.0, 1e+09);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+  ///@{
   /** A file that the state of a run is written to at intervals, whole or not at all; empty: none.
    * A run of the same inputs and properties that was ended before its time goes on from it, to the
    * same bits; a run that ends by itself removes it. */
@@ -246,6 +264,9 @@ private:
   double TimeLimit = 0.0;
   int HistorySize = 6;
   bool WarmStart = true;
+  double EditDuration = 1.0;
+  double EditRadius = 1.0;
+  double MemoryLimit = 0.0;
   std::string CheckpointFile;
   double CheckpointInterval = 10.0;
 

@@ -20,6 +20,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <string>
 
 namespace
 {
@@ -195,4 +198,99 @@ TEST(SPHSpacetimeFilter, KeepsTheBestSoFarWhenStopped)
   vtkTable* log = p.Table(4);
   EXPECT_LT(log->GetValueByName(log->GetNumberOfRows() - 1, "E").ToDouble(),
             log->GetValueByName(0, "E").ToDouble());
+}
+
+TEST(SPHSpacetimeFilter, GoesOnFromItsLastMotionUntilRestarted)
+{
+  Pipeline p;
+  p.Filter->Update();
+  const auto stage = [&](vtkIdType row)
+  { return std::string(p.Table(4)->GetValueByName(row, "Stage").ToString()); };
+  const auto energy = [&]()
+  { return p.Table(4)->GetValueByName(p.Table(4)->GetNumberOfRows() - 1, "E").ToDouble(); };
+  const std::vector<Track> first = p.Tracks();
+  const double before = energy();
+  EXPECT_EQ(stage(0), "initial");
+  p.Filter->Continue();
+  p.Filter->Update();
+  EXPECT_EQ(stage(0), "so far");
+  EXPECT_LT(energy(), before);
+
+  // One row and the plan with it: where they change, and about there.
+  p.Filter->SetEditDuration(0.1);
+  p.Filter->SetEditRadius(0.4);
+  p.Filter->Continue();
+  p.Filter->Update();
+  const std::vector<Track> kept = p.Tracks();
+  double x[3];
+  p.Data[0]->GetPoint(40 + 12, x); // of the second object
+  p.Data[0]->GetPoints()->SetPoint(40 + 12, x[0] + 0.05, x[1], x[2]);
+  p.Data[0]->GetPoints()->Modified();
+  p.Data[0]->Modified();
+  p.Filter->Update();
+  EXPECT_EQ(stage(1), "edit");
+  const std::vector<Track> edited = p.Tracks();
+  EXPECT_NE(edited[1].Positions[12], kept[1].Positions[12]);
+  for (std::size_t k = 0; k < 40; ++k)
+  {
+    if (k < 9 || k > 15)
+    {
+      EXPECT_EQ(edited[1].Positions[k], kept[1].Positions[k]) << k;
+    }
+  }
+  p.Data[0]->GetPoints()->SetPoint(40 + 12, x);
+  p.Data[0]->GetPoints()->Modified();
+  p.Data[0]->Modified();
+  p.Filter->Restart();
+  p.Filter->Update();
+  EXPECT_EQ(stage(0), "initial");
+  for (std::size_t o = 0; o < 3; ++o)
+  {
+    EXPECT_EQ(p.Tracks()[o].Positions, first[o].Positions);
+  }
+}
+
+TEST(SPHSpacetimeFilter, WritesCheckpointsAndGoesOnFromThemInAnotherPipeline)
+{
+  const std::string path = testing::TempDir() + "waft-filter-checkpoint";
+  std::remove(path.c_str());
+  Pipeline whole;
+  whole.Filter->Update();
+  Pipeline stopped;
+  stopped.Filter->SetCheckpointFile(path.c_str());
+  stopped.Filter->SetCheckpointInterval(0.0);
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(
+    [](vtkObject* filter, unsigned long, void*, void* fraction)
+    {
+      if (*static_cast<double*>(fraction) > 0.5)
+      {
+        static_cast<vtkAlgorithm*>(filter)->SetAbortExecute(1);
+      }
+    });
+  stopped.Filter->AddObserver(vtkCommand::ProgressEvent, command);
+  stopped.Filter->Update();
+  ASSERT_TRUE(std::ifstream(path).good());
+  Pipeline resumed;
+  resumed.Filter->SetCheckpointFile(path.c_str());
+  resumed.Filter->Update();
+  EXPECT_FALSE(std::ifstream(path).good());
+  const std::vector<Track> a = whole.Tracks();
+  const std::vector<Track> b = resumed.Tracks();
+  ASSERT_EQ(b.size(), a.size());
+  for (std::size_t o = 0; o < a.size(); ++o)
+  {
+    EXPECT_EQ(a[o].Positions, b[o].Positions);
+    EXPECT_EQ(a[o].AirVelocities, b[o].AirVelocities);
+  }
+}
+
+TEST(SPHSpacetimeFilter, NamesAMemoryLimitThatIsTooLow)
+{
+  Pipeline p;
+  p.Filter->SetMemoryLimit(3.0);
+  ErrorLog errors(p.Filter);
+  p.Filter->Update();
+  EXPECT_TRUE(errors.Contains("MemoryLimit: 3 MB, at least")) << errors.Text;
+  EXPECT_EQ(p.Poly(0)->GetNumberOfPoints(), 0);
 }

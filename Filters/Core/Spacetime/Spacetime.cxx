@@ -53,6 +53,7 @@ Result SpacetimeOptions::Validate() const
          CheckRange("HistorySize", this->HistorySize, 1, 20),
          CheckRange("EditDuration", this->EditDuration, 0.0, Large),
          CheckRange("EditRadius", this->EditRadius, 0.0, Large),
+         CheckRange("MemoryLimit", this->MemoryLimit, 0.0, Large),
          CheckRange("CheckpointInterval", this->CheckpointInterval, 0.0, Large) })
   {
     if (!result)

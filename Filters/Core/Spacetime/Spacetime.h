@@ -53,6 +53,9 @@ struct SpacetimeOptions
   /// Nothing else moves. One of them 0: all is solved on.
   double EditDuration = 1.0;
   double EditRadius = 1.0;
+  /// MB that a run may take, besides its input; 0: no limit. Frames are solved in windows where all
+  /// at once would take more.
+  double MemoryLimit = 0.0;
   std::string CheckpointFile; // empty: none
   /// s between two writings, at least, and thirty times what one takes; 0: after each iteration.
   double CheckpointInterval = 10.0;
@@ -116,8 +119,9 @@ struct SpacetimeMemory; // SpacetimeMemory.h
 std::array<int, 3> WindLatticeDimensions(const Box& volume);
 
 /// Errors: tracks that are empty, not finite or of different lengths, constraints or tracks without
-/// object, a volume too small for the gas. Stopped (by the monitor): the output holds the best
-/// feasible motion so far; so it does at the TimeLimit, which is a warning.
+/// object, a volume too small for the gas, a MemoryLimit too low for windows of a few frames.
+/// Stopped (by the monitor): the output holds the best feasible motion so far; so it does at the
+/// TimeLimit, which is a warning.
 ///
 /// memory, where there is one, is what the last run left and is left anew: with WarmStart and the
 /// same unknowns (objects, frames, gas) the run goes on from it, else from the planned tracks. An

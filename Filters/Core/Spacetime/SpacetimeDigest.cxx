@@ -139,7 +139,7 @@ std::uint64_t DigestOfRun(const SpacetimeInput& input, const SpacetimeOptions& o
   AddPhysics(sum, options);
   SpacetimeOptions o = options;
   sum.Values(o.Passes, o.UseLeash, o.LeashIterations, o.MaximumNumberOfIterations, o.Tolerance,
-             o.HistorySize);
+             o.HistorySize, o.MemoryLimit);
   for (const Track& track : input.Tracks)
   {
     sum.Value(Read(track.ObjectId));

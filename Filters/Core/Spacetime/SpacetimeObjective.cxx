@@ -13,17 +13,19 @@ struct SpacetimeObjective::Worker
 {
   Worker(const SpacetimeModel& model, const SphKernelTable& kernels) : Terms(model, kernels) {}
   FrameTerms Terms;
+  NeighborList List; // of the frame at hand, where lists are not kept
 };
 
 SpacetimeObjective::SpacetimeObjective(const SpacetimeModel& model, const TimeLevel& level,
-                                       const ParallelFor& parallel, const SphKernelTable& kernels) :
+                                       const ParallelFor& parallel, const SphKernelTable& kernels,
+                                       bool keepsLists) :
   Problem(model),
   Times(level), Parallel(parallel), Kernels(kernels)
 {
   const double own = model.Fluid.GasMass * model.Fluid.Kernel(0.0);
   this->SpatialScale = 1.0 / ((1.0 - own) * (1.0 - own));
   const std::size_t frames = level.NumberOfFrames();
-  this->Lists.resize(frames);
+  this->Lists.resize(keepsLists ? frames : 0);
   this->Residuals.assign(frames * 9 * model.Stride(), 0.0f);
   this->FrameSums.resize(frames);
   this->Bound.assign(frames * model.NumberOfObjects, 0);
@@ -58,6 +60,16 @@ void SpacetimeObjective::Return(std::unique_ptr<Worker> worker)
   this->Pool.push_back(std::move(worker));
 }
 
+NeighborList& SpacetimeObjective::ListOf(Worker& worker, std::size_t j)
+{
+  if (!this->Lists.empty())
+  {
+    return this->Lists[j];
+  }
+  worker.List = NeighborList();
+  return worker.List;
+}
+
 FrameTerms& SpacetimeObjective::ForwardFrame(const StateVector& state, std::size_t j)
 {
   if (this->Pool.empty())
@@ -67,7 +79,7 @@ FrameTerms& SpacetimeObjective::ForwardFrame(const StateVector& state, std::size
   FrameTerms& terms = this->Pool.front()->Terms;
   const double step = j + 1 < this->Times.NumberOfFrames() ? this->Times.Steps[j + 1] : 1.0;
   terms.Forward(state.data() + j * this->Problem.FrameSize(), this->Times.Frames[j], step,
-                this->Lists[j]);
+                this->ListOf(*this->Pool.front(), j));
   return terms;
 }
 
@@ -121,7 +133,8 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
   const float* here = state.data() + j * model.FrameSize();
   FrameTerms& terms = worker.Terms;
   const double step = last ? 0.0 : this->Times.Steps[j + 1];
-  terms.Forward(here, this->Times.Frames[j], last ? 1.0 : step, this->Lists[j]);
+  NeighborList& list = this->ListOf(worker, j);
+  terms.Forward(here, this->Times.Frames[j], last ? 1.0 : step, list);
 
   const double share = last ? 0.0 : this->Times.StepWeights[j + 1];
   const float wx = static_cast<float>(weights.Position * share);
@@ -179,7 +192,7 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
   {
     float* g = gradient->data() + j * model.FrameSize();
     std::fill(g, g + model.FrameSize(), 0.0f);
-    terms.Adjoint(this->Lists[j], g);
+    terms.Adjoint(list, g);
   }
 }
 

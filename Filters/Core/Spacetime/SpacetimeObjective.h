@@ -33,9 +33,11 @@ struct SpacetimeTerms
 class SpacetimeObjective
 {
 public:
-  /// The model and the level must outlive the objective.
+  /// The model and the level must outlive the objective. Without keepsLists neighbours are looked
+  /// for at each evaluation: slower, for few evaluations in little memory.
   SpacetimeObjective(const SpacetimeModel& model, const TimeLevel& level,
-                     const ParallelFor& parallel, const SphKernelTable& kernels);
+                     const ParallelFor& parallel, const SphKernelTable& kernels,
+                     bool keepsLists = true);
   ~SpacetimeObjective();
 
   /// E, and its gradient where asked for (not null). Deterministic for any number of threads.
@@ -65,6 +67,7 @@ private:
   struct Worker;
   std::unique_ptr<Worker> Borrow();
   void Return(std::unique_ptr<Worker> worker);
+  NeighborList& ListOf(Worker& worker, std::size_t j);
   void SphFrame(Worker& worker, const StateVector& state, std::size_t j, StateVector* gradient);
   void SmoothRow(const StateVector& state, std::size_t j);
   void GatherFrame(std::size_t j, StateVector& gradient) const;
@@ -78,7 +81,7 @@ private:
   double SpatialScale; // 1 / (1 - m W(0))^2
   std::size_t Evaluations = 0;
 
-  std::vector<NeighborList> Lists;
+  std::vector<NeighborList> Lists; // by frame; empty when they are not kept
   /// Weighted residuals of the step into frame j: rx, rv and rt, nine rows.
   std::vector<float> Residuals;
   std::vector<SpacetimeTerms> FrameSums;

@@ -53,7 +53,15 @@ void SpacetimeRun::ExchangeCheckpoint(StateStream& stream)
     this->EnterLevel(coarse);
   }
   this->Solver->Objective.ExchangeLists(stream);
-  this->Solver->Solver.Exchange(stream);
+  if (this->Solver->Solver)
+  {
+    this->Solver->Solver->Exchange(stream);
+    return;
+  }
+  SpacetimeTerms& terms = this->Place.Terms;
+  stream.Values(this->Place.Sweep, this->Place.Index, terms.E, terms.Ex, terms.Ev, terms.Ec,
+                terms.Beside);
+  stream.List(this->Place.Energies);
 }
 
 void SpacetimeRun::KeepCheckpoint(bool now)
@@ -154,6 +162,15 @@ bool SpacetimeRun::GoOn()
       this->Options.EditRadius > 0.0)
   {
     this->Region = FindEditRegion(memory, digest, this->Options, this->Setup, this->State);
+  }
+  const std::size_t span = static_cast<std::size_t>(this->Region.Last - this->Region.First + 1);
+  const SpacetimeBudget budget(model, this->Options);
+  if (budget.WindowOf(span + budget.Halo, this->Options.MemoryLimit) < span + budget.Halo)
+  {
+    this->Region = EditRegion(); // all is solved on, in windows
+  }
+  if (!this->Region.IsEmpty())
+  {
     this->ResetOutside(memory.State);
     level.FirstFree = static_cast<std::size_t>(this->Region.First);
     level.LastFree = static_cast<std::size_t>(this->Region.Last);

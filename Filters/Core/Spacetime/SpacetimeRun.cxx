@@ -5,6 +5,7 @@
 #include "Spacetime/FieldUpdates.h"
 #include "Spacetime/GasStart.h"
 #include "Spacetime/SpacetimeExport.h"
+#include "Spacetime/StepMonitor.h"
 #include "Spacetime/TimeLevels.h"
 
 #include <algorithm>
@@ -17,31 +18,6 @@ namespace
 {
 
 constexpr double CoarseTimeShare = 0.5; // of a time limit, for the coarse level
-
-/// Progress of one step as a part of the whole.
-class StepMonitor : public Monitor
-{
-public:
-  StepMonitor(Monitor& outer, double from, double to, int steps) :
-    Outer(outer), From(std::min(1.0, from)), To(std::min(1.0, to)), Steps(std::max(1, steps))
-  {
-  }
-  bool Tick(double fraction, const std::string&) override
-  {
-    const double done = std::min(1.0, (this->Done + fraction) / this->Steps);
-    this->Going =
-      this->Outer.Tick(this->From + (this->To - this->From) * done, this->Text) && this->Going;
-    return this->Going;
-  }
-  int Done = 0;
-  std::string Text;
-  bool Going = true;
-
-private:
-  Monitor& Outer;
-  double From, To;
-  int Steps;
-};
 
 } // namespace
 
@@ -87,7 +63,7 @@ SpacetimeTerms SpacetimeRun::Measure()
 {
   const TimeLevel full =
     TimeLevel::Full(this->Setup.Model.NumberOfFrames, this->Options.TemporalWindow);
-  SpacetimeObjective objective(this->Setup.Model, full, this->Parallel, FastestSphKernels());
+  SpacetimeObjective objective(this->Setup.Model, full, this->Parallel, FastestSphKernels(), false);
   SpacetimeTerms terms;
   objective.Evaluate(this->State, nullptr, terms);
   return terms;
@@ -99,7 +75,7 @@ Result SpacetimeRun::Begin()
   this->Program = PlanProgram(this->Setup, this->Options, this->Input.Scene.Bounds.Width());
   const SpacetimeModel& model = this->Setup.Model;
   const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
-  SpacetimeObjective objective(model, full, this->Parallel, FastestSphKernels());
+  SpacetimeObjective objective(model, full, this->Parallel, FastestSphKernels(), false);
   SpacetimeTerms terms;
   objective.Evaluate(this->State, nullptr, terms);
   if (!std::isfinite(terms.E))
@@ -142,8 +118,11 @@ void SpacetimeRun::EnterLevel(bool coarse)
     this->PartState.assign(begin, begin + level.NumberOfFrames() * model.FrameSize());
   }
   this->IsCoarse = coarse;
+  const SpacetimeBudget budget(model, this->Options);
+  this->Window = budget.WindowOf(level.NumberOfFrames(), this->Options.MemoryLimit);
+  const int history = this->HasWindows(level) ? 0 : this->Options.HistorySize;
   this->Solver = std::make_unique<LevelSolver>(this->Setup, std::move(level), this->Parallel,
-                                               this->Options.HistorySize, this->Region.Movable);
+                                               history, this->Region.Movable);
 }
 
 void SpacetimeRun::LeaveLevel()
@@ -170,7 +149,9 @@ void SpacetimeRun::TakeSteps()
   {
     const SpacetimeStep& step = steps[this->Next];
     this->EnterLevel(step.IsCoarse);
-    if (step.IsUpdate ? this->UpdateFields(step) : this->Minimize(step))
+    const bool windows = !step.IsUpdate && this->HasWindows(this->Solver->Level);
+    if (step.IsUpdate ? this->UpdateFields(step)
+                      : (windows ? this->MinimizeInWindows(step) : this->Minimize(step)))
     {
       ++this->Next;
     }
@@ -217,8 +198,8 @@ bool SpacetimeRun::Minimize(const SpacetimeStep& step)
     return !isUp;
   };
   const LbfgsEnd end =
-    solver.Solver.Minimize(solver.Objective, solver.Preconditioner, solver.Constraints, options,
-                           observer, &monitor, state);
+    solver.Solver->Minimize(solver.Objective, solver.Preconditioner, solver.Constraints, options,
+                            observer, &monitor, state);
   this->Stopped = this->Stopped || !monitor.Going;
   return end != LbfgsEnd::Stopped;
 }
@@ -263,6 +244,11 @@ Result SpacetimeRun::Run()
   {
     return result;
   }
+  if (Result result = SpacetimeBudget(this->Setup.Model, this->Options).Validate(this->Options);
+      !result)
+  {
+    return result;
+  }
   this->Output.Spacing = this->Setup.Spacing;
   if (!this->Resume() && !this->GoOn())
   {
@@ -294,8 +280,14 @@ Result SpacetimeRun::Finish()
   }
   std::vector<std::vector<Vec3>> positions =
     ExportPositions(this->Input, this->Setup, kept, this->State, this->Output.Warnings);
-  // Neighbour lists made anew: what is exported of a frame depends on that frame alone.
-  SpacetimeObjective objective(this->Setup.Model, level, this->Parallel, FastestSphKernels());
+  if (this->Region.IsEmpty())
+  {
+    HoldWind(this->Setup.Model, level,
+             this->State); // the objects have moved since it was estimated
+  }
+  // Neighbours are looked for anew: what is exported of a frame depends on that frame alone.
+  SpacetimeObjective objective(this->Setup.Model, level, this->Parallel, FastestSphKernels(),
+                               false);
   SpacetimeTerms terms;
   objective.Evaluate(this->State, nullptr, terms);
   if (!std::isfinite(terms.E))

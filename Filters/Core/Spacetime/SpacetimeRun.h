@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Spacetime/LevelSolver.h"
+#include "Spacetime/SpacetimeBudget.h"
 #include "Spacetime/SpacetimeEdit.h"
 #include "Spacetime/SpacetimeMemory.h"
 #include "Spacetime/SpacetimeProgram.h"
@@ -10,6 +11,7 @@
 #include <chrono>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace waft
@@ -49,6 +51,12 @@ private:
   }
   /// Both return false when the run was stopped.
   bool Minimize(const SpacetimeStep& step);
+  bool MinimizeInWindows(const SpacetimeStep& step);
+  bool SolveWindow(const SpacetimeStep& step, std::pair<std::size_t, std::size_t> window,
+                   double done, Monitor& monitor);
+  bool HasWindows(const TimeLevel& level) const { return this->Window < level.NumberOfFrames(); }
+  /// First and last free level frame of each window of a sweep.
+  std::vector<std::pair<std::size_t, std::size_t>> Windows(int sweep) const;
   bool UpdateFields(const SpacetimeStep& step);
 
   /// A step's observer calls this after each iterate.
@@ -75,6 +83,15 @@ private:
   EditRegion Region;                   // all that moves, when an edit is local
   std::unique_ptr<LevelSolver> Solver; // of the level that the run is on
   bool IsCoarse = false;
+  std::size_t Window = 0; // free frames that are solved at once on the present level
+  struct WindowPlace      // in a minimisation by windows
+  {
+    int Sweep = 0;
+    std::uint64_t Index = 0;      // of the window, in the sweep
+    SpacetimeTerms Terms;         // E of the whole, now
+    std::vector<double> Energies; // E of the whole after each sweep
+  };
+  WindowPlace Place;
 
   double AllWork = 1.0;     // expected, in iterations at full resolution
   bool Stopped = false;     // by the monitor

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/SpacetimeBudget.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace waft
+{
+namespace
+{
+
+constexpr double Megabyte = 1e6;
+constexpr std::size_t ShortestWindow = 8; // frames: in shorter ones hardly anything can move
+constexpr double ListGrowth = 1.3;        // of a list's room over its entries
+constexpr double WallShare = 0.85;        // of neighbours that walls leave, on average
+constexpr double UsualSkin = 0.2;         // [dx]
+constexpr double SmallParts = 4e6;        // factors, fields, work space of the threads
+
+} // namespace
+
+SpacetimeBudget::SpacetimeBudget(const SpacetimeModel& model, const SpacetimeOptions& options)
+{
+  const double frame = sizeof(float) * double(model.FrameSize());
+  const double particles = double(model.NumberOfParticles());
+  const double rows = sizeof(float) * 9.0 * double(model.Stride());
+  const double exported = sizeof(float) * 14.0 * particles;
+  const double reach = 2.0 * options.SmoothingLength + UsualSkin;
+  const double neighbors =
+    WallShare * 4.0 / 3.0 * M_PI * reach * reach * reach + 4.0; // whole groups of eight
+  const double entry = particles < 65535.0 ? 2.0 : 4.0;
+  const double list = particles * (ListGrowth * entry * neighbors + 4.0 * sizeof(float));
+  // The motion, and the rows of an evaluation of the whole.
+  this->Base = SmallParts + model.NumberOfFrames * (frame + rows);
+  this->Exported = model.NumberOfFrames * exported;
+  // Of a window: its part of the state, L-BFGS with its pairs, rows and lists.
+  this->PerFrame = frame * (6.0 + 2.0 * options.HistorySize) + rows + list;
+  this->Halo = static_cast<std::size_t>(4 * options.TemporalWindow);
+}
+
+std::size_t SpacetimeBudget::WindowOf(std::size_t frames, double limit) const
+{
+  const double room = limit * Megabyte - this->Base;
+  if (limit <= 0.0 || this->PerFrame * double(frames) <= room)
+  {
+    return frames;
+  }
+  const double fit = std::max(0.0, room / this->PerFrame - double(this->Halo));
+  return std::max(ShortestWindow, static_cast<std::size_t>(fit));
+}
+
+Result SpacetimeBudget::Validate(const SpacetimeOptions& options) const
+{
+  const double least = this->Of(ShortestWindow + this->Halo) / Megabyte;
+  if (options.MemoryLimit <= 0.0 || options.MemoryLimit >= least)
+  {
+    return Result::Ok();
+  }
+  char text[200];
+  std::snprintf(text, sizeof(text),
+                "MemoryLimit: %g MB, at least %.0f MB expected for so many frames and particles",
+                options.MemoryLimit, std::ceil(least));
+  return Result::Error(text);
+}
+
+} // namespace waft
