@@ -15,7 +15,7 @@ namespace waft
 namespace
 {
 
-constexpr int IterationsAtOnce = 15; // in one window, before the next has its turn
+constexpr int IterationsAtOnce = 30; // in one window, before the next has its turn
 constexpr double SweepsOfAll = 4.0;  // iterations of a window, for one of all frames at once
 
 } // namespace
