@@ -127,6 +127,17 @@ bool SpacetimeRun::Resume()
     return ignore("belongs to other inputs or properties");
   }
   this->ExchangeCheckpoint(file);
+  if (!file.IsAtEnd() || this->Next >= this->Program.Steps.size())
+  {
+    this->Solver.reset();
+    this->PartState = StateVector();
+    this->IsCoarse = this->GoesOn = false;
+    this->Next = 0;
+    this->Before = 0.0;
+    this->Output.Convergence.clear();
+    (void)MakeSetup(this->Input, this->Options, this->Setup); // as it went a moment ago
+    return ignore("is incomplete");
+  }
   this->IsInside = true;
   return true;
 }

@@ -167,6 +167,16 @@ TEST(Checkpoint, OneOfSomethingElseIsIgnoredAndSaidSo)
   leave(0.3);
   ASSERT_EQ(::truncate(path.c_str(), 3000), 0);
   expectIgnored(input, few, "damaged");
+  {
+    StateFileWriter file(path);
+    std::string format = "Waft spacetime checkpoint 1";
+    std::uint64_t key = DigestOfRun(input, few);
+    std::uint64_t none = 0;
+    file.Text(format);
+    file.Values(key, none, none);
+    ASSERT_TRUE(file.Commit());
+  }
+  expectIgnored(input, few, "incomplete");
 }
 
 TEST(Checkpoint, OneThatCannotBeWrittenIsAWarning)
