@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace waft
 {
@@ -55,11 +56,13 @@ void NeighborList::Build(const SphKernelTable& kernels, std::size_t n, std::size
   const CellGrid grid = MakeGrid(n, points, reach);
   const std::size_t cells = static_cast<std::size_t>(grid.Size[0]) * grid.Size[1] * grid.Size[2];
 
-  // Counting sort by cell, x fastest: the three cells along x are one range.
+  // Counting sort of the gas by cell, x fastest: the three cells along x are one range.
+  const std::size_t gas = std::min(n, numberOfGas);
   scratch.CellStarts.assign(cells + 1, 0);
-  scratch.CellOf.resize(n);
-  scratch.Order.resize(n);
-  for (std::size_t i = 0; i < n; ++i)
+  scratch.CellOf.resize(gas);
+  scratch.Order.resize(gas);
+  scratch.Place.resize(gas);
+  for (std::size_t i = 0; i < gas; ++i)
   {
     const int cell = (grid.Index(2, z[i]) * grid.Size[1] + grid.Index(1, y[i])) * grid.Size[0] +
                      grid.Index(0, x[i]);
@@ -73,60 +76,66 @@ void NeighborList::Build(const SphKernelTable& kernels, std::size_t n, std::size
   std::vector<float>* sorted[3] = { &scratch.X, &scratch.Y, &scratch.Z };
   for (auto* row : sorted)
   {
-    row->resize(n + 8);
+    row->resize(gas + 8);
   }
+  scratch.Next.assign(scratch.CellStarts.begin(), scratch.CellStarts.end() - 1);
+  for (std::size_t i = 0; i < gas; ++i)
   {
-    std::vector<std::uint32_t> next(scratch.CellStarts.begin(), scratch.CellStarts.end() - 1);
-    for (std::size_t i = 0; i < n; ++i)
+    const std::uint32_t place = scratch.Next[scratch.CellOf[i]]++;
+    scratch.Order[place] = static_cast<std::uint32_t>(i);
+    scratch.Place[i] = place;
+    for (int a = 0; a < 3; ++a)
     {
-      const std::uint32_t place = next[scratch.CellOf[i]]++;
-      scratch.Order[place] = static_cast<std::uint32_t>(i);
-      for (int a = 0; a < 3; ++a)
-      {
-        (*sorted[a])[place] = points[a][i];
-      }
+      (*sorted[a])[place] = points[a][i];
     }
   }
 
-  const bool narrow = n < std::numeric_limits<std::uint16_t>::max();
   this->Starts.assign(n + 1, 0);
   this->Narrow.clear();
   this->Wide.clear();
-  scratch.Found.resize(n + 8);
+  scratch.Found.resize(gas + 16);
   for (std::size_t i = 0; i < n; ++i)
   {
     const float p[3] = { x[i], y[i], z[i] };
+    // Gas looks at the gas behind itself in the order of cells, objects at all.
+    const std::size_t from = i < gas ? scratch.Place[i] + 1 : 0;
     std::size_t count = 0;
     const int cx = grid.Index(0, x[i]), cy = grid.Index(1, y[i]), cz = grid.Index(2, z[i]);
-    for (int k = std::max(0, cz - 1); k <= std::min(grid.Size[2] - 1, cz + 1); ++k)
+    for (int k = i < gas ? cz : std::max(0, cz - 1); k <= std::min(grid.Size[2] - 1, cz + 1); ++k)
     {
       for (int j = std::max(0, cy - 1); j <= std::min(grid.Size[1] - 1, cy + 1); ++j)
       {
         const std::size_t row = (static_cast<std::size_t>(k) * grid.Size[1] + j) * grid.Size[0];
-        const std::size_t begin = scratch.CellStarts[row + std::max(0, cx - 1)];
+        const std::size_t begin =
+          std::max<std::size_t>(from, scratch.CellStarts[row + std::max(0, cx - 1)]);
         const std::size_t end = scratch.CellStarts[row + std::min(grid.Size[0] - 1, cx + 1) + 1];
-        std::size_t found = kernels.Near(scratch.X.data(), scratch.Y.data(), scratch.Z.data(),
-                                         begin, end, p, reach * reach, scratch.Found.data());
-        for (std::size_t f = 0; f < found; ++f)
+        if (begin < end)
         {
-          const std::uint32_t other = scratch.Order[scratch.Found[f]];
-          if (other == i || (i >= numberOfGas && other >= numberOfGas))
-          {
-            continue;
-          }
-          narrow ? this->Narrow.push_back(static_cast<std::uint16_t>(other))
-                 : this->Wide.push_back(other);
-          ++count;
+          count += kernels.Near(scratch.X.data(), scratch.Y.data(), scratch.Z.data(), begin, end, p,
+                                reach * reach, scratch.Found.data() + count);
         }
       }
     }
-    for (; count % 8 != 0; ++count)
-    {
-      narrow ? this->Narrow.push_back(static_cast<std::uint16_t>(n))
-             : this->Wide.push_back(static_cast<std::uint32_t>(n));
-    }
-    this->Starts[i + 1] = this->Starts[i] + static_cast<std::uint32_t>(count / 8);
+    this->Append(scratch, count);
+    this->Starts[i + 1] = this->Starts[i] + static_cast<std::uint32_t>((count + 7) / 8);
   }
+}
+
+// The particles of the places found, filled up to a group of eight with the far one.
+void NeighborList::Append(const NeighborScratch& scratch, std::size_t found)
+{
+  const auto append = [&](auto& list)
+  {
+    using Index = typename std::decay_t<decltype(list)>::value_type;
+    const std::size_t first = list.size();
+    list.resize(first + (found + 7) / 8 * 8, static_cast<Index>(this->Count));
+    for (std::size_t f = 0; f < found; ++f)
+    {
+      list[first + f] = static_cast<Index>(scratch.Order[scratch.Found[f]]);
+    }
+  };
+  this->Count < std::numeric_limits<std::uint16_t>::max() ? append(this->Narrow)
+                                                          : append(this->Wide);
 }
 
 void NeighborList::Update(const SphKernelTable& kernels, std::size_t n, std::size_t numberOfGas,

@@ -15,12 +15,13 @@ namespace waft
 /// Work space of a list's construction, one a thread.
 struct NeighborScratch
 {
-  std::vector<std::uint32_t> CellStarts, CellOf, Order, Found;
+  std::vector<std::uint32_t> CellStarts, CellOf, Next, Order, Place, Found;
   std::vector<float> X, Y, Z;
 };
 
-/// Full neighbour lists of one frame. Particles from numberOfGas on belong to objects and do not
-/// see each other. Two bytes an entry up to 65535 particles, four beyond.
+/// Neighbour lists of one frame, each pair once: a pair of gas particles is listed at one of the
+/// two, a pair of gas and object at the object. Particles from numberOfGas on belong to objects and
+/// do not see each other. Two bytes an entry up to 65535 particles, four beyond.
 class NeighborList
 {
 public:
@@ -47,6 +48,8 @@ public:
   std::size_t MemoryBytes() const;
 
 private:
+  void Append(const NeighborScratch& scratch, std::size_t found);
+
   std::size_t Count = 0;
   float Skin = 0.2f;       // [dx]
   int Uses = 0;            // calls of Update since Build

@@ -82,6 +82,7 @@ SphConstants SphFluid::Constants() const
   c.ViscousCore = static_cast<float>(0.01 * h * h);
   c.Kappa = static_cast<float>(this->Kappa());
   c.ObjectKappa = static_cast<float>(this->Kappa() * this->ObjectViscosity);
+  c.GasMass = static_cast<float>(this->GasMass);
   c.ObjectMassThreshold = static_cast<float>(0.5 * (this->GasMass + this->ObjectMass));
   return c;
 }

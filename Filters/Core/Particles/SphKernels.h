@@ -30,23 +30,35 @@ struct alignas(32) SphAdjointRecord
 struct SphConstants
 {
   float SmoothingLength;
-  float InverseSupport;      // 1 / 2h
-  float KernelScale;         // sigma
-  float GradientScale;       // -5 sigma / h^2
-  float SecondScale;         // 7.5 sigma / h^3
-  float ViscousCore;         // 0.01 h^2
-  float Kappa;               // alpha c0 h / rho0, between gas particles
-  float ObjectKappa;         // the same between gas and object particles
+  float InverseSupport; // 1 / 2h
+  float KernelScale;    // sigma
+  float GradientScale;  // -5 sigma / h^2
+  float SecondScale;    // 7.5 sigma / h^3
+  float ViscousCore;    // 0.01 h^2
+  float Kappa;          // alpha c0 h / rho0, between gas particles
+  float ObjectKappa;    // the same between gas and object particles
+  float GasMass;
   float ObjectMassThreshold; // lighter particles belong to objects
 };
 
-/// Neighbours of each particle in groups of eight; the last group is filled with the index of a far
-/// record without mass, that the caller appends after the particles.
+/// Neighbours in groups of eight, each pair once: of a gas particle some of the gas about it, of an
+/// object's all gas about it. The last group is filled with the index of a far record, that the
+/// caller appends after the particles.
 struct SphNeighbors
 {
   const std::uint32_t* Starts; // n + 1 entries, in groups of eight
   const std::uint16_t* Narrow; // either this list
   const std::uint32_t* Wide;   // or this one
+};
+
+/// The pairs of a frame within the support, as the density sum finds them and the other sums read
+/// them: x_i - x_j, s = 1 - r / 2h and the index j, in groups of eight of one i. The caller gives
+/// room for as many entries as the neighbours have, and sixteen more.
+struct SphPairs
+{
+  std::uint32_t* Starts; // n + 1 entries, in groups of eight
+  float *X, *Y, *Z, *S;
+  std::uint32_t* Other;
 };
 
 /// A vortex at one instant: Strength already times its factor of time and 1 / 4 pi.
@@ -95,19 +107,20 @@ struct SphKernelTable
 {
   const char* Name;
 
-  /// density[i] = sum_j m_j W_ij.
+  /// density[i] = sum_j m_j W_ij, n + 1 entries; fills `pairs`.
   void (*Density)(const SphConstants&, const SphRecord*, const SphNeighbors&, std::size_t n,
-                  float* density);
+                  const SphPairs& pairs, float* density);
   /// acceleration_i = -sum_j m_j (p_i + p_j + Pi_ij) F x_ij; average_i = sum_j m_j W_ij (v_j -
-  /// v_i).
-  void (*Accelerate)(const SphConstants&, const SphRecord*, const SphNeighbors&, std::size_t n,
-                     SphRows acceleration, SphRows average);
-  /// pressure[i] = -sum_j F (b_ij . x_ij), b_ij = m_j abar_i - m_i abar_j.
+  /// v_i). sums: n + 1 records of eight floats, work space, here and below.
+  void (*Accelerate)(const SphConstants&, const SphRecord*, const SphPairs&, std::size_t n,
+                     float* sums, SphRows acceleration, SphRows average);
+  /// pressure[i] = -sum_j F (b_ij . x_ij), b_ij = m_j abar_i - m_i abar_j; n + 1 entries.
   void (*AdjointPressure)(const SphConstants&, const SphRecord*, const SphAdjointRecord*,
-                          const SphNeighbors&, std::size_t n, float* pressure);
+                          const SphPairs&, std::size_t n, float* pressure);
   /// Adds the adjoint of positions and velocities.
   void (*AdjointState)(const SphConstants&, const SphRecord*, const SphAdjointRecord*,
-                       const SphNeighbors&, std::size_t n, SphRows position, SphRows velocity);
+                       const SphPairs&, std::size_t n, float* sums, SphRows position,
+                       SphRows velocity);
   /// psi, its gradient (3 rows) and its Hessian (xx, xy, xz, yy, yz, zz): the kernel's mass beyond
   /// the planes of the box. n is padded to a multiple of eight.
   void (*Walls)(const SphConstants&, const SphBox&, std::size_t n, const float* x, const float* y,

@@ -83,6 +83,106 @@ inline void LoadFour(const float* base, const Index* index, Lanes out[4])
   out[3] = { _mm256_shuffle_ps(t1, t3, 0xEE) };
 }
 
+/// Eight vectors of a record's components, turned into the records of eight lanes.
+inline void Transpose(const Lanes in[8], __m256 out[8])
+{
+  __m256 low[4], high[4];
+  const auto half = [](const Lanes* v, __m256 r[4])
+  {
+    const __m256 t0 = _mm256_unpacklo_ps(v[0].Value, v[1].Value);
+    const __m256 t1 = _mm256_unpackhi_ps(v[0].Value, v[1].Value);
+    const __m256 t2 = _mm256_unpacklo_ps(v[2].Value, v[3].Value);
+    const __m256 t3 = _mm256_unpackhi_ps(v[2].Value, v[3].Value);
+    r[0] = _mm256_shuffle_ps(t0, t2, 0x44);
+    r[1] = _mm256_shuffle_ps(t0, t2, 0xEE);
+    r[2] = _mm256_shuffle_ps(t1, t3, 0x44);
+    r[3] = _mm256_shuffle_ps(t1, t3, 0xEE);
+  };
+  half(in, low);
+  half(in + 4, high);
+  for (int k = 0; k < 4; ++k)
+  {
+    out[k] = _mm256_permute2f128_ps(low[k], high[k], 0x20);
+    out[k + 4] = _mm256_permute2f128_ps(low[k], high[k], 0x31);
+  }
+}
+
+/// Subtracts lane k of eight components from the record index[k] of eight floats, lane by lane.
+inline void SubtractRecords(float* base, const std::uint32_t* index, const Lanes components[8])
+{
+  __m256 rows[8];
+  Transpose(components, rows);
+  for (int k = 0; k < 8; ++k)
+  {
+    float* record = base + 8 * static_cast<std::size_t>(index[k]);
+    _mm256_store_ps(record, _mm256_sub_ps(_mm256_load_ps(record), rows[k]));
+  }
+}
+
+/// Adds the sums of the lanes of eight components to one record.
+inline void AddSums(float* record, const Lanes components[8])
+{
+  __m256 r[8];
+  Transpose(components, r);
+  const __m256 sum =
+    _mm256_add_ps(_mm256_add_ps(_mm256_add_ps(r[0], r[4]), _mm256_add_ps(r[2], r[6])),
+                  _mm256_add_ps(_mm256_add_ps(r[1], r[5]), _mm256_add_ps(r[3], r[7])));
+  _mm256_store_ps(record, _mm256_add_ps(_mm256_load_ps(record), sum));
+}
+
+/// Places of the set bits of a mask, first to last.
+struct SetBits
+{
+  unsigned char Places[256][8];
+  constexpr SetBits() : Places()
+  {
+    for (int mask = 0; mask < 256; ++mask)
+    {
+      int count = 0;
+      for (int bit = 0; bit < 8; ++bit)
+      {
+        if (mask & (1 << bit))
+        {
+          this->Places[mask][count++] = static_cast<unsigned char>(bit);
+        }
+      }
+    }
+  }
+};
+constexpr SetBits AllSetBits;
+
+/// Moves the lanes of a mask to the front.
+struct Compressor
+{
+  __m256i Order;
+
+  explicit Compressor(unsigned mask) :
+    Order(_mm256_cvtepu8_epi32(
+      _mm_loadl_epi64(reinterpret_cast<const __m128i*>(AllSetBits.Places[mask]))))
+  {
+  }
+  void Store(Lanes a, float* out) const
+  {
+    _mm256_storeu_ps(out, _mm256_permutevar8x32_ps(a.Value, this->Order));
+  }
+  void Store(const std::uint32_t* index, std::uint32_t* out) const
+  {
+    this->Store(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(index)), out);
+  }
+  void Store(const std::uint16_t* index, std::uint32_t* out) const
+  {
+    this->Store(_mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(index))),
+                out);
+  }
+
+private:
+  void Store(__m256i a, std::uint32_t* out) const
+  {
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out),
+                        _mm256_permutevar8x32_epi32(a, this->Order));
+  }
+};
+
 /// Products summed in double precision.
 struct DoubleSum
 {

@@ -98,6 +98,52 @@ inline void LoadFour(const float* base, const Index* index, Lanes out[4])
   }
 }
 
+inline void SubtractRecords(float* base, const std::uint32_t* index, const Lanes components[8])
+{
+  for (int k = 0; k < 8; ++k)
+  {
+    float* record = base + 8 * static_cast<std::size_t>(index[k]);
+    for (int c = 0; c < 8; ++c)
+    {
+      record[c] -= components[c].Value[k];
+    }
+  }
+}
+
+inline void AddSums(float* record, const Lanes components[8])
+{
+  for (int c = 0; c < 8; ++c)
+  {
+    record[c] += Sum(components[c]);
+  }
+}
+
+struct Compressor
+{
+  unsigned Mask;
+
+  explicit Compressor(unsigned mask) : Mask(mask) {}
+  void Store(const Lanes& a, float* out) const { this->Copy(a.Value, out); }
+  template <typename Index>
+  void Store(const Index* index, std::uint32_t* out) const
+  {
+    this->Copy(index, out);
+  }
+
+private:
+  template <typename From, typename To>
+  void Copy(const From* from, To* to) const
+  {
+    for (int k = 0; k < 8; ++k)
+    {
+      if (this->Mask & (1u << k))
+      {
+        *to++ = static_cast<To>(from[k]);
+      }
+    }
+  }
+};
+
 struct DoubleSum
 {
   double Value[8] = {};

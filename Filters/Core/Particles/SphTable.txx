@@ -1,33 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of one instruction set: a choice between the two index widths in front of each sum.
+// The table of one instruction set: a choice between the two widths of the lists' indices.
 void DensityAny(const SphConstants& c, const SphRecord* records, const SphNeighbors& list,
-                std::size_t n, float* density)
+                std::size_t n, const SphPairs& pairs, float* density)
 {
-  list.Narrow ? DensitySum(c, records, list.Starts, list.Narrow, n, density)
-              : DensitySum(c, records, list.Starts, list.Wide, n, density);
-}
-
-void AccelerateAny(const SphConstants& c, const SphRecord* records, const SphNeighbors& list,
-                   std::size_t n, SphRows a, SphRows d)
-{
-  list.Narrow ? AccelerationSum(c, records, list.Starts, list.Narrow, n, a, d)
-              : AccelerationSum(c, records, list.Starts, list.Wide, n, a, d);
-}
-
-void AdjointPressureAny(const SphConstants& c, const SphRecord* records,
-                        const SphAdjointRecord* adjoints, const SphNeighbors& list, std::size_t n,
-                        float* p)
-{
-  list.Narrow ? AdjointPressureSum(c, records, adjoints, list.Starts, list.Narrow, n, p)
-              : AdjointPressureSum(c, records, adjoints, list.Starts, list.Wide, n, p);
-}
-
-void AdjointStateAny(const SphConstants& c, const SphRecord* records,
-                     const SphAdjointRecord* adjoints, const SphNeighbors& list, std::size_t n,
-                     SphRows x, SphRows v)
-{
-  list.Narrow ? AdjointStateSum(c, records, adjoints, list.Starts, list.Narrow, n, x, v)
-              : AdjointStateSum(c, records, adjoints, list.Starts, list.Wide, n, x, v);
+  list.Narrow ? DensitySum(c, records, list.Starts, list.Narrow, n, pairs, density)
+              : DensitySum(c, records, list.Starts, list.Wide, n, pairs, density);
 }
 
 double DotProduct(std::size_t n, const float* a, const float* b)
@@ -68,6 +45,6 @@ double AddAndDot(std::size_t n, float factor, const float* x, float* y, const fl
 
 SphKernelTable MakeTable(const char* name)
 {
-  return { name,      DensityAny,  AccelerateAny, AdjointPressureAny, AdjointStateAny,
-           WallTerms, VortexTerms, SplineTerms,   NearPoints,         { DotProduct, AddAndDot } };
+  return { name,      DensityAny,  AccelerationSum, AdjointPressureSum, AdjointStateSum,
+           WallTerms, VortexTerms, SplineTerms,     NearPoints,         { DotProduct, AddAndDot } };
 }

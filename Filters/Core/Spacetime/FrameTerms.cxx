@@ -31,6 +31,10 @@ FrameTerms::FrameTerms(const SpacetimeModel& model, const SphKernelTable& kernel
   {
     v->assign(p, 0.0f);
   }
+  this->Bar.resize(p + 1); // the far one's entry included
+  this->Density.resize(p + 1);
+  this->PairStarts.resize(n + 1);
+  this->PairSums.resize(n + 1);
   this->PsiGradient.assign(3 * p, 0.0f);
   this->PsiHessian.assign(6 * p, 0.0f);
   this->ParticleRates.assign(6 * p, 0.0f);
@@ -244,6 +248,21 @@ void FrameTerms::AddCushions(const float* state, int frame, double step)
   }
 }
 
+// For the pairs of a list with so many entries.
+void FrameTerms::MakeRoom(std::size_t entries)
+{
+  const std::size_t room = entries + 16;
+  if (this->PairOther.size() < room)
+  {
+    this->PairOther.resize(room + room / 8);
+    this->PairGeometry.resize(4 * this->PairOther.size());
+  }
+  const std::size_t row = this->PairOther.size();
+  float* geometry = this->PairGeometry.data();
+  this->Pairs = { this->PairStarts.data(), geometry,           geometry + row,
+                  geometry + 2 * row,      geometry + 3 * row, this->PairOther.data() };
+}
+
 void FrameTerms::Forward(const float* state, int frame, double step, NeighborList& list)
 {
   const std::size_t ng = this->Model.NumberOfGas;
@@ -255,7 +274,9 @@ void FrameTerms::Forward(const float* state, int frame, double step, NeighborLis
               static_cast<float>(this->Model.Fluid.Support()), this->Scratch);
   const SphNeighbors neighbors = list.View();
   this->AddWalls(frame);
-  this->Kernels.Density(this->Constants, this->Records.data(), neighbors, n, this->Density.data());
+  this->MakeRoom(list.NumberOfEntries());
+  this->Kernels.Density(this->Constants, this->Records.data(), neighbors, n, this->Pairs,
+                        this->Density.data());
   const float self = static_cast<float>(this->Model.Fluid.GasMass * this->Model.Fluid.Kernel(0.0));
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -263,8 +284,8 @@ void FrameTerms::Forward(const float* state, int frame, double step, NeighborLis
     this->Records[i].Pressure = static_cast<float>(this->Model.Fluid.Pressure(this->Density[i]));
     this->PressureSlope[i] = static_cast<float>(this->Model.Fluid.PressureSlope(this->Density[i]));
   }
-  this->Kernels.Accelerate(this->Constants, this->Records.data(), neighbors, n,
-                           { this->ParticleRates.data(), p },
+  this->Kernels.Accelerate(this->Constants, this->Records.data(), this->Pairs, n,
+                           &this->PairSums.data()->AX, { this->ParticleRates.data(), p },
                            { this->ParticleRates.data() + 3 * p, p });
   this->AddFields(state, frame);
 
@@ -306,14 +327,13 @@ void FrameTerms::Forward(const float* state, int frame, double step, NeighborLis
   this->AddCushions(state, frame, step);
 }
 
-void FrameTerms::Adjoint(NeighborList& list, float* gradient)
+void FrameTerms::Adjoint(float* gradient)
 {
   const std::size_t ng = this->Model.NumberOfGas;
   const std::size_t n = this->Model.NumberOfParticles();
   const std::size_t per = this->Model.Offsets.size();
   const std::size_t p = this->ParticleStride;
   const std::size_t s = this->BodyStride;
-  const SphNeighbors neighbors = list.View();
   const float share = 1.0f / static_cast<float>(per);
   const auto fill = [&](std::size_t particle, std::size_t body, float factor, float drag)
   {
@@ -338,7 +358,7 @@ void FrameTerms::Adjoint(NeighborList& list, float* gradient)
     }
   }
   this->Kernels.AdjointPressure(this->Constants, this->Records.data(), this->Adjoints.data(),
-                                neighbors, n, this->Bar.data());
+                                this->Pairs, n, this->Bar.data());
   const float* g0 = this->PsiGradient.data();
   const float* h = this->PsiHessian.data();
   const float* k6 = this->SpringSlope.data();
@@ -361,7 +381,8 @@ void FrameTerms::Adjoint(NeighborList& list, float* gradient)
     xbar[2 * p + i] = r.Density * g0[2 * p + i] + xz * r.AX + yz * r.AY + zz * r.AZ;
   }
   this->Kernels.AdjointState(this->Constants, this->Records.data(), this->Adjoints.data(),
-                             neighbors, n, { xbar, p }, { xbar + 3 * p, p });
+                             this->Pairs, n, &this->PairSums.data()->AX, { xbar, p },
+                             { xbar + 3 * p, p });
   for (int c = 0; c < 6; ++c)
   {
     float* g = gradient + c * s;

@@ -22,8 +22,9 @@ public:
   /// state: the frame's six rows; step: frames to the next one. Brings `list` up to date.
   /// Then Acceleration (all of it, external fields included) and Average hold.
   void Forward(const float* state, int frame, double step, NeighborList& list);
-  /// AccelerationBar and AverageBar in; adds their pull-back to the six rows of `gradient`.
-  void Adjoint(NeighborList& list, float* gradient);
+  /// Of the frame of the last Forward: AccelerationBar and AverageBar in; adds their pull-back to
+  /// the six rows of `gradient`.
+  void Adjoint(float* gradient);
 
   float* Acceleration(int c) { return this->Rates.data() + c * this->BodyStride; }
   float* Average(int c) { return this->Rates.data() + (3 + c) * this->BodyStride; }
@@ -41,6 +42,7 @@ public:
 
 private:
   void PlaceParticles(const float* state);
+  void MakeRoom(std::size_t entries);
   void AddWalls(int frame);
   void AddObstacle(std::size_t i, int frame);
   void AddFields(const float* state, int frame);
@@ -67,6 +69,11 @@ private:
   std::vector<CushionForce> Cushions; // one an object
   std::vector<SphVortex> Active;
   NeighborScratch Scratch;
+  /// The pairs of the frame that Forward was last called for, and sums over them.
+  std::vector<std::uint32_t> PairStarts, PairOther;
+  std::vector<float> PairGeometry; // x, y, z, s: four rows
+  std::vector<SphAdjointRecord> PairSums;
+  SphPairs Pairs{};
 };
 
 } // namespace waft

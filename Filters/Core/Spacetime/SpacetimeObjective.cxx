@@ -192,7 +192,7 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
   {
     float* g = gradient->data() + j * model.FrameSize();
     std::fill(g, g + model.FrameSize(), 0.0f);
-    terms.Adjoint(list, g);
+    terms.Adjoint(g);
   }
 }
 

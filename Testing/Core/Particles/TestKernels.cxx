@@ -45,6 +45,18 @@ struct FastGas
     NeighborScratch scratch;
     this->List.Build(kernels, this->N, gas.State.NumberOfGas, this->X[0].data(), this->X[1].data(),
                      this->X[2].data(), 2.55f, scratch);
+    this->Starts.resize(this->N + 1);
+    this->Other.resize(this->List.NumberOfEntries() + 16);
+    for (std::vector<float>& row : this->Geometry)
+    {
+      row.resize(this->Other.size());
+    }
+    this->Sums.resize(this->N + 1);
+  }
+  SphPairs Pairs()
+  {
+    return { this->Starts.data(),      this->Geometry[0].data(), this->Geometry[1].data(),
+             this->Geometry[2].data(), this->Geometry[3].data(), this->Other.data() };
   }
   const SphKernelTable& Kernels;
   SphConstants Constants;
@@ -52,6 +64,9 @@ struct FastGas
   std::vector<SphRecord> Records;
   std::vector<float> X[3];
   NeighborList List;
+  std::vector<std::uint32_t> Starts, Other;
+  std::vector<float> Geometry[4];
+  std::vector<SphAdjointRecord> Sums;
 };
 
 void ExpectNear(const std::vector<Vec3>& expected, const std::vector<float>& rows, double tolerance,
@@ -94,8 +109,9 @@ TEST(SphKernels, EqualTheReferenceAwayFromWalls)
     FastGas fast(gas, *table);
     const std::size_t n = fast.N;
     const SphNeighbors list = fast.List.View();
-    std::vector<float> density(n), a(3 * n), d(3 * n);
-    table->Density(fast.Constants, fast.Records.data(), list, n, density.data());
+    const SphPairs pairs = fast.Pairs();
+    std::vector<float> density(n + 1), a(3 * n), d(3 * n);
+    table->Density(fast.Constants, fast.Records.data(), list, n, pairs, density.data());
     for (std::size_t i = 0; i < n; ++i)
     {
       const bool isGas = i < gas.State.NumberOfGas;
@@ -103,8 +119,8 @@ TEST(SphKernels, EqualTheReferenceAwayFromWalls)
       EXPECT_NEAR(rho, rates.Densities[i], 2e-6);
       fast.Records[i].Pressure = static_cast<float>(gas.Fluid.Pressure(rates.Densities[i]));
     }
-    table->Accelerate(fast.Constants, fast.Records.data(), list, n, { a.data(), n },
-                      { d.data(), n });
+    table->Accelerate(fast.Constants, fast.Records.data(), pairs, n, &fast.Sums.data()->AX,
+                      { a.data(), n }, { d.data(), n });
     ExpectNear(rates.Accelerations, a, 2e-5, table->Name);
     ExpectNear(rates.Averages, d, 2e-5, table->Name);
 
@@ -116,16 +132,16 @@ TEST(SphKernels, EqualTheReferenceAwayFromWalls)
       bars[i] = { float(p.x()), float(p.y()), float(p.z()), 0.0f,
                   float(q.x()), float(q.y()), float(q.z()), 0.0f };
     }
-    std::vector<float> pressure(n), x(3 * n, 0.0f), v(3 * n, 0.0f);
-    table->AdjointPressure(fast.Constants, fast.Records.data(), bars.data(), list, n,
+    std::vector<float> pressure(n + 1), x(3 * n, 0.0f), v(3 * n, 0.0f);
+    table->AdjointPressure(fast.Constants, fast.Records.data(), bars.data(), pairs, n,
                            pressure.data());
     for (std::size_t i = 0; i < n; ++i)
     {
       bars[i].Density =
         pressure[i] * static_cast<float>(gas.Fluid.PressureSlope(rates.Densities[i]));
     }
-    table->AdjointState(fast.Constants, fast.Records.data(), bars.data(), list, n, { x.data(), n },
-                        { v.data(), n });
+    table->AdjointState(fast.Constants, fast.Records.data(), bars.data(), pairs, n,
+                        &fast.Sums.data()->AX, { x.data(), n }, { v.data(), n });
     ExpectNear(adjoint.Positions, x, 5e-5, table->Name);
     ExpectNear(adjoint.Velocities, v, 5e-5, table->Name);
   }
