@@ -16,8 +16,10 @@ constexpr double LeastTimeFactor = 1e-3; // a vortex weaker than this share of i
 
 } // namespace
 
-FrameTerms::FrameTerms(const SpacetimeModel& model, const SphKernelTable& kernels) :
-  Model(model), Kernels(kernels), Constants(model.Fluid.Constants()), BodyStride(model.Stride())
+FrameTerms::FrameTerms(const SpacetimeModel& model, const SphFluid& fluid,
+                       const SphKernelTable& kernels) :
+  Model(model),
+  Fluid(fluid), Kernels(kernels), Constants(fluid.Constants()), BodyStride(model.Stride())
 {
   const std::size_t n = model.NumberOfParticles();
   this->ParticleStride = (n + 15) / 16 * 16;
@@ -57,8 +59,8 @@ void FrameTerms::PlaceParticles(const float* state)
 {
   const std::size_t ng = this->Model.NumberOfGas;
   const std::size_t per = this->Model.Offsets.size();
-  const float gasMass = static_cast<float>(this->Model.Fluid.GasMass);
-  const float objectMass = static_cast<float>(this->Model.Fluid.ObjectMass);
+  const float gasMass = static_cast<float>(this->Fluid.GasMass);
+  const float objectMass = static_cast<float>(this->Fluid.ObjectMass);
   const std::size_t s = this->BodyStride;
   for (std::size_t i = 0; i < ng; ++i)
   {
@@ -270,19 +272,19 @@ void FrameTerms::Forward(const float* state, int frame, double step, NeighborLis
   const std::size_t p = this->ParticleStride;
   this->PlaceParticles(state);
   const float* x = this->X.data();
-  list.Update(this->Kernels, n, ng, x, x + p, x + 2 * p,
-              static_cast<float>(this->Model.Fluid.Support()), this->Scratch);
+  list.Update(this->Kernels, n, ng, x, x + p, x + 2 * p, static_cast<float>(this->Fluid.Support()),
+              this->Scratch);
   const SphNeighbors neighbors = list.View();
   this->AddWalls(frame);
   this->MakeRoom(list.NumberOfEntries());
   this->Kernels.Density(this->Constants, this->Records.data(), neighbors, n, this->Pairs,
                         this->Density.data());
-  const float self = static_cast<float>(this->Model.Fluid.GasMass * this->Model.Fluid.Kernel(0.0));
+  const float self = static_cast<float>(this->Fluid.GasMass * this->Fluid.Kernel(0.0));
   for (std::size_t i = 0; i < n; ++i)
   {
     this->Density[i] += this->Psi[i] + (i < ng ? self : 0.0f);
-    this->Records[i].Pressure = static_cast<float>(this->Model.Fluid.Pressure(this->Density[i]));
-    this->PressureSlope[i] = static_cast<float>(this->Model.Fluid.PressureSlope(this->Density[i]));
+    this->Records[i].Pressure = static_cast<float>(this->Fluid.Pressure(this->Density[i]));
+    this->PressureSlope[i] = static_cast<float>(this->Fluid.PressureSlope(this->Density[i]));
   }
   this->Kernels.Accelerate(this->Constants, this->Records.data(), this->Pairs, n,
                            &this->PairSums.data()->AX, { this->ParticleRates.data(), p },

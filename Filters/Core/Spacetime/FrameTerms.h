@@ -17,7 +17,7 @@ namespace waft
 class FrameTerms
 {
 public:
-  FrameTerms(const SpacetimeModel& model, const SphKernelTable& kernels);
+  FrameTerms(const SpacetimeModel& model, const SphFluid& fluid, const SphKernelTable& kernels);
 
   /// state: the frame's six rows; step: frames to the next one. Brings `list` up to date.
   /// Then Acceleration (all of it, external fields included) and Average hold.
@@ -50,6 +50,7 @@ private:
   SphRows ParticleRows(std::vector<float>& v) const { return { v.data(), this->ParticleStride }; }
 
   const SpacetimeModel& Model;
+  SphFluid Fluid;
   const SphKernelTable& Kernels;
   SphConstants Constants;
   std::size_t BodyStride, ParticleStride;

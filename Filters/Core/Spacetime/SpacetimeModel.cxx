@@ -158,6 +158,17 @@ TimeLevel TimeLevel::Part(std::size_t first, std::size_t last) const
   return part;
 }
 
+SphFluid FluidOf(const SpacetimeModel& model, const TimeLevel& level)
+{
+  SphFluid fluid = model.Fluid;
+  const double longest = *std::max_element(level.Steps.begin(), level.Steps.end());
+  const double softening =
+    std::min(1.0, fluid.SmoothingLength / (fluid.SoundSpeed * std::max(1.0, longest)));
+  fluid.SoundSpeed *= softening;
+  fluid.Viscosity /= softening;
+  return fluid;
+}
+
 bool StepIsBound(const SpacetimeModel& model, const TimeLevel& level, std::size_t j,
                  std::size_t object)
 {

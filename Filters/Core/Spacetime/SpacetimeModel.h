@@ -155,6 +155,11 @@ struct TimeLevel
   static TimeLevel Full(int numberOfFrames, int window);
 };
 
+/// The gas as a level's steps can follow it: c0 is lowered so far that sound crosses at most one h
+/// in the longest step, the viscosity stays. Stiffer gas has no rollout at such steps, and the
+/// solver loses particles through the walls.
+SphFluid FluidOf(const SpacetimeModel& model, const TimeLevel& level);
+
 /// True when the step into level frame j is not free flight for the object.
 bool StepIsBound(const SpacetimeModel& model, const TimeLevel& level, std::size_t j,
                  std::size_t object);

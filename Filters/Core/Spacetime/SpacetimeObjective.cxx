@@ -11,7 +11,10 @@ namespace waft
 
 struct SpacetimeObjective::Worker
 {
-  Worker(const SpacetimeModel& model, const SphKernelTable& kernels) : Terms(model, kernels) {}
+  Worker(const SpacetimeModel& model, const TimeLevel& level, const SphKernelTable& kernels) :
+    Terms(model, FluidOf(model, level), kernels)
+  {
+  }
   FrameTerms Terms;
   NeighborList List; // of the frame at hand, where lists are not kept
 };
@@ -51,7 +54,7 @@ std::unique_ptr<SpacetimeObjective::Worker> SpacetimeObjective::Borrow()
       return worker;
     }
   }
-  return std::make_unique<Worker>(this->Problem, this->Kernels);
+  return std::make_unique<Worker>(this->Problem, this->Times, this->Kernels);
 }
 
 void SpacetimeObjective::Return(std::unique_ptr<Worker> worker)
@@ -74,7 +77,7 @@ FrameTerms& SpacetimeObjective::ForwardFrame(const StateVector& state, std::size
 {
   if (this->Pool.empty())
   {
-    this->Pool.push_back(std::make_unique<Worker>(this->Problem, this->Kernels));
+    this->Pool.push_back(std::make_unique<Worker>(this->Problem, this->Times, this->Kernels));
   }
   FrameTerms& terms = this->Pool.front()->Terms;
   const double step = j + 1 < this->Times.NumberOfFrames() ? this->Times.Steps[j + 1] : 1.0;

@@ -88,6 +88,8 @@ void Prolong(const SpacetimeModel& model, const TimeLevel& level, const StateVec
     const float step = static_cast<float>(level.Steps[j]);
     const float left = step / static_cast<float>(level.Frames[j] - level.Frames[before]);
     const float right = step / static_cast<float>(level.Frames[after] - level.Frames[j - 1]);
+    // Velocities differ from the differences by what XSPH and residuals put between them.
+    const float* velocity = p[2] + half;
     for (int frame = level.Frames[j - 1] + 1; frame <= level.Frames[j]; ++frame)
     {
       const float t = static_cast<float>(frame - level.Frames[j - 1]) / step;
@@ -100,7 +102,7 @@ void Prolong(const SpacetimeModel& model, const TimeLevel& level, const StateVec
       {
         out[i] =
           p[1][i] + h1 * (p[2][i] - p[1][i]) + g0 * (p[2][i] - p[0][i]) + g1 * (p[3][i] - p[1][i]);
-        out[half + i] = out[i] - previous[i];
+        out[half + i] = (out[i] - previous[i]) + (velocity[i] - (p[2][i] - p[1][i]) / step);
       }
     }
   }

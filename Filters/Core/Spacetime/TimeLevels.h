@@ -21,7 +21,8 @@ std::vector<int> CoarseFrames(const SpacetimeModel& model, const ConstraintTable
 StateVector Restrict(const SpacetimeModel& model, const TimeLevel& level, const StateVector& full);
 
 /// Cubic interpolation of a level's positions to all frames. Velocities are backward differences: a
-/// step's velocity belongs to its middle, so those of longer steps would come too early.
+/// step's velocity belongs to its middle, so those of longer steps would come too early. What the
+/// level's velocities differ from its own backward differences is kept.
 void Prolong(const SpacetimeModel& model, const TimeLevel& level, const StateVector& coarse,
              StateVector& full);
 

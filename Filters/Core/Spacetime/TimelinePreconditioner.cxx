@@ -2,6 +2,7 @@
 #include "Spacetime/TimelinePreconditioner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace waft
@@ -10,6 +11,14 @@ namespace
 {
 
 constexpr std::size_t ColumnsAtOnce = 64; // bodies solved side by side: fits the second cache
+
+// What the pair sums add to the curvature, as a diagonal. Pressure holds gas in its place: its part
+// is (c0 k)^4 for a wave number k [1 / dx], the one with which the solver is fastest. The average D
+// of an object vanishes when the air goes along with it, which the air does, so that an object has
+// only a share of the stiffness of its own D, and less of the damping. Without the difference
+// between gas and objects the solver stirs the gas, that is many, and the objects lag behind.
+constexpr double PressureWaveNumber = 0.53;
+constexpr double ObjectShare = 0.1;
 
 struct Entry
 {
@@ -45,6 +54,11 @@ TimelinePreconditioner::Band TimelinePreconditioner::Factor(long object) const
   band.HalfWidth = std::min(n - 1, 4 * this->Level.Reach());
   const int h = band.HalfWidth;
   const double weight = object < 0 ? 1.0 : static_cast<double>(this->Model.Offsets.size());
+  const double share = object < 0 ? 1.0 : ObjectShare;
+  const double frequency = object < 0
+                             ? FluidOf(this->Model, this->Level).SoundSpeed * PressureWaveNumber
+                             : 0.0; // [1 / frame]
+  const double pressure = w.Velocity * std::pow(frequency, 4);
   const auto flag = [&](int j) -> int
   { return object < 0 ? 0 : this->Model.Flag(this->Level.Frames[j], object); };
   const auto isFixed = [&](int unknown)
@@ -70,11 +84,12 @@ TimelinePreconditioner::Band TimelinePreconditioner::Factor(long object) const
   };
   for (int j = 0; j < frames; ++j)
   {
-    addRow({ { 2 * j, 1.0 } }, this->Damping);
+    addRow({ { 2 * j, 1.0 } }, share * this->Damping + pressure * this->Level.FrameWeights[j]);
     addRow({ { 2 * j + 1, 1.0 } }, this->Damping);
     if (!(flag(j) & NoCoherence))
     {
-      addRow({ { 2 * j + 1, 1.0 } }, w.Coherence * w.SpatialShare * this->Level.FrameWeights[j]);
+      addRow({ { 2 * j + 1, 1.0 } },
+             share * w.Coherence * w.SpatialShare * this->Level.FrameWeights[j]);
       std::vector<Entry> row{ { 2 * j + 1, 1.0 } };
       for (const auto& neighbor : this->Level.Rows[j])
       {
@@ -84,10 +99,10 @@ TimelinePreconditioner::Band TimelinePreconditioner::Factor(long object) const
     }
     if (j > 0 && (object < 0 || !StepIsBound(this->Model, this->Level, j, object)))
     {
-      const double share = this->Level.StepWeights[j];
+      const double step = this->Level.StepWeights[j];
       addRow({ { 2 * j, 1.0 }, { 2 * j - 2, -1.0 }, { 2 * j + 1, -this->Level.Steps[j] } },
-             w.Position * share);
-      addRow({ { 2 * j + 1, 1.0 }, { 2 * j - 1, -1.0 } }, w.Velocity * share);
+             w.Position * step);
+      addRow({ { 2 * j + 1, 1.0 }, { 2 * j - 1, -1.0 } }, w.Velocity * step);
     }
   }
 

@@ -1,36 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints E against seconds on the standard problem, the cost of an evaluation and peak memory.
-#include "Spacetime/Lbfgs.h"
-#include "Spacetime/TimeLevels.h"
-#include "StandardProblem.h"
+// Prints E against seconds on the standard problem and when it passes its marks, the cost of an
+// evaluation, how that grows with particles and frames, peak memory and the state of the gas.
+// Options: --seeds n (1..n) or --seed s, --threads n, --frames n, --objects n, --particles n (of an
+// object), --gas-scale f (an axis), --stride4 n --stride2 n --stride1 n (iterations), --history m,
+// --every n (iterations a line), --evaluate 1 (nothing but the cost of an evaluation),
+// --letters n (instead: n planned leaves that land as a word).
+#include "LettersRun.h"
+#include "StandardRun.h"
 
-#include <sys/resource.h>
+#include "Spacetime/SpacetimeObjective.h"
 
-#include <chrono>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <memory>
+#include <tuple>
+#include <vector>
 
 using namespace waft;
 
 namespace
 {
 
-double CpuSeconds()
-{
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_utime.tv_sec + 1e-6 * usage.ru_utime.tv_usec + usage.ru_stime.tv_sec +
-         1e-6 * usage.ru_stime.tv_usec;
-}
-
-double PeakMegabytes()
-{
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  return usage.ru_maxrss / 1024.0;
-}
+constexpr double OperationsPerPair = 190.0; // of a value and gradient: counted in the sums
 
 double Argument(int argc, char** argv, const char* name, double standard)
 {
@@ -44,95 +36,116 @@ double Argument(int argc, char** argv, const char* name, double standard)
   return standard;
 }
 
+void PrintCost(const StandardProblem& problem, const StateVector& state, const char* when,
+               const ParallelFor& parallel, const SphKernelTable& kernels)
+{
+  const SpacetimeModel& model = problem.Model;
+  const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, 1);
+  SpacetimeObjective objective(model, full, parallel, kernels);
+  SpacetimeTerms terms;
+  StateVector gradient(state.size());
+  objective.Evaluate(state, &gradient, terms);
+  const double start = CpuSeconds();
+  constexpr int Repeats = 3;
+  for (int k = 0; k < Repeats; ++k)
+  {
+    objective.Evaluate(state, &gradient, terms);
+  }
+  const double cost = (CpuSeconds() - start) / Repeats;
+  const double pairs = PairsWithinSupport(model, state);
+  const double peak = PeakGigaflops();
+  std::printf("%s: E %.4f (Ex %.4g Ev %.4g Ec %.4g); value and gradient %.3f s CPU, %.2f ns a "
+              "directed pair of %.1f million, %.0f %% of %.0f Gflop/s, %.3f us a particle and "
+              "frame\n",
+              when, terms.E, terms.Ex, terms.Ev, terms.Ec, cost, 1e9 * cost / pairs, 1e-6 * pairs,
+              peak > 0.0 ? 100.0 * 1e-9 * OperationsPerPair * pairs / cost / peak : 0.0, peak,
+              1e6 * cost / (double(model.NumberOfParticles()) * model.NumberOfFrames));
+  std::fflush(stdout);
+}
+
+double Median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
-  StandardProblem problem;
-  problem.Seed = static_cast<std::uint64_t>(Argument(argc, argv, "--seed", 1));
-  problem.NumberOfFrames = static_cast<int>(Argument(argc, argv, "--frames", 301));
-  problem.NumberOfObjects = static_cast<int>(Argument(argc, argv, "--objects", 25));
-  problem.ParticlesPerObject = static_cast<int>(Argument(argc, argv, "--particles", 5));
-  const double scale = Argument(argc, argv, "--gas-scale", 1.0); // per axis
-  for (int& n : problem.Gas)
-  {
-    n = static_cast<int>(n * scale + 0.5);
-  }
-  const int threads = static_cast<int>(Argument(argc, argv, "--threads", 1));
-  const int coarse = static_cast<int>(Argument(argc, argv, "--coarse", 100));
-  const int fine = static_cast<int>(Argument(argc, argv, "--fine", 100));
-  const int history = static_cast<int>(Argument(argc, argv, "--history", 6));
-  const bool portable = Argument(argc, argv, "--portable", 0) != 0;
-  problem.Build();
-
+  const int threads = static_cast<int>(Argument(argc, argv, "--threads", 2));
   const ParallelFor parallel = ThreadedFor(threads);
+  if (const int leaves = static_cast<int>(Argument(argc, argv, "--letters", 0)); leaves > 0)
+  {
+    return RunLetters(leaves, parallel);
+  }
+  const bool portable = Argument(argc, argv, "--portable", 0) != 0;
   const SphKernelTable& kernels = portable ? PortableSphKernels() : FastestSphKernels();
-  const SpacetimeModel& model = problem.Model;
-  std::printf("%zu gas + %zu x %zu object particles, %d frames, %s, %d threads\n",
-              model.NumberOfGas, model.NumberOfObjects, model.Offsets.size(), model.NumberOfFrames,
-              kernels.Name, threads);
-
-  const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, 1);
-  StateVector state = problem.Start;
+  std::vector<StandardLevel> levels;
+  for (const auto& [name, stride, standard] :
+       { std::tuple("--stride4", 4, 100), std::tuple("--stride2", 2, 140),
+         std::tuple("--stride1", 1, 160) })
   {
-    SpacetimeObjective objective(model, full, parallel, kernels);
-    SpacetimeTerms terms;
-    StateVector gradient(state.size());
-    objective.Evaluate(state, &gradient, terms);
-    const double start = CpuSeconds();
-    const int repeats = 4;
-    for (int k = 0; k < repeats; ++k)
+    if (const int n = static_cast<int>(Argument(argc, argv, name, standard)); n > 0)
     {
-      objective.Evaluate(state, &gradient, terms);
+      levels.push_back({ stride, n });
     }
-    const double cost = (CpuSeconds() - start) / repeats;
-    std::printf(
-      "E0 %.4f (Ex %.4g Ev %.4g Ec %.4g); value and gradient %.3f s CPU, %.2f ns an entry "
-      "of %.1f million (skin and padding included)\n",
-      terms.E, terms.Ex, terms.Ev, terms.Ec, cost, 1e9 * cost / objective.NumberOfPairs(),
-      1e-6 * objective.NumberOfPairs());
   }
-
-  const auto clock = std::chrono::steady_clock::now();
-  const double cpu = CpuSeconds();
-  const auto solve = [&](const TimeLevel& level, int iterations, StateVector& x)
+  const double scale = Argument(argc, argv, "--gas-scale", 1.0);
+  const int first = static_cast<int>(Argument(argc, argv, "--seed", 1));
+  const int last = first + static_cast<int>(Argument(argc, argv, "--seeds", 1)) - 1;
+  const double shares[4] = { 0.05, 0.02, 0.014, 0.012 };
+  const double marks[4] = { 8.0, 20.0, 40.0, 90.0 };
+  std::vector<double> wall[4], cpu[4];
+  for (int seed = first; seed <= last; ++seed)
   {
-    SpacetimeObjective objective(model, level, parallel, kernels);
-    const TimelinePreconditioner preconditioner(model, level, parallel);
-    HardConstraints constraints(model, level, problem.Table, parallel);
-    Lbfgs solver(level.NumberOfFrames(), model.FrameSize(), parallel, history);
-    LbfgsOptions options;
-    options.MaximumNumberOfIterations = iterations;
-    options.Tolerance = 0.0;
-    const auto observer = [&](int iteration, const SpacetimeTerms& terms)
+    StandardProblem problem;
+    problem.Seed = static_cast<std::uint64_t>(seed);
+    problem.NumberOfFrames = static_cast<int>(Argument(argc, argv, "--frames", 301));
+    problem.NumberOfObjects = static_cast<int>(Argument(argc, argv, "--objects", 25));
+    problem.ParticlesPerObject = static_cast<int>(Argument(argc, argv, "--particles", 5));
+    for (int& n : problem.Gas)
     {
-      if (iteration % 10 == 0)
-      {
-        const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - clock;
-        std::printf(
-          "%4zu frames  it %4d  E %10.5f  Ex %.4g Ev %.4g Ec %.4g  wall %.2f s  CPU %.2f s\n",
-          level.NumberOfFrames(), iteration, terms.E, terms.Ex, terms.Ev, terms.Ec, wall.count(),
-          CpuSeconds() - cpu);
-        std::fflush(stdout);
-      }
-      return true;
-    };
-    const LbfgsEnd end =
-      solver.Minimize(objective, preconditioner, constraints, options, observer, nullptr, x);
-    std::printf("ended %d after %zu evaluations\n", static_cast<int>(end),
-                objective.NumberOfEvaluations());
-  };
-  if (coarse > 0)
-  {
-    const TimeLevel level = TimeLevel::Make(CoarseFrames(model, problem.Table, 2), 1);
-    StateVector small = Restrict(model, level, state);
-    solve(level, coarse, small);
-    Prolong(model, level, small, state);
+      n = static_cast<int>(n * scale + 0.5);
+    }
+    problem.Build();
+    const SpacetimeModel& model = problem.Model;
+    std::printf("seed %d: %zu gas + %zu x %zu object particles, %d frames, %s, %d threads\n", seed,
+                model.NumberOfGas, model.NumberOfObjects, model.Offsets.size(),
+                model.NumberOfFrames, kernels.Name, threads);
+    PrintCost(problem, problem.Start, "at the start", parallel, kernels);
+    if (Argument(argc, argv, "--evaluate", 0) != 0)
+    {
+      std::printf("peak memory %.0f MB\n", PeakMegabytes());
+      continue;
+    }
+    StateVector state;
+    const StandardCurve curve =
+      SolveStandard(problem, levels, static_cast<int>(Argument(argc, argv, "--history", 6)),
+                    static_cast<int>(Argument(argc, argv, "--every", 10)), parallel, state);
+    const double peak = PeakMegabytes();
+    PrintCost(problem, state, "at the end", parallel, kernels);
+    const GasFaults faults = CheckGas(model, state);
+    std::printf("peak memory %.0f MB; gas outside the volume %zu, pairs under 0.3 dx %zu, nearest "
+                "%.3f dx\n",
+                peak, faults.Outside, faults.Close, faults.Nearest);
+    for (int k = 0; k < 4; ++k)
+    {
+      const StandardCurve::Point point = curve.Passes(shares[k]);
+      wall[k].push_back(point.Wall < 0.0 ? 1e9 : point.Wall);
+      cpu[k].push_back(point.Cpu < 0.0 ? 1e9 : point.Cpu);
+    }
   }
-  if (fine > 0)
+  if (!wall[0].empty())
   {
-    solve(full, fine, state);
+    std::printf("median of %zu seeds (1e+09: not reached)\n  E / E0   wall [s]   CPU [s]   wanted, "
+                "wall on two threads\n",
+                wall[0].size());
+    for (int k = 0; k < 4; ++k)
+    {
+      std::printf("  %4.1f %%  %9.4g  %9.4g  %8.0f\n", 100.0 * shares[k], Median(wall[k]),
+                  Median(cpu[k]), marks[k]);
+    }
   }
-  std::printf("peak memory %.0f MB\n", PeakMegabytes());
   return 0;
 }

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StandardRun.h"
+
+#include "Spacetime/GasStart.h"
+#include "Spacetime/Lbfgs.h"
+#include "Spacetime/TimeLevels.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+namespace waft
+{
+namespace
+{
+
+double WallSeconds()
+{
+  const std::chrono::duration<double> d = std::chrono::steady_clock::now().time_since_epoch();
+  return d.count();
+}
+
+Vec3 Place(const SpacetimeModel& model, const StateVector& state, int frame, std::size_t body)
+{
+  const float* p = state.data() + frame * model.FrameSize() + body;
+  return { p[0], p[model.Stride()], p[2 * model.Stride()] };
+}
+
+// Calls function(distance) for the pairs of gas in a frame nearer than `reach`.
+template <typename Function>
+void ForGasPairs(const SpacetimeModel& model, const StateVector& state, int frame, double reach,
+                 Function function)
+{
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < model.NumberOfGas; ++i)
+  {
+    points.push_back(Place(model, state, frame, i));
+  }
+  std::sort(points.begin(), points.end(),
+            [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < points.size() && points[j].x() - points[i].x() < reach; ++j)
+    {
+      const double r2 = (points[j] - points[i]).squaredNorm();
+      if (r2 < reach * reach)
+      {
+        function(std::sqrt(r2));
+      }
+    }
+  }
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2,fma"))) float MultiplyAndAdd(long rounds)
+{
+  typedef float Eight __attribute__((vector_size(32)));
+  Eight sums[12];
+  for (int k = 0; k < 12; ++k)
+  {
+    sums[k] = Eight{} + static_cast<float>(k);
+  }
+  const Eight a = Eight{} + 0.999f, b = Eight{} + 1e-3f;
+  for (long r = 0; r < rounds; ++r)
+  {
+    for (Eight& sum : sums)
+    {
+      sum = sum * a + b;
+      asm volatile("" : "+x"(sum));
+    }
+  }
+  float total = 0.0f;
+  for (const Eight& sum : sums)
+  {
+    total += sum[0];
+  }
+  return total;
+}
+#endif
+
+} // namespace
+
+double CpuSeconds()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_utime.tv_sec + 1e-6 * usage.ru_utime.tv_usec + usage.ru_stime.tv_sec +
+         1e-6 * usage.ru_stime.tv_usec;
+}
+
+double PeakMegabytes()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss / 1024.0;
+}
+
+double PeakGigaflops()
+{
+#if defined(__x86_64__)
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
+  {
+    return 0.0;
+  }
+  constexpr long Rounds = 20000000;
+  const double start = CpuSeconds();
+  volatile float sink = MultiplyAndAdd(Rounds);
+  (void)sink;
+  return 1e-9 * Rounds * 12 * 8 * 2 / (CpuSeconds() - start);
+#else
+  return 0.0;
+#endif
+}
+
+StandardCurve::Point StandardCurve::Passes(double share) const
+{
+  for (const Point& point : this->Points)
+  {
+    if (point.E <= share * this->Start)
+    {
+      return point;
+    }
+  }
+  return { -1.0, -1.0, 0.0 };
+}
+
+StandardCurve SolveStandard(const StandardProblem& problem,
+                            const std::vector<StandardLevel>& levels, int history, int every,
+                            const ParallelFor& parallel, StateVector& state)
+{
+  const SpacetimeModel& model = problem.Model;
+  const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, 1);
+  SpacetimeObjective all(model, full, parallel, FastestSphKernels());
+  SpacetimeTerms terms;
+  state = problem.Start;
+  all.Evaluate(state, nullptr, terms);
+  StandardCurve curve;
+  curve.Start = terms.E;
+  double wallOff = 0.0, cpuOff = 0.0;
+  const double wall = WallSeconds(), cpu = CpuSeconds();
+  const auto measure = [&](const TimeLevel& level, const StateVector& x, int iteration, double e)
+  {
+    const double wallNow = WallSeconds(), cpuNow = CpuSeconds();
+    StandardCurve::Point point{ wallNow - wall - wallOff, cpuNow - cpu - cpuOff, e };
+    if (level.NumberOfFrames() < full.NumberOfFrames())
+    {
+      StateVector prolonged = state;
+      Prolong(model, level, x, prolonged);
+      SpacetimeTerms at;
+      all.Evaluate(prolonged, nullptr, at);
+      point.E = at.E;
+    }
+    curve.Points.push_back(point);
+    std::printf("%4zu frames  iteration %4d  E %10.5f  at all frames %10.5f = %6.3f %% of E0  "
+                "wall %6.2f s  CPU %6.2f s\n",
+                level.NumberOfFrames(), iteration, e, point.E, 100.0 * point.E / curve.Start,
+                point.Wall, point.Cpu);
+    std::fflush(stdout);
+    wallOff += WallSeconds() - wallNow;
+    cpuOff += CpuSeconds() - cpuNow;
+  };
+  SilentMonitor silent;
+  StartGas(all, parallel, silent, state);
+  for (const StandardLevel& stage : levels)
+  {
+    const TimeLevel level = stage.Stride > 1
+                              ? TimeLevel::Make(CoarseFrames(model, problem.Table, stage.Stride), 1)
+                              : full;
+    StateVector x = stage.Stride > 1 ? Restrict(model, level, state) : state;
+    SpacetimeObjective objective(model, level, parallel, FastestSphKernels());
+    const TimelinePreconditioner preconditioner(model, level, parallel);
+    HardConstraints constraints(model, level, problem.Table, parallel);
+    Lbfgs solver(level.NumberOfFrames(), model.FrameSize(), parallel, history);
+    LbfgsOptions options;
+    options.MaximumNumberOfIterations = stage.Iterations;
+    options.Tolerance = 0.0;
+    const auto observer = [&](int iteration, const SpacetimeTerms& now)
+    {
+      if (iteration % every == 0 && (iteration > 0 || stage.Stride == 1))
+      {
+        measure(level, x, iteration, now.E);
+      }
+      return true;
+    };
+    solver.Minimize(objective, preconditioner, constraints, options, observer, nullptr, x);
+    std::printf("stride %d: %zu evaluations\n", stage.Stride, objective.NumberOfEvaluations());
+    if (stage.Stride > 1)
+    {
+      Prolong(model, level, x, state);
+    }
+    else
+    {
+      state = x;
+    }
+  }
+  return curve;
+}
+
+GasFaults CheckGas(const SpacetimeModel& model, const StateVector& state)
+{
+  GasFaults faults;
+  faults.Nearest = 1e9;
+  for (int frame = 0; frame < model.NumberOfFrames; ++frame)
+  {
+    for (std::size_t i = 0; i < model.NumberOfGas; ++i)
+    {
+      const Vec3 x = Place(model, state, frame, i);
+      faults.Outside +=
+        (x.array() < 0.0).any() || (x.array() > model.Size.array() + 1e-5).any() ? 1 : 0;
+    }
+    ForGasPairs(model, state, frame, 0.5,
+                [&](double r)
+                {
+                  faults.Close += r < 0.3 ? 1 : 0;
+                  faults.Nearest = std::min(faults.Nearest, r);
+                });
+  }
+  return faults;
+}
+
+double PairsWithinSupport(const SpacetimeModel& model, const StateVector& state)
+{
+  std::size_t count = 0;
+  int frames = 0;
+  const double reach = model.Fluid.Support();
+  for (int frame = 0; frame < model.NumberOfFrames; frame += 30, ++frames)
+  {
+    ForGasPairs(model, state, frame, reach, [&](double) { count += 2; });
+    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    {
+      for (const auto& offset : model.Offsets)
+      {
+        const Vec3 x =
+          Place(model, state, frame, model.NumberOfGas + o) + Vec3(offset[0], offset[1], offset[2]);
+        for (std::size_t i = 0; i < model.NumberOfGas; ++i)
+        {
+          count += (Place(model, state, frame, i) - x).squaredNorm() < reach * reach ? 2 : 0;
+        }
+      }
+    }
+  }
+  return static_cast<double>(count) * model.NumberOfFrames / frames;
+}
+
+} // namespace waft
