@@ -2,7 +2,6 @@
 #include "Spacetime/TimelinePreconditioner.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace waft
@@ -12,13 +11,10 @@ namespace
 
 constexpr std::size_t ColumnsAtOnce = 64; // bodies solved side by side: fits the second cache
 
-// What the pair sums add to the curvature, as a diagonal. Pressure holds gas in its place: its part
-// is (c0 k)^4 for a wave number k [1 / dx], the one with which the solver is fastest. The average D
-// of an object vanishes when the air goes along with it, which the air does, so that an object has
-// only a share of the stiffness of its own D, and less of the damping. Without the difference
-// between gas and objects the solver stirs the gas, that is many, and the objects lag behind.
-constexpr double PressureWaveNumber = 0.53;
-constexpr double ObjectShare = 0.1;
+// The average D of an object vanishes when the air goes along with it, which the air does, so that
+// an object has only a share of the stiffness of its own D, and of the damping. Else the solver
+// stirs the gas, that is many, and the objects lag behind.
+constexpr double ObjectShare = 0.3;
 
 struct Entry
 {
@@ -55,10 +51,6 @@ TimelinePreconditioner::Band TimelinePreconditioner::Factor(long object) const
   const int h = band.HalfWidth;
   const double weight = object < 0 ? 1.0 : static_cast<double>(this->Model.Offsets.size());
   const double share = object < 0 ? 1.0 : ObjectShare;
-  const double frequency = object < 0
-                             ? FluidOf(this->Model, this->Level).SoundSpeed * PressureWaveNumber
-                             : 0.0; // [1 / frame]
-  const double pressure = w.Velocity * std::pow(frequency, 4);
   const auto flag = [&](int j) -> int
   { return object < 0 ? 0 : this->Model.Flag(this->Level.Frames[j], object); };
   const auto isFixed = [&](int unknown)
@@ -84,8 +76,8 @@ TimelinePreconditioner::Band TimelinePreconditioner::Factor(long object) const
   };
   for (int j = 0; j < frames; ++j)
   {
-    addRow({ { 2 * j, 1.0 } }, share * this->Damping + pressure * this->Level.FrameWeights[j]);
-    addRow({ { 2 * j + 1, 1.0 } }, this->Damping);
+    addRow({ { 2 * j, 1.0 } }, share * this->Damping);
+    addRow({ { 2 * j + 1, 1.0 } }, share * this->Damping);
     if (!(flag(j) & NoCoherence))
     {
       addRow({ { 2 * j + 1, 1.0 } },

@@ -13,9 +13,9 @@ namespace waft
 {
 
 /// M over (x0, v0, x1, v1, ...) of one body and component: the rows rx, rv (without accelerations),
-/// rt, a diagonal for rs and for pressure and a little damping; Cholesky in bands. Gas shares one
-/// factor, each object has its own, where fixed unknowns and steps that are no free flight are left
-/// out.
+/// rt, a diagonal for rs and a little damping, of objects a share of both; Cholesky in bands. Gas
+/// shares one factor, each object has its own, where fixed unknowns and steps that are no free
+/// flight are left out.
 class TimelinePreconditioner
 {
 public:
