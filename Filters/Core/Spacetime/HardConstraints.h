@@ -24,7 +24,7 @@ struct PositionBall
 
 /// |sum of Coefficient x(Frame) - Value| <= Radius: a velocity or an acceleration as a finite
 /// difference of positions.
-struct LinearRow
+struct DifferenceRow
 {
   struct Term
   {
@@ -43,7 +43,7 @@ struct ConstraintTable
   /// Exact positions, of those (frame, object) flagged FixedPosition [frame * objects + object].
   std::vector<Vec3> FixedPositions;
   std::vector<PositionBall> Balls;
-  std::vector<LinearRow> Rows;
+  std::vector<DifferenceRow> Rows;
   /// Planned positions [frame * objects + object], centres of the leash.
   std::vector<Vec3> Planned;
 };
@@ -52,7 +52,7 @@ struct ConstraintTable
 class LinearCluster
 {
 public:
-  LinearCluster(std::size_t object, std::vector<const LinearRow*> rows,
+  LinearCluster(std::size_t object, std::vector<const DifferenceRow*> rows,
                 const std::vector<PositionBall>& balls, const SpacetimeModel& model,
                 const ConstraintTable& table);
 

@@ -17,15 +17,15 @@ constexpr int ProjectionSweeps = 200; // alternating between exact rows and ball
 
 } // namespace
 
-LinearCluster::LinearCluster(std::size_t object, std::vector<const LinearRow*> rows,
+LinearCluster::LinearCluster(std::size_t object, std::vector<const DifferenceRow*> rows,
                              const std::vector<PositionBall>& balls, const SpacetimeModel& model,
                              const ConstraintTable& table) :
   Owner(object)
 {
   std::set<int> frames;
-  for (const LinearRow* row : rows)
+  for (const DifferenceRow* row : rows)
   {
-    for (const LinearRow::Term& term : row->Terms)
+    for (const DifferenceRow::Term& term : row->Terms)
     {
       if (!(model.Flag(term.Frame, object) & FixedPosition))
       {
@@ -41,10 +41,10 @@ LinearCluster::LinearCluster(std::size_t object, std::vector<const LinearRow*> r
   }
   const auto n = static_cast<Eigen::Index>(this->FreeFrames.size());
   std::vector<BallRow> exact;
-  for (const LinearRow* row : rows)
+  for (const DifferenceRow* row : rows)
   {
     BallRow ball{ Eigen::RowVectorXd::Zero(n), row->Value.transpose(), row->Radius };
-    for (const LinearRow::Term& term : row->Terms)
+    for (const DifferenceRow::Term& term : row->Terms)
     {
       const auto found = index.find(term.Frame);
       if (found != index.end())
@@ -154,30 +154,30 @@ std::vector<LinearCluster> MakeClusters(const SpacetimeModel& model, const Const
 {
   // Rows of one object by their first frame; a row joins the cluster before it when they share a
   // free frame.
-  std::map<std::size_t, std::vector<const LinearRow*>> byObject;
-  for (const LinearRow& row : table.Rows)
+  std::map<std::size_t, std::vector<const DifferenceRow*>> byObject;
+  for (const DifferenceRow& row : table.Rows)
   {
     const bool complete =
       std::all_of(row.Terms.begin(), row.Terms.end(),
-                  [&](const LinearRow::Term& term) { return bool(hasFrame[term.Frame]); });
+                  [&](const DifferenceRow::Term& term) { return bool(hasFrame[term.Frame]); });
     if (complete)
     {
       byObject[row.Object].push_back(&row);
     }
   }
-  const auto lastFrame = [](const LinearRow* row)
+  const auto lastFrame = [](const DifferenceRow* row)
   {
     int last = 0;
-    for (const LinearRow::Term& term : row->Terms)
+    for (const DifferenceRow::Term& term : row->Terms)
     {
       last = std::max(last, term.Frame);
     }
     return last;
   };
-  const auto firstFrame = [](const LinearRow* row)
+  const auto firstFrame = [](const DifferenceRow* row)
   {
     int first = row->Terms.front().Frame;
-    for (const LinearRow::Term& term : row->Terms)
+    for (const DifferenceRow::Term& term : row->Terms)
     {
       first = std::min(first, term.Frame);
     }
@@ -187,11 +187,11 @@ std::vector<LinearCluster> MakeClusters(const SpacetimeModel& model, const Const
   for (auto& [object, rows] : byObject)
   {
     std::stable_sort(rows.begin(), rows.end(),
-                     [&](const LinearRow* a, const LinearRow* b)
+                     [&](const DifferenceRow* a, const DifferenceRow* b)
                      { return firstFrame(a) < firstFrame(b); });
-    std::vector<const LinearRow*> group;
+    std::vector<const DifferenceRow*> group;
     int last = -1;
-    for (const LinearRow* row : rows)
+    for (const DifferenceRow* row : rows)
     {
       if (!group.empty() && firstFrame(row) > last)
       {

@@ -366,7 +366,7 @@ void SetUpConstraints(const SpacetimeInput& input, const std::vector<int>& groun
     {
       const double scale =
         row.Kind == ConstraintKind::Velocity ? setup.FrameStep : setup.FrameStep * setup.FrameStep;
-      LinearRow linear;
+      DifferenceRow linear;
       linear.Object = o;
       for (const auto& [frame, coefficient] :
            PositionStencil(row.Kind, row.Frame, input.Scene.Time))

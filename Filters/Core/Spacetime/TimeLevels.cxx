@@ -30,9 +30,9 @@ std::vector<int> CoarseFrames(const SpacetimeModel& model, const ConstraintTable
       kept[frame] |= bound[k] && !inner;
     }
   }
-  for (const LinearRow& row : table.Rows)
+  for (const DifferenceRow& row : table.Rows)
   {
-    for (const LinearRow::Term& term : row.Terms)
+    for (const DifferenceRow::Term& term : row.Terms)
     {
       kept[term.Frame] = 1;
     }

@@ -171,10 +171,10 @@ TEST(LinearCluster, ProjectsOntoRowsAndBallsTogether)
   const SpacetimeInput input = MakeScene(scene);
   const SpacetimeSetup setup = MakeProblem(input);
   ConstraintTable table = setup.Table;
-  LinearRow exact;
+  DifferenceRow exact;
   exact.Terms = { { 4, -0.5 }, { 6, 0.5 } };
   exact.Value = Vec3(0.2, 0.1, -0.3);
-  LinearRow ball;
+  DifferenceRow ball;
   ball.Terms = { { 5, -0.5 }, { 6, 0.5 } };
   ball.Value = Vec3(0.0, 0.4, 0.0);
   ball.Radius = 0.05;
