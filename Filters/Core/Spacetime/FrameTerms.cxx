@@ -437,4 +437,36 @@ void FrameTerms::Adjoint(float* gradient)
   }
 }
 
+// The kernel's pull vanishes between particles at one place, and E does not mind that no gas would
+// stay so.
+double FrameTerms::Crowding(float factor, float* gradient) const
+{
+  const auto reach = static_cast<float>(this->Model.Weights.GasDistance);
+  const float least = 1.0f - reach * this->Constants.InverseSupport; // of s
+  const std::size_t s = this->BodyStride;
+  const SphPairs& pairs = this->Pairs;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < this->Model.NumberOfGas; ++i)
+  {
+    for (std::size_t k = 8 * pairs.Starts[i]; k < 8 * pairs.Starts[i + 1]; ++k)
+    {
+      if (!(pairs.S[k] > least))
+      {
+        continue;
+      }
+      const float d[3] = { pairs.X[k], pairs.Y[k], pairs.Z[k] };
+      const float r = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+      const float depth = std::max(0.0f, reach - r);
+      sum += 0.5 * depth * depth;
+      for (int c = 0; c < 3 && gradient && r > 0.0f; ++c)
+      {
+        const float pull = factor * depth * d[c] / r;
+        gradient[c * s + i] -= pull;
+        gradient[c * s + pairs.Other[k]] += pull;
+      }
+    }
+  }
+  return sum;
+}
+
 } // namespace waft

@@ -26,6 +26,10 @@ public:
   /// the six rows of `gradient`.
   void Adjoint(float* gradient);
 
+  /// Of the frame of the last Forward: half the sum of squares of how much gas is nearer to gas
+  /// than GasDistance; adds `factor` times its gradient to the six rows of `gradient`, unless null.
+  double Crowding(float factor, float* gradient) const;
+
   float* Acceleration(int c) { return this->Rates.data() + c * this->BodyStride; }
   float* Average(int c) { return this->Rates.data() + (3 + c) * this->BodyStride; }
   float* AccelerationBar(int c) { return this->Bars.data() + c * this->BodyStride; }

@@ -197,6 +197,10 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
     std::fill(g, g + model.FrameSize(), 0.0f);
     terms.Adjoint(g);
   }
+  const double crowding = weights.Separation * this->Times.FrameWeights[j];
+  sums.Beside =
+    crowding * terms.Crowding(static_cast<float>(crowding),
+                              gradient ? gradient->data() + j * model.FrameSize() : nullptr);
 }
 
 void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
@@ -306,7 +310,7 @@ bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradien
         this->SphFrame(*worker, state, j, gradient);
         this->SmoothRow(state, j);
         float* g = gradient ? gradient->data() + j * this->Problem.FrameSize() : nullptr;
-        this->FrameSums[j].Beside =
+        this->FrameSums[j].Beside +=
           this->Times.FrameWeights[j] *
           AddObjectTerms(this->Problem, this->Times.Frames[j], this->Times.FrameWeights[j],
                          state.data() + j * this->Problem.FrameSize(), g);

@@ -21,7 +21,7 @@ struct SpacetimeTerms
 {
   double E = 0.0;
   double Ex = 0.0, Ev = 0.0, Ec = 0.0;
-  double Beside = 0.0; // clearance and contact, weighted
+  double Beside = 0.0; // clearance, approach, contact and separation, weighted
 };
 
 /// The unknowns are six rows a frame (x, y, z, u, v, w of gas, then objects, padded).

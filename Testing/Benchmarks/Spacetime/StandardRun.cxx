@@ -11,6 +11,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
 
 namespace waft
 {
@@ -57,25 +60,23 @@ void ForGasPairs(const SpacetimeModel& model, const StateVector& state, int fram
 #if defined(__x86_64__)
 __attribute__((target("avx2,fma"))) float MultiplyAndAdd(long rounds)
 {
-  typedef float Eight __attribute__((vector_size(32)));
-  Eight sums[12];
+  __m256 sums[12];
   for (int k = 0; k < 12; ++k)
   {
-    sums[k] = Eight{} + static_cast<float>(k);
+    sums[k] = _mm256_set1_ps(static_cast<float>(k));
   }
-  const Eight a = Eight{} + 0.999f, b = Eight{} + 1e-3f;
+  const __m256 a = _mm256_set1_ps(0.999f), b = _mm256_set1_ps(1e-3f);
   for (long r = 0; r < rounds; ++r)
   {
-    for (Eight& sum : sums)
+    for (__m256& sum : sums)
     {
-      sum = sum * a + b;
-      asm volatile("" : "+x"(sum));
+      sum = _mm256_fmadd_ps(sum, a, b);
     }
   }
   float total = 0.0f;
-  for (const Eight& sum : sums)
+  for (const __m256& sum : sums)
   {
-    total += sum[0];
+    total += _mm256_cvtss_f32(sum);
   }
   return total;
 }

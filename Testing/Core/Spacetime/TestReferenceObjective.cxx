@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The fast objective and the solver against double precision and against Ceres.
+#include "Base/Random.h"
+#include "ReferenceObjective.h"
+#include "Spacetime/GasStart.h"
+#include "Spacetime/Lbfgs.h"
+#include "StandardProblem.h"
+
+#include <ceres/ceres.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace waft;
+using test::ReferenceObjective;
+
+namespace
+{
+
+StandardProblem SmallProblem(int frames, int objects, const std::array<int, 3>& gas)
+{
+  StandardProblem problem;
+  problem.NumberOfFrames = frames;
+  problem.NumberOfObjects = objects;
+  problem.ParticlesPerObject = 2;
+  problem.Gas = gas;
+  problem.Build();
+  return problem;
+}
+
+std::vector<double> Disturbed(const StandardProblem& problem, double size)
+{
+  std::vector<double> z = ReferenceObjective(problem.Model).From(problem.Start);
+  Random random(4);
+  for (double& value : z)
+  {
+    value += size * random.Normal();
+  }
+  return z;
+}
+
+class CeresFunction : public ceres::FirstOrderFunction
+{
+public:
+  CeresFunction(const StandardProblem& problem) : Problem(problem), Reference(problem.Model) {}
+  bool Evaluate(const double* z, double* cost, double* gradient) const override
+  {
+    *cost = this->Reference.Evaluate(z, gradient);
+    const SpacetimeModel& model = this->Problem.Model;
+    for (int j = 0; j < model.NumberOfFrames && gradient; ++j)
+    {
+      for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+      {
+        if (model.Flag(j, o) & FixedPosition)
+        {
+          double* g = gradient + 6 * (j * model.NumberOfBodies() + model.NumberOfGas + o);
+          std::fill(g, g + 3, 0.0);
+        }
+      }
+    }
+    return true;
+  }
+  int NumParameters() const override { return static_cast<int>(this->Reference.Size()); }
+
+private:
+  const StandardProblem& Problem;
+  ReferenceObjective Reference;
+};
+
+} // namespace
+
+TEST(ReferenceObjective, HasTheExactGradientOfEachTerm)
+{
+  StandardProblem problem = SmallProblem(5, 2, { 3, 3, 3 });
+  for (int term = 0; term < 5; ++term)
+  {
+    SpacetimeWeights& w = problem.Model.Weights;
+    w.Position = term == 0 || term == 4 ? 1.0 : 0.0;
+    w.Velocity = term == 1 || term == 4 ? 1.0 : 0.0;
+    w.Coherence = term >= 2 ? 1.0 : 0.0;
+    w.SpatialShare = term == 2 ? 1.0 : (term == 3 ? 0.0 : 0.5);
+    const ReferenceObjective reference(problem.Model);
+    const std::vector<double> z = Disturbed(problem, 0.05);
+    std::vector<double> gradient(z.size());
+    (void)reference.Evaluate(z.data(), gradient.data());
+    Random random(3);
+    std::vector<double> d(z.size());
+    double slope = 0.0;
+    for (std::size_t k = 0; k < d.size(); ++k)
+    {
+      d[k] = random.Normal() + gradient[k];
+      slope += d[k] * gradient[k];
+    }
+    const double h = 1e-5;
+    std::vector<double> plus = z, minus = z;
+    for (std::size_t k = 0; k < d.size(); ++k)
+    {
+      plus[k] += h * d[k];
+      minus[k] -= h * d[k];
+    }
+    const double difference =
+      (reference.Evaluate(plus.data(), nullptr) - reference.Evaluate(minus.data(), nullptr)) /
+      (2.0 * h);
+    EXPECT_NEAR(difference / slope, 1.0, 1e-6) << "term " << term;
+  }
+}
+
+TEST(SpacetimeObjective, EqualsTheReference)
+{
+  const StandardProblem problem = SmallProblem(6, 4, { 5, 5, 5 });
+  const ReferenceObjective reference(problem.Model);
+  std::vector<double> z = Disturbed(problem, 0.06);
+  const StateVector state = reference.To(z);
+  z = reference.From(state);
+  std::vector<double> expected(z.size());
+  const double e = reference.Evaluate(z.data(), expected.data());
+  const TimeLevel level = TimeLevel::Full(problem.Model.NumberOfFrames, 1);
+  for (const SphKernelTable* table : { &PortableSphKernels(), &FastestSphKernels() })
+  {
+    SpacetimeObjective objective(problem.Model, level, SerialFor(), *table);
+    SpacetimeTerms terms;
+    StateVector gradient(state.size());
+    ASSERT_TRUE(objective.Evaluate(state, &gradient, terms));
+    EXPECT_NEAR(terms.E / e, 1.0, 1e-5);
+    const std::vector<double> found = reference.From(gradient);
+    double error = 0.0, scale = 0.0;
+    for (std::size_t k = 0; k < found.size(); ++k)
+    {
+      error += (found[k] - expected[k]) * (found[k] - expected[k]);
+      scale += expected[k] * expected[k];
+    }
+    EXPECT_LT(std::sqrt(error / scale), 2e-5) << table->Name;
+  }
+}
+
+TEST(SpacetimeObjective, PushesGasThatIsTooNearApart)
+{
+  StandardProblem problem = SmallProblem(2, 1, { 4, 4, 4 });
+  problem.Model.Weights.Separation = 0.0;
+  StateVector state = problem.Start;
+  for (int c = 0; c < 3; ++c)
+  {
+    float* row = state.data() + c * problem.Model.Stride();
+    row[20] = row[21] + (c == 0 ? 0.2f : 0.05f);
+  }
+  const TimeLevel level = TimeLevel::Full(2, 1);
+  const auto evaluate = [&](double weight, const StateVector& x, StateVector& gradient)
+  {
+    problem.Model.Weights.Separation = weight;
+    SpacetimeObjective objective(problem.Model, level, SerialFor(), FastestSphKernels());
+    SpacetimeTerms terms;
+    objective.Evaluate(x, &gradient, terms);
+    return terms;
+  };
+  StateVector without(state.size()), with(state.size());
+  EXPECT_EQ(evaluate(0.0, state, without).Beside, 0.0);
+  const double depth = 0.4 - std::sqrt(0.2 * 0.2 + 2.0 * 0.05 * 0.05);
+  EXPECT_NEAR(evaluate(50.0, state, with).Beside, 25.0 * depth * depth, 1e-4);
+  const std::size_t x = 20;
+  EXPECT_NEAR(with[x] - without[x], -50.0 * depth * 0.2 / (0.4 - depth), 1e-3);
+  EXPECT_NEAR(with[21] - without[21], 50.0 * depth * 0.2 / (0.4 - depth), 1e-3);
+  EXPECT_EQ(evaluate(50.0, problem.Start, with).Beside, 0.0);
+}
+
+TEST(SpacetimeObjective, VanishesOnARollout)
+{
+  StandardProblem problem = SmallProblem(20, 3, { 6, 6, 6 });
+  SpacetimeModel& model = problem.Model;
+  model.Weights.Coherence = 0.0;
+  const TimeLevel level = TimeLevel::Full(model.NumberOfFrames, 1);
+  SpacetimeObjective objective(model, level, SerialFor(), FastestSphKernels());
+  StateVector state = problem.Start;
+  SpacetimeTerms terms;
+  objective.Evaluate(state, nullptr, terms);
+  const double start = terms.E;
+  const std::size_t s = model.Stride();
+  for (int j = 0; j + 1 < model.NumberOfFrames; ++j)
+  {
+    FrameTerms& frame = objective.ForwardFrame(state, j);
+    const float* here = state.data() + j * model.FrameSize();
+    float* next = state.data() + (j + 1) * model.FrameSize();
+    for (int c = 0; c < 3; ++c)
+    {
+      for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
+      {
+        const float v = here[(3 + c) * s + i] + frame.Acceleration(c)[i];
+        next[(3 + c) * s + i] = v;
+        next[c * s + i] =
+          here[c * s + i] + v + static_cast<float>(model.Weights.XsphFactor) * frame.Average(c)[i];
+      }
+    }
+  }
+  objective.Evaluate(state, nullptr, terms);
+  EXPECT_GT(start, 1e-2);
+  EXPECT_LT(terms.E, 1e-9 * start); // rounding of single precision
+}
+
+TEST(Lbfgs, ReachesTheCostOfCeresOrLower)
+{
+  StandardProblem problem = SmallProblem(11, 3, { 3, 3, 3 });
+  problem.Model.Weights.Separation = 0.0;
+  const CeresFunction function(problem);
+  const ReferenceObjective reference(problem.Model);
+  std::vector<double> z = reference.From(problem.Start);
+  ceres::GradientProblem ceresProblem(new CeresFunction(problem));
+  ceres::GradientProblemSolver::Options options;
+  options.max_num_iterations = 400;
+  options.function_tolerance = 1e-9;
+  ceres::GradientProblemSolver::Summary summary;
+  ceres::Solve(options, ceresProblem, z.data(), &summary);
+  const TimeLevel level = TimeLevel::Full(problem.Model.NumberOfFrames, 1);
+  SpacetimeObjective objective(problem.Model, level, SerialFor(), FastestSphKernels());
+  const TimelinePreconditioner preconditioner(problem.Model, level, SerialFor());
+  HardConstraints constraints(problem.Model, level, problem.Table, SerialFor());
+  Lbfgs solver(level.NumberOfFrames(), problem.Model.FrameSize(), SerialFor(), 6);
+  LbfgsOptions lbfgs;
+  lbfgs.MaximumNumberOfIterations = 400;
+  lbfgs.Tolerance = 0.0;
+  StateVector state = problem.Start;
+  (void)solver.Minimize(
+    objective, preconditioner, constraints, lbfgs, [](int, const SpacetimeTerms&) { return true; },
+    nullptr, state);
+  z = reference.From(state);
+  const double found = reference.Evaluate(z.data(), nullptr);
+  EXPECT_LE(found, summary.final_cost);
+  EXPECT_LT(summary.final_cost, 0.5 * summary.initial_cost);
+}
