@@ -90,6 +90,48 @@ TEST(SphReference, PairsConserveMomentum)
   EXPECT_LT(sum.norm(), 1e-13 * scale);
 }
 
+TEST(SphReference, AFreeCloudKeepsItsMomentumAndItsTurn)
+{
+  RandomGas gas(4, 5, 0.15);
+  for (Vec3& x : gas.State.Positions)
+  {
+    x += Vec3::Constant(10.0); // away from walls
+  }
+  gas.Size += Vec3::Constant(20.0);
+  Vec3 momentum = Vec3::Zero(), turn = Vec3::Zero();
+  double energy = 0.0;
+  const auto measure = [&]
+  {
+    momentum.setZero();
+    turn.setZero();
+    energy = 0.0;
+    for (std::size_t i = 0; i < gas.State.Positions.size(); ++i)
+    {
+      const double mass = i < gas.State.NumberOfGas ? gas.Fluid.GasMass : gas.Fluid.ObjectMass;
+      momentum += mass * gas.State.Velocities[i];
+      turn += mass * gas.State.Positions[i].cross(gas.State.Velocities[i]);
+      energy += mass * gas.State.Velocities[i].squaredNorm();
+    }
+  };
+  measure();
+  const Vec3 before = momentum, turnBefore = turn;
+  const double energyBefore = energy;
+  SphRates rates;
+  for (int frame = 0; frame < 20; ++frame)
+  {
+    EvaluateSph(gas.Fluid, gas.Size, gas.State, rates);
+    for (std::size_t i = 0; i < gas.State.Positions.size(); ++i)
+    {
+      gas.State.Velocities[i] += rates.Accelerations[i];
+      gas.State.Positions[i] += gas.State.Velocities[i];
+    }
+  }
+  measure();
+  EXPECT_LT((momentum - before).norm(), 1e-12);
+  EXPECT_LT((turn - turnBefore).norm(), 1e-11);
+  EXPECT_GT(std::abs(energy / energyBefore - 1.0), 0.05); // it did move
+}
+
 TEST(SphReference, ApproachingParticlesAreBraked)
 {
   // Eq. 9 with v_ij = v_i - v_j: two particles that approach each other push apart.
