@@ -30,7 +30,7 @@ struct SpacetimeWeights
   double Contact = 0.3;         // objects nearer to each other than ContactDistance
   double ContactDistance = 0.0; // d0 [dx]
   double Separation = 0.1;      // gas nearer to gas than GasDistance
-  double GasDistance = 0.4;     // [dx]
+  double GasDistance = 0.32;    // [dx]
 };
 
 /// What holds for one object at one frame.

@@ -83,7 +83,7 @@ int main(int argc, char** argv)
   const SphKernelTable& kernels = portable ? PortableSphKernels() : FastestSphKernels();
   std::vector<StandardLevel> levels;
   for (const auto& [name, stride, standard] :
-       { std::tuple("--stride4", 4, 75), std::tuple("--stride2", 2, 110),
+       { std::tuple("--stride4", 4, 60), std::tuple("--stride2", 2, 110),
          std::tuple("--stride1", 1, 100) })
   {
     if (const int n = static_cast<int>(Argument(argc, argv, name, standard)); n > 0)

@@ -193,7 +193,7 @@ private:
       }
       if (i >= this->Model.NumberOfGas)
       {
-        sum.z() -= this->Model.Gravity;
+        sum.z() -= this->Model.Gravities[i - this->Model.NumberOfGas];
       }
       for (int c = 0; c < 3 && i < this->Model.NumberOfGas; ++c)
       {
