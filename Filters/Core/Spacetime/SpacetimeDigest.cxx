@@ -111,9 +111,9 @@ std::vector<std::uint64_t> DigestOfPlaces(const SpacetimeSetup& setup)
     sums[static_cast<std::size_t>(ball.Frame) * no + ball.Object].Values(Read(ball.Center),
                                                                          Read(ball.Radius));
   }
-  for (const LinearRow& row : setup.Table.Rows)
+  for (const DifferenceRow& row : setup.Table.Rows)
   {
-    for (const LinearRow::Term& term : row.Terms)
+    for (const DifferenceRow::Term& term : row.Terms)
     {
       sums[static_cast<std::size_t>(term.Frame) * no + row.Object].Values(
         Read(term.Coefficient), Read(row.Value), Read(row.Radius));
