@@ -241,8 +241,8 @@ private:
   int NumberOfGasParticles = 2500;
   int NumberOfObjectParticles = 125;
   double PositionWeight = 10.0;
-  double VelocityWeight = 2.0;
-  double CoherenceWeight = 0.3;
+  double VelocityWeight = 3.0;
+  double CoherenceWeight = 0.25;
   double SpatialShare = 0.5;
   int TemporalWindow = 1;
   double SmoothingLength = 1.2;
@@ -258,7 +258,7 @@ private:
   int Passes = 2;
   bool UseLeash = true;
   int LeashIterations = 20;
-  int MaximumNumberOfVortices = 8;
+  int MaximumNumberOfVortices = 16;
   int MaximumNumberOfIterations = 150;
   double Tolerance = 0.01;
   double TimeLimit = 0.0;
