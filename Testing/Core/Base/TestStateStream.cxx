@@ -35,7 +35,9 @@ struct Sample
 
 std::string FreshPath()
 {
-  const fs::path folder = fs::path(testing::TempDir()) / "waft-state-stream";
+  const fs::path folder =
+    fs::path(testing::TempDir()) / "waft-state-stream" /
+    testing::UnitTest::GetInstance()->current_test_info()->name(); // tests run side by side
   fs::remove_all(folder);
   fs::create_directories(folder);
   return (folder / "state").string();
