@@ -119,8 +119,13 @@ TEST(Checkpoint, ATimeLimitLeavesTheCourseThatARunWithoutItTakes)
   const std::string path = CheckpointPath("limited");
   SpacetimeOptions limited = Options(path);
   limited.CheckpointInterval = 1e6;
-  limited.TimeLimit = 0.3 * whole.Convergence.back().Seconds;
-  const SpacetimeOutput cut = RunScene(input, limited);
+  // On a busy machine the first run may have been the slower one: a shorter limit then.
+  SpacetimeOutput cut;
+  for (double share = 0.3; share > 0.01 && !Exists(path); share *= 0.5)
+  {
+    limited.TimeLimit = share * whole.Convergence.back().Seconds;
+    cut = RunScene(input, limited);
+  }
   ASSERT_EQ(cut.Warnings.size(), 1u);
   ASSERT_TRUE(Exists(path));
   ExpectSameMotion(RunScene(input, Options(path)), whole);

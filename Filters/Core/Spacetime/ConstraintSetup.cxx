@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/ConstraintSetup.h"
+
+#include "Obstacles/ConstraintCheck.h"
+#include "Obstacles/LinearRows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace waft
+{
+namespace
+{
+
+// Growth of the way from the plan [m/s^2].
+constexpr double StartReach = 1.6;   // after a start or a rest
+constexpr double LandingReach = 0.8; // before a rest
+
+void SetUpStarts(const SpacetimeInput& input, SpacetimeSetup& setup)
+{
+  SpacetimeModel& model = setup.Model;
+  const std::size_t no = model.NumberOfObjects;
+  // What starts at a given place does not leap away from it: the way from the plan grows as half
+  // StartReach t^2.
+  const double rate = input.Scene.Time.FramesPerSecond;
+  for (int frame = 1; frame < std::min(model.NumberOfFrames, static_cast<int>(rate)); ++frame)
+  {
+    const double after = frame / rate;
+    std::fill_n(model.Reach.begin() + static_cast<std::ptrdiff_t>(frame * no), no,
+                static_cast<float>(0.5 * StartReach * after * after / setup.Spacing));
+  }
+}
+
+void Fix(SpacetimeSetup& setup, int frame, std::size_t object, const Vec3& position, int flags)
+{
+  const std::size_t place = static_cast<std::size_t>(frame) * setup.Model.NumberOfObjects + object;
+  setup.Model.Flags[place] |= static_cast<std::uint8_t>(flags | FixedPosition);
+  setup.ExactPositions[place] = position;
+  setup.Table.FixedPositions[place] = setup.FromWorld(position);
+}
+
+void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
+                   const std::vector<Constraint>& binding, SpacetimeSetup& setup)
+{
+  SpacetimeModel& model = setup.Model;
+  const int frames = model.NumberOfFrames;
+  for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+  {
+    setup.Landings.push_back(
+      LandingWindows(setup.Objects[o], binding, setup.Obstacles, input.Scene.Time.FramesPerSecond));
+    for (const LandingWindow& window : setup.Landings.back())
+    {
+      const bool floor =
+        std::find(grounds.begin(), grounds.end(), window.ObstacleId) != grounds.end();
+      const auto flags = [&](int frame) -> std::uint8_t&
+      { return model.Flags[static_cast<std::size_t>(frame) * model.NumberOfObjects + o]; };
+      // The way to and from a frame near the surface lies within the window, too.
+      for (int frame = std::max(0, static_cast<int>(std::ceil(window.First)) + 1);
+           frame <= std::min(frames - 1, static_cast<int>(std::floor(window.Last)) - 1); ++frame)
+      {
+        flags(frame) |= floor ? LandsOnFloor : LandsOnObstacle;
+      }
+      // Just before, it follows the plan, which comes down softly: the last of what brakes a leaf
+      // there is finer than the gas. The reach grows as half LandingReach t^2.
+      const double rate = input.Scene.Time.FramesPerSecond;
+      for (int frame = std::max(1, window.Frame - static_cast<int>(rate)); frame < window.Frame;
+           ++frame)
+      {
+        const double before = (window.Frame - frame) / rate;
+        model.Reach[static_cast<std::size_t>(frame) * model.NumberOfObjects + o] =
+          static_cast<float>(0.5 * LandingReach * before * before / setup.Spacing);
+      }
+      for (int frame = window.Frame; frame <= std::min(frames - 1, window.Until); ++frame)
+      {
+        // It arrives without speed, so it is braked over the frames before; from then on the
+        // surface carries its weight.
+        Fix(setup, frame, o, window.Centre, NoCoherence | FixedVelocity);
+        if (frame > window.Frame)
+        {
+          flags(frame) |= NoDynamics;
+        }
+      }
+      const int second = static_cast<int>(rate);
+      for (int frame = window.Until + 1; frame < std::min(frames, window.Until + second); ++frame)
+      {
+        const double after = (frame - window.Until) / rate;
+        flags(frame) |= LiftsOff;
+        model.Reach[static_cast<std::size_t>(frame) * model.NumberOfObjects + o] =
+          static_cast<float>(0.5 * StartReach * after * after / setup.Spacing);
+      }
+    }
+  }
+}
+
+} // namespace
+
+void SetUpConstraints(const SpacetimeInput& input, const std::vector<int>& grounds,
+                      SpacetimeSetup& setup)
+{
+  SetUpStarts(input, setup);
+  setup.Report = JudgeConstraints(input.Constraints, setup.Objects, setup.Obstacles, input.Scene);
+  std::map<int, std::size_t> index;
+  for (std::size_t o = 0; o < setup.Objects.size(); ++o)
+  {
+    index[setup.Objects[o].ObjectId] = o;
+    Fix(setup, 0, o, setup.Objects[o].Position, 0);
+  }
+  std::vector<Constraint> binding;
+  for (const Constraint& row : input.Constraints)
+  {
+    if (row.ObjectId >= 0 && IsBinding(row, setup.Report))
+    {
+      binding.push_back(row);
+    }
+  }
+  SetUpLandings(input, grounds, binding, setup);
+  for (const Constraint& row : binding)
+  {
+    const std::size_t o = index[row.ObjectId];
+    if (row.Kind == ConstraintKind::Position && row.Radius <= 0.0)
+    {
+      Fix(setup, row.Frame, o, row.Value, 0);
+    }
+    else if (row.Kind == ConstraintKind::Position)
+    {
+      setup.Table.Balls.push_back(
+        { row.Frame, o, setup.FromWorld(row.Value), row.Radius / setup.Spacing });
+    }
+    else if (row.Kind == ConstraintKind::Velocity || row.Kind == ConstraintKind::Acceleration)
+    {
+      const double scale =
+        row.Kind == ConstraintKind::Velocity ? setup.FrameStep : setup.FrameStep * setup.FrameStep;
+      DifferenceRow linear;
+      linear.Object = o;
+      for (const auto& [frame, coefficient] :
+           PositionStencil(row.Kind, row.Frame, input.Scene.Time))
+      {
+        linear.Terms.push_back({ frame, coefficient * scale });
+      }
+      linear.Value = row.Value * (scale / setup.Spacing);
+      linear.Radius = row.Radius * (scale / setup.Spacing);
+      if (!linear.Terms.empty())
+      {
+        setup.Table.Rows.push_back(linear);
+      }
+    }
+  }
+}
+
+} // namespace waft
