@@ -40,6 +40,8 @@ public:
   virtual ~StateStream() = default;
   virtual bool IsReading() const = 0;
   bool IsGood() const { return this->Good; }
+  /// Bytes that may still be read: a damaged number of elements is not believed.
+  virtual std::uint64_t Left() const { return UINT64_MAX; }
 
   template <class T>
   void Value(T& value)
@@ -58,6 +60,8 @@ public:
     text.resize(this->Count(text.size(), 1));
     this->Move(text.data(), text.size());
   }
+  /// Bytes whose number both sides know.
+  void Raw(void* bytes, std::size_t size) { this->Move(bytes, size); }
   /// Of numbers, points or arrays of numbers.
   template <class T>
   void List(std::vector<T>& values)
@@ -79,8 +83,6 @@ public:
 
 protected:
   virtual bool Bytes(void* bytes, std::size_t size) = 0;
-  /// Bytes that may still be read: a damaged number of elements is not believed.
-  virtual std::uint64_t Left() const { return UINT64_MAX; }
   void Fail() { this->Good = false; }
 
 private:
@@ -126,6 +128,22 @@ private:
   Checksum Checks;
 };
 
+/// Keeps what is written, in memory.
+class MemoryStream : public StateStream
+{
+public:
+  bool IsReading() const override { return false; }
+  std::vector<char> Content;
+
+protected:
+  bool Bytes(void* bytes, std::size_t size) override
+  {
+    const char* first = static_cast<const char*>(bytes);
+    this->Content.insert(this->Content.end(), first, first + size);
+    return true;
+  }
+};
+
 /// Writes a file whole or not at all: under a name of its own, renamed by Commit.
 class StateFileWriter : public StateStream
 {
@@ -165,10 +183,10 @@ public:
   bool IsReading() const override { return true; }
   /// Nothing is left over.
   bool IsAtEnd() const { return this->IsGood() && this->Rest == 0; }
+  std::uint64_t Left() const override { return this->Rest; }
 
 protected:
   bool Bytes(void* bytes, std::size_t size) override;
-  std::uint64_t Left() const override { return this->Rest; }
 
 private:
   friend bool IsWholeStateFile(const std::string& path);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/FieldUpdates.h"
 
+#include "Spacetime/SpacetimeExchange.h"
 #include "Spacetime/WindEstimate.h"
 #include "Vortex/VortexFit.h"
 
@@ -17,18 +18,16 @@ constexpr double VortexTolerance = 1.02; // E may grow by this factor for new vo
 constexpr int SampleStride = 2;          // frames between samples of a vortex fit
 
 template <typename Visit>
-void ForFlights(const SpacetimeModel& model, const TimeLevel& level, const StateVector& state,
-                Visit visit)
+void ForFlights(const SpacetimeModel& model, const TimeLevel& level,
+                const std::vector<Vec3>& positions, Visit visit)
 {
-  const std::size_t stride = model.Stride();
   for (std::size_t j = 0; j + 1 < level.NumberOfFrames(); ++j)
   {
     for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
     {
       if (!StepIsBound(model, level, j + 1, o))
       {
-        const float* p = state.data() + j * model.FrameSize() + model.NumberOfGas + o;
-        visit(j, o, Vec3(p[0], p[stride], p[2 * stride]));
+        visit(j, o, positions[j * model.NumberOfObjects + o]);
       }
     }
   }
@@ -57,7 +56,29 @@ void Scale(SplineWind& wind, double factor)
 
 } // namespace
 
-void HoldWind(SpacetimeModel& model, const TimeLevel& level, const StateVector& state)
+std::vector<Vec3> ObjectPositions(const SpacetimeModel& model, const FrameShare& share,
+                                  const StateVector& state)
+{
+  const std::size_t no = model.NumberOfObjects;
+  std::vector<float> rows(share.Frames() * no * 3, 0.0f);
+  for (std::size_t j = share.Own().Begin; j < share.Own().End; ++j)
+  {
+    const float* p = state.data() + share.Slot(j) * model.FrameSize() + model.NumberOfGas;
+    for (std::size_t k = 0; k < 3 * no; ++k)
+    {
+      rows[3 * j * no + k] = p[(k % 3) * model.Stride() + k / 3];
+    }
+  }
+  share.Gather(rows, 3 * no);
+  std::vector<Vec3> positions;
+  for (std::size_t k = 0; k < rows.size(); k += 3)
+  {
+    positions.emplace_back(rows[k], rows[k + 1], rows[k + 2]);
+  }
+  return positions;
+}
+
+void HoldWind(SpacetimeModel& model, const TimeLevel& level, const std::vector<Vec3>& positions)
 {
   if (model.Wind.IsEmpty())
   {
@@ -67,13 +88,11 @@ void HoldWind(SpacetimeModel& model, const TimeLevel& level, const StateVector& 
   {
     double Vortices = 0.0, Wind = 0.0;
   } flights, all;
-  const std::size_t stride = model.Stride();
   for (std::size_t j = 0; j < level.NumberOfFrames(); ++j)
   {
     for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
     {
-      const float* p = state.data() + j * model.FrameSize() + model.NumberOfGas + o;
-      const Vec3 x(p[0], p[stride], p[2 * stride]);
+      const Vec3& x = positions[j * model.NumberOfObjects + o];
       const double vortices = VortexAcceleration(model, x, level.Frames[j]).squaredNorm();
       const double wind = SampleField(model.Wind, x, level.Frames[j]).squaredNorm();
       all.Vortices += vortices;
@@ -103,7 +122,8 @@ bool UpdateWind(SpacetimeModel& model, SpacetimeObjective& objective, const Stat
                 const ParallelFor& parallel, Monitor* monitor, SpacetimeTerms& terms)
 {
   // New vortices may be weaker than those that the wind was held to.
-  HoldWind(model, objective.Level(), state);
+  const std::vector<Vec3> positions = ObjectPositions(model, objective.Share(), state);
+  HoldWind(model, objective.Level(), positions);
   // The residuals that the estimate reads belong to the last evaluation: make that this state.
   if (!objective.Evaluate(state, nullptr, terms, monitor))
   {
@@ -114,7 +134,7 @@ bool UpdateWind(SpacetimeModel& model, SpacetimeObjective& objective, const Stat
   for (double share = 1.0; share > 0.2; share *= 0.5)
   {
     model.Wind = fitted;
-    HoldWind(model, objective.Level(), state);
+    HoldWind(model, objective.Level(), positions);
     Scale(model.Wind, share);
     SpacetimeTerms next;
     if (!objective.Evaluate(state, nullptr, next, monitor))
@@ -134,7 +154,8 @@ bool UpdateWind(SpacetimeModel& model, SpacetimeObjective& objective, const Stat
 
 bool UpdateVortices(SpacetimeSetup& setup, SpacetimeObjective& objective,
                     const std::vector<Track>& planned, const Box& bounds, std::uint64_t seed,
-                    const StateVector& state, Monitor& monitor, SpacetimeTerms& terms)
+                    const StateVector& state, Monitor& monitor, Monitor& fitMonitor,
+                    SpacetimeTerms& terms)
 {
   SpacetimeModel& model = setup.Model;
   if (!objective.Evaluate(state, nullptr, terms, &monitor))
@@ -149,8 +170,11 @@ bool UpdateVortices(SpacetimeSetup& setup, SpacetimeObjective& objective,
     known.insert(vortex.VortexId);
   }
   const TimeLevel& level = objective.Level();
+  const FrameShare& share = objective.Share();
+  const std::vector<Vec3> positions = ObjectPositions(model, share, state);
+  const std::vector<float> rows = objective.ObjectRows();
   std::vector<VortexSample> samples;
-  ForFlights(model, level, state,
+  ForFlights(model, level, positions,
              [&](std::size_t j, std::size_t o, const Vec3& x)
              {
                const int frame = level.Frames[j];
@@ -158,11 +182,14 @@ bool UpdateVortices(SpacetimeSetup& setup, SpacetimeObjective& objective,
                {
                  return;
                }
-               double rv[3];
-               objective.VelocityResidual(j + 1, model.NumberOfGas + o, rv);
+               const double weight =
+                 model.VelocityWeight(model.NumberOfGas + o) * level.StepWeights[j + 1];
+               const float* row = rows.data() + ((j + 1) * model.NumberOfObjects + o) * 6 + 3;
+               const Vec3 rv = weight > 0.0
+                                 ? Vec3(row[0] / weight, row[1] / weight, row[2] / weight)
+                                 : Vec3::Zero();
                // What the motion asks for: the fields as they are and what they leave over.
-               Vec3 a = VortexAcceleration(model, x, frame) +
-                        Vec3(rv[0], rv[1], rv[2]) / level.Steps[j + 1];
+               Vec3 a = VortexAcceleration(model, x, frame) + rv / level.Steps[j + 1];
                if (!model.Wind.IsEmpty())
                {
                  a += SampleField(model.Wind, x, frame);
@@ -184,10 +211,25 @@ bool UpdateVortices(SpacetimeSetup& setup, SpacetimeObjective& objective,
   options.Bounds = bounds;
   options.Seed = seed;
   std::vector<Vortex> fitted;
-  const Result result = FitVortices(samples, priors, options, monitor, fitted);
-  if (!result || result.IsStopped() || fitted.empty())
+  bool going = true;
+  if (share.IsFirst())
   {
-    return !result.IsStopped();
+    const Result result = FitVortices(samples, priors, options, fitMonitor, fitted);
+    going = !result.IsStopped();
+    if (!result || !going)
+    {
+      fitted.clear();
+    }
+  }
+  if (!share.IsAlone())
+  {
+    BroadcastStream stream(share.Others());
+    stream.Value(going);
+    stream.List(fitted, [](StateStream& s, Vortex& v) { Exchange(s, v); });
+  }
+  if (fitted.empty())
+  {
+    return going;
   }
   const std::vector<Vortex> before = model.Vortices;
   model.Vortices.clear();

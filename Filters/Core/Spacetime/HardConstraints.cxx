@@ -29,9 +29,10 @@ void Set(float* p, std::size_t stride, const Vec3& value)
 
 HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& level,
                                  const ConstraintTable& table, const ParallelFor& parallel,
-                                 const std::vector<char>& movable) :
+                                 const std::vector<char>& movable, const FrameShare* share) :
   Model(model),
-  Level(level), Table(table), Parallel(parallel)
+  Level(level), Share(share != nullptr ? *share : FrameShare(level.NumberOfFrames())), Table(table),
+  Parallel(parallel)
 {
   this->LevelOfFrame.assign(model.NumberOfFrames, -1);
   std::vector<bool> hasFrame(model.NumberOfFrames, false);
@@ -57,7 +58,7 @@ HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& l
     const int j = this->LevelOfFrame[ball.Frame];
     if (j >= 0 && !(model.Flag(ball.Frame, ball.Object) & FixedPosition))
     {
-      if (!taken[j * no + ball.Object])
+      if (!taken[j * no + ball.Object] && this->Share.Own().Contains(j))
       {
         this->Balls.push_back(
           { static_cast<std::size_t>(j), ball.Object, ball.Center, ball.Radius });
@@ -68,7 +69,8 @@ HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& l
   {
     taken[ball.Frame * no + ball.Object] = true;
   }
-  for (std::size_t j = 0; j < level.NumberOfFrames() && !table.Planned.empty(); ++j)
+  const FrameRange& own = this->Share.Own();
+  for (std::size_t j = own.Begin; j < own.End && !table.Planned.empty(); ++j)
   {
     for (std::size_t o = 0; o < no; ++o)
     {
@@ -134,7 +136,7 @@ void HardConstraints::TakeClusters(const std::vector<bool>& hasFrame)
 
 std::size_t HardConstraints::Place(std::size_t j, std::size_t object) const
 {
-  return j * this->Model.FrameSize() + this->Model.NumberOfGas + object;
+  return this->Share.Slot(j) * this->Model.FrameSize() + this->Model.NumberOfGas + object;
 }
 
 void HardConstraints::ForBalls(const std::function<void(const LevelBall&)>& visit) const
@@ -156,17 +158,18 @@ void HardConstraints::Project(StateVector& state) const
 {
   const std::size_t stride = this->Model.Stride();
   const std::size_t no = this->Model.NumberOfObjects;
+  const FrameRange& own = this->Share.Own();
   this->Parallel(
-    this->Level.NumberOfFrames(),
+    own.Size(),
     [&](std::size_t begin, std::size_t end)
     {
-      for (std::size_t j = begin; j < end; ++j)
+      for (std::size_t j = own.Begin + begin; j < own.Begin + end; ++j)
       {
         if (!this->Level.IsFree(j))
         {
           continue;
         }
-        float* frame = state.data() + j * this->Model.FrameSize();
+        float* frame = state.data() + this->Share.Slot(j) * this->Model.FrameSize();
         for (int c = 0; c < 3; ++c)
         {
           float* x = frame + c * stride;
@@ -208,26 +211,60 @@ void HardConstraints::Project(StateVector& state) const
         Set(p, stride, ball.Center + (ball.Radius * Inside / r) * d);
       }
     });
-  this->ProjectClusters(state);
+  std::vector<Eigen::MatrixX3d> points = this->ClusterPoints(state);
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    this->Clusters[k].Project(points[k]);
+  }
+  this->SetClusterPoints(points, state);
 }
 
-void HardConstraints::ProjectClusters(StateVector& state) const
+std::vector<Eigen::MatrixX3d> HardConstraints::ClusterPoints(const StateVector& vector) const
 {
-  const std::size_t stride = this->Model.Stride();
+  std::vector<std::size_t> frames;
+  std::vector<float> values;
   for (const LinearCluster& cluster : this->Clusters)
   {
-    const std::vector<int>& frames = cluster.Frames();
-    Eigen::MatrixX3d x(frames.size(), 3);
-    for (std::size_t k = 0; k < frames.size(); ++k)
+    for (const int frame : cluster.Frames())
     {
-      x.row(k) =
-        Get(state.data() + this->Place(this->LevelOfFrame[frames[k]], cluster.Object()), stride);
+      const auto j = static_cast<std::size_t>(this->LevelOfFrame[frame]);
+      const bool isOwn = this->Share.Own().Contains(j);
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        values.push_back(isOwn ? vector[this->Place(j, cluster.Object()) + c * this->Model.Stride()]
+                               : 0.0f);
+      }
+      frames.push_back(j);
     }
-    cluster.Project(x);
-    for (std::size_t k = 0; k < frames.size(); ++k)
+  }
+  this->Share.GatherPoints(frames, values);
+  std::vector<Eigen::MatrixX3d> points;
+  const float* value = values.data();
+  for (const LinearCluster& cluster : this->Clusters)
+  {
+    points.emplace_back(cluster.Frames().size(), 3);
+    for (Eigen::Index k = 0; k < points.back().rows(); ++k, value += 3)
     {
-      Set(state.data() + this->Place(this->LevelOfFrame[frames[k]], cluster.Object()), stride,
-          x.row(k).transpose());
+      points.back().row(k) = Get(value, 1);
+    }
+  }
+  return points;
+}
+
+void HardConstraints::SetClusterPoints(const std::vector<Eigen::MatrixX3d>& points,
+                                       StateVector& vector) const
+{
+  for (std::size_t m = 0; m < points.size(); ++m)
+  {
+    const LinearCluster& cluster = this->Clusters[m];
+    for (std::size_t k = 0; k < cluster.Frames().size(); ++k)
+    {
+      const auto j = static_cast<std::size_t>(this->LevelOfFrame[cluster.Frames()[k]]);
+      if (this->Share.Own().Contains(j))
+      {
+        Set(vector.data() + this->Place(j, cluster.Object()), this->Model.Stride(),
+            points[m].row(static_cast<Eigen::Index>(k)).transpose());
+      }
     }
   }
 }
@@ -239,7 +276,8 @@ void HardConstraints::FindWalls(std::size_t j, const StateVector& state,
   active.clear();
   for (int c = 0; c < 3; ++c)
   {
-    const std::size_t row = j * this->Model.FrameSize() + c * this->Model.Stride();
+    const std::size_t row =
+      this->Share.Slot(j) * this->Model.FrameSize() + c * this->Model.Stride();
     const auto size = static_cast<float>(this->Model.Size[c]);
     for (std::size_t i = row; i < row + this->Model.NumberOfGas; ++i)
     {
@@ -255,10 +293,11 @@ void HardConstraints::FindActive(const StateVector& state, const StateVector& gr
 {
   const std::size_t stride = this->Model.Stride();
   this->ActiveWalls.resize(this->Level.NumberOfFrames());
-  this->Parallel(this->Level.NumberOfFrames(),
+  const FrameRange& own = this->Share.Own();
+  this->Parallel(own.Size(),
                  [&](std::size_t begin, std::size_t end)
                  {
-                   for (std::size_t j = begin; j < end; ++j)
+                   for (std::size_t j = own.Begin + begin; j < own.Begin + end; ++j)
                    {
                      this->FindWalls(j, state, gradient);
                    }
@@ -288,9 +327,9 @@ void HardConstraints::ClearHeld(StateVector& direction) const
 {
   const std::size_t size = this->Model.FrameSize();
   const std::size_t no = this->Model.NumberOfObjects;
-  for (std::size_t j = 0; j < this->Level.NumberOfFrames(); ++j)
+  for (std::size_t j = this->Share.Own().Begin; j < this->Share.Own().End; ++j)
   {
-    float* frame = direction.data() + j * size;
+    float* frame = direction.data() + this->Share.Slot(j) * size;
     if (!this->Level.IsFree(j))
     {
       std::fill(frame, frame + size, 0.0f);
@@ -321,7 +360,7 @@ void HardConstraints::ProjectTangent(StateVector& direction) const
   {
     this->ClearHeld(direction);
   }
-  for (std::size_t j = 0; j < this->Level.NumberOfFrames(); ++j)
+  for (std::size_t j = this->Share.Own().Begin; j < this->Share.Own().End; ++j)
   {
     for (std::size_t o = 0; o < no; ++o)
     {
@@ -351,22 +390,12 @@ void HardConstraints::ProjectTangent(StateVector& direction) const
     const Vec3 d = Get(p, stride);
     Set(p, stride, d - d.dot(n) * n);
   }
-  for (const LinearCluster& cluster : this->Clusters)
+  std::vector<Eigen::MatrixX3d> points = this->ClusterPoints(direction);
+  for (std::size_t k = 0; k < points.size(); ++k)
   {
-    const std::vector<int>& frames = cluster.Frames();
-    Eigen::MatrixX3d x(frames.size(), 3);
-    for (std::size_t k = 0; k < frames.size(); ++k)
-    {
-      x.row(k) = Get(
-        direction.data() + this->Place(this->LevelOfFrame[frames[k]], cluster.Object()), stride);
-    }
-    cluster.ProjectTangent(x);
-    for (std::size_t k = 0; k < frames.size(); ++k)
-    {
-      Set(direction.data() + this->Place(this->LevelOfFrame[frames[k]], cluster.Object()), stride,
-          x.row(k).transpose());
-    }
+    this->Clusters[k].ProjectTangent(points[k]);
   }
+  this->SetClusterPoints(points, direction);
 }
 
 double HardConstraints::MaxViolation(const StateVector& state) const
@@ -378,17 +407,12 @@ double HardConstraints::MaxViolation(const StateVector& state) const
     const Vec3 d = Get(state.data() + this->Place(ball.Frame, ball.Object), stride) - ball.Center;
     largest = std::max(largest, d.norm() - ball.Radius);
   }
-  for (const LinearCluster& cluster : this->Clusters)
+  const std::vector<Eigen::MatrixX3d> points = this->ClusterPoints(state);
+  for (std::size_t k = 0; k < points.size(); ++k)
   {
-    Eigen::MatrixX3d x(cluster.Frames().size(), 3);
-    for (std::size_t k = 0; k < cluster.Frames().size(); ++k)
-    {
-      const auto j = static_cast<std::size_t>(this->LevelOfFrame[cluster.Frames()[k]]);
-      x.row(k) = Get(state.data() + this->Place(j, cluster.Object()), stride);
-    }
-    largest = std::max(largest, cluster.Violation(x));
+    largest = std::max(largest, this->Clusters[k].Violation(points[k]));
   }
-  return largest;
+  return this->Share.IsAlone() ? largest : this->Share.Others().Largest(largest);
 }
 
 } // namespace waft

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/Parallel.h"
+#include "Spacetime/FrameShare.h"
 #include "Spacetime/SpacetimeModel.h"
 #include "Spacetime/StateVector.h"
 
@@ -97,9 +98,11 @@ class HardConstraints
 public:
   /// movable: by body; those that are not keep their values, as do all at the level's frames that
   /// are not free. Rows that bind both what may move and what may not are held as they are. Empty:
-  /// all may move.
+  /// all may move. share: of the level's frames, whose vectors are held to the requirements; null:
+  /// all are this rank's. What takes a vector is to be called by all ranks.
   HardConstraints(const SpacetimeModel& model, const TimeLevel& level, const ConstraintTable& table,
-                  const ParallelFor& parallel, const std::vector<char>& movable = {});
+                  const ParallelFor& parallel, const std::vector<char>& movable = {},
+                  const FrameShare* share = nullptr);
 
   /// Radius about the planned positions [dx]; zero: none. The user's own requirements win.
   void SetLeash(double radius) { this->Leash = radius; }
@@ -118,11 +121,14 @@ private:
   void HoldObjects(const std::vector<char>& movable);
   void TakeClusters(const std::vector<bool>& hasFrame);
   void ClearHeld(StateVector& direction) const;
-  void ProjectClusters(StateVector& state) const;
+  /// One point a free frame of each cluster, of all ranks' frames; and back to the own ones.
+  std::vector<Eigen::MatrixX3d> ClusterPoints(const StateVector& vector) const;
+  void SetClusterPoints(const std::vector<Eigen::MatrixX3d>& points, StateVector& vector) const;
   void FindWalls(std::size_t j, const StateVector& state, const StateVector& gradient);
 
   const SpacetimeModel& Model;
   const TimeLevel& Level;
+  FrameShare Share;
   const ConstraintTable& Table;
   ParallelFor Parallel;
   double Leash = 0.0;

@@ -15,14 +15,24 @@ constexpr std::size_t ToleranceWindow = 20; // iterations
 
 } // namespace
 
-Lbfgs::Lbfgs(std::size_t frames, std::size_t frameSize, const ParallelFor& parallel, int history) :
-  Space(frames, frameSize, parallel), Capacity(static_cast<std::size_t>(std::max(1, history)))
+Lbfgs::Lbfgs(const FrameShare& share, std::size_t frameSize, const ParallelFor& parallel,
+             int history) :
+  Share(share),
+  FrameSize(frameSize), Space(share, frameSize, parallel),
+  Capacity(static_cast<std::size_t>(std::max(1, history)))
 {
   const std::size_t n = this->Space.Size();
   for (auto* v : { &this->Gradient, &this->Trial, &this->TrialGradient, &this->Step, &this->Work })
   {
     v->assign(n, 0.0f);
   }
+}
+
+// The frames beside the own ones are then as E needs them.
+void Lbfgs::Project(const HardConstraints& constraints, StateVector& state) const
+{
+  constraints.Project(state);
+  this->Share.FillHalo(state, this->FrameSize);
 }
 
 // Step = -P H P g by the two-loop recursion with H0 = gamma P M^-1 P.
@@ -67,7 +77,7 @@ bool Lbfgs::LineSearch(SpacetimeObjective& objective, const HardConstraints& con
   for (int trial = 0; trial < LineSearchTrials; ++trial)
   {
     this->Space.Combine(state, alpha, this->Step, this->Trial);
-    constraints.Project(this->Trial);
+    this->Project(constraints, this->Trial);
     SpacetimeTerms next;
     if (!objective.Evaluate(this->Trial, &this->TrialGradient, next, monitor))
     {
@@ -132,11 +142,12 @@ bool Lbfgs::HasConverged(double tolerance) const
 
 void Lbfgs::Exchange(StateStream& stream)
 {
-  const auto vector = [](StateStream& s, StateVector& v) { s.List(v); };
+  const auto vector = [this](StateStream& s, StateVector& v)
+  { this->Share.Exchange(s, v, this->FrameSize); };
   stream.List(this->S, vector);
   stream.List(this->Y, vector);
   stream.List(this->Rho);
-  stream.List(this->Gradient);
+  vector(stream, this->Gradient);
   stream.List(this->Energies);
   stream.Values(this->Gamma, this->Terms.E, this->Terms.Ex, this->Terms.Ev, this->Terms.Ec,
                 this->Terms.Beside);
@@ -150,7 +161,7 @@ LbfgsEnd Lbfgs::Minimize(SpacetimeObjective& objective,
   SpacetimeTerms& terms = this->Terms;
   if (!options.GoesOn)
   {
-    constraints.Project(state);
+    this->Project(constraints, state);
     this->Energies.clear();
     if (!objective.Evaluate(state, &this->Gradient, terms, monitor))
     {

@@ -31,10 +31,12 @@ enum class LbfgsEnd
 
 /// The solver's vectors and its memory of curvature, kept from stage to stage: leash and fields
 /// change E's curvature little.
+/// Of several ranks each has the vectors of its share of the frames; whatever is decided hangs on
+/// sums that all of them know.
 class Lbfgs
 {
 public:
-  Lbfgs(std::size_t frames, std::size_t frameSize, const ParallelFor& parallel, int history);
+  Lbfgs(const FrameShare& share, std::size_t frameSize, const ParallelFor& parallel, int history);
 
   /// Called after each accepted iterate; returns false to stop.
   using Observer = std::function<bool(int iteration, const SpacetimeTerms& terms)>;
@@ -57,6 +59,10 @@ private:
   void Remember(const TimelinePreconditioner& preconditioner, const HardConstraints& constraints,
                 const StateVector& state);
 
+  void Project(const HardConstraints& constraints, StateVector& state) const;
+
+  FrameShare Share;
+  std::size_t FrameSize;
   VectorSpace Space;
   std::size_t Capacity;
   StateVector Gradient, Trial, TrialGradient, Step, Work;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/Spacetime.h"
 
+#include "Spacetime/SpacetimeExchange.h"
 #include "Spacetime/SpacetimeRun.h"
 #include "Spacetime/WindEstimate.h"
 
@@ -71,11 +72,32 @@ std::array<int, 3> WindLatticeDimensions(const Box& volume)
 
 Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options,
                     const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
-                    SpacetimeMemory* memory)
+                    SpacetimeMemory* memory, Communicator* ranks)
 {
   output = SpacetimeOutput();
-  const Result result = SpacetimeRun(input, options, parallel, monitor, output, memory).Run();
-  if (!result)
+  SerialCommunicator alone;
+  Communicator& all = ranks != nullptr ? *ranks : alone;
+  Result result = Result::Ok();
+  if (all.IsFirst())
+  {
+    if (all.Size() > 1)
+    {
+      BroadcastStream stream(all);
+      Exchange(stream, const_cast<SpacetimeInput&>(input)); // which writing leaves as it is
+      Exchange(stream, const_cast<SpacetimeOptions&>(options));
+    }
+    result = SpacetimeRun(input, options, parallel, monitor, output, memory, all).Run();
+  }
+  else
+  {
+    BroadcastStream stream(all);
+    SpacetimeInput received;
+    SpacetimeOptions asked;
+    Exchange(stream, received);
+    Exchange(stream, asked);
+    result = SpacetimeRun(received, asked, parallel, monitor, output, nullptr, all).Run();
+  }
+  if (!result || !all.IsFirst())
   {
     output = SpacetimeOutput();
     if (memory != nullptr)

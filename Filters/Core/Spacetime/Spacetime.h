@@ -3,6 +3,7 @@
 // things in one body of air, with the user's requirements met exactly.
 #pragma once
 
+#include "Base/Communicator.h"
 #include "Base/FieldSeries.h"
 #include "Base/ForceFields.h"
 #include "Base/Mesh.h"
@@ -130,8 +131,14 @@ std::array<int, 3> WindLatticeDimensions(const Box& volume);
 /// CheckpointFile is written at intervals, whole or not at all, and removed when the run ends by
 /// itself. One of the same input and options is gone on from, to the same bits as if the run had
 /// never been ended; any other is ignored with a warning.
+///
+/// ranks: all of them call this together and share the frames out among them. Input, options and
+/// memory are rank 0's, those given elsewhere are not read; so are the decisions of its monitor and
+/// its clock, and the checkpoint, which a run of another number of ranks may go on from. The output
+/// and what memory keeps are rank 0's too and empty elsewhere; the result's bits are the same for
+/// any number of ranks. Null: one rank.
 Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options,
                     const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
-                    SpacetimeMemory* memory = nullptr);
+                    SpacetimeMemory* memory = nullptr, Communicator* ranks = nullptr);
 
 } // namespace waft

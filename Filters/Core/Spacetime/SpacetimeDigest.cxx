@@ -2,24 +2,12 @@
 #include "Spacetime/SpacetimeDigest.h"
 
 #include "Particles/SphKernels.h"
+#include "Spacetime/SpacetimeExchange.h"
 
 #include <set>
 
 namespace waft
 {
-
-void Exchange(StateStream& stream, Vortex& v)
-{
-  stream.Values(v.VortexId, v.P1, v.P2, v.Strength, v.CenterTime, v.Duration, v.CoreRadius,
-                v.Confidence, v.ObjectCount);
-}
-
-void Exchange(StateStream& stream, SplineWind& wind)
-{
-  stream.Values(wind.Dimensions[0], wind.Dimensions[1], wind.Dimensions[2], wind.Origin,
-                wind.Spacing, wind.FramesPerKnot, wind.Drag);
-  stream.List(wind.Knots, [](StateStream& s, std::vector<float>& knot) { s.List(knot); });
-}
 
 namespace
 {

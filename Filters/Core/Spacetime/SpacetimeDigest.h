@@ -29,7 +29,4 @@ struct ProblemDigest
 ProblemDigest DigestOfProblem(const SpacetimeInput& input, const SpacetimeOptions& options,
                               const SpacetimeSetup& setup);
 
-void Exchange(StateStream& stream, Vortex& vortex);
-void Exchange(StateStream& stream, SplineWind& wind);
-
 } // namespace waft

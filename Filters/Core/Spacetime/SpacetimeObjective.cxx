@@ -21,15 +21,19 @@ struct SpacetimeObjective::Worker
 
 SpacetimeObjective::SpacetimeObjective(const SpacetimeModel& model, const TimeLevel& level,
                                        const ParallelFor& parallel, const SphKernelTable& kernels,
-                                       bool keepsLists) :
+                                       bool keepsLists, const FrameShare* share) :
   Problem(model),
-  Times(level), Parallel(parallel), Kernels(kernels)
+  Times(level), Ranks(share != nullptr ? *share : FrameShare(level.NumberOfFrames())),
+  Parallel(parallel), Kernels(kernels), KeepsLists(keepsLists)
 {
-  const double own = model.Fluid.GasMass * model.Fluid.Kernel(0.0);
-  this->SpatialScale = 1.0 / ((1.0 - own) * (1.0 - own));
+  const double self = model.Fluid.GasMass * model.Fluid.Kernel(0.0);
+  this->SpatialScale = 1.0 / ((1.0 - self) * (1.0 - self));
   const std::size_t frames = level.NumberOfFrames();
-  this->Lists.resize(keepsLists ? frames : 0);
-  this->Residuals.assign(frames * 9 * model.Stride(), 0.0f);
+  const FrameRange& own = this->Ranks.Own();
+  const auto reach = static_cast<std::size_t>(level.Reach());
+  this->Lists.resize(keepsLists ? own.Size() : 0);
+  this->RowsBegin = own.Begin - std::min(own.Begin, reach);
+  this->RowsEnd = std::min(frames, own.End + reach);
   this->FrameSums.resize(frames);
   this->Bound.assign(frames * model.NumberOfObjects, 0);
   for (std::size_t j = 1; j < frames; ++j)
@@ -65,9 +69,9 @@ void SpacetimeObjective::Return(std::unique_ptr<Worker> worker)
 
 NeighborList& SpacetimeObjective::ListOf(Worker& worker, std::size_t j)
 {
-  if (!this->Lists.empty())
+  if (this->KeepsLists)
   {
-    return this->Lists[j];
+    return this->Lists[j - this->Ranks.Own().Begin];
   }
   worker.List = NeighborList();
   return worker.List;
@@ -81,16 +85,30 @@ FrameTerms& SpacetimeObjective::ForwardFrame(const StateVector& state, std::size
   }
   FrameTerms& terms = this->Pool.front()->Terms;
   const double step = j + 1 < this->Times.NumberOfFrames() ? this->Times.Steps[j + 1] : 1.0;
-  terms.Forward(state.data() + j * this->Problem.FrameSize(), this->Times.Frames[j], step,
+  terms.Forward(state.data() + this->Place(j), this->Times.Frames[j], step,
                 this->ListOf(*this->Pool.front(), j));
   return terms;
 }
 
 void SpacetimeObjective::ExchangeLists(StateStream& stream)
 {
-  for (NeighborList& list : this->Lists)
+  for (std::size_t j = 0; j < this->Times.NumberOfFrames() && this->KeepsLists; ++j)
   {
-    list.Exchange(stream);
+    const bool isOwn = this->Ranks.Own().Contains(j);
+    NeighborList other;
+    NeighborList& list = isOwn ? this->Lists[j - this->Ranks.Own().Begin] : other;
+    if (this->Ranks.IsAlone() || stream.IsReading())
+    {
+      list.Exchange(stream);
+      continue;
+    }
+    MemoryStream written;
+    if (isOwn)
+    {
+      list.Exchange(written);
+    }
+    this->Ranks.BringToFirst(j, written.Content);
+    stream.Raw(written.Content.data(), written.Content.size());
   }
 }
 
@@ -104,19 +122,24 @@ std::size_t SpacetimeObjective::NumberOfPairs() const
   return sum;
 }
 
-bool SpacetimeObjective::Chunked(std::size_t count, Monitor* monitor, double from, double to,
+// body(begin, end) over the own frames. All ranks take as many chunks, and ask the monitor as
+// often.
+bool SpacetimeObjective::Chunked(Monitor* monitor, double from, double to,
                                  const std::function<void(std::size_t, std::size_t)>& body)
 {
   // About 0.1 s of one core between two calls of the monitor.
   const std::size_t chunk =
     std::max<std::size_t>(2, 600000 / std::max<std::size_t>(1, this->Problem.NumberOfParticles()));
-  for (std::size_t first = 0; first < count; first += chunk)
+  const FrameRange& own = this->Ranks.Own();
+  const std::size_t most = this->Ranks.MostOwned();
+  for (std::size_t done = 0; done < most; done += chunk)
   {
-    const std::size_t size = std::min(chunk, count - first);
+    const std::size_t first = std::min(own.End, own.Begin + done);
+    const std::size_t size = std::min(chunk, own.End - first);
     this->Parallel(size,
                    [&](std::size_t begin, std::size_t end) { body(first + begin, first + end); });
-    if (monitor &&
-        !monitor->Tick(from + (to - from) * static_cast<double>(first + size) / count, {}))
+    const double share = static_cast<double>(std::min(most, done + chunk)) / most;
+    if (monitor && !monitor->Tick(from + (to - from) * share, {}))
     {
       return false;
     }
@@ -133,7 +156,7 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
   const std::size_t bodies = model.NumberOfBodies();
   const std::size_t ng = model.NumberOfGas;
   const bool last = j + 1 == this->Times.NumberOfFrames();
-  const float* here = state.data() + j * model.FrameSize();
+  const float* here = state.data() + this->Place(j);
   FrameTerms& terms = worker.Terms;
   const double step = last ? 0.0 : this->Times.Steps[j + 1];
   NeighborList& list = this->ListOf(worker, j);
@@ -157,8 +180,8 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
     const float* d = terms.Average(c);
     float* abar = terms.AccelerationBar(c);
     float* dbar = terms.AverageBar(c);
-    float* outX = last ? nullptr : this->Residuals.data() + ((j + 1) * 9 + c) * stride;
-    float* outV = last ? nullptr : this->Residuals.data() + ((j + 1) * 9 + 3 + c) * stride;
+    float* outX = last ? nullptr : this->Row(j + 1, 0, c);
+    float* outV = last ? nullptr : this->Row(j + 1, 1, c);
     for (std::size_t i = 0; i < bodies; ++i)
     {
       float weight = 1.0f, flight = 1.0f, air = 1.0f, slip = 0.0f;
@@ -193,14 +216,13 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
   sums.Ec = 0.5 * weights.SpatialShare * this->SpatialScale * this->Times.FrameWeights[j] * ec;
   if (gradient)
   {
-    float* g = gradient->data() + j * model.FrameSize();
+    float* g = gradient->data() + this->Place(j);
     std::fill(g, g + model.FrameSize(), 0.0f);
     terms.Adjoint(g);
   }
   const double crowding = weights.Separation * this->Times.FrameWeights[j];
-  sums.Beside =
-    crowding * terms.Crowding(static_cast<float>(crowding),
-                              gradient ? gradient->data() + j * model.FrameSize() : nullptr);
+  sums.Beside = crowding * terms.Crowding(static_cast<float>(crowding),
+                                          gradient ? gradient->data() + this->Place(j) : nullptr);
 }
 
 void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
@@ -214,9 +236,9 @@ void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
   double sum = 0.0;
   for (int c = 0; c < 3; ++c)
   {
-    float* r = this->Residuals.data() + (j * 9 + 6 + c) * stride;
+    float* r = this->Row(j, 2, c);
     const auto row = [&](std::size_t k)
-    { return state.data() + k * model.FrameSize() + (3 + c) * stride; };
+    { return state.data() + this->Place(k) + (3 + c) * stride; };
     std::copy(row(j), row(j) + model.NumberOfBodies(), r);
     for (const TimeLevel::Neighbor& neighbor : this->Times.Rows[j])
     {
@@ -250,9 +272,8 @@ void SpacetimeObjective::GatherFrame(std::size_t j, StateVector& gradient) const
   const std::size_t stride = model.Stride();
   const std::size_t n = model.NumberOfBodies();
   const bool last = j + 1 == this->Times.NumberOfFrames();
-  const auto row = [&](std::size_t k, int kind, int c)
-  { return this->Residuals.data() + (k * 9 + 3 * kind + c) * stride; };
-  float* g = gradient.data() + j * model.FrameSize();
+  const auto row = [&](std::size_t k, int kind, int c) { return this->Row(k, kind, c); };
+  float* g = gradient.data() + this->Place(j);
   const auto step = static_cast<float>(this->Times.Steps[j]);
   for (int c = 0; c < 3; ++c)
   {
@@ -295,13 +316,37 @@ void SpacetimeObjective::GatherFrame(std::size_t j, StateVector& gradient) const
   }
 }
 
+void SpacetimeObjective::ReceiveRows()
+{
+  const std::size_t row = this->Problem.Stride() * sizeof(float);
+  const std::size_t frames = this->Times.NumberOfFrames();
+  const auto reach = static_cast<std::size_t>(this->Times.Reach());
+  const auto own = [&](int r) { return this->Ranks.OwnOf(r); };
+  // The rows rx and rv of a step are the work of who owns the frame that it comes from.
+  this->Ranks.Move(
+    { this->Residuals.data(), this->RowsBegin, 9 * row, 0, 6 * row },
+    [&](int r)
+    {
+      const FrameRange range = own(r);
+      return FrameRange{ std::min(frames, range.Begin + 1), std::min(frames, range.End + 1) };
+    },
+    own);
+  this->Ranks.Move({ this->Residuals.data(), this->RowsBegin, 9 * row, 6 * row, 3 * row }, own,
+                   [&](int r)
+                   {
+                     const FrameRange range = own(r);
+                     return FrameRange{ range.Begin - std::min(range.Begin, reach),
+                                        std::min(frames, range.End + reach) };
+                   });
+}
+
 bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradient,
                                   SpacetimeTerms& terms, Monitor* monitor)
 {
   ++this->Evaluations;
-  const std::size_t frames = this->Times.NumberOfFrames();
+  this->Residuals.resize((this->RowsEnd - this->RowsBegin) * 9 * this->Problem.Stride(), 0.0f);
   const bool done = this->Chunked(
-    frames, monitor, 0.0, 0.9,
+    monitor, 0.0, 0.9,
     [&](std::size_t begin, std::size_t end)
     {
       auto worker = this->Borrow();
@@ -309,11 +354,11 @@ bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradien
       {
         this->SphFrame(*worker, state, j, gradient);
         this->SmoothRow(state, j);
-        float* g = gradient ? gradient->data() + j * this->Problem.FrameSize() : nullptr;
+        float* g = gradient ? gradient->data() + this->Place(j) : nullptr;
         this->FrameSums[j].Beside +=
-          this->Times.FrameWeights[j] *
-          AddObjectTerms(this->Problem, this->Times.Frames[j], this->Times.FrameWeights[j],
-                         state.data() + j * this->Problem.FrameSize(), g);
+          this->Times.FrameWeights[j] * AddObjectTerms(this->Problem, this->Times.Frames[j],
+                                                       this->Times.FrameWeights[j],
+                                                       state.data() + this->Place(j), g);
       }
       this->Return(std::move(worker));
     });
@@ -323,15 +368,18 @@ bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradien
   }
   if (gradient)
   {
-    this->Parallel(frames,
+    this->ReceiveRows();
+    const FrameRange& own = this->Ranks.Own();
+    this->Parallel(own.Size(),
                    [&](std::size_t begin, std::size_t end)
                    {
-                     for (std::size_t j = begin; j < end; ++j)
+                     for (std::size_t j = own.Begin + begin; j < own.Begin + end; ++j)
                      {
                        this->GatherFrame(j, *gradient);
                      }
                    });
   }
+  this->Ranks.Gather(this->FrameSums);
   terms = SpacetimeTerms();
   for (const SpacetimeTerms& sum : this->FrameSums)
   {
@@ -347,19 +395,41 @@ bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradien
 
 void SpacetimeObjective::VelocityResidual(std::size_t j, std::size_t body, double rv[3]) const
 {
-  const std::size_t stride = this->Problem.Stride();
   const double weight = this->Problem.VelocityWeight(body) * this->Times.StepWeights[j];
   for (int c = 0; c < 3; ++c)
   {
-    rv[c] = weight > 0.0 ? this->Residuals[(j * 9 + 3 + c) * stride + body] / weight : 0.0;
+    rv[c] = weight > 0.0 ? this->Row(j, 1, c)[body] / weight : 0.0;
   }
+}
+
+std::vector<float> SpacetimeObjective::ObjectRows() const
+{
+  const SpacetimeModel& model = this->Problem;
+  const std::size_t no = model.NumberOfObjects;
+  const std::size_t frames = this->Times.NumberOfFrames();
+  // By the frame that a step comes from, which has the step's owner.
+  std::vector<float> rows(frames * no * 6, 0.0f);
+  const FrameRange& own = this->Ranks.Own();
+  for (std::size_t j = own.Begin; j < own.End && j + 1 < frames; ++j)
+  {
+    for (std::size_t o = 0; o < no; ++o)
+    {
+      for (int k = 0; k < 6; ++k)
+      {
+        rows[(j * no + o) * 6 + k] = this->Row(j + 1, k / 3, k % 3)[model.NumberOfGas + o];
+      }
+    }
+  }
+  this->Ranks.Gather(rows, no * 6);
+  std::rotate(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(no * 6), rows.end());
+  return rows;
 }
 
 void SpacetimeObjective::ObjectResiduals(std::vector<double>& ex, std::vector<double>& ev,
                                          std::vector<int>& steps) const
 {
   const SpacetimeModel& model = this->Problem;
-  const std::size_t stride = model.Stride();
+  const std::vector<float> rows = this->ObjectRows();
   ex.assign(model.NumberOfObjects, 0.0);
   ev.assign(model.NumberOfObjects, 0.0);
   steps.assign(model.NumberOfObjects, 0);
@@ -377,8 +447,9 @@ void SpacetimeObjective::ObjectResiduals(std::vector<double>& ex, std::vector<do
       const double weightV = model.VelocityWeight(i) * share;
       for (int c = 0; c < 3; ++c)
       {
-        const double rx = this->Residuals[(j * 9 + c) * stride + i] / std::max(1e-12, weightX);
-        const double rv = this->Residuals[(j * 9 + 3 + c) * stride + i] / std::max(1e-12, weightV);
+        const float* row = rows.data() + (j * model.NumberOfObjects + o) * 6;
+        const double rx = row[c] / std::max(1e-12, weightX);
+        const double rv = row[3 + c] / std::max(1e-12, weightV);
         ex[o] += 0.5 * rx * rx;
         ev[o] += 0.5 * rv * rv;
       }

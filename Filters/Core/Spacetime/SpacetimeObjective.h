@@ -35,9 +35,10 @@ class SpacetimeObjective
 public:
   /// The model and the level must outlive the objective. Without keepsLists neighbours are looked
   /// for at each evaluation: slower, for few evaluations in little memory.
+  /// share: of the level's frames; null: all are this rank's. State and gradient are vectors of it.
   SpacetimeObjective(const SpacetimeModel& model, const TimeLevel& level,
                      const ParallelFor& parallel, const SphKernelTable& kernels,
-                     bool keepsLists = true);
+                     bool keepsLists = true, const FrameShare* share = nullptr);
   ~SpacetimeObjective();
 
   /// E, and its gradient where asked for (not null). Deterministic for any number of threads.
@@ -45,21 +46,26 @@ public:
   bool Evaluate(const StateVector& state, StateVector* gradient, SpacetimeTerms& terms,
                 Monitor* monitor = nullptr);
 
-  /// After Evaluate: half sums of squares of rx and of rv (without weights) by object.
+  /// After Evaluate: the weighted residuals rx and rv of all objects in the steps into all frames,
+  /// six an object [frame * objects + object]. To be called by all ranks.
+  std::vector<float> ObjectRows() const;
+  /// Half sums of squares of rx and of rv (without weights) by object. To be called by all ranks.
   void ObjectResiduals(std::vector<double>& ex, std::vector<double>& ev,
                        std::vector<int>& steps) const;
-  /// After Evaluate: the velocity residual rv [dx / frame] of a body in the step into frame j.
+  /// After Evaluate: the velocity residual rv [dx / frame] of a body in the step into frame j, from
+  /// a frame of this rank's own.
   void VelocityResidual(std::size_t j, std::size_t body, double rv[3]) const;
 
   /// Writes, or reads back, what the neighbour lists remember of the evaluations so far: with it
   /// the next ones give the same bits.
   void ExchangeLists(StateStream& stream);
 
-  /// The rows of one frame at its present state, for outputs. Not thread safe.
+  /// The rows of one of the rank's own frames at its present state, for outputs. Not thread safe.
   FrameTerms& ForwardFrame(const StateVector& state, std::size_t j);
 
   const SpacetimeModel& Model() const { return this->Problem; }
   const TimeLevel& Level() const { return this->Times; }
+  const FrameShare& Share() const { return this->Ranks; }
   std::size_t NumberOfEvaluations() const { return this->Evaluations; }
   std::size_t NumberOfPairs() const; // directed, entries of the lists
 
@@ -71,19 +77,35 @@ private:
   void SphFrame(Worker& worker, const StateVector& state, std::size_t j, StateVector* gradient);
   void SmoothRow(const StateVector& state, std::size_t j);
   void GatherFrame(std::size_t j, StateVector& gradient) const;
-  bool Chunked(std::size_t count, Monitor* monitor, double from, double to,
+  /// The rows of other ranks' frames that the own frames' gradient takes in.
+  void ReceiveRows();
+  bool Chunked(Monitor* monitor, double from, double to,
                const std::function<void(std::size_t, std::size_t)>& body);
+  /// Row c of a kind (0: rx, 1: rv, 2: rt) of the step into a frame.
+  float* Row(std::size_t j, int kind, int c)
+  {
+    return this->Residuals.data() +
+           ((j - this->RowsBegin) * 9 + 3 * kind + c) * this->Problem.Stride();
+  }
+  const float* Row(std::size_t j, int kind, int c) const
+  {
+    return const_cast<SpacetimeObjective*>(this)->Row(j, kind, c);
+  }
+  std::size_t Place(std::size_t j) const { return this->Ranks.Slot(j) * this->Problem.FrameSize(); }
 
   const SpacetimeModel& Problem;
   const TimeLevel& Times;
+  FrameShare Ranks;
   ParallelFor Parallel;
   const SphKernelTable& Kernels;
+  bool KeepsLists;
   double SpatialScale; // 1 / (1 - m W(0))^2
   std::size_t Evaluations = 0;
 
-  std::vector<NeighborList> Lists; // by frame; empty when they are not kept
-  /// Weighted residuals of the step into frame j: rx, rv and rt, nine rows.
+  std::vector<NeighborList> Lists; // by own frame; empty when they are not kept
+  /// Weighted residuals of the step into frame j: rx, rv and rt, nine rows, from frame RowsBegin.
   std::vector<float> Residuals;
+  std::size_t RowsBegin = 0, RowsEnd = 0;
   std::vector<SpacetimeTerms> FrameSums;
   std::vector<std::uint8_t> Bound; // [frame * objects + object]: no free flight into the frame
   std::mutex PoolMutex;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a run goes on from: a checkpoint of one that was ended, or the motion kept by the last one.
+#include "Spacetime/SpacetimeExchange.h"
 #include "Spacetime/SpacetimeRun.h"
 
 #include <algorithm>
@@ -47,10 +48,18 @@ void SpacetimeRun::ExchangeCheckpoint(StateStream& stream)
     this->IsCoarse = coarse;
     this->State.assign(this->Setup.Model.NumberOfFrames * this->Setup.Model.FrameSize(), 0.0f);
   }
-  stream.List(this->LevelState());
   if (stream.IsReading())
   {
+    const std::size_t frames = coarse ? this->Program.CoarseFrames.size()
+                                      : static_cast<std::size_t>(this->Setup.Model.NumberOfFrames);
+    StateVector& state = coarse ? this->PartState : this->State;
+    stream.List(state);
+    state.resize(frames * this->Setup.Model.FrameSize()); // a file may end before its time
     this->EnterLevel(coarse);
+  }
+  else
+  {
+    this->Solver->Share.Exchange(stream, this->LevelState(), this->Setup.Model.FrameSize());
   }
   this->Solver->Objective.ExchangeLists(stream);
   if (this->Solver->Solver)
@@ -66,28 +75,37 @@ void SpacetimeRun::ExchangeCheckpoint(StateStream& stream)
 
 void SpacetimeRun::KeepCheckpoint(bool now)
 {
-  const double since = this->Elapsed() - this->LastCheckpoint;
+  if (this->Options.CheckpointFile.empty() || this->IsCut ||
+      !this->Region.IsEmpty()) // short, and its end depends on what only this process has
+  {
+    return;
+  }
   double interval = this->Options.CheckpointInterval;
   if (interval > 0.0)
   {
     interval = std::max(interval, this->CheckpointCost / WritingShare);
   }
-  if (this->Options.CheckpointFile.empty() || this->HasCheckpointFailed || this->IsCut ||
-      !this->Region.IsEmpty() || // short, and its end depends on what only this process has
-      (!now && since < interval))
+  const double from = this->Elapsed();
+  if (!this->Ranks.Decide(!this->HasCheckpointFailed &&
+                          (now || from - this->LastCheckpoint >= interval)))
   {
     return;
   }
-  const double from = this->Elapsed();
-  StateFileWriter file(this->Options.CheckpointFile);
+  std::unique_ptr<StateFileWriter> file;
+  if (this->Ranks.IsFirst())
+  {
+    file = std::make_unique<StateFileWriter>(this->Options.CheckpointFile);
+  }
+  RankFileStream stream(this->Ranks, file.get(), false);
   std::string format = Format;
   std::uint64_t key = DigestOfRun(this->Input, this->Options);
-  file.Text(format);
-  file.Value(key);
+  stream.Text(format);
+  stream.Value(key);
   const double before = std::exchange(this->Before, this->Seconds());
-  this->ExchangeCheckpoint(file);
+  this->ExchangeCheckpoint(stream);
   this->Before = before;
-  if (const Result result = file.Commit(); !result)
+  const Result result = file ? file->Commit() : Result::Ok();
+  if (!result)
   {
     this->HasCheckpointFailed = true;
     this->Output.Warnings.push_back("CheckpointFile: " + result.Message());
@@ -99,7 +117,8 @@ void SpacetimeRun::KeepCheckpoint(bool now)
 bool SpacetimeRun::Resume()
 {
   const std::string& path = this->Options.CheckpointFile;
-  if (path.empty() || !StateFileReader(path).IsGood())
+  const bool isFirst = this->Ranks.IsFirst();
+  if (path.empty() || !this->Ranks.Decide(isFirst && StateFileReader(path).IsGood()))
   {
     return false;
   }
@@ -109,25 +128,31 @@ bool SpacetimeRun::Resume()
                                     ": ignored, solved from the start");
     return false;
   };
-  if (!IsWholeStateFile(path))
+  if (!this->Ranks.Decide(isFirst && IsWholeStateFile(path)))
   {
     return ignore("is damaged");
   }
-  StateFileReader file(path);
+  std::unique_ptr<StateFileReader> file;
+  if (isFirst)
+  {
+    file = std::make_unique<StateFileReader>(path);
+  }
+  RankFileStream stream(this->Ranks, file.get(), true);
   std::string format;
   std::uint64_t key = 0;
-  file.Text(format);
+  stream.Text(format);
   if (format != Format)
   {
     return ignore("is no checkpoint of this version");
   }
-  file.Value(key);
-  if (key != DigestOfRun(this->Input, this->Options))
+  stream.Value(key);
+  if (!this->Ranks.Decide(key == DigestOfRun(this->Input, this->Options)))
   {
     return ignore("belongs to other inputs or properties");
   }
-  this->ExchangeCheckpoint(file);
-  if (!file.IsAtEnd() || this->Next >= this->Program.Steps.size())
+  this->ExchangeCheckpoint(stream);
+  if (!this->Ranks.Decide(!file || file->IsAtEnd()) || !stream.IsGood() ||
+      this->Next >= this->Program.Steps.size())
   {
     this->Solver.reset();
     this->PartState = StateVector();
@@ -144,12 +169,19 @@ bool SpacetimeRun::Resume()
 
 bool SpacetimeRun::GoOn()
 {
-  if (this->Memory == nullptr || this->Memory->IsEmpty() || !this->Options.WarmStart)
+  if (!this->Options.WarmStart ||
+      !this->Ranks.Decide(this->Memory != nullptr && !this->Memory->IsEmpty()))
   {
     return false;
   }
   const ProblemDigest digest = DigestOfProblem(this->Input, this->Options, this->Setup);
-  SpacetimeMemory& memory = *this->Memory;
+  SpacetimeMemory received;
+  SpacetimeMemory& memory = this->Ranks.IsFirst() ? *this->Memory : received;
+  if (this->Ranks.Size() > 1)
+  {
+    BroadcastStream stream(this->Ranks);
+    Exchange(stream, memory);
+  }
   if (digest.Shape != memory.Digest.Shape)
   {
     return false;

@@ -23,10 +23,10 @@ constexpr double CoarseTimeShare = 0.5; // of a time limit, for the coarse level
 
 SpacetimeRun::SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& options,
                            const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
-                           SpacetimeMemory* memory) :
+                           SpacetimeMemory* memory, Communicator& ranks) :
   Input(input),
-  Options(options), Parallel(parallel), Progress(monitor), Output(output), Memory(memory),
-  Clock(std::chrono::steady_clock::now())
+  Options(options), Parallel(parallel), Ranks(ranks), Own(monitor), Progress(monitor, ranks),
+  Output(output), Memory(memory), Clock(std::chrono::steady_clock::now())
 {
 }
 
@@ -39,7 +39,8 @@ double SpacetimeRun::Elapsed() const
 bool SpacetimeRun::TimeIsUp() const
 {
   const double share = this->IsCoarse ? CoarseTimeShare : 1.0;
-  return this->Options.TimeLimit > 0.0 && this->Elapsed() > this->Options.TimeLimit * share;
+  const double limit = this->Options.TimeLimit * share;
+  return limit > 0.0 && this->Ranks.Decide(this->Elapsed() > limit);
 }
 
 void SpacetimeRun::Record(int pass, const std::string& stage, int iteration,
@@ -63,7 +64,9 @@ SpacetimeTerms SpacetimeRun::Measure()
 {
   const TimeLevel full =
     TimeLevel::Full(this->Setup.Model.NumberOfFrames, this->Options.TemporalWindow);
-  SpacetimeObjective objective(this->Setup.Model, full, this->Parallel, FastestSphKernels(), false);
+  const FrameShare share = ShareOf(full, this->Ranks).HoldingAll();
+  SpacetimeObjective objective(this->Setup.Model, full, this->Parallel, FastestSphKernels(), false,
+                               &share);
   SpacetimeTerms terms;
   objective.Evaluate(this->State, nullptr, terms);
   return terms;
@@ -73,25 +76,29 @@ Result SpacetimeRun::Begin()
 {
   this->State = std::move(this->Setup.Start);
   this->Program = PlanProgram(this->Setup, this->Options, this->Input.Scene.Bounds.Width());
-  const SpacetimeModel& model = this->Setup.Model;
-  const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
-  SpacetimeObjective objective(model, full, this->Parallel, FastestSphKernels(), false);
-  SpacetimeTerms terms;
-  objective.Evaluate(this->State, nullptr, terms);
+  const SpacetimeTerms terms = this->Measure();
   if (!std::isfinite(terms.E))
   {
     return Result::Error("Tracks: the planned motion has no finite cost");
   }
   this->StartEnergy = terms.E;
   this->Record(0, "initial", 0, terms, 0.0, 0.0);
-  StepMonitor monitor(this->Progress, 0.0, 0.0, 1);
+  bool isMoved = false;
+  StepMonitor monitor(this->Own, 0.0, 0.0, 1);
   monitor.Text = "spacetime: moving the gas";
-  if (StartGas(objective, this->Parallel, monitor, this->State))
+  if (this->Ranks.IsFirst()) // one frame after the other: there is nothing to share
   {
-    objective.Evaluate(this->State, nullptr, terms);
-    this->Record(0, "gas moved", 0, terms, 0.0, 0.0);
+    const SpacetimeModel& model = this->Setup.Model;
+    const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
+    SpacetimeObjective objective(model, full, this->Parallel, FastestSphKernels(), false);
+    isMoved = StartGas(objective, this->Parallel, monitor, this->State);
   }
-  this->Stopped = !monitor.Going;
+  if (this->Ranks.Decide(isMoved))
+  {
+    this->Ranks.Broadcast(this->State.data(), this->State.size() * sizeof(float));
+    this->Record(0, "gas moved", 0, this->Measure(), 0.0, 0.0);
+  }
+  this->Stopped = !this->Ranks.Decide(monitor.Going);
   return Result::Ok();
 }
 
@@ -122,24 +129,49 @@ void SpacetimeRun::EnterLevel(bool coarse)
   this->Window = budget.WindowOf(level.NumberOfFrames(), this->Options.MemoryLimit);
   const int history = this->HasWindows(level) ? 0 : this->Options.HistorySize;
   this->Solver = std::make_unique<LevelSolver>(this->Setup, std::move(level), this->Parallel,
-                                               history, this->Region.Movable);
+                                               this->Ranks, history, this->Region.Movable);
+  if (this->IsShared())
+  {
+    const bool isPart = coarse || !this->Region.IsEmpty();
+    this->PartState = this->Solver->Share.Take(std::move(isPart ? this->PartState : this->State),
+                                               model.FrameSize());
+    if (this->Region.IsEmpty())
+    {
+      this->State = StateVector(); // LeaveLevel makes it anew
+    }
+  }
 }
 
 void SpacetimeRun::LeaveLevel()
 {
-  const SpacetimeModel& model = this->Setup.Model;
-  if (this->Solver && this->IsCoarse)
+  if (!this->Solver)
   {
-    Prolong(model, this->Solver->Level, this->PartState, this->State);
-    this->PartState = StateVector();
+    return;
   }
-  else if (this->Solver && !this->Region.IsEmpty())
+  const SpacetimeModel& model = this->Setup.Model;
+  const TimeLevel level = this->Solver->Level;
+  const FrameShare share = this->Solver->Share;
+  const bool isShared = this->IsShared();
+  this->Solver.reset(); // before the next one, which is as large
+  if (isShared)
+  {
+    this->PartState = share.Whole(std::move(this->PartState), model.FrameSize());
+  }
+  if (this->IsCoarse)
+  {
+    this->State.resize(model.NumberOfFrames * model.FrameSize());
+    Prolong(model, level, this->PartState, this->State);
+  }
+  else if (!this->Region.IsEmpty())
   {
     std::copy(this->PartState.begin(), this->PartState.end(),
-              this->State.data() + this->Solver->Level.Frames.front() * model.FrameSize());
-    this->PartState = StateVector();
+              this->State.data() + level.Frames.front() * model.FrameSize());
   }
-  this->Solver.reset(); // before the next one, which is as large
+  else if (isShared)
+  {
+    this->State = std::move(this->PartState);
+  }
+  this->PartState = StateVector();
 }
 
 void SpacetimeRun::TakeSteps()
@@ -209,6 +241,7 @@ bool SpacetimeRun::UpdateFields(const SpacetimeStep& step)
   const double done =
     1.0 - this->Program.Work(this->Next, this->Setup.Model.NumberOfFrames) / this->AllWork;
   StepMonitor monitor(this->Progress, done, done, 1);
+  StepMonitor fitMonitor(this->Own, done, done, 1);
   LevelSolver& solver = *this->Solver;
   const StateVector& state = this->LevelState();
   SpacetimeTerms terms;
@@ -216,9 +249,10 @@ bool SpacetimeRun::UpdateFields(const SpacetimeStep& step)
   const double violation = solver.Constraints.MaxViolation(state);
   if (step.FitsVortices && this->Options.FitVortexFields && !this->Setup.Model.Vortices.empty())
   {
-    monitor.Text = "spacetime: fitting vortices";
-    going = UpdateVortices(this->Setup, solver.Objective, this->Input.Tracks,
-                           this->Input.Scene.Bounds, this->Input.Scene.Seed, state, monitor, terms);
+    monitor.Text = fitMonitor.Text = "spacetime: fitting vortices";
+    going =
+      UpdateVortices(this->Setup, solver.Objective, this->Input.Tracks, this->Input.Scene.Bounds,
+                     this->Input.Scene.Seed, state, monitor, fitMonitor, terms);
     if (going)
     {
       this->Record(step.Pass, "vortices " + std::to_string(step.Pass), 0, terms, violation, 0.0);
@@ -234,7 +268,7 @@ bool SpacetimeRun::UpdateFields(const SpacetimeStep& step)
                    violation, 0.0);
     }
   }
-  this->Stopped = this->Stopped || !monitor.Going;
+  this->Stopped = this->Stopped || !going;
   return going;
 }
 
@@ -274,20 +308,38 @@ Result SpacetimeRun::Finish()
   {
     constraints.Project(this->State);
   }
-  else
+  else if (this->Memory != nullptr)
   {
     kept = { &this->Region, &this->Memory->Positions };
   }
-  std::vector<std::vector<Vec3>> positions =
-    ExportPositions(this->Input, this->Setup, kept, this->State, this->Output.Warnings);
-  if (this->Region.IsEmpty())
+  std::vector<std::vector<Vec3>> positions;
+  if (this->Ranks.IsFirst())
+  {
+    positions = ExportPositions(this->Input, this->Setup, kept, this->State, this->Output.Warnings);
+  }
+  this->Ranks.Broadcast(this->State.data(), this->State.size() * sizeof(float));
+  if (this->Region.IsEmpty()) // the objects have moved since the wind was estimated
   {
     HoldWind(this->Setup.Model, level,
-             this->State); // the objects have moved since it was estimated
+             ObjectPositions(this->Setup.Model, level.NumberOfFrames(), this->State));
   }
-  // Neighbours are looked for anew: what is exported of a frame depends on that frame alone.
-  SpacetimeObjective objective(this->Setup.Model, level, this->Parallel, FastestSphKernels(),
-                               false);
+  if (Result result = this->MeasureResult(level, constraints); !result)
+  {
+    return result;
+  }
+  if (this->Ranks.IsFirst())
+  {
+    this->WriteOutput(level, std::move(positions));
+  }
+  return this->Stopped ? Result::Stopped() : Result::Ok();
+}
+
+// Neighbours are looked for anew: what is measured of a frame depends on that frame alone.
+Result SpacetimeRun::MeasureResult(const TimeLevel& level, const HardConstraints& constraints)
+{
+  const FrameShare share = ShareOf(level, this->Ranks).HoldingAll();
+  SpacetimeObjective objective(this->Setup.Model, level, this->Parallel, FastestSphKernels(), false,
+                               &share);
   SpacetimeTerms terms;
   objective.Evaluate(this->State, nullptr, terms);
   if (!std::isfinite(terms.E))
@@ -303,27 +355,33 @@ Result SpacetimeRun::Finish()
     this->Output.PositionResiduals.push_back(std::sqrt(2.0 * ex[o] / n));
     this->Output.VelocityResiduals.push_back(std::sqrt(2.0 * ev[o] / n));
   }
-  (void)ExportFields(this->Input, this->Setup, objective, this->State, positions, this->Progress,
+  this->Record(this->Options.Passes, "final", 0, terms, constraints.MaxViolation(this->State), 0.0);
+  return Result::Ok();
+}
+
+void SpacetimeRun::WriteOutput(const TimeLevel& level, std::vector<std::vector<Vec3>> positions)
+{
+  SpacetimeObjective objective(this->Setup.Model, level, this->Parallel, FastestSphKernels(),
+                               false);
+  (void)ExportFields(this->Input, this->Setup, objective, this->State, positions, this->Own,
                      this->Output);
   this->Output.Report = this->Setup.Report;
   MeasureResiduals(this->Input.Constraints, this->Output.Tracks, this->Setup.Objects,
                    this->Setup.Obstacles, this->Input.Scene, this->Output.Report);
-  this->Record(this->Options.Passes, "final", 0, terms, constraints.MaxViolation(this->State), 0.0);
-
   const bool finished = this->Next >= this->Program.Steps.size();
   if (this->IsCut && !finished)
   {
     this->Output.Warnings.push_back("TimeLimit: reached before the last stage; the best so far");
   }
-  const double fall = this->StartEnergy - terms.E;
+  const double energy = this->Output.Convergence.back().E;
   if (finished && this->Region.IsEmpty() &&
-      fall <= std::max(1e-6, this->Options.Tolerance) * this->StartEnergy)
+      this->StartEnergy - energy <= std::max(1e-6, this->Options.Tolerance) * this->StartEnergy)
   {
     char text[200];
     std::snprintf(
       text, sizeof(text),
       "spacetime: nothing can be bettered by more than Tolerance: E was %.6g and is %.6g",
-      this->StartEnergy, terms.E);
+      this->StartEnergy, energy);
     this->Output.Warnings.push_back(text);
   }
   if (finished && !this->IsCut && !this->Options.CheckpointFile.empty())
@@ -331,7 +389,6 @@ Result SpacetimeRun::Finish()
     std::remove(this->Options.CheckpointFile.c_str());
   }
   this->Remember(std::move(positions));
-  return this->Stopped ? Result::Stopped() : Result::Ok();
 }
 
 } // namespace waft

@@ -22,14 +22,14 @@ class SpacetimeRun
 public:
   SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& options,
                const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
-               SpacetimeMemory* memory);
+               SpacetimeMemory* memory, Communicator& ranks);
 
   Result Run();
 
 private:
   double Elapsed() const; // since this run began [s]
   double Seconds() const { return this->Before + this->Elapsed(); }
-  bool TimeIsUp() const;
+  bool TimeIsUp() const; // for all ranks
   void Record(int pass, const std::string& stage, int iteration, const SpacetimeTerms& terms,
               double violation, double leash);
 
@@ -41,13 +41,20 @@ private:
   /// The cost of State at full resolution, its neighbour lists made anew.
   SpacetimeTerms Measure();
 
-  /// The steps from Next on. EnterLevel moves the motion to a step's level of time.
+  /// The steps from Next on. EnterLevel moves the motion to a step's level of time, and of several
+  /// ranks each then has its share of the frames; LeaveLevel brings it back.
   void TakeSteps();
   void EnterLevel(bool coarse);
   void LeaveLevel();
   StateVector& LevelState()
   {
-    return this->IsCoarse || !this->Region.IsEmpty() ? this->PartState : this->State;
+    return this->IsCoarse || !this->Region.IsEmpty() || this->IsShared() ? this->PartState
+                                                                         : this->State;
+  }
+  /// The level's motion is in pieces; in windows every rank has all of it.
+  bool IsShared() const
+  {
+    return this->Solver && this->Solver->Solver && !this->Solver->Share.IsAlone();
   }
   /// Both return false when the run was stopped.
   bool Minimize(const SpacetimeStep& step);
@@ -64,12 +71,16 @@ private:
   void ExchangeCheckpoint(StateStream& stream);
 
   Result Finish();
+  Result MeasureResult(const TimeLevel& level, const HardConstraints& constraints);
+  void WriteOutput(const TimeLevel& level, std::vector<std::vector<Vec3>> positions);
   void Remember(std::vector<std::vector<Vec3>> positions);
 
   const SpacetimeInput& Input;
   const SpacetimeOptions& Options;
   ParallelFor Parallel;
-  Monitor& Progress;
+  Communicator& Ranks;
+  Monitor& Own;         // of this rank
+  RankMonitor Progress; // of all
   SpacetimeOutput& Output;
   SpacetimeMemory* Memory;
   std::chrono::steady_clock::time_point Clock;
@@ -77,9 +88,11 @@ private:
 
   SpacetimeSetup Setup;
   SpacetimeProgram Program;
-  std::size_t Next = 0;                // step
-  bool IsInside = false;               // Next's minimisation was left between two iterations
-  StateVector State, PartState;        // all frames; those of the coarse level or about an edit
+  std::size_t Next = 0;  // step
+  bool IsInside = false; // Next's minimisation was left between two iterations
+  StateVector State;     // all frames
+  /// Those of the coarse level or about an edit, and this rank's share of a level.
+  StateVector PartState;
   EditRegion Region;                   // all that moves, when an edit is local
   std::unique_ptr<LevelSolver> Solver; // of the level that the run is on
   bool IsCoarse = false;

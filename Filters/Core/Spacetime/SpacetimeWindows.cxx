@@ -55,6 +55,7 @@ bool SpacetimeRun::MinimizeInWindows(const SpacetimeStep& step)
   {
     place = WindowPlace();
     whole.Constraints.Project(state);
+    whole.Share.FillHalo(state, model.FrameSize());
     if (!whole.Objective.Evaluate(state, nullptr, place.Terms, &monitor))
     {
       this->Stopped = true;
@@ -106,10 +107,11 @@ bool SpacetimeRun::SolveWindow(const SpacetimeStep& step,
   StateVector& state = this->LevelState();
   const TimeLevel& level = this->Solver->Level;
   LevelSolver part(this->Setup, level.Part(window.first, window.second), this->Parallel,
-                   this->Options.HistorySize);
+                   this->Ranks, this->Options.HistorySize);
   part.Constraints.SetLeash(step.Leash / this->Setup.Spacing);
   float* begin = state.data() + level.PartBegin(window.first) * size;
-  StateVector own(begin, begin + part.Level.NumberOfFrames() * size);
+  StateVector own =
+    part.Share.Take(StateVector(begin, begin + part.Level.NumberOfFrames() * size), size);
   LbfgsOptions options;
   options.MaximumNumberOfIterations = IterationsAtOnce;
   options.Tolerance = 0.0;
@@ -134,6 +136,7 @@ bool SpacetimeRun::SolveWindow(const SpacetimeStep& step,
                                              options, observer, &inner, own);
   if (last.E <= first.E)
   {
+    own = part.Share.Whole(std::move(own), size);
     std::copy(own.begin(), own.end(), begin);
     SpacetimeTerms& all = this->Place.Terms;
     all.E += last.E - first.E;

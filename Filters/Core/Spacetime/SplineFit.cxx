@@ -31,7 +31,7 @@ class SplineFit
 {
 public:
   SplineFit(const SplineWind& shape, int knots, const std::vector<SplineSamples>& samples,
-            const SplineFitOptions& options, const ParallelFor& parallel);
+            const SplineFitOptions& options, const ParallelFor& parallel, const FrameShare* share);
   SplineWind Solve() const;
 
 private:
@@ -75,6 +75,7 @@ private:
   const SplineFitOptions& Options;
   const std::vector<SplineSamples>& Samples;
   ParallelFor Parallel;
+  FrameShare Share;
   SplineWind Shape; // geometry only
   int Knots = 1;
   double MeanWeight = 1.0;
@@ -82,9 +83,12 @@ private:
 };
 
 SplineFit::SplineFit(const SplineWind& shape, int knots, const std::vector<SplineSamples>& samples,
-                     const SplineFitOptions& options, const ParallelFor& parallel) :
+                     const SplineFitOptions& options, const ParallelFor& parallel,
+                     const FrameShare* share) :
   Options(options),
-  Samples(samples), Parallel(parallel), Shape(shape), Knots(knots), Rows(samples.size())
+  Samples(samples), Parallel(parallel),
+  Share(share != nullptr ? *share : FrameShare(samples.size())), Shape(shape), Knots(knots),
+  Rows(samples.size())
 {
   this->Shape.Knots.clear();
   double total = 0.0;
@@ -101,7 +105,23 @@ SplineFit::SplineFit(const SplineWind& shape, int knots, const std::vector<Splin
                       this->Shape.Dimensions[a], row.First[a], row.Spline[a]);
       }
       this->Rows[j].push_back(row);
-      total += row.Weight;
+    }
+  }
+  // One rank after the other, in the order of the frames.
+  const int ranks = this->Share.IsAlone() ? 1 : this->Share.Others().Size();
+  for (int r = 0; r < ranks; ++r)
+  {
+    const bool isTurn = this->Share.IsAlone() || this->Share.Others().Rank() == r;
+    for (std::size_t j = 0; j < samples.size() && isTurn; ++j)
+    {
+      for (const Row& row : this->Rows[j])
+      {
+        total += row.Weight;
+      }
+    }
+    if (!this->Share.IsAlone())
+    {
+      this->Share.Others().Broadcast(&total, sizeof(total), r);
     }
   }
   this->MeanWeight = total / (static_cast<double>(this->Nodes()) * this->Knots);
@@ -225,7 +245,8 @@ void SplineFit::Data(const Vector& c, Vector& out, bool target) const
 {
   const std::size_t frames = this->Samples.size();
   const std::size_t block = 3 * this->Nodes();
-  std::vector<std::vector<float>> parts(frames);
+  std::vector<float> parts(frames * block, 0.0f);
+  const FrameRange& own = this->Share.Own();
   const auto knotOf = [&](std::size_t j, double& t)
   {
     const double s = this->Samples[j].Frame / this->Shape.FramesPerKnot;
@@ -233,11 +254,11 @@ void SplineFit::Data(const Vector& c, Vector& out, bool target) const
     t = s - knot;
     return knot;
   };
-  this->Parallel(frames,
+  this->Parallel(own.Size(),
                  [&](std::size_t begin, std::size_t end)
                  {
                    std::vector<float> here(block, 0.0f);
-                   for (std::size_t j = begin; j < end; ++j)
+                   for (std::size_t j = own.Begin + begin; j < own.Begin + end; ++j)
                    {
                      double t;
                      const int knot = knotOf(j, t);
@@ -246,7 +267,7 @@ void SplineFit::Data(const Vector& c, Vector& out, bool target) const
                        const double b = this->Knots > 1 ? c[(knot + 1) * block + i] : 0.0;
                        here[i] = static_cast<float>((1.0 - t) * c[knot * block + i] + t * b);
                      }
-                     parts[j].assign(block, 0.0f);
+                     float* part = parts.data() + j * block;
                      for (const Row& sample : this->Rows[j])
                      {
                        float value[3] = { sample.Target[0], sample.Target[1], sample.Target[2] };
@@ -276,7 +297,7 @@ void SplineFit::Data(const Vector& c, Vector& out, bool target) const
                                  }
                                  else
                                  {
-                                   parts[j][row + 3 * a + x] += wa * value[x];
+                                   part[row + 3 * a + x] += wa * value[x];
                                  }
                                }
                              }
@@ -286,16 +307,18 @@ void SplineFit::Data(const Vector& c, Vector& out, bool target) const
                      }
                    }
                  });
+  this->Share.Gather(parts, block);
   for (std::size_t j = 0; j < frames; ++j)
   {
     double t;
     const int knot = knotOf(j, t);
+    const float* part = parts.data() + j * block;
     for (std::size_t i = 0; i < block; ++i)
     {
-      out[knot * block + i] += (1.0 - t) * parts[j][i];
+      out[knot * block + i] += (1.0 - t) * part[i];
       if (this->Knots > 1)
       {
-        out[(knot + 1) * block + i] += t * parts[j][i];
+        out[(knot + 1) * block + i] += t * part[i];
       }
     }
   }
@@ -367,9 +390,10 @@ SplineWind SplineFit::Solve() const
 
 SplineWind FitSplineField(const SplineWind& shape, int numberOfKnots,
                           const std::vector<SplineSamples>& samples,
-                          const SplineFitOptions& options, const ParallelFor& parallel)
+                          const SplineFitOptions& options, const ParallelFor& parallel,
+                          const FrameShare* share)
 {
-  return SplineFit(shape, numberOfKnots, samples, options, parallel).Solve();
+  return SplineFit(shape, numberOfKnots, samples, options, parallel, share).Solve();
 }
 
 Vec3 SampleField(const SplineWind& field, const Vec3& x, double frame)

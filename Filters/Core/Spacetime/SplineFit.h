@@ -5,6 +5,7 @@
 
 #include "Base/Parallel.h"
 #include "Base/Types.h"
+#include "Spacetime/FrameShare.h"
 #include "Spacetime/SpacetimeModel.h"
 
 #include <vector>
@@ -37,9 +38,12 @@ struct SplineSamples
 /// potential on the nodes plus a mean flow at each knot in time, so that its discrete divergence
 /// vanishes.
 /// shape: the lattice, its FramesPerKnot and as many knots as wanted (their values are not read).
+/// share: of the frames that samples are given of, which have samples on their own rank alone
+/// (Frame is set on all); the field is found on every rank. Null: all are this rank's.
 SplineWind FitSplineField(const SplineWind& shape, int numberOfKnots,
                           const std::vector<SplineSamples>& samples,
-                          const SplineFitOptions& options, const ParallelFor& parallel);
+                          const SplineFitOptions& options, const ParallelFor& parallel,
+                          const FrameShare* share = nullptr);
 
 /// Value of a field at a place [dx] and frame.
 Vec3 SampleField(const SplineWind& field, const Vec3& x, double frame);

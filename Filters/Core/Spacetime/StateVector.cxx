@@ -9,21 +9,32 @@ namespace waft
 // blockSum(first, size) of each block, added up in the order of the blocks.
 double VectorSpace::Sum(const std::function<double(std::size_t, std::size_t)>& blockSum) const
 {
-  std::vector<double> sums(this->Blocks, 0.0);
-  this->Parallel(this->Blocks,
+  std::vector<double> sums(this->Share.Frames(), 0.0);
+  const FrameRange& own = this->Share.Own();
+  this->Parallel(own.Size(),
                  [&](std::size_t begin, std::size_t end)
                  {
-                   for (std::size_t k = begin; k < end; ++k)
+                   for (std::size_t j = own.Begin + begin; j < own.Begin + end; ++j)
                    {
-                     sums[k] = blockSum(k * this->BlockSize, this->BlockSize);
+                     sums[j] = blockSum(this->Share.Slot(j) * this->BlockSize, this->BlockSize);
                    }
                  });
+  this->Share.Gather(sums);
   double total = 0.0;
   for (const double s : sums)
   {
     total += s;
   }
   return total;
+}
+
+// range(first, last) of the elements of the own blocks.
+void VectorSpace::ForElements(const std::function<void(std::size_t, std::size_t)>& range) const
+{
+  const FrameRange& own = this->Share.Own();
+  const std::size_t first = this->Share.Slot(own.Begin);
+  this->Parallel(own.Size(), [&](std::size_t begin, std::size_t end)
+                 { range((first + begin) * this->BlockSize, (first + end) * this->BlockSize); });
 }
 
 double VectorSpace::Dot(const StateVector& a, const StateVector& b) const
@@ -46,41 +57,41 @@ double VectorSpace::AddDot(double factor, const StateVector& x, StateVector& y,
 void VectorSpace::Add(double factor, const StateVector& x, StateVector& y) const
 {
   const auto f = static_cast<float>(factor);
-  this->Parallel(this->Blocks,
-                 [&](std::size_t begin, std::size_t end)
-                 {
-                   for (std::size_t i = begin * this->BlockSize; i < end * this->BlockSize; ++i)
-                   {
-                     y[i] += f * x[i];
-                   }
-                 });
+  this->ForElements(
+    [&](std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        y[i] += f * x[i];
+      }
+    });
 }
 
 void VectorSpace::Combine(const StateVector& a, double factor, const StateVector& b,
                           StateVector& out) const
 {
   const auto f = static_cast<float>(factor);
-  this->Parallel(this->Blocks,
-                 [&](std::size_t begin, std::size_t end)
-                 {
-                   for (std::size_t i = begin * this->BlockSize; i < end * this->BlockSize; ++i)
-                   {
-                     out[i] = a[i] + f * b[i];
-                   }
-                 });
+  this->ForElements(
+    [&](std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        out[i] = a[i] + f * b[i];
+      }
+    });
 }
 
 void VectorSpace::Scale(double factor, StateVector& x) const
 {
   const auto f = static_cast<float>(factor);
-  this->Parallel(this->Blocks,
-                 [&](std::size_t begin, std::size_t end)
-                 {
-                   for (std::size_t i = begin * this->BlockSize; i < end * this->BlockSize; ++i)
-                   {
-                     x[i] *= f;
-                   }
-                 });
+  this->ForElements(
+    [&](std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        x[i] *= f;
+      }
+    });
 }
 
 } // namespace waft

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Long vectors of unknowns, one block a frame, and their arithmetic: parallel over blocks, sums in
-// the order of the blocks.
+// Long vectors of unknowns, one block a frame, and their arithmetic: parallel over a rank's own
+// blocks, sums in the order of all blocks.
 #pragma once
 
 #include "Base/Parallel.h"
+#include "Spacetime/FrameShare.h"
 
 #include <cstddef>
 #include <functional>
@@ -17,12 +18,13 @@ using StateVector = std::vector<float>;
 class VectorSpace
 {
 public:
-  VectorSpace(std::size_t blocks, std::size_t blockSize, const ParallelFor& parallel) :
-    Blocks(blocks), BlockSize(blockSize), Parallel(parallel)
+  VectorSpace(const FrameShare& share, std::size_t blockSize, const ParallelFor& parallel) :
+    Share(share), BlockSize(blockSize), Parallel(parallel)
   {
   }
 
-  std::size_t Size() const { return this->Blocks * this->BlockSize; }
+  /// Of a vector, frames that are held and not owned included: these keep what they are.
+  std::size_t Size() const { return this->Share.Held().Size() * this->BlockSize; }
   double Dot(const StateVector& a, const StateVector& b) const;
   /// y += factor x
   void Add(double factor, const StateVector& x, StateVector& y) const;
@@ -35,7 +37,10 @@ public:
 private:
   double Sum(const std::function<double(std::size_t, std::size_t)>& blockSum) const;
 
-  std::size_t Blocks, BlockSize;
+  void ForElements(const std::function<void(std::size_t, std::size_t)>& range) const;
+
+  FrameShare Share;
+  std::size_t BlockSize;
   ParallelFor Parallel;
 };
 

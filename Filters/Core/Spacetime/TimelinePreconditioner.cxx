@@ -25,9 +25,11 @@ struct Entry
 } // namespace
 
 TimelinePreconditioner::TimelinePreconditioner(const SpacetimeModel& model, const TimeLevel& level,
-                                               const ParallelFor& parallel, double damping) :
+                                               const ParallelFor& parallel, double damping,
+                                               const FrameShare* share) :
   Model(model),
-  Level(level), Parallel(parallel), Damping(damping)
+  Level(level), Share(share != nullptr ? *share : FrameShare(level.NumberOfFrames())),
+  Parallel(parallel), Damping(damping)
 {
   this->Gas = this->Factor(-1);
   this->Objects.resize(model.NumberOfObjects);
@@ -138,23 +140,20 @@ TimelinePreconditioner::Band TimelinePreconditioner::Factor(long object) const
   return band;
 }
 
-void TimelinePreconditioner::SolveColumns(const Band& band, std::size_t first, std::size_t count,
-                                          int c, const StateVector& in, StateVector& out) const
+template <class In, class Out>
+void TimelinePreconditioner::SolveColumns(const Columns& columns, const In& in,
+                                          const Out& out) const
 {
+  const Band& band = *columns.Factor;
+  const std::size_t count = columns.Count;
   const int frames = static_cast<int>(this->Level.NumberOfFrames());
   const int n = 2 * frames;
   const int h = band.HalfWidth;
-  const std::size_t stride = this->Model.Stride();
-  const auto place = [&](int unknown)
-  {
-    return static_cast<std::size_t>(unknown / 2) * this->Model.FrameSize() +
-           (unknown % 2 ? 3 + c : c) * stride + first;
-  };
   std::vector<float> y(static_cast<std::size_t>(n) * count);
   for (int i = 0; i < n; ++i)
   {
     float* row = y.data() + i * count;
-    const float* source = in.data() + place(i);
+    const float* source = in(i);
     std::copy(source, source + count, row);
     for (int k = 1; k <= std::min(i, h); ++k)
     {
@@ -182,34 +181,130 @@ void TimelinePreconditioner::SolveColumns(const Band& band, std::size_t first, s
         row[b] -= l * other[b];
       }
     }
-    std::copy(row, row + count, out.data() + place(i));
+    std::copy(row, row + count, out(i));
   }
+}
+
+std::size_t TimelinePreconditioner::NumberOfColumns() const
+{
+  const std::size_t chunks = (this->Model.NumberOfGas + ColumnsAtOnce - 1) / ColumnsAtOnce;
+  return 3 * (chunks + this->Model.NumberOfObjects);
+}
+
+TimelinePreconditioner::Columns TimelinePreconditioner::ColumnsAt(std::size_t k) const
+{
+  const std::size_t ng = this->Model.NumberOfGas;
+  const std::size_t chunks = (ng + ColumnsAtOnce - 1) / ColumnsAtOnce;
+  const int c = static_cast<int>(k % 3);
+  const std::size_t part = k / 3;
+  if (part < chunks)
+  {
+    const std::size_t first = part * ColumnsAtOnce;
+    return { &this->Gas, first, std::min(ColumnsAtOnce, ng - first), c };
+  }
+  return { &this->Objects[part - chunks], ng + part - chunks, 1, c };
 }
 
 void TimelinePreconditioner::Solve(const StateVector& in, StateVector& out) const
 {
-  const std::size_t ng = this->Model.NumberOfGas;
-  const std::size_t chunks = (ng + ColumnsAtOnce - 1) / ColumnsAtOnce;
-  const std::size_t no = this->Model.NumberOfObjects;
-  this->Parallel(
-    3 * (chunks + no),
-    [&](std::size_t begin, std::size_t end)
+  if (!this->Share.IsAlone())
+  {
+    this->SolveShared(in, out);
+    return;
+  }
+  const std::size_t stride = this->Model.Stride();
+  this->Parallel(this->NumberOfColumns(),
+                 [&](std::size_t begin, std::size_t end)
+                 {
+                   for (std::size_t k = begin; k < end; ++k)
+                   {
+                     const Columns columns = this->ColumnsAt(k);
+                     const int c = columns.Component;
+                     const auto place = [&](int unknown)
+                     {
+                       return static_cast<std::size_t>(unknown / 2) * this->Model.FrameSize() +
+                              (unknown % 2 ? 3 + c : c) * stride + columns.First;
+                     };
+                     this->SolveColumns(
+                       columns, [&](int i) { return in.data() + place(i); },
+                       [&](int i) { return out.data() + place(i); });
+                   }
+                 });
+}
+
+// The columns are shared out as the frames are. A rank's message to another holds, columns by
+// columns of the receiver, the unknowns of the sender's frames; the answer is laid out alike.
+void TimelinePreconditioner::SolveShared(const StateVector& in, StateVector& out) const
+{
+  Communicator& ranks = this->Share.Others();
+  const std::size_t stride = this->Model.Stride();
+  const FrameShare shares(this->NumberOfColumns(), 0, ranks);
+  std::vector<std::size_t> starts{ 0 }; // of columns, in bodies
+  for (std::size_t k = 0; k < shares.Frames(); ++k)
+  {
+    starts.push_back(starts.back() + this->ColumnsAt(k).Count);
+  }
+  const auto size = [&](const FrameRange& frames, const FrameRange& columns)
+  { return 2 * frames.Size() * (starts[columns.End] - starts[columns.Begin]); };
+  const auto place =
+    [&](const FrameRange& frames, const FrameRange& columns, std::size_t k, std::size_t unknown)
+  {
+    return 2 * frames.Size() * (starts[k] - starts[columns.Begin]) +
+           (unknown - 2 * frames.Begin) * (starts[k + 1] - starts[k]);
+  };
+  const auto floats = [](Communicator::Bytes& bytes)
+  { return reinterpret_cast<float*>(bytes.data()); };
+  std::vector<Communicator::Bytes> mine(ranks.Size()), others(ranks.Size());
+  for (int r = 0; r < ranks.Size(); ++r)
+  {
+    mine[r].resize(size(this->Share.Own(), shares.OwnOf(r)) * sizeof(float));
+    others[r].resize(size(this->Share.OwnOf(r), shares.Own()) * sizeof(float));
+  }
+  // visit(columns' values of the own frames, where they stand in a message)
+  const auto forOwnFrames = [&](const auto& visit)
+  {
+    for (int r = 0; r < ranks.Size(); ++r)
     {
-      for (std::size_t k = begin; k < end; ++k)
+      const FrameRange columns = shares.OwnOf(r);
+      const FrameRange& own = this->Share.Own();
+      for (std::size_t k = columns.Begin; k < columns.End; ++k)
       {
-        const int c = static_cast<int>(k % 3);
-        const std::size_t part = k / 3;
-        if (part < chunks)
+        const Columns c = this->ColumnsAt(k);
+        for (std::size_t i = 2 * own.Begin; i < 2 * own.End; ++i)
         {
-          const std::size_t first = part * ColumnsAtOnce;
-          this->SolveColumns(this->Gas, first, std::min(ColumnsAtOnce, ng - first), c, in, out);
-        }
-        else
-        {
-          this->SolveColumns(this->Objects[part - chunks], ng + part - chunks, 1, c, in, out);
+          const std::size_t row = (i % 2 ? 3 : 0) + static_cast<std::size_t>(c.Component);
+          visit(this->Share.Slot(i / 2) * this->Model.FrameSize() + row * stride + c.First,
+                floats(mine[r]) + place(own, columns, k, i), c.Count);
         }
       }
-    });
+    }
+  };
+  forOwnFrames([&](std::size_t at, float* message, std::size_t count)
+               { std::copy_n(in.data() + at, count, message); });
+  ranks.Exchange(mine, others);
+  std::vector<int> owners;
+  for (std::size_t j = 0; j < this->Share.Frames(); ++j)
+  {
+    owners.push_back(this->Share.OwnerOf(j));
+  }
+  const FrameRange& own = shares.Own();
+  this->Parallel(own.Size(),
+                 [&](std::size_t begin, std::size_t end)
+                 {
+                   for (std::size_t k = own.Begin + begin; k < own.Begin + end; ++k)
+                   {
+                     const auto value = [&](int i)
+                     {
+                       const int owner = owners[static_cast<std::size_t>(i / 2)];
+                       return floats(others[owner]) +
+                              place(this->Share.OwnOf(owner), own, k, static_cast<std::size_t>(i));
+                     };
+                     this->SolveColumns(this->ColumnsAt(k), value, value);
+                   }
+                 });
+  ranks.Exchange(others, mine);
+  forOwnFrames([&](std::size_t at, const float* message, std::size_t count)
+               { std::copy_n(message, count, out.data() + at); });
 }
 
 } // namespace waft

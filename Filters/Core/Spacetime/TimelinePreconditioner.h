@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Base/Parallel.h"
+#include "Spacetime/FrameShare.h"
 #include "Spacetime/SpacetimeModel.h"
 #include "Spacetime/StateVector.h"
 
@@ -19,10 +20,14 @@ namespace waft
 class TimelinePreconditioner
 {
 public:
+  static constexpr double UsualDamping = 1e-3;
+  /// share: of the level's frames, whose vectors are solved for; null: all are this rank's.
   TimelinePreconditioner(const SpacetimeModel& model, const TimeLevel& level,
-                         const ParallelFor& parallel, double damping = 1e-3);
+                         const ParallelFor& parallel, double damping = UsualDamping,
+                         const FrameShare* share = nullptr);
 
-  /// out = M^-1 in; fixed unknowns give zero.
+  /// out = M^-1 in; fixed unknowns give zero. To be called by all ranks: a body's time line is
+  /// brought together on one of them, and goes back.
   void Solve(const StateVector& in, StateVector& out) const;
 
 private:
@@ -33,11 +38,23 @@ private:
     std::vector<float> Inverse; // 1 / D(row)
   };
   Band Factor(long object) const; // -1: gas
-  void SolveColumns(const Band& band, std::size_t first, std::size_t count, int c,
-                    const StateVector& in, StateVector& out) const;
+  /// Bodies side by side, in one component: what is solved at once.
+  struct Columns
+  {
+    const Band* Factor = nullptr;
+    std::size_t First = 0, Count = 0; // bodies
+    int Component = 0;
+  };
+  std::size_t NumberOfColumns() const;
+  Columns ColumnsAt(std::size_t k) const;
+  /// in(i), out(i): where the columns' values of unknown i stand.
+  template <class In, class Out>
+  void SolveColumns(const Columns& columns, const In& in, const Out& out) const;
+  void SolveShared(const StateVector& in, StateVector& out) const;
 
   const SpacetimeModel& Model;
   const TimeLevel& Level;
+  FrameShare Share;
   ParallelFor Parallel;
   double Damping;
   Band Gas;

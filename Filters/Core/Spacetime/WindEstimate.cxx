@@ -41,11 +41,16 @@ SplineWind EstimateWind(const SpacetimeObjective& objective, const StateVector& 
 {
   const SpacetimeModel& model = objective.Model();
   const TimeLevel& level = objective.Level();
+  const FrameShare& share = objective.Share();
+  const FrameRange& own = share.Own();
   const std::size_t stride = model.Stride();
   std::vector<SplineSamples> samples(level.NumberOfFrames());
-  const auto collect = [&](std::size_t j)
+  for (std::size_t j = 0; j < samples.size(); ++j)
   {
     samples[j].Frame = level.Frames[j];
+  }
+  const auto collect = [&](std::size_t j)
+  {
     const double step = j + 1 < level.NumberOfFrames() ? level.Steps[j + 1] : 0.0;
     for (std::size_t i = 0; i < model.NumberOfBodies() && step > 0.0; ++i)
     {
@@ -55,7 +60,7 @@ SplineWind EstimateWind(const SpacetimeObjective& objective, const StateVector& 
       {
         continue;
       }
-      const float* p = state.data() + j * model.FrameSize() + i;
+      const float* p = state.data() + share.Slot(j) * model.FrameSize() + i;
       SplineSamples::Sample sample;
       sample.Place = Vec3(p[0], p[stride], p[2 * stride]);
       double rv[3];
@@ -69,16 +74,17 @@ SplineWind EstimateWind(const SpacetimeObjective& objective, const StateVector& 
       samples[j].Samples.push_back(sample);
     }
   };
-  parallel(level.NumberOfFrames(),
+  parallel(own.Size(),
            [&](std::size_t begin, std::size_t end)
            {
-             for (std::size_t j = begin; j < end; ++j)
+             for (std::size_t j = own.Begin + begin; j < own.Begin + end; ++j)
              {
                collect(j);
              }
            });
   return FitSplineField(MakeWindLattice(model, options.FramesPerKnot),
-                        KnotsOf(model, options.FramesPerKnot), samples, options.Fit, parallel);
+                        KnotsOf(model, options.FramesPerKnot), samples, options.Fit, parallel,
+                        &share);
 }
 
 } // namespace waft

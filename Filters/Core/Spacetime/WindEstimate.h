@@ -28,7 +28,8 @@ SplineWind MakeWindLattice(const SpacetimeModel& model, double framesPerKnot);
 int KnotsOf(const SpacetimeModel& model, double framesPerKnot);
 
 /// Least squares over particles and frames (FitSplineField). The objective must just have been
-/// evaluated at `state`; the new wind replaces the one in its model, which stays as it is.
+/// evaluated at `state`, and all ranks call this; the new wind replaces the one in its model, which
+/// stays as it is.
 SplineWind EstimateWind(const SpacetimeObjective& objective, const StateVector& state,
                         const WindOptions& options, const ParallelFor& parallel);
 
