@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/KeptStage.h"
 
+#include "Bridge/Ranks.h"
 #include "Bridge/SceneData.h"
 
 #include <vtkAlgorithm.h>
@@ -29,6 +30,14 @@ int KeptStage::RequestUpdateExtent(vtkInformation* request, vtkInformationVector
 int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** inputs,
                            vtkInformationVector* outputs)
 {
+  if (!this->RunsOnAllRanks() && IsWithFirstRank(vtkDataObject::GetData(inputs[this->ScenePort])))
+  {
+    for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+    {
+      vtkDataObject::GetData(outputs, port)->Initialize();
+    }
+    return 1;
+  }
   if (!this->Cache.IsCurrent(this->Stage, inputs))
   {
     Result result = Result::Ok();
@@ -44,6 +53,7 @@ int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** input
     }
     this->Fields.Reset(request);
     this->Cache.Forget();
+    result = this->Agree(result);
     result = result ? this->Refresh(inputs) : result;
     if (!result)
     {

@@ -33,7 +33,8 @@ public:
   KeptStage& operator=(const KeptStage&) = delete;
 
   /// The stage's requests. RequestData runs Core when parameters or inputs have changed, once all
-  /// steps of obstacles and wind were pulled; then it fills the outputs for the time asked.
+  /// steps of obstacles and wind were pulled; then it fills the outputs for the time asked. Where
+  /// the scene is with the first rank (IsWithFirstRank), they stay empty.
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
                           vtkInformationVector* outputs);
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,
@@ -43,6 +44,9 @@ protected:
   /// Takes the inputs (Scene and Fields are there), runs Core, fills the Kept outputs and Warnings.
   /// Stopped: what is kept is shown, and the next update runs again.
   virtual Result Run(vtkInformationVector** inputs, Monitor& monitor) = 0;
+  /// Of several ranks that run together: what holds for all of them, out of what this one found in
+  /// its inputs.
+  virtual Result Agree(const Result& own) { return own; }
   /// Fills the outputs that are not kept, for a time within the scene's [s].
   virtual void FillVarying(double time, vtkInformationVector* outputs) const;
 
@@ -70,6 +74,7 @@ protected:
 
 private:
   Result Refresh(vtkInformationVector** inputs);
+  virtual bool RunsOnAllRanks() const { return false; }
 
   vtkAlgorithm* Stage;
   int ScenePort;

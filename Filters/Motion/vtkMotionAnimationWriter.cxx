@@ -2,6 +2,7 @@
 #include "vtkMotionAnimationWriter.h"
 
 #include "Bridge/PoseData.h"
+#include "Bridge/Ranks.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/ShapeData.h"
 #include "Bridge/StageExecution.h"
@@ -130,6 +131,11 @@ int vtkMotionAnimationWriter::RequestData(vtkInformation*, vtkInformationVector*
                                           vtkInformationVector* outputs)
 {
   Internals& impl = *this->Impl;
+  if (waft::IsWithFirstRank(vtkPolyData::GetData(inputs[0])))
+  {
+    vtkPolyData::GetData(outputs)->Initialize();
+    return 1;
+  }
   if (!this->FileName.empty() && !impl.Cache.IsCurrent(this, inputs))
   {
     impl.Written = false;

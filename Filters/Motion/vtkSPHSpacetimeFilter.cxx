@@ -5,6 +5,7 @@
 #include "Bridge/Arrays.h"
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/KeptStage.h"
+#include "Bridge/Ranks.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/SpacetimeData.h"
 #include "Bridge/StageExecution.h"
@@ -16,6 +17,7 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -63,6 +65,8 @@ struct vtkSPHSpacetimeFilter::Internals : waft::KeptStage
   waft::SpacetimeOptions Options() const;
   waft::Result Take(vtkInformationVector** inputs, waft::SpacetimeInput& input);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  waft::Result Agree(const waft::Result& own) override;
+  bool RunsOnAllRanks() const override { return true; }
   void KeepSolution();
   void FillVarying(double time, vtkInformationVector* outputs) const override;
 };
@@ -122,16 +126,28 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Take(vtkInformationVector** input
   return input.Wind.Validate("Wind");
 }
 
+// Inputs may have come to the first rank alone.
+waft::Result vtkSPHSpacetimeFilter::Internals::Agree(const waft::Result& own)
+{
+  waft::ControllerCommunicator ranks(this->Self->Controller);
+  return ranks.Size() > 1 ? waft::ResultOfFirst(ranks, own) : own;
+}
+
 waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs,
                                                    waft::Monitor& monitor)
 {
+  waft::ControllerCommunicator ranks(this->Self->Controller);
   this->Solution = waft::SpacetimeOutput();
   waft::SpacetimeInput input;
-  WAFT_RETURN_IF_FAILED(this->Take(inputs, input));
+  const waft::Result taken = this->Take(inputs, input);
+  WAFT_RETURN_IF_FAILED(this->Agree(taken));
   WAFT_RETURN_IF_FAILED(waft::RunSpacetime(input, this->Options(), waft::SmpFor(), monitor,
-                                           this->Solution, &this->Memory));
+                                           this->Solution, &this->Memory, &ranks));
   this->Warnings = this->Solution.Warnings;
-  this->KeepSolution();
+  if (ranks.IsFirst())
+  {
+    this->KeepSolution();
+  }
   return waft::Result::Ok(); // also when stopped: the best so far is shown until something changes
 }
 
@@ -152,6 +168,10 @@ void vtkSPHSpacetimeFilter::Internals::KeepSolution()
 
 void vtkSPHSpacetimeFilter::Internals::FillVarying(double time, vtkInformationVector* outputs) const
 {
+  if (this->Solution.Particles.Frames.empty())
+  {
+    return; // the result is with the first rank
+  }
   waft::ParticlesToPolyData(this->Solution.Particles, this->FrameAt(time), this->Scene,
                             vtkPolyData::GetData(outputs, ParticlesPort));
   waft::FieldSeriesToImage(this->Solution.Wind, time, this->Scene,
@@ -162,9 +182,24 @@ vtkSPHSpacetimeFilter::vtkSPHSpacetimeFilter() : Impl(std::make_unique<Internals
 {
   this->SetNumberOfInputPorts(NumberOfInputs);
   this->SetNumberOfOutputPorts(NumberOfOutputs);
+  this->Controller = vtkMultiProcessController::GetGlobalController();
 }
 
 vtkSPHSpacetimeFilter::~vtkSPHSpacetimeFilter() = default;
+
+void vtkSPHSpacetimeFilter::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkSPHSpacetimeFilter::GetController()
+{
+  return this->Controller;
+}
 
 void vtkSPHSpacetimeFilter::Continue()
 {
@@ -261,4 +296,5 @@ void vtkSPHSpacetimeFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "CheckpointFile: " << this->CheckpointFile << "\n";
   os << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
 }

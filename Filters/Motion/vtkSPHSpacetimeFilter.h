@@ -26,6 +26,10 @@
  * are estimated in alternation with it. E never grows within a stage. The result is the same, bit
  * by bit, on any number of threads. Stopped half way or by TimeLimit, it gives the best motion so
  * far, and the next run goes on from there.
+ *
+ * Of several MPI processes each solves for its share of the frames, to the same bits. All must
+ * update the filter together. Inputs and properties of process 0 hold; its outputs hold the result,
+ * those of the others are empty.
  */
 #ifndef vtkSPHSpacetimeFilter_h
 #define vtkSPHSpacetimeFilter_h
@@ -33,8 +37,12 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
+#include <vtkSmartPointer.h>
+
 #include <memory>
 #include <string>
+
+class vtkMultiProcessController;
 
 class VTKWAFTFILTERS_EXPORT vtkSPHSpacetimeFilter : public vtkPolyDataAlgorithm
 {
@@ -221,6 +229,12 @@ public:
   /** Forget the last run: the next update starts from the planned tracks. */
   void Restart();
 
+  ///@{
+  /** The processes that solve together; the global controller, unless set. Null: this one alone. */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
+  ///@}
+
 protected:
   vtkSPHSpacetimeFilter();
   ~vtkSPHSpacetimeFilter() override;
@@ -270,6 +284,7 @@ private:
   std::string CheckpointFile;
   double CheckpointInterval = 10.0;
 
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   struct Internals;
   std::unique_ptr<Internals> Impl;
 };

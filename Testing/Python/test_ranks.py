@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The optimiser on two MPI processes: the same bits as on one, the result with the first.
+
+    pvpython test_ranks.py PVBATCH [MPIEXEC]        exit status 77 (skipped) without MPIEXEC
+"""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+# Three plans as files, as a run of ParaView would read them: all there is of them comes to process 0.
+PLANS = """
+import math, sys
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+FRAMES = 40
+
+def with_scene(data):
+    for name, values in (("NumberOfFrames", [FRAMES]), ("FramesPerSecond", [30]), ("Bounds", [-2, 2, -2, 2, 0, 4])):
+        array = vtkDoubleArray()
+        array.SetName(name)
+        for value in values:
+            array.InsertNextValue(value)
+        data.GetFieldData().AddArray(array)
+    return data
+
+def path(o, frame):
+    t = frame / 30.0
+    return (-0.8 + 0.7 * o + 0.3 * t, 0.2 * math.sin(2.0 * t + o), 2.6 - 0.4 * t + 0.1 * math.sin(3.0 * t + 2 * o))
+
+def ids(attributes, name, values):
+    array = vtkIntArray()
+    array.SetName(name)
+    for value in values:
+        array.InsertNextValue(value)
+    attributes.AddArray(array)
+
+def cells(data, points, lines, verts):
+    data.SetPoints(vtkPoints())
+    data.GetPoints().SetDataTypeToDouble()
+    for point in points:
+        data.GetPoints().InsertNextPoint(point)
+    array = vtkCellArray()
+    for cell in lines or verts:
+        array.InsertNextCell(len(cell), cell)
+    (data.SetLines if lines else data.SetVerts)(array)
+    return with_scene(data)
+
+def make():
+    tracks = cells(vtkPolyData(), [path(o, k) for o in range(3) for k in range(FRAMES)],
+                   [list(range(o * FRAMES, (o + 1) * FRAMES)) for o in range(3)], None)
+    ids(tracks.GetCellData(), "ObjectId", range(3))
+    objects = cells(vtkPolyData(), [path(o, 0) for o in range(3)], None, [[o] for o in range(3)])
+    ids(objects.GetPointData(), "ObjectId", range(3))
+    rows = cells(vtkPolyData(), [path(o, FRAMES - 1) for o in range(3)], None, [[o] for o in range(3)])
+    ids(rows.GetPointData(), "ObjectId", range(3))
+    ids(rows.GetPointData(), "Frame", [FRAMES - 1] * 3)
+    ids(rows.GetPointData(), "Kind", [0] * 3)
+    value = vtkDoubleArray()
+    value.SetName("Value")
+    value.SetNumberOfComponents(4)
+    for o in range(3):
+        value.InsertNextTuple((*path(o, FRAMES - 1), 0.0))
+    rows.GetPointData().AddArray(value)
+    return [tracks, objects, rows]
+"""
+
+FILES = PLANS + """
+for name, data in zip(("tracks", "objects", "rows"), make()):
+    writer = vtkXMLPolyDataWriter()
+    writer.SetFileName(sys.argv[1] + "/" + name + ".vtp")
+    writer.SetInputData(data)
+    writer.Write()
+"""
+
+# All processes run this script (--symmetric); the plans are given to the first alone.
+SYMMETRIC = PLANS + """
+import json
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+import waft.loading
+from waft.vtkWaftFilters import vtkSPHSpacetimeFilter
+
+rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
+stage = vtkSPHSpacetimeFilter()
+stage.SetNumberOfGasParticles(216)
+stage.SetLeashIterations(4)
+stage.SetMaximumNumberOfIterations(12)
+stage.SetCheckpointFile(sys.argv[2])
+if rank > 0:
+    stage.SetNumberOfGasParticles(1000)  # the first process' properties hold
+for port, data in enumerate(make()):
+    stage.SetInputDataObject(port, data if rank == 0 else vtkPolyData())
+said = []
+stage.AddObserver("ErrorEvent", lambda *_: said.append("error"))
+courses = []
+for sway in range(2):
+    stage.SetCoherenceWeight(0.25 + 0.25 * sway)  # the second goes on from the first
+    stage.Update()
+    table = stage.GetOutputDataObject(4)
+    courses.append([table.GetValueByName(k, "E").ToDouble() for k in range(table.GetNumberOfRows())])
+tracks = stage.GetOutputDataObject(0)
+found = {
+    "courses": courses, "said": said,
+    "points": [tracks.GetPoint(k) for k in range(tracks.GetNumberOfPoints())],
+    "particles": stage.GetOutputDataObject(1).GetNumberOfPoints(),
+    "wind": stage.GetOutputDataObject(3).GetNumberOfPoints(),
+    "report": stage.GetOutputDataObject(5).GetNumberOfRows(),
+}
+for port, data in enumerate(make()):  # and a mistake that the first alone can see
+    if rank == 0 and port == 1:
+        data.GetPointData().GetArray("ObjectId").SetValue(1, 77)
+    stage.SetInputDataObject(port, data if rank == 0 else vtkPolyData())
+stage.Update()
+found["mistakes"] = len(said)
+with open(sys.argv[1] + ".%d" % rank, "w", encoding="utf-8") as stream:
+    json.dump(found, stream)
+"""
+
+# The first process runs this script, ParaView the pipeline on all of them.
+PROXIES = """
+import json, sys
+from paraview import simple
+from paraview.simple import OutputPort, UpdatePipeline
+folder = sys.argv[2]
+read = [simple.XMLPolyDataReader(FileName=[folder + "/" + name + ".vtp"]) for name in ("tracks", "objects", "rows")]
+stage = simple.SPHSpacetimeFilter(Tracks=read[0], Objects=read[1], Constraints=read[2], NumberOfGasParticles=216,
+                                  LeashIterations=4, MaximumNumberOfIterations=12)
+turned = simple.RotationRefineFilter(Tracks=OutputPort(stage, 0), Objects=read[1])
+UpdatePipeline(time=0.5, proxy=stage)
+UpdatePipeline(time=0.5, proxy=turned)
+table = simple.servermanager.Fetch(OutputPort(stage, 4))
+course = [table.GetValueByName(k, "E").ToDouble() for k in range(table.GetNumberOfRows())]
+tracks = simple.servermanager.Fetch(OutputPort(stage, 0))
+with open(sys.argv[1], "w", encoding="utf-8") as stream:
+    json.dump({"course": course, "lines": tracks.GetNumberOfLines(),
+               "points": [tracks.GetPoint(k) for k in range(tracks.GetNumberOfPoints())],
+               "particles": simple.servermanager.Fetch(OutputPort(stage, 1)).GetNumberOfPoints(),
+               "turned": simple.servermanager.Fetch(turned).GetNumberOfPoints()}, stream)
+"""
+
+
+class Ranks(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def run_on(self, processes, script, arguments, options=()):
+        path = self.folder / "child.py"
+        path.write_text(script, encoding="utf-8")
+        command = [MPIEXEC, "--allow-run-as-root", "--oversubscribe", "-n", str(processes)] if processes > 1 else []
+        command += [PVBATCH, *options, str(path), *map(str, arguments)]
+        # One thread each, and no process waits by spinning.
+        environment = dict(os.environ, VTK_SMP_BACKEND_IN_USE="Sequential", OMPI_MCA_mpi_yield_when_idle="1")
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=280,
+                              env=environment, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout[-3000:])
+        return done.stdout
+
+    def test_gives_the_bits_of_one_process_and_has_them_on_the_first(self):
+        found = {}
+        for processes in (1, 2, 3):
+            out = self.folder / f"found{processes}"
+            self.run_on(processes, SYMMETRIC, [out, self.folder / "checkpoint"], ["--symmetric"])
+            found[processes] = [json.loads(pathlib.Path(f"{out}.{rank}").read_text(encoding="utf-8"))
+                                for rank in range(processes)]
+            self.assertFalse((self.folder / "checkpoint").exists())
+        one = found[1][0]
+        self.assertEqual([len(one["points"]), one["said"], one["report"]], [3 * 40, [], 3])
+        self.assertGreater(one["particles"], 216)
+        self.assertLess(one["courses"][0][-1], 0.7 * one["courses"][0][0])
+        for processes in (2, 3):
+            first, *others = found[processes]
+            self.assertGreater(first.pop("mistakes"), 0)
+            self.assertEqual(first, {key: one[key] for key in first})
+            for other in others:
+                self.assertGreater(other["mistakes"], 0)
+                self.assertEqual([other["courses"], other["points"], other["particles"], other["wind"],
+                                  other["report"], other["said"]], [[[], []], [], 0, 0, 0, []])
+
+    def test_in_a_pipeline_of_paraview(self):
+        self.run_on(1, FILES, [self.folder])
+        found = {}
+        for processes in (1, 2):
+            out = self.folder / f"found{processes}"
+            text = self.run_on(processes, PROXIES, [out, self.folder])
+            self.assertNotIn("ERR|", text)
+            found[processes] = json.loads(out.read_text(encoding="utf-8"))
+        self.assertEqual(found[1]["lines"], 3)
+        self.assertGreater(found[1]["turned"], 0)
+        self.assertEqual(found[2], found[1])
+
+
+if __name__ == "__main__":
+    PVBATCH = sys.argv[1]
+    MPIEXEC = sys.argv[2] if len(sys.argv) > 2 else ""
+    if not MPIEXEC:
+        print("mpiexec is not there (package openmpi-bin): the optimiser on several processes is not tested")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1])
