@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The optimiser on two MPI processes: the same bits as on one, the result with the first.
 
-    pvpython test_ranks.py PVBATCH [MPIEXEC]        exit status 77 (skipped) without MPIEXEC
+    python3 test_ranks.py PVBATCH [MPIEXEC]        exit status 77 (skipped) without MPIEXEC
 """
 import json
 import os
@@ -105,7 +105,7 @@ for sway in range(2):
     courses.append([table.GetValueByName(k, "E").ToDouble() for k in range(table.GetNumberOfRows())])
 tracks = stage.GetOutputDataObject(0)
 found = {
-    "courses": courses, "said": said,
+    "courses": courses, "said": list(said),
     "points": [tracks.GetPoint(k) for k in range(tracks.GetNumberOfPoints())],
     "particles": stage.GetOutputDataObject(1).GetNumberOfPoints(),
     "wind": stage.GetOutputDataObject(3).GetNumberOfPoints(),
@@ -116,7 +116,7 @@ for port, data in enumerate(make()):  # and a mistake that the first alone can s
         data.GetPointData().GetArray("ObjectId").SetValue(1, 77)
     stage.SetInputDataObject(port, data if rank == 0 else vtkPolyData())
 stage.Update()
-found["mistakes"] = len(said)
+found["mistakes"] = len(said) - len(found["said"])
 with open(sys.argv[1] + ".%d" % rank, "w", encoding="utf-8") as stream:
     json.dump(found, stream)
 """
@@ -130,17 +130,24 @@ folder = sys.argv[2]
 read = [simple.XMLPolyDataReader(FileName=[folder + "/" + name + ".vtp"]) for name in ("tracks", "objects", "rows")]
 stage = simple.SPHSpacetimeFilter(Tracks=read[0], Objects=read[1], Constraints=read[2], NumberOfGasParticles=216,
                                   LeashIterations=4, MaximumNumberOfIterations=12)
-turned = simple.RotationRefineFilter(Tracks=OutputPort(stage, 0), Objects=read[1])
+shapes = simple.LeafShapeSource()
+turned = simple.RotationRefineFilter(Tracks=OutputPort(stage, 0), Objects=read[1], Shapes=shapes)
 UpdatePipeline(time=0.5, proxy=stage)
 UpdatePipeline(time=0.5, proxy=turned)
-table = simple.servermanager.Fetch(OutputPort(stage, 4))
-course = [table.GetValueByName(k, "E").ToDouble() for k in range(table.GetNumberOfRows())]
-tracks = simple.servermanager.Fetch(OutputPort(stage, 0))
+
+def here(source, port=0):  # what this process has
+    return source.GetClientSideObject().GetOutputDataObject(port)
+
+def points(source, port=0):  # what all processes have together
+    return OutputPort(source, port).GetDataInformation().GetNumberOfPoints()
+
+table = here(stage, 4)
+tracks = here(stage)
 with open(sys.argv[1], "w", encoding="utf-8") as stream:
-    json.dump({"course": course, "lines": tracks.GetNumberOfLines(),
+    json.dump({"course": [table.GetValueByName(k, "E").ToDouble() for k in range(table.GetNumberOfRows())],
+               "lines": tracks.GetNumberOfLines(),
                "points": [tracks.GetPoint(k) for k in range(tracks.GetNumberOfPoints())],
-               "particles": simple.servermanager.Fetch(OutputPort(stage, 1)).GetNumberOfPoints(),
-               "turned": simple.servermanager.Fetch(turned).GetNumberOfPoints()}, stream)
+               "all": [points(stage, 0), points(stage, 1), points(turned)]}, stream)
 """
 
 
@@ -154,7 +161,7 @@ class Ranks(unittest.TestCase):
         path = self.folder / "child.py"
         path.write_text(script, encoding="utf-8")
         command = [MPIEXEC, "--allow-run-as-root", "--oversubscribe", "-n", str(processes)] if processes > 1 else []
-        command += [PVBATCH, *options, str(path), *map(str, arguments)]
+        command += [PVBATCH, *(options if processes > 1 else []), str(path), *map(str, arguments)]
         # One thread each, and no process waits by spinning.
         environment = dict(os.environ, VTK_SMP_BACKEND_IN_USE="Sequential", OMPI_MCA_mpi_yield_when_idle="1")
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=280,
@@ -164,7 +171,7 @@ class Ranks(unittest.TestCase):
 
     def test_gives_the_bits_of_one_process_and_has_them_on_the_first(self):
         found = {}
-        for processes in (1, 2, 3):
+        for processes in (1, 2):
             out = self.folder / f"found{processes}"
             self.run_on(processes, SYMMETRIC, [out, self.folder / "checkpoint"], ["--symmetric"])
             found[processes] = [json.loads(pathlib.Path(f"{out}.{rank}").read_text(encoding="utf-8"))
@@ -174,14 +181,12 @@ class Ranks(unittest.TestCase):
         self.assertEqual([len(one["points"]), one["said"], one["report"]], [3 * 40, [], 3])
         self.assertGreater(one["particles"], 216)
         self.assertLess(one["courses"][0][-1], 0.7 * one["courses"][0][0])
-        for processes in (2, 3):
-            first, *others = found[processes]
-            self.assertGreater(first.pop("mistakes"), 0)
-            self.assertEqual(first, {key: one[key] for key in first})
-            for other in others:
-                self.assertGreater(other["mistakes"], 0)
-                self.assertEqual([other["courses"], other["points"], other["particles"], other["wind"],
-                                  other["report"], other["said"]], [[[], []], [], 0, 0, 0, []])
+        first, other = found[2]
+        self.assertGreater(first["mistakes"], 0)
+        self.assertEqual(first, one)
+        self.assertGreater(other.pop("mistakes"), 0)
+        self.assertEqual(other, {"courses": [[], []], "said": [], "points": [], "particles": 0, "wind": 0,
+                                 "report": 0})
 
     def test_in_a_pipeline_of_paraview(self):
         self.run_on(1, FILES, [self.folder])
@@ -192,7 +197,8 @@ class Ranks(unittest.TestCase):
             self.assertNotIn("ERR|", text)
             found[processes] = json.loads(out.read_text(encoding="utf-8"))
         self.assertEqual(found[1]["lines"], 3)
-        self.assertGreater(found[1]["turned"], 0)
+        self.assertEqual(found[1]["all"][0], 3 * 40)
+        self.assertGreater(min(found[1]["all"]), 0)
         self.assertEqual(found[2], found[1])
 
 
