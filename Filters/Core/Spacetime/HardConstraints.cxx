@@ -219,56 +219,6 @@ void HardConstraints::Project(StateVector& state) const
   this->SetClusterPoints(points, state);
 }
 
-std::vector<Eigen::MatrixX3d> HardConstraints::ClusterPoints(const StateVector& vector) const
-{
-  std::vector<std::size_t> frames;
-  std::vector<float> values;
-  for (const LinearCluster& cluster : this->Clusters)
-  {
-    for (const int frame : cluster.Frames())
-    {
-      const auto j = static_cast<std::size_t>(this->LevelOfFrame[frame]);
-      const bool isOwn = this->Share.Own().Contains(j);
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        values.push_back(isOwn ? vector[this->Place(j, cluster.Object()) + c * this->Model.Stride()]
-                               : 0.0f);
-      }
-      frames.push_back(j);
-    }
-  }
-  this->Share.GatherPoints(frames, values);
-  std::vector<Eigen::MatrixX3d> points;
-  const float* value = values.data();
-  for (const LinearCluster& cluster : this->Clusters)
-  {
-    points.emplace_back(cluster.Frames().size(), 3);
-    for (Eigen::Index k = 0; k < points.back().rows(); ++k, value += 3)
-    {
-      points.back().row(k) = Get(value, 1);
-    }
-  }
-  return points;
-}
-
-void HardConstraints::SetClusterPoints(const std::vector<Eigen::MatrixX3d>& points,
-                                       StateVector& vector) const
-{
-  for (std::size_t m = 0; m < points.size(); ++m)
-  {
-    const LinearCluster& cluster = this->Clusters[m];
-    for (std::size_t k = 0; k < cluster.Frames().size(); ++k)
-    {
-      const auto j = static_cast<std::size_t>(this->LevelOfFrame[cluster.Frames()[k]]);
-      if (this->Share.Own().Contains(j))
-      {
-        Set(vector.data() + this->Place(j, cluster.Object()), this->Model.Stride(),
-            points[m].row(static_cast<Eigen::Index>(k)).transpose());
-      }
-    }
-  }
-}
-
 void HardConstraints::FindWalls(std::size_t j, const StateVector& state,
                                 const StateVector& gradient)
 {

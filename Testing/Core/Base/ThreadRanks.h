@@ -4,6 +4,7 @@
 
 #include "Base/Communicator.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstring>
 #include <functional>
