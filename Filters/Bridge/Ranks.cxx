@@ -2,7 +2,6 @@
 #include "Bridge/Ranks.h"
 
 #include <vtkDataObject.h>
-#include <vtkFieldData.h>
 #include <vtkMultiProcessController.h>
 
 #include <string>
@@ -67,8 +66,7 @@ bool IsWithFirstRank(vtkDataObject* data)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   return controller != nullptr && controller->GetLocalProcessId() > 0 && data != nullptr &&
-         data->GetNumberOfElements(vtkDataObject::POINT) == 0 &&
-         data->GetFieldData()->GetNumberOfArrays() == 0;
+         data->GetNumberOfElements(vtkDataObject::POINT) == 0;
 }
 
 } // namespace waft
