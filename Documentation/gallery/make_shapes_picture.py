@@ -78,7 +78,7 @@ def body_of(block):
     extent = max(b - a for a, b in zip(block.GetBounds()[0::2], block.GetBounds()[1::2]))
     return types.SimpleNamespace(
         surface=block, extent=extent, texture=fields.GetAbstractArray("Texture").GetValue(0),
-        color=fields.GetArray("Color").GetTuple3(0), area_density=fields.GetArray("AreaDensity").GetValue(0))
+        color=fields.GetArray("Color").GetTuple3(0), opacity=fields.GetArray("Opacity").GetValue(0))
 
 
 def main():

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/ShapeData.h"
 
+#include "Base/ShapeMeasures.h"
 #include "Bridge/ArrayNames.h"
 #include "Bridge/Arrays.h"
 #include "Bridge/FieldCollectors.h"
@@ -61,6 +62,7 @@ void ShapeToPolyData(const Shape& shape, vtkPolyData* data)
   AddDoubles(fields, names::Damping, { shape.Damping });
   AddInts(fields, names::ClassId, { shape.ClassId });
   AddVectors(fields, names::Color, { Vec3(shape.Color[0], shape.Color[1], shape.Color[2]) });
+  AddDoubles(fields, names::Opacity, { Opacity(shape) });
   AddStrings(fields, names::Texture, { shape.Texture });
 }
 

@@ -1,8 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/ShapeMeasures.h"
 
+#include <algorithm>
+#include <map>
+#include <utility>
+
 namespace waft
 {
+namespace
+{
+constexpr double LightestSolid = 0.01; // kg/m^2
+constexpr double FilmOpacity = 0.35;
+
+/// Has each edge two triangles?
+bool IsClosed(const TriangleMesh& mesh)
+{
+  std::map<std::pair<int, int>, int> sides;
+  for (const auto& t : mesh.Triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      ++sides[std::minmax({ t[i], t[(i + 1) % 3] })];
+    }
+  }
+  return !sides.empty() &&
+         std::all_of(sides.begin(), sides.end(), [](const auto& side) { return side.second == 2; });
+}
+} // namespace
 
 double SurfaceArea(const TriangleMesh& mesh)
 {
@@ -91,6 +115,11 @@ double RestHeight(const Shape& shape)
     lowest = std::min(lowest, p.z());
   }
   return -lowest;
+}
+
+double Opacity(const Shape& shape)
+{
+  return shape.AreaDensity < LightestSolid && IsClosed(shape.Mesh) ? FilmOpacity : 1.0;
 }
 
 } // namespace waft

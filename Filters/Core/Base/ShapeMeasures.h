@@ -31,4 +31,8 @@ double ClearanceRadius(const Shape& shape);
 /// Height of the centre of mass above a plane that the body lies on with its z axis up [m].
 double RestHeight(const Shape& shape);
 
+/// How much light the body holds back, 0..1: a closed film lighter than 0.01 kg/m^2 (a soap bubble)
+/// lets most of it through, all else is 1.
+double Opacity(const Shape& shape);
+
 } // namespace waft

@@ -3,6 +3,7 @@
 
 #include "Base/AtomicFile.h"
 #include "Base/MeshNormals.h"
+#include "Base/ShapeMeasures.h"
 
 #include <tiny_gltf.h>
 
@@ -222,6 +223,13 @@ private:
       this->Model.textures.push_back(texture);
       material.alphaMode = "MASK";
       material.alphaCutoff = 0.5;
+    }
+    const double opacity = Opacity(shape.Body);
+    if (opacity < 1.0)
+    {
+      material.pbrMetallicRoughness.baseColorFactor[3] = opacity;
+      material.pbrMetallicRoughness.roughnessFactor = 0.1; // a film shines
+      material.alphaMode = "BLEND";
     }
     this->Model.materials.push_back(material);
     return static_cast<int>(this->Model.materials.size()) - 1;

@@ -8,7 +8,7 @@ import sys
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkIOImage import vtkImageReader2Factory
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkTexture
@@ -37,17 +37,6 @@ def _set(matrix, linear, offset):
     entries[:3, :3] = linear
     entries[:3, 3] = offset
     matrix.DeepCopy(entries.ravel().tolist())
-
-
-def _is_closed(surface):
-    edges = vtkFeatureEdges()
-    edges.SetInputData(surface)
-    edges.BoundaryEdgesOn()
-    edges.FeatureEdgesOff()
-    edges.NonManifoldEdgesOff()
-    edges.ManifoldEdgesOff()
-    edges.Update()
-    return edges.GetOutput().GetNumberOfCells() == 0
 
 
 def _load_texture(path):
@@ -84,19 +73,19 @@ class _Look:
         self.texture = _load_texture(body.texture) if body.texture and has_coordinates else None
         # A texture has its own colours: the plain one would tint them.
         self.color = (1.0, 1.0, 1.0) if self.texture else body.color
-        # A light closed film (a soap bubble) lets the light through.
-        self.film = body.area_density < 0.01 and _is_closed(body.surface)
+        self.opacity = body.opacity
 
     def object_actor(self):
         actor = self._actor()
         look = actor.GetProperty()
+        film = self.opacity < 1.0
         look.SetColor(*self.color)
         look.SetAmbient(0.46)
         look.SetDiffuse(0.72)
-        look.SetSpecular(0.9 if self.film else 0.12)
-        look.SetSpecularPower(60.0 if self.film else 12.0)
-        if self.film:
-            look.SetOpacity(0.35)
+        look.SetSpecular(0.9 if film else 0.12)
+        look.SetSpecularPower(60.0 if film else 12.0)
+        if film:
+            look.SetOpacity(self.opacity)
         else:
             # Cut out by alpha rather than blended: right from every side without sorting.
             actor.ForceOpaqueOn()

@@ -22,7 +22,7 @@ class Body:
     surface: vtkPolyData
     color: tuple = (1.0, 1.0, 1.0)
     texture: str = ""
-    area_density: float = 0.1
+    opacity: float = 1.0
 
     @property
     def extent(self):
@@ -157,9 +157,9 @@ def _bodies(folder):
         color = fields.GetArray("Color")
         if color is not None and color.GetNumberOfComponents() == 3:
             body.color = color.GetTuple3(0)
-        density = fields.GetArray("AreaDensity")
-        if density is not None:
-            body.area_density = density.GetComponent(0, 0)
+        opacity = fields.GetArray("Opacity")
+        if opacity is not None:
+            body.opacity = opacity.GetComponent(0, 0)
         texture = fields.GetAbstractArray("Texture")
         if texture is not None and texture.GetNumberOfValues() > 0 and texture.GetValue(0):
             body.texture = _find_texture(folder, texture.GetValue(0))

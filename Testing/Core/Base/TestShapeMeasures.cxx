@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Primitives.h"
 #include "Base/ShapeMeasures.h"
 
 #include <gtest/gtest.h>
@@ -31,6 +32,21 @@ TEST(ShapeMeasures, OfTwoTriangles)
   EXPECT_DOUBLE_EQ(RestHeight(shape), 0.02);
   const Vec3 expected((0.5 / 3.0 + 2.0 / 3.0) / 1.5, 1.0 / 3.0, 0.0);
   EXPECT_LT((ShellCentroid(shape.Mesh) - expected).norm(), 1e-15);
+}
+
+TEST(ShapeMeasures, OnlyALightClosedFilmLetsLightThrough)
+{
+  Shape bubble;
+  bubble.Mesh = MakeBox({ Vec3(0.0, 0.0, 0.0), Vec3(1.0, 1.0, 1.0) });
+  bubble.AreaDensity = 0.002;
+  EXPECT_LT(Opacity(bubble), 0.5);
+  EXPECT_GT(Opacity(bubble), 0.1);
+  Shape heavy = bubble;
+  heavy.AreaDensity = 0.1;
+  EXPECT_EQ(Opacity(heavy), 1.0);
+  Shape open = bubble;
+  open.Mesh.Triangles.pop_back();
+  EXPECT_EQ(Opacity(open), 1.0);
 }
 
 TEST(ShapeMeasures, OfAMeshWithoutArea)

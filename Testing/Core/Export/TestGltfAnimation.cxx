@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Primitives.h"
 #include "Base/Random.h"
+#include "Base/ShapeMeasures.h"
 #include "Export/GltfAnimation.h"
 
 #include <gtest/gtest.h>
@@ -149,6 +150,22 @@ TEST(GltfAnimation, MaterialsAreWhiteUnderATextureAndColouredWithout)
   EXPECT_EQ(painted.alphaMode, "MASK");
   EXPECT_EQ(painted.alphaCutoff, 0.5);
   EXPECT_TRUE(painted.doubleSided);
+}
+
+TEST(GltfAnimation, AFilmLetsLightThrough)
+{
+  std::vector<AnimatedShape> shapes = Shapes();
+  shapes[0].Body.Mesh = MakeBox({ Vec3(0.0, 0.0, 0.0), Vec3(1.0, 1.0, 1.0) });
+  shapes[0].Normals.clear();
+  shapes[0].Body.TextureCoordinates.clear();
+  shapes[0].Body.AreaDensity = 0.002;
+  tinygltf::Model model;
+  ASSERT_NO_FATAL_FAILURE(WriteAndRead(shapes, Objects(), 24.0, model));
+  EXPECT_EQ(model.materials[0].alphaMode, "BLEND");
+  EXPECT_NEAR(model.materials[0].pbrMetallicRoughness.baseColorFactor[3], Opacity(shapes[0].Body),
+              1e-6);
+  EXPECT_LT(model.materials[0].pbrMetallicRoughness.baseColorFactor[3], 0.5);
+  EXPECT_NE(model.materials[1].alphaMode, "BLEND");
 }
 
 TEST(GltfAnimation, ATextureWithoutCoordinatesLeavesTheColour)
