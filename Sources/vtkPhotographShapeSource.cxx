@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPhotographShapeSource.h"
 
-#include "Bridge/SceneFiles.h"
-#include "Scene/TargetSampling.h"
-#include "Shapes/Photograph.h"
+#include "Bridge/PhotographShape.h"
 
 #include <vtkObjectFactory.h>
 
@@ -17,27 +15,17 @@ waft::Result vtkPhotographShapeSource::MakeShape(waft::Shape& shape)
   {
     return waft::Result::Error("Photograph: expected the name of a picture");
   }
-  const auto failed = [this](const waft::Result& result)
-  { return waft::Result::Error("Photograph " + this->Photograph + ": " + result.Message()); };
-  waft::Picture picture;
-  if (waft::Result read = waft::VtkSceneAssets().LoadPicture(this->Photograph, picture); !read)
-  {
-    return failed(read);
-  }
-  waft::TargetMask shown = waft::MaskFromPicture(picture, {});
   waft::PhotographOptions options;
   this->TakeBending(options);
   options.Threshold = this->Threshold;
   options.Detail = this->Detail;
   options.Triangles = this->NumberOfTriangles;
-  const waft::Result made = waft::MakePhotographSheet(
-    { shown.Width, shown.Height, std::move(shown.Weights) }, options, shape);
+  const waft::Result made = waft::LoadPhotographShape(this->Photograph, options, shape);
   if (!made)
   {
-    return failed(made);
+    return waft::Result::Error("Photograph " + this->Photograph + ": " + made.Message());
   }
   shape.Name = std::filesystem::path(this->Photograph).stem().string();
-  shape.Texture = this->Photograph;
   return waft::Result::Ok();
 }
 

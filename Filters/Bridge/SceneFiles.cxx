@@ -3,6 +3,7 @@
 
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/FileReading.h"
+#include "Bridge/PhotographShape.h"
 #include "Shapes/ThinShape.h"
 
 #include <vtkCompositeDataGeometryFilter.h>
@@ -200,6 +201,12 @@ std::vector<std::string> VtkSceneAssets::BuiltinShapeNames() const
 
 Result VtkSceneAssets::LoadShapeMesh(const std::string& path, double size, Shape& shape) const
 {
+  if (IsPictureName(path))
+  {
+    PhotographOptions options;
+    options.Length = size > 0.0 ? size : options.Length;
+    return LoadPhotographShape(path, options, shape);
+  }
   WAFT_RETURN_IF_FAILED(this->LoadAlignedShape(path, shape));
   return AlignShape(size, shape.Mesh);
 }

@@ -11,6 +11,7 @@
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkLeafShapeSource.h>
 #include <vtkMotionSceneReader.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
@@ -206,6 +207,41 @@ TEST(MotionSceneReader, MeshesOfShapesAndObstacles)
   PolyOutput(reader, 2)->GetBounds(bounds);
   EXPECT_NEAR(bounds[0], 1.0, 1e-12);
   EXPECT_NEAR(bounds[1], 2.0, 1e-12);
+}
+
+TEST(MotionSceneReader, APhotographIsAShape)
+{
+  SceneFolder folder;
+  vtkNew<vtkLeafShapeSource> painted; // stands for the photograph
+  painted->SetKind(1);
+  painted->SetTextureFile(folder.File("leaf.png"));
+  painted->SetTextureSize(300);
+  painted->Update();
+  vtkNew<vtkMotionSceneReader> reader;
+  reader->SetFileName(folder.Write("a.waft.json", R"({"waft": 1,
+    "shapes": {"mine": {"mesh": "leaf.png", "size": 0.3, "areaDensity": 0.07}},
+    "objects": [{"shape": "mine", "position": [0, 0, 3]}]})"));
+  reader->Update();
+  std::vector<waft::Shape> shapes;
+  ASSERT_TRUE(waft::ShapesFromMultiBlock(
+    vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(3)), shapes));
+  ASSERT_EQ(shapes.size(), 1u);
+  EXPECT_EQ(shapes[0].Name, "mine");
+  EXPECT_EQ(shapes[0].Texture, folder.File("leaf.png"));
+  EXPECT_EQ(shapes[0].AreaDensity, 0.07);
+  EXPECT_NEAR(waft::LargestExtent(shapes[0].Mesh), 0.3, 1e-9);
+  EXPECT_LT(waft::ShellCentroid(shapes[0].Mesh).norm(), 1e-9);
+  EXPECT_EQ(shapes[0].TextureCoordinates.size(), shapes[0].Mesh.Points.size());
+  // A leaf and not its rectangle: about 0.4 of the square, and curled.
+  EXPECT_LT(waft::SurfaceArea(shapes[0].Mesh), 0.7 * 0.3 * 0.3);
+  EXPECT_GT(waft::RestHeight(shapes[0]), 0.002);
+
+  ErrorLog errors(reader);
+  folder.Write("none.png", "no picture");
+  reader->SetFileName(folder.Write("b.waft.json", R"({"waft": 1,
+    "shapes": {"mine": {"mesh": "none.png"}}, "objects": []})"));
+  reader->Update();
+  EXPECT_TRUE(errors.Contains("/shapes/mine/mesh")) << errors.Text;
 }
 
 TEST(MotionSceneReader, WindFilesAndSeries)
