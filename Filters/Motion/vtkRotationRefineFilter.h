@@ -122,7 +122,7 @@ private:
 
   int Model = 1;
   double Damping = 0.3;
-  double Lift = 2.0;
+  double Lift = 2.9;
   double PressureShift = 0.0;
   double Follow = 0.5;
   double Roll = 1.0;

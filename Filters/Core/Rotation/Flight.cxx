@@ -38,10 +38,20 @@ Vec3 Slope(const std::vector<Vec3>& samples, double frame)
   return k + 1 < samples.size() ? Vec3(samples[k + 1] - samples[k]) : Vec3(Vec3::Zero());
 }
 
+/// How much of the potential flow's moment is there: all of it while the flow follows the plate,
+/// none broadside, where it has left both edges and the pressure acts near the middle. By this
+/// cos^2(alpha) the centre of pressure goes from the quarter chord to the centre.
+double Attached(const FlightBody& body, const Vec3& velocity)
+{
+  const double across = velocity.dot(body.Panels->Normal());
+  return 1.0 - body.Coefficients.Separation * across * across / (velocity.squaredNorm() + 1e-30);
+}
+
 /// Kirchhoff's equations of a rigid body in air (Lamb 1932, section 124) in world axes,
 ///   dP/dt = F,  dL/dt = T - w x P,
 /// with w the velocity relative to the air and P, L with the air that moves along. The term w x P
-/// turns a plate broadside; it and the changing P keep the energy of the moving air in the account.
+/// turns a plate broadside, as far as the flow is attached; it and the changing P keep the energy
+/// of the moving air in the account.
 Rates Derive(const FlightBody& body, const FlightPath& path, const FlightState& state, double frame,
              double share)
 {
@@ -71,7 +81,8 @@ Rates Derive(const FlightBody& body, const FlightPath& path, const FlightState& 
       Slope(path.RelativeVelocities, frame) / path.Step - body.Follow * (velocity - given);
     rates.Momentum =
       density * (turn * air.Force + drawn) + turn * (body.Mass * (turn.transpose() * wanted));
-    rates.Torque -= share * velocity.cross(state.Momentum);
+    rates.Torque -=
+      share * Attached(body, turn.transpose() * velocity) * velocity.cross(state.Momentum);
   }
   rates.AngularMomentum = rates.Torque;
   return rates;

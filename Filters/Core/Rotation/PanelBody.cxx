@@ -12,8 +12,8 @@ namespace
 constexpr int MaxPanels = 96;
 constexpr int MaxRoundPanels = 384; // a closed body's outline needs finer ones
 constexpr double RoundFlatness = 0.3;
-constexpr double TipRatio = 1.2;   // of the fastest autorotation
-constexpr double CatchRatio = 0.3; // tip speed at half of the autorotation's drive
+constexpr double TipRatio = 1.0;    // of the fastest autorotation
+constexpr double CatchRatio = 0.13; // tip speed at half of the autorotation's drive
 constexpr int Nodes = 7; // of the table of directions, along each side of a face of the cube
 
 Vec3 NodeDirection(int face, int row, int column)
@@ -263,13 +263,12 @@ double PanelBody::ForeshortenedArea(const Vec3& direction) const
   return area;
 }
 
-Wrench PanelBody::Evaluate(const Vec3& velocity, const Mat3& fullGradient,
+Wrench PanelBody::Evaluate(const Vec3& velocity, const Mat3& gradient,
                            const AirCoefficients& coefficients) const
 {
   const bool hides = this->HidesItself();
   const Mixture mixture = hides ? this->Mix(velocity) : Mixture{};
   const bool plate = coefficients.Model == AirModel::Plate;
-  const Mat3 gradient = (plate ? coefficients.TurningDrag : 1.0) * fullGradient;
   const double drag = 0.5 * coefficients.Drag;
   const double friction = drag * coefficients.Friction;
   const double lift = coefficients.Lift * this->PlateFlatness;
@@ -316,7 +315,7 @@ Wrench PanelBody::Evaluate(const Vec3& velocity, const Mat3& fullGradient,
   total.Torque = Vec3(tx, ty, tz);
   if (plate && this->PlateFlatness > 0.0)
   {
-    const Wrench more = this->PlateCorrections(velocity, fullGradient, coefficients);
+    const Wrench more = this->PlateCorrections(velocity, gradient, coefficients);
     total.Force += more.Force;
     total.Torque += more.Torque;
   }

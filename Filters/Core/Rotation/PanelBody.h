@@ -20,19 +20,23 @@ enum class AirModel
   Plate = 1  // pressure along the normal, moving centre of pressure, circulation, added mass
 };
 
-/// A PressureShift above 0 lets strips tumble more readily, but lays curved bodies on their edges:
-/// the air's own mass turns them as a moving centre of pressure would.
+/// Chosen so that strips go over from flutter to tumbling at the Froude number at which they do
+/// (Belmonte, Eisenberg, Moses 1998). Lift makes the slope of the normal force that of a thin plate
+/// of aspect 5, 2 pi A / (A + 2); Friction is the ratio of drag edge-on to drag broadside, and
+/// Autorotation counts on a tip as fast as the flight. A PressureShift above 0 lets strips tumble
+/// more readily, but lays curved bodies on their edges: the air's own mass turns them as a moving
+/// centre of pressure would.
 struct AirCoefficients
 {
   AirModel Model = AirModel::Plate;
   double Drag = 1.2;           // cd, broadside
-  double Lift = 2.0;           // extra slope of the normal force at small angles of attack
+  double Lift = 2.9;           // extra slope of the normal force at small angles of attack
   double Spin = 0.0;           // rad, pitch of the propeller that a thin body is about its normal
-  double Friction = 0.12;      // tangential drag, as a share of cd
+  double Friction = 1.0 / 6.0; // tangential drag, as a share of cd (Andersen et al. 2005: A, B)
   double PressureShift = 0.0;  // centre of pressure edge-on, in half chords ahead of the centre
-  double TurningDrag = 0.8;    // share of the drag on velocities that come from turning
-  double Autorotation = 0.8;   // torque that keeps a turning plate turning
-  double RotationalLift = 1.1; // C_R of Andersen, Pesavento, Wang 2005
+  double Separation = 1.0;     // share of the potential flow's moment that is lost broadside
+  double Autorotation = 1.0;   // torque that keeps a turning plate turning
+  double RotationalLift = 0.5; // C_R of Andersen, Pesavento, Wang 2005 (1.1 in two dimensions)
 };
 
 /// Forces are for air of unit density: multiply by it.

@@ -14,6 +14,8 @@ namespace
 constexpr double Touching = 1e-9; // m: a vertex this near to the surface lies on it
 constexpr int MostSteps = 40;
 constexpr double LargestLean = 0.5; // rad, in all
+constexpr double TurnStep = 0.25;   // rad, between two headings that are tried
+constexpr int MostTurns = 6;        // either way
 
 class Layer
 {
@@ -130,17 +132,15 @@ private:
   Vec3 Center;
   double MostShift;
 };
-} // namespace
 
-RestingPose LayDown(const TriangleMesh& mesh, const ObstacleSet& obstacles, double frame,
-                    const Vec3& center, const Vec3& normal, const Quat& heading, double mostShift)
+/// The pose with z along the normal, or along that of a plane through what is below, or leaning.
+RestingPose LayAlong(const Layer& layer, const Vec3& normal, const Quat& heading)
 {
   const auto along = [&](const Vec3& n)
   {
     const Mat3 turn = heading.toRotationMatrix();
     return (LeastTurn(turn.col(2), n, turn.col(0)) * heading).normalized();
   };
-  const Layer layer(mesh, obstacles, frame, center, mostShift);
   RestingPose best = layer.Settle(along(normal));
   if (best.Depth > Touching)
   {
@@ -149,6 +149,22 @@ RestingPose LayDown(const TriangleMesh& mesh, const ObstacleSet& obstacles, doub
     {
       best = pose.Depth < best.Depth ? pose : best;
     }
+  }
+  return best;
+}
+} // namespace
+
+RestingPose LayDown(const TriangleMesh& mesh, const ObstacleSet& obstacles, double frame,
+                    const Vec3& center, const Vec3& normal, const Quat& heading, double mostShift,
+                    bool mayTurn)
+{
+  const Layer layer(mesh, obstacles, frame, center, mostShift);
+  RestingPose best = LayAlong(layer, normal, heading);
+  for (int i = 1; mayTurn && i <= 2 * MostTurns && best.Depth > Touching; ++i)
+  {
+    const double angle = (i % 2 == 1 ? TurnStep : -TurnStep) * ((i + 1) / 2);
+    const RestingPose turned = LayAlong(layer, normal, ExpMap(angle * normal) * heading);
+    best = turned.Depth < best.Depth ? turned : best;
   }
   return best;
 }

@@ -17,10 +17,12 @@ struct RestingPose
 
 /// Lays a body down: z along the surface's normal and the centre moved up or down, by at most
 /// mostShift, until the lowest vertex touches. Where the ground is too rough for that, z along the
-/// normal of a plane through what is below the body, then leaning away from what it cuts; the first
-/// pose that fits is taken, else the one that cuts least. On a plane the pose is the given one to
-/// the bit. heading: the pose before, turned by the least.
+/// normal of a plane through what is below the body, then leaning away from what it cuts, then, if
+/// it may, turned about the normal; the first pose that fits is taken, else the one that cuts
+/// least. On a plane the pose is the given one to the bit. heading: the pose before, turned by the
+/// least.
 RestingPose LayDown(const TriangleMesh& mesh, const ObstacleSet& obstacles, double frame,
-                    const Vec3& center, const Vec3& normal, const Quat& heading, double mostShift);
+                    const Vec3& center, const Vec3& normal, const Quat& heading, double mostShift,
+                    bool mayTurn);
 
 } // namespace waft

@@ -22,7 +22,7 @@ struct RotationOptions
 {
   AirModel Model = AirModel::Plate;
   double Damping = 0.3;       // 1/s, of the angular momentum; 0 or more
-  double Lift = 2.0;          // extra slope of the normal force at small angles of attack, 0..4
+  double Lift = 2.9;          // extra slope of the normal force at small angles of attack, 0..4
   double PressureShift = 0.0; // half chords, 0..1
   double Roll = 1.0;          // 0..4: share of the drive that keeps a turning plate turning over
   double Spin = 0.0;          // rad, -1..1: pitch as of a propeller, about the normal

@@ -250,7 +250,7 @@ private:
                                   [](unsigned char isHeld) { return isHeld != 0; });
     return LayDown(this->Plan.Body->Mesh, *this->Plan.Obstacles, first,
                    this->Plan.Path->Positions[first], rest.Normal, heading,
-                   held ? 0.0 : this->Plan.Tolerance);
+                   held ? 0.0 : this->Plan.Tolerance, key == nullptr);
   }
 
   void Land(const LandingWindow& rest, int from)

@@ -334,10 +334,10 @@ TEST(RotationRefine, KnobsDoWhatTheySay)
     OneObject(Sheet(0.15, 0.03, 8), StraightPath(Vec3::Zero(), Vec3(0.0, 0.0, -1.2), 200));
   strip.Objects[0].Mass = 0.1 * 0.15 * 0.03;
   strip.Objects[0].Orientation = ExpMap(Vec3(0.3, 0.0, 0.0));
-  const auto turned = [](const PoseTrack& poses, int axis)
+  const auto turned = [](const PoseTrack& poses, int axis, std::size_t first = 100)
   {
     double sum = 0.0;
-    for (std::size_t k = 100; k + 1 < poses.Orientations.size(); ++k)
+    for (std::size_t k = first; k + 1 < poses.Orientations.size(); ++k)
     {
       sum += LogMap(poses.Orientations[k + 1] * poses.Orientations[k].conjugate())[axis];
     }
@@ -349,14 +349,15 @@ TEST(RotationRefine, KnobsDoWhatTheySay)
   options.Roll = 0.0;
   EXPECT_LT(std::abs(turned(Refine(strip, options).Poses[0], 0)), 7.0);
   const RotationInput flat =
-    OneObject(Sheet(0.1, 0.1, 8), StraightPath(Vec3::Zero(), Vec3(0.0, 0.0, -0.8), 200));
+    OneObject(Sheet(0.1, 0.1, 8), StraightPath(Vec3::Zero(), Vec3(0.0, 0.0, -0.8), 42));
   options = {};
   options.Spin = 0.1;
-  const double right = turned(Refine(flat, options).Poses[0], 2);
+  const double right = turned(Refine(flat, options).Poses[0], 2, 0);
   options.Spin = -0.1;
-  const double left = turned(Refine(flat, options).Poses[0], 2);
+  const double left = turned(Refine(flat, options).Poses[0], 2, 0);
   EXPECT_GT(std::abs(right), 5.0);
-  EXPECT_NEAR(right, -left, 1e-6 * std::abs(right));
+  // The diagonals of its cells are no mirror image of themselves.
+  EXPECT_NEAR(right, -left, 0.01 * std::abs(right));
   // A shape's own damping adds to the stage's.
   RotationInput bubble = OneObject(Sheet(0.1, 0.05), StraightPath(Vec3::Zero(), Vec3::Zero(), 91));
   bubble.Scene.AirDensity = 0.0;
