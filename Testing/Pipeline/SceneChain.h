@@ -67,11 +67,11 @@ struct SceneChain
     this->Rotation->SetInputConnection(5, this->Planner->GetOutputPort(3));
   }
 
-  /// Of a scene that has winds; the objects turn in the wind that the optimiser estimates.
+  /// Of a scene that has winds: the optimiser and the turning objects feel them.
   void BlowWind()
   {
     this->Spacetime->SetInputConnection(5, this->Reader->GetOutputPort(Wind));
-    this->Rotation->SetInputConnection(4, this->Spacetime->GetOutputPort(3));
+    this->Rotation->SetInputConnection(4, this->Reader->GetOutputPort(Wind));
   }
 
   std::vector<vtkAlgorithm*> Stages() const
