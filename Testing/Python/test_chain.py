@@ -96,6 +96,48 @@ def check_frames_come_from_the_cache(spacetime, rotation):
     check(len(shown) == 4, "each frame shows its own pose, in any order")
 
 
+def write_whirl(path):
+    """Air that turns about the vertical with 2 rad/s, as a wind's file."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+    from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+    import numpy
+
+    image = vtkImageData()
+    image.SetDimensions(9, 9, 2)
+    image.SetOrigin(-2.0, -2.0, 0.0)
+    image.SetSpacing(0.5, 0.5, 4.0)
+    places = numpy.array([image.GetPoint(i) for i in range(image.GetNumberOfPoints())])
+    air = numpy.stack([-2.0 * places[:, 1], 2.0 * places[:, 0], 0.0 * places[:, 2]], axis=1)
+    velocity = numpy_to_vtk(air.astype(numpy.float32), deep=True)
+    velocity.SetName("Velocity")
+    image.GetPointData().AddArray(velocity)
+    writer = vtkXMLImageDataWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(image)
+    writer.Write()
+
+
+def check_wind():
+    """What synthesize builds lets the objects feel the scene's wind: a level disc is taken round by it."""
+    write_whirl(os.path.join(FOLDER, "whirl.vti"))
+    scene = os.path.join(FOLDER, "wind.waft.json")
+    with open(scene, "w", encoding="utf-8") as stream:
+        json.dump({"waft": 1, "time": {"frames": 31}, "winds": [{"file": "whirl.vti"}],
+                   "shapes": {"disc": {"builtin": "disc"}},
+                   "objects": [{"shape": "disc", "position": [0.0, 0.0, 2.5]}]}, stream)
+    run = waft.synthesize(scene, preview=True)
+
+    def turned():
+        run.rotation.UpdatePipeline()
+        poses = run.rotation.GetClientSideObject().GetOutputDataObject(1)
+        return [poses.GetPointData().GetArray("Orientation").GetTuple4(k) for k in range(31)]
+
+    felt = turned()
+    run.rotation.Wind = None
+    check(turned() != felt, "the objects of a scene turn in its wind")
+
+
 def take_picture(rotation, frame, name):
     view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewTime = frame / 30.0
@@ -131,6 +173,7 @@ def main():
     check_numbers(planner, spacetime, rotation)
     check_frames_come_from_the_cache(spacetime, rotation)
     check_picture(rotation)
+    check_wind()
     print("all checks passed")
 
 

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 import motion_checks
 
@@ -148,11 +149,16 @@ class Command(unittest.TestCase):
         poses = []
         for threads in (1, 2):
             out = self.folder / f"threads{threads}"
-            done = run("synthesize", scene, "--output", out, "--threads", threads)
+            done = run("synthesize", scene, "--output", out, "--threads", threads, *["--meshes"][:threads - 1])
             self.assertEqual(0, done.returncode, done.stderr)
             poses.append((out / "poses.csv").read_bytes())
             self.assertIn("waft: warning: shape 'leaf'", done.stderr)
         self.assertEqual(poses[0], poses[1])
+        self.assertFalse((self.folder / "threads1" / "meshes.pvd").exists())
+        meshes = ElementTree.parse(out / "meshes.pvd").findall(".//DataSet")
+        self.assertEqual(91, len(meshes))
+        self.assertTrue(all((out / mesh.get("file")).is_file() for mesh in meshes))
+        self.assertAlmostEqual(3.0, float(meshes[-1].get("timestep")), places=9)
         figures = motion_checks.measure(out, scene)
         self.assertEqual([], motion_checks.violations(figures))
         self.assertEqual(("initial", "final"), (figures["first_stage"], figures["last_stage"]))

@@ -82,6 +82,10 @@ class RenderTest(unittest.TestCase):
         self.assertIn(os.path.join(place, "top.ogv"), written)
         with open(os.path.join(place, "top.ogv"), "rb") as movie:
             self.assertEqual(movie.read(4), b"OggS")
+        self.assertIn(os.path.join(place, "top.avi"), written)
+        with open(os.path.join(place, "top.avi"), "rb") as movie:
+            head = movie.read(12)
+        self.assertEqual((head[:4], head[8:]), (b"RIFF", b"AVI "))
         left = [name for _, _, names in os.walk(place) for name in names if name.endswith(".part")]
         self.assertEqual(left, [])
 

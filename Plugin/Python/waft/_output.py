@@ -7,6 +7,7 @@ import subprocess
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOFFMPEG import vtkFFMPEGWriter
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOOggTheora import vtkOggTheoraWriter
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
@@ -51,13 +52,13 @@ def remove(path):
         os.remove(path)
 
 
-class OggMovie:
-    """An Ogg Theora movie."""
+class _VtkMovie:
+    """A movie by one of VTK's writers."""
 
-    def __init__(self, path, rate):
+    def __init__(self, writer, path, rate):
         self.path = path
         self._part = path + ".part"
-        self._writer = vtkOggTheoraWriter()
+        self._writer = writer
         self._writer.SetFileName(self._part)
         self._writer.SetRate(max(int(round(rate)), 1))
         self._writer.SetQuality(2)
@@ -78,6 +79,20 @@ class OggMovie:
         if self._started:
             self._writer.End()
         remove(self._part)
+
+
+class OggMovie(_VtkMovie):
+    """An Ogg Theora movie."""
+
+    def __init__(self, path, rate):
+        super().__init__(vtkOggTheoraWriter(), path, rate)
+
+
+class AviMovie(_VtkMovie):
+    """An AVI movie (MJPEG)."""
+
+    def __init__(self, path, rate):
+        super().__init__(vtkFFMPEGWriter(), path, rate)
 
 
 class Mp4Movie:

@@ -32,11 +32,21 @@ def _size(text):
     return int(width), int(height)
 
 
+VIEWS = ("side", "top", "follow")
+
+
+def _views(text):
+    return tuple(text.split(","))
+
+
 positive_int = _argument(int, "a whole number of 1 or more", lambda n: n >= 1)
 seed = _argument(int, f"a whole number from 0 to {2 ** 31 - 1}", lambda n: 0 <= n < 2 ** 31)
 positive = _argument(float, "a positive number", lambda x: 0.0 < x < float("inf"))
 share = _argument(float, "a share above 0, at most 1", lambda x: 0.0 < x <= 1.0)
 size = _argument(_size, "WxH such as 1280x720, each from 16 to 16384", lambda s: all(16 <= n <= 16384 for n in s))
+
+views = _argument(_views, "names of side, top and follow with commas between",
+                  lambda names: len(set(names)) == len(names) and all(name in VIEWS for name in names))
 
 
 def parser():
@@ -52,6 +62,7 @@ def parser():
     make.add_argument("--time-limit", type=positive, metavar="S", help="seconds; the best so far is written")
     make.add_argument("--preview", action="store_true", help="coarse optimisation, for a quick look")
     make.add_argument("--resume", action="store_true", help="go on from what an earlier run left in DIR")
+    make.add_argument("--meshes", action="store_true", help="also meshes.pvd: all meshes posed, a file a frame")
     make.set_defaults(run=run_synthesize)
 
     base = commands.add_parser("database", help="a motion database from simulations of smoke", epilog=DATABASE_EXIT)
@@ -76,7 +87,9 @@ def parser():
     show.add_argument("folder", metavar="DIR", help="what synthesize wrote")
     show.add_argument("--frames", metavar="A:B:S", help="first, last and step; default all")
     show.add_argument("--size", type=size, default=(1280, 720), metavar="WxH")
-    show.add_argument("--movie", action="store_true")
+    show.add_argument("--movie", action="store_true", help="also DIR/VIEW.ogv and .avi, and .mp4 with ffmpeg")
+    show.add_argument("--views", type=views, default=("side", "top"), metavar="V,V",
+                      help="of side, top and follow; default side,top")
     show.set_defaults(run=run_render)
 
     demo = commands.add_parser("demo", help="the embedded scenes, start to finish, with pictures")
@@ -91,7 +104,7 @@ def run_synthesize(options):
 
     run = synthesize(options.scene, output=options.output, database=options.database, seed=options.seed,
                      threads=options.threads, time_limit=options.time_limit, preview=options.preview,
-                     resume=options.resume, quiet=False)
+                     resume=options.resume, quiet=False, meshes=options.meshes)
     tell(run, options.output)
     return run.status
 
@@ -129,7 +142,7 @@ def run_database(options):
 def run_render(options):
     from waft.render import render
 
-    render(options.folder, frames=options.frames, size=options.size, movie=options.movie)
+    render(options.folder, frames=options.frames, size=options.size, movie=options.movie, views=options.views)
     return failures.ALL_MET
 
 

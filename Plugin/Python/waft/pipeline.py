@@ -80,9 +80,7 @@ class Pipeline:
         return source.GetClientSideObject().GetOutputDataObject(source.Port)
 
     def add_spacetime(self):
-        inputs = {"Obstacles": self._scene("Obstacles"), "Vortices": self._vortices()}
-        if self.output("reader", 5).GetNumberOfPoints() > 0:
-            inputs["Wind"] = self._scene("Wind")
+        inputs = {"Obstacles": self._scene("Obstacles"), "Vortices": self._vortices(), **self._wind()}
         self.spacetime = simple.SPHSpacetimeFilter(
             registrationName="Spacetime", Tracks=self._planned[0],
             Objects=self._scene("Objects"), Constraints=self._planned[3], **inputs)
@@ -91,12 +89,16 @@ class Pipeline:
         self.rotation = simple.RotationRefineFilter(
             registrationName="Rotation", Tracks=simple.OutputPort(self.spacetime, 0),
             Objects=self._scene("Objects"), Shapes=self._scene("Shapes"),
-            Obstacles=self._scene("Obstacles"), Constraints=self._planned[3])
+            Obstacles=self._scene("Obstacles"), Constraints=self._planned[3], **self._wind())
         self.rotation.Seed = seed
 
     def _scene(self, name):
         ports = ("Objects", "Constraints", "Obstacles", "Shapes", "Vortices", "Wind")
         return simple.OutputPort(self.reader, ports.index(name))
+
+    def _wind(self):
+        """The input of a stage that feels the scene's wind; none without one."""
+        return {"Wind": self._scene("Wind")} if self.output("reader", 5).GetNumberOfPoints() > 0 else {}
 
     def _vortices(self):
         planned = self._planned[4]

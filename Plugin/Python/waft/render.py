@@ -8,7 +8,7 @@ from vtkmodules.vtkRenderingCore import vtkMapper, vtkRenderer, vtkRenderWindow
 from ._cameras import VIEWS, Cameras
 from ._flyers import Objects, Trails, add_marks
 from ._folder import load
-from ._output import Mp4Movie, OggMovie, grab, remove, write_png
+from ._output import AviMovie, Mp4Movie, OggMovie, grab, remove, write_png
 from ._scenery import Scenery
 from .failures import BadInput, WaftError
 
@@ -90,7 +90,7 @@ def render(
     folder:   what `waft synthesize` wrote
     frames:   "A:B:S", from A to B (B included), every S; all frames if None
     size:     width and height in pixels
-    movie:    also FOLDER/<view>.ogv, and <view>.mp4 where the program ffmpeg is found
+    movie:    also FOLDER/<view>.ogv and <view>.avi, and <view>.mp4 where the program ffmpeg is found
     views:    of "side", "top" (straight down, x to the right) and "follow"
     paths:    a faint trail of each object's last second (up to three objects: since the start)
     targets:  small marks where the scene wants objects to pass
@@ -120,7 +120,8 @@ def render(
     if movie:
         rate = motion.frames_per_second / numbers.step
         for view in views:
-            movies[view] = [OggMovie(os.path.join(folder, view + ".ogv"), rate)]
+            movies[view] = [OggMovie(os.path.join(folder, view + ".ogv"), rate),
+                            AviMovie(os.path.join(folder, view + ".avi"), rate)]
             if Mp4Movie.available():
                 movies[view].append(Mp4Movie(os.path.join(folder, view + ".mp4"), rate))
     written = []

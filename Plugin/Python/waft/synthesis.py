@@ -23,7 +23,7 @@ def set_threads(threads):
 
 
 def synthesize(scene, output=None, database=None, seed=None, threads=None, time_limit=None,
-               preview=False, resume=False, quiet=True, checkpoint_interval=None):
+               preview=False, resume=False, quiet=True, checkpoint_interval=None, meshes=False):
     """Plans, optimises and turns the objects of a scene; returns the live Pipeline of proxies.
 
     scene: path of a *.waft.json file. output: a folder for the files of `waft synthesize` (none: nothing
@@ -31,7 +31,8 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
     of the scene's. threads: number of threads (default all; the result is the same). time_limit: seconds.
     preview: a coarse optimisation, for a quick look. resume: goes on from where an earlier run with the
     same inputs was stopped or killed, to the same motion as if it had not been; what it left is in the folder
-    `checkpoint` of output. checkpoint_interval: seconds between two writings there (none: the filter's own).
+    `checkpoint` of output. checkpoint_interval: seconds between two writings there (none: the filter's own). meshes: also writes meshes.pvd, all
+    meshes posed, a file a frame.
 
     The Pipeline has, besides the proxies: status (exit status of the command), report (the constraints,
     one dictionary per row), warnings. Raises BadInput on malformed input; nothing is written then.
@@ -61,7 +62,7 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
     pipeline.status = (failures.STOPPED_EARLY if pipeline.stopped
                        else failures.NOT_ALL_MET if unmet else failures.ALL_MET)
     if output is not None:
-        write_results(pipeline, output, scene, checkpoint)
+        write_results(pipeline, output, scene, checkpoint, meshes)
         if not pipeline.stopped:
             checkpoint.clear()
     return pipeline
@@ -151,7 +152,7 @@ def _measure_orientations(pipeline, report):
             row["Message"] = f"the orientation is off by {residual:.3g} rad beyond its radius"
 
 
-def write_results(pipeline, folder, scene, checkpoint):
+def write_results(pipeline, folder, scene, checkpoint, meshes=False):
     """Every file of a run, all at once: see the user guide for what each holds."""
     with OutputFolder(folder) as out:
         checkpoint.copy_plan("planned.vtp", out)
@@ -163,6 +164,8 @@ def write_results(pipeline, folder, scene, checkpoint):
         checkpoint.copy_plan("constraints.vtp", out)
         _write_series(pipeline, "reader", 2, "obstacles", ".vtp", out, only_if_moving=True)
         _write_series(pipeline, "spacetime", 3, "wind", ".vti", out)
+        if meshes:
+            _write_series(pipeline, "rotation", 0, "meshes", ".vtp", out)
         header, rows = table_rows(pipeline.output("spacetime", 4))
         write_csv(out.path("convergence.csv"), header, rows)
         _write_report(pipeline, out.path("constraints.csv"))
