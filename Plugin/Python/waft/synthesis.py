@@ -249,7 +249,8 @@ def _summary(pipeline, scene, first, last):
         "scene": pathlib.Path(scene).name,
         "seed": pipeline.seed,
         "key": pipeline.key,
-        "stages": {name: {"seconds": watch.seconds, "peakMemoryMB": watch.peak_mb}
+        "stages": {name: {"seconds": watch.seconds, "processorSeconds": watch.processor_seconds,
+                          "peakMemoryMB": watch.peak_mb}
                    for name, watch in pipeline.watches.items()},
         "energy": {"before": float(first["E"]), "after": float(last["E"])},
         "constraints": {**counts, "unmet": [row for row in pipeline.report if row["Status"] != "met"]},

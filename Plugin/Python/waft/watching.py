@@ -27,8 +27,8 @@ def _line(text):
 class StageWatch:
     """Follows one proxy's algorithm while it executes.
 
-    Attributes: errors and warnings (each a line), seconds (wall time of its executions), peak_mb (the process's
-    peak memory when it ended), was_aborted.
+    Attributes: errors and warnings (each a line), seconds (wall time of its executions), processor_seconds (of all
+    the process's threads meanwhile), peak_mb (the process's peak memory when it ended), was_aborted.
     """
 
     def __init__(self, name, proxy, clock, port=0):
@@ -36,6 +36,7 @@ class StageWatch:
         self.errors = []
         self.warnings = []
         self.seconds = 0.0
+        self.processor_seconds = 0.0
         self.peak_mb = 0.0
         self.was_aborted = False
         self.can_stop = False  # while the stage computes, not while it serves frames later
@@ -52,11 +53,12 @@ class StageWatch:
         collect(self.algorithm, "WarningEvent", self.warnings)
 
     def _start(self, *_):
-        self._started = time.monotonic()
+        self._started = (time.monotonic(), time.process_time())
 
     def _end(self, *_):
         if self._started is not None:
-            self.seconds += time.monotonic() - self._started
+            self.seconds += time.monotonic() - self._started[0]
+            self.processor_seconds += time.process_time() - self._started[1]
             self._started = None
         self.peak_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
 
