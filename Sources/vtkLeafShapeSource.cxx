@@ -9,7 +9,7 @@ vtkStandardNewMacro(vtkLeafShapeSource);
 
 waft::Result vtkLeafShapeSource::MakeOutline(waft::Outline& outline, std::string& name)
 {
-  static const char* const names[] = { "leaf", "maple", "oak", "willow", "birch" };
+  static const char* const names[] = { "leaf", "maple", "oak", "willow", "birch", "aspen" };
   name = names[this->Kind];
   waft::LeafForm form;
   form.Kind = static_cast<waft::LeafKind>(this->Kind);

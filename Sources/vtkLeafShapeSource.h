@@ -4,7 +4,7 @@
  * @brief   one leaf: outline, stem, curl, camber and a painted skin by parameters
  *
  * Output port 0, Shapes (vtkMultiBlockDataSet): see vtkThinShapeSource; the block is named by the
- * kind (leaf, maple, oak, willow, birch).
+ * kind (leaf, maple, oak, willow, birch, aspen).
  */
 #ifndef vtkLeafShapeSource_h
 #define vtkLeafShapeSource_h
@@ -19,8 +19,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** 0 Ovate (toothed, as a beech's), 1 Maple, 2 Oak, 3 Willow, 4 Birch. */
-  vtkSetClampMacro(Kind, int, 0, 4);
+  /** 0 Ovate (toothed, as a beech's), 1 Maple, 2 Oak, 3 Willow, 4 Birch, 5 Aspen (nearly round). */
+  vtkSetClampMacro(Kind, int, 0, 5);
   vtkGetMacro(Kind, int);
   ///@}
   ///@{

@@ -46,27 +46,27 @@ TEST(ShapeSources, EachKindIsAShapeWithItsSkin)
   leaf->SetTextureSize(64);
   feather->SetTextureFile(skin);
   feather->SetTextureSize(64);
-  const char* const names[] = { "leaf",  "maple",   "oak",     "willow",
-                                "birch", "feather", "contour", "down" };
-  for (int i = 0; i < 8; ++i)
+  const char* const names[] = { "leaf",  "maple",   "oak",     "willow", "birch",
+                                "aspen", "feather", "contour", "down" };
+  for (int i = 0; i < 9; ++i)
   {
     SCOPED_TRACE(names[i]);
     std::filesystem::remove(skin);
     vtkMultiBlockDataSetAlgorithm* source = leaf;
-    if (i < 5)
+    if (i < 6)
     {
       leaf->SetKind(i);
     }
     else
     {
-      feather->SetKind(i - 5);
+      feather->SetKind(i - 6);
       source = feather;
     }
     const Shape shape = OnlyShape(source);
     EXPECT_EQ(shape.Name, names[i]);
     EXPECT_EQ(shape.Texture, skin);
     EXPECT_TRUE(std::filesystem::exists(skin));
-    EXPECT_NEAR(LargestExtent(shape.Mesh), i < 5 ? 0.1 : 0.2, 1e-9);
+    EXPECT_NEAR(LargestExtent(shape.Mesh), i < 6 ? 0.1 : 0.2, 1e-9);
     EXPECT_LT(ShellCentroid(shape.Mesh).norm(), 1e-9);
     EXPECT_EQ(shape.TextureCoordinates.size(), shape.Mesh.Points.size());
     EXPECT_TRUE(source->GetOutput()->GetFieldData()->HasArray(names::Bounds));

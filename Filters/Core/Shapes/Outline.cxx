@@ -60,6 +60,16 @@ Outline Birch(const LeafForm& form)
   return outline;
 }
 
+// Round, with shallow teeth and a short point.
+Outline Aspen(const LeafForm& form)
+{
+  const auto blade = Blade(0.50, 0.56);
+  Outline outline = Strip(0.12, 0.012, form.StemLength, [=](double s) { return 0.44 * blade(s); });
+  outline.Middle = [bend = form.Bend](double s) { return 0.01 * bend * std::sin(3.0 * s); };
+  outline.Teeth = 0.05 * form.Lobing;
+  return outline;
+}
+
 Outline Willow(const LeafForm& form)
 {
   const auto blade = Blade(0.7, 0.9);
@@ -265,6 +275,9 @@ Result OutlineOfLeaf(const LeafForm& form, Outline& outline)
     case LeafKind::Birch:
       outline = Birch(form);
       break;
+    case LeafKind::Aspen:
+      outline = Aspen(form);
+      break;
   }
   outline.Width = form.Width;
   return Result::Ok();
@@ -285,7 +298,8 @@ Result OutlineOf(const std::string& builtin, Outline& outline)
   const std::pair<const char*, LeafKind> leaves[] = { { "leaf", LeafKind::Ovate },
                                                       { "maple", LeafKind::Maple },
                                                       { "oak", LeafKind::Oak },
-                                                      { "willow", LeafKind::Willow } };
+                                                      { "willow", LeafKind::Willow },
+                                                      { "aspen", LeafKind::Aspen } };
   for (const auto& [name, kind] : leaves)
   {
     if (builtin == name)
@@ -312,7 +326,8 @@ Result OutlineOf(const std::string& builtin, Outline& outline)
   else
   {
     return Result::Error(
-      "expected leaf, maple, oak, willow, feather, down, petal or disc, found \"" + builtin + "\"");
+      "expected leaf, maple, oak, willow, aspen, feather, down, petal or disc, found \"" + builtin +
+      "\"");
   }
   return Result::Ok();
 }

@@ -74,7 +74,8 @@ enum class LeafKind
   Maple = 1,
   Oak = 2,
   Willow = 3,
-  Birch = 4
+  Birch = 4,
+  Aspen = 5 // nearly round
 };
 
 /// A leaf's plan; 1 is what the kind has by nature.
@@ -111,7 +112,8 @@ struct FeatherForm
 Result OutlineOfLeaf(const LeafForm& form, Outline& outline);
 Result OutlineOfFeather(const FeatherForm& form, Outline& outline);
 
-/// The outline of a built-in thin shape: leaf, maple, oak, willow, feather, down, petal, disc.
+/// The outline of a built-in thin shape: leaf, maple, oak, willow, aspen, feather, down, petal,
+/// disc.
 Result OutlineOf(const std::string& builtin, Outline& outline);
 
 } // namespace waft

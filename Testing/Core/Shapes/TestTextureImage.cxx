@@ -9,7 +9,7 @@ using namespace waft;
 
 TEST(TextureImage, IsOpaqueInsideTheMeshAndClearOutside)
 {
-  for (const char* name : { "leaf", "maple", "oak", "willow", "petal", "disc" })
+  for (const char* name : { "leaf", "maple", "oak", "willow", "aspen", "petal", "disc" })
   {
     SCOPED_TRACE(name);
     TextureOptions options;

@@ -38,7 +38,7 @@ TEST(ThinShape, EveryBuiltinHasItsSizeAndLiesOnItsBodyAxes)
     { "oak", { 0.13, 0.8, 0.12 } },     { "willow", { 0.12, 0.7, 0.09 } },
     { "feather", { 0.20, 0.4, 0.04 } }, { "down", { 0.05, 0.15, 0.02 } },
     { "petal", { 0.04, 0.6, 0.06 } },   { "bubble", { 0.06, 0.05, 0.002 } },
-    { "disc", { 0.10, 0.9, 0.12 } }
+    { "disc", { 0.10, 0.9, 0.12 } },    { "aspen", { 0.06, 0.8, 0.09 } }
   };
   ASSERT_EQ(BuiltinShapes().size(), published.size());
   for (const auto& [name, numbers] : published)
@@ -70,7 +70,7 @@ TEST(ThinShape, EveryBuiltinHasItsSizeAndLiesOnItsBodyAxes)
 
 TEST(ThinShape, SheetsCurlUpwardsAndRestOnTheirConvexSide)
 {
-  for (const char* name : { "leaf", "maple", "oak", "willow", "feather", "down", "petal" })
+  for (const char* name : { "leaf", "maple", "oak", "willow", "aspen", "feather", "down", "petal" })
   {
     SCOPED_TRACE(name);
     const Shape shape = Built(name);
