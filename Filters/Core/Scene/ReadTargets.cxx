@@ -37,12 +37,24 @@ SceneReader::Placement SceneReader::ReadPlacement(const SceneNode& node, bool ne
   return place;
 }
 
-std::vector<SceneReader::Target> SceneReader::SamplePlane(const SceneNode& node,
-                                                          const TargetMask& mask, std::size_t count,
+// The largest extent of any object, in pixels of a picture that is so wide.
+double SceneReader::BodyWidth(const Placement& place, int pixels) const
+{
+  double radius = 0.0;
+  for (const MotionObject& object : this->Out.Objects)
+  {
+    radius = std::max(radius, object.ClearanceRadius);
+  }
+  return 2.0 * radius / place.Width * pixels;
+}
+
+std::vector<SceneReader::Target> SceneReader::SamplePlane(const SceneNode& node, TargetMask mask,
+                                                          std::size_t count,
                                                           const std::vector<int>& classIds,
                                                           int row) const
 {
   const Placement place = this->ReadPlacement(node, true);
+  mask.BodyWidth = this->BodyWidth(place, mask.Width);
   std::vector<std::size_t> limits(classIds.size(), 0);
   for (std::size_t c = 0; c < classIds.size(); ++c)
   {
@@ -181,7 +193,9 @@ std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node,
       text.Fail("a text that is not empty");
     }
     this->Check(this->Assets.DrawText(text.Text(), font, picture), text);
-    const double distance = TargetDistance(MaskFromPicture(picture, {}), count);
+    TargetMask close = MaskFromPicture(picture, {});
+    close.BodyWidth = this->BodyWidth(this->ReadPlacement(node, true), close.Width);
+    const double distance = TargetDistance(close, count);
     picture = SpreadLetters(picture, distance);
     return this->SamplePlane(node, MaskFromPicture(picture, {}), count, {}, row);
   }

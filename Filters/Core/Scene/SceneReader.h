@@ -79,10 +79,11 @@ private:
   std::vector<Target> ReadTargets(const SceneNode& node, int row, std::size_t objects) const;
   std::vector<Target> ReadPoints(const SceneNode& node) const;
   int TargetClass(const SceneNode& node, const std::string& name) const;
-  std::vector<Target> SamplePlane(const SceneNode& node, const TargetMask& mask, std::size_t count,
+  std::vector<Target> SamplePlane(const SceneNode& node, TargetMask mask, std::size_t count,
                                   const std::vector<int>& classIds, int row) const;
   std::vector<Target> SampleMesh(const SceneNode& node, std::size_t count, int row) const;
   Placement ReadPlacement(const SceneNode& node, bool needsWidth) const;
+  double BodyWidth(const Placement& place, int pixels) const;
 
   std::string Name;
   std::string Folder;

@@ -64,6 +64,14 @@ WeightedPixels MiddleLines(const TargetMask& mask, int ofClass)
   return pixels;
 }
 
+// Strokes that are thinner than the distance of targets along them, or than what lies on these,
+// have no room for two abreast. area, length: of the strokes and of their middle lines [pixels].
+bool AreStrokesThin(const TargetMask& mask, double area, double length, std::size_t count)
+{
+  const double distance = length / static_cast<double>(std::max<std::size_t>(count, 1));
+  return length > 0.0 && area / length < std::max(distance, mask.BodyWidth);
+}
+
 // The bits of two coordinates in turn: neighbours in this order are neighbours in the plane.
 std::uint64_t MortonCode(const Vec3& p)
 {
@@ -205,8 +213,7 @@ std::vector<Vec3> SampleClass(const TargetMask& mask, int ofClass, std::size_t c
   const WeightedPixels lines = MiddleLines(mask, ofClass);
   const double length = static_cast<double>(lines.Points.size());
   const double distanceOnLines = length / static_cast<double>(count);
-  // Strokes of a width under the distance along them have no room for two targets abreast.
-  if (length > 0.0 && area / length < distanceOnLines)
+  if (AreStrokesThin(mask, area, length, count))
   {
     std::vector<Vec3> sites;
     for (const std::size_t i : EliminateSamples(lines.Points, count, 2.0 * distanceOnLines))
@@ -359,8 +366,9 @@ double TargetDistance(const TargetMask& mask, std::size_t count)
 {
   const double area = std::accumulate(mask.Weights.begin(), mask.Weights.end(), 0.0);
   const double length = static_cast<double>(MiddleLines(mask, -1).Points.size());
-  const double onLines = length / static_cast<double>(std::max<std::size_t>(count, 1));
-  return length > 0.0 && area / length < onLines ? onLines : PackingDistance(area, 2, count);
+  return AreStrokesThin(mask, area, length, count)
+           ? length / static_cast<double>(std::max<std::size_t>(count, 1))
+           : PackingDistance(area, 2, count);
 }
 
 Result SampleMask(const TargetMask& mask, std::size_t count,

@@ -20,6 +20,7 @@ struct TargetMask
   int Height = 0;
   std::vector<float> Weights; // 0..1, x fastest, row 0 at the bottom
   std::vector<int> Classes;   // place in the list of class colours; -1 or empty: none
+  double BodyWidth = 0.0;     // of what comes to lie on the targets [pixels]; 0: points
 
   bool IsEmpty() const;
 };
@@ -43,11 +44,11 @@ TargetMask MaskFromPicture(const Picture& picture,
 /// they are thin, else of a packing of its area. 0 for an empty mask.
 double TargetDistance(const TargetMask& mask, std::size_t count);
 
-/// `count` targets, evenly spread by the weights, relaxed. Where strokes are thin beside the
-/// distance of targets (text), the targets lie on the strokes' middle lines, ends included; else
-/// they are a weighted centroidal Voronoi tessellation. Sorted by x. classLimits: the most targets
-/// of each class (empty: no limit; the classes then share by weight). Fails when the mask is empty
-/// or the limits leave too few.
+/// `count` targets, evenly spread by the weights, relaxed. Where strokes are thinner than the
+/// distance of targets or than the bodies (text), the targets lie on the strokes' middle lines,
+/// ends included; else they are a weighted centroidal Voronoi tessellation. Sorted by x.
+/// classLimits: the most targets of each class (empty: no limit; the classes then share by weight).
+/// Fails when the mask is empty or the limits leave too few.
 Result SampleMask(const TargetMask& mask, std::size_t count,
                   const std::vector<std::size_t>& classLimits, std::uint64_t seed,
                   std::uint64_t stream, std::vector<PlaneTarget>& targets);

@@ -133,6 +133,28 @@ TEST(TargetSampling, FollowsTheWeights)
   EXPECT_LT(left, 45);
 }
 
+TEST(TargetSampling, WhatIsWiderThanAStrokeLiesOnItsMiddleLine)
+{
+  TargetMask mask = Filled(200, 20);
+  std::vector<PlaneTarget> targets;
+  const auto mostAside = [&]
+  {
+    double most = 0.0;
+    for (const PlaneTarget& t : targets)
+    {
+      most = std::max(most, 200.0 * std::abs(t.Y));
+    }
+    return most;
+  };
+  ASSERT_TRUE(SampleMask(mask, 30, {}, 1, 0, targets));
+  EXPECT_GT(mostAside(), 4.0) << "points, 6 pixels apart in single file, have room beside another";
+  mask.BodyWidth = 24.0;
+  ASSERT_TRUE(SampleMask(mask, 30, {}, 1, 0, targets));
+  ASSERT_EQ(targets.size(), 30u);
+  EXPECT_LT(mostAside(), 1.6);
+  EXPECT_GT(200.0 * NearestPair(targets), 0.7 * 180.0 / 29.0);
+}
+
 TEST(TargetSampling, ThinStrokesGetTheirEndsAndEvenDistances)
 {
   Picture picture;
