@@ -32,11 +32,13 @@ def write_scene(name, scene):
     (HERE / f"{name}.waft.json").write_text(text, encoding="utf-8")
 
 
-def write_png(name, size, color_at):
-    """A square picture; color_at(x, y) of places from -1 to 1, y up: (r, g, b) or (r, g, b, a)."""
+def write_png(name, size, color_at, height=None):
+    """A picture of size by height pixels (square without a height); color_at(x, y) of places with x from -1 to 1 and
+    y, upwards, in the same unit: (r, g, b) or (r, g, b, a)."""
     rows = []
-    for row in range(size):
-        y = 1.0 - (2.0 * row + 1.0) / size
+    height = height or size
+    for row in range(height):
+        y = (height - 2.0 * row - 1.0) / size
         pixels = [color_at((2.0 * column + 1.0) / size - 1.0, y) for column in range(size)]
         rows.append(b"\0" + bytes(value for pixel in pixels for value in pixel))
     kind = 6 if len(pixels[0]) == 4 else 2
@@ -45,7 +47,7 @@ def write_png(name, size, color_at):
         return struct.pack(">I", len(data)) + tag + data + struct.pack(">I", zlib.crc32(tag + data))
 
     (HERE / name).write_bytes(
-        b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", size, size, 8, kind, 0, 0, 0)) +
+        b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", size, height, 8, kind, 0, 0, 0)) +
         chunk(b"IDAT", zlib.compress(b"".join(rows), 9)) + chunk(b"IEND", b""))
 
 
@@ -128,6 +130,59 @@ def feather_scenes():
             "seed": 12, "shapes": feather(texture), "objects": [{"shape": "feather", "position": start}],
             "obstacles": [board([goal[0] + 0.15, goal[1], goal[2]], 1)],
             "constraints": [path, {"kind": "position", "object": 0, "frame": 299, "value": goal}]})
+
+
+# Leaves that cover a word (as in Fig. 6): strokes as wide as a leaf, so that it can be seen how well they are covered
+
+WORD_WIDTH, STROKE = 3.5, 0.16  # m
+
+
+def word_strokes():
+    """The middle lines of the letters, [((x, y), (x, y))] in metres about the word's middle."""
+    letters = [  # width, lines in units of it and of the height
+        (1.15, [[(0, 1), (0.27, 0), (0.5, 0.85), (0.73, 0), (1, 1)]]),
+        (0.80, [[(0, 0), (0.5, 1), (1, 0)], [(0.2, 0.36), (0.8, 0.36)]]),
+        (0.55, [[(0, 0), (0, 1), (1, 1)], [(0, 0.52), (0.85, 0.52)]]),
+        (0.75, [[(0, 1), (1, 1)], [(0.5, 0), (0.5, 1)]])]
+    height, gap = 0.62, 0.30
+    unit = (WORD_WIDTH - 1.05 * STROKE) / (sum(width for width, _ in letters) + gap * (len(letters) - 1))
+    left = -0.5 * (WORD_WIDTH - 1.05 * STROKE)
+    strokes = []
+    for width, lines in letters:
+        for line in lines:
+            places = [(left + x * width * unit, (y - 0.5) * height) for x, y in line]
+            strokes += zip(places, places[1:])
+        left += (width + gap) * unit
+    return strokes
+
+
+def distance_to_stroke(x, y, stroke):
+    (ax, ay), (bx, by) = stroke
+    dx, dy = bx - ax, by - ay
+    s = max(0.0, min(1.0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy)))
+    return math.hypot(x - ax - s * dx, y - ay - s * dy)
+
+
+def word_scenes():
+    strokes = word_strokes()
+
+    def ink(x, y):
+        near = min(distance_to_stroke(0.5 * WORD_WIDTH * x, 0.5 * WORD_WIDTH * y, stroke) for stroke in strokes)
+        return (60, 50, 40, 255 if near < 0.5 * STROKE else 0)
+
+    write_png("waft.png", 560, ink, height=136)
+    region = {"min": [-1.7, -1.5, 2.0], "max": [1.7, 1.5, 3.7]}
+    write_scene("leaves-word", {
+        "title": "Leaves that fall and cover the strokes of a word",
+        "_story": "84 aspen leaves, aloft all over the volume, lie on the ground from frame 250 on and cover the"
+                  " strokes of WAFT for who looks from above.",
+        "seed": 7,
+        "shapes": {name: {"builtin": "aspen", "size": 0.195, "settlingSpeed": 0.5, "texture": f"../Shapes/aspen-{name}.png"}
+                   for name in ("gold", "red")},
+        "objects": [{"shape": name, "count": 42, "region": region} for name in ("gold", "red")],
+        "constraints": [{"kind": "keyframe", "frame": 250, "velocity": "rest",
+                         "targets": {"image": "waft.png", "origin": [0, 0, 0.1], "u": [1, 0, 0], "v": [0, 1, 0],
+                                     "width": WORD_WIDTH}}]})
 
 
 # Leaves: shapes in the air (Fig. 7), on the ground and again (Fig. 8), in a user's wind
@@ -230,7 +285,6 @@ def crowd_scenes():
         "title": "Feathers of three colours that paint a flower on the ground",
         "seed": 31,
         "shapes": {name: {"builtin": "feather", "size": 0.20, "settlingSpeed": 0.4, "class": name,
-                          "texture": "../Shapes/feather-white.png",
                           "color": unit(color)} for name, (color, _) in colors.items()},
         "objects": [{"shape": name, "count": count, "region": {"min": [-1.7, -1.7, 1.6], "max": [1.7, 1.7, 3.7]}}
                     for name, (_, count) in colors.items()],
@@ -264,5 +318,6 @@ def crowd_scenes():
 
 if __name__ == "__main__":
     feather_scenes()
+    word_scenes()
     leaf_scenes()
     crowd_scenes()

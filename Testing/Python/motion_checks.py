@@ -12,6 +12,7 @@ import pathlib
 import sys
 
 import clearance_checks
+import picture_checks
 import result_files
 import style_checks
 from result_files import ACCELERATION, ORIENTATION, POSITION, REST, VELOCITY, distance, read_poses, volume
@@ -134,6 +135,7 @@ def measure(folder, scene_file):
         same = (before["Pass"], before["Stage"]) == (after["Pass"], after["Stage"])
         rises += same and float(after["E"]) > float(before["E"])
     clear = clearance_checks.measure(folder, scene, tracks, rows, rate)
+    covered = picture_checks.overlap(folder, scene_file, tracks)
     return {
         "objects": len(tracks),
         "frames": max(len(track) for track in tracks.values()),
@@ -155,6 +157,7 @@ def measure(folder, scene_file):
         "energy_rises": rises,
         "first_stage": convergence[0]["Stage"],
         "last_stage": convergence[-1]["Stage"],
+        **({} if covered is None else {"picture_overlap": covered}),
     }
 
 
@@ -175,16 +178,22 @@ LIMITS = {
     "energy_rises": 0,
 }
 
+# Of a run that has it: how much of a picture is covered (picture_checks.py).
+LEAST = {"picture_overlap": 0.9}
+
 
 def violations(figures):
-    return [f"{name} is {figures[name]:.3g}, at most {limit:g} is allowed"
-            for name, limit in LIMITS.items() if not figures[name] <= limit]
+    return ([f"{name} is {figures[name]:.3g}, at most {limit:g} is allowed"
+             for name, limit in LIMITS.items() if not figures[name] <= limit] +
+            [f"{name} is {figures[name]:.3g}, at least {limit:g} is asked for"
+             for name, limit in LEAST.items() if name in figures and not figures[name] >= limit])
 
 
 def print_table(figures, style):
     for name, value in figures.items():
         text = f"{value:.4g}" if isinstance(value, float) else str(value)
         limit = f"   at most {LIMITS[name]:g}" if name in LIMITS else ""
+        limit = f"   at least {LEAST[name]:g}" if name in LEAST else limit
         print(f"{name:22} {text:>12}{limit}")
     print()
     print(f"{'':22} " + "".join(f"{kind:>12}" for kind in style_checks.KINDS) + "   wanted")

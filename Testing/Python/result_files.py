@@ -129,13 +129,18 @@ def read_rows(folder):
     return [Row(*values, status[values[0], values[1]]) for values in zip(*(point[name] for name in names))]
 
 
-def read_shapes(folder):
-    """{object: points of its shape in body axes}."""
+def read_shape_meshes(folder):
+    """{object: (points of its shape in body axes, [triangle of three places in points])}."""
     folder = pathlib.Path(folder)
     files = [entry.get("file") for entry in ElementTree.parse(folder / "shapes.vtm").iter("DataSet")]
-    shapes = [PolyData(folder / file).points for file in files]
+    shapes = [(data.points, data.polys) for data in (PolyData(folder / file) for file in files)]
     objects = PolyData(folder / "objects.vtp").point
     return {number: shapes[shape] for number, shape in zip(objects["ObjectId"], objects["ShapeId"])}
+
+
+def read_shapes(folder):
+    """{object: points of its shape in body axes}."""
+    return {number: points for number, (points, _) in read_shape_meshes(folder).items()}
 
 
 def read_obstacle_surfaces(folder):

@@ -165,7 +165,10 @@ class Command(unittest.TestCase):
         wanted = {"planned.vtp", "optimized.vtp", "poses.vtp", "poses.csv", "vortices.vtp", "wind.pvd",
                   "convergence.csv", "constraints.csv", "animation.glb", "report.json"}
         self.assertLessEqual(wanted, {entry.name for entry in out.iterdir()})
-        warnings = json.loads((out / "report.json").read_text(encoding="utf-8"))["warnings"]
+        report = json.loads((out / "report.json").read_text(encoding="utf-8"))
+        for name, stage in report["stages"].items():
+            self.assertTrue(stage["seconds"] > 0.0 and stage["processorSeconds"] > 0.0, name)
+        warnings = report["warnings"]
         self.assertEqual(1, len(warnings), warnings)
         self.assertIn("torn.png is neither PNG nor JPEG", warnings[0])
         # The texture is none, so the leaf has its own colour.

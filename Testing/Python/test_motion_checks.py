@@ -2,15 +2,20 @@
 """The measures of motion_checks.py and its helpers on motions whose figures are known.
 
     test_motion_checks.py DATABASE.vtm"""
+import json
 import math
 import pathlib
 import random
+import struct
 import sys
+import tempfile
 import unittest
 import unittest.mock
+import zlib
 
 import clearance_checks
 import motion_checks
+import picture_checks
 import result_files
 import style_checks
 from result_files import ACCELERATION, ORIENTATION, POSITION, REST, VELOCITY, Pose, Row
@@ -144,6 +149,53 @@ class Styles(unittest.TestCase):
         self.assertAlmostEqual(1.0, alone, delta=0.15)
         turning = style_checks.coherence(tracks(lambda x: [-x[1], x[0], 0.0]), flying, 0.4, RATE)
         self.assertLess(turning, 0.12)
+
+
+class Pictures(unittest.TestCase):
+    """A picture of 8 x 4 pixels, the middle 4 x 2 opaque, 2 m wide."""
+
+    def picture(self, folder):
+        def line(number):
+            return [(9, 9, 9, 255 if number in (1, 2) and 2 <= x < 6 else 0) for x in range(8)]
+        rows, above = b"", [0] * 32
+        for number, kind in enumerate((1, 2, 3, 4)):  # every filter
+            flat = [value for pixel in line(number) for value in pixel]
+            rows += bytes([kind])
+            for i, value in enumerate(flat):
+                a, c = (flat[i - 4], above[i - 4]) if i >= 4 else (0, 0)
+                near = sorted((a, above[i], c), key=lambda v, to=a + above[i] - c: abs(to - v))[0]
+                rows += bytes([(value - (a, above[i], (a + above[i]) // 2, near)[kind - 1]) % 256])
+            above = flat
+
+        def chunk(tag, data):
+            return struct.pack(">I", len(data)) + tag + data + struct.pack(">I", zlib.crc32(tag + data))
+        (folder / "p.png").write_bytes(
+            b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 8, 4, 8, 6, 0, 0, 0)) +
+            chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+    def overlap(self, shift, size, **other):
+        """Of one sheet of size by half the size, turned by a right angle and back by its pose."""
+        half = math.sqrt(0.5)
+        pose = Pose((shift, 5.0, 0.1), (half, 0.0, 0.0, half), (0, 0, 0), (0, 0, 0))
+        a, b = 0.25 * size, 0.5 * size
+        mesh = ([(-a, -b, 0.0), (a, -b, 0.0), (a, b, 0.0), (-a, b, 0.0)], [(0, 1, 2), (0, 2, 3)])
+        targets = {"image": "p.png", "origin": [0, 5, 0], "u": [1, 0, 0], "v": [0, 1, 0], "width": 2.0}
+        wish = {"kind": "keyframe", "frame": 9, "velocity": "rest", "targets": targets, **other}
+        with tempfile.TemporaryDirectory() as folder:
+            self.picture(pathlib.Path(folder))
+            scene = pathlib.Path(folder, "s.waft.json")
+            scene.write_text(json.dumps({"time": {"frames": 20}, "constraints": [wish]}), encoding="utf-8")
+            with unittest.mock.patch.object(result_files, "read_shape_meshes", return_value={0: mesh}):
+                return picture_checks.overlap(folder, scene, {0: [pose]})
+
+    def test_overlap(self):
+        self.assertEqual(1.0, self.overlap(0.0, 1.0))
+        self.assertAlmostEqual(6.0 / 10.0, self.overlap(0.25, 1.0))  # by one pixel of four
+        self.assertEqual(0.0, self.overlap(1.2, 1.0))
+        self.assertAlmostEqual(8.0 / 32.0, self.overlap(0.0, 2.0))
+        self.assertIsNone(self.overlap(0.0, 0.9), "it cannot cover the picture")
+        self.assertIsNone(self.overlap(0.0, 1.0, until=15), "it does not rest there at the end")
+        self.assertIsNone(self.overlap(0.0, 1.0, velocity=[0, 0, 0]))
 
 
 class Clearances(unittest.TestCase):
