@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Measures folders that `waft synthesize` wrote, each named after its scene, keeps the figures in scenes.json beside
+itself and writes Scenes.md from all that are kept there. The pictures are make_scene_pictures.py's.
+
+    python3 Documentation/gallery/make_scene_table.py RESULTS/leaves-letters RESULTS/feather-spiral-a ...
+"""
+import json
+import pathlib
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+sys.path.insert(0, str(ROOT / "Testing/Python"))
+
+import motion_checks  # noqa: E402
+import style_checks  # noqa: E402
+
+KEPT = HERE / "scenes.json"
+STAGES = ("planner", "spacetime", "rotation")
+HEAD = """# Scenes, flown and measured
+
+Written by [make_scene_table.py](make_scene_table.py) from folders of `waft synthesize`, all at the scenes' full size (about 2500
+particles of air, 300 frames), on one thread; the pictures are by [make_scene_pictures.py](make_scene_pictures.py). What is in
+**bold** misses its gate. What the scenes are about is told in [Data/Scenes](../../Data/Scenes/README.md), what the
+measures are in [Measures.md](../Measures.md).
+"""
+GATES = """
+## Gates
+
+`met`: rows that are met, of all. `miss`: largest miss of a row, in widths L of the volume (at most 1e-9). `clear`: what the swept centre lacks of its
+clearance radius, and `depth`: the lowest vertex below the ground on which it lands, in L (each at most 1e-3). `turn`: deviation of a
+quaternion from unit length (at most 1e-9); none changes its sign. `E`: the last energy over the first (at most 0.1); it never rises. `top`: fastest step.
+`bend` and `|a|`: Kolmogorov-Smirnov distance of log-curvature (at most 0.20) and of acceleration (at most 0.35) from the
+database, both at most half of those of a spline through the same marks (in brackets); gates from eight objects on. `S`: velocity differences of
+neighbours within 0.2 L, of the motion, of the plan and of straight lines (at most 0.65 or 0.7 of the plan's, and at most 0.8 of the straight lines'), a gate
+from twenty objects on. `over`: intersection over union with the picture where the bodies can cover it (at least 0.9).
+
+| scene | objects | met | miss | clear | depth | turn | E | top m/s | bend | \\|a\\| | S: motion, plan, straight | over |
+|---|---|---|---|---|---|---|---|---|---|---|---|---|
+"""
+COSTS = """
+## Seconds and memory
+
+Seconds of processor time on one thread of a small, busy machine, and the largest memory of the process, ParaView and the
+database included.
+
+| scene | objects | planner | spacetime | rotation | whole run | memory |
+|---|---|---|---|---|---|---|
+"""
+
+
+def measured(folder):
+    scene_file = ROOT / f"Data/Scenes/{folder.name}.waft.json"
+    figures = motion_checks.measure(folder, scene_file)
+    scene = json.loads(scene_file.read_text(encoding="utf-8"))
+    style = style_checks.measure(folder, scene, motion_checks.EMBEDDED)
+    stages = json.loads((folder / "report.json").read_text(encoding="utf-8"))["stages"]
+    return {"title": scene["title"], "figures": figures, "style": style,
+            "seconds": {name: stage["processorSeconds"] for name, stage in stages.items()},
+            "memory": max(stage["peakMemoryMB"] for stage in stages.values())}
+
+
+def cell(text, is_good=True):
+    return text if is_good else f"**{text}**"
+
+
+def gate(figures, name, form=".1g"):
+    value = figures[name]
+    return cell(format(value, form) if value else "0", value <= motion_checks.LIMITS[name])
+
+
+def style_cells(entry):
+    """bend, |a| and S with their gates, as far as the number of objects makes them gates."""
+    objects = entry["figures"]["objects"]
+    cells = []
+    for name, limit in (("KS log-curvature", 0.20), ("KS |a|", 0.35)):
+        line = entry["style"][name]
+        good = line["optimized"] <= limit and line["optimized"] <= 0.5 * line["spline"]
+        cells.append(cell(f"{line['optimized']:.3f} ({line['spline']:.2f})", good or objects < 8))
+    line = entry["style"]["S(0.2 L)"]
+    if objects < 2:
+        return cells + [""]
+    good = ((line["optimized"] <= 0.65 or line["optimized"] <= 0.7 * line["planned"])
+            and line["optimized"] <= 0.8 * line["straight"])
+    return cells + [cell(f"{line['optimized']:.3f}", good or objects < 20) +
+                    f", {line['planned']:.3f}, {line['straight']:.3f}"]
+
+
+def gates_line(name, entry):
+    figures = entry["figures"]
+    met = figures["rows"] - figures["rows_unmet"]
+    turn = cell(f"{figures['quaternion_error']:.0e}",
+                figures["quaternion_error"] <= 1e-9 and figures["quaternion_flips"] == 0)
+    energy = cell(f"{figures['energy_ratio']:.3f}",
+                  figures["energy_ratio"] <= motion_checks.LIMITS["energy_ratio"] and figures["energy_rises"] == 0)
+    covered = figures.get("picture_overlap")
+    over = "" if covered is None else cell(f"{covered:.3f}", covered >= motion_checks.LEAST["picture_overlap"])
+    cells = [name, str(figures["objects"]), cell(f"{met} of {figures['rows']}", met == figures["rows"]),
+             gate(figures, "exact_residual"), gate(figures, "clearance_shortfall"), gate(figures, "landing_depth"),
+             turn, energy, f"{figures['top_speed']:.2f}", *style_cells(entry), over]
+    return "| " + " | ".join(cells) + " |\n"
+
+
+def costs_line(name, entry):
+    seconds = entry["seconds"]
+    cells = [name, str(entry["figures"]["objects"]), *(f"{seconds[stage]:.1f} s" for stage in STAGES),
+             f"{sum(seconds.values()):.0f} s", f"{entry['memory'] / 1000.0:.2f} GB"]
+    return "| " + " | ".join(cells) + " |\n"
+
+
+def page(kept):
+    text = HEAD + GATES + "".join(gates_line(*item) for item in kept.items())
+    text += COSTS + "".join(costs_line(*item) for item in kept.items()) + "\n## Pictures\n"
+    for name, entry in kept.items():
+        text += (f"\n**{name}**: {entry['title']}.\n\n![{name}, four moments](scene_{name}.png)\n\n"
+                 f"![{name}, the last frame](scene_{name}_end.png)\n")
+    return text
+
+
+def main(folders):
+    kept = json.loads(KEPT.read_text(encoding="utf-8")) if KEPT.exists() else {}
+    for folder in map(pathlib.Path, folders):
+        kept[folder.name] = measured(folder)
+    kept = dict(sorted(kept.items()))
+    KEPT.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
+    (HERE / "Scenes.md").write_text(page(kept), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
