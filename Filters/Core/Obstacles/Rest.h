@@ -11,6 +11,9 @@
 namespace waft
 {
 
+/// [s] in which a thing that settles is braked to rest, as on a cushion of air.
+constexpr double LandingTime = 1.0 / 3.0;
+
 /// The centre of a body that lies on the first surface straight below `value` at a frame: x and y
 /// are the value's, the height is the surface's plus restHeight / normal.z, so that a body lying in
 /// the tangent plane touches it (on faces steeper than 84 degrees as if they were 84). False when

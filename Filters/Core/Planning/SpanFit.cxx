@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/SpanFit.h"
 
+#include "Obstacles/Rest.h"
 #include "Planning/Refinement.h"
 #include "Planning/RoomMap.h"
 
@@ -197,12 +198,11 @@ std::vector<Vec3> SpanFitter::Frames(const Layout& layout) const
 }
 
 /// In the last second before a rest it sinks evenly, no faster than the goal allows, and slows down
-/// over the last third, as on a cushion of air. The height that this leaves over is spread over the
-/// rest of the span.
+/// over the LandingTime. The height that this leaves over is spread over the rest of the span.
 void SpanFitter::BringDown(Layout& layout, std::vector<Vec3>& positions) const
 {
   const double second = this->Library.Options().FramesPerSecond;
-  const auto cushion = static_cast<int>(std::lround(second / 3.0));
+  const auto cushion = static_cast<int>(std::lround(second * LandingTime));
   const auto inner = static_cast<int>(std::lround(0.9 * second));
   const auto outer = static_cast<int>(std::lround(1.5 * second));
   const int frames = layout.Clock.Frames;

@@ -6,8 +6,9 @@ namespace waft
 namespace
 {
 
-constexpr double Stiffness = 4.0;  // of the cushion against free drag, one radius up
-constexpr double CoreShare = 0.25; // of the radius: where the cushion is stiffest
+// Of the height from which it brakes.
+constexpr double Strength = 0.25;
+constexpr double CoreShare = 0.25; // where it is stiffest
 
 struct Surface
 {
@@ -35,7 +36,8 @@ CushionForce LandingCushion(const SpacetimeModel& model, int frame, double step,
 {
   CushionForce force;
   const std::uint8_t flag = model.Flag(frame, object);
-  if (!(flag & (LandsOnFloor | LandsOnObstacle)) || (flag & LiftsOff))
+  const double brake = model.BrakeHeights[object];
+  if (!(flag & (LandsOnFloor | LandsOnObstacle)) || (flag & LiftsOff) || brake <= 0.0)
   {
     return force;
   }
@@ -45,11 +47,10 @@ CushionForce LandingCushion(const SpacetimeModel& model, int frame, double step,
   {
     surface = ObstacleSurface(model, frame, position);
   }
-  const double radius = model.Clearances[object];
   const double height = surface.Distance - model.RestHeights[object];
-  const double core = CoreShare * radius;
+  const double core = CoreShare * brake;
   const double free =
-    Stiffness * model.DragRates[object] * radius * radius / (height * height + core * core);
+    Strength * model.SettlingSlip(object) * brake / (height * height + core * core);
   // As a step implicit in this drag would have it. An explicit one takes more than all of the speed
   // and throws the object back.
   const double rate = free / (1.0 + step * free);

@@ -20,10 +20,11 @@ struct CushionForce
 
 /// The force on an object that is about to land (flags LandsOnFloor and LandsOnObstacle of the
 /// frame without LiftsOff); zero for others. Along the surface's normal n, at the height h above
-/// rest and with the object's radius R (its clearance) and drag rate k:
-///   a = -q / (1 + s q) (v . n) n,   q = 4 k R^2 / (h^2 + (R / 4)^2)
-/// with the step s to the next frame. Far above it is nothing; one radius up it is four times the
-/// free drag; it stops a settling leaf softly, and takes no more than all of its speed in a step.
+/// rest, with its settling speed u and the height b from which plans brake:
+///   a = -q / (1 + s q) (v . n) n,   q = u b / 4 / (h^2 + (b / 4)^2)
+/// with the step s to the next frame. From far above down to rest that takes pi / 2 u of the speed,
+/// most of it over the height b: as plans come down. A stiffer one has it creep at the end and
+/// hurry before. It takes no more than all of the speed in a step.
 CushionForce LandingCushion(const SpacetimeModel& model, int frame, double step, std::size_t object,
                             const Vec3& position, const Vec3& velocity);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/SpacetimeSetup.h"
 
+#include "Obstacles/Rest.h"
 #include "Particles/GasLattice.h"
 #include "Spacetime/ConstraintSetup.h"
 #include "Spacetime/VortexSelection.h"
@@ -227,6 +228,8 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
     model.Gravities.push_back(static_cast<float>(share * gravity / setup.AccelerationUnit()));
     model.Clearances.push_back(static_cast<float>(object.ClearanceRadius / setup.Spacing));
     model.RestHeights.push_back(static_cast<float>(object.RestHeight / setup.Spacing));
+    model.BrakeHeights.push_back(
+      static_cast<float>(0.5 * LandingTime * object.SettlingSpeed / setup.Spacing));
     radii += object.ClearanceRadius / setup.Spacing / static_cast<double>(no);
   }
   model.Weights.ContactDistance = options.ContactDistance < 0.0
