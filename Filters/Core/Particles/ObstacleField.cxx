@@ -78,7 +78,7 @@ Result ObstacleField::Build(const std::vector<ObstacleMesh>& obstacles, const Bo
   return Result::Ok();
 }
 
-double ObstacleField::Evaluate(const float* p, int frame, float gradient[3], float hessian[6]) const
+double ObstacleField::Evaluate(const Vec3& p, int frame, Vec3& gradient, Mat3& hessian) const
 {
   const std::vector<float>& values =
     this->Lattices[std::min<std::size_t>(frame, this->Lattices.size() - 1)];
@@ -119,23 +119,17 @@ double ObstacleField::Evaluate(const float* p, int frame, float gradient[3], flo
     }
   }
   const double scale = this->InverseSpacing;
-  for (int a = 0; a < 3; ++a)
-  {
-    gradient[a] = static_cast<float>(scale * g[a]);
-  }
-  for (int a = 0; a < 6; ++a)
-  {
-    hessian[a] = static_cast<float>(scale * scale * h[a]);
-  }
+  gradient = scale * Vec3(g[0], g[1], g[2]);
+  hessian << h[0], h[1], h[2], h[1], h[3], h[4], h[2], h[4], h[5];
+  hessian *= scale * scale;
   return value;
 }
 
 double ObstacleField::Distance(const Vec3& p, int frame) const
 {
-  const float point[3] = { static_cast<float>(p.x()), static_cast<float>(p.y()),
-                           static_cast<float>(p.z()) };
-  float gradient[3], hessian[6];
-  return this->Evaluate(point, frame, gradient, hessian);
+  Vec3 gradient;
+  Mat3 hessian;
+  return this->Evaluate(p, frame, gradient, hessian);
 }
 
 } // namespace waft

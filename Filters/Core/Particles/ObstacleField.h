@@ -23,8 +23,9 @@ public:
                double unit, double band, int numberOfFrames);
 
   bool IsEmpty() const { return this->Lattices.empty(); }
-  /// Distance at p (gas spacings from bounds.Min), gradient and Hessian (xx, xy, xz, yy, yz, zz).
-  double Evaluate(const float* p, int frame, float gradient[3], float hessian[6]) const;
+  bool IsMoving() const { return this->Lattices.size() > 1; }
+  /// Distance at p (gas spacings from bounds.Min), gradient and Hessian.
+  double Evaluate(const Vec3& p, int frame, Vec3& gradient, Mat3& hessian) const;
   double Distance(const Vec3& p, int frame) const;
 
 private:

@@ -75,6 +75,15 @@ struct SphBox
   float Min[3], Max[3];
 };
 
+/// A field on the sites of a lattice whose first lies half a cell before the origin along each
+/// axis, blended by quintics between them, constant beyond the outer ones.
+struct SphRestField
+{
+  int Dimensions[3];
+  float InverseCell[3];
+  const float* Values; // a site, x fastest
+};
+
 /// A vector field of quadratic B-splines on a lattice of nodes: coefficients (x, y, z, 0) a node, x
 /// fastest; node (i, j, k) stands at Origin + (i, j, k) / InverseSpacing.
 struct SphSplineField
@@ -125,6 +134,9 @@ struct SphKernelTable
   /// the planes of the box. n is padded to a multiple of eight.
   void (*Walls)(const SphConstants&, const SphBox&, std::size_t n, const float* x, const float* y,
                 const float* z, float* psi, SphRows gradient, SphRows hessian);
+  /// Adds the field to psi, gradient and Hessian as Walls gives them.
+  void (*Rest)(const SphRestField&, std::size_t n, const float* x, const float* y, const float* z,
+               float* psi, SphRows gradient, SphRows hessian);
   /// Adds force (3 rows) and Jacobian d f_i / d x_j (9 rows) of the vortices at n points, n padded.
   void (*Vortices)(const SphVortex*, std::size_t count, std::size_t n, const float* x,
                    const float* y, const float* z, SphRows force, SphRows jacobian);

@@ -39,6 +39,19 @@ inline Lanes Max(Lanes a, Lanes b)
 {
   return { _mm256_max_ps(a.Value, b.Value) };
 }
+inline Lanes Min(Lanes a, Lanes b)
+{
+  return { _mm256_min_ps(a.Value, b.Value) };
+}
+inline Lanes Floor(Lanes a)
+{
+  return { _mm256_floor_ps(a.Value) };
+}
+/// values[index] of whole numbers.
+inline Lanes Gather(const float* values, Lanes index)
+{
+  return { _mm256_i32gather_ps(values, _mm256_cvttps_epi32(index.Value), 4) };
+}
 inline Lanes Sqrt(Lanes a)
 {
   return { _mm256_sqrt_ps(a.Value) };

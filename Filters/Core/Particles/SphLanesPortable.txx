@@ -62,6 +62,18 @@ inline Lanes Max(const Lanes& a, const Lanes& b)
 {
   return Each([&](int k) { return a.Value[k] > b.Value[k] ? a.Value[k] : b.Value[k]; });
 }
+inline Lanes Min(const Lanes& a, const Lanes& b)
+{
+  return Each([&](int k) { return a.Value[k] < b.Value[k] ? a.Value[k] : b.Value[k]; });
+}
+inline Lanes Floor(const Lanes& a)
+{
+  return Each([&](int k) { return __builtin_floorf(a.Value[k]); });
+}
+inline Lanes Gather(const float* values, const Lanes& index)
+{
+  return Each([&](int k) { return values[static_cast<int>(index.Value[k])]; });
+}
 inline Lanes Sqrt(const Lanes& a)
 {
   return Each([&](int k) { return __builtin_sqrtf(a.Value[k]); });

@@ -55,6 +55,73 @@ void WallTerms(const SphConstants& c, const SphBox& box, std::size_t n, const fl
   }
 }
 
+/// The eight sites about each point, blended by 6 u^5 - 15 u^4 + 10 u^3.
+void RestTerms(const SphRestField& field, std::size_t n, const float* x, const float* y,
+               const float* z, float* psi, SphRows gradient, SphRows hessian)
+{
+  const float* points[3] = { x, y, z };
+  const Lanes zero = Lanes::Set(0.0f);
+  const Lanes one = Lanes::Set(1.0f);
+  for (std::size_t i = 0; i < n; i += 8)
+  {
+    // Share of the second site along each axis, and its derivatives by the place.
+    Lanes first[3], second[3], t[3], t1[3], t2[3];
+    for (int a = 0; a < 3; ++a)
+    {
+      const float inverse = field.InverseCell[a];
+      const Lanes last = Lanes::Set(static_cast<float>(field.Dimensions[a] - 1));
+      const Lanes site =
+        Fma(Lanes::Load(points[a] + i), Lanes::Set(inverse), Lanes::Set(0.5f));
+      const Lanes c = Min(Max(site, zero), last);
+      first[a] = Min(Floor(c), Max(last - one, zero));
+      second[a] = Min(first[a] + one, last);
+      const Lanes u = c - first[a];
+      const Lanes v = one - u;
+      const Lanes uv = u * v;
+      t[a] = u * u * u * Fma(u, Fma(u, Lanes::Set(6.0f), Lanes::Set(-15.0f)), Lanes::Set(10.0f));
+      t1[a] = Lanes::Set(30.0f * inverse) * uv * uv;
+      t2[a] = Lanes::Set(60.0f * inverse * inverse) * uv * (v - u);
+    }
+    const Lanes nx = Lanes::Set(static_cast<float>(field.Dimensions[0]));
+    const Lanes ny = Lanes::Set(static_cast<float>(field.Dimensions[1]));
+    // Along x: value and difference of the four edges; then along y; then along z.
+    Lanes low[2][2], step[2][2];
+    for (int k = 0; k < 2; ++k)
+    {
+      for (int j = 0; j < 2; ++j)
+      {
+        const Lanes row = nx * Fma(ny, k ? second[2] : first[2], j ? second[1] : first[1]);
+        const Lanes a = Gather(field.Values, row + first[0]);
+        step[k][j] = Gather(field.Values, row + second[0]) - a;
+        low[k][j] = Fma(t[0], step[k][j], a);
+      }
+    }
+    Lanes value[2], byX[2], byY[2], byXY[2];
+    for (int k = 0; k < 2; ++k)
+    {
+      byY[k] = low[k][1] - low[k][0];
+      value[k] = Fma(t[1], byY[k], low[k][0]);
+      byXY[k] = step[k][1] - step[k][0];
+      byX[k] = Fma(t[1], byXY[k], step[k][0]);
+    }
+    const auto alongZ = [&](const Lanes* v) { return Fma(t[2], v[1] - v[0], v[0]); };
+    const Lanes x1 = alongZ(byX);
+    const Lanes y1 = alongZ(byY);
+    const Lanes z1 = value[1] - value[0];
+    const auto add = [](float* out, Lanes v) { (Lanes::Load(out) + v).Store(out); };
+    add(psi + i, alongZ(value));
+    add(gradient.Row(0) + i, t1[0] * x1);
+    add(gradient.Row(1) + i, t1[1] * y1);
+    add(gradient.Row(2) + i, t1[2] * z1);
+    add(hessian.Row(0) + i, t2[0] * x1);
+    add(hessian.Row(1) + i, t1[0] * t1[1] * alongZ(byXY));
+    add(hessian.Row(2) + i, t1[0] * t1[2] * (byX[1] - byX[0]));
+    add(hessian.Row(3) + i, t2[1] * y1);
+    add(hessian.Row(4) + i, t1[1] * t1[2] * (byY[1] - byY[0]));
+    add(hessian.Row(5) + i, t2[2] * z1);
+  }
+}
+
 /// Eq. 13 with the denominator |r1 x r2|^2 + core. r1 x r2 = r0 x (x - p1) up to sign conventions
 /// that cancel: (x - p1) x (x - p2) = r0 x (x - p1), so its derivative is r0 x dx.
 void VortexTerms(const SphVortex* vortices, std::size_t count, std::size_t n, const float* x,

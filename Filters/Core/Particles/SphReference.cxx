@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Particles/SphReference.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace waft
@@ -60,25 +61,14 @@ void ForPairs(const SphFluid& fluid, const SphState& state, Function function)
   }
 }
 
-void Plane(const SphFluid& fluid, double d, double& q, double& q1, double& q2)
-{
-  const double inverse = 1.0 / fluid.Support();
-  const double s = std::max(0.0, 1.0 - std::abs(d) * inverse);
-  const double psi = std::pow(s, 6) * (3.5 - 4.5 * s + 1.5 * s * s);
-  q = d < 0.0 ? psi : 1.0 - psi;
-  q1 = inverse * std::pow(s, 5) * (21.0 - 31.5 * s + 12.0 * s * s);
-  q2 = (d < 0.0 ? 1.0 : -1.0) * inverse * inverse * std::pow(s, 4) *
-       (105.0 - 189.0 * s + 84.0 * s * s);
-}
-
 struct Densities
 {
-  std::vector<double> Rho, P, Slope, Psi;
+  std::vector<double> Rho, P, Slope;
   std::vector<Vec3> Gradient;
   std::vector<Mat3> Hessian;
 };
 
-Densities ComputeDensities(const SphFluid& fluid, const Vec3& size, const SphState& state)
+Densities ComputeDensities(const SphFluid& fluid, const SphVolume& volume, const SphState& state)
 {
   const std::size_t n = state.Positions.size();
   Densities d;
@@ -87,7 +77,10 @@ Densities ComputeDensities(const SphFluid& fluid, const Vec3& size, const SphSta
   d.Hessian.resize(n);
   for (std::size_t i = 0; i < n; ++i)
   {
-    d.Rho[i] = WallFraction(fluid, size, state.Positions[i], d.Gradient[i], d.Hessian[i]);
+    const SurfaceShare surfaces = SurfaceDensity(fluid, volume, state.Positions[i]);
+    d.Rho[i] = surfaces.Value;
+    d.Gradient[i] = surfaces.Gradient;
+    d.Hessian[i] = surfaces.Hessian;
     d.Rho[i] += i < state.NumberOfGas ? fluid.GasMass * fluid.Kernel(0.0) : 0.0;
   }
   ForPairs(fluid, state,
@@ -102,34 +95,11 @@ Densities ComputeDensities(const SphFluid& fluid, const Vec3& size, const SphSta
 
 } // namespace
 
-double WallFraction(const SphFluid& fluid, const Vec3& size, const Vec3& x, Vec3& gradient,
-                    Mat3& hessian)
-{
-  Vec3 q, q1, q2;
-  for (int a = 0; a < 3; ++a)
-  {
-    double low, low1, low2, high, high1, high2;
-    Plane(fluid, x[a], low, low1, low2);
-    Plane(fluid, size[a] - x[a], high, high1, high2);
-    q[a] = low * high;
-    q1[a] = low1 * high - low * high1;
-    q2[a] = low2 * high + low * high2 - 2.0 * low1 * high1;
-  }
-  for (int a = 0; a < 3; ++a)
-  {
-    const int b = (a + 1) % 3;
-    const int c = (a + 2) % 3;
-    gradient[a] = -q1[a] * q[b] * q[c];
-    hessian(a, a) = -q2[a] * q[b] * q[c];
-    hessian(a, b) = hessian(b, a) = -q1[a] * q1[b] * q[c];
-  }
-  return 1.0 - q.prod();
-}
-
-void EvaluateSph(const SphFluid& fluid, const Vec3& size, const SphState& state, SphRates& rates)
+void EvaluateSph(const SphFluid& fluid, const SphVolume& volume, const SphState& state,
+                 SphRates& rates)
 {
   const std::size_t n = state.Positions.size();
-  const Densities d = ComputeDensities(fluid, size, state);
+  const Densities d = ComputeDensities(fluid, volume, state);
   rates.Densities = d.Rho;
   rates.Averages.assign(n, Vec3::Zero());
   rates.Accelerations.resize(n);
@@ -146,11 +116,11 @@ void EvaluateSph(const SphFluid& fluid, const Vec3& size, const SphState& state,
            });
 }
 
-void TangentSph(const SphFluid& fluid, const Vec3& size, const SphState& state,
+void TangentSph(const SphFluid& fluid, const SphVolume& volume, const SphState& state,
                 const SphState& change, SphRates& rates)
 {
   const std::size_t n = state.Positions.size();
-  const Densities d = ComputeDensities(fluid, size, state);
+  const Densities d = ComputeDensities(fluid, volume, state);
   const auto dx = [&](std::size_t i, std::size_t j)
   { return Vec3(change.Positions[i] - change.Positions[j]); };
   const auto dv = [&](std::size_t i, std::size_t j)
@@ -187,11 +157,11 @@ void TangentSph(const SphFluid& fluid, const Vec3& size, const SphState& state,
            });
 }
 
-void AdjointSph(const SphFluid& fluid, const Vec3& size, const SphState& state,
+void AdjointSph(const SphFluid& fluid, const SphVolume& volume, const SphState& state,
                 const SphRates& weights, SphState& adjoint)
 {
   const std::size_t n = state.Positions.size();
-  const Densities d = ComputeDensities(fluid, size, state);
+  const Densities d = ComputeDensities(fluid, volume, state);
   adjoint.NumberOfGas = state.NumberOfGas;
   adjoint.Positions.resize(n);
   adjoint.Velocities.assign(n, Vec3::Zero());

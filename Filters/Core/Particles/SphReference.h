@@ -5,6 +5,7 @@
 
 #include "Base/Types.h"
 #include "Particles/SphFluid.h"
+#include "Particles/SphSurfaces.h"
 
 #include <vector>
 
@@ -27,19 +28,16 @@ struct SphRates
   std::vector<Vec3> Averages;      // D_i = sum_j m_j W_ij (v_j - v_i)
 };
 
-/// rho, a and D in a closed box from the origin to `size` (dx).
-void EvaluateSph(const SphFluid& fluid, const Vec3& size, const SphState& state, SphRates& rates);
+/// rho, a and D in a volume; a box alone may be given by its size (dx).
+void EvaluateSph(const SphFluid& fluid, const SphVolume& volume, const SphState& state,
+                 SphRates& rates);
 
 /// Their change for a change of the state.
-void TangentSph(const SphFluid& fluid, const Vec3& size, const SphState& state,
+void TangentSph(const SphFluid& fluid, const SphVolume& volume, const SphState& state,
                 const SphState& change, SphRates& rates);
 
 /// The transpose: weights of accelerations and averages to weights of positions and velocities.
-void AdjointSph(const SphFluid& fluid, const Vec3& size, const SphState& state,
+void AdjointSph(const SphFluid& fluid, const SphVolume& volume, const SphState& state,
                 const SphRates& weights, SphState& adjoint);
-
-/// Kernel mass beyond the walls of the box, gradient and Hessian.
-double WallFraction(const SphFluid& fluid, const Vec3& size, const Vec3& x, Vec3& gradient,
-                    Mat3& hessian);
 
 } // namespace waft

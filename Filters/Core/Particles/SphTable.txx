@@ -45,6 +45,7 @@ double AddAndDot(std::size_t n, float factor, const float* x, float* y, const fl
 
 SphKernelTable MakeTable(const char* name)
 {
-  return { name,      DensityAny,  AccelerationSum, AdjointPressureSum, AdjointStateSum,
-           WallTerms, VortexTerms, SplineTerms,     NearPoints,         { DotProduct, AddAndDot } };
+  return { name,      DensityAny, AccelerationSum, AdjointPressureSum, AdjointStateSum,
+           WallTerms, RestTerms,  VortexTerms,     SplineTerms,        NearPoints,
+           { DotProduct, AddAndDot } };
 }

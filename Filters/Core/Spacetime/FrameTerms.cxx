@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/FrameTerms.h"
 
+#include "Particles/SphSurfaces.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,6 @@ namespace
 {
 
 constexpr float SpringStiffness = 0.3f;  // [1 / (dx frame^2)]: keeps gas off the walls
-constexpr float SpringReach = 0.3f;      // [dx]
 constexpr float FarAway = -1e4f;         // where the particle without mass lies [dx]
 constexpr double LeastTimeFactor = 1e-3; // a vortex weaker than this share of itself is left out
 
@@ -90,44 +91,39 @@ void FrameTerms::PlaceParticles(const float* state)
 // One more surface beside the walls: 1 - Psi is multiplied by 1 - psi(d).
 void FrameTerms::AddObstacle(std::size_t i, int frame)
 {
-  const float point[3] = { this->Records[i].X, this->Records[i].Y, this->Records[i].Z };
-  float normal[3], curve[6];
-  const double d = this->Model.Obstacles.Evaluate(point, frame, normal, curve);
-  const double inverse = this->Constants.InverseSupport;
-  const double s = 1.0 - std::abs(d) * inverse;
-  if (s <= 0.0 && d >= 0.0)
+  const SphRecord& record = this->Records[i];
+  Vec3 normal;
+  Mat3 curvature;
+  const double d =
+    this->Model.Obstacles.Evaluate(Vec3(record.X, record.Y, record.Z), frame, normal, curvature);
+  if (d >= this->Fluid.Support())
   {
     return;
   }
-  const double t = std::max(0.0, s);
-  const double psi = std::pow(t, 6) * (3.5 - 4.5 * t + 1.5 * t * t);
-  const double q = d < 0.0 ? psi : 1.0 - psi;
-  const double q1 = inverse * std::pow(t, 5) * (21.0 - 31.5 * t + 12.0 * t * t);
-  const double q2 = (d < 0.0 ? 1.0 : -1.0) * inverse * inverse * std::pow(t, 4) *
-                    (105.0 - 189.0 * t + 84.0 * t * t);
-  const std::size_t p = this->ParticleStride;
-  const double wall = 1.0 - this->Psi[i];
-  double w1[3];
-  for (int a = 0; a < 3; ++a)
-  {
-    w1[a] = -this->PsiGradient[a * p + i];
-  }
   constexpr int First[6] = { 0, 0, 0, 1, 1, 2 };
   constexpr int Second[6] = { 0, 1, 2, 1, 2, 2 };
+  const std::size_t p = this->ParticleStride;
+  SurfaceShare share;
+  share.Value = this->Psi[i];
   for (int k = 0; k < 6; ++k)
   {
-    const int a = First[k];
-    const int b = Second[k];
-    const double w2 = -this->PsiHessian[k * p + i];
-    const double o2 = q2 * normal[a] * normal[b] + q1 * curve[k];
-    this->PsiHessian[k * p + i] =
-      static_cast<float>(-(w2 * q + wall * o2 + q1 * (w1[a] * normal[b] + w1[b] * normal[a])));
+    share.Hessian(First[k], Second[k]) = share.Hessian(Second[k], First[k]) =
+      this->PsiHessian[k * p + i];
   }
   for (int a = 0; a < 3; ++a)
   {
-    this->PsiGradient[a * p + i] = static_cast<float>(-(w1[a] * q + wall * q1 * normal[a]));
+    share.Gradient[a] = this->PsiGradient[a * p + i];
   }
-  this->Psi[i] = static_cast<float>(1.0 - wall * q);
+  share.Add(this->Fluid, d, normal, curvature);
+  this->Psi[i] = static_cast<float>(share.Value);
+  for (int k = 0; k < 6; ++k)
+  {
+    this->PsiHessian[k * p + i] = static_cast<float>(share.Hessian(First[k], Second[k]));
+  }
+  for (int a = 0; a < 3; ++a)
+  {
+    this->PsiGradient[a * p + i] = static_cast<float>(share.Gradient[a]);
+  }
   if (i < this->Model.NumberOfGas && d < SpringReach)
   {
     const double depth = SpringReach - d;
@@ -139,7 +135,7 @@ void FrameTerms::AddObstacle(std::size_t i, int frame)
     for (int k = 0; k < 6; ++k)
     {
       this->SpringSlope[k * p + i] +=
-        static_cast<float>(SpringStiffness * (depth * depth * curve[k] -
+        static_cast<float>(SpringStiffness * (depth * depth * curvature(First[k], Second[k]) -
                                               2.0 * depth * normal[First[k]] * normal[Second[k]]));
     }
   }
@@ -159,6 +155,7 @@ void FrameTerms::AddWalls(int frame)
                       this->ParticleRows(this->PsiGradient), this->ParticleRows(this->PsiHessian));
   std::fill(this->SpringSlope.begin(), this->SpringSlope.end(), 0.0f);
   constexpr int Diagonal[3] = { 0, 3, 5 };
+  constexpr auto reach = static_cast<float>(SpringReach);
   for (int a = 0; a < 3; ++a)
   {
     const float* x = this->X.data() + a * p;
@@ -166,8 +163,8 @@ void FrameTerms::AddWalls(int frame)
     float* slope = this->SpringSlope.data() + Diagonal[a] * p;
     for (std::size_t i = 0; i < this->Model.NumberOfGas; ++i)
     {
-      const float low = std::max(0.0f, SpringReach - x[i]);
-      const float high = std::max(0.0f, SpringReach - (box.Max[a] - x[i]));
+      const float low = std::max(0.0f, reach - x[i]);
+      const float high = std::max(0.0f, reach - (box.Max[a] - x[i]));
       force[i] = SpringStiffness * (low * low - high * high);
       slope[i] = -2.0f * SpringStiffness * (low + high);
     }
@@ -179,6 +176,12 @@ void FrameTerms::AddWalls(int frame)
     {
       this->AddObstacle(i, frame);
     }
+  }
+  if (!this->Model.Rest.IsEmpty())
+  {
+    this->Kernels.Rest(this->Model.Rest.View(), p, this->X.data(), this->X.data() + p,
+                       this->X.data() + 2 * p, this->Psi.data(),
+                       this->ParticleRows(this->PsiGradient), this->ParticleRows(this->PsiHessian));
   }
 }
 

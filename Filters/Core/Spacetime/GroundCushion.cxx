@@ -14,18 +14,13 @@ struct Surface
 {
   double Distance = 0.0;
   Vec3 Normal = Vec3::UnitZ();
-  Eigen::Matrix3d Curvature = Eigen::Matrix3d::Zero(); // second derivatives of the distance
+  Mat3 Curvature = Mat3::Zero(); // second derivatives of the distance
 };
 
 Surface ObstacleSurface(const SpacetimeModel& model, int frame, const Vec3& position)
 {
-  const Eigen::Vector3f p = position.cast<float>();
-  float normal[3], curve[6];
   Surface surface;
-  surface.Distance = model.Obstacles.Evaluate(p.data(), frame, normal, curve);
-  surface.Normal = Vec3(normal[0], normal[1], normal[2]);
-  surface.Curvature << curve[0], curve[1], curve[2], curve[1], curve[3], curve[4], curve[2],
-    curve[4], curve[5];
+  surface.Distance = model.Obstacles.Evaluate(position, frame, surface.Normal, surface.Curvature);
   return surface;
 }
 

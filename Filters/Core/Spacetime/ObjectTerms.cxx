@@ -45,10 +45,11 @@ double ClearanceTerms(const SpacetimeModel& model, int frame, double scale, cons
     }
     if (!model.Obstacles.IsEmpty())
     {
-      const float p[3] = { state[i], state[stride + i], state[2 * stride + i] };
-      float normal[3], curve[6];
+      const Vec3 p(state[i], state[stride + i], state[2 * stride + i]);
+      Vec3 normal;
+      Mat3 curvature;
       const double depth = ObstacleClearance(model, frame, o) + Margin -
-                           model.Obstacles.Evaluate(p, frame, normal, curve);
+                           model.Obstacles.Evaluate(p, frame, normal, curvature);
       if (depth > 0.0)
       {
         sum += 0.5 * weight * depth * depth;

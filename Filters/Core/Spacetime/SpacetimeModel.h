@@ -5,6 +5,7 @@
 
 #include "Base/ForceFields.h"
 #include "Particles/ObstacleField.h"
+#include "Particles/RestDensity.h"
 #include "Particles/SphFluid.h"
 
 #include <array>
@@ -14,6 +15,9 @@
 
 namespace waft
 {
+
+/// Gas nearer to a wall or an obstacle is pushed off by a soft spring; none starts there [dx].
+constexpr double SpringReach = 0.3;
 
 /// Weights of Eq. 2 and Eq. 4 and of the terms beside them. E is half the weighted sum of squares
 /// of residuals in dx and dx / frame.
@@ -89,6 +93,8 @@ struct SpacetimeModel
   std::array<int, 3> WindNodes{ 0, 0, 0 }; // of its lattice; zero: from Size
   SplineWind Background;                   // the user's
   ObstacleField Obstacles;
+  RestDensity
+    Rest; // what the gas lattice lacks beside walls, and beside obstacles that stand still
 
   std::size_t NumberOfBodies() const { return this->NumberOfGas + this->NumberOfObjects; }
   std::size_t NumberOfParticles() const

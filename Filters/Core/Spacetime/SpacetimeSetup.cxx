@@ -3,6 +3,7 @@
 
 #include "Obstacles/Rest.h"
 #include "Particles/GasLattice.h"
+#include "Particles/SphSurfaces.h"
 #include "Spacetime/ConstraintSetup.h"
 #include "Spacetime/VortexSelection.h"
 
@@ -111,6 +112,30 @@ bool IsGround(const ObstacleMesh& obstacle, const Box& volume, double& top)
          low.z() <= volume.Min.z() + slack && top < volume.Max.z();
 }
 
+// The lattice's sites that obstacles leave free; sets the model's Rest.
+std::vector<Vec3> FillWithGas(const GasLattice& lattice, SpacetimeModel& model)
+{
+  SphVolume volume(model.Size);
+  // Where obstacles move no gas is at rest beside them; the walls' share is right all the same.
+  volume.Obstacles = model.Obstacles.IsMoving() ? nullptr : &model.Obstacles;
+  std::vector<Vec3> gas;
+  std::vector<char> isThere;
+  std::vector<double> surfaces;
+  for (const Vec3& point : lattice.Points())
+  {
+    const bool isFree =
+      model.Obstacles.IsEmpty() || model.Obstacles.Distance(point, 0) > SpringReach;
+    if (isFree)
+    {
+      gas.push_back(point);
+    }
+    isThere.push_back(isFree || model.Obstacles.IsMoving() ? 1 : 0);
+    surfaces.push_back(SurfaceDensity(model.Fluid, volume, point).Value);
+  }
+  model.Rest.Build(lattice, model.Fluid, isThere, surfaces);
+  return gas;
+}
+
 Result SetUpVolume(const SpacetimeInput& input, const SpacetimeOptions& options,
                    SpacetimeSetup& setup, std::vector<int>& grounds)
 {
@@ -168,14 +193,7 @@ Result SetUpVolume(const SpacetimeInput& input, const SpacetimeOptions& options,
   model.Fluid.ObjectViscosity = 0.0;
   model.Fluid.GasMass = lattice.ParticleMass(model.Fluid);
 
-  std::vector<Vec3> gas;
-  for (const Vec3& point : lattice.Points())
-  {
-    if (model.Obstacles.IsEmpty() || model.Obstacles.Distance(point, 0) > 0.25)
-    {
-      gas.push_back(point);
-    }
-  }
+  const std::vector<Vec3> gas = FillWithGas(lattice, model);
   model.NumberOfGas = gas.size();
   model.NumberOfObjects = input.Tracks.size();
   if (gas.size() < 27)

@@ -4,7 +4,9 @@
 // Options: --seeds n (1..n) or --seed s, --threads n, --frames n, --objects n, --particles n (of an
 // object), --gas-scale f (an axis), --stride4 n --stride2 n --stride1 n (iterations), --history m,
 // --every n (iterations a line), --evaluate 1 (nothing but the cost of an evaluation),
-// --letters n (instead: n planned leaves that land as a word).
+// --letters n (instead: n planned leaves that land as a word), --ceres n (instead: a small problem
+// solved by n iterations of Ceres and by Waft).
+#include "CeresRun.h"
 #include "LettersRun.h"
 #include "StandardRun.h"
 
@@ -63,6 +65,31 @@ void PrintCost(const StandardProblem& problem, const StateVector& state, const c
   std::fflush(stdout);
 }
 
+// 64 gas particles and 5 objects over 15 frames, unless told otherwise.
+int PrintCeres(int argc, char** argv, int iterations, const ParallelFor& parallel)
+{
+  const int side = static_cast<int>(Argument(argc, argv, "--side", 4));
+  StandardProblem problem;
+  problem.Gas = { side, side, side };
+  problem.Seed = static_cast<std::uint64_t>(Argument(argc, argv, "--seed", 1));
+  problem.NumberOfObjects = static_cast<int>(Argument(argc, argv, "--objects", 5));
+  problem.ParticlesPerObject = static_cast<int>(Argument(argc, argv, "--particles", 5));
+  problem.NumberOfFrames = static_cast<int>(Argument(argc, argv, "--frames", 15));
+  problem.Build();
+  const int own = static_cast<int>(Argument(argc, argv, "--stride1", 2000));
+  const CeresComparison result = CompareWithCeres(problem, own, iterations, parallel);
+  std::printf("%zu gas + %zu x %zu object particles, %d frames; E at the start %.6g\n",
+              problem.Model.NumberOfGas, problem.Model.NumberOfObjects,
+              problem.Model.Offsets.size(), problem.Model.NumberOfFrames, result.Start);
+  for (const auto& [name, end] :
+       { std::pair("Ceres", result.Ceres), std::pair("Waft", result.Waft) })
+  {
+    std::printf("%-5s E %.6g, %.2f s CPU, %d evaluations\n", name, end.Cost, end.Seconds,
+                end.Evaluations);
+  }
+  return 0;
+}
+
 double Median(std::vector<double> values)
 {
   std::sort(values.begin(), values.end());
@@ -78,6 +105,10 @@ int main(int argc, char** argv)
   if (const int leaves = static_cast<int>(Argument(argc, argv, "--letters", 0)); leaves > 0)
   {
     return RunLetters(leaves, parallel);
+  }
+  if (const int iterations = static_cast<int>(Argument(argc, argv, "--ceres", 0)); iterations > 0)
+  {
+    return PrintCeres(argc, argv, iterations, parallel);
   }
   const bool portable = Argument(argc, argv, "--portable", 0) != 0;
   const SphKernelTable& kernels = portable ? PortableSphKernels() : FastestSphKernels();

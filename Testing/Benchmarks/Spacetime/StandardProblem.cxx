@@ -102,6 +102,7 @@ void StandardProblem::Build()
   model.Fluid.ObjectViscosity = 1.0;
   model.Fluid.GasMass = lattice.ParticleMass(model.Fluid);
   model.Fluid.ObjectMass = 0.1 * model.Fluid.GasMass;
+  model.Rest.Build(lattice, model.Fluid);
   model.Weights.Position = 1.0;
   model.Weights.Velocity = 1.0;
   model.Weights.Coherence = 0.1;

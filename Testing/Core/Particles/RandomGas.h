@@ -3,25 +3,33 @@
 
 #include "Base/Random.h"
 #include "Particles/GasLattice.h"
+#include "Particles/RestDensity.h"
 #include "Particles/SphReference.h"
 
 namespace waft
 {
 
-/// A disturbed lattice of n^3 gas particles with a few object particles in it.
+/// A disturbed lattice of n^3 gas particles, or of given cells, with a few object particles in it.
 struct RandomGas
 {
   SphFluid Fluid;
   Vec3 Size = Vec3::Ones();
+  RestDensity Rest;
   SphState State;
 
-  explicit RandomGas(int n, int objects, double disturbance, std::uint64_t seed = 1)
+  explicit RandomGas(int n, int objects, double disturbance, std::uint64_t seed = 1) :
+    RandomGas(std::array<int, 3>{ n, n, n }, objects, disturbance, seed)
+  {
+  }
+  RandomGas(const std::array<int, 3>& cells, int objects, double disturbance,
+            std::uint64_t seed = 1)
   {
     this->Fluid.ObjectViscosity = 0.4;
-    const GasLattice lattice = GasLattice::Make(Box{ Vec3::Zero(), Vec3::Ones() }, { n, n, n });
+    const GasLattice lattice = GasLattice::Make(Box{ Vec3::Zero(), Vec3::Ones() }, cells);
     this->Fluid.GasMass = lattice.ParticleMass(this->Fluid);
     this->Fluid.ObjectMass = 0.1 * this->Fluid.GasMass;
     this->Size = lattice.SizeInSpacings();
+    this->Rest.Build(lattice, this->Fluid);
     this->State.Positions = lattice.Points();
     this->State.NumberOfGas = this->State.Positions.size();
     Random random(seed);
@@ -37,6 +45,21 @@ struct RandomGas
       this->State.Velocities.push_back(0.1 *
                                        Vec3(random.Normal(), random.Normal(), random.Normal()));
     }
+  }
+
+  /// The box with what the lattice lacks beside its walls.
+  SphVolume Volume() const
+  {
+    SphVolume volume(this->Size);
+    volume.Rest = &this->Rest;
+    return volume;
+  }
+
+  SphVolume Volume(const ObstacleField& obstacles) const
+  {
+    SphVolume volume = this->Volume();
+    volume.Obstacles = &obstacles;
+    return volume;
   }
 
   SphState RandomChange(std::uint64_t seed) const

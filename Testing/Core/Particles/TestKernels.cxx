@@ -147,9 +147,10 @@ TEST(SphKernels, EqualTheReferenceAwayFromWalls)
   }
 }
 
-TEST(SphKernels, WallsEqualTheReference)
+TEST(SphKernels, WallsAndTheRestDensityEqualTheReference)
 {
-  const RandomGas gas(5, 0, 0.1);
+  const RandomGas gas({ 5, 6, 5 }, 0, 0.1);
+  const SphVolume volume = gas.Volume();
   Random random(3);
   constexpr std::size_t n = 160;
   std::vector<float> x[3];
@@ -173,21 +174,21 @@ TEST(SphKernels, WallsEqualTheReference)
     std::vector<float> psi(n), gradient(3 * n), hessian(6 * n);
     table->Walls(gas.Fluid.Constants(), box, n, x[0].data(), x[1].data(), x[2].data(), psi.data(),
                  { gradient.data(), n }, { hessian.data(), n });
+    table->Rest(gas.Rest.View(), n, x[0].data(), x[1].data(), x[2].data(), psi.data(),
+                { gradient.data(), n }, { hessian.data(), n });
     for (std::size_t i = 0; i < n; ++i)
     {
-      Vec3 g;
-      Mat3 h;
-      const double expected = WallFraction(gas.Fluid, gas.Size, points[i], g, h);
-      EXPECT_NEAR(psi[i], expected, 3e-6);
+      const SurfaceShare expected = SurfaceDensity(gas.Fluid, volume, points[i]);
+      EXPECT_NEAR(psi[i], expected.Value, 3e-6);
       constexpr int First[6] = { 0, 0, 0, 1, 1, 2 };
       constexpr int Second[6] = { 0, 1, 2, 1, 2, 2 };
       for (int k = 0; k < 6; ++k)
       {
-        EXPECT_NEAR(hessian[k * n + i], h(First[k], Second[k]), 2e-5) << k;
+        EXPECT_NEAR(hessian[k * n + i], expected.Hessian(First[k], Second[k]), 2e-5) << k;
       }
       for (int c = 0; c < 3; ++c)
       {
-        EXPECT_NEAR(gradient[c * n + i], g[c], 1e-5);
+        EXPECT_NEAR(gradient[c * n + i], expected.Gradient[c], 1e-5);
       }
     }
   }

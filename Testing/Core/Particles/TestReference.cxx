@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Primitives.h"
 #include "Particles/SphReference.h"
 #include "RandomGas.h"
 
@@ -20,17 +21,30 @@ SphState Moved(const SphState& state, const SphState& change, double step)
   return moved;
 }
 
+// In the midst of the gas, so that most of it feels walls, obstacle and the rest density.
+ObstacleField BallIn(const RandomGas& gas)
+{
+  ObstacleMesh ball;
+  ball.Mesh = MakeSphere(0.5 * gas.Size, 0.9);
+  ObstacleField field;
+  const Result result = field.Build({ ball }, Box{ Vec3::Zero(), gas.Size }, 0.4, 1.0, 3.4, 1);
+  EXPECT_TRUE(result) << result.Message();
+  return field;
+}
+
 } // namespace
 
 TEST(SphReference, TangentEqualsCentralDifferences)
 {
   const RandomGas gas(5, 6, 0.1);
+  const ObstacleField ball = BallIn(gas);
+  const SphVolume volume = gas.Volume(ball);
   const SphState change = gas.RandomChange(3);
   SphRates tangent, high, low;
-  TangentSph(gas.Fluid, gas.Size, gas.State, change, tangent);
+  TangentSph(gas.Fluid, volume, gas.State, change, tangent);
   const double h = 1e-6;
-  EvaluateSph(gas.Fluid, gas.Size, Moved(gas.State, change, h), high);
-  EvaluateSph(gas.Fluid, gas.Size, Moved(gas.State, change, -h), low);
+  EvaluateSph(gas.Fluid, volume, Moved(gas.State, change, h), high);
+  EvaluateSph(gas.Fluid, volume, Moved(gas.State, change, -h), low);
   for (std::size_t i = 0; i < gas.State.Positions.size(); ++i)
   {
     const Vec3 a = (high.Accelerations[i] - low.Accelerations[i]) / (2.0 * h);
@@ -47,14 +61,16 @@ TEST(SphReference, AdjointIsTheTransposeOfTheTangent)
   {
     RandomGas gas(5, 6, 0.1);
     gas.Fluid.Gamma = gamma;
+    const ObstacleField ball = BallIn(gas);
+    const SphVolume volume = gas.Volume(ball);
     const SphState change = gas.RandomChange(3);
     const SphState other = gas.RandomChange(4);
     SphRates tangent, weights;
     weights.Accelerations = other.Positions;
     weights.Averages = other.Velocities;
     SphState adjoint;
-    TangentSph(gas.Fluid, gas.Size, gas.State, change, tangent);
-    AdjointSph(gas.Fluid, gas.Size, gas.State, weights, adjoint);
+    TangentSph(gas.Fluid, volume, gas.State, change, tangent);
+    AdjointSph(gas.Fluid, volume, gas.State, weights, adjoint);
     double left = 0.0, right = 0.0, scale = 0.0;
     for (std::size_t i = 0; i < change.Positions.size(); ++i)
     {
@@ -77,7 +93,7 @@ TEST(SphReference, PairsConserveMomentum)
     x += Vec3::Constant(20.0);
   }
   SphRates rates;
-  EvaluateSph(gas.Fluid, gas.Size + Vec3::Constant(40.0), gas.State, rates);
+  EvaluateSph(gas.Fluid, SphVolume(gas.Size + Vec3::Constant(40.0)), gas.State, rates);
   Vec3 sum = Vec3::Zero();
   double scale = 0.0;
   for (std::size_t i = 0; i < gas.State.Positions.size(); ++i)
@@ -141,9 +157,9 @@ TEST(SphReference, ApproachingParticlesAreBraked)
   state.Positions = { Vec3(10.0, 10.0, 10.0), Vec3(11.0, 10.0, 10.0) };
   state.Velocities = { Vec3(0.3, 0.0, 0.0), Vec3(-0.3, 0.0, 0.0) };
   SphRates moving, still;
-  EvaluateSph(fluid, Vec3::Constant(20.0), state, moving);
+  EvaluateSph(fluid, SphVolume(Vec3::Constant(20.0)), state, moving);
   state.Velocities = { Vec3::Zero(), Vec3::Zero() };
-  EvaluateSph(fluid, Vec3::Constant(20.0), state, still);
+  EvaluateSph(fluid, SphVolume(Vec3::Constant(20.0)), state, still);
   EXPECT_LT(moving.Accelerations[0].x(), still.Accelerations[0].x() - 1e-3);
   // And the velocity average draws the velocities together (Eq. 10).
   EXPECT_LT(moving.Averages[0].x(), 0.0);

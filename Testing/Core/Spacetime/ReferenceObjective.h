@@ -115,7 +115,7 @@ public:
       if (gradient)
       {
         SphState adjoint;
-        AdjointSph(this->Model.Fluid, this->Model.Size, particles, bars, adjoint);
+        AdjointSph(this->Model.Fluid, this->Volume(j), particles, bars, adjoint);
         for (std::size_t i = 0; i < bodies; ++i)
         {
           const std::size_t per = i < this->Model.NumberOfGas ? 1 : this->Model.Offsets.size();
@@ -145,6 +145,14 @@ private:
         }
       }
     }
+  }
+  SphVolume Volume(int j) const
+  {
+    SphVolume volume(this->Model.Size);
+    volume.Rest = &this->Model.Rest;
+    volume.Obstacles = &this->Model.Obstacles;
+    volume.Frame = j;
+    return volume;
   }
   std::size_t First(std::size_t body) const
   {
@@ -181,7 +189,7 @@ private:
         particles.Velocities.emplace_back(q + 3);
       }
     }
-    EvaluateSph(this->Model.Fluid, this->Model.Size, particles, rates);
+    EvaluateSph(this->Model.Fluid, this->Volume(j), particles, rates);
     std::vector<Vec3> a;
     for (std::size_t i = 0; i < bodies; ++i)
     {

@@ -4,6 +4,7 @@
 #include "Spacetime/GroundCushion.h"
 #include "Spacetime/SpacetimeSetup.h"
 #include "SpacetimeScenes.h"
+#include "StandardProblem.h"
 
 #include <gtest/gtest.h>
 
@@ -22,6 +23,39 @@ SpacetimeSetup MakeProblem(const SpacetimeInput& input)
   EXPECT_TRUE(result) << result.Message();
   return setup;
 }
+
+/// How far gas goes from its first places in so many frames of plain simulation [dx], and its
+/// largest acceleration on the way [dx / frame^2].
+struct Drift
+{
+  double Moved = 0.0, Accelerated = 0.0;
+
+  Drift(const SpacetimeModel& model, const StateVector& start, int frames)
+  {
+    const TimeLevel level = TimeLevel::Full(model.NumberOfFrames, 1);
+    SpacetimeObjective objective(model, level, SerialFor(), FastestSphKernels());
+    StateVector state(start.begin(), start.begin() + model.FrameSize());
+    state.resize(start.size());
+    for (int j = 0; j < frames; ++j)
+    {
+      FrameTerms& terms = objective.ForwardFrame(state, 0);
+      for (int c = 0; c < 3; ++c)
+      {
+        float* x = state.data() + c * model.Stride();
+        float* v = x + 3 * model.Stride();
+        for (std::size_t i = 0; i < model.NumberOfGas; ++i)
+        {
+          const float a = terms.Acceleration(c)[i];
+          v[i] += a;
+          x[i] += v[i];
+          this->Accelerated = std::max<double>(this->Accelerated, std::abs(a));
+          this->Moved =
+            std::max<double>(this->Moved, std::abs(x[i] - start[c * model.Stride() + i]));
+        }
+      }
+    }
+  }
+};
 
 double* Component(Vec3& v, int c)
 {
@@ -133,6 +167,41 @@ TEST(LandingCushion, StopsASettlingLeafSoftlyAboveTheFloor)
   EXPECT_LT(frames, 60);
   EXPECT_LT(v.norm(), 0.5 * model.SettlingSlip(0));
   EXPECT_LT(hardest, 15.0 * model.Gravities[0]);
+}
+
+TEST(GasAtRest, StaysWhereItIsBesideWallsAndAPillar)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 6;
+  SpacetimeInput input = MakeScene(scene);
+  input.Vortices.clear();
+  ObstacleMesh pillar;
+  pillar.ObstacleId = 1;
+  pillar.Mesh = BoxMesh(Vec3(-0.4, -0.5, -0.1), Vec3(0.5, 0.3, 2.5));
+  input.Obstacles.push_back(pillar);
+  SpacetimeSetup setup = MakeProblem(input);
+  SpacetimeModel& model = setup.Model;
+  model.Fluid.ObjectMass = 1e-9; // the gas does not know of the objects
+  ASSERT_FALSE(model.Obstacles.IsEmpty());
+  const Drift drift(model, setup.Start, 300);
+  EXPECT_LT(drift.Accelerated, 2e-6); // rounding of single precision
+  EXPECT_LT(drift.Moved, 2e-3);
+  // It is the rest density that does it.
+  model.Rest = RestDensity();
+  EXPECT_GT(Drift(model, setup.Start, 1).Accelerated, 1e-2);
+}
+
+TEST(GasAtRest, StaysWhereItIsInTheStandardProblem)
+{
+  StandardProblem problem; // 13 x 14 x 14 particles
+  problem.NumberOfFrames = 4;
+  problem.NumberOfObjects = 1;
+  problem.Build();
+  problem.Model.Vortices.clear();
+  problem.Model.Fluid.ObjectMass = 1e-9;
+  const Drift drift(problem.Model, problem.Start, 300);
+  EXPECT_LT(drift.Accelerated, 2e-6);
+  EXPECT_LT(drift.Moved, 2e-3);
 }
 
 TEST(StartGas, MovesTheAirWithTheObjectsAndKeepsItsDynamics)

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CeresRun.h"
+
+#include "ReferenceObjective.h"
+#include "Spacetime/Lbfgs.h"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <ctime>
+
+namespace waft
+{
+namespace
+{
+
+using test::ReferenceObjective;
+
+double Seconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+// The unknowns with gas that left the box put back to its walls.
+std::vector<double> Held(const SpacetimeModel& model, const double* z, std::size_t size)
+{
+  std::vector<double> held(z, z + size);
+  for (std::size_t k = 0; k < size; ++k)
+  {
+    if (k / 6 % model.NumberOfBodies() < model.NumberOfGas && k % 6 < 3)
+    {
+      held[k] = std::clamp(held[k], 0.0, model.Size[static_cast<int>(k % 6)]);
+    }
+  }
+  return held;
+}
+
+class Cost : public ceres::FirstOrderFunction
+{
+public:
+  Cost(const SpacetimeModel& model, int& evaluations) :
+    Model(model), Reference(model), Evaluations(evaluations)
+  {
+  }
+  bool Evaluate(const double* z, double* cost, double* gradient) const override
+  {
+    ++this->Evaluations;
+    const std::vector<double> held = Held(this->Model, z, this->Reference.Size());
+    *cost = this->Reference.Evaluate(held.data(), gradient);
+    for (std::size_t k = 0; k < held.size() && gradient; ++k)
+    {
+      const std::size_t frame = k / 6 / this->Model.NumberOfBodies();
+      const std::size_t body = k / 6 % this->Model.NumberOfBodies();
+      const bool isFixed =
+        body >= this->Model.NumberOfGas && k % 6 < 3 &&
+        (this->Model.Flag(static_cast<int>(frame), body - this->Model.NumberOfGas) & FixedPosition);
+      gradient[k] = isFixed || held[k] != z[k] ? 0.0 : gradient[k];
+    }
+    return true;
+  }
+  int NumParameters() const override { return static_cast<int>(this->Reference.Size()); }
+
+private:
+  const SpacetimeModel& Model;
+  ReferenceObjective Reference;
+  int& Evaluations;
+};
+
+} // namespace
+
+CeresComparison CompareWithCeres(StandardProblem& problem, int iterations, int ceresIterations,
+                                 const ParallelFor& parallel)
+{
+  SpacetimeModel& model = problem.Model;
+  model.Weights.Separation = 0.0;
+  const ReferenceObjective reference(model);
+  CeresComparison result;
+
+  std::vector<double> z = reference.From(problem.Start);
+  result.Start = reference.Evaluate(z.data(), nullptr);
+  ceres::GradientProblem ceresProblem(new Cost(model, result.Ceres.Evaluations));
+  ceres::GradientProblemSolver::Options options;
+  options.max_num_iterations = ceresIterations;
+  options.function_tolerance = 1e-9;
+  options.logging_type = ceres::SILENT;
+  ceres::GradientProblemSolver::Summary summary;
+  double from = Seconds();
+  ceres::Solve(options, ceresProblem, z.data(), &summary);
+  result.Ceres.Seconds = Seconds() - from;
+  z = Held(model, z.data(), z.size());
+  result.Ceres.Cost = reference.Evaluate(z.data(), nullptr);
+
+  const TimeLevel level = TimeLevel::Full(model.NumberOfFrames, 1);
+  from = Seconds();
+  SpacetimeObjective objective(model, level, parallel, FastestSphKernels());
+  const TimelinePreconditioner preconditioner(model, level, parallel);
+  HardConstraints constraints(model, level, problem.Table, parallel);
+  Lbfgs solver(level.NumberOfFrames(), model.FrameSize(), parallel, 10);
+  LbfgsOptions lbfgs;
+  lbfgs.MaximumNumberOfIterations = iterations;
+  lbfgs.Tolerance = 0.0;
+  StateVector state = problem.Start;
+  const auto count = [&](int, const SpacetimeTerms&)
+  {
+    ++result.Waft.Evaluations;
+    return true;
+  };
+  (void)solver.Minimize(objective, preconditioner, constraints, lbfgs, count, nullptr, state);
+  result.Waft.Seconds = Seconds() - from;
+  z = reference.From(state);
+  result.Waft.Cost = reference.Evaluate(z.data(), nullptr);
+  return result;
+}
+
+} // namespace waft
