@@ -134,10 +134,14 @@ class Command(unittest.TestCase):
     def test_unknown_command_and_option(self):
         self.assertEqual(2, run("fly").returncode)
         for option, value, part in (("--seed", "x", "whole number"), ("--seed", "-1", "from 0"),
-                                    ("--threads", "0", "1 or more"), ("--time-limit", "nan", "positive")):
+                                    ("--threads", "0", "1 or more"), ("--time-limit", "nan", "positive"),
+                                    ("--memory-limit", "0", "positive")):
             done = run("synthesize", self.scene(), "--output", self.folder / "o", option, value)
             self.assertEqual(2, done.returncode)
             self.assertRegex(done.stderr, f"{option}: expected .*{part}.*, found '{value}'")
+
+    def test_a_memory_limit_that_is_too_low_is_named(self):
+        self.refused(self.scene(), "MemoryLimit", "at least", options=("--memory-limit", 1))
 
     def test_same_bytes_on_one_and_two_threads(self):
         def change(scene):

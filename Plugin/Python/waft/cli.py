@@ -60,6 +60,8 @@ def parser():
     make.add_argument("--seed", type=seed, help="instead of the scene's")
     make.add_argument("--threads", type=positive_int, help="default: all cores; the result is the same")
     make.add_argument("--time-limit", type=positive, metavar="S", help="seconds; the best so far is written")
+    make.add_argument("--memory-limit", type=positive, metavar="MB",
+                      help="of the optimiser: what does not fit is solved window by window, slower")
     make.add_argument("--preview", action="store_true", help="coarse optimisation, for a quick look")
     make.add_argument("--resume", action="store_true", help="go on from what an earlier run left in DIR")
     make.add_argument("--meshes", action="store_true", help="also meshes.pvd: all meshes posed, a file a frame")
@@ -104,7 +106,8 @@ def run_synthesize(options):
 
     run = synthesize(options.scene, output=options.output, database=options.database, seed=options.seed,
                      threads=options.threads, time_limit=options.time_limit, preview=options.preview,
-                     resume=options.resume, quiet=False, meshes=options.meshes)
+                     resume=options.resume, quiet=False, meshes=options.meshes,
+                     memory_limit=options.memory_limit)
     tell(run, options.output)
     return run.status
 

@@ -23,7 +23,8 @@ def set_threads(threads):
 
 
 def synthesize(scene, output=None, database=None, seed=None, threads=None, time_limit=None,
-               preview=False, resume=False, quiet=True, checkpoint_interval=None, meshes=False):
+               preview=False, resume=False, quiet=True, checkpoint_interval=None, meshes=False,
+               memory_limit=None):
     """Plans, optimises and turns the objects of a scene; returns the live Pipeline of proxies.
 
     scene: path of a *.waft.json file. output: a folder for the files of `waft synthesize` (none: nothing
@@ -31,8 +32,9 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
     of the scene's. threads: number of threads (default all; the result is the same). time_limit: seconds.
     preview: a coarse optimisation, for a quick look. resume: goes on from where an earlier run with the
     same inputs was stopped or killed, to the same motion as if it had not been; what it left is in the folder
-    `checkpoint` of output. checkpoint_interval: seconds between two writings there (none: the filter's own). meshes: also writes meshes.pvd, all
-    meshes posed, a file a frame.
+    `checkpoint` of output. checkpoint_interval: seconds between two writings there (none: the filter's own).
+    meshes: also writes meshes.pvd, all meshes posed, a file a frame. memory_limit: megabytes that the optimiser
+    may take (none: as many as it needs).
 
     The Pipeline has, besides the proxies: status (exit status of the command), report (the constraints,
     one dictionary per row), warnings. Raises BadInput on malformed input; nothing is written then.
@@ -52,7 +54,7 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
         pipeline.key = run_key(pipeline, preview)
         checkpoint = None if output is None else Checkpoint(output, pipeline.key)
         is_found = resume and checkpoint is not None and checkpoint.is_there()
-        _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval)
+        _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval, memory_limit)
         pipeline.stopped = clock.interrupted or clock.timed_out
     pipeline.report = constraint_report(pipeline)
     pipeline.warnings = [text for watch in pipeline.watches.values() for text in watch.errors + watch.warnings]
@@ -68,7 +70,7 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
     return pipeline
 
 
-def _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval):
+def _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval, memory_limit):
     if is_found:
         checkpoint.take_plan(pipeline)
     else:
@@ -87,6 +89,8 @@ def _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval):
         pipeline.spacetime.NumberOfGasParticles = 600
         pipeline.spacetime.LeashIterations = 5
         pipeline.spacetime.MaximumNumberOfIterations = 20
+    if memory_limit is not None:
+        pipeline.spacetime.MemoryLimit = memory_limit
     if checkpoint is not None:
         pipeline.spacetime.CheckpointFile = str(checkpoint.state_file)
         if checkpoint_interval is not None:
