@@ -147,6 +147,7 @@ def _write_shapes(path):
         fields = surface.GetFieldData()
         add(fields, "Color", [[1.0, 1.0, 1.0]])
         add(fields, "AreaDensity", [density])
+        add(fields, "Opacity", [0.35 if density < 0.01 else 1.0])
         names = vtkStringArray()
         names.SetName("Texture")
         names.InsertNextValue(texture)
