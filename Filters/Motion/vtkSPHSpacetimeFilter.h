@@ -164,7 +164,7 @@ public:
   vtkGetMacro(LeashIterations, int);
   ///@}
   ///@{
-  /** Iterations of each pass; the two stages at the end, over all frames, have a third each.
+  /** Iterations: half of them on every fourth frame, a third in each stage on every second frame and on all.
    * 1 to 100000. */
   vtkSetClampMacro(MaximumNumberOfIterations, int, 1, 100000);
   vtkGetMacro(MaximumNumberOfIterations, int);

@@ -182,7 +182,8 @@ void AdjointStateSum(const SphConstants& c, const SphRecord* records,
   const float* adjointBase = &adjoints->AX;
   const Lanes zero = Lanes::Set(0.0f);
   const Lanes one = Lanes::Set(1.0f);
-  const Lanes tiny = Lanes::Set(1e-12f);
+  const Lanes tiny = Lanes::Set(1e-6f);
+  const Lanes support = Lanes::Set(1.0f / c.InverseSupport);
   const Lanes core = Lanes::Set(c.ViscousCore);
   const Lanes gradient = Lanes::Set(c.GradientScale);
   const Lanes second = Lanes::Set(c.SecondScale);
@@ -221,10 +222,14 @@ void AdjointStateSum(const SphConstants& c, const SphRecord* records,
       const Lanes s = Lanes::Load(pairs.S + 8 * k);
       const Lanes u = ui - w[0], v = vi - w[1], t = wi - w[2];
       const Lanes r2 = Fma(x, x, Fma(y, y, z * z));
-      const Lanes r = Sqrt(Max(r2, tiny));
+      // s = 1 - r / 2h gives r back; one division does for 1 / r and 1 / (r^2 + core).
+      const Lanes r = Max(Fnma(s, support, support), tiny);
+      const Lanes near = r2 + core;
+      const Lanes both = one / (r * near);
+      const Lanes guard = both * r;
       const Lanes s2 = s * s;
       const Lanes F = gradient * (s2 * s);
-      const Lanes G = second * (s2 / r);
+      const Lanes G = (second * s2) * (both * near);
       const Lanes W = (s2 * s2) * Fnma(kernel4, s, kernel5);
       const Lanes bx = Fnma(mi, b[0], ai);
       const Lanes by = Fnma(mi, b[1], bi);
@@ -235,7 +240,6 @@ void AdjointStateSum(const SphConstants& c, const SphRecord* records,
       const Lanes bDotX = Fma(bx, x, Fma(by, y, bz * z));
       const Lanes vDotX = Fma(u, x, Fma(v, y, t * z));
       const Lanes BDotV = Fma(Bx, u, Fma(By, v, Bz * t));
-      const Lanes guard = one / (r2 + core);
       const Lanes approach = vDotX * guard;
       const Lanes tension = Fnma(kappa, approach, pi + w[3]);
       const Lanes viscous = (kappa * F) * (bDotX * guard);

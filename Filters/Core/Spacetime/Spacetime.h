@@ -43,7 +43,7 @@ struct SpacetimeOptions
   int Passes = 2;                   // 1..10 alternations with the force fields
   bool UseLeash = true;
   int LeashIterations = 20; // for each of the five radii
-  /// Of each pass; the two last stages, over all frames after a coarse level, take a third each.
+  /// Half of it on the coarsest level, a third in each of the stages after that; see PlanProgram.
   int MaximumNumberOfIterations = 150;
   double Tolerance = 0.01; // least relative fall of E in 20 iterations; 0: none
   double TimeLimit = 0.0;  // s; 0: none. A limit may break bit-equality

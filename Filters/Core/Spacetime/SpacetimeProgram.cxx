@@ -3,6 +3,7 @@
 
 #include "Spacetime/TimeLevels.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace waft
@@ -10,15 +11,17 @@ namespace waft
 namespace
 {
 
-constexpr int LeashSteps = 5;           // radii 0.01 L 2^k, k = 0..4
-constexpr double FirstLeash = 0.01;     // of L
-constexpr int CoarseStride = 2;         // frames; a larger one lets gas escape
-constexpr double WorthCoarsening = 0.8; // a coarse level has fewer frames than this share of all
+constexpr int LeashSteps = 5;             // radii 0.01 L 2^k, k = 0..4
+constexpr double FirstLeash = 0.01;       // of L
+constexpr int CoarseStrides[] = { 2, 4 }; // frames; on eight, pressure is not the gas' any more
+constexpr double WorthCoarsening = 0.8;   // a level has fewer frames than this share of the next
+constexpr std::size_t FewestFrames = 4;   // of a level
 
-SpacetimeStep Minimise(bool coarse, int pass, std::string name, int iterations, double leash = 0.0)
+SpacetimeStep Minimise(int coarseness, int pass, std::string name, int iterations,
+                       double leash = 0.0)
 {
   SpacetimeStep step;
-  step.IsCoarse = coarse;
+  step.Coarseness = coarseness;
   step.Pass = pass;
   step.Name = std::move(name);
   step.Iterations = iterations;
@@ -26,17 +29,17 @@ SpacetimeStep Minimise(bool coarse, int pass, std::string name, int iterations, 
   return step;
 }
 
-SpacetimeStep Update(bool coarse, int pass, bool vortices)
+SpacetimeStep Update(int coarseness, int pass, bool vortices)
 {
   SpacetimeStep step;
-  step.IsCoarse = coarse;
+  step.Coarseness = coarseness;
   step.IsUpdate = true;
   step.Pass = pass;
   step.FitsVortices = vortices;
   return step;
 }
 
-/// Of each of the two stages that follow large changes made for less work.
+/// Of a stage that follows large changes made for less work.
 int LastIterations(const SpacetimeOptions& options)
 {
   return (options.MaximumNumberOfIterations + 2) / 3;
@@ -45,12 +48,18 @@ int LastIterations(const SpacetimeOptions& options)
 void AddLast(const std::string& name, int pass, int iterations, bool vortices,
              std::vector<SpacetimeStep>& steps)
 {
-  steps.push_back(Minimise(false, pass, name + " a", iterations));
-  steps.push_back(Update(false, pass, vortices));
-  steps.push_back(Minimise(false, pass, name + " b", iterations));
+  steps.push_back(Minimise(0, pass, name + " a", iterations));
+  steps.push_back(Update(0, pass, vortices));
+  steps.push_back(Minimise(0, pass, name + " b", iterations));
 }
 
 } // namespace
+
+TimeLevel SpacetimeProgram::LevelOf(int coarseness, int numberOfFrames, int window) const
+{
+  return coarseness > 0 ? TimeLevel::Make(this->CoarseFrames[coarseness - 1], window)
+                        : TimeLevel::Full(numberOfFrames, window);
+}
 
 double SpacetimeProgram::Work(std::size_t first, int numberOfFrames) const
 {
@@ -58,9 +67,10 @@ double SpacetimeProgram::Work(std::size_t first, int numberOfFrames) const
   for (std::size_t k = first; k < this->Steps.size(); ++k)
   {
     const SpacetimeStep& step = this->Steps[k];
-    const double share =
-      step.IsCoarse ? static_cast<double>(this->CoarseFrames.size()) / numberOfFrames : 1.0;
-    work += share * step.Iterations;
+    const double frames = step.Coarseness > 0
+                            ? static_cast<double>(this->CoarseFrames[step.Coarseness - 1].size())
+                            : numberOfFrames;
+    work += frames / numberOfFrames * step.Iterations;
   }
   return work;
 }
@@ -68,7 +78,7 @@ double SpacetimeProgram::Work(std::size_t first, int numberOfFrames) const
 std::size_t SpacetimeProgram::FirstFine() const
 {
   std::size_t k = 0;
-  while (k < this->Steps.size() && this->Steps[k].IsCoarse)
+  while (k < this->Steps.size() && this->Steps[k].Coarseness > 0)
   {
     ++k;
   }
@@ -93,34 +103,55 @@ SpacetimeProgram PlanProgram(const SpacetimeSetup& setup, const SpacetimeOptions
   const int frames = setup.Model.NumberOfFrames;
   const int iterations = options.MaximumNumberOfIterations;
   SpacetimeProgram program;
-  std::vector<int> coarse = CoarseFrames(setup.Model, setup.Table, CoarseStride);
-  if (static_cast<double>(coarse.size()) < WorthCoarsening * frames && coarse.size() >= 4)
+  double finer = frames;
+  for (const int stride : CoarseStrides)
   {
-    program.CoarseFrames = std::move(coarse);
+    // Cut short, a level of softer gas would leave more than it found.
+    if (stride > CoarseStrides[0] && options.TimeLimit > 0.0)
+    {
+      break;
+    }
+    std::vector<int> coarse = CoarseFrames(setup.Model, setup.Table, stride);
+    const auto size = static_cast<double>(coarse.size());
+    if (!(size < WorthCoarsening * finer) || coarse.size() < FewestFrames)
+    {
+      break;
+    }
+    finer = size;
+    program.CoarseFrames.push_back(std::move(coarse));
   }
-  const bool hasCoarse = !program.CoarseFrames.empty();
-  const std::string suffix = hasCoarse ? ", coarse" : "";
+  const int coarsest = program.Coarsest();
+  const char* const suffixes[] = { "", ", coarse", ", coarser" };
   std::vector<SpacetimeStep>& steps = program.Steps;
   for (int k = 0; k < LeashSteps && options.UseLeash; ++k)
   {
     const double radius = FirstLeash * width * (1 << k);
     char name[64];
     std::snprintf(name, sizeof(name), "leash %.3g m", radius);
-    steps.push_back(Minimise(hasCoarse, 1, name + suffix, options.LeashIterations, radius));
+    steps.push_back(Minimise(coarsest, 1, name + std::string(suffixes[coarsest]),
+                             options.LeashIterations, radius));
   }
+  if (coarsest > 1)
+  {
+    steps.push_back(
+      Minimise(coarsest, 1, std::string("free") + suffixes[coarsest], iterations / 2));
+    steps.push_back(Update(coarsest, 1, false));
+  }
+  const int level = std::min(coarsest, 1);
+  const int half = coarsest > 1 ? LastIterations(options) : iterations / 2;
   for (int pass = 1; pass <= options.Passes; ++pass)
   {
-    const std::string name = "free " + std::to_string(pass) + suffix;
-    if (hasCoarse)
+    const std::string name = "free " + std::to_string(pass) + suffixes[level];
+    if (level > 0)
     {
-      steps.push_back(Minimise(true, pass, name + " a", iterations / 2));
-      steps.push_back(Update(true, pass, false));
+      steps.push_back(Minimise(level, pass, name + " a", half));
+      steps.push_back(Update(level, pass, false));
     }
-    steps.push_back(Minimise(hasCoarse, pass, name + (hasCoarse ? " b" : ""),
-                             hasCoarse ? iterations / 2 : iterations));
-    steps.push_back(Update(hasCoarse, pass, true));
+    steps.push_back(
+      Minimise(level, pass, name + (level > 0 ? " b" : ""), level > 0 ? half : iterations));
+    steps.push_back(Update(level, pass, true));
   }
-  AddLast("fine", options.Passes, hasCoarse ? LastIterations(options) : iterations, false, steps);
+  AddLast("fine", options.Passes, level > 0 ? LastIterations(options) : iterations, false, steps);
   return program;
 }
 
@@ -128,7 +159,7 @@ SpacetimeProgram PlanEdit(const SpacetimeOptions& options)
 {
   SpacetimeProgram program;
   program.Steps.push_back(
-    Minimise(false, options.Passes, "edit", (options.MaximumNumberOfIterations + 1) / 2));
+    Minimise(0, options.Passes, "edit", (options.MaximumNumberOfIterations + 1) / 2));
   return program;
 }
 

@@ -15,7 +15,7 @@ namespace waft
 /// Either minimises E or estimates the force fields anew.
 struct SpacetimeStep
 {
-  bool IsCoarse = false; // on the coarse level of time
+  int Coarseness = 0;    // of its level of time: 0: all frames, else of SpacetimeProgram
   bool IsUpdate = false; // of the fields
   bool FitsVortices = false;
   int Pass = 1;
@@ -26,9 +26,14 @@ struct SpacetimeStep
 
 struct SpacetimeProgram
 {
-  std::vector<int> CoarseFrames; // empty: no coarse level is worth while
+  /// Frames of the coarse levels, of Coarseness 1 first; those that are not worth while are left
+  /// out.
+  std::vector<std::vector<int>> CoarseFrames;
   std::vector<SpacetimeStep> Steps;
 
+  int Coarsest() const { return static_cast<int>(this->CoarseFrames.size()); }
+  /// window: w of Eq. 4 [frames].
+  TimeLevel LevelOf(int coarseness, int numberOfFrames, int window) const;
   /// Iterations at full resolution that steps from `first` on may take.
   double Work(std::size_t first, int numberOfFrames) const;
   /// The first step at full resolution, and the step of a name (as a last resort the former).

@@ -17,7 +17,7 @@ constexpr double WritingShare = 1.0 / 30.0; // of the time, for checkpoints
 
 void ExchangeStep(StateStream& stream, SpacetimeStep& step)
 {
-  stream.Values(step.IsCoarse, step.IsUpdate, step.FitsVortices, step.Pass, step.Iterations,
+  stream.Values(step.Coarseness, step.IsUpdate, step.FitsVortices, step.Pass, step.Iterations,
                 step.Leash);
   stream.Text(step.Name);
 }
@@ -35,27 +35,30 @@ void ExchangeRow(StateStream& stream, ConvergenceRow& row)
 void SpacetimeRun::ExchangeCheckpoint(StateStream& stream)
 {
   std::uint64_t next = this->Next;
-  bool coarse = this->IsCoarse;
+  int coarseness = this->Coarseness;
   stream.List(this->Program.Steps, ExchangeStep);
-  stream.List(this->Program.CoarseFrames);
-  stream.Values(next, coarse, this->GoesOn, this->StartEnergy, this->Before);
+  stream.List(this->Program.CoarseFrames,
+              [](StateStream& s, std::vector<int>& frames) { s.List(frames); });
+  stream.Values(next, coarseness, this->GoesOn, this->StartEnergy, this->Before);
   stream.List(this->Output.Convergence, ExchangeRow);
   stream.List(this->Setup.Model.Vortices, [](StateStream& s, Vortex& v) { Exchange(s, v); });
   Exchange(stream, this->Setup.Model.Wind);
   if (stream.IsReading())
   {
     this->Next = static_cast<std::size_t>(next);
-    this->IsCoarse = coarse;
+    coarseness = std::clamp(coarseness, 0, this->Program.Coarsest());
+    this->Coarseness = coarseness;
     this->State.assign(this->Setup.Model.NumberOfFrames * this->Setup.Model.FrameSize(), 0.0f);
   }
   if (stream.IsReading())
   {
-    const std::size_t frames = coarse ? this->Program.CoarseFrames.size()
-                                      : static_cast<std::size_t>(this->Setup.Model.NumberOfFrames);
-    StateVector& state = coarse ? this->PartState : this->State;
+    const std::size_t frames = coarseness > 0
+                                 ? this->Program.CoarseFrames[coarseness - 1].size()
+                                 : static_cast<std::size_t>(this->Setup.Model.NumberOfFrames);
+    StateVector& state = coarseness > 0 ? this->PartState : this->State;
     stream.List(state);
     state.resize(frames * this->Setup.Model.FrameSize()); // a file may end before its time
-    this->EnterLevel(coarse);
+    this->EnterLevel(coarseness);
   }
   else
   {
@@ -156,7 +159,8 @@ bool SpacetimeRun::Resume()
   {
     this->Solver.reset();
     this->PartState = StateVector();
-    this->IsCoarse = this->GoesOn = false;
+    this->Coarseness = 0;
+    this->GoesOn = false;
     this->Next = 0;
     this->Before = 0.0;
     this->Output.Convergence.clear();

@@ -17,7 +17,7 @@ namespace waft
 namespace
 {
 
-constexpr double CoarseTimeShare = 0.5; // of a time limit, for the coarse level
+constexpr double CoarseTimeShare = 0.5; // of a time limit, for the coarse levels
 
 } // namespace
 
@@ -38,7 +38,7 @@ double SpacetimeRun::Elapsed() const
 
 bool SpacetimeRun::TimeIsUp() const
 {
-  const double share = this->IsCoarse ? CoarseTimeShare : 1.0;
+  const double share = this->Coarseness > 0 ? CoarseTimeShare : 1.0;
   const double limit = this->Options.TimeLimit * share;
   return limit > 0.0 && this->Ranks.Decide(this->Elapsed() > limit);
 }
@@ -102,18 +102,17 @@ Result SpacetimeRun::Begin()
   return Result::Ok();
 }
 
-void SpacetimeRun::EnterLevel(bool coarse)
+void SpacetimeRun::EnterLevel(int coarseness)
 {
-  if (this->Solver && coarse == this->IsCoarse)
+  if (this->Solver && coarseness == this->Coarseness)
   {
     return;
   }
   this->LeaveLevel();
   const SpacetimeModel& model = this->Setup.Model;
-  TimeLevel level = coarse
-                      ? TimeLevel::Make(this->Program.CoarseFrames, this->Options.TemporalWindow)
-                      : TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
-  if (coarse && this->PartState.empty())
+  TimeLevel level =
+    this->Program.LevelOf(coarseness, model.NumberOfFrames, this->Options.TemporalWindow);
+  if (coarseness > 0 && this->PartState.empty())
   {
     this->PartState = Restrict(model, level, this->State);
   }
@@ -124,7 +123,7 @@ void SpacetimeRun::EnterLevel(bool coarse)
     const float* begin = this->State.data() + level.Frames.front() * model.FrameSize();
     this->PartState.assign(begin, begin + level.NumberOfFrames() * model.FrameSize());
   }
-  this->IsCoarse = coarse;
+  this->Coarseness = coarseness;
   const SpacetimeBudget budget(model, this->Options);
   this->Window = budget.WindowOf(level.NumberOfFrames(), this->Options.MemoryLimit);
   const int history = this->HasWindows(level) ? 0 : this->Options.HistorySize;
@@ -132,7 +131,7 @@ void SpacetimeRun::EnterLevel(bool coarse)
                                                this->Ranks, history, this->Region.Movable);
   if (this->IsShared())
   {
-    const bool isPart = coarse || !this->Region.IsEmpty();
+    const bool isPart = coarseness > 0 || !this->Region.IsEmpty();
     this->PartState = this->Solver->Share.Take(std::move(isPart ? this->PartState : this->State),
                                                model.FrameSize());
     if (this->Region.IsEmpty())
@@ -157,7 +156,7 @@ void SpacetimeRun::LeaveLevel()
   {
     this->PartState = share.Whole(std::move(this->PartState), model.FrameSize());
   }
-  if (this->IsCoarse)
+  if (this->Coarseness > 0)
   {
     this->State.resize(model.NumberOfFrames * model.FrameSize());
     Prolong(model, level, this->PartState, this->State);
@@ -180,14 +179,14 @@ void SpacetimeRun::TakeSteps()
   while (!this->Stopped && this->Next < steps.size())
   {
     const SpacetimeStep& step = steps[this->Next];
-    this->EnterLevel(step.IsCoarse);
+    this->EnterLevel(step.Coarseness);
     const bool windows = !step.IsUpdate && this->HasWindows(this->Solver->Level);
     if (step.IsUpdate ? this->UpdateFields(step)
                       : (windows ? this->MinimizeInWindows(step) : this->Minimize(step)))
     {
       ++this->Next;
     }
-    else if (this->IsCoarse && !this->Stopped) // its share of the time is up
+    else if (this->Coarseness > 0 && !this->Stopped) // its share of the time is up
     {
       this->Next = this->Program.FirstFine();
     }

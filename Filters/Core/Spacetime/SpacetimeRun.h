@@ -44,12 +44,12 @@ private:
   /// The steps from Next on. EnterLevel moves the motion to a step's level of time, and of several
   /// ranks each then has its share of the frames; LeaveLevel brings it back.
   void TakeSteps();
-  void EnterLevel(bool coarse);
+  void EnterLevel(int coarseness);
   void LeaveLevel();
   StateVector& LevelState()
   {
-    return this->IsCoarse || !this->Region.IsEmpty() || this->IsShared() ? this->PartState
-                                                                         : this->State;
+    return this->Coarseness > 0 || !this->Region.IsEmpty() || this->IsShared() ? this->PartState
+                                                                               : this->State;
   }
   /// The level's motion is in pieces; in windows every rank has all of it.
   bool IsShared() const
@@ -91,13 +91,13 @@ private:
   std::size_t Next = 0;  // step
   bool IsInside = false; // Next's minimisation was left between two iterations
   StateVector State;     // all frames
-  /// Those of the coarse level or about an edit, and this rank's share of a level.
+  /// Those of a coarse level or about an edit, and this rank's share of a level.
   StateVector PartState;
   EditRegion Region;                   // all that moves, when an edit is local
   std::unique_ptr<LevelSolver> Solver; // of the level that the run is on
-  bool IsCoarse = false;
-  std::size_t Window = 0; // free frames that are solved at once on the present level
-  struct WindowPlace      // in a minimisation by windows
+  int Coarseness = 0;                  // of that level
+  std::size_t Window = 0;              // free frames that are solved at once on the present level
+  struct WindowPlace                   // in a minimisation by windows
   {
     int Sweep = 0;
     std::uint64_t Index = 0;      // of the window, in the sweep

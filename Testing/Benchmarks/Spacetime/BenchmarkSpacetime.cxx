@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Prints E against seconds on the standard problem and when it passes its marks, the cost of an
-// evaluation, how that grows with particles and frames, peak memory and the state of the gas.
-// Options: --seeds n (1..n) or --seed s, --threads n, --frames n, --objects n, --particles n (of an
-// object), --gas-scale f (an axis), --stride4 n --stride2 n --stride1 n (iterations), --history m,
-// --every n (iterations a line), --evaluate 1 (nothing but the cost of an evaluation),
-// --letters n (instead: n planned leaves that land as a word), --ceres n (instead: a small problem
-// solved by n iterations of Ceres and by Waft).
 #include "CeresRun.h"
 #include "LettersRun.h"
+#include "StandardProblem.h"
 #include "StandardRun.h"
-
-#include "Spacetime/SpacetimeObjective.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <tuple>
+#include <string>
 #include <vector>
 
 using namespace waft;
@@ -24,7 +16,35 @@ using namespace waft;
 namespace
 {
 
-constexpr double OperationsPerPair = 190.0; // of a value and gradient: counted in the sums
+constexpr const char* Help =
+  "E against seconds of the spacetime optimisation, and what an evaluation costs.\n"
+  "\n"
+  "  WaftBenchmarkSpacetime --seeds 5       the standard problem: the curve of each seed, then "
+  "the\n"
+  "                                         table of medians\n"
+  "  WaftBenchmarkSpacetime --growth 1      an evaluation at ten times the frames, and the gas\n"
+  "  WaftBenchmarkSpacetime --letters 100   leaves that land as a word, instead: 100 leaves above\n"
+  "                                         a floor, planned to rest on the dots of a word after\n"
+  "                                         frame 250 with a small database of swirls, then\n"
+  "                                         optimised with the standard options. Both are made on\n"
+  "                                         the spot: no files are needed\n"
+  "  WaftBenchmarkSpacetime --ceres 500     64 gas particles and 5 objects over 15 frames, instead:\n"
+  "                                         500 iterations of Ceres and of the filter's solver\n"
+  "\n"
+  "The standard problem runs the optimiser's own program of levels and then what Continue adds\n"
+  "(without leash, wind, fit of vortices and tolerance). Options, with their standard values:\n"
+  "  --seed 1         the first seed\n"
+  "  --seeds 1        how many\n"
+  "  --threads 2\n"
+  "  --frames 301\n"
+  "  --objects 25\n"
+  "  --particles 5    of an object\n"
+  "  --gas-scale 1    times 13 x 14 x 14 particles, each axis\n"
+  "  --iterations 150 MaximumNumberOfIterations\n"
+  "  --history 6      pairs of L-BFGS\n"
+  "  --every 5        iterations from one line to the next\n"
+  "  --evaluate 0     1: nothing but the cost of an evaluation\n"
+  "  --portable 0     1: that cost without AVX2\n";
 
 double Argument(int argc, char** argv, const char* name, double standard)
 {
@@ -38,30 +58,17 @@ double Argument(int argc, char** argv, const char* name, double standard)
   return standard;
 }
 
-void PrintCost(const StandardProblem& problem, const StateVector& state, const char* when,
-               const ParallelFor& parallel, const SphKernelTable& kernels)
+void Print(const EvaluationCost& cost, const char* when)
 {
-  const SpacetimeModel& model = problem.Model;
-  const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, 1);
-  SpacetimeObjective objective(model, full, parallel, kernels);
-  SpacetimeTerms terms;
-  StateVector gradient(state.size());
-  objective.Evaluate(state, &gradient, terms);
-  const double start = CpuSeconds();
-  constexpr int Repeats = 3;
-  for (int k = 0; k < Repeats; ++k)
+  std::printf("%s: value and gradient %.3f s CPU, %.3f s wall, %.2f ns a directed pair, %.0f %% of "
+              "peak, %.3f us a particle and frame",
+              when, cost.Cpu, cost.Wall, cost.Pair, 100.0 * cost.Share, cost.Place);
+  if (cost.WallAlone > 0.0)
   {
-    objective.Evaluate(state, &gradient, terms);
+    std::printf("; one thread %.3f s wall, %.2f times as long", cost.WallAlone,
+                cost.WallAlone / cost.Wall);
   }
-  const double cost = (CpuSeconds() - start) / Repeats;
-  const double pairs = PairsWithinSupport(model, state);
-  const double peak = PeakGigaflops();
-  std::printf("%s: E %.4f (Ex %.4g Ev %.4g Ec %.4g); value and gradient %.3f s CPU, %.2f ns a "
-              "directed pair of %.1f million, %.0f %% of %.0f Gflop/s, %.3f us a particle and "
-              "frame\n",
-              when, terms.E, terms.Ex, terms.Ev, terms.Ec, cost, 1e9 * cost / pairs, 1e-6 * pairs,
-              peak > 0.0 ? 100.0 * 1e-9 * OperationsPerPair * pairs / cost / peak : 0.0, peak,
-              1e6 * cost / (double(model.NumberOfParticles()) * model.NumberOfFrames));
+  std::printf("\n");
   std::fflush(stdout);
 }
 
@@ -79,8 +86,8 @@ int PrintCeres(int argc, char** argv, int iterations, const ParallelFor& paralle
   const int own = static_cast<int>(Argument(argc, argv, "--stride1", 2000));
   const CeresComparison result = CompareWithCeres(problem, own, iterations, parallel);
   std::printf("%zu gas + %zu x %zu object particles, %d frames; E at the start %.6g\n",
-              problem.Model.NumberOfGas, problem.Model.NumberOfObjects,
-              problem.Model.Offsets.size(), problem.Model.NumberOfFrames, result.Start);
+              problem.Setup.Model.NumberOfGas, problem.Setup.Model.NumberOfObjects,
+              problem.Setup.Model.Offsets.size(), problem.Setup.Model.NumberOfFrames, result.Start);
   for (const auto& [name, end] :
        { std::pair("Ceres", result.Ceres), std::pair("Waft", result.Waft) })
   {
@@ -96,10 +103,118 @@ double Median(std::vector<double> values)
   return values[values.size() / 2];
 }
 
+/// What the seeds came to.
+class Table
+{
+public:
+  void Add(const StandardCurve& curve, const EvaluationCost& cost, double peak)
+  {
+    for (int k = 0; k < Marks; ++k)
+    {
+      const StandardCurve::Point point = curve.Passes(Shares[k]);
+      this->Wall[k].push_back(point.Wall < 0.0 ? Never : point.Wall);
+      this->Cpu[k].push_back(point.Cpu < 0.0 ? Never : point.Cpu);
+    }
+    this->Evaluations.push_back(static_cast<double>(curve.Evaluations));
+    this->Seconds.push_back(cost.Cpu);
+    this->Pairs.push_back(cost.Pair);
+    this->PeakShares.push_back(100.0 * cost.Share);
+    this->Ratios.push_back(cost.WallAlone / cost.Wall);
+    this->Megabytes.push_back(peak);
+  }
+
+  void Print() const
+  {
+    std::printf("\n| median of %zu seeds | wall [s] | CPU [s] | wanted: wall [s] on two threads |\n"
+                "|---|---|---|---|\n",
+                this->Megabytes.size());
+    for (int k = 0; k < Marks; ++k)
+    {
+      std::printf("| E at %.1f %% of E0 | %s | %s | %.0f |\n", 100.0 * Shares[k],
+                  Text(Median(this->Wall[k])).c_str(), Text(Median(this->Cpu[k])).c_str(),
+                  Wanted[k]);
+    }
+    std::printf("\n| | median | wanted |\n|---|---|---|\n"
+                "| value and gradient, CPU s | %.3f | 0.30 |\n"
+                "| ns a directed pair | %.2f | |\n"
+                "| of the machine's peak, %% | %.0f | |\n"
+                "| one thread to all, times | %.2f | 1.75 of two |\n"
+                "| evaluations of the run, all levels | %.0f | |\n"
+                "| peak memory, MB | %.0f | 900 |\n",
+                Median(this->Seconds), Median(this->Pairs), Median(this->PeakShares),
+                Median(this->Ratios), Median(this->Evaluations), Median(this->Megabytes));
+  }
+
+private:
+  static constexpr int Marks = 4;
+  static constexpr double Shares[Marks] = { 0.05, 0.02, 0.014, 0.012 };
+  static constexpr double Wanted[Marks] = { 8.0, 20.0, 40.0, 90.0 };
+  static constexpr double Never = 1e9;
+
+  static std::string Text(double seconds)
+  {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%.1f", seconds);
+    return seconds < Never ? text : "not reached";
+  }
+
+  std::vector<double> Wall[Marks], Cpu[Marks];
+  std::vector<double> Evaluations, Seconds, Pairs, PeakShares, Ratios, Megabytes;
+};
+
+StandardProblem MakeProblem(int argc, char** argv, int seed)
+{
+  StandardProblem problem;
+  problem.Seed = static_cast<std::uint64_t>(seed);
+  problem.NumberOfFrames = static_cast<int>(Argument(argc, argv, "--frames", 301));
+  problem.NumberOfObjects = static_cast<int>(Argument(argc, argv, "--objects", 25));
+  problem.ParticlesPerObject = static_cast<int>(Argument(argc, argv, "--particles", 5));
+  for (int& n : problem.Gas)
+  {
+    n = static_cast<int>(n * Argument(argc, argv, "--gas-scale", 1.0) + 0.5);
+  }
+  return problem;
+}
+
+/// An evaluation of the standard problem, of ten times its frames and of ten times its particles.
+int PrintGrowth(int argc, char** argv, const ParallelFor& parallel)
+{
+  struct Size
+  {
+    double Frames, Axis;
+  };
+  double first = 0.0;
+  for (const Size& size : { Size{ 1.0, 1.0 }, Size{ 10.0, 1.0 }, Size{ 1.0, 2.17 } })
+  {
+    StandardProblem problem = MakeProblem(argc, argv, 1);
+    problem.NumberOfFrames = static_cast<int>(size.Frames * (problem.NumberOfFrames - 1)) + 1;
+    for (int& n : problem.Gas)
+    {
+      n = static_cast<int>(n * size.Axis + 0.5);
+    }
+    problem.Build();
+    const SpacetimeSetup& setup = problem.Setup;
+    const EvaluationCost cost =
+      MeasureCost(setup, setup.Start, parallel, FastestSphKernels(), false);
+    first = first > 0.0 ? first : cost.Place;
+    std::printf("%6zu particles x %4d frames: %.3f s CPU, %.3f us a particle and frame: %+.1f %%; "
+                "peak memory so far %.0f MB\n",
+                setup.Model.NumberOfParticles(), setup.Model.NumberOfFrames, cost.Cpu, cost.Place,
+                100.0 * (cost.Place / first - 1.0), PeakMegabytes());
+    std::fflush(stdout);
+  }
+  return 0;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
+  if (argc > 1 && (std::strcmp(argv[1], "--help") == 0 || argc % 2 == 0))
+  {
+    std::fputs(Help, stdout);
+    return argc % 2 == 0 && std::strcmp(argv[1], "--help") != 0 ? 1 : 0;
+  }
   const int threads = static_cast<int>(Argument(argc, argv, "--threads", 2));
   const ParallelFor parallel = ThreadedFor(threads);
   if (const int leaves = static_cast<int>(Argument(argc, argv, "--letters", 0)); leaves > 0)
@@ -110,72 +225,50 @@ int main(int argc, char** argv)
   {
     return PrintCeres(argc, argv, iterations, parallel);
   }
+  const int first = static_cast<int>(Argument(argc, argv, "--seed", 1));
+  if (Argument(argc, argv, "--growth", 0) != 0)
+  {
+    return PrintGrowth(argc, argv, parallel);
+  }
   const bool portable = Argument(argc, argv, "--portable", 0) != 0;
   const SphKernelTable& kernels = portable ? PortableSphKernels() : FastestSphKernels();
-  std::vector<StandardLevel> levels;
-  for (const auto& [name, stride, standard] :
-       { std::tuple("--stride4", 4, 60), std::tuple("--stride2", 2, 110),
-         std::tuple("--stride1", 1, 100) })
+  SpacetimeOptions options;
+  options.UseLeash = false;
+  options.Passes = 1;
+  options.MaximumNumberOfIterations =
+    static_cast<int>(Argument(argc, argv, "--iterations", options.MaximumNumberOfIterations));
+  options.HistorySize = static_cast<int>(Argument(argc, argv, "--history", options.HistorySize));
+  const int seeds = static_cast<int>(Argument(argc, argv, "--seeds", 1));
+  Table table;
+  for (int seed = first; seed < first + seeds; ++seed)
   {
-    if (const int n = static_cast<int>(Argument(argc, argv, name, standard)); n > 0)
-    {
-      levels.push_back({ stride, n });
-    }
-  }
-  const double scale = Argument(argc, argv, "--gas-scale", 1.0);
-  const int first = static_cast<int>(Argument(argc, argv, "--seed", 1));
-  const int last = first + static_cast<int>(Argument(argc, argv, "--seeds", 1)) - 1;
-  const double shares[4] = { 0.05, 0.02, 0.014, 0.012 };
-  const double marks[4] = { 8.0, 20.0, 40.0, 90.0 };
-  std::vector<double> wall[4], cpu[4];
-  for (int seed = first; seed <= last; ++seed)
-  {
-    StandardProblem problem;
-    problem.Seed = static_cast<std::uint64_t>(seed);
-    problem.NumberOfFrames = static_cast<int>(Argument(argc, argv, "--frames", 301));
-    problem.NumberOfObjects = static_cast<int>(Argument(argc, argv, "--objects", 25));
-    problem.ParticlesPerObject = static_cast<int>(Argument(argc, argv, "--particles", 5));
-    for (int& n : problem.Gas)
-    {
-      n = static_cast<int>(n * scale + 0.5);
-    }
+    StandardProblem problem = MakeProblem(argc, argv, seed);
     problem.Build();
-    const SpacetimeModel& model = problem.Model;
+    const SpacetimeSetup& setup = problem.Setup;
+    const SpacetimeModel& model = setup.Model;
     std::printf("seed %d: %zu gas + %zu x %zu object particles, %d frames, %s, %d threads\n", seed,
                 model.NumberOfGas, model.NumberOfObjects, model.Offsets.size(),
                 model.NumberOfFrames, kernels.Name, threads);
-    PrintCost(problem, problem.Start, "at the start", parallel, kernels);
+    const EvaluationCost cost = MeasureCost(setup, setup.Start, parallel, kernels, threads > 1);
+    Print(cost, "at the start");
     if (Argument(argc, argv, "--evaluate", 0) != 0)
     {
       std::printf("peak memory %.0f MB\n", PeakMegabytes());
       continue;
     }
     StateVector state;
-    const StandardCurve curve =
-      SolveStandard(problem, levels, static_cast<int>(Argument(argc, argv, "--history", 6)),
-                    static_cast<int>(Argument(argc, argv, "--every", 10)), parallel, state);
+    const StandardCurve curve = SolveStandard(
+      setup, options, static_cast<int>(Argument(argc, argv, "--every", 5)), parallel, state);
     const double peak = PeakMegabytes();
-    PrintCost(problem, state, "at the end", parallel, kernels);
+    Print(MeasureCost(setup, state, parallel, kernels, false), "at the end");
     const GasFaults faults = CheckGas(model, state);
-    std::printf("peak memory %.0f MB; gas outside the volume %zu, pairs under 0.3 dx %zu, nearest "
-                "%.3f dx\n",
-                peak, faults.Outside, faults.Close, faults.Nearest);
-    for (int k = 0; k < 4; ++k)
+    std::printf("peak memory %.0f MB; %zu evaluations; gas outside the volume %zu, pairs under 0.3 "
+                "dx %zu, nearest %.3f dx\n",
+                peak, curve.Evaluations, faults.Outside, faults.Close, faults.Nearest);
+    table.Add(curve, cost, peak);
+    if (seed + 1 == first + seeds)
     {
-      const StandardCurve::Point point = curve.Passes(shares[k]);
-      wall[k].push_back(point.Wall < 0.0 ? 1e9 : point.Wall);
-      cpu[k].push_back(point.Cpu < 0.0 ? 1e9 : point.Cpu);
-    }
-  }
-  if (!wall[0].empty())
-  {
-    std::printf("median of %zu seeds (1e+09: not reached)\n  E / E0   wall [s]   CPU [s]   wanted, "
-                "wall on two threads\n",
-                wall[0].size());
-    for (int k = 0; k < 4; ++k)
-    {
-      std::printf("  %4.1f %%  %9.4g  %9.4g  %8.0f\n", 100.0 * shares[k], Median(wall[k]),
-                  Median(cpu[k]), marks[k]);
+      table.Print();
     }
   }
   return 0;

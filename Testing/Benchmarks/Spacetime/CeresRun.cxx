@@ -71,12 +71,12 @@ private:
 CeresComparison CompareWithCeres(StandardProblem& problem, int iterations, int ceresIterations,
                                  const ParallelFor& parallel)
 {
-  SpacetimeModel& model = problem.Model;
+  SpacetimeModel& model = problem.Setup.Model;
   model.Weights.Separation = 0.0;
   const ReferenceObjective reference(model);
   CeresComparison result;
 
-  std::vector<double> z = reference.From(problem.Start);
+  std::vector<double> z = reference.From(problem.Setup.Start);
   result.Start = reference.Evaluate(z.data(), nullptr);
   ceres::GradientProblem ceresProblem(new Cost(model, result.Ceres.Evaluations));
   ceres::GradientProblemSolver::Options options;
@@ -94,12 +94,12 @@ CeresComparison CompareWithCeres(StandardProblem& problem, int iterations, int c
   from = Seconds();
   SpacetimeObjective objective(model, level, parallel, FastestSphKernels());
   const TimelinePreconditioner preconditioner(model, level, parallel);
-  HardConstraints constraints(model, level, problem.Table, parallel);
+  HardConstraints constraints(model, level, problem.Setup.Table, parallel);
   Lbfgs solver(level.NumberOfFrames(), model.FrameSize(), parallel, 10);
   LbfgsOptions lbfgs;
   lbfgs.MaximumNumberOfIterations = iterations;
   lbfgs.Tolerance = 0.0;
-  StateVector state = problem.Start;
+  StateVector state = problem.Setup.Start;
   const auto count = [&](int, const SpacetimeTerms&)
   {
     ++result.Waft.Evaluations;

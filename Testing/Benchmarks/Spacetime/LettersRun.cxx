@@ -3,6 +3,7 @@
 
 #include "PlanScenes.h"
 #include "Spacetime/Spacetime.h"
+#include "StandardRun.h"
 
 #include <cstdio>
 
@@ -29,6 +30,7 @@ int RunLetters(int leaves, const ParallelFor& parallel)
   input.Obstacles = scene.Meshes;
   input.Vortices = plan.Vortices;
   SpacetimeOutput output;
+  const double cpu = CpuSeconds();
   test::PlanScene::Check(RunSpacetime(input, SpacetimeOptions(), parallel, monitor, output));
   const double start = output.Convergence.front().E;
   for (std::size_t k = 0; k < output.Convergence.size(); ++k)
@@ -42,6 +44,8 @@ int RunLetters(int leaves, const ParallelFor& parallel)
                   row.Ec, row.Seconds);
     }
   }
+  std::printf("%d leaves, %.1f s CPU, peak memory %.0f MB\n", leaves, CpuSeconds() - cpu,
+              PeakMegabytes());
   return 0;
 }
 

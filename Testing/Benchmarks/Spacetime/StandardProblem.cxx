@@ -92,8 +92,8 @@ void StandardProblem::Build()
   const GasLattice lattice = GasLattice::Make(box, this->Gas);
   const double unit = lattice.Spacing;
   const double step = 1.0 / FramesPerSecond;
-  SpacetimeModel& model = this->Model;
-  model = SpacetimeModel();
+  this->Setup = SpacetimeSetup();
+  SpacetimeModel& model = this->Setup.Model;
   model.Size = lattice.SizeInSpacings();
   model.NumberOfFrames = this->NumberOfFrames;
   const std::vector<Vec3> gas = lattice.Points();
@@ -137,15 +137,15 @@ void StandardProblem::Build()
     model.Vortices.push_back(vortex);
   }
 
-  this->Table = ConstraintTable();
-  this->Table.Planned.resize(model.Flags.size());
-  this->Table.FixedPositions.assign(model.Flags.size(), Vec3::Zero());
-  this->Start.assign(static_cast<std::size_t>(this->NumberOfFrames) * model.FrameSize(), 0.0f);
+  this->Setup.Table.Planned.resize(model.Flags.size());
+  this->Setup.Table.FixedPositions.assign(model.Flags.size(), Vec3::Zero());
+  this->Setup.Start.assign(static_cast<std::size_t>(this->NumberOfFrames) * model.FrameSize(),
+                           0.0f);
   const double span = (this->NumberOfFrames - 1) * step;
   const std::size_t stride = model.Stride();
   for (int frame = 0; frame < this->NumberOfFrames; ++frame)
   {
-    float* state = this->Start.data() + frame * model.FrameSize();
+    float* state = this->Setup.Start.data() + frame * model.FrameSize();
     for (std::size_t i = 0; i < gas.size(); ++i)
     {
       for (int c = 0; c < 3; ++c)
@@ -163,13 +163,13 @@ void StandardProblem::Build()
       const Vec3 x = path.At(t) / unit;
       const Vec3 v = (path.At(t) - path.At(t - step)) / unit;
       const std::size_t place = static_cast<std::size_t>(frame) * no + o;
-      this->Table.Planned[place] = x;
+      this->Setup.Table.Planned[place] = x;
       if (frame == 0 || 2 * frame == this->NumberOfFrames - 1 || frame == this->NumberOfFrames - 1)
       {
-        this->Table.FixedPositions[place] = x;
+        this->Setup.Table.FixedPositions[place] = x;
         model.Flags[place] = FixedPosition;
       }
-      float* state = this->Start.data() + frame * model.FrameSize() + gas.size() + o;
+      float* state = this->Setup.Start.data() + frame * model.FrameSize() + gas.size() + o;
       for (int c = 0; c < 3; ++c)
       {
         state[c * stride] = static_cast<float>(x[c]);

@@ -3,9 +3,7 @@
 // box of gas with three vortices.
 #pragma once
 
-#include "Spacetime/HardConstraints.h"
-#include "Spacetime/SpacetimeModel.h"
-#include "Spacetime/StateVector.h"
+#include "Spacetime/SpacetimeSetup.h"
 
 #include <array>
 #include <cstdint>
@@ -21,9 +19,7 @@ struct StandardProblem
   int NumberOfFrames = 301;
   std::uint64_t Seed = 1;
 
-  SpacetimeModel Model;
-  ConstraintTable Table;
-  StateVector Start; // full resolution
+  SpacetimeSetup Setup; // Model, Table and Start, at all frames
 
   void Build();
 };

@@ -2,7 +2,8 @@
 #include "StandardRun.h"
 
 #include "Spacetime/GasStart.h"
-#include "Spacetime/Lbfgs.h"
+#include "Spacetime/LevelSolver.h"
+#include "Spacetime/SpacetimeProgram.h"
 #include "Spacetime/TimeLevels.h"
 
 #include <sys/resource.h>
@@ -19,6 +20,8 @@ namespace waft
 {
 namespace
 {
+
+constexpr double OperationsPerPair = 190.0; // of a value and gradient: counted in the sums
 
 double WallSeconds()
 {
@@ -128,75 +131,129 @@ StandardCurve::Point StandardCurve::Passes(double share) const
   return { -1.0, -1.0, 0.0 };
 }
 
-StandardCurve SolveStandard(const StandardProblem& problem,
-                            const std::vector<StandardLevel>& levels, int history, int every,
+EvaluationCost MeasureCost(const SpacetimeSetup& setup, const StateVector& state,
+                           const ParallelFor& parallel, const SphKernelTable& kernels, bool alone)
+{
+  constexpr int Repeats = 3;
+  const SpacetimeModel& model = setup.Model;
+  const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, 1);
+  StateVector gradient(state.size());
+  const auto measure = [&](const ParallelFor& threads, double& cpu, double& wall)
+  {
+    SpacetimeObjective objective(model, full, threads, kernels);
+    SpacetimeTerms terms;
+    objective.Evaluate(state, &gradient, terms);
+    const double wallBefore = WallSeconds(), cpuBefore = CpuSeconds();
+    for (int k = 0; k < Repeats; ++k)
+    {
+      objective.Evaluate(state, &gradient, terms);
+    }
+    wall = (WallSeconds() - wallBefore) / Repeats;
+    cpu = (CpuSeconds() - cpuBefore) / Repeats;
+  };
+  EvaluationCost cost;
+  measure(parallel, cost.Cpu, cost.Wall);
+  if (alone)
+  {
+    double cpu;
+    measure(SerialFor(), cpu, cost.WallAlone);
+  }
+  const double pairs = PairsWithinSupport(model, state);
+  const double peak = PeakGigaflops();
+  cost.Pair = 1e9 * cost.Cpu / pairs;
+  cost.Place = 1e6 * cost.Cpu / (double(model.NumberOfParticles()) * model.NumberOfFrames);
+  cost.Share = peak > 0.0 ? 1e-9 * OperationsPerPair * pairs / cost.Cpu / peak : 0.0;
+  return cost;
+}
+
+StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions& options, int every,
                             const ParallelFor& parallel, StateVector& state)
 {
-  const SpacetimeModel& model = problem.Model;
-  const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, 1);
-  SpacetimeObjective all(model, full, parallel, FastestSphKernels());
+  const SpacetimeModel& model = setup.Model;
+  SpacetimeProgram program = PlanProgram(setup, options, model.Size.x());
+  const std::vector<SpacetimeStep> again = PlanAgain(options, false).Steps;
+  program.Steps.insert(program.Steps.end(), again.begin(), again.end());
+  const TimeLevel full = program.LevelOf(0, model.NumberOfFrames, options.TemporalWindow);
   SpacetimeTerms terms;
-  state = problem.Start;
-  all.Evaluate(state, nullptr, terms);
   StandardCurve curve;
-  curve.Start = terms.E;
-  double wallOff = 0.0, cpuOff = 0.0;
+  state = setup.Start;
   const double wall = WallSeconds(), cpu = CpuSeconds();
-  const auto measure = [&](const TimeLevel& level, const StateVector& x, int iteration, double e)
+  double wallOff = 0.0, cpuOff = 0.0;
+  {
+    SpacetimeObjective all(model, full, parallel, FastestSphKernels());
+    all.Evaluate(state, nullptr, terms);
+    curve.Start = terms.E;
+    SilentMonitor silent;
+    StartGas(all, parallel, silent, state);
+  }
+  const auto measure = [&](const SpacetimeStep& step, const TimeLevel& level, const StateVector& x,
+                           int iteration, double e)
   {
     const double wallNow = WallSeconds(), cpuNow = CpuSeconds();
     StandardCurve::Point point{ wallNow - wall - wallOff, cpuNow - cpu - cpuOff, e };
-    if (level.NumberOfFrames() < full.NumberOfFrames())
+    if (step.Coarseness > 0)
     {
       StateVector prolonged = state;
       Prolong(model, level, x, prolonged);
       SpacetimeTerms at;
-      all.Evaluate(prolonged, nullptr, at);
+      SpacetimeObjective(model, full, parallel, FastestSphKernels(), false)
+        .Evaluate(prolonged, nullptr, at);
       point.E = at.E;
     }
     curve.Points.push_back(point);
-    std::printf("%4zu frames  iteration %4d  E %10.5f  at all frames %10.5f = %6.3f %% of E0  "
-                "wall %6.2f s  CPU %6.2f s\n",
-                level.NumberOfFrames(), iteration, e, point.E, 100.0 * point.E / curve.Start,
-                point.Wall, point.Cpu);
+    std::printf(
+      "%-16s iteration %4d  E %10.5f  at all frames %10.5f = %6.3f %% of E0  wall %6.2f s  "
+      "CPU %6.2f s\n",
+      step.Name.c_str(), iteration, e, point.E, 100.0 * point.E / curve.Start, point.Wall,
+      point.Cpu);
     std::fflush(stdout);
     wallOff += WallSeconds() - wallNow;
     cpuOff += CpuSeconds() - cpuNow;
   };
-  SilentMonitor silent;
-  StartGas(all, parallel, silent, state);
-  for (const StandardLevel& stage : levels)
+  SerialCommunicator alone;
+  std::unique_ptr<LevelSolver> solver;
+  StateVector part;
+  int coarseness = -1;
+  const auto leave = [&]()
   {
-    const TimeLevel level = stage.Stride > 1
-                              ? TimeLevel::Make(CoarseFrames(model, problem.Table, stage.Stride), 1)
-                              : full;
-    StateVector x = stage.Stride > 1 ? Restrict(model, level, state) : state;
-    SpacetimeObjective objective(model, level, parallel, FastestSphKernels());
-    const TimelinePreconditioner preconditioner(model, level, parallel);
-    HardConstraints constraints(model, level, problem.Table, parallel);
-    Lbfgs solver(level.NumberOfFrames(), model.FrameSize(), parallel, history);
-    LbfgsOptions options;
-    options.MaximumNumberOfIterations = stage.Iterations;
-    options.Tolerance = 0.0;
+    if (coarseness > 0)
+    {
+      Prolong(model, solver->Level, part, state);
+    }
+    curve.Evaluations += solver ? solver->Objective.NumberOfEvaluations() : 0;
+    solver.reset();
+  };
+  for (const SpacetimeStep& step : program.Steps)
+  {
+    if (step.IsUpdate)
+    {
+      continue;
+    }
+    if (step.Coarseness != coarseness)
+    {
+      leave();
+      coarseness = step.Coarseness;
+      solver = std::make_unique<LevelSolver>(
+        setup, program.LevelOf(coarseness, model.NumberOfFrames, options.TemporalWindow), parallel,
+        alone, options.HistorySize);
+      part = coarseness > 0 ? Restrict(model, solver->Level, state) : StateVector();
+    }
+    StateVector& x = coarseness > 0 ? part : state;
+    LbfgsOptions minimise;
+    minimise.MaximumNumberOfIterations = step.Iterations;
+    minimise.Tolerance = 0.0;
     const auto observer = [&](int iteration, const SpacetimeTerms& now)
     {
-      if (iteration % every == 0 && (iteration > 0 || stage.Stride == 1))
+      if (iteration > 0 && iteration % every == 0)
       {
-        measure(level, x, iteration, now.E);
+        measure(step, solver->Level, x, iteration, now.E);
       }
       return true;
     };
-    solver.Minimize(objective, preconditioner, constraints, options, observer, nullptr, x);
-    std::printf("stride %d: %zu evaluations\n", stage.Stride, objective.NumberOfEvaluations());
-    if (stage.Stride > 1)
-    {
-      Prolong(model, level, x, state);
-    }
-    else
-    {
-      state = x;
-    }
+    solver->Solver->Minimize(solver->Objective, solver->Preconditioner, solver->Constraints,
+                             minimise, observer, nullptr, x);
   }
+  leave();
   return curve;
 }
 

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The standard problem solved as the optimiser solves: gas set in motion, then levels of time from
-// coarse to fine; E is measured at all frames on the way, off the clock.
+// The standard problem solved by the optimiser's own program of levels, and once more as when a run
+// is continued, without leash and fields; E is measured at all frames on the way, off the clock.
+// What an evaluation costs.
 #pragma once
 
 #include "Base/Parallel.h"
-#include "StandardProblem.h"
+#include "Spacetime/SpacetimeSetup.h"
 
 #include <vector>
 
 namespace waft
 {
-
-/// One level: frames `Stride` apart, so many iterations.
-struct StandardLevel
-{
-  int Stride = 1;
-  int Iterations = 100;
-};
 
 struct StandardCurve
 {
@@ -27,6 +21,7 @@ struct StandardCurve
   };
   double Start = 0.0; // E0
   std::vector<Point> Points;
+  std::size_t Evaluations = 0; // of value and gradient, at all levels
 
   /// Wall and processor seconds of the first point at or below this share of E0; -1: none.
   Point Passes(double share) const;
@@ -43,9 +38,22 @@ struct GasFaults
 double CpuSeconds();
 double PeakMegabytes();
 
-/// `state` ends as the solution. Prints a line every `every` iterations.
-StandardCurve SolveStandard(const StandardProblem& problem,
-                            const std::vector<StandardLevel>& levels, int history, int every,
+/// An evaluation of value and gradient at all frames, lists up to date, means of three.
+struct EvaluationCost
+{
+  double Cpu = 0.0, Wall = 0.0; // s
+  double WallAlone = 0.0;       // s, on one thread; 0: not measured
+  double Pair = 0.0;            // ns of Cpu a directed pair within the support
+  double Place = 0.0;           // us of Cpu a particle and frame
+  double Share = 0.0;           // of the machine's peak, counted operations; 0: not known
+};
+
+/// alone: measures one thread, too.
+EvaluationCost MeasureCost(const SpacetimeSetup& setup, const StateVector& state,
+                           const ParallelFor& parallel, const SphKernelTable& kernels, bool alone);
+
+/// From setup.Start to `state`. Prints a line every `every` iterations.
+StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions& options, int every,
                             const ParallelFor& parallel, StateVector& state);
 GasFaults CheckGas(const SpacetimeModel& model, const StateVector& state);
 /// Directed pairs within the support, of all frames, from every thirtieth.

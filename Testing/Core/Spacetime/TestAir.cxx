@@ -197,9 +197,9 @@ TEST(GasAtRest, StaysWhereItIsInTheStandardProblem)
   problem.NumberOfFrames = 4;
   problem.NumberOfObjects = 1;
   problem.Build();
-  problem.Model.Vortices.clear();
-  problem.Model.Fluid.ObjectMass = 1e-9;
-  const Drift drift(problem.Model, problem.Start, 300);
+  problem.Setup.Model.Vortices.clear();
+  problem.Setup.Model.Fluid.ObjectMass = 1e-9;
+  const Drift drift(problem.Setup.Model, problem.Setup.Start, 300);
   EXPECT_LT(drift.Accelerated, 2e-6);
   EXPECT_LT(drift.Moved, 2e-3);
 }

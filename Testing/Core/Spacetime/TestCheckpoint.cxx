@@ -86,8 +86,8 @@ TEST(Checkpoint, AKilledRunEndsAsIfItHadNeverBeenKilled)
 {
   const SpacetimeInput input = Scene();
   const SpacetimeOutput whole = RunScene(input, Options(""));
-  // In the leash, in a free stage of the coarse level, and in a fine one; each from the start.
-  for (const double fraction : { 0.08, 0.5, 0.85 })
+  // In the leash, in a free stage of each coarse level, and in a fine one; each from the start.
+  for (const double fraction : { 0.08, 0.18, 0.5, 0.85 })
   {
     const std::string path = CheckpointPath("killed");
     const pid_t child = ::fork();

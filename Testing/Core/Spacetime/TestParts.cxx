@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Levels of time, the preconditioner, clusters of linear rows, the wind's least squares.
 #include "Spacetime/HardConstraints.h"
+#include "Spacetime/SpacetimeProgram.h"
 #include "Spacetime/SpacetimeSetup.h"
 #include "Spacetime/TimeLevels.h"
 #include "Spacetime/TimelinePreconditioner.h"
@@ -73,6 +74,52 @@ TEST(TimeLevels, HoldEveryFrameOfARequirement)
   {
     ASSERT_NEAR(back[k], full[k], 1e-5);
   }
+}
+
+TEST(SpacetimeProgram, GoesFromTheCoarsestLevelToAllFrames)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 60;
+  SpacetimeInput input = MakeScene(scene);
+  SpacetimeOptions options;
+  const auto plan = [&]()
+  { return PlanProgram(MakeProblem(input), options, input.Scene.Bounds.Width()); };
+  const SpacetimeProgram program = plan();
+  ASSERT_EQ(program.Coarsest(), 2);
+  EXPECT_LE(program.CoarseFrames[1].size(), 20u);
+  EXPECT_LE(program.CoarseFrames[0].size(), 35u);
+  EXPECT_EQ(program.LevelOf(0, 60, 1).NumberOfFrames(), 60u);
+  EXPECT_EQ(program.Steps.front().Coarseness, 2);
+  EXPECT_GT(program.Steps.front().Leash, 0.0);
+  EXPECT_EQ(program.Steps.back().Coarseness, 0);
+  for (std::size_t k = 1; k < program.Steps.size(); ++k)
+  {
+    EXPECT_LE(program.Steps[k].Coarseness, program.Steps[k - 1].Coarseness);
+  }
+  for (const SpacetimeStep& step : program.Steps)
+  {
+    if (!step.IsUpdate) // a run that was left finds its stage by its name
+    {
+      EXPECT_EQ(program.Steps[program.Find(step.Name)].Coarseness, step.Coarseness) << step.Name;
+      EXPECT_EQ(&program.Steps[program.Find(step.Name)], &step) << step.Name;
+    }
+  }
+  options.TimeLimit = 10.0; // it may cut a level short
+  EXPECT_EQ(plan().Coarsest(), 1);
+  options.TimeLimit = 0.0;
+  // Marks at every second frame leave nothing to a level of every fourth.
+  for (int frame = 2; frame < 58; frame += 2)
+  {
+    Constraint row = input.Constraints.front();
+    row.Row = 100 + frame;
+    row.Frame = frame;
+    row.Radius = 0.0;
+    row.Value = input.Tracks[0].Positions[frame];
+    input.Constraints.push_back(row);
+  }
+  const SpacetimeProgram bound = plan();
+  EXPECT_EQ(bound.Coarsest(), 1);
+  EXPECT_EQ(bound.Steps.front().Coarseness, 1);
 }
 
 TEST(TimelinePreconditioner, InvertsTheTimeCoupling)

@@ -28,7 +28,7 @@ StandardProblem SmallProblem(int frames, int objects, const std::array<int, 3>& 
 
 std::vector<double> Disturbed(const StandardProblem& problem, double size)
 {
-  std::vector<double> z = ReferenceObjective(problem.Model).From(problem.Start);
+  std::vector<double> z = ReferenceObjective(problem.Setup.Model).From(problem.Setup.Start);
   Random random(4);
   for (double& value : z)
   {
@@ -44,12 +44,12 @@ TEST(ReferenceObjective, HasTheExactGradientOfEachTerm)
   StandardProblem problem = SmallProblem(5, 2, { 3, 3, 3 });
   for (int term = 0; term < 5; ++term)
   {
-    SpacetimeWeights& w = problem.Model.Weights;
+    SpacetimeWeights& w = problem.Setup.Model.Weights;
     w.Position = term == 0 || term == 4 ? 1.0 : 0.0;
     w.Velocity = term == 1 || term == 4 ? 1.0 : 0.0;
     w.Coherence = term >= 2 ? 1.0 : 0.0;
     w.SpatialShare = term == 2 ? 1.0 : (term == 3 ? 0.0 : 0.5);
-    const ReferenceObjective reference(problem.Model);
+    const ReferenceObjective reference(problem.Setup.Model);
     const std::vector<double> z = Disturbed(problem, 0.05);
     std::vector<double> gradient(z.size());
     (void)reference.Evaluate(z.data(), gradient.data());
@@ -78,16 +78,16 @@ TEST(ReferenceObjective, HasTheExactGradientOfEachTerm)
 TEST(SpacetimeObjective, EqualsTheReference)
 {
   const StandardProblem problem = SmallProblem(6, 4, { 5, 5, 5 });
-  const ReferenceObjective reference(problem.Model);
+  const ReferenceObjective reference(problem.Setup.Model);
   std::vector<double> z = Disturbed(problem, 0.06);
   const StateVector state = reference.To(z);
   z = reference.From(state);
   std::vector<double> expected(z.size());
   const double e = reference.Evaluate(z.data(), expected.data());
-  const TimeLevel level = TimeLevel::Full(problem.Model.NumberOfFrames, 1);
+  const TimeLevel level = TimeLevel::Full(problem.Setup.Model.NumberOfFrames, 1);
   for (const SphKernelTable* table : { &PortableSphKernels(), &FastestSphKernels() })
   {
-    SpacetimeObjective objective(problem.Model, level, SerialFor(), *table);
+    SpacetimeObjective objective(problem.Setup.Model, level, SerialFor(), *table);
     SpacetimeTerms terms;
     StateVector gradient(state.size());
     ASSERT_TRUE(objective.Evaluate(state, &gradient, terms));
@@ -106,18 +106,18 @@ TEST(SpacetimeObjective, EqualsTheReference)
 TEST(SpacetimeObjective, PushesGasThatIsTooNearApart)
 {
   StandardProblem problem = SmallProblem(2, 1, { 4, 4, 4 });
-  problem.Model.Weights.Separation = 0.0;
-  StateVector state = problem.Start;
+  problem.Setup.Model.Weights.Separation = 0.0;
+  StateVector state = problem.Setup.Start;
   for (int c = 0; c < 3; ++c)
   {
-    float* row = state.data() + c * problem.Model.Stride();
+    float* row = state.data() + c * problem.Setup.Model.Stride();
     row[20] = row[21] + (c == 0 ? 0.2f : 0.05f);
   }
   const TimeLevel level = TimeLevel::Full(2, 1);
   const auto evaluate = [&](double weight, const StateVector& x, StateVector& gradient)
   {
-    problem.Model.Weights.Separation = weight;
-    SpacetimeObjective objective(problem.Model, level, SerialFor(), FastestSphKernels());
+    problem.Setup.Model.Weights.Separation = weight;
+    SpacetimeObjective objective(problem.Setup.Model, level, SerialFor(), FastestSphKernels());
     SpacetimeTerms terms;
     objective.Evaluate(x, &gradient, terms);
     return terms;
@@ -125,23 +125,23 @@ TEST(SpacetimeObjective, PushesGasThatIsTooNearApart)
   StateVector without(state.size()), with(state.size());
   EXPECT_EQ(evaluate(0.0, state, without).Beside, 0.0);
   const double r = std::sqrt(0.2 * 0.2 + 2.0 * 0.05 * 0.05);
-  const double depth = problem.Model.Weights.GasDistance - r;
+  const double depth = problem.Setup.Model.Weights.GasDistance - r;
   ASSERT_GT(depth, 0.1);
   EXPECT_NEAR(evaluate(50.0, state, with).Beside, 25.0 * depth * depth, 1e-4);
   const std::size_t x = 20;
   EXPECT_NEAR(with[x] - without[x], -50.0 * depth * 0.2 / r, 1e-3);
   EXPECT_NEAR(with[21] - without[21], 50.0 * depth * 0.2 / r, 1e-3);
-  EXPECT_EQ(evaluate(50.0, problem.Start, with).Beside, 0.0);
+  EXPECT_EQ(evaluate(50.0, problem.Setup.Start, with).Beside, 0.0);
 }
 
 TEST(SpacetimeObjective, VanishesOnARollout)
 {
   StandardProblem problem = SmallProblem(20, 3, { 6, 6, 6 });
-  SpacetimeModel& model = problem.Model;
+  SpacetimeModel& model = problem.Setup.Model;
   model.Weights.Coherence = 0.0;
   const TimeLevel level = TimeLevel::Full(model.NumberOfFrames, 1);
   SpacetimeObjective objective(model, level, SerialFor(), FastestSphKernels());
-  StateVector state = problem.Start;
+  StateVector state = problem.Setup.Start;
   SpacetimeTerms terms;
   objective.Evaluate(state, nullptr, terms);
   const double start = terms.E;
