@@ -30,7 +30,7 @@ struct SpacetimeWeights
   int TemporalWindow = 1;       // w of Eq. 4 [frames]
   double XsphFactor = 0.0;      // epsilon of Eq. 10
   double Clearance = 10.0;      // objects nearer to a surface than they may be
-  double Reach = 1.0;           // objects farther from their approach than they may be
+  double Reach = 3.0;           // objects farther from their approach than they may be
   double Contact = 0.3;         // objects nearer to each other than ContactDistance
   double ContactDistance = 0.0; // d0 [dx]
   double Separation = 0.1;      // gas nearer to gas than GasDistance

@@ -106,11 +106,6 @@ SpacetimeProgram PlanProgram(const SpacetimeSetup& setup, const SpacetimeOptions
   double finer = frames;
   for (const int stride : CoarseStrides)
   {
-    // Cut short, a level of softer gas would leave more than it found.
-    if (stride > CoarseStrides[0] && options.TimeLimit > 0.0)
-    {
-      break;
-    }
     std::vector<int> coarse = CoarseFrames(setup.Model, setup.Table, stride);
     const auto size = static_cast<double>(coarse.size());
     if (!(size < WorthCoarsening * finer) || coarse.size() < FewestFrames)

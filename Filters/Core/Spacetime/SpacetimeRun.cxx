@@ -99,6 +99,7 @@ Result SpacetimeRun::Begin()
     this->Record(0, "gas moved", 0, this->Measure(), 0.0, 0.0);
   }
   this->Stopped = !this->Ranks.Decide(monitor.Going);
+  this->Beginning = this->State;
   return Result::Ok();
 }
 
@@ -124,6 +125,10 @@ void SpacetimeRun::EnterLevel(int coarseness)
     this->PartState.assign(begin, begin + level.NumberOfFrames() * model.FrameSize());
   }
   this->Coarseness = coarseness;
+  if (coarseness == 0 && !this->IsCut)
+  {
+    this->Beginning = StateVector();
+  }
   const SpacetimeBudget budget(model, this->Options);
   this->Window = budget.WindowOf(level.NumberOfFrames(), this->Options.MemoryLimit);
   const int history = this->HasWindows(level) ? 0 : this->Options.HistorySize;
@@ -306,6 +311,7 @@ Result SpacetimeRun::Finish()
   if (this->Region.IsEmpty())
   {
     constraints.Project(this->State);
+    this->KeepTheBetter(constraints);
   }
   else if (this->Memory != nullptr)
   {
@@ -331,6 +337,24 @@ Result SpacetimeRun::Finish()
     this->WriteOutput(level, std::move(positions));
   }
   return this->Stopped ? Result::Stopped() : Result::Ok();
+}
+
+// Left on a coarse level, whose steps and gas are not quite those of all frames, a run may have
+// come to more than it began with.
+void SpacetimeRun::KeepTheBetter(const HardConstraints& constraints)
+{
+  if (this->Beginning.empty())
+  {
+    return;
+  }
+  constraints.Project(this->Beginning);
+  const double found = this->Measure().E;
+  std::swap(this->State, this->Beginning);
+  if (found <= this->Measure().E)
+  {
+    std::swap(this->State, this->Beginning);
+  }
+  this->Beginning = StateVector();
 }
 
 // Neighbours are looked for anew: what is measured of a frame depends on that frame alone.

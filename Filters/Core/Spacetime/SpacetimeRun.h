@@ -71,6 +71,7 @@ private:
   void ExchangeCheckpoint(StateStream& stream);
 
   Result Finish();
+  void KeepTheBetter(const HardConstraints& constraints);
   Result MeasureResult(const TimeLevel& level, const HardConstraints& constraints);
   void WriteOutput(const TimeLevel& level, std::vector<std::vector<Vec3>> positions);
   void Remember(std::vector<std::vector<Vec3>> positions);
@@ -93,6 +94,8 @@ private:
   StateVector State;     // all frames
   /// Those of a coarse level or about an edit, and this rank's share of a level.
   StateVector PartState;
+  /// What the run began with, until it comes to all frames by itself.
+  StateVector Beginning;
   EditRegion Region;                   // all that moves, when an edit is local
   std::unique_ptr<LevelSolver> Solver; // of the level that the run is on
   int Coarseness = 0;                  // of that level

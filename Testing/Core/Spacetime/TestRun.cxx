@@ -277,14 +277,18 @@ TEST(RunSpacetime, KeepsTheBestSoFarWhenStopped)
   SceneOptions scene;
   scene.NumberOfFrames = 40;
   const SpacetimeInput input = MakeScene(scene);
-  StopAfter monitor(0.4);
-  SpacetimeOutput output;
-  const Result result = RunSpacetime(input, QuickOptions(), SerialFor(), monitor, output);
-  ASSERT_TRUE(result) << result.Message();
-  EXPECT_TRUE(result.IsStopped());
-  ASSERT_EQ(output.Tracks.size(), input.Tracks.size());
-  ExpectAllMet(output);
-  EXPECT_LT(output.Convergence.back().E, output.Convergence.front().E);
+  // In the leash, at its end, on each level.
+  for (const double fraction : { 0.02, 0.06, 0.1, 0.15, 0.25, 0.4, 0.8 })
+  {
+    StopAfter monitor(fraction);
+    SpacetimeOutput output;
+    const Result result = RunSpacetime(input, QuickOptions(), SerialFor(), monitor, output);
+    ASSERT_TRUE(result) << result.Message();
+    EXPECT_TRUE(result.IsStopped());
+    ASSERT_EQ(output.Tracks.size(), input.Tracks.size());
+    ExpectAllMet(output);
+    EXPECT_LE(output.Convergence.back().E, output.Convergence.front().E) << fraction;
+  }
 }
 
 TEST(RunSpacetime, NamesBadInputAndLeavesTheOutputEmpty)
