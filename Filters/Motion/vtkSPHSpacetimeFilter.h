@@ -255,7 +255,7 @@ private:
   int NumberOfGasParticles = 2500;
   int NumberOfObjectParticles = 125;
   double PositionWeight = 10.0;
-  double VelocityWeight = 3.0;
+  double VelocityWeight = 10.0;
   double CoherenceWeight = 0.25;
   double SpatialShare = 0.5;
   int TemporalWindow = 1;

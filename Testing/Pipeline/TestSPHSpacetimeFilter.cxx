@@ -69,6 +69,18 @@ struct Pipeline
   }
 };
 
+/// E of the first motion that lands: the planned one flies on at the ground.
+double FirstCost(vtkTable* log)
+{
+  vtkIdType row = 0;
+  while (row + 1 < log->GetNumberOfRows() &&
+         log->GetValueByName(row, "Stage").ToString().compare(0, 5, "leash") != 0)
+  {
+    ++row;
+  }
+  return log->GetValueByName(row, "E").ToDouble();
+}
+
 } // namespace
 
 TEST(SPHSpacetimeFilter, FillsItsSixPorts)
@@ -114,7 +126,7 @@ TEST(SPHSpacetimeFilter, FillsItsSixPorts)
   const vtkIdType last = log->GetNumberOfRows() - 1;
   EXPECT_EQ(log->GetValueByName(0, "Stage").ToString(), "initial");
   EXPECT_EQ(log->GetValueByName(last, "Stage").ToString(), "final");
-  EXPECT_LT(log->GetValueByName(last, "E").ToDouble(), log->GetValueByName(0, "E").ToDouble());
+  EXPECT_LT(log->GetValueByName(last, "E").ToDouble(), FirstCost(log));
   vtkTable* report = p.Table(5);
   ASSERT_EQ(report->GetNumberOfRows(), 3);
   for (vtkIdType row = 0; row < 3; ++row)
@@ -196,8 +208,7 @@ TEST(SPHSpacetimeFilter, KeepsTheBestSoFarWhenStopped)
   ASSERT_EQ(tracks.size(), 3u);
   EXPECT_EQ(tracks[1].Positions.front(), p.Scene.Objects[1].Position);
   vtkTable* log = p.Table(4);
-  EXPECT_LT(log->GetValueByName(log->GetNumberOfRows() - 1, "E").ToDouble(),
-            log->GetValueByName(0, "E").ToDouble());
+  EXPECT_LT(log->GetValueByName(log->GetNumberOfRows() - 1, "E").ToDouble(), FirstCost(log));
 }
 
 TEST(SPHSpacetimeFilter, GoesOnFromItsLastMotionUntilRestarted)

@@ -30,8 +30,8 @@ SpacetimeBudget::SpacetimeBudget(const SpacetimeModel& model, const SpacetimeOpt
     WallShare * 4.0 / 3.0 * M_PI * reach * reach * reach + 4.0; // whole groups of eight
   const double entry = particles < 65535.0 ? 2.0 : 4.0;
   const double list = particles * (ListGrowth * entry * neighbors + 4.0 * sizeof(float));
-  // The motion, and the rows of an evaluation of the whole.
-  this->Base = SmallParts + model.NumberOfFrames * (frame + rows);
+  // The motion, the one it began with, and the rows of an evaluation of the whole.
+  this->Base = SmallParts + model.NumberOfFrames * (2.0 * frame + rows);
   this->Exported = model.NumberOfFrames * exported;
   // Of a window: its part of the state, L-BFGS with its pairs, rows and lists.
   this->PerFrame = frame * (6.0 + 2.0 * options.HistorySize) + rows + list;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 namespace waft
 {
@@ -15,7 +16,8 @@ constexpr int LeashSteps = 5;             // radii 0.01 L 2^k, k = 0..4
 constexpr double FirstLeash = 0.01;       // of L
 constexpr int CoarseStrides[] = { 2, 4 }; // frames; on eight, pressure is not the gas' any more
 constexpr double WorthCoarsening = 0.8;   // a level has fewer frames than this share of the next
-constexpr std::size_t FewestFrames = 4;   // of a level
+/// Of the levels: a short time line comes to the coarser one's answer as soon without it.
+constexpr std::size_t FewestFrames[] = { 4, 10 };
 
 SpacetimeStep Minimise(int coarseness, int pass, std::string name, int iterations,
                        double leash = 0.0)
@@ -104,11 +106,11 @@ SpacetimeProgram PlanProgram(const SpacetimeSetup& setup, const SpacetimeOptions
   const int iterations = options.MaximumNumberOfIterations;
   SpacetimeProgram program;
   double finer = frames;
-  for (const int stride : CoarseStrides)
+  for (std::size_t k = 0; k < std::size(CoarseStrides); ++k)
   {
-    std::vector<int> coarse = CoarseFrames(setup.Model, setup.Table, stride);
+    std::vector<int> coarse = CoarseFrames(setup.Model, setup.Table, CoarseStrides[k]);
     const auto size = static_cast<double>(coarse.size());
-    if (!(size < WorthCoarsening * finer) || coarse.size() < FewestFrames)
+    if (!(size < WorthCoarsening * finer) || coarse.size() < FewestFrames[k])
     {
       break;
     }

@@ -125,10 +125,6 @@ void SpacetimeRun::EnterLevel(int coarseness)
     this->PartState.assign(begin, begin + level.NumberOfFrames() * model.FrameSize());
   }
   this->Coarseness = coarseness;
-  if (coarseness == 0 && !this->IsCut)
-  {
-    this->Beginning = StateVector();
-  }
   const SpacetimeBudget budget(model, this->Options);
   this->Window = budget.WindowOf(level.NumberOfFrames(), this->Options.MemoryLimit);
   const int history = this->HasWindows(level) ? 0 : this->Options.HistorySize;

@@ -94,7 +94,7 @@ private:
   StateVector State;     // all frames
   /// Those of a coarse level or about an edit, and this rank's share of a level.
   StateVector PartState;
-  /// What the run began with, until it comes to all frames by itself.
+  /// What the run began with, unless it goes on from another.
   StateVector Beginning;
   EditRegion Region;                   // all that moves, when an edit is local
   std::unique_ptr<LevelSolver> Solver; // of the level that the run is on

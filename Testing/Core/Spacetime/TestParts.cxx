@@ -79,16 +79,16 @@ TEST(TimeLevels, HoldEveryFrameOfARequirement)
 TEST(SpacetimeProgram, GoesFromTheCoarsestLevelToAllFrames)
 {
   SceneOptions scene;
-  scene.NumberOfFrames = 60;
+  scene.NumberOfFrames = 200;
   SpacetimeInput input = MakeScene(scene);
   const SpacetimeOptions options;
   const auto plan = [&]()
   { return PlanProgram(MakeProblem(input), options, input.Scene.Bounds.Width()); };
   const SpacetimeProgram program = plan();
   ASSERT_EQ(program.Coarsest(), 2);
-  EXPECT_LE(program.CoarseFrames[1].size(), 20u);
-  EXPECT_LE(program.CoarseFrames[0].size(), 35u);
-  EXPECT_EQ(program.LevelOf(0, 60, 1).NumberOfFrames(), 60u);
+  EXPECT_LE(program.CoarseFrames[1].size(), 60u);
+  EXPECT_LE(program.CoarseFrames[0].size(), 110u);
+  EXPECT_EQ(program.LevelOf(0, 200, 1).NumberOfFrames(), 200u);
   EXPECT_EQ(program.Steps.front().Coarseness, 2);
   EXPECT_GT(program.Steps.front().Leash, 0.0);
   EXPECT_EQ(program.Steps.back().Coarseness, 0);
@@ -105,7 +105,7 @@ TEST(SpacetimeProgram, GoesFromTheCoarsestLevelToAllFrames)
     }
   }
   // Marks at every second frame leave nothing to a level of every fourth.
-  for (int frame = 2; frame < 58; frame += 2)
+  for (int frame = 2; frame < 198; frame += 2)
   {
     Constraint row = input.Constraints.front();
     row.Row = 100 + frame;
