@@ -31,7 +31,7 @@ struct SpacetimeWeights
   double XsphFactor = 0.0;      // epsilon of Eq. 10
   double Clearance = 10.0;      // objects nearer to a surface than they may be
   double Reach = 3.0;           // objects farther from their approach than they may be
-  double Contact = 3.0;         // objects nearer to each other than ContactDistance
+  double Contact = 5.0;         // objects nearer to each other than ContactDistance
   double ContactDistance = 0.0; // d0 [dx]
   double Separation = 0.1;      // gas nearer to gas than GasDistance
   double GasDistance = 0.32;    // [dx]
