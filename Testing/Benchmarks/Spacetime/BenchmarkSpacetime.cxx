@@ -29,7 +29,8 @@ constexpr const char* Help =
   "                                         optimised with the standard options. Both are made on\n"
   "                                         the spot: no files are needed\n"
   "  WaftBenchmarkSpacetime --ceres 500     64 gas particles and 5 objects over 15 frames, instead:\n"
-  "                                         500 iterations of Ceres and of the filter's solver\n"
+  "                                         500 iterations of Ceres, and --iterations (2000)\n"
+  "                                         of the filter's solver\n"
   "\n"
   "The standard problem runs the optimiser's own program of levels and then what Continue adds\n"
   "(without leash, wind, fit of vortices and tolerance). Options, with their standard values:\n"
@@ -83,7 +84,7 @@ int PrintCeres(int argc, char** argv, int iterations, const ParallelFor& paralle
   problem.ParticlesPerObject = static_cast<int>(Argument(argc, argv, "--particles", 5));
   problem.NumberOfFrames = static_cast<int>(Argument(argc, argv, "--frames", 15));
   problem.Build();
-  const int own = static_cast<int>(Argument(argc, argv, "--stride1", 2000));
+  const int own = static_cast<int>(Argument(argc, argv, "--iterations", 2000));
   const CeresComparison result = CompareWithCeres(problem, own, iterations, parallel);
   std::printf("%zu gas + %zu x %zu object particles, %d frames; E at the start %.6g\n",
               problem.Setup.Model.NumberOfGas, problem.Setup.Model.NumberOfObjects,
