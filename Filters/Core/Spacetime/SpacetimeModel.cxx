@@ -10,33 +10,6 @@
 namespace waft
 {
 
-void SplineWind::At(double frame, std::vector<float>& coefficients) const
-{
-  const double last = static_cast<double>(this->Knots.size() - 1);
-  const double s = std::clamp(frame / this->FramesPerKnot, 0.0, last);
-  const auto k = static_cast<std::size_t>(s);
-  const std::size_t next = std::min(k + 1, this->Knots.size() - 1);
-  const auto t = static_cast<float>(s - static_cast<double>(k));
-  coefficients.resize(this->Knots[k].size());
-  for (std::size_t i = 0; i < coefficients.size(); ++i)
-  {
-    coefficients[i] = (1.0f - t) * this->Knots[k][i] + t * this->Knots[next][i];
-  }
-}
-
-SphSplineField SplineWind::Field(const std::vector<float>& coefficients) const
-{
-  SphSplineField field;
-  for (int a = 0; a < 3; ++a)
-  {
-    field.Dimensions[a] = this->Dimensions[a];
-    field.Origin[a] = static_cast<float>(this->Origin[a]);
-    field.InverseSpacing[a] = static_cast<float>(1.0 / this->Spacing[a]);
-  }
-  field.Coefficients = coefficients.data();
-  return field;
-}
-
 TimeLevel TimeLevel::Full(int numberOfFrames, int window)
 {
   std::vector<int> frames(numberOfFrames);

@@ -7,6 +7,7 @@
 #include "Particles/ObstacleField.h"
 #include "Particles/RestDensity.h"
 #include "Particles/SphFluid.h"
+#include "Spacetime/SplineWind.h"
 
 #include <array>
 #include <cstddef>
@@ -47,22 +48,6 @@ enum ObjectFrameFlags : std::uint8_t
   LandsOnFloor = 16,    // clearance to the floor is reduced to the rest height
   LandsOnObstacle = 32, // the same for obstacles
   LiftsOff = 64         // after a rest: no cushion, which would hold it back
-};
-
-/// A wind as quadratic B-splines on a lattice in space, linear in time.
-struct SplineWind
-{
-  std::array<int, 3> Dimensions{ 0, 0, 0 };
-  Vec3 Origin = Vec3::Zero();  // first node [dx]
-  Vec3 Spacing = Vec3::Ones(); // [dx]
-  double FramesPerKnot = 1.0;
-  std::vector<std::vector<float>> Knots; // (x, y, z, 0) a node [dx / frame^2], or [dx / frame]
-  double Drag = 0.0; // 0: an acceleration; otherwise draws velocities with this rate [1 / frame]
-
-  bool IsEmpty() const { return this->Knots.empty(); }
-  /// Coefficients at a frame.
-  void At(double frame, std::vector<float>& coefficients) const;
-  SphSplineField Field(const std::vector<float>& coefficients) const;
 };
 
 /// Everything but the unknowns.

@@ -6,7 +6,7 @@
 #include "Base/Parallel.h"
 #include "Base/Types.h"
 #include "Spacetime/FrameShare.h"
-#include "Spacetime/SpacetimeModel.h"
+#include "Spacetime/SplineWind.h"
 
 #include <vector>
 
@@ -34,9 +34,7 @@ struct SplineSamples
   std::vector<Sample> Samples;
 };
 
-/// The field's B-spline coefficients are the discrete curl (central differences) of a vector
-/// potential on the nodes plus a mean flow at each knot in time, so that its discrete divergence
-/// vanishes.
+/// The field's coefficients are those of a CurlPotential, so that its discrete divergence vanishes.
 /// shape: the lattice, its FramesPerKnot and as many knots as wanted (their values are not read).
 /// share: of the frames that samples are given of, which have samples on their own rank alone
 /// (Frame is set on all); the field is found on every rank. Null: all are this rank's.
@@ -44,8 +42,5 @@ SplineWind FitSplineField(const SplineWind& shape, int numberOfKnots,
                           const std::vector<SplineSamples>& samples,
                           const SplineFitOptions& options, const ParallelFor& parallel,
                           const FrameShare* share = nullptr);
-
-/// Value of a field at a place [dx] and frame.
-Vec3 SampleField(const SplineWind& field, const Vec3& x, double frame);
 
 } // namespace waft
