@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/ObjectPlan.h"
 
+#include "Planning/ObjectProgress.h"
 #include "Planning/Repair.h"
 #include "Planning/Seams.h"
 
@@ -22,24 +23,6 @@ constexpr double LandingDescent = 1.1;
 /// Other ways to a mark that are tried when there is no way on from where a flight came to it.
 constexpr int Returns = 3;
 
-/// Of an object's way, what is flown so far.
-struct Progress
-{
-  explicit Progress(const Itinerary& itinerary) : Way(itinerary) {}
-
-  Itinerary Way; // marks that are missed become places where the object just was
-  ClearanceField Field;
-  ObjectPlan Plan;
-  WarpProblem Warp;
-  bool HasContinuation = false;
-  Piece Continuation;
-  bool Halted = false;     // the flight before came to a stop
-  bool LastReached = true; // the mark before
-  bool IsRuledOut = false; // it could not be, however the flight began
-  std::vector<int> Seams;  // frames at which two flights meet
-  StyleHistory History;
-};
-
 class ObjectPlanner
 {
 public:
@@ -50,56 +33,26 @@ public:
 
 private:
   void PlanFlight(std::size_t from, int lastFrame, int attempt = 0);
-  void ReturnFrom(std::size_t mark, const Progress& start);
+  void ReturnFrom(std::size_t mark, const ObjectProgress& start);
   void Draw(const Mark& from, Mark& to);
-  void LieStill(const Mark& mark);
-  void Miss(Mark& mark, const Vec3& place);
-  void Fix(int frame, const Vec3& position);
   SpanEnd EndAt(std::size_t mark, bool isGoal) const;
   bool IsDrawn(std::size_t mark) const;
-  void KeepSpan(const SpanRequest& request, SpanResult& span);
 
   const SegmentLibrary& Library;
   const MotionObject& Object;
   const SceneInfo& Scene;
   const ObjectPlanOptions& Options;
-  int Shortest = 0; // spans of fewer frames are drawn, not searched
-  Progress Now;
+  int Shortest; // spans of fewer frames are drawn, not searched
+  ObjectProgress Now;
 };
 
 ObjectPlanner::ObjectPlanner(const SegmentLibrary& library, const MotionObject& object,
                              const Itinerary& itinerary, const ObstacleSet& obstacles,
                              const SceneInfo& scene, const ObjectPlanOptions& options) :
   Library(library),
-  Object(object), Scene(scene), Options(options), Now(itinerary)
+  Object(object), Scene(scene), Options(options), Shortest(library.Window() + 2),
+  Now(object, itinerary, obstacles, scene, options.Span.CheckMargin)
 {
-  const auto count = static_cast<std::size_t>(scene.Time.NumberOfFrames);
-  this->Now.Field.Obstacles = &obstacles;
-  this->Now.Field.Bounds = scene.Bounds;
-  this->Now.Field.Radius = object.ClearanceRadius;
-  this->Now.Field.Contacts = itinerary.Contacts;
-  for (const Mark& mark : itinerary.Marks)
-  {
-    const double distance = this->Now.Field.Distance(mark.Position, mark.Frame);
-    if (distance < this->Now.Field.Radius + options.Span.CheckMargin)
-    {
-      this->Now.Field.TightMarks.push_back(
-        { mark.Position, distance - options.Span.CheckMargin - 1e-9 });
-    }
-  }
-  this->Now.Plan.Positions.assign(count, object.Position);
-  this->Now.Plan.Samples.assign(count, UseSample());
-  this->Now.Warp.SecondDifferences.assign(count, Vec3::Zero());
-  this->Now.Warp.IsFixed.assign(count, 0);
-  this->Now.Warp.Fixed.assign(count, Vec3::Zero());
-  this->Shortest = library.Window() + 2;
-}
-
-void ObjectPlanner::Fix(int frame, const Vec3& position)
-{
-  this->Now.Plan.Positions[frame] = position;
-  this->Now.Warp.IsFixed[frame] = 1;
-  this->Now.Warp.Fixed[frame] = position;
 }
 
 /// True when the flight from this mark to the next is too short for a segment.
@@ -163,42 +116,20 @@ void ObjectPlanner::Draw(const Mark& from, Mark& to)
     }
     outcome.IsReached = false;
     outcome.Message = "far faster than the database's top speed";
-    this->Miss(to, place);
+    this->Now.Miss(to, place);
   }
   for (int frame = from.Until + 1; frame <= to.Frame; ++frame)
   {
     const double u = static_cast<double>(frame - from.Until) / static_cast<double>(frames);
     this->Now.Plan.Positions[frame] = start + u * (to.Position - start);
   }
-  this->Fix(to.Frame, to.Position);
+  this->Now.Fix(to.Frame, to.Position);
   this->Now.Seams.push_back(from.Until);
   this->Now.Seams.push_back(to.Frame);
   this->Now.HasContinuation = false;
   this->Now.Halted = false;
   this->Now.LastReached = outcome.IsReached;
   this->Now.Plan.Outcomes.push_back(outcome);
-}
-
-/// The object goes on from where it came to.
-void ObjectPlanner::Miss(Mark& mark, const Vec3& place)
-{
-  auto& contacts = this->Now.Field.Contacts;
-  contacts.erase(std::remove_if(contacts.begin(), contacts.end(),
-                                [&](const ContactStretch& contact)
-                                { return contact.Constraint == mark.Constraint; }),
-                 contacts.end());
-  mark.Until = mark.Frame;
-  mark.Position = place;
-  mark.IsRest = mark.Halts = mark.HasVelocity = false;
-}
-
-void ObjectPlanner::LieStill(const Mark& mark)
-{
-  const Vec3 position = this->Now.Plan.Positions[mark.Frame];
-  for (int frame = mark.Frame; frame <= mark.Until; ++frame)
-  {
-    this->Fix(frame, position);
-  }
 }
 
 /// attempt: each has random numbers of its own.
@@ -268,84 +199,18 @@ void ObjectPlanner::PlanFlight(std::size_t from, int lastFrame, int attempt)
     this->Now.IsRuledOut = span.IsRuledOut;
     if (!span.ReachesGoal)
     {
-      this->Miss(this->Now.Way.Marks[from + 1], span.Positions.back());
+      this->Now.Miss(this->Now.Way.Marks[from + 1], span.Positions.back());
     }
   }
-  this->KeepSpan(request, span);
-}
-
-void ObjectPlanner::KeepSpan(const SpanRequest& request, SpanResult& span)
-{
-  const int first = request.FirstFrame;
-  const int frames = request.Clock.Frames;
-  const auto base = static_cast<int>(this->Now.Plan.Uses.size());
-  for (int k = 0; k <= frames; ++k)
-  {
-    if (k > 0)
-    {
-      this->Now.Plan.Positions[first + k] = span.Positions[k];
-    }
-    if (span.Sources[k].Piece >= 0)
-    {
-      this->Now.Plan.Samples[first + k] = { base + span.Sources[k].Piece, span.Sources[k].Sample };
-    }
-  }
-  StyleGauge::Append(span.Positions, this->Scene.Time.Step(),
-                     std::max(1, request.Clock.LaunchFrames), frames - request.Clock.BrakeFrames,
-                     this->Now.History);
-  for (int k = 1; k < frames; ++k)
-  {
-    this->Now.Warp.SecondDifferences[first + k] = span.Bends[k];
-  }
-  if (request.Clock.BrakeFrames == 0 && !span.Halts)
-  {
-    this->Now.Seams.push_back(first + frames);
-  }
-  this->Fix(first + frames, span.Positions[frames]);
-  for (std::size_t i = 0; i < span.Pieces.size(); ++i)
-  {
-    // A piece stands where the finished path carries the middle of what is used of it.
-    int low = -1;
-    int high = -1;
-    for (int k = 0; k <= frames; ++k)
-    {
-      if (span.Sources[k].Piece == static_cast<int>(i))
-      {
-        low = low < 0 ? k : low;
-        high = k;
-      }
-    }
-    SegmentUse use;
-    use.Segment = span.Pieces[i].Segment;
-    use.Place = span.Pieces[i].Place;
-    use.RetimingFactor = span.RetimingFactor;
-    use.FirstTime = this->Scene.Time.Time(first + span.PieceFrames[i]);
-    if (low >= 0)
-    {
-      const int middle = (low + high) / 2;
-      use.Place.Translation +=
-        span.Positions[middle] -
-        use.Place * this->Library.Samples(use.Segment)[span.Sources[middle].Sample];
-    }
-    this->Now.Plan.Uses.push_back(use);
-  }
-  SpanTrees trees;
-  trees.FirstFrame = first;
-  trees.LastFrame = first + frames;
-  trees.Trees[0] = std::move(span.Trees[0]);
-  trees.Trees[1] = std::move(span.Trees[1]);
-  this->Now.Plan.Spans.push_back(std::move(trees));
-  this->Now.Halted = span.Halts;
-  this->Now.HasContinuation = span.HasContinuation;
-  this->Now.Continuation = span.Continuation;
+  this->Now.Keep(this->Library, this->Scene.Time, request, span);
 }
 
 /// The flight on from a mark found no way: it may have come there too fast, or head on to a wall.
 /// Other flights to the mark are tried, from the progress before them; what there is stays when
 /// none leads on.
-void ObjectPlanner::ReturnFrom(std::size_t mark, const Progress& start)
+void ObjectPlanner::ReturnFrom(std::size_t mark, const ObjectProgress& start)
 {
-  const Progress found = this->Now;
+  const ObjectProgress found = this->Now;
   for (int attempt = 1; attempt <= Returns; ++attempt)
   {
     this->Now = start;
@@ -367,13 +232,13 @@ ObjectPlan ObjectPlanner::Run()
   // A copy, since the marks of the progress move when they are missed; frames stay.
   const std::vector<Mark> marks = this->Now.Way.Marks;
   const int last = this->Scene.Time.NumberOfFrames - 1;
-  this->Fix(0, marks.front().Position);
-  std::optional<Progress> before; // the flight that came here, when another one may
+  this->Now.Fix(0, marks.front().Position);
+  std::optional<ObjectProgress> before; // the flight that came here, when another one may
   for (std::size_t i = 0; i < marks.size(); ++i)
   {
     if (this->Now.Way.Marks[i].IsRest)
     {
-      this->LieStill(this->Now.Way.Marks[i]);
+      this->Now.LieStill(this->Now.Way.Marks[i]);
     }
     if (i + 1 == marks.size())
     {
@@ -389,7 +254,7 @@ ObjectPlan ObjectPlanner::Run()
     }
     else
     {
-      Progress here = this->Now;
+      ObjectProgress here = this->Now;
       this->PlanFlight(i, marks[i + 1].Frame);
       if (!this->Now.LastReached && !this->Now.IsRuledOut && before)
       {

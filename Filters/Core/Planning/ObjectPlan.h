@@ -6,6 +6,7 @@
 #include "Planning/SpanPlan.h"
 #include "Planning/Vortices.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
