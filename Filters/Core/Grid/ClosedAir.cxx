@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Grid/ClosedAir.h"
+
+namespace waft
+{
+
+ClosedAir::ClosedAir(const PaddedCells& c, const std::array<const float*, 3>& weights,
+                     const std::array<bool, 3>& periodic) :
+  Part(c.Size(), -1)
+{
+  std::vector<bool> seen(c.Size(), false);
+  struct Place
+  {
+    int At[3];
+  };
+  const std::array<std::ptrdiff_t, 3> stride{ 1, c.StrideY, c.StrideZ };
+  const auto hasFace = [&](std::ptrdiff_t p)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (weights[axis][p] > 0.0f || weights[axis][p + stride[axis]] > 0.0f)
+      {
+        return true;
+      }
+    }
+    return false;
+  };
+  std::vector<Place> stack;
+  std::vector<std::ptrdiff_t> members;
+  const auto enter = [&](const Place& place)
+  {
+    const std::ptrdiff_t p = c.Index(place.At[0], place.At[1], place.At[2]);
+    if (!seen[p])
+    {
+      seen[p] = true;
+      stack.push_back(place);
+      members.push_back(p);
+    }
+  };
+  for (int k = 0; k < c.N[2]; ++k)
+  {
+    for (int j = 0; j < c.N[1]; ++j)
+    {
+      for (int i = 0; i < c.N[0]; ++i)
+      {
+        const std::ptrdiff_t start = c.Index(i, j, k);
+        if (seen[start] || !hasFace(start))
+        {
+          continue;
+        }
+        members.clear();
+        bool isOpen = false;
+        enter({ { i, j, k } });
+        while (!stack.empty())
+        {
+          const Place place = stack.back();
+          stack.pop_back();
+          const std::ptrdiff_t p = c.Index(place.At[0], place.At[1], place.At[2]);
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            for (int side = -1; side <= 1; side += 2)
+            {
+              const std::ptrdiff_t face = side < 0 ? p : p + stride[axis];
+              if (weights[axis][face] <= 0.0f)
+              {
+                continue;
+              }
+              Place next = place;
+              next.At[axis] += side;
+              const bool leaves = next.At[axis] < 0 || next.At[axis] >= c.N[axis];
+              if (leaves && !periodic[axis])
+              {
+                isOpen = true;
+                continue;
+              }
+              next.At[axis] = (next.At[axis] + c.N[axis]) % c.N[axis];
+              enter(next);
+            }
+          }
+        }
+        if (!isOpen)
+        {
+          for (const std::ptrdiff_t p : members)
+          {
+            this->Part[p] = static_cast<std::int32_t>(this->Sizes.size());
+          }
+          this->Sizes.push_back(members.size());
+        }
+      }
+    }
+  }
+}
+
+void ClosedAir::MakeCompatible(std::vector<float>& b) const
+{
+  if (this->Sizes.empty())
+  {
+    return;
+  }
+  std::vector<double> means(this->Sizes.size(), 0.0);
+  for (std::size_t p = 0; p < b.size(); ++p)
+  {
+    if (this->Part[p] >= 0)
+    {
+      means[this->Part[p]] += b[p];
+    }
+  }
+  for (std::size_t c = 0; c < means.size(); ++c)
+  {
+    means[c] /= static_cast<double>(this->Sizes[c]);
+  }
+  for (std::size_t p = 0; p < b.size(); ++p)
+  {
+    if (this->Part[p] >= 0)
+    {
+      b[p] -= static_cast<float>(means[this->Part[p]]);
+    }
+  }
+}
+
+} // namespace waft
