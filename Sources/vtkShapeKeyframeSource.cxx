@@ -7,6 +7,7 @@
 #include "Bridge/SceneFiles.h"
 #include "Bridge/StageExecution.h"
 #include "Scene/LetterSpacing.h"
+#include "Scene/SurfaceSampling.h"
 #include "Scene/TargetSampling.h"
 
 #include <vtkInformation.h>

@@ -3,7 +3,7 @@
 
 #include "Bridge/FileReading.h"
 #include "Bridge/SceneFiles.h"
-#include "Scene/TargetSampling.h"
+#include "Scene/TargetMask.h"
 
 #include <algorithm>
 

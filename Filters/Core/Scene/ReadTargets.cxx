@@ -2,6 +2,8 @@
 // Targets of a keyframe: points, or points sampled from a text, a picture or a surface.
 #include "Scene/LetterSpacing.h"
 #include "Scene/SceneReader.h"
+#include "Scene/SurfaceSampling.h"
+#include "Scene/TargetSampling.h"
 
 #include <algorithm>
 

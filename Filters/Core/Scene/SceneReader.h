@@ -4,7 +4,7 @@
 
 #include "Scene/Scene.h"
 #include "Scene/SceneNode.h"
-#include "Scene/TargetSampling.h"
+#include "Scene/TargetMask.h"
 
 #include <map>
 #include <optional>

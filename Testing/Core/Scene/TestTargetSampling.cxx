@@ -3,6 +3,7 @@
 #include "Scene/BlueNoise.h"
 #include "Scene/LetterSpacing.h"
 #include "Scene/StrokeThinning.h"
+#include "Scene/SurfaceSampling.h"
 #include "Scene/TargetSampling.h"
 #include "TestAssets.h"
 
