@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkConstraintSource.h"
 
+#include "Bridge/ConstraintData.h"
 #include "Bridge/PrintValues.h"
-#include "Bridge/SceneData.h"
 #include "Bridge/StageExecution.h"
 
 #include <vtkInformationVector.h>

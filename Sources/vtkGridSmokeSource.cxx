@@ -3,9 +3,9 @@
 
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/FieldSweep.h"
-#include "Bridge/SceneData.h"
 #include "Bridge/SmokeData.h"
 #include "Bridge/StageExecution.h"
+#include "Bridge/VortexData.h"
 #include "Grid/SmokeEnsemble.h"
 #include "Grid/SmokeSeries.h"
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMotionSceneReader.h"
 
+#include "Bridge/ConstraintData.h"
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/SceneFiles.h"
 #include "Bridge/SceneWind.h"
 #include "Bridge/ShapeData.h"
 #include "Bridge/StageExecution.h"
+#include "Bridge/VortexData.h"
 #include "Obstacles/SurfaceRepair.h"
 #include "Scene/Scene.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShapeKeyframeSource.h"
 
+#include "Bridge/ConstraintData.h"
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/PrintValues.h"
-#include "Bridge/SceneData.h"
 #include "Bridge/SceneFiles.h"
 #include "Bridge/StageExecution.h"
 #include "Scene/LetterSpacing.h"

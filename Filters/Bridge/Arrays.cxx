@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/Arrays.h"
 
+#include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -138,6 +140,25 @@ void SetPoints(vtkPoints* points, const std::vector<Vec3>& values)
   {
     points->SetPoint(static_cast<vtkIdType>(i), values[i].data());
   }
+}
+
+void SetVertices(vtkPolyData* data, const std::vector<Vec3>& positions)
+{
+  vtkNew<vtkPoints> points;
+  SetPoints(points, positions);
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    vertices->InsertNextCell(1, &i);
+  }
+  data->SetPoints(points);
+  data->SetVerts(vertices);
+}
+
+double FieldNumber(vtkFieldData* data, const char* name, double fallback)
+{
+  vtkDataArray* array = data->GetArray(name);
+  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : fallback;
 }
 
 Result ReadDoubles(const ArrayPlace& place, const char* name, std::vector<double>& values,

@@ -13,6 +13,7 @@
 
 class vtkDataArray;
 class vtkPoints;
+class vtkPolyData;
 
 namespace waft
 {
@@ -27,6 +28,11 @@ void AddQuaternions(vtkFieldData* data, const char* name, const std::vector<Quat
 
 /// Points of double precision.
 void SetPoints(vtkPoints* points, const std::vector<Vec3>& values);
+/// Points of double precision, each with a vertex.
+void SetVertices(vtkPolyData* data, const std::vector<Vec3>& positions);
+
+/// The first number of an array; the fallback when there is none.
+double FieldNumber(vtkFieldData* data, const char* name, double fallback);
 
 /// What is read, for messages: "Tracks: point data array".
 struct ArrayPlace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/KeptStage.h"
 
+#include "Bridge/ConstraintData.h"
 #include "Bridge/Ranks.h"
 #include "Bridge/SceneData.h"
 

@@ -3,9 +3,11 @@
 
 #include "Bridge/ArrayNames.h"
 #include "Bridge/Arrays.h"
+#include "Bridge/ConstraintData.h"
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/ShapeData.h"
+#include "Bridge/VortexData.h"
 
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Field data of a scene, objects, constraints, the report, vortices.
+// Field data of a scene, and its objects.
 #pragma once
 
-#include "Base/ForceFields.h"
 #include "Base/Motion.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
@@ -11,7 +10,6 @@
 
 class vtkDataObject;
 class vtkPolyData;
-class vtkTable;
 
 namespace waft
 {
@@ -25,20 +23,5 @@ void ObjectsToPolyData(const std::vector<MotionObject>& objects, const SceneInfo
                        vtkPolyData* data);
 /// Needs `ObjectId`; the other arrays have the defaults of MotionObject. Ids must differ.
 Result ObjectsFromPolyData(vtkPolyData* data, std::vector<MotionObject>& objects);
-
-void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const SceneInfo& info,
-                           vtkPolyData* data);
-/// Needs `ObjectId`, `Frame`, `Kind` and `Value`; the other arrays have the defaults of Constraint
-/// (`Row`: the vertex's number). Fails on an unknown kind or a frame outside the time line.
-Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
-                               std::vector<Constraint>& constraints);
-
-/// One line per row of the report; Kind and Status as text.
-void ReportToTable(const std::vector<ReportRow>& report, const SceneInfo& info, vtkTable* table);
-
-void VorticesToPolyData(const std::vector<Vortex>& vortices, const SceneInfo& info,
-                        vtkPolyData* data);
-/// Needs 2-point line cells with `Strength`, `CenterTime`, `Duration`, `CoreRadius`.
-Result VorticesFromPolyData(vtkPolyData* data, std::vector<Vortex>& vortices);
 
 } // namespace waft

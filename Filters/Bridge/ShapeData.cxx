@@ -25,12 +25,6 @@ namespace waft
 namespace
 {
 
-double Number(vtkFieldData* fields, const char* name, double fallback)
-{
-  vtkDataArray* array = fields->GetArray(name);
-  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : fallback;
-}
-
 void ShapeToPolyData(const Shape& shape, vtkPolyData* data)
 {
   vtkNew<vtkPoints> points;
@@ -83,12 +77,12 @@ Result ShapeFromPolyData(vtkPolyData* data, const std::string& name, Shape& shap
     }
   }
   vtkFieldData* fields = data->GetFieldData();
-  shape.DragCoefficient = Number(fields, names::DragCoefficient, shape.DragCoefficient);
-  shape.AreaDensity = Number(fields, names::AreaDensity, shape.AreaDensity);
-  shape.Thickness = Number(fields, names::Thickness, shape.Thickness);
-  shape.SettlingSpeed = Number(fields, names::SettlingSpeed, shape.SettlingSpeed);
-  shape.Damping = Number(fields, names::Damping, shape.Damping);
-  shape.ClassId = static_cast<int>(Number(fields, names::ClassId, shape.ClassId));
+  shape.DragCoefficient = FieldNumber(fields, names::DragCoefficient, shape.DragCoefficient);
+  shape.AreaDensity = FieldNumber(fields, names::AreaDensity, shape.AreaDensity);
+  shape.Thickness = FieldNumber(fields, names::Thickness, shape.Thickness);
+  shape.SettlingSpeed = FieldNumber(fields, names::SettlingSpeed, shape.SettlingSpeed);
+  shape.Damping = FieldNumber(fields, names::Damping, shape.Damping);
+  shape.ClassId = static_cast<int>(FieldNumber(fields, names::ClassId, shape.ClassId));
   vtkDataArray* color = fields->GetArray(names::Color);
   for (int c = 0; color && color->GetNumberOfComponents() == 3 && c < 3; ++c)
   {

@@ -2,15 +2,13 @@
 #include "Bridge/SpacetimeData.h"
 
 #include "Bridge/ArrayNames.h"
-#include "Bridge/Arrays.h"
+#include "Bridge/Columns.h"
 #include "Bridge/SceneData.h"
 
-#include <vtkCellArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 
@@ -51,20 +49,14 @@ void ParticlesToPolyData(const ParticleSeries& particles, int frame, const Scene
   std::vector<Vec3> positions;
   std::vector<int> ids;
   std::vector<unsigned char> kinds;
-  vtkNew<vtkCellArray> vertices;
   for (std::size_t i = 0; i < count; ++i)
   {
     const float* x = now.Positions.data() + 3 * i;
     positions.emplace_back(x[0], x[1], x[2]);
     ids.push_back(static_cast<int>(i));
     kinds.push_back(particles.ObjectIds[i] < 0 ? 0 : 1);
-    const vtkIdType vertex = static_cast<vtkIdType>(i);
-    vertices->InsertNextCell(1, &vertex);
   }
-  vtkNew<vtkPoints> points;
-  SetPoints(points, positions);
-  data->SetPoints(points);
-  data->SetVerts(vertices);
+  SetVertices(data, positions);
   vtkPointData* arrays = data->GetPointData();
   AddInts(arrays, names::ParticleId, ids);
   AddBytes(arrays, names::Kind, kinds);
@@ -80,34 +72,18 @@ void ParticlesToPolyData(const ParticleSeries& particles, int frame, const Scene
 void ConvergenceToTable(const std::vector<ConvergenceRow>& rows, const SceneInfo& info,
                         vtkTable* table)
 {
-  std::vector<int> passes, iterations;
-  std::vector<std::string> stages;
-  std::vector<double> e, ex, ev, ec, violations, leashes, seconds;
-  for (const ConvergenceRow& row : rows)
-  {
-    passes.push_back(row.Pass);
-    stages.push_back(row.Stage);
-    iterations.push_back(row.Iteration);
-    e.push_back(row.E);
-    ex.push_back(row.Ex);
-    ev.push_back(row.Ev);
-    ec.push_back(row.Ec);
-    violations.push_back(row.MaxViolation);
-    leashes.push_back(row.Leash);
-    seconds.push_back(row.Seconds);
-  }
   table->Initialize();
   vtkFieldData* columns = table->GetRowData();
-  AddInts(columns, names::Pass, passes);
-  AddStrings(columns, names::Stage, stages);
-  AddInts(columns, names::Iteration, iterations);
-  AddDoubles(columns, names::E, e);
-  AddDoubles(columns, names::Ex, ex);
-  AddDoubles(columns, names::Ev, ev);
-  AddDoubles(columns, names::Ec, ec);
-  AddDoubles(columns, names::MaxViolation, violations);
-  AddDoubles(columns, names::Leash, leashes);
-  AddDoubles(columns, names::Seconds, seconds);
+  AddColumn(columns, names::Pass, rows, &ConvergenceRow::Pass);
+  AddColumn(columns, names::Stage, rows, &ConvergenceRow::Stage);
+  AddColumn(columns, names::Iteration, rows, &ConvergenceRow::Iteration);
+  AddColumn(columns, names::E, rows, &ConvergenceRow::E);
+  AddColumn(columns, names::Ex, rows, &ConvergenceRow::Ex);
+  AddColumn(columns, names::Ev, rows, &ConvergenceRow::Ev);
+  AddColumn(columns, names::Ec, rows, &ConvergenceRow::Ec);
+  AddColumn(columns, names::MaxViolation, rows, &ConvergenceRow::MaxViolation);
+  AddColumn(columns, names::Leash, rows, &ConvergenceRow::Leash);
+  AddColumn(columns, names::Seconds, rows, &ConvergenceRow::Seconds);
   SceneInfoToFieldData(info, table);
 }
 

@@ -5,6 +5,7 @@
 #include "Bridge/SceneBlocks.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/ShapeData.h"
+#include "Bridge/VortexData.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>

@@ -3,6 +3,7 @@
 
 #include "Bridge/ArrayNames.h"
 #include "Bridge/Arrays.h"
+#include "Bridge/ConstraintData.h"
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/KeptStage.h"
 #include "Bridge/Ranks.h"
@@ -10,6 +11,7 @@
 #include "Bridge/SpacetimeData.h"
 #include "Bridge/StageExecution.h"
 #include "Bridge/TrackData.h"
+#include "Bridge/VortexData.h"
 #include "Spacetime/Spacetime.h"
 #include "Spacetime/SpacetimeMemory.h"
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkStylisticPlannerFilter.h"
 
+#include "Bridge/ConstraintData.h"
 #include "Bridge/DatabaseConversion.h"
 #include "Bridge/KeptStage.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/StageExecution.h"
 #include "Bridge/TrackData.h"
 #include "Bridge/TreeData.h"
+#include "Bridge/VortexData.h"
 #include "Obstacles/SurfaceRepair.h"
 #include "Planning/InputCheck.h"
 #include "Planning/PlanMemory.h"

@@ -2,13 +2,14 @@
 #include "vtkTrajectoryClusterFilter.h"
 
 #include "Bridge/ArrayNames.h"
+#include "Bridge/Arrays.h"
 #include "Bridge/DatabaseConversion.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/StageExecution.h"
 #include "Bridge/TrackData.h"
+#include "Bridge/VortexData.h"
 #include "Trajectory/TrajectoryClusters.h"
 
-#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -46,9 +47,8 @@ waft::Result AddSimulation(vtkPolyData* tracks, vtkPolyData* vortices, waft::Clu
   {
     input.FramesPerSecond = info.Time.FramesPerSecond;
     input.Volume = info.Bounds;
-    vtkDataArray* settling = tracks->GetFieldData()->GetArray(waft::names::SettlingSpeed);
     input.SettlingSpeed =
-      settling && settling->GetNumberOfTuples() > 0 ? settling->GetComponent(0, 0) : 0.0;
+      waft::FieldNumber(tracks->GetFieldData(), waft::names::SettlingSpeed, 0.0);
   }
   else if (info.Time.FramesPerSecond != input.FramesPerSecond)
   {

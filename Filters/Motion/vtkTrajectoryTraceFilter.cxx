@@ -8,6 +8,7 @@
 #include "Bridge/SceneData.h"
 #include "Bridge/StageExecution.h"
 #include "Bridge/TrackData.h"
+#include "Bridge/VortexData.h"
 #include "Obstacles/ObstacleSet.h"
 
 #include <vtkImageData.h>

@@ -4,8 +4,8 @@
 #include "Bridge/ArrayNames.h"
 #include "Bridge/Arrays.h"
 #include "Bridge/KeptStage.h"
-#include "Bridge/SceneData.h"
 #include "Bridge/TrackData.h"
+#include "Bridge/VortexData.h"
 #include "Vortex/VortexFit.h"
 #include "Vortex/VortexSamples.h"
 

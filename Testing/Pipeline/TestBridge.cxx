@@ -2,10 +2,12 @@
 // Data that go from Core to VTK come back as they were.
 #include "Base/Random.h"
 #include "Bridge/ArrayNames.h"
+#include "Bridge/ConstraintData.h"
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/ShapeData.h"
 #include "Bridge/TrackData.h"
+#include "Bridge/VortexData.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PipelineTesting.h"
 
+#include "Bridge/ConstraintData.h"
 #include "Bridge/SceneData.h"
 
 #include <vtkAppendPolyData.h>

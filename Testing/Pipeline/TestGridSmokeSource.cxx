@@ -4,6 +4,7 @@
 #include "Base/Primitives.h"
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/SceneData.h"
+#include "Bridge/VortexData.h"
 
 #include <vtkFloatArray.h>
 #include <vtkGridSmokeSource.h>

@@ -4,6 +4,7 @@
 #include "SceneFolder.h"
 
 #include "Base/ShapeMeasures.h"
+#include "Bridge/ConstraintData.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/SceneFiles.h"
 #include "Bridge/ShapeData.h"

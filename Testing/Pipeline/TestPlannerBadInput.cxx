@@ -4,6 +4,7 @@
 
 #include "../Core/Planning/SwirlDatabase.h"
 #include "Base/Primitives.h"
+#include "Bridge/ConstraintData.h"
 #include "Bridge/DatabaseConversion.h"
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/SceneData.h"

@@ -4,6 +4,7 @@
 #include "Base/Primitives.h"
 #include "Base/ShapeMeasures.h"
 #include "Bridge/ArrayNames.h"
+#include "Bridge/ConstraintData.h"
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/PoseData.h"
 #include "Bridge/SceneData.h"

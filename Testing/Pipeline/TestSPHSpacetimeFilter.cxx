@@ -2,9 +2,11 @@
 #include "PipelineTesting.h"
 
 #include "../Core/Spacetime/SpacetimeScenes.h"
+#include "Bridge/ConstraintData.h"
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/TrackData.h"
+#include "Bridge/VortexData.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>

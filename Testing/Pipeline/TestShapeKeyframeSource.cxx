@@ -2,6 +2,7 @@
 #include "PipelineTesting.h"
 
 #include "Base/Primitives.h"
+#include "Bridge/ConstraintData.h"
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/SceneData.h"
 

@@ -3,8 +3,8 @@
 #include "PipelineTesting.h"
 
 #include "Bridge/DatabaseConversion.h"
-#include "Bridge/SceneData.h"
 #include "Bridge/TrackData.h"
+#include "Bridge/VortexData.h"
 
 #include <vtkGridSmokeSource.h>
 #include <vtkMultiBlockDataSet.h>

@@ -3,8 +3,8 @@
 
 #include "Base/Random.h"
 #include "Bridge/ArrayNames.h"
-#include "Bridge/SceneData.h"
 #include "Bridge/TrackData.h"
+#include "Bridge/VortexData.h"
 
 #include <vtkFieldData.h>
 #include <vtkPointData.h>

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Constraints, and what became of them.
+#pragma once
+
+#include "Base/Motion.h"
+#include "Base/Result.h"
+#include "Base/Types.h"
+
+#include <vector>
+
+class vtkPolyData;
+class vtkTable;
+
+namespace waft
+{
+
+void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const SceneInfo& info,
+                           vtkPolyData* data);
+/// Needs `ObjectId`, `Frame`, `Kind` and `Value`; the other arrays have the defaults of Constraint
+/// (`Row`: the vertex's number). Fails on an unknown kind or a frame outside the time line.
+Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
+                               std::vector<Constraint>& constraints);
+
+/// One line per row of the report; Kind and Status as text.
+void ReportToTable(const std::vector<ReportRow>& report, const SceneInfo& info, vtkTable* table);
+
+} // namespace waft
