@@ -2,7 +2,7 @@
 // A small scene with a moving obstacle and all stages from its file to posed meshes.
 #pragma once
 
-#include "SceneFolder.h"
+#include "Base/TemporaryFolder.h"
 
 #include <vtkMotionSceneReader.h>
 #include <vtkMultiBlockDataSet.h>
@@ -30,7 +30,7 @@ struct SceneChain
     Wind
   };
 
-  SceneFolder Folder;
+  waft::test::TemporaryFolder Folder;
   vtkNew<vtkMotionSceneReader> Reader;
   vtkNew<vtkXMLMultiBlockDataReader> Database;
   vtkNew<vtkStylisticPlannerFilter> Planner;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The motion database goes to VTK, to files and back without a bit changed.
 #include "Base/Random.h"
+#include "Base/TemporaryFolder.h"
 #include "Bridge/ArrayNames.h"
 #include "Bridge/DatabaseConversion.h"
 #include "Trajectory/Style.h"
@@ -153,11 +154,8 @@ TEST(DatabaseConversion, ComesBackBitForBitThroughFiles)
     }
     vtkNew<vtkMultiBlockDataSet> data;
     DatabaseToMultiBlock(database, data);
-    const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() /
-      ("waft-database-" + std::to_string(static_cast<long>(::getpid())));
-    std::filesystem::create_directories(folder);
-    const std::string file = (folder / "small.vtm").string();
+    const test::TemporaryFolder folder;
+    const std::string file = folder.File("small.vtm");
     vtkNew<vtkXMLMultiBlockDataWriter> writer;
     writer->SetInputDataObject(data);
     writer->SetFileName(file.c_str());
@@ -171,7 +169,6 @@ TEST(DatabaseConversion, ComesBackBitForBitThroughFiles)
     const Result result = DatabaseFromMultiBlock(read, back);
     ASSERT_TRUE(result) << result.Message();
     ExpectEqual(database, back);
-    std::filesystem::remove_all(folder);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PipelineTesting.h"
 
+#include "Base/TemporaryFolder.h"
 #include "Bridge/DatabaseConversion.h"
 #include "Database/DatabaseBuild.h"
 
@@ -11,7 +12,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <unistd.h>
 
 using namespace waft;
@@ -86,15 +86,13 @@ TEST(MotionDatabaseSource, AbortedItGivesNothing)
 
 TEST(MotionDatabaseSource, AbortedLaterItGivesTheSimulationsThatAreWholeAndGoesOn)
 {
-  const std::string folder = (std::filesystem::temp_directory_path() /
-                              ("waft-kept-" + std::to_string(static_cast<long>(::getpid()))))
-                               .string();
+  const test::TemporaryFolder folder;
   vtkNew<vtkMotionDatabaseSource> source;
   MakeSmall(source);
   source->SetNumberOfSimulations(64); // more than run at once
   source->SetNumberOfFrames(30);
   source->SetWarmUpSeconds(0.5);
-  source->SetKeptIn(folder);
+  source->SetKeptIn(folder.File("kept"));
   vtkNew<vtkCallbackCommand> stop;
   stop->SetCallback(
     [](vtkObject* caller, unsigned long, void*, void* progress)
@@ -121,7 +119,6 @@ TEST(MotionDatabaseSource, AbortedLaterItGivesTheSimulationsThatAreWholeAndGoesO
   result = DatabaseFromMultiBlock(source->GetOutput(), database);
   ASSERT_TRUE(result) << result.Message();
   EXPECT_EQ(std::stoi(database.Provenance.at("NumberOfSimulations")), whole + 1);
-  std::filesystem::remove_all(folder);
 }
 
 TEST(MotionDatabaseSource, EndsAtItsTimeLimit)

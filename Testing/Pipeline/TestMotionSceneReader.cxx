@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PipelineTesting.h"
 
-#include "SceneFolder.h"
+#include "Base/TemporaryFolder.h"
 
 #include "Base/ShapeMeasures.h"
 #include "Bridge/ConstraintData.h"
@@ -144,7 +144,7 @@ TEST(MotionSceneReader, TheScenesOfTheProjectCanBeFlown)
 
 TEST(MotionSceneReader, MovingObstaclesAndWindsFollowTheTime)
 {
-  SceneFolder folder;
+  waft::test::TemporaryFolder folder;
   vtkNew<vtkMotionSceneReader> reader;
   reader->SetFileName(folder.Write("a.waft.json", R"({"waft": 1, "time": {"frames": 61},
     "ground": {"enabled": false},
@@ -189,7 +189,7 @@ TEST(MotionSceneReader, ReadsTheSceneOnceForAllFrames)
 
 TEST(MotionSceneReader, MeshesOfShapesAndObstacles)
 {
-  SceneFolder folder;
+  waft::test::TemporaryFolder folder;
   folder.Write("body.obj", Tetrahedron);
   vtkNew<vtkMotionSceneReader> reader;
   reader->SetFileName(folder.Write("a.waft.json", R"({"waft": 1, "ground": {"enabled": false},
@@ -212,7 +212,7 @@ TEST(MotionSceneReader, MeshesOfShapesAndObstacles)
 
 TEST(MotionSceneReader, APhotographIsAShape)
 {
-  SceneFolder folder;
+  waft::test::TemporaryFolder folder;
   vtkNew<vtkLeafShapeSource> painted; // stands for the photograph
   painted->SetKind(1);
   painted->SetTextureFile(folder.File("leaf.png"));
@@ -247,7 +247,7 @@ TEST(MotionSceneReader, APhotographIsAShape)
 
 TEST(MotionSceneReader, WindFilesAndSeries)
 {
-  SceneFolder folder;
+  waft::test::TemporaryFolder folder;
   WriteWind(folder.File("a.vti"), "Wind", 1.f);
   WriteWind(folder.File("b.vti"), "Wind", 3.f);
   WriteWind(folder.File("v.vti"), "Velocity", 1.f);
@@ -282,7 +282,7 @@ TEST(MotionSceneReader, WindFilesAndSeries)
 // Wind = (s, s / 2, x), s = 1 and 3.
 TEST(MotionSceneReader, VolumesAreASeriesByTheirNumbers)
 {
-  SceneFolder folder;
+  waft::test::TemporaryFolder folder;
   const std::string fixtures = std::string(WAFT_SOURCE_DIR) + "/Testing/Pipeline/Fixtures";
   for (const char* name : { "wind_0000.vdb", "wind_0030.vdb" })
   {
@@ -305,7 +305,7 @@ TEST(MotionSceneReader, VolumesAreASeriesByTheirNumbers)
 
 TEST(MotionSceneReader, ErrorsNameThePlaceAndEmptyTheOutputs)
 {
-  SceneFolder folder;
+  waft::test::TemporaryFolder folder;
   folder.Write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   folder.Write("broken.ply", "this is no ply file\n");
   const std::string cases[][2] = {

@@ -2,7 +2,7 @@
 // A scene that goes through the writer and the reader is the same scene.
 #include "PipelineTesting.h"
 
-#include "SceneFolder.h"
+#include "Base/TemporaryFolder.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
@@ -180,7 +180,7 @@ std::string PlanOf(vtkMotionSceneReader* reader)
 
 TEST(MotionSceneWriter, TheScenesOfTheProjectReadBackTheSame)
 {
-  SceneFolder folder;
+  waft::test::TemporaryFolder folder;
   int count = 0;
   for (const auto& entry :
        std::filesystem::directory_iterator(std::string(WAFT_SOURCE_DIR) + "/Data/Scenes"))
@@ -207,7 +207,7 @@ TEST(MotionSceneWriter, TheScenesOfTheProjectReadBackTheSame)
 
 TEST(MotionSceneWriter, AWrittenSceneIsPlannedTheSame)
 {
-  SceneFolder folder;
+  waft::test::TemporaryFolder folder;
   for (const char* name : { "feather-waypoints.waft.json", "feather-maze.waft.json" })
   {
     SCOPED_TRACE(name);
@@ -227,7 +227,7 @@ TEST(MotionSceneWriter, AWrittenSceneIsPlannedTheSame)
 
 TEST(MotionSceneWriter, MeshesMotionsAndWindsGoBesideTheScene)
 {
-  SceneFolder folder;
+  waft::test::TemporaryFolder folder;
   folder.Write("body.obj", Tetrahedron);
   vtkNew<vtkMotionSceneReader> reader;
   reader->SetFileName(folder.Write("a.waft.json", R"({"waft": 1, "time": {"frames": 40},
@@ -274,7 +274,7 @@ TEST(MotionSceneWriter, MeshesMotionsAndWindsGoBesideTheScene)
 
 TEST(MotionSceneWriter, WhatIsMadeByHandReadsBack)
 {
-  SceneFolder folder;
+  waft::test::TemporaryFolder folder;
   vtkNew<vtkAppendPolyData> objects, rows;
   for (int k = 0; k < 3; ++k)
   {
@@ -327,7 +327,7 @@ TEST(MotionSceneWriter, WhatIsMadeByHandReadsBack)
 
 TEST(MotionSceneWriter, AnErrorLeavesWhatStoodThere)
 {
-  SceneFolder folder;
+  waft::test::TemporaryFolder folder;
   const std::string before = "what stood there";
   const std::string file = folder.Write("kept.waft.json", before);
   const auto content = [&]()
@@ -382,7 +382,7 @@ TEST(MotionSceneWriter, AnErrorLeavesWhatStoodThere)
 
 TEST(MotionSceneWriter, WritesOnceForEachChange)
 {
-  SceneFolder folder;
+  waft::test::TemporaryFolder folder;
   vtkNew<vtkObjectSource> object;
   vtkNew<vtkMotionSceneWriter> writer;
   writer->SetInputConnection(Objects, object->GetOutputPort());

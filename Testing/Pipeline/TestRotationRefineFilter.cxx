@@ -3,6 +3,7 @@
 
 #include "Base/Primitives.h"
 #include "Base/ShapeMeasures.h"
+#include "Base/TemporaryFolder.h"
 #include "Bridge/ArrayNames.h"
 #include "Bridge/ConstraintData.h"
 #include "Bridge/FieldCollectors.h"
@@ -232,9 +233,8 @@ TEST(RotationRefineFilter, AbortLeavesNothingAndTheNextRunIsWhole)
 TEST(MotionAnimationWriter, ParaViewsReaderSeesTheSamePoses)
 {
   Pipeline pipeline;
-  const std::string path =
-    (std::filesystem::path(testing::TempDir()) / "waft-pipeline-animation.glb").string();
-  std::filesystem::remove(path);
+  const test::TemporaryFolder folder;
+  const std::string path = folder.File("animation.glb");
   vtkNew<vtkMotionAnimationWriter> writer;
   writer->SetInputConnection(0, pipeline.Filter->GetOutputPort(1));
   writer->SetInputConnection(1, pipeline.Producers[1]->GetOutputPort());
@@ -287,7 +287,6 @@ TEST(MotionAnimationWriter, ParaViewsReaderSeesTheSamePoses)
       }
     }
   }
-  std::filesystem::remove(path);
 }
 
 TEST(MotionAnimationWriter, CsvAndErrors)
@@ -297,8 +296,8 @@ TEST(MotionAnimationWriter, CsvAndErrors)
   writer->SetInputConnection(0, pipeline.Filter->GetOutputPort(1));
   writer->SetInputConnection(1, pipeline.Producers[1]->GetOutputPort());
   writer->SetInputConnection(2, pipeline.Producers[2]->GetOutputPort());
-  const std::string path =
-    (std::filesystem::path(testing::TempDir()) / "waft-pipeline-poses.csv").string();
+  const test::TemporaryFolder folder;
+  const std::string path = folder.File("poses.csv");
   writer->SetFileName(path);
   ASSERT_TRUE(writer->Write());
   std::ifstream file(path);
@@ -309,7 +308,6 @@ TEST(MotionAnimationWriter, CsvAndErrors)
     ++lines;
   }
   EXPECT_EQ(lines, 1 + 3 * Frames);
-  std::filesystem::remove(path);
   ErrorLog errors(writer);
   writer->SetFileName("animation.txt");
   EXPECT_FALSE(writer->Write());

@@ -2,6 +2,7 @@
 #include "PipelineTesting.h"
 
 #include "../Core/Spacetime/SpacetimeScenes.h"
+#include "Base/TemporaryFolder.h"
 #include "Bridge/ConstraintData.h"
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/SceneData.h"
@@ -22,7 +23,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <string>
 
@@ -265,8 +265,8 @@ TEST(SPHSpacetimeFilter, GoesOnFromItsLastMotionUntilRestarted)
 
 TEST(SPHSpacetimeFilter, WritesCheckpointsAndGoesOnFromThemInAnotherPipeline)
 {
-  const std::string path = testing::TempDir() + "waft-filter-checkpoint";
-  std::remove(path.c_str());
+  const test::TemporaryFolder folder;
+  const std::string path = folder.File("checkpoint");
   Pipeline whole;
   whole.Filter->Update();
   Pipeline stopped;

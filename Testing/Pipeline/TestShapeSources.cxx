@@ -2,6 +2,7 @@
 #include "PipelineTesting.h"
 
 #include "Base/ShapeMeasures.h"
+#include "Base/TemporaryFolder.h"
 #include "Bridge/ArrayNames.h"
 #include "Bridge/ShapeData.h"
 
@@ -14,17 +15,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
 using namespace waft;
 
 namespace
 {
-
-std::string Temporary(const std::string& name)
-{
-  return (std::filesystem::path(testing::TempDir()) / name).string();
-}
 
 Shape OnlyShape(vtkMultiBlockDataSetAlgorithm* source)
 {
@@ -39,7 +34,8 @@ Shape OnlyShape(vtkMultiBlockDataSetAlgorithm* source)
 
 TEST(ShapeSources, EachKindIsAShapeWithItsSkin)
 {
-  const std::string skin = Temporary("waft-skin.png");
+  const test::TemporaryFolder folder;
+  const std::string skin = folder.File("skin.png");
   vtkNew<vtkLeafShapeSource> leaf;
   vtkNew<vtkFeatherShapeSource> feather;
   leaf->SetTextureFile(skin);
@@ -71,13 +67,13 @@ TEST(ShapeSources, EachKindIsAShapeWithItsSkin)
     EXPECT_EQ(shape.TextureCoordinates.size(), shape.Mesh.Points.size());
     EXPECT_TRUE(source->GetOutput()->GetFieldData()->HasArray(names::Bounds));
   }
-  std::filesystem::remove(skin);
 }
 
 TEST(ShapeSources, APhotographBecomesABody)
 {
   // A painted maple leaf stands for the photograph.
-  const std::string picture = Temporary("waft-photograph.png");
+  const test::TemporaryFolder folder;
+  const std::string picture = folder.File("maple.png");
   vtkNew<vtkLeafShapeSource> leaf;
   leaf->SetKind(1);
   leaf->SetTextureFile(picture);
@@ -86,11 +82,10 @@ TEST(ShapeSources, APhotographBecomesABody)
   vtkNew<vtkPhotographShapeSource> photograph;
   photograph->SetPhotograph(picture);
   const Shape shape = OnlyShape(photograph);
-  EXPECT_EQ(shape.Name, "waft-photograph");
+  EXPECT_EQ(shape.Name, "maple");
   EXPECT_EQ(shape.Texture, picture);
   EXPECT_GT(shape.Mesh.Triangles.size(), 200u);
   EXPECT_EQ(shape.TextureCoordinates.size(), shape.Mesh.Points.size());
-  std::filesystem::remove(picture);
 }
 
 TEST(ShapeSources, ErrorsNameThePlaceAndLeaveNothing)

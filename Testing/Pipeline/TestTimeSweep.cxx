@@ -2,7 +2,7 @@
 // Inputs that are pulled over time, when several ports or several stages share one source.
 #include "PipelineTesting.h"
 
-#include "SceneFolder.h"
+#include "Base/TemporaryFolder.h"
 
 #include "Bridge/StageExecution.h"
 
@@ -121,7 +121,7 @@ void ExpectTheWholeMotion(const SweepProbe& probe)
 
 struct Pipeline
 {
-  SceneFolder Folder;
+  waft::test::TemporaryFolder Folder;
   vtkNew<vtkMotionSceneReader> Reader;
   vtkNew<SweepProbe> First;
   vtkNew<SweepProbe> Second;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PipelineTesting.h"
 
+#include "Base/TemporaryFolder.h"
 #include "Bridge/SceneData.h"
 #include "Volumes/VolumeFile.h"
 
@@ -18,40 +19,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <unistd.h>
 
 namespace
 {
 
 constexpr int Frames = 6;
-
-// A folder of its own, removed with it.
-class Folder
-{
-public:
-  Folder() :
-    Path(std::filesystem::temp_directory_path() /
-         ("waft-vdb-" + std::to_string(static_cast<long>(::getpid()))))
-  {
-    std::filesystem::remove_all(this->Path);
-    std::filesystem::create_directories(this->Path);
-  }
-  ~Folder() { std::filesystem::remove_all(this->Path); }
-  std::string File(const std::string& name) const { return (this->Path / name).string(); }
-  std::vector<std::string> Names() const
-  {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(this->Path))
-    {
-      names.push_back(entry.path().filename().string());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-  }
-
-private:
-  std::filesystem::path Path;
-};
 
 void MakeSmall(vtkGridSmokeSource* source)
 {
@@ -95,7 +67,7 @@ void MakeWind(vtkImageData* image, const char* name)
 
 TEST(VDB, SmokeComesBackAsItWas)
 {
-  const Folder folder;
+  const waft::test::TemporaryFolder folder;
   vtkNew<vtkGridSmokeSource> smoke;
   MakeSmall(smoke);
   vtkNew<vtkVDBWriter> writer;
@@ -152,7 +124,7 @@ TEST(VDB, SmokeComesBackAsItWas)
 
 TEST(VDB, TracersFollowWhatIsReadAsTheyFollowedTheSmoke)
 {
-  const Folder folder;
+  const waft::test::TemporaryFolder folder;
   vtkNew<vtkGridSmokeSource> smoke;
   MakeSmall(smoke);
   vtkNew<vtkVDBWriter> writer;
@@ -186,7 +158,7 @@ TEST(VDB, TracersFollowWhatIsReadAsTheyFollowedTheSmoke)
 
 TEST(VDB, VelocitiesOfOtherProgramsServeAsWind)
 {
-  const Folder folder;
+  const waft::test::TemporaryFolder folder;
   for (const int frame : { 3, 4 })
   {
     waft::Volume volume;
@@ -230,7 +202,7 @@ TEST(VDB, VelocitiesOfOtherProgramsServeAsWind)
 
 TEST(VDB, AnImageWithoutTimeIsOneFile)
 {
-  const Folder folder;
+  const waft::test::TemporaryFolder folder;
   vtkNew<vtkImageData> wind;
   MakeWind(wind, "Wind");
   vtkNew<vtkVDBWriter> writer;
@@ -249,7 +221,7 @@ TEST(VDB, AnImageWithoutTimeIsOneFile)
 
 TEST(VDB, StoppedItKeepsTheFilesThatAreWhole)
 {
-  const Folder folder;
+  const waft::test::TemporaryFolder folder;
   vtkNew<vtkGridSmokeSource> smoke;
   MakeSmall(smoke);
   vtkNew<vtkVDBWriter> writer;
@@ -275,7 +247,7 @@ TEST(VDB, StoppedItKeepsTheFilesThatAreWhole)
 
 TEST(VDB, NamesWhatIsWrong)
 {
-  const Folder folder;
+  const waft::test::TemporaryFolder folder;
   vtkNew<vtkImageData> wind;
   MakeWind(wind, "Wind");
   {

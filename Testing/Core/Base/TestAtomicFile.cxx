@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/AtomicFile.h"
+#include "Base/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +14,8 @@ namespace fs = std::filesystem;
 
 TEST(WriteWholeFile, ReplacesWhatWasThereAndLeavesNothingBeside)
 {
-  const fs::path folder = fs::path(testing::TempDir()) / "waft-atomic-file";
-  fs::remove_all(folder);
-  fs::create_directories(folder);
+  const test::TemporaryFolder temporary;
+  const fs::path& folder = temporary.Path();
   const std::string path = (folder / "a.bin").string();
   ASSERT_TRUE(WriteWholeFile(path, "first, and longer"));
   const std::string bytes("sec\0nd", 6);
@@ -31,13 +31,12 @@ TEST(WriteWholeFile, ReplacesWhatWasThereAndLeavesNothingBeside)
   EXPECT_NE(result.Message().find("cannot write"), std::string::npos);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 2);
   EXPECT_FALSE(WriteWholeFile((folder / "none" / "d").string(), bytes));
-  fs::remove_all(folder);
 }
 
 TEST(WriteWholeFiles, WritesAllOrNothing)
 {
-  const fs::path folder = fs::path(testing::TempDir()) / "waft-atomic-files";
-  fs::remove_all(folder);
+  const test::TemporaryFolder temporary;
+  const fs::path& folder = temporary.Path();
   fs::create_directories(folder / "taken");
   const std::string first = (folder / "first").string();
   const std::string deep = (folder / "a" / "b" / "second").string();
@@ -59,5 +58,4 @@ TEST(WriteWholeFiles, WritesAllOrNothing)
   EXPECT_EQ(read(first), "new");
   EXPECT_EQ(read(deep), "second");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 3);
-  fs::remove_all(folder);
 }

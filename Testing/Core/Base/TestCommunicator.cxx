@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/TemporaryFolder.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <memory>
 #include <string>
 
@@ -94,7 +94,8 @@ TEST(Communicator, BroadcastsStructuresByTheirStreams)
 
 TEST(Communicator, WritesOneFileAndReadsItForAll)
 {
-  const std::string path = testing::TempDir() + "waft-rank-file";
+  const test::TemporaryFolder folder;
+  const std::string path = folder.File("rank-file");
   std::vector<std::vector<int>> lists(3, { 2, 7, 1, 8 });
   std::vector<std::string> texts(3, "twenty-eight");
   EXPECT_TRUE(RunRanks(3,
@@ -133,5 +134,4 @@ TEST(Communicator, WritesOneFileAndReadsItForAll)
   EXPECT_EQ(read, lists);
   EXPECT_EQ(words, texts);
   EXPECT_EQ(good, std::vector<int>(3, 1));
-  std::remove(path.c_str());
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/StateStream.h"
+#include "Base/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 
@@ -33,21 +33,12 @@ struct Sample
   }
 };
 
-std::string FreshPath()
-{
-  const fs::path folder =
-    fs::path(testing::TempDir()) / "waft-state-stream" /
-    testing::UnitTest::GetInstance()->current_test_info()->name(); // tests run side by side
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return (folder / "state").string();
-}
-
 } // namespace
 
 TEST(StateStream, ReadsBackWhatWasWritten)
 {
-  const std::string path = FreshPath();
+  const test::TemporaryFolder folder;
+  const std::string path = folder.File("state");
   Sample sample;
   {
     StateFileWriter writer(path);
@@ -72,7 +63,8 @@ TEST(StateStream, ReadsBackWhatWasWritten)
 
 TEST(StateStream, SeesDamageAndBelievesNoNumberOfElements)
 {
-  const std::string path = FreshPath();
+  const test::TemporaryFolder folder;
+  const std::string path = folder.File("state");
   Sample sample;
   StateFileWriter writer(path);
   sample.Exchange(writer);
@@ -105,7 +97,8 @@ TEST(StateStream, SeesDamageAndBelievesNoNumberOfElements)
 
 TEST(StateStream, LeavesTheOldFileUntilTheNewOneIsWhole)
 {
-  const std::string path = FreshPath();
+  const test::TemporaryFolder folder;
+  const std::string path = folder.File("state");
   Sample sample;
   {
     StateFileWriter writer(path);

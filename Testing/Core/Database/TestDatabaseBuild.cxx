@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/TemporaryFolder.h"
 #include "Database/DatabaseBuild.h"
 #include "Database/SimulationRun.h"
 #include "Obstacles/ObstacleSet.h"
@@ -8,7 +9,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <unistd.h>
 
 using namespace waft;
 
@@ -77,31 +77,6 @@ void ExpectEqual(const MotionDatabase& one, const MotionDatabase& two)
     ASSERT_EQ(one.Nodes[n].Medoid, two.Nodes[n].Medoid);
   }
 }
-
-// A folder that is removed with it.
-class Folder
-{
-public:
-  Folder() :
-    Path(std::filesystem::temp_directory_path() /
-         ("waft-database-" + std::to_string(static_cast<long>(::getpid()))))
-  {
-    std::filesystem::remove_all(this->Path);
-  }
-  ~Folder() { std::filesystem::remove_all(this->Path); }
-  std::string Text() const { return this->Path.string(); }
-  std::string File(int simulation) const
-  {
-    return (this->Path / ("simulation" + std::to_string(simulation))).string();
-  }
-  int NumberOfFiles() const
-  {
-    return static_cast<int>(std::distance(std::filesystem::directory_iterator(this->Path), {}));
-  }
-
-private:
-  std::filesystem::path Path;
-};
 
 // Stops from a fraction on; remembers the first one.
 class StopFrom : public Monitor
@@ -307,30 +282,35 @@ TEST(DatabaseBuild, StoppedItGivesTheSimulationsThatAreWhole)
 
 TEST(DatabaseBuild, GoesOnWithWhatWasKept)
 {
-  const Folder folder;
+  const test::TemporaryFolder folder;
+  const std::string kept = folder.File("kept"); // is made
+  const auto fileOf = [&](int simulation)
+  { return kept + "/simulation" + std::to_string(simulation); };
+  const auto numberOfFiles = [&]
+  { return std::distance(std::filesystem::directory_iterator(kept), {}); };
   DatabaseOptions options = Small();
   const Built whole = BuildAll(options, 1);
-  options.KeptIn = folder.Text();
+  options.KeptIn = kept;
   options.SimulationsAtOnce = 1;
   StopFrom inTheThird(After(2.5));
   EXPECT_TRUE(BuildWith(options, 1, inTheThird).Outcome.IsStopped());
-  EXPECT_EQ(folder.NumberOfFiles(), 2);
+  EXPECT_EQ(numberOfFiles(), 2);
 
   StopFrom never(2.0);
   const Built resumed = BuildWith(options, 1, never);
   EXPECT_TRUE(resumed.Outcome && !resumed.Outcome.IsStopped());
   EXPECT_GE(never.First, After(1.0)); // nothing of the first is done again
-  EXPECT_EQ(folder.NumberOfFiles(), 3);
+  EXPECT_EQ(numberOfFiles(), 3);
   ExpectEqual(resumed.Database, whole.Database);
   EXPECT_EQ(resumed.Coverage[1].NewShare, whole.Coverage[1].NewShare);
 
   // A damaged one is simulated again, the others are not.
-  std::filesystem::resize_file(folder.File(0), std::filesystem::file_size(folder.File(0)) / 2);
+  std::filesystem::resize_file(fileOf(0), std::filesystem::file_size(fileOf(0)) / 2);
   StopFrom again(2.0);
   ExpectEqual(BuildWith(options, 1, again).Database, whole.Database);
   EXPECT_LT(again.First, After(1.0));
   {
-    std::fstream file(folder.File(2), std::ios::in | std::ios::out | std::ios::binary);
+    std::fstream file(fileOf(2), std::ios::in | std::ios::out | std::ios::binary);
     file.seekp(5000);
     file.put('\x7f');
   }
@@ -346,7 +326,7 @@ TEST(DatabaseBuild, GoesOnWithWhatWasKept)
   EXPECT_NE(BuildWith(options, 1, other).Database.TopSpeed, whole.Database.TopSpeed);
   EXPECT_LT(other.First, After(1.0));
 
-  options.KeptIn = folder.File(0) + "/below";
+  options.KeptIn = fileOf(0) + "/below";
   SilentMonitor monitor;
   EXPECT_NE(BuildWith(options, 1, monitor).Outcome.Message().find("folder"), std::string::npos);
 }

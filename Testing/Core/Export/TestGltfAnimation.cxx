@@ -2,6 +2,7 @@
 #include "Base/Primitives.h"
 #include "Base/Random.h"
 #include "Base/ShapeMeasures.h"
+#include "Base/TemporaryFolder.h"
 #include "Export/GltfAnimation.h"
 
 #include <gtest/gtest.h>
@@ -203,12 +204,11 @@ TEST(GltfAnimation, NodesTellShapeAndObjectAndTheFileItsRate)
 
 TEST(GltfAnimation, BadDataAreNamedAndNothingIsWritten)
 {
-  const std::filesystem::path path =
-    std::filesystem::path(testing::TempDir()) / "waft-bad-animation.glb";
-  std::filesystem::remove(path);
+  const test::TemporaryFolder folder;
+  const std::string path = folder.File("animation.glb");
   const auto message = [&](const std::vector<AnimatedObject>& objects)
   {
-    const Result result = WriteAnimationGlb(path.string(), Shapes(), objects, 30.0);
+    const Result result = WriteAnimationGlb(path, Shapes(), objects, 30.0);
     EXPECT_FALSE(result);
     EXPECT_FALSE(std::filesystem::exists(path));
     return result.Message();
@@ -222,7 +222,7 @@ TEST(GltfAnimation, BadDataAreNamedAndNothingIsWritten)
   objects = Objects();
   objects[0].Positions[4].x() = std::nan("");
   EXPECT_NE(message(objects).find("frame 4"), std::string::npos);
-  ASSERT_TRUE(WriteAnimationGlb(path.string(), Shapes(), Objects(), 30.0));
+  ASSERT_TRUE(WriteAnimationGlb(path, Shapes(), Objects(), 30.0));
   EXPECT_TRUE(std::filesystem::remove(path));
 }
 

@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/TemporaryFolder.h"
 #include "Volumes/VectorVolume.h"
 
 #include <openvdb/openvdb.h>
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <unistd.h>
 
 using namespace waft;
 
 namespace
 {
 
-std::string Temporary(const std::string& name)
-{
-  return (std::filesystem::temp_directory_path() /
-          ("waft-" + std::to_string(static_cast<long>(::getpid())) + "-" + name))
-    .string();
-}
-
 // v = (x, 2 y, 3 z) in metres on voxels of 0.25 m from (-1, 0, 0.5) on.
-std::string WriteVolume(const std::string& name, double turn)
+std::string WriteVolume(const test::TemporaryFolder& folder, const std::string& name, double turn)
 {
   openvdb::initialize();
   auto grid = openvdb::Vec3SGrid::create();
@@ -47,7 +38,7 @@ std::string WriteVolume(const std::string& name, double turn)
       }
     }
   }
-  const std::string path = Temporary(name + ".vdb");
+  const std::string path = folder.File(name + ".vdb");
   openvdb::io::File file(path);
   file.write({ grid });
   file.close();
@@ -58,9 +49,10 @@ std::string WriteVolume(const std::string& name, double turn)
 
 TEST(VectorVolume, GivesTheLatticeAndTheValues)
 {
+  const test::TemporaryFolder folder;
   for (const char* name : { "Wind", "Velocity" })
   {
-    const std::string path = WriteVolume(name, 0.0);
+    const std::string path = WriteVolume(folder, name, 0.0);
     FieldSeries step;
     const Result result = ReadVectorVolume(path, 0.5, step);
     ASSERT_TRUE(result) << result.Message();
@@ -69,25 +61,20 @@ TEST(VectorVolume, GivesTheLatticeAndTheValues)
     EXPECT_EQ(step.Times, std::vector<double>{ 0.5 });
     const Vec3 x(-0.4, 0.3, 0.9);
     EXPECT_LT((step.Sample(x, 0.0) - Vec3(-0.4, 0.6, 2.7)).norm(), 1e-6);
-    std::filesystem::remove(path);
   }
 }
 
 TEST(VectorVolume, SaysWhatIsWrong)
 {
+  const test::TemporaryFolder folder;
   FieldSeries step;
   step.Times = { 7.0 };
-  const std::string other = WriteVolume("Pressure", 0.0);
+  const std::string other = WriteVolume(folder, "Pressure", 0.0);
   EXPECT_NE(ReadVectorVolume(other, 0.0, step).Message().find("found neither"), std::string::npos);
-  std::filesystem::remove(other);
-  const std::string turned = WriteVolume("Wind", 0.3);
+  const std::string turned = WriteVolume(folder, "Wind", 0.3);
   EXPECT_NE(ReadVectorVolume(turned, 0.0, step).Message().find("scales and shifts"),
             std::string::npos);
-  std::filesystem::remove(turned);
-  const std::string text = Temporary("text.vdb");
-  std::ofstream(text) << "no volume";
-  EXPECT_FALSE(ReadVectorVolume(text, 0.0, step));
-  std::filesystem::remove(text);
+  EXPECT_FALSE(ReadVectorVolume(folder.Write("text.vdb", "no volume"), 0.0, step));
   EXPECT_FALSE(ReadVectorVolume("/nowhere.vdb", 0.0, step));
   EXPECT_EQ(step.Times, std::vector<double>{ 7.0 }) << "left as it was";
 }

@@ -1,32 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Random.h"
+#include "Base/TemporaryFolder.h"
 #include "Volumes/VolumeFile.h"
 
 #include <openvdb/openvdb.h>
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <unistd.h>
 
 using namespace waft;
 
 namespace
 {
-
-// A path that is removed with it.
-class TemporaryFile
-{
-public:
-  explicit TemporaryFile(const std::string& name) :
-    Path((std::filesystem::temp_directory_path() /
-          ("waft-" + std::to_string(static_cast<long>(::getpid())) + "-" + name))
-           .string())
-  {
-  }
-  ~TemporaryFile() { std::filesystem::remove(this->Path); }
-  const std::string Path;
-};
 
 // Random values, some of them zero.
 VolumeField RandomField(const std::string& name, int components, std::size_t points)
@@ -58,18 +43,19 @@ Volume Smoke()
 
 TEST(VolumeFile, GivesBackWhatWasWritten)
 {
-  const TemporaryFile file("smoke.vdb");
+  const test::TemporaryFolder folder;
+  const std::string file = folder.File("smoke.vdb");
   const Volume volume = Smoke();
   SceneInfo scene;
   scene.Bounds = Box{ Vec3(-3, -2, 0.1), Vec3(1, 2, 5) };
   scene.Time = Timeline{ 77, 24.5 };
   scene.AirDensity = 1.1;
   scene.Seed = 123456789012345ull;
-  Result result = WriteVolume(file.Path, volume, scene);
+  Result result = WriteVolume(file, volume, scene);
   ASSERT_TRUE(result) << result.Message();
 
   VolumeContents contents;
-  result = ListVolume(file.Path, contents);
+  result = ListVolume(file, contents);
   ASSERT_TRUE(result) << result.Message();
   ASSERT_EQ(contents.Grids.size(), 2u);
   EXPECT_EQ(contents.Grids[0].Name, "Density");
@@ -84,7 +70,7 @@ TEST(VolumeFile, GivesBackWhatWasWritten)
   for (const VolumeField& field : volume.Fields)
   {
     VolumeField read;
-    result = ReadVolumeGrid(file.Path, field.Name, velocity.Active, read);
+    result = ReadVolumeGrid(file, field.Name, velocity.Active, read);
     ASSERT_TRUE(result) << result.Message();
     EXPECT_EQ(read.Components, field.Components);
     EXPECT_EQ(read.Values, field.Values);
@@ -100,27 +86,28 @@ TEST(VolumeFile, GivesBackWhatWasWritten)
 
 TEST(VolumeFile, AirWithoutSmokeTakesNoVoxels)
 {
-  const TemporaryFile file("sparse.vdb");
+  const test::TemporaryFolder folder;
+  const std::string file = folder.File("sparse.vdb");
   Volume volume;
   volume.Dimensions = { 20, 20, 20 };
   VolumeField density;
   density.Name = "Density";
   density.Values.assign(8000, 0.0f);
   volume.Fields = { density };
-  ASSERT_TRUE(WriteVolume(file.Path, volume, SceneInfo()));
+  ASSERT_TRUE(WriteVolume(file, volume, SceneInfo()));
   VolumeContents contents;
-  ASSERT_TRUE(ListVolume(file.Path, contents));
+  ASSERT_TRUE(ListVolume(file, contents));
   EXPECT_TRUE(contents.Grids[0].Active.IsEmpty());
 
   volume.Fields[0].Values[3 + 20 * (4 + 20 * 5)] = 1.0f;
   volume.Fields[0].Values[6 + 20 * (4 + 20 * 9)] = 2.0f;
-  ASSERT_TRUE(WriteVolume(file.Path, volume, SceneInfo()));
-  ASSERT_TRUE(ListVolume(file.Path, contents));
+  ASSERT_TRUE(WriteVolume(file, volume, SceneInfo()));
+  ASSERT_TRUE(ListVolume(file, contents));
   const VoxelBox& box = contents.Grids[0].Active;
   EXPECT_EQ(box.First, (std::array<int, 3>{ 3, 4, 5 }));
   EXPECT_EQ(box.Last, (std::array<int, 3>{ 6, 4, 9 }));
   VolumeField read;
-  ASSERT_TRUE(ReadVolumeGrid(file.Path, "Density", box, read));
+  ASSERT_TRUE(ReadVolumeGrid(file, "Density", box, read));
   EXPECT_EQ(read.Values.size(), 20u);
   EXPECT_EQ(read.Values.front(), 1.0f);
   EXPECT_EQ(read.Values.back(), 2.0f);
@@ -128,7 +115,8 @@ TEST(VolumeFile, AirWithoutSmokeTakesNoVoxels)
 
 TEST(VolumeFile, TakesStaggeredVelocitiesToTheCentres)
 {
-  const TemporaryFile file("staggered.vdb");
+  const test::TemporaryFolder folder;
+  const std::string file = folder.File("staggered.vdb");
   openvdb::initialize();
   auto grid = openvdb::Vec3DGrid::create();
   grid->setName("vel");
@@ -144,14 +132,14 @@ TEST(VolumeFile, TakesStaggeredVelocitiesToTheCentres)
       }
     }
   }
-  openvdb::io::File out(file.Path);
+  openvdb::io::File out(file);
   out.write({ grid });
   out.close();
   VolumeField read;
-  ASSERT_TRUE(ReadVolumeGrid(file.Path, "vel", { { 2, 1, 3 }, { 3, 1, 3 } }, read));
+  ASSERT_TRUE(ReadVolumeGrid(file, "vel", { { 2, 1, 3 }, { 3, 1, 3 } }, read));
   EXPECT_EQ(read.Values, (std::vector<float>{ 6.5f, 3.0f, 13.5f, 12.5f, 3.0f, 13.5f }));
   VolumeContents contents;
-  ASSERT_TRUE(ListVolume(file.Path, contents));
+  ASSERT_TRUE(ListVolume(file, contents));
   EXPECT_FALSE(contents.HasScene);
 }
 
@@ -160,19 +148,19 @@ TEST(VolumeFile, SaysWhatIsWrong)
   VolumeContents contents;
   EXPECT_NE(ListVolume("/nowhere.vdb", contents).Message().find("OpenVDB"), std::string::npos);
   VolumeField field;
-  const TemporaryFile file("wrong.vdb");
-  ASSERT_TRUE(WriteVolume(file.Path, Smoke(), SceneInfo()));
-  EXPECT_FALSE(ReadVolumeGrid(file.Path, "Heat", { { 0, 0, 0 }, { 1, 1, 1 } }, field));
+  const test::TemporaryFolder folder;
+  const std::string file = folder.File("wrong.vdb");
+  ASSERT_TRUE(WriteVolume(file, Smoke(), SceneInfo()));
+  EXPECT_FALSE(ReadVolumeGrid(file, "Heat", { { 0, 0, 0 }, { 1, 1, 1 } }, field));
   const VoxelBox huge{ { 0, 0, 0 }, { 600, 600, 600 } };
-  EXPECT_NE(ReadVolumeGrid(file.Path, "Density", huge, field).Message().find("512^3"),
+  EXPECT_NE(ReadVolumeGrid(file, "Density", huge, field).Message().find("512^3"),
             std::string::npos);
   Volume volume = Smoke();
   volume.Fields[1].Values.pop_back();
-  EXPECT_NE(WriteVolume(file.Path, volume, SceneInfo()).Message().find("Density"),
-            std::string::npos);
+  EXPECT_NE(WriteVolume(file, volume, SceneInfo()).Message().find("Density"), std::string::npos);
   // What cannot be written leaves nothing behind.
-  const std::string inAFile = file.Path + "/smoke.vdb";
+  const std::string inAFile = file + "/smoke.vdb";
   EXPECT_NE(WriteVolume(inAFile, Smoke(), SceneInfo()).Message().find(inAFile), std::string::npos);
-  ASSERT_TRUE(ListVolume(file.Path, contents));
+  ASSERT_TRUE(ListVolume(file, contents));
   EXPECT_EQ(contents.Grids.size(), 2u);
 }

@@ -1,36 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/TemporaryFolder.h"
 #include "Volumes/VolumeSequence.h"
 
 #include <openvdb/openvdb.h>
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
-#include <unistd.h>
 
 using namespace waft;
 
 namespace
 {
-
-// A folder of its own, removed with it.
-class Folder
-{
-public:
-  Folder() :
-    Path(std::filesystem::temp_directory_path() /
-         ("waft-sequence-" + std::to_string(static_cast<long>(::getpid()))))
-  {
-    openvdb::initialize();
-    std::filesystem::create_directories(this->Path);
-  }
-  ~Folder() { std::filesystem::remove_all(this->Path); }
-  std::string File(const std::string& name) const { return (this->Path / name).string(); }
-
-private:
-  std::filesystem::path Path;
-};
 
 // One active voxel of a value.
 template <class Grid>
@@ -46,6 +27,7 @@ openvdb::GridBase::Ptr Voxel(const std::string& name, const openvdb::Coord& at,
 
 void Write(const std::string& path, const openvdb::GridPtrVec& grids)
 {
+  openvdb::initialize();
   openvdb::io::File file(path);
   file.write(grids);
   file.close();
@@ -55,7 +37,7 @@ void Write(const std::string& path, const openvdb::GridPtrVec& grids)
 
 TEST(VolumeSequence, IsOneLatticeOverAllItsFiles)
 {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   Write(folder.File("puff_10.vdb"),
         { Voxel<openvdb::FloatGrid>("density", { 2, 3, 4 }, 1.0f),
           Voxel<openvdb::Vec3SGrid>("vel", { 1, 5, 4 }, { 1.0f, 2.0f, 3.0f }) });
@@ -92,7 +74,7 @@ TEST(VolumeSequence, IsOneLatticeOverAllItsFiles)
 
 TEST(VolumeSequence, NamesThatAreTakenStayAsTheyAre)
 {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   Write(folder.File("air.vdb"),
         { Voxel<openvdb::Vec3SGrid>("v", { 0, 0, 0 }, { 1.0f, 0.0f, 0.0f }),
           Voxel<openvdb::Vec3SGrid>("Velocity", { 0, 0, 0 }, { 2.0f, 0.0f, 0.0f }) });
@@ -107,7 +89,7 @@ TEST(VolumeSequence, NamesThatAreTakenStayAsTheyAre)
 
 TEST(VolumeSequence, SaysWhatIsWrong)
 {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   VolumeSequence sequence;
   const auto message = [&](const std::string& name)
   {

@@ -1,29 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/TemporaryFolder.h"
 #include "Volumes/VolumeSeries.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <unistd.h>
 
 using namespace waft;
 
 TEST(VolumeSeries, FindsTheFilesThatDifferInTheirLastDigits)
 {
-  const std::filesystem::path folder =
-    std::filesystem::temp_directory_path() /
-    ("waft-series-" + std::to_string(static_cast<long>(::getpid())));
-  std::filesystem::create_directories(folder);
+  const test::TemporaryFolder folder;
   for (const char* name : { "run2_0010.vdb", "run2_0002.vdb", "run2_7.vdb", "run3_0001.vdb",
                             "run2_0003.vdbx", "run2_.vdb", "2.vdb", "11.vdb" })
   {
-    std::ofstream(folder / name) << "x";
+    folder.Write(name, "x");
   }
   const auto frames = [&](const char* name)
   {
     std::vector<int> all;
-    for (const auto& [frame, file] : SeriesFiles((folder / name).string()))
+    for (const auto& [frame, file] : SeriesFiles(folder.File(name)))
     {
       EXPECT_TRUE(std::filesystem::exists(file)) << file;
       all.push_back(frame);
@@ -35,7 +31,6 @@ TEST(VolumeSeries, FindsTheFilesThatDifferInTheirLastDigits)
   EXPECT_EQ(frames("run2_.vdb"), std::vector<int>{ 0 });
   EXPECT_EQ(frames("2.vdb"), (std::vector<int>{ 2, 11 }));
   EXPECT_TRUE(frames("other_1.vdb").empty());
-  std::filesystem::remove_all(folder);
 }
 
 TEST(VolumeSeries, NamesTheFileOfAFrame)
