@@ -4,6 +4,7 @@
 #include "Base/TemporaryFolder.h"
 #include "Bridge/ArrayNames.h"
 #include "Bridge/DatabaseConversion.h"
+#include "Trajectory/SameDatabase.h"
 #include "Trajectory/Style.h"
 #include "Trajectory/TrajectoryClusters.h"
 
@@ -20,7 +21,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <unistd.h>
 
 using namespace waft;
 
@@ -66,64 +66,6 @@ MotionDatabase Small()
   return database;
 }
 
-void ExpectEqual(const MotionDatabase& a, const MotionDatabase& b)
-{
-  EXPECT_EQ(a.FramesPerSecond, b.FramesPerSecond);
-  EXPECT_EQ(a.Volume.Min, b.Volume.Min);
-  EXPECT_EQ(a.Volume.Max, b.Volume.Max);
-  EXPECT_EQ(a.Window, b.Window);
-  EXPECT_EQ(a.SettlingSpeed, b.SettlingSpeed);
-  EXPECT_EQ(a.TopSpeed, b.TopSpeed);
-  EXPECT_EQ(a.TopNodes, b.TopNodes);
-  EXPECT_EQ(a.Provenance, b.Provenance);
-  ASSERT_EQ(a.Groups.size(), b.Groups.size());
-  for (std::size_t g = 0; g < a.Groups.size(); ++g)
-  {
-    EXPECT_EQ(a.Groups[g].NumberOfSamples, b.Groups[g].NumberOfSamples);
-    EXPECT_EQ(a.Groups[g].Mean, b.Groups[g].Mean);
-    EXPECT_EQ(a.Groups[g].Basis, b.Groups[g].Basis);
-    EXPECT_EQ(a.Groups[g].RelativeError, b.Groups[g].RelativeError);
-  }
-  ASSERT_EQ(a.Segments.size(), b.Segments.size());
-  for (std::size_t s = 0; s < a.Segments.size(); ++s)
-  {
-    EXPECT_EQ(a.Segments[s].Group, b.Segments[s].Group);
-    EXPECT_EQ(a.Segments[s].Simulation, b.Segments[s].Simulation);
-    EXPECT_EQ(a.Segments[s].Coefficients, b.Segments[s].Coefficients);
-    EXPECT_EQ(a.Segments[s].ForceTypes, b.Segments[s].ForceTypes);
-    EXPECT_EQ(a.Segments[s].VortexIds, b.Segments[s].VortexIds);
-    EXPECT_EQ(a.Segments[s].MeanWind, b.Segments[s].MeanWind);
-    EXPECT_EQ(a.Reconstruct(static_cast<int>(s)), b.Reconstruct(static_cast<int>(s)));
-  }
-  ASSERT_EQ(a.Nodes.size(), b.Nodes.size());
-  for (std::size_t n = 0; n < a.Nodes.size(); ++n)
-  {
-    EXPECT_EQ(a.Nodes[n].Parent, b.Nodes[n].Parent);
-    EXPECT_EQ(a.Nodes[n].Group, b.Nodes[n].Group);
-    EXPECT_EQ(a.Nodes[n].Medoid, b.Nodes[n].Medoid);
-    EXPECT_EQ(a.Nodes[n].FirstChild, b.Nodes[n].FirstChild);
-    EXPECT_EQ(a.Nodes[n].NumberOfChildren, b.Nodes[n].NumberOfChildren);
-    EXPECT_EQ(a.Nodes[n].NumberOfSegments, b.Nodes[n].NumberOfSegments);
-    EXPECT_EQ(a.Nodes[n].Radius, b.Nodes[n].Radius);
-  }
-  ASSERT_EQ(a.Connections.size(), b.Connections.size());
-  for (std::size_t c = 0; c < a.Connections.size(); ++c)
-  {
-    EXPECT_EQ(a.Connections[c].Cost, b.Connections[c].Cost);
-    EXPECT_EQ(a.Connections[c].Rotation.coeffs(), b.Connections[c].Rotation.coeffs());
-    EXPECT_EQ(a.Connections[c].Translation, b.Connections[c].Translation);
-    EXPECT_EQ(a.Connections[c].IsConnectible, b.Connections[c].IsConnectible);
-  }
-  ASSERT_EQ(a.Vortices.size(), b.Vortices.size());
-  for (std::size_t v = 0; v < a.Vortices.size(); ++v)
-  {
-    EXPECT_EQ(a.Vortices[v].P1, b.Vortices[v].P1);
-    EXPECT_EQ(a.Vortices[v].P2, b.Vortices[v].P2);
-    EXPECT_EQ(a.Vortices[v].Strength, b.Vortices[v].Strength);
-    EXPECT_EQ(a.Vortices[v].CenterTime, b.Vortices[v].CenterTime);
-  }
-}
-
 } // namespace
 
 TEST(DatabaseConversion, ComesBackBitForBit)
@@ -136,7 +78,7 @@ TEST(DatabaseConversion, ComesBackBitForBit)
   MotionDatabase back;
   const Result result = DatabaseFromMultiBlock(data, back);
   ASSERT_TRUE(result) << result.Message();
-  ExpectEqual(database, back);
+  test::ExpectSame(database, back);
 }
 
 TEST(DatabaseConversion, ComesBackBitForBitThroughFiles)
@@ -168,7 +110,7 @@ TEST(DatabaseConversion, ComesBackBitForBitThroughFiles)
     MotionDatabase back;
     const Result result = DatabaseFromMultiBlock(read, back);
     ASSERT_TRUE(result) << result.Message();
-    ExpectEqual(database, back);
+    test::ExpectSame(database, back);
   }
 }
 

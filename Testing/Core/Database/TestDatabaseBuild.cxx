@@ -3,6 +3,7 @@
 #include "Database/DatabaseBuild.h"
 #include "Database/SimulationRun.h"
 #include "Obstacles/ObstacleSet.h"
+#include "Trajectory/SameDatabase.h"
 #include "Trajectory/Style.h"
 
 #include <gtest/gtest.h>
@@ -52,30 +53,6 @@ Built BuildAll(const DatabaseOptions& options, int threads)
 MotionDatabase Build(const DatabaseOptions& options, int threads)
 {
   return BuildAll(options, threads).Database;
-}
-
-void ExpectEqual(const MotionDatabase& one, const MotionDatabase& two)
-{
-  EXPECT_EQ(one.Provenance, two.Provenance);
-  ASSERT_EQ(one.Segments.size(), two.Segments.size());
-  for (std::size_t s = 0; s < one.Segments.size(); ++s)
-  {
-    ASSERT_EQ(one.Segments[s].Coefficients, two.Segments[s].Coefficients);
-    ASSERT_EQ(one.Segments[s].ForceTypes, two.Segments[s].ForceTypes);
-    ASSERT_EQ(one.Segments[s].VortexIds, two.Segments[s].VortexIds);
-    ASSERT_EQ(one.Segments[s].MeanWind, two.Segments[s].MeanWind);
-  }
-  ASSERT_EQ(one.Vortices.size(), two.Vortices.size());
-  for (std::size_t v = 0; v < one.Vortices.size(); ++v)
-  {
-    ASSERT_EQ(one.Vortices[v].P2, two.Vortices[v].P2);
-    ASSERT_EQ(one.Vortices[v].CenterTime, two.Vortices[v].CenterTime);
-  }
-  ASSERT_EQ(one.Nodes.size(), two.Nodes.size());
-  for (std::size_t n = 0; n < one.Nodes.size(); ++n)
-  {
-    ASSERT_EQ(one.Nodes[n].Medoid, two.Nodes[n].Medoid);
-  }
 }
 
 // Stops from a fraction on; remembers the first one.
@@ -135,7 +112,7 @@ TEST(DatabaseBuild, NeitherThreadsNorBatchesChangeABit)
   const Built one = BuildAll(options, 1);
   options.SimulationsAtOnce = 2;
   const Built two = BuildAll(options, 2);
-  ExpectEqual(one.Database, two.Database);
+  test::ExpectSame(one.Database, two.Database);
   ASSERT_EQ(one.Coverage.size(), 2u);
   ASSERT_EQ(two.Coverage.size(), 2u);
   EXPECT_EQ(one.Coverage[1].NewShare, two.Coverage[1].NewShare);
@@ -276,7 +253,7 @@ TEST(DatabaseBuild, StoppedItGivesTheSimulationsThatAreWhole)
   const Built stopped = BuildWith(options, 1, inTheThird);
   EXPECT_TRUE(stopped.Outcome.IsStopped());
   options.NumberOfSimulations = 2;
-  ExpectEqual(stopped.Database, Build(options, 1));
+  test::ExpectSame(stopped.Database, Build(options, 1));
   ASSERT_EQ(stopped.Coverage.size(), 1u);
 }
 
@@ -301,20 +278,20 @@ TEST(DatabaseBuild, GoesOnWithWhatWasKept)
   EXPECT_TRUE(resumed.Outcome && !resumed.Outcome.IsStopped());
   EXPECT_GE(never.First, After(1.0)); // nothing of the first is done again
   EXPECT_EQ(numberOfFiles(), 3);
-  ExpectEqual(resumed.Database, whole.Database);
+  test::ExpectSame(resumed.Database, whole.Database);
   EXPECT_EQ(resumed.Coverage[1].NewShare, whole.Coverage[1].NewShare);
 
   // A damaged one is simulated again, the others are not.
   std::filesystem::resize_file(fileOf(0), std::filesystem::file_size(fileOf(0)) / 2);
   StopFrom again(2.0);
-  ExpectEqual(BuildWith(options, 1, again).Database, whole.Database);
+  test::ExpectSame(BuildWith(options, 1, again).Database, whole.Database);
   EXPECT_LT(again.First, After(1.0));
   {
     std::fstream file(fileOf(2), std::ios::in | std::ios::out | std::ios::binary);
     file.seekp(5000);
     file.put('\x7f');
   }
-  ExpectEqual(BuildAll(options, 2).Database, whole.Database);
+  test::ExpectSame(BuildAll(options, 2).Database, whole.Database);
 
   // So are those of other parameters; what is made of them is not a parameter of a simulation.
   options.Cluster.MaximumSegments = 200;
@@ -355,7 +332,7 @@ TEST(DatabaseBuild, EndsWhereHardlyAnythingIsNew)
   options.SimulationsAtOnce = 1;
   options.StopBelow = 0.0;
   options.NumberOfSimulations = static_cast<int>(last) + 2;
-  ExpectEqual(fewer.Database, Build(options, 1));
+  test::ExpectSame(fewer.Database, Build(options, 1));
 }
 
 TEST(DatabaseBuild, RefusesWhatIsWrong)

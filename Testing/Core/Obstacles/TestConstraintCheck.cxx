@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Obstacles/ConstraintCheck.h"
+#include "ConstraintFixture.h"
 
 #include "Base/Random.h"
 #include "Obstacles/LinearRows.h"
 #include "Obstacles/Rest.h"
-#include "Obstacles/Shapes.h"
 
 #include <Eigen/QR>
 
@@ -14,81 +13,6 @@
 
 using namespace waft;
 using namespace waft::testing;
-
-namespace
-{
-
-constexpr auto Met = ConstraintStatus::Met;
-constexpr auto Infeasible = ConstraintStatus::Infeasible;
-constexpr auto Conflict = ConstraintStatus::Conflict;
-constexpr auto Unreachable = ConstraintStatus::Unreachable;
-
-struct Fixture
-{
-  std::vector<Constraint> Rows;
-  std::vector<MotionObject> Objects;
-  ObstacleSet Obstacles;
-  SceneInfo Scene;
-
-  Fixture()
-  {
-    ObstacleMesh ground, box, lift;
-    ground.Mesh = BoxMesh(Vec3(-2, -2, -1), Vec3(2, 2, 0));
-    box.ObstacleId = 1;
-    box.Mesh = BoxMesh(Vec3(0.5, -0.5, 0), Vec3(1.5, 0.5, 1));
-    lift.ObstacleId = 2;
-    lift.Mesh = BoxMesh(Vec3(-1.5, -0.5, 0.5), Vec3(-1, 0, 0.6));
-    for (int f = 0; f < 100; ++f)
-    {
-      lift.Offsets.emplace_back(0.0, 0.0, 0.01 * std::max(0, f - 50));
-    }
-    const Result result = this->Obstacles.Build({ ground, box, lift });
-    EXPECT_TRUE(static_cast<bool>(result)) << result.Message();
-    for (int id = 0; id < 3; ++id)
-    {
-      MotionObject object;
-      object.ObjectId = id;
-      object.ClassId = id / 2;
-      object.Position = Vec3(0, 0, 2);
-      object.RestHeight = 0.01;
-      this->Objects.push_back(object);
-    }
-    this->Scene.Time.NumberOfFrames = 100;
-    this->Scene.Time.FramesPerSecond = 10.0;
-  }
-  Constraint& Add(ConstraintKind kind, int frame, const Vec3& value, double radius = 0.0)
-  {
-    Constraint row;
-    row.ObjectId = 0;
-    row.Kind = kind;
-    row.Frame = frame;
-    row.Until = frame;
-    row.Value = value;
-    row.Radius = radius;
-    row.Row = static_cast<int>(this->Rows.size());
-    this->Rows.push_back(row);
-    return this->Rows.back();
-  }
-  std::vector<ReportRow> Judged() const
-  {
-    return JudgeConstraints(this->Rows, this->Objects, this->Obstacles, this->Scene);
-  }
-  std::vector<ConstraintStatus> Statuses() const
-  {
-    std::vector<ConstraintStatus> statuses;
-    for (const ReportRow& line : this->Judged())
-    {
-      EXPECT_EQ(line.Message.empty(), line.Status == Met) << line.Message;
-      statuses.push_back(line.Status);
-    }
-    return statuses;
-  }
-};
-
-using Statuses = std::vector<ConstraintStatus>;
-using Kind = ConstraintKind;
-
-} // namespace
 
 TEST(ConstraintCheck, RowsThatAnEarlierStageFoundUnmetStaySo)
 {
@@ -287,74 +211,6 @@ TEST(ConstraintCheck, TargetsAreKeptOrRefusedWhole)
   later.Value.x() = 0.7; // free, as row 1 is refused
   f.Rows.push_back(later);
   EXPECT_EQ(f.Statuses(), (Statuses{ Met, Conflict, Met }));
-}
-
-TEST(ConstraintResiduals, AreDistancesBeyondTheRadius)
-{
-  Fixture f;
-  Track track;
-  for (int k = 0; k < 100; ++k)
-  {
-    const double t = 0.1 * k;
-    track.Positions.emplace_back(std::sin(t), 0.2 * t, 2.0 + 0.1 * t * t);
-  }
-  for (int k = 60; k <= 70; ++k)
-  {
-    track.Positions[k] = Vec3(-0.5, 1, 0.01);
-  }
-  track.Positions[64].x() += 0.02;
-  const auto v = CentralVelocities(track.Positions, 0.1);
-  const auto a = CentralVelocities(v, 0.1);
-  f.Add(Kind::Position, 10, track.Positions[10]);
-  f.Add(Kind::Position, 11, track.Positions[11] + Vec3(0, 0.3, 0), 0.1);
-  f.Add(Kind::Position, 12, track.Positions[12] + Vec3(0, 0.3, 0), 0.31);
-  f.Add(Kind::Velocity, 13, v[13]);
-  f.Add(Kind::Velocity, 14, v[14] + Vec3(0.5, 0, 0));
-  f.Add(Kind::Acceleration, 15, a[15]);
-  f.Add(Kind::Acceleration, 16, a[16] + Vec3(0, 0, 0.25));
-  f.Add(Kind::Rest, 60, Vec3(-0.5, 1, 1)).Until = 70;
-  f.Add(Kind::Rest, 65, Vec3(-0.5, 1, 1)).Until = 70;
-  f.Add(Kind::Position, 20, Vec3(0, 0, 9)); // infeasible: keeps its status and sentence
-  auto report = f.Judged();
-  for (ReportRow& line : report)
-  {
-    line.Status = line.Row == 9 ? Infeasible : Met;
-    line.Message = line.Row == 9 ? "too high" : "";
-  }
-  MeasureResiduals(f.Rows, { track }, f.Objects, f.Obstacles, f.Scene, report);
-  const std::vector<double> residuals{
-    0, 0.2, 0, 0, 0.5, 0, 0.25, 0.02, 0, (track.Positions[20] - Vec3(0, 0, 9)).norm()
-  };
-  const Statuses statuses{ Met, Unreachable, Met,         Met, Unreachable,
-                           Met, Unreachable, Unreachable, Met, Infeasible };
-  for (std::size_t n = 0; n < report.size(); ++n)
-  {
-    EXPECT_NEAR(report[n].Residual, residuals[n], 1e-12) << n;
-    EXPECT_EQ(report[n].Status, statuses[n]) << n;
-  }
-  EXPECT_NE(report[4].Message.find("velocity at frame 14: missed by 0.5 m/s, expected at most"),
-            std::string::npos)
-    << report[4].Message;
-  EXPECT_EQ(report[9].Message, "too high");
-}
-
-TEST(ConstraintResiduals, OrientationsAndRowsWithoutAnObject)
-{
-  Fixture f;
-  PoseTrack pose;
-  pose.Orientations.assign(100, Quat(Eigen::AngleAxisd(0.5, Vec3::UnitZ())));
-  f.Add(Kind::Orientation, 10, Vec3::Zero()).Orientation = Quat(-pose.Orientations[0].coeffs());
-  f.Add(Kind::Orientation, 11, Vec3::Zero(), 0.1);
-  f.Add(Kind::Position, 12, Vec3(0, 0, 1)).ObjectId = -1;
-  auto report = f.Judged();
-  MeasureOrientationResiduals(f.Rows, { pose }, report);
-  MeasureResiduals(f.Rows, {}, f.Objects, f.Obstacles, f.Scene, report);
-  EXPECT_NEAR(report[0].Residual, 0.0, 1e-12);
-  EXPECT_EQ(report[0].Status, Met);
-  EXPECT_NEAR(report[1].Residual, 0.4, 1e-12);
-  EXPECT_EQ(report[1].Status, Unreachable);
-  EXPECT_EQ(report[2].Status, Unreachable);
-  EXPECT_EQ(report[2].Message, "no object was assigned to it");
 }
 
 TEST(ConstraintCheck, ALineMayContradictItself)

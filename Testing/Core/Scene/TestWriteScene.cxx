@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene that is written and read again is the same scene.
+#include "Base/SameVortices.h"
 #include "Scene/WriteScene.h"
 #include "SceneSchema.h"
 #include "TestAssets.h"
@@ -115,16 +116,7 @@ void ExpectSameScene(const Scene& a, const Scene& b)
     }
   }
   EXPECT_EQ(a.GroundId, b.GroundId);
-  ASSERT_EQ(a.Vortices.size(), b.Vortices.size());
-  for (std::size_t i = 0; i < a.Vortices.size(); ++i)
-  {
-    EXPECT_EQ(a.Vortices[i].P1, b.Vortices[i].P1);
-    EXPECT_EQ(a.Vortices[i].P2, b.Vortices[i].P2);
-    EXPECT_EQ(a.Vortices[i].Strength, b.Vortices[i].Strength);
-    EXPECT_EQ(a.Vortices[i].CenterTime, b.Vortices[i].CenterTime);
-    EXPECT_EQ(a.Vortices[i].Duration, b.Vortices[i].Duration);
-    EXPECT_EQ(a.Vortices[i].CoreRadius, b.Vortices[i].CoreRadius);
-  }
+  test::ExpectSame(a.Vortices, b.Vortices);
   ASSERT_EQ(a.Winds.size(), b.Winds.size());
   for (std::size_t i = 0; i < a.Winds.size(); ++i)
   {

@@ -1,77 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "AnalyticFlow.h"
+#include "TracedDatabase.h"
 #include "Trajectory/KMeans.h"
 #include "Trajectory/NearestSegment.h"
 #include "Trajectory/SegmentFrame.h"
-#include "Trajectory/TrajectoryClusters.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <limits>
 
 using namespace waft;
 using namespace waft::test;
 
 namespace
 {
-
-Vortex Upright(int id)
-{
-  Vortex vortex;
-  vortex.VortexId = id;
-  vortex.P1 = Vec3(0.3, 0.2, 0);
-  vortex.P2 = Vec3(0.1, -0.3, 4);
-  vortex.Strength = 6.0;
-  vortex.CenterTime = 1.5;
-  vortex.CoreRadius = 0.3;
-  return vortex;
-}
-
-ClusterInput Traced(int simulations, int stride)
-{
-  ClusterInput input;
-  for (int s = 0; s < simulations; ++s)
-  {
-    TraceOptions options;
-    options.SeedStride = stride;
-    const FlowLattice lattice = CubeLattice(options.Volume, 24);
-    TrajectoryTracer tracer;
-    const std::vector<Vortex> vortices{ Upright(4 + s) };
-    EXPECT_TRUE(tracer.Begin(lattice, options, vortices));
-    for (int frame = 0; frame < 100; ++frame)
-    {
-      EXPECT_TRUE(
-        tracer.Feed(FrameOfFlow(
-                      lattice, [s](const Vec3& x, double t) { return SwirlingFlow(x, t, 0.6 * s); },
-                      frame / 30.0),
-                    SerialFor()));
-    }
-    input.Simulations.push_back({ tracer.Finish(), vortices });
-  }
-  return input;
-}
-
-MotionDatabase Build(const ClusterInput& input, const ClusterOptions& options, int threads = 1)
-{
-  MotionDatabase database;
-  SilentMonitor monitor;
-  const Result result =
-    ClusterTrajectories(input, options, ThreadedFor(threads), monitor, database);
-  EXPECT_TRUE(result) << result.Message();
-  return database;
-}
-
-const MotionDatabase& Large()
-{
-  static const MotionDatabase database = []
-  {
-    ClusterOptions options;
-    options.MaximumSegments = 0;
-    return Build(Traced(4, 2), options);
-  }();
-  return database;
-}
 
 std::vector<int> SegmentsBelow(const MotionDatabase& database, int node)
 {
@@ -332,72 +273,6 @@ TEST(Clusters, VorticesTravelWithTheirSegments)
             1e-12);
 }
 
-TEST(Clusters, ThreadsDoNotChangeABit)
-{
-  ClusterOptions options;
-  options.MaximumSegments = 400;
-  const ClusterInput input = Traced(1, 4);
-  const MotionDatabase one = Build(input, options, 1);
-  const MotionDatabase two = Build(input, options, 2);
-  ASSERT_EQ(one.Segments.size(), 400u);
-  ASSERT_EQ(two.Segments.size(), 400u);
-  ASSERT_EQ(one.Nodes.size(), two.Nodes.size());
-  for (std::size_t s = 0; s < one.Segments.size(); ++s)
-  {
-    EXPECT_EQ(one.Segments[s].Coefficients, two.Segments[s].Coefficients);
-  }
-  for (std::size_t n = 0; n < one.Nodes.size(); ++n)
-  {
-    EXPECT_EQ(one.Nodes[n].Medoid, two.Nodes[n].Medoid);
-    EXPECT_EQ(one.Nodes[n].FirstChild, two.Nodes[n].FirstChild);
-    EXPECT_EQ(one.Nodes[n].Radius, two.Nodes[n].Radius);
-  }
-  for (std::size_t c = 0; c < one.Connections.size(); ++c)
-  {
-    EXPECT_EQ(one.Connections[c].Cost, two.Connections[c].Cost);
-  }
-}
-
-TEST(Clusters, CachesOfTheProcessorDoNotChangeABit)
-{
-  ClusterOptions options;
-  options.MaximumSegments = 0;
-  const ClusterInput input = Traced(2, 2); // thousands of segments in a group
-  std::ptrdiff_t l1, l2, l3;
-  Eigen::internal::manage_caching_sizes(Eigen::GetAction, &l1, &l2, &l3);
-  std::vector<MotionDatabase> databases;
-  for (const int size : { 16, 32, 48, 128 })
-  {
-    Eigen::setCpuCacheSizes(size << 10, size << 13, size << 16);
-    databases.push_back(Build(input, options));
-  }
-  Eigen::setCpuCacheSizes(l1, l2, l3);
-  const MotionDatabase& first = databases.front();
-  ASSERT_GT(first.Segments.size(), 2500u);
-  for (const MotionDatabase& other : databases)
-  {
-    ASSERT_EQ(other.Groups.size(), first.Groups.size());
-    for (std::size_t g = 0; g < first.Groups.size(); ++g)
-    {
-      EXPECT_EQ(other.Groups[g].Basis, first.Groups[g].Basis);
-      EXPECT_EQ(other.Groups[g].RelativeError, first.Groups[g].RelativeError);
-    }
-    for (std::size_t s = 0; s < first.Segments.size(); ++s)
-    {
-      ASSERT_EQ(other.Segments[s].Coefficients, first.Segments[s].Coefficients);
-    }
-    for (std::size_t n = 0; n < first.Nodes.size(); ++n)
-    {
-      ASSERT_EQ(other.Nodes[n].Medoid, first.Nodes[n].Medoid);
-      ASSERT_EQ(other.Nodes[n].Radius, first.Nodes[n].Radius);
-    }
-    for (std::size_t c = 0; c < first.Connections.size(); ++c)
-    {
-      ASSERT_EQ(other.Connections[c].Cost, first.Connections[c].Cost);
-    }
-  }
-}
-
 TEST(Clusters, CoincidingSegmentsStillEndInLeavesOfTheirOwn)
 {
   ClusterInput input;
@@ -410,72 +285,4 @@ TEST(Clusters, CoincidingSegmentsStillEndInLeavesOfTheirOwn)
   const MotionDatabase database = Build(input, ClusterOptions());
   EXPECT_EQ(database.Segments.size(), 9u);
   EXPECT_TRUE(database.Validate());
-}
-
-TEST(Clusters, RefusesWhatIsWrong)
-{
-  MotionDatabase database;
-  SilentMonitor monitor;
-  ClusterInput input;
-  const auto message = [&](const ClusterOptions& options)
-  { return ClusterTrajectories(input, options, SerialFor(), monitor, database).Message(); };
-  EXPECT_NE(message({}).find("none has 12 samples"), std::string::npos);
-  Track track;
-  track.ObjectId = 5;
-  track.Positions.assign(20, Vec3::Zero());
-  track.Positions[3].y() = std::numeric_limits<double>::quiet_NaN();
-  input.Simulations.push_back({ { track }, {} });
-  EXPECT_NE(message({}).find("object 5"), std::string::npos);
-  ClusterOptions options;
-  options.Window = 40;
-  EXPECT_NE(message(options).find("Window"), std::string::npos);
-  EXPECT_TRUE(database.Segments.empty());
-
-  MotionDatabase broken = Large();
-  broken.Segments[3].Group = 99;
-  EXPECT_NE(broken.Validate().Message().find("segment 3"), std::string::npos);
-  broken = Large();
-  broken.Nodes.back().Medoid = broken.Nodes[broken.Nodes.size() - 2].Medoid;
-  EXPECT_FALSE(broken.Validate());
-  EXPECT_NE(MotionDatabase().Validate().Message().find("no segment"), std::string::npos);
-}
-
-namespace
-{
-
-class StopAfter : public Monitor
-{
-public:
-  explicit StopAfter(int ticks) : Left(ticks) {}
-  bool Tick(double fraction, const std::string&) override
-  {
-    EXPECT_GE(fraction, this->Last);
-    EXPECT_LE(fraction, 1.0);
-    this->Last = fraction;
-    return --this->Left >= 0;
-  }
-
-private:
-  int Left;
-  double Last = 0.0;
-};
-
-} // namespace
-
-TEST(Clusters, StopsWhenAsked)
-{
-  const ClusterInput input = Traced(1, 6);
-  int stopped = 0;
-  for (int ticks = 0; ticks < 40; ++ticks)
-  {
-    MotionDatabase database;
-    StopAfter monitor(ticks);
-    const Result result =
-      ClusterTrajectories(input, ClusterOptions(), SerialFor(), monitor, database);
-    ASSERT_TRUE(result);
-    stopped += result.IsStopped();
-    EXPECT_EQ(result.IsStopped(), database.Segments.empty());
-  }
-  EXPECT_GT(stopped, 5);
-  EXPECT_LT(stopped, 40);
 }
