@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A run of the command that is killed goes on to the files of one that was not.
+"""A run of the command that is killed or interrupted goes on to the files of one that was not.
 
     pvpython test_resume.py PVPYTHON        the tests; each run is a process of its own
 """
@@ -25,7 +25,7 @@ CHILD = """
 import sys
 from waft.synthesis import synthesize
 run = synthesize(sys.argv[1], output=sys.argv[2], preview=True, resume=sys.argv[3] == "resume", threads=1,
-                 time_limit=float(sys.argv[4]) or None, checkpoint_interval=0)
+                 time_limit=float(sys.argv[4]) or None, checkpoint_interval=float(sys.argv[5]))
 print("\\n".join(run.warnings), end="")
 sys.exit(run.status)
 """
@@ -40,9 +40,9 @@ class Resume(unittest.TestCase):
         self.scene.write_text(json.dumps(SCENE), encoding="utf-8")
         (self.folder / "child.py").write_text(CHILD, encoding="utf-8")
 
-    def start(self, out, resume=False, time_limit=0):
+    def start(self, out, resume=False, time_limit=0, interval=0):
         return subprocess.Popen([PVPYTHON, str(self.folder / "child.py"), str(self.scene), str(out),
-                                 "resume" if resume else "fresh", str(time_limit)],
+                                 "resume" if resume else "fresh", str(time_limit), str(interval)],
                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
     def finish(self, out, **options):
@@ -109,6 +109,33 @@ class Resume(unittest.TestCase):
             status, text = self.finish(out, resume=True)
             self.assertEqual((0, ""), (status, text))
             self.expect_same(whole, out)
+
+    def test_interrupted(self):
+        """Ctrl-C writes the best so far and where to go on from, though nothing was due to be written yet."""
+        whole = self.folder / "whole"
+        self.assertEqual((0, ""), self.finish(whole, interval=1e6))
+        seconds = json.loads((whole / "report.json").read_text())["stages"]["spacetime"]["seconds"]
+        energy = [float(line.split(",")[3]) for line in (whole / "convergence.csv").read_text().splitlines()[1:]]
+        found = 0
+        for share in (0.35, 0.6):
+            out = self.folder / f"interrupted{share}"
+            child = self.start(out, interval=1e6)
+            while child.poll() is None and not (out / "checkpoint" / "key").exists():
+                time.sleep(0.002)
+            time.sleep(share * seconds)
+            child.send_signal(signal.SIGINT)
+            text, _ = child.communicate(timeout=250)
+            self.assertIn((child.returncode, text), [(4, ""), (0, "")])  # 0: too late, on a machine that is freer now
+            self.assertTrue((out / "poses.csv").exists())
+            if child.returncode == 0:
+                continue
+            report = json.loads((out / "report.json").read_text())
+            self.assertTrue(report["stoppedEarly"])
+            self.assertLess(report["energy"]["after"], energy[0])
+            found += (out / "checkpoint" / "spacetime.state").exists()
+            self.assertEqual((0, ""), self.finish(out, resume=True, interval=1e6))
+            self.expect_same(whole, out)
+        self.assertGreater(found, 0, "no run was interrupted while it was optimised")
 
     def test_nothing_to_go_on_from_is_said(self):
         out = self.folder / "out"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace waft
 {
@@ -48,11 +49,13 @@ void NeighborList::Build(const SphKernelTable& kernels, std::size_t n, std::size
 {
   const float* points[3] = { x, y, z };
   this->Count = n;
-  this->Reference.resize(3 * n);
-  for (int a = 0; a < 3; ++a)
+  auto reference = std::make_shared<std::vector<float>>();
+  reference->reserve(3 * n);
+  for (const float* row : points)
   {
-    std::copy(points[a], points[a] + n, this->Reference.begin() + a * n);
+    reference->insert(reference->end(), row, row + n);
   }
+  this->Now.Reference = std::move(reference);
   const CellGrid grid = MakeGrid(n, points, reach);
   const std::size_t cells = static_cast<std::size_t>(grid.Size[0]) * grid.Size[1] * grid.Size[2];
 
@@ -147,28 +150,29 @@ void NeighborList::Update(const SphKernelTable& kernels, std::size_t n, std::siz
   constexpr int ManyUses = 15;
   constexpr float NarrowestSkin = 0.1f;
   constexpr float WidestSkin = 0.5f;
-  if (this->IsRestored && this->Reference.size() == 3 * n)
+  NeighborCourse& now = this->Now;
+  if (this->IsRestored && now.Reference && now.Reference->size() == 3 * n)
   {
-    const std::vector<float> at = this->Reference;
-    this->Build(kernels, n, numberOfGas, at.data(), at.data() + n, at.data() + 2 * n,
-                support + this->Skin, scratch);
+    const auto at = now.Reference; // which Build replaces
+    this->Build(kernels, n, numberOfGas, at->data(), at->data() + n, at->data() + 2 * n,
+                support + now.Skin, scratch);
   }
   this->IsRestored = false;
-  if (!this->IsStale(x, y, z, 0.5f * this->Skin))
+  if (!this->IsStale(x, y, z, 0.5f * now.Skin))
   {
-    ++this->Uses;
+    ++now.Uses;
     return;
   }
-  if (this->Count > 0 && this->Uses < FewUses)
+  if (this->Count > 0 && now.Uses < FewUses)
   {
-    this->Skin = std::min(WidestSkin, 1.4f * this->Skin);
+    now.Skin = std::min(WidestSkin, 1.4f * now.Skin);
   }
-  else if (this->Uses > ManyUses)
+  else if (now.Uses > ManyUses)
   {
-    this->Skin = std::max(NarrowestSkin, 0.8f * this->Skin);
+    now.Skin = std::max(NarrowestSkin, 0.8f * now.Skin);
   }
-  this->Uses = 0;
-  this->Build(kernels, n, numberOfGas, x, y, z, support + this->Skin, scratch);
+  now.Uses = 0;
+  this->Build(kernels, n, numberOfGas, x, y, z, support + now.Skin, scratch);
 }
 
 bool NeighborList::IsStale(const float* x, const float* y, const float* z, float distance) const
@@ -178,7 +182,7 @@ bool NeighborList::IsStale(const float* x, const float* y, const float* z, float
   {
     return true;
   }
-  const float* rx = this->Reference.data();
+  const float* rx = this->Now.Reference->data();
   const float* ry = rx + n;
   const float* rz = ry + n;
   float largest = 0.0f;
@@ -193,14 +197,25 @@ bool NeighborList::IsStale(const float* x, const float* y, const float* z, float
   return !(largest <= distance * distance);
 }
 
+void NeighborList::Restore(NeighborCourse course)
+{
+  this->Now = std::move(course);
+  this->Count = 0;
+  this->IsRestored = this->Now.Reference != nullptr;
+}
+
 void NeighborList::Exchange(StateStream& stream)
 {
-  stream.Values(this->Skin, this->Uses);
-  stream.List(this->Reference);
+  NeighborCourse course = this->Now;
+  std::vector<float> reference = course.Reference ? *course.Reference : std::vector<float>();
+  stream.Values(course.Skin, course.Uses);
+  stream.List(reference);
   if (stream.IsReading())
   {
-    this->Count = 0;
-    this->IsRestored = !this->Reference.empty();
+    course.Reference = reference.empty()
+                         ? nullptr
+                         : std::make_shared<const std::vector<float>>(std::move(reference));
+    this->Restore(std::move(course));
   }
 }
 
@@ -215,7 +230,8 @@ std::size_t NeighborList::MemoryBytes() const
 {
   return this->Starts.capacity() * sizeof(std::uint32_t) +
          this->Narrow.capacity() * sizeof(std::uint16_t) +
-         this->Wide.capacity() * sizeof(std::uint32_t) + this->Reference.capacity() * sizeof(float);
+         this->Wide.capacity() * sizeof(std::uint32_t) +
+         (this->Now.Reference ? this->Now.Reference->capacity() * sizeof(float) : 0);
 }
 
 } // namespace waft

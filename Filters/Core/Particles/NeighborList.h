@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace waft
@@ -17,6 +18,15 @@ struct NeighborScratch
 {
   std::vector<std::uint32_t> CellStarts, CellOf, Next, Order, Place, Found;
   std::vector<float> X, Y, Z;
+};
+
+/// What decides which entries a list has, in which order, and when they are built anew. A copy
+/// costs nothing: the positions are shared until the next construction.
+struct NeighborCourse
+{
+  float Skin = 0.2f;                                   // [dx]
+  int Uses = 0;                                        // calls of Update since Build
+  std::shared_ptr<const std::vector<float>> Reference; // positions at Build, three rows; null: none
 };
 
 /// Neighbour lists of one frame, each pair once: a pair of gas particles is listed at one of the
@@ -36,8 +46,10 @@ public:
   /// True when a particle has moved farther than `distance` since Build, or nothing was built.
   bool IsStale(const float* x, const float* y, const float* z, float distance) const;
 
-  /// Writes, or reads back, what decides which entries there are, in which order, and when they are
-  /// built anew; after reading, the next Update builds them as they were.
+  const NeighborCourse& Course() const { return this->Now; }
+  /// The next Update builds the entries as they were, and goes on from there.
+  void Restore(NeighborCourse course);
+  /// Writes the course, or reads one back and restores it.
   void Exchange(StateStream& stream);
 
   SphNeighbors View() const;
@@ -51,13 +63,11 @@ private:
   void Append(const NeighborScratch& scratch, std::size_t found);
 
   std::size_t Count = 0;
-  float Skin = 0.2f;       // [dx]
-  int Uses = 0;            // calls of Update since Build
-  bool IsRestored = false; // Reference was read, entries are to be built from it
+  NeighborCourse Now;
+  bool IsRestored = false; // entries are to be built from the course's reference
   std::vector<std::uint32_t> Starts;
   std::vector<std::uint16_t> Narrow;
   std::vector<std::uint32_t> Wide;
-  std::vector<float> Reference; // positions at Build, three rows
 };
 
 } // namespace waft

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace waft
 {
@@ -39,26 +40,27 @@ void Lbfgs::Project(const HardConstraints& constraints, StateVector& state) cons
 void Lbfgs::Direction(const TimelinePreconditioner& preconditioner,
                       const HardConstraints& constraints)
 {
-  const std::size_t count = this->S.size();
+  const std::size_t count = this->Pairs.S.size();
   std::vector<double> alpha(count);
   this->Work = this->Gradient;
   constraints.ProjectTangent(this->Work);
-  double product = count > 0 ? this->Space.Dot(this->S[count - 1], this->Work) : 0.0;
+  double product = count > 0 ? this->Space.Dot(this->Pairs.S[count - 1], this->Work) : 0.0;
   for (std::size_t k = count; k-- > 0;)
   {
-    alpha[k] = this->Rho[k] * product;
-    const StateVector& next = k > 0 ? this->S[k - 1] : this->Work;
-    product = this->Space.AddDot(-alpha[k], this->Y[k], this->Work, next);
+    alpha[k] = this->Pairs.Rho[k] * product;
+    const StateVector& next = k > 0 ? this->Pairs.S[k - 1] : this->Work;
+    product = this->Space.AddDot(-alpha[k], this->Pairs.Y[k], this->Work, next);
   }
   constraints.ProjectTangent(this->Work);
   preconditioner.Solve(this->Work, this->Step);
   constraints.ProjectTangent(this->Step);
   this->Space.Scale(this->Gamma, this->Step);
-  product = count > 0 ? this->Space.Dot(this->Y[0], this->Step) : 0.0;
+  product = count > 0 ? this->Space.Dot(this->Pairs.Y[0], this->Step) : 0.0;
   for (std::size_t k = 0; k < count; ++k)
   {
-    const StateVector& next = k + 1 < count ? this->Y[k + 1] : this->Step;
-    product = this->Space.AddDot(alpha[k] - this->Rho[k] * product, this->S[k], this->Step, next);
+    const StateVector& next = k + 1 < count ? this->Pairs.Y[k + 1] : this->Step;
+    product = this->Space.AddDot(alpha[k] - this->Pairs.Rho[k] * product, this->Pairs.S[k],
+                                 this->Step, next);
   }
   constraints.ProjectTangent(this->Step);
   this->Space.Scale(-1.0, this->Step);
@@ -101,13 +103,13 @@ void Lbfgs::Remember(const TimelinePreconditioner& preconditioner,
                      const HardConstraints& constraints, const StateVector& state)
 {
   StateVector s, y;
-  if (this->S.size() == this->Capacity)
+  if (this->Pairs.S.size() == this->Capacity)
   {
-    s = std::move(this->S.front());
-    y = std::move(this->Y.front());
-    this->S.erase(this->S.begin());
-    this->Y.erase(this->Y.begin());
-    this->Rho.erase(this->Rho.begin());
+    s = std::move(this->Pairs.S.front());
+    y = std::move(this->Pairs.Y.front());
+    this->Pairs.S.erase(this->Pairs.S.begin());
+    this->Pairs.Y.erase(this->Pairs.Y.begin());
+    this->Pairs.Rho.erase(this->Pairs.Rho.begin());
   }
   s.resize(state.size());
   y.resize(state.size());
@@ -124,9 +126,9 @@ void Lbfgs::Remember(const TimelinePreconditioner& preconditioner,
   preconditioner.Solve(this->Work, this->Step);
   const double yMy = this->Space.Dot(this->Work, this->Step);
   this->Gamma = yMy > 0.0 ? sy / yMy : 1.0;
-  this->S.push_back(std::move(s));
-  this->Y.push_back(std::move(y));
-  this->Rho.push_back(1.0 / sy);
+  this->Pairs.S.push_back(std::move(s));
+  this->Pairs.Y.push_back(std::move(y));
+  this->Pairs.Rho.push_back(1.0 / sy);
 }
 
 bool Lbfgs::HasConverged(double tolerance) const
@@ -144,9 +146,9 @@ void Lbfgs::Exchange(StateStream& stream)
 {
   const auto vector = [this](StateStream& s, StateVector& v)
   { this->Share.Exchange(s, v, this->FrameSize); };
-  stream.List(this->S, vector);
-  stream.List(this->Y, vector);
-  stream.List(this->Rho);
+  stream.List(this->Pairs.S, vector);
+  stream.List(this->Pairs.Y, vector);
+  stream.List(this->Pairs.Rho);
   vector(stream, this->Gradient);
   stream.List(this->Energies);
   stream.Values(this->Gamma, this->Terms.E, this->Terms.Ex, this->Terms.Ev, this->Terms.Ec,
@@ -163,6 +165,9 @@ LbfgsEnd Lbfgs::Minimize(SpacetimeObjective& objective,
   {
     this->Project(constraints, state);
     this->Energies.clear();
+  }
+  if (this->Energies.empty())
+  {
     if (!objective.Evaluate(state, &this->Gradient, terms, monitor))
     {
       return LbfgsEnd::Stopped;
@@ -184,13 +189,15 @@ LbfgsEnd Lbfgs::Minimize(SpacetimeObjective& objective,
     bool stopped = false;
     this->Direction(preconditioner, constraints);
     bool lower = this->LineSearch(objective, constraints, monitor, state, terms, stopped);
-    if (!lower && !stopped && !this->S.empty())
+    if (!lower && !stopped && !this->Pairs.S.empty())
     {
-      this->S.clear();
-      this->Y.clear();
-      this->Rho.clear();
+      History before = std::exchange(this->Pairs, History());
       this->Direction(preconditioner, constraints);
       lower = this->LineSearch(objective, constraints, monitor, state, terms, stopped);
+      if (stopped)
+      {
+        this->Pairs = std::move(before);
+      }
     }
     if (stopped)
     {

@@ -18,7 +18,7 @@ struct LbfgsOptions
 {
   int MaximumNumberOfIterations = 100;
   double Tolerance = 1e-2; // stop when E falls by less than this share in 20 iterations; 0: never
-  bool GoesOn = false;     // from the iteration that Exchange read, instead of from iteration 0
+  bool GoesOn = false;     // from what Exchange read, instead of from a new start
 };
 
 enum class LbfgsEnd
@@ -42,14 +42,20 @@ public:
   using Observer = std::function<bool(int iteration, const SpacetimeTerms& terms)>;
 
   /// Minimises from `state`, which always holds the best feasible iterate. Iteration 0 is the
-  /// projected start.
+  /// projected start. Stopped by the monitor, all that Exchange writes is as after the last
+  /// iterate.
   LbfgsEnd Minimize(SpacetimeObjective& objective, const TimelinePreconditioner& preconditioner,
                     HardConstraints& constraints, const LbfgsOptions& options,
                     const Observer& observer, Monitor* monitor, StateVector& state);
 
-  /// From an observer: writes what the iterations after this one depend on, besides the state and
-  /// the objective's lists. Reading: the next Minimize may go on from there.
+  /// From an observer, or once stopped: writes what the iterations after this one depend on,
+  /// besides the state and the objective's lists. Reading: the next Minimize may go on from there.
   void Exchange(StateStream& stream);
+  /// Of the last call of Minimize, or of the one that Exchange read.
+  int NumberOfIterations() const
+  {
+    return this->Energies.empty() ? 0 : static_cast<int>(this->Energies.size()) - 1;
+  }
 
 private:
   bool HasConverged(double tolerance) const;
@@ -66,8 +72,12 @@ private:
   VectorSpace Space;
   std::size_t Capacity;
   StateVector Gradient, Trial, TrialGradient, Step, Work;
-  std::vector<StateVector> S, Y; // ring, the oldest first
-  std::vector<double> Rho;       // 1 / s.y
+  struct History // a ring, the oldest first
+  {
+    std::vector<StateVector> S, Y;
+    std::vector<double> Rho; // 1 / s.y
+  };
+  History Pairs;
   double Gamma = 1.0;
   SpacetimeTerms Terms;         // of the present iterate
   std::vector<double> Energies; // of all iterates of this call of Minimize

@@ -96,6 +96,23 @@ void SpacetimeObjective::ObjectResiduals(std::vector<double>& ex, std::vector<do
   }
 }
 
+void SpacetimeObjective::MarkLists()
+{
+  this->Marked.clear();
+  for (const NeighborList& list : this->Lists)
+  {
+    this->Marked.push_back(list.Course());
+  }
+}
+
+void SpacetimeObjective::RewindLists()
+{
+  for (std::size_t k = 0; k < this->Marked.size(); ++k)
+  {
+    this->Lists[k].Restore(this->Marked[k]);
+  }
+}
+
 void SpacetimeObjective::ExchangeLists(StateStream& stream)
 {
   for (std::size_t j = 0; j < this->Times.NumberOfFrames() && this->KeepsLists; ++j)

@@ -59,6 +59,9 @@ public:
   /// Writes, or reads back, what the neighbour lists remember of the evaluations so far: with it
   /// the next ones give the same bits.
   void ExchangeLists(StateStream& stream);
+  /// Remembers the lists as they are now; brings them back to that, whatever was evaluated since.
+  void MarkLists();
+  void RewindLists();
 
   /// The rows of one of the rank's own frames at its present state, for outputs. Not thread safe.
   FrameTerms& ForwardFrame(const StateVector& state, std::size_t j);
@@ -102,7 +105,8 @@ private:
   double SpatialScale; // 1 / (1 - m W(0))^2
   std::size_t Evaluations = 0;
 
-  std::vector<NeighborList> Lists; // by own frame; empty when they are not kept
+  std::vector<NeighborList> Lists;    // by own frame; empty when they are not kept
+  std::vector<NeighborCourse> Marked; // of the lists
   /// Weighted residuals of the step into frame j: rx, rv and rt, nine rows, from frame RowsBegin.
   std::vector<float> Residuals;
   std::size_t RowsBegin = 0, RowsEnd = 0;

@@ -12,7 +12,7 @@ namespace waft
 namespace
 {
 
-constexpr const char* Format = "Waft spacetime checkpoint 2";
+constexpr const char* Format = "Waft spacetime checkpoint 3";
 constexpr double WritingShare = 1.0 / 30.0; // of the time, for checkpoints
 
 void ExchangeStep(StateStream& stream, SpacetimeStep& step)
@@ -39,8 +39,9 @@ void SpacetimeRun::ExchangeCheckpoint(StateStream& stream)
   stream.List(this->Program.Steps, ExchangeStep);
   stream.List(this->Program.CoarseFrames,
               [](StateStream& s, std::vector<int>& frames) { s.List(frames); });
-  stream.Values(next, coarseness, this->GoesOn, this->StartEnergy, this->Before);
+  stream.Values(next, this->IsInside, coarseness, this->GoesOn, this->StartEnergy, this->Before);
   stream.List(this->Output.Convergence, ExchangeRow);
+  stream.List(this->Beginning);
   stream.List(this->Setup.Model.Vortices, [](StateStream& s, Vortex& v) { Exchange(s, v); });
   Exchange(stream, this->Setup.Model.Wind);
   if (stream.IsReading())
@@ -76,10 +77,15 @@ void SpacetimeRun::ExchangeCheckpoint(StateStream& stream)
   stream.List(this->Place.Energies);
 }
 
+// An edit is short, and its end depends on what only this process has.
+bool SpacetimeRun::KeepsCheckpoints() const
+{
+  return !this->Options.CheckpointFile.empty() && !this->IsCut && this->Region.IsEmpty();
+}
+
 void SpacetimeRun::KeepCheckpoint(bool now)
 {
-  if (this->Options.CheckpointFile.empty() || this->IsCut ||
-      !this->Region.IsEmpty()) // short, and its end depends on what only this process has
+  if (!this->KeepsCheckpoints())
   {
     return;
   }
@@ -88,12 +94,34 @@ void SpacetimeRun::KeepCheckpoint(bool now)
   {
     interval = std::max(interval, this->CheckpointCost / WritingShare);
   }
-  const double from = this->Elapsed();
-  if (!this->Ranks.Decide(!this->HasCheckpointFailed &&
-                          (now || from - this->LastCheckpoint >= interval)))
+  const bool isDue = now || this->Elapsed() - this->LastCheckpoint >= interval;
+  if (this->Ranks.Decide(isDue && !this->HasCheckpointFailed))
   {
-    return;
+    this->WriteCheckpoint();
   }
+}
+
+void SpacetimeRun::MarkPlace()
+{
+  if (this->KeepsCheckpoints())
+  {
+    this->Solver->Objective.MarkLists();
+  }
+}
+
+// Of a step that was stopped all but the lists is as it was at the mark.
+void SpacetimeRun::KeepPlace()
+{
+  if (this->Stopped && this->KeepsCheckpoints() && this->Ranks.Decide(!this->HasCheckpointFailed))
+  {
+    this->Solver->Objective.RewindLists();
+    this->WriteCheckpoint();
+  }
+}
+
+void SpacetimeRun::WriteCheckpoint()
+{
+  const double from = this->Elapsed();
   std::unique_ptr<StateFileWriter> file;
   if (this->Ranks.IsFirst())
   {
@@ -161,13 +189,14 @@ bool SpacetimeRun::Resume()
     this->PartState = StateVector();
     this->Coarseness = 0;
     this->GoesOn = false;
+    this->IsInside = false;
     this->Next = 0;
     this->Before = 0.0;
     this->Output.Convergence.clear();
+    this->Beginning = StateVector();
     (void)MakeSetup(this->Input, this->Options, this->Setup); // as it went a moment ago
     return ignore("is incomplete");
   }
-  this->IsInside = true;
   return true;
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace waft
 {
@@ -179,6 +180,7 @@ void SpacetimeRun::TakeSteps()
   {
     const SpacetimeStep& step = steps[this->Next];
     this->EnterLevel(step.Coarseness);
+    this->MarkPlace();
     const bool windows = !step.IsUpdate && this->HasWindows(this->Solver->Level);
     if (step.IsUpdate ? this->UpdateFields(step)
                       : (windows ? this->MinimizeInWindows(step) : this->Minimize(step)))
@@ -205,14 +207,14 @@ bool SpacetimeRun::Minimize(const SpacetimeStep& step)
   const double to = 1.0 - this->Program.Work(this->Next + 1, frames) / this->AllWork;
   StepMonitor monitor(this->Progress, from, to, step.Iterations);
   monitor.Text = "spacetime: " + step.Name;
-  monitor.Done = this->IsInside ? this->Output.Convergence.back().Iteration : 0;
   LevelSolver& solver = *this->Solver;
+  monitor.Done = this->IsInside ? solver.Solver->NumberOfIterations() : 0;
   StateVector& state = this->LevelState();
   solver.Constraints.SetLeash(step.Leash / this->Setup.Spacing);
   LbfgsOptions options;
   options.MaximumNumberOfIterations = step.Iterations;
   options.Tolerance = this->Options.Tolerance;
-  options.GoesOn = this->IsInside;
+  options.GoesOn = std::exchange(this->IsInside, true);
   const auto observer = [&](int iteration, const SpacetimeTerms& terms)
   {
     this->Record(step.Pass, step.Name, iteration, terms, solver.Constraints.MaxViolation(state),
@@ -224,6 +226,7 @@ bool SpacetimeRun::Minimize(const SpacetimeStep& step)
     monitor.Text = text;
     const bool isUp = this->TimeIsUp();
     this->KeepCheckpoint(isUp);
+    this->MarkPlace();
     this->IsCut = this->IsCut || isUp;
     return !isUp;
   };
@@ -231,6 +234,7 @@ bool SpacetimeRun::Minimize(const SpacetimeStep& step)
     solver.Solver->Minimize(solver.Objective, solver.Preconditioner, solver.Constraints, options,
                             observer, &monitor, state);
   this->Stopped = this->Stopped || !monitor.Going;
+  this->KeepPlace();
   return end != LbfgsEnd::Stopped;
 }
 
@@ -242,10 +246,14 @@ bool SpacetimeRun::UpdateFields(const SpacetimeStep& step)
   StepMonitor fitMonitor(this->Own, done, done, 1);
   LevelSolver& solver = *this->Solver;
   const StateVector& state = this->LevelState();
+  SpacetimeModel& model = this->Setup.Model;
+  const std::vector<Vortex> vortices = model.Vortices;
+  const SplineWind wind = model.Wind;
+  const std::size_t rows = this->Output.Convergence.size();
   SpacetimeTerms terms;
   bool going = true;
   const double violation = solver.Constraints.MaxViolation(state);
-  if (step.FitsVortices && this->Options.FitVortexFields && !this->Setup.Model.Vortices.empty())
+  if (step.FitsVortices && this->Options.FitVortexFields && !model.Vortices.empty())
   {
     monitor.Text = fitMonitor.Text = "spacetime: fitting vortices";
     going =
@@ -259,14 +267,21 @@ bool SpacetimeRun::UpdateFields(const SpacetimeStep& step)
   if (going && this->Options.EstimateWind)
   {
     monitor.Text = "spacetime: estimating the wind";
-    going = UpdateWind(this->Setup.Model, solver.Objective, state, this->Parallel, &monitor, terms);
+    going = UpdateWind(model, solver.Objective, state, this->Parallel, &monitor, terms);
     if (going)
     {
       this->Record(step.Pass, "wind " + std::to_string(this->Output.Convergence.size()), 0, terms,
                    violation, 0.0);
     }
   }
-  this->Stopped = this->Stopped || !going;
+  if (!going) // done as a whole or not at all
+  {
+    model.Vortices = vortices;
+    model.Wind = wind;
+    this->Output.Convergence.resize(rows);
+    this->Stopped = true;
+    this->KeepPlace();
+  }
   return going;
 }
 

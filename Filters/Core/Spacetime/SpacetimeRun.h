@@ -68,6 +68,11 @@ private:
 
   /// A step's observer calls this after each iterate.
   void KeepCheckpoint(bool now);
+  /// At each place that a stopped run may go on from; writes the last one, when the run is stopped.
+  void MarkPlace();
+  void KeepPlace();
+  bool KeepsCheckpoints() const;
+  void WriteCheckpoint();
   void ExchangeCheckpoint(StateStream& stream);
 
   Result Finish();
@@ -90,11 +95,11 @@ private:
   SpacetimeSetup Setup;
   SpacetimeProgram Program;
   std::size_t Next = 0;  // step
-  bool IsInside = false; // Next's minimisation was left between two iterations
+  bool IsInside = false; // Next's minimisation has begun
   StateVector State;     // all frames
   /// Those of a coarse level or about an edit, and this rank's share of a level.
   StateVector PartState;
-  /// What the run began with, unless it goes on from another.
+  /// What the run began with, unless it goes on from another motion.
   StateVector Beginning;
   EditRegion Region;                   // all that moves, when an edit is local
   std::unique_ptr<LevelSolver> Solver; // of the level that the run is on

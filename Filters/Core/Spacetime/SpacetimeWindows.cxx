@@ -51,14 +51,18 @@ bool SpacetimeRun::MinimizeInWindows(const SpacetimeStep& step)
     this->Record(step.Pass, step.Name, static_cast<int>(place.Energies.size()) - 1, place.Terms,
                  whole.Constraints.MaxViolation(state), step.Leash);
   };
-  if (!this->IsInside)
+  if (!std::exchange(this->IsInside, true))
   {
     place = WindowPlace();
     whole.Constraints.Project(state);
     whole.Share.FillHalo(state, model.FrameSize());
+  }
+  if (place.Energies.empty())
+  {
     if (!whole.Objective.Evaluate(state, nullptr, place.Terms, &monitor))
     {
       this->Stopped = true;
+      this->KeepPlace();
       return false;
     }
     place.Energies = { place.Terms.E };
@@ -74,10 +78,13 @@ bool SpacetimeRun::MinimizeInWindows(const SpacetimeStep& step)
       this->KeepCheckpoint(isUp);
       this->IsCut = this->IsCut || isUp;
       const double done = static_cast<double>(place.Index) / static_cast<double>(windows.size());
-      if (isUp || !monitor.Tick(done, {}) ||
-          !this->SolveWindow(step, windows[place.Index], done, monitor))
+      if (!isUp && !monitor.Tick(done, {}))
       {
-        this->Stopped = this->Stopped || !monitor.Going;
+        this->Stopped = true;
+        this->KeepPlace();
+      }
+      if (isUp || this->Stopped || !this->SolveWindow(step, windows[place.Index], done, monitor))
+      {
         return false;
       }
     }
@@ -134,6 +141,11 @@ bool SpacetimeRun::SolveWindow(const SpacetimeStep& step,
   } inner(monitor, done);
   const LbfgsEnd end = part.Solver->Minimize(part.Objective, part.Preconditioner, part.Constraints,
                                              options, observer, &inner, own);
+  if (end == LbfgsEnd::Stopped)
+  {
+    this->Stopped = true;
+    this->KeepPlace(); // the window is to be solved anew
+  }
   if (last.E <= first.E)
   {
     own = part.Share.Whole(std::move(own), size);

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <string>
+
 namespace waft
 {
 
@@ -29,6 +32,27 @@ inline SpacetimeOutput RunScene(const SpacetimeInput& input, const SpacetimeOpti
   EXPECT_TRUE(result) << result.Message();
   EXPECT_FALSE(result.IsStopped());
   return output;
+}
+
+/// Asks a run to stop once it has come so far; what it says of its progress never falls.
+class StopAt : public Monitor
+{
+public:
+  explicit StopAt(double fraction) : Fraction(fraction) {}
+  bool Tick(double fraction, const std::string&) override
+  {
+    EXPECT_GE(fraction, this->Last - 1e-9);
+    this->Last = fraction;
+    return fraction < this->Fraction;
+  }
+
+private:
+  double Fraction, Last = 0.0;
+};
+
+inline bool FileExists(const std::string& path)
+{
+  return std::ifstream(path).good();
 }
 
 /// Every bit of what moves and of the way there.

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -40,11 +41,6 @@ SpacetimeOptions Options(const std::string& path)
   return options;
 }
 
-bool Exists(const std::string& path)
-{
-  return std::ifstream(path).good();
-}
-
 /// Does something when the run has come so far.
 class At : public Monitor
 {
@@ -67,6 +63,22 @@ class KillAt : public At
 public:
   using At::At;
   bool Reached(const std::string&) override { return std::raise(SIGKILL) == 0; }
+};
+
+/// Asks to stop at one call, or at one of those that say something.
+class StopAfter : public Monitor
+{
+public:
+  explicit StopAfter(int ticks, std::string text = "") : Left(ticks), Wanted(std::move(text)) {}
+  bool Tick(double, const std::string& text) override
+  {
+    this->Left -= text.find(this->Wanted) != std::string::npos ? 1 : 0;
+    return this->Left > 0;
+  }
+
+private:
+  int Left;
+  std::string Wanted;
 };
 
 class FirstTick : public Monitor
@@ -101,15 +113,94 @@ TEST(Checkpoint, AKilledRunEndsAsIfItHadNeverBeenKilled)
     int status = 0;
     ASSERT_EQ(::waitpid(child, &status, 0), child);
     ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) << fraction;
-    ASSERT_TRUE(Exists(path)) << fraction;
+    ASSERT_TRUE(FileExists(path)) << fraction;
     FirstTick monitor;
     SpacetimeOutput output;
     ASSERT_TRUE(RunSpacetime(input, Options(path), ThreadedFor(2), monitor, output));
     EXPECT_GT(monitor.First, 0.9 * fraction); // it goes on, not over it all again
     EXPECT_TRUE(output.Warnings.empty());
     ExpectSameMotion(output, whole);
-    EXPECT_FALSE(Exists(path)); // removed when it is done
+    EXPECT_FALSE(FileExists(path)); // removed when it is done
   }
+}
+
+namespace
+{
+
+constexpr int MoreTicksThanFrames = 45;
+
+/// Stops a run as soon as the gas is moved, then again and again after so many ticks, until one
+/// ends by itself. Returns how often it was stopped.
+int RunInPieces(const SpacetimeInput& input, const SpacetimeOptions& options, int ticks,
+                SpacetimeOutput& output)
+{
+  for (int stops = 0; stops < 100; ++stops)
+  {
+    StopAfter monitor(FileExists(options.CheckpointFile) ? ticks : MoreTicksThanFrames);
+    output = SpacetimeOutput();
+    const Result result = RunSpacetime(input, options, ThreadedFor(2), monitor, output);
+    EXPECT_TRUE(result) << result.Message();
+    EXPECT_TRUE(output.Warnings.empty());
+    if (!result || !result.IsStopped())
+    {
+      return stops;
+    }
+  }
+  ADD_FAILURE() << "no way on";
+  return 0;
+}
+
+} // namespace
+
+// Nothing is written at intervals: where it goes on from is written when it is stopped, be it in a
+// line search, in the first evaluation of a stage, in an update of the fields.
+TEST(Checkpoint, ARunStoppedAgainAndAgainEndsAsIfItHadNeverBeenStopped)
+{
+  const SpacetimeInput input = Scene();
+  SpacetimeOptions options = Options("");
+  options.NumberOfGasParticles = 216;
+  options.LeashIterations = 4;
+  options.MaximumNumberOfIterations = 12;
+  options.CheckpointInterval = 1e6;
+  const SpacetimeOutput whole = RunScene(input, options);
+  for (const auto& [ticks, least] : { std::pair(13, 4), std::pair(17, 4), std::pair(23, 4) })
+  {
+    const std::string path = CheckpointPath("pieces");
+    options.CheckpointFile = path;
+    SpacetimeOutput output;
+    const int stops = RunInPieces(input, options, ticks, output);
+    EXPECT_GT(stops, least) << ticks;
+    ExpectSameMotion(output, whole);
+    EXPECT_FALSE(FileExists(path));
+  }
+}
+
+TEST(Checkpoint, AnUpdateOfTheFieldsThatIsStoppedIsDoneAnew)
+{
+  const SpacetimeInput input = Scene();
+  SpacetimeOptions options = Options("");
+  options.NumberOfGasParticles = 216;
+  options.LeashIterations = 2;
+  options.MaximumNumberOfIterations = 6;
+  options.CheckpointInterval = 1e6;
+  const SpacetimeOutput whole = RunScene(input, options);
+  options.CheckpointFile = CheckpointPath("fields");
+  int stops = 0;
+  for (int ticks = 1; ticks < 100; ++ticks)
+  {
+    StopAfter monitor(ticks, "estimating the wind");
+    SpacetimeOutput output;
+    const Result result = RunSpacetime(input, options, ThreadedFor(2), monitor, output);
+    ASSERT_TRUE(result) << result.Message();
+    if (!result.IsStopped())
+    {
+      break;
+    }
+    ++stops;
+    ASSERT_TRUE(FileExists(options.CheckpointFile));
+    ExpectSameMotion(RunScene(input, options), whole);
+  }
+  EXPECT_GT(stops, 5);
 }
 
 TEST(Checkpoint, ATimeLimitLeavesTheCourseThatARunWithoutItTakes)
@@ -121,13 +212,13 @@ TEST(Checkpoint, ATimeLimitLeavesTheCourseThatARunWithoutItTakes)
   limited.CheckpointInterval = 1e6;
   // On a busy machine the first run may have been the slower one: a shorter limit then.
   SpacetimeOutput cut;
-  for (double share = 0.3; share > 0.01 && !Exists(path); share *= 0.5)
+  for (double share = 0.3; share > 0.01 && !FileExists(path); share *= 0.5)
   {
     limited.TimeLimit = share * whole.Convergence.back().Seconds;
     cut = RunScene(input, limited);
   }
   ASSERT_EQ(cut.Warnings.size(), 1u);
-  ASSERT_TRUE(Exists(path));
+  ASSERT_TRUE(FileExists(path));
   ExpectSameMotion(RunScene(input, Options(path)), whole);
 }
 
@@ -143,7 +234,7 @@ TEST(Checkpoint, OneOfSomethingElseIsIgnoredAndSaidSo)
     At monitor(fraction);
     SpacetimeOutput output;
     ASSERT_TRUE(RunSpacetime(input, few, SerialFor(), monitor, output).IsStopped());
-    ASSERT_TRUE(Exists(path));
+    ASSERT_TRUE(FileExists(path));
   };
   const auto expectIgnored =
     [&](const SpacetimeInput& given, SpacetimeOptions options, const char* reason)
@@ -174,7 +265,7 @@ TEST(Checkpoint, OneOfSomethingElseIsIgnoredAndSaidSo)
   expectIgnored(input, few, "damaged");
   {
     StateFileWriter file(path);
-    std::string format = "Waft spacetime checkpoint 2";
+    std::string format = "Waft spacetime checkpoint 3";
     std::uint64_t key = DigestOfRun(input, few);
     std::uint64_t none = 0;
     file.Text(format);

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <fstream>
 #include <string>
 
 using namespace waft;
@@ -112,21 +111,6 @@ void ExpectSame(const SpacetimeOutput& a, const SpacetimeOutput& b)
     EXPECT_EQ(a.Report[k].Residual, b.Report[k].Residual);
     EXPECT_EQ(a.Report[k].Status, b.Report[k].Status);
   }
-}
-
-class StopAt : public Monitor
-{
-public:
-  explicit StopAt(double fraction) : Fraction(fraction) {}
-  bool Tick(double fraction, const std::string&) override { return fraction < this->Fraction; }
-
-private:
-  double Fraction;
-};
-
-bool Exists(const std::string& path)
-{
-  return std::ifstream(path).good();
 }
 
 } // namespace
@@ -251,9 +235,9 @@ TEST(Ranks, LeaveACheckpointThatAnyNumberOfThemGoesOnFrom)
   {
     StopAt monitor(left == 3 ? 0.9 : 0.4); // on the fine level, and on the coarse one
     (void)RunOn(left, input, options, nullptr, &monitor, true);
-    ASSERT_TRUE(Exists(options.CheckpointFile));
+    ASSERT_TRUE(FileExists(options.CheckpointFile));
     ExpectSame(RunOn(taken, input, options), whole);
-    EXPECT_FALSE(Exists(options.CheckpointFile));
+    EXPECT_FALSE(FileExists(options.CheckpointFile));
   }
 }
 

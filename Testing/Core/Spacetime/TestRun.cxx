@@ -255,24 +255,6 @@ TEST(RunSpacetime, FillsItsOutputs)
   }
 }
 
-namespace
-{
-
-class StopAfter : public Monitor
-{
-public:
-  explicit StopAfter(double fraction) : Fraction(fraction) {}
-  bool Tick(double fraction, const std::string&) override
-  {
-    EXPECT_GE(fraction, this->Last - 1e-9);
-    this->Last = fraction;
-    return fraction < this->Fraction;
-  }
-  double Fraction, Last = 0.0;
-};
-
-} // namespace
-
 TEST(RunSpacetime, KeepsTheBestSoFarWhenStopped)
 {
   SceneOptions scene;
@@ -281,7 +263,7 @@ TEST(RunSpacetime, KeepsTheBestSoFarWhenStopped)
   // In the leash, at its end, on each level.
   for (const double fraction : { 0.02, 0.06, 0.1, 0.15, 0.25, 0.4, 0.8 })
   {
-    StopAfter monitor(fraction);
+    StopAt monitor(fraction);
     SpacetimeOutput output;
     const Result result = RunSpacetime(input, QuickOptions(), SerialFor(), monitor, output);
     ASSERT_TRUE(result) << result.Message();

@@ -27,16 +27,6 @@ std::size_t Iterations(const SpacetimeOutput& output)
   return count;
 }
 
-class StopAt : public Monitor
-{
-public:
-  explicit StopAt(double fraction) : Fraction(fraction) {}
-  bool Tick(double fraction, const std::string&) override { return fraction < this->Fraction; }
-
-private:
-  double Fraction;
-};
-
 } // namespace
 
 TEST(WarmStart, GoesOnAfterAChangedWeightAndReachesWhatAFreshRunReaches)

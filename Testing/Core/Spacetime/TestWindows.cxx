@@ -137,20 +137,10 @@ TEST(Windows, GoOnFromACheckpointToTheSameBits)
   options.CheckpointFile = testing::TempDir() + "waft-windows";
   options.CheckpointInterval = 0.0;
   std::remove(options.CheckpointFile.c_str());
-  class Stop : public Monitor
-  {
-  public:
-    bool Tick(double fraction, const std::string&) override
-    {
-      EXPECT_GE(fraction, this->Last - 1e-9);
-      this->Last = fraction;
-      return fraction < 0.6;
-    }
-    double Last = 0.0;
-  } stop;
+  StopAt stop(0.6);
   SpacetimeOutput output;
   ASSERT_TRUE(RunSpacetime(input, options, SerialFor(), stop, output).IsStopped());
-  ASSERT_TRUE(std::ifstream(options.CheckpointFile).good());
+  ASSERT_TRUE(FileExists(options.CheckpointFile));
   const SpacetimeOutput resumed = RunScene(input, options);
   EXPECT_TRUE(resumed.Warnings.empty());
   ExpectSameMotion(resumed, whole);
