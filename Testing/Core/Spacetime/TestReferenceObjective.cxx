@@ -39,42 +39,6 @@ std::vector<double> Disturbed(const StandardProblem& problem, double size)
 
 } // namespace
 
-TEST(ReferenceObjective, HasTheExactGradientOfEachTerm)
-{
-  StandardProblem problem = SmallProblem(5, 2, { 3, 3, 3 });
-  for (int term = 0; term < 5; ++term)
-  {
-    SpacetimeWeights& w = problem.Setup.Model.Weights;
-    w.Position = term == 0 || term == 4 ? 1.0 : 0.0;
-    w.Velocity = term == 1 || term == 4 ? 1.0 : 0.0;
-    w.Coherence = term >= 2 ? 1.0 : 0.0;
-    w.SpatialShare = term == 2 ? 1.0 : (term == 3 ? 0.0 : 0.5);
-    const ReferenceObjective reference(problem.Setup.Model);
-    const std::vector<double> z = Disturbed(problem, 0.05);
-    std::vector<double> gradient(z.size());
-    (void)reference.Evaluate(z.data(), gradient.data());
-    Random random(3);
-    std::vector<double> d(z.size());
-    double slope = 0.0;
-    for (std::size_t k = 0; k < d.size(); ++k)
-    {
-      d[k] = random.Normal() + gradient[k];
-      slope += d[k] * gradient[k];
-    }
-    const double h = 1e-5;
-    std::vector<double> plus = z, minus = z;
-    for (std::size_t k = 0; k < d.size(); ++k)
-    {
-      plus[k] += h * d[k];
-      minus[k] -= h * d[k];
-    }
-    const double difference =
-      (reference.Evaluate(plus.data(), nullptr) - reference.Evaluate(minus.data(), nullptr)) /
-      (2.0 * h);
-    EXPECT_NEAR(difference / slope, 1.0, 1e-6) << "term " << term;
-  }
-}
-
 TEST(SpacetimeObjective, EqualsTheReference)
 {
   const StandardProblem problem = SmallProblem(6, 4, { 5, 5, 5 });
