@@ -10,50 +10,6 @@
 namespace waft
 {
 
-void Checksum::Add(const void* bytes, std::size_t size)
-{
-  const auto* at = static_cast<const unsigned char*>(bytes);
-  for (; size > 0 && this->Held > 0; --size)
-  {
-    this->AddByte(*at++);
-  }
-  std::uint64_t sum = this->Value;
-  for (; size >= sizeof(std::uint64_t); size -= sizeof(std::uint64_t))
-  {
-    std::uint64_t word;
-    std::memcpy(&word, at, sizeof(word));
-    sum = Mix(sum, word);
-    at += sizeof(word);
-  }
-  this->Value = sum;
-  for (; size > 0; --size)
-  {
-    this->AddByte(*at++);
-  }
-}
-
-std::uint64_t Checksum::Mix(std::uint64_t sum, std::uint64_t word)
-{
-  sum = (sum ^ word) * 1099511628211ull;
-  return sum ^ (sum >> 32); // a product's high bits depend on the low ones alone
-}
-
-void Checksum::AddByte(unsigned char byte)
-{
-  std::memcpy(reinterpret_cast<unsigned char*>(&this->Word) + this->Held, &byte, 1);
-  if (++this->Held == sizeof(this->Word))
-  {
-    this->Value = Mix(this->Value, this->Word);
-    this->Held = 0;
-    this->Word = 0;
-  }
-}
-
-std::uint64_t Checksum::Sum() const
-{
-  return Mix(Mix(this->Value, this->Word), this->Held);
-}
-
 StateFileWriter::StateFileWriter(const std::string& path) :
   Path(path), Part(path + ".part" + std::to_string(::getpid()))
 {
@@ -154,7 +110,7 @@ bool IsWholeStateFile(const std::string& path)
   {
     return false;
   }
-  Checksum sum;
+  Digest sum;
   std::vector<char> part(std::size_t(1) << 20);
   while (file.Rest > 0)
   {

@@ -3,6 +3,7 @@
 // writes it and reads it back, so that the two cannot differ.
 #pragma once
 
+#include "Base/Digest.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
 
@@ -14,23 +15,6 @@
 
 namespace waft
 {
-
-/// A sum over bytes that tells damaged or other data apart: FNV-1a over words of eight bytes. It
-/// does not depend on how the bytes are cut into pieces.
-class Checksum
-{
-public:
-  void Add(const void* bytes, std::size_t size);
-  std::uint64_t Sum() const;
-
-private:
-  static std::uint64_t Mix(std::uint64_t sum, std::uint64_t word);
-  void AddByte(unsigned char byte);
-
-  std::uint64_t Value = 14695981039346656037ull;
-  std::uint64_t Word = 0; // bytes that do not fill a word yet
-  std::size_t Held = 0;   // and how many they are
-};
 
 /// Bytes in the machine's own order. Writing leaves what is named as it is. Once anything fails
 /// nothing more is moved and IsGood is false.
@@ -110,7 +94,7 @@ private:
   bool Good = true;
 };
 
-/// Keeps nothing but the checksum.
+/// Keeps nothing but the digest.
 class DigestStream : public StateStream
 {
 public:
@@ -125,7 +109,7 @@ protected:
   }
 
 private:
-  Checksum Checks;
+  Digest Checks;
 };
 
 /// Keeps what is written, in memory.
@@ -165,7 +149,7 @@ private:
   std::string Path, Part;
   std::FILE* File = nullptr;
   int Reason = 0;
-  Checksum Checks;
+  Digest Checks;
 };
 
 /// True when there is a file that StateFileWriter wrote, and it is whole.

@@ -2,6 +2,7 @@
 #include "Database/TracedFiles.h"
 
 #include "Base/AtomicFile.h"
+#include "Base/Digest.h"
 
 #include <cstdint>
 #include <cstring>
@@ -16,17 +17,14 @@ namespace waft
 namespace
 {
 
-constexpr const char* Format = "Waft traced simulation 1";
+constexpr const char* Format = "Waft traced simulation 2";
 
-// FNV-1a, so that a damaged file is told from a whole one.
+// Tells a damaged file from a whole one.
 std::uint64_t ChecksumOf(const char* bytes, std::size_t size)
 {
-  std::uint64_t sum = 14695981039346656037ull;
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    sum = (sum ^ static_cast<unsigned char>(bytes[i])) * 1099511628211ull;
-  }
-  return sum;
+  Digest digest;
+  digest.Add(bytes, size);
+  return digest.Sum();
 }
 
 class Writer

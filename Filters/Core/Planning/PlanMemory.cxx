@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/PlanMemory.h"
 
+#include "Base/Digest.h"
+
 #include <algorithm>
 #include <cstring>
 #include <type_traits>
@@ -40,61 +42,6 @@ public:
 
 private:
   std::string Bytes;
-};
-
-/// Two sums over 64-bit words that mix differently (the finishers of MurmurHash3 and splitmix64).
-class Digest
-{
-public:
-  void Add(const void* data, std::size_t size)
-  {
-    this->Word(size);
-    const auto* bytes = static_cast<const char*>(data);
-    for (std::size_t i = 0; i < size; i += 8)
-    {
-      std::uint64_t word = 0;
-      std::memcpy(&word, bytes + i, std::min<std::size_t>(8, size - i));
-      this->Word(word);
-    }
-  }
-  template <typename Number>
-  void Add(Number number)
-  {
-    static_assert(std::is_arithmetic<Number>::value || std::is_enum<Number>::value, "a number");
-    this->Add(&number, sizeof(Number));
-  }
-  template <typename Item>
-  void AddList(const std::vector<Item>& items)
-  {
-    static_assert(std::is_arithmetic<Item>::value || std::is_enum<Item>::value, "numbers");
-    this->Add(items.data(), items.size() * sizeof(Item));
-  }
-  template <typename Matrix>
-  void AddMatrix(const Matrix& matrix)
-  {
-    this->Add(matrix.data(), static_cast<std::size_t>(matrix.size()) * sizeof(double));
-  }
-  void Add(const Vec3& v) { this->AddMatrix(v); }
-  std::string Text() const
-  {
-    std::string text(16, '\0');
-    std::memcpy(&text[0], &this->A, 8);
-    std::memcpy(&text[8], &this->B, 8);
-    return text;
-  }
-
-private:
-  void Word(std::uint64_t word)
-  {
-    this->A = (this->A ^ word) * 0xff51afd7ed558ccdULL;
-    this->A ^= this->A >> 33;
-    this->B = (this->B + word + 0x9e3779b97f4a7c15ULL);
-    this->B = (this->B ^ (this->B >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    this->B ^= this->B >> 27;
-  }
-
-  std::uint64_t A = 0x2545f4914f6cdd1dULL;
-  std::uint64_t B = 0;
 };
 
 void AddDatabase(const MotionDatabase& database, Digest& digest)
@@ -159,20 +106,9 @@ std::string SharedKey(const PlanInput& input, const PlanOptions& options)
   for (const ObstacleMesh& obstacle : input.Obstacles.Obstacles())
   {
     digest.Add(obstacle.ObstacleId);
-    digest.Add(obstacle.Mesh.Points.size());
-    for (const Vec3& point : obstacle.Mesh.Points)
-    {
-      digest.Add(point);
-    }
-    for (const auto& triangle : obstacle.Mesh.Triangles)
-    {
-      digest.Add(triangle.data(), sizeof(triangle));
-    }
-    digest.Add(obstacle.Offsets.size());
-    for (const Vec3& offset : obstacle.Offsets)
-    {
-      digest.Add(offset);
-    }
+    digest.AddList(obstacle.Mesh.Points);
+    digest.AddList(obstacle.Mesh.Triangles);
+    digest.AddList(obstacle.Offsets);
   }
   digest.Add(input.Scene.Bounds.Min);
   digest.Add(input.Scene.Bounds.Max);

@@ -119,20 +119,3 @@ TEST(StateStream, LeavesTheOldFileUntilTheNewOneIsWhole)
   EXPECT_FALSE(result);
   EXPECT_NE(result.Message().find("cannot write"), std::string::npos);
 }
-
-TEST(StateStream, ChecksumsDoNotDependOnHowBytesAreCut)
-{
-  const std::string bytes = "twenty-nine bytes of anything";
-  Checksum whole;
-  whole.Add(bytes.data(), bytes.size());
-  for (std::size_t cut = 0; cut <= bytes.size(); ++cut)
-  {
-    Checksum parts;
-    parts.Add(bytes.data(), cut);
-    parts.Add(bytes.data() + cut, bytes.size() - cut);
-    EXPECT_EQ(parts.Sum(), whole.Sum()) << cut;
-  }
-  Checksum longer;
-  longer.Add(bytes.c_str(), bytes.size() + 1); // a zero more
-  EXPECT_NE(longer.Sum(), whole.Sum());
-}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Digest.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace waft;
+
+TEST(Digest, DoesNotDependOnHowBytesAreCut)
+{
+  const std::string bytes = "twenty-nine bytes of anything";
+  Digest whole;
+  whole.Add(bytes.data(), bytes.size());
+  for (std::size_t cut = 0; cut <= bytes.size(); ++cut)
+  {
+    Digest parts;
+    parts.Add(bytes.data(), cut);
+    parts.Add(bytes.data() + cut, bytes.size() - cut);
+    EXPECT_EQ(parts.Text(), whole.Text()) << cut;
+    EXPECT_EQ(parts.Sum(), whole.Sum()) << cut;
+  }
+  Digest longer;
+  longer.Add(bytes.c_str(), bytes.size() + 1); // a zero more
+  EXPECT_NE(longer.Sum(), whole.Sum());
+}
+
+TEST(Digest, TellsEachChangeOfABitAndOfTheOrder)
+{
+  std::vector<double> numbers = { 1.0, 2.0, 3.0, 4.0, 5.0 };
+  std::set<std::string> texts;
+  std::set<std::uint64_t> sums;
+  const auto add = [&](const void* bytes, std::size_t size)
+  {
+    Digest digest;
+    digest.Add(bytes, size);
+    EXPECT_EQ(digest.Text().size(), 16u);
+    texts.insert(digest.Text());
+    sums.insert(digest.Sum());
+  };
+  const std::size_t size = numbers.size() * sizeof(double) - 3;
+  auto* bytes = reinterpret_cast<unsigned char*>(numbers.data());
+  for (std::size_t bit = 0; bit < 8 * size; ++bit)
+  {
+    bytes[bit / 8] ^= static_cast<unsigned char>(1u << bit % 8);
+    add(bytes, size);
+    bytes[bit / 8] ^= static_cast<unsigned char>(1u << bit % 8);
+  }
+  add(bytes, size);
+  std::swap(numbers[0], numbers[1]);
+  add(bytes, size);
+  EXPECT_EQ(texts.size(), 8 * size + 2);
+  EXPECT_EQ(sums.size(), 8 * size + 2);
+}
+
+TEST(Digest, OfListsSaysWhereOneEnds)
+{
+  const std::vector<int> one = { 1 }, two = { 1, 2 }, none;
+  Digest a, b, c;
+  a.AddList(two);
+  a.AddList(none);
+  b.AddList(one);
+  b.AddList(std::vector<int>{ 2 });
+  c.AddList(none);
+  c.AddList(two);
+  EXPECT_NE(a.Text(), b.Text());
+  EXPECT_NE(a.Text(), c.Text());
+  EXPECT_NE(b.Text(), c.Text());
+}
