@@ -40,11 +40,12 @@ Vec3 Slope(const std::vector<Vec3>& samples, double frame)
 
 /// How much of the potential flow's moment is there: all of it while the flow follows the plate,
 /// none broadside, where it has left both edges and the pressure acts near the middle. By this
-/// cos^2(alpha) the centre of pressure goes from the quarter chord to the centre.
+/// 1 - sin(alpha) the centre of pressure goes from the quarter chord to the centre as measured on
+/// plates (Joessel 1870: its distance from the centre falls in proportion to 1 - sin(alpha)).
 double Attached(const FlightBody& body, const Vec3& velocity)
 {
-  const double across = velocity.dot(body.Panels->Normal());
-  return 1.0 - body.Coefficients.Separation * across * across / (velocity.squaredNorm() + 1e-30);
+  const double across = std::abs(velocity.dot(body.Panels->Normal()));
+  return 1.0 - body.Coefficients.Separation * across / (velocity.norm() + 1e-30);
 }
 
 /// Kirchhoff's equations of a rigid body in air (Lamb 1932, section 124) in world axes,

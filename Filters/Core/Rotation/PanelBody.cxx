@@ -9,11 +9,13 @@ namespace waft
 {
 namespace
 {
-constexpr int MaxPanels = 96;
-constexpr int MaxRoundPanels = 384; // a closed body's outline needs finer ones
+// Powers of two: halves of halves then have equal shares, and the mirror image of a body has the
+// mirror images of its panels.
+constexpr int MaxPanels = 128;
+constexpr int MaxRoundPanels = 512; // a closed body's outline needs finer ones
+constexpr std::size_t Width = 4;    // panels in a pack
 constexpr double RoundFlatness = 0.3;
-constexpr double TipRatio = 1.0;    // of the fastest autorotation
-constexpr double CatchRatio = 0.13; // tip speed at half of the autorotation's drive
+constexpr double CatchRatio = 0.11; // tip speed at half of the autorotation's drive
 constexpr int Nodes = 7; // of the table of directions, along each side of a face of the cube
 
 Vec3 NodeDirection(int face, int row, int column)
@@ -26,6 +28,14 @@ Vec3 NodeDirection(int face, int row, int column)
   d[(face / 2 + 1) % 3] = a;
   d[(face / 2 + 2) % 3] = b;
   return d.normalized();
+}
+
+/// Tip speed of the fastest autorotation, in parts of the flight's speed, of a plate whose span is
+/// `aspect` times its chord (Iversen 1979, heavy thin plates): 0.81 at 5, 0.35 at 0.6.
+double FastestTip(double aspect)
+{
+  const double finite = aspect / (2.0 + std::sqrt(4.0 + aspect * aspect));
+  return std::pow(finite * (2.0 - std::pow(aspect / (aspect + 0.595), 0.76)), 2.0 / 3.0);
 }
 } // namespace
 
@@ -54,6 +64,7 @@ Result PanelBody::Build(const Shape& shape, const ShellProperties& properties, i
   std::vector<int> panelOfPiece(pieces.size(), 0);
   this->Gather(pieces, 0, pieces.size(),
                this->PlateFlatness < RoundFlatness ? MaxRoundPanels : MaxPanels, panelOfPiece);
+  this->PackPanels();
   this->LookFromAllAround(shape.Mesh, pieces, panelOfPiece, resolution, parallel);
   return Result::Ok();
 }
@@ -152,6 +163,26 @@ void PanelBody::Gather(std::vector<Piece>& pieces, std::size_t begin, std::size_
   this->Gather(pieces, middle, end, budget - budget / 2, panelOfPiece);
 }
 
+void PanelBody::PackPanels()
+{
+  Pack none;
+  none.X = none.Y = none.Z = none.NX = none.NY = none.NZ = none.Area = Lanes::Zero();
+  this->Packs.assign((this->Panels.size() + Width - 1) / Width, none);
+  for (std::size_t i = 0; i < this->Panels.size(); ++i)
+  {
+    const Panel& panel = this->Panels[i];
+    Pack& pack = this->Packs[i / Width];
+    const auto lane = static_cast<long>(i % Width);
+    pack.X[lane] = panel.X;
+    pack.Y[lane] = panel.Y;
+    pack.Z[lane] = panel.Z;
+    pack.NX[lane] = panel.NX;
+    pack.NY[lane] = panel.NY;
+    pack.NZ[lane] = panel.NZ;
+    pack.Area[lane] = panel.Area;
+  }
+}
+
 void PanelBody::LookFromAllAround(const TriangleMesh& mesh, const std::vector<Piece>& pieces,
                                   const std::vector<int>& panelOfPiece, int resolution,
                                   const ParallelFor& parallel)
@@ -161,7 +192,8 @@ void PanelBody::LookFromAllAround(const TriangleMesh& mesh, const std::vector<Pi
     return; // a plane hides nothing of itself
   }
   const std::size_t panels = this->Panels.size();
-  this->Visibility.assign(static_cast<std::size_t>(6) * Nodes * Nodes * panels, 1.0F);
+  const std::size_t lanes = Width * this->Packs.size();
+  this->Visibility.assign(static_cast<std::size_t>(6) * Nodes * Nodes * lanes, 1.0F);
   parallel(static_cast<std::size_t>(6) * Nodes * Nodes,
            [&](std::size_t begin, std::size_t end)
            {
@@ -187,7 +219,7 @@ void PanelBody::LookFromAllAround(const TriangleMesh& mesh, const std::vector<Pi
                }
                for (std::size_t p = 0; p < panels; ++p)
                {
-                 this->Visibility[node * panels + p] =
+                 this->Visibility[node * lanes + p] =
                    all[p] > 0.0 ? static_cast<float>(seen[p] / all[p]) : 1.0F;
                }
              }
@@ -233,34 +265,40 @@ PanelBody::Mixture PanelBody::Mix(const Vec3& direction) const
   const double fb = std::clamp(b - row, 0.0, 1.0);
   const float* base =
     this->Visibility.data() +
-    static_cast<std::size_t>((face * Nodes + row) * Nodes + column) * this->Panels.size();
-  const std::size_t right = this->Panels.size();
-  const std::size_t up = Nodes * this->Panels.size();
+    static_cast<std::size_t>((face * Nodes + row) * Nodes + column) * Width * this->Packs.size();
+  const std::size_t right = Width * this->Packs.size();
+  const std::size_t up = Nodes * right;
   return { { base, base + right, base + up, base + up + right },
            { (1.0 - fa) * (1.0 - fb), fa * (1.0 - fb), (1.0 - fa) * fb, fa * fb } };
 }
 
-double PanelBody::VisiblePart(const Mixture& mixture, std::size_t panel) const
+PanelBody::Lanes PanelBody::VisibleParts(const Mixture& mixture, std::size_t panel) const
 {
-  return mixture.Weights[0] * mixture.Nodes[0][panel] +
-         mixture.Weights[1] * mixture.Nodes[1][panel] +
-         mixture.Weights[2] * mixture.Nodes[2][panel] +
-         mixture.Weights[3] * mixture.Nodes[3][panel];
+  using Floats = Eigen::Map<const Eigen::Array<float, 4, 1>>;
+  if (!this->HidesItself())
+  {
+    return Lanes::Ones();
+  }
+  Lanes part = Lanes::Zero();
+  for (int i = 0; i < 4; ++i)
+  {
+    part += mixture.Weights[i] * Floats(mixture.Nodes[i] + panel).cast<double>();
+  }
+  return part;
 }
 
 double PanelBody::ForeshortenedArea(const Vec3& direction) const
 {
   const Vec3 d = direction.normalized();
-  const bool hides = this->HidesItself();
-  const Mixture mixture = hides ? this->Mix(d) : Mixture{};
-  double area = 0.0;
-  for (std::size_t i = 0; i < this->Panels.size(); ++i)
+  const Mixture mixture = this->HidesItself() ? this->Mix(d) : Mixture{};
+  Lanes area = Lanes::Zero();
+  for (std::size_t i = 0; i < this->Packs.size(); ++i)
   {
-    const Panel& p = this->Panels[i];
-    const double cosine = std::abs(p.NX * d.x() + p.NY * d.y() + p.NZ * d.z());
-    area += cosine * p.Area * (hides ? this->VisiblePart(mixture, i) : 1.0);
+    const Pack& p = this->Packs[i];
+    const Lanes cosine = (p.NX * d.x() + p.NY * d.y() + p.NZ * d.z()).abs();
+    area += cosine * p.Area * this->VisibleParts(mixture, Width * i);
   }
-  return area;
+  return area.sum();
 }
 
 Wrench PanelBody::Evaluate(const Vec3& velocity, const Mat3& gradient,
@@ -272,34 +310,40 @@ Wrench PanelBody::Evaluate(const Vec3& velocity, const Mat3& gradient,
   const double drag = 0.5 * coefficients.Drag;
   const double friction = drag * coefficients.Friction;
   const double lift = coefficients.Lift * this->PlateFlatness;
-  Wrench total;
-  double fx = 0.0, fy = 0.0, fz = 0.0, tx = 0.0, ty = 0.0, tz = 0.0;
-  for (std::size_t i = 0; i < this->Panels.size(); ++i)
+  const Vec3& n = this->PlateNormal;
+  const Mat3& g = gradient;
+  Lanes fx = Lanes::Zero(), fy = fx, fz = fx, tx = fx, ty = fx, tz = fx;
+  for (std::size_t i = 0; i < this->Packs.size(); ++i)
   {
-    const Panel& p = this->Panels[i];
-    const double wx =
-      velocity.x() + gradient(0, 0) * p.X + gradient(0, 1) * p.Y + gradient(0, 2) * p.Z;
-    const double wy =
-      velocity.y() + gradient(1, 0) * p.X + gradient(1, 1) * p.Y + gradient(1, 2) * p.Z;
-    const double wz =
-      velocity.z() + gradient(2, 0) * p.X + gradient(2, 1) * p.Y + gradient(2, 2) * p.Z;
-    const double wn = wx * p.NX + wy * p.NY + wz * p.NZ;
-    const double area = hides ? p.Area * this->VisiblePart(mixture, i) : p.Area;
-    double x, y, z;
+    const Pack& p = this->Packs[i];
+    const Lanes wx = velocity.x() + g(0, 0) * p.X + g(0, 1) * p.Y + g(0, 2) * p.Z;
+    const Lanes wy = velocity.y() + g(1, 0) * p.X + g(1, 1) * p.Y + g(1, 2) * p.Z;
+    const Lanes wz = velocity.z() + g(2, 0) * p.X + g(2, 1) * p.Y + g(2, 2) * p.Z;
+    const Lanes wn = wx * p.NX + wy * p.NY + wz * p.NZ;
+    Lanes area = p.Area;
+    if (hides)
+    {
+      area *= this->VisibleParts(mixture, Width * i);
+    }
+    Lanes x, y, z;
     if (plate)
     {
-      // Normal force cd sin(alpha) (1 + lift cos^2(alpha)), friction along the surface.
-      const double speed = std::sqrt(wx * wx + wy * wy + wz * wz) + 1e-12;
-      const double push = -area * drag * wn * (speed * (1.0 + lift) - lift * wn * wn / speed);
-      const double rub = -area * friction * speed;
-      x = push * p.NX + rub * (wx - wn * p.NX);
-      y = push * p.NY + rub * (wy - wn * p.NY);
-      z = push * p.NZ + rub * (wz - wn * p.NZ);
+      // Normal force cd sin(alpha) (1 + lift cos^2(alpha)), friction along the surface. Lift is a
+      // matter of how the flow meets the body as a whole: a panel that leans in a flow that comes
+      // broadside has no more pressure than its neighbours.
+      const Lanes speed = (wx * wx + wy * wy + wz * wz).sqrt() + 1e-12;
+      const Lanes across = wx * n.x() + wy * n.y() + wz * n.z();
+      const Lanes rub = -friction * area * speed;
+      const Lanes push =
+        -drag * area * wn * (speed * (1.0 + lift) - lift * across * across / speed) - rub * wn;
+      x = push * p.NX + rub * wx;
+      y = push * p.NY + rub * wy;
+      z = push * p.NZ + rub * wz;
     }
     else
     {
       // Eq. 5: speed^2 times the foreshortened area is speed |w.n| times the area.
-      const double push = -area * drag * std::abs(wn);
+      const Lanes push = -drag * area * wn.abs();
       x = push * wx;
       y = push * wy;
       z = push * wz;
@@ -311,8 +355,9 @@ Wrench PanelBody::Evaluate(const Vec3& velocity, const Mat3& gradient,
     ty += p.Z * x - p.X * z;
     tz += p.X * y - p.Y * x;
   }
-  total.Force = Vec3(fx, fy, fz);
-  total.Torque = Vec3(tx, ty, tz);
+  Wrench total;
+  total.Force = Vec3(fx.sum(), fy.sum(), fz.sum());
+  total.Torque = Vec3(tx.sum(), ty.sum(), tz.sum());
   if (plate && this->PlateFlatness > 0.0)
   {
     const Wrench more = this->PlateCorrections(velocity, gradient, coefficients);
@@ -325,8 +370,9 @@ Wrench PanelBody::Evaluate(const Vec3& velocity, const Mat3& gradient,
 /// What a sum over independent panels lacks: suction at the leading edge, which moves the centre of
 /// pressure ahead of the centre by PressureShift half chords times cos(alpha), and the circulation
 /// of a turning plate, 0.5 C_R chord^2 omega per unit of span; and the drive of autorotation:
-/// separated flow keeps a turning plate turning with tips about as fast as it flies, whatever its
-/// inertia (Iversen 1979; Lugt 1983). Spin adds what a propeller feels.
+/// separated flow keeps a turning plate turning with tips nearly as fast as it flies, whatever its
+/// inertia, and the slower the shorter its span is (Iversen 1979; Lugt 1983). Spin adds what a
+/// propeller feels.
 Wrench PanelBody::PlateCorrections(const Vec3& velocity, const Mat3& gradient,
                                    const AirCoefficients& coefficients) const
 {
@@ -357,12 +403,13 @@ Wrench PanelBody::PlateCorrections(const Vec3& velocity, const Mat3& gradient,
     const Vec3 chordwise = n.cross(spin) / rate;
     const double chord = 4.0 * std::sqrt(chordwise.dot(this->Spread * chordwise));
     total.Force += 0.5 * coefficients.RotationalLift * scale * chord * spin.cross(velocity);
-    // Drives up to a tip speed of TipRatio of the flight's speed, but little while turning slowly.
+    const double span = 4.0 * std::sqrt(spin.dot(this->Spread * spin)) / rate;
+    // Drives up to the tip speed of the fastest autorotation, but little while turning slowly.
     const double across = (velocity - velocity.dot(spin) / (rate * rate) * spin).norm();
     const double tip = 0.5 * chord * rate;
     const double caught =
       tip * tip / (tip * tip + CatchRatio * CatchRatio * across * across + 1e-30);
-    const double drive = across * std::max(across - tip / TipRatio, 0.0) * caught;
+    const double drive = across * std::max(across - tip / FastestTip(span / chord), 0.0) * caught;
     total.Torque += 0.25 * coefficients.Autorotation * scale * chord * drive / rate * spin;
   }
   return total;

@@ -9,6 +9,8 @@
 #include "Rotation/Rasterizer.h"
 #include "Rotation/RigidBody.h"
 
+#include <Eigen/Core>
+
 #include <vector>
 
 namespace waft
@@ -78,6 +80,15 @@ private:
     Vec3 VectorArea = Vec3::Zero();
     int Triangle = 0;
   };
+  /// Four panels side by side, so that the processor works on them together. Lanes beyond the last
+  /// panel have no area.
+  using Lanes = Eigen::Array<double, 4, 1>;
+  struct Pack
+  {
+    Lanes X, Y, Z;
+    Lanes NX, NY, NZ;
+    Lanes Area;
+  };
   /// Four nodes of the table of directions and their weights.
   struct Mixture
   {
@@ -91,14 +102,17 @@ private:
   void LookFromAllAround(const TriangleMesh& mesh, const std::vector<Piece>& pieces,
                          const std::vector<int>& panelOfPiece, int resolution,
                          const ParallelFor& parallel);
+  void PackPanels();
   void SetAddedMass(const ShellProperties& properties);
   Mixture Mix(const Vec3& direction) const;
-  double VisiblePart(const Mixture& mixture, std::size_t panel) const;
+  /// Of the panels from `panel` on; 1 where nothing hides anything.
+  Lanes VisibleParts(const Mixture& mixture, std::size_t panel) const;
   Wrench PlateCorrections(const Vec3& velocity, const Mat3& gradient,
                           const AirCoefficients& coefficients) const;
 
   std::vector<Panel> Panels;
-  std::vector<float> Visibility; // [face][row][column][panel], 0..1; empty: nothing hides anything
+  std::vector<Pack> Packs;       // the same panels
+  std::vector<float> Visibility; // [face][row][column][lane], 0..1; empty: nothing hides anything
   double TotalArea = 0.0;
   Vec3 PlateNormal = Vec3::UnitZ();
   double PlateFlatness = 1.0;
