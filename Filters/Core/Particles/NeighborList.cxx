@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 
@@ -63,8 +64,6 @@ void NeighborList::Build(const SphKernelTable& kernels, std::size_t n, std::size
   const std::size_t gas = std::min(n, numberOfGas);
   scratch.CellStarts.assign(cells + 1, 0);
   scratch.CellOf.resize(gas);
-  scratch.Order.resize(gas);
-  scratch.Place.resize(gas);
   for (std::size_t i = 0; i < gas; ++i)
   {
     const int cell = (grid.Index(2, z[i]) * grid.Size[1] + grid.Index(1, y[i])) * grid.Size[0] +
@@ -76,20 +75,21 @@ void NeighborList::Build(const SphKernelTable& kernels, std::size_t n, std::size
   {
     scratch.CellStarts[c + 1] += scratch.CellStarts[c];
   }
-  std::vector<float>* sorted[3] = { &scratch.X, &scratch.Y, &scratch.Z };
-  for (auto* row : sorted)
-  {
-    row->resize(gas + 8);
-  }
+  this->Particles.resize(n);
   scratch.Next.assign(scratch.CellStarts.begin(), scratch.CellStarts.end() - 1);
   for (std::size_t i = 0; i < gas; ++i)
   {
-    const std::uint32_t place = scratch.Next[scratch.CellOf[i]]++;
-    scratch.Order[place] = static_cast<std::uint32_t>(i);
-    scratch.Place[i] = place;
-    for (int a = 0; a < 3; ++a)
+    this->Particles[scratch.Next[scratch.CellOf[i]]++] = static_cast<std::uint32_t>(i);
+  }
+  std::iota(this->Particles.begin() + static_cast<std::ptrdiff_t>(gas), this->Particles.end(),
+            static_cast<std::uint32_t>(gas));
+  std::vector<float>* sorted[3] = { &scratch.X, &scratch.Y, &scratch.Z };
+  for (int a = 0; a < 3; ++a)
+  {
+    sorted[a]->resize(n + 8);
+    for (std::size_t k = 0; k < n; ++k)
     {
-      (*sorted[a])[place] = points[a][i];
+      (*sorted[a])[k] = points[a][this->Particles[k]];
     }
   }
 
@@ -99,11 +99,11 @@ void NeighborList::Build(const SphKernelTable& kernels, std::size_t n, std::size
   scratch.Found.resize(gas + 16);
   for (std::size_t i = 0; i < n; ++i)
   {
-    const float p[3] = { x[i], y[i], z[i] };
-    // Gas looks at the gas behind itself in the order of cells, objects at all.
-    const std::size_t from = i < gas ? scratch.Place[i] + 1 : 0;
+    const float p[3] = { scratch.X[i], scratch.Y[i], scratch.Z[i] };
+    // Gas looks at the gas behind itself, objects at all.
+    const std::size_t from = i < gas ? i + 1 : 0;
     std::size_t count = 0;
-    const int cx = grid.Index(0, x[i]), cy = grid.Index(1, y[i]), cz = grid.Index(2, z[i]);
+    const int cx = grid.Index(0, p[0]), cy = grid.Index(1, p[1]), cz = grid.Index(2, p[2]);
     for (int k = i < gas ? cz : std::max(0, cz - 1); k <= std::min(grid.Size[2] - 1, cz + 1); ++k)
     {
       for (int j = std::max(0, cy - 1); j <= std::min(grid.Size[1] - 1, cy + 1); ++j)
@@ -124,7 +124,7 @@ void NeighborList::Build(const SphKernelTable& kernels, std::size_t n, std::size
   }
 }
 
-// The particles of the places found, filled up to a group of eight with the far one.
+// The places found, filled up to a group of eight with the far one.
 void NeighborList::Append(const NeighborScratch& scratch, std::size_t found)
 {
   const auto append = [&](auto& list)
@@ -134,7 +134,7 @@ void NeighborList::Append(const NeighborScratch& scratch, std::size_t found)
     list.resize(first + (found + 7) / 8 * 8, static_cast<Index>(this->Count));
     for (std::size_t f = 0; f < found; ++f)
     {
-      list[first + f] = static_cast<Index>(scratch.Order[scratch.Found[f]]);
+      list[first + f] = static_cast<Index>(scratch.Found[f]);
     }
   };
   this->Count < std::numeric_limits<std::uint16_t>::max() ? append(this->Narrow)
@@ -228,7 +228,7 @@ SphNeighbors NeighborList::View() const
 
 std::size_t NeighborList::MemoryBytes() const
 {
-  return this->Starts.capacity() * sizeof(std::uint32_t) +
+  return (this->Starts.capacity() + this->Particles.capacity()) * sizeof(std::uint32_t) +
          this->Narrow.capacity() * sizeof(std::uint16_t) +
          this->Wide.capacity() * sizeof(std::uint32_t) +
          (this->Now.Reference ? this->Now.Reference->capacity() * sizeof(float) : 0);

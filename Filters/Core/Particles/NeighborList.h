@@ -16,7 +16,7 @@ namespace waft
 /// Work space of a list's construction, one a thread.
 struct NeighborScratch
 {
-  std::vector<std::uint32_t> CellStarts, CellOf, Next, Order, Place, Found;
+  std::vector<std::uint32_t> CellStarts, CellOf, Next, Found;
   std::vector<float> X, Y, Z;
 };
 
@@ -32,6 +32,8 @@ struct NeighborCourse
 /// Neighbour lists of one frame, each pair once: a pair of gas particles is listed at one of the
 /// two, a pair of gas and object at the object. Particles from numberOfGas on belong to objects and
 /// do not see each other. Two bytes an entry up to 65535 particles, four beyond.
+/// The lists speak of places: the gas by cells of the reach's size, so that what is near in space
+/// is near in memory however the gas has mixed, then the objects' particles as they are numbered.
 class NeighborList
 {
 public:
@@ -52,7 +54,10 @@ public:
   /// Writes the course, or reads one back and restores it.
   void Exchange(StateStream& stream);
 
+  /// By place.
   SphNeighbors View() const;
+  /// The particle at each place.
+  const std::vector<std::uint32_t>& Order() const { return this->Particles; }
   std::size_t NumberOfEntries() const
   {
     return this->Starts.empty() ? 0 : 8 * static_cast<std::size_t>(this->Starts.back());
@@ -65,6 +70,7 @@ private:
   std::size_t Count = 0;
   NeighborCourse Now;
   bool IsRestored = false; // entries are to be built from the course's reference
+  std::vector<std::uint32_t> Particles;
   std::vector<std::uint32_t> Starts;
   std::vector<std::uint16_t> Narrow;
   std::vector<std::uint32_t> Wide;

@@ -50,6 +50,7 @@ void AppendObjects(const SpacetimeInput& input, const SpacetimeSetup& setup, Fra
   const std::size_t per = model.Offsets.size();
   const double speed = setup.Spacing / setup.FrameStep;
   const double time = input.Scene.Time.Time(frame);
+  const std::vector<FrameTerms::AirAt> air = terms.Air();
   for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
   {
     const std::size_t i = model.NumberOfGas + o;
@@ -57,20 +58,20 @@ void AppendObjects(const SpacetimeInput& input, const SpacetimeSetup& setup, Fra
     double witness = 0.0;
     for (std::size_t k = model.NumberOfGas + o * per; k < model.NumberOfGas + (o + 1) * per; ++k)
     {
-      witness += (terms.Densities()[k] - terms.WallShares()[k]) / static_cast<double>(per);
+      witness += (air[k].Density - air[k].WallShare) / static_cast<double>(per);
     }
-    Vec3 v, air, vortex, wind;
+    Vec3 v, u, vortex, wind;
     for (int c = 0; c < 3; ++c)
     {
       v[c] = state[(3 + c) * stride + i];
-      air[c] = v[c] + terms.Average(c)[i] / std::max(0.05, witness);
+      u[c] = v[c] + terms.Average(c)[i] / std::max(0.05, witness);
       vortex[c] = terms.ByVortices(c)[i];
       wind[c] = terms.External(c)[i] - vortex[c];
     }
     vortex *= setup.AccelerationUnit();
     wind *= setup.AccelerationUnit();
     track.SphVelocities.push_back(speed * v);
-    track.AirVelocities.push_back(speed * air);
+    track.AirVelocities.push_back(speed * u);
     track.VortexAccelerations.push_back(vortex);
     track.WindAccelerations.push_back(wind);
     track.Forces.push_back(vortex + wind);
@@ -86,7 +87,8 @@ void AppendParticles(const SpacetimeInput& input, const SpacetimeSetup& setup, F
   const std::size_t per = model.Offsets.size();
   const std::size_t n = model.NumberOfParticles();
   const double speed = setup.Spacing / setup.FrameStep;
-  const double air = input.Scene.AirDensity;
+  const double density = input.Scene.AirDensity;
+  const std::vector<FrameTerms::AirAt> air = terms.Air();
   series.Frames.emplace_back();
   ParticleSeries::Frame& frame = series.Frames.back();
   for (auto* v : { &frame.Positions, &frame.Velocities, &frame.Winds, &frame.VortexForces })
@@ -109,8 +111,8 @@ void AppendParticles(const SpacetimeInput& input, const SpacetimeSetup& setup, F
       frame.Winds.push_back(
         static_cast<float>(setup.AccelerationUnit() * (terms.External(c)[i] - vortex)));
     }
-    frame.Densities.push_back(static_cast<float>(air * terms.Densities()[k]));
-    frame.Pressures.push_back(static_cast<float>(air * speed * speed * terms.PressureOf(k)));
+    frame.Densities.push_back(static_cast<float>(density * air[k].Density));
+    frame.Pressures.push_back(static_cast<float>(density * speed * speed * air[k].Pressure));
   }
 }
 

@@ -31,9 +31,9 @@ void FrameTerms::Adjoint(float* gradient)
   const std::size_t p = this->ParticleStride;
   const std::size_t s = this->BodyStride;
   const float share = 1.0f / static_cast<float>(per);
-  const auto fill = [&](std::size_t particle, std::size_t body, float factor, float drag)
+  const auto fill = [&](std::size_t place, std::size_t body, float factor, float drag)
   {
-    SphAdjointRecord& record = this->Adjoints[particle];
+    SphAdjointRecord& record = this->Adjoints[place];
     float* out = &record.AX;
     for (int c = 0; c < 3; ++c)
     {
@@ -42,9 +42,9 @@ void FrameTerms::Adjoint(float* gradient)
       out[4 + c] = factor * (this->AverageBar(c)[body] + drag * abar);
     }
   };
-  for (std::size_t i = 0; i < ng; ++i)
+  for (std::size_t k = 0; k < ng; ++k)
   {
-    fill(i, i, 1.0f, 0.0f);
+    fill(k, this->Order[k], 1.0f, 0.0f);
   }
   for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
   {
@@ -83,9 +83,9 @@ void FrameTerms::Adjoint(float* gradient)
   {
     float* g = gradient + c * s;
     const float* bar = xbar + c * p;
-    for (std::size_t i = 0; i < ng; ++i)
+    for (std::size_t k = 0; k < ng; ++k)
     {
-      g[i] += bar[i];
+      g[this->Order[k]] += bar[k];
     }
     for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
     {
@@ -160,8 +160,8 @@ double FrameTerms::Crowding(float factor, float* gradient) const
       for (int c = 0; c < 3 && gradient && r > 0.0f; ++c)
       {
         const float pull = factor * depth * d[c] / r;
-        gradient[c * s + i] -= pull;
-        gradient[c * s + pairs.Other[k]] += pull;
+        gradient[c * s + this->Order[i]] -= pull;
+        gradient[c * s + this->Order[pairs.Other[k]]] += pull;
       }
     }
   }

@@ -51,40 +51,60 @@ FrameTerms::FrameTerms(const SpacetimeModel& model, const SphFluid& fluid,
   this->Cushions.resize(model.NumberOfObjects);
 }
 
-double FrameTerms::PressureOf(std::size_t i) const
+std::vector<FrameTerms::AirAt> FrameTerms::Air() const
 {
-  return this->Records[i].Pressure * static_cast<double>(this->Density[i]) * this->Density[i];
+  std::vector<AirAt> air(this->Model.NumberOfParticles());
+  for (std::size_t k = 0; k < air.size(); ++k)
+  {
+    const double density = this->Density[k];
+    air[this->Order[k]] = { density, this->Records[k].Pressure * density * density, this->Psi[k] };
+  }
+  return air;
 }
 
+// X, by number.
+void FrameTerms::FillPositions(const float* state)
+{
+  const std::size_t ng = this->Model.NumberOfGas;
+  const std::size_t per = this->Model.Offsets.size();
+  for (int c = 0; c < 3; ++c)
+  {
+    const float* from = state + c * this->BodyStride;
+    float* row = this->X.data() + c * this->ParticleStride;
+    std::copy(from, from + ng, row);
+    for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
+    {
+      for (std::size_t k = 0; k < per; ++k)
+      {
+        row[ng + o * per + k] = from[ng + o] + this->Model.Offsets[k][c];
+      }
+    }
+  }
+}
+
+// Records and X, by place.
 void FrameTerms::PlaceParticles(const float* state)
 {
   const std::size_t ng = this->Model.NumberOfGas;
+  const std::size_t n = this->Model.NumberOfParticles();
   const std::size_t per = this->Model.Offsets.size();
   const float gasMass = static_cast<float>(this->Fluid.GasMass);
   const float objectMass = static_cast<float>(this->Fluid.ObjectMass);
   const std::size_t s = this->BodyStride;
-  for (std::size_t i = 0; i < ng; ++i)
-  {
-    this->Records[i] = { state[i],         state[s + i],     state[2 * s + i], gasMass,
-                         state[3 * s + i], state[4 * s + i], state[5 * s + i], 0.0f };
-  }
-  for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
-  {
-    const float* q = state + ng + o;
-    for (std::size_t k = 0; k < per; ++k)
-    {
-      const auto& d = this->Model.Offsets[k];
-      this->Records[ng + o * per + k] = { q[0] + d[0], q[s] + d[1], q[2 * s] + d[2], objectMass,
-                                          q[3 * s],    q[4 * s],    q[5 * s],        0.0f };
-    }
-  }
-  const std::size_t n = this->Model.NumberOfParticles();
   const std::size_t p = this->ParticleStride;
-  for (std::size_t i = 0; i < n; ++i)
+  float* x = this->X.data();
+  for (std::size_t k = 0; k < n; ++k)
   {
-    this->X[i] = this->Records[i].X;
-    this->X[p + i] = this->Records[i].Y;
-    this->X[2 * p + i] = this->Records[i].Z;
+    const std::size_t i = this->Order[k];
+    const float* v = state + 3 * s + (i < ng ? i : ng + (i - ng) / per);
+    this->Records[k] = { x[i], x[p + i], x[2 * p + i], i < ng ? gasMass : objectMass,
+                         v[0], v[s],     v[2 * s],     0.0f };
+  }
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    x[k] = this->Records[k].X;
+    x[p + k] = this->Records[k].Y;
+    x[2 * p + k] = this->Records[k].Z;
   }
 }
 
@@ -273,10 +293,12 @@ void FrameTerms::Forward(const float* state, int frame, double step, NeighborLis
   const std::size_t ng = this->Model.NumberOfGas;
   const std::size_t n = this->Model.NumberOfParticles();
   const std::size_t p = this->ParticleStride;
-  this->PlaceParticles(state);
+  this->FillPositions(state);
   const float* x = this->X.data();
   list.Update(this->Kernels, n, ng, x, x + p, x + 2 * p, static_cast<float>(this->Fluid.Support()),
               this->Scratch);
+  this->Order = list.Order().data();
+  this->PlaceParticles(state);
   const SphNeighbors neighbors = list.View();
   this->AddWalls(frame);
   this->MakeRoom(list.NumberOfEntries());
@@ -309,10 +331,11 @@ void FrameTerms::Forward(const float* state, int frame, double step, NeighborLis
     }
     float* bodyA = this->Acceleration(c);
     float* bodyD = this->Average(c);
-    for (std::size_t i = 0; i < ng; ++i)
+    for (std::size_t k = 0; k < ng; ++k)
     {
-      bodyA[i] = a[i] + spring[i] + external[i];
-      bodyD[i] = d[i];
+      const std::size_t i = this->Order[k];
+      bodyA[i] = a[k] + spring[k] + external[i];
+      bodyD[i] = d[k];
     }
     for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
     {

@@ -13,7 +13,8 @@ namespace waft
 {
 
 /// Work space for one frame at a time, one a thread. Rows of bodies have the model's stride, rows
-/// of particles a stride of their own.
+/// of particles a stride of their own. Particles stand in the places of the frame's neighbour list;
+/// objects' particles in their own.
 class FrameTerms
 {
 public:
@@ -38,13 +39,16 @@ public:
   const float* External(int c) const { return this->Force.data() + c * this->BodyStride; }
   /// Acceleration by vortices alone.
   const float* ByVortices(int c) const { return this->VortexForce.data() + c * this->BodyStride; }
-  /// By particle: density, P (in rho0 dx^2 / frame^2), and the share of the density that is not
-  /// gas.
-  const float* Densities() const { return this->Density.data(); }
-  double PressureOf(std::size_t particle) const;
-  const float* WallShares() const { return this->Psi.data(); }
+  /// Of a particle, by its number: density, P (in rho0 dx^2 / frame^2), and the share of the
+  /// density that is not gas.
+  struct AirAt
+  {
+    double Density, Pressure, WallShare;
+  };
+  std::vector<AirAt> Air() const;
 
 private:
+  void FillPositions(const float* state);
   void PlaceParticles(const float* state);
   void MakeRoom(std::size_t entries);
   void AddWalls(int frame);
@@ -59,8 +63,9 @@ private:
   SphConstants Constants;
   std::size_t BodyStride, ParticleStride;
 
-  std::vector<float> X;           // 3 rows of particles
-  std::vector<SphRecord> Records; // particles and the far one
+  const std::uint32_t* Order = nullptr; // the particle at each place
+  std::vector<float> X;                 // 3 rows of particles
+  std::vector<SphRecord> Records;       // particles and the far one
   std::vector<SphAdjointRecord> Adjoints;
   std::vector<float> Density, PressureSlope, Psi, Bar; // particles
   std::vector<float> PsiGradient, PsiHessian;          // 3 and 6 rows

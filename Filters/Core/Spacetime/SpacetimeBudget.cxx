@@ -30,7 +30,7 @@ SpacetimeBudget::SpacetimeBudget(const SpacetimeModel& model, const SpacetimeOpt
     WallShare * 4.0 / 3.0 * M_PI * reach * reach * reach + 4.0; // whole groups of eight
   const double entry = particles < 65535.0 ? 2.0 : 4.0;
   // Of the positions of its construction a list may keep the last ones too; see NeighborCourse.
-  const double list = particles * (ListGrowth * entry * neighbors + 7.0 * sizeof(float));
+  const double list = particles * (ListGrowth * entry * neighbors + 8.0 * sizeof(float));
   // The motion, the one it began with, and the rows of an evaluation of the whole.
   this->Base = SmallParts + model.NumberOfFrames * (2.0 * frame + rows);
   this->Exported = model.NumberOfFrames * exported;

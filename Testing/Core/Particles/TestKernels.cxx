@@ -29,22 +29,25 @@ struct FastGas
   explicit FastGas(const RandomGas& gas, const SphKernelTable& kernels) :
     Kernels(kernels), Constants(gas.Fluid.Constants()), N(gas.State.Positions.size())
   {
-    for (std::size_t i = 0; i < this->N; ++i)
+    std::vector<float> row[3];
+    for (const Vec3& x : gas.State.Positions)
     {
-      const Vec3& x = gas.State.Positions[i];
-      const Vec3& v = gas.State.Velocities[i];
-      const double mass = i < gas.State.NumberOfGas ? gas.Fluid.GasMass : gas.Fluid.ObjectMass;
-      this->Records.push_back({ float(x.x()), float(x.y()), float(x.z()), float(mass), float(v.x()),
-                                float(v.y()), float(v.z()), 0.0f });
       for (int c = 0; c < 3; ++c)
       {
-        this->X[c].push_back(static_cast<float>(x[c]));
+        row[c].push_back(static_cast<float>(x[c]));
       }
     }
-    this->Records.push_back({ -1e4f, -1e4f, -1e4f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f });
     NeighborScratch scratch;
-    this->List.Build(kernels, this->N, gas.State.NumberOfGas, this->X[0].data(), this->X[1].data(),
-                     this->X[2].data(), 2.55f, scratch);
+    this->List.Build(kernels, this->N, gas.State.NumberOfGas, row[0].data(), row[1].data(),
+                     row[2].data(), 2.55f, scratch);
+    for (const std::uint32_t i : this->List.Order())
+    {
+      const Vec3& v = gas.State.Velocities[i];
+      const double mass = i < gas.State.NumberOfGas ? gas.Fluid.GasMass : gas.Fluid.ObjectMass;
+      this->Records.push_back({ row[0][i], row[1][i], row[2][i], float(mass), float(v.x()),
+                                float(v.y()), float(v.z()), 0.0f });
+    }
+    this->Records.push_back({ -1e4f, -1e4f, -1e4f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f });
     this->Starts.resize(this->N + 1);
     this->Other.resize(this->List.NumberOfEntries() + 16);
     for (std::vector<float>& row : this->Geometry)
@@ -61,25 +64,25 @@ struct FastGas
   const SphKernelTable& Kernels;
   SphConstants Constants;
   std::size_t N;
-  std::vector<SphRecord> Records;
-  std::vector<float> X[3];
+  std::vector<SphRecord> Records; // by place, as all sums
   NeighborList List;
   std::vector<std::uint32_t> Starts, Other;
   std::vector<float> Geometry[4];
   std::vector<SphAdjointRecord> Sums;
 };
 
-void ExpectNear(const std::vector<Vec3>& expected, const std::vector<float>& rows, double tolerance,
-                const char* what)
+// rows: by place.
+void ExpectNear(const std::vector<Vec3>& expected, const std::vector<std::uint32_t>& order,
+                const std::vector<float>& rows, double tolerance, const char* what)
 {
   const std::size_t n = expected.size();
   double error = 0.0, scale = 0.0;
-  for (std::size_t i = 0; i < n; ++i)
+  for (std::size_t k = 0; k < n; ++k)
   {
     for (int c = 0; c < 3; ++c)
     {
-      error = std::max(error, std::abs(expected[i][c] - rows[c * n + i]));
-      scale = std::max(scale, std::abs(expected[i][c]));
+      error = std::max(error, std::abs(expected[order[k]][c] - rows[c * n + k]));
+      scale = std::max(scale, std::abs(expected[k][c]));
     }
   }
   EXPECT_LT(error, tolerance * scale) << what;
@@ -109,41 +112,43 @@ TEST(SphKernels, EqualTheReferenceAwayFromWalls)
     FastGas fast(gas, *table);
     const std::size_t n = fast.N;
     const SphNeighbors list = fast.List.View();
+    const std::vector<std::uint32_t>& order = fast.List.Order();
     const SphPairs pairs = fast.Pairs();
     std::vector<float> density(n + 1), a(3 * n), d(3 * n);
     table->Density(fast.Constants, fast.Records.data(), list, n, pairs, density.data());
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < n; ++k)
     {
+      const std::size_t i = order[k];
       const bool isGas = i < gas.State.NumberOfGas;
-      const double rho = density[i] + (isGas ? gas.Fluid.GasMass * gas.Fluid.Kernel(0.0) : 0.0);
+      const double rho = density[k] + (isGas ? gas.Fluid.GasMass * gas.Fluid.Kernel(0.0) : 0.0);
       EXPECT_NEAR(rho, rates.Densities[i], 2e-6);
-      fast.Records[i].Pressure = static_cast<float>(gas.Fluid.Pressure(rates.Densities[i]));
+      fast.Records[k].Pressure = static_cast<float>(gas.Fluid.Pressure(rates.Densities[i]));
     }
     table->Accelerate(fast.Constants, fast.Records.data(), pairs, n, &fast.Sums.data()->AX,
                       { a.data(), n }, { d.data(), n });
-    ExpectNear(rates.Accelerations, a, 2e-5, table->Name);
-    ExpectNear(rates.Averages, d, 2e-5, table->Name);
+    ExpectNear(rates.Accelerations, order, a, 2e-5, table->Name);
+    ExpectNear(rates.Averages, order, d, 2e-5, table->Name);
 
     std::vector<SphAdjointRecord> bars(n + 1, SphAdjointRecord{});
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < n; ++k)
     {
-      const Vec3& p = weights.Accelerations[i];
-      const Vec3& q = weights.Averages[i];
-      bars[i] = { float(p.x()), float(p.y()), float(p.z()), 0.0f,
+      const Vec3& p = weights.Accelerations[order[k]];
+      const Vec3& q = weights.Averages[order[k]];
+      bars[k] = { float(p.x()), float(p.y()), float(p.z()), 0.0f,
                   float(q.x()), float(q.y()), float(q.z()), 0.0f };
     }
     std::vector<float> pressure(n + 1), x(3 * n, 0.0f), v(3 * n, 0.0f);
     table->AdjointPressure(fast.Constants, fast.Records.data(), bars.data(), pairs, n,
                            pressure.data());
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 0; k < n; ++k)
     {
-      bars[i].Density =
-        pressure[i] * static_cast<float>(gas.Fluid.PressureSlope(rates.Densities[i]));
+      bars[k].Density =
+        pressure[k] * static_cast<float>(gas.Fluid.PressureSlope(rates.Densities[order[k]]));
     }
     table->AdjointState(fast.Constants, fast.Records.data(), bars.data(), pairs, n,
                         &fast.Sums.data()->AX, { x.data(), n }, { v.data(), n });
-    ExpectNear(adjoint.Positions, x, 5e-5, table->Name);
-    ExpectNear(adjoint.Velocities, v, 5e-5, table->Name);
+    ExpectNear(adjoint.Positions, order, x, 5e-5, table->Name);
+    ExpectNear(adjoint.Velocities, order, v, 5e-5, table->Name);
   }
 }
 

@@ -30,18 +30,24 @@ void CheckAgainstBruteForce(std::size_t n, std::size_t gas, const Vec3& size, fl
   NeighborList list;
   list.Build(FastestSphKernels(), n, gas, x[0].data(), x[1].data(), x[2].data(), reach, scratch);
   const SphNeighbors view = list.View();
+  std::vector<std::size_t> particles(list.Order().begin(), list.Order().end());
+  particles.push_back(n); // the far one
+  for (std::size_t i = gas; i < n; ++i)
+  {
+    EXPECT_EQ(particles[i], i);
+  }
   // Each pair once: (i, j) with i < j here.
   std::set<std::pair<std::size_t, std::size_t>> listed, expected;
   for (std::size_t i = 0; i < n; ++i)
   {
     for (std::size_t k = 8 * view.Starts[i]; k < 8 * view.Starts[i + 1]; ++k)
     {
-      const std::size_t other = view.Narrow ? view.Narrow[k] : view.Wide[k];
-      ASSERT_LE(other, n);
-      if (other < n)
+      const std::size_t place = view.Narrow ? view.Narrow[k] : view.Wide[k];
+      ASSERT_LE(place, n);
+      if (place < n)
       {
-        ASSERT_LT(other, gas); // the pair of gas and object stands at the object
-        EXPECT_TRUE(listed.insert(std::minmax(i, other)).second);
+        ASSERT_LT(place, gas); // the pair of gas and object stands at the object
+        EXPECT_TRUE(listed.insert(std::minmax(particles[i], particles[place])).second);
       }
     }
   }
@@ -82,6 +88,28 @@ TEST(NeighborList, EqualsBruteForce)
 TEST(NeighborList, UsesWideIndicesForManyParticles)
 {
   CheckAgainstBruteForce(66000, 65900, Vec3(20.0, 20.0, 20.0), 1.0f);
+}
+
+TEST(NeighborList, LaysWhatIsNearInSpaceSideBySide)
+{
+  // Gas in a row, numbered at random.
+  constexpr std::size_t n = 500;
+  std::vector<float> x(n), y(n, 0.0f), z(n, 0.0f);
+  Random random(5);
+  for (float& p : x)
+  {
+    p = static_cast<float>(random.Uniform(0.0, 100.0));
+  }
+  NeighborScratch scratch;
+  NeighborList list;
+  constexpr float Reach = 1.0f;
+  list.Build(FastestSphKernels(), n, n, x.data(), y.data(), z.data(), Reach, scratch);
+  float last = 0.0f;
+  for (const std::uint32_t i : list.Order())
+  {
+    EXPECT_GT(x[i], last - Reach); // of its cell or of the next
+    last = std::max(last, x[i]);
+  }
 }
 
 TEST(NeighborList, IsStaleOnlyAfterALongMove)
