@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/ForceFields.h"
 
+#include "Base/CrossMatrix.h"
+
 #include <cmath>
 
 namespace waft
 {
 namespace
 {
-
-Mat3 Skew(const Vec3& a)
-{
-  Mat3 m;
-  m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-  return m;
-}
 
 // r / |r|, zero at the pole itself, where the cross product vanishes anyway.
 Vec3 Unit(const Vec3& r, double length)
@@ -71,7 +66,7 @@ Vec3 Vortex::Acceleration(const Vec3& x, double time, Mat3& jacobian) const
   const double scale = this->TimeFactor(time) * this->Strength / (4.0 * M_PI);
 
   // r1 x r2 = (x - p1) x (x - p2), so d(cross) dx = dx x r2 + r1 x dx = (r1 - r2) x dx = r0 x dx.
-  const Mat3 dCross = Skew(r0);
+  const Mat3 dCross = CrossMatrix(r0);
   Vec3 dAlong = Vec3::Zero();
   if (n1 > 0.0)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shapes/ThinShape.h"
 
+#include "Base/Primitives.h"
 #include "Base/ShapeMeasures.h"
 
 #include <Eigen/Eigenvalues>
@@ -12,36 +13,6 @@ namespace waft
 
 namespace
 {
-
-TriangleMesh Sphere(int meridians, int parallels)
-{
-  TriangleMesh mesh;
-  mesh.Points.emplace_back(0.0, 0.0, 0.5);
-  for (int j = 1; j < parallels; ++j)
-  {
-    for (int i = 0; i < meridians; ++i)
-    {
-      const double polar = M_PI * j / parallels;
-      const double turn = 2.0 * M_PI * i / meridians;
-      mesh.Points.emplace_back(0.5 * std::sin(polar) * std::cos(turn),
-                               0.5 * std::sin(polar) * std::sin(turn), 0.5 * std::cos(polar));
-    }
-  }
-  mesh.Points.emplace_back(0.0, 0.0, -0.5);
-  const int south = static_cast<int>(mesh.Points.size()) - 1;
-  const auto at = [&](int j, int i) { return 1 + (j - 1) * meridians + i % meridians; };
-  for (int i = 0; i < meridians; ++i)
-  {
-    mesh.Triangles.push_back({ 0, at(1, i), at(1, i + 1) });
-    for (int j = 1; j + 1 < parallels; ++j)
-    {
-      mesh.Triangles.push_back({ at(j, i), at(j + 1, i), at(j + 1, i + 1) });
-      mesh.Triangles.push_back({ at(j, i), at(j + 1, i + 1), at(j, i + 1) });
-    }
-    mesh.Triangles.push_back({ south, at(parallels - 1, i + 1), at(parallels - 1, i) });
-  }
-  return mesh;
-}
 
 SheetOptions SheetOf(const std::string& name)
 {
@@ -180,7 +151,7 @@ Result MakeBuiltinShape(const std::string& name, double size, Shape& shape)
     const double length = size > 0.0 ? size : builtin.Size;
     if (name == "bubble")
     {
-      made.Mesh = Sphere(24, 14);
+      made.Mesh = MakeSphere(Vec3::Zero(), 0.5, 24, 14);
       for (const Vec3& p : made.Mesh.Points)
       {
         made.TextureCoordinates.push_back({ 0.5 + p.x(), 0.5 + p.y() });

@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vortex/VortexModel.h"
 
+#include "Base/CrossMatrix.h"
+
 #include <cmath>
 
 namespace waft
 {
-
-namespace
-{
-
-Mat3 Skew(const Vec3& a)
-{
-  Mat3 m;
-  m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-  return m;
-}
-
-} // namespace
 
 VortexParameters ToParameters(const Vortex& vortex)
 {
@@ -74,8 +64,8 @@ Vec3 EvaluateVortex(const double* center, const double* direction, const double*
     return w * unit;
   }
   // A pole that moves by e changes r by -e and r0 by -e (first) or e (second).
-  const Mat3 cross1 = Skew(r2);
-  const Mat3 cross2 = -Skew(r1);
+  const Mat3 cross1 = CrossMatrix(r2);
+  const Mat3 cross2 = -CrossMatrix(r1);
   const Vec3 turn1 = n1 > 0.0 ? Vec3((r0 - r0.dot(u1) * u1) / n1) : Vec3(Vec3::Zero());
   const Vec3 turn2 = n2 > 0.0 ? Vec3((r0 - r0.dot(u2) * u2) / n2) : Vec3(Vec3::Zero());
   const Vec3 along1 = u2 - u1 - turn1;
