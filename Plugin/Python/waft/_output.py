@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures and movies on disk. A file appears under its name when it is whole, or not at all."""
 
+import contextlib
 import os
 import shutil
 import subprocess
+import sys
+import tempfile
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -52,6 +55,25 @@ def remove(path):
         os.remove(path)
 
 
+@contextlib.contextmanager
+def _errors_without(marker):
+    """Meanwhile the process's standard error comes late and without the lines that hold the marker (bytes)."""
+    sys.stderr.flush()
+    shown = os.dup(2)
+    with tempfile.TemporaryFile() as caught:
+        os.dup2(caught.fileno(), 2)
+        try:
+            yield
+        finally:
+            sys.stderr.flush()
+            os.dup2(shown, 2)
+            os.close(shown)
+            caught.seek(0)
+            for line in caught:
+                if marker not in line:
+                    os.write(2, line)
+
+
 class _VtkMovie:
     """A movie by one of VTK's writers."""
 
@@ -93,6 +115,10 @@ class AviMovie(_VtkMovie):
 
     def __init__(self, path, rate):
         super().__init__(vtkFFMPEGWriter(), path, rate)
+
+    def add(self, picture):
+        with _errors_without(b"deprecated pixel format"):  # the writer's library says so at each picture
+            super().add(picture)
 
 
 class Mp4Movie:
