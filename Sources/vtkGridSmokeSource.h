@@ -194,6 +194,13 @@ public:
   /** Memory that frames and checkpoints take at present [MB]. */
   double GetCacheSize() const;
 
+  ///@{
+  /// Take an optional input away.
+  void RemoveAllObstacles() { this->SetInputConnection(1, nullptr); }
+  void RemoveAllWind() { this->SetInputConnection(2, nullptr); }
+  void RemoveAllVortices() { this->SetInputConnection(3, nullptr); }
+  ///@}
+
 protected:
   vtkGridSmokeSource();
   ~vtkGridSmokeSource() override;

@@ -46,6 +46,7 @@ constexpr const char* Thickness = "Thickness";
 constexpr const char* Damping = "Damping"; // 1/s
 constexpr const char* Texture = "Texture";
 constexpr const char* Color = "Color";
+constexpr const char* Tint = "Tint"; // of the texture
 constexpr const char* Opacity = "Opacity";
 
 // Constraints and report.

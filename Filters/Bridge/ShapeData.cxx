@@ -56,8 +56,18 @@ void ShapeToPolyData(const Shape& shape, vtkPolyData* data)
   AddDoubles(fields, names::Damping, { shape.Damping });
   AddInts(fields, names::ClassId, { shape.ClassId });
   AddVectors(fields, names::Color, { Vec3(shape.Color[0], shape.Color[1], shape.Color[2]) });
+  AddVectors(fields, names::Tint, { Vec3(shape.Tint[0], shape.Tint[1], shape.Tint[2]) });
   AddDoubles(fields, names::Opacity, { Opacity(shape) });
   AddStrings(fields, names::Texture, { shape.Texture });
+}
+
+void ReadColor(vtkFieldData* fields, const char* name, std::array<double, 3>& color)
+{
+  vtkDataArray* array = fields->GetArray(name);
+  for (int c = 0; array && array->GetNumberOfComponents() == 3 && c < 3; ++c)
+  {
+    color[static_cast<std::size_t>(c)] = array->GetComponent(0, c);
+  }
 }
 
 Result ShapeFromPolyData(vtkPolyData* data, const std::string& name, Shape& shape)
@@ -83,11 +93,8 @@ Result ShapeFromPolyData(vtkPolyData* data, const std::string& name, Shape& shap
   shape.SettlingSpeed = FieldNumber(fields, names::SettlingSpeed, shape.SettlingSpeed);
   shape.Damping = FieldNumber(fields, names::Damping, shape.Damping);
   shape.ClassId = static_cast<int>(FieldNumber(fields, names::ClassId, shape.ClassId));
-  vtkDataArray* color = fields->GetArray(names::Color);
-  for (int c = 0; color && color->GetNumberOfComponents() == 3 && c < 3; ++c)
-  {
-    shape.Color[static_cast<std::size_t>(c)] = color->GetComponent(0, c);
-  }
+  ReadColor(fields, names::Color, shape.Color);
+  ReadColor(fields, names::Tint, shape.Tint);
   auto* texture = vtkStringArray::SafeDownCast(fields->GetAbstractArray(names::Texture));
   if (texture && texture->GetNumberOfValues() > 0)
   {

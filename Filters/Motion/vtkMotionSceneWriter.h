@@ -51,6 +51,15 @@ public:
    * reported). */
   bool Write();
 
+  ///@{
+  /// Take an optional input away.
+  void RemoveAllConstraints() { this->SetInputConnection(1, nullptr); }
+  void RemoveAllObstacles() { this->SetInputConnection(2, nullptr); }
+  void RemoveAllShapes() { this->SetInputConnection(3, nullptr); }
+  void RemoveAllVortices() { this->SetInputConnection(4, nullptr); }
+  void RemoveAllWind() { this->SetInputConnection(5, nullptr); }
+  ///@}
+
 protected:
   vtkMotionSceneWriter();
   ~vtkMotionSceneWriter() override;

@@ -104,6 +104,13 @@ public:
   vtkGetMacro(Seed, int);
   ///@}
 
+  ///@{
+  /// Take an optional input away.
+  void RemoveAllObstacles() { this->SetInputConnection(3, nullptr); }
+  void RemoveAllWind() { this->SetInputConnection(4, nullptr); }
+  void RemoveAllConstraints() { this->SetInputConnection(5, nullptr); }
+  ///@}
+
 protected:
   vtkRotationRefineFilter();
   ~vtkRotationRefineFilter() override;

@@ -235,6 +235,13 @@ public:
   vtkMultiProcessController* GetController();
   ///@}
 
+  ///@{
+  /// Take an optional input away.
+  void RemoveAllObstacles() { this->SetInputConnection(3, nullptr); }
+  void RemoveAllVortices() { this->SetInputConnection(4, nullptr); }
+  void RemoveAllWind() { this->SetInputConnection(5, nullptr); }
+  ///@}
+
 protected:
   vtkSPHSpacetimeFilter();
   ~vtkSPHSpacetimeFilter() override;

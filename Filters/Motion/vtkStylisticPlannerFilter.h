@@ -119,6 +119,12 @@ public:
   /** How many objects the last execution planned; the others were as before. */
   vtkGetMacro(NumberOfPlannedObjects, int);
 
+  ///@{
+  /// Take an optional input away.
+  void RemoveAllObstacles() { this->SetInputConnection(3, nullptr); }
+  void RemoveAllGuides() { this->SetInputConnection(4, nullptr); }
+  ///@}
+
 protected:
   vtkStylisticPlannerFilter();
   ~vtkStylisticPlannerFilter() override;

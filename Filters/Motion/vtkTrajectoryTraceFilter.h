@@ -60,6 +60,12 @@ public:
   vtkGetMacro(ShortestRun, double);
   ///@}
 
+  ///@{
+  /// Take an optional input away.
+  void RemoveAllVortices() { this->SetInputConnection(1, nullptr); }
+  void RemoveAllObstacles() { this->SetInputConnection(2, nullptr); }
+  ///@}
+
 protected:
   vtkTrajectoryTraceFilter();
   ~vtkTrajectoryTraceFilter() override;

@@ -78,6 +78,11 @@ public:
   vtkGetMacro(Seed, int);
   ///@}
 
+  ///@{
+  /// Take an optional input away.
+  void RemoveAllVortices() { this->SetInputConnection(1, nullptr); }
+  ///@}
+
 protected:
   vtkVortexFitFilter();
   ~vtkVortexFitFilter() override;

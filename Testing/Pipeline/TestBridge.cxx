@@ -232,6 +232,7 @@ TEST(Bridge, ShapesComeBack)
   leaf.TextureCoordinates = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.0, 1.0 } };
   leaf.Texture = "leaf.png";
   leaf.Color = { 0.5, 0.25, 0.125 };
+  leaf.Tint = { 0.75, 0.5, 1.0 };
   leaf.SettlingSpeed = 0.7;
   vtkNew<vtkMultiBlockDataSet> data;
   ShapesToMultiBlock({ leaf }, SceneInfo(), data);
@@ -244,5 +245,6 @@ TEST(Bridge, ShapesComeBack)
   EXPECT_EQ(back[0].TextureCoordinates, leaf.TextureCoordinates);
   EXPECT_EQ(back[0].Texture, "leaf.png");
   EXPECT_EQ(back[0].Color, leaf.Color);
+  EXPECT_EQ(back[0].Tint, leaf.Tint);
   EXPECT_EQ(back[0].SettlingSpeed, 0.7);
 }

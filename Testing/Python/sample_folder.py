@@ -139,13 +139,14 @@ def _bubble():
     return data
 
 
-def _write_shapes(path):
+def _write_shapes(path, tint):
     blocks = vtkMultiBlockDataSet()
     for index, (name, surface, texture, density) in enumerate(
         (("leaf", _leaf(), "leaf.png", 0.1), ("bubble", _bubble(), "", 0.002))
     ):
         fields = surface.GetFieldData()
         add(fields, "Color", [[1.0, 1.0, 1.0]])
+        add(fields, "Tint", [tint])
         add(fields, "AreaDensity", [density])
         add(fields, "Opacity", [0.35 if density < 0.01 else 1.0])
         names = vtkStringArray()
@@ -194,8 +195,8 @@ def _write_constraints(path, positions):
     _write(data, path)
 
 
-def write(folder):
-    """Writes the whole folder; what was there under the same names is replaced."""
+def write(folder, tint=(1.0, 1.0, 1.0)):
+    """Writes the whole folder; what was there under the same names is replaced. tint: of the textures."""
     os.makedirs(folder, exist_ok=True)
     positions, orientations = motion()
     count = len(positions)
@@ -218,6 +219,6 @@ def write(folder):
     _add_scene(objects)
     _write(objects, os.path.join(folder, "objects.vtp"))
     _write_texture(os.path.join(folder, "leaf.png"))
-    _write_shapes(os.path.join(folder, "shapes.vtm"))
+    _write_shapes(os.path.join(folder, "shapes.vtm"), tint)
     _write_obstacles(os.path.join(folder, "obstacles.vtp"))
     _write_constraints(os.path.join(folder, "constraints.vtp"), positions)

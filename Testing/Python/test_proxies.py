@@ -88,6 +88,24 @@ class ProxyTest(unittest.TestCase):
                     self.assertIsNotNone(text, "no Documentation")
                     self.assertTrue((text.text or "").strip(), "empty Documentation")
 
+    def test_an_optional_input_can_be_taken_away(self):
+        some = simple.Sphere()
+        seen = 0
+        for path, element in described_proxies():
+            for described in element.findall("InputProperty"):
+                if described.find("Hints/Optional") is None:
+                    continue
+                name, port = described.get("name"), int(described.get("port_index", "0"))
+                proxy = make(element.get("name"))()
+                stage = proxy.GetClientSideObject()
+                with self.subTest(proxy=path, input=name):
+                    for source, count in ((some, 1), (None, 0), (some, 1)):
+                        setattr(proxy, name, source)
+                        proxy.UpdateVTKObjects()
+                        self.assertEqual(count, stage.GetNumberOfInputConnections(port))
+                seen += 1
+        self.assertGreater(seen, 10)
+
     def test_defaults_are_those_of_the_class(self):
         for path, element in described_proxies():
             proxy = make(element.get("name"))()

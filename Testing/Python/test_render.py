@@ -10,11 +10,16 @@ import sys
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter  # noqa: E402
+from vtkmodules.vtkFiltersSources import vtkCubeSource  # noqa: E402
+
 import picture  # noqa: E402
 import sample_folder  # noqa: E402
 
 from waft.failures import BadInput, WaftError  # noqa: E402
-from waft.render import parse_frames, render  # noqa: E402
+from waft._folder import load  # noqa: E402
+from waft.render import Stage, parse_frames, render  # noqa: E402
 
 BASELINE, WORK = sys.argv[1:3]
 UPDATE = "--update" in sys.argv
@@ -138,6 +143,40 @@ class RenderTest(unittest.TestCase):
             damage(place)
             with self.subTest(wanted), self.assertRaisesRegex(BadInput, wanted):
                 render(place)
+
+    def test_a_tint_colours_the_texture(self):
+        place = WORK + "-tint"
+        shutil.rmtree(place, ignore_errors=True)
+        sample_folder.write(place, tint=(0.1, 0.1, 1.0))
+        render(place, frames=str(FRAME), size=SIZE, views="follow", samples=1)
+        plain = picture.read(self.frame("follow", FRAME)).astype(float)
+        blue = picture.read(os.path.join(place, "frames", f"follow_{FRAME:04d}.png")).astype(float)
+        leaf = abs(plain - blue).max(axis=2) > 30.0
+        self.assertGreater(leaf.sum(), 50)
+        # Red and green fall, blue stays; light that is thrown back has no tint.
+        self.assertLess(blue[leaf][:, 0].mean(), 0.5 * plain[leaf][:, 0].mean())
+        self.assertAlmostEqual(blue[leaf][:, 2].mean(), plain[leaf][:, 2].mean(), delta=3.0)
+
+    def test_one_sees_through_obstacles_that_hide_the_motion(self):
+        motion = load(WORK)
+        low, high = motion.positions.min(axis=(0, 1)), motion.positions.max(axis=(0, 1))
+        wall = vtkCubeSource()  # in front of all, as the side view looks along y
+        wall.SetBounds(low[0] - 1.0, high[0] + 1.0, low[1] - 0.5, low[1] - 0.4, 0.0, high[2] + 1.0)
+        triangles = vtkTriangleFilter()
+        triangles.SetInputConnection(wall.GetOutputPort())
+        triangles.Update()
+        motion.obstacles = [(0.0, triangles.GetOutput())]
+
+        def drawn(view, **options):
+            taken = Stage(motion, SIZE, 1, **options).draw(view, FRAME).GetPointData().GetScalars()
+            return vtk_to_numpy(taken).astype(int)
+
+        clear = abs(drawn("side") - drawn("side", obstacle_opacity=1.0)).max(axis=1)
+        self.assertGreater((clear > 8).mean(), 0.3)
+        same = abs(drawn("top") - drawn("top", obstacle_opacity=1.0))
+        self.assertEqual(same.max(), 0)
+        with self.assertRaisesRegex(BadInput, "opacity"):
+            render(WORK, obstacle_opacity=1.5)
 
     def test_a_missing_texture_is_named_and_replaced(self):
         place = WORK + "-plain"

@@ -25,8 +25,9 @@ struct Shape
   double SettlingSpeed = 0.8; // m/s, terminal fall speed in still air
   double Damping = 0.0;       // 1/s, at which the stickiness of the air stops its turning
   int ClassId = -1;
-  std::array<double, 3> Color{ 1.0, 1.0, 1.0 };
-  std::string Texture; // path of an image, or empty
+  std::array<double, 3> Color{ 1.0, 1.0, 1.0 }; // 0..1, as a screen is told; without a texture
+  std::array<double, 3> Tint{ 1.0, 1.0, 1.0 };  // 0..1, times the texture's: a colour asked for
+  std::string Texture;                          // path of an image, or empty
 };
 
 } // namespace waft

@@ -201,16 +201,12 @@ private:
     material.doubleSided = true;
     material.pbrMetallicRoughness.metallicFactor = 0.0;
     material.pbrMetallicRoughness.roughnessFactor = 0.8;
-    if (shape.Texture.Bytes.empty() || shape.Body.TextureCoordinates.empty())
+    const bool textured = !shape.Texture.Bytes.empty() && !shape.Body.TextureCoordinates.empty();
+    const auto& color = textured ? shape.Body.Tint : shape.Body.Color;
+    material.pbrMetallicRoughness.baseColorFactor = { Linear(color[0]), Linear(color[1]),
+                                                      Linear(color[2]), 1.0 };
+    if (textured)
     {
-      const auto& color = shape.Body.Color;
-      material.pbrMetallicRoughness.baseColorFactor = { Linear(color[0]), Linear(color[1]),
-                                                        Linear(color[2]), 1.0 };
-    }
-    else
-    {
-      // A texture has its own colours: the plain one would tint them.
-      material.pbrMetallicRoughness.baseColorFactor = { 1.0, 1.0, 1.0, 1.0 };
       tinygltf::Image image;
       image.name = shape.Body.Name;
       image.mimeType = shape.Texture.MimeType;

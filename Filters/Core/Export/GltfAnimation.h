@@ -35,8 +35,8 @@ struct AnimatedObject
 /// (w, x, z, -y). Nodes are named after shape and ObjectId (leaf-0, leaf-1, oak-2, ...), which is
 /// also in their extras; keys are linear, at frame / framesPerSecond, and share one list of times;
 /// framesPerSecond itself is in the asset's extras. Materials have two sides. A shape with texture
-/// and texture coordinates has the texture's own colours, cut by its alpha at one half; another one
-/// has its Color, made linear: a scene's colours are what a screen is told (sRGB), factors of glTF
+/// and texture coordinates has the texture's colours times its Tint, cut by its alpha at one half;
+/// another one has its Color. Both are made linear: a scene's colours are what a screen is told (sRGB), factors of glTF
 /// are amounts of light. Fails on poses of different lengths, an unknown shape, or numbers that are
 /// not finite.
 Result GltfAnimation(const std::vector<AnimatedShape>& shapes,

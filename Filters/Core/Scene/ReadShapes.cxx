@@ -94,6 +94,7 @@ void SceneReader::ReadShape(const SceneNode& node, const std::string& name)
       color.Fail("a colour [r, g, b] of numbers from 0 to 1");
     }
     shape.Color = { rgb[0], rgb[1], rgb[2] };
+    shape.Tint = shape.Color;
   }
   if (node.Has("class"))
   {

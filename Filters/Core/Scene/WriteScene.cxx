@@ -150,7 +150,7 @@ SceneJson SceneFormat::FormatShape(std::size_t place)
   number("thickness", "Thickness", shape.Thickness, plain.Thickness);
   number("dragCoefficient", "DragCoefficient", shape.DragCoefficient, plain.DragCoefficient);
   number("settlingSpeed", "SettlingSpeed", shape.SettlingSpeed, plain.SettlingSpeed);
-  if (shape.Color != plain.Color)
+  if (shape.Color != plain.Color || shape.Tint != plain.Tint)
   {
     const Vec3 color(shape.Color[0], shape.Color[1], shape.Color[2]);
     Require(color.minCoeff() >= 0.0 && color.maxCoeff() <= 1.0,

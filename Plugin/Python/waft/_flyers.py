@@ -33,10 +33,8 @@ def rotation(quaternion):
 
 
 def _set(matrix, linear, offset):
-    entries = np.eye(4)
-    entries[:3, :3] = linear
-    entries[:3, 3] = offset
-    matrix.DeepCopy(entries.ravel().tolist())
+    rows = (*linear[0], offset[0], *linear[1], offset[1], *linear[2], offset[2])
+    matrix.DeepCopy((*rows, 0.0, 0.0, 0.0, 1.0))
 
 
 def _load_texture(path):
@@ -71,8 +69,8 @@ class _Look:
         self.extent = body.extent
         has_coordinates = body.surface.GetPointData().GetTCoords() is not None
         self.texture = _load_texture(body.texture) if body.texture and has_coordinates else None
-        # A texture has its own colours: the plain one would tint them.
-        self.color = (1.0, 1.0, 1.0) if self.texture else body.color
+        # VTK multiplies a texture by the surface's colour.
+        self.color = body.tint if self.texture else body.color
         self.opacity = body.opacity
 
     def object_actor(self):
@@ -119,6 +117,7 @@ class Objects:
         self._scenery = scenery
         looks = [_Look(body) for body in motion.bodies]
         spot = self._spot()
+        self._planes = {}
         self._items = []
         for index, shape in enumerate(motion.shapes):
             look = looks[shape]
@@ -133,7 +132,7 @@ class Objects:
         for index, look, actors, matrices in self._items:
             place = self._motion.positions[index, frame]
             turn = rotation(self._motion.orientations[index, frame])
-            _set(matrices[0], turn, place)
+            _set(matrices[0], turn.tolist(), place.tolist())
             self._cast(place, turn, look, actors[1:], matrices[1:])
 
     def _cast(self, place, turn, look, actors, matrices):
@@ -153,15 +152,27 @@ class Objects:
         actors[1].GetProperty().SetOpacity(soft)
         actors[1].SetVisibility(bool(soft > 0.01))
         sun = self._scenery.sun
-        # x -> x - sun (n . (x - spot)) / (n . sun): along the sun's rays onto the plane of the surface.
-        flatten = np.eye(3) - np.outer(sun, normal) / (normal @ sun)
+        flatten, basis = self._plane(normal)
         shift = sun * (normal @ spot) / (normal @ sun)
-        _set(matrices[0], flatten @ turn, flatten @ place + shift)
-        side = np.cross(normal, [0.0, 1.0, 0.0] if abs(normal[1]) < 0.9 else [1.0, 0.0, 0.0])
-        side /= np.linalg.norm(side)
+        _set(matrices[0], (flatten @ turn).tolist(), (flatten @ place + shift).tolist())
         width = look.extent * (1.0 + 0.35 * nearness)
-        basis = width * np.stack([side, np.cross(normal, side), normal], axis=1)
-        _set(matrices[1], basis, spot)
+        _set(matrices[1], (width * basis).tolist(), spot.tolist())
+
+    def _plane(self, normal):
+        """Of a plane with that normal: what casts onto it along the sun's rays, x -> x - sun (n . x) /
+        (n . sun), and axes whose third is the normal. Few normals come, and often."""
+        key = normal.tobytes()
+        if key not in self._planes:
+            sun = self._scenery.sun
+            side = np.cross(normal, [0.0, 1.0, 0.0] if abs(normal[1]) < 0.9 else [1.0, 0.0, 0.0])
+            side /= np.linalg.norm(side)
+            if len(self._planes) > 4096:
+                self._planes.clear()
+            self._planes[key] = (
+                np.eye(3) - np.outer(sun, normal) / (normal @ sun),
+                np.stack([side, np.cross(normal, side), normal], axis=1),
+            )
+        return self._planes[key]
 
     @staticmethod
     def _spot():

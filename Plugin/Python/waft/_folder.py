@@ -20,7 +20,8 @@ class Body:
 
     name: str
     surface: vtkPolyData
-    color: tuple = (1.0, 1.0, 1.0)
+    color: tuple = (1.0, 1.0, 1.0)  # without a texture
+    tint: tuple = (1.0, 1.0, 1.0)  # times the texture's colours
     texture: str = ""
     opacity: float = 1.0
 
@@ -154,9 +155,8 @@ def _bodies(folder):
             name = blocks.GetMetaData(index).Get(blocks.NAME()) or ""
         body = Body(name, surface)
         fields = surface.GetFieldData()
-        color = fields.GetArray("Color")
-        if color is not None and color.GetNumberOfComponents() == 3:
-            body.color = color.GetTuple3(0)
+        body.color = _color(fields.GetArray("Color"))
+        body.tint = _color(fields.GetArray("Tint"))
         opacity = fields.GetArray("Opacity")
         if opacity is not None:
             body.opacity = opacity.GetComponent(0, 0)
@@ -165,6 +165,12 @@ def _bodies(folder):
             body.texture = _find_texture(folder, texture.GetValue(0))
         bodies.append(body)
     return bodies
+
+
+def _color(array):
+    if array is None or array.GetNumberOfComponents() != 3:
+        return (1.0, 1.0, 1.0)
+    return array.GetTuple3(0)
 
 
 def _find_texture(folder, path):

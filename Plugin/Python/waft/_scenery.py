@@ -3,7 +3,7 @@
 
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (the rendering back end)
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import mutable, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkStaticCellLocator,
 )
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkTexture
 
@@ -21,6 +21,7 @@ _HORIZON = np.array([0.90, 0.925, 0.94])
 _GROUND = np.array([0.885, 0.870, 0.835])
 _GRID = (0.52, 0.50, 0.46)
 _OBSTACLE = (0.60, 0.66, 0.72)
+_EDGE = (0.33, 0.38, 0.44)
 
 # Layers that lie on the ground are this much apart, in parts of the volume's width: below what can
 # be seen, above what the depth buffer mixes up.
@@ -51,11 +52,12 @@ def lines(points, pieces):
     data = vtkPolyData()
     places = vtkPoints()
     places.SetData(numpy_to_vtk(np.ascontiguousarray(points, float), deep=True))
+    ends = np.cumsum([0, *(len(piece) for piece in pieces)])
     cells = vtkCellArray()
-    for piece in pieces:
-        cells.InsertNextCell(len(piece))
-        for index in piece:
-            cells.InsertCellPoint(int(index))
+    cells.SetData(
+        numpy_to_vtkIdTypeArray(ends, deep=True),
+        numpy_to_vtkIdTypeArray(np.concatenate([np.asarray(piece) for piece in pieces]), deep=True),
+    )
     data.SetPoints(places)
     data.SetLines(cells)
     return data
@@ -96,6 +98,17 @@ def _without(surface, left_out):
     return data
 
 
+def _edges_of(surface):
+    """Where faces meet at more than 40 degrees."""
+    finder = vtkFeatureEdges()
+    finder.SetInputData(surface)
+    finder.SetFeatureAngle(40.0)
+    finder.ColoringOff()
+    finder.NonManifoldEdgesOff()
+    finder.Update()
+    return finder.GetOutput()
+
+
 class Scenery:
     """Fills a renderer with ground, obstacles and light, and answers what lies below a point."""
 
@@ -114,6 +127,7 @@ class Scenery:
         self._normals = None
         self._skies = {}
         self._obstacle_actor = self._make_obstacles()
+        self._edges = self._make_edges()
         self._obstacle_shadow = self._make_obstacle_shadow()
         self._light()
         self.ground = None
@@ -136,6 +150,7 @@ class Scenery:
         shown = normals.GetOutput()
         self._obstacle_actor.GetMapper().SetInputData(shown)
         self._obstacle_actor.SetVisibility(shown.GetNumberOfPolys() > 0)
+        self._edges.GetMapper().SetInputData(_edges_of(self._split))
         self._cast_obstacles(shown)
         self._locator = None
         if shown.GetNumberOfPolys() > 0:
@@ -168,6 +183,21 @@ class Scenery:
                     best = (np.array(hit) + layer * normal, normal, distance)
         return best
 
+    def hides(self, eye, point):
+        """Whether an obstacle stands between two points."""
+        if self._locator is None:
+            return False
+        along, sub, cell = mutable(0.0), mutable(0), mutable(0)
+        hit, local = [0.0] * 3, [0.0] * 3
+        return bool(
+            self._locator.IntersectWithLine(list(eye), list(point), 1e-9, along, hit, local, sub, cell)
+        )
+
+    def show_obstacles(self, opacity):
+        """Obstacles one sees through have their edges drawn."""
+        self._obstacle_actor.GetProperty().SetOpacity(opacity)
+        self._edges.SetVisibility(opacity < 1.0 and self._obstacle_actor.GetVisibility())
+
     def show_sky(self, horizon):
         """A sky whose colour meets the ground's at the horizon (its height in the picture)."""
         key = round(horizon, 4)
@@ -194,6 +224,19 @@ class Scenery:
         look.SetColor(*_OBSTACLE)
         look.SetAmbient(0.38)
         look.SetDiffuse(0.68)
+        self._renderer.AddActor(actor)
+        return actor
+
+    def _make_edges(self):
+        actor = vtkActor()
+        actor.SetMapper(vtkPolyDataMapper())
+        actor.GetMapper().ScalarVisibilityOff()
+        actor.VisibilityOff()
+        look = actor.GetProperty()
+        look.SetColor(*_EDGE)
+        look.SetOpacity(0.5)
+        look.SetLineWidth(self._line_width)
+        look.LightingOff()
         self._renderer.AddActor(actor)
         return actor
 

@@ -2,6 +2,7 @@
 """The command `waft`."""
 import argparse
 import sys
+import time
 
 from waft import failures
 
@@ -42,6 +43,7 @@ def _views(text):
 positive_int = _argument(int, "a whole number of 1 or more", lambda n: n >= 1)
 seed = _argument(int, f"a whole number from 0 to {2 ** 31 - 1}", lambda n: 0 <= n < 2 ** 31)
 positive = _argument(float, "a positive number", lambda x: 0.0 < x < float("inf"))
+opacity = _argument(float, "a number from 0 to 1", lambda x: 0.0 <= x <= 1.0)
 share = _argument(float, "a share above 0, at most 1", lambda x: 0.0 < x <= 1.0)
 size = _argument(_size, "WxH such as 1280x720, each from 16 to 16384", lambda s: all(16 <= n <= 16384 for n in s))
 
@@ -92,6 +94,8 @@ def parser():
     show.add_argument("--movie", action="store_true", help="also DIR/VIEW.ogv and .avi, and .mp4 with ffmpeg")
     show.add_argument("--views", type=views, default=("side", "top"), metavar="V,V",
                       help="of side, top and follow; default side,top")
+    show.add_argument("--obstacle-opacity", type=opacity, metavar="X",
+                      help="0 to 1; default 1, and little where obstacles hide what flies")
     show.set_defaults(run=run_render)
 
     demo = commands.add_parser("demo", help="the embedded scenes, start to finish, with pictures")
@@ -145,7 +149,13 @@ def run_database(options):
 def run_render(options):
     from waft.render import render
 
-    render(options.folder, frames=options.frames, size=options.size, movie=options.movie, views=options.views)
+    began = time.monotonic()
+    drawn = []
+    render(options.folder, frames=options.frames, size=options.size, movie=options.movie, views=options.views,
+           obstacle_opacity=options.obstacle_opacity, progress=lambda done, text: drawn.append(text))
+    seconds = time.monotonic() - began
+    count = len(drawn) * len(options.views)
+    print(f"{options.folder}: {count} pictures in {seconds:.1f} s, {count / seconds:.1f} frames a second", file=sys.stderr)
     return failures.ALL_MET
 
 

@@ -3,6 +3,7 @@
 
 import os
 
+import numpy as np
 from vtkmodules.vtkRenderingCore import vtkMapper, vtkRenderer, vtkRenderWindow
 
 from ._cameras import VIEWS, Cameras
@@ -11,6 +12,10 @@ from ._folder import load
 from ._output import AviMovie, Mp4Movie, OggMovie, grab, remove, write_png
 from ._scenery import Scenery
 from .failures import BadInput, WaftError
+
+
+_HIDDEN = 0.1  # share of the motion behind obstacles from which on one sees through them
+_GLASS = 0.22  # opacity of such obstacles
 
 
 def parse_frames(text, count):
@@ -39,7 +44,8 @@ def parse_frames(text, count):
 class Stage:
     """The drawn scene: `draw(view, frame)` leaves the picture in the window and returns it."""
 
-    def __init__(self, motion, size=(1280, 720), samples=2, paths=True, targets=True):
+    def __init__(self, motion, size=(1280, 720), samples=2, paths=True, targets=True,
+                 obstacle_opacity=None):
         self._samples = samples
         self._renderer = vtkRenderer()
         self._window = vtkRenderWindow()
@@ -54,9 +60,13 @@ class Stage:
             self._moving.append(Trails(motion, self._renderer, width=1.2 * samples))
         if targets:
             add_marks(motion, self._renderer, self._scenery.size)
+        self._motion = motion
+        self._obstacle_opacity = obstacle_opacity
+        self._opacities = {}
         self._frame = None
 
     def draw(self, view, frame):
+        opacity = self._opacity(view)
         if frame != self._frame:
             for part in self._moving:
                 part.move_to(frame)
@@ -65,6 +75,7 @@ class Stage:
         # VTK turns the lights into the camera's axes only when the camera is newer than last time.
         camera.Modified()
         self._renderer.SetActiveCamera(camera)
+        self._scenery.show_obstacles(opacity)
         self._scenery.show_sky(self._cameras.horizon(view, frame))
         # A setting of the whole process that ParaView changes: pictures are not to depend on it.
         resolve = vtkMapper.GetResolveCoincidentTopology()
@@ -72,6 +83,31 @@ class Stage:
         self._window.Render()
         vtkMapper.SetResolveCoincidentTopology(resolve)
         return grab(self._window, self._samples)
+
+    def _opacity(self, view):
+        """Of the obstacles in all frames of a view: the one asked for, or what lets objects be seen."""
+        if self._obstacle_opacity is not None:
+            return self._obstacle_opacity
+        if view not in self._opacities:
+            self._opacities[view] = _GLASS if self._hidden(view) > _HIDDEN else 1.0
+        return self._opacities[view]
+
+    def _hidden(self, view):
+        """Share of the motion that obstacles hide from a view: some objects in some frames."""
+        objects = range(0, len(self._motion.positions), max(len(self._motion.positions) // 25, 1))
+        frames = range(0, self._motion.number_of_frames, max(self._motion.number_of_frames // 30, 1))
+        hidden = 0
+        for frame in frames:
+            self._scenery.move_to(frame)
+            self._frame = None
+            camera = self._cameras.at(view, frame)
+            eye = np.array(camera.GetPosition())
+            along = np.array(camera.GetDirectionOfProjection())
+            for place in self._motion.positions[list(objects), frame]:
+                if camera.GetParallelProjection():
+                    eye = place - ((place - eye) @ along) * along
+                hidden += self._scenery.hides(eye, place)
+        return hidden / (len(objects) * len(frames))
 
 
 def render(
@@ -83,6 +119,7 @@ def render(
     paths=True,
     targets=True,
     samples=2,
+    obstacle_opacity=None,
     progress=None,
 ):
     """Draws the motion of a folder.
@@ -95,6 +132,8 @@ def render(
     paths:    a faint trail of each object's last second (up to three objects: since the start)
     targets:  small marks where the scene wants objects to pass
     samples:  samples x samples pixels are drawn for each one (1: jagged, and the fastest)
+    obstacle_opacity: 0 to 1; by itself 1, or where obstacles hide much of the motion from a view,
+              little, with their edges drawn
     progress: called with the part done (0..1) and a sentence after each picture
 
     Writes FOLDER/frames/<view>_0000.png and so on, each whole or not at all, and returns the list
@@ -107,6 +146,8 @@ def render(
             raise BadInput(f"view '{view}': expected one of {', '.join(VIEWS)}")
     if not views or samples < 1 or len(size) != 2 or min(size) < 16 or max(size) > 16384:
         raise BadInput("expected at least one view, samples >= 1 and a size of 16 to 16384 pixels")
+    if obstacle_opacity is not None and not 0.0 <= obstacle_opacity <= 1.0:
+        raise BadInput(f"obstacle opacity {obstacle_opacity}: expected a number from 0 to 1")
     motion = load(folder)
     numbers = parse_frames(frames, motion.number_of_frames)
     if not os.environ.get("DISPLAY"):
@@ -115,7 +156,7 @@ def render(
         )
     place = os.path.join(folder, "frames")
     os.makedirs(place, exist_ok=True)
-    stage = Stage(motion, size, samples, paths, targets)
+    stage = Stage(motion, size, samples, paths, targets, obstacle_opacity)
     movies = {}
     if movie:
         rate = motion.frames_per_second / numbers.step

@@ -169,6 +169,20 @@ TEST(GltfAnimation, AFilmLetsLightThrough)
   EXPECT_NE(model.materials[1].alphaMode, "BLEND");
 }
 
+TEST(GltfAnimation, TheTintIsTheFactorOfTheTexture)
+{
+  std::vector<AnimatedShape> shapes = Shapes();
+  shapes[0].Body.Tint = { 0.8, 0.6, 0.1 }; // no texture: nothing to tint
+  shapes[1].Body.Tint = { 0.25, 0.5, 0.75 };
+  tinygltf::Model model;
+  ASSERT_NO_FATAL_FAILURE(WriteAndRead(shapes, Objects(), 24.0, model));
+  ExpectFactor(model.materials[model.meshes[0].primitives[0].material],
+               { 0.050876, 0.214041, 0.522522, 1.0 }); // of its colour, 0.25, 0.5, 0.75
+  const tinygltf::Material& painted = model.materials[model.meshes[1].primitives[0].material];
+  ExpectFactor(painted, { 0.050876, 0.214041, 0.522522, 1.0 });
+  EXPECT_EQ(painted.pbrMetallicRoughness.baseColorTexture.index, 0);
+}
+
 TEST(GltfAnimation, ATextureWithoutCoordinatesLeavesTheColour)
 {
   std::vector<AnimatedShape> shapes = Shapes();

@@ -95,6 +95,8 @@ TEST(ReadScene, ShapesTakeWhatTheFileGives)
   EXPECT_EQ(scene.Shapes[0].Thickness, 0.002);
   EXPECT_EQ(scene.Shapes[0].DragCoefficient, 1.4);
   EXPECT_EQ(scene.Shapes[0].Color[2], 0.3);
+  EXPECT_EQ(scene.Shapes[0].Tint, scene.Shapes[0].Color);
+  EXPECT_EQ(scene.Shapes[2].Tint, Shape().Tint); // its own colour tints no texture
   EXPECT_NE(scene.Shapes[0].Texture.find("/LICENSE"), std::string::npos);
   EXPECT_NEAR(LargestExtent(scene.Shapes[1].Mesh), 0.5, 1e-12);
   EXPECT_EQ(scene.Classes, (std::vector<std::string>{ "white", "red" }));

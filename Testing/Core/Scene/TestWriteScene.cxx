@@ -86,6 +86,7 @@ void ExpectSameShapes(const std::vector<Shape>& a, const std::vector<Shape>& b)
     EXPECT_EQ(a[i].Thickness, b[i].Thickness);
     EXPECT_EQ(a[i].SettlingSpeed, b[i].SettlingSpeed);
     EXPECT_EQ(a[i].Color, b[i].Color);
+    EXPECT_EQ(a[i].Tint, b[i].Tint);
     EXPECT_EQ(a[i].ClassId, b[i].ClassId);
   }
 }
