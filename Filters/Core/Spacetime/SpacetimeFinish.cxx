@@ -61,7 +61,9 @@ void SpacetimeRun::KeepTheBetter(const HardConstraints& constraints)
   constraints.Project(this->Beginning);
   const double found = this->Measure().E;
   std::swap(this->State, this->Beginning);
-  if (found <= this->Measure().E)
+  const double began = this->Measure().E;
+  this->StartEnergy = std::max(this->StartEnergy, began); // plans need not keep to the rows
+  if (found <= began)
   {
     std::swap(this->State, this->Beginning);
   }

@@ -100,8 +100,7 @@ Vortex FitOne(const std::vector<VortexSample>& samples, const std::vector<Vortex
 
 TEST(VortexFit, ThreeTracksRecoverTheVortex)
 {
-  double seconds = 0.0;
-  std::vector<double> confidence;
+  std::vector<double> confidence, seconds;
   for (int seed = 0; seed < 24; ++seed)
   {
     const Vortex truth = Truth(seed);
@@ -114,7 +113,7 @@ TEST(VortexFit, ThreeTracksRecoverTheVortex)
     const Vortex prior = Displaced(truth, random);
     const std::clock_t start = std::clock();
     const Vortex fitted = FitOne(samples, { prior });
-    seconds += static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    seconds.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     const Error error = Compare(fitted, truth);
     EXPECT_LT(error.Axis, 5.0) << seed;
     EXPECT_LT(error.Center, 0.05) << seed;
@@ -127,7 +126,11 @@ TEST(VortexFit, ThreeTracksRecoverTheVortex)
   std::sort(confidence.begin(), confidence.end());
   EXPECT_GT(confidence[0], 0.3);
   EXPECT_GT(confidence[12], 0.7);
-  std::printf("[ figure ] %.1f ms of CPU a fit from three tracks\n", 1000.0 * seconds / 24.0);
+  std::sort(seconds.begin(), seconds.end());
+  std::printf("[ figure ] %.1f ms of CPU a fit from three tracks\n", 1000.0 * seconds[12]);
+#ifdef NDEBUG
+  EXPECT_LE(seconds[12], 0.020); // processor time: a busy machine takes about as much
+#endif
 }
 
 TEST(VortexFit, OneTrackHasLowConfidence)
