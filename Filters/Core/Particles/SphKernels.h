@@ -25,6 +25,14 @@ struct alignas(32) SphAdjointRecord
   float DX, DY, DZ, Unused;
 };
 
+/// What pair sums add up for one particle: two vectors, of accelerations and velocity averages or
+/// of the adjoints of positions and velocities.
+struct alignas(32) SphPairSum
+{
+  float First[3], Unused;
+  float Second[3], AlsoUnused;
+};
+
 /// Wendland C2, support 2h: W = sigma s^4 (5 - 4 s), s = max(0, 1 - r / 2h), sigma = 21/(16 pi
 /// h^3). grad_i W = F x_ij, F = -(5 sigma / h^2) s^3; F'/r = (7.5 sigma / h^3) s^2 / r.
 struct SphConstants
@@ -51,14 +59,20 @@ struct SphNeighbors
   const std::uint32_t* Wide;   // or this one
 };
 
+/// Eight pairs of one i: x_i - x_j, s = 1 - r / 2h, and where j's record begins, in floats.
+struct alignas(32) SphPairGroup
+{
+  float X[8], Y[8], Z[8], S[8];
+  std::uint32_t Other[8];
+};
+
 /// The pairs of a frame within the support, as the density sum finds them and the other sums read
-/// them: x_i - x_j, s = 1 - r / 2h and the index j, in groups of eight of one i. The caller gives
-/// room for as many entries as the neighbours have, and sixteen more.
+/// them. The caller gives room for as many groups as the neighbours have.
 struct SphPairs
 {
-  std::uint32_t* Starts; // n + 1 entries, in groups of eight
-  float *X, *Y, *Z, *S;
-  std::uint32_t* Other;
+  std::uint32_t* Starts; // n + 1 entries, in groups
+  SphPairGroup* Groups;
+  float* Nearest; // n entries: the largest s of each i's pairs, or 0
 };
 
 /// A vortex at one instant: Strength already times its factor of time and 1 / 4 pi.
@@ -119,17 +133,16 @@ struct SphKernelTable
   /// density[i] = sum_j m_j W_ij, n + 1 entries; fills `pairs`.
   void (*Density)(const SphConstants&, const SphRecord*, const SphNeighbors&, std::size_t n,
                   const SphPairs& pairs, float* density);
-  /// acceleration_i = -sum_j m_j (p_i + p_j + Pi_ij) F x_ij; average_i = sum_j m_j W_ij (v_j -
-  /// v_i). sums: n + 1 records of eight floats, work space, here and below.
+  /// Adds to First: -sum_j m_j (p_i + p_j + Pi_ij) F x_ij, to Second: sum_j m_j W_ij (v_j - v_i).
+  /// n + 1 sums, here and below.
   void (*Accelerate)(const SphConstants&, const SphRecord*, const SphPairs&, std::size_t n,
-                     float* sums, SphRows acceleration, SphRows average);
+                     SphPairSum* sums);
   /// pressure[i] = -sum_j F (b_ij . x_ij), b_ij = m_j abar_i - m_i abar_j; n + 1 entries.
   void (*AdjointPressure)(const SphConstants&, const SphRecord*, const SphAdjointRecord*,
                           const SphPairs&, std::size_t n, float* pressure);
-  /// Adds the adjoint of positions and velocities.
+  /// Adds the adjoint of positions to First, of velocities to Second.
   void (*AdjointState)(const SphConstants&, const SphRecord*, const SphAdjointRecord*,
-                       const SphPairs&, std::size_t n, float* sums, SphRows position,
-                       SphRows velocity);
+                       const SphPairs&, std::size_t n, SphPairSum* sums);
   /// psi, its gradient (3 rows) and its Hessian (xx, xy, xz, yy, yz, zz): the kernel's mass beyond
   /// the planes of the box. n is padded to a multiple of eight.
   void (*Walls)(const SphConstants&, const SphBox&, std::size_t n, const float* x, const float* y,

@@ -73,14 +73,28 @@ inline float Sum(Lanes a)
   return _mm_cvtss_f32(s);
 }
 
-/// Four consecutive floats of eight records of eight floats, turned into four registers.
-template <typename Index>
+inline float Largest(Lanes a)
+{
+  __m128 s = _mm_max_ps(_mm256_castps256_ps128(a.Value), _mm256_extractf128_ps(a.Value, 1));
+  s = _mm_max_ps(s, _mm_movehl_ps(s, s));
+  s = _mm_max_ss(s, _mm_shuffle_ps(s, s, 1));
+  return _mm_cvtss_f32(s);
+}
+inline void TimesEight(const std::uint32_t* in, std::uint32_t* out)
+{
+  const __m256i a = _mm256_load_si256(reinterpret_cast<const __m256i*>(in));
+  _mm256_store_si256(reinterpret_cast<__m256i*>(out), _mm256_slli_epi32(a, 3));
+}
+
+/// Four consecutive floats at Scale times eight indices, turned into four registers.
+template <std::size_t Scale, typename Index>
 inline void LoadFour(const float* base, const Index* index, Lanes out[4])
 {
   const auto pair = [base](Index low, Index high)
   {
-    const __m256 a = _mm256_castps128_ps256(_mm_load_ps(base + 8 * static_cast<std::size_t>(low)));
-    return _mm256_insertf128_ps(a, _mm_load_ps(base + 8 * static_cast<std::size_t>(high)), 1);
+    const __m256 a =
+      _mm256_castps128_ps256(_mm_load_ps(base + Scale * static_cast<std::size_t>(low)));
+    return _mm256_insertf128_ps(a, _mm_load_ps(base + Scale * static_cast<std::size_t>(high)), 1);
   };
   const __m256 r0 = pair(index[0], index[4]);
   const __m256 r1 = pair(index[1], index[5]);
@@ -120,14 +134,14 @@ inline void Transpose(const Lanes in[8], __m256 out[8])
   }
 }
 
-/// Subtracts lane k of eight components from the record index[k] of eight floats, lane by lane.
-inline void SubtractRecords(float* base, const std::uint32_t* index, const Lanes components[8])
+/// Subtracts lane k of eight components from the eight floats at places[k], lane by lane.
+inline void SubtractRecords(float* base, const std::uint32_t* places, const Lanes components[8])
 {
   __m256 rows[8];
   Transpose(components, rows);
   for (int k = 0; k < 8; ++k)
   {
-    float* record = base + 8 * static_cast<std::size_t>(index[k]);
+    float* record = base + places[k];
     _mm256_store_ps(record, _mm256_sub_ps(_mm256_load_ps(record), rows[k]));
   }
 }

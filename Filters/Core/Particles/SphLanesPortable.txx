@@ -97,12 +97,29 @@ inline float Sum(const Lanes& a)
   return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7]));
 }
 
-template <typename Index>
+inline float Largest(const Lanes& a)
+{
+  float largest = a.Value[0];
+  for (float value : a.Value)
+  {
+    largest = value > largest ? value : largest;
+  }
+  return largest;
+}
+inline void TimesEight(const std::uint32_t* in, std::uint32_t* out)
+{
+  for (int k = 0; k < 8; ++k)
+  {
+    out[k] = 8 * in[k];
+  }
+}
+
+template <std::size_t Scale, typename Index>
 inline void LoadFour(const float* base, const Index* index, Lanes out[4])
 {
   for (int k = 0; k < 8; ++k)
   {
-    const float* record = base + 8 * static_cast<std::size_t>(index[k]);
+    const float* record = base + Scale * static_cast<std::size_t>(index[k]);
     for (int c = 0; c < 4; ++c)
     {
       out[c].Value[k] = record[c];
@@ -110,11 +127,11 @@ inline void LoadFour(const float* base, const Index* index, Lanes out[4])
   }
 }
 
-inline void SubtractRecords(float* base, const std::uint32_t* index, const Lanes components[8])
+inline void SubtractRecords(float* base, const std::uint32_t* places, const Lanes components[8])
 {
   for (int k = 0; k < 8; ++k)
   {
-    float* record = base + 8 * static_cast<std::size_t>(index[k]);
+    float* record = base + places[k];
     for (int c = 0; c < 8; ++c)
     {
       record[c] -= components[c].Value[k];

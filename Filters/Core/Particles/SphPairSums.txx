@@ -2,6 +2,80 @@
 // The four pair sums over the neighbour lists (Shi et al. 2005, Appendix B, with v_ij = v_i - v_j)
 // and their adjoint, written once for any Lanes. A pair is visited once: what i gets from j is up
 // to the masses minus what j gets from i. j is always gas.
+
+/// Pairs of many particles come from farther than the second cache.
+constexpr std::size_t GroupsAhead = 12;
+
+inline void Prefetch(const SphPairGroup* group)
+{
+  const char* first = reinterpret_cast<const char*>(group);
+  __builtin_prefetch(first);
+  __builtin_prefetch(first + 64);
+  __builtin_prefetch(first + 128);
+}
+
+/// Where what i has found so far of its pairs waits for its group to be full.
+struct PairQueue
+{
+  static constexpr std::size_t Room = 128; // a group more may be written, and is not counted
+
+  alignas(32) float X[Room + 8], Y[Room + 8], Z[Room + 8], S[Room + 8];
+  alignas(32) std::uint32_t Other[Room + 8];
+  std::size_t Count = 0;
+
+  /// The far particle fills the last group: at the edge of the support all terms vanish.
+  void Fill(std::uint32_t far)
+  {
+    for (; this->Count % 8 != 0; ++this->Count)
+    {
+      this->X[this->Count] = this->Y[this->Count] = this->Z[this->Count] = 1.0f;
+      this->S[this->Count] = 0.0f;
+      this->Other[this->Count] = far;
+    }
+  }
+  /// What is left behind the full groups comes to the front.
+  void Drop(std::size_t full)
+  {
+    Lanes::Load(this->X + full).Store(this->X);
+    Lanes::Load(this->Y + full).Store(this->Y);
+    Lanes::Load(this->Z + full).Store(this->Z);
+    Lanes::Load(this->S + full).Store(this->S);
+    for (int l = 0; l < 8; ++l)
+    {
+      this->Other[l] = this->Other[full + l];
+    }
+    this->Count -= full;
+  }
+};
+
+/// The sum of `scale` W over full groups from the queue, added to each j as well; hands them on to
+/// `out`.
+inline void TakeGroups(const PairQueue& queue, std::size_t full, Lanes scale, SphPairGroup* out,
+                       float* density, Lanes& sum, Lanes& nearest)
+{
+  const Lanes five = Lanes::Set(5.0f);
+  const Lanes four = Lanes::Set(4.0f);
+  for (std::size_t k = 0; k < full; k += 8, ++out)
+  {
+    const Lanes s = Lanes::Load(queue.S + k);
+    Lanes::Load(queue.X + k).Store(out->X);
+    Lanes::Load(queue.Y + k).Store(out->Y);
+    Lanes::Load(queue.Z + k).Store(out->Z);
+    s.Store(out->S);
+    TimesEight(queue.Other + k, out->Other);
+    nearest = Max(nearest, s);
+    const Lanes s2 = s * s;
+    const Lanes w = scale * ((s2 * s2) * Fnma(four, s, five));
+    sum = sum + w;
+    float weights[8];
+    w.Store(weights);
+    for (int l = 0; l < 8; ++l)
+    {
+      density[queue.Other[k + l]] += weights[l];
+    }
+  }
+}
+
 template <typename Index>
 void DensitySum(const SphConstants& c, const SphRecord* records, const std::uint32_t* starts,
                 const Index* list, std::size_t n, const SphPairs& pairs, float* density)
@@ -9,108 +83,101 @@ void DensitySum(const SphConstants& c, const SphRecord* records, const std::uint
   const float* base = &records->X;
   const Lanes zero = Lanes::Set(0.0f);
   const Lanes one = Lanes::Set(1.0f);
-  const Lanes five = Lanes::Set(5.0f);
-  const Lanes four = Lanes::Set(4.0f);
   const Lanes inverse = Lanes::Set(c.InverseSupport);
   const Lanes support2 = Lanes::Set(1.0f / (c.InverseSupport * c.InverseSupport));
   for (std::size_t i = 0; i < n; ++i)
   {
     density[i] = 0.0f;
   }
-  std::size_t end = 0;
+  PairQueue queue;
+  std::uint32_t groups = 0;
   pairs.Starts[0] = 0;
   for (std::size_t i = 0; i < n; ++i)
   {
     const Lanes xi = Lanes::Set(records[i].X);
     const Lanes yi = Lanes::Set(records[i].Y);
     const Lanes zi = Lanes::Set(records[i].Z);
-    const std::size_t begin = end;
+    const Lanes scale = Lanes::Set(c.KernelScale * records[i].Mass);
+    Lanes sum = zero, nearest = zero;
+    const auto take = [&]()
+    {
+      const std::size_t full = queue.Count / 8 * 8;
+      TakeGroups(queue, full, scale, pairs.Groups + groups, density, sum, nearest);
+      groups += static_cast<std::uint32_t>(full / 8);
+      return full;
+    };
+    queue.Count = 0;
     for (std::size_t k = starts[i]; k < starts[i + 1]; ++k)
     {
+      if (queue.Count > PairQueue::Room - 8) // seldom
+      {
+        queue.Drop(take());
+      }
       Lanes q[4];
-      LoadFour(base, list + 8 * k, q);
+      LoadFour<8>(base, list + 8 * k, q);
       const Lanes x = xi - q[0];
       const Lanes y = yi - q[1];
       const Lanes z = zi - q[2];
       const Lanes r2 = Fma(x, x, Fma(y, y, z * z));
       const unsigned mask = LessMask(r2, support2);
       const Compressor compressor(mask);
-      compressor.Store(x, pairs.X + end);
-      compressor.Store(y, pairs.Y + end);
-      compressor.Store(z, pairs.Z + end);
-      compressor.Store(Max(zero, Fnma(Sqrt(r2), inverse, one)), pairs.S + end);
-      compressor.Store(list + 8 * k, pairs.Other + end);
-      end += static_cast<std::size_t>(__builtin_popcount(mask));
+      compressor.Store(x, queue.X + queue.Count);
+      compressor.Store(y, queue.Y + queue.Count);
+      compressor.Store(z, queue.Z + queue.Count);
+      compressor.Store(Max(zero, Fnma(Sqrt(r2), inverse, one)), queue.S + queue.Count);
+      compressor.Store(list + 8 * k, queue.Other + queue.Count);
+      queue.Count += static_cast<std::size_t>(__builtin_popcount(mask));
     }
-    // At the edge of the support all terms vanish.
-    for (; end % 8 != 0; ++end)
-    {
-      pairs.X[end] = pairs.Y[end] = pairs.Z[end] = 1.0f;
-      pairs.S[end] = 0.0f;
-      pairs.Other[end] = static_cast<std::uint32_t>(n);
-    }
-    pairs.Starts[i + 1] = static_cast<std::uint32_t>(end / 8);
-    const Lanes scale = Lanes::Set(c.KernelScale * records[i].Mass);
-    Lanes sum = zero;
-    for (std::size_t k = begin; k < end; k += 8)
-    {
-      const Lanes s = Lanes::Load(pairs.S + k);
-      const Lanes s2 = s * s;
-      const Lanes w = scale * ((s2 * s2) * Fnma(four, s, five));
-      sum = sum + w;
-      float weights[8];
-      w.Store(weights);
-      for (int l = 0; l < 8; ++l)
-      {
-        density[pairs.Other[k + l]] += weights[l];
-      }
-    }
+    queue.Fill(static_cast<std::uint32_t>(n));
+    take();
+    pairs.Starts[i + 1] = groups;
+    pairs.Nearest[i] = Largest(nearest);
     density[i] += c.GasMass / records[i].Mass * Sum(sum);
   }
 }
 
 void AccelerationSum(const SphConstants& c, const SphRecord* records, const SphPairs& pairs,
-                     std::size_t n, float* sums, SphRows acceleration, SphRows average)
+                     std::size_t n, SphPairSum* sums)
 {
   const float* base = &records->X;
+  float* sumBase = sums->First;
   const Lanes zero = Lanes::Set(0.0f);
   const Lanes five = Lanes::Set(5.0f);
   const Lanes four = Lanes::Set(4.0f);
   const Lanes core = Lanes::Set(c.ViscousCore);
-  for (std::size_t k = 0; k < 8 * (n + 1); ++k)
-  {
-    sums[k] = 0.0f;
-  }
   for (std::size_t i = 0; i < n; ++i)
   {
     const SphRecord& me = records[i];
     const Lanes ui = Lanes::Set(me.U), vi = Lanes::Set(me.V), wi = Lanes::Set(me.W);
     const Lanes pi = Lanes::Set(me.Pressure);
-    const Lanes mass = Lanes::Set(me.Mass);
+    const Lanes forceScale = Lanes::Set(-c.GradientScale * me.Mass);
+    const Lanes averageScale = Lanes::Set(-c.KernelScale * me.Mass);
     const Lanes kappa = Lanes::Set(me.Mass < c.ObjectMassThreshold ? c.ObjectKappa : c.Kappa);
     Lanes own[8] = { zero, zero, zero, zero, zero, zero, zero, zero };
     for (std::size_t k = pairs.Starts[i]; k < pairs.Starts[i + 1]; ++k)
     {
+      const SphPairGroup& pair = pairs.Groups[k];
+      Prefetch(&pair + GroupsAhead);
       Lanes w[4];
-      LoadFour(base + 4, pairs.Other + 8 * k, w);
-      const Lanes x = Lanes::Load(pairs.X + 8 * k);
-      const Lanes y = Lanes::Load(pairs.Y + 8 * k);
-      const Lanes z = Lanes::Load(pairs.Z + 8 * k);
-      const Lanes s = Lanes::Load(pairs.S + 8 * k);
+      LoadFour<1>(base + 4, pair.Other, w);
+      const Lanes x = Lanes::Load(pair.X);
+      const Lanes y = Lanes::Load(pair.Y);
+      const Lanes z = Lanes::Load(pair.Z);
+      const Lanes s = Lanes::Load(pair.S);
       const Lanes u = ui - w[0], v = vi - w[1], t = wi - w[2];
       const Lanes r2 = Fma(x, x, Fma(y, y, z * z));
       const Lanes s2 = s * s;
       const Lanes vx = Fma(u, x, Fma(v, y, t * z));
       const Lanes tension = Fnma(kappa, vx / (r2 + core), pi + w[3]);
-      const Lanes factor = (tension * mass) * (s2 * s);
-      const Lanes weight = (mass * (s2 * s2)) * Fnma(four, s, five);
+      const Lanes factor = (tension * forceScale) * (s2 * s);
+      const Lanes weight = (averageScale * (s2 * s2)) * Fnma(four, s, five);
       const Lanes terms[8] = { factor * x, factor * y, factor * z, zero,
                                weight * u, weight * v, weight * t, zero };
       for (int a = 0; a < 8; ++a)
       {
         own[a] = own[a] + terms[a];
       }
-      SubtractRecords(sums, pairs.Other + 8 * k, terms);
+      SubtractRecords(sumBase, pair.Other, terms);
     }
     // The sums are of m_i; i's own are of its neighbours' mass.
     const Lanes others = Lanes::Set(c.GasMass / me.Mass);
@@ -118,15 +185,7 @@ void AccelerationSum(const SphConstants& c, const SphRecord* records, const SphP
     {
       a = others * a;
     }
-    AddSums(sums + 8 * i, own);
-  }
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    for (int a = 0; a < 3; ++a)
-    {
-      acceleration.Row(a)[i] = -c.GradientScale * sums[8 * i + a];
-      average.Row(a)[i] = -c.KernelScale * sums[8 * i + 4 + a];
-    }
+    AddSums(sumBase + 8 * i, own);
   }
 }
 
@@ -152,12 +211,14 @@ void AdjointPressureSum(const SphConstants& c, const SphRecord* records,
     Lanes sum = zero;
     for (std::size_t k = pairs.Starts[i]; k < pairs.Starts[i + 1]; ++k)
     {
+      const SphPairGroup& pair = pairs.Groups[k];
+      Prefetch(&pair + GroupsAhead);
       Lanes b[4];
-      LoadFour(adjointBase, pairs.Other + 8 * k, b);
-      const Lanes x = Lanes::Load(pairs.X + 8 * k);
-      const Lanes y = Lanes::Load(pairs.Y + 8 * k);
-      const Lanes z = Lanes::Load(pairs.Z + 8 * k);
-      const Lanes s = Lanes::Load(pairs.S + 8 * k);
+      LoadFour<1>(adjointBase, pair.Other, b);
+      const Lanes x = Lanes::Load(pair.X);
+      const Lanes y = Lanes::Load(pair.Y);
+      const Lanes z = Lanes::Load(pair.Z);
+      const Lanes s = Lanes::Load(pair.S);
       const Lanes bx = Fnma(mi, b[0], ai);
       const Lanes by = Fnma(mi, b[1], bi);
       const Lanes bz = Fnma(mi, b[2], ci);
@@ -167,7 +228,7 @@ void AdjointPressureSum(const SphConstants& c, const SphRecord* records,
       value.Store(values);
       for (int l = 0; l < 8; ++l)
       {
-        pressure[pairs.Other[8 * k + l]] += values[l];
+        pressure[pair.Other[l] / 8] += values[l];
       }
     }
     pressure[i] += Sum(sum);
@@ -176,9 +237,10 @@ void AdjointPressureSum(const SphConstants& c, const SphRecord* records,
 
 void AdjointStateSum(const SphConstants& c, const SphRecord* records,
                      const SphAdjointRecord* adjoints, const SphPairs& pairs, std::size_t n,
-                     float* sums, SphRows position, SphRows velocity)
+                     SphPairSum* sums)
 {
   const float* base = &records->X;
+  float* sumBase = sums->First;
   const float* adjointBase = &adjoints->AX;
   const Lanes zero = Lanes::Set(0.0f);
   const Lanes one = Lanes::Set(1.0f);
@@ -190,10 +252,6 @@ void AdjointStateSum(const SphConstants& c, const SphRecord* records,
   const Lanes kernel5 = Lanes::Set(5.0f * c.KernelScale);
   const Lanes kernel4 = Lanes::Set(4.0f * c.KernelScale);
   const Lanes mj = Lanes::Set(c.GasMass);
-  for (std::size_t k = 0; k < 8 * (n + 1); ++k)
-  {
-    sums[k] = 0.0f;
-  }
   for (std::size_t i = 0; i < n; ++i)
   {
     const SphRecord& me = records[i];
@@ -211,15 +269,16 @@ void AdjointStateSum(const SphConstants& c, const SphRecord* records,
     Lanes own[8] = { zero, zero, zero, zero, zero, zero, zero, zero };
     for (std::size_t k = pairs.Starts[i]; k < pairs.Starts[i + 1]; ++k)
     {
-      const std::uint32_t* other = pairs.Other + 8 * k;
+      const SphPairGroup& pair = pairs.Groups[k];
+      Prefetch(&pair + GroupsAhead);
       Lanes w[4], b[4], d[4];
-      LoadFour(base + 4, other, w);
-      LoadFour(adjointBase, other, b);
-      LoadFour(adjointBase + 4, other, d);
-      const Lanes x = Lanes::Load(pairs.X + 8 * k);
-      const Lanes y = Lanes::Load(pairs.Y + 8 * k);
-      const Lanes z = Lanes::Load(pairs.Z + 8 * k);
-      const Lanes s = Lanes::Load(pairs.S + 8 * k);
+      LoadFour<1>(base + 4, pair.Other, w);
+      LoadFour<1>(adjointBase, pair.Other, b);
+      LoadFour<1>(adjointBase + 4, pair.Other, d);
+      const Lanes x = Lanes::Load(pair.X);
+      const Lanes y = Lanes::Load(pair.Y);
+      const Lanes z = Lanes::Load(pair.Z);
+      const Lanes s = Lanes::Load(pair.S);
       const Lanes u = ui - w[0], v = vi - w[1], t = wi - w[2];
       const Lanes r2 = Fma(x, x, Fma(y, y, z * z));
       // s = 1 - r / 2h gives r back; one division does for 1 / r and 1 / (r^2 + core).
@@ -261,16 +320,8 @@ void AdjointStateSum(const SphConstants& c, const SphRecord* records,
       {
         own[a] = own[a] + terms[a];
       }
-      SubtractRecords(sums, other, terms);
+      SubtractRecords(sumBase, pair.Other, terms);
     }
-    AddSums(sums + 8 * i, own);
-  }
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    for (int a = 0; a < 3; ++a)
-    {
-      position.Row(a)[i] += sums[8 * i + a];
-      velocity.Row(a)[i] += sums[8 * i + 4 + a];
-    }
+    AddSums(sumBase + 8 * i, own);
   }
 }

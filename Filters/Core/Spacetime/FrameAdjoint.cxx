@@ -7,21 +7,6 @@
 
 namespace waft
 {
-namespace
-{
-
-/// Of a group of eight.
-bool AnyAbove(const float* values, float least)
-{
-  int count = 0;
-  for (int l = 0; l < 8; ++l)
-  {
-    count += values[l] > least ? 1 : 0;
-  }
-  return count > 0;
-}
-
-} // namespace
 
 void FrameTerms::Adjoint(float* gradient)
 {
@@ -58,8 +43,6 @@ void FrameTerms::Adjoint(float* gradient)
   const float* g0 = this->PsiGradient.data();
   const float* h = this->PsiHessian.data();
   const float* k6 = this->SpringSlope.data();
-  float* xbar = this->ParticleBars.data();
-  std::fill(xbar + 3 * p, xbar + 6 * p, 0.0f);
   for (std::size_t i = 0; i < n; ++i)
   {
     SphAdjointRecord& r = this->Adjoints[i];
@@ -72,30 +55,31 @@ void FrameTerms::Adjoint(float* gradient)
     const float yy = q * h[3 * p + i] + k6[3 * p + i];
     const float yz = q * h[4 * p + i] + k6[4 * p + i];
     const float zz = q * h[5 * p + i] + k6[5 * p + i];
-    xbar[i] = r.Density * g0[i] + xx * r.AX + xy * r.AY + xz * r.AZ;
-    xbar[p + i] = r.Density * g0[p + i] + xy * r.AX + yy * r.AY + yz * r.AZ;
-    xbar[2 * p + i] = r.Density * g0[2 * p + i] + xz * r.AX + yz * r.AY + zz * r.AZ;
+    SphPairSum& sum = this->PairSums[i];
+    sum = SphPairSum();
+    sum.First[0] = r.Density * g0[i] + xx * r.AX + xy * r.AY + xz * r.AZ;
+    sum.First[1] = r.Density * g0[p + i] + xy * r.AX + yy * r.AY + yz * r.AZ;
+    sum.First[2] = r.Density * g0[2 * p + i] + xz * r.AX + yz * r.AY + zz * r.AZ;
   }
+  this->PairSums[n] = SphPairSum();
   this->Kernels.AdjointState(this->Constants, this->Records.data(), this->Adjoints.data(),
-                             this->Pairs, n, &this->PairSums.data()->AX, { xbar, p },
-                             { xbar + 3 * p, p });
-  for (int c = 0; c < 6; ++c)
+                             this->Pairs, n, this->PairSums.data());
+  const auto add = [&](std::size_t place, std::size_t body)
   {
-    float* g = gradient + c * s;
-    const float* bar = xbar + c * p;
-    for (std::size_t k = 0; k < ng; ++k)
+    const SphPairSum& sum = this->PairSums[place];
+    for (int c = 0; c < 3; ++c)
     {
-      g[this->Order[k]] += bar[k];
+      gradient[c * s + body] += sum.First[c];
+      gradient[(3 + c) * s + body] += sum.Second[c];
     }
-    for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
-    {
-      float sum = 0.0f;
-      for (std::size_t k = ng + o * per; k < ng + (o + 1) * per; ++k)
-      {
-        sum += bar[k];
-      }
-      g[ng + o] += sum;
-    }
+  };
+  for (std::size_t k = 0; k < ng; ++k)
+  {
+    add(k, this->Order[k]);
+  }
+  for (std::size_t k = ng; k < n; ++k)
+  {
+    add(k, ng + (k - ng) / per);
   }
   const std::size_t bodies = this->Model.NumberOfBodies();
   const float* j = this->Jacobian.data();
@@ -142,18 +126,19 @@ double FrameTerms::Crowding(float factor, float* gradient) const
   double sum = 0.0;
   for (std::size_t i = 0; i < this->Model.NumberOfGas; ++i)
   {
+    if (!(pairs.Nearest[i] > least)) // nearly always
+    {
+      continue;
+    }
     for (std::size_t k = 8 * pairs.Starts[i]; k < 8 * pairs.Starts[i + 1]; ++k)
     {
-      if (k % 8 == 0 && !AnyAbove(pairs.S + k, least)) // nearly always
-      {
-        k += 7;
-        continue;
-      }
-      if (!(pairs.S[k] > least))
+      const SphPairGroup& group = pairs.Groups[k / 8];
+      const std::size_t l = k % 8;
+      if (!(group.S[l] > least))
       {
         continue;
       }
-      const float d[3] = { pairs.X[k], pairs.Y[k], pairs.Z[k] };
+      const float d[3] = { group.X[l], group.Y[l], group.Z[l] };
       const float r = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
       const float depth = std::max(0.0f, reach - r);
       sum += 0.5 * depth * depth;
@@ -161,7 +146,7 @@ double FrameTerms::Crowding(float factor, float* gradient) const
       {
         const float pull = factor * depth * d[c] / r;
         gradient[c * s + this->Order[i]] -= pull;
-        gradient[c * s + this->Order[pairs.Other[k]]] += pull;
+        gradient[c * s + this->Order[group.Other[l] / 8]] += pull;
       }
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/FrameTerms.h"
 
+#include "Base/LargePages.h"
 #include "Particles/SphSurfaces.h"
 
 #include <algorithm>
@@ -11,9 +12,8 @@ namespace waft
 namespace
 {
 
-constexpr float SpringStiffness = 0.3f;  // [1 / (dx frame^2)]: keeps gas off the walls
-constexpr float FarAway = -1e4f;         // where the particle without mass lies [dx]
-constexpr double LeastTimeFactor = 1e-3; // a vortex weaker than this share of itself is left out
+constexpr float SpringStiffness = 0.3f; // [1 / (dx frame^2)]: keeps gas off the walls
+constexpr float FarAway = -1e4f;        // where the particle without mass lies [dx]
 
 } // namespace
 
@@ -37,15 +37,15 @@ FrameTerms::FrameTerms(const SpacetimeModel& model, const SphFluid& fluid,
   this->Bar.resize(p + 1); // the far one's entry included
   this->Density.resize(p + 1);
   this->PairStarts.resize(n + 1);
+  this->Nearest.resize(n);
   this->PairSums.resize(n + 1);
   this->PsiGradient.assign(3 * p, 0.0f);
   this->PsiHessian.assign(6 * p, 0.0f);
-  this->ParticleRates.assign(6 * p, 0.0f);
-  this->ParticleBars.assign(6 * p, 0.0f);
   this->SpringForce.assign(3 * p, 0.0f);
   this->SpringSlope.assign(6 * p, 0.0f);
   this->Force.assign(3 * b, 0.0f);
   this->Jacobian.assign(9 * b, 0.0f);
+  this->VortexForce.assign(3 * b, 0.0f);
   this->Rates.assign(6 * b, 0.0f);
   this->Bars.assign(6 * b, 0.0f);
   this->Cushions.resize(model.NumberOfObjects);
@@ -161,6 +161,29 @@ void FrameTerms::AddObstacle(std::size_t i, int frame)
   }
 }
 
+void FrameTerms::AddSprings(std::size_t begin, std::size_t end, const SphBox& box)
+{
+  const std::size_t p = this->ParticleStride;
+  constexpr int OffDiagonal[3] = { 1, 2, 4 };
+  constexpr int Diagonal[3] = { 0, 3, 5 };
+  constexpr auto reach = static_cast<float>(SpringReach);
+  for (int a = 0; a < 3; ++a)
+  {
+    const float* x = this->X.data() + a * p;
+    float* force = this->SpringForce.data() + a * p;
+    float* slope = this->SpringSlope.data() + Diagonal[a] * p;
+    float* none = this->SpringSlope.data() + OffDiagonal[a] * p;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const float low = std::max(0.0f, reach - x[i]);
+      const float high = std::max(0.0f, reach - (box.Max[a] - x[i]));
+      force[i] = SpringStiffness * (low * low - high * high);
+      slope[i] = -2.0f * SpringStiffness * (low + high);
+      none[i] = 0.0f;
+    }
+  }
+}
+
 void FrameTerms::AddWalls(int frame)
 {
   SphBox box;
@@ -170,105 +193,25 @@ void FrameTerms::AddWalls(int frame)
     box.Max[a] = static_cast<float>(this->Model.Size[a]);
   }
   const std::size_t p = this->ParticleStride;
-  this->Kernels.Walls(this->Constants, box, p, this->X.data(), this->X.data() + p,
-                      this->X.data() + 2 * p, this->Psi.data(),
-                      this->ParticleRows(this->PsiGradient), this->ParticleRows(this->PsiHessian));
-  std::fill(this->SpringSlope.begin(), this->SpringSlope.end(), 0.0f);
-  constexpr int Diagonal[3] = { 0, 3, 5 };
-  constexpr auto reach = static_cast<float>(SpringReach);
-  for (int a = 0; a < 3; ++a)
+  const std::size_t n = this->Model.NumberOfParticles();
+  for (std::size_t begin = 0; begin < p; begin += Block)
   {
-    const float* x = this->X.data() + a * p;
-    float* force = this->SpringForce.data() + a * p;
-    float* slope = this->SpringSlope.data() + Diagonal[a] * p;
-    for (std::size_t i = 0; i < this->Model.NumberOfGas; ++i)
-    {
-      const float low = std::max(0.0f, reach - x[i]);
-      const float high = std::max(0.0f, reach - (box.Max[a] - x[i]));
-      force[i] = SpringStiffness * (low * low - high * high);
-      slope[i] = -2.0f * SpringStiffness * (low + high);
-    }
-  }
-  if (!this->Model.Obstacles.IsEmpty())
-  {
-    const std::size_t n = this->Model.NumberOfParticles();
-    for (std::size_t i = 0; i < n; ++i)
+    const std::size_t end = std::min(p, begin + Block);
+    const float* x = this->X.data() + begin;
+    float* psi = this->Psi.data() + begin;
+    const SphRows gradient = this->ParticleRows(this->PsiGradient, begin);
+    const SphRows hessian = this->ParticleRows(this->PsiHessian, begin);
+    this->Kernels.Walls(this->Constants, box, end - begin, x, x + p, x + 2 * p, psi, gradient,
+                        hessian);
+    this->AddSprings(begin, std::min(end, this->Model.NumberOfGas), box);
+    for (std::size_t i = begin; i < std::min(end, n) && !this->Model.Obstacles.IsEmpty(); ++i)
     {
       this->AddObstacle(i, frame);
     }
-  }
-  if (!this->Model.Rest.IsEmpty())
-  {
-    this->Kernels.Rest(this->Model.Rest.View(), p, this->X.data(), this->X.data() + p,
-                       this->X.data() + 2 * p, this->Psi.data(),
-                       this->ParticleRows(this->PsiGradient), this->ParticleRows(this->PsiHessian));
-  }
-}
-
-void FrameTerms::AddFields(const float* state, int frame)
-{
-  const std::size_t s = this->BodyStride;
-  std::fill(this->Force.begin(), this->Force.end(), 0.0f);
-  std::fill(this->Jacobian.begin(), this->Jacobian.end(), 0.0f);
-  this->Active.clear();
-  for (const Vortex& vortex : this->Model.Vortices)
-  {
-    const double factor = vortex.TimeFactor(frame);
-    if (factor < LeastTimeFactor)
+    if (!this->Model.Rest.IsEmpty())
     {
-      continue;
-    }
-    SphVortex v;
-    for (int a = 0; a < 3; ++a)
-    {
-      v.P1[a] = static_cast<float>(vortex.P1[a]);
-      v.P2[a] = static_cast<float>(vortex.P2[a]);
-    }
-    v.Strength = static_cast<float>(vortex.Strength * factor / (4.0 * M_PI));
-    v.Core = static_cast<float>(vortex.CoreRadius * vortex.CoreRadius *
-                                (vortex.P2 - vortex.P1).squaredNorm());
-    this->Active.push_back(v);
-  }
-  const SphRows force{ this->Force.data(), s };
-  const SphRows jacobian{ this->Jacobian.data(), s };
-  this->Kernels.Vortices(this->Active.data(), this->Active.size(), s, state, state + s,
-                         state + 2 * s, force, jacobian);
-  this->VortexForce = this->Force;
-  const std::size_t n = this->Model.NumberOfBodies();
-  if (!this->Model.Wind.IsEmpty())
-  {
-    this->Model.Wind.At(frame, this->WindCoefficients);
-    this->Kernels.Spline(this->Model.Wind.Field(this->WindCoefficients), 1.0f, n, state, state + s,
-                         state + 2 * s, force, jacobian);
-  }
-  this->BackgroundDrag = 0.0f;
-  const SplineWind& background = this->Model.Background;
-  if (!background.IsEmpty())
-  {
-    background.At(frame, this->BackgroundCoefficients);
-    this->BackgroundDrag = static_cast<float>(background.Drag);
-    const float factor = background.Drag > 0.0 ? this->BackgroundDrag : 1.0f;
-    this->Kernels.Spline(background.Field(this->BackgroundCoefficients), factor, n, state,
-                         state + s, state + 2 * s, force, jacobian);
-    for (std::size_t k = 0; k<3 * s&& this->BackgroundDrag> 0.0f; ++k)
-    {
-      this->Force[k] -= this->BackgroundDrag * state[3 * s + k];
-    }
-  }
-}
-
-void FrameTerms::AddCushions(const float* state, int frame, double step)
-{
-  const std::size_t s = this->BodyStride;
-  for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
-  {
-    const std::size_t i = this->Model.NumberOfGas + o;
-    const auto row = [&](int c) { return static_cast<double>(state[c * s + i]); };
-    this->Cushions[o] = LandingCushion(this->Model, frame, step, o, Vec3(row(0), row(1), row(2)),
-                                       Vec3(row(3), row(4), row(5)));
-    for (int c = 0; c < 3; ++c)
-    {
-      this->Acceleration(c)[i] += static_cast<float>(this->Cushions[o].Acceleration[c]);
+      this->Kernels.Rest(this->Model.Rest.View(), end - begin, x, x + p, x + 2 * p, psi, gradient,
+                         hessian);
     }
   }
 }
@@ -276,16 +219,12 @@ void FrameTerms::AddCushions(const float* state, int frame, double step)
 // For the pairs of a list with so many entries.
 void FrameTerms::MakeRoom(std::size_t entries)
 {
-  const std::size_t room = entries + 16;
-  if (this->PairOther.size() < room)
+  const std::size_t groups = entries / 8;
+  if (this->PairGroups.size() < groups)
   {
-    this->PairOther.resize(room + room / 8);
-    this->PairGeometry.resize(4 * this->PairOther.size());
+    AssignInLargePages(this->PairGroups, groups + groups / 8);
   }
-  const std::size_t row = this->PairOther.size();
-  float* geometry = this->PairGeometry.data();
-  this->Pairs = { this->PairStarts.data(), geometry,           geometry + row,
-                  geometry + 2 * row,      geometry + 3 * row, this->PairOther.data() };
+  this->Pairs = { this->PairStarts.data(), this->PairGroups.data(), this->Nearest.data() };
 }
 
 void FrameTerms::Forward(const float* state, int frame, double step, NeighborList& list)
@@ -305,54 +244,67 @@ void FrameTerms::Forward(const float* state, int frame, double step, NeighborLis
   this->Kernels.Density(this->Constants, this->Records.data(), neighbors, n, this->Pairs,
                         this->Density.data());
   const float self = static_cast<float>(this->Fluid.GasMass * this->Fluid.Kernel(0.0));
-  for (std::size_t i = 0; i < n; ++i)
+  const float* gradient = this->PsiGradient.data();
+  const float* spring = this->SpringForce.data();
+  for (std::size_t k = 0; k < n; ++k)
   {
-    this->Density[i] += this->Psi[i] + (i < ng ? self : 0.0f);
-    this->Records[i].Pressure = static_cast<float>(this->Fluid.Pressure(this->Density[i]));
-    this->PressureSlope[i] = static_cast<float>(this->Fluid.PressureSlope(this->Density[i]));
+    this->Density[k] += this->Psi[k] + (k < ng ? self : 0.0f);
+    const auto pressure = static_cast<float>(this->Fluid.Pressure(this->Density[k]));
+    this->Records[k].Pressure = pressure;
+    this->PressureSlope[k] = static_cast<float>(this->Fluid.PressureSlope(this->Density[k]));
+    SphPairSum& sum = this->PairSums[k];
+    sum = SphPairSum();
+    for (int c = 0; c < 3; ++c)
+    {
+      sum.First[c] = spring[c * p + k] - 2.0f * pressure * gradient[c * p + k];
+    }
   }
+  this->PairSums[n] = SphPairSum();
   this->Kernels.Accelerate(this->Constants, this->Records.data(), this->Pairs, n,
-                           &this->PairSums.data()->AX, { this->ParticleRates.data(), p },
-                           { this->ParticleRates.data() + 3 * p, p });
+                           this->PairSums.data());
   this->AddFields(state, frame);
+  this->GatherRates();
+  this->AddCushions(state, frame, step);
+}
 
+// From places to bodies.
+void FrameTerms::GatherRates()
+{
+  const std::size_t ng = this->Model.NumberOfGas;
+  const std::size_t s = this->BodyStride;
+  float* rates = this->Rates.data();
+  const float* external = this->Force.data();
+  for (std::size_t k = 0; k < ng; ++k)
+  {
+    const std::size_t i = this->Order[k];
+    const SphPairSum& sum = this->PairSums[k];
+    for (int c = 0; c < 3; ++c)
+    {
+      rates[c * s + i] = sum.First[c] + external[c * s + i];
+      rates[(3 + c) * s + i] = sum.Second[c];
+    }
+  }
   const std::size_t per = this->Model.Offsets.size();
   const float share = 1.0f / static_cast<float>(per);
-  for (int c = 0; c < 3; ++c)
+  for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
   {
-    float* a = this->ParticleRates.data() + c * p;
-    const float* d = this->ParticleRates.data() + (3 + c) * p;
-    const float* gradient = this->PsiGradient.data() + c * p;
-    const float* spring = this->SpringForce.data() + c * p;
-    const float* external = this->External(c);
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      a[i] -= 2.0f * this->Records[i].Pressure * gradient[i];
-    }
-    float* bodyA = this->Acceleration(c);
-    float* bodyD = this->Average(c);
-    for (std::size_t k = 0; k < ng; ++k)
-    {
-      const std::size_t i = this->Order[k];
-      bodyA[i] = a[k] + spring[k] + external[i];
-      bodyD[i] = d[k];
-    }
-    for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
+    const SphPairSum* sums = this->PairSums.data() + ng + o * per;
+    for (int c = 0; c < 3; ++c)
     {
       float sumA = 0.0f, sumD = 0.0f;
-      for (std::size_t k = ng + o * per; k < ng + (o + 1) * per; ++k)
+      for (std::size_t k = 0; k < per; ++k)
       {
-        sumA += a[k];
-        sumD += d[k];
+        sumA += sums[k].First[c];
+        sumD += sums[k].Second[c];
       }
-      bodyD[ng + o] = share * sumD;
+      const std::size_t i = c * s + ng + o;
+      const float average = share * sumD;
       // Drag towards the air about the object: D is the mean velocity of the air relative to it.
       const float fall = c == 2 ? this->Model.Gravities[o] : 0.0f;
-      bodyA[ng + o] =
-        share * sumA + external[ng + o] - fall + this->Model.DragRates[o] * bodyD[ng + o];
+      rates[i] = share * sumA + external[i] - fall + this->Model.DragRates[o] * average;
+      rates[3 * s + i] = average;
     }
   }
-  this->AddCushions(state, frame, step);
 }
 
 } // namespace waft

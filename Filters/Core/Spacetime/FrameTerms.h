@@ -38,7 +38,10 @@ public:
   /// Acceleration by vortices and winds.
   const float* External(int c) const { return this->Force.data() + c * this->BodyStride; }
   /// Acceleration by vortices alone.
-  const float* ByVortices(int c) const { return this->VortexForce.data() + c * this->BodyStride; }
+  const float* ByVortices(int c) const
+  {
+    return (this->HasWinds ? this->VortexForce : this->Force).data() + c * this->BodyStride;
+  }
   /// Of a particle, by its number: density, P (in rho0 dx^2 / frame^2), and the share of the
   /// density that is not gas.
   struct AirAt
@@ -48,14 +51,28 @@ public:
   std::vector<AirAt> Air() const;
 
 private:
+  /// Rows go through several terms in one sweep, so many entries at a time.
+  static constexpr std::size_t Block = 256;
+
   void FillPositions(const float* state);
   void PlaceParticles(const float* state);
   void MakeRoom(std::size_t entries);
+  void GatherRates();
   void AddWalls(int frame);
+  void AddSprings(std::size_t begin, std::size_t end, const SphBox& box);
   void AddObstacle(std::size_t i, int frame);
   void AddFields(const float* state, int frame);
+  void ActivateVortices(int frame);
+  void AddWinds(const float* state, std::size_t begin, std::size_t end);
   void AddCushions(const float* state, int frame, double step);
-  SphRows ParticleRows(std::vector<float>& v) const { return { v.data(), this->ParticleStride }; }
+  SphRows ParticleRows(std::vector<float>& v, std::size_t begin) const
+  {
+    return { v.data() + begin, this->ParticleStride };
+  }
+  SphRows BodyRows(std::vector<float>& v, std::size_t begin) const
+  {
+    return { v.data() + begin, this->BodyStride };
+  }
 
   const SpacetimeModel& Model;
   SphFluid Fluid;
@@ -69,20 +86,20 @@ private:
   std::vector<SphAdjointRecord> Adjoints;
   std::vector<float> Density, PressureSlope, Psi, Bar; // particles
   std::vector<float> PsiGradient, PsiHessian;          // 3 and 6 rows
-  std::vector<float> ParticleRates;                    // a and D: 6 rows
-  std::vector<float> ParticleBars;                     // x and v: 6 rows
   std::vector<float> SpringForce, SpringSlope;         // gas: 3 rows and 6 of the Jacobian
   std::vector<float> Force, Jacobian, VortexForce;     // bodies: 3, 9 and 3 rows
   std::vector<float> Rates, Bars;                      // bodies: 6 rows
   std::vector<float> WindCoefficients, BackgroundCoefficients;
   float BackgroundDrag = 0.0f;
+  bool HasWinds = false;
   std::vector<CushionForce> Cushions; // one an object
   std::vector<SphVortex> Active;
   NeighborScratch Scratch;
   /// The pairs of the frame that Forward was last called for, and sums over them.
-  std::vector<std::uint32_t> PairStarts, PairOther;
-  std::vector<float> PairGeometry; // x, y, z, s: four rows
-  std::vector<SphAdjointRecord> PairSums;
+  std::vector<std::uint32_t> PairStarts;
+  std::vector<SphPairGroup> PairGroups;
+  std::vector<float> Nearest;
+  std::vector<SphPairSum> PairSums;
   SphPairs Pairs{};
 };
 
