@@ -11,63 +11,13 @@ import sys
 import tempfile
 import unittest
 
-# Three plans as files, as a run of ParaView would read them: all there is of them comes to process 0.
-PLANS = """
-import math, sys
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+# All there is of the plans comes to process 0.
+PLANS = f"""
+import sys
+sys.path.insert(0, {str(pathlib.Path(__file__).resolve().parent)!r})
+from small_plans import make
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
-
-FRAMES = 40
-
-def with_scene(data):
-    for name, values in (("NumberOfFrames", [FRAMES]), ("FramesPerSecond", [30]), ("Bounds", [-2, 2, -2, 2, 0, 4])):
-        array = vtkDoubleArray()
-        array.SetName(name)
-        for value in values:
-            array.InsertNextValue(value)
-        data.GetFieldData().AddArray(array)
-    return data
-
-def path(o, frame):
-    t = frame / 30.0
-    return (-0.8 + 0.7 * o + 0.3 * t, 0.2 * math.sin(2.0 * t + o), 2.6 - 0.4 * t + 0.1 * math.sin(3.0 * t + 2 * o))
-
-def ids(attributes, name, values):
-    array = vtkIntArray()
-    array.SetName(name)
-    for value in values:
-        array.InsertNextValue(value)
-    attributes.AddArray(array)
-
-def cells(data, points, lines, verts):
-    data.SetPoints(vtkPoints())
-    data.GetPoints().SetDataTypeToDouble()
-    for point in points:
-        data.GetPoints().InsertNextPoint(point)
-    array = vtkCellArray()
-    for cell in lines or verts:
-        array.InsertNextCell(len(cell), cell)
-    (data.SetLines if lines else data.SetVerts)(array)
-    return with_scene(data)
-
-def make():
-    tracks = cells(vtkPolyData(), [path(o, k) for o in range(3) for k in range(FRAMES)],
-                   [list(range(o * FRAMES, (o + 1) * FRAMES)) for o in range(3)], None)
-    ids(tracks.GetCellData(), "ObjectId", range(3))
-    objects = cells(vtkPolyData(), [path(o, 0) for o in range(3)], None, [[o] for o in range(3)])
-    ids(objects.GetPointData(), "ObjectId", range(3))
-    rows = cells(vtkPolyData(), [path(o, FRAMES - 1) for o in range(3)], None, [[o] for o in range(3)])
-    ids(rows.GetPointData(), "ObjectId", range(3))
-    ids(rows.GetPointData(), "Frame", [FRAMES - 1] * 3)
-    ids(rows.GetPointData(), "Kind", [0] * 3)
-    value = vtkDoubleArray()
-    value.SetName("Value")
-    value.SetNumberOfComponents(4)
-    for o in range(3):
-        value.InsertNextTuple((*path(o, FRAMES - 1), 0.0))
-    rows.GetPointData().AddArray(value)
-    return [tracks, objects, rows]
 """
 
 FILES = PLANS + """
