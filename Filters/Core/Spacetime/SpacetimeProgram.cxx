@@ -16,7 +16,8 @@ constexpr int LeashSteps = 5;             // radii 0.01 L 2^k, k = 0..4
 constexpr double FirstLeash = 0.01;       // of L
 constexpr int CoarseStrides[] = { 2, 4 }; // frames; on eight, pressure is not the gas' any more
 constexpr double WorthCoarsening = 0.8;   // a level has fewer frames than this share of the next
-/// Of the levels: a short time line comes to the coarser one's answer as soon without it.
+/// Of a level's own: ten of every fourth frame are a time line of 37 or more. A shorter one comes to
+/// the coarser level's answer as soon without it.
 constexpr std::size_t FewestFrames[] = { 4, 10 };
 
 SpacetimeStep Minimise(int coarseness, int pass, std::string name, int iterations,
