@@ -7,7 +7,8 @@
 namespace waft
 {
 
-/// Plans, optimises with the standard options, prints; returns a process' exit status.
-int RunLetters(int leaves, const ParallelFor& parallel);
+/// Plans, optimises with the standard options and a MemoryLimit (MB; 0: none), prints; then, where
+/// it edits, moves one target and goes on. Returns a process' exit status.
+int RunLetters(int leaves, bool edits, double memoryLimit, const ParallelFor& parallel);
 
 } // namespace waft
