@@ -158,18 +158,18 @@ private:
       scene.Planes.push_back({ hit.Point, hit.Normal });
       scene.Plain = this->IsPlain(k);
       Quat turn = this->FlatTurn(k, hit.Normal);
-      const bool landing = (*this->Input.Frames)[k].Freedom == PoseFreedom::Landing;
-      if (landing && linked && turn.dot(after) < 0.0)
+      const bool oneSided = (*this->Input.Frames)[k].Freedom != PoseFreedom::Free;
+      if (oneSided && linked && turn.dot(after) < 0.0)
       {
         turn.coeffs() = -turn.coeffs(); // the same way round as a frame later
       }
-      else if (!(landing && linked) && turn.w() < 0.0)
+      else if (!(oneSided && linked) && turn.w() < 0.0)
       {
         turn.coeffs() = -turn.coeffs();
       }
       scene.Turn = SignedLogMap(turn);
       after = turn;
-      linked = landing;
+      linked = oneSided;
     }
     return true;
   }
@@ -191,14 +191,17 @@ private:
   Quat FlatTurn(std::size_t k, const Vec3& normal) const
   {
     const ContactFrame& frame = (*this->Input.Frames)[k];
-    const Quat& q = this->Orientations[k];
+    const Mat3 turn = this->Orientations[k].toRotationMatrix();
+    Vec3 up = normal;
     if (frame.Freedom == PoseFreedom::Landing)
     {
-      return frame.Target * q.conjugate();
+      up = frame.Target * Vec3::UnitZ();
     }
-    const Mat3 turn = q.toRotationMatrix();
-    const bool over = frame.Freedom == PoseFreedom::Free && turn.col(2).dot(normal) < 0.0;
-    return LeastTurn(turn.col(2), over ? Vec3(-normal) : normal, turn.col(0));
+    else if (frame.Freedom == PoseFreedom::Free && turn.col(2).dot(normal) < 0.0)
+    {
+      up = -normal;
+    }
+    return LeastTurn(turn.col(2), up, turn.col(0));
   }
 
   Quat Blended(std::size_t k, double blend) const

@@ -16,7 +16,7 @@ enum class PoseFreedom : unsigned char
 {
   Free,    // towards lying flat along the nearest surface, on the nearer side
   Leaving, // the same, but with the body's z axis outwards
-  Landing, // towards Target
+  Landing, // the same, but with the body's z axis along that of Target
   Fixed    // not at all
 };
 

@@ -260,6 +260,11 @@ private:
     const Quat& lying = laid.Orientation;
     const double span = std::min<double>(
       rest.Frame - from, std::max(this->Plan.LandingTime * this->Plan.Time.FramesPerSecond, 1.0));
+    // Who touches the surface before the blend begins turns the right side up there too.
+    for (int i = rest.Frame - 1; i > from && i > rest.Frame - 2.0 * span; --i)
+    {
+      this->Frames[i] = { PoseFreedom::Landing, lying };
+    }
     Quat after = Quat::Identity();
     for (int i = rest.Frame - 1; i > from && i > rest.Frame - span; --i)
     {
@@ -272,7 +277,6 @@ private:
       after = left;
       const double share = Ease(1.0 - (rest.Frame - i) / span);
       poses[i] = (ExpMap(share * SignedLogMap(left)) * poses[i]).normalized();
-      this->Frames[i] = { PoseFreedom::Landing, lying };
       this->Changed[i] = 1;
     }
     this->State.Flight.Orientation = lying;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Random.h"
 #include "RotationFixtures.h"
 
 #include <gtest/gtest.h>
@@ -179,5 +180,53 @@ TEST(Landing, ABodyThatPassesOverTheGroundDoesNotCutIt)
   for (int k = 0; k < 90; ++k)
   {
     EXPECT_GE(LowestVertex(landed, k, 0.0), -1e-9) << k;
+  }
+}
+
+TEST(Landing, WhoTouchesDownEarlyDoesNotFlip)
+{
+  // Fast down to the ground and then on it for a second or more before the rest: the turn to the
+  // lying pose and the one away from the ground pull together.
+  const ObstacleSet ground = Ground();
+  const Shape leaf = CurledLeaf(0.17);
+  const Vec3 place(0.3, -0.2, RestHeight(leaf));
+  Random random(3);
+  for (int i = 0; i < 40; ++i)
+  {
+    const double early = random.Uniform(0.9, 1.3);
+    std::vector<Vec3> path;
+    for (int k = 0; k <= 130; ++k)
+    {
+      const double left = std::max(0.0, (90 - k) / 30.0 - early);
+      path.push_back(place +
+                     Vec3(0.3 * std::sin(2.0 * left), 0.1 * left, left * left / (0.15 + left)));
+    }
+    RotationInput input = OneObject(leaf, path);
+    const Vec3 axis = random.Direction();
+    input.Objects[0].Orientation = ExpMap(random.Uniform(0.0, 3.1) * axis);
+    input.Objects[0].AngularVelocity = Vec3(3.0, 1.0, 2.0);
+    input.Obstacles = &ground;
+    Constraint rest;
+    rest.ObjectId = 0;
+    rest.Kind = ConstraintKind::Rest;
+    rest.Frame = 90;
+    rest.Until = 130;
+    rest.Value = Vec3(0.3, -0.2, 1.0);
+    input.Constraints = { rest };
+    RotationOptions options;
+    options.Seed = static_cast<std::uint64_t>(i) + 1;
+    options.RasterSize = 32;
+    SilentMonitor silent;
+    RotationOutput output;
+    ASSERT_TRUE(RunRotationRefine(input, options, SerialFor(), silent, output));
+    EXPECT_TRUE(output.Warnings.empty()) << output.Warnings[0];
+    const std::vector<Quat>& q = output.Poses[0].Orientations;
+    Vec3 before = 30.0 * LogMap(q[1] * q[0].conjugate());
+    for (std::size_t k = 2; k < q.size(); ++k)
+    {
+      const Vec3 rate = 30.0 * LogMap(q[k] * q[k - 1].conjugate());
+      EXPECT_LT((rate - before).norm(), 45.0) << "start " << i << ", frame " << k; // a flip: 94
+      before = rate;
+    }
   }
 }
