@@ -164,8 +164,8 @@ public:
   vtkGetMacro(LeashIterations, int);
   ///@}
   ///@{
-  /** Iterations: half of them on every fourth frame, a third in each stage on every second frame and on all.
-   * 1 to 100000. */
+  /** Iterations: half of them on every fourth frame, a third in each stage on every second frame
+   * and on all. 1 to 100000. */
   vtkSetClampMacro(MaximumNumberOfIterations, int, 1, 100000);
   vtkGetMacro(MaximumNumberOfIterations, int);
   ///@}
@@ -261,9 +261,9 @@ private:
 
   int NumberOfGasParticles = 2500;
   int NumberOfObjectParticles = 125;
-  double PositionWeight = 10.0;
+  double PositionWeight = 5.0;
   double VelocityWeight = 10.0;
-  double CoherenceWeight = 0.25;
+  double CoherenceWeight = 0.35;
   double SpatialShare = 0.5;
   int TemporalWindow = 1;
   double SmoothingLength = 1.2;

@@ -68,6 +68,11 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
            ++frame)
       {
         const double before = (window.Frame - frame) / rate;
+        if (before < LandingTime)
+        {
+          // Braking is not the air's way; a cost of it would have it done in no time.
+          model.Flags[static_cast<std::size_t>(frame) * model.NumberOfObjects + o] |= NoCoherence;
+        }
         model.Reach[static_cast<std::size_t>(frame) * model.NumberOfObjects + o] =
           static_cast<float>(0.5 * LandingReach * before * before / setup.Spacing);
       }

@@ -35,7 +35,17 @@ void FrameTerms::Adjoint(float* gradient)
   {
     for (std::size_t k = 0; k < per; ++k)
     {
-      fill(ng + o * per + k, ng + o, share, this->Model.DragRates[o]);
+      const std::size_t place = ng + o * per + k;
+      fill(place, ng + o, share, this->Model.DragRates[o]);
+      SphAdjointRecord& record = this->Adjoints[place];
+      float* average = &record.AX + 4;
+      float byRaise = 0.0f;
+      for (int c = 0; c < 3; ++c)
+      {
+        byRaise += average[c] * this->PairSums[place].Second[c];
+        average[c] *= this->Raise[place - ng];
+      }
+      this->RaiseSlope[place - ng] *= byRaise; // of E by Psi from here on
     }
   }
   this->Kernels.AdjointPressure(this->Constants, this->Records.data(), this->Adjoints.data(),
@@ -57,9 +67,10 @@ void FrameTerms::Adjoint(float* gradient)
     const float zz = q * h[5 * p + i] + k6[5 * p + i];
     SphPairSum& sum = this->PairSums[i];
     sum = SphPairSum();
-    sum.First[0] = r.Density * g0[i] + xx * r.AX + xy * r.AY + xz * r.AZ;
-    sum.First[1] = r.Density * g0[p + i] + xy * r.AX + yy * r.AY + yz * r.AZ;
-    sum.First[2] = r.Density * g0[2 * p + i] + xz * r.AX + yz * r.AY + zz * r.AZ;
+    const float byPsi = r.Density + (i < ng ? 0.0f : this->RaiseSlope[i - ng]);
+    sum.First[0] = byPsi * g0[i] + xx * r.AX + xy * r.AY + xz * r.AZ;
+    sum.First[1] = byPsi * g0[p + i] + xy * r.AX + yy * r.AY + yz * r.AZ;
+    sum.First[2] = byPsi * g0[2 * p + i] + xz * r.AX + yz * r.AY + zz * r.AZ;
   }
   this->PairSums[n] = SphPairSum();
   this->Kernels.AdjointState(this->Constants, this->Records.data(), this->Adjoints.data(),

@@ -3,6 +3,7 @@
 
 #include "Base/LargePages.h"
 #include "Particles/SphSurfaces.h"
+#include "Spacetime/AirShare.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,8 @@ FrameTerms::FrameTerms(const SpacetimeModel& model, const SphFluid& fluid,
   this->PairStarts.resize(n + 1);
   this->Nearest.resize(n);
   this->PairSums.resize(n + 1);
+  this->Raise.resize(n - model.NumberOfGas);
+  this->RaiseSlope.resize(n - model.NumberOfGas);
   this->PsiGradient.assign(3 * p, 0.0f);
   this->PsiHessian.assign(6 * p, 0.0f);
   this->SpringForce.assign(3 * p, 0.0f);
@@ -259,6 +262,12 @@ void FrameTerms::Forward(const float* state, int frame, double step, NeighborLis
       sum.First[c] = spring[c * p + k] - 2.0f * pressure * gradient[c * p + k];
     }
   }
+  for (std::size_t k = ng; k < n; ++k)
+  {
+    const AirShare air(this->Psi[k]);
+    this->Raise[k - ng] = static_cast<float>(air.Raise);
+    this->RaiseSlope[k - ng] = static_cast<float>(air.Slope);
+  }
   this->PairSums[n] = SphPairSum();
   this->Kernels.Accelerate(this->Constants, this->Records.data(), this->Pairs, n,
                            this->PairSums.data());
@@ -295,7 +304,7 @@ void FrameTerms::GatherRates()
       for (std::size_t k = 0; k < per; ++k)
       {
         sumA += sums[k].First[c];
-        sumD += sums[k].Second[c];
+        sumD += this->Raise[o * per + k] * sums[k].Second[c];
       }
       const std::size_t i = c * s + ng + o;
       const float average = share * sumD;

@@ -86,6 +86,7 @@ private:
   std::vector<SphAdjointRecord> Adjoints;
   std::vector<float> Density, PressureSlope, Psi, Bar; // particles
   std::vector<float> PsiGradient, PsiHessian;          // 3 and 6 rows
+  std::vector<float> Raise, RaiseSlope;                // of D of the objects' particles; AirShare
   std::vector<float> SpringForce, SpringSlope;         // gas: 3 rows and 6 of the Jacobian
   std::vector<float> Force, Jacobian, VortexForce;     // bodies: 3, 9 and 3 rows
   std::vector<float> Rates, Bars;                      // bodies: 6 rows

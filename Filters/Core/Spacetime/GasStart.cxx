@@ -12,9 +12,10 @@ namespace waft
 namespace
 {
 
-constexpr double StillWeight = 0.01; // of a gas particle that knows of no object, against an object
-constexpr double WallWeight = 0.2;   // of one at a wall: the flow must not cross it
-constexpr double WallReach = 0.6;    // [dx]
+constexpr double StillWeight =
+  0.001;                           // of a gas particle that knows of no object, against an object
+constexpr double WallWeight = 0.2; // of one at a wall: the flow must not cross it
+constexpr double WallReach = 0.6;  // [dx]
 constexpr double Pull = 0.02; // towards the flow [1 / frame]: the vortices lead, the flow keeps up
 constexpr double Inside = 0.05; // gas is kept this far from the walls [dx]
 
@@ -73,7 +74,8 @@ bool StartGas(SpacetimeObjective& objective, const ParallelFor& parallel, Monito
   const StateVector still = state;
   for (std::size_t i = 0; i < gas; ++i)
   {
-    const Vec3 v = SampleField(flow, Row(state.data(), stride, i), 0.0);
+    // The flow's second knot: of what is before the first frame no object tells the first one.
+    const Vec3 v = SampleField(flow, Row(state.data(), stride, i), WindOptions().FramesPerKnot);
     for (int c = 0; c < 3; ++c)
     {
       state[(3 + c) * stride + i] = static_cast<float>(v[c]);

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/GroundCushion.h"
 
+#include <cmath>
+
 namespace waft
 {
 namespace
 {
 
-// Of the height from which it brakes.
-constexpr double Strength = 0.25;
-constexpr double CoreShare = 0.25; // where it is stiffest
+// Shaped so that what settles in still air comes down as plans do: its speed falls as the root of
+// the height, evenly in time, from about the height from which plans brake.
+constexpr double Strength = 0.6;
+constexpr double CoreShare = 0.02; // of the height from which it brakes, where it is stiffest
 
 struct Surface
 {
@@ -43,13 +46,15 @@ CushionForce LandingCushion(const SpacetimeModel& model, int frame, double step,
     surface = ObstacleSurface(model, frame, position);
   }
   const double height = surface.Distance - model.RestHeights[object];
-  const double core = CoreShare * brake;
-  const double free =
-    Strength * model.SettlingSlip(object) * brake / (height * height + core * core);
+  const double share = height / brake;
+  const double near = share * share + CoreShare * CoreShare;
+  const double far = 1.0 + share * share * share * share;
+  const double free = Strength * model.SettlingSlip(object) / brake / (std::pow(near, 0.25) * far);
+  const double fall = -(0.5 * share / near + 4.0 * share * share * share / far) / brake;
   // As a step implicit in this drag would have it. An explicit one takes more than all of the speed
   // and throws the object back.
   const double rate = free / (1.0 + step * free);
-  const double slope = -2.0 * height / (height * height + core * core) * rate * rate / free;
+  const double slope = fall * rate * rate / free;
   const Vec3& n = surface.Normal;
   const double approach = velocity.dot(n);
   force.Acceleration = -rate * approach * n;

@@ -9,7 +9,8 @@ namespace waft
 namespace
 {
 
-// A little more than what is asked for, so that the penalty's slack stays within it.
+// A little more than what is asked for, so that the penalty's slack stays within it. Not above a
+// surface that is landed on: an object would hover there until its rest.
 constexpr double Margin = 0.03; // [dx]
 
 double ClearanceTerms(const SpacetimeModel& model, int frame, double scale, const float* state,
@@ -40,7 +41,7 @@ double ClearanceTerms(const SpacetimeModel& model, int frame, double scale, cons
     for (int c = 0; c < 3; ++c)
     {
       const double x = state[c * stride + i];
-      push((c == 2 ? FloorClearance(model, frame, o) + Margin : radius) - x, c, 1.0);
+      push((c == 2 ? FloorClearance(model, frame, o) : radius) - x, c, 1.0);
       push(radius - (model.Size[c] - x), c, -1.0);
     }
     if (!model.Obstacles.IsEmpty())
@@ -48,8 +49,8 @@ double ClearanceTerms(const SpacetimeModel& model, int frame, double scale, cons
       const Vec3 p(state[i], state[stride + i], state[2 * stride + i]);
       Vec3 normal;
       Mat3 curvature;
-      const double depth = ObstacleClearance(model, frame, o) + Margin -
-                           model.Obstacles.Evaluate(p, frame, normal, curvature);
+      const double depth =
+        ObstacleClearance(model, frame, o) - model.Obstacles.Evaluate(p, frame, normal, curvature);
       if (depth > 0.0)
       {
         sum += 0.5 * weight * depth * depth;
@@ -153,13 +154,13 @@ double ContactTerms(const SpacetimeModel& model, int frame, double scale, const 
 double FloorClearance(const SpacetimeModel& model, int frame, std::size_t object)
 {
   return model.Flag(frame, object) & LandsOnFloor ? model.RestHeights[object]
-                                                  : model.Clearances[object];
+                                                  : model.Clearances[object] + Margin;
 }
 
 double ObstacleClearance(const SpacetimeModel& model, int frame, std::size_t object)
 {
   return model.Flag(frame, object) & LandsOnObstacle ? model.RestHeights[object]
-                                                     : model.Clearances[object];
+                                                     : model.Clearances[object] + Margin;
 }
 
 double AddObjectTerms(const SpacetimeModel& model, int frame, double scale, const float* state,

@@ -7,7 +7,8 @@
 namespace waft
 {
 
-/// How far [dx] object o must keep from the floor and from obstacles at a frame.
+/// How far [dx] object o must keep from the floor and from obstacles at a frame: its clearance
+/// radius and a hair's breadth, above a surface that it lands on its rest height alone.
 double FloorClearance(const SpacetimeModel& model, int frame, std::size_t object);
 double ObstacleClearance(const SpacetimeModel& model, int frame, std::size_t object);
 

@@ -44,7 +44,7 @@ enum ObjectFrameFlags : std::uint8_t
   FixedPosition = 1,
   FixedVelocity = 2,
   NoDynamics = 4,       // the step into this frame is not one of free flight
-  NoCoherence = 8,      // the object lies still
+  NoCoherence = 8,      // the object lies still or brakes just before
   LandsOnFloor = 16,    // clearance to the floor is reduced to the rest height
   LandsOnObstacle = 32, // the same for obstacles
   LiftsOff = 64         // after a rest: no cushion, which would hold it back

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReferenceObjective.h"
 
+#include "Spacetime/AirShare.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -86,6 +88,23 @@ Vec3 ReferenceObjective::Mean(const std::vector<Vec3>& values, std::size_t body)
   return sum / static_cast<double>(this->ParticlesOf(body));
 }
 
+// Objects' D counts as a mean over the air that there is beside surfaces.
+void ReferenceObjective::Raise(std::size_t j, Frame& frame, std::vector<Vec3>& averages) const
+{
+  frame.Drawn = averages;
+  frame.Raises.assign(averages.size(), 1.0);
+  frame.RaiseGradients.assign(averages.size(), Vec3::Zero());
+  for (std::size_t p = this->Model.NumberOfGas; p < averages.size(); ++p)
+  {
+    const SurfaceShare surfaces =
+      SurfaceDensity(this->Fluid, this->Volume(j), frame.Particles.Positions[p]);
+    const AirShare air(surfaces.Value);
+    frame.Raises[p] = air.Raise;
+    frame.RaiseGradients[p] = air.Slope * surfaces.Gradient;
+    averages[p] *= air.Raise;
+  }
+}
+
 std::vector<ReferenceObjective::Frame> ReferenceObjective::Frames(const double* z) const
 {
   std::vector<Frame> frames(this->NumberOfFrames());
@@ -109,6 +128,7 @@ std::vector<ReferenceObjective::Frame> ReferenceObjective::Frames(const double* 
     }
     SphRates rates;
     EvaluateSph(this->Fluid, this->Volume(j), frame.Particles, rates);
+    this->Raise(j, frame, rates.Averages);
     for (std::size_t i = 0; i < this->Model.NumberOfBodies(); ++i)
     {
       // Drag towards the air about an object: D is its mean velocity relative to it.
@@ -146,6 +166,11 @@ ReferenceObjective::Numbers ReferenceObjective::Tangent(const double* z,
     }
     SphRates rates;
     TangentSph(this->Fluid, this->Volume(j), frames[j].Particles, moved, rates);
+    for (std::size_t p = 0; p < rates.Averages.size(); ++p)
+    {
+      rates.Averages[p] = frames[j].Raises[p] * rates.Averages[p] +
+                          frames[j].RaiseGradients[p].dot(moved.Positions[p]) * frames[j].Drawn[p];
+    }
     for (std::size_t i = 0; i < bodies; ++i)
     {
       const Vec3 dx = this->At(change.data(), j, i, 0);
@@ -197,7 +222,17 @@ ReferenceObjective::Numbers ReferenceObjective::PullBack(const std::vector<Frame
       given.Averages.insert(given.Averages.end(), this->ParticlesOf(i), d / share);
     }
     SphState adjoint;
+    std::vector<Vec3> byRaise;
+    for (std::size_t p = 0; p < given.Averages.size(); ++p)
+    {
+      byRaise.push_back(frames[j].Drawn[p].dot(given.Averages[p]) * frames[j].RaiseGradients[p]);
+      given.Averages[p] *= frames[j].Raises[p];
+    }
     AdjointSph(this->Fluid, this->Volume(j), frames[j].Particles, given, adjoint);
+    for (std::size_t p = 0; p < byRaise.size(); ++p)
+    {
+      adjoint.Positions[p] += byRaise[p];
+    }
     for (std::size_t i = 0; i < bodies; ++i)
     {
       const auto share = static_cast<double>(this->ParticlesOf(i));

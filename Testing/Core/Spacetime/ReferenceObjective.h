@@ -45,6 +45,9 @@ private:
     SphState Particles;
     std::vector<OutsideForce> Outside;
     std::vector<Vec3> Accelerations, Averages;
+    // Of each particle: D, the factor with which it counts, and that factor's gradient.
+    std::vector<Vec3> Drawn, RaiseGradients;
+    std::vector<double> Raises;
   };
   enum Quantity
   {
@@ -92,6 +95,7 @@ private:
   std::size_t ParticlesOf(std::size_t body) const;
   double DragRate(std::size_t body) const;
   Vec3 Mean(const std::vector<Vec3>& values, std::size_t body) const;
+  void Raise(std::size_t j, Frame& frame, std::vector<Vec3>& averages) const;
 
   std::vector<Frame> Frames(const double* z) const;
   RowSet MakeRows(const double* z, const std::vector<Frame>& frames) const;

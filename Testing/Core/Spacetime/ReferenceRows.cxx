@@ -108,18 +108,18 @@ void ReferenceObjective::AddClearance(const double* z, std::size_t j, RowSet& ro
     const Vec3 x = this->At(z, j, i, 0);
     const auto keep = [&](double clearance, double distance, const Vec3& normal)
     {
-      if (clearance + ClearanceMargin > distance)
+      if (clearance > distance)
       {
         for (int c = 0; c < 3; ++c)
         {
           rows.Depends(this->Column(j, i, Place, c), -root * normal[c]);
         }
-        rows.Values.push_back(root * (clearance + ClearanceMargin - distance));
+        rows.Values.push_back(root * (clearance - distance));
       }
     };
     for (int c = 0; c < 3; ++c)
     {
-      const double usual = this->Model.Clearances[o];
+      const double usual = this->Model.Clearances[o] + ClearanceMargin;
       keep(c == 2 ? FloorClearance(this->Model, frame, o) : usual, x[c], Vec3::Unit(c));
       keep(usual, this->Model.Size[c] - x[c], -Vec3::Unit(c));
     }

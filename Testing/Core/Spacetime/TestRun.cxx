@@ -95,8 +95,7 @@ TEST(RunSpacetime, MakesPlannedPathsCoherentAndKeepsExactRowsToTheBit)
   scene.NumberOfFrames = 150;
   const SpacetimeInput input = MakeScene(scene);
   SpacetimeOptions options = QuickOptions();
-  options.MaximumNumberOfIterations = 120;
-  options.VelocityWeight = 3.0; // less exact flight leaves the air more say
+  options.MaximumNumberOfIterations = 400; // to the end of it
   const SpacetimeOutput output = RunScene(input, options);
   ExpectMonotone(output);
   ExpectAllMet(output);
