@@ -43,7 +43,8 @@ struct SpacetimeOptions
   int Passes = 2;                   // 1..10 alternations with the force fields
   bool UseLeash = true;
   int LeashIterations = 20; // for each of the five radii
-  /// Half of it on the coarsest level, a third in each of the stages after that; see PlanProgram.
+  /// A third of it on every fourth frame and in each of the last stages, two fifths in those
+  /// between; see PlanProgram.
   int MaximumNumberOfIterations = 150;
   double Tolerance = 0.01; // least relative fall of E in 20 iterations; 0: none
   double TimeLimit = 0.0;  // s; 0: none. A limit may break bit-equality

@@ -16,8 +16,8 @@ constexpr int LeashSteps = 5;             // radii 0.01 L 2^k, k = 0..4
 constexpr double FirstLeash = 0.01;       // of L
 constexpr int CoarseStrides[] = { 2, 4 }; // frames; on eight, pressure is not the gas' any more
 constexpr double WorthCoarsening = 0.8;   // a level has fewer frames than this share of the next
-/// Of a level's own: ten of every fourth frame are a time line of 37 or more. A shorter one comes to
-/// the coarser level's answer as soon without it.
+/// Of a level's own: ten of every fourth frame are a time line of 37 or more. A shorter one comes
+/// to the coarser level's answer as soon without it.
 constexpr std::size_t FewestFrames[] = { 4, 10 };
 
 SpacetimeStep Minimise(int coarseness, int pass, std::string name, int iterations,
@@ -132,21 +132,21 @@ SpacetimeProgram PlanProgram(const SpacetimeSetup& setup, const SpacetimeOptions
   if (coarsest > 1)
   {
     steps.push_back(
-      Minimise(coarsest, 1, std::string("free") + suffixes[coarsest], iterations / 2));
+      Minimise(coarsest, 1, std::string("free") + suffixes[coarsest], LastIterations(options)));
     steps.push_back(Update(coarsest, 1, false));
   }
   const int level = std::min(coarsest, 1);
-  const int half = coarsest > 1 ? LastIterations(options) : iterations / 2;
+  const int many = coarsest > 1 ? (2 * iterations + 4) / 5 : iterations / 2;
   for (int pass = 1; pass <= options.Passes; ++pass)
   {
     const std::string name = "free " + std::to_string(pass) + suffixes[level];
     if (level > 0)
     {
-      steps.push_back(Minimise(level, pass, name + " a", half));
+      steps.push_back(Minimise(level, pass, name + " a", many));
       steps.push_back(Update(level, pass, false));
     }
     steps.push_back(
-      Minimise(level, pass, name + (level > 0 ? " b" : ""), level > 0 ? half : iterations));
+      Minimise(level, pass, name + (level > 0 ? " b" : ""), level > 0 ? many : iterations));
     steps.push_back(Update(level, pass, true));
   }
   AddLast("fine", options.Passes, level > 0 ? LastIterations(options) : iterations, false, steps);
