@@ -21,7 +21,7 @@ STAGES = ("planner", "spacetime", "rotation")
 HEAD = """# Scenes, flown and measured
 
 Written by [make_scene_table.py](make_scene_table.py) from folders of `waft synthesize`, all at the scenes' full size (about 2500
-particles of air, 300 frames), on one thread; the pictures are by [make_scene_pictures.py](make_scene_pictures.py). What is in
+particles of air, 300 frames), on two threads; the pictures are by [make_scene_pictures.py](make_scene_pictures.py). What is in
 **bold** misses its gate. What the scenes are about is told in [Data/Scenes](../../Data/Scenes/README.md), what the
 measures are in [Measures.md](../Measures.md).
 """
@@ -42,7 +42,7 @@ from twenty objects on. `over`: intersection over union with the picture where t
 COSTS = """
 ## Seconds and memory
 
-Seconds of processor time on one thread of a small, busy machine, and the largest memory of the process, ParaView and the
+Seconds of processor time, both threads together, on a small, busy machine, and the largest memory of the process, ParaView and the
 database included.
 
 | scene | objects | planner | spacetime | rotation | whole run | memory |
