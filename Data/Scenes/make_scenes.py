@@ -285,7 +285,7 @@ def crowd_scenes():
         "title": "Feathers of three colours that paint a flower on the ground",
         "seed": 31,
         "shapes": {name: {"builtin": "feather", "size": 0.20, "settlingSpeed": 0.4, "class": name,
-                          "color": unit(color)} for name, (color, _) in colors.items()},
+                          "texture": "../Shapes/feather-white.png", "color": unit(color)} for name, (color, _) in colors.items()},
         "objects": [{"shape": name, "count": count, "region": {"min": [-1.7, -1.7, 1.6], "max": [1.7, 1.7, 3.7]}}
                     for name, (_, count) in colors.items()],
         "constraints": [{"kind": "keyframe", "frame": 255, "velocity": "rest",
