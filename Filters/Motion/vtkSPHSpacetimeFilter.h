@@ -263,7 +263,7 @@ private:
   int NumberOfObjectParticles = 125;
   double PositionWeight = 5.0;
   double VelocityWeight = 10.0;
-  double CoherenceWeight = 0.35;
+  double CoherenceWeight = 0.3;
   double SpatialShare = 0.5;
   int TemporalWindow = 1;
   double SmoothingLength = 1.2;

@@ -26,7 +26,7 @@ struct SpacetimeOptions
   int NumberOfObjectParticles = 125; // 1..: shared among the objects, one to five each
   double PositionWeight = 5.0;       // c1 of Eq. 2, from 0
   double VelocityWeight = 10.0;      // c2
-  double CoherenceWeight = 0.35;     // c3: how much objects move with the air about them
+  double CoherenceWeight = 0.3;      // c3: how much objects move with the air about them
   double SpatialShare = 0.5;         // c31 of Eq. 4, 0..1; c32 = 1 - c31
   int TemporalWindow = 1;            // w of Eq. 4, 1..30 frames
   double SmoothingLength = 1.2;      // h / dx, 0.8..2
