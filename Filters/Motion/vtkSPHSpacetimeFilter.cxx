@@ -82,6 +82,7 @@ waft::SpacetimeOptions vtkSPHSpacetimeFilter::Internals::Options() const
   options.VelocityWeight = this->Self->VelocityWeight;
   options.CoherenceWeight = this->Self->CoherenceWeight;
   options.SpatialShare = this->Self->SpatialShare;
+  options.ObjectCoherence = this->Self->ObjectCoherence;
   options.TemporalWindow = this->Self->TemporalWindow;
   options.SmoothingLength = this->Self->SmoothingLength;
   options.CourantNumber = this->Self->CourantNumber;
@@ -273,6 +274,7 @@ void vtkSPHSpacetimeFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VelocityWeight: " << this->VelocityWeight << "\n";
   os << indent << "CoherenceWeight: " << this->CoherenceWeight << "\n";
   os << indent << "SpatialShare: " << this->SpatialShare << "\n";
+  os << indent << "ObjectCoherence: " << this->ObjectCoherence << "\n";
   os << indent << "TemporalWindow: " << this->TemporalWindow << "\n";
   os << indent << "SmoothingLength: " << this->SmoothingLength << "\n";
   os << indent << "CourantNumber: " << this->CourantNumber << "\n";

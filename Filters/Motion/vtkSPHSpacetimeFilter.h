@@ -82,6 +82,12 @@ public:
   vtkGetMacro(SpatialShare, double);
   ///@}
   ///@{
+  /** How often the air about it counts in Eq. 4 for an object, where it counts once for gas:
+   * objects are what is seen. 0 to 1e+06. */
+  vtkSetClampMacro(ObjectCoherence, double, 0.0, 1e+06);
+  vtkGetMacro(ObjectCoherence, double);
+  ///@}
+  ///@{
   /** Frames w to either side in Eq. 4. 1 to 30. */
   vtkSetClampMacro(TemporalWindow, int, 1, 30);
   vtkGetMacro(TemporalWindow, int);
@@ -263,8 +269,9 @@ private:
   int NumberOfObjectParticles = 125;
   double PositionWeight = 5.0;
   double VelocityWeight = 10.0;
-  double CoherenceWeight = 0.3;
+  double CoherenceWeight = 1.0;
   double SpatialShare = 0.5;
+  double ObjectCoherence = 3.0;
   int TemporalWindow = 1;
   double SmoothingLength = 1.2;
   double CourantNumber = 0.5;
@@ -279,7 +286,7 @@ private:
   int Passes = 2;
   bool UseLeash = true;
   int LeashIterations = 20;
-  int MaximumNumberOfVortices = 16;
+  int MaximumNumberOfVortices = 18;
   int MaximumNumberOfIterations = 150;
   double Tolerance = 0.01;
   double TimeLimit = 0.0;

@@ -26,8 +26,9 @@ struct SpacetimeOptions
   int NumberOfObjectParticles = 125; // 1..: shared among the objects, one to five each
   double PositionWeight = 5.0;       // c1 of Eq. 2, from 0
   double VelocityWeight = 10.0;      // c2
-  double CoherenceWeight = 0.3;      // c3: how much objects move with the air about them
+  double CoherenceWeight = 1.0;      // c3: how much objects move with the air about them
   double SpatialShare = 0.5;         // c31 of Eq. 4, 0..1; c32 = 1 - c31
+  double ObjectCoherence = 3.0;      // how often the air about it counts for an object, from 0
   int TemporalWindow = 1;            // w of Eq. 4, 1..30 frames
   double SmoothingLength = 1.2;      // h / dx, 0.8..2
   double CourantNumber = 0.5;        // c0 frame / h, 0.1..1: how stiff the gas is
@@ -39,7 +40,7 @@ struct SpacetimeOptions
   double WindDrag = 2.0;         // [1/s] with which a wind given as a velocity draws
   bool EstimateWind = true;
   bool FitVortexFields = true;
-  int MaximumNumberOfVortices = 16; // kept of those that planned paths bring, 0..1000
+  int MaximumNumberOfVortices = 18; // kept of those that planned paths bring, 0..1000
   int Passes = 2;                   // 1..10 alternations with the force fields
   bool UseLeash = true;
   int LeashIterations = 20; // for each of the five radii

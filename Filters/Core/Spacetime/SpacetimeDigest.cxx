@@ -48,9 +48,9 @@ void AddPhysics(DigestStream& sum, const SpacetimeOptions& options)
 {
   SpacetimeOptions o = options;
   sum.Values(o.NumberOfGasParticles, o.NumberOfObjectParticles, o.PositionWeight, o.VelocityWeight,
-             o.CoherenceWeight, o.SpatialShare, o.TemporalWindow, o.SmoothingLength,
-             o.CourantNumber, o.Viscosity, o.XsphFactor, o.PressureExponent, o.EffectiveGravity,
-             o.ContactDistance, o.WindDrag, o.EstimateWind, o.FitVortexFields,
+             o.CoherenceWeight, o.SpatialShare, o.ObjectCoherence, o.TemporalWindow,
+             o.SmoothingLength, o.CourantNumber, o.Viscosity, o.XsphFactor, o.PressureExponent,
+             o.EffectiveGravity, o.ContactDistance, o.WindDrag, o.EstimateWind, o.FitVortexFields,
              o.MaximumNumberOfVortices);
 }
 

@@ -28,6 +28,7 @@ struct SpacetimeWeights
   double Velocity = 1.0;        // c2
   double Coherence = 0.2;       // c3
   double SpatialShare = 0.5;    // c31; c32 = 1 - c31
+  double ObjectCoherence = 1.0; // how often rs of an object counts where gas counts once
   int TemporalWindow = 1;       // w of Eq. 4 [frames]
   double XsphFactor = 0.0;      // epsilon of Eq. 10
   double Clearance = 10.0;      // objects nearer to a surface than they may be

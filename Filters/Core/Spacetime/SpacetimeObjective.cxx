@@ -147,6 +147,7 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
                                       this->SpatialScale * this->Times.FrameWeights[j]);
   const auto s = static_cast<float>(step);
   const auto eps = static_cast<float>(weights.XsphFactor);
+  const auto objectAir = static_cast<float>(weights.ObjectCoherence);
   double ex = 0.0, ev = 0.0, ec = 0.0;
   for (int c = 0; c < 3; ++c)
   {
@@ -167,13 +168,13 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
       {
         const std::size_t o = i - ng;
         weight = static_cast<float>(model.Offsets.size());
-        air = model.Flag(this->Times.Frames[j], o) & NoCoherence ? 0.0f : 1.0f;
+        air = model.Flag(this->Times.Frames[j], o) & NoCoherence ? 0.0f : objectAir;
         slip = c == 2 ? model.SettlingSlip(o) : 0.0f;
         flight = !last && this->Bound[(j + 1) * model.NumberOfObjects + o] ? 0.0f : 1.0f;
       }
-      const float rs = air * (d[i] - slip);
-      ec += static_cast<double>(weight * rs) * rs;
-      dbar[i] = weight * ws * rs;
+      const float rs = d[i] - slip;
+      ec += static_cast<double>(weight * air * rs) * rs;
+      dbar[i] = weight * air * ws * rs;
       abar[i] = 0.0f;
       if (!last)
       {

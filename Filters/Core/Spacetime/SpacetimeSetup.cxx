@@ -19,6 +19,7 @@ namespace
 constexpr double ParticleRing = 0.3;         // radius of an object's particles [dx]
 constexpr double LatticeSpacing = 0.4;       // of the obstacles' distances [dx]
 constexpr double LargestContact = 0.5;       // [dx]
+constexpr double ContactSlack = 1.05;        // a penalty gives way a little before it holds
 constexpr double FastestDrag = 0.45;         // [1 / frame]
 constexpr double ObjectMassShare = 0.1;      // of a gas particle's mass, at most
 constexpr double AllObjectsMassShare = 0.02; // of all gas, at most
@@ -251,7 +252,7 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
     radii += object.ClearanceRadius / setup.Spacing / static_cast<double>(no);
   }
   model.Weights.ContactDistance = options.ContactDistance < 0.0
-                                    ? std::min(LargestContact, 2.0 * radii)
+                                    ? std::min(LargestContact, ContactSlack * 2.0 * radii)
                                     : options.ContactDistance / setup.Spacing;
   model.Flags.assign(static_cast<std::size_t>(model.NumberOfFrames) * no, 0);
   setup.Table.FixedPositions.assign(model.Flags.size(), Vec3::Zero());
@@ -370,6 +371,7 @@ Result MakeSetup(const SpacetimeInput& input, const SpacetimeOptions& options,
   weights.Velocity = options.VelocityWeight;
   weights.Coherence = options.CoherenceWeight;
   weights.SpatialShare = options.SpatialShare;
+  weights.ObjectCoherence = options.ObjectCoherence;
   weights.TemporalWindow = options.TemporalWindow;
   weights.XsphFactor = options.XsphFactor;
   SetUpObjects(input, options, setup);

@@ -82,8 +82,9 @@ TimelinePreconditioner::Band TimelinePreconditioner::Factor(long object) const
     addRow({ { 2 * j + 1, 1.0 } }, share * this->Damping);
     if (!(flag(j) & NoCoherence))
     {
+      const double air = object < 0 ? 1.0 : w.ObjectCoherence;
       addRow({ { 2 * j + 1, 1.0 } },
-             share * w.Coherence * w.SpatialShare * this->Level.FrameWeights[j]);
+             share * air * w.Coherence * w.SpatialShare * this->Level.FrameWeights[j]);
       std::vector<Entry> row{ { 2 * j + 1, 1.0 } };
       for (const auto& neighbor : this->Level.Rows[j])
       {

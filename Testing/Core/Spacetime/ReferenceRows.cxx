@@ -61,10 +61,12 @@ void ReferenceObjective::AddCoherence(const double* z, const std::vector<Frame>&
   for (std::size_t i = 0; i < this->Model.NumberOfBodies(); ++i)
   {
     double slip = 0.0;
+    double air = 1.0;
     if (i >= this->Model.NumberOfGas)
     {
       const std::size_t object = i - this->Model.NumberOfGas;
       slip = this->Model.SettlingSlip(object);
+      air = w.ObjectCoherence;
       if (this->Model.Flag(this->Level.Frames[j], object) & NoCoherence)
       {
         continue;
@@ -72,7 +74,7 @@ void ReferenceObjective::AddCoherence(const double* z, const std::vector<Frame>&
     }
     const double share = w.Coherence * this->Model.BodyWeight(i);
     const double space =
-      std::sqrt(share * w.SpatialShare * this->Level.FrameWeights[j]) / (1.0 - own);
+      std::sqrt(share * air * w.SpatialShare * this->Level.FrameWeights[j]) / (1.0 - own);
     const double time = std::sqrt(share * (1.0 - w.SpatialShare) * this->Level.SmoothWeights[j]);
     Vec3 rt = this->At(z, j, i, 3);
     for (const TimeLevel::Neighbor& neighbor : this->Level.Rows[j])

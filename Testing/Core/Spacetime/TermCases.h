@@ -245,6 +245,7 @@ inline const std::vector<Term>& Terms()
       {
         m.Weights.Coherence = 0.5;
         m.Weights.SpatialShare = 1.0;
+        m.Weights.ObjectCoherence = 3.0;
         m.DragRates = p.Full.DragRates;
         m.Gravities = p.Full.Gravities;
       } },
