@@ -267,7 +267,7 @@ private:
 
   int NumberOfGasParticles = 2500;
   int NumberOfObjectParticles = 125;
-  double PositionWeight = 5.0;
+  double PositionWeight = 20.0;
   double VelocityWeight = 10.0;
   double CoherenceWeight = 1.0;
   double SpatialShare = 0.5;
@@ -286,7 +286,7 @@ private:
   int Passes = 2;
   bool UseLeash = true;
   int LeashIterations = 20;
-  int MaximumNumberOfVortices = 18;
+  int MaximumNumberOfVortices = 16;
   int MaximumNumberOfIterations = 150;
   double Tolerance = 0.01;
   double TimeLimit = 0.0;

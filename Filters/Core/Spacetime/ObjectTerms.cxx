@@ -136,7 +136,11 @@ double ContactTerms(const SpacetimeModel& model, int frame, double scale, const 
         continue;
       }
       const double r = std::sqrt(r2);
-      const double depth = d0 - r;
+      const double depth = PairDistance(model, frame, a, b) - r;
+      if (depth <= 0.0)
+      {
+        continue;
+      }
       sum += 0.5 * weight * depth * depth;
       for (int c = 0; c < 3 && gradient; ++c)
       {
@@ -161,6 +165,24 @@ double ObstacleClearance(const SpacetimeModel& model, int frame, std::size_t obj
 {
   return model.Flag(frame, object) & LandsOnObstacle ? model.RestHeights[object]
                                                      : model.Clearances[object] + Margin;
+}
+
+double PairDistance(const SpacetimeModel& model, int frame, std::size_t a, std::size_t b)
+{
+  const auto isHeld = [&](std::size_t o)
+  {
+    const std::size_t place = static_cast<std::size_t>(frame) * model.NumberOfObjects + o;
+    return model.Flag(frame, o) & FixedPosition ||
+           (!model.Reach.empty() && model.Reach[place] > 0.0f);
+  };
+  const double distance = model.Weights.ContactDistance;
+  if (model.Approach.empty() || !isHeld(a) || !isHeld(b))
+  {
+    return distance;
+  }
+  const Vec3* places =
+    model.Approach.data() + static_cast<std::size_t>(frame) * model.NumberOfObjects;
+  return std::min(distance, (places[a] - places[b]).norm());
 }
 
 double AddObjectTerms(const SpacetimeModel& model, int frame, double scale, const float* state,

@@ -12,8 +12,13 @@ namespace waft
 double FloorClearance(const SpacetimeModel& model, int frame, std::size_t object);
 double ObstacleClearance(const SpacetimeModel& model, int frame, std::size_t object);
 
+/// How far apart [dx] two objects are to keep at a frame: the contact distance, but where both are
+/// held to their places or to the approach of them no more than those places are apart. Leaves that
+/// are to lie over each other have to come together.
+double PairDistance(const SpacetimeModel& model, int frame, std::size_t a, std::size_t b);
+
 /// Half the weighted sum of squares of the depths below the required clearance (walls, floor,
-/// obstacles) and below the contact distance of pairs of objects. Adds scale times the gradient to
+/// obstacles) and below the distance of pairs of objects. Adds scale times the gradient to
 /// the six rows of `gradient` where it is not null. Objects at fixed positions are left out.
 double AddObjectTerms(const SpacetimeModel& model, int frame, double scale, const float* state,
                       float* gradient);

@@ -24,7 +24,7 @@ struct SpacetimeOptions
 {
   int NumberOfGasParticles = 2500;   // 64..200000: gives the spacing dx
   int NumberOfObjectParticles = 125; // 1..: shared among the objects, one to five each
-  double PositionWeight = 5.0;       // c1 of Eq. 2, from 0
+  double PositionWeight = 20.0;      // c1 of Eq. 2, from 0
   double VelocityWeight = 10.0;      // c2
   double CoherenceWeight = 1.0;      // c3: how much objects move with the air about them
   double SpatialShare = 0.5;         // c31 of Eq. 4, 0..1; c32 = 1 - c31
@@ -40,7 +40,7 @@ struct SpacetimeOptions
   double WindDrag = 2.0;         // [1/s] with which a wind given as a velocity draws
   bool EstimateWind = true;
   bool FitVortexFields = true;
-  int MaximumNumberOfVortices = 18; // kept of those that planned paths bring, 0..1000
+  int MaximumNumberOfVortices = 16; // kept of those that planned paths bring, 0..1000
   int Passes = 2;                   // 1..10 alternations with the force fields
   bool UseLeash = true;
   int LeashIterations = 20; // for each of the five radii

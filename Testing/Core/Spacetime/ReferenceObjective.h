@@ -105,9 +105,9 @@ private:
                     RowSet& rows) const;
   void AddClearance(const double* z, std::size_t j, RowSet& rows) const;
   void AddApproach(const double* z, std::size_t j, RowSet& rows) const;
-  /// root (reach - |x_a - x_b|) for bodies nearer to each other.
-  void AddPairs(const double* z, std::size_t j, std::size_t first, std::size_t last, double reach,
-                double weight, RowSet& rows) const;
+  /// root (distance - |x_a - x_b|) for bodies nearer to each other, of objects their PairDistance.
+  void AddPairs(const double* z, std::size_t j, std::size_t first, std::size_t last,
+                double distance, double weight, RowSet& rows) const;
   Numbers PullBack(const std::vector<Frame>& frames, const RowSet& rows,
                    const Numbers& weights) const;
 

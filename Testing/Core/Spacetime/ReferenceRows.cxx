@@ -158,7 +158,8 @@ void ReferenceObjective::AddApproach(const double* z, std::size_t j, RowSet& row
 }
 
 void ReferenceObjective::AddPairs(const double* z, std::size_t j, std::size_t first,
-                                  std::size_t last, double reach, double weight, RowSet& rows) const
+                                  std::size_t last, double distance, double weight,
+                                  RowSet& rows) const
 {
   const std::size_t gas = this->Model.NumberOfGas;
   const double root = std::sqrt(weight * this->Level.FrameWeights[j]);
@@ -170,6 +171,8 @@ void ReferenceObjective::AddPairs(const double* z, std::size_t j, std::size_t fi
     {
       const Vec3 d = this->At(z, j, a, 0) - this->At(z, j, b, 0);
       const double r = d.norm();
+      const double reach =
+        a < gas ? distance : PairDistance(this->Model, this->Level.Frames[j], a - gas, b - gas);
       if (r >= reach || (isFixed(a) && isFixed(b)))
       {
         continue;

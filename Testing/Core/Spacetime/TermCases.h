@@ -288,6 +288,17 @@ inline const std::vector<Term>& Terms()
         m.Weights.Contact = 5.0;
         m.Weights.ContactDistance = 2.5;
       } },
+    { "contact of things that approach their places",
+      [](Model& m, const Problem&)
+      {
+        m.Weights.Contact = 5.0;
+        m.Weights.ContactDistance = 2.5;
+        m.Reach.assign(m.Flags.size(), 0.3f);
+        for (std::size_t place = 0; place < m.Flags.size(); ++place)
+        {
+          m.Approach.push_back(0.5 * m.Size + 1.5 * place * Vec3::UnitX());
+        }
+      } },
     { "separation",
       [](Model& m, const Problem&)
       {

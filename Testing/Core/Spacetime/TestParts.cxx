@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Levels of time, the preconditioner, clusters of linear rows, the wind's least squares.
+// Levels of time, distances of pairs, the preconditioner, clusters of linear rows, the wind's least
+// squares.
 #include "Spacetime/HardConstraints.h"
+#include "Spacetime/ObjectTerms.h"
 #include "Spacetime/SpacetimeProgram.h"
 #include "Spacetime/SpacetimeSetup.h"
 #include "Spacetime/TimeLevels.h"
@@ -117,6 +119,26 @@ TEST(SpacetimeProgram, GoesFromTheCoarsestLevelToAllFrames)
   const SpacetimeProgram bound = plan();
   EXPECT_EQ(bound.Coarsest(), 1);
   EXPECT_EQ(bound.Steps.front().Coarseness, 1);
+}
+
+TEST(PairDistance, IsNoMoreThanPlacesAreApart)
+{
+  SceneOptions scene;
+  scene.NumberOfObjects = 2;
+  scene.NumberOfFrames = 80;
+  SpacetimeInput input = MakeScene(scene);
+  for (Constraint& row : input.Constraints)
+  {
+    row.Kind = ConstraintKind::Rest;
+    row.Value = Vec3(0.02 * row.ObjectId, 0.0, 0.4);
+    input.Tracks[row.ObjectId].Positions[row.Frame] = row.Value;
+  }
+  const SpacetimeSetup setup = MakeProblem(input);
+  const SpacetimeModel& model = setup.Model;
+  const int rest = input.Constraints[0].Frame;
+  EXPECT_NEAR(PairDistance(model, rest, 0, 1), 0.02 / setup.Spacing, 1e-9);
+  EXPECT_EQ(PairDistance(model, rest / 2, 0, 1), model.Weights.ContactDistance);
+  EXPECT_GT(model.Weights.ContactDistance, 2.0 * input.Objects[0].ClearanceRadius / setup.Spacing);
 }
 
 TEST(TimelinePreconditioner, InvertsTheTimeCoupling)
