@@ -24,6 +24,17 @@ ObstacleSet Ground(double tiltX = 0.0)
   return obstacles;
 }
 
+Constraint RestFromFrame90()
+{
+  Constraint rest;
+  rest.ObjectId = 0;
+  rest.Kind = ConstraintKind::Rest;
+  rest.Frame = 90;
+  rest.Until = 130;
+  rest.Value = Vec3(0.3, -0.2, 1.0);
+  return rest;
+}
+
 struct Landed
 {
   RotationInput Input;
@@ -52,13 +63,7 @@ Landed Land(const ObstacleSet& obstacles, const Quat& start, double phase, doubl
   landed.Input.Objects[0].Orientation = start;
   landed.Input.Objects[0].AngularVelocity = Vec3(3.0, 1.0, 2.0);
   landed.Input.Obstacles = &obstacles;
-  Constraint rest;
-  rest.ObjectId = 0;
-  rest.Kind = ConstraintKind::Rest;
-  rest.Frame = 90;
-  rest.Until = 130;
-  rest.Value = Vec3(0.3, -0.2, 1.0);
-  landed.Input.Constraints = { rest };
+  landed.Input.Constraints = { RestFromFrame90() };
   SilentMonitor silent;
   const Result result = RunRotationRefine(landed.Input, {}, SerialFor(), silent, landed.Output);
   EXPECT_TRUE(result) << result.Message();
@@ -206,13 +211,7 @@ TEST(Landing, WhoTouchesDownEarlyDoesNotFlip)
     input.Objects[0].Orientation = ExpMap(random.Uniform(0.0, 3.1) * axis);
     input.Objects[0].AngularVelocity = Vec3(3.0, 1.0, 2.0);
     input.Obstacles = &ground;
-    Constraint rest;
-    rest.ObjectId = 0;
-    rest.Kind = ConstraintKind::Rest;
-    rest.Frame = 90;
-    rest.Until = 130;
-    rest.Value = Vec3(0.3, -0.2, 1.0);
-    input.Constraints = { rest };
+    input.Constraints = { RestFromFrame90() };
     RotationOptions options;
     options.Seed = static_cast<std::uint64_t>(i) + 1;
     options.RasterSize = 32;

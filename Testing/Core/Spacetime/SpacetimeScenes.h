@@ -113,4 +113,14 @@ inline SpacetimeInput MakeScene(const SceneOptions& options)
   return input;
 }
 
+/// A box that stands on the ground among the obstacles [m].
+inline void AddPillar(SpacetimeInput& input, const Vec3& low = Vec3(-0.4, -0.5, -0.1),
+                      const Vec3& high = Vec3(0.5, 0.3, 2.5))
+{
+  ObstacleMesh pillar;
+  pillar.ObstacleId = 1;
+  pillar.Mesh = BoxMesh(low, high);
+  input.Obstacles.push_back(pillar);
+}
+
 } // namespace waft

@@ -44,10 +44,7 @@ struct Problem
     scene.NumberOfFrames = 9;
     scene.Land = true;
     SpacetimeInput input = MakeScene(scene);
-    ObstacleMesh pillar;
-    pillar.ObstacleId = 1;
-    pillar.Mesh = BoxMesh(Vec3(-0.4, -0.5, -0.1), Vec3(0.5, 0.3, 2.5));
-    input.Obstacles.push_back(pillar);
+    AddPillar(input);
     input.Wind = Draught();
     SpacetimeOptions options;
     options.NumberOfGasParticles = 125;

@@ -175,10 +175,7 @@ TEST(GasAtRest, StaysWhereItIsBesideWallsAndAPillar)
   scene.NumberOfFrames = 6;
   SpacetimeInput input = MakeScene(scene);
   input.Vortices.clear();
-  ObstacleMesh pillar;
-  pillar.ObstacleId = 1;
-  pillar.Mesh = BoxMesh(Vec3(-0.4, -0.5, -0.1), Vec3(0.5, 0.3, 2.5));
-  input.Obstacles.push_back(pillar);
+  AddPillar(input);
   SpacetimeSetup setup = MakeProblem(input);
   SpacetimeModel& model = setup.Model;
   model.Fluid.ObjectMass = 1e-9; // the gas does not know of the objects

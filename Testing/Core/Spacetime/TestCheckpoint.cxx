@@ -150,6 +150,17 @@ int RunInPieces(const SpacetimeInput& input, const SpacetimeOptions& options, in
   return 0;
 }
 
+// Writes nothing at intervals.
+SpacetimeOptions BriefOptions(int leashIterations, int iterations)
+{
+  SpacetimeOptions options = Options("");
+  options.NumberOfGasParticles = 216;
+  options.LeashIterations = leashIterations;
+  options.MaximumNumberOfIterations = iterations;
+  options.CheckpointInterval = 1e6;
+  return options;
+}
+
 } // namespace
 
 // Nothing is written at intervals: where it goes on from is written when it is stopped, be it in a
@@ -157,11 +168,7 @@ int RunInPieces(const SpacetimeInput& input, const SpacetimeOptions& options, in
 TEST(Checkpoint, ARunStoppedAgainAndAgainEndsAsIfItHadNeverBeenStopped)
 {
   const SpacetimeInput input = Scene();
-  SpacetimeOptions options = Options("");
-  options.NumberOfGasParticles = 216;
-  options.LeashIterations = 4;
-  options.MaximumNumberOfIterations = 12;
-  options.CheckpointInterval = 1e6;
+  SpacetimeOptions options = BriefOptions(4, 12);
   const SpacetimeOutput whole = RunScene(input, options);
   for (const auto& [ticks, least] : { std::pair(13, 4), std::pair(17, 4), std::pair(23, 4) })
   {
@@ -178,11 +185,7 @@ TEST(Checkpoint, ARunStoppedAgainAndAgainEndsAsIfItHadNeverBeenStopped)
 TEST(Checkpoint, AnUpdateOfTheFieldsThatIsStoppedIsDoneAnew)
 {
   const SpacetimeInput input = Scene();
-  SpacetimeOptions options = Options("");
-  options.NumberOfGasParticles = 216;
-  options.LeashIterations = 2;
-  options.MaximumNumberOfIterations = 6;
-  options.CheckpointInterval = 1e6;
+  SpacetimeOptions options = BriefOptions(2, 6);
   const SpacetimeOutput whole = RunScene(input, options);
   options.CheckpointFile = CheckpointPath("fields");
   int stops = 0;

@@ -72,10 +72,7 @@ RandomScene MakeRandomScene(std::uint64_t seed)
   }
   if (random.Uniform() < 0.4)
   {
-    ObstacleMesh pillar;
-    pillar.ObstacleId = 1;
-    pillar.Mesh = BoxMesh(Vec3(1.45, -0.6, -0.1), Vec3(1.8, 0.6, 2.2));
-    input.Obstacles.push_back(pillar);
+    AddPillar(input, Vec3(1.45, -0.6, -0.1), Vec3(1.8, 0.6, 2.2));
   }
   if (random.Uniform() < 0.3)
   {

@@ -130,10 +130,7 @@ TEST(SpacetimeObjective, GradientHoldsOnUnevenLevelsWithObstaclesRestAndWinds)
   scene.NumberOfFrames = 20;
   scene.Land = true;
   SpacetimeInput input = MakeScene(scene);
-  ObstacleMesh pillar;
-  pillar.ObstacleId = 1;
-  pillar.Mesh = BoxMesh(Vec3(-0.4, -0.5, -0.1), Vec3(0.5, 0.3, 2.5));
-  input.Obstacles.push_back(pillar);
+  AddPillar(input);
   input.Wind.Meaning = FieldMeaning::Velocity;
   input.Wind.Dimensions = { 2, 2, 2 };
   input.Wind.Origin = Vec3(-2.0, -2.0, 0.0);

@@ -159,10 +159,7 @@ TEST(RunSpacetime, LandsAtTheRestingPlaceAndKeepsClearOfAPillar)
   scene.Land = true;
   scene.NumberOfObjects = 6;
   SpacetimeInput input = MakeScene(scene);
-  ObstacleMesh pillar;
-  pillar.ObstacleId = 1;
-  pillar.Mesh = BoxMesh(Vec3(1.35, -0.6, -0.1), Vec3(1.8, 0.6, 2.2));
-  input.Obstacles.push_back(pillar);
+  AddPillar(input, Vec3(1.35, -0.6, -0.1), Vec3(1.8, 0.6, 2.2));
   const SpacetimeOutput output = RunScene(input, QuickOptions());
   ExpectMonotone(output);
   ExpectAllMet(output);
