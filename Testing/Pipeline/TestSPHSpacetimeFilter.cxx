@@ -186,7 +186,7 @@ TEST(SPHSpacetimeFilter, ServesFramesInAnyOrderFromOneSolution)
   EXPECT_LT((early - tracks[0].Positions[2]).norm(), 1e-5);
   EXPECT_LE(stirred, 6); // served, not solved again
   const int before = stirred;
-  p.Filter->SetCoherenceWeight(1.0);
+  p.Filter->SetCoherenceWeight(2.0);
   p.Filter->Update();
   EXPECT_GT(stirred, before + 10);
 }

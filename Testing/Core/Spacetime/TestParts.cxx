@@ -126,12 +126,15 @@ TEST(PairDistance, IsNoMoreThanPlacesAreApart)
   SceneOptions scene;
   scene.NumberOfObjects = 2;
   scene.NumberOfFrames = 80;
+  scene.Land = true;
   SpacetimeInput input = MakeScene(scene);
-  for (Constraint& row : input.Constraints)
+  for (std::size_t o = 0; o < 2; ++o)
   {
-    row.Kind = ConstraintKind::Rest;
-    row.Value = Vec3(0.02 * row.ObjectId, 0.0, 0.4);
-    input.Tracks[row.ObjectId].Positions[row.Frame] = row.Value;
+    input.Constraints[o].Value.head<2>() = Eigen::Vector2d(0.02 * o, 0.0);
+    for (int k = input.Constraints[o].Frame; k < scene.NumberOfFrames; ++k)
+    {
+      input.Tracks[o].Positions[k].head<2>() = Eigen::Vector2d(0.02 * o, 0.0);
+    }
   }
   const SpacetimeSetup setup = MakeProblem(input);
   const SpacetimeModel& model = setup.Model;
@@ -170,7 +173,8 @@ TEST(TimelinePreconditioner, InvertsTheTimeCoupling)
     };
     for (int j = 0; j < 12; ++j)
     {
-      add({ { 2 * j + 1, 1.0 } }, share * w.Coherence * w.SpatialShare);
+      const double air = object ? w.ObjectCoherence : 1.0;
+      add({ { 2 * j + 1, 1.0 } }, share * air * w.Coherence * w.SpatialShare);
       std::vector<std::pair<int, double>> row{ { 2 * j + 1, 1.0 } };
       const int count = (j > 0) + (j < 11);
       for (const int k : { j - 1, j + 1 })
