@@ -267,9 +267,9 @@ private:
 
   int NumberOfGasParticles = 2500;
   int NumberOfObjectParticles = 125;
-  double PositionWeight = 20.0;
+  double PositionWeight = 5.0;
   double VelocityWeight = 10.0;
-  double CoherenceWeight = 1.0;
+  double CoherenceWeight = 0.4;
   double SpatialShare = 0.5;
   double ObjectCoherence = 3.0;
   int TemporalWindow = 1;

@@ -24,9 +24,9 @@ struct SpacetimeOptions
 {
   int NumberOfGasParticles = 2500;   // 64..200000: gives the spacing dx
   int NumberOfObjectParticles = 125; // 1..: shared among the objects, one to five each
-  double PositionWeight = 20.0;      // c1 of Eq. 2, from 0
+  double PositionWeight = 5.0;       // c1 of Eq. 2, from 0
   double VelocityWeight = 10.0;      // c2
-  double CoherenceWeight = 1.0;      // c3: how much objects move with the air about them
+  double CoherenceWeight = 0.4;      // c3: how much objects move with the air about them
   double SpatialShare = 0.5;         // c31 of Eq. 4, 0..1; c32 = 1 - c31
   double ObjectCoherence = 3.0;      // how often the air about it counts for an object, from 0
   int TemporalWindow = 1;            // w of Eq. 4, 1..30 frames
