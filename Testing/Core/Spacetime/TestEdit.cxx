@@ -168,6 +168,6 @@ TEST(Edit, WithoutARegionAllIsSolvedOn)
   EXPECT_EQ(all.Convergence[1].Stage, "again a");
   // Something else than tracks and rows changed as well.
   options.EditRadius = 0.5;
-  options.CoherenceWeight = 0.4;
+  options.CoherenceWeight = 0.5;
   EXPECT_EQ(RunScene(input, options, 2, &memory).Convergence[1].Stage, "again a");
 }
