@@ -97,7 +97,7 @@ TEST(MotionDatabaseSource, AbortedLaterItGivesTheSimulationsThatAreWholeAndGoesO
   stop->SetCallback(
     [](vtkObject* caller, unsigned long, void*, void* progress)
     {
-      if (*static_cast<double*>(progress) > 0.6)
+      if (*static_cast<double*>(progress) > 0.3)
       {
         static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
       }
