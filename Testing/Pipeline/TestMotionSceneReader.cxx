@@ -210,6 +210,33 @@ TEST(MotionSceneReader, MeshesOfShapesAndObstacles)
   EXPECT_NEAR(bounds[1], 2.0, 1e-12);
 }
 
+TEST(MotionSceneReader, TrianglesWithoutAreaAreToldWithTheirMesh)
+{
+  waft::test::TemporaryFolder folder;
+  folder.Write("body.obj", std::string(Tetrahedron) + "f 1 2 1\n");
+  folder.Write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  vtkNew<vtkMotionSceneReader> reader;
+  for (const char* align : { "true", "false" })
+  {
+    ErrorLog warnings(reader, vtkCommand::WarningEvent);
+    ErrorLog errors(reader);
+    const std::string taken = std::string("\", \"align\": ") + align + "}}}";
+    reader->SetFileName(
+      folder.Write(std::string("a") + align + ".waft.json",
+                   R"({"waft": 1, "shapes": {"own": {"mesh": "body.obj)" + taken));
+    reader->Update();
+    EXPECT_EQ(errors.Text, "");
+    EXPECT_TRUE(warnings.Contains("/shapes/own/mesh: \"body.obj\": 1 of 5 triangles has no area"))
+      << warnings.Text;
+    reader->SetFileName(
+      folder.Write(std::string("b") + align + ".waft.json",
+                   R"({"waft": 1, "shapes": {"own": {"mesh": "line.obj)" + taken));
+    reader->Update();
+    EXPECT_TRUE(errors.Contains("/shapes/own/mesh: expected a surface with an area, found none"))
+      << errors.Text;
+  }
+}
+
 TEST(MotionSceneReader, APhotographIsAShape)
 {
   waft::test::TemporaryFolder folder;

@@ -64,6 +64,7 @@ TEST(ShapeSources, EachKindIsAShapeWithItsSkin)
     EXPECT_TRUE(std::filesystem::exists(skin));
     EXPECT_NEAR(LargestExtent(shape.Mesh), i < 6 ? 0.1 : 0.2, 1e-9);
     EXPECT_LT(ShellCentroid(shape.Mesh).norm(), 1e-9);
+    EXPECT_EQ(RemarkOnFlatTriangles(shape.Mesh), "");
     EXPECT_EQ(shape.TextureCoordinates.size(), shape.Mesh.Points.size());
     EXPECT_TRUE(source->GetOutput()->GetFieldData()->HasArray(names::Bounds));
   }
@@ -85,6 +86,7 @@ TEST(ShapeSources, APhotographBecomesABody)
   EXPECT_EQ(shape.Name, "maple");
   EXPECT_EQ(shape.Texture, picture);
   EXPECT_GT(shape.Mesh.Triangles.size(), 200u);
+  EXPECT_EQ(RemarkOnFlatTriangles(shape.Mesh), "");
   EXPECT_EQ(shape.TextureCoordinates.size(), shape.Mesh.Points.size());
 }
 

@@ -26,6 +26,15 @@ bool IsClosed(const TriangleMesh& mesh)
   return !sides.empty() &&
          std::all_of(sides.begin(), sides.end(), [](const auto& side) { return side.second == 2; });
 }
+
+/// Has it no area, but for what single precision cannot tell from none?
+bool IsFlat(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  constexpr double thinnest = 1e-6; // height in parts of the longest side
+  const double longest =
+    std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() });
+  return (b - a).cross(c - a).norm() <= thinnest * longest;
+}
 } // namespace
 
 double SurfaceArea(const TriangleMesh& mesh)
@@ -37,6 +46,18 @@ double SurfaceArea(const TriangleMesh& mesh)
     area += 0.5 * (mesh.Points[t[1]] - a).cross(mesh.Points[t[2]] - a).norm();
   }
   return area;
+}
+
+std::string RemarkOnFlatTriangles(const TriangleMesh& mesh)
+{
+  const auto flat =
+    std::count_if(mesh.Triangles.begin(), mesh.Triangles.end(),
+                  [&](const std::array<int, 3>& t)
+                  { return IsFlat(mesh.Points[t[0]], mesh.Points[t[1]], mesh.Points[t[2]]); });
+  return flat == 0
+           ? ""
+           : std::to_string(flat) + " of " + std::to_string(mesh.Triangles.size()) + " triangles " +
+               (flat == 1 ? "has" : "have") + " no area; neither weight nor air counts there";
 }
 
 Vec3 ShellCentroid(const TriangleMesh& mesh)

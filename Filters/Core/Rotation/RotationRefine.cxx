@@ -2,6 +2,7 @@
 #include "Rotation/RotationRefine.h"
 
 #include "Base/Random.h"
+#include "Base/ShapeMeasures.h"
 #include "Obstacles/Rest.h"
 #include "Rotation/Turning.h"
 
@@ -242,6 +243,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
   {
     used[input.Objects[objectOfId[track.ObjectId]].ShapeId] = 1;
   }
+  RotationOutput result;
   std::vector<PreparedShape> shapes(input.Shapes.size());
   for (std::size_t s = 0; s < shapes.size(); ++s)
   {
@@ -250,6 +252,11 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
       continue;
     }
     WAFT_RETURN_IF_FAILED(ComputeShellProperties(input.Shapes[s], shapes[s].Properties));
+    const std::string flat = RemarkOnFlatTriangles(input.Shapes[s].Mesh);
+    if (!flat.empty())
+    {
+      result.Warnings.push_back("shape '" + input.Shapes[s].Name + "': " + flat);
+    }
     WAFT_RETURN_IF_FAILED(
       shapes[s].Panels.Build(input.Shapes[s], shapes[s].Properties, options.RasterSize, parallel));
     if (!monitor.Tick(0.1 * (s + 1) / shapes.size(), "Looking at shapes from all around"))
@@ -287,7 +294,6 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
     }
   }
 
-  RotationOutput result;
   for (TurningOutcome& outcome : outcomes)
   {
     for (std::size_t k = 0; k < outcome.Poses.Orientations.size(); ++k)

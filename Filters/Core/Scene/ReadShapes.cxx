@@ -55,6 +55,16 @@ void SceneReader::ReadShape(const SceneNode& node, const std::string& name)
     this->Check(mustAlign ? this->Assets.LoadShapeMesh(this->File(mesh), size, shape)
                           : this->Assets.LoadAlignedShape(this->File(mesh), shape),
                 mesh);
+    if (!(SurfaceArea(shape.Mesh) > 0.0))
+    {
+      mesh.FailWith("expected a surface with an area, found none in \"" + mesh.Text() + "\"");
+    }
+    const std::string flat = RemarkOnFlatTriangles(shape.Mesh);
+    if (!flat.empty())
+    {
+      this->Out.Warnings.push_back(this->Name + ": " + mesh.Pointer() + ": \"" + mesh.Text() +
+                                   "\": " + flat);
+    }
   }
   shape.Name = name;
   if (node.Has("texture"))

@@ -49,6 +49,21 @@ TEST(ShapeMeasures, OnlyALightClosedFilmLetsLightThrough)
   EXPECT_EQ(Opacity(open), 1.0);
 }
 
+TEST(ShapeMeasures, TrianglesWithoutAreaAreCounted)
+{
+  TriangleMesh mesh = TwoTriangles().Mesh;
+  EXPECT_EQ(RemarkOnFlatTriangles(mesh), "");
+  mesh.Points.emplace_back(0.0, 1e-4, -0.02); // a sliver, but a triangle
+  mesh.Triangles.push_back({ 0, 1, 6 });
+  EXPECT_EQ(RemarkOnFlatTriangles(mesh), "");
+  mesh.Triangles.push_back({ 2, 0, 2 });
+  EXPECT_NE(RemarkOnFlatTriangles(mesh).find("1 of 4 triangles has no area"), std::string::npos);
+  mesh.Points.emplace_back(1.0 / 3.0F, 1e-9, -0.02); // on a line, as a file of floats has it
+  mesh.Triangles.push_back({ 0, 1, 7 });
+  mesh.Triangles.push_back({ 3, 3, 3 });
+  EXPECT_NE(RemarkOnFlatTriangles(mesh).find("3 of 6 triangles have no area"), std::string::npos);
+}
+
 TEST(ShapeMeasures, OfAMeshWithoutArea)
 {
   TriangleMesh mesh;

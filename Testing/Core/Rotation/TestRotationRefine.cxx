@@ -272,6 +272,18 @@ TEST(RotationRefine, AStartThatIsNotUnitIsMadeSoAndTold)
   EXPECT_EQ(output.Warnings.size(), 1u);
 }
 
+TEST(RotationRefine, TrianglesWithoutAreaAreTold)
+{
+  RotationInput input = OneObject(CurledLeaf(), SwayingPath(5));
+  EXPECT_TRUE(Refine(input).Warnings.empty());
+  const std::string count = std::to_string(input.Shapes[0].Mesh.Triangles.size() + 1);
+  input.Shapes[0].Mesh.Triangles.push_back({ 0, 1, 0 });
+  const RotationOutput output = Refine(input);
+  ASSERT_EQ(output.Warnings.size(), 1u);
+  EXPECT_NE(output.Warnings[0].find("shape 'leaf': 1 of " + count + " triangles"),
+            std::string::npos);
+}
+
 TEST(RotationRefine, StripsTumbleByTheirWidthAndThicknessInTheWholeStage)
 {
   // Falls at the speed at which weight and drag balance, all knobs as they come but the variation.

@@ -51,6 +51,7 @@ TEST(ThinShape, EveryBuiltinHasItsSizeAndLiesOnItsBodyAxes)
     EXPECT_LT(ShellCentroid(shape.Mesh).norm(), 1e-12);
     EXPECT_GE(shape.Mesh.Triangles.size(), 200u);
     EXPECT_LE(shape.Mesh.Triangles.size(), 800u);
+    EXPECT_EQ(RemarkOnFlatTriangles(shape.Mesh), "");
     ASSERT_EQ(shape.TextureCoordinates.size(), shape.Mesh.Points.size());
     for (const auto& t : shape.TextureCoordinates)
     {
