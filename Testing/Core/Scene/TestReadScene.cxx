@@ -97,6 +97,11 @@ TEST(ReadScene, ShapesTakeWhatTheFileGives)
   EXPECT_EQ(scene.Shapes[0].Color[2], 0.3);
   EXPECT_EQ(scene.Shapes[0].Tint, scene.Shapes[0].Color);
   EXPECT_EQ(scene.Shapes[2].Tint, Shape().Tint); // its own colour tints no texture
+  const Scene plain =
+    Parsed(R"({"waft": 1, "shapes": {"leaf": {"builtin": "leaf", "color": [0.9, 0.1, 0.2]}}})");
+  // Without a texture it is the colour, not a filter before that of the built-in one.
+  EXPECT_EQ(plain.Shapes[0].Color, (std::array<double, 3>{ 0.9, 0.1, 0.2 }));
+  EXPECT_NE(scene.Shapes[2].Color, Shape().Color);
   EXPECT_NE(scene.Shapes[0].Texture.find("/LICENSE"), std::string::npos);
   EXPECT_NEAR(LargestExtent(scene.Shapes[1].Mesh), 0.5, 1e-12);
   EXPECT_EQ(scene.Classes, (std::vector<std::string>{ "white", "red" }));
