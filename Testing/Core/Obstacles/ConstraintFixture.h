@@ -30,11 +30,11 @@ struct Fixture
   Fixture()
   {
     ObstacleMesh ground, box, lift;
-    ground.Mesh = BoxMesh(Vec3(-2, -2, -1), Vec3(2, 2, 0));
+    ground.Mesh = MakeBox({ Vec3(-2, -2, -1), Vec3(2, 2, 0) });
     box.ObstacleId = 1;
-    box.Mesh = BoxMesh(Vec3(0.5, -0.5, 0), Vec3(1.5, 0.5, 1));
+    box.Mesh = MakeBox({ Vec3(0.5, -0.5, 0), Vec3(1.5, 0.5, 1) });
     lift.ObstacleId = 2;
-    lift.Mesh = BoxMesh(Vec3(-1.5, -0.5, 0.5), Vec3(-1, 0, 0.6));
+    lift.Mesh = MakeBox({ Vec3(-1.5, -0.5, 0.5), Vec3(-1, 0, 0.6) });
     for (int f = 0; f < 100; ++f)
     {
       lift.Offsets.emplace_back(0.0, 0.0, 0.01 * std::max(0, f - 50));

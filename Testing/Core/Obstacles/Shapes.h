@@ -2,25 +2,12 @@
 // Closed surfaces for the tests of obstacles.
 #pragma once
 
-#include "Base/Mesh.h"
+#include "Base/Primitives.h"
 
 #include <cmath>
 
 namespace waft::testing
 {
-
-inline TriangleMesh BoxMesh(const Vec3& low, const Vec3& high)
-{
-  TriangleMesh mesh;
-  for (int n = 0; n < 8; ++n)
-  {
-    mesh.Points.emplace_back(n & 1 ? high.x() : low.x(), n & 2 ? high.y() : low.y(),
-                             n & 4 ? high.z() : low.z());
-  }
-  mesh.Triangles = { { 0, 2, 1 }, { 1, 2, 3 }, { 4, 5, 6 }, { 5, 7, 6 }, { 0, 1, 4 }, { 1, 5, 4 },
-                     { 2, 6, 3 }, { 3, 6, 7 }, { 0, 4, 2 }, { 2, 4, 6 }, { 1, 3, 5 }, { 3, 7, 5 } };
-  return mesh;
-}
 
 /// A torus about the z axis; every triangle has points of its own, as readers of STL give them,
 /// and the seam closes only up to rounding.

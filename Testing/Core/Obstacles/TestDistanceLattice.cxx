@@ -16,9 +16,9 @@ namespace
 std::vector<ObstacleMesh> Scene()
 {
   ObstacleMesh ground, torus;
-  ground.Mesh = BoxMesh(Vec3(-3, -3, -1), Vec3(3, 3, 0));
-  TriangleMesh hollow = BoxMesh(Vec3(-1.8, -1.8, 0.2), Vec3(-0.6, -0.6, 1.4));
-  Append(hollow, BoxMesh(Vec3(-1.5, -1.5, 0.5), Vec3(-0.9, -0.9, 1.1)));
+  ground.Mesh = MakeBox({ Vec3(-3, -3, -1), Vec3(3, 3, 0) });
+  TriangleMesh hollow = MakeBox({ Vec3(-1.8, -1.8, 0.2), Vec3(-0.6, -0.6, 1.4) });
+  Append(hollow, MakeBox({ Vec3(-1.5, -1.5, 0.5), Vec3(-0.9, -0.9, 1.1) }));
   Append(ground.Mesh, hollow);
   torus.ObstacleId = 1;
   torus.Mesh = TorusMesh(Vec3(0.5, 0.3, 0.9), 0.6, 0.3, 32, 16);

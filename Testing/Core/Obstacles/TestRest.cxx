@@ -15,15 +15,15 @@ namespace
 ObstacleSet Scene()
 {
   ObstacleMesh ground, wedge, wall;
-  ground.Mesh = BoxMesh(Vec3(-4, -4, -1), Vec3(4, 4, 0));
+  ground.Mesh = MakeBox({ Vec3(-4, -4, -1), Vec3(4, 4, 0) });
   wedge.ObstacleId = 1;
-  wedge.Mesh = BoxMesh(Vec3(0, -1, 0), Vec3(1, 1, 1));
+  wedge.Mesh = MakeBox({ Vec3(0, -1, 0), Vec3(1, 1, 1) });
   for (Vec3& p : wedge.Mesh.Points)
   {
     p.z() = p.z() > 0.5 ? 0.2 + p.x() * std::tan(EIGEN_PI / 6.0) : 0.0;
   }
   wall.ObstacleId = 2;
-  wall.Mesh = BoxMesh(Vec3(-1.2, -1, 0), Vec3(-1.1, 1, 2));
+  wall.Mesh = MakeBox({ Vec3(-1.2, -1, 0), Vec3(-1.1, 1, 2) });
   ObstacleSet set;
   const Result result = set.Build({ ground, wedge, wall });
   EXPECT_TRUE(static_cast<bool>(result)) << result.Message();

@@ -2,6 +2,7 @@
 // Small scenes with planned paths, for tests and benchmarks.
 #pragma once
 
+#include "Base/Primitives.h"
 #include "Base/Random.h"
 #include "Obstacles/ObstacleSet.h"
 #include "Obstacles/Rest.h"
@@ -11,20 +12,6 @@
 
 namespace waft
 {
-
-/// A closed box as a mesh.
-inline TriangleMesh BoxMesh(const Vec3& low, const Vec3& high)
-{
-  TriangleMesh mesh;
-  for (int k = 0; k < 8; ++k)
-  {
-    mesh.Points.emplace_back(k & 1 ? high.x() : low.x(), k & 2 ? high.y() : low.y(),
-                             k & 4 ? high.z() : low.z());
-  }
-  mesh.Triangles = { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 },
-                     { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } };
-  return mesh;
-}
 
 struct SceneOptions
 {
@@ -43,7 +30,7 @@ inline SpacetimeInput MakeScene(const SceneOptions& options)
   input.Scene.Seed = options.Seed;
   ObstacleMesh ground;
   ground.ObstacleId = 0;
-  ground.Mesh = BoxMesh(Vec3(-3.0, -3.0, -1.0), Vec3(3.0, 3.0, 0.0));
+  ground.Mesh = MakeBox({ Vec3(-3.0, -3.0, -1.0), Vec3(3.0, 3.0, 0.0) });
   input.Obstacles.push_back(ground);
   const int last = options.NumberOfFrames - 1;
   const int landing = options.Land ? last - options.NumberOfFrames / 10 : last;
@@ -119,7 +106,7 @@ inline void AddPillar(SpacetimeInput& input, const Vec3& low = Vec3(-0.4, -0.5, 
 {
   ObstacleMesh pillar;
   pillar.ObstacleId = 1;
-  pillar.Mesh = BoxMesh(low, high);
+  pillar.Mesh = MakeBox({ low, high });
   input.Obstacles.push_back(pillar);
 }
 

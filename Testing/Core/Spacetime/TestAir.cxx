@@ -104,7 +104,7 @@ TEST(LandingCushion, HasExactDerivativesAboveTheFloorAndAnObstacle)
   SpacetimeInput input = MakeScene(scene);
   ObstacleMesh table;
   table.ObstacleId = 1;
-  table.Mesh = BoxMesh(Vec3(-0.6, -0.6, 0.2), Vec3(0.6, 0.6, 0.6));
+  table.Mesh = MakeBox({ Vec3(-0.6, -0.6, 0.2), Vec3(0.6, 0.6, 0.6) });
   input.Obstacles.push_back(table);
   SpacetimeSetup setup = MakeProblem(input);
   SpacetimeModel& model = setup.Model;
