@@ -3,10 +3,7 @@
 #pragma once
 
 #include "Base/ForceFields.h"
-
-#include <gtest/gtest.h>
-
-#include <vector>
+#include "Base/SameLists.h"
 
 namespace waft
 {
@@ -15,20 +12,19 @@ namespace test
 
 inline void ExpectSame(const std::vector<Vortex>& a, const std::vector<Vortex>& b)
 {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    SCOPED_TRACE("vortex " + std::to_string(i));
-    EXPECT_EQ(a[i].VortexId, b[i].VortexId);
-    EXPECT_EQ(a[i].P1, b[i].P1);
-    EXPECT_EQ(a[i].P2, b[i].P2);
-    EXPECT_EQ(a[i].Strength, b[i].Strength);
-    EXPECT_EQ(a[i].CenterTime, b[i].CenterTime);
-    EXPECT_EQ(a[i].Duration, b[i].Duration);
-    EXPECT_EQ(a[i].CoreRadius, b[i].CoreRadius);
-    EXPECT_EQ(a[i].Confidence, b[i].Confidence);
-    EXPECT_EQ(a[i].ObjectCount, b[i].ObjectCount);
-  }
+  ExpectSameItems("vortex", a, b,
+                  [](const Vortex& x, const Vortex& y)
+                  {
+                    EXPECT_EQ(x.VortexId, y.VortexId);
+                    EXPECT_EQ(x.P1, y.P1);
+                    EXPECT_EQ(x.P2, y.P2);
+                    EXPECT_EQ(x.Strength, y.Strength);
+                    EXPECT_EQ(x.CenterTime, y.CenterTime);
+                    EXPECT_EQ(x.Duration, y.Duration);
+                    EXPECT_EQ(x.CoreRadius, y.CoreRadius);
+                    EXPECT_EQ(x.Confidence, y.Confidence);
+                    EXPECT_EQ(x.ObjectCount, y.ObjectCount);
+                  });
 }
 
 } // namespace test

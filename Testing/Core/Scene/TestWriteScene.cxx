@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene that is written and read again is the same scene.
+#include "Base/SameLists.h"
 #include "Base/SameVortices.h"
 #include "Scene/WriteScene.h"
 #include "SceneSchema.h"
@@ -32,63 +33,60 @@ std::string WhyNotWritten(const Scene& scene)
 
 void ExpectSameRows(const std::vector<Constraint>& a, const std::vector<Constraint>& b)
 {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    SCOPED_TRACE("row " + std::to_string(i));
-    EXPECT_EQ(a[i].ObjectId, b[i].ObjectId);
-    EXPECT_EQ(a[i].Frame, b[i].Frame);
-    EXPECT_EQ(a[i].Kind, b[i].Kind);
-    EXPECT_EQ(a[i].Value, b[i].Value);
-    EXPECT_EQ(a[i].Orientation.coeffs(), b[i].Orientation.coeffs());
-    EXPECT_EQ(a[i].Radius, b[i].Radius);
-    EXPECT_EQ(a[i].Until, b[i].Until);
-    EXPECT_EQ(a[i].Row, b[i].Row);
-    EXPECT_EQ(a[i].Target, b[i].Target);
-    EXPECT_EQ(a[i].Group, b[i].Group);
-    EXPECT_EQ(a[i].ClassId, b[i].ClassId);
-  }
+  test::ExpectSameItems("row", a, b,
+                        [](const Constraint& x, const Constraint& y)
+                        {
+                          EXPECT_EQ(x.ObjectId, y.ObjectId);
+                          EXPECT_EQ(x.Frame, y.Frame);
+                          EXPECT_EQ(x.Kind, y.Kind);
+                          EXPECT_EQ(x.Value, y.Value);
+                          EXPECT_EQ(x.Orientation.coeffs(), y.Orientation.coeffs());
+                          EXPECT_EQ(x.Radius, y.Radius);
+                          EXPECT_EQ(x.Until, y.Until);
+                          EXPECT_EQ(x.Row, y.Row);
+                          EXPECT_EQ(x.Target, y.Target);
+                          EXPECT_EQ(x.Group, y.Group);
+                          EXPECT_EQ(x.ClassId, y.ClassId);
+                        });
 }
 
 void ExpectSameObjects(const std::vector<MotionObject>& a, const std::vector<MotionObject>& b)
 {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    SCOPED_TRACE("object " + std::to_string(i));
-    EXPECT_EQ(a[i].ObjectId, b[i].ObjectId);
-    EXPECT_EQ(a[i].ShapeId, b[i].ShapeId);
-    EXPECT_EQ(a[i].ClassId, b[i].ClassId);
-    EXPECT_EQ(a[i].Mass, b[i].Mass);
-    EXPECT_EQ(a[i].Position, b[i].Position);
-    EXPECT_EQ(a[i].Velocity, b[i].Velocity);
-    EXPECT_EQ(a[i].Orientation.coeffs(), b[i].Orientation.coeffs());
-    EXPECT_EQ(a[i].AngularVelocity, b[i].AngularVelocity);
-    EXPECT_EQ(a[i].SettlingSpeed, b[i].SettlingSpeed);
-    EXPECT_EQ(a[i].ClearanceRadius, b[i].ClearanceRadius);
-    EXPECT_EQ(a[i].RestHeight, b[i].RestHeight);
-  }
+  test::ExpectSameItems("object", a, b,
+                        [](const MotionObject& x, const MotionObject& y)
+                        {
+                          EXPECT_EQ(x.ObjectId, y.ObjectId);
+                          EXPECT_EQ(x.ShapeId, y.ShapeId);
+                          EXPECT_EQ(x.ClassId, y.ClassId);
+                          EXPECT_EQ(x.Mass, y.Mass);
+                          EXPECT_EQ(x.Position, y.Position);
+                          EXPECT_EQ(x.Velocity, y.Velocity);
+                          EXPECT_EQ(x.Orientation.coeffs(), y.Orientation.coeffs());
+                          EXPECT_EQ(x.AngularVelocity, y.AngularVelocity);
+                          EXPECT_EQ(x.SettlingSpeed, y.SettlingSpeed);
+                          EXPECT_EQ(x.ClearanceRadius, y.ClearanceRadius);
+                          EXPECT_EQ(x.RestHeight, y.RestHeight);
+                        });
 }
 
 void ExpectSameShapes(const std::vector<Shape>& a, const std::vector<Shape>& b)
 {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    SCOPED_TRACE("shape " + a[i].Name);
-    EXPECT_EQ(a[i].Name, b[i].Name);
-    EXPECT_EQ(a[i].Mesh.Points, b[i].Mesh.Points);
-    EXPECT_EQ(a[i].Mesh.Triangles, b[i].Mesh.Triangles);
-    EXPECT_EQ(a[i].TextureCoordinates, b[i].TextureCoordinates);
-    EXPECT_EQ(a[i].Texture, b[i].Texture);
-    EXPECT_EQ(a[i].DragCoefficient, b[i].DragCoefficient);
-    EXPECT_EQ(a[i].AreaDensity, b[i].AreaDensity);
-    EXPECT_EQ(a[i].Thickness, b[i].Thickness);
-    EXPECT_EQ(a[i].SettlingSpeed, b[i].SettlingSpeed);
-    EXPECT_EQ(a[i].Color, b[i].Color);
-    EXPECT_EQ(a[i].Tint, b[i].Tint);
-    EXPECT_EQ(a[i].ClassId, b[i].ClassId);
-  }
+  test::ExpectSameItems("shape", a, b,
+                        [](const Shape& x, const Shape& y)
+                        {
+                          EXPECT_EQ(x.Name, y.Name);
+                          EXPECT_EQ(x.Mesh.Points, y.Mesh.Points);
+                          EXPECT_EQ(x.Mesh.Triangles, y.Mesh.Triangles);
+                          EXPECT_EQ(x.TextureCoordinates, y.TextureCoordinates);
+                          EXPECT_EQ(x.Texture, y.Texture);
+                          EXPECT_EQ(x.DragCoefficient, y.DragCoefficient);
+                          EXPECT_EQ(x.AreaDensity, y.AreaDensity);
+                          EXPECT_EQ(x.Thickness, y.Thickness);
+                          EXPECT_EQ(x.SettlingSpeed, y.SettlingSpeed);
+                          EXPECT_EQ(x.Color, y.Color);
+                          EXPECT_EQ(x.Tint, y.Tint);
+                          EXPECT_EQ(x.ClassId, y.ClassId);
+                        });
 }
 
 void ExpectSameScene(const Scene& a, const Scene& b)
@@ -104,30 +102,30 @@ void ExpectSameScene(const Scene& a, const Scene& b)
   ExpectSameShapes(a.Shapes, b.Shapes);
   ExpectSameObjects(a.Objects, b.Objects);
   ExpectSameRows(a.Constraints, b.Constraints);
-  ASSERT_EQ(a.Obstacles.size(), b.Obstacles.size());
-  for (std::size_t i = 0; i < a.Obstacles.size(); ++i)
-  {
-    EXPECT_EQ(a.Obstacles[i].ObstacleId, b.Obstacles[i].ObstacleId);
-    EXPECT_EQ(a.Obstacles[i].Mesh.Points, b.Obstacles[i].Mesh.Points);
-    EXPECT_EQ(a.Obstacles[i].Mesh.Triangles, b.Obstacles[i].Mesh.Triangles);
-    ASSERT_EQ(a.Obstacles[i].Offsets.size(), b.Obstacles[i].Offsets.size());
-    for (std::size_t k = 0; k < a.Obstacles[i].Offsets.size(); ++k)
-    {
-      EXPECT_LT((a.Obstacles[i].Offsets[k] - b.Obstacles[i].Offsets[k]).norm(), 1e-12) << k;
-    }
-  }
+  test::ExpectSameItems("obstacle", a.Obstacles, b.Obstacles,
+                        [](const ObstacleMesh& x, const ObstacleMesh& y)
+                        {
+                          EXPECT_EQ(x.ObstacleId, y.ObstacleId);
+                          EXPECT_EQ(x.Mesh.Points, y.Mesh.Points);
+                          EXPECT_EQ(x.Mesh.Triangles, y.Mesh.Triangles);
+                          ASSERT_EQ(x.Offsets.size(), y.Offsets.size());
+                          for (std::size_t k = 0; k < x.Offsets.size(); ++k)
+                          {
+                            EXPECT_LT((x.Offsets[k] - y.Offsets[k]).norm(), 1e-12) << k;
+                          }
+                        });
   EXPECT_EQ(a.GroundId, b.GroundId);
   test::ExpectSame(a.Vortices, b.Vortices);
-  ASSERT_EQ(a.Winds.size(), b.Winds.size());
-  for (std::size_t i = 0; i < a.Winds.size(); ++i)
-  {
-    EXPECT_EQ(a.Winds[i].Direction, b.Winds[i].Direction);
-    EXPECT_EQ(a.Winds[i].Strength, b.Winds[i].Strength);
-    EXPECT_EQ(a.Winds[i].Center, b.Winds[i].Center);
-    EXPECT_EQ(a.Winds[i].Radius, b.Winds[i].Radius);
-    EXPECT_EQ(a.Winds[i].CenterTime, b.Winds[i].CenterTime);
-    EXPECT_EQ(a.Winds[i].Duration, b.Winds[i].Duration);
-  }
+  test::ExpectSameItems("wind", a.Winds, b.Winds,
+                        [](const AnalyticWind& x, const AnalyticWind& y)
+                        {
+                          EXPECT_EQ(x.Direction, y.Direction);
+                          EXPECT_EQ(x.Strength, y.Strength);
+                          EXPECT_EQ(x.Center, y.Center);
+                          EXPECT_EQ(x.Radius, y.Radius);
+                          EXPECT_EQ(x.CenterTime, y.CenterTime);
+                          EXPECT_EQ(x.Duration, y.Duration);
+                        });
 }
 
 const char* const Full =

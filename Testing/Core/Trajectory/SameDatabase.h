@@ -2,10 +2,9 @@
 // Two motion databases that must be the same to the bit.
 #pragma once
 
+#include "Base/SameLists.h"
 #include "Base/SameVortices.h"
 #include "Trajectory/MotionDatabase.h"
-
-#include <gtest/gtest.h>
 
 namespace waft
 {
@@ -23,44 +22,48 @@ inline void ExpectSame(const MotionDatabase& a, const MotionDatabase& b)
   EXPECT_EQ(a.TopSpeed, b.TopSpeed);
   EXPECT_EQ(a.TopNodes, b.TopNodes);
   EXPECT_EQ(a.Provenance, b.Provenance);
-  ASSERT_EQ(a.Groups.size(), b.Groups.size());
-  for (std::size_t g = 0; g < a.Groups.size(); ++g)
-  {
-    EXPECT_EQ(a.Groups[g].NumberOfSamples, b.Groups[g].NumberOfSamples);
-    EXPECT_EQ(a.Groups[g].Mean, b.Groups[g].Mean);
-    EXPECT_EQ(a.Groups[g].Basis, b.Groups[g].Basis);
-    EXPECT_EQ(a.Groups[g].RelativeError, b.Groups[g].RelativeError);
-  }
+  ExpectSameItems("group", a.Groups, b.Groups,
+                  [](const SegmentGroup& x, const SegmentGroup& y)
+                  {
+                    EXPECT_EQ(x.NumberOfSamples, y.NumberOfSamples);
+                    EXPECT_EQ(x.Mean, y.Mean);
+                    EXPECT_EQ(x.Basis, y.Basis);
+                    EXPECT_EQ(x.RelativeError, y.RelativeError);
+                  });
+  ExpectSameItems("segment", a.Segments, b.Segments,
+                  [](const Segment& x, const Segment& y)
+                  {
+                    EXPECT_EQ(x.Group, y.Group);
+                    EXPECT_EQ(x.Simulation, y.Simulation);
+                    EXPECT_EQ(x.Coefficients, y.Coefficients);
+                    EXPECT_EQ(x.ForceTypes, y.ForceTypes);
+                    EXPECT_EQ(x.VortexIds, y.VortexIds);
+                    EXPECT_EQ(x.MeanWind, y.MeanWind);
+                  });
   ASSERT_EQ(a.Segments.size(), b.Segments.size());
   for (std::size_t s = 0; s < a.Segments.size(); ++s)
   {
-    EXPECT_EQ(a.Segments[s].Group, b.Segments[s].Group);
-    EXPECT_EQ(a.Segments[s].Simulation, b.Segments[s].Simulation);
-    EXPECT_EQ(a.Segments[s].Coefficients, b.Segments[s].Coefficients);
-    EXPECT_EQ(a.Segments[s].ForceTypes, b.Segments[s].ForceTypes);
-    EXPECT_EQ(a.Segments[s].VortexIds, b.Segments[s].VortexIds);
-    EXPECT_EQ(a.Segments[s].MeanWind, b.Segments[s].MeanWind);
     EXPECT_EQ(a.Reconstruct(static_cast<int>(s)), b.Reconstruct(static_cast<int>(s)));
   }
-  ASSERT_EQ(a.Nodes.size(), b.Nodes.size());
-  for (std::size_t n = 0; n < a.Nodes.size(); ++n)
-  {
-    EXPECT_EQ(a.Nodes[n].Parent, b.Nodes[n].Parent);
-    EXPECT_EQ(a.Nodes[n].Group, b.Nodes[n].Group);
-    EXPECT_EQ(a.Nodes[n].Medoid, b.Nodes[n].Medoid);
-    EXPECT_EQ(a.Nodes[n].FirstChild, b.Nodes[n].FirstChild);
-    EXPECT_EQ(a.Nodes[n].NumberOfChildren, b.Nodes[n].NumberOfChildren);
-    EXPECT_EQ(a.Nodes[n].NumberOfSegments, b.Nodes[n].NumberOfSegments);
-    EXPECT_EQ(a.Nodes[n].Radius, b.Nodes[n].Radius);
-  }
-  ASSERT_EQ(a.Connections.size(), b.Connections.size());
-  for (std::size_t c = 0; c < a.Connections.size(); ++c)
-  {
-    EXPECT_EQ(a.Connections[c].Cost, b.Connections[c].Cost);
-    EXPECT_EQ(a.Connections[c].Rotation.coeffs(), b.Connections[c].Rotation.coeffs());
-    EXPECT_EQ(a.Connections[c].Translation, b.Connections[c].Translation);
-    EXPECT_EQ(a.Connections[c].IsConnectible, b.Connections[c].IsConnectible);
-  }
+  ExpectSameItems("node", a.Nodes, b.Nodes,
+                  [](const ClusterNode& x, const ClusterNode& y)
+                  {
+                    EXPECT_EQ(x.Parent, y.Parent);
+                    EXPECT_EQ(x.Group, y.Group);
+                    EXPECT_EQ(x.Medoid, y.Medoid);
+                    EXPECT_EQ(x.FirstChild, y.FirstChild);
+                    EXPECT_EQ(x.NumberOfChildren, y.NumberOfChildren);
+                    EXPECT_EQ(x.NumberOfSegments, y.NumberOfSegments);
+                    EXPECT_EQ(x.Radius, y.Radius);
+                  });
+  ExpectSameItems("connection", a.Connections, b.Connections,
+                  [](const Connection& x, const Connection& y)
+                  {
+                    EXPECT_EQ(x.Cost, y.Cost);
+                    EXPECT_EQ(x.Rotation.coeffs(), y.Rotation.coeffs());
+                    EXPECT_EQ(x.Translation, y.Translation);
+                    EXPECT_EQ(x.IsConnectible, y.IsConnectible);
+                  });
   ExpectSame(a.Vortices, b.Vortices);
 }
 
