@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What pipeline tests share: collecting error texts, updating to a time, counting executions.
+// What pipeline tests share: error texts, counts of executions, stops, time steps.
 #pragma once
 
 #include <vtkAlgorithm.h>
@@ -10,26 +10,49 @@
 #include <vtkNew.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
+
+/// Answers an event of some objects for as long as it lives; `data` is what the event brings.
+class Observer
+{
+public:
+  Observer(std::initializer_list<vtkObject*> subjects, unsigned long event,
+           std::function<void(void* data)> answer) :
+    Answer(std::move(answer))
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* data)
+                               { static_cast<Observer*>(self)->Answer(data); });
+    for (vtkObject* subject : subjects)
+    {
+      subject->AddObserver(event, this->Command);
+    }
+  }
+  ~Observer() { this->Command->SetCallback(nullptr); }
+  Observer(const Observer&) = delete;
+  Observer& operator=(const Observer&) = delete;
+
+private:
+  std::function<void(void*)> Answer;
+  vtkNew<vtkCallbackCommand> Command;
+};
 
 /// Collects the error texts (or warnings) of an algorithm and of its executive instead of printing
 /// them.
 class ErrorLog
 {
 public:
-  explicit ErrorLog(vtkAlgorithm* algorithm, unsigned long event = vtkCommand::ErrorEvent)
+  explicit ErrorLog(vtkAlgorithm* algorithm, unsigned long event = vtkCommand::ErrorEvent) :
+    Ear({ algorithm, algorithm->GetExecutive() }, event,
+        [this](void* text) { this->Text += static_cast<const char*>(text); })
   {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback(
-      [](vtkObject*, unsigned long, void* self, void* text)
-      { static_cast<ErrorLog*>(self)->Text += static_cast<const char*>(text); });
-    algorithm->AddObserver(event, this->Command);
-    algorithm->GetExecutive()->AddObserver(event, this->Command);
   }
-  ~ErrorLog() { this->Command->SetCallback(nullptr); }
-  ErrorLog(const ErrorLog&) = delete;
-  ErrorLog& operator=(const ErrorLog&) = delete;
   bool Contains(const std::string& part) const
   {
     return this->Text.find(part) != std::string::npos;
@@ -38,29 +61,34 @@ public:
   std::string Text;
 
 private:
-  vtkNew<vtkCallbackCommand> Command;
+  Observer Ear;
 };
+
+/// What a new source says against being run after a change of its settings; it must give nothing.
+template <class Source, class Change>
+std::string ErrorsAfter(const Change& change)
+{
+  vtkNew<Source> source;
+  change(source.Get());
+  const ErrorLog errors(source);
+  source->Update();
+  EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
+  return errors.Text;
+}
 
 /// Counts the executions (StartEvent) of an algorithm.
 class ExecutionCount
 {
 public:
-  explicit ExecutionCount(vtkAlgorithm* algorithm)
+  explicit ExecutionCount(vtkAlgorithm* algorithm) :
+    Ear({ algorithm }, vtkCommand::StartEvent, [this](void*) { ++this->Value; })
   {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void*)
-                               { ++static_cast<ExecutionCount*>(self)->Value; });
-    algorithm->AddObserver(vtkCommand::StartEvent, this->Command);
   }
-
-  ~ExecutionCount() { this->Command->SetCallback(nullptr); }
-  ExecutionCount(const ExecutionCount&) = delete;
-  ExecutionCount& operator=(const ExecutionCount&) = delete;
 
   int Value = 0;
 
 private:
-  vtkNew<vtkCallbackCommand> Command;
+  Observer Ear;
 };
 
 /// Counts the sentences of progress that an algorithm gives while it computes; that it begins and
@@ -68,25 +96,45 @@ private:
 class WorkCount
 {
 public:
-  explicit WorkCount(vtkAlgorithm* algorithm)
+  explicit WorkCount(vtkAlgorithm* algorithm) :
+    Ear({ algorithm }, vtkCommand::ProgressEvent,
+        [this](void* progress)
+        {
+          const double fraction = *static_cast<double*>(progress);
+          this->Value += fraction > 0.0 && fraction < 1.0;
+        })
   {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback(
-      [](vtkObject*, unsigned long, void* self, void* progress)
-      {
-        const double fraction = *static_cast<double*>(progress);
-        static_cast<WorkCount*>(self)->Value += fraction > 0.0 && fraction < 1.0;
-      });
-    algorithm->AddObserver(vtkCommand::ProgressEvent, this->Command);
   }
-  ~WorkCount() { this->Command->SetCallback(nullptr); }
-  WorkCount(const WorkCount&) = delete;
-  WorkCount& operator=(const WorkCount&) = delete;
 
   int Value = 0;
 
 private:
-  vtkNew<vtkCallbackCommand> Command;
+  Observer Ear;
+};
+
+/// Asks an algorithm to stop whenever it says that it has come farther than this fraction of its
+/// work (without one: at its first word), until the end of the block; then it may run whole.
+class AbortBeyond
+{
+public:
+  explicit AbortBeyond(vtkAlgorithm* algorithm, double fraction = -1.0) :
+    Algorithm(algorithm), Ear({ algorithm }, vtkCommand::ProgressEvent,
+                              [algorithm, fraction](void* progress)
+                              {
+                                if (*static_cast<double*>(progress) > fraction)
+                                {
+                                  algorithm->SetAbortExecute(1);
+                                }
+                              })
+  {
+  }
+  ~AbortBeyond() { this->Algorithm->SetAbortExecute(0); }
+  AbortBeyond(const AbortBeyond&) = delete;
+  AbortBeyond& operator=(const AbortBeyond&) = delete;
+
+private:
+  vtkAlgorithm* Algorithm;
+  Observer Ear;
 };
 
 /// The time steps that a port offers [s].

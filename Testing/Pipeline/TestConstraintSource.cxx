@@ -107,15 +107,7 @@ TEST(ConstraintSource, RowsOfAppendedSourcesAreTheirVertices)
 
 TEST(ConstraintSource, SaysWhatIsWrong)
 {
-  const auto message = [](const auto& change)
-  {
-    vtkNew<vtkConstraintSource> source;
-    change(source.Get());
-    ErrorLog errors(source);
-    source->Update();
-    EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
-    return errors.Text;
-  };
+  const auto message = [](const auto& change) { return ErrorsAfter<vtkConstraintSource>(change); };
   const auto contains = [](const std::string& text, const char* part)
   { return text.find(part) != std::string::npos; };
   EXPECT_TRUE(contains(message([](vtkConstraintSource* s) { s->SetFrame(300); }), "at most 299"));

@@ -242,23 +242,14 @@ TEST(GridSmokeSource, StopsWithTheLastFrameItReached)
 {
   vtkNew<vtkGridSmokeSource> source;
   MakeSmall(source);
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void* progress)
-    {
-      if (*static_cast<double*>(progress) > 0.45)
-      {
-        vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-      }
-    });
-  const unsigned long tag = source->AddObserver(vtkCommand::ProgressEvent, stop);
-  source->UpdateTimeStep(0.3);
+  {
+    const AbortBeyond stop(source, 0.45);
+    source->UpdateTimeStep(0.3);
+  }
   ASSERT_EQ(Smoke(source)->GetNumberOfPoints(), 1728);
   EXPECT_NEAR(Smoke(source)->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), 4.0 / 30.0,
               1e-12);
   const std::vector<float> reached = Values(source, "Velocity");
-  source->RemoveObserver(tag);
-  source->SetAbortExecute(0);
   source->UpdateTimeStep(4.0 / 30.0);
   EXPECT_EQ(Values(source, "Velocity"), reached);
   source->UpdateTimeStep(0.3);

@@ -69,17 +69,7 @@ TEST(MotionDatabaseSource, AbortedItGivesNothing)
 {
   vtkNew<vtkMotionDatabaseSource> source;
   MakeSmall(source);
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void*)
-    {
-      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-      if (algorithm->GetProgress() > 0.3)
-      {
-        algorithm->SetAbortExecute(1);
-      }
-    });
-  source->AddObserver(vtkCommand::ProgressEvent, stop);
+  const AbortBeyond stop(source, 0.3);
   source->Update();
   EXPECT_EQ(source->GetOutput()->GetNumberOfBlocks(), 0u);
 }
@@ -93,17 +83,10 @@ TEST(MotionDatabaseSource, AbortedLaterItGivesTheSimulationsThatAreWholeAndGoesO
   source->SetNumberOfFrames(30);
   source->SetWarmUpSeconds(0.5);
   source->SetKeptIn(folder.File("kept"));
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void* progress)
-    {
-      if (*static_cast<double*>(progress) > 0.3)
-      {
-        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-      }
-    });
-  const unsigned long tag = source->AddObserver(vtkCommand::ProgressEvent, stop);
-  source->Update();
+  {
+    const AbortBeyond stop(source, 0.3);
+    source->Update();
+  }
   MotionDatabase database;
   Result result = DatabaseFromMultiBlock(source->GetOutput(), database);
   ASSERT_TRUE(result) << result.Message();
@@ -112,8 +95,6 @@ TEST(MotionDatabaseSource, AbortedLaterItGivesTheSimulationsThatAreWholeAndGoesO
   EXPECT_LT(whole, 64);
   EXPECT_EQ(vtkTable::SafeDownCast(source->GetOutputDataObject(1))->GetNumberOfRows(), whole - 1);
 
-  source->RemoveObserver(tag);
-  source->SetAbortExecute(0);
   source->SetNumberOfSimulations(whole + 1);
   source->Update();
   result = DatabaseFromMultiBlock(source->GetOutput(), database);

@@ -81,27 +81,6 @@ double LastCost(vtkTable* log)
   return log->GetValueByName(log->GetNumberOfRows() - 1, "E").ToDouble();
 }
 
-/// Aborts a filter once it has come so far.
-void AbortAt(vtkAlgorithm* filter, double fraction)
-{
-  class Command : public vtkCommand
-  {
-  public:
-    void Execute(vtkObject* caller, unsigned long, void* reached) override
-    {
-      if (*static_cast<double*>(reached) > this->Fraction)
-      {
-        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-      }
-    }
-    double Fraction = 1.0;
-  };
-  auto* command = new Command;
-  command->Fraction = fraction;
-  filter->AddObserver(vtkCommand::ProgressEvent, command);
-  command->Delete();
-}
-
 } // namespace
 
 TEST(SPHSpacetimeFilter, FillsItsSixPorts)
@@ -165,12 +144,7 @@ TEST(SPHSpacetimeFilter, ServesFramesInAnyOrderFromOneSolution)
   p.Filter->Update();
   const std::vector<double> steps = TimeSteps(p.Filter, 1);
   ASSERT_EQ(steps.size(), 40u);
-  int stirred = 0;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&stirred);
-  command->SetCallback([](vtkObject*, unsigned long, void* count, void* fraction)
-                       { *static_cast<int*>(count) += *static_cast<double*>(fraction) < 1.0; });
-  p.Filter->AddObserver(vtkCommand::ProgressEvent, command);
+  const WorkCount work(p.Filter);
   const auto particle = [&](int frame)
   {
     p.Filter->UpdateTimeStep(steps[frame], -1, 1, 0);
@@ -184,11 +158,10 @@ TEST(SPHSpacetimeFilter, ServesFramesInAnyOrderFromOneSolution)
   const std::vector<Track> tracks = p.Tracks();
   EXPECT_LT((late - tracks[0].Positions[30]).norm(), 1e-5);
   EXPECT_LT((early - tracks[0].Positions[2]).norm(), 1e-5);
-  EXPECT_LE(stirred, 6); // served, not solved again
-  const int before = stirred;
+  EXPECT_EQ(work.Value, 0); // served, not solved again
   p.Filter->SetCoherenceWeight(2.0);
   p.Filter->Update();
-  EXPECT_GT(stirred, before + 10);
+  EXPECT_GT(work.Value, 10);
 }
 
 TEST(SPHSpacetimeFilter, NamesWhatIsWrongAndLeavesItsOutputsEmpty)
@@ -222,7 +195,7 @@ TEST(SPHSpacetimeFilter, BettersThePlan)
 TEST(SPHSpacetimeFilter, KeepsTheBestSoFarWhenStopped)
 {
   Pipeline p(false);
-  AbortAt(p.Filter, 0.4);
+  const AbortBeyond stop(p.Filter, 0.4);
   p.Filter->Update();
   const std::vector<Track> tracks = p.Tracks();
   ASSERT_EQ(tracks.size(), 3u);
@@ -288,7 +261,7 @@ TEST(SPHSpacetimeFilter, WritesCheckpointsAndGoesOnFromThemInAnotherPipeline)
   Pipeline stopped;
   stopped.Filter->SetCheckpointFile(path.c_str());
   stopped.Filter->SetCheckpointInterval(1e6); // the abort writes it
-  AbortAt(stopped.Filter, 0.5);
+  const AbortBeyond stop(stopped.Filter, 0.5);
   stopped.Filter->Update();
   ASSERT_TRUE(std::ifstream(path).good());
   Pipeline resumed;

@@ -110,14 +110,7 @@ TEST(ShapeKeyframeSource, DrawsAPictureByTheColoursOfItsClasses)
 TEST(ShapeKeyframeSource, SaysWhatIsWrong)
 {
   const auto message = [](const auto& change)
-  {
-    vtkNew<vtkShapeKeyframeSource> source;
-    change(source.Get());
-    ErrorLog errors(source);
-    source->Update();
-    EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
-    return errors.Text;
-  };
+  { return ErrorsAfter<vtkShapeKeyframeSource>(change); };
   const auto contains = [](const std::string& text, const char* part)
   { return text.find(part) != std::string::npos; };
   EXPECT_TRUE(contains(message([](auto* s) { s->SetText(""); }), "Text: expected"));

@@ -159,21 +159,16 @@ TEST(StylisticPlannerFilter, ServesEveryFrameFromOnePlan)
   const std::vector<Track> before = p.Tracks();
   const std::vector<double> steps = TimeSteps(p.Filter);
   ASSERT_EQ(steps.size(), 300u);
-  int ticks = 0;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&ticks);
-  command->SetCallback([](vtkObject*, unsigned long, void* count, void* fraction)
-                       { *static_cast<int*>(count) += *static_cast<double*>(fraction) < 1.0; });
-  p.Filter->AddObserver(vtkCommand::ProgressEvent, command);
+  const WorkCount work(p.Filter);
   for (int frame : { 250, 3, 120 })
   {
     p.Filter->UpdateTimeStep(steps[frame], -1, 1, 0);
   }
-  const int served = ticks;
+  EXPECT_EQ(work.Value, 0);
   EXPECT_EQ(p.Tracks()[5].Positions, before[5].Positions);
   p.Filter->SetSeed(9);
   p.Filter->Update();
-  EXPECT_GT(ticks, served + 1);
+  EXPECT_GT(work.Value, 0);
   EXPECT_NE(p.Tracks()[5].Positions, before[5].Positions);
   p.Filter->SetSeed(1);
   p.Filter->Update();
@@ -270,14 +265,11 @@ TEST(StylisticPlannerFilter, NamesWhatIsWrongAndLeavesItsOutputsEmpty)
 TEST(StylisticPlannerFilter, StopsWhenAskedWithWhatItHas)
 {
   Pipeline p;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetCallback([](vtkObject* filter, unsigned long, void*, void*)
-                       { static_cast<vtkAlgorithm*>(filter)->SetAbortExecute(1); });
-  p.Filter->AddObserver(vtkCommand::ProgressEvent, command);
-  p.Filter->Update();
+  {
+    const AbortBeyond stop(p.Filter);
+    p.Filter->Update();
+  }
   EXPECT_LT(p.Output(0)->GetNumberOfLines(), 12);
-  p.Filter->RemoveAllObservers();
-  p.Filter->SetAbortExecute(0);
   p.Filter->Modified();
   p.Filter->Update();
   EXPECT_EQ(p.Output(0)->GetNumberOfLines(), 12);

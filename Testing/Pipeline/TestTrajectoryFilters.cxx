@@ -226,17 +226,7 @@ TEST(TrajectoryTraceFilter, StoppedHalfWayItKeepsWhatItHas)
   vtkNew<SwirlSource> source;
   vtkNew<vtkTrajectoryTraceFilter> filter;
   filter->SetInputConnection(source->GetOutputPort());
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void*)
-    {
-      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-      if (algorithm->GetProgress() > 0.5)
-      {
-        algorithm->SetAbortExecute(1);
-      }
-    });
-  filter->AddObserver(vtkCommand::ProgressEvent, stop);
+  const AbortBeyond stop(filter, 0.5);
   filter->Update();
   std::size_t longest = 0;
   for (const Track& track : TracksOf(filter))

@@ -227,20 +227,11 @@ TEST(VDB, StoppedItKeepsTheFilesThatAreWhole)
   vtkNew<vtkVDBWriter> writer;
   writer->SetInputConnection(smoke->GetOutputPort());
   writer->SetFileName(folder.File("smoke.vdb"));
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void* progress)
-    {
-      if (*static_cast<double*>(progress) > 0.3)
-      {
-        vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-      }
-    });
-  const unsigned long tag = writer->AddObserver(vtkCommand::ProgressEvent, stop);
-  EXPECT_FALSE(writer->Write());
+  {
+    const AbortBeyond stop(writer, 0.3);
+    EXPECT_FALSE(writer->Write());
+  }
   EXPECT_EQ(folder.Names().size(), 3u);
-  writer->RemoveObserver(tag);
-  writer->SetAbortExecute(0);
   EXPECT_TRUE(writer->Write());
   EXPECT_EQ(folder.Names().size(), static_cast<std::size_t>(Frames));
 }
