@@ -29,17 +29,6 @@ vtkStandardNewMacro(vtkMotionSceneReader);
 namespace
 {
 
-enum Port
-{
-  Objects,
-  Constraints,
-  Obstacles,
-  Shapes,
-  Vortices,
-  Wind,
-  NumberOfPorts
-};
-
 // What the reader of the format cannot see: surfaces that are not closed or cut themselves.
 waft::Result CheckObstacles(const std::string& file, waft::Scene& scene)
 {
@@ -106,7 +95,7 @@ struct vtkMotionSceneReader::Contents
 vtkMotionSceneReader::vtkMotionSceneReader() : Read(new Contents)
 {
   this->SetNumberOfInputPorts(0);
-  this->SetNumberOfOutputPorts(NumberOfPorts);
+  this->SetNumberOfOutputPorts(WIND + 1);
 }
 
 vtkMotionSceneReader::~vtkMotionSceneReader() = default;
@@ -119,8 +108,8 @@ void vtkMotionSceneReader::SetFileName(const std::string& name)
 
 int vtkMotionSceneReader::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == Shapes ? "vtkMultiBlockDataSet"
-                                             : port == Wind ? "vtkImageData"
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == SHAPES ? "vtkMultiBlockDataSet"
+                                             : port == WIND ? "vtkImageData"
                                                             : "vtkPolyData");
   return 1;
 }
@@ -143,7 +132,7 @@ vtkTypeBool vtkMotionSceneReader::ProcessRequest(vtkInformation* request,
 int vtkMotionSceneReader::RequestInformation(vtkInformationVector* outputs)
 {
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
-  vtkInformation* wind = outputs->GetInformationObject(Wind);
+  vtkInformation* wind = outputs->GetInformationObject(WIND);
   wind->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   if (this->FileName.empty())
   {
@@ -180,17 +169,17 @@ int vtkMotionSceneReader::RequestData(vtkInformation* request, vtkInformationVec
   const Contents& read = *this->Read;
   const waft::SceneInfo& info = read.Scene.Info;
   const double time = waft::RequestedTimeOfAll(request, outputs, info.Time);
-  vtkPolyData::GetData(outputs, Objects)->ShallowCopy(read.KeptObjects);
-  vtkPolyData::GetData(outputs, Constraints)->ShallowCopy(read.KeptConstraints);
-  vtkPolyData::GetData(outputs, Obstacles)->ShallowCopy(read.KeptObstacles);
-  vtkPolyData::GetData(outputs, Vortices)->ShallowCopy(read.KeptVortices);
-  vtkMultiBlockDataSet::GetData(outputs, Shapes)->ShallowCopy(read.KeptShapes);
+  vtkPolyData::GetData(outputs, OBJECTS)->ShallowCopy(read.KeptObjects);
+  vtkPolyData::GetData(outputs, CONSTRAINTS)->ShallowCopy(read.KeptConstraints);
+  vtkPolyData::GetData(outputs, OBSTACLES)->ShallowCopy(read.KeptObstacles);
+  vtkPolyData::GetData(outputs, VORTICES)->ShallowCopy(read.KeptVortices);
+  vtkMultiBlockDataSet::GetData(outputs, SHAPES)->ShallowCopy(read.KeptShapes);
   if (read.IsMoving)
   {
     waft::MoveObstacles(read.Scene.Obstacles, time * info.Time.FramesPerSecond,
-                        vtkPolyData::GetData(outputs, Obstacles));
+                        vtkPolyData::GetData(outputs, OBSTACLES));
   }
-  read.Wind.Fill(time, info, vtkImageData::GetData(outputs, Wind));
+  read.Wind.Fill(time, info, vtkImageData::GetData(outputs, WIND));
   (void)waft::RequestedTimeOfAll(request, outputs, info.Time); // filling has cleared the stamps
   return 1;
 }

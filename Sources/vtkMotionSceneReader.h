@@ -39,6 +39,17 @@ public:
   vtkTypeMacro(vtkMotionSceneReader, vtkAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /** The output ports; those of vtkMotionSceneWriter's inputs are the same. */
+  enum Ports
+  {
+    OBJECTS,
+    CONSTRAINTS,
+    OBSTACLES,
+    SHAPES,
+    VORTICES,
+    WIND
+  };
+
   ///@{
   /** The scene file. Setting it reads the file anew, also under the same name. */
   void SetFileName(const std::string& name);

@@ -20,16 +20,6 @@
 /// database of the project.
 struct SceneChain
 {
-  enum ReaderPort
-  {
-    Objects,
-    Constraints,
-    Obstacles,
-    Shapes,
-    Vortices,
-    Wind
-  };
-
   waft::test::TemporaryFolder Folder;
   vtkNew<vtkMotionSceneReader> Reader;
   vtkNew<vtkXMLMultiBlockDataReader> Database;
@@ -41,19 +31,19 @@ struct SceneChain
   {
     this->Reader->SetFileName(this->Folder.Write("scene.waft.json", scene));
     this->Database->SetFileName(WAFT_SOURCE_DIR "/Data/Database/embedded.vtm");
-    const auto fromReader = [this](vtkAlgorithm* stage, int port, ReaderPort what)
+    const auto fromReader = [this](vtkAlgorithm* stage, int port, int what)
     { stage->SetInputConnection(port, this->Reader->GetOutputPort(what)); };
 
     this->Planner->SetInputConnection(0, this->Database->GetOutputPort());
-    fromReader(this->Planner, 1, Objects);
-    fromReader(this->Planner, 2, Constraints);
-    fromReader(this->Planner, 3, Obstacles);
+    fromReader(this->Planner, 1, vtkMotionSceneReader::OBJECTS);
+    fromReader(this->Planner, 2, vtkMotionSceneReader::CONSTRAINTS);
+    fromReader(this->Planner, 3, vtkMotionSceneReader::OBSTACLES);
 
     this->Spacetime->SetInputConnection(0, this->Planner->GetOutputPort(0));
-    fromReader(this->Spacetime, 1, Objects);
+    fromReader(this->Spacetime, 1, vtkMotionSceneReader::OBJECTS);
     this->Spacetime->SetInputConnection(2, this->Planner->GetOutputPort(3));
-    fromReader(this->Spacetime, 3, Obstacles);
-    fromReader(this->Spacetime, 4, Vortices);
+    fromReader(this->Spacetime, 3, vtkMotionSceneReader::OBSTACLES);
+    fromReader(this->Spacetime, 4, vtkMotionSceneReader::VORTICES);
     this->Spacetime->SetNumberOfGasParticles(343);
     this->Spacetime->SetNumberOfObjectParticles(6);
     this->Spacetime->SetPasses(1);
@@ -61,17 +51,17 @@ struct SceneChain
     this->Spacetime->SetMaximumNumberOfIterations(15);
 
     this->Rotation->SetInputConnection(0, this->Spacetime->GetOutputPort(0));
-    fromReader(this->Rotation, 1, Objects);
-    fromReader(this->Rotation, 2, Shapes);
-    fromReader(this->Rotation, 3, Obstacles);
+    fromReader(this->Rotation, 1, vtkMotionSceneReader::OBJECTS);
+    fromReader(this->Rotation, 2, vtkMotionSceneReader::SHAPES);
+    fromReader(this->Rotation, 3, vtkMotionSceneReader::OBSTACLES);
     this->Rotation->SetInputConnection(5, this->Planner->GetOutputPort(3));
   }
 
   /// Of a scene that has winds: the optimiser and the turning objects feel them.
   void BlowWind()
   {
-    this->Spacetime->SetInputConnection(5, this->Reader->GetOutputPort(Wind));
-    this->Rotation->SetInputConnection(4, this->Reader->GetOutputPort(Wind));
+    this->Spacetime->SetInputConnection(5, this->Reader->GetOutputPort(vtkMotionSceneReader::WIND));
+    this->Rotation->SetInputConnection(4, this->Reader->GetOutputPort(vtkMotionSceneReader::WIND));
   }
 
   std::vector<vtkAlgorithm*> Stages() const

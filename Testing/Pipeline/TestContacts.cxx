@@ -110,8 +110,8 @@ TEST(Contacts, NoMeshCutsAStairOrAHillFromTheSceneToThePoses)
   chain.Rotation->Update();
 
   ObstacleCollector collector;
-  chain.Reader->Update(SceneChain::Obstacles);
-  ASSERT_TRUE(collector.Add(SceneChain::Poly(chain.Reader, SceneChain::Obstacles), 0.0,
+  chain.Reader->Update(vtkMotionSceneReader::OBSTACLES);
+  ASSERT_TRUE(collector.Add(SceneChain::Poly(chain.Reader, vtkMotionSceneReader::OBSTACLES), 0.0,
                             Timeline{ Frames, 30.0 }));
   ObstacleSet obstacles;
   ASSERT_TRUE(obstacles.Build(collector.Take()));

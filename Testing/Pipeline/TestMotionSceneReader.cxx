@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PipelineTesting.h"
+#include "SceneSources.h"
 
 #include "Base/TemporaryFolder.h"
 
@@ -27,11 +28,6 @@
 namespace
 {
 
-std::string SceneFile(const std::string& name)
-{
-  return std::string(WAFT_SOURCE_DIR) + "/Data/Scenes/" + name;
-}
-
 vtkPolyData* PolyOutput(vtkAlgorithm* reader, int port)
 {
   return vtkPolyData::SafeDownCast(reader->GetOutputDataObject(port));
@@ -39,12 +35,8 @@ vtkPolyData* PolyOutput(vtkAlgorithm* reader, int port)
 
 vtkImageData* WindOutput(vtkAlgorithm* reader)
 {
-  return vtkImageData::SafeDownCast(reader->GetOutputDataObject(5));
+  return vtkImageData::SafeDownCast(reader->GetOutputDataObject(vtkMotionSceneReader::WIND));
 }
-
-// An obj file of a tetrahedron, z up.
-const char* const Tetrahedron =
-  "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
 
 void WriteWind(const std::string& file, const char* array, float value)
 {
@@ -87,8 +79,9 @@ TEST(MotionSceneReader, EveryPortCarriesTheSceneAndItsFrames)
     EXPECT_EQ(TimeSteps(reader, port).size(), 300u);
   }
   EXPECT_EQ(WindOutput(reader)->GetNumberOfPoints(), 0);
-  EXPECT_EQ(PolyOutput(reader, 4)->GetNumberOfCells(), 0);
-  EXPECT_EQ(PolyOutput(reader, 2)->GetNumberOfPoints(), 8) << "the ground";
+  EXPECT_EQ(PolyOutput(reader, vtkMotionSceneReader::VORTICES)->GetNumberOfCells(), 0);
+  EXPECT_EQ(PolyOutput(reader, vtkMotionSceneReader::OBSTACLES)->GetNumberOfPoints(), 8)
+    << "the ground";
 }
 
 TEST(MotionSceneReader, TheScenesOfTheProjectCanBeFlown)
@@ -104,11 +97,15 @@ TEST(MotionSceneReader, TheScenesOfTheProjectCanBeFlown)
     std::vector<waft::Constraint> rows;
     std::vector<waft::Shape> shapes;
     waft::SceneInfo info;
-    ASSERT_TRUE(waft::SceneInfoFromFieldData(PolyOutput(reader, 0), info));
-    ASSERT_TRUE(waft::ObjectsFromPolyData(PolyOutput(reader, 0), objects));
-    ASSERT_TRUE(waft::ConstraintsFromPolyData(PolyOutput(reader, 1), info.Time, rows));
+    ASSERT_TRUE(
+      waft::SceneInfoFromFieldData(PolyOutput(reader, vtkMotionSceneReader::OBJECTS), info));
+    ASSERT_TRUE(
+      waft::ObjectsFromPolyData(PolyOutput(reader, vtkMotionSceneReader::OBJECTS), objects));
+    ASSERT_TRUE(waft::ConstraintsFromPolyData(PolyOutput(reader, vtkMotionSceneReader::CONSTRAINTS),
+                                              info.Time, rows));
     ASSERT_TRUE(waft::ShapesFromMultiBlock(
-      vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(3)), shapes));
+      vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(vtkMotionSceneReader::SHAPES)),
+      shapes));
     for (const waft::MotionObject& a : objects)
     {
       EXPECT_GT(info.Bounds.InnerDistance(a.Position), 2.0 * a.ClearanceRadius);
@@ -155,14 +152,14 @@ TEST(MotionSceneReader, MovingObstaclesAndWindsFollowTheTime)
   const auto left = [&](double time)
   {
     reader->UpdateInformation();
-    for (const int port : { 2, 5 })
+    for (const int port : { vtkMotionSceneReader::OBSTACLES, vtkMotionSceneReader::WIND })
     {
       reader->GetOutputInformation(port)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(),
                                               time);
       reader->Update(port);
     }
     double bounds[6];
-    PolyOutput(reader, 2)->GetBounds(bounds);
+    PolyOutput(reader, vtkMotionSceneReader::OBSTACLES)->GetBounds(bounds);
     return bounds[0];
   };
   EXPECT_NEAR(left(1.0), 0.5, 1e-12);
@@ -199,13 +196,14 @@ TEST(MotionSceneReader, MeshesOfShapesAndObstacles)
   reader->Update();
   std::vector<waft::Shape> shapes;
   ASSERT_TRUE(waft::ShapesFromMultiBlock(
-    vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(3)), shapes));
+    vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(vtkMotionSceneReader::SHAPES)),
+    shapes));
   ASSERT_EQ(shapes.size(), 1u);
   EXPECT_EQ(shapes[0].Name, "own");
   EXPECT_NEAR(waft::LargestExtent(shapes[0].Mesh), 0.3, 1e-12);
   EXPECT_LT(waft::ShellCentroid(shapes[0].Mesh).norm(), 1e-12);
   double bounds[6];
-  PolyOutput(reader, 2)->GetBounds(bounds);
+  PolyOutput(reader, vtkMotionSceneReader::OBSTACLES)->GetBounds(bounds);
   EXPECT_NEAR(bounds[0], 1.0, 1e-12);
   EXPECT_NEAR(bounds[1], 2.0, 1e-12);
 }
@@ -252,7 +250,8 @@ TEST(MotionSceneReader, APhotographIsAShape)
   reader->Update();
   std::vector<waft::Shape> shapes;
   ASSERT_TRUE(waft::ShapesFromMultiBlock(
-    vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(3)), shapes));
+    vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(vtkMotionSceneReader::SHAPES)),
+    shapes));
   ASSERT_EQ(shapes.size(), 1u);
   EXPECT_EQ(shapes[0].Name, "mine");
   EXPECT_EQ(shapes[0].Texture, folder.File("leaf.png"));
@@ -348,7 +347,7 @@ TEST(MotionSceneReader, ErrorsNameThePlaceAndEmptyTheOutputs)
   {
     reader->SetFileName(SceneFile("feather-waypoints.waft.json"));
     reader->Update();
-    ASSERT_EQ(PolyOutput(reader, 0)->GetNumberOfPoints(), 1);
+    ASSERT_EQ(PolyOutput(reader, vtkMotionSceneReader::OBJECTS)->GetNumberOfPoints(), 1);
     ErrorLog errors(reader);
     reader->SetFileName(folder.Write("bad.waft.json", bad[0]));
     reader->Update();
@@ -361,7 +360,9 @@ TEST(MotionSceneReader, ErrorsNameThePlaceAndEmptyTheOutputs)
       EXPECT_EQ(PolyOutput(reader, port)->GetNumberOfPoints(), 0) << port;
     }
     EXPECT_EQ(
-      vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(3))->GetNumberOfBlocks(), 0u);
+      vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(vtkMotionSceneReader::SHAPES))
+        ->GetNumberOfBlocks(),
+      0u);
   }
   ErrorLog errors(reader);
   reader->SetFileName("/nowhere/x.waft.json");

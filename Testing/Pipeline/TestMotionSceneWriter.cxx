@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene that goes through the writer and the reader is the same scene.
 #include "PipelineTesting.h"
+#include "SceneSources.h"
 
 #include "Base/TemporaryFolder.h"
 
@@ -32,28 +33,9 @@
 namespace
 {
 
-enum Port
-{
-  Objects,
-  Constraints,
-  Obstacles,
-  Shapes,
-  Vortices,
-  Wind
-};
-
-// A closed surface that is no box, sphere or cylinder.
-const char* const Tetrahedron =
-  "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
-
-std::string SceneFile(const std::string& name)
-{
-  return std::string(WAFT_SOURCE_DIR) + "/Data/Scenes/" + name;
-}
-
 void Connect(vtkMotionSceneReader* reader, vtkMotionSceneWriter* writer)
 {
-  for (int port = Objects; port <= Wind; ++port)
+  for (int port = 0; port <= vtkMotionSceneReader::WIND; ++port)
   {
     writer->SetInputConnection(port, reader->GetOutputPort(port));
   }
@@ -127,20 +109,24 @@ void ExpectSameScene(vtkMotionSceneReader* a, vtkMotionSceneReader* b, double ti
   for (vtkMotionSceneReader* reader : { a, b })
   {
     reader->UpdateInformation();
-    for (const int port : { int(Objects), int(Obstacles), int(Wind) })
+    for (const int port : { vtkMotionSceneReader::OBJECTS, vtkMotionSceneReader::OBSTACLES,
+                            vtkMotionSceneReader::WIND })
     {
       reader->GetOutputInformation(port)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(),
                                               time);
       reader->Update(port);
     }
   }
-  for (const int port : { int(Objects), int(Constraints), int(Obstacles), int(Vortices) })
+  for (const int port : { vtkMotionSceneReader::OBJECTS, vtkMotionSceneReader::CONSTRAINTS,
+                          vtkMotionSceneReader::OBSTACLES, vtkMotionSceneReader::VORTICES })
   {
     SCOPED_TRACE("port " + std::to_string(port));
     ExpectSameSurface(Poly(a, port), Poly(b, port), {}, tolerance);
   }
-  auto* shapes = vtkMultiBlockDataSet::SafeDownCast(a->GetOutputDataObject(Shapes));
-  auto* others = vtkMultiBlockDataSet::SafeDownCast(b->GetOutputDataObject(Shapes));
+  auto* shapes =
+    vtkMultiBlockDataSet::SafeDownCast(a->GetOutputDataObject(vtkMotionSceneReader::SHAPES));
+  auto* others =
+    vtkMultiBlockDataSet::SafeDownCast(b->GetOutputDataObject(vtkMotionSceneReader::SHAPES));
   ASSERT_EQ(shapes->GetNumberOfBlocks(), others->GetNumberOfBlocks());
   for (unsigned int i = 0; i < shapes->GetNumberOfBlocks(); ++i)
   {
@@ -148,8 +134,8 @@ void ExpectSameScene(vtkMotionSceneReader* a, vtkMotionSceneReader* b, double ti
     ExpectSameSurface(vtkPolyData::SafeDownCast(shapes->GetBlock(i)),
                       vtkPolyData::SafeDownCast(others->GetBlock(i)));
   }
-  auto* wind = vtkImageData::SafeDownCast(a->GetOutputDataObject(Wind));
-  auto* other = vtkImageData::SafeDownCast(b->GetOutputDataObject(Wind));
+  auto* wind = vtkImageData::SafeDownCast(a->GetOutputDataObject(vtkMotionSceneReader::WIND));
+  auto* other = vtkImageData::SafeDownCast(b->GetOutputDataObject(vtkMotionSceneReader::WIND));
   ASSERT_EQ(wind->GetNumberOfPoints(), other->GetNumberOfPoints());
   ExpectSameArrays(wind->GetPointData(), other->GetPointData(), {}, 1e-12);
 }
@@ -161,9 +147,9 @@ std::string PlanOf(vtkMotionSceneReader* reader)
   database->SetFileName(WAFT_SOURCE_DIR "/Data/Database/embedded.vtm");
   vtkNew<vtkStylisticPlannerFilter> planner;
   planner->SetInputConnection(0, database->GetOutputPort());
-  planner->SetInputConnection(1, reader->GetOutputPort(Objects));
-  planner->SetInputConnection(2, reader->GetOutputPort(Constraints));
-  planner->SetInputConnection(3, reader->GetOutputPort(Obstacles));
+  planner->SetInputConnection(1, reader->GetOutputPort(vtkMotionSceneReader::OBJECTS));
+  planner->SetInputConnection(2, reader->GetOutputPort(vtkMotionSceneReader::CONSTRAINTS));
+  planner->SetInputConnection(3, reader->GetOutputPort(vtkMotionSceneReader::OBSTACLES));
   planner->Update();
   std::ostringstream text;
   text.precision(17);
@@ -309,8 +295,8 @@ TEST(MotionSceneWriter, WhatIsMadeByHandReadsBack)
     rows->AddInputConnection(source->GetOutputPort());
   }
   vtkNew<vtkMotionSceneWriter> writer;
-  writer->SetInputConnection(Objects, objects->GetOutputPort());
-  writer->SetInputConnection(Constraints, rows->GetOutputPort());
+  writer->SetInputConnection(vtkMotionSceneReader::OBJECTS, objects->GetOutputPort());
+  writer->SetInputConnection(vtkMotionSceneReader::CONSTRAINTS, rows->GetOutputPort());
   writer->SetFileName(folder.File("hand.waft.json"));
   ErrorLog errors(writer);
   ASSERT_TRUE(writer->Write()) << errors.Text;
@@ -320,9 +306,11 @@ TEST(MotionSceneWriter, WhatIsMadeByHandReadsBack)
   copy->Update();
   EXPECT_EQ(reading.Text, "");
   // AppendPolyData drops field data; rows by hand have no numbers of their own yet.
-  ExpectSameSurface(objects->GetOutput(), Poly(copy, Objects));
-  ExpectSameSurface(rows->GetOutput(), Poly(copy, Constraints), { "Row", "Group" });
-  EXPECT_EQ(Poly(copy, Obstacles)->GetNumberOfPoints(), 0) << "no ground was given";
+  ExpectSameSurface(objects->GetOutput(), Poly(copy, vtkMotionSceneReader::OBJECTS));
+  ExpectSameSurface(rows->GetOutput(), Poly(copy, vtkMotionSceneReader::CONSTRAINTS),
+                    { "Row", "Group" });
+  EXPECT_EQ(Poly(copy, vtkMotionSceneReader::OBSTACLES)->GetNumberOfPoints(), 0)
+    << "no ground was given";
 }
 
 TEST(MotionSceneWriter, AnErrorLeavesWhatStoodThere)
@@ -338,7 +326,7 @@ TEST(MotionSceneWriter, AnErrorLeavesWhatStoodThere)
   vtkNew<vtkObjectSource> object;
   object->SetShapeId(3);
   vtkNew<vtkMotionSceneWriter> writer;
-  writer->SetInputConnection(Objects, object->GetOutputPort());
+  writer->SetInputConnection(vtkMotionSceneReader::OBJECTS, object->GetOutputPort());
   writer->SetFileName(file);
   ErrorLog errors(writer);
   EXPECT_FALSE(writer->Write());
@@ -385,7 +373,7 @@ TEST(MotionSceneWriter, WritesOnceForEachChange)
   waft::test::TemporaryFolder folder;
   vtkNew<vtkObjectSource> object;
   vtkNew<vtkMotionSceneWriter> writer;
-  writer->SetInputConnection(Objects, object->GetOutputPort());
+  writer->SetInputConnection(vtkMotionSceneReader::OBJECTS, object->GetOutputPort());
   writer->Update();
   EXPECT_TRUE(std::filesystem::is_empty(std::filesystem::path(folder.File("x")).parent_path()));
   writer->SetFileName(folder.File("a.waft.json"));

@@ -69,11 +69,11 @@ double LeastSpare(vtkMotionSceneReader* reader, const std::vector<MotionObject>&
   for (int sample = 0; sample <= (Frames - 1) * SamplesPerFrame; ++sample)
   {
     const double frame = static_cast<double>(sample) / SamplesPerFrame;
-    reader->GetOutputInformation(SceneChain::Obstacles)
+    reader->GetOutputInformation(vtkMotionSceneReader::OBSTACLES)
       ->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), isFrozen ? 0.0 : frame / 30.0);
-    reader->Update(SceneChain::Obstacles);
+    reader->Update(vtkMotionSceneReader::OBSTACLES);
     vtkNew<vtkImplicitPolyDataDistance> distance;
-    distance->SetInput(SceneChain::Poly(reader, SceneChain::Obstacles));
+    distance->SetInput(SceneChain::Poly(reader, vtkMotionSceneReader::OBSTACLES));
     const auto k = static_cast<std::size_t>(std::min(Frames - 2, static_cast<int>(frame)));
     for (const MotionObject& object : objects)
     {
@@ -128,7 +128,8 @@ TEST(MovingObstacles, ObjectsKeepClearOfThemFromTheSceneToThePoses)
     EXPECT_EQ(report->GetValueByName(row, "Status").ToString(), "met");
   }
   std::vector<MotionObject> objects;
-  ASSERT_TRUE(ObjectsFromPolyData(SceneChain::Poly(chain.Reader, SceneChain::Objects), objects));
+  ASSERT_TRUE(
+    ObjectsFromPolyData(SceneChain::Poly(chain.Reader, vtkMotionSceneReader::OBJECTS), objects));
   ASSERT_EQ(objects.size(), 3u);
   for (const MotionObject& object : objects)
   {

@@ -106,8 +106,8 @@ TEST(Scrubbing, TheChainComputesOnce)
   }
   std::filesystem::remove(chain.Folder.File("scene.waft.json")); // who reads it again fails
   ErrorLog errors(chain.Reader);
-  ExpectServed(computing, chain.Reader, SceneChain::Obstacles, true);
-  ExpectServed(computing, chain.Reader, SceneChain::Wind, false);
+  ExpectServed(computing, chain.Reader, vtkMotionSceneReader::OBSTACLES, true);
+  ExpectServed(computing, chain.Reader, vtkMotionSceneReader::WIND, false);
   ExpectServed(computing, chain.Planner, 0, false);
   ExpectServed(computing, chain.Spacetime, 0, false);
   ExpectServed(computing, chain.Spacetime, 1, true);

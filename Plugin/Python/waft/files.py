@@ -131,28 +131,29 @@ def table_rows(table):
 
 
 @contextlib.contextmanager
-def replaced(path):
-    """A temporary path beside a file, moved onto it when the block ends well."""
+def _staged(path):
+    """A path of the same name in a temporary folder beside a path; all that is there in the end is moved beside it when
+    the block ends well."""
     path = pathlib.Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
     staging = pathlib.Path(tempfile.mkdtemp(prefix=".waft-", dir=path.parent))
     try:
-        yield str(staging / path.name)
+        yield staging / path.name
         _move_in(staging, path.parent)
     finally:
         shutil.rmtree(staging, ignore_errors=True)
 
 
 @contextlib.contextmanager
+def replaced(path):
+    """A temporary path beside a file, moved onto it when the block ends well."""
+    with _staged(path) as made:
+        yield str(made)
+
+
+@contextlib.contextmanager
 def replaced_folder(path):
     """A temporary folder beside a folder, which takes its place when the block ends well."""
-    path = pathlib.Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    staging = pathlib.Path(tempfile.mkdtemp(prefix=".waft-", dir=path.parent))
-    try:
-        made = staging / path.name
+    with _staged(path) as made:
         made.mkdir()
         yield made
-        _move_in(staging, path.parent)
-    finally:
-        shutil.rmtree(staging, ignore_errors=True)

@@ -138,6 +138,23 @@ class Mazes : public testing::TestWithParam<MazeCase>
 {
 };
 
+/// One object, a mark at a frame and one at 240, all three `clearance` from what stands there.
+void FlyBetweenClearPoints(PlanScene& scene, Random& random, double clearance, int frame)
+{
+  const auto clearPoint = [&]()
+  {
+    Vec3 x;
+    do
+    {
+      x = random.InBox(Box{ Vec3(-1.8, -1.8, 0.2), Vec3(1.8, 1.8, 3.8) });
+    } while (scene.Obstacles.SignedDistance(x, 0.0) < clearance);
+    return x;
+  };
+  scene.AddObject(clearPoint());
+  scene.AddRow(ConstraintKind::Position, 0, frame, clearPoint());
+  scene.AddRow(ConstraintKind::Position, 0, 240, clearPoint());
+}
+
 } // namespace
 
 TEST_P(Mazes, AreFlownThroughInTimeClearAndInStyle)
@@ -224,18 +241,7 @@ TEST(Mazes, NothingIsTouchedIn200RandomScenes)
       scene.AddBox(center - half, center + half);
     }
     PlanScene::Check(scene.Obstacles.Build(scene.Meshes));
-    const auto clearPoint = [&]()
-    {
-      Vec3 x;
-      do
-      {
-        x = random.InBox(Box{ Vec3(-1.8, -1.8, 0.2), Vec3(1.8, 1.8, 3.8) });
-      } while (scene.Obstacles.SignedDistance(x, 0.0) < 0.06);
-      return x;
-    };
-    scene.AddObject(clearPoint());
-    scene.AddRow(ConstraintKind::Position, 0, 110, clearPoint());
-    scene.AddRow(ConstraintKind::Position, 0, 240, clearPoint());
+    FlyBetweenClearPoints(scene, random, 0.06, 110);
     const PlanOutput output = scene.Run(seed);
     const double slack = LeastBoxSlack(scene, output.Tracks[0]);
     worst = std::min(worst, slack);
@@ -275,18 +281,7 @@ TEST(Mazes, NothingIsTouchedAmongMeshesOfAnyShape)
       scene.Meshes.push_back(obstacle);
     }
     PlanScene::Check(scene.Obstacles.Build(scene.Meshes));
-    const auto clearPoint = [&]()
-    {
-      Vec3 x;
-      do
-      {
-        x = random.InBox(Box{ Vec3(-1.8, -1.8, 0.2), Vec3(1.8, 1.8, 3.8) });
-      } while (scene.Obstacles.SignedDistance(x, 0.0) < 0.08);
-      return x;
-    };
-    scene.AddObject(clearPoint());
-    scene.AddRow(ConstraintKind::Position, 0, 120, clearPoint());
-    scene.AddRow(ConstraintKind::Position, 0, 240, clearPoint());
+    FlyBetweenClearPoints(scene, random, 0.08, 120);
     const PlanOutput output = scene.Run(seed);
     EXPECT_GE(LeastMeshSlack(scene, output.Tracks[0]), -0.004) << seed;
     for (const ReportRow& line : output.Report)
