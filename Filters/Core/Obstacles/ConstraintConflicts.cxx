@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Obstacles/ConstraintConflicts.h"
 
+#include "Base/NumberText.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace waft
 {
@@ -11,16 +12,9 @@ namespace waft
 namespace
 {
 
-std::string Number(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4g", value);
-  return text;
-}
-
 std::string Apart(double distance, double allowed, const char* unit)
 {
-  return Number(distance) + unit + " apart, expected at most " + Number(allowed) + unit;
+  return NumberText(distance) + unit + " apart, expected at most " + NumberText(allowed) + unit;
 }
 
 } // namespace
@@ -46,7 +40,8 @@ Contradiction ObjectWishes::Add(const Wish& wish)
       this->Exact.Add(wish.Stencil, wish.Value, wish.Line, this->Tolerance, lines, gap) ==
         LinearRows::Answer::Contradictory)
   {
-    found = { wish, lines, "no positions satisfy all of them, " + Number(gap) + " m are missing" };
+    found = { wish, lines,
+              "no positions satisfy all of them, " + NumberText(gap) + " m are missing" };
   }
   if (found.IsEmpty())
   {
@@ -130,8 +125,8 @@ Contradiction ObjectWishes::CheckDerivative(const Wish& derivative, const Wish& 
   lines.erase(candidate.Line);
   return { candidate, lines,
            "the places allow no " + std::string(ToString(derivative.Kind)) + " nearer than " +
-             Number(centre.norm() - reach + derivative.Radius) + " to the one wished, expected " +
-             Number(derivative.Radius) };
+             NumberText(centre.norm() - reach + derivative.Radius) +
+             " to the one wished, expected " + NumberText(derivative.Radius) };
 }
 
 Contradiction ObjectWishes::AddOrientation(const Constraint& row, int line)

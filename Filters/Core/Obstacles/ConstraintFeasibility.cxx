@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Obstacles/ConstraintFeasibility.h"
 
+#include "Base/NumberText.h"
+
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <set>
 #include <utility>
@@ -13,23 +14,14 @@ namespace waft
 namespace
 {
 
-std::string Text(const Vec3& p)
-{
-  char text[96];
-  std::snprintf(text, sizeof(text), "(%.6g, %.6g, %.6g)", p.x(), p.y(), p.z());
-  return text;
-}
-
 std::string Metres(double value)
 {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4g m", value);
-  return text;
+  return NumberText(value) + " m";
 }
 
 std::string ExpectedInside(const Box& box)
 {
-  return ", expected between " + Text(box.Min) + " and " + Text(box.Max);
+  return ", expected between " + PointText(box.Min) + " and " + PointText(box.Max);
 }
 
 std::string WhyPositionInfeasible(const Constraint& row, const MotionObject* object,
@@ -41,17 +33,17 @@ std::string WhyPositionInfeasible(const Constraint& row, const MotionObject* obj
   const double outside = (box.Min - row.Value).cwiseMax(row.Value - box.Max).cwiseMax(0.0).norm();
   if (outside > row.Radius + tolerance)
   {
-    return "the position " + Text(row.Value) + " lies " + Metres(outside) + " outside the volume" +
-           ExpectedInside(box);
+    return "the position " + PointText(row.Value) + " lies " + Metres(outside) +
+           " outside the volume" + ExpectedInside(box);
   }
   const int exempt = object ? RequiredClearance(*object, windows, row.Frame).Exempt : -1;
   SurfaceHit hit;
   const double distance = obstacles.SignedDistance(row.Value, row.Frame, hit, exempt);
   if (distance < -row.Radius - tolerance)
   {
-    return "the position " + Text(row.Value) + " lies " + Metres(-distance) + " inside obstacle " +
-           std::to_string(hit.ObstacleId) + ", expected outside; the nearest free place is " +
-           Text(hit.Point);
+    return "the position " + PointText(row.Value) + " lies " + Metres(-distance) +
+           " inside obstacle " + std::to_string(hit.ObstacleId) +
+           ", expected outside; the nearest free place is " + PointText(hit.Point);
   }
   return {};
 }
@@ -71,16 +63,17 @@ std::string WhyRestInfeasible(const Constraint& row, const MotionObject* object,
   if (!RestingPlace(obstacles, row.Value, row.Frame, object ? object->RestHeight : 0.0, centre,
                     hit))
   {
-    return "there is no surface below " + Text(row.Value) + " to rest on";
+    return "there is no surface below " + PointText(row.Value) + " to rest on";
   }
   if (box.InnerDistance(centre) < -tolerance)
   {
-    return "the resting place " + Text(centre) + " lies outside the volume" + ExpectedInside(box);
+    return "the resting place " + PointText(centre) + " lies outside the volume" +
+           ExpectedInside(box);
   }
   SurfaceHit other;
   if (obstacles.SignedDistance(centre, row.Frame, other, hit.ObstacleId) < -tolerance)
   {
-    return "the resting place " + Text(centre) + " lies inside obstacle " +
+    return "the resting place " + PointText(centre) + " lies inside obstacle " +
            std::to_string(other.ObstacleId);
   }
   for (const ObstacleMesh& obstacle : obstacles.Obstacles())
@@ -89,7 +82,7 @@ std::string WhyRestInfeasible(const Constraint& row, const MotionObject* object,
     {
       if ((obstacle.Offset(f) - obstacle.Offset(row.Frame)).norm() > tolerance)
       {
-        return "obstacle " + std::to_string(hit.ObstacleId) + " below " + Text(row.Value) +
+        return "obstacle " + std::to_string(hit.ObstacleId) + " below " + PointText(row.Value) +
                " moves at frame " + std::to_string(f) + ", expected a surface that stands still";
       }
     }

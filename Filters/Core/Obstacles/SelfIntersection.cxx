@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Obstacles/SurfaceRepair.h"
 
+#include "Base/NumberText.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
-#include <cstdio>
 #include <vector>
 
 namespace waft
@@ -124,12 +125,8 @@ Result CheckSelfIntersection(const std::string& name, const TriangleMesh& mesh)
   const auto& corners = mesh.Triangles[first];
   const Vec3 place =
     (mesh.Points[corners[0]] + mesh.Points[corners[1]] + mesh.Points[corners[2]]) / 3.0;
-  char text[128];
-  std::snprintf(
-    text, sizeof(text),
-    ": the surface cuts itself near (%.6g, %.6g, %.6g), expected the boundary of a solid",
-    place.x(), place.y(), place.z());
-  return Result::Error(name + text);
+  return Result::Error(name + ": the surface cuts itself near " + PointText(place) +
+                       ", expected the boundary of a solid");
 }
 
 } // namespace waft

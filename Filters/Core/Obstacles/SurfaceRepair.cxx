@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Obstacles/SurfaceRepair.h"
 
+#include "Base/NumberText.h"
+
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <unordered_map>
 
@@ -19,13 +20,6 @@ struct Edge
   int Triangle = 0;
   bool Forward = true; // the triangle runs from Low to High
 };
-
-std::string Text(const Vec3& p)
-{
-  char text[96];
-  std::snprintf(text, sizeof(text), "(%.6g, %.6g, %.6g)", p.x(), p.y(), p.z());
-  return text;
-}
 
 Result CheckNumbers(const std::string& name, const TriangleMesh& mesh)
 {
@@ -177,8 +171,8 @@ Result CheckClosed(const std::string& name, const TriangleMesh& mesh,
     if (last - first != 2)
     {
       return Result::Error(name + ": the surface is not closed: the edge from " +
-                           Text(mesh.Points[edges[first].Low]) + " to " +
-                           Text(mesh.Points[edges[first].High]) + " belongs to " +
+                           PointText(mesh.Points[edges[first].Low]) + " to " +
+                           PointText(mesh.Points[edges[first].High]) + " belongs to " +
                            std::to_string(last - first) + " triangle(s), expected 2");
     }
     first = last;
@@ -231,7 +225,7 @@ Result OrientComponents(const std::string& name, const std::vector<Edge>& edges,
         else if (turned[link.Neighbour] != wanted)
         {
           return Result::Error(name + ": the surface has one side only near " +
-                               Text(mesh.Points[mesh.Triangles[t][0]]) +
+                               PointText(mesh.Points[mesh.Triangles[t][0]]) +
                                ", expected the boundary of a solid");
         }
       }

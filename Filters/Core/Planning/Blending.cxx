@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/Blending.h"
 
+#include "Base/SmoothStep.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,14 +16,7 @@ namespace
 /// what is left of the difference in velocity would take several times the air's accelerations.
 constexpr double HandoverSeconds = 1.25;
 
-/// Quintic step from 0 to 1, flat to second order at both ends.
-double SmoothStep(double u)
-{
-  u = std::clamp(u, 0.0, 1.0);
-  return u * u * u * (u * (6.0 * u - 15.0) + 10.0);
-}
-
-/// Its integral from 0.
+/// The integral of SmoothStep from 0.
 double SmoothStepIntegral(double u)
 {
   u = std::clamp(u, 0.0, 1.0);

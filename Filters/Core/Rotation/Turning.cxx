@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rotation/Turning.h"
 
+#include "Base/NumberText.h"
+#include "Base/SmoothStep.h"
 #include "Rotation/Contact.h"
 #include "Rotation/RestingPose.h"
 
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 namespace waft
@@ -14,18 +15,9 @@ namespace
 {
 constexpr double LeastTold = 1e-5; // m: the centre was moved by less: nobody sees it
 
-/// From 0 to 1 with two derivatives that vanish at both ends.
-double Ease(double x)
+std::string Short(double x)
 {
-  const double t = std::clamp(x, 0.0, 1.0);
-  return t * t * t * (10.0 + t * (6.0 * t - 15.0));
-}
-
-std::string Number(double x)
-{
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.3g", x);
-  return text;
+  return NumberText(x, 3);
 }
 
 class Turning
@@ -106,7 +98,7 @@ private:
     {
       if (std::abs(norm - 1.0) > 1e-6)
       {
-        this->Out.Warnings.push_back(name + ": its Orientation had length " + Number(norm) +
+        this->Out.Warnings.push_back(name + ": its Orientation had length " + Short(norm) +
                                      " and was made unit");
       }
       q.coeffs() /= norm;
@@ -173,8 +165,8 @@ private:
         // A little earlier than the blend itself, so that little is left for it to do.
         const double left = (rest->Frame - k) / fps;
         settling.Normal = rest->Normal;
-        settling.Weight = Ease((1.4 * this->Plan.LandingTime - left) /
-                               std::max(0.6 * this->Plan.LandingTime, 1e-9));
+        settling.Weight = SmoothStep((1.4 * this->Plan.LandingTime - left) /
+                                     std::max(0.6 * this->Plan.LandingTime, 1e-9));
       }
       AdvanceFrame(this->Body, this->Path, k, settling, this->State.Flight);
       this->Record(k + 1);
@@ -204,7 +196,7 @@ private:
     const double span = std::min<double>(k - from, std::max(most, 1.0));
     for (int i = std::max(from + 1, static_cast<int>(std::ceil(k - span))); i < k; ++i)
     {
-      poses[i] = (ExpMap(Ease(1.0 - (k - i) / span) * turn) * poses[i]).normalized();
+      poses[i] = (ExpMap(SmoothStep(1.0 - (k - i) / span) * turn) * poses[i]).normalized();
       this->Changed[i] = turn.norm() > 1e-12;
     }
     poses[k] = target;
@@ -227,8 +219,8 @@ private:
     {
       return wanted;
     }
-    this->TooFast[&key] = "asks for " + Number(turn.norm() / time) + " rad/s since frame " +
-                          std::to_string(from) + ", more than " + Number(this->Plan.TurningRate);
+    this->TooFast[&key] = "asks for " + Short(turn.norm() / time) + " rad/s since frame " +
+                          std::to_string(from) + ", more than " + Short(this->Plan.TurningRate);
     return (ExpMap(share * turn) * start).normalized();
   }
 
@@ -275,7 +267,7 @@ private:
         left.coeffs() = -left.coeffs();
       }
       after = left;
-      const double share = Ease(1.0 - (rest.Frame - i) / span);
+      const double share = SmoothStep(1.0 - (rest.Frame - i) / span);
       poses[i] = (ExpMap(share * SignedLogMap(left)) * poses[i]).normalized();
       this->Changed[i] = 1;
     }
@@ -318,7 +310,7 @@ private:
     {
       for (int i = std::max(0, k - reach); i <= std::min(this->Last, k + reach); ++i)
       {
-        const double share = Ease(1.0 - std::abs(i - k) / (reach + 1.0));
+        const double share = SmoothStep(1.0 - std::abs(i - k) / (reach + 1.0));
         const double size = share * own[k].norm();
         if (size > this->Shifts[i].norm() && size > least &&
             this->Frames[i].Freedom != PoseFreedom::Fixed)
@@ -364,7 +356,7 @@ private:
     }
     if (deepest > this->Plan.Tolerance)
     {
-      this->Out.Warnings.push_back(name + ": its mesh lies up to " + Number(deepest) +
+      this->Out.Warnings.push_back(name + ": its mesh lies up to " + Short(deepest) +
                                    " m below a surface, as its centre comes too near");
     }
     if (farthest > 0.0)
@@ -373,7 +365,7 @@ private:
     }
     if (farthest > LeastTold)
     {
-      this->Out.Warnings.push_back(name + ": its centre was moved by up to " + Number(farthest) +
+      this->Out.Warnings.push_back(name + ": its centre was moved by up to " + Short(farthest) +
                                    " m so that its mesh touches the surface and does not cut it");
     }
   }
@@ -449,7 +441,7 @@ private:
                       std::to_string(key.Frame) + ": " +
                       (late ? "the orientation " + tooFast->second
                             : "another row or the surface it rests on asks for a pose " +
-                                Number(angle) + " rad away");
+                                Short(angle) + " rad away");
         this->Out.Warnings.push_back(row.Message);
       }
       this->Out.Report.push_back(row);
