@@ -82,17 +82,20 @@ private:
   };
   /// Four panels side by side, so that the processor works on them together. Lanes beyond the last
   /// panel have no area.
-  using Lanes = Eigen::Array<double, 4, 1>;
+  static constexpr std::size_t Width = 4;
+  using Lanes = Eigen::Array<double, Width, 1>;
   struct Pack
   {
     Lanes X, Y, Z;
     Lanes NX, NY, NZ;
     Lanes Area;
   };
-  /// Four nodes of the table of directions and their weights.
+  /// Nodes of the table of directions along each side of a face of the cube.
+  static constexpr int Nodes = 7;
+  /// Four nodes of that table and their weights.
   struct Mixture
   {
-    const float* Nodes[4];
+    const float* Corners[4];
     double Weights[4];
   };
 

@@ -3,7 +3,8 @@
 
 #include "Base/NumberText.h"
 #include "Base/SmoothStep.h"
-#include "Rotation/Contact.h"
+#include "Rotation/KeepAbove.h"
+#include "Rotation/PoseRates.h"
 #include "Rotation/RestingPose.h"
 
 #include <cmath>
@@ -13,8 +14,6 @@ namespace waft
 {
 namespace
 {
-constexpr double LeastTold = 1e-5; // m: the centre was moved by less: nobody sees it
-
 std::string Short(double x)
 {
   return NumberText(x, 3);
@@ -25,17 +24,16 @@ class Turning
 public:
   Turning(const TurningPlan& plan, const FlightBody& body, const FlightPath& path) :
     Plan(plan), Body(body), Path(path), Last(static_cast<int>(plan.Path->Positions.size()) - 1),
-    Frames(plan.Path->Positions.size()), Changed(plan.Path->Positions.size(), 0),
-    Shifts(plan.Path->Positions.size(), Vec3::Zero()), Held(plan.Path->Positions.size(), 0)
+    Marks(plan.Path->Positions.size())
   {
     this->Out.Poses.ObjectId = plan.Object->ObjectId;
     for (const int frame : plan.Held)
     {
-      this->Held[frame] = 1;
+      this->Marks.Held[frame] = 1;
     }
-    this->Out.Poses.Orientations.assign(this->Frames.size(), Quat::Identity());
-    this->Out.Poses.AngularVelocities.assign(this->Frames.size(), Vec3::Zero());
-    this->Out.Poses.Torques.assign(this->Frames.size(), Vec3::Zero());
+    this->Out.Poses.Orientations.assign(this->Marks.Frames.size(), Quat::Identity());
+    this->Out.Poses.AngularVelocities.assign(this->Marks.Frames.size(), Vec3::Zero());
+    this->Out.Poses.Torques.assign(this->Marks.Frames.size(), Vec3::Zero());
   }
 
   TurningOutcome Run()
@@ -46,9 +44,9 @@ public:
     {
       frame = this->FlyToNextEvent(frame);
     }
-    this->KeepAbove();
-    this->SetAngularVelocities();
-    this->JoinSigns();
+    KeepAbove(this->Plan, this->Marks, this->Out);
+    SetRatesWhereTurned(this->Marks.Changed, this->Path.Step, this->Out.Poses);
+    JoinSigns(this->Out.Poses.Orientations);
     this->ReportKeys();
     return std::move(this->Out);
   }
@@ -106,7 +104,7 @@ private:
     if (const Constraint* key = this->KeyAt(0, 0))
     {
       q = this->Towards(q, *key);
-      this->Frames[0].Freedom = PoseFreedom::Fixed;
+      this->Marks.Frames[0].Freedom = PoseFreedom::Fixed;
     }
     this->State.Flight.Orientation = q;
     this->State.Flight.SetAngularVelocity(this->Body, this->Plan.Object->AngularVelocity);
@@ -197,10 +195,10 @@ private:
     for (int i = std::max(from + 1, static_cast<int>(std::ceil(k - span))); i < k; ++i)
     {
       poses[i] = (ExpMap(SmoothStep(1.0 - (k - i) / span) * turn) * poses[i]).normalized();
-      this->Changed[i] = turn.norm() > 1e-12;
+      this->Marks.Changed[i] = turn.norm() > 1e-12;
     }
     poses[k] = target;
-    this->Frames[k].Freedom = PoseFreedom::Fixed;
+    this->Marks.Frames[k].Freedom = PoseFreedom::Fixed;
     this->Out.Poses.AngularVelocities[k] = missing * this->Out.Poses.AngularVelocities[k];
     FlightState& state = this->State.Flight;
     const Vec3 velocity = state.Velocity(this->Body);
@@ -238,8 +236,9 @@ private:
       return level;
     }
     const int end = std::min(rest.Until, this->Last);
-    const bool held = std::any_of(this->Held.begin() + first, this->Held.begin() + end + 1,
-                                  [](unsigned char isHeld) { return isHeld != 0; });
+    const bool held =
+      std::any_of(this->Marks.Held.begin() + first, this->Marks.Held.begin() + end + 1,
+                  [](unsigned char isHeld) { return isHeld != 0; });
     return LayDown(this->Plan.Body->Mesh, *this->Plan.Obstacles, first,
                    this->Plan.Path->Positions[first], rest.Normal, heading,
                    held ? 0.0 : this->Plan.Tolerance, key == nullptr);
@@ -255,7 +254,7 @@ private:
     // Who touches the surface before the blend begins turns the right side up there too.
     for (int i = rest.Frame - 1; i > from && i > rest.Frame - 2.0 * span; --i)
     {
-      this->Frames[i] = { PoseFreedom::Landing, lying };
+      this->Marks.Frames[i] = { PoseFreedom::Landing, lying };
     }
     Quat after = Quat::Identity();
     for (int i = rest.Frame - 1; i > from && i > rest.Frame - span; --i)
@@ -269,7 +268,7 @@ private:
       after = left;
       const double share = SmoothStep(1.0 - (rest.Frame - i) / span);
       poses[i] = (ExpMap(share * SignedLogMap(left)) * poses[i]).normalized();
-      this->Changed[i] = 1;
+      this->Marks.Changed[i] = 1;
     }
     this->State.Flight.Orientation = lying;
     this->LieStill(rest, rest.Frame, laid);
@@ -285,138 +284,19 @@ private:
       this->Out.Poses.Orientations[i] = lying;
       this->Out.Poses.AngularVelocities[i].setZero();
       this->Out.Poses.Torques[i].setZero();
-      this->Frames[i].Freedom = PoseFreedom::Fixed;
-      this->Changed[i] = 0;
-      this->Shifts[i] = laid.Shift * Vec3::UnitZ();
+      this->Marks.Frames[i].Freedom = PoseFreedom::Fixed;
+      this->Marks.Changed[i] = 0;
+      this->Marks.Shifts[i] = laid.Shift * Vec3::UnitZ();
     }
     const int second = static_cast<int>(std::ceil(this->Plan.Time.FramesPerSecond));
     for (int i = end + 1; i <= std::min(end + second, this->Last); ++i)
     {
-      this->Frames[i].Freedom = PoseFreedom::Leaving;
+      this->Marks.Frames[i].Freedom = PoseFreedom::Leaving;
     }
     this->State.Flight = FlightState();
     this->State.Flight.Orientation = lying;
     this->State.Flight.SetVelocity(this->Body, this->Path.RelativeVelocities[end]);
     this->State.Frame = end;
-  }
-
-  /// A shift of one frame comes and goes smoothly in the frames around, the largest counts; where
-  /// rows hold the centre there is none.
-  void SpreadShifts(int reach)
-  {
-    const std::vector<Vec3> own = this->Shifts;
-    const double least = 1e-12;
-    for (int k = 0; k <= this->Last; ++k)
-    {
-      for (int i = std::max(0, k - reach); i <= std::min(this->Last, k + reach); ++i)
-      {
-        const double share = SmoothStep(1.0 - std::abs(i - k) / (reach + 1.0));
-        const double size = share * own[k].norm();
-        if (size > this->Shifts[i].norm() && size > least &&
-            this->Frames[i].Freedom != PoseFreedom::Fixed)
-        {
-          this->Shifts[i] = share * own[k];
-        }
-      }
-    }
-    for (int k = 0; k <= this->Last; ++k)
-    {
-      if (this->Held[k] != 0)
-      {
-        this->Shifts[k].setZero();
-      }
-    }
-  }
-
-  void KeepAbove()
-  {
-    const double fps = this->Plan.Time.FramesPerSecond;
-    const std::string name = "object " + std::to_string(this->Plan.Object->ObjectId);
-    this->SpreadShifts(static_cast<int>(0.5 * this->Plan.LandingTime * fps));
-    std::vector<Vec3> positions = this->Plan.Path->Positions;
-    for (std::size_t k = 0; k < positions.size(); ++k)
-    {
-      positions[k] += this->Shifts[k];
-    }
-    ContactInput contact;
-    contact.Mesh = &this->Plan.Body->Mesh;
-    contact.BoundingRadius = this->Plan.BoundingRadius;
-    contact.Positions = &positions;
-    contact.Frames = &this->Frames;
-    contact.Obstacles = this->Plan.Obstacles;
-    contact.SmoothingFrames = std::max(1, static_cast<int>(std::lround(0.12 * fps)));
-    contact.MostShift = this->Plan.Tolerance;
-    const double deepest =
-      KeepAboveSurfaces(contact, this->Out.Poses.Orientations, this->Changed, this->Shifts);
-    double farthest = 0.0;
-    this->SpreadShifts(contact.SmoothingFrames);
-    for (const Vec3& shift : this->Shifts)
-    {
-      farthest = std::max(farthest, shift.norm());
-    }
-    if (deepest > this->Plan.Tolerance)
-    {
-      this->Out.Warnings.push_back(name + ": its mesh lies up to " + Short(deepest) +
-                                   " m below a surface, as its centre comes too near");
-    }
-    if (farthest > 0.0)
-    {
-      this->Out.Shifts = this->Shifts;
-    }
-    if (farthest > LeastTold)
-    {
-      this->Out.Warnings.push_back(name + ": its centre was moved by up to " + Short(farthest) +
-                                   " m so that its mesh touches the surface and does not cut it");
-    }
-  }
-
-  /// Where poses were turned after the flight, the angular velocity is that of the exported poses:
-  /// the mean of the turns from the frame before and to the next, each on the branch nearest to the
-  /// flight's own.
-  void SetAngularVelocities()
-  {
-    const std::vector<Vec3> own = this->Out.Poses.AngularVelocities;
-    for (int k = 0; k <= this->Last; ++k)
-    {
-      if (this->Changed[k] == 0 || this->Last == 0)
-      {
-        continue;
-      }
-      const int before = std::max(k - 1, 0);
-      const int after = std::min(k + 1, this->Last);
-      Vec3 turn = Vec3::Zero();
-      for (int i = before; i < after; ++i)
-      {
-        turn += this->TurnToNext(i, own[k]);
-      }
-      this->Out.Poses.AngularVelocities[k] = turn / ((after - before) * this->Path.Step);
-    }
-  }
-
-  Vec3 TurnToNext(int frame, const Vec3& own) const
-  {
-    const std::vector<Quat>& poses = this->Out.Poses.Orientations;
-    const Vec3 turn = LogMap(poses[frame + 1] * poses[frame].conjugate());
-    const double angle = turn.norm();
-    if (angle < 1e-9)
-    {
-      return turn;
-    }
-    const double full = 2.0 * std::acos(-1.0);
-    const double expected = own.dot(turn) / angle * this->Path.Step;
-    return turn * (1.0 + std::round((expected - angle) / full) * full / angle);
-  }
-
-  void JoinSigns()
-  {
-    std::vector<Quat>& poses = this->Out.Poses.Orientations;
-    for (std::size_t k = 1; k < poses.size(); ++k)
-    {
-      if (poses[k].dot(poses[k - 1]) < 0.0)
-      {
-        poses[k].coeffs() = -poses[k].coeffs();
-      }
-    }
   }
 
   void ReportKeys()
@@ -454,10 +334,7 @@ private:
   int Last;
   Now State;
   TurningOutcome Out;
-  std::vector<ContactFrame> Frames;
-  std::vector<unsigned char> Changed;
-  std::vector<Vec3> Shifts;                         // m, of the centre
-  std::vector<unsigned char> Held;                  // frames where rows hold the centre
+  FrameMarks Marks;
   std::map<const Constraint*, std::string> TooFast; // rows that no turning rate can meet, and why
 };
 } // namespace

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An object that has flown is kept above surfaces with all its mesh, from the first frame to the
+// last.
+#pragma once
+
+#include "Rotation/Contact.h"
+#include "Rotation/Turning.h"
+
+#include <vector>
+
+namespace waft
+{
+
+/// What the flight has left of each frame.
+struct FrameMarks
+{
+  explicit FrameMarks(std::size_t count) :
+    Frames(count), Changed(count, 0), Held(count, 0), Shifts(count, Vec3::Zero())
+  {
+  }
+
+  std::vector<ContactFrame> Frames;   // how the pose may be changed
+  std::vector<unsigned char> Changed; // the pose was turned after the flight
+  std::vector<unsigned char> Held;    // rows hold the centre
+  std::vector<Vec3> Shifts;           // m, of the centre
+};
+
+/// Turns poses and, where that is not enough, moves the centre, smoothly in time; marks both and
+/// tells of a centre that was moved and of a mesh that lies below a surface all the same.
+void KeepAbove(const TurningPlan& plan, FrameMarks& marks, TurningOutcome& out);
+
+} // namespace waft
