@@ -128,6 +128,43 @@ inline std::vector<Vec3> LandingPath(const Vec3& landing, int rest, int frames, 
   return path;
 }
 
+/// A fall that sways, 0.8 m/s.
+inline std::vector<Vec3> SwayingPath(int frames, double phase = 0.0)
+{
+  std::vector<Vec3> path;
+  for (int k = 0; k < frames; ++k)
+  {
+    const double t = k / 30.0;
+    path.emplace_back(0.4 * std::sin(1.7 * t + phase), 0.3 * std::cos(1.1 * t), 9.0 - 0.8 * t);
+  }
+  return path;
+}
+
+/// Object 0 has this pose at a frame, or one within `radius` [rad].
+inline Constraint OrientationRow(int frame, const Quat& pose, double radius = 0.0)
+{
+  Constraint row;
+  row.ObjectId = 0;
+  row.Kind = ConstraintKind::Orientation;
+  row.Frame = frame;
+  row.Row = frame;
+  row.Orientation = pose;
+  row.Radius = radius;
+  return row;
+}
+
+/// Object 0 lies still from a frame to another.
+inline Constraint RestRow(int frame, int until, const Vec3& place)
+{
+  Constraint row;
+  row.ObjectId = 0;
+  row.Kind = ConstraintKind::Rest;
+  row.Frame = frame;
+  row.Until = until;
+  row.Value = place;
+  return row;
+}
+
 inline double Angle(const Quat& a, const Quat& b)
 {
   return LogMap(a * b.conjugate()).norm();

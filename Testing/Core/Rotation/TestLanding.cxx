@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Random.h"
-#include "RotationFixtures.h"
-
-#include <gtest/gtest.h>
+#include "Refining.h"
 
 using namespace waft;
 using namespace waft::fixtures;
@@ -26,13 +24,7 @@ ObstacleSet Ground(double tiltX = 0.0)
 
 Constraint RestFromFrame90()
 {
-  Constraint rest;
-  rest.ObjectId = 0;
-  rest.Kind = ConstraintKind::Rest;
-  rest.Frame = 90;
-  rest.Until = 130;
-  rest.Value = Vec3(0.3, -0.2, 1.0);
-  return rest;
+  return RestRow(90, 130, Vec3(0.3, -0.2, 1.0));
 }
 
 struct Landed
@@ -64,9 +56,7 @@ Landed Land(const ObstacleSet& obstacles, const Quat& start, double phase, doubl
   landed.Input.Objects[0].AngularVelocity = Vec3(3.0, 1.0, 2.0);
   landed.Input.Obstacles = &obstacles;
   landed.Input.Constraints = { RestFromFrame90() };
-  SilentMonitor silent;
-  const Result result = RunRotationRefine(landed.Input, {}, SerialFor(), silent, landed.Output);
-  EXPECT_TRUE(result) << result.Message();
+  landed.Output = Refine(landed.Input);
   return landed;
 }
 
@@ -133,13 +123,9 @@ TEST(Landing, ARowWithinTheRestChoosesTheHeading)
 {
   const ObstacleSet ground = Ground();
   Landed landed = Land(ground, Quat::Identity(), 0.0);
-  Constraint key = landed.Input.Constraints[0];
-  key.Kind = ConstraintKind::Orientation;
-  key.Frame = 95;
-  key.Orientation = ExpMap(Vec3(0.0, 0.0, 2.0));
+  const Constraint key = OrientationRow(95, ExpMap(Vec3(0.0, 0.0, 2.0)));
   landed.Input.Constraints.push_back(key);
-  SilentMonitor silent;
-  ASSERT_TRUE(RunRotationRefine(landed.Input, {}, SerialFor(), silent, landed.Output));
+  landed.Output = Refine(landed.Input);
   EXPECT_LT(Angle(landed.Output.Poses[0].Orientations[90], key.Orientation), 1e-9);
   EXPECT_EQ(landed.Output.Report[0].Status, ConstraintStatus::Met);
 }
@@ -151,14 +137,8 @@ TEST(Landing, RestFromTheFirstFrame)
   RotationInput input = OneObject(leaf, std::vector<Vec3>(20, Vec3(0.0, 0.0, RestHeight(leaf))));
   input.Obstacles = &ground;
   input.Objects[0].Orientation = ExpMap(Vec3(0.4, 0.2, 1.0));
-  Constraint rest;
-  rest.ObjectId = 0;
-  rest.Kind = ConstraintKind::Rest;
-  rest.Until = 19;
-  input.Constraints = { rest };
-  RotationOutput output;
-  SilentMonitor silent;
-  ASSERT_TRUE(RunRotationRefine(input, {}, SerialFor(), silent, output));
+  input.Constraints = { RestRow(0, 19, Vec3::Zero()) };
+  const RotationOutput output = Refine(input);
   for (const Quat& q : output.Poses[0].Orientations)
   {
     EXPECT_EQ(q.coeffs(), output.Poses[0].Orientations[0].coeffs());
@@ -180,8 +160,7 @@ TEST(Landing, ABodyThatPassesOverTheGroundDoesNotCutIt)
   input.Objects[0].AngularVelocity = Vec3(2.0, 6.0, 0.0);
   Landed landed;
   landed.Input = input;
-  SilentMonitor silent;
-  ASSERT_TRUE(RunRotationRefine(input, {}, SerialFor(), silent, landed.Output));
+  landed.Output = Refine(input);
   for (int k = 0; k < 90; ++k)
   {
     EXPECT_GE(LowestVertex(landed, k, 0.0), -1e-9) << k;
@@ -215,9 +194,7 @@ TEST(Landing, WhoTouchesDownEarlyDoesNotFlip)
     RotationOptions options;
     options.Seed = static_cast<std::uint64_t>(i) + 1;
     options.RasterSize = 32;
-    SilentMonitor silent;
-    RotationOutput output;
-    ASSERT_TRUE(RunRotationRefine(input, options, SerialFor(), silent, output));
+    const RotationOutput output = Refine(input, options);
     EXPECT_TRUE(output.Warnings.empty()) << output.Warnings[0];
     const std::vector<Quat>& q = output.Poses[0].Orientations;
     Vec3 before = 30.0 * LogMap(q[1] * q[0].conjugate());

@@ -2,9 +2,7 @@
 // Bodies that land on level ground, on an obstacle and on a terrain, lie there and lift off again;
 // meshes that pass close by.
 #include "Obstacles/Rest.h"
-#include "RotationFixtures.h"
-
-#include <gtest/gtest.h>
+#include "Refining.h"
 
 using namespace waft;
 using namespace waft::fixtures;
@@ -127,16 +125,8 @@ Flown LandAt(const ObstacleSet& obstacles, const Vec3& target, const Quat& start
   flown.Input.Objects[0].Orientation = start;
   flown.Input.Objects[0].AngularVelocity = Vec3(3.0, 1.0, 2.0);
   flown.Input.Obstacles = &obstacles;
-  Constraint rest;
-  rest.ObjectId = 0;
-  rest.Kind = ConstraintKind::Rest;
-  rest.Frame = Rest;
-  rest.Until = Until;
-  rest.Value = target;
-  flown.Input.Constraints = { rest };
-  SilentMonitor silent;
-  const Result result = RunRotationRefine(flown.Input, {}, SerialFor(), silent, flown.Output);
-  EXPECT_TRUE(result) << result.Message();
+  flown.Input.Constraints = { RestRow(Rest, Until, target) };
+  flown.Output = Refine(flown.Input);
   return flown;
 }
 
@@ -240,8 +230,7 @@ TEST(Surfaces, AMeshThatPassesOverAnEdgeDoesNotCutIt)
     flown.Input.Obstacles = &table;
     flown.Input.Objects[0].Orientation = Start(run);
     flown.Input.Objects[0].AngularVelocity = Vec3(2.0, 6.0, 0.0);
-    SilentMonitor silent;
-    ASSERT_TRUE(RunRotationRefine(flown.Input, {}, SerialFor(), silent, flown.Output));
+    flown.Output = Refine(flown.Input);
     for (std::size_t k = 0; k < path.size(); ++k)
     {
       EXPECT_GE(flown.Lowest(k), -1e-3 * Width) << run << " " << k;
@@ -256,9 +245,7 @@ TEST(Surfaces, WhatCannotBeClearedIsTold)
   RotationInput input =
     OneObject(CurledLeaf(), StraightPath(Vec3(0.0, 0.0, 0.3), Vec3(0.1, 0.0, -0.2), 60));
   input.Obstacles = &ground;
-  RotationOutput output;
-  SilentMonitor silent;
-  ASSERT_TRUE(RunRotationRefine(input, {}, SerialFor(), silent, output));
+  const RotationOutput output = Refine(input);
   ASSERT_FALSE(output.Warnings.empty());
   EXPECT_NE(output.Warnings[0].find("object 0: its mesh lies up to"), std::string::npos);
 }
@@ -274,7 +261,6 @@ TEST(Surfaces, AnExactMarkHoldsTheCentre)
   mark.Kind = ConstraintKind::Position;
   mark.Frame = Rest + 5;
   flown.Input.Constraints.push_back(mark);
-  SilentMonitor silent;
-  ASSERT_TRUE(RunRotationRefine(flown.Input, {}, SerialFor(), silent, flown.Output));
+  flown.Output = Refine(flown.Input);
   EXPECT_EQ((flown.Center(Rest + 5) - flown.Input.Tracks[0].Positions[Rest + 5]).norm(), 0.0);
 }
