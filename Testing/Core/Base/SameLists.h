@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace waft
@@ -12,17 +14,31 @@ namespace waft
 namespace test
 {
 
-/// As many of both, and same(x, y) of each two in one place; a failure in there names the item by
-/// `what` and its place.
-template <class T, class Same>
+template <class Fields, std::size_t... I>
+void ExpectSameFields(const Fields& x, const Fields& y, std::index_sequence<I...>)
+{
+  (
+    [&]
+    {
+      SCOPED_TRACE("field " + std::to_string(I));
+      EXPECT_EQ(std::get<I>(x), std::get<I>(y));
+    }(),
+    ...);
+}
+
+/// As many of both, and each two in one place the same in all the fields that `fieldsOf` ties of an
+/// item. A failure names the item by `what` and its place, and the place of the field.
+template <class T, class FieldsOf>
 void ExpectSameItems(const char* what, const std::vector<T>& a, const std::vector<T>& b,
-                     const Same& same)
+                     const FieldsOf& fieldsOf)
 {
   ASSERT_EQ(a.size(), b.size()) << what;
   for (std::size_t i = 0; i < a.size(); ++i)
   {
     SCOPED_TRACE(std::string(what) + " " + std::to_string(i));
-    same(a[i], b[i]);
+    const auto x = fieldsOf(a[i]);
+    const auto y = fieldsOf(b[i]);
+    ExpectSameFields(x, y, std::make_index_sequence<std::tuple_size_v<decltype(fieldsOf(a[i]))>>());
   }
 }
 

@@ -13,17 +13,11 @@ namespace test
 inline void ExpectSame(const std::vector<Vortex>& a, const std::vector<Vortex>& b)
 {
   ExpectSameItems("vortex", a, b,
-                  [](const Vortex& x, const Vortex& y)
+                  [](const Vortex& item)
                   {
-                    EXPECT_EQ(x.VortexId, y.VortexId);
-                    EXPECT_EQ(x.P1, y.P1);
-                    EXPECT_EQ(x.P2, y.P2);
-                    EXPECT_EQ(x.Strength, y.Strength);
-                    EXPECT_EQ(x.CenterTime, y.CenterTime);
-                    EXPECT_EQ(x.Duration, y.Duration);
-                    EXPECT_EQ(x.CoreRadius, y.CoreRadius);
-                    EXPECT_EQ(x.Confidence, y.Confidence);
-                    EXPECT_EQ(x.ObjectCount, y.ObjectCount);
+                    return std::tie(item.VortexId, item.P1, item.P2, item.Strength, item.CenterTime,
+                                    item.Duration, item.CoreRadius, item.Confidence,
+                                    item.ObjectCount);
                   });
 }
 

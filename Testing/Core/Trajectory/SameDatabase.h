@@ -22,23 +22,15 @@ inline void ExpectSame(const MotionDatabase& a, const MotionDatabase& b)
   EXPECT_EQ(a.TopSpeed, b.TopSpeed);
   EXPECT_EQ(a.TopNodes, b.TopNodes);
   EXPECT_EQ(a.Provenance, b.Provenance);
-  ExpectSameItems("group", a.Groups, b.Groups,
-                  [](const SegmentGroup& x, const SegmentGroup& y)
-                  {
-                    EXPECT_EQ(x.NumberOfSamples, y.NumberOfSamples);
-                    EXPECT_EQ(x.Mean, y.Mean);
-                    EXPECT_EQ(x.Basis, y.Basis);
-                    EXPECT_EQ(x.RelativeError, y.RelativeError);
-                  });
+  ExpectSameItems(
+    "group", a.Groups, b.Groups,
+    [](const SegmentGroup& item)
+    { return std::tie(item.NumberOfSamples, item.Mean, item.Basis, item.RelativeError); });
   ExpectSameItems("segment", a.Segments, b.Segments,
-                  [](const Segment& x, const Segment& y)
+                  [](const Segment& item)
                   {
-                    EXPECT_EQ(x.Group, y.Group);
-                    EXPECT_EQ(x.Simulation, y.Simulation);
-                    EXPECT_EQ(x.Coefficients, y.Coefficients);
-                    EXPECT_EQ(x.ForceTypes, y.ForceTypes);
-                    EXPECT_EQ(x.VortexIds, y.VortexIds);
-                    EXPECT_EQ(x.MeanWind, y.MeanWind);
+                    return std::tie(item.Group, item.Simulation, item.Coefficients, item.ForceTypes,
+                                    item.VortexIds, item.MeanWind);
                   });
   ASSERT_EQ(a.Segments.size(), b.Segments.size());
   for (std::size_t s = 0; s < a.Segments.size(); ++s)
@@ -46,24 +38,15 @@ inline void ExpectSame(const MotionDatabase& a, const MotionDatabase& b)
     EXPECT_EQ(a.Reconstruct(static_cast<int>(s)), b.Reconstruct(static_cast<int>(s)));
   }
   ExpectSameItems("node", a.Nodes, b.Nodes,
-                  [](const ClusterNode& x, const ClusterNode& y)
+                  [](const ClusterNode& item)
                   {
-                    EXPECT_EQ(x.Parent, y.Parent);
-                    EXPECT_EQ(x.Group, y.Group);
-                    EXPECT_EQ(x.Medoid, y.Medoid);
-                    EXPECT_EQ(x.FirstChild, y.FirstChild);
-                    EXPECT_EQ(x.NumberOfChildren, y.NumberOfChildren);
-                    EXPECT_EQ(x.NumberOfSegments, y.NumberOfSegments);
-                    EXPECT_EQ(x.Radius, y.Radius);
+                    return std::tie(item.Parent, item.Group, item.Medoid, item.FirstChild,
+                                    item.NumberOfChildren, item.NumberOfSegments, item.Radius);
                   });
-  ExpectSameItems("connection", a.Connections, b.Connections,
-                  [](const Connection& x, const Connection& y)
-                  {
-                    EXPECT_EQ(x.Cost, y.Cost);
-                    EXPECT_EQ(x.Rotation.coeffs(), y.Rotation.coeffs());
-                    EXPECT_EQ(x.Translation, y.Translation);
-                    EXPECT_EQ(x.IsConnectible, y.IsConnectible);
-                  });
+  ExpectSameItems(
+    "connection", a.Connections, b.Connections,
+    [](const Connection& item)
+    { return std::tie(item.Cost, item.Rotation.coeffs(), item.Translation, item.IsConnectible); });
   ExpectSame(a.Vortices, b.Vortices);
 }
 
