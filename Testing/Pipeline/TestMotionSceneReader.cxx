@@ -4,26 +4,19 @@
 
 #include "Base/TemporaryFolder.h"
 
-#include "Base/ShapeMeasures.h"
 #include "Bridge/ConstraintData.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/SceneFiles.h"
-#include "Bridge/ShapeData.h"
 
 #include <vtkDataArray.h>
-#include <vtkFloatArray.h>
 #include <vtkImageData.h>
-#include <vtkLeafShapeSource.h>
-#include <vtkMotionSceneReader.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkXMLImageDataWriter.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 
 namespace
 {
@@ -36,27 +29,6 @@ vtkPolyData* PolyOutput(vtkAlgorithm* reader, int port)
 vtkImageData* WindOutput(vtkAlgorithm* reader)
 {
   return vtkImageData::SafeDownCast(reader->GetOutputDataObject(vtkMotionSceneReader::WIND));
-}
-
-void WriteWind(const std::string& file, const char* array, float value)
-{
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(3, 3, 3);
-  image->SetOrigin(-2.0, -2.0, 0.0);
-  image->SetSpacing(2.0, 2.0, 2.0);
-  vtkNew<vtkFloatArray> values;
-  values->SetName(array);
-  values->SetNumberOfComponents(3);
-  values->SetNumberOfTuples(27);
-  for (vtkIdType i = 0; i < 27; ++i)
-  {
-    values->SetTuple3(i, value, 0.0, 2.0 * value);
-  }
-  image->GetPointData()->AddArray(values);
-  vtkNew<vtkXMLImageDataWriter> writer;
-  writer->SetInputData(image);
-  writer->SetFileName(file.c_str());
-  writer->Write();
 }
 
 } // namespace
@@ -95,7 +67,7 @@ TEST(MotionSceneReader, TheScenesOfTheProjectCanBeFlown)
     reader->Update();
     std::vector<waft::MotionObject> objects;
     std::vector<waft::Constraint> rows;
-    std::vector<waft::Shape> shapes;
+    const std::vector<waft::Shape> shapes = ShapesOf(reader);
     waft::SceneInfo info;
     ASSERT_TRUE(
       waft::SceneInfoFromFieldData(PolyOutput(reader, vtkMotionSceneReader::OBJECTS), info));
@@ -103,9 +75,6 @@ TEST(MotionSceneReader, TheScenesOfTheProjectCanBeFlown)
       waft::ObjectsFromPolyData(PolyOutput(reader, vtkMotionSceneReader::OBJECTS), objects));
     ASSERT_TRUE(waft::ConstraintsFromPolyData(PolyOutput(reader, vtkMotionSceneReader::CONSTRAINTS),
                                               info.Time, rows));
-    ASSERT_TRUE(waft::ShapesFromMultiBlock(
-      vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(vtkMotionSceneReader::SHAPES)),
-      shapes));
     for (const waft::MotionObject& a : objects)
     {
       EXPECT_GT(info.Bounds.InnerDistance(a.Position), 2.0 * a.ClearanceRadius);
@@ -182,151 +151,6 @@ TEST(MotionSceneReader, ReadsTheSceneOnceForAllFrames)
   ExecutionCount count(reader);
   reader->Update();
   EXPECT_EQ(count.Value, 0);
-}
-
-TEST(MotionSceneReader, MeshesOfShapesAndObstacles)
-{
-  waft::test::TemporaryFolder folder;
-  folder.Write("body.obj", Tetrahedron);
-  vtkNew<vtkMotionSceneReader> reader;
-  reader->SetFileName(folder.Write("a.waft.json", R"({"waft": 1, "ground": {"enabled": false},
-    "shapes": {"own": {"mesh": "body.obj", "size": 0.3}},
-    "objects": [{"shape": "own", "position": [0, 0, 3]}],
-    "obstacles": [{"kind": "mesh", "file": "body.obj", "scale": 0.5, "position": [1, 0, 0]}]})"));
-  reader->Update();
-  std::vector<waft::Shape> shapes;
-  ASSERT_TRUE(waft::ShapesFromMultiBlock(
-    vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(vtkMotionSceneReader::SHAPES)),
-    shapes));
-  ASSERT_EQ(shapes.size(), 1u);
-  EXPECT_EQ(shapes[0].Name, "own");
-  EXPECT_NEAR(waft::LargestExtent(shapes[0].Mesh), 0.3, 1e-12);
-  EXPECT_LT(waft::ShellCentroid(shapes[0].Mesh).norm(), 1e-12);
-  double bounds[6];
-  PolyOutput(reader, vtkMotionSceneReader::OBSTACLES)->GetBounds(bounds);
-  EXPECT_NEAR(bounds[0], 1.0, 1e-12);
-  EXPECT_NEAR(bounds[1], 2.0, 1e-12);
-}
-
-TEST(MotionSceneReader, TrianglesWithoutAreaAreToldWithTheirMesh)
-{
-  waft::test::TemporaryFolder folder;
-  folder.Write("body.obj", std::string(Tetrahedron) + "f 1 2 1\n");
-  folder.Write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
-  vtkNew<vtkMotionSceneReader> reader;
-  for (const char* align : { "true", "false" })
-  {
-    ErrorLog warnings(reader, vtkCommand::WarningEvent);
-    ErrorLog errors(reader);
-    const std::string taken = std::string("\", \"align\": ") + align + "}}}";
-    reader->SetFileName(
-      folder.Write(std::string("a") + align + ".waft.json",
-                   R"({"waft": 1, "shapes": {"own": {"mesh": "body.obj)" + taken));
-    reader->Update();
-    EXPECT_EQ(errors.Text, "");
-    EXPECT_TRUE(warnings.Contains("/shapes/own/mesh: \"body.obj\": 1 of 5 triangles has no area"))
-      << warnings.Text;
-    reader->SetFileName(
-      folder.Write(std::string("b") + align + ".waft.json",
-                   R"({"waft": 1, "shapes": {"own": {"mesh": "line.obj)" + taken));
-    reader->Update();
-    EXPECT_TRUE(errors.Contains("/shapes/own/mesh: expected a surface with an area, found none"))
-      << errors.Text;
-  }
-}
-
-TEST(MotionSceneReader, APhotographIsAShape)
-{
-  waft::test::TemporaryFolder folder;
-  vtkNew<vtkLeafShapeSource> painted; // stands for the photograph
-  painted->SetKind(1);
-  painted->SetTextureFile(folder.File("leaf.png"));
-  painted->SetTextureSize(300);
-  painted->Update();
-  vtkNew<vtkMotionSceneReader> reader;
-  reader->SetFileName(folder.Write("a.waft.json", R"({"waft": 1,
-    "shapes": {"mine": {"mesh": "leaf.png", "size": 0.3, "areaDensity": 0.07}},
-    "objects": [{"shape": "mine", "position": [0, 0, 3]}]})"));
-  reader->Update();
-  std::vector<waft::Shape> shapes;
-  ASSERT_TRUE(waft::ShapesFromMultiBlock(
-    vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(vtkMotionSceneReader::SHAPES)),
-    shapes));
-  ASSERT_EQ(shapes.size(), 1u);
-  EXPECT_EQ(shapes[0].Name, "mine");
-  EXPECT_EQ(shapes[0].Texture, folder.File("leaf.png"));
-  EXPECT_EQ(shapes[0].AreaDensity, 0.07);
-  EXPECT_NEAR(waft::LargestExtent(shapes[0].Mesh), 0.3, 1e-9);
-  EXPECT_LT(waft::ShellCentroid(shapes[0].Mesh).norm(), 1e-9);
-  EXPECT_EQ(shapes[0].TextureCoordinates.size(), shapes[0].Mesh.Points.size());
-  // A leaf and not its rectangle: about 0.4 of the square, and curled.
-  EXPECT_LT(waft::SurfaceArea(shapes[0].Mesh), 0.7 * 0.3 * 0.3);
-  EXPECT_GT(waft::RestHeight(shapes[0]), 0.002);
-
-  ErrorLog errors(reader);
-  folder.Write("none.png", "no picture");
-  reader->SetFileName(folder.Write("b.waft.json", R"({"waft": 1,
-    "shapes": {"mine": {"mesh": "none.png"}}, "objects": []})"));
-  reader->Update();
-  EXPECT_TRUE(errors.Contains("/shapes/mine/mesh")) << errors.Text;
-}
-
-TEST(MotionSceneReader, WindFilesAndSeries)
-{
-  waft::test::TemporaryFolder folder;
-  WriteWind(folder.File("a.vti"), "Wind", 1.f);
-  WriteWind(folder.File("b.vti"), "Wind", 3.f);
-  WriteWind(folder.File("v.vti"), "Velocity", 1.f);
-  folder.Write("series.pvd", R"(<VTKFile type="Collection"><Collection>
-    <DataSet timestep="0" file="a.vti"/><DataSet timestep="2" file="b.vti"/>
-    </Collection></VTKFile>)");
-  vtkNew<vtkMotionSceneReader> reader;
-  reader->SetFileName(
-    folder.Write("a.waft.json", R"({"waft": 1, "winds": [{"file": "series.pvd"}]})"));
-  reader->UpdateInformation();
-  reader->GetOutputInformation(5)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), 1.0);
-  reader->Update(5);
-  vtkDataArray* values = WindOutput(reader)->GetPointData()->GetArray("Wind");
-  ASSERT_TRUE(values);
-  EXPECT_EQ(values->GetNumberOfTuples(), 27);
-  EXPECT_NEAR(values->GetComponent(13, 0), 2.0, 1e-6);
-  EXPECT_NEAR(values->GetComponent(13, 2), 4.0, 1e-6);
-
-  reader->SetFileName(folder.Write("v.waft.json", R"({"waft": 1, "winds": [{"file": "v.vti"}]})"));
-  reader->Update(5);
-  EXPECT_TRUE(WindOutput(reader)->GetPointData()->HasArray("Velocity"));
-  EXPECT_FALSE(WindOutput(reader)->GetPointData()->HasArray("Wind"));
-
-  ErrorLog errors(reader);
-  reader->SetFileName(folder.Write(
-    "mixed.waft.json", R"({"waft": 1, "winds": [{"file": "v.vti"}, {"file": "a.vti"}]})"));
-  reader->Update();
-  EXPECT_TRUE(errors.Contains("/winds/0/file: expected the only wind")) << errors.Text;
-}
-
-// Fixtures/wind_0000.vdb and wind_0030.vdb: 5^3 voxels of 1 m from (-2, -2, 0) on with
-// Wind = (s, s / 2, x), s = 1 and 3.
-TEST(MotionSceneReader, VolumesAreASeriesByTheirNumbers)
-{
-  waft::test::TemporaryFolder folder;
-  const std::string fixtures = std::string(WAFT_SOURCE_DIR) + "/Testing/Pipeline/Fixtures";
-  for (const char* name : { "wind_0000.vdb", "wind_0030.vdb" })
-  {
-    std::filesystem::copy_file(fixtures + "/" + name, folder.File(name));
-  }
-  vtkNew<vtkMotionSceneReader> reader;
-  reader->SetFileName(
-    folder.Write("a.waft.json", R"({"waft": 1, "winds": [{"file": "wind_0000.vdb"}]})"));
-  reader->UpdateInformation();
-  reader->GetOutputInformation(5)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), 0.5);
-  reader->Update(5);
-  vtkDataArray* values = WindOutput(reader)->GetPointData()->GetArray("Wind");
-  ASSERT_TRUE(values);
-  ASSERT_EQ(values->GetNumberOfTuples(), 125);
-  const vtkIdType place = WindOutput(reader)->FindPoint(1.0, 0.0, 3.0);
-  EXPECT_NEAR(values->GetComponent(place, 0), 2.0, 1e-6);
-  EXPECT_NEAR(values->GetComponent(place, 1), 1.0, 1e-6);
-  EXPECT_NEAR(values->GetComponent(place, 2), 1.0, 1e-6);
 }
 
 TEST(MotionSceneReader, ErrorsNameThePlaceAndEmptyTheOutputs)
