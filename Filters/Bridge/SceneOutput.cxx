@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A scene as files: the text and what it cannot say in words.
 #include "Base/AtomicFile.h"
+#include "Bridge/FileWriting.h"
 #include "Bridge/SceneBlocks.h"
 #include "Bridge/SceneFiles.h"
 #include "Bridge/ShapeData.h"
@@ -31,8 +32,7 @@ std::string StemOf(const std::string& name)
 {
   for (const std::string extension : Extensions)
   {
-    if (name.size() > extension.size() &&
-        name.compare(name.size() - extension.size(), extension.size(), extension) == 0)
+    if (HasEnding(name, extension))
     {
       return name.substr(0, name.size() - extension.size());
     }
@@ -126,8 +126,7 @@ Result WriteSceneFiles(const SceneContents& scene, const std::string& fileName)
   const std::string stem = StemOf(path.filename().string());
   if (stem.empty())
   {
-    return Result::Error("FileName: expected a name ending in .waft.json, found \"" + fileName +
-                         "\"");
+    return WrongEnding(fileName, ".waft.json");
   }
   std::string folder = path.parent_path().string();
   folder += folder.empty() ? "" : "/";

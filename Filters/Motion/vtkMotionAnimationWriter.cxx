@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMotionAnimationWriter.h"
 
+#include "Bridge/FileWriting.h"
 #include "Bridge/PoseData.h"
 #include "Bridge/Ranks.h"
 #include "Bridge/SceneData.h"
@@ -22,10 +23,7 @@ vtkStandardNewMacro(vtkMotionAnimationWriter);
 namespace
 {
 
-bool EndsWith(const std::string& text, const std::string& end)
-{
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
+const char* const Endings = ".glb or .csv";
 
 } // namespace
 
@@ -51,15 +49,15 @@ waft::Result vtkMotionAnimationWriter::Internals::Run(vtkInformationVector** inp
   std::vector<waft::Track> tracks;
   std::vector<waft::PoseTrack> poses;
   WAFT_RETURN_IF_FAILED(waft::PosesFromPolyData(data, tracks, poses));
-  if (EndsWith(fileName, ".csv"))
+  if (waft::HasEnding(fileName, ".csv"))
   {
     return waft::WritePosesCsv(fileName, tracks, poses, info.Time);
   }
-  if (EndsWith(fileName, ".glb"))
+  if (waft::HasEnding(fileName, ".glb"))
   {
     return this->WriteGlb(inputs, tracks, poses, info.Time.FramesPerSecond, fileName);
   }
-  return waft::Result::Error("FileName: expected a name ending in .glb or .csv, found " + fileName);
+  return waft::WrongEnding(fileName, Endings);
 }
 
 waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(
@@ -157,16 +155,7 @@ int vtkMotionAnimationWriter::RequestData(vtkInformation*, vtkInformationVector*
 
 bool vtkMotionAnimationWriter::Write()
 {
-  if (this->FileName.empty())
-  {
-    vtkErrorMacro("FileName: expected a name ending in .glb or .csv, found none");
-    return false;
-  }
-  this->Impl->Cache.Forget();
-  this->Impl->Written = false;
-  this->Modified();
-  this->Update();
-  return this->Impl->Written;
+  return waft::WriteAnew(this, this->FileName, Endings, this->Impl->Written);
 }
 
 void vtkMotionAnimationWriter::PrintSelf(ostream& os, vtkIndent indent)

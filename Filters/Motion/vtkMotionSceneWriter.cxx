@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMotionSceneWriter.h"
 
+#include "Bridge/FileWriting.h"
 #include "Bridge/KeptStage.h"
 #include "Bridge/SceneBlocks.h"
 #include "Bridge/SceneData.h"
@@ -113,15 +114,7 @@ int vtkMotionSceneWriter::RequestData(vtkInformation* request, vtkInformationVec
 
 bool vtkMotionSceneWriter::Write()
 {
-  if (this->FileName.empty())
-  {
-    vtkErrorMacro("FileName: expected a name ending in .waft.json, found none");
-    return false;
-  }
-  this->Impl->IsWritten = false;
-  this->Modified();
-  this->Update();
-  return this->Impl->IsWritten;
+  return waft::WriteAnew(this, this->FileName, ".waft.json", this->Impl->IsWritten);
 }
 
 void vtkMotionSceneWriter::PrintSelf(ostream& os, vtkIndent indent)

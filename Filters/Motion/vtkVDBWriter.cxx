@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVDBWriter.h"
 
+#include "Bridge/FileWriting.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/StageExecution.h"
 #include "Bridge/VolumeData.h"
@@ -19,6 +20,13 @@
 
 vtkStandardNewMacro(vtkVDBWriter);
 
+namespace
+{
+
+const char* const Ending = ".vdb";
+
+} // namespace
+
 struct vtkVDBWriter::Internals
 {
   waft::StageCache Cache;
@@ -35,11 +43,9 @@ struct vtkVDBWriter::Internals
 
 waft::Result vtkVDBWriter::Internals::WriteStep(vtkInformation* input, const std::string& fileName)
 {
-  const std::string end = ".vdb";
-  if (fileName.size() <= end.size() ||
-      fileName.compare(fileName.size() - end.size(), end.size(), end) != 0)
+  if (!waft::HasEnding(fileName, Ending))
   {
-    return waft::Result::Error("FileName: expected a name ending in .vdb, found " + fileName);
+    return waft::WrongEnding(fileName, Ending);
   }
   auto* image = vtkImageData::SafeDownCast(vtkDataObject::GetData(input));
   waft::Volume volume;
@@ -128,16 +134,7 @@ int vtkVDBWriter::RequestData(vtkInformation* request, vtkInformationVector** in
 
 bool vtkVDBWriter::Write()
 {
-  if (this->FileName.empty())
-  {
-    vtkErrorMacro("FileName: expected a name ending in .vdb, found none");
-    return false;
-  }
-  this->Impl->Cache.Forget();
-  this->Impl->Written = false;
-  this->Modified();
-  this->Update();
-  return this->Impl->Written;
+  return waft::WriteAnew(this, this->FileName, Ending, this->Impl->Written);
 }
 
 void vtkVDBWriter::PrintSelf(ostream& os, vtkIndent indent)
