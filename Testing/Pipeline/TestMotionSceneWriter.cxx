@@ -337,7 +337,10 @@ TEST(MotionSceneWriter, AnErrorLeavesWhatStoodThere)
   errors.Text.clear();
   writer->SetFileName(folder.File("scene.txt"));
   EXPECT_FALSE(writer->Write());
-  EXPECT_TRUE(errors.Contains("ending in .waft.json")) << errors.Text;
+  EXPECT_TRUE(errors.Contains("ending in .waft.json, found \"")) << errors.Text;
+  writer->SetFileName("");
+  EXPECT_FALSE(writer->Write());
+  EXPECT_TRUE(errors.Contains("ending in .waft.json, found none")) << errors.Text;
 
   errors.Text.clear();
   writer->SetFileName("/proc/none/scene.waft.json");

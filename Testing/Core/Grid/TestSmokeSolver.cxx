@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/EvenWind.h"
 #include "SmokeScenes.h"
 
 #include <gtest/gtest.h>
@@ -13,11 +14,7 @@ TEST(SmokeSolver, EvenWindInAClosedBoxOnlyMakesPressure)
 {
   SmokeOptions options = Options(16, BoundaryKind::Closed);
   SmokeForces forces;
-  forces.Wind.Dimensions = { 2, 2, 2 };
-  forces.Wind.Origin = options.Bounds.Min;
-  forces.Wind.Spacing = options.Bounds.Size();
-  forces.Wind.Times = { 0.0 };
-  forces.Wind.Values = { std::vector<std::array<float, 3>>(8, { 1.0f, 0.0f, 0.0f }) };
+  forces.Wind = EvenWind(options.Bounds, FieldMeaning::Acceleration, { 1.0f, 0.0f, 0.0f });
   SmokeSolver solver;
   ASSERT_TRUE(solver.Begin(options, forces));
   RunFrames(solver, 5);
@@ -70,12 +67,7 @@ TEST(SmokeSolver, WindThatIsAVelocityDrawsTheAirToIt)
   SmokeOptions options = Options(16, BoundaryKind::Periodic);
   options.WindDrag = 2.0;
   SmokeForces forces;
-  forces.Wind.Meaning = FieldMeaning::Velocity;
-  forces.Wind.Dimensions = { 2, 2, 2 };
-  forces.Wind.Origin = options.Bounds.Min;
-  forces.Wind.Spacing = options.Bounds.Size();
-  forces.Wind.Times = { 0.0 };
-  forces.Wind.Values = { std::vector<std::array<float, 3>>(8, { 0.0f, 1.0f, 0.0f }) };
+  forces.Wind = EvenWind(options.Bounds, FieldMeaning::Velocity, { 0.0f, 1.0f, 0.0f });
   SmokeSolver solver;
   ASSERT_TRUE(solver.Begin(options, forces));
   RunFrames(solver, 31); // 1 s

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the turned or mirrored world, and air that moves along, must not change.
+#include "Base/EvenWind.h"
 #include "Refining.h"
 
 using namespace waft;
@@ -49,11 +50,8 @@ TEST(Symmetry, WindIsTheAirWhereTracksCarryNone)
 {
   RotationInput input =
     OneObject(CurledLeaf(), StraightPath(Vec3::Zero(), Vec3(0.5, 0.2, -0.1), 60));
-  FieldSeries wind;
-  wind.Meaning = FieldMeaning::Velocity;
-  wind.Dimensions = { 2, 2, 2 };
-  wind.Times = { 0.0 };
-  wind.Values = { std::vector<std::array<float, 3>>(8, { 0.5F, 0.2F, -0.1F }) };
+  FieldSeries wind =
+    test::EvenWind(input.Scene.Bounds, FieldMeaning::Velocity, { 0.5F, 0.2F, -0.1F });
   input.Wind = &wind;
   const RotationOutput still = Refine(input);
   for (const Vec3& torque : still.Poses[0].Torques)
