@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What pipeline tests share: error texts, counts of executions, stops, time steps.
+// What pipeline tests share: error texts, counts of executions, stops, time steps,
+// winds.
 #pragma once
 
 #include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkExecutive.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 #include <initializer_list>
 #include <string>
@@ -145,4 +150,21 @@ inline std::vector<double> TimeSteps(vtkAlgorithm* algorithm, int port = 0)
   const int count = info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   const double* steps = info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   return std::vector<double>(steps, steps + count);
+}
+
+/// An image of 3^3 points over the default volume with the same vector at each.
+inline void MakeEvenWind(vtkImageData* image, const char* array, const std::array<double, 3>& value)
+{
+  image->SetDimensions(3, 3, 3);
+  image->SetOrigin(-2.0, -2.0, 0.0);
+  image->SetSpacing(2.0, 2.0, 2.0);
+  vtkNew<vtkFloatArray> values;
+  values->SetName(array);
+  values->SetNumberOfComponents(3);
+  values->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    values->SetTuple(i, value.data());
+  }
+  image->GetPointData()->AddArray(values);
 }

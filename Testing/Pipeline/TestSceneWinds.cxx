@@ -5,7 +5,6 @@
 #include "Base/TemporaryFolder.h"
 
 #include <vtkDataArray.h>
-#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkMotionSceneReader.h>
 #include <vtkPointData.h>
@@ -18,21 +17,10 @@
 namespace
 {
 
-void WriteWind(const std::string& file, const char* array, float value)
+void WriteWind(const std::string& file, const char* array, double value)
 {
   vtkNew<vtkImageData> image;
-  image->SetDimensions(3, 3, 3);
-  image->SetOrigin(-2.0, -2.0, 0.0);
-  image->SetSpacing(2.0, 2.0, 2.0);
-  vtkNew<vtkFloatArray> values;
-  values->SetName(array);
-  values->SetNumberOfComponents(3);
-  values->SetNumberOfTuples(27);
-  for (vtkIdType i = 0; i < 27; ++i)
-  {
-    values->SetTuple3(i, value, 0.0, 2.0 * value);
-  }
-  image->GetPointData()->AddArray(values);
+  MakeEvenWind(image, array, { value, 0.0, 2.0 * value });
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(image);
   writer->SetFileName(file.c_str());
@@ -53,9 +41,9 @@ vtkImageData* WindAt(vtkMotionSceneReader* reader, double time)
 TEST(SceneWinds, WindFilesAndSeries)
 {
   waft::test::TemporaryFolder folder;
-  WriteWind(folder.File("a.vti"), "Wind", 1.f);
-  WriteWind(folder.File("b.vti"), "Wind", 3.f);
-  WriteWind(folder.File("v.vti"), "Velocity", 1.f);
+  WriteWind(folder.File("a.vti"), "Wind", 1.0);
+  WriteWind(folder.File("b.vti"), "Wind", 3.0);
+  WriteWind(folder.File("v.vti"), "Velocity", 1.0);
   folder.Write("series.pvd", R"(<VTKFile type="Collection"><Collection>
     <DataSet timestep="0" file="a.vti"/><DataSet timestep="2" file="b.vti"/>
     </Collection></VTKFile>)");

@@ -32,6 +32,21 @@ void MakeSmall(vtkGridSmokeSource* source)
   source->SetWarmUpSeconds(1.0);
 }
 
+/// Smoke that is to be written into a folder.
+struct SmokeFiles
+{
+  explicit SmokeFiles(const std::string& name)
+  {
+    MakeSmall(this->Smoke);
+    this->Writer->SetInputConnection(this->Smoke->GetOutputPort());
+    this->Writer->SetFileName(this->Folder.File(name));
+  }
+
+  waft::test::TemporaryFolder Folder;
+  vtkNew<vtkGridSmokeSource> Smoke;
+  vtkNew<vtkVDBWriter> Writer;
+};
+
 std::vector<float> Values(vtkDataObject* data, const char* name)
 {
   auto* array =
@@ -46,33 +61,14 @@ double TimeOf(vtkDataObject* data)
   return data->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
 }
 
-// A constant velocity of (2, 0, 0) on 3^3 points over the default volume.
-void MakeWind(vtkImageData* image, const char* name)
-{
-  image->SetDimensions(3, 3, 3);
-  image->SetOrigin(-2.0, -2.0, 0.0);
-  image->SetSpacing(2.0, 2.0, 2.0);
-  vtkNew<vtkFloatArray> values;
-  values->SetName(name);
-  values->SetNumberOfComponents(3);
-  values->SetNumberOfTuples(27);
-  for (int i = 0; i < 27; ++i)
-  {
-    values->SetTuple3(i, 2.0, 0.0, 0.0);
-  }
-  image->GetPointData()->AddArray(values);
-}
-
 } // namespace
 
 TEST(VDB, SmokeComesBackAsItWas)
 {
-  const waft::test::TemporaryFolder folder;
-  vtkNew<vtkGridSmokeSource> smoke;
-  MakeSmall(smoke);
-  vtkNew<vtkVDBWriter> writer;
-  writer->SetInputConnection(smoke->GetOutputPort());
-  writer->SetFileName(folder.File("smoke.vdb"));
+  const SmokeFiles files("smoke.vdb");
+  const waft::test::TemporaryFolder& folder = files.Folder;
+  vtkGridSmokeSource* smoke = files.Smoke;
+  vtkVDBWriter* writer = files.Writer;
   writer->UpdateTimeStep(2.0 / 30.0);
   EXPECT_EQ(folder.Names().size(), static_cast<std::size_t>(Frames));
   EXPECT_EQ(folder.Names().front(), "smoke_0000.vdb");
@@ -124,12 +120,10 @@ TEST(VDB, SmokeComesBackAsItWas)
 
 TEST(VDB, TracersFollowWhatIsReadAsTheyFollowedTheSmoke)
 {
-  const waft::test::TemporaryFolder folder;
-  vtkNew<vtkGridSmokeSource> smoke;
-  MakeSmall(smoke);
-  vtkNew<vtkVDBWriter> writer;
-  writer->SetInputConnection(smoke->GetOutputPort());
-  writer->SetFileName(folder.File("air.vdb"));
+  const SmokeFiles files("air.vdb");
+  const waft::test::TemporaryFolder& folder = files.Folder;
+  vtkGridSmokeSource* smoke = files.Smoke;
+  vtkVDBWriter* writer = files.Writer;
   EXPECT_TRUE(writer->Write());
   vtkNew<vtkVDBReader> reader;
   reader->SetFileName(folder.File("air_0000.vdb"));
@@ -204,7 +198,7 @@ TEST(VDB, AnImageWithoutTimeIsOneFile)
 {
   const waft::test::TemporaryFolder folder;
   vtkNew<vtkImageData> wind;
-  MakeWind(wind, "Wind");
+  MakeEvenWind(wind, "Wind", { 2.0, 0.0, 0.0 });
   vtkNew<vtkVDBWriter> writer;
   writer->SetInputData(wind);
   writer->SetFileName(folder.File("wind.vdb"));
@@ -221,12 +215,10 @@ TEST(VDB, AnImageWithoutTimeIsOneFile)
 
 TEST(VDB, StoppedItKeepsTheFilesThatAreWhole)
 {
-  const waft::test::TemporaryFolder folder;
-  vtkNew<vtkGridSmokeSource> smoke;
-  MakeSmall(smoke);
-  vtkNew<vtkVDBWriter> writer;
-  writer->SetInputConnection(smoke->GetOutputPort());
-  writer->SetFileName(folder.File("smoke.vdb"));
+  const SmokeFiles files("smoke.vdb");
+  const waft::test::TemporaryFolder& folder = files.Folder;
+  vtkGridSmokeSource* smoke = files.Smoke;
+  vtkVDBWriter* writer = files.Writer;
   {
     const AbortBeyond stop(writer, 0.3);
     EXPECT_FALSE(writer->Write());
@@ -240,7 +232,7 @@ TEST(VDB, NamesWhatIsWrong)
 {
   const waft::test::TemporaryFolder folder;
   vtkNew<vtkImageData> wind;
-  MakeWind(wind, "Wind");
+  MakeEvenWind(wind, "Wind", { 2.0, 0.0, 0.0 });
   {
     vtkNew<vtkVDBWriter> writer;
     writer->SetInputData(wind);

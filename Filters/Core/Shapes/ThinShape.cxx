@@ -14,52 +14,38 @@ namespace waft
 namespace
 {
 
+/// The sheet of a built-in shape; one that has none here has a leaf's, which is the default.
+struct BuiltinSheet
+{
+  const char* Name;
+  int Rows;
+  int Columns;
+  double Curl;
+  double Camber;
+  double Twist; // rad
+};
+
+constexpr BuiltinSheet Sheets[] = {
+  { "maple", 42, 8, 0.35, 0.06, 0.0 }, // 84 sectors: its teeth
+  { "oak", 44, 8, 0.35, 0.07, 0.0 },   // its lobes
+  { "willow", 28, 6, 0.5, 0.10, 0.3 }, { "feather", 36, 8, 0.5, 0.10, 0.15 },
+  { "down", 28, 8, 0.8, 0.1, 0.0 },    { "petal", 20, 8, 0.7, 0.12, 0.0 },
+  { "disc", 28, 8, 0.0, 0.0, 0.0 },
+};
+
 SheetOptions SheetOf(const std::string& name)
 {
   SheetOptions options;
-  if (name == "maple")
+  for (const BuiltinSheet& sheet : Sheets)
   {
-    options.Rows = 42; // 84 sectors: its teeth
-    options.Columns = 8;
-    options.Curl = 0.35;
-    options.Camber = 0.06;
-  }
-  else if (name == "oak")
-  {
-    options.Rows = 44; // its lobes
-    options.Columns = 8;
-    options.Curl = 0.35;
-    options.Camber = 0.07;
-  }
-  else if (name == "willow")
-  {
-    options.Columns = 6;
-    options.Curl = 0.5;
-    options.Camber = 0.10;
-    options.Twist = 0.3;
-  }
-  else if (name == "feather")
-  {
-    options.Rows = 36;
-    options.Curl = 0.5;
-    options.Camber = 0.10;
-    options.Twist = 0.15;
-  }
-  else if (name == "down")
-  {
-    options.Curl = 0.8;
-    options.Camber = 0.1;
-  }
-  else if (name == "petal")
-  {
-    options.Rows = 20;
-    options.Curl = 0.7;
-    options.Camber = 0.12;
-  }
-  else if (name == "disc")
-  {
-    options.Curl = 0.0;
-    options.Camber = 0.0;
+    if (name == sheet.Name)
+    {
+      options.Rows = sheet.Rows;
+      options.Columns = sheet.Columns;
+      options.Curl = sheet.Curl;
+      options.Camber = sheet.Camber;
+      options.Twist = sheet.Twist;
+    }
   }
   return options;
 }

@@ -33,6 +33,14 @@ struct Sample
   }
 };
 
+void WriteSample(const std::string& path)
+{
+  Sample sample;
+  StateFileWriter writer(path);
+  sample.Exchange(writer);
+  ASSERT_TRUE(writer.Commit());
+}
+
 } // namespace
 
 TEST(StateStream, ReadsBackWhatWasWritten)
@@ -65,10 +73,7 @@ TEST(StateStream, SeesDamageAndBelievesNoNumberOfElements)
 {
   const test::TemporaryFolder folder;
   const std::string path = folder.File("state");
-  Sample sample;
-  StateFileWriter writer(path);
-  sample.Exchange(writer);
-  ASSERT_TRUE(writer.Commit());
+  WriteSample(path);
   const auto size = static_cast<long>(fs::file_size(path));
   for (long at = 0; at < size; ++at)
   {
@@ -99,12 +104,8 @@ TEST(StateStream, LeavesTheOldFileUntilTheNewOneIsWhole)
 {
   const test::TemporaryFolder folder;
   const std::string path = folder.File("state");
+  WriteSample(path);
   Sample sample;
-  {
-    StateFileWriter writer(path);
-    sample.Exchange(writer);
-    ASSERT_TRUE(writer.Commit());
-  }
   {
     StateFileWriter writer(path);
     writer.Value(sample.Number); // and gives up

@@ -64,6 +64,16 @@ double Squares(const std::vector<Vec3>& tail, const std::vector<Vec3>& head, con
   return sum;
 }
 
+constexpr RotationFreedom AllFreedoms[] = { RotationFreedom::Yaw, RotationFreedom::YawAndTilt,
+                                            RotationFreedom::Any };
+
+double LargestTilt(RotationFreedom freedom)
+{
+  return freedom == RotationFreedom::Yaw          ? 0.0
+         : freedom == RotationFreedom::YawAndTilt ? DefaultMaxTilt
+                                                  : Pi;
+}
+
 double ResidualOf(const Connection& c, const std::vector<Vec3>& tail, const std::vector<Vec3>& head)
 {
   double sum = 0.0;
@@ -79,12 +89,9 @@ double ResidualOf(const Connection& c, const std::vector<Vec3>& tail, const std:
 TEST(Alignment, RecoversAnAllowedMotionExactly)
 {
   Random random(5);
-  for (const RotationFreedom freedom :
-       { RotationFreedom::Yaw, RotationFreedom::YawAndTilt, RotationFreedom::Any })
+  for (const RotationFreedom freedom : AllFreedoms)
   {
-    const double tilt = freedom == RotationFreedom::Yaw          ? 0.0
-                        : freedom == RotationFreedom::YawAndTilt ? DefaultMaxTilt
-                                                                 : Pi;
+    const double tilt = LargestTilt(freedom);
     for (int trial = 0; trial < 200; ++trial)
     {
       const std::vector<Vec3> head = Bent(random);
@@ -102,12 +109,9 @@ TEST(Alignment, RecoversAnAllowedMotionExactly)
 TEST(Alignment, NoAllowedRotationIsBetter)
 {
   Random random(11);
-  for (const RotationFreedom freedom :
-       { RotationFreedom::Yaw, RotationFreedom::YawAndTilt, RotationFreedom::Any })
+  for (const RotationFreedom freedom : AllFreedoms)
   {
-    const double tilt = freedom == RotationFreedom::Yaw          ? 0.0
-                        : freedom == RotationFreedom::YawAndTilt ? DefaultMaxTilt
-                                                                 : Pi;
+    const double tilt = LargestTilt(freedom);
     for (int trial = 0; trial < 60; ++trial)
     {
       const std::vector<Vec3> tail = Bent(random);
@@ -178,8 +182,7 @@ TEST(Alignment, WindowsAtRestAreNotTurned)
 {
   const std::vector<Vec3> still(6, Vec3(1, 2, 3));
   Random random(8);
-  for (const RotationFreedom freedom :
-       { RotationFreedom::Yaw, RotationFreedom::YawAndTilt, RotationFreedom::Any })
+  for (const RotationFreedom freedom : AllFreedoms)
   {
     const Connection c = AlignWindows(still, std::vector<Vec3>(6, Vec3::Zero()), freedom);
     EXPECT_EQ(c.Rotation.w(), 1.0) << ToString(freedom);
