@@ -36,6 +36,30 @@ endfunction()
 waft_scene_properties(WAFT_SCENE_PROPERTIES advanced 1)
 waft_scene_properties(WAFT_DATABASE_SCENE default 2)
 
+# Appends to a text the property of a number of random things, or of a range that they are drawn from.
+function(waft_random_number text name default visibility documentation)
+  string(REGEX REPLACE "([a-z])([A-Z])" "\\1 \\2" label "${name}")
+  string(CONFIGURE [=[
+
+      <IntVectorProperty name="@name@" label="@label@" command="Set@name@"
+        number_of_elements="1" default_values="@default@" panel_visibility="@visibility@">
+        <IntRangeDomain name="range" min="0" max="1000"/>
+        <Documentation>@documentation@</Documentation>
+      </IntVectorProperty>]=] property @ONLY)
+  set(${text} "${${text}}${property}" PARENT_SCOPE)
+endfunction()
+function(waft_random_range text name default documentation)
+  string(REGEX REPLACE "([a-z])([A-Z])" "\\1 \\2" label "${name}")
+  string(CONFIGURE [=[
+
+      <DoubleVectorProperty name="@name@" label="@label@" command="Set@name@"
+        number_of_elements="2" default_values="@default@" panel_visibility="advanced">
+        <DoubleRangeDomain name="range" min="0 0"/>
+        <Documentation>@documentation@</Documentation>
+      </DoubleVectorProperty>]=] property @ONLY)
+  set(${text} "${${text}}${property}" PARENT_SCOPE)
+endfunction()
+
 # What drives the air of a source at random: <prefix>_NUMBERS, <prefix>_RANGES. The
 # numbers show in the panel by default or among the advanced; the accelerations are the source's own.
 function(waft_random_air prefix visibility vortexAcceleration windAcceleration)
@@ -44,63 +68,30 @@ function(waft_random_air prefix visibility vortexAcceleration windAcceleration)
         number_of_elements="1" default_values="3" panel_visibility="advanced">
         <DoubleRangeDomain name="range" min="0"/>
         <Documentation>The air starts at rest and is driven for this long before frame 0, in seconds.</Documentation>
-      </DoubleVectorProperty>
-      <IntVectorProperty name="NumberOfVortices" label="Number Of Vortices" command="SetNumberOfVortices"
-        number_of_elements="1" default_values="10" panel_visibility="@visibility@">
-        <IntRangeDomain name="range" min="0" max="1000"/>
-        <Documentation>Random vortices of a run.</Documentation>
-      </IntVectorProperty>
-      <IntVectorProperty name="NumberOfWinds" label="Number Of Winds" command="SetNumberOfWinds"
-        number_of_elements="1" default_values="6" panel_visibility="@visibility@">
-        <IntRangeDomain name="range" min="0" max="1000"/>
-        <Documentation>Random winds of a run, parallel, decaying in space and time.</Documentation>
-      </IntVectorProperty>
-      <IntVectorProperty name="NumberOfObstacles" label="Number Of Obstacles" command="SetNumberOfObstacles"
-        number_of_elements="1" default_values="2" panel_visibility="@visibility@">
-        <IntRangeDomain name="range" min="0" max="1000"/>
-        <Documentation>Random obstacles of a run: boxes, cylinders and spheres.</Documentation>
-      </IntVectorProperty>]=] numbers @ONLY)
-  string(CONFIGURE [=[
-      <DoubleVectorProperty name="VortexDiameter" label="Vortex Diameter" command="SetVortexDiameter"
-        number_of_elements="2" default_values="0.22 0.44" panel_visibility="advanced">
-        <DoubleRangeDomain name="range" min="0 0"/>
-        <Documentation>Range of the diameters of the random vortices, in widths of the volume: twice the radius where the acceleration at mid-segment falls to half its maximum.</Documentation>
-      </DoubleVectorProperty>
-      <DoubleVectorProperty name="VortexLength" label="Vortex Length" command="SetVortexLength"
-        number_of_elements="2" default_values="0.3 0.8" panel_visibility="advanced">
-        <DoubleRangeDomain name="range" min="0 0"/>
-        <Documentation>Range of the lengths of the random vortices, in widths of the volume.</Documentation>
-      </DoubleVectorProperty>
-      <DoubleVectorProperty name="VortexAcceleration" label="Vortex Acceleration" command="SetVortexAcceleration"
-        number_of_elements="2" default_values="@vortexAcceleration@" panel_visibility="advanced">
-        <DoubleRangeDomain name="range" min="0 0"/>
-        <Documentation>Range of the largest acceleration at mid-segment of the random vortices, in metres per second squared.</Documentation>
-      </DoubleVectorProperty>
-      <DoubleVectorProperty name="VortexDuration" label="Vortex Duration" command="SetVortexDuration"
-        number_of_elements="2" default_values="2 4" panel_visibility="advanced">
-        <DoubleRangeDomain name="range" min="0 0"/>
-        <Documentation>Range of the durations of the random vortices, in seconds: the standard deviation of the Gaussian in time.</Documentation>
-      </DoubleVectorProperty>
-      <DoubleVectorProperty name="WindRadius" label="Wind Radius" command="SetWindRadius"
-        number_of_elements="2" default_values="0.2 0.5" panel_visibility="advanced">
-        <DoubleRangeDomain name="range" min="0 0"/>
-        <Documentation>Range of the radii of the random winds, in widths of the volume.</Documentation>
-      </DoubleVectorProperty>
-      <DoubleVectorProperty name="WindAcceleration" label="Wind Acceleration" command="SetWindAcceleration"
-        number_of_elements="2" default_values="@windAcceleration@" panel_visibility="advanced">
-        <DoubleRangeDomain name="range" min="0 0"/>
-        <Documentation>Range of the accelerations of the random winds, in metres per second squared.</Documentation>
-      </DoubleVectorProperty>
-      <DoubleVectorProperty name="WindDuration" label="Wind Duration" command="SetWindDuration"
-        number_of_elements="2" default_values="0.7 2" panel_visibility="advanced">
-        <DoubleRangeDomain name="range" min="0 0"/>
-        <Documentation>Range of the durations of the random winds, in seconds.</Documentation>
-      </DoubleVectorProperty>
-      <DoubleVectorProperty name="ObstacleSize" label="Obstacle Size" command="SetObstacleSize"
-        number_of_elements="2" default_values="0.08 0.25" panel_visibility="advanced">
-        <DoubleRangeDomain name="range" min="0 0"/>
-        <Documentation>Range of the extents of the random obstacles, in widths of the volume.</Documentation>
-      </DoubleVectorProperty>]=] ranges @ONLY)
+      </DoubleVectorProperty>]=] numbers @ONLY)
+  waft_random_number(numbers NumberOfVortices 10 ${visibility}
+    "Random vortices of a run.")
+  waft_random_number(numbers NumberOfWinds 6 ${visibility}
+    "Random winds of a run, parallel, decaying in space and time.")
+  waft_random_number(numbers NumberOfObstacles 2 ${visibility}
+    "Random obstacles of a run: boxes, cylinders and spheres.")
+  waft_random_range(ranges VortexDiameter "0.22 0.44"
+    "Range of the diameters of the random vortices, in widths of the volume: twice the radius where the acceleration at mid-segment falls to half its maximum.")
+  waft_random_range(ranges VortexLength "0.3 0.8"
+    "Range of the lengths of the random vortices, in widths of the volume.")
+  waft_random_range(ranges VortexAcceleration "${vortexAcceleration}"
+    "Range of the largest acceleration at mid-segment of the random vortices, in metres per second squared.")
+  waft_random_range(ranges VortexDuration "2 4"
+    "Range of the durations of the random vortices, in seconds: the standard deviation of the Gaussian in time.")
+  waft_random_range(ranges WindRadius "0.2 0.5"
+    "Range of the radii of the random winds, in widths of the volume.")
+  waft_random_range(ranges WindAcceleration "${windAcceleration}"
+    "Range of the accelerations of the random winds, in metres per second squared.")
+  waft_random_range(ranges WindDuration "0.7 2"
+    "Range of the durations of the random winds, in seconds.")
+  waft_random_range(ranges ObstacleSize "0.08 0.25"
+    "Range of the extents of the random obstacles, in widths of the volume.")
+  string(REGEX REPLACE "^\n" "" ranges "${ranges}")
   set(${prefix}_NUMBERS "${numbers}" PARENT_SCOPE)
   set(${prefix}_RANGES "${ranges}" PARENT_SCOPE)
 endfunction()
