@@ -83,6 +83,7 @@ waft::SpacetimeOptions vtkSPHSpacetimeFilter::Internals::Options() const
   options.CoherenceWeight = this->Self->CoherenceWeight;
   options.SpatialShare = this->Self->SpatialShare;
   options.ObjectCoherence = this->Self->ObjectCoherence;
+  options.ObjectPosition = this->Self->ObjectPosition;
   options.TemporalWindow = this->Self->TemporalWindow;
   options.SmoothingLength = this->Self->SmoothingLength;
   options.CourantNumber = this->Self->CourantNumber;
@@ -275,6 +276,7 @@ void vtkSPHSpacetimeFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CoherenceWeight: " << this->CoherenceWeight << "\n";
   os << indent << "SpatialShare: " << this->SpatialShare << "\n";
   os << indent << "ObjectCoherence: " << this->ObjectCoherence << "\n";
+  os << indent << "ObjectPosition: " << this->ObjectPosition << "\n";
   os << indent << "TemporalWindow: " << this->TemporalWindow << "\n";
   os << indent << "SmoothingLength: " << this->SmoothingLength << "\n";
   os << indent << "CourantNumber: " << this->CourantNumber << "\n";

@@ -88,6 +88,12 @@ public:
   vtkGetMacro(ObjectCoherence, double);
   ///@}
   ///@{
+  /** How often PositionWeight counts for an object, where it counts once for gas: a step of its own
+   * beside its velocity is seen as a kink at the next mark. 0.001 to 1e+06. */
+  vtkSetClampMacro(ObjectPosition, double, 0.001, 1e+06);
+  vtkGetMacro(ObjectPosition, double);
+  ///@}
+  ///@{
   /** Frames w to either side in Eq. 4. 1 to 30. */
   vtkSetClampMacro(TemporalWindow, int, 1, 30);
   vtkGetMacro(TemporalWindow, int);
@@ -272,6 +278,7 @@ private:
   double CoherenceWeight = 0.4;
   double SpatialShare = 0.5;
   double ObjectCoherence = 3.0;
+  double ObjectPosition = 30.0;
   int TemporalWindow = 1;
   double SmoothingLength = 1.2;
   double CourantNumber = 0.5;

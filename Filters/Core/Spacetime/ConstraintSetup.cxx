@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/ConstraintSetup.h"
 
+#include "Base/SmoothStep.h"
 #include "Obstacles/ConstraintCheck.h"
 #include "Obstacles/LinearRows.h"
 
@@ -16,6 +17,19 @@ namespace
 // Growth of the way from the plan [m/s^2].
 constexpr double StartReach = 1.6;   // after a start or a rest
 constexpr double LandingReach = 0.8; // before a rest
+
+// In which things may come from their places to the contact distance, where that is more [s].
+constexpr double MarkTime = 1.0;
+
+// Braking is not the air's way; a cost of it would have it done in no time. So the cost of slipping
+// through the air fades before a rest, and comes back after it [s].
+constexpr double FadeBegins = 0.8;
+constexpr double FadeEnds = 0.1;
+
+float Faded(double aside)
+{
+  return static_cast<float>(SmoothStep((aside - FadeEnds) / (FadeBegins - FadeEnds)));
+}
 
 void SetUpStarts(const SpacetimeInput& input, SpacetimeSetup& setup)
 {
@@ -55,6 +69,9 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
         std::find(grounds.begin(), grounds.end(), window.ObstacleId) != grounds.end();
       const auto flags = [&](int frame) -> std::uint8_t&
       { return model.Flags[static_cast<std::size_t>(frame) * model.NumberOfObjects + o]; };
+      const auto coherence = [&](int frame) -> float& {
+        return model.CoherenceShares[static_cast<std::size_t>(frame) * model.NumberOfObjects + o];
+      };
       // The way to and from a frame near the surface lies within the window, too.
       for (int frame = std::max(0, static_cast<int>(std::ceil(window.First)) + 1);
            frame <= std::min(frames - 1, static_cast<int>(std::floor(window.Last)) - 1); ++frame)
@@ -68,11 +85,7 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
            ++frame)
       {
         const double before = (window.Frame - frame) / rate;
-        if (before < LandingTime)
-        {
-          // Braking is not the air's way; a cost of it would have it done in no time.
-          model.Flags[static_cast<std::size_t>(frame) * model.NumberOfObjects + o] |= NoCoherence;
-        }
+        coherence(frame) = std::min(coherence(frame), Faded(before));
         model.Reach[static_cast<std::size_t>(frame) * model.NumberOfObjects + o] =
           static_cast<float>(0.5 * LandingReach * before * before / setup.Spacing);
       }
@@ -80,7 +93,8 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
       {
         // It arrives without speed, so it is braked over the frames before; from then on the
         // surface carries its weight.
-        Fix(setup, frame, o, window.Centre, NoCoherence | FixedVelocity);
+        Fix(setup, frame, o, window.Centre, FixedVelocity);
+        coherence(frame) = 0.0f;
         if (frame > window.Frame)
         {
           flags(frame) |= NoDynamics;
@@ -91,8 +105,35 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
       {
         const double after = (frame - window.Until) / rate;
         flags(frame) |= LiftsOff;
+        coherence(frame) = std::min(coherence(frame), Faded(after));
         model.Reach[static_cast<std::size_t>(frame) * model.NumberOfObjects + o] =
           static_cast<float>(0.5 * StartReach * after * after / setup.Spacing);
+      }
+    }
+  }
+}
+
+// Once all that is fixed is known.
+void SetUpNearestMarks(double rate, SpacetimeModel& model)
+{
+  model.MarkDuration = std::max(1.0, MarkTime * rate);
+  const auto reach = static_cast<int>(model.MarkDuration);
+  model.NearestMarks.assign(model.Flags.size(), -1);
+  for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+  {
+    const auto mark = [&](int frame) -> std::int32_t&
+    { return model.NearestMarks[static_cast<std::size_t>(frame) * model.NumberOfObjects + o]; };
+    for (int frame = 0, last = -reach - 1; frame < model.NumberOfFrames; ++frame)
+    {
+      last = model.Flag(frame, o) & FixedPosition ? frame : last;
+      mark(frame) = frame - last <= reach ? last : -1;
+    }
+    for (int frame = model.NumberOfFrames - 1, next = frame + reach + 1; frame >= 0; --frame)
+    {
+      next = model.Flag(frame, o) & FixedPosition ? frame : next;
+      if (next - frame <= reach && (mark(frame) < 0 || next - frame < frame - mark(frame)))
+      {
+        mark(frame) = next;
       }
     }
   }
@@ -151,6 +192,7 @@ void SetUpConstraints(const SpacetimeInput& input, const std::vector<int>& groun
       }
     }
   }
+  SetUpNearestMarks(input.Scene.Time.FramesPerSecond, setup.Model);
 }
 
 } // namespace waft

@@ -169,20 +169,24 @@ double ObstacleClearance(const SpacetimeModel& model, int frame, std::size_t obj
 
 double PairDistance(const SpacetimeModel& model, int frame, std::size_t a, std::size_t b)
 {
-  const auto isHeld = [&](std::size_t o)
-  {
-    const std::size_t place = static_cast<std::size_t>(frame) * model.NumberOfObjects + o;
-    return model.Flag(frame, o) & FixedPosition ||
-           (!model.Reach.empty() && model.Reach[place] > 0.0f);
-  };
-  const double distance = model.Weights.ContactDistance;
-  if (model.Approach.empty() || !isHeld(a) || !isHeld(b))
+  double distance = model.Weights.ContactDistance;
+  if (model.NearestMarks.empty())
   {
     return distance;
   }
-  const Vec3* places =
-    model.Approach.data() + static_cast<std::size_t>(frame) * model.NumberOfObjects;
-  return std::min(distance, (places[a] - places[b]).norm());
+  const std::size_t n = model.NumberOfObjects;
+  for (const std::size_t o : { a, b })
+  {
+    const std::int32_t mark = model.NearestMarks[static_cast<std::size_t>(frame) * n + o];
+    if (mark >= 0 && model.Flag(mark, a) & model.Flag(mark, b) & FixedPosition)
+    {
+      const Vec3* places = model.Approach.data() + static_cast<std::size_t>(mark) * n;
+      const double growth =
+        model.Weights.ContactDistance * std::abs(frame - mark) / model.MarkDuration;
+      distance = std::min(distance, (places[a] - places[b]).norm() + growth);
+    }
+  }
+  return distance;
 }
 
 double AddObjectTerms(const SpacetimeModel& model, int frame, double scale, const float* state,

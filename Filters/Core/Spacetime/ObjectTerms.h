@@ -12,9 +12,9 @@ namespace waft
 double FloorClearance(const SpacetimeModel& model, int frame, std::size_t object);
 double ObstacleClearance(const SpacetimeModel& model, int frame, std::size_t object);
 
-/// How far apart [dx] two objects are to keep at a frame: the contact distance, but where both are
-/// held to their places or to the approach of them no more than those places are apart. Leaves that
-/// are to lie over each other have to come together.
+/// How far apart [dx] two objects are to keep at a frame: the contact distance, but at marks that
+/// both have to meet no more than those are apart, and little more just before and after. Leaves
+/// that are to lie over each other have to come together.
 double PairDistance(const SpacetimeModel& model, int frame, std::size_t a, std::size_t b);
 
 /// Half the weighted sum of squares of the depths below the required clearance (walls, floor,

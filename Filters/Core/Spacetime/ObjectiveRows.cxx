@@ -81,7 +81,8 @@ void SpacetimeObjective::ObjectResiduals(std::vector<double>& ex, std::vector<do
       }
       const std::size_t i = model.NumberOfGas + o;
       const double share = this->Times.StepWeights[j];
-      const double weightX = model.BodyWeight(i) * model.Weights.Position * share;
+      const double weightX =
+        model.BodyWeight(i) * model.Weights.ObjectPosition * model.Weights.Position * share;
       const double weightV = model.VelocityWeight(i) * share;
       for (int c = 0; c < 3; ++c)
       {

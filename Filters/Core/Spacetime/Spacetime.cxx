@@ -37,6 +37,7 @@ Result SpacetimeOptions::Validate() const
          CheckRange("CoherenceWeight", this->CoherenceWeight, 0.0, Large),
          CheckRange("SpatialShare", this->SpatialShare, 0.0, 1.0),
          CheckRange("ObjectCoherence", this->ObjectCoherence, 0.0, Large),
+         CheckRange("ObjectPosition", this->ObjectPosition, 1e-3, Large),
          CheckRange("TemporalWindow", this->TemporalWindow, 1, 30),
          CheckRange("SmoothingLength", this->SmoothingLength, 0.8, 2.0),
          CheckRange("CourantNumber", this->CourantNumber, 0.1, 1.0),

@@ -48,10 +48,10 @@ void AddPhysics(DigestStream& sum, const SpacetimeOptions& options)
 {
   SpacetimeOptions o = options;
   sum.Values(o.NumberOfGasParticles, o.NumberOfObjectParticles, o.PositionWeight, o.VelocityWeight,
-             o.CoherenceWeight, o.SpatialShare, o.ObjectCoherence, o.TemporalWindow,
-             o.SmoothingLength, o.CourantNumber, o.Viscosity, o.XsphFactor, o.PressureExponent,
-             o.EffectiveGravity, o.ContactDistance, o.WindDrag, o.EstimateWind, o.FitVortexFields,
-             o.MaximumNumberOfVortices);
+             o.CoherenceWeight, o.SpatialShare, o.ObjectCoherence, o.ObjectPosition,
+             o.TemporalWindow, o.SmoothingLength, o.CourantNumber, o.Viscosity, o.XsphFactor,
+             o.PressureExponent, o.EffectiveGravity, o.ContactDistance, o.WindDrag, o.EstimateWind,
+             o.FitVortexFields, o.MaximumNumberOfVortices);
 }
 
 void AddConstraint(DigestStream& sum, const Constraint& row)
@@ -87,8 +87,8 @@ std::vector<std::uint64_t> DigestOfPlaces(const SpacetimeSetup& setup)
   for (std::size_t place = 0; place < sums.size(); ++place)
   {
     DigestStream& sum = sums[place];
-    sum.Values(Read(setup.Table.Planned[place]), Read(model.Flags[place]),
-               Read(model.Reach[place]));
+    sum.Values(Read(setup.Table.Planned[place]), Read(model.Flags[place]), Read(model.Reach[place]),
+               Read(model.CoherenceShares[place]), Read(model.NearestMarks[place]));
     if (model.Flags[place] & FixedPosition)
     {
       sum.Value(Read(setup.ExactPositions[place]));

@@ -21,8 +21,8 @@ void Exchange(StateStream& stream, SpacetimeOptions& o)
 {
   stream.Values(o.NumberOfGasParticles, o.NumberOfObjectParticles, o.PositionWeight,
                 o.VelocityWeight, o.CoherenceWeight, o.SpatialShare, o.ObjectCoherence,
-                o.TemporalWindow, o.SmoothingLength, o.CourantNumber, o.Viscosity, o.XsphFactor,
-                o.PressureExponent, o.EffectiveGravity, o.ContactDistance, o.WindDrag,
+                o.ObjectPosition, o.TemporalWindow, o.SmoothingLength, o.CourantNumber, o.Viscosity,
+                o.XsphFactor, o.PressureExponent, o.EffectiveGravity, o.ContactDistance, o.WindDrag,
                 o.EstimateWind, o.FitVortexFields, o.MaximumNumberOfVortices);
   stream.Values(o.Passes, o.UseLeash, o.LeashIterations, o.MaximumNumberOfIterations, o.Tolerance,
                 o.TimeLimit, o.HistorySize, o.WarmStart, o.EditDuration, o.EditRadius,

@@ -29,6 +29,7 @@ struct SpacetimeWeights
   double Coherence = 0.2;       // c3
   double SpatialShare = 0.5;    // c31; c32 = 1 - c31
   double ObjectCoherence = 1.0; // how often rs of an object counts where gas counts once
+  double ObjectPosition = 1.0;  // the same for rx
   int TemporalWindow = 1;       // w of Eq. 4 [frames]
   double XsphFactor = 0.0;      // epsilon of Eq. 10
   double Clearance = 10.0;      // objects nearer to a surface than they may be
@@ -45,10 +46,9 @@ enum ObjectFrameFlags : std::uint8_t
   FixedPosition = 1,
   FixedVelocity = 2,
   NoDynamics = 4,       // the step into this frame is not one of free flight
-  NoCoherence = 8,      // the object lies still or brakes just before
-  LandsOnFloor = 16,    // clearance to the floor is reduced to the rest height
-  LandsOnObstacle = 32, // the same for obstacles
-  LiftsOff = 64         // after a rest: no cushion, which would hold it back
+  LandsOnFloor = 8,     // clearance to the floor is reduced to the rest height
+  LandsOnObstacle = 16, // the same for obstacles
+  LiftsOff = 32         // after a rest: no cushion, which would hold it back
 };
 
 /// Everything but the unknowns.
@@ -72,6 +72,13 @@ struct SpacetimeModel
   /// Reach 0: none. Both [frame * NumberOfObjects + object].
   std::vector<Vec3> Approach;
   std::vector<float> Reach;
+  /// The frame nearest to a frame at which the object's position is fixed; -1: none within
+  /// MarkDuration [frames]. Empty: none at all [frame * NumberOfObjects + object].
+  std::vector<std::int32_t> NearestMarks;
+  double MarkDuration = 30.0;
+  /// How much of rs an object answers for at a frame, 0 to 1: less where it brakes, none where it
+  /// lies still. Empty: all [frame * NumberOfObjects + object].
+  std::vector<float> CoherenceShares;
   std::vector<std::uint8_t> Flags; // [frame * NumberOfObjects + object]
 
   std::vector<Vortex> Vortices;            // in dx and frames
@@ -94,6 +101,13 @@ struct SpacetimeModel
   std::uint8_t Flag(int frame, std::size_t object) const
   {
     return this->Flags[static_cast<std::size_t>(frame) * this->NumberOfObjects + object];
+  }
+  float CoherenceShare(int frame, std::size_t object) const
+  {
+    return this->CoherenceShares.empty()
+             ? 1.0f
+             : this->CoherenceShares[static_cast<std::size_t>(frame) * this->NumberOfObjects +
+                                     object];
   }
   double BodyWeight(std::size_t body) const
   {

@@ -147,6 +147,7 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
                                       this->SpatialScale * this->Times.FrameWeights[j]);
   const auto s = static_cast<float>(step);
   const auto eps = static_cast<float>(weights.XsphFactor);
+  const auto objectStep = static_cast<float>(weights.ObjectPosition);
   const auto objectAir = static_cast<float>(weights.ObjectCoherence);
   double ex = 0.0, ev = 0.0, ec = 0.0;
   for (int c = 0; c < 3; ++c)
@@ -163,12 +164,13 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
     float* outV = last ? nullptr : this->Row(j + 1, 1, c);
     for (std::size_t i = 0; i < bodies; ++i)
     {
-      float weight = 1.0f, flight = 1.0f, air = 1.0f, slip = 0.0f;
+      float weight = 1.0f, own = 1.0f, flight = 1.0f, air = 1.0f, slip = 0.0f;
       if (i >= ng)
       {
         const std::size_t o = i - ng;
         weight = static_cast<float>(model.Offsets.size());
-        air = model.Flag(this->Times.Frames[j], o) & NoCoherence ? 0.0f : objectAir;
+        own = objectStep;
+        air = objectAir * model.CoherenceShare(this->Times.Frames[j], o);
         slip = c == 2 ? model.SettlingSlip(o) : 0.0f;
         flight = !last && this->Bound[(j + 1) * model.NumberOfObjects + o] ? 0.0f : 1.0f;
       }
@@ -180,9 +182,9 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
       {
         const float rx = flight * ((xn[i] - x[i]) - s * (vn[i] + eps * d[i]));
         const float rv = flight * ((vn[i] - v[i]) - s * a[i]);
-        ex += static_cast<double>(weight * rx) * rx;
+        ex += static_cast<double>(own * weight * rx) * rx;
         ev += static_cast<double>(weight * rv) * rv;
-        outX[i] = weight * wx * rx;
+        outX[i] = own * weight * wx * rx;
         outV[i] = weight * wv * rv;
         abar[i] = -s * outV[i];
         dbar[i] -= s * eps * outX[i];
@@ -237,7 +239,6 @@ void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
     for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
     {
       float& value = r[ng + o];
-      value *= model.Flag(this->Times.Frames[j], o) & NoCoherence ? 0.0f : 1.0f;
       sum += static_cast<double>(weight * value) * value;
       value *= weight * factor;
     }

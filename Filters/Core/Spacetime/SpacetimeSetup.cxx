@@ -258,6 +258,7 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
   setup.Table.FixedPositions.assign(model.Flags.size(), Vec3::Zero());
   setup.Table.Planned.resize(model.Flags.size());
   model.Reach.assign(model.Flags.size(), 0.0f);
+  model.CoherenceShares.assign(model.Flags.size(), 1.0f);
   setup.ExactPositions.assign(model.Flags.size(), Vec3::Zero());
   for (std::size_t o = 0; o < no; ++o)
   {
@@ -372,6 +373,7 @@ Result MakeSetup(const SpacetimeInput& input, const SpacetimeOptions& options,
   weights.Coherence = options.CoherenceWeight;
   weights.SpatialShare = options.SpatialShare;
   weights.ObjectCoherence = options.ObjectCoherence;
+  weights.ObjectPosition = options.ObjectPosition;
   weights.TemporalWindow = options.TemporalWindow;
   weights.XsphFactor = options.XsphFactor;
   SetUpObjects(input, options, setup);

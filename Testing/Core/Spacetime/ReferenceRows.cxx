@@ -31,7 +31,8 @@ void ReferenceObjective::AddMotion(const double* z, const std::vector<Frame>& fr
       continue;
     }
     const double share = this->Model.BodyWeight(i) * this->Level.StepWeights[j + 1];
-    const double x = std::sqrt(w.Position * share);
+    const double x =
+      std::sqrt((i < this->Model.NumberOfGas ? 1.0 : w.ObjectPosition) * w.Position * share);
     const double v = std::sqrt(w.Velocity * share);
     const Vec3 next = this->At(z, j + 1, i, 3);
     const Vec3 rx = this->At(z, j + 1, i, 0) - this->At(z, j, i, 0) -
@@ -66,11 +67,7 @@ void ReferenceObjective::AddCoherence(const double* z, const std::vector<Frame>&
     {
       const std::size_t object = i - this->Model.NumberOfGas;
       slip = this->Model.SettlingSlip(object);
-      air = w.ObjectCoherence;
-      if (this->Model.Flag(this->Level.Frames[j], object) & NoCoherence)
-      {
-        continue;
-      }
+      air = w.ObjectCoherence * this->Model.CoherenceShare(this->Level.Frames[j], object);
     }
     const double share = w.Coherence * this->Model.BodyWeight(i);
     const double space =

@@ -61,6 +61,7 @@ struct Problem
     model = this->Full;
     SpacetimeWeights& w = model.Weights;
     w.Position = w.Velocity = w.Coherence = w.XsphFactor = 0.0;
+    w.ObjectPosition = w.ObjectCoherence = 1.0;
     w.Clearance = w.Reach = w.Contact = w.ContactDistance = w.Separation = 0.0;
     model.Fluid.SoundSpeed = model.Fluid.Viscosity = 0.0;
     model.Vortices.clear();
@@ -70,6 +71,8 @@ struct Problem
     std::fill(model.Gravities.begin(), model.Gravities.end(), 0.0f);
     std::fill(model.Flags.begin(), model.Flags.end(), std::uint8_t(0));
     std::fill(model.Reach.begin(), model.Reach.end(), 0.0f);
+    model.NearestMarks.clear();
+    model.CoherenceShares.clear();
     return model;
   }
 
@@ -182,6 +185,7 @@ inline const std::vector<Term>& Terms()
       [](Model& m, const Problem&)
       {
         m.Weights.Position = 10.0;
+        m.Weights.ObjectPosition = 4.0;
         m.Weights.XsphFactor = 0.3;
       } },
     { "gas", [](Model& m, const Problem& p) { AddFluid(m, p); } },
@@ -245,6 +249,10 @@ inline const std::vector<Term>& Terms()
         m.Weights.ObjectCoherence = 3.0;
         m.DragRates = p.Full.DragRates;
         m.Gravities = p.Full.Gravities;
+        for (std::size_t place = 0; place < m.Flags.size(); ++place)
+        {
+          m.CoherenceShares.push_back(0.25f * static_cast<float>(place % 5));
+        }
       } },
     { "coherence in time",
       [](Model& m, const Problem&)
@@ -285,15 +293,16 @@ inline const std::vector<Term>& Terms()
         m.Weights.Contact = 5.0;
         m.Weights.ContactDistance = 2.5;
       } },
-    { "contact of things that approach their places",
+    { "contact near marks",
       [](Model& m, const Problem&)
       {
         m.Weights.Contact = 5.0;
         m.Weights.ContactDistance = 2.5;
-        m.Reach.assign(m.Flags.size(), 0.3f);
-        for (std::size_t place = 0; place < m.Flags.size(); ++place)
+        m.NearestMarks.assign(m.Flags.size(), 0);
+        for (std::size_t o = 0; o < m.NumberOfObjects; ++o)
         {
-          m.Approach.push_back(0.5 * m.Size + 1.5 * place * Vec3::UnitX());
+          m.Flags[o] |= FixedPosition;
+          m.Approach.push_back(0.5 * m.Size + 1.5 * o * Vec3::UnitX());
         }
       } },
     { "separation",

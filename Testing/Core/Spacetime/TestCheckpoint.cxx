@@ -171,7 +171,7 @@ TEST(Checkpoint, ARunStoppedAgainAndAgainEndsAsIfItHadNeverBeenStopped)
   const SpacetimeInput input = Scene();
   SpacetimeOptions options = BriefOptions(4, 12);
   const SpacetimeOutput whole = RunScene(input, options);
-  for (const auto& [ticks, least] : { std::pair(23, 4), std::pair(26, 4), std::pair(29, 4) })
+  for (const auto& [ticks, least] : { std::pair(22, 4), std::pair(24, 4), std::pair(27, 4) })
   {
     const std::string path = CheckpointPath("pieces");
     options.CheckpointFile = path;

@@ -121,7 +121,7 @@ TEST(SpacetimeProgram, GoesFromTheCoarsestLevelToAllFrames)
   EXPECT_EQ(bound.Steps.front().Coarseness, 1);
 }
 
-TEST(PairDistance, IsNoMoreThanPlacesAreApart)
+TEST(PairDistance, IsNoMoreAtMarksThanTheyAreApart)
 {
   SceneOptions scene;
   scene.NumberOfObjects = 2;
@@ -140,6 +140,8 @@ TEST(PairDistance, IsNoMoreThanPlacesAreApart)
   const SpacetimeModel& model = setup.Model;
   const int rest = input.Constraints[0].Frame;
   EXPECT_NEAR(PairDistance(model, rest, 0, 1), 0.02 / setup.Spacing, 1e-9);
+  EXPECT_NEAR(PairDistance(model, rest - 3, 0, 1),
+              0.02 / setup.Spacing + 0.1 * model.Weights.ContactDistance, 1e-9);
   EXPECT_EQ(PairDistance(model, rest / 2, 0, 1), model.Weights.ContactDistance);
   EXPECT_GT(model.Weights.ContactDistance, 2.0 * input.Objects[0].ClearanceRadius / setup.Spacing);
 }
@@ -187,7 +189,8 @@ TEST(TimelinePreconditioner, InvertsTheTimeCoupling)
       add(row, w.Coherence * (1.0 - w.SpatialShare));
       if (j > 0)
       {
-        add({ { 2 * j, 1.0 }, { 2 * j - 2, -1.0 }, { 2 * j + 1, -1.0 } }, w.Position);
+        add({ { 2 * j, 1.0 }, { 2 * j - 2, -1.0 }, { 2 * j + 1, -1.0 } },
+            (object ? w.ObjectPosition : 1.0) * w.Position);
         add({ { 2 * j + 1, 1.0 }, { 2 * j - 1, -1.0 } }, w.Velocity);
       }
     }
