@@ -275,9 +275,9 @@ private:
   int NumberOfObjectParticles = 125;
   double PositionWeight = 5.0;
   double VelocityWeight = 10.0;
-  double CoherenceWeight = 0.4;
+  double CoherenceWeight = 0.05;
   double SpatialShare = 0.5;
-  double ObjectCoherence = 3.0;
+  double ObjectCoherence = 24.0;
   double ObjectPosition = 30.0;
   int TemporalWindow = 1;
   double SmoothingLength = 1.2;

@@ -26,9 +26,9 @@ struct SpacetimeOptions
   int NumberOfObjectParticles = 125; // 1..: shared among the objects, one to five each
   double PositionWeight = 5.0;       // c1 of Eq. 2, from 0
   double VelocityWeight = 10.0;      // c2
-  double CoherenceWeight = 0.4;      // c3: how much objects move with the air about them
+  double CoherenceWeight = 0.05;     // c3: how much objects move with the air about them
   double SpatialShare = 0.5;         // c31 of Eq. 4, 0..1; c32 = 1 - c31
-  double ObjectCoherence = 3.0;      // how often the air about it counts for an object, from 0
+  double ObjectCoherence = 24.0;     // how often the air about it counts for an object, from 0
   double ObjectPosition = 30.0;      // how often a step of its own counts for an object
   int TemporalWindow = 1;            // w of Eq. 4, 1..30 frames
   double SmoothingLength = 1.2;      // h / dx, 0.8..2
