@@ -169,9 +169,9 @@ SpacetimeOptions BriefOptions(int leashIterations, int iterations)
 TEST(Checkpoint, ARunStoppedAgainAndAgainEndsAsIfItHadNeverBeenStopped)
 {
   const SpacetimeInput input = Scene();
-  SpacetimeOptions options = BriefOptions(4, 12);
+  SpacetimeOptions options = BriefOptions(4, 18);
   const SpacetimeOutput whole = RunScene(input, options);
-  for (const auto& [ticks, least] : { std::pair(22, 4), std::pair(24, 4), std::pair(27, 4) })
+  for (const auto& [ticks, least] : { std::pair(23, 4), std::pair(26, 4), std::pair(29, 4) })
   {
     const std::string path = CheckpointPath("pieces");
     options.CheckpointFile = path;

@@ -39,7 +39,7 @@ TEST(WarmStart, GoesOnAfterAChangedWeightAndReachesWhatAFreshRunReaches)
   // A memory changes nothing of a first run.
   ExpectSameMotion(first, RunScene(input, options));
 
-  options.CoherenceWeight = 0.5;
+  options.CoherenceWeight *= 2.0;
   const SpacetimeOutput fresh = RunScene(input, options);
   const SpacetimeOutput next = RunScene(input, options, 2, &memory);
   EXPECT_EQ(next.Convergence.front().Stage, "so far");
