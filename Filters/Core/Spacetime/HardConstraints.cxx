@@ -32,7 +32,7 @@ HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& l
                                  const std::vector<char>& movable, const FrameShare* share) :
   Model(model),
   Level(level), Share(share != nullptr ? *share : FrameShare(level.NumberOfFrames())), Table(table),
-  Parallel(parallel)
+  Parallel(parallel), Touched(model, this->Share)
 {
   this->LevelOfFrame.assign(model.NumberOfFrames, -1);
   std::vector<bool> hasFrame(model.NumberOfFrames, false);
@@ -58,10 +58,14 @@ HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& l
     const int j = this->LevelOfFrame[ball.Frame];
     if (j >= 0 && !(model.Flag(ball.Frame, ball.Object) & FixedPosition))
     {
-      if (!taken[j * no + ball.Object] && this->Share.Own().Contains(j))
+      if (!taken[j * no + ball.Object])
       {
-        this->Balls.push_back(
-          { static_cast<std::size_t>(j), ball.Object, ball.Center, ball.Radius });
+        this->Touched.Add(static_cast<std::size_t>(j), ball.Object);
+        if (this->Share.Own().Contains(j))
+        {
+          this->Balls.push_back(
+            { static_cast<std::size_t>(j), ball.Object, ball.Center, ball.Radius });
+        }
       }
     }
   }
@@ -241,7 +245,6 @@ void HardConstraints::FindWalls(std::size_t j, const StateVector& state,
 
 void HardConstraints::FindActive(const StateVector& state, const StateVector& gradient)
 {
-  const std::size_t stride = this->Model.Stride();
   this->ActiveWalls.resize(this->Level.NumberOfFrames());
   const FrameRange& own = this->Share.Own();
   this->Parallel(own.Size(),
@@ -256,21 +259,37 @@ void HardConstraints::FindActive(const StateVector& state, const StateVector& gr
   this->ForBalls(
     [&](const LevelBall& ball)
     {
-      const std::size_t place = this->Place(ball.Frame, ball.Object);
-      const Vec3 d = Get(state.data() + place, stride) - ball.Center;
-      const double r = d.norm();
-      if (r < ball.Radius * OnSphere || r == 0.0)
-      {
-        return;
-      }
-      const Vec3 n = d / r;
-      if (Get(gradient.data() + place, stride).dot(n) < 0.0)
+      const Vec3 n = this->TouchNormal(ball, state, gradient);
+      if (n != Vec3::Zero())
       {
         this->ActiveBalls.push_back(
-          { place,
+          { this->Place(ball.Frame, ball.Object),
             { static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()) } });
       }
     });
+  std::vector<float> normals(3 * this->Touched.Size(), 0.0f);
+  auto ball = this->Balls.begin();
+  for (std::size_t k = 0; k < this->Touched.Size(); ++k)
+  {
+    if (own.Contains(this->Touched.Frame(k)))
+    {
+      const Vec3 n = this->TouchNormal(*ball++, state, gradient);
+      Set(normals.data() + 3 * k, 1, n);
+    }
+  }
+  this->Touched.Touch(std::move(normals));
+}
+
+Vec3 HardConstraints::TouchNormal(const LevelBall& ball, const StateVector& state,
+                                  const StateVector& gradient) const
+{
+  const std::size_t stride = this->Model.Stride();
+  const std::size_t place = this->Place(ball.Frame, ball.Object);
+  const Vec3 d = Get(state.data() + place, stride) - ball.Center;
+  const double r = d.norm();
+  const bool leaves =
+    r >= ball.Radius * OnSphere && r > 0.0 && Get(gradient.data() + place, stride).dot(d) < 0.0;
+  return leaves ? Vec3(d / r) : Vec3::Zero();
 }
 
 void HardConstraints::ClearHeld(StateVector& direction) const
@@ -346,6 +365,16 @@ void HardConstraints::ProjectTangent(StateVector& direction) const
     this->Clusters[k].ProjectTangent(points[k]);
   }
   this->SetClusterPoints(points, direction);
+}
+
+void HardConstraints::ProjectTangent(const TimelinePreconditioner& preconditioner,
+                                     StateVector& direction) const
+{
+  if (this->Leash <= 0.0) // which would stop the frames about a ball from going along
+  {
+    this->Touched.Project(preconditioner, direction);
+  }
+  this->ProjectTangent(direction);
 }
 
 double HardConstraints::MaxViolation(const StateVector& state) const

@@ -6,6 +6,7 @@
 #include "Spacetime/FrameShare.h"
 #include "Spacetime/SpacetimeModel.h"
 #include "Spacetime/StateVector.h"
+#include "Spacetime/TouchedBalls.h"
 
 #include <Eigen/Core>
 
@@ -113,6 +114,9 @@ public:
   void FindActive(const StateVector& state, const StateVector& gradient);
   /// Removes from a direction what leaves fixed values, active balls and walls and exact rows.
   void ProjectTangent(StateVector& direction) const;
+  /// The same for a direction out of the preconditioner, whose time lines go along with what the
+  /// touched balls of the user take away (once there is no leash).
+  void ProjectTangent(const TimelinePreconditioner& preconditioner, StateVector& direction) const;
   /// Largest violation of a position [dx], in single precision.
   double MaxViolation(const StateVector& state) const;
 
@@ -139,7 +143,11 @@ private:
     double Radius;
   };
   void ForBalls(const std::function<void(const LevelBall&)>& visit) const;
+  /// The direction out of a ball where the state touches it and a descent would leave it, or zero.
+  Vec3 TouchNormal(const LevelBall& ball, const StateVector& state,
+                   const StateVector& gradient) const;
   std::vector<LevelBall> Balls;      // the user's
+  TouchedBalls Touched;              // of them, of all ranks
   std::vector<LevelBall> LeashBalls; // radius as set
   std::vector<LinearCluster> Clusters;
   std::vector<int> LevelOfFrame; // -1: not on this level

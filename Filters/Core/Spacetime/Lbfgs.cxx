@@ -53,7 +53,7 @@ void Lbfgs::Direction(const TimelinePreconditioner& preconditioner,
   }
   constraints.ProjectTangent(this->Work);
   preconditioner.Solve(this->Work, this->Step);
-  constraints.ProjectTangent(this->Step);
+  constraints.ProjectTangent(preconditioner, this->Step);
   this->Space.Scale(this->Gamma, this->Step);
   product = count > 0 ? this->Space.Dot(this->Pairs.Y[0], this->Step) : 0.0;
   for (std::size_t k = 0; k < count; ++k)
@@ -124,6 +124,7 @@ void Lbfgs::Remember(const TimelinePreconditioner& preconditioner,
   this->Work = y;
   constraints.ProjectTangent(this->Work);
   preconditioner.Solve(this->Work, this->Step);
+  constraints.ProjectTangent(preconditioner, this->Step);
   const double yMy = this->Space.Dot(this->Work, this->Step);
   this->Gamma = yMy > 0.0 ? sy / yMy : 1.0;
   this->Pairs.S.push_back(std::move(s));

@@ -232,6 +232,16 @@ void TimelinePreconditioner::Solve(const StateVector& in, StateVector& out) cons
                  });
 }
 
+std::vector<float> TimelinePreconditioner::ColumnOf(std::size_t object, std::size_t j) const
+{
+  std::vector<float> column(2 * this->Level.NumberOfFrames(), 0.0f);
+  column[2 * j] = 1.0f;
+  const auto value = [&](int i) { return column.data() + i; };
+  this->SolveColumns({ &this->Objects[object], this->Model.NumberOfGas + object, 1, 0 }, value,
+                     value);
+  return column;
+}
+
 // The columns are shared out as the frames are. A rank's message to another holds, columns by
 // columns of the receiver, the unknowns of the sender's frames; the answer is laid out alike.
 void TimelinePreconditioner::SolveShared(const StateVector& in, StateVector& out) const

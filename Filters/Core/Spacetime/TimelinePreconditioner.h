@@ -29,6 +29,9 @@ public:
   /// out = M^-1 in; fixed unknowns give zero. To be called by all ranks: a body's time line is
   /// brought together on one of them, and goes back.
   void Solve(const StateVector& in, StateVector& out) const;
+  /// M^-1 e for an object, e one at its place at level frame j: what its place and its velocity do,
+  /// two values a level frame, the same in each component.
+  std::vector<float> ColumnOf(std::size_t object, std::size_t j) const;
 
 private:
   struct Band

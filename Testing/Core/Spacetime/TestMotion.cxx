@@ -245,6 +245,38 @@ TEST(SpacetimeMotion, KeepsThingsInTheAirApart)
   EXPECT_LT(free, touching);
 }
 
+TEST(SpacetimeMotion, PassesABallWithoutAJerk)
+{
+  // The plan misses the ball by far; the path has to come by, all of it and not one frame.
+  SceneOptions scene;
+  scene.NumberOfObjects = 3;
+  scene.NumberOfFrames = 60;
+  SpacetimeInput input = MakeScene(scene);
+  constexpr int Frame = 31;
+  for (std::size_t o = 0; o < 3; ++o)
+  {
+    Constraint row = input.Constraints[o];
+    row.Row = static_cast<int>(3 + o);
+    row.Frame = Frame;
+    row.Radius = 0.1;
+    row.Value = input.Tracks[o].Positions[Frame] + Vec3(0.2, -0.2, 0.15);
+    input.Constraints.push_back(row);
+  }
+  SpacetimeOptions options = SmallOptions();
+  options.NumberOfGasParticles = 1000;
+  options.MaximumNumberOfIterations = 60;
+  const SpacetimeOutput output = Solve(input, options);
+  const double rate = input.Scene.Time.FramesPerSecond;
+  for (std::size_t o = 0; o < 3; ++o)
+  {
+    const std::vector<Vec3>& x = output.Tracks[o].Positions;
+    EXPECT_LE((x[Frame] - input.Constraints[3 + o].Value).norm(), 0.1 + 1e-9);
+    const auto bend = [&](int k)
+    { return (x[k + 1] - 2.0 * x[k] + x[k - 1]).norm() * rate * rate; };
+    EXPECT_LT(bend(Frame), 1.5 * std::max(bend(Frame - 2), bend(Frame + 2)) + 1.0) << o;
+  }
+}
+
 TEST(SpacetimeMotion, LiftsThingsOffARestWithoutAJump)
 {
   // At rest from frame 25 to 40, then up and away.

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Directions along touched balls.
+#include "Spacetime/TouchedBalls.h"
+
+#include "Spacetime/SpacetimeSetup.h"
+#include "Spacetime/TimeLevels.h"
+#include "SpacetimeScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+using namespace waft;
+
+TEST(TouchedBalls, AreFollowedByTheWholeTimeLine)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 20;
+  scene.NumberOfObjects = 2;
+  SpacetimeOptions options;
+  options.NumberOfGasParticles = 125;
+  SpacetimeSetup setup;
+  ASSERT_TRUE(MakeSetup(MakeScene(scene), options, setup));
+  const SpacetimeModel& model = setup.Model;
+  const TimeLevel level = TimeLevel::Full(20, 1);
+  const TimelinePreconditioner preconditioner(model, level, SerialFor());
+  TouchedBalls balls(model, FrameShare(20));
+  balls.Add(8, 1);
+  balls.Add(11, 1);
+  balls.Add(9, 0); // not touched
+  const Vec3 normals[2] = { Vec3(1.0, 2.0, -2.0) / 3.0, Vec3(0.0, 0.6, 0.8) };
+  balls.Touch({ 1.0f / 3.0f, 2.0f / 3.0f, -2.0f / 3.0f, 0.0f, 0.6f, 0.8f, 0.0f, 0.0f, 0.0f });
+  const auto place = [&](std::size_t ball, int c)
+  {
+    return balls.Frame(ball) * model.FrameSize() + c * model.Stride() + model.NumberOfGas +
+           balls.Object(ball);
+  };
+  const auto beyond = [&](const StateVector& d, std::size_t ball)
+  { return normals[ball].dot(Vec3(d[place(ball, 0)], d[place(ball, 1)], d[place(ball, 2)])); };
+  Random random(4);
+  const auto gradient = [&]
+  {
+    StateVector g(20 * model.FrameSize(), 0.0f);
+    for (float& value : g)
+    {
+      value = static_cast<float>(random.Normal());
+    }
+    return g;
+  };
+  const auto solved = [&](const StateVector& g)
+  {
+    StateVector d(g.size(), 0.0f);
+    preconditioner.Solve(g, d);
+    balls.Project(preconditioner, d);
+    return d;
+  };
+  const auto dot = [](const StateVector& a, const StateVector& b)
+  { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); };
+  // P M^-1 leaves no ball, is symmetric, and has no answer to what only presses against the balls:
+  // this is the least of d.Md / 2 - g.d among the directions along them.
+  const StateVector a = gradient();
+  const StateVector b = gradient();
+  const StateVector da = solved(a);
+  const StateVector db = solved(b);
+  for (std::size_t ball = 0; ball < 2; ++ball)
+  {
+    EXPECT_NEAR(beyond(da, ball), 0.0, 1e-4 * std::sqrt(dot(da, da)));
+  }
+  EXPECT_NEAR(dot(b, da), dot(a, db), 1e-3 * std::sqrt(dot(a, da) * dot(b, db)));
+  StateVector press(a.size(), 0.0f);
+  for (int c = 0; c < 3; ++c)
+  {
+    press[place(0, c)] = static_cast<float>(normals[0][c]);
+    press[place(1, c)] = static_cast<float>(-2.0 * normals[1][c]);
+  }
+  StateVector free(a.size(), 0.0f);
+  preconditioner.Solve(press, free);
+  EXPECT_LT(dot(press, solved(press)), 1e-4 * dot(press, free));
+}
