@@ -9,6 +9,7 @@ namespace waft
 namespace
 {
 
+constexpr double Rounding = 1e-5;       // [dx]: places that differ by less are the same
 constexpr int SmallestRamp = 6;         // frames over which the fallback blends in
 constexpr double FallbackSpeed = 0.3;   // of going back to the plan, at most [m/s]
 constexpr int FallbackRounds = 5;       // the ramp doubles each time
@@ -149,12 +150,11 @@ public:
   }
 
   /// Where the optimised motion is not clear it goes back to the planned one, with soft ends.
-  /// share: how much of the plan each frame got.
-  bool Clear(std::vector<Vec3>& x, std::vector<double>& share) const
+  bool Clear(std::vector<Vec3>& x) const
   {
     const std::vector<Vec3>& planned = this->Input.Tracks[this->Index].Positions;
     const std::vector<Vec3> free = x;
-    share.assign(x.size(), 0.0);
+    std::vector<double> share(x.size(), 0.0); // of the plan, by frame
     std::vector<std::size_t> blocked = this->Blocked(x);
     long shortest = SmallestRamp;
     for (int round = 0; round < FallbackRounds && !blocked.empty(); ++round, shortest *= 2)
@@ -244,29 +244,30 @@ std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
     }
     const ObjectExport object(input, setup, o, clusters, kept);
     object.MakeExact(x);
-    std::vector<double> share;
-    if (!object.Clear(x, share))
+    if (!object.Clear(x))
     {
       warnings.push_back("object " + std::to_string(setup.Objects[o].ObjectId) +
                          ": the planned path leaves less than the clearance asked for");
     }
-    const std::vector<Vec3>& planned = input.Tracks[o].Positions;
+    // Velocities go along with what has been moved, so that steps follow them as before.
+    Vec3 before = Vec3::Zero();
     for (std::size_t frame = 0; frame < frames; ++frame)
     {
-      if (object.IsKept(frame))
-      {
-        continue;
-      }
       float* p = state.data() + frame * model.FrameSize() + model.NumberOfGas + o;
+      const bool kept = object.IsKept(frame);
       const Vec3 local = setup.FromWorld(x[frame]);
-      const std::size_t k = std::max<std::size_t>(1, frame);
+      Vec3 moved = local - Vec3(p[0], p[stride], p[2 * stride]);
+      if (kept || moved.norm() < Rounding)
+      {
+        moved.setZero();
+      }
+      const bool holds = kept || model.Flag(static_cast<int>(frame), o) & FixedVelocity;
       for (int c = 0; c < 3; ++c)
       {
-        p[c * stride] = static_cast<float>(local[c]);
-        const double own = (planned[k][c] - planned[k - 1][c]) / setup.Spacing;
-        float& v = p[(3 + c) * stride];
-        v += static_cast<float>(share[frame] * (own - v));
+        p[c * stride] = kept ? p[c * stride] : static_cast<float>(local[c]);
+        p[(3 + c) * stride] += holds ? 0.0f : static_cast<float>(moved[c] - before[c]);
       }
+      before = moved;
     }
   }
   return positions;
