@@ -167,8 +167,8 @@ def convergence(run):
     rows = [dict(zip(header, row)) for row in rows]
     chart = vtkChartXY()
     chart.SetShowLegend(True)
-    groups = (("every second frame, leashed", lambda s: s.startswith("leash"), PLANNED),
-              ("every second frame", lambda s: s.startswith("free"), (0.30, 0.55, 0.30)),
+    groups = (("every fourth frame", lambda s: s.endswith("coarser"), PLANNED),
+              ("every second frame", lambda s: s.startswith("free") and not s.endswith("coarser"), (0.30, 0.55, 0.30)),
               ("all frames", lambda s: s.startswith("fine"), FOUND))
     for label, belongs, color in groups:
         chosen = [row for row in rows if belongs(row["Stage"])]
