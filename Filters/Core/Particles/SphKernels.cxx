@@ -22,8 +22,9 @@ const SphKernelTable& PortableSphKernels()
 
 const SphKernelTable& FastestSphKernels()
 {
+  const SphKernelTable* avx512 = Avx512SphKernels();
   const SphKernelTable* avx2 = Avx2SphKernels();
-  return avx2 ? *avx2 : PortableSphKernels();
+  return avx512 ? *avx512 : avx2 ? *avx2 : PortableSphKernels();
 }
 
 } // namespace waft

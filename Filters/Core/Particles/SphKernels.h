@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pair sums of smoothed particle hydrodynamics for one frame, fast: plain data in, plain data
-// out, in single precision, with an AVX2 version chosen at run time. Lengths are in gas spacings
-// dx, times in frames, rho0 = 1. Free of Eigen and of the standard library's templates, since it is
-// compiled for several instruction sets.
+// out, in single precision, with versions for AVX2 and AVX-512 chosen at run time. Lengths are in
+// gas spacings dx, times in frames, rho0 = 1. Free of Eigen and of the standard library's
+// templates, since it is compiled for several instruction sets.
 #pragma once
 
 #include <cstddef>
@@ -49,9 +49,13 @@ struct SphConstants
   float ObjectMassThreshold; // lighter particles belong to objects
 };
 
+/// Far records without mass, that the caller appends after those of the particles: what fills a
+/// group of pairs, one for each of its lanes, so that none waits for another. Adjoint records and
+/// results have entries for them too; what sums leave there means nothing.
+constexpr std::size_t SphFarRecords = 8;
+
 /// Neighbours in groups of eight, each pair once: of a gas particle some of the gas about it, of an
-/// object's all gas about it. The last group is filled with the index of a far record, that the
-/// caller appends after the particles.
+/// object's all gas about it. The last group is filled with the index of the first far record.
 struct SphNeighbors
 {
   const std::uint32_t* Starts; // n + 1 entries, in groups of eight
@@ -130,14 +134,14 @@ struct SphKernelTable
 {
   const char* Name;
 
-  /// density[i] = sum_j m_j W_ij, n + 1 entries; fills `pairs`.
+  /// density[i] = sum_j m_j W_ij, and the far ones' entries; fills `pairs`.
   void (*Density)(const SphConstants&, const SphRecord*, const SphNeighbors&, std::size_t n,
                   const SphPairs& pairs, float* density);
   /// Adds to First: -sum_j m_j (p_i + p_j + Pi_ij) F x_ij, to Second: sum_j m_j W_ij (v_j - v_i).
-  /// n + 1 sums, here and below.
+  /// n sums and the far ones', here and below.
   void (*Accelerate)(const SphConstants&, const SphRecord*, const SphPairs&, std::size_t n,
                      SphPairSum* sums);
-  /// pressure[i] = -sum_j F (b_ij . x_ij), b_ij = m_j abar_i - m_i abar_j; n + 1 entries.
+  /// pressure[i] = -sum_j F (b_ij . x_ij), b_ij = m_j abar_i - m_i abar_j, and the far ones'.
   void (*AdjointPressure)(const SphConstants&, const SphRecord*, const SphAdjointRecord*,
                           const SphPairs&, std::size_t n, float* pressure);
   /// Adds the adjoint of positions to First, of velocities to Second.
@@ -170,5 +174,7 @@ const SphKernelTable& FastestSphKernels();
 const SphKernelTable& PortableSphKernels();
 /// Null where the machine does not have AVX2 and FMA.
 const SphKernelTable* Avx2SphKernels();
+/// Null where the machine does not have AVX-512 with its short vectors. Same bits as with AVX2.
+const SphKernelTable* Avx512SphKernels();
 
 } // namespace waft

@@ -10,7 +10,9 @@ namespace waft
 {
 namespace
 {
-#include "Particles/SphLanesAvx2.txx"
+#include "Particles/SphLanes256.txx"
+
+#include "Particles/SphMasksAvx2.txx"
 
 #include "Particles/SphPairSums.txx"
 

@@ -78,18 +78,30 @@ inline Lanes Sqrt(const Lanes& a)
 {
   return Each([&](int k) { return __builtin_sqrtf(a.Value[k]); });
 }
-inline Lanes Less(const Lanes& a, const Lanes& b, const Lanes& yes, const Lanes& no)
+
+struct LaneMask
 {
-  return Each([&](int k) { return a.Value[k] < b.Value[k] ? yes.Value[k] : no.Value[k]; });
-}
-inline unsigned LessMask(const Lanes& a, const Lanes& b)
+  unsigned Value; // a bit a lane
+
+  unsigned Bits() const { return this->Value; }
+};
+
+inline LaneMask operator<(const Lanes& a, const Lanes& b)
 {
   unsigned mask = 0;
   for (int k = 0; k < 8; ++k)
   {
     mask |= a.Value[k] < b.Value[k] ? 1u << k : 0u;
   }
-  return mask;
+  return { mask };
+}
+inline LaneMask LanesFrom(unsigned first)
+{
+  return { 0xFFu << first };
+}
+inline Lanes Select(LaneMask mask, const Lanes& yes, const Lanes& no)
+{
+  return Each([&](int k) { return mask.Value & (1u << k) ? yes.Value[k] : no.Value[k]; });
 }
 inline float Sum(const Lanes& a)
 {
@@ -106,11 +118,11 @@ inline float Largest(const Lanes& a)
   }
   return largest;
 }
-inline void TimesEight(const std::uint32_t* in, std::uint32_t* out)
+inline void TimesEight(std::uint32_t* values)
 {
   for (int k = 0; k < 8; ++k)
   {
-    out[k] = 8 * in[k];
+    values[k] *= 8;
   }
 }
 
@@ -147,31 +159,41 @@ inline void AddSums(float* record, const Lanes components[8])
   }
 }
 
-struct Compressor
+struct LaneOrder
 {
-  unsigned Mask;
+  int From[8] = {};
 
-  explicit Compressor(unsigned mask) : Mask(mask) {}
-  void Store(const Lanes& a, float* out) const { this->Copy(a.Value, out); }
-  template <typename Index>
-  void Store(const Index* index, std::uint32_t* out) const
-  {
-    this->Copy(index, out);
-  }
-
-private:
-  template <typename From, typename To>
-  void Copy(const From* from, To* to) const
+  LaneOrder(unsigned mask, unsigned first)
   {
     for (int k = 0; k < 8; ++k)
     {
-      if (this->Mask & (1u << k))
+      if (mask & (1u << k))
       {
-        *to++ = static_cast<To>(from[k]);
+        this->From[first++ % 8] = k;
       }
     }
   }
+  Lanes operator()(const Lanes& a) const
+  {
+    return Each([&](int k) { return a.Value[this->From[k]]; });
+  }
 };
+
+template <typename Index>
+inline Lanes LoadBits(const Index* p)
+{
+  Lanes r;
+  for (int k = 0; k < 8; ++k)
+  {
+    const std::uint32_t wide = p[k];
+    __builtin_memcpy(r.Value + k, &wide, sizeof(wide));
+  }
+  return r;
+}
+inline void StoreBits(const Lanes& a, std::uint32_t* p)
+{
+  __builtin_memcpy(p, a.Value, sizeof(a.Value));
+}
 
 struct DoubleSum
 {

@@ -14,65 +14,125 @@ inline void Prefetch(const SphPairGroup* group)
   __builtin_prefetch(first + 128);
 }
 
-/// Where what i has found so far of its pairs waits for its group to be full.
-struct PairQueue
+/// Eight pairs of one i, as they are found: x_i - x_j, and j's place as the bits of lanes.
+struct FoundPairs
 {
-  static constexpr std::size_t Room = 128; // a group more may be written, and is not counted
+  Lanes X, Y, Z, Other;
 
-  alignas(32) float X[Room + 8], Y[Room + 8], Z[Room + 8], S[Room + 8];
-  alignas(32) std::uint32_t Other[Room + 8];
-  std::size_t Count = 0;
-
-  /// The far particle fills the last group: at the edge of the support all terms vanish.
-  void Fill(std::uint32_t far)
+  template <typename Function>
+  static FoundPairs Each(Function function)
   {
-    for (; this->Count % 8 != 0; ++this->Count)
-    {
-      this->X[this->Count] = this->Y[this->Count] = this->Z[this->Count] = 1.0f;
-      this->S[this->Count] = 0.0f;
-      this->Other[this->Count] = far;
-    }
+    return { function(&FoundPairs::X), function(&FoundPairs::Y), function(&FoundPairs::Z),
+             function(&FoundPairs::Other) };
   }
-  /// What is left behind the full groups comes to the front.
-  void Drop(std::size_t full)
+  void Store(SphPairGroup* out) const
   {
-    Lanes::Load(this->X + full).Store(this->X);
-    Lanes::Load(this->Y + full).Store(this->Y);
-    Lanes::Load(this->Z + full).Store(this->Z);
-    Lanes::Load(this->S + full).Store(this->S);
-    for (int l = 0; l < 8; ++l)
-    {
-      this->Other[l] = this->Other[full + l];
-    }
-    this->Count -= full;
+    this->X.Store(out->X);
+    this->Y.Store(out->Y);
+    this->Z.Store(out->Z);
+    StoreBits(this->Other, out->Other);
   }
 };
 
-/// The sum of `scale` W over full groups from the queue, added to each j as well; hands them on to
-/// `out`.
-inline void TakeGroups(const PairQueue& queue, std::size_t full, Lanes scale, SphPairGroup* out,
-                       float* density, Lanes& sum, Lanes& nearest)
+inline FoundPairs Select(LaneMask mask, const FoundPairs& yes, const FoundPairs& no)
 {
+  return FoundPairs::Each([&](auto part) { return Select(mask, yes.*part, no.*part); });
+}
+
+/// Puts the pairs of one i after the other's together to full groups.
+struct PairPacker
+{
+  SphPairGroup* Out;
+  FoundPairs Waiting; // as many as Count, for their group to be full
+  unsigned Count;
+
+  /// Takes the lanes of a mask. Writes the group at hand, full or not.
+  void Take(unsigned mask, const FoundPairs& found)
+  {
+    const LaneOrder order(mask, this->Count);
+    const FoundPairs moved = FoundPairs::Each([&](auto part) { return order(found.*part); });
+    const FoundPairs joined = Select(LanesFrom(this->Count), moved, this->Waiting);
+    joined.Store(this->Out);
+    const unsigned total = this->Count + static_cast<unsigned>(__builtin_popcount(mask));
+    const unsigned full = total / 8;
+    this->Waiting = Select(LanesFrom(8 - 8 * full), moved, joined); // the rest lies in front
+    this->Count = total % 8;
+    this->Out += full;
+  }
+  /// Fills the last group, and waits for the next i's pairs.
+  void Fill(const FoundPairs& far)
+  {
+    if (this->Count > 0)
+    {
+      Select(LanesFrom(this->Count), far, this->Waiting).Store(this->Out);
+      ++this->Out;
+      this->Count = 0;
+    }
+  }
+};
+
+/// The pairs within the support of the particles from begin to end: all but s; places in Other.
+template <typename Index>
+void FindPairs(const SphConstants& c, const SphRecord* records, const std::uint32_t* starts,
+               const Index* list, std::size_t begin, std::size_t end, const FoundPairs& far,
+               const SphPairs& pairs)
+{
+  const float* base = &records->X;
+  const Lanes support2 = Lanes::Set(1.0f / (c.InverseSupport * c.InverseSupport));
+  PairPacker packer{ pairs.Groups + pairs.Starts[begin], far, 0 };
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const Lanes xi = Lanes::Set(records[i].X);
+    const Lanes yi = Lanes::Set(records[i].Y);
+    const Lanes zi = Lanes::Set(records[i].Z);
+    for (std::size_t k = starts[i]; k < starts[i + 1]; ++k)
+    {
+      Lanes q[4];
+      LoadFour<8>(base, list + 8 * k, q);
+      const FoundPairs pair{ xi - q[0], yi - q[1], zi - q[2], LoadBits(list + 8 * k) };
+      const Lanes r2 = Fma(pair.X, pair.X, Fma(pair.Y, pair.Y, pair.Z * pair.Z));
+      packer.Take((r2 < support2).Bits(), pair);
+    }
+    packer.Fill(far);
+    pairs.Starts[i + 1] = static_cast<std::uint32_t>(packer.Out - pairs.Groups);
+  }
+}
+
+/// The density of these pairs. Makes places in Other where records begin.
+void WeighPairs(const SphConstants& c, const SphRecord* records, std::size_t begin, std::size_t end,
+                const SphPairs& pairs, float* density)
+{
+  const Lanes zero = Lanes::Set(0.0f);
+  const Lanes one = Lanes::Set(1.0f);
   const Lanes five = Lanes::Set(5.0f);
   const Lanes four = Lanes::Set(4.0f);
-  for (std::size_t k = 0; k < full; k += 8, ++out)
+  const Lanes inverse = Lanes::Set(c.InverseSupport);
+  for (std::size_t i = begin; i < end; ++i)
   {
-    const Lanes s = Lanes::Load(queue.S + k);
-    Lanes::Load(queue.X + k).Store(out->X);
-    Lanes::Load(queue.Y + k).Store(out->Y);
-    Lanes::Load(queue.Z + k).Store(out->Z);
-    s.Store(out->S);
-    TimesEight(queue.Other + k, out->Other);
-    nearest = Max(nearest, s);
-    const Lanes s2 = s * s;
-    const Lanes w = scale * ((s2 * s2) * Fnma(four, s, five));
-    sum = sum + w;
-    float weights[8];
-    w.Store(weights);
-    for (int l = 0; l < 8; ++l)
+    const Lanes scale = Lanes::Set(c.KernelScale * records[i].Mass);
+    Lanes sum = zero, nearest = zero;
+    for (std::size_t k = pairs.Starts[i]; k < pairs.Starts[i + 1]; ++k)
     {
-      density[queue.Other[k + l]] += weights[l];
+      SphPairGroup& pair = pairs.Groups[k];
+      const Lanes x = Lanes::Load(pair.X);
+      const Lanes y = Lanes::Load(pair.Y);
+      const Lanes z = Lanes::Load(pair.Z);
+      const Lanes s = Max(zero, Fnma(Sqrt(Fma(x, x, Fma(y, y, z * z))), inverse, one));
+      s.Store(pair.S);
+      nearest = Max(nearest, s);
+      const Lanes s2 = s * s;
+      const Lanes w = scale * ((s2 * s2) * Fnma(four, s, five));
+      sum = sum + w;
+      float weights[8];
+      w.Store(weights);
+      for (int l = 0; l < 8; ++l)
+      {
+        density[pair.Other[l]] += weights[l];
+      }
+      TimesEight(pair.Other);
     }
+    pairs.Nearest[i] = Largest(nearest);
+    density[i] += c.GasMass / records[i].Mass * Sum(sum);
   }
 }
 
@@ -80,59 +140,26 @@ template <typename Index>
 void DensitySum(const SphConstants& c, const SphRecord* records, const std::uint32_t* starts,
                 const Index* list, std::size_t n, const SphPairs& pairs, float* density)
 {
-  const float* base = &records->X;
-  const Lanes zero = Lanes::Set(0.0f);
-  const Lanes one = Lanes::Set(1.0f);
-  const Lanes inverse = Lanes::Set(c.InverseSupport);
-  const Lanes support2 = Lanes::Set(1.0f / (c.InverseSupport * c.InverseSupport));
+  // Pairs are weighed while they are in the first cache, and no sooner than their number is known.
+  constexpr std::size_t Block = 32;
+  std::uint32_t places[8];
+  for (std::uint32_t l = 0; l < 8; ++l)
+  {
+    places[l] = static_cast<std::uint32_t>(n) + l;
+  }
+  // At the edge of the support and beyond all terms vanish.
+  const Lanes beyond = Lanes::Set(1.0f / c.InverseSupport);
+  const FoundPairs far{ beyond, beyond, beyond, LoadBits(places) };
   for (std::size_t i = 0; i < n; ++i)
   {
     density[i] = 0.0f;
   }
-  PairQueue queue;
-  std::uint32_t groups = 0;
   pairs.Starts[0] = 0;
-  for (std::size_t i = 0; i < n; ++i)
+  for (std::size_t begin = 0; begin < n; begin += Block)
   {
-    const Lanes xi = Lanes::Set(records[i].X);
-    const Lanes yi = Lanes::Set(records[i].Y);
-    const Lanes zi = Lanes::Set(records[i].Z);
-    const Lanes scale = Lanes::Set(c.KernelScale * records[i].Mass);
-    Lanes sum = zero, nearest = zero;
-    const auto take = [&]()
-    {
-      const std::size_t full = queue.Count / 8 * 8;
-      TakeGroups(queue, full, scale, pairs.Groups + groups, density, sum, nearest);
-      groups += static_cast<std::uint32_t>(full / 8);
-      return full;
-    };
-    queue.Count = 0;
-    for (std::size_t k = starts[i]; k < starts[i + 1]; ++k)
-    {
-      if (queue.Count > PairQueue::Room - 8) // seldom
-      {
-        queue.Drop(take());
-      }
-      Lanes q[4];
-      LoadFour<8>(base, list + 8 * k, q);
-      const Lanes x = xi - q[0];
-      const Lanes y = yi - q[1];
-      const Lanes z = zi - q[2];
-      const Lanes r2 = Fma(x, x, Fma(y, y, z * z));
-      const unsigned mask = LessMask(r2, support2);
-      const Compressor compressor(mask);
-      compressor.Store(x, queue.X + queue.Count);
-      compressor.Store(y, queue.Y + queue.Count);
-      compressor.Store(z, queue.Z + queue.Count);
-      compressor.Store(Max(zero, Fnma(Sqrt(r2), inverse, one)), queue.S + queue.Count);
-      compressor.Store(list + 8 * k, queue.Other + queue.Count);
-      queue.Count += static_cast<std::size_t>(__builtin_popcount(mask));
-    }
-    queue.Fill(static_cast<std::uint32_t>(n));
-    take();
-    pairs.Starts[i + 1] = groups;
-    pairs.Nearest[i] = Largest(nearest);
-    density[i] += c.GasMass / records[i].Mass * Sum(sum);
+    const std::size_t end = begin + Block < n ? begin + Block : n;
+    FindPairs(c, records, starts, list, begin, end, far, pairs);
+    WeighPairs(c, records, begin, end, pairs, density);
   }
 }
 
@@ -197,14 +224,15 @@ void AdjointPressureSum(const SphConstants& c, const SphRecord* records,
   const Lanes zero = Lanes::Set(0.0f);
   const Lanes scale = Lanes::Set(-c.GradientScale);
   const Lanes mj = Lanes::Set(c.GasMass);
-  for (std::size_t i = 0; i <= n; ++i)
+  for (std::size_t i = 0; i < n; ++i)
   {
     pressure[i] = 0.0f;
   }
   for (std::size_t i = 0; i < n; ++i)
   {
+    const SphRecord& me = records[i];
     const SphAdjointRecord& bar = adjoints[i];
-    const Lanes mi = Lanes::Set(records[i].Mass);
+    const Lanes mi = Lanes::Set(me.Mass);
     const Lanes ai = mj * Lanes::Set(bar.AX);
     const Lanes bi = mj * Lanes::Set(bar.AY);
     const Lanes ci = mj * Lanes::Set(bar.AZ);

@@ -18,9 +18,9 @@ inline void PlaneComplement(const SphConstants& c, Lanes d, Lanes& q, Lanes& q1,
                       Fma(s, Fma(s, Lanes::Set(4.0f / 7.0f), Lanes::Set(-1.5f)), one);
   const Lanes curve = Lanes::Set(c.InverseSupport * c.InverseSupport) * s4 *
                       Fma(s, Fma(s, Lanes::Set(84.0f), Lanes::Set(-189.0f)), Lanes::Set(105.0f));
-  q = Less(d, zero, psi, one - psi);
+  q = Select(d < zero, psi, one - psi);
   q1 = slope;
-  q2 = Less(d, zero, curve, zero - curve);
+  q2 = Select(d < zero, curve, zero - curve);
 }
 
 void WallTerms(const SphConstants& c, const SphBox& box, std::size_t n, const float* x,
@@ -265,7 +265,7 @@ std::size_t NearPoints(const float* x, const float* y, const float* z, std::size
     const Lanes dx = Lanes::Load(x + i) - px;
     const Lanes dy = Lanes::Load(y + i) - py;
     const Lanes dz = Lanes::Load(z + i) - pz;
-    unsigned mask = LessMask(Fma(dx, dx, Fma(dy, dy, dz * dz)), limit);
+    unsigned mask = (Fma(dx, dx, Fma(dy, dy, dz * dz)) < limit).Bits();
     if (end - i < 8)
     {
       mask &= (1u << (end - i)) - 1u;

@@ -72,7 +72,6 @@ void FrameTerms::Adjoint(float* gradient)
     sum.First[1] = byPsi * g0[p + i] + xy * r.AX + yy * r.AY + yz * r.AZ;
     sum.First[2] = byPsi * g0[2 * p + i] + xz * r.AX + yz * r.AY + zz * r.AZ;
   }
-  this->PairSums[n] = SphPairSum();
   this->Kernels.AdjointState(this->Constants, this->Records.data(), this->Adjoints.data(),
                              this->Pairs, n, this->PairSums.data());
   const auto add = [&](std::size_t place, std::size_t body)

@@ -28,18 +28,16 @@ FrameTerms::FrameTerms(const SpacetimeModel& model, const SphFluid& fluid,
   const std::size_t p = this->ParticleStride;
   const std::size_t b = this->BodyStride;
   this->X.assign(3 * p, 0.0f);
-  this->Records.resize(n + 1);
-  this->Records[n] = { FarAway, FarAway, FarAway, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
-  this->Adjoints.assign(n + 1, SphAdjointRecord{});
+  const std::size_t all = n + SphFarRecords;
+  this->Records.assign(all, { FarAway, FarAway, FarAway, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f });
+  this->Adjoints.assign(all, SphAdjointRecord{});
   for (auto* v : { &this->Density, &this->PressureSlope, &this->Psi, &this->Bar })
   {
-    v->assign(p, 0.0f);
+    v->assign(std::max(p, all), 0.0f);
   }
-  this->Bar.resize(p + 1); // the far one's entry included
-  this->Density.resize(p + 1);
   this->PairStarts.resize(n + 1);
   this->Nearest.resize(n);
-  this->PairSums.resize(n + 1);
+  this->PairSums.resize(all);
   this->Raise.resize(n - model.NumberOfGas);
   this->RaiseSlope.resize(n - model.NumberOfGas);
   this->PsiGradient.assign(3 * p, 0.0f);
@@ -268,7 +266,6 @@ void FrameTerms::Forward(const float* state, int frame, double step, NeighborLis
     this->Raise[k - ng] = static_cast<float>(air.Raise);
     this->RaiseSlope[k - ng] = static_cast<float>(air.Slope);
   }
-  this->PairSums[n] = SphPairSum();
   this->Kernels.Accelerate(this->Constants, this->Records.data(), this->Pairs, n,
                            this->PairSums.data());
   this->AddFields(state, frame);

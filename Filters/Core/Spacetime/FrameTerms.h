@@ -82,7 +82,7 @@ private:
 
   const std::uint32_t* Order = nullptr; // the particle at each place
   std::vector<float> X;                 // 3 rows of particles
-  std::vector<SphRecord> Records;       // particles and the far one
+  std::vector<SphRecord> Records;       // particles and the far ones
   std::vector<SphAdjointRecord> Adjoints;
   std::vector<float> Density, PressureSlope, Psi, Bar; // particles
   std::vector<float> PsiGradient, PsiHessian;          // 3 and 6 rows

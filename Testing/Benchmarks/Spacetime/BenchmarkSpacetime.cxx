@@ -47,7 +47,7 @@ constexpr const char* Help =
   "  --history 6      pairs of L-BFGS\n"
   "  --every 5        iterations from one line to the next\n"
   "  --evaluate 0     1: nothing but the cost of an evaluation\n"
-  "  --portable 0     1: that cost without AVX2\n";
+  "  --portable 0     1: that cost without AVX2 and AVX-512\n";
 
 double Argument(int argc, char** argv, const char* name, double standard)
 {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The fast single-precision sums against the plain double ones, for each instruction set.
 #include "Base/ForceFields.h"
-#include "Particles/NeighborList.h"
-#include "RandomGas.h"
+#include "FastGas.h"
 
 #include <gtest/gtest.h>
 
@@ -16,52 +15,15 @@ namespace
 std::vector<const SphKernelTable*> Tables()
 {
   std::vector<const SphKernelTable*> tables{ &PortableSphKernels() };
-  if (Avx2SphKernels() != nullptr)
+  for (const SphKernelTable* table : { Avx2SphKernels(), Avx512SphKernels() })
   {
-    tables.push_back(Avx2SphKernels());
+    if (table != nullptr)
+    {
+      tables.push_back(table);
+    }
   }
   return tables;
 }
-
-/// The fast sums with the terms of walls, as a frame puts them together.
-struct FastGas
-{
-  explicit FastGas(const RandomGas& gas, const SphKernelTable& kernels) :
-    Kernels(kernels), Constants(gas.Fluid.Constants()), N(gas.State.Positions.size())
-  {
-    std::vector<float> row[3];
-    for (const Vec3& x : gas.State.Positions)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        row[c].push_back(static_cast<float>(x[c]));
-      }
-    }
-    NeighborScratch scratch;
-    this->List.Build(kernels, this->N, gas.State.NumberOfGas, row[0].data(), row[1].data(),
-                     row[2].data(), 2.55f, scratch);
-    for (const std::uint32_t i : this->List.Order())
-    {
-      const Vec3& v = gas.State.Velocities[i];
-      const double mass = i < gas.State.NumberOfGas ? gas.Fluid.GasMass : gas.Fluid.ObjectMass;
-      this->Records.push_back({ row[0][i], row[1][i], row[2][i], float(mass), float(v.x()),
-                                float(v.y()), float(v.z()), 0.0f });
-    }
-    this->Records.push_back({ -1e4f, -1e4f, -1e4f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f });
-    this->Starts.resize(this->N + 1);
-    this->Groups.resize(this->List.NumberOfEntries() / 8);
-    this->Nearest.resize(this->N);
-  }
-  SphPairs Pairs() { return { this->Starts.data(), this->Groups.data(), this->Nearest.data() }; }
-  const SphKernelTable& Kernels;
-  SphConstants Constants;
-  std::size_t N;
-  std::vector<SphRecord> Records; // by place, as all sums
-  NeighborList List;
-  std::vector<std::uint32_t> Starts;
-  std::vector<SphPairGroup> Groups;
-  std::vector<float> Nearest;
-};
 
 /// sums: by place; which: of their two vectors.
 void ExpectNear(const std::vector<Vec3>& expected, const std::vector<std::uint32_t>& order,
@@ -104,8 +66,9 @@ void CompareWithReference(RandomGas gas, double tolerance)
     const SphNeighbors list = fast.List.View();
     const std::vector<std::uint32_t>& order = fast.List.Order();
     const SphPairs pairs = fast.Pairs();
-    std::vector<float> density(n + 1);
-    std::vector<SphPairSum> rateSums(n + 1, SphPairSum{}), barSums(n + 1, SphPairSum{});
+    const std::size_t all = n + SphFarRecords;
+    std::vector<float> density(all), pressure(all);
+    std::vector<SphPairSum> rateSums(all, SphPairSum{}), barSums(all, SphPairSum{});
     table->Density(fast.Constants, fast.Records.data(), list, n, pairs, density.data());
     for (std::size_t k = 0; k < n; ++k)
     {
@@ -119,7 +82,7 @@ void CompareWithReference(RandomGas gas, double tolerance)
     ExpectNear(rates.Accelerations, order, rateSums, &SphPairSum::First, 2e-5, table->Name);
     ExpectNear(rates.Averages, order, rateSums, &SphPairSum::Second, 2e-5, table->Name);
 
-    std::vector<SphAdjointRecord> bars(n + 1, SphAdjointRecord{});
+    std::vector<SphAdjointRecord> bars(all, SphAdjointRecord{});
     for (std::size_t k = 0; k < n; ++k)
     {
       const Vec3& p = weights.Accelerations[order[k]];
@@ -127,7 +90,6 @@ void CompareWithReference(RandomGas gas, double tolerance)
       bars[k] = { float(p.x()), float(p.y()), float(p.z()), 0.0f,
                   float(q.x()), float(q.y()), float(q.z()), 0.0f };
     }
-    std::vector<float> pressure(n + 1);
     table->AdjointPressure(fast.Constants, fast.Records.data(), bars.data(), pairs, n,
                            pressure.data());
     for (std::size_t k = 0; k < n; ++k)

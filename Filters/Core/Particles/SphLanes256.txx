@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eight floats in an AVX2 register.
+// Eight floats in a register of 256 bits: what AVX2 and AVX-512 share.
 struct Lanes
 {
   __m256 Value;
@@ -56,15 +56,6 @@ inline Lanes Sqrt(Lanes a)
 {
   return { _mm256_sqrt_ps(a.Value) };
 }
-/// a < b ? yes : no
-inline Lanes Less(Lanes a, Lanes b, Lanes yes, Lanes no)
-{
-  return { _mm256_blendv_ps(no.Value, yes.Value, _mm256_cmp_ps(a.Value, b.Value, _CMP_LT_OQ)) };
-}
-inline unsigned LessMask(Lanes a, Lanes b)
-{
-  return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a.Value, b.Value, _CMP_LT_OQ)));
-}
 inline float Sum(Lanes a)
 {
   __m128 s = _mm_add_ps(_mm256_castps256_ps128(a.Value), _mm256_extractf128_ps(a.Value, 1));
@@ -80,10 +71,10 @@ inline float Largest(Lanes a)
   s = _mm_max_ss(s, _mm_shuffle_ps(s, s, 1));
   return _mm_cvtss_f32(s);
 }
-inline void TimesEight(const std::uint32_t* in, std::uint32_t* out)
+inline void TimesEight(std::uint32_t* values)
 {
-  const __m256i a = _mm256_load_si256(reinterpret_cast<const __m256i*>(in));
-  _mm256_store_si256(reinterpret_cast<__m256i*>(out), _mm256_slli_epi32(a, 3));
+  auto* p = reinterpret_cast<__m256i*>(values);
+  _mm256_store_si256(p, _mm256_slli_epi32(_mm256_load_si256(p), 3));
 }
 
 /// Four consecutive floats at Scale times eight indices, turned into four registers.
@@ -178,37 +169,36 @@ struct SetBits
 };
 constexpr SetBits AllSetBits;
 
-/// Moves the lanes of a mask to the front.
-struct Compressor
+/// Moves the lanes of a mask side by side, to `first` and on, from the last lane to the front.
+struct LaneOrder
 {
-  __m256i Order;
+  __m256i Value;
 
-  explicit Compressor(unsigned mask) :
-    Order(_mm256_cvtepu8_epi32(
-      _mm_loadl_epi64(reinterpret_cast<const __m128i*>(AllSetBits.Places[mask]))))
+  LaneOrder(unsigned mask, unsigned first)
   {
+    static constexpr std::uint32_t Ring[16] = { 0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7 };
+    const auto* places = reinterpret_cast<const __m128i*>(AllSetBits.Places[mask]);
+    const auto* turn = reinterpret_cast<const __m256i*>(Ring + 8 - first);
+    this->Value = _mm256_permutevar8x32_epi32(_mm256_cvtepu8_epi32(_mm_loadl_epi64(places)),
+                                              _mm256_loadu_si256(turn));
   }
-  void Store(Lanes a, float* out) const
-  {
-    _mm256_storeu_ps(out, _mm256_permutevar8x32_ps(a.Value, this->Order));
-  }
-  void Store(const std::uint32_t* index, std::uint32_t* out) const
-  {
-    this->Store(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(index)), out);
-  }
-  void Store(const std::uint16_t* index, std::uint32_t* out) const
-  {
-    this->Store(_mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(index))),
-                out);
-  }
-
-private:
-  void Store(__m256i a, std::uint32_t* out) const
-  {
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out),
-                        _mm256_permutevar8x32_epi32(a, this->Order));
-  }
+  Lanes operator()(Lanes a) const { return { _mm256_permutevar8x32_ps(a.Value, this->Value) }; }
 };
+
+/// Eight whole numbers as the bits of lanes.
+inline Lanes LoadBits(const std::uint32_t* p)
+{
+  return { _mm256_castsi256_ps(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))) };
+}
+inline Lanes LoadBits(const std::uint16_t* p)
+{
+  return { _mm256_castsi256_ps(
+    _mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(p)))) };
+}
+inline void StoreBits(Lanes a, std::uint32_t* p)
+{
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(p), _mm256_castps_si256(a.Value));
+}
 
 /// Products summed in double precision.
 struct DoubleSum
