@@ -101,6 +101,7 @@ void FrameTerms::Adjoint(float* gradient)
     float* g = gradient + c * s;
     float* gv = gradient + (3 + c) * s;
     const float* abar = this->AccelerationBar(c);
+#pragma GCC ivdep
     for (std::size_t i = 0; i < bodies; ++i)
     {
       g[i] += j[c * s + i] * a0[i] + j[(3 + c) * s + i] * a1[i] + j[(6 + c) * s + i] * a2[i];

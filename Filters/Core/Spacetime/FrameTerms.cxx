@@ -14,7 +14,13 @@ namespace
 {
 
 constexpr float SpringStiffness = 0.3f; // [1 / (dx frame^2)]: keeps gas off the walls
-constexpr float FarAway = -1e4f;        // where the particle without mass lies [dx]
+constexpr float FarAway = -1e4f;        // where the particles without mass lie [dx]
+
+// max(0, x), exactly, without a branch: loops over it become vector ones.
+inline float PositivePart(float x)
+{
+  return 0.5f * (x + std::abs(x));
+}
 
 } // namespace
 
@@ -170,14 +176,16 @@ void FrameTerms::AddSprings(std::size_t begin, std::size_t end, const SphBox& bo
   constexpr auto reach = static_cast<float>(SpringReach);
   for (int a = 0; a < 3; ++a)
   {
+    const float size = box.Max[a];
     const float* x = this->X.data() + a * p;
     float* force = this->SpringForce.data() + a * p;
     float* slope = this->SpringSlope.data() + Diagonal[a] * p;
     float* none = this->SpringSlope.data() + OffDiagonal[a] * p;
+#pragma GCC ivdep
     for (std::size_t i = begin; i < end; ++i)
     {
-      const float low = std::max(0.0f, reach - x[i]);
-      const float high = std::max(0.0f, reach - (box.Max[a] - x[i]));
+      const float low = PositivePart(reach - x[i]);
+      const float high = PositivePart(reach - (size - x[i]));
       force[i] = SpringStiffness * (low * low - high * high);
       slope[i] = -2.0f * SpringStiffness * (low + high);
       none[i] = 0.0f;

@@ -131,7 +131,6 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
   const SpacetimeModel& model = this->Problem;
   const SpacetimeWeights& weights = model.Weights;
   const std::size_t stride = model.Stride();
-  const std::size_t bodies = model.NumberOfBodies();
   const std::size_t ng = model.NumberOfGas;
   const bool last = j + 1 == this->Times.NumberOfFrames();
   const float* here = state.data() + this->Place(j);
@@ -162,33 +161,39 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
     float* dbar = terms.AverageBar(c);
     float* outX = last ? nullptr : this->Row(j + 1, 0, c);
     float* outV = last ? nullptr : this->Row(j + 1, 1, c);
-    for (std::size_t i = 0; i < bodies; ++i)
+    const auto add =
+      [&](std::size_t i, float weight, float own, float flight, float air, float slip)
     {
-      float weight = 1.0f, own = 1.0f, flight = 1.0f, air = 1.0f, slip = 0.0f;
-      if (i >= ng)
-      {
-        const std::size_t o = i - ng;
-        weight = static_cast<float>(model.Offsets.size());
-        own = objectStep;
-        air = objectAir * model.CoherenceShare(this->Times.Frames[j], o);
-        slip = c == 2 ? model.SettlingSlip(o) : 0.0f;
-        flight = !last && this->Bound[(j + 1) * model.NumberOfObjects + o] ? 0.0f : 1.0f;
-      }
       const float rs = d[i] - slip;
       ec += static_cast<double>(weight * air * rs) * rs;
-      dbar[i] = weight * air * ws * rs;
-      abar[i] = 0.0f;
+      float byAverage = weight * air * ws * rs;
+      float byAcceleration = 0.0f;
       if (!last)
       {
         const float rx = flight * ((xn[i] - x[i]) - s * (vn[i] + eps * d[i]));
         const float rv = flight * ((vn[i] - v[i]) - s * a[i]);
         ex += static_cast<double>(own * weight * rx) * rx;
         ev += static_cast<double>(weight * rv) * rv;
-        outX[i] = own * weight * wx * rx;
-        outV[i] = weight * wv * rv;
-        abar[i] = -s * outV[i];
-        dbar[i] -= s * eps * outX[i];
+        const float byX = own * weight * wx * rx;
+        const float byV = weight * wv * rv;
+        outX[i] = byX;
+        outV[i] = byV;
+        byAcceleration = -s * byV;
+        byAverage -= s * eps * byX;
       }
+      abar[i] = byAcceleration;
+      dbar[i] = byAverage;
+    };
+    for (std::size_t i = 0; i < ng; ++i)
+    {
+      add(i, 1.0f, 1.0f, 1.0f, 1.0f, 0.0f);
+    }
+    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    {
+      const bool isBound = !last && this->Bound[(j + 1) * model.NumberOfObjects + o];
+      add(ng + o, static_cast<float>(model.Offsets.size()), objectStep, isBound ? 0.0f : 1.0f,
+          objectAir * model.CoherenceShare(this->Times.Frames[j], o),
+          c == 2 ? model.SettlingSlip(o) : 0.0f);
     }
   }
   SpacetimeTerms& sums = this->FrameSums[j];
