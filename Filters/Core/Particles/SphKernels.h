@@ -71,7 +71,8 @@ struct alignas(32) SphPairGroup
 };
 
 /// The pairs of a frame within the support, as the density sum finds them and the other sums read
-/// them. The caller gives room for as many groups as the neighbours have.
+/// them. The caller gives room for as many groups as the neighbours have and one of far ones, which
+/// ends them.
 struct SphPairs
 {
   std::uint32_t* Starts; // n + 1 entries, in groups

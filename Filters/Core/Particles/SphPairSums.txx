@@ -14,6 +14,28 @@ inline void Prefetch(const SphPairGroup* group)
   __builtin_prefetch(first + 128);
 }
 
+/// Four floats of each other of a pair, loaded a group ahead, while the sums over the last one
+/// still wait for results.
+struct LoadedAhead
+{
+  const float* Base;
+  Lanes Next[4];
+
+  LoadedAhead(const float* base, const SphPairs& pairs) : Base(base)
+  {
+    LoadFour<1>(base, pairs.Groups->Other, this->Next);
+  }
+  /// Groups in their order.
+  void Take(const SphPairGroup& group, Lanes out[4])
+  {
+    for (int a = 0; a < 4; ++a)
+    {
+      out[a] = this->Next[a];
+    }
+    LoadFour<1>(this->Base, (&group + 1)->Other, this->Next);
+  }
+};
+
 /// Eight pairs of one i, as they are found: x_i - x_j, and j's place as the bits of lanes.
 struct FoundPairs
 {
@@ -161,17 +183,20 @@ void DensitySum(const SphConstants& c, const SphRecord* records, const std::uint
     FindPairs(c, records, starts, list, begin, end, far, pairs);
     WeighPairs(c, records, begin, end, pairs, density);
   }
+  SphPairGroup* last = pairs.Groups + pairs.Starts[n];
+  far.Store(last);
+  TimesEight(last->Other);
 }
 
 void AccelerationSum(const SphConstants& c, const SphRecord* records, const SphPairs& pairs,
                      std::size_t n, SphPairSum* sums)
 {
-  const float* base = &records->X;
   float* sumBase = sums->First;
   const Lanes zero = Lanes::Set(0.0f);
   const Lanes five = Lanes::Set(5.0f);
   const Lanes four = Lanes::Set(4.0f);
   const Lanes core = Lanes::Set(c.ViscousCore);
+  LoadedAhead velocities(&records->U, pairs);
   for (std::size_t i = 0; i < n; ++i)
   {
     const SphRecord& me = records[i];
@@ -186,7 +211,7 @@ void AccelerationSum(const SphConstants& c, const SphRecord* records, const SphP
       const SphPairGroup& pair = pairs.Groups[k];
       Prefetch(&pair + GroupsAhead);
       Lanes w[4];
-      LoadFour<1>(base + 4, pair.Other, w);
+      velocities.Take(pair, w);
       const Lanes x = Lanes::Load(pair.X);
       const Lanes y = Lanes::Load(pair.Y);
       const Lanes z = Lanes::Load(pair.Z);
@@ -220,10 +245,10 @@ void AdjointPressureSum(const SphConstants& c, const SphRecord* records,
                         const SphAdjointRecord* adjoints, const SphPairs& pairs, std::size_t n,
                         float* pressure)
 {
-  const float* adjointBase = &adjoints->AX;
   const Lanes zero = Lanes::Set(0.0f);
   const Lanes scale = Lanes::Set(-c.GradientScale);
   const Lanes mj = Lanes::Set(c.GasMass);
+  LoadedAhead accelerations(&adjoints->AX, pairs);
   for (std::size_t i = 0; i < n; ++i)
   {
     pressure[i] = 0.0f;
@@ -242,7 +267,7 @@ void AdjointPressureSum(const SphConstants& c, const SphRecord* records,
       const SphPairGroup& pair = pairs.Groups[k];
       Prefetch(&pair + GroupsAhead);
       Lanes b[4];
-      LoadFour<1>(adjointBase, pair.Other, b);
+      accelerations.Take(pair, b);
       const Lanes x = Lanes::Load(pair.X);
       const Lanes y = Lanes::Load(pair.Y);
       const Lanes z = Lanes::Load(pair.Z);

@@ -228,7 +228,7 @@ void FrameTerms::AddWalls(int frame)
 // For the pairs of a list with so many entries.
 void FrameTerms::MakeRoom(std::size_t entries)
 {
-  const std::size_t groups = entries / 8;
+  const std::size_t groups = entries / 8 + 1;
   if (this->PairGroups.size() < groups)
   {
     AssignInLargePages(this->PairGroups, groups + groups / 8);

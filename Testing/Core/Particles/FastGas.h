@@ -36,7 +36,7 @@ struct FastGas
     this->Records.insert(this->Records.end(), SphFarRecords,
                          { -1e4f, -1e4f, -1e4f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f });
     this->Starts.resize(this->N + 1);
-    this->Groups.resize(this->List.NumberOfEntries() / 8);
+    this->Groups.resize(this->List.NumberOfEntries() / 8 + 1);
     this->Nearest.resize(this->N);
   }
   SphPairs Pairs() { return { this->Starts.data(), this->Groups.data(), this->Nearest.data() }; }
