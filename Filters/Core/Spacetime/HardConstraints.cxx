@@ -223,6 +223,38 @@ void HardConstraints::Project(StateVector& state) const
   this->SetClusterPoints(points, state);
 }
 
+void HardConstraints::Project(const TimelinePreconditioner& preconditioner,
+                              StateVector& state) const
+{
+  if (this->Leash <= 0.0) // which would stop the frames about a ball from coming along
+  {
+    this->EnterBalls(preconditioner, state);
+  }
+  this->Project(state);
+}
+
+void HardConstraints::EnterBalls(const TimelinePreconditioner& preconditioner,
+                                 StateVector& state) const
+{
+  std::vector<float> overshoots(3 * this->Touched.Size(), 0.0f);
+  auto ball = this->Balls.begin();
+  for (std::size_t k = 0; k < this->Touched.Size(); ++k)
+  {
+    if (this->Share.Own().Contains(this->Touched.Frame(k)))
+    {
+      const std::size_t place = this->Place(ball->Frame, ball->Object);
+      const Vec3 d = Get(state.data() + place, this->Model.Stride()) - ball->Center;
+      const double inside = ball->Radius * Inside;
+      if (d.norm() > inside)
+      {
+        Set(overshoots.data() + 3 * k, 1, (1.0 - inside / d.norm()) * d);
+      }
+      ++ball;
+    }
+  }
+  this->Touched.Enter(preconditioner, std::move(overshoots), state);
+}
+
 void HardConstraints::FindWalls(std::size_t j, const StateVector& state,
                                 const StateVector& gradient)
 {

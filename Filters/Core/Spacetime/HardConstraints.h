@@ -110,6 +110,9 @@ public:
 
   /// The nearest state that meets everything (gas is held in its box).
   void Project(StateVector& state) const;
+  /// The same for a trial point, whose time lines first come along to the user's balls that they
+  /// miss (once there is no leash).
+  void Project(const TimelinePreconditioner& preconditioner, StateVector& state) const;
   /// Balls, and walls of the gas' box, that the descent direction -gradient would leave.
   void FindActive(const StateVector& state, const StateVector& gradient);
   /// Removes from a direction what leaves fixed values, active balls and walls and exact rows.
@@ -121,6 +124,7 @@ public:
   double MaxViolation(const StateVector& state) const;
 
 private:
+  void EnterBalls(const TimelinePreconditioner& preconditioner, StateVector& state) const;
   std::size_t Place(std::size_t j, std::size_t object) const;
   void HoldObjects(const std::vector<char>& movable);
   void TakeClusters(const std::vector<bool>& hasFrame);

@@ -30,9 +30,10 @@ Lbfgs::Lbfgs(const FrameShare& share, std::size_t frameSize, const ParallelFor& 
 }
 
 // The frames beside the own ones are then as E needs them.
-void Lbfgs::Project(const HardConstraints& constraints, StateVector& state) const
+void Lbfgs::Project(const TimelinePreconditioner& preconditioner,
+                    const HardConstraints& constraints, StateVector& state) const
 {
-  constraints.Project(state);
+  constraints.Project(preconditioner, state);
   this->Share.FillHalo(state, this->FrameSize);
 }
 
@@ -62,13 +63,13 @@ void Lbfgs::Direction(const TimelinePreconditioner& preconditioner,
     product = this->Space.AddDot(alpha[k] - this->Pairs.Rho[k] * product, this->Pairs.S[k],
                                  this->Step, next);
   }
-  constraints.ProjectTangent(this->Step);
+  constraints.ProjectTangent(preconditioner, this->Step);
   this->Space.Scale(-1.0, this->Step);
 }
 
-bool Lbfgs::LineSearch(SpacetimeObjective& objective, const HardConstraints& constraints,
-                       Monitor* monitor, const StateVector& state, SpacetimeTerms& terms,
-                       bool& stopped)
+bool Lbfgs::LineSearch(SpacetimeObjective& objective, const TimelinePreconditioner& preconditioner,
+                       const HardConstraints& constraints, Monitor* monitor,
+                       const StateVector& state, SpacetimeTerms& terms, bool& stopped)
 {
   const double slope = this->Space.Dot(this->Gradient, this->Step);
   if (!(slope < 0.0))
@@ -79,7 +80,7 @@ bool Lbfgs::LineSearch(SpacetimeObjective& objective, const HardConstraints& con
   for (int trial = 0; trial < LineSearchTrials; ++trial)
   {
     this->Space.Combine(state, alpha, this->Step, this->Trial);
-    this->Project(constraints, this->Trial);
+    this->Project(preconditioner, constraints, this->Trial);
     SpacetimeTerms next;
     if (!objective.Evaluate(this->Trial, &this->TrialGradient, next, monitor))
     {
@@ -164,7 +165,7 @@ LbfgsEnd Lbfgs::Minimize(SpacetimeObjective& objective,
   SpacetimeTerms& terms = this->Terms;
   if (!options.GoesOn)
   {
-    this->Project(constraints, state);
+    this->Project(preconditioner, constraints, state);
     this->Energies.clear();
   }
   if (this->Energies.empty())
@@ -189,12 +190,14 @@ LbfgsEnd Lbfgs::Minimize(SpacetimeObjective& objective,
     constraints.FindActive(state, this->Gradient);
     bool stopped = false;
     this->Direction(preconditioner, constraints);
-    bool lower = this->LineSearch(objective, constraints, monitor, state, terms, stopped);
+    bool lower =
+      this->LineSearch(objective, preconditioner, constraints, monitor, state, terms, stopped);
     if (!lower && !stopped && !this->Pairs.S.empty())
     {
       History before = std::exchange(this->Pairs, History());
       this->Direction(preconditioner, constraints);
-      lower = this->LineSearch(objective, constraints, monitor, state, terms, stopped);
+      lower =
+        this->LineSearch(objective, preconditioner, constraints, monitor, state, terms, stopped);
       if (stopped)
       {
         this->Pairs = std::move(before);

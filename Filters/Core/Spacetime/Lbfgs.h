@@ -60,12 +60,14 @@ public:
 private:
   bool HasConverged(double tolerance) const;
   void Direction(const TimelinePreconditioner& preconditioner, const HardConstraints& constraints);
-  bool LineSearch(SpacetimeObjective& objective, const HardConstraints& constraints,
-                  Monitor* monitor, const StateVector& state, SpacetimeTerms& terms, bool& stopped);
+  bool LineSearch(SpacetimeObjective& objective, const TimelinePreconditioner& preconditioner,
+                  const HardConstraints& constraints, Monitor* monitor, const StateVector& state,
+                  SpacetimeTerms& terms, bool& stopped);
   void Remember(const TimelinePreconditioner& preconditioner, const HardConstraints& constraints,
                 const StateVector& state);
 
-  void Project(const HardConstraints& constraints, StateVector& state) const;
+  void Project(const TimelinePreconditioner& preconditioner, const HardConstraints& constraints,
+               StateVector& state) const;
 
   FrameShare Share;
   std::size_t FrameSize;

@@ -3,10 +3,30 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <map>
 
 namespace waft
 {
+namespace
+{
+
+std::vector<Vec3> Vectors(const std::vector<float>& values)
+{
+  std::vector<Vec3> vectors;
+  for (std::size_t k = 0; k + 2 < values.size(); k += 3)
+  {
+    vectors.emplace_back(values[k], values[k + 1], values[k + 2]);
+  }
+  return vectors;
+}
+
+bool IsZero(const Vec3& v)
+{
+  return v == Vec3::Zero();
+}
+
+} // namespace
 
 TouchedBalls::TouchedBalls(const SpacetimeModel& model, const FrameShare& share) :
   Model(model), Share(share)
@@ -30,14 +50,14 @@ void TouchedBalls::Project(const TimelinePreconditioner& preconditioner,
                            StateVector& direction) const
 {
   const std::size_t stride = this->Model.Stride();
+  const std::vector<Vec3> normals = Vectors(this->Normals);
+  if (std::all_of(normals.begin(), normals.end(), IsZero))
+  {
+    return;
+  }
   std::vector<float> moves(3 * this->Size(), 0.0f);
-  std::map<std::size_t, std::vector<std::size_t>> touched; // by object
   for (std::size_t k = 0; k < this->Size(); ++k)
   {
-    if (this->Normal(k) != Vec3::Zero())
-    {
-      touched[this->Objects[k]].push_back(k);
-    }
     const std::size_t j = this->Frames[k];
     for (int c = 0; c < 3 && this->Share.Own().Contains(j); ++c)
     {
@@ -45,50 +65,75 @@ void TouchedBalls::Project(const TimelinePreconditioner& preconditioner,
                                    this->Model.NumberOfGas + this->Objects[k]];
     }
   }
-  if (touched.empty())
-  {
-    return;
-  }
   this->Share.GatherPoints(this->Frames, moves);
-  for (const auto& [object, balls] : touched)
+  const std::vector<Vec3> steps = Vectors(moves);
+  std::vector<double> beyond(this->Size());
+  for (std::size_t k = 0; k < this->Size(); ++k)
   {
-    this->ProjectObject(preconditioner, balls, moves, direction);
+    beyond[k] = normals[k].dot(steps[k]);
   }
+  this->TakeAway(preconditioner, normals, beyond, direction);
 }
 
-void TouchedBalls::ProjectObject(const TimelinePreconditioner& preconditioner,
-                                 const std::vector<std::size_t>& touched,
-                                 const std::vector<float>& moves, StateVector& direction) const
+void TouchedBalls::Enter(const TimelinePreconditioner& preconditioner,
+                         std::vector<float> overshoots, StateVector& state) const
 {
-  const auto n = static_cast<Eigen::Index>(touched.size());
-  const std::size_t object = this->Objects[touched.front()];
-  std::vector<std::vector<float>> columns;
-  Eigen::MatrixXd matrix(n, n);
-  Eigen::VectorXd beyond(n);
-  for (Eigen::Index a = 0; a < n; ++a)
+  this->Share.GatherPoints(this->Frames, overshoots);
+  std::vector<Vec3> normals = Vectors(overshoots);
+  std::vector<double> beyond(this->Size(), 0.0);
+  for (std::size_t k = 0; k < this->Size(); ++k)
   {
-    const std::size_t k = touched[a];
-    columns.push_back(preconditioner.ColumnOf(object, this->Frames[k]));
-    beyond[a] = this->Normal(k).dot(Vec3(moves[3 * k], moves[3 * k + 1], moves[3 * k + 2]));
-    for (Eigen::Index b = 0; b < n; ++b)
+    if (!IsZero(normals[k]))
     {
-      matrix(a, b) =
-        this->Normal(k).dot(this->Normal(touched[b])) * columns[a][2 * this->Frames[touched[b]]];
+      beyond[k] = normals[k].norm();
+      normals[k] /= beyond[k];
     }
   }
-  matrix.diagonal() *= 1.0 + 1e-6; // two balls about one place
-  const Eigen::VectorXd forces = matrix.ldlt().solve(beyond);
-  for (Eigen::Index a = 0; a < n; ++a)
+  this->TakeAway(preconditioner, normals, beyond, state);
+}
+
+void TouchedBalls::TakeAway(const TimelinePreconditioner& preconditioner,
+                            const std::vector<Vec3>& normals, const std::vector<double>& beyond,
+                            StateVector& vector) const
+{
+  std::map<std::size_t, std::vector<std::size_t>> touched; // by object
+  for (std::size_t k = 0; k < this->Size(); ++k)
   {
-    const Vec3 force = forces[a] * this->Normal(touched[a]);
-    for (std::size_t j = this->Share.Own().Begin; j < this->Share.Own().End; ++j)
+    if (!IsZero(normals[k]))
     {
-      float* p = direction.data() + this->Share.Slot(j) * this->Model.FrameSize() +
-                 this->Model.NumberOfGas + object;
-      for (int c = 0; c < 3; ++c)
+      touched[this->Objects[k]].push_back(k);
+    }
+  }
+  for (const auto& [object, balls] : touched)
+  {
+    const auto n = static_cast<Eigen::Index>(balls.size());
+    std::vector<std::vector<float>> columns;
+    Eigen::MatrixXd matrix(n, n);
+    Eigen::VectorXd excess(n);
+    for (Eigen::Index a = 0; a < n; ++a)
+    {
+      columns.push_back(preconditioner.ColumnOf(object, this->Frames[balls[a]]));
+      excess[a] = beyond[balls[a]];
+      for (Eigen::Index b = 0; b < n; ++b)
       {
-        p[c * this->Model.Stride()] -= static_cast<float>(force[c] * columns[a][2 * j]);
-        p[(3 + c) * this->Model.Stride()] -= static_cast<float>(force[c] * columns[a][2 * j + 1]);
+        matrix(a, b) =
+          normals[balls[a]].dot(normals[balls[b]]) * columns[a][2 * this->Frames[balls[b]]];
+      }
+    }
+    matrix.diagonal() *= 1.0 + 1e-6; // two balls about one place
+    const Eigen::VectorXd forces = matrix.ldlt().solve(excess);
+    for (Eigen::Index a = 0; a < n; ++a)
+    {
+      const Vec3 force = forces[a] * normals[balls[a]];
+      for (std::size_t j = this->Share.Own().Begin; j < this->Share.Own().End; ++j)
+      {
+        float* p = vector.data() + this->Share.Slot(j) * this->Model.FrameSize() +
+                   this->Model.NumberOfGas + object;
+        for (int c = 0; c < 3; ++c)
+        {
+          p[c * this->Model.Stride()] -= static_cast<float>(force[c] * columns[a][2 * j]);
+          p[(3 + c) * this->Model.Stride()] -= static_cast<float>(force[c] * columns[a][2 * j + 1]);
+        }
       }
     }
   }

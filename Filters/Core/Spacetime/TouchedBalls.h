@@ -14,7 +14,8 @@ namespace waft
 /// A direction M^-1 g that would leave a touched ball is not to lose its part across the ball at
 /// that one frame alone: the frames about it would stay where they are, and the path would come to
 /// the ball with a jerk. It is projected in the metric of M, so that the object's whole time line
-/// goes along: d - M^-1 A^T (A M^-1 A^T)^-1 A d, a row of A for each touched ball.
+/// goes along: d - M^-1 A^T (A M^-1 A^T)^-1 A d, a row of A for each touched ball. A path that is
+/// outside balls is brought to them likewise.
 class TouchedBalls
 {
 public:
@@ -30,15 +31,15 @@ public:
   /// by all ranks, as Project.
   void Touch(std::vector<float> normals);
   void Project(const TimelinePreconditioner& preconditioner, StateVector& direction) const;
+  /// overshoots: from each ball's surface to the place outside it, 3 values a ball, zero inside; of
+  /// the own frames. To be called by all ranks.
+  void Enter(const TimelinePreconditioner& preconditioner, std::vector<float> overshoots,
+             StateVector& state) const;
 
 private:
-  Vec3 Normal(std::size_t ball) const
-  {
-    return { this->Normals[3 * ball], this->Normals[3 * ball + 1], this->Normals[3 * ball + 2] };
-  }
-  void ProjectObject(const TimelinePreconditioner& preconditioner,
-                     const std::vector<std::size_t>& touched, const std::vector<float>& moves,
-                     StateVector& direction) const;
+  /// Takes away what each ball has beyond it along its normal; where that is zero, nothing.
+  void TakeAway(const TimelinePreconditioner& preconditioner, const std::vector<Vec3>& normals,
+                const std::vector<double>& beyond, StateVector& vector) const;
 
   const SpacetimeModel& Model;
   FrameShare Share;
