@@ -16,18 +16,41 @@ constexpr double StillWeight =
   0.001;                           // of a gas particle that knows of no object, against an object
 constexpr double WallWeight = 0.2; // of one at a wall: the flow must not cross it
 constexpr double WallReach = 0.6;  // [dx]
-constexpr double Pull = 0.02; // towards the flow [1 / frame]: the vortices lead, the flow keeps up
-constexpr double Inside = 0.05; // gas is kept this far from the walls [dx]
+constexpr double Pull = 0.05; // towards the flow [1 / frame]: the vortices lead, the flow keeps up
+constexpr double FlowSpacing = 1.7;   // of the flow's lattice [dx]: finer than that is the gas' own
+constexpr double FramesPerKnot = 8.0; // of the flow
+constexpr double MostStrength = 3.0;
+constexpr double Beginning = 15.0; // the gas starts with the flow of this frame
+constexpr double Inside = 0.05;    // gas is kept this far from the walls [dx]
 
 Vec3 Row(const float* state, std::size_t stride, std::size_t i)
 {
   return { state[i], state[stride + i], state[2 * stride + i] };
 }
 
+/// What penalties take from the strength of a fit is given back: the factor with which it comes
+/// nearest to the objects.
+double LostStrength(const SplineWind& flow, const std::vector<SplineSamples>& samples)
+{
+  double product = 0.0, square = 0.0;
+  for (const SplineSamples& frame : samples)
+  {
+    for (const SplineSamples::Sample& sample : frame.Samples)
+    {
+      if (!sample.Value.isZero()) // an object's
+      {
+        const Vec3 u = SampleField(flow, sample.Place, frame.Frame);
+        product += u.dot(sample.Value);
+        square += u.squaredNorm();
+      }
+    }
+  }
+  return square > 0.0 ? std::clamp(product / square, 1.0, MostStrength) : 1.0;
+}
+
 SplineWind FitFlow(const SpacetimeModel& model, const TimeLevel& level, const StateVector& state,
                    const ParallelFor& parallel)
 {
-  const WindOptions lattice;
   const std::size_t stride = model.Stride();
   std::vector<SplineSamples> samples(level.NumberOfFrames());
   for (std::size_t j = 0; j < samples.size(); ++j)
@@ -46,19 +69,34 @@ SplineWind FitFlow(const SpacetimeModel& model, const TimeLevel& level, const St
       sample.Value.z() += model.SettlingSlip(o);
       samples[j].Samples.push_back(sample);
     }
-    const auto every = static_cast<std::size_t>(lattice.GasStride);
+    const auto every = static_cast<std::size_t>(WindOptions().GasStride);
     for (std::size_t i = j % every; i < model.NumberOfGas; i += every)
     {
       SplineSamples::Sample sample;
       sample.Place = Row(here, stride, i);
       const bool atWall = (sample.Place.array() < WallReach).any() ||
                           ((model.Size - sample.Place).array() < WallReach).any();
-      sample.Weight = lattice.GasStride * (atWall ? WallWeight : StillWeight);
+      sample.Weight = every * (atWall ? WallWeight : StillWeight);
       samples[j].Samples.push_back(sample);
     }
   }
-  return FitSplineField(MakeWindLattice(model, lattice.FramesPerKnot),
-                        KnotsOf(model, lattice.FramesPerKnot), samples, lattice.Fit, parallel);
+  std::array<int, 3> dimensions;
+  for (int a = 0; a < 3; ++a)
+  {
+    dimensions[a] = std::max(2, static_cast<int>(std::round(model.Size[a] / FlowSpacing))) + 2;
+  }
+  SplineWind flow =
+    FitSplineField(MakeLattice(model.Size, dimensions, FramesPerKnot),
+                   KnotsOf(model, FramesPerKnot), samples, SplineFitOptions(), parallel);
+  const double strength = LostStrength(flow, samples);
+  for (std::vector<float>& knot : flow.Knots)
+  {
+    for (float& value : knot)
+    {
+      value = static_cast<float>(strength * value);
+    }
+  }
+  return flow;
 }
 
 } // namespace
@@ -74,8 +112,8 @@ bool StartGas(SpacetimeObjective& objective, const ParallelFor& parallel, Monito
   const StateVector still = state;
   for (std::size_t i = 0; i < gas; ++i)
   {
-    // The flow's second knot: of what is before the first frame no object tells the first one.
-    const Vec3 v = SampleField(flow, Row(state.data(), stride, i), WindOptions().FramesPerKnot);
+    // Of what is before the first frame no object tells the flow's first knots.
+    const Vec3 v = SampleField(flow, Row(state.data(), stride, i), Beginning);
     for (int c = 0; c < 3; ++c)
     {
       state[(3 + c) * stride + i] = static_cast<float>(v[c]);

@@ -18,17 +18,24 @@ std::array<int, 3> WindLatticeOf(const Vec3& size)
   return dimensions;
 }
 
-SplineWind MakeWindLattice(const SpacetimeModel& model, double framesPerKnot)
+SplineWind MakeLattice(const Vec3& size, const std::array<int, 3>& dimensions, double framesPerKnot)
 {
-  SplineWind wind;
-  wind.Dimensions = model.WindNodes[0] > 0 ? model.WindNodes : WindLatticeOf(model.Size);
+  SplineWind lattice;
+  lattice.Dimensions = dimensions;
   for (int a = 0; a < 3; ++a)
   {
-    wind.Spacing[a] = model.Size[a] / (wind.Dimensions[a] - 2);
-    wind.Origin[a] = -0.5 * wind.Spacing[a];
+    lattice.Spacing[a] = size[a] / (dimensions[a] - 2);
+    lattice.Origin[a] = -0.5 * lattice.Spacing[a];
   }
-  wind.FramesPerKnot = framesPerKnot;
-  return wind;
+  lattice.FramesPerKnot = framesPerKnot;
+  return lattice;
+}
+
+SplineWind MakeWindLattice(const SpacetimeModel& model, double framesPerKnot)
+{
+  return MakeLattice(model.Size,
+                     model.WindNodes[0] > 0 ? model.WindNodes : WindLatticeOf(model.Size),
+                     framesPerKnot);
 }
 
 int KnotsOf(const SpacetimeModel& model, double framesPerKnot)

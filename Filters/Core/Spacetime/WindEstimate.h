@@ -22,6 +22,10 @@ struct WindOptions
 std::array<int, 3> WindLatticeOf(const Vec3& size);
 
 /// A wind of this size [dx] without values.
+/// A lattice of quadratic B-splines over a volume of that size [dx], without knots.
+SplineWind MakeLattice(const Vec3& size, const std::array<int, 3>& dimensions,
+                       double framesPerKnot);
+
 SplineWind MakeWindLattice(const SpacetimeModel& model, double framesPerKnot);
 
 /// Knots that span all frames.
