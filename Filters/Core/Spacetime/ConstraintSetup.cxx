@@ -14,9 +14,18 @@ namespace waft
 namespace
 {
 
-// Growth of the way from the plan [m/s^2].
-constexpr double StartReach = 1.6;   // after a start or a rest
-constexpr double LandingReach = 0.8; // before a rest
+// The way from the plan after a start or a rest grows as half of this times t^2 [m/s^2].
+constexpr double StartReach = 1.6;
+
+// Before a rest an object keeps to the way down that the surface leaves it, the nearer the closer:
+// the last of what brakes a leaf there is finer than the gas.
+double LandingReach(double before) // s; in m
+{
+  return 0.1 * std::pow(before, 2) + 0.3 * std::pow(before, 4);
+}
+
+// Of the volume's width: what comes down as near to each other does so alike.
+constexpr double AlikeRadius = 0.1;
 
 // In which things may come from their places to the contact distance, where that is more [s].
 constexpr double MarkTime = 1.0;
@@ -78,8 +87,6 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
       {
         flags(frame) |= floor ? LandsOnFloor : LandsOnObstacle;
       }
-      // Just before, it follows the plan, which comes down softly: the last of what brakes a leaf
-      // there is finer than the gas. The reach grows as half LandingReach t^2.
       const double rate = input.Scene.Time.FramesPerSecond;
       for (int frame = std::max(1, window.Frame - static_cast<int>(rate)); frame < window.Frame;
            ++frame)
@@ -87,7 +94,7 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
         const double before = (window.Frame - frame) / rate;
         coherence(frame) = std::min(coherence(frame), Faded(before));
         model.Reach[static_cast<std::size_t>(frame) * model.NumberOfObjects + o] =
-          static_cast<float>(0.5 * LandingReach * before * before / setup.Spacing);
+          static_cast<float>(LandingReach(before) / setup.Spacing);
       }
       for (int frame = window.Frame; frame <= std::min(frames - 1, window.Until); ++frame)
       {
@@ -109,6 +116,58 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
         model.Reach[static_cast<std::size_t>(frame) * model.NumberOfObjects + o] =
           static_cast<float>(0.5 * StartReach * after * after / setup.Spacing);
       }
+    }
+  }
+}
+
+// Things that come down beside each other come down through the same air, and plans do not know of
+// each other: the way that each has left in the last second is the mean of its neighbours' ways.
+void SetUpApproaches(double rate, SpacetimeSetup& setup)
+{
+  struct Landing
+  {
+    std::size_t Object;
+    int Frame;
+    Vec3 Rest; // [dx]
+  };
+  SpacetimeModel& model = setup.Model;
+  std::vector<Landing> landings;
+  for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+  {
+    for (const LandingWindow& window : setup.Landings[o])
+    {
+      landings.push_back({ o, window.Frame, setup.FromWorld(window.Centre) });
+    }
+  }
+  const int second = static_cast<int>(rate);
+  const double radius = AlikeRadius * model.Size.head<2>().maxCoeff();
+  const auto place = [&](int frame, std::size_t o)
+  { return static_cast<std::size_t>(frame) * model.NumberOfObjects + o; };
+  std::vector<Vec3> ways(second + 1); // by frames before the rest
+  std::vector<double> weights(second + 1);
+  for (const Landing& landing : landings)
+  {
+    std::fill(ways.begin(), ways.end(), Vec3::Zero());
+    std::fill(weights.begin(), weights.end(), 0.0);
+    for (const Landing& other : landings)
+    {
+      const double distance = (other.Rest - landing.Rest).norm();
+      if (std::abs(other.Frame - landing.Frame) > second || distance > 3.0 * radius)
+      {
+        continue;
+      }
+      const double weight = std::exp(-0.5 * distance * distance / (radius * radius));
+      for (int k = 1; k <= second && other.Frame - k > 0; ++k)
+      {
+        ways[k] +=
+          weight * (setup.Table.Planned[place(other.Frame - k, other.Object)] - other.Rest);
+        weights[k] += weight;
+      }
+    }
+    for (int k = 1; k <= second && landing.Frame - k > 0; ++k)
+    {
+      model.Approach[place(landing.Frame - k, landing.Object)] =
+        landing.Rest + ways[k] / weights[k];
     }
   }
 }
@@ -161,6 +220,7 @@ void SetUpConstraints(const SpacetimeInput& input, const std::vector<int>& groun
     }
   }
   SetUpLandings(input, grounds, binding, setup);
+  SetUpApproaches(input.Scene.Time.FramesPerSecond, setup);
   for (const Constraint& row : binding)
   {
     const std::size_t o = index[row.ObjectId];

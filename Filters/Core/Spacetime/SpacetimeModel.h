@@ -68,8 +68,7 @@ struct SpacetimeModel
   std::vector<float> RestHeights;  // one an object [dx]
   std::vector<float> BrakeHeights; // above rest, over which it is braked to land [dx]
   /// A place that an object should be near to at a frame, after its start and before it lands, and
-  /// how near [dx];
-  /// Reach 0: none. Both [frame * NumberOfObjects + object].
+  /// how near [dx]; Reach 0: none. Both [frame * NumberOfObjects + object].
   std::vector<Vec3> Approach;
   std::vector<float> Reach;
   /// The frame nearest to a frame at which the object's position is fixed; -1: none within

@@ -230,6 +230,26 @@ TEST(StartGas, MovesTheAirWithTheObjectsAndKeepsItsDynamics)
   ASSERT_TRUE(StartGas(objective, SerialFor(), monitor, state));
   objective.Evaluate(state, nullptr, moved);
   EXPECT_LT(moved.Ev, still.Ev);
+  // They stir it, and not faintly.
+  double along = 0.0, square = 0.0;
+  for (int j = scene.NumberOfFrames / 2; j < scene.NumberOfFrames; ++j)
+  {
+    const Vec3 x = setup.FromWorld(input.Tracks[3].Positions[j]);
+    const Vec3 v = setup.FromWorld(input.Tracks[3].Positions[j]) -
+                   setup.FromWorld(input.Tracks[3].Positions[j - 1]);
+    const float* p = state.data() + j * model.FrameSize();
+    for (std::size_t i = 0; i < model.NumberOfGas; ++i)
+    {
+      const Vec3 y(p[i], p[model.Stride() + i], p[2 * model.Stride() + i]);
+      if ((x - y).norm() < 1.0)
+      {
+        const float* u = p + 3 * model.Stride() + i;
+        along += v.dot(Vec3(u[0], u[model.Stride()], u[2 * model.Stride()]));
+        square += v.squaredNorm();
+      }
+    }
+  }
+  EXPECT_GT(along, 0.3 * square);
   for (int j = 0; j < scene.NumberOfFrames; ++j)
   {
     for (int c = 0; c < 3; ++c)

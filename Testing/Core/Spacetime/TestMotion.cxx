@@ -2,6 +2,7 @@
 // What the optimisation promises of any scene: E never grows within a stage, what is required
 // holds, the wind explains no more than it may, seams are smoothed and things keep apart.
 #include "Spacetime/Spacetime.h"
+#include "Spacetime/SpacetimeSetup.h"
 #include "SpacetimeScenes.h"
 
 #include <gtest/gtest.h>
@@ -274,6 +275,59 @@ TEST(SpacetimeMotion, PassesABallWithoutAJerk)
     const auto bend = [&](int k)
     { return (x[k + 1] - 2.0 * x[k] + x[k - 1]).norm() * rate * rate; };
     EXPECT_LT(bend(Frame), 1.5 * std::max(bend(Frame - 2), bend(Frame + 2)) + 1.0) << o;
+  }
+}
+
+TEST(SpacetimeMotion, BringsNeighboursDownAlikeAndSoftly)
+{
+  // Two that are planned to come down beside each other from two sides, and one far from them.
+  SceneOptions scene;
+  scene.NumberOfObjects = 3;
+  scene.NumberOfFrames = 80;
+  SpacetimeInput input = MakeScene(scene);
+  ObstacleSet obstacles;
+  ASSERT_TRUE(obstacles.Build(input.Obstacles));
+  const Vec3 starts[3] = { { 0.9, 0.9, 0.6 }, { 0.9, 1.4, 0.6 }, { -0.9, -0.8, 0.6 } };
+  const Vec3 places[3] = { { 0.9, 1.1, 0.1 }, { 0.9, 1.2, 0.1 }, { -0.9, -0.6, 0.1 } };
+  Vec3 resting[3];
+  for (std::size_t o = 0; o < 3; ++o)
+  {
+    MotionObject& object = input.Objects[o];
+    object.Position = starts[o];
+    Constraint& rest = input.Constraints[o];
+    rest.Kind = ConstraintKind::Rest;
+    rest.Frame = 60;
+    rest.Until = 79;
+    rest.Value = places[o];
+    const auto windows =
+      LandingWindows(object, { rest }, obstacles, input.Scene.Time.FramesPerSecond);
+    ASSERT_EQ(windows.size(), 1u);
+    resting[o] = windows.front().Centre;
+    for (int k = 0; k < scene.NumberOfFrames; ++k)
+    {
+      const double left = std::max(0.0, 1.0 - k / 60.0);
+      input.Tracks[o].Positions[k] =
+        resting[o] + std::pow(left, 1.5) * (object.Position - resting[o]);
+    }
+  }
+  SpacetimeOptions options = SmallOptions();
+  SpacetimeSetup setup;
+  ASSERT_TRUE(MakeSetup(input, options, setup));
+  const auto way = [&](int frame, std::size_t o)
+  { return Vec3(setup.Model.Approach[frame * 3 + o] - setup.FromWorld(resting[o])); };
+  const auto planned = [&](int frame, std::size_t o)
+  { return Vec3(setup.Table.Planned[frame * 3 + o] - setup.FromWorld(resting[o])); };
+  for (int frame = 31; frame < 60; ++frame)
+  {
+    // Sideways they are nearly as one; down they come as planned.
+    EXPECT_LT((way(frame, 0) - way(frame, 1)).norm(),
+              0.3 * (planned(frame, 0) - planned(frame, 1)).norm());
+    EXPECT_NEAR(way(frame, 0).z(), planned(frame, 0).z(), 1e-6);
+    EXPECT_LT((way(frame, 2) - planned(frame, 2)).norm(), 1e-6 + 0.1 * planned(frame, 2).norm());
+  }
+  for (std::size_t o = 0; o < 3; ++o)
+  {
+    EXPECT_EQ(way(29, o), planned(29, o));
   }
 }
 

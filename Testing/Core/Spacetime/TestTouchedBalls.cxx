@@ -78,3 +78,48 @@ TEST(TouchedBalls, AreFollowedByTheWholeTimeLine)
   preconditioner.Solve(press, free);
   EXPECT_LT(dot(press, solved(press)), 1e-4 * dot(press, free));
 }
+
+TEST(TouchedBalls, BringAllOfAPathThatMissesThem)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 20;
+  scene.NumberOfObjects = 2;
+  SpacetimeOptions options;
+  options.NumberOfGasParticles = 125;
+  SpacetimeSetup setup;
+  ASSERT_TRUE(MakeSetup(MakeScene(scene), options, setup));
+  const SpacetimeModel& model = setup.Model;
+  const TimeLevel level = TimeLevel::Full(20, 1);
+  const TimelinePreconditioner preconditioner(model, level, SerialFor());
+  TouchedBalls balls(model, FrameShare(20));
+  balls.Add(8, 1);
+  balls.Add(12, 1);
+  balls.Add(9, 0); // not missed
+  StateVector state = setup.Start;
+  balls.Enter(preconditioner, { 0.3f, 0.0f, -0.4f, 0.0f, 0.2f, 0.0f, 0.0f, 0.0f, 0.0f }, state);
+  const auto moved = [&](int frame, std::size_t object)
+  {
+    Vec3 d;
+    for (int c = 0; c < 3; ++c)
+    {
+      const std::size_t place =
+        frame * model.FrameSize() + c * model.Stride() + model.NumberOfGas + object;
+      d[c] = state[place] - setup.Start[place];
+    }
+    return d;
+  };
+  EXPECT_NEAR(moved(8, 1).dot(Vec3(0.6, 0.0, -0.8)), -0.5, 1e-4);
+  EXPECT_NEAR(moved(12, 1).y(), -0.2, 1e-4);
+  // Not those frames alone: as far from one to the next as along a smooth path, and the start
+  // stays.
+  for (int frame = 1; frame < 19; ++frame)
+  {
+    const Vec3 bend = moved(frame + 1, 1) - 2.0 * moved(frame, 1) + moved(frame - 1, 1);
+    EXPECT_LT(bend.norm(), 0.1) << frame;
+  }
+  EXPECT_EQ(moved(0, 1), Vec3::Zero());
+  for (int frame = 0; frame < 20; ++frame)
+  {
+    EXPECT_EQ(moved(frame, 0), Vec3::Zero());
+  }
+}
