@@ -282,7 +282,7 @@ private:
   int TemporalWindow = 1;
   double SmoothingLength = 1.2;
   double CourantNumber = 0.5;
-  double Viscosity = 0.05;
+  double Viscosity = 0.2;
   double XsphFactor = 0.0;
   double PressureExponent = 1.0;
   double EffectiveGravity = 0.8;

@@ -16,7 +16,7 @@ constexpr double StillWeight =
   0.001;                           // of a gas particle that knows of no object, against an object
 constexpr double WallWeight = 0.2; // of one at a wall: the flow must not cross it
 constexpr double WallReach = 0.6;  // [dx]
-constexpr double Pull = 0.05; // towards the flow [1 / frame]: the vortices lead, the flow keeps up
+constexpr double Pull = 0.04; // towards the flow [1 / frame]: the vortices lead, the flow keeps up
 constexpr double FlowSpacing = 1.7;   // of the flow's lattice [dx]: finer than that is the gas' own
 constexpr double FramesPerKnot = 8.0; // of the flow
 constexpr double MostStrength = 3.0;

@@ -33,7 +33,7 @@ struct SpacetimeOptions
   int TemporalWindow = 1;            // w of Eq. 4, 1..30 frames
   double SmoothingLength = 1.2;      // h / dx, 0.8..2
   double CourantNumber = 0.5;        // c0 frame / h, 0.1..1: how stiff the gas is
-  double Viscosity = 0.05;           // alpha, 0..2
+  double Viscosity = 0.2;            // alpha, 0..2; below 0.18 a lattice at rest stirs itself
   double XsphFactor = 0.0;           // epsilon of Eq. 10, 0..1
   double PressureExponent = 1.0;     // gamma of Eq. 12, 1..7
   double EffectiveGravity = 0.8;     // g' of objects [m/s^2], from 0
