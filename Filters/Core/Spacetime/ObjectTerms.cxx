@@ -181,8 +181,8 @@ double PairDistance(const SpacetimeModel& model, int frame, std::size_t a, std::
     if (mark >= 0 && model.Flag(mark, a) & model.Flag(mark, b) & FixedPosition)
     {
       const Vec3* places = model.Approach.data() + static_cast<std::size_t>(mark) * n;
-      const double growth =
-        model.Weights.ContactDistance * std::abs(frame - mark) / model.MarkDuration;
+      const double aside = (frame - mark) / model.MarkDuration;
+      const double growth = model.Weights.ContactDistance * aside * aside;
       distance = std::min(distance, (places[a] - places[b]).norm() + growth);
     }
   }
