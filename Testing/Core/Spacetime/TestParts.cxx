@@ -140,8 +140,8 @@ TEST(PairDistance, IsNoMoreAtMarksThanTheyAreApart)
   const SpacetimeModel& model = setup.Model;
   const int rest = input.Constraints[0].Frame;
   EXPECT_NEAR(PairDistance(model, rest, 0, 1), 0.02 / setup.Spacing, 1e-9);
-  EXPECT_NEAR(PairDistance(model, rest - 3, 0, 1),
-              0.02 / setup.Spacing + 0.1 * model.Weights.ContactDistance, 1e-9);
+  EXPECT_NEAR(PairDistance(model, rest - 9, 0, 1), // by the square of 0.3 s
+              0.02 / setup.Spacing + 0.09 * model.Weights.ContactDistance, 1e-9);
   EXPECT_EQ(PairDistance(model, rest / 2, 0, 1), model.Weights.ContactDistance);
   EXPECT_GT(model.Weights.ContactDistance, 2.0 * input.Objects[0].ClearanceRadius / setup.Spacing);
 }
