@@ -13,19 +13,32 @@
 
 using namespace waft;
 
-TEST(TouchedBalls, AreFollowedByTheWholeTimeLine)
+namespace
+{
+
+constexpr int Frames = 20;
+
+SpacetimeSetup TwoObjects()
 {
   SceneOptions scene;
-  scene.NumberOfFrames = 20;
+  scene.NumberOfFrames = Frames;
   scene.NumberOfObjects = 2;
   SpacetimeOptions options;
   options.NumberOfGasParticles = 125;
   SpacetimeSetup setup;
-  ASSERT_TRUE(MakeSetup(MakeScene(scene), options, setup));
+  EXPECT_TRUE(MakeSetup(MakeScene(scene), options, setup));
+  return setup;
+}
+
+} // namespace
+
+TEST(TouchedBalls, AreFollowedByTheWholeTimeLine)
+{
+  const SpacetimeSetup setup = TwoObjects();
   const SpacetimeModel& model = setup.Model;
-  const TimeLevel level = TimeLevel::Full(20, 1);
+  const TimeLevel level = TimeLevel::Full(Frames, 1);
   const TimelinePreconditioner preconditioner(model, level, SerialFor());
-  TouchedBalls balls(model, FrameShare(20));
+  TouchedBalls balls(model, FrameShare(Frames));
   balls.Add(8, 1);
   balls.Add(11, 1);
   balls.Add(9, 0); // not touched
@@ -41,7 +54,7 @@ TEST(TouchedBalls, AreFollowedByTheWholeTimeLine)
   Random random(4);
   const auto gradient = [&]
   {
-    StateVector g(20 * model.FrameSize(), 0.0f);
+    StateVector g(Frames * model.FrameSize(), 0.0f);
     for (float& value : g)
     {
       value = static_cast<float>(random.Normal());
@@ -81,17 +94,11 @@ TEST(TouchedBalls, AreFollowedByTheWholeTimeLine)
 
 TEST(TouchedBalls, BringAllOfAPathThatMissesThem)
 {
-  SceneOptions scene;
-  scene.NumberOfFrames = 20;
-  scene.NumberOfObjects = 2;
-  SpacetimeOptions options;
-  options.NumberOfGasParticles = 125;
-  SpacetimeSetup setup;
-  ASSERT_TRUE(MakeSetup(MakeScene(scene), options, setup));
+  const SpacetimeSetup setup = TwoObjects();
   const SpacetimeModel& model = setup.Model;
-  const TimeLevel level = TimeLevel::Full(20, 1);
+  const TimeLevel level = TimeLevel::Full(Frames, 1);
   const TimelinePreconditioner preconditioner(model, level, SerialFor());
-  TouchedBalls balls(model, FrameShare(20));
+  TouchedBalls balls(model, FrameShare(Frames));
   balls.Add(8, 1);
   balls.Add(12, 1);
   balls.Add(9, 0); // not missed
@@ -112,13 +119,13 @@ TEST(TouchedBalls, BringAllOfAPathThatMissesThem)
   EXPECT_NEAR(moved(12, 1).y(), -0.2, 1e-4);
   // Not those frames alone: as far from one to the next as along a smooth path, and the start
   // stays.
-  for (int frame = 1; frame < 19; ++frame)
+  for (int frame = 1; frame < Frames - 1; ++frame)
   {
     const Vec3 bend = moved(frame + 1, 1) - 2.0 * moved(frame, 1) + moved(frame - 1, 1);
     EXPECT_LT(bend.norm(), 0.1) << frame;
   }
   EXPECT_EQ(moved(0, 1), Vec3::Zero());
-  for (int frame = 0; frame < 20; ++frame)
+  for (int frame = 0; frame < Frames; ++frame)
   {
     EXPECT_EQ(moved(frame, 0), Vec3::Zero());
   }
