@@ -80,14 +80,9 @@ SplineWind FitFlow(const SpacetimeModel& model, const TimeLevel& level, const St
       samples[j].Samples.push_back(sample);
     }
   }
-  std::array<int, 3> dimensions;
-  for (int a = 0; a < 3; ++a)
-  {
-    dimensions[a] = std::max(2, static_cast<int>(std::round(model.Size[a] / FlowSpacing))) + 2;
-  }
-  SplineWind flow =
-    FitSplineField(MakeLattice(model.Size, dimensions, FramesPerKnot),
-                   KnotsOf(model, FramesPerKnot), samples, SplineFitOptions(), parallel);
+  SplineWind flow = FitSplineField(
+    MakeLattice(model.Size, LatticeDimensions(model.Size / FlowSpacing), FramesPerKnot),
+    KnotsOf(model, FramesPerKnot), samples, SplineFitOptions(), parallel);
   const double strength = LostStrength(flow, samples);
   for (std::vector<float>& knot : flow.Knots)
   {

@@ -6,16 +6,20 @@
 namespace waft
 {
 
-std::array<int, 3> WindLatticeOf(const Vec3& size)
+std::array<int, 3> LatticeDimensions(const Vec3& cells)
 {
-  constexpr double CellsAlongWidth = 5.0;
   std::array<int, 3> dimensions;
   for (int a = 0; a < 3; ++a)
   {
-    const double cells = std::round(size[a] * CellsAlongWidth / size.maxCoeff());
-    dimensions[a] = std::max(2, static_cast<int>(cells)) + 2;
+    dimensions[a] = std::max(2, static_cast<int>(std::round(cells[a]))) + 2;
   }
   return dimensions;
+}
+
+std::array<int, 3> WindLatticeOf(const Vec3& size)
+{
+  constexpr double CellsAlongWidth = 5.0;
+  return LatticeDimensions(size * CellsAlongWidth / size.maxCoeff());
 }
 
 SplineWind MakeLattice(const Vec3& size, const std::array<int, 3>& dimensions, double framesPerKnot)

@@ -19,6 +19,9 @@ struct WindOptions
 
 /// Nodes of the wind's lattice: five cells along the longest side, and half a cell beyond each
 /// wall.
+/// Nodes of a lattice of about so many cells along each axis; two at least.
+std::array<int, 3> LatticeDimensions(const Vec3& cells);
+
 std::array<int, 3> WindLatticeOf(const Vec3& size);
 
 /// A wind of this size [dx] without values.
