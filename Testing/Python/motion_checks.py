@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a finished animation must satisfy, measured on the files of a run and its scene alone.
 
-    motion_checks.py DIR SCENE [DATABASE.vtm]     prints a table of figures, style and coherence among them;
+    motion_checks.py DIR... SCENE [DATABASE.vtm]  prints a table of figures, style and coherence among them;
                                                   exit status 1 when a hard limit is missed
+
+Of several folders, runs of one scene with seeds of their own, each figure is the worst and style is pooled.
 """
 import collections
 import csv
@@ -182,6 +184,11 @@ LIMITS = {
 LEAST = {"picture_overlap": 0.9}
 
 
+def worst(runs):
+    """The worst of each figure in several runs' figures: the least of what has a lower limit, the largest of the rest."""
+    return {name: (min if name in LEAST else max)(figures[name] for figures in runs) for name in runs[0]}
+
+
 def violations(figures):
     return ([f"{name} is {figures[name]:.3g}, at most {limit:g} is allowed"
              for name, limit in LIMITS.items() if not figures[name] <= limit] +
@@ -202,9 +209,9 @@ def print_table(figures, style):
         print(f"{name:22} {cells}   {style_checks.WANTED.get(name, '')}")
 
 
-def main(folder, scene_file, database=EMBEDDED):
-    figures = measure(folder, scene_file)
-    print_table(figures, style_checks.measure(folder, json.loads(pathlib.Path(scene_file).read_text(encoding="utf-8")),
+def main(folders, scene_file, database=EMBEDDED):
+    figures = worst([measure(folder, scene_file) for folder in folders])
+    print_table(figures, style_checks.measure(folders, json.loads(pathlib.Path(scene_file).read_text(encoding="utf-8")),
                                               database))
     bad = violations(figures)
     if bad:
@@ -213,6 +220,8 @@ def main(folder, scene_file, database=EMBEDDED):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (3, 4):
+    arguments = sys.argv[1:]
+    database = [arguments.pop()] if arguments and arguments[-1].endswith(".vtm") else []
+    if len(arguments) < 2:
         sys.exit(__doc__)
-    sys.exit(main(*sys.argv[1:]))
+    sys.exit(main(arguments[:-1], arguments[-1], *database))

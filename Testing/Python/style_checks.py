@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Whether objects move like the database, and like things in one body of air.
 
-Style: distributions of log-curvature, |a| and speed, pooled over objects, in free flight alone (no partial
+Style: distributions of log-curvature, |a| and speed, pooled over objects and runs, in free flight alone (no partial
 trajectories, no landings), against the segments of the database by the Kolmogorov-Smirnov distance. Coherence:
 S(0.2 L), below.
 """
@@ -14,40 +14,50 @@ from result_files import POSITION, REST, distance
 
 KINDS = ("planned", "optimized", "spline", "straight")
 WANTED = {
-    "KS log-curvature": "<= 0.20 and half of the spline's, from 8 objects on",
-    "KS |a|": "<= 0.35 and half of the spline's, from 8 objects on",
+    "KS log-curvature": "<= 0.20 and half of the spline's, from 8 paths on",
+    "KS |a|": "<= 0.35 and half of the spline's, from 8 paths on",
     "S(0.2 L)": "<= 0.65 or 0.7 of the planned, and <= 0.8 of the straight, from 20 objects on",
 }
 LEAST_SPEED = 1e-3  # slower samples have no direction worth speaking of [m/s]
 LEAST_CURVATURE = 1e-6  # 1/m
 
 
-def measure(folder, scene, database):
-    """{measure: {kind of path: figure}}; the kinds are KINDS."""
-    folder = pathlib.Path(folder)
+class Run:
+    """The paths of a folder, by kind, and when its objects are free and in the air."""
+
+    def __init__(self, folder, rate):
+        folder = pathlib.Path(folder)
+        self.paths = {"planned": result_files.read_tracks(folder / "planned.vtp"),
+                      "optimized": result_files.read_tracks(folder / "optimized.vtp")}
+        tracks = self.paths["optimized"]
+        rows = [row for row in result_files.read_rows(folder) if row.status == "met"]
+        marks = {number: marks_of(number, track, rows) for number, track in tracks.items()}
+        frames = max(len(track) for track in tracks.values())
+        self.paths["spline"] = {number: spline(marks[number]) for number in marks}
+        self.paths["straight"] = {number: straight(marks[number]) for number in marks}
+        self.free = {number: free_frames(number, frames, rows, rate) for number in marks}
+        self.flying = {number: airborne_frames(number, frames, rows) for number in marks}
+
+
+def measure(folders, scene, database):
+    """{measure: {kind of path: figure}} of one scene, pooled over the folders; the kinds are KINDS. S(0.2 L) is that
+    of the first: runs do not share their air."""
     rate = scene.get("time", {}).get("framesPerSecond", 30)
-    paths = {"planned": result_files.read_tracks(folder / "planned.vtp"),
-             "optimized": result_files.read_tracks(folder / "optimized.vtp")}
-    rows = [row for row in result_files.read_rows(folder) if row.status == "met"]
-    marks = {number: marks_of(number, track, rows) for number, track in paths["optimized"].items()}
-    frames = max(len(track) for track in paths["optimized"].values())
-    paths["spline"] = {number: spline(marks[number]) for number in marks}
-    paths["straight"] = {number: straight(marks[number]) for number in marks}
-    free = {number: free_frames(number, frames, rows, rate) for number in marks}
+    runs = [Run(folder, rate) for folder in folders]
     reference = database_style(database)
     table = {name: {} for name in ("KS log-curvature", "KS |a|", "KS speed", "S(0.2 L)", "samples")}
     for kind in ("planned", "optimized", "spline"):
         samples = Style()
-        for number, track in paths[kind].items():
-            samples.add(track, rate, free[number])
+        for run in runs:
+            for number, track in run.paths[kind].items():
+                samples.add(track, rate, run.free[number])
         table["KS log-curvature"][kind] = kolmogorov_smirnov(samples.log_curvature, reference.log_curvature)
         table["KS |a|"][kind] = kolmogorov_smirnov(samples.acceleration, reference.acceleration)
         table["KS speed"][kind] = kolmogorov_smirnov(samples.speed, reference.speed)
         table["samples"][kind] = float(len(samples.speed))
-    width = result_files.volume(scene)[3]
-    flying = {number: airborne_frames(number, frames, rows) for number in marks}
+    radius = 0.2 * result_files.volume(scene)[3]
     for kind in ("planned", "optimized", "straight"):
-        table["S(0.2 L)"][kind] = coherence(paths[kind], flying, 0.2 * width, rate)
+        table["S(0.2 L)"][kind] = coherence(runs[0].paths[kind], runs[0].flying, radius, rate)
     return table
 
 

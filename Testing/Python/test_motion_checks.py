@@ -9,6 +9,7 @@ import random
 import struct
 import sys
 import tempfile
+import types
 import unittest
 import unittest.mock
 import zlib
@@ -134,6 +135,27 @@ class Styles(unittest.TestCase):
         self.assertLess(math.dist(path[89], path[90]), 0.1 * math.dist(path[70], path[71]))
         lines = style_checks.straight(marks)
         self.assertAlmostEqual(0.75, lines[15][2] - 1.0)
+
+    def test_runs_are_pooled_as_objects_are(self):
+        generator = random.Random(3)
+        ways = {i: [[generator.gauss(0.0, 0.1) for _ in range(3)] for _ in range(20)] for i in range(5)}
+
+        def measure(*runs):
+            made = [types.SimpleNamespace(paths={kind: run for kind in style_checks.KINDS},
+                                          free={i: range(1, 19) for i in run}, flying={i: range(20) for i in run})
+                    for run in runs]
+            with unittest.mock.patch.object(style_checks, "Run", side_effect=made):
+                return style_checks.measure(range(len(runs)), {}, DATABASE)
+        together, apart = measure(ways), measure({i: ways[i] for i in (0, 2)}, {i: ways[i] for i in (1, 3, 4)})
+        for name in ("KS log-curvature", "KS |a|", "KS speed", "samples"):
+            self.assertEqual(together[name], apart[name])
+        self.assertEqual(90.0, apart["samples"]["optimized"])
+        self.assertEqual(measure({i: ways[i] for i in (0, 2)})["S(0.2 L)"], apart["S(0.2 L)"])
+
+    def test_the_worst_of_runs(self):
+        runs = [{"outside": 0.2, "picture_overlap": 0.8}, {"outside": 0.1, "picture_overlap": 0.95}]
+        self.assertEqual({"outside": 0.2, "picture_overlap": 0.8}, motion_checks.worst(runs))
+        self.assertEqual(0.8, motion_checks.worst(runs[::-1])["picture_overlap"])
 
     def test_coherence(self):
         generator = random.Random(4)
