@@ -62,35 +62,51 @@ bool Surroundings::LookAround()
   {
     return false;
   }
-  Quat after = Quat::Identity();
-  bool linked = false;
-  for (std::size_t k = this->Orientations.size(); k-- > 0;)
+  std::vector<Quat> turns(this->Scenes.size(), Quat::Identity());
+  for (std::size_t k = 0; k < this->Scenes.size(); ++k)
   {
-    Scene& scene = this->Scenes[k];
-    linked = linked && this->AnyNear(k);
     if (!this->AnyNear(k))
     {
       continue;
     }
+    Scene& scene = this->Scenes[k];
     SurfaceHit hit;
     this->Input.Obstacles->SignedDistance((*this->Input.Positions)[k], static_cast<double>(k), hit);
     scene.Planes.push_back({ hit.Point, hit.Normal });
     scene.Plain = this->FitsOnePlane(k);
-    Quat turn = this->FlatTurn(k, hit.Normal);
-    const bool oneSided = (*this->Input.Frames)[k].Freedom != PoseFreedom::Free;
-    if (oneSided && linked && turn.dot(after) < 0.0)
+    turns[k] = this->FlatTurn(k, hit.Normal);
+    if (turns[k].w() < 0.0)
     {
-      turn.coeffs() = -turn.coeffs(); // the same way round as a frame later
+      turns[k].coeffs() = -turns[k].coeffs();
     }
-    else if (!(oneSided && linked) && turn.w() < 0.0)
-    {
-      turn.coeffs() = -turn.coeffs();
-    }
-    scene.Turn = SignedLogMap(turn);
-    after = turn;
-    linked = oneSided;
+  }
+  this->GoOneWayRound(turns);
+  for (std::size_t k = 0; k < this->Scenes.size(); ++k)
+  {
+    this->Scenes[k].Turn = SignedLogMap(turns[k]);
   }
   return true;
+}
+
+void Surroundings::GoOneWayRound(std::vector<Quat>& turns) const
+{
+  const auto follow = [&](std::size_t k, std::size_t led, PoseFreedom freedom)
+  {
+    const std::vector<ContactFrame>& frames = *this->Input.Frames;
+    if (frames[k].Freedom == freedom && frames[led].Freedom == freedom && this->AnyNear(k) &&
+        this->AnyNear(led) && turns[k].dot(turns[led]) < 0.0)
+    {
+      turns[k].coeffs() = -turns[k].coeffs();
+    }
+  };
+  for (std::size_t k = turns.size() - 1; k-- > 0;)
+  {
+    follow(k, k + 1, PoseFreedom::Landing);
+  }
+  for (std::size_t k = 1; k < turns.size(); ++k)
+  {
+    follow(k, k - 1, PoseFreedom::Leaving);
+  }
 }
 
 bool Surroundings::AnyNear(std::size_t k) const

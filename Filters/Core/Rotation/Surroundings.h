@@ -55,6 +55,9 @@ private:
   /// broken surfaces first.
   void ChooseFeelers();
   Quat FlatTurn(std::size_t k, const Vec3& normal) const;
+  /// Where the side is given turns go the same way round from the rest backwards or onwards, be
+  /// it the longer one: what is left to turn never jumps.
+  void GoOneWayRound(std::vector<Quat>& turns) const;
   bool FitsOnePlane(std::size_t k) const;
 
   const ContactInput& Input;

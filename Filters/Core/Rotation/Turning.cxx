@@ -6,6 +6,7 @@
 #include "Rotation/KeepAbove.h"
 #include "Rotation/PoseRates.h"
 #include "Rotation/RestingPose.h"
+#include "Rotation/Touching.h"
 
 #include <cmath>
 #include <map>
@@ -167,6 +168,7 @@ private:
                                      std::max(0.6 * this->Plan.LandingTime, 1e-9));
       }
       AdvanceFrame(this->Body, this->Path, k, settling, this->State.Flight);
+      this->Touch(k + 1);
       this->Record(k + 1);
     }
     this->State.Frame = end;
@@ -180,6 +182,34 @@ private:
       return this->State.Frame;
     }
     return end;
+  }
+
+  /// The surface nearest to the centre stops what would turn through it.
+  void Touch(int frame)
+  {
+    if (this->Plan.Obstacles == nullptr)
+    {
+      return;
+    }
+    const auto height = [&](int k)
+    {
+      return this->Plan.Obstacles->SignedDistance(this->Plan.Path->Positions[k], k,
+                                                  2.0 * this->Plan.BoundingRadius);
+    };
+    Floor floor;
+    floor.Height = height(frame);
+    if (floor.Height >= this->Plan.BoundingRadius)
+    {
+      return;
+    }
+    floor.Rate = (floor.Height - height(frame - 1)) / this->Path.Step;
+    SurfaceHit hit;
+    this->Plan.Obstacles->SignedDistance(this->Plan.Path->Positions[frame], frame, hit);
+    floor.Normal = hit.Normal;
+    if (TouchFloor(this->Body, this->Plan.Body->Mesh.Points, floor, this->State.Flight))
+    {
+      this->Marks.Changed[frame] = 1;
+    }
   }
 
   /// Turns the poses before a key by a share of what is missing there, more and more.
