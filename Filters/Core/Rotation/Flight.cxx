@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rotation/Flight.h"
 
+#include "Rotation/Touching.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
@@ -10,7 +12,8 @@ namespace waft
 {
 namespace
 {
-constexpr int MostSteps = 256;        // a frame
+constexpr int MostSteps = 256; // a frame
+constexpr double LeastTouchingSteps = 8.0;
 constexpr double StepOfRate = 0.4;    // product of step and fastest rate
 constexpr double SettlingRate = 7.0;  // rad/s, critically damped
 constexpr double LeastFlatness = 0.3; // below it a body has no glide of its own
@@ -166,8 +169,8 @@ Vec3 AirTorque(const FlightBody& body, const FlightPath& path, const FlightState
   return Derive(body, path, state, frame, 1.0).Torque;
 }
 
-void AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
-                  const Settling& settling, FlightState& state)
+bool AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
+                  const Settling& settling, const Floor* floor, FlightState& state)
 {
   const double spin = state.AngularVelocity(body).norm();
   const double speed = std::max(path.RelativeVelocities[frame].norm(),
@@ -176,10 +179,12 @@ void AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
   const double rate = std::max({ spin, body.Mobility * speed, body.Stiffness * speed,
                                  settling.Weight > 0.0 ? 2.0 * SettlingRate : 0.0 });
   const double wanted = std::ceil(path.Step * rate / StepOfRate);
-  const int steps = static_cast<int>(std::clamp(wanted, 2.0, static_cast<double>(MostSteps)));
+  const int steps = static_cast<int>(std::clamp(wanted, floor != nullptr ? LeastTouchingSteps : 2.0,
+                                                static_cast<double>(MostSteps)));
   const double share = wanted > MostSteps ? MostSteps / wanted : 1.0;
   const double h = path.Step / steps;
   const double fade = std::exp(-0.5 * h * body.Damping);
+  bool touched = false;
   for (int i = 0; i < steps; ++i)
   {
     const double here = frame + static_cast<double>(i) / steps;
@@ -203,7 +208,14 @@ void AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
     state.AngularMomentum += h * rates.AngularMomentum;
     state.Momentum += h * rates.Momentum;
     state.AngularMomentum *= fade;
+    if (floor != nullptr)
+    {
+      Floor now = *floor;
+      now.Height += (i + 1) * h * floor->Rate;
+      touched = TouchFloor(body, now, state) || touched;
+    }
   }
+  return touched;
 }
 
 } // namespace waft

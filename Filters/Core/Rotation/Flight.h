@@ -66,13 +66,17 @@ struct FlightState
   void SetVelocity(const FlightBody& body, const Vec3& velocity);
 };
 
+struct Floor;
+
 /// The air's torque [N m, world] at a frame.
 Vec3 AirTorque(const FlightBody& body, const FlightPath& path, const FlightState& state,
                double frame);
 
 /// Takes the state from a frame to the next one: midpoint steps on the rotation group, as many as
-/// the fastest rate asks for; where even the most are too few the air's force is lessened.
-void AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
-                  const Settling& settling, FlightState& state);
+/// the fastest rate asks for; where even the most are too few the air's force is lessened. After
+/// each step the floor (or none), as it is at the frame's beginning, stops what turned through it.
+/// Returns whether it touched.
+bool AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
+                  const Settling& settling, const Floor* floor, FlightState& state);
 
 } // namespace waft

@@ -7,77 +7,86 @@ namespace waft
 {
 namespace
 {
-constexpr int MostTurns = 40;
+constexpr int Halvings = 30;
+constexpr int MostPushes = 8;
 constexpr double Rounding = 1e-9;   // m
-constexpr double LeastLever = 1e-3; // of the arm: a point nearer to straight below has no side
+constexpr double OnTheFloor = 1e-5; // m: points this near are touched
 
-/// From the centre to the lowest point, world [m].
-Vec3 LowestArm(const std::vector<Vec3>& points, const Floor& floor, const Quat& orientation)
+/// Height of the lowest point [m].
+double Lowest(const Floor& floor, const Quat& orientation)
 {
-  const Vec3 down = orientation.conjugate() * floor.Normal;
-  const Vec3* lowest = points.data();
-  for (const Vec3& point : points)
+  const Vec3 up = orientation.conjugate() * floor.Normal;
+  double lowest = 1e300;
+  for (const Vec3& point : *floor.Points)
   {
-    lowest = down.dot(point) < down.dot(*lowest) ? &point : lowest;
+    lowest = std::min(lowest, floor.Height + up.dot(point));
   }
-  return orientation * *lowest;
+  return lowest;
 }
 
-/// The least turn about the centre that lifts the end of an arm to the floor.
-Quat TurnUp(const Vec3& arm, const Floor& floor, const FlightState& state)
+/// The least part of the turn that lays the body flat, on the nearer side, by which all is above.
+Quat LeastTurnUp(const Floor& floor, const Quat& orientation)
 {
-  Vec3 axis = arm.cross(floor.Normal);
-  double lever = axis.norm();
-  if (lever < LeastLever * arm.norm())
+  const Mat3 axes = orientation.toRotationMatrix();
+  const double side = axes.col(2).dot(floor.Normal) < 0.0 ? -1.0 : 1.0;
+  const Vec3 flat = LogMap(LeastTurn(axes.col(2), side * floor.Normal, axes.col(0)));
+  double low = 0.0;
+  double high = 1.0;
+  for (int i = 0; i < Halvings; ++i)
   {
-    // Straight below: along the body, whichever way.
-    axis = (state.Orientation * Vec3::UnitX()).cross(floor.Normal);
-    axis = axis.norm() > LeastLever ? axis : state.Orientation * Vec3::UnitY();
-    lever = 0.0;
+    const double middle = 0.5 * (low + high);
+    const bool above = Lowest(floor, ExpMap(middle * flat) * orientation) >= -Rounding;
+    (above ? high : low) = middle;
   }
-  const double low = std::atan2(arm.dot(floor.Normal), lever);
-  const double level = std::asin(std::clamp(-floor.Height / arm.norm(), -1.0, 1.0));
-  return ExpMap((level - low) * axis.normalized());
+  return ExpMap(high * flat);
 }
 
-/// Takes the speed at which the end of an arm goes into the floor from the body's turning.
-void Stop(const FlightBody& body, const Vec3& arm, const Floor& floor, FlightState& state)
+/// Pushes the touched point that turns into the floor fastest until it no longer does; false when
+/// there is none.
+bool Push(const FlightBody& body, const Floor& floor, FlightState& state)
 {
-  const double speed = floor.Rate + floor.Normal.dot(state.AngularVelocity(body).cross(arm));
-  if (speed >= 0.0)
+  const Vec3 omega = state.AngularVelocity(body);
+  Vec3 arm = Vec3::Zero();
+  double speed = -1e-9;
+  for (const Vec3& point : *floor.Points)
   {
-    return;
+    const Vec3 at = state.Orientation * point;
+    if (floor.Height + floor.Normal.dot(at) > OnTheFloor)
+    {
+      continue;
+    }
+    const double here = floor.Normal.dot(omega.cross(at));
+    if (here < speed)
+    {
+      speed = here;
+      arm = at;
+    }
   }
   const Vec3 moment = arm.cross(floor.Normal);
-  const Mat3 turn = state.Orientation.toRotationMatrix();
-  const Vec3 inBody = turn.transpose() * moment;
+  const Vec3 inBody = state.Orientation.conjugate() * moment;
   const double yielding = inBody.dot(body.InverseInertia * inBody);
-  if (yielding > 0.0)
+  if (!(yielding > 0.0))
   {
-    state.AngularMomentum -= speed / yielding * moment;
+    return false;
   }
+  state.AngularMomentum -= speed / yielding * moment;
+  return true;
 }
 } // namespace
 
-bool TouchFloor(const FlightBody& body, const std::vector<Vec3>& points, const Floor& floor,
-                FlightState& state)
+bool TouchFloor(const FlightBody& body, const Floor& floor, FlightState& state)
 {
-  bool touched = false;
-  for (int i = 0; i < MostTurns; ++i)
+  if (Lowest(floor, state.Orientation) >= -Rounding)
   {
-    const Vec3 arm = LowestArm(points, floor, state.Orientation);
-    if (floor.Height + arm.dot(floor.Normal) >= -Rounding)
-    {
-      break;
-    }
-    touched = true;
-    const Quat turn = TurnUp(arm, floor, state);
-    state.Orientation = (turn * state.Orientation).normalized();
-    // The body is turned as it moves, its momenta with it.
-    state.AngularMomentum = turn * state.AngularMomentum;
-    Stop(body, turn * arm, floor, state);
+    return false;
   }
-  return touched;
+  const Quat turn = LeastTurnUp(floor, state.Orientation);
+  state.Orientation = (turn * state.Orientation).normalized();
+  state.AngularMomentum = turn * state.AngularMomentum; // the body is turned as it moves
+  for (int i = 0; i < MostPushes && Push(body, floor, state); ++i)
+  {
+  }
+  return true;
 }
 
 } // namespace waft

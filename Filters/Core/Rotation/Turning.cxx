@@ -167,8 +167,13 @@ private:
         settling.Weight = SmoothStep((1.4 * this->Plan.LandingTime - left) /
                                      std::max(0.6 * this->Plan.LandingTime, 1e-9));
       }
-      AdvanceFrame(this->Body, this->Path, k, settling, this->State.Flight);
-      this->Touch(k + 1);
+      Floor floor;
+      const bool near = this->FindFloor(k, floor);
+      if (AdvanceFrame(this->Body, this->Path, k, settling, near ? &floor : nullptr,
+                       this->State.Flight))
+      {
+        this->Marks.Changed[k + 1] = 1;
+      }
       this->Record(k + 1);
     }
     this->State.Frame = end;
@@ -184,32 +189,28 @@ private:
     return end;
   }
 
-  /// The surface nearest to the centre stops what would turn through it.
-  void Touch(int frame)
+  /// The surface nearest to the centre from a frame to the next; false when none is in reach.
+  bool FindFloor(int frame, Floor& floor) const
   {
     if (this->Plan.Obstacles == nullptr)
     {
-      return;
+      return false;
     }
+    const double reach = this->Plan.BoundingRadius;
     const auto height = [&](int k)
-    {
-      return this->Plan.Obstacles->SignedDistance(this->Plan.Path->Positions[k], k,
-                                                  2.0 * this->Plan.BoundingRadius);
-    };
-    Floor floor;
+    { return this->Plan.Obstacles->SignedDistance(this->Plan.Path->Positions[k], k, 2.0 * reach); };
+    const double after = height(frame + 1);
     floor.Height = height(frame);
-    if (floor.Height >= this->Plan.BoundingRadius)
+    if (std::min(floor.Height, after) >= reach)
     {
-      return;
+      return false;
     }
-    floor.Rate = (floor.Height - height(frame - 1)) / this->Path.Step;
+    floor.Points = &this->Plan.Body->Mesh.Points;
+    floor.Rate = (after - floor.Height) / this->Path.Step;
     SurfaceHit hit;
-    this->Plan.Obstacles->SignedDistance(this->Plan.Path->Positions[frame], frame, hit);
+    this->Plan.Obstacles->SignedDistance(this->Plan.Path->Positions[frame + 1], frame + 1, hit);
     floor.Normal = hit.Normal;
-    if (TouchFloor(this->Body, this->Plan.Body->Mesh.Points, floor, this->State.Flight))
-    {
-      this->Marks.Changed[frame] = 1;
-    }
+    return true;
   }
 
   /// Turns the poses before a key by a share of what is missing there, more and more.

@@ -43,7 +43,7 @@ Fall DropStrip(double width, double areaDensity, double start = 0.3)
   bool up = true;
   for (int k = 0; k < Frames; ++k)
   {
-    AdvanceFrame(body, path, k, Settling(), state);
+    AdvanceFrame(body, path, k, Settling(), nullptr, state);
     const bool wasUp = up;
     up = (state.Orientation * Vec3::UnitZ()).z() > 0.0;
     if (k >= Frames / 2)
@@ -137,7 +137,7 @@ TEST(PlateFlight, EnergyOfTheMovingAirIsKept)
   const Vec3 momentum = state.Momentum;
   for (int k = 0; k < 120; ++k)
   {
-    AdvanceFrame(body, path, k, Settling(), state);
+    AdvanceFrame(body, path, k, Settling(), nullptr, state);
     EXPECT_NEAR(energy(), before, 0.03 * before);
     EXPECT_LT((state.Momentum - momentum).norm(), 1e-12);
   }
