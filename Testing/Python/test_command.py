@@ -169,6 +169,13 @@ class Command(unittest.TestCase):
         wanted = {"planned.vtp", "optimized.vtp", "poses.vtp", "poses.csv", "vortices.vtp", "wind.pvd",
                   "convergence.csv", "constraints.csv", "animation.glb", "report.json"}
         self.assertLessEqual(wanted, {entry.name for entry in out.iterdir()})
+        # The results have all that is drawn, pictures included, wherever they go.
+        (self.folder / "torn.png").unlink()
+        moved = out.rename(self.folder / "elsewhere")
+        drawn = run("render", moved, "--frames", "0:0:1", "--size", "64x48", "--views", "side", cwd="/")
+        self.assertEqual(0, drawn.returncode, drawn.stderr)
+        self.assertIn(str(moved / "shapes" / "picture_0.png"), drawn.stderr)  # as it is torn
+        out = moved.rename(out)
         report = json.loads((out / "report.json").read_text(encoding="utf-8"))
         for name, stage in report["stages"].items():
             self.assertTrue(stage["seconds"] > 0.0 and stage["processorSeconds"] > 0.0, name)

@@ -3,6 +3,7 @@
 import math
 import os
 import pathlib
+import shutil
 
 from waft import failures
 from waft.files import (OutputFolder, check_folder, number, table_rows, write_csv, write_json, write_pvd,
@@ -164,7 +165,7 @@ def write_results(pipeline, folder, scene, checkpoint, meshes=False):
         write_xml(pipeline.output("rotation", 1), out.path("poses.vtp"))
         write_xml(pipeline.output("spacetime", 2), out.path("vortices.vtp"))
         write_xml(pipeline.output("reader", 0), out.path("objects.vtp"))
-        write_xml(pipeline.output("reader", 3), out.path("shapes.vtm"))
+        _write_shapes(pipeline, out)
         checkpoint.copy_plan("constraints.vtp", out)
         _write_series(pipeline, "reader", 2, "obstacles", ".vtp", out, only_if_moving=True)
         _write_series(pipeline, "spacetime", 3, "wind", ".vti", out)
@@ -177,6 +178,23 @@ def write_results(pipeline, folder, scene, checkpoint, meshes=False):
         write_json(out.path("report.json"), _summary(pipeline, scene, dict(zip(header, rows[0])),
                                                      dict(zip(header, rows[-1]))))
         out.commit()
+
+
+def _write_shapes(pipeline, out):
+    """shapes.vtm and its folder with the surfaces, and with copies of the pictures on them, whose `Texture` is relative to
+    the results: they can be drawn from anywhere, and on another machine."""
+    shapes = pipeline.output("reader", 3).NewInstance()
+    shapes.DeepCopy(pipeline.output("reader", 3))
+    pictures = {}
+    for block in range(shapes.GetNumberOfBlocks()):
+        texture = shapes.GetBlock(block).GetFieldData().GetAbstractArray("Texture")
+        source = pathlib.Path(texture.GetValue(0)) if texture is not None and texture.GetValue(0) else None
+        if source is not None and source.is_file():
+            name = pictures.setdefault(source, f"shapes/picture_{len(pictures)}{source.suffix}")
+            texture.SetValue(0, name)
+    write_xml(shapes, out.path("shapes.vtm"))
+    for source, name in pictures.items():
+        shutil.copyfile(source, out.path(name))
 
 
 def _write_series(pipeline, stage, port, name, suffix, out, only_if_moving=False):
