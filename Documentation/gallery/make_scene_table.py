@@ -4,6 +4,8 @@
 itself and writes Scenes.md from all that are kept there. The pictures are make_scene_pictures.py's.
 
     python3 Documentation/gallery/make_scene_table.py RESULTS/leaves-letters RESULTS/feather-spiral-a ...
+
+A folder of a scene may instead hold a folder for each `--seed`, named by its number: these are pooled.
 """
 import json
 import pathlib
@@ -39,6 +41,15 @@ from twenty objects on. `over`: intersection over union with the picture where t
 | scene | objects | met | miss | clear | depth | turn | E | top m/s | bend | \\|a\\| | S: motion, plan, straight | over |
 |---|---|---|---|---|---|---|---|---|---|---|---|---|
 """
+POOLED = """
+## One object, pooled over seeds
+
+Flights of one object are too short for figures of style: these are the same scenes flown with several seeds. `miss`, `clear`, `depth`, `turn` and `E` are
+the worst of all flights.
+
+| scene | seeds | met | miss | clear | depth | turn | E | bend | \\|a\\| |
+|---|---|---|---|---|---|---|---|---|---|
+"""
 COSTS = """
 ## Seconds and memory
 
@@ -50,13 +61,24 @@ database included.
 """
 
 
+def seeds_of(folder):
+    """The folders of its flights when a folder holds one for each seed, else none."""
+    return sorted((entry for entry in folder.iterdir() if entry.name.isdigit()), key=lambda entry: int(entry.name))
+
+
 def measured(folder):
+    """Figures of a flight, or under "pooled" those of several."""
     scene_file = ROOT / f"Data/Scenes/{folder.name}.waft.json"
-    figures = motion_checks.measure(folder, scene_file)
     scene = json.loads(scene_file.read_text(encoding="utf-8"))
-    style = style_checks.measure(folder, scene, motion_checks.EMBEDDED)
+    seeds = seeds_of(folder)
+    flights = seeds or [folder]
+    runs = [motion_checks.measure(flight, scene_file) for flight in flights]
+    entry = {"figures": motion_checks.worst(runs),
+             "style": style_checks.measure(flights, scene, motion_checks.EMBEDDED)}
+    if seeds:
+        return {"pooled": {"seeds": len(seeds), **entry}}
     stages = json.loads((folder / "report.json").read_text(encoding="utf-8"))["stages"]
-    return {"title": scene["title"], "figures": figures, "style": style,
+    return {"title": scene["title"], **entry,
             "seconds": {name: stage["processorSeconds"] for name, stage in stages.items()},
             "memory": max(stage["peakMemoryMB"] for stage in stages.values())}
 
@@ -70,35 +92,49 @@ def gate(figures, name, form=".1g"):
     return cell(format(value, form) if value else "0", value <= motion_checks.LIMITS[name])
 
 
-def style_cells(entry):
-    """bend, |a| and S with their gates, as far as the number of objects makes them gates."""
-    objects = entry["figures"]["objects"]
+def style_cells(entry, paths):
+    """bend and |a|, which have gates from eight paths on."""
     cells = []
     for name, limit in (("KS log-curvature", 0.20), ("KS |a|", 0.35)):
         line = entry["style"][name]
         good = line["optimized"] <= limit and line["optimized"] <= 0.5 * line["spline"]
-        cells.append(cell(f"{line['optimized']:.3f} ({line['spline']:.2f})", good or objects < 8))
+        cells.append(cell(f"{line['optimized']:.3f} ({line['spline']:.2f})", good or paths < 8))
+    return cells
+
+
+def coherence_cell(entry):
+    objects = entry["figures"]["objects"]
     line = entry["style"]["S(0.2 L)"]
     if objects < 2:
-        return cells + [""]
+        return ""
     good = ((line["optimized"] <= 0.65 or line["optimized"] <= 0.7 * line["planned"])
             and line["optimized"] <= 0.8 * line["straight"])
-    return cells + [cell(f"{line['optimized']:.3f}", good or objects < 20) +
-                    f", {line['planned']:.3f}, {line['straight']:.3f}"]
+    return (cell(f"{line['optimized']:.3f}", good or objects < 20) +
+            f", {line['planned']:.3f}, {line['straight']:.3f}")
 
 
-def gates_line(name, entry):
-    figures = entry["figures"]
+def limit_cells(figures):
+    """met, miss, clear, depth, turn and E."""
     met = figures["rows"] - figures["rows_unmet"]
     turn = cell(f"{figures['quaternion_error']:.0e}",
                 figures["quaternion_error"] <= 1e-9 and figures["quaternion_flips"] == 0)
     energy = cell(f"{figures['energy_ratio']:.3f}",
                   figures["energy_ratio"] <= motion_checks.LIMITS["energy_ratio"] and figures["energy_rises"] == 0)
+    return [cell(f"{met} of {figures['rows']}", met == figures["rows"]), gate(figures, "exact_residual"),
+            gate(figures, "clearance_shortfall"), gate(figures, "landing_depth"), turn, energy]
+
+
+def gates_line(name, entry):
+    figures = entry["figures"]
     covered = figures.get("picture_overlap")
     over = "" if covered is None else cell(f"{covered:.3f}", covered >= motion_checks.LEAST["picture_overlap"])
-    cells = [name, str(figures["objects"]), cell(f"{met} of {figures['rows']}", met == figures["rows"]),
-             gate(figures, "exact_residual"), gate(figures, "clearance_shortfall"), gate(figures, "landing_depth"),
-             turn, energy, f"{figures['top_speed']:.2f}", *style_cells(entry), over]
+    cells = [name, str(figures["objects"]), *limit_cells(figures), f"{figures['top_speed']:.2f}",
+             *style_cells(entry, figures["objects"]), coherence_cell(entry), over]
+    return "| " + " | ".join(cells) + " |\n"
+
+
+def pooled_line(name, pooled):
+    cells = [name, str(pooled["seeds"]), *limit_cells(pooled["figures"]), *style_cells(pooled, pooled["seeds"])]
     return "| " + " | ".join(cells) + " |\n"
 
 
@@ -111,6 +147,7 @@ def costs_line(name, entry):
 
 def page(kept):
     text = HEAD + GATES + "".join(gates_line(*item) for item in kept.items())
+    text += POOLED + "".join(pooled_line(name, entry["pooled"]) for name, entry in kept.items() if "pooled" in entry)
     text += COSTS + "".join(costs_line(*item) for item in kept.items()) + "\n## Pictures\n"
     for name, entry in kept.items():
         text += (f"\n**{name}**: {entry['title']}.\n\n![{name}, four moments](scene_{name}.png)\n\n"
@@ -121,7 +158,7 @@ def page(kept):
 def main(folders):
     kept = json.loads(KEPT.read_text(encoding="utf-8")) if KEPT.exists() else {}
     for folder in map(pathlib.Path, folders):
-        kept[folder.name] = measured(folder)
+        kept.setdefault(folder.name, {}).update(measured(folder))
     kept = dict(sorted(kept.items()))
     KEPT.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
     (HERE / "Scenes.md").write_text(page(kept), encoding="utf-8")
