@@ -135,7 +135,7 @@ private:
   double Roll = 1.0;
   double Spin = 0.0;
   double VariationPerObject = 0.15;
-  double LandingTime = 1.0;
+  double LandingTime = 0.7;
   double TurningTime = 2.0;
   double TurningRate = 60.0;
   int RasterSize = 128;

@@ -28,7 +28,7 @@ struct RotationOptions
   double Spin = 0.0;          // rad, -1..1: pitch as of a propeller, about the normal
   double Follow = 0.5;        // 1/s: how fast the hidden sideslip is forgotten; 0 or more
   double VariationPerObject = 0.15; // 0..0.5: how much objects of one shape differ, by Seed
-  double LandingTime = 1.0;         // s in which a body settles before it rests
+  double LandingTime = 0.7;         // s in which a body settles before it rests
   double TurningTime = 2.0;         // s, at most, over which an orientation row draws the pose
   double TurningRate = 60.0; // rad/s, 1..1000: rows that ask for more are met by halves and named
   int RasterSize = 128;      // pixels, 8..1024

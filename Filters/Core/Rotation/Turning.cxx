@@ -15,6 +15,8 @@ namespace waft
 {
 namespace
 {
+constexpr double SettlingHeight = 3.0; // bounding radii: nearer than that a landing body settles
+
 std::string Short(double x)
 {
   return NumberText(x, 3);
@@ -155,18 +157,9 @@ private:
       key = nullptr;
       end = rest != nullptr ? std::min(rest->Frame, this->Last) : this->Last;
     }
-    const double fps = this->Plan.Time.FramesPerSecond;
     for (int k = from; k < end; ++k)
     {
-      Settling settling;
-      if (rest != nullptr)
-      {
-        // A little earlier than the blend itself, so that little is left for it to do.
-        const double left = (rest->Frame - k) / fps;
-        settling.Normal = rest->Normal;
-        settling.Weight = SmoothStep((1.4 * this->Plan.LandingTime - left) /
-                                     std::max(0.6 * this->Plan.LandingTime, 1e-9));
-      }
+      const Settling settling = rest != nullptr ? this->SettlingBefore(*rest, k) : Settling();
       Floor floor;
       const bool near = this->FindFloor(k, floor);
       if (AdvanceFrame(this->Body, this->Path, k, settling, near ? &floor : nullptr,
@@ -187,6 +180,27 @@ private:
       return this->State.Frame;
     }
     return end;
+  }
+
+  /// Late, or near the surface, which is early for who comes down early.
+  Settling SettlingBefore(const LandingWindow& rest, int frame) const
+  {
+    Settling settling;
+    settling.Normal = rest.Normal;
+    // A little earlier than the blend to the lying pose, so that little is left for it to do.
+    const double time = std::max(this->Plan.LandingTime, 1e-9);
+    const double left = (rest.Frame - frame) / this->Plan.Time.FramesPerSecond;
+    settling.Weight = SmoothStep((1.4 * time - left) / (0.6 * time));
+    if (this->Plan.Obstacles != nullptr && rest.ObstacleId >= 0)
+    {
+      const double reach = this->Plan.BoundingRadius;
+      const double height = this->Plan.Obstacles->SignedDistance(this->Plan.Path->Positions[frame],
+                                                                 frame, SettlingHeight * reach);
+      const double soon = SmoothStep((4.0 * time - left) / time); // not as it takes off for there
+      settling.Weight =
+        std::max(settling.Weight, soon * SmoothStep(SettlingHeight - height / reach));
+    }
+    return settling;
   }
 
   /// The surface nearest to the centre from a frame to the next; false when none is in reach.

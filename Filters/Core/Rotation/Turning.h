@@ -25,7 +25,7 @@ struct TurningPlan
   std::vector<Constraint> Keys;     // orientation rows
   const ObstacleSet* Obstacles = nullptr;
   Timeline Time;
-  double LandingTime = 1.0;  // s
+  double LandingTime = 0.7;  // s
   double TurningTime = 2.0;  // s
   double TurningRate = 60.0; // rad/s, the most that an orientation row may ask for
   std::vector<int> Held;     // frames where rows hold the centre: it is not moved there
