@@ -204,12 +204,15 @@ class Objects:
 
 class Trails:
     """Where each object was in the last second, fading; with at most three objects the whole way
-    since the start, fainter."""
+    since the start, fainter; with more than a hundred shorter and fainter, lest they hide what flies."""
 
     def __init__(self, motion, renderer, width=1.5):
         self._motion = motion
-        self._length = max(int(round(motion.frames_per_second)), 1)
-        self._whole = len(motion.positions) <= 3
+        objects = len(motion.positions)
+        crowd = min(1.0, math.sqrt(100.0 / objects))
+        self._length = max(int(round(crowd * motion.frames_per_second)), 1)
+        self._strength = 130.0 * crowd
+        self._whole = objects <= 3
         self._actor = vtkActor()
         self._actor.SetMapper(vtkPolyDataMapper())
         self._actor.GetProperty().LightingOff()
@@ -231,7 +234,7 @@ class Trails:
         shade = np.empty((objects, count, 4), np.uint8)
         shade[..., :3] = (255.0 * np.array(_TRAIL)).astype(np.uint8)
         floor = 95.0 if self._whole else 0.0
-        shade[..., 3] = (floor + (130.0 - floor) * (1.0 - age) ** 1.5).astype(np.uint8)
+        shade[..., 3] = (floor + (self._strength - floor) * (1.0 - age) ** 1.5).astype(np.uint8)
         data.GetPointData().SetScalars(numpy_to_vtk(shade.reshape(-1, 4), deep=True))
         self._actor.GetMapper().SetInputData(data)
 
