@@ -31,7 +31,7 @@ GATES = """
 ## Gates
 
 `met`: rows that are met, of all. `miss`: largest miss of a row, in widths L of the volume (at most 1e-9). `clear`: what the swept centre lacks of its
-clearance radius, and `depth`: the lowest vertex below the ground on which it lands, in L (each at most 1e-3). `turn`: deviation of a
+clearance radius, and `depth`: how far any vertex is in the ground or an obstacle at any frame, in L (each at most 1e-3). `turn`: deviation of a
 quaternion from unit length (at most 1e-9); none changes its sign. `E`: the last energy over the first (at most 0.1); it never rises. `top`: fastest step.
 `bend` and `|a|`: Kolmogorov-Smirnov distance of log-curvature (at most 0.20) and of acceleration (at most 0.35) from the
 database, both at most half of those of a spline through the same marks (in brackets); gates from eight objects on. `S`: velocity differences of
@@ -121,7 +121,7 @@ def limit_cells(figures):
     energy = cell(f"{figures['energy_ratio']:.3f}",
                   figures["energy_ratio"] <= motion_checks.LIMITS["energy_ratio"] and figures["energy_rises"] == 0)
     return [cell(f"{met} of {figures['rows']}", met == figures["rows"]), gate(figures, "exact_residual"),
-            gate(figures, "clearance_shortfall"), gate(figures, "landing_depth"), turn, energy]
+            gate(figures, "clearance_shortfall"), gate(figures, "mesh_depth"), turn, energy]
 
 
 def gates_line(name, entry):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How clear objects keep of walls, ground and obstacles, from the poses and the scene: the swept centre at eight
-places a frame, and every vertex of a body about its landing."""
+places a frame, and every vertex of every body at every frame."""
 import collections
 import math
 
@@ -9,8 +9,8 @@ from result_files import REST, distance
 
 SAMPLES = 8  # a frame
 
-# shortfall [m]: most that a centre lacks of its clearance radius; depth [m]: lowest vertex below the ground on
-# which its body lands, in the exempt second before and after.
+# shortfall [m]: most that a centre lacks of its clearance radius, but for the surface landed on within a second of the
+# rest; depth [m]: deepest vertex in the ground or an obstacle.
 Clearance = collections.namedtuple("Clearance", "shortfall depth")
 
 
@@ -29,13 +29,23 @@ def measure(folder, scene, tracks, rows, rate):
             for name, surface in surfaces.items():
                 if not any(first <= frame <= last and name == landed for first, last, landed in landings):
                     shortfall = max(shortfall, radius - surface(x, frame, radius))
-        for first, last, landed in landings:
-            if landed == "ground":
-                for k in range(max(0, math.ceil(first)), min(len(track) - 1, int(last)) + 1):
-                    pose = track[k]
-                    lowest = min(result_files.rotated(pose.q, p)[2] for p in body)
-                    depth = max(depth, -surfaces["ground"]((0.0, 0.0, pose.x[2] + lowest), k, radius))
+        depth = max(depth, _deepest(track, body, surfaces))
     return Clearance(shortfall, depth)
+
+
+def _deepest(track, body, surfaces):
+    """How far any vertex is in the ground or an obstacle at any frame [m]; 0 when none is."""
+    solid = [surface for name, surface in surfaces.items() if name != "walls"]
+    reach = max(math.hypot(*p) for p in body)
+    depth = 0.0
+    before = None
+    for k, pose in enumerate(track):
+        near = [surface for surface in solid if surface(pose.x, k, reach) < reach]
+        if near and (len(solid) > 1 or before is None or (pose.x, pose.q) != (before.x, before.q)):
+            vertices = [tuple(a + b for a, b in zip(pose.x, result_files.rotated(pose.q, p))) for p in body]
+            depth = max(depth, *(-surface(x, k, reach) for surface in near for x in vertices))
+        before = pose
+    return depth
 
 
 def _landings(number, track, rows, rate, surfaces):

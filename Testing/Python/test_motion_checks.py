@@ -252,7 +252,9 @@ class Clearances(unittest.TestCase):
                 return clearance_checks.measure(".", {"obstacles": obstacles}, {0: track}, rows, RATE)
         # Deepest in the box at (0.75, 0, 1.5); at last 0.2 m beyond the wall x = 2.
         self.assertAlmostEqual(0.1 + 0.25, measure(2.25, obstacles=[box], frames=31).shortfall)
+        self.assertAlmostEqual(0.25, measure(2.25, obstacles=[box], frames=31).depth)  # a vertex, in its middle
         self.assertAlmostEqual(0.1 + 0.2, measure(2.25).shortfall)
+        self.assertEqual(0.0, measure(2.25).depth, "walls are not solid")
         # To 0.05 m over the ground: too near, unless it lands there; then its vertices count.
         self.assertAlmostEqual(0.05, measure(1.2 - 0.05, frames=23).shortfall)
         landed = row(REST, (1.1, 0.0, 0.05), frame=22, until=22)
