@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/SpacetimeExport.h"
 
+#include "Base/SmoothStep.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +11,9 @@ namespace waft
 namespace
 {
 
-constexpr double Rounding = 1e-5;       // [dx]: places that differ by less are the same
+constexpr double Rounding = 1e-5; // [dx]: places that differ by less are the same
+constexpr int PushRounds = 8;
+constexpr int PushReach = 15;           // frames to either side over which a push comes and goes
 constexpr int SmallestRamp = 6;         // frames over which the fallback blends in
 constexpr double FallbackSpeed = 0.3;   // of going back to the plan, at most [m/s]
 constexpr int FallbackRounds = 5;       // the ramp doubles each time
@@ -149,8 +153,69 @@ public:
     return blocked;
   }
 
-  /// Where the optimised motion is not clear it goes back to the planned one, with soft ends.
+  /// Where the optimised motion is not clear it is moved out of the way, and where that is not
+  /// enough it goes back to the planned one, with soft ends.
   bool Clear(std::vector<Vec3>& x) const
+  {
+    const std::vector<Vec3> found = x;
+    if (this->PushOut(x))
+    {
+      return true;
+    }
+    x = found;
+    return this->GoBack(x);
+  }
+
+private:
+  /// Away from obstacles by what is lacking there, smoothly in time.
+  bool PushOut(std::vector<Vec3>& x) const
+  {
+    const long last = static_cast<long>(x.size()) - 1;
+    std::vector<std::size_t> blocked = this->Blocked(x);
+    for (int round = 0; round < PushRounds && !blocked.empty(); ++round)
+    {
+      std::vector<Vec3> pushes(x.size(), Vec3::Zero());
+      for (const std::size_t k : blocked)
+      {
+        for (const double part : { 0.0, 0.5, 1.0 })
+        {
+          const Vec3 push =
+            this->Lacking(x[k] + part * (x[k + 1] - x[k]), static_cast<double>(k) + part);
+          for (const long f : { static_cast<long>(k), static_cast<long>(k) + 1 })
+          {
+            for (long i = std::max(0L, f - PushReach); i <= std::min(last, f + PushReach); ++i)
+            {
+              const double share = SmoothStep(1.0 - std::abs(double(i - f)) / (PushReach + 1.0));
+              if (share * push.norm() > pushes[i].norm())
+              {
+                pushes[i] = share * push;
+              }
+            }
+          }
+        }
+      }
+      for (std::size_t f = 0; f < x.size(); ++f)
+      {
+        x[f] += this->Weights[f] * pushes[f];
+      }
+      this->MakeExact(x);
+      blocked = this->Blocked(x);
+    }
+    return blocked.empty();
+  }
+
+  /// The way out to the clearance asked for, with the slack given back [m].
+  Vec3 Lacking(const Vec3& x, double frame) const
+  {
+    const Clearance asked =
+      RequiredClearance(this->Object, this->Setup.Landings[this->Index], frame);
+    SurfaceHit hit;
+    const double distance = this->Setup.Obstacles.SignedDistance(x, frame, hit, asked.Exempt);
+    const double wanted = asked.Radius + ClearanceSlack * this->Input.Scene.Bounds.Width();
+    return std::max(0.0, wanted - distance) * hit.Normal;
+  }
+
+  bool GoBack(std::vector<Vec3>& x) const
   {
     const std::vector<Vec3>& planned = this->Input.Tracks[this->Index].Positions;
     const std::vector<Vec3> free = x;
@@ -185,7 +250,6 @@ public:
     return blocked.empty();
   }
 
-private:
   // Rows that bind a frame that is kept are kept whole, as in the solver.
   void FindKept(const EditRegion& region)
   {

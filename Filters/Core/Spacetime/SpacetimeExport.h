@@ -21,8 +21,9 @@ struct KeptMotion
 };
 
 /// Positions by object and frame [m]: exact rows bit-identical, balls and linear rows met in
-/// double, and swept clearance kept by falling back towards the planned path where it is not. The
-/// state is brought to the same positions. warnings: objects whose clearance could not be kept.
+/// double, and swept clearance kept: where it is not the motion is moved away from the obstacle,
+/// and falls back towards the planned path where that is not enough. The state is brought to the
+/// same positions. warnings: objects whose clearance could not be kept.
 std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
                                                const SpacetimeSetup& setup, const KeptMotion& kept,
                                                StateVector& state,

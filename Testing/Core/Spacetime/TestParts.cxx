@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Levels of time, distances of pairs, the preconditioner, clusters of linear rows, the wind's least
-// squares.
+// Levels of time, distances of pairs, the way out of obstacles, the preconditioner, clusters of
+// linear rows, the wind's least squares.
 #include "Spacetime/HardConstraints.h"
 #include "Spacetime/ObjectTerms.h"
+#include "Spacetime/SpacetimeExport.h"
 #include "Spacetime/SpacetimeProgram.h"
 #include "Spacetime/SpacetimeSetup.h"
 #include "Spacetime/TimeLevels.h"
@@ -144,6 +145,56 @@ TEST(PairDistance, IsNoMoreAtMarksThanTheyAreApart)
               0.02 / setup.Spacing + 0.09 * model.Weights.ContactDistance, 1e-9);
   EXPECT_EQ(PairDistance(model, rest / 2, 0, 1), model.Weights.ContactDistance);
   EXPECT_GT(model.Weights.ContactDistance, 2.0 * input.Objects[0].ClearanceRadius / setup.Spacing);
+}
+
+TEST(ExportPositions, MovesAMotionOutOfTheWayInsteadOfGoingBackToThePlan)
+{
+  // Found beside a box 3 cm nearer than the clearance allows, planned far from it.
+  SceneOptions scene;
+  scene.NumberOfObjects = 1;
+  scene.NumberOfFrames = 90;
+  SpacetimeInput input = MakeScene(scene);
+  ObstacleMesh box;
+  box.ObstacleId = 1;
+  box.Mesh = MakeBox({ Vec3(-0.3, -0.6, 1.0), Vec3(0.3, 0.2, 3.0) });
+  input.Obstacles.push_back(box);
+  std::vector<Vec3> found;
+  for (int k = 0; k < scene.NumberOfFrames; ++k)
+  {
+    const double s = k / double(scene.NumberOfFrames - 1);
+    const double bow = std::sin(M_PI * s) * std::sin(M_PI * s);
+    input.Tracks[0].Positions[k] = Vec3(-1.0 + 2.0 * s, 0.6, 2.0);
+    found.emplace_back(-1.0 + 2.0 * s, 0.6 - 0.38 * bow, 2.0);
+  }
+  input.Objects[0].Position = found.front();
+  input.Constraints[0].Value = found.back();
+  const SpacetimeSetup setup = MakeProblem(input);
+  const SpacetimeModel& model = setup.Model;
+  StateVector state(found.size() * model.FrameSize(), 0.0f);
+  for (std::size_t k = 0; k < found.size(); ++k)
+  {
+    const Vec3 local = setup.FromWorld(found[k]);
+    for (int c = 0; c < 3; ++c)
+    {
+      state[k * model.FrameSize() + c * model.Stride() + model.NumberOfGas] =
+        static_cast<float>(local[c]);
+    }
+  }
+  std::vector<std::string> warnings;
+  const std::vector<Vec3> x = ExportPositions(input, setup, {}, state, warnings)[0];
+  EXPECT_TRUE(warnings.empty());
+  for (std::size_t k = 0; k < x.size(); ++k)
+  {
+    EXPECT_GE(setup.Obstacles.SignedDistance(x[k], double(k)),
+              input.Objects[0].ClearanceRadius - 1e-3 * 4.0)
+      << k;
+    EXPECT_LT((x[k] - found[k]).norm(), 0.035) << k; // the plan is 0.38 m away
+    if (k > 0 && k + 1 < x.size())
+    {
+      const Vec3 was = found[k + 1] - 2.0 * found[k] + found[k - 1];
+      EXPECT_LT(900.0 * (x[k + 1] - 2.0 * x[k] + x[k - 1] - was).norm(), 2.0) << k; // m/s^2
+    }
+  }
 }
 
 TEST(TimelinePreconditioner, InvertsTheTimeCoupling)
