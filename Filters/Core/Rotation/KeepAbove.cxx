@@ -2,7 +2,7 @@
 #include "Rotation/KeepAbove.h"
 
 #include "Base/NumberText.h"
-#include "Base/SmoothStep.h"
+#include "Base/SpreadPushes.h"
 
 #include <cmath>
 
@@ -16,24 +16,13 @@ constexpr double LeastTold = 1e-5; // m: the centre was moved by less: nobody se
 /// rows hold the centre there is none.
 void SpreadShifts(int reach, FrameMarks& marks)
 {
-  const int last = static_cast<int>(marks.Shifts.size()) - 1;
-  const std::vector<Vec3> own = marks.Shifts;
-  const double least = 1e-12;
-  for (int k = 0; k <= last; ++k)
+  const std::vector<Vec3> spread = SpreadPushes(marks.Shifts, reach);
+  for (std::size_t k = 0; k < spread.size(); ++k)
   {
-    for (int i = std::max(0, k - reach); i <= std::min(last, k + reach); ++i)
+    if (marks.Frames[k].Freedom != PoseFreedom::Fixed)
     {
-      const double share = SmoothStep(1.0 - std::abs(i - k) / (reach + 1.0));
-      const double size = share * own[k].norm();
-      if (size > marks.Shifts[i].norm() && size > least &&
-          marks.Frames[i].Freedom != PoseFreedom::Fixed)
-      {
-        marks.Shifts[i] = share * own[k];
-      }
+      marks.Shifts[k] = spread[k];
     }
-  }
-  for (int k = 0; k <= last; ++k)
-  {
     if (marks.Held[k] != 0)
     {
       marks.Shifts[k].setZero();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/SpacetimeExport.h"
 
-#include "Base/SmoothStep.h"
+#include "Base/SpreadPushes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -170,30 +170,10 @@ private:
   /// Away from obstacles by what is lacking there, smoothly in time.
   bool PushOut(std::vector<Vec3>& x) const
   {
-    const long last = static_cast<long>(x.size()) - 1;
     std::vector<std::size_t> blocked = this->Blocked(x);
     for (int round = 0; round < PushRounds && !blocked.empty(); ++round)
     {
-      std::vector<Vec3> pushes(x.size(), Vec3::Zero());
-      for (const std::size_t k : blocked)
-      {
-        for (const double part : { 0.0, 0.5, 1.0 })
-        {
-          const Vec3 push =
-            this->Lacking(x[k] + part * (x[k + 1] - x[k]), static_cast<double>(k) + part);
-          for (const long f : { static_cast<long>(k), static_cast<long>(k) + 1 })
-          {
-            for (long i = std::max(0L, f - PushReach); i <= std::min(last, f + PushReach); ++i)
-            {
-              const double share = SmoothStep(1.0 - std::abs(double(i - f)) / (PushReach + 1.0));
-              if (share * push.norm() > pushes[i].norm())
-              {
-                pushes[i] = share * push;
-              }
-            }
-          }
-        }
-      }
+      const std::vector<Vec3> pushes = SpreadPushes(this->Pushes(x, blocked), PushReach);
       for (std::size_t f = 0; f < x.size(); ++f)
       {
         x[f] += this->Weights[f] * pushes[f];
@@ -202,6 +182,28 @@ private:
       blocked = this->Blocked(x);
     }
     return blocked.empty();
+  }
+
+  /// By frame, the farthest that the steps after `blocked` frames have to move at it [m].
+  std::vector<Vec3> Pushes(const std::vector<Vec3>& x,
+                           const std::vector<std::size_t>& blocked) const
+  {
+    std::vector<Vec3> pushes(x.size(), Vec3::Zero());
+    for (const std::size_t k : blocked)
+    {
+      Vec3 push = Vec3::Zero();
+      for (const double part : { 0.0, 0.5, 1.0 })
+      {
+        const Vec3 here =
+          this->Lacking(x[k] + part * (x[k + 1] - x[k]), static_cast<double>(k) + part);
+        push = here.norm() > push.norm() ? here : push;
+      }
+      for (const std::size_t f : { k, k + 1 })
+      {
+        pushes[f] = push.norm() > pushes[f].norm() ? push : pushes[f];
+      }
+    }
+    return pushes;
   }
 
   /// The way out to the clearance asked for, with the slack given back [m].
