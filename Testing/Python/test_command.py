@@ -3,6 +3,7 @@
 
     test_command.py WAFT       WAFT: the command of the build or of an installed tree
 """
+import hashlib
 import json
 import pathlib
 import struct
@@ -42,6 +43,11 @@ def gltf_json(path):
     return json.loads(content[20:20 + length])
 
 
+def tree(folder):
+    """{name: bytes} of all files below a folder."""
+    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
 class Command(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -61,12 +67,15 @@ class Command(unittest.TestCase):
         out = self.folder / "out"
         out.mkdir(exist_ok=True)
         (out / "poses.csv").write_text("old", encoding="utf-8")
+        digest = "sha256:" + hashlib.sha256(b"old").hexdigest()
+        (out / "report.json").write_text(json.dumps(
+            {"manifest": [{"name": "poses.csv", "size": 3, "digest": digest}]}), encoding="utf-8")
+        before = tree(out)
         done = run("synthesize", scene, "--output", out, *options)
         self.assertEqual(status, done.returncode, done.stderr)
         for part in parts:
             self.assertIn(part, done.stderr)
-        self.assertEqual("old", (out / "poses.csv").read_text(encoding="utf-8"))
-        self.assertEqual(["poses.csv"], [entry.name for entry in out.iterdir()])
+        self.assertEqual(before, tree(out))
 
     def test_missing_scene(self):
         self.refused(self.folder / "none.waft.json", "none.waft.json", "no such")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures and movies on disk. A file appears under its name when it is whole, or not at all."""
+"""Pictures and movies as files."""
 
 import contextlib
 import os
@@ -38,21 +38,13 @@ def grab(window, samples):
 
 
 def write_png(picture, path):
-    part = path + ".part"
     writer = vtkPNGWriter()
     writer.SetInputData(picture)
     writer.SetCompressionLevel(4)
-    writer.SetFileName(part)
+    writer.SetFileName(str(path))
     writer.Write()
     if writer.GetErrorCode():
-        remove(part)
         raise OSError(f"{path}: cannot be written")
-    os.replace(part, path)
-
-
-def remove(path):
-    if os.path.exists(path):
-        os.remove(path)
 
 
 @contextlib.contextmanager
@@ -78,10 +70,8 @@ class _VtkMovie:
     """A movie by one of VTK's writers."""
 
     def __init__(self, writer, path, rate):
-        self.path = path
-        self._part = path + ".part"
         self._writer = writer
-        self._writer.SetFileName(self._part)
+        self._writer.SetFileName(str(path))
         self._writer.SetRate(max(int(round(rate)), 1))
         self._writer.SetQuality(2)
         self._started = False
@@ -94,13 +84,11 @@ class _VtkMovie:
         self._writer.Write()
 
     def close(self):
-        self._writer.End()
-        os.replace(self._part, self.path)
-
-    def discard(self):
         if self._started:
             self._writer.End()
-        remove(self._part)
+            self._started = False
+
+    discard = close
 
 
 class OggMovie(_VtkMovie):
@@ -125,8 +113,7 @@ class Mp4Movie:
     """An MP4 movie by the program ffmpeg, which gets raw pictures through a pipe."""
 
     def __init__(self, path, rate):
-        self.path = path
-        self._part = path + ".part"
+        self._path = str(path)
         self._rate = rate
         self._process = None
 
@@ -142,7 +129,7 @@ class Mp4Movie:
                 + ["-s", f"{width}x{height}", "-r", f"{self._rate:.6g}", "-i", "-"]
                 # Rows come from the bottom; H.264 wants even sizes.
                 + ["-vf", "vflip,pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"]
-                + ["-f", "mp4", self._part],
+                + ["-f", "mp4", self._path],
                 stdin=subprocess.PIPE,
             )
         pixels = vtk_to_numpy(picture.GetPointData().GetScalars())
@@ -151,12 +138,9 @@ class Mp4Movie:
     def close(self):
         self._process.stdin.close()
         if self._process.wait() != 0:
-            remove(self._part)
-            raise OSError(f"{self.path}: ffmpeg failed")
-        os.replace(self._part, self.path)
+            raise OSError(f"{self._path}: ffmpeg failed")
 
     def discard(self):
         if self._process is not None:
             self._process.kill()
             self._process.wait()
-        remove(self._part)

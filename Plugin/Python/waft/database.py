@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A motion database from simulations of smoke."""
 import dataclasses
+import os
 import pathlib
-import shutil
+import re
 
 from paraview import simple
 
 from waft import failures
-from waft.files import check_folder, replaced, table_rows, write_csv, write_xml
+from waft.files import table_rows, write_csv, write_xml
+from waft.results import ResultPlace
 from waft.synthesis import set_threads
 from waft.watching import Clock, StageWatch
 
@@ -32,6 +34,41 @@ def kept_folder(path):
     return pathlib.Path(f"{path}.kept")
 
 
+_KEPT = re.compile(r"simulation\d+(\.part\d+)?")
+_MANIFEST = "manifest.json"  # in the folder beside FILE.vtm
+
+
+def database_place(path):
+    """The ResultPlace of a database."""
+    path = pathlib.Path(path)
+    return ResultPlace(path.parent, f"{path.stem}/{_MANIFEST}", room=kept_folder(path))
+
+
+def settle_database(path):
+    """Finishes or undoes a change of a database that was cut short, before it is read. Where another run is at work, that one
+    sees to it."""
+    if kept_folder(path).is_dir() and os.access(kept_folder(path), os.W_OK):
+        try:
+            with database_place(path):
+                pass
+        except failures.BadInput:
+            pass
+
+
+def _check_kept(kept):
+    for entry in kept.iterdir():
+        if not _KEPT.fullmatch(entry.name):
+            raise failures.BadInput(f"{entry}: expected what a stopped run left, found something else: it stays as it is: move "
+                                    "it away, or choose another name for the database")
+
+
+def _forget(kept):
+    """Removes the simulations that wait there; nothing else."""
+    for entry in kept.iterdir():
+        if _KEPT.fullmatch(entry.name):
+            entry.unlink()
+
+
 def make_database(path, simulations=8, frames=300, resolution=64, seed=1, threads=None, time_limit=None,
                   stop_below=0.0, coverage_tolerance=0.05, resume=False, quiet=True):
     """Simulates, traces, cuts and clusters; writes PATH (.vtm and the folder beside it) and its coverage,
@@ -45,35 +82,40 @@ def make_database(path, simulations=8, frames=300, resolution=64, seed=1, thread
     """
     if not str(path).endswith(".vtm"):
         raise failures.BadInput(f"{path}: expected a file name that ends with .vtm")
-    check_folder(pathlib.Path(path).parent)
-    kept = kept_folder(path)
-    if not resume:
-        shutil.rmtree(kept, ignore_errors=True)
-    set_threads(threads)
-    source = simple.MotionDatabaseSource()
-    source.NumberOfSimulations = simulations
-    source.NumberOfFrames = frames
-    source.Resolution = resolution
-    source.Seed = seed
-    source.StopBelow = stop_below
-    source.CoverageTolerance = coverage_tolerance
-    source.KeptIn = str(kept)
-    with Clock(time_limit, quiet) as clock:
-        watch = StageWatch("database", source, clock)
-        watch.can_stop = True
-        source.UpdatePipeline()
-    if watch.errors:
-        raise failures.BadInput(watch.errors[0])
-    algorithm = source.GetClientSideObject()
-    database = algorithm.GetOutputDataObject(0)
-    if database.GetNumberOfBlocks() == 0:
-        raise failures.Interrupted("stopped before a simulation was whole")
-    header, rows = table_rows(algorithm.GetOutputDataObject(1))
-    with replaced(path) as staging:
-        write_xml(database, staging)
-        write_csv(coverage_file(staging), header, rows)
-    coverage = [(int(before), int(segments), float(share)) for before, segments, share in rows]
-    stopped = watch.was_aborted and len(coverage) + 1 < simulations
-    if not stopped:
-        shutil.rmtree(kept, ignore_errors=True)
+    path = pathlib.Path(path)
+    with database_place(path) as place:
+        place.check([path.name, f"{path.stem}/", coverage_file(path).name])
+        _check_kept(place.room)
+        if not resume:
+            _forget(place.room)
+        set_threads(threads)
+        source = simple.MotionDatabaseSource()
+        source.NumberOfSimulations = simulations
+        source.NumberOfFrames = frames
+        source.Resolution = resolution
+        source.Seed = seed
+        source.StopBelow = stop_below
+        source.CoverageTolerance = coverage_tolerance
+        source.KeptIn = str(place.room)
+        with Clock(time_limit, quiet) as clock:
+            watch = StageWatch("database", source, clock)
+            watch.can_stop = True
+            source.UpdatePipeline()
+        if watch.errors:
+            if "cannot write" in watch.errors[0]:
+                raise failures.WaftError(watch.errors[0])
+            _forget(place.room)
+            raise failures.BadInput(watch.errors[0])
+        algorithm = source.GetClientSideObject()
+        database = algorithm.GetOutputDataObject(0)
+        if database.GetNumberOfBlocks() == 0:
+            raise failures.Interrupted("stopped before a simulation was whole")
+        header, rows = table_rows(algorithm.GetOutputDataObject(1))
+        write_xml(database, place.path(path.name))
+        write_csv(coverage_file(place.path(path.name)), header, rows)
+        place.commit({})
+        coverage = [(int(before), int(segments), float(share)) for before, segments, share in rows]
+        stopped = watch.was_aborted and len(coverage) + 1 < simulations
+        if not stopped:
+            _forget(place.room)
     return Made(source, stopped, coverage)

@@ -8,10 +8,18 @@ NOT_ALL_MET = 3
 STOPPED_EARLY = 4
 
 
+_LONGEST = 1800  # characters of a message; what is longer repeats what a file or a caller said
+
+
 class WaftError(Exception):
-    """A run could not be done; `status` is the exit status of the command."""
+    """A run could not be done; `status` is the exit status of the command. What is too long to read loses its middle."""
 
     status = FAILED
+
+    def __init__(self, message):
+        text = str(message).encode("utf-8", "backslashreplace").decode("utf-8")
+        half = _LONGEST // 2
+        super().__init__(text if len(text) <= _LONGEST else f"{text[:half]} ... {text[-half:]}")
 
 
 class BadInput(WaftError):

@@ -1,60 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files that appear whole or not at all."""
-import contextlib
+"""The formats of files that are written and read."""
 import csv
 import json
 import os
 import pathlib
-import shutil
-import tempfile
 import xml.etree.ElementTree as ElementTree
 
 from waft.failures import BadInput
-
-
-class OutputFolder:
-    """Gathers a run's files beside the folder they are for, and moves them in when all are there.
-
-    Old results stay as they were until commit(); names that the run did not write are left alone.
-    """
-
-    def __init__(self, folder):
-        self.folder = pathlib.Path(folder)
-        self.folder.mkdir(parents=True, exist_ok=True)
-        self._staging = pathlib.Path(tempfile.mkdtemp(prefix=".waft-", dir=self.folder))
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        shutil.rmtree(self._staging, ignore_errors=True)
-
-    def path(self, name):
-        """Where to write the file of this name for now."""
-        return str(self._staging / name)
-
-    def commit(self):
-        _move_in(self._staging, self.folder)
-
-
-def _move_in(staging, folder):
-    """What is in `staging` takes the place of entries of the same names in `folder`."""
-    for entry in sorted(staging.iterdir()):
-        target = folder / entry.name
-        if target.is_dir() and not target.is_symlink():
-            shutil.rmtree(target)
-        os.replace(entry, target)
-
-
-def check_folder(folder):
-    """Raises BadInput unless files can be written in the folder, or it can be made; makes nothing."""
-    place = pathlib.Path(folder).absolute()
-    while not place.exists() and place != place.parent:
-        place = place.parent
-    if not place.is_dir():
-        raise BadInput(f"{place}: expected a folder for the results, found a file")
-    if not os.access(place, os.W_OK | os.X_OK):
-        raise BadInput(f"{place}: expected a folder that may be written in")
 
 
 def check_blocks(path, what):
@@ -91,6 +43,8 @@ def write_json(path, content):
     with open(path, "w", encoding="utf-8") as stream:
         json.dump(content, stream, indent=2)
         stream.write("\n")
+        stream.flush()
+        os.fsync(stream.fileno())
 
 
 def write_xml(data, path):
@@ -128,32 +82,3 @@ def table_rows(table):
                        else value.ToString())
         rows.append(row)
     return header, rows
-
-
-@contextlib.contextmanager
-def _staged(path):
-    """A path of the same name in a temporary folder beside a path; all that is there in the end is moved beside it when
-    the block ends well."""
-    path = pathlib.Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    staging = pathlib.Path(tempfile.mkdtemp(prefix=".waft-", dir=path.parent))
-    try:
-        yield staging / path.name
-        _move_in(staging, path.parent)
-    finally:
-        shutil.rmtree(staging, ignore_errors=True)
-
-
-@contextlib.contextmanager
-def replaced(path):
-    """A temporary path beside a file, moved onto it when the block ends well."""
-    with _staged(path) as made:
-        yield str(made)
-
-
-@contextlib.contextmanager
-def replaced_folder(path):
-    """A temporary folder beside a folder, which takes its place when the block ends well."""
-    with _staged(path) as made:
-        made.mkdir()
-        yield made

@@ -2,6 +2,7 @@
 """The pipeline of a scene: each stage a ParaView proxy, joined by VTK data alone."""
 from paraview import simple
 
+from waft.database import settle_database
 from waft.failures import BadInput
 from waft.files import check_blocks
 from waft.loading import data_file
@@ -19,6 +20,7 @@ class Pipeline:
         self.scene_file = str(scene)
         self.reader = simple.MotionSceneReader(registrationName="Scene")  # the file once it is watched
         self.database_file = str(database or data_file("Database/embedded.vtm"))
+        settle_database(self.database_file)
         check_blocks(self.database_file, "motion database")
         self.database = simple.XMLMultiBlockDataReader(
             registrationName="Database", FileName=[self.database_file])

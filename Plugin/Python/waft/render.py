@@ -2,6 +2,7 @@
 """Pictures and movies of a folder that `waft synthesize` wrote, drawn with plain VTK."""
 
 import os
+import re
 
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkMapper, vtkRenderer, vtkRenderWindow
@@ -9,9 +10,11 @@ from vtkmodules.vtkRenderingCore import vtkMapper, vtkRenderer, vtkRenderWindow
 from ._cameras import VIEWS, Cameras
 from ._flyers import Objects, Trails, add_marks
 from ._folder import load
-from ._output import AviMovie, Mp4Movie, OggMovie, grab, remove, write_png
+from ._output import AviMovie, Mp4Movie, OggMovie, grab, write_png
 from ._scenery import Scenery
 from .failures import BadInput, WaftError
+from .results import Entry, ResultPlace
+from .synthesis import earlier_results
 
 
 _HIDDEN = 0.1  # share of the motion behind obstacles from which on one sees through them
@@ -136,9 +139,9 @@ def render(
               little, with their edges drawn
     progress: called with the part done (0..1) and a sentence after each picture
 
-    Writes FOLDER/frames/<view>_0000.png and so on, each whole or not at all, and returns the list
-    of files written. Raises BadInput on a bad folder or argument, and
-    WaftError without a display.
+    Writes FOLDER/frames/<view>_0000.png and so on, each whole or not at all, and FOLDER/pictures.json with their
+    sizes and digests; returns the list of files written. Raises BadInput on a bad folder or argument and where a file
+    that no run wrote stands in the way, and WaftError without a display.
     """
     views = (views,) if isinstance(views, str) else tuple(views)
     for view in views:
@@ -148,42 +151,66 @@ def render(
         raise BadInput("expected at least one view, samples >= 1 and a size of 16 to 16384 pixels")
     if obstacle_opacity is not None and not 0.0 <= obstacle_opacity <= 1.0:
         raise BadInput(f"obstacle opacity {obstacle_opacity}: expected a number from 0 to 1")
-    motion = load(folder)
-    numbers = parse_frames(frames, motion.number_of_frames)
-    if not os.environ.get("DISPLAY"):
-        raise WaftError(
-            "rendering needs a display; run it under: xvfb-run -a -s \"-screen 0 1280x1024x24\""
-        )
-    place = os.path.join(folder, "frames")
-    os.makedirs(place, exist_ok=True)
-    stage = Stage(motion, size, samples, paths, targets, obstacle_opacity)
-    movies = {}
-    if movie:
-        rate = motion.frames_per_second / numbers.step
-        for view in views:
-            movies[view] = [OggMovie(os.path.join(folder, view + ".ogv"), rate),
-                            AviMovie(os.path.join(folder, view + ".avi"), rate)]
-            if Mp4Movie.available():
-                movies[view].append(Mp4Movie(os.path.join(folder, view + ".mp4"), rate))
+    if not os.path.isdir(folder):
+        raise BadInput(f"{folder}: no such folder; `waft synthesize` makes it")
+    with ResultPlace(folder, "pictures.json", earlier=_earlier_pictures) as place:
+        motion = load(folder)
+        numbers = parse_frames(frames, motion.number_of_frames)
+        if not os.environ.get("DISPLAY"):
+            raise WaftError(
+                "rendering needs a display; run it under: xvfb-run -a -s \"-screen 0 1280x1024x24\""
+            )
+        movies = {view: [f"{view}{ending}" for ending in _MOVIES] if movie else [] for view in views}
+        names = [_picture(view, frame) for view in views for frame in numbers] + sum(movies.values(), [])
+        place.check(names, replaces_all=False)
+        stage = Stage(motion, size, samples, paths, targets, obstacle_opacity)
+        place.claim(names)
+        try:
+            written = _draw(stage, place, numbers, movies, motion.frames_per_second / numbers.step, progress)
+        finally:
+            place.confirm(names)
+    return [os.path.join(folder, name) for name in written]
+
+
+_MOVIES = {".ogv": OggMovie, ".avi": AviMovie, **({".mp4": Mp4Movie} if Mp4Movie.available() else {})}
+
+
+def _picture(view, frame):
+    return f"frames/{view}_{frame:04d}.png"
+
+
+def _earlier_pictures(folder):
+    """{name: Entry} of the pictures beside the results of a version that kept no account of them."""
+    if earlier_results(folder) is None:
+        return None
+    names = (path.relative_to(folder).as_posix() for path in (*folder.glob("frames/*.png"), *folder.glob("*.*")))
+    pattern = re.compile(rf"frames/({'|'.join(VIEWS)})_\d{{4,}}\.png|({'|'.join(VIEWS)})\.(ogv|avi|mp4)")
+    return {name: Entry() for name in names if pattern.fullmatch(name)}
+
+
+def _draw(stage, place, numbers, movies, rate, progress):
+    """Draws all pictures and movies ({view: names}); returns the names of the files."""
+    films = {name: _MOVIES[os.path.splitext(name)[1]](place.path(name), rate)
+             for names in movies.values() for name in names}
     written = []
     try:
         for done, frame in enumerate(numbers):
-            for view in views:
+            for view, own in movies.items():
                 picture = stage.draw(view, frame)
-                path = os.path.join(place, f"{view}_{frame:04d}.png")
-                write_png(picture, path)
-                written.append(path)
-                for film in movies.get(view, []):
-                    film.add(picture)
+                name = _picture(view, frame)
+                write_png(picture, place.path(name))
+                place.put(name)
+                written.append(name)
+                for film in own:
+                    films[film].add(picture)
             if progress:
                 progress((done + 1) / len(numbers), f"frame {frame} drawn")
-        for view in list(movies):
-            for film in movies[view]:
-                film.close()
-                written.append(film.path)
-            del movies[view]
+        for name in list(films):
+            films[name].close()
+            del films[name]
+            place.put(name)
+            written.append(name)
     finally:
-        for films in movies.values():
-            for film in films:
-                film.discard()
+        for film in films.values():
+            film.discard()
     return written

@@ -2,13 +2,19 @@
 """What a run keeps in its folder while it goes, so that another can go on from it."""
 import csv
 import hashlib
+import os
 import pathlib
+import re
 import shutil
 
-from waft.files import replaced_folder, write_csv, write_xml
+from waft.failures import BadInput
+from waft.files import write_csv, write_json, write_xml
 from waft.loading import version
+from waft.results import manifest_of, manifest_rows, read_json, read_manifest
 
 PLAN = {0: "planned.vtp", 3: "constraints.vtp", 4: "vortices.vtp"}
+_REPORT, _KEY, _STATE = "report.csv", "key", "spacetime.state"
+_OWN = re.compile("|".join([*map(re.escape, (*PLAN.values(), _REPORT, _KEY)), re.escape(_STATE) + r"(\.part\d+)?"]))
 
 
 def run_key(pipeline, preview):
@@ -35,37 +41,65 @@ def _bytes(data):
 
 
 class Checkpoint:
-    """The folder `checkpoint` in a run's output: the plan, and the optimiser's state as it was last written."""
+    """The folder `checkpoint` in a run's output: the plan, and the optimiser's state as it was last written.
 
-    def __init__(self, output, key):
-        self._folder = pathlib.Path(output) / "checkpoint"
+    place: the ResultPlace of the run. Raises BadInput when the folder holds what no run wrote.
+    """
+
+    def __init__(self, place, key):
+        self._place = place
+        self._folder = place.root / "checkpoint"
         self._key = key
-        self.state_file = self._folder / "spacetime.state"
+        self.state_file = self._folder / _STATE
+        if os.path.lexists(self._folder) and not self._is_own():
+            raise BadInput(f"{self._folder}: expected no such folder, or one that a stopped run left: it holds something else and "
+                           "stays as it is: move it away, or choose another place for the results")
 
-    def is_there(self):
-        """A run of the same key has left its plan."""
-        try:
-            return (self._folder / "key").read_text(encoding="utf-8") == self._key
-        except OSError:
+    def _is_own(self):
+        if self._folder.is_symlink() or not self._folder.is_dir():
             return False
+        names = {entry.name for entry in self._folder.iterdir()}
+        is_plan = names >= {*PLAN.values(), _REPORT} or read_manifest(self._folder / _KEY) is not None
+        return all(_OWN.fullmatch(name) for name in names) and (is_plan or not names)
+
+    def lack(self):
+        """What keeps a run from going on from here, in words; empty when nothing does."""
+        key = read_json(self._folder / _KEY)
+        manifest = read_manifest(self._folder / _KEY)
+        if not self._folder.is_dir():
+            return "no stopped run of this scene, seed and version"
+        if manifest is None or not {*PLAN.values(), _REPORT} <= manifest.keys():
+            return f"{self._folder / _KEY} is damaged, or of another version"
+        if key.get("key") != self._key:
+            return "no stopped run of this scene, seed and version"
+        damaged = [name for name, entry in manifest.items() if not entry.fits(self._folder / name)]
+        return f"{self._folder / damaged[0]} is damaged" if damaged else ""
 
     def keep_plan(self, pipeline):
         """Takes the place of whatever another run left."""
-        with replaced_folder(self._folder) as folder:
-            for port, name in PLAN.items():
-                write_xml(pipeline.planned(port), folder / name)
-            header = list(pipeline.plan_report[0]) if pipeline.plan_report else []
-            write_csv(folder / "report.csv", header, [list(row.values()) for row in pipeline.plan_report])
-            (folder / "key").write_text(self._key, encoding="utf-8")
+        folder = self._place.temporary()
+        for port, name in PLAN.items():
+            write_xml(pipeline.planned(port), folder / name)
+        header = list(pipeline.plan_report[0]) if pipeline.plan_report else []
+        write_csv(folder / _REPORT, header, [list(row.values()) for row in pipeline.plan_report])
+        write_json(folder / _KEY, {"key": self._key, "manifest": manifest_rows(manifest_of(folder))})
+        self.clear()
+        os.rename(folder, self._folder)
 
     def take_plan(self, pipeline):
         pipeline.take_plan(*(self._folder / name for name in PLAN.values()))
-        with open(self._folder / "report.csv", encoding="utf-8", newline="") as file:
+        with open(self._folder / _REPORT, encoding="utf-8", newline="") as file:
             pipeline.plan_report = list(csv.DictReader(file))
 
-    def copy_plan(self, name, out):
+    def copy_plan(self, name):
         """One of the plan's files among the results: the same bytes whether the plan was made or taken."""
-        shutil.copyfile(self._folder / name, out.path(name))
+        shutil.copyfile(self._folder / name, self._place.path(name))
 
     def clear(self):
-        shutil.rmtree(self._folder, ignore_errors=True)
+        """Removes what runs left; what someone put beside it meanwhile stays."""
+        if self._folder.is_dir():
+            for entry in self._folder.iterdir():
+                if _OWN.fullmatch(entry.name):
+                    entry.unlink()
+            if not any(self._folder.iterdir()):
+                self._folder.rmdir()

@@ -1,18 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From a scene file to an animation."""
+import contextlib
 import math
 import os
 import pathlib
+import re
 import shutil
 
 from waft import failures
-from waft.files import (OutputFolder, check_folder, number, table_rows, write_csv, write_json, write_pvd,
-                        write_xml)
+from waft.files import number, table_rows, write_csv, write_pvd, write_xml
 from waft.loading import version
+from waft.results import Entry, ResultPlace, read_json
 from waft.resuming import Checkpoint, run_key
 from waft.watching import Clock, collect
 
 STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
+REPORT = "report.json"
 
 
 def set_threads(threads):
@@ -38,37 +41,90 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
     may take (none: as many as it needs).
 
     The Pipeline has, besides the proxies: status (exit status of the command), report (the constraints,
-    one dictionary per row), warnings. Raises BadInput on malformed input; nothing is written then.
+    one dictionary per row), warnings. Raises BadInput on malformed input, and where results would take the place of files that
+    no run wrote; nothing is written then.
     """
     from waft.pipeline import Pipeline
 
-    if not pathlib.Path(scene).is_file():
+    if not os.path.isfile(scene):
         raise failures.BadInput(f"{scene}: no such scene file")
-    if output is not None:
-        check_folder(output)
     set_threads(threads)
-    pipeline = Pipeline(scene, database)
-    with Clock(time_limit, quiet) as clock:
-        pipeline.read(clock)
-        scene_seed = pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)
-        pipeline.seed = int(scene_seed) if seed is None else seed
-        pipeline.key = run_key(pipeline, preview)
-        checkpoint = None if output is None else Checkpoint(output, pipeline.key)
-        is_found = resume and checkpoint is not None and checkpoint.is_there()
-        _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval, memory_limit)
-        pipeline.stopped = clock.interrupted or clock.timed_out
-    pipeline.report = constraint_report(pipeline)
-    pipeline.warnings = [text for watch in pipeline.watches.values() for text in watch.errors + watch.warnings]
-    if resume and not is_found:
-        pipeline.warnings.append(f"--resume: {output}: no stopped run of this scene, seed and version: done from the start")
-    unmet = [row for row in pipeline.report if row["Status"] != "met"]
-    pipeline.status = (failures.STOPPED_EARLY if pipeline.stopped
-                       else failures.NOT_ALL_MET if unmet else failures.ALL_MET)
-    if output is not None:
-        write_results(pipeline, output, scene, checkpoint, meshes)
-        if not pipeline.stopped:
-            checkpoint.clear()
+    with contextlib.ExitStack() as stack:
+        place = stack.enter_context(result_place(output)) if output is not None and is_first_rank() else None
+        pipeline = Pipeline(scene, database)
+        with Clock(time_limit, quiet) as clock:
+            pipeline.read(clock)
+            scene_seed = pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)
+            pipeline.seed = int(scene_seed) if seed is None else seed
+            pipeline.key = run_key(pipeline, preview)
+            pipeline.warnings = []
+            checkpoint = None
+            if place is not None:
+                place.check(_result_names(scene, meshes))
+                checkpoint = Checkpoint(place, pipeline.key)
+            lack = checkpoint.lack() if resume and checkpoint is not None else ""
+            if lack:
+                pipeline.warnings.append(f"--resume: {output}: {lack}: done from the start")
+            try:
+                _run(pipeline, clock, preview, checkpoint, resume and not lack, checkpoint_interval, memory_limit)
+            except failures.BadInput:
+                if checkpoint is not None:
+                    checkpoint.clear()
+                raise
+            pipeline.stopped = clock.interrupted or clock.timed_out
+        pipeline.report = constraint_report(pipeline)
+        pipeline.warnings += [text for watch in pipeline.watches.values() for text in watch.errors + watch.warnings]
+        unmet = [row for row in pipeline.report if row["Status"] != "met"]
+        pipeline.status = (failures.STOPPED_EARLY if pipeline.stopped
+                           else failures.NOT_ALL_MET if unmet else failures.ALL_MET)
+        if place is not None:
+            write_results(pipeline, place, scene, checkpoint, meshes)
+            if not pipeline.stopped:
+                checkpoint.clear()
     return pipeline
+
+
+def is_first_rank():
+    """Whether this is the only process, or the one of several MPI processes that has the outputs."""
+    from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+    controller = vtkMultiProcessController.GetGlobalController()
+    return controller is None or controller.GetLocalProcessId() == 0
+
+
+# What versions without a manifest wrote.
+_EARLIER_NAMES = re.compile(
+    r"(planned|optimized|poses|vortices|objects|constraints|obstacles)\.vtp|(poses|convergence|constraints)\.csv|"
+    r"animation\.glb|(wind|obstacles|meshes)\.pvd|shapes\.vtm|wind/wind_\d{4,}\.vti|"
+    r"(obstacles/obstacles|meshes/meshes)_\d{4,}\.vtp|shapes/(shapes_\d+\.vtp|picture_\d+\.\w+)")
+
+
+def earlier_results(folder):
+    """{name: Entry} of the results of a version without a manifest; None when its report.json is another program's."""
+    report = read_json(folder / REPORT)
+    if not isinstance(report, dict) or not {"version", "scene", "seed", "stages", "constraints"} <= report.keys():
+        return None
+    names = (path.relative_to(folder).as_posix() for path in (*folder.glob("*"), *folder.glob("*/*")))
+    return {name: Entry() for name in names if _EARLIER_NAMES.fullmatch(name)}
+
+
+def result_place(folder):
+    """The ResultPlace of a folder of results."""
+    return ResultPlace(folder, REPORT, earlier=earlier_results)
+
+
+def _result_names(scene, meshes):
+    """What a run writes, folders with a slash at their end."""
+    names = ["planned.vtp", "optimized.vtp", "poses.vtp", "poses.csv", "vortices.vtp", "objects.vtp", "shapes.vtm", "shapes/",
+             "constraints.vtp", "constraints.csv", "convergence.csv", "wind.pvd", "wind/", "animation.glb", REPORT]
+    names += ["obstacles.pvd", "obstacles/"] if _do_obstacles_move(scene) else ["obstacles.vtp"]
+    return names + (["meshes.pvd", "meshes/"] if meshes else [])
+
+
+def _do_obstacles_move(scene):
+    """Whether an obstacle of a scene file (one that was read well) is ever at another place."""
+    return any(len({tuple(step["position"]) for step in obstacle.get("motion", ())}) > 1
+               for obstacle in (read_json(scene) or {}).get("obstacles", ()))
 
 
 def _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval, memory_limit):
@@ -99,12 +155,7 @@ def _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval, me
     left = clock.remaining()
     if left is not None:
         pipeline.spacetime.TimeLimit = max(left, 0.001)
-    try:
-        pipeline.update("spacetime")
-    except failures.BadInput:
-        if checkpoint is not None:
-            checkpoint.clear()
-        raise
+    pipeline.update("spacetime")
     clock.timed_out = clock.timed_out or (left is not None and watch.seconds >= left)
 
     pipeline.add_rotation(pipeline.seed)
@@ -157,30 +208,30 @@ def _measure_orientations(pipeline, report):
             row["Message"] = f"the orientation is off by {residual:.3g} rad beyond its radius"
 
 
-def write_results(pipeline, folder, scene, checkpoint, meshes=False):
+def write_results(pipeline, place, scene, checkpoint, meshes=False):
     """Every file of a run, all at once: see the user guide for what each holds."""
-    with OutputFolder(folder) as out:
-        checkpoint.copy_plan("planned.vtp", out)
-        write_xml(pipeline.output("spacetime"), out.path("optimized.vtp"))
-        write_xml(pipeline.output("rotation", 1), out.path("poses.vtp"))
-        write_xml(pipeline.output("spacetime", 2), out.path("vortices.vtp"))
-        write_xml(pipeline.output("reader", 0), out.path("objects.vtp"))
-        _write_shapes(pipeline, out)
-        checkpoint.copy_plan("constraints.vtp", out)
-        _write_series(pipeline, "reader", 2, "obstacles", ".vtp", out, only_if_moving=True)
-        _write_series(pipeline, "spacetime", 3, "wind", ".vti", out)
-        if meshes:
-            _write_series(pipeline, "rotation", 0, "meshes", ".vtp", out)
-        header, rows = table_rows(pipeline.output("spacetime", 4))
-        write_csv(out.path("convergence.csv"), header, rows)
-        _write_report(pipeline, out.path("constraints.csv"))
-        _write_animation(pipeline, out)
-        write_json(out.path("report.json"), _summary(pipeline, scene, dict(zip(header, rows[0])),
-                                                     dict(zip(header, rows[-1]))))
-        out.commit()
+    for name in ("planned.vtp", "constraints.vtp"):
+        checkpoint.copy_plan(name)
+    write_xml(pipeline.output("spacetime"), place.path("optimized.vtp"))
+    write_xml(pipeline.output("rotation", 1), place.path("poses.vtp"))
+    write_xml(pipeline.output("spacetime", 2), place.path("vortices.vtp"))
+    write_xml(pipeline.output("reader", 0), place.path("objects.vtp"))
+    _write_shapes(pipeline, place)
+    if _do_obstacles_move(scene):
+        _write_series(pipeline, "reader", 2, "obstacles", ".vtp", place)
+    else:
+        write_xml(_at(pipeline.reader.GetClientSideObject(), 2, 0.0), place.path("obstacles.vtp"))
+    _write_series(pipeline, "spacetime", 3, "wind", ".vti", place)
+    if meshes:
+        _write_series(pipeline, "rotation", 0, "meshes", ".vtp", place)
+    header, rows = table_rows(pipeline.output("spacetime", 4))
+    write_csv(place.path("convergence.csv"), header, rows)
+    _write_report(pipeline, place.path("constraints.csv"))
+    _write_animation(pipeline, place)
+    place.commit(_summary(pipeline, scene, dict(zip(header, rows[0])), dict(zip(header, rows[-1]))))
 
 
-def _write_shapes(pipeline, out):
+def _write_shapes(pipeline, place):
     """shapes.vtm and its folder with the surfaces, and with copies of the pictures on them, whose `Texture` is relative to
     the results: they can be drawn from anywhere, and on another machine."""
     shapes = pipeline.output("reader", 3).NewInstance()
@@ -192,28 +243,22 @@ def _write_shapes(pipeline, out):
         if source is not None and source.is_file():
             name = pictures.setdefault(source, f"shapes/picture_{len(pictures)}{source.suffix}")
             texture.SetValue(0, name)
-    write_xml(shapes, out.path("shapes.vtm"))
+    write_xml(shapes, place.path("shapes.vtm"))
     for source, name in pictures.items():
-        shutil.copyfile(source, out.path(name))
+        shutil.copyfile(source, place.path(name))
 
 
-def _write_series(pipeline, stage, port, name, suffix, out, only_if_moving=False):
-    """NAME.pvd with one file a step in the folder NAME, or one file when nothing changes."""
+def _write_series(pipeline, stage, port, name, suffix, place):
+    """NAME.pvd with one file a step in the folder NAME."""
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Sddp
 
     algorithm = getattr(pipeline, stage).GetClientSideObject()
-    times = list(algorithm.GetOutputInformation(port).Get(Sddp.TIME_STEPS()) or (0.0,))
-    first = _at(algorithm, port, times[0])
-    if only_if_moving and _same_points(first, _at(algorithm, port, times[-1])):
-        write_xml(first, out.path(name + suffix))
-        return
-    os.mkdir(out.path(name))
     entries = []
-    for step, time in enumerate(times):
+    for step, time in enumerate(algorithm.GetOutputInformation(port).Get(Sddp.TIME_STEPS()) or (0.0,)):
         file = f"{name}/{name}_{step:04d}{suffix}"
-        write_xml(_at(algorithm, port, time), out.path(file))
+        write_xml(_at(algorithm, port, time), place.path(file))
         entries.append((time, file))
-    write_pvd(out.path(name + ".pvd"), entries)
+    write_pvd(place.path(name + ".pvd"), entries)
 
 
 def _at(algorithm, port, time):
@@ -226,17 +271,12 @@ def _at(algorithm, port, time):
     return copy
 
 
-def _same_points(a, b):
-    return a.GetNumberOfPoints() == b.GetNumberOfPoints() and all(
-        a.GetPoint(i) == b.GetPoint(i) for i in range(a.GetNumberOfPoints()))
-
-
 def _write_report(pipeline, path):
     header = ["Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message"]
     write_csv(path, header, [[row[name] for name in header] for row in pipeline.report])
 
 
-def _write_animation(pipeline, out):
+def _write_animation(pipeline, place):
     from waft.vtkWaftFilters import vtkMotionAnimationWriter
 
     writer = vtkMotionAnimationWriter()
@@ -247,7 +287,7 @@ def _write_animation(pipeline, out):
     writer.SetInputDataObject(1, pipeline.output("reader", 0))
     writer.SetInputDataObject(2, pipeline.output("reader", 3))
     for name in ("animation.glb", "poses.csv"):
-        writer.SetFileName(out.path(name))
+        writer.SetFileName(str(place.path(name)))
         if not writer.Write():
             raise failures.WaftError(f"{name}: could not be written: {'; '.join(errors)}")
 
