@@ -10,6 +10,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from xml.etree import ElementTree
 
@@ -139,6 +140,36 @@ class Command(unittest.TestCase):
         (self.folder / "open.obj").write_text("v 0 0 1\nv 1 0 1\nv 0 1 1\nf 1 2 3\n", encoding="utf-8")
         self.refused(self.scene(lambda s: s.update(obstacles=[{"kind": "mesh", "file": "open.obj"}])),
                      "closed")
+
+    def test_files_of_the_user_stay(self):
+        """A project whose own mesh is where a run puts its shapes, and results that were changed."""
+        (self.folder / "shapes").mkdir()
+        (self.folder / "shapes" / "my.obj").write_text("v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n", encoding="utf-8")
+        scene = self.scene(lambda s: s["shapes"].update(leaf={"mesh": "shapes/my.obj"}))
+        before = tree(self.folder)
+        for options in ((), ("--resume",), ("--preview",)):
+            done = run("synthesize", scene, "--output", self.folder, *options)
+            self.assertEqual(2, done.returncode, done.stderr)
+            self.assertIn("shapes/my.obj: no run of waft wrote it", done.stderr)
+        done = run("database", "--output", self.folder / "shapes.vtm", "--simulations", 1, "--resolution", 8, "--frames", 30)
+        self.assertEqual(2, done.returncode, done.stderr)
+        self.assertIn("shapes/my.obj: no run of waft wrote it", done.stderr)
+        self.assertEqual(before, tree(self.folder))
+        self.assertEqual({"scene.waft.json", "shapes"}, {entry.name for entry in self.folder.iterdir()})
+
+    def test_two_runs_into_one_folder(self):
+        out = self.folder / "out"
+        arguments = [WAFT, "synthesize", str(self.scene()), "--output", str(out)]
+        first = subprocess.Popen(arguments, stderr=subprocess.PIPE)
+        try:
+            while first.poll() is None and not (out / "checkpoint").exists():
+                time.sleep(0.01)
+            second = run("synthesize", self.scene(), "--output", out)
+            self.assertEqual(2, second.returncode, second.stderr)
+            self.assertIn("another run of waft is at work", second.stderr)
+        finally:
+            first.kill()
+            first.communicate()
 
     def test_unknown_command_and_option(self):
         self.assertEqual(2, run("fly").returncode)

@@ -137,6 +137,27 @@ class Resume(unittest.TestCase):
             self.expect_same(whole, out)
         self.assertGreater(found, 0, "no run was interrupted while it was optimised")
 
+    def test_a_damaged_plan_is_said_and_planned_anew(self):
+        whole = self.folder / "whole"
+        self.assertEqual((0, ""), self.finish(whole))
+
+        def cut(name):
+            return lambda folder: os.truncate(folder / name, 900)
+
+        def spoil_key(folder):
+            (folder / "key").write_bytes(b"\xff\xfe\x00")
+
+        for name, damage in (("constraints.vtp", cut("constraints.vtp")), ("key", spoil_key),
+                             ("vortices.vtp", lambda folder: (folder / "vortices.vtp").unlink())):
+            with self.subTest(name):
+                out = self.folder / f"damaged_{name}"
+                self.kill_when(out, lambda folder: (folder / "key").exists())
+                damage(out / "checkpoint")
+                status, text = self.finish(out, resume=True)
+                self.assertEqual(0, status, text)
+                self.assertRegex(text, f"checkpoint/{name} is damaged.*: done from the start")
+                self.expect_same(whole, out)
+
     def test_nothing_to_go_on_from_is_said(self):
         out = self.folder / "out"
         self.kill_when(out, lambda folder: (folder / "key").exists())

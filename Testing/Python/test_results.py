@@ -1,0 +1,239 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Whose files are whose: what runs wrote is replaced, whatever else is there stays.
+
+    pvpython test_results.py
+"""
+import json
+import os
+import pathlib
+import sys
+import tempfile
+import unittest
+
+from waft.failures import BadInput, WaftError
+from waft.resuming import Checkpoint
+from waft.results import ResultPlace, manifest_of
+from waft.synthesis import earlier_results, result_place
+
+NAMES = ["poses.csv", "shapes/", "shapes.vtm", "report.json"]
+
+
+class Results(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.out = self.folder / "out"
+
+    def put(self, name, text="mine"):
+        path = self.out / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+    def write(self, text, *names, check=NAMES):
+        with result_place(self.out) as place:
+            place.check(check)
+            for name in names or ("poses.csv", "shapes/leaf.vtp", "shapes.vtm"):
+                place.path(name).write_text(text, encoding="utf-8")
+            place.commit({"text": text})
+
+    def texts(self):
+        """{name: text} but for report.json."""
+        return {name: (self.out / name).read_text(encoding="utf-8") for name in manifest_of(self.out)
+                if name != "report.json"}
+
+    def refused(self, name, *parts, **options):
+        before = manifest_of(self.out)
+        with self.assertRaises(BadInput) as caught:
+            self.write("new", **options)
+        for part in (str(self.out / name), "stays", *parts):
+            self.assertIn(part, str(caught.exception))
+        self.assertEqual(before, manifest_of(self.out))
+
+    def test_a_run_replaces_what_a_run_wrote_and_nothing_else(self):
+        self.put("notes.txt")
+        self.put("shapes.txt/deep")
+        self.write("old")
+        self.write("new", "poses.csv", "shapes/leaf.vtp")  # and no more shapes.vtm
+        self.assertEqual({"notes.txt": "mine", "shapes.txt/deep": "mine", "poses.csv": "new", "shapes/leaf.vtp": "new"},
+                         self.texts())
+        report = json.loads((self.out / "report.json").read_text(encoding="utf-8"))
+        self.assertEqual("new", report["text"])
+        self.assertEqual(["poses.csv", "shapes/leaf.vtp"], [row["name"] for row in report["manifest"]])
+        self.assertEqual({"name", "size", "digest"}, set(report["manifest"][0]))
+        self.write("last", "poses.csv")
+        self.assertFalse((self.out / "shapes").exists())
+
+    def test_files_of_others_are_refused(self):
+        for name in ("poses.csv", "shapes/mine.obj", "shapes/in/it", "poses.csv/mine", "shapes", "report.json"):
+            with self.subTest(name):
+                self.out = self.folder / name.replace("/", "_")
+                self.put(name)
+                self.refused(name if name != "poses.csv/mine" else "poses.csv", "no run of waft wrote it")
+
+    def test_files_of_others_among_results_are_refused(self):
+        self.write("old")
+        self.put("shapes/mine.obj")
+        self.refused("shapes/mine.obj")
+
+    def test_results_that_were_changed_are_refused(self):
+        for name in ("poses.csv", "shapes/leaf.vtp"):
+            with self.subTest(name):
+                self.out = self.folder / name.replace("/", "_")
+                self.write("old")
+                self.put(name, "old+")
+                self.refused(name, "changed")
+
+    def test_links_are_nobodys_results(self):
+        self.write("old")
+        (self.out / "poses.csv").rename(self.folder / "elsewhere.csv")
+        (self.out / "poses.csv").symlink_to(self.folder / "elsewhere.csv")
+        self.refused("poses.csv")
+        self.assertTrue((self.folder / "elsewhere.csv").is_file())
+        (self.out / "poses.csv").unlink()
+        (self.out / "shapes").rename(self.folder / "shapes")
+        (self.out / "shapes").symlink_to(self.folder / "shapes")
+        self.refused("shapes")
+
+    def test_manifests_name_nothing_outside(self):
+        self.put("../precious.txt")
+        for name in ("../precious.txt", str(self.folder / "precious.txt"), ""):
+            self.put("report.json", json.dumps({"manifest": [{"name": name, "size": -1, "digest": ""}]}))
+            self.refused("report.json")
+        self.assertTrue((self.folder / "precious.txt").exists())
+
+    def test_a_folder_of_an_earlier_version(self):
+        earlier = dict.fromkeys(("version", "scene", "seed", "stages", "constraints"), 0)
+        self.put("report.json", json.dumps(earlier))
+        self.put("poses.csv", "old")
+        self.put("wind/wind_0000.vti", "old")
+        self.put("shapes/shapes_0.vtp", "old")
+        self.put("shapes/mine.obj")
+        self.refused("shapes/mine.obj")
+        (self.out / "shapes" / "mine.obj").unlink()
+        self.put("wind/mine")  # in nobody's way
+        self.write("new")
+        self.assertEqual({"wind/mine": "mine", "poses.csv": "new", "shapes/leaf.vtp": "new", "shapes.vtm": "new"}, self.texts())
+        self.assertIsNone(earlier_results(self.folder))
+
+    def test_one_run_at_a_time(self):
+        with result_place(self.out):
+            with self.assertRaisesRegex(BadInput, "another run of waft is at work there"):
+                self.write("new")
+        self.assertFalse(self.out.exists())  # it was made for the run alone
+        child = os.fork()
+        if child == 0:
+            ResultPlace(self.out, "report.json").__enter__()
+            os._exit(0)  # dies with it
+        os.waitpid(child, 0)
+        self.write("new")
+
+    def test_what_dead_processes_left_is_swept(self):
+        self.put(".waft-0a_bc9zz/new/poses.csv")
+        self.put(".waft-mine/notes.txt")  # no name that a run gives
+        self.write("new")
+        self.assertFalse((self.out / ".waft-0a_bc9zz").exists())
+        self.assertTrue((self.out / ".waft-mine").exists())
+
+    def test_a_failure_in_the_middle_puts_the_old_results_back(self):
+        self.write("old")
+        before = manifest_of(self.out)
+        rename, calls = os.rename, []
+
+        def failing(source, target):
+            calls.append(source)
+            if len(calls) == fails_at:
+                raise OSError(28, "No space left on device")
+            rename(source, target)
+
+        for fails_at in range(1, 9):
+            os.rename = failing
+            calls.clear()
+            try:
+                with self.assertRaises(OSError):
+                    self.write("new")
+            finally:
+                os.rename = rename
+            with result_place(self.out):
+                pass
+            self.assertEqual(before, manifest_of(self.out))
+
+    def test_a_move_waits_for_a_file_that_came_in_between(self):
+        self.write("old")
+        rename = os.rename
+
+        def dying(source, target):
+            if pathlib.Path(target) == self.out / "shapes.vtm":
+                raise KeyboardInterrupt
+            rename(source, target)
+        os.rename = dying
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                self.write("new")
+        finally:
+            os.rename = rename
+        self.assertFalse((self.out / "report.json").exists())
+        self.put("shapes.vtm")
+        with self.assertRaisesRegex(WaftError, "shapes.vtm: no run of waft wrote it"):
+            self.write("last")
+        self.assertEqual("mine", (self.out / "shapes.vtm").read_text(encoding="utf-8"))
+        (self.out / "shapes.vtm").unlink()
+        with result_place(self.out):
+            pass
+        self.assertEqual({"new"}, set(self.texts().values()))
+
+    def test_new_files_that_were_damaged_meanwhile_do_not_go_in(self):
+        self.write("old")
+        before = manifest_of(self.out)
+        rename = os.rename
+
+        def dying(source, target):
+            rename(source, target)
+            if pathlib.Path(target) == self.out / "poses.csv":
+                raise KeyboardInterrupt
+        os.rename = dying
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                self.write("new")
+        finally:
+            os.rename = rename
+        (self.out / ".waft-move" / "new" / "shapes.vtm").write_text("n", encoding="utf-8")
+        with result_place(self.out):
+            pass
+        self.assertEqual(before, manifest_of(self.out))
+
+    def test_a_checkpoint_folder_of_others_is_refused(self):
+        for names in (("mine",), ("key",), ("key", "mine"), ("constraints.vtp",)):
+            with self.subTest(names):
+                self.out = self.folder / "_".join(names)
+                for name in names:
+                    self.put(f"checkpoint/{name}")
+                with result_place(self.out) as place, self.assertRaisesRegex(BadInput, "checkpoint.*stays"):
+                    Checkpoint(place, "some key")
+
+    def test_pictures_are_put_one_by_one(self):
+        self.put("frames/side_0001.png")
+        names = ["frames/side_0000.png", "frames/side_0001.png"]
+        with ResultPlace(self.out, "pictures.json") as place:
+            with self.assertRaisesRegex(BadInput, "side_0001.png: no run"):
+                place.check(names, replaces_all=False)
+            place.check(names[:1], replaces_all=False)
+            place.claim(names[:1])
+            place.path(names[0]).write_text("drawn", encoding="utf-8")
+            place.put(names[0])
+            # Killed here: the picture is a run's all the same.
+        for text in ("drawn", "drawn again"):
+            with ResultPlace(self.out, "pictures.json") as place:
+                place.check(names[:1], replaces_all=False)
+                place.path(names[0]).write_text(text, encoding="utf-8")
+                place.put(names[0])
+                place.confirm(names[:1])
+        self.put("frames/side_0000.png", "retouched")
+        with ResultPlace(self.out, "pictures.json") as place, self.assertRaisesRegex(BadInput, "side_0000.png: it was changed"):
+            place.check(names[:1], replaces_all=False)
+
+
+if __name__ == "__main__":
+    done = unittest.main(argv=sys.argv[:1], exit=False, verbosity=2)
+    sys.stdout.flush()
+    os._exit(0 if done.result.wasSuccessful() else 1)
