@@ -6,11 +6,14 @@
 import json
 import os
 import pathlib
+import resource
+import signal
 import sys
 import tempfile
 import unittest
 
 from waft.failures import BadInput, WaftError
+from waft.files import write_xml
 from waft.resuming import Checkpoint
 from waft.results import ResultPlace, manifest_of
 from waft.synthesis import earlier_results, result_place
@@ -231,6 +234,34 @@ class Results(unittest.TestCase):
         self.put("frames/side_0000.png", "retouched")
         with ResultPlace(self.out, "pictures.json") as place, self.assertRaisesRegex(BadInput, "side_0000.png: it was changed"):
             place.check(names[:1], replaces_all=False)
+
+
+class FullDisks(unittest.TestCase):
+    def test_a_file_that_is_not_whole_is_told_and_vtk_is_silent(self):
+        from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+        from vtkmodules.vtkFiltersSources import vtkPlaneSource
+
+        plane = vtkPlaneSource()
+        plane.SetResolution(200, 200)
+        plane.Update()
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, plane.GetOutput())
+        with tempfile.TemporaryDirectory() as folder:
+            for name, data in (("plane.vtp", plane.GetOutput()), ("planes.vtm", blocks)):
+                with self.subTest(name):
+                    said = pathlib.Path(folder, "said")
+                    child = os.fork()
+                    if child == 0:
+                        os.dup2(os.open(said, os.O_CREAT | os.O_WRONLY | os.O_TRUNC), 2)
+                        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+                        resource.setrlimit(resource.RLIMIT_FSIZE, (4000, 4000))
+                        try:
+                            write_xml(data, pathlib.Path(folder, name))
+                        except OSError as error:
+                            os._exit(0 if "could not be written" in str(error) else 1)
+                        os._exit(2)
+                    self.assertEqual(0, os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+                    self.assertEqual("", said.read_text(encoding="utf-8"))
 
 
 if __name__ == "__main__":

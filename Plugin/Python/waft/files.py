@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The formats of files that are written and read."""
 import csv
+import errno
 import json
 import os
 import pathlib
@@ -49,16 +50,36 @@ def write_json(path, content):
 
 def write_xml(data, path):
     """A VTK data set in its XML format, compressed; raises OSError when it could not be written."""
+    from vtkmodules.vtkCommonCore import vtkObject
     from vtkmodules.vtkIOXML import (vtkXMLImageDataWriter, vtkXMLMultiBlockDataWriter,
                                      vtkXMLPolyDataWriter)
 
     writers = {".vtp": vtkXMLPolyDataWriter, ".vti": vtkXMLImageDataWriter,
                ".vtm": vtkXMLMultiBlockDataWriter}
-    writer = writers[pathlib.Path(path).suffix]()
+    path = pathlib.Path(path)
+    writer = writers[path.suffix]()
     writer.SetInputDataObject(data)
     writer.SetFileName(str(path))
-    if writer.Write() != 1:
-        raise OSError(f"{path}: could not be written")
+    is_loud = vtkObject.GetGlobalWarningDisplay()
+    vtkObject.SetGlobalWarningDisplay(0)  # the writers inside say in their own words what is said below
+    try:
+        writer.Write()  # 1 also where the disk was full
+    finally:
+        vtkObject.SetGlobalWarningDisplay(is_loud)
+    parts = path.with_suffix("").iterdir() if path.suffix == ".vtm" and path.with_suffix("").is_dir() else ()
+    for file in (path, *parts):
+        if writer.GetErrorCode() or not _is_whole(file):
+            code = writer.GetErrorCode()  # of the system; from 20000 on VTK's own, which say no more than that it failed
+            raise OSError(f"{file}: could not be written: {os.strerror(code if 0 < code < 20000 else errno.EIO)}")
+
+
+def _is_whole(path):
+    """Whether a VTK XML file ends as one."""
+    if not path.is_file():
+        return False
+    with open(path, "rb") as stream:
+        stream.seek(-min(64, path.stat().st_size), os.SEEK_END)
+        return stream.read().rstrip().endswith(b"</VTKFile>")
 
 
 def write_pvd(path, entries):

@@ -118,6 +118,7 @@ class ResultPlace:
         self._made = []  # folders to remove when they are empty in the end, the innermost first
         self._lock = None
         self._staging = None
+        self._temporary = []
 
     def __enter__(self):
         check_folder(self.root)
@@ -131,8 +132,8 @@ class ResultPlace:
         return self
 
     def __exit__(self, *_):
-        if self._staging is not None:
-            shutil.rmtree(self._staging, ignore_errors=True)
+        for folder in self._temporary:
+            shutil.rmtree(folder, ignore_errors=True)
         self._release()
 
     def _acquire(self):
@@ -201,8 +202,9 @@ class ResultPlace:
                 for entry in files + [folder for folder in inner if os.path.islink(os.path.join(at, folder))]]
 
     def temporary(self):
-        """A new folder; it is removed when its run has died."""
-        return pathlib.Path(tempfile.mkdtemp(prefix=".waft-", dir=self.room))
+        """A new folder; it goes with the run, also when that dies, unless it is renamed."""
+        self._temporary.append(pathlib.Path(tempfile.mkdtemp(prefix=".waft-", dir=self.room)))
+        return self._temporary[-1]
 
     def path(self, name):
         """Where to write the file of this name for now; its folder is there."""
