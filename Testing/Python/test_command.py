@@ -174,7 +174,7 @@ class Command(unittest.TestCase):
     def test_unknown_command_and_option(self):
         self.assertEqual(2, run("fly").returncode)
         for option, value, part in (("--seed", "x", "whole number"), ("--seed", "-1", "from 0"),
-                                    ("--threads", "0", "1 or more"), ("--time-limit", "nan", "positive"),
+                                    ("--threads", "0", "from 1 to 1024"), ("--threads", "1" + 18 * "0", "from 1"), ("--time-limit", "nan", "positive"),
                                     ("--memory-limit", "0", "positive")):
             done = run("synthesize", self.scene(), "--output", self.folder / "o", option, value)
             self.assertEqual(2, done.returncode)

@@ -2,5 +2,7 @@
 import sys
 
 from waft.cli import main
+from waft.watching import note_stops
 
+note_stops()
 sys.exit(main())

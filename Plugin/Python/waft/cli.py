@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command `waft`."""
 import argparse
+import os
 import sys
 import time
 
 from waft import failures
+from waft.watching import interruptible, tell_guard
 
 DESCRIPTION = "Motion of light things in air that goes where you say and moves like things carried by one air."
 EXIT = """exit status: 0 all constraints met; 2 malformed input or usage, nothing computed; 3 some constraint could not
@@ -23,7 +25,7 @@ def _argument(kind, expected, accepts):
         except ValueError:
             value = None
         if value is None or not accepts(value):
-            raise argparse.ArgumentTypeError(f"expected {expected}, found '{text}'")
+            raise argparse.ArgumentTypeError(f"expected {expected}, found '{failures.shortened(text, 100)}'")
         return value
     return convert
 
@@ -40,8 +42,19 @@ def _views(text):
     return tuple(text.split(","))
 
 
-positive_int = _argument(int, "a whole number of 1 or more", lambda n: n >= 1)
-seed = _argument(int, f"a whole number from 0 to {2 ** 31 - 1}", lambda n: 0 <= n < 2 ** 31)
+def _whole(first, last):
+    return _argument(int, f"a whole number from {first} to {last}", lambda n: first <= n <= last)
+
+
+def _fits(path):
+    """Whether a file system takes a path."""
+    path = os.fsencode(path)
+    return len(path) < 4096 and all(len(name) < 256 for name in path.split(b"/"))
+
+
+path = _argument(str, "a path of at most 4095 letters, 255 in each name", _fits)
+threads = _whole(1, 1024)
+seed = _whole(0, 2 ** 31 - 1)
 positive = _argument(float, "a positive number", lambda x: 0.0 < x < float("inf"))
 opacity = _argument(float, "a number from 0 to 1", lambda x: 0.0 <= x <= 1.0)
 share = _argument(float, "a share above 0, at most 1", lambda x: 0.0 < x <= 1.0)
@@ -56,11 +69,11 @@ def parser():
     commands = main.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
     make = commands.add_parser("synthesize", help="a scene file to an animation", epilog=EXIT)
-    make.add_argument("scene", help="scene file, *.waft.json")
-    make.add_argument("--output", required=True, metavar="DIR", help="folder for the results")
-    make.add_argument("--database", metavar="FILE", help="motion database, .vtm (default: the embedded one)")
+    make.add_argument("scene", type=path, help="scene file, *.waft.json")
+    make.add_argument("--output", type=path, required=True, metavar="DIR", help="folder for the results")
+    make.add_argument("--database", type=path, metavar="FILE", help="motion database, .vtm (default: the embedded one)")
     make.add_argument("--seed", type=seed, help="instead of the scene's")
-    make.add_argument("--threads", type=positive_int, help="default: all cores; the result is the same")
+    make.add_argument("--threads", type=threads, help="default: all cores; the result is the same")
     make.add_argument("--time-limit", type=positive, metavar="S", help="seconds; the best so far is written")
     make.add_argument("--memory-limit", type=positive, metavar="MB",
                       help="of the optimiser: what does not fit is solved window by window, slower")
@@ -70,12 +83,12 @@ def parser():
     make.set_defaults(run=run_synthesize)
 
     base = commands.add_parser("database", help="a motion database from simulations of smoke", epilog=DATABASE_EXIT)
-    base.add_argument("--output", required=True, metavar="FILE.vtm")
-    base.add_argument("--simulations", type=positive_int, default=8, help="default 8")
-    base.add_argument("--frames", type=positive_int, default=300, help="frames of each, default 300")
-    base.add_argument("--resolution", type=positive_int, default=64, help="cells along a side, default 64")
+    base.add_argument("--output", type=path, required=True, metavar="FILE.vtm")
+    base.add_argument("--simulations", type=_whole(1, 1000000), default=8, help="default 8")
+    base.add_argument("--frames", type=_whole(2, 1000000), default=300, help="frames of each, default 300")
+    base.add_argument("--resolution", type=_whole(4, 1024), default=64, help="cells along a side, default 64")
     base.add_argument("--seed", type=seed, default=1)
-    base.add_argument("--threads", type=positive_int, help="default: all cores; the result is the same")
+    base.add_argument("--threads", type=threads, help="default: all cores; the result is the same")
     base.add_argument("--until-covered", type=share, nargs="?", const=0.05, default=0.0, metavar="SHARE",
                       help="stop when less than this share of a simulation's segments is new (without a number "
                            "0.05); --simulations is then the most")
@@ -88,7 +101,7 @@ def parser():
     base.set_defaults(run=run_database)
 
     show = commands.add_parser("render", help="pictures and a movie of a result")
-    show.add_argument("folder", metavar="DIR", help="what synthesize wrote")
+    show.add_argument("folder", type=path, metavar="DIR", help="what synthesize wrote")
     show.add_argument("--frames", metavar="A:B:S", help="first, last and step; default all")
     show.add_argument("--size", type=size, default=(1280, 720), metavar="WxH")
     show.add_argument("--movie", action="store_true", help="also DIR/VIEW.ogv and .avi, and .mp4 with ffmpeg")
@@ -99,8 +112,8 @@ def parser():
     show.set_defaults(run=run_render)
 
     demo = commands.add_parser("demo", help="the embedded scenes, start to finish, with pictures")
-    demo.add_argument("--output", default="demo", metavar="DIR")
-    demo.add_argument("--threads", type=positive_int)
+    demo.add_argument("--output", type=path, default="demo", metavar="DIR")
+    demo.add_argument("--threads", type=threads)
     demo.set_defaults(run=run_demo)
     return main
 
@@ -151,8 +164,9 @@ def run_render(options):
 
     began = time.monotonic()
     drawn = []
-    render(options.folder, frames=options.frames, size=options.size, movie=options.movie, views=options.views,
-           obstacle_opacity=options.obstacle_opacity, progress=lambda done, text: drawn.append(text))
+    with interruptible("stopped: the pictures that were drawn are whole"):
+        render(options.folder, frames=options.frames, size=options.size, movie=options.movie, views=options.views,
+               obstacle_opacity=options.obstacle_opacity, progress=lambda done, text: drawn.append(text))
     seconds = time.monotonic() - began
     count = len(drawn) * len(options.views)
     print(f"{options.folder}: {count} pictures in {seconds:.1f} s, {count / seconds:.1f} frames a second", file=sys.stderr)
@@ -170,11 +184,12 @@ def main(arguments=None):
     try:
         return options.run(options)
     except failures.WaftError as error:
-        print(f"waft: {error}", file=sys.stderr)
-        return error.status
-    except KeyboardInterrupt:
-        print("waft: interrupted", file=sys.stderr)
-        return failures.STOPPED_EARLY
+        return _give_up(error, error.status)
     except OSError as error:
-        print(f"waft: {error}", file=sys.stderr)
-        return failures.FAILED
+        return _give_up(error, failures.FAILED)
+
+
+def _give_up(error, status):
+    tell_guard("words", "")  # said here
+    print(f"waft: {failures.shortened(error)}", file=sys.stderr)
+    return status

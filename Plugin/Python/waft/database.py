@@ -97,9 +97,11 @@ def make_database(path, simulations=8, frames=300, resolution=64, seed=1, thread
         source.StopBelow = stop_below
         source.CoverageTolerance = coverage_tolerance
         source.KeptIn = str(place.room)
-        with Clock(time_limit, quiet) as clock:
+        with Clock(time_limit, quiet, "stopped before a simulation was whole") as clock:
             watch = StageWatch("database", source, clock)
             watch.can_stop = True
+            # From its first step on it looks whether to stop, and knows whether a simulation is whole.
+            source.GetClientSideObject().AddObserver("ProgressEvent", lambda *_: clock.keep())
             source.UpdatePipeline()
         if watch.errors:
             if "cannot write" in watch.errors[0]:

@@ -7,6 +7,7 @@ from waft import failures
 from waft.cli import tell
 from waft.loading import data_file
 from waft.synthesis import synthesize
+from waft.watching import interruptible
 
 SCENES = ("feather-waypoints", "leaves-letters")
 
@@ -22,8 +23,11 @@ def run_demo(folder, threads=None):
         run = synthesize(data_file(f"Scenes/{name}.waft.json"), output=target, threads=threads, quiet=False)
         tell(run, target)
         status = max(status, run.status)
+        if run.stopped:
+            return run.status
         last = int(run.output("reader").GetFieldData().GetArray("NumberOfFrames").GetValue(0)) - 1
         print(f"{name}: rendering ...", file=sys.stderr)
-        render(target, frames=f"0:{last}:{max(1, last // 6)}", size=(960, 540))
+        with interruptible("stopped: the pictures that were drawn are whole"):
+            render(target, frames=f"0:{last}:{max(1, last // 6)}", size=(960, 540))
     print(f"Pictures are in {folder}/*/frames; {folder}/*/animation.glb opens in Blender.", file=sys.stderr)
     return status

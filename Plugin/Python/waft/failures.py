@@ -8,18 +8,13 @@ NOT_ALL_MET = 3
 STOPPED_EARLY = 4
 
 
-_LONGEST = 1800  # characters of a message; what is longer repeats what a file or a caller said
-
-
 class WaftError(Exception):
-    """A run could not be done; `status` is the exit status of the command. What is too long to read loses its middle."""
+    """A run could not be done; `status` is the exit status of the command. The message is UTF-8 text that can be read."""
 
     status = FAILED
 
     def __init__(self, message):
-        text = str(message).encode("utf-8", "backslashreplace").decode("utf-8")
-        half = _LONGEST // 2
-        super().__init__(text if len(text) <= _LONGEST else f"{text[:half]} ... {text[-half:]}")
+        super().__init__(shortened(message).encode("utf-8", "backslashreplace").decode("utf-8"))
 
 
 class BadInput(WaftError):
@@ -32,3 +27,9 @@ class Interrupted(WaftError):
     """Stopped before there was anything worth writing."""
 
     status = STOPPED_EARLY
+
+
+def shortened(text, most=1800):
+    """A text without its middle where it is longer than most letters."""
+    text = str(text)
+    return text if len(text) <= most else f"{text[:most // 2]} ... {text[-most // 2:]}"

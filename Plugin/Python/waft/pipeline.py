@@ -46,11 +46,14 @@ class Pipeline:
         return self.watches[name]
 
     def update(self, name, can_stop=True):
-        """Updates a stage that is watched; raises BadInput with its message when it failed."""
+        """Updates a stage that is watched; raises BadInput with its message when it failed, Interrupted when it is
+        to stop and there is nothing to write yet."""
         watch = self.watches[name]
+        watch.clock.check()
         watch.can_stop = can_stop
         getattr(self, name).UpdatePipeline()
         watch.can_stop = False
+        watch.clock.check()
         if watch.errors and not watch.was_aborted:
             message = watch.errors[0]
             is_database = name == "database" or message.startswith(("motion database: ", "Segments: "))

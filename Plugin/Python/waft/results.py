@@ -21,6 +21,7 @@ import tempfile
 
 from waft.failures import BadInput, WaftError
 from waft.files import write_json
+from waft.watching import tell_guard
 
 _MOVE = ".waft-move"
 _JOURNAL = "journal.json"
@@ -142,6 +143,8 @@ class ResultPlace:
             missing = [folder for folder in (self.room, *self.room.parents) if not folder.exists()]
             self.room.mkdir(parents=True, exist_ok=True)
             self._made = missing or ([] if self.room == self.root else [self.room])
+            for folder in self._made:
+                tell_guard("made", folder)
             lock = os.open(self.room, os.O_RDONLY | os.O_DIRECTORY)
             try:
                 fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -52,7 +52,7 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
     with contextlib.ExitStack() as stack:
         place = stack.enter_context(result_place(output)) if output is not None and is_first_rank() else None
         pipeline = Pipeline(scene, database)
-        with Clock(time_limit, quiet) as clock:
+        with Clock(time_limit, quiet, "stopped before the paths were planned: nothing was written") as clock:
             pipeline.read(clock)
             scene_seed = pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)
             pipeline.seed = int(scene_seed) if seed is None else seed
@@ -134,11 +134,10 @@ def _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval, me
         pipeline.add_planner(pipeline.seed)
         pipeline.watch("planner", clock)
         pipeline.update("planner")
-        if pipeline.watches["planner"].was_aborted:
-            raise failures.Interrupted("stopped before the paths were planned: nothing was written")
         pipeline.plan_report = _dictionaries(pipeline.output("planner", 2))
-        if checkpoint is not None:
-            checkpoint.keep_plan(pipeline)
+    clock.keep()
+    if checkpoint is not None and not is_found:
+        checkpoint.keep_plan(pipeline)
 
     pipeline.add_spacetime()
     watch = pipeline.watch("spacetime", clock)
