@@ -109,25 +109,29 @@ def display():
     name = b"MIT-MAGIC-COOKIE-1"
     # Of any host (65535, no address) and any display (no number): the file is seen by our children alone.
     os.write(key, struct.pack(">HHHH18sH16s", 65535, 0, 0, len(name), name, len(cookie), cookie))
-    authority = f"/proc/self/fd/{key}"
-    os.set_inheritable(key, True)
-    reading, writing = os.pipe()
-    server = start(["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset",
-                    "-auth", authority], death=signal.SIGTERM, pass_fds=(writing, key), stderr=subprocess.DEVNULL)
-    os.close(writing)
+    authority = f"/proc/{os.getpid()}/fd/{key}"
+    first = 100 + os.getpid() % 900  # not 0, which programs take where no display is named
+    server = None
     try:
-        while not select.select([reading], [], [], 0.05)[0]:
-            if signal.sigpending() & STOPS:
-                yield False
+        for number in range(first, first + 20):
+            reading, writing = os.pipe()
+            server = start(["Xvfb", f":{number}", "-displayfd", str(writing), "-screen", "0", "1280x1024x24",
+                            "-nolisten", "tcp", "-noreset", "-auth", authority],
+                           death=signal.SIGTERM, pass_fds=(writing,), stderr=subprocess.DEVNULL)
+            os.close(writing)
+            while not select.select([reading], [], [], 0.05)[0]:
+                if signal.sigpending() & STOPS:
+                    yield False
+                    return
+            if os.read(reading, 16):  # its number, when it is ready; nothing when that is another's
+                os.environ.update(DISPLAY=f":{number}", XAUTHORITY=authority)
+                yield True
                 return
-        number = os.read(reading, 16).decode().strip()
-        if not number:
-            raise OSError("Xvfb could not be started")
-        os.environ.update(DISPLAY=f":{number}", XAUTHORITY=authority)
-        yield True
+        raise OSError("no virtual display: Xvfb could not be started")
     finally:
-        server.terminate()
-        server.wait()
+        if server is not None:
+            server.terminate()
+            server.wait()
 
 
 def say(text):
