@@ -2,9 +2,9 @@
 """The pipeline of a scene: each stage a ParaView proxy, joined by VTK data alone."""
 from paraview import simple
 
+from waft.blocks import check_blocks
 from waft.database import settle_database
 from waft.failures import BadInput
-from waft.files import check_blocks
 from waft.loading import data_file
 from waft.watching import StageWatch
 
