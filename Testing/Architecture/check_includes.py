@@ -14,14 +14,15 @@ import sys
 
 CORE_MAY_INCLUDE = {
     "Base": set(),
-    "Scene": {"Base"},
+    "Assignment": {"Base"},
+    "Scene": {"Assignment", "Base"},
     "Shapes": {"Base"},
     "Grid": {"Base"},
     "Obstacles": {"Base"},
     "Volumes": {"Base"},
     "Trajectory": {"Base", "Obstacles"},
     "Database": {"Base", "Grid", "Obstacles", "Trajectory"},
-    "Planning": {"Base", "Obstacles", "Trajectory"},
+    "Planning": {"Assignment", "Base", "Obstacles", "Trajectory"},
     "Vortex": {"Base"},
     "Particles": {"Base", "Obstacles"},
     "Spacetime": {"Base", "Obstacles", "Particles", "Vortex"},

@@ -188,9 +188,7 @@ private:
 
   std::string NameOf(int line, ConstraintKind kind, int frame) const
   {
-    return "row " + std::to_string(this->Report[line].Row) + " target " +
-           std::to_string(this->Report[line].Target) + " (" + ToString(kind) + " at frame " +
-           std::to_string(frame) + ")";
+    return LineName(this->Report[line].Row, this->Report[line].Target, kind, frame);
   }
 
   std::string Sentence(const Contradiction& found) const
@@ -234,6 +232,12 @@ std::vector<ReportRow> JudgeConstraints(const std::vector<Constraint>& constrain
                                         const ObstacleSet& obstacles, const SceneInfo& scene)
 {
   return Judge(constraints, objects, obstacles, scene).Run(FindUnassignable(constraints, objects));
+}
+
+std::string LineName(int row, int target, ConstraintKind kind, int frame)
+{
+  return "row " + std::to_string(row) + " target " + std::to_string(target) + " (" +
+         ToString(kind) + " at frame " + std::to_string(frame) + ")";
 }
 
 bool IsBinding(const Constraint& constraint, const std::vector<ReportRow>& report)

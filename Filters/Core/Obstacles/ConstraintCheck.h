@@ -7,6 +7,7 @@
 #include "Base/Types.h"
 #include "Obstacles/ObstacleSet.h"
 
+#include <string>
 #include <vector>
 
 namespace waft
@@ -28,6 +29,9 @@ namespace waft
 std::vector<ReportRow> JudgeConstraints(const std::vector<Constraint>& constraints,
                                         const std::vector<MotionObject>& objects,
                                         const ObstacleSet& obstacles, const SceneInfo& scene);
+
+/// "row 3 target 0 (position at frame 60)"
+std::string LineName(int row, int target, ConstraintKind kind, int frame);
 
 /// Is this constraint's line of the report met (so far)? Those that are not bind nobody.
 bool IsBinding(const Constraint& constraint, const std::vector<ReportRow>& report);

@@ -5,6 +5,7 @@
 
 #include "Planning/SpanSearch.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace waft
@@ -56,6 +57,12 @@ struct SpanClock
   int BrakeFrames = 0;  // before the goal, over which the speed falls to zero
   int LaunchFrames = 0; // after the start, over which it rises from zero
 
+  /// It launches and brakes for a second each, or for what there is. second: in frames.
+  static SpanClock Of(int frames, bool launches, bool brakes, int second)
+  {
+    const int most = std::min(second, frames / (launches && brakes ? 2 : 1));
+    return { frames, brakes ? most : 0, launches ? most : 0 };
+  }
   /// Frames of flight at full speed.
   double FlightFrames() const
   {

@@ -42,7 +42,6 @@ private:
   const MotionObject& Object;
   const SceneInfo& Scene;
   const ObjectPlanOptions& Options;
-  int Shortest; // spans of fewer frames are drawn, not searched
   ObjectProgress Now;
 };
 
@@ -50,7 +49,7 @@ ObjectPlanner::ObjectPlanner(const SegmentLibrary& library, const MotionObject& 
                              const Itinerary& itinerary, const ObstacleSet& obstacles,
                              const SceneInfo& scene, const ObjectPlanOptions& options) :
   Library(library),
-  Object(object), Scene(scene), Options(options), Shortest(library.Window() + 2),
+  Object(object), Scene(scene), Options(options),
   Now(object, itinerary, obstacles, scene, options.Span.CheckMargin)
 {
 }
@@ -59,7 +58,8 @@ ObjectPlanner::ObjectPlanner(const SegmentLibrary& library, const MotionObject& 
 bool ObjectPlanner::IsDrawn(std::size_t mark) const
 {
   const std::vector<Mark>& marks = this->Now.Way.Marks;
-  return mark + 1 < marks.size() && marks[mark + 1].Frame - marks[mark].Until < this->Shortest;
+  return mark + 1 < marks.size() &&
+         marks[mark + 1].Frame - marks[mark].Until < this->Library.ShortestSpan();
 }
 
 SpanEnd ObjectPlanner::EndAt(std::size_t index, bool isGoal) const
@@ -103,7 +103,7 @@ void ObjectPlanner::Draw(const Mark& from, Mark& to)
   // Frame by frame from one place that was met to the next it is the artist's own path, as fast as
   // it may be.
   const bool isGiven = frames == 1 && from.Constraint >= 0 && this->Now.LastReached;
-  const double most = 1.4 * this->Library.TopStep() * frames;
+  const double most = SpeedAllowance * this->Library.TopStep() * frames;
   const Vec3 way = to.Position - start;
   if (!isGiven && way.norm() - to.Radius > most)
   {
@@ -141,14 +141,11 @@ void ObjectPlanner::PlanFlight(std::size_t from, int lastFrame, int attempt)
   const auto second = static_cast<int>(std::lround(this->Scene.Time.FramesPerSecond));
   SpanRequest request;
   request.FirstFrame = start.Until;
-  request.Clock.Frames = lastFrame - start.Until;
   request.Start = this->EndAt(from, false);
   request.HasGoal = hasGoal;
   const bool launches = start.IsRest || start.Halts || this->Now.Halted;
   const bool brakes = hasGoal && (marks[from + 1].IsRest || marks[from + 1].Halts);
-  const int most = request.Clock.Frames / (launches && brakes ? 2 : 1);
-  request.Clock.LaunchFrames = launches ? std::min(second, most) : 0;
-  request.Clock.BrakeFrames = brakes ? std::min(second, most) : 0;
+  request.Clock = SpanClock::Of(lastFrame - start.Until, launches, brakes, second);
   if (hasGoal)
   {
     request.Goal = this->EndAt(from + 1, true);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/Planner.h"
 
+#include "Assignment/Keyframes.h"
 #include "Obstacles/ConstraintCheck.h"
-#include "Planning/Assignment.h"
 #include "Planning/InputCheck.h"
 #include "Planning/ObjectPlan.h"
 #include "Planning/PlanMemory.h"
 #include "Planning/PlanReport.h"
+#include "Planning/RowConflicts.h"
+#include "Planning/RowCover.h"
 
 #include <algorithm>
 #include <array>
@@ -138,6 +140,41 @@ void StoreTrees(const SegmentLibrary& library, int objectId, const std::vector<S
   }
 }
 
+/// One a row: does it bind, as far as the report says?
+std::vector<unsigned char> FindBinding(const PlanOutput& output)
+{
+  std::vector<unsigned char> isBinding;
+  for (const Constraint& row : output.Constraints)
+  {
+    isBinding.push_back(IsBinding(row, output.Report) ? 1 : 0);
+  }
+  return isBinding;
+}
+
+/// Sets Constraints and Report; returns for each row whether it is to be met.
+std::vector<unsigned char> AssignAndJudge(const PlanInput& input, const SegmentLibrary& library,
+                                          PlanOutput& output)
+{
+  const SpeedLimit limit(library.TopStep(), library.Options().FramesPerSecond,
+                         library.ShortestSpan(), 2e-9 * input.Scene.Bounds.Width());
+  const auto judge = [&]()
+  {
+    output.Report =
+      JudgeWithSpeeds(output.Constraints, input.Objects, input.Obstacles, input.Scene, limit);
+    return FindBinding(output);
+  };
+  output.Constraints = input.Constraints;
+  AssignKeyframes(input.Objects, output.Constraints);
+  std::vector<unsigned char> isUsed = judge();
+  if (std::any_of(output.Constraints.begin(), output.Constraints.end(),
+                  [](const Constraint& row) { return row.ObjectId < 0; }))
+  {
+    CoverRows(input.Objects, isUsed, input.Obstacles, limit, output.Constraints);
+    isUsed = judge();
+  }
+  return isUsed;
+}
+
 /// For each object the places of its rows that count.
 std::vector<std::vector<int>> OwnRows(const std::vector<MotionObject>& objects,
                                       const std::vector<Constraint>& rows,
@@ -239,14 +276,7 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   {
     return Result::Stopped();
   }
-  output.Constraints = input.Constraints;
-  AssignRows(input.Objects, output.Constraints);
-  output.Report = JudgeConstraints(output.Constraints, input.Objects, input.Obstacles, input.Scene);
-  std::vector<unsigned char> isUsed(output.Constraints.size(), 0);
-  for (std::size_t i = 0; i < output.Constraints.size(); ++i)
-  {
-    isUsed[i] = IsBinding(output.Constraints[i], output.Report) ? 1 : 0;
-  }
+  const std::vector<unsigned char> isUsed = AssignAndJudge(input, library, output);
 
   ObjectPlanOptions objectOptions;
   const double width = input.Scene.Bounds.Width();

@@ -15,6 +15,9 @@
 namespace waft
 {
 
+/// How much faster than the database a step may be, of the 1.5 times that are promised.
+constexpr double SpeedAllowance = 1.4;
+
 /// Where a segment's frame stands: world = Rotation * local + Translation.
 struct Placement
 {
@@ -66,6 +69,8 @@ public:
   const SegmentLibraryOptions& Options() const { return this->Settings; }
   /// Samples that consecutive segments share, at the scene's frame rate (at least 3).
   int Window() const { return this->WindowSamples; }
+  /// Flights of fewer frames are drawn, not searched.
+  int ShortestSpan() const { return this->WindowSamples + 2; }
   /// Positions of a segment in its own frame, one a frame of the scene [m].
   const std::vector<Vec3>& Samples(int segment) const { return this->AllSamples[segment]; }
   int NumberOfTops() const { return static_cast<int>(this->Tops.size()); }

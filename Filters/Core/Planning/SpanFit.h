@@ -11,9 +11,6 @@
 namespace waft
 {
 
-/// How much faster than the database a step may be, of the 1.5 times that are promised.
-constexpr double SpeedAllowance = 1.4;
-
 class SpanFitter
 {
 public:

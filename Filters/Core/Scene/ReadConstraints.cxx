@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Constraints of a scene file: each becomes rows of one object at one frame.
-#include "Scene/Assignment.h"
+#include "Assignment/Keyframes.h"
 #include "Scene/SceneReader.h"
 
 #include <algorithm>
@@ -51,6 +51,7 @@ void SceneReader::ReadConstraints(const SceneNode& node)
   {
     this->ReadConstraint(node.Item(row), static_cast<int>(row));
   }
+  this->AssignChosen(node);
 }
 
 void SceneReader::ReadConstraint(const SceneNode& node, int row)
@@ -159,54 +160,30 @@ std::vector<int> SceneReader::ObjectIds(const SceneNode& node, bool mayBeAny) co
   return ids;
 }
 
-// Where an object is known to be last before a frame: its start or its latest row of position or
-// rest.
-static Vec3 LastPlace(const Scene& scene, const MotionObject& object, int frame)
+// "Any object" means any of the scene; a choice among a few is made here, once all rows are known.
+void SceneReader::AssignChosen(const SceneNode& node)
 {
-  Vec3 place = object.Position;
-  int latest = -1;
-  for (const Constraint& c : scene.Constraints)
+  if (this->Choices.empty())
   {
-    const bool isPlace = c.Kind == ConstraintKind::Position || c.Kind == ConstraintKind::Rest;
-    if (c.ObjectId == object.ObjectId && isPlace && c.Frame < frame && c.Frame > latest)
+    return;
+  }
+  std::vector<Constraint> assigned = this->Out.Constraints;
+  AssignKeyframes(this->Out.Objects, assigned, this->Choices);
+  for (std::size_t i = 0; i < assigned.size(); ++i)
+  {
+    Constraint& row = this->Out.Constraints[i];
+    if (this->Choices.count(row.Group) == 0)
     {
-      latest = c.Frame;
-      place = c.Value;
+      continue;
+    }
+    row.ObjectId = assigned[i].ObjectId;
+    if (row.ObjectId < 0)
+    {
+      node.Item(static_cast<std::size_t>(row.Row))
+        .FailWith("expected enough objects of class \"" + this->Out.Classes[row.ClassId] +
+                  "\" in `objects`, found too few");
     }
   }
-  return place;
-}
-
-std::vector<int> SceneReader::AssignAmong(const std::vector<int>& objects,
-                                          const std::vector<Target>& targets, int frame,
-                                          const SceneNode& node) const
-{
-  constexpr double forbidden = 1e9; // m^2
-  std::vector<std::vector<double>> costs(targets.size());
-  for (std::size_t t = 0; t < targets.size(); ++t)
-  {
-    for (const int id : objects)
-    {
-      const bool fits = targets[t].ClassId < 0 || targets[t].ClassId == this->Object(id).ClassId;
-      const Vec3 from = LastPlace(this->Out, this->Object(id), frame);
-      costs[t].push_back((from - targets[t].Position).squaredNorm() + (fits ? 0.0 : forbidden));
-    }
-  }
-  std::vector<int> assigned;
-  for (const std::size_t place : LeastCostAssignment(costs))
-  {
-    assigned.push_back(objects[place]);
-  }
-  for (std::size_t t = 0; t < targets.size(); ++t)
-  {
-    const int targetClass = targets[t].ClassId;
-    if (targetClass >= 0 && this->Object(assigned[t]).ClassId != targetClass)
-    {
-      node.FailWith("expected enough objects of class \"" + this->Out.Classes[targetClass] +
-                    "\" in `objects`, found too few");
-    }
-  }
-  return assigned;
 }
 
 void SceneReader::ReadKeyframe(const SceneNode& node, int row)
@@ -273,7 +250,6 @@ void SceneReader::ReadKeyframe(const SceneNode& node, int row)
                          " targets (the number of objects), found " +
                          std::to_string(targets.size()));
   }
-  // "Any object" means any of the scene; a choice among a few is made here.
   std::vector<int> assigned(targets.size(), -1);
   if (inOrder)
   {
@@ -281,7 +257,7 @@ void SceneReader::ReadKeyframe(const SceneNode& node, int row)
   }
   else if (node.Has("objects") && ids.size() < this->Out.Objects.size())
   {
-    assigned = this->AssignAmong(ids, targets, constraint.Frame, node);
+    this->Choices[row] = ids;
   }
   for (std::size_t t = 0; t < targets.size(); ++t)
   {

@@ -72,8 +72,7 @@ private:
   int ObjectId(const SceneNode& node, int lowest) const;
   const MotionObject& Object(int id) const;
   std::vector<int> ObjectIds(const SceneNode& node, bool mayBeAny) const;
-  std::vector<int> AssignAmong(const std::vector<int>& objects, const std::vector<Target>& targets,
-                               int frame, const SceneNode& node) const;
+  void AssignChosen(const SceneNode& node);
 
   // ReadTargets.cxx
   std::vector<Target> ReadTargets(const SceneNode& node, int row, std::size_t objects) const;
@@ -92,6 +91,7 @@ private:
   bool HasGround = true;
   double GroundHeight = 0.0;
   std::map<int, std::size_t> PlaceOfObject; // by id
+  std::map<int, std::vector<int>> Choices;  // by row of a keyframe, the ids that it may choose among
 };
 
 } // namespace waft

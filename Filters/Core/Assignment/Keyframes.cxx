@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Planning/Assignment.h"
+#include "Assignment/Keyframes.h"
+
+#include "Assignment/LeastCost.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -10,10 +11,18 @@
 namespace waft
 {
 
+bool HasPlace(const Constraint& row)
+{
+  return row.Kind == ConstraintKind::Position || row.Kind == ConstraintKind::Rest;
+}
+
+int LastFrame(const Constraint& row)
+{
+  return row.Kind == ConstraintKind::Rest ? std::max(row.Frame, row.Until) : row.Frame;
+}
+
 namespace
 {
-
-constexpr double Forbidden = std::numeric_limits<double>::infinity();
 
 /// The rows of one (Row, Target).
 struct Target
@@ -33,16 +42,6 @@ struct Group
   int Id = 0;
   std::vector<Target> Targets;
 };
-
-bool HasPlace(const Constraint& row)
-{
-  return row.Kind == ConstraintKind::Position || row.Kind == ConstraintKind::Rest;
-}
-
-int LastFrame(const Constraint& row)
-{
-  return row.Kind == ConstraintKind::Rest ? std::max(row.Frame, row.Until) : row.Frame;
-}
 
 std::vector<Group> CollectGroups(const std::vector<Constraint>& rows)
 {
@@ -69,11 +68,15 @@ std::vector<Group> CollectGroups(const std::vector<Constraint>& rows)
     target.ClassId = std::max(target.ClassId, row.ClassId);
     target.ObjectId = std::max(target.ObjectId, row.ObjectId);
   }
-  // A row without a group is a group of its own.
+  // A row without a group is a group of its own, where it is about no place.
   std::map<std::tuple<int, int, int>, Group> groups;
   for (const auto& [key, target] : targets)
   {
     const int id = groupOf[key];
+    if (id < 0 && target.HasPlace)
+    {
+      continue;
+    }
     Group& group = groups[id >= 0 ? std::tuple(0, id, 0) : std::tuple(1, key.first, key.second)];
     if (group.Targets.empty())
     {
@@ -132,138 +135,71 @@ private:
   std::map<int, std::map<int, std::pair<Vec3, int>>> Known;
 };
 
-} // namespace
-
-std::vector<int> AssignLeastCost(const std::vector<double>& costs, std::size_t rows,
-                                 std::size_t columns)
+/// Those that a group may choose among.
+std::set<int> Candidates(const std::vector<MotionObject>& objects, const Group& group,
+                         const std::map<int, std::vector<int>>& choices)
 {
-  // A pair that is not allowed costs more than all that are, so that it is taken last.
-  double largest = 1.0;
-  for (double cost : costs)
+  std::set<int> ids;
+  const auto choice = choices.find(group.Id);
+  if (choice != choices.end())
   {
-    largest = cost < Forbidden ? std::max(largest, cost) : largest;
+    ids.insert(choice->second.begin(), choice->second.end());
   }
-  const double prohibitive = largest * (static_cast<double>(rows) + 1.0) * 4.0;
-  const std::size_t width = std::max(rows, columns);
-  const auto at = [&](std::size_t r, std::size_t c)
+  else
   {
-    const double cost = c < columns ? costs[r * columns + c] : Forbidden;
-    return cost < Forbidden ? cost : prohibitive;
-  };
-  constexpr std::size_t None = static_cast<std::size_t>(-1);
-  std::vector<double> u(rows, 0.0);
-  std::vector<double> v(width, 0.0);
-  std::vector<std::size_t> rowOf(width, None);
-  for (std::size_t start = 0; start < rows; ++start)
-  {
-    std::vector<double> shortest(width, Forbidden);
-    std::vector<std::size_t> from(width, None); // the column before on the path
-    std::vector<char> isDone(width, 0);
-    std::size_t row = start;
-    std::size_t last = None;
-    double distance = 0.0;
-    std::size_t sink = None;
-    while (sink == None)
+    for (const MotionObject& object : objects)
     {
-      std::size_t nearest = None;
-      for (std::size_t c = 0; c < width; ++c)
-      {
-        if (isDone[c] != 0)
-        {
-          continue;
-        }
-        const double reduced = distance + at(row, c) - u[row] - v[c];
-        if (reduced < shortest[c])
-        {
-          shortest[c] = reduced;
-          from[c] = last;
-        }
-        if (nearest == None || shortest[c] < shortest[nearest])
-        {
-          nearest = c;
-        }
-      }
-      distance = shortest[nearest];
-      isDone[nearest] = 1;
-      if (rowOf[nearest] == None)
-      {
-        sink = nearest;
-      }
-      else
-      {
-        row = rowOf[nearest];
-        last = nearest;
-      }
-    }
-    u[start] += distance;
-    for (std::size_t c = 0; c < width; ++c)
-    {
-      if (isDone[c] != 0 && c != sink)
-      {
-        u[rowOf[c]] += distance - shortest[c];
-        v[c] -= distance - shortest[c];
-      }
-    }
-    for (std::size_t c = sink; c != None;)
-    {
-      const std::size_t before = from[c];
-      rowOf[c] = before == None ? start : rowOf[before];
-      c = before;
+      ids.insert(object.ObjectId);
     }
   }
-  std::vector<int> result(rows, -1);
-  for (std::size_t c = 0; c < columns; ++c)
+  for (const Target& target : group.Targets)
   {
-    if (rowOf[c] != None && costs[rowOf[c] * columns + c] < Forbidden)
-    {
-      result[rowOf[c]] = static_cast<int>(c);
-    }
+    ids.erase(target.ObjectId);
   }
-  return result;
+  return ids;
 }
 
-void AssignRows(const std::vector<MotionObject>& objects, std::vector<Constraint>& rows)
+} // namespace
+
+void AssignKeyframes(const std::vector<MotionObject>& objects, std::vector<Constraint>& rows,
+                     const std::map<int, std::vector<int>>& choices)
 {
   Places places(objects, rows);
   for (const Group& group : CollectGroups(rows))
   {
-    std::set<int> named;
+    const std::set<int> candidates = Candidates(objects, group, choices);
     std::vector<const Target*> open;
     for (const Target& target : group.Targets)
     {
-      if (target.ObjectId >= 0)
-      {
-        named.insert(target.ObjectId);
-      }
-      else
+      if (target.ObjectId < 0)
       {
         open.push_back(&target);
       }
     }
-    if (open.empty())
-    {
-      continue;
-    }
-    std::vector<double> costs(open.size() * objects.size(), Forbidden);
+    const auto most = static_cast<std::int64_t>(open.size());
+    AssignmentProblem problem(objects.size(),
+                              std::vector<RankedCost>(open.size(), { most + 1, 0.0 }));
     for (std::size_t t = 0; t < open.size(); ++t)
     {
       const Target& target = *open[t];
       for (std::size_t o = 0; o < objects.size(); ++o)
       {
         const MotionObject& object = objects[o];
-        if (named.count(object.ObjectId) > 0 ||
-            (target.ClassId >= 0 && target.ClassId != object.ClassId) ||
-            (target.HasPlace && places.IsTaken(object.ObjectId, target.Frame, target.Until)))
+        if (candidates.count(object.ObjectId) == 0 ||
+            (target.ClassId >= 0 && target.ClassId != object.ClassId))
         {
           continue;
         }
-        costs[t * objects.size() + o] =
-          target.HasPlace
-            ? (target.Place - places.Before(object.ObjectId, target.Frame)).squaredNorm()
-            : 0.0;
+        RankedCost& cost = problem.At(t, o);
+        cost = RankedCost();
+        if (target.HasPlace)
+        {
+          cost.Penalty = places.IsTaken(object.ObjectId, target.Frame, target.Until) ? 1 : 0;
+          cost.Amount = (target.Place - places.Before(object.ObjectId, target.Frame)).squaredNorm();
+        }
       }
     }
-    const std::vector<int> chosen = AssignLeastCost(costs, open.size(), objects.size());
+    const std::vector<int> chosen = AssignLeastCost(problem);
     for (std::size_t t = 0; t < open.size(); ++t)
     {
       if (chosen[t] < 0)

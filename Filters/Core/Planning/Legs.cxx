@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Planning/Legs.h"
+
+#include "Obstacles/Rest.h"
+#include "Planning/Blending.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace waft
+{
+
+Stop StopOf(const Constraint& row, double restHeight, const ObstacleSet& obstacles)
+{
+  Stop stop;
+  stop.First = stop.Last = row.Frame;
+  stop.Value = stop.Place = row.Value;
+  stop.Radius = row.Radius;
+  if (row.Kind == ConstraintKind::Rest)
+  {
+    stop.Last = std::max(row.Frame, row.Until);
+    stop.Radius = 0.0;
+    stop.IsRest = true;
+    SurfaceHit hit;
+    Vec3 place;
+    if (RestingPlace(obstacles, row.Value, row.Frame, restHeight, place, hit))
+    {
+      stop.Place = place;
+    }
+  }
+  return stop;
+}
+
+Stop StartOf(const MotionObject& object)
+{
+  Stop start;
+  start.Value = start.Place = object.Position;
+  return start;
+}
+
+SpeedLimit::SpeedLimit(double topStep, double framesPerSecond, int shortestSpan, double tolerance) :
+  TopStep(topStep), Second(static_cast<int>(std::lround(framesPerSecond))),
+  ShortestSpan(shortestSpan), Tolerance(tolerance)
+{
+}
+
+double SpeedLimit::Reach(int frames, bool launches, bool brakes) const
+{
+  const bool isDrawn = frames < this->ShortestSpan;
+  const SpanClock clock =
+    SpanClock::Of(frames, launches && !isDrawn, brakes && !isDrawn, this->Second);
+  return this->TopStep * clock.FlightFrames();
+}
+
+double SpeedLimit::Haste(const Stop& from, const Stop& to) const
+{
+  const double way = (to.Place - from.Place).norm() - from.Radius - to.Radius;
+  const int frames = to.First - from.Last;
+  if (way <= this->Tolerance)
+  {
+    return 0.0;
+  }
+  return frames > 0 ? way / this->Reach(frames, from.IsRest, to.IsRest)
+                    : std::numeric_limits<double>::infinity();
+}
+
+} // namespace waft

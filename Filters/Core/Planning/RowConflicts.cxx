@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Planning/RowConflicts.h"
+
+#include "Assignment/Keyframes.h"
+#include "Base/NumberText.h"
+#include "Obstacles/ConstraintCheck.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <utility>
+
+namespace waft
+{
+
+namespace
+{
+
+using Key = std::pair<int, int>; // (Row, Target)
+
+/// The places of one line of the report.
+struct Line
+{
+  Key Id;
+  ConstraintKind Kind = ConstraintKind::Position;
+  std::vector<Stop> Stops; // by frame
+
+  int First() const { return this->Stops.front().First; }
+  int Last() const { return this->Stops.back().Last; }
+  std::string Name() const
+  {
+    return LineName(this->Id.first, this->Id.second, this->Kind, this->First());
+  }
+};
+
+struct GivenUp
+{
+  ConstraintStatus Status = ConstraintStatus::Conflict;
+  std::string Message;
+};
+
+/// The lines of one object, and which of them go with which.
+class ObjectLines
+{
+public:
+  ObjectLines(std::vector<Line> lines, const SpeedLimit& limit, double diagonal) :
+    Lines(std::move(lines)), Limit(limit), Diagonal(diagonal)
+  {
+    std::stable_sort(this->Lines.begin(), this->Lines.end(),
+                     [](const Line& a, const Line& b)
+                     { return std::pair(a.First(), a.Last()) < std::pair(b.First(), b.Last()); });
+  }
+
+  void Settle(const Stop& start, std::map<Key, GivenUp>& givenUp);
+
+private:
+  struct Leg
+  {
+    const Stop* From = nullptr;
+    const Stop* To = nullptr;
+  };
+
+  Leg TooFast(const Line& a, const Line& b) const;
+  void FindConflicts();
+  std::vector<std::size_t> Conflicting(std::size_t first) const;
+  std::vector<std::size_t> Most(const std::vector<std::size_t>& members) const;
+  bool GoTogether(std::size_t a, std::size_t b) const
+  {
+    return this->Conflicts.count(std::minmax(a, b)) == 0;
+  }
+  std::string Why(std::size_t line, const std::vector<std::size_t>& kept) const;
+  std::string Speeds(const Leg& leg) const;
+
+  std::vector<Line> Lines;
+  const SpeedLimit& Limit;
+  double Diagonal; // of the volume [m]
+  std::map<std::pair<std::size_t, std::size_t>, Leg> Conflicts;
+};
+
+/// The first leg from one line to the other that cannot be flown, or none.
+ObjectLines::Leg ObjectLines::TooFast(const Line& a, const Line& b) const
+{
+  struct Place
+  {
+    const Stop* At;
+    const Line* Of;
+    bool IsOfBoth = false;
+  };
+  std::vector<Place> places;
+  for (const Line* line : { &a, &b })
+  {
+    for (const Stop& stop : line->Stops)
+    {
+      places.push_back({ &stop, line });
+    }
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& x, const Place& y) { return x.At->First < y.At->First; });
+  for (std::size_t k = 1; k < places.size(); ++k)
+  {
+    const Place& before = places[k - 1];
+    Place& place = places[k];
+    if (before.IsOfBoth || before.Of == place.Of)
+    {
+      continue; // within a line any speed will do
+    }
+    if (this->Limit.Haste(*before.At, *place.At) > SpeedAllowance)
+    {
+      return { before.At, place.At };
+    }
+    place.IsOfBoth = place.At->First <= before.At->Last;
+  }
+  return {};
+}
+
+void ObjectLines::FindConflicts()
+{
+  for (std::size_t i = 0; i < this->Lines.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < this->Lines.size(); ++j)
+    {
+      const int frames = this->Lines[j].First() - this->Lines[i].Last();
+      if (frames > 0 && this->Limit.Reach(frames / 2, false, false) > this->Diagonal)
+      {
+        break; // all the later ones are far enough away in time
+      }
+      const Leg leg = this->TooFast(this->Lines[i], this->Lines[j]);
+      if (leg.From != nullptr)
+      {
+        this->Conflicts[{ i, j }] = leg;
+      }
+    }
+  }
+}
+
+/// All lines that hang together with one by conflicts, in order of time.
+std::vector<std::size_t> ObjectLines::Conflicting(std::size_t first) const
+{
+  std::vector<std::size_t> found{ first };
+  for (std::size_t k = 0; k < found.size(); ++k)
+  {
+    for (const auto& [pair, leg] : this->Conflicts)
+    {
+      for (const auto& [a, b] : { pair, std::pair(pair.second, pair.first) })
+      {
+        if (a == found[k] && std::find(found.begin(), found.end(), b) == found.end())
+        {
+          found.push_back(b);
+        }
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// As many of the members as go together: in time what goes with the one before goes with all, so
+/// it is the longest chain.
+std::vector<std::size_t> ObjectLines::Most(const std::vector<std::size_t>& members) const
+{
+  std::vector<std::size_t> length(members.size(), 1); // of the chain from here on
+  for (std::size_t i = members.size(); i-- > 0;)
+  {
+    for (std::size_t j = i + 1; j < members.size(); ++j)
+    {
+      if (this->GoTogether(members[i], members[j]))
+      {
+        length[i] = std::max(length[i], length[j] + 1);
+      }
+    }
+  }
+  std::vector<std::size_t> kept;
+  const auto fits = [&](std::size_t member)
+  {
+    return std::all_of(kept.begin(), kept.end(),
+                       [&](std::size_t k) { return this->GoTogether(k, member); });
+  };
+  std::size_t next = 0;
+  for (std::size_t wanted = *std::max_element(length.begin(), length.end()); wanted > 0; --wanted)
+  {
+    std::size_t best = members.size();
+    for (std::size_t i = next; i < members.size(); ++i)
+    {
+      if (length[i] == wanted && fits(members[i]) &&
+          (best == members.size() || this->Lines[members[i]].Id < this->Lines[members[best]].Id))
+      {
+        best = i;
+      }
+    }
+    if (best < members.size())
+    {
+      kept.push_back(members[best]);
+      next = best + 1;
+    }
+  }
+  // Balls and lines that overlap in time may leave room for one more.
+  for (const std::size_t member : members)
+  {
+    if (std::find(kept.begin(), kept.end(), member) == kept.end() && fits(member))
+    {
+      kept.push_back(member);
+    }
+  }
+  return kept;
+}
+
+std::string ObjectLines::Speeds(const Leg& leg) const
+{
+  const double way = (leg.To->Place - leg.From->Place).norm() - leg.From->Radius - leg.To->Radius;
+  const int frames = leg.To->First - leg.From->Last;
+  if (frames <= 0)
+  {
+    return NumberText(way) + " m apart at the same time";
+  }
+  const double reach = SpeedAllowance * this->Limit.Reach(frames, leg.From->IsRest, leg.To->IsRest);
+  return NumberText(way) + " m apart in " + std::to_string(frames) +
+         (frames == 1 ? " frame" : " frames") + ", expected at most " + NumberText(reach) + " m, " +
+         NumberText(SpeedAllowance) + " times the database's top speed";
+}
+
+std::string ObjectLines::Why(std::size_t line, const std::vector<std::size_t>& kept) const
+{
+  constexpr std::size_t most = 4; // names in one sentence
+  std::string text = this->Lines[line].Name() + " contradicts ";
+  std::string how;
+  std::size_t named = 0;
+  for (const std::size_t other : kept)
+  {
+    const auto found = this->Conflicts.find(std::minmax(line, other));
+    if (found != this->Conflicts.end() && named < most)
+    {
+      text += (named++ > 0 ? ", " : "") + this->Lines[other].Name();
+      how = how.empty() ? this->Speeds(found->second) : how;
+    }
+  }
+  return text + ": " + how;
+}
+
+void ObjectLines::Settle(const Stop& start, std::map<Key, GivenUp>& givenUp)
+{
+  const auto isFar = [&](const Line& line)
+  { return line.First() > 0 && this->Limit.Haste(start, line.Stops.front()) > SpeedAllowance; };
+  const auto far =
+    std::stable_partition(this->Lines.begin(), this->Lines.end(), std::not_fn(isFar));
+  for (auto line = far; line != this->Lines.end(); ++line)
+  {
+    if (far != this->Lines.begin() && std::prev(far)->First() > line->Last())
+    {
+      givenUp[line->Id] = { ConstraintStatus::Unreachable,
+                            line->Name() + " is too far from the object's start: " +
+                              this->Speeds({ &start, &line->Stops.front() }) };
+    }
+  }
+  this->Lines.erase(far, this->Lines.end());
+  this->FindConflicts();
+  std::vector<char> isDone(this->Lines.size(), 0);
+  for (const auto& [pair, leg] : this->Conflicts)
+  {
+    if (isDone[pair.first] != 0)
+    {
+      continue;
+    }
+    const std::vector<std::size_t> members = this->Conflicting(pair.first);
+    const std::vector<std::size_t> kept = this->Most(members);
+    for (const std::size_t member : members)
+    {
+      isDone[member] = 1;
+      if (std::find(kept.begin(), kept.end(), member) == kept.end())
+      {
+        givenUp[this->Lines[member].Id] = { ConstraintStatus::Conflict, this->Why(member, kept) };
+      }
+    }
+  }
+}
+
+/// The lines of each object that may be met by themselves.
+std::map<int, std::vector<Line>> CollectLines(const std::vector<Constraint>& constraints,
+                                              const std::map<int, const MotionObject*>& objects,
+                                              const ObstacleSet& obstacles,
+                                              const std::vector<ReportRow>& report)
+{
+  std::map<Key, ConstraintStatus> judged;
+  for (const ReportRow& line : report)
+  {
+    judged[{ line.Row, line.Target }] = line.Status;
+  }
+  std::map<int, std::map<Key, Line>> lines;
+  for (const Constraint& row : constraints)
+  {
+    const Key id{ row.Row, row.Target };
+    const auto object = objects.find(row.ObjectId);
+    if (object == objects.end() || !HasPlace(row) || row.Status != ConstraintStatus::Met ||
+        judged[id] == ConstraintStatus::Infeasible ||
+        (row.Frame == 0 && judged[id] == ConstraintStatus::Conflict))
+    {
+      continue;
+    }
+    Line& line = lines[row.ObjectId][id];
+    line.Id = id;
+    line.Kind = row.Kind;
+    line.Stops.push_back(StopOf(row, object->second->RestHeight, obstacles));
+  }
+  std::map<int, std::vector<Line>> result;
+  for (auto& [objectId, own] : lines)
+  {
+    for (auto& [id, line] : own)
+    {
+      std::stable_sort(line.Stops.begin(), line.Stops.end(),
+                       [](const Stop& a, const Stop& b) { return a.First < b.First; });
+      result[objectId].push_back(std::move(line));
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+std::vector<ReportRow> JudgeWithSpeeds(const std::vector<Constraint>& constraints,
+                                       const std::vector<MotionObject>& objects,
+                                       const ObstacleSet& obstacles, const SceneInfo& scene,
+                                       const SpeedLimit& limit)
+{
+  std::vector<ReportRow> report = JudgeConstraints(constraints, objects, obstacles, scene);
+  std::map<int, const MotionObject*> byId;
+  for (const MotionObject& object : objects)
+  {
+    byId[object.ObjectId] = &object;
+  }
+  std::map<Key, GivenUp> givenUp;
+  for (auto& [objectId, lines] : CollectLines(constraints, byId, obstacles, report))
+  {
+    ObjectLines(std::move(lines), limit, scene.Bounds.Size().norm())
+      .Settle(StartOf(*byId[objectId]), givenUp);
+  }
+  if (givenUp.empty())
+  {
+    return report;
+  }
+  std::vector<Constraint> rest = constraints;
+  for (Constraint& row : rest)
+  {
+    const auto found = givenUp.find({ row.Row, row.Target });
+    row.Status = found != givenUp.end() ? found->second.Status : row.Status;
+  }
+  report = JudgeConstraints(rest, objects, obstacles, scene);
+  for (ReportRow& line : report)
+  {
+    const auto found = givenUp.find({ line.Row, line.Target });
+    if (found != givenUp.end())
+    {
+      line.Message = found->second.Message;
+    }
+  }
+  return report;
+}
+
+} // namespace waft
