@@ -303,9 +303,9 @@ def crowd_scenes():
     steps = 5
     stairs = [{"kind": "box", "min": [-2.0 + 0.6 * k, -2.0, 0.0], "max": [-1.4 + 0.6 * k, 2.0, round(1.5 - 0.3 * k, 2)]}
               for k in range(steps)]
-    ball = {"kind": "sphere", "center": [0.0, -2.6, 0.0], "radius": 0.35,
-            "motion": [{"frame": 0, "position": [0.9, 1.4, 2.2]}, {"frame": 150, "position": [0.9, -1.4, 2.0]},
-                       {"frame": 299, "position": [0.9, 1.4, 2.2]}]}
+    swing = [(0, 1.4, 1.7), (75, 0.0, 1.45), (150, -1.4, 1.7), (225, 0.0, 1.45), (299, 1.4, 1.7)]
+    ball = {"kind": "sphere", "center": [0.1, 1.4, 1.7], "radius": 0.35,
+            "motion": [{"frame": frame, "position": [0.1, y, z]} for frame, y, z in swing]}
     marks = [{"kind": "position", "object": k, "frame": 280, "value": rounded((1.0 + 0.12 * (k % 6), -1.2 + 0.48 * (k // 6), 0.5)),
               "radius": 0.08} for k in range(36)]
     write_scene("bubbles-stairs", {

@@ -39,6 +39,9 @@ constexpr const char* ClassId = "ClassId";
 constexpr const char* ClearanceRadius = "ClearanceRadius";
 constexpr const char* RestHeight = "RestHeight";
 
+// Poses (of each line).
+constexpr const char* Shift = "Shift";
+
 // Shapes (field data of each block).
 constexpr const char* DragCoefficient = "DragCoefficient";
 constexpr const char* AreaDensity = "AreaDensity";

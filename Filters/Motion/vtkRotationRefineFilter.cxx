@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRotationRefineFilter.h"
 
+#include "Bridge/ArrayNames.h"
+#include "Bridge/Arrays.h"
 #include "Bridge/KeptStage.h"
 #include "Bridge/PoseData.h"
 #include "Bridge/SceneData.h"
@@ -9,6 +11,7 @@
 #include "Bridge/TrackData.h"
 #include "Rotation/RotationRefine.h"
 
+#include <vtkCellData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -16,6 +19,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <utility>
 
 vtkStandardNewMacro(vtkRotationRefineFilter);
@@ -109,17 +113,21 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
   if (result && !result.IsStopped()) // half of the poses are of no use
   {
     this->Tracks = std::move(input.Tracks);
+    std::vector<double> farthest(this->Tracks.size(), 0.0);
     for (std::size_t i = 0; i < this->Tracks.size(); ++i)
     {
       const std::vector<waft::Vec3>& shifts = this->Rotation.Shifts[i];
       for (std::size_t k = 0; k < shifts.size(); ++k)
       {
         this->Tracks[i].Positions[k] += shifts[k];
+        farthest[i] = std::max(farthest[i], shifts[k].norm());
       }
     }
     this->Warnings = this->Rotation.Warnings;
     waft::PosesToPolyData(this->Tracks, this->Rotation.Poses, this->Scene,
                           this->Kept<vtkPolyData>(PosesPort));
+    waft::AddDoubles(this->Kept<vtkPolyData>(PosesPort)->GetCellData(), waft::names::Shift,
+                     farthest);
   }
   return result;
 }

@@ -115,7 +115,7 @@ TEST(MotionSceneReader, MovingObstaclesAndWindsFollowTheTime)
   reader->SetFileName(folder.Write("a.waft.json", R"({"waft": 1, "time": {"frames": 61},
     "ground": {"enabled": false},
     "obstacles": [{"kind": "box", "min": [0, 0, 1], "max": [1, 1, 2], "motion":
-      [{"frame": 0, "position": [0, 0, 0]}, {"frame": 60, "position": [1, 0, 0]}]}],
+      [{"frame": 0, "position": [0.5, 0.5, 1.5]}, {"frame": 60, "position": [1.5, 0.5, 1.5]}]}],
     "winds": [{"direction": [0, 1, 0], "strength": 2, "center": [0, 0, 2], "radius": 1.5,
       "centerTime": 1, "duration": 0.5}]})"));
   const auto left = [&](double time)

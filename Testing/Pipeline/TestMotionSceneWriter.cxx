@@ -221,7 +221,7 @@ TEST(MotionSceneWriter, MeshesMotionsAndWindsGoBesideTheScene)
     "objects": [{"shape": "own", "position": [0, 0, 3]}, {"shape": "leaf", "position": [1, 0, 3]}],
     "obstacles": [{"kind": "mesh", "file": "body.obj", "scale": 0.25, "position": [1.1, 0, 0.7]},
       {"kind": "box", "min": [-1, -1, 0.1], "max": [-0.3, -0.2, 0.9], "motion": [
-        {"frame": 3, "position": [0, 0, 0]}, {"frame": 30, "position": [0.3, 0.1, 0.7]}]}],
+        {"frame": 3, "position": [-0.65, -0.6, 0.5]}, {"frame": 30, "position": [-0.3, -0.5, 1.2]}]}],
     "vortices": [{"p1": [0, 0, 0], "p2": [0, 0.1, 1], "strength": 1.3, "centerTime": 0.4,
       "duration": 0.3, "coreRadius": 0.2}],
     "winds": [{"direction": [1, 0.3, 0], "strength": 1.7, "center": [0, 0, 2], "radius": 1.1,

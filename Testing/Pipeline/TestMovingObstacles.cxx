@@ -41,7 +41,7 @@ const char* const AgainstTheLeaves = R"({"waft": 1, "seed": 3, "time": {"frames"
     {"kind": "position", "object": 1, "frame": 59, "value": [0.7, 0.2, 2.1]},
     {"kind": "position", "object": 2, "frame": 59, "value": [0.6, -0.2, 1.95]}],
   "obstacles": [{"kind": "box", "min": [0.55, -0.35, 1.7], "max": [0.85, 0.35, 2.3], "motion":
-    [{"frame": 0, "position": [0, 0, 0]}, {"frame": 59, "position": [-1.4, 0, 0]}]}]})";
+    [{"frame": 0, "position": [0.7, 0, 2]}, {"frame": 59, "position": [-0.7, 0, 2]}]}]})";
 
 using Paths = std::map<int, std::vector<Vec3>>; // by object
 

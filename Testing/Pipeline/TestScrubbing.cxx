@@ -22,7 +22,7 @@ const char* const WindyScene = R"({"waft": 1, "time": {"frames": 40}, "ground": 
   "objects": [{"shape": "leaf", "positions": [[-0.5, 0.0, 2.1], [-0.5, 0.4, 2.2]]}],
   "constraints": [{"kind": "position", "object": 0, "frame": 39, "value": [0.3, 0.1, 2.0]}],
   "obstacles": [{"kind": "sphere", "center": [1, -1, 2], "radius": 0.2, "motion":
-    [{"frame": 0, "position": [0, 0, 0]}, {"frame": 39, "position": [0, 2, 0]}]}],
+    [{"frame": 0, "position": [1, -1, 2]}, {"frame": 39, "position": [1, 1, 2]}]}],
   "winds": [{"direction": [1, 0, 0], "strength": 0.5, "center": [0, 0, 2], "radius": 1,
     "centerTime": 0.6, "duration": 0.5}]})";
 

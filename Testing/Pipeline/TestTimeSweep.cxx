@@ -29,7 +29,7 @@ constexpr int VorticesOut = 4;
 // A box that goes from x = 0 to x = 1 in 30 frames.
 const char* const MovingBox = R"({"waft": 1, "time": {"frames": 31}, "ground": {"enabled": false},
   "obstacles": [{"kind": "box", "min": [0, 0, 1], "max": [0.5, 1, 2], "motion":
-    [{"frame": 0, "position": [0, 0, 0]}, {"frame": 30, "position": [1, 0, 0]}]}]})";
+    [{"frame": 0, "position": [0.25, 0.5, 1.5]}, {"frame": 30, "position": [1.25, 0.5, 1.5]}]}]})";
 
 double LeftSide(vtkPolyData* surface)
 {

@@ -73,28 +73,37 @@ def _surfaces(folder, scene):
             meshes = result_files.read_obstacle_surfaces(folder)
         body = {"box": _box, "sphere": _sphere, "cylinder": _cylinder}.get(kind)
         still = (body(obstacle) if body else _mesh(meshes[obstacle.get("id", number)]))
-        surfaces[f"obstacle {number}"] = _moved(still, obstacle.get("motion", []))
+        surfaces[f"obstacle {number}"] = _moved(still, _reference(obstacle), obstacle.get("motion", []))
     return surfaces
 
 
-def _moved(still, keys):
+def _moved(still, reference, keys):
     def surface(x, frame, reach):
-        offset = _offset(keys, frame)
+        offset = _offset(reference, keys, frame)
         return still(tuple(a - b for a, b in zip(x, offset)), reach)
     return surface
 
 
-def _offset(keys, frame):
-    """From the first key's place: straight between keys, still before the first and after the last."""
-    if len(keys) < 2:
-        return (0.0, 0.0, 0.0)
-    place = keys[-1]["position"]
+def _reference(obstacle):
+    """The point that `motion` moves, where its surface is read or made."""
+    if obstacle["kind"] == "box":
+        return [0.5 * (a + b) for a, b in zip(obstacle["min"], obstacle["max"])]
+    if obstacle["kind"] == "mesh":  # the results have it as it stands at frame 0
+        return _place(obstacle["motion"], 0) if obstacle.get("motion") else None
+    return obstacle["center" if obstacle["kind"] == "sphere" else "base"]
+
+
+def _offset(reference, keys, frame):
+    return tuple(p - q for p, q in zip(_place(keys, frame), reference)) if keys else (0.0, 0.0, 0.0)
+
+
+def _place(keys, frame):
+    """Straight between keys, still before the first and after the last."""
     for a, b in zip(keys, keys[1:]):
-        if frame <= b["frame"]:
-            s = max(0.0, (frame - a["frame"]) / (b["frame"] - a["frame"]))
-            place = [p + s * (q - p) for p, q in zip(a["position"], b["position"])]
-            break
-    return tuple(p - q for p, q in zip(place, keys[0]["position"]))
+        if a["frame"] < frame <= b["frame"]:
+            s = (frame - a["frame"]) / (b["frame"] - a["frame"])
+            return [p + s * (q - p) for p, q in zip(a["position"], b["position"])]
+    return keys[0]["position"] if frame <= keys[0]["frame"] else keys[-1]["position"]
 
 
 def _box(obstacle):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Obstacles/ConstraintCheck.h"
 
+#include "Base/NumberText.h"
 #include "Obstacles/Rest.h"
 
 #include <cmath>
@@ -41,14 +42,18 @@ const char* UnitOf(ConstraintKind kind)
   }
 }
 
+/// A distance that is no number is as far as can be.
+double BeyondRadius(const Constraint& row, double distance)
+{
+  return std::isfinite(distance)
+           ? std::max(0.0, distance - (row.Kind == ConstraintKind::Rest ? 0.0 : row.Radius))
+           : std::numeric_limits<double>::infinity();
+}
+
 void Note(const Constraint& row, ConstraintKind kindOfLine, double distance, double tolerance,
           Finding& finding)
 {
-  // A distance that is no number is as far as can be.
-  const double residual =
-    std::isfinite(distance)
-      ? std::max(0.0, distance - (row.Kind == ConstraintKind::Rest ? 0.0 : row.Radius))
-      : std::numeric_limits<double>::infinity();
+  const double residual = BeyondRadius(row, distance);
   finding.ObjectId = row.ObjectId;
   if (row.Kind == kindOfLine)
   {
@@ -65,10 +70,14 @@ void Note(const Constraint& row, ConstraintKind kindOfLine, double distance, dou
   }
 }
 
-void Fail(ReportRow& line, const std::string& message)
+void Tell(ReportRow& line, const std::string& message)
 {
-  line.Status = ConstraintStatus::Unreachable;
   line.Message += (line.Message.empty() ? "" : "; ") + message;
+}
+
+bool IsPlace(ConstraintKind kind)
+{
+  return kind == ConstraintKind::Position || kind == ConstraintKind::Rest;
 }
 
 void Apply(const std::map<Key, Finding>& findings, std::vector<ReportRow>& report)
@@ -84,7 +93,12 @@ void Apply(const std::map<Key, Finding>& findings, std::vector<ReportRow>& repor
     line.ObjectId = found->second.ObjectId;
     if (line.Status == ConstraintStatus::Met && !found->second.Message.empty())
     {
-      Fail(line, found->second.Message);
+      line.Status = ConstraintStatus::Unreachable;
+      Tell(line, found->second.Message);
+    }
+    else if (line.Status == ConstraintStatus::Unreachable && IsPlace(line.Kind))
+    {
+      Tell(line, "it comes within " + NumberText(line.Residual, 3) + " m");
     }
   }
 }
@@ -128,6 +142,11 @@ void MeasureResiduals(const std::vector<Constraint>& constraints, const std::vec
   {
     const Track* Path = nullptr;
     std::vector<Vec3> Velocities, Accelerations;
+
+    bool Has(int frame) const
+    {
+      return frame >= 0 && frame < static_cast<int>(this->Path->Positions.size());
+    }
   };
   const double step = scene.Time.Step();
   std::map<int, Motion> motions;
@@ -147,6 +166,17 @@ void MeasureResiduals(const std::vector<Constraint>& constraints, const std::vec
     }
     motions[track.ObjectId] = std::move(motion);
   }
+  const auto distance = [&](const Constraint& row, const Motion& m, int objectId)
+  {
+    if (!m.Has(row.Frame))
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    return row.Kind == ConstraintKind::Position
+             ? (m.Path->Positions[row.Frame] - row.Value).norm()
+             : DistanceToRest(row, *m.Path, objectOf.count(objectId) ? objectOf[objectId] : nullptr,
+                              obstacles);
+  };
   const double nearness = 1e-9 * scene.Bounds.Width();
   const double slowness = std::max(1e-6 * topSpeed, 1e-12);
   const std::map<Key, ConstraintKind> kinds = KindsOf(report);
@@ -159,25 +189,34 @@ void MeasureResiduals(const std::vector<Constraint>& constraints, const std::vec
       continue;
     }
     Finding& finding = findings[kind->first];
-    const auto motion = motions.find(row.ObjectId);
-    if (motion == motions.end() || row.Frame < 0 ||
-        row.Frame >= static_cast<int>(motion->second.Path->Positions.size()))
+    finding.ObjectId = row.ObjectId;
+    if (row.ObjectId < 0)
     {
-      finding.ObjectId = row.ObjectId;
-      finding.Message = row.ObjectId < 0
-                          ? "no object was assigned to it"
-                          : "object " + std::to_string(row.ObjectId) +
-                              " has no position at frame " + std::to_string(row.Frame);
+      finding.Message = "no object was assigned to it";
+      finding.Excess = std::numeric_limits<double>::infinity();
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const auto& [objectId, m] : motions)
+      {
+        nearest = IsPlace(row.Kind) ? std::min(nearest, distance(row, m, objectId)) : nearest;
+      }
+      if (nearest < std::numeric_limits<double>::infinity() && row.Kind == kind->second)
+      {
+        finding.Residual = std::max(finding.Residual, BeyondRadius(row, nearest));
+        finding.Message += ", the nearest comes within " + NumberText(finding.Residual, 3) + " m";
+      }
+      continue;
+    }
+    const auto motion = motions.find(row.ObjectId);
+    if (motion == motions.end() || !motion->second.Has(row.Frame))
+    {
+      finding.Message = "object " + std::to_string(row.ObjectId) + " has no position at frame " +
+                        std::to_string(row.Frame);
       finding.Excess = std::numeric_limits<double>::infinity();
       continue;
     }
     const Motion& m = motion->second;
     switch (row.Kind)
     {
-      case ConstraintKind::Position:
-        Note(row, kind->second, (m.Path->Positions[row.Frame] - row.Value).norm(), nearness,
-             finding);
-        break;
       case ConstraintKind::Velocity:
         Note(row, kind->second, (m.Velocities[row.Frame] - row.Value).norm(), slowness, finding);
         break;
@@ -186,11 +225,7 @@ void MeasureResiduals(const std::vector<Constraint>& constraints, const std::vec
              finding);
         break;
       default:
-        Note(row, kind->second,
-             DistanceToRest(row, *m.Path,
-                            objectOf.count(row.ObjectId) ? objectOf[row.ObjectId] : nullptr,
-                            obstacles),
-             nearness, finding);
+        Note(row, kind->second, distance(row, m, row.ObjectId), nearness, finding);
     }
   }
   Apply(findings, report);

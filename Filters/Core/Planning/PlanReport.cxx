@@ -6,8 +6,6 @@
 
 #include <cstdio>
 #include <map>
-#include <set>
-#include <utility>
 
 namespace waft
 {
@@ -146,27 +144,6 @@ void MarkUnmet(const std::vector<ReportRow>& report, std::vector<Constraint>& co
       {
         row.Status = line.Status;
       }
-    }
-  }
-}
-
-void TellApproaches(PlanOutput& output)
-{
-  std::set<std::pair<int, int>> missed;
-  for (const FlightRow& flight : output.Flights)
-  {
-    if (!flight.IsReached)
-    {
-      missed.emplace(flight.Row, flight.Target);
-    }
-  }
-  for (ReportRow& line : output.Report)
-  {
-    if (missed.count({ line.Row, line.Target }) > 0)
-    {
-      char text[64];
-      std::snprintf(text, sizeof text, "it comes within %.3g m", line.Residual);
-      Append(line.Message, text);
     }
   }
 }

@@ -19,10 +19,6 @@ void ReportStarts(const PlanInput& input, PlanOutput& output);
 /// Later stages must not force what no path was found for: that would be a jump.
 void MarkUnmet(const std::vector<ReportRow>& report, std::vector<Constraint>& constraints);
 
-/// Says of the marks that were not reached how near their objects come to them at their frames;
-/// after the residuals were measured.
-void TellApproaches(PlanOutput& output);
-
 /// Counts the lines of each object, and takes the worst status over into its own.
 void CountLines(PlanOutput& output);
 

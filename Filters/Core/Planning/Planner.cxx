@@ -376,7 +376,6 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   MarkUnmet(output.Report, output.Constraints);
   MeasureResiduals(output.Constraints, output.Tracks, input.Objects, input.Obstacles, input.Scene,
                    output.Report);
-  TellApproaches(output);
   CountLines(output);
   return stopped ? Result::Stopped() : Result::Ok();
 }

@@ -114,9 +114,12 @@ TurningPlan MakePlan(const RotationInput& input, const RotationOptions& options,
   const int last = static_cast<int>(track.Positions.size()) - 1;
   for (const Constraint& row : input.Constraints)
   {
-    // A row that an earlier stage found impossible does not bind.
-    if (row.ObjectId != object.ObjectId || row.Status != ConstraintStatus::Met || row.Frame < 0 ||
-        row.Frame > last)
+    // A row that an earlier stage found impossible does not bind; how near a place is come to
+    // stays.
+    const bool binds =
+      row.Status == ConstraintStatus::Met ||
+      (row.Status == ConstraintStatus::Unreachable && row.Kind == ConstraintKind::Position);
+    if (row.ObjectId != object.ObjectId || !binds || row.Frame < 0 || row.Frame > last)
     {
       continue;
     }

@@ -34,6 +34,16 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int place)
   const SceneNode kindNode = node.At("kind", expected);
   const std::string kind = kindNode.Text();
   ObstacleMesh obstacle;
+  std::vector<Vec3> places; // of its reference point, one a frame; none where it stands still
+  // Where its reference point is at frame 0.
+  const auto first = [&](const Vec3& reference) -> Vec3
+  {
+    places = node.Has("motion") ? this->ReadMotion(node.At("motion", "")) : std::vector<Vec3>();
+    const double tolerance = 1e-12 * this->Out.Info.Bounds.Width();
+    const bool isThere = places.empty() || (places.front() - reference).norm() <= tolerance;
+    return isThere ? reference : places.front();
+  };
+  Vec3 reference; // of the mesh as it is made
   if (kind == "box")
   {
     node.CheckFields("boxObstacle");
@@ -44,13 +54,18 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int place)
     {
       node.At("max", "").Fail("a corner above `min` along each axis");
     }
+    const Vec3 middle = 0.5 * (box.Min + box.Max);
+    const Vec3 shift = first(middle) - middle;
+    box.Min += shift;
+    box.Max += shift;
+    reference = 0.5 * (box.Min + box.Max);
     obstacle.Mesh = MakeBox(box);
   }
   else if (kind == "sphere")
   {
     node.CheckFields("sphereObstacle");
-    const Vec3 center = node.At("center", "a point [x, y, z]").Vector();
-    obstacle.Mesh = MakeSphere(center, node.At("radius", "a radius in metres").Positive());
+    reference = first(node.At("center", "a point [x, y, z]").Vector());
+    obstacle.Mesh = MakeSphere(reference, node.At("radius", "a radius in metres").Positive());
   }
   else if (kind == "cylinder")
   {
@@ -61,7 +76,10 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int place)
     {
       node.At("top", "").Fail("a point apart from `base`");
     }
-    obstacle.Mesh = MakeCylinder(base, top, node.At("radius", "a radius in metres").Positive());
+    reference = first(base);
+    const Vec3 end = top + (reference - base);
+    obstacle.Mesh =
+      MakeCylinder(reference, end, node.At("radius", "a radius in metres").Positive());
   }
   else if (kind == "mesh")
   {
@@ -73,11 +91,10 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int place)
       file.Fail("a surface with triangles");
     }
     const double scale = node.Has("scale") ? node.At("scale", "").Positive() : 1.0;
-    const Vec3 position =
-      node.Has("position") ? node.At("position", "").Vector() : Vec3(Vec3::Zero());
+    reference = first(node.Has("position") ? node.At("position", "").Vector() : Vec3(Vec3::Zero()));
     for (Vec3& p : obstacle.Mesh.Points)
     {
-      p = scale * p + position;
+      p = scale * p + reference;
     }
   }
   else
@@ -87,16 +104,17 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int place)
   constexpr std::int64_t largest = 1000000000;
   obstacle.ObstacleId =
     node.Has("id") ? static_cast<int>(node.At("id", "").Integer(0, largest, "an id")) : place;
-  if (node.Has("motion"))
+  const bool moves = std::any_of(places.begin(), places.end(),
+                                 [&](const Vec3& place) { return place != places.front(); });
+  for (std::size_t frame = 0; moves && frame < places.size(); ++frame)
   {
-    this->ReadMotion(node.At("motion", ""), obstacle);
+    obstacle.Offsets.push_back(places[frame] - reference);
   }
   return obstacle;
 }
 
-// The obstacle stands as its own fields say at the first key; from there it moves by the difference
-// of positions, on straight lines, and stays where it is before the first key and after the last.
-void SceneReader::ReadMotion(const SceneNode& node, ObstacleMesh& obstacle)
+// Straight between two keys, still before the first and after the last.
+std::vector<Vec3> SceneReader::ReadMotion(const SceneNode& node) const
 {
   std::vector<std::pair<int, Vec3>> keys;
   const std::size_t count = node.Size("a list of {frame, position}");
@@ -112,23 +130,24 @@ void SceneReader::ReadMotion(const SceneNode& node, ObstacleMesh& obstacle)
     }
     keys.emplace_back(frame, key.At("position", "a point [x, y, z]").Vector());
   }
-  if (keys.size() < 2)
+  std::vector<Vec3> places;
+  std::size_t after = 0; // the first key not before the frame
+  for (int frame = 0; !keys.empty() && frame < this->Out.Info.Time.NumberOfFrames; ++frame)
   {
-    return;
-  }
-  std::size_t segment = 0;
-  for (int frame = 0; frame < this->Out.Info.Time.NumberOfFrames; ++frame)
-  {
-    while (segment + 2 < keys.size() && frame > keys[segment + 1].first)
+    while (after < keys.size() && keys[after].first < frame)
     {
-      ++segment;
+      ++after;
     }
-    const auto& [frameA, a] = keys[segment];
-    const auto& [frameB, b] = keys[segment + 1];
-    const double s = std::clamp(double(frame - frameA) / (frameB - frameA), 0.0, 1.0);
-    const Vec3 place = s < 1.0 ? Vec3(a + s * (b - a)) : b; // a key is met to the last bit
-    obstacle.Offsets.emplace_back(place - keys.front().second);
+    if (after == 0 || after == keys.size() || keys[after].first == frame)
+    {
+      places.push_back(keys[std::min(after, keys.size() - 1)].second);
+      continue;
+    }
+    const auto& [frameA, a] = keys[after - 1];
+    const auto& [frameB, b] = keys[after];
+    places.emplace_back(a + double(frame - frameA) / (frameB - frameA) * (b - a));
   }
+  return places;
 }
 
 TriangleMesh MakeGround(const Box& bounds, double height)

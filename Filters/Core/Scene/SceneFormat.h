@@ -47,7 +47,7 @@ private:
   void WriteObstacles();
   SceneJson FormatObstacle(std::size_t place);
   bool FormatSurface(const TriangleMesh& mesh, SceneJson& json) const;
-  SceneJson FormatMotion(const ObstacleMesh& obstacle) const;
+  SceneJson FormatMotion(const ObstacleMesh& obstacle, const Vec3& reference) const;
   bool IsGround(double& height) const;
   void WriteWinds();
   void WriteVortices();

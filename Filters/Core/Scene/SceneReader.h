@@ -59,7 +59,7 @@ private:
   // ReadFields.cxx
   void ReadObstacles(const SceneNode& node);
   ObstacleMesh ReadObstacle(const SceneNode& node, int place);
-  void ReadMotion(const SceneNode& node, ObstacleMesh& obstacle);
+  std::vector<Vec3> ReadMotion(const SceneNode& node) const;
   void AddGround();
   void ReadWinds(const SceneNode& node);
   void ReadVortices(const SceneNode& node);

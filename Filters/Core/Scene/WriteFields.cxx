@@ -53,8 +53,9 @@ bool SceneFormat::FormatSurface(const TriangleMesh& mesh, SceneJson& json) const
   return false;
 }
 
-/// As few keys as hold the motion within a rounding.
-SceneJson SceneFormat::FormatMotion(const ObstacleMesh& obstacle) const
+/// As few keys as hold the motion within a rounding. reference: the point that moves, where the
+/// mesh stands.
+SceneJson SceneFormat::FormatMotion(const ObstacleMesh& obstacle, const Vec3& reference) const
 {
   const std::vector<Vec3>& offsets = obstacle.Offsets;
   const int last =
@@ -63,12 +64,13 @@ SceneJson SceneFormat::FormatMotion(const ObstacleMesh& obstacle) const
   SceneJson keys = SceneJson::array();
   const auto add = [&](int frame)
   {
-    Vec3 place = offsets[frame];
+    const Vec3 exact = reference + offsets[frame];
+    Vec3 place = exact;
     for (int axis = 0; axis < 3; ++axis)
     {
-      for (const double number : ShortNumbers(offsets[frame][axis]))
+      for (const double number : ShortNumbers(exact[axis]))
       {
-        if (std::abs(number - offsets[frame][axis]) <= tolerance)
+        if (std::abs(number - exact[axis]) <= tolerance)
         {
           place[axis] = number;
           break;
@@ -104,6 +106,21 @@ SceneJson SceneFormat::FormatMotion(const ObstacleMesh& obstacle) const
   return keys;
 }
 
+/// Of an obstacle as it is written.
+static Vec3 ReferencePoint(const SceneJson& json)
+{
+  const auto point = [&](const char* field)
+  {
+    return Vec3(json[field][0].get<double>(), json[field][1].get<double>(),
+                json[field][2].get<double>());
+  };
+  const std::string kind = json["kind"].get<std::string>();
+  return kind == "box"        ? Vec3(0.5 * (point("min") + point("max")))
+         : kind == "sphere"   ? point("center")
+         : kind == "cylinder" ? point("base")
+                              : Vec3(Vec3::Zero()); // a file has its points where they are
+}
+
 SceneJson SceneFormat::FormatObstacle(std::size_t place)
 {
   const ObstacleMesh& obstacle = this->In.Obstacles[place];
@@ -124,7 +141,7 @@ SceneJson SceneFormat::FormatObstacle(std::size_t place)
   }
   if (obstacle.IsMoving())
   {
-    json["motion"] = this->FormatMotion(obstacle);
+    json["motion"] = this->FormatMotion(obstacle, ReferencePoint(json));
   }
   return json;
 }

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 namespace waft
 {
@@ -198,6 +200,45 @@ void SetUpNearestMarks(double rate, SpacetimeModel& model)
   }
 }
 
+// What no path was found for is approached as near as the plan comes to it: its ball reaches to
+// there. A rest that is not reached is a place in passing.
+std::vector<Constraint> FindApproaches(const SpacetimeInput& input, const SpacetimeSetup& setup,
+                                       const std::map<int, std::size_t>& index)
+{
+  std::set<std::pair<int, int>> missed;
+  for (const ReportRow& line : setup.Report)
+  {
+    if (line.Status == ConstraintStatus::Unreachable)
+    {
+      missed.emplace(line.Row, line.Target);
+    }
+  }
+  std::vector<Constraint> approaches;
+  for (Constraint row : input.Constraints)
+  {
+    const bool isPlace = row.Kind == ConstraintKind::Position || row.Kind == ConstraintKind::Rest;
+    if (!isPlace || row.ObjectId < 0 || missed.count({ row.Row, row.Target }) == 0 ||
+        row.Frame < 0 || row.Frame >= setup.Model.NumberOfFrames)
+    {
+      continue;
+    }
+    const std::size_t o = index.at(row.ObjectId);
+    if (row.Kind == ConstraintKind::Rest)
+    {
+      SurfaceHit hit;
+      const Vec3 value = row.Value;
+      (void)RestingPlace(setup.Obstacles, value, row.Frame, setup.Objects[o].RestHeight, row.Value,
+                         hit);
+      row.Kind = ConstraintKind::Position;
+    }
+    const double distance = (input.Tracks[o].Positions[row.Frame] - row.Value).norm();
+    const double least = 1e-9 * input.Scene.Bounds.Width();
+    row.Radius = std::max(row.Radius, distance > least ? distance : 0.0);
+    approaches.push_back(row);
+  }
+  return approaches;
+}
+
 } // namespace
 
 void SetUpConstraints(const SpacetimeInput& input, const std::vector<int>& grounds,
@@ -221,6 +262,10 @@ void SetUpConstraints(const SpacetimeInput& input, const std::vector<int>& groun
   }
   SetUpLandings(input, grounds, binding, setup);
   SetUpApproaches(input.Scene.Time.FramesPerSecond, setup);
+  for (const Constraint& row : FindApproaches(input, setup, index))
+  {
+    binding.push_back(row);
+  }
   for (const Constraint& row : binding)
   {
     const std::size_t o = index[row.ObjectId];

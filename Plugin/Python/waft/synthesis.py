@@ -167,9 +167,15 @@ def constraint_report(pipeline):
     report = _dictionaries(pipeline.output("spacetime", 5))
     reasons = {(row["Row"], row["Target"]): row["Message"] for row in pipeline.plan_report if row["Status"] != "met"}
     for row in report:
-        row["Message"] = reasons.get((row["Row"], row["Target"]), row["Message"])
+        reason = reasons.get((row["Row"], row["Target"]))
+        if reason is not None:  # the plan's, with how near the result comes
+            row["Message"] = "; ".join(_sentences(reason, False) + _sentences(row["Message"], True))
     _measure_orientations(pipeline, report)
     return report
+
+
+def _sentences(message, are_approaches):
+    return [text for text in message.split("; ") if text.startswith("it comes within ") == are_approaches]
 
 
 def _dictionaries(table):
@@ -301,6 +307,13 @@ def _planned_objects(pipeline):
             for row in _dictionaries(pipeline.output("planner", 7))]
 
 
+def _settled(pipeline):
+    """How many bodies are laid on surfaces away from their paths, and by how much at most [m]."""
+    shifts = pipeline.output("rotation", 1).GetCellData().GetArray("Shift")
+    shifts = [shifts.GetValue(i) for i in range(shifts.GetNumberOfTuples())] if shifts is not None else []
+    return {"objects": sum(shift > 0.0 for shift in shifts), "largestShift": max(shifts, default=0.0)}
+
+
 def _summary(pipeline, scene, first, last):
     counts = {status: 0 for status in STATUS_ORDER}
     for row in pipeline.report:
@@ -316,6 +329,7 @@ def _summary(pipeline, scene, first, last):
         "energy": {"before": float(first["E"]), "after": float(last["E"])},
         "constraints": {**counts, "unmet": [row for row in pipeline.report if row["Status"] != "met"]},
         "objects": _planned_objects(pipeline),
+        "settled": _settled(pipeline),
         "stoppedEarly": pipeline.stopped,
         "warnings": pipeline.warnings,
     }

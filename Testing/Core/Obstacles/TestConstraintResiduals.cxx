@@ -74,3 +74,22 @@ TEST(ConstraintResiduals, OrientationsAndRowsWithoutAnObject)
   EXPECT_EQ(report[2].Status, Unreachable);
   EXPECT_EQ(report[2].Message, "no object was assigned to it");
 }
+
+TEST(ConstraintResiduals, SayHowNearAnUnmetPlaceIsComeTo)
+{
+  Fixture f;
+  std::vector<Track> tracks(2);
+  tracks[0].Positions.assign(100, Vec3(0, 0, 2));
+  tracks[1].ObjectId = 1;
+  tracks[1].Positions.assign(100, Vec3(0, 1, 2));
+  f.Add(Kind::Position, 10, Vec3(0, 0.25, 2), 0.05).Status = Unreachable;
+  f.Add(Kind::Position, 10, Vec3(0, 1.5, 2)).ObjectId = -1;
+  auto report = f.Judged();
+  MeasureResiduals(f.Rows, tracks, f.Objects, f.Obstacles, f.Scene, report);
+  EXPECT_NEAR(report[0].Residual, 0.2, 1e-12);
+  EXPECT_NE(report[0].Message.find("; it comes within 0.2 m"), std::string::npos)
+    << report[0].Message;
+  EXPECT_EQ(report[1].Status, Unreachable);
+  EXPECT_NEAR(report[1].Residual, 0.5, 1e-12);
+  EXPECT_EQ(report[1].Message, "no object was assigned to it, the nearest comes within 0.5 m");
+}

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Primitives.h"
 #include "Base/Random.h"
-#include "Scene/Assignment.h"
 #include "Scene/BlueNoise.h"
 #include "Scene/MeshQueries.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
 
 using namespace waft;
 
@@ -92,44 +90,5 @@ TEST(MeshQueries, BallsAgainstABoxAndASphere)
     {
       EXPECT_EQ(IsOutside(sphere, x, 0.1), r > 0.6);
     }
-  }
-}
-
-TEST(Assignment, IsTheBestOfAllPermutations)
-{
-  Random random(4);
-  for (int trial = 0; trial < 30; ++trial)
-  {
-    std::vector<std::vector<double>> costs(4, std::vector<double>(6));
-    for (auto& row : costs)
-    {
-      for (double& cost : row)
-      {
-        cost = random.Uniform();
-      }
-    }
-    std::vector<int> columns(6);
-    std::iota(columns.begin(), columns.end(), 0);
-    double best = 1e300;
-    do
-    {
-      double sum = 0.0;
-      for (int r = 0; r < 4; ++r)
-      {
-        sum += costs[r][columns[r]];
-      }
-      best = std::min(best, sum);
-    } while (std::next_permutation(columns.begin(), columns.end()));
-    const auto assigned = LeastCostAssignment(costs);
-    double sum = 0.0;
-    for (int r = 0; r < 4; ++r)
-    {
-      sum += costs[r][assigned[r]];
-      for (int other = 0; other < r; ++other)
-      {
-        EXPECT_NE(assigned[r], assigned[other]);
-      }
-    }
-    EXPECT_NEAR(sum, best, 1e-12);
   }
 }

@@ -326,6 +326,42 @@ TEST(ReadScene, ObstaclesOfEveryKindAndTheirMotion)
   EXPECT_EQ(scene.Obstacles[3].Mesh.Points.back(), Vec3(3.0, 3.0, 3.0));
 }
 
+TEST(ReadScene, MotionIsWhereTheReferencePointIs)
+{
+  const Scene scene = Parsed(R"({"waft": 1, "time": {"frames": 20}, "obstacles": [
+    {"kind": "box", "min": [0, 0, 0], "max": [1, 1, 1],
+     "motion": [{"frame": 5, "position": [2, 0, 3]}, {"frame": 15, "position": [3, 0, 3]}]},
+    {"kind": "sphere", "center": [0, 0, 9], "radius": 0.5,
+     "motion": [{"frame": 5, "position": [1, 1, 1]}, {"frame": 6, "position": [1, 1, 2]}]},
+    {"kind": "cylinder", "base": [0, 0, 0], "top": [0, 0, 3], "radius": 0.2,
+     "motion": [{"frame": 0, "position": [1, 0, 1]}, {"frame": 10, "position": [1, 2, 1]}]},
+    {"kind": "mesh", "file": "LICENSE", "position": [9, 9, 9],
+     "motion": [{"frame": 0, "position": [1, 1, 1]}, {"frame": 10, "position": [2, 1, 1]}]},
+    {"kind": "box", "min": [0, 0, 0], "max": [1, 1, 1],
+     "motion": [{"frame": 7, "position": [2, 0, 3]}]}]})");
+  const auto middle = [&](std::size_t i, double frame)
+  {
+    const ObstacleMesh& obstacle = scene.Obstacles[i];
+    Vec3 low = obstacle.Mesh.Points.front();
+    Vec3 high = low;
+    for (const Vec3& p : obstacle.Mesh.Points)
+    {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    return Vec3(0.5 * (low + high) + obstacle.Offset(frame));
+  };
+  EXPECT_LT((middle(0, 0) - Vec3(2, 0, 3)).norm(), 1e-12) << "still before the first key";
+  EXPECT_LT((middle(0, 10) - Vec3(2.5, 0, 3)).norm(), 1e-12);
+  EXPECT_LT((middle(0, 19) - Vec3(3, 0, 3)).norm(), 1e-12);
+  EXPECT_LT((middle(1, 19) - Vec3(1, 1, 2)).norm(), 1e-12);
+  EXPECT_LT((middle(2, 5) - Vec3(1, 1, 2.5)).norm(), 1e-12) << "of the base, up to its top";
+  EXPECT_EQ(scene.Obstacles[3].Mesh.Points.front() - Vec3(1, 1, 1), Vec3(0, 0, 0));
+  EXPECT_EQ(scene.Obstacles[3].Offset(10), Vec3(1, 0, 0));
+  EXPECT_FALSE(scene.Obstacles[4].IsMoving());
+  EXPECT_LT((middle(4, 3) - Vec3(2, 0, 3)).norm(), 1e-12);
+}
+
 TEST(ReadScene, TheSameTextGivesTheSameScene)
 {
   const std::string text = WithObjects(

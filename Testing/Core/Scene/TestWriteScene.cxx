@@ -139,8 +139,8 @@ const char* const Full =
       "classes": ["green", ""]}}],
   "obstacles": [
     {"kind": "box", "min": [2, 2, 0.1], "max": [2.9, 3, 1], "id": 9, "motion": [
-      {"frame": 10, "position": [0, 0, 0]}, {"frame": 19, "position": [0.1, 0, 1]},
-      {"frame": 50, "position": [0.3, 0, 0.7]}]},
+      {"frame": 10, "position": [2.45, 2.5, 0.55]}, {"frame": 19, "position": [2.55, 2.5, 1.55]},
+      {"frame": 50, "position": [2.75, 2.5, 1.25]}]},
     {"kind": "sphere", "center": [-2, -2.1, 1.7], "radius": 0.23},
     {"kind": "cylinder", "base": [2, -2, 0.4], "top": [2.1, -2, 1], "radius": 0.21}],
   "winds": [{"direction": [1, 0, 1], "strength": 1.7, "center": [0, 0, 0.3], "radius": 1.1,

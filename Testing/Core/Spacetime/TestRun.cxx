@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <limits>
 
@@ -150,6 +151,33 @@ TEST(RunSpacetime, MeetsBallsVelocitiesAndAccelerations)
   EXPECT_LT((acceleration - Vec3(0.0, 1.0, 0.5)).norm(), 1e-7);
   EXPECT_LT((velocity(1, 46) - Vec3(0.2, 0.0, -0.3)).norm(), 1e-9);
   EXPECT_EQ(x(1, 45), input.Constraints[8].Value);
+}
+
+TEST(RunSpacetime, ComesAsNearAsThePlanToWhatCannotBeMet)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 60;
+  SpacetimeInput input = MakeScene(scene);
+  const int a = input.Objects[0].ObjectId;
+  const Vec3 planned = input.Tracks[0].Positions[20];
+  // A detour that the optimiser would leave out.
+  for (int k = 10; k <= 30; ++k)
+  {
+    const double s = std::sin(0.05 * 3.14159265358979 * (k - 10));
+    input.Tracks[0].Positions[k] += 0.3 * s * s * Vec3::UnitZ();
+  }
+  const Vec3 far = planned + Vec3(0.0, 0.0, 0.7);
+  input.Constraints.push_back(Row(a, 20, ConstraintKind::Position, far, 0.05, 10));
+  input.Constraints.back().Status = ConstraintStatus::Unreachable;
+  const SpacetimeOutput output = RunScene(input, QuickOptions());
+  const double flown = (output.Tracks[0].Positions[20] - far).norm();
+  EXPECT_LE(flown, (input.Tracks[0].Positions[20] - far).norm() + 1e-9);
+  const ReportRow& line = output.Report.back();
+  EXPECT_EQ(line.Status, ConstraintStatus::Unreachable);
+  EXPECT_NEAR(line.Residual, flown - 0.05, 1e-12);
+  char text[64];
+  std::snprintf(text, sizeof text, "; it comes within %.3g m", line.Residual);
+  EXPECT_NE(line.Message.find(text), std::string::npos) << line.Message;
 }
 
 TEST(RunSpacetime, LandsAtTheRestingPlaceAndKeepsClearOfAPillar)
