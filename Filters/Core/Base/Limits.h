@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a number may be at all, whoever gives it: a scene, an array of a pipeline, a property. The
+// limits keep nonsense out (overflow in single precision, sizes that no machine holds); they bound
+// no size of scene that somebody could want.
+#pragma once
+
+#include "Base/NumberText.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace waft::limits
+{
+
+/// From Low to High, both allowed.
+struct Range
+{
+  double Low = 0;
+  double High = 0;
+
+  /// NaN is in no range.
+  constexpr bool Holds(double x) const { return x >= this->Low && x <= this->High; }
+  /// Whether all of `values`, any container of numbers, are in the range.
+  template <class Values>
+  bool HoldsAll(const Values& values) const
+  {
+    return std::all_of(std::begin(values), std::end(values),
+                       [this](double x) { return this->Holds(x); });
+  }
+  /// "a number from LOW to HIGH", as messages say what was expected.
+  std::string Text() const
+  {
+    return "a number from " + NumberText(this->Low, 10) + " to " + NumberText(this->High, 10);
+  }
+};
+
+constexpr Range UpTo(double high)
+{
+  return { 0, high };
+}
+constexpr Range Around0(double reach)
+{
+  return { -reach, reach };
+}
+
+inline constexpr Range Coordinate = Around0(1e6);   ///< Of a point [m].
+inline constexpr Range Length = { 1e-6, 1e6 };      ///< Of what has an extent [m].
+inline constexpr Range Velocity = Around0(1e6);     ///< A component of one [m/s].
+inline constexpr Range Spin = Around0(1e6);         ///< A component of an angular velocity [rad/s].
+inline constexpr Range Acceleration = Around0(1e6); ///< A component of one [m/s^2].
+inline constexpr Range Density = { 1e-6, 1e6 };     ///< Of air or of a body [kg/m^3].
+inline constexpr Range Mass = { 1e-15, 1e9 };       ///< Of a body [kg].
+inline constexpr Range Inertia = { 1e-30, 1e18 };   ///< A principal moment of a body [kg m^2].
+inline constexpr Range FramesPerSecond = { 1e-3, 1e6 };
+inline constexpr Range Frames = { 2, 1e6 };
+inline constexpr Range Time = Around0(1e9); ///< [s]
+/// Weights, factors and strengths without a unit of their own.
+inline constexpr Range Factor = UpTo(1e9);
+inline constexpr Range Objects = { 1, 1e7 };
+
+} // namespace waft::limits
