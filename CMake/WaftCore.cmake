@@ -27,8 +27,7 @@ function(waft_core_test name)
     target_link_libraries(${target} PRIVATE WaftCore${dependency})
   endforeach()
   target_compile_definitions(${target} PRIVATE "WAFT_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\"")
-  gtest_discover_tests(${target} TEST_PREFIX "Core.${name}." DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT 300)
+  gtest_discover_tests(${target} TEST_PREFIX "Core.${name}." DISCOVERY_TIMEOUT 600)
 endfunction()
 
 # waft_core_benchmark(<Name> <source>... DEPENDS <Core libraries>): a program WaftBenchmark<Name>

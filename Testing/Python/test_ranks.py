@@ -127,7 +127,7 @@ class Ranks(unittest.TestCase):
         command += [PVBATCH, *(options if processes > 1 else []), str(path), *map(str, arguments)]
         # One thread each, and no process waits by spinning.
         environment = dict(os.environ, VTK_SMP_BACKEND_IN_USE="Sequential", OMPI_MCA_mpi_yield_when_idle="1")
-        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=280,
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                               env=environment, check=False)
         self.assertEqual(done.returncode, 0, done.stdout[-3000:])
         return done.stdout

@@ -200,8 +200,7 @@ TEST(ConstraintCheck, TargetsAreKeptOrRefusedWhole)
 {
   Fixture f;
   f.Add(Kind::Position, 30, Vec3(0, 0, 2));
-  Constraint& place = f.Add(Kind::Position, 32, Vec3(0.5, 0, 2));
-  place.Row = 1;
+  const Constraint place = f.Add(Kind::Position, 32, Vec3(0.5, 0, 2));
   Constraint speed = place;
   speed.Kind = Kind::Velocity;
   speed.Frame = 31;
