@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What was wrong with a case that was done."""
+import dataclasses
+import re
+import signal
+
+# From the worst to the least; a case counts as its first.
+FAULTS = ("crash", "lost files", "hang", "memory", "traceback", "status", "leftover", "message", "noise")
+MOST_MEGABYTES = 1500
+MOST_BYTES = 2048
+NOISE = re.compile(r"ERR\||FATL\||WARN\||ERROR: In|Warning: In|Generic Warning|0x[0-9a-f]{6,}|Loguru|libpng|TIFF|vtk[A-Z]\w+ \(")
+
+
+@dataclasses.dataclass
+class Done:
+    """How a case's process ended. changed: names of files that came, went or are others, in the case's folder and in
+    that of the older results."""
+
+    status: int  # of the exit; a signal's number below 0
+    is_hung: bool
+    megabytes: float
+    said: bytes
+    changed: list
+    old_results_changed: list
+
+
+def _without_usage(text):
+    """The lines but for argparse's own help, which names no input."""
+    lines = []
+    in_usage = False
+    for line in text.splitlines():
+        in_usage = line.startswith("usage:") or (in_usage and line.startswith(" "))
+        if not in_usage and line.strip():
+            lines.append(line)
+    return lines
+
+
+def _changes(case, done):
+    if done.old_results_changed:
+        yield "lost files", f"older results are others: {done.old_results_changed[:4]}"
+    refused = done.status not in (0, 3, 4)
+    names = [name for name in done.changed if refused or not name.startswith(("+out", "+d.", "+d/"))]
+    gone = [name for name in names if not name.startswith("+")]
+    if gone:
+        yield "lost files", f"{gone[:4]} are gone or others"
+    new = [name for name in names if name.startswith("+")]
+    # Folders on the way to an output may have been made.
+    if new and case.make is not None:
+        yield "leftover", f"new: {new[:4]}"
+    if any("/.waft" in name or name.startswith("+.waft") for name in done.changed):
+        yield "leftover", "a temporary folder"
+
+
+def _words(case, done):
+    try:
+        text = done.said.decode()
+    except UnicodeDecodeError as error:
+        yield "message", f"no UTF-8: {error}"
+        text = done.said.decode(errors="replace")
+    if "Traceback" in text or re.search(r"^\w+(Error|Exception): ", text, re.M):
+        yield "traceback", text.strip()[-200:]
+    lines = _without_usage(text)
+    if done.status in (1, 2):
+        size = len("\n".join(lines).encode())
+        if size > MOST_BYTES:
+            yield "message", f"of {size} bytes"
+        if not lines:
+            yield "message", "none"
+    for part in case.says:
+        if part not in text:
+            yield "message", f"without '{part}': {' '.join(lines)[:300]}"
+    for line in lines:
+        if NOISE.search(line) or not (line.startswith("waft") or (done.status in (0, 3, 4) and " constraints met" in line)):
+            yield "noise", line[:200]
+            return
+
+
+def faults(case, done):
+    """[(fault, sentence)], none when all is well."""
+    found = []
+    if done.is_hung:
+        found.append(("hang", "killed"))
+    elif done.status < 0:
+        found.append(("crash", signal.Signals(-done.status).name + ": " + done.said[-200:].decode(errors="replace").strip()))
+    if done.megabytes > MOST_MEGABYTES:
+        found.append(("memory", f"{done.megabytes:.0f} MB"))
+    if case.act is not None:
+        if done.status > 0:
+            found.append(("status", done.said.decode(errors="replace").strip()[-300:]))
+        return found
+    if done.status >= 0 and not done.is_hung:
+        found += _words(case, done)
+        if done.status not in case.status:
+            found.append(("status", f"{done.status} in place of {case.status}: "
+                                    f"{' '.join(done.said.decode(errors='replace').split())[:300]}"))
+    found += _changes(case, done)
+    return sorted(found, key=lambda fault: FAULTS.index(fault[0]))
