@@ -17,7 +17,7 @@ def _of(kind, file):
         "mesh": file, "origin": [0.0, 0.0, 1.8], "count": 1}}]}, "/constraints/0/targets"
 
 
-def _objs():
+def objs():
     points = "v 0 0 0\nv 0.2 0 0\nv 0 0.2 0\nv 0 0 0.2\n"
     faces = "f 1 3 2\nf 1 2 4\nf 1 4 3\n"
     for name, text in {
@@ -43,7 +43,7 @@ def _objs():
     yield "1e20 m", ".obj", good.obj([tuple(1e20 * x for x in p) for p in good.POINTS])
 
 
-def _plys():
+def plys():
     lines = [" ".join(map(str, p)) for p in good.POINTS] + ["3 " + " ".join(map(str, f)) for f in good.FACES]
     whole = good.ply()
     yield "header only", ".ply", good.ply(lines=[])
@@ -73,7 +73,7 @@ def _plys():
     yield "a word for a number", ".ply", good.ply(lines=["a b c"] + lines[1:])
 
 
-def _stls():
+def stls():
     whole = good.stl()
     yield "cut in half", ".stl", whole[:len(whole) // 2]
     yield "header only", ".stl", whole[:84]
@@ -86,7 +86,7 @@ def _stls():
                                                     b"vertex 0 1 0\nendloop\nendfacet\nendsolid a\n")
 
 
-def _glbs():
+def glbs():
     def changed(change, **more):
         content = good.gltf_json()
         change(content)
@@ -155,7 +155,7 @@ def _glbs():
     yield "JSON that is a list", ".glb", good.glb(json.loads("[]"))
 
 
-def _vtps():
+def vtps():
     whole = good.vtp()
     yield "cut in half", ".vtp", whole[:len(whole) // 2]
     yield "1e12 points", ".vtp", good.vtp(points=10 ** 12)
@@ -184,7 +184,7 @@ def cases():
     group = "meshes"
     kinds = ("shape", "obstacle", "targets")
     number = 0
-    for family in (_objs, _plys, _stls, _glbs, _vtps):
+    for family in (objs, plys, stls, glbs, vtps):
         for name, suffix, content in family():
             # Every file as a shape, where no later check looks at it, and in turn as one of the others.
             number += 1

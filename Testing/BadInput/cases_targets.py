@@ -15,7 +15,7 @@ def _targets(**what):
     return TWO | {"constraints": [{"kind": "keyframe", "frame": 30, "radius": 0.5, "targets": what | PLACE}]}
 
 
-def _damaged_pngs():
+def damaged_pngs():
     whole = good.png()
     compressed = zlib.compress(b"\x00" * (8 * (12 * 4 + 1)))
     at_checksum = whole.index(b"IDAT") + 4 + struct.unpack(">I", whole[whole.index(b"IDAT") - 4:whole.index(b"IDAT")])[0]
@@ -44,7 +44,7 @@ def _damaged_pngs():
     yield "an unknown filter", good.png(scanlines=b"\x09" * (8 * (12 * 4 + 1)))
 
 
-def _damaged_others():
+def damaged_others():
     for suffix, content in ((".jpg", good.jpg()), (".tif", good.tif()), (".bmp", good.bmp())):
         yield f"junk{suffix}", b"this is no picture"
         yield f"empty{suffix}", b""
@@ -81,11 +81,11 @@ def _other_formats():
 def cases():
     group = "targets"
     pointer = "/constraints/0/targets"
-    for name, content in _damaged_pngs():
+    for name, content in damaged_pngs():
         yield scene_case(group, f"image: {name}", _targets(image="p.png"), pointer, "p.png", files={"p.png": content})
         yield scene_case(group, f"photograph: {name}", LEAF | {"shapes": {"leaf": {"mesh": "p.png"}}}, "/shapes/leaf",
                          "p.png", files={"p.png": content})
-    for name, content in _damaged_others():
+    for name, content in damaged_others():
         file = "p." + name.rpartition(".")[2]
         yield scene_case(group, f"image: {name}", _targets(image=file), pointer, file, files={file: content})
     for file, content in _other_formats():

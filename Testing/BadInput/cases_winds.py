@@ -13,7 +13,7 @@ def _wind(file):
     return LEAF | {"winds": [{"file": file}]}
 
 
-def _vtis():
+def vtis():
     whole = good.vti()
     yield "cut in half", whole[:len(whole) // 2]
     yield "empty", b""
@@ -43,7 +43,7 @@ def _vtis():
     yield "of another kind", whole.replace(b'"ImageData"', b'"PolyData"', 1)
 
 
-def _pvds():
+def pvds():
     yield "empty", b""
     yield "junk", b"no collection\n"
     yield "no entries", good.pvd()
@@ -73,7 +73,7 @@ BESIDE = {
 }
 
 
-def _vdbs():
+def vdbs():
     whole = FIXTURE.read_bytes()
     for at in (0, 4, 60, 100, 200, 1000, 5000, len(whole) - 8):
         yield f"cut at {at}", whole[:at]
@@ -91,11 +91,11 @@ def _vdbs():
 def cases():
     group = "winds"
     pointer = "/winds/0"
-    for name, content in _vtis():
+    for name, content in vtis():
         yield scene_case(group, f"vti: {name}", _wind("w.vti"), pointer, "w.vti", files={"w.vti": content})
-    for name, content in _pvds():
+    for name, content in pvds():
         yield scene_case(group, f"pvd: {name}", _wind("w.pvd"), pointer, files={"w.pvd": content, **BESIDE})
-    for name, content in _vdbs():
+    for name, content in vdbs():
         # Bytes that are values, and no length of anything, may be other ones.
         status = (0, 2) if "damaged" in name else (2,)
         yield scene_case(group, f"vdb: {name}", _wind("w.vdb"), *([pointer] if status == (2,) else []), status=status,
