@@ -44,18 +44,27 @@ constexpr Range Around0(double reach)
 }
 
 inline constexpr Range Coordinate = Around0(1e6);   ///< Of a point [m].
-inline constexpr Range Length = { 1e-6, 1e6 };      ///< Of what has an extent [m].
+inline constexpr Range Length = { 1e-9, 1e6 };      ///< Of what has an extent [m].
+inline constexpr Range Distance = UpTo(1e6);        ///< Of what may have none [m].
 inline constexpr Range Velocity = Around0(1e6);     ///< A component of one [m/s].
+inline constexpr Range Speed = { 1e-9, 1e6 };       ///< Of what falls at all [m/s].
 inline constexpr Range Spin = Around0(1e6);         ///< A component of an angular velocity [rad/s].
 inline constexpr Range Acceleration = Around0(1e6); ///< A component of one [m/s^2].
-inline constexpr Range Density = { 1e-6, 1e6 };     ///< Of air or of a body [kg/m^3].
-inline constexpr Range Mass = { 1e-15, 1e9 };       ///< Of a body [kg].
-inline constexpr Range Inertia = { 1e-30, 1e18 };   ///< A principal moment of a body [kg m^2].
+inline constexpr Range VortexStrength = Around0(1e6); ///< [m^2/s^2]
+inline constexpr Range Direction = Around0(1e6);      ///< A component of one that is made unit.
+inline constexpr Range Density = { 1e-6, 1e6 };       ///< Of air or of a body [kg/m^3].
+inline constexpr Range AreaDensity = { 1e-6, 1e6 };   ///< Of a body's surface [kg/m^2].
+inline constexpr Range Mass = { 1e-15, 1e9 };         ///< Of a body [kg].
+inline constexpr Range Coefficient = { 1e-9, 1e9 };   ///< A factor that is not 0.
+inline constexpr Range Factor = UpTo(1e9);            ///< A weight or factor that may be 0.
 inline constexpr Range FramesPerSecond = { 1e-3, 1e6 };
-inline constexpr Range Frames = { 2, 1e6 };
-inline constexpr Range Time = Around0(1e9); ///< [s]
-/// Weights, factors and strengths without a unit of their own.
-inline constexpr Range Factor = UpTo(1e9);
-inline constexpr Range Objects = { 1, 1e7 };
+inline constexpr Range Frames = { 2, 1e6 };            ///< How many there are.
+inline constexpr Range Frame = { 0, 1e6 - 1 };         ///< Which one.
+inline constexpr Range Time = Around0(1e9);            ///< [s]
+inline constexpr Range Duration = { 1e-9, 1e9 };       ///< [s]
+inline constexpr Range Count = { 1, 1e5 };             ///< Of objects or targets asked for at once.
+inline constexpr Range Objects = { 0, 1e6 };           ///< Of a scene.
+inline constexpr Range Id = { 0, 1e9 };                ///< Of an object or obstacle.
+inline constexpr Range Seed = { 0, 9007199254740991 }; ///< 2^53 - 1: exact in any JSON reader.
 
 } // namespace waft::limits

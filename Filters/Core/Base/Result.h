@@ -2,8 +2,9 @@
 // The one error contract of Core: a Result, never an exception across a library's boundary.
 #pragma once
 
+#include "Base/MessageText.h"
+
 #include <string>
-#include <utility>
 
 namespace waft
 {
@@ -13,11 +14,12 @@ class [[nodiscard]] Result
 {
 public:
   static Result Ok() { return {}; }
-  static Result Error(std::string message)
+  /// The message is made valid UTF-8 of less than 2 kB, whatever it quotes.
+  static Result Error(const std::string& message)
   {
     Result result;
     result.Failed = true;
-    result.Text = std::move(message);
+    result.Text = MessageText(message);
     return result;
   }
   /// The caller's Monitor asked to stop; outputs hold the best result so far where that has a

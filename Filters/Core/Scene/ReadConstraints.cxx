@@ -94,7 +94,7 @@ void SceneReader::ReadConstraint(const SceneNode& node, int row)
   }
   if (node.Has("radius"))
   {
-    constraint.Radius = node.At("radius", "").NonNegative();
+    constraint.Radius = node.At("radius", "").Number();
   }
   if (simple->Kind == ConstraintKind::Rest)
   {
@@ -117,7 +117,7 @@ void SceneReader::ReadPath(const SceneNode& node, int row)
   const int first = this->Frame(node.At("firstFrame", "a frame of the scene"));
   if (node.Has("radius"))
   {
-    constraint.Radius = node.At("radius", "").NonNegative();
+    constraint.Radius = node.At("radius", "").Number();
   }
   const SceneNode points = node.At("points", "a list of points, one a frame");
   const std::size_t count = points.Size("a list of points, one a frame");
@@ -197,7 +197,7 @@ void SceneReader::ReadKeyframe(const SceneNode& node, int row)
   constraint.Until = constraint.Frame;
   if (node.Has("radius"))
   {
-    constraint.Radius = node.At("radius", "").NonNegative();
+    constraint.Radius = node.At("radius", "").Number();
   }
   bool rests = false;
   std::optional<Vec3> velocity;

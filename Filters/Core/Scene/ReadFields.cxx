@@ -9,6 +9,31 @@
 namespace waft
 {
 
+namespace
+{
+
+// Whether the box around an obstacle meets the volume at any frame.
+bool EntersVolume(const ObstacleMesh& obstacle, const Box& volume)
+{
+  Vec3 low = obstacle.Mesh.Points.front();
+  Vec3 high = low;
+  for (const Vec3& p : obstacle.Mesh.Points)
+  {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const auto meets = [&](const Vec3& offset)
+  {
+    return ((low + offset).array() <= volume.Max.array()).all() &&
+           ((high + offset).array() >= volume.Min.array()).all();
+  };
+  return obstacle.Offsets.empty()
+           ? meets(Vec3::Zero())
+           : std::any_of(obstacle.Offsets.begin(), obstacle.Offsets.end(), meets);
+}
+
+} // namespace
+
 void SceneReader::ReadObstacles(const SceneNode& node)
 {
   const std::size_t count = node.Size("a list of obstacles");
@@ -23,6 +48,11 @@ void SceneReader::ReadObstacles(const SceneNode& node)
         item.FailWith("expected an id of its own, found " + std::to_string(obstacle.ObstacleId) +
                       " for two obstacles");
       }
+    }
+    if (!EntersVolume(obstacle, this->Out.Info.Bounds))
+    {
+      this->Out.Warnings.push_back(this->Name + ": " + item.Pointer() +
+                                   ": the obstacle is outside the volume at all frames");
     }
     this->Out.Obstacles.push_back(std::move(obstacle));
   }
@@ -65,7 +95,7 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int place)
   {
     node.CheckFields("sphereObstacle");
     reference = first(node.At("center", "a point [x, y, z]").Vector());
-    obstacle.Mesh = MakeSphere(reference, node.At("radius", "a radius in metres").Positive());
+    obstacle.Mesh = MakeSphere(reference, node.At("radius", "a radius in metres").Number());
   }
   else if (kind == "cylinder")
   {
@@ -78,19 +108,19 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int place)
     }
     reference = first(base);
     const Vec3 end = top + (reference - base);
-    obstacle.Mesh =
-      MakeCylinder(reference, end, node.At("radius", "a radius in metres").Positive());
+    obstacle.Mesh = MakeCylinder(reference, end, node.At("radius", "a radius in metres").Number());
   }
   else if (kind == "mesh")
   {
     node.CheckFields("meshObstacle");
     const SceneNode file = node.At("file", "a file of a closed surface");
-    this->Check(this->Assets.LoadMesh(this->File(file), obstacle.Mesh), file);
+    const std::string path = this->File(file);
+    Check(file, [&] { return this->Assets.LoadMesh(path, obstacle.Mesh); });
     if (obstacle.Mesh.Triangles.empty())
     {
       file.Fail("a surface with triangles");
     }
-    const double scale = node.Has("scale") ? node.At("scale", "").Positive() : 1.0;
+    const double scale = node.Has("scale") ? node.At("scale", "").Number() : 1.0;
     reference = first(node.Has("position") ? node.At("position", "").Vector() : Vec3(Vec3::Zero()));
     for (Vec3& p : obstacle.Mesh.Points)
     {
@@ -101,9 +131,8 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int place)
   {
     kindNode.Fail(expected);
   }
-  constexpr std::int64_t largest = 1000000000;
   obstacle.ObstacleId =
-    node.Has("id") ? static_cast<int>(node.At("id", "").Integer(0, largest, "an id")) : place;
+    node.Has("id") ? static_cast<int>(node.At("id", "").Integer("an id")) : place;
   const bool moves = std::any_of(places.begin(), places.end(),
                                  [&](const Vec3& place) { return place != places.front(); });
   for (std::size_t frame = 0; moves && frame < places.size(); ++frame)
@@ -212,9 +241,9 @@ void SceneReader::ReadWinds(const SceneNode& node)
     }
     wind.Strength = item.At("strength", "a strength in m/s^2").Number();
     wind.Center = item.At("center", "a point [x, y, z]").Vector();
-    wind.Radius = item.At("radius", "a radius in metres").Positive();
+    wind.Radius = item.At("radius", "a radius in metres").Number();
     wind.CenterTime = item.At("centerTime", "a time in seconds").Number();
-    wind.Duration = item.At("duration", "a duration in seconds").Positive();
+    wind.Duration = item.At("duration", "a duration in seconds").Number();
     this->Out.Winds.push_back(wind);
   }
 }
@@ -236,8 +265,8 @@ void SceneReader::ReadVortices(const SceneNode& node)
     }
     vortex.Strength = item.At("strength", "a strength in m^2/s^2").Number();
     vortex.CenterTime = item.At("centerTime", "a time in seconds").Number();
-    vortex.Duration = item.At("duration", "a duration in seconds").Positive();
-    vortex.CoreRadius = item.At("coreRadius", "a radius in metres").Positive();
+    vortex.Duration = item.At("duration", "a duration in seconds").Number();
+    vortex.CoreRadius = item.At("coreRadius", "a radius in metres").Number();
     this->Out.Vortices.push_back(vortex);
   }
 }

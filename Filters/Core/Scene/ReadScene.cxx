@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/NumberText.h"
 #include "Scene/Scene.h"
 #include "Scene/SceneReader.h"
 
@@ -14,7 +15,8 @@ namespace waft
 namespace
 {
 
-constexpr int MostFrames = 1000000;
+constexpr double LeastSide = 1e-3; // of the volume, m
+constexpr double MostSlender = 1000.0;
 
 // "line 3, column 7" of a byte of the text.
 std::string LineAndColumn(const std::string& text, std::size_t byte)
@@ -42,25 +44,68 @@ std::string Reason(const std::string& what)
   return colon == std::string::npos ? what : what.substr(colon + 2);
 }
 
+// Where a parser stands in a text, and the fields that it met in the objects around it.
+class ParserPlace
+{
+public:
+  /// False at a field that its object had before.
+  bool Pass(SceneJson::parse_event_t event, const SceneJson& value)
+  {
+    using Event = SceneJson::parse_event_t;
+    if (event == Event::key)
+    {
+      this->Levels.back().Field = value.get<std::string>();
+      return this->Levels.back().Fields.insert(this->Levels.back().Field).second;
+    }
+    if (event == Event::object_end || event == Event::array_end)
+    {
+      this->Levels.pop_back();
+      return true;
+    }
+    if (!this->Levels.empty() && this->Levels.back().IsList)
+    {
+      ++this->Levels.back().Index;
+    }
+    if (event == Event::object_start || event == Event::array_start)
+    {
+      this->Levels.push_back({ event == Event::array_start, 0, {}, {} });
+    }
+    return true;
+  }
+
+  std::string Pointer() const
+  {
+    std::string pointer;
+    for (const Level& level : this->Levels)
+    {
+      pointer += "/" + (level.IsList ? std::to_string(level.Index - 1) : PointerToken(level.Field));
+    }
+    return pointer;
+  }
+  const std::string& Field() const { return this->Levels.back().Field; }
+
+private:
+  struct Level
+  {
+    bool IsList;
+    std::size_t Index; // one past the element
+    std::string Field;
+    std::set<std::string> Fields;
+  };
+  std::vector<Level> Levels;
+};
+
 SceneJson ParseText(const std::string& text, const std::string& name)
 {
   // A field that stands twice in an object would silently win or lose.
-  std::vector<std::set<std::string>> fields;
+  ParserPlace place;
   const auto refuseTwice = [&](int, SceneJson::parse_event_t event, SceneJson& value)
   {
-    if (event == SceneJson::parse_event_t::object_start)
+    if (!place.Pass(event, value))
     {
-      fields.emplace_back();
-    }
-    else if (event == SceneJson::parse_event_t::object_end)
-    {
-      fields.pop_back();
-    }
-    else if (event == SceneJson::parse_event_t::key &&
-             !fields.back().insert(value.get<std::string>()).second)
-    {
-      throw SceneError{ name + ": expected every field of an object once, found " + value.dump() +
-                        " twice" };
+      throw SceneError{ name + ": " + place.Pointer() +
+                        ": expected every field of an object once, found \"" + place.Field() +
+                        "\" twice" };
     }
     return true;
   };
@@ -105,8 +150,17 @@ std::string SceneReader::File(const SceneNode& node) const
   return path.lexically_normal().string();
 }
 
-void SceneReader::Check(const Result& result, const SceneNode& node) const
+void SceneReader::Check(const SceneNode& node, const std::function<Result()>& load)
 {
+  Result result = Result::Ok();
+  try
+  {
+    result = load();
+  }
+  catch (const std::exception& error) // of a library below, or of memory
+  {
+    result = Result::Error(error.what());
+  }
   if (!result)
   {
     node.FailWith(result.Message());
@@ -116,15 +170,14 @@ void SceneReader::Check(const Result& result, const SceneNode& node) const
 void SceneReader::ReadInfo(const SceneNode& root)
 {
   SceneInfo& info = this->Out.Info;
-  root.At("waft", "the format's version 1").Integer(1, 1, "the format's version 1");
+  root.At("waft", "the format's version 1").Integer("the format's version 1");
   if (root.Has("title"))
   {
     this->Out.Title = root.At("title", "").Text();
   }
   if (root.Has("seed"))
   {
-    constexpr std::int64_t largest = 9007199254740991; // 2^53 - 1: exact in any JSON reader
-    info.Seed = static_cast<std::uint64_t>(root.At("seed", "").Integer(0, largest, "a seed"));
+    info.Seed = static_cast<std::uint64_t>(root.At("seed", "").Integer("a seed"));
   }
   if (root.Has("time"))
   {
@@ -133,11 +186,11 @@ void SceneReader::ReadInfo(const SceneNode& root)
     if (time.Has("frames"))
     {
       info.Time.NumberOfFrames =
-        static_cast<int>(time.At("frames", "").Integer(2, MostFrames, "a number of frames"));
+        static_cast<int>(time.At("frames", "").Integer("a number of frames"));
     }
     if (time.Has("framesPerSecond"))
     {
-      info.Time.FramesPerSecond = time.At("framesPerSecond", "").Positive();
+      info.Time.FramesPerSecond = time.At("framesPerSecond", "").Number();
     }
   }
   if (root.Has("domain"))
@@ -152,9 +205,15 @@ void SceneReader::ReadInfo(const SceneNode& root)
     {
       info.Bounds.Max = domain.At("max", "").Vector();
     }
-    if (!(info.Bounds.Size().minCoeff() > 0.0))
+    const Vec3 size = info.Bounds.Size();
+    if (!(size.minCoeff() > 0.0))
     {
       domain.Fail("a volume whose max is above its min along each axis");
+    }
+    if (size.minCoeff() < LeastSide || size.maxCoeff() > MostSlender * size.minCoeff())
+    {
+      domain.Fail("a volume of sides from " + NumberText(LeastSide) +
+                  " m on, the longest at most " + NumberText(MostSlender) + " times the shortest");
     }
   }
   this->GroundHeight = info.Bounds.Min.z();
@@ -165,7 +224,7 @@ void SceneReader::ReadInfo(const SceneNode& root)
     if (ground.Has("height"))
     {
       this->GroundHeight = ground.At("height", "").Number();
-      if (this->GroundHeight >= info.Bounds.Max.z())
+      if (this->GroundHeight > info.Bounds.Max.z() - LeastSide)
       {
         ground.At("height", "").Fail("a height below the top of the volume");
       }
@@ -178,7 +237,7 @@ void SceneReader::ReadInfo(const SceneNode& root)
     air.CheckFields("air");
     if (air.Has("density"))
     {
-      info.AirDensity = air.At("density", "").Positive();
+      info.AirDensity = air.At("density", "").Number();
     }
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shapes and objects of a scene file.
+#include "Base/NumberText.h"
 #include "Base/ShapeMeasures.h"
 #include "Scene/BlueNoise.h"
 #include "Scene/MeshQueries.h"
@@ -10,13 +11,6 @@
 
 namespace waft
 {
-
-namespace
-{
-
-constexpr int MostObjects = 100000;
-
-} // namespace
 
 void SceneReader::ReadShapes(const SceneNode& node)
 {
@@ -29,7 +23,7 @@ void SceneReader::ReadShapes(const SceneNode& node)
 void SceneReader::ReadShape(const SceneNode& node, const std::string& name)
 {
   node.CheckFields("shape");
-  const double size = node.Has("size") ? node.At("size", "").Positive() : 0.0;
+  const double size = node.Has("size") ? node.At("size", "").Number() : 0.0;
   Shape shape;
   if (node.Has("builtin") == node.Has("mesh"))
   {
@@ -42,7 +36,7 @@ void SceneReader::ReadShape(const SceneNode& node, const std::string& name)
   if (node.Has("builtin"))
   {
     const SceneNode builtin = node.At("builtin", "");
-    this->Check(this->Assets.LoadBuiltinShape(builtin.Text(), size, shape), builtin);
+    Check(builtin, [&] { return this->Assets.LoadBuiltinShape(builtin.Text(), size, shape); });
   }
   else
   {
@@ -52,9 +46,13 @@ void SceneReader::ReadShape(const SceneNode& node, const std::string& name)
     {
       node.At("size", "").FailWith("expected no `size` of a mesh that is taken as it is (`align`)");
     }
-    this->Check(mustAlign ? this->Assets.LoadShapeMesh(this->File(mesh), size, shape)
-                          : this->Assets.LoadAlignedShape(this->File(mesh), shape),
-                mesh);
+    const std::string file = this->File(mesh);
+    Check(mesh,
+          [&]
+          {
+            return mustAlign ? this->Assets.LoadShapeMesh(file, size, shape)
+                             : this->Assets.LoadAlignedShape(file, shape);
+          });
     if (!(SurfaceArea(shape.Mesh) > 0.0))
     {
       mesh.FailWith("expected a surface with an area, found none in \"" + mesh.Text() + "\"");
@@ -88,21 +86,23 @@ void SceneReader::ReadShape(const SceneNode& node, const std::string& name)
   {
     if (node.Has(field))
     {
-      value = node.At(field, "").Positive();
+      value = node.At(field, "").Number();
     }
   };
   number("areaDensity", shape.AreaDensity);
   number("thickness", shape.Thickness);
   number("dragCoefficient", shape.DragCoefficient);
   number("settlingSpeed", shape.SettlingSpeed);
+  const double mass = ShellMass(shape);
+  if (!limits::Mass.Holds(mass))
+  {
+    node.FailWith("expected a surface and an areaDensity whose product [kg] is " +
+                  limits::Mass.Text() + ", found " + NumberText(mass));
+  }
   if (node.Has("color"))
   {
     const SceneNode color = node.At("color", "");
     const Vec3 rgb = color.Vector();
-    if (rgb.minCoeff() < 0.0 || rgb.maxCoeff() > 1.0)
-    {
-      color.Fail("a colour [r, g, b] of numbers from 0 to 1");
-    }
     shape.Color = { rgb[0], rgb[1], rgb[2] };
     shape.Tint = shape.Color;
   }
@@ -129,8 +129,7 @@ int SceneReader::ClassOf(const std::string& name)
 // The id of the next object: what the entry says, or its place in the expanded list.
 int SceneReader::FreeId(const SceneNode& node) const
 {
-  constexpr std::int64_t largest = 1000000000;
-  const int id = node.Has("id") ? static_cast<int>(node.At("id", "").Integer(0, largest, "an id"))
+  const int id = node.Has("id") ? static_cast<int>(node.At("id", "").Integer("an id"))
                                 : static_cast<int>(this->Out.Objects.size());
   if (this->PlaceOfObject.count(id) > 0)
   {
@@ -144,7 +143,13 @@ void SceneReader::ReadObjects(const SceneNode& node)
   const std::size_t entries = node.Size("a list of objects");
   for (std::size_t entry = 0; entry < entries; ++entry)
   {
-    this->ReadObjectEntry(node.Item(entry), entry);
+    const SceneNode item = node.Item(entry);
+    this->ReadObjectEntry(item, entry);
+    if (!limits::Objects.Holds(static_cast<double>(this->Out.Objects.size())))
+    {
+      item.FailWith("expected at most " + NumberText(limits::Objects.High, 10) +
+                    " objects in a scene, found more");
+    }
   }
 }
 
@@ -174,18 +179,18 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t entry)
   object.SettlingSpeed = shape->SettlingSpeed;
   object.ClearanceRadius = ClearanceRadius(*shape);
   object.RestHeight = RestHeight(*shape);
-  object.Mass = node.Has("mass") ? node.At("mass", "").Positive() : ShellMass(*shape);
+  object.Mass = node.Has("mass") ? node.At("mass", "").Number() : ShellMass(*shape);
   if (node.Has("settlingSpeed"))
   {
-    object.SettlingSpeed = node.At("settlingSpeed", "").NonNegative();
+    object.SettlingSpeed = node.At("settlingSpeed", "").Number();
   }
   if (node.Has("clearanceRadius"))
   {
-    object.ClearanceRadius = node.At("clearanceRadius", "").NonNegative();
+    object.ClearanceRadius = node.At("clearanceRadius", "").Number();
   }
   if (node.Has("restHeight"))
   {
-    object.RestHeight = node.At("restHeight", "").NonNegative();
+    object.RestHeight = node.At("restHeight", "").Number();
   }
   if (node.Has("class"))
   {
@@ -234,7 +239,7 @@ std::vector<Vec3> SceneReader::SpreadObjects(const SceneNode& node, std::size_t 
                                              double radius)
 {
   const auto count = static_cast<std::size_t>(
-    node.At("count", "a number of objects").Integer(1, MostObjects, "a number of objects"));
+    node.At("count", "a number of objects").Integer("a number of objects"));
   const SceneNode regionNode = node.At("region", "a region {min, max}");
   regionNode.CheckFields("region");
   Box region;
@@ -247,8 +252,7 @@ std::vector<Vec3> SceneReader::SpreadObjects(const SceneNode& node, std::size_t 
   std::uint64_t seed = this->Out.Info.Seed;
   if (node.Has("seed"))
   {
-    seed = static_cast<std::uint64_t>(
-      node.At("seed", "").Integer(0, std::int64_t(9007199254740991), "a seed"));
+    seed = static_cast<std::uint64_t>(node.At("seed", "").Integer("a seed"));
   }
   const auto& objects = this->Out.Objects;
   const auto isAdmissible = [&](const Vec3& x)

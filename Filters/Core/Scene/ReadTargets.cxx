@@ -34,7 +34,7 @@ SceneReader::Placement SceneReader::ReadPlacement(const SceneNode& node, bool ne
   }
   if (needsWidth || node.Has("width"))
   {
-    place.Width = node.At("width", "a width in metres").Positive();
+    place.Width = node.At("width", "a width in metres").Number();
   }
   return place;
 }
@@ -65,9 +65,12 @@ std::vector<SceneReader::Target> SceneReader::SamplePlane(const SceneNode& node,
                     [&](const MotionObject& o) { return o.ClassId == classIds[c]; }));
   }
   std::vector<PlaneTarget> samples;
-  this->Check(
-    SampleMask(mask, count, limits, this->Out.Info.Seed, static_cast<std::uint64_t>(row), samples),
-    node);
+  Check(node,
+        [&]
+        {
+          return SampleMask(mask, count, limits, this->Out.Info.Seed,
+                            static_cast<std::uint64_t>(row), samples);
+        });
   std::vector<Target> targets;
   for (const PlaneTarget& sample : samples)
   {
@@ -82,7 +85,8 @@ std::vector<SceneReader::Target> SceneReader::SampleMesh(const SceneNode& node, 
 {
   const SceneNode file = node.At("mesh", "");
   TriangleMesh mesh;
-  this->Check(this->Assets.LoadMesh(this->File(file), mesh), file);
+  const std::string path = this->File(file);
+  Check(file, [&] { return this->Assets.LoadMesh(path, mesh); });
   if (mesh.Points.empty())
   {
     file.Fail("a mesh with points");
@@ -102,8 +106,12 @@ std::vector<SceneReader::Target> SceneReader::SampleMesh(const SceneNode& node, 
   }
   const double scale = node.Has("width") ? place.Width / extent : 1.0;
   std::vector<Vec3> points;
-  this->Check(
-    SampleSurface(mesh, count, this->Out.Info.Seed, static_cast<std::uint64_t>(row), points), file);
+  Check(file,
+        [&]
+        {
+          return SampleSurface(mesh, count, this->Out.Info.Seed, static_cast<std::uint64_t>(row),
+                               points);
+        });
   const Vec3 w = place.U.cross(place.V).normalized();
   std::vector<Target> targets;
   for (const Vec3& p : points)
@@ -174,8 +182,7 @@ std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node,
   std::size_t count = objects;
   if (node.Has("count"))
   {
-    constexpr std::int64_t most = 100000;
-    count = static_cast<std::size_t>(node.At("count", "").Integer(1, most, "a number of targets"));
+    count = static_cast<std::size_t>(node.At("count", "").Integer("a number of targets"));
   }
   if (node.Has("mesh"))
   {
@@ -194,7 +201,7 @@ std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node,
     {
       text.Fail("a text that is not empty");
     }
-    this->Check(this->Assets.DrawText(text.Text(), font, picture), text);
+    Check(text, [&] { return this->Assets.DrawText(text.Text(), font, picture); });
     TargetMask close = MaskFromPicture(picture, {});
     close.BodyWidth = this->BodyWidth(this->ReadPlacement(node, true), close.Width);
     const double distance = TargetDistance(close, count);
@@ -202,7 +209,8 @@ std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node,
     return this->SamplePlane(node, MaskFromPicture(picture, {}), count, {}, row);
   }
   const SceneNode image = node.At("image", "");
-  this->Check(this->Assets.LoadPicture(this->File(image), picture), image);
+  const std::string path = this->File(image);
+  Check(image, [&] { return this->Assets.LoadPicture(path, picture); });
   std::vector<int> classIds;
   std::vector<std::array<double, 3>> colors;
   if (node.Has("classes"))

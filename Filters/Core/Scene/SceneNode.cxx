@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/SceneNode.h"
 
-#include "Scene/SceneFields.h"
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace waft
 {
 
 namespace
 {
-
-// A field's name as a token of a JSON pointer (RFC 6901).
-std::string Token(const std::string& field)
-{
-  std::string token;
-  for (const char c : field)
-  {
-    token += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
-  }
-  return token;
-}
 
 // Short values as they are; long ones by their kind (nothing is walked deeply: a file may nest its
 // lists a million times).
@@ -54,15 +42,39 @@ std::string Describe(const SceneJson& value)
   return text.substr(0, longest) + "...";
 }
 
-std::string Brief(double number)
+// What was expected of a number that is not in its range: the bound that it breaks in the words
+// that say why, the whole range where only the table knows.
+std::string ExpectedNumber(const limits::Range& range, double number)
 {
-  return SceneJson(number).dump();
+  if (std::isfinite(number) && number > range.High)
+  {
+    return range.Text();
+  }
+  if (range.Low > 0.0 && !(number > 0.0))
+  {
+    return "a number above 0";
+  }
+  if (range.Low == 0.0 && range.High > 1.0)
+  {
+    return "a number of at least 0";
+  }
+  return range.Low < 0.0 && !std::isfinite(number) ? "a finite number" : range.Text();
 }
 
 } // namespace
 
-SceneNode::SceneNode(const SceneJson& value, std::string pointer) :
-  Value(value), Place(std::move(pointer))
+std::string PointerToken(const std::string& field)
+{
+  std::string token;
+  for (const char c : field)
+  {
+    token += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+  }
+  return token;
+}
+
+SceneNode::SceneNode(const SceneJson& value, std::string pointer, const limits::Range* range) :
+  Value(value), Place(std::move(pointer)), Range(range)
 {
 }
 
@@ -90,15 +102,26 @@ SceneNode SceneNode::At(const std::string& field, const std::string& expected) c
   const auto found = this->Value.find(field);
   if (found == this->Value.end())
   {
-    throw SceneError{ this->Place + "/" + Token(field) + ": expected " + expected +
+    throw SceneError{ this->Place + "/" + PointerToken(field) + ": expected " + expected +
                       ", found nothing" };
   }
-  return { *found, this->Place + "/" + Token(field) };
+  return { *found, this->Place + "/" + PointerToken(field), this->RangeOf(field) };
+}
+
+// Fields whose names the artist chooses have the range of what holds them.
+const limits::Range* SceneNode::RangeOf(const std::string& field) const
+{
+  if (this->Table == nullptr)
+  {
+    return this->Range;
+  }
+  const SceneField* known = this->Table->Find(field);
+  return known != nullptr && known->Range ? &*known->Range : nullptr;
 }
 
 SceneNode SceneNode::Item(std::size_t i) const
 {
-  return { this->Value[i], this->Place + "/" + std::to_string(i) };
+  return { this->Value[i], this->Place + "/" + std::to_string(i), this->Range };
 }
 
 std::size_t SceneNode::Size(const std::string& expected) const
@@ -129,50 +152,38 @@ std::vector<std::string> SceneNode::Fields() const
 
 void SceneNode::CheckFields(const std::string& table) const
 {
-  const std::vector<std::string>& known = SceneFieldsOf(table).Fields;
+  this->Table = &SceneFieldsOf(table);
   for (const std::string& field : this->Fields())
   {
-    if (std::find(known.begin(), known.end(), field) == known.end())
+    if (this->Table->Find(field) == nullptr)
     {
       std::string list;
-      for (const std::string& name : known)
+      for (const SceneField& known : this->Table->Fields)
       {
-        list += (list.empty() ? "" : ", ") + name;
+        list += (list.empty() ? "" : ", ") + known.Name;
       }
-      throw SceneError{ this->Place + "/" + Token(field) + ": expected one of the fields " + list +
-                        ", found the unknown field \"" + field + "\"" };
+      throw SceneError{ this->Place + "/" + PointerToken(field) + ": expected one of the fields " +
+                        list + ", found the unknown field \"" + field + "\"" };
     }
   }
 }
 
-double SceneNode::Number(double low, double high) const
+double SceneNode::Number() const
 {
   const double number = this->Value.is_number() ? this->Value.get<double>() : NAN;
-  if (std::isfinite(number) && number >= low && number <= high)
+  constexpr limits::Range any = limits::Around0(std::numeric_limits<double>::max());
+  const limits::Range range = this->Range == nullptr ? any : *this->Range;
+  if (!range.Holds(number))
   {
-    return number;
-  }
-  if (std::isinf(low) && std::isinf(high))
-  {
-    this->Fail("a finite number");
-  }
-  this->Fail("a number " + (std::isinf(high) ? "of at least " + Brief(low)
-                                             : "from " + Brief(low) + " to " + Brief(high)));
-}
-
-double SceneNode::Positive() const
-{
-  const double number = this->Value.is_number() ? this->Value.get<double>() : NAN;
-  if (!std::isfinite(number) || number <= 0.0)
-  {
-    this->Fail("a number above 0");
+    this->Fail(ExpectedNumber(range, number));
   }
   return number;
 }
 
-double SceneNode::NonNegative() const
+std::int64_t SceneNode::Integer(const std::string& what) const
 {
-  return this->Number(0.0);
+  return this->Integer(static_cast<std::int64_t>(this->Range->Low),
+                       static_cast<std::int64_t>(this->Range->High), what);
 }
 
 std::int64_t SceneNode::Integer(std::int64_t low, std::int64_t high, const std::string& what) const

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "Base/Types.h"
+#include "Scene/SceneFields.h"
 
 #include <nlohmann/json.hpp>
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -21,10 +21,14 @@ struct SceneError
   std::string Message; // "/json/pointer: expected ..., found ..."
 };
 
+/// A field's name as a token of a JSON pointer (RFC 6901).
+std::string PointerToken(const std::string& field);
+
 class SceneNode
 {
 public:
-  SceneNode(const SceneJson& value, std::string pointer);
+  /// `range`: of the numbers in this value, from the table of fields; null where it has none.
+  SceneNode(const SceneJson& value, std::string pointer, const limits::Range* range = nullptr);
 
   const std::string& Pointer() const { return this->Place; }
   /// Throws "pointer: expected `expected`, found <this value>".
@@ -43,13 +47,15 @@ public:
   std::size_t Size(const std::string& expected = "a list") const;
   /// Names of the fields, comments left out.
   std::vector<std::string> Fields() const;
-  /// Fails unless this is an object whose fields are all in the table of this name.
+  /// Fails unless this is an object whose fields are all in the table of this name. From here on
+  /// its fields know the ranges that the table gives them.
   void CheckFields(const std::string& table) const;
 
-  double Number(double low = -std::numeric_limits<double>::infinity(),
-                double high = std::numeric_limits<double>::infinity()) const;
-  double Positive() const;
-  double NonNegative() const;
+  /// A number in the range of its field.
+  double Number() const;
+  /// An integer in the range of its field.
+  std::int64_t Integer(const std::string& what) const;
+  /// An integer in a range that hangs on the rest of the scene.
   std::int64_t Integer(std::int64_t low, std::int64_t high, const std::string& what) const;
   bool Boolean() const;
   std::string Text() const;
@@ -59,8 +65,12 @@ public:
 private:
   std::vector<double> Numbers(std::size_t count, const std::string& expected) const;
 
+  const limits::Range* RangeOf(const std::string& field) const;
+
   const SceneJson& Value;
   std::string Place;
+  const limits::Range* Range;
+  mutable const SceneFieldTable* Table = nullptr; // once the fields were checked
 };
 
 } // namespace waft

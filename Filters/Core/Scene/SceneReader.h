@@ -6,6 +6,7 @@
 #include "Scene/SceneNode.h"
 #include "Scene/TargetMask.h"
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -45,7 +46,8 @@ private:
   void ReadInfo(const SceneNode& root);
   int Frame(const SceneNode& node) const;
   std::string File(const SceneNode& node) const;
-  void Check(const Result& result, const SceneNode& node) const;
+  /// Fails at `node` when `load`, which its value asks for, does.
+  static void Check(const SceneNode& node, const std::function<Result()>& load);
 
   // ReadShapes.cxx
   void ReadShapes(const SceneNode& node);
@@ -91,7 +93,7 @@ private:
   bool HasGround = true;
   double GroundHeight = 0.0;
   std::map<int, std::size_t> PlaceOfObject; // by id
-  std::map<int, std::vector<int>> Choices;  // by row of a keyframe, the ids that it may choose among
+  std::map<int, std::vector<int>> Choices; // by row of a keyframe, the ids that it may choose among
 };
 
 } // namespace waft

@@ -175,7 +175,74 @@ TEST(SceneErrors, OfTheFormatItself)
 TEST(SceneErrors, OfFieldsThatStandTwice)
 {
   EXPECT_EQ(ErrorOf(R"({"waft": 1, "time": {"frames": 30, "frames": 60}})"),
-            "test.json: expected every field of an object once, found \"frames\" twice");
+            "test.json: /time/frames: expected every field of an object once, found \"frames\" "
+            "twice");
+  EXPECT_EQ(ErrorOf(R"({"waft": 1, "objects": [{}, [1, {"a/b": [{}], "a/b": 2}]]})"),
+            "test.json: /objects/1/1/a~1b: expected every field of an object once, found \"a/b\" "
+            "twice");
+}
+
+TEST(SceneErrors, AreReadableWhateverTheyQuote)
+{
+  for (const std::string& quoted : { std::string("\xFF\xFE"), std::string(100000, 'x') })
+  {
+    for (const std::string& text :
+         { "{\"waft\": \"" + quoted + "\"}", "{\"" + quoted + "\": 1}", "{" + quoted,
+           R"({"waft": 1, "shapes": {")" + quoted + R"(": {}}})",
+           R"({"waft": 1, "shapes": {"a": {"mesh": ")" + quoted + R"("}}})" })
+    {
+      const std::string message = ErrorOf(text);
+      EXPECT_EQ(message.find("test.json: "), 0u);
+      EXPECT_LT(message.size(), 2000u);
+      EXPECT_EQ(message.find('\xFF'), std::string::npos);
+    }
+  }
+}
+
+TEST(SceneErrors, OfWhatLibrariesThrow)
+{
+  class Failing : public TestAssets
+  {
+    Result LoadMesh(const std::string&, TriangleMesh&) const override { throw std::bad_alloc(); }
+  };
+  Scene scene;
+  const Result result =
+    ParseScene(R"({"waft": 1, "obstacles": [{"kind": "mesh", "file": "LICENSE"}]})", "test.json",
+               WAFT_SOURCE_DIR, Failing(), scene);
+  EXPECT_EQ(result.Message().find("test.json: /obstacles/0/file: "), 0u) << result.Message();
+}
+
+TEST(SceneErrors, OfWhatFollowsFromSeveralNumbers)
+{
+  EXPECT_EQ(ErrorOf(R"({"waft": 1, "shapes": {"a": {"builtin": "leaf", "size": 1e5,
+                                                     "areaDensity": 1e5}}})")
+              .find("test.json: /shapes/a: expected a surface and an areaDensity whose product"),
+            0u);
+  EXPECT_EQ(ErrorOf(R"({"waft": 1, "domain": {"min": [0, 0, 0], "max": [1, 1, 1e-4]}})")
+              .find("test.json: /domain: expected a volume of sides from 0.001 m on, the longest "
+                    "at most 1000 times the shortest"),
+            0u);
+  EXPECT_EQ(ErrorOf(R"({"waft": 1, "domain": {"min": [0, 0, 0], "max": [2000, 1, 1]}})")
+              .find("test.json: /domain: expected a volume of sides"),
+            0u);
+}
+
+TEST(SceneErrors, WarnOfObstaclesThatAreNeverInTheVolume)
+{
+  const auto warnings = [](const std::string& obstacle)
+  {
+    Scene scene;
+    EXPECT_TRUE(ParseScene(R"({"waft": 1, "obstacles": [)" + obstacle + "]}", "test.json", "",
+                           TestAssets(), scene));
+    return scene.Warnings;
+  };
+  const char* outside = R"({"kind": "sphere", "center": [0, 0, -5], "radius": 1)";
+  ASSERT_EQ(warnings(std::string(outside) + "}").size(), 1u);
+  EXPECT_EQ(warnings(std::string(outside) + "}")[0],
+            "test.json: /obstacles/0: the obstacle is outside the volume at all frames");
+  EXPECT_TRUE(warnings(std::string(outside) + R"(, "motion": [{"frame": 0, "position": [0, 0, -5]},
+                                                   {"frame": 9, "position": [0, 0, 1]}]})")
+                .empty());
 }
 
 TEST(SceneErrors, SurviveDeepNestingAndDamagedText)

@@ -121,7 +121,104 @@ void CollectObjects(const Json& value, const Json::json_pointer& at,
   }
 }
 
+// The schema of the numbers in a value of this schema: its own, or that of what it is a list of.
+const Json* NumberSchema(const Json& schema)
+{
+  if (schema.contains("$ref"))
+  {
+    return NumberSchema(
+      Schema().at(Json::json_pointer(schema["$ref"].get<std::string>().substr(1))));
+  }
+  if (schema.contains("minimum") || schema.value("type", "") == "number" ||
+      schema.value("type", "") == "integer")
+  {
+    return &schema;
+  }
+  for (const char* inner : { "items", "additionalProperties" })
+  {
+    if (schema.contains(inner) && schema[inner].is_object())
+    {
+      return NumberSchema(schema[inner]);
+    }
+  }
+  for (const char* choices : { "allOf", "anyOf" })
+  {
+    if (schema.contains(choices))
+    {
+      for (const Json& choice : schema[choices])
+      {
+        if (const Json* found = NumberSchema(choice))
+        {
+          return found;
+        }
+      }
+    }
+  }
+  return nullptr;
+}
+
+void CollectNumbers(const Json& value, const Json::json_pointer& at,
+                    std::vector<Json::json_pointer>& places)
+{
+  for (auto item = value.begin(); item != value.end(); ++item)
+  {
+    const Json::json_pointer place =
+      value.is_object() ? at / item.key() : at / static_cast<std::size_t>(item - value.begin());
+    if (item->is_structured())
+    {
+      CollectNumbers(*item, place, places);
+    }
+    else if (item->is_number() && place.to_string() != "/_comment")
+    {
+      places.push_back(place);
+    }
+  }
+}
+
 } // namespace
+
+TEST(SceneSchema, BoundsEveryNumberAsTheTableDoes)
+{
+  for (const SceneFieldTable& table : SceneFieldTables())
+  {
+    const Json& schema = table.Name == "scene" ? Schema() : Schema()["definitions"][table.Name];
+    for (const SceneField& field : table.Fields)
+    {
+      SCOPED_TRACE(table.Name + " " + field.Name);
+      if (field.Name == "waft")
+      {
+        continue; // one number
+      }
+      const Json* numbers = NumberSchema(schema["properties"][field.Name]);
+      ASSERT_EQ(numbers != nullptr, field.Range.has_value());
+      if (field.Range)
+      {
+        EXPECT_EQ(numbers->at("minimum").get<double>(), field.Range->Low);
+        EXPECT_EQ(numbers->at("maximum").get<double>(), field.Range->High);
+      }
+    }
+  }
+}
+
+TEST(SceneSchema, RefusesNumbersBeyondTheirBoundsAsTheReaderDoes)
+{
+  const Json scene = Json::parse(Everything);
+  std::vector<Json::json_pointer> places;
+  CollectNumbers(scene, Json::json_pointer(), places);
+  EXPECT_GT(places.size(), 150u);
+  for (const Json::json_pointer& place : places)
+  {
+    for (const double number : { 1e308, -1e308, 3e16, -3e16 })
+    {
+      Json changed = scene;
+      changed[place] = number;
+      std::string message;
+      EXPECT_FALSE(ReaderAccepts(changed, message)) << place << " " << number;
+      EXPECT_EQ(message.find("t: " + place.to_string() + ": expected "), 0u) << message;
+      EXPECT_FALSE(IsValid(changed, Schema())) << place << " " << number;
+    }
+  }
+}
 
 TEST(SceneSchema, HasTheFieldsOfTheReader)
 {
@@ -131,8 +228,12 @@ TEST(SceneSchema, HasTheFieldsOfTheReader)
     SCOPED_TRACE(table.Name);
     tables.insert(table.Name);
     const Json& schema = table.Name == "scene" ? Schema() : Schema()["definitions"][table.Name];
-    EXPECT_EQ(KeysOf(schema["properties"]),
-              std::set<std::string>(table.Fields.begin(), table.Fields.end()));
+    std::set<std::string> fields;
+    for (const SceneField& field : table.Fields)
+    {
+      fields.insert(field.Name);
+    }
+    EXPECT_EQ(KeysOf(schema["properties"]), fields);
     EXPECT_EQ(schema["additionalProperties"], Json(false));
     EXPECT_TRUE(schema["patternProperties"].contains("^_"));
   }
