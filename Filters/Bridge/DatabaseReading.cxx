@@ -207,13 +207,10 @@ Result FindBlock(vtkMultiBlockDataSet* data, const char* name, DataT*& block)
     }
   }
   return block ? Result::Ok()
-               : Result::Error(std::string("motion database: block `") + name +
-                               "` is missing or of another type");
+               : Result::Error(std::string("block `") + name + "` is missing or of another type");
 }
 
-} // namespace
-
-Result DatabaseFromMultiBlock(vtkMultiBlockDataSet* data, MotionDatabase& database)
+Result ReadDatabase(vtkMultiBlockDataSet* data, MotionDatabase& database)
 {
   vtkPolyData* segments = nullptr;
   vtkPolyData* vortices = nullptr;
@@ -244,6 +241,16 @@ Result DatabaseFromMultiBlock(vtkMultiBlockDataSet* data, MotionDatabase& databa
   WAFT_RETURN_IF_FAILED(read.Validate());
   database = std::move(read);
   return Result::Ok();
+}
+
+} // namespace
+
+Result DatabaseFromMultiBlock(vtkMultiBlockDataSet* data, MotionDatabase& database)
+{
+  const std::string owner = "motion database: ";
+  const Result result = ReadDatabase(data, database);
+  const bool isNamed = result || result.Message().rfind(owner, 0) == 0;
+  return isNamed ? result : Result::Error(owner + result.Message());
 }
 
 } // namespace waft

@@ -10,6 +10,7 @@
 #include <vtkFloatArray.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
+#include <vtkMatrix3x3.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -243,20 +244,30 @@ Result FieldCollector::Add(vtkImageData* data, double time)
     return Result::Error(
       "Wind: expected the point data array `Wind` or `Velocity` of 3 components");
   }
-  std::array<int, 3> dimensions;
-  data->GetDimensions(dimensions.data());
-  double spacing[3];
-  data->GetSpacing(spacing);
-  double origin[3];
-  data->GetPoint(0, origin);
+  if (!data->GetDirectionMatrix()->IsIdentity())
+  {
+    return Result::Error("Wind: expected an image whose axes are those of the world");
+  }
+  FieldSeries lattice;
+  lattice.Meaning = meaning;
+  data->GetDimensions(lattice.Dimensions.data());
+  data->GetSpacing(lattice.Spacing.data());
+  const int* extent = data->GetExtent(); // its first point lies at the origin only if it is point 0
+  lattice.Origin =
+    Vec3(data->GetOrigin()) + Vec3(extent[0], extent[2], extent[4]).cwiseProduct(lattice.Spacing);
+  WAFT_RETURN_IF_FAILED(lattice.CheckLattice("Wind"));
+  if (static_cast<std::size_t>(values->GetNumberOfTuples()) != lattice.NumberOfPoints())
+  {
+    return Result::Error("Wind: expected " + std::to_string(lattice.NumberOfPoints()) +
+                         " values, one a point, found " +
+                         std::to_string(values->GetNumberOfTuples()));
+  }
   if (this->Series.IsEmpty())
   {
-    this->Series.Meaning = meaning;
-    this->Series.Dimensions = dimensions;
-    this->Series.Origin = Vec3(origin[0], origin[1], origin[2]);
-    this->Series.Spacing = Vec3(spacing[0], spacing[1], spacing[2]);
+    this->Series = lattice;
   }
-  if (dimensions != this->Series.Dimensions || meaning != this->Series.Meaning)
+  if (lattice.Dimensions != this->Series.Dimensions || lattice.Origin != this->Series.Origin ||
+      lattice.Spacing != this->Series.Spacing || meaning != this->Series.Meaning)
   {
     return Result::Error("Wind: expected the same lattice and array at every time step");
   }

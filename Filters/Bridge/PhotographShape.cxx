@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/PhotographShape.h"
 
-#include "Bridge/FileReading.h"
 #include "Bridge/SceneFiles.h"
 #include "Scene/TargetMask.h"
 
-#include <algorithm>
-
 namespace waft
 {
-
-bool IsPictureName(const std::string& path)
-{
-  const auto known = { ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp" };
-  return std::find(known.begin(), known.end(), Extension(path)) != known.end();
-}
 
 Result LoadPhotographShape(const std::string& path, const PhotographOptions& options, Shape& shape)
 {

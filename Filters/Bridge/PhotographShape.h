@@ -11,9 +11,6 @@
 namespace waft
 {
 
-/// Is this the name of a picture (.png, .jpg, .jpeg, .tif, .tiff, .bmp)?
-bool IsPictureName(const std::string& path);
-
 /// Mesh, texture coordinates and texture of `shape` from a picture: see MakePhotographSheet. A
 /// picture without transparency is cut from the commonest colour of its border. The shape's other
 /// members are left alone, and all of it on failure.

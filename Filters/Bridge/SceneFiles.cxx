@@ -1,30 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/SceneFiles.h"
 
-#include "Bridge/FieldCollectors.h"
-#include "Bridge/FileReading.h"
+#include "Bridge/FontFiles.h"
+#include "Bridge/MeshFiles.h"
 #include "Bridge/PhotographShape.h"
+#include "Bridge/PictureFiles.h"
 #include "Shapes/ThinShape.h"
 
-#include <vtkCompositeDataGeometryFilter.h>
 #include <vtkDataArray.h>
-#include <vtkGLTFReader.h>
 #include <vtkImageData.h>
-#include <vtkImageReader2.h>
-#include <vtkImageReader2Factory.h>
 #include <vtkMathTextFreeTypeTextRenderer.h>
 #include <vtkNew.h>
-#include <vtkOBJReader.h>
-#include <vtkPLYReader.h>
 #include <vtkPointData.h>
-#include <vtkPolyData.h>
-#include <vtkSTLReader.h>
-#include <vtkSmartPointer.h>
 #include <vtkTextProperty.h>
-#include <vtkTriangleFilter.h>
-#include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace waft
 {
@@ -33,73 +24,6 @@ namespace
 
 // Longest side of a picture that targets are sampled from; larger ones are averaged down.
 constexpr int LongestSide = 600;
-
-template <class Reader>
-Result ReadWith(const std::string& path, vtkPolyData* data)
-{
-  vtkNew<Reader> reader;
-  reader->SetFileName(path.c_str());
-  const Result result = RunReader(reader);
-  if (result)
-  {
-    data->ShallowCopy(reader->GetOutputDataObject(0));
-  }
-  return result;
-}
-
-Result ReadGltf(const std::string& path, vtkPolyData* data)
-{
-  vtkNew<vtkGLTFReader> reader;
-  reader->SetFileName(path.c_str());
-  Result result = RunReader(reader);
-  if (!result)
-  {
-    return result;
-  }
-  vtkNew<vtkCompositeDataGeometryFilter> surfaces;
-  surfaces->SetInputConnection(reader->GetOutputPort());
-  surfaces->Update();
-  data->ShallowCopy(surfaces->GetOutput());
-  return result;
-}
-
-// Triangles of a mesh file, z up.
-Result ReadTriangles(const std::string& path, vtkPolyData* triangles, TriangleMesh& mesh)
-{
-  const std::string extension = Extension(path);
-  vtkNew<vtkPolyData> data;
-  Result result = extension == ".vtp"   ? ReadWith<vtkXMLPolyDataReader>(path, data)
-                  : extension == ".obj" ? ReadWith<vtkOBJReader>(path, data)
-                  : extension == ".ply" ? ReadWith<vtkPLYReader>(path, data)
-                  : extension == ".stl" ? ReadWith<vtkSTLReader>(path, data)
-                  : extension == ".glb" || extension == ".gltf"
-                    ? ReadGltf(path, data)
-                    : Result::Error("expected a .vtp, .obj, .ply, .stl or .glb file, found \"" +
-                                    extension + "\"");
-  if (!result)
-  {
-    return result;
-  }
-  vtkNew<vtkTriangleFilter> filter;
-  filter->SetInputData(data);
-  filter->PassLinesOff();
-  filter->PassVertsOff();
-  filter->Update();
-  triangles->ShallowCopy(filter->GetOutput());
-  if (triangles->GetNumberOfPolys() == 0)
-  {
-    return Result::Error("expected a surface with triangles, found none");
-  }
-  result = MeshFromPolyData(triangles, "mesh", mesh);
-  if (extension == ".glb" || extension == ".gltf")
-  {
-    for (Vec3& p : mesh.Points)
-    {
-      p = Vec3(p.x(), -p.z(), p.y());
-    }
-  }
-  return result;
-}
 
 // Colours of an image as a picture, averaged over blocks when it is large.
 Result PictureFromImage(vtkImageData* image, Picture& picture)
@@ -213,41 +137,26 @@ Result VtkSceneAssets::LoadShapeMesh(const std::string& path, double size, Shape
 
 Result VtkSceneAssets::LoadAlignedShape(const std::string& path, Shape& shape) const
 {
-  vtkNew<vtkPolyData> triangles;
-  Result result = ReadTriangles(path, triangles, shape.Mesh);
-  if (!result)
-  {
-    return result;
-  }
-  shape.TextureCoordinates.clear();
-  if (vtkDataArray* coordinates = triangles->GetPointData()->GetTCoords())
-  {
-    for (vtkIdType i = 0; i < coordinates->GetNumberOfTuples(); ++i)
-    {
-      shape.TextureCoordinates.push_back(
-        { coordinates->GetComponent(i, 0), coordinates->GetComponent(i, 1) });
-    }
-  }
-  return result;
+  SurfaceFile surface;
+  WAFT_RETURN_IF_FAILED(ReadSurfaceFile(path, surface));
+  shape.Mesh = std::move(surface.Mesh);
+  shape.TextureCoordinates = std::move(surface.TextureCoordinates);
+  return Result::Ok();
 }
 
 Result VtkSceneAssets::LoadMesh(const std::string& path, TriangleMesh& mesh) const
 {
-  vtkNew<vtkPolyData> triangles;
-  return ReadTriangles(path, triangles, mesh);
+  SurfaceFile surface;
+  WAFT_RETURN_IF_FAILED(ReadSurfaceFile(path, surface));
+  mesh = std::move(surface.Mesh);
+  return Result::Ok();
 }
 
 Result VtkSceneAssets::LoadPicture(const std::string& path, Picture& picture) const
 {
-  const auto reader = vtkSmartPointer<vtkImageReader2>::Take(
-    vtkImageReader2Factory::CreateImageReader2(path.c_str()));
-  if (!reader)
-  {
-    return Result::Error("expected a picture (.png, .jpg, .tif, .bmp ...), found another file");
-  }
-  reader->SetFileName(path.c_str());
-  const Result result = RunReader(reader);
-  return result ? PictureFromImage(reader->GetOutput(), picture) : result;
+  vtkNew<vtkImageData> image;
+  WAFT_RETURN_IF_FAILED(ReadPictureFile(path, image));
+  return PictureFromImage(image, picture);
 }
 
 Result VtkSceneAssets::DrawText(const std::string& text, const std::string& font,
@@ -271,6 +180,7 @@ Result VtkSceneAssets::DrawText(const std::string& text, const std::string& font
   }
   else
   {
+    WAFT_RETURN_IF_FAILED(CheckFontFile(font));
     style->SetFontFamily(VTK_FONT_FILE);
     style->SetFontFile(font.c_str());
   }

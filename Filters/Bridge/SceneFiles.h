@@ -8,7 +8,8 @@ namespace waft
 {
 
 /// Built-in shapes of Core; meshes from .vtp, .obj, .ply, .stl and .glb (glTF is y-up and is turned
-/// to z-up) and, for shapes, from photographs of them; pictures from whatever VTK's image readers know; text by FreeType.
+/// to z-up) and, for shapes, from photographs of them; pictures (.png, .jpg, .tif, .bmp); text by
+/// FreeType.
 class VtkSceneAssets : public SceneAssets
 {
 public:

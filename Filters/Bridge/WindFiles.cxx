@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/WindFiles.h"
 
+#include "Base/Limits.h"
+#include "Bridge/DataFiles.h"
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/FileReading.h"
+#include "Files/FileBytes.h"
+#include "Files/XmlTags.h"
 #include "Volumes/VectorVolume.h"
 #include "Volumes/VolumeSeries.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkSmartPointer.h>
-#include <vtkXMLDataElement.h>
-#include <vtkXMLImageDataReader.h>
-#include <vtkXMLUtilities.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -30,37 +30,57 @@ Result AddWindStep(const std::string& path, double time, FieldCollector& collect
   {
     return Result::Error("expected a file that exists, found none at \"" + path + "\"");
   }
-  vtkNew<vtkXMLImageDataReader> reader;
-  reader->SetFileName(path.c_str());
-  Result result = RunReader(reader);
-  return result ? collector.Add(reader->GetOutput(), time) : result;
+  vtkNew<vtkImageData> image;
+  Result result = ReadImageFile(path, image);
+  result = result ? collector.Add(image, time) : result;
+  return result ? result : Result::Error("\"" + path + "\": " + result.Message());
 }
 
 // The steps of a .pvd in order of time.
 Result PvdSteps(const std::string& path, std::vector<std::pair<double, std::string>>& steps)
 {
-  const auto root =
-    vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(path.c_str()));
-  vtkXMLDataElement* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;
-  if (!collection)
+  FileBytes file;
+  WAFT_RETURN_IF_FAILED(file.Open(path));
+  XmlTags tags(file.View());
+  XmlTag tag;
+  bool isCollection = false;
+  bool isWhole = false;
+  while (tags.Next(tag))
   {
-    return Result::Error("expected a ParaView collection of .vti files, found none");
-  }
-  for (int i = 0; i < collection->GetNumberOfNestedElements(); ++i)
-  {
-    vtkXMLDataElement* entry = collection->GetNestedElement(i);
-    const char* file = entry->GetAttribute("file");
-    double time = i;
-    entry->GetScalarAttribute("timestep", time);
-    if (!file || Extension(file) != ".vti")
+    isCollection = isCollection || (tag.IsOpening && tag.Name == "Collection");
+    isWhole = isWhole || (tag.IsClosing && tag.Name == "VTKFile");
+    if (!isCollection || !tag.IsOpening || tag.Name != "DataSet")
     {
-      return Result::Error("expected .vti files in the collection, found \"" +
-                           std::string(file ? file : "") + "\"");
+      continue;
     }
-    steps.emplace_back(time, (std::filesystem::path(path).parent_path() / file).string());
+    const std::string name = Unescaped(tag.Attribute("file"));
+    if (Extension(name) != ".vti")
+    {
+      return Result::Error("expected .vti files in the collection, found " + Quoted(name));
+    }
+    const std::string_view text = tag.Attribute("timestep");
+    auto time = static_cast<double>(steps.size());
+    if (!text.empty() && (!ParseNumber(text, time) || !limits::Time.Holds(time)))
+    {
+      return Result::Error(Quoted(name) + ": expected a timestep that is " + limits::Time.Text() +
+                           ", found " + Quoted(text));
+    }
+    steps.emplace_back(time, (std::filesystem::path(path).parent_path() / name).string());
+  }
+  if (!isCollection || !isWhole || tags.IsBroken())
+  {
+    return Result::Error("expected a whole ParaView collection of .vti files, found " +
+                         std::string(isCollection ? "a cut or damaged one" : "none"));
   }
   std::stable_sort(steps.begin(), steps.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
+  const auto twice = std::adjacent_find(
+    steps.begin(), steps.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
+  if (twice != steps.end())
+  {
+    return Result::Error("expected each time once, found " + NumberText(twice->first, 10) +
+                         " s twice");
+  }
   return steps.empty() ? Result::Error("expected at least one file in the collection, found none")
                        : Result::Ok();
 }

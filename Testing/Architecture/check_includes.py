@@ -14,6 +14,7 @@ import sys
 
 CORE_MAY_INCLUDE = {
     "Base": set(),
+    "Files": {"Base"},
     "Assignment": {"Base"},
     "Scene": {"Assignment", "Base"},
     "Shapes": {"Base"},

@@ -163,7 +163,7 @@ TEST(MotionSceneReader, ErrorsNameThePlaceAndEmptyTheOutputs)
     { R"({"waft": 1,)", "line 1, column" },
     { R"({"waft": 1, "obstacles": [{"kind": "mesh", "file": "open.obj"}]})", "/obstacles/0" },
     { R"({"waft": 1, "obstacles": [{"kind": "mesh", "file": "broken.ply"}]})",
-      "/obstacles/0/file: expected a" },
+      "/obstacles/0/file: expected the signature of a PLY mesh" },
     { R"({"waft": 1, "shapes": {"a": {"mesh": "none.stl"}}})", "/shapes/a/mesh: expected a file" },
   };
   vtkNew<vtkMotionSceneReader> reader;

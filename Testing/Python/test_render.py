@@ -133,7 +133,7 @@ class RenderTest(unittest.TestCase):
                     file.write("junk")
             return damage
 
-        cases = ((spoil("poses.vtp"), "poses.vtp: not a VTK"), (spoil("objects.vtp"), "objects.vtp: not a VTK"),
+        cases = ((spoil("poses.vtp"), "poses.vtp: expected a VTK"), (spoil("objects.vtp"), "objects.vtp: expected a VTK"),
                  (spoil("shapes.vtm"), "shapes.vtm: expected"), (lose_blocks, "shapes.vtm: block leaf: no such file"),
                  (spoil("obstacles.pvd"), "obstacles.pvd: not a collection"))
         for number, (damage, wanted) in enumerate(cases):

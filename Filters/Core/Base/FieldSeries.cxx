@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/FieldSeries.h"
 
+#include "Base/Limits.h"
+
 #include <cmath>
 
 namespace waft
@@ -82,8 +84,34 @@ Vec3 SampleSeries(const FieldSeries& field, const Vec3& x, double time, Mat3* ja
 
 } // namespace
 
+Result FieldSeries::CheckLattice(const std::string& name) const
+{
+  constexpr double most = 1 << 30; // points
+  const Vec3 size(this->Dimensions[0], this->Dimensions[1], this->Dimensions[2]);
+  if (size.minCoeff() < 1.0 || size.prod() > most)
+  {
+    return Result::Error(name + ": expected a lattice of 1 to 2^30 points, found " +
+                         std::to_string(this->Dimensions[0]) + " x " +
+                         std::to_string(this->Dimensions[1]) + " x " +
+                         std::to_string(this->Dimensions[2]));
+  }
+  if (!limits::Length.HoldsAll(this->Spacing) || !limits::Coordinate.HoldsAll(this->Origin))
+  {
+    return Result::Error(name + ": expected a lattice with a spacing that is " +
+                         limits::Length.Text() + " and an origin within 1e6 m, found spacing " +
+                         PointText(this->Spacing) + ", origin " + PointText(this->Origin));
+  }
+  return Result::Ok();
+}
+
 Result FieldSeries::Validate(const std::string& name) const
 {
+  if (!this->IsEmpty())
+  {
+    WAFT_RETURN_IF_FAILED(this->CheckLattice(name));
+  }
+  const limits::Range range =
+    this->Meaning == FieldMeaning::Acceleration ? limits::Acceleration : limits::Velocity;
   if (this->Values.size() != this->Times.size())
   {
     return Result::Error(name + ": " + std::to_string(this->Values.size()) + " fields for " +
@@ -91,7 +119,7 @@ Result FieldSeries::Validate(const std::string& name) const
   }
   for (std::size_t k = 0; k < this->Times.size(); ++k)
   {
-    if (!std::isfinite(this->Times[k]) || (k > 0 && this->Times[k] <= this->Times[k - 1]))
+    if (!limits::Time.Holds(this->Times[k]) || (k > 0 && this->Times[k] <= this->Times[k - 1]))
     {
       return Result::Error(name + ": times must increase, seen at step " + std::to_string(k));
     }
@@ -105,10 +133,11 @@ Result FieldSeries::Validate(const std::string& name) const
     {
       for (const float v : this->Values[k][i])
       {
-        if (!std::isfinite(v))
+        if (!range.Holds(v))
         {
           return Result::Error(name + ": not a finite number at step " + std::to_string(k) +
-                               ", point " + std::to_string(i));
+                               ", point " + std::to_string(i) +
+                               (std::isfinite(v) ? " that is " + range.Text() : ""));
         }
       }
     }

@@ -36,7 +36,10 @@ struct FieldSeries
     return static_cast<std::size_t>(this->Dimensions[0]) * this->Dimensions[1] *
            this->Dimensions[2];
   }
-  /// Sizes agree, times increase, every value is finite.
+  /// A lattice with points, of steps and an origin that can be (Base/Limits.h).
+  Result CheckLattice(const std::string& name) const;
+  /// A lattice that can be, sizes agree, times increase, every value is within the limits of
+  /// accelerations or velocities.
   Result Validate(const std::string& name) const;
   Vec3 Sample(const Vec3& x, double time) const;
   /// The same and its Jacobian d value_i / d x_j.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/VolumeFile.h"
 
+#include "Volumes/VolumeArchive.h"
+
 #include <openvdb/openvdb.h>
 
 #include <algorithm>
@@ -93,7 +95,7 @@ VoxelBox FromVdb(const openvdb::CoordBBox& box)
 }
 
 // From the file's own notes where it has them: the values need not be read.
-VoxelBox ActiveBox(openvdb::io::File& file, const openvdb::GridBase& outline)
+VoxelBox ActiveBox(VolumeArchive& file, const openvdb::GridBase& outline)
 {
   using Corner = openvdb::TypedMetadata<openvdb::Vec3i>;
   const auto min = outline.getMetadata<Corner>(openvdb::GridBase::META_FILE_BBOX_MIN);
@@ -102,10 +104,10 @@ VoxelBox ActiveBox(openvdb::io::File& file, const openvdb::GridBase& outline)
   {
     return FromVdb(openvdb::CoordBBox(openvdb::Coord(min->value()), openvdb::Coord(max->value())));
   }
-  return FromVdb(file.readGrid(outline.getName())->evalActiveVoxelBoundingBox());
+  return FromVdb(file.ReadGrid(outline.getName())->evalActiveVoxelBoundingBox());
 }
 
-VolumeGrid Outline(openvdb::io::File& file, const openvdb::GridBase& grid)
+VolumeGrid Outline(VolumeArchive& file, const openvdb::GridBase& grid)
 {
   VolumeGrid outline;
   outline.Name = grid.getName();
@@ -280,21 +282,16 @@ Result ListVolume(const std::string& path, VolumeContents& contents)
   return Guarded("an OpenVDB file that can be read",
                  [&]
                  {
-                   openvdb::io::File file(path);
-                   file.open();
+                   VolumeArchive file(path);
                    VolumeContents found;
-                   const openvdb::GridPtrVecPtr grids = file.readAllGridMetadata();
-                   for (const openvdb::GridBase::Ptr& grid : *grids)
+                   for (const openvdb::GridBase::Ptr& grid : file.ReadOutlines())
                    {
                      found.Grids.push_back(Outline(file, *grid));
                    }
                    std::stable_sort(found.Grids.begin(), found.Grids.end(),
                                     [](const VolumeGrid& a, const VolumeGrid& b)
                                     { return a.Name < b.Name; });
-                   if (const openvdb::MetaMap::Ptr notes = file.getMetadata())
-                   {
-                     ReadNotes(*notes, found);
-                   }
+                   ReadNotes(file.Notes(), found);
                    contents = std::move(found);
                    return Result::Ok();
                  });
@@ -310,9 +307,7 @@ Result ReadVolumeGrid(const std::string& path, const std::string& name, const Vo
       return Result::Error("grid `" + name + "`: expected at most 512^3 voxels, found " +
                            std::to_string(box.NumberOfVoxels()));
     }
-    openvdb::io::File file(path);
-    file.open();
-    const openvdb::GridBase::Ptr grid = file.readGrid(name);
+    const openvdb::GridBase::Ptr grid = VolumeArchive(path).ReadGrid(name);
     VolumeField copied;
     copied.Name = name;
     if (CopyVectors<openvdb::Vec3SGrid>(*grid, box, copied.Values) ||

@@ -10,10 +10,11 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkIOImage import vtkImageReader2Factory
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkTexture
 
 from ._scenery import lines, texture
+from .failures import BadInput
+from .reading import read_picture
 
 _MARK = (0.86, 0.25, 0.16)
 _TRAIL = (0.25, 0.33, 0.45)
@@ -41,13 +42,13 @@ def _load_texture(path):
     if not os.path.isfile(path):
         print(f"waft render: warning: {path}: texture missing, plain colour instead", file=sys.stderr)
         return None
-    reader = vtkImageReader2Factory.CreateImageReader2(path)
-    if reader is None:
-        print(f"waft render: warning: {path}: not an image, plain colour instead", file=sys.stderr)
+    try:
+        picture = read_picture(path)
+    except BadInput as error:
+        print(f"waft render: warning: {error}; plain colour instead", file=sys.stderr)
         return None
-    reader.SetFileName(path)
     made = vtkTexture()
-    made.SetInputConnection(reader.GetOutputPort())
+    made.SetInputData(picture)
     made.InterpolateOn()
     made.MipmapOn()
     return made

@@ -8,9 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader, vtkXMLPolyDataReader
 
-from .blocks import check_blocks
+from . import reading
 from .failures import BadInput
 
 
@@ -103,16 +102,9 @@ def load(folder):
 
 
 def read_surface(path):
-    reader = vtkXMLPolyDataReader()
     if not os.path.isfile(path):
         raise BadInput(f"{path}: missing; `waft synthesize` writes it")
-    if not reader.CanReadFile(path):
-        raise BadInput(f"{path}: not a VTK surface file (.vtp)")
-    reader.SetFileName(path)
-    reader.Update()
-    if reader.GetErrorCode():
-        raise BadInput(f"{path}: not a VTK surface file that can be read")
-    return reader.GetOutput()
+    return reading.read_surface(path)
 
 
 def _array(attributes, name, place):
@@ -139,16 +131,14 @@ def _poses(poses):
 
 
 def _bodies(folder):
-    reader = vtkXMLMultiBlockDataReader()
     path = os.path.join(folder, "shapes.vtm")
-    check_blocks(path, "list of shapes")
-    reader.SetFileName(path)
-    reader.Update()
-    blocks = reader.GetOutput()
+    if not os.path.isfile(path):
+        raise BadInput(f"{path}: missing; `waft synthesize` writes it")
+    blocks = reading.read_blocks(path)
     bodies = []
     for index in range(blocks.GetNumberOfBlocks()):
         surface = blocks.GetBlock(index)
-        if surface is None or surface.GetNumberOfPoints() == 0:
+        if not isinstance(surface, vtkPolyData) or surface.GetNumberOfPoints() == 0:
             raise BadInput(f"shapes.vtm: block {index} is no surface")
         name = ""
         if blocks.HasMetaData(index):

@@ -2,7 +2,7 @@
 """The pipeline of a scene: each stage a ParaView proxy, joined by VTK data alone."""
 from paraview import simple
 
-from waft.blocks import check_blocks
+from waft import reading
 from waft.database import settle_database
 from waft.failures import BadInput
 from waft.loading import data_file
@@ -21,7 +21,7 @@ class Pipeline:
         self.reader = simple.MotionSceneReader(registrationName="Scene")  # the file once it is watched
         self.database_file = str(database or data_file("Database/embedded.vtm"))
         settle_database(self.database_file)
-        check_blocks(self.database_file, "motion database")
+        reading.check_blocks(self.database_file, "motion database")
         self.database = simple.XMLMultiBlockDataReader(
             registrationName="Database", FileName=[self.database_file])
         self.database.TimeArray = "None"
@@ -56,7 +56,7 @@ class Pipeline:
         watch.clock.check()
         if watch.errors and not watch.was_aborted:
             message = watch.errors[0]
-            is_database = name == "database" or message.startswith(("motion database: ", "Segments: "))
+            is_database = name == "database" or message.startswith("motion database: ")
             raise BadInput(f"{self.database_file}: {message}" if is_database else message)
 
     def output(self, name, port=0):

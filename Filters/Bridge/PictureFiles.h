@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures from files.
+#pragma once
+
+#include "Base/Result.h"
+
+#include <string>
+
+class vtkImageData;
+
+namespace waft
+{
+
+/// Is this the name of a picture (.png, .jpg, .jpeg, .tif, .tiff, .bmp)?
+bool IsPictureName(const std::string& path);
+
+/// A picture of at most 2^26 pixels. Fails on another name, another kind of file than the name says,
+/// and what is cut or damaged.
+Result ReadPictureFile(const std::string& path, vtkImageData* image);
+
+} // namespace waft

@@ -1,0 +1,448 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files/DataFileCheck.h"
+
+#include "Files/FileBytes.h"
+#include "Files/TextLines.h"
+#include "Files/XmlTags.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+namespace waft
+{
+namespace
+{
+
+constexpr std::size_t DeepestElement = 64;
+constexpr double MostBlocks = 100'000.0; // places of one level of a .vtm
+// Bytes that one byte of a compressed array may stand for: 1032 of zlib, and a little.
+constexpr double MostPacked = 1100.0;
+
+// Values of a DataArray before it is known where they are.
+struct ArrayClaim
+{
+  std::string Place;
+  std::string_view Format; // ascii, binary, appended
+  double Bytes = -1.0;     // of all values; -1: only the array's own header says
+  std::size_t At = 0;      // of inline values: their byte; of appended ones: their offset
+};
+
+struct PieceCounts
+{
+  double Points = 0.0;
+  double Cells = 0.0;
+  double Rows = 0.0;
+  std::map<std::string_view, double> OfKind; // Verts, Lines, Strips, Polys
+};
+
+int SizeOf(std::string_view type)
+{
+  const auto is = [type](std::string_view a, std::string_view b) { return type == a || type == b; };
+  return is("Int8", "UInt8") || is("String", "Bit")   ? 1
+         : is("Int16", "UInt16")                      ? 2
+         : is("Int32", "UInt32") || type == "Float32" ? 4
+         : is("Int64", "UInt64") || type == "Float64" ? 8
+                                                      : 0;
+}
+
+std::string_view Base64Digits()
+{
+  return "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+}
+
+class DataFile
+{
+public:
+  DataFile(std::string_view text, const std::string& path) : Text(text), Tags(text), Path(path) {}
+
+  Result Check(const std::vector<std::string>& types)
+  {
+    XmlTag tag;
+    while (!this->HasEnd && this->Tags.Next(tag))
+    {
+      const std::string place =
+        "byte " + std::to_string(tag.Begin) + ": element " + Quoted(tag.Name) + ": ";
+      if (tag.IsOpening)
+      {
+        WAFT_RETURN_IF_FAILED(this->Open(tag, place, types));
+      }
+      if (tag.IsClosing)
+      {
+        if (this->Stack.empty() || this->Stack.back() != tag.Name)
+        {
+          return Result::Error(place + "expected the end of another element");
+        }
+        this->Stack.pop_back();
+        this->HasEnd = this->Stack.empty();
+      }
+    }
+    if (!this->HasEnd)
+    {
+      return Result::Error(this->Type.empty()
+                             ? "expected a VTK XML file, found no XML"
+                             : "expected `</VTKFile>`, found the end of the file or no XML");
+    }
+    for (const ArrayClaim& claim : this->Claims)
+    {
+      WAFT_RETURN_IF_FAILED(this->CheckArray(claim));
+    }
+    return Result::Ok();
+  }
+
+private:
+  // More of anything does not fit in the file.
+  double Most() const
+  {
+    return static_cast<double>(this->Text.size()) * (this->IsPacked ? MostPacked : 1.0);
+  }
+
+  Result Open(const XmlTag& tag, const std::string& place, const std::vector<std::string>& types)
+  {
+    if (this->Stack.empty())
+    {
+      WAFT_RETURN_IF_FAILED(this->OpenRoot(tag, place, types));
+    }
+    const std::string_view parent = this->Stack.empty() ? std::string_view() : this->Stack.back();
+    this->Stack.push_back(tag.Name);
+    if (this->Stack.size() > DeepestElement)
+    {
+      return Result::Error(place + "expected at most " + std::to_string(DeepestElement) +
+                           " elements one in the other, found more");
+    }
+    if (tag.Name == "ImageData")
+    {
+      double points = 0.0;
+      return this->ReadExtent(tag, "WholeExtent", place, points);
+    }
+    if (tag.Name == "Piece")
+    {
+      return this->OpenPiece(tag, place);
+    }
+    if (tag.Name == "DataArray" || tag.Name == "Array")
+    {
+      return this->OpenArray(tag, parent, place);
+    }
+    if (this->Type == "vtkMultiBlockDataSet" && (tag.Name == "DataSet" || tag.Name == "Block"))
+    {
+      return this->OpenBlock(tag, place);
+    }
+    return tag.Name == "AppendedData" ? this->OpenAppended(tag, place) : Result::Ok();
+  }
+
+  Result OpenRoot(const XmlTag& tag, const std::string& place,
+                  const std::vector<std::string>& types)
+  {
+    const std::string_view type = tag.Attribute("type");
+    if (tag.Name != "VTKFile" || std::find(types.begin(), types.end(), type) == types.end())
+    {
+      return Result::Error("expected a VTK XML file of type " + types.front() + ", found " +
+                           (tag.Name == "VTKFile" ? Printable(type) : "element " + Quoted(tag.Name)));
+    }
+    this->Type = type;
+    this->IsPacked = !tag.Attribute("compressor").empty();
+    this->WordSize = tag.Attribute("header_type") == "UInt64" ? 8 : 4;
+    const std::string_view order = tag.Attribute("byte_order");
+    this->Order = order == "BigEndian" ? ByteOrder::Big : ByteOrder::Little;
+    const bool isKnown = order.empty() || order == "LittleEndian" || order == "BigEndian";
+    return isKnown
+             ? Result::Ok()
+             : Result::Error(place + "expected LittleEndian or BigEndian, found " + Quoted(order));
+  }
+
+  // An attribute that counts; 0 when it is left out.
+  Result ReadCount(const XmlTag& tag, const char* name, const std::string& place, double& count,
+                   double absent = 0.0) const
+  {
+    const std::string_view text = tag.Attribute(name);
+    long long number = 0;
+    count = absent;
+    if (text.empty())
+    {
+      return Result::Ok();
+    }
+    if (!ParseInteger(text, number) || number < 0 || static_cast<double>(number) > this->Most())
+    {
+      return Result::Error(place + name + ": expected a number that a file of " +
+                           std::to_string(this->Text.size()) + " bytes can hold, found " +
+                           Quoted(text));
+    }
+    count = static_cast<double>(number);
+    return Result::Ok();
+  }
+
+  // Six numbers, each pair in order or empty (last = first - 1).
+  Result ReadExtent(const XmlTag& tag, const char* name, const std::string& place,
+                    double& points) const
+  {
+    const std::vector<std::string_view> words = WordsOf(tag.Attribute(name));
+    points = 1.0;
+    bool isGood = words.size() == 6;
+    for (std::size_t axis = 0; isGood && axis < 3; ++axis)
+    {
+      long long first = 0;
+      long long last = 0;
+      isGood = ParseInteger(words[2 * axis], first) && ParseInteger(words[2 * axis + 1], last) &&
+               std::max(std::abs(double(first)), std::abs(double(last))) < 1e9 && last >= first;
+      points *= static_cast<double>(last - first + 1);
+    }
+    return isGood && points <= this->Most()
+             ? Result::Ok()
+             : Result::Error(place + name +
+                             ": expected 6 numbers, first and last of each axis, of "
+                             "a lattice that a file of " +
+                             std::to_string(this->Text.size()) + " bytes can hold, found " +
+                             Quoted(tag.Attribute(name)));
+  }
+
+  Result OpenPiece(const XmlTag& tag, const std::string& place)
+  {
+    PieceCounts counts;
+    if (this->Type == "ImageData")
+    {
+      WAFT_RETURN_IF_FAILED(this->ReadExtent(tag, "Extent", place, counts.Points));
+    }
+    else
+    {
+      WAFT_RETURN_IF_FAILED(this->ReadCount(tag, "NumberOfPoints", place, counts.Points));
+    }
+    WAFT_RETURN_IF_FAILED(this->ReadCount(tag, "NumberOfRows", place, counts.Rows));
+    for (const char* kind : { "Verts", "Lines", "Strips", "Polys" })
+    {
+      const std::string name = std::string("NumberOf") + kind;
+      double& count = counts.OfKind[kind];
+      WAFT_RETURN_IF_FAILED(this->ReadCount(tag, name.c_str(), place, count));
+      counts.Cells += count;
+    }
+    this->Piece = counts;
+    return Result::Ok();
+  }
+
+  Result OpenArray(const XmlTag& tag, std::string_view parent, const std::string& place)
+  {
+    ArrayClaim claim;
+    claim.Place = place + "array " + Quoted(tag.Attribute("Name")) + ": ";
+    claim.Format = tag.Attribute("format");
+    claim.Format = claim.Format.empty() ? "ascii" : claim.Format;
+    const int size = SizeOf(tag.Attribute("type"));
+    double components = 1.0;
+    double tuples = 0.0;
+    WAFT_RETURN_IF_FAILED(this->ReadCount(tag, "NumberOfComponents", claim.Place, components, 1.0));
+    WAFT_RETURN_IF_FAILED(this->ReadCount(tag, "NumberOfTuples", claim.Place, tuples));
+    if (size == 0)
+    {
+      return Result::Error(claim.Place + "expected a type of numbers or String, found " +
+                           Quoted(tag.Attribute("type")));
+    }
+    const auto ofKind = this->Piece.OfKind.find(parent);
+    const bool isOffsets = tag.Attribute("Name") == "offsets";
+    const bool isCounted = tag.Attribute("type") != "String" && tag.Attribute("type") != "Bit" &&
+                           (ofKind == this->Piece.OfKind.end() || isOffsets);
+    tuples = parent == "PointData" || parent == "Points" ? this->Piece.Points
+             : parent == "CellData"                      ? this->Piece.Cells
+             : parent == "RowData"                       ? this->Piece.Rows
+             : ofKind != this->Piece.OfKind.end()        ? ofKind->second
+                                                         : tuples;
+    const double values = tuples * components;
+    if (values > this->Most())
+    {
+      return Result::Error(claim.Place + "expected values that the file can hold, found " +
+                           std::to_string(static_cast<long long>(values)));
+    }
+    claim.Bytes = isCounted ? values * size : -1.0;
+    claim.At = tag.End;
+    if (claim.Format == "appended")
+    {
+      double offset = 0.0;
+      WAFT_RETURN_IF_FAILED(this->ReadCount(tag, "offset", claim.Place, offset));
+      claim.At = static_cast<std::size_t>(offset);
+    }
+    this->Claims.push_back(std::move(claim));
+    return Result::Ok();
+  }
+
+  Result OpenBlock(const XmlTag& tag, const std::string& place)
+  {
+    const std::string_view index = tag.Attribute("index");
+    long long number = 0;
+    if (!index.empty() && (!ParseInteger(index, number) || number < 0 || number >= MostBlocks))
+    {
+      return Result::Error(place + "index: expected a number from 0 to 99999, found " +
+                           Quoted(index));
+    }
+    const std::string file = Unescaped(tag.Attribute("file"));
+    if (tag.Name == "Block" || file.empty())
+    {
+      return Result::Ok();
+    }
+    const std::filesystem::path leaf = std::filesystem::path(this->Path).parent_path() / file;
+    const std::string name = "block " + Printable(tag.Attribute("name")) + ": ";
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(leaf, error))
+    {
+      return Result::Error(name + "no such file as " + Quoted(file));
+    }
+    const Result checked = CheckDataFile(leaf.string(), { "PolyData", "Table" });
+    return checked ? checked : Result::Error(name + Quoted(file) + ": " + checked.Message());
+  }
+
+  // The values follow an underscore up to the last `</AppendedData>`; they may look like tags.
+  Result OpenAppended(const XmlTag& tag, const std::string& place)
+  {
+    const std::size_t end = this->Text.rfind("</AppendedData>");
+    const std::size_t mark = this->Text.find('_', tag.End);
+    if (end == std::string_view::npos || mark == std::string_view::npos || mark > end)
+    {
+      return Result::Error(place + "expected `_`, values and `</AppendedData>`, found the end of "
+                                   "the file");
+    }
+    this->Appended = this->Text.substr(mark + 1, end - mark - 1);
+    this->IsRaw = tag.Attribute("encoding") == "raw";
+    this->Tags.Seek(end);
+    return Result::Ok();
+  }
+
+  // The first bytes of an array's values and how many there can be in all.
+  struct Values
+  {
+    std::string_view Text;
+    bool IsRaw = false;
+
+    double Most() const
+    {
+      return this->IsRaw ? double(this->Text.size()) : 0.75 * double(this->Text.size());
+    }
+    // `count` bytes from the beginning; what is not there is left out.
+    std::string First(std::size_t count) const
+    {
+      if (this->IsRaw)
+      {
+        return std::string(this->Text.substr(0, count));
+      }
+      std::string bytes;
+      std::uint32_t bits = 0;
+      int held = 0;
+      for (std::size_t i = 0; i < this->Text.size() && bytes.size() < count; ++i)
+      {
+        const std::size_t digit = Base64Digits().find(this->Text[i]);
+        if (digit == std::string_view::npos)
+        {
+          break;
+        }
+        bits = bits << 6 | static_cast<std::uint32_t>(digit);
+        held += 6;
+        if (held >= 8)
+        {
+          held -= 8;
+          bytes += static_cast<char>(bits >> held & 0xff);
+        }
+      }
+      return bytes;
+    }
+  };
+
+  Result CheckArray(const ArrayClaim& claim) const
+  {
+    if (claim.Format == "ascii")
+    {
+      return Result::Ok(); // the count was held against the size of the file
+    }
+    Values values{ {}, claim.Format == "appended" && this->IsRaw };
+    if (claim.Format == "appended")
+    {
+      values.Text = this->Appended.substr(std::min(claim.At, this->Appended.size()));
+    }
+    else
+    {
+      const std::size_t begin =
+        std::min(this->Text.find_first_not_of(" \t\r\n", claim.At), this->Text.size());
+      values.Text = this->Text.substr(begin, this->Text.find('<', begin) - begin);
+    }
+    double bytes = 0.0;
+    const bool isGood =
+      this->IsPacked ? this->PackedBytes(values, bytes) : this->PlainBytes(values, bytes);
+    // A reader does not look at the values of an array without any.
+    if (claim.Bytes == 0.0)
+    {
+      return Result::Ok();
+    }
+    if (!isGood)
+    {
+      return Result::Error(claim.Place + "expected its values, found that they are cut or damaged");
+    }
+    if (claim.Bytes > 0.0 && bytes != claim.Bytes)
+    {
+      return Result::Error(
+        claim.Place + "expected " + std::to_string(static_cast<long long>(claim.Bytes)) +
+        " bytes of values, found " + std::to_string(static_cast<long long>(bytes)));
+    }
+    return Result::Ok();
+  }
+
+  bool PlainBytes(const Values& values, double& bytes) const
+  {
+    const std::string head = values.First(static_cast<std::size_t>(this->WordSize));
+    if (!Holds(head, 0, static_cast<std::uint64_t>(this->WordSize)))
+    {
+      return false;
+    }
+    bytes = static_cast<double>(ReadUnsigned(head, 0, this->WordSize, this->Order));
+    return bytes <= values.Most();
+  }
+
+  // Number of blocks, bytes of a block and of the last when it is smaller, packed bytes of each.
+  bool PackedBytes(const Values& values, double& bytes) const
+  {
+    const auto word = static_cast<std::size_t>(this->WordSize);
+    const std::string head = values.First(3 * word);
+    if (head.size() < 3 * word)
+    {
+      return head.size() >= word && ReadUnsigned(head, 0, this->WordSize, this->Order) == 0;
+    }
+    const std::uint64_t blocks = ReadUnsigned(head, 0, this->WordSize, this->Order);
+    const auto size = static_cast<double>(ReadUnsigned(head, word, this->WordSize, this->Order));
+    const auto last =
+      static_cast<double>(ReadUnsigned(head, 2 * word, this->WordSize, this->Order));
+    const auto count = static_cast<double>(blocks);
+    bytes = last > 0.0 ? (count - 1.0) * size + last : count * size;
+    if (count * static_cast<double>(word) > values.Most() || last > size ||
+        (blocks > 0 && size > std::max(this->Most(), 1e8)) || bytes > this->Most())
+    {
+      return false;
+    }
+    const std::string sizes = values.First((3 + static_cast<std::size_t>(blocks)) * word);
+    double packed = static_cast<double>(sizes.size());
+    bool isWhole = sizes.size() == (3 + static_cast<std::size_t>(blocks)) * word;
+    for (std::size_t i = 3; isWhole && i < 3 + blocks; ++i)
+    {
+      packed += static_cast<double>(ReadUnsigned(sizes, i * word, this->WordSize, this->Order));
+    }
+    return isWhole && packed <= values.Most() + 3.0;
+  }
+
+  std::string_view Text;
+  XmlTags Tags;
+  std::string Path;
+  std::vector<std::string_view> Stack;
+  bool HasEnd = false;
+  std::string Type;
+  bool IsPacked = false;
+  int WordSize = 4;
+  ByteOrder Order = ByteOrder::Little;
+  PieceCounts Piece;
+  std::vector<ArrayClaim> Claims;
+  std::string_view Appended;
+  bool IsRaw = false;
+};
+
+} // namespace
+
+Result CheckDataFile(const std::string& path, const std::vector<std::string>& types)
+{
+  FileBytes file;
+  WAFT_RETURN_IF_FAILED(file.Open(path));
+  return DataFile(file.View(), path).Check(types);
+}
+
+} // namespace waft

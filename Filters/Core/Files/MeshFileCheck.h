@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mesh files, looked at whole before a reader sees them that trusts their counts and indices.
+#pragma once
+
+#include "Base/Result.h"
+
+#include <string_view>
+
+namespace waft
+{
+
+// Each fails, naming the line or the element, on numbers that are missing or not finite,
+// coordinates beyond MostCoordinate, and indices of points that are not there.
+
+/// Wavefront OBJ: its lines v, vt, vn, f, l and p; others are the reader's own.
+Result CheckObj(std::string_view file);
+/// STL, binary (with all the triangles of its count) or text.
+Result CheckStl(std::string_view file);
+/// Stanford PLY, ascii or binary: the header, and each element with all its properties, in text on
+/// a line of its own; vertices with x, y, z, faces with a list of indices.
+Result CheckPly(std::string_view file);
+
+} // namespace waft

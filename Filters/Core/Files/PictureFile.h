@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures, looked at before a decoder sees them: kind, size, and that they are whole.
+#pragma once
+
+#include "Base/Result.h"
+
+#include <cstdint>
+#include <string_view>
+
+namespace waft
+{
+
+/// Most pixels of a picture that is read.
+constexpr std::uint64_t MostPixels = std::uint64_t{ 1 } << 26;
+
+/// At least one pixel, at most MostPixels.
+Result CheckPictureSize(std::uint64_t width, std::uint64_t height);
+
+/// Is a JPEG with a frame header of a size that may be read? What its data hold the decoder says.
+Result CheckJpeg(std::string_view file);
+/// Is a BMP of 8 or 24 bits a pixel, uncompressed, with all its rows?
+Result CheckBmp(std::string_view file);
+/// Is a TIFF of 1 to 4 channels of 8 or 16 bits, whose first picture has all its strips or tiles?
+Result CheckTiff(std::string_view file);
+
+} // namespace waft

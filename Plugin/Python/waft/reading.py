@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""VTK's files and pictures, read with a look at them first: VTK's readers trust what they are given."""
+import os
+
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData
+
+from waft.failures import BadInput
+
+
+def read_surface(path):
+    """A .vtp as vtkPolyData; raises BadInput that names the file and the lack, as all here do."""
+    return _read("ReadSurface", path, vtkPolyData())
+
+
+def read_blocks(path):
+    """A .vtm of surfaces and tables as vtkMultiBlockDataSet."""
+    return _read("ReadBlocks", path, vtkMultiBlockDataSet())
+
+
+def read_picture(path):
+    """A .png, .jpg, .tif or .bmp as vtkImageData."""
+    return _read("ReadPicture", path, vtkImageData())
+
+
+def check_blocks(path, what):
+    """Looks at a .vtm and the files of its blocks, without reading their values. what: names the content in the
+    message."""
+    if not os.path.isfile(path):
+        raise BadInput(f"{path}: no such {what} file")
+    _call("CheckBlocks", path)
+
+
+def _read(function, path, data):
+    _call(function, path, data)
+    return data
+
+
+def _call(function, path, *data):
+    from waft.vtkWaftSources import vtkCheckedFiles
+
+    lack = getattr(vtkCheckedFiles, function)(os.fsencode(path), *data)
+    if lack:
+        raise BadInput(f"{path}: {lack}")

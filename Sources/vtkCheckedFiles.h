@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkCheckedFiles
+ * @brief   files for scripts, read as the scene reader reads those that a scene names
+ *
+ * They are looked at before VTK's readers see them, which trust counts, indices and chunks. Each
+ * function gives what is wrong, with the place in the file, or an empty text; nothing goes to the
+ * console, and `data` stays as it was on failure.
+ */
+#ifndef vtkCheckedFiles_h
+#define vtkCheckedFiles_h
+
+#include "vtkObject.h"
+#include "vtkWaftSourcesModule.h"
+
+#include <string>
+
+class vtkImageData;
+class vtkMultiBlockDataSet;
+class vtkPolyData;
+
+class VTKWAFTSOURCES_EXPORT vtkCheckedFiles : public vtkObject
+{
+public:
+  static vtkCheckedFiles* New();
+  vtkTypeMacro(vtkCheckedFiles, vtkObject);
+
+  /** A .vtp of cells whose points are there. */
+  static std::string ReadSurface(const std::string& path, vtkPolyData* data);
+  /** A .vtm of surfaces and tables. */
+  static std::string ReadBlocks(const std::string& path, vtkMultiBlockDataSet* data);
+  /** A .png, .jpg, .tif or .bmp of at most 2^26 pixels. */
+  static std::string ReadPicture(const std::string& path, vtkImageData* data);
+  /** The structure of a .vtm and of its blocks' files alone: elements, counts, sizes of arrays. */
+  static std::string CheckBlocks(const std::string& path);
+
+protected:
+  vtkCheckedFiles() = default;
+  ~vtkCheckedFiles() override = default;
+
+private:
+  vtkCheckedFiles(const vtkCheckedFiles&) = delete;
+  void operator=(const vtkCheckedFiles&) = delete;
+};
+
+#endif
