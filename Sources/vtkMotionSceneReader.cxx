@@ -150,6 +150,8 @@ int vtkMotionSceneReader::RequestInformation(vtkInformationVector* outputs)
   if (this->Read->Error.empty())
   {
     waft::SetTimeSteps(this->Read->Scene.Info.Time, outputs);
+    waft::SetStandsStill(outputs->GetInformationObject(OBSTACLES), !this->Read->IsMoving);
+    waft::SetStandsStill(wind, this->Read->Wind.IsEmpty());
     this->Read->Wind.WholeExtent(extent);
     wind->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   }

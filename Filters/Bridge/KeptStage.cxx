@@ -8,12 +8,27 @@
 #include <vtkAlgorithm.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
 #include <vtkPolyData.h>
 
 #include <cmath>
 
 namespace waft
 {
+
+namespace
+{
+
+int Empty(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+  return 1;
+}
+
+} // namespace
 
 KeptStage::KeptStage(vtkAlgorithm* stage, int scenePort, int obstaclesPort, int windPort) :
   Fields(obstaclesPort, windPort), Stage(stage), ScenePort(scenePort)
@@ -33,11 +48,7 @@ int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** input
 {
   if (!this->RunsOnAllRanks() && IsWithFirstRank(vtkDataObject::GetData(inputs[this->ScenePort])))
   {
-    for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-    {
-      vtkDataObject::GetData(outputs, port)->Initialize();
-    }
-    return 1;
+    return Empty(outputs);
   }
   if (!this->Cache.IsCurrent(this->Stage, inputs))
   {
@@ -48,12 +59,17 @@ int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** input
       result = SceneInfoFromFieldData(vtkDataObject::GetData(inputs[this->ScenePort]), this->Scene);
     }
     result = result ? this->Fields.Take(inputs, this->Scene.Time) : result;
-    if (result && this->Fields.Continue(request))
+    const bool hasMore = result && this->Fields.Continue(request);
+    if (hasMore && this->GoesOn())
     {
       return 1;
     }
     this->Fields.Reset(request);
     this->Cache.Forget();
+    if (hasMore)
+    {
+      return Empty(outputs); // stopped, and nothing is computed yet
+    }
     result = this->Agree(result);
     result = result ? this->Refresh(inputs) : result;
     if (!result)
@@ -79,6 +95,19 @@ int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** input
   this->FillVarying(time, outputs);
   RequestedTimeOfAll(request, outputs, this->Scene.Time); // filling has cleared the stamps
   return 1;
+}
+
+bool KeptStage::GoesOn()
+{
+  using namespace std::chrono_literals;
+  const auto now = std::chrono::steady_clock::now();
+  ControllerCommunicator ranks(vtkMultiProcessController::GetGlobalController());
+  if (now - this->LastLook < 100ms || ranks.Size() > 1) // which stop together, in Run
+  {
+    return true;
+  }
+  this->LastLook = now;
+  return StageMonitor(this->Stage).Tick(0.0, "Looking at what moves");
 }
 
 Result KeptStage::Refresh(vtkInformationVector** inputs)

@@ -15,6 +15,7 @@
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -34,7 +35,8 @@ public:
 
   /// The stage's requests. RequestData runs Core when parameters or inputs have changed, once all
   /// steps of obstacles and wind were pulled; then it fills the outputs for the time asked. Where
-  /// the scene is with the first rank (IsWithFirstRank), they stay empty.
+  /// the scene is with the first rank (IsWithFirstRank), and when it is stopped while it pulls,
+  /// they stay empty.
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
                           vtkInformationVector* outputs);
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,
@@ -75,10 +77,13 @@ protected:
 private:
   Result Refresh(vtkInformationVector** inputs);
   virtual bool RunsOnAllRanks() const { return false; }
+  /// Between two steps of what is pulled over time: false when the stage is asked to stop.
+  bool GoesOn();
 
   vtkAlgorithm* Stage;
   int ScenePort;
   StageCache Cache;
+  std::chrono::steady_clock::time_point LastLook = std::chrono::steady_clock::now();
   std::vector<vtkSmartPointer<vtkDataObject>> Keep; // by output port, null where it varies
 };
 

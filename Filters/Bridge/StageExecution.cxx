@@ -9,6 +9,8 @@
 #include <vtkInformation.h>
 #include <vtkInformationExecutivePortKey.h>
 #include <vtkInformationExecutivePortVectorKey.h>
+#include <vtkInformationIntegerKey.h>
+#include <vtkInformationKeyLookup.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkSMPTools.h>
@@ -47,6 +49,25 @@ std::vector<vtkMTimeType> CurrentSignature(vtkAlgorithm* stage, vtkInformationVe
     signature.insert(signature.end(), own.begin(), own.end());
   }
   return signature;
+}
+
+// Looked up by name: every module that this library is part of would have a key of its own.
+vtkInformationIntegerKey* StandsStillKey()
+{
+  vtkInformationKey* known = vtkInformationKeyLookup::Find("STANDS_STILL", "waft");
+  return known ? static_cast<vtkInformationIntegerKey*>(known)
+               : vtkInformationIntegerKey::MakeKey("STANDS_STILL", "waft");
+}
+
+bool StandsStill(vtkInformation* input)
+{
+  vtkExecutive* producer = ProducerOf(input);
+  if (producer != nullptr && producer->GetAlgorithm()->IsA("vtkPVPostFilter"))
+  {
+    // ParaView puts it behind each output of a proxy; it hands data through, but no key of ours.
+    input = producer->GetInputInformation(0)->GetInformationObject(0);
+  }
+  return input != nullptr && input->Get(StandsStillKey()) != 0;
 }
 
 bool HasDataTime(vtkInformation* input)
@@ -209,7 +230,8 @@ void TimeSweep::RequestSteps(vtkAlgorithm* stage, vtkInformation* request,
     {
       for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
       {
-        const int steps = inputs[port]->GetInformationObject(i)->Length(Sddp::TIME_STEPS());
+        vtkInformation* input = inputs[port]->GetInformationObject(i);
+        const int steps = StandsStill(input) ? 1 : input->Length(Sddp::TIME_STEPS());
         this->NumberOfSteps = std::max(this->NumberOfSteps, static_cast<std::size_t>(steps));
       }
     }
@@ -318,6 +340,11 @@ void SetTimeSteps(const Timeline& line, vtkInformationVector* outputs)
     output->Set(Sddp::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
     output->Set(Sddp::TIME_RANGE(), range, 2);
   }
+}
+
+void SetStandsStill(vtkInformation* output, bool standsStill)
+{
+  output->Set(StandsStillKey(), standsStill);
 }
 
 double RequestedTime(vtkInformationVector* outputs, int port, const Timeline& line)

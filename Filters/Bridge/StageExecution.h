@@ -116,6 +116,9 @@ void PassTimeSteps(vtkAlgorithm* stage, vtkInformationVector** inputs,
                    vtkInformationVector* outputs);
 /// Gives all outputs the frames of a time line.
 void SetTimeSteps(const Timeline& line, vtkInformationVector* outputs);
+/// In RequestInformation: whether the data of an output are the same at all its time steps. A
+/// TimeSweep does not pull such an input over time.
+void SetStandsStill(vtkInformation* output, bool standsStill);
 
 /// The time asked of an output port [s], clamped to the time line, and stamped on its data.
 double RequestedTime(vtkInformationVector* outputs, int port, const Timeline& line);
