@@ -34,7 +34,7 @@ THIRD_PARTY_OWNERS = {
     "CGAL": {"Obstacles", "Shapes"},
     "openvdb": {"Obstacles", "Volumes"},
     "ceres": {"Vortex"},
-    "nlohmann": {"Scene"},
+    "nlohmann": {"Files", "Scene"},
     "tiny_gltf.h": {"Export"},
 }
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^">]+)[">]')
