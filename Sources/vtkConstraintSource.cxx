@@ -21,6 +21,12 @@ vtkConstraintSource::vtkConstraintSource()
 
 void vtkConstraintSource::SetNumberOfWaypoints(int count)
 {
+  if (count > waft::limits::Frames.High)
+  {
+    vtkErrorMacro("NumberOfWaypoints: expected at most one a frame, " << waft::limits::Frames.High
+                                                                      << ", found " << count);
+    return;
+  }
   const auto size = static_cast<std::size_t>(std::max(0, count));
   if (size != this->Waypoints.size())
   {
@@ -38,7 +44,11 @@ void vtkConstraintSource::SetWaypoint(int index, double x, double y, double z)
   }
   if (index >= this->GetNumberOfWaypoints())
   {
-    this->SetNumberOfWaypoints(index + 1);
+    this->SetNumberOfWaypoints(std::min(index, VTK_INT_MAX - 1) + 1);
+  }
+  if (index >= this->GetNumberOfWaypoints())
+  {
+    return; // it was refused
   }
   if (this->Waypoints[static_cast<std::size_t>(index)] != place)
   {
@@ -54,6 +64,23 @@ void vtkConstraintSource::GetWaypoint(int index, double place[3]) const
   {
     place[axis] = isThere ? this->Waypoints[static_cast<std::size_t>(index)][axis] : 0.0;
   }
+}
+
+vtkTypeBool vtkConstraintSource::ProcessRequest(vtkInformation* request,
+                                                vtkInformationVector** inputs,
+                                                vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "Value", this->Value, waft::limits::Coordinate },
+      { "Orientation", this->Orientation, waft::limits::Direction },
+      { "Waypoints", this->Waypoints, waft::limits::Coordinate },
+      { "Radius", this->Radius, waft::limits::Distance },
+      { "Bounds", this->Bounds, waft::limits::Coordinate },
+      { "NumberOfFrames", this->NumberOfFrames,
+        waft::limits::Range{ 1, waft::limits::Frames.High } },
+      { "FramesPerSecond", this->FramesPerSecond, waft::limits::FramesPerSecond } },
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 int vtkConstraintSource::RequestInformation(vtkInformation*, vtkInformationVector**,

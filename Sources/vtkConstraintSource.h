@@ -103,6 +103,9 @@ public:
   vtkGetMacro(FramesPerSecond, double);
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkConstraintSource();
   ~vtkConstraintSource() override = default;

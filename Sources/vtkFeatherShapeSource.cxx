@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFeatherShapeSource.h"
 
+#include "Bridge/StageExecution.h"
+
 #include "Shapes/Outline.h"
 
 #include <vtkObjectFactory.h>
@@ -24,6 +26,17 @@ vtkFeatherShapeSource::vtkFeatherShapeSource()
   this->SetBaseColor(base);
   this->SetEdgeColor(edge);
   this->SetVeinColor(shaft);
+}
+
+vtkTypeBool vtkFeatherShapeSource::ProcessRequest(vtkInformation* request,
+                                                  vtkInformationVector** inputs,
+                                                  vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "ShaftLength", this->ShaftLength, waft::limits::Finite },
+      { "Asymmetry", this->Asymmetry, waft::limits::Finite } },
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 waft::Result vtkFeatherShapeSource::MakeOutline(waft::Outline& outline, std::string& name)

@@ -34,6 +34,9 @@ public:
   vtkGetMacro(Asymmetry, double);
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkFeatherShapeSource();
   ~vtkFeatherShapeSource() override = default;

@@ -238,6 +238,40 @@ vtkTypeBool vtkGridSmokeSource::ProcessRequest(vtkInformation* request,
                                                vtkInformationVector** inputs,
                                                vtkInformationVector* outputs)
 {
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "Resolution", this->Resolution, waft::limits::Range{ 1, 4096 } },
+      { "Bounds", this->Bounds, waft::limits::Coordinate },
+      { "NumberOfFrames", this->NumberOfFrames,
+        waft::limits::Range{ 1, waft::limits::Frames.High } },
+      { "FramesPerSecond", this->FramesPerSecond, waft::limits::FramesPerSecond },
+      { "AirDensity", this->AirDensity, waft::limits::Density },
+      { "WarmUpSeconds", this->WarmUpSeconds, waft::limits::UpTo(1e6) },
+      { "Confinement", this->Confinement, waft::limits::Around0(1e9) },
+      { "BuoyancyDensity", this->BuoyancyDensity, waft::limits::Around0(1e9) },
+      { "BuoyancyTemperature", this->BuoyancyTemperature, waft::limits::Around0(1e9) },
+      { "EmitterTemperature", this->EmitterTemperature, waft::limits::Around0(1e9) },
+      { "Dissipation", this->Dissipation, waft::limits::Around0(1e9) },
+      { "WindDrag", this->WindDrag, waft::limits::Around0(1e9) },
+      { "CourantNumber", this->CourantNumber, waft::limits::Around0(1e9) },
+      { "Tolerance", this->Tolerance, waft::limits::Around0(1e9) },
+      { "NumberOfVortices", this->NumberOfVortices, waft::limits::UpTo(1e4) },
+      { "NumberOfWinds", this->NumberOfWinds, waft::limits::UpTo(1e4) },
+      { "NumberOfObstacles", this->NumberOfObstacles, waft::limits::UpTo(1e4) },
+      { "VortexDiameter", this->VortexDiameter, waft::limits::Distance },
+      { "VortexLength", this->VortexLength, waft::limits::Distance },
+      { "VortexAcceleration", this->VortexAcceleration, waft::limits::Around0(1e9) },
+      { "VortexDuration", this->VortexDuration, waft::limits::UpTo(1e9) },
+      { "WindRadius", this->WindRadius, waft::limits::Distance },
+      { "WindAcceleration", this->WindAcceleration, waft::limits::Around0(1e9) },
+      { "WindDuration", this->WindDuration, waft::limits::UpTo(1e9) },
+      { "ObstacleSize", this->ObstacleSize, waft::limits::Distance } },
+    [&] { return this->Process(request, inputs, outputs); });
+}
+
+int vtkGridSmokeSource::Process(vtkInformation* request, vtkInformationVector** inputs,
+                                vtkInformationVector* outputs)
+{
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
     return this->RequestInformation(outputs);

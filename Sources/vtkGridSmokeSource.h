@@ -214,6 +214,8 @@ protected:
                   vtkInformationVector* outputs);
 
 private:
+  int Process(vtkInformation* request, vtkInformationVector** inputs,
+              vtkInformationVector* outputs);
   vtkGridSmokeSource(const vtkGridSmokeSource&) = delete;
   void operator=(const vtkGridSmokeSource&) = delete;
 

@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLeafShapeSource.h"
 
+#include "Bridge/StageExecution.h"
+
 #include "Shapes/Outline.h"
 
 #include <vtkObjectFactory.h>
 
 vtkStandardNewMacro(vtkLeafShapeSource);
+
+vtkTypeBool vtkLeafShapeSource::ProcessRequest(vtkInformation* request,
+                                               vtkInformationVector** inputs,
+                                               vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "StemLength", this->StemLength, waft::limits::Finite },
+      { "Lobing", this->Lobing, waft::limits::Finite } },
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
 
 waft::Result vtkLeafShapeSource::MakeOutline(waft::Outline& outline, std::string& name)
 {

@@ -34,6 +34,9 @@ public:
   vtkGetMacro(Lobing, double);
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkLeafShapeSource() = default;
   ~vtkLeafShapeSource() override = default;

@@ -101,6 +101,40 @@ int vtkMotionDatabaseSource::FillOutputPortInformation(int port, vtkInformation*
   return 1;
 }
 
+vtkTypeBool vtkMotionDatabaseSource::ProcessRequest(vtkInformation* request,
+                                                    vtkInformationVector** inputs,
+                                                    vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "NumberOfSimulations", this->NumberOfSimulations, waft::limits::UpTo(1e6) },
+      { "StopBelow", this->StopBelow, waft::limits::Finite },
+      { "CoverageTolerance", this->CoverageTolerance, waft::limits::Finite },
+      { "TimeLimit", this->TimeLimit, waft::limits::Finite },
+      { "NumberOfFrames", this->NumberOfFrames,
+        waft::limits::Range{ 1, waft::limits::Frames.High } },
+      { "Resolution", this->Resolution, waft::limits::Range{ 1, 4096 } },
+      { "NumberOfVortices", this->NumberOfVortices, waft::limits::UpTo(1e4) },
+      { "NumberOfWinds", this->NumberOfWinds, waft::limits::UpTo(1e4) },
+      { "NumberOfObstacles", this->NumberOfObstacles, waft::limits::UpTo(1e4) },
+      { "NumberOfTopNodes", this->NumberOfTopNodes, waft::limits::UpTo(1e6) },
+      { "Bounds", this->Bounds, waft::limits::Coordinate },
+      { "FramesPerSecond", this->FramesPerSecond, waft::limits::FramesPerSecond },
+      { "WarmUpSeconds", this->WarmUpSeconds, waft::limits::UpTo(1e6) },
+      { "SettlingSpeed", this->SettlingSpeed, waft::limits::UpTo(waft::limits::Speed.High) },
+      { "RelativeError", this->RelativeError, waft::limits::Around0(1e9) },
+      { "NotConnectible", this->NotConnectible, waft::limits::Around0(1e9) },
+      { "VortexDiameter", this->VortexDiameter, waft::limits::Distance },
+      { "VortexLength", this->VortexLength, waft::limits::Distance },
+      { "VortexAcceleration", this->VortexAcceleration, waft::limits::Around0(1e9) },
+      { "VortexDuration", this->VortexDuration, waft::limits::UpTo(1e9) },
+      { "WindRadius", this->WindRadius, waft::limits::Distance },
+      { "WindAcceleration", this->WindAcceleration, waft::limits::Around0(1e9) },
+      { "WindDuration", this->WindDuration, waft::limits::UpTo(1e9) },
+      { "ObstacleSize", this->ObstacleSize, waft::limits::Distance } },
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
 int vtkMotionDatabaseSource::RequestData(vtkInformation*, vtkInformationVector** inputs,
                                          vtkInformationVector* outputs)
 {

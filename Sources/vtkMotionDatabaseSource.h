@@ -191,6 +191,9 @@ public:
   vtkGetMacro(RotationFreedom, int);
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkMotionDatabaseSource();
   ~vtkMotionDatabaseSource() override;

@@ -118,6 +118,13 @@ vtkTypeBool vtkMotionSceneReader::ProcessRequest(vtkInformation* request,
                                                  vtkInformationVector** inputs,
                                                  vtkInformationVector* outputs)
 {
+  return waft::GuardedRequest(this, request, outputs, {},
+                              [&] { return this->Process(request, inputs, outputs); });
+}
+
+int vtkMotionSceneReader::Process(vtkInformation* request, vtkInformationVector** inputs,
+                                  vtkInformationVector* outputs)
+{
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
     return this->RequestInformation(outputs);

@@ -66,6 +66,8 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 
 private:
+  int Process(vtkInformation* request, vtkInformationVector** inputs,
+              vtkInformationVector* outputs);
   vtkMotionSceneReader(const vtkMotionSceneReader&) = delete;
   void operator=(const vtkMotionSceneReader&) = delete;
 

@@ -16,6 +16,27 @@ vtkObjectSource::vtkObjectSource()
   this->SetNumberOfInputPorts(0);
 }
 
+vtkTypeBool vtkObjectSource::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                                            vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "Position", this->Position, waft::limits::Coordinate },
+      { "Velocity", this->Velocity, waft::limits::Velocity },
+      { "Orientation", this->Orientation, waft::limits::Direction },
+      { "AngularVelocity", this->AngularVelocity, waft::limits::Spin },
+      { "Mass", this->Mass, waft::limits::Mass },
+      { "SettlingSpeed", this->SettlingSpeed, waft::limits::UpTo(waft::limits::Speed.High) },
+      { "ClearanceRadius", this->ClearanceRadius, waft::limits::Distance },
+      { "RestHeight", this->RestHeight, waft::limits::Distance },
+      { "Bounds", this->Bounds, waft::limits::Coordinate },
+      { "NumberOfFrames", this->NumberOfFrames,
+        waft::limits::Range{ 1, waft::limits::Frames.High } },
+      { "FramesPerSecond", this->FramesPerSecond, waft::limits::FramesPerSecond },
+      { "AirDensity", this->AirDensity, waft::limits::Density } },
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
 int vtkObjectSource::RequestInformation(vtkInformation*, vtkInformationVector**,
                                         vtkInformationVector* outputs)
 {

@@ -98,6 +98,9 @@ public:
   vtkGetMacro(AirDensity, double);
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkObjectSource();
   ~vtkObjectSource() override = default;

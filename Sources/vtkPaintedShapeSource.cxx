@@ -3,6 +3,7 @@
 
 #include "Base/AtomicFile.h"
 #include "Bridge/PrintValues.h"
+#include "Bridge/StageExecution.h"
 #include "Shapes/PngImage.h"
 #include "Shapes/TextureImage.h"
 #include "Shapes/ThinShape.h"
@@ -17,6 +18,21 @@ std::array<double, 3> Color(const double* color)
   return { color[0], color[1], color[2] };
 }
 } // namespace
+
+vtkTypeBool vtkPaintedShapeSource::ProcessRequest(vtkInformation* request,
+                                                  vtkInformationVector** inputs,
+                                                  vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "Width", this->Width, waft::limits::Finite },
+      { "Bend", this->Bend, waft::limits::Finite },
+      { "BaseColor", this->BaseColor, waft::limits::UpTo(1.0) },
+      { "EdgeColor", this->EdgeColor, waft::limits::UpTo(1.0) },
+      { "VeinColor", this->VeinColor, waft::limits::UpTo(1.0) },
+      { "Blotches", this->Blotches, waft::limits::Finite } },
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
 
 waft::Result vtkPaintedShapeSource::MakeShape(waft::Shape& shape)
 {

@@ -73,6 +73,9 @@ public:
   vtkGetMacro(Seed, int);
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkPaintedShapeSource() = default;
   ~vtkPaintedShapeSource() override = default;

@@ -2,12 +2,24 @@
 #include "vtkPhotographShapeSource.h"
 
 #include "Bridge/PhotographShape.h"
+#include "Bridge/StageExecution.h"
 
 #include <vtkObjectFactory.h>
 
 #include <filesystem>
 
 vtkStandardNewMacro(vtkPhotographShapeSource);
+
+vtkTypeBool vtkPhotographShapeSource::ProcessRequest(vtkInformation* request,
+                                                     vtkInformationVector** inputs,
+                                                     vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "Threshold", this->Threshold, waft::limits::Finite },
+      { "Detail", this->Detail, waft::limits::Finite } },
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
 
 waft::Result vtkPhotographShapeSource::MakeShape(waft::Shape& shape)
 {

@@ -42,6 +42,9 @@ public:
   vtkGetMacro(NumberOfTriangles, int);
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkPhotographShapeSource() = default;
   ~vtkPhotographShapeSource() override = default;

@@ -109,6 +109,12 @@ vtkShapeKeyframeSource::vtkShapeKeyframeSource() = default;
 
 void vtkShapeKeyframeSource::SetNumberOfClassColors(int count)
 {
+  if (count > waft::limits::Count.High)
+  {
+    vtkErrorMacro("NumberOfClassColors: expected at most " << waft::limits::Count.High << ", found "
+                                                           << count);
+    return;
+  }
   const auto size = static_cast<std::size_t>(std::max(0, count));
   if (size != this->ClassColors.size())
   {
@@ -123,7 +129,12 @@ void vtkShapeKeyframeSource::SetClassColor(int index, double red, double green, 
   {
     return;
   }
-  this->SetNumberOfClassColors(std::max(index + 1, this->GetNumberOfClassColors()));
+  this->SetNumberOfClassColors(
+    std::max(std::min(index, VTK_INT_MAX - 1) + 1, this->GetNumberOfClassColors()));
+  if (index >= this->GetNumberOfClassColors())
+  {
+    return; // it was refused
+  }
   this->ClassColors[static_cast<std::size_t>(index)] = { red, green, blue };
   this->Modified();
 }
@@ -133,6 +144,25 @@ int vtkShapeKeyframeSource::FillInputPortInformation(int, vtkInformation* info)
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
+}
+
+vtkTypeBool vtkShapeKeyframeSource::ProcessRequest(vtkInformation* request,
+                                                   vtkInformationVector** inputs,
+                                                   vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "ClassColors", this->ClassColors, waft::limits::UpTo(1.0) },
+      { "Radius", this->Radius, waft::limits::Distance },
+      { "Origin", this->Origin, waft::limits::Coordinate },
+      { "U", this->U, waft::limits::Direction },
+      { "V", this->V, waft::limits::Direction },
+      { "Width", this->Width, waft::limits::Length },
+      { "Bounds", this->Bounds, waft::limits::Coordinate },
+      { "NumberOfFrames", this->NumberOfFrames,
+        waft::limits::Range{ 1, waft::limits::Frames.High } },
+      { "FramesPerSecond", this->FramesPerSecond, waft::limits::FramesPerSecond } },
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 int vtkShapeKeyframeSource::RequestInformation(vtkInformation*, vtkInformationVector**,

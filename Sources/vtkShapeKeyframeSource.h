@@ -134,6 +134,9 @@ public:
   vtkGetMacro(FramesPerSecond, double);
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkShapeKeyframeSource();
   ~vtkShapeKeyframeSource() override = default;

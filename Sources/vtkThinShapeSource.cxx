@@ -25,6 +25,27 @@ void vtkThinShapeSource::TakeBending(waft::Bending& bending) const
   bending.Twist = this->Twist;
 }
 
+vtkTypeBool vtkThinShapeSource::ProcessRequest(vtkInformation* request,
+                                               vtkInformationVector** inputs,
+                                               vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "Length", this->Length, waft::limits::Length },
+      { "Curl", this->Curl, waft::limits::Finite },
+      { "Camber", this->Camber, waft::limits::Finite },
+      { "Twist", this->Twist, waft::limits::Finite },
+      { "AreaDensity", this->AreaDensity, waft::limits::AreaDensity },
+      { "Thickness", this->Thickness, waft::limits::Length },
+      { "DragCoefficient", this->DragCoefficient, waft::limits::Coefficient },
+      { "SettlingSpeed", this->SettlingSpeed, waft::limits::UpTo(waft::limits::Speed.High) },
+      { "Bounds", this->Bounds, waft::limits::Coordinate },
+      { "NumberOfFrames", this->NumberOfFrames,
+        waft::limits::Range{ 1, waft::limits::Frames.High } },
+      { "FramesPerSecond", this->FramesPerSecond, waft::limits::FramesPerSecond } },
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
 int vtkThinShapeSource::RequestInformation(vtkInformation*, vtkInformationVector**,
                                            vtkInformationVector* outputs)
 {

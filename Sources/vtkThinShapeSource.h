@@ -88,6 +88,9 @@ public:
   vtkGetMacro(FramesPerSecond, double);
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkThinShapeSource();
   ~vtkThinShapeSource() override = default;

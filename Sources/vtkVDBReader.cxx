@@ -49,6 +49,16 @@ void vtkVDBReader::SetFileName(const std::string& name)
   this->Modified();
 }
 
+vtkTypeBool vtkVDBReader::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                                         vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "FramesPerSecond", this->FramesPerSecond,
+        waft::limits::UpTo(waft::limits::FramesPerSecond.High) } },
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
 int vtkVDBReader::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
                                      vtkInformationVector* outputs)
 {

@@ -39,6 +39,9 @@ public:
   vtkGetMacro(FramesPerSecond, double);
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkVDBReader();
   ~vtkVDBReader() override;

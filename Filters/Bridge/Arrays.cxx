@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/Arrays.h"
 
+#include "Bridge/ArrayNames.h"
+
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkIdList.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -12,6 +15,8 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <cmath>
+#include <limits>
+#include <map>
 
 namespace waft
 {
@@ -31,13 +36,58 @@ void AddScalars(vtkFieldData* data, const char* name, const std::vector<ValueT>&
   data->AddArray(array);
 }
 
+// What the numbers of an array of this name may be.
+limits::Range RangeOf(const std::string& name)
+{
+  static const std::map<std::string, limits::Range> ranges = {
+    { names::Velocity, limits::Velocity },
+    { names::AngularVelocity, limits::Spin },
+    { names::Mass, limits::UpTo(limits::Mass.High) },
+    { names::SettlingSpeed, limits::UpTo(limits::Speed.High) },
+    { names::ClearanceRadius, limits::Distance },
+    { names::RestHeight, limits::Distance },
+    { names::Value, limits::Coordinate },
+    { names::Strength, limits::VortexStrength },
+    { names::CenterTime, limits::Time },
+    { names::Duration, limits::Duration },
+    { names::CoreRadius, limits::Distance },
+  };
+  const auto found = ranges.find(name);
+  return found == ranges.end() ? limits::Around0(limits::Factor.High) : found->second;
+}
+
+std::string ArrayText(const std::string& owner, const char* name)
+{
+  return owner + ": array `" + name + "`";
+}
+
+Result CheckNumber(const std::string& what, double number, const limits::Range& range)
+{
+  if (!std::isfinite(number))
+  {
+    return Result::Error(what + " is not a finite number");
+  }
+  return range.Holds(number) ? Result::Ok()
+                             : Result::Error(what + ": expected " + range.Text() + ", found " +
+                                             NumberText(number, 10));
+}
+
+// Numbers of the array of this name; null without an error when there is no array at all.
+Result FindNumbers(vtkFieldData* data, const std::string& what, const char* name,
+                   vtkDataArray*& array)
+{
+  array = data->GetArray(name);
+  const bool isOther = array == nullptr && data->GetAbstractArray(name) != nullptr;
+  return isOther ? Result::Error(what + ": expected numbers, found text") : Result::Ok();
+}
+
 // The array with its shape and its numbers checked; null without an error when it is absent and may
 // be.
 Result Find(const ArrayPlace& place, const char* name, int components, bool isOptional,
-            vtkDataArray*& array)
+            const limits::Range& range, vtkDataArray*& array)
 {
-  array = place.Data->GetArray(name);
-  const std::string what = place.Owner + ": array `" + name + "`";
+  const std::string what = ArrayText(place.Owner, name);
+  WAFT_RETURN_IF_FAILED(FindNumbers(place.Data, what, name, array));
   if (!array)
   {
     return isOptional ? Result::Ok() : Result::Error(what + " is missing");
@@ -56,9 +106,10 @@ Result Find(const ArrayPlace& place, const char* name, int components, bool isOp
   {
     for (int c = 0; c < components; ++c)
     {
-      if (!std::isfinite(array->GetComponent(i, c)))
+      const double number = array->GetComponent(i, c);
+      if (!range.Holds(number))
       {
-        return Result::Error(what + ": entry " + std::to_string(i) + " is not a finite number");
+        return CheckNumber(what + ": entry " + std::to_string(i), number, range);
       }
     }
   }
@@ -67,13 +118,10 @@ Result Find(const ArrayPlace& place, const char* name, int components, bool isOp
 
 template <class ValueT, class Convert>
 Result Read(const ArrayPlace& place, const char* name, int components, std::vector<ValueT>& values,
-            const ValueT* fallback, Convert convert)
+            const ValueT* fallback, Convert convert, const limits::Range& range)
 {
   vtkDataArray* array = nullptr;
-  if (Result found = Find(place, name, components, fallback != nullptr, array); !found)
-  {
-    return found;
-  }
+  WAFT_RETURN_IF_FAILED(Find(place, name, components, fallback != nullptr, range, array));
   values.clear();
   values.reserve(static_cast<std::size_t>(place.Tuples));
   for (vtkIdType i = 0; i < place.Tuples; ++i)
@@ -155,49 +203,77 @@ void SetVertices(vtkPolyData* data, const std::vector<Vec3>& positions)
   data->SetVerts(vertices);
 }
 
-double FieldNumber(vtkFieldData* data, const char* name, double fallback)
+Result ReadNumber(vtkFieldData* data, const std::string& owner, const char* name,
+                  const limits::Range& range, double& value)
 {
-  vtkDataArray* array = data->GetArray(name);
-  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : fallback;
+  const std::string what = owner + " `" + name + "`";
+  vtkDataArray* array = nullptr;
+  WAFT_RETURN_IF_FAILED(FindNumbers(data, what, name, array));
+  if (!array || array->GetNumberOfTuples() == 0)
+  {
+    return Result::Ok();
+  }
+  const double number = array->GetComponent(0, 0);
+  WAFT_RETURN_IF_FAILED(CheckNumber(what, number, range));
+  value = number;
+  return Result::Ok();
 }
 
 Result ReadDoubles(const ArrayPlace& place, const char* name, std::vector<double>& values,
                    const double* fallback)
 {
-  return Read(place, name, 1, values, fallback,
-              [](vtkDataArray* array, vtkIdType i) { return array->GetComponent(i, 0); });
+  return Read(
+    place, name, 1, values, fallback,
+    [](vtkDataArray* array, vtkIdType i) { return array->GetComponent(i, 0); }, RangeOf(name));
 }
 
 Result ReadInts(const ArrayPlace& place, const char* name, std::vector<int>& values,
                 const int* fallback)
 {
-  return Read(place, name, 1, values, fallback,
-              [](vtkDataArray* array, vtkIdType i)
-              { return static_cast<int>(array->GetComponent(i, 0)); });
+  constexpr limits::Range range = { std::numeric_limits<int>::min(),
+                                    std::numeric_limits<int>::max() };
+  vtkDataArray* array = place.Data->GetArray(name);
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    const double number = array->GetComponent(i, 0);
+    if (range.Holds(number) && number != std::floor(number))
+    {
+      return Result::Error(ArrayText(place.Owner, name) + ": entry " + std::to_string(i) +
+                           ": expected a whole number, found " + NumberText(number, 10));
+    }
+  }
+  return Read(
+    place, name, 1, values, fallback,
+    [](vtkDataArray* array, vtkIdType i) { return static_cast<int>(array->GetComponent(i, 0)); },
+    range);
 }
 
 Result ReadVectors(const ArrayPlace& place, const char* name, std::vector<Vec3>& values,
                    const Vec3* fallback)
 {
-  return Read(place, name, 3, values, fallback,
-              [](vtkDataArray* array, vtkIdType i)
-              {
-                Vec3 v;
-                array->GetTuple(i, v.data());
-                return v;
-              });
+  return Read(
+    place, name, 3, values, fallback,
+    [](vtkDataArray* array, vtkIdType i)
+    {
+      Vec3 v;
+      array->GetTuple(i, v.data());
+      return v;
+    },
+    RangeOf(name));
 }
 
 Result ReadQuaternions(const ArrayPlace& place, const char* name, std::vector<Quat>& values,
                        const Quat* fallback)
 {
-  return Read(place, name, 4, values, fallback,
-              [](vtkDataArray* array, vtkIdType i)
-              {
-                double q[4];
-                array->GetTuple(i, q);
-                return Quat(q[0], q[1], q[2], q[3]);
-              });
+  return Read(
+    place, name, 4, values, fallback,
+    [](vtkDataArray* array, vtkIdType i)
+    {
+      double q[4];
+      array->GetTuple(i, q);
+      return Quat(q[0], q[1], q[2], q[3]);
+    },
+    RangeOf(name));
 }
 
 Result ReadPoints(vtkPoints* points, const std::string& owner, std::vector<Vec3>& values)
@@ -213,6 +289,41 @@ Result ReadPoints(vtkPoints* points, const std::string& owner, std::vector<Vec3>
     {
       return Result::Error(owner + ": point " + std::to_string(i) + " is not finite");
     }
+    if (!limits::Coordinate.HoldsAll(value))
+    {
+      return Result::Error(owner + ": point " + std::to_string(i) +
+                           ": expected coordinates within 1e6 m, found " + PointText(value));
+    }
+  }
+  return Result::Ok();
+}
+
+Result CheckCells(vtkPolyData* data, const std::string& owner)
+{
+  const vtkIdType points = data->GetNumberOfPoints();
+  vtkIdType before = 0;
+  vtkNew<vtkIdList> ids;
+  for (vtkCellArray* cells :
+       { data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() })
+  {
+    if (!cells->IsValid())
+    {
+      return Result::Error(owner + ": expected cells whose lists of points are whole");
+    }
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+    {
+      cells->GetCellAtId(cell, ids);
+      for (const vtkIdType id : *ids)
+      {
+        if (id < 0 || id >= points)
+        {
+          return Result::Error(owner + ": cell " + std::to_string(before + cell) +
+                               ": expected indices of " + std::to_string(points) +
+                               " points, found " + std::to_string(id));
+        }
+      }
+    }
+    before += cells->GetNumberOfCells();
   }
   return Result::Ok();
 }

@@ -2,6 +2,7 @@
 // Small helpers to write and read named arrays.
 #pragma once
 
+#include "Base/Limits.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
 
@@ -31,8 +32,10 @@ void SetPoints(vtkPoints* points, const std::vector<Vec3>& values);
 /// Points of double precision, each with a vertex.
 void SetVertices(vtkPolyData* data, const std::vector<Vec3>& positions);
 
-/// The first number of an array; the fallback when there is none.
-double FieldNumber(vtkFieldData* data, const char* name, double fallback);
+/// The first number of an array of field data; `value` stays when there is no such array. Fails on
+/// one without numbers and on a number out of range; owner: "field data", "Shapes: block leaf".
+Result ReadNumber(vtkFieldData* data, const std::string& owner, const char* name,
+                  const limits::Range& range, double& value);
 
 /// What is read, for messages: "Tracks: point data array".
 struct ArrayPlace
@@ -43,8 +46,8 @@ struct ArrayPlace
 };
 
 /// Read an array of one component (three, four); the message names owner and array, what was
-/// expected and the first entry that is not finite. With a fallback an absent array is filled with
-/// it.
+/// expected and the first entry that is out of the range of its name (a whole number for ints).
+/// With a fallback an absent array is filled with it.
 Result ReadDoubles(const ArrayPlace& place, const char* name, std::vector<double>& values,
                    const double* fallback = nullptr);
 Result ReadInts(const ArrayPlace& place, const char* name, std::vector<int>& values,
@@ -53,6 +56,9 @@ Result ReadVectors(const ArrayPlace& place, const char* name, std::vector<Vec3>&
                    const Vec3* fallback = nullptr);
 Result ReadQuaternions(const ArrayPlace& place, const char* name, std::vector<Quat>& values,
                        const Quat* fallback = nullptr);
+/// Fails on a coordinate that is none (limits::Coordinate).
 Result ReadPoints(vtkPoints* points, const std::string& owner, std::vector<Vec3>& values);
+/// Fails on cells that are not of points that are there: VTK and its filters do not look.
+Result CheckCells(vtkPolyData* data, const std::string& owner);
 
 } // namespace waft

@@ -106,7 +106,7 @@ template <class Row, class Value>
 Result ReadOptionalColumn(const ArrayPlace& place, const char* name, std::vector<Row>& rows,
                           Value Row::*member)
 {
-  return place.Data->GetArray(name) ? ReadColumn(place, name, rows, member) : Result::Ok();
+  return place.Data->GetAbstractArray(name) ? ReadColumn(place, name, rows, member) : Result::Ok();
 }
 
 } // namespace waft

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/DataFiles.h"
 
+#include "Bridge/Arrays.h"
 #include "Bridge/FileReading.h"
 #include "Files/DataFileCheck.h"
 
-#include <vtkCellArray.h>
 #include <vtkCompositeDataIterator.h>
-#include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -34,33 +33,10 @@ Result ReadChecked(const std::string& path, const char* type, Data* data)
 
 } // namespace
 
-Result CheckCellPoints(vtkPolyData* data)
-{
-  const vtkIdType points = data->GetNumberOfPoints();
-  vtkNew<vtkIdList> ids;
-  for (vtkCellArray* cells :
-       { data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() })
-  {
-    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-    {
-      cells->GetCellAtId(cell, ids);
-      for (const vtkIdType id : *ids)
-      {
-        if (id < 0 || id >= points)
-        {
-          return Result::Error("cell " + std::to_string(cell) + ": expected indices of " +
-                               std::to_string(points) + " points, found " + std::to_string(id));
-        }
-      }
-    }
-  }
-  return Result::Ok();
-}
-
 Result ReadPolyDataFile(const std::string& path, vtkPolyData* data)
 {
   WAFT_RETURN_IF_FAILED(ReadChecked<vtkXMLPolyDataReader>(path, "PolyData", data));
-  return CheckCellPoints(data);
+  return CheckCells(data, "surface");
 }
 
 Result ReadImageFile(const std::string& path, vtkImageData* data)
@@ -76,11 +52,10 @@ Result ReadBlocksFile(const std::string& path, vtkMultiBlockDataSet* data)
   for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
   {
     auto* surface = vtkPolyData::SafeDownCast(leaves->GetCurrentDataObject());
-    const Result checked = surface ? CheckCellPoints(surface) : Result::Ok();
-    if (!checked)
+    if (surface)
     {
-      return Result::Error("block " + std::to_string(leaves->GetCurrentFlatIndex() - 1) + ": " +
-                           checked.Message());
+      WAFT_RETURN_IF_FAILED(
+        CheckCells(surface, "block " + std::to_string(leaves->GetCurrentFlatIndex() - 1)));
     }
   }
   return Result::Ok();

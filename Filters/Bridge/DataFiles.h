@@ -23,7 +23,4 @@ Result ReadImageFile(const std::string& path, vtkImageData* data);
 /// A .vtm of surfaces and tables, with all their files.
 Result ReadBlocksFile(const std::string& path, vtkMultiBlockDataSet* data);
 
-/// Cells of points that are there: most of VTK's filters do not look.
-Result CheckCellPoints(vtkPolyData* data);
-
 } // namespace waft

@@ -83,6 +83,7 @@ Result ReadBasis(vtkTable* table, MotionDatabase& database)
 
 Result ReadSegments(vtkPolyData* data, MotionDatabase& database)
 {
+  WAFT_RETURN_IF_FAILED(CheckCells(data, "Segments"));
   const ArrayPlace cells{ data->GetCellData(), "Segments", data->GetNumberOfCells() };
   const ArrayPlace points{ data->GetPointData(), "Segments", data->GetNumberOfPoints() };
   std::vector<int> groups, simulations, types, vortexIds;
@@ -131,10 +132,16 @@ Result ReadSegments(vtkPolyData* data, MotionDatabase& database)
   vtkFieldData* fields = data->GetFieldData();
   database.Volume = info.Bounds;
   database.FramesPerSecond = info.Time.FramesPerSecond;
-  database.Window = static_cast<int>(FieldNumber(fields, names::Window, 0));
-  database.SettlingSpeed = FieldNumber(fields, names::SettlingSpeed, 0.0);
-  database.TopSpeed = FieldNumber(fields, names::TopSpeed, 0.0);
-  return Result::Ok();
+  const std::string owner = "Segments: field data";
+  double window = 0.0;
+  WAFT_RETURN_IF_FAILED(ReadNumber(fields, owner, names::Window, limits::UpTo(1e6), window));
+  database.Window = static_cast<int>(window);
+  database.SettlingSpeed = 0.0;
+  WAFT_RETURN_IF_FAILED(ReadNumber(fields, owner, names::SettlingSpeed,
+                                   limits::UpTo(limits::Speed.High), database.SettlingSpeed));
+  database.TopSpeed = 0.0;
+  return ReadNumber(fields, owner, names::TopSpeed, limits::UpTo(limits::Speed.High),
+                    database.TopSpeed);
 }
 
 Result ReadNodes(vtkTable* table, MotionDatabase& database)

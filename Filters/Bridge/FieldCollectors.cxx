@@ -3,6 +3,7 @@
 
 #include "Bridge/ArrayNames.h"
 #include "Bridge/Arrays.h"
+#include "Bridge/ImageLattice.h"
 #include "Bridge/SceneData.h"
 
 #include <vtkCellArray.h>
@@ -10,7 +11,6 @@
 #include <vtkFloatArray.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
-#include <vtkMatrix3x3.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -105,6 +105,7 @@ Result MeshFromPolyData(vtkPolyData* data, const std::string& owner, TriangleMes
 {
   mesh = TriangleMesh();
   WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), owner, mesh.Points));
+  WAFT_RETURN_IF_FAILED(CheckCells(data, owner));
   if (data->GetNumberOfStrips() > 0)
   {
     return Result::Error(owner + ": expected triangles or polygons, found triangle strips");
@@ -244,18 +245,10 @@ Result FieldCollector::Add(vtkImageData* data, double time)
     return Result::Error(
       "Wind: expected the point data array `Wind` or `Velocity` of 3 components");
   }
-  if (!data->GetDirectionMatrix()->IsIdentity())
-  {
-    return Result::Error("Wind: expected an image whose axes are those of the world");
-  }
   FieldSeries lattice;
   lattice.Meaning = meaning;
-  data->GetDimensions(lattice.Dimensions.data());
-  data->GetSpacing(lattice.Spacing.data());
-  const int* extent = data->GetExtent(); // its first point lies at the origin only if it is point 0
-  lattice.Origin =
-    Vec3(data->GetOrigin()) + Vec3(extent[0], extent[2], extent[4]).cwiseProduct(lattice.Spacing);
-  WAFT_RETURN_IF_FAILED(lattice.CheckLattice("Wind"));
+  WAFT_RETURN_IF_FAILED(
+    LatticeFromImage(data, "Wind", lattice.Dimensions, lattice.Origin, lattice.Spacing));
   if (static_cast<std::size_t>(values->GetNumberOfTuples()) != lattice.NumberOfPoints())
   {
     return Result::Error("Wind: expected " + std::to_string(lattice.NumberOfPoints()) +

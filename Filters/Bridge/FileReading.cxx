@@ -89,8 +89,8 @@ Result RunReader(vtkAlgorithm* reader, ReaderWarnings warnings)
 {
   FirstMessage errors;
   FirstMessage warned;
-  for (vtkObject* subject : { static_cast<vtkObject*>(reader),
-                              static_cast<vtkObject*>(reader->GetExecutive()) })
+  for (vtkObject* subject :
+       { static_cast<vtkObject*>(reader), static_cast<vtkObject*>(reader->GetExecutive()) })
   {
     errors.Listen(subject, vtkCommand::ErrorEvent);
     warned.Listen(subject, vtkCommand::WarningEvent);
@@ -109,8 +109,8 @@ Result RunReader(vtkAlgorithm* reader, ReaderWarnings warnings)
   {
     errors.Text = errors.Text.empty() ? error.what() : errors.Text;
   }
-  for (vtkObject* subject : { static_cast<vtkObject*>(reader),
-                              static_cast<vtkObject*>(reader->GetExecutive()) })
+  for (vtkObject* subject :
+       { static_cast<vtkObject*>(reader), static_cast<vtkObject*>(reader->GetExecutive()) })
   {
     subject->RemoveObserver(errors.Ear());
     subject->RemoveObserver(warned.Ear());

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/FlowData.h"
 
+#include "Base/Limits.h"
 #include "Bridge/ArrayNames.h"
+#include "Bridge/ImageLattice.h"
 
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
-#include <vtkMatrix3x3.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace waft
@@ -31,38 +33,48 @@ Result ReadField(vtkImageData* data, const char* name, bool isNeeded,
     return Result::Error(std::string("Input: expected the point data array `") + name +
                          "` of 3 components");
   }
+  if (array->GetNumberOfTuples() != data->GetNumberOfPoints())
+  {
+    return Result::Error(std::string("Input: array `") + name + "`: expected " +
+                         std::to_string(data->GetNumberOfPoints()) + " entries, found " +
+                         std::to_string(array->GetNumberOfTuples()));
+  }
   values.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
   if (auto* floats = vtkFloatArray::SafeDownCast(array))
   {
     std::memcpy(values.data(), floats->GetPointer(0), values.size() * sizeof(values[0]));
-    return Result::Ok();
   }
-  for (std::size_t i = 0; i < values.size(); ++i)
+  else
   {
-    for (int c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < values.size(); ++i)
     {
-      values[i][c] = static_cast<float>(array->GetComponent(static_cast<vtkIdType>(i), c));
+      for (int c = 0; c < 3; ++c)
+      {
+        values[i][c] = static_cast<float>(array->GetComponent(static_cast<vtkIdType>(i), c));
+      }
     }
   }
-  return Result::Ok();
+  const auto reach = static_cast<float>(limits::Velocity.High);
+  const auto bad = std::find_if(values.begin(), values.end(),
+                                [reach](const std::array<float, 3>& v)
+                                {
+                                  const bool holds = std::abs(v[0]) <= reach &&
+                                                     std::abs(v[1]) <= reach &&
+                                                     std::abs(v[2]) <= reach;
+                                  return !holds; // as NaN does not
+                                });
+  return bad == values.end()
+           ? Result::Ok()
+           : Result::Error(std::string("Input: array `") + name + "`: entry " +
+                           std::to_string(bad - values.begin()) + ": expected finite numbers, " +
+                           limits::Velocity.Text() + " each");
 }
 
 } // namespace
 
 Result FlowLatticeFromImage(vtkImageData* data, FlowLattice& lattice)
 {
-  if (data->GetNumberOfPoints() == 0)
-  {
-    return Result::Error("Input: expected an image with points");
-  }
-  if (!data->GetDirectionMatrix()->IsIdentity())
-  {
-    return Result::Error("Input: expected an image whose axes are those of the world");
-  }
-  data->GetDimensions(lattice.Dimensions.data());
-  data->GetSpacing(lattice.Spacing.data());
-  data->GetPoint(0, lattice.Origin.data());
-  return Result::Ok();
+  return LatticeFromImage(data, "Input", lattice.Dimensions, lattice.Origin, lattice.Spacing);
 }
 
 Result FlowFrameFromImage(vtkImageData* data, double time, FlowFrame& frame)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/MeshFiles.h"
 
+#include "Bridge/Arrays.h"
 #include "Bridge/DataFiles.h"
 #include "Bridge/FieldCollectors.h"
 #include "Bridge/FileReading.h"
@@ -33,7 +34,7 @@ Result ReadChecked(const std::string& path, Result (*check)(std::string_view), v
   WAFT_RETURN_IF_FAILED(RunReader(reader));
   data->ShallowCopy(reader->GetOutputDataObject(0));
   // What splits the cells into triangles does not look.
-  return CheckCellPoints(data);
+  return CheckCells(data, "mesh");
 }
 
 Result CheckPoints(const TriangleMesh& mesh)

@@ -14,7 +14,7 @@ namespace waft
 
 struct SurfaceFile
 {
-  TriangleMesh Mesh;                                    // z up
+  TriangleMesh Mesh;                                     // z up
   std::vector<std::array<double, 2>> TextureCoordinates; // one a point, or none
 };
 

@@ -14,8 +14,8 @@ namespace waft
 /// Is this the name of a picture (.png, .jpg, .jpeg, .tif, .tiff, .bmp)?
 bool IsPictureName(const std::string& path);
 
-/// A picture of at most 2^26 pixels. Fails on another name, another kind of file than the name says,
-/// and what is cut or damaged.
+/// A picture of at most 2^26 pixels. Fails on another name, another kind of file than the name
+/// says, and what is cut or damaged.
 Result ReadPictureFile(const std::string& path, vtkImageData* image);
 
 } // namespace waft

@@ -180,7 +180,8 @@ Result SceneFromBlocks(vtkMultiBlockDataSet* data, SceneContents& scene)
     {
       auto* image = vtkImageData::SafeDownCast(wind->GetBlock(step));
       vtkDataArray* time = image ? image->GetFieldData()->GetArray(names::Time) : nullptr;
-      if (time == nullptr || time->GetNumberOfTuples() == 0)
+      if (time == nullptr || time->GetNumberOfTuples() == 0 ||
+          !limits::Time.Holds(time->GetComponent(0, 0)))
       {
         return Result::Error("Wind: block " + std::to_string(step) +
                              ": expected an image with the field data `Time`");

@@ -34,12 +34,13 @@ void SceneInfoToFieldData(const SceneInfo& info, vtkDataObject* data)
 Result SceneInfoFromFieldData(vtkDataObject* data, SceneInfo& info)
 {
   vtkFieldData* fields = data->GetFieldData();
-  if (vtkDataArray* bounds = fields->GetArray(names::Bounds))
+  if (fields->GetAbstractArray(names::Bounds))
   {
-    if (bounds->GetNumberOfValues() != 6)
+    vtkDataArray* bounds = fields->GetArray(names::Bounds);
+    if (!bounds || bounds->GetNumberOfValues() != 6)
     {
       return Result::Error("field data `Bounds`: expected 6 numbers, found " +
-                           std::to_string(bounds->GetNumberOfValues()));
+                           (bounds ? std::to_string(bounds->GetNumberOfValues()) : "text"));
     }
     double b[6];
     for (int i = 0; i < 6; ++i)
@@ -48,25 +49,27 @@ Result SceneInfoFromFieldData(vtkDataObject* data, SceneInfo& info)
     }
     info.Bounds = Box{ Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5]) };
   }
-  info.Time.NumberOfFrames =
-    static_cast<int>(FieldNumber(fields, names::NumberOfFrames, info.Time.NumberOfFrames));
-  info.Time.FramesPerSecond =
-    FieldNumber(fields, names::FramesPerSecond, info.Time.FramesPerSecond);
-  info.AirDensity = FieldNumber(fields, names::AirDensity, info.AirDensity);
-  info.Seed =
-    static_cast<std::uint64_t>(FieldNumber(fields, names::Seed, static_cast<double>(info.Seed)));
-  if (!(info.Bounds.Size().minCoeff() > 0.0) || !info.Bounds.Size().allFinite())
+  const std::string owner = "field data";
+  double frames = info.Time.NumberOfFrames;
+  auto seed = static_cast<double>(info.Seed);
+  if (!(info.Bounds.Size().minCoeff() > 0.0) || !limits::Coordinate.HoldsAll(info.Bounds.Min) ||
+      !limits::Coordinate.HoldsAll(info.Bounds.Max))
   {
-    return Result::Error("field data `Bounds`: expected min < max along each axis");
+    return Result::Error("field data `Bounds`: expected min < max along each axis, within 1e6 m");
   }
-  if (info.Time.NumberOfFrames < 1)
+  WAFT_RETURN_IF_FAILED(
+    ReadNumber(fields, owner, names::NumberOfFrames, limits::UpTo(limits::Frames.High), frames));
+  WAFT_RETURN_IF_FAILED(ReadNumber(fields, owner, names::FramesPerSecond, limits::FramesPerSecond,
+                                   info.Time.FramesPerSecond));
+  WAFT_RETURN_IF_FAILED(ReadNumber(fields, owner, names::AirDensity,
+                                   limits::UpTo(limits::Density.High), info.AirDensity));
+  WAFT_RETURN_IF_FAILED(ReadNumber(fields, owner, names::Seed, limits::Seed, seed));
+  if (frames < 1.0)
   {
     return Result::Error("field data `NumberOfFrames`: expected at least 1");
   }
-  if (!(info.Time.FramesPerSecond > 0.0) || !std::isfinite(info.Time.FramesPerSecond))
-  {
-    return Result::Error("field data `FramesPerSecond`: expected a positive number");
-  }
+  info.Time.NumberOfFrames = static_cast<int>(frames);
+  info.Seed = static_cast<std::uint64_t>(seed);
   return Result::Ok();
 }
 

@@ -64,7 +64,9 @@ void ShapeToPolyData(const Shape& shape, vtkPolyData* data)
 void ReadColor(vtkFieldData* fields, const char* name, std::array<double, 3>& color)
 {
   vtkDataArray* array = fields->GetArray(name);
-  for (int c = 0; array && array->GetNumberOfComponents() == 3 && c < 3; ++c)
+  const bool isColor =
+    array && array->GetNumberOfComponents() == 3 && array->GetNumberOfTuples() > 0;
+  for (int c = 0; isColor && c < 3; ++c)
   {
     color[static_cast<std::size_t>(c)] = array->GetComponent(0, c);
   }
@@ -87,12 +89,18 @@ Result ShapeFromPolyData(vtkPolyData* data, const std::string& name, Shape& shap
     }
   }
   vtkFieldData* fields = data->GetFieldData();
-  shape.DragCoefficient = FieldNumber(fields, names::DragCoefficient, shape.DragCoefficient);
-  shape.AreaDensity = FieldNumber(fields, names::AreaDensity, shape.AreaDensity);
-  shape.Thickness = FieldNumber(fields, names::Thickness, shape.Thickness);
-  shape.SettlingSpeed = FieldNumber(fields, names::SettlingSpeed, shape.SettlingSpeed);
-  shape.Damping = FieldNumber(fields, names::Damping, shape.Damping);
-  shape.ClassId = static_cast<int>(FieldNumber(fields, names::ClassId, shape.ClassId));
+  const std::string owner = "Shapes: block " + name + ": field data";
+  const auto number = [&](const char* field, const limits::Range& range, double& value)
+  { return ReadNumber(fields, owner, field, range, value); };
+  const limits::Range factor = limits::Factor;
+  WAFT_RETURN_IF_FAILED(number(names::DragCoefficient, factor, shape.DragCoefficient));
+  WAFT_RETURN_IF_FAILED(number(names::AreaDensity, limits::AreaDensity, shape.AreaDensity));
+  WAFT_RETURN_IF_FAILED(number(names::Thickness, limits::Distance, shape.Thickness));
+  WAFT_RETURN_IF_FAILED(number(names::SettlingSpeed, factor, shape.SettlingSpeed));
+  WAFT_RETURN_IF_FAILED(number(names::Damping, factor, shape.Damping));
+  double classId = shape.ClassId;
+  WAFT_RETURN_IF_FAILED(number(names::ClassId, { -1, limits::Id.High }, classId));
+  shape.ClassId = static_cast<int>(classId);
   ReadColor(fields, names::Color, shape.Color);
   ReadColor(fields, names::Tint, shape.Tint);
   auto* texture = vtkStringArray::SafeDownCast(fields->GetAbstractArray(names::Texture));

@@ -16,13 +16,18 @@
 #include <vtkSMPTools.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
+#include "Base/MessageText.h"
 #include "Bridge/SceneData.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
+#include <mutex>
+#include <new>
 #include <set>
+#include <stdexcept>
 
 using Sddp = vtkStreamingDemandDrivenPipeline;
 
@@ -191,9 +196,26 @@ ParallelFor SmpFor()
   }
   return [](std::size_t count, const std::function<void(std::size_t, std::size_t)>& body)
   {
+    // An exception that left a thread of VTK's would end the process.
+    std::mutex mutex;
+    std::exception_ptr first;
     vtkSMPTools::For(0, static_cast<vtkIdType>(count),
-                     [&body](vtkIdType begin, vtkIdType end)
-                     { body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
+                     [&](vtkIdType begin, vtkIdType end)
+                     {
+                       try
+                       {
+                         body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+                       }
+                       catch (...)
+                       {
+                         const std::lock_guard<std::mutex> lock(mutex);
+                         first = first ? first : std::current_exception();
+                       }
+                     });
+    if (first)
+    {
+      std::rethrow_exception(first);
+    }
   };
 }
 
@@ -379,6 +401,34 @@ int RequestedFrame(vtkInformationVector* outputs, int port, const Timeline& line
   return static_cast<int>(std::lround(RequestedTime(outputs, port, line) * line.FramesPerSecond));
 }
 
+int GuardedRequest(vtkAlgorithm* stage, vtkInformation* request, vtkInformationVector* outputs,
+                   const std::vector<PropertyRange>& properties,
+                   const std::function<int()>& process)
+{
+  std::string lack;
+  try
+  {
+    const bool usesThem = request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()) ||
+                          request->Has(vtkDemandDrivenPipeline::REQUEST_DATA());
+    const Result checked = usesThem ? CheckProperties(properties) : Result::Ok();
+    return checked ? process() : Fail(stage, outputs, checked.Message());
+  }
+  catch (const std::bad_alloc&)
+  {
+    lack = "expected an input that fits into memory, found too little memory for it";
+  }
+  catch (const std::length_error&) // of a container, beyond any memory
+  {
+    lack = "expected an input that fits into memory, found one beyond any";
+  }
+  catch (const std::exception& error)
+  {
+    lack = error.what();
+  }
+  request->Remove(Sddp::CONTINUE_EXECUTING());
+  return Fail(stage, outputs, lack);
+}
+
 int Fail(vtkAlgorithm* stage, vtkInformationVector* outputs, const std::string& message)
 {
   for (int out = 0; out < outputs->GetNumberOfInformationObjects(); ++out)
@@ -388,7 +438,7 @@ int Fail(vtkAlgorithm* stage, vtkInformationVector* outputs, const std::string& 
       data->Initialize();
     }
   }
-  vtkErrorWithObjectMacro(stage, << message);
+  vtkErrorWithObjectMacro(stage, << MessageText(message));
   return 0;
 }
 

@@ -23,9 +23,11 @@
 #include "Base/Monitor.h"
 #include "Base/Parallel.h"
 #include "Base/Types.h"
+#include "Bridge/PropertyCheck.h"
 
 #include <vtkType.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -49,8 +51,9 @@ private:
   bool IsStopped = false;
 };
 
-/// vtkSMPTools. Debian's VTK runs one thread unless told otherwise: when nobody chose a backend (by
-/// VTK_SMP_BACKEND_IN_USE or vtkSMPTools::SetBackend), STDThread is taken.
+/// vtkSMPTools; the first exception of a body reaches the caller. Debian's VTK runs one thread
+/// unless told otherwise: when nobody chose a backend (by VTK_SMP_BACKEND_IN_USE or
+/// vtkSMPTools::SetBackend), STDThread is taken.
 ParallelFor SmpFor();
 
 /// Knows whether a kept result still belongs to the parameters of its stage and to what comes in:
@@ -130,6 +133,12 @@ double RequestedTimeOfAll(vtkInformation* request, vtkInformationVector* outputs
                           const Timeline& line);
 /// The same as RequestedTime, as the nearest frame.
 int RequestedFrame(vtkInformationVector* outputs, int port, const Timeline& line);
+
+/// What every stage's ProcessRequest is: `process`, once the properties are in their ranges, with
+/// exceptions as errors (Fail).
+int GuardedRequest(vtkAlgorithm* stage, vtkInformation* request, vtkInformationVector* outputs,
+                   const std::vector<PropertyRange>& properties,
+                   const std::function<int()>& process);
 
 /// Reports an error of the stage and leaves every output empty; returns 0 for RequestData to
 /// return.

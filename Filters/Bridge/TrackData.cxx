@@ -53,13 +53,13 @@ std::vector<T> Pick(const std::vector<T>& all, vtkIdList* ids)
 Result ReadOptional(const ArrayPlace& place, const char* name, std::vector<Vec3>& values)
 {
   values.clear();
-  return place.Data->HasArray(name) ? ReadVectors(place, name, values) : Result::Ok();
+  return place.Data->GetAbstractArray(name) ? ReadVectors(place, name, values) : Result::Ok();
 }
 
 Result ReadOptional(const ArrayPlace& place, const char* name, std::vector<int>& values)
 {
   values.clear();
-  return place.Data->HasArray(name) ? ReadInts(place, name, values) : Result::Ok();
+  return place.Data->GetAbstractArray(name) ? ReadInts(place, name, values) : Result::Ok();
 }
 
 } // namespace
@@ -137,6 +137,7 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
 
 Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks)
 {
+  WAFT_RETURN_IF_FAILED(CheckCells(data, "Tracks"));
   const ArrayPlace points{ data->GetPointData(), "Tracks", data->GetNumberOfPoints() };
   const ArrayPlace cells{ data->GetCellData(), "Tracks", data->GetNumberOfCells() };
   std::vector<Vec3> positions, vortex, wind, forces, air, sph;

@@ -102,8 +102,11 @@ Result GuidesFromPolyData(vtkPolyData* data, std::vector<Guide>& guides)
   {
     return Result::Ok();
   }
+  std::vector<Vec3> places;
+  WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "Guides", places));
+  WAFT_RETURN_IF_FAILED(CheckCells(data, "Guides"));
   std::vector<int> ids;
-  if (data->GetCellData()->HasArray(names::ObjectId))
+  if (data->GetCellData()->GetAbstractArray(names::ObjectId))
   {
     WAFT_RETURN_IF_FAILED(
       ReadInts({ data->GetCellData(), "Guides: cell data array", data->GetNumberOfCells() },
@@ -117,9 +120,7 @@ Result GuidesFromPolyData(vtkPolyData* data, std::vector<Guide>& guides)
     vtkIdList* points = data->GetCell(before + k)->GetPointIds();
     for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
     {
-      double x[3];
-      data->GetPoint(points->GetId(i), x);
-      guide.Points.emplace_back(x[0], x[1], x[2]);
+      guide.Points.push_back(places[static_cast<std::size_t>(points->GetId(i))]);
     }
     guides.push_back(std::move(guide));
   }

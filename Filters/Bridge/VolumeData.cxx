@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/VolumeData.h"
 
+#include "Base/Limits.h"
+#include "Bridge/ImageLattice.h"
 #include "Bridge/SceneData.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
-#include <vtkMatrix3x3.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace waft
@@ -19,18 +21,9 @@ namespace waft
 
 Result VolumeFromImage(vtkImageData* data, Volume& volume)
 {
-  if (data->GetNumberOfPoints() == 0)
-  {
-    return Result::Error("Input: expected an image with points");
-  }
-  if (!data->GetDirectionMatrix()->IsIdentity())
-  {
-    return Result::Error("Input: expected an image whose axes are those of the world");
-  }
   volume = Volume();
-  data->GetDimensions(volume.Dimensions.data());
-  data->GetSpacing(volume.Spacing.data());
-  data->GetPoint(0, volume.Origin.data());
+  WAFT_RETURN_IF_FAILED(
+    LatticeFromImage(data, "Input", volume.Dimensions, volume.Origin, volume.Spacing));
   vtkPointData* arrays = data->GetPointData();
   const std::string ghosts = vtkDataSetAttributes::GhostArrayName();
   for (int a = 0; a < arrays->GetNumberOfArrays(); ++a)
@@ -50,7 +43,13 @@ Result VolumeFromImage(vtkImageData* data, Volume& volume)
     {
       for (int c = 0; c < field.Components; ++c)
       {
-        field.Values[next++] = static_cast<float>(array->GetComponent(i, c));
+        const double value = array->GetComponent(i, c);
+        if (!limits::Around0(std::numeric_limits<float>::max()).Holds(value))
+        {
+          return Result::Error("Input: array `" + field.Name + "`: entry " + std::to_string(i) +
+                               " is not a finite number of single precision");
+        }
+        field.Values[next++] = static_cast<float>(value);
       }
     }
     volume.Fields.push_back(std::move(field));

@@ -46,6 +46,7 @@ void VorticesToPolyData(const std::vector<Vortex>& vortices, const SceneInfo& in
 
 Result VorticesFromPolyData(vtkPolyData* data, std::vector<Vortex>& vortices)
 {
+  WAFT_RETURN_IF_FAILED(CheckCells(data, "Vortices"));
   const vtkIdType count = data->GetNumberOfCells();
   const ArrayPlace place{ data->GetCellData(), "Vortices", count };
   vortices.clear();

@@ -118,6 +118,15 @@ int vtkMotionAnimationWriter::FillInputPortInformation(int port, vtkInformation*
   return 1;
 }
 
+vtkTypeBool vtkMotionAnimationWriter::ProcessRequest(vtkInformation* request,
+                                                     vtkInformationVector** inputs,
+                                                     vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs, {},
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
 int vtkMotionAnimationWriter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
                                                  vtkInformationVector* outputs)
 {

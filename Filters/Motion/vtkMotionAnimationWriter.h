@@ -40,6 +40,9 @@ public:
    * reported). */
   bool Write();
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkMotionAnimationWriter();
   ~vtkMotionAnimationWriter() override;

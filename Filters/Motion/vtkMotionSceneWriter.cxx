@@ -6,6 +6,7 @@
 #include "Bridge/SceneBlocks.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/ShapeData.h"
+#include "Bridge/StageExecution.h"
 #include "Bridge/VortexData.h"
 
 #include <vtkInformation.h>
@@ -90,6 +91,15 @@ int vtkMotionSceneWriter::FillInputPortInformation(int port, vtkInformation* inf
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
   return 1;
+}
+
+vtkTypeBool vtkMotionSceneWriter::ProcessRequest(vtkInformation* request,
+                                                 vtkInformationVector** inputs,
+                                                 vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs, {},
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 int vtkMotionSceneWriter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,

@@ -60,6 +60,9 @@ public:
   void RemoveAllWind() { this->SetInputConnection(5, nullptr); }
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkMotionSceneWriter();
   ~vtkMotionSceneWriter() override;

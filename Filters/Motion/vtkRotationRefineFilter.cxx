@@ -162,6 +162,25 @@ int vtkRotationRefineFilter::FillInputPortInformation(int port, vtkInformation* 
   return 1;
 }
 
+vtkTypeBool vtkRotationRefineFilter::ProcessRequest(vtkInformation* request,
+                                                    vtkInformationVector** inputs,
+                                                    vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "Damping", this->Damping, waft::limits::Finite },
+      { "Lift", this->Lift, waft::limits::Finite },
+      { "PressureShift", this->PressureShift, waft::limits::Finite },
+      { "Follow", this->Follow, waft::limits::Finite },
+      { "Roll", this->Roll, waft::limits::Finite },
+      { "Spin", this->Spin, waft::limits::Finite },
+      { "VariationPerObject", this->VariationPerObject, waft::limits::Finite },
+      { "LandingTime", this->LandingTime, waft::limits::Finite },
+      { "TurningTime", this->TurningTime, waft::limits::Finite },
+      { "TurningRate", this->TurningRate, waft::limits::Finite } },
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
 int vtkRotationRefineFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
                                                 vtkInformationVector* outputs)
 {

@@ -17,8 +17,8 @@
  * Output port 0, Meshes (vtkPolyData, time-varying): all meshes posed at the current time, with
  * texture coordinates, normals and the point and cell data `ObjectId`, `ShapeId`.
  * Output port 1, Poses (vtkPolyData): Tracks with `Orientation` (w, x, y, z), `AngularVelocity`
- * [rad/s, world] and `Torque` [N m, world] at every frame, and by line `Shift` [m]: how far its centre
- * is moved from its track at most, so that the mesh lies on a surface.
+ * [rad/s, world] and `Torque` [N m, world] at every frame, and by line `Shift` [m]: how far its
+ * centre is moved from its track at most, so that the mesh lies on a surface.
  *
  * Shi et al. 2005, section 6 (model Paper: drag, Eq. 5, on each visible piece of surface); the
  * model Plate adds what lets thin bodies flutter and tumble: see
@@ -111,6 +111,9 @@ public:
   void RemoveAllWind() { this->SetInputConnection(4, nullptr); }
   void RemoveAllConstraints() { this->SetInputConnection(5, nullptr); }
   ///@}
+
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
 
 protected:
   vtkRotationRefineFilter();

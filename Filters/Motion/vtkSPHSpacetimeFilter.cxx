@@ -236,6 +236,35 @@ int vtkSPHSpacetimeFilter::FillOutputPortInformation(int port, vtkInformation* i
   return 1;
 }
 
+vtkTypeBool vtkSPHSpacetimeFilter::ProcessRequest(vtkInformation* request,
+                                                  vtkInformationVector** inputs,
+                                                  vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "PositionWeight", this->PositionWeight, waft::limits::Finite },
+      { "VelocityWeight", this->VelocityWeight, waft::limits::Finite },
+      { "CoherenceWeight", this->CoherenceWeight, waft::limits::Finite },
+      { "SpatialShare", this->SpatialShare, waft::limits::Finite },
+      { "ObjectCoherence", this->ObjectCoherence, waft::limits::Finite },
+      { "ObjectPosition", this->ObjectPosition, waft::limits::Finite },
+      { "SmoothingLength", this->SmoothingLength, waft::limits::Finite },
+      { "CourantNumber", this->CourantNumber, waft::limits::Finite },
+      { "Viscosity", this->Viscosity, waft::limits::Finite },
+      { "XsphFactor", this->XsphFactor, waft::limits::Finite },
+      { "PressureExponent", this->PressureExponent, waft::limits::Finite },
+      { "EffectiveGravity", this->EffectiveGravity, waft::limits::Finite },
+      { "ContactDistance", this->ContactDistance, waft::limits::Finite },
+      { "WindDrag", this->WindDrag, waft::limits::Finite },
+      { "Tolerance", this->Tolerance, waft::limits::Finite },
+      { "TimeLimit", this->TimeLimit, waft::limits::Finite },
+      { "EditDuration", this->EditDuration, waft::limits::Finite },
+      { "EditRadius", this->EditRadius, waft::limits::Finite },
+      { "MemoryLimit", this->MemoryLimit, waft::limits::Finite },
+      { "CheckpointInterval", this->CheckpointInterval, waft::limits::Finite } },
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
 int vtkSPHSpacetimeFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
                                               vtkInformationVector* outputs)
 {

@@ -254,6 +254,9 @@ public:
   void RemoveAllWind() { this->SetInputConnection(5, nullptr); }
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkSPHSpacetimeFilter();
   ~vtkSPHSpacetimeFilter() override;

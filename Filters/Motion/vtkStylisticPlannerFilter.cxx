@@ -210,6 +210,20 @@ int vtkStylisticPlannerFilter::FillOutputPortInformation(int port, vtkInformatio
   return 1;
 }
 
+vtkTypeBool vtkStylisticPlannerFilter::ProcessRequest(vtkInformation* request,
+                                                      vtkInformationVector** inputs,
+                                                      vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "MaxTilt", this->MaxTilt, waft::limits::Finite },
+      { "ConnectionThreshold", this->ConnectionThreshold, waft::limits::Around0(1e9) },
+      { "JoinThreshold", this->JoinThreshold, waft::limits::Around0(1e9) },
+      { "RetimingLimit", this->RetimingLimit, waft::limits::Finite },
+      { "GuideWeight", this->GuideWeight, waft::limits::Finite } },
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
 int vtkStylisticPlannerFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
                                                   vtkInformationVector* outputs)
 {

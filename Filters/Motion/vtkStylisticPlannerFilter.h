@@ -125,6 +125,9 @@ public:
   void RemoveAllGuides() { this->SetInputConnection(4, nullptr); }
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkStylisticPlannerFilter();
   ~vtkStylisticPlannerFilter() override;

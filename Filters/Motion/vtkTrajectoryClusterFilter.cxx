@@ -47,8 +47,10 @@ waft::Result AddSimulation(vtkPolyData* tracks, vtkPolyData* vortices, waft::Clu
   {
     input.FramesPerSecond = info.Time.FramesPerSecond;
     input.Volume = info.Bounds;
-    input.SettlingSpeed =
-      waft::FieldNumber(tracks->GetFieldData(), waft::names::SettlingSpeed, 0.0);
+    input.SettlingSpeed = 0.0;
+    WAFT_RETURN_IF_FAILED(
+      waft::ReadNumber(tracks->GetFieldData(), "Input: field data", waft::names::SettlingSpeed,
+                       waft::limits::UpTo(waft::limits::Speed.High), input.SettlingSpeed));
   }
   else if (info.Time.FramesPerSecond != input.FramesPerSecond)
   {
@@ -112,6 +114,24 @@ int vtkTrajectoryClusterFilter::FillInputPortInformation(int port, vtkInformatio
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
   return 1;
+}
+
+vtkTypeBool vtkTrajectoryClusterFilter::ProcessRequest(vtkInformation* request,
+                                                       vtkInformationVector** inputs,
+                                                       vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "LengthRatio", this->LengthRatio, waft::limits::Around0(1e9) },
+      { "FeatureCurvature", this->FeatureCurvature, waft::limits::Factor },
+      { "FeatureContrast", this->FeatureContrast, waft::limits::Around0(1e9) },
+      { "LeastSpeed", this->LeastSpeed, waft::limits::Factor },
+      { "RelativeError", this->RelativeError, waft::limits::Finite },
+      { "NumberOfTopNodes", this->NumberOfTopNodes, waft::limits::UpTo(1e6) },
+      { "Branching", this->Branching, waft::limits::UpTo(1e6) },
+      { "MaxTilt", this->MaxTilt, waft::limits::Finite },
+      { "NotConnectible", this->NotConnectible, waft::limits::Around0(1e9) } },
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 int vtkTrajectoryClusterFilter::RequestInformation(vtkInformation*, vtkInformationVector**,

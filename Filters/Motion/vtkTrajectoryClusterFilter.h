@@ -115,6 +115,9 @@ public:
   /** Takes every connection from input port 1. */
   void RemoveAllVortices();
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkTrajectoryClusterFilter();
   ~vtkTrajectoryClusterFilter() override;

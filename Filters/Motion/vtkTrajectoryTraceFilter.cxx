@@ -163,6 +163,19 @@ int vtkTrajectoryTraceFilter::FillInputPortInformation(int port, vtkInformation*
   return 1;
 }
 
+vtkTypeBool vtkTrajectoryTraceFilter::ProcessRequest(vtkInformation* request,
+                                                     vtkInformationVector** inputs,
+                                                     vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "SettlingSpeed", this->SettlingSpeed, waft::limits::UpTo(waft::limits::Speed.High) },
+      { "VortexShare", this->VortexShare, waft::limits::Finite },
+      { "ForceFloor", this->ForceFloor, waft::limits::Factor },
+      { "ShortestRun", this->ShortestRun, waft::limits::Factor } },
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
 int vtkTrajectoryTraceFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
                                                  vtkInformationVector* outputs)
 {

@@ -66,6 +66,9 @@ public:
   void RemoveAllObstacles() { this->SetInputConnection(2, nullptr); }
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkTrajectoryTraceFilter();
   ~vtkTrajectoryTraceFilter() override;

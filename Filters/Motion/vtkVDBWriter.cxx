@@ -78,6 +78,14 @@ vtkVDBWriter::vtkVDBWriter() : Impl(std::make_unique<Internals>()) {}
 
 vtkVDBWriter::~vtkVDBWriter() = default;
 
+vtkTypeBool vtkVDBWriter::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                                         vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs, {},
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
 int vtkVDBWriter::RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
                                       vtkInformationVector* outputs)
 {

@@ -37,6 +37,9 @@ public:
    * reported) or it was stopped. */
   bool Write();
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkVDBWriter();
   ~vtkVDBWriter() override;

@@ -4,6 +4,7 @@
 #include "Bridge/ArrayNames.h"
 #include "Bridge/Arrays.h"
 #include "Bridge/KeptStage.h"
+#include "Bridge/StageExecution.h"
 #include "Bridge/TrackData.h"
 #include "Bridge/VortexData.h"
 #include "Vortex/VortexFit.h"
@@ -143,6 +144,17 @@ int vtkVortexFitFilter::FillInputPortInformation(int port, vtkInformation* info)
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
   return 1;
+}
+
+vtkTypeBool vtkVortexFitFilter::ProcessRequest(vtkInformation* request,
+                                               vtkInformationVector** inputs,
+                                               vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs,
+    { { "MinimumGain", this->MinimumGain, waft::limits::Finite },
+      { "PriorFreedom", this->PriorFreedom, waft::limits::Around0(1e9) } },
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 int vtkVortexFitFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,

@@ -83,6 +83,9 @@ public:
   void RemoveAllVortices() { this->SetInputConnection(1, nullptr); }
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
 protected:
   vtkVortexFitFilter();
   ~vtkVortexFitFilter() override;

@@ -19,6 +19,11 @@ enum class FieldMeaning
   Velocity      // array `Velocity`: draws by drag towards it [m/s]
 };
 
+/// Fails unless these are a lattice with 1 to 2^30 points and a spacing and an origin within the
+/// limits of lengths and coordinates [m].
+Result CheckLattice(const std::string& name, const std::array<int, 3>& dimensions,
+                    const Vec3& origin, const Vec3& spacing);
+
 /// Values at lattice points Origin + (i, j, k) * Spacing, i fastest, one list per time. Sampling is
 /// trilinear in space and linear in time, clamped to the lattice and to the first and last time.
 struct FieldSeries
@@ -36,8 +41,6 @@ struct FieldSeries
     return static_cast<std::size_t>(this->Dimensions[0]) * this->Dimensions[1] *
            this->Dimensions[2];
   }
-  /// A lattice with points, of steps and an origin that can be (Base/Limits.h).
-  Result CheckLattice(const std::string& name) const;
   /// A lattice that can be, sizes agree, times increase, every value is within the limits of
   /// accelerations or velocities.
   Result Validate(const std::string& name) const;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 namespace waft::limits
 {
@@ -43,6 +44,7 @@ constexpr Range Around0(double reach)
   return { -reach, reach };
 }
 
+inline constexpr Range Finite = Around0(std::numeric_limits<double>::max());
 inline constexpr Range Coordinate = Around0(1e6);   ///< Of a point [m].
 inline constexpr Range Length = { 1e-9, 1e6 };      ///< Of what has an extent [m].
 inline constexpr Range Distance = UpTo(1e6);        ///< Of what may have none [m].

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the properties of a stage may be, looked at before it works: setters take any number, and
+// those that clamp let NaN through.
+#pragma once
+
+#include "Base/Limits.h"
+#include "Base/Result.h"
+
+#include <array>
+#include <vector>
+
+namespace waft
+{
+
+/// A property of one or more numbers and their range.
+struct PropertyRange
+{
+  PropertyRange(const char* name, double value, const limits::Range& range) :
+    Name(name), Values{ value }, Range(range)
+  {
+  }
+  template <class Number, std::size_t Count>
+  PropertyRange(const char* name, const Number (&values)[Count], const limits::Range& range) :
+    Name(name), Values(values, values + Count), Range(range)
+  {
+  }
+
+  /// A list of vectors.
+  template <std::size_t Count>
+  PropertyRange(const char* name, const std::vector<std::array<double, Count>>& values,
+                const limits::Range& range) :
+    Name(name),
+    Range(range)
+  {
+    for (const std::array<double, Count>& value : values)
+    {
+      this->Values.insert(this->Values.end(), value.begin(), value.end());
+    }
+  }
+
+  const char* Name;
+  std::vector<double> Values;
+  limits::Range Range;
+};
+
+/// Fails on the first property out of its range: "FramesPerSecond: expected a number from ...".
+Result CheckProperties(const std::vector<PropertyRange>& properties);
+
+} // namespace waft
