@@ -137,5 +137,5 @@ def scene_case(group, name, scene, *says, status=(2,), files=None, options=(), *
             path.write_bytes(content() if callable(content) else content)
         return synthesize("scene.waft.json", OUT if is_taken else results, *options)
     is_taken = 0 in status or 3 in status
-    said = says if is_taken else ("scene.waft.json", *says)
+    said = ("scene.waft.json", *says) if 2 in status else says
     return Case(group, name, make, status=status, says=said, **more)

@@ -190,17 +190,17 @@ def cases():
             number += 1
             for kind in ("shape", kinds[1 + number % 2]) if number % 2 else ("shape",):
                 scene, pointer = _of(kind, f"m{suffix}")
-                yield scene_case(group, f"{kind}: {suffix[1:]}: {name}", scene, pointer, f"m{suffix}",
+                yield scene_case(group, f"{kind}: {suffix[1:]}: {name}", scene, pointer,
                                  files={f"m{suffix}": content})
     for suffix in (".obj", ".ply", ".stl", ".glb", ".vtp"):
         for name, content in (("empty", b""), ("junk", b"this is no mesh\n"), ("zeros", bytes(500))):
             scene, pointer = _of("obstacle", f"m{suffix}")
-            yield scene_case(group, f"obstacle: {suffix[1:]}: {name}", scene, pointer, f"m{suffix}",
+            yield scene_case(group, f"obstacle: {suffix[1:]}: {name}", scene, pointer,
                              files={f"m{suffix}": content})
     for kind in kinds:
         for name, file in (("that is not there", "none.obj"), ("of an unknown kind", "m.fbx"), ("without a kind", "m")):
             scene, pointer = _of(kind, file)
-            yield scene_case(group, f"{kind} {name}", scene, pointer, file, files={"m.fbx": b"x", "m": b"x"})
+            yield scene_case(group, f"{kind} {name}", scene, pointer, files={"m.fbx": b"x", "m": b"x"})
     scene, pointer = _of("obstacle", "m.obj")
     yield scene_case(group, "an open obstacle", scene, pointer, "closed",
                      files={"m.obj": good.obj(faces=good.FACES[:3])})

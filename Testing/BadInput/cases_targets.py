@@ -82,16 +82,16 @@ def cases():
     group = "targets"
     pointer = "/constraints/0/targets"
     for name, content in damaged_pngs():
-        yield scene_case(group, f"image: {name}", _targets(image="p.png"), pointer, "p.png", files={"p.png": content})
+        yield scene_case(group, f"image: {name}", _targets(image="p.png"), pointer, files={"p.png": content})
         yield scene_case(group, f"photograph: {name}", LEAF | {"shapes": {"leaf": {"mesh": "p.png"}}}, "/shapes/leaf",
-                         "p.png", files={"p.png": content})
+                         files={"p.png": content})
     for name, content in damaged_others():
         file = "p." + name.rpartition(".")[2]
-        yield scene_case(group, f"image: {name}", _targets(image=file), pointer, file, files={file: content})
+        yield scene_case(group, f"image: {name}", _targets(image=file), pointer, files={file: content})
     for file, content in _other_formats():
-        yield scene_case(group, f"image of another kind: {file}", _targets(image=file), pointer, file, files={file: content})
-    yield scene_case(group, "image that is not there", _targets(image="none.png"), pointer, "none.png")
-    yield scene_case(group, "image that is a folder", _targets(image="p.png"), pointer, "p.png", files={"p.png/x": b""})
+        yield scene_case(group, f"image of another kind: {file}", _targets(image=file), pointer, files={file: content})
+    yield scene_case(group, "image that is not there", _targets(image="none.png"), pointer)
+    yield scene_case(group, "image that is a folder", _targets(image="p.png"), pointer, files={"p.png/x": b""})
     yield scene_case(group, "image of one colour", _targets(image="p.png"), pointer,
                      files={"p.png": good.png(scanlines=(b"\x00" + b"\x10\x10\x10\xff" * 12) * 8)})
     yield scene_case(group, "image of nothing", _targets(image="p.png"), pointer,
@@ -103,9 +103,9 @@ def cases():
         status = (0, 2, 3) if name == "two lines" else (2,)
         yield scene_case(group, f"text of {name}", _targets(text=text), *([pointer] if status == (2,) else []), status=status)
     for name, content in (("junk", b"no font at all"), ("empty", b""), ("zeros", bytes(1000)), ("a picture", good.png())):
-        yield scene_case(group, f"font: {name}", _targets(text="I", font="f.ttf"), pointer, "f.ttf", files={"f.ttf": content})
-    yield scene_case(group, "font that is not there", _targets(text="I", font="none.ttf"), pointer, "none.ttf")
-    yield scene_case(group, "font by an unknown name", _targets(text="I", font="comic"), pointer, "comic")
+        yield scene_case(group, f"font: {name}", _targets(text="I", font="f.ttf"), pointer, files={"f.ttf": content})
+    yield scene_case(group, "font that is not there", _targets(text="I", font="none.ttf"), pointer)
+    yield scene_case(group, "font by an unknown name", _targets(text="I", font="comic"), pointer)
     yield scene_case(group, "image that is right", _targets(image="p.png"), files={"p.png": good.png()}, status=(0, 3))
     for suffix, make in ((".jpg", good.jpg), (".tif", good.tif), (".bmp", good.bmp)):
         yield scene_case(group, f"image that is right, {suffix}", _targets(image=f"p{suffix}"), files={f"p{suffix}": make},

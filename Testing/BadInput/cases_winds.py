@@ -92,7 +92,7 @@ def cases():
     group = "winds"
     pointer = "/winds/0"
     for name, content in vtis():
-        yield scene_case(group, f"vti: {name}", _wind("w.vti"), pointer, "w.vti", files={"w.vti": content})
+        yield scene_case(group, f"vti: {name}", _wind("w.vti"), pointer, files={"w.vti": content})
     for name, content in pvds():
         yield scene_case(group, f"pvd: {name}", _wind("w.pvd"), pointer, files={"w.pvd": content, **BESIDE})
     for name, content in vdbs():

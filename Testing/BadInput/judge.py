@@ -6,8 +6,10 @@ import signal
 
 # From the worst to the least; a case counts as its first.
 FAULTS = ("crash", "lost files", "hang", "memory", "traceback", "status", "leftover", "message", "noise")
+DONE = (0, 3, 4)  # exit statuses of a run that wrote its results
 MOST_MEGABYTES = 1500
 MOST_BYTES = 2048
+SUMMARY = re.compile(r" constraints met \(| simulations")
 NOISE = re.compile(r"ERR\||FATL\||WARN\||ERROR: In|Warning: In|Generic Warning|0x[0-9a-f]{6,}|Loguru|libpng|TIFF|vtk[A-Z]\w+ \(")
 
 
@@ -36,18 +38,19 @@ def _without_usage(text):
 
 
 def _changes(case, done):
-    if done.old_results_changed:
-        yield "lost files", f"older results are others: {done.old_results_changed[:4]}"
-    refused = done.status not in (0, 3, 4)
-    names = [name for name in done.changed if refused or not name.startswith(("+out", "+d.", "+d/"))]
-    gone = [name for name in names if not name.startswith("+")]
-    if gone:
-        yield "lost files", f"{gone[:4]} are gone or others"
-    new = [name for name in names if name.startswith("+")]
-    # Folders on the way to an output may have been made.
-    if new and case.make is not None:
+    # What a run that came to its end put in place of older files of its own is not lost.
+    refused = done.status not in DONE
+    old = [name for name in done.old_results_changed if refused or "notes.txt" in name]
+    may_replace = not refused and done.status in case.status
+    gone = [name for name in done.changed if not name.startswith("+") and not (may_replace and name.startswith("out"))]
+    new = [name for name in done.changed if name.startswith("+") and (refused or not name.startswith(("+out", "+d.", "+d/")))]
+    if done.status == 1:  # what failed goes on from there
+        old = [name for name in old if not name.startswith("+checkpoint")]
+    if old or gone:
+        yield "lost files", f"{(old + gone)[:4]} are gone or others"
+    if new:
         yield "leftover", f"new: {new[:4]}"
-    if any("/.waft" in name or name.startswith("+.waft") for name in done.changed):
+    if any("/.waft" in name or name.startswith("+.waft") for name in done.changed + done.old_results_changed):
         yield "leftover", "a temporary folder"
 
 
@@ -66,11 +69,13 @@ def _words(case, done):
             yield "message", f"of {size} bytes"
         if not lines:
             yield "message", "none"
-    for part in case.says:
+    # Of a case that may be taken or refused the words are those of the refusal.
+    may_be_either = set(case.status) & set(DONE) and set(case.status) - set(DONE)
+    for part in () if may_be_either and done.status in DONE else case.says:
         if part not in text:
             yield "message", f"without '{part}': {' '.join(lines)[:300]}"
     for line in lines:
-        if NOISE.search(line) or not (line.startswith("waft") or (done.status in (0, 3, 4) and " constraints met" in line)):
+        if NOISE.search(line) or not (line.startswith("waft") or (done.status in DONE and SUMMARY.search(line))):
             yield "noise", line[:200]
             return
 
