@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every stage given damaged data, input by input: an error and nothing in the outputs, or outputs that are finite."""
+import functools
+import json
+import pathlib
+import tempfile
+
+from case import LEAF, Case
+from stages import stage_of, update, wrong_with
+
+SCENE = LEAF | {
+    "constraints": [{"kind": "position", "object": 0, "frame": 30, "value": [0.0, 0.0, 1.6], "radius": 0.1}],
+    "obstacles": [{"kind": "sphere", "center": [1.0, 1.0, 1.0], "radius": 0.3}],
+    "vortices": [{"p1": [0.0, 0.0, 1.0], "p2": [0.0, 0.0, 2.0], "strength": 0.1, "centerTime": 0.5, "duration": 0.5,
+                  "coreRadius": 0.2}],
+    "winds": [{"direction": [1.0, 0.0, 0.0], "strength": 0.2, "center": [0.0, 0.0, 2.0], "radius": 1.0, "centerTime": 0.5,
+               "duration": 0.5}],
+}
+# Inputs by port; None: nothing is connected.
+STAGES = {
+    "vtkStylisticPlannerFilter": ("database", "objects", "constraints", "obstacles"),
+    "vtkSPHSpacetimeFilter": ("tracks", "objects", "constraints", "obstacles", "vortices", "wind"),
+    "vtkVortexFitFilter": ("flown", "vortices"),
+    "vtkRotationRefineFilter": ("tracks", "objects", "shapes", "obstacles", "wind", "constraints"),
+    "vtkTrajectoryTraceFilter": ("flow", "vortices", "obstacles"),
+    "vtkTrajectoryClusterFilter": ("flown", "vortices"),
+    "vtkGridSmokeSource": (None, "obstacles", "wind", "vortices"),
+    "vtkMotionAnimationWriter": ("poses", "objects", "shapes"),
+    "vtkMotionSceneWriter": ("objects", "constraints", "obstacles", "shapes", "vortices", "wind"),
+    "vtkVDBWriter": ("flow",),
+}
+JOINED = ("tracks", "flown", "poses", "obstacles", "vortices")  # whose cells say what belongs together
+
+
+@functools.lru_cache(maxsize=None)
+def good():
+    """The data that stages pass on, of one small run."""
+    from vtkmodules.vtkCommonCore import vtkFloatArray
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+    from waft import synthesize
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "scene.waft.json"
+        path.write_text(json.dumps(SCENE), encoding="utf-8")
+        run = synthesize(str(path), preview=True, threads=1)
+    flow = vtkImageData()
+    flow.SetDimensions(4, 4, 4)
+    flow.SetOrigin(-2.0, -2.0, 0.0)
+    flow.SetSpacing(4.0 / 3.0, 4.0 / 3.0, 4.0 / 3.0)
+    velocity = vtkFloatArray()
+    velocity.SetName("Velocity")
+    velocity.SetNumberOfComponents(3)
+    velocity.SetNumberOfTuples(64)
+    velocity.Fill(0.1)
+    flow.GetPointData().AddArray(velocity)
+    places = {"objects": ("reader", 0), "obstacles": ("reader", 2), "shapes": ("reader", 3), "vortices": ("reader", 4),
+              "wind": ("reader", 5), "database": ("database", 0), "tracks": ("planner", 0), "constraints": ("planner", 3),
+              "flown": ("spacetime", 0), "poses": ("rotation", 1)}
+    return {"flow": flow} | {name: _copy(run.output(*place)) for name, place in places.items()}
+
+
+def _copy(data):
+    copy = data.NewInstance()
+    copy.DeepCopy(data)
+    return copy
+
+
+def _with_id(number):
+    """Makes a point's number in the last cell of each kind another one."""
+    def damage(surface):
+        from vtkmodules.vtkCommonCore import vtkIdList
+        from vtkmodules.vtkCommonDataModel import vtkCellArray
+
+        for kind in ("Lines", "Polys"):
+            cells = getattr(surface, f"Get{kind}")()
+            made = vtkCellArray()
+            ids = vtkIdList()
+            for cell in range(cells.GetNumberOfCells()):
+                cells.GetCellAtId(cell, ids)
+                if cell == cells.GetNumberOfCells() - 1:
+                    ids.SetId(ids.GetNumberOfIds() - 1, number)
+                made.InsertNextCell(ids)
+            getattr(surface, f"Set{kind}")(made)
+    return damage
+
+
+def _empty(data):
+    data.Initialize()
+
+
+def _without_points(surface):
+    from vtkmodules.vtkCommonCore import vtkPoints
+
+    surface.SetPoints(vtkPoints())
+
+
+def _points_at(value):
+    def damage(surface):
+        if surface.GetNumberOfPoints() > 0:
+            surface.GetPoints().SetPoint(surface.GetNumberOfPoints() // 2, value, 0.0, 0.0)
+    return damage
+
+
+def _arrays_of(value):
+    """A number of each array of floating point numbers is another one."""
+    def damage(data):
+        for holder in (data.GetPointData(), data.GetCellData()):
+            for i in range(holder.GetNumberOfArrays()):
+                array = holder.GetArray(i)
+                if array is not None and array.GetDataTypeAsString() in ("double", "float") and array.GetNumberOfTuples() > 0:
+                    array.SetComponent(array.GetNumberOfTuples() // 2, 0, value)
+    return damage
+
+
+def _field_of(name, *values):
+    def damage(data):
+        from vtkmodules.vtkCommonCore import vtkDoubleArray
+
+        array = vtkDoubleArray()
+        array.SetName(name)
+        for value in values:
+            array.InsertNextValue(value)
+        data.GetFieldData().AddArray(array)
+    return damage
+
+
+def _call(name, *values):
+    return lambda image: getattr(image, name)(*values)
+
+
+NAN = float("nan")
+# name: (damage, whether every stage has to refuse it)
+SURFACES = {
+    "nothing in it": (_empty, False),
+    "cells without points": (_without_points, False),
+    "points at NaN": (_points_at(NAN), True),
+    "points at 1e308": (_points_at(1e308), True),
+    "NaN in its arrays": (_arrays_of(NAN), False),
+    "1e308 in its arrays": (_arrays_of(1e308), False),
+}
+CELLS = {
+    "a point's number beyond its points": (_with_id(10 ** 6), True),
+    "a point's number below 0": (_with_id(-1), True),
+}
+SCENES = {
+    "1e300 frames a second": (_field_of("FramesPerSecond", 1e300), False),
+    "air of density NaN": (_field_of("AirDensity", NAN), False),
+    "bounds turned over": (_field_of("Bounds", 2.0, -2.0, 2.0, -2.0, 4.0, 0.0), False),
+}
+IMAGES = {
+    "nothing in it": (_empty, False),
+    "spacing 0": (_call("SetSpacing", 0.0, 0.0, 0.0), True),
+    "spacing NaN": (_call("SetSpacing", NAN, NAN, NAN), True),
+    "spacing -1": (_call("SetSpacing", -1.0, -1.0, -1.0), True),
+    "origin NaN": (_call("SetOrigin", NAN, 0.0, 0.0), True),
+    "a turned direction": (_call("SetDirectionMatrix", 0, -1, 0, 1, 0, 0, 0, 0, 1), True),
+    "NaN in its arrays": (_arrays_of(NAN), True),
+    "1e308 in its arrays": (_arrays_of(3e38), False),
+}
+
+
+def _of_block(damage):
+    return lambda blocks: damage(blocks.GetBlock(0))
+
+
+def _damages(name, port):
+    if name in ("wind", "flow"):
+        return IMAGES
+    if name == "shapes":
+        return {damage: (_of_block(what), must) for damage, (what, must) in (SURFACES | CELLS).items()
+                if "arrays" not in damage} | {"nothing in it": (_empty, False), "no block": (lambda b: b.SetBlock(0, None), False)}
+    if name == "database":
+        return {"nothing in it": (_empty, True), "no block": (lambda b: b.SetBlock(0, None), True)}
+    return SURFACES | (CELLS if name in JOINED else {}) | (SCENES if port == 0 else {})
+
+
+def _act(stage, port, change, must_fail):
+    def act():
+        inputs = [None if name is None else _copy(good()[name]) for name in STAGES[stage]]
+        if change:
+            change(inputs[port])
+        algorithm = stage_of(stage)
+        for number, data in enumerate(inputs):
+            if data is not None:
+                algorithm.SetInputDataObject(number, data)
+        errors = update(algorithm)
+        if must_fail and not errors:
+            return "taken without a word"
+        return wrong_with(algorithm, errors)
+    return act
+
+
+def cases():
+    good()
+    for stage, inputs in STAGES.items():
+        yield Case("data", f"{stage}: all right", act=_act(stage, 0, None, False))
+        for port, name in enumerate(inputs):
+            if name is not None:
+                for damage, (change, must_fail) in _damages(name, port).items():
+                    yield Case("data", f"{stage}: {name}: {damage}", act=_act(stage, port, change, must_fail))
