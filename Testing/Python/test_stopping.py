@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Stops of the command, by signal and by time limit, in all that it does: each is seen within a second.
+
+    test_stopping.py WAFT       WAFT: the command of the build or of an installed tree
+"""
+import json
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+WAFT = sys.argv.pop(1)
+SEEN_WITHIN = 1.0  # s
+LOADED = 4.0  # s more, for a machine that does other things as well
+STOPPED_EARLY = 4
+
+
+def scene(frames, objects, **more):
+    return {"waft": 1, "time": {"frames": frames}, "shapes": {"leaf": {"builtin": "leaf"}},
+            "objects": [{"shape": "leaf", **objects}], **more}
+
+
+MEDIUM = scene(301, {"positions": [[0.4 * i - 1.0, 0.2 * j, 2.6] for i in range(6) for j in range(3)]},
+               constraints=[{"kind": "position", "object": i, "frame": 200, "value": [0.1 * i, 0.3, 1.2]}
+                            for i in range(18)])
+THIMBLE = scene(91, {"count": 20000, "region": {"min": [0, 0, 1], "max": [0.01, 0.01, 1.01]}})
+MILLION = scene(1000000, {"positions": [[-0.6, -0.5, 2.6]]})
+
+
+class Stopping(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def synthesize(self, content, *options):
+        path = self.folder / "scene.waft.json"
+        path.write_text(json.dumps(content), encoding="utf-8")
+        return [WAFT, "synthesize", path, "--output", self.folder / "out", "--preview", *options]
+
+    def database(self, *options):
+        return [WAFT, "database", "--output", self.folder / "air.vtm", "--resolution", "8", "--frames", "40", *options]
+
+    def stop_after(self, arguments, seconds, number=signal.SIGTERM):
+        """Ends a run by a signal; returns (seconds until it had ended, what it said)."""
+        process = subprocess.Popen([*map(str, arguments)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.stderr.close)
+        self.addCleanup(process.kill)
+        time.sleep(seconds)
+        self.assertIsNone(process.poll(), "it ended before it was stopped")
+        asked = time.monotonic()
+        process.send_signal(number)
+        _, said = process.communicate(timeout=120.0)
+        took = time.monotonic() - asked
+        self.assertEqual(STOPPED_EARLY, process.returncode, said)
+        for trace in ("Traceback", "ERR|", "Loguru", "vtk"):
+            self.assertNotIn(trace, said)
+        return took, said
+
+    def expect_seen(self, took, said):
+        self.assertLess(took, SEEN_WITHIN + LOADED, said)
+        self.assertEqual(1, len(said.splitlines()), said)
+        self.assertRegex(said, "^waft: stopped before ")
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_while_paraview_starts(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            for seconds in (0.2, 0.7):
+                with self.subTest(number=number, seconds=seconds):
+                    self.expect_seen(*self.stop_after(self.synthesize(MEDIUM), seconds, number))
+
+    def test_while_many_objects_are_laid_in_a_thimble(self):
+        for seconds in (3.0, 6.0):
+            with self.subTest(seconds=seconds):
+                self.expect_seen(*self.stop_after(self.synthesize(THIMBLE), seconds))
+
+    def test_while_a_million_frames_are_made(self):
+        for seconds in (3.0, 6.0, 12.0):
+            with self.subTest(seconds=seconds):
+                self.expect_seen(*self.stop_after(self.synthesize(MILLION), seconds))
+
+    def test_by_a_time_limit_in_a_million_frames(self):
+        began = time.monotonic()
+        done = subprocess.run([*map(str, self.synthesize(MILLION, "--time-limit", 1.0))], capture_output=True,
+                              text=True, check=False, timeout=120.0)
+        start = 10.0  # s that ParaView may take to start, from which the limit does not count
+        self.expect_seen(time.monotonic() - began - 1.0 - start, done.stderr)
+        self.assertEqual(STOPPED_EARLY, done.returncode)
+
+    def test_while_it_optimises_writes_the_best_so_far(self):
+        command = self.synthesize(MEDIUM)
+        out = self.folder / "out"
+        process = subprocess.Popen([*map(str, command)], stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.stderr.close)
+        self.addCleanup(process.kill)
+        deadline = time.monotonic() + 120.0
+        while time.monotonic() < deadline and process.poll() is None and not (out / "checkpoint").is_dir():
+            time.sleep(0.05)
+        process.send_signal(signal.SIGTERM)
+        _, said = process.communicate(timeout=120.0)
+        self.assertEqual(STOPPED_EARLY, process.returncode, said)
+        self.assertTrue((out / "poses.csv").is_file(), list(out.iterdir()))
+
+    def test_in_as_many_simulations_as_there_may_be(self):
+        took, said = self.stop_after(self.database("--simulations", 1000000), 8.0)
+        self.assertLess(took, SEEN_WITHIN + LOADED, said)
+
+
+if __name__ == "__main__":
+    unittest.main()
