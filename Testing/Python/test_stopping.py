@@ -4,6 +4,7 @@
     test_stopping.py WAFT       WAFT: the command of the build or of an installed tree
 """
 import json
+import os
 import pathlib
 import signal
 import subprocess
@@ -103,6 +104,19 @@ class Stopping(unittest.TestCase):
         _, said = process.communicate(timeout=120.0)
         self.assertEqual(STOPPED_EARLY, process.returncode, said)
         self.assertTrue((out / "poses.csv").is_file(), list(out.iterdir()))
+
+    def test_that_the_system_killed_says_so(self):
+        process = subprocess.Popen([*map(str, self.synthesize(MEDIUM))], stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.stderr.close)
+        self.addCleanup(process.kill)
+        children = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children")
+        deadline = time.monotonic() + 30.0
+        while not children.read_text().split() and time.monotonic() < deadline:
+            time.sleep(0.02)
+        os.kill(int(children.read_text().split()[0]), signal.SIGKILL)
+        _, said = process.communicate(timeout=30.0)
+        self.assertEqual((-signal.SIGKILL, "waft: ended by SIGKILL, as systems do when memory runs out\n"),
+                         (process.returncode, said))
 
     def test_in_as_many_simulations_as_there_may_be(self):
         took, said = self.stop_after(self.database("--simulations", 1000000), 8.0)

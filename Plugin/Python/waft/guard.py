@@ -157,7 +157,10 @@ if __name__ == "__main__":
         say(error)
         status = 1
     if status < 0:  # as if there were no process in between
-        signal.signal(-status, signal.SIG_DFL)
+        if -status == signal.SIGKILL:  # whose action cannot be set
+            say("ended by SIGKILL, as systems do when memory runs out")
+        else:
+            signal.signal(-status, signal.SIG_DFL)
         signal.pthread_sigmask(signal.SIG_UNBLOCK, [-status])
         os.kill(os.getpid(), -status)
     sys.exit(status)
