@@ -23,8 +23,8 @@ void vtkConstraintSource::SetNumberOfWaypoints(int count)
 {
   if (count > waft::limits::Frames.High)
   {
-    vtkErrorMacro("NumberOfWaypoints: expected at most one a frame, " << waft::limits::Frames.High
-                                                                      << ", found " << count);
+    vtkErrorMacro("NumberOfWaypoints: expected at most "
+                  << static_cast<int>(waft::limits::Frames.High) << ", found " << count);
     return;
   }
   const auto size = static_cast<std::size_t>(std::max(0, count));
@@ -111,7 +111,8 @@ int vtkConstraintSource::RequestData(vtkInformation*, vtkInformationVector**,
   if (this->Frame > last || (count > 1 && lastFrame > last))
   {
     return waft::Fail(this, outputs,
-                      "Frame or LastFrame: expected at most " + std::to_string(last));
+                      "Frame or LastFrame: expected at most " + std::to_string(last) +
+                        ", the last of NumberOfFrames");
   }
   if (count > 1 && lastFrame - this->Frame < count - 1)
   {

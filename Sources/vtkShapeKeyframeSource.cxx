@@ -81,7 +81,12 @@ waft::Result vtkShapeKeyframeSource::Drawing::DrawImage()
     return waft::Result::Error("ImageFile: expected the name of a picture");
   }
   waft::Picture picture;
-  WAFT_RETURN_IF_FAILED(waft::VtkSceneAssets().LoadPicture(this->Source.ImageFile, picture));
+  if (const waft::Result loaded =
+        waft::VtkSceneAssets().LoadPicture(this->Source.ImageFile, picture);
+      !loaded)
+  {
+    return waft::Result::Error("ImageFile " + this->Source.ImageFile + ": " + loaded.Message());
+  }
   return this->DrawMask(waft::MaskFromPicture(picture, this->Source.ClassColors));
 }
 
@@ -185,7 +190,7 @@ int vtkShapeKeyframeSource::RequestData(vtkInformation*, vtkInformationVector** 
   {
     return waft::Fail(this, outputs,
                       "expected a Frame of at most " + std::to_string(last) +
-                        " and a positive FramesPerSecond");
+                        ", the last of NumberOfFrames");
   }
   Drawing drawing{ *this, {}, {} };
   if (waft::Result drawn = drawing.Draw(vtkPolyData::GetData(inputs[0])); !drawn)

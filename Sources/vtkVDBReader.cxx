@@ -55,7 +55,7 @@ vtkTypeBool vtkVDBReader::ProcessRequest(vtkInformation* request, vtkInformation
   return waft::GuardedRequest(
     this, request, outputs,
     { { "FramesPerSecond", this->FramesPerSecond,
-        waft::limits::UpTo(waft::limits::FramesPerSecond.High) } },
+        this->FramesPerSecond == 0.0 ? waft::limits::UpTo(0.0) : waft::limits::FramesPerSecond } },
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 

@@ -71,6 +71,8 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   std::vector<Constraint> read(static_cast<std::size_t>(place.Tuples), fallback);
   std::vector<int> kinds, statuses;
   std::vector<Quat> values;
+  std::vector<Vec3> places; // shown alone: `Value` is what counts
+  WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "Constraints", places));
   const auto readOptional = [&](const char* name, auto member)
   { return ReadOptionalColumn(place, name, read, member); };
   WAFT_RETURN_IF_FAILED(ReadColumn(place, names::ObjectId, read, &Constraint::ObjectId));

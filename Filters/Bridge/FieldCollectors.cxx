@@ -265,12 +265,20 @@ Result FieldCollector::Add(vtkImageData* data, double time)
     return Result::Error("Wind: expected the same lattice and array at every time step");
   }
   std::vector<std::array<float, 3>> step(static_cast<std::size_t>(values->GetNumberOfTuples()));
+  const limits::Range range =
+    meaning == FieldMeaning::Acceleration ? limits::Acceleration : limits::Velocity;
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
     for (int c = 0; c < 3; ++c)
     {
-      step[static_cast<std::size_t>(i)][static_cast<std::size_t>(c)] =
-        static_cast<float>(values->GetComponent(i, c));
+      const double value = values->GetComponent(i, c);
+      if (!range.Holds(value))
+      {
+        return Result::Error(std::string("Wind: array `") + values->GetName() + "`: point " +
+                             std::to_string(i) + ": expected " + range.Text() + ", found " +
+                             NumberText(value));
+      }
+      step[static_cast<std::size_t>(i)][static_cast<std::size_t>(c)] = static_cast<float>(value);
     }
   }
   this->Series.Times.push_back(time);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/SceneFiles.h"
 
+#include "Base/MessageText.h"
 #include "Bridge/FontFiles.h"
 #include "Bridge/MeshFiles.h"
 #include "Bridge/PhotographShape.h"
@@ -162,6 +163,12 @@ Result VtkSceneAssets::LoadPicture(const std::string& path, Picture& picture) co
 Result VtkSceneAssets::DrawText(const std::string& text, const std::string& font,
                                 Picture& picture) const
 {
+  constexpr std::size_t longest = 1000;
+  if (text.size() > longest || MessageText(text) != text)
+  {
+    return Result::Error("expected a text of at most " + std::to_string(longest) +
+                         " bytes of valid UTF-8 without control characters");
+  }
   constexpr int height = 160; // pixels of the font
   vtkNew<vtkTextProperty> style;
   style->SetFontSize(height);

@@ -13,7 +13,6 @@
 #include <vtkPointData.h>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 
 namespace waft
@@ -44,10 +43,10 @@ Result VolumeFromImage(vtkImageData* data, Volume& volume)
       for (int c = 0; c < field.Components; ++c)
       {
         const double value = array->GetComponent(i, c);
-        if (!limits::Around0(std::numeric_limits<float>::max()).Holds(value))
+        if (!limits::Around0(1e30).Holds(value))
         {
           return Result::Error("Input: array `" + field.Name + "`: entry " + std::to_string(i) +
-                               " is not a finite number of single precision");
+                               " is not a finite number of at most 1e30");
         }
         field.Values[next++] = static_cast<float>(value);
       }

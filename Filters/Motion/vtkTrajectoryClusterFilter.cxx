@@ -122,7 +122,9 @@ vtkTypeBool vtkTrajectoryClusterFilter::ProcessRequest(vtkInformation* request,
 {
   return waft::GuardedRequest(
     this, request, outputs,
-    { { "LengthRatio", this->LengthRatio, waft::limits::Around0(1e9) },
+    { { "ShortestSegment", double(this->ShortestSegment), waft::limits::Frames },
+      { "LongestSegment", double(this->LongestSegment), waft::limits::Frames },
+      { "LengthRatio", this->LengthRatio, waft::limits::Around0(1e9) },
       { "FeatureCurvature", this->FeatureCurvature, waft::limits::Factor },
       { "FeatureContrast", this->FeatureContrast, waft::limits::Around0(1e9) },
       { "LeastSpeed", this->LeastSpeed, waft::limits::Factor },
