@@ -9,6 +9,13 @@
 
 namespace waft
 {
+namespace
+{
+
+// Of a text: its picture has to be drawn whole.
+constexpr int MostLetters = 1000;
+
+} // namespace
 
 SceneReader::Placement SceneReader::ReadPlacement(const SceneNode& node, bool needsWidth) const
 {
@@ -197,9 +204,12 @@ std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node,
     {
       font = this->File(node.At("font", ""));
     }
-    if (text.Text().empty())
+    const std::string letters = text.Text();
+    const auto length = std::count_if(letters.begin(), letters.end(),
+                                      [](char c) { return (c & 0xc0) != 0x80; }); // UTF-8
+    if (length < 1 || length > MostLetters)
     {
-      text.Fail("a text that is not empty");
+      text.Fail("a text of 1 to " + std::to_string(MostLetters) + " characters");
     }
     Check(text, [&] { return this->Assets.DrawText(text.Text(), font, picture); });
     TargetMask close = MaskFromPicture(picture, {});

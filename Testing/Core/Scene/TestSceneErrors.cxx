@@ -110,6 +110,8 @@ TEST(SceneErrors, NameThePlace)
       "/constraints/0/targets/width: expected a width in metres, found nothing" },
     { R"("constraints": [{"kind": "keyframe", "frame": 9, "targets": {"text": "A", "origin": [0, 0, 0], "width": 1, "u": [0, 1, 0]}}])",
       "/constraints/0/targets: expected directions `u` and `v` that are not parallel" },
+    { R"("constraints": [{"kind": "keyframe", "frame": 9, "targets": {"text": "", "origin": [0, 0, 0], "width": 1}}])",
+      "/constraints/0/targets/text: expected a text of 1 to 1000 characters" },
     { R"("constraints": [{"kind": "keyframe", "frame": 9, "targets": {"image": "LICENSE", "origin": [0, 0, 0], "width": 1, "classes": {"red": [1, 0, 0]}}}])",
       "/constraints/0/targets/classes/red: expected the class of a shape" },
   };
@@ -119,6 +121,24 @@ TEST(SceneErrors, NameThePlace)
     EXPECT_EQ(message.find(std::string("test.json: ") + bad.Message), 0u)
       << bad.Fields << "\n  " << message;
   }
+}
+
+TEST(SceneErrors, OfATextThatIsTooLong)
+{
+  const auto errorOf = [](int length)
+  {
+    std::string text;
+    for (int i = 0; i < length; ++i)
+    {
+      text += "\u00e4"; // two bytes
+    }
+    return ErrorOf(Whole(
+      R"("constraints": [{"kind": "keyframe", "frame": 9, "targets": {"origin": [0, 0, 0], "text": ")" +
+      text + R"("}}])"));
+  };
+  const std::string message = "/text: expected a text of 1 to 1000 characters";
+  EXPECT_EQ(errorOf(1000).find(message), std::string::npos);
+  EXPECT_NE(errorOf(1001).find(message), std::string::npos);
 }
 
 TEST(SceneErrors, OfShapesAndObjects)

@@ -269,6 +269,7 @@ TEST(SceneSchema, UsesOnlyKeywordsThatThisTestUnderstands)
                                         "exclusiveMinimum",
                                         "maximum",
                                         "minLength",
+                                        "maxLength",
                                         "pattern",
                                         "$ref",
                                         "oneOf",
