@@ -73,7 +73,8 @@ Result ReadPictureFile(const std::string& path, vtkImageData* image)
   if (extension == ".jpg" || extension == ".jpeg")
   {
     WAFT_RETURN_IF_FAILED(CheckJpeg(file.View()));
-    return RunBytes(vtkNew<vtkJPEGReader>(), file.View(), image);
+    // Of bytes in memory its library says on the console that they end.
+    return RunFile(vtkNew<vtkJPEGReader>(), path, image);
   }
   if (extension == ".bmp")
   {

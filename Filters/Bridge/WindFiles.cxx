@@ -13,7 +13,6 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -36,7 +35,7 @@ Result AddWindStep(const std::string& path, double time, FieldCollector& collect
   return result ? result : Result::Error("\"" + path + "\": " + result.Message());
 }
 
-// The steps of a .pvd in order of time.
+// The steps of a .pvd, times increasing.
 Result PvdSteps(const std::string& path, std::vector<std::pair<double, std::string>>& steps)
 {
   FileBytes file;
@@ -60,10 +59,16 @@ Result PvdSteps(const std::string& path, std::vector<std::pair<double, std::stri
     }
     const std::string_view text = tag.Attribute("timestep");
     auto time = static_cast<double>(steps.size());
-    if (!text.empty() && (!ParseNumber(text, time) || !limits::Time.Holds(time)))
+    if (tag.Has("timestep") && (!ParseNumber(text, time) || !limits::Time.Holds(time)))
     {
       return Result::Error(Quoted(name) + ": expected a timestep that is " + limits::Time.Text() +
                            ", found " + Quoted(text));
+    }
+    if (!steps.empty() && time <= steps.back().first)
+    {
+      return Result::Error(Quoted(name) + ": expected timesteps that increase, found " +
+                           NumberText(time, 10) + " s after " + NumberText(steps.back().first, 10) +
+                           " s");
     }
     steps.emplace_back(time, (std::filesystem::path(path).parent_path() / name).string());
   }
@@ -71,15 +76,6 @@ Result PvdSteps(const std::string& path, std::vector<std::pair<double, std::stri
   {
     return Result::Error("expected a whole ParaView collection of .vti files, found " +
                          std::string(isCollection ? "a cut or damaged one" : "none"));
-  }
-  std::stable_sort(steps.begin(), steps.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  const auto twice = std::adjacent_find(
-    steps.begin(), steps.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
-  if (twice != steps.end())
-  {
-    return Result::Error("expected each time once, found " + NumberText(twice->first, 10) +
-                         " s twice");
   }
   return steps.empty() ? Result::Error("expected at least one file in the collection, found none")
                        : Result::Ok();

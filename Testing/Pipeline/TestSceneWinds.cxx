@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 
 namespace
@@ -67,6 +68,29 @@ TEST(SceneWinds, WindFilesAndSeries)
     "mixed.waft.json", R"({"waft": 1, "winds": [{"file": "v.vti"}, {"file": "a.vti"}]})"));
   reader->Update();
   EXPECT_TRUE(errors.Contains("/winds/0/file: expected the only wind")) << errors.Text;
+}
+
+TEST(SceneWinds, TimesOfASeriesIncrease)
+{
+  waft::test::TemporaryFolder folder;
+  WriteWind(folder.File("a.vti"), "Wind", 1.0);
+  for (const auto& [first, second, part] :
+       { std::array{ "1", "0", "timesteps that increase, found 0 s after 1 s" },
+         std::array{ "1", "1", "timesteps that increase" },
+         std::array{ "0", "", "expected a timestep that is a number" },
+         std::array{ "0", "nan", "expected a timestep that is a number" } })
+  {
+    vtkNew<vtkMotionSceneReader> reader;
+    ErrorLog errors(reader);
+    folder.Write("series.pvd", std::string("<VTKFile type=\"Collection\"><Collection>") +
+                                 "<DataSet timestep=\"" + first + "\" file=\"a.vti\"/>" +
+                                 "<DataSet timestep=\"" + second + "\" file=\"a.vti\"/>" +
+                                 "</Collection></VTKFile>");
+    reader->SetFileName(
+      folder.Write("a.waft.json", R"({"waft": 1, "winds": [{"file": "series.pvd"}]})"));
+    reader->Update();
+    EXPECT_TRUE(errors.Contains(part)) << errors.Text;
+  }
 }
 
 // Fixtures/wind_0000.vdb and wind_0030.vdb: 5^3 voxels of 1 m from (-2, -2, 0) on with

@@ -114,7 +114,10 @@ private:
     if (tag.Name == "ImageData")
     {
       double points = 0.0;
-      return this->ReadExtent(tag, "WholeExtent", place, points);
+      WAFT_RETURN_IF_FAILED(this->ReadExtent(tag, "WholeExtent", place, points));
+      WAFT_RETURN_IF_FAILED(CheckNumbers(tag, "Origin", place, 3));
+      WAFT_RETURN_IF_FAILED(CheckNumbers(tag, "Spacing", place, 3));
+      return CheckNumbers(tag, "Direction", place, 9);
     }
     if (tag.Name == "Piece")
     {
@@ -137,8 +140,9 @@ private:
     const std::string_view type = tag.Attribute("type");
     if (tag.Name != "VTKFile" || std::find(types.begin(), types.end(), type) == types.end())
     {
-      return Result::Error("expected a VTK XML file of type " + types.front() + ", found " +
-                           (tag.Name == "VTKFile" ? Printable(type) : "element " + Quoted(tag.Name)));
+      return Result::Error(
+        "expected a VTK XML file of type " + types.front() + ", found " +
+        (tag.Name == "VTKFile" ? Printable(type) : "element " + Quoted(tag.Name)));
     }
     this->Type = type;
     this->IsPacked = !tag.Attribute("compressor").empty();
@@ -170,6 +174,23 @@ private:
     }
     count = static_cast<double>(number);
     return Result::Ok();
+  }
+
+  // In place of other texts the reader takes its own numbers.
+  static Result CheckNumbers(const XmlTag& tag, const char* name, const std::string& place,
+                             std::size_t count)
+  {
+    const std::vector<std::string_view> words = WordsOf(tag.Attribute(name));
+    bool isGood = words.size() == count;
+    for (std::size_t i = 0; isGood && i < count; ++i)
+    {
+      double number = 0.0;
+      isGood = ParseNumber(words[i], number);
+    }
+    return isGood || !tag.Has(name)
+             ? Result::Ok()
+             : Result::Error(place + name + ": expected " + std::to_string(count) +
+                             " numbers, found " + Quoted(tag.Attribute(name)));
   }
 
   // Six numbers, each pair in order or empty (last = first - 1).

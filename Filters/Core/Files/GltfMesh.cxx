@@ -191,6 +191,13 @@ private:
   // The JSON of a .glb; its binary chunk is kept.
   std::string_view OpenChunks(std::string_view file)
   {
+    const std::uint64_t size = Holds(file, 0, 12) ? ReadUnsigned(file, 8, 4, ByteOrder::Little) : 0;
+    if (size == 0 || size > file.size() || ReadUnsigned(file, 4, 4, ByteOrder::Little) != 2)
+    {
+      throw GltfError{ "byte 4: expected version 2 and a length of at most " +
+                       std::to_string(file.size()) + " bytes, found others" };
+    }
+    file = file.substr(0, size);
     std::string_view text;
     for (std::uint64_t at = 12; at < file.size();)
     {
@@ -358,9 +365,9 @@ private:
     TriangleMesh& mesh = this->Surface.Mesh;
     const int first = static_cast<int>(mesh.Points.size());
     const std::size_t count = places.size() / 3;
-    if (mesh.Points.size() + count > MostPoints)
+    if (mesh.Points.size() + count > MostOfAKind)
     {
-      Refuse(at, "expected at most " + std::to_string(MostPoints) + " points in all");
+      Refuse(at, "expected at most " + std::to_string(MostOfAKind) + " points in all");
     }
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -426,11 +433,15 @@ private:
     }
     const auto triangles = TrianglesOf(corners, mode);
     auto& all = this->Surface.Mesh.Triangles;
+    if (all.size() + triangles.size() > MostOfAKind)
+    {
+      Refuse(place, "expected at most " + std::to_string(MostOfAKind) + " triangles in all");
+    }
     all.insert(all.end(), triangles.begin(), triangles.end());
   }
 
-  // A mesh that many nodes show must not fill the memory.
-  static constexpr std::size_t MostPoints = 100'000'000;
+  // Points or triangles: a mesh that many nodes show must not fill the memory.
+  static constexpr std::size_t MostOfAKind = 20'000'000;
 
   GltfFile& File;
   GltfSurface& Surface;

@@ -39,6 +39,7 @@ Result ReadTiffFields(std::string_view file, ByteOrder order, TiffFields& fields
   {
     return Cut("directory");
   }
+  std::uint64_t total = 0; // of fields that do not lie one upon the other
   for (std::uint64_t i = 0; i < count; ++i)
   {
     const std::uint64_t entry = directory + 2 + 12 * i;
@@ -51,7 +52,8 @@ Result ReadTiffFields(std::string_view file, ByteOrder order, TiffFields& fields
     }
     const std::uint64_t bytes = static_cast<std::uint64_t>(size) * length;
     const std::uint64_t place = bytes <= 4 ? entry + 8 : ReadUnsigned(file, entry + 8, 4, order);
-    if (!Holds(file, place, bytes))
+    total += bytes;
+    if (!Holds(file, place, bytes) || total > file.size())
     {
       return Cut("field " + std::to_string(tag));
     }
@@ -163,7 +165,7 @@ Result CheckTiff(std::string_view file)
   const bool isLittle = file.substr(0, 4) == std::string_view("II*\0", 4);
   if (!isLittle && file.substr(0, 4) != std::string_view("MM\0*", 4))
   {
-    return Result::Error("expected the signature of a TIFF picture, found another file");
+    return Result::Error("expected the signature of a .tif picture, found another file");
   }
   if (file.size() < 8)
   {

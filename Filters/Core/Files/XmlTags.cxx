@@ -49,6 +49,11 @@ bool TakeAttribute(std::string_view& text, XmlTag& tag)
 
 } // namespace
 
+bool XmlTag::Has(std::string_view name) const
+{
+  return this->Attribute(name).data() != nullptr;
+}
+
 std::string_view XmlTag::Attribute(std::string_view name) const
 {
   for (const auto& [key, value] : this->Attributes)

@@ -21,6 +21,7 @@ struct XmlTag
   std::size_t Begin = 0;  // byte of its `<`
   std::size_t End = 0;    // byte behind its `>`
 
+  bool Has(std::string_view name) const;
   /// Empty when there is none of this name.
   std::string_view Attribute(std::string_view name) const;
 };

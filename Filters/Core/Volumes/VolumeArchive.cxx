@@ -11,7 +11,7 @@ VolumeArchive::VolumeArchive(const std::string& path) :
 {
   this->Stream.exceptions(std::ios::badbit | std::ios::failbit | std::ios::eofbit);
   this->Size = static_cast<std::uint64_t>(this->Stream.tellg());
-  this->Stream.seekg(0);
+  this->CheckVersion();
   this->readHeader(this->Stream);
   openvdb::io::setStreamMetadataPtr(this->Stream, this->StreamNotes, false);
   this->setFormatVersion(this->Stream);
@@ -40,6 +40,20 @@ VolumeArchive::VolumeArchive(const std::string& path) :
     }
     entry.Descriptor.seekToEnd(this->Stream);
     this->Entries.push_back(std::move(entry));
+  }
+}
+
+// Of a newer version the library would say on the console that it cannot read it, and go on.
+void VolumeArchive::CheckVersion()
+{
+  constexpr std::streamoff place = 8; // behind the magic number
+  std::uint32_t version = 0;
+  this->Stream.seekg(place);
+  this->Stream.read(reinterpret_cast<char*>(&version), sizeof(version));
+  this->Stream.seekg(0);
+  if (version > openvdb::OPENVDB_FILE_VERSION)
+  {
+    OPENVDB_THROW(openvdb::IoError, "version " << version << " of the format, which is unknown");
   }
 }
 

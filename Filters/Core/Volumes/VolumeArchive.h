@@ -36,6 +36,7 @@ private:
     openvdb::GridBase::Ptr Outline;
   };
 
+  void CheckVersion();
   std::uint64_t Left();
   void PassTexts(int count);
   void CheckNotes();

@@ -78,6 +78,18 @@ TEST_F(DataFileCheck, HoldsExtentsAgainstTheFile)
         { "Piece Extent=\"0 1 0 1 0 1\"", "Piece Extent=\"0 1 0\"", "Extent" } } });
 }
 
+TEST_F(DataFileCheck, RefusesPlacesThatAReaderWouldMakeUp)
+{
+  this->ExpectErrors(
+    Image, "ImageData",
+    { { { "Spacing=\"1 1 1\"", "Spacing=\"nan 1 1\"", "Spacing: expected 3 numbers" },
+        { "Spacing=\"1 1 1\"", "Spacing=\"1 1\"", "Spacing: expected 3 numbers" },
+        { "Spacing=\"1 1 1\"", "Spacing=\"\"", "Spacing: expected 3 numbers" },
+        { "Origin=\"0 0 0\"", "Origin=\"inf 0 0\"", "Origin: expected 3 numbers" },
+        { "Origin=\"0 0 0\"", "Direction=\"1 0 0 0 1 0 0 0 a\"", "Direction: expected 9" } } });
+  EXPECT_EQ(this->Error(Changed(Image, "Spacing=\"1 1 1\"", ""), "ImageData"), "");
+}
+
 TEST_F(DataFileCheck, RefusesACutFile)
 {
   for (const auto& [good, type] : { std::pair(Surface, "PolyData"), std::pair(Image, "ImageData") })

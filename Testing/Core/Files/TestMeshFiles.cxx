@@ -118,6 +118,30 @@ TEST(MeshFiles, GltfTriangleWhereItsNodeStands)
   EXPECT_EQ(surface.Mesh.Triangles, (std::vector<std::array<int, 3>>{ { 0, 1, 2 } }));
 }
 
+TEST(MeshFiles, GlbSaysItsVersionAndLength)
+{
+  const auto error = [](int version, int longer)
+  {
+    std::string json = Gltf();
+    json.resize(json.size() + (4 - json.size() % 4) % 4, ' ');
+    std::string file = "glTF";
+    for (const std::size_t number :
+         { std::size_t(version), json.size() + std::size_t(20 + longer), json.size() })
+    {
+      for (int shift = 0; shift < 32; shift += 8)
+      {
+        file += static_cast<char>(number >> shift);
+      }
+    }
+    const test::TemporaryFolder folder;
+    GltfSurface surface;
+    return ReadGltf(folder.Write("file.glb", file + "JSON" + json), surface).Message();
+  };
+  EXPECT_EQ(error(2, 0), "");
+  EXPECT_NE(error(9, 0).find("version 2"), std::string::npos);
+  EXPECT_NE(error(2, 4).find("a length of at most"), std::string::npos);
+}
+
 TEST(MeshFiles, GltfErrorsNameThePointer)
 {
   test::TemporaryFolder folder;

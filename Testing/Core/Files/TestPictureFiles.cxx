@@ -146,6 +146,8 @@ TEST(PictureFiles, BmpAndTiffWithAllTheirPixels)
   EXPECT_NE(CheckTiff(Tiff(3, 5)).Message(), "");
   EXPECT_NE(CheckTiff(Tiff(3, 6).substr(0, 100)).Message(), "");
   EXPECT_NE(CheckTiff(Tiff(1 << 30, 6)).Message(), "");
+  // A field of 99 numbers, which would lie upon others.
+  EXPECT_TRUE(Has(CheckTiff(Tiff(3, 6).replace(14, 4, Little(99, 4))).Message(), "field 256"));
   for (std::size_t i = 0; i < Tiff(3, 6).size(); ++i)
   {
     EXPECT_NE(CheckTiff(Tiff(3, 6).substr(0, i)).Message(), "") << i;
@@ -164,5 +166,6 @@ TEST(PictureFiles, JpegByItsFrameHeader)
   EXPECT_TRUE(Has(CheckJpeg(start + frame(65535, 65535)).Message(), "65535 x 65535"));
   EXPECT_TRUE(Has(CheckJpeg(start).Message(), "header"));
   EXPECT_TRUE(Has(CheckJpeg("GIF").Message(), "signature of a JPEG"));
-  EXPECT_TRUE(Has(CheckJpeg(start + std::string("\xff\xda\x00\x08......", 10)).Message(), "frame header"));
+  EXPECT_TRUE(
+    Has(CheckJpeg(start + std::string("\xff\xda\x00\x08......", 10)).Message(), "frame header"));
 }

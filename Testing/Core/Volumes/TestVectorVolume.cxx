@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 
 using namespace waft;
 
@@ -76,5 +77,12 @@ TEST(VectorVolume, SaysWhatIsWrong)
             std::string::npos);
   EXPECT_FALSE(ReadVectorVolume(folder.Write("text.vdb", "no volume"), 0.0, step));
   EXPECT_FALSE(ReadVectorVolume("/nowhere.vdb", 0.0, step));
+  std::fstream newer(turned, std::ios::binary | std::ios::in | std::ios::out);
+  newer.seekp(8).write("\xff\xff\xff\xff", 4);
+  newer.close();
+  testing::internal::CaptureStderr();
+  EXPECT_NE(ReadVectorVolume(turned, 0.0, step).Message().find("version 4294967295"),
+            std::string::npos);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   EXPECT_EQ(step.Times, std::vector<double>{ 7.0 }) << "left as it was";
 }
