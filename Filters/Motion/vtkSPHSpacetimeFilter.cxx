@@ -13,6 +13,7 @@
 #include "Bridge/TrackData.h"
 #include "Bridge/VortexData.h"
 #include "Spacetime/Spacetime.h"
+#include "Spacetime/SpacetimeBudget.h"
 #include "Spacetime/SpacetimeMemory.h"
 
 #include <vtkCellData.h>
@@ -234,6 +235,17 @@ int vtkSPHSpacetimeFilter::FillOutputPortInformation(int port, vtkInformation* i
                                              : port == WindPort ? "vtkImageData"
                                                                 : "vtkPolyData");
   return 1;
+}
+
+std::string vtkSPHSpacetimeFilter::CheckRoom(const double bounds[6], int numberOfFrames,
+                                             int numberOfObjects) const
+{
+  const waft::Box volume{ waft::Vec3(bounds[0], bounds[2], bounds[4]),
+                          waft::Vec3(bounds[1], bounds[3], bounds[5]) };
+  return waft::CheckRoom(volume, numberOfFrames,
+                         static_cast<std::size_t>(std::max(0, numberOfObjects)),
+                         this->Impl->Options())
+    .Message();
 }
 
 vtkTypeBool vtkSPHSpacetimeFilter::ProcessRequest(vtkInformation* request,

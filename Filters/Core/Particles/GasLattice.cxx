@@ -39,6 +39,17 @@ GasLattice GasLattice::Make(const Box& bounds, int count)
   return Make(bounds, best);
 }
 
+Result GasLattice::CheckLayers() const
+{
+  const std::array<int, 3>& n = this->Dimensions;
+  return *std::min_element(n.begin(), n.end()) >= 3
+           ? Result::Ok()
+           : Result::Error("Bounds: too flat for " + std::to_string(n[0] * n[1] * n[2]) +
+                           " gas particles, which are " + std::to_string(n[0]) + " x " +
+                           std::to_string(n[1]) + " x " + std::to_string(n[2]) +
+                           " in it, at least three layers each way expected");
+}
+
 std::vector<Vec3> GasLattice::Points() const
 {
   const Vec3 size = this->SizeInSpacings();

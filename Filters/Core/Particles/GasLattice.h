@@ -2,6 +2,7 @@
 // Gas at rest: a lattice that fills the volume.
 #pragma once
 
+#include "Base/Result.h"
 #include "Base/Types.h"
 #include "Particles/SphFluid.h"
 
@@ -22,6 +23,8 @@ struct GasLattice
   static GasLattice Make(const Box& bounds, int count);
   static GasLattice Make(const Box& bounds, const std::array<int, 3>& dimensions);
 
+  /// Fails on fewer than three layers each way: gas so thin has no neighbours to push.
+  Result CheckLayers() const;
   /// Cell centres in units of dx from Bounds.Min, x fastest.
   std::vector<Vec3> Points() const;
   Vec3 SizeInSpacings() const { return this->Bounds.Size() / this->Spacing; }

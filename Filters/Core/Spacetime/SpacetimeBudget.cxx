@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/SpacetimeBudget.h"
 
+#include "Particles/GasLattice.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -50,18 +52,40 @@ std::size_t SpacetimeBudget::WindowOf(std::size_t frames, double limit) const
   return std::max(ShortestWindow, static_cast<std::size_t>(fit));
 }
 
-Result SpacetimeBudget::Validate(const SpacetimeOptions& options) const
+Result SpacetimeBudget::Validate(std::size_t frames, const SpacetimeOptions& options,
+                                 double machine) const
 {
-  const double least = this->Of(ShortestWindow + this->Halo) / Megabyte;
-  if (options.MemoryLimit <= 0.0 || options.MemoryLimit >= least)
+  const double least = this->Of(std::min(frames, ShortestWindow + this->Halo)) / Megabyte;
+  const double whole = this->Of(frames) / Megabyte;
+  char text[300];
+  if (options.MemoryLimit > 0.0 && options.MemoryLimit < least)
   {
-    return Result::Ok();
+    std::snprintf(text, sizeof(text),
+                  "MemoryLimit: %g MB, at least %.0f MB expected for so many frames and particles",
+                  options.MemoryLimit, std::ceil(least));
+    return Result::Error(text);
   }
-  char text[200];
-  std::snprintf(text, sizeof(text),
-                "MemoryLimit: %g MB, at least %.0f MB expected for so many frames and particles",
-                options.MemoryLimit, std::ceil(least));
-  return Result::Error(text);
+  if (options.MemoryLimit <= 0.0 && whole * Megabyte > machine)
+  {
+    std::snprintf(text, sizeof(text),
+                  "%zu frames of so many particles take %.0f MB, the machine has %.0f MB: expected "
+                  "fewer frames or NumberOfGasParticles, or a MemoryLimit of %.0f MB or more",
+                  frames, std::ceil(whole), machine / Megabyte, std::ceil(least));
+    return Result::Error(text);
+  }
+  return Result::Ok();
+}
+
+Result CheckRoom(const Box& volume, int frames, std::size_t objects,
+                 const SpacetimeOptions& options)
+{
+  const GasLattice lattice = GasLattice::Make(volume, options.NumberOfGasParticles);
+  WAFT_RETURN_IF_FAILED(lattice.CheckLayers());
+  SpacetimeModel model;
+  model.NumberOfFrames = frames;
+  model.NumberOfGas = static_cast<std::size_t>(options.NumberOfGasParticles);
+  model.NumberOfObjects = objects;
+  return SpacetimeBudget(model, options).Validate(static_cast<std::size_t>(frames), options);
 }
 
 } // namespace waft

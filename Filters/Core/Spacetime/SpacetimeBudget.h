@@ -2,6 +2,7 @@
 // The memory that a run takes, and windows of frames that take less.
 #pragma once
 
+#include "Base/MachineMemory.h"
 #include "Spacetime/Spacetime.h"
 #include "Spacetime/SpacetimeModel.h"
 
@@ -27,8 +28,15 @@ struct SpacetimeBudget
   }
   /// Free frames of a window within the MemoryLimit; all when they fit, or without a limit.
   std::size_t WindowOf(std::size_t frames, double limit) const;
-  /// An error that says how much is needed.
-  Result Validate(const SpacetimeOptions& options) const;
+  /// Fails when so many frames take more than the MemoryLimit or, without one, more than `machine`
+  /// [bytes]: a system ends what asks for more. The error says how much it takes.
+  Result Validate(std::size_t frames, const SpacetimeOptions& options,
+                  double machine = MachineMemory()) const;
 };
+
+/// Whether there is room for a run, by the sizes of its scene alone, before anything is planned:
+/// for layers of gas in the volume above the ground, and in memory.
+Result CheckRoom(const Box& volume, int frames, std::size_t objects,
+                 const SpacetimeOptions& options);
 
 } // namespace waft

@@ -291,11 +291,9 @@ Result SpacetimeRun::Run()
   {
     return result;
   }
-  if (Result result = SpacetimeBudget(this->Setup.Model, this->Options).Validate(this->Options);
-      !result)
-  {
-    return result;
-  }
+  const SpacetimeModel& model = this->Setup.Model;
+  WAFT_RETURN_IF_FAILED(SpacetimeBudget(model, this->Options)
+                          .Validate(static_cast<std::size_t>(model.NumberOfFrames), this->Options));
   this->Output.Spacing = this->Setup.Spacing;
   if (!this->Resume() && !this->GoOn())
   {

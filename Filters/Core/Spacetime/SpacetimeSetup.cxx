@@ -164,11 +164,7 @@ Result SetUpVolume(const SpacetimeInput& input, const SpacetimeOptions& options,
     return result;
   }
   const GasLattice lattice = GasLattice::Make(box, options.NumberOfGasParticles);
-  if (*std::min_element(lattice.Dimensions.begin(), lattice.Dimensions.end()) < 3)
-  {
-    return Result::Error("Bounds: too flat for " + std::to_string(options.NumberOfGasParticles) +
-                         " gas particles, at least three layers each way expected");
-  }
+  WAFT_RETURN_IF_FAILED(lattice.CheckLayers());
   setup.Origin = box.Min;
   setup.Spacing = lattice.Spacing;
   setup.FrameStep = input.Scene.Time.Step();

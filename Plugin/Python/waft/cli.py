@@ -49,10 +49,10 @@ def _whole(first, last):
 def _fits(path):
     """Whether a file system takes a path."""
     path = os.fsencode(path)
-    return len(path) < 4096 and all(len(name) < 256 for name in path.split(b"/"))
+    return 0 < len(path) < 4096 and all(len(name) < 256 for name in path.split(b"/"))
 
 
-path = _argument(str, "a path of at most 4095 letters, 255 in each name", _fits)
+path = _argument(str, "a path of 1 to 4095 letters, 255 in each name", _fits)
 threads = _whole(1, 1024)
 seed = _whole(0, 2 ** 31 - 1)
 positive = _argument(float, "a positive number", lambda x: 0.0 < x < float("inf"))

@@ -128,6 +128,10 @@ def _do_obstacles_move(scene):
 
 
 def _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval, memory_limit):
+    settings = {"NumberOfGasParticles": 600, "LeashIterations": 5, "MaximumNumberOfIterations": 20} if preview else {}
+    if memory_limit is not None:
+        settings["MemoryLimit"] = memory_limit
+    _check_room(pipeline, settings)
     if is_found:
         checkpoint.take_plan(pipeline)
     else:
@@ -141,12 +145,8 @@ def _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval, me
 
     pipeline.add_spacetime()
     watch = pipeline.watch("spacetime", clock)
-    if preview:
-        pipeline.spacetime.NumberOfGasParticles = 600
-        pipeline.spacetime.LeashIterations = 5
-        pipeline.spacetime.MaximumNumberOfIterations = 20
-    if memory_limit is not None:
-        pipeline.spacetime.MemoryLimit = memory_limit
+    for name, value in settings.items():
+        setattr(pipeline.spacetime, name, value)
     if checkpoint is not None:
         pipeline.spacetime.CheckpointFile = str(checkpoint.state_file)
         if checkpoint_interval is not None:
@@ -160,6 +160,25 @@ def _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval, me
     pipeline.add_rotation(pipeline.seed)
     pipeline.watch("rotation", clock)
     pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
+
+
+def _check_room(pipeline, settings):
+    """Raises BadInput when the optimiser could not take the scene, before anything is planned for it."""
+    from waft.vtkWaftFilters import vtkSPHSpacetimeFilter
+
+    optimiser = vtkSPHSpacetimeFilter()
+    for name, value in settings.items():
+        getattr(optimiser, f"Set{name}")(value)
+    objects = pipeline.output("reader")
+    fields = objects.GetFieldData()
+    bounds = [fields.GetArray("Bounds").GetValue(i) for i in range(6)]
+    scene = read_json(pipeline.reader.FileName) or {}
+    ground = scene.get("ground", {})
+    if ground.get("enabled", True):
+        bounds[4] = max(bounds[4], ground.get("height", bounds[4]))
+    lack = optimiser.CheckRoom(bounds, fields.GetArray("NumberOfFrames").GetValue(0), objects.GetNumberOfPoints())
+    if lack:
+        raise failures.BadInput(f"{pipeline.reader.FileName}: {lack}")
 
 
 def constraint_report(pipeline):

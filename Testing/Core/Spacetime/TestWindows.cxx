@@ -171,6 +171,22 @@ TEST(Windows, TheBudgetIsWhatIsMeasured)
   EXPECT_GT(limited, 0.5 * options.MemoryLimit);
 }
 
+TEST(Windows, ARunThatNoMachineHoldsIsRefusedByItsSizes)
+{
+  const Box room{ Vec3(-2, -2, 0), Vec3(2, 2, 4) };
+  SpacetimeOptions options;
+  EXPECT_TRUE(CheckRoom(room, 300, 125, options));
+  const std::string huge = CheckRoom(room, 1000000, 10000, options).Message();
+  EXPECT_NE(huge.find("1000000 frames of so many particles take"), std::string::npos) << huge;
+  options.MemoryLimit = 1e9; // window by window
+  EXPECT_TRUE(CheckRoom(room, 1000000, 1, options));
+  const Box flat{ Vec3(-5, -5, 0), Vec3(5, 5, 0.1) };
+  const std::string thin = CheckRoom(flat, 300, 1, options).Message();
+  EXPECT_NE(thin.find("Bounds: too flat for 2500 gas particles, which are 50 x 50 x 1"),
+            std::string::npos)
+    << thin;
+}
+
 TEST(Windows, ALimitThatIsTooLowSaysHowMuchItTakes)
 {
   const SpacetimeInput input = Scene(60, 3);
