@@ -18,18 +18,28 @@ class Pipeline:
 
     def __init__(self, scene, database=None):
         self.scene_file = str(scene)
-        self.reader = simple.MotionSceneReader(registrationName="Scene")  # the file once it is watched
         self.database_file = str(database or data_file("Database/embedded.vtm"))
         settle_database(self.database_file)
         reading.check_blocks(self.database_file, "motion database")
-        self.database = simple.XMLMultiBlockDataReader(
-            registrationName="Database", FileName=[self.database_file])
+        self._stages = []  # all proxies that were made, in order
+        self.reader = self._add(simple.MotionSceneReader(registrationName="Scene"))  # the file once it is watched
+        self.database = self._add(simple.XMLMultiBlockDataReader(
+            registrationName="Database", FileName=[self.database_file]))
         self.database.TimeArray = "None"
         self.planner = None
         self._planned = {}  # outputs of the planner, or of readers of what an earlier run left
         self.spacetime = None
         self.rotation = None
         self.watches = {}
+
+    def _add(self, stage):
+        self._stages.append(stage)
+        return stage
+
+    def delete(self):
+        """Takes all stages out of ParaView's session, which would hold them and their data to its end."""
+        while self._stages:
+            simple.Delete(self._stages.pop())
 
     def read(self, clock):
         """The scene and the database."""
@@ -66,16 +76,16 @@ class Pipeline:
     # The stages are joined one by one: which optional inputs there are is known once the reader ran.
 
     def add_planner(self, seed):
-        self.planner = simple.StylisticPlannerFilter(
+        self.planner = self._add(simple.StylisticPlannerFilter(
             registrationName="Planner", Database=self.database, Objects=self._scene("Objects"),
-            Constraints=self._scene("Constraints"), Obstacles=self._scene("Obstacles"))
+            Constraints=self._scene("Constraints"), Obstacles=self._scene("Obstacles")))
         self.planner.Seed = seed
         self._planned = {port: simple.OutputPort(self.planner, port) for port in (0, 3, 4)}
 
     def take_plan(self, tracks, constraints, vortices):
         """Goes on from files of an earlier run instead of planning."""
         for port, path in ((0, tracks), (3, constraints), (4, vortices)):
-            reader = simple.XMLPolyDataReader(FileName=[str(path)])
+            reader = self._add(simple.XMLPolyDataReader(FileName=[str(path)]))
             reader.TimeArray = "None"
             self._planned[port] = reader
 
@@ -86,15 +96,15 @@ class Pipeline:
 
     def add_spacetime(self):
         inputs = {"Obstacles": self._scene("Obstacles"), "Vortices": self._vortices(), **self._wind()}
-        self.spacetime = simple.SPHSpacetimeFilter(
+        self.spacetime = self._add(simple.SPHSpacetimeFilter(
             registrationName="Spacetime", Tracks=self._planned[0],
-            Objects=self._scene("Objects"), Constraints=self._planned[3], **inputs)
+            Objects=self._scene("Objects"), Constraints=self._planned[3], **inputs))
 
     def add_rotation(self, seed):
-        self.rotation = simple.RotationRefineFilter(
+        self.rotation = self._add(simple.RotationRefineFilter(
             registrationName="Rotation", Tracks=simple.OutputPort(self.spacetime, 0),
             Objects=self._scene("Objects"), Shapes=self._scene("Shapes"),
-            Obstacles=self._scene("Obstacles"), Constraints=self._planned[3], **self._wind())
+            Obstacles=self._scene("Obstacles"), Constraints=self._planned[3], **self._wind()))
         self.rotation.Seed = seed
 
     def _scene(self, name):
@@ -109,4 +119,4 @@ class Pipeline:
         planned = self._planned[4]
         if self.output("reader", 4).GetNumberOfCells() == 0:
             return planned
-        return simple.AppendGeometry(registrationName="Vortices", Input=[self._scene("Vortices"), planned])
+        return self._add(simple.AppendGeometry(registrationName="Vortices", Input=[self._scene("Vortices"), planned]))

@@ -52,6 +52,7 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
     with contextlib.ExitStack() as stack:
         place = stack.enter_context(result_place(output)) if output is not None and is_first_rank() else None
         pipeline = Pipeline(scene, database)
+        stack.push(lambda error, *_: error and pipeline.delete())  # nobody else has a hold of its stages then
         with Clock(time_limit, quiet, "stopped before the paths were planned: nothing was written") as clock:
             pipeline.read(clock)
             scene_seed = pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Fifty runs in one process take no more memory than ten: what a run leaves behind would add up in a long session.
+
+    pvpython test_growth.py
+"""
+import gc
+import json
+import pathlib
+import statistics
+import sys
+import tempfile
+import unittest
+
+import waft
+
+SCENE = {
+    "waft": 1,
+    "time": {"frames": 11},
+    "shapes": {"leaf": {"builtin": "leaf"}},
+    "objects": [{"shape": "leaf", "position": [0.0, 0.0, 2.0]}],
+    "constraints": [{"kind": "position", "object": 0, "frame": 10, "value": [0.0, 0.0, 1.8], "radius": 0.1}],
+}
+RUNS = 50
+MOST_GROWTH = 0.02
+
+
+def resident():
+    """Megabytes of this process in memory."""
+    pages = int(pathlib.Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
+    return pages / 256.0
+
+
+def growth(act):
+    """By which share of itself the process grew between the second and the last ten of fifty times, act(number) each."""
+    sizes = []
+    for number in range(RUNS):
+        act(number)
+        gc.collect()
+        sizes.append(resident())
+    early = statistics.median(sizes[10:20])
+    return (statistics.median(sizes[-10:]) - early) / early, sizes
+
+
+class Growth(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def scene(self, **changes):
+        path = self.folder / "scene.waft.json"
+        path.write_text(json.dumps(SCENE | changes), encoding="utf-8")
+        return str(path)
+
+    def expect_flat(self, act):
+        share, sizes = growth(act)
+        self.assertLess(share, MOST_GROWTH, f"megabytes after each run: {[round(size, 1) for size in sizes]}")
+
+    def test_one_pipeline_again_and_again(self):
+        run = waft.synthesize(self.scene(), preview=True, threads=1)
+
+        def again(number):
+            run.planner.Seed = 100 + number
+            run.rotation.UpdatePipeline()
+        self.expect_flat(again)
+
+    def test_a_pipeline_of_its_own_each_time(self):
+        from paraview import simple
+
+        def anew(number):
+            run = waft.synthesize(self.scene(seed=number + 1), preview=True, threads=1)
+            for stage in (run.rotation, run.spacetime, run.planner, run.database, run.reader):
+                simple.Delete(stage)
+        self.expect_flat(anew)
+
+    def test_refused_scenes(self):
+        def refuse(number):
+            with self.assertRaises(Exception):
+                waft.synthesize(self.scene(seed=number + 1, objects=[{"shape": "none"}]), preview=True, threads=1)
+        self.expect_flat(refuse)
+
+
+if __name__ == "__main__":
+    done = unittest.main(argv=sys.argv[:1], exit=False, verbosity=2)
+    sys.exit(0 if done.result.wasSuccessful() else 1)
