@@ -44,10 +44,9 @@ Result GasLattice::CheckLayers() const
   const std::array<int, 3>& n = this->Dimensions;
   return *std::min_element(n.begin(), n.end()) >= 3
            ? Result::Ok()
-           : Result::Error("Bounds: too flat for " + std::to_string(n[0] * n[1] * n[2]) +
-                           " gas particles, which are " + std::to_string(n[0]) + " x " +
-                           std::to_string(n[1]) + " x " + std::to_string(n[2]) +
-                           " in it, at least three layers each way expected");
+           : Result::Error("Bounds: too flat for its gas, which is " + std::to_string(n[0]) +
+                           " x " + std::to_string(n[1]) + " x " + std::to_string(n[2]) +
+                           " particles, at least three layers each way expected");
 }
 
 std::vector<Vec3> GasLattice::Points() const
