@@ -5,6 +5,7 @@
 
 import ast
 import glob
+import json
 import os
 import re
 import sys
@@ -26,6 +27,20 @@ def text_of(path):
         return file.read()
 
 
+def _bounds(field, schema):
+    """(minimum, maximum) of the numbers in a field of the schema, or nothing."""
+    if "$ref" in field:
+        yield from _bounds(schema["definitions"][field["$ref"].split("/")[-1]], schema)
+    elif field.get("type") in ("number", "integer"):
+        yield float(field["minimum"]), float(field["maximum"])
+    for inner in ("items", "additionalProperties"):
+        if isinstance(field.get(inner), dict):
+            yield from _bounds(field[inner], schema)
+    for choices in ("allOf", "anyOf"):
+        for choice in field.get(choices, []):
+            yield from _bounds(choice, schema)
+
+
 class DocumentsTest(unittest.TestCase):
     def test_links_lead_somewhere(self):
         for page in pages():
@@ -39,6 +54,20 @@ class DocumentsTest(unittest.TestCase):
         for page in glob.glob(os.path.join(DOCUMENTATION, "*.md")):
             if os.path.basename(page) != "README.md":
                 self.assertIn(os.path.basename(page), listed)
+
+    def test_bounds_of_scenes_are_those_of_the_schema(self):
+        schema = json.loads(text_of(os.path.join(DOCUMENTATION, "scene.schema.json")))
+        found = set()
+        for kind in [schema, *schema["definitions"].values()]:
+            if kind.get("additionalProperties") is False:
+                for name, field in kind["properties"].items():
+                    found.update((name, *bounds) for bounds in _bounds(field, schema))
+        page = text_of(os.path.join(DOCUMENTATION, "SceneFiles.md"))
+        stated = set()
+        for fields, low, high in re.findall(r"^\| (`[^|]*`) \| ([-\d.e]+) \| ([-\d.e]+) \|$", page, re.MULTILINE):
+            stated.update((name, float(low), float(high)) for name in re.findall("`(\\w+)`", fields))
+        self.assertEqual(stated, found)
+        self.assertGreater(len(found), 30)
 
     def test_examples_are_python(self):
         found = 0

@@ -75,6 +75,7 @@ def watch(arguments):
     reading, writing = os.pipe()
     package = pathlib.Path(__file__).resolve().parent
     environment = {**os.environ, "WAFT_GUARD": str(writing), "OMPI_MCA_ess_singleton_isolated": "1",  # no daemon of MPI
+                   "HWLOC_COMPONENTS": os.environ.get("HWLOC_COMPONENTS", "-gl"),  # nor a look at the X server's cards
                    "PYTHONPATH": os.pathsep.join([str(package.parent), *filter(None, [os.environ.get("PYTHONPATH")])])}
     child = start(["pvpython", str(package / "__main__.py"), *arguments], STOPS, pass_fds=(writing,), env=environment)
     os.close(writing)
