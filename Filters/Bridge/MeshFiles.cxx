@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/MeshFiles.h"
 
+#include "Base/Limits.h"
 #include "Bridge/Arrays.h"
 #include "Bridge/DataFiles.h"
 #include "Bridge/FieldCollectors.h"
@@ -41,7 +42,7 @@ Result CheckPoints(const TriangleMesh& mesh)
 {
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
   {
-    if (!(mesh.Points[i].cwiseAbs().maxCoeff() <= MostCoordinate))
+    if (!limits::Coordinate.HoldsAll(mesh.Points[i]))
     {
       return Result::Error("point " + std::to_string(i) +
                            ": expected coordinates of at most 1e6, found others");

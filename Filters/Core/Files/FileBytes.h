@@ -50,9 +50,6 @@ inline bool Holds(std::string_view bytes, std::uint64_t at, std::uint64_t size)
 bool ParseNumber(std::string_view text, double& number);
 bool ParseInteger(std::string_view text, long long& number);
 
-/// Largest coordinate of a point of a mesh, in the file's own unit.
-constexpr double MostCoordinate = 1e6;
-
 /// A text of a file for a message: at most 40 bytes, those that are not printable as ?.
 std::string Printable(std::string_view text);
 /// The same in quotation marks.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/GltfMesh.h"
 
+#include "Base/Limits.h"
 #include "Files/FileBytes.h"
 
 #include <nlohmann/json.hpp>
@@ -373,7 +374,7 @@ private:
     {
       const Eigen::Vector4d local(places[3 * i], places[3 * i + 1], places[3 * i + 2], 1.0);
       const Vec3 p = (transform * local).head<3>();
-      if (!(p.cwiseAbs().maxCoeff() <= MostCoordinate))
+      if (!limits::Coordinate.HoldsAll(p))
       {
         Refuse(at,
                "expected coordinates of at most 1e6, found others at point " + std::to_string(i));

@@ -14,7 +14,7 @@ namespace waft
 
 struct GltfSurface
 {
-  TriangleMesh Mesh;                                    // m, y up as in the file
+  TriangleMesh Mesh;                                     // m, y up as in the file
   std::vector<std::array<double, 2>> TextureCoordinates; // one a point, or none
 };
 
@@ -22,7 +22,7 @@ struct GltfSurface
 /// or of a .gltf with its buffers inside or in files beside it, where their nodes stand; skins,
 /// shape keys and animations are left out. Points are rounded to floats. Fails, naming the
 /// JSON pointer, on what is missing, of another type, cut off, beyond its buffer or not finite, on
-/// points beyond MostCoordinate and on nodes that are not trees.
+/// points beyond limits::Coordinate and on nodes that are not trees.
 Result ReadGltf(const std::string& path, GltfSurface& surface);
 
 } // namespace waft

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/MeshFileCheck.h"
 
+#include "Base/Limits.h"
 #include "Files/TextLines.h"
 
 #include <array>
-#include <cmath>
 
 namespace waft
 {
@@ -116,7 +116,7 @@ Result CheckStl(std::string_view file)
       {
         const double number = ReadReal(
           file, header + triangle * i + 4 * static_cast<std::uint64_t>(k), 4, ByteOrder::Little);
-        if (!(std::abs(number) <= MostCoordinate))
+        if (!limits::Coordinate.Holds(number))
         {
           return Result::Error("triangle " + std::to_string(i) +
                                ": expected coordinates of at most 1e6, found others");

@@ -10,7 +10,8 @@ namespace waft
 {
 
 // Each fails, naming the line or the element, on numbers that are missing or not finite,
-// coordinates beyond MostCoordinate, and indices of points that are not there.
+// coordinates beyond limits::Coordinate (in the unit of the file), and indices of points that are
+// not there.
 
 /// Wavefront OBJ: its lines v, vt, vn, f, l and p; others are the reader's own.
 Result CheckObj(std::string_view file);

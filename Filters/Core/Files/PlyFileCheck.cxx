@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/MeshFileCheck.h"
 
+#include "Base/Limits.h"
 #include "Files/TextLines.h"
 
 #include <cmath>
@@ -229,7 +230,7 @@ Result CheckElement(const PlyElement& element, const std::string& place, long lo
         return Result::Error(place + "expected all of `" + property.Name +
                              "`, found fewer numbers");
       }
-      if (isPlace && !(std::abs(number) <= MostCoordinate))
+      if (isPlace && !limits::Coordinate.Holds(number))
       {
         return Result::Error(place + "expected coordinates of at most 1e6, found others");
       }

@@ -2,6 +2,7 @@
 // The lines and words of a text file in memory.
 #pragma once
 
+#include "Base/Limits.h"
 #include "Files/FileBytes.h"
 
 #include <algorithm>
@@ -58,15 +59,14 @@ inline std::vector<std::string_view> WordsOf(std::string_view line)
   return words;
 }
 
-/// Are words [first, first + count) there, and coordinates of at most MostCoordinate?
+/// Are words [first, first + count) there, and coordinates in limits::Coordinate?
 inline Result CheckCoordinates(const std::vector<std::string_view>& words, std::size_t first,
                                std::size_t count, const std::string& place)
 {
   for (std::size_t i = first; i < first + count; ++i)
   {
     double number = 0.0;
-    if (i >= words.size() || !ParseNumber(words[i], number) ||
-        !(number >= -MostCoordinate && number <= MostCoordinate))
+    if (i >= words.size() || !ParseNumber(words[i], number) || !limits::Coordinate.Holds(number))
     {
       return Result::Error(place + "expected " + std::to_string(count) +
                            " numbers of at most 1e6, found " +
