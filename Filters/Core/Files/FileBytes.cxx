@@ -91,6 +91,32 @@ bool ParseInteger(std::string_view text, long long& number)
   return error == std::errc() && end == last;
 }
 
+std::size_t DecodeBase64(std::string_view text, std::string& bytes, std::size_t most)
+{
+  constexpr std::string_view digits =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  bytes.clear();
+  std::uint32_t bits = 0;
+  int held = 0;
+  std::size_t at = 0;
+  for (; at < text.size() && bytes.size() < most; ++at)
+  {
+    const std::size_t digit = digits.find(text[at]);
+    if (digit == std::string_view::npos)
+    {
+      break;
+    }
+    bits = bits << 6 | static_cast<std::uint32_t>(digit);
+    held += 6;
+    if (held >= 8)
+    {
+      held -= 8;
+      bytes += static_cast<char>(bits >> held & 0xff);
+    }
+  }
+  return at;
+}
+
 std::string Printable(std::string_view text)
 {
   constexpr std::size_t most = 40;

@@ -50,6 +50,11 @@ inline bool Holds(std::string_view bytes, std::uint64_t at, std::uint64_t size)
 bool ParseNumber(std::string_view text, double& number);
 bool ParseInteger(std::string_view text, long long& number);
 
+/// Decodes base64 up to the first character that is none of its digits, to at most `most` bytes.
+/// Returns how many characters it took.
+std::size_t DecodeBase64(std::string_view text, std::string& bytes,
+                         std::size_t most = std::string::npos);
+
 /// A text of a file for a message: at most 40 bytes, those that are not printable as ?.
 std::string Printable(std::string_view text);
 /// The same in quotation marks.
