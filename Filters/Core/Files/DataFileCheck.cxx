@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/DataFileCheck.h"
 
+#include "Files/DataFileArrays.h"
 #include "Files/FileBytes.h"
 #include "Files/TextLines.h"
 #include "Files/XmlTags.h"
@@ -17,17 +18,6 @@ namespace
 
 constexpr std::size_t DeepestElement = 64;
 constexpr double MostBlocks = 100'000.0; // places of one level of a .vtm
-// Bytes that one byte of a compressed array may stand for: 1032 of zlib, and a little.
-constexpr double MostPacked = 1100.0;
-
-// Values of a DataArray before it is known where they are.
-struct ArrayClaim
-{
-  std::string Place;
-  std::string_view Format; // ascii, binary, appended
-  double Bytes = -1.0;     // of all values; -1: only the array's own header says
-  std::size_t At = 0;      // of inline values: their byte; of appended ones: their offset
-};
 
 struct PieceCounts
 {
@@ -47,15 +37,10 @@ int SizeOf(std::string_view type)
                                                       : 0;
 }
 
-std::string_view Base64Digits()
-{
-  return "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-}
-
 class DataFile
 {
 public:
-  DataFile(std::string_view text, const std::string& path) : Text(text), Tags(text), Path(path) {}
+  DataFile(std::string_view text, const std::string& path) : Tags(text), Path(path), Arrays(text) {}
 
   Result Check(const std::vector<std::string>& types)
   {
@@ -86,18 +71,12 @@ public:
     }
     for (const ArrayClaim& claim : this->Claims)
     {
-      WAFT_RETURN_IF_FAILED(this->CheckArray(claim));
+      WAFT_RETURN_IF_FAILED(this->Arrays.Check(claim));
     }
     return Result::Ok();
   }
 
 private:
-  // More of anything does not fit in the file.
-  double Most() const
-  {
-    return static_cast<double>(this->Text.size()) * (this->IsPacked ? MostPacked : 1.0);
-  }
-
   Result Open(const XmlTag& tag, const std::string& place, const std::vector<std::string>& types)
   {
     if (this->Stack.empty())
@@ -145,10 +124,10 @@ private:
         (tag.Name == "VTKFile" ? Printable(type) : "element " + Quoted(tag.Name)));
     }
     this->Type = type;
-    this->IsPacked = !tag.Attribute("compressor").empty();
-    this->WordSize = tag.Attribute("header_type") == "UInt64" ? 8 : 4;
+    this->Arrays.IsPacked = !tag.Attribute("compressor").empty();
+    this->Arrays.WordSize = tag.Attribute("header_type") == "UInt64" ? 8 : 4;
     const std::string_view order = tag.Attribute("byte_order");
-    this->Order = order == "BigEndian" ? ByteOrder::Big : ByteOrder::Little;
+    this->Arrays.Order = order == "BigEndian" ? ByteOrder::Big : ByteOrder::Little;
     const bool isKnown = order.empty() || order == "LittleEndian" || order == "BigEndian";
     return isKnown
              ? Result::Ok()
@@ -166,10 +145,11 @@ private:
     {
       return Result::Ok();
     }
-    if (!ParseInteger(text, number) || number < 0 || static_cast<double>(number) > this->Most())
+    if (!ParseInteger(text, number) || number < 0 ||
+        static_cast<double>(number) > this->Arrays.Most())
     {
       return Result::Error(place + name + ": expected a number that a file of " +
-                           std::to_string(this->Text.size()) + " bytes can hold, found " +
+                           std::to_string(this->Arrays.Text.size()) + " bytes can hold, found " +
                            Quoted(text));
     }
     count = static_cast<double>(number);
@@ -208,12 +188,12 @@ private:
                std::max(std::abs(double(first)), std::abs(double(last))) < 1e9 && last >= first;
       points *= static_cast<double>(last - first + 1);
     }
-    return isGood && points <= this->Most()
+    return isGood && points <= this->Arrays.Most()
              ? Result::Ok()
              : Result::Error(place + name +
                              ": expected 6 numbers, first and last of each axis, of "
                              "a lattice that a file of " +
-                             std::to_string(this->Text.size()) + " bytes can hold, found " +
+                             std::to_string(this->Arrays.Text.size()) + " bytes can hold, found " +
                              Quoted(tag.Attribute(name)));
   }
 
@@ -266,7 +246,7 @@ private:
              : ofKind != this->Piece.OfKind.end()        ? ofKind->second
                                                          : tuples;
     const double values = tuples * components;
-    if (values > this->Most())
+    if (values > this->Arrays.Most())
     {
       return Result::Error(claim.Place + "expected values that the file can hold, found " +
                            std::to_string(static_cast<long long>(values)));
@@ -311,150 +291,27 @@ private:
   // The values follow an underscore up to the last `</AppendedData>`; they may look like tags.
   Result OpenAppended(const XmlTag& tag, const std::string& place)
   {
-    const std::size_t end = this->Text.rfind("</AppendedData>");
-    const std::size_t mark = this->Text.find('_', tag.End);
+    const std::size_t end = this->Arrays.Text.rfind("</AppendedData>");
+    const std::size_t mark = this->Arrays.Text.find('_', tag.End);
     if (end == std::string_view::npos || mark == std::string_view::npos || mark > end)
     {
       return Result::Error(place + "expected `_`, values and `</AppendedData>`, found the end of "
                                    "the file");
     }
-    this->Appended = this->Text.substr(mark + 1, end - mark - 1);
-    this->IsRaw = tag.Attribute("encoding") == "raw";
+    this->Arrays.Appended = this->Arrays.Text.substr(mark + 1, end - mark - 1);
+    this->Arrays.IsRaw = tag.Attribute("encoding") == "raw";
     this->Tags.Seek(end);
     return Result::Ok();
   }
 
-  // The first bytes of an array's values and how many there can be in all.
-  struct Values
-  {
-    std::string_view Text;
-    bool IsRaw = false;
-
-    double Most() const
-    {
-      return this->IsRaw ? double(this->Text.size()) : 0.75 * double(this->Text.size());
-    }
-    // `count` bytes from the beginning; what is not there is left out.
-    std::string First(std::size_t count) const
-    {
-      if (this->IsRaw)
-      {
-        return std::string(this->Text.substr(0, count));
-      }
-      std::string bytes;
-      std::uint32_t bits = 0;
-      int held = 0;
-      for (std::size_t i = 0; i < this->Text.size() && bytes.size() < count; ++i)
-      {
-        const std::size_t digit = Base64Digits().find(this->Text[i]);
-        if (digit == std::string_view::npos)
-        {
-          break;
-        }
-        bits = bits << 6 | static_cast<std::uint32_t>(digit);
-        held += 6;
-        if (held >= 8)
-        {
-          held -= 8;
-          bytes += static_cast<char>(bits >> held & 0xff);
-        }
-      }
-      return bytes;
-    }
-  };
-
-  Result CheckArray(const ArrayClaim& claim) const
-  {
-    if (claim.Format == "ascii")
-    {
-      return Result::Ok(); // the count was held against the size of the file
-    }
-    Values values{ {}, claim.Format == "appended" && this->IsRaw };
-    if (claim.Format == "appended")
-    {
-      values.Text = this->Appended.substr(std::min(claim.At, this->Appended.size()));
-    }
-    else
-    {
-      const std::size_t begin =
-        std::min(this->Text.find_first_not_of(" \t\r\n", claim.At), this->Text.size());
-      values.Text = this->Text.substr(begin, this->Text.find('<', begin) - begin);
-    }
-    double bytes = 0.0;
-    const bool isGood =
-      this->IsPacked ? this->PackedBytes(values, bytes) : this->PlainBytes(values, bytes);
-    // A reader does not look at the values of an array without any.
-    if (claim.Bytes == 0.0)
-    {
-      return Result::Ok();
-    }
-    if (!isGood)
-    {
-      return Result::Error(claim.Place + "expected its values, found that they are cut or damaged");
-    }
-    if (claim.Bytes > 0.0 && bytes != claim.Bytes)
-    {
-      return Result::Error(
-        claim.Place + "expected " + std::to_string(static_cast<long long>(claim.Bytes)) +
-        " bytes of values, found " + std::to_string(static_cast<long long>(bytes)));
-    }
-    return Result::Ok();
-  }
-
-  bool PlainBytes(const Values& values, double& bytes) const
-  {
-    const std::string head = values.First(static_cast<std::size_t>(this->WordSize));
-    if (!Holds(head, 0, static_cast<std::uint64_t>(this->WordSize)))
-    {
-      return false;
-    }
-    bytes = static_cast<double>(ReadUnsigned(head, 0, this->WordSize, this->Order));
-    return bytes <= values.Most();
-  }
-
-  // Number of blocks, bytes of a block and of the last when it is smaller, packed bytes of each.
-  bool PackedBytes(const Values& values, double& bytes) const
-  {
-    const auto word = static_cast<std::size_t>(this->WordSize);
-    const std::string head = values.First(3 * word);
-    if (head.size() < 3 * word)
-    {
-      return head.size() >= word && ReadUnsigned(head, 0, this->WordSize, this->Order) == 0;
-    }
-    const std::uint64_t blocks = ReadUnsigned(head, 0, this->WordSize, this->Order);
-    const auto size = static_cast<double>(ReadUnsigned(head, word, this->WordSize, this->Order));
-    const auto last =
-      static_cast<double>(ReadUnsigned(head, 2 * word, this->WordSize, this->Order));
-    const auto count = static_cast<double>(blocks);
-    bytes = last > 0.0 ? (count - 1.0) * size + last : count * size;
-    if (count * static_cast<double>(word) > values.Most() || last > size ||
-        (blocks > 0 && size > std::max(this->Most(), 1e8)) || bytes > this->Most())
-    {
-      return false;
-    }
-    const std::string sizes = values.First((3 + static_cast<std::size_t>(blocks)) * word);
-    double packed = static_cast<double>(sizes.size());
-    bool isWhole = sizes.size() == (3 + static_cast<std::size_t>(blocks)) * word;
-    for (std::size_t i = 3; isWhole && i < 3 + blocks; ++i)
-    {
-      packed += static_cast<double>(ReadUnsigned(sizes, i * word, this->WordSize, this->Order));
-    }
-    return isWhole && packed <= values.Most() + 3.0;
-  }
-
-  std::string_view Text;
   XmlTags Tags;
   std::string Path;
   std::vector<std::string_view> Stack;
   bool HasEnd = false;
   std::string Type;
-  bool IsPacked = false;
-  int WordSize = 4;
-  ByteOrder Order = ByteOrder::Little;
+  DataFileArrays Arrays;
   PieceCounts Piece;
   std::vector<ArrayClaim> Claims;
-  std::string_view Appended;
-  bool IsRaw = false;
 };
 
 } // namespace

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The values of the arrays in a VTK XML file: where they are and how many bytes of them. Private to
+// this library.
+#pragma once
+
+#include "Files/FileBytes.h"
+
+#include <string>
+#include <string_view>
+
+namespace waft
+{
+
+/// What an array's element says of its values, before it is known where they are.
+struct ArrayClaim
+{
+  std::string Place;
+  std::string_view Format; // ascii, binary, appended
+  double Bytes = -1.0;     // of all values; -1: only the array's own header says
+  std::size_t At = 0;      // of inline values: their byte; of appended ones: their offset
+};
+
+/// How a file keeps the values of its arrays.
+struct DataFileArrays
+{
+  explicit DataFileArrays(std::string_view text) : Text(text) {}
+
+  std::string_view Text; // the whole file
+  bool IsPacked = false;
+  int WordSize = 4; // bytes of a number in the header of an array
+  ByteOrder Order = ByteOrder::Little;
+  std::string_view Appended;
+  bool IsRaw = false; // the appended ones; others are base64
+
+  /// More of anything does not fit in the file.
+  double Most() const;
+  /// Are the values there, and as many as the claim says?
+  Result Check(const ArrayClaim& claim) const;
+};
+
+} // namespace waft
