@@ -13,12 +13,14 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter  # noqa: E402
 from vtkmodules.vtkFiltersSources import vtkCubeSource  # noqa: E402
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter  # noqa: E402
 
 import picture  # noqa: E402
 import sample_folder  # noqa: E402
 
 from waft.failures import BadInput, WaftError  # noqa: E402
 from waft._folder import load  # noqa: E402
+from waft.reading import read_surface  # noqa: E402
 from waft.render import Stage, parse_frames, render  # noqa: E402
 
 BASELINE, WORK = sys.argv[1:3]
@@ -143,6 +145,32 @@ class RenderTest(unittest.TestCase):
             damage(place)
             with self.subTest(wanted), self.assertRaisesRegex(BadInput, wanted):
                 render(place)
+
+    def test_files_of_a_folder_that_are_cut_are_named(self):
+        names = ("poses.vtp", "objects.vtp", "shapes.vtm", "obstacles.vtp", "constraints.vtp")
+        for number, name in enumerate(names):
+            place = f"{WORK}-cut{number}"
+            shutil.rmtree(place, ignore_errors=True)
+            sample_folder.write(place)
+            path = os.path.join(place, name)
+            os.truncate(path, os.path.getsize(path) // 2)
+            with self.subTest(name), self.assertRaisesRegex(BadInput, f"{name}: "):
+                render(place)
+
+    def test_obstacles_of_points_that_are_not_there_are_named(self):
+        place = WORK + "-beyond"
+        shutil.rmtree(place, ignore_errors=True)
+        sample_folder.write(place)
+        path = os.path.join(place, "obstacles.vtp")
+        surface = read_surface(path)
+        beyond = surface.GetNumberOfPoints()
+        surface.GetPolys().GetConnectivityArray().SetComponent(4, 0, beyond)
+        writer = vtkXMLPolyDataWriter()
+        writer.SetInputData(surface)
+        writer.SetFileName(path)
+        self.assertTrue(writer.Write())
+        with self.assertRaisesRegex(BadInput, f"obstacles.vtp: .*found {beyond}$"):
+            render(place)
 
     def test_a_tint_colours_the_texture(self):
         place = WORK + "-tint"
