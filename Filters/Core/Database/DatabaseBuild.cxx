@@ -105,10 +105,7 @@ Result DatabaseOptions::Validate() const
   {
     return Result::Error("Resolution: expected 4 to 1024 voxels");
   }
-  if (!(this->WarmUpSeconds >= 0.0) || !(this->WarmUpSeconds < 1e4))
-  {
-    return Result::Error("WarmUpSeconds: expected a number of at least 0");
-  }
+  WAFT_RETURN_IF_FAILED(CheckWarmUp(this->WarmUpSeconds, this->FramesPerSecond));
   if (!(this->StopBelow >= 0.0 && this->StopBelow <= 1.0))
   {
     return Result::Error("StopBelow: expected a share from 0 to 1");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grid/SmokeOptions.h"
 
+#include "Base/Limits.h"
+
 #include <cmath>
 #include <string>
 
@@ -38,6 +40,14 @@ std::size_t SmokeOptions::NumberOfNodes() const
          (this->Resolution[2] + 1);
 }
 
+Result CheckWarmUp(double seconds, double framesPerSecond)
+{
+  const limits::Range allowed = limits::UpTo(limits::Frames.High / framesPerSecond);
+  return allowed.Holds(seconds) ? Result::Ok()
+                                : Result::Error("WarmUpSeconds: expected " + allowed.Text() +
+                                                ", no more frames than a scene may have");
+}
+
 Result SmokeOptions::Validate() const
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -61,10 +71,7 @@ Result SmokeOptions::Validate() const
   {
     return Result::Error("FramesPerSecond: expected a positive number");
   }
-  if (!IsNotNegative(this->WarmUpSeconds))
-  {
-    return Result::Error("WarmUpSeconds: expected a number not below 0");
-  }
+  WAFT_RETURN_IF_FAILED(CheckWarmUp(this->WarmUpSeconds, this->FramesPerSecond));
   if (!IsPositive(this->CourantNumber) || this->MaximumSubsteps < 1)
   {
     return Result::Error("CourantNumber, MaximumSubsteps: expected positive numbers");

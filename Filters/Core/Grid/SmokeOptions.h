@@ -67,6 +67,10 @@ struct SmokeOptions
   std::size_t NumberOfNodes() const; // (nx + 1) (ny + 1) (nz + 1)
 };
 
+/// Whether a warm-up of `seconds` can be counted in frames: not below 0, and no more of them than a
+/// scene may have.
+Result CheckWarmUp(double seconds, double framesPerSecond);
+
 /// A ball that gives off smoke and warmth.
 struct SmokeEmitter
 {

@@ -185,6 +185,18 @@ TEST(DatabaseBuild, StyleSurvivesCutsAndCompression)
   EXPECT_LT(KolmogorovSmirnov(traced.Speed, kept.Speed), 0.08);
 }
 
+TEST(DatabaseBuild, RefusesAWarmUpOfMoreFramesThanASceneMayHave)
+{
+  DatabaseOptions options = Small();
+  for (const double seconds : { -1.0, 1e9, std::nan("") })
+  {
+    options.WarmUpSeconds = seconds;
+    const Result result = options.Validate();
+    ASSERT_FALSE(result) << seconds;
+    EXPECT_EQ(result.Message().find("WarmUpSeconds: expected"), 0u) << result.Message();
+  }
+}
+
 TEST(DatabaseBuild, WarmUpByStepsIsThatOfTheSolver)
 {
   // The same air as when the solver warms up by itself, at the first frame of the tracers.
