@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every number that can be set on a class of the plugin, set to what it cannot be."""
 import inspect
+import resource
 
 from case import Case
 from cases_data import STAGES, good
@@ -12,6 +13,9 @@ INTEGERS = (2 ** 31 - 1, -2 ** 31)
 FOREIGN = ("ReferenceCount", "MemkindDirectory", "AbortExecute", "AbortOutput", "Progress", "ProgressShiftScale",
            "ReleaseDataFlag", "GlobalReleaseDataFlag", "Debug", "GlobalWarningDisplay", "InputArrayToProcess",
            "UsingMemkind", "ContainerAlgorithm", "NoPriorTemporalAccessInformationKey")
+
+# What a number that is cut to the largest there may be makes a stage do, even if it is asked to stop.
+LONG_WORK = {"NumberOfGasParticles": {resource.RLIMIT_CPU: 120}}
 
 
 def numbers_of(algorithm):
@@ -55,4 +59,4 @@ def cases():
         if needs_input:
             continue
         for name, value in numbers_of(algorithm):
-            yield Case("properties", f"{stage}: {name}", act=_act(stage, name, value))
+            yield Case("properties", f"{stage}: {name}", act=_act(stage, name, value), limits=LONG_WORK.get(name, {}))

@@ -51,10 +51,10 @@ def in_child(case, arguments, folder, said):
         os.dup2(source, target)
     os.chdir(folder)
     os.environ.update(case.environment)
-    limits = {resource.RLIMIT_AS: ADDRESS_SPACE, resource.RLIMIT_CORE: 0, **case.limits}
+    limits = {resource.RLIMIT_AS: ADDRESS_SPACE, resource.RLIMIT_CORE: 0, resource.RLIMIT_CPU: PROCESSOR_SECONDS,
+              **case.limits}
     for limit, value in limits.items():
-        resource.setrlimit(limit, (value, value))
-    resource.setrlimit(resource.RLIMIT_CPU, (PROCESSOR_SECONDS, PROCESSOR_SECONDS + 5))
+        resource.setrlimit(limit, (value, value + 5 if limit == resource.RLIMIT_CPU else value))
     status = 1
     try:
         if case.act is not None:

@@ -265,7 +265,7 @@ class Clearances(unittest.TestCase):
         keys = [{"frame": 10, "position": [5, 0, 0]}, {"frame": 20, "position": [6, 0, 0]},
                 {"frame": 30, "position": [6, 2, 0]}]
         for frame, wanted in ((0, (0, 0, 0)), (15, (0.5, 0, 0)), (25.5, (1, 1.1, 0)), (99, (1, 2, 0))):
-            for a, b in zip(wanted, clearance_checks._offset(keys, frame)):
+            for a, b in zip(wanted, clearance_checks._offset(keys[0]["position"], keys, frame)):
                 self.assertAlmostEqual(a, b)
 
 

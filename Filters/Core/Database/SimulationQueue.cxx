@@ -161,20 +161,23 @@ Result SimulationQueue::Gather()
 Result SimulationQueue::Next(const ParallelFor& parallelFor, Monitor& monitor,
                              TracedSimulation& traced)
 {
-  WAFT_RETURN_IF_FAILED(this->FillSlots());
-  for (auto next = this->Whole.find(this->HandedOut); next == this->Whole.end();
-       next = this->Whole.find(this->HandedOut))
+  while (true)
   {
-    const Result advanced = this->Advance(parallelFor, monitor);
-    const bool isThere = this->Whole.count(this->HandedOut) > 0;
-    if (!advanced || (advanced.IsStopped() && !isThere))
-    {
-      return advanced;
-    }
-    if (!advanced.IsStopped())
+    if (!this->IsStopped)
     {
       WAFT_RETURN_IF_FAILED(this->FillSlots());
     }
+    if (this->Whole.count(this->HandedOut) > 0)
+    {
+      break;
+    }
+    if (this->IsStopped)
+    {
+      return Result::Stopped();
+    }
+    const Result advanced = this->Advance(parallelFor, monitor);
+    WAFT_RETURN_IF_FAILED(advanced);
+    this->IsStopped = advanced.IsStopped();
   }
   auto next = this->Whole.find(this->HandedOut++);
   traced = std::move(next->second);

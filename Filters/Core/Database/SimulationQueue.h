@@ -48,7 +48,8 @@ private:
   std::map<int, TracedSimulation> Whole; // not yet handed out
   int Started = 0;                       // simulations that are in slots or behind them
   int HandedOut = 0;
-  long StepsDone = 0; // of simulations that are whole
+  bool IsStopped = false; // only what is whole is handed out then
+  long StepsDone = 0;     // of simulations that are whole
 };
 
 } // namespace waft

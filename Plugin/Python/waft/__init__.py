@@ -14,6 +14,8 @@ from waft.loading import data_file, load_plugin, version
 
 load_plugin()
 
+# Before the first object of a class is seen from Python: what has no class then keeps that of its nearest base.
+from waft import vtkWaftFilters, vtkWaftSources  # noqa: E402, F401
 from waft.failures import BadInput, WaftError  # noqa: E402
 from waft.synthesis import synthesize  # noqa: E402
 

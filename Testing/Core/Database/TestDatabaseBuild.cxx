@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 using namespace waft;
 
@@ -267,6 +268,26 @@ TEST(DatabaseBuild, StoppedItGivesTheSimulationsThatAreWhole)
   options.NumberOfSimulations = 2;
   test::ExpectSame(stopped.Database, Build(options, 1));
   ASSERT_EQ(stopped.Coverage.size(), 1u);
+}
+
+TEST(DatabaseBuild, StopsWhereSimulationsTakeLessThanATurn)
+{
+  DatabaseOptions options = Small();
+  options.NumberOfSimulations = 1000;
+  options.NumberOfFrames = 40;
+  options.WarmUpSeconds = 0.0;
+  options.Resolution = 8;
+  options.SimulationsAtOnce = 1;
+  // The caller's thread takes no part, as with a pool: whole simulations are done between its
+  // looks.
+  const ParallelFor elsewhere =
+    [](std::size_t count, const std::function<void(std::size_t, std::size_t)>& body)
+  { std::thread([&] { body(0, count); }).join(); };
+  StopFrom monitor(0.0);
+  Built built;
+  built.Outcome = BuildDatabase(options, elsewhere, monitor, built.Database, built.Coverage);
+  EXPECT_TRUE(built.Outcome.IsStopped()) << built.Outcome.Message();
+  EXPECT_EQ(built.Database.Provenance["NumberOfSimulations"], "1");
 }
 
 TEST(DatabaseBuild, GoesOnWithWhatWasKept)
