@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs that are killed, and go on.
+#include "Base/TemporaryFolder.h"
 #include "SpacetimeRuns.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,8 @@ namespace
 
 std::string CheckpointPath(const char* name)
 {
-  std::string path = testing::TempDir() + "waft-checkpoint-" + name;
+  static const test::TemporaryFolder folder;
+  std::string path = folder.File(name);
   std::remove(path.c_str());
   return path;
 }

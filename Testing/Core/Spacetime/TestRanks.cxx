@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several ranks: the same bits as one, whatever is asked for.
+#include "Base/TemporaryFolder.h"
 #include "Spacetime/LevelSolver.h"
 #include "Spacetime/SpacetimeBudget.h"
 #include "SpacetimeRuns.h"
@@ -7,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <string>
 
 using namespace waft;
@@ -228,9 +228,9 @@ TEST(Ranks, LeaveACheckpointThatAnyNumberOfThemGoesOnFrom)
   const SpacetimeInput input = Scene();
   const SpacetimeOutput whole = RunScene(input, Options());
   SpacetimeOptions options = Options();
-  options.CheckpointFile = testing::TempDir() + "waft-checkpoint-ranks";
+  const test::TemporaryFolder folder;
+  options.CheckpointFile = folder.File("state");
   options.CheckpointInterval = 0.0;
-  std::remove(options.CheckpointFile.c_str());
   for (const auto& [left, taken] : { std::pair(2, 3), std::pair(3, 1), std::pair(1, 2) })
   {
     StopAt monitor(left == 3 ? 0.9 : 0.4); // on the fine level, and on the coarse one

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs in bounded memory.
+#include "Base/TemporaryFolder.h"
 #include "Spacetime/SpacetimeBudget.h"
 #include "Spacetime/SpacetimeSetup.h"
 #include "SpacetimeRuns.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <fstream>
 #include <string>
 
@@ -134,9 +134,9 @@ TEST(Windows, GoOnFromACheckpointToTheSameBits)
     }
   }
   EXPECT_EQ(stages, 9);
-  options.CheckpointFile = testing::TempDir() + "waft-windows";
+  const test::TemporaryFolder folder;
+  options.CheckpointFile = folder.File("state");
   options.CheckpointInterval = 0.0;
-  std::remove(options.CheckpointFile.c_str());
   StopAt stop(0.6);
   SpacetimeOutput output;
   ASSERT_TRUE(RunSpacetime(input, options, SerialFor(), stop, output).IsStopped());
