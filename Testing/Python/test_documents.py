@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pages: every link leads to a file, the index lists every page, and Python examples can be parsed.
+"""The pages: every link leads to a file, the index lists every page, lines are at most 120 columns wide, and Python
+examples can be parsed.
 
     test_documents.py SOURCE"""
 
@@ -14,12 +15,22 @@ import unittest
 SOURCE = sys.argv[1]
 DOCUMENTATION = os.path.join(SOURCE, "Documentation")
 LINK = re.compile(r"\]\(([^)#]+)(?:#[^)]*)?\)")
+WIDTH = 120  # columns; tables and code blocks may be wider
 EXAMPLE = re.compile(r"^```python\n(.*?)^```", re.MULTILINE | re.DOTALL)
 
 
 def pages():
-    return [os.path.join(SOURCE, name) for name in ("README.md", "CHANGELOG.md")] + sorted(
-        glob.glob(os.path.join(DOCUMENTATION, "*.md")))
+    return [os.path.join(SOURCE, name) for name in ("README.md", "CHANGELOG.md", "CONTRIBUTING.md")] + sorted(
+        glob.glob(os.path.join(DOCUMENTATION, "**", "*.md"), recursive=True))
+
+
+def wide_lines(text):
+    """Numbers of the lines over WIDTH that are no table and no code."""
+    fenced = False
+    for number, line in enumerate(text.splitlines(), 1):
+        fenced ^= line.lstrip().startswith("```")
+        if len(line) > WIDTH and not fenced and not line.startswith(("|", "    ")):
+            yield number
 
 
 def text_of(path):
@@ -48,6 +59,13 @@ class DocumentsTest(unittest.TestCase):
                 if "://" not in target:
                     with self.subTest(page=os.path.relpath(page, SOURCE), target=target):
                         self.assertTrue(os.path.exists(os.path.join(os.path.dirname(page), target)))
+
+    def test_lines_are_not_wide(self):
+        wide = "word " * 30
+        self.assertEqual([1], list(wide_lines(f"{wide}\n| {wide} |\n```\n{wide}\n```\nnarrow\n")))
+        for page in pages():
+            with self.subTest(page=os.path.relpath(page, SOURCE)):
+                self.assertEqual([], list(wide_lines(text_of(page))))
 
     def test_every_page_is_in_the_index(self):
         listed = LINK.findall(text_of(os.path.join(DOCUMENTATION, "README.md")))
