@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/Itinerary.h"
 
-#include "Obstacles/Rest.h"
+#include "Constraints/Rest.h"
 
 #include <algorithm>
 #include <map>

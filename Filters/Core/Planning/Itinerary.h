@@ -3,9 +3,9 @@
 #pragma once
 
 #include "Base/Motion.h"
-#include "Planning/Clearance.h"
+#include "Constraints/Clearance.h"
 #include "Planning/Guide.h"
-#include "Planning/Warp.h"
+#include "Constraints/Warp.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/Legs.h"
 
-#include "Obstacles/Rest.h"
+#include "Constraints/Rest.h"
 #include "Planning/Blending.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "Planning/ObjectPlan.h"
 
 #include "Planning/ObjectProgress.h"
-#include "Planning/Repair.h"
+#include "Constraints/Repair.h"
 #include "Planning/Seams.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Planning/ObjectPlan.h"
-#include "Planning/Warp.h"
+#include "Constraints/Warp.h"
 
 #include <vector>
 

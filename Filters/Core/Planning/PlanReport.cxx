@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/PlanReport.h"
 
-#include "Obstacles/ConstraintFeasibility.h"
-#include "Obstacles/Rest.h"
+#include "Constraints/ConstraintFeasibility.h"
+#include "Constraints/Rest.h"
 
 #include <cstdio>
 #include <map>

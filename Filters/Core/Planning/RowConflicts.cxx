@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/RowConflicts.h"
 
-#include "Assignment/Keyframes.h"
+#include "Constraints/Keyframes.h"
 #include "Base/NumberText.h"
-#include "Obstacles/ConstraintCheck.h"
+#include "Constraints/ConstraintCheck.h"
 
 #include <algorithm>
 #include <functional>

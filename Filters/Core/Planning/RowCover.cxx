@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/RowCover.h"
 
-#include "Assignment/Keyframes.h"
-#include "Assignment/LeastCost.h"
+#include "Constraints/Keyframes.h"
+#include "Constraints/LeastCost.h"
 
 #include <algorithm>
 #include <map>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Planning/Itinerary.h"
-#include "Planning/Warp.h"
+#include "Constraints/Warp.h"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Planning/Span.h"
-#include "Planning/Warp.h"
+#include "Constraints/Warp.h"
 
 #include <vector>
 

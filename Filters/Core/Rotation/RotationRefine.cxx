@@ -3,7 +3,7 @@
 
 #include "Base/Random.h"
 #include "Base/ShapeMeasures.h"
-#include "Obstacles/Rest.h"
+#include "Constraints/Rest.h"
 #include "Rotation/Turning.h"
 
 #include <cmath>

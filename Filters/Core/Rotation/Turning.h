@@ -5,7 +5,7 @@
 #include "Base/Motion.h"
 #include "Base/Pose.h"
 #include "Base/Shape.h"
-#include "Obstacles/Rest.h"
+#include "Constraints/Rest.h"
 #include "Rotation/Flight.h"
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Constraints of a scene file: each becomes rows of one object at one frame.
-#include "Assignment/Keyframes.h"
+#include "Constraints/Keyframes.h"
 #include "Scene/SceneReader.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 #include "Spacetime/ConstraintSetup.h"
 
 #include "Base/SmoothStep.h"
-#include "Obstacles/ConstraintCheck.h"
-#include "Obstacles/LinearRows.h"
+#include "Constraints/ConstraintCheck.h"
+#include "Constraints/LinearRows.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // What a run leaves: its motion, measured anew and exported.
 #include "Spacetime/SpacetimeRun.h"
 
-#include "Obstacles/ConstraintCheck.h"
+#include "Constraints/ConstraintCheck.h"
 #include "Spacetime/FieldUpdates.h"
 #include "Spacetime/SpacetimeExport.h"
 

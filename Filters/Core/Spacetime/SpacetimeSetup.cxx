@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/SpacetimeSetup.h"
 
-#include "Obstacles/Rest.h"
+#include "Constraints/Rest.h"
 #include "Particles/GasLattice.h"
 #include "Particles/SphSurfaces.h"
 #include "Spacetime/ConstraintSetup.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Obstacles/ObstacleSet.h"
-#include "Obstacles/Rest.h"
+#include "Constraints/Rest.h"
 #include "Spacetime/HardConstraints.h"
 #include "Spacetime/Spacetime.h"
 #include "Spacetime/SpacetimeModel.h"

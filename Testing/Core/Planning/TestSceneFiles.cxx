@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The scenes of a single object, each planned from 20 seeds: how like the air the paths are.
-#include "Planning/Warp.h"
+#include "Constraints/Warp.h"
 #include "SceneFiles.h"
 #include "Trajectory/Style.h"
 

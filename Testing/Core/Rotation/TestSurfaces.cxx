@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bodies that land on level ground, on an obstacle and on a terrain, lie there and lift off again;
 // meshes that pass close by.
-#include "Obstacles/Rest.h"
+#include "Constraints/Rest.h"
 #include "Refining.h"
 
 using namespace waft;

@@ -5,7 +5,7 @@
 #include "Base/Primitives.h"
 #include "Base/Random.h"
 #include "Obstacles/ObstacleSet.h"
-#include "Obstacles/Rest.h"
+#include "Constraints/Rest.h"
 #include "Spacetime/Spacetime.h"
 
 #include <cmath>

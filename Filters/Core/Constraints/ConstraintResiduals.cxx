@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Obstacles/ConstraintCheck.h"
+#include "Constraints/ConstraintCheck.h"
 
 #include "Base/NumberText.h"
-#include "Obstacles/Rest.h"
+#include "Constraints/Rest.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Planning/Warp.h"
+#include "Constraints/Warp.h"
 
 #include "Base/Random.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Assignment/Keyframes.h"
+#include "Constraints/Keyframes.h"
 
-#include "Assignment/LeastCost.h"
+#include "Constraints/LeastCost.h"
 
 #include <algorithm>
 #include <map>

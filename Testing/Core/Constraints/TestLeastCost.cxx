@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Assignment/LeastCost.h"
+#include "Constraints/LeastCost.h"
 
 #include "Base/Random.h"
 

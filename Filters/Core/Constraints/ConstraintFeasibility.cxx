@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Obstacles/ConstraintFeasibility.h"
+#include "Constraints/ConstraintFeasibility.h"
 
 #include "Base/NumberText.h"
 

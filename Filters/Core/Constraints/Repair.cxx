@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Planning/Repair.h"
+#include "Constraints/Repair.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Obstacles/ConstraintCheck.h"
+#include "Constraints/ConstraintCheck.h"
 
-#include "Obstacles/ConstraintConflicts.h"
-#include "Obstacles/ConstraintFeasibility.h"
+#include "Constraints/ConstraintConflicts.h"
+#include "Constraints/ConstraintFeasibility.h"
 
 #include <map>
 #include <set>

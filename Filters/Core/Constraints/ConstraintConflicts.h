@@ -4,7 +4,7 @@
 
 #include "Base/Motion.h"
 #include "Base/Types.h"
-#include "Obstacles/LinearRows.h"
+#include "Constraints/LinearRows.h"
 
 #include <map>
 #include <set>

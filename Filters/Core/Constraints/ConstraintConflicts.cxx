@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Obstacles/ConstraintConflicts.h"
+#include "Constraints/ConstraintConflicts.h"
 
 #include "Base/NumberText.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Assignment/Keyframes.h"
+#include "Constraints/Keyframes.h"
 
 #include <gtest/gtest.h>
 

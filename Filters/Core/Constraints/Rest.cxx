@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Obstacles/Rest.h"
+#include "Constraints/Rest.h"
 
 #include <cmath>
 

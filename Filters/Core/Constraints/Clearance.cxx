@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Planning/Clearance.h"
+#include "Constraints/Clearance.h"
 
 #include <cmath>
 

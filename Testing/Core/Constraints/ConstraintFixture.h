@@ -2,7 +2,7 @@
 // A scene with a ground, a box and a lift, to judge wishes in.
 #pragma once
 
-#include "Obstacles/ConstraintCheck.h"
+#include "Constraints/ConstraintCheck.h"
 #include "Obstacles/Shapes.h"
 
 #include <gtest/gtest.h>

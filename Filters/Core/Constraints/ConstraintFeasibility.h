@@ -5,7 +5,7 @@
 #include "Base/Motion.h"
 #include "Base/Types.h"
 #include "Obstacles/ObstacleSet.h"
-#include "Obstacles/Rest.h"
+#include "Constraints/Rest.h"
 
 #include <string>
 #include <vector>

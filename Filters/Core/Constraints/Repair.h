@@ -2,8 +2,8 @@
 // The last word on clearance: what warping and uniting pushed into something is eased out again.
 #pragma once
 
-#include "Planning/Clearance.h"
-#include "Planning/Warp.h"
+#include "Constraints/Clearance.h"
+#include "Constraints/Warp.h"
 
 #include <vector>
 

@@ -2,8 +2,8 @@
 #include "ConstraintFixture.h"
 
 #include "Base/Random.h"
-#include "Obstacles/LinearRows.h"
-#include "Obstacles/Rest.h"
+#include "Constraints/LinearRows.h"
+#include "Constraints/Rest.h"
 
 #include <Eigen/QR>
 

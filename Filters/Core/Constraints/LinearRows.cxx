@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Obstacles/LinearRows.h"
+#include "Constraints/LinearRows.h"
 
 #include <cmath>
 
