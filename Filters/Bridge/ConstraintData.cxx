@@ -24,7 +24,7 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
   values->SetNumberOfComponents(4);
   for (const Constraint& row : constraints)
   {
-    if (row.Kind == ConstraintKind::Orientation)
+    if (IsAttitude(row.Kind))
     {
       const Quat& q = row.Orientation;
       values->InsertNextTuple4(q.w(), q.x(), q.y(), q.z());
@@ -35,13 +35,8 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
     }
   }
   data->Initialize();
-  SetVertices(data, Column(constraints,
-                           [](const Constraint& row)
-                           {
-                             const bool isPlace = row.Kind == ConstraintKind::Position ||
-                                                  row.Kind == ConstraintKind::Rest;
-                             return isPlace ? row.Value : Vec3(Vec3::Zero());
-                           }));
+  SetVertices(data, Column(constraints, [](const Constraint& row)
+                           { return IsPlace(row.Kind) ? row.Value : Vec3(Vec3::Zero()); }));
   vtkPointData* arrays = data->GetPointData();
   AddColumn(arrays, names::ObjectId, constraints, &Constraint::ObjectId);
   AddColumn(arrays, names::Frame, constraints, &Constraint::Frame);
@@ -90,9 +85,10 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   {
     Constraint& row = read[i];
     const std::string vertex = "Constraints: vertex " + std::to_string(i);
-    if (kinds[i] < 0 || kinds[i] > static_cast<int>(ConstraintKind::Rest))
+    if (kinds[i] < 0 || kinds[i] >= NumberOfConstraintKinds)
     {
-      return Result::Error(vertex + ": array `Kind`: expected 0 to 4, found " +
+      return Result::Error(vertex + ": array `Kind`: expected 0 to " +
+                           std::to_string(NumberOfConstraintKinds - 1) + ", found " +
                            std::to_string(kinds[i]));
     }
     if (row.Frame < 0 || row.Frame > last)
@@ -108,7 +104,7 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
     row.Kind = static_cast<ConstraintKind>(kinds[i]);
     // Value has four components; a quaternion is read as (w, x, y, z).
     const Quat& v = values[i];
-    if (row.Kind == ConstraintKind::Orientation)
+    if (IsAttitude(row.Kind))
     {
       if (v.norm() == 0.0)
       {
@@ -120,7 +116,7 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
     {
       row.Value = Vec3(v.w(), v.x(), v.y());
     }
-    if (row.Kind == ConstraintKind::Rest)
+    if (TraitsOf(row.Kind).Lasts)
     {
       row.Until = std::clamp(row.Until, row.Frame, last);
     }

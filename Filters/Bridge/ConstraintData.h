@@ -5,6 +5,7 @@
 #include "Base/Motion.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
+#include "Constraints/Constraint.h"
 
 #include <vector>
 

@@ -10,6 +10,7 @@
 #include "Base/Types.h"
 #include "Bridge/FieldSweep.h"
 #include "Bridge/StageExecution.h"
+#include "Constraints/Constraint.h"
 
 #include <vtkDataObject.h>
 #include <vtkSmartPointer.h>

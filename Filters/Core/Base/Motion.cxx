@@ -26,38 +26,4 @@ std::vector<Vec3> CentralVelocities(const std::vector<Vec3>& positions, double s
   return velocities;
 }
 
-const char* ToString(ConstraintKind kind)
-{
-  switch (kind)
-  {
-    case ConstraintKind::Position:
-      return "position";
-    case ConstraintKind::Velocity:
-      return "velocity";
-    case ConstraintKind::Acceleration:
-      return "acceleration";
-    case ConstraintKind::Orientation:
-      return "orientation";
-    case ConstraintKind::Rest:
-      return "rest";
-  }
-  return "unknown";
-}
-
-const char* ToString(ConstraintStatus status)
-{
-  switch (status)
-  {
-    case ConstraintStatus::Met:
-      return "met";
-    case ConstraintStatus::Infeasible:
-      return "infeasible";
-    case ConstraintStatus::Conflict:
-      return "conflict";
-    case ConstraintStatus::Unreachable:
-      return "unreachable";
-  }
-  return "unknown";
-}
-
 } // namespace waft

@@ -77,7 +77,8 @@ private:
 
   ObjectWishes& WishesOf(int objectId)
   {
-    const double tolerance = 2e-9 * this->Scene.Bounds.Width();
+    const double tolerance =
+      2.0 * ToleranceOf(ConstraintKind::Position, { this->Scene.Bounds.Width() });
     return this->Wishes.try_emplace(objectId, this->Find(objectId)->Position, tolerance)
       .first->second;
   }
@@ -127,8 +128,8 @@ private:
     wish.Line = line;
     wish.Kind = row.Kind;
     wish.Frame = row.Frame;
-    wish.Stencil = PositionStencil(row.Kind, row.Frame, this->Scene.Time);
-    if (row.Kind != ConstraintKind::Rest)
+    wish.Stencil = DerivativeStencil(TraitsOf(row.Kind).Derivative, row.Frame, this->Scene.Time);
+    if (!TraitsOf(row.Kind).Lasts)
     {
       return { wish };
     }
@@ -153,7 +154,7 @@ private:
       return {}; // not assigned yet
     }
     ObjectWishes& wishes = this->WishesOf(row.ObjectId);
-    if (row.Kind == ConstraintKind::Orientation)
+    if (IsAttitude(row.Kind))
     {
       return wishes.AddOrientation(row, line);
     }

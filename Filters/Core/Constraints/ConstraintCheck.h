@@ -5,6 +5,7 @@
 #include "Base/Motion.h"
 #include "Base/Pose.h"
 #include "Base/Types.h"
+#include "Constraints/Constraint.h"
 #include "Obstacles/ObstacleSet.h"
 
 #include <string>

@@ -12,8 +12,9 @@ namespace waft
 namespace
 {
 
-std::string Apart(double distance, double allowed, const char* unit)
+std::string Apart(double distance, double allowed, ConstraintKind kind)
 {
+  const std::string unit = std::string(" ") + TraitsOf(kind).Unit;
   return NumberText(distance) + unit + " apart, expected at most " + NumberText(allowed) + unit;
 }
 
@@ -29,8 +30,9 @@ ObjectWishes::ObjectWishes(const Vec3& start, double tolerance) : Tolerance(tole
 
 Contradiction ObjectWishes::Add(const Wish& wish)
 {
-  Contradiction found = wish.IsPlace() ? this->CheckPlace(wish) : this->CheckSameDerivative(wish);
-  if (found.IsEmpty() && !wish.IsPlace())
+  Contradiction found =
+    IsPlace(wish.Kind) ? this->CheckPlace(wish) : this->CheckSameDerivative(wish);
+  if (found.IsEmpty() && !IsPlace(wish.Kind))
   {
     found = this->CheckDerivative(wish, wish);
   }
@@ -45,7 +47,7 @@ Contradiction ObjectWishes::Add(const Wish& wish)
   }
   if (found.IsEmpty())
   {
-    (wish.IsPlace() ? this->Places[wish.Frame] : this->Derivatives).push_back(wish);
+    (IsPlace(wish.Kind) ? this->Places[wish.Frame] : this->Derivatives).push_back(wish);
   }
   return found;
 }
@@ -59,7 +61,7 @@ Contradiction ObjectWishes::CheckPlace(const Wish& wish) const
     const double distance = (wish.Value - other.Value).norm();
     if (distance > wish.Radius + other.Radius + this->Tolerance)
     {
-      return { wish, { other.Line }, Apart(distance, wish.Radius + other.Radius, " m") };
+      return { wish, { other.Line }, Apart(distance, wish.Radius + other.Radius, wish.Kind) };
     }
   }
   for (const Wish& derivative : this->Derivatives)
@@ -85,8 +87,7 @@ Contradiction ObjectWishes::CheckSameDerivative(const Wish& wish) const
     if (other.Kind == wish.Kind && other.Frame == wish.Frame &&
         distance > wish.Radius + other.Radius + this->Tolerance)
     {
-      const char* unit = wish.Kind == ConstraintKind::Velocity ? " m/s" : " m/s^2";
-      return { wish, { other.Line }, Apart(distance, wish.Radius + other.Radius, unit) };
+      return { wish, { other.Line }, Apart(distance, wish.Radius + other.Radius, wish.Kind) };
     }
   }
   return {};
@@ -102,7 +103,7 @@ Contradiction ObjectWishes::CheckDerivative(const Wish& derivative, const Wish& 
   std::set<int> lines{ derivative.Line };
   for (const auto& [frame, c] : derivative.Stencil)
   {
-    const Wish* best = candidate.IsPlace() && candidate.Frame == frame ? &candidate : nullptr;
+    const Wish* best = IsPlace(candidate.Kind) && candidate.Frame == frame ? &candidate : nullptr;
     const auto places = this->Places.find(frame);
     for (std::size_t n = 0; places != this->Places.end() && n < places->second.size(); ++n)
     {
@@ -134,13 +135,14 @@ Contradiction ObjectWishes::AddOrientation(const Constraint& row, int line)
   for (const auto& [other, otherLine] : this->Orientations)
   {
     const double angle = row.Orientation.angularDistance(other.Orientation);
-    if (other.Frame == row.Frame && angle > row.Radius + other.Radius + 1e-6)
+    if (other.Frame == row.Frame &&
+        angle > row.Radius + other.Radius + TraitsOf(row.Kind).Tolerance)
     {
       Wish wish;
       wish.Line = line;
       wish.Kind = row.Kind;
       wish.Frame = row.Frame;
-      return { wish, { otherLine }, Apart(angle, row.Radius + other.Radius, " rad") };
+      return { wish, { otherLine }, Apart(angle, row.Radius + other.Radius, row.Kind) };
     }
   }
   this->Orientations.emplace_back(row, line);

@@ -2,8 +2,8 @@
 // What has been kept of the wishes about one object, and whether another one contradicts it.
 #pragma once
 
-#include "Base/Motion.h"
 #include "Base/Types.h"
+#include "Constraints/Constraint.h"
 #include "Constraints/LinearRows.h"
 
 #include <map>
@@ -24,11 +24,6 @@ struct Wish
   int Line = -1; // of the report; -1: the start
   ConstraintKind Kind = ConstraintKind::Position;
   int Frame = 0;
-
-  bool IsPlace() const
-  {
-    return this->Kind == ConstraintKind::Position || this->Kind == ConstraintKind::Rest;
-  }
 };
 
 /// A contradiction that was found, or none.

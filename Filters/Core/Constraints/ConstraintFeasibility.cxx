@@ -117,9 +117,12 @@ std::string WhyInfeasible(const Constraint& row, const MotionObject* object,
       return WhyPositionInfeasible(row, object, windows, obstacles, scene);
     case ConstraintKind::Rest:
       return WhyRestInfeasible(row, object, obstacles, scene);
-    default:
-      return {};
+    case ConstraintKind::Velocity:
+    case ConstraintKind::Acceleration:
+    case ConstraintKind::Orientation:
+      break; // by themselves these are possible anywhere
   }
+  return {};
 }
 
 std::string WhyStartInfeasible(const MotionObject& object,

@@ -4,8 +4,9 @@
 
 #include "Base/Motion.h"
 #include "Base/Types.h"
-#include "Obstacles/ObstacleSet.h"
+#include "Constraints/Constraint.h"
 #include "Constraints/Rest.h"
+#include "Obstacles/ObstacleSet.h"
 
 #include <string>
 #include <vector>

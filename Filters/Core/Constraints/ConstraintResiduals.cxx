@@ -18,6 +18,9 @@ namespace
 
 using Key = std::pair<int, int>; // (Row, Target)
 
+/// How far something is that has no distance.
+constexpr double Nowhere = std::numeric_limits<double>::infinity();
+
 /// The worst that was found about one line.
 struct Finding
 {
@@ -27,27 +30,12 @@ struct Finding
   int ObjectId = -1;
 };
 
-const char* UnitOf(ConstraintKind kind)
-{
-  switch (kind)
-  {
-    case ConstraintKind::Velocity:
-      return "m/s";
-    case ConstraintKind::Acceleration:
-      return "m/s^2";
-    case ConstraintKind::Orientation:
-      return "rad";
-    default:
-      return "m";
-  }
-}
-
 /// A distance that is no number is as far as can be.
 double BeyondRadius(const Constraint& row, double distance)
 {
   return std::isfinite(distance)
-           ? std::max(0.0, distance - (row.Kind == ConstraintKind::Rest ? 0.0 : row.Radius))
-           : std::numeric_limits<double>::infinity();
+           ? std::max(0.0, distance - (TraitsOf(row.Kind).Lasts ? 0.0 : row.Radius))
+           : Nowhere;
 }
 
 void Note(const Constraint& row, ConstraintKind kindOfLine, double distance, double tolerance,
@@ -63,8 +51,8 @@ void Note(const Constraint& row, ConstraintKind kindOfLine, double distance, dou
   {
     char text[160];
     std::snprintf(text, sizeof(text), "%s at frame %d: missed by %.4g %s, expected at most %.2g %s",
-                  ToString(row.Kind), row.Frame, residual, UnitOf(row.Kind), tolerance,
-                  UnitOf(row.Kind));
+                  ToString(row.Kind), row.Frame, residual, TraitsOf(row.Kind).Unit, tolerance,
+                  TraitsOf(row.Kind).Unit);
     finding.Excess = residual / tolerance;
     finding.Message = text;
   }
@@ -73,11 +61,6 @@ void Note(const Constraint& row, ConstraintKind kindOfLine, double distance, dou
 void Tell(ReportRow& line, const std::string& message)
 {
   line.Message += (line.Message.empty() ? "" : "; ") + message;
-}
-
-bool IsPlace(ConstraintKind kind)
-{
-  return kind == ConstraintKind::Position || kind == ConstraintKind::Rest;
 }
 
 void Apply(const std::map<Key, Finding>& findings, std::vector<ReportRow>& report)
@@ -113,6 +96,18 @@ std::map<Key, ConstraintKind> KindsOf(const std::vector<ReportRow>& report)
   return kinds;
 }
 
+struct Motion
+{
+  const Track* Path = nullptr;
+  const MotionObject* Object = nullptr;
+  std::vector<Vec3> Velocities, Accelerations;
+
+  bool Has(int frame) const
+  {
+    return frame >= 0 && frame < static_cast<int>(this->Path->Positions.size());
+  }
+};
+
 double DistanceToRest(const Constraint& row, const Track& track, const MotionObject* object,
                       const ObstacleSet& obstacles)
 {
@@ -120,7 +115,7 @@ double DistanceToRest(const Constraint& row, const Track& track, const MotionObj
   SurfaceHit hit;
   if (!RestingPlace(obstacles, row.Value, row.Frame, object ? object->RestHeight : 0.0, place, hit))
   {
-    return std::numeric_limits<double>::infinity();
+    return Nowhere;
   }
   double worst = 0.0;
   const int last = std::min(row.Until, static_cast<int>(track.Positions.size()) - 1);
@@ -132,59 +127,62 @@ double DistanceToRest(const Constraint& row, const Track& track, const MotionObj
   return worst;
 }
 
+/// From what is wanted of the path at the row's frames, in the kind's unit.
+double Distance(const Constraint& row, const Motion& motion, const ObstacleSet& obstacles)
+{
+  if (!motion.Has(row.Frame))
+  {
+    return Nowhere;
+  }
+  switch (row.Kind)
+  {
+    case ConstraintKind::Position:
+      return (motion.Path->Positions[row.Frame] - row.Value).norm();
+    case ConstraintKind::Velocity:
+      return (motion.Velocities[row.Frame] - row.Value).norm();
+    case ConstraintKind::Acceleration:
+      return (motion.Accelerations[row.Frame] - row.Value).norm();
+    case ConstraintKind::Rest:
+      return DistanceToRest(row, *motion.Path, motion.Object, obstacles);
+    case ConstraintKind::Orientation:
+      break; // of poses
+  }
+  return Nowhere;
+}
+
 } // namespace
 
 void MeasureResiduals(const std::vector<Constraint>& constraints, const std::vector<Track>& tracks,
                       const std::vector<MotionObject>& objects, const ObstacleSet& obstacles,
                       const SceneInfo& scene, std::vector<ReportRow>& report)
 {
-  struct Motion
-  {
-    const Track* Path = nullptr;
-    std::vector<Vec3> Velocities, Accelerations;
-
-    bool Has(int frame) const
-    {
-      return frame >= 0 && frame < static_cast<int>(this->Path->Positions.size());
-    }
-  };
   const double step = scene.Time.Step();
   std::map<int, Motion> motions;
-  std::map<int, const MotionObject*> objectOf;
-  for (const MotionObject& object : objects)
-  {
-    objectOf[object.ObjectId] = &object;
-  }
-  double topSpeed = 0.0;
+  MotionScales scales{ scene.Bounds.Width(), 0.0, scene.Time.FramesPerSecond };
   for (const Track& track : tracks)
   {
-    Motion motion{ &track, CentralVelocities(track.Positions, step), {} };
+    Motion motion{ &track, nullptr, CentralVelocities(track.Positions, step), {} };
     motion.Accelerations = CentralVelocities(motion.Velocities, step);
     for (const Vec3& v : motion.Velocities)
     {
-      topSpeed = std::max(topSpeed, v.norm());
+      scales.TopSpeed = std::max(scales.TopSpeed, v.norm());
     }
     motions[track.ObjectId] = std::move(motion);
   }
-  const auto distance = [&](const Constraint& row, const Motion& m, int objectId)
+  for (const MotionObject& object : objects)
   {
-    if (!m.Has(row.Frame))
+    const auto motion = motions.find(object.ObjectId);
+    if (motion != motions.end())
     {
-      return std::numeric_limits<double>::infinity();
+      motion->second.Object = &object;
     }
-    return row.Kind == ConstraintKind::Position
-             ? (m.Path->Positions[row.Frame] - row.Value).norm()
-             : DistanceToRest(row, *m.Path, objectOf.count(objectId) ? objectOf[objectId] : nullptr,
-                              obstacles);
-  };
-  const double nearness = 1e-9 * scene.Bounds.Width();
-  const double slowness = std::max(1e-6 * topSpeed, 1e-12);
+  }
   const std::map<Key, ConstraintKind> kinds = KindsOf(report);
   std::map<Key, Finding> findings;
   for (const Constraint& row : constraints)
   {
     const auto kind = kinds.find({ row.Row, row.Target });
-    if (row.Kind == ConstraintKind::Orientation || kind == kinds.end())
+    if (IsAttitude(row.Kind) || kind == kinds.end())
     {
       continue;
     }
@@ -193,13 +191,13 @@ void MeasureResiduals(const std::vector<Constraint>& constraints, const std::vec
     if (row.ObjectId < 0)
     {
       finding.Message = "no object was assigned to it";
-      finding.Excess = std::numeric_limits<double>::infinity();
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const auto& [objectId, m] : motions)
+      finding.Excess = Nowhere;
+      double nearest = Nowhere;
+      for (const auto& [objectId, motion] : motions)
       {
-        nearest = IsPlace(row.Kind) ? std::min(nearest, distance(row, m, objectId)) : nearest;
+        nearest = IsPlace(row.Kind) ? std::min(nearest, Distance(row, motion, obstacles)) : nearest;
       }
-      if (nearest < std::numeric_limits<double>::infinity() && row.Kind == kind->second)
+      if (nearest < Nowhere && row.Kind == kind->second)
       {
         finding.Residual = std::max(finding.Residual, BeyondRadius(row, nearest));
         finding.Message += ", the nearest comes within " + NumberText(finding.Residual, 3) + " m";
@@ -211,22 +209,11 @@ void MeasureResiduals(const std::vector<Constraint>& constraints, const std::vec
     {
       finding.Message = "object " + std::to_string(row.ObjectId) + " has no position at frame " +
                         std::to_string(row.Frame);
-      finding.Excess = std::numeric_limits<double>::infinity();
+      finding.Excess = Nowhere;
       continue;
     }
-    const Motion& m = motion->second;
-    switch (row.Kind)
-    {
-      case ConstraintKind::Velocity:
-        Note(row, kind->second, (m.Velocities[row.Frame] - row.Value).norm(), slowness, finding);
-        break;
-      case ConstraintKind::Acceleration:
-        Note(row, kind->second, (m.Accelerations[row.Frame] - row.Value).norm(), slowness / step,
-             finding);
-        break;
-      default:
-        Note(row, kind->second, distance(row, m, row.ObjectId), nearness, finding);
-    }
+    Note(row, kind->second, Distance(row, motion->second, obstacles), ToleranceOf(row.Kind, scales),
+         finding);
   }
   Apply(findings, report);
 }
@@ -240,12 +227,12 @@ void MeasureOrientationResiduals(const std::vector<Constraint>& constraints,
   for (const Constraint& row : constraints)
   {
     const auto kind = kinds.find({ row.Row, row.Target });
-    if (row.Kind != ConstraintKind::Orientation || kind == kinds.end())
+    if (!IsAttitude(row.Kind) || kind == kinds.end())
     {
       continue;
     }
     Finding& finding = findings[kind->first];
-    double angle = std::numeric_limits<double>::infinity();
+    double angle = Nowhere;
     for (const PoseTrack& pose : poses)
     {
       if (pose.ObjectId == row.ObjectId && row.Frame >= 0 &&
@@ -254,7 +241,7 @@ void MeasureOrientationResiduals(const std::vector<Constraint>& constraints,
         angle = pose.Orientations[row.Frame].angularDistance(row.Orientation);
       }
     }
-    Note(row, kind->second, angle, 1e-6, finding);
+    Note(row, kind->second, angle, ToleranceOf(row.Kind, {}), finding);
   }
   Apply(findings, report);
 }

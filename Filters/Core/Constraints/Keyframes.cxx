@@ -11,16 +11,6 @@
 namespace waft
 {
 
-bool HasPlace(const Constraint& row)
-{
-  return row.Kind == ConstraintKind::Position || row.Kind == ConstraintKind::Rest;
-}
-
-int LastFrame(const Constraint& row)
-{
-  return row.Kind == ConstraintKind::Rest ? std::max(row.Frame, row.Until) : row.Frame;
-}
-
 namespace
 {
 
@@ -60,7 +50,7 @@ std::vector<Group> CollectGroups(const std::vector<Constraint>& rows)
     target.Rows.push_back(i);
     target.Frame = std::min(target.Frame, row.Frame);
     target.Until = std::max(target.Until, LastFrame(row));
-    if (HasPlace(row) && !target.HasPlace)
+    if (IsPlace(row.Kind) && !target.HasPlace)
     {
       target.HasPlace = true;
       target.Place = row.Value;
@@ -109,7 +99,7 @@ public:
     }
     for (const Constraint& row : rows)
     {
-      if (row.ObjectId >= 0 && HasPlace(row))
+      if (row.ObjectId >= 0 && IsPlace(row.Kind))
       {
         this->Add(row.ObjectId, row.Frame, LastFrame(row), row.Value);
       }

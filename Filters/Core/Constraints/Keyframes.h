@@ -3,16 +3,13 @@
 #pragma once
 
 #include "Base/Motion.h"
+#include "Constraints/Constraint.h"
 
 #include <map>
 #include <vector>
 
 namespace waft
 {
-
-bool HasPlace(const Constraint& row); // position or rest
-/// The last frame that a row is about.
-int LastFrame(const Constraint& row);
 
 /// Gives each row with ObjectId -1 that is in a group, or is about no place, to an object. Rows of
 /// equal (Row, Target) go to the same object; those of one Group to distinct ones, and to none that

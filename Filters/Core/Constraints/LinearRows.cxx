@@ -6,56 +6,6 @@
 namespace waft
 {
 
-namespace
-{
-
-/// Coefficients of CentralVelocities at a frame.
-std::map<int, double> VelocityStencil(int frame, const Timeline& time)
-{
-  const int n = time.NumberOfFrames;
-  const double rate = time.FramesPerSecond;
-  if (n < 2)
-  {
-    return {};
-  }
-  if (n == 2)
-  {
-    return { { 0, -rate }, { 1, rate } };
-  }
-  if (frame == 0)
-  {
-    return { { 0, -1.5 * rate }, { 1, 2.0 * rate }, { 2, -0.5 * rate } };
-  }
-  if (frame == n - 1)
-  {
-    return { { n - 1, 1.5 * rate }, { n - 2, -2.0 * rate }, { n - 3, 0.5 * rate } };
-  }
-  return { { frame - 1, -0.5 * rate }, { frame + 1, 0.5 * rate } };
-}
-
-} // namespace
-
-std::map<int, double> PositionStencil(ConstraintKind kind, int frame, const Timeline& time)
-{
-  if (kind == ConstraintKind::Velocity)
-  {
-    return VelocityStencil(frame, time);
-  }
-  if (kind != ConstraintKind::Acceleration)
-  {
-    return { { frame, 1.0 } };
-  }
-  std::map<int, double> stencil;
-  for (const auto& [k, outer] : VelocityStencil(frame, time))
-  {
-    for (const auto& [f, inner] : VelocityStencil(k, time))
-    {
-      stencil[f] += outer * inner;
-    }
-  }
-  return stencil;
-}
-
 LinearRows::Answer LinearRows::Add(const std::map<int, double>& coefficients, const Vec3& value,
                                    int tag, double tolerance, std::set<int>& tags, double& gap)
 {

@@ -2,7 +2,6 @@
 // Exact wishes about one object as linear equations on its positions.
 #pragma once
 
-#include "Base/Motion.h"
 #include "Base/Types.h"
 
 #include <map>
@@ -11,11 +10,6 @@
 
 namespace waft
 {
-
-/// Coefficients, by frame, of the positions in a position (1), a velocity [1/s] or an acceleration
-/// [1/s^2] at a frame: CentralVelocities applied no times, once or twice. Empty where the time line
-/// is too short.
-std::map<int, double> PositionStencil(ConstraintKind kind, int frame, const Timeline& time);
 
 /// A growing set of equations sum_f c_f x_f = b (x_f and b in space) in echelon form.
 class LinearRows

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Base/Motion.h"
+#include "Constraints/Constraint.h"
 #include "Obstacles/ObstacleSet.h"
 
 #include <vector>

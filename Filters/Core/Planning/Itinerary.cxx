@@ -12,53 +12,143 @@ namespace waft
 namespace
 {
 
-using Stencil = std::map<int, double>;
+/// Speed below which something that is to be so slow is to halt [m/s].
+constexpr double HaltingSpeed = 0.02;
 
-/// The velocity at a frame times the frame step: the central difference, one-sided and of second
-/// order at the ends.
-Stencil VelocityStencil(int frame, int count)
+class ItineraryMaker
 {
-  if (count < 3)
+public:
+  ItineraryMaker(const MotionObject& object, const SceneInfo& scene) : Object(object), Scene(scene)
   {
-    return { { 0, -1.0 }, { 1, 1.0 } };
+    this->Marks[0].Position = object.Position;
   }
-  if (frame == 0)
-  {
-    return { { 0, -1.5 }, { 1, 2.0 }, { 2, -0.5 } };
-  }
-  if (frame == count - 1)
-  {
-    return { { count - 1, 1.5 }, { count - 2, -2.0 }, { count - 3, 0.5 } };
-  }
-  return { { frame - 1, -0.5 }, { frame + 1, 0.5 } };
-}
 
-/// The same difference taken of the velocities.
-Stencil AccelerationStencil(int frame, int count)
-{
-  Stencil result;
-  for (const auto& [outer, outerWeight] : VelocityStencil(frame, count))
+  /// windows: the object's landings; this rest has none where nothing is below it.
+  void AddRest(const Constraint& row, int index, const std::vector<LandingWindow>& windows)
   {
-    for (const auto& [inner, weight] : VelocityStencil(outer, count))
+    Mark mark;
+    mark.Frame = row.Frame;
+    mark.Until = std::clamp(row.Until, row.Frame, this->Scene.Time.NumberOfFrames - 1);
+    mark.IsRest = true;
+    mark.Constraint = index;
+    // Nothing below: the floor of the volume.
+    mark.Position = row.Value;
+    mark.Position.z() = this->Scene.Bounds.Min.z() + this->Object.RestHeight;
+    ContactStretch contact;
+    contact.Constraint = index;
+    contact.FirstFrame = row.Frame - this->Scene.Time.FramesPerSecond;
+    contact.LastFrame = row.Until + this->Scene.Time.FramesPerSecond;
+    for (const LandingWindow& window : windows)
     {
-      result[inner] += outerWeight * weight;
+      if (window.Row == row.Row && window.Target == row.Target && window.Frame == row.Frame)
+      {
+        mark.Position = window.Centre;
+        contact.FirstFrame = window.First;
+        contact.LastFrame = window.Last;
+        contact.Surface = window.ObstacleId;
+        contact.Normal = window.Normal;
+      }
     }
+    contact.Centre = mark.Position;
+    if (row.Frame == 0)
+    {
+      mark.Position = this->Object.Position;
+    }
+    this->Result.Contacts.push_back(contact);
+    this->Marks[mark.Frame] = mark;
   }
-  return result;
-}
 
-MotionRow MakeRow(const Stencil& stencil, const Vec3& value, double radius)
-{
-  MotionRow row;
-  for (const auto& [frame, weight] : stencil)
+  /// After all rests.
+  void AddPosition(const Constraint& row, int index)
   {
-    row.Row.Frames.push_back(frame);
-    row.Row.Weights.push_back(weight);
+    const auto known = this->Marks.find(row.Frame);
+    const bool isKnown =
+      known != this->Marks.end() && (known->second.IsRest || known->second.Radius <= row.Radius);
+    if (row.Frame == 0 || isKnown)
+    {
+      return;
+    }
+    const Mark& before = std::prev(this->Marks.upper_bound(row.Frame))->second;
+    if (before.IsRest && before.Until >= row.Frame)
+    {
+      return;
+    }
+    Mark mark;
+    mark.Frame = mark.Until = row.Frame;
+    mark.Position = row.Value;
+    mark.Radius = row.Radius;
+    mark.Constraint = index;
+    this->Marks[row.Frame] = mark;
   }
-  row.Row.Value = value;
-  row.Radius = radius;
-  return row;
-}
+
+  /// A velocity or an acceleration; after all places.
+  void AddDerivative(const Constraint& row)
+  {
+    if (this->Scene.Time.NumberOfFrames < 2)
+    {
+      return; // one frame has no motion
+    }
+    const double step = this->Scene.Time.Step();
+    const int derivative = TraitsOf(row.Kind).Derivative;
+    Vec3 value = row.Value;
+    double radius = row.Radius;
+    for (int order = 0; order < derivative; ++order)
+    {
+      value *= step;
+      radius *= step;
+    }
+    this->AddRow(derivative, row.Frame, value, radius);
+    const auto mark = this->Marks.find(row.Frame);
+    if (derivative == 1 && mark != this->Marks.end() && !mark->second.IsRest)
+    {
+      mark->second.HasVelocity = true;
+      mark->second.Velocity = value;
+      mark->second.Halts = row.Value.norm() < HaltingSpeed;
+    }
+    this->StartsAsTold = this->StartsAsTold || (derivative == 1 && row.Frame == 0);
+  }
+
+  Itinerary Finish()
+  {
+    Mark& first = this->Marks.begin()->second;
+    if (!this->StartsAsTold && !first.IsRest && this->Object.Velocity.norm() > 0.0 &&
+        this->Scene.Time.NumberOfFrames > 1)
+    {
+      first.HasVelocity = true;
+      first.Velocity = this->Object.Velocity * this->Scene.Time.Step();
+      this->AddRow(1, 0, first.Velocity, 0.0);
+    }
+    for (auto& [frame, mark] : this->Marks)
+    {
+      mark.Frame = frame;
+      mark.Until = std::max(mark.Until, frame);
+      this->Result.Marks.push_back(mark);
+    }
+    return std::move(this->Result);
+  }
+
+private:
+  /// A derivative as a row on positions; value and radius in m a frame (a frame squared).
+  void AddRow(int derivative, int frame, const Vec3& value, double radius)
+  {
+    const Timeline frames{ this->Scene.Time.NumberOfFrames, 1.0 };
+    MotionRow row;
+    for (const auto& [k, weight] : DerivativeStencil(derivative, frame, frames))
+    {
+      row.Row.Frames.push_back(k);
+      row.Row.Weights.push_back(weight);
+    }
+    row.Row.Value = value;
+    row.Radius = radius;
+    this->Result.Rows.push_back(row);
+  }
+
+  const MotionObject& Object;
+  const SceneInfo& Scene;
+  std::map<int, Mark> Marks; // by frame
+  bool StartsAsTold = false; // a row says how fast
+  Itinerary Result;
+};
 
 } // namespace
 
@@ -80,128 +170,47 @@ Itinerary MakeItinerary(const MotionObject& object, const std::vector<Constraint
                         const std::vector<unsigned char>& isUsed, const ObstacleSet& obstacles,
                         const SceneInfo& scene)
 {
-  const int count = scene.Time.NumberOfFrames;
-  const double step = scene.Time.Step();
-  Itinerary result;
   std::vector<Constraint> own;
-  std::vector<int> index;
+  std::vector<std::size_t> rests, positions, derivatives; // of rows
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
-    if (rows[i].ObjectId == object.ObjectId && isUsed[i] != 0)
+    if (rows[i].ObjectId != object.ObjectId || isUsed[i] == 0)
     {
-      own.push_back(rows[i]);
-      index.push_back(static_cast<int>(i));
+      continue;
+    }
+    own.push_back(rows[i]);
+    switch (rows[i].Kind)
+    {
+      case ConstraintKind::Rest:
+        rests.push_back(i);
+        break;
+      case ConstraintKind::Position:
+        positions.push_back(i);
+        break;
+      case ConstraintKind::Velocity:
+      case ConstraintKind::Acceleration:
+        derivatives.push_back(i);
+        break;
+      case ConstraintKind::Orientation:
+        break; // the path does not know of it
     }
   }
-
-  std::map<int, Mark> marks;
-  Mark start;
-  start.Position = object.Position;
-  marks[0] = start;
   const std::vector<LandingWindow> windows =
     LandingWindows(object, own, obstacles, scene.Time.FramesPerSecond);
-  for (std::size_t i = 0; i < own.size(); ++i)
+  ItineraryMaker maker(object, scene);
+  for (const std::size_t i : rests)
   {
-    const Constraint& row = own[i];
-    if (row.Kind != ConstraintKind::Rest)
-    {
-      continue;
-    }
-    Mark mark;
-    mark.Frame = row.Frame;
-    mark.Until = std::clamp(row.Until, row.Frame, count - 1);
-    mark.IsRest = true;
-    mark.Constraint = index[i];
-    // Nothing below: the floor of the volume.
-    mark.Position = row.Value;
-    mark.Position.z() = scene.Bounds.Min.z() + object.RestHeight;
-    ContactStretch contact;
-    contact.Constraint = index[i];
-    contact.FirstFrame = row.Frame - scene.Time.FramesPerSecond;
-    contact.LastFrame = row.Until + scene.Time.FramesPerSecond;
-    for (const LandingWindow& window : windows)
-    {
-      if (window.Row == row.Row && window.Target == row.Target && window.Frame == row.Frame)
-      {
-        mark.Position = window.Centre;
-        contact.FirstFrame = window.First;
-        contact.LastFrame = window.Last;
-        contact.Surface = window.ObstacleId;
-        contact.Normal = window.Normal;
-      }
-    }
-    contact.Centre = mark.Position;
-    if (row.Frame == 0)
-    {
-      mark.Position = object.Position;
-    }
-    result.Contacts.push_back(contact);
-    marks[mark.Frame] = mark;
+    maker.AddRest(rows[i], static_cast<int>(i), windows);
   }
-  for (std::size_t i = 0; i < own.size(); ++i)
+  for (const std::size_t i : positions)
   {
-    const Constraint& row = own[i];
-    if (row.Kind != ConstraintKind::Position || row.Frame == 0)
-    {
-      continue;
-    }
-    const auto known = marks.find(row.Frame);
-    if (known != marks.end() && (known->second.IsRest || known->second.Radius <= row.Radius))
-    {
-      continue;
-    }
-    const auto before = std::prev(marks.upper_bound(row.Frame));
-    if (before->second.IsRest && before->second.Until >= row.Frame)
-    {
-      continue;
-    }
-    Mark mark;
-    mark.Frame = mark.Until = row.Frame;
-    mark.Position = row.Value;
-    mark.Radius = row.Radius;
-    mark.Constraint = index[i];
-    marks[row.Frame] = mark;
+    maker.AddPosition(rows[i], static_cast<int>(i));
   }
-  bool startsAsTold = false;
-  for (const Constraint& row : own)
+  for (const std::size_t i : derivatives)
   {
-    if (count < 2)
-    {
-      break; // one frame has no motion
-    }
-    if (row.Kind == ConstraintKind::Velocity)
-    {
-      result.Rows.push_back(
-        MakeRow(VelocityStencil(row.Frame, count), row.Value * step, row.Radius * step));
-      startsAsTold = startsAsTold || row.Frame == 0;
-      const auto mark = marks.find(row.Frame);
-      if (mark != marks.end() && !mark->second.IsRest)
-      {
-        mark->second.HasVelocity = true;
-        mark->second.Velocity = row.Value * step;
-        mark->second.Halts = row.Value.norm() < 0.02;
-      }
-    }
-    else if (row.Kind == ConstraintKind::Acceleration)
-    {
-      result.Rows.push_back(MakeRow(AccelerationStencil(row.Frame, count), row.Value * step * step,
-                                    row.Radius * step * step));
-    }
+    maker.AddDerivative(rows[i]);
   }
-  Mark& first = marks.begin()->second;
-  if (!startsAsTold && !first.IsRest && object.Velocity.norm() > 0.0 && count > 1)
-  {
-    first.HasVelocity = true;
-    first.Velocity = object.Velocity * step;
-    result.Rows.push_back(MakeRow(VelocityStencil(0, count), object.Velocity * step, 0.0));
-  }
-  for (auto& entry : marks)
-  {
-    entry.second.Frame = entry.first;
-    entry.second.Until = std::max(entry.second.Until, entry.first);
-    result.Marks.push_back(entry.second);
-  }
-  return result;
+  return maker.Finish();
 }
 
 } // namespace waft

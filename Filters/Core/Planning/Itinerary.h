@@ -4,8 +4,9 @@
 
 #include "Base/Motion.h"
 #include "Constraints/Clearance.h"
-#include "Planning/Guide.h"
+#include "Constraints/Constraint.h"
 #include "Constraints/Warp.h"
+#include "Planning/Guide.h"
 
 #include <vector>
 

@@ -14,12 +14,12 @@ namespace waft
 Stop StopOf(const Constraint& row, double restHeight, const ObstacleSet& obstacles)
 {
   Stop stop;
-  stop.First = stop.Last = row.Frame;
+  stop.First = row.Frame;
+  stop.Last = LastFrame(row);
   stop.Value = stop.Place = row.Value;
   stop.Radius = row.Radius;
-  if (row.Kind == ConstraintKind::Rest)
+  if (TraitsOf(row.Kind).Lasts)
   {
-    stop.Last = std::max(row.Frame, row.Until);
     stop.Radius = 0.0;
     stop.IsRest = true;
     SurfaceHit hit;

@@ -2,6 +2,7 @@
 // The whole path of one object: its spans one after the other, then all of them made one motion.
 #pragma once
 
+#include "Constraints/Constraint.h"
 #include "Planning/Itinerary.h"
 #include "Planning/SpanPlan.h"
 #include "Planning/Vortices.h"

@@ -2,6 +2,7 @@
 // Plans of objects that are kept from one run to the next.
 #pragma once
 
+#include "Constraints/Constraint.h"
 #include "Planning/ObjectPlan.h"
 #include "Planning/Planner.h"
 #include "Planning/SegmentLibrary.h"

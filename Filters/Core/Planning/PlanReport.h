@@ -2,6 +2,7 @@
 // What the planner says about its plans: lines of rows, of flights and of objects.
 #pragma once
 
+#include "Constraints/Constraint.h"
 #include "Planning/ObjectPlan.h"
 #include "Planning/Planner.h"
 

@@ -8,6 +8,7 @@
 #include "Base/Motion.h"
 #include "Base/Parallel.h"
 #include "Base/Result.h"
+#include "Constraints/Constraint.h"
 #include "Obstacles/ObstacleSet.h"
 #include "Planning/Guide.h"
 #include "Trajectory/Alignment.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/RowConflicts.h"
 
-#include "Constraints/Keyframes.h"
 #include "Base/NumberText.h"
 #include "Constraints/ConstraintCheck.h"
+#include "Constraints/Keyframes.h"
 
 #include <algorithm>
 #include <functional>
@@ -289,7 +289,7 @@ std::map<int, std::vector<Line>> CollectLines(const std::vector<Constraint>& con
   {
     const Key id{ row.Row, row.Target };
     const auto object = objects.find(row.ObjectId);
-    if (object == objects.end() || !HasPlace(row) || row.Status != ConstraintStatus::Met ||
+    if (object == objects.end() || !IsPlace(row.Kind) || row.Status != ConstraintStatus::Met ||
         judged[id] == ConstraintStatus::Infeasible ||
         (row.Frame == 0 && judged[id] == ConstraintStatus::Conflict))
     {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/Motion.h"
+#include "Constraints/Constraint.h"
 #include "Obstacles/ObstacleSet.h"
 #include "Planning/Legs.h"
 

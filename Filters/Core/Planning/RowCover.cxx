@@ -274,7 +274,7 @@ std::vector<Wish> CollectWishes(const std::vector<unsigned char>& isFree,
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     const Constraint& row = rows[i];
-    if (row.ObjectId >= 0 || row.Group >= 0 || !HasPlace(row))
+    if (row.ObjectId >= 0 || row.Group >= 0 || !IsPlace(row.Kind))
     {
       continue;
     }
@@ -316,7 +316,7 @@ std::vector<std::vector<Stop>> FixedStops(const std::vector<MotionObject>& objec
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     const auto object = placeOf.find(rows[i].ObjectId);
-    if (object != placeOf.end() && HasPlace(rows[i]) && isFree[i] != 0)
+    if (object != placeOf.end() && IsPlace(rows[i].Kind) && isFree[i] != 0)
     {
       stops[object->second].push_back(
         StopOf(rows[i], objects[object->second].RestHeight, obstacles));

@@ -98,6 +98,24 @@ FlightPath MakePath(const RotationInput& input, const Track& track)
   return path;
 }
 
+LandingWindow LandingOf(const Constraint& row, const MotionObject& object,
+                        const RotationInput& input)
+{
+  std::vector<LandingWindow> windows;
+  if (input.Obstacles != nullptr)
+  {
+    windows = LandingWindows(object, { row }, *input.Obstacles, input.Scene.Time.FramesPerSecond);
+  }
+  if (windows.empty())
+  {
+    LandingWindow level; // nothing below
+    level.Frame = row.Frame;
+    level.Until = LastFrame(row);
+    windows.push_back(level);
+  }
+  return windows.front();
+}
+
 TurningPlan MakePlan(const RotationInput& input, const RotationOptions& options,
                      const MotionObject& object, const Track& track)
 {
@@ -123,37 +141,25 @@ TurningPlan MakePlan(const RotationInput& input, const RotationOptions& options,
     {
       continue;
     }
-    if (row.Kind == ConstraintKind::Position)
+    switch (row.Kind)
     {
-      plan.Held.push_back(row.Frame);
-    }
-    else if (row.Kind == ConstraintKind::Velocity || row.Kind == ConstraintKind::Acceleration)
-    {
-      // These are about differences of neighbours, at the ends of the three or four nearest.
-      for (int k = std::max(row.Frame - 3, 0); k <= std::min(row.Frame + 3, last); ++k)
-      {
-        plan.Held.push_back(k);
-      }
-    }
-    else if (row.Kind == ConstraintKind::Orientation)
-    {
-      plan.Keys.push_back(row);
-    }
-    else if (row.Kind == ConstraintKind::Rest)
-    {
-      std::vector<LandingWindow> windows;
-      if (input.Obstacles != nullptr)
-      {
-        windows = LandingWindows(object, { row }, *input.Obstacles, plan.Time.FramesPerSecond);
-      }
-      if (windows.empty())
-      {
-        LandingWindow level; // nothing below
-        level.Frame = row.Frame;
-        level.Until = std::max(row.Until, row.Frame);
-        windows.push_back(level);
-      }
-      plan.Rests.push_back(windows[0]);
+      case ConstraintKind::Position:
+        plan.Held.push_back(row.Frame);
+        break;
+      case ConstraintKind::Velocity:
+      case ConstraintKind::Acceleration:
+        // These are about differences of neighbours, at the ends of the three or four nearest.
+        for (int k = std::max(row.Frame - 3, 0); k <= std::min(row.Frame + 3, last); ++k)
+        {
+          plan.Held.push_back(k);
+        }
+        break;
+      case ConstraintKind::Orientation:
+        plan.Keys.push_back(row);
+        break;
+      case ConstraintKind::Rest:
+        plan.Rests.push_back(LandingOf(row, object, input));
+        break;
     }
   }
   const auto earlier = [](const auto& a, const auto& b) { return a.Frame < b.Frame; };

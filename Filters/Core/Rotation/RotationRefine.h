@@ -9,6 +9,7 @@
 #include "Base/Pose.h"
 #include "Base/Result.h"
 #include "Base/Shape.h"
+#include "Constraints/Constraint.h"
 #include "Obstacles/ObstacleSet.h"
 #include "Rotation/PanelBody.h"
 

@@ -5,6 +5,7 @@
 #include "Base/Motion.h"
 #include "Base/Pose.h"
 #include "Base/Shape.h"
+#include "Constraints/Constraint.h"
 #include "Constraints/Rest.h"
 #include "Rotation/Flight.h"
 

@@ -8,24 +8,6 @@
 namespace waft
 {
 
-namespace
-{
-
-struct KindName
-{
-  const char* Name;
-  ConstraintKind Kind;
-  bool MayBeUnassigned;
-};
-
-constexpr KindName SimpleKinds[] = { { "position", ConstraintKind::Position, true },
-                                     { "rest", ConstraintKind::Rest, true },
-                                     { "velocity", ConstraintKind::Velocity, false },
-                                     { "acceleration", ConstraintKind::Acceleration, false },
-                                     { "orientation", ConstraintKind::Orientation, false } };
-
-} // namespace
-
 int SceneReader::ObjectId(const SceneNode& node, int lowest) const
 {
   // Ids that are not the places in the list leave gaps.
@@ -56,8 +38,12 @@ void SceneReader::ReadConstraints(const SceneNode& node)
 
 void SceneReader::ReadConstraint(const SceneNode& node, int row)
 {
-  const std::string expected =
-    "position, rest, velocity, acceleration, orientation, path or keyframe";
+  std::string expected;
+  for (int k = 0; k < NumberOfConstraintKinds; ++k)
+  {
+    expected += ToString(static_cast<ConstraintKind>(k)) + std::string(", ");
+  }
+  expected += "path or keyframe";
   const SceneNode kindNode = node.At("kind", expected);
   const std::string kind = kindNode.Text();
   if (kind == "path")
@@ -70,9 +56,8 @@ void SceneReader::ReadConstraint(const SceneNode& node, int row)
     this->ReadKeyframe(node, row);
     return;
   }
-  const auto* simple = std::find_if(std::begin(SimpleKinds), std::end(SimpleKinds),
-                                    [&](const KindName& k) { return kind == k.Name; });
-  if (simple == std::end(SimpleKinds))
+  const ConstraintTraits* simple = FindConstraintKind(kind);
+  if (simple == nullptr)
   {
     kindNode.Fail(expected);
   }
@@ -81,10 +66,10 @@ void SceneReader::ReadConstraint(const SceneNode& node, int row)
   constraint.Row = row;
   constraint.Kind = simple->Kind;
   constraint.ObjectId =
-    this->ObjectId(node.At("object", "the id of an object"), simple->MayBeUnassigned ? -1 : 0);
+    this->ObjectId(node.At("object", "the id of an object"), simple->IsPlace ? -1 : 0);
   constraint.Frame = this->Frame(node.At("frame", "a frame of the scene"));
   constraint.Until = constraint.Frame;
-  if (simple->Kind == ConstraintKind::Orientation)
+  if (IsAttitude(simple->Kind))
   {
     constraint.Orientation = node.At("value", "a quaternion [w, x, y, z]").Rotation();
   }
@@ -96,7 +81,7 @@ void SceneReader::ReadConstraint(const SceneNode& node, int row)
   {
     constraint.Radius = node.At("radius", "").Number();
   }
-  if (simple->Kind == ConstraintKind::Rest)
+  if (simple->Lasts)
   {
     const int last = this->Out.Info.Time.NumberOfFrames - 1;
     constraint.Until =

@@ -6,6 +6,7 @@
 #include "Base/Motion.h"
 #include "Base/Result.h"
 #include "Base/Shape.h"
+#include "Constraints/Constraint.h"
 #include "Scene/SceneAssets.h"
 
 #include <string>

@@ -2,6 +2,7 @@
 // The parts of the writer of scenes, one a section of the file. Private to this library.
 #pragma once
 
+#include "Constraints/Constraint.h"
 #include "Scene/SceneNode.h"
 #include "Scene/WriteScene.h"
 

@@ -12,11 +12,6 @@ namespace waft
 namespace
 {
 
-bool IsPlace(const Constraint& row)
-{
-  return row.Kind == ConstraintKind::Position || row.Kind == ConstraintKind::Rest;
-}
-
 std::string NameOf(const Constraint& row)
 {
   return "Constraints: row " + std::to_string(row.Row) + ", target " + std::to_string(row.Target);
@@ -45,12 +40,12 @@ std::vector<std::vector<const Constraint*>> SceneFormat::Entries() const
 bool SceneFormat::FormatSimple(const std::vector<const Constraint*>& rows, SceneJson& json) const
 {
   const Constraint& row = *rows.front();
-  const bool isRest = row.Kind == ConstraintKind::Rest;
-  if (rows.size() > 1 || row.Group >= 0 || row.ClassId >= 0 || (isRest && row.Radius > 0.0))
+  const bool lasts = TraitsOf(row.Kind).Lasts;
+  if (rows.size() > 1 || row.Group >= 0 || row.ClassId >= 0 || (lasts && row.Radius > 0.0))
   {
     return false;
   }
-  if (row.ObjectId < 0 && !IsPlace(row))
+  if (row.ObjectId < 0 && !IsPlace(row.Kind))
   {
     throw SceneError{ NameOf(row) + ": a " + ToString(row.Kind) +
                       " of any object (-1), expected the id of one" };
@@ -58,12 +53,11 @@ bool SceneFormat::FormatSimple(const std::vector<const Constraint*>& rows, Scene
   json["kind"] = ToString(row.Kind);
   json["object"] = row.ObjectId;
   json["frame"] = row.Frame;
-  if (isRest)
+  if (lasts)
   {
     json["until"] = row.Until;
   }
-  json["value"] = row.Kind == ConstraintKind::Orientation ? FormatRotation(row.Orientation)
-                                                          : FormatVector(row.Value);
+  json["value"] = IsAttitude(row.Kind) ? FormatRotation(row.Orientation) : FormatVector(row.Value);
   if (row.Radius > 0.0)
   {
     json["radius"] = row.Radius;
@@ -128,7 +122,7 @@ bool SceneFormat::FormatKeyframe(const std::vector<const Constraint*>& rows, Sce
   std::vector<const Constraint*> velocities;
   for (const Constraint* row : rows)
   {
-    if (IsPlace(*row))
+    if (IsPlace(row->Kind))
     {
       if (row->Kind != first.Kind || row->Frame != first.Frame || row->Radius != first.Radius ||
           (row->Kind == ConstraintKind::Rest && row->Until != first.Until))

@@ -3,7 +3,6 @@
 
 #include "Base/SmoothStep.h"
 #include "Constraints/ConstraintCheck.h"
-#include "Constraints/LinearRows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -216,8 +215,7 @@ std::vector<Constraint> FindApproaches(const SpacetimeInput& input, const Spacet
   std::vector<Constraint> approaches;
   for (Constraint row : input.Constraints)
   {
-    const bool isPlace = row.Kind == ConstraintKind::Position || row.Kind == ConstraintKind::Rest;
-    if (!isPlace || row.ObjectId < 0 || missed.count({ row.Row, row.Target }) == 0 ||
+    if (!IsPlace(row.Kind) || row.ObjectId < 0 || missed.count({ row.Row, row.Target }) == 0 ||
         row.Frame < 0 || row.Frame >= setup.Model.NumberOfFrames)
     {
       continue;
@@ -237,6 +235,29 @@ std::vector<Constraint> FindApproaches(const SpacetimeInput& input, const Spacet
     approaches.push_back(row);
   }
   return approaches;
+}
+
+void AddDifference(const Constraint& row, std::size_t object, const Timeline& time,
+                   SpacetimeSetup& setup)
+{
+  const int derivative = TraitsOf(row.Kind).Derivative;
+  double scale = setup.FrameStep;
+  for (int order = 1; order < derivative; ++order)
+  {
+    scale *= setup.FrameStep;
+  }
+  DifferenceRow linear;
+  linear.Object = object;
+  for (const auto& [frame, coefficient] : DerivativeStencil(derivative, row.Frame, time))
+  {
+    linear.Terms.push_back({ frame, coefficient * scale });
+  }
+  linear.Value = row.Value * (scale / setup.Spacing);
+  linear.Radius = row.Radius * (scale / setup.Spacing);
+  if (!linear.Terms.empty())
+  {
+    setup.Table.Rows.push_back(linear);
+  }
 }
 
 } // namespace
@@ -269,32 +290,26 @@ void SetUpConstraints(const SpacetimeInput& input, const std::vector<int>& groun
   for (const Constraint& row : binding)
   {
     const std::size_t o = index[row.ObjectId];
-    if (row.Kind == ConstraintKind::Position && row.Radius <= 0.0)
+    switch (row.Kind)
     {
-      Fix(setup, row.Frame, o, row.Value, 0);
-    }
-    else if (row.Kind == ConstraintKind::Position)
-    {
-      setup.Table.Balls.push_back(
-        { row.Frame, o, setup.FromWorld(row.Value), row.Radius / setup.Spacing });
-    }
-    else if (row.Kind == ConstraintKind::Velocity || row.Kind == ConstraintKind::Acceleration)
-    {
-      const double scale =
-        row.Kind == ConstraintKind::Velocity ? setup.FrameStep : setup.FrameStep * setup.FrameStep;
-      DifferenceRow linear;
-      linear.Object = o;
-      for (const auto& [frame, coefficient] :
-           PositionStencil(row.Kind, row.Frame, input.Scene.Time))
-      {
-        linear.Terms.push_back({ frame, coefficient * scale });
-      }
-      linear.Value = row.Value * (scale / setup.Spacing);
-      linear.Radius = row.Radius * (scale / setup.Spacing);
-      if (!linear.Terms.empty())
-      {
-        setup.Table.Rows.push_back(linear);
-      }
+      case ConstraintKind::Position:
+        if (row.Radius <= 0.0)
+        {
+          Fix(setup, row.Frame, o, row.Value, 0);
+        }
+        else
+        {
+          setup.Table.Balls.push_back(
+            { row.Frame, o, setup.FromWorld(row.Value), row.Radius / setup.Spacing });
+        }
+        break;
+      case ConstraintKind::Velocity:
+      case ConstraintKind::Acceleration:
+        AddDifference(row, o, input.Scene.Time, setup);
+        break;
+      case ConstraintKind::Rest:        // fixed with its landing
+      case ConstraintKind::Orientation: // nothing that bodies without extent know of
+        break;
     }
   }
   SetUpNearestMarks(input.Scene.Time.FramesPerSecond, setup.Model);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/SpacetimeExport.h"
 
-#include "Base/SpreadPushes.h"
+#include "Constraints/ResolveClearance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +11,8 @@ namespace waft
 namespace
 {
 
-constexpr double Rounding = 1e-5; // [dx]: places that differ by less are the same
-constexpr int PushRounds = 8;
-constexpr int PushReach = 15;           // frames to either side over which a push comes and goes
-constexpr int SmallestRamp = 6;         // frames over which the fallback blends in
-constexpr double FallbackSpeed = 0.3;   // of going back to the plan, at most [m/s]
-constexpr int FallbackRounds = 5;       // the ramp doubles each time
+constexpr double Rounding = 1e-5;       // [dx]: places that differ by less are the same
+constexpr int SoftEdge = 6;             // frames over which changes come in beside what is kept
 constexpr double ClearanceSlack = 5e-4; // of L, of the 1e-3 that clearance may miss
 
 // One object's motion, made exact.
@@ -26,11 +22,9 @@ public:
   ObjectExport(const SpacetimeInput& input, const SpacetimeSetup& setup, std::size_t object,
                const std::vector<LinearCluster>& clusters, const KeptMotion& kept) :
     Input(input),
-    Setup(setup), Index(object), Object(setup.Objects[object]),
+    Setup(setup), Index(object), Slack(ClearanceSlack * input.Scene.Bounds.Width()),
     Weights(input.Tracks[object].Positions.size(), 1.0)
   {
-    this->Object.ClearanceRadius =
-      std::max(0.0, this->Object.ClearanceRadius - ClearanceSlack * input.Scene.Bounds.Width());
     for (const LinearCluster& cluster : clusters)
     {
       if (cluster.Object() == object)
@@ -113,7 +107,8 @@ public:
   {
     const Vec3& low = this->Setup.Origin;
     const Vec3 high = this->Setup.ToWorld(this->Setup.Model.Size);
-    const double radius = this->Object.ClearanceRadius;
+    const MotionObject& object = this->Setup.Objects[this->Index];
+    const double radius = std::max(0.0, object.ClearanceRadius - this->Slack);
     for (std::size_t frame = 0; frame < x.size(); ++frame)
     {
       const int flags = this->Setup.Model.Flag(static_cast<int>(frame), this->Index);
@@ -124,134 +119,24 @@ public:
       for (int c = 0; c < 3; ++c)
       {
         const bool lands = c == 2 && (flags & LandsOnFloor);
-        const double least = low[c] + (lands ? this->Object.RestHeight : radius);
+        const double least = low[c] + (lands ? object.RestHeight : radius);
         x[frame][c] = std::max(least, std::min(x[frame][c], high[c] - radius));
       }
     }
   }
 
-  /// Frames after which the step is not clear.
-  std::vector<std::size_t> Blocked(const std::vector<Vec3>& x) const
-  {
-    const auto& windows = this->Setup.Landings[this->Index];
-    std::vector<std::size_t> blocked;
-    for (std::size_t k = 0; k + 1 < x.size(); ++k)
-    {
-      const double frame = static_cast<double>(k);
-      const bool clear =
-        KeepsInside(this->Input.Scene.Bounds, RequiredClearance(this->Object, windows, frame),
-                    x[k]) &&
-        KeepsInside(this->Input.Scene.Bounds, RequiredClearance(this->Object, windows, frame + 1.0),
-                    x[k + 1]) &&
-        IsMotionClear(this->Setup.Obstacles, this->Object, windows, x[k], frame, x[k + 1],
-                      frame + 1.0);
-      if (!clear)
-      {
-        blocked.push_back(k);
-      }
-    }
-    return blocked;
-  }
-
-  /// Where the optimised motion is not clear it is moved out of the way, and where that is not
-  /// enough it goes back to the planned one, with soft ends.
+  /// Where the optimised motion is not clear it is moved out of the way, or goes back to the plan.
   bool Clear(std::vector<Vec3>& x) const
   {
-    const std::vector<Vec3> found = x;
-    if (this->PushOut(x))
-    {
-      return true;
-    }
-    x = found;
-    return this->GoBack(x);
+    const PathClearance clearance{ this->Setup.Obstacles, this->Input.Scene.Bounds,
+                                   this->Setup.Landings[this->Index],
+                                   this->Setup.Objects[this->Index], this->Slack };
+    const PathFreedom freedom{ this->Weights, this->Setup.FrameStep,
+                               [this](std::vector<Vec3>& path) { this->MakeExact(path); } };
+    return ResolveClearance(clearance, freedom, this->Input.Tracks[this->Index].Positions, x);
   }
 
 private:
-  /// Away from obstacles by what is lacking there, smoothly in time.
-  bool PushOut(std::vector<Vec3>& x) const
-  {
-    std::vector<std::size_t> blocked = this->Blocked(x);
-    for (int round = 0; round < PushRounds && !blocked.empty(); ++round)
-    {
-      const std::vector<Vec3> pushes = SpreadPushes(this->Pushes(x, blocked), PushReach);
-      for (std::size_t f = 0; f < x.size(); ++f)
-      {
-        x[f] += this->Weights[f] * pushes[f];
-      }
-      this->MakeExact(x);
-      blocked = this->Blocked(x);
-    }
-    return blocked.empty();
-  }
-
-  /// By frame, the farthest that the steps after `blocked` frames have to move at it [m].
-  std::vector<Vec3> Pushes(const std::vector<Vec3>& x,
-                           const std::vector<std::size_t>& blocked) const
-  {
-    std::vector<Vec3> pushes(x.size(), Vec3::Zero());
-    for (const std::size_t k : blocked)
-    {
-      Vec3 push = Vec3::Zero();
-      for (const double part : { 0.0, 0.5, 1.0 })
-      {
-        const Vec3 here =
-          this->Lacking(x[k] + part * (x[k + 1] - x[k]), static_cast<double>(k) + part);
-        push = here.norm() > push.norm() ? here : push;
-      }
-      for (const std::size_t f : { k, k + 1 })
-      {
-        pushes[f] = push.norm() > pushes[f].norm() ? push : pushes[f];
-      }
-    }
-    return pushes;
-  }
-
-  /// The way out to the clearance asked for, with the slack given back [m].
-  Vec3 Lacking(const Vec3& x, double frame) const
-  {
-    const Clearance asked =
-      RequiredClearance(this->Object, this->Setup.Landings[this->Index], frame);
-    SurfaceHit hit;
-    const double distance = this->Setup.Obstacles.SignedDistance(x, frame, hit, asked.Exempt);
-    const double wanted = asked.Radius + ClearanceSlack * this->Input.Scene.Bounds.Width();
-    return std::max(0.0, wanted - distance) * hit.Normal;
-  }
-
-  bool GoBack(std::vector<Vec3>& x) const
-  {
-    const std::vector<Vec3>& planned = this->Input.Tracks[this->Index].Positions;
-    const std::vector<Vec3> free = x;
-    std::vector<double> share(x.size(), 0.0); // of the plan, by frame
-    std::vector<std::size_t> blocked = this->Blocked(x);
-    long shortest = SmallestRamp;
-    for (int round = 0; round < FallbackRounds && !blocked.empty(); ++round, shortest *= 2)
-    {
-      for (const std::size_t k : blocked)
-      {
-        // As long as it takes to change over without a jump of speed.
-        const double away = (planned[k] - free[k]).norm();
-        const long ramp = std::max<long>(
-          shortest, std::lround(1.5 * away / (FallbackSpeed * this->Setup.FrameStep)));
-        const long first = static_cast<long>(k) - ramp;
-        const long last = static_cast<long>(k) + 1 + ramp;
-        for (long f = std::max(0L, first); f <= std::min<long>(last, long(x.size()) - 1); ++f)
-        {
-          const double outside =
-            std::max({ 0.0, double(k) - double(f) - 1.0, double(f) - double(k) - 2.0 });
-          const double s = std::clamp(1.0 - outside / static_cast<double>(ramp), 0.0, 1.0);
-          share[f] = std::max(share[f], this->Weights[f] * s * s * (3.0 - 2.0 * s));
-        }
-      }
-      for (std::size_t f = 0; f < x.size(); ++f)
-      {
-        x[f] = free[f] + share[f] * (planned[f] - free[f]);
-      }
-      this->MakeExact(x);
-      blocked = this->Blocked(x);
-    }
-    return blocked.empty();
-  }
-
   // Rows that bind a frame that is kept are kept whole, as in the solver.
   void FindKept(const EditRegion& region)
   {
@@ -262,7 +147,7 @@ private:
     {
       const int inside = std::min(region.First > 0 ? frame - region.First + 1 : frames,
                                   region.Last + 1 < frames ? region.Last - frame + 1 : frames);
-      this->Weights[frame] = isKept(frame) ? 0.0 : std::min(1.0, inside / (SmallestRamp + 1.0));
+      this->Weights[frame] = isKept(frame) ? 0.0 : std::min(1.0, inside / (SoftEdge + 1.0));
     }
     for (const LinearCluster* cluster : this->Clusters)
     {
@@ -279,7 +164,7 @@ private:
   const SpacetimeInput& Input;
   const SpacetimeSetup& Setup;
   std::size_t Index;
-  MotionObject Object;
+  double Slack; // m, that the clearance may miss
   std::vector<const LinearCluster*> Clusters;
   std::vector<const PositionBall*> Balls;
   std::vector<double> Weights; // of going back to the plan, by frame; 0: kept as it was

@@ -27,6 +27,17 @@ void Set(float* p, std::size_t stride, const Vec3& value)
 
 } // namespace
 
+std::vector<LinearCluster> MakeClusters(const SpacetimeModel& model, const ConstraintTable& table,
+                                        const std::vector<bool>& hasFrame)
+{
+  const FixedAt fixedAt = [&](int frame, std::size_t object) -> const Vec3*
+  {
+    const std::size_t index = static_cast<std::size_t>(frame) * model.NumberOfObjects + object;
+    return model.Flags[index] & FixedPosition ? &table.FixedPositions[index] : nullptr;
+  };
+  return MakeClusters(table.Rows, table.Balls, fixedAt, hasFrame);
+}
+
 HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& level,
                                  const ConstraintTable& table, const ParallelFor& parallel,
                                  const std::vector<char>& movable, const FrameShare* share) :

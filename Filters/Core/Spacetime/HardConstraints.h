@@ -3,41 +3,16 @@
 #pragma once
 
 #include "Base/Parallel.h"
+#include "Constraints/LinearCluster.h"
 #include "Spacetime/FrameShare.h"
 #include "Spacetime/SpacetimeModel.h"
 #include "Spacetime/StateVector.h"
 #include "Spacetime/TouchedBalls.h"
 
-#include <Eigen/Core>
-
 #include <vector>
 
 namespace waft
 {
-
-/// |x - Center| <= Radius for an object's position at a frame [dx].
-struct PositionBall
-{
-  int Frame = 0;
-  std::size_t Object = 0;
-  Vec3 Center = Vec3::Zero();
-  double Radius = 0.0;
-};
-
-/// |sum of Coefficient x(Frame) - Value| <= Radius: a velocity or an acceleration as a finite
-/// difference of positions.
-struct DifferenceRow
-{
-  struct Term
-  {
-    int Frame;
-    double Coefficient;
-  };
-  std::size_t Object = 0;
-  std::vector<Term> Terms;
-  Vec3 Value = Vec3::Zero();
-  double Radius = 0.0;
-};
 
 /// All requirements of a problem, in dx and frames.
 struct ConstraintTable
@@ -50,47 +25,7 @@ struct ConstraintTable
   std::vector<Vec3> Planned;
 };
 
-/// Rows of one object that share frames, with the positions that they bind.
-class LinearCluster
-{
-public:
-  LinearCluster(std::size_t object, std::vector<const DifferenceRow*> rows,
-                const std::vector<PositionBall>& balls, const SpacetimeModel& model,
-                const ConstraintTable& table);
-
-  std::size_t Object() const { return this->Owner; }
-  const std::vector<int>& Frames() const { return this->FreeFrames; } // free ones
-  /// positions: one row a free frame; moved to the nearest that meets the rows and balls.
-  void Project(Eigen::MatrixX3d& positions) const;
-  /// Removes what would leave the exact rows.
-  void ProjectTangent(Eigen::MatrixX3d& change) const;
-  /// Largest violation of a row, by its own radius, in the row's unit.
-  double Violation(const Eigen::MatrixX3d& positions) const;
-
-private:
-  void ProjectExact(Eigen::MatrixX3d& positions) const;
-
-  std::size_t Owner;
-  std::vector<int> FreeFrames;
-  Eigen::MatrixXd Exact, Inverse; // rows of radius 0; pseudo-inverse A^T (A A^T)^-1
-  Eigen::MatrixX3d ExactValues;
-  struct BallRow
-  {
-    Eigen::RowVectorXd Coefficients;
-    Eigen::RowVector3d Value;
-    double Radius;
-  };
-  std::vector<BallRow> BallRows;
-  struct BallPoint
-  {
-    int Index;
-    Eigen::RowVector3d Center;
-    double Radius;
-  };
-  std::vector<BallPoint> BallPoints;
-};
-
-/// Groups the rows of each object that share free frames.
+/// Groups the rows of each object that share free frames, of those whose frames are all there.
 std::vector<LinearCluster> MakeClusters(const SpacetimeModel& model, const ConstraintTable& table,
                                         const std::vector<bool>& hasFrame);
 

@@ -12,6 +12,7 @@
 #include "Base/Parallel.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
+#include "Constraints/Constraint.h"
 
 #include <array>
 #include <string>

@@ -2,8 +2,9 @@
 // From a scene in metres and seconds to a problem without units.
 #pragma once
 
-#include "Obstacles/ObstacleSet.h"
+#include "Constraints/Constraint.h"
 #include "Constraints/Rest.h"
+#include "Obstacles/ObstacleSet.h"
 #include "Spacetime/HardConstraints.h"
 #include "Spacetime/Spacetime.h"
 #include "Spacetime/SpacetimeModel.h"

@@ -143,11 +143,11 @@ TEST(ConstraintCheck, StencilsAreTheCentralDifferences)
   for (int f = 0; f < 9; ++f)
   {
     Vec3 sumV = Vec3::Zero(), sumA = Vec3::Zero();
-    for (const auto& [k, c] : PositionStencil(Kind::Velocity, f, time))
+    for (const auto& [k, c] : DerivativeStencil(1, f, time))
     {
       sumV += c * x[k];
     }
-    for (const auto& [k, c] : PositionStencil(Kind::Acceleration, f, time))
+    for (const auto& [k, c] : DerivativeStencil(2, f, time))
     {
       sumA += c * x[k];
     }
@@ -256,7 +256,7 @@ TEST(ConstraintCheck, AgreesWithDenseLinearAlgebraOnExactRows)
       Eigen::MatrixXd more = Eigen::MatrixXd::Zero(kept.rows() + 1, frames + 3);
       more.topRows(kept.rows()) = kept;
       double largest = 0.0;
-      for (const auto& [k, c] : PositionStencil(kind, frame, f.Scene.Time))
+      for (const auto& [k, c] : DerivativeStencil(TraitsOf(kind).Derivative, frame, f.Scene.Time))
       {
         more(kept.rows(), k) = c;
         largest = std::max(largest, std::abs(c));

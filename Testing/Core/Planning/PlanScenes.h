@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/Primitives.h"
+#include "Constraints/Constraint.h"
 #include "Planning/Planner.h"
 #include "SwirlDatabase.h"
 

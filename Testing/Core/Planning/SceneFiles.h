@@ -3,6 +3,7 @@
 #pragma once
 
 #include "../Scene/TestAssets.h"
+#include "Constraints/Constraint.h"
 #include "PlanScenes.h"
 #include "Scene/SceneReader.h"
 

@@ -4,6 +4,7 @@
 
 #include "Base/Primitives.h"
 #include "Base/ShapeMeasures.h"
+#include "Constraints/Constraint.h"
 #include "Rotation/RigidBody.h"
 #include "Rotation/RotationRefine.h"
 

@@ -71,7 +71,7 @@ TEST(SceneErrors, NameThePlace)
     { R"("constraints": {})", "/constraints: expected a list of constraints, found {}" },
     { R"("constraints": [{}])", "/constraints/0/kind: expected position, rest" },
     { R"("constraints": [{"kind": "jump"}])",
-      "/constraints/0/kind: expected position, rest, velocity, acceleration, orientation, path or "
+      "/constraints/0/kind: expected position, velocity, acceleration, orientation, rest, path or "
       "keyframe, found \"jump\"" },
     { R"("constraints": [{"kind": "position", "frame": 3}])",
       "/constraints/0/object: expected the id of an object, found nothing" },

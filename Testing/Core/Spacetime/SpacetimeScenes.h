@@ -4,8 +4,9 @@
 
 #include "Base/Primitives.h"
 #include "Base/Random.h"
-#include "Obstacles/ObstacleSet.h"
+#include "Constraints/Constraint.h"
 #include "Constraints/Rest.h"
+#include "Obstacles/ObstacleSet.h"
 #include "Spacetime/Spacetime.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Spacetime/HardConstraints.h"
+#include "Constraints/LinearCluster.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -17,9 +17,8 @@ constexpr int ProjectionSweeps = 200; // alternating between exact rows and ball
 
 } // namespace
 
-LinearCluster::LinearCluster(std::size_t object, std::vector<const DifferenceRow*> rows,
-                             const std::vector<PositionBall>& balls, const SpacetimeModel& model,
-                             const ConstraintTable& table) :
+LinearCluster::LinearCluster(std::size_t object, const std::vector<const DifferenceRow*>& rows,
+                             const std::vector<PositionBall>& balls, const FixedAt& fixedAt) :
   Owner(object)
 {
   std::set<int> frames;
@@ -27,7 +26,7 @@ LinearCluster::LinearCluster(std::size_t object, std::vector<const DifferenceRow
   {
     for (const DifferenceRow::Term& term : row->Terms)
     {
-      if (!(model.Flag(term.Frame, object) & FixedPosition))
+      if (fixedAt(term.Frame, object) == nullptr)
       {
         frames.insert(term.Frame);
       }
@@ -53,9 +52,7 @@ LinearCluster::LinearCluster(std::size_t object, std::vector<const DifferenceRow
       }
       else
       {
-        const std::size_t place =
-          static_cast<std::size_t>(term.Frame) * model.NumberOfObjects + object;
-        ball.Value -= term.Coefficient * table.FixedPositions[place].transpose();
+        ball.Value -= term.Coefficient * fixedAt(term.Frame, object)->transpose();
       }
     }
     (row->Radius > 0.0 ? this->BallRows : exact).push_back(ball);
@@ -149,13 +146,14 @@ double LinearCluster::Violation(const Eigen::MatrixX3d& x) const
   return largest;
 }
 
-std::vector<LinearCluster> MakeClusters(const SpacetimeModel& model, const ConstraintTable& table,
-                                        const std::vector<bool>& hasFrame)
+std::vector<LinearCluster> MakeClusters(const std::vector<DifferenceRow>& rows,
+                                        const std::vector<PositionBall>& balls,
+                                        const FixedAt& fixedAt, const std::vector<bool>& hasFrame)
 {
   // Rows of one object by their first frame; a row joins the cluster before it when they share a
   // free frame.
   std::map<std::size_t, std::vector<const DifferenceRow*>> byObject;
-  for (const DifferenceRow& row : table.Rows)
+  for (const DifferenceRow& row : rows)
   {
     const bool complete =
       std::all_of(row.Terms.begin(), row.Terms.end(),
@@ -184,18 +182,18 @@ std::vector<LinearCluster> MakeClusters(const SpacetimeModel& model, const Const
     return first;
   };
   std::vector<LinearCluster> clusters;
-  for (auto& [object, rows] : byObject)
+  for (auto& [object, own] : byObject)
   {
-    std::stable_sort(rows.begin(), rows.end(),
+    std::stable_sort(own.begin(), own.end(),
                      [&](const DifferenceRow* a, const DifferenceRow* b)
                      { return firstFrame(a) < firstFrame(b); });
     std::vector<const DifferenceRow*> group;
     int last = -1;
-    for (const DifferenceRow* row : rows)
+    for (const DifferenceRow* row : own)
     {
       if (!group.empty() && firstFrame(row) > last)
       {
-        clusters.emplace_back(object, group, table.Balls, model, table);
+        clusters.emplace_back(object, group, balls, fixedAt);
         group.clear();
       }
       last = group.empty() ? lastFrame(row) : std::max(last, lastFrame(row));
@@ -203,7 +201,7 @@ std::vector<LinearCluster> MakeClusters(const SpacetimeModel& model, const Const
     }
     if (!group.empty())
     {
-      clusters.emplace_back(object, group, table.Balls, model, table);
+      clusters.emplace_back(object, group, balls, fixedAt);
     }
   }
   return clusters;

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is wanted of objects, a row each, and what is reported about it. All that sets one kind of
+// constraint apart from another is in one table, TraitsOf(kind), and in the switches over the kind,
+// which name every kind: the compiler says where a new one has to be decided about.
+#pragma once
+
+#include "Base/Types.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+namespace waft
+{
+
+/// Values of the array `Kind`.
+enum class ConstraintKind : unsigned char
+{
+  Position = 0,
+  Velocity = 1,
+  Acceleration = 2,
+  Orientation = 3,
+  Rest = 4
+};
+inline constexpr int NumberOfConstraintKinds = 5;
+
+struct ConstraintTraits
+{
+  ConstraintKind Kind;
+  const char* Name; // in files and messages
+  const char* Unit; // of Value and Radius
+  /// Value is a place that the path passes through. Any object (-1) may be asked for places alone.
+  bool IsPlace;
+  /// From Frame to Until, and exact whatever the Radius; else at Frame alone.
+  bool Lasts;
+  /// Which derivative of the path by time is wanted: 0, 1 or 2; -1: none, but the attitude.
+  int Derivative;
+  /// By how much a row may be missed beyond its Radius and count as met: of the volume's width for
+  /// derivative 0, of the top speed for 1, of the top speed times frames per second for 2, else in
+  /// its Unit.
+  double Tolerance;
+};
+
+const ConstraintTraits& TraitsOf(ConstraintKind kind);
+
+/// The kind of this name among `TraitsOf`, or null.
+const ConstraintTraits* FindConstraintKind(const std::string& name);
+
+inline const char* ToString(ConstraintKind kind)
+{
+  return TraitsOf(kind).Name;
+}
+inline bool IsPlace(ConstraintKind kind)
+{
+  return TraitsOf(kind).IsPlace;
+}
+/// Its value is an orientation, in Constraint::Orientation.
+inline bool IsAttitude(ConstraintKind kind)
+{
+  return TraitsOf(kind).Derivative < 0;
+}
+
+/// Weights, by frame, of the positions in a derivative of the path at a frame [1/s^derivative]:
+/// CentralVelocities applied no times, once or twice. Empty where the time line is too short.
+std::map<int, double> DerivativeStencil(int derivative, int frame, const Timeline& time);
+
+/// What ConstraintTraits::Tolerance is relative to.
+struct MotionScales
+{
+  double Width = 1.0;           // of the volume [m]
+  double TopSpeed = 1.0;        // of all tracks [m/s]
+  double FramesPerSecond = 1.0; // 1/s
+};
+/// In the kind's unit.
+double ToleranceOf(ConstraintKind kind, const MotionScales& scales);
+
+enum class ConstraintStatus
+{
+  Met,
+  Infeasible, // by itself: inside an obstacle or outside the volume
+  Conflict,   // with another row, named
+  Unreachable // no path found in the limits; the path comes as near as it could
+};
+
+/// "met", "infeasible", "conflict", "unreachable".
+const char* ToString(ConstraintStatus status);
+
+/// What is wanted of one object at one frame.
+struct Constraint
+{
+  int ObjectId = -1; // -1: any object, assigned by the planner
+  int Frame = 0;
+  ConstraintKind Kind = ConstraintKind::Position;
+  Vec3 Value = Vec3::Zero();           // m, m/s or m/s^2; for rest the point above the surface
+  Quat Orientation = Quat::Identity(); // of an orientation row
+  double Radius = 0.0;                 // same unit as Value (orientation: rad); 0: exact
+  int Until = 0;                       // rest lasts from Frame to this frame
+  int Row = 0;                         // index in the scene's list
+  int Target = 0;                      // index in that row's list of targets
+  int Group = -1;                      // rows of one group go to distinct objects
+  int ClassId = -1;                    // -1: any
+  ConstraintStatus Status =
+    ConstraintStatus::Met; // what an earlier stage found: only met rows bind
+};
+
+/// Of what is wanted of a row.
+inline int LastFrame(const Constraint& row)
+{
+  return TraitsOf(row.Kind).Lasts ? std::max(row.Frame, row.Until) : row.Frame;
+}
+
+/// One line of the Report, one per (Row, Target).
+struct ReportRow
+{
+  int Row = 0;
+  int Target = 0;
+  int ObjectId = -1;
+  int Frame = 0;
+  ConstraintKind Kind = ConstraintKind::Position;
+  double Residual = 0.0; // distance beyond Radius, in the unit of Value
+  ConstraintStatus Status = ConstraintStatus::Met;
+  std::string Message;
+};
+
+} // namespace waft
