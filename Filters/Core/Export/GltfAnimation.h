@@ -36,9 +36,9 @@ struct AnimatedObject
 /// also in their extras; keys are linear, at frame / framesPerSecond, and share one list of times;
 /// framesPerSecond itself is in the asset's extras. Materials have two sides. A shape with texture
 /// and texture coordinates has the texture's colours times its Tint, cut by its alpha at one half;
-/// another one has its Color. Both are made linear: a scene's colours are what a screen is told (sRGB), factors of glTF
-/// are amounts of light. Fails on poses of different lengths, an unknown shape, or numbers that are
-/// not finite.
+/// another one has its Color. Both are made linear: a scene's colours are what a screen is told
+/// (sRGB), factors of glTF are amounts of light. Fails on poses of different lengths, an unknown
+/// shape, or numbers that are not finite.
 Result GltfAnimation(const std::vector<AnimatedShape>& shapes,
                      const std::vector<AnimatedObject>& objects, double framesPerSecond,
                      std::string& bytes);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/ObjectPlan.h"
 
-#include "Planning/ObjectProgress.h"
 #include "Constraints/Repair.h"
+#include "Planning/ObjectProgress.h"
 #include "Planning/Seams.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 // found no way on.
 #pragma once
 
-#include "Planning/ObjectPlan.h"
 #include "Constraints/Warp.h"
+#include "Planning/ObjectPlan.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/Planner.h"
 
-#include "Constraints/Keyframes.h"
 #include "Constraints/ConstraintCheck.h"
+#include "Constraints/Keyframes.h"
 #include "Planning/InputCheck.h"
 #include "Planning/ObjectPlan.h"
 #include "Planning/PlanMemory.h"

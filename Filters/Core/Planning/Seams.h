@@ -2,8 +2,8 @@
 // All flights of an object made one motion: its rows met, acceleration continuous where they meet.
 #pragma once
 
-#include "Planning/Itinerary.h"
 #include "Constraints/Warp.h"
+#include "Planning/Itinerary.h"
 
 #include <vector>
 

@@ -2,8 +2,8 @@
 // The path of a span laid through its marks, and brought down gently where it lands.
 #pragma once
 
-#include "Planning/Span.h"
 #include "Constraints/Warp.h"
+#include "Planning/Span.h"
 
 #include <vector>
 

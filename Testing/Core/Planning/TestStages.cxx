@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Free flight, refinement, clearance, repair and seams: each stage on its own.
-#include "Planning/Refinement.h"
 #include "Constraints/Repair.h"
+#include "Planning/Refinement.h"
 #include "Planning/Seams.h"
 
 #include "Base/Primitives.h"
