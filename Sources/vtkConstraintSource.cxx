@@ -120,22 +120,24 @@ int vtkConstraintSource::RequestData(vtkInformation*, vtkInformationVector**,
                       "LastFrame: expected at least " + std::to_string(this->Frame + count - 1) +
                         ", a frame for each of " + std::to_string(count) + " waypoints");
   }
-  if (count > 0 && this->Kind != POSITION && this->Kind != REST)
+  const waft::ConstraintTraits& kind =
+    waft::TraitsOf(static_cast<waft::ConstraintKind>(this->Kind));
+  if (count > 0 && !kind.IsPlace)
   {
     return waft::Fail(this, outputs, "Kind: expected position or rest, since there are waypoints");
   }
   waft::Constraint row;
-  row.Kind = static_cast<waft::ConstraintKind>(this->Kind);
+  row.Kind = kind.Kind;
   row.ObjectId = this->ObjectId;
   row.Frame = this->Frame;
   const int until = this->Until < 0 ? last : this->Until;
-  row.Until = this->Kind == REST ? until : this->Frame;
+  row.Until = kind.Lasts ? until : this->Frame;
   row.Value = waft::Vec3(this->Value);
   const double* q = this->Orientation;
   row.Orientation = waft::Quat(q[0], q[1], q[2], q[3]);
   row.Radius = this->Radius;
   row.Row = -1;
-  if (this->Kind == ORIENTATION && !(row.Orientation.norm() > 0.0))
+  if (waft::IsAttitude(kind.Kind) && !(row.Orientation.norm() > 0.0))
   {
     return waft::Fail(this, outputs, "Orientation: expected a quaternion that is not zero");
   }
@@ -146,7 +148,7 @@ int vtkConstraintSource::RequestData(vtkInformation*, vtkInformationVector**,
     own.Value = waft::Vec3(this->Waypoints[static_cast<std::size_t>(k)].data());
     const double share = count > 1 ? static_cast<double>(k) / (count - 1) : 0.0;
     own.Frame = this->Frame + static_cast<int>(std::lround(share * (lastFrame - this->Frame)));
-    own.Until = this->Kind == REST ? std::max(own.Frame, own.Until) : own.Frame;
+    own.Until = waft::LastFrame(own);
   }
   waft::ConstraintsToPolyData(rows, info, vtkPolyData::GetData(outputs));
   waft::RequestedTime(outputs, 0, info.Time);
