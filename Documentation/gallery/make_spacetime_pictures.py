@@ -30,7 +30,7 @@ from waft._scenery import lines
 from waft.files import table_rows
 from waft.loading import load_plugin
 from waft.pipeline import Pipeline
-from waft.synthesis import set_threads
+from waft.loading import set_threads
 
 EYE = (-6.3, -11.2, 6.0)
 FOCUS = (0.0, 0.0, 1.75)

@@ -6,8 +6,10 @@
 
 Rules: nothing under Filters/Core includes VTK; a Core library includes only itself and the libraries it
 is allowed; wrappers (Sources, Filters/Motion) include no other wrapper's header but that of an
-abstract base; Bridge includes no wrapper; third-party libraries stay in the Core library that owns them.
+abstract base; Bridge includes no wrapper; third-party libraries stay in the Core library that owns them; modules of the
+Python package import each other in no circle, within functions neither.
 """
+import ast
 import pathlib
 import re
 import sys
@@ -88,9 +90,46 @@ def check_wrappers(root):
                 yield path, number, f"{first} belongs to {sorted(THIRD_PARTY_OWNERS[first])}: {header}"
 
 
+def python_imports(path, package):
+    """{name: line} of the modules of a package that one of them imports."""
+    names = {}
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            found = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            origin = ".".join(filter(None, [package if node.level else "", node.module]))
+            found = [origin, *(f"{origin}.{alias.name}" for alias in node.names)]
+        else:
+            continue
+        for name in found:
+            if name.startswith(package + "."):
+                names.setdefault(name.split(".")[1], node.lineno)
+    return names
+
+
+def check_python(root):
+    folder = root / "Plugin" / "Python" / "waft"
+    modules = {path.stem: path for path in sorted(folder.glob("*.py"))}
+    imports = {name: {other: line for other, line in python_imports(path, folder.name).items() if other in modules}
+               for name, path in modules.items()}
+    done = set()
+
+    def visit(name, way):
+        for other, line in imports[name].items():
+            if other in way:
+                yield modules[name], line, "imports in a circle: " + " -> ".join([*way[way.index(other):], other])
+            elif other not in done:
+                yield from visit(other, [*way, other])
+        done.add(name)
+
+    for name in imports:
+        if name not in done:
+            yield from visit(name, [name])
+
+
 def check(root):
     root = pathlib.Path(root)
-    return list(check_core(root)) + list(check_wrappers(root))
+    return [*check_core(root), *check_wrappers(root), *check_python(root)]
 
 
 def main():

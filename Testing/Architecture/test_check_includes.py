@@ -47,6 +47,14 @@ class Rules(unittest.TestCase):
     def test_unknown_library(self):
         self.assertEqual(1, len(self.violations({"Filters/Core/Misc/A.h": "\n"})))
 
+    def test_python_modules_import_in_no_circle(self):
+        files = {"Plugin/Python/waft/a.py": "from waft import b\n",
+                 "Plugin/Python/waft/b.py": "def late():\n    from .c import d\n",
+                 "Plugin/Python/waft/c.py": "import os\n"}
+        self.assertEqual([], self.violations(files))
+        files["Plugin/Python/waft/c.py"] = "import waft.a\n"
+        self.assertEqual(["imports in a circle: a -> b -> c -> a"], self.violations(files))
+
 
 if __name__ == "__main__":
     unittest.main()

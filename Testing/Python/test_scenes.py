@@ -14,7 +14,7 @@ import unittest
 from waft.files import table_rows
 from waft.loading import load_plugin
 from waft.pipeline import Pipeline
-from waft.synthesis import set_threads
+from waft.loading import set_threads
 
 FOLDER = pathlib.Path(sys.argv.pop(1))
 

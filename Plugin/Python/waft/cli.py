@@ -119,7 +119,7 @@ def parser():
 
 
 def run_synthesize(options):
-    from waft.synthesis import synthesize
+    from waft.synthesis import synthesize, tell
 
     run = synthesize(options.scene, output=options.output, database=options.database, seed=options.seed,
                      threads=options.threads, time_limit=options.time_limit, preview=options.preview,
@@ -127,19 +127,6 @@ def run_synthesize(options):
                      memory_limit=options.memory_limit)
     tell(run, options.output)
     return run.status
-
-
-def tell(run, folder):
-    """What came out, on stderr: warnings, constraints that are not met, and a line of figures."""
-    for warning in run.warnings:
-        print(f"waft: warning: {warning}", file=sys.stderr)
-    for row in run.report:
-        if row["Status"] != "met":
-            print(f"waft: row {row['Row']} target {row['Target']} (object {row['ObjectId']}, frame {row['Frame']}, "
-                  f"{row['Kind']}): {row['Status']}: {row['Message']}", file=sys.stderr)
-    met = sum(row["Status"] == "met" for row in run.report)
-    seconds = ", ".join(f"{name} {watch.seconds:.1f} s" for name, watch in run.watches.items())
-    print(f"{folder}: {met} of {len(run.report)} constraints met ({seconds})", file=sys.stderr)
 
 
 def run_database(options):

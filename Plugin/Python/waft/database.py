@@ -9,8 +9,8 @@ from paraview import simple
 
 from waft import failures
 from waft.files import table_rows, write_csv, write_xml
+from waft.loading import set_threads
 from waft.results import ResultPlace
-from waft.synthesis import set_threads
 from waft.watching import Clock, StageWatch
 
 

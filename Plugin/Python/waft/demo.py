@@ -4,9 +4,8 @@ import pathlib
 import sys
 
 from waft import failures
-from waft.cli import tell
 from waft.loading import data_file
-from waft.synthesis import synthesize
+from waft.synthesis import synthesize, tell
 from waft.watching import interruptible
 
 SCENES = ("feather-waypoints", "leaves-letters")

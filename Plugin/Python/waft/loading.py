@@ -48,3 +48,11 @@ def load_plugin():
     if running != built_for:
         raise ImportError(f"Waft was built for ParaView {built_for}, this is ParaView {running}")
     simple.LoadPlugin(str(plugin), remote=False, ns=vars(simple))
+
+
+def set_threads(threads):
+    """Number of threads of every stage (None: all cores). Results do not depend on it."""
+    from vtkmodules.vtkCommonCore import vtkSMPTools
+
+    vtkSMPTools.SetBackend("STDThread" if threads != 1 else "Sequential")
+    vtkSMPTools.Initialize(threads or 0)

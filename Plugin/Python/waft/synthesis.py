@@ -6,24 +6,17 @@ import os
 import pathlib
 import re
 import shutil
+import sys
 
 from waft import failures
 from waft.files import number, table_rows, write_csv, write_pvd, write_xml
-from waft.loading import version
+from waft.loading import set_threads, version
 from waft.results import Entry, ResultPlace, read_json
 from waft.resuming import Checkpoint, run_key
 from waft.watching import Clock, collect
 
 STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
 REPORT = "report.json"
-
-
-def set_threads(threads):
-    """Number of threads of every stage (None: all cores). Results do not depend on it."""
-    from vtkmodules.vtkCommonCore import vtkSMPTools
-
-    vtkSMPTools.SetBackend("STDThread" if threads != 1 else "Sequential")
-    vtkSMPTools.Initialize(threads or 0)
 
 
 def synthesize(scene, output=None, database=None, seed=None, threads=None, time_limit=None,
@@ -83,6 +76,19 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
             if not pipeline.stopped:
                 checkpoint.clear()
     return pipeline
+
+
+def tell(run, folder):
+    """What came out, on stderr: warnings, constraints that are not met, and a line of figures."""
+    for warning in run.warnings:
+        print(f"waft: warning: {warning}", file=sys.stderr)
+    for row in run.report:
+        if row["Status"] != "met":
+            print(f"waft: row {row['Row']} target {row['Target']} (object {row['ObjectId']}, frame {row['Frame']}, "
+                  f"{row['Kind']}): {row['Status']}: {row['Message']}", file=sys.stderr)
+    met = sum(row["Status"] == "met" for row in run.report)
+    seconds = ", ".join(f"{name} {watch.seconds:.1f} s" for name, watch in run.watches.items())
+    print(f"{folder}: {met} of {len(run.report)} constraints met ({seconds})", file=sys.stderr)
 
 
 def is_first_rank():
