@@ -3,6 +3,7 @@
 
 #include "Bridge/ArrayNames.h"
 #include "Bridge/Arrays.h"
+#include "Bridge/ConstraintData.h"
 #include "Bridge/KeptStage.h"
 #include "Bridge/PoseData.h"
 #include "Bridge/SceneData.h"
@@ -18,6 +19,7 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
+#include <vtkTable.h>
 
 #include <algorithm>
 #include <utility>
@@ -42,6 +44,7 @@ enum OutputPort
 {
   MeshesPort,
   PosesPort,
+  ReportPort,
   NumberOfOutputs
 };
 
@@ -128,6 +131,7 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
                           this->Kept<vtkPolyData>(PosesPort));
     waft::AddDoubles(this->Kept<vtkPolyData>(PosesPort)->GetCellData(), waft::names::Shift,
                      farthest);
+    waft::ReportToTable(this->Rotation.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
   }
   return result;
 }
@@ -159,6 +163,12 @@ int vtkRotationRefineFilter::FillInputPortInformation(int port, vtkInformation* 
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
+  return 1;
+}
+
+int vtkRotationRefineFilter::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == ReportPort ? "vtkTable" : "vtkPolyData");
   return 1;
 }
 

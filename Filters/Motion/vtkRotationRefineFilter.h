@@ -19,6 +19,8 @@
  * Output port 1, Poses (vtkPolyData): Tracks with `Orientation` (w, x, y, z), `AngularVelocity`
  * [rad/s, world] and `Torque` [N m, world] at every frame, and by line `Shift` [m]: how far its
  * centre is moved from its track at most, so that the mesh lies on a surface.
+ * Output port 2, Report (vtkTable): one line for each orientation row, with the columns of the
+ * planner's Report; `Residual` [rad] is measured on the poses, beyond the row's radius.
  *
  * Shi et al. 2005, section 6 (model Paper: drag, Eq. 5, on each visible piece of surface); the
  * model Plate adds what lets thin bodies flutter and tumble: see
@@ -120,6 +122,7 @@ protected:
   ~vtkRotationRefineFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector** inputs,
                          vtkInformationVector* outputs) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,

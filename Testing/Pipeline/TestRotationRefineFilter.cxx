@@ -20,6 +20,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkRotationRefineFilter.h>
+#include <vtkTable.h>
 #include <vtkTrivialProducer.h>
 
 #include <gtest/gtest.h>
@@ -167,6 +168,29 @@ TEST(RotationRefineFilter, PosesAndMeshesAgree)
     EXPECT_EQ(poses[0].Orientations[k].coeffs(), poses[0].Orientations[40].coeffs());
     EXPECT_EQ(poses[0].AngularVelocities[k].norm(), 0.0);
   }
+}
+
+TEST(RotationRefineFilter, OrientationRowsAreReported)
+{
+  Pipeline pipeline;
+  Constraint met;
+  met.ObjectId = 5;
+  met.Row = 2;
+  met.Frame = 20;
+  met.Kind = ConstraintKind::Orientation;
+  Constraint missed = met; // half a turn in a frame
+  missed.Row = 3;
+  missed.Frame = 21;
+  missed.Orientation = Quat(0.0, 1.0, 0.0, 0.0);
+  ConstraintsToPolyData({ met, missed }, pipeline.Info, pipeline.RowData);
+  pipeline.Filter->Update();
+  auto* report = vtkTable::SafeDownCast(pipeline.Filter->GetOutputDataObject(2));
+  ASSERT_EQ(report->GetNumberOfRows(), 2);
+  EXPECT_EQ(report->GetValueByName(0, "Status").ToString(), "met");
+  EXPECT_EQ(report->GetValueByName(0, "Row").ToInt(), 2);
+  EXPECT_LT(report->GetValueByName(0, "Residual").ToDouble(), 1e-9);
+  EXPECT_EQ(report->GetValueByName(1, "Status").ToString(), "unreachable");
+  EXPECT_NEAR(report->GetValueByName(1, "Residual").ToDouble(), std::acos(-1.0) - 2.0, 1e-6);
 }
 
 TEST(RotationRefineFilter, PlayingComputesOnceAndOrderDoesNotMatter)

@@ -55,7 +55,8 @@ def build():
 
 def check_numbers(planner, spacetime, rotation):
     rotation.UpdatePipeline()
-    poses = rotation.GetClientSideObject().GetOutputDataObject(1)
+    turner = rotation.GetClientSideObject()
+    poses = turner.GetOutputDataObject(1)
     check(poses.GetNumberOfPoints() == 3 * FRAMES, "poses have a point an object and a frame")
     for name in ("Frame", "Time", "Velocity", "ForceType", "VortexId", "Force", "AirVelocity", "SPHVelocity",
                  "Orientation", "AngularVelocity", "Torque"):
@@ -66,6 +67,10 @@ def check_numbers(planner, spacetime, rotation):
     turned = poses.GetPointData().GetArray("Orientation")
     norms = [sum(c * c for c in turned.GetTuple4(i)) for i in range(turned.GetNumberOfTuples())]
     check(max(abs(n - 1.0) for n in norms) < 1e-9, "quaternions are unit")
+    report = turner.GetOutputDataObject(2)
+    check([report.GetColumnName(c) for c in range(report.GetNumberOfColumns())]
+          == ["Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message"],
+          "the report of orientations has the columns of the other reports")
 
     convergence = spacetime.GetClientSideObject().GetOutputDataObject(4)
     stages = [convergence.GetColumnByName("Stage").GetValue(r) for r in range(convergence.GetNumberOfRows())]

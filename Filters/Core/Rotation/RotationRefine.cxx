@@ -3,11 +3,13 @@
 
 #include "Base/Random.h"
 #include "Base/ShapeMeasures.h"
+#include "Constraints/ConstraintCheck.h"
 #include "Constraints/Rest.h"
 #include "Rotation/Turning.h"
 
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace waft
 {
@@ -193,6 +195,44 @@ AirCoefficients Coefficients(const RotationInput& input, const RotationOptions& 
   vary(coefficients.Spin);
   return coefficients;
 }
+
+/// Judges the orientation rows by themselves, measures them on the poses, and warns of those that
+/// no earlier stage has told.
+void ReportOrientations(const RotationInput& input,
+                        const std::map<std::pair<int, int>, std::string>& tooFast,
+                        RotationOutput& output)
+{
+  std::vector<Constraint> rows;
+  std::set<std::pair<int, int>> told;
+  for (const Constraint& row : input.Constraints)
+  {
+    if (row.Kind == ConstraintKind::Orientation)
+    {
+      rows.push_back(row);
+      if (row.Status != ConstraintStatus::Met)
+      {
+        told.insert({ row.Row, row.Target });
+      }
+    }
+  }
+  const ObstacleSet none;
+  output.Report =
+    JudgeConstraints(rows, input.Objects, input.Obstacles ? *input.Obstacles : none, input.Scene);
+  MeasureOrientationResiduals(rows, output.Poses, output.Report);
+  for (ReportRow& line : output.Report)
+  {
+    const std::pair<int, int> key(line.Row, line.Target);
+    const auto reason = tooFast.find(key);
+    if (line.Status == ConstraintStatus::Unreachable && reason != tooFast.end())
+    {
+      line.Message += "; " + reason->second;
+    }
+    if (line.Status != ConstraintStatus::Met && told.count(key) == 0)
+    {
+      output.Warnings.push_back("object " + std::to_string(line.ObjectId) + ": " + line.Message);
+    }
+  }
+}
 } // namespace
 
 Result RotationOptions::Validate() const
@@ -303,6 +343,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
     }
   }
 
+  std::map<std::pair<int, int>, std::string> tooFast;
   for (TurningOutcome& outcome : outcomes)
   {
     for (std::size_t k = 0; k < outcome.Poses.Orientations.size(); ++k)
@@ -316,9 +357,10 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
     }
     result.Poses.push_back(std::move(outcome.Poses));
     result.Shifts.push_back(std::move(outcome.Shifts));
-    result.Report.insert(result.Report.end(), outcome.Report.begin(), outcome.Report.end());
+    tooFast.merge(outcome.TooFast);
     result.Warnings.insert(result.Warnings.end(), outcome.Warnings.begin(), outcome.Warnings.end());
   }
+  ReportOrientations(input, tooFast, result);
   output = std::move(result);
   return Result::Ok();
 }

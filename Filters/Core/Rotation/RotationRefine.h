@@ -57,7 +57,9 @@ struct RotationOutput
   /// m, by which centres are moved so that meshes touch surfaces and do not cut them: in the order
   /// of Tracks, one a frame, or empty for a track that stays; at most 1e-3 of the volume's width.
   std::vector<std::vector<Vec3>> Shifts;
-  std::vector<ReportRow> Report;     // one for each orientation row
+  /// One line for each orientation row: judged by itself, then measured on the poses, with the
+  /// reason where the greatest turning rate does not do.
+  std::vector<ReportRow> Report;
   std::vector<std::string> Warnings; // objects and shapes are named; rows that are not met too
 };
 

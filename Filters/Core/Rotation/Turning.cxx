@@ -9,7 +9,6 @@
 #include "Rotation/Touching.h"
 
 #include <cmath>
-#include <map>
 
 namespace waft
 {
@@ -50,7 +49,6 @@ public:
     KeepAbove(this->Plan, this->Marks, this->Out);
     SetRatesWhereTurned(this->Marks.Changed, this->Path.Step, this->Out.Poses);
     JoinSigns(this->Out.Poses.Orientations);
-    this->ReportKeys();
     return std::move(this->Out);
   }
 
@@ -262,8 +260,9 @@ private:
     {
       return wanted;
     }
-    this->TooFast[&key] = "asks for " + Short(turn.norm() / time) + " rad/s since frame " +
-                          std::to_string(from) + ", more than " + Short(this->Plan.TurningRate);
+    this->Out.TooFast[{ key.Row, key.Target }] = "it asks for " + Short(turn.norm() / time) +
+                                                 " rad/s since frame " + std::to_string(from) +
+                                                 ", more than " + Short(this->Plan.TurningRate);
     return (ExpMap(share * turn) * start).normalized();
   }
 
@@ -344,35 +343,6 @@ private:
     this->State.Frame = end;
   }
 
-  void ReportKeys()
-  {
-    for (const Constraint& key : this->Plan.Keys)
-    {
-      ReportRow row;
-      row.Row = key.Row;
-      row.Target = key.Target;
-      row.ObjectId = key.ObjectId;
-      row.Frame = key.Frame;
-      row.Kind = ConstraintKind::Orientation;
-      const Quat& pose = this->Out.Poses.Orientations[key.Frame];
-      const double angle = LogMap(pose * key.Orientation.normalized().conjugate()).norm();
-      row.Residual = std::max(0.0, angle - key.Radius);
-      if (row.Residual > 1e-9)
-      {
-        const auto tooFast = this->TooFast.find(&key);
-        const bool late = tooFast != this->TooFast.end();
-        row.Status = late ? ConstraintStatus::Unreachable : ConstraintStatus::Conflict;
-        row.Message = "object " + std::to_string(key.ObjectId) + ", frame " +
-                      std::to_string(key.Frame) + ": " +
-                      (late ? "the orientation " + tooFast->second
-                            : "another row or the surface it rests on asks for a pose " +
-                                Short(angle) + " rad away");
-        this->Out.Warnings.push_back(row.Message);
-      }
-      this->Out.Report.push_back(row);
-    }
-  }
-
   const TurningPlan& Plan;
   const FlightBody& Body;
   const FlightPath& Path;
@@ -380,7 +350,6 @@ private:
   Now State;
   TurningOutcome Out;
   FrameMarks Marks;
-  std::map<const Constraint*, std::string> TooFast; // rows that no turning rate can meet, and why
 };
 } // namespace
 

@@ -9,7 +9,9 @@
 #include "Constraints/Rest.h"
 #include "Rotation/Flight.h"
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace waft
@@ -38,7 +40,8 @@ struct TurningOutcome
 {
   PoseTrack Poses;
   std::vector<Vec3> Shifts; // m, by which the centre was moved, one a frame; empty: not at all
-  std::vector<ReportRow> Report;
+  std::map<std::pair<int, int>, std::string> TooFast; // (Row, Target) of keys that no turning rate
+                                                      // can meet, and why
   std::vector<std::string> Warnings;
 };
 

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From a scene file to an animation."""
 import contextlib
-import math
 import os
 import pathlib
 import re
@@ -9,7 +8,7 @@ import shutil
 import sys
 
 from waft import failures
-from waft.files import number, table_rows, write_csv, write_pvd, write_xml
+from waft.files import table_rows, write_csv, write_pvd, write_xml
 from waft.loading import set_threads, version
 from waft.results import Entry, ResultPlace, read_json
 from waft.resuming import Checkpoint, run_key
@@ -189,14 +188,17 @@ def _check_room(pipeline, settings):
 
 
 def constraint_report(pipeline):
-    """The optimiser's report, with the reasons of the planner and the orientation rows measured on the poses."""
+    """The optimiser's report, with the reasons of the planner and the orientation rows as they were turned."""
     report = _dictionaries(pipeline.output("spacetime", 5))
+    turned = {(row["Row"], row["Target"]): row for row in _dictionaries(pipeline.output("rotation", 2))}
     reasons = {(row["Row"], row["Target"]): row["Message"] for row in pipeline.plan_report if row["Status"] != "met"}
     for row in report:
         reason = reasons.get((row["Row"], row["Target"]))
         if reason is not None:  # the plan's, with how near the result comes
             row["Message"] = "; ".join(_sentences(reason, False) + _sentences(row["Message"], True))
-    _measure_orientations(pipeline, report)
+        measured = turned.get((row["Row"], row["Target"]))
+        if measured is not None and row["Kind"] == "orientation" and row["Status"] == "met":
+            row.update((name, measured[name]) for name in ("Residual", "Status", "Message"))
     return report
 
 
@@ -207,36 +209,6 @@ def _sentences(message, are_approaches):
 def _dictionaries(table):
     header, rows = table_rows(table)
     return [dict(zip(header, row)) for row in rows]
-
-
-def _measure_orientations(pipeline, report):
-    constraints = pipeline.planned(3)
-    arrays = constraints.GetPointData()
-    poses = pipeline.output("rotation", 1)
-    by_place = {(int(r["Row"]), int(r["Target"])): r for r in report if r["Kind"] == "orientation"}
-    if not by_place or poses.GetNumberOfPoints() == 0:
-        return
-    ids = [int(poses.GetCellData().GetArray("ObjectId").GetValue(c)) for c in range(poses.GetNumberOfCells())]
-    turned = poses.GetPointData().GetArray("Orientation")
-    frames = poses.GetNumberOfPoints() // max(1, poses.GetNumberOfCells())
-    for i in range(constraints.GetNumberOfPoints()):
-        place = (int(arrays.GetArray("Row").GetValue(i)), int(arrays.GetArray("Target").GetValue(i)))
-        if int(arrays.GetArray("Kind").GetValue(i)) != 3 or place not in by_place:
-            continue
-        row = by_place[place]
-        if row["Status"] != "met":
-            continue
-        frame = int(arrays.GetArray("Frame").GetValue(i))
-        track = ids.index(int(arrays.GetArray("ObjectId").GetValue(i)))
-        wanted = arrays.GetArray("Value").GetTuple4(i)
-        seen = turned.GetTuple4(track * frames + frame)
-        dot = min(1.0, abs(sum(a * b for a, b in zip(wanted, seen))))
-        sine = math.sqrt(max(0.0, 1.0 - dot * dot))
-        residual = max(0.0, 2.0 * math.atan2(sine, dot) - arrays.GetArray("Radius").GetValue(i))
-        row["Residual"] = number(residual)
-        if residual > 1e-6:
-            row["Status"] = "unreachable"
-            row["Message"] = f"the orientation is off by {residual:.3g} rad beyond its radius"
 
 
 def write_results(pipeline, place, scene, checkpoint, meshes=False):

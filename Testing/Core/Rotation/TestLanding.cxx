@@ -125,9 +125,12 @@ TEST(Landing, ARowWithinTheRestChoosesTheHeading)
   Landed landed = Land(ground, Quat::Identity(), 0.0);
   const Constraint key = OrientationRow(95, ExpMap(Vec3(0.0, 0.0, 2.0)));
   landed.Input.Constraints.push_back(key);
+  landed.Input.Scene.Time.NumberOfFrames =
+    static_cast<int>(landed.Input.Tracks[0].Positions.size());
   landed.Output = Refine(landed.Input);
   EXPECT_LT(Angle(landed.Output.Poses[0].Orientations[90], key.Orientation), 1e-9);
-  EXPECT_EQ(landed.Output.Report[0].Status, ConstraintStatus::Met);
+  EXPECT_EQ(landed.Output.Report[0].Status, ConstraintStatus::Met)
+    << landed.Output.Report[0].Message;
 }
 
 TEST(Landing, RestFromTheFirstFrame)

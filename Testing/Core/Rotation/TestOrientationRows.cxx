@@ -66,9 +66,10 @@ TEST(OrientationRows, RowsThatNoTurningRateCanMeetAreNamed)
   EXPECT_EQ(output.Report[1].Status, ConstraintStatus::Unreachable);
   EXPECT_EQ(output.Report[2].Status, ConstraintStatus::Met);
   EXPECT_NEAR(output.Report[1].Residual, std::acos(-1.0) - 60.0 / 30.0, 1e-9);
-  EXPECT_NE(output.Report[1].Message.find("object 0, frame 31"), std::string::npos);
+  EXPECT_NE(output.Report[1].Message.find("orientation at frame 31: missed by"), std::string::npos);
+  EXPECT_NE(output.Report[1].Message.find("rad/s since frame 30, more than 60"), std::string::npos);
   ASSERT_EQ(output.Warnings.size(), 1u);
-  EXPECT_EQ(output.Warnings[0], output.Report[1].Message);
+  EXPECT_EQ(output.Warnings[0], "object 0: " + output.Report[1].Message);
   RotationOptions faster;
   faster.TurningRate = 100.0;
   EXPECT_EQ(Refine(input, faster).Report[1].Status, ConstraintStatus::Met);
@@ -80,10 +81,24 @@ TEST(OrientationRows, TwoWishesAtOneFrameAreNamed)
   for (const double angle : { 0.3, 1.0 })
   {
     input.Constraints.push_back(OrientationRow(30, ExpMap(Vec3(angle, 0.0, 0.0))));
+    input.Constraints.back().Target = static_cast<int>(input.Constraints.size()) - 1;
   }
   const RotationOutput output = Refine(input);
   ASSERT_EQ(output.Report.size(), 2u);
   EXPECT_EQ(output.Report[0].Status, ConstraintStatus::Met);
   EXPECT_EQ(output.Report[1].Status, ConstraintStatus::Conflict);
   EXPECT_NEAR(output.Report[1].Residual, 0.7, 1e-9);
+  EXPECT_EQ(output.Warnings.size(), 1u);
+}
+
+TEST(OrientationRows, RowsThatAnEarlierStageGaveUpAreMeasuredAndNotToldAgain)
+{
+  RotationInput input = OneObject(CurledLeaf(), SwayingPath(60));
+  input.Constraints = { OrientationRow(30, Quat(0.0, 0.0, 1.0, 0.0)) };
+  input.Constraints[0].Status = ConstraintStatus::Conflict;
+  const RotationOutput output = Refine(input);
+  ASSERT_EQ(output.Report.size(), 1u);
+  EXPECT_EQ(output.Report[0].Status, ConstraintStatus::Conflict);
+  EXPECT_GT(output.Report[0].Residual, 0.0);
+  EXPECT_TRUE(output.Warnings.empty());
 }
