@@ -15,6 +15,25 @@ function(waft_core_library name)
   target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE ${arg_PRIVATE})
 endfunction()
 
+# The suites of GoogleTest that take longer than some seconds, of any program; all others are fast.
+set(WAFT_SLOW_SUITES Checkpoint ClusterRuns Clusters DatabaseBuild Edit FreeFlight Landing Landings Mazes
+  MotionDatabaseSource MovingObstacles PlanMemory Planner PlannerBadInput PropertyValues Ranks RunSpacetime SceneSchema
+  SpacetimeMotion StylisticPlannerFilter Surfaces WarmStart Windows)
+
+# waft_discover_tests(<program> <prefix>): each TEST of a program is an entry of ctest, labelled fast or slow.
+function(waft_discover_tests target prefix)
+  list(TRANSFORM WAFT_SLOW_SUITES APPEND ".*" OUTPUT_VARIABLE slow)
+  list(JOIN slow ":" slow)
+  gtest_discover_tests(${target} TEST_PREFIX ${prefix} DISCOVERY_TIMEOUT 600 TEST_FILTER "-${slow}" PROPERTIES LABELS fast)
+  gtest_discover_tests(${target} TEST_PREFIX ${prefix} DISCOVERY_TIMEOUT 600 TEST_FILTER "${slow}" PROPERTIES LABELS slow)
+endfunction()
+
+# waft_label_tests(<label>): of all tests that add_test made in this folder so far.
+macro(waft_label_tests label)
+  get_directory_property(tests TESTS)
+  set_tests_properties(${tests} PROPERTIES LABELS ${label})
+endmacro()
+
 # waft_core_test(<Library> <source>... [DEPENDS <more Core libraries>] [PRIVATE <third-party targets>])
 # One GoogleTest program WaftTest<Library>; each TEST becomes a ctest entry named Core.<Library>.*.
 function(waft_core_test name)
@@ -27,7 +46,7 @@ function(waft_core_test name)
     target_link_libraries(${target} PRIVATE WaftCore${dependency})
   endforeach()
   target_compile_definitions(${target} PRIVATE "WAFT_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\"")
-  gtest_discover_tests(${target} TEST_PREFIX "Core.${name}." DISCOVERY_TIMEOUT 600)
+  waft_discover_tests(${target} "Core.${name}.")
 endfunction()
 
 # waft_core_benchmark(<Name> <source>... DEPENDS <Core libraries>): a program WaftBenchmark<Name>
