@@ -13,7 +13,7 @@ namespace waft
 {
 
 /// [s] in which a thing that settles is braked to rest, as on a cushion of air.
-constexpr double LandingTime = 1.0 / 3.0;
+constexpr double CushionTime = 1.0 / 3.0;
 
 /// The centre of a body that lies on the first surface straight below `value` at a frame: x and y
 /// are the value's, the height is the surface's plus restHeight / normal.z, so that a body lying in

@@ -93,7 +93,7 @@ void BringDown(const SpanRequest& request, const SegmentLibrary& library, SpanWa
                std::vector<Vec3>& positions)
 {
   const double second = library.Options().FramesPerSecond;
-  const auto cushion = static_cast<int>(std::lround(second * LandingTime));
+  const auto cushion = static_cast<int>(std::lround(second * CushionTime));
   const auto inner = static_cast<int>(std::lround(0.9 * second));
   const auto outer = static_cast<int>(std::lround(1.5 * second));
   const int frames = span.Clock.Frames;

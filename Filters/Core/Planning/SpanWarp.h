@@ -29,7 +29,7 @@ SpanWarp LaySpan(const SpanRequest& request, const SpanClock& clock, const std::
                  const Vec3& end, bool toGoal);
 
 /// In the last second before a rest it sinks evenly, no faster than the goal allows, and slows down
-/// over the LandingTime. The height that this leaves over is spread over the rest of the span.
+/// over the CushionTime. The height that this leaves over is spread over the rest of the span.
 /// positions: the span's frames, before and after. Leaves alone what does not land.
 void BringDown(const SpanRequest& request, const SegmentLibrary& library, SpanWarp& span,
                std::vector<Vec3>& positions);

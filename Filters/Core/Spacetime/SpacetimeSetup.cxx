@@ -244,7 +244,7 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
     model.Clearances.push_back(static_cast<float>(object.ClearanceRadius / setup.Spacing));
     model.RestHeights.push_back(static_cast<float>(object.RestHeight / setup.Spacing));
     model.BrakeHeights.push_back(
-      static_cast<float>(0.5 * LandingTime * object.SettlingSpeed / setup.Spacing));
+      static_cast<float>(0.5 * CushionTime * object.SettlingSpeed / setup.Spacing));
     radii += object.ClearanceRadius / setup.Spacing / static_cast<double>(no);
   }
   model.Weights.ContactDistance = options.ContactDistance < 0.0
