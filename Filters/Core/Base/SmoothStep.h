@@ -14,4 +14,10 @@ inline double SmoothStep(double x)
   return t * t * t * (10.0 + t * (6.0 * t - 15.0));
 }
 
+/// The cubic one, flat to first order at both ends, for x from 0 to 1.
+inline double CubicStep(double x)
+{
+  return x * x * (3.0 - 2.0 * x);
+}
+
 } // namespace waft

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/Seams.h"
 
+#include "Base/SmoothStep.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,11 +13,6 @@ namespace
 {
 
 constexpr int HealingRounds = 3;
-
-double CubicStep(double u)
-{
-  return u * u * (3.0 - 2.0 * u);
-}
 
 /// True when the bend at a sample follows from fixed samples alone.
 bool IsGiven(const WarpProblem& warp, int k)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/SpanWarp.h"
 
+#include "Base/SmoothStep.h"
 #include "Constraints/Rest.h"
 #include "Planning/RoomMap.h"
 
@@ -119,7 +120,7 @@ void BringDown(const SpanRequest& request, const SegmentLibrary& library, SpanWa
     if (left >= outer)
     {
       const double u = std::min(1.0, (left - outer) / (0.5 * second));
-      bend *= u * u * (3.0 - 2.0 * u);
+      bend *= CubicStep(u);
     }
     else
     {

@@ -2,6 +2,7 @@
 #include "Shapes/TextureImage.h"
 
 #include "Base/Random.h"
+#include "Base/SmoothStep.h"
 #include "Shapes/Outline.h"
 #include "Shapes/ThinShape.h"
 
@@ -18,8 +19,7 @@ using Color = std::array<double, 3>;
 
 double Smooth(double low, double high, double x)
 {
-  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
+  return CubicStep(std::clamp((x - low) / (high - low), 0.0, 1.0));
 }
 
 Color Mix(const Color& a, const Color& b, double t)
