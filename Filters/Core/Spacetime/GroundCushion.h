@@ -22,9 +22,9 @@ struct CushionForce
 /// frame without LiftsOff); zero for others. Along the surface's normal n, at the height h above
 /// rest, with its settling speed u (SettlingSlip) and the height b from which plans brake:
 ///   a = -q / (1 + s q) (v . n) n,   q = 0.6 (u / b) / ((r^2 + 0.02^2)^(1/4) (1 + r^4))
-/// with r = h / b and the step s to the next frame. From far above down to rest that takes 1.13 u of the speed,
-/// most of it over the height b and as the root of the height: as plans come down. It takes no more
-/// than all of the speed in a step.
+/// with r = h / b and the step s to the next frame. From far above down to rest that takes 1.13 u
+/// of the speed, most of it over the height b and as the root of the height: as plans come down. It
+/// takes no more than all of the speed in a step.
 CushionForce LandingCushion(const SpacetimeModel& model, int frame, double step, std::size_t object,
                             const Vec3& position, const Vec3& velocity);
 
