@@ -10,11 +10,8 @@ Result CheckProperties(const std::vector<PropertyRange>& properties)
   {
     for (const double value : property.Values)
     {
-      if (!property.Range.Holds(value))
-      {
-        return Result::Error(std::string(property.Name) + ": expected " + property.Range.Text() +
-                             ", found " + NumberText(value, 10));
-      }
+      WAFT_RETURN_IF_FAILED(
+        (OptionField{ property.Name, property.Range, property.Unit, "" }.Check(value)));
     }
   }
   return Result::Ok();

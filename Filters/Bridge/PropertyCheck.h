@@ -3,7 +3,7 @@
 // those that clamp let NaN through.
 #pragma once
 
-#include "Base/Limits.h"
+#include "Base/OptionFields.h"
 #include "Base/Result.h"
 
 #include <array>
@@ -15,6 +15,10 @@ namespace waft
 /// A property of one or more numbers and their range.
 struct PropertyRange
 {
+  PropertyRange(const OptionField& field, double value) :
+    Name(field.Name), Values{ value }, Range(field.Range), Unit(field.Unit)
+  {
+  }
   PropertyRange(const char* name, double value, const limits::Range& range) :
     Name(name), Values{ value }, Range(range)
   {
@@ -41,6 +45,7 @@ struct PropertyRange
   const char* Name;
   std::vector<double> Values;
   limits::Range Range;
+  const char* Unit = "";
 };
 
 /// Fails on the first property out of its range: "FramesPerSecond: expected a number from ...".

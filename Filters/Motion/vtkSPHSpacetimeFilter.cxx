@@ -10,6 +10,7 @@
 #include "Bridge/SceneData.h"
 #include "Bridge/SpacetimeData.h"
 #include "Bridge/StageExecution.h"
+#include "Bridge/StageOptions.h"
 #include "Bridge/TrackData.h"
 #include "Bridge/VortexData.h"
 #include "Spacetime/Spacetime.h"
@@ -65,7 +66,6 @@ struct vtkSPHSpacetimeFilter::Internals : waft::KeptStage
     KeptStage(self, PlannedPort, ObstaclesPort, BackgroundPort), Self(self)
   {
   }
-  waft::SpacetimeOptions Options() const;
   waft::Result Take(vtkInformationVector** inputs, waft::SpacetimeInput& input);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   waft::Result Agree(const waft::Result& own) override;
@@ -73,45 +73,6 @@ struct vtkSPHSpacetimeFilter::Internals : waft::KeptStage
   void KeepSolution();
   void FillVarying(double time, vtkInformationVector* outputs) const override;
 };
-
-waft::SpacetimeOptions vtkSPHSpacetimeFilter::Internals::Options() const
-{
-  waft::SpacetimeOptions options;
-  options.NumberOfGasParticles = this->Self->NumberOfGasParticles;
-  options.NumberOfObjectParticles = this->Self->NumberOfObjectParticles;
-  options.PositionWeight = this->Self->PositionWeight;
-  options.VelocityWeight = this->Self->VelocityWeight;
-  options.CoherenceWeight = this->Self->CoherenceWeight;
-  options.SpatialShare = this->Self->SpatialShare;
-  options.ObjectCoherence = this->Self->ObjectCoherence;
-  options.ObjectPosition = this->Self->ObjectPosition;
-  options.TemporalWindow = this->Self->TemporalWindow;
-  options.SmoothingLength = this->Self->SmoothingLength;
-  options.CourantNumber = this->Self->CourantNumber;
-  options.Viscosity = this->Self->Viscosity;
-  options.XsphFactor = this->Self->XsphFactor;
-  options.PressureExponent = this->Self->PressureExponent;
-  options.EffectiveGravity = this->Self->EffectiveGravity;
-  options.ContactDistance = this->Self->ContactDistance;
-  options.WindDrag = this->Self->WindDrag;
-  options.EstimateWind = this->Self->EstimateWind;
-  options.FitVortexFields = this->Self->FitVortexFields;
-  options.MaximumNumberOfVortices = this->Self->MaximumNumberOfVortices;
-  options.Passes = this->Self->Passes;
-  options.UseLeash = this->Self->UseLeash;
-  options.LeashIterations = this->Self->LeashIterations;
-  options.MaximumNumberOfIterations = this->Self->MaximumNumberOfIterations;
-  options.Tolerance = this->Self->Tolerance;
-  options.TimeLimit = this->Self->TimeLimit;
-  options.HistorySize = this->Self->HistorySize;
-  options.WarmStart = this->Self->WarmStart;
-  options.EditDuration = this->Self->EditDuration;
-  options.EditRadius = this->Self->EditRadius;
-  options.MemoryLimit = this->Self->MemoryLimit;
-  options.CheckpointFile = this->Self->CheckpointFile;
-  options.CheckpointInterval = this->Self->CheckpointInterval;
-  return options;
-}
 
 waft::Result vtkSPHSpacetimeFilter::Internals::Take(vtkInformationVector** inputs,
                                                     waft::SpacetimeInput& input)
@@ -146,8 +107,9 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs
   waft::SpacetimeInput input;
   const waft::Result taken = this->Take(inputs, input);
   WAFT_RETURN_IF_FAILED(this->Agree(taken));
-  WAFT_RETURN_IF_FAILED(waft::RunSpacetime(input, this->Options(), waft::SmpFor(), monitor,
-                                           this->Solution, &this->Memory, &ranks));
+  WAFT_RETURN_IF_FAILED(
+    waft::RunSpacetime(input, waft::OptionsOf<waft::SpacetimeOptions>(*this->Self), waft::SmpFor(),
+                       monitor, this->Solution, &this->Memory, &ranks));
   this->Warnings = this->Solution.Warnings;
   if (ranks.IsFirst())
   {
@@ -244,7 +206,7 @@ std::string vtkSPHSpacetimeFilter::CheckRoom(const double bounds[6], int numberO
                           waft::Vec3(bounds[1], bounds[3], bounds[5]) };
   return waft::CheckRoom(volume, numberOfFrames,
                          static_cast<std::size_t>(std::max(0, numberOfObjects)),
-                         this->Impl->Options())
+                         waft::OptionsOf<waft::SpacetimeOptions>(*this))
     .Message();
 }
 
@@ -253,27 +215,7 @@ vtkTypeBool vtkSPHSpacetimeFilter::ProcessRequest(vtkInformation* request,
                                                   vtkInformationVector* outputs)
 {
   return waft::GuardedRequest(
-    this, request, outputs,
-    { { "PositionWeight", this->PositionWeight, waft::limits::Finite },
-      { "VelocityWeight", this->VelocityWeight, waft::limits::Finite },
-      { "CoherenceWeight", this->CoherenceWeight, waft::limits::Finite },
-      { "SpatialShare", this->SpatialShare, waft::limits::Finite },
-      { "ObjectCoherence", this->ObjectCoherence, waft::limits::Finite },
-      { "ObjectPosition", this->ObjectPosition, waft::limits::Finite },
-      { "SmoothingLength", this->SmoothingLength, waft::limits::Finite },
-      { "CourantNumber", this->CourantNumber, waft::limits::Finite },
-      { "Viscosity", this->Viscosity, waft::limits::Finite },
-      { "XsphFactor", this->XsphFactor, waft::limits::Finite },
-      { "PressureExponent", this->PressureExponent, waft::limits::Finite },
-      { "EffectiveGravity", this->EffectiveGravity, waft::limits::Finite },
-      { "ContactDistance", this->ContactDistance, waft::limits::Finite },
-      { "WindDrag", this->WindDrag, waft::limits::Finite },
-      { "Tolerance", this->Tolerance, waft::limits::Finite },
-      { "TimeLimit", this->TimeLimit, waft::limits::Finite },
-      { "EditDuration", this->EditDuration, waft::limits::Finite },
-      { "EditRadius", this->EditRadius, waft::limits::Finite },
-      { "MemoryLimit", this->MemoryLimit, waft::limits::Finite },
-      { "CheckpointInterval", this->CheckpointInterval, waft::limits::Finite } },
+    this, request, outputs, waft::RangesOf<waft::SpacetimeOptions>(*this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
@@ -310,38 +252,6 @@ int vtkSPHSpacetimeFilter::RequestData(vtkInformation* request, vtkInformationVe
 void vtkSPHSpacetimeFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfGasParticles: " << this->NumberOfGasParticles << "\n";
-  os << indent << "NumberOfObjectParticles: " << this->NumberOfObjectParticles << "\n";
-  os << indent << "PositionWeight: " << this->PositionWeight << "\n";
-  os << indent << "VelocityWeight: " << this->VelocityWeight << "\n";
-  os << indent << "CoherenceWeight: " << this->CoherenceWeight << "\n";
-  os << indent << "SpatialShare: " << this->SpatialShare << "\n";
-  os << indent << "ObjectCoherence: " << this->ObjectCoherence << "\n";
-  os << indent << "ObjectPosition: " << this->ObjectPosition << "\n";
-  os << indent << "TemporalWindow: " << this->TemporalWindow << "\n";
-  os << indent << "SmoothingLength: " << this->SmoothingLength << "\n";
-  os << indent << "CourantNumber: " << this->CourantNumber << "\n";
-  os << indent << "Viscosity: " << this->Viscosity << "\n";
-  os << indent << "XsphFactor: " << this->XsphFactor << "\n";
-  os << indent << "PressureExponent: " << this->PressureExponent << "\n";
-  os << indent << "EffectiveGravity: " << this->EffectiveGravity << "\n";
-  os << indent << "ContactDistance: " << this->ContactDistance << "\n";
-  os << indent << "WindDrag: " << this->WindDrag << "\n";
-  os << indent << "EstimateWind: " << this->EstimateWind << "\n";
-  os << indent << "FitVortexFields: " << this->FitVortexFields << "\n";
-  os << indent << "Passes: " << this->Passes << "\n";
-  os << indent << "UseLeash: " << this->UseLeash << "\n";
-  os << indent << "LeashIterations: " << this->LeashIterations << "\n";
-  os << indent << "MaximumNumberOfVortices: " << this->MaximumNumberOfVortices << "\n";
-  os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "TimeLimit: " << this->TimeLimit << "\n";
-  os << indent << "HistorySize: " << this->HistorySize << "\n";
-  os << indent << "WarmStart: " << this->WarmStart << "\n";
-  os << indent << "EditDuration: " << this->EditDuration << "\n";
-  os << indent << "EditRadius: " << this->EditRadius << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
-  os << indent << "CheckpointFile: " << this->CheckpointFile << "\n";
-  os << indent << "CheckpointInterval: " << this->CheckpointInterval << "\n";
+  waft::PrintFields<waft::SpacetimeOptions>(os, indent, *this);
   os << indent << "Controller: " << this->Controller.Get() << "\n";
 }

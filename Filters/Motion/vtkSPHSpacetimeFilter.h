@@ -43,6 +43,11 @@
 #include <string>
 
 class vtkMultiProcessController;
+namespace waft
+{
+struct SpacetimeOptions;
+struct TermWeights;
+} // namespace waft
 
 class VTKWAFTFILTERS_EXPORT vtkSPHSpacetimeFilter : public vtkPolyDataAlgorithm
 {
@@ -278,6 +283,10 @@ private:
   vtkSPHSpacetimeFilter(const vtkSPHSpacetimeFilter&) = delete;
   void operator=(const vtkSPHSpacetimeFilter&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::SpacetimeOptions;
+  friend struct waft::TermWeights;
   int NumberOfGasParticles = 2500;
   int NumberOfObjectParticles = 125;
   double PositionWeight = 5.0;

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every proxy of the plugin: it can be made by its name, its Python attributes have the names of its
-properties, everything is documented, and each default is the one of the VTK class, getter by getter.
+properties, everything is documented, and each default is the one of the VTK class, getter by getter. What
+Core says of an option (default, range, sentence) is what the proxy shows and the VTK class keeps to.
 
-    pvpython test_proxies.py XML_FOLDER"""
+    pvpython test_proxies.py XML_FOLDER DESCRIBE_OPTIONS"""
 
 import glob
+import json
 import os
+import subprocess
 import sys
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -15,7 +18,7 @@ from paraview import servermanager, simple
 import waft  # noqa: F401 (loads the plugin)
 from waft import vtkWaftFilters, vtkWaftSources
 
-XML = sys.argv[1]
+XML, DESCRIBE_OPTIONS = sys.argv[1:3]
 VALUES = ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty", "IdTypeVectorProperty")
 
 
@@ -117,6 +120,39 @@ class ProxyTest(unittest.TestCase):
                     continue
                 with self.subTest(file=path, property=described.get("name")):
                     self.check_property(proxy, described, used, fresh)
+
+    def test_options_are_those_of_core(self):
+        classes = json.loads(subprocess.run([DESCRIBE_OPTIONS], check=True, capture_output=True).stdout)
+        for path, element in described_proxies():
+            shown = {p.get("name"): p for p in element if p.tag in VALUES}
+            for field in classes.pop(element.get("class"), []):
+                with self.subTest(file=path, property=field["name"]):
+                    self.check_option(field, shown[field["name"]], fresh_object(element.get("class")))
+        self.assertEqual({}, classes, "options of no proxy")
+
+    def check_option(self, field, described, fresh):
+        sentence = " ".join(described.find("Documentation").text.split())
+        self.assertEqual(field["sentence"], sentence)
+        setter, getter = (getattr(fresh, verb + field["name"]) for verb in ("Set", "Get"))
+        self.assertEqual(field["default"], getter())
+        self.assertEqual(str(field["default"]), described.get("default_values")) \
+            if isinstance(field["default"], str) else \
+            self.assertEqual(field["default"], float(described.get("default_values")))
+        if "range" not in field:
+            return
+        whole = described.tag == "IntVectorProperty"
+        beyond = 2**31 - 1 if whole else sys.float_info.max
+        reached = []
+        for value in (-beyond, beyond):
+            setter(value != -beyond if described.find("BooleanDomain") is not None else value)
+            reached.append(float(getter()))
+        self.assertEqual(field["range"], reached, "the range of the class's setter is another")
+        domain = next((d for d in described if d.tag.endswith("RangeDomain")), None)
+        if domain is not None:
+            self.assertEqual(field["range"], [float(domain.get("min")), float(domain.get("max"))])
+        else:
+            entries = described.findall("EnumerationDomain/Entry") or [0, 1]
+            self.assertEqual(field["range"], [0, len(entries) - 1], "a number without a range domain")
 
     def list_of(self, described, fresh):
         """What the class holds for a list of tuples, [] when it has no getters for it."""

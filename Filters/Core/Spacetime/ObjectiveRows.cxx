@@ -82,7 +82,7 @@ void SpacetimeObjective::ObjectResiduals(std::vector<double>& ex, std::vector<do
       const std::size_t i = model.NumberOfGas + o;
       const double share = this->Times.StepWeights[j];
       const double weightX =
-        model.BodyWeight(i) * model.Weights.ObjectPosition * model.Weights.Position * share;
+        model.BodyWeight(i) * model.Weights.ObjectPosition * model.Weights.PositionWeight * share;
       const double weightV = model.VelocityWeight(i) * share;
       for (int c = 0; c < 3; ++c)
       {

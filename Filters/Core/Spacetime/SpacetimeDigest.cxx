@@ -43,17 +43,6 @@ void AddSurroundings(DigestStream& sum, const SpacetimeInput& input)
            [](StateStream& s, std::vector<std::array<float, 3>>& values) { s.List(values); });
 }
 
-/// What E is made of.
-void AddPhysics(DigestStream& sum, const SpacetimeOptions& options)
-{
-  SpacetimeOptions o = options;
-  sum.Values(o.NumberOfGasParticles, o.NumberOfObjectParticles, o.PositionWeight, o.VelocityWeight,
-             o.CoherenceWeight, o.SpatialShare, o.ObjectCoherence, o.ObjectPosition,
-             o.TemporalWindow, o.SmoothingLength, o.CourantNumber, o.Viscosity, o.XsphFactor,
-             o.PressureExponent, o.EffectiveGravity, o.ContactDistance, o.WindDrag, o.EstimateWind,
-             o.FitVortexFields, o.MaximumNumberOfVortices);
-}
-
 void AddConstraint(DigestStream& sum, const Constraint& row)
 {
   Constraint c = row;
@@ -124,10 +113,8 @@ std::uint64_t DigestOfRun(const SpacetimeInput& input, const SpacetimeOptions& o
   sum.Text(kernels);
   AddScene(sum, input.Scene);
   AddSurroundings(sum, input);
-  AddPhysics(sum, options);
-  SpacetimeOptions o = options;
-  sum.Values(o.Passes, o.UseLeash, o.LeashIterations, o.MaximumNumberOfIterations, o.Tolerance,
-             o.HistorySize, o.MemoryLimit);
+  SpacetimeOptions::VisitPhysics(ExchangeFieldsWith(sum), Read(options));
+  SpacetimeOptions::VisitProgram(ExchangeFieldsWith(sum), Read(options));
   for (const Track& track : input.Tracks)
   {
     sum.Value(Read(track.ObjectId));
@@ -163,7 +150,7 @@ ProblemDigest DigestOfProblem(const SpacetimeInput& input, const SpacetimeOption
   DigestStream physics;
   AddScene(physics, input.Scene);
   AddSurroundings(physics, input);
-  AddPhysics(physics, options);
+  SpacetimeOptions::VisitPhysics(ExchangeFieldsWith(physics), Read(options));
   for (const MotionObject& object : setup.Objects)
   {
     shape.Value(Read(object.ObjectId));

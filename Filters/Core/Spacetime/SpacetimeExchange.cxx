@@ -17,17 +17,9 @@ void Exchange(StateStream& stream, SplineWind& wind)
   stream.List(wind.Knots, [](StateStream& s, std::vector<float>& knot) { s.List(knot); });
 }
 
-void Exchange(StateStream& stream, SpacetimeOptions& o)
+void Exchange(StateStream& stream, SpacetimeOptions& options)
 {
-  stream.Values(o.NumberOfGasParticles, o.NumberOfObjectParticles, o.PositionWeight,
-                o.VelocityWeight, o.CoherenceWeight, o.SpatialShare, o.ObjectCoherence,
-                o.ObjectPosition, o.TemporalWindow, o.SmoothingLength, o.CourantNumber, o.Viscosity,
-                o.XsphFactor, o.PressureExponent, o.EffectiveGravity, o.ContactDistance, o.WindDrag,
-                o.EstimateWind, o.FitVortexFields, o.MaximumNumberOfVortices);
-  stream.Values(o.Passes, o.UseLeash, o.LeashIterations, o.MaximumNumberOfIterations, o.Tolerance,
-                o.TimeLimit, o.HistorySize, o.WarmStart, o.EditDuration, o.EditRadius,
-                o.MemoryLimit, o.CheckpointInterval);
-  stream.Text(o.CheckpointFile);
+  SpacetimeOptions::Visit(ExchangeFieldsWith(stream), options);
 }
 
 namespace

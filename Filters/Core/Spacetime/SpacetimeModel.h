@@ -8,6 +8,7 @@
 #include "Particles/RestDensity.h"
 #include "Particles/SphFluid.h"
 #include "Spacetime/SplineWind.h"
+#include "Spacetime/TermWeights.h"
 
 #include <array>
 #include <cstddef>
@@ -20,18 +21,10 @@ namespace waft
 /// Gas nearer to a wall or an obstacle is pushed off by a soft spring; none starts there [dx].
 constexpr double SpringReach = 0.3;
 
-/// Weights of Eq. 2 and Eq. 4 and of the terms beside them. E is half the weighted sum of squares
+/// Weights of Eq. 2 and Eq. 4, and of the terms beside them. E is half the weighted sum of squares
 /// of residuals in dx and dx / frame.
-struct SpacetimeWeights
+struct SpacetimeWeights : TermWeights
 {
-  double Position = 10.0;       // c1
-  double Velocity = 1.0;        // c2
-  double Coherence = 0.2;       // c3
-  double SpatialShare = 0.5;    // c31; c32 = 1 - c31
-  double ObjectCoherence = 1.0; // how often rs of an object counts where gas counts once
-  double ObjectPosition = 1.0;  // the same for rx
-  int TemporalWindow = 1;       // w of Eq. 4 [frames]
-  double XsphFactor = 0.0;      // epsilon of Eq. 10
   double Clearance = 10.0;      // objects nearer to a surface than they may be
   double Reach = 3.0;           // objects farther from their approach than they may be
   double Contact = 5.0;         // objects nearer to each other than ContactDistance
@@ -122,7 +115,7 @@ struct SpacetimeModel
   /// The weight of a body's velocity residual.
   double VelocityWeight(std::size_t body) const
   {
-    return this->BodyWeight(body) * this->Weights.Velocity;
+    return this->BodyWeight(body) * this->Weights.VelocityWeight;
   }
 };
 

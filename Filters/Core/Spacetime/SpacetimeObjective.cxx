@@ -140,9 +140,9 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
   terms.Forward(here, this->Times.Frames[j], last ? 1.0 : step, list);
 
   const double share = last ? 0.0 : this->Times.StepWeights[j + 1];
-  const float wx = static_cast<float>(weights.Position * share);
-  const float wv = static_cast<float>(weights.Velocity * share);
-  const float ws = static_cast<float>(weights.Coherence * weights.SpatialShare *
+  const float wx = static_cast<float>(weights.PositionWeight * share);
+  const float wv = static_cast<float>(weights.VelocityWeight * share);
+  const float ws = static_cast<float>(weights.CoherenceWeight * weights.SpatialShare *
                                       this->SpatialScale * this->Times.FrameWeights[j]);
   const auto s = static_cast<float>(step);
   const auto eps = static_cast<float>(weights.XsphFactor);
@@ -218,7 +218,7 @@ void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
   const std::size_t ng = model.NumberOfGas;
   const double share = 1.0 - model.Weights.SpatialShare;
   const double w = this->Times.SmoothWeights[j];
-  const auto factor = static_cast<float>(model.Weights.Coherence * share * w);
+  const auto factor = static_cast<float>(model.Weights.CoherenceWeight * share * w);
   double sum = 0.0;
   for (int c = 0; c < 3; ++c)
   {
@@ -350,7 +350,8 @@ bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradien
     terms.Beside += sum.Beside;
   }
   const SpacetimeWeights& w = this->Problem.Weights;
-  terms.E = w.Position * terms.Ex + w.Velocity * terms.Ev + w.Coherence * terms.Ec + terms.Beside;
+  terms.E = w.PositionWeight * terms.Ex + w.VelocityWeight * terms.Ev +
+            w.CoherenceWeight * terms.Ec + terms.Beside;
   return true;
 }
 

@@ -363,15 +363,7 @@ Result MakeSetup(const SpacetimeInput& input, const SpacetimeOptions& options,
   {
     return result;
   }
-  SpacetimeWeights& weights = setup.Model.Weights;
-  weights.Position = options.PositionWeight;
-  weights.Velocity = options.VelocityWeight;
-  weights.Coherence = options.CoherenceWeight;
-  weights.SpatialShare = options.SpatialShare;
-  weights.ObjectCoherence = options.ObjectCoherence;
-  weights.ObjectPosition = options.ObjectPosition;
-  weights.TemporalWindow = options.TemporalWindow;
-  weights.XsphFactor = options.XsphFactor;
+  static_cast<TermWeights&>(setup.Model.Weights) = options;
   SetUpObjects(input, options, setup);
   SetUpConstraints(input, grounds, setup);
   SetUpBackground(input, options, setup);

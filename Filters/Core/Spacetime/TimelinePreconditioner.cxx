@@ -84,19 +84,19 @@ TimelinePreconditioner::Band TimelinePreconditioner::Factor(long object) const
       object < 0 ? 1.0
                  : w.ObjectCoherence * this->Model.CoherenceShare(this->Level.Frames[j], object);
     addRow({ { 2 * j + 1, 1.0 } },
-           share * air * w.Coherence * w.SpatialShare * this->Level.FrameWeights[j]);
+           share * air * w.CoherenceWeight * w.SpatialShare * this->Level.FrameWeights[j]);
     std::vector<Entry> row{ { 2 * j + 1, 1.0 } };
     for (const auto& neighbor : this->Level.Rows[j])
     {
       row.push_back({ 2 * neighbor.Frame + 1, -neighbor.Coefficient });
     }
-    addRow(row, w.Coherence * (1.0 - w.SpatialShare) * this->Level.SmoothWeights[j]);
+    addRow(row, w.CoherenceWeight * (1.0 - w.SpatialShare) * this->Level.SmoothWeights[j]);
     if (j > 0 && (object < 0 || !StepIsBound(this->Model, this->Level, j, object)))
     {
       const double step = this->Level.StepWeights[j];
       addRow({ { 2 * j, 1.0 }, { 2 * j - 2, -1.0 }, { 2 * j + 1, -this->Level.Steps[j] } },
-             (object < 0 ? 1.0 : w.ObjectPosition) * w.Position * step);
-      addRow({ { 2 * j + 1, 1.0 }, { 2 * j - 1, -1.0 } }, w.Velocity * step);
+             (object < 0 ? 1.0 : w.ObjectPosition) * w.PositionWeight * step);
+      addRow({ { 2 * j + 1, 1.0 }, { 2 * j - 1, -1.0 } }, w.VelocityWeight * step);
     }
   }
 

@@ -103,9 +103,11 @@ void StandardProblem::Build()
   model.Fluid.GasMass = lattice.ParticleMass(model.Fluid);
   model.Fluid.ObjectMass = 0.1 * model.Fluid.GasMass;
   model.Rest.Build(lattice, model.Fluid);
-  model.Weights.Position = 1.0;
-  model.Weights.Velocity = 1.0;
-  model.Weights.Coherence = 0.1;
+  model.Weights.PositionWeight = 1.0;
+  model.Weights.VelocityWeight = 1.0;
+  model.Weights.CoherenceWeight = 0.1;
+  model.Weights.ObjectCoherence = 1.0;
+  model.Weights.ObjectPosition = 1.0;
   model.Weights.XsphFactor = 0.3;
   model.Weights.Clearance = 0.0;
   model.Weights.Contact = 0.0;

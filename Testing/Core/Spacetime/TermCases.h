@@ -60,7 +60,7 @@ struct Problem
     SpacetimeModel& model = this->Setup.Model;
     model = this->Full;
     SpacetimeWeights& w = model.Weights;
-    w.Position = w.Velocity = w.Coherence = w.XsphFactor = 0.0;
+    w.PositionWeight = w.VelocityWeight = w.CoherenceWeight = w.XsphFactor = 0.0;
     w.ObjectPosition = w.ObjectCoherence = 1.0;
     w.Clearance = w.Reach = w.Contact = w.ContactDistance = w.Separation = 0.0;
     model.Fluid.SoundSpeed = model.Fluid.Viscosity = 0.0;
@@ -161,13 +161,13 @@ inline void AddWind(SpacetimeModel& model)
 inline void AddFluid(SpacetimeModel& model, const Problem& problem)
 {
   model.Fluid = problem.Full.Fluid;
-  model.Weights.Velocity = 1.0;
+  model.Weights.VelocityWeight = 1.0;
 }
 
 /// Of objects that settle as fast as ever, with next to no drag of their own.
 inline void AddCushion(SpacetimeModel& model, const Problem& problem, std::uint8_t flag)
 {
-  model.Weights.Velocity = 1.0;
+  model.Weights.VelocityWeight = 1.0;
   model.Flags.assign(model.Flags.size(), flag);
   model.BrakeHeights.assign(model.BrakeHeights.size(), 3.0f);
   for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
@@ -184,7 +184,7 @@ inline const std::vector<Term>& Terms()
     { "position",
       [](Model& m, const Problem&)
       {
-        m.Weights.Position = 10.0;
+        m.Weights.PositionWeight = 10.0;
         m.Weights.ObjectPosition = 4.0;
         m.Weights.XsphFactor = 0.3;
       } },
@@ -204,13 +204,13 @@ inline const std::vector<Term>& Terms()
     { "vortex",
       [](Model& m, const Problem& p)
       {
-        m.Weights.Velocity = 1.0;
+        m.Weights.VelocityWeight = 1.0;
         m.Vortices = p.Full.Vortices;
       } },
     { "drag",
       [](Model& m, const Problem& p)
       {
-        m.Weights.Velocity = 1.0;
+        m.Weights.VelocityWeight = 1.0;
         m.DragRates = p.Full.DragRates;
         m.Gravities = p.Full.Gravities;
       } },
@@ -225,26 +225,26 @@ inline const std::vector<Term>& Terms()
     { "estimated wind",
       [](Model& m, const Problem&)
       {
-        m.Weights.Velocity = 1.0;
+        m.Weights.VelocityWeight = 1.0;
         AddWind(m);
       } },
     { "background that accelerates",
       [](Model& m, const Problem&)
       {
-        m.Weights.Velocity = 1.0;
+        m.Weights.VelocityWeight = 1.0;
         AddWind(m);
         std::swap(m.Wind, m.Background);
       } },
     { "background that draws",
       [](Model& m, const Problem& p)
       {
-        m.Weights.Velocity = 1.0;
+        m.Weights.VelocityWeight = 1.0;
         m.Background = p.Full.Background;
       } },
     { "coherence with the air",
       [](Model& m, const Problem& p)
       {
-        m.Weights.Coherence = 0.5;
+        m.Weights.CoherenceWeight = 0.5;
         m.Weights.SpatialShare = 1.0;
         m.Weights.ObjectCoherence = 3.0;
         m.DragRates = p.Full.DragRates;
@@ -257,13 +257,13 @@ inline const std::vector<Term>& Terms()
     { "coherence in time",
       [](Model& m, const Problem&)
       {
-        m.Weights.Coherence = 0.5;
+        m.Weights.CoherenceWeight = 0.5;
         m.Weights.SpatialShare = 0.0;
       } },
     { "coherence in time, a wide window",
       [](Model& m, const Problem&)
       {
-        m.Weights.Coherence = 0.5;
+        m.Weights.CoherenceWeight = 0.5;
         m.Weights.SpatialShare = 0.0;
         m.Weights.TemporalWindow = 3;
       } },
@@ -315,7 +315,7 @@ inline const std::vector<Term>& Terms()
       [](Model& m, const Problem& p)
       {
         m = p.Full;
-        m.Weights.Velocity = 1.0;
+        m.Weights.VelocityWeight = 1.0;
         m.Weights.XsphFactor = 0.2;
         m.Weights.TemporalWindow = 2;
         m.Weights.ContactDistance = 2.5;

@@ -227,7 +227,7 @@ TEST(TimelinePreconditioner, InvertsTheTimeCoupling)
     for (int j = 0; j < 12; ++j)
     {
       const double air = object ? w.ObjectCoherence : 1.0;
-      add({ { 2 * j + 1, 1.0 } }, share * air * w.Coherence * w.SpatialShare);
+      add({ { 2 * j + 1, 1.0 } }, share * air * w.CoherenceWeight * w.SpatialShare);
       std::vector<std::pair<int, double>> row{ { 2 * j + 1, 1.0 } };
       const int count = (j > 0) + (j < 11);
       for (const int k : { j - 1, j + 1 })
@@ -237,12 +237,12 @@ TEST(TimelinePreconditioner, InvertsTheTimeCoupling)
           row.push_back({ 2 * k + 1, -1.0 / count });
         }
       }
-      add(row, w.Coherence * (1.0 - w.SpatialShare));
+      add(row, w.CoherenceWeight * (1.0 - w.SpatialShare));
       if (j > 0)
       {
         add({ { 2 * j, 1.0 }, { 2 * j - 2, -1.0 }, { 2 * j + 1, -1.0 } },
-            (object ? w.ObjectPosition : 1.0) * w.Position);
-        add({ { 2 * j + 1, 1.0 }, { 2 * j - 1, -1.0 } }, w.Velocity);
+            (object ? w.ObjectPosition : 1.0) * w.PositionWeight);
+        add({ { 2 * j + 1, 1.0 }, { 2 * j - 1, -1.0 } }, w.VelocityWeight);
       }
     }
     m *= object ? static_cast<double>(model.Offsets.size()) : 1.0;

@@ -102,7 +102,7 @@ TEST(SpacetimeObjective, VanishesOnARollout)
 {
   StandardProblem problem = SmallProblem(20, 3, { 6, 6, 6 });
   SpacetimeModel& model = problem.Setup.Model;
-  model.Weights.Coherence = 0.0;
+  model.Weights.CoherenceWeight = 0.0;
   const TimeLevel level = TimeLevel::Full(model.NumberOfFrames, 1);
   SpacetimeObjective objective(model, level, SerialFor(), FastestSphKernels());
   StateVector state = problem.Setup.Start;

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/OptionFields.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace waft;
+
+namespace
+{
+
+enum class Kind
+{
+  Rough,
+  Smooth
+};
+
+struct SampleOptions
+{
+  double Size = 0.5;
+  int Count = 3;
+  bool IsOpen = false;
+  Kind Surface = Kind::Rough;
+  std::string File;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "Size", { 0.1, 2 }, "m", "How large it is." }, of.Size...);
+    visit(OptionField{ "Count", { 1, 9 }, "", "How many there are." }, of.Count...);
+    visit(FlagField("IsOpen", "Whether it is open."), of.IsOpen...);
+    visit(OptionField{ "Surface", { 0, 1 }, "", "What it feels like." }, of.Surface...);
+    visit(TextField("File", "Where it is kept."), of.File...);
+  }
+};
+
+/// A stage of a pipeline keeps plain numbers.
+struct Stage
+{
+  double Size = 1.5;
+  int Count = 7;
+  bool IsOpen = true;
+  int Surface = 1;
+  std::string File = "kept";
+};
+
+} // namespace
+
+TEST(OptionFields, TheFirstOutOfItsRangeIsNamed)
+{
+  SampleOptions options;
+  EXPECT_TRUE(ValidateFields<SampleOptions>(options));
+  options.Count = 10;
+  EXPECT_EQ(ValidateFields<SampleOptions>(options).Message(),
+            "Count: expected a number from 1 to 9, found 10");
+  options.Size = std::nan("");
+  EXPECT_EQ(ValidateFields<SampleOptions>(options).Message(),
+            "Size: expected a number from 0.1 to 2 m, found nan");
+  options.Size = 2.0;
+  options.Count = 1;
+  EXPECT_TRUE(ValidateFields<SampleOptions>(options));
+}
+
+TEST(OptionFields, AreCopiedByName)
+{
+  SampleOptions options;
+  CopyFields<SampleOptions>(Stage(), options);
+  EXPECT_EQ(options.Size, 1.5);
+  EXPECT_EQ(options.Count, 7);
+  EXPECT_TRUE(options.IsOpen);
+  EXPECT_EQ(options.Surface, Kind::Smooth);
+  EXPECT_EQ(options.File, "kept");
+}
+
+TEST(OptionFields, EachTellsDigestsApart)
+{
+  const auto sum = [](SampleOptions options)
+  {
+    DigestStream stream;
+    SampleOptions::Visit(ExchangeFieldsWith(stream), options);
+    return stream.Sum();
+  };
+  EXPECT_EQ(sum({}), sum({}));
+  EXPECT_NE(sum({}), sum({ 0.6 }));
+  EXPECT_NE(sum({}), sum({ 0.5, 4 }));
+  EXPECT_NE(sum({}), sum({ 0.5, 3, true }));
+  EXPECT_NE(sum({}), sum({ 0.5, 3, false, Kind::Smooth }));
+  EXPECT_NE(sum({}), sum({ 0.5, 3, false, Kind::Rough, "kept" }));
+}
