@@ -9,6 +9,7 @@
 #include "Bridge/SceneData.h"
 #include "Bridge/ShapeData.h"
 #include "Bridge/StageExecution.h"
+#include "Bridge/StageOptions.h"
 #include "Bridge/TrackData.h"
 #include "Rotation/RotationRefine.h"
 
@@ -61,30 +62,10 @@ struct vtkRotationRefineFilter::Internals : waft::KeptStage
     KeptStage(self, TracksPort, ObstaclesPort, WindPort), Self(self)
   {
   }
-  waft::RotationOptions Options() const;
   waft::Result Take(vtkInformationVector** inputs, waft::RotationInput& input);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   void FillVarying(double time, vtkInformationVector* outputs) const override;
 };
-
-waft::RotationOptions vtkRotationRefineFilter::Internals::Options() const
-{
-  waft::RotationOptions options;
-  options.Model = static_cast<waft::AirModel>(this->Self->Model);
-  options.Damping = this->Self->Damping;
-  options.Lift = this->Self->Lift;
-  options.PressureShift = this->Self->PressureShift;
-  options.Follow = this->Self->Follow;
-  options.Roll = this->Self->Roll;
-  options.Spin = this->Self->Spin;
-  options.VariationPerObject = this->Self->VariationPerObject;
-  options.LandingTime = this->Self->LandingTime;
-  options.TurningTime = this->Self->TurningTime;
-  options.TurningRate = this->Self->TurningRate;
-  options.RasterSize = this->Self->RasterSize;
-  options.Seed = static_cast<std::uint64_t>(this->Self->Seed);
-  return options;
-}
 
 waft::Result vtkRotationRefineFilter::Internals::Take(vtkInformationVector** inputs,
                                                       waft::RotationInput& input)
@@ -112,7 +93,8 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
   input.Wind = &wind;
   WAFT_RETURN_IF_FAILED(this->Meshes.Build(input.Shapes, input.Objects, input.Tracks, this->Scene));
   const waft::Result result =
-    waft::RunRotationRefine(input, this->Options(), waft::SmpFor(), monitor, this->Rotation);
+    waft::RunRotationRefine(input, waft::OptionsOf<waft::RotationOptions>(*this->Self),
+                            waft::SmpFor(), monitor, this->Rotation);
   if (result && !result.IsStopped()) // half of the poses are of no use
   {
     this->Tracks = std::move(input.Tracks);
@@ -177,17 +159,7 @@ vtkTypeBool vtkRotationRefineFilter::ProcessRequest(vtkInformation* request,
                                                     vtkInformationVector* outputs)
 {
   return waft::GuardedRequest(
-    this, request, outputs,
-    { { "Damping", this->Damping, waft::limits::Finite },
-      { "Lift", this->Lift, waft::limits::Finite },
-      { "PressureShift", this->PressureShift, waft::limits::Finite },
-      { "Follow", this->Follow, waft::limits::Finite },
-      { "Roll", this->Roll, waft::limits::Finite },
-      { "Spin", this->Spin, waft::limits::Finite },
-      { "VariationPerObject", this->VariationPerObject, waft::limits::Finite },
-      { "LandingTime", this->LandingTime, waft::limits::Finite },
-      { "TurningTime", this->TurningTime, waft::limits::Finite },
-      { "TurningRate", this->TurningRate, waft::limits::Finite } },
+    this, request, outputs, waft::RangesOf<waft::RotationOptions>(*this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
@@ -214,17 +186,5 @@ int vtkRotationRefineFilter::RequestData(vtkInformation* request, vtkInformation
 void vtkRotationRefineFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Model: " << this->Model << "\n";
-  os << indent << "Damping: " << this->Damping << "\n";
-  os << indent << "Lift: " << this->Lift << "\n";
-  os << indent << "PressureShift: " << this->PressureShift << "\n";
-  os << indent << "Follow: " << this->Follow << "\n";
-  os << indent << "Roll: " << this->Roll << "\n";
-  os << indent << "Spin: " << this->Spin << "\n";
-  os << indent << "VariationPerObject: " << this->VariationPerObject << "\n";
-  os << indent << "LandingTime: " << this->LandingTime << "\n";
-  os << indent << "TurningTime: " << this->TurningTime << "\n";
-  os << indent << "TurningRate: " << this->TurningRate << "\n";
-  os << indent << "RasterSize: " << this->RasterSize << "\n";
-  os << indent << "Seed: " << this->Seed << "\n";
+  waft::PrintFields<waft::RotationOptions>(os, indent, *this);
 }

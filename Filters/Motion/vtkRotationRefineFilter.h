@@ -34,6 +34,11 @@
 
 #include <memory>
 
+namespace waft
+{
+struct RotationOptions;
+}
+
 class VTKWAFTFILTERS_EXPORT vtkRotationRefineFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -134,6 +139,9 @@ private:
   vtkRotationRefineFilter(const vtkRotationRefineFilter&) = delete;
   void operator=(const vtkRotationRefineFilter&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::RotationOptions;
   int Model = 1;
   double Damping = 0.3;
   double Lift = 2.9;

@@ -5,6 +5,7 @@
 #include "Bridge/Arrays.h"
 #include "Bridge/KeptStage.h"
 #include "Bridge/StageExecution.h"
+#include "Bridge/StageOptions.h"
 #include "Bridge/TrackData.h"
 #include "Bridge/VortexData.h"
 #include "Vortex/VortexFit.h"
@@ -54,14 +55,8 @@ struct vtkVortexFitFilter::Internals : waft::KeptStage
 
 waft::VortexFitOptions vtkVortexFitFilter::Internals::Options() const
 {
-  waft::VortexFitOptions options;
+  auto options = waft::OptionsOf<waft::VortexFitOptions>(*this->Self);
   options.Bounds = this->Scene.Bounds;
-  options.MaximumNewVortices = this->Self->MaximumNewVortices;
-  options.MinimumGain = this->Self->MinimumGain;
-  options.UniformBackground = this->Self->UniformBackground;
-  options.NumberOfStarts = this->Self->NumberOfStarts;
-  options.Sweeps = this->Self->Sweeps;
-  options.Seed = static_cast<std::uint64_t>(this->Self->Seed);
   for (double* deviation :
        { &options.CenterDeviation, &options.AxisDeviation, &options.StrengthDeviation,
          &options.TimeDeviation, &options.ShapeDeviation })
@@ -150,10 +145,10 @@ vtkTypeBool vtkVortexFitFilter::ProcessRequest(vtkInformation* request,
                                                vtkInformationVector** inputs,
                                                vtkInformationVector* outputs)
 {
+  std::vector<waft::PropertyRange> ranges = waft::RangesOf<waft::VortexFitOptions>(*this);
+  ranges.emplace_back("PriorFreedom", this->PriorFreedom, waft::limits::Around0(1e9));
   return waft::GuardedRequest(
-    this, request, outputs,
-    { { "MinimumGain", this->MinimumGain, waft::limits::Finite },
-      { "PriorFreedom", this->PriorFreedom, waft::limits::Around0(1e9) } },
+    this, request, outputs, ranges,
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
@@ -173,12 +168,7 @@ int vtkVortexFitFilter::RequestData(vtkInformation* request, vtkInformationVecto
 void vtkVortexFitFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "MaximumNewVortices: " << this->MaximumNewVortices << "\n";
-  os << indent << "MinimumGain: " << this->MinimumGain << "\n";
+  waft::PrintFields<waft::VortexFitOptions>(os, indent, *this);
   os << indent << "SubtractWind: " << this->SubtractWind << "\n";
-  os << indent << "UniformBackground: " << this->UniformBackground << "\n";
   os << indent << "PriorFreedom: " << this->PriorFreedom << "\n";
-  os << indent << "NumberOfStarts: " << this->NumberOfStarts << "\n";
-  os << indent << "Sweeps: " << this->Sweeps << "\n";
-  os << indent << "Seed: " << this->Seed << "\n";
 }

@@ -27,6 +27,11 @@
 
 #include <memory>
 
+namespace waft
+{
+struct VortexFitOptions;
+}
+
 class VTKWAFTFILTERS_EXPORT vtkVortexFitFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -100,6 +105,9 @@ private:
   vtkVortexFitFilter(const vtkVortexFitFilter&) = delete;
   void operator=(const vtkVortexFitFilter&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::VortexFitOptions;
   int MaximumNewVortices = 4;
   double MinimumGain = 0.2;
   bool SubtractWind = true;

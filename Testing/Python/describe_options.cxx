@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints what the options structs of Core say of their fields, by the class of the pipeline that
 // has them as its properties, as JSON.
+#include "Rotation/RotationRefine.h"
 #include "Spacetime/Spacetime.h"
+#include "Vortex/VortexFit.h"
 
 #include <nlohmann/json.hpp>
 
@@ -38,7 +40,9 @@ nlohmann::json FieldsOf()
 int main()
 {
   const nlohmann::json classes{
+    { "vtkRotationRefineFilter", FieldsOf<waft::RotationOptions>() },
     { "vtkSPHSpacetimeFilter", FieldsOf<waft::SpacetimeOptions>() },
+    { "vtkVortexFitFilter", FieldsOf<waft::VortexFitOptions>() },
   };
   std::cout << classes.dump(1) << "\n";
   return 0;

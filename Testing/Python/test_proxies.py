@@ -133,26 +133,31 @@ class ProxyTest(unittest.TestCase):
     def check_option(self, field, described, fresh):
         sentence = " ".join(described.find("Documentation").text.split())
         self.assertEqual(field["sentence"], sentence)
-        setter, getter = (getattr(fresh, verb + field["name"]) for verb in ("Set", "Get"))
-        self.assertEqual(field["default"], getter())
-        self.assertEqual(str(field["default"]), described.get("default_values")) \
-            if isinstance(field["default"], str) else \
-            self.assertEqual(field["default"], float(described.get("default_values")))
+        self.assertEqual(field["default"], getattr(fresh, "Get" + field["name"])())
+        shown = described.get("default_values")
+        self.assertEqual(field["default"], shown if described.tag == "StringVectorProperty" else float(shown))
         if "range" not in field:
             return
-        whole = described.tag == "IntVectorProperty"
-        beyond = 2**31 - 1 if whole else sys.float_info.max
-        reached = []
-        for value in (-beyond, beyond):
-            setter(value != -beyond if described.find("BooleanDomain") is not None else value)
-            reached.append(float(getter()))
-        self.assertEqual(field["range"], reached, "the range of the class's setter is another")
+        low, high = field["range"]
+        farthest = float(2**31 - 1) if described.tag == "IntVectorProperty" else sys.float_info.max
+        high = min(high, farthest)
+        self.assertEqual([low, high], [self.reach(field["name"], fresh, described, end * farthest) for end in (-1, 1)],
+                         "the range of the class's setter is another")
         domain = next((d for d in described if d.tag.endswith("RangeDomain")), None)
         if domain is not None:
-            self.assertEqual(field["range"], [float(domain.get("min")), float(domain.get("max"))])
+            self.assertEqual([low, high], [float(domain.get("min", -farthest)), float(domain.get("max", farthest))])
         else:
             entries = described.findall("EnumerationDomain/Entry") or [0, 1]
-            self.assertEqual(field["range"], [0, len(entries) - 1], "a number without a range domain")
+            self.assertEqual([low, high], [0, len(entries) - 1], "a number without a range domain")
+
+    def reach(self, name, fresh, described, value):
+        """What the class keeps of a number beyond all ranges."""
+        if described.find("BooleanDomain") is not None:
+            value = value > 0
+        elif described.tag == "IntVectorProperty":
+            value = int(value)
+        getattr(fresh, "Set" + name)(value)
+        return float(getattr(fresh, "Get" + name)())
 
     def list_of(self, described, fresh):
         """What the class holds for a list of tuples, [] when it has no getters for it."""

@@ -235,47 +235,6 @@ void ReportOrientations(const RotationInput& input,
 }
 } // namespace
 
-Result RotationOptions::Validate() const
-{
-  if (!IsBetween(this->Damping, 0.0, 1e3))
-  {
-    return Result::Error("Damping must be from 0 to 1000 per second");
-  }
-  if (!IsBetween(this->Lift, 0.0, 4.0))
-  {
-    return Result::Error("Lift must be from 0 to 4");
-  }
-  if (!IsBetween(this->PressureShift, 0.0, 1.0))
-  {
-    return Result::Error("PressureShift must be from 0 to 1");
-  }
-  if (!IsBetween(this->Follow, 0.0, 1e3))
-  {
-    return Result::Error("Follow must be from 0 to 1000 per second");
-  }
-  if (!IsBetween(this->Roll, 0.0, 4.0) || !IsBetween(this->Spin, -1.0, 1.0))
-  {
-    return Result::Error("Roll must be from 0 to 4, Spin from -1 to 1 rad");
-  }
-  if (!IsBetween(this->VariationPerObject, 0.0, 0.5))
-  {
-    return Result::Error("VariationPerObject must be from 0 to 0.5");
-  }
-  if (!IsBetween(this->TurningRate, 1.0, 1e3))
-  {
-    return Result::Error("TurningRate must be from 1 to 1000 rad/s");
-  }
-  if (!IsBetween(this->LandingTime, 0.0, 1e3) || !IsBetween(this->TurningTime, 0.0, 1e3))
-  {
-    return Result::Error("LandingTime and TurningTime must be from 0 to 1000 s");
-  }
-  if (this->RasterSize < 8 || this->RasterSize > 1024)
-  {
-    return Result::Error("RasterSize must be from 8 to 1024");
-  }
-  return Result::Ok();
-}
-
 Result RunRotationRefine(const RotationInput& input, const RotationOptions& options,
                          const ParallelFor& parallel, Monitor& monitor, RotationOutput& output)
 {

@@ -5,6 +5,7 @@
 #include "Base/FieldSeries.h"
 #include "Base/Monitor.h"
 #include "Base/Motion.h"
+#include "Base/OptionFields.h"
 #include "Base/Parallel.h"
 #include "Base/Pose.h"
 #include "Base/Result.h"
@@ -19,23 +20,103 @@
 namespace waft
 {
 
+/// Members have the defaults; Visit says the rest of each field.
 struct RotationOptions
 {
   AirModel Model = AirModel::Plate;
-  double Damping = 0.3;       // 1/s, of the angular momentum; 0 or more
-  double Lift = 2.9;          // extra slope of the normal force at small angles of attack, 0..4
-  double PressureShift = 0.0; // half chords, 0..1
-  double Roll = 1.0;          // 0..4: share of the drive that keeps a turning plate turning over
-  double Spin = 0.0;          // rad, -1..1: pitch as of a propeller, about the normal
-  double Follow = 0.5;        // 1/s: how fast the hidden sideslip is forgotten; 0 or more
-  double VariationPerObject = 0.15; // 0..0.5: how much objects of one shape differ, by Seed
-  double LandingTime = 0.7;         // s in which a body settles before it rests
-  double TurningTime = 2.0;         // s, at most, over which an orientation row draws the pose
-  double TurningRate = 60.0; // rad/s, 1..1000: rows that ask for more are met by halves and named
-  int RasterSize = 128;      // pixels, 8..1024
+  double Damping = 0.3;
+  double Lift = 2.9;
+  double PressureShift = 0.0;
+  double Follow = 0.5;
+  double Roll = 1.0;
+  double Spin = 0.0;
+  double VariationPerObject = 0.15;
+  double LandingTime = 0.7;
+  double TurningTime = 2.0;
+  double TurningRate = 60.0;
+  int RasterSize = 128;
   std::uint64_t Seed = 1;
 
-  Result Validate() const;
+  Result Validate() const { return ValidateFields<RotationOptions>(*this); }
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "Model",
+                       { 0, 1 },
+                       "",
+                       "How the air pushes: Paper is drag on each visible piece of surface, Plate "
+                       "a thin plate that flutters and tumbles." },
+          of.Model...);
+    visit(OptionField{ "Damping",
+                       { 0, 1000 },
+                       "1/s",
+                       "Rate at which rotation dies away besides the air's drag, per second." },
+          of.Damping...);
+    visit(OptionField{ "Lift",
+                       { 0, 4 },
+                       "",
+                       "Extra slope of the normal force at small angles of attack (Plate)." },
+          of.Lift...);
+    visit(OptionField{ "PressureShift",
+                       { 0, 1 },
+                       "",
+                       "How far ahead of its centre the air presses on an edge-on plate, in half "
+                       "chords: more tumbles more readily (Plate)." },
+          of.PressureShift...);
+    visit(OptionField{ "Follow",
+                       { 0, 1000 },
+                       "1/s",
+                       "Rate at which the hidden sideslip is forgotten, per second: more keeps "
+                       "bodies calmer on their path (Plate)." },
+          of.Follow...);
+    visit(OptionField{ "Roll",
+                       { 0, 4 },
+                       "",
+                       "How readily a body rolls on when it turns over: 0 flutters and glides "
+                       "only, 1 is a plate's own, more tumbles sooner and longer (Plate)." },
+          of.Roll...);
+    visit(
+      OptionField{ "Spin",
+                   { -1, 1 },
+                   "rad",
+                   "Spin about the body's normal, like a winged seed's: the pitch of a propeller "
+                   "in radians; 0.05 to 0.2 spins visibly, the sign says which way (Plate)." },
+      of.Spin...);
+    visit(OptionField{ "VariationPerObject",
+                       { 0, 0.5 },
+                       "",
+                       "How much objects of one shape differ in their coefficients, each by its "
+                       "own share from the Seed." },
+          of.VariationPerObject...);
+    visit(
+      OptionField{
+        "LandingTime", { 0, 1000 }, "s", "Seconds in which a body settles before it rests." },
+      of.LandingTime...);
+    visit(
+      OptionField{
+        "TurningTime",
+        { 0, 1000 },
+        "s",
+        "Longest time, in seconds, over which an orientation row draws the pose towards it." },
+      of.TurningTime...);
+    visit(OptionField{ "TurningRate",
+                       { 1, 1000 },
+                       "rad/s",
+                       "The fastest turn, in radians per second, that an orientation row may ask "
+                       "for; one that asks for more is approached and named." },
+          of.TurningRate...);
+    visit(
+      OptionField{ "RasterSize",
+                   { 8, 1024 },
+                   "",
+                   "Pixels on a side of the pictures of each shape that tell what hides what." },
+      of.RasterSize...);
+    visit(OptionField{ "Seed", limits::Seed, "",
+                       "Seed of everything random in this stage. The same seed gives the same "
+                       "result, bit by bit, on any number of threads." },
+          of.Seed...);
+  }
 };
 
 struct RotationInput

@@ -210,6 +210,7 @@ bool UpdateVortices(SpacetimeSetup& setup, SpacetimeObjective& objective,
   VortexFitOptions options;
   options.Bounds = bounds;
   options.Seed = seed;
+  options.MaximumNewVortices = 0;
   std::vector<Vortex> fitted;
   bool going = true;
   if (share.IsFirst())

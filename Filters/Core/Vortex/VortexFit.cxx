@@ -304,22 +304,7 @@ Result VortexFitOptions::Validate() const
   {
     return bad("Bounds, expected a box with positive sides");
   }
-  if (this->NumberOfStarts < 1 || this->NumberOfStarts > 64)
-  {
-    return bad("NumberOfStarts, expected 1 to 64");
-  }
-  if (this->Sweeps < 1 || this->Sweeps > 20)
-  {
-    return bad("Sweeps, expected 1 to 20");
-  }
-  if (this->MaximumNewVortices < 0 || this->MaximumNewVortices > 1000)
-  {
-    return bad("MaximumNewVortices, expected 0 to 1000");
-  }
-  if (!(this->MinimumGain >= 0.0 && this->MinimumGain <= 1.0))
-  {
-    return bad("MinimumGain, expected 0 to 1");
-  }
+  WAFT_RETURN_IF_FAILED(ValidateFields<VortexFitOptions>(*this));
   if (this->MaximumSamples < 30)
   {
     return bad("MaximumSamples, expected 30 or more");

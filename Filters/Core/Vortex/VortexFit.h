@@ -5,6 +5,7 @@
 
 #include "Base/ForceFields.h"
 #include "Base/Monitor.h"
+#include "Base/OptionFields.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
 
@@ -31,12 +32,12 @@ struct VortexFitOptions
 {
   Box Bounds;
   std::uint64_t Seed = 1;
-  int NumberOfStarts = 4; // 1..64 local searches for each vortex, the prior's among them
-  int Sweeps = 2;         // 1..20 rounds in which each vortex is fitted to what the others leave
-  int MaximumNewVortices = 0;    // 0..1000, sought in what remains, strongest first
-  double MinimumGain = 0.2;      // 0..1 of the energy in its region, that a new vortex must explain
-  bool UniformBackground = true; // a uniform acceleration beside each vortex takes up the wind
-  int MaximumSamples = 450;      // from 30, for each vortex, thinned evenly along the tracks
+  int NumberOfStarts = 4; // the prior's among them
+  int Sweeps = 2;
+  int MaximumNewVortices = 4;
+  double MinimumGain = 0.2;
+  bool UniformBackground = true;
+  int MaximumSamples = 450; // from 30, for each vortex, thinned evenly along the tracks
 
   // Bounds of the parameters; poles stay within a quarter of L of the volume.
   double MinimumDuration = 0.15;   // s, standard deviation
@@ -60,6 +61,37 @@ struct VortexFitOptions
   double MergeTime = 0.5;      // of the shorter duration, between centre times
 
   Result Validate() const;
+
+  /// What a user sets.
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "MaximumNewVortices",
+                       { 0, 1000 },
+                       "",
+                       "Vortices that may be added to the given ones, strongest first." },
+          of.MaximumNewVortices...);
+    visit(OptionField{ "MinimumGain",
+                       { 0, 1 },
+                       "",
+                       "Share of the energy in its region that a new vortex must explain." },
+          of.MinimumGain...);
+    visit(
+      FlagField("UniformBackground",
+                "Let a uniform acceleration beside each vortex take up wind that is not known."),
+      of.UniformBackground...);
+    visit(OptionField{ "NumberOfStarts", { 1, 64 }, "", "Local searches for each vortex." },
+          of.NumberOfStarts...);
+    visit(OptionField{ "Sweeps",
+                       { 1, 20 },
+                       "",
+                       "Rounds in which each vortex is fitted to what the others leave." },
+          of.Sweeps...);
+    visit(OptionField{ "Seed", limits::Seed, "",
+                       "Seed of everything random in this stage. The same seed gives the same "
+                       "result, bit by bit, on any number of threads." },
+          of.Seed...);
+  }
 };
 
 /// Fits each prior to the samples that its VortexId claims and to all others that pass its region

@@ -85,8 +85,16 @@ Error Compare(const Vortex& a, const Vortex& truth)
            std::abs(a.CenterTime - truth.CenterTime) };
 }
 
+/// Nothing is sought besides the priors.
+VortexFitOptions PriorsOnly()
+{
+  VortexFitOptions options;
+  options.MaximumNewVortices = 0;
+  return options;
+}
+
 Vortex FitOne(const std::vector<VortexSample>& samples, const std::vector<Vortex>& priors,
-              const VortexFitOptions& options = {})
+              const VortexFitOptions& options = PriorsOnly())
 {
   SilentMonitor monitor;
   std::vector<Vortex> fitted;
@@ -265,7 +273,7 @@ TEST(VortexFit, MergesDuplicatesIntoTheEarlier)
   two.Strength *= 0.5;
   SilentMonitor monitor;
   std::vector<Vortex> fitted;
-  ASSERT_TRUE(static_cast<bool>(FitVortices(samples, { one, two }, {}, monitor, fitted)));
+  ASSERT_TRUE(static_cast<bool>(FitVortices(samples, { one, two }, PriorsOnly(), monitor, fitted)));
   ASSERT_EQ(fitted.size(), 1u);
   EXPECT_EQ(fitted[0].VortexId, 4);
   EXPECT_EQ(fitted[0].ObjectCount, 4);
@@ -282,7 +290,7 @@ TEST(VortexFit, HandsBackWhatNobodySawAndKeepsBounds)
   Random random(7);
   std::vector<VortexSample> samples;
   AddTrack(truth, 0, 0.3, random, samples);
-  VortexFitOptions options;
+  VortexFitOptions options = PriorsOnly();
   options.MaximumStrength = 2.0;
   options.MaximumDuration = 1.0;
   SilentMonitor monitor;
@@ -312,7 +320,7 @@ TEST(VortexFit, RepeatsBitForBitAndStopsWhenAsked)
     AddTrack(truth, track, 0.1, random, samples);
   }
   const Vortex prior = Displaced(truth, random);
-  VortexFitOptions options;
+  VortexFitOptions options = PriorsOnly();
   options.Seed = 5;
   const Vortex once = FitOne(samples, { prior }, options);
   const Vortex twice = FitOne(samples, { prior }, options);
@@ -344,17 +352,17 @@ TEST(VortexFit, RefusesBadNumbersByName)
   };
   Vortex flat = truth;
   flat.P2 = flat.P1;
-  EXPECT_NE(message({ flat }, {}).find("vortex 4"), std::string::npos);
-  EXPECT_NE(message({ truth, truth }, {}).find("each used once"), std::string::npos);
-  VortexFitOptions options;
+  EXPECT_NE(message({ flat }, PriorsOnly()).find("vortex 4"), std::string::npos);
+  EXPECT_NE(message({ truth, truth }, PriorsOnly()).find("each used once"), std::string::npos);
+  VortexFitOptions options = PriorsOnly();
   options.NumberOfStarts = 0;
   EXPECT_NE(message({ truth }, options).find("NumberOfStarts"), std::string::npos);
   samples[12].Acceleration.y() = std::numeric_limits<double>::infinity();
-  EXPECT_NE(message({ truth }, {}).find("sample 12 (track 6, frame"), std::string::npos);
+  EXPECT_NE(message({ truth }, PriorsOnly()).find("sample 12 (track 6, frame"), std::string::npos);
   samples.clear();
-  EXPECT_TRUE(static_cast<bool>(FitVortices(samples, { truth }, {}, monitor, fitted)));
+  EXPECT_TRUE(static_cast<bool>(FitVortices(samples, { truth }, PriorsOnly(), monitor, fitted)));
   EXPECT_EQ(fitted.size(), 1u);
-  EXPECT_TRUE(static_cast<bool>(FitVortices({}, {}, {}, monitor, fitted)));
+  EXPECT_TRUE(static_cast<bool>(FitVortices({}, {}, PriorsOnly(), monitor, fitted)));
   EXPECT_TRUE(fitted.empty());
 }
 
