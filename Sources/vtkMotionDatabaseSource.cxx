@@ -83,7 +83,8 @@ waft::DatabaseOptions vtkMotionDatabaseSource::Internals::Options(vtkMotionDatab
   options.Cluster.RelativeError = self->RelativeError;
   options.Cluster.Trees.NumberOfTopNodes = self->NumberOfTopNodes;
   options.Cluster.Connections.NotConnectible = self->NotConnectible;
-  options.Cluster.Connections.Freedom = static_cast<waft::RotationFreedom>(self->RotationFreedom);
+  options.Cluster.Connections.RotationFreedom =
+    static_cast<waft::RotationFreedom>(self->RotationFreedom);
   return options;
 }
 

@@ -24,7 +24,7 @@ Options OptionsOf(const Stage& stage)
 }
 
 /// For GuardedRequest: setters that clamp let NaN through.
-template <class Options, class Stage>
+template <class... Options, class Stage>
 std::vector<PropertyRange> RangesOf(const Stage& stage)
 {
   std::vector<PropertyRange> ranges;
@@ -35,18 +35,18 @@ std::vector<PropertyRange> RangesOf(const Stage& stage)
       ranges.emplace_back(field, static_cast<double>(value));
     }
   };
-  Options::Visit(add, stage);
+  (Options::Visit(add, stage), ...);
   return ranges;
 }
 
 /// One line a field, with its unit.
-template <class Options, class Stage>
+template <class... Options, class Stage>
 void PrintFields(std::ostream& os, vtkIndent indent, const Stage& stage)
 {
   const auto print = [&](const OptionField& field, const auto& value) {
     os << indent << field.Name << ": " << value << (*field.Unit ? " " : "") << field.Unit << "\n";
   };
-  Options::Visit(print, stage);
+  (Options::Visit(print, stage), ...);
 }
 
 } // namespace waft

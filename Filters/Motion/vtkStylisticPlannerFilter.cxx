@@ -6,6 +6,7 @@
 #include "Bridge/KeptStage.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/StageExecution.h"
+#include "Bridge/StageOptions.h"
 #include "Bridge/TrackData.h"
 #include "Bridge/TreeData.h"
 #include "Bridge/VortexData.h"
@@ -69,27 +70,11 @@ struct vtkStylisticPlannerFilter::Internals : waft::KeptStage
   {
     this->Fields.KeepObstacles(); // an edit of a row does not pull them again
   }
-  waft::PlanOptions Options() const;
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   waft::Result TakeDatabase(vtkMultiBlockDataSet* data);
   waft::Result TakeObstacles();
   void KeepPlan(const waft::PlanOutput& plan);
 };
-
-waft::PlanOptions vtkStylisticPlannerFilter::Internals::Options() const
-{
-  waft::PlanOptions options;
-  options.Seed = static_cast<std::uint64_t>(this->Self->Seed);
-  options.Freedom = static_cast<waft::RotationFreedom>(this->Self->RotationFreedom);
-  options.MaximumTilt = this->Self->MaxTilt;
-  options.ConnectionThreshold = this->Self->ConnectionThreshold;
-  options.JoinThreshold = this->Self->JoinThreshold;
-  options.NumberOfCandidates = this->Self->NumberOfCandidates;
-  options.MaximumNumberOfBranches = this->Self->MaximumNumberOfBranches;
-  options.RetimingLimit = this->Self->RetimingLimit;
-  options.GuideWeight = this->Self->GuideWeight;
-  return options;
-}
 
 /// Takes the database over when it is another than the last time.
 waft::Result vtkStylisticPlannerFilter::Internals::TakeDatabase(vtkMultiBlockDataSet* data)
@@ -151,12 +136,13 @@ waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** in
   WAFT_RETURN_IF_FAILED(waft::GuidesFromPolyData(vtkPolyData::GetData(inputs[GuidesPort]), guides));
   const waft::PlanInput input{ this->Database,  objects,     constraints,
                                this->Obstacles, this->Scene, guides };
-  const waft::TakeOptions choice{ this->Self->NumberOfTakes, this->Self->Take };
+  const auto options = waft::OptionsOf<waft::PlanOptions>(*this->Self);
+  const auto choice = waft::OptionsOf<waft::TakeOptions>(*this->Self);
   this->Warnings = waft::DatabaseRemarks(this->Database, this->Scene);
   waft::PlanOutput plan;
   std::vector<waft::TakeScore> takes;
-  const waft::Result result = waft::PlanTakes(input, this->Options(), choice, waft::SmpFor(),
-                                              monitor, plan, takes, &this->Memory);
+  const waft::Result result =
+    waft::PlanTakes(input, options, choice, waft::SmpFor(), monitor, plan, takes, &this->Memory);
   this->Self->NumberOfPlannedObjects =
     static_cast<int>(std::count_if(plan.Objects.begin(), plan.Objects.end(),
                                    [](const waft::ObjectRow& object) { return object.IsPlanned; }));
@@ -215,12 +201,7 @@ vtkTypeBool vtkStylisticPlannerFilter::ProcessRequest(vtkInformation* request,
                                                       vtkInformationVector* outputs)
 {
   return waft::GuardedRequest(
-    this, request, outputs,
-    { { "MaxTilt", this->MaxTilt, waft::limits::Finite },
-      { "ConnectionThreshold", this->ConnectionThreshold, waft::limits::Around0(1e9) },
-      { "JoinThreshold", this->JoinThreshold, waft::limits::Around0(1e9) },
-      { "RetimingLimit", this->RetimingLimit, waft::limits::Finite },
-      { "GuideWeight", this->GuideWeight, waft::limits::Finite } },
+    this, request, outputs, waft::RangesOf<waft::PlanOptions, waft::TakeOptions>(*this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
@@ -247,16 +228,6 @@ int vtkStylisticPlannerFilter::RequestData(vtkInformation* request, vtkInformati
 void vtkStylisticPlannerFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "RotationFreedom: " << this->RotationFreedom << "\n";
-  os << indent << "MaxTilt: " << this->MaxTilt << "\n";
-  os << indent << "ConnectionThreshold: " << this->ConnectionThreshold << "\n";
-  os << indent << "JoinThreshold: " << this->JoinThreshold << "\n";
-  os << indent << "NumberOfCandidates: " << this->NumberOfCandidates << "\n";
-  os << indent << "MaximumNumberOfBranches: " << this->MaximumNumberOfBranches << "\n";
-  os << indent << "RetimingLimit: " << this->RetimingLimit << "\n";
-  os << indent << "GuideWeight: " << this->GuideWeight << "\n";
-  os << indent << "NumberOfTakes: " << this->NumberOfTakes << "\n";
-  os << indent << "Take: " << this->Take << "\n";
-  os << indent << "Seed: " << this->Seed << "\n";
+  waft::PrintFields<waft::PlanOptions, waft::TakeOptions>(os, indent, *this);
   os << indent << "NumberOfPlannedObjects: " << this->NumberOfPlannedObjects << "\n";
 }

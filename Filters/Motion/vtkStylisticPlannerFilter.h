@@ -44,6 +44,12 @@
 
 #include <memory>
 
+namespace waft
+{
+struct PlanOptions;
+struct TakeOptions;
+}
+
 class VTKWAFTFILTERS_EXPORT vtkStylisticPlannerFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -145,6 +151,10 @@ private:
   vtkStylisticPlannerFilter(const vtkStylisticPlannerFilter&) = delete;
   void operator=(const vtkStylisticPlannerFilter&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::PlanOptions;
+  friend struct waft::TakeOptions;
   int RotationFreedom = YAW_AND_TILT;
   double MaxTilt = 0.34906585039886591;
   double ConnectionThreshold = 0.06;

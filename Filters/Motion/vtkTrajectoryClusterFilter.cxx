@@ -6,6 +6,7 @@
 #include "Bridge/DatabaseConversion.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/StageExecution.h"
+#include "Bridge/StageOptions.h"
 #include "Bridge/TrackData.h"
 #include "Bridge/VortexData.h"
 #include "Trajectory/TrajectoryClusters.h"
@@ -80,21 +81,10 @@ waft::ClusterOptions vtkTrajectoryClusterFilter::Internals::Options(
   vtkTrajectoryClusterFilter* self)
 {
   waft::ClusterOptions options;
-  options.Segmentation.ShortestSegment = self->ShortestSegment;
-  options.Segmentation.LongestSegment = self->LongestSegment;
-  options.Segmentation.LengthRatio = self->LengthRatio;
-  options.Segmentation.FeatureCurvature = self->FeatureCurvature;
-  options.Segmentation.FeatureContrast = self->FeatureContrast;
-  options.Segmentation.LeastSpeed = self->LeastSpeed;
-  options.Window = self->Window;
-  options.RelativeError = self->RelativeError;
-  options.MaximumSegments = self->MaximumSegments;
-  options.Trees.NumberOfTopNodes = self->NumberOfTopNodes;
-  options.Trees.Branching = self->Branching;
-  options.Trees.Seed = static_cast<std::uint64_t>(self->Seed);
-  options.Connections.Freedom = static_cast<waft::RotationFreedom>(self->RotationFreedom);
-  options.Connections.MaxTilt = self->MaxTilt;
-  options.Connections.NotConnectible = self->NotConnectible;
+  waft::CopyFields<waft::ClusterOptions>(*self, options);
+  waft::CopyFields<waft::SegmentationOptions>(*self, options.Segmentation);
+  waft::CopyFields<waft::ClusterTreeOptions>(*self, options.Trees);
+  waft::CopyFields<waft::ConnectionOptions>(*self, options.Connections);
   return options;
 }
 
@@ -122,17 +112,8 @@ vtkTypeBool vtkTrajectoryClusterFilter::ProcessRequest(vtkInformation* request,
 {
   return waft::GuardedRequest(
     this, request, outputs,
-    { { "ShortestSegment", double(this->ShortestSegment), waft::limits::Frames },
-      { "LongestSegment", double(this->LongestSegment), waft::limits::Frames },
-      { "LengthRatio", this->LengthRatio, waft::limits::Around0(1e9) },
-      { "FeatureCurvature", this->FeatureCurvature, waft::limits::Factor },
-      { "FeatureContrast", this->FeatureContrast, waft::limits::Around0(1e9) },
-      { "LeastSpeed", this->LeastSpeed, waft::limits::Factor },
-      { "RelativeError", this->RelativeError, waft::limits::Finite },
-      { "NumberOfTopNodes", this->NumberOfTopNodes, waft::limits::UpTo(1e6) },
-      { "Branching", this->Branching, waft::limits::UpTo(1e6) },
-      { "MaxTilt", this->MaxTilt, waft::limits::Finite },
-      { "NotConnectible", this->NotConnectible, waft::limits::Around0(1e9) } },
+    waft::RangesOf<waft::ClusterOptions, waft::SegmentationOptions, waft::ClusterTreeOptions,
+                   waft::ConnectionOptions>(*this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
@@ -183,19 +164,6 @@ void vtkTrajectoryClusterFilter::RemoveAllVortices()
 void vtkTrajectoryClusterFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "ShortestSegment: " << this->ShortestSegment << "\n";
-  os << indent << "LongestSegment: " << this->LongestSegment << "\n";
-  os << indent << "LengthRatio: " << this->LengthRatio << "\n";
-  os << indent << "FeatureCurvature: " << this->FeatureCurvature << "\n";
-  os << indent << "FeatureContrast: " << this->FeatureContrast << "\n";
-  os << indent << "LeastSpeed: " << this->LeastSpeed << "\n";
-  os << indent << "Window: " << this->Window << "\n";
-  os << indent << "RelativeError: " << this->RelativeError << "\n";
-  os << indent << "MaximumSegments: " << this->MaximumSegments << "\n";
-  os << indent << "NumberOfTopNodes: " << this->NumberOfTopNodes << "\n";
-  os << indent << "Branching: " << this->Branching << "\n";
-  os << indent << "RotationFreedom: " << this->RotationFreedom << "\n";
-  os << indent << "MaxTilt: " << this->MaxTilt << "\n";
-  os << indent << "NotConnectible: " << this->NotConnectible << "\n";
-  os << indent << "Seed: " << this->Seed << "\n";
+  waft::PrintFields<waft::ClusterOptions, waft::SegmentationOptions, waft::ClusterTreeOptions,
+                    waft::ConnectionOptions>(os, indent, *this);
 }

@@ -25,6 +25,14 @@
 
 #include <memory>
 
+namespace waft
+{
+struct ClusterOptions;
+struct ClusterTreeOptions;
+struct ConnectionOptions;
+struct SegmentationOptions;
+}
+
 class VTKWAFTFILTERS_EXPORT vtkTrajectoryClusterFilter : public vtkMultiBlockDataSetAlgorithm
 {
 public:
@@ -98,7 +106,7 @@ public:
   ///@}
   ///@{
   /** Largest lean of the vertical under YawAndTilt [rad]. */
-  vtkSetClampMacro(MaxTilt, double, 0.0, 3.14159265358979);
+  vtkSetClampMacro(MaxTilt, double, 0.0, 3.14159265358979323846);
   vtkGetMacro(MaxTilt, double);
   ///@}
   ///@{
@@ -132,6 +140,12 @@ private:
   vtkTrajectoryClusterFilter(const vtkTrajectoryClusterFilter&) = delete;
   void operator=(const vtkTrajectoryClusterFilter&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::ClusterOptions;
+  friend struct waft::ClusterTreeOptions;
+  friend struct waft::ConnectionOptions;
+  friend struct waft::SegmentationOptions;
   int ShortestSegment = 12;
   int LongestSegment = 60;
   double LengthRatio = 1.5;

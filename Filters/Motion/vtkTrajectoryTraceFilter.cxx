@@ -7,6 +7,7 @@
 #include "Bridge/FlowData.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/StageExecution.h"
+#include "Bridge/StageOptions.h"
 #include "Bridge/TrackData.h"
 #include "Bridge/VortexData.h"
 #include "Obstacles/ObstacleSet.h"
@@ -168,11 +169,7 @@ vtkTypeBool vtkTrajectoryTraceFilter::ProcessRequest(vtkInformation* request,
                                                      vtkInformationVector* outputs)
 {
   return waft::GuardedRequest(
-    this, request, outputs,
-    { { "SettlingSpeed", this->SettlingSpeed, waft::limits::UpTo(waft::limits::Speed.High) },
-      { "VortexShare", this->VortexShare, waft::limits::Finite },
-      { "ForceFloor", this->ForceFloor, waft::limits::Factor },
-      { "ShortestRun", this->ShortestRun, waft::limits::Factor } },
+    this, request, outputs, waft::RangesOf<waft::TraceOptions, waft::AnnotationOptions>(*this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
@@ -198,12 +195,8 @@ int vtkTrajectoryTraceFilter::RequestData(vtkInformation* request, vtkInformatio
   Internals& impl = *this->Impl;
   if (!impl.Cache.IsCurrent(this, inputs))
   {
-    waft::TraceOptions options;
-    options.SeedStride = this->SeedStride;
-    options.SettlingSpeed = this->SettlingSpeed;
-    options.Annotation.VortexShare = this->VortexShare;
-    options.Annotation.ForceFloor = this->ForceFloor;
-    options.Annotation.ShortestRun = this->ShortestRun;
+    auto options = waft::OptionsOf<waft::TraceOptions>(*this);
+    waft::CopyFields<waft::AnnotationOptions>(*this, options.Annotation);
     const bool isFirst = impl.Sweep.IsFirst();
     waft::Result result = isFirst ? impl.Begin(inputs, options) : waft::Result::Ok();
     result = result && impl.Sweep.HasNewStep() ? impl.Feed(inputs, isFirst) : result;
@@ -241,9 +234,5 @@ int vtkTrajectoryTraceFilter::RequestData(vtkInformation* request, vtkInformatio
 void vtkTrajectoryTraceFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SeedStride: " << this->SeedStride << "\n";
-  os << indent << "SettlingSpeed: " << this->SettlingSpeed << "\n";
-  os << indent << "VortexShare: " << this->VortexShare << "\n";
-  os << indent << "ForceFloor: " << this->ForceFloor << "\n";
-  os << indent << "ShortestRun: " << this->ShortestRun << "\n";
+  waft::PrintFields<waft::TraceOptions, waft::AnnotationOptions>(os, indent, *this);
 }

@@ -27,6 +27,12 @@
 
 #include <memory>
 
+namespace waft
+{
+struct AnnotationOptions;
+struct TraceOptions;
+}
+
 class VTKWAFTFILTERS_EXPORT vtkTrajectoryTraceFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -85,6 +91,10 @@ private:
   vtkTrajectoryTraceFilter(const vtkTrajectoryTraceFilter&) = delete;
   void operator=(const vtkTrajectoryTraceFilter&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::AnnotationOptions;
+  friend struct waft::TraceOptions;
   int SeedStride = 8;
   double SettlingSpeed = 0.0;
   double VortexShare = 0.5;

@@ -149,7 +149,7 @@ TEST(MotionDatabaseSource, DefaultsAreThoseOfCore)
   EXPECT_EQ(source->GetNumberOfTopNodes(), o.Cluster.Trees.NumberOfTopNodes);
   EXPECT_EQ(source->GetRelativeError(), o.Cluster.RelativeError);
   EXPECT_EQ(source->GetNotConnectible(), o.Cluster.Connections.NotConnectible);
-  EXPECT_EQ(source->GetRotationFreedom(), static_cast<int>(o.Cluster.Connections.Freedom));
+  EXPECT_EQ(source->GetRotationFreedom(), static_cast<int>(o.Cluster.Connections.RotationFreedom));
   const auto expect = [](const double* ends, const Range& range)
   {
     EXPECT_EQ(ends[0], range.Low);

@@ -315,7 +315,7 @@ TEST(TrajectoryFilters, DefaultsAreThoseOfCore)
   EXPECT_EQ(cluster->GetMaximumSegments(), c.MaximumSegments);
   EXPECT_EQ(cluster->GetNumberOfTopNodes(), c.Trees.NumberOfTopNodes);
   EXPECT_EQ(cluster->GetBranching(), c.Trees.Branching);
-  EXPECT_EQ(cluster->GetRotationFreedom(), static_cast<int>(c.Connections.Freedom));
+  EXPECT_EQ(cluster->GetRotationFreedom(), static_cast<int>(c.Connections.RotationFreedom));
   EXPECT_EQ(cluster->GetMaxTilt(), c.Connections.MaxTilt);
   EXPECT_EQ(cluster->GetNotConnectible(), c.Connections.NotConnectible);
   EXPECT_EQ(static_cast<std::uint64_t>(cluster->GetSeed()), c.Trees.Seed);

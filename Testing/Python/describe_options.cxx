@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints what the options structs of Core say of their fields, by the class of the pipeline that
 // has them as its properties, as JSON.
+#include "Planning/Takes.h"
 #include "Rotation/RotationRefine.h"
 #include "Spacetime/Spacetime.h"
+#include "Trajectory/TrajectoryClusters.h"
+#include "Trajectory/TrajectoryTracer.h"
 #include "Vortex/VortexFit.h"
 
 #include <nlohmann/json.hpp>
 
 #include <iostream>
+#include <tuple>
 
 namespace
 {
 
-template <class Options>
+template <class... Options>
 nlohmann::json FieldsOf()
 {
   auto fields = nlohmann::json::array();
-  const Options options;
+  const std::tuple<Options...> all;
   const auto add = [&fields](const waft::OptionField& field, const auto& value)
   {
     nlohmann::json said{ { "name", field.Name }, { "sentence", field.Sentence } };
@@ -28,10 +32,11 @@ nlohmann::json FieldsOf()
     {
       said["default"] = static_cast<double>(value);
       said["range"] = { field.Range.Low, field.Range.High };
+      said["offered"] = { field.Offered.Low, field.Offered.High };
     }
     fields.push_back(said);
   };
-  Options::Visit(add, options);
+  (Options::Visit(add, std::get<Options>(all)), ...);
   return fields;
 }
 
@@ -42,6 +47,10 @@ int main()
   const nlohmann::json classes{
     { "vtkRotationRefineFilter", FieldsOf<waft::RotationOptions>() },
     { "vtkSPHSpacetimeFilter", FieldsOf<waft::SpacetimeOptions>() },
+    { "vtkStylisticPlannerFilter", FieldsOf<waft::PlanOptions, waft::TakeOptions>() },
+    { "vtkTrajectoryClusterFilter", FieldsOf<waft::ClusterOptions, waft::SegmentationOptions,
+                                             waft::ClusterTreeOptions, waft::ConnectionOptions>() },
+    { "vtkTrajectoryTraceFilter", FieldsOf<waft::TraceOptions, waft::AnnotationOptions>() },
     { "vtkVortexFitFilter", FieldsOf<waft::VortexFitOptions>() },
   };
   std::cout << classes.dump(1) << "\n";

@@ -13,14 +13,18 @@
 namespace waft::limits
 {
 
-/// From Low to High, both allowed.
+/// From Low to High, both allowed unless said otherwise.
 struct Range
 {
   double Low = 0;
   double High = 0;
+  bool IsAboveLow = false; ///< Low itself is out.
 
   /// NaN is in no range.
-  constexpr bool Holds(double x) const { return x >= this->Low && x <= this->High; }
+  constexpr bool Holds(double x) const
+  {
+    return (this->IsAboveLow ? x > this->Low : x >= this->Low) && x <= this->High;
+  }
   /// Whether all of `values`, any container of numbers, are in the range.
   template <class Values>
   bool HoldsAll(const Values& values) const
@@ -31,7 +35,8 @@ struct Range
   /// "a number from LOW to HIGH", as messages say what was expected.
   std::string Text() const
   {
-    return "a number from " + NumberText(this->Low, 10) + " to " + NumberText(this->High, 10);
+    return std::string("a number from ") + (this->IsAboveLow ? "above " : "") +
+           NumberText(this->Low, 10) + " to " + NumberText(this->High, 10);
   }
 };
 
@@ -39,12 +44,17 @@ constexpr Range UpTo(double high)
 {
   return { 0, high };
 }
+constexpr Range Above(double low, double high)
+{
+  return { low, high, true };
+}
 constexpr Range Around0(double reach)
 {
   return { -reach, reach };
 }
 
 inline constexpr Range Finite = Around0(std::numeric_limits<double>::max());
+inline constexpr double MostInt = std::numeric_limits<int>::max();
 inline constexpr Range Coordinate = Around0(1e6);   ///< Of a point [m].
 inline constexpr Range Length = { 1e-9, 1e6 };      ///< Of what has an extent [m].
 inline constexpr Range Distance = UpTo(1e6);        ///< Of what may have none [m].

@@ -28,6 +28,8 @@ struct OptionField
   limits::Range Range; ///< Not read for texts.
   const char* Unit;    ///< "" for plain numbers.
   const char* Sentence;
+  /// What a panel offers, where that is less than what may be.
+  limits::Range Offered = Range;
 
   /// "NAME: expected a number from LOW to HIGH m, found VALUE" where the value is out of range.
   Result Check(double value) const

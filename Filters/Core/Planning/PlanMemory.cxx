@@ -114,14 +114,8 @@ std::string SharedKey(const PlanInput& input, const PlanOptions& options)
   digest.Add(input.Scene.Bounds.Max);
   digest.Add(input.Scene.Time.NumberOfFrames);
   digest.Add(input.Scene.Time.FramesPerSecond);
-  digest.Add(options.Freedom);
-  digest.Add(options.MaximumTilt);
-  digest.Add(options.ConnectionThreshold);
-  digest.Add(options.JoinThreshold);
-  digest.Add(options.MaximumNumberOfBranches);
-  digest.Add(options.NumberOfCandidates);
-  digest.Add(options.RetimingLimit);
-  digest.Add(options.GuideWeight);
+  PlanOptions::VisitStyle([&digest](const OptionField&, const auto& value) { digest.Add(value); },
+                          options);
   return digest.Text();
 }
 

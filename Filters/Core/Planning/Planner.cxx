@@ -220,31 +220,6 @@ ObjectPlan WithOrdinals(ObjectPlan plan, const std::vector<int>& own)
 
 } // namespace
 
-Result PlanOptions::Validate() const
-{
-  if (!(this->RetimingLimit >= 0.0) || this->RetimingLimit > 0.5)
-  {
-    return Result::Error("planner: RetimingLimit must lie between 0 and 0.5");
-  }
-  if (this->MaximumNumberOfBranches < 1)
-  {
-    return Result::Error("planner: MaximumNumberOfBranches must be at least 1");
-  }
-  if (!(this->ConnectionThreshold > 0.0) || !(this->JoinThreshold > 0.0))
-  {
-    return Result::Error("planner: thresholds must be positive");
-  }
-  if (!(this->GuideWeight >= 0.0) || this->GuideWeight > 1.0)
-  {
-    return Result::Error("planner: GuideWeight must lie between 0 and 1");
-  }
-  if (!(this->MaximumTilt >= 0.0))
-  {
-    return Result::Error("planner: MaximumTilt must not be negative");
-  }
-  return Result::Ok();
-}
-
 Result PlanMotion(const PlanInput& input, const PlanOptions& options,
                   const ParallelFor& parallelFor, Monitor& monitor, PlanOutput& output,
                   PlanMemory* memory)
@@ -260,8 +235,8 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   }
   SegmentLibraryOptions libraryOptions;
   libraryOptions.FramesPerSecond = input.Scene.Time.FramesPerSecond;
-  libraryOptions.Freedom = options.Freedom;
-  libraryOptions.MaximumTilt = options.MaximumTilt;
+  libraryOptions.Freedom = options.RotationFreedom;
+  libraryOptions.MaximumTilt = options.MaxTilt;
   libraryOptions.MaximumConnectionCost = options.ConnectionThreshold;
   std::shared_ptr<const PlanTools> tools;
   if (memory != nullptr)

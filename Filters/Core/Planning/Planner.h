@@ -6,6 +6,7 @@
 #include "Base/ForceFields.h"
 #include "Base/Monitor.h"
 #include "Base/Motion.h"
+#include "Base/OptionFields.h"
 #include "Base/Parallel.h"
 #include "Base/Result.h"
 #include "Constraints/Constraint.h"
@@ -14,6 +15,7 @@
 #include "Trajectory/Alignment.h"
 #include "Trajectory/MotionDatabase.h"
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -31,28 +33,90 @@ struct PlanInput
   std::vector<Guide> Guides = {}; // at most one an object
 };
 
+/// Members have the defaults; Visit says the rest of each field that a user sets.
 struct PlanOptions
 {
   std::uint64_t Seed = 1;
-  RotationFreedom Freedom = RotationFreedom::YawAndTilt;
-  double MaximumTilt = DefaultMaxTilt; // rad
-  /// Residual over chord (Eq. 1) above which two segments are not connectible.
+  waft::RotationFreedom RotationFreedom = waft::RotationFreedom::YawAndTilt;
+  double MaxTilt = DefaultMaxTilt;
   double ConnectionThreshold = 0.06;
-  /// Relative offset of velocity at which a join is taken at once; it grows as the search lasts.
   double JoinThreshold = 0.05;
-  /// Limit of branches of the two trees of one span.
   int MaximumNumberOfBranches = 20000;
-  /// Paths looked for in each span; the one nearest to the database's curvatures and accelerations
-  /// is taken.
   int NumberOfCandidates = 32;
-  /// Frames that a path lasts may differ from the frames there are by this share before retiming.
   double RetimingLimit = 0.15;
-  /// How closely paths follow their guides, 0 (not at all) to 1.
   double GuideWeight = 0.5;
   /// Branches kept for output, over all objects, in the order of the objects.
   int MaximumNumberOfStoredBranches = 20000;
 
-  Result Validate() const;
+  Result Validate() const { return ValidateFields<PlanOptions>(*this); }
+
+  /// What tells the plans of one object and seed apart.
+  template <class Visitor, class... Holder>
+  static void VisitStyle(Visitor&& visit, Holder&... of)
+  {
+    visit(
+      OptionField{ "RotationFreedom",
+                   { 0, 2 },
+                   "",
+                   "Which rotations may carry a segment to its place: about the vertical, leaning "
+                   "by at most Max Tilt as well, or any (many segments then fly upside down)." },
+      of.RotationFreedom...);
+    visit(OptionField{ "MaxTilt",
+                       { 0, M_PI },
+                       "rad",
+                       "Largest lean of the vertical under YawAndTilt, in radians." },
+          of.MaxTilt...);
+    visit(OptionField{ "ConnectionThreshold",
+                       limits::Above(0, 1e9),
+                       "",
+                       "Residual over chord of the shared window above which two representatives "
+                       "do not follow each other.",
+                       { 0.001, 1 } },
+          of.ConnectionThreshold...);
+    visit(OptionField{ "JoinThreshold",
+                       limits::Above(0, 1e9),
+                       "",
+                       "Relative offset of velocity that a path found at once may cost; more is "
+                       "granted as the search lasts.",
+                       { 0.001, 1 } },
+          of.JoinThreshold...);
+    visit(OptionField{ "MaximumNumberOfBranches",
+                       { 1, 1000000 },
+                       "",
+                       "Limit of branches of the two trees of one flight; beyond it a mark counts "
+                       "as unreachable." },
+          of.MaximumNumberOfBranches...);
+    visit(
+      OptionField{
+        "NumberOfCandidates",
+        { 1, 1000 },
+        "",
+        "Paths looked for in each flight; the one nearest to the style of the database is taken." },
+      of.NumberOfCandidates...);
+    visit(OptionField{ "RetimingLimit",
+                       { 0, 0.5 },
+                       "",
+                       "Share by which a path may last longer or shorter before its time is scaled "
+                       "to the frames there are." },
+          of.RetimingLimit...);
+    visit(
+      OptionField{
+        "GuideWeight",
+        { 0, 1 },
+        "",
+        "How closely paths follow their guides: 0 not at all, 1 as closely as the style allows." },
+      of.GuideWeight...);
+  }
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    VisitStyle(visit, of...);
+    visit(OptionField{ "Seed", limits::Seed, "",
+                       "Seed of everything random in this stage. The same seed gives the same "
+                       "result, bit by bit, on any number of threads." },
+          of.Seed...);
+  }
 };
 
 /// One branch of a tree, as a polyline.

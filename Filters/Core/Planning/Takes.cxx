@@ -89,13 +89,10 @@ TakeScore ScoreOf(const PlanOutput& plan, const StyleSamples& reference, const T
 
 Result TakeOptions::Validate() const
 {
-  if (this->NumberOfTakes < 1)
+  WAFT_RETURN_IF_FAILED(ValidateFields<TakeOptions>(*this));
+  if (this->Take >= this->NumberOfTakes)
   {
-    return Result::Error("planner: NumberOfTakes must be at least 1");
-  }
-  if (this->Chosen < -1 || this->Chosen >= this->NumberOfTakes)
-  {
-    return Result::Error("planner: Take is " + std::to_string(this->Chosen) +
+    return Result::Error("planner: Take is " + std::to_string(this->Take) +
                          ", expected -1 (the best) to " + std::to_string(this->NumberOfTakes - 1));
   }
   return Result::Ok();
@@ -137,8 +134,8 @@ Result PlanTakes(const PlanInput& input, const PlanOptions& options, const TakeO
     score.Seed = own.Seed;
     scores.push_back(score);
     // Until the one that is asked for is there the best so far stands for it.
-    const bool isAskedFor = take == takes.Chosen;
-    if (isAskedFor || ((takes.Chosen < 0 || take < takes.Chosen) && score.Score < least))
+    const bool isAskedFor = take == takes.Take;
+    if (isAskedFor || ((takes.Take < 0 || take < takes.Take) && score.Score < least))
     {
       least = score.Score;
       output = std::move(plan);

@@ -12,9 +12,25 @@ namespace waft
 struct TakeOptions
 {
   int NumberOfTakes = 1;
-  int Chosen = 0; // -1: the one with the least score
+  int Take = 0;
 
   Result Validate() const;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(
+      OptionField{ "NumberOfTakes",
+                   { 1, 1000 },
+                   "",
+                   "Plans to choose from, of consecutive seeds; the output Takes scores them." },
+      of.NumberOfTakes...);
+    visit(OptionField{ "Take",
+                       { -1, 999 },
+                       "",
+                       "The take that is given, from 0; -1 is the one with the least score." },
+          of.Take...);
+  }
 };
 
 /// How one take turned out.

@@ -6,20 +6,6 @@
 namespace waft
 {
 
-Result AnnotationOptions::Validate() const
-{
-  if (!(this->VortexShare >= 0.0 && this->VortexShare <= 1.0))
-  {
-    return Result::Error("VortexShare: expected a number from 0 to 1");
-  }
-  if (!(this->ForceFloor >= 0.0) || !(this->ShortestRun >= 0.0) ||
-      !std::isfinite(this->ForceFloor) || !std::isfinite(this->ShortestRun))
-  {
-    return Result::Error("ForceFloor and ShortestRun: expected numbers of at least 0");
-  }
-  return Result::Ok();
-}
-
 ForceType ClassifyForce(const Vec3& vortexForce, const Vec3& windForce,
                         const AnnotationOptions& options)
 {

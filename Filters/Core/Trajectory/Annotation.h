@@ -4,6 +4,7 @@
 
 #include "Base/ForceFields.h"
 #include "Base/Motion.h"
+#include "Base/OptionFields.h"
 #include "Base/Result.h"
 
 #include <vector>
@@ -20,7 +21,25 @@ struct AnnotationOptions
   /// Runs of one cause shorter than this take the cause of the run before them [s].
   double ShortestRun = 0.3;
 
-  Result Validate() const;
+  Result Validate() const { return ValidateFields<AnnotationOptions>(*this); }
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "VortexShare",
+                       { 0, 1 },
+                       "",
+                       "A point is driven by a vortex when the vortices' force is more than this "
+                       "share of the sum of the magnitudes of both." },
+          of.VortexShare...);
+    visit(OptionField{ "ForceFloor", limits::Factor, "m/s^2",
+                       "An acceleration below this drives nothing, in metres per second squared." },
+          of.ForceFloor...);
+    visit(OptionField{ "ShortestRun", limits::Factor, "s",
+                       "Stretches of one cause that are shorter than this take the cause before "
+                       "them, in seconds." },
+          of.ShortestRun...);
+  }
 };
 
 /// The cause of a point from the accelerations [m/s^2] found there.

@@ -111,10 +111,10 @@ void Join(std::vector<Subtree>& subtrees, std::vector<ClusterNode>& nodes,
 
 Result ClusterTreeOptions::Validate() const
 {
-  if (this->NumberOfTopNodes < 1 || this->Branching < 2 || this->Iterations < 1)
+  WAFT_RETURN_IF_FAILED(ValidateFields<ClusterTreeOptions>(*this));
+  if (this->Iterations < 1)
   {
-    return Result::Error(
-      "NumberOfTopNodes, Branching and Iterations: expected at least 1, 2 and 1");
+    return Result::Error("Iterations: expected at least 1");
   }
   return Result::Ok();
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Base/Monitor.h"
+#include "Base/OptionFields.h"
 #include "Base/Parallel.h"
 #include "Base/Result.h"
 #include "Trajectory/MotionDatabase.h"
@@ -28,6 +29,26 @@ struct ClusterTreeOptions
   std::uint64_t Seed = 1;
 
   Result Validate() const;
+
+  /// What a user sets.
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "NumberOfTopNodes",
+                       { 1, 1e6 },
+                       "",
+                       "Initial clusters of all lengths together: the representatives that paths "
+                       "are planned with." },
+          of.NumberOfTopNodes...);
+    visit(
+      OptionField{
+        "Branching", { 2, 1e6 }, "", "Children of an inner node of a cluster tree, at most." },
+      of.Branching...);
+    visit(OptionField{ "Seed", limits::Seed, "",
+                       "Seed of everything random in this stage. The same seed gives the same "
+                       "result, bit by bit, on any number of threads." },
+          of.Seed...);
+  }
 };
 
 /// The segments of one group.

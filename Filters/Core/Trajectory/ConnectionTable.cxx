@@ -7,19 +7,6 @@
 namespace waft
 {
 
-Result ConnectionOptions::Validate() const
-{
-  if (!(this->MaxTilt >= 0.0 && this->MaxTilt <= 3.1416))
-  {
-    return Result::Error("MaxTilt: expected an angle from 0 to pi");
-  }
-  if (!(this->NotConnectible > 0.0) || !std::isfinite(this->NotConnectible))
-  {
-    return Result::Error("NotConnectible: expected a positive number");
-  }
-  return Result::Ok();
-}
-
 Result BuildConnectionTable(const ConnectionOptions& options, const ParallelFor& parallelFor,
                             Monitor& monitor, MotionDatabase& database)
 {
@@ -53,8 +40,8 @@ Result BuildConnectionTable(const ConnectionOptions& options, const ParallelFor&
                     for (std::size_t after = 0; after < count; ++after)
                     {
                       Connection& connection = table[before * count + after];
-                      connection =
-                        AlignWindows(tails[before], heads[after], options.Freedom, options.MaxTilt);
+                      connection = AlignWindows(tails[before], heads[after],
+                                                options.RotationFreedom, options.MaxTilt);
                       connection.IsConnectible = connection.Cost <= options.NotConnectible;
                     }
                   }

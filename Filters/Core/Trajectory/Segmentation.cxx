@@ -84,18 +84,12 @@ void SplitLong(const std::vector<double>& curvature, const SegmentationOptions& 
 
 Result SegmentationOptions::Validate() const
 {
-  if (this->ShortestSegment < 4 || this->LongestSegment < 2 * this->ShortestSegment)
+  WAFT_RETURN_IF_FAILED(ValidateFields<SegmentationOptions>(*this));
+  if (this->LongestSegment < 2 * this->ShortestSegment)
   {
-    return Result::Error("ShortestSegment and LongestSegment: expected at least 4 samples, and the "
-                         "longest at least twice the shortest");
-  }
-  if (!(this->LengthRatio > 1.0) || !(this->FeatureContrast > 1.0))
-  {
-    return Result::Error("LengthRatio and FeatureContrast: expected numbers above 1");
-  }
-  if (!(this->FeatureCurvature >= 0.0) || !(this->LeastSpeed >= 0.0))
-  {
-    return Result::Error("FeatureCurvature and LeastSpeed: expected numbers of at least 0");
+    return Result::Error("LongestSegment: expected at least twice ShortestSegment, " +
+                         std::to_string(this->ShortestSegment) + ", found " +
+                         std::to_string(this->LongestSegment));
   }
   return Result::Ok();
 }

@@ -2,6 +2,7 @@
 // Cuts trajectories into motion units at places of least curvature (Shi et al. 2005, section 3.2).
 #pragma once
 
+#include "Base/OptionFields.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
 
@@ -27,6 +28,37 @@ struct SegmentationOptions
   double LeastSpeed = 0.02;
 
   Result Validate() const;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(
+      OptionField{
+        "ShortestSegment", { 4, limits::Frames.High }, "frames", "Shortest segments, in frames." },
+      of.ShortestSegment...);
+    visit(OptionField{ "LongestSegment",
+                       { 8, limits::Frames.High },
+                       "frames",
+                       "Longest segments, in frames; at least twice the shortest." },
+          of.LongestSegment...);
+    visit(OptionField{ "LengthRatio", limits::Above(1, 1e9), "",
+                       "Lengths of the groups of segments grow by this ratio." },
+          of.LengthRatio...);
+    visit(OptionField{ "FeatureCurvature", limits::Factor, "1/m",
+                       "Bends that peak below this curvature are no features, in 1/m; 0: four over "
+                       "the width of the volume." },
+          of.FeatureCurvature...);
+    visit(
+      OptionField{
+        "FeatureContrast", limits::Above(1, 1e9), "",
+        "Two bends part where the curvature between them falls to the lower peak over this." },
+      of.FeatureContrast...);
+    visit(
+      OptionField{
+        "LeastSpeed", limits::Factor, "m/s",
+        "Segments of a lower mean speed are dead air and are left out, in metres per second." },
+      of.LeastSpeed...);
+  }
 };
 
 /// Curvature at each sample [1/m], with a floor on the speed so that a tracer at rest has none, and

@@ -203,17 +203,10 @@ private:
 
 Result ClusterOptions::Validate() const
 {
-  if (this->Window < 3 || this->Window > this->Segmentation.ShortestSegment)
+  WAFT_RETURN_IF_FAILED(ValidateFields<ClusterOptions>(*this));
+  if (this->Window > this->Segmentation.ShortestSegment)
   {
     return Result::Error("Window: expected 3 samples to those of the shortest segment");
-  }
-  if (!(this->RelativeError >= 1e-6 && this->RelativeError <= 1.0))
-  {
-    return Result::Error("RelativeError: expected a number from 1e-6 to 1");
-  }
-  if (this->MaximumSegments < 0)
-  {
-    return Result::Error("MaximumSegments: expected 0 (no limit) or a positive number");
   }
   for (const Result& result :
        { this->Segmentation.Validate(), this->Trees.Validate(), this->Connections.Validate() })
@@ -228,22 +221,26 @@ Result ClusterOptions::Validate() const
 
 std::map<std::string, std::string> ParametersOf(const ClusterOptions& options)
 {
-  const SegmentationOptions& cuts = options.Segmentation;
   std::map<std::string, std::string> p;
-  p["Seed"] = ParameterText(options.Trees.Seed);
-  p["Window"] = ParameterText(options.Window);
-  p["RelativeError"] = ParameterText(options.RelativeError);
-  p["MaximumSegments"] = ParameterText(options.MaximumSegments);
+  const auto add = [&p](const OptionField& field, const auto& value)
+  {
+    if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>)
+    {
+      p[field.Name] = ToString(value);
+    }
+    else
+    {
+      p[field.Name] = ParameterText(value);
+    }
+  };
+  const SegmentationOptions& cuts = options.Segmentation;
+  SegmentationOptions::Visit(add, cuts);
+  p.erase("ShortestSegment");
+  p.erase("LongestSegment");
   p["SegmentLengths"] = ParameterText(cuts.ShortestSegment, cuts.LongestSegment);
-  p["LengthRatio"] = ParameterText(cuts.LengthRatio);
-  p["FeatureCurvature"] = ParameterText(cuts.FeatureCurvature);
-  p["FeatureContrast"] = ParameterText(cuts.FeatureContrast);
-  p["LeastSpeed"] = ParameterText(cuts.LeastSpeed);
-  p["NumberOfTopNodes"] = ParameterText(options.Trees.NumberOfTopNodes);
-  p["Branching"] = ParameterText(options.Trees.Branching);
-  p["RotationFreedom"] = ToString(options.Connections.Freedom);
-  p["MaxTilt"] = ParameterText(options.Connections.MaxTilt);
-  p["NotConnectible"] = ParameterText(options.Connections.NotConnectible);
+  ClusterOptions::Visit(add, options);
+  ClusterTreeOptions::Visit(add, options.Trees);
+  ConnectionOptions::Visit(add, options.Connections);
   return p;
 }
 

@@ -6,6 +6,7 @@
 #include "Base/ForceFields.h"
 #include "Base/Monitor.h"
 #include "Base/Motion.h"
+#include "Base/OptionFields.h"
 #include "Base/Parallel.h"
 #include "Base/Result.h"
 #include "Trajectory/ClusterTree.h"
@@ -50,6 +51,27 @@ struct ClusterOptions
   ConnectionOptions Connections;
 
   Result Validate() const;
+
+  /// What a user sets, the parts apart.
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "Window",
+                       { 3, limits::MostInt },
+                       "frames",
+                       "Frames that consecutive segments of a path overlap in." },
+          of.Window...);
+    visit(OptionField{ "RelativeError",
+                       { 1e-6, 1 },
+                       "",
+                       "Error of the compression: rms left out over rms of the segments." },
+          of.RelativeError...);
+    visit(OptionField{ "MaximumSegments",
+                       { 0, limits::MostInt },
+                       "",
+                       "More segments than this are thinned at random; 0: all are kept." },
+          of.MaximumSegments...);
+  }
 };
 
 /// Keys and values, as they come into the database's Provenance.

@@ -87,17 +87,10 @@ bool AllFinite(const Samples& samples)
 
 Result TraceOptions::Validate() const
 {
-  if (this->SeedStride < 1)
-  {
-    return Result::Error("SeedStride: expected an integer of at least 1");
-  }
+  WAFT_RETURN_IF_FAILED(ValidateFields<TraceOptions>(*this));
   if (!(this->FramesPerSecond > 0.0) || !std::isfinite(this->FramesPerSecond))
   {
     return Result::Error("FramesPerSecond: expected a positive number");
-  }
-  if (!std::isfinite(this->SettlingSpeed))
-  {
-    return Result::Error("SettlingSpeed: expected a finite number");
   }
   if (!(this->Volume.Size().minCoeff() > 0.0) || !this->Volume.Size().allFinite())
   {

@@ -6,6 +6,7 @@
 #include "Base/ForceFields.h"
 #include "Base/Monitor.h"
 #include "Base/Motion.h"
+#include "Base/OptionFields.h"
 #include "Base/Parallel.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
@@ -56,6 +57,22 @@ struct TraceOptions
   AnnotationOptions Annotation;
 
   Result Validate() const;
+
+  /// What a user sets, the annotation apart.
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "SeedStride",
+                       { 1, limits::MostInt },
+                       "",
+                       "Tracers start at every SeedStride-th point of the image along each axis." },
+          of.SeedStride...);
+    visit(
+      OptionField{
+        "SettlingSpeed", limits::UpTo(limits::Speed.High), "m/s",
+        "Tracers sink through the air at this speed, in metres per second; 0: they follow it." },
+      of.SettlingSpeed...);
+  }
 };
 
 /// True where a tracer cannot be; from many threads at once.

@@ -83,7 +83,7 @@ TEST(Takes, AreThePlansOfConsecutiveSeedsAndTheBestCanBeChosen)
   std::vector<TakeScore> scores;
   for (int take = 0; take < 4; ++take)
   {
-    takes.Chosen = take;
+    takes.Take = take;
     const TakesRun run = PlanAll(scene, takes);
     ASSERT_TRUE(bool(run.Outcome)) << run.Outcome.Message();
     ASSERT_EQ(run.Scores.size(), 4u);
@@ -105,7 +105,7 @@ TEST(Takes, AreThePlansOfConsecutiveSeedsAndTheBestCanBeChosen)
     best = scores[take].Score < scores[best].Score ? take : best;
     EXPECT_TRUE(take == 0 || paths[take] != paths[0]);
   }
-  takes.Chosen = -1;
+  takes.Take = -1;
   EXPECT_EQ(PlanAll(scene, takes).Output.Tracks[0].Positions, paths[best]);
 }
 
@@ -114,7 +114,7 @@ TEST(Takes, RefuseAChoiceThatIsNotThere)
   PlanScene scene = OneFlight();
   TakeOptions takes;
   takes.NumberOfTakes = 2;
-  takes.Chosen = 2;
+  takes.Take = 2;
   EXPECT_NE(PlanAll(scene, takes).Outcome.Message().find("Take is 2"), std::string::npos);
   takes.NumberOfTakes = 0;
   EXPECT_NE(PlanAll(scene, takes).Outcome.Message().find("NumberOfTakes"), std::string::npos);
@@ -132,7 +132,7 @@ TEST(Takes, StoppedHalfWayGiveTheBestThatIsWhole)
                          scene.Scene };
   TakeOptions takes;
   takes.NumberOfTakes = 4;
-  takes.Chosen = 3;
+  takes.Take = 3;
   PlanOutput output;
   std::vector<TakeScore> scores;
   const Result result =

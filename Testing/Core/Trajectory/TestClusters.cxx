@@ -170,7 +170,7 @@ TEST(Clusters, TableEqualsDirectAlignment)
         database.Reconstruct(database.Nodes[database.TopNodes[b]].Medoid);
       const Connection direct =
         AlignWindows({ before.end() - database.Window, before.end() },
-                     { after.begin(), after.begin() + database.Window }, options.Freedom);
+                     { after.begin(), after.begin() + database.Window }, options.RotationFreedom);
       EXPECT_EQ(direct.Cost, entry.Cost);
       EXPECT_EQ(direct.Rotation.coeffs(), entry.Rotation.coeffs());
       EXPECT_EQ(direct.Translation, entry.Translation);
