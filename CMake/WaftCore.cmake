@@ -17,7 +17,7 @@ endfunction()
 
 # The suites of GoogleTest that take longer than some seconds, of any program; all others are fast.
 set(WAFT_SLOW_SUITES Checkpoint ClusterRuns Clusters DatabaseBuild Edit FreeFlight Landing Landings Mazes
-  MotionDatabaseSource MovingObstacles PlanMemory Planner PlannerBadInput PropertyValues Ranks RunSpacetime SceneSchema
+  MotionDatabaseSource MovingObstacles PlanCache Planner PlannerBadInput PropertyValues Ranks RunSpacetime SceneSchema
   SpacetimeMotion StylisticPlannerFilter Surfaces WarmStart Windows)
 
 # waft_discover_tests(<program> <prefix>): each TEST of a program is an entry of ctest, labelled fast or slow.

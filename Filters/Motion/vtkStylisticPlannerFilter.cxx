@@ -12,7 +12,7 @@
 #include "Bridge/VortexData.h"
 #include "Obstacles/SurfaceRepair.h"
 #include "Planning/InputCheck.h"
-#include "Planning/PlanMemory.h"
+#include "Planning/PlanCache.h"
 #include "Planning/Takes.h"
 
 #include <vtkCompositeDataIterator.h>
@@ -59,7 +59,7 @@ enum OutputPort
 struct vtkStylisticPlannerFilter::Internals : waft::KeptStage
 {
   vtkStylisticPlannerFilter* Self;
-  waft::PlanMemory Memory;
+  waft::PlanCache Memory;
   waft::MotionDatabase Database; // stays in its place, where the memory's tools look for it
   std::vector<std::pair<vtkDataObject*, vtkMTimeType>> GivenDatabase; // its blocks, and when
   std::vector<waft::ObstacleMesh> GivenObstacles; // what Obstacles was built from

@@ -3,7 +3,7 @@
 // read.
 #include "Fuzz.h"
 
-#include "Base/StateStream.h"
+#include "Base/StateArchive.h"
 #include "Database/TracedFiles.h"
 
 #include <vector>
@@ -24,7 +24,7 @@ void ReadLists(const std::string& path)
   reader.Text(text);
   reader.List(numbers);
   reader.List(points);
-  reader.List(lists, [](StateStream& stream, std::vector<int>& list) { stream.List(list); });
+  reader.List(lists, [](StateArchive& stream, std::vector<int>& list) { stream.List(list); });
   reader.Value(value);
   (void)reader.IsAtEnd();
 }

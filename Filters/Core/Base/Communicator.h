@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Base/Monitor.h"
-#include "Base/StateStream.h"
+#include "Base/StateArchive.h"
 
 #include <cstddef>
 #include <string>
@@ -67,7 +67,7 @@ private:
 
 /// What rank 0 writes here the others read: a function that writes and reads a structure makes it
 /// the same on all.
-class BroadcastStream : public StateStream
+class BroadcastStream : public StateArchive
 {
 public:
   explicit BroadcastStream(Communicator& ranks) : Ranks(ranks) {}
@@ -81,11 +81,11 @@ private:
 };
 
 /// One file for all ranks: rank 0 writes it, and what rank 0 reads goes to all.
-class RankFileStream : public StateStream
+class RankFileStream : public StateArchive
 {
 public:
   /// file: of rank 0; null on the others.
-  RankFileStream(Communicator& ranks, StateStream* file, bool isReading) :
+  RankFileStream(Communicator& ranks, StateArchive* file, bool isReading) :
     Ranks(ranks), File(file), Reads(isReading)
   {
   }
@@ -97,7 +97,7 @@ protected:
 
 private:
   Communicator& Ranks;
-  StateStream* File;
+  StateArchive* File;
   bool Reads;
 };
 

@@ -14,7 +14,7 @@
 
 #include "Base/Limits.h"
 #include "Base/Result.h"
-#include "Base/StateStream.h"
+#include "Base/StateArchive.h"
 
 #include <string>
 #include <type_traits>
@@ -80,7 +80,7 @@ void CopyFields(const From& from, To& to)
 }
 
 /// A visitor that writes or reads each field.
-inline auto ExchangeFieldsWith(StateStream& stream)
+inline auto ExchangeFieldsWith(StateArchive& stream)
 {
   return [&stream](const OptionField&, auto& value)
   {

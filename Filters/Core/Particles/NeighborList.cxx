@@ -204,7 +204,7 @@ void NeighborList::Restore(NeighborCourse course)
   this->IsRestored = this->Now.Reference != nullptr;
 }
 
-void NeighborList::Exchange(StateStream& stream)
+void NeighborList::Exchange(StateArchive& stream)
 {
   NeighborCourse course = this->Now;
   std::vector<float> reference = course.Reference ? *course.Reference : std::vector<float>();

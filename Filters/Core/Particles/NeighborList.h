@@ -2,7 +2,7 @@
 // Verlet lists with a skin: valid until a particle has moved half the skin.
 #pragma once
 
-#include "Base/StateStream.h"
+#include "Base/StateArchive.h"
 #include "Particles/SphKernels.h"
 
 #include <cstddef>
@@ -52,7 +52,7 @@ public:
   /// The next Update builds the entries as they were, and goes on from there.
   void Restore(NeighborCourse course);
   /// Writes the course, or reads one back and restores it.
-  void Exchange(StateStream& stream);
+  void Exchange(StateArchive& stream);
 
   /// By place.
   SphNeighbors View() const;

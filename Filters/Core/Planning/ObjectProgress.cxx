@@ -81,7 +81,7 @@ void ObjectProgress::Keep(const SegmentLibrary& library, const Timeline& time,
                      frames - request.Clock.BrakeFrames, this->History);
   for (int k = 1; k < frames; ++k)
   {
-    this->Warp.SecondDifferences[first + k] = span.Bends[k];
+    this->Warp.SecondDifferences[first + k] = span.SecondDifferences[k];
   }
   if (request.Clock.BrakeFrames == 0 && !span.Halts)
   {

@@ -5,7 +5,7 @@
 #include "Constraints/Keyframes.h"
 #include "Planning/InputCheck.h"
 #include "Planning/ObjectPlan.h"
-#include "Planning/PlanMemory.h"
+#include "Planning/PlanCache.h"
 #include "Planning/PlanReport.h"
 #include "Planning/RowConflicts.h"
 #include "Planning/RowCover.h"
@@ -58,10 +58,10 @@ void RunWhileTicking(const std::function<void()>& work, std::size_t count,
 }
 
 /// Maps for each size of object, coarse and fine, made when first asked for.
-class RoomMaps
+class FreeSpaceGrids
 {
 public:
-  RoomMaps(const PlanInput& input, double margin, const std::atomic<bool>& stop) :
+  FreeSpaceGrids(const PlanInput& input, double margin, const std::atomic<bool>& stop) :
     Input(input), Margin(margin), Stop(stop)
   {
     // Where obstacles move a map tells nothing.
@@ -73,7 +73,7 @@ public:
       }
     }
   }
-  const RoomMap* Of(const MotionObject& object, int level)
+  const FreeSpaceGrid* Of(const MotionObject& object, int level)
   {
     const auto entry = this->Maps.find(object.ClearanceRadius);
     if (entry == this->Maps.end() || level >= static_cast<int>(Levels.size()))
@@ -84,7 +84,7 @@ public:
     std::call_once(lazy.Once,
                    [&]()
                    {
-                     lazy.Map = std::make_unique<RoomMap>(
+                     lazy.Map = std::make_unique<FreeSpaceGrid>(
                        this->Input.Obstacles, this->Input.Scene.Bounds,
                        object.ClearanceRadius + this->Margin,
                        Levels[static_cast<std::size_t>(level)], this->Stop);
@@ -96,7 +96,7 @@ private:
   struct LazyMap
   {
     std::once_flag Once;
-    std::unique_ptr<RoomMap> Map;
+    std::unique_ptr<FreeSpaceGrid> Map;
   };
   const PlanInput& Input;
   double Margin;
@@ -222,7 +222,7 @@ ObjectPlan WithOrdinals(ObjectPlan plan, const std::vector<int>& own)
 
 Result PlanMotion(const PlanInput& input, const PlanOptions& options,
                   const ParallelFor& parallelFor, Monitor& monitor, PlanOutput& output,
-                  PlanMemory* memory)
+                  PlanCache* memory)
 {
   output = PlanOutput();
   if (Result valid = options.Validate(); !valid)
@@ -272,7 +272,7 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   std::atomic<std::size_t> done{ 0 };
   std::atomic<bool> stop{ false };
   objectOptions.Span.Stop = &stop;
-  RoomMaps rooms(input, objectOptions.Span.Margin, stop);
+  FreeSpaceGrids rooms(input, objectOptions.Span.Margin, stop);
   std::vector<unsigned char> isKnown(count, 0);
   std::vector<std::vector<int>> ownRows = OwnRows(input.Objects, output.Constraints, isUsed);
   std::vector<std::string> keys(memory != nullptr ? count : 0);

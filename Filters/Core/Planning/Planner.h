@@ -171,7 +171,7 @@ struct PlanOutput
   std::vector<ObjectRow> Objects;      // one an object that was planned, in their order
 };
 
-class PlanMemory;
+class PlanCache;
 
 /// Objects are planned independently and in parallel: what an object does depends on its own rows,
 /// the Seed and its ObjectId only. With a memory only those are planned whose own rows, data,
@@ -181,6 +181,6 @@ class PlanMemory;
 /// frames, a row of an unknown object or frame, numbers that are not finite.
 Result PlanMotion(const PlanInput& input, const PlanOptions& options,
                   const ParallelFor& parallelFor, Monitor& monitor, PlanOutput& output,
-                  PlanMemory* memory = nullptr);
+                  PlanCache* memory = nullptr);
 
 } // namespace waft

@@ -112,13 +112,13 @@ Result SegmentLibrary::Build(const MotionDatabase& database, const SegmentLibrar
   {
     return Result::Error("motion database: its segments do not move");
   }
-  this->LargestJolt = 0.0;
+  this->LargestJerk = 0.0;
   for (const std::vector<Vec3>& samples : this->AllSamples)
   {
     for (std::size_t k = 3; k < samples.size(); ++k)
     {
-      const Vec3 jolt = samples[k] - 3.0 * samples[k - 1] + 3.0 * samples[k - 2] - samples[k - 3];
-      this->LargestJolt = std::max(this->LargestJolt, jolt.norm());
+      const Vec3 jerk = samples[k] - 3.0 * samples[k - 1] + 3.0 * samples[k - 2] - samples[k - 3];
+      this->LargestJerk = std::max(this->LargestJerk, jerk.norm());
     }
   }
   this->ConnectTops(parallelFor);

@@ -85,7 +85,7 @@ public:
   double TopStep() const { return this->LargestStep; }
   /// Largest third difference from sample to sample in the database: what the acceleration of air
   /// changes by [m per frame^3].
-  double TopJolt() const { return this->LargestJolt; }
+  double TopJerk() const { return this->LargestJerk; }
   int LongestSegment() const { return this->Longest; }
   /// Turns a rotation that leans beyond the limit of the options back to the limit.
   void LimitTilt(Mat3& rotation) const;
@@ -100,7 +100,7 @@ private:
   int WindowSamples = 6;
   double MedianStep = 0.0;
   double LargestStep = 0.0;
-  double LargestJolt = 0.0;
+  double LargestJerk = 0.0;
   int Longest = 0;
   std::vector<std::vector<Vec3>> AllSamples;
   std::vector<int> Tops; // segment of each top-level node

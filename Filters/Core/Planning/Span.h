@@ -39,8 +39,8 @@ struct FrameSource
 struct SpanResult
 {
   bool ReachesGoal = false;
-  std::vector<Vec3> Positions; // frames 0..Clock.Frames, checked
-  std::vector<Vec3> Bends;     // second differences to keep when spans are united [m]
+  std::vector<Vec3> Positions;         // frames 0..Clock.Frames, checked
+  std::vector<Vec3> SecondDifferences; // second differences to keep when spans are united [m]
   std::vector<Piece> Pieces;
   std::vector<int> PieceFrames;     // first frame of each piece, within the span (may be negative)
   std::vector<FrameSource> Sources; // one a frame
@@ -52,7 +52,7 @@ struct SpanResult
   Piece Continuation;         // what is left of the last segment beyond the goal
   bool Halts = false;         // comes to a stop at its end, because the way went no farther
   bool IsHardLanding = false; // there was no time to come down gently
-  bool IsKinked = false;      // more than air ever is, where it was eased around something
+  bool HasLargeJerk = false;  // more than air ever is, where it was eased around something
   bool IsRuledOut = false;    // it was too far in the time, or the map shows no way to the goal
   std::string Message;
 };

@@ -37,13 +37,13 @@ bool IsTooFast(const std::vector<Vec3>& positions, double top)
 }
 
 /// True when the acceleration changes from a frame to the next by more than `most` [m per frame^3].
-bool HasKink(const std::vector<Vec3>& positions, double most)
+bool HasLargeJerk(const std::vector<Vec3>& positions, double most)
 {
   for (std::size_t k = 3; k < positions.size(); ++k)
   {
-    const Vec3 jolt =
+    const Vec3 jerk =
       positions[k] - 3.0 * positions[k - 1] + 3.0 * positions[k - 2] - positions[k - 3];
-    if (jolt.norm() > most)
+    if (jerk.norm() > most)
     {
       return true;
     }
@@ -168,11 +168,11 @@ bool SpanFitter::Fit(const PieceChain& chain, const PieceChain& grown, bool toGo
     return false;
   }
   result.Positions = positions;
-  result.IsKinked = HasKink(positions, this->Library.TopJolt());
+  result.HasLargeJerk = HasLargeJerk(positions, this->Library.TopJerk());
   // Bends that marks and easing brought about stay when spans are united.
-  result.Bends = span.Problem.Soft.empty() && span.Problem.Rows.empty()
-                   ? SecondDifferences(path)
-                   : SecondDifferences(positions);
+  result.SecondDifferences = span.Problem.Soft.empty() && span.Problem.Rows.empty()
+                               ? SecondDifferences(path)
+                               : SecondDifferences(positions);
   result.Pieces = chain.Pieces;
   const ChainTiming timing(this->Library, chain, clock);
   result.RetimingFactor = timing.RetimingFactor();

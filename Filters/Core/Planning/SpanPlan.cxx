@@ -15,10 +15,10 @@ namespace
 
 /// More than any difference in style.
 constexpr double HardLandingPenalty = 4.0;
-constexpr double KinkPenalty = 1.0;
+constexpr double JerkPenalty = 1.0;
 
 /// Of a path twice as fierce as air ever is, against the distances of style.
-constexpr double FiercenessWeight = 0.1;
+constexpr double AccelerationExcessWeight = 0.1;
 
 /// Free flights tried before the object is left to hover.
 constexpr int FreeAttempts = 8;
@@ -116,7 +116,7 @@ void SpanPlanner::Hover(SpanResult& result) const
       break;
     }
   }
-  result.Bends = SecondDifferences(result.Positions);
+  result.SecondDifferences = SecondDifferences(result.Positions);
   result.Sources.assign(frames, FrameSource());
   result.Halts = true;
 }
@@ -138,7 +138,7 @@ double SpanPlanner::StyleDistance(const std::vector<Vec3>& positions) const
   history.Acceleration.insert(history.Acceleration.end(), flight.Acceleration.begin(),
                               flight.Acceleration.end());
   return this->Options.Gauge->Distance(std::move(history)) +
-         FiercenessWeight * this->Options.Gauge->Fierceness(flight);
+         AccelerationExcessWeight * this->Options.Gauge->AccelerationExcess(flight);
 }
 
 /// Sets task.Way to the guide, or where that or the straight one is blocked to a way around; false
@@ -176,7 +176,7 @@ bool SpanPlanner::WayAround(const ClearanceField& field, SpanTask& task) const
   }
   for (int level = 0; task.Way.empty(); ++level)
   {
-    const RoomMap* rooms = this->Options.Rooms(level);
+    const FreeSpaceGrid* rooms = this->Options.Rooms(level);
     if (rooms == nullptr)
     {
       return level == 0;
@@ -214,7 +214,7 @@ bool SpanPlanner::Search(const ClearanceField& field, const SpanTask& task, bool
     ++candidates;
     const double merit = join.Score + this->StyleDistance(candidate.Positions) +
                          (candidate.IsHardLanding ? HardLandingPenalty : 0.0) +
-                         (candidate.IsKinked ? KinkPenalty : 0.0);
+                         (candidate.HasLargeJerk ? JerkPenalty : 0.0);
     if (merit < best)
     {
       best = merit;

@@ -3,7 +3,7 @@
 // came out.
 #pragma once
 
-#include "Planning/RoomMap.h"
+#include "Planning/FreeSpaceGrid.h"
 #include "Planning/SpanFit.h"
 
 #include <atomic>
@@ -26,7 +26,7 @@ struct SpanPlanOptions
   const StyleGauge* Gauge = nullptr;       // or null: the first path found is taken
   /// Maps from coarse (0) to fine, null when there is none finer: asked where the straight way is
   /// blocked, or empty.
-  std::function<const RoomMap*(int)> Rooms;
+  std::function<const FreeSpaceGrid*(int)> Rooms;
 };
 
 /// Always returns a path, as near as possible when the goal was not reached.

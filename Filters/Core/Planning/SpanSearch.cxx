@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/SpanSearch.h"
 
-#include "Planning/RoomMap.h"
+#include "Planning/FreeSpaceGrid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "Base/SmoothStep.h"
 #include "Constraints/Rest.h"
-#include "Planning/RoomMap.h"
+#include "Planning/FreeSpaceGrid.h"
 
 #include <algorithm>
 #include <cmath>

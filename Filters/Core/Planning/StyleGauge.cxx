@@ -20,7 +20,7 @@ constexpr double CurvatureWeight = 1.25;
 constexpr double AccelerationWeight = 0.75;
 
 /// Of the database's accelerations lie below what counts as fierce.
-constexpr double FierceShare = 0.99;
+constexpr double HighQuantile = 0.99;
 
 std::vector<double> QuantilesOf(std::vector<double> values)
 {
@@ -67,7 +67,7 @@ double DistanceTo(const std::vector<double>& quantiles, std::vector<double>& val
 StyleGauge::StyleGauge(const MotionDatabase& database)
 {
   StyleSamples samples = StyleOf(database);
-  this->FierceAcceleration = Quantile(samples.Acceleration, FierceShare);
+  this->HighAcceleration = Quantile(samples.Acceleration, HighQuantile);
   this->LogCurvature = QuantilesOf(std::move(samples.LogCurvature));
   this->Acceleration = QuantilesOf(std::move(samples.Acceleration));
 }
@@ -94,15 +94,14 @@ double StyleGauge::Distance(StyleHistory history) const
          AccelerationWeight * DistanceTo(this->Acceleration, history.Acceleration);
 }
 
-double StyleGauge::Fierceness(const StyleHistory& flight) const
+double StyleGauge::AccelerationExcess(const StyleHistory& flight) const
 {
   double most = 0.0;
   for (double acceleration : flight.Acceleration)
   {
     most = std::max(most, acceleration);
   }
-  return this->FierceAcceleration > 0.0 ? std::max(0.0, most / this->FierceAcceleration - 1.0)
-                                        : 0.0;
+  return this->HighAcceleration > 0.0 ? std::max(0.0, most / this->HighAcceleration - 1.0) : 0.0;
 }
 
 } // namespace waft

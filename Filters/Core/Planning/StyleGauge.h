@@ -31,12 +31,12 @@ public:
   double Distance(StyleHistory history) const;
   /// By how much the largest acceleration of a flight exceeds what one in a hundred samples of the
   /// database does, relative to that; at least 0.
-  double Fierceness(const StyleHistory& flight) const;
+  double AccelerationExcess(const StyleHistory& flight) const;
 
 private:
   std::vector<double> LogCurvature; // quantiles, evenly spaced in probability
   std::vector<double> Acceleration;
-  double FierceAcceleration = 0.0; // m/s^2
+  double HighAcceleration = 0.0; // m/s^2
 };
 
 } // namespace waft

@@ -100,7 +100,7 @@ Result TakeOptions::Validate() const
 
 Result PlanTakes(const PlanInput& input, const PlanOptions& options, const TakeOptions& takes,
                  const ParallelFor& parallelFor, Monitor& monitor, PlanOutput& output,
-                 std::vector<TakeScore>& scores, PlanMemory* memory)
+                 std::vector<TakeScore>& scores, PlanCache* memory)
 {
   output = PlanOutput();
   scores.clear();

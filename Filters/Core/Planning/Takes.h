@@ -51,6 +51,6 @@ struct TakeScore
 /// or what there is of the first. Errors: those of PlanMotion, and options that are not valid.
 Result PlanTakes(const PlanInput& input, const PlanOptions& options, const TakeOptions& takes,
                  const ParallelFor& parallelFor, Monitor& monitor, PlanOutput& output,
-                 std::vector<TakeScore>& scores, PlanMemory* memory = nullptr);
+                 std::vector<TakeScore>& scores, PlanCache* memory = nullptr);
 
 } // namespace waft

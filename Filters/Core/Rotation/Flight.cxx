@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rotation/Flight.h"
 
-#include "Rotation/Touching.h"
+#include "Rotation/FloorContact.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -13,7 +13,7 @@ namespace waft
 namespace
 {
 constexpr int MostSteps = 256; // a frame
-constexpr double LeastTouchingSteps = 8.0;
+constexpr double LeastContactSteps = 8.0;
 constexpr double StepOfRate = 0.4;    // product of step and fastest rate
 constexpr double SettlingRate = 7.0;  // rad/s, critically damped
 constexpr double LeastFlatness = 0.3; // below it a body has no glide of its own
@@ -179,8 +179,8 @@ bool AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
   const double rate = std::max({ spin, body.Mobility * speed, body.Stiffness * speed,
                                  settling.Weight > 0.0 ? 2.0 * SettlingRate : 0.0 });
   const double wanted = std::ceil(path.Step * rate / StepOfRate);
-  const int steps = static_cast<int>(std::clamp(wanted, floor != nullptr ? LeastTouchingSteps : 2.0,
-                                                static_cast<double>(MostSteps)));
+  const int steps = static_cast<int>(
+    std::clamp(wanted, floor != nullptr ? LeastContactSteps : 2.0, static_cast<double>(MostSteps)));
   const double share = wanted > MostSteps ? MostSteps / wanted : 1.0;
   const double h = path.Step / steps;
   const double fade = std::exp(-0.5 * h * body.Damping);

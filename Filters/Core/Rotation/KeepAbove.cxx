@@ -31,7 +31,7 @@ void SpreadShifts(int reach, FrameMarks& marks)
 }
 } // namespace
 
-void KeepAbove(const TurningPlan& plan, FrameMarks& marks, TurningOutcome& out)
+void KeepAbove(const AttitudePlan& plan, FrameMarks& marks, AttitudeOutcome& out)
 {
   const double fps = plan.Time.FramesPerSecond;
   const std::string name = "object " + std::to_string(plan.Object->ObjectId);

@@ -3,8 +3,8 @@
 // last.
 #pragma once
 
+#include "Rotation/Attitude.h"
 #include "Rotation/Contact.h"
-#include "Rotation/Turning.h"
 
 #include <vector>
 
@@ -27,6 +27,6 @@ struct FrameMarks
 
 /// Turns poses and, where that is not enough, moves the centre, smoothly in time; marks both and
 /// tells of a centre that was moved and of a mesh that lies below a surface all the same.
-void KeepAbove(const TurningPlan& plan, FrameMarks& marks, TurningOutcome& out);
+void KeepAbove(const AttitudePlan& plan, FrameMarks& marks, AttitudeOutcome& out);
 
 } // namespace waft

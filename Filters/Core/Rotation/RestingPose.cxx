@@ -11,7 +11,7 @@ namespace waft
 {
 namespace
 {
-constexpr double Touching = 1e-9; // m: a vertex this near to the surface lies on it
+constexpr double ContactDistance = 1e-9; // m: a vertex this near to the surface lies on it
 constexpr int MostSteps = 40;
 constexpr double LargestLean = 0.5; // rad, in all
 constexpr double TurnStep = 0.25;   // rad, between two headings that are tried
@@ -37,7 +37,7 @@ public:
     {
       return pose; // it hangs in the air
     }
-    for (int step = 0; step < MostSteps && std::abs(gap) > Touching; ++step)
+    for (int step = 0; step < MostSteps && std::abs(gap) > ContactDistance; ++step)
     {
       const double next = std::clamp(pose.Shift - gap, -this->MostShift, this->MostShift);
       if (next == pose.Shift)
@@ -47,9 +47,9 @@ public:
       pose.Shift = next;
       gap = this->Gap(q, pose.Shift, 1e30);
     }
-    if (gap < 0.0 && gap > -Touching && pose.Shift + Touching <= this->MostShift)
+    if (gap < 0.0 && gap > -ContactDistance && pose.Shift + ContactDistance <= this->MostShift)
     {
-      pose.Shift += Touching;
+      pose.Shift += ContactDistance;
       gap = 0.0;
     }
     pose.Depth = std::max(-gap, 0.0);
@@ -142,7 +142,7 @@ RestingPose LayAlong(const Layer& layer, const Vec3& normal, const Quat& heading
     return (LeastTurn(turn.col(2), n, turn.col(0)) * heading).normalized();
   };
   RestingPose best = layer.Settle(along(normal));
-  if (best.Depth > Touching)
+  if (best.Depth > ContactDistance)
   {
     const RestingPose fitted = layer.Settle(along(layer.MeanNormal(best.Orientation, normal)));
     for (const RestingPose& pose : { fitted, layer.Lean(fitted), layer.Lean(best) })
@@ -160,7 +160,7 @@ RestingPose LayDown(const TriangleMesh& mesh, const ObstacleSet& obstacles, doub
 {
   const Layer layer(mesh, obstacles, frame, center, mostShift);
   RestingPose best = LayAlong(layer, normal, heading);
-  for (int i = 1; mayTurn && i <= 2 * MostTurns && best.Depth > Touching; ++i)
+  for (int i = 1; mayTurn && i <= 2 * MostTurns && best.Depth > ContactDistance; ++i)
   {
     const double angle = (i % 2 == 1 ? TurnStep : -TurnStep) * ((i + 1) / 2);
     const RestingPose turned = LayAlong(layer, normal, ExpMap(angle * normal) * heading);

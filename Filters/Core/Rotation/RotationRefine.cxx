@@ -5,7 +5,7 @@
 #include "Base/ShapeMeasures.h"
 #include "Constraints/ConstraintCheck.h"
 #include "Constraints/Rest.h"
-#include "Rotation/Turning.h"
+#include "Rotation/Attitude.h"
 
 #include <cmath>
 #include <map>
@@ -118,10 +118,10 @@ LandingWindow LandingOf(const Constraint& row, const MotionObject& object,
   return windows.front();
 }
 
-TurningPlan MakePlan(const RotationInput& input, const RotationOptions& options,
-                     const MotionObject& object, const Track& track)
+AttitudePlan MakePlan(const RotationInput& input, const RotationOptions& options,
+                      const MotionObject& object, const Track& track)
 {
-  TurningPlan plan;
+  AttitudePlan plan;
   plan.Object = &object;
   plan.Path = &track;
   plan.Body = &input.Shapes[object.ShapeId];
@@ -273,7 +273,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
     }
   }
 
-  std::vector<TurningOutcome> outcomes(input.Tracks.size());
+  std::vector<AttitudeOutcome> outcomes(input.Tracks.size());
   constexpr std::size_t Batch = 8; // objects between two ticks of the monitor
   for (std::size_t first = 0; first < outcomes.size(); first += Batch)
   {
@@ -290,7 +290,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
                                        input.Scene.AirDensity, Coefficients(input, options, object),
                                        options.Damping + input.Shapes[object.ShapeId].Damping,
                                        options.Follow);
-                 TurningPlan plan = MakePlan(input, options, object, track);
+                 AttitudePlan plan = MakePlan(input, options, object, track);
                  plan.BoundingRadius = shape.Properties.BoundingRadius;
                  outcomes[i] = TurnObject(plan, body, MakePath(input, track));
                }
@@ -303,7 +303,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
   }
 
   std::map<std::pair<int, int>, std::string> tooFast;
-  for (TurningOutcome& outcome : outcomes)
+  for (AttitudeOutcome& outcome : outcomes)
   {
     for (std::size_t k = 0; k < outcome.Poses.Orientations.size(); ++k)
     {

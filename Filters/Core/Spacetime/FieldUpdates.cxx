@@ -226,7 +226,7 @@ bool UpdateVortices(SpacetimeSetup& setup, SpacetimeObjective& objective,
   {
     BroadcastStream stream(share.Others());
     stream.Value(going);
-    stream.List(fitted, [](StateStream& s, Vortex& v) { Exchange(s, v); });
+    stream.List(fitted, [](StateArchive& s, Vortex& v) { Exchange(s, v); });
   }
   if (fitted.empty())
   {

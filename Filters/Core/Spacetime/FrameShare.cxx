@@ -202,7 +202,7 @@ void FrameShare::BringToFirst(std::size_t j, Communicator::Bytes& bytes) const
   }
 }
 
-void FrameShare::Exchange(StateStream& stream, std::vector<float>& held,
+void FrameShare::Exchange(StateArchive& stream, std::vector<float>& held,
                           std::size_t blockSize) const
 {
   if (this->IsAlone())

@@ -144,9 +144,9 @@ bool Lbfgs::HasConverged(double tolerance) const
   return before - this->Energies[now] < tolerance * before;
 }
 
-void Lbfgs::Exchange(StateStream& stream)
+void Lbfgs::Exchange(StateArchive& stream)
 {
-  const auto vector = [this](StateStream& s, StateVector& v)
+  const auto vector = [this](StateArchive& s, StateVector& v)
   { this->Share.Exchange(s, v, this->FrameSize); };
   stream.List(this->Pairs.S, vector);
   stream.List(this->Pairs.Y, vector);
@@ -154,7 +154,7 @@ void Lbfgs::Exchange(StateStream& stream)
   vector(stream, this->Gradient);
   stream.List(this->Energies);
   stream.Values(this->Gamma, this->Terms.E, this->Terms.Ex, this->Terms.Ev, this->Terms.Ec,
-                this->Terms.Beside);
+                this->Terms.Penalties);
 }
 
 LbfgsEnd Lbfgs::Minimize(SpacetimeObjective& objective,

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Base/Monitor.h"
-#include "Base/StateStream.h"
+#include "Base/StateArchive.h"
 #include "Spacetime/HardConstraints.h"
 #include "Spacetime/SpacetimeObjective.h"
 #include "Spacetime/TimelinePreconditioner.h"
@@ -50,7 +50,7 @@ public:
 
   /// From an observer, or once stopped: writes what the iterations after this one depend on,
   /// besides the state and the objective's lists. Reading: the next Minimize may go on from there.
-  void Exchange(StateStream& stream);
+  void Exchange(StateArchive& stream);
   /// Of the last call of Minimize, or of the one that Exchange read.
   int NumberOfIterations() const
   {

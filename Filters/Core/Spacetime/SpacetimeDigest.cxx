@@ -40,7 +40,7 @@ void AddSurroundings(DigestStream& sum, const SpacetimeInput& input)
              wind.Spacing);
   sum.List(wind.Times);
   sum.List(wind.Values,
-           [](StateStream& s, std::vector<std::array<float, 3>>& values) { s.List(values); });
+           [](StateArchive& s, std::vector<std::array<float, 3>>& values) { s.List(values); });
 }
 
 void AddConstraint(DigestStream& sum, const Constraint& row)

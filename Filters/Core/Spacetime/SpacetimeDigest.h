@@ -2,7 +2,7 @@
 // Sums that tell problems apart: of a whole run, and of its parts.
 #pragma once
 
-#include "Base/StateStream.h"
+#include "Base/StateArchive.h"
 #include "Spacetime/Spacetime.h"
 #include "Spacetime/SpacetimeSetup.h"
 

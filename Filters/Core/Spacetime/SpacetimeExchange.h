@@ -2,16 +2,16 @@
 // What a run takes, knows and leaves, as streams: to files and to other ranks.
 #pragma once
 
-#include "Base/StateStream.h"
+#include "Base/StateArchive.h"
 #include "Spacetime/SpacetimeMemory.h"
 
 namespace waft
 {
 
-void Exchange(StateStream& stream, Vortex& vortex);
-void Exchange(StateStream& stream, SplineWind& wind);
-void Exchange(StateStream& stream, SpacetimeOptions& options);
-void Exchange(StateStream& stream, SpacetimeInput& input);
-void Exchange(StateStream& stream, SpacetimeMemory& memory);
+void Exchange(StateArchive& stream, Vortex& vortex);
+void Exchange(StateArchive& stream, SplineWind& wind);
+void Exchange(StateArchive& stream, SpacetimeOptions& options);
+void Exchange(StateArchive& stream, SpacetimeInput& input);
+void Exchange(StateArchive& stream, SpacetimeMemory& memory);
 
 } // namespace waft

@@ -207,8 +207,9 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
     terms.Adjoint(g);
   }
   const double crowding = weights.Separation * this->Times.FrameWeights[j];
-  sums.Beside = crowding * terms.Crowding(static_cast<float>(crowding),
-                                          gradient ? gradient->data() + this->Place(j) : nullptr);
+  sums.Penalties =
+    crowding * terms.Crowding(static_cast<float>(crowding),
+                              gradient ? gradient->data() + this->Place(j) : nullptr);
 }
 
 void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
@@ -316,7 +317,7 @@ bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradien
         this->SphFrame(*worker, state, j, gradient);
         this->SmoothRow(state, j);
         float* g = gradient ? gradient->data() + this->Place(j) : nullptr;
-        this->FrameSums[j].Beside +=
+        this->FrameSums[j].Penalties +=
           this->Times.FrameWeights[j] * AddObjectTerms(this->Problem, this->Times.Frames[j],
                                                        this->Times.FrameWeights[j],
                                                        state.data() + this->Place(j), g);
@@ -347,11 +348,11 @@ bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradien
     terms.Ex += sum.Ex;
     terms.Ev += sum.Ev;
     terms.Ec += sum.Ec;
-    terms.Beside += sum.Beside;
+    terms.Penalties += sum.Penalties;
   }
   const SpacetimeWeights& w = this->Problem.Weights;
   terms.E = w.PositionWeight * terms.Ex + w.VelocityWeight * terms.Ev +
-            w.CoherenceWeight * terms.Ec + terms.Beside;
+            w.CoherenceWeight * terms.Ec + terms.Penalties;
   return true;
 }
 

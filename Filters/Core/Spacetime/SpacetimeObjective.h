@@ -16,12 +16,12 @@
 namespace waft
 {
 
-/// E = c1 Ex + c2 Ev + c3 Ec + Beside; each is half a sum of squares.
+/// E = c1 Ex + c2 Ev + c3 Ec + Penalties; each is half a sum of squares.
 struct SpacetimeTerms
 {
   double E = 0.0;
   double Ex = 0.0, Ev = 0.0, Ec = 0.0;
-  double Beside = 0.0; // clearance, approach, contact and separation, weighted
+  double Penalties = 0.0; // clearance, approach, contact and separation, weighted
 };
 
 /// The unknowns are six rows a frame (x, y, z, u, v, w of gas, then objects, padded).
@@ -58,7 +58,7 @@ public:
 
   /// Writes, or reads back, what the neighbour lists remember of the evaluations so far: with it
   /// the next ones give the same bits.
-  void ExchangeLists(StateStream& stream);
+  void ExchangeLists(StateArchive& stream);
   /// Remembers the lists as they are now; brings them back to that, whatever was evaluated since.
   void MarkLists();
   void RewindLists();

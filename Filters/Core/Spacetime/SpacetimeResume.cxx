@@ -15,14 +15,14 @@ namespace
 constexpr const char* Format = "Waft spacetime checkpoint 4";
 constexpr double WritingShare = 1.0 / 30.0; // of the time, for checkpoints
 
-void ExchangeStep(StateStream& stream, SpacetimeStep& step)
+void ExchangeStep(StateArchive& stream, SpacetimeStep& step)
 {
   stream.Values(step.Coarseness, step.IsUpdate, step.FitsVortices, step.Pass, step.Iterations,
                 step.Leash);
   stream.Text(step.Name);
 }
 
-void ExchangeRow(StateStream& stream, ConvergenceRow& row)
+void ExchangeRow(StateArchive& stream, ConvergenceRow& row)
 {
   stream.Values(row.Pass, row.Iteration, row.E, row.Ex, row.Ev, row.Ec, row.MaxViolation, row.Leash,
                 row.Seconds);
@@ -32,17 +32,17 @@ void ExchangeRow(StateStream& stream, ConvergenceRow& row)
 } // namespace
 
 // The order is that of reading: the solver can be made once level and frames are known.
-void SpacetimeRun::ExchangeCheckpoint(StateStream& stream)
+void SpacetimeRun::ExchangeCheckpoint(StateArchive& stream)
 {
   std::uint64_t next = this->Next;
   int coarseness = this->Coarseness;
   stream.List(this->Program.Steps, ExchangeStep);
   stream.List(this->Program.CoarseFrames,
-              [](StateStream& s, std::vector<int>& frames) { s.List(frames); });
+              [](StateArchive& s, std::vector<int>& frames) { s.List(frames); });
   stream.Values(next, this->IsInside, coarseness, this->GoesOn, this->StartEnergy, this->Before);
   stream.List(this->Output.Convergence, ExchangeRow);
   stream.List(this->Beginning);
-  stream.List(this->Setup.Model.Vortices, [](StateStream& s, Vortex& v) { Exchange(s, v); });
+  stream.List(this->Setup.Model.Vortices, [](StateArchive& s, Vortex& v) { Exchange(s, v); });
   Exchange(stream, this->Setup.Model.Wind);
   if (stream.IsReading())
   {
@@ -73,7 +73,7 @@ void SpacetimeRun::ExchangeCheckpoint(StateStream& stream)
   }
   SpacetimeTerms& terms = this->Place.Terms;
   stream.Values(this->Place.Sweep, this->Place.Index, terms.E, terms.Ex, terms.Ev, terms.Ec,
-                terms.Beside);
+                terms.Penalties);
   stream.List(this->Place.Energies);
 }
 

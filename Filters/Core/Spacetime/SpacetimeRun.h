@@ -73,7 +73,7 @@ private:
   void KeepPlace();
   bool KeepsCheckpoints() const;
   void WriteCheckpoint();
-  void ExchangeCheckpoint(StateStream& stream);
+  void ExchangeCheckpoint(StateArchive& stream);
 
   Result Finish();
   void KeepTheBetter(const HardConstraints& constraints);

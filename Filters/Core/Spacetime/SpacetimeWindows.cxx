@@ -155,7 +155,7 @@ bool SpacetimeRun::SolveWindow(const SpacetimeStep& step,
     all.Ex += last.Ex - first.Ex;
     all.Ev += last.Ev - first.Ev;
     all.Ec += last.Ec - first.Ec;
-    all.Beside += last.Beside - first.Beside;
+    all.Penalties += last.Penalties - first.Penalties;
   }
   return end != LbfgsEnd::Stopped;
 }

@@ -12,7 +12,7 @@ using namespace waft;
 namespace
 {
 
-void Exchange(StateStream& stream, std::vector<int>& list, std::string& text)
+void Exchange(StateArchive& stream, std::vector<int>& list, std::string& text)
 {
   stream.List(list);
   stream.Text(text);

@@ -54,7 +54,7 @@ TEST(Landings, SinkNoFasterThanSuchThingsFallAndSlowDownAtTheGround)
     }
     AppendStyle({ p.begin(), p.begin() + 221 }, 1.0 / 30.0, style);
   }
-  // No jolt where the even sinking begins: the bend changes no more than it does along the way.
+  // No jerk where the even sinking begins: the bend changes no more than it does along the way.
   EXPECT_LE(Quantile(sinking, 0.98), Quantile(along, 0.98));
   EXPECT_LE(KolmogorovSmirnov(reference.LogCurvature, style.LogCurvature), 0.20);
   EXPECT_LE(KolmogorovSmirnov(reference.Acceleration, style.Acceleration), 0.35);

@@ -87,15 +87,15 @@ TEST(SpacetimeObjective, PushesGasThatIsTooNearApart)
     return terms;
   };
   StateVector without(state.size()), with(state.size());
-  EXPECT_EQ(evaluate(0.0, state, without).Beside, 0.0);
+  EXPECT_EQ(evaluate(0.0, state, without).Penalties, 0.0);
   const double r = std::sqrt(0.2 * 0.2 + 2.0 * 0.05 * 0.05);
   const double depth = problem.Setup.Model.Weights.GasDistance - r;
   ASSERT_GT(depth, 0.1);
-  EXPECT_NEAR(evaluate(50.0, state, with).Beside, 25.0 * depth * depth, 1e-4);
+  EXPECT_NEAR(evaluate(50.0, state, with).Penalties, 25.0 * depth * depth, 1e-4);
   const std::size_t x = 20;
   EXPECT_NEAR(with[x] - without[x], -50.0 * depth * 0.2 / r, 1e-3);
   EXPECT_NEAR(with[21] - without[21], 50.0 * depth * 0.2 / r, 1e-3);
-  EXPECT_EQ(evaluate(50.0, problem.Setup.Start, with).Beside, 0.0);
+  EXPECT_EQ(evaluate(50.0, problem.Setup.Start, with).Penalties, 0.0);
 }
 
 TEST(SpacetimeObjective, VanishesOnARollout)

@@ -18,7 +18,7 @@ namespace waft
 {
 
 /// What happens to one object; rests do not overlap and are in order, keys are in order of Frame.
-struct TurningPlan
+struct AttitudePlan
 {
   const MotionObject* Object = nullptr;
   const Track* Path = nullptr;
@@ -36,7 +36,7 @@ struct TurningPlan
                              // that the centre may be moved
 };
 
-struct TurningOutcome
+struct AttitudeOutcome
 {
   PoseTrack Poses;
   std::vector<Vec3> Shifts; // m, by which the centre was moved, one a frame; empty: not at all
@@ -45,6 +45,7 @@ struct TurningOutcome
   std::vector<std::string> Warnings;
 };
 
-TurningOutcome TurnObject(const TurningPlan& plan, const FlightBody& body, const FlightPath& path);
+AttitudeOutcome TurnObject(const AttitudePlan& plan, const FlightBody& body,
+                           const FlightPath& path);
 
 } // namespace waft

@@ -37,10 +37,10 @@ Result MakePlanTools(const MotionDatabase& database, const SegmentLibraryOptions
 
 /// Keeps one plan for each Seed and ObjectId, the latest. What was not used for longest is dropped
 /// beyond a limit of memory. Keeps the tools, too, while the database stays where it is.
-class PlanMemory
+class PlanCache
 {
 public:
-  explicit PlanMemory(std::size_t limit = std::size_t(256) << 20) : Limit(limit) {}
+  explicit PlanCache(std::size_t limit = std::size_t(256) << 20) : Limit(limit) {}
 
   /// Before the plans of one run are asked for: forgets all when what they share has changed:
   /// database, obstacles with their motions, volume and time, all options but the Seed. Known by

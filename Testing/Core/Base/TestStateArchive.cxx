@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Base/StateStream.h"
+#include "Base/StateArchive.h"
 #include "Base/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
@@ -23,13 +23,13 @@ struct Sample
   std::vector<Vec3> Points{ Vec3(1, 2, 3) };
   std::vector<std::vector<double>> Rows{ { 1.0 }, {}, { 2.0, 3.0 } };
 
-  void Exchange(StateStream& stream)
+  void Exchange(StateArchive& stream)
   {
     stream.Values(this->Number, this->Flag, this->Place);
     stream.Text(this->Name);
     stream.List(this->Row);
     stream.List(this->Points);
-    stream.List(this->Rows, [](StateStream& s, std::vector<double>& row) { s.List(row); });
+    stream.List(this->Rows, [](StateArchive& s, std::vector<double>& row) { s.List(row); });
   }
 };
 
@@ -43,7 +43,7 @@ void WriteSample(const std::string& path)
 
 } // namespace
 
-TEST(StateStream, ReadsBackWhatWasWritten)
+TEST(StateArchive, ReadsBackWhatWasWritten)
 {
   const test::TemporaryFolder folder;
   const std::string path = folder.File("state");
@@ -69,7 +69,7 @@ TEST(StateStream, ReadsBackWhatWasWritten)
   EXPECT_EQ(read.Rows, sample.Rows);
 }
 
-TEST(StateStream, SeesDamageAndBelievesNoNumberOfElements)
+TEST(StateArchive, SeesDamageAndBelievesNoNumberOfElements)
 {
   const test::TemporaryFolder folder;
   const std::string path = folder.File("state");
@@ -100,7 +100,7 @@ TEST(StateStream, SeesDamageAndBelievesNoNumberOfElements)
   EXPECT_FALSE(StateFileReader(path + "none").IsGood());
 }
 
-TEST(StateStream, LeavesTheOldFileUntilTheNewOneIsWhole)
+TEST(StateArchive, LeavesTheOldFileUntilTheNewOneIsWhole)
 {
   const test::TemporaryFolder folder;
   const std::string path = folder.File("state");

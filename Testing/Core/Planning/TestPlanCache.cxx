@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A change plans only the objects anew that it touches, to the same bytes as a plan of all.
 #include "PlanScenes.h"
-#include "Planning/PlanMemory.h"
+#include "Planning/PlanCache.h"
 #include "Planning/Takes.h"
 
 #include <gtest/gtest.h>
@@ -75,7 +75,7 @@ struct Remembered
 {
   PlanScene Scene;
   PlanOptions Options;
-  PlanMemory Memory;
+  PlanCache Memory;
 
   Remembered()
   {
@@ -97,7 +97,7 @@ struct Remembered
     this->Scene.Scene.Time.NumberOfFrames = 280;
   }
 
-  PlanOutput Run(PlanMemory* memory)
+  PlanOutput Run(PlanCache* memory)
   {
     PlanScene::Check(this->Scene.Obstacles.Build(this->Scene.Meshes));
     const PlanInput input{ SwirlDatabase(),       this->Scene.Objects, this->Scene.Constraints,
@@ -120,7 +120,7 @@ struct Remembered
 
 } // namespace
 
-TEST(PlanMemory, PlansOnlyWhatAChangeTouchesToTheSameBytes)
+TEST(PlanCache, PlansOnlyWhatAChangeTouchesToTheSameBytes)
 {
   Remembered r;
   EXPECT_EQ(r.PlansAnew(), 6);
@@ -137,7 +137,7 @@ TEST(PlanMemory, PlansOnlyWhatAChangeTouchesToTheSameBytes)
   EXPECT_EQ(r.PlansAnew(), 1) << "one more object, that no row names";
 }
 
-TEST(PlanMemory, RowsOfOthersMayComeAndGo)
+TEST(PlanCache, RowsOfOthersMayComeAndGo)
 {
   Remembered r;
   EXPECT_EQ(r.PlansAnew(), 6);
@@ -156,7 +156,7 @@ TEST(PlanMemory, RowsOfOthersMayComeAndGo)
   EXPECT_LE(r.PlansAnew(), 2);
 }
 
-TEST(PlanMemory, RowsForAnyAreAssignedOverAllAgain)
+TEST(PlanCache, RowsForAnyAreAssignedOverAllAgain)
 {
   Remembered r;
   EXPECT_EQ(r.PlansAnew(), 6);
@@ -175,7 +175,7 @@ TEST(PlanMemory, RowsForAnyAreAssignedOverAllAgain)
   EXPECT_LE(changed, 2);
 }
 
-TEST(PlanMemory, WhatAllShareIsPlannedForAll)
+TEST(PlanCache, WhatAllShareIsPlannedForAll)
 {
   Remembered r;
   EXPECT_EQ(r.PlansAnew(), 6);
@@ -191,11 +191,11 @@ TEST(PlanMemory, WhatAllShareIsPlannedForAll)
   EXPECT_EQ(r.PlansAnew(), 0) << "a seed that was planned before";
 }
 
-TEST(PlanMemory, EveryTakeIsRemembered)
+TEST(PlanCache, EveryTakeIsRemembered)
 {
   Remembered r;
   PlanScene::Check(r.Scene.Obstacles.Build(r.Scene.Meshes));
-  const auto run = [&](PlanMemory* memory, std::vector<TakeScore>& scores)
+  const auto run = [&](PlanCache* memory, std::vector<TakeScore>& scores)
   {
     const PlanInput input{ SwirlDatabase(),   r.Scene.Objects, r.Scene.Constraints,
                            r.Scene.Obstacles, r.Scene.Scene,   r.Scene.Guides };
@@ -220,10 +220,10 @@ TEST(PlanMemory, EveryTakeIsRemembered)
   }
 }
 
-TEST(PlanMemory, KeepsToItsLimit)
+TEST(PlanCache, KeepsToItsLimit)
 {
   Remembered r;
-  r.Memory = PlanMemory(60000);
+  r.Memory = PlanCache(60000);
   EXPECT_EQ(r.PlansAnew(), 6);
   EXPECT_LE(r.Memory.Bytes(), 60000u);
   EXPECT_GT(r.Memory.Size(), 0u);

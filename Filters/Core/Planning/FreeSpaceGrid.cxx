@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Planning/RoomMap.h"
+#include "Planning/FreeSpaceGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 namespace waft
 {
 
-RoomMap::RoomMap(const ObstacleSet& obstacles, const Box& bounds, double clearance, int cells,
-                 const std::atomic<bool>& stop) :
+FreeSpaceGrid::FreeSpaceGrid(const ObstacleSet& obstacles, const Box& bounds, double clearance,
+                             int cells, const std::atomic<bool>& stop) :
   Obstacles(obstacles),
   Stop(stop), Bounds(bounds), Clearance(clearance)
 {
@@ -40,7 +40,7 @@ RoomMap::RoomMap(const ObstacleSet& obstacles, const Box& bounds, double clearan
   }
 }
 
-std::size_t RoomMap::Index(const Cell& cell) const
+std::size_t FreeSpaceGrid::Index(const Cell& cell) const
 {
   return static_cast<std::size_t>(cell[0]) +
          static_cast<std::size_t>(this->Counts[0]) *
@@ -48,7 +48,7 @@ std::size_t RoomMap::Index(const Cell& cell) const
             static_cast<std::size_t>(this->Counts[1]) * static_cast<std::size_t>(cell[2]));
 }
 
-Vec3 RoomMap::Center(const Cell& cell) const
+Vec3 FreeSpaceGrid::Center(const Cell& cell) const
 {
   const Vec3 size = this->Bounds.Size();
   return this->Bounds.Min + Vec3((cell[0] + 0.5) * size.x() / this->Counts[0],
@@ -56,7 +56,7 @@ Vec3 RoomMap::Center(const Cell& cell) const
                                  (cell[2] + 0.5) * size.z() / this->Counts[2]);
 }
 
-bool RoomMap::NearestFree(const Vec3& x, Cell& nearest) const
+bool FreeSpaceGrid::NearestFree(const Vec3& x, Cell& nearest) const
 {
   const Vec3 size = this->Bounds.Size();
   Cell home;
@@ -92,7 +92,7 @@ bool RoomMap::NearestFree(const Vec3& x, Cell& nearest) const
   return best < 1e300;
 }
 
-bool RoomMap::IsPassable(const Cell& a, const Cell& b) const
+bool FreeSpaceGrid::IsPassable(const Cell& a, const Cell& b) const
 {
   const double roomA = this->Room[this->Index(a)];
   const double roomB = this->Room[this->Index(b)];
@@ -107,7 +107,7 @@ bool RoomMap::IsPassable(const Cell& a, const Cell& b) const
          this->Obstacles.IsClear(from, 0.0, to, 0.0, 0.5 * this->Clearance);
 }
 
-std::vector<Vec3> RoomMap::FindWay(const Vec3& a, const Vec3& b) const
+std::vector<Vec3> FreeSpaceGrid::FindWay(const Vec3& a, const Vec3& b) const
 {
   Cell start;
   Cell goal;

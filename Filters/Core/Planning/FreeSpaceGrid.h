@@ -11,14 +11,14 @@
 namespace waft
 {
 
-class RoomMap
+class FreeSpaceGrid
 {
 public:
   /// Looks at the centres of about `cells` cells along the width of the volume, at most twice as
   /// many along any side; obstacles as they stand at frame 0. clearance: that the body keeps [m].
   /// Stopped half way, the rest counts as full, and no way is found.
-  RoomMap(const ObstacleSet& obstacles, const Box& bounds, double clearance, int cells,
-          const std::atomic<bool>& stop);
+  FreeSpaceGrid(const ObstacleSet& obstacles, const Box& bounds, double clearance, int cells,
+                const std::atomic<bool>& stop);
 
   /// A shortest way over the cells from a to b, both included (A*; ends that do not fit themselves,
   /// like places of rest, are entered from the nearest cell that does). Empty when the map shows

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Planning/PlanMemory.h"
+#include "Planning/PlanCache.h"
 
 #include "Base/Digest.h"
 
@@ -195,8 +195,8 @@ Result MakePlanTools(const MotionDatabase& database, const SegmentLibraryOptions
   return Result::Ok();
 }
 
-Result PlanMemory::Tools(const PlanInput& input, const SegmentLibraryOptions& options,
-                         const ParallelFor& parallelFor, std::shared_ptr<const PlanTools>& tools)
+Result PlanCache::Tools(const PlanInput& input, const SegmentLibraryOptions& options,
+                        const ParallelFor& parallelFor, std::shared_ptr<const PlanTools>& tools)
 {
   Key key;
   key.Add(reinterpret_cast<std::uintptr_t>(&input.Database));
@@ -217,7 +217,7 @@ Result PlanMemory::Tools(const PlanInput& input, const SegmentLibraryOptions& op
   return Result::Ok();
 }
 
-void PlanMemory::Begin(const PlanInput& input, const PlanOptions& options)
+void PlanCache::Begin(const PlanInput& input, const PlanOptions& options)
 {
   Digest database;
   AddDatabase(input.Database, database);
@@ -231,7 +231,7 @@ void PlanMemory::Begin(const PlanInput& input, const PlanOptions& options)
   }
 }
 
-const ObjectPlan* PlanMemory::Find(std::uint64_t seed, int objectId, const std::string& key)
+const ObjectPlan* PlanCache::Find(std::uint64_t seed, int objectId, const std::string& key)
 {
   const auto found = this->Plans.find({ seed, objectId });
   if (found == this->Plans.end() || found->second.Key != key)
@@ -242,8 +242,8 @@ const ObjectPlan* PlanMemory::Find(std::uint64_t seed, int objectId, const std::
   return &found->second.Plan;
 }
 
-void PlanMemory::Keep(std::uint64_t seed, int objectId, const std::string& key,
-                      const ObjectPlan& plan)
+void PlanCache::Keep(std::uint64_t seed, int objectId, const std::string& key,
+                     const ObjectPlan& plan)
 {
   Entry& entry = this->Plans[{ seed, objectId }];
   this->Used -= entry.Bytes;
@@ -255,7 +255,7 @@ void PlanMemory::Keep(std::uint64_t seed, int objectId, const std::string& key,
   }
 }
 
-void PlanMemory::DropOldest()
+void PlanCache::DropOldest()
 {
   const auto oldest = std::min_element(this->Plans.begin(), this->Plans.end(),
                                        [](const auto& a, const auto& b)

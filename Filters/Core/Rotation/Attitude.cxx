@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Rotation/Turning.h"
+#include "Rotation/Attitude.h"
 
 #include "Base/NumberText.h"
 #include "Base/SmoothStep.h"
+#include "Rotation/FloorContact.h"
 #include "Rotation/KeepAbove.h"
 #include "Rotation/PoseRates.h"
 #include "Rotation/RestingPose.h"
-#include "Rotation/Touching.h"
 
 #include <cmath>
 
@@ -21,10 +21,10 @@ std::string Short(double x)
   return NumberText(x, 3);
 }
 
-class Turning
+class AttitudeMotion
 {
 public:
-  Turning(const TurningPlan& plan, const FlightBody& body, const FlightPath& path) :
+  AttitudeMotion(const AttitudePlan& plan, const FlightBody& body, const FlightPath& path) :
     Plan(plan), Body(body), Path(path), Last(static_cast<int>(plan.Path->Positions.size()) - 1),
     Marks(plan.Path->Positions.size())
   {
@@ -38,7 +38,7 @@ public:
     this->Out.Poses.Torques.assign(this->Marks.Frames.size(), Vec3::Zero());
   }
 
-  TurningOutcome Run()
+  AttitudeOutcome Run()
   {
     this->Start();
     int frame = this->State.Frame;
@@ -343,19 +343,19 @@ private:
     this->State.Frame = end;
   }
 
-  const TurningPlan& Plan;
+  const AttitudePlan& Plan;
   const FlightBody& Body;
   const FlightPath& Path;
   int Last;
   Now State;
-  TurningOutcome Out;
+  AttitudeOutcome Out;
   FrameMarks Marks;
 };
 } // namespace
 
-TurningOutcome TurnObject(const TurningPlan& plan, const FlightBody& body, const FlightPath& path)
+AttitudeOutcome TurnObject(const AttitudePlan& plan, const FlightBody& body, const FlightPath& path)
 {
-  return Turning(plan, body, path).Run();
+  return AttitudeMotion(plan, body, path).Run();
 }
 
 } // namespace waft

@@ -18,10 +18,10 @@ namespace waft
 
 /// Bytes in the machine's own order. Writing leaves what is named as it is. Once anything fails
 /// nothing more is moved and IsGood is false.
-class StateStream
+class StateArchive
 {
 public:
-  virtual ~StateStream() = default;
+  virtual ~StateArchive() = default;
   virtual bool IsReading() const = 0;
   bool IsGood() const { return this->Good; }
   /// Bytes that may still be read: a damaged number of elements is not believed.
@@ -95,7 +95,7 @@ private:
 };
 
 /// Keeps nothing but the digest.
-class DigestStream : public StateStream
+class DigestStream : public StateArchive
 {
 public:
   bool IsReading() const override { return false; }
@@ -113,7 +113,7 @@ private:
 };
 
 /// Keeps what is written, in memory.
-class MemoryStream : public StateStream
+class MemoryStream : public StateArchive
 {
 public:
   bool IsReading() const override { return false; }
@@ -129,7 +129,7 @@ protected:
 };
 
 /// Writes a file whole or not at all: under a name of its own, renamed by Commit.
-class StateFileWriter : public StateStream
+class StateFileWriter : public StateArchive
 {
 public:
   explicit StateFileWriter(const std::string& path);
@@ -156,7 +156,7 @@ private:
 bool IsWholeStateFile(const std::string& path);
 
 /// Reads what StateFileWriter wrote.
-class StateFileReader : public StateStream
+class StateFileReader : public StateArchive
 {
 public:
   explicit StateFileReader(const std::string& path);

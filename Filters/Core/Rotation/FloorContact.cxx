@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Rotation/Touching.h"
+#include "Rotation/FloorContact.h"
 
 #include <cmath>
 

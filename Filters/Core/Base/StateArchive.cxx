@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Base/StateStream.h"
+#include "Base/StateArchive.h"
 
 #include <algorithm>
 #include <cerrno>

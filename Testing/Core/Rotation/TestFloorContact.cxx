@@ -2,7 +2,7 @@
 // Surfaces that stop a body as it flies: at lift-off, at a touch in passing, on the way to a rest.
 #include "Base/Random.h"
 #include "Refining.h"
-#include "Rotation/Touching.h"
+#include "Rotation/FloorContact.h"
 
 using namespace waft;
 using namespace waft::fixtures;
