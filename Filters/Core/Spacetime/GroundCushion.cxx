@@ -34,8 +34,12 @@ CushionForce LandingCushion(const SpacetimeModel& model, int frame, double step,
 {
   CushionForce force;
   const std::uint8_t flag = model.Flag(frame, object);
+  if (!(flag & (LandsOnFloor | LandsOnObstacle)) || (flag & LiftsOff))
+  {
+    return force; // models in which nothing lands have no BrakeHeights
+  }
   const double brake = model.BrakeHeights[object];
-  if (!(flag & (LandsOnFloor | LandsOnObstacle)) || (flag & LiftsOff) || brake <= 0.0)
+  if (brake <= 0.0)
   {
     return force;
   }

@@ -69,7 +69,7 @@ TEST(SceneErrors, NameThePlace)
     { R"("vortices": [{"p1": [0, 0, 0], "p2": [0, 0, 0]}])",
       "/vortices/0/p2: expected a pole apart" },
     { R"("constraints": {})", "/constraints: expected a list of constraints, found {}" },
-    { R"("constraints": [{}])", "/constraints/0/kind: expected position, rest" },
+    { R"("constraints": [{}])", "/constraints/0/kind: expected position, velocity" },
     { R"("constraints": [{"kind": "jump"}])",
       "/constraints/0/kind: expected position, velocity, acceleration, orientation, rest, path or "
       "keyframe, found \"jump\"" },
