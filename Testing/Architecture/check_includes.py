@@ -26,6 +26,7 @@ CORE_MAY_INCLUDE = {
     "Trajectory": {"Base", "Obstacles"},
     "Database": {"Base", "Grid", "Obstacles", "Trajectory"},
     "Planning": {"Base", "Constraints", "Obstacles", "Trajectory"},
+    "Air": {"Base", "Constraints", "Grid", "Obstacles"},
     "Vortex": {"Base"},
     "Particles": {"Base", "Obstacles"},
     "Spacetime": {"Base", "Constraints", "Obstacles", "Particles", "Vortex"},

@@ -95,6 +95,7 @@ struct Constraint
   Quat Orientation = Quat::Identity(); // of an orientation row
   double Radius = 0.0;                 // same unit as Value (orientation: rad); 0: exact
   int Until = 0;                       // rest lasts from Frame to this frame
+  int TouchDown = -1;                  // of a rest: lies there from this frame on; -1: from Frame
   int Row = 0;                         // index in the scene's list
   int Target = 0;                      // index in that row's list of targets
   int Group = -1;                      // rows of one group go to distinct objects
@@ -107,6 +108,12 @@ struct Constraint
 inline int LastFrame(const Constraint& row)
 {
   return TraitsOf(row.Kind).Lasts ? std::max(row.Frame, row.Until) : row.Frame;
+}
+
+/// The frame from which a row holds or, as a rest may, is met already.
+inline int FirstFrame(const Constraint& row)
+{
+  return row.TouchDown >= 0 ? std::min(row.TouchDown, row.Frame) : row.Frame;
 }
 
 /// One line of the Report, one per (Row, Target).

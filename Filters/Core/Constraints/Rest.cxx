@@ -61,9 +61,9 @@ std::vector<LandingWindow> LandingWindows(const MotionObject& object,
     }
     LandingWindow window;
     window.ObstacleId = hit.ObstacleId;
-    window.Frame = row.Frame;
+    window.Frame = FirstFrame(row);
     window.Until = std::max(row.Until, row.Frame);
-    window.First = row.Frame - framesPerSecond;
+    window.First = window.Frame - framesPerSecond;
     window.Last = window.Until + framesPerSecond;
     window.Centre = centre;
     window.Point = hit.Point;

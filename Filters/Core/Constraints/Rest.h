@@ -23,11 +23,11 @@ bool RestingPlace(const ObstacleSet& obstacles, const Vec3& value, double frame,
                   Vec3& centre, SurfaceHit& hit);
 
 /// One rest row and the time around it in which its surface does not count as an obstacle: from one
-/// second before the row's Frame to one second after its Until.
+/// second before it lies there to one second after its Until.
 struct LandingWindow
 {
   int ObstacleId = -1; // the surface landed on
-  int Frame = 0;       // the row's own
+  int Frame = 0;       // FirstFrame of the row
   int Until = 0;
   double First = 0.0;          // frames
   double Last = 0.0;           // frames

@@ -83,11 +83,20 @@ void SmokeSolver::Internals::AddWinds(double time, double dt, const ParallelFor&
                                   sum, k);
               });
   }
-  const FieldSeries& field = this->Forces.Wind;
+  this->AddField(this->Forces.Wind, time, dt, parallelFor, center, sum);
+  this->AddField(this->Steering, time, dt, parallelFor, center, sum);
+}
+
+void SmokeSolver::Internals::AddField(const FieldSeries& field, double time, double dt,
+                                      const ParallelFor& parallelFor,
+                                      const ConstVectorArrays& center,
+                                      const VectorArrays& sum) const
+{
   if (field.IsEmpty())
   {
     return;
   }
+  const StaggeredLayout& layout = this->Layout;
   // A velocity draws the air with rate r; over dt implicitly, so that no rate is too large.
   const bool drags = field.Meaning == FieldMeaning::Velocity;
   const float rate =

@@ -38,6 +38,7 @@ struct SmokeSolver::Internals
 {
   SmokeOptions Options;
   SmokeForces Forces;
+  FieldSeries Steering;
   StaggeredLayout Layout;
   AxisEnds Ends{};        // of what the air carries
   AxisEnds DerivedEnds{}; // of what is derived from it: no jump at an open end
@@ -79,6 +80,9 @@ struct SmokeSolver::Internals
   void AddVortices(double time, const ParallelFor& parallelFor, const VectorArrays& sum) const;
   /// Winds in closed form and the sampled one; center: the air's velocity, for a wind that drags.
   void AddWinds(double time, double dt, const ParallelFor& parallelFor,
+                const ConstVectorArrays& center, const VectorArrays& sum) const;
+  /// A sampled field at all cells: its acceleration, or what draws the air towards its velocity.
+  void AddField(const FieldSeries& field, double time, double dt, const ParallelFor& parallelFor,
                 const ConstVectorArrays& center, const VectorArrays& sum) const;
   void AddConfinementAndBuoyancy(const ParallelFor& parallelFor);
   void ComputeCenters(const ParallelFor& parallelFor, std::array<FloatArray, 3>& center) const;

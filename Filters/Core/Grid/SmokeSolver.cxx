@@ -122,6 +122,11 @@ Result SmokeSolver::Begin(const SmokeOptions& options, SmokeForces forces)
   return Result::Ok();
 }
 
+void SmokeSolver::SetSteering(FieldSeries acceleration)
+{
+  this->Impl->Steering = std::move(acceleration);
+}
+
 Result SmokeSolver::SetSolids(const std::vector<float>& distances,
                               const std::vector<std::array<float, 3>>& velocities)
 {

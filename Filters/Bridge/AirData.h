@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the assimilation gives besides tracks: the air, controls, the course of the solution.
+#pragma once
+
+#include "Air/AirAssimilation.h"
+#include "Base/Types.h"
+
+class vtkImageData;
+class vtkPolyData;
+class vtkTable;
+
+namespace waft
+{
+
+/// `Control` [m/s] as point data of tracks, one list a track in their order.
+void AddControls(const std::vector<std::vector<Vec3>>& controls, vtkPolyData* tracks);
+
+/// One time of the air: `Velocity` [m/s] and, unless empty, `Wind` [m/s^2]; time is sampled.
+void AirToImage(const FieldSeries& air, const FieldSeries& wind, double time, const SceneInfo& info,
+                vtkImageData* data);
+
+/// One row a round: `Stage`, `Candidate`, `ControlRms`, `ControlMedian`, `MotionRms`, `WindRms`
+/// [m/s], `Seconds`.
+void RoundsToTable(const std::vector<AssimilationRound>& rounds, const SceneInfo& info,
+                   vtkTable* table);
+
+} // namespace waft

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One drawn air in which all objects drift to their marks with the least control.
+//
+// Not of Shi et al. 2005: there plans are drawn one by one and one gas is fitted to them. Here one
+// air is drawn first, as the simulations of the database are; the objects drift in it with the
+// least control that meets their rows; what their controls have in common becomes a smooth wind;
+// the force that makes it goes into the simulation, which is run again (incremental 4D-Var with an
+// ensemble of one, Courtier, Thepaut, Hollingsworth 1994).
+#pragma once
+
+#include "Air/CommonWind.h"
+#include "Air/Drift.h"
+#include "Base/ForceFields.h"
+#include "Base/Monitor.h"
+#include "Base/Motion.h"
+#include "Base/OptionFields.h"
+#include "Base/Parallel.h"
+#include "Constraints/Constraint.h"
+#include "Grid/SmokeSeries.h"
+#include "Obstacles/ObstacleSet.h"
+
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+struct AssimilationOptions
+{
+  int Resolution = 64;
+  int LatticeResolution = 32;
+  int Candidates = 8;
+  int Rounds = 2;
+  int WindRounds = 5;
+  double WindSpacing = 0.5;
+  double WindTimeSpacing = 0.5;
+  double WindStiffness = 1.0;
+  double Smoothness = 0.02;
+  double TouchDownSpread = 2.0;
+  bool Inertia = false;
+  double TimeLimit = 0.0;
+
+  Result Validate() const { return ValidateFields<AssimilationOptions>(*this); }
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "Resolution",
+                       { 16, 256 },
+                       "",
+                       "Voxels of the simulation along the longest side of the volume." },
+          of.Resolution...);
+    visit(OptionField{ "LatticeResolution",
+                       { 8, 256 },
+                       "",
+                       "Points of the lattice of the air that objects drift in and that is given "
+                       "out, along the longest side." },
+          of.LatticeResolution...);
+    visit(OptionField{ "Candidates",
+                       { 1, 256 },
+                       "",
+                       "Airs that are tried: quarter turns and mirror images where nothing forbids "
+                       "them, else other seeds. The one that asks for the least control goes on." },
+          of.Candidates...);
+    visit(OptionField{ "Rounds",
+                       { 0, 10 },
+                       "",
+                       "How often the air is simulated again with the force of the common wind." },
+          of.Rounds...);
+    visit(OptionField{ "WindRounds",
+                       { 0, 100 },
+                       "",
+                       "Alternations of fitting the common wind with drifting in it, in a round." },
+          of.WindRounds...);
+    visit(OptionField{ "WindSpacing",
+                       { 1e-3, 1e3 },
+                       "m",
+                       "Spacing of the common wind's splines in space, in metres." },
+          of.WindSpacing...);
+    visit(OptionField{ "WindTimeSpacing",
+                       { 1e-3, 1e3 },
+                       "s",
+                       "Spacing of the common wind's splines in time, in seconds." },
+          of.WindTimeSpacing...);
+    visit(OptionField{ "WindStiffness",
+                       { 1e-3, 1e3 },
+                       "",
+                       "Factor of what a common wind that is not smooth costs." },
+          of.WindStiffness...);
+    visit(OptionField{ "Smoothness",
+                       { 0, 10 },
+                       "s^2",
+                       "Cost of changes of the control over that of the control, in s^2." },
+          of.Smoothness...);
+    visit(OptionField{ "TouchDownSpread",
+                       { 0, 60 },
+                       "s",
+                       "Seconds that an object may lie before the frame from which it has to." },
+          of.TouchDownSpread...);
+    visit(FlagField("Inertia",
+                    "Bodies come after the air as g / SettlingSpeed has it, instead of at once."),
+          of.Inertia...);
+    visit(OptionField{ "TimeLimit",
+                       { 0, 1e+09 },
+                       "s",
+                       "Seconds after which the best motion so far is given; 0: no limit. With a "
+                       "limit two runs may differ." },
+          of.TimeLimit...);
+  }
+};
+
+struct AssimilationInput
+{
+  SceneInfo Scene;
+  std::vector<Track> Tracks;           // planned, one an object, one sample a frame
+  std::vector<MotionObject> Objects;   // those of the tracks
+  std::vector<Constraint> Constraints; // every row assigned
+  std::vector<ObstacleMesh> Obstacles; // the ground among them
+  std::vector<Vortex> Vortices;        // the scene's own, which stir the air with the random ones
+  FieldSeries Wind;                    // the user's, or empty
+};
+
+/// What a round brought.
+struct AssimilationRound
+{
+  std::string Stage; // "draw", "drift", "wind", "simulate"
+  std::string Candidate;
+  double Control = 0.0;       // rms of the private hand in flight [m/s]
+  double MedianControl = 0.0; // of the objects' rms [m/s]
+  double Motion = 0.0;        // rms velocity of the bodies about each frame's mean, in flight [m/s]
+  double Wind = 0.0;          // rms of the common wind at the bodies [m/s]
+  double Seconds = 0.0;       // since the run began
+};
+
+struct AssimilationOutput
+{
+  std::vector<Track> Tracks;               // AirVelocities among them
+  std::vector<std::vector<Vec3>> Controls; // by track and frame [m/s]
+  FieldSeries Air;                         // m/s, a field a frame
+  FieldSeries Wind;                        // m/s^2, the common wind's force in that air
+  std::vector<Vortex> Vortices;            // all that stir the air
+  std::vector<Constraint> Constraints;     // with TouchDown
+  std::vector<ReportRow> Report;
+  std::vector<AssimilationRound> Rounds;
+  std::vector<std::string> Warnings;
+};
+
+/// Points of the lattice of the air, whose corners are the volume's.
+std::array<int, 3> AirLatticeDimensions(const Box& volume, const AssimilationOptions& options);
+
+/// solids: the obstacles as SmokeSolver::SetSolids wants them on the simulation's grid of the given
+/// options; may be empty.
+using SolidsOn = std::function<SolidsAtFrame(const SmokeOptions& smoke)>;
+
+/// Errors: tracks that are empty, not finite or of different lengths, fewer than 8 frames, rows or
+/// tracks without object. The same bits on any number of threads.
+Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& options,
+                     const SolidsOn& solids, const ParallelFor& parallel, Monitor& monitor,
+                     AssimilationOutput& output);
+
+} // namespace waft

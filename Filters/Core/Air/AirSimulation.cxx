@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Air/AirSimulation.h"
+
+#include <algorithm>
+
+namespace waft
+{
+namespace
+{
+
+using Field = std::vector<std::array<float, 3>>;
+
+// The cells' velocities at the points of the lattice; across a wall there is none.
+void Restrict(const SmokeFrame& cells, const AirScene& scene, const FieldSeries& lattice,
+              const ParallelFor& parallel, Field& values)
+{
+  FieldSeries one;
+  one.Dimensions = cells.Dimensions;
+  one.Origin = cells.Origin;
+  one.Spacing = cells.Spacing;
+  one.Times = { 0.0 };
+  one.Values.push_back(cells.Velocity);
+  const std::array<int, 3>& n = lattice.Dimensions;
+  values.resize(lattice.NumberOfPoints());
+  const auto isWall = [&](int axis, int i)
+  {
+    const bool ends = i == 0 || i + 1 == n[static_cast<std::size_t>(axis)];
+    const bool closed =
+      scene.Smoke.Boundary[static_cast<std::size_t>(axis)] == BoundaryKind::Closed;
+    return ends && (closed || (axis == 2 && i == 0 && scene.Smoke.ClosedFloor));
+  };
+  parallel(static_cast<std::size_t>(n[2]),
+           [&](std::size_t begin, std::size_t end)
+           {
+             for (auto k = static_cast<int>(begin); k < static_cast<int>(end); ++k)
+             {
+               std::size_t at = static_cast<std::size_t>(k) * n[1] * n[0];
+               for (int j = 0; j < n[1]; ++j)
+               {
+                 for (int i = 0; i < n[0]; ++i, ++at)
+                 {
+                   const Vec3 x = lattice.Origin + Vec3(i, j, k).cwiseProduct(lattice.Spacing);
+                   const Vec3 u = one.Sample(x, 0.0);
+                   const int index[3] = { i, j, k };
+                   for (int c = 0; c < 3; ++c)
+                   {
+                     values[at][static_cast<std::size_t>(c)] =
+                       isWall(c, index[c]) ? 0.0f : static_cast<float>(u[c]);
+                   }
+                 }
+               }
+             }
+           });
+}
+
+Result PlaceSolids(const AirScene& scene, int frame, SmokeSolver& solver)
+{
+  if (!scene.Solids || (frame > 0 && !scene.SolidsMove))
+  {
+    return Result::Ok();
+  }
+  std::vector<float> distances;
+  std::vector<std::array<float, 3>> velocities;
+  WAFT_RETURN_IF_FAILED(scene.Solids(frame, distances, velocities));
+  return solver.SetSolids(distances, velocities);
+}
+
+} // namespace
+
+FieldSeries AirLattice(const AirScene& scene, FieldMeaning meaning)
+{
+  FieldSeries series;
+  series.Meaning = meaning;
+  series.Dimensions = scene.LatticeDimensions;
+  series.Origin = scene.Smoke.Bounds.Min;
+  for (int c = 0; c < 3; ++c)
+  {
+    series.Spacing[c] = scene.Smoke.Bounds.Size()[c] /
+                        std::max(1, scene.LatticeDimensions[static_cast<std::size_t>(c)] - 1);
+  }
+  return series;
+}
+
+Result SimulateAir(const AirScene& scene, const AirSteering& steering, const ParallelFor& parallel,
+                   Monitor& monitor, FieldSeries& air, FieldSeries& steered)
+{
+  SmokeSolver solver;
+  WAFT_RETURN_IF_FAILED(solver.Begin(scene.Smoke, scene.Forces));
+  air = AirLattice(scene, FieldMeaning::Velocity);
+  steered = AirLattice(scene, FieldMeaning::Acceleration);
+  SmokeFrame cells;
+  for (int frame = 0; frame < scene.Time.NumberOfFrames; ++frame)
+  {
+    WAFT_RETURN_IF_FAILED(PlaceSolids(scene, frame, solver));
+    const Result stepped = solver.Step(parallel, monitor);
+    if (!stepped || stepped.IsStopped())
+    {
+      return stepped;
+    }
+    solver.Read(cells);
+    Field values;
+    Restrict(cells, scene, air, parallel, values);
+    air.Times.push_back(scene.Time.Time(frame));
+    air.Values.push_back(std::move(values));
+    if (!steering.Target)
+    {
+      continue;
+    }
+    const auto at = static_cast<std::size_t>(frame);
+    FieldSeries push = AirLattice(scene, FieldMeaning::Acceleration);
+    push.Times = { scene.Time.Time(frame) };
+    push.Values.resize(1);
+    push.Values[0].resize(push.NumberOfPoints());
+    for (std::size_t i = 0; i < push.Values[0].size(); ++i)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        push.Values[0][i][c] = (steering.Feed ? steering.Feed->Values[at][i][c] : 0.0f) +
+                               static_cast<float>(steering.Rate) *
+                                 (steering.Target->Values[at][i][c] - air.Values[at][i][c]);
+      }
+    }
+    steered.Times.push_back(scene.Time.Time(frame));
+    steered.Values.push_back(push.Values[0]);
+    solver.SetSteering(std::move(push));
+  }
+  return Result::Ok();
+}
+
+FieldSeries MaterialDerivative(const FieldSeries& air, const ParallelFor& parallel)
+{
+  FieldSeries derivative = air;
+  derivative.Meaning = FieldMeaning::Acceleration;
+  const std::array<int, 3>& n = air.Dimensions;
+  const std::ptrdiff_t stride[3] = { 1, n[0], static_cast<std::ptrdiff_t>(n[0]) * n[1] };
+  const std::size_t frames = air.Values.size();
+  parallel(frames,
+           [&](std::size_t begin, std::size_t end)
+           {
+             for (std::size_t f = begin; f < end; ++f)
+             {
+               const std::size_t before = f > 0 ? f - 1 : 0;
+               const std::size_t after = std::min(f + 1, frames - 1);
+               const double time = air.Times[after] - air.Times[before];
+               std::ptrdiff_t p = 0;
+               for (int k = 0; k < n[2]; ++k)
+               {
+                 for (int j = 0; j < n[1]; ++j)
+                 {
+                   for (int i = 0; i < n[0]; ++i, ++p)
+                   {
+                     const int index[3] = { i, j, k };
+                     const auto at = static_cast<std::size_t>(p);
+                     for (std::size_t c = 0; c < 3; ++c)
+                     {
+                       double d = time > 0.0
+                                    ? (air.Values[after][at][c] - air.Values[before][at][c]) / time
+                                    : 0.0;
+                       for (int axis = 0; axis < 3; ++axis)
+                       {
+                         const int low = index[axis] > 0 ? -1 : 0;
+                         const int high =
+                           index[axis] + 1 < n[static_cast<std::size_t>(axis)] ? 1 : 0;
+                         const auto a = static_cast<std::size_t>(p + low * stride[axis]);
+                         const auto b = static_cast<std::size_t>(p + high * stride[axis]);
+                         d += air.Values[f][at][static_cast<std::size_t>(axis)] *
+                              (air.Values[f][b][c] - air.Values[f][a][c]) /
+                              (std::max(1, high - low) * air.Spacing[axis]);
+                       }
+                       derivative.Values[f][at][c] = static_cast<float>(d);
+                     }
+                   }
+                 }
+               }
+             }
+           });
+  return derivative;
+}
+
+} // namespace waft

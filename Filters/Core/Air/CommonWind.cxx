@@ -1,0 +1,428 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Air/CommonWind.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+namespace
+{
+
+constexpr double SampleTime = 0.1; // s, that one sample stands for
+
+/// Cubic B-splines of four knots around a place 0..1 between the middle two.
+void CubicWeights(double t, double* w, double* slope)
+{
+  const double s = 1.0 - t;
+  w[0] = s * s * s / 6.0;
+  w[1] = 2.0 / 3.0 - t * t * (2.0 - t) / 2.0;
+  w[2] = 2.0 / 3.0 - s * s * (2.0 - s) / 2.0;
+  w[3] = t * t * t / 6.0;
+  if (slope)
+  {
+    slope[0] = -0.5 * s * s;
+    slope[1] = -2.0 * t + 1.5 * t * t;
+    slope[2] = 2.0 * s - 1.5 * s * s;
+    slope[3] = 0.5 * t * t;
+  }
+}
+
+/// From 0 at a wall to 1 at a spacing's distance.
+double Hold(double s, double& slope)
+{
+  if (s >= 1.0)
+  {
+    slope = 0.0;
+    return 1.0;
+  }
+  const double q = std::max(s, 0.0);
+  slope = (15.0 - 30.0 * q * q + 15.0 * q * q * q * q) / 8.0;
+  return q * (15.0 - 10.0 * q * q + 3.0 * q * q * q * q) / 8.0;
+}
+
+double Dot(const std::vector<double>& a, const std::vector<double>& b)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    sum += a[i] * b[i];
+  }
+  return sum;
+}
+
+} // namespace
+
+CommonWind::CommonWind(const Box& volume, const Timeline& time, const CommonWindOptions& options) :
+  Volume(volume), Time(time), Options(options)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    const int spans =
+      std::max(2, static_cast<int>(std::lround(volume.Size()[c] / options.Spacing)));
+    this->Spacing[c] = volume.Size()[c] / spans;
+    this->Count[static_cast<std::size_t>(c)] = spans + 3;
+  }
+  const double frames = std::max(1, time.NumberOfFrames - 1);
+  const int spans =
+    std::max(1, static_cast<int>(std::lround(frames * time.Step() / options.TimeSpacing)));
+  this->FramesPerKnot = frames / spans;
+  this->Knots = spans + 3;
+  this->Coefficients.assign(3 * this->NodesPerKnot() * static_cast<std::size_t>(this->Knots), 0.0);
+}
+
+CommonWind::Splines CommonWind::SplinesAt(int axis, double x) const
+{
+  const double h = this->Spacing[axis];
+  const double low = this->Volume.Min[axis];
+  const double high = this->Volume.Max[axis];
+  const double held = std::clamp(x, low, high);
+  const int spans = this->Count[static_cast<std::size_t>(axis)] - 3;
+  const double place = (held - low) / h;
+  Splines s;
+  s.First = std::clamp(static_cast<int>(std::floor(place)), 0, spans - 1);
+  double slopes[4];
+  CubicWeights(place - s.First, s.Plain, slopes);
+  double atLow, atHigh;
+  const double a = Hold((held - low) / h, atLow);
+  const double b = Hold((high - held) / h, atHigh);
+  for (int i = 0; i < 4; ++i)
+  {
+    s.Held[i] = a * b * s.Plain[i];
+    s.Slope[i] = (a * b * slopes[i] + (atLow * b - a * atHigh) * s.Plain[i]) / h;
+  }
+  return s;
+}
+
+CommonWind::Level CommonWind::LevelAt(double frame) const
+{
+  const double place = std::clamp(frame / this->FramesPerKnot, 0.0, this->Knots - 3.0);
+  Level level;
+  level.First = std::min(static_cast<int>(std::floor(place)), this->Knots - 4);
+  CubicWeights(place - level.First, level.Weight, nullptr);
+  return level;
+}
+
+CommonWind::Nodes CommonWind::At(const Level& level, const std::vector<double>& coefficients) const
+{
+  const std::size_t size = 3 * this->NodesPerKnot();
+  Nodes nodes(size, 0.0);
+  for (int m = 0; m < 4; ++m)
+  {
+    const double* knot = coefficients.data() + static_cast<std::size_t>(level.First + m) * size;
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      nodes[i] += level.Weight[m] * knot[i];
+    }
+  }
+  return nodes;
+}
+
+Vec3 CommonWind::Curl(const Place& place, const Nodes& nodes) const
+{
+  const Splines& x = place.Along[0];
+  const Splines& y = place.Along[1];
+  const Splines& z = place.Along[2];
+  Vec3 w = Vec3::Zero();
+  for (int k = 0; k < 4; ++k)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      const double* a =
+        nodes.data() +
+        3 * ((static_cast<std::size_t>(z.First + k) * this->Count[1] + (y.First + j)) *
+               this->Count[0] +
+             x.First);
+      for (int i = 0; i < 4; ++i, a += 3)
+      {
+        w[0] +=
+          a[2] * x.Held[i] * y.Slope[j] * z.Plain[k] - a[1] * x.Held[i] * y.Plain[j] * z.Slope[k];
+        w[1] +=
+          a[0] * x.Plain[i] * y.Held[j] * z.Slope[k] - a[2] * x.Slope[i] * y.Held[j] * z.Plain[k];
+        w[2] +=
+          a[1] * x.Slope[i] * y.Plain[j] * z.Held[k] - a[0] * x.Plain[i] * y.Slope[j] * z.Held[k];
+      }
+    }
+  }
+  return w;
+}
+
+void CommonWind::AddCurl(const Place& place, const Vec3& value, Nodes& nodes) const
+{
+  const Splines& x = place.Along[0];
+  const Splines& y = place.Along[1];
+  const Splines& z = place.Along[2];
+  for (int k = 0; k < 4; ++k)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      double* a = nodes.data() +
+                  3 * ((static_cast<std::size_t>(z.First + k) * this->Count[1] + (y.First + j)) *
+                         this->Count[0] +
+                       x.First);
+      for (int i = 0; i < 4; ++i, a += 3)
+      {
+        a[0] += value[1] * x.Plain[i] * y.Held[j] * z.Slope[k] -
+                value[2] * x.Plain[i] * y.Slope[j] * z.Held[k];
+        a[1] += value[2] * x.Slope[i] * y.Plain[j] * z.Held[k] -
+                value[0] * x.Held[i] * y.Plain[j] * z.Slope[k];
+        a[2] += value[0] * x.Held[i] * y.Slope[j] * z.Plain[k] -
+                value[1] * x.Slope[i] * y.Held[j] * z.Plain[k];
+      }
+    }
+  }
+}
+
+Vec3 CommonWind::At(const Vec3& x, double frame) const
+{
+  Place place;
+  for (int c = 0; c < 3; ++c)
+  {
+    place.Along[c] = this->SplinesAt(c, x[c]);
+  }
+  return this->Curl(place, this->At(this->LevelAt(frame), this->Coefficients));
+}
+
+void CommonWind::Penalise(const std::vector<double>& a, std::vector<double>& sum) const
+{
+  const double unit = 1.0 / this->Spacing.squaredNorm() * 3.0; // coefficients over the spacing
+  const double ridge = this->Options.Ridge * unit;
+  const double bending = this->Options.Bending * unit;
+  const double changing = this->Options.Changing * unit;
+  const std::size_t stride[4] = { 3, 3 * static_cast<std::size_t>(this->Count[0]),
+                                  3 * static_cast<std::size_t>(this->Count[0]) * this->Count[1],
+                                  3 * this->NodesPerKnot() };
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    sum[i] += ridge * a[i];
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::size_t s = stride[axis];
+    const auto n = static_cast<std::size_t>(this->Count[static_cast<std::size_t>(axis)]);
+    for (std::size_t i = s; i + s < a.size(); ++i)
+    {
+      const std::size_t at = i / s % n;
+      if (at == 0 || at + 1 == n)
+      {
+        continue;
+      }
+      const double bend = bending * (a[i - s] - 2.0 * a[i] + a[i + s]);
+      sum[i - s] += bend;
+      sum[i] -= 2.0 * bend;
+      sum[i + s] += bend;
+    }
+  }
+  const std::size_t s = stride[3];
+  for (std::size_t i = 0; i + s < a.size(); ++i)
+  {
+    const double change = changing * (a[i + s] - a[i]);
+    sum[i + s] += change;
+    sum[i] -= change;
+  }
+}
+
+void CommonWind::Fit(const std::vector<WindSamples>& samples, const ParallelFor& parallel)
+{
+  if (samples.empty())
+  {
+    return;
+  }
+  std::vector<Level> levels;
+  std::vector<std::vector<Place>> places(samples.size());
+  for (const WindSamples& at : samples)
+  {
+    levels.push_back(this->LevelAt(at.Frame));
+  }
+  parallel(samples.size(),
+           [&](std::size_t begin, std::size_t end)
+           {
+             for (std::size_t f = begin; f < end; ++f)
+             {
+               for (const Vec3& x : samples[f].Places)
+               {
+                 Place place;
+                 for (int c = 0; c < 3; ++c)
+                 {
+                   place.Along[c] = this->SplinesAt(c, x[c]);
+                 }
+                 places[f].push_back(place);
+               }
+             }
+           });
+  // What a sample counts: all of them together as many as there are tenths of a second.
+  const double last = samples.back().Frame - samples.front().Frame;
+  const double weight = samples.size() < 2 ? 1.0
+                                           : last * this->Time.Step() /
+                                               static_cast<double>(samples.size() - 1) / SampleTime;
+  const std::size_t knot = 3 * this->NodesPerKnot();
+  std::vector<Nodes> parts(samples.size());
+  // result = M^T weight (M a - values) + penalty a
+  const auto apply = [&](const std::vector<double>& a, bool lessValues, std::vector<double>& result)
+  {
+    parallel(samples.size(),
+             [&](std::size_t begin, std::size_t end)
+             {
+               for (std::size_t f = begin; f < end; ++f)
+               {
+                 const Nodes nodes = this->At(levels[f], a);
+                 parts[f].assign(knot, 0.0);
+                 for (std::size_t s = 0; s < places[f].size(); ++s)
+                 {
+                   Vec3 w = this->Curl(places[f][s], nodes);
+                   if (lessValues)
+                   {
+                     w -= samples[f].Values[s];
+                   }
+                   this->AddCurl(places[f][s], weight * w, parts[f]);
+                 }
+               }
+             });
+    result.assign(a.size(), 0.0);
+    for (std::size_t f = 0; f < samples.size(); ++f)
+    {
+      for (int m = 0; m < 4; ++m)
+      {
+        double* sum = result.data() + static_cast<std::size_t>(levels[f].First + m) * knot;
+        for (std::size_t i = 0; i < knot; ++i)
+        {
+          sum[i] += levels[f].Weight[m] * parts[f][i];
+        }
+      }
+    }
+    this->Penalise(a, result);
+  };
+  std::vector<double> residual, direction, product;
+  apply(this->Coefficients, true, residual);
+  for (double& r : residual)
+  {
+    r = -r;
+  }
+  direction = residual;
+  double size = Dot(residual, residual);
+  const double enough = 1e-8 * size;
+  for (int iteration = 0; iteration < this->Options.Iterations && size > enough; ++iteration)
+  {
+    apply(direction, false, product);
+    const double step = size / Dot(direction, product);
+    for (std::size_t i = 0; i < residual.size(); ++i)
+    {
+      this->Coefficients[i] += step * direction[i];
+      residual[i] -= step * product[i];
+    }
+    const double before = size;
+    size = Dot(residual, residual);
+    for (std::size_t i = 0; i < residual.size(); ++i)
+    {
+      direction[i] = residual[i] + size / before * direction[i];
+    }
+  }
+}
+
+namespace
+{
+
+// values [z][y][x] contracted along one axis with weights of points there.
+std::vector<double> Contract(const std::vector<double>& values, std::array<int, 3>& count, int axis,
+                             const std::vector<int>& first,
+                             const std::vector<const double*>& weights)
+{
+  const int points = static_cast<int>(first.size());
+  std::array<int, 3> to = count;
+  to[static_cast<std::size_t>(axis)] = points;
+  const int inner = axis == 0 ? 1 : axis == 1 ? count[0] : count[0] * count[1];
+  const int outer = axis == 2 ? 1 : axis == 1 ? count[2] : count[1] * count[2];
+  const int from = count[static_cast<std::size_t>(axis)];
+  std::vector<double> out(static_cast<std::size_t>(inner) * points * outer, 0.0);
+  for (int o = 0; o < outer; ++o)
+  {
+    for (int p = 0; p < points; ++p)
+    {
+      double* sum = out.data() + (static_cast<std::size_t>(o) * points + p) * inner;
+      for (int m = 0; m < 4; ++m)
+      {
+        const double w = weights[static_cast<std::size_t>(p)][m];
+        const double* v =
+          values.data() +
+          (static_cast<std::size_t>(o) * from + first[static_cast<std::size_t>(p)] + m) * inner;
+        for (int i = 0; i < inner; ++i)
+        {
+          sum[i] += w * v[i];
+        }
+      }
+    }
+  }
+  count = to;
+  return out;
+}
+
+} // namespace
+
+void CommonWind::AddTo(FieldSeries& sum, const ParallelFor& parallel) const
+{
+  std::array<std::vector<Splines>, 3> along;
+  for (int c = 0; c < 3; ++c)
+  {
+    for (int i = 0; i < sum.Dimensions[static_cast<std::size_t>(c)]; ++i)
+    {
+      along[static_cast<std::size_t>(c)].push_back(
+        this->SplinesAt(c, sum.Origin[c] + i * sum.Spacing[c]));
+    }
+  }
+  enum Part
+  {
+    Plain,
+    Held,
+    Slope
+  };
+  // Component of W, component of A, sign, and which part of the splines along x, y, z.
+  struct Term
+  {
+    int Of, Potential;
+    double Sign;
+    Part Parts[3];
+  };
+  const Term terms[] = {
+    { 0, 2, 1.0, { Held, Slope, Plain } }, { 0, 1, -1.0, { Held, Plain, Slope } },
+    { 1, 0, 1.0, { Plain, Held, Slope } }, { 1, 2, -1.0, { Slope, Held, Plain } },
+    { 2, 1, 1.0, { Slope, Plain, Held } }, { 2, 0, -1.0, { Plain, Slope, Held } }
+  };
+  parallel(sum.Values.size(),
+           [&](std::size_t begin, std::size_t end)
+           {
+             for (std::size_t f = begin; f < end; ++f)
+             {
+               const Nodes nodes =
+                 this->At(this->LevelAt(sum.Times[f] / this->Time.Step()), this->Coefficients);
+               for (const Term& term : terms)
+               {
+                 std::vector<double> values(this->NodesPerKnot());
+                 for (std::size_t i = 0; i < values.size(); ++i)
+                 {
+                   values[i] = nodes[3 * i + static_cast<std::size_t>(term.Potential)];
+                 }
+                 std::array<int, 3> count = this->Count;
+                 for (int c = 2; c >= 0; --c)
+                 {
+                   std::vector<int> first;
+                   std::vector<const double*> weights;
+                   for (const Splines& s : along[static_cast<std::size_t>(c)])
+                   {
+                     first.push_back(s.First);
+                     weights.push_back(term.Parts[c] == Plain  ? s.Plain
+                                       : term.Parts[c] == Held ? s.Held
+                                                               : s.Slope);
+                   }
+                   values = Contract(values, count, c, first, weights);
+                 }
+                 for (std::size_t i = 0; i < values.size(); ++i)
+                 {
+                   sum.Values[f][i][static_cast<std::size_t>(term.Of)] +=
+                     static_cast<float>(term.Sign * values[i]);
+                 }
+               }
+             }
+           });
+}
+
+} // namespace waft

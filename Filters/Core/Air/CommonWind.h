@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A smooth wind that all bodies share: what their controls have in common.
+#pragma once
+
+#include "Base/FieldSeries.h"
+#include "Base/Parallel.h"
+#include "Base/Types.h"
+
+#include <array>
+#include <vector>
+
+namespace waft
+{
+
+struct CommonWindOptions
+{
+  double Spacing = 0.5;     // of the splines, and how far from a wall it holds back [m]
+  double TimeSpacing = 0.5; // of the splines [s]
+  /// Of coefficients over the spacing [m/s], against a sample each tenth of a second.
+  double Ridge = 1e-3;
+  double Bending = 0.01;  // of their second differences in space
+  double Changing = 0.03; // of their differences in time
+  int Iterations = 40;    // of conjugate gradients
+};
+
+/// What the wind is wanted to be, at one frame (half frames, too).
+struct WindSamples
+{
+  double Frame = 0.0;
+  std::vector<Vec3> Places; // m
+  std::vector<Vec3> Values; // m/s
+};
+
+/// W = curl A [m/s] with A in cubic B-splines of space and time: solenoidal. The parts of A along a
+/// wall vanish there as Bridson, Houriham, Nordenstam 2007 have it, so that W is tangential there.
+class CommonWind
+{
+public:
+  CommonWind(const Box& volume, const Timeline& time, const CommonWindOptions& options);
+
+  /// Least squares over all samples; goes on from the wind as it is. The same on any number of
+  /// threads.
+  void Fit(const std::vector<WindSamples>& samples, const ParallelFor& parallel);
+  Vec3 At(const Vec3& x, double frame) const;
+  /// sum += W at the points of the lattice, of each field's frame.
+  void AddTo(FieldSeries& sum, const ParallelFor& parallel) const;
+  std::size_t NumberOfCoefficients() const { return this->Coefficients.size(); }
+
+private:
+  // The four splines that are not zero at a point of an axis: plain, held back at the walls, and
+  // the derivative of the latter.
+  struct Splines
+  {
+    int First = 0;
+    double Plain[4], Held[4], Slope[4];
+  };
+  struct Place
+  {
+    Splines Along[3];
+  };
+  struct Level // the splines of time at a frame
+  {
+    int First = 0;
+    double Weight[4];
+  };
+  using Nodes = std::vector<double>; // three a node
+
+  Splines SplinesAt(int axis, double x) const;
+  Level LevelAt(double frame) const;
+  Nodes At(const Level& level, const std::vector<double>& coefficients) const;
+  Vec3 Curl(const Place& place, const Nodes& nodes) const;
+  void AddCurl(const Place& place, const Vec3& value, Nodes& nodes) const;
+  /// What is penalised, applied: the gradient of half the penalty.
+  void Penalise(const std::vector<double>& a, std::vector<double>& sum) const;
+  std::size_t NodesPerKnot() const
+  {
+    return static_cast<std::size_t>(this->Count[0]) * this->Count[1] * this->Count[2];
+  }
+
+  Box Volume;
+  Timeline Time;
+  CommonWindOptions Options;
+  std::array<int, 3> Count{}; // splines along each axis
+  Vec3 Spacing = Vec3::Ones();
+  int Knots = 0;
+  double FramesPerKnot = 1.0;
+  std::vector<double> Coefficients; // [knot][node][x, y, z], x fastest of the nodes [m^2/s]
+};
+
+} // namespace waft

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The path of one body that drifts in a given air through its marks with the least control.
+#pragma once
+
+#include "Air/AirSampler.h"
+#include "Base/Motion.h"
+#include "Base/Types.h"
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace waft
+{
+
+struct DriftWeights
+{
+  /// Of changes of the control, over that of the control itself [s^2].
+  double Smoothness = 0.02;
+  /// Of accelerations where the control is free, over that of the control in flight [s^2].
+  double Braking = 0.01;
+  /// Of what lies nearer to an obstacle or a wall than it may, or outside a ball, over that of the
+  /// control [1/s^2], summed over frames.
+  double Barrier = 400.0;
+  /// Of missed velocities and accelerations, summed over rows.
+  double Row = 100.0;
+};
+
+/// |sum of Weight x(Frame) - Value| <= Radius, per axis alike: a ball, a velocity or an
+/// acceleration.
+struct DriftRow
+{
+  std::vector<std::pair<int, double>> Terms; // frames within four of each other
+  Vec3 Value = Vec3::Zero();
+  double Radius = 0.0;
+  bool IsPlace = true; // weighed as a barrier, else as a row
+};
+
+/// Something that a body is too near to: the way out and how far it is [m].
+struct DriftDepth
+{
+  Vec3 Normal = Vec3::Zero();
+  double Depth = 0.0;
+};
+
+/// Frames are those of the air's fields. A step k leads from frame k to the next.
+struct DriftProblem
+{
+  Timeline Time;
+  double SettlingSpeed = 0.0;         // m/s
+  double ResponseTime = 0.0;          // SettlingSpeed / g [s]; 0: the body has no inertia
+  std::vector<unsigned char> IsFixed; // by frame
+  std::vector<Vec3> Fixed;            // [m], where IsFixed
+  /// By step: 1 where it flies by the air alone, 0 where it lies still, between where it is braked.
+  std::vector<double> Flight;
+  std::vector<DriftRow> Rows;
+  /// Adds all that a body at x is too near to at a frame; may be empty.
+  std::function<void(int frame, const Vec3& x, std::vector<DriftDepth>& depths)> TooNear;
+};
+
+struct DriftOutcome
+{
+  double Cost = 0.0;    // m^2/s
+  double Control = 0.0; // root mean square over the steps in flight [m/s]
+  int Iterations = 0;
+};
+
+/// The control of a step [m/s]: what moves the body beside the air,
+///   c = x' + ResponseTime x'' - u(x, t) + SettlingSpeed e_z,
+/// the inertial law v' = (u - v) g / SettlingSpeed - g e_z in units of velocity.
+std::vector<Vec3> DriftControls(const DriftProblem& problem, const AirSampler& air,
+                                const std::vector<Vec3>& path);
+
+/// Moves the path to a local minimum of 1/2 sum Flight |c|^2 dt + Smoothness / 2 sum |dc/dt|^2 dt +
+/// barriers, over all frames that are not fixed at once: Levenberg's method, the Gauss-Newton
+/// matrix being banded. Fixed frames take their values.
+DriftOutcome SolveDrift(const DriftProblem& problem, const AirSampler& air,
+                        const DriftWeights& weights, int maximumIterations,
+                        std::vector<Vec3>& path);
+
+} // namespace waft

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Air/Drifter.h"
+
+#include "Base/SmoothStep.h"
+#include "Constraints/ResolveClearance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+namespace
+{
+
+constexpr double BarrierMargin = 0.01;  // m, that the penalty asks for besides
+constexpr double ClearanceSlack = 5e-4; // of L, of the 1e-3 that clearance may miss
+
+} // namespace
+
+Drifter::Drifter(const DriftScene& scene, const MotionObject& object, std::vector<Vec3> planned,
+                 std::vector<Constraint> rows) :
+  Around(scene),
+  Body(object), Planned(std::move(planned)), Wanted(std::move(rows)),
+  Landings(LandingWindows(object, this->Wanted, scene.Obstacles, scene.Scene.Time.FramesPerSecond))
+{
+  for (const LandingWindow& landing : this->Landings)
+  {
+    this->Latest.push_back(landing.Frame);
+  }
+  this->FixFrames();
+  this->AddRows();
+}
+
+int Drifter::EarliestTouchDown(std::size_t landing, int most) const
+{
+  // Not before another mark, and with some way to go from there.
+  int earliest = this->Latest[landing] - most;
+  for (int f = this->Latest[landing] - 1; f >= std::max(0, earliest); --f)
+  {
+    if (this->IsFixed[static_cast<std::size_t>(f)] && f < this->Landings[landing].Frame)
+    {
+      earliest = f + static_cast<int>(this->Around.Scene.Time.FramesPerSecond);
+      break;
+    }
+  }
+  return std::clamp(earliest, 0, this->Latest[landing]);
+}
+
+void Drifter::SetTouchDown(std::size_t landing, int frame)
+{
+  const LandingWindow& window = this->Landings[landing];
+  for (Constraint& row : this->Wanted)
+  {
+    if (row.Row == window.Row && row.Target == window.Target && row.Kind == ConstraintKind::Rest)
+    {
+      row.TouchDown = frame;
+    }
+  }
+  this->Landings[landing].Frame = frame;
+  this->Landings[landing].First = frame - this->Around.Scene.Time.FramesPerSecond;
+  this->FixFrames();
+}
+
+void Drifter::FixFrames()
+{
+  const std::size_t frames = this->Planned.size();
+  this->IsFixed.assign(frames, 0);
+  this->Fixed.assign(frames, Vec3::Zero());
+  const auto fix = [&](int frame, const Vec3& x)
+  {
+    this->IsFixed[static_cast<std::size_t>(frame)] = 1;
+    this->Fixed[static_cast<std::size_t>(frame)] = x;
+  };
+  fix(0, this->Body.Position);
+  const int last = static_cast<int>(frames) - 1;
+  for (const LandingWindow& landing : this->Landings)
+  {
+    for (int f = std::max(0, landing.Frame); f <= std::min(last, landing.Until); ++f)
+    {
+      fix(f, landing.Centre);
+    }
+  }
+  for (const Constraint& row : this->Wanted)
+  {
+    if (row.Kind == ConstraintKind::Position && row.Radius <= 0.0)
+    {
+      fix(row.Frame, row.Value);
+    }
+  }
+}
+
+void Drifter::AddRows()
+{
+  const Timeline& time = this->Around.Scene.Time;
+  for (const Constraint& row : this->Wanted)
+  {
+    if (row.Kind == ConstraintKind::Position && row.Radius > 0.0)
+    {
+      this->Balls.push_back({ row.Frame, 0, row.Value, row.Radius });
+      this->DriftRows.push_back({ { { row.Frame, 1.0 } }, row.Value, row.Radius, true });
+    }
+    const int derivative = TraitsOf(row.Kind).Derivative;
+    if (derivative < 1)
+    {
+      continue;
+    }
+    // As lengths for what is exact; as they are for the search.
+    const double scale = std::pow(time.Step(), derivative);
+    DifferenceRow exact;
+    DriftRow sought;
+    for (const auto& [frame, coefficient] : DerivativeStencil(derivative, row.Frame, time))
+    {
+      exact.Terms.push_back({ frame, coefficient * scale });
+      sought.Terms.emplace_back(frame, coefficient * std::pow(time.Step(), derivative - 1));
+    }
+    exact.Value = scale * row.Value;
+    exact.Radius = scale * row.Radius;
+    sought.Value = std::pow(time.Step(), derivative - 1) * row.Value;
+    sought.Radius = std::pow(time.Step(), derivative - 1) * row.Radius;
+    sought.IsPlace = false;
+    if (!exact.Terms.empty())
+    {
+      this->Differences.push_back(exact);
+      this->DriftRows.push_back(sought);
+    }
+  }
+}
+
+DriftProblem Drifter::Problem() const
+{
+  const Timeline& time = this->Around.Scene.Time;
+  DriftProblem problem;
+  problem.Time = time;
+  problem.SettlingSpeed = this->Body.SettlingSpeed;
+  problem.ResponseTime = this->Around.Inertia ? this->Body.SettlingSpeed / StandardGravity : 0.0;
+  problem.IsFixed = this->IsFixed;
+  problem.Fixed = this->Fixed;
+  problem.Rows = this->DriftRows;
+  // Steps between fixed frames are given; beside them a body is braked or taken up.
+  const std::size_t steps = this->IsFixed.size() - 1;
+  const double reach = CushionTime * time.FramesPerSecond;
+  std::vector<double> away(steps, 2.0 * reach);
+  const auto isGiven = [&](std::size_t k) { return this->IsFixed[k] && this->IsFixed[k + 1]; };
+  for (std::size_t k = 0; k < steps; ++k)
+  {
+    away[k] = isGiven(k) ? 0.0 : k > 0 ? std::min(away[k], away[k - 1] + 1.0) : away[k];
+  }
+  for (std::size_t k = steps; k-- > 0;)
+  {
+    away[k] = k + 1 < steps ? std::min(away[k], away[k + 1] + 1.0) : away[k];
+  }
+  for (std::size_t k = 0; k < steps; ++k)
+  {
+    problem.Flight.push_back(SmoothStep(away[k] / reach));
+  }
+  problem.TooNear = [this](int frame, const Vec3& x, std::vector<DriftDepth>& depths)
+  { this->TooNear(frame, x, depths); };
+  return problem;
+}
+
+void Drifter::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths) const
+{
+  const Clearance asked = RequiredClearance(this->Body, this->Landings, frame);
+  const double radius = asked.Radius + BarrierMargin;
+  const Box& volume = this->Around.Scene.Bounds;
+  const auto push = [&](const Vec3& normal, double depth)
+  {
+    if (depth > 0.0)
+    {
+      depths.push_back({ normal, depth });
+    }
+  };
+  for (int c = 0; c < 3; ++c)
+  {
+    const bool floor = c == 2 && asked.Exempt >= 0;
+    push(Vec3::Unit(c), volume.Min[c] + (floor ? asked.LandingDistance : radius) - x[c]);
+    push(-Vec3::Unit(c), x[c] - volume.Max[c] + radius);
+  }
+  const ObstacleSet& obstacles = this->Around.Obstacles;
+  if (obstacles.SignedDistance(x, frame, radius, asked.Exempt) < radius)
+  {
+    SurfaceHit hit;
+    const double distance = obstacles.SignedDistance(x, frame, hit, asked.Exempt);
+    push(hit.Normal, radius - distance);
+  }
+  if (asked.Exempt >= 0)
+  {
+    SurfaceHit hit;
+    const double distance = obstacles.SignedDistanceTo(asked.Exempt, x, frame, hit);
+    push(hit.Normal, asked.LandingDistance - distance);
+  }
+}
+
+std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air) const
+{
+  const std::size_t frames = this->Planned.size();
+  std::vector<int> marks;
+  for (std::size_t f = 0; f < frames; ++f)
+  {
+    if (this->IsFixed[f])
+    {
+      marks.push_back(static_cast<int>(f));
+    }
+  }
+  std::vector<Vec3> planned = this->Planned;
+  for (std::size_t l = 0; l < this->Landings.size(); ++l)
+  {
+    // From the mark before on the plan goes faster, to be there earlier.
+    const int to = this->Latest[l];
+    const int early = this->Landings[l].Frame;
+    int from = 0;
+    for (const int mark : marks)
+    {
+      from = mark < early ? mark : from;
+    }
+    for (int f = from; f <= to && early > from; ++f)
+    {
+      const double s =
+        std::min<double>(to, from + (f - from) * static_cast<double>(to - from) / (early - from));
+      const auto low = static_cast<std::size_t>(s);
+      const std::size_t high = std::min(low + 1, frames - 1);
+      planned[static_cast<std::size_t>(f)] =
+        this->Planned[low] +
+        (s - static_cast<double>(low)) * (this->Planned[high] - this->Planned[low]);
+    }
+  }
+  std::vector<Vec3> straight = planned;
+  std::vector<Vec3> drifting = planned;
+  const double step = this->Around.Scene.Time.Step();
+  const Vec3 slip = this->Body.SettlingSpeed * Vec3::UnitZ();
+  const Box& volume = this->Around.Scene.Bounds;
+  for (std::size_t m = 0; m < marks.size(); ++m)
+  {
+    const int from = marks[m];
+    const bool hasNext = m + 1 < marks.size();
+    const int to = hasNext ? marks[m + 1] : static_cast<int>(frames) - 1;
+    Vec3 x = this->Fixed[static_cast<std::size_t>(from)];
+    straight[static_cast<std::size_t>(from)] = drifting[static_cast<std::size_t>(from)] = x;
+    Mat3 gradient;
+    for (int f = from; f < to; ++f)
+    {
+      const Vec3 half = x + 0.5 * step * (air.At(f, x) - slip);
+      x += step * (air.Between(f, half, gradient) - slip);
+      x = x.cwiseMax(volume.Min + Vec3::Constant(this->Body.RestHeight))
+            .cwiseMin(volume.Max - Vec3::Constant(this->Body.ClearanceRadius));
+      drifting[static_cast<std::size_t>(f) + 1] = x;
+    }
+    if (!hasNext)
+    {
+      for (int f = from; f <= to; ++f)
+      {
+        straight[static_cast<std::size_t>(f)] = drifting[static_cast<std::size_t>(f)];
+      }
+      continue;
+    }
+    const Vec3& end = this->Fixed[static_cast<std::size_t>(to)];
+    const Vec3 missed = end - x;
+    const Vec3 begin = this->Fixed[static_cast<std::size_t>(from)];
+    for (int f = from; f <= to; ++f)
+    {
+      const double s = static_cast<double>(f - from) / (to - from);
+      straight[static_cast<std::size_t>(f)] = begin + s * (end - begin);
+      drifting[static_cast<std::size_t>(f)] += s * s * missed;
+    }
+  }
+  return { planned, straight, drifting };
+}
+
+void Drifter::MeetRows(std::vector<Vec3>& path) const
+{
+  for (std::size_t f = 0; f < path.size(); ++f)
+  {
+    path[f] = this->IsFixed[f] ? this->Fixed[f] : path[f];
+  }
+  for (const PositionBall& ball : this->Balls)
+  {
+    Vec3& x = path[static_cast<std::size_t>(ball.Frame)];
+    const double away = (x - ball.Center).norm();
+    if (!this->IsFixed[static_cast<std::size_t>(ball.Frame)] && away > ball.Radius)
+    {
+      x = ball.Center + ball.Radius / away * (x - ball.Center);
+    }
+  }
+  const FixedAt fixedAt = [this](int frame, std::size_t) -> const Vec3*
+  {
+    const auto f = static_cast<std::size_t>(frame);
+    return this->IsFixed[f] ? &this->Fixed[f] : nullptr;
+  };
+  for (const LinearCluster& cluster :
+       MakeClusters(this->Differences, this->Balls, fixedAt, std::vector<bool>(path.size(), true)))
+  {
+    Eigen::MatrixX3d positions(static_cast<Eigen::Index>(cluster.Frames().size()), 3);
+    Eigen::Index row = 0;
+    for (const int f : cluster.Frames())
+    {
+      positions.row(row++) = path[static_cast<std::size_t>(f)].transpose();
+    }
+    cluster.Project(positions);
+    row = 0;
+    for (const int f : cluster.Frames())
+    {
+      path[static_cast<std::size_t>(f)] = positions.row(row++).transpose();
+    }
+  }
+}
+
+bool Drifter::MakeExact(std::vector<Vec3>& path) const
+{
+  this->MeetRows(path);
+  const PathClearance clearance{ this->Around.Obstacles, this->Around.Scene.Bounds, this->Landings,
+                                 this->Body, ClearanceSlack * this->Around.Scene.Bounds.Width() };
+  std::vector<double> weights;
+  for (const unsigned char fixed : this->IsFixed)
+  {
+    weights.push_back(fixed ? 0.0 : 1.0);
+  }
+  const PathFreedom freedom{ weights, this->Around.Scene.Time.Step(),
+                             [this](std::vector<Vec3>& x) { this->MeetRows(x); } };
+  return ResolveClearance(clearance, freedom, this->Planned, path);
+}
+
+} // namespace waft

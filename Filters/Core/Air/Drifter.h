@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One object as a problem of drift: its rows, its landings, what it keeps clear of.
+#pragma once
+
+#include "Air/Drift.h"
+#include "Constraints/Constraint.h"
+#include "Constraints/LinearCluster.h"
+#include "Constraints/Rest.h"
+#include "Obstacles/ObstacleSet.h"
+
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+/// What all objects drift among.
+struct DriftScene
+{
+  const SceneInfo& Scene;
+  const ObstacleSet& Obstacles;
+  bool Inertia = false;
+};
+
+class Drifter
+{
+public:
+  /// planned: its path so far; rows: those that bind it.
+  Drifter(const DriftScene& scene, const MotionObject& object, std::vector<Vec3> planned,
+          std::vector<Constraint> rows);
+
+  const MotionObject& Object() const { return this->Body; }
+  const std::vector<Constraint>& Rows() const { return this->Wanted; }
+  std::size_t NumberOfLandings() const { return this->Landings.size(); }
+
+  /// The frame at which a landing lies there, of its own row's Frame and up to `most` frames
+  /// before.
+  void SetTouchDown(std::size_t landing, int frame);
+  int TouchDown(std::size_t landing) const { return this->Landings[landing].Frame; }
+  /// The row's own Frame, and the earliest frame at which it may lie there.
+  int LandingFrame(std::size_t landing) const { return this->Latest[landing]; }
+  int EarliestTouchDown(std::size_t landing, int most) const;
+
+  /// As the touch-downs are set. Points into this drifter.
+  DriftProblem Problem() const;
+
+  /// Paths to begin with: the plan, brought to the touch-downs; straight from mark to mark; free
+  /// drift from each mark, bent to the next.
+  std::vector<std::vector<Vec3>> Starts(const AirSampler& air) const;
+
+  /// Meets fixed frames, balls, velocities and accelerations to the last bit and keeps clear. False
+  /// where it is nearer to something than it may.
+  bool MakeExact(std::vector<Vec3>& path) const;
+
+private:
+  void FixFrames();
+  void AddRows();
+  void MeetRows(std::vector<Vec3>& path) const;
+  void TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths) const;
+
+  const DriftScene& Around;
+  MotionObject Body;
+  std::vector<Vec3> Planned;
+  std::vector<Constraint> Wanted;
+  std::vector<LandingWindow> Landings;
+  std::vector<int> Latest;
+  std::vector<unsigned char> IsFixed;
+  std::vector<Vec3> Fixed;
+  std::vector<DriftRow> DriftRows;
+  std::vector<PositionBall> Balls;
+  std::vector<DifferenceRow> Differences;
+};
+
+} // namespace waft

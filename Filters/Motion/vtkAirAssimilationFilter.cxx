@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAirAssimilationFilter.h"
+
+#include "Air/AirAssimilation.h"
+#include "Bridge/AirData.h"
+#include "Bridge/ConstraintData.h"
+#include "Bridge/KeptStage.h"
+#include "Bridge/SceneData.h"
+#include "Bridge/SmokeData.h"
+#include "Bridge/StageExecution.h"
+#include "Bridge/StageOptions.h"
+#include "Bridge/TrackData.h"
+#include "Bridge/VortexData.h"
+
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkTable.h>
+
+vtkStandardNewMacro(vtkAirAssimilationFilter);
+
+namespace
+{
+
+enum InputPort
+{
+  PlannedPort,
+  ObjectsPort,
+  RowsPort,
+  ObstaclesPort,
+  WindPort,
+  ScenesVorticesPort,
+  NumberOfInputs
+};
+
+enum OutputPort
+{
+  TracksPort,
+  AirPort,
+  VorticesPort,
+  ConstraintsPort,
+  ReportPort,
+  RoundsPort,
+  NumberOfOutputs
+};
+
+} // namespace
+
+struct vtkAirAssimilationFilter::Internals : waft::KeptStage
+{
+  vtkAirAssimilationFilter* Self;
+  waft::AssimilationOutput Solution;
+
+  explicit Internals(vtkAirAssimilationFilter* self) :
+    KeptStage(self, PlannedPort, ObstaclesPort, WindPort), Self(self)
+  {
+  }
+  waft::Result Take(vtkInformationVector** inputs, waft::AssimilationInput& input);
+  waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  void FillVarying(double time, vtkInformationVector* outputs) const override;
+};
+
+waft::Result vtkAirAssimilationFilter::Internals::Take(vtkInformationVector** inputs,
+                                                       waft::AssimilationInput& input)
+{
+  input.Scene = this->Scene;
+  WAFT_RETURN_IF_FAILED(
+    waft::TracksFromPolyData(vtkPolyData::GetData(inputs[PlannedPort]), input.Tracks));
+  WAFT_RETURN_IF_FAILED(
+    waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[ObjectsPort]), input.Objects));
+  WAFT_RETURN_IF_FAILED(this->TakeConstraints(inputs[RowsPort], input.Constraints));
+  if (vtkPolyData* vortices = vtkPolyData::GetData(inputs[ScenesVorticesPort]))
+  {
+    WAFT_RETURN_IF_FAILED(waft::VorticesFromPolyData(vortices, input.Vortices));
+  }
+  input.Obstacles = this->Fields.TakeObstacles();
+  input.Wind = this->Fields.TakeWind();
+  return input.Wind.Validate("Wind");
+}
+
+waft::Result vtkAirAssimilationFilter::Internals::Run(vtkInformationVector** inputs,
+                                                      waft::Monitor& monitor)
+{
+  this->Solution = waft::AssimilationOutput();
+  waft::AssimilationInput input;
+  WAFT_RETURN_IF_FAILED(this->Take(inputs, input));
+  const waft::SolidsOn solids = [&input](const waft::SmokeOptions& smoke) -> waft::SolidsAtFrame
+  {
+    return [obstacles = input.Obstacles, smoke](int frame, auto& distances, auto& velocities)
+    { return waft::NodeDistances(obstacles, frame, smoke, distances, velocities); };
+  };
+  WAFT_RETURN_IF_FAILED(waft::AssimilateAir(input,
+                                            waft::OptionsOf<waft::AssimilationOptions>(*this->Self),
+                                            solids, waft::SmpFor(), monitor, this->Solution));
+  this->Warnings = this->Solution.Warnings;
+  auto* tracks = this->Kept<vtkPolyData>(TracksPort);
+  waft::TracksToPolyData(this->Solution.Tracks, this->Scene, tracks);
+  waft::AddControls(this->Solution.Controls, tracks);
+  waft::VorticesToPolyData(this->Solution.Vortices, this->Scene,
+                           this->Kept<vtkPolyData>(VorticesPort));
+  waft::ConstraintsToPolyData(this->Solution.Constraints, this->Scene,
+                              this->Kept<vtkPolyData>(ConstraintsPort));
+  waft::ReportToTable(this->Solution.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
+  waft::RoundsToTable(this->Solution.Rounds, this->Scene, this->Kept<vtkTable>(RoundsPort));
+  return waft::Result::Ok();
+}
+
+void vtkAirAssimilationFilter::Internals::FillVarying(double time,
+                                                      vtkInformationVector* outputs) const
+{
+  waft::AirToImage(this->Solution.Air, this->Solution.Wind, time, this->Scene,
+                   vtkImageData::GetData(outputs, AirPort));
+}
+
+vtkAirAssimilationFilter::vtkAirAssimilationFilter() : Impl(std::make_unique<Internals>(this))
+{
+  this->SetNumberOfInputPorts(NumberOfInputs);
+  this->SetNumberOfOutputPorts(NumberOfOutputs);
+}
+
+vtkAirAssimilationFilter::~vtkAirAssimilationFilter() = default;
+
+int vtkAirAssimilationFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
+            port == WindPort ? "vtkImageData" : "vtkPolyData");
+  if (port >= ObstaclesPort)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkAirAssimilationFilter::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const bool isTable = port == ReportPort || port == RoundsPort;
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), isTable           ? "vtkTable"
+                                             : port == AirPort ? "vtkImageData"
+                                                               : "vtkPolyData");
+  return 1;
+}
+
+vtkTypeBool vtkAirAssimilationFilter::ProcessRequest(vtkInformation* request,
+                                                     vtkInformationVector** inputs,
+                                                     vtkInformationVector* outputs)
+{
+  return waft::GuardedRequest(
+    this, request, outputs, waft::RangesOf<waft::AssimilationOptions>(*this),
+    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
+
+int vtkAirAssimilationFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
+                                                 vtkInformationVector* outputs)
+{
+  waft::PassTimeSteps(this, inputs, outputs);
+  waft::SceneInfo info;
+  if (vtkPolyData* tracks = vtkPolyData::GetData(inputs[PlannedPort]))
+  {
+    (void)waft::SceneInfoFromFieldData(tracks, info);
+  }
+  const std::array<int, 3> n =
+    waft::AirLatticeDimensions(info.Bounds, waft::OptionsOf<waft::AssimilationOptions>(*this));
+  const int extent[6] = { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };
+  outputs->GetInformationObject(AirPort)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(),
+                                              extent, 6);
+  return 1;
+}
+
+int vtkAirAssimilationFilter::RequestUpdateExtent(vtkInformation* request,
+                                                  vtkInformationVector** inputs,
+                                                  vtkInformationVector* outputs)
+{
+  return this->Impl->RequestUpdateExtent(request, inputs, outputs);
+}
+
+int vtkAirAssimilationFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                                          vtkInformationVector* outputs)
+{
+  return this->Impl->RequestData(request, inputs, outputs);
+}
+
+void vtkAirAssimilationFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  waft::PrintFields<waft::AssimilationOptions>(os, indent, *this);
+}
