@@ -61,7 +61,14 @@ public:
   vtkGetMacro(Candidates, int);
   ///@}
   ///@{
-  /** How often the air is simulated again with the force of the common wind. 0 to 10. */
+  /** Paths that each object's search begins with besides its plan, the straight line and free
+   * drift. 0 to 1000. */
+  vtkSetClampMacro(Starts, int, 0, 1000);
+  vtkGetMacro(Starts, int);
+  ///@}
+  ///@{
+  /** How often the air is simulated again, at most, with the force of the common wind. 0 to 10.
+   * */
   vtkSetClampMacro(Rounds, int, 0, 10);
   vtkGetMacro(Rounds, int);
   ///@}
@@ -141,12 +148,13 @@ private:
   int Resolution = 64;
   int LatticeResolution = 32;
   int Candidates = 8;
-  int Rounds = 2;
+  int Starts = 8;
+  int Rounds = 3;
   int WindRounds = 5;
-  double WindSpacing = 0.5;
+  double WindSpacing = 0.4;
   double WindTimeSpacing = 0.5;
-  double WindStiffness = 1.0;
-  double Smoothness = 0.02;
+  double WindStiffness = 4.0;
+  double Smoothness = 0.005;
   double TouchDownSpread = 2.0;
   bool Inertia = false;
   double TimeLimit = 0.0;

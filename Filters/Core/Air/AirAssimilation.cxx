@@ -22,8 +22,9 @@ constexpr int DriftIterations = 60;
 constexpr int FurtherIterations = 12; // where the air has changed little
 constexpr int TrialIterations = 20;   // of a candidate
 constexpr std::size_t TrialObjects = 48;
-constexpr double SteeringRate = 3.0; // 1/s
-constexpr int WindStride = 3;        // frames between samples of the common wind
+constexpr double SteeringRate = 6.0;   // 1/s
+constexpr double EnoughControl = 0.05; // of the bodies' motion
+constexpr int WindStride = 3;          // frames between samples of the common wind
 constexpr std::uint64_t SeedOffset = 0x41697244726177ull; // apart from the seeds of databases
 
 Result CheckInput(const AssimilationInput& input)
@@ -77,33 +78,14 @@ public:
     this->SetUpScene();
     WAFT_RETURN_IF_FAILED(this->Draw());
     this->FirstDrift();
-    for (int round = 0; round <= this->Options.Rounds; ++round)
+    if (this->Options.Rounds == 0)
     {
-      CommonWindOptions wind;
-      wind.Spacing = this->Options.WindSpacing;
-      wind.TimeSpacing = this->Options.WindTimeSpacing;
-      wind.Ridge *= this->Options.WindStiffness;
-      wind.Bending *= this->Options.WindStiffness;
-      wind.Changing *= this->Options.WindStiffness;
-      CommonWind common(this->Input.Scene.Bounds, this->Input.Scene.Time, wind);
-      const FieldSeries plain =
-        round < this->Options.Rounds || this->Options.Rounds == 0 ? this->Air : FieldSeries();
-      if (plain.IsEmpty())
-      {
-        break;
-      }
-      for (int k = 0; k < this->Options.WindRounds; ++k)
-      {
-        this->FitWind(common);
-        this->Air = plain;
-        common.AddTo(this->Air, this->Parallel);
-        this->DriftOn(FurtherIterations);
-        this->Note("wind " + std::to_string(k + 1), &common);
-      }
-      if (this->Options.Rounds == 0)
-      {
-        break;
-      }
+      this->FindWind();
+    }
+    for (int round = 0; round < this->Options.Rounds && !this->IsSmall(); ++round)
+    {
+      const FieldSeries plain = this->Air;
+      this->FindWind();
       WAFT_RETURN_IF_FAILED(this->SimulateAgain(plain));
       this->DriftOn(DriftIterations);
       this->Note("simulate " + std::to_string(round + 1), nullptr);
@@ -113,6 +95,33 @@ public:
   }
 
 private:
+  // The air with the wind that the controls have in common.
+  void FindWind()
+  {
+    CommonWindOptions options;
+    options.Spacing = this->Options.WindSpacing;
+    options.TimeSpacing = this->Options.WindTimeSpacing;
+    options.Ridge *= this->Options.WindStiffness;
+    options.Bending *= this->Options.WindStiffness;
+    options.Changing *= this->Options.WindStiffness;
+    CommonWind common(this->Input.Scene.Bounds, this->Input.Scene.Time, options);
+    const FieldSeries plain = this->Air;
+    for (int k = 0; k < this->Options.WindRounds; ++k)
+    {
+      this->FitWind(common);
+      this->Air = plain;
+      common.AddTo(this->Air, this->Parallel);
+      this->DriftOn(FurtherIterations);
+      this->Note("wind " + std::to_string(k + 1), &common);
+    }
+  }
+
+  bool IsSmall() const
+  {
+    const AssimilationRound& last = this->Output.Rounds.back();
+    return last.Control <= EnoughControl * last.Motion;
+  }
+
   Result SetUpDrifters()
   {
     this->Output.Constraints = this->Input.Constraints;
@@ -162,11 +171,34 @@ private:
     }
     scene.LatticeDimensions = AirLatticeDimensions(smoke.Bounds, this->Options);
     scene.Time = this->Input.Scene.Time;
-    if (this->Solids && !this->Input.Obstacles.empty())
+    if (this->Solids && this->HasSolidsInside())
     {
       scene.Solids = this->Solids(smoke);
       scene.SolidsMove = this->Obstacles.HasMoving();
     }
+  }
+
+  // The ground is mostly a slab below the volume, which the air does not meet.
+  bool HasSolidsInside() const
+  {
+    const Box& volume = this->Input.Scene.Bounds;
+    const double touching = 1e-6 * volume.Width();
+    for (const ObstacleMesh& obstacle : this->Input.Obstacles)
+    {
+      Box box{ Vec3::Constant(1e300), Vec3::Constant(-1e300) };
+      for (const Vec3& vertex : obstacle.Mesh.Points)
+      {
+        box.Min = box.Min.cwiseMin(vertex);
+        box.Max = box.Max.cwiseMax(vertex);
+      }
+      const bool apart = ((box.Max - volume.Min).array() <= touching).any() ||
+                         ((volume.Max - box.Min).array() <= touching).any();
+      if (!apart || obstacle.IsMoving())
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   SmokeForces ForcesOf(std::uint64_t seed) const
@@ -242,7 +274,7 @@ private:
                      {
                        const Drifter& drifter = this->Drifters[k * stride];
                        const DriftProblem problem = drifter.Problem();
-                       std::vector<Vec3> path = drifter.Starts(air).back();
+                       std::vector<Vec3> path = drifter.Starts(air, 0).back();
                        const DriftOutcome outcome =
                          SolveDrift(problem, air, this->Weights(), TrialIterations, path);
                        squares[k] = outcome.Control * outcome.Control;
@@ -306,7 +338,7 @@ private:
     const DriftProblem problem = drifter.Problem();
     std::vector<Vec3> best;
     double least = 1e300;
-    for (std::vector<Vec3>& path : drifter.Starts(air))
+    for (std::vector<Vec3>& path : drifter.Starts(air, this->Options.Starts))
     {
       const DriftOutcome outcome = SolveDrift(problem, air, this->Weights(), DriftIterations, path);
       if (outcome.Cost < least)

@@ -30,12 +30,13 @@ struct AssimilationOptions
   int Resolution = 64;
   int LatticeResolution = 32;
   int Candidates = 8;
-  int Rounds = 2;
+  int Starts = 8;
+  int Rounds = 3;
   int WindRounds = 5;
-  double WindSpacing = 0.5;
+  double WindSpacing = 0.4;
   double WindTimeSpacing = 0.5;
-  double WindStiffness = 1.0;
-  double Smoothness = 0.02;
+  double WindStiffness = 4.0;
+  double Smoothness = 0.005;
   double TouchDownSpread = 2.0;
   bool Inertia = false;
   double TimeLimit = 0.0;
@@ -62,10 +63,16 @@ struct AssimilationOptions
                        "Airs that are tried: quarter turns and mirror images where nothing forbids "
                        "them, else other seeds. The one that asks for the least control goes on." },
           of.Candidates...);
+    visit(OptionField{ "Starts",
+                       { 0, 1000 },
+                       "",
+                       "Paths that each object's search begins with besides its plan, the straight "
+                       "line and free drift." },
+          of.Starts...);
     visit(OptionField{ "Rounds",
                        { 0, 10 },
                        "",
-                       "How often the air is simulated again with the force of the common wind." },
+                       "How often the air is simulated again, at most, with the force of the common wind." },
           of.Rounds...);
     visit(OptionField{ "WindRounds",
                        { 0, 100 },

@@ -10,6 +10,8 @@ namespace
 
 using Field = std::vector<std::array<float, 3>>;
 
+constexpr int SmoothingPasses = 2; // of what steers
+
 // The cells' velocities at the points of the lattice; across a wall there is none.
 void Restrict(const SmokeFrame& cells, const AirScene& scene, const FieldSeries& lattice,
               const ParallelFor& parallel, Field& values)
@@ -51,6 +53,40 @@ void Restrict(const SmokeFrame& cells, const AirScene& scene, const FieldSeries&
                }
              }
            });
+}
+
+// Binomial means along each axis: what is finer than two spacings is left to the air itself. Across
+// a wall there is no push.
+void Smooth(const std::array<int, 3>& n, Field& field)
+{
+  const std::ptrdiff_t stride[3] = { 1, n[0], static_cast<std::ptrdiff_t>(n[0]) * n[1] };
+  Field before;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    before = field;
+    std::ptrdiff_t p = 0;
+    for (int k = 0; k < n[2]; ++k)
+    {
+      for (int j = 0; j < n[1]; ++j)
+      {
+        for (int i = 0; i < n[0]; ++i, ++p)
+        {
+          const int at = axis == 0 ? i : axis == 1 ? j : k;
+          const bool first = at == 0;
+          const bool last = at + 1 == n[static_cast<std::size_t>(axis)];
+          const auto low = static_cast<std::size_t>(first ? p + stride[axis] : p - stride[axis]);
+          const auto high = static_cast<std::size_t>(last ? p - stride[axis] : p + stride[axis]);
+          for (std::size_t c = 0; c < 3; ++c)
+          {
+            const float mean = 0.25f * (before[low][c] + before[high][c]) +
+                               0.5f * before[static_cast<std::size_t>(p)][c];
+            const bool crosses = (first || last) && static_cast<int>(c) == axis;
+            field[static_cast<std::size_t>(p)][c] = crosses ? 0.0f : mean;
+          }
+        }
+      }
+    }
+  }
 }
 
 Result PlaceSolids(const AirScene& scene, int frame, SmokeSolver& solver)
@@ -119,6 +155,10 @@ Result SimulateAir(const AirScene& scene, const AirSteering& steering, const Par
                                static_cast<float>(steering.Rate) *
                                  (steering.Target->Values[at][i][c] - air.Values[at][i][c]);
       }
+    }
+    for (int pass = 0; pass < SmoothingPasses; ++pass)
+    {
+      Smooth(push.Dimensions, push.Values[0]);
     }
     steered.Times.push_back(scene.Time.Time(frame));
     steered.Values.push_back(push.Values[0]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Drifter.h"
 
+#include "Base/Random.h"
 #include "Base/SmoothStep.h"
 #include "Constraints/ResolveClearance.h"
 
@@ -12,7 +13,9 @@ namespace waft
 namespace
 {
 
-constexpr double BarrierMargin = 0.01;  // m, that the penalty asks for besides
+constexpr double BarrierMargin = 0.01; // m, that the penalty asks for besides
+constexpr int StrayWaves = 3;
+constexpr double StraySize = 0.15;      // of L, of the slowest wave
 constexpr double ClearanceSlack = 5e-4; // of L, of the 1e-3 that clearance may miss
 
 } // namespace
@@ -191,7 +194,42 @@ void Drifter::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths)
   }
 }
 
-std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air) const
+// Bent between its marks by slow waves.
+std::vector<Vec3> Drifter::Strayed(std::vector<Vec3> path, const std::vector<int>& marks,
+                                   Random& random) const
+{
+  const int frames = static_cast<int>(path.size());
+  for (std::size_t m = 0; m < marks.size(); ++m)
+  {
+    const int from = marks[m];
+    const bool isLast = m + 1 == marks.size();
+    const int to = isLast ? frames - 1 : marks[m + 1];
+    if (to - from < 2)
+    {
+      continue;
+    }
+    Vec3 waves[StrayWaves];
+    for (Vec3& wave : waves)
+    {
+      wave = StraySize * this->Around.Scene.Bounds.Width() * random.Normal() * random.Direction();
+    }
+    for (int f = from + 1; f < to + (isLast ? 1 : 0); ++f)
+    {
+      const double s = static_cast<double>(f - from) / (to - from) * (isLast ? 0.5 : 1.0);
+      for (int w = 0; w < StrayWaves; ++w)
+      {
+        path[static_cast<std::size_t>(f)] += std::sin(M_PI * (w + 1) * s) / (w + 1) * waves[w];
+      }
+      path[static_cast<std::size_t>(f)] =
+        path[static_cast<std::size_t>(f)]
+          .cwiseMax(this->Around.Scene.Bounds.Min + Vec3::Constant(this->Body.ClearanceRadius))
+          .cwiseMin(this->Around.Scene.Bounds.Max - Vec3::Constant(this->Body.ClearanceRadius));
+    }
+  }
+  return path;
+}
+
+std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air, int strayed) const
 {
   const std::size_t frames = this->Planned.size();
   std::vector<int> marks;
@@ -263,7 +301,13 @@ std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air) const
       drifting[static_cast<std::size_t>(f)] += s * s * missed;
     }
   }
-  return { planned, straight, drifting };
+  std::vector<std::vector<Vec3>> starts{ planned, straight, drifting };
+  Random random(this->Around.Scene.Seed, static_cast<std::uint64_t>(this->Body.ObjectId) + 1);
+  for (int k = 0; k < strayed; ++k)
+  {
+    starts.push_back(this->Strayed(k % 2 == 0 ? drifting : planned, marks, random));
+  }
+  return starts;
 }
 
 void Drifter::MeetRows(std::vector<Vec3>& path) const

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Air/Drift.h"
+#include "Base/Random.h"
 #include "Constraints/Constraint.h"
 #include "Constraints/LinearCluster.h"
 #include "Constraints/Rest.h"
@@ -45,14 +46,16 @@ public:
   DriftProblem Problem() const;
 
   /// Paths to begin with: the plan, brought to the touch-downs; straight from mark to mark; free
-  /// drift from each mark, bent to the next.
-  std::vector<std::vector<Vec3>> Starts(const AirSampler& air) const;
+  /// drift from each mark, bent to the next; and some that stray from these.
+  std::vector<std::vector<Vec3>> Starts(const AirSampler& air, int strayed) const;
 
   /// Meets fixed frames, balls, velocities and accelerations to the last bit and keeps clear. False
   /// where it is nearer to something than it may.
   bool MakeExact(std::vector<Vec3>& path) const;
 
 private:
+  std::vector<Vec3> Strayed(std::vector<Vec3> path, const std::vector<int>& marks,
+                            Random& random) const;
   void FixFrames();
   void AddRows();
   void MeetRows(std::vector<Vec3>& path) const;
