@@ -77,7 +77,10 @@ def parser():
     make.add_argument("--time-limit", type=positive, metavar="S", help="seconds; the best so far is written")
     make.add_argument("--memory-limit", type=positive, metavar="MB",
                       help="of the optimiser: what does not fit is solved window by window, slower")
-    make.add_argument("--preview", action="store_true", help="coarse optimisation, for a quick look")
+    make.add_argument("--quality", choices=("preview", "assimilated", "full", "paper"), default="full",
+                      help="how objects come to their marks, default full")
+    make.add_argument("--preview", dest="quality", action="store_const", const="preview",
+                      help="--quality preview: coarse, for a quick look")
     make.add_argument("--resume", action="store_true", help="go on from what an earlier run left in DIR")
     make.add_argument("--meshes", action="store_true", help="also meshes.pvd: all meshes posed, a file a frame")
     make.set_defaults(run=run_synthesize)
@@ -122,7 +125,7 @@ def run_synthesize(options):
     from waft.synthesis import synthesize, tell
 
     run = synthesize(options.scene, output=options.output, database=options.database, seed=options.seed,
-                     threads=options.threads, time_limit=options.time_limit, preview=options.preview,
+                     threads=options.threads, time_limit=options.time_limit, quality=options.quality,
                      resume=options.resume, quiet=False, meshes=options.meshes,
                      memory_limit=options.memory_limit)
     tell(run, options.output)

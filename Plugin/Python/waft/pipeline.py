@@ -10,7 +10,7 @@ from waft.watching import StageWatch
 
 
 class Pipeline:
-    """The live proxies: reader, database, planner, spacetime, rotation.
+    """The live proxies: reader, database, planner, assimilation or spacetime (the other is None), rotation.
 
     Change a property of any of them and call UpdatePipeline() on the last: only what depends on the
     change is computed again.
@@ -28,6 +28,7 @@ class Pipeline:
         self.database.TimeArray = "None"
         self.planner = None
         self._planned = {}  # outputs of the planner, or of readers of what an earlier run left
+        self.assimilation = None
         self.spacetime = None
         self.rotation = None
         self.watches = {}
@@ -100,12 +101,27 @@ class Pipeline:
             registrationName="Spacetime", Tracks=self._planned[0],
             Objects=self._scene("Objects"), Constraints=self._planned[3], **inputs))
 
+    def add_assimilation(self):
+        own = {"Vortices": self._scene("Vortices")} if self.output("reader", 4).GetNumberOfCells() > 0 else {}
+        self.assimilation = self._add(simple.AirAssimilationFilter(
+            registrationName="Assimilation", Tracks=self._planned[0], Objects=self._scene("Objects"),
+            Constraints=self._planned[3], Obstacles=self._scene("Obstacles"), **own, **self._wind()))
+
     def add_rotation(self, seed):
+        tracks, rows = self._planned[0], self._planned[3]
+        if self.assimilation is not None:
+            tracks, rows = simple.OutputPort(self.assimilation, 0), simple.OutputPort(self.assimilation, 3)
+        if self.spacetime is not None:
+            tracks = simple.OutputPort(self.spacetime, 0)
         self.rotation = self._add(simple.RotationRefineFilter(
-            registrationName="Rotation", Tracks=simple.OutputPort(self.spacetime, 0),
-            Objects=self._scene("Objects"), Shapes=self._scene("Shapes"),
-            Obstacles=self._scene("Obstacles"), Constraints=self._planned[3], **self._wind()))
+            registrationName="Rotation", Tracks=tracks, Objects=self._scene("Objects"), Shapes=self._scene("Shapes"),
+            Obstacles=self._scene("Obstacles"), Constraints=rows, **self._wind()))
         self.rotation.Seed = seed
+
+    @property
+    def motion(self):
+        """The name of the stage that moves the objects to their marks, and its ports of tracks, vortices and report."""
+        return ("spacetime", 0, 2, 5) if self.spacetime is not None else ("assimilation", 0, 2, 4)
 
     def _scene(self, name):
         ports = ("Objects", "Constraints", "Obstacles", "Shapes", "Vortices", "Wind")

@@ -17,11 +17,11 @@ _REPORT, _KEY, _STATE = "report.csv", "key", "spacetime.state"
 _OWN = re.compile("|".join([*map(re.escape, (*PLAN.values(), _REPORT, _KEY)), re.escape(_STATE) + r"(\.part\d+)?"]))
 
 
-def run_key(pipeline, preview):
+def run_key(pipeline, quality):
     """Tells runs apart: two of one key go the same way."""
     database = pathlib.Path(pipeline.database_file).resolve()
     about = database.stat()
-    key = hashlib.sha256(f"{database} {about.st_size} {about.st_mtime_ns} {pipeline.seed} {preview} {version()}".encode())
+    key = hashlib.sha256(f"{database} {about.st_size} {about.st_mtime_ns} {pipeline.seed} {quality} {version()}".encode())
     for port in range(6):
         if port != 3:  # what the shapes mean for the motion is in the objects
             key.update(_bytes(pipeline.output("reader", port)))

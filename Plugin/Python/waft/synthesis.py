@@ -8,19 +8,23 @@ import shutil
 import sys
 
 from waft import failures
-from waft.files import table_rows, write_csv, write_pvd, write_xml
+from waft.files import half, table_rows, write_csv, write_pvd, write_xml
 from waft.loading import set_threads, version
 from waft.results import Entry, ResultPlace, read_json
 from waft.resuming import Checkpoint, run_key
 from waft.watching import Clock, collect
 
+# How objects come to their marks: a coarse optimisation; drift in one drawn air alone; and the optimiser from the plan, gas
+# at rest (both names mean the same so far).
+QUALITIES = ("preview", "assimilated", "full", "paper")
+CONVERGENCE = ("Pass", "Stage", "Iteration", "E", "Ex", "Ev", "Ec", "MaxViolation", "Leash", "Seconds")
 STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
 REPORT = "report.json"
 
 
 def synthesize(scene, output=None, database=None, seed=None, threads=None, time_limit=None,
                preview=False, resume=False, quiet=True, checkpoint_interval=None, meshes=False,
-               memory_limit=None):
+               memory_limit=None, quality=None):
     """Plans, optimises and turns the objects of a scene; returns the live Pipeline of proxies.
 
     scene: path of a *.waft.json file. output: a folder for the files of `waft synthesize` (none: nothing
@@ -30,7 +34,7 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
     same inputs was stopped or killed, to the same motion as if it had not been; what it left is in the folder
     `checkpoint` of output. checkpoint_interval: seconds between two writings there (none: the filter's own).
     meshes: also writes meshes.pvd, all meshes posed, a file a frame. memory_limit: megabytes that the optimiser
-    may take (none: as many as it needs).
+    may take (none: as many as it needs). quality: one of QUALITIES (default full).
 
     The Pipeline has, besides the proxies: status (exit status of the command), report (the constraints,
     one dictionary per row), warnings. Raises BadInput on malformed input, and where results would take the place of files that
@@ -40,6 +44,9 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
 
     if not os.path.isfile(scene):
         raise failures.BadInput(f"{scene}: no such scene file")
+    quality = quality or ("preview" if preview else "full")
+    if quality not in QUALITIES:
+        raise failures.BadInput(f"quality: expected one of {', '.join(QUALITIES)}, found {quality}")
     set_threads(threads)
     with contextlib.ExitStack() as stack:
         place = stack.enter_context(result_place(output)) if output is not None and is_first_rank() else None
@@ -49,17 +56,18 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
             pipeline.read(clock)
             scene_seed = pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)
             pipeline.seed = int(scene_seed) if seed is None else seed
-            pipeline.key = run_key(pipeline, preview)
+            pipeline.quality = quality
+            pipeline.key = run_key(pipeline, quality)
             pipeline.warnings = []
             checkpoint = None
             if place is not None:
-                place.check(_result_names(scene, meshes))
+                place.check(_result_names(scene, meshes, quality))
                 checkpoint = Checkpoint(place, pipeline.key)
             lack = checkpoint.lack() if resume and checkpoint is not None else ""
             if lack:
                 pipeline.warnings.append(f"--resume: {output}: {lack}: done from the start")
             try:
-                _run(pipeline, clock, preview, checkpoint, resume and not lack, checkpoint_interval, memory_limit)
+                _run(pipeline, clock, checkpoint, resume and not lack, checkpoint_interval, memory_limit)
             except failures.BadInput:
                 if checkpoint is not None:
                     checkpoint.clear()
@@ -119,10 +127,12 @@ def result_place(folder):
     return ResultPlace(folder, REPORT, earlier=earlier_results)
 
 
-def _result_names(scene, meshes):
+def _result_names(scene, meshes, quality):
     """What a run writes, folders with a slash at their end."""
     names = ["planned.vtp", "optimized.vtp", "poses.vtp", "poses.csv", "vortices.vtp", "objects.vtp", "shapes.vtm", "shapes/",
              "constraints.vtp", "constraints.csv", "convergence.csv", "wind.pvd", "wind/", "animation.glb", REPORT]
+    if quality == "assimilated":
+        names = [name for name in names if name not in ("wind.pvd", "wind/")] + ["assimilated.vtp", "air.pvd", "air/", "rounds.csv"]
     names += ["obstacles.pvd", "obstacles/"] if _do_obstacles_move(scene) else ["obstacles.vtp"]
     return names + (["meshes.pvd", "meshes/"] if meshes else [])
 
@@ -133,11 +143,14 @@ def _do_obstacles_move(scene):
                for obstacle in (read_json(scene) or {}).get("obstacles", ()))
 
 
-def _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval, memory_limit):
-    settings = {"NumberOfGasParticles": 600, "LeashIterations": 5, "MaximumNumberOfIterations": 20} if preview else {}
+def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limit):
+    settings = {}
+    if pipeline.quality == "preview":
+        settings = {"NumberOfGasParticles": 600, "LeashIterations": 5, "MaximumNumberOfIterations": 20}
     if memory_limit is not None:
         settings["MemoryLimit"] = memory_limit
-    _check_room(pipeline, settings)
+    if pipeline.quality != "assimilated":
+        _check_room(pipeline, settings)
     if is_found:
         checkpoint.take_plan(pipeline)
     else:
@@ -149,6 +162,26 @@ def _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval, me
     if checkpoint is not None and not is_found:
         checkpoint.keep_plan(pipeline)
 
+    if pipeline.quality == "assimilated":
+        _assimilate(pipeline, clock)
+    else:
+        _optimise(pipeline, clock, checkpoint, settings, checkpoint_interval)
+    pipeline.add_rotation(pipeline.seed)
+    pipeline.watch("rotation", clock)
+    pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
+
+
+def _assimilate(pipeline, clock):
+    pipeline.add_assimilation()
+    watch = pipeline.watch("assimilation", clock)
+    left = clock.remaining()
+    if left is not None:
+        pipeline.assimilation.TimeLimit = max(left, 0.001)
+    pipeline.update("assimilation")
+    clock.timed_out = clock.timed_out or (left is not None and watch.seconds >= left)
+
+
+def _optimise(pipeline, clock, checkpoint, settings, checkpoint_interval):
     pipeline.add_spacetime()
     watch = pipeline.watch("spacetime", clock)
     for name, value in settings.items():
@@ -162,10 +195,6 @@ def _run(pipeline, clock, preview, checkpoint, is_found, checkpoint_interval, me
         pipeline.spacetime.TimeLimit = max(left, 0.001)
     pipeline.update("spacetime")
     clock.timed_out = clock.timed_out or (left is not None and watch.seconds >= left)
-
-    pipeline.add_rotation(pipeline.seed)
-    pipeline.watch("rotation", clock)
-    pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
 
 
 def _check_room(pipeline, settings):
@@ -188,8 +217,9 @@ def _check_room(pipeline, settings):
 
 
 def constraint_report(pipeline):
-    """The optimiser's report, with the reasons of the planner and the orientation rows as they were turned."""
-    report = _dictionaries(pipeline.output("spacetime", 5))
+    """The report of the stage that moves the objects, with the reasons of the planner and the orientation rows as they were turned."""
+    motion, _, _, reported = pipeline.motion
+    report = _dictionaries(pipeline.output(motion, reported))
     turned = {(row["Row"], row["Target"]): row for row in _dictionaries(pipeline.output("rotation", 2))}
     reasons = {(row["Row"], row["Target"]): row["Message"] for row in pipeline.plan_report if row["Status"] != "met"}
     for row in report:
@@ -215,23 +245,38 @@ def write_results(pipeline, place, scene, checkpoint, meshes=False):
     """Every file of a run, all at once: see the user guide for what each holds."""
     for name in ("planned.vtp", "constraints.vtp"):
         checkpoint.copy_plan(name)
-    write_xml(pipeline.output("spacetime"), place.path("optimized.vtp"))
+    motion, tracks, vortices, _ = pipeline.motion
+    write_xml(pipeline.output(motion, tracks), place.path("optimized.vtp"))
     write_xml(pipeline.output("rotation", 1), place.path("poses.vtp"))
-    write_xml(pipeline.output("spacetime", 2), place.path("vortices.vtp"))
+    write_xml(pipeline.output(motion, vortices), place.path("vortices.vtp"))
     write_xml(pipeline.output("reader", 0), place.path("objects.vtp"))
     _write_shapes(pipeline, place)
     if _do_obstacles_move(scene):
         _write_series(pipeline, "reader", 2, "obstacles", ".vtp", place)
     else:
         write_xml(_at(pipeline.reader.GetClientSideObject(), 2, 0.0), place.path("obstacles.vtp"))
-    _write_series(pipeline, "spacetime", 3, "wind", ".vti", place)
     if meshes:
         _write_series(pipeline, "rotation", 0, "meshes", ".vtp", place)
-    header, rows = table_rows(pipeline.output("spacetime", 4))
-    write_csv(place.path("convergence.csv"), header, rows)
+    energies = []
+    if motion == "spacetime":
+        _write_series(pipeline, "spacetime", 3, "wind", ".vti", place)
+        header, rows = table_rows(pipeline.output("spacetime", 4))
+        energies = [dict(zip(header, row))["E"] for row in (rows[0], rows[-1])]
+        write_csv(place.path("convergence.csv"), header, rows)
+    else:
+        _write_air(pipeline, place)
     _write_report(pipeline, place.path("constraints.csv"))
     _write_animation(pipeline, place)
-    place.commit(_summary(pipeline, scene, dict(zip(header, rows[0])), dict(zip(header, rows[-1]))))
+    place.commit(_summary(pipeline, scene, energies))
+
+
+def _write_air(pipeline, place):
+    """What the assimilation gives besides tracks; the optimiser's table is without rows."""
+    write_xml(pipeline.output("assimilation"), place.path("assimilated.vtp"))
+    write_xml(pipeline.output("assimilation", 3), place.path("constraints.vtp"))
+    write_csv(place.path("rounds.csv"), *table_rows(pipeline.output("assimilation", 5)))
+    write_csv(place.path("convergence.csv"), CONVERGENCE, [])
+    _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half)
 
 
 def _write_shapes(pipeline, place):
@@ -251,15 +296,17 @@ def _write_shapes(pipeline, place):
         shutil.copyfile(source, place.path(name))
 
 
-def _write_series(pipeline, stage, port, name, suffix, place):
-    """NAME.pvd with one file a step in the folder NAME."""
+def _write_series(pipeline, stage, port, name, suffix, place, change=lambda data: None):
+    """NAME.pvd with one file a step in the folder NAME, of data that were changed first."""
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Sddp
 
     algorithm = getattr(pipeline, stage).GetClientSideObject()
     entries = []
     for step, time in enumerate(algorithm.GetOutputInformation(port).Get(Sddp.TIME_STEPS()) or (0.0,)):
         file = f"{name}/{name}_{step:04d}{suffix}"
-        write_xml(_at(algorithm, port, time), place.path(file))
+        data = _at(algorithm, port, time)
+        change(data)
+        write_xml(data, place.path(file))
         entries.append((time, file))
     write_pvd(place.path(name + ".pvd"), entries)
 
@@ -312,7 +359,7 @@ def _settled(pipeline):
     return {"objects": sum(shift > 0.0 for shift in shifts), "largestShift": max(shifts, default=0.0)}
 
 
-def _summary(pipeline, scene, first, last):
+def _summary(pipeline, scene, energies):
     counts = {status: 0 for status in STATUS_ORDER}
     for row in pipeline.report:
         counts[row["Status"]] += 1
@@ -324,7 +371,8 @@ def _summary(pipeline, scene, first, last):
         "stages": {name: {"seconds": watch.seconds, "processorSeconds": watch.processor_seconds,
                           "peakMemoryMB": watch.peak_mb}
                    for name, watch in pipeline.watches.items()},
-        "energy": {"before": float(first["E"]), "after": float(last["E"])},
+        "quality": pipeline.quality,
+        "energy": dict(zip(("before", "after"), map(float, energies))),
         "constraints": {**counts, "unmet": [row for row in pipeline.report if row["Status"] != "met"]},
         "objects": _planned_objects(pipeline),
         "settled": _settled(pipeline),
