@@ -8,6 +8,7 @@
 #include "Grid/SmokeEnsemble.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -24,7 +25,9 @@ constexpr int TrialIterations = 20;   // of a candidate
 constexpr std::size_t TrialObjects = 48;
 constexpr double SteeringRate = 6.0;   // 1/s
 constexpr double EnoughControl = 0.05; // of the bodies' motion
-constexpr int WindStride = 3;          // frames between samples of the common wind
+constexpr double DrawEnd = 0.25;       // of a run, about
+constexpr double DriftEnd = 0.4;
+constexpr int WindStride = 3; // frames between samples of the common wind
 constexpr std::uint64_t SeedOffset = 0x41697244726177ull; // apart from the seeds of databases
 
 Result CheckInput(const AssimilationInput& input)
@@ -76,22 +79,26 @@ public:
     WAFT_RETURN_IF_FAILED(this->Obstacles.Build(this->Input.Obstacles));
     WAFT_RETURN_IF_FAILED(this->SetUpDrifters());
     this->SetUpScene();
-    WAFT_RETURN_IF_FAILED(this->Draw());
-    this->FirstDrift();
-    if (this->Options.Rounds == 0)
+    Result result = this->Draw();
+    if (!result || result.IsStopped())
+    {
+      return result;
+    }
+    result = this->FirstDrift();
+    if (this->Options.Rounds == 0 && !result.IsStopped())
     {
       this->FindWind();
     }
-    for (int round = 0; round < this->Options.Rounds && !this->IsSmall(); ++round)
+    for (int round = 0; round < this->Options.Rounds && !result.IsStopped() && this->GoesOn();
+         ++round)
     {
       const FieldSeries plain = this->Air;
       this->FindWind();
-      WAFT_RETURN_IF_FAILED(this->SimulateAgain(plain));
-      this->DriftOn(DriftIterations);
-      this->Note("simulate " + std::to_string(round + 1), nullptr);
+      result = this->SimulateAgain(plain, round);
+      WAFT_RETURN_IF_FAILED(result);
     }
     this->Finish();
-    return Result::Ok();
+    return result;
   }
 
 private:
@@ -116,10 +123,11 @@ private:
     }
   }
 
-  bool IsSmall() const
+  bool GoesOn() const
   {
     const AssimilationRound& last = this->Output.Rounds.back();
-    return last.Control <= EnoughControl * last.Motion;
+    const bool isLate = this->Options.TimeLimit > 0.0 && this->Seconds() > this->Options.TimeLimit;
+    return last.Control > EnoughControl * last.Motion && !isLate;
   }
 
   Result SetUpDrifters()
@@ -212,7 +220,11 @@ private:
     options.NumberOfEmitters = 0;
     Ensemble ensemble;
     (void)MakeEnsemble(options, ensemble);
-    return ensemble.Forces;
+    SmokeForces forces = ensemble.Forces;
+    forces.Vortices.insert(forces.Vortices.end(), this->Input.Vortices.begin(),
+                           this->Input.Vortices.end());
+    forces.Wind = this->Input.Wind;
+    return forces;
   }
 
   Result Draw()
@@ -220,8 +232,12 @@ private:
     const std::uint64_t seed = this->Input.Scene.Seed + SeedOffset;
     this->Scene.Forces = this->ForcesOf(seed);
     FieldSeries none;
-    WAFT_RETURN_IF_FAILED(
-      SimulateAir(this->Scene, {}, this->Parallel, this->Caller, this->Air, none));
+    PartMonitor monitor(this->Caller, 0.0, DrawEnd, "Drawing the air");
+    const Result simulated = SimulateAir(this->Scene, {}, this->Parallel, monitor, this->Air, none);
+    if (!simulated || simulated.IsStopped())
+    {
+      return simulated;
+    }
     const FieldSeries drawn = this->Air;
     double least = 1e300;
     AirSymmetry best;
@@ -252,7 +268,10 @@ private:
     return Result::Ok();
   }
 
-  bool IsSymmetric() const { return !this->Scene.Solids && this->Input.Wind.IsEmpty(); }
+  bool IsSymmetric() const
+  {
+    return !this->Scene.Solids && this->Input.Wind.IsEmpty() && this->Input.Vortices.empty();
+  }
 
   DriftWeights Weights() const
   {
@@ -289,8 +308,11 @@ private:
   }
 
   // From several starts and to several touch-downs; the least control is kept.
-  void FirstDrift()
+  Result FirstDrift()
   {
+    PartMonitor monitor(this->Caller, DrawEnd, DriftEnd,
+                        "Letting the objects drift to their marks");
+    std::atomic<std::size_t> done{ 0 };
     const AirSampler air(this->Air);
     const double rate = this->Input.Scene.Time.FramesPerSecond;
     const int spread = static_cast<int>(std::lround(this->Options.TouchDownSpread * rate));
@@ -300,6 +322,10 @@ private:
                      for (std::size_t o = begin; o < end; ++o)
                      {
                        Drifter& drifter = this->Drifters[o];
+                       if (!monitor.Tick(static_cast<double>(done++) / this->Drifters.size(), ""))
+                       {
+                         return;
+                       }
                        this->Paths[o] = this->BestDrift(drifter, air);
                        for (std::size_t l = 0; l < drifter.NumberOfLandings(); ++l)
                        {
@@ -308,7 +334,8 @@ private:
                          const int step = std::max(1, static_cast<int>(std::lround(rate / 2.0)));
                          double least = this->CostOf(drifter, air, this->Paths[o]);
                          int best = latest;
-                         for (int frame = latest - step; frame >= earliest && latest > 0;
+                         for (int frame = latest - step;
+                              frame >= earliest && latest > 0 && monitor.Tick(-1.0, "");
                               frame -= step)
                          {
                            drifter.SetTouchDown(l, frame);
@@ -326,6 +353,7 @@ private:
                      }
                    });
     this->Note("drift", nullptr);
+    return monitor.Tick(1.0, "") ? Result::Ok() : Result::Stopped();
   }
 
   double CostOf(const Drifter& drifter, const AirSampler& air, std::vector<Vec3> path) const
@@ -396,7 +424,7 @@ private:
   }
 
   // Towards the air with the common wind, by what its motion asks for beside what drives it now.
-  Result SimulateAgain(const FieldSeries& plain)
+  Result SimulateAgain(const FieldSeries& plain, int round)
   {
     FieldSeries feed = MaterialDerivative(this->Air, this->Parallel);
     {
@@ -419,11 +447,21 @@ private:
     steering.Feed = &feed;
     steering.Rate = SteeringRate;
     FieldSeries air, steered;
+    const double part = (1.0 - DriftEnd) / this->Options.Rounds;
+    PartMonitor monitor(this->Caller, DriftEnd + round * part, DriftEnd + (round + 1) * part,
+                        "Simulating the air with the common wind, round " +
+                          std::to_string(round + 1) + " of at most " +
+                          std::to_string(this->Options.Rounds));
     const Result simulated =
-      SimulateAir(this->Scene, steering, this->Parallel, this->Caller, air, steered);
-    WAFT_RETURN_IF_FAILED(simulated);
+      SimulateAir(this->Scene, steering, this->Parallel, monitor, air, steered);
+    if (!simulated || simulated.IsStopped())
+    {
+      return simulated;
+    }
     this->Air = std::move(air);
     this->Output.Wind = std::move(steered);
+    this->DriftOn(DriftIterations);
+    this->Note("simulate " + std::to_string(round + 1), nullptr);
     return Result::Ok();
   }
 

@@ -128,7 +128,9 @@ Result SimulateAir(const AirScene& scene, const AirSteering& steering, const Par
   for (int frame = 0; frame < scene.Time.NumberOfFrames; ++frame)
   {
     WAFT_RETURN_IF_FAILED(PlaceSolids(scene, frame, solver));
-    const Result stepped = solver.Step(parallel, monitor);
+    PartMonitor step(monitor, static_cast<double>(frame) / scene.Time.NumberOfFrames,
+                     (frame + 1.0) / scene.Time.NumberOfFrames);
+    const Result stepped = solver.Step(parallel, step);
     if (!stepped || stepped.IsStopped())
     {
       return stepped;

@@ -2,7 +2,10 @@
 // Progress and abort, injected by the caller.
 #pragma once
 
+#include <atomic>
 #include <string>
+#include <thread>
+#include <utility>
 
 namespace waft
 {
@@ -15,6 +18,40 @@ public:
   /// fraction: 0..1 of this kernel; text: a short sentence. Returns false to ask the kernel to
   /// stop.
   virtual bool Tick(double fraction, const std::string& text) = 0;
+};
+
+/// A part of a kernel's work, from `begin` to `end` of the whole. May be asked from any thread: the
+/// whole is asked from the thread that made it, the others hear what it said. A fraction below 0
+/// leaves the progress where it is.
+class PartMonitor : public Monitor
+{
+public:
+  /// text: said instead of the part's own, unless it is empty.
+  PartMonitor(Monitor& whole, double begin, double end, std::string text = {}) :
+    Whole(whole), Begin(begin), End(end), Text(std::move(text))
+  {
+  }
+  bool Tick(double fraction, const std::string& text) override
+  {
+    if (std::this_thread::get_id() == this->Thread)
+    {
+      this->Fraction = fraction < 0.0 ? this->Fraction : fraction;
+      const double whole = this->Begin + this->Fraction * (this->End - this->Begin);
+      if (!this->Whole.Tick(whole, this->Text.empty() ? text : this->Text))
+      {
+        this->IsStopped = true;
+      }
+    }
+    return !this->IsStopped;
+  }
+
+private:
+  Monitor& Whole;
+  double Begin, End;
+  std::string Text;
+  double Fraction = 0.0;
+  std::thread::id Thread = std::this_thread::get_id();
+  std::atomic<bool> IsStopped{ false };
 };
 
 /// Never stops and says nothing.

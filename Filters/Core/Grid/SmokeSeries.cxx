@@ -32,24 +32,6 @@ std::size_t SizeOf(const SmokeState& state)
   return size;
 }
 
-// Progress of one step as a part of the steps to a frame.
-class PartMonitor : public Monitor
-{
-public:
-  PartMonitor(Monitor& whole, double start, double share) : Whole(whole), Start(start), Share(share)
-  {
-  }
-  bool Tick(double fraction, const std::string& text) override
-  {
-    return this->Whole.Tick(this->Start + this->Share * fraction, text);
-  }
-
-private:
-  Monitor& Whole;
-  double Start;
-  double Share;
-};
-
 } // namespace
 
 Result SmokeSeries::Begin(SmokeSeriesInput input)
@@ -187,7 +169,7 @@ Result SmokeSeries::At(int frame, const ParallelFor& parallelFor, Monitor& monit
   {
     if (this->Solver.Frame() < frame)
     {
-      PartMonitor part(monitor, done / steps, 1.0 / steps);
+      PartMonitor part(monitor, done / steps, (done + 1.0) / steps);
       const Result stepped = this->StepOnce(parallelFor, part);
       if (!stepped || stepped.IsStopped())
       {

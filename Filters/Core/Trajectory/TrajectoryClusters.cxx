@@ -183,22 +183,6 @@ double TopSpeedOf(const MotionDatabase& database)
   return longest * database.FramesPerSecond;
 }
 
-/// The share of a whole kernel's progress that a part of it makes.
-class PartMonitor : public Monitor
-{
-public:
-  PartMonitor(Monitor& whole, double begin, double end) : Whole(whole), Begin(begin), End(end) {}
-  bool Tick(double fraction, const std::string& text) override
-  {
-    return this->Whole.Tick(this->Begin + (this->End - this->Begin) * fraction, text);
-  }
-
-private:
-  Monitor& Whole;
-  double Begin;
-  double End;
-};
-
 } // namespace
 
 Result ClusterOptions::Validate() const
