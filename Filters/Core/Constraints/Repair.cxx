@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Constraints/Repair.h"
 
+#include "Base/SmoothStep.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -150,7 +152,7 @@ std::vector<Vec3> RepairPath(const ClearanceField& field, WarpProblem warp, doub
       {
         const int away = std::max({ 0, violation.Frame - frame, frame - violation.Frame - 1 });
         const double u = 1.0 - away / (RepairReach + 1.0);
-        const Vec3 own = u * u * (3.0 - 2.0 * u) * push;
+        const Vec3 own = CubicStep(u) * push;
         Vec3& most = pushes.emplace(frame, Vec3::Zero()).first->second;
         most = own.squaredNorm() > most.squaredNorm() ? own : most;
       }
