@@ -1,5 +1,11 @@
 # One function for each kind of thing that Filters/Core and Testing/Core are made of.
 
+# waft_build_alone(<source>...): of this folder, sources whose own names (ports, kernels, scenes of a test) are others'
+# too, and that CMAKE_UNITY_BUILD must not put into one unit with others.
+function(waft_build_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # waft_core_library(<Name> SOURCES ... [DEPENDS <Core libraries>...] [PRIVATE <third-party targets>...])
 # A static, position-independent library WaftCore<Name>. Its include root is Filters/Core, and no VTK
 # folder is on its include path. Third-party libraries stay private, Eigen excepted (types of Base).

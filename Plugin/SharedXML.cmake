@@ -28,7 +28,7 @@ function(waft_scene_properties result visibility leastFrames)
       </IntVectorProperty>
       <DoubleVectorProperty name="FramesPerSecond" label="Frames Per Second" command="SetFramesPerSecond"
         number_of_elements="1" default_values="30" panel_visibility="advanced">
-        <DoubleRangeDomain name="range" min="0"/>
+        <DoubleRangeDomain name="range" min="0.001"/>
         <Documentation>Frames per second.</Documentation>
       </DoubleVectorProperty>]=] properties @ONLY)
   set(${result} "${properties}" PARENT_SCOPE)

@@ -5,6 +5,7 @@
 #include "Bridge/FieldSweep.h"
 #include "Bridge/SmokeData.h"
 #include "Bridge/StageExecution.h"
+#include "Bridge/StageOptions.h"
 #include "Bridge/VortexData.h"
 #include "Grid/SmokeEnsemble.h"
 #include "Grid/SmokeSeries.h"
@@ -44,11 +45,6 @@ enum OutputPort
 
 constexpr std::size_t Megabyte = std::size_t(1) << 20;
 
-waft::Range RangeOf(const double* range)
-{
-  return waft::Range{ range[0], range[1] };
-}
-
 template <typename Data>
 Data* Input(vtkInformationVector** inputs, int port)
 {
@@ -67,8 +63,6 @@ struct vtkGridSmokeSource::Internals
   waft::SmokeSeries Series;
 
   waft::SceneInfo SceneOf(const vtkGridSmokeSource& self) const;
-  waft::SmokeOptions OptionsOf(const vtkGridSmokeSource& self) const;
-  waft::EnsembleOptions EnsembleOf(const vtkGridSmokeSource& self) const;
   waft::Result Begin(const vtkGridSmokeSource& self, vtkInformationVector** inputs);
   /// Fills the outputs; frame becomes an earlier one when the stage was stopped.
   waft::Result Show(vtkGridSmokeSource& self, int& frame, vtkInformationVector* outputs);
@@ -85,63 +79,15 @@ waft::SceneInfo vtkGridSmokeSource::Internals::SceneOf(const vtkGridSmokeSource&
   return info;
 }
 
-waft::SmokeOptions vtkGridSmokeSource::Internals::OptionsOf(const vtkGridSmokeSource& self) const
-{
-  waft::SmokeOptions options;
-  options.Bounds = this->Info.Bounds;
-  std::copy(self.Resolution, self.Resolution + 3, options.Resolution.begin());
-  options.FramesPerSecond = self.FramesPerSecond;
-  options.WarmUpSeconds = self.WarmUpSeconds;
-  options.Advection = static_cast<waft::AdvectionScheme>(self.Advection);
-  options.Boundary = { static_cast<waft::BoundaryKind>(self.BoundaryX),
-                       static_cast<waft::BoundaryKind>(self.BoundaryY),
-                       static_cast<waft::BoundaryKind>(self.BoundaryZ) };
-  options.ClosedFloor = self.ClosedFloor;
-  options.Confinement = self.Confinement;
-  options.BuoyancyDensity = self.BuoyancyDensity;
-  options.BuoyancyTemperature = self.BuoyancyTemperature;
-  options.Dissipation = self.Dissipation;
-  options.WindDrag = self.WindDrag;
-  options.CourantNumber = self.CourantNumber;
-  options.Tolerance = self.Tolerance;
-  options.AirDensity = self.AirDensity;
-  return options;
-}
-
-waft::EnsembleOptions vtkGridSmokeSource::Internals::EnsembleOf(
-  const vtkGridSmokeSource& self) const
-{
-  waft::EnsembleOptions options;
-  options.Seed = this->Info.Seed;
-  options.Bounds = this->Info.Bounds;
-  options.Time = this->Info.Time;
-  options.WarmUpSeconds = self.WarmUpSeconds;
-  options.NumberOfVortices = self.NumberOfVortices;
-  options.NumberOfWinds = self.NumberOfWinds;
-  options.NumberOfObstacles = self.NumberOfObstacles;
-  options.NumberOfEmitters = self.NumberOfEmitters;
-  options.VortexDiameter = RangeOf(self.VortexDiameter);
-  options.VortexLength = RangeOf(self.VortexLength);
-  options.VortexAcceleration = RangeOf(self.VortexAcceleration);
-  options.VortexDuration = RangeOf(self.VortexDuration);
-  options.WindRadius = RangeOf(self.WindRadius);
-  options.WindAcceleration = RangeOf(self.WindAcceleration);
-  options.WindDuration = RangeOf(self.WindDuration);
-  options.ObstacleSize = RangeOf(self.ObstacleSize);
-  return options;
-}
-
 waft::Result vtkGridSmokeSource::Internals::Begin(const vtkGridSmokeSource& self,
                                                   vtkInformationVector** inputs)
 {
-  const waft::SmokeOptions options = this->OptionsOf(self);
+  const auto options = waft::OptionsOf<waft::SmokeOptions>(self);
   WAFT_RETURN_IF_FAILED(options.Validate());
+  auto scene = waft::OptionsOf<waft::EnsembleOptions>(self);
+  waft::CopyFields<waft::AirRun>(options, scene);
   waft::Ensemble random;
-  WAFT_RETURN_IF_FAILED(waft::MakeEnsemble(this->EnsembleOf(self), random));
-  for (waft::SmokeEmitter& emitter : random.Forces.Emitters)
-  {
-    emitter.Temperature = self.EmitterTemperature;
-  }
+  WAFT_RETURN_IF_FAILED(waft::MakeEnsemble(scene, random));
 
   // What comes in keeps its ids; what is random is numbered after it.
   this->Vortices.clear();
@@ -238,35 +184,9 @@ vtkTypeBool vtkGridSmokeSource::ProcessRequest(vtkInformation* request,
                                                vtkInformationVector** inputs,
                                                vtkInformationVector* outputs)
 {
-  return waft::GuardedRequest(
-    this, request, outputs,
-    { { "Resolution", this->Resolution, waft::limits::Range{ 1, 4096 } },
-      { "Bounds", this->Bounds, waft::limits::Coordinate },
-      { "NumberOfFrames", this->NumberOfFrames,
-        waft::limits::Range{ 1, waft::limits::Frames.High } },
-      { "FramesPerSecond", this->FramesPerSecond, waft::limits::FramesPerSecond },
-      { "AirDensity", this->AirDensity, waft::limits::Density },
-      { "WarmUpSeconds", this->WarmUpSeconds, waft::limits::UpTo(1e6) },
-      { "Confinement", this->Confinement, waft::limits::Around0(1e9) },
-      { "BuoyancyDensity", this->BuoyancyDensity, waft::limits::Around0(1e9) },
-      { "BuoyancyTemperature", this->BuoyancyTemperature, waft::limits::Around0(1e9) },
-      { "EmitterTemperature", this->EmitterTemperature, waft::limits::Around0(1e9) },
-      { "Dissipation", this->Dissipation, waft::limits::Around0(1e9) },
-      { "WindDrag", this->WindDrag, waft::limits::Around0(1e9) },
-      { "CourantNumber", this->CourantNumber, waft::limits::Around0(1e9) },
-      { "Tolerance", this->Tolerance, waft::limits::Around0(1e9) },
-      { "NumberOfVortices", this->NumberOfVortices, waft::limits::UpTo(1e4) },
-      { "NumberOfWinds", this->NumberOfWinds, waft::limits::UpTo(1e4) },
-      { "NumberOfObstacles", this->NumberOfObstacles, waft::limits::UpTo(1e4) },
-      { "VortexDiameter", this->VortexDiameter, waft::limits::Distance },
-      { "VortexLength", this->VortexLength, waft::limits::Distance },
-      { "VortexAcceleration", this->VortexAcceleration, waft::limits::Around0(1e9) },
-      { "VortexDuration", this->VortexDuration, waft::limits::UpTo(1e9) },
-      { "WindRadius", this->WindRadius, waft::limits::Distance },
-      { "WindAcceleration", this->WindAcceleration, waft::limits::Around0(1e9) },
-      { "WindDuration", this->WindDuration, waft::limits::UpTo(1e9) },
-      { "ObstacleSize", this->ObstacleSize, waft::limits::Distance } },
-    [&] { return this->Process(request, inputs, outputs); });
+  return waft::GuardedRequest(this, request, outputs,
+                              waft::RangesOf<waft::SmokeOptions, waft::EnsembleOptions>(*this),
+                              [&] { return this->Process(request, inputs, outputs); });
 }
 
 int vtkGridSmokeSource::Process(vtkInformation* request, vtkInformationVector** inputs,
@@ -343,45 +263,6 @@ int vtkGridSmokeSource::RequestData(vtkInformation* request, vtkInformationVecto
 void vtkGridSmokeSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const auto range = [&os, indent](const char* name, const double* values)
-  { os << indent << name << ": " << values[0] << " " << values[1] << "\n"; };
-  os << indent << "Seed: " << this->Seed << "\n";
-  os << indent << "Resolution: " << this->Resolution[0] << " " << this->Resolution[1] << " "
-     << this->Resolution[2] << "\n";
-  os << indent << "Bounds:";
-  for (const double bound : this->Bounds)
-  {
-    os << " " << bound;
-  }
-  os << "\n";
-  os << indent << "NumberOfFrames: " << this->NumberOfFrames << "\n";
-  os << indent << "FramesPerSecond: " << this->FramesPerSecond << "\n";
-  os << indent << "AirDensity: " << this->AirDensity << "\n";
-  os << indent << "WarmUpSeconds: " << this->WarmUpSeconds << "\n";
-  os << indent << "Advection: " << this->Advection << "\n";
-  os << indent << "BoundaryX: " << this->BoundaryX << "\n";
-  os << indent << "BoundaryY: " << this->BoundaryY << "\n";
-  os << indent << "BoundaryZ: " << this->BoundaryZ << "\n";
-  os << indent << "ClosedFloor: " << this->ClosedFloor << "\n";
-  os << indent << "Confinement: " << this->Confinement << "\n";
-  os << indent << "BuoyancyDensity: " << this->BuoyancyDensity << "\n";
-  os << indent << "BuoyancyTemperature: " << this->BuoyancyTemperature << "\n";
-  os << indent << "EmitterTemperature: " << this->EmitterTemperature << "\n";
-  os << indent << "Dissipation: " << this->Dissipation << "\n";
-  os << indent << "WindDrag: " << this->WindDrag << "\n";
-  os << indent << "CourantNumber: " << this->CourantNumber << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "NumberOfVortices: " << this->NumberOfVortices << "\n";
-  os << indent << "NumberOfWinds: " << this->NumberOfWinds << "\n";
-  os << indent << "NumberOfObstacles: " << this->NumberOfObstacles << "\n";
-  os << indent << "NumberOfEmitters: " << this->NumberOfEmitters << "\n";
-  range("VortexDiameter", this->VortexDiameter);
-  range("VortexLength", this->VortexLength);
-  range("VortexAcceleration", this->VortexAcceleration);
-  range("VortexDuration", this->VortexDuration);
-  range("WindRadius", this->WindRadius);
-  range("WindAcceleration", this->WindAcceleration);
-  range("WindDuration", this->WindDuration);
-  range("ObstacleSize", this->ObstacleSize);
+  waft::PrintFields<waft::SmokeOptions, waft::EnsembleOptions>(os, indent, *this);
   os << indent << "CacheLimit: " << this->CacheLimit << "\n";
 }

@@ -30,6 +30,13 @@
 
 #include <memory>
 
+namespace waft
+{
+struct AirRun;
+struct EnsembleOptions;
+struct SmokeOptions;
+}
+
 class VTKWAFTSOURCES_EXPORT vtkGridSmokeSource : public vtkAlgorithm
 {
 public:
@@ -219,6 +226,11 @@ private:
   vtkGridSmokeSource(const vtkGridSmokeSource&) = delete;
   void operator=(const vtkGridSmokeSource&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::AirRun;
+  friend struct waft::SmokeOptions;
+  friend struct waft::EnsembleOptions;
   int Seed = 1;
   int Resolution[3] = { 64, 64, 64 };
   double Bounds[6] = { -2.0, 2.0, -2.0, 2.0, 0.0, 4.0 };

@@ -26,6 +26,18 @@
 #include <memory>
 #include <string>
 
+namespace waft
+{
+struct AirRun;
+struct ClusterOptions;
+struct ClusterTreeOptions;
+struct ConnectionOptions;
+struct DatabaseOptions;
+struct EnsembleOptions;
+struct RotationRange;
+struct TraceOptions;
+}
+
 class VTKWAFTSOURCES_EXPORT vtkMotionDatabaseSource : public vtkMultiBlockDataSetAlgorithm
 {
 public:
@@ -206,6 +218,16 @@ private:
   vtkMotionDatabaseSource(const vtkMotionDatabaseSource&) = delete;
   void operator=(const vtkMotionDatabaseSource&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::AirRun;
+  friend struct waft::ClusterOptions;
+  friend struct waft::ClusterTreeOptions;
+  friend struct waft::ConnectionOptions;
+  friend struct waft::DatabaseOptions;
+  friend struct waft::EnsembleOptions;
+  friend struct waft::RotationRange;
+  friend struct waft::TraceOptions;
   int NumberOfSimulations = 8;
   double StopBelow = 0.0;
   double CoverageTolerance = 0.05;

@@ -7,6 +7,7 @@
 #include "Base/Result.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace waft
@@ -15,8 +16,8 @@ namespace waft
 /// A property of one or more numbers and their range.
 struct PropertyRange
 {
-  PropertyRange(const OptionField& field, double value) :
-    Name(field.Name), Values{ value }, Range(field.Range), Unit(field.Unit)
+  PropertyRange(const OptionField& field, std::vector<double> values) :
+    Name(field.Name), Values(std::move(values)), Range(field.Range), Unit(field.Unit)
   {
   }
   PropertyRange(const char* name, double value, const limits::Range& range) :

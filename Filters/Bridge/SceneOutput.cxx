@@ -80,7 +80,7 @@ std::string WindStep(const SceneContents& scene, std::size_t step)
 
 /// Adds the files of the wind; returns the name that the scene file says.
 std::string AddWind(const SceneContents& scene, const std::string& folder, const std::string& stem,
-                    std::vector<FileBytes>& files)
+                    std::vector<FileContent>& files)
 {
   const FieldSeries& wind = scene.Wind;
   const bool isSteady = std::all_of(wind.Values.begin(), wind.Values.end(),
@@ -135,7 +135,7 @@ Result WriteSceneFiles(const SceneContents& scene, const std::string& fileName)
   {
     WAFT_RETURN_IF_FAILED(AddDisc(whole.Parts));
   }
-  std::vector<FileBytes> files;
+  std::vector<FileContent> files;
   if (!whole.Wind.IsEmpty())
   {
     whole.Parts.WindFiles = { { AddWind(whole, folder, stem, files), {} } };

@@ -29,12 +29,7 @@ std::vector<PropertyRange> RangesOf(const Stage& stage)
 {
   std::vector<PropertyRange> ranges;
   const auto add = [&ranges](const OptionField& field, const auto& value)
-  {
-    if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, std::string>)
-    {
-      ranges.emplace_back(field, static_cast<double>(value));
-    }
-  };
+  { ranges.emplace_back(field, NumbersOf(value)); };
   (Options::Visit(add, stage), ...);
   return ranges;
 }
@@ -43,8 +38,15 @@ std::vector<PropertyRange> RangesOf(const Stage& stage)
 template <class... Options, class Stage>
 void PrintFields(std::ostream& os, vtkIndent indent, const Stage& stage)
 {
-  const auto print = [&](const OptionField& field, const auto& value) {
-    os << indent << field.Name << ": " << value << (*field.Unit ? " " : "") << field.Unit << "\n";
+  const auto print = [&](const OptionField& field, const auto& value)
+  {
+    os << indent << field.Name << ":";
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>)
+    {
+      os << " " << value;
+    }
+    EachNumber(value, [&os](auto number) { os << " " << number; });
+    os << (*field.Unit ? " " : "") << field.Unit << "\n";
   };
   (Options::Visit(print, stage), ...);
 }

@@ -48,6 +48,7 @@ namespace waft
 {
 struct PlanOptions;
 struct TakeOptions;
+struct RotationRange;
 }
 
 class VTKWAFTFILTERS_EXPORT vtkStylisticPlannerFilter : public vtkPolyDataAlgorithm
@@ -154,6 +155,7 @@ private:
   // The properties of the same names; what they may be is said there, and a test holds the
   // literals here against it.
   friend struct waft::PlanOptions;
+  friend struct waft::RotationRange;
   friend struct waft::TakeOptions;
   int RotationFreedom = YAW_AND_TILT;
   double MaxTilt = 0.34906585039886591;

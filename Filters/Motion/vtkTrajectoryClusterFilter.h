@@ -31,6 +31,7 @@ struct ClusterOptions;
 struct ClusterTreeOptions;
 struct ConnectionOptions;
 struct SegmentationOptions;
+struct RotationRange;
 }
 
 class VTKWAFTFILTERS_EXPORT vtkTrajectoryClusterFilter : public vtkMultiBlockDataSetAlgorithm
@@ -143,6 +144,7 @@ private:
   // The properties of the same names; what they may be is said there, and a test holds the
   // literals here against it.
   friend struct waft::ClusterOptions;
+  friend struct waft::RotationRange;
   friend struct waft::ClusterTreeOptions;
   friend struct waft::ConnectionOptions;
   friend struct waft::SegmentationOptions;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints what the options structs of Core say of their fields, by the class of the pipeline that
 // has them as its properties, as JSON.
+#include "Database/DatabaseBuild.h"
 #include "Planning/Takes.h"
 #include "Rotation/RotationRefine.h"
 #include "Spacetime/Spacetime.h"
@@ -30,7 +31,9 @@ nlohmann::json FieldsOf()
     }
     else
     {
-      said["default"] = static_cast<double>(value);
+      const std::vector<double> numbers = waft::NumbersOf(value);
+      said["default"] = waft::IsNumber<std::decay_t<decltype(value)>> ? nlohmann::json(numbers[0])
+                                                                      : nlohmann::json(numbers);
       said["range"] = { field.Range.Low, field.Range.High };
       said["offered"] = { field.Offered.Low, field.Offered.High };
     }
@@ -45,6 +48,8 @@ nlohmann::json FieldsOf()
 int main()
 {
   const nlohmann::json classes{
+    { "vtkGridSmokeSource", FieldsOf<waft::SmokeOptions, waft::EnsembleOptions>() },
+    { "vtkMotionDatabaseSource", FieldsOf<waft::DatabaseOptions>() },
     { "vtkRotationRefineFilter", FieldsOf<waft::RotationOptions>() },
     { "vtkSPHSpacetimeFilter", FieldsOf<waft::SpacetimeOptions>() },
     { "vtkStylisticPlannerFilter", FieldsOf<waft::PlanOptions, waft::TakeOptions>() },

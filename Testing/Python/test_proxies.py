@@ -134,35 +134,41 @@ class ProxyTest(unittest.TestCase):
     def check_option(self, field, described, fresh):
         sentence = " ".join(described.find("Documentation").text.split())
         self.assertEqual(field["sentence"], sentence)
-        self.assertEqual(field["default"], getattr(fresh, "Get" + field["name"])())
+        held = getattr(fresh, "Get" + field["name"])()
+        self.assertEqual(field["default"], list(held) if isinstance(held, tuple) else held)
         shown = described.get("default_values")
-        self.assertEqual(field["default"], shown if described.tag == "StringVectorProperty" else float(shown))
         if "range" not in field:
+            self.assertEqual(field["default"], shown)
             return
+        defaults = field["default"] if isinstance(field["default"], list) else [field["default"]]
+        self.assertEqual(defaults, [float(number) for number in shown.split()])
         farthest = float(2**31 - 1) if described.tag == "IntVectorProperty" else sys.float_info.max
         offered, wanted = ([low, min(high, farthest)] for low, high in (field["offered"], field["range"]))
-        reached = [self.reach(field["name"], fresh, described, end * farthest) for end in (-1, 1)]
-        for end, end_reached in zip(wanted, reached):
-            # What is not clamped at an end is refused when the class runs.
-            self.assertTrue(end_reached == end or abs(end_reached) >= min(farthest, 1e299),
-                            f"the class's setter goes to {end_reached}, expected {end}")
+        for sign, end in zip((-1, 1), wanted):
+            for reached in self.reach(field["name"], fresh, described, sign * farthest, len(defaults)):
+                # What is not clamped at an end is refused when the class runs.
+                self.assertTrue(reached == end or abs(reached) >= min(farthest, 1e299),
+                                f"the class's setter goes to {reached}, expected {end}")
         domain = next((d for d in described if d.tag.endswith("RangeDomain")), None)
         if domain is not None:
             # A panel has no slider for a range without an end.
-            shown = [float(domain.get("min")), float(domain.get("max", max(offered[1], LARGE)))]
-            self.assertEqual(offered, shown)
+            unbounded = [min(offered[0], -LARGE), max(offered[1], LARGE)]
+            for end, attribute, without in zip(offered, ("min", "max"), unbounded):
+                for number in domain.get(attribute, str(without)).split():
+                    self.assertEqual(end, float(number))
         else:
             entries = described.findall("EnumerationDomain/Entry") or [0, 1]
             self.assertEqual(offered, [0, len(entries) - 1], "a number without a range domain")
 
-    def reach(self, name, fresh, described, value):
-        """What the class keeps of a number beyond all ranges."""
+    def reach(self, name, fresh, described, value, count):
+        """What the class keeps of a number beyond all ranges, one for each that the property has."""
         if described.find("BooleanDomain") is not None:
             value = value > 0
         elif described.tag == "IntVectorProperty":
             value = int(value)
-        getattr(fresh, "Set" + name)(value)
-        return float(getattr(fresh, "Get" + name)())
+        getattr(fresh, "Set" + name)(*[value] * count)
+        held = getattr(fresh, "Get" + name)()
+        return [float(number) for number in (held if isinstance(held, tuple) else [held])]
 
     def list_of(self, described, fresh):
         """What the class holds for a list of tuples, [] when it has no getters for it."""

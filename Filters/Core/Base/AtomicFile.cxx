@@ -74,13 +74,13 @@ Result WriteWholeFile(const std::string& path, const std::string& bytes)
   return PutInPlace(path);
 }
 
-Result WriteWholeFiles(const std::vector<FileBytes>& files)
+Result WriteWholeFiles(const std::vector<FileContent>& files)
 {
   Result result = Result::Ok();
   std::vector<std::filesystem::path> made;
   std::vector<std::string> parts;
   std::error_code error;
-  for (const FileBytes& file : files)
+  for (const FileContent& file : files)
   {
     for (const std::filesystem::path& folder : MissingFolders(file.Path))
     {

@@ -15,7 +15,7 @@ namespace waft
 Result WriteWholeFile(const std::string& path, const std::string& bytes);
 
 /// A file's path and what is to be in it.
-struct FileBytes
+struct FileContent
 {
   std::string Path;
   std::string Bytes;
@@ -24,6 +24,6 @@ struct FileBytes
 /// Writes several files that belong together: all of them beside their places first, then each
 /// renamed over it, in their order. Folders that are missing are made. On a failure before the
 /// first renaming (no room, no permission) nothing has changed and nothing is left behind.
-Result WriteWholeFiles(const std::vector<FileBytes>& files);
+Result WriteWholeFiles(const std::vector<FileContent>& files);
 
 } // namespace waft

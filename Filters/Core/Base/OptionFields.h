@@ -9,15 +9,18 @@
 //   }
 //
 // A holder is the struct itself or any class whose members have the same names: a stage of the
-// pipeline that keeps its properties so.
+// pipeline that keeps its properties so. A field is a number, a flag, a text, or several numbers:
+// an array or a Box, which a stage keeps as an array.
 #pragma once
 
 #include "Base/Limits.h"
 #include "Base/Result.h"
 #include "Base/StateArchive.h"
+#include "Base/Types.h"
 
 #include <string>
 #include <type_traits>
+#include <vector>
 
 namespace waft
 {
@@ -54,6 +57,44 @@ inline OptionField TextField(const char* name, const char* sentence)
   return { name, { 0, 0 }, "", sentence };
 }
 
+template <class Value>
+inline constexpr bool IsNumber = std::is_arithmetic_v<Value> || std::is_enum_v<Value>;
+
+/// Calls use(number) for each number of a field in its order; those of a box are xmin, xmax, ymin,
+/// ymax, zmin, zmax. A text has none.
+template <class Value, class Use>
+void EachNumber(Value& value, const Use& use)
+{
+  using Plain = std::remove_cv_t<Value>;
+  if constexpr (IsNumber<Plain>)
+  {
+    use(value);
+  }
+  else if constexpr (std::is_same_v<Plain, Box>)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      use(value.Min[axis]);
+      use(value.Max[axis]);
+    }
+  }
+  else if constexpr (!std::is_same_v<Plain, std::string>)
+  {
+    for (auto& number : value)
+    {
+      use(number);
+    }
+  }
+}
+
+template <class Value>
+std::vector<double> NumbersOf(const Value& value)
+{
+  std::vector<double> numbers;
+  EachNumber(value, [&numbers](auto number) { numbers.push_back(static_cast<double>(number)); });
+  return numbers;
+}
+
 /// Fails on the first field out of its range.
 template <class Options, class Holder>
 Result ValidateFields(const Holder& holder)
@@ -61,9 +102,9 @@ Result ValidateFields(const Holder& holder)
   Result result = Result::Ok();
   const auto check = [&result](const OptionField& field, const auto& value)
   {
-    if constexpr (!std::is_same_v<std::decay_t<decltype(value)>, std::string>)
+    for (const double number : NumbersOf(value))
     {
-      result = result ? field.Check(static_cast<double>(value)) : result;
+      result = result ? field.Check(number) : result;
     }
   };
   Options::Visit(check, holder);
@@ -75,7 +116,20 @@ template <class Options, class From, class To>
 void CopyFields(const From& from, To& to)
 {
   const auto copy = [](const OptionField&, const auto& value, auto& copied)
-  { copied = static_cast<std::decay_t<decltype(copied)>>(value); };
+  {
+    using Copied = std::decay_t<decltype(copied)>;
+    if constexpr (IsNumber<Copied> || std::is_same_v<Copied, std::string>)
+    {
+      copied = static_cast<Copied>(value);
+    }
+    else
+    {
+      const std::vector<double> numbers = NumbersOf(value);
+      auto next = numbers.begin();
+      EachNumber(copied, [&next](auto& number)
+                 { number = static_cast<std::decay_t<decltype(number)>>(*next++); });
+    }
+  };
   Options::Visit(copy, from, to);
 }
 
@@ -90,7 +144,7 @@ inline auto ExchangeFieldsWith(StateArchive& stream)
     }
     else
     {
-      stream.Value(value);
+      EachNumber(value, [&stream](auto& number) { stream.Value(number); });
     }
   };
 }

@@ -33,7 +33,7 @@ double ClearanceField::Distance(const Vec3& x, double frame, double limit) const
                                this->Bounds.Max.z() - x.z(), limit });
   if (contact != nullptr)
   {
-    distance = std::min(distance, (x - contact->Centre).dot(contact->Normal) + this->Radius);
+    distance = std::min(distance, (x - contact->Centre).dot(contact->Normal) + this->Rule.Radius);
   }
   else
   {
@@ -67,7 +67,7 @@ double ClearanceField::Distance(const Vec3& x, double frame, Vec3& away) const
   offer(this->Bounds.Max.z() - x.z(), -Vec3::UnitZ());
   if (contact != nullptr)
   {
-    offer((x - contact->Centre).dot(contact->Normal) + this->Radius, contact->Normal);
+    offer((x - contact->Centre).dot(contact->Normal) + this->Rule.Radius, contact->Normal);
   }
   else
   {
@@ -87,7 +87,7 @@ double ClearanceField::Distance(const Vec3& x, double frame, Vec3& away) const
 
 double ClearanceField::Required(const Vec3& x) const
 {
-  double required = this->Radius;
+  double required = this->Rule.Radius;
   for (const TightMark& mark : this->TightMarks)
   {
     // Grows with the distance to the mark, no faster than a path can leave the surface.
@@ -108,7 +108,7 @@ int ClearanceField::FirstHit(const std::vector<Vec3>& samples, int first, int la
     const double wanted = this->Required(samples[k]) + (atContact ? -1e-9 : margin);
     // Room beyond a few radii only costs time to measure.
     const double slack =
-      this->Distance(samples[k], frame, wanted + RoomWorthMeasuring * this->Radius) - wanted;
+      this->Distance(samples[k], frame, wanted + RoomWorthMeasuring * this->Rule.Radius) - wanted;
     if (slack < 0.0)
     {
       return k;
@@ -139,9 +139,9 @@ double ClearanceField::Slack(const Vec3& a, double frameA, const Vec3& b, double
   {
     const double u = static_cast<double>(i) / points;
     const Vec3 x = a + u * (b - a);
-    slack = std::min(slack,
-                     this->Distance(x, frameA + u * (frameB - frameA), slack + 2.0 * this->Radius) -
-                       this->Required(x));
+    slack = std::min(
+      slack, this->Distance(x, frameA + u * (frameB - frameA), slack + 2.0 * this->Rule.Radius) -
+               this->Required(x));
   }
   return slack;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/Types.h"
+#include "Constraints/ClearanceRule.h"
 #include "Obstacles/ObstacleSet.h"
 
 #include <vector>
@@ -34,13 +35,13 @@ struct ClearanceField
 {
   const ObstacleSet* Obstacles = nullptr;
   Box Bounds;
-  double Radius = 0.05; // m
+  ClearanceRule Rule;
   std::vector<ContactStretch> Contacts;
   std::vector<TightMark> TightMarks;
 
   const ContactStretch* ContactAt(double frame) const;
   /// Distance to the nearest thing that counts at this frame [m]; negative inside. During
-  /// a contact the plane of rest counts, shifted so that `Radius` is what is asked for. At most
+  /// a contact the plane of rest counts, shifted so that the radius is what is asked for. At most
   /// `limit`.
   double Distance(const Vec3& x, double frame, double limit = 1e30) const;
   /// The same with the unit direction away from that thing.

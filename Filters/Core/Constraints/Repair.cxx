@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Constraints/Repair.h"
 
+#include "Base/SmoothStep.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,7 +16,7 @@ namespace
 constexpr int PointsPerFrame = 8;
 constexpr int Rounds = 40;
 /// Frames to either side of what is in the way that are pushed along.
-constexpr int PushReach = 5;
+constexpr int RepairReach = 5;
 /// Of the plane of rest, which nothing goes below [m].
 constexpr double ContactTolerance = 1e-8;
 
@@ -143,14 +145,14 @@ std::vector<Vec3> RepairPath(const ClearanceField& field, WarpProblem warp, doub
     for (const Violation& violation : violations)
     {
       const Vec3 push = violation.Push + violation.Push.normalized() * (2.0 * tolerance);
-      const int first = std::max(0, violation.Frame - PushReach);
+      const int first = std::max(0, violation.Frame - RepairReach);
       const int last =
-        std::min(static_cast<int>(current.size()) - 1, violation.Frame + 1 + PushReach);
+        std::min(static_cast<int>(current.size()) - 1, violation.Frame + 1 + RepairReach);
       for (int frame = first; frame <= last; ++frame)
       {
         const int away = std::max({ 0, violation.Frame - frame, frame - violation.Frame - 1 });
-        const double u = 1.0 - away / (PushReach + 1.0);
-        const Vec3 own = u * u * (3.0 - 2.0 * u) * push;
+        const double u = 1.0 - away / (RepairReach + 1.0);
+        const Vec3 own = CubicStep(u) * push;
         Vec3& most = pushes.emplace(frame, Vec3::Zero()).first->second;
         most = own.squaredNorm() > most.squaredNorm() ? own : most;
       }

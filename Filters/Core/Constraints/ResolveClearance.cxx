@@ -93,27 +93,20 @@ bool GoBack(const PathClearance& clearance, const PathFreedom& freedom,
 
 } // namespace
 
-MotionObject PathClearance::Tolerant() const
-{
-  MotionObject object = this->Object;
-  object.ClearanceRadius = std::max(0.0, object.ClearanceRadius - this->Slack);
-  return object;
-}
-
 std::vector<std::size_t> PathClearance::BlockedSteps(const std::vector<Vec3>& path) const
 {
-  const MotionObject object = this->Tolerant();
+  const ClearanceRule rule = this->Rule.With(-this->Slack);
   const auto keepsInside = [&](std::size_t k)
   {
     return KeepsInside(this->Volume,
-                       RequiredClearance(object, this->Landings, static_cast<double>(k)), path[k]);
+                       RequiredClearance(rule, this->Landings, static_cast<double>(k)), path[k]);
   };
   std::vector<std::size_t> blocked;
   for (std::size_t k = 0; k + 1 < path.size(); ++k)
   {
     const double frame = static_cast<double>(k);
     if (!keepsInside(k) || !keepsInside(k + 1) ||
-        !IsMotionClear(this->Obstacles, object, this->Landings, path[k], frame, path[k + 1],
+        !IsMotionClear(this->Obstacles, rule, this->Landings, path[k], frame, path[k + 1],
                        frame + 1.0))
     {
       blocked.push_back(k);
@@ -124,7 +117,7 @@ std::vector<std::size_t> PathClearance::BlockedSteps(const std::vector<Vec3>& pa
 
 Vec3 PathClearance::Lacking(const Vec3& x, double frame) const
 {
-  const Clearance asked = RequiredClearance(this->Tolerant(), this->Landings, frame);
+  const Clearance asked = RequiredClearance(this->Rule.With(-this->Slack), this->Landings, frame);
   SurfaceHit hit;
   const double distance = this->Obstacles.SignedDistance(x, frame, hit, asked.Exempt);
   return std::max(0.0, asked.Radius + this->Slack - distance) * hit.Normal;

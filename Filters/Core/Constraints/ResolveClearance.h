@@ -2,7 +2,6 @@
 // A path, one position a frame, that is moved out of what it comes too near to.
 #pragma once
 
-#include "Base/Motion.h"
 #include "Constraints/Rest.h"
 #include "Obstacles/ObstacleSet.h"
 
@@ -20,16 +19,13 @@ struct PathClearance
   const ObstacleSet& Obstacles;
   const Box& Volume;
   const std::vector<LandingWindow>& Landings;
-  MotionObject Object; // its ClearanceRadius is what is asked for
-  double Slack = 0.0;  // m: a path that is nearer by less counts as clear
+  ClearanceRule Rule;
+  double Slack = 0.0; // m: a path that is nearer by less counts as clear
 
   /// Frames k from which the way to k + 1 is not clear.
   std::vector<std::size_t> BlockedSteps(const std::vector<Vec3>& path) const;
   /// The way out to all that is asked for at a frame, zero where it is kept [m].
   Vec3 Lacking(const Vec3& x, double frame) const;
-
-private:
-  MotionObject Tolerant() const;
 };
 
 /// In what way a path may be changed.

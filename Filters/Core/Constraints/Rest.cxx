@@ -78,11 +78,11 @@ std::vector<LandingWindow> LandingWindows(const MotionObject& object,
   return windows;
 }
 
-Clearance RequiredClearance(const MotionObject& object, const std::vector<LandingWindow>& windows,
+Clearance RequiredClearance(const ClearanceRule& rule, const std::vector<LandingWindow>& windows,
                             double frame)
 {
   Clearance clearance;
-  clearance.Radius = object.ClearanceRadius;
+  clearance.Radius = rule.Radius;
   double nearest = 0.0; // frames to the rest itself: where windows overlap, the nearer one counts
   for (const LandingWindow& window : windows)
   {
@@ -91,13 +91,13 @@ Clearance RequiredClearance(const MotionObject& object, const std::vector<Landin
     {
       nearest = away;
       clearance.Exempt = window.ObstacleId;
-      clearance.LandingDistance = object.RestHeight;
+      clearance.LandingDistance = rule.RestHeight;
     }
   }
   return clearance;
 }
 
-bool IsMotionClear(const ObstacleSet& obstacles, const MotionObject& object,
+bool IsMotionClear(const ObstacleSet& obstacles, const ClearanceRule& rule,
                    const std::vector<LandingWindow>& windows, const Vec3& a, double frameA,
                    const Vec3& b, double frameB)
 {
@@ -123,7 +123,7 @@ bool IsMotionClear(const ObstacleSet& obstacles, const MotionObject& object,
       continue;
     }
     const Vec3 y = cut == frameB ? b : place(cut);
-    const Clearance clearance = RequiredClearance(object, windows, 0.5 * (from + cut));
+    const Clearance clearance = RequiredClearance(rule, windows, 0.5 * (from + cut));
     if (!obstacles.IsClear(x, from, y, cut, clearance.Radius, clearance.Exempt) ||
         (clearance.Exempt >= 0 &&
          !StaysAbove(obstacles, clearance.Exempt, clearance.LandingDistance, x, from, y, cut)))
@@ -135,7 +135,7 @@ bool IsMotionClear(const ObstacleSet& obstacles, const MotionObject& object,
   }
   if (frameA == frameB)
   {
-    const Clearance clearance = RequiredClearance(object, windows, frameA);
+    const Clearance clearance = RequiredClearance(rule, windows, frameA);
     return obstacles.IsClear(a, frameA, b, frameB, clearance.Radius, clearance.Exempt) &&
            (clearance.Exempt < 0 || StaysAbove(obstacles, clearance.Exempt,
                                                clearance.LandingDistance, a, frameA, b, frameB));

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Base/Motion.h"
+#include "Constraints/ClearanceRule.h"
 #include "Constraints/Constraint.h"
 #include "Obstacles/ObstacleSet.h"
 
@@ -52,13 +53,13 @@ struct Clearance
   double LandingDistance = 0.0; // m, least signed distance to the exempt obstacle: the RestHeight
 };
 
-Clearance RequiredClearance(const MotionObject& object, const std::vector<LandingWindow>& windows,
+Clearance RequiredClearance(const ClearanceRule& rule, const std::vector<LandingWindow>& windows,
                             double frame);
 
 /// Swept version: from a at frameA to b at frameB, frameA <= frameB, split where a window begins or
 /// ends. Within a window the centre keeps its LandingDistance (less 1e-6 m for rounding) from the
 /// exempt obstacle, looked at in at least 8 places a frame. Walls are not looked at.
-bool IsMotionClear(const ObstacleSet& obstacles, const MotionObject& object,
+bool IsMotionClear(const ObstacleSet& obstacles, const ClearanceRule& rule,
                    const std::vector<LandingWindow>& windows, const Vec3& a, double frameA,
                    const Vec3& b, double frameB);
 

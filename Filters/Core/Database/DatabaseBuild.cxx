@@ -83,36 +83,16 @@ DatabaseOptions::DatabaseOptions()
   this->Ensemble.VortexAcceleration = { 0.27, 1.05 };
   this->Ensemble.WindAcceleration = { 0.16, 0.65 };
   this->Ensemble.NumberOfEmitters = 0; // nobody sees this smoke
+  this->Smoke.BuoyancyTemperature = 0.0;
 }
 
 Result DatabaseOptions::Validate() const
 {
-  if (this->NumberOfSimulations < 1 || this->NumberOfFrames < 2 || this->SimulationsAtOnce < 1)
+  WAFT_RETURN_IF_FAILED(this->ValidateRun());
+  WAFT_RETURN_IF_FAILED(ValidateFields<DatabaseOptions>(*this));
+  if (this->SimulationsAtOnce < 1)
   {
-    return Result::Error(
-      "NumberOfSimulations, NumberOfFrames, SimulationsAtOnce: expected at least "
-      "1, 2 and 1");
-  }
-  if (!(this->FramesPerSecond > 0.0) || !std::isfinite(this->FramesPerSecond))
-  {
-    return Result::Error("FramesPerSecond: expected a positive number");
-  }
-  if (!(this->Bounds.Size().minCoeff() > 0.0) || !this->Bounds.Size().allFinite())
-  {
-    return Result::Error("Bounds: expected a box with positive sides");
-  }
-  if (this->Resolution < 4 || this->Resolution > 1024)
-  {
-    return Result::Error("Resolution: expected 4 to 1024 voxels");
-  }
-  WAFT_RETURN_IF_FAILED(CheckWarmUp(this->WarmUpSeconds, this->FramesPerSecond));
-  if (!(this->StopBelow >= 0.0 && this->StopBelow <= 1.0))
-  {
-    return Result::Error("StopBelow: expected a share from 0 to 1");
-  }
-  if (!(this->CoverageTolerance > 0.0 && this->CoverageTolerance <= 1.0))
-  {
-    return Result::Error("CoverageTolerance: expected a share above 0, at most 1");
+    return Result::Error("SimulationsAtOnce: expected at least 1");
   }
   WAFT_RETURN_IF_FAILED(this->Trace.Validate());
   return this->Cluster.Validate();

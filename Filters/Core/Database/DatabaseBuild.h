@@ -14,36 +14,24 @@
 
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace waft
 {
 
-/// The parts' own volume, frame rate, warm-up, settling speed and seed are not read: the ones here
-/// hold for all of them.
-struct DatabaseOptions
+/// The parts' own run, settling speed and seed are not read: the ones here hold for all of them.
+struct DatabaseOptions : AirRun
 {
-  int NumberOfSimulations = 8; // at most, when StopBelow is set
+  int NumberOfSimulations = 8;
   int NumberOfFrames = 300;
-  double FramesPerSecond = 30.0;
-  Box Bounds;
-  /// Voxels along the longest side of Bounds; they are cubes, so that the other sides must hold a
-  /// whole number of them.
   int Resolution = 64;
-  /// The air is driven for this long before tracers are set free [s].
-  double WarmUpSeconds = 3.0;
-  /// With which the tracers sink [m/s].
   double SettlingSpeed = 0.0;
   std::uint64_t Seed = 1;
   /// Runs advanced side by side: memory grows with it, results do not depend on it.
   int SimulationsAtOnce = 4;
-  /// The first simulation of whose segments a smaller share than this is new is the last (Coverage;
-  /// Shi et al. 2005 stop when no new shapes are seen); 0: all are run.
-  double StopBelow = 0.0;
-  /// A segment is new when its rms distance to all before is above this share of the rms chord.
+  double StopBelow = 0.0; // Coverage; Shi et al. 2005 stop when no new shapes are seen
   double CoverageTolerance = Coverage::DefaultTolerance;
-  /// Simulations that are whole are kept in this folder, and taken from it when a run of the same
-  /// parameters left them there; empty: nothing is kept. The folder may be removed afterwards.
   std::string KeptIn;
 
   EnsembleOptions Ensemble;
@@ -53,6 +41,88 @@ struct DatabaseOptions
 
   DatabaseOptions();
   Result Validate() const;
+
+  /// Of what a user sets, all that a simulation of a given index depends on. The parts' fields are
+  /// found in the parts, those of any other holder in itself.
+  template <class Visitor, class... Holder>
+  static void VisitSimulations(Visitor&& visit, Holder&... of)
+  {
+    AirRun::Visit(visit, of...);
+    visit(OptionField{ "NumberOfFrames",
+                       { 2, limits::Frames.High },
+                       "",
+                       "Frames of the animation; frame k is at time k / FramesPerSecond." },
+          of.NumberOfFrames...);
+    visit(
+      OptionField{
+        "Resolution",
+        { 4, 1024 },
+        "",
+        "Voxels along the longest side of the volume, whose sides are whole numbers of them." },
+      of.Resolution...);
+    visit(OptionField{ "Seed", limits::Seed, "",
+                       "Seed of everything random in this stage. The same seed gives the same "
+                       "result, bit by bit, on any number of threads." },
+          of.Seed...);
+    visit(
+      OptionField{
+        "SettlingSpeed", limits::UpTo(limits::Speed.High), "m/s",
+        "Tracers sink through the air at this speed, in metres per second; 0: they follow it." },
+      of.SettlingSpeed...);
+    TraceOptions::VisitSeeds(visit, In(of, &DatabaseOptions::Trace)...);
+    EnsembleOptions::VisitAir(visit, In(of, &DatabaseOptions::Ensemble)...);
+  }
+
+  /// What a user sets.
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "NumberOfSimulations",
+                       { 1, 1e6 },
+                       "",
+                       "Simulations, each with vortices, winds and obstacles of its own; at most, "
+                       "when StopBelow is set." },
+          of.NumberOfSimulations...);
+    visit(OptionField{ "StopBelow",
+                       { 0, 1 },
+                       "",
+                       "The first simulation of whose segments a smaller share than this is new is "
+                       "the last, 0.05 for one in twenty; 0: all are run. New is what is farther "
+                       "from all before than CoverageTolerance." },
+          of.StopBelow...);
+    visit(OptionField{ "CoverageTolerance",
+                       { 1e-6, 1 },
+                       "",
+                       "A segment is new when its rms distance to all before is above this share "
+                       "of the rms chord of the segments of its length." },
+          of.CoverageTolerance...);
+    visit(TextField("KeptIn", "A folder where simulations that are whole are kept, so that a "
+                              "stopped run can be gone on with; they are taken from it when they "
+                              "are of the same parameters. It may be removed afterwards."),
+          of.KeptIn...);
+    VisitSimulations(visit, of...);
+    ClusterOptions::VisitSize(visit, In(of, &DatabaseOptions::Cluster)...);
+    ClusterTreeOptions::VisitSize(visit,
+                                  In(In(of, &DatabaseOptions::Cluster), &ClusterOptions::Trees)...);
+    ConnectionOptions::VisitFreedom(
+      visit, In(In(of, &DatabaseOptions::Cluster), &ClusterOptions::Connections)...);
+    ConnectionOptions::VisitThreshold(
+      visit, In(In(of, &DatabaseOptions::Cluster), &ClusterOptions::Connections)...);
+  }
+
+private:
+  template <class Whole, class Part, class Holder>
+  static auto& In(Holder& of, Part Whole::*part)
+  {
+    if constexpr (std::is_same_v<std::remove_const_t<Holder>, Whole>)
+    {
+      return of.*part;
+    }
+    else
+    {
+      return of;
+    }
+  }
 };
 
 /// One thread a simulation, two frames in memory each. The same options give the same database bit

@@ -9,11 +9,6 @@ namespace waft
 namespace
 {
 
-std::string Text(const Range& range)
-{
-  return ParameterText(range.Low, range.High);
-}
-
 const char* Name(BoundaryKind kind)
 {
   return kind == BoundaryKind::Closed ? "Closed"
@@ -32,19 +27,14 @@ std::map<std::string, std::string> ParametersOfSimulations(const DatabaseOptions
 {
   std::map<std::string, std::string> p;
   p["Version"] = WAFT_VERSION;
-  p["Seed"] = ParameterText(options.Seed);
-  p["NumberOfFrames"] = ParameterText(options.NumberOfFrames);
-  p["FramesPerSecond"] = ParameterText(options.FramesPerSecond);
-  const Vec3& min = options.Bounds.Min;
-  const Vec3& max = options.Bounds.Max;
-  p["Bounds"] = ParameterText(min.x(), max.x(), min.y(), max.y(), min.z(), max.z());
-  p["Resolution"] = ParameterText(options.Resolution);
-  p["WarmUpSeconds"] = ParameterText(options.WarmUpSeconds);
-  p["SettlingSpeed"] = ParameterText(options.SettlingSpeed);
-  p["SeedStride"] = ParameterText(options.Trace.SeedStride);
-  p["VortexShare"] = ParameterText(options.Trace.Annotation.VortexShare);
-  p["ForceFloor"] = ParameterText(options.Trace.Annotation.ForceFloor);
-  p["ShortestRun"] = ParameterText(options.Trace.Annotation.ShortestRun);
+  const auto add = [&p](const OptionField& field, const auto& value)
+  {
+    std::string& text = p[field.Name];
+    EachNumber(value,
+               [&text](auto number) { text += (text.empty() ? "" : " ") + ParameterText(number); });
+  };
+  DatabaseOptions::VisitSimulations(add, options);
+  AnnotationOptions::Visit(add, options.Trace.Annotation);
   const SmokeOptions& smoke = options.Smoke;
   p["Advection"] = Name(smoke.Advection);
   p["Boundary"] =
@@ -57,20 +47,9 @@ std::map<std::string, std::string> ParametersOfSimulations(const DatabaseOptions
   p["MaximumIterations"] = ParameterText(smoke.MaximumIterations);
   p["Buoyancy"] = ParameterText(smoke.BuoyancyTemperature, smoke.BuoyancyDensity);
   p["Dissipation"] = ParameterText(smoke.Dissipation);
-  const EnsembleOptions& scene = options.Ensemble;
-  p["NumberOfVortices"] = ParameterText(scene.NumberOfVortices);
-  p["NumberOfWinds"] = ParameterText(scene.NumberOfWinds);
-  p["NumberOfObstacles"] = ParameterText(scene.NumberOfObstacles);
-  p["NumberOfEmitters"] = ParameterText(scene.NumberOfEmitters);
-  p["VortexDiameter"] = Text(scene.VortexDiameter);
-  p["VortexLength"] = Text(scene.VortexLength);
-  p["VortexAcceleration"] = Text(scene.VortexAcceleration);
-  p["VortexDuration"] = Text(scene.VortexDuration);
-  p["WindRadius"] = Text(scene.WindRadius);
-  p["WindAcceleration"] = Text(scene.WindAcceleration);
-  p["WindDuration"] = Text(scene.WindDuration);
-  p["ObstacleSize"] = Text(scene.ObstacleSize);
-  p["EmitterRadius"] = Text(scene.EmitterRadius);
+  p["NumberOfEmitters"] = ParameterText(options.Ensemble.NumberOfEmitters);
+  const Range& radius = options.Ensemble.EmitterRadius;
+  p["EmitterRadius"] = ParameterText(radius.front(), radius.back());
   return p;
 }
 

@@ -52,7 +52,8 @@ Result SimulationRun::Begin(const DatabaseOptions& options, int simulation)
   EnsembleOptions scene = options.Ensemble;
   scene.Seed = SimulationSeed(options.Seed, simulation);
   scene.Bounds = options.Bounds;
-  scene.Time = Timeline{ options.NumberOfFrames, options.FramesPerSecond };
+  scene.NumberOfFrames = options.NumberOfFrames;
+  scene.FramesPerSecond = options.FramesPerSecond;
   scene.WarmUpSeconds = this->StartTime;
   Ensemble ensemble;
   WAFT_RETURN_IF_FAILED(MakeEnsemble(scene, ensemble));

@@ -9,7 +9,6 @@ namespace
 {
 
 constexpr int CoarsestSweeps = 12;
-constexpr std::size_t FewestCellsForThreads = 100000;
 /// 1 / (c + r cos(pi / 4)), 1 / (c - r cos(pi / 4)) for the interval [c - r, c + r] = [1/3, 2]: all
 /// of the spectrum of D^-1 A (at most 2) that varies within an aggregate.
 constexpr float Damping[2] = { 0.5695013f, 1.7318686f };

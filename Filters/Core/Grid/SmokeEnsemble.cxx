@@ -23,9 +23,16 @@ enum Stream : std::uint64_t
   EmitterStream = 104
 };
 
+/// Time of the last frame [s].
+double LastTime(const EnsembleOptions& options)
+{
+  return Timeline{ options.NumberOfFrames, options.FramesPerSecond }.Time(options.NumberOfFrames -
+                                                                          1);
+}
+
 double In(Random& random, const Range& range)
 {
-  return random.Uniform(range.Low, range.High);
+  return random.Uniform(range.front(), range.back());
 }
 
 // The volume less a margin, a share of each side.
@@ -95,8 +102,7 @@ Vortex MakeVortex(const EnsembleOptions& options, Random& random, int id)
   vortex.Strength =
     turn * In(random, options.VortexAcceleration) / LargestVortexProfile(length, vortex.CoreRadius);
   vortex.Duration = In(random, options.VortexDuration);
-  vortex.CenterTime =
-    random.Uniform(-options.WarmUpSeconds, options.Time.Time(options.Time.NumberOfFrames - 1));
+  vortex.CenterTime = random.Uniform(-options.WarmUpSeconds, LastTime(options));
   return vortex;
 }
 
@@ -108,8 +114,7 @@ AnalyticWind MakeWind(const EnsembleOptions& options, Random& random)
   wind.Strength = In(random, options.WindAcceleration);
   wind.Radius = options.Bounds.Width() * In(random, options.WindRadius);
   wind.Duration = In(random, options.WindDuration);
-  wind.CenterTime =
-    random.Uniform(-options.WarmUpSeconds, options.Time.Time(options.Time.NumberOfFrames - 1));
+  wind.CenterTime = random.Uniform(-options.WarmUpSeconds, LastTime(options));
   return wind;
 }
 
@@ -137,17 +142,6 @@ TriangleMesh MakeObstacle(const EnsembleOptions& options, Random& random)
     return MakeCylinder(base, center + half, 0.5 * size.x());
   }
   return MakeSphere(center, 0.5 * size.x());
-}
-
-Result CheckRange(const char* name, const Range& range)
-{
-  if (!std::isfinite(range.Low) || !std::isfinite(range.High) || range.Low <= 0.0 ||
-      range.High < range.Low)
-  {
-    return Result::Error(std::string(name) +
-                         ": expected a positive lower end that is not above the upper end");
-  }
-  return Result::Ok();
 }
 
 } // namespace
@@ -178,43 +172,27 @@ double CoreRadiusForDiameter(double length, double diameter)
 
 Result EnsembleOptions::Validate() const
 {
-  for (const int count : { this->NumberOfVortices, this->NumberOfWinds, this->NumberOfObstacles,
-                           this->NumberOfEmitters })
+  WAFT_RETURN_IF_FAILED(this->ValidateRun());
+  Result result = ValidateFields<EnsembleOptions>(*this);
+  const auto checkOrder = [&result](const OptionField& field, const auto& value)
   {
-    if (count < 0 || count > 1000)
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Range>)
     {
-      return Result::Error("Numbers of vortices, winds, obstacles and emitters: expected 0 to "
-                           "1000, not " +
-                           std::to_string(count));
+      if (result && value.back() < value.front())
+      {
+        result = Result::Error(std::string(field.Name) +
+                               ": expected a lower end that is not above the upper end");
+      }
     }
-  }
-  if (this->Bounds.Size().minCoeff() <= 0.0)
-  {
-    return Result::Error("Bounds: the volume is empty");
-  }
-  if (this->Time.NumberOfFrames < 1 || !(this->Time.FramesPerSecond > 0.0))
-  {
-    return Result::Error("Time: expected at least one frame and a positive number per second");
-  }
-  const std::pair<const char*, const Range*> ranges[] = {
-    { "VortexDiameter", &this->VortexDiameter },
-    { "VortexLength", &this->VortexLength },
-    { "VortexAcceleration", &this->VortexAcceleration },
-    { "VortexDuration", &this->VortexDuration },
-    { "WindRadius", &this->WindRadius },
-    { "WindAcceleration", &this->WindAcceleration },
-    { "WindDuration", &this->WindDuration },
-    { "ObstacleSize", &this->ObstacleSize },
-    { "EmitterRadius", &this->EmitterRadius },
   };
-  for (const auto& [name, range] : ranges)
+  VisitAir(checkOrder, *this);
+  const OptionField emitters{ "EmitterRadius", limits::Above(0, 1e6), "widths", "" };
+  for (const double radius : this->EmitterRadius)
   {
-    if (Result valid = CheckRange(name, *range); !valid)
-    {
-      return valid;
-    }
+    result = result ? emitters.Check(radius) : result;
   }
-  return Result::Ok();
+  checkOrder(emitters, this->EmitterRadius);
+  return result;
 }
 
 Result MakeEnsemble(const EnsembleOptions& options, Ensemble& ensemble)
@@ -248,6 +226,7 @@ Result MakeEnsemble(const EnsembleOptions& options, Ensemble& ensemble)
     SmokeEmitter emitter;
     emitter.Center = emitters.InBox(Inner(options.Bounds, 0.15));
     emitter.Radius = options.Bounds.Width() * In(emitters, options.EmitterRadius);
+    emitter.Temperature = options.EmitterTemperature;
     ensemble.Forces.Emitters.push_back(emitter);
   }
   return Result::Ok();

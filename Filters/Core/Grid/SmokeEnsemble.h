@@ -6,41 +6,107 @@
 #include "Base/Mesh.h"
 #include "Grid/SmokeOptions.h"
 
+#include <array>
 #include <cstdint>
 
 namespace waft
 {
 
-struct Range
-{
-  double Low = 0.0;
-  double High = 1.0;
-};
+/// The lowest and the highest.
+using Range = std::array<double, 2>;
 
 /// Numbers and ranges; lengths are in widths of the volume, so that the ranges serve any volume.
-struct EnsembleOptions
+/// The forces begin with the warm-up.
+struct EnsembleOptions : AirRun
 {
   std::uint64_t Seed = 1;
-  Box Bounds;
-  Timeline Time;
-  double WarmUpSeconds = 3.0; // forces begin this long before time 0
+  int NumberOfFrames = 300;
   int NumberOfVortices = 10;
   int NumberOfWinds = 6;
   int NumberOfObstacles = 2;
-  int NumberOfEmitters = 3; // balls that give off smoke
+  int NumberOfEmitters = 3;
 
-  /// Diameter: twice the radius where the acceleration at mid-segment falls to half its maximum.
   Range VortexDiameter{ 0.22, 0.44 };
   Range VortexLength{ 0.3, 0.8 };
-  Range VortexAcceleration{ 0.23, 0.92 }; // m/s^2, the largest at mid-segment
-  Range VortexDuration{ 2.0, 4.0 };       // s, standard deviation
+  Range VortexAcceleration{ 0.23, 0.92 };
+  Range VortexDuration{ 2.0, 4.0 };
   Range WindRadius{ 0.2, 0.5 };
-  Range WindAcceleration{ 0.18, 0.72 }; // m/s^2
-  Range WindDuration{ 0.7, 2.0 };       // s, standard deviation
-  Range ObstacleSize{ 0.08, 0.25 };     // full extent across
+  Range WindAcceleration{ 0.18, 0.72 };
+  Range WindDuration{ 0.7, 2.0 };
+  Range ObstacleSize{ 0.08, 0.25 };
   Range EmitterRadius{ 0.05, 0.1 };
+  double EmitterTemperature = 0.0;
 
   Result Validate() const;
+
+  /// What drives the air.
+  template <class Visitor, class... Holder>
+  static void VisitAir(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "NumberOfVortices", { 0, 1000 }, "", "Random vortices of a run." },
+          of.NumberOfVortices...);
+    visit(OptionField{ "NumberOfWinds",
+                       { 0, 1000 },
+                       "",
+                       "Random winds of a run, parallel, decaying in space and time." },
+          of.NumberOfWinds...);
+    visit(OptionField{ "NumberOfObstacles",
+                       { 0, 1000 },
+                       "",
+                       "Random obstacles of a run: boxes, cylinders and spheres." },
+          of.NumberOfObstacles...);
+    visit(
+      OptionField{ "VortexDiameter", limits::Above(0, 1e6), "widths",
+                   "Range of the diameters of the random vortices, in widths of the volume: twice "
+                   "the radius where the acceleration at mid-segment falls to half its maximum." },
+      of.VortexDiameter...);
+    visit(OptionField{ "VortexLength", limits::Above(0, 1e6), "widths",
+                       "Range of the lengths of the random vortices, in widths of the volume." },
+          of.VortexLength...);
+    visit(OptionField{ "VortexAcceleration", limits::Above(0, 1e9), "m/s^2",
+                       "Range of the largest acceleration at mid-segment of the random vortices, "
+                       "in metres per second squared." },
+          of.VortexAcceleration...);
+    visit(OptionField{ "VortexDuration", limits::Above(0, 1e9), "s",
+                       "Range of the durations of the random vortices, in seconds: the standard "
+                       "deviation of the Gaussian in time." },
+          of.VortexDuration...);
+    visit(OptionField{ "WindRadius", limits::Above(0, 1e6), "widths",
+                       "Range of the radii of the random winds, in widths of the volume." },
+          of.WindRadius...);
+    visit(
+      OptionField{
+        "WindAcceleration", limits::Above(0, 1e9), "m/s^2",
+        "Range of the accelerations of the random winds, in metres per second squared." },
+      of.WindAcceleration...);
+    visit(OptionField{ "WindDuration", limits::Above(0, 1e9), "s",
+                       "Range of the durations of the random winds, in seconds." },
+          of.WindDuration...);
+    visit(OptionField{ "ObstacleSize", limits::Above(0, 1e6), "widths",
+                       "Range of the extents of the random obstacles, in widths of the volume." },
+          of.ObstacleSize...);
+  }
+
+  /// What a user sets besides the run.
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "Seed", limits::Seed, "",
+                       "Seed of everything random in this stage. The same seed gives the same "
+                       "result, bit by bit, on any number of threads." },
+          of.Seed...);
+    visit(OptionField{ "NumberOfFrames",
+                       { 1, limits::Frames.High },
+                       "",
+                       "Frames of the animation; frame k is at time k / FramesPerSecond." },
+          of.NumberOfFrames...);
+    VisitAir(visit, of...);
+    visit(OptionField{ "NumberOfEmitters", { 0, 1000 }, "", "Random balls that give off smoke." },
+          of.NumberOfEmitters...);
+    visit(OptionField{ "EmitterTemperature", limits::Around0(1e9), "K",
+                       "Warmth of the smoke that is given off, in kelvins above the ambient." },
+          of.EmitterTemperature...);
+  }
 };
 
 struct Ensemble

@@ -40,58 +40,34 @@ std::size_t SmokeOptions::NumberOfNodes() const
          (this->Resolution[2] + 1);
 }
 
-Result CheckWarmUp(double seconds, double framesPerSecond)
+Result AirRun::ValidateRun() const
 {
-  const limits::Range allowed = limits::UpTo(limits::Frames.High / framesPerSecond);
-  return allowed.Holds(seconds) ? Result::Ok()
-                                : Result::Error("WarmUpSeconds: expected " + allowed.Text() +
-                                                ", no more frames than a scene may have");
-}
-
-Result SmokeOptions::Validate() const
-{
+  WAFT_RETURN_IF_FAILED(ValidateFields<AirRun>(*this));
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int n = this->Resolution[axis];
-    if (n < 4 || n > 1024)
-    {
-      return Result::Error("Resolution: " + std::to_string(n) + " voxels along axis " +
-                           std::to_string(axis) + ", expected 4 to 1024");
-    }
-    if (!IsPositive(this->Bounds.Size()[axis]))
+    if (!(this->Bounds.Size()[axis] > 0.0))
     {
       return Result::Error("Bounds: the volume has no extent along axis " + std::to_string(axis));
     }
   }
+  const limits::Range allowed = limits::UpTo(limits::Frames.High / this->FramesPerSecond);
+  return allowed.Holds(this->WarmUpSeconds)
+           ? Result::Ok()
+           : Result::Error("WarmUpSeconds: expected " + allowed.Text() +
+                           ", no more frames than a scene may have");
+}
+
+Result SmokeOptions::Validate() const
+{
+  WAFT_RETURN_IF_FAILED(this->ValidateRun());
+  WAFT_RETURN_IF_FAILED(ValidateFields<SmokeOptions>(*this));
   if (this->Spacing().maxCoeff() > 8.0 * this->Spacing().minCoeff())
   {
     return Result::Error("Resolution: voxels longer than 8 times their width");
   }
-  if (!IsPositive(this->FramesPerSecond))
+  if (this->MaximumSubsteps < 1 || this->MaximumIterations < 1)
   {
-    return Result::Error("FramesPerSecond: expected a positive number");
-  }
-  WAFT_RETURN_IF_FAILED(CheckWarmUp(this->WarmUpSeconds, this->FramesPerSecond));
-  if (!IsPositive(this->CourantNumber) || this->MaximumSubsteps < 1)
-  {
-    return Result::Error("CourantNumber, MaximumSubsteps: expected positive numbers");
-  }
-  if (!IsPositive(this->Tolerance) || this->MaximumIterations < 1)
-  {
-    return Result::Error("Tolerance, MaximumIterations: expected positive numbers");
-  }
-  if (!IsNotNegative(this->Confinement) || !IsNotNegative(this->Dissipation) ||
-      !IsNotNegative(this->WindDrag))
-  {
-    return Result::Error("Confinement, Dissipation, WindDrag: expected numbers not below 0");
-  }
-  if (!std::isfinite(this->BuoyancyTemperature) || !std::isfinite(this->BuoyancyDensity))
-  {
-    return Result::Error("BuoyancyTemperature, BuoyancyDensity: expected finite numbers");
-  }
-  if (!IsPositive(this->AirDensity))
-  {
-    return Result::Error("AirDensity: expected a positive number");
+    return Result::Error("MaximumSubsteps, MaximumIterations: expected positive numbers");
   }
   return Result::Ok();
 }

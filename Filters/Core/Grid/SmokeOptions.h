@@ -4,10 +4,12 @@
 
 #include "Base/FieldSeries.h"
 #include "Base/ForceFields.h"
+#include "Base/OptionFields.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
 
 #include <array>
+#include <type_traits>
 #include <vector>
 
 namespace waft
@@ -28,48 +30,145 @@ enum class BoundaryKind
   Periodic // the two ends are the same place
 };
 
-struct SmokeOptions
+/// Where and when air is simulated.
+struct AirRun
 {
-  Box Bounds;                                  // m
-  std::array<int, 3> Resolution{ 64, 64, 64 }; // voxels, at least 4 along each axis
+  Box Bounds;
   double FramesPerSecond = 30.0;
-  /// Frame 0 is this long after the air was at rest [s].
   double WarmUpSeconds = 3.0;
 
+  /// The fields, and the rules between them: the volume has an extent, a warm-up no more frames
+  /// than a scene may have.
+  Result ValidateRun() const;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "Bounds", limits::Coordinate, "m",
+                       "The volume (xmin, xmax, ymin, ymax, zmin, zmax) in metres; z is up." },
+          of.Bounds...);
+    visit(OptionField{ "FramesPerSecond", limits::FramesPerSecond, "1/s", "Frames per second." },
+          of.FramesPerSecond...);
+    visit(
+      OptionField{
+        "WarmUpSeconds", limits::UpTo(1e6), "s",
+        "The air starts at rest and is driven for this long before frame 0, in seconds." },
+      of.WarmUpSeconds...);
+  }
+};
+
+struct SmokeOptions : AirRun
+{
+  std::array<int, 3> Resolution{ 64, 64, 64 };
   AdvectionScheme Advection = AdvectionScheme::MonotoneCubic;
   std::array<BoundaryKind, 3> Boundary{ BoundaryKind::Open, BoundaryKind::Open,
                                         BoundaryKind::Open };
-  /// Where the vertical axis is open, its lower end is a wall all the same.
   bool ClosedFloor = true;
 
-  /// Strength of vorticity confinement [1/s] (Fedkiw et al. 2001, Eq. 11); 0: none.
-  double Confinement = 0.5;
+  double Confinement = 0.5; // Fedkiw et al. 2001, Eq. 11
   /// Buoyancy: acceleration along z is BuoyancyTemperature * T - BuoyancyDensity * rho (Fedkiw et
   /// al. 2001, Eq. 8) with T above the ambient [K] and rho the smoke's density [1].
-  double BuoyancyTemperature = 0.0; // m/(s^2 K)
-  double BuoyancyDensity = 0.0;     // m/s^2
-  /// Smoke and warmth fade at this rate [1/s].
-  double Dissipation = 0.0;
-  /// A user's wind that is a velocity draws the air towards it at this rate [1/s].
+  double BuoyancyTemperature = 0.033;
+  double BuoyancyDensity = 0.0;
+  double Dissipation = 0.0; // of warmth, too
   double WindDrag = 1.0;
 
-  /// A substep moves no air farther than this many voxels.
   double CourantNumber = 2.0;
   int MaximumSubsteps = 16;
-  /// Largest |div u| dt left by the projection.
   double Tolerance = 1e-4;
   int MaximumIterations = 200;
-  double AirDensity = 1.2; // kg/m^3; scales the reported pressure
+  double AirDensity = 1.2;
 
   Result Validate() const;
+
+  /// What a user sets.
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    AirRun::Visit(visit, of...);
+    visit(OptionField{ "Resolution", { 4, 1024 }, "", "Voxels along each axis." },
+          of.Resolution...);
+    visit(OptionField{ "Advection", { 0, 2 }, "", "How the air carries itself and the smoke." },
+          of.Advection...);
+    visit(
+      OptionField{
+        "BoundaryX",
+        { 0, 2 },
+        "",
+        "What the two ends along x are: walls, still air of zero pressure, or the same place." },
+      BoundaryAlong<0>(of)...);
+    visit(
+      OptionField{
+        "BoundaryY",
+        { 0, 2 },
+        "",
+        "What the two ends along y are: walls, still air of zero pressure, or the same place." },
+      BoundaryAlong<1>(of)...);
+    visit(
+      OptionField{
+        "BoundaryZ",
+        { 0, 2 },
+        "",
+        "What the two ends along z are: walls, still air of zero pressure, or the same place." },
+      BoundaryAlong<2>(of)...);
+    visit(FlagField("ClosedFloor", "With Boundary Z open: the floor is a wall all the same."),
+          of.ClosedFloor...);
+    visit(OptionField{ "Confinement", limits::Factor, "1/s",
+                       "Strength of vorticity confinement in 1/s; 0: none." },
+          of.Confinement...);
+    visit(
+      OptionField{ "BuoyancyDensity", limits::Around0(1e9), "m/s^2",
+                   "Downward acceleration of smoke of density 1, in metres per second squared." },
+      of.BuoyancyDensity...);
+    visit(
+      OptionField{
+        "BuoyancyTemperature", limits::Around0(1e9), "m/(s^2 K)",
+        "Upward acceleration per kelvin above the ambient, in metres per second squared." },
+      of.BuoyancyTemperature...);
+    visit(OptionField{ "Dissipation", limits::Factor, "1/s", "Smoke fades at this rate, in 1/s." },
+          of.Dissipation...);
+    visit(
+      OptionField{
+        "WindDrag", limits::Factor, "1/s",
+        "Rate at which an input wind that is a velocity draws the air towards it, in 1/s." },
+      of.WindDrag...);
+    visit(OptionField{ "CourantNumber", limits::Above(0, 1e9), "",
+                       "A substep moves no air farther than this many voxels." },
+          of.CourantNumber...);
+    visit(OptionField{ "Tolerance", limits::Above(0, 1e9), "",
+                       "Largest divergence times time step that the projection leaves." },
+          of.Tolerance...);
+    visit(OptionField{ "AirDensity", limits::Density, "kg/m^3",
+                       "Density of the air in kilograms per cubic metre; it scales the pressure." },
+          of.AirDensity...);
+  }
   Vec3 Spacing() const; // m, of the voxels
   std::size_t NumberOfCells() const;
   std::size_t NumberOfNodes() const; // (nx + 1) (ny + 1) (nz + 1)
-};
 
-/// Whether a warm-up of `seconds` can be counted in frames: not below 0, and no more of them than a
-/// scene may have.
-Result CheckWarmUp(double seconds, double framesPerSecond);
+private:
+  /// A stage of the pipeline has a property for each axis.
+  template <int Axis, class Holder>
+  static auto& BoundaryAlong(Holder& of)
+  {
+    if constexpr (std::is_same_v<std::remove_const_t<Holder>, SmokeOptions>)
+    {
+      return of.Boundary[Axis];
+    }
+    else if constexpr (Axis == 0)
+    {
+      return of.BoundaryX;
+    }
+    else if constexpr (Axis == 1)
+    {
+      return of.BoundaryY;
+    }
+    else
+    {
+      return of.BoundaryZ;
+    }
+  }
+};
 
 /// A ball that gives off smoke and warmth.
 struct SmokeEmitter

@@ -9,12 +9,6 @@
 
 namespace waft
 {
-namespace
-{
-
-constexpr std::size_t FewestCellsForThreads = 100000;
-
-} // namespace
 
 SmokeSolver::SmokeSolver() : Impl(std::make_unique<Internals>()) {}
 SmokeSolver::~SmokeSolver() = default;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Particles/RestDensity.h"
 
+#include "Base/SmoothStep.h"
 #include "Particles/SphSurfaces.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ Blend BlendAt(double x, double cell, int count)
   Blend b;
   b.First = static_cast<std::size_t>(first);
   b.Second = static_cast<std::size_t>(std::min(first + 1, count - 1));
-  b.Value[1] = u * u * u * (10.0 + u * (6.0 * u - 15.0));
+  b.Value[1] = SmoothStep(u);
   b.Slope[1] = 30.0 * u * u * (1.0 - u) * (1.0 - u) / cell;
   b.Curve[1] = 60.0 * u * (1.0 - u) * (1.0 - 2.0 * u) / (cell * cell);
   b.Value[0] = 1.0 - b.Value[1];

@@ -15,12 +15,12 @@ ObjectProgress::ObjectProgress(const MotionObject& object, const Itinerary& itin
   const auto count = static_cast<std::size_t>(scene.Time.NumberOfFrames);
   this->Field.Obstacles = &obstacles;
   this->Field.Bounds = scene.Bounds;
-  this->Field.Radius = object.ClearanceRadius;
+  this->Field.Rule = object;
   this->Field.Contacts = itinerary.Contacts;
   for (const Mark& mark : itinerary.Marks)
   {
     const double distance = this->Field.Distance(mark.Position, mark.Frame);
-    if (distance < this->Field.Radius + margin)
+    if (distance < this->Field.Rule.Radius + margin)
     {
       this->Field.TightMarks.push_back({ mark.Position, distance - margin - 1e-9 });
     }

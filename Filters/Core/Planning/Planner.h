@@ -34,11 +34,9 @@ struct PlanInput
 };
 
 /// Members have the defaults; Visit says the rest of each field that a user sets.
-struct PlanOptions
+struct PlanOptions : RotationRange
 {
   std::uint64_t Seed = 1;
-  waft::RotationFreedom RotationFreedom = waft::RotationFreedom::YawAndTilt;
-  double MaxTilt = DefaultMaxTilt;
   double ConnectionThreshold = 0.06;
   double JoinThreshold = 0.05;
   int MaximumNumberOfBranches = 20000;
@@ -54,18 +52,7 @@ struct PlanOptions
   template <class Visitor, class... Holder>
   static void VisitStyle(Visitor&& visit, Holder&... of)
   {
-    visit(
-      OptionField{ "RotationFreedom",
-                   { 0, 2 },
-                   "",
-                   "Which rotations may carry a segment to its place: about the vertical, leaning "
-                   "by at most Max Tilt as well, or any (many segments then fly upside down)." },
-      of.RotationFreedom...);
-    visit(OptionField{ "MaxTilt",
-                       { 0, M_PI },
-                       "rad",
-                       "Largest lean of the vertical under YawAndTilt, in radians." },
-          of.MaxTilt...);
+    RotationRange::Visit(visit, of...);
     visit(OptionField{ "ConnectionThreshold",
                        limits::Above(0, 1e9),
                        "",

@@ -83,7 +83,7 @@ ClearanceField SpanPlanner::FlightField(const ClearanceField& base) const
   {
     const double frame = end == &this->Request.Start ? first : first + flight;
     const double distance = field.Distance(end->Position, frame);
-    if (distance < field.Radius + this->Options.Margin)
+    if (distance < field.Rule.Radius + this->Options.Margin)
     {
       field.TightMarks.push_back({ end->Position, distance - this->Options.Margin - 1e-9 });
     }
@@ -166,10 +166,10 @@ bool SpanPlanner::WayAround(const ClearanceField& field, SpanTask& task) const
     return true;
   }
   task.Way.clear();
-  const Vec3 lift = Vec3(0.0, 0.0, field.Radius + this->Options.Margin);
+  const Vec3 lift = Vec3(0.0, 0.0, field.Rule.Radius + this->Options.Margin);
   const Vec3 a = task.Start.Position + (task.Start.IsRest ? lift : Vec3(Vec3::Zero()));
   const Vec3 b = task.Goal.Position + (task.Goal.IsRest ? lift : Vec3(Vec3::Zero()));
-  const double radius = std::min({ field.Radius, field.Required(a), field.Required(b) });
+  const double radius = std::min({ field.Rule.Radius, field.Required(a), field.Required(b) });
   if (field.Obstacles->IsClear(a, 0.0, b, 0.0, 0.9 * std::max(0.0, radius)))
   {
     return true;

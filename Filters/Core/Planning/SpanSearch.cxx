@@ -32,7 +32,7 @@ SpanSearch::SpanSearch(const SegmentLibrary& library, const ClearanceField& fiel
   const double reach = library.TopStep() * task.Frames * 0.5;
   const Vec3 centre = 0.5 * (task.Start.Position + task.Goal.Position);
   const Vec3 half = 0.5 * (task.Goal.Position - task.Start.Position).cwiseAbs() +
-                    Vec3::Constant(std::max(0.3 * reach, 2.0 * field.Radius));
+                    Vec3::Constant(std::max(0.3 * reach, 2.0 * field.Rule.Radius));
   this->SeedBox.Min = field.Bounds.Min.cwiseMax(centre - half);
   this->SeedBox.Max = field.Bounds.Max.cwiseMin(centre + half);
   for (std::size_t k = 0; k < task.Way.size(); ++k)
@@ -90,7 +90,7 @@ Vec3 SpanSearch::Seed(int tree, double& frame)
     // About the way, as far from it as there is time for, or in a maze as there is room.
     const double time =
       0.35 * this->Library.TypicalStep() * this->Task.Frames * std::sqrt(u * (1.0 - u));
-    const double spread = hasWay ? std::min(time, WaySpread * this->Field.Radius) : time;
+    const double spread = hasWay ? std::min(time, WaySpread * this->Field.Rule.Radius) : time;
     const Vec3 offset(this->Stream.Normal(), this->Stream.Normal(), this->Stream.Normal());
     const Vec3 x =
       spread * offset + (hasWay ? PointAlong(this->Task.Way, u)
@@ -111,7 +111,7 @@ void SpanSearch::NoteProgress(int tree, const Vec3& end)
   {
     nearest = (way[k] - end).squaredNorm() < (way[nearest] - end).squaredNorm() ? k : nearest;
   }
-  if (way.empty() || (way[nearest] - end).norm() > WaySpread * this->Field.Radius)
+  if (way.empty() || (way[nearest] - end).norm() > WaySpread * this->Field.Rule.Radius)
   {
     return;
   }

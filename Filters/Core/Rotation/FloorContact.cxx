@@ -9,7 +9,7 @@ namespace
 {
 constexpr int Halvings = 30;
 constexpr int MostPushes = 8;
-constexpr double Rounding = 1e-9;   // m
+constexpr double TouchSlack = 1e-9; // m
 constexpr double OnTheFloor = 1e-5; // m: points this near are touched
 
 /// Height of the lowest point [m].
@@ -35,7 +35,7 @@ Quat LeastTurnUp(const Floor& floor, const Quat& orientation)
   for (int i = 0; i < Halvings; ++i)
   {
     const double middle = 0.5 * (low + high);
-    const bool above = Lowest(floor, ExpMap(middle * flat) * orientation) >= -Rounding;
+    const bool above = Lowest(floor, ExpMap(middle * flat) * orientation) >= -TouchSlack;
     (above ? high : low) = middle;
   }
   return ExpMap(high * flat);
@@ -76,7 +76,7 @@ bool Push(const FlightBody& body, const Floor& floor, FlightState& state)
 
 bool TouchFloor(const FlightBody& body, const Floor& floor, FlightState& state)
 {
-  if (Lowest(floor, state.Orientation) >= -Rounding)
+  if (Lowest(floor, state.Orientation) >= -TouchSlack)
   {
     return false;
   }

@@ -12,7 +12,7 @@ namespace waft
 namespace
 {
 constexpr double ContactDistance = 1e-9; // m: a vertex this near to the surface lies on it
-constexpr int MostSteps = 40;
+constexpr int MostDrops = 40;
 constexpr double LargestLean = 0.5; // rad, in all
 constexpr double TurnStep = 0.25;   // rad, between two headings that are tried
 constexpr int MostTurns = 6;        // either way
@@ -37,7 +37,7 @@ public:
     {
       return pose; // it hangs in the air
     }
-    for (int step = 0; step < MostSteps && std::abs(gap) > ContactDistance; ++step)
+    for (int step = 0; step < MostDrops && std::abs(gap) > ContactDistance; ++step)
     {
       const double next = std::clamp(pose.Shift - gap, -this->MostShift, this->MostShift);
       if (next == pose.Shift)

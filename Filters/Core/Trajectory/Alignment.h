@@ -2,9 +2,11 @@
 // The rigid motion that best continues one window of samples with another (Shi et al. 2005, Eq. 1).
 #pragma once
 
+#include "Base/OptionFields.h"
 #include "Base/Types.h"
 #include "Trajectory/MotionDatabase.h"
 
+#include <cmath>
 #include <vector>
 
 namespace waft
@@ -23,6 +25,36 @@ const char* ToString(RotationFreedom freedom);
 
 /// Default tilt limit [rad]: 20 degrees.
 constexpr double DefaultMaxTilt = 0.34906585039886591;
+
+/// Which rotations a segment may take, as options of what lays or connects segments.
+struct RotationRange
+{
+  waft::RotationFreedom RotationFreedom = waft::RotationFreedom::YawAndTilt;
+  double MaxTilt = DefaultMaxTilt;
+
+  template <class Visitor, class... Holder>
+  static void VisitFreedom(Visitor&& visit, Holder&... of)
+  {
+    visit(
+      OptionField{
+        "RotationFreedom",
+        { 0, 2 },
+        "",
+        "Which rotations may carry a segment to its place: about the vertical, leaning by at most "
+        "Max Tilt (20 degrees unless set) as well, or any (many segments then fly upside down)." },
+      of.RotationFreedom...);
+  }
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    VisitFreedom(visit, of...);
+    visit(OptionField{ "MaxTilt",
+                       { 0, M_PI },
+                       "rad",
+                       "Largest lean of the vertical under YawAndTilt, in radians." },
+          of.MaxTilt...);
+  }
+};
 
 /// The exact minimum of sum_j |tail_j - (R head_j + t)|^2 over translations t and the rotations R
 /// allowed (Eq. 1, by Horn's quaternion form; the paper's principal axes only approximate it).

@@ -30,9 +30,8 @@ struct ClusterTreeOptions
 
   Result Validate() const;
 
-  /// What a user sets.
   template <class Visitor, class... Holder>
-  static void Visit(Visitor&& visit, Holder&... of)
+  static void VisitSize(Visitor&& visit, Holder&... of)
   {
     visit(OptionField{ "NumberOfTopNodes",
                        { 1, 1e6 },
@@ -40,6 +39,13 @@ struct ClusterTreeOptions
                        "Initial clusters of all lengths together: the representatives that paths "
                        "are planned with." },
           of.NumberOfTopNodes...);
+  }
+
+  /// What a user sets.
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    VisitSize(visit, of...);
     visit(
       OptionField{
         "Branching", { 2, 1e6 }, "", "Children of an inner node of a cluster tree, at most." },

@@ -14,34 +14,27 @@
 namespace waft
 {
 
-struct ConnectionOptions
+struct ConnectionOptions : RotationRange
 {
-  waft::RotationFreedom RotationFreedom = waft::RotationFreedom::YawAndTilt;
-  double MaxTilt = DefaultMaxTilt; // rad
   /// Pairs whose cost is above it do not connect.
   double NotConnectible = 0.15;
 
   Result Validate() const { return ValidateFields<ConnectionOptions>(*this); }
 
   template <class Visitor, class... Holder>
-  static void Visit(Visitor&& visit, Holder&... of)
+  static void VisitThreshold(Visitor&& visit, Holder&... of)
   {
-    visit(
-      OptionField{ "RotationFreedom",
-                   { 0, 2 },
-                   "",
-                   "Which rotations may carry a segment to its place: about the vertical, leaning "
-                   "by at most Max Tilt as well, or any (many segments then fly upside down)." },
-      of.RotationFreedom...);
-    visit(OptionField{ "MaxTilt",
-                       { 0, M_PI },
-                       "rad",
-                       "Largest lean of the vertical under YawAndTilt, in radians." },
-          of.MaxTilt...);
     visit(OptionField{ "NotConnectible", limits::Above(0, 1e9), "",
                        "Pairs of representatives whose residual, over the chord of the window, is "
                        "above this do not follow each other." },
           of.NotConnectible...);
+  }
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    RotationRange::Visit(visit, of...);
+    VisitThreshold(visit, of...);
   }
 };
 

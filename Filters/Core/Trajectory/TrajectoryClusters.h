@@ -52,15 +52,9 @@ struct ClusterOptions
 
   Result Validate() const;
 
-  /// What a user sets, the parts apart.
   template <class Visitor, class... Holder>
-  static void Visit(Visitor&& visit, Holder&... of)
+  static void VisitSize(Visitor&& visit, Holder&... of)
   {
-    visit(OptionField{ "Window",
-                       { 3, limits::MostInt },
-                       "frames",
-                       "Frames that consecutive segments of a path overlap in." },
-          of.Window...);
     visit(OptionField{ "RelativeError",
                        { 1e-6, 1 },
                        "",
@@ -71,6 +65,18 @@ struct ClusterOptions
                        "",
                        "More segments than this are thinned at random; 0: all are kept." },
           of.MaximumSegments...);
+  }
+
+  /// What a user sets, the parts apart.
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "Window",
+                       { 3, limits::MostInt },
+                       "frames",
+                       "Frames that consecutive segments of a path overlap in." },
+          of.Window...);
+    VisitSize(visit, of...);
   }
 };
 

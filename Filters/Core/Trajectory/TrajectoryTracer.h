@@ -58,15 +58,21 @@ struct TraceOptions
 
   Result Validate() const;
 
-  /// What a user sets, the annotation apart.
   template <class Visitor, class... Holder>
-  static void Visit(Visitor&& visit, Holder&... of)
+  static void VisitSeeds(Visitor&& visit, Holder&... of)
   {
     visit(OptionField{ "SeedStride",
                        { 1, limits::MostInt },
                        "",
-                       "Tracers start at every SeedStride-th point of the image along each axis." },
+                       "Tracers start at every SeedStride-th point of the grid along each axis." },
           of.SeedStride...);
+  }
+
+  /// What a user sets, the annotation apart.
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    VisitSeeds(visit, of...);
     visit(
       OptionField{
         "SettlingSpeed", limits::UpTo(limits::Speed.High), "m/s",

@@ -37,7 +37,7 @@ std::vector<double> RunRRTConnect(const ObstacleSet& obstacles, const Box& bound
   ClearanceField field;
   field.Obstacles = &obstacles;
   field.Bounds = bounds;
-  field.Radius = radius;
+  field.Rule.Radius = radius;
   const auto space = std::make_shared<ob::RealVectorStateSpace>(3);
   ob::RealVectorBounds limits(3);
   for (unsigned int i = 0; i < 3; ++i)

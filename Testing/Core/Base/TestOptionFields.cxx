@@ -23,6 +23,7 @@ struct SampleOptions
   bool IsOpen = false;
   Kind Surface = Kind::Rough;
   std::string File;
+  Box Bounds;
 
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
@@ -32,6 +33,7 @@ struct SampleOptions
     visit(FlagField("IsOpen", "Whether it is open."), of.IsOpen...);
     visit(OptionField{ "Surface", { 0, 1 }, "", "What it feels like." }, of.Surface...);
     visit(TextField("File", "Where it is kept."), of.File...);
+    visit(OptionField{ "Bounds", { -9, 9 }, "m", "Where it lies." }, of.Bounds...);
   }
 };
 
@@ -43,6 +45,7 @@ struct Stage
   bool IsOpen = true;
   int Surface = 1;
   std::string File = "kept";
+  double Bounds[6] = { 1, 2, 3, 4, 5, 6 };
 };
 
 } // namespace
@@ -59,6 +62,10 @@ TEST(OptionFields, TheFirstOutOfItsRangeIsNamed)
             "Size: expected a number from 0.1 to 2 m, found nan");
   options.Size = 2.0;
   options.Count = 1;
+  options.Bounds.Max.y() = 10;
+  EXPECT_EQ(ValidateFields<SampleOptions>(options).Message(),
+            "Bounds: expected a number from -9 to 9 m, found 10");
+  options.Bounds.Max.y() = 9;
   EXPECT_TRUE(ValidateFields<SampleOptions>(options));
 }
 
@@ -71,6 +78,8 @@ TEST(OptionFields, AreCopiedByName)
   EXPECT_TRUE(options.IsOpen);
   EXPECT_EQ(options.Surface, Kind::Smooth);
   EXPECT_EQ(options.File, "kept");
+  EXPECT_EQ(options.Bounds.Min, Vec3(1, 3, 5));
+  EXPECT_EQ(options.Bounds.Max, Vec3(2, 4, 6));
 }
 
 TEST(OptionFields, EachTellsDigestsApart)
@@ -87,4 +96,7 @@ TEST(OptionFields, EachTellsDigestsApart)
   EXPECT_NE(sum({}), sum({ 0.5, 3, true }));
   EXPECT_NE(sum({}), sum({ 0.5, 3, false, Kind::Smooth }));
   EXPECT_NE(sum({}), sum({ 0.5, 3, false, Kind::Rough, "kept" }));
+  SampleOptions wider;
+  wider.Bounds.Max.z() = 5;
+  EXPECT_NE(sum({}), sum(wider));
 }

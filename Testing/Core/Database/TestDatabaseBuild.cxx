@@ -136,7 +136,7 @@ TEST(DatabaseBuild, RunsAreTracedAroundTheirObstacles)
   const TracedSimulation traced = run.Finish();
   EnsembleOptions scene = options.Ensemble;
   scene.Seed = SimulationSeed(options.Seed, 0);
-  scene.Time.NumberOfFrames = options.NumberOfFrames;
+  scene.NumberOfFrames = options.NumberOfFrames;
   scene.WarmUpSeconds = options.WarmUpSeconds;
   Ensemble ensemble;
   ASSERT_TRUE(MakeEnsemble(scene, ensemble));
@@ -215,7 +215,7 @@ TEST(DatabaseBuild, WarmUpByStepsIsThatOfTheSolver)
 
   EnsembleOptions scene = options.Ensemble;
   scene.Seed = SimulationSeed(options.Seed, 1);
-  scene.Time.NumberOfFrames = 2;
+  scene.NumberOfFrames = 2;
   scene.WarmUpSeconds = options.WarmUpSeconds;
   Ensemble ensemble;
   ASSERT_TRUE(MakeEnsemble(scene, ensemble));
@@ -382,7 +382,7 @@ TEST(DatabaseBuild, RefusesWhatIsWrong)
   options.NumberOfSimulations = 0;
   EXPECT_NE(message(options).find("NumberOfSimulations"), std::string::npos);
   options = Small();
-  options.Ensemble.WindAcceleration.Low = 9.0;
+  options.Ensemble.WindAcceleration.front() = 9.0;
   EXPECT_NE(message(options).find("WindAcc"), std::string::npos);
   options = Small();
   options.StopBelow = 1.5;

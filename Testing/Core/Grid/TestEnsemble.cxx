@@ -55,10 +55,10 @@ TEST(Ensemble, VorticesHaveTheDiameterAndAccelerationAskedFor)
       largest = std::max(largest, size);
       half = size >= 0.5 * largest ? r : half;
     }
-    EXPECT_GE(largest, options.VortexAcceleration.Low * 0.999);
-    EXPECT_LE(largest, options.VortexAcceleration.High * 1.001);
-    EXPECT_GE(2.0 * half, 4.0 * options.VortexDiameter.Low - 0.01);
-    EXPECT_LE(2.0 * half, 4.0 * options.VortexDiameter.High + 0.01);
+    EXPECT_GE(largest, options.VortexAcceleration.front() * 0.999);
+    EXPECT_LE(largest, options.VortexAcceleration.back() * 1.001);
+    EXPECT_GE(2.0 * half, 4.0 * options.VortexDiameter.front() - 0.01);
+    EXPECT_LE(2.0 * half, 4.0 * options.VortexDiameter.back() + 0.01);
   }
 }
 
@@ -71,7 +71,7 @@ TEST(Ensemble, AirOfTheDefaultVolumeHasTheSpeedsOfTheDatabase)
   {
     EnsembleOptions options;
     options.Seed = seed;
-    options.Time.NumberOfFrames = 150;
+    options.NumberOfFrames = 150;
     Ensemble ensemble;
     ASSERT_TRUE(MakeEnsemble(options, ensemble));
     ensemble.Forces.Emitters.clear();

@@ -173,7 +173,7 @@ TEST(SpanSearch, GrowsBothTreesInsideTheVolumeAndFindsCheapJoins)
       for (int k = branch.Body.First; k <= branch.Body.Last; ++k)
       {
         const Vec3 x = branch.Body.Place * library.Samples(branch.Body.Segment)[k];
-        EXPECT_GT(field.Bounds.InnerDistance(x), field.Radius);
+        EXPECT_GT(field.Bounds.InnerDistance(x), field.Rule.Radius);
       }
     }
   }

@@ -108,7 +108,7 @@ TEST(Clearance, SkippingFindsTheHitsThatEverySampleFinds)
     bool any = false;
     for (std::size_t k = 0; k < path.size(); ++k)
     {
-      any = any || field.Distance(path[k], 0.0) < field.Radius + 0.01;
+      any = any || field.Distance(path[k], 0.0) < field.Rule.Radius + 0.01;
     }
     EXPECT_EQ(field.FirstHit(path, 0, 80, 0.0, 1.0, 0.01) >= 0, any);
     hits += any ? 1 : 0;
