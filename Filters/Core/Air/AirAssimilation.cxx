@@ -3,6 +3,7 @@
 
 #include "Air/AirSimulation.h"
 #include "Air/AirSymmetry.h"
+#include "Air/DriftContacts.h"
 #include "Air/Drifter.h"
 #include "Constraints/ConstraintCheck.h"
 #include "Grid/SmokeEnsemble.h"
@@ -169,6 +170,7 @@ private:
     smoke.Bounds = this->Input.Scene.Bounds;
     smoke.FramesPerSecond = this->Input.Scene.Time.FramesPerSecond;
     smoke.Boundary.fill(BoundaryKind::Closed);
+    smoke.BuoyancyTemperature = 0.0;
     smoke.AirDensity = this->Input.Scene.AirDensity;
     const Vec3 size = smoke.Bounds.Size();
     const double voxel = size.maxCoeff() / this->Options.Resolution;
@@ -214,7 +216,8 @@ private:
     EnsembleOptions options;
     options.Seed = seed;
     options.Bounds = this->Input.Scene.Bounds;
-    options.Time = this->Input.Scene.Time;
+    options.NumberOfFrames = this->Input.Scene.Time.NumberOfFrames;
+    options.FramesPerSecond = this->Input.Scene.Time.FramesPerSecond;
     options.WarmUpSeconds = this->Scene.Smoke.WarmUpSeconds;
     options.NumberOfObstacles = 0;
     options.NumberOfEmitters = 0;
@@ -380,6 +383,12 @@ private:
 
   void DriftOn(int iterations)
   {
+    std::vector<std::vector<DriftNeighbour>> contacts = FindContacts(
+      this->Drifters, this->Paths, this->Input.Scene.Time.FramesPerSecond, this->Parallel);
+    for (std::size_t o = 0; o < this->Drifters.size(); ++o)
+    {
+      this->Drifters[o].SetNeighbours(std::move(contacts[o]));
+    }
     const AirSampler air(this->Air);
     this->Parallel(this->Drifters.size(),
                    [&](std::size_t begin, std::size_t end)

@@ -69,11 +69,13 @@ struct AssimilationOptions
                        "Paths that each object's search begins with besides its plan, the straight "
                        "line and free drift." },
           of.Starts...);
-    visit(OptionField{ "Rounds",
-                       { 0, 10 },
-                       "",
-                       "How often the air is simulated again, at most, with the force of the common wind." },
-          of.Rounds...);
+    visit(
+      OptionField{
+        "Rounds",
+        { 0, 10 },
+        "",
+        "How often the air is simulated again, at most, with the force of the common wind." },
+      of.Rounds...);
     visit(OptionField{ "WindRounds",
                        { 0, 100 },
                        "",

@@ -228,7 +228,7 @@ private:
           linear.Blocks[frame - linear.First] = weight * along;
         }
       }
-      add(linear, row.IsPlace ? this->Weights.Barrier : this->Weights.Row);
+      add(linear, this->Weights.Row);
     }
   }
 

@@ -19,11 +19,11 @@ struct DriftWeights
   double Smoothness = 0.02;
   /// Of accelerations where the control is free, over that of the control in flight [s^2].
   double Braking = 0.01;
-  /// Of what lies nearer to an obstacle or a wall than it may, or outside a ball, over that of the
-  /// control [1/s^2], summed over frames.
+  /// Of what lies nearer to an obstacle or a wall than it may over that of the control [1/s^2],
+  /// summed over frames.
   double Barrier = 400.0;
-  /// Of missed velocities and accelerations, summed over rows.
-  double Row = 100.0;
+  /// Of missed balls, velocities and accelerations, summed over rows.
+  double Row = 1e4;
 };
 
 /// |sum of Weight x(Frame) - Value| <= Radius, per axis alike: a ball, a velocity or an
@@ -33,7 +33,6 @@ struct DriftRow
   std::vector<std::pair<int, double>> Terms; // frames within four of each other
   Vec3 Value = Vec3::Zero();
   double Radius = 0.0;
-  bool IsPlace = true; // weighed as a barrier, else as a row
 };
 
 /// Something that a body is too near to: the way out and how far it is [m].

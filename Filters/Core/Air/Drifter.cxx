@@ -100,7 +100,7 @@ void Drifter::AddRows()
     if (row.Kind == ConstraintKind::Position && row.Radius > 0.0)
     {
       this->Balls.push_back({ row.Frame, 0, row.Value, row.Radius });
-      this->DriftRows.push_back({ { { row.Frame, 1.0 } }, row.Value, row.Radius, true });
+      this->DriftRows.push_back({ { { row.Frame, 1.0 } }, row.Value, row.Radius });
     }
     const int derivative = TraitsOf(row.Kind).Derivative;
     if (derivative < 1)
@@ -120,7 +120,6 @@ void Drifter::AddRows()
     exact.Radius = scale * row.Radius;
     sought.Value = std::pow(time.Step(), derivative - 1) * row.Value;
     sought.Radius = std::pow(time.Step(), derivative - 1) * row.Radius;
-    sought.IsPlace = false;
     if (!exact.Terms.empty())
     {
       this->Differences.push_back(exact);
@@ -178,6 +177,15 @@ void Drifter::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths)
     const bool floor = c == 2 && asked.Exempt >= 0;
     push(Vec3::Unit(c), volume.Min[c] + (floor ? asked.LandingDistance : radius) - x[c]);
     push(-Vec3::Unit(c), x[c] - volume.Max[c] + radius);
+  }
+  // Each of two gives way by half.
+  const auto before = [](const DriftNeighbour& n, int f) { return n.Frame < f; };
+  for (auto n = std::lower_bound(this->Neighbours.begin(), this->Neighbours.end(), frame, before);
+       n != this->Neighbours.end() && n->Frame == frame; ++n)
+  {
+    const Vec3 apart = x - n->Place;
+    const double distance = apart.norm();
+    push(distance > 1e-9 ? Vec3(apart / distance) : Vec3::UnitZ(), 0.5 * (n->Distance - distance));
   }
   const ObstacleSet& obstacles = this->Around.Obstacles;
   if (obstacles.SignedDistance(x, frame, radius, asked.Exempt) < radius)

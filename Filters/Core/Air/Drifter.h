@@ -23,6 +23,14 @@ struct DriftScene
   bool Inertia = false;
 };
 
+/// Another object that is too near at a frame: where it is, and how far apart they keep [m].
+struct DriftNeighbour
+{
+  int Frame = 0;
+  Vec3 Place = Vec3::Zero();
+  double Distance = 0.0;
+};
+
 class Drifter
 {
 public:
@@ -41,6 +49,19 @@ public:
   /// The row's own Frame, and the earliest frame at which it may lie there.
   int LandingFrame(std::size_t landing) const { return this->Latest[landing]; }
   int EarliestTouchDown(std::size_t landing, int most) const;
+
+  int NumberOfFrames() const { return static_cast<int>(this->Planned.size()); }
+  /// Where it is held at a frame, or null.
+  const Vec3* HeldAt(int frame) const
+  {
+    const auto f = static_cast<std::size_t>(frame);
+    return this->IsFixed[f] ? &this->Fixed[f] : nullptr;
+  }
+  /// In the order of frames; until they are set again.
+  void SetNeighbours(std::vector<DriftNeighbour> neighbours)
+  {
+    this->Neighbours = std::move(neighbours);
+  }
 
   /// As the touch-downs are set. Points into this drifter.
   DriftProblem Problem() const;
@@ -69,6 +90,7 @@ private:
   std::vector<int> Latest;
   std::vector<unsigned char> IsFixed;
   std::vector<Vec3> Fixed;
+  std::vector<DriftNeighbour> Neighbours;
   std::vector<DriftRow> DriftRows;
   std::vector<PositionBall> Balls;
   std::vector<DifferenceRow> Differences;

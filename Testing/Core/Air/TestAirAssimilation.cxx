@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Air/AirAssimilation.h"
+#include "Air/AirSimulation.h"
+#include "Air/AirSymmetry.h"
+#include "Base/Primitives.h"
+#include "Base/Random.h"
+#include "Grid/SmokeEnsemble.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace waft;
+
+namespace
+{
+
+constexpr int Frames = 46;
+
+AirScene SmallAir()
+{
+  AirScene scene;
+  scene.Smoke.Resolution = { 16, 16, 16 };
+  scene.Smoke.Boundary.fill(BoundaryKind::Closed);
+  scene.Smoke.BuoyancyTemperature = 0.0;
+  scene.Smoke.WarmUpSeconds = 1.0;
+  scene.LatticeDimensions = { 16, 16, 16 };
+  scene.Time = { 16, 30.0 };
+  EnsembleOptions ensemble;
+  ensemble.Seed = 5;
+  ensemble.NumberOfObstacles = ensemble.NumberOfEmitters = 0;
+  Ensemble made;
+  EXPECT_TRUE(static_cast<bool>(MakeEnsemble(ensemble, made)));
+  scene.Forces = made.Forces;
+  return scene;
+}
+
+double Difference(const FieldSeries& a, const FieldSeries& b)
+{
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < a.Values.size(); ++f)
+  {
+    for (std::size_t i = 0; i < a.Values[f].size(); ++i, ++count)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        sum += std::pow(double(a.Values[f][i][c]) - double(b.Values[f][i][c]), 2);
+      }
+    }
+  }
+  return std::sqrt(sum / static_cast<double>(count));
+}
+
+FieldSeries Simulated(const AirScene& scene, const AirSteering& steering = {})
+{
+  SilentMonitor monitor;
+  FieldSeries air, steered;
+  EXPECT_TRUE(static_cast<bool>(SimulateAir(scene, steering, SerialFor(), monitor, air, steered)));
+  return air;
+}
+
+/// Leaves that fall from a row in the air to a row on the ground, half a second after one another.
+AssimilationInput Leaves()
+{
+  AssimilationInput input;
+  input.Scene.Time = { Frames, 30.0 };
+  ObstacleMesh ground;
+  ground.Mesh = MakeBox({ Vec3(-3.0, -3.0, -1.0), Vec3(3.0, 3.0, 0.0) });
+  input.Obstacles.push_back(ground);
+  for (int o = 0; o < 6; ++o)
+  {
+    MotionObject object;
+    object.ObjectId = 10 + o;
+    object.Position = Vec3(-1.0 + 0.4 * o, 0.2 * o, 0.7);
+    object.SettlingSpeed = 0.5;
+    object.RestHeight = 0.01;
+    input.Objects.push_back(object);
+    Constraint row;
+    row.ObjectId = object.ObjectId;
+    row.Row = o;
+    if (o < 3)
+    {
+      row.Kind = ConstraintKind::Rest;
+      row.Frame = 40;
+      row.Until = Frames - 1;
+      row.Value = Vec3(-1.1 + 0.45 * o, -0.2 + 0.25 * o, 0.5);
+    }
+    else
+    {
+      row.Frame = 30;
+      row.Radius = o == 4 ? 0.05 : 0.0;
+      row.Value = object.Position + Vec3(0.2, -0.1, -0.2);
+    }
+    input.Constraints.push_back(row);
+    Track track;
+    track.ObjectId = object.ObjectId;
+    for (int f = 0; f < Frames; ++f)
+    {
+      const double s = std::min(1.0, f / double(row.Frame));
+      Vec3 end = row.Value;
+      end.z() = o < 3 ? object.RestHeight : end.z();
+      track.Positions.push_back((1.0 - s) * object.Position + s * end);
+    }
+    input.Tracks.push_back(track);
+  }
+  return input;
+}
+
+AssimilationOptions Small()
+{
+  AssimilationOptions options;
+  options.Resolution = 16;
+  options.LatticeResolution = 16;
+  options.Rounds = 2;
+  options.Starts = 2;
+  return options;
+}
+
+AssimilationOutput Assimilated(const AssimilationInput& input, const AssimilationOptions& options,
+                               const ParallelFor& parallel = SerialFor())
+{
+  SilentMonitor monitor;
+  AssimilationOutput output;
+  const Result result = AssimilateAir(input, options, {}, parallel, monitor, output);
+  EXPECT_TRUE(static_cast<bool>(result)) << result.Message();
+  return output;
+}
+
+std::string ErrorOf(const AssimilationInput& input)
+{
+  SilentMonitor monitor;
+  AssimilationOutput output;
+  return AssimilateAir(input, Small(), {}, SerialFor(), monitor, output).Message();
+}
+
+TEST(AirSymmetry, ImageOfAnAirIsTheAirOfTheImages)
+{
+  const AirScene scene = SmallAir();
+  const FieldSeries air = Simulated(scene);
+  const std::vector<AirSymmetry> all = AirSymmetries(scene.Smoke.Bounds);
+  ASSERT_EQ(all.size(), 8u);
+  for (const std::size_t k : { 1u, 4u, 7u })
+  {
+    AirScene turned = scene;
+    turned.Forces = Image(all[k], scene.Smoke.Bounds, scene.Forces);
+    EXPECT_LT(Difference(Image(all[k], air), Simulated(turned)), 2e-3) << all[k].Text();
+  }
+  EXPECT_EQ(AirSymmetries({ Vec3(0, 0, 0), Vec3(2, 3, 2) }).size(), 1u);
+}
+
+TEST(AirSimulation, FollowsWhatItIsSteeredTo)
+{
+  const AirScene scene = SmallAir();
+  const FieldSeries own = Simulated(scene);
+  FieldSeries wanted = own;
+  for (std::size_t f = 0; f < wanted.Values.size(); ++f)
+  {
+    const double grown = 0.3 * static_cast<double>(f) / 15.0;
+    for (std::size_t i = 0; i < wanted.Values[f].size(); ++i)
+    {
+      // A gyre that grows.
+      const double x = M_PI * static_cast<double>(i % 16) / 15.0;
+      const double y = M_PI * static_cast<double>(i / 16 % 16) / 15.0;
+      wanted.Values[f][i][0] += static_cast<float>(grown * std::sin(x) * std::cos(y));
+      wanted.Values[f][i][1] -= static_cast<float>(grown * std::cos(x) * std::sin(y));
+    }
+  }
+  FieldSeries feed = MaterialDerivative(wanted, SerialFor());
+  const FieldSeries already = MaterialDerivative(own, SerialFor());
+  for (std::size_t f = 0; f < feed.Values.size(); ++f)
+  {
+    for (std::size_t i = 0; i < feed.Values[f].size(); ++i)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        feed.Values[f][i][c] -= already.Values[f][i][c];
+      }
+    }
+  }
+  AirSteering steering;
+  steering.Target = &own;
+  EXPECT_LT(Difference(Simulated(scene, steering), own), 1e-4);
+  steering.Target = &wanted;
+  steering.Feed = &feed;
+  EXPECT_LT(Difference(Simulated(scene, steering), wanted), 0.3 * Difference(own, wanted));
+}
+
+TEST(AirAssimilation, MeetsEveryRowAndLowersTheControl)
+{
+  const AssimilationInput input = Leaves();
+  const AssimilationOutput output = Assimilated(input, Small());
+  ASSERT_EQ(output.Tracks.size(), 6u);
+  ASSERT_EQ(output.Report.size(), 6u);
+  for (const ReportRow& row : output.Report)
+  {
+    EXPECT_EQ(row.Status, ConstraintStatus::Met) << row.Message;
+    EXPECT_LE(row.Residual, 1e-12);
+  }
+  for (std::size_t o = 0; o < 6; ++o)
+  {
+    EXPECT_EQ(output.Tracks[o].Positions.front(), input.Objects[o].Position);
+  }
+  EXPECT_EQ(output.Tracks[3].Positions[30], input.Constraints[3].Value);
+  EXPECT_EQ(output.Air.Values.size(), std::size_t(Frames));
+  EXPECT_EQ(output.Wind.Values.size(), std::size_t(Frames));
+  double drifting = 0.0;
+  for (const AssimilationRound& row : output.Rounds)
+  {
+    drifting = row.Stage == "drift" ? row.Control : drifting;
+  }
+  EXPECT_LT(output.Rounds.back().Control, 0.5 * drifting);
+}
+
+TEST(AirAssimilation, LetsEachBodyLieWhenItsDriftComesDown)
+{
+  const AssimilationOutput output = Assimilated(Leaves(), Small());
+  for (std::size_t o = 0; o < 6; ++o)
+  {
+    const int down = output.Constraints[o].TouchDown;
+    if (o >= 3)
+    {
+      EXPECT_EQ(down, -1);
+      continue;
+    }
+    ASSERT_GE(down, 0);
+    ASSERT_LE(down, 40);
+    const std::vector<Vec3>& x = output.Tracks[o].Positions;
+    for (int f = down; f < Frames; ++f)
+    {
+      EXPECT_EQ(x[f], x[down]);
+    }
+  }
+}
+
+TEST(AirAssimilation, IsTheSameOnAnyNumberOfThreads)
+{
+  const AssimilationOutput one = Assimilated(Leaves(), Small());
+  const AssimilationOutput three = Assimilated(Leaves(), Small(), ThreadedFor(3));
+  for (std::size_t o = 0; o < one.Tracks.size(); ++o)
+  {
+    EXPECT_EQ(one.Tracks[o].Positions, three.Tracks[o].Positions);
+  }
+  EXPECT_EQ(one.Air.Values, three.Air.Values);
+}
+
+TEST(AirAssimilation, ControlIsWhatTheAirDoesNotExplain)
+{
+  const AssimilationInput input = Leaves();
+  const AssimilationOutput output = Assimilated(input, Small());
+  const std::vector<Vec3>& x = output.Tracks[4].Positions;
+  for (int f = 5; f < 25; ++f)
+  {
+    const Vec3 v = 15.0 * (x[f + 1] - x[f - 1]);
+    const Vec3 u = output.Air.Sample(x[f], f / 30.0) - 0.5 * Vec3::UnitZ();
+    EXPECT_LT((output.Controls[4][f] - (v - u)).norm(), 0.02);
+  }
+}
+
+TEST(AirAssimilation, NamesWhatIsWrongWithItsInput)
+{
+  AssimilationInput input = Leaves();
+  input.Tracks.clear();
+  EXPECT_EQ(ErrorOf(input), "Tracks: no track, at least one expected");
+  input = Leaves();
+  input.Tracks[1].Positions.pop_back();
+  EXPECT_EQ(ErrorOf(input), "Tracks, object 11: 45 points, one a frame (46) expected");
+  input = Leaves();
+  input.Tracks[2].Positions[3].x() = std::nan("");
+  EXPECT_EQ(ErrorOf(input), "Tracks, object 12: not a finite position at frame 3");
+  input = Leaves();
+  input.Objects.pop_back();
+  EXPECT_EQ(ErrorOf(input), "Objects: no object 15, which Tracks has");
+  input = Leaves();
+  input.Scene.Time.NumberOfFrames = 7;
+  EXPECT_EQ(ErrorOf(input), "NumberOfFrames: at least 8 expected, found 7");
+}
+
+TEST(AirAssimilation, StopsWhereItIsAskedTo)
+{
+  class StopsAt : public Monitor
+  {
+  public:
+    explicit StopsAt(double fraction) : At(fraction) {}
+    bool Tick(double fraction, const std::string&) override { return fraction < this->At; }
+    double At;
+  };
+  for (const double at : { 0.1, 0.7 })
+  {
+    StopsAt monitor(at);
+    AssimilationOutput output;
+    const Result result = AssimilateAir(Leaves(), Small(), {}, SerialFor(), monitor, output);
+    EXPECT_TRUE(result.IsStopped());
+    EXPECT_EQ(output.Tracks.empty(), at < 0.25); // else the best so far
+  }
+}
+
+} // namespace

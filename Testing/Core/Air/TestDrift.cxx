@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Air/BandedMatrix.h"
+#include "Air/Drift.h"
+#include "Base/Random.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace waft;
+
+namespace
+{
+
+constexpr int Frames = 61;
+
+Timeline Line()
+{
+  return { Frames, 30.0 };
+}
+
+/// A flow of the given velocity on a lattice of 4 m.
+FieldSeries Flow(const std::function<Vec3(const Vec3&, double)>& velocity, int points = 33)
+{
+  FieldSeries air;
+  air.Meaning = FieldMeaning::Velocity;
+  air.Dimensions = { points, points, points };
+  air.Origin = Vec3(-2.0, -2.0, 0.0);
+  air.Spacing = Vec3::Constant(4.0 / (points - 1));
+  for (int f = 0; f < Frames; ++f)
+  {
+    air.Times.push_back(Line().Time(f));
+    std::vector<std::array<float, 3>> values;
+    for (int k = 0; k < points; ++k)
+    {
+      for (int j = 0; j < points; ++j)
+      {
+        for (int i = 0; i < points; ++i)
+        {
+          const Vec3 u =
+            velocity(air.Origin + Vec3(i, j, k).cwiseProduct(air.Spacing), Line().Time(f));
+          values.push_back({ float(u.x()), float(u.y()), float(u.z()) });
+        }
+      }
+    }
+    air.Values.push_back(std::move(values));
+  }
+  return air;
+}
+
+Vec3 Swirl(const Vec3& x, double t)
+{
+  return { -0.8 * x.y() + 0.2 * std::sin(3.0 * t), 0.8 * x.x(), 0.3 * std::sin(2.0 * x.x() + t) };
+}
+
+DriftProblem Free(const Vec3& start)
+{
+  DriftProblem problem;
+  problem.Time = Line();
+  problem.SettlingSpeed = 0.5;
+  problem.IsFixed.assign(Frames, 0);
+  problem.Fixed.assign(Frames, Vec3::Zero());
+  problem.Flight.assign(Frames - 1, 1.0);
+  problem.IsFixed[0] = 1;
+  problem.Fixed[0] = start;
+  return problem;
+}
+
+DriftProblem ToAMark()
+{
+  DriftProblem problem = Free(Vec3(0.5, 0.0, 3.0));
+  problem.IsFixed[Frames - 1] = 1;
+  problem.Fixed[Frames - 1] = Vec3(-0.6, 0.4, 1.5);
+  return problem;
+}
+
+/// The cost as its documentation has it, anew.
+double PlainCost(const DriftProblem& problem, const FieldSeries& air, const DriftWeights& weights,
+                 const std::vector<Vec3>& x)
+{
+  const double dt = problem.Time.Step();
+  double cost = 0.0;
+  Vec3 before = Vec3::Zero();
+  for (std::size_t k = 0; k + 1 < x.size(); ++k)
+  {
+    const Vec3 middle = 0.5 * (x[k] + x[k + 1]);
+    const Vec3 u = 0.5 * (air.Sample(middle, air.Times[k]) + air.Sample(middle, air.Times[k + 1]));
+    Vec3 c = (x[k + 1] - x[k]) / dt - u + problem.SettlingSpeed * Vec3::UnitZ();
+    if (problem.ResponseTime > 0.0 && k > 0 && k + 2 < x.size())
+    {
+      c += problem.ResponseTime * (x[k + 2] - x[k + 1] - x[k] + x[k - 1]) / (2.0 * dt * dt);
+    }
+    cost += 0.5 * dt * problem.Flight[k] * c.squaredNorm();
+    if (k > 0)
+    {
+      cost += 0.5 * dt * weights.Smoothness * std::min(problem.Flight[k], problem.Flight[k - 1]) *
+              (c - before).squaredNorm() / (dt * dt);
+    }
+    before = c;
+  }
+  return cost;
+}
+
+TEST(BandedMatrix, SolvesAsADenseOneDoes)
+{
+  constexpr std::size_t n = 40, band = 8;
+  Random random(3);
+  Eigen::MatrixXd root = Eigen::MatrixXd::Zero(n, n);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t j = i > band ? i - band : 0; j <= i; ++j)
+    {
+      root(i, j) = i == j ? 3.0 + random.Uniform() : random.Uniform(-0.5, 0.5);
+    }
+  }
+  const Eigen::MatrixXd dense = root * root.transpose();
+  BandedMatrix banded(n, band);
+  std::vector<double> b;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t j = i > band ? i - band : 0; j <= i; ++j)
+    {
+      banded.At(i, j) = dense(i, j);
+    }
+    b.push_back(random.Normal());
+  }
+  const Eigen::VectorXd expected =
+    dense.ldlt().solve(Eigen::Map<const Eigen::VectorXd>(b.data(), n));
+  ASSERT_TRUE(banded.Factor());
+  banded.Solve(b);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    EXPECT_NEAR(b[i], expected[i], 1e-12);
+  }
+  BandedMatrix indefinite(2, 1);
+  indefinite.At(0, 0) = -1.0;
+  indefinite.At(1, 1) = 1.0;
+  EXPECT_FALSE(indefinite.Factor());
+}
+
+TEST(AirSampler, IsTrilinearBetweenFramesWithItsGradient)
+{
+  const auto linear = [](const Vec3& x, double t)
+  { return Vec3(0.3 * x.x() - x.z() + t, 2.0 * x.y(), x.x() + 0.5 * x.z() - 2.0 * t); };
+  const FieldSeries air = Flow(linear, 9);
+  const AirSampler sampler(air);
+  const Vec3 x(0.37, -1.21, 2.9);
+  Mat3 gradient;
+  EXPECT_LT((sampler.Between(10, x, gradient) - linear(x, 10.5 / 30.0)).norm(), 1e-6);
+  Mat3 expected;
+  expected << 0.3, 0.0, -1.0, 0.0, 2.0, 0.0, 1.0, 0.0, 0.5;
+  EXPECT_LT((gradient - expected).norm(), 1e-5);
+  EXPECT_LT((sampler.At(7, x) - linear(x, 7.0 / 30.0)).norm(), 1e-6);
+  // Beyond the lattice the value at its end, which does not change across it.
+  const Vec3 outside = sampler.Between(10, Vec3(5.0, 0.0, 1.0), gradient);
+  EXPECT_LT((outside - linear(Vec3(2.0, 0.0, 1.0), 10.5 / 30.0)).norm(), 1e-6);
+  EXPECT_EQ(gradient.col(0).norm(), 0.0);
+}
+
+TEST(Drift, NeedsNoControlWhereNothingIsWanted)
+{
+  const FieldSeries air = Flow(Swirl);
+  const DriftProblem problem = Free(Vec3(0.5, 0.2, 3.0));
+  std::vector<Vec3> path(Frames, Vec3(0.5, 0.2, 3.0));
+  const DriftOutcome outcome = SolveDrift(problem, AirSampler(air), {}, 100, path);
+  EXPECT_LT(outcome.Control, 1e-6);
+  // As a Runge-Kutta tracer goes.
+  Vec3 x = path[0];
+  const double dt = Line().Step();
+  const auto velocity = [&](const Vec3& at, double t)
+  { return Vec3(air.Sample(at, t) - 0.5 * Vec3::UnitZ()); };
+  for (int f = 0; f + 1 < Frames; ++f)
+  {
+    const double t = Line().Time(f);
+    const Vec3 k1 = velocity(x, t);
+    const Vec3 k2 = velocity(x + 0.5 * dt * k1, t + 0.5 * dt);
+    const Vec3 k3 = velocity(x + 0.5 * dt * k2, t + 0.5 * dt);
+    x += dt / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + velocity(x + dt * k3, t + dt));
+  }
+  EXPECT_LT((path.back() - x).norm(), 2e-3);
+}
+
+TEST(Drift, EndsWhereNoChangeCostsLess)
+{
+  const FieldSeries air = Flow(Swirl);
+  const DriftWeights weights;
+  for (const double response : { 0.0, 0.05 })
+  {
+    DriftProblem problem = ToAMark();
+    problem.ResponseTime = response;
+    std::vector<Vec3> path(Frames);
+    for (int f = 0; f < Frames; ++f)
+    {
+      const double s = f / (Frames - 1.0);
+      path[f] = (1.0 - s) * problem.Fixed[0] + s * problem.Fixed[Frames - 1];
+    }
+    const DriftOutcome outcome = SolveDrift(problem, AirSampler(air), weights, 200, path);
+    EXPECT_EQ(path.front(), problem.Fixed.front());
+    EXPECT_EQ(path.back(), problem.Fixed.back());
+    EXPECT_GT(outcome.Control, 0.05);
+    const double least = PlainCost(problem, air, weights, path);
+    EXPECT_NEAR(outcome.Cost, least, 1e-9);
+    Random random(5);
+    for (int trial = 0; trial < 50; ++trial)
+    {
+      std::vector<Vec3> other = path;
+      const Vec3 way = 0.01 * random.Direction();
+      const int waves = 1 + static_cast<int>(random.Index(8));
+      for (int f = 1; f + 1 < Frames; ++f)
+      {
+        other[f] += std::sin(M_PI * waves * f / (Frames - 1.0)) * way;
+      }
+      EXPECT_GT(PlainCost(problem, air, weights, other), least - 1e-9);
+    }
+  }
+}
+
+TEST(Drift, KeepsToBallsVelocitiesAndBarriers)
+{
+  const FieldSeries air = Flow(Swirl);
+  DriftProblem problem = ToAMark();
+  problem.Rows.push_back({ { { 30, 1.0 } }, Vec3(1.0, 1.0, 2.0), 0.1 });
+  problem.Rows.push_back({ { { 44, -15.0 }, { 46, 15.0 } }, Vec3(0.4, 0.0, -0.2), 0.0 });
+  problem.TooNear = [](int, const Vec3& x, std::vector<DriftDepth>& depths)
+  {
+    if (x.z() < 1.4)
+    {
+      depths.push_back({ Vec3::UnitZ(), 1.4 - x.z() });
+    }
+  };
+  std::vector<Vec3> path(Frames, Vec3(0.0, 0.0, 2.0));
+  SolveDrift(problem, AirSampler(air), {}, 200, path);
+  EXPECT_LT((path[30] - Vec3(1.0, 1.0, 2.0)).norm(), 0.1005);
+  EXPECT_LT((15.0 * (path[46] - path[44]) - Vec3(0.4, 0.0, -0.2)).norm(), 0.002);
+  for (const Vec3& x : path)
+  {
+    EXPECT_GT(x.z(), 1.4 - 0.01);
+  }
+}
+
+} // namespace
