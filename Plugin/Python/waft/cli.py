@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command `waft`."""
 import argparse
+import json
 import os
 import sys
 import time
@@ -15,6 +16,9 @@ be met (named in constraints.csv and below), all others are; 4 stopped early, be
 DATABASE_EXIT = """exit status: 0 done; 2 malformed usage, nothing computed; 4 stopped early, the database of the
 simulations that are whole written (nothing when there is none); 1 anything else. FILE.coverage.csv tells what
 each simulation added"""
+
+MEASURE_EXIT = """exit status: 0 measured, whatever the figures; 2 malformed usage or a folder without the results that are
+needed; 1 anything else"""
 
 
 def _argument(kind, expected, accepts):
@@ -111,6 +115,21 @@ def parser():
                       help="0 to 1; default 1, and little where obstacles hide what flies")
     show.set_defaults(run=run_render)
 
+    judge = commands.add_parser("measure", help="how good a motion is, from the files of results alone", epilog=MEASURE_EXIT)
+    judge.add_argument("folders", type=path, nargs="+", metavar="DIR", help="what synthesize wrote; several are pooled, too")
+    judge.add_argument("--tracks", choices=("optimized", "planned", "poses"), default="optimized",
+                       help="the motion, DIR/TRACKS.vtp; default optimized")
+    judge.add_argument("--json", type=path, nargs="?", const="-", metavar="FILE", help="the rows as JSON; without FILE on stdout, "
+                                                                                      "instead of the table")
+    judge.add_argument("--plots", type=path, metavar="FOLDER", help="a picture of each beside the drifters'; needs matplotlib")
+    judge.add_argument("--drifters", type=path, metavar="FILE", help="the bodies in free air to measure by (default: those that "
+                                                                     "come with Waft)")
+    judge.add_argument("--make-drifters", type=path, metavar="FILE", help="measure nothing; simulate drifters for the volume, frame "
+                                                                          "rate and settling speeds of DIR")
+    judge.add_argument("--airs", type=_whole(2, 1000), default=8, help="of --make-drifters, default 8")
+    judge.add_argument("--seed", type=seed, default=20001, help="of the first air of --make-drifters, default 20001")
+    judge.set_defaults(run=run_measure)
+
     demo = commands.add_parser("demo", help="the embedded scenes, start to finish, with pictures")
     demo.add_argument("--output", type=path, default="demo", metavar="DIR")
     demo.add_argument("--threads", type=threads)
@@ -157,6 +176,27 @@ def run_render(options):
     seconds = time.monotonic() - began
     count = len(drawn) * len(options.views)
     print(f"{options.folder}: {count} pictures in {seconds:.1f} s, {count / seconds:.1f} frames a second", file=sys.stderr)
+    return failures.ALL_MET
+
+
+def run_measure(options):
+    from waft.files import write_json
+    from waft.measuring import make_drifters_for, measure, table
+
+    def progress(_, text):
+        print(text, file=sys.stderr)
+
+    if options.make_drifters:
+        make_drifters_for(options.folders, options.make_drifters, options.airs, options.seed, progress)
+        return failures.ALL_MET
+    measured = measure(options.folders, options.tracks, options.drifters, options.plots)
+    if options.json == "-":
+        json.dump([one.as_json() for one in measured], sys.stdout, indent=2)
+        print()
+    else:
+        print("\n\n".join("\n".join(table(one)) for one in measured))
+        if options.json:
+            write_json(options.json, [one.as_json() for one in measured])
     return failures.ALL_MET
 
 
