@@ -15,8 +15,7 @@ START, END = 0.5, 0.8  # of a flight, not free: after the start and before the t
 SHORTEST = 2.0  # flights that are kept [s]
 NEAR_GROUND = 0.3  # a body that ends nearer to the floor has landed; others left the volume [m]
 _ARRAYS = ("Bounds", "FramesPerSecond", "NumberOfFrames", "Seeds", "SettlingSpeeds")
-_FORCES = ("NumberOfVortices", "NumberOfWinds", "VortexDiameter", "VortexLength", "VortexAcceleration", "VortexDuration",
-           "WindRadius", "WindAcceleration", "WindDuration", "WarmUpSeconds")
+RESOLUTION = 64  # voxels along the longest side
 
 
 class Drifters:
@@ -73,7 +72,7 @@ class Drifters:
                 "--drifters FILE takes it"] if words else []
 
 
-def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30.0, frames=300, airs=8, seed=20001, bodies=100,
+def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30.0, frames=300, airs=6, seed=20001, bodies=150,
                   progress=None):
     """Simulates airs of the database's kind without obstacles, traces bodies that sink at these speeds [m/s] and writes PATH."""
     from vtkmodules.vtkFiltersGeneral import vtkPassArrays
@@ -82,14 +81,11 @@ def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30
 
     content = dict(zip(_ARRAYS, (np.array(bounds, float), np.float64(rate), np.int64(frames), seed + np.arange(airs),
                                  np.array(speeds, float))))
-    like = vtkWaftSources.vtkMotionDatabaseSource()
     sides = np.array(bounds, float)[1::2] - np.array(bounds, float)[::2]
     for air in range(airs):
         smoke = vtkWaftSources.vtkGridSmokeSource()
-        for name in _FORCES:
-            getattr(smoke, f"Set{name}")(getattr(like, f"Get{name}")())
         smoke.SetBounds(list(bounds))
-        smoke.SetResolution([max(int(round(side / sides.max() * like.GetResolution())), 4) for side in sides])
+        smoke.SetResolution([max(int(round(side / sides.max() * RESOLUTION)), 4) for side in sides])
         smoke.SetFramesPerSecond(rate)
         smoke.SetNumberOfFrames(frames)
         smoke.SetNumberOfObstacles(0)

@@ -126,7 +126,7 @@ def parser():
                                                                      "come with Waft)")
     judge.add_argument("--make-drifters", type=path, metavar="FILE", help="measure nothing; simulate drifters for the volume, frame "
                                                                           "rate and settling speeds of DIR")
-    judge.add_argument("--airs", type=_whole(2, 1000), default=8, help="of --make-drifters, default 8")
+    judge.add_argument("--airs", type=_whole(2, 1000), default=6, help="of --make-drifters, default 6")
     judge.add_argument("--seed", type=seed, default=20001, help="of the first air of --make-drifters, default 20001")
     judge.set_defaults(run=run_measure)
 
