@@ -131,7 +131,7 @@ def flight(rows, ids, frames, rate):
         for row in own[rows["Kind"][own] == REST]:
             touch = int(rows["TouchDown"][row]) if rows["TouchDown"][row] >= 0 else int(rows["Frame"][row])
             until = int(rows["Until"][row])
-            flying[index, touch + 1:until if until < frames - 1 else frames] = False
+            flying[index, touch + 1 if touch > 0 else 0:until if until < frames - 1 else frames] = False
             free[index, max(touch - end, 0):until + start] = False
             if touch > 0:
                 touches.append((index, min(touch, frames - 1)))

@@ -78,7 +78,7 @@ def area(airs, others):
     guess = np.zeros(len(kind))
     for learnt, held in StratifiedGroupKFold(FOLDS, shuffle=True, random_state=0).split(values, kind, group):
         weight = np.where(kind[learnt] == 1, 0.5 / np.mean(kind[learnt]), 0.5 / np.mean(1 - kind[learnt]))
-        trees = HistGradientBoostingClassifier(random_state=0, max_iter=150, learning_rate=0.08)
+        trees = HistGradientBoostingClassifier(random_state=0, max_iter=50, learning_rate=0.1)
         with threadpool_limits(1):  # threads that wait for each other take longer than one alone
             trees.fit(values[learnt], kind[learnt], sample_weight=weight)
             guess[held] = trees.predict_proba(values[held])[:, 1]

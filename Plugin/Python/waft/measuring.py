@@ -37,7 +37,7 @@ class Row:
         """None where there is nothing to be met."""
         if math.isnan(self.value) or self.wanted == (-math.inf, math.inf):
             return None
-        return self.wanted[0] <= self.value <= self.wanted[1]
+        return bool(self.wanted[0] <= self.value <= self.wanted[1])
 
     def wanted_text(self):
         low, high = self.wanted
@@ -159,7 +159,7 @@ class _Style:
             own, theirs = (UNKNOWN, UNKNOWN), (UNKNOWN, UNKNOWN)
         else:
             own, theirs = (_flights.variances(airs, seconds) for airs in (self._airs, self._others))
-        return [Row(f"{key}life_{name[0]}", f"{text}life: variance of {name} about {about}", _ratio(mine, other), (0.7, 1.4), other,
+        return [Row(f"{key}life_{name}", f"{text}life: variance of {name} about {about}", _ratio(mine, other), (0.7, 1.4), other,
                     "no free flight")
                 for name, mine, other in zip(("velocity", "acceleration"), own, theirs)]
 
