@@ -318,6 +318,8 @@ class FolderTest(unittest.TestCase):
         for folder, wanted in ((os.path.join(WORK, "nowhere"), "no such folder"), (WORK, "optimized.vtp: missing")):
             with self.subTest(wanted), self.assertRaisesRegex(BadInput, wanted):
                 measure(folder)
+        with self.assertRaisesRegex(BadInput, "at least one folder"):
+            measure([])
         with self.assertRaisesRegex(BadInput, "flown"):
             measure(self.folder, tracks="flown")
         with self.assertRaisesRegex(BadInput, "not a file of drifters"):

@@ -12,8 +12,6 @@ BANDS = ((0.1, 0.3), (0.3, 0.6), (0.6, 1.2), (1.2, 2.4))  # Hz
 DISTANCES = np.linspace(0.15, 1.5, 10)  # ends of the bins of pairs [m]
 NEAR = 0.5  # pairs by whose differences the share along their line is judged [m]
 LEAST_PAIRS = 50  # a bin with fewer says nothing
-LEAST_STRETCH = 1.0  # of a spectrum [s]
-LONGEST_STRETCH = 5.0
 
 
 @dataclass

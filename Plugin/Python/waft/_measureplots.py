@@ -53,7 +53,7 @@ def _distribution(panel, airs, name, label, color):
 
 
 def _spectrum(panel, measured, airs, label, color):
-    for seconds in (4.0, 2.0, 1.0):
+    for seconds in (4.0, 3.0, 2.0, 1.0):
         found = [_flights.spectrum(each, seconds) for each in (measured.airs, measured.others)]
         if all(each is not None for each in found):
             frequencies, density = _flights.spectrum(airs, seconds)

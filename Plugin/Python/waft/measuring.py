@@ -17,7 +17,7 @@ MANY = 20  # objects from which figures about each frame's mean and about pairs 
 START_FRAMES = 10
 REPLAYED = (30, 90, 150)  # frames from which bodies drift on
 GRAVITY = 9.81
-LENGTHS = (5.0, 4.0, 3.0, 2.0, 1.0)  # of the pieces of a spectrum, the longest that both have [s]
+LENGTHS = (4.0, 3.0, 2.0, 1.0)  # of the pieces of a spectrum, the longest that both have [s]
 UNKNOWN = float("nan")
 
 
@@ -107,14 +107,20 @@ def measure(folders, tracks="optimized", drifters=None, plots=None, progress=Non
     return done
 
 
-def make_drifters_for(folders, path, airs, seed, progress=None):
-    """Makes a set of drifters for the settling speeds, volume and frame rate of folders."""
+def make_drifters_for(folders, path, speeds=None, airs=6, seed=20001, progress=None):
+    """Makes a set of drifters for the volume, frame rate and settling speeds of folders; without a folder for the default volume
+    and rate. speeds: instead of theirs [m/s]."""
+    if not folders:
+        if not speeds:
+            raise BadInput("drifters: expected a folder, or settling speeds")
+        make_drifters(path, speeds, airs=airs, seed=seed, progress=progress)
+        return
     runs = [read_run(folder, "planned") for folder in folders]
     first = runs[0]
     for run in runs:
         if np.any(run.bounds != first.bounds) or run.flights.rate != first.flights.rate:
             raise BadInput(f"{run.folder}: expected the volume and frame rate of {first.folder}")
-    speeds = sorted({float(slip) for run in runs for slip in run.flights.slip})
+    speeds = speeds or sorted({float(slip) for run in runs for slip in run.flights.slip})
     make_drifters(path, speeds, first.bounds.tolist(), first.flights.rate, max(run.flights.positions.shape[1] for run in runs),
                   airs, seed, progress=progress)
 
@@ -328,7 +334,7 @@ def table(measured):
     def figure(number):
         return "" if math.isnan(number) else "0" if number == 0.0 else f"{number:.3g}" if abs(number) >= 1e-3 else f"{number:.1e}"
 
-    lines = [f"{measured.name}: {measured.tracks}, {measured.objects} objects",
+    lines = [f"{measured.name}: {measured.tracks}, {measured.objects} object{'s' * (measured.objects != 1)}",
              f"{'row':<66}{'value':>9}  {'wanted':<13}{'drifters':>9}"]
     for row in measured.rows:
         lost = f"  not measured: {row.why}" if math.isnan(row.value) else "" if row.met in (True, None) else "  missed"
