@@ -75,6 +75,10 @@ def _bad_options():
             yield Case("command", f"render {option} '{value}'", make, says=(value,) if option == "--frames" else (option,))
     for folder in ("none", ".", "scene.waft.json", "f" * 5000, ""):
         yield _call(f"render '{folder[:30]}'", "render", folder)
+        yield _call(f"measure '{folder[:30]}'", "measure", folder)
+    for option, value in (("--tracks", "x"), ("--airs", "1"), ("--seed", "-1"), ("--settling-speeds", "0.5,x"),
+                          ("--settling-speeds", "-1"), ("--settling-speeds", "")):
+        yield _call(f"measure {option} '{value}'", "measure", "none", f"{option}={value}", says=(option,))
 
 
 def _in_the_way():
@@ -120,7 +124,7 @@ def _in_the_way():
 
 
 def _damaged_results():
-    """What `render` is given: results of which a file is damaged."""
+    """What `render` and `measure` are given: results of which a file is damaged."""
     names = ("poses.vtp", "objects.vtp", "shapes.vtm", "shapes/shapes_0.vtp", "obstacles.vtp", "constraints.vtp")
     damages = (("cut in half", lambda content: content[:len(content) // 2]), ("empty", lambda content: b""),
                ("junk", lambda content: b"this is junk\n"), ("gone", None))
@@ -137,6 +141,17 @@ def _damaged_results():
             # Without obstacles and wishes there is something to draw, too.
             if damage != "gone" or name not in ("obstacles.vtp", "constraints.vtp"):
                 yield Case("command", f"render with {name} {damage}", make, says=(pathlib.Path(name).name,))
+
+    for damage, change in damages:
+        def judge(folder, results, change=change):
+            shutil.copytree(results, folder / "r")
+            path = folder / "r" / "optimized.vtp"
+            if change is None:
+                path.unlink()
+            else:
+                path.write_bytes(change(path.read_bytes()))
+            return ["measure", "r"]
+        yield Case("command", f"measure with optimized.vtp {damage}", judge, says=("optimized.vtp",))
 
     def beyond(folder, results):
         from good_files import vtp

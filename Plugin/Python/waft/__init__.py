@@ -17,7 +17,8 @@ load_plugin()
 # Before the first object of a class is seen from Python: what has no class then keeps that of its nearest base.
 from waft import vtkWaftFilters, vtkWaftSources  # noqa: E402, F401
 from waft.failures import BadInput, WaftError  # noqa: E402
+from waft.measuring import measure  # noqa: E402
 from waft.synthesis import synthesize  # noqa: E402
 
 __version__ = version()
-__all__ = ["BadInput", "WaftError", "data_file", "load_plugin", "synthesize", "version"]
+__all__ = ["BadInput", "WaftError", "data_file", "load_plugin", "measure", "synthesize", "version"]

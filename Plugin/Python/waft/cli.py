@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command `waft`."""
 import argparse
+import json
 import os
 import sys
 import time
@@ -15,6 +16,9 @@ be met (named in constraints.csv and below), all others are; 4 stopped early, be
 DATABASE_EXIT = """exit status: 0 done; 2 malformed usage, nothing computed; 4 stopped early, the database of the
 simulations that are whole written (nothing when there is none); 1 anything else. FILE.coverage.csv tells what
 each simulation added"""
+
+MEASURE_EXIT = """exit status: 0 measured, whatever the figures; 2 malformed usage or a folder without the results that are
+needed; 1 anything else"""
 
 
 def _argument(kind, expected, accepts):
@@ -42,6 +46,10 @@ def _views(text):
     return tuple(text.split(","))
 
 
+def _speeds(text):
+    return [float(speed) for speed in text.split(",")]
+
+
 def _whole(first, last):
     return _argument(int, f"a whole number from {first} to {last}", lambda n: first <= n <= last)
 
@@ -60,6 +68,7 @@ opacity = _argument(float, "a number from 0 to 1", lambda x: 0.0 <= x <= 1.0)
 share = _argument(float, "a share above 0, at most 1", lambda x: 0.0 < x <= 1.0)
 size = _argument(_size, "WxH such as 1280x720, each from 16 to 16384", lambda s: all(16 <= n <= 16384 for n in s))
 
+speeds = _argument(_speeds, "speeds from 0 to 20 m/s with commas between", lambda all_: all(0.0 <= v <= 20.0 for v in all_))
 views = _argument(_views, "names of side, top and follow with commas between",
                   lambda names: len(set(names)) == len(names) and all(name in VIEWS for name in names))
 
@@ -114,6 +123,23 @@ def parser():
                       help="0 to 1; default 1, and little where obstacles hide what flies")
     show.set_defaults(run=run_render)
 
+    judge = commands.add_parser("measure", help="how good a motion is, from the files of results alone", epilog=MEASURE_EXIT)
+    judge.add_argument("folders", type=path, nargs="*", metavar="DIR", help="what synthesize wrote; several are pooled, too")
+    judge.add_argument("--tracks", choices=("optimized", "planned", "poses"), default="optimized",
+                       help="the motion, DIR/TRACKS.vtp; default optimized")
+    judge.add_argument("--json", type=path, nargs="?", const="-", metavar="FILE", help="the rows as JSON; without FILE on stdout, "
+                                                                                      "instead of the table")
+    judge.add_argument("--plots", type=path, metavar="FOLDER", help="a picture of each beside the drifters'; needs matplotlib")
+    judge.add_argument("--drifters", type=path, metavar="FILE", help="the bodies in free air to measure by (default: those that "
+                                                                     "come with Waft)")
+    judge.add_argument("--make-drifters", type=path, metavar="FILE", help="measure nothing; simulate drifters for the volume, frame "
+                                                                          "rate and settling speeds of DIR")
+    judge.add_argument("--settling-speeds", type=speeds, metavar="V,V", help="of --make-drifters, instead of those of DIR [m/s]; DIR "
+                                                                             "may then be left out")
+    judge.add_argument("--airs", type=_whole(2, 1000), default=6, help="of --make-drifters, default 6")
+    judge.add_argument("--seed", type=seed, default=20001, help="of the first air of --make-drifters, default 20001")
+    judge.set_defaults(run=run_measure)
+
     demo = commands.add_parser("demo", help="the embedded scenes, start to finish, with pictures")
     demo.add_argument("--output", type=path, default="demo", metavar="DIR")
     demo.add_argument("--threads", type=threads)
@@ -160,6 +186,25 @@ def run_render(options):
     seconds = time.monotonic() - began
     count = len(drawn) * len(options.views)
     print(f"{options.folder}: {count} pictures in {seconds:.1f} s, {count / seconds:.1f} frames a second", file=sys.stderr)
+    return failures.ALL_MET
+
+
+def run_measure(options):
+    from waft.files import write_json
+    from waft.measuring import make_drifters_for, measure, table
+
+    if options.make_drifters:
+        make_drifters_for(options.folders, options.make_drifters, options.settling_speeds, options.airs, options.seed,
+                          progress=lambda _, text: print(text, file=sys.stderr))
+        return failures.ALL_MET
+    measured = measure(options.folders, options.tracks, options.drifters, options.plots)
+    if options.json == "-":
+        json.dump([one.as_json() for one in measured], sys.stdout, indent=2)
+        print()
+    else:
+        print("\n\n".join("\n".join(table(one)) for one in measured))
+        if options.json:
+            write_json(options.json, [one.as_json() for one in measured])
     return failures.ALL_MET
 
 

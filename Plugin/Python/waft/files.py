@@ -47,12 +47,12 @@ def write_xml(data, path):
         vtkObject.SetGlobalWarningDisplay(is_loud)
     parts = path.with_suffix("").iterdir() if path.suffix == ".vtm" and path.with_suffix("").is_dir() else ()
     for file in (path, *parts):
-        if writer.GetErrorCode() or not _is_whole(file):
+        if writer.GetErrorCode() or not is_whole(file):
             code = writer.GetErrorCode()  # of the system; from 20000 on VTK's own, which say no more than that it failed
             raise OSError(f"{file}: could not be written: {os.strerror(code if 0 < code < 20000 else errno.EIO)}")
 
 
-def _is_whole(path):
+def is_whole(path):
     """Whether a VTK XML file ends as one."""
     if not path.is_file():
         return False

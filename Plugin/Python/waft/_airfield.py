@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The air of a result folder (air.pvd): its velocity anywhere, and bodies that drift in it."""
+import os
+import pathlib
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+
+from waft._drifters import END, NEAR_GROUND, START
+from waft._flights import Flights, rms
+from waft.failures import BadInput
+from waft.files import is_whole
+
+WITNESSES = 200
+AWAY = 0.3  # from every object, where a witness is let go [m]
+
+
+class AirField:
+    """Velocity [m/s] and the common wind's force [m/s^2] (None without one) [step, k, j, i, 3] on a lattice; linear between its
+    points and steps, that of the outermost point outside."""
+
+    def __init__(self, times, velocity, wind, origin, spacing):
+        self.times, self.velocity, self.wind = np.asarray(times, float), velocity, wind
+        self.origin, self.spacing = np.asarray(origin, float), np.asarray(spacing, float)
+
+    def at(self, places, time):
+        """Velocity at places [n, 3] at one time [s]."""
+        step = float(np.clip(np.interp(time, self.times, np.arange(len(self.times))), 0, len(self.times) - 1))
+        before = min(int(step), max(len(self.times) - 2, 0))
+        after = min(before + 1, len(self.times) - 1)
+        share = step - before
+        return (1.0 - share) * self._in(self.velocity[before], places) + share * self._in(self.velocity[after], places)
+
+    def _in(self, field, places):
+        last = np.array(field.shape[2::-1]) - 1
+        where = np.clip((places - self.origin) / self.spacing, 0.0, last)
+        low = np.minimum(where.astype(int), np.maximum(last - 1, 0))
+        part = where - low
+        high = np.minimum(low + 1, last)
+        total = 0.0
+        for corner in range(8):
+            bits = [(corner >> axis) & 1 for axis in range(3)]
+            i, j, k = (high[:, axis] if bit else low[:, axis] for axis, bit in enumerate(bits))
+            weight = np.prod([part[:, axis] if bit else 1.0 - part[:, axis] for axis, bit in enumerate(bits)], axis=0)
+            total = total + weight[:, None] * field[k, j, i]
+        return total
+
+    def drift(self, places, slip, first, frames, rate):
+        """Places [body, frame, 3] of bodies that are let go at the frame first and sink, by Runge-Kutta steps of fourth order."""
+        path = np.empty((len(places), frames, 3))
+        path[:, 0] = places
+        fall = np.zeros((len(places), 3))
+        fall[:, 2] = slip
+        dt = 1.0 / rate
+        for frame in range(frames - 1):
+            x, t = path[:, frame], (first + frame) * dt
+            k1 = self.at(x, t) - fall
+            k2 = self.at(x + 0.5 * dt * k1, t + 0.5 * dt) - fall
+            k3 = self.at(x + 0.5 * dt * k2, t + 0.5 * dt) - fall
+            k4 = self.at(x + dt * k3, t + dt) - fall
+            path[:, frame + 1] = x + dt / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
+        return path
+
+    def witnesses(self, flights, bounds):
+        """Flights of passive bodies that are let go at the start where no object is."""
+        random = np.random.RandomState(1)
+        low, high = bounds[::2], bounds[1::2]
+        tried = low + random.random_sample((10 * WITNESSES, 3)) * (high - low)
+        apart = np.min(np.linalg.norm(tried[:, None] - flights.positions[None, :, 0], axis=2), axis=1)
+        chosen = np.argsort(apart < AWAY, kind="stable")[:WITNESSES]
+        slip = np.sort(flights.slip)[np.arange(len(chosen)) * len(flights.slip) // len(chosen)]
+        path = self.drift(tried[chosen], slip, 0, flights.positions.shape[1], flights.rate)
+        out = np.cumsum(np.any((path < low) | (path > high), axis=2), axis=1) > 0
+        free = ~out
+        free[:, :int(np.ceil(START * flights.rate))] = False
+        for body in np.flatnonzero(out.any(axis=1)):
+            end = int(np.argmax(out[body]))
+            if path[body, max(end - 1, 0), 2] - low[2] < NEAR_GROUND:
+                free[body, max(end - int(np.ceil(END * flights.rate)), 0):] = False
+        path[out] = np.nan
+        return Flights(path, flights.rate, ~out, free, slip)
+
+    def wind_share(self, every=10):
+        """Rms of the common wind's force over that of the acceleration that the air has of its own, Dv/Dt less the wind's; NaN
+        without a wind."""
+        if self.wind is None or len(self.times) < 3:
+            return float("nan")
+        force, own = [], []
+        for step in range(1, len(self.times) - 1, every):
+            v = self.velocity[step].astype(float)
+            change = (self.velocity[step + 1].astype(float) - self.velocity[step - 1]) / (self.times[step + 1] - self.times[step - 1])
+            for axis, component in ((2, 0), (1, 1), (0, 2)):
+                if v.shape[axis] > 1:
+                    change = change + v[..., component:component + 1] * np.gradient(v, self.spacing[component], axis=axis)
+            wind = self.wind[step].astype(float)
+            force.append(rms(wind.reshape(-1, 3)) ** 2)
+            own.append(rms((change - wind).reshape(-1, 3)) ** 2)
+        return float(np.sqrt(np.mean(force) / np.mean(own))) if np.mean(own) > 0.0 else float("nan")
+
+
+def read_air(folder):
+    """The AirField of a folder, None without air.pvd; raises BadInput that names the file and the lack."""
+    series = os.path.join(folder, "air.pvd")
+    if not os.path.isfile(series):
+        return None
+    try:
+        steps = sorted((float(step.get("timestep")), step.get("file")) for step in ElementTree.parse(series).iter("DataSet"))
+        steps = [(time, os.path.join(folder, name)) for time, name in steps]
+    except (ElementTree.ParseError, TypeError, ValueError, OSError) as error:
+        raise BadInput(f"{series}: not a collection with a timestep and a file each: {error}") from error
+    if not steps:
+        raise BadInput(f"{series}: expected a file for each frame, found none")
+    velocity = wind = shape = frame_of = None
+    for index, (_, path) in enumerate(steps):
+        image, fields = _image(path)
+        if shape is None:
+            shape, frame_of = fields["Velocity"].shape, (image.GetOrigin(), image.GetSpacing())
+            velocity = np.empty((len(steps), *shape), np.float32)
+            wind = np.empty_like(velocity) if "Wind" in fields else None
+        if fields["Velocity"].shape != shape or (wind is not None and "Wind" not in fields):
+            raise BadInput(f"{path}: expected the lattice and arrays of the first frame")
+        velocity[index] = fields["Velocity"]
+        if wind is not None:
+            wind[index] = fields["Wind"]
+    return AirField([time for time, _ in steps], velocity, wind, *frame_of)
+
+
+def _image(path):
+    if not is_whole(pathlib.Path(path)):
+        raise BadInput(f"{path}: expected an image that is whole")
+    reader = vtkXMLImageDataReader()
+    reader.SetFileName(path)
+    is_loud = vtkObject.GetGlobalWarningDisplay()
+    vtkObject.SetGlobalWarningDisplay(0)
+    try:
+        reader.Update()
+    finally:
+        vtkObject.SetGlobalWarningDisplay(is_loud)
+    image = reader.GetOutput()
+    shape = image.GetDimensions()[::-1]
+    fields = {}
+    for name in ("Velocity", "Wind"):
+        array = image.GetPointData().GetArray(name)
+        if array is not None and array.GetNumberOfComponents() == 3 and array.GetNumberOfTuples() == np.prod(shape) > 0:
+            fields[name] = vtk_to_numpy(array).reshape(*shape, 3)
+    if "Velocity" not in fields or not np.isfinite(fields["Velocity"]).all():
+        raise BadInput(f"{path}: expected an image with the point data Velocity, three finite numbers each")
+    return image, fields

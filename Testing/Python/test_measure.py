@@ -1,0 +1,337 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`waft measure`: its definitions on tracks whose figures are known, the command on a small folder, bad input.
+
+    pvpython test_measure.py WORK_FOLDER"""
+import contextlib
+import io
+import json
+import math
+import os
+import shutil
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import numpy as np  # noqa: E402
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData  # noqa: E402
+
+import sample_folder  # noqa: E402
+
+from waft import _flights, _telling, cli, measure  # noqa: E402
+from waft._airfield import AirField  # noqa: E402
+from waft._drifters import QUANTUM, Drifters, _decoded, _encoded, make_drifters  # noqa: E402
+from waft._flights import Flights  # noqa: E402
+from waft._runs import flight, read_run  # noqa: E402
+from waft.failures import BadInput  # noqa: E402
+from waft.files import write_pvd, write_xml  # noqa: E402
+from waft.measuring import _control, _lacking, table  # noqa: E402
+
+WORK = sys.argv[1]
+RATE = 30.0
+FRAMES = 90
+COUNT = 24
+BOUNDS = (-2.0, 2.0, -2.0, 2.0, 0.0, 4.0)
+SLIP = 0.2
+SPIN = 0.8  # of the air about the volume's middle [rad/s]
+
+
+def flights(positions, slip=0.0):
+    everywhere = np.ones(positions.shape[:2], bool)
+    return Flights(positions, RATE, everywhere, everywhere, np.full(len(positions), slip))
+
+
+def places(count, seed=3):
+    return np.array([0.0, 0.0, 2.0]) + 2.4 * (np.random.RandomState(seed).random_sample((count, 3)) - 0.5)
+
+
+def waves(count, frequency, amplitude=0.1, frames=300, seed=0):
+    """Bodies that swing along x, each with a phase of its own."""
+    random = np.random.RandomState(seed)
+    time = np.arange(frames) / RATE
+    positions = np.repeat(places(count, seed)[:, None], frames, axis=1)
+    phase = 2.0 * np.pi * random.random_sample((count, 1))
+    positions[..., 0] += amplitude * np.sin(2.0 * np.pi * frequency * time + phase)
+    return positions
+
+
+def turning_air(frames=FRAMES, nodes=9):
+    """Solid rotation about the vertical axis, which a trilinear lattice holds exactly."""
+    axis = np.linspace(-2.0, 2.0, nodes)
+    z, y, x = np.meshgrid(np.linspace(0.0, 4.0, nodes), axis, axis, indexing="ij")
+    one = np.stack([-SPIN * y, SPIN * x, 0.0 * z], axis=-1)
+    spacing = np.full(3, 4.0 / (nodes - 1))
+    return AirField(np.arange(frames) / RATE, np.repeat(one[None], frames, axis=0), None, [-2.0, -2.0, 0.0], spacing)
+
+
+def write_folder(folder, positions, slip=SLIP, air=None, rest=None):
+    """What `waft measure` reads of a result: rest is the frame from which all lie."""
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
+    count, frames = positions.shape[:2]
+    tracks = sample_folder._vertices(positions.reshape(-1, 3))
+    tracks.SetVerts(vtkCellArray())
+    cells = vtkCellArray()
+    for i in range(count):
+        cells.InsertNextCell(frames)
+        for k in range(frames):
+            cells.InsertCellPoint(i * frames + k)
+    tracks.SetLines(cells)
+    sample_folder.add(tracks.GetCellData(), "ObjectId", np.arange(count), np.int32)
+    sample_folder.add(tracks.GetFieldData(), "Bounds", [[value] for value in BOUNDS])
+    sample_folder.add(tracks.GetFieldData(), "FramesPerSecond", [RATE])
+    for name in ("optimized", "planned"):
+        write_xml(tracks, os.path.join(folder, f"{name}.vtp"))
+    objects = sample_folder._vertices(positions[:, 0])
+    sample_folder.add(objects.GetPointData(), "ObjectId", np.arange(count), np.int32)
+    sample_folder.add(objects.GetPointData(), "SettlingSpeed", np.full(count, slip))
+    write_xml(objects, os.path.join(folder, "objects.vtp"))
+    if rest is not None:
+        rows = sample_folder._vertices(positions[:, rest])
+        columns = rows.GetPointData()
+        for name, value, kind in (("Frame", rest, np.int32), ("Kind", 4, np.uint8), ("Until", frames - 1, np.int32),
+                                  ("Radius", 0.0, float)):
+            sample_folder.add(columns, name, np.full(count, value), kind)
+        sample_folder.add(columns, "ObjectId", np.arange(count), np.int32)
+        sample_folder.add(columns, "Value", np.pad(positions[:, rest], ((0, 0), (0, 1))))
+        write_xml(rows, os.path.join(folder, "constraints.vtp"))
+    if air is not None:
+        os.makedirs(os.path.join(folder, "air"))
+        entries = []
+        for step, time in enumerate(air.times):
+            image = vtkImageData()
+            image.SetDimensions(air.velocity.shape[3:0:-1])
+            image.SetOrigin(air.origin)
+            image.SetSpacing(air.spacing)
+            sample_folder.add(image.GetPointData(), "Velocity", air.velocity[step].reshape(-1, 3), np.float32)
+            sample_folder.add(image.GetPointData(), "Wind", 0.0 * air.velocity[step].reshape(-1, 3), np.float32)
+            entries.append((float(time), f"air/air_{step:04d}.vti"))
+            write_xml(image, os.path.join(folder, entries[-1][1]))
+        write_pvd(os.path.join(folder, "air.pvd"), entries)
+    return folder
+
+
+class DefinitionTest(unittest.TestCase):
+    def test_straight_lines_have_no_life(self):
+        time = np.arange(FRAMES) / RATE
+        moved = flights(places(COUNT)[:, None] + time[None, :, None] * np.array([0.4, 0.1, -0.3]))
+        velocity, acceleration = _flights.variances([moved])
+        self.assertLess(velocity, 1e-20)
+        self.assertLess(acceleration, 1e-16)
+        self.assertLess(_flights.band_energies([moved], 2.0).max(), 1e-20)
+
+    def test_variances_are_those_of_the_formula(self):
+        w = 2.0 * math.pi * 0.9
+        moved = flights(waves(400, 0.9))
+        velocity, acceleration = _flights.variances([moved])
+        self.assertAlmostEqual(velocity / (0.5 * (0.1 * w) ** 2), 1.0, delta=0.02)
+        self.assertAlmostEqual(acceleration / (0.5 * (0.1 * w * w) ** 2), 1.0, delta=0.02)
+        own = _flights.variances([flights(waves(1, 0.9))], 10.0)[0]  # nine whole waves
+        self.assertAlmostEqual(own / (0.5 * (0.1 * w) ** 2), 1.0, delta=0.03)
+
+    def test_the_mean_of_a_frame_is_no_life(self):
+        one = waves(1, 0.5)
+        together = flights(one + places(COUNT, 5)[:, None])
+        self.assertLess(_flights.variances([together])[0], 1e-20)
+        self.assertGreater(_flights.variances([together], 4.0)[0], 0.01)
+
+    def test_a_wave_has_its_energy_in_its_band(self):
+        for band, frequency in enumerate((0.2, 0.45, 0.9, 1.8)):
+            energies = _flights.band_energies([flights(waves(20, frequency))], 5.0)
+            self.assertEqual(int(np.argmax(energies)), band)
+            if band:
+                self.assertAlmostEqual(energies.sum() / (0.5 * (0.2 * math.pi * frequency) ** 2), 1.0, delta=0.12)
+
+    def test_s2_of_strangers_is_one_and_of_a_linear_flow_grows_with_the_distance(self):
+        random = np.random.RandomState(1)
+        position = np.repeat(places(300)[:, None], 5, axis=1) + random.normal(0.0, 0.01, (300, 5, 3))
+        values, along = _flights.structure([flights(position)], every=1)
+        self.assertLess(np.nanmax(np.abs(values - 1.0)), 0.1)
+        self.assertAlmostEqual(along, 1.0, delta=0.15)
+        path = turning_air(20).drift(places(300), np.zeros(300), 0, 20, RATE)
+        values, along = _flights.structure([flights(path)])
+        self.assertTrue(np.all(np.diff(values) > 0.0))
+        self.assertLess(along, 1e-3)  # a solid body does not stretch
+
+    def test_a_passive_body_has_no_private_hand(self):
+        air = turning_air()
+        path = air.drift(places(COUNT), np.full(COUNT, SLIP), 0, FRAMES, RATE)
+        moved = flights(path, SLIP)
+        self.assertLess(np.abs(_control(moved, air)[moved.inside]).max(), 2e-4)
+        radius = np.hypot(path[:, 0, 0], path[:, 0, 1])
+        self.assertLess(np.abs(np.hypot(path[:, -1, 0], path[:, -1, 1]) - radius).max(), 1e-6)
+        pushed = path + 0.1 * np.arange(FRAMES)[None, :, None] / RATE * np.array([0.0, 0.0, 1.0])
+        control = _control(flights(pushed, SLIP), air)[:, 1:-1]
+        self.assertLess(np.abs(control - [0.0, 0.0, 0.1]).max(), 1e-3)
+
+    def test_the_hidden_hand_is_what_the_air_does_not_give(self):
+        class Run:
+            inertia = False
+            flights = None
+            arrays = {}
+
+        time = np.arange(FRAMES) / RATE
+        position = np.zeros((1, FRAMES, 3))
+        position[0, :, 0] = 0.5 * 0.3 * time**2
+        Run.flights = flights(position, SLIP)
+        air = np.zeros_like(position)
+        air[0, :, 0] = 0.2 * time
+        Run.arrays = {"AirVelocity": air}
+        self.assertTrue(np.allclose(_lacking(Run)[0, 2:-2], [0.1, 0.0, 0.0]))
+        Run.inertia = True  # v' = k (U - v) - g e_z
+        self.assertTrue(np.allclose(_lacking(Run)[0, 2:-2, 2], 9.81))
+
+    def test_flight(self):
+        rows = {"ObjectId": np.array([0, 0, 1, 2]), "Frame": np.array([60, 30, 0, 50]), "Kind": np.array([4, 0, 4, 4]),
+                "Until": np.array([89, 30, 20, 89]), "TouchDown": np.array([-1, -1, -1, 40])}
+        flying, free, touches = flight(rows, np.arange(3), FRAMES, RATE)
+        self.assertEqual([list(np.flatnonzero(row)[[0, -1]]) for row in flying], [[0, 60], [20, 89], [0, 40]])
+        self.assertEqual(list(np.flatnonzero(free[0])), [*range(15, 22)])
+        self.assertEqual(list(np.flatnonzero(free[1])), [*range(35, 90)])
+        self.assertEqual(list(np.flatnonzero(free[2])), [15])
+        self.assertEqual(touches, [(0, 60), (2, 40)])
+
+    @unittest.skipUnless(_telling.is_there(), "scikit-learn is not installed")
+    def test_told_apart(self):
+        one, same, other = (flights(waves(24, f, seed=s)) for f, s in ((0.5, 1), (0.5, 2), (1.2, 3)))
+        self.assertLess(_telling.area([one], [same]), 0.7)
+        self.assertGreater(_telling.area([one], [other]), 0.95)
+
+    def test_a_steady_drift_changes_no_feature(self):
+        still = waves(6, 0.7)
+        carried = still + np.arange(300)[None, :, None] / RATE * np.array([0.6, -0.2, 0.1])
+        self.assertLess(np.abs(_telling.windows([flights(still)])[0] - _telling.windows([flights(carried)])[0]).max(), 1e-6)
+
+    def test_drifters_come_back_from_their_file(self):
+        path = waves(3, 0.8)
+        back = _decoded(_encoded(list(path), 0, 0), 0, 0)
+        self.assertLess(max(np.abs(a - b).max() for a, b in zip(path, back)), 0.51 * QUANTUM)
+
+    def test_drifters_are_made(self):
+        path = os.path.join(WORK, "made.npz")
+        os.makedirs(WORK, exist_ok=True)
+        import waft._drifters as module
+
+        kept, module.RESOLUTION = module.RESOLUTION, 16
+        try:
+            make_drifters(path, [0.1], frames=80, airs=2, bodies=10)
+        finally:
+            module.RESOLUTION = kept
+        made = Drifters(path).airs([0.1])
+        self.assertEqual(len(made), 2)
+        self.assertGreater(_flights.variances(made)[0], 0.01)
+        self.assertEqual(os.listdir(WORK).count("made.npz.part"), 0)
+
+
+class FolderTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.air = turning_air()
+        cls.path = cls.air.drift(places(COUNT), np.full(COUNT, SLIP), 0, FRAMES, RATE)
+        cls.folder = write_folder(os.path.join(WORK, "passive"), cls.path, air=cls.air)
+
+    def test_a_passive_motion(self):
+        measured = measure(self.folder)[0]
+        self.assertEqual(measured.objects, COUNT)
+        self.assertLess(measured["private_hand"].value, 1e-3)
+        self.assertLess(measured["replay"].value, 1e-3)
+        self.assertTrue(measured["private_hand"].met)
+        self.assertEqual(measured["witnesses_wind"].value, 0.0)
+        self.assertLess(measured["one_air_along"].value, 1e-2)
+        self.assertTrue(math.isnan(measured["hidden_hand_gas"].value))
+        self.assertIn("particles.pvd", measured["hidden_hand_gas"].why)
+        text = "\n".join(table(measured))
+        self.assertIn("not measured: no particles.pvd", text)
+
+    def test_a_landing(self):
+        path = np.repeat(places(COUNT)[:, None], FRAMES, axis=1)
+        fall = np.minimum(np.arange(FRAMES), 60) / RATE * 0.5
+        path[..., 2] = 1.0 - fall
+        folder = write_folder(os.path.join(WORK, "landing"), path, slip=0.4, rest=60)
+        measured = measure(folder)[0]
+        self.assertAlmostEqual(measured["landing"].value, 1.25, places=6)
+        self.assertEqual(measured["landing_times"].value, 0.0)
+        self.assertEqual(measured["exact"].value, 0.0)
+        self.assertFalse(measured["landing"].met)
+
+    def test_few_objects_are_measured_over_time_and_pooled(self):
+        folders = [write_folder(os.path.join(WORK, f"seed{seed}"), waves(2, 0.5, seed=seed)) for seed in range(3)]
+        measured = measure(folders)
+        self.assertEqual([one.name for one in measured], [*folders, "pooled"])
+        self.assertGreater(measured[-1]["life_velocity"].value, 0.0)
+        self.assertIn("its own mean", measured[-1]["life_velocity"].text)
+        self.assertTrue(math.isnan(measured[-1]["one_air"].value))
+
+    def test_the_command(self):
+        out, err = io.StringIO(), io.StringIO()
+        file = os.path.join(WORK, "rows.json")
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            self.assertEqual(cli.main(["measure", self.folder, "--json", file]), 0)
+        self.assertIn("private hand", out.getvalue())
+        with open(file, encoding="utf-8") as stream:
+            rows = {row["key"]: row for row in json.load(stream)[0]["rows"]}
+        self.assertTrue(rows["private_hand"]["met"])
+        self.assertIsNone(rows["hidden_hand_gas"]["value"])
+        out = io.StringIO()
+        with contextlib.redirect_stdout(out):
+            self.assertEqual(cli.main(["measure", self.folder, "--tracks", "planned", "--json"]), 0)
+        self.assertEqual(json.loads(out.getvalue())[0]["tracks"], "planned")
+
+    def test_plots(self):
+        plots = os.path.join(WORK, "plots")
+        measured = measure(self.folder, plots=plots)[0]
+        if not any("matplotlib" in note for note in measured.notes):
+            with open(os.path.join(plots, "passive-optimized.png"), "rb") as stream:
+                self.assertEqual(stream.read(4), b"\x89PNG")
+
+    def test_bad_input_is_named(self):
+        def cut(name):
+            def damage(folder):
+                path = os.path.join(folder, name)
+                os.truncate(path, os.path.getsize(path) // 2)
+            return damage
+
+        def lose(name):
+            return lambda folder: os.remove(os.path.join(folder, name))
+
+        def empty(folder):
+            data = sample_folder._vertices(np.zeros((0, 3)))
+            write_xml(data, os.path.join(folder, "optimized.vtp"))
+
+        def spoil(folder):
+            with open(os.path.join(folder, "air.pvd"), "w", encoding="utf-8") as file:
+                file.write("junk")
+
+        cases = ((cut("optimized.vtp"), "optimized.vtp"), (lose("optimized.vtp"), "optimized.vtp: missing"),
+                 (lose("objects.vtp"), "objects.vtp: missing"), (empty, "optimized.vtp: expected one polyline per object"),
+                 (spoil, "air.pvd: not a collection"), (cut("air/air_0003.vti"), "air_0003.vti"),
+                 (lose("air/air_0004.vti"), "air_0004.vti"), (cut("objects.vtp"), "objects.vtp"))
+        for number, (damage, wanted) in enumerate(cases):
+            folder = os.path.join(WORK, f"damaged{number}")
+            shutil.rmtree(folder, ignore_errors=True)
+            shutil.copytree(self.folder, folder)
+            damage(folder)
+            words = io.StringIO()
+            with self.subTest(wanted), contextlib.redirect_stderr(words):
+                self.assertEqual(cli.main(["measure", folder]), 2)
+                self.assertIn(wanted, words.getvalue())
+                self.assertEqual(words.getvalue().strip().count("\n"), 0)
+        for folder, wanted in ((os.path.join(WORK, "nowhere"), "no such folder"), (WORK, "optimized.vtp: missing")):
+            with self.subTest(wanted), self.assertRaisesRegex(BadInput, wanted):
+                measure(folder)
+        with self.assertRaisesRegex(BadInput, "at least one folder"):
+            measure([])
+        with self.assertRaisesRegex(BadInput, "flown"):
+            measure(self.folder, tracks="flown")
+        with self.assertRaisesRegex(BadInput, "not a file of drifters"):
+            measure(self.folder, drifters=os.path.join(self.folder, "optimized.vtp"))
+
+    def test_the_folder_is_read(self):
+        run = read_run(self.folder)
+        self.assertTrue(np.array_equal(run.flights.positions, self.path))
+        self.assertEqual(run.width, 4.0)
+
+
+if __name__ == "__main__":
+    done = unittest.main(argv=sys.argv[:1], exit=False)
+    sys.stdout.flush()
+    os._exit(0 if done.result.wasSuccessful() else 1)
