@@ -5,6 +5,7 @@
 #include "Air/AirSymmetry.h"
 #include "Air/DriftContacts.h"
 #include "Air/Drifter.h"
+#include "Base/Random.h"
 #include "Constraints/ConstraintCheck.h"
 #include "Grid/SmokeEnsemble.h"
 
@@ -26,10 +27,14 @@ constexpr int TrialIterations = 20;   // of a candidate
 constexpr std::size_t TrialObjects = 48;
 constexpr double SteeringRate = 6.0;   // 1/s
 constexpr double EnoughControl = 0.05; // of the bodies' motion
-constexpr double DrawEnd = 0.25;       // of a run, about
+constexpr int HarderPushes = 3;
+constexpr int Draws = 7;
+constexpr int CoarseVoxels = 16;
+constexpr double DrawsEnd = 0.03;
+constexpr double DrawEnd = 0.25; // of a run, about
 constexpr double DriftEnd = 0.4;
-constexpr int WindStride = 3; // frames between samples of the common wind
-constexpr std::uint64_t SeedOffset = 0x41697244726177ull; // apart from the seeds of databases
+constexpr int WindStride = 3;                 // frames between samples of the common wind
+constexpr std::uint64_t AirStream = 0x616972; // of random numbers, apart from all others of a seed
 
 Result CheckInput(const AssimilationInput& input)
 {
@@ -211,7 +216,7 @@ private:
     return false;
   }
 
-  SmokeForces ForcesOf(std::uint64_t seed) const
+  Result ForcesOf(std::uint64_t seed, SmokeForces& forces) const
   {
     EnsembleOptions options;
     options.Seed = seed;
@@ -222,26 +227,67 @@ private:
     options.NumberOfObstacles = 0;
     options.NumberOfEmitters = 0;
     Ensemble ensemble;
-    (void)MakeEnsemble(options, ensemble);
-    SmokeForces forces = ensemble.Forces;
+    WAFT_RETURN_IF_FAILED(MakeEnsemble(options, ensemble));
+    forces = ensemble.Forces;
     forces.Vortices.insert(forces.Vortices.end(), this->Input.Vortices.begin(),
                            this->Input.Vortices.end());
     forces.Wind = this->Input.Wind;
-    return forces;
+    return Result::Ok();
+  }
+
+  // Of several draws the one whose air is of middling strength, by coarse simulations.
+  Result DrawForces()
+  {
+    AirScene coarse = this->Scene;
+    coarse.Solids = {};
+    coarse.LatticeDimensions.fill(CoarseVoxels);
+    for (int& voxels : coarse.Smoke.Resolution)
+    {
+      voxels = std::max(4, voxels * CoarseVoxels / this->Options.Resolution);
+    }
+    Random random(this->Input.Scene.Seed, AirStream);
+    std::vector<std::pair<double, std::uint32_t>> draws;
+    for (int k = 0; k < Draws; ++k)
+    {
+      const std::uint32_t seed = random.Bits();
+      WAFT_RETURN_IF_FAILED(this->ForcesOf(seed, coarse.Forces));
+      PartMonitor monitor(this->Caller, DrawsEnd * k / Draws, DrawsEnd * (k + 1) / Draws,
+                          "Drawing the forces of the air");
+      FieldSeries air, none;
+      const Result simulated = SimulateAir(coarse, {}, this->Parallel, monitor, air, none);
+      if (!simulated || simulated.IsStopped())
+      {
+        return simulated;
+      }
+      double sum = 0.0;
+      for (const auto& field : air.Values)
+      {
+        for (const std::array<float, 3>& v : field)
+        {
+          sum += Vec3(v[0], v[1], v[2]).squaredNorm();
+        }
+      }
+      draws.emplace_back(sum, seed);
+    }
+    std::sort(draws.begin(), draws.end());
+    return this->ForcesOf(draws[Draws / 2].second, this->Scene.Forces);
   }
 
   Result Draw()
   {
-    const std::uint64_t seed = this->Input.Scene.Seed + SeedOffset;
-    this->Scene.Forces = this->ForcesOf(seed);
+    const Result drawn = this->DrawForces();
+    if (!drawn || drawn.IsStopped())
+    {
+      return drawn;
+    }
     FieldSeries none;
-    PartMonitor monitor(this->Caller, 0.0, DrawEnd, "Drawing the air");
+    PartMonitor monitor(this->Caller, DrawsEnd, DrawEnd, "Drawing the air");
     const Result simulated = SimulateAir(this->Scene, {}, this->Parallel, monitor, this->Air, none);
     if (!simulated || simulated.IsStopped())
     {
       return simulated;
     }
-    const FieldSeries drawn = this->Air;
+    const FieldSeries first = this->Air;
     double least = 1e300;
     AirSymmetry best;
     int tried = 0;
@@ -251,7 +297,7 @@ private:
       {
         break;
       }
-      this->Air = Image(symmetry, drawn);
+      this->Air = Image(symmetry, first);
       const double control = this->TrialControl();
       AssimilationRound row;
       row.Stage = "draw";
@@ -265,7 +311,7 @@ private:
         best = symmetry;
       }
     }
-    this->Air = Image(best, drawn);
+    this->Air = Image(best, first);
     this->Scene.Forces = Image(best, this->Input.Scene.Bounds, this->Scene.Forces);
     this->Candidate = best.Text();
     return Result::Ok();
@@ -474,6 +520,20 @@ private:
     return Result::Ok();
   }
 
+  // What keeps too near to something is pushed harder first; only what that does not help is moved
+  // out of the way without a look at the air.
+  bool FinishPath(std::size_t o, const AirSampler& air)
+  {
+    const Drifter& drifter = this->Drifters[o];
+    DriftWeights weights = this->Weights();
+    for (int k = 0; k < HarderPushes && !drifter.IsClear(this->Paths[o]); ++k)
+    {
+      weights.Barrier *= 10.0;
+      SolveDrift(drifter.Problem(), air, weights, DriftIterations, this->Paths[o]);
+    }
+    return drifter.MakeExact(this->Paths[o]);
+  }
+
   void Finish()
   {
     const AirSampler air(this->Air);
@@ -484,9 +544,10 @@ private:
                    {
                      for (std::size_t o = begin; o < end; ++o)
                      {
-                       clear[o] = this->Drifters[o].MakeExact(this->Paths[o]) ? 1 : 0;
+                       clear[o] = this->FinishPath(o, air) ? 1 : 0;
                      }
                    });
+    this->Note("finish", nullptr);
     for (std::size_t o = 0; o < count; ++o)
     {
       if (!clear[o])

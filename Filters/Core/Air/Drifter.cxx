@@ -3,7 +3,6 @@
 
 #include "Base/Random.h"
 #include "Base/SmoothStep.h"
-#include "Constraints/ResolveClearance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,7 @@ namespace
 {
 
 constexpr double BarrierMargin = 0.01; // m, that the penalty asks for besides
+constexpr double LargestHair = 0.02;   // m
 constexpr int StrayWaves = 3;
 constexpr double StraySize = 0.15;      // of L, of the slowest wave
 constexpr double ClearanceSlack = 5e-4; // of L, of the 1e-3 that clearance may miss
@@ -22,7 +22,7 @@ constexpr double ClearanceSlack = 5e-4; // of L, of the 1e-3 that clearance may 
 
 Drifter::Drifter(const DriftScene& scene, const MotionObject& object, std::vector<Vec3> planned,
                  std::vector<Constraint> rows) :
-  Around(scene),
+  Place(scene),
   Body(object), Planned(std::move(planned)), Wanted(std::move(rows)),
   Landings(LandingWindows(object, this->Wanted, scene.Obstacles, scene.Scene.Time.FramesPerSecond))
 {
@@ -42,7 +42,7 @@ int Drifter::EarliestTouchDown(std::size_t landing, int most) const
   {
     if (this->IsFixed[static_cast<std::size_t>(f)] && f < this->Landings[landing].Frame)
     {
-      earliest = f + static_cast<int>(this->Around.Scene.Time.FramesPerSecond);
+      earliest = f + static_cast<int>(this->Place.Scene.Time.FramesPerSecond);
       break;
     }
   }
@@ -60,7 +60,7 @@ void Drifter::SetTouchDown(std::size_t landing, int frame)
     }
   }
   this->Landings[landing].Frame = frame;
-  this->Landings[landing].First = frame - this->Around.Scene.Time.FramesPerSecond;
+  this->Landings[landing].First = frame - this->Place.Scene.Time.FramesPerSecond;
   this->FixFrames();
 }
 
@@ -94,7 +94,7 @@ void Drifter::FixFrames()
 
 void Drifter::AddRows()
 {
-  const Timeline& time = this->Around.Scene.Time;
+  const Timeline& time = this->Place.Scene.Time;
   for (const Constraint& row : this->Wanted)
   {
     if (row.Kind == ConstraintKind::Position && row.Radius > 0.0)
@@ -130,11 +130,11 @@ void Drifter::AddRows()
 
 DriftProblem Drifter::Problem() const
 {
-  const Timeline& time = this->Around.Scene.Time;
+  const Timeline& time = this->Place.Scene.Time;
   DriftProblem problem;
   problem.Time = time;
   problem.SettlingSpeed = this->Body.SettlingSpeed;
-  problem.ResponseTime = this->Around.Inertia ? this->Body.SettlingSpeed / StandardGravity : 0.0;
+  problem.ResponseTime = this->Place.Inertia ? this->Body.SettlingSpeed / StandardGravity : 0.0;
   problem.IsFixed = this->IsFixed;
   problem.Fixed = this->Fixed;
   problem.Rows = this->DriftRows;
@@ -164,7 +164,7 @@ void Drifter::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths)
 {
   const Clearance asked = RequiredClearance(this->Body, this->Landings, frame);
   const double radius = asked.Radius + BarrierMargin;
-  const Box& volume = this->Around.Scene.Bounds;
+  const Box& volume = this->Place.Scene.Bounds;
   const auto push = [&](const Vec3& normal, double depth)
   {
     if (depth > 0.0)
@@ -187,7 +187,7 @@ void Drifter::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths)
     const double distance = apart.norm();
     push(distance > 1e-9 ? Vec3(apart / distance) : Vec3::UnitZ(), 0.5 * (n->Distance - distance));
   }
-  const ObstacleSet& obstacles = this->Around.Obstacles;
+  const ObstacleSet& obstacles = this->Place.Obstacles;
   if (obstacles.SignedDistance(x, frame, radius, asked.Exempt) < radius)
   {
     SurfaceHit hit;
@@ -219,7 +219,7 @@ std::vector<Vec3> Drifter::Strayed(std::vector<Vec3> path, const std::vector<int
     Vec3 waves[StrayWaves];
     for (Vec3& wave : waves)
     {
-      wave = StraySize * this->Around.Scene.Bounds.Width() * random.Normal() * random.Direction();
+      wave = StraySize * this->Place.Scene.Bounds.Width() * random.Normal() * random.Direction();
     }
     for (int f = from + 1; f < to + (isLast ? 1 : 0); ++f)
     {
@@ -230,8 +230,8 @@ std::vector<Vec3> Drifter::Strayed(std::vector<Vec3> path, const std::vector<int
       }
       path[static_cast<std::size_t>(f)] =
         path[static_cast<std::size_t>(f)]
-          .cwiseMax(this->Around.Scene.Bounds.Min + Vec3::Constant(this->Body.ClearanceRadius))
-          .cwiseMin(this->Around.Scene.Bounds.Max - Vec3::Constant(this->Body.ClearanceRadius));
+          .cwiseMax(this->Place.Scene.Bounds.Min + Vec3::Constant(this->Body.ClearanceRadius))
+          .cwiseMin(this->Place.Scene.Bounds.Max - Vec3::Constant(this->Body.ClearanceRadius));
     }
   }
   return path;
@@ -272,9 +272,9 @@ std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air, int straye
   }
   std::vector<Vec3> straight = planned;
   std::vector<Vec3> drifting = planned;
-  const double step = this->Around.Scene.Time.Step();
+  const double step = this->Place.Scene.Time.Step();
   const Vec3 slip = this->Body.SettlingSpeed * Vec3::UnitZ();
-  const Box& volume = this->Around.Scene.Bounds;
+  const Box& volume = this->Place.Scene.Bounds;
   for (std::size_t m = 0; m < marks.size(); ++m)
   {
     const int from = marks[m];
@@ -310,12 +310,41 @@ std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air, int straye
     }
   }
   std::vector<std::vector<Vec3>> starts{ planned, straight, drifting };
-  Random random(this->Around.Scene.Seed, static_cast<std::uint64_t>(this->Body.ObjectId) + 1);
+  Random random(this->Place.Scene.Seed, static_cast<std::uint64_t>(this->Body.ObjectId) + 1);
   for (int k = 0; k < strayed; ++k)
   {
     starts.push_back(this->Strayed(k % 2 == 0 ? drifting : planned, marks, random));
   }
   return starts;
+}
+
+// Of walls and of surfaces that are landed on barriers leave a hair's breadth, that a shift takes
+// away.
+void Drifter::TakeOutHairs(std::vector<Vec3>& path) const
+{
+  const Box& volume = this->Place.Scene.Bounds;
+  for (std::size_t f = 0; f < path.size(); ++f)
+  {
+    if (this->IsFixed[f])
+    {
+      continue;
+    }
+    const auto frame = static_cast<double>(f);
+    const Clearance asked = RequiredClearance(this->Body, this->Landings, frame);
+    const bool lands = asked.Exempt >= 0;
+    const Vec3 low = Vec3::Constant(asked.Radius);
+    path[f] =
+      path[f]
+        .cwiseMax(volume.Min + (lands ? Vec3(low.x(), low.y(), asked.LandingDistance) : low))
+        .cwiseMin(volume.Max - low);
+    SurfaceHit hit;
+    const double distance =
+      lands ? this->Place.Obstacles.SignedDistanceTo(asked.Exempt, path[f], frame, hit) : 0.0;
+    if (lands && distance < asked.LandingDistance && asked.LandingDistance - distance < LargestHair)
+    {
+      path[f] += (asked.LandingDistance - distance) * hit.Normal;
+    }
+  }
 }
 
 void Drifter::MeetRows(std::vector<Vec3>& path) const
@@ -324,6 +353,7 @@ void Drifter::MeetRows(std::vector<Vec3>& path) const
   {
     path[f] = this->IsFixed[f] ? this->Fixed[f] : path[f];
   }
+  this->TakeOutHairs(path);
   for (const PositionBall& ball : this->Balls)
   {
     Vec3& x = path[static_cast<std::size_t>(ball.Frame)];
@@ -356,19 +386,29 @@ void Drifter::MeetRows(std::vector<Vec3>& path) const
   }
 }
 
+PathClearance Drifter::Around() const
+{
+  return { this->Place.Obstacles, this->Place.Scene.Bounds, this->Landings, this->Body,
+           ClearanceSlack * this->Place.Scene.Bounds.Width() };
+}
+
+bool Drifter::IsClear(std::vector<Vec3> path) const
+{
+  this->MeetRows(path);
+  return this->Around().BlockedSteps(path).empty();
+}
+
 bool Drifter::MakeExact(std::vector<Vec3>& path) const
 {
   this->MeetRows(path);
-  const PathClearance clearance{ this->Around.Obstacles, this->Around.Scene.Bounds, this->Landings,
-                                 this->Body, ClearanceSlack * this->Around.Scene.Bounds.Width() };
   std::vector<double> weights;
   for (const unsigned char fixed : this->IsFixed)
   {
     weights.push_back(fixed ? 0.0 : 1.0);
   }
-  const PathFreedom freedom{ weights, this->Around.Scene.Time.Step(),
+  const PathFreedom freedom{ weights, this->Place.Scene.Time.Step(),
                              [this](std::vector<Vec3>& x) { this->MeetRows(x); } };
-  return ResolveClearance(clearance, freedom, this->Planned, path);
+  return ResolveClearance(this->Around(), freedom, this->Planned, path);
 }
 
 } // namespace waft

@@ -6,6 +6,7 @@
 #include "Base/Random.h"
 #include "Constraints/Constraint.h"
 #include "Constraints/LinearCluster.h"
+#include "Constraints/ResolveClearance.h"
 #include "Constraints/Rest.h"
 #include "Obstacles/ObstacleSet.h"
 
@@ -73,16 +74,21 @@ public:
   /// Meets fixed frames, balls, velocities and accelerations to the last bit and keeps clear. False
   /// where it is nearer to something than it may.
   bool MakeExact(std::vector<Vec3>& path) const;
+  /// Whether nothing has to be moved for that.
+  bool IsClear(std::vector<Vec3> path) const;
 
 private:
   std::vector<Vec3> Strayed(std::vector<Vec3> path, const std::vector<int>& marks,
                             Random& random) const;
   void FixFrames();
   void AddRows();
+  void TakeOutHairs(std::vector<Vec3>& path) const;
   void MeetRows(std::vector<Vec3>& path) const;
   void TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths) const;
 
-  const DriftScene& Around;
+  PathClearance Around() const;
+
+  const DriftScene& Place;
   MotionObject Body;
   std::vector<Vec3> Planned;
   std::vector<Constraint> Wanted;
