@@ -67,6 +67,20 @@ Result CheckInput(const AssimilationInput& input)
   return Result::Ok();
 }
 
+// Sum of squared velocities; above 0.
+double EnergyOf(const FieldSeries& air)
+{
+  double sum = 1e-30;
+  for (const auto& field : air.Values)
+  {
+    for (const std::array<float, 3>& v : field)
+    {
+      sum += Vec3(v[0], v[1], v[2]).squaredNorm();
+    }
+  }
+  return sum;
+}
+
 class Assimilation
 {
 public:
@@ -235,7 +249,8 @@ private:
     return Result::Ok();
   }
 
-  // Of several draws the one whose air is of middling strength, by coarse simulations.
+  // Of several draws the one whose air in the closed box is as strong as such airs are in the open
+  // one of the databases, by coarse simulations.
   Result DrawForces()
   {
     AirScene coarse = this->Scene;
@@ -246,31 +261,38 @@ private:
       voxels = std::max(4, voxels * CoarseVoxels / this->Options.Resolution);
     }
     Random random(this->Input.Scene.Seed, AirStream);
-    std::vector<std::pair<double, std::uint32_t>> draws;
+    std::vector<std::uint32_t> seeds;
+    std::vector<double> open, closed;
     for (int k = 0; k < Draws; ++k)
     {
-      const std::uint32_t seed = random.Bits();
-      WAFT_RETURN_IF_FAILED(this->ForcesOf(seed, coarse.Forces));
-      PartMonitor monitor(this->Caller, DrawsEnd * k / Draws, DrawsEnd * (k + 1) / Draws,
-                          "Drawing the forces of the air");
-      FieldSeries air, none;
-      const Result simulated = SimulateAir(coarse, {}, this->Parallel, monitor, air, none);
-      if (!simulated || simulated.IsStopped())
+      seeds.push_back(random.Bits());
+      WAFT_RETURN_IF_FAILED(this->ForcesOf(seeds.back(), coarse.Forces));
+      for (const BoundaryKind boundary : { BoundaryKind::Open, BoundaryKind::Closed })
       {
-        return simulated;
-      }
-      double sum = 0.0;
-      for (const auto& field : air.Values)
-      {
-        for (const std::array<float, 3>& v : field)
+        coarse.Smoke.Boundary.fill(boundary);
+        PartMonitor monitor(this->Caller, DrawsEnd * k / Draws, DrawsEnd * (k + 1) / Draws,
+                            "Drawing the forces of the air");
+        FieldSeries air, none;
+        const Result simulated = SimulateAir(coarse, {}, this->Parallel, monitor, air, none);
+        if (!simulated || simulated.IsStopped())
         {
-          sum += Vec3(v[0], v[1], v[2]).squaredNorm();
+          return simulated;
         }
+        (boundary == BoundaryKind::Open ? open : closed).push_back(EnergyOf(air));
       }
-      draws.emplace_back(sum, seed);
     }
-    std::sort(draws.begin(), draws.end());
-    return this->ForcesOf(draws[Draws / 2].second, this->Scene.Forces);
+    std::vector<double> sorted = open;
+    std::sort(sorted.begin(), sorted.end());
+    const double wanted = std::log(sorted[Draws / 2]);
+    int best = 0;
+    for (int k = 1; k < Draws; ++k)
+    {
+      const auto at = static_cast<std::size_t>(k);
+      const bool isNearer = std::abs(std::log(closed[at]) - wanted) <
+                            std::abs(std::log(closed[static_cast<std::size_t>(best)]) - wanted);
+      best = isNearer ? k : best;
+    }
+    return this->ForcesOf(seeds[static_cast<std::size_t>(best)], this->Scene.Forces);
   }
 
   Result Draw()

@@ -13,6 +13,7 @@ namespace
 {
 
 constexpr double BarrierMargin = 0.01; // m, that the penalty asks for besides
+constexpr double BrakingTime = 0.1;    // s, beside what is given
 constexpr double LargestHair = 0.02;   // m
 constexpr int StrayWaves = 3;
 constexpr double StraySize = 0.15;      // of L, of the slowest wave
@@ -140,7 +141,7 @@ DriftProblem Drifter::Problem() const
   problem.Rows = this->DriftRows;
   // Steps between fixed frames are given; beside them a body is braked or taken up.
   const std::size_t steps = this->IsFixed.size() - 1;
-  const double reach = CushionTime * time.FramesPerSecond;
+  const double reach = BrakingTime * time.FramesPerSecond;
   std::vector<double> away(steps, 2.0 * reach);
   const auto isGiven = [&](std::size_t k) { return this->IsFixed[k] && this->IsFixed[k + 1]; };
   for (std::size_t k = 0; k < steps; ++k)
