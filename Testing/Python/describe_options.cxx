@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints what the options structs of Core say of their fields, by the class of the pipeline that
 // has them as its properties, as JSON.
+#include "Air/AirAssimilation.h"
 #include "Database/DatabaseBuild.h"
 #include "Planning/Takes.h"
 #include "Rotation/RotationRefine.h"
@@ -51,6 +52,7 @@ int main()
     { "vtkGridSmokeSource", FieldsOf<waft::SmokeOptions, waft::EnsembleOptions>() },
     { "vtkMotionDatabaseSource", FieldsOf<waft::DatabaseOptions>() },
     { "vtkRotationRefineFilter", FieldsOf<waft::RotationOptions>() },
+    { "vtkAirAssimilationFilter", FieldsOf<waft::AssimilationOptions>() },
     { "vtkSPHSpacetimeFilter", FieldsOf<waft::SpacetimeOptions>() },
     { "vtkStylisticPlannerFilter", FieldsOf<waft::PlanOptions, waft::TakeOptions>() },
     { "vtkTrajectoryClusterFilter", FieldsOf<waft::ClusterOptions, waft::SegmentationOptions,
