@@ -272,7 +272,7 @@ def write_results(pipeline, place, scene, checkpoint, meshes=False):
 
 def _write_air(pipeline, place):
     """What the assimilation gives besides tracks; the optimiser's table is without rows."""
-    write_xml(pipeline.output("assimilation"), place.path("assimilated.vtp"))
+    shutil.copyfile(place.path("optimized.vtp"), place.path("assimilated.vtp"))
     write_xml(pipeline.output("assimilation", 3), place.path("constraints.vtp"))
     write_csv(place.path("rounds.csv"), *table_rows(pipeline.output("assimilation", 5)))
     write_csv(place.path("convergence.csv"), CONVERGENCE, [])

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A scene by assimilation alone: its files, its rows, and that its air carries it.
+
+    pvpython test_assimilated.py
+"""
+import csv
+import json
+import pathlib
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import waft
+from waft.failures import BadInput
+from waft.reading import read_surface
+
+SCENE = {
+    "waft": 1,
+    "seed": 3,
+    "time": {"frames": 45, "framesPerSecond": 30},
+    "shapes": {"leaf": {"builtin": "leaf", "size": 0.15, "settlingSpeed": 0.5}},
+    "objects": [{"shape": "leaf", "position": [0.3 * k, 0.2, 0.6 + 0.3 * k]} for k in range(3)],
+    "constraints": [
+        {"kind": "position", "object": 2, "frame": 30, "value": [0.7, 0.3, 1.0]},
+        {"kind": "rest", "object": 0, "frame": 40, "value": [0.1, 0.1, 0.5]},
+    ],
+}
+
+
+class Assimilated(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.scene = cls.folder / "three.waft.json"
+        cls.scene.write_text(json.dumps(SCENE), encoding="utf-8")
+        cls.out = cls.folder / "out"
+        cls.made = waft.synthesize(str(cls.scene), output=str(cls.out), quality="assimilated")
+
+    def tracks(self, name):
+        data = read_surface(str(self.out / name))
+        points = vtk_to_numpy(data.GetPoints().GetData()).reshape(3, 45, 3)
+        return points, data.GetPointData()
+
+    def test_all_rows_are_met(self):
+        self.assertEqual(self.made.status, 0)
+        points, _ = self.tracks("optimized.vtp")
+        self.assertEqual(points[2, 30].tolist(), [0.7, 0.3, 1.0])
+        self.assertEqual(points[0, 40:, :2].tolist(), [[0.1, 0.1]] * 5)
+
+    def test_files_are_those_of_an_assimilation(self):
+        self.assertEqual((self.out / "optimized.vtp").read_bytes(), (self.out / "assimilated.vtp").read_bytes())
+        self.assertEqual(len((self.out / "convergence.csv").read_text().splitlines()), 1)
+        self.assertEqual(len(list((self.out / "air").glob("air_*.vti"))), 45)
+        self.assertFalse((self.out / "wind.pvd").exists())
+        report = json.loads((self.out / "report.json").read_text())
+        self.assertEqual(report["quality"], "assimilated")
+        self.assertIn("air.pvd", [row["name"] for row in report["manifest"]])
+        with open(self.out / "rounds.csv", newline="", encoding="utf-8") as stream:
+            rounds = list(csv.DictReader(stream))
+        self.assertEqual(rounds[-1]["Stage"], "finish")
+        drift = next(row for row in rounds if row["Stage"] == "drift")
+        self.assertLess(float(rounds[-1]["ControlRms"]), 0.7 * float(drift["ControlRms"]))
+
+    def test_a_body_lies_from_its_touch_down_on(self):
+        rows = read_surface(str(self.out / "constraints.vtp")).GetPointData()
+        down = vtk_to_numpy(rows.GetArray("TouchDown")).tolist()
+        kinds = vtk_to_numpy(rows.GetArray("Kind")).tolist()
+        frame = down[kinds.index(4)]
+        self.assertTrue(0 < frame <= 40)
+        points, _ = self.tracks("optimized.vtp")
+        self.assertTrue((points[0, frame:] == points[0, -1]).all())
+
+    def test_control_is_on_the_tracks(self):
+        _, arrays = self.tracks("assimilated.vtp")
+        control = vtk_to_numpy(arrays.GetArray("Control")).reshape(3, 45, 3)
+        self.assertTrue(np.isfinite(control).all())
+        self.assertLess(np.abs(control[1]).max(), 1e-3)  # nothing is asked of the object in the middle
+
+    def test_an_unknown_quality_is_named(self):
+        with self.assertRaisesRegex(BadInput, "quality: expected one of preview, assimilated, full, paper, found best"):
+            waft.synthesize(str(self.scene), quality="best")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
