@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The objects in the air as it is, and the wind that they need in common.
+#include "Air/AssimilationRun.h"
+
+#include "Air/DriftContacts.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <map>
+
+namespace waft
+{
+namespace
+{
+
+constexpr int FurtherIterations = 12; // where the air has changed little
+constexpr int HarderPushes = 3;
+
+} // namespace
+
+DriftWeights AssimilationRun::Weights() const
+{
+  DriftWeights weights;
+  weights.Smoothness = this->Options.Smoothness;
+  return weights;
+}
+
+Result AssimilationRun::FirstDrift()
+{
+  PartMonitor monitor(this->Caller, DrawEnd, DriftEnd, "Letting the objects drift to their marks");
+  std::atomic<std::size_t> done{ 0 };
+  const AirSampler air(this->Air);
+  const double rate = this->Input.Scene.Time.FramesPerSecond;
+  const int spread = static_cast<int>(std::lround(this->Options.TouchDownSpread * rate));
+  this->Parallel(this->Drifters.size(),
+                 [&](std::size_t begin, std::size_t end)
+                 {
+                   for (std::size_t o = begin; o < end; ++o)
+                   {
+                     Drifter& drifter = this->Drifters[o];
+                     if (!monitor.Tick(static_cast<double>(done++) / this->Drifters.size(), ""))
+                     {
+                       return;
+                     }
+                     this->Paths[o] = this->BestDrift(drifter, air);
+                     for (std::size_t l = 0; l < drifter.NumberOfLandings(); ++l)
+                     {
+                       const int latest = drifter.LandingFrame(l);
+                       const int earliest = drifter.EarliestTouchDown(l, spread);
+                       const int step = std::max(1, static_cast<int>(std::lround(rate / 2.0)));
+                       double least = this->CostOf(drifter, air, this->Paths[o]);
+                       int best = latest;
+                       for (int frame = latest - step;
+                            frame >= earliest && latest > 0 && monitor.Tick(-1.0, "");
+                            frame -= step)
+                       {
+                         drifter.SetTouchDown(l, frame);
+                         std::vector<Vec3> path = this->BestDrift(drifter, air);
+                         const double cost = this->CostOf(drifter, air, path);
+                         if (cost < least)
+                         {
+                           least = cost;
+                           best = frame;
+                           this->Paths[o] = path;
+                         }
+                       }
+                       drifter.SetTouchDown(l, best);
+                     }
+                   }
+                 });
+  this->Note("drift", nullptr);
+  return monitor.Tick(1.0, "") ? Result::Ok() : Result::Stopped();
+}
+
+double AssimilationRun::CostOf(const Drifter& drifter, const AirSampler& air,
+                               std::vector<Vec3> path) const
+{
+  return SolveDrift(drifter.Problem(), air, this->Weights(), 1, path).Cost;
+}
+
+std::vector<Vec3> AssimilationRun::BestDrift(const Drifter& drifter, const AirSampler& air) const
+{
+  const DriftProblem problem = drifter.Problem();
+  std::vector<Vec3> best;
+  double least = 1e300;
+  for (std::vector<Vec3>& path : drifter.Starts(air, this->Options.Starts))
+  {
+    const DriftOutcome outcome = SolveDrift(problem, air, this->Weights(), DriftIterations, path);
+    if (outcome.Cost < least)
+    {
+      least = outcome.Cost;
+      best = path;
+    }
+  }
+  return best;
+}
+
+void AssimilationRun::DriftOn(int iterations)
+{
+  std::vector<std::vector<DriftNeighbour>> contacts = FindContacts(
+    this->Drifters, this->Paths, this->Input.Scene.Time.FramesPerSecond, this->Parallel);
+  for (std::size_t o = 0; o < this->Drifters.size(); ++o)
+  {
+    this->Drifters[o].SetNeighbours(std::move(contacts[o]));
+  }
+  const AirSampler air(this->Air);
+  this->Parallel(this->Drifters.size(),
+                 [&](std::size_t begin, std::size_t end)
+                 {
+                   for (std::size_t o = begin; o < end; ++o)
+                   {
+                     SolveDrift(this->Drifters[o].Problem(), air, this->Weights(), iterations,
+                                this->Paths[o]);
+                   }
+                 });
+}
+
+void AssimilationRun::FindWind()
+{
+  CommonWindOptions options;
+  options.Spacing = this->Options.WindSpacing;
+  options.TimeSpacing = this->Options.WindTimeSpacing;
+  options.Ridge *= this->Options.WindStiffness;
+  options.Bending *= this->Options.WindStiffness;
+  options.Changing *= this->Options.WindStiffness;
+  CommonWind common(this->Input.Scene.Bounds, this->Input.Scene.Time, options);
+  const FieldSeries plain = this->Air;
+  for (int k = 0; k < this->Options.WindRounds; ++k)
+  {
+    this->FitWind(common);
+    this->Air = plain;
+    common.AddTo(this->Air, this->Parallel);
+    this->DriftOn(FurtherIterations);
+    this->Note("wind " + std::to_string(k + 1), &common);
+  }
+}
+
+void AssimilationRun::FitWind(CommonWind& common) const
+{
+  const AirSampler air(this->Air);
+  std::map<int, WindSamples> byFrame;
+  for (std::size_t o = 0; o < this->Drifters.size(); ++o)
+  {
+    const DriftProblem problem = this->Drifters[o].Problem();
+    const std::vector<Vec3> controls = DriftControls(problem, air, this->Paths[o]);
+    for (int k = 1; k < static_cast<int>(controls.size()); k += WindStride)
+    {
+      const auto at = static_cast<std::size_t>(k);
+      if (problem.Flight[at] < 1.0)
+      {
+        continue;
+      }
+      const Vec3 place = 0.5 * (this->Paths[o][at] + this->Paths[o][at + 1]);
+      WindSamples& samples = byFrame[k];
+      samples.Frame = k + 0.5;
+      samples.Places.push_back(place);
+      samples.Values.push_back(controls[at] + common.At(place, k + 0.5));
+    }
+  }
+  std::vector<WindSamples> samples;
+  for (auto& [frame, at] : byFrame)
+  {
+    samples.push_back(std::move(at));
+  }
+  common.Fit(samples, this->Parallel);
+}
+
+bool AssimilationRun::FinishPath(std::size_t o, const AirSampler& air)
+{
+  const Drifter& drifter = this->Drifters[o];
+  DriftWeights weights = this->Weights();
+  for (int k = 0; k < HarderPushes && !drifter.IsClear(this->Paths[o]); ++k)
+  {
+    weights.Barrier *= 10.0;
+    SolveDrift(drifter.Problem(), air, weights, DriftIterations, this->Paths[o]);
+  }
+  return drifter.MakeExact(this->Paths[o]);
+}
+
+} // namespace waft

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A run of the assimilation: what its parts share.
+#pragma once
+
+#include "Air/AirAssimilation.h"
+#include "Air/AirSimulation.h"
+#include "Air/Drifter.h"
+
+#include <chrono>
+
+namespace waft
+{
+
+inline constexpr int DriftIterations = 60;
+inline constexpr double DrawEnd = 0.25; // of a run, about
+inline constexpr double DriftEnd = 0.4;
+inline constexpr int WindStride = 3; // frames between samples of the common wind
+
+class AssimilationRun
+{
+public:
+  AssimilationRun(const AssimilationInput& input, const AssimilationOptions& options,
+                  const SolidsOn& solids, const ParallelFor& parallel, Monitor& monitor,
+                  AssimilationOutput& output);
+  Result Run();
+
+private:
+  // AssimilationDraw.cxx
+  void SetUpScene();
+  /// The ground is mostly a slab below the volume, which the air does not meet.
+  bool HasSolidsInside() const;
+  bool IsSymmetric() const;
+  Result ForcesOf(std::uint64_t seed, SmokeForces& forces) const;
+  /// Of several draws the one whose air in the closed box is as strong as such airs are in the open
+  /// one of the databases, by coarse simulations.
+  Result DrawForces();
+  Result Draw();
+  double TrialControl() const;
+  /// Towards the air with the common wind, by what its motion asks for beside what drives it now.
+  Result SimulateAgain(const FieldSeries& plain, int round);
+
+  // AssimilationDrift.cxx
+  DriftWeights Weights() const;
+  /// From several starts and to several touch-downs; the least control is kept.
+  Result FirstDrift();
+  double CostOf(const Drifter& drifter, const AirSampler& air, std::vector<Vec3> path) const;
+  std::vector<Vec3> BestDrift(const Drifter& drifter, const AirSampler& air) const;
+  void DriftOn(int iterations);
+  /// The air with the wind that the controls have in common.
+  void FindWind();
+  /// The wind that would have made the controls needless: what it is at the bodies, and they.
+  void FitWind(CommonWind& common) const;
+  /// What keeps too near to something is pushed harder first; only what that does not help is moved
+  /// out of the way without a look at the air.
+  bool FinishPath(std::size_t o, const AirSampler& air);
+
+  bool GoesOn() const;
+  Result SetUpDrifters();
+  void Finish();
+  void Note(const std::string& stage, const CommonWind* common);
+  double Seconds() const;
+
+  const AssimilationInput& Input;
+  const AssimilationOptions& Options;
+  const SolidsOn& Solids;
+  const ParallelFor& Parallel;
+  Monitor& Caller;
+  AssimilationOutput& Output;
+  ObstacleSet Obstacles;
+  DriftScene Around;
+  std::vector<Drifter> Drifters;
+  std::vector<std::vector<Vec3>> Paths;
+  AirScene Scene;
+  FieldSeries Air;
+  std::string Candidate;
+  std::chrono::steady_clock::time_point Begun = std::chrono::steady_clock::now();
+};
+
+} // namespace waft
