@@ -30,9 +30,11 @@ private:
   /// The ground is mostly a slab below the volume, which the air does not meet.
   bool HasSolidsInside() const;
   bool IsSymmetric() const;
-  Result ForcesOf(std::uint64_t seed, SmokeForces& forces) const;
-  /// Of several draws the one whose air in the closed box is as strong as such airs are in the open
-  /// one of the databases, by coarse simulations.
+  /// scale: of the random forces, not of the scene's own.
+  Result ForcesOf(std::uint64_t seed, double scale, SmokeForces& forces) const;
+  double TypicalSettlingSpeed() const;
+  /// Of several draws the one in whose closed box bodies move most as they do in the open boxes of
+  /// the databases, by coarse simulations; scaled to be as strong.
   Result DrawForces();
   Result Draw();
   double TrialControl() const;

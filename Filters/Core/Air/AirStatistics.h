@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How bodies move that an air carries: what tells a lively air from a calm one.
+#pragma once
+
+#include "Base/FieldSeries.h"
+#include "Base/Parallel.h"
+#include "Base/Types.h"
+
+#include <array>
+
+namespace waft
+{
+
+struct AirStatistics
+{
+  static constexpr int Bins = 8;
+  /// Distances of the pairs of a bin, in widths of the volume: from FirstBin on, as wide each.
+  static constexpr double FirstBin = 0.075;
+  static constexpr double BinWidth = 0.0375;
+
+  double VelocityVariance = 0.0;     // about the mean of each frame [m^2/s^2]
+  double AccelerationVariance = 0.0; // about the mean of each frame [m^2/s^4]
+  /// S2(r) / 2 var v; 0 where there is no pair.
+  std::array<double, Bins> Structure{};
+};
+
+/// Of bodies that sink with a settling speed [m/s], let go at random and, where they leave the
+/// volume of the lattice, again. The same on any number of threads.
+AirStatistics DriftStatistics(const FieldSeries& air, double framesPerSecond, double settlingSpeed,
+                              const ParallelFor& parallel);
+
+/// Mean of |ln| of the ratio of the structures where both are known; 0 where none is.
+double StructureDistance(const AirStatistics& one, const AirStatistics& other);
+
+} // namespace waft
