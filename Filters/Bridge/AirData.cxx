@@ -47,7 +47,7 @@ void RoundsToTable(const std::vector<AssimilationRound>& rounds, const SceneInfo
   AddColumn(columns, names::Candidate, rounds, &AssimilationRound::Candidate);
   AddColumn(columns, names::ControlRms, rounds, &AssimilationRound::Control);
   AddColumn(columns, names::ControlMedian, rounds, &AssimilationRound::MedianControl);
-  AddColumn(columns, names::MotionRms, rounds, &AssimilationRound::Motion);
+  AddColumn(columns, names::FlowRms, rounds, &AssimilationRound::Flow);
   AddColumn(columns, names::WindRms, rounds, &AssimilationRound::Wind);
   AddColumn(columns, names::Seconds, rounds, &AssimilationRound::Seconds);
   SceneInfoToFieldData(info, table);

@@ -19,7 +19,7 @@ void AddControls(const std::vector<std::vector<Vec3>>& controls, vtkPolyData* tr
 void AirToImage(const FieldSeries& air, const FieldSeries& wind, double time, const SceneInfo& info,
                 vtkImageData* data);
 
-/// One row a round: `Stage`, `Candidate`, `ControlRms`, `ControlMedian`, `MotionRms`, `WindRms`
+/// One row a round: `Stage`, `Candidate`, `ControlRms`, `ControlMedian`, `FlowRms`, `WindRms`
 /// [m/s], `Seconds`.
 void RoundsToTable(const std::vector<AssimilationRound>& rounds, const SceneInfo& info,
                    vtkTable* table);

@@ -19,7 +19,7 @@
  * Output port 3, Constraints (vtkPolyData): with `TouchDown`, the frame from which a rest is kept.
  * Output port 4, Report (vtkTable): one line per row and target of the constraints.
  * Output port 5, Rounds (vtkTable): `Stage`, `Candidate`, `ControlRms`, `ControlMedian`,
- * `MotionRms`, `WindRms` [m/s], `Seconds`.
+ * `FlowRms`, `WindRms` [m/s], `Seconds`.
  *
  * The result is the same, bit by bit, on any number of threads.
  */
@@ -147,7 +147,7 @@ private:
   friend struct waft::AssimilationOptions;
   int Resolution = 64;
   int LatticeResolution = 32;
-  int Candidates = 8;
+  int Candidates = 32;
   int Starts = 8;
   int Rounds = 3;
   int WindRounds = 5;

@@ -14,7 +14,9 @@ namespace
 {
 
 constexpr int LeastFrames = 8;
-constexpr double EnoughControl = 0.05; // of the bodies' motion
+constexpr double EnoughControl = 0.07; // of the flow at the bodies
+constexpr double LargeControl = 0.3;   // of the flow, that is told
+constexpr std::size_t MostTold = 10;
 
 Result CheckInput(const AssimilationInput& input)
 {
@@ -90,7 +92,7 @@ bool AssimilationRun::GoesOn() const
 {
   const AssimilationRound& last = this->Output.Rounds.back();
   const bool isLate = this->Options.TimeLimit > 0.0 && this->Seconds() > this->Options.TimeLimit;
-  return last.Control > EnoughControl * last.Motion && !isLate;
+  return last.Control > EnoughControl * last.Flow && !isLate;
 }
 
 Result AssimilationRun::SetUpDrifters()
@@ -139,6 +141,7 @@ void AssimilationRun::Finish()
                    }
                  });
   this->Note("finish", nullptr);
+  this->TellLargeHands();
   for (std::size_t o = 0; o < count; ++o)
   {
     if (!clear[o])
@@ -179,62 +182,108 @@ void AssimilationRun::Finish()
   this->Output.Vortices = this->Scene.Forces.Vortices;
 }
 
+AssimilationRun::HandOf AssimilationRun::Hand(std::size_t o, const AirSampler& air) const
+{
+  const DriftProblem problem = this->Drifters[o].Problem();
+  const std::vector<Vec3>& path = this->Paths[o];
+  const std::vector<Vec3> controls = DriftControls(problem, air, path);
+  HandOf hand;
+  for (std::size_t k = 0; k < controls.size(); ++k)
+  {
+    if (problem.Flight[k] >= 1.0)
+    {
+      Mat3 gradient;
+      hand.Control += controls[k].squaredNorm();
+      hand.Flow +=
+        air.Between(static_cast<int>(k), 0.5 * (path[k] + path[k + 1]), gradient).squaredNorm();
+      ++hand.Steps;
+    }
+  }
+  return hand;
+}
+
 void AssimilationRun::Note(const std::string& stage, const CommonWind* common)
 {
   const AirSampler air(this->Air);
+  const std::size_t count = this->Drifters.size();
+  std::vector<HandOf> hands(count);
+  std::vector<double> winds(count, 0.0);
+  this->Parallel(count,
+                 [&](std::size_t begin, std::size_t end)
+                 {
+                   for (std::size_t o = begin; o < end; ++o)
+                   {
+                     hands[o] = this->Hand(o, air);
+                     winds[o] = common ? this->WindAlong(o, *common) : 0.0;
+                   }
+                 });
+  HandOf all;
+  double wind = 0.0;
+  std::vector<double> byObject;
+  for (std::size_t o = 0; o < count; ++o)
+  {
+    all.Control += hands[o].Control;
+    all.Flow += hands[o].Flow;
+    all.Steps += hands[o].Steps;
+    wind += winds[o];
+    byObject.push_back(hands[o].Rms(hands[o].Control));
+  }
+  std::sort(byObject.begin(), byObject.end());
   AssimilationRound row;
   row.Stage = stage;
   row.Candidate = this->Candidate;
-  std::vector<double> byObject;
-  double sum = 0.0, motion = 0.0, wind = 0.0;
-  std::size_t count = 0;
-  const double step = this->Input.Scene.Time.Step();
-  std::vector<std::vector<Vec3>> velocities(this->Input.Tracks.front().Positions.size() - 1);
-  for (std::size_t o = 0; o < this->Drifters.size(); ++o)
-  {
-    const DriftProblem problem = this->Drifters[o].Problem();
-    const std::vector<Vec3> controls = DriftControls(problem, air, this->Paths[o]);
-    double own = 0.0;
-    std::size_t steps = 0;
-    for (std::size_t k = 0; k < controls.size(); ++k)
-    {
-      if (problem.Flight[k] >= 1.0)
-      {
-        own += controls[k].squaredNorm();
-        ++steps;
-        velocities[k].push_back((this->Paths[o][k + 1] - this->Paths[o][k]) / step);
-        if (common && k % WindStride == 0)
-        {
-          wind +=
-            WindStride *
-            common->At(0.5 * (this->Paths[o][k] + this->Paths[o][k + 1]), k + 0.5).squaredNorm();
-        }
-      }
-    }
-    sum += own;
-    count += steps;
-    byObject.push_back(steps > 0 ? std::sqrt(own / static_cast<double>(steps)) : 0.0);
-  }
-  for (const std::vector<Vec3>& at : velocities)
-  {
-    Vec3 mean = Vec3::Zero();
-    for (const Vec3& v : at)
-    {
-      mean += v / static_cast<double>(at.size());
-    }
-    for (const Vec3& v : at)
-    {
-      motion += (v - mean).squaredNorm();
-    }
-  }
-  std::sort(byObject.begin(), byObject.end());
-  const double all = std::max<double>(1.0, static_cast<double>(count));
-  row.Control = std::sqrt(sum / all);
+  row.Control = all.Rms(all.Control);
   row.MedianControl = byObject[byObject.size() / 2];
-  row.Motion = std::sqrt(motion / all);
-  row.Wind = std::sqrt(wind / all);
+  row.Flow = all.Rms(all.Flow);
+  row.Wind = all.Rms(wind);
   row.Seconds = this->Seconds();
   this->Output.Rounds.push_back(row);
+}
+
+double AssimilationRun::WindAlong(std::size_t o, const CommonWind& common) const
+{
+  const DriftProblem problem = this->Drifters[o].Problem();
+  const std::vector<Vec3>& path = this->Paths[o];
+  double sum = 0.0;
+  for (std::size_t k = 0; k + 1 < path.size(); k += WindStride)
+  {
+    if (problem.Flight[k] >= 1.0)
+    {
+      const Vec3 middle = 0.5 * (path[k] + path[k + 1]);
+      sum += WindStride * common.At(middle, static_cast<double>(k) + 0.5).squaredNorm();
+    }
+  }
+  return sum;
+}
+
+void AssimilationRun::TellLargeHands()
+{
+  const AirSampler air(this->Air);
+  const double flow = this->Output.Rounds.back().Flow;
+  std::size_t told = 0;
+  for (std::size_t o = 0; o < this->Drifters.size(); ++o)
+  {
+    const HandOf hand = this->Hand(o, air);
+    const double part = flow > 0.0 ? hand.Rms(hand.Control) / flow : 0.0;
+    if (part <= LargeControl || ++told > MostTold)
+    {
+      continue;
+    }
+    std::string rows;
+    for (const Constraint& row : this->Drifters[o].Rows())
+    {
+      rows += (rows.empty() ? "" : ", ") + std::to_string(row.Row);
+    }
+    this->Output.Warnings.push_back(
+      "object " + std::to_string(this->Drifters[o].Object().ObjectId) + " (rows " + rows +
+      "): the air does not take it there: what moves it besides is " +
+      std::to_string(std::lround(100.0 * part)) + " % of the flow's velocity (rms)");
+  }
+  if (told > MostTold)
+  {
+    this->Output.Warnings.push_back("and " + std::to_string(told - MostTold) +
+                                    " more objects that the air does not take to their marks");
+  }
 }
 
 double AssimilationRun::Seconds() const

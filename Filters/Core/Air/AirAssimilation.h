@@ -29,7 +29,7 @@ struct AssimilationOptions
 {
   int Resolution = 64;
   int LatticeResolution = 32;
-  int Candidates = 8;
+  int Candidates = 32;
   int Starts = 8;
   int Rounds = 3;
   int WindRounds = 5;
@@ -57,12 +57,15 @@ struct AssimilationOptions
                        "Points of the lattice of the air that objects drift in and that is given "
                        "out, along the longest side." },
           of.LatticeResolution...);
-    visit(OptionField{ "Candidates",
-                       { 1, 256 },
-                       "",
-                       "Airs that are tried: quarter turns and mirror images where nothing forbids "
-                       "them, else other seeds. The one that asks for the least control goes on." },
-          of.Candidates...);
+    visit(
+      OptionField{
+        "Candidates",
+        { 1, 256 },
+        "",
+        "Airs that are tried by coarse simulations: draws of the forces, and of each its "
+        "quarter turns and mirror images where nothing forbids them. The one goes "
+        "on in which objects need the least control and move as bodies do." },
+      of.Candidates...);
     visit(OptionField{ "Starts",
                        { 0, 1000 },
                        "",
@@ -136,7 +139,7 @@ struct AssimilationRound
   std::string Candidate;
   double Control = 0.0;       // rms of the private hand in flight [m/s]
   double MedianControl = 0.0; // of the objects' rms [m/s]
-  double Motion = 0.0;        // rms velocity of the bodies about each frame's mean, in flight [m/s]
+  double Flow = 0.0;          // rms of the air's velocity at the bodies in flight [m/s]
   double Wind = 0.0;          // rms of the common wind at the bodies [m/s]
   double Seconds = 0.0;       // since the run began
 };

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace waft
 {
@@ -20,10 +19,7 @@ constexpr std::uint64_t Stream = 0x627573; // of random numbers
 
 struct Sample
 {
-  Vec3 Position = Vec3::Zero();
-  Vec3 Velocity = Vec3::Zero();
-  Vec3 Acceleration = Vec3::Zero();
-  bool IsFree = false;
+  Vec3 Position, Velocity, Acceleration;
 };
 
 struct Sums
@@ -41,119 +37,107 @@ Box VolumeOf(const FieldSeries& air)
 }
 
 // The flights of one body, one after another.
-std::vector<Sample> Fly(const FieldSeries& air, int body, double rate, double settlingSpeed)
+void Fly(const FieldSeries& air, int body, double rate, double settlingSpeed,
+         std::vector<Vec3>& path, std::vector<char>& isFree)
 {
   const AirSampler sampler(air);
   const Box volume = VolumeOf(air);
   const Vec3 slip = settlingSpeed * Vec3::UnitZ();
   const double step = 1.0 / rate;
   const int frames = static_cast<int>(air.Values.size());
-  const int unfree = static_cast<int>(std::ceil(Unfree * rate));
+  const int unfree = std::max(1, static_cast<int>(std::ceil(Unfree * rate)));
   Random random(static_cast<std::uint64_t>(body), Stream);
-  std::vector<Sample> samples(air.Values.size());
-  std::vector<Vec3> path;
-  const auto finish = [&](int end)
-  {
-    const int begin = end - static_cast<int>(path.size());
-    for (int f = std::max(1, unfree); f + std::max(1, unfree) < static_cast<int>(path.size()); ++f)
-    {
-      Sample& sample = samples[static_cast<std::size_t>(begin + f)];
-      const Vec3& before = path[static_cast<std::size_t>(f) - 1];
-      const Vec3& after = path[static_cast<std::size_t>(f) + 1];
-      sample.Position = path[static_cast<std::size_t>(f)];
-      sample.Velocity = 0.5 * rate * (after - before);
-      sample.Acceleration = rate * rate * (after - 2.0 * sample.Position + before);
-      sample.IsFree = true;
-    }
-    path.clear();
-  };
+  isFree.assign(air.Values.size(), 0);
   Vec3 x = random.InBox(volume);
-  for (int f = 0; f < frames; ++f)
+  for (int f = 0, begun = 0; f < frames; ++f)
   {
     path.push_back(x);
-    if (f + 1 == frames)
-    {
-      break;
-    }
     Mat3 gradient;
-    const Vec3 half = x + 0.5 * step * (sampler.At(f, x) - slip);
-    x += step * (sampler.Between(f, half, gradient) - slip);
-    if (((x - volume.Min).array() < 0.0).any() || ((volume.Max - x).array() < 0.0).any())
+    Vec3 next = x;
+    if (f + 1 < frames)
     {
-      finish(f + 1);
-      x = random.InBox(volume);
+      const Vec3 half = x + 0.5 * step * (sampler.At(f, x) - slip);
+      next += step * (sampler.Between(f, half, gradient) - slip);
     }
+    const bool leaves =
+      ((next - volume.Min).array() < 0.0).any() || ((volume.Max - next).array() < 0.0).any();
+    if (leaves || f + 1 == frames)
+    {
+      for (int k = begun + unfree; k + unfree <= f; ++k)
+      {
+        isFree[static_cast<std::size_t>(k)] = 1;
+      }
+      begun = f + 1;
+      next = random.InBox(volume);
+    }
+    x = next;
   }
-  finish(frames);
-  return samples;
 }
 
-void AddFrame(const std::vector<std::vector<Sample>>& flights, std::size_t frame, double width,
-              Sums& sums)
+void AddPairs(const std::vector<Sample>& here, double width, Sums& sums)
 {
-  std::vector<const Sample*> here;
-  Vec3 velocity = Vec3::Zero(), acceleration = Vec3::Zero();
-  for (const std::vector<Sample>& flight : flights)
-  {
-    if (flight[frame].IsFree)
-    {
-      here.push_back(&flight[frame]);
-      velocity += flight[frame].Velocity;
-      acceleration += flight[frame].Acceleration;
-    }
-  }
-  if (here.size() < 2)
-  {
-    return;
-  }
-  const auto count = static_cast<double>(here.size());
-  velocity /= count;
-  acceleration /= count;
-  for (const Sample* sample : here)
-  {
-    sums.Velocity += (sample->Velocity - velocity).squaredNorm() * count / (count - 1.0);
-    sums.Acceleration +=
-      (sample->Acceleration - acceleration).squaredNorm() * count / (count - 1.0);
-  }
-  sums.Count += here.size();
-  if (frame % PairFrames != 0)
-  {
-    return;
-  }
   for (std::size_t i = 0; i < here.size(); ++i)
   {
     for (std::size_t j = 0; j < i; ++j)
     {
-      const double distance = (here[i]->Position - here[j]->Position).norm() / width;
+      const double distance = (here[i].Position - here[j].Position).norm() / width;
       const double bin = (distance - AirStatistics::FirstBin) / AirStatistics::BinWidth;
       if (bin >= 0.0 && bin < AirStatistics::Bins)
       {
         const auto at = static_cast<std::size_t>(bin);
-        sums.Differing[at] += (here[i]->Velocity - here[j]->Velocity).squaredNorm();
+        sums.Differing[at] += (here[i].Velocity - here[j].Velocity).squaredNorm();
         ++sums.Pairs[at];
       }
     }
   }
 }
 
+void AddFrame(const std::vector<Sample>& here, Sums& sums)
+{
+  Vec3 velocity = Vec3::Zero(), acceleration = Vec3::Zero();
+  const auto count = static_cast<double>(here.size());
+  for (const Sample& sample : here)
+  {
+    velocity += sample.Velocity / count;
+    acceleration += sample.Acceleration / count;
+  }
+  const double unbiased = count / (count - 1.0);
+  for (const Sample& sample : here)
+  {
+    sums.Velocity += unbiased * (sample.Velocity - velocity).squaredNorm();
+    sums.Acceleration += unbiased * (sample.Acceleration - acceleration).squaredNorm();
+  }
+  sums.Count += here.size();
+}
+
 } // namespace
 
-AirStatistics DriftStatistics(const FieldSeries& air, double framesPerSecond, double settlingSpeed,
-                              const ParallelFor& parallel)
+AirStatistics StatisticsOf(const FreeFlights& flights, double framesPerSecond, double width)
 {
-  std::vector<std::vector<Sample>> flights(Bodies);
-  parallel(Bodies,
-           [&](std::size_t begin, std::size_t end)
-           {
-             for (std::size_t b = begin; b < end; ++b)
-             {
-               flights[b] = Fly(air, static_cast<int>(b), framesPerSecond, settlingSpeed);
-             }
-           });
   Sums sums;
-  for (std::size_t f = 0; f < air.Values.size(); ++f)
+  std::vector<Sample> here;
+  const std::size_t frames = flights.Paths.empty() ? 0 : flights.Paths.front().size();
+  for (std::size_t f = 1; f + 1 < frames; ++f)
   {
-    AddFrame(flights, f, VolumeOf(air).Width(), sums);
+    here.clear();
+    for (std::size_t b = 0; b < flights.Paths.size(); ++b)
+    {
+      if (flights.IsFree[b][f])
+      {
+        const std::vector<Vec3>& x = flights.Paths[b];
+        here.push_back({ x[f], 0.5 * framesPerSecond * (x[f + 1] - x[f - 1]),
+                         framesPerSecond * framesPerSecond * (x[f + 1] - 2.0 * x[f] + x[f - 1]) });
+      }
+    }
+    if (here.size() < 2)
+    {
+      continue;
+    }
+    AddFrame(here, sums);
+    if (f % PairFrames == 0)
+    {
+      AddPairs(here, width, sums);
+    }
   }
   AirStatistics found;
   const double count = std::max<double>(1.0, static_cast<double>(sums.Count));
@@ -168,6 +152,24 @@ AirStatistics DriftStatistics(const FieldSeries& air, double framesPerSecond, do
     }
   }
   return found;
+}
+
+AirStatistics DriftStatistics(const FieldSeries& air, double framesPerSecond, double settlingSpeed,
+                              const ParallelFor& parallel)
+{
+  FreeFlights flights;
+  flights.Paths.resize(Bodies);
+  flights.IsFree.resize(Bodies);
+  parallel(Bodies,
+           [&](std::size_t begin, std::size_t end)
+           {
+             for (std::size_t b = begin; b < end; ++b)
+             {
+               Fly(air, static_cast<int>(b), framesPerSecond, settlingSpeed, flights.Paths[b],
+                   flights.IsFree[b]);
+             }
+           });
+  return StatisticsOf(flights, framesPerSecond, VolumeOf(air).Width());
 }
 
 double StructureDistance(const AirStatistics& one, const AirStatistics& other)

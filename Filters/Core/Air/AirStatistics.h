@@ -7,6 +7,7 @@
 #include "Base/Types.h"
 
 #include <array>
+#include <vector>
 
 namespace waft
 {
@@ -23,6 +24,16 @@ struct AirStatistics
   /// S2(r) / 2 var v; 0 where there is no pair.
   std::array<double, Bins> Structure{};
 };
+
+/// Paths of bodies, one place a frame [m], and where each flies freely.
+struct FreeFlights
+{
+  std::vector<std::vector<Vec3>> Paths;
+  std::vector<std::vector<char>> IsFree;
+};
+
+/// width: of the volume [m].
+AirStatistics StatisticsOf(const FreeFlights& flights, double framesPerSecond, double width);
 
 /// Of bodies that sink with a settling speed [m/s], let go at random and, where they leave the
 /// volume of the lattice, again. The same on any number of threads.

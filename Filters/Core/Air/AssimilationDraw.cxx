@@ -16,13 +16,17 @@ namespace waft
 namespace
 {
 
-constexpr int TrialIterations = 20; // of a candidate
+constexpr int TrialIterations = 12; // of a candidate
 constexpr std::size_t TrialObjects = 48;
+constexpr std::size_t FewestForStatistics = 12; // bodies
+constexpr double PathStructureCost = 2.0;
+constexpr double PathStrengthCost = 0.2;
 constexpr double SteeringRate = 6.0; // 1/s
 constexpr int ClosedDraws = 8;
 constexpr int OpenDraws = 5; // the airs as which the drawn one ought to be
 constexpr int CoarseVoxels = 16;
 constexpr double DrawsEnd = 0.03;
+constexpr double TrialsEnd = 0.06;
 constexpr std::uint64_t AirStream = 0x616972; // of random numbers, apart from all others of a seed
 
 // What drifters of the full grid show in the databases' open boxes over what coarse open boxes
@@ -36,22 +40,17 @@ constexpr double StructureCost = 4.0;
 
 // How far a closed draw is from what is wanted when its forces are scaled as suits it best:
 // variances of velocity go as the scale, those of acceleration as its square.
-struct DrawFit
+void FitDraw(const AirStatistics& wanted, AssimilationRun::ForceDraw& draw)
 {
-  double Scale = 1.0;
-  double Misfit = 1e300;
-};
-
-DrawFit FitDraw(const AirStatistics& drawn, const AirStatistics& wanted)
-{
-  const double v = std::log(drawn.VelocityVariance / wanted.VelocityVariance);
-  const double a = std::log(drawn.AccelerationVariance / wanted.AccelerationVariance);
+  const double v = std::log(draw.Found.VelocityVariance / wanted.VelocityVariance);
+  const double a = std::log(draw.Found.AccelerationVariance / wanted.AccelerationVariance);
   const double most = std::log(MostScaling);
   const double scale = std::clamp(-(v + 2.0 * a) / 5.0, -most, most);
-  const double structure = StructureDistance(drawn, wanted);
+  const double structure = StructureDistance(draw.Found, wanted);
   const double misfit = std::pow(v + scale, 2) + std::pow(a + 2.0 * scale, 2) +
                         ScalingCost * scale * scale + StructureCost * structure * structure;
-  return { std::exp(scale), std::isfinite(misfit) ? misfit : 1e300 };
+  draw.Scale = std::exp(scale);
+  draw.Misfit = std::isfinite(misfit) ? misfit : 1e300;
 }
 
 AirStatistics MeanOf(const std::vector<AirStatistics>& airs)
@@ -169,50 +168,42 @@ double AssimilationRun::TypicalSettlingSpeed() const
   return *middle;
 }
 
-Result AssimilationRun::DrawForces()
+AirScene AssimilationRun::CoarseScene() const
 {
   AirScene coarse = this->Scene;
-  coarse.Solids = {};
   coarse.LatticeDimensions.fill(CoarseVoxels);
   for (int& voxels : coarse.Smoke.Resolution)
   {
     voxels = std::max(4, voxels * CoarseVoxels / this->Options.Resolution);
   }
-  Random random(this->Input.Scene.Seed, AirStream);
-  std::vector<std::uint32_t> seeds(ClosedDraws);
-  for (std::uint32_t& seed : seeds)
+  if (this->Scene.Solids)
   {
-    seed = random.Bits();
+    coarse.Solids = this->Solids(coarse.Smoke);
   }
-  // First the open ones, with the seeds of the closed ones: each by itself, side by side.
-  constexpr std::size_t Runs = OpenDraws + ClosedDraws;
-  const double speed = this->TypicalSettlingSpeed();
-  PartMonitor monitor(this->Caller, 0.0, DrawsEnd, "Drawing the forces of the air");
-  std::vector<AirStatistics> found(Runs);
-  std::vector<Result> results(Runs, Result::Ok());
+  return coarse;
+}
+
+Result AssimilationRun::SimulateSideBySide(
+  std::size_t count, double begin, double end, const std::function<AirScene(std::size_t)>& sceneOf,
+  const std::function<void(std::size_t, FieldSeries&)>& use)
+{
+  PartMonitor monitor(this->Caller, begin, end, "Drawing the forces of the air");
+  std::vector<Result> results(count, Result::Ok());
   std::atomic<std::size_t> done{ 0 };
-  const auto draw = [&](std::size_t k)
-  {
-    const bool isOpen = k < OpenDraws;
-    AirScene scene = coarse;
-    scene.Smoke.Boundary.fill(isOpen ? BoundaryKind::Open : BoundaryKind::Closed);
-    WAFT_RETURN_IF_FAILED(this->ForcesOf(seeds[isOpen ? k : k - OpenDraws], 1.0, scene.Forces));
-    PartMonitor step(monitor, static_cast<double>(done) / Runs, (done + 1.0) / Runs);
-    FieldSeries air, none;
-    const Result simulated = SimulateAir(scene, {}, SerialFor(), step, air, none);
-    ++done;
-    if (simulated && !simulated.IsStopped())
-    {
-      found[k] = DriftStatistics(air, this->Input.Scene.Time.FramesPerSecond, speed, SerialFor());
-    }
-    return simulated;
-  };
-  this->Parallel(Runs,
-                 [&](std::size_t begin, std::size_t end)
+  this->Parallel(count,
+                 [&](std::size_t first, std::size_t last)
                  {
-                   for (std::size_t k = begin; k < end; ++k)
+                   for (std::size_t k = first; k < last; ++k)
                    {
-                     results[k] = draw(k);
+                     const auto before = static_cast<double>(done);
+                     PartMonitor step(monitor, before / count, (before + 1.0) / count);
+                     FieldSeries air, none;
+                     results[k] = SimulateAir(sceneOf(k), {}, SerialFor(), step, air, none);
+                     if (results[k] && !results[k].IsStopped())
+                     {
+                       use(k, air);
+                     }
+                     ++done;
                    }
                  });
   for (const Result& result : results)
@@ -222,73 +213,121 @@ Result AssimilationRun::DrawForces()
       return result;
     }
   }
-  AirStatistics wanted = MeanOf({ found.begin(), found.begin() + OpenDraws });
-  wanted.VelocityVariance *= VelocityGain;
-  wanted.AccelerationVariance *= AccelerationGain;
-  DrawFit best;
-  std::uint32_t seed = seeds.front();
-  for (std::size_t k = 0; k < ClosedDraws; ++k)
-  {
-    const DrawFit fit = FitDraw(found[OpenDraws + k], wanted);
-    if (fit.Misfit < best.Misfit)
-    {
-      best = fit;
-      seed = seeds[k];
-    }
-  }
-  return this->ForcesOf(seed, best.Scale, this->Scene.Forces);
+  return Result::Ok();
 }
 
-Result AssimilationRun::Draw()
+Result AssimilationRun::DrawForces(std::vector<ForceDraw>& draws)
 {
-  const Result drawn = this->DrawForces();
-  if (!drawn || drawn.IsStopped())
+  const AirScene coarse = this->CoarseScene();
+  Random random(this->Input.Scene.Seed, AirStream);
+  draws.resize(ClosedDraws);
+  for (ForceDraw& draw : draws)
   {
-    return drawn;
+    draw.Seed = random.Bits();
+    WAFT_RETURN_IF_FAILED(this->ForcesOf(draw.Seed, 1.0, draw.Forces));
   }
-  FieldSeries none;
-  PartMonitor monitor(this->Caller, DrawsEnd, DrawEnd, "Drawing the air");
-  const Result simulated = SimulateAir(this->Scene, {}, this->Parallel, monitor, this->Air, none);
+  const double rate = this->Input.Scene.Time.FramesPerSecond;
+  const double speed = this->TypicalSettlingSpeed();
+  std::vector<AirStatistics> open(OpenDraws);
+  const auto sceneOf = [&](std::size_t k)
+  {
+    AirScene scene = coarse;
+    scene.Forces = draws[k % ClosedDraws].Forces;
+    if (k >= ClosedDraws)
+    {
+      scene.Solids = {};
+      scene.Smoke.Boundary.fill(BoundaryKind::Open);
+    }
+    return scene;
+  };
+  const auto use = [&](std::size_t k, const FieldSeries& air)
+  {
+    (k < ClosedDraws ? draws[k].Found : open[k - ClosedDraws]) =
+      DriftStatistics(air, rate, speed, SerialFor());
+  };
+  const Result simulated =
+    this->SimulateSideBySide(ClosedDraws + OpenDraws, 0.0, DrawsEnd, sceneOf, use);
   if (!simulated || simulated.IsStopped())
   {
     return simulated;
   }
-  const FieldSeries first = this->Air;
-  double least = 1e300;
-  AirSymmetry best;
-  int tried = 0;
-  for (const AirSymmetry& symmetry : AirSymmetries(this->Input.Scene.Bounds))
+  this->Wanted = MeanOf(open);
+  this->Wanted.VelocityVariance *= VelocityGain;
+  this->Wanted.AccelerationVariance *= AccelerationGain;
+  for (ForceDraw& draw : draws)
   {
-    if (tried++ >= this->Options.Candidates || (tried > 1 && !this->IsSymmetric()))
-    {
-      break;
-    }
-    this->Air = Image(symmetry, first);
-    const double control = this->TrialControl();
-    AssimilationRound row;
-    row.Stage = "draw";
-    row.Candidate = symmetry.Text();
-    row.Control = control;
-    row.Seconds = this->Seconds();
-    this->Output.Rounds.push_back(row);
-    if (control < least)
-    {
-      least = control;
-      best = symmetry;
-    }
+    FitDraw(this->Wanted, draw);
+    WAFT_RETURN_IF_FAILED(this->ForcesOf(draw.Seed, draw.Scale, draw.Forces));
   }
-  this->Air = Image(best, first);
-  this->Scene.Forces = Image(best, this->Input.Scene.Bounds, this->Scene.Forces);
-  this->Candidate = best.Text();
+  std::stable_sort(draws.begin(), draws.end(),
+                   [](const ForceDraw& a, const ForceDraw& b) { return a.Misfit < b.Misfit; });
   return Result::Ok();
 }
 
-double AssimilationRun::TrialControl() const
+Result AssimilationRun::Draw()
 {
-  const AirSampler air(this->Air);
+  std::vector<ForceDraw> draws;
+  Result result = this->DrawForces(draws);
+  if (!result || result.IsStopped())
+  {
+    return result;
+  }
+  std::vector<AirSymmetry> symmetries = AirSymmetries(this->Input.Scene.Bounds);
+  symmetries.resize(this->IsSymmetric() ? symmetries.size() : 1);
+  const auto candidates = static_cast<std::size_t>(this->Options.Candidates);
+  draws.resize(std::min(draws.size(), (candidates + symmetries.size() - 1) / symmetries.size()));
+  const AirScene coarse = this->CoarseScene();
+  std::vector<FieldSeries> airs(draws.size());
+  result = this->SimulateSideBySide(
+    draws.size(), DrawsEnd, TrialsEnd,
+    [&](std::size_t k)
+    {
+      AirScene scene = coarse;
+      scene.Forces = draws[k].Forces;
+      return scene;
+    },
+    [&](std::size_t k, FieldSeries& air) { airs[k] = std::move(air); });
+  if (!result || result.IsStopped())
+  {
+    return result;
+  }
+  double least = 1e300;
+  std::size_t draw = 0;
+  AirSymmetry best;
+  for (std::size_t k = 0; k < candidates && k < draws.size() * symmetries.size(); ++k)
+  {
+    const AirSymmetry& symmetry = symmetries[k % symmetries.size()];
+    const std::size_t from = k / symmetries.size();
+    AssimilationRound row;
+    row.Stage = "draw";
+    row.Candidate = "air " + std::to_string(from + 1) + ", " + symmetry.Text();
+    const double judged = this->Try(Image(symmetry, airs[from]), row);
+    row.Seconds = this->Seconds();
+    this->Output.Rounds.push_back(row);
+    if (judged < least)
+    {
+      least = judged;
+      draw = from;
+      best = symmetry;
+      this->Candidate = row.Candidate;
+    }
+  }
+  this->Scene.Forces = Image(best, this->Input.Scene.Bounds, draws[draw].Forces);
+  FieldSeries none;
+  PartMonitor monitor(this->Caller, TrialsEnd, DrawEnd, "Drawing the air");
+  return SimulateAir(this->Scene, {}, this->Parallel, monitor, this->Air, none);
+}
+
+double AssimilationRun::Try(const FieldSeries& series, AssimilationRound& row) const
+{
+  const AirSampler air(series);
   const std::size_t stride = (this->Drifters.size() + TrialObjects - 1) / TrialObjects;
   const std::size_t count = (this->Drifters.size() + stride - 1) / stride;
   std::vector<double> squares(count, 0.0);
+  FreeFlights flights;
+  flights.Paths.resize(count);
+  flights.IsFree.resize(count);
+  const auto unfree = static_cast<std::size_t>(0.5 * this->Input.Scene.Time.FramesPerSecond);
   this->Parallel(count,
                  [&](std::size_t begin, std::size_t end)
                  {
@@ -296,18 +335,36 @@ double AssimilationRun::TrialControl() const
                    {
                      const Drifter& drifter = this->Drifters[k * stride];
                      const DriftProblem problem = drifter.Problem();
-                     std::vector<Vec3> path = drifter.Starts(air, 0).back();
+                     std::vector<Vec3>& path = flights.Paths[k];
+                     path = drifter.Starts(air, 0).back();
                      const DriftOutcome outcome =
                        SolveDrift(problem, air, this->Weights(), TrialIterations, path);
                      squares[k] = outcome.Control * outcome.Control;
+                     flights.IsFree[k].assign(path.size(), 0);
+                     for (std::size_t f = unfree; f + unfree < path.size(); ++f)
+                     {
+                       flights.IsFree[k][f] = problem.Flight[f] >= 1.0 ? 1 : 0;
+                     }
                    }
                  });
   double sum = 0.0;
   for (const double square : squares)
   {
-    sum += square;
+    sum += square / static_cast<double>(count);
   }
-  return std::sqrt(sum / static_cast<double>(count));
+  const AirStatistics found =
+    StatisticsOf(flights, this->Input.Scene.Time.FramesPerSecond, this->Input.Scene.Bounds.Width());
+  row.Control = std::sqrt(sum);
+
+  if (count < FewestForStatistics || found.VelocityVariance <= 0.0)
+  {
+    return sum;
+  }
+  const double structure = StructureDistance(found, this->Wanted);
+  const double v = std::log(found.VelocityVariance / this->Wanted.VelocityVariance);
+  const double a = std::log(found.AccelerationVariance / this->Wanted.AccelerationVariance);
+  return sum / this->Wanted.VelocityVariance + PathStructureCost * structure * structure +
+         PathStrengthCost * (v * v + a * a);
 }
 
 Result AssimilationRun::SimulateAgain(const FieldSeries& plain, int round)

@@ -4,9 +4,12 @@
 
 #include "Air/AirAssimilation.h"
 #include "Air/AirSimulation.h"
+#include "Air/AirStatistics.h"
 #include "Air/Drifter.h"
 
 #include <chrono>
+#include <cmath>
+#include <functional>
 
 namespace waft
 {
@@ -24,6 +27,16 @@ public:
                   AssimilationOutput& output);
   Result Run();
 
+  /// Random forces, and how bodies move in the coarse air that they make.
+  struct ForceDraw
+  {
+    std::uint64_t Seed = 0;
+    double Scale = 1.0;
+    double Misfit = 1e300;
+    SmokeForces Forces;
+    AirStatistics Found;
+  };
+
 private:
   // AssimilationDraw.cxx
   void SetUpScene();
@@ -33,11 +46,17 @@ private:
   /// scale: of the random forces, not of the scene's own.
   Result ForcesOf(std::uint64_t seed, double scale, SmokeForces& forces) const;
   double TypicalSettlingSpeed() const;
-  /// Of several draws the one in whose closed box bodies move most as they do in the open boxes of
-  /// the databases, by coarse simulations; scaled to be as strong.
-  Result DrawForces();
+  AirScene CoarseScene() const;
+  Result SimulateSideBySide(std::size_t count, double begin, double end,
+                            const std::function<AirScene(std::size_t)>& sceneOf,
+                            const std::function<void(std::size_t, FieldSeries&)>& use);
+  /// Draws by coarse simulations, those first in whose closed box bodies move most as they do in
+  /// the open boxes of the databases (Wanted), each scaled to be as strong.
+  Result DrawForces(std::vector<ForceDraw>& draws);
+  /// The air in whose coarse run the objects come to their marks with the least control, and move
+  /// as wanted.
   Result Draw();
-  double TrialControl() const;
+  double Try(const FieldSeries& series, AssimilationRound& row) const;
   /// Towards the air with the common wind, by what its motion asks for beside what drives it now.
   Result SimulateAgain(const FieldSeries& plain, int round);
 
@@ -59,7 +78,22 @@ private:
   bool GoesOn() const;
   Result SetUpDrifters();
   void Finish();
+  /// Sums over the steps of free flight.
+  struct HandOf
+  {
+    double Control = 0.0; // of squares [m^2/s^2]
+    double Flow = 0.0;    // of squares of the air's velocity there
+    std::size_t Steps = 0;
+    double Rms(double sum) const
+    {
+      return this->Steps > 0 ? std::sqrt(sum / static_cast<double>(this->Steps)) : 0.0;
+    }
+  };
+  HandOf Hand(std::size_t o, const AirSampler& air) const;
+  double WindAlong(std::size_t o, const CommonWind& common) const;
   void Note(const std::string& stage, const CommonWind* common);
+  /// Warns of objects that the air does not take to their marks.
+  void TellLargeHands();
   double Seconds() const;
 
   const AssimilationInput& Input;
@@ -74,6 +108,7 @@ private:
   std::vector<std::vector<Vec3>> Paths;
   AirScene Scene;
   FieldSeries Air;
+  AirStatistics Wanted;
   std::string Candidate;
   std::chrono::steady_clock::time_point Begun = std::chrono::steady_clock::now();
 };
