@@ -47,15 +47,23 @@ private:
   double LastTime = 0.0;
 };
 
-/// Gathers the steps of a time-varying image with `Wind` (an acceleration) or `Velocity`.
+/// Gathers the steps of a time-varying image with `Wind` (an acceleration) or `Velocity`; of an air
+/// `Velocity` counts, whatever else there is.
 class FieldCollector
 {
 public:
+  /// owner: for messages, an input's name.
+  explicit FieldCollector(std::string owner = "Wind", bool isAir = false) :
+    Owner(std::move(owner)), IsAir(isAir)
+  {
+  }
   /// As that of ObstacleCollector.
   Result Add(vtkImageData* data, double time);
   FieldSeries Take();
 
 private:
+  std::string Owner;
+  bool IsAir;
   FieldSeries Series;
 };
 

@@ -37,8 +37,9 @@ vtkInformation* InputOf(vtkInformationVector** inputs, int port)
 
 } // namespace
 
-FieldSweep::FieldSweep(int obstaclesPort, int windPort) :
-  ObstaclesPort(obstaclesPort), WindPort(windPort), Sweep(PortsThatAre({ obstaclesPort, windPort }))
+FieldSweep::FieldSweep(int obstaclesPort, int windPort, int airPort) :
+  ObstaclesPort(obstaclesPort), WindPort(windPort), AirPort(airPort),
+  Sweep(PortsThatAre({ obstaclesPort, windPort, airPort }))
 {
 }
 
@@ -52,11 +53,14 @@ void FieldSweep::RequestSteps(vtkAlgorithm* stage, vtkInformation* request,
     this->IsKept = !this->KeptSignature.empty() && this->Signature == this->KeptSignature;
   }
   this->Sweep.RequestSteps(stage, request, inputs, outputs, isCurrent || this->IsKept);
-  vtkInformation* wind = InputOf(inputs, this->WindPort);
-  if (wind != nullptr && wind->Has(Sddp::WHOLE_EXTENT()))
+  for (const int port : { this->WindPort, this->AirPort })
   {
-    // The pipeline would ask for the extent of the image that the stage gives.
-    wind->Set(Sddp::UPDATE_EXTENT(), wind->Get(Sddp::WHOLE_EXTENT()), 6);
+    vtkInformation* image = InputOf(inputs, port);
+    if (image != nullptr && image->Has(Sddp::WHOLE_EXTENT()))
+    {
+      // The pipeline would ask for the extent of the image that the stage gives.
+      image->Set(Sddp::UPDATE_EXTENT(), image->Get(Sddp::WHOLE_EXTENT()), 6);
+    }
   }
 }
 
@@ -108,7 +112,8 @@ Result FieldSweep::Take(vtkInformationVector** inputs, const Timeline& line)
   if (this->Sweep.IsFirst())
   {
     this->Obstacles = ObstacleCollector();
-    this->Wind = FieldCollector();
+    (void)this->Wind.Take();
+    (void)this->Air.Take();
   }
   if (!this->Sweep.HasNewStep())
   {
@@ -122,12 +127,14 @@ Result FieldSweep::Take(vtkInformationVector** inputs, const Timeline& line)
       WAFT_RETURN_IF_FAILED(this->Obstacles.Add(data, TimeSweep::DataTime(input), line));
     }
   }
-  if (vtkInformation* input = InputOf(inputs, this->WindPort))
+  for (const bool isAir : { false, true })
   {
-    vtkImageData* data = vtkImageData::GetData(input);
+    vtkInformation* input = InputOf(inputs, isAir ? this->AirPort : this->WindPort);
+    vtkImageData* data = input ? vtkImageData::GetData(input) : nullptr;
     if (data != nullptr && data->GetNumberOfPoints() > 0)
     {
-      WAFT_RETURN_IF_FAILED(this->Wind.Add(data, TimeSweep::DataTime(input)));
+      FieldCollector& collector = isAir ? this->Air : this->Wind;
+      WAFT_RETURN_IF_FAILED(collector.Add(data, TimeSweep::DataTime(input)));
     }
   }
   return Result::Ok();

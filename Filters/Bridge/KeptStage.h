@@ -27,9 +27,9 @@ namespace waft
 class KeptStage
 {
 public:
-  /// scenePort: the input whose field data give the scene; the other two: as in FieldSweep.
+  /// scenePort: the input whose field data give the scene; the others: as in FieldSweep.
   KeptStage(vtkAlgorithm* stage, int scenePort, int obstaclesPort = FieldSweep::NoPort,
-            int windPort = FieldSweep::NoPort);
+            int windPort = FieldSweep::NoPort, int airPort = FieldSweep::NoPort);
   virtual ~KeptStage() = default;
   KeptStage(const KeptStage&) = delete;
   KeptStage& operator=(const KeptStage&) = delete;

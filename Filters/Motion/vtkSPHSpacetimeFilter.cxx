@@ -40,6 +40,7 @@ enum InputPort
   ObstaclesPort,
   GuessedVorticesPort,
   BackgroundPort,
+  AirPort,
   NumberOfInputs
 };
 
@@ -63,7 +64,7 @@ struct vtkSPHSpacetimeFilter::Internals : waft::KeptStage
   waft::SpacetimeMemory Memory; // of the last run, for the next
 
   explicit Internals(vtkSPHSpacetimeFilter* self) :
-    KeptStage(self, PlannedPort, ObstaclesPort, BackgroundPort), Self(self)
+    KeptStage(self, PlannedPort, ObstaclesPort, BackgroundPort, AirPort), Self(self)
   {
   }
   waft::Result Take(vtkInformationVector** inputs, waft::SpacetimeInput& input);
@@ -89,7 +90,9 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Take(vtkInformationVector** input
   }
   input.Obstacles = this->Fields.TakeObstacles();
   input.Wind = this->Fields.TakeWind();
-  return input.Wind.Validate("Wind");
+  input.Air = this->Fields.TakeAir();
+  WAFT_RETURN_IF_FAILED(input.Wind.Validate("Wind"));
+  return input.Air.Validate("Air");
 }
 
 // Inputs may have come to the first rank alone.
@@ -182,7 +185,7 @@ void vtkSPHSpacetimeFilter::Restart()
 int vtkSPHSpacetimeFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
-            port == BackgroundPort ? "vtkImageData" : "vtkPolyData");
+            port == BackgroundPort || port == AirPort ? "vtkImageData" : "vtkPolyData");
   if (port >= ObstaclesPort)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);

@@ -11,6 +11,8 @@
  * Input port 4, Vortices (vtkPolyData, optional): first guesses and priors.
  * Input port 5, Wind (vtkImageData, optional, may vary in time): `Wind` or `Velocity`, a fixed
  * background.
+ * Input port 6, Air (vtkImageData, optional, may vary in time): `Velocity` [m/s] of a drawn air, in
+ * which the wind is contained already: the gas begins in it and is drawn towards it.
  *
  * Output port 0, Tracks (vtkPolyData): with `Force`, `AirVelocity` and `SPHVelocity` besides, and
  * the cell data `PositionResidual` [dx] and `VelocityResidual` [dx / frame]: root mean squares of
@@ -141,7 +143,7 @@ public:
   vtkGetMacro(ContactDistance, double);
   ///@}
   ///@{
-  /** Rate in 1/s with which a wind given as a velocity draws the gas. 0 to 100. */
+  /** Rate in 1/s with which an air, or a wind given as a velocity, draws the gas. 0 to 100. */
   vtkSetClampMacro(WindDrag, double, 0.0, 100.0);
   vtkGetMacro(WindDrag, double);
   ///@}
@@ -261,6 +263,7 @@ public:
   void RemoveAllObstacles() { this->SetInputConnection(3, nullptr); }
   void RemoveAllVortices() { this->SetInputConnection(4, nullptr); }
   void RemoveAllWind() { this->SetInputConnection(5, nullptr); }
+  void RemoveAllAir() { this->SetInputConnection(6, nullptr); }
   ///@}
 
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,

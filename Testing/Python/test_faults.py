@@ -147,7 +147,7 @@ class Faults(unittest.TestCase):
         whole = self.folder / "unkilled"
 
         def run(folder, resume=False):
-            return waft.synthesize(scene, output=folder, preview=True, threads=1, resume=resume, checkpoint_interval=0)
+            return waft.synthesize(scene, output=folder, quality="paper", threads=1, resume=resume, checkpoint_interval=0)
 
         KILL(0)
         run(whole)

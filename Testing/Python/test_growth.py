@@ -65,12 +65,8 @@ class Growth(unittest.TestCase):
         self.expect_flat(again)
 
     def test_a_pipeline_of_its_own_each_time(self):
-        from paraview import simple
-
         def anew(number):
-            run = waft.synthesize(self.scene(seed=number + 1), preview=True, threads=1)
-            for stage in (run.rotation, run.spacetime, run.planner, run.database, run.reader):
-                simple.Delete(stage)
+            waft.synthesize(self.scene(seed=number + 1), preview=True, threads=1).delete()
         self.expect_flat(anew)
 
     def test_refused_scenes(self):

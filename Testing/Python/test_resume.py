@@ -24,7 +24,7 @@ SCENE = {
 CHILD = """
 import sys
 from waft.synthesis import synthesize
-run = synthesize(sys.argv[1], output=sys.argv[2], preview=True, resume=sys.argv[3] == "resume", threads=1,
+run = synthesize(sys.argv[1], output=sys.argv[2], quality="paper", resume=sys.argv[3] == "resume", threads=1,
                  time_limit=float(sys.argv[4]) or None, checkpoint_interval=float(sys.argv[5]))
 print("\\n".join(run.warnings), end="")
 sys.exit(run.status)

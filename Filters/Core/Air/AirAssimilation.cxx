@@ -116,9 +116,22 @@ Result AssimilationRun::SetUpDrifters()
     std::vector<Constraint> rows;
     for (const Constraint& row : this->Input.Constraints)
     {
-      if (row.ObjectId == track.ObjectId && IsBinding(row, this->Output.Report))
+      if (row.ObjectId != track.ObjectId)
+      {
+        continue;
+      }
+      if (IsBinding(row, this->Output.Report))
       {
         rows.push_back(row);
+      }
+      else if (row.Status == ConstraintStatus::Unreachable && TraitsOf(row.Kind).IsPlace)
+      {
+        // The plan comes as near as it can.
+        Constraint near = row;
+        near.Kind = ConstraintKind::Position;
+        near.Value = track.Positions[static_cast<std::size_t>(row.Frame)];
+        near.Radius = 0.0;
+        rows.push_back(near);
       }
     }
     this->Drifters.emplace_back(this->Around, *object->second, track.Positions, rows);

@@ -42,6 +42,10 @@ constexpr double StructureCost = 4.0;
 // variances of velocity go as the scale, those of acceleration as its square.
 void FitDraw(const AirStatistics& wanted, AssimilationRun::ForceDraw& draw)
 {
+  if (!(draw.Found.AccelerationVariance > 0.0 && wanted.AccelerationVariance > 0.0))
+  {
+    return; // nothing flew long enough to tell
+  }
   const double v = std::log(draw.Found.VelocityVariance / wanted.VelocityVariance);
   const double a = std::log(draw.Found.AccelerationVariance / wanted.AccelerationVariance);
   const double most = std::log(MostScaling);
@@ -356,7 +360,8 @@ double AssimilationRun::Try(const FieldSeries& series, AssimilationRound& row) c
     StatisticsOf(flights, this->Input.Scene.Time.FramesPerSecond, this->Input.Scene.Bounds.Width());
   row.Control = std::sqrt(sum);
 
-  if (count < FewestForStatistics || found.VelocityVariance <= 0.0)
+  if (count < FewestForStatistics ||
+      !(found.AccelerationVariance > 0.0 && this->Wanted.AccelerationVariance > 0.0))
   {
     return sum;
   }

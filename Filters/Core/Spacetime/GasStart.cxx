@@ -103,12 +103,12 @@ bool StartGas(SpacetimeObjective& objective, const ParallelFor& parallel, Monito
   const TimeLevel& level = objective.Level();
   const std::size_t stride = model.Stride();
   const std::size_t gas = model.NumberOfGas;
-  const SplineWind flow = FitFlow(model, level, state, parallel);
+  const SplineWind flow = model.HasAir ? model.Background : FitFlow(model, level, state, parallel);
   const StateVector still = state;
   for (std::size_t i = 0; i < gas; ++i)
   {
     // Of what is before the first frame no object tells the flow's first knots.
-    const Vec3 v = SampleField(flow, Row(state.data(), stride, i), Beginning);
+    const Vec3 v = SampleField(flow, Row(state.data(), stride, i), model.HasAir ? 0.0 : Beginning);
     for (int c = 0; c < 3; ++c)
     {
       state[(3 + c) * stride + i] = static_cast<float>(v[c]);

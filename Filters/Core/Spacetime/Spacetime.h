@@ -102,11 +102,12 @@ struct SpacetimeOptions : TermWeights
                        "Distance between centres that objects keep, in metres; negative: from "
                        "their sizes; 0: none." },
           of.ContactDistance...);
-    visit(OptionField{ "WindDrag",
-                       { 0, 100 },
-                       "1/s",
-                       "Rate in 1/s with which a wind given as a velocity draws the gas." },
-          of.WindDrag...);
+    visit(
+      OptionField{ "WindDrag",
+                   { 0, 100 },
+                   "1/s",
+                   "Rate in 1/s with which an air, or a wind given as a velocity, draws the gas." },
+      of.WindDrag...);
     visit(
       FlagField(
         "EstimateWind",
@@ -220,6 +221,9 @@ struct SpacetimeInput
   std::vector<ObstacleMesh> Obstacles; // the ground among them
   std::vector<Vortex> Vortices;        // first guesses and priors; see SelectVortices
   FieldSeries Wind;                    // the user's, or empty: a fixed background
+  /// Velocity of a drawn air, in which Wind is contained already, or empty: the gas begins in it
+  /// and is drawn towards it as WindDrag says.
+  FieldSeries Air;
 };
 
 /// All particles, gas first, then the objects' in the order of the tracks. World units.

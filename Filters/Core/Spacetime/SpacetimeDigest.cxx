@@ -35,12 +35,14 @@ void AddSurroundings(DigestStream& sum, const SpacetimeInput& input)
     sum.List(Read(obstacle.Mesh.Triangles));
     sum.List(Read(obstacle.Offsets));
   }
-  FieldSeries& wind = Read(input.Wind);
-  sum.Values(wind.Meaning, wind.Dimensions[0], wind.Dimensions[1], wind.Dimensions[2], wind.Origin,
-             wind.Spacing);
-  sum.List(wind.Times);
-  sum.List(wind.Values,
-           [](StateArchive& s, std::vector<std::array<float, 3>>& values) { s.List(values); });
+  for (FieldSeries* field : { &Read(input.Wind), &Read(input.Air) })
+  {
+    sum.Values(field->Meaning, field->Dimensions[0], field->Dimensions[1], field->Dimensions[2],
+               field->Origin, field->Spacing);
+    sum.List(field->Times);
+    sum.List(field->Values,
+             [](StateArchive& s, std::vector<std::array<float, 3>>& values) { s.List(values); });
+  }
 }
 
 void AddConstraint(DigestStream& sum, const Constraint& row)

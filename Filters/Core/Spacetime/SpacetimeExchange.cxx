@@ -92,6 +92,7 @@ void Exchange(StateArchive& stream, SpacetimeInput& input)
   stream.List(input.Obstacles, ExchangeObstacle);
   stream.List(input.Vortices, [](StateArchive& s, Vortex& v) { Exchange(s, v); });
   ExchangeField(stream, input.Wind);
+  ExchangeField(stream, input.Air);
 }
 
 void Exchange(StateArchive& stream, SpacetimeMemory& memory)

@@ -76,7 +76,8 @@ struct SpacetimeModel
   std::vector<Vortex> Vortices;            // in dx and frames
   SplineWind Wind;                         // estimated
   std::array<int, 3> WindNodes{ 0, 0, 0 }; // of its lattice; zero: from Size
-  SplineWind Background;                   // the user's
+  SplineWind Background;                   // the user's, or a drawn air
+  bool HasAir = false;                     // Background is one
   ObstacleField Obstacles;
   RestDensity
     Rest; // what the gas lattice lacks beside walls, and beside obstacles that stand still

@@ -12,7 +12,7 @@ namespace waft
 namespace
 {
 
-constexpr const char* Format = "Waft spacetime checkpoint 4";
+constexpr const char* Format = "Waft spacetime checkpoint 5";
 constexpr double WritingShare = 1.0 / 30.0; // of the time, for checkpoints
 
 void ExchangeStep(StateArchive& stream, SpacetimeStep& step)

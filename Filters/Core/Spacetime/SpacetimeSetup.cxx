@@ -278,14 +278,16 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
 void SetUpBackground(const SpacetimeInput& input, const SpacetimeOptions& options,
                      SpacetimeSetup& setup)
 {
-  if (input.Wind.IsEmpty())
+  const FieldSeries& given = input.Air.IsEmpty() ? input.Wind : input.Air;
+  if (given.IsEmpty())
   {
     return;
   }
   constexpr int LongestKnot = 5; // frames
   SpacetimeModel& model = setup.Model;
   SplineWind& wind = model.Background;
-  const bool velocity = input.Wind.Meaning == FieldMeaning::Velocity;
+  model.HasAir = !input.Air.IsEmpty();
+  const bool velocity = given.Meaning == FieldMeaning::Velocity;
   wind.Drag = velocity ? options.WindDrag * setup.FrameStep : 0.0;
   wind.Origin = Vec3::Constant(-1.0);
   for (int a = 0; a < 3; ++a)
@@ -293,7 +295,7 @@ void SetUpBackground(const SpacetimeInput& input, const SpacetimeOptions& option
     wind.Dimensions[a] = static_cast<int>(std::ceil(model.Size[a])) + 3;
   }
   const double unit = velocity ? setup.Spacing / setup.FrameStep : setup.AccelerationUnit();
-  const bool steady = input.Wind.Times.size() == 1;
+  const bool steady = given.Times.size() == 1;
   wind.FramesPerKnot = LongestKnot;
   const int knots = steady ? 1 : (model.NumberOfFrames - 1) / LongestKnot + 2;
   for (int knot = 0; knot < knots; ++knot)
@@ -306,8 +308,7 @@ void SetUpBackground(const SpacetimeInput& input, const SpacetimeOptions& option
       {
         for (int i = 0; i < wind.Dimensions[0]; ++i)
         {
-          const Vec3 value =
-            input.Wind.Sample(setup.ToWorld(wind.Origin + Vec3(i, j, k)), time) / unit;
+          const Vec3 value = given.Sample(setup.ToWorld(wind.Origin + Vec3(i, j, k)), time) / unit;
           for (int c = 0; c < 3; ++c)
           {
             values.push_back(static_cast<float>(value[c]));

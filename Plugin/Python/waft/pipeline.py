@@ -10,7 +10,7 @@ from waft.watching import StageWatch
 
 
 class Pipeline:
-    """The live proxies: reader, database, planner, assimilation or spacetime (the other is None), rotation.
+    """The live proxies: reader, database, planner, assimilation and spacetime (None where the quality has none), rotation.
 
     Change a property of any of them and call UpdatePipeline() on the last: only what depends on the
     change is computed again.
@@ -96,10 +96,20 @@ class Pipeline:
         return source.GetClientSideObject().GetOutputDataObject(source.Port)
 
     def add_spacetime(self):
-        inputs = {"Obstacles": self._scene("Obstacles"), "Vortices": self._vortices(), **self._wind()}
+        tracks, rows = self._tracks_and_rows()
+        inputs = {"Obstacles": self._scene("Obstacles"), **self._wind()}
+        if self.assimilation is not None:
+            inputs.update(Air=simple.OutputPort(self.assimilation, 1), Vortices=simple.OutputPort(self.assimilation, 2))
+        else:
+            inputs["Vortices"] = self._vortices()
         self.spacetime = self._add(simple.SPHSpacetimeFilter(
-            registrationName="Spacetime", Tracks=self._planned[0],
-            Objects=self._scene("Objects"), Constraints=self._planned[3], **inputs))
+            registrationName="Spacetime", Tracks=tracks, Objects=self._scene("Objects"), Constraints=rows, **inputs))
+
+    def _tracks_and_rows(self):
+        """Outputs of the assimilation, or of the plan without one."""
+        if self.assimilation is not None:
+            return simple.OutputPort(self.assimilation, 0), simple.OutputPort(self.assimilation, 3)
+        return self._planned[0], self._planned[3]
 
     def add_assimilation(self):
         own = {"Vortices": self._scene("Vortices")} if self.output("reader", 4).GetNumberOfCells() > 0 else {}
@@ -108,9 +118,7 @@ class Pipeline:
             Constraints=self._planned[3], Obstacles=self._scene("Obstacles"), **own, **self._wind()))
 
     def add_rotation(self, seed):
-        tracks, rows = self._planned[0], self._planned[3]
-        if self.assimilation is not None:
-            tracks, rows = simple.OutputPort(self.assimilation, 0), simple.OutputPort(self.assimilation, 3)
+        tracks, rows = self._tracks_and_rows()
         if self.spacetime is not None:
             tracks = simple.OutputPort(self.spacetime, 0)
         self.rotation = self._add(simple.RotationRefineFilter(

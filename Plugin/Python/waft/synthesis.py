@@ -14,9 +14,10 @@ from waft.results import Entry, ResultPlace, read_json
 from waft.resuming import Checkpoint, run_key
 from waft.watching import Clock, collect
 
-# How objects come to their marks: a coarse optimisation; drift in one drawn air alone; and the optimiser from the plan, gas
-# at rest (both names mean the same so far).
+# How objects come to their marks: drift in one drawn air on a coarse grid; the same on the full one; the optimiser from there, in
+# that air; and, as in the paper, the optimiser from the plan, gas at rest.
 QUALITIES = ("preview", "assimilated", "full", "paper")
+PREVIEW = {"Resolution": 32, "Rounds": 1}  # of the assimilation
 CONVERGENCE = ("Pass", "Stage", "Iteration", "E", "Ex", "Ev", "Ec", "MaxViolation", "Leash", "Seconds")
 STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
 REPORT = "report.json"
@@ -30,7 +31,7 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
     scene: path of a *.waft.json file. output: a folder for the files of `waft synthesize` (none: nothing
     is written). database: a motion database, .vtm (default: the one that comes with Waft). seed: instead
     of the scene's. threads: number of threads (default all; the result is the same). time_limit: seconds.
-    preview: a coarse optimisation, for a quick look. resume: goes on from where an earlier run with the
+    preview: a coarse assimilation, for a quick look. resume: goes on from where an earlier run with the
     same inputs was stopped or killed, to the same motion as if it had not been; what it left is in the folder
     `checkpoint` of output. checkpoint_interval: seconds between two writings there (none: the filter's own).
     meshes: also writes meshes.pvd, all meshes posed, a file a frame. memory_limit: megabytes that the optimiser
@@ -131,8 +132,10 @@ def _result_names(scene, meshes, quality):
     """What a run writes, folders with a slash at their end."""
     names = ["planned.vtp", "optimized.vtp", "poses.vtp", "poses.csv", "vortices.vtp", "objects.vtp", "shapes.vtm", "shapes/",
              "constraints.vtp", "constraints.csv", "convergence.csv", "wind.pvd", "wind/", "animation.glb", REPORT]
-    if quality == "assimilated":
-        names = [name for name in names if name not in ("wind.pvd", "wind/")] + ["assimilated.vtp", "air.pvd", "air/", "rounds.csv"]
+    if quality in ("preview", "assimilated"):
+        names = [name for name in names if name not in ("wind.pvd", "wind/")]
+    if quality != "paper":
+        names += ["assimilated.vtp", "air.pvd", "air/", "rounds.csv"]
     names += ["obstacles.pvd", "obstacles/"] if _do_obstacles_move(scene) else ["obstacles.vtp"]
     return names + (["meshes.pvd", "meshes/"] if meshes else [])
 
@@ -144,12 +147,9 @@ def _do_obstacles_move(scene):
 
 
 def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limit):
-    settings = {}
-    if pipeline.quality == "preview":
-        settings = {"NumberOfGasParticles": 600, "LeashIterations": 5, "MaximumNumberOfIterations": 20}
-    if memory_limit is not None:
-        settings["MemoryLimit"] = memory_limit
-    if pipeline.quality != "assimilated":
+    settings = {} if memory_limit is None else {"MemoryLimit": memory_limit}
+    optimises = pipeline.quality in ("full", "paper")
+    if optimises:
         _check_room(pipeline, settings)
     if is_found:
         checkpoint.take_plan(pipeline)
@@ -162,18 +162,20 @@ def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limi
     if checkpoint is not None and not is_found:
         checkpoint.keep_plan(pipeline)
 
-    if pipeline.quality == "assimilated":
-        _assimilate(pipeline, clock)
-    else:
+    if pipeline.quality != "paper":
+        _assimilate(pipeline, clock, PREVIEW if pipeline.quality == "preview" else {})
+    if optimises and not clock.timed_out:
         _optimise(pipeline, clock, checkpoint, settings, checkpoint_interval)
     pipeline.add_rotation(pipeline.seed)
     pipeline.watch("rotation", clock)
     pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
 
 
-def _assimilate(pipeline, clock):
+def _assimilate(pipeline, clock, settings):
     pipeline.add_assimilation()
     watch = pipeline.watch("assimilation", clock)
+    for name, value in settings.items():
+        setattr(pipeline.assimilation, name, value)
     left = clock.remaining()
     if left is not None:
         pipeline.assimilation.TimeLimit = max(left, 0.001)
@@ -264,6 +266,8 @@ def write_results(pipeline, place, scene, checkpoint, meshes=False):
         energies = [dict(zip(header, row))["E"] for row in (rows[0], rows[-1])]
         write_csv(place.path("convergence.csv"), header, rows)
     else:
+        write_csv(place.path("convergence.csv"), CONVERGENCE, [])
+    if pipeline.assimilation is not None:
         _write_air(pipeline, place)
     _write_report(pipeline, place.path("constraints.csv"))
     _write_animation(pipeline, place)
@@ -271,11 +275,13 @@ def write_results(pipeline, place, scene, checkpoint, meshes=False):
 
 
 def _write_air(pipeline, place):
-    """What the assimilation gives besides tracks; the optimiser's table is without rows."""
-    shutil.copyfile(place.path("optimized.vtp"), place.path("assimilated.vtp"))
+    """What the assimilation gives besides vortices and the report."""
+    if pipeline.spacetime is None:
+        shutil.copyfile(place.path("optimized.vtp"), place.path("assimilated.vtp"))
+    else:
+        write_xml(pipeline.output("assimilation", 0), place.path("assimilated.vtp"))
     write_xml(pipeline.output("assimilation", 3), place.path("constraints.vtp"))
     write_csv(place.path("rounds.csv"), *table_rows(pipeline.output("assimilation", 5)))
-    write_csv(place.path("convergence.csv"), CONVERGENCE, [])
     _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half)
 
 
