@@ -20,7 +20,7 @@ SCENE = {
     "objects": [{"shape": "leaf", "position": [0.0, 0.0, 2.0]}],
     "constraints": [{"kind": "position", "object": 0, "frame": 10, "value": [0.0, 0.0, 1.8], "radius": 0.1}],
 }
-RUNS = 50
+RUNS = 30
 MOST_GROWTH = 0.02
 
 

@@ -18,37 +18,6 @@ constexpr double EnoughControl = 0.07; // of the flow at the bodies
 constexpr double LargeControl = 0.3;   // of the flow, that is told
 constexpr std::size_t MostTold = 10;
 
-Result CheckInput(const AssimilationInput& input)
-{
-  const int frames = input.Scene.Time.NumberOfFrames;
-  if (input.Tracks.empty())
-  {
-    return Result::Error("Tracks: no track, at least one expected");
-  }
-  if (frames < LeastFrames)
-  {
-    return Result::Error("NumberOfFrames: at least " + std::to_string(LeastFrames) +
-                         " expected, found " + std::to_string(frames));
-  }
-  for (const Track& track : input.Tracks)
-  {
-    const std::string name = "Tracks, object " + std::to_string(track.ObjectId);
-    if (track.Positions.size() != static_cast<std::size_t>(frames))
-    {
-      return Result::Error(name + ": " + std::to_string(track.Positions.size()) +
-                           " points, one a frame (" + std::to_string(frames) + ") expected");
-    }
-    for (std::size_t k = 0; k < track.Positions.size(); ++k)
-    {
-      if (!track.Positions[k].allFinite())
-      {
-        return Result::Error(name + ": not a finite position at frame " + std::to_string(k));
-      }
-    }
-  }
-  return Result::Ok();
-}
-
 } // namespace
 
 AssimilationRun::AssimilationRun(const AssimilationInput& input, const AssimilationOptions& options,
@@ -62,7 +31,7 @@ AssimilationRun::AssimilationRun(const AssimilationInput& input, const Assimilat
 
 Result AssimilationRun::Run()
 {
-  WAFT_RETURN_IF_FAILED(CheckInput(this->Input));
+  WAFT_RETURN_IF_FAILED(CheckTracks(this->Input, LeastFrames));
   WAFT_RETURN_IF_FAILED(this->Obstacles.Build(this->Input.Obstacles));
   WAFT_RETURN_IF_FAILED(this->SetUpDrifters());
   this->SetUpScene();

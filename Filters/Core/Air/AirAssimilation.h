@@ -10,12 +10,10 @@
 
 #include "Air/CommonWind.h"
 #include "Air/Drift.h"
-#include "Base/ForceFields.h"
 #include "Base/Monitor.h"
-#include "Base/Motion.h"
 #include "Base/OptionFields.h"
 #include "Base/Parallel.h"
-#include "Constraints/Constraint.h"
+#include "Constraints/MotionProblem.h"
 #include "Grid/SmokeSeries.h"
 #include "Obstacles/ObstacleSet.h"
 
@@ -121,16 +119,8 @@ struct AssimilationOptions
   }
 };
 
-struct AssimilationInput
-{
-  SceneInfo Scene;
-  std::vector<Track> Tracks;           // planned, one an object, one sample a frame
-  std::vector<MotionObject> Objects;   // those of the tracks
-  std::vector<Constraint> Constraints; // every row assigned
-  std::vector<ObstacleMesh> Obstacles; // the ground among them
-  std::vector<Vortex> Vortices;        // the scene's own, which stir the air with the random ones
-  FieldSeries Wind;                    // the user's, or empty
-};
+/// Its Vortices are the scene's own, which stir the air with the random ones.
+using AssimilationInput = MotionProblem;
 
 /// What a round brought.
 struct AssimilationRound

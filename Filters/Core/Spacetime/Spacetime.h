@@ -5,14 +5,11 @@
 
 #include "Base/Communicator.h"
 #include "Base/FieldSeries.h"
-#include "Base/ForceFields.h"
-#include "Base/Mesh.h"
 #include "Base/Monitor.h"
-#include "Base/Motion.h"
 #include "Base/Parallel.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
-#include "Constraints/Constraint.h"
+#include "Constraints/MotionProblem.h"
 #include "Spacetime/TermWeights.h"
 
 #include <array>
@@ -212,15 +209,9 @@ struct SpacetimeOptions : TermWeights
   }
 };
 
-struct SpacetimeInput
+/// Its Vortices are first guesses and priors (see SelectVortices), its Wind a fixed background.
+struct SpacetimeInput : MotionProblem
 {
-  SceneInfo Scene;
-  std::vector<Track> Tracks;           // planned, one an object, one sample a frame
-  std::vector<MotionObject> Objects;   // those of the tracks
-  std::vector<Constraint> Constraints; // every row assigned
-  std::vector<ObstacleMesh> Obstacles; // the ground among them
-  std::vector<Vortex> Vortices;        // first guesses and priors; see SelectVortices
-  FieldSeries Wind;                    // the user's, or empty: a fixed background
   /// Velocity of a drawn air, in which Wind is contained already, or empty: the gas begins in it
   /// and is drawn towards it as WindDrag says.
   FieldSeries Air;

@@ -8,7 +8,6 @@
 namespace waft
 {
 
-void Exchange(StateArchive& stream, Vortex& vortex);
 void Exchange(StateArchive& stream, SplineWind& wind);
 void Exchange(StateArchive& stream, SpacetimeOptions& options);
 void Exchange(StateArchive& stream, SpacetimeInput& input);

@@ -25,35 +25,7 @@ constexpr double ObjectMassShare = 0.1;      // of a gas particle's mass, at mos
 constexpr double AllObjectsMassShare = 0.02; // of all gas, at most
 constexpr double LeastCore = 1.5;            // of a vortex [dx]: the gas cannot follow a finer one
 
-Result CheckTracks(const SpacetimeInput& input)
-{
-  if (input.Tracks.empty())
-  {
-    return Result::Error("Tracks: no track, at least one expected");
-  }
-  const auto frames = static_cast<std::size_t>(input.Scene.Time.NumberOfFrames);
-  if (frames < 3)
-  {
-    return Result::Error("NumberOfFrames: at least 3 expected");
-  }
-  for (const Track& track : input.Tracks)
-  {
-    const std::string name = "Tracks, object " + std::to_string(track.ObjectId);
-    if (track.Positions.size() != frames)
-    {
-      return Result::Error(name + ": " + std::to_string(track.Positions.size()) +
-                           " points, one a frame (" + std::to_string(frames) + ") expected");
-    }
-    for (std::size_t k = 0; k < frames; ++k)
-    {
-      if (!track.Positions[k].allFinite())
-      {
-        return Result::Error(name + ": not a finite position at frame " + std::to_string(k));
-      }
-    }
-  }
-  return Result::Ok();
-}
+constexpr int LeastFrames = 3;
 
 // Objects in the order of the tracks.
 Result MatchObjects(const SpacetimeInput& input, SpacetimeSetup& setup)
@@ -353,7 +325,7 @@ Result MakeSetup(const SpacetimeInput& input, const SpacetimeOptions& options,
   setup = SpacetimeSetup();
   std::vector<int> grounds;
   for (const Result& result :
-       { options.Validate(), CheckTracks(input), MatchObjects(input, setup) })
+       { options.Validate(), CheckTracks(input, LeastFrames), MatchObjects(input, setup) })
   {
     if (!result)
     {
