@@ -2,6 +2,7 @@
 #include "vtkAirAssimilationFilter.h"
 
 #include "Air/AirAssimilation.h"
+#include "Air/AssimilationState.h"
 #include "Bridge/AirData.h"
 #include "Bridge/ConstraintData.h"
 #include "Bridge/KeptStage.h"
@@ -53,6 +54,7 @@ struct vtkAirAssimilationFilter::Internals : waft::KeptStage
 {
   vtkAirAssimilationFilter* Self;
   waft::AssimilationOutput Solution;
+  waft::AssimilationState Memory; // of the last run, for the next
 
   explicit Internals(vtkAirAssimilationFilter* self) :
     KeptStage(self, PlannedPort, ObstaclesPort, WindPort), Self(self)
@@ -92,9 +94,9 @@ waft::Result vtkAirAssimilationFilter::Internals::Run(vtkInformationVector** inp
     return [obstacles = input.Obstacles, smoke](int frame, auto& distances, auto& velocities)
     { return waft::NodeDistances(obstacles, frame, smoke, distances, velocities); };
   };
-  WAFT_RETURN_IF_FAILED(waft::AssimilateAir(input,
-                                            waft::OptionsOf<waft::AssimilationOptions>(*this->Self),
-                                            solids, waft::SmpFor(), monitor, this->Solution));
+  WAFT_RETURN_IF_FAILED(
+    waft::AssimilateAir(input, waft::OptionsOf<waft::AssimilationOptions>(*this->Self), solids,
+                        waft::SmpFor(), monitor, this->Solution, &this->Memory));
   this->Warnings = this->Solution.Warnings;
   auto* tracks = this->Kept<vtkPolyData>(TracksPort);
   waft::TracksToPolyData(this->Solution.Tracks, this->Scene, tracks);
@@ -122,6 +124,12 @@ vtkAirAssimilationFilter::vtkAirAssimilationFilter() : Impl(std::make_unique<Int
 }
 
 vtkAirAssimilationFilter::~vtkAirAssimilationFilter() = default;
+
+void vtkAirAssimilationFilter::Restart()
+{
+  this->Impl->Memory = waft::AssimilationState();
+  this->Modified();
+}
 
 int vtkAirAssimilationFilter::FillInputPortInformation(int port, vtkInformation* info)
 {

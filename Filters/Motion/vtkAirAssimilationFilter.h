@@ -30,6 +30,7 @@
 #include "vtkWaftFiltersModule.h"
 
 #include <memory>
+#include <string>
 
 namespace waft
 {
@@ -55,8 +56,9 @@ public:
   vtkGetMacro(LatticeResolution, int);
   ///@}
   ///@{
-  /** Airs that are tried: quarter turns and mirror images where nothing forbids them, else other
-   * seeds. The one that asks for the least control goes on. 1 to 256. */
+  /** Airs that are tried by coarse simulations: draws of the forces, and of each its quarter turns
+   * and mirror images where nothing forbids them. The one goes on in which objects need the least
+   * control and move as bodies do. 1 to 256. */
   vtkSetClampMacro(Candidates, int, 1, 256);
   vtkGetMacro(Candidates, int);
   ///@}
@@ -114,6 +116,33 @@ public:
   vtkSetClampMacro(TimeLimit, double, 0.0, 1e+09);
   vtkGetMacro(TimeLimit, double);
   ///@}
+  ///@{
+  /** When only some objects, rows or tracks changed since the last run: the same air, and only
+   * what changed drifts again. */
+  vtkSetMacro(WarmStart, bool);
+  vtkGetMacro(WarmStart, bool);
+  vtkBooleanMacro(WarmStart, bool);
+  ///@}
+  ///@{
+  /** A file that the state of a run is written to after each of its parts, whole or not at all;
+   * empty: none. A run of the same inputs and properties that was ended before its time goes on
+   * from it, to the same bits; a run that ends by itself removes it. */
+  vtkSetStdStringFromCharMacro(CheckpointFile);
+  vtkGetCharFromStdStringMacro(CheckpointFile);
+  ///@}
+  ///@{
+  /** A file that a finished run is kept in, for later edits; empty: none. */
+  vtkSetStdStringFromCharMacro(StateFile);
+  vtkGetCharFromStdStringMacro(StateFile);
+  ///@}
+  ///@{
+  /** The State File of a run of the same scene that differs in some objects' rows: the same air,
+   * and only what changed drifts again; empty: none. */
+  vtkSetStdStringFromCharMacro(EditOf);
+  vtkGetCharFromStdStringMacro(EditOf);
+  ///@}
+  /** Forgets the last run: the next one draws an air. */
+  void Restart();
 
   ///@{
   /// Take an optional input away.
@@ -158,6 +187,10 @@ private:
   double TouchDownSpread = 2.0;
   bool Inertia = false;
   double TimeLimit = 0.0;
+  bool WarmStart = true;
+  std::string CheckpointFile;
+  std::string StateFile;
+  std::string EditOf;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

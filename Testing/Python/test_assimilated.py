@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A scene by assimilation alone: its files, its rows, and that its air carries it.
 
-    pvpython test_assimilated.py
+    pvpython test_assimilated.py PVPYTHON        what is killed is a process of its own
 """
 import csv
 import json
 import pathlib
+import signal
+import subprocess
 import sys
 import tempfile
+import textwrap
 import unittest
 
 import numpy as np
@@ -81,10 +84,52 @@ class Assimilated(unittest.TestCase):
         self.assertTrue(np.isfinite(control).all())
         self.assertLess(np.abs(control[1]).max(), 1e-3)  # nothing is asked of the object in the middle
 
+    def test_an_edit_leaves_what_it_does_not_touch(self):
+        changed = json.loads(json.dumps(SCENE))
+        changed["constraints"][0]["value"] = [0.6, 0.4, 1.1]
+        scene = self.folder / "edited.waft.json"
+        scene.write_text(json.dumps(changed), encoding="utf-8")
+        edited = waft.synthesize(str(scene), output=str(self.folder / "edited"), quality="assimilated", edit_of=str(self.out))
+        self.assertEqual((edited.status, edited.warnings), (0, []))
+        before, _ = self.tracks("optimized.vtp")
+        after, _ = self.tracks("../edited/optimized.vtp")
+        self.assertEqual(after[2, 30].tolist(), [0.6, 0.4, 1.1])
+        self.assertEqual(before[:2].tolist(), after[:2].tolist())
+        for name in ("air/air_0000.vti", "air/air_0030.vti"):
+            self.assertEqual((self.out / name).read_bytes(), (self.folder / "edited" / name).read_bytes())
+
+    def test_a_run_that_was_killed_goes_on_to_the_same_bytes(self):
+        kill = """if True:
+            import os, pathlib, signal, sys, threading, time, waft
+            state = pathlib.Path(sys.argv[2]) / "checkpoint" / "assimilation.state"
+            def watch():
+                while not state.exists():
+                    time.sleep(0.005)
+                os.kill(os.getpid(), signal.SIGKILL)
+            threading.Thread(target=watch, daemon=True).start()
+            waft.synthesize(sys.argv[1], output=sys.argv[2], quality="assimilated")
+            """
+        out = self.folder / "killed"
+        program = self.folder / "kill.py"
+        program.write_text(textwrap.dedent(kill), encoding="utf-8")
+        done = subprocess.run([PVPYTHON, str(program), str(self.scene), str(out)], check=False, capture_output=True)
+        self.assertEqual(done.returncode, -signal.SIGKILL)
+        again = waft.synthesize(str(self.scene), output=str(out), quality="assimilated", resume=True)
+        self.assertEqual((again.status, again.warnings), (0, []))
+        for name in ("assimilated.vtp", "poses.csv", "constraints.vtp", "air/air_0044.vti"):
+            self.assertEqual((self.out / name).read_bytes(), (out / name).read_bytes(), name)
+
+    def test_the_air_of_an_edit_has_to_be_there(self):
+        with self.assertRaisesRegex(BadInput, "assimilated.state: no such file; expected the folder of a finished run"):
+            waft.synthesize(str(self.scene), quality="assimilated", edit_of=str(self.folder))
+        with self.assertRaisesRegex(BadInput, "edit_of: a run of quality paper has no air to keep"):
+            waft.synthesize(str(self.scene), quality="paper", edit_of=str(self.out))
+
     def test_an_unknown_quality_is_named(self):
         with self.assertRaisesRegex(BadInput, "quality: expected one of preview, assimilated, full, paper, found best"):
             waft.synthesize(str(self.scene), quality="best")
 
 
 if __name__ == "__main__":
+    PVPYTHON = sys.argv[1]
     unittest.main(argv=sys.argv[:1])

@@ -17,6 +17,7 @@ constexpr int LeastFrames = 8;
 constexpr double EnoughControl = 0.07; // of the flow at the bodies
 constexpr double LargeControl = 0.3;   // of the flow, that is told
 constexpr std::size_t MostTold = 10;
+constexpr const char* Finished = "finish";
 
 } // namespace
 
@@ -29,31 +30,61 @@ AssimilationRun::AssimilationRun(const AssimilationInput& input, const Assimilat
 {
 }
 
-Result AssimilationRun::Run()
+Result AssimilationRun::Run(AssimilationState* memory)
 {
   WAFT_RETURN_IF_FAILED(CheckTracks(this->Input, LeastFrames));
   WAFT_RETURN_IF_FAILED(this->Obstacles.Build(this->Input.Obstacles));
   WAFT_RETURN_IF_FAILED(this->SetUpDrifters());
   this->SetUpScene();
-  Result result = this->Draw();
-  if (!result || result.IsStopped())
+  this->Key = KeyOf(this->Input, this->Options);
+  const bool isEdit = this->Edit(memory);
+  if (memory != nullptr)
+  {
+    *memory = AssimilationState();
+  }
+  const Result result = isEdit ? Result::Ok() : this->Solve();
+  if (!result)
   {
     return result;
   }
-  result = this->FirstDrift();
+  if (!this->Air.IsEmpty())
+  {
+    this->Finish();
+  }
+  if (!result.IsStopped())
+  {
+    this->Leave(memory);
+  }
+  return result;
+}
+
+Result AssimilationRun::Solve()
+{
+  Result result = Result::Ok();
+  int round = 0;
+  if (!this->Resume(round))
+  {
+    result = this->Draw();
+    if (!result || result.IsStopped())
+    {
+      this->Air = FieldSeries(); // the plan is the best so far
+      return result;
+    }
+    result = this->FirstDrift();
+    this->KeepCheckpoint(0, result);
+  }
   if (this->Options.Rounds == 0 && !result.IsStopped())
   {
     this->FindWind();
   }
-  for (int round = 0; round < this->Options.Rounds && !result.IsStopped() && this->GoesOn();
-       ++round)
+  for (; round < this->Options.Rounds && !result.IsStopped() && this->GoesOn(); ++round)
   {
     const FieldSeries plain = this->Air;
     this->FindWind();
     result = this->SimulateAgain(plain, round);
     WAFT_RETURN_IF_FAILED(result);
+    this->KeepCheckpoint(round + 1, result);
   }
-  this->Finish();
   return result;
 }
 
@@ -119,10 +150,15 @@ void AssimilationRun::Finish()
                  {
                    for (std::size_t o = begin; o < end; ++o)
                    {
-                     clear[o] = this->FinishPath(o, air) ? 1 : 0;
+                     // What an edit left alone is exact already.
+                     clear[o] = this->IsKept(o) || this->FinishPath(o, air) ? 1 : 0;
                    }
                  });
-  this->Note("finish", nullptr);
+  if (!this->Output.Rounds.empty() && this->Output.Rounds.back().Stage == Finished)
+  {
+    this->Output.Rounds.pop_back(); // of the run that this one goes on from
+  }
+  this->Note(Finished, nullptr);
   this->TellLargeHands();
   for (std::size_t o = 0; o < count; ++o)
   {
@@ -288,10 +324,10 @@ std::array<int, 3> AirLatticeDimensions(const Box& volume, const AssimilationOpt
 
 Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& options,
                      const SolidsOn& solids, const ParallelFor& parallel, Monitor& monitor,
-                     AssimilationOutput& output)
+                     AssimilationOutput& output, AssimilationState* memory)
 {
   WAFT_RETURN_IF_FAILED(options.Validate());
-  return AssimilationRun(input, options, solids, parallel, monitor, output).Run();
+  return AssimilationRun(input, options, solids, parallel, monitor, output).Run(memory);
 }
 
 } // namespace waft

@@ -38,11 +38,16 @@ struct AssimilationOptions
   double TouchDownSpread = 2.0;
   bool Inertia = false;
   double TimeLimit = 0.0;
+  bool WarmStart = true;
+  std::string CheckpointFile;
+  std::string StateFile;
+  std::string EditOf;
 
   Result Validate() const { return ValidateFields<AssimilationOptions>(*this); }
 
+  /// What the motion depends on.
   template <class Visitor, class... Holder>
-  static void Visit(Visitor&& visit, Holder&... of)
+  static void VisitAir(Visitor&& visit, Holder&... of)
   {
     visit(OptionField{ "Resolution",
                        { 16, 256 },
@@ -110,12 +115,41 @@ struct AssimilationOptions
     visit(FlagField("Inertia",
                     "Bodies come after the air as g / SettlingSpeed has it, instead of at once."),
           of.Inertia...);
+  }
+
+  template <class Visitor, class... Holder>
+  static void VisitUse(Visitor&& visit, Holder&... of)
+  {
     visit(OptionField{ "TimeLimit",
                        { 0, 1e+09 },
                        "s",
                        "Seconds after which the best motion so far is given; 0: no limit. With a "
                        "limit two runs may differ." },
           of.TimeLimit...);
+    visit(FlagField("WarmStart",
+                    "When only some objects, rows or tracks changed since the last run: the same "
+                    "air, and only what changed drifts again."),
+          of.WarmStart...);
+    visit(TextField("CheckpointFile",
+                    "A file that the state of a run is written to after each of its parts, whole "
+                    "or not at all; empty: none. A run of the same inputs and properties that was "
+                    "ended before its time goes on from it, to the same bits; a run that ends by "
+                    "itself removes it."),
+          of.CheckpointFile...);
+    visit(TextField("StateFile",
+                    "A file that a finished run is kept in, for later edits; empty: none."),
+          of.StateFile...);
+    visit(TextField("EditOf",
+                    "The State File of a run of the same scene that differs in some objects' rows: "
+                    "the same air, and only what changed drifts again; empty: none."),
+          of.EditOf...);
+  }
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    VisitAir(visit, of...);
+    VisitUse(visit, of...);
   }
 };
 
@@ -154,10 +188,13 @@ std::array<int, 3> AirLatticeDimensions(const Box& volume, const AssimilationOpt
 /// options; may be empty.
 using SolidsOn = std::function<SolidsAtFrame(const SmokeOptions& smoke)>;
 
+struct AssimilationState; // Air/AssimilationState.h
+
 /// Errors: tracks that are empty, not finite or of different lengths, fewer than 8 frames, rows or
-/// tracks without object. The same bits on any number of threads.
+/// tracks without object. The same bits on any number of threads. memory, where there is one, is
+/// what the last run left and is left anew: see WarmStart.
 Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& options,
                      const SolidsOn& solids, const ParallelFor& parallel, Monitor& monitor,
-                     AssimilationOutput& output);
+                     AssimilationOutput& output, AssimilationState* memory = nullptr);
 
 } // namespace waft

@@ -319,7 +319,9 @@ Result AssimilationRun::Draw()
   this->Scene.Forces = Image(best, this->Input.Scene.Bounds, draws[draw].Forces);
   FieldSeries none;
   PartMonitor monitor(this->Caller, TrialsEnd, DrawEnd, "Drawing the air");
-  return SimulateAir(this->Scene, {}, this->Parallel, monitor, this->Air, none);
+  const Result simulated = SimulateAir(this->Scene, {}, this->Parallel, monitor, this->Air, none);
+  RoundToHalf(this->Air);
+  return simulated;
 }
 
 double AssimilationRun::Try(const FieldSeries& series, AssimilationRound& row) const
@@ -408,6 +410,8 @@ Result AssimilationRun::SimulateAgain(const FieldSeries& plain, int round)
   }
   this->Air = std::move(air);
   this->Output.Wind = std::move(steered);
+  RoundToHalf(this->Air);
+  RoundToHalf(this->Output.Wind);
   this->DriftOn(DriftIterations);
   this->Note("simulate " + std::to_string(round + 1), nullptr);
   return Result::Ok();

@@ -39,6 +39,10 @@ Result AssimilationRun::FirstDrift()
                    for (std::size_t o = begin; o < end; ++o)
                    {
                      Drifter& drifter = this->Drifters[o];
+                     if (this->IsKept(o))
+                     {
+                       continue;
+                     }
                      if (!monitor.Tick(static_cast<double>(done++) / this->Drifters.size(), ""))
                      {
                        return;
@@ -110,8 +114,11 @@ void AssimilationRun::DriftOn(int iterations)
                  {
                    for (std::size_t o = begin; o < end; ++o)
                    {
-                     SolveDrift(this->Drifters[o].Problem(), air, this->Weights(), iterations,
-                                this->Paths[o]);
+                     if (!this->IsKept(o))
+                     {
+                       SolveDrift(this->Drifters[o].Problem(), air, this->Weights(), iterations,
+                                  this->Paths[o]);
+                     }
                    }
                  });
 }

@@ -5,6 +5,7 @@
 #include "Air/AirAssimilation.h"
 #include "Air/AirSimulation.h"
 #include "Air/AirStatistics.h"
+#include "Air/AssimilationState.h"
 #include "Air/Drifter.h"
 
 #include <chrono>
@@ -25,7 +26,7 @@ public:
   AssimilationRun(const AssimilationInput& input, const AssimilationOptions& options,
                   const SolidsOn& solids, const ParallelFor& parallel, Monitor& monitor,
                   AssimilationOutput& output);
-  Result Run();
+  Result Run(AssimilationState* memory);
 
   /// Random forces, and how bodies move in the coarse air that they make.
   struct ForceDraw
@@ -75,6 +76,23 @@ private:
   /// out of the way without a look at the air.
   bool FinishPath(std::size_t o, const AirSampler& air);
 
+  // AssimilationResume.cxx
+  /// All but the fields.
+  AssimilationState State() const;
+  void Take(AssimilationState& state);
+  void TakePath(std::size_t o, const AssimilationState& state);
+  bool HasPaths(const AssimilationState& state) const;
+  void KeepCheckpoint(int rounds, const Result& result);
+  /// rounds: that the run which left the checkpoint had done.
+  bool Resume(int& rounds);
+  /// The air and what did not change from the last run, or from EditOf; only the rest drifts.
+  bool Edit(AssimilationState* memory);
+  /// For the next run.
+  void Leave(AssimilationState* memory);
+  /// An object that an edit leaves as it was.
+  bool IsKept(std::size_t o) const { return !this->IsOld.empty() && this->IsOld[o]; }
+
+  Result Solve();
   bool GoesOn() const;
   Result SetUpDrifters();
   void Finish();
@@ -110,6 +128,9 @@ private:
   FieldSeries Air;
   AirStatistics Wanted;
   std::string Candidate;
+  AssimilationKey Key;
+  std::vector<char> IsOld; // by object; empty: no edit
+  bool HasCheckpointFailed = false;
   std::chrono::steady_clock::time_point Begun = std::chrono::steady_clock::now();
 };
 

@@ -91,6 +91,8 @@ def parser():
     make.add_argument("--preview", dest="quality", action="store_const", const="preview",
                       help="--quality preview: coarse, for a quick look")
     make.add_argument("--resume", action="store_true", help="go on from what an earlier run left in DIR")
+    make.add_argument("--edit-of", type=path, metavar="DIR",
+                      help="a finished run of the scene before some rows changed: the same air, only what changed drifts again")
     make.add_argument("--meshes", action="store_true", help="also meshes.pvd: all meshes posed, a file a frame")
     make.set_defaults(run=run_synthesize)
 
@@ -153,7 +155,7 @@ def run_synthesize(options):
     run = synthesize(options.scene, output=options.output, database=options.database, seed=options.seed,
                      threads=options.threads, time_limit=options.time_limit, quality=options.quality,
                      resume=options.resume, quiet=False, meshes=options.meshes,
-                     memory_limit=options.memory_limit)
+                     memory_limit=options.memory_limit, edit_of=options.edit_of)
     tell(run, options.output)
     return run.status
 

@@ -13,8 +13,11 @@ from waft.loading import version
 from waft.results import manifest_of, manifest_rows, read_json, read_manifest
 
 PLAN = {0: "planned.vtp", 3: "constraints.vtp", 4: "vortices.vtp"}
-_REPORT, _KEY, _STATE = "report.csv", "key", "spacetime.state"
-_OWN = re.compile("|".join([*map(re.escape, (*PLAN.values(), _REPORT, _KEY)), re.escape(_STATE) + r"(\.part\d+)?"]))
+_REPORT, _KEY = "report.csv", "key"
+# Of the optimiser; of the assimilation on its way, and when it is done.
+_STATES = ("spacetime.state", "assimilation.state", "assimilated.state")
+_OWN = re.compile("|".join([*map(re.escape, (*PLAN.values(), _REPORT, _KEY)),
+                            *(re.escape(state) + r"(\.part\d+)?" for state in _STATES)]))
 
 
 def run_key(pipeline, quality):
@@ -41,7 +44,7 @@ def _bytes(data):
 
 
 class Checkpoint:
-    """The folder `checkpoint` in a run's output: the plan, and the optimiser's state as it was last written.
+    """The folder `checkpoint` in a run's output: the plan, and the states of the stages after it as they were last written.
 
     place: the ResultPlace of the run. Raises BadInput when the folder holds what no run wrote.
     """
@@ -50,7 +53,7 @@ class Checkpoint:
         self._place = place
         self._folder = place.root / "checkpoint"
         self._key = key
-        self.state_file = self._folder / _STATE
+        self.optimiser_file, self.assimilation_file, self.air_file = (self._folder / state for state in _STATES)
         if os.path.lexists(self._folder) and not self._is_own():
             raise BadInput(f"{self._folder}: expected no such folder, or one that a stopped run left: it holds something else and "
                            "stays as it is: move it away, or choose another place for the results")

@@ -21,11 +21,12 @@ PREVIEW = {"Resolution": 32, "Rounds": 1}  # of the assimilation
 CONVERGENCE = ("Pass", "Stage", "Iteration", "E", "Ex", "Ev", "Ec", "MaxViolation", "Leash", "Seconds")
 STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
 REPORT = "report.json"
+STATE = "assimilated.state"
 
 
 def synthesize(scene, output=None, database=None, seed=None, threads=None, time_limit=None,
                preview=False, resume=False, quiet=True, checkpoint_interval=None, meshes=False,
-               memory_limit=None, quality=None):
+               memory_limit=None, quality=None, edit_of=None):
     """Plans, optimises and turns the objects of a scene; returns the live Pipeline of proxies.
 
     scene: path of a *.waft.json file. output: a folder for the files of `waft synthesize` (none: nothing
@@ -35,7 +36,8 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
     same inputs was stopped or killed, to the same motion as if it had not been; what it left is in the folder
     `checkpoint` of output. checkpoint_interval: seconds between two writings there (none: the filter's own).
     meshes: also writes meshes.pvd, all meshes posed, a file a frame. memory_limit: megabytes that the optimiser
-    may take (none: as many as it needs). quality: one of QUALITIES (default full).
+    may take (none: as many as it needs). quality: one of QUALITIES (default full). edit_of: the folder of a finished run of the
+    same scene but for some objects' rows: the same air, and only what changed drifts again.
 
     The Pipeline has, besides the proxies: status (exit status of the command), report (the constraints,
     one dictionary per row), warnings. Raises BadInput on malformed input, and where results would take the place of files that
@@ -58,7 +60,8 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
             scene_seed = pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)
             pipeline.seed = int(scene_seed) if seed is None else seed
             pipeline.quality = quality
-            pipeline.key = run_key(pipeline, quality)
+            pipeline.edit_of = _state_of(edit_of, quality)
+            pipeline.key = run_key(pipeline, f"{quality} {edit_of or ''}".strip())
             pipeline.warnings = []
             checkpoint = None
             if place is not None:
@@ -84,6 +87,18 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
             if not pipeline.stopped:
                 checkpoint.clear()
     return pipeline
+
+
+def _state_of(folder, quality):
+    """The file with the air of a finished run; None without a folder."""
+    if folder is None:
+        return None
+    state = pathlib.Path(folder) / STATE
+    if quality == "paper":
+        raise failures.BadInput("edit_of: a run of quality paper has no air to keep")
+    if not state.is_file():
+        raise failures.BadInput(f"{state}: no such file; expected the folder of a finished run, of another quality than paper")
+    return state
 
 
 def tell(run, folder):
@@ -135,7 +150,7 @@ def _result_names(scene, meshes, quality):
     if quality in ("preview", "assimilated"):
         names = [name for name in names if name not in ("wind.pvd", "wind/")]
     if quality != "paper":
-        names += ["assimilated.vtp", "air.pvd", "air/", "rounds.csv"]
+        names += ["assimilated.vtp", "air.pvd", "air/", "rounds.csv", STATE]
     names += ["obstacles.pvd", "obstacles/"] if _do_obstacles_move(scene) else ["obstacles.vtp"]
     return names + (["meshes.pvd", "meshes/"] if meshes else [])
 
@@ -163,7 +178,7 @@ def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limi
         checkpoint.keep_plan(pipeline)
 
     if pipeline.quality != "paper":
-        _assimilate(pipeline, clock, PREVIEW if pipeline.quality == "preview" else {})
+        _assimilate(pipeline, clock, checkpoint, PREVIEW if pipeline.quality == "preview" else {})
     if optimises and not clock.timed_out:
         _optimise(pipeline, clock, checkpoint, settings, checkpoint_interval)
     pipeline.add_rotation(pipeline.seed)
@@ -171,8 +186,15 @@ def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limi
     pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
 
 
-def _assimilate(pipeline, clock, settings):
+def _assimilate(pipeline, clock, checkpoint, settings):
     pipeline.add_assimilation()
+    if pipeline.edit_of is not None:
+        pipeline.assimilation.EditOf = str(pipeline.edit_of)
+    if checkpoint is not None:
+        pipeline.assimilation.CheckpointFile = str(checkpoint.assimilation_file)
+        pipeline.assimilation.StateFile = str(checkpoint.air_file)
+        if checkpoint.air_file.is_file():  # it was done when the run was stopped
+            pipeline.assimilation.EditOf = str(checkpoint.air_file)
     watch = pipeline.watch("assimilation", clock)
     for name, value in settings.items():
         setattr(pipeline.assimilation, name, value)
@@ -189,7 +211,7 @@ def _optimise(pipeline, clock, checkpoint, settings, checkpoint_interval):
     for name, value in settings.items():
         setattr(pipeline.spacetime, name, value)
     if checkpoint is not None:
-        pipeline.spacetime.CheckpointFile = str(checkpoint.state_file)
+        pipeline.spacetime.CheckpointFile = str(checkpoint.optimiser_file)
         if checkpoint_interval is not None:
             pipeline.spacetime.CheckpointInterval = checkpoint_interval
     left = clock.remaining()
@@ -268,13 +290,13 @@ def write_results(pipeline, place, scene, checkpoint, meshes=False):
     else:
         write_csv(place.path("convergence.csv"), CONVERGENCE, [])
     if pipeline.assimilation is not None:
-        _write_air(pipeline, place)
+        _write_air(pipeline, place, checkpoint)
     _write_report(pipeline, place.path("constraints.csv"))
     _write_animation(pipeline, place)
     place.commit(_summary(pipeline, scene, energies))
 
 
-def _write_air(pipeline, place):
+def _write_air(pipeline, place, checkpoint):
     """What the assimilation gives besides vortices and the report."""
     if pipeline.spacetime is None:
         shutil.copyfile(place.path("optimized.vtp"), place.path("assimilated.vtp"))
@@ -283,6 +305,8 @@ def _write_air(pipeline, place):
     write_xml(pipeline.output("assimilation", 3), place.path("constraints.vtp"))
     write_csv(place.path("rounds.csv"), *table_rows(pipeline.output("assimilation", 5)))
     _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half)
+    if checkpoint.air_file.is_file():
+        shutil.copyfile(checkpoint.air_file, place.path(STATE))
 
 
 def _write_shapes(pipeline, place):

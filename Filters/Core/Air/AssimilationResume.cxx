@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a run goes on from: a checkpoint of one that was ended, or a finished one that is edited.
+#include "Air/AssimilationRun.h"
+#include "Air/DriftContacts.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+namespace waft
+{
+
+AssimilationState AssimilationRun::State() const
+{
+  AssimilationState state;
+  state.Key = this->Key;
+  state.Candidate = this->Candidate;
+  state.Forces = this->Scene.Forces;
+  state.Forces.Wind = FieldSeries();
+  state.Paths = this->Paths;
+  for (const Drifter& drifter : this->Drifters)
+  {
+    std::vector<int> frames;
+    for (std::size_t l = 0; l < drifter.NumberOfLandings(); ++l)
+    {
+      frames.push_back(drifter.TouchDown(l));
+    }
+    state.TouchDowns.push_back(std::move(frames));
+  }
+  state.Table = this->Output.Rounds;
+  return state;
+}
+
+void AssimilationRun::Take(AssimilationState& state)
+{
+  this->Candidate = state.Candidate;
+  this->Scene.Forces = state.Forces;
+  this->Scene.Forces.Wind = this->Input.Wind;
+  this->Air = state.Air;
+  this->Output.Wind = state.Wind;
+  this->Output.Rounds = state.Table;
+}
+
+void AssimilationRun::TakePath(std::size_t o, const AssimilationState& state)
+{
+  Drifter& drifter = this->Drifters[o];
+  this->Paths[o] = state.Paths[o];
+  const std::vector<int>& frames = state.TouchDowns[o];
+  for (std::size_t l = 0; l < std::min(drifter.NumberOfLandings(), frames.size()); ++l)
+  {
+    drifter.SetTouchDown(l, frames[l]);
+  }
+}
+
+bool AssimilationRun::HasPaths(const AssimilationState& state) const
+{
+  const std::size_t frames = this->Input.Tracks.front().Positions.size();
+  return !state.IsEmpty() && state.Paths.size() == this->Drifters.size() &&
+         state.TouchDowns.size() == this->Drifters.size() && state.Air.Values.size() == frames &&
+         std::all_of(state.Paths.begin(), state.Paths.end(),
+                     [frames](const std::vector<Vec3>& path) { return path.size() == frames; });
+}
+
+void AssimilationRun::KeepCheckpoint(int rounds, const Result& result)
+{
+  if (this->Options.CheckpointFile.empty() || this->HasCheckpointFailed || result.IsStopped())
+  {
+    return;
+  }
+  AssimilationState state = this->State();
+  state.Rounds = rounds;
+  state.Air = this->Air;
+  state.Wind = this->Output.Wind;
+  const Result written = WriteState(this->Options.CheckpointFile, state);
+  if (!written)
+  {
+    this->HasCheckpointFailed = true;
+    this->Output.Warnings.push_back("CheckpointFile: " + written.Message());
+  }
+}
+
+bool AssimilationRun::Resume(int& rounds)
+{
+  const std::string& path = this->Options.CheckpointFile;
+  if (path.empty())
+  {
+    return false;
+  }
+  AssimilationState state;
+  std::string lack = ReadState(path, state);
+  if (lack.empty() && state.IsEmpty())
+  {
+    return false;
+  }
+  if (lack.empty() && !(state.Key.IsSame(this->Key) && this->HasPaths(state)))
+  {
+    lack = "belongs to other inputs or properties";
+  }
+  if (!lack.empty())
+  {
+    this->Output.Warnings.push_back("CheckpointFile: " + path + " " + lack +
+                                    ": ignored, done from the start");
+    return false;
+  }
+  this->Take(state);
+  for (std::size_t o = 0; o < this->Drifters.size(); ++o)
+  {
+    this->TakePath(o, state);
+  }
+  rounds = state.Rounds;
+  return true;
+}
+
+bool AssimilationRun::Edit(AssimilationState* memory)
+{
+  AssimilationState kept;
+  std::string lack;
+  if (memory != nullptr && this->Options.WarmStart && memory->IsFinished)
+  {
+    kept = *memory;
+  }
+  else if (!this->Options.EditOf.empty())
+  {
+    lack = ReadState(this->Options.EditOf, kept);
+    lack = lack.empty() && !kept.IsFinished ? "holds no finished run" : lack;
+    if (!lack.empty() || !kept.Key.IsOfSameAir(this->Key) || !this->HasPaths(kept))
+    {
+      this->Output.Warnings.push_back(
+        "EditOf: " + this->Options.EditOf + " " +
+        (lack.empty() ? "is of another scene, other objects or other properties" : lack) +
+        ": ignored, done from the start");
+      return false;
+    }
+  }
+  // A plan that is another one without new rows asks for another motion as a whole.
+  if (!kept.IsFinished || !kept.Key.IsOfSameAir(this->Key) || !this->HasPaths(kept) ||
+      (kept.Key.Wanted == this->Key.Wanted && kept.Key.Planned != this->Key.Planned))
+  {
+    return false;
+  }
+  this->Take(kept);
+  this->IsOld.assign(this->Drifters.size(), 0);
+  for (std::size_t o = 0; o < this->Drifters.size(); ++o)
+  {
+    if (kept.Key.Wanted[o] == this->Key.Wanted[o])
+    {
+      this->TakePath(o, kept);
+      this->IsOld[o] = 1;
+    }
+  }
+  if (!kept.Key.IsSame(this->Key))
+  {
+    (void)this->FirstDrift();
+    this->DriftOn(DriftIterations);
+    this->Note("edit", nullptr);
+  }
+  return true;
+}
+
+void AssimilationRun::Leave(AssimilationState* memory)
+{
+  if (!this->Options.CheckpointFile.empty())
+  {
+    (void)std::remove(this->Options.CheckpointFile.c_str());
+  }
+  if (memory == nullptr && this->Options.StateFile.empty())
+  {
+    return;
+  }
+  AssimilationState state = this->State();
+  state.IsFinished = true;
+  state.Air = this->Output.Air;
+  state.Wind = this->Output.Wind;
+  if (!this->Options.StateFile.empty())
+  {
+    const Result written = WriteState(this->Options.StateFile, state);
+    if (!written)
+    {
+      this->Output.Warnings.push_back("StateFile: " + written.Message());
+    }
+  }
+  if (memory != nullptr)
+  {
+    *memory = std::move(state);
+  }
+}
+
+} // namespace waft

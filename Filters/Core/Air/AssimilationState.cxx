@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Air/AssimilationState.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+
+namespace waft
+{
+namespace
+{
+
+constexpr const char* Format = "Waft assimilation 1";
+
+// A digest changes nothing of what it reads.
+template <class T>
+T& Read(const T& value)
+{
+  return const_cast<T&>(value);
+}
+
+std::uint16_t ToHalf(float value)
+{
+  return Eigen::numext::bit_cast<std::uint16_t>(Eigen::half(value));
+}
+
+float FromHalf(std::uint16_t bits)
+{
+  return static_cast<float>(Eigen::numext::bit_cast<Eigen::half>(bits));
+}
+
+// Values that are half floats already.
+void ExchangeHalves(StateArchive& stream, FieldSeries& series)
+{
+  stream.Values(series.Meaning, series.Dimensions[0], series.Dimensions[1], series.Dimensions[2],
+                series.Origin, series.Spacing);
+  stream.List(series.Times);
+  const auto exchange = [](StateArchive& s, std::vector<std::array<float, 3>>& values)
+  {
+    std::vector<std::array<std::uint16_t, 3>> halves(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      std::transform(values[i].begin(), values[i].end(), halves[i].begin(), ToHalf);
+    }
+    s.List(halves);
+    values.resize(halves.size());
+    for (std::size_t i = 0; s.IsReading() && i < values.size(); ++i)
+    {
+      std::transform(halves[i].begin(), halves[i].end(), values[i].begin(), FromHalf);
+    }
+  };
+  stream.List(series.Values, exchange);
+}
+
+void ExchangeRound(StateArchive& stream, AssimilationRound& row)
+{
+  stream.Text(row.Stage);
+  stream.Text(row.Candidate);
+  stream.Values(row.Control, row.MedianControl, row.Flow, row.Wind, row.Seconds);
+}
+
+void Exchange(StateArchive& stream, AssimilationState& state)
+{
+  stream.Value(state.Key.Surroundings);
+  stream.List(state.Key.Ids);
+  stream.List(state.Key.Wanted);
+  stream.List(state.Key.Planned);
+  stream.Values(state.Rounds, state.IsFinished);
+  stream.Text(state.Candidate);
+  stream.List(state.Forces.Vortices, [](StateArchive& s, Vortex& v) { Exchange(s, v); });
+  stream.List(state.Forces.Winds, [](StateArchive& s, AnalyticWind& w) { Exchange(s, w); });
+  ExchangeHalves(stream, state.Air);
+  ExchangeHalves(stream, state.Wind);
+  stream.List(state.Paths, [](StateArchive& s, std::vector<Vec3>& path) { s.List(path); });
+  stream.List(state.TouchDowns, [](StateArchive& s, std::vector<int>& frames) { s.List(frames); });
+  stream.List(state.Table, ExchangeRound);
+}
+
+} // namespace
+
+AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions& options)
+{
+  AssimilationKey key;
+  DigestStream around;
+  AssimilationInput scene; // without objects and rows
+  scene.Scene = input.Scene;
+  scene.Obstacles = input.Obstacles;
+  scene.Vortices = input.Vortices;
+  scene.Wind = input.Wind;
+  Exchange(around, scene);
+  AssimilationOptions::VisitAir(ExchangeFieldsWith(around), Read(options));
+  key.Surroundings = around.Sum();
+  for (const Track& track : input.Tracks)
+  {
+    DigestStream wanted, planned;
+    for (const MotionObject& object : input.Objects)
+    {
+      if (object.ObjectId == track.ObjectId)
+      {
+        Exchange(wanted, Read(object));
+      }
+    }
+    for (const Constraint& row : input.Constraints)
+    {
+      if (row.ObjectId == track.ObjectId)
+      {
+        Exchange(wanted, Read(row));
+      }
+    }
+    planned.List(Read(track.Positions));
+    key.Ids.push_back(track.ObjectId);
+    key.Wanted.push_back(wanted.Sum());
+    key.Planned.push_back(planned.Sum());
+  }
+  return key;
+}
+
+void RoundToHalf(FieldSeries& series)
+{
+  for (std::vector<std::array<float, 3>>& field : series.Values)
+  {
+    for (std::array<float, 3>& value : field)
+    {
+      for (float& c : value)
+      {
+        c = FromHalf(ToHalf(c));
+      }
+    }
+  }
+}
+
+Result WriteState(const std::string& path, AssimilationState& state)
+{
+  StateFileWriter file(path);
+  std::string format = Format;
+  file.Text(format);
+  Exchange(file, state);
+  return file.Commit();
+}
+
+std::string ReadState(const std::string& path, AssimilationState& state)
+{
+  state = AssimilationState();
+  if (!StateFileReader(path).IsGood())
+  {
+    return "";
+  }
+  if (!IsWholeStateFile(path))
+  {
+    return "is damaged";
+  }
+  StateFileReader file(path);
+  std::string format;
+  file.Text(format);
+  if (format != Format)
+  {
+    return "is no assimilation of this version";
+  }
+  Exchange(file, state);
+  if (!file.IsAtEnd())
+  {
+    state = AssimilationState();
+    return "is incomplete";
+  }
+  return "";
+}
+
+} // namespace waft
