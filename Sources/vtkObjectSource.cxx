@@ -60,6 +60,7 @@ int vtkObjectSource::RequestData(vtkInformation*, vtkInformationVector**,
   object.Mass = this->Mass;
   object.Position = waft::Vec3(this->Position);
   object.Velocity = waft::Vec3(this->Velocity);
+  object.VelocityGiven = object.Velocity.isZero() ? 0 : 1;
   const double* q = this->Orientation;
   object.Orientation = waft::Quat(q[0], q[1], q[2], q[3]);
   if (!(object.Orientation.norm() > 0.0))

@@ -83,6 +83,9 @@ void ObjectsToPolyData(const std::vector<MotionObject>& objects, const SceneInfo
   AddColumn(arrays, names::ShapeId, objects, &MotionObject::ShapeId);
   AddColumn(arrays, names::Mass, objects, &MotionObject::Mass);
   AddColumn(arrays, names::Velocity, objects, &MotionObject::Velocity);
+  AddColumn(arrays, names::VelocityGiven, objects,
+            [](const MotionObject& object)
+            { return static_cast<unsigned char>(object.VelocityGiven); });
   AddColumn(arrays, names::Orientation, objects, &MotionObject::Orientation);
   AddColumn(arrays, names::AngularVelocity, objects, &MotionObject::AngularVelocity);
   AddColumn(arrays, names::SettlingSpeed, objects, &MotionObject::SettlingSpeed);
@@ -105,6 +108,7 @@ Result ObjectsFromPolyData(vtkPolyData* data, std::vector<MotionObject>& objects
   WAFT_RETURN_IF_FAILED(readOptional(names::ClassId, &MotionObject::ClassId));
   WAFT_RETURN_IF_FAILED(readOptional(names::Mass, &MotionObject::Mass));
   WAFT_RETURN_IF_FAILED(readOptional(names::Velocity, &MotionObject::Velocity));
+  WAFT_RETURN_IF_FAILED(readOptional(names::VelocityGiven, &MotionObject::VelocityGiven));
   WAFT_RETURN_IF_FAILED(readOptional(names::Orientation, &MotionObject::Orientation));
   WAFT_RETURN_IF_FAILED(readOptional(names::AngularVelocity, &MotionObject::AngularVelocity));
   WAFT_RETURN_IF_FAILED(readOptional(names::SettlingSpeed, &MotionObject::SettlingSpeed));

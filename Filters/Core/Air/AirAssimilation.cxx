@@ -14,9 +14,10 @@ namespace
 {
 
 constexpr int LeastFrames = 8;
-constexpr double EnoughControl = 0.07; // of the flow at the bodies
+constexpr double EnoughControl = 0.05; // of the flow at the bodies
 constexpr double LargeControl = 0.3;   // of the flow, that is told
 constexpr std::size_t MostTold = 10;
+constexpr int OfTheStart = -1; // row of a velocity that an object begins with
 constexpr const char* Finished = "finish";
 
 } // namespace
@@ -133,6 +134,15 @@ Result AssimilationRun::SetUpDrifters()
         near.Radius = 0.0;
         rows.push_back(near);
       }
+    }
+    if (object->second->VelocityGiven != 0)
+    {
+      Constraint row;
+      row.ObjectId = track.ObjectId;
+      row.Kind = ConstraintKind::Velocity;
+      row.Value = object->second->Velocity;
+      row.Row = row.Target = OfTheStart;
+      rows.push_back(row);
     }
     this->Drifters.emplace_back(this->Around, *object->second, track.Positions, rows);
     this->Paths.push_back(track.Positions);
@@ -290,7 +300,10 @@ void AssimilationRun::TellLargeHands()
     std::string rows;
     for (const Constraint& row : this->Drifters[o].Rows())
     {
-      rows += (rows.empty() ? "" : ", ") + std::to_string(row.Row);
+      if (row.Row != OfTheStart)
+      {
+        rows += (rows.empty() ? "" : ", ") + std::to_string(row.Row);
+      }
     }
     this->Output.Warnings.push_back(
       "object " + std::to_string(this->Drifters[o].Object().ObjectId) + " (rows " + rows +

@@ -29,6 +29,7 @@ struct MotionObject
   double Mass = 0.001; // kg
   Vec3 Position = Vec3::Zero();
   Vec3 Velocity = Vec3::Zero();
+  int VelocityGiven = 0; // 1: an exact requirement; 0: it starts as its air does
   Quat Orientation = Quat::Identity();
   Vec3 AngularVelocity = Vec3::Zero(); // rad/s, world
   double SettlingSpeed = 0.8;          // m/s, terminal fall speed in still air

@@ -93,8 +93,8 @@ void Exchange(StateArchive& stream, Constraint& c)
 
 void Exchange(StateArchive& stream, MotionObject& o)
 {
-  stream.Values(o.ObjectId, o.ShapeId, o.ClassId, o.Mass, o.Position, o.Velocity, o.AngularVelocity,
-                o.SettlingSpeed, o.ClearanceRadius, o.RestHeight);
+  stream.Values(o.ObjectId, o.ShapeId, o.ClassId, o.Mass, o.Position, o.Velocity, o.VelocityGiven,
+                o.AngularVelocity, o.SettlingSpeed, o.ClearanceRadius, o.RestHeight);
   ExchangeQuaternion(stream, o.Orientation);
 }
 

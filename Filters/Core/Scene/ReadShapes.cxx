@@ -200,6 +200,7 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t entry)
   if (node.Has("velocity"))
   {
     object.Velocity = node.At("velocity", "").Vector();
+    object.VelocityGiven = 1;
   }
   if (node.Has("orientation"))
   {

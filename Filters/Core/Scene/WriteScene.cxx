@@ -220,7 +220,10 @@ SceneJson SceneFormat::FormatObject(const MotionObject& object) const
       json[field] = value;
     }
   };
-  vector("velocity", object.Velocity);
+  if (object.VelocityGiven != 0)
+  {
+    json["velocity"] = FormatVector(object.Velocity);
+  }
   if (object.Orientation.coeffs() != Quat::Identity().coeffs())
   {
     json["orientation"] = FormatRotation(object.Orientation);
