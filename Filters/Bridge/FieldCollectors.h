@@ -47,15 +47,22 @@ private:
   double LastTime = 0.0;
 };
 
-/// Gathers the steps of a time-varying image with `Wind` (an acceleration) or `Velocity`.
+/// Gathers the steps of a time-varying image.
 class FieldCollector
 {
 public:
+  enum class Takes
+  {
+    Wind, // `Wind` (an acceleration), without it `Velocity`
+    Air   // `Velocity`
+  };
+  explicit FieldCollector(Takes what = Takes::Wind) : What(what) {}
   /// As that of ObstacleCollector.
   Result Add(vtkImageData* data, double time);
   FieldSeries Take();
 
 private:
+  Takes What; // errors begin with its name
   FieldSeries Series;
 };
 

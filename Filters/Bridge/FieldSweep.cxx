@@ -35,10 +35,19 @@ vtkInformation* InputOf(vtkInformationVector** inputs, int port)
            : nullptr;
 }
 
+Result AddImage(vtkInformation* input, FieldCollector& fields)
+{
+  vtkImageData* data = input != nullptr ? vtkImageData::GetData(input) : nullptr;
+  return data != nullptr && data->GetNumberOfPoints() > 0
+           ? fields.Add(data, TimeSweep::DataTime(input))
+           : Result::Ok();
+}
+
 } // namespace
 
-FieldSweep::FieldSweep(int obstaclesPort, int windPort) :
-  ObstaclesPort(obstaclesPort), WindPort(windPort), Sweep(PortsThatAre({ obstaclesPort, windPort }))
+FieldSweep::FieldSweep(int obstaclesPort, int windPort, int airPort) :
+  ObstaclesPort(obstaclesPort), WindPort(windPort), AirPort(airPort),
+  Sweep(PortsThatAre({ obstaclesPort, windPort, airPort }))
 {
 }
 
@@ -52,11 +61,14 @@ void FieldSweep::RequestSteps(vtkAlgorithm* stage, vtkInformation* request,
     this->IsKept = !this->KeptSignature.empty() && this->Signature == this->KeptSignature;
   }
   this->Sweep.RequestSteps(stage, request, inputs, outputs, isCurrent || this->IsKept);
-  vtkInformation* wind = InputOf(inputs, this->WindPort);
-  if (wind != nullptr && wind->Has(Sddp::WHOLE_EXTENT()))
+  for (const int port : { this->WindPort, this->AirPort })
   {
-    // The pipeline would ask for the extent of the image that the stage gives.
-    wind->Set(Sddp::UPDATE_EXTENT(), wind->Get(Sddp::WHOLE_EXTENT()), 6);
+    vtkInformation* image = InputOf(inputs, port);
+    if (image != nullptr && image->Has(Sddp::WHOLE_EXTENT()))
+    {
+      // The pipeline would ask for the extent of the image that the stage gives.
+      image->Set(Sddp::UPDATE_EXTENT(), image->Get(Sddp::WHOLE_EXTENT()), 6);
+    }
   }
 }
 
@@ -109,6 +121,7 @@ Result FieldSweep::Take(vtkInformationVector** inputs, const Timeline& line)
   {
     this->Obstacles = ObstacleCollector();
     this->Wind = FieldCollector();
+    this->Air = FieldCollector(FieldCollector::Takes::Air);
   }
   if (!this->Sweep.HasNewStep())
   {
@@ -122,15 +135,8 @@ Result FieldSweep::Take(vtkInformationVector** inputs, const Timeline& line)
       WAFT_RETURN_IF_FAILED(this->Obstacles.Add(data, TimeSweep::DataTime(input), line));
     }
   }
-  if (vtkInformation* input = InputOf(inputs, this->WindPort))
-  {
-    vtkImageData* data = vtkImageData::GetData(input);
-    if (data != nullptr && data->GetNumberOfPoints() > 0)
-    {
-      WAFT_RETURN_IF_FAILED(this->Wind.Add(data, TimeSweep::DataTime(input)));
-    }
-  }
-  return Result::Ok();
+  WAFT_RETURN_IF_FAILED(AddImage(InputOf(inputs, this->WindPort), this->Wind));
+  return AddImage(InputOf(inputs, this->AirPort), this->Air);
 }
 
 } // namespace waft

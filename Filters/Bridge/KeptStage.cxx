@@ -30,8 +30,10 @@ int Empty(vtkInformationVector* outputs)
 
 } // namespace
 
-KeptStage::KeptStage(vtkAlgorithm* stage, int scenePort, int obstaclesPort, int windPort) :
-  Fields(obstaclesPort, windPort), Stage(stage), ScenePort(scenePort)
+KeptStage::KeptStage(vtkAlgorithm* stage, int scenePort, int obstaclesPort, int windPort,
+                     int airPort) :
+  Fields(obstaclesPort, windPort, airPort),
+  Stage(stage), ScenePort(scenePort)
 {
 }
 

@@ -81,6 +81,20 @@ class Assimilated(unittest.TestCase):
         self.assertTrue(np.isfinite(control).all())
         self.assertLess(np.abs(control[1]).max(), 1e-3)  # nothing is asked of the object in the middle
 
+    def test_its_air_turns_the_bodies(self):
+        rotation = self.made.rotation
+        self.assertIs(rotation.Air.SMProxy, self.made.assimilation.SMProxy)
+        self.assertEqual(rotation.Air.Port, 1)
+        with_air = self.turns(rotation)
+        rotation.Air = None
+        rotation.UpdatePipeline()
+        self.assertGreater(np.abs(self.turns(rotation) - with_air).max(), 1e-3)
+
+    @staticmethod
+    def turns(rotation):
+        poses = rotation.GetClientSideObject().GetOutputDataObject(1).GetPointData()
+        return vtk_to_numpy(poses.GetArray("AngularVelocity")).copy()
+
     def test_an_unknown_quality_is_named(self):
         with self.assertRaisesRegex(BadInput, "quality: expected one of preview, assimilated, full, paper, found best"):
             waft.synthesize(str(self.scene), quality="best")

@@ -108,14 +108,15 @@ class Pipeline:
             Constraints=self._planned[3], Obstacles=self._scene("Obstacles"), **own, **self._wind()))
 
     def add_rotation(self, seed):
-        tracks, rows = self._planned[0], self._planned[3]
+        tracks, rows, air = self._planned[0], self._planned[3], {}
         if self.assimilation is not None:
             tracks, rows = simple.OutputPort(self.assimilation, 0), simple.OutputPort(self.assimilation, 3)
+            air = {"Air": simple.OutputPort(self.assimilation, 1)}
         if self.spacetime is not None:
             tracks = simple.OutputPort(self.spacetime, 0)
         self.rotation = self._add(simple.RotationRefineFilter(
             registrationName="Rotation", Tracks=tracks, Objects=self._scene("Objects"), Shapes=self._scene("Shapes"),
-            Obstacles=self._scene("Obstacles"), Constraints=rows, **self._wind()))
+            Obstacles=self._scene("Obstacles"), Constraints=rows, **air, **self._wind()))
         self.rotation.Seed = seed
 
     @property
