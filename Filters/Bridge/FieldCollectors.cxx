@@ -232,26 +232,28 @@ std::vector<ObstacleMesh> ObstacleCollector::Take()
 
 Result FieldCollector::Add(vtkImageData* data, double time)
 {
+  const bool isWind = this->What == Takes::Wind;
+  const std::string name = isWind ? "Wind" : "Air";
   if (!this->Series.IsEmpty() && time <= this->Series.Times.back())
   {
-    return SeenAlready(this->Owner, time, this->Series.Times.back());
+    return SeenAlready(name, time, this->Series.Times.back());
   }
   vtkPointData* arrays = data->GetPointData();
-  vtkDataArray* values = this->IsAir ? nullptr : arrays->GetArray(names::Wind);
+  vtkDataArray* values = isWind ? arrays->GetArray(names::Wind) : nullptr;
   const FieldMeaning meaning = values ? FieldMeaning::Acceleration : FieldMeaning::Velocity;
   values = values ? values : arrays->GetArray(names::Velocity);
   if (!values || values->GetNumberOfComponents() != 3)
   {
-    return Result::Error(this->Owner + ": expected the point data array " +
-                         (this->IsAir ? "" : "`Wind` or ") + "`Velocity` of 3 components");
+    return Result::Error(name + ": expected the point data array " +
+                         (isWind ? "`Wind` or `Velocity`" : "`Velocity`") + " of 3 components");
   }
   FieldSeries lattice;
   lattice.Meaning = meaning;
   WAFT_RETURN_IF_FAILED(
-    LatticeFromImage(data, this->Owner, lattice.Dimensions, lattice.Origin, lattice.Spacing));
+    LatticeFromImage(data, name, lattice.Dimensions, lattice.Origin, lattice.Spacing));
   if (static_cast<std::size_t>(values->GetNumberOfTuples()) != lattice.NumberOfPoints())
   {
-    return Result::Error(this->Owner + ": expected " + std::to_string(lattice.NumberOfPoints()) +
+    return Result::Error(name + ": expected " + std::to_string(lattice.NumberOfPoints()) +
                          " values, one a point, found " +
                          std::to_string(values->GetNumberOfTuples()));
   }
@@ -262,7 +264,7 @@ Result FieldCollector::Add(vtkImageData* data, double time)
   if (lattice.Dimensions != this->Series.Dimensions || lattice.Origin != this->Series.Origin ||
       lattice.Spacing != this->Series.Spacing || meaning != this->Series.Meaning)
   {
-    return Result::Error(this->Owner + ": expected the same lattice and array at every time step");
+    return Result::Error(name + ": expected the same lattice and array at every time step");
   }
   std::vector<std::array<float, 3>> step(static_cast<std::size_t>(values->GetNumberOfTuples()));
   const limits::Range range =
@@ -274,7 +276,7 @@ Result FieldCollector::Add(vtkImageData* data, double time)
       const double value = values->GetComponent(i, c);
       if (!range.Holds(value))
       {
-        return Result::Error(this->Owner + ": array `" + values->GetName() + "`: point " +
+        return Result::Error(name + ": array `" + values->GetName() + "`: point " +
                              std::to_string(i) + ": expected " + range.Text() + ", found " +
                              NumberText(value));
       }

@@ -47,23 +47,22 @@ private:
   double LastTime = 0.0;
 };
 
-/// Gathers the steps of a time-varying image with `Wind` (an acceleration) or `Velocity`; of an air
-/// `Velocity` counts, whatever else there is.
+/// Gathers the steps of a time-varying image.
 class FieldCollector
 {
 public:
-  /// owner: for messages, an input's name.
-  explicit FieldCollector(std::string owner = "Wind", bool isAir = false) :
-    Owner(std::move(owner)), IsAir(isAir)
+  enum class Takes
   {
-  }
+    Wind, // `Wind` (an acceleration), without it `Velocity`
+    Air   // `Velocity`
+  };
+  explicit FieldCollector(Takes what = Takes::Wind) : What(what) {}
   /// As that of ObstacleCollector.
   Result Add(vtkImageData* data, double time);
   FieldSeries Take();
 
 private:
-  std::string Owner;
-  bool IsAir;
+  Takes What; // errors begin with its name
   FieldSeries Series;
 };
 

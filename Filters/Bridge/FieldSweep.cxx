@@ -35,6 +35,14 @@ vtkInformation* InputOf(vtkInformationVector** inputs, int port)
            : nullptr;
 }
 
+Result AddImage(vtkInformation* input, FieldCollector& fields)
+{
+  vtkImageData* data = input != nullptr ? vtkImageData::GetData(input) : nullptr;
+  return data != nullptr && data->GetNumberOfPoints() > 0
+           ? fields.Add(data, TimeSweep::DataTime(input))
+           : Result::Ok();
+}
+
 } // namespace
 
 FieldSweep::FieldSweep(int obstaclesPort, int windPort, int airPort) :
@@ -112,8 +120,8 @@ Result FieldSweep::Take(vtkInformationVector** inputs, const Timeline& line)
   if (this->Sweep.IsFirst())
   {
     this->Obstacles = ObstacleCollector();
-    (void)this->Wind.Take();
-    (void)this->Air.Take();
+    this->Wind = FieldCollector();
+    this->Air = FieldCollector(FieldCollector::Takes::Air);
   }
   if (!this->Sweep.HasNewStep())
   {
@@ -127,17 +135,8 @@ Result FieldSweep::Take(vtkInformationVector** inputs, const Timeline& line)
       WAFT_RETURN_IF_FAILED(this->Obstacles.Add(data, TimeSweep::DataTime(input), line));
     }
   }
-  for (const bool isAir : { false, true })
-  {
-    vtkInformation* input = InputOf(inputs, isAir ? this->AirPort : this->WindPort);
-    vtkImageData* data = input ? vtkImageData::GetData(input) : nullptr;
-    if (data != nullptr && data->GetNumberOfPoints() > 0)
-    {
-      FieldCollector& collector = isAir ? this->Air : this->Wind;
-      WAFT_RETURN_IF_FAILED(collector.Add(data, TimeSweep::DataTime(input)));
-    }
-  }
-  return Result::Ok();
+  WAFT_RETURN_IF_FAILED(AddImage(InputOf(inputs, this->WindPort), this->Wind));
+  return AddImage(InputOf(inputs, this->AirPort), this->Air);
 }
 
 } // namespace waft

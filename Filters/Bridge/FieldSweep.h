@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The obstacles and the wind of a stage, gathered over time.
+// The obstacles, the wind and the air of a stage, gathered over time.
 #pragma once
 
 #include "Base/FieldSeries.h"
@@ -26,7 +26,7 @@ public:
   /// From now on obstacles are kept from one sweep to the next, and there is no sweep while nothing
   /// changes upstream of their port. Of a stage without wind and air only.
   void KeepObstacles() { this->Keeps = this->WindPort == NoPort && this->AirPort == NoPort; }
-  /// Like TimeSweep::RequestSteps; of wind and air all is asked for, whatever its lattice.
+  /// Like TimeSweep::RequestSteps; of images all is asked for, whatever their lattices.
   void RequestSteps(vtkAlgorithm* stage, vtkInformation* request, vtkInformationVector** inputs,
                     vtkInformationVector* outputs, bool isCurrent);
   bool IsFirst() const { return this->Sweep.IsFirst(); }
@@ -48,7 +48,7 @@ private:
   TimeSweep Sweep;
   ObstacleCollector Obstacles;
   FieldCollector Wind;
-  FieldCollector Air{ "Air", true };
+  FieldCollector Air{ FieldCollector::Takes::Air };
   bool Keeps = false;
   bool IsKept = false;    // this run takes the obstacles of an earlier sweep
   bool MustSweep = false; // it cannot, after all

@@ -35,9 +35,9 @@ public:
   KeptStage& operator=(const KeptStage&) = delete;
 
   /// The stage's requests. RequestData runs Core when parameters or inputs have changed, once all
-  /// steps of obstacles and wind were pulled; then it fills the outputs for the time asked. Where
-  /// the scene is with the first rank (IsWithFirstRank), and when it is stopped while it pulls,
-  /// they stay empty.
+  /// steps of obstacles, wind and air were pulled; then it fills the outputs for the time asked.
+  /// Where the scene is with the first rank (IsWithFirstRank), and when it is stopped while it
+  /// pulls, they stay empty.
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
                           vtkInformationVector* outputs);
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,

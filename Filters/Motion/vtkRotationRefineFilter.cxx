@@ -38,6 +38,7 @@ enum InputPort
   ObstaclesPort,
   WindPort,
   ConstraintsPort,
+  AirPort,
   NumberOfInputs
 };
 
@@ -59,7 +60,7 @@ struct vtkRotationRefineFilter::Internals : waft::KeptStage
   waft::PosedMeshes Meshes;
 
   explicit Internals(vtkRotationRefineFilter* self) :
-    KeptStage(self, TracksPort, ObstaclesPort, WindPort), Self(self)
+    KeptStage(self, TracksPort, ObstaclesPort, WindPort, AirPort), Self(self)
   {
   }
   waft::Result Take(vtkInformationVector** inputs, waft::RotationInput& input);
@@ -91,6 +92,8 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
   input.Obstacles = &obstacles;
   const waft::FieldSeries wind = this->Fields.TakeWind();
   input.Wind = &wind;
+  const waft::FieldSeries air = this->Fields.TakeAir();
+  input.Air = &air;
   WAFT_RETURN_IF_FAILED(this->Meshes.Build(input.Shapes, input.Objects, input.Tracks, this->Scene));
   const waft::Result result =
     waft::RunRotationRefine(input, waft::OptionsOf<waft::RotationOptions>(*this->Self),
@@ -138,9 +141,10 @@ vtkRotationRefineFilter::~vtkRotationRefineFilter() = default;
 
 int vtkRotationRefineFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
-            port == ShapesPort ? "vtkMultiBlockDataSet"
-                               : (port == WindPort ? "vtkImageData" : "vtkPolyData"));
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == ShapesPort ? "vtkMultiBlockDataSet"
+                                                      : port == WindPort || port == AirPort
+                                                        ? "vtkImageData"
+                                                        : "vtkPolyData");
   if (port >= ObstaclesPort)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);

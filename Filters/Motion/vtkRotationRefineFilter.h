@@ -12,7 +12,9 @@
  * Input port 4, Wind (vtkImageData, optional): a field with `Velocity` [m/s] is the air where
  * tracks carry none, and its gradient turns bodies; one with `Wind` (an acceleration) is passed
  * over. Input port 5, Constraints (vtkPolyData, optional): rows of kind orientation are met, rows
- * of kind rest lay the body on its surface.
+ * of kind rest lay the body on its surface. Input port 6, Air (vtkImageData, optional, may vary in
+ * time): `Velocity` [m/s], as the assimilation gives it, is the air in place of `AirVelocity` and
+ * Wind; its gradient turns bodies, and `Damping` draws them to half its vorticity.
  *
  * Output port 0, Meshes (vtkPolyData, time-varying): all meshes posed at the current time, with
  * texture coordinates, normals and the point and cell data `ObjectId`, `ShapeId`.
@@ -117,6 +119,7 @@ public:
   void RemoveAllObstacles() { this->SetInputConnection(3, nullptr); }
   void RemoveAllWind() { this->SetInputConnection(4, nullptr); }
   void RemoveAllConstraints() { this->SetInputConnection(5, nullptr); }
+  void RemoveAllAir() { this->SetInputConnection(6, nullptr); }
   ///@}
 
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,

@@ -14,12 +14,19 @@
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkFloatArray.h>
 #include <vtkGLTFReader.h>
+#include <vtkImageAlgorithm.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
 #include <vtkMotionAnimationWriter.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkObjectFactory.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkRotationRefineFilter.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
 #include <vtkTrivialProducer.h>
 
@@ -130,7 +137,93 @@ struct Pipeline
   }
 };
 
+/// Air that moves along x at Gain * t m/s, at two times, as the assimilation gives it: beside the
+/// velocity it has the force of a wind.
+class GrowingAir : public vtkImageAlgorithm
+{
+public:
+  static GrowingAir* New();
+  vtkTypeMacro(GrowingAir, vtkImageAlgorithm);
+
+  double Gain = 1.5; // m/s^2
+  double Last = (Frames - 1) / 30.0;
+
+protected:
+  using Sddp = vtkStreamingDemandDrivenPipeline;
+  GrowingAir() { this->SetNumberOfInputPorts(0); }
+  int RequestInformation(vtkInformation*, vtkInformationVector**,
+                         vtkInformationVector* outputs) override
+  {
+    const double times[2] = { 0.0, this->Last };
+    const int extent[6] = { 0, 2, 0, 2, 0, 2 };
+    vtkInformation* info = outputs->GetInformationObject(0);
+    info->Set(Sddp::TIME_STEPS(), times, 2);
+    info->Set(Sddp::TIME_RANGE(), times, 2);
+    info->Set(Sddp::WHOLE_EXTENT(), extent, 6);
+    return 1;
+  }
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    vtkInformation* info = outputs->GetInformationObject(0);
+    const double time =
+      info->Has(Sddp::UPDATE_TIME_STEP()) ? info->Get(Sddp::UPDATE_TIME_STEP()) : 0.0;
+    vtkImageData* image = vtkImageData::GetData(info);
+    MakeEvenWind(image, names::Velocity, { this->Gain * time, 0.0, 0.0 });
+    vtkNew<vtkImageData> force;
+    MakeEvenWind(force, names::Wind, { 7.0, 7.0, 7.0 });
+    image->GetPointData()->AddArray(force->GetPointData()->GetArray(names::Wind));
+    image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    return 1;
+  }
+};
+vtkStandardNewMacro(GrowingAir);
+
 } // namespace
+
+TEST(RotationRefineFilter, AirIsPulledOverTimeAndCountsInPlaceOfTheTracks)
+{
+  // Bodies that the air takes along from its start feel nothing, whatever their tracks say.
+  Pipeline pipeline;
+  vtkNew<GrowingAir> air;
+  for (Track& track : pipeline.Tracks)
+  {
+    for (int k = 0; k < Frames; ++k)
+    {
+      const double t = k / 30.0;
+      track.Positions[static_cast<std::size_t>(k)] =
+        track.Positions[0] + Vec3(0.5 * air->Gain * t * t, 0.0, 0.0);
+    }
+    track.AirVelocities.assign(Frames, Vec3(2.0, 3.0, -4.0));
+  }
+  TracksToPolyData(pipeline.Tracks, pipeline.Info, pipeline.TrackData);
+  pipeline.Filter->RemoveAllConstraints();
+  pipeline.Filter->RemoveAllObstacles();
+  pipeline.Filter->SetInputConnection(6, air->GetOutputPort());
+  ErrorLog errors(pipeline.Filter);
+  const auto torque = [&](int frame)
+  {
+    pipeline.Meshes(Frames - 1);
+    vtkPointData* arrays = pipeline.Filter->GetOutput(1)->GetPointData();
+    return Vec3(arrays->GetArray(names::Torque)->GetTuple3(frame)).norm();
+  };
+  const double along = torque(30);
+  EXPECT_EQ(errors.Text, "");
+  pipeline.Filter->RemoveAllAir();
+  EXPECT_LT(along, 1e-3 * torque(30));
+}
+
+TEST(RotationRefineFilter, AirWithoutVelocityIsRefused)
+{
+  Pipeline pipeline;
+  vtkNew<vtkImageData> force;
+  MakeEvenWind(force, names::Wind, { 1.0, 0.0, 0.0 });
+  pipeline.Filter->SetInputDataObject(6, force);
+  ErrorLog errors(pipeline.Filter);
+  pipeline.Filter->Update();
+  EXPECT_TRUE(errors.Contains("Air: expected the point data array `Velocity` of 3 components"))
+    << errors.Text;
+  EXPECT_EQ(pipeline.Filter->GetOutput(1)->GetNumberOfPoints(), 0);
+}
 
 TEST(RotationRefineFilter, PosesAndMeshesAgree)
 {

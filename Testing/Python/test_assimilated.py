@@ -125,6 +125,20 @@ class Assimilated(unittest.TestCase):
         with self.assertRaisesRegex(BadInput, "edit_of: a run of quality paper has no air to keep"):
             waft.synthesize(str(self.scene), quality="paper", edit_of=str(self.out))
 
+    def test_its_air_turns_the_bodies(self):
+        rotation = self.made.rotation
+        self.assertIs(rotation.Air.SMProxy, self.made.assimilation.SMProxy)
+        self.assertEqual(rotation.Air.Port, 1)
+        with_air = self.turns(rotation)
+        rotation.Air = None
+        rotation.UpdatePipeline()
+        self.assertGreater(np.abs(self.turns(rotation) - with_air).max(), 1e-3)
+
+    @staticmethod
+    def turns(rotation):
+        poses = rotation.GetClientSideObject().GetOutputDataObject(1).GetPointData()
+        return vtk_to_numpy(poses.GetArray("AngularVelocity")).copy()
+
     def test_an_unknown_quality_is_named(self):
         with self.assertRaisesRegex(BadInput, "quality: expected one of preview, assimilated, full, paper, found best"):
             waft.synthesize(str(self.scene), quality="best")

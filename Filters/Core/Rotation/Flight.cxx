@@ -92,6 +92,22 @@ Rates Derive(const FlightBody& body, const FlightPath& path, const FlightState& 
   return rates;
 }
 
+/// Angular momentum falls to that of turning along with the air: the stickiness of the air turns a
+/// sphere of radius R by 8 pi mu R^3 (curl u / 2 - omega) (Faxen; Happel and Brenner 1965, section
+/// 5-1).
+void Fade(const FlightBody& body, const FlightPath& path, double frame, double fade,
+          FlightState& state)
+{
+  if (path.AirTurning.empty())
+  {
+    state.AngularMomentum *= fade;
+    return;
+  }
+  const Mat3 turn = state.Orientation.toRotationMatrix();
+  const Vec3 along = turn * (body.Inertia * (turn.transpose() * Between(path.AirTurning, frame)));
+  state.AngularMomentum = along + fade * (state.AngularMomentum - along);
+}
+
 Vec3 SettlingTorque(const FlightBody& body, const Settling& settling, const FlightState& state)
 {
   const Mat3 turn = state.Orientation.toRotationMatrix();
@@ -189,7 +205,7 @@ bool AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
   {
     const double here = frame + static_cast<double>(i) / steps;
     // Damping is exact in two halves about the step, so that its rate holds for any step.
-    state.AngularMomentum *= fade;
+    Fade(body, path, here, fade, state);
     Rates rates = Derive(body, path, state, here, share);
     if (settling.Weight > 0.0)
     {
@@ -207,7 +223,7 @@ bool AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
     state.Orientation = (ExpMap(h * middle.AngularVelocity(body)) * state.Orientation).normalized();
     state.AngularMomentum += h * rates.AngularMomentum;
     state.Momentum += h * rates.Momentum;
-    state.AngularMomentum *= fade;
+    Fade(body, path, here + 1.0 / steps, fade, state);
     if (floor != nullptr)
     {
       Floor now = *floor;

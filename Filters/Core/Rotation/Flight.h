@@ -15,6 +15,9 @@ struct FlightPath
   double Step = 1.0 / 30.0;             // s between frames
   std::vector<Vec3> RelativeVelocities; // m/s, of the centre relative to the air, world
   std::vector<Mat3> AirGradients;       // 1/s, of the air's velocity, world; or empty
+  /// rad/s, world: half the air's vorticity, at which a body turns that nothing but the stickiness
+  /// of the air turns; damping draws to it. Empty: to rest.
+  std::vector<Vec3> AirTurning;
 };
 
 /// A body with the constants of its motion.

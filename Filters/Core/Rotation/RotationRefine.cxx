@@ -78,24 +78,41 @@ Result CheckTracks(const RotationInput& input, std::map<int, std::size_t>& objec
   return Result::Ok();
 }
 
+bool HasValues(const FieldSeries* field)
+{
+  return field != nullptr && !field->IsEmpty();
+}
+
+Vec3 Curl(const Mat3& gradient)
+{
+  return Vec3(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0),
+              gradient(1, 0) - gradient(0, 1));
+}
+
 FlightPath MakePath(const RotationInput& input, const Track& track)
 {
   FlightPath path;
   path.Step = input.Scene.Time.Step();
   path.RelativeVelocities = CentralVelocities(track.Positions, path.Step);
-  const bool wind = input.Wind != nullptr && !input.Wind->IsEmpty() &&
-                    input.Wind->Meaning == FieldMeaning::Velocity;
+  const bool given = HasValues(input.Air);
+  const FieldSeries* field = given ? input.Air : input.Wind;
+  const bool sampled = HasValues(field) && field->Meaning == FieldMeaning::Velocity;
   for (std::size_t k = 0; k < track.Positions.size(); ++k)
   {
     Mat3 gradient = Mat3::Zero();
     Vec3 air = Vec3::Zero();
-    if (wind)
+    if (sampled)
     {
-      air = input.Wind->Sample(track.Positions[k], input.Scene.Time.Time(static_cast<double>(k)),
-                               gradient);
+      air =
+        field->Sample(track.Positions[k], input.Scene.Time.Time(static_cast<double>(k)), gradient);
       path.AirGradients.push_back(gradient);
     }
-    path.RelativeVelocities[k] -= track.AirVelocities.empty() ? air : track.AirVelocities[k];
+    if (given)
+    {
+      path.AirTurning.push_back(0.5 * Curl(gradient));
+    }
+    path.RelativeVelocities[k] -=
+      given || track.AirVelocities.empty() ? air : track.AirVelocities[k];
   }
   return path;
 }
@@ -244,6 +261,14 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
   if (!IsBetween(input.Scene.AirDensity, 0.0, 1e6))
   {
     return Result::Error("AirDensity must be 0 or more");
+  }
+  if (HasValues(input.Air))
+  {
+    WAFT_RETURN_IF_FAILED(input.Air->Validate("Air"));
+    if (input.Air->Meaning != FieldMeaning::Velocity)
+    {
+      return Result::Error("Air: expected velocities, found accelerations");
+    }
   }
 
   std::vector<unsigned char> used(input.Shapes.size(), 0);

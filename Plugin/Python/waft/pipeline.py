@@ -119,11 +119,12 @@ class Pipeline:
 
     def add_rotation(self, seed):
         tracks, rows = self._tracks_and_rows()
+        air = {} if self.assimilation is None else {"Air": simple.OutputPort(self.assimilation, 1)}
         if self.spacetime is not None:
             tracks = simple.OutputPort(self.spacetime, 0)
         self.rotation = self._add(simple.RotationRefineFilter(
             registrationName="Rotation", Tracks=tracks, Objects=self._scene("Objects"), Shapes=self._scene("Shapes"),
-            Obstacles=self._scene("Obstacles"), Constraints=rows, **self._wind()))
+            Obstacles=self._scene("Obstacles"), Constraints=rows, **air, **self._wind()))
         self.rotation.Seed = seed
 
     @property
