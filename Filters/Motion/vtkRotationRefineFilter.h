@@ -104,6 +104,11 @@ public:
   vtkGetMacro(TurningRate, double);
   ///@}
   ///@{
+  /** The most that a body turns from a frame to the next [degrees], 5..180. */
+  vtkSetClampMacro(MaximumTurn, double, 5.0, 180.0);
+  vtkGetMacro(MaximumTurn, double);
+  ///@}
+  ///@{
   /** Pixels on a side of the pictures that tell what hides what, 8..1024. */
   vtkSetClampMacro(RasterSize, int, 8, 1024);
   vtkGetMacro(RasterSize, int);
@@ -156,6 +161,7 @@ private:
   double LandingTime = 0.7;
   double TurningTime = 2.0;
   double TurningRate = 60.0;
+  double MaximumTurn = 60.0;
   int RasterSize = 128;
   int Seed = 1;
 

@@ -478,10 +478,11 @@ TEST(PropertyValues, OfTheRotation)
   using S = vtkRotationRefineFilter;
   vtkNew<S> filter;
   const SceneData data(filter, { 2 });
-  TryNaN<S>(filter, { NUMBER(S, Damping, 1), NUMBER(S, Lift, 1), NUMBER(S, PressureShift, 0.1),
-                      NUMBER(S, Follow, 1), NUMBER(S, Roll, 1), NUMBER(S, Spin, 0),
-                      NUMBER(S, VariationPerObject, 0.1), NUMBER(S, LandingTime, 1),
-                      NUMBER(S, TurningTime, 1), NUMBER(S, TurningRate, 10) });
+  TryNaN<S>(filter,
+            { NUMBER(S, Damping, 1), NUMBER(S, Lift, 1), NUMBER(S, PressureShift, 0.1),
+              NUMBER(S, Follow, 1), NUMBER(S, Roll, 1), NUMBER(S, Spin, 0),
+              NUMBER(S, VariationPerObject, 0.1), NUMBER(S, LandingTime, 1),
+              NUMBER(S, TurningTime, 1), NUMBER(S, TurningRate, 10), NUMBER(S, MaximumTurn, 60) });
 }
 
 TEST(PropertyValues, OfTheVortexFit)

@@ -36,6 +36,8 @@ public:
     this->Out.Poses.Orientations.assign(this->Marks.Frames.size(), Quat::Identity());
     this->Out.Poses.AngularVelocities.assign(this->Marks.Frames.size(), Vec3::Zero());
     this->Out.Poses.Torques.assign(this->Marks.Frames.size(), Vec3::Zero());
+    this->Out.Slowed.assign(this->Marks.Frames.size(), 0);
+    this->Out.Swept.assign(this->Marks.Frames.size(), 0.0);
   }
 
   AttitudeOutcome Run()
@@ -110,6 +112,11 @@ private:
     this->State.Flight.Orientation = q;
     this->State.Flight.SetAngularVelocity(this->Body, this->Plan.Object->AngularVelocity);
     this->State.Flight.SetVelocity(this->Body, this->Path.RelativeVelocities[0]);
+    if (!this->Path.FastestTurning.empty())
+    {
+      this->Out.Slowed[0] =
+        LimitTurning(this->Body, this->Path.FastestTurning[0], this->State.Flight);
+    }
     this->Record(0);
     if (!this->Plan.Rests.empty() && this->Plan.Rests.front().Frame <= 0)
     {
@@ -160,8 +167,11 @@ private:
       const Settling settling = rest != nullptr ? this->SettlingBefore(*rest, k) : Settling();
       Floor floor;
       const bool near = this->FindFloor(k, floor);
-      if (AdvanceFrame(this->Body, this->Path, k, settling, near ? &floor : nullptr,
-                       this->State.Flight))
+      const FrameEvents events = AdvanceFrame(this->Body, this->Path, k, settling,
+                                              near ? &floor : nullptr, this->State.Flight);
+      this->Out.Slowed[k] = events.Slowed;
+      this->Out.Swept[k] = events.Swept;
+      if (events.Touched)
       {
         this->Marks.Changed[k + 1] = 1;
       }

@@ -43,8 +43,13 @@ struct AttitudeOutcome
   std::map<std::pair<int, int>, std::string> TooFast; // (Row, Target) of keys that no turning rate
                                                       // can meet, and why
   std::vector<std::string> Warnings;
+  // From each frame to the next:
+  std::vector<unsigned char> Slowed; // the limit of turning acted
+  std::vector<double> Swept;         // rad, all turning there and back in flight
 };
 
+/// The path's limit of turning holds for the flight; rows, rests and surfaces may turn poses by
+/// more.
 AttitudeOutcome TurnObject(const AttitudePlan& plan, const FlightBody& body,
                            const FlightPath& path);
 

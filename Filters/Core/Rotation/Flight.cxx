@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include <cmath>
+#include <limits>
 
 namespace waft
 {
@@ -136,6 +137,9 @@ FlightBody::FlightBody(const PanelBody& panels, const ShellProperties& propertie
   // A straight line of triangles has no inertia about itself.
   this->Inertia += 1e-9 * this->Inertia.trace() * Mat3::Identity();
   this->InverseInertia = this->Inertia.inverse();
+  const Eigen::SelfAdjointEigenSolver<Mat3> principal(this->Inertia);
+  this->PrincipalInertia = principal.eigenvalues();
+  this->PrincipalAxes = principal.eigenvectors();
   this->Mass = moved;
   this->InverseMass = moved.inverse();
   this->Slips = plate && panels.Flatness() >= LeastFlatness;
@@ -185,9 +189,37 @@ Vec3 AirTorque(const FlightBody& body, const FlightPath& path, const FlightState
   return Derive(body, path, state, frame, 1.0).Torque;
 }
 
-bool AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
-                  const Settling& settling, const Floor* floor, FlightState& state)
+bool LimitTurning(const FlightBody& body, double fastest, FlightState& state)
 {
+  if (!(state.AngularVelocity(body).norm() > fastest))
+  {
+    return false;
+  }
+  const Mat3 axes = state.Orientation.toRotationMatrix() * body.PrincipalAxes;
+  const Vec3 momentum = axes.transpose() * state.AngularMomentum;
+  double lambda = 0.0;
+  Vec3 omega = momentum.cwiseQuotient(body.PrincipalInertia);
+  double rate = omega.norm();
+  // 1 / rate is nearly straight in lambda and Newton's steps for it come from one side.
+  for (int i = 0; i < 50 && rate > fastest * (1.0 + 1e-12); ++i)
+  {
+    const Vec3 yielding = body.PrincipalInertia + Vec3::Constant(lambda);
+    lambda += rate * rate / omega.dot(omega.cwiseQuotient(yielding)) * (rate / fastest - 1.0);
+    omega = momentum.cwiseQuotient(body.PrincipalInertia + Vec3::Constant(lambda));
+    rate = omega.norm();
+  }
+  omega *= std::min(1.0, fastest * (1.0 - 1e-12) / rate);
+  state.AngularMomentum = axes * body.PrincipalInertia.cwiseProduct(omega);
+  return true;
+}
+
+FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
+                         const Settling& settling, const Floor* floor, FlightState& state)
+{
+  FrameEvents events;
+  const double fastest = path.FastestTurning.empty() ? std::numeric_limits<double>::infinity()
+                                                     : path.FastestTurning[frame];
+  events.Slowed = LimitTurning(body, fastest, state);
   const double spin = state.AngularVelocity(body).norm();
   const double speed = std::max(path.RelativeVelocities[frame].norm(),
                                 Between(path.RelativeVelocities, frame + 1.0).norm()) +
@@ -200,7 +232,6 @@ bool AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
   const double share = wanted > MostSteps ? MostSteps / wanted : 1.0;
   const double h = path.Step / steps;
   const double fade = std::exp(-0.5 * h * body.Damping);
-  bool touched = false;
   for (int i = 0; i < steps; ++i)
   {
     const double here = frame + static_cast<double>(i) / steps;
@@ -215,12 +246,15 @@ bool AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
     middle.Orientation = ExpMap(0.5 * h * state.AngularVelocity(body)) * state.Orientation;
     middle.AngularMomentum += 0.5 * h * rates.AngularMomentum;
     middle.Momentum += 0.5 * h * rates.Momentum;
+    events.Slowed = LimitTurning(body, fastest, middle) || events.Slowed;
     rates = Derive(body, path, middle, here + 0.5 / steps, share);
     if (settling.Weight > 0.0)
     {
       rates.AngularMomentum += SettlingTorque(body, settling, middle);
     }
-    state.Orientation = (ExpMap(h * middle.AngularVelocity(body)) * state.Orientation).normalized();
+    const Vec3 turn = h * middle.AngularVelocity(body);
+    state.Orientation = (ExpMap(turn) * state.Orientation).normalized();
+    events.Swept += turn.norm();
     state.AngularMomentum += h * rates.AngularMomentum;
     state.Momentum += h * rates.Momentum;
     Fade(body, path, here + 1.0 / steps, fade, state);
@@ -228,10 +262,11 @@ bool AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
     {
       Floor now = *floor;
       now.Height += (i + 1) * h * floor->Rate;
-      touched = TouchFloor(body, now, state) || touched;
+      events.Touched = TouchFloor(body, now, state) || events.Touched;
     }
+    events.Slowed = LimitTurning(body, fastest, state) || events.Slowed;
   }
-  return touched;
+  return events;
 }
 
 } // namespace waft

@@ -18,6 +18,7 @@ struct FlightPath
   /// rad/s, world: half the air's vorticity, at which a body turns that nothing but the stickiness
   /// of the air turns; damping draws to it. Empty: to rest.
   std::vector<Vec3> AirTurning;
+  std::vector<double> FastestTurning; // rad/s, from each frame to the next; or empty: no limit
 };
 
 /// A body with the constants of its motion.
@@ -31,17 +32,19 @@ public:
 
   const PanelBody* Panels;
   AirCoefficients Coefficients;
-  double AirDensity;   // kg/m^3
-  double Damping;      // 1/s
-  double Follow;       // 1/s
-  Mat3 Inertia;        // kg m^2, body axes, air that moves along included
-  Mat3 InverseInertia; // 1/(kg m^2)
-  Mat3 Mass;           // kg, body axes, air that moves along included
-  Mat3 InverseMass;    // 1/kg
-  double Mobility;     // 1/m: rate of damping per relative speed
-  double Stiffness;    // 1/m: angular frequency per relative speed
-  double Reach;        // m, root mean square distance of the area from the centre
-  bool Slips;          // has a sideslip of its own
+  double AirDensity;     // kg/m^3
+  double Damping;        // 1/s
+  double Follow;         // 1/s
+  Mat3 Inertia;          // kg m^2, body axes, air that moves along included
+  Mat3 InverseInertia;   // 1/(kg m^2)
+  Vec3 PrincipalInertia; // kg m^2, of the columns of PrincipalAxes
+  Mat3 PrincipalAxes;    // body axes
+  Mat3 Mass;             // kg, body axes, air that moves along included
+  Mat3 InverseMass;      // 1/kg
+  double Mobility;       // 1/m: rate of damping per relative speed
+  double Stiffness;      // 1/m: angular frequency per relative speed
+  double Reach;          // m, root mean square distance of the area from the centre
+  bool Slips;            // has a sideslip of its own
 };
 
 /// The body wants its z axis along Normal: what the cushion of air over a surface and the artist's
@@ -75,11 +78,24 @@ struct Floor;
 Vec3 AirTorque(const FlightBody& body, const FlightPath& path, const FlightState& state,
                double frame);
 
+/// An angular velocity above `fastest` [rad/s] is taken back to it by the least push: among those
+/// within the limit the one nearest by kinetic energy (Gauss 1829, the principle of least
+/// constraint), (I + lambda) omega = L. The light axis, about which bodies tumble and flutter fast,
+/// yields first; energy never grows. Returns whether it was above; else nothing changes.
+bool LimitTurning(const FlightBody& body, double fastest, FlightState& state);
+
+struct FrameEvents
+{
+  bool Touched = false; // the floor
+  bool Slowed = false;  // by the limit of turning
+  double Swept = 0.0;   // rad, all turning there and back
+};
+
 /// Takes the state from a frame to the next one: midpoint steps on the rotation group, as many as
 /// the fastest rate asks for; where even the most are too few the air's force is lessened. After
 /// each step the floor (or none), as it is at the frame's beginning, stops what turned through it.
-/// Returns whether it touched.
-bool AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
-                  const Settling& settling, const Floor* floor, FlightState& state);
+/// No step turns faster than the path's limit.
+FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
+                         const Settling& settling, const Floor* floor, FlightState& state);
 
 } // namespace waft

@@ -6,6 +6,7 @@
 #include "Constraints/ConstraintCheck.h"
 #include "Constraints/Rest.h"
 #include "Rotation/Attitude.h"
+#include "Rotation/TurnLimit.h"
 
 #include <cmath>
 #include <map>
@@ -299,6 +300,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
   }
 
   std::vector<AttitudeOutcome> outcomes(input.Tracks.size());
+  const double most = options.MaximumTurn * std::acos(-1.0) / 180.0; // rad a frame
   constexpr std::size_t Batch = 8; // objects between two ticks of the monitor
   for (std::size_t first = 0; first < outcomes.size(); first += Batch)
   {
@@ -317,7 +319,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
                                        options.Follow);
                  AttitudePlan plan = MakePlan(input, options, object, track);
                  plan.BoundingRadius = shape.Properties.BoundingRadius;
-                 outcomes[i] = TurnObject(plan, body, MakePath(input, track));
+                 outcomes[i] = TurnObjectWithin(most, plan, body, MakePath(input, track));
                }
              });
     const double done = static_cast<double>(first + count) / outcomes.size();
@@ -328,6 +330,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
   }
 
   std::map<std::pair<int, int>, std::string> tooFast;
+  TurnCount turns(most);
   for (AttitudeOutcome& outcome : outcomes)
   {
     for (std::size_t k = 0; k < outcome.Poses.Orientations.size(); ++k)
@@ -339,11 +342,14 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
                              std::to_string(k) + ": its pose is not finite");
       }
     }
+    turns.Add(outcome);
     result.Poses.push_back(std::move(outcome.Poses));
     result.Shifts.push_back(std::move(outcome.Shifts));
     tooFast.merge(outcome.TooFast);
     result.Warnings.insert(result.Warnings.end(), outcome.Warnings.begin(), outcome.Warnings.end());
   }
+  const std::vector<std::string> fast = turns.Warnings();
+  result.Warnings.insert(result.Warnings.end(), fast.begin(), fast.end());
   ReportOrientations(input, tooFast, result);
   output = std::move(result);
   return Result::Ok();

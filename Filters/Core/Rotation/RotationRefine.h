@@ -34,6 +34,7 @@ struct RotationOptions
   double LandingTime = 0.7;
   double TurningTime = 2.0;
   double TurningRate = 60.0;
+  double MaximumTurn = 60.0;
   int RasterSize = 128;
   std::uint64_t Seed = 1;
 
@@ -106,6 +107,12 @@ struct RotationOptions
                        "The fastest turn, in radians per second, that an orientation row may ask "
                        "for; one that asks for more is approached and named." },
           of.TurningRate...);
+    visit(OptionField{ "MaximumTurn",
+                       { 5, 180 },
+                       "degrees",
+                       "The most that a body turns from a frame to the next, in degrees: flutter "
+                       "and tumbling that frames cannot show are slowed to it." },
+          of.MaximumTurn...);
     visit(
       OptionField{ "RasterSize",
                    { 8, 1024 },
