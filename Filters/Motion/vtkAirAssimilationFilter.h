@@ -182,7 +182,7 @@ private:
   int WindRounds = 5;
   double WindSpacing = 0.4;
   double WindTimeSpacing = 0.5;
-  double WindStiffness = 4.0;
+  double WindStiffness = 2.0;
   double Smoothness = 0.005;
   double TouchDownSpread = 2.0;
   bool Inertia = false;

@@ -14,7 +14,8 @@ namespace waft
 namespace
 {
 
-constexpr int FurtherIterations = 12; // where the air has changed little
+constexpr int FurtherIterations = 12;     // where the air has changed little, and of every start
+constexpr std::size_t FollowedStarts = 3; // the cheapest by then
 constexpr int HarderPushes = 3;
 
 } // namespace
@@ -86,18 +87,20 @@ double AssimilationRun::CostOf(const Drifter& drifter, const AirSampler& air,
 std::vector<Vec3> AssimilationRun::BestDrift(const Drifter& drifter, const AirSampler& air) const
 {
   const DriftProblem problem = drifter.Problem();
-  std::vector<Vec3> best;
-  double least = 1e300;
-  for (std::vector<Vec3>& path : drifter.Starts(air, this->Options.Starts))
+  std::vector<std::vector<Vec3>> paths = drifter.Starts(air, this->Options.Starts);
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t k = 0; k < paths.size(); ++k)
   {
-    const DriftOutcome outcome = SolveDrift(problem, air, this->Weights(), DriftIterations, path);
-    if (outcome.Cost < least)
-    {
-      least = outcome.Cost;
-      best = path;
-    }
+    order.emplace_back(SolveDrift(problem, air, this->Weights(), FurtherIterations, paths[k]).Cost,
+                       k);
   }
-  return best;
+  std::sort(order.begin(), order.end());
+  order.resize(std::min(order.size(), FollowedStarts));
+  for (auto& [cost, k] : order)
+  {
+    cost = SolveDrift(problem, air, this->Weights(), DriftIterations, paths[k]).Cost;
+  }
+  return paths[std::min_element(order.begin(), order.end())->second];
 }
 
 void AssimilationRun::DriftOn(int iterations)

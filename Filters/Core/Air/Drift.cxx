@@ -12,7 +12,7 @@ namespace waft
 namespace
 {
 
-constexpr int Reach = 4;           // frames that a residual spans, less one
+constexpr int Reach = 4;           // frames that a residual may span, less one
 constexpr double Converged = 1e-6; // relative fall of the cost in an iteration
 constexpr double LeastDamping = 1e-7;
 constexpr double MostDamping = 1e9;
@@ -31,8 +31,19 @@ class DriftSolver
 public:
   DriftSolver(const DriftProblem& problem, const AirSampler& air, const DriftWeights& weights) :
     Problem(problem), Air(air), Weights(weights), Frames(static_cast<int>(problem.IsFixed.size())),
-    Step(problem.Time.Step()), Normal(3 * problem.IsFixed.size(), 3 * Reach + 2)
+    Step(problem.Time.Step()), Normal(3 * problem.IsFixed.size(), 3 * ReachOf(problem) + 2)
   {
+  }
+
+  /// Frames that a residual of the problem spans, less one.
+  static int ReachOf(const DriftProblem& problem)
+  {
+    int reach = problem.ResponseTime > 0.0 ? Reach : 2;
+    for (const DriftRow& row : problem.Rows)
+    {
+      reach = std::max(reach, row.Terms.back().first - row.Terms.front().first);
+    }
+    return reach;
   }
 
   /// The control of a step; with its derivatives where `linear`.

@@ -18,6 +18,21 @@ std::array<float, 3> ToFloats(const Vec3& v)
   return { static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()) };
 }
 
+/// Where a place is between the points of a lattice along one axis, held at its ends.
+struct LatticeBetween
+{
+  std::size_t Low = 0, High = 0;
+  float Part = 0.0f;
+};
+
+LatticeBetween Between(double place, int points)
+{
+  const double held = std::clamp(place, 0.0, static_cast<double>(points - 1));
+  const int low = std::min(static_cast<int>(held), std::max(points - 2, 0));
+  return { static_cast<std::size_t>(low), static_cast<std::size_t>(std::min(low + 1, points - 1)),
+           static_cast<float>(held - low) };
+}
+
 } // namespace
 
 void SmokeSolver::Internals::AddVortices(double time, const ParallelFor& parallelFor,
@@ -84,7 +99,68 @@ void SmokeSolver::Internals::AddWinds(double time, double dt, const ParallelFor&
               });
   }
   this->AddField(this->Forces.Wind, time, dt, parallelFor, center, sum);
-  this->AddField(this->Steering, time, dt, parallelFor, center, sum);
+  this->AddSteering(parallelFor, sum);
+}
+
+// The field of one time: rows of its lattice between those of the cells, then along each row.
+void SmokeSolver::Internals::AddSteering(const ParallelFor& parallelFor,
+                                         const VectorArrays& sum) const
+{
+  const FieldSeries& field = this->Steering;
+  if (field.IsEmpty())
+  {
+    return;
+  }
+  const StaggeredLayout& layout = this->Layout;
+  std::array<std::vector<LatticeBetween>, 3> between;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int i = 0; i < layout.N[axis]; ++i)
+    {
+      const double x = this->FirstCenter[axis] + i * this->Spacing[axis];
+      between[axis].push_back(
+        Between((x - field.Origin[axis]) / field.Spacing[axis], field.Dimensions[axis]));
+    }
+  }
+  const auto points = static_cast<std::size_t>(field.Dimensions[0]);
+  const auto rows = static_cast<std::size_t>(field.Dimensions[1]);
+  const std::vector<std::array<float, 3>>& values = field.Values.front();
+  ForPlanes(parallelFor, layout.N[2],
+            [&](int k)
+            {
+              std::vector<std::array<float, 3>> row(points);
+              const LatticeBetween& z = between[2][static_cast<std::size_t>(k)];
+              for (int j = 0; j < layout.N[1]; ++j)
+              {
+                const LatticeBetween& y = between[1][static_cast<std::size_t>(j)];
+                const std::array<float, 3>* at[4] = {
+                  values.data() + (z.Low * rows + y.Low) * points,
+                  values.data() + (z.Low * rows + y.High) * points,
+                  values.data() + (z.High * rows + y.Low) * points,
+                  values.data() + (z.High * rows + y.High) * points,
+                };
+                const float weight[4] = { (1.0f - z.Part) * (1.0f - y.Part),
+                                          (1.0f - z.Part) * y.Part, z.Part * (1.0f - y.Part),
+                                          z.Part * y.Part };
+                for (std::size_t i = 0; i < points; ++i)
+                {
+                  for (std::size_t c = 0; c < 3; ++c)
+                  {
+                    row[i][c] = weight[0] * at[0][i][c] + weight[1] * at[1][i][c] +
+                                weight[2] * at[2][i][c] + weight[3] * at[3][i][c];
+                  }
+                }
+                for (int i = 0; i < layout.N[0]; ++i)
+                {
+                  const LatticeBetween& x = between[0][static_cast<std::size_t>(i)];
+                  const std::ptrdiff_t p = layout.Index(i, j, k);
+                  for (std::size_t c = 0; c < 3; ++c)
+                  {
+                    sum[c][p] += (1.0f - x.Part) * row[x.Low][c] + x.Part * row[x.High][c];
+                  }
+                }
+              }
+            });
 }
 
 void SmokeSolver::Internals::AddField(const FieldSeries& field, double time, double dt,

@@ -84,6 +84,7 @@ struct SmokeSolver::Internals
   /// A sampled field at all cells: its acceleration, or what draws the air towards its velocity.
   void AddField(const FieldSeries& field, double time, double dt, const ParallelFor& parallelFor,
                 const ConstVectorArrays& center, const VectorArrays& sum) const;
+  void AddSteering(const ParallelFor& parallelFor, const VectorArrays& sum) const;
   void AddConfinementAndBuoyancy(const ParallelFor& parallelFor);
   void ComputeCenters(const ParallelFor& parallelFor, std::array<FloatArray, 3>& center) const;
   void ComputeVorticity(const ParallelFor& parallelFor, const std::array<FloatArray, 3>& center,

@@ -55,8 +55,9 @@ public:
   /// solids at the nodes [m/s], or empty when they stand still. May be called before any Step.
   Result SetSolids(const std::vector<float>& distances,
                    const std::vector<std::array<float, 3>>& velocities = {});
-  /// An acceleration besides the forces, sampled like a user's wind, from the present frame on
-  /// until it is set again; not part of a SmokeState.
+  /// An acceleration besides the forces, a field of one time, linear between the points of its
+  /// lattice and held at its ends, from the present frame on until it is set again; not part of a
+  /// SmokeState.
   void SetSteering(FieldSeries acceleration);
   /// To the next frame. When the monitor stops it, the state is that of the last frame reached.
   Result Step(const ParallelFor& parallelFor, Monitor& monitor);
