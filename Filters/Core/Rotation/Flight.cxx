@@ -118,6 +118,34 @@ Vec3 SettlingTorque(const FlightBody& body, const Settling& settling, const Flig
     SettlingRate * SettlingRate * error - 2.0 * SettlingRate * state.AngularVelocity(body);
   return settling.Weight * (turn * (body.Inertia * (turn.transpose() * acceleration)));
 }
+/// Momentum L [kg m^2/s] is taken back to what gives at most the rate `most`, by the least of
+/// |omega - I^-1 L|^2 in the metric of the inertia I; so is a torque to what gives at most an
+/// angular acceleration. Returns whether it gave more.
+bool TakeBack(const FlightBody& body, const Quat& orientation, double most, Vec3& momentum)
+{
+  const Mat3 turn = orientation.toRotationMatrix();
+  if (!((body.InverseInertia * (turn.transpose() * momentum)).norm() > most))
+  {
+    return false;
+  }
+  const Mat3 axes = turn * body.PrincipalAxes;
+  const Vec3 given = axes.transpose() * momentum;
+  double lambda = 0.0;
+  Vec3 omega = given.cwiseQuotient(body.PrincipalInertia);
+  double rate = omega.norm();
+  // 1 / rate is nearly straight in lambda and Newton's steps for it come from one side.
+  for (int i = 0; i < 50 && rate > most * (1.0 + 1e-12); ++i)
+  {
+    const Vec3 yielding = body.PrincipalInertia + Vec3::Constant(lambda);
+    lambda += rate * rate / omega.dot(omega.cwiseQuotient(yielding)) * (rate / most - 1.0);
+    omega = given.cwiseQuotient(body.PrincipalInertia + Vec3::Constant(lambda));
+    rate = omega.norm();
+  }
+  omega *= std::min(1.0, most * (1.0 - 1e-12) / rate);
+  momentum = axes * body.PrincipalInertia.cwiseProduct(omega);
+  return true;
+}
+
 } // namespace
 
 FlightBody::FlightBody(const PanelBody& panels, const ShellProperties& properties, double mass,
@@ -191,32 +219,14 @@ Vec3 AirTorque(const FlightBody& body, const FlightPath& path, const FlightState
 
 bool LimitTurning(const FlightBody& body, double fastest, FlightState& state)
 {
-  if (!(state.AngularVelocity(body).norm() > fastest))
-  {
-    return false;
-  }
-  const Mat3 axes = state.Orientation.toRotationMatrix() * body.PrincipalAxes;
-  const Vec3 momentum = axes.transpose() * state.AngularMomentum;
-  double lambda = 0.0;
-  Vec3 omega = momentum.cwiseQuotient(body.PrincipalInertia);
-  double rate = omega.norm();
-  // 1 / rate is nearly straight in lambda and Newton's steps for it come from one side.
-  for (int i = 0; i < 50 && rate > fastest * (1.0 + 1e-12); ++i)
-  {
-    const Vec3 yielding = body.PrincipalInertia + Vec3::Constant(lambda);
-    lambda += rate * rate / omega.dot(omega.cwiseQuotient(yielding)) * (rate / fastest - 1.0);
-    omega = momentum.cwiseQuotient(body.PrincipalInertia + Vec3::Constant(lambda));
-    rate = omega.norm();
-  }
-  omega *= std::min(1.0, fastest * (1.0 - 1e-12) / rate);
-  state.AngularMomentum = axes * body.PrincipalInertia.cwiseProduct(omega);
-  return true;
+  return TakeBack(body, state.Orientation, fastest, state.AngularMomentum);
 }
 
 FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
                          const Settling& settling, const Floor* floor, FlightState& state)
 {
   FrameEvents events;
+  const bool limited = !path.FastestTurning.empty();
   const double fastest = path.FastestTurning.empty() ? std::numeric_limits<double>::infinity()
                                                      : path.FastestTurning[frame];
   events.Slowed = LimitTurning(body, fastest, state);
@@ -242,6 +252,12 @@ FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int fra
     {
       rates.AngularMomentum += SettlingTorque(body, settling, state);
     }
+    if (limited)
+    {
+      events.Slowed =
+        TakeBack(body, state.Orientation, path.QuickestChange, rates.AngularMomentum) ||
+        events.Slowed;
+    }
     FlightState middle = state;
     middle.Orientation = ExpMap(0.5 * h * state.AngularVelocity(body)) * state.Orientation;
     middle.AngularMomentum += 0.5 * h * rates.AngularMomentum;
@@ -251,6 +267,12 @@ FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int fra
     if (settling.Weight > 0.0)
     {
       rates.AngularMomentum += SettlingTorque(body, settling, middle);
+    }
+    if (limited)
+    {
+      events.Slowed =
+        TakeBack(body, middle.Orientation, path.QuickestChange, rates.AngularMomentum) ||
+        events.Slowed;
     }
     const Vec3 turn = h * middle.AngularVelocity(body);
     state.Orientation = (ExpMap(turn) * state.Orientation).normalized();

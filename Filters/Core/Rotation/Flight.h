@@ -18,7 +18,8 @@ struct FlightPath
   /// rad/s, world: half the air's vorticity, at which a body turns that nothing but the stickiness
   /// of the air turns; damping draws to it. Empty: to rest.
   std::vector<Vec3> AirTurning;
-  std::vector<double> FastestTurning; // rad/s, from each frame to the next; or empty: no limit
+  std::vector<double> FastestTurning; // rad/s, from each frame to the next; or empty: no limits
+  double QuickestChange = 0.0; // rad/s^2, of the angular velocity by torques; with the former
 };
 
 /// A body with the constants of its motion.
@@ -94,7 +95,7 @@ struct FrameEvents
 /// Takes the state from a frame to the next one: midpoint steps on the rotation group, as many as
 /// the fastest rate asks for; where even the most are too few the air's force is lessened. After
 /// each step the floor (or none), as it is at the frame's beginning, stops what turned through it.
-/// No step turns faster than the path's limit.
+/// No step turns faster, or is brought to turn otherwise more quickly, than the path's limits.
 FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int frame,
                          const Settling& settling, const Floor* floor, FlightState& state);
 

@@ -7,34 +7,44 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace waft
 {
 namespace
 {
-constexpr int MostFlights = 8;
+constexpr int MostFlights = 12;
+constexpr int MostInVain = 3;
 constexpr int Ramp = 8;              // frames over which the flight slows down, and gathers speed
 constexpr double LeastShare = 0.05;  // of the limit, that a flight is left
-constexpr double TakenBack = 1.2;    // of what is too much, so that few flights do
+constexpr double Quickness = 0.5;    // of the limit, by which torques change turning in a frame
+constexpr double Aim = 0.97;         // of the limit, for what is above it: few flights do
 constexpr double Slack = 1.0 + 1e-9; // rounding
 const double Half = std::acos(-1.0); // rad, of a turn
 const double Degrees = 180.0 / Half;
 
-/// rad, from each frame to the next.
-std::vector<double> Turns(const std::vector<Quat>& poses)
+/// rad, from each frame to the next: as poses show it, but half a turn and more within a frame may
+/// look like less.
+std::vector<double> Turns(const AttitudeOutcome& outcome)
 {
+  const std::vector<Quat>& poses = outcome.Poses.Orientations;
   std::vector<double> turns;
   for (std::size_t k = 0; k + 1 < poses.size(); ++k)
   {
-    turns.push_back(LogMap(poses[k + 1] * poses[k].conjugate()).norm());
+    const double shown = LogMap(poses[k + 1] * poses[k].conjugate()).norm();
+    turns.push_back(outcome.Swept[k] < Half ? shown : std::max(shown, outcome.Swept[k]));
   }
   return turns;
 }
 
-double Greatest(const std::vector<double>& turns)
+/// rad, in all frames together.
+double Excess(const std::vector<double>& turns, double most)
 {
-  return turns.empty() ? 0.0 : *std::max_element(turns.begin(), turns.end());
+  double excess = 0.0;
+  for (const double turn : turns)
+  {
+    excess += turn > most * Slack ? turn - most : 0.0;
+  }
+  return excess;
 }
 
 /// Takes from the flight what is too much, and smoothly less of it in the frames around.
@@ -45,11 +55,11 @@ void SlowAbout(const std::vector<double>& turns, double most, double step,
   std::vector<double> less(fastest.size(), 0.0);
   for (int k = 0; k < static_cast<int>(turns.size()); ++k)
   {
-    const double excess = turns[k] - most;
+    const double excess = turns[k] > most * Slack ? turns[k] - Aim * most : 0.0;
     for (int i = std::max(k - Ramp, 0); excess > 0.0 && i <= std::min(k + Ramp, count - 1); ++i)
     {
       const double share = SmoothStep(1.0 - std::abs(i - k) / (Ramp + 1.0));
-      less[i] = std::max(less[i], TakenBack * excess * share);
+      less[i] = std::max(less[i], excess * share);
     }
   }
   for (int i = 0; i < count; ++i)
@@ -68,24 +78,26 @@ AttitudeOutcome TurnObjectWithin(double most, const AttitudePlan& plan, const Fl
                                  FlightPath path)
 {
   AttitudeOutcome best = TurnObject(plan, body, path);
-  std::vector<double> turns = Turns(best.Poses.Orientations);
-  // Half a turn and more within a frame may look like less.
-  if (Greatest(turns) <= most && Greatest(best.Swept) < Half)
+  double least = Excess(Turns(best), most);
+  if (least > 0.0)
   {
-    return best;
+    path.FastestTurning.assign(path.RelativeVelocities.size(), most / path.Step);
+    path.QuickestChange = Quickness * most / (path.Step * path.Step);
   }
-  path.FastestTurning.assign(path.RelativeVelocities.size(), most / path.Step);
-  double least = std::numeric_limits<double>::infinity();
-  for (int flight = 0; flight < MostFlights && least > most * Slack; ++flight)
+  int vain = 0; // flights, one after another
+  for (int flight = 0; flight < MostFlights && least > 0.0 && vain < MostInVain; ++flight)
   {
     AttitudeOutcome next = TurnObject(plan, body, path);
-    turns = Turns(next.Poses.Orientations);
-    SlowAbout(turns, most, path.Step, path.FastestTurning);
-    if (Greatest(turns) < least)
+    const std::vector<double> turns = Turns(next);
+    const double excess = Excess(turns, most);
+    ++vain;
+    if (excess < least * (1.0 - 1e-6))
     {
-      least = Greatest(turns);
+      least = excess;
       best = std::move(next);
+      vain = 0;
     }
+    SlowAbout(turns, most, path.Step, path.FastestTurning);
   }
   return best;
 }
@@ -95,12 +107,15 @@ void TurnCount::Add(const AttitudeOutcome& outcome)
   const auto slowed = static_cast<int>(std::count(outcome.Slowed.begin(), outcome.Slowed.end(), 1));
   this->SlowedFrames += slowed;
   this->SlowedObjects += slowed > 0;
-  const std::vector<double> turns = Turns(outcome.Poses.Orientations);
+  const std::vector<double> turns = Turns(outcome);
   const auto fast = static_cast<int>(std::count_if(
     turns.begin(), turns.end(), [this](double turn) { return turn > this->Most * Slack; }));
   this->FastFrames += fast;
   this->FastObjects += fast > 0;
-  this->Greatest = std::max(this->Greatest, waft::Greatest(turns));
+  for (const double turn : turns)
+  {
+    this->Greatest = std::max(this->Greatest, turn);
+  }
 }
 
 std::vector<std::string> TurnCount::Warnings() const

@@ -85,6 +85,7 @@ TEST(FreeFlight, StripsTumbleByTheirWidthAndThicknessInTheWholeStage)
     input.Objects[0].Orientation = ExpMap(Vec3(0.3, 0.0, 0.0));
     RotationOptions options;
     options.VariationPerObject = 0.0;
+    options.MaximumTurn = 180.0;
     const PoseTrack poses = Refine(input, options).Poses[0];
     double turned = 0.0;
     for (int k = 150; k < 299; ++k)
@@ -122,7 +123,9 @@ TEST(FreeFlight, ACurvedLeafSettlesConvexSideDown)
         const Vec3 level = Vec3(axis.x(), axis.y(), 0.0).normalized();
         input.Objects[0].Orientation = i < 12 ? ExpMap(random.Uniform(0.0, 3.1) * axis)
                                               : ExpMap(random.Uniform(2.6, 3.1) * level);
-        const PoseTrack poses = Refine(input, WithModel(model)).Poses[0];
+        RotationOptions options = WithModel(model);
+        options.MaximumTurn = 180.0;
+        const PoseTrack poses = Refine(input, options).Poses[0];
         double up = 0.0;
         for (int k = 200; k < 300; ++k)
         {
