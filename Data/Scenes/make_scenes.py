@@ -350,13 +350,12 @@ def hall_and_shaft():
 
 
 def doorway_and_pillar():
-    write_scrap("scrap.obj", 0.09, 0.065)
     wall = [([-0.08, -2.0, 0.0], [0.08, -0.6, 3.0]), ([-0.08, 0.6, 0.0], [0.08, 2.0, 3.0]),
             ([-0.08, -0.6, 2.0], [0.08, 0.6, 3.0])]
     write_scene("scraps-doorway", {
-        "title": "Scraps of paper through a doorway, to a word on the floor behind it",
+        "title": "Round scraps of paper through a doorway, to a word on the floor behind it",
         "seed": 43, "time": {"frames": 250}, "domain": {"min": [-2.5, -2, 0], "max": [2.5, 2, 3]},
-        "shapes": {"scrap": {"mesh": "scrap.obj", "size": 0.11, "areaDensity": 0.08, "settlingSpeed": 0.45,
+        "shapes": {"scrap": {"builtin": "disc", "size": 0.1, "areaDensity": 0.08, "settlingSpeed": 0.45,
                              "color": [0.93, 0.9, 0.82]}},
         "objects": [{"shape": "scrap", "count": 40, "region": {"min": [-2.2, -1.2, 1.0], "max": [-0.7, 1.2, 2.4]}}],
         "obstacles": [{"kind": "box", "min": low, "max": high} for low, high in wall],
@@ -373,21 +372,6 @@ def doorway_and_pillar():
                        "motion": [{"frame": 30, "position": [0, -1.2, 0]}, {"frame": 200, "position": [0, 1.2, 0]}]}],
         "constraints": [{"kind": "keyframe", "frame": 225,
                          "targets": {"points": [rounded((1.3, y, 0.4 + z)) for y, z in arch]}}]})
-
-
-def write_scrap(name, length, width):
-    """A scrap of paper, curled along its length, with a torn end."""
-    columns, rows = 6, 4
-    lines = ["# A scrap of paper"]
-    for i in range(columns + 1):
-        for j in range(rows + 1):
-            x = length * (i / columns - 0.5) + (0.08 * length * (-1) ** j if i == columns else 0.0)
-            lines.append(f"v {x:.5f} {width * (j / rows - 0.5):.5f} {0.12 * length * (2.0 * i / columns - 1.0) ** 2:.5f}")
-    for i in range(columns):
-        for j in range(rows):
-            a = i * (rows + 1) + j + 1
-            lines.append(f"f {a} {a + rows + 1} {a + rows + 2} {a + 1}")
-    (HERE / name).write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
 def two_marks():
