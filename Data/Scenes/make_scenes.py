@@ -316,8 +316,86 @@ def crowd_scenes():
         "obstacles": stairs + [ball], "constraints": marks})
 
 
+# Scenes to try, not to tune by: other volumes, frame rates, obstacles and kinds of rows than those above
+
+
+def turn(count, radius, first=0.0, arc=2.0 * math.pi):
+    """Places on a circle's arc, [(along, up)]; a whole circle has each place once."""
+    steps = count if arc >= 2.0 * math.pi else count - 1
+    angles = [first + arc * k / steps for k in range(count)]
+    return [(radius * math.cos(angle), radius * math.sin(angle)) for angle in angles]
+
+
+def hall_and_shaft():
+    colors = {"red": [0.85, 0.2, 0.2], "yellow": [0.95, 0.8, 0.2], "blue": [0.2, 0.4, 0.85]}
+    ring = [rounded((x, y, 0.1)) for x, y in turn(60, 1.1)]
+    write_scene("confetti-hall", {
+        "title": "Confetti in a wide low hall that lands as a ring, colour after colour",
+        "seed": 41, "time": {"frames": 200, "framesPerSecond": 24}, "domain": {"min": [-3, -1.5, 0], "max": [3, 1.5, 2]},
+        "shapes": {name: {"builtin": "disc", "size": 0.06, "settlingSpeed": 0.4, "color": color}
+                   for name, color in colors.items()},
+        "objects": [{"shape": name, "count": 20, "region": {"min": [-2.4, -1.2, 1.2], "max": [2.4, 1.2, 1.85]}}
+                    for name in colors],
+        "constraints": [{"kind": "keyframe", "frame": 120 + 30 * k, "velocity": "rest",
+                         "objects": list(range(20 * k, 20 * k + 20)), "targets": {"points": ring[k::3]}}
+                        for k in range(len(colors))]})
+
+    marks = [(90, [-0.2, 0.15, 2.1]), (180, [0.22, 0.1, 1.5]), (280, [-0.05, -0.2, 0.9])]
+    write_scene("feather-shaft", {
+        "title": "A feather down a narrow shaft, past three marks",
+        "seed": 42, "time": {"frames": 300, "framesPerSecond": 60},
+        "domain": {"min": [-0.5, -0.5, 0], "max": [0.5, 0.5, 3]},
+        "shapes": feather("feather-white", 0.2), "objects": [{"shape": "feather", "position": [0.1, -0.2, 2.65]}],
+        "constraints": [{"kind": "position", "object": 0, "frame": frame, "value": value} for frame, value in marks]})
+
+
+def doorway_and_pillar():
+    wall = [([-0.08, -2.0, 0.0], [0.08, -0.6, 3.0]), ([-0.08, 0.6, 0.0], [0.08, 2.0, 3.0]),
+            ([-0.08, -0.6, 2.0], [0.08, 0.6, 3.0])]
+    write_scene("scraps-doorway", {
+        "title": "Round scraps of paper through a doorway, to a word on the floor behind it",
+        "seed": 43, "time": {"frames": 250}, "domain": {"min": [-2.5, -2, 0], "max": [2.5, 2, 3]},
+        "shapes": {"scrap": {"builtin": "disc", "size": 0.1, "areaDensity": 0.08, "settlingSpeed": 0.45,
+                             "color": [0.93, 0.9, 0.82]}},
+        "objects": [{"shape": "scrap", "count": 40, "region": {"min": [-2.2, -1.2, 1.0], "max": [-0.7, 1.2, 2.4]}}],
+        "obstacles": [{"kind": "box", "min": low, "max": high} for low, high in wall],
+        "constraints": [{"kind": "keyframe", "frame": 235, "velocity": "rest",
+                         "targets": {"text": "OUT", "origin": [1.4, 0, 0.1], "u": [0, -1, 0], "v": [1, 0, 0], "width": 2.4}}]})
+
+    leg = [0.1 * k for k in range(7)]
+    arch = [(1.1, z) for z in leg] + [(y, 0.7 + z) for y, z in turn(36, 1.1, 0.0, math.pi)] + [(-1.1, z) for z in leg[::-1]]
+    write_scene("leaves-pillar", {
+        "title": "Leaves round a pillar that walks across the room, to an arch in the air",
+        "seed": 44, "time": {"frames": 260, "framesPerSecond": 25}, "domain": {"min": [-2, -2, 0], "max": [2, 2, 3]},
+        "shapes": leaves(0.1), "objects": thirds(50, {"min": [-1.8, -1.5, 1.0], "max": [-0.7, 1.5, 2.7]}),
+        "obstacles": [{"kind": "cylinder", "base": [0, -1.2, 0], "top": [0, -1.2, 3], "radius": 0.25,
+                       "motion": [{"frame": 30, "position": [0, -1.2, 0]}, {"frame": 200, "position": [0, 1.2, 0]}]}],
+        "constraints": [{"kind": "keyframe", "frame": 225,
+                         "targets": {"points": [rounded((1.3, y, 0.4 + z)) for y, z in arch]}}]})
+
+
+def two_marks():
+    ring = [rounded((x, y, 1.3)) for x, y in turn(30, 0.6)]
+    side = [-0.6 + 0.15 * k for k in range(8)]
+    square = [(s, -0.6) for s in side] + [(0.6, s) for s in side] + [(-s, 0.6) for s in side] + [(-0.6, -s) for s in side]
+    square = [rounded((x, 0.0, 1.0 + z)) for x, z in square if (x, z) not in ((0.6, -0.6), (-0.6, 0.6))]
+    write_scene("bubbles-two-marks", {
+        "title": "Bubbles that are a ring, and then a square",
+        "seed": 45, "time": {"frames": 240}, "domain": {"min": [-1, -1, 0], "max": [1, 1, 2]},
+        "shapes": {"bubble": {"builtin": "bubble", "size": 0.06, "settlingSpeed": 0.04}},
+        "objects": [{"shape": "bubble", "count": 30, "region": {"min": [-0.8, -0.8, 0.5], "max": [0.8, 0.8, 1.8]}}],
+        "constraints": [
+            {"kind": "keyframe", "frame": 90, "targets": {"points": ring}, "radius": 0.04},
+            {"kind": "keyframe", "frame": 190, "targets": {"points": square}, "radius": 0.04},
+            {"kind": "velocity", "object": 4, "frame": 140, "value": [0.25, 0.0, 0.1]},
+            {"kind": "acceleration", "object": 17, "frame": 140, "value": [0.0, 0.4, 0.1], "radius": 0.05}]})
+
+
 if __name__ == "__main__":
     feather_scenes()
     word_scenes()
     leaf_scenes()
     crowd_scenes()
+    hall_and_shaft()
+    doorway_and_pillar()
+    two_marks()
