@@ -19,7 +19,8 @@ def run_demo(folder, threads=None):
     for name in SCENES:
         target = pathlib.Path(folder) / name
         print(f"{name}: planning, optimising, turning ...", file=sys.stderr)
-        run = synthesize(data_file(f"Scenes/{name}.waft.json"), output=target, threads=threads, quiet=False)
+        run = synthesize(data_file(f"Scenes/{name}.waft.json"), output=target, threads=threads, quiet=False,
+                         quality="assimilated")
         tell(run, target)
         status = max(status, run.status)
         if run.stopped:

@@ -253,7 +253,19 @@ def constraint_report(pipeline):
         measured = turned.get((row["Row"], row["Target"]))
         if measured is not None and row["Kind"] == "orientation" and row["Status"] == "met":
             row.update((name, measured[name]) for name in ("Residual", "Status", "Message"))
+    _add_touch_downs(pipeline, report)
     return report
+
+
+def _add_touch_downs(pipeline, report):
+    """The frame from which each rest is kept; -1 of other rows, and where no stage tells."""
+    frames = {}
+    if pipeline.assimilation is not None:
+        rows = pipeline.output("assimilation", 3).GetPointData()
+        row, target, frame = (rows.GetArray(name) for name in ("Row", "Target", "TouchDown"))
+        frames = {(row.GetValue(i), target.GetValue(i)): frame.GetValue(i) for i in range(frame.GetNumberOfTuples())}
+    for line in report:
+        line["TouchDown"] = str(frames.get((int(line["Row"]), int(line["Target"])), -1))
 
 
 def _sentences(message, are_approaches):
@@ -352,7 +364,7 @@ def _at(algorithm, port, time):
 
 
 def _write_report(pipeline, path):
-    header = ["Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message"]
+    header = ["Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message", "TouchDown"]
     write_csv(path, header, [[row[name] for name in header] for row in pipeline.report])
 
 
