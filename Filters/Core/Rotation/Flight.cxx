@@ -226,9 +226,9 @@ FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int fra
                          const Settling& settling, const Floor* floor, FlightState& state)
 {
   FrameEvents events;
-  const bool limited = !path.FastestTurning.empty();
   const double fastest = path.FastestTurning.empty() ? std::numeric_limits<double>::infinity()
                                                      : path.FastestTurning[frame];
+  const bool limited = std::isfinite(fastest);
   events.Slowed = LimitTurning(body, fastest, state);
   const double spin = state.AngularVelocity(body).norm();
   const double speed = std::max(path.RelativeVelocities[frame].norm(),

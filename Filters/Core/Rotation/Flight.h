@@ -18,8 +18,10 @@ struct FlightPath
   /// rad/s, world: half the air's vorticity, at which a body turns that nothing but the stickiness
   /// of the air turns; damping draws to it. Empty: to rest.
   std::vector<Vec3> AirTurning;
-  std::vector<double> FastestTurning; // rad/s, from each frame to the next; or empty: no limits
-  double QuickestChange = 0.0; // rad/s^2, of the angular velocity by torques; with the former
+  std::vector<double>
+    FastestTurning; // rad/s, from each frame to the next, or infinite; or empty: no limits
+  double QuickestChange =
+    0.0; // rad/s^2, of the angular velocity by torques; where the former is finite
 };
 
 /// A body with the constants of its motion.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace waft
 {
@@ -19,6 +20,7 @@ constexpr double LeastShare = 0.05;  // of the limit, that a flight is left
 constexpr double Quickness = 0.5;    // of the limit, by which torques change turning in a frame
 constexpr double Aim = 0.97;         // of the limit, for what is above it: few flights do
 constexpr double Slack = 1.0 + 1e-9; // rounding
+constexpr double Unlimited = std::numeric_limits<double>::infinity();
 const double Half = std::acos(-1.0); // rad, of a turn
 const double Degrees = 180.0 / Half;
 
@@ -45,6 +47,28 @@ double Excess(const std::vector<double>& turns, double most)
     excess += turn > most * Slack ? turn - most : 0.0;
   }
   return excess;
+}
+
+/// Sets the limit from a little before the first frame that turns by more, where the body turns
+/// slower than that by itself; what was before stays.
+void LimitFrom(const AttitudeOutcome& outcome, const std::vector<double>& turns, double most,
+               FlightPath& path)
+{
+  const auto first =
+    std::find_if(turns.begin(), turns.end(), [most](double turn) { return turn > most * Slack; });
+  if (first == turns.end())
+  {
+    return;
+  }
+  const double fastest = most / path.Step;
+  const std::vector<Vec3>& rates = outcome.Poses.AngularVelocities;
+  auto frame = static_cast<std::size_t>(std::max<long>(first - turns.begin() - Ramp, 0));
+  while (frame > 0 && rates[frame].norm() > fastest)
+  {
+    --frame;
+  }
+  std::replace(path.FastestTurning.begin() + static_cast<long>(frame), path.FastestTurning.end(),
+               Unlimited, fastest);
 }
 
 /// Takes from the flight what is too much, and smoothly less of it in the frames around.
@@ -78,17 +102,18 @@ AttitudeOutcome TurnObjectWithin(double most, const AttitudePlan& plan, const Fl
                                  FlightPath path)
 {
   AttitudeOutcome best = TurnObject(plan, body, path);
-  double least = Excess(Turns(best), most);
-  if (least > 0.0)
-  {
-    path.FastestTurning.assign(path.RelativeVelocities.size(), most / path.Step);
-    path.QuickestChange = Quickness * most / (path.Step * path.Step);
-  }
+  std::vector<double> turns = Turns(best);
+  double least = Excess(turns, most);
+  path.FastestTurning.assign(path.RelativeVelocities.size(), Unlimited);
+  path.QuickestChange = Quickness * most / (path.Step * path.Step);
+  LimitFrom(best, turns, most, path);
   int vain = 0; // flights, one after another
   for (int flight = 0; flight < MostFlights && least > 0.0 && vain < MostInVain; ++flight)
   {
     AttitudeOutcome next = TurnObject(plan, body, path);
-    const std::vector<double> turns = Turns(next);
+    turns = Turns(next);
+    LimitFrom(next, turns, most, path);
+    SlowAbout(turns, most, path.Step, path.FastestTurning);
     const double excess = Excess(turns, most);
     ++vain;
     if (excess < least * (1.0 - 1e-6))
@@ -97,7 +122,6 @@ AttitudeOutcome TurnObjectWithin(double most, const AttitudePlan& plan, const Fl
       best = std::move(next);
       vain = 0;
     }
-    SlowAbout(turns, most, path.Step, path.FastestTurning);
   }
   return best;
 }

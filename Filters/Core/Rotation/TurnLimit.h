@@ -11,10 +11,11 @@ namespace waft
 {
 
 /// TurnObject with at most `most` [rad] from a frame to the next. A body that keeps to it by itself
-/// flies as it does without a limit, bit by bit. Any other one flies anew with an angular velocity
-/// that never is above it and that torques change by at most half of it in a frame, so that it does
-/// not jump back and forth between two limits. Where a row, a rest or a surface turns the flown
-/// poses beyond it, the body flies again, slower about there, a few times, as long as that helps.
+/// flies as it does without a limit, bit by bit. Any other one flies anew from a little before it
+/// turns by more for the first time, with an angular velocity that never is above it and that
+/// torques change by at most half of it in a frame, so that it does not jump back and forth between
+/// two limits. Where a row, a rest or a surface turns the flown poses beyond it, the body flies
+/// again, slower about there, a few times, as long as that helps.
 AttitudeOutcome TurnObjectWithin(double most, const AttitudePlan& plan, const FlightBody& body,
                                  FlightPath path);
 

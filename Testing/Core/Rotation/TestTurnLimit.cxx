@@ -157,6 +157,22 @@ TEST(TurnLimit, ANarrowFeatherIsSlowedSmoothlyAndTold)
     const PoseTrack wide = Refine(input, Limit(180.0)).Poses[0];
     EXPECT_GT(GreatestTurn(wide), 80.0 * Degree) << i;
     EXPECT_GT(GreatestJerk(wide), 30.0 * 60.0 * Degree) << i; // back and forth
+    std::size_t first = 0;
+    while (Angle(wide.Orientations[first + 1], wide.Orientations[first]) <= 60.0 * Degree)
+    {
+      ++first;
+    }
+    const PoseTrack slowed = Refine(input, Limit(60.0)).Poses[0];
+    // Own flight up to 8 frames before, or further to where it turns slower than the limit.
+    std::size_t own = first > 8 ? first - 8 : 0;
+    while (own > 0 && wide.AngularVelocities[own].norm() > 30.0 * 60.0 * Degree)
+    {
+      --own;
+    }
+    for (std::size_t k = 0; k <= own; ++k)
+    {
+      EXPECT_EQ(wide.Orientations[k].coeffs(), slowed.Orientations[k].coeffs()) << k;
+    }
     for (const double degrees : { 60.0, 20.0 })
     {
       const RotationOutput output = Refine(input, Limit(degrees));
