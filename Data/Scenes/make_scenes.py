@@ -376,9 +376,9 @@ def doorway_and_pillar():
 
 def two_marks():
     ring = [rounded((x, y, 1.3)) for x, y in turn(30, 0.6)]
-    side = [-0.6 + 0.15 * k for k in range(8)]
-    square = [(s, -0.6) for s in side] + [(0.6, s) for s in side] + [(-s, 0.6) for s in side] + [(-0.6, -s) for s in side]
-    square = [rounded((x, 0.0, 1.0 + z)) for x, z in square if (x, z) not in ((0.6, -0.6), (-0.6, 0.6))]
+    wide, high = [1.2 * k / 8 - 0.6 for k in range(8)], [1.2 * k / 7 - 0.6 for k in range(7)]
+    square = [(x, -0.6) for x in wide] + [(0.6, z) for z in high] + [(-x, 0.6) for x in wide] + [(-0.6, -z) for z in high]
+    square = [rounded((x, 0.0, 1.0 + z)) for x, z in square]
     write_scene("bubbles-two-marks", {
         "title": "Bubbles that are a ring, and then a square",
         "seed": 45, "time": {"frames": 240}, "domain": {"min": [-1, -1, 0], "max": [1, 1, 2]},
