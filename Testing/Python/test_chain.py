@@ -135,7 +135,7 @@ def check_wind():
 
     ports = {name: simple.OutputPort(run.reader, place) for place, name in ((0, "Objects"), (2, "Obstacles"), (3, "Shapes"))}
     still = simple.RotationRefineFilter(
-        Tracks=simple.OutputPort(run.spacetime, 0), Constraints=simple.OutputPort(run.planner, 3), **ports)
+        Tracks=simple.OutputPort(run.assimilation, 0), Constraints=simple.OutputPort(run.planner, 3), **ports)
     still.Seed = run.rotation.Seed
 
     def turned(rotation):

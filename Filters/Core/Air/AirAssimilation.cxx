@@ -76,13 +76,14 @@ Result AssimilationRun::Solve()
   }
   if (this->Options.Rounds == 0 && !result.IsStopped())
   {
-    this->FindWind();
+    const FieldSeries plain = this->Air;
+    this->FindWind(plain);
   }
   for (; round < this->Options.Rounds && !result.IsStopped() && this->GoesOn(); ++round)
   {
-    const FieldSeries plain = this->Air;
-    this->FindWind();
-    result = this->SimulateAgain(plain, round);
+    FieldSeries plain = this->Air;
+    this->FindWind(plain);
+    result = this->SimulateAgain(std::move(plain), round);
     WAFT_RETURN_IF_FAILED(result);
     this->KeepCheckpoint(round + 1, result);
   }

@@ -374,7 +374,7 @@ double AssimilationRun::Try(const FieldSeries& series, AssimilationRound& row) c
          PathStrengthCost * (v * v + a * a);
 }
 
-Result AssimilationRun::SimulateAgain(const FieldSeries& plain, int round)
+Result AssimilationRun::SimulateAgain(FieldSeries plain, int round)
 {
   FieldSeries feed = MaterialDerivative(this->Air, this->Parallel);
   {
@@ -392,6 +392,9 @@ Result AssimilationRun::SimulateAgain(const FieldSeries& plain, int round)
       }
     }
   }
+  // Of an air of 300 frames each field takes a hundred megabytes.
+  plain = FieldSeries();
+  this->Output.Wind = FieldSeries();
   AirSteering steering;
   steering.Target = &this->Air;
   steering.Feed = &feed;

@@ -126,7 +126,7 @@ void AssimilationRun::DriftOn(int iterations)
                  });
 }
 
-void AssimilationRun::FindWind()
+void AssimilationRun::FindWind(const FieldSeries& plain)
 {
   CommonWindOptions options;
   options.Spacing = this->Options.WindSpacing;
@@ -135,7 +135,6 @@ void AssimilationRun::FindWind()
   options.Bending *= this->Options.WindStiffness;
   options.Changing *= this->Options.WindStiffness;
   CommonWind common(this->Input.Scene.Bounds, this->Input.Scene.Time, options);
-  const FieldSeries plain = this->Air;
   for (int k = 0; k < this->Options.WindRounds; ++k)
   {
     this->FitWind(common);

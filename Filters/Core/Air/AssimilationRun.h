@@ -59,7 +59,7 @@ private:
   Result Draw();
   double Try(const FieldSeries& series, AssimilationRound& row) const;
   /// Towards the air with the common wind, by what its motion asks for beside what drives it now.
-  Result SimulateAgain(const FieldSeries& plain, int round);
+  Result SimulateAgain(FieldSeries plain, int round);
 
   // AssimilationDrift.cxx
   DriftWeights Weights() const;
@@ -68,8 +68,8 @@ private:
   double CostOf(const Drifter& drifter, const AirSampler& air, std::vector<Vec3> path) const;
   std::vector<Vec3> BestDrift(const Drifter& drifter, const AirSampler& air) const;
   void DriftOn(int iterations);
-  /// The air with the wind that the controls have in common.
-  void FindWind();
+  /// The air without and then with the wind that the controls have in common.
+  void FindWind(const FieldSeries& plain);
   /// The wind that would have made the controls needless: what it is at the bodies, and they.
   void FitWind(CommonWind& common) const;
   /// What keeps too near to something is pushed harder first; only what that does not help is moved
