@@ -22,7 +22,7 @@ function(waft_core_library name)
 endfunction()
 
 # The suites of GoogleTest that take longer than some seconds, of any program; all others are fast.
-set(WAFT_SLOW_SUITES Checkpoint ClusterRuns Clusters DatabaseBuild Edit FreeFlight Landing Landings Mazes
+set(WAFT_SLOW_SUITES AirAssimilation AssimilationContacts AssimilationEdits AssimilationRows AssimilationStart Checkpoint ClusterRuns Clusters DatabaseBuild Edit FreeFlight Landing Landings Mazes
   MotionDatabaseSource MovingObstacles PlanCache Planner PlannerBadInput PropertyValues Ranks RunSpacetime SceneSchema
   SpacetimeMotion StylisticPlannerFilter Surfaces WarmStart Windows)
 

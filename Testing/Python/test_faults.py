@@ -17,7 +17,7 @@ import waft
 from waft.database import database_place, settle_database
 from waft.results import manifest_of, read_manifest
 from waft.resuming import Checkpoint
-from waft.synthesis import result_place, write_results
+from waft.synthesis import OPTIMISER, result_place, write_results
 
 KILL = ctypes.CDLL(None).WaftKillAtRename
 SCENE = {
@@ -145,6 +145,9 @@ class Faults(unittest.TestCase):
         scene = self.folder / "killed.waft.json"
         scene.write_text(json.dumps(SCENE), encoding="utf-8")
         whole = self.folder / "unkilled"
+
+        OPTIMISER.update(NumberOfGasParticles=600, LeashIterations=5, MaximumNumberOfIterations=20)
+        self.addCleanup(OPTIMISER.clear)
 
         def run(folder, resume=False):
             return waft.synthesize(scene, output=folder, quality="paper", threads=1, resume=resume, checkpoint_interval=0)

@@ -23,7 +23,8 @@ SCENE = {
 }
 CHILD = """
 import sys
-from waft.synthesis import synthesize
+from waft.synthesis import OPTIMISER, synthesize
+OPTIMISER.update(NumberOfGasParticles=600, LeashIterations=5, MaximumNumberOfIterations=20)
 run = synthesize(sys.argv[1], output=sys.argv[2], quality="paper", resume=sys.argv[3] == "resume", threads=1,
                  time_limit=float(sys.argv[4]) or None, checkpoint_interval=float(sys.argv[5]))
 print("\\n".join(run.warnings), end="")

@@ -153,6 +153,7 @@ Result AssimilationRun::SetUpDrifters()
 
 void AssimilationRun::Finish()
 {
+  this->KeepApart();
   const AirSampler air(this->Air);
   const std::size_t count = this->Drifters.size();
   std::vector<char> clear(count, 1);

@@ -17,6 +17,7 @@ namespace
 constexpr int FurtherIterations = 12;     // where the air has changed little, and of every start
 constexpr std::size_t FollowedStarts = 3; // the cheapest by then
 constexpr int HarderPushes = 3;
+constexpr int ContactPasses = 8;
 
 } // namespace
 
@@ -103,23 +104,52 @@ std::vector<Vec3> AssimilationRun::BestDrift(const Drifter& drifter, const AirSa
   return paths[std::min_element(order.begin(), order.end())->second];
 }
 
-void AssimilationRun::DriftOn(int iterations)
+std::vector<char> AssimilationRun::FindNeighbours()
 {
   std::vector<std::vector<DriftNeighbour>> contacts = FindContacts(
     this->Drifters, this->Paths, this->Input.Scene.Time.FramesPerSecond, this->Parallel);
+  std::vector<char> touches;
   for (std::size_t o = 0; o < this->Drifters.size(); ++o)
   {
+    touches.push_back(contacts[o].empty() ? 0 : 1);
     this->Drifters[o].SetNeighbours(std::move(contacts[o]));
   }
+  return touches;
+}
+
+void AssimilationRun::DriftOn(int iterations)
+{
+  (void)this->FindNeighbours();
+  this->Drift(iterations, this->Weights(), std::vector<char>(this->Drifters.size(), 1));
+}
+
+void AssimilationRun::KeepApart()
+{
+  DriftWeights weights = this->Weights();
+  for (int pass = 0; pass < ContactPasses; ++pass)
+  {
+    const std::vector<char> touches = this->FindNeighbours();
+    if (std::find(touches.begin(), touches.end(), 1) == touches.end())
+    {
+      return;
+    }
+    weights.Barrier *= 2.0;
+    this->Drift(FurtherIterations, weights, touches);
+  }
+}
+
+void AssimilationRun::Drift(int iterations, const DriftWeights& weights,
+                            const std::vector<char>& which)
+{
   const AirSampler air(this->Air);
   this->Parallel(this->Drifters.size(),
                  [&](std::size_t begin, std::size_t end)
                  {
                    for (std::size_t o = begin; o < end; ++o)
                    {
-                     if (!this->IsKept(o))
+                     if (which[o] && !this->IsKept(o))
                      {
-                       SolveDrift(this->Drifters[o].Problem(), air, this->Weights(), iterations,
+                       SolveDrift(this->Drifters[o].Problem(), air, weights, iterations,
                                   this->Paths[o]);
                      }
                    }

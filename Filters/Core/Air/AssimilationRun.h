@@ -67,7 +67,12 @@ private:
   Result FirstDrift();
   double CostOf(const Drifter& drifter, const AirSampler& air, std::vector<Vec3> path) const;
   std::vector<Vec3> BestDrift(const Drifter& drifter, const AirSampler& air) const;
+  /// Tells each drifter what is too near to it; who has such neighbours.
+  std::vector<char> FindNeighbours();
+  void Drift(int iterations, const DriftWeights& weights, const std::vector<char>& which);
   void DriftOn(int iterations);
+  /// Those that are too near to each other give way, pass by pass harder.
+  void KeepApart();
   /// The air without and then with the wind that the controls have in common.
   void FindWind(const FieldSeries& plain);
   /// The wind that would have made the controls needless: what it is at the bodies, and they.

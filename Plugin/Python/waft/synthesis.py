@@ -18,6 +18,7 @@ from waft.watching import Clock, collect
 # that air; and, as in the paper, the optimiser from the plan, gas at rest.
 QUALITIES = ("preview", "assimilated", "full", "paper")
 PREVIEW = {"Resolution": 32, "Rounds": 1}  # of the assimilation
+OPTIMISER = {}  # properties of the optimiser besides its defaults
 CONVERGENCE = ("Pass", "Stage", "Iteration", "E", "Ex", "Ev", "Ec", "MaxViolation", "Leash", "Seconds")
 STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
 REPORT = "report.json"
@@ -162,7 +163,7 @@ def _do_obstacles_move(scene):
 
 
 def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limit):
-    settings = {} if memory_limit is None else {"MemoryLimit": memory_limit}
+    settings = OPTIMISER if memory_limit is None else {**OPTIMISER, "MemoryLimit": memory_limit}
     optimises = pipeline.quality in ("full", "paper")
     if optimises:
         _check_room(pipeline, settings)

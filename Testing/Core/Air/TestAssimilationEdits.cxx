@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How bodies move in an air, what an edit leaves alone, and what objects keep to besides rows.
+#include "Air/AirStatistics.h"
+#include "Air/AssimilationState.h"
+#include "Base/Primitives.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+using namespace waft;
+
+namespace
+{
+
+constexpr int Frames = 46;
+
+// Bodies whose ways cross half way.
+AssimilationInput Crossing()
+{
+  AssimilationInput input;
+  input.Scene.Time = { Frames, 30.0 };
+  ObstacleMesh ground;
+  ground.Mesh = MakeBox({ Vec3(-3.0, -3.0, -1.0), Vec3(3.0, 3.0, 0.0) });
+  input.Obstacles.push_back(ground);
+  for (int o = 0; o < 3; ++o)
+  {
+    const double angle = 2.0 * M_PI * o / 3.0;
+    const Vec3 side(0.3 * std::cos(angle), 0.3 * std::sin(angle), 0.0);
+    MotionObject object;
+    object.ObjectId = o;
+    object.Position = Vec3(0.0, 0.0, 2.0) + side;
+    object.SettlingSpeed = 0.5;
+    input.Objects.push_back(object);
+    Constraint row;
+    row.ObjectId = o;
+    row.Row = o;
+    row.Frame = 40;
+    row.Value = Vec3(0.0, 0.0, 1.5) - side;
+    input.Constraints.push_back(row);
+    Track track;
+    track.ObjectId = o;
+    for (int f = 0; f < Frames; ++f)
+    {
+      const double s = std::min(1.0, f / 40.0);
+      track.Positions.push_back((1.0 - s) * object.Position + s * row.Value);
+    }
+    input.Tracks.push_back(track);
+  }
+  return input;
+}
+
+AssimilationOptions Small()
+{
+  AssimilationOptions options;
+  options.Resolution = 16;
+  options.LatticeResolution = 16;
+  options.Rounds = 1;
+  options.Starts = 0;
+  options.Candidates = 1;
+  return options;
+}
+
+AssimilationOutput Assimilated(const AssimilationInput& input, const AssimilationOptions& options,
+                               AssimilationState* memory = nullptr)
+{
+  SilentMonitor monitor;
+  AssimilationOutput output;
+  const Result result = AssimilateAir(input, options, {}, SerialFor(), monitor, output, memory);
+  EXPECT_TRUE(static_cast<bool>(result)) << result.Message();
+  return output;
+}
+
+} // namespace
+
+TEST(AirStatistics, AreThoseOfASolidRotation)
+{
+  // About the upright axis of a box: v = w x r, so that <v^2> about its mean is w^2 <x^2 + y^2>,
+  // and |v - v'|^2 = w^2 |r - r'|^2 in the plane.
+  const double spin = 0.2;
+  FieldSeries air;
+  air.Meaning = FieldMeaning::Velocity;
+  air.Dimensions = { 9, 9, 9 };
+  air.Origin = Vec3(-2.0, -2.0, 0.0);
+  air.Spacing = Vec3::Constant(0.5);
+  for (int frame = 0; frame < 61; ++frame)
+  {
+    air.Times.push_back(frame / 30.0);
+    air.Values.emplace_back();
+    for (std::size_t p = 0; p < air.NumberOfPoints(); ++p)
+    {
+      const double x = -2.0 + 0.5 * static_cast<double>(p % 9);
+      const double y = -2.0 + 0.5 * static_cast<double>(p / 9 % 9);
+      air.Values.back().push_back(
+        { static_cast<float>(-spin * y), static_cast<float>(spin * x), 0.0f });
+    }
+  }
+  const AirStatistics found = DriftStatistics(air, 30.0, 0.0, SerialFor());
+  const double expected = spin * spin * 2.0 * 16.0 / 12.0; // of places all over the box
+  EXPECT_NEAR(found.VelocityVariance, expected, 0.2 * expected);
+  EXPECT_NEAR(found.AccelerationVariance, spin * spin * expected, 0.25 * spin * spin * expected);
+  for (std::size_t bin = 1; bin < found.Structure.size(); ++bin)
+  {
+    EXPECT_GT(found.Structure[bin], found.Structure[bin - 1]);
+  }
+  EXPECT_EQ(StructureDistance(found, found), 0.0);
+}
+
+TEST(AssimilationContacts, BodiesWhoseWaysCrossKeepApart)
+{
+  const AssimilationInput input = Crossing();
+  const AssimilationOutput output = Assimilated(input, Small());
+  const double kept = 2.0 * input.Objects[0].ClearanceRadius;
+  for (int f = 0; f < Frames; ++f)
+  {
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      for (std::size_t b = 0; b < a; ++b)
+      {
+        const Vec3 apart = output.Tracks[a].Positions[f] - output.Tracks[b].Positions[f];
+        EXPECT_GT(apart.norm(), 0.95 * kept) << f;
+      }
+    }
+  }
+}
+
+TEST(AssimilationEdits, AMovedMarkLeavesTheAirAndTheOthersAsTheyWere)
+{
+  AssimilationState memory;
+  AssimilationInput input = Crossing();
+  const AssimilationOutput before = Assimilated(input, Small(), &memory);
+  EXPECT_TRUE(memory.IsFinished);
+  input.Constraints[1].Value += Vec3(0.1, 0.0, 0.1);
+  const AssimilationOutput after = Assimilated(input, Small(), &memory);
+  EXPECT_EQ(after.Tracks[1].Positions[40], input.Constraints[1].Value);
+  EXPECT_EQ(before.Tracks[0].Positions, after.Tracks[0].Positions);
+  EXPECT_EQ(before.Tracks[2].Positions, after.Tracks[2].Positions);
+  EXPECT_EQ(before.Air.Values, after.Air.Values);
+
+  // From a file, the same.
+  const std::string path = testing::TempDir() + "waft-edit.state";
+  AssimilationOptions options = Small();
+  options.StateFile = path;
+  (void)Assimilated(Crossing(), options);
+  options.StateFile.clear();
+  options.EditOf = path;
+  const AssimilationOutput read = Assimilated(input, options);
+  EXPECT_EQ(read.Tracks[1].Positions, after.Tracks[1].Positions);
+  EXPECT_EQ(read.Tracks[0].Positions, after.Tracks[0].Positions);
+  EXPECT_EQ(read.Warnings, after.Warnings);
+
+  // Of another scene it is told and left.
+  input.Scene.Seed += 1;
+  const AssimilationOutput other = Assimilated(input, options);
+  ASSERT_FALSE(other.Warnings.empty());
+  EXPECT_NE(other.Warnings.front().find("is of another scene"), std::string::npos)
+    << other.Warnings.front();
+  EXPECT_NE(other.Air.Values, after.Air.Values);
+  std::remove(path.c_str());
+}
+
+TEST(AssimilationEdits, ACheckpointGoesOnToTheSameBits)
+{
+  class StopsAt : public Monitor
+  {
+  public:
+    bool Tick(double fraction, const std::string&) override { return fraction < 0.6; }
+  };
+  const AssimilationOutput whole = Assimilated(Crossing(), Small());
+  AssimilationOptions options = Small();
+  options.CheckpointFile = testing::TempDir() + "waft-assimilation.state";
+  StopsAt stopping;
+  AssimilationOutput stopped;
+  EXPECT_TRUE(AssimilateAir(Crossing(), options, {}, SerialFor(), stopping, stopped).IsStopped());
+  AssimilationState state;
+  EXPECT_EQ(ReadState(options.CheckpointFile, state), "");
+  EXPECT_FALSE(state.IsEmpty());
+  const AssimilationOutput resumed = Assimilated(Crossing(), options);
+  EXPECT_EQ(resumed.Warnings, whole.Warnings);
+  for (std::size_t o = 0; o < 3; ++o)
+  {
+    EXPECT_EQ(whole.Tracks[o].Positions, resumed.Tracks[o].Positions);
+  }
+  EXPECT_EQ(whole.Wind.Values, resumed.Wind.Values);
+  EXPECT_EQ(ReadState(options.CheckpointFile, state), ""); // it is gone
+  EXPECT_TRUE(state.IsEmpty());
+}
+
+TEST(AssimilationStart, IsTheVelocityThatIsGiven)
+{
+  AssimilationInput input = Crossing();
+  input.Objects[0].Velocity = Vec3(0.3, -0.2, 0.1);
+  input.Objects[0].VelocityGiven = 1;
+  const AssimilationOutput output = Assimilated(input, Small());
+  const Vec3 begun = CentralVelocities(output.Tracks[0].Positions, 1.0 / 30.0).front();
+  EXPECT_LT((begun - input.Objects[0].Velocity).norm(), 1e-12);
+}
+
+TEST(AssimilationRows, WhatCannotBeReachedIsComeToAsThePlanDoes)
+{
+  AssimilationInput input = Crossing();
+  input.Constraints[2].Status = ConstraintStatus::Unreachable;
+  const Vec3 planned = input.Tracks[2].Positions[40] + Vec3(0.4, 0.0, 0.0);
+  for (int f = 30; f < Frames; ++f)
+  {
+    input.Tracks[2].Positions[f] += std::min(1.0, (f - 30) / 10.0) * Vec3(0.4, 0.0, 0.0);
+  }
+  const AssimilationOutput output = Assimilated(input, Small());
+  EXPECT_EQ(output.Tracks[2].Positions[40], planned);
+}
