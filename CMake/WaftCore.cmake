@@ -22,9 +22,9 @@ function(waft_core_library name)
 endfunction()
 
 # The suites of GoogleTest that take longer than some seconds, of any program; all others are fast.
-set(WAFT_SLOW_SUITES AirAssimilation AssimilationContacts AssimilationEdits AssimilationRows AssimilationStart Checkpoint ClusterRuns Clusters DatabaseBuild Edit FreeFlight Landing Landings Mazes
-  MotionDatabaseSource MovingObstacles PlanCache Planner PlannerBadInput PropertyValues Ranks RunSpacetime SceneSchema
-  SpacetimeMotion StylisticPlannerFilter Surfaces WarmStart Windows)
+set(WAFT_SLOW_SUITES AirAssimilation AssimilationContacts AssimilationEdits AssimilationRows AssimilationStart Checkpoint
+  ClusterRuns Clusters DatabaseBuild Edit FreeFlight Landing Landings Mazes MotionDatabaseSource MovingObstacles PlanCache
+  Planner PlannerBadInput PropertyValues Ranks RunSpacetime SceneSchema SpacetimeMotion StylisticPlannerFilter Surfaces WarmStart Windows)
 
 # waft_discover_tests(<program> <prefix>): each TEST of a program is an entry of ctest, labelled fast or slow.
 function(waft_discover_tests target prefix)
@@ -61,6 +61,7 @@ function(waft_core_benchmark name)
   cmake_parse_arguments(arg "" "" "DEPENDS;PRIVATE" ${ARGN})
   set(target WaftBenchmark${name})
   add_executable(${target} ${arg_UNPARSED_ARGUMENTS})
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/Testing/Core")
   target_link_libraries(${target} PRIVATE ${arg_PRIVATE})
   foreach(dependency IN LISTS arg_DEPENDS)
     target_link_libraries(${target} PRIVATE WaftCore${dependency})
