@@ -247,7 +247,7 @@ class Command(unittest.TestCase):
             scene["constraints"].append({"kind": "position", "object": 1, "frame": 10, "value": [-1.4, -1.2, 1.9]})
         out = self.folder / "out"
         scene = self.scene(inside)
-        done = run("synthesize", scene, "--output", out)
+        done = run("synthesize", scene, "--output", out, "--preview")
         self.assertEqual(3, done.returncode, done.stderr)
         self.assertIn("row 2", done.stderr)
         self.assertIn("infeasible", done.stderr)
