@@ -39,7 +39,7 @@ def _bad_options():
             yield _options(f"{option} '{value}'", f"{option}={value}", says=(option,))
         yield _options(f"{option} of nothing", option, says=(option,))
     for name, options in (("an unknown option", ("--fast",)), ("two scenes", ("other.waft.json",)),
-                          ("--preview with a value", ("--preview=1",)), ("--memory-limit 0.001", ("--memory-limit", "0.001")),
+                          ("--preview with a value", ("--preview=1",)), ("--memory-limit 0.001", ("--quality", "paper", "--memory-limit", "0.001")),
                           ("a database that is none", ("--database", "scene.waft.json")), ("--database ''", ("--database", ""))):
         yield _options(name, *options)
     yield _call("nothing")
@@ -91,8 +91,8 @@ def _in_the_way():
             return synthesize("scene.waft.json", OUT)
         return make
 
-    for path in ("shapes/mine", "wind/mine", "checkpoint/mine", "poses.csv/mine", "shapes/deep/mine", "report.json",
-                 "poses.csv", "planned.vtp", "animation.glb", "shapes.vtm", "wind.pvd", "wind", "shapes", "checkpoint"):
+    for path in ("shapes/mine", "air/mine", "checkpoint/mine", "poses.csv/mine", "shapes/deep/mine", "report.json",
+                 "poses.csv", "planned.vtp", "animation.glb", "shapes.vtm", "air.pvd", "air", "shapes", "checkpoint"):
         yield Case("command", f"DIR has another's {path}", foreign(path), says=(path.split("/")[0],))
 
     def project(folder, _results):

@@ -55,7 +55,7 @@ def good():
     flow.GetPointData().AddArray(velocity)
     places = {"objects": ("reader", 0), "obstacles": ("reader", 2), "shapes": ("reader", 3), "vortices": ("reader", 4),
               "wind": ("reader", 5), "database": ("database", 0), "tracks": ("planner", 0), "constraints": ("planner", 3),
-              "flown": ("spacetime", 0), "poses": ("rotation", 1)}
+              "flown": ("assimilation", 0), "poses": ("rotation", 1)}
     return {"flow": flow} | {name: _copy(run.output(*place)) for name, place in places.items()}
 
 
