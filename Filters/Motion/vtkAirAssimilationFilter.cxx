@@ -113,7 +113,7 @@ waft::Result vtkAirAssimilationFilter::Internals::Run(vtkInformationVector** inp
 void vtkAirAssimilationFilter::Internals::FillVarying(double time,
                                                       vtkInformationVector* outputs) const
 {
-  waft::AirToImage(this->Solution.Air, this->Solution.Wind, time, this->Scene,
+  waft::AirToImage(this->Solution.Air->Velocity, this->Solution.Air->Wind, time, this->Scene,
                    vtkImageData::GetData(outputs, AirPort));
 }
 

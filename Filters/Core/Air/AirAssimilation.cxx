@@ -48,7 +48,7 @@ Result AssimilationRun::Run(AssimilationState* memory)
   {
     return result;
   }
-  if (!this->Air.IsEmpty())
+  if (!this->Drawn.Velocity.IsEmpty())
   {
     this->Finish();
   }
@@ -68,7 +68,7 @@ Result AssimilationRun::Solve()
     result = this->Draw();
     if (!result || result.IsStopped())
     {
-      this->Air = FieldSeries(); // the plan is the best so far
+      this->Drawn.Velocity = FieldSeries(); // the plan is the best so far
       return result;
     }
     result = this->FirstDrift();
@@ -76,12 +76,12 @@ Result AssimilationRun::Solve()
   }
   if (this->Options.Rounds == 0 && !result.IsStopped())
   {
-    const FieldSeries plain = this->Air;
+    const FieldSeries plain = this->Drawn.Velocity;
     this->FindWind(plain);
   }
   for (; round < this->Options.Rounds && !result.IsStopped() && this->GoesOn(); ++round)
   {
-    FieldSeries plain = this->Air;
+    FieldSeries plain = this->Drawn.Velocity;
     this->FindWind(plain);
     result = this->SimulateAgain(std::move(plain), round);
     WAFT_RETURN_IF_FAILED(result);
@@ -154,7 +154,7 @@ Result AssimilationRun::SetUpDrifters()
 void AssimilationRun::Finish()
 {
   this->KeepApart();
-  const AirSampler air(this->Air);
+  const AirSampler air(this->Drawn.Velocity);
   const std::size_t count = this->Drifters.size();
   std::vector<char> clear(count, 1);
   this->Parallel(count,
@@ -208,7 +208,7 @@ void AssimilationRun::Finish()
   }
   MeasureResiduals(this->Output.Constraints, this->Output.Tracks, this->Input.Objects,
                    this->Obstacles, this->Input.Scene, this->Output.Report);
-  this->Output.Air = std::move(this->Air);
+  this->Output.Air = std::make_shared<DrawnAir>(std::move(this->Drawn));
   this->Output.Vortices = this->Scene.Forces.Vortices;
 }
 
@@ -234,7 +234,7 @@ AssimilationRun::HandOf AssimilationRun::Hand(std::size_t o, const AirSampler& a
 
 void AssimilationRun::Note(const std::string& stage, const CommonWind* common)
 {
-  const AirSampler air(this->Air);
+  const AirSampler air(this->Drawn.Velocity);
   const std::size_t count = this->Drifters.size();
   std::vector<HandOf> hands(count);
   std::vector<double> winds(count, 0.0);
@@ -288,7 +288,7 @@ double AssimilationRun::WindAlong(std::size_t o, const CommonWind& common) const
 
 void AssimilationRun::TellLargeHands()
 {
-  const AirSampler air(this->Air);
+  const AirSampler air(this->Drawn.Velocity);
   const double flow = this->Output.Rounds.back().Flow;
   std::size_t told = 0;
   for (std::size_t o = 0; o < this->Drifters.size(); ++o)
@@ -321,7 +321,7 @@ void AssimilationRun::TellLargeHands()
 
 double AssimilationRun::Seconds() const
 {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Begun).count();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
 }
 
 std::array<int, 3> AirLatticeDimensions(const Box& volume, const AssimilationOptions& options)

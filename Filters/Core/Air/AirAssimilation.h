@@ -17,6 +17,7 @@
 #include "Grid/SmokeSeries.h"
 #include "Obstacles/ObstacleSet.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -168,14 +169,20 @@ struct AssimilationRound
   double Seconds = 0.0;       // since the run began
 };
 
+/// An air of all frames on one lattice; values are those of half floats.
+struct DrawnAir
+{
+  FieldSeries Velocity; // m/s
+  FieldSeries Wind;     // m/s^2, the common wind's force in it; may be empty
+};
+
 struct AssimilationOutput
 {
   std::vector<Track> Tracks;               // AirVelocities among them
   std::vector<std::vector<Vec3>> Controls; // by track and frame [m/s]
-  FieldSeries Air;                         // m/s, a field a frame
-  FieldSeries Wind;                        // m/s^2, the common wind's force in that air
-  std::vector<Vortex> Vortices;            // all that stir the air
-  std::vector<Constraint> Constraints;     // with TouchDown
+  std::shared_ptr<const DrawnAir> Air = std::make_shared<DrawnAir>();
+  std::vector<Vortex> Vortices;        // all that stir the air
+  std::vector<Constraint> Constraints; // with TouchDown
   std::vector<ReportRow> Report;
   std::vector<AssimilationRound> Rounds;
   std::vector<std::string> Warnings;

@@ -8,12 +8,12 @@ namespace waft
 namespace
 {
 
-using Field = std::vector<std::array<float, 3>>;
+using Field = AirSteering::Field;
 
 constexpr int SmoothingPasses = 2; // of what steers
 
 // The cells' velocities at the points of the lattice; across a wall there is none.
-void Restrict(const SmokeFrame& cells, const AirScene& scene, const FieldSeries& lattice,
+void Restrict(SmokeFrame& cells, const AirScene& scene, const FieldSeries& lattice,
               const ParallelFor& parallel, Field& values)
 {
   FieldSeries one;
@@ -21,7 +21,8 @@ void Restrict(const SmokeFrame& cells, const AirScene& scene, const FieldSeries&
   one.Origin = cells.Origin;
   one.Spacing = cells.Spacing;
   one.Times = { 0.0 };
-  one.Values.push_back(cells.Velocity);
+  one.Values.resize(1);
+  std::swap(one.Values[0], cells.Velocity); // until the end of this function
   const std::array<int, 3>& n = lattice.Dimensions;
   values.resize(lattice.NumberOfPoints());
   const auto isWall = [&](int axis, int i)
@@ -53,6 +54,7 @@ void Restrict(const SmokeFrame& cells, const AirScene& scene, const FieldSeries&
                }
              }
            });
+  std::swap(one.Values[0], cells.Velocity);
 }
 
 // Binomial means along each axis: what is finer than two spacings is left to the air itself. Across
@@ -117,105 +119,130 @@ FieldSeries AirLattice(const AirScene& scene, FieldMeaning meaning)
   return series;
 }
 
-Result SimulateAir(const AirScene& scene, const AirSteering& steering, const ParallelFor& parallel,
-                   Monitor& monitor, FieldSeries& air, FieldSeries& steered)
+AirSteering::AirSteering(const FieldSeries& wanted, FieldSeries own, FieldSeries push,
+                         double rate) :
+  Wanted(wanted),
+  Own(std::move(own)), Pushes(std::move(push)), Rate(rate)
+{
+  if (this->Pushes.IsEmpty())
+  {
+    this->Pushes = wanted;
+    this->Pushes.Meaning = FieldMeaning::Acceleration;
+    this->Pushes.Values.assign(wanted.Values.size(), {});
+  }
+}
+
+FieldSeries AirSteering::At(int frame, const Field& now)
+{
+  const auto f = static_cast<std::size_t>(frame);
+  Field& push = this->Pushes.Values[f];
+  push.resize(now.size());
+  const Field wanted = MaterialDerivative(this->Wanted, f);
+  const Field own = MaterialDerivative(this->Own, f);
+  for (std::size_t i = 0; i < push.size(); ++i)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const float feed = wanted[i][c] - own[i][c] + push[i][c];
+      push[i][c] =
+        feed + static_cast<float>(this->Rate) * (this->Wanted.Values[f][i][c] - now[i][c]);
+    }
+  }
+  for (int pass = 0; pass < SmoothingPasses; ++pass)
+  {
+    Smooth(this->Pushes.Dimensions, push);
+  }
+  if (f > 0)
+  {
+    this->Own.Values[f - 1] = Field(); // no later frame asks for it
+  }
+  FieldSeries one;
+  one.Meaning = FieldMeaning::Acceleration;
+  one.Dimensions = this->Pushes.Dimensions;
+  one.Origin = this->Pushes.Origin;
+  one.Spacing = this->Pushes.Spacing;
+  one.Times = { this->Pushes.Times[f] };
+  one.Values = { push };
+  return one;
+}
+
+Result SimulateAir(const AirScene& scene, AirSteering* steering, const ParallelFor& parallel,
+                   Monitor& monitor, FieldSeries& air, SmokeState* begun)
 {
   SmokeSolver solver;
   WAFT_RETURN_IF_FAILED(solver.Begin(scene.Smoke, scene.Forces));
   air = AirLattice(scene, FieldMeaning::Velocity);
-  steered = AirLattice(scene, FieldMeaning::Acceleration);
   SmokeFrame cells;
   for (int frame = 0; frame < scene.Time.NumberOfFrames; ++frame)
   {
     WAFT_RETURN_IF_FAILED(PlaceSolids(scene, frame, solver));
-    PartMonitor step(monitor, static_cast<double>(frame) / scene.Time.NumberOfFrames,
-                     (frame + 1.0) / scene.Time.NumberOfFrames);
-    const Result stepped = solver.Step(parallel, step);
-    if (!stepped || stepped.IsStopped())
+    if (frame == 0 && begun != nullptr && !begun->Arrays.empty())
     {
-      return stepped;
+      WAFT_RETURN_IF_FAILED(solver.Restore(*begun));
     }
-    solver.Read(cells);
-    Field values;
-    Restrict(cells, scene, air, parallel, values);
-    air.Times.push_back(scene.Time.Time(frame));
-    air.Values.push_back(std::move(values));
-    if (!steering.Target)
+    else
     {
-      continue;
-    }
-    const auto at = static_cast<std::size_t>(frame);
-    FieldSeries push = AirLattice(scene, FieldMeaning::Acceleration);
-    push.Times = { scene.Time.Time(frame) };
-    push.Values.resize(1);
-    push.Values[0].resize(push.NumberOfPoints());
-    for (std::size_t i = 0; i < push.Values[0].size(); ++i)
-    {
-      for (std::size_t c = 0; c < 3; ++c)
+      PartMonitor step(monitor, static_cast<double>(frame) / scene.Time.NumberOfFrames,
+                       (frame + 1.0) / scene.Time.NumberOfFrames);
+      const Result stepped = solver.Step(parallel, step);
+      if (!stepped || stepped.IsStopped())
       {
-        push.Values[0][i][c] = (steering.Feed ? steering.Feed->Values[at][i][c] : 0.0f) +
-                               static_cast<float>(steering.Rate) *
-                                 (steering.Target->Values[at][i][c] - air.Values[at][i][c]);
+        return stepped;
       }
     }
-    for (int pass = 0; pass < SmoothingPasses; ++pass)
+    if (frame == 0 && begun != nullptr)
     {
-      Smooth(push.Dimensions, push.Values[0]);
+      *begun = solver.Save();
     }
-    steered.Times.push_back(scene.Time.Time(frame));
-    steered.Values.push_back(push.Values[0]);
-    solver.SetSteering(std::move(push));
+    solver.ReadVelocity(cells);
+    Field values;
+    Restrict(cells, scene, air, parallel, values);
+    if (steering != nullptr)
+    {
+      solver.SetSteering(steering->At(frame, values));
+    }
+    air.Times.push_back(scene.Time.Time(frame));
+    air.Values.push_back(std::move(values));
   }
   return Result::Ok();
 }
 
-FieldSeries MaterialDerivative(const FieldSeries& air, const ParallelFor& parallel)
+Field MaterialDerivative(const FieldSeries& air, std::size_t f)
 {
-  FieldSeries derivative = air;
-  derivative.Meaning = FieldMeaning::Acceleration;
+  Field derivative(air.NumberOfPoints());
   const std::array<int, 3>& n = air.Dimensions;
   const std::ptrdiff_t stride[3] = { 1, n[0], static_cast<std::ptrdiff_t>(n[0]) * n[1] };
-  const std::size_t frames = air.Values.size();
-  parallel(frames,
-           [&](std::size_t begin, std::size_t end)
-           {
-             for (std::size_t f = begin; f < end; ++f)
-             {
-               const std::size_t before = f > 0 ? f - 1 : 0;
-               const std::size_t after = std::min(f + 1, frames - 1);
-               const double time = air.Times[after] - air.Times[before];
-               std::ptrdiff_t p = 0;
-               for (int k = 0; k < n[2]; ++k)
-               {
-                 for (int j = 0; j < n[1]; ++j)
-                 {
-                   for (int i = 0; i < n[0]; ++i, ++p)
-                   {
-                     const int index[3] = { i, j, k };
-                     const auto at = static_cast<std::size_t>(p);
-                     for (std::size_t c = 0; c < 3; ++c)
-                     {
-                       double d = time > 0.0
-                                    ? (air.Values[after][at][c] - air.Values[before][at][c]) / time
-                                    : 0.0;
-                       for (int axis = 0; axis < 3; ++axis)
-                       {
-                         const int low = index[axis] > 0 ? -1 : 0;
-                         const int high =
-                           index[axis] + 1 < n[static_cast<std::size_t>(axis)] ? 1 : 0;
-                         const auto a = static_cast<std::size_t>(p + low * stride[axis]);
-                         const auto b = static_cast<std::size_t>(p + high * stride[axis]);
-                         d += air.Values[f][at][static_cast<std::size_t>(axis)] *
-                              (air.Values[f][b][c] - air.Values[f][a][c]) /
-                              (std::max(1, high - low) * air.Spacing[axis]);
-                       }
-                       derivative.Values[f][at][c] = static_cast<float>(d);
-                     }
-                   }
-                 }
-               }
-             }
-           });
+  const std::size_t before = f > 0 ? f - 1 : 0;
+  const std::size_t after = std::min(f + 1, air.Values.size() - 1);
+  const double time = air.Times[after] - air.Times[before];
+  std::ptrdiff_t p = 0;
+  for (int k = 0; k < n[2]; ++k)
+  {
+    for (int j = 0; j < n[1]; ++j)
+    {
+      for (int i = 0; i < n[0]; ++i, ++p)
+      {
+        const int index[3] = { i, j, k };
+        const auto at = static_cast<std::size_t>(p);
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          double d =
+            time > 0.0 ? (air.Values[after][at][c] - air.Values[before][at][c]) / time : 0.0;
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            const int low = index[axis] > 0 ? -1 : 0;
+            const int high = index[axis] + 1 < n[static_cast<std::size_t>(axis)] ? 1 : 0;
+            const auto a = static_cast<std::size_t>(p + low * stride[axis]);
+            const auto b = static_cast<std::size_t>(p + high * stride[axis]);
+            d += air.Values[f][at][static_cast<std::size_t>(axis)] *
+                 (air.Values[f][b][c] - air.Values[f][a][c]) /
+                 (std::max(1, high - low) * air.Spacing[axis]);
+          }
+          derivative[at][c] = static_cast<float>(d);
+        }
+      }
+    }
+  }
   return derivative;
 }
 

@@ -7,6 +7,10 @@
 #include "Base/Parallel.h"
 #include "Grid/SmokeSeries.h"
 
+#include <array>
+#include <utility>
+#include <vector>
+
 namespace waft
 {
 
@@ -22,25 +26,39 @@ struct AirScene
   std::array<int, 3> LatticeDimensions{ 32, 32, 32 };
 };
 
-/// Steers a simulation: at each frame the air is accelerated by Feed there and towards Target with
-/// a rate, at the scale of the lattice.
-struct AirSteering
+/// Steers a simulation towards a wanted air at the scale of the lattice: by what the wanted motion
+/// asks for beside what drives the air already, and at a rate by what it lacks still.
+class AirSteering
 {
-  const FieldSeries* Target = nullptr; // m/s; null: left to itself
-  const FieldSeries* Feed = nullptr;   // m/s^2, or null
-  double Rate = 3.0;                   // 1/s
+public:
+  using Field = std::vector<std::array<float, 3>>;
+
+  /// wanted: m/s, is the caller's until the last frame. own: the air as it went without the change,
+  /// m/s; push: what steered it then, m/s^2, or empty. Both are let go of as the frames pass. rate:
+  /// 1/s.
+  AirSteering(const FieldSeries& wanted, FieldSeries own, FieldSeries push, double rate);
+  /// The acceleration from a frame on [m/s^2], where the air moves by `now`. Frames in order.
+  FieldSeries At(int frame, const Field& now);
+  /// Of all frames so far.
+  FieldSeries TakePushes() { return std::move(this->Pushes); }
+
+private:
+  const FieldSeries& Wanted;
+  FieldSeries Own, Pushes;
+  double Rate;
 };
 
 /// An empty series on the scene's lattice.
 FieldSeries AirLattice(const AirScene& scene, FieldMeaning meaning);
 
-/// air: the velocity at each frame; steered: the acceleration that was added from each frame on
-/// [m/s^2], empty without a target. Two frames of the simulation itself are in memory. Stopped by
-/// the monitor, the lists end before the last frame. The same on any number of threads.
-Result SimulateAir(const AirScene& scene, const AirSteering& steering, const ParallelFor& parallel,
-                   Monitor& monitor, FieldSeries& air, FieldSeries& steered);
+/// air: the velocity at each frame. steering: null: left to itself. begun: the state of the first
+/// frame, which does not depend on the steering: gone on from where it is given, left where it is
+/// empty. Two frames of the simulation itself are in memory. Stopped by the monitor, the list ends
+/// before the last frame. The same on any number of threads.
+Result SimulateAir(const AirScene& scene, AirSteering* steering, const ParallelFor& parallel,
+                   Monitor& monitor, FieldSeries& air, SmokeState* begun = nullptr);
 
-/// D u / D t [m/s^2] of a field by central differences, one-sided at the ends of space and time.
-FieldSeries MaterialDerivative(const FieldSeries& air, const ParallelFor& parallel);
+/// D u / D t [m/s^2] of frame f by central differences, one-sided at the ends of space and time.
+AirSteering::Field MaterialDerivative(const FieldSeries& air, std::size_t f);
 
 } // namespace waft

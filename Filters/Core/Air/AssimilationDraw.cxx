@@ -204,8 +204,8 @@ Result AssimilationRun::SimulateSideBySide(
                    {
                      const auto before = static_cast<double>(done);
                      PartMonitor step(monitor, before / count, (before + 1.0) / count);
-                     FieldSeries air, none;
-                     results[k] = SimulateAir(sceneOf(k), {}, SerialFor(), step, air, none);
+                     FieldSeries air;
+                     results[k] = SimulateAir(sceneOf(k), nullptr, SerialFor(), step, air);
                      if (results[k] && !results[k].IsStopped())
                      {
                        use(k, air);
@@ -320,10 +320,10 @@ Result AssimilationRun::Draw()
     }
   }
   this->Scene.Forces = Image(best, this->Input.Scene.Bounds, draws[draw].Forces);
-  FieldSeries none;
   PartMonitor monitor(this->Caller, TrialsEnd, DrawEnd, "Drawing the air");
-  const Result simulated = SimulateAir(this->Scene, {}, this->Parallel, monitor, this->Air, none);
-  RoundToHalf(this->Air);
+  const Result simulated =
+    SimulateAir(this->Scene, nullptr, this->Parallel, monitor, this->Drawn.Velocity, &this->Begun);
+  RoundToHalf(this->Drawn.Velocity);
   return simulated;
 }
 
@@ -379,45 +379,25 @@ double AssimilationRun::Try(const FieldSeries& series, AssimilationRound& row) c
 
 Result AssimilationRun::SimulateAgain(FieldSeries plain, int round)
 {
-  FieldSeries feed = MaterialDerivative(this->Air, this->Parallel);
-  {
-    const FieldSeries own = MaterialDerivative(plain, this->Parallel);
-    for (std::size_t f = 0; f < feed.Values.size(); ++f)
-    {
-      for (std::size_t i = 0; i < feed.Values[f].size(); ++i)
-      {
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-          feed.Values[f][i][c] -= own.Values[f][i][c];
-          feed.Values[f][i][c] +=
-            this->Output.Wind.IsEmpty() ? 0.0f : this->Output.Wind.Values[f][i][c];
-        }
-      }
-    }
-  }
-  // Of an air of 300 frames each field takes a hundred megabytes.
-  plain = FieldSeries();
-  this->Output.Wind = FieldSeries();
-  AirSteering steering;
-  steering.Target = &this->Air;
-  steering.Feed = &feed;
-  steering.Rate = SteeringRate;
-  FieldSeries air, steered;
+  AirSteering steering(this->Drawn.Velocity, std::move(plain), std::move(this->Drawn.Wind),
+                       SteeringRate);
+  this->Drawn.Wind = FieldSeries();
+  FieldSeries air;
   const double part = (1.0 - DriftEnd) / this->Options.Rounds;
   PartMonitor monitor(this->Caller, DriftEnd + round * part, DriftEnd + (round + 1) * part,
                       "Simulating the air with the common wind, round " +
                         std::to_string(round + 1) + " of at most " +
                         std::to_string(this->Options.Rounds));
   const Result simulated =
-    SimulateAir(this->Scene, steering, this->Parallel, monitor, air, steered);
+    SimulateAir(this->Scene, &steering, this->Parallel, monitor, air, &this->Begun);
   if (!simulated || simulated.IsStopped())
   {
     return simulated;
   }
-  this->Air = std::move(air);
-  this->Output.Wind = std::move(steered);
-  RoundToHalf(this->Air);
-  RoundToHalf(this->Output.Wind);
+  this->Drawn.Velocity = std::move(air);
+  this->Drawn.Wind = steering.TakePushes();
+  RoundToHalf(this->Drawn.Velocity);
+  RoundToHalf(this->Drawn.Wind);
   this->DriftOn(DriftIterations);
   this->Note("simulate " + std::to_string(round + 1), nullptr);
   return Result::Ok();

@@ -32,7 +32,7 @@ Result AssimilationRun::FirstDrift()
 {
   PartMonitor monitor(this->Caller, DrawEnd, DriftEnd, "Letting the objects drift to their marks");
   std::atomic<std::size_t> done{ 0 };
-  const AirSampler air(this->Air);
+  const AirSampler air(this->Drawn.Velocity);
   const double rate = this->Input.Scene.Time.FramesPerSecond;
   const int spread = static_cast<int>(std::lround(this->Options.TouchDownSpread * rate));
   this->Parallel(this->Drifters.size(),
@@ -141,7 +141,7 @@ void AssimilationRun::KeepApart()
 void AssimilationRun::Drift(int iterations, const DriftWeights& weights,
                             const std::vector<char>& which)
 {
-  const AirSampler air(this->Air);
+  const AirSampler air(this->Drawn.Velocity);
   this->Parallel(this->Drifters.size(),
                  [&](std::size_t begin, std::size_t end)
                  {
@@ -168,8 +168,8 @@ void AssimilationRun::FindWind(const FieldSeries& plain)
   for (int k = 0; k < this->Options.WindRounds; ++k)
   {
     this->FitWind(common);
-    this->Air = plain;
-    common.AddTo(this->Air, this->Parallel);
+    this->Drawn.Velocity = plain;
+    common.AddTo(this->Drawn.Velocity, this->Parallel);
     this->DriftOn(FurtherIterations);
     this->Note("wind " + std::to_string(k + 1), &common);
   }
@@ -177,7 +177,7 @@ void AssimilationRun::FindWind(const FieldSeries& plain)
 
 void AssimilationRun::FitWind(CommonWind& common) const
 {
-  const AirSampler air(this->Air);
+  const AirSampler air(this->Drawn.Velocity);
   std::map<int, WindSamples> byFrame;
   for (std::size_t o = 0; o < this->Drifters.size(); ++o)
   {

@@ -36,8 +36,7 @@ void AssimilationRun::Take(AssimilationState& state)
   this->Candidate = state.Candidate;
   this->Scene.Forces = state.Forces;
   this->Scene.Forces.Wind = this->Input.Wind;
-  this->Air = state.Air;
-  this->Output.Wind = state.Wind;
+  this->Drawn = *state.Air;
   this->Output.Rounds = state.Table;
 }
 
@@ -56,7 +55,8 @@ bool AssimilationRun::HasPaths(const AssimilationState& state) const
 {
   const std::size_t frames = this->Input.Tracks.front().Positions.size();
   return !state.IsEmpty() && state.Paths.size() == this->Drifters.size() &&
-         state.TouchDowns.size() == this->Drifters.size() && state.Air.Values.size() == frames &&
+         state.TouchDowns.size() == this->Drifters.size() &&
+         state.Air->Velocity.Values.size() == frames &&
          std::all_of(state.Paths.begin(), state.Paths.end(),
                      [frames](const std::vector<Vec3>& path) { return path.size() == frames; });
 }
@@ -69,8 +69,7 @@ void AssimilationRun::KeepCheckpoint(int rounds, const Result& result)
   }
   AssimilationState state = this->State();
   state.Rounds = rounds;
-  state.Air = this->Air;
-  state.Wind = this->Output.Wind;
+  state.Air = { std::shared_ptr<void>(), &this->Drawn }; // for the time of the writing
   const Result written = WriteState(this->Options.CheckpointFile, state);
   if (!written)
   {
@@ -170,7 +169,6 @@ void AssimilationRun::Leave(AssimilationState* memory)
   AssimilationState state = this->State();
   state.IsFinished = true;
   state.Air = this->Output.Air;
-  state.Wind = this->Output.Wind;
   if (!this->Options.StateFile.empty())
   {
     const Result written = WriteState(this->Options.StateFile, state);

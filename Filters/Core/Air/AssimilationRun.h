@@ -130,13 +130,14 @@ private:
   std::vector<Drifter> Drifters;
   std::vector<std::vector<Vec3>> Paths;
   AirScene Scene;
-  FieldSeries Air;
+  SmokeState Begun; // the air of the first frame, before any wind of ours
+  DrawnAir Drawn;
   AirStatistics Wanted;
   std::string Candidate;
   AssimilationKey Key;
   std::vector<char> IsOld; // by object; empty: no edit
   bool HasCheckpointFailed = false;
-  std::chrono::steady_clock::time_point Begun = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 
 } // namespace waft

@@ -52,6 +52,16 @@ void ExchangeHalves(StateArchive& stream, FieldSeries& series)
   stream.List(series.Values, exchange);
 }
 
+// What is written is only read of, what is read is made anew: the air may be another's, too.
+void ExchangeAir(StateArchive& stream, std::shared_ptr<const DrawnAir>& air)
+{
+  const auto moved =
+    stream.IsReading() ? std::make_shared<DrawnAir>() : std::const_pointer_cast<DrawnAir>(air);
+  ExchangeHalves(stream, moved->Velocity);
+  ExchangeHalves(stream, moved->Wind);
+  air = moved;
+}
+
 void ExchangeRound(StateArchive& stream, AssimilationRound& row)
 {
   stream.Text(row.Stage);
@@ -69,8 +79,7 @@ void Exchange(StateArchive& stream, AssimilationState& state)
   stream.Text(state.Candidate);
   stream.List(state.Forces.Vortices, [](StateArchive& s, Vortex& v) { Exchange(s, v); });
   stream.List(state.Forces.Winds, [](StateArchive& s, AnalyticWind& w) { Exchange(s, w); });
-  ExchangeHalves(stream, state.Air);
-  ExchangeHalves(stream, state.Wind);
+  ExchangeAir(stream, state.Air);
   stream.List(state.Paths, [](StateArchive& s, std::vector<Vec3>& path) { s.List(path); });
   stream.List(state.TouchDowns, [](StateArchive& s, std::vector<int>& frames) { s.List(frames); });
   stream.List(state.Table, ExchangeRound);

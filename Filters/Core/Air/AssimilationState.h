@@ -41,12 +41,12 @@ struct AssimilationState
   bool IsFinished = false;
   std::string Candidate;
   SmokeForces Forces; // but for the wind, which is the input's
-  FieldSeries Air, Wind;
+  std::shared_ptr<const DrawnAir> Air = std::make_shared<DrawnAir>();
   std::vector<std::vector<Vec3>> Paths;
   std::vector<std::vector<int>> TouchDowns; // one a landing
   std::vector<AssimilationRound> Table;
 
-  bool IsEmpty() const { return this->Air.IsEmpty(); }
+  bool IsEmpty() const { return this->Air->Velocity.IsEmpty(); }
 };
 
 /// Rounds the values of a series to half floats, as which they go into files.

@@ -3,7 +3,10 @@
 
 #include "Grid/Simd.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace waft
 {
@@ -161,6 +164,22 @@ void AddSeparablePlane(const StaggeredLayout& layout, const std::array<float, 3>
       }
     }
   }
+}
+
+WAFT_SIMD_CLONES
+float LargestSize(const float* values, std::size_t count)
+{
+  // Sizes of floats are in the order of their bits, which the compiler compares many at once.
+  std::int32_t largest = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    std::int32_t bits;
+    std::memcpy(&bits, values + i, sizeof(bits));
+    largest = std::max(largest, bits & 0x7fffffff);
+  }
+  float size;
+  std::memcpy(&size, &largest, sizeof(size));
+  return size;
 }
 
 WAFT_SIMD_CLONES

@@ -43,6 +43,8 @@ void AddSeparablePlane(const StaggeredLayout& layout, const std::array<float, 3>
                        const float* x, const float* y, const float* z,
                        const VectorArrays& acceleration, int k);
 
+/// The largest absolute value; not a number where one of the values is none.
+float LargestSize(const float* values, std::size_t count);
 /// Adds dt times the mean acceleration of the two cells of each face.
 void AccelerateFacesPlane(const StaggeredLayout& layout, int axis, float dt,
                           const float* acceleration, float* faces, int k);

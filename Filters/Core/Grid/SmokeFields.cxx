@@ -38,16 +38,39 @@ void Interleave(const StaggeredLayout& layout, const std::array<FloatArray, 3>& 
 
 } // namespace
 
-void SmokeSolver::Read(SmokeFrame& frame) const
+void SmokeSolver::ReadVelocity(SmokeFrame& frame) const
 {
   const Internals& s = *this->Impl;
   const StaggeredLayout& layout = s.Layout;
-  const ParallelFor serial = SerialFor();
   frame.Frame = s.Frame;
   frame.Time = s.Time;
   frame.Dimensions = layout.N;
   frame.Spacing = s.Options.Spacing();
   frame.Origin = s.Options.Bounds.Min + 0.5 * frame.Spacing;
+  std::array<FloatArray, 3> field;
+  for (FloatArray& component : field)
+  {
+    component.resize(layout.Size());
+  }
+  s.ComputeCenters(SerialFor(), field);
+  const std::vector<unsigned char>& solid = s.Solids.CenterIsSolid();
+  ForSamples(layout, -1,
+             [&](int, int, int, std::ptrdiff_t p)
+             {
+               for (int axis = 0; solid[p] && axis < 3; ++axis)
+               {
+                 field[axis][p] = 0.0f;
+               }
+             });
+  Interleave(layout, field, frame.Velocity);
+}
+
+void SmokeSolver::Read(SmokeFrame& frame) const
+{
+  this->ReadVelocity(frame);
+  const Internals& s = *this->Impl;
+  const StaggeredLayout& layout = s.Layout;
+  const ParallelFor serial = SerialFor();
 
   std::array<FloatArray, 3> field;
   std::array<FloatArray, 3> vorticity;
@@ -70,10 +93,9 @@ void SmokeSolver::Read(SmokeFrame& frame) const
              {
                for (int axis = 0; solid[p] && axis < 3; ++axis)
                {
-                 field[axis][p] = vorticity[axis][p] = 0.0f;
+                 vorticity[axis][p] = 0.0f;
                }
              });
-  Interleave(layout, field, frame.Velocity);
   Interleave(layout, vorticity, frame.Vorticity);
 
   const auto clear = [&]

@@ -64,6 +64,7 @@ struct SmokeSolver::Internals
   std::array<FloatArray, 3> Backwards, Forwards; // displacements of the cells' air [voxels]
   FloatArray VorticitySize, NewScalar, Returned, RightHandSide;
   SmokeStatistics Statistics;
+  SmokeState Before; // the step, for a stop within it
 
   void Prepare();
   void BuildSolids(const FloatArray& distances,

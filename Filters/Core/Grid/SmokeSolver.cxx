@@ -158,7 +158,8 @@ Result SmokeSolver::Step(const ParallelFor& threads, Monitor& monitor)
   {
     return Result::Error("The solver has not begun");
   }
-  const SmokeState before = this->Save();
+  SmokeState& before = s.Before;
+  this->Save(before);
   // A loop over a small grid is less work than the start of a thread.
   const bool isSmall = s.Options.NumberOfCells() < FewestCellsForThreads;
   const ParallelFor parallelFor = isSmall ? SerialFor() : threads;
@@ -216,18 +217,25 @@ const SmokeStatistics& SmokeSolver::Statistics() const
 
 SmokeState SmokeSolver::Save() const
 {
-  const Internals& s = *this->Impl;
   SmokeState state;
+  this->Save(state);
+  return state;
+}
+
+void SmokeSolver::Save(SmokeState& state) const
+{
+  const Internals& s = *this->Impl;
   state.Frame = s.Frame;
   state.Time = s.Time;
   state.PotentialStep = s.PotentialStep;
-  state.Arrays = { s.Velocity[0],
-                   s.Velocity[1],
-                   s.Velocity[2],
-                   s.Potential,
-                   s.HasSmoke ? s.Density : FloatArray(),
-                   s.HasWarmth ? s.Temperature : FloatArray() };
-  return state;
+  state.Arrays.resize(6);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    state.Arrays[axis] = s.Velocity[axis];
+  }
+  state.Arrays[3] = s.Potential;
+  state.Arrays[4] = s.HasSmoke ? s.Density : FloatArray();
+  state.Arrays[5] = s.HasWarmth ? s.Temperature : FloatArray();
 }
 
 Result SmokeSolver::Restore(const SmokeState& state)

@@ -296,10 +296,9 @@ double SmokeSolver::Internals::LargestSpeed() const
   float largest = 0.0f;
   for (int axis = 0; axis < 3; ++axis)
   {
-    for (const float v : this->Velocity[axis])
-    {
-      largest = std::max(largest, std::abs(v) / this->Spacing[axis]);
-    }
+    largest =
+      std::max(largest, LargestSize(this->Velocity[axis].data(), this->Velocity[axis].size()) /
+                          this->Spacing[axis]);
   }
   return largest;
 }
@@ -307,9 +306,9 @@ double SmokeSolver::Internals::LargestSpeed() const
 bool SmokeSolver::Internals::Advance(double start, double duration, const ParallelFor& parallelFor,
                                      const std::function<bool()>& goOn)
 {
-  const double voxels = this->LargestSpeed() * duration;
-  const int substeps = std::clamp(static_cast<int>(std::ceil(voxels / this->Options.CourantNumber)),
-                                  1, this->Options.MaximumSubsteps);
+  const double wanted = this->LargestSpeed() * duration / this->Options.CourantNumber;
+  const int most = this->Options.MaximumSubsteps; // also where the speed is not finite
+  const int substeps = wanted < most ? std::max(1, static_cast<int>(std::ceil(wanted))) : most;
   this->Statistics.Substeps += substeps;
   const double dt = duration / substeps;
   for (int s = 0; s < substeps; ++s)

@@ -136,7 +136,7 @@ TEST(AssimilationEdits, AMovedMarkLeavesTheAirAndTheOthersAsTheyWere)
   EXPECT_EQ(after.Tracks[1].Positions[40], input.Constraints[1].Value);
   EXPECT_EQ(before.Tracks[0].Positions, after.Tracks[0].Positions);
   EXPECT_EQ(before.Tracks[2].Positions, after.Tracks[2].Positions);
-  EXPECT_EQ(before.Air.Values, after.Air.Values);
+  EXPECT_EQ(before.Air->Velocity.Values, after.Air->Velocity.Values);
 
   // From a file, the same.
   const std::string path = testing::TempDir() + "waft-edit.state";
@@ -156,7 +156,7 @@ TEST(AssimilationEdits, AMovedMarkLeavesTheAirAndTheOthersAsTheyWere)
   ASSERT_FALSE(other.Warnings.empty());
   EXPECT_NE(other.Warnings.front().find("is of another scene"), std::string::npos)
     << other.Warnings.front();
-  EXPECT_NE(other.Air.Values, after.Air.Values);
+  EXPECT_NE(other.Air->Velocity.Values, after.Air->Velocity.Values);
   std::remove(path.c_str());
 }
 
@@ -182,7 +182,7 @@ TEST(AssimilationEdits, ACheckpointGoesOnToTheSameBits)
   {
     EXPECT_EQ(whole.Tracks[o].Positions, resumed.Tracks[o].Positions);
   }
-  EXPECT_EQ(whole.Wind.Values, resumed.Wind.Values);
+  EXPECT_EQ(whole.Air->Wind.Values, resumed.Air->Wind.Values);
   EXPECT_EQ(ReadState(options.CheckpointFile, state), ""); // it is gone
   EXPECT_TRUE(state.IsEmpty());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/BandedMatrix.h"
 #include "Air/Drift.h"
+#include "Air/PlainDrift.h"
 #include "Base/Random.h"
 
 #include <Eigen/Dense>
@@ -73,33 +74,6 @@ DriftProblem ToAMark()
   problem.IsFixed[Frames - 1] = 1;
   problem.Fixed[Frames - 1] = Vec3(-0.6, 0.4, 1.5);
   return problem;
-}
-
-/// The cost as its documentation has it, anew.
-double PlainCost(const DriftProblem& problem, const FieldSeries& air, const DriftWeights& weights,
-                 const std::vector<Vec3>& x)
-{
-  const double dt = problem.Time.Step();
-  double cost = 0.0;
-  Vec3 before = Vec3::Zero();
-  for (std::size_t k = 0; k + 1 < x.size(); ++k)
-  {
-    const Vec3 middle = 0.5 * (x[k] + x[k + 1]);
-    const Vec3 u = 0.5 * (air.Sample(middle, air.Times[k]) + air.Sample(middle, air.Times[k + 1]));
-    Vec3 c = (x[k + 1] - x[k]) / dt - u + problem.SettlingSpeed * Vec3::UnitZ();
-    if (problem.ResponseTime > 0.0 && k > 0 && k + 2 < x.size())
-    {
-      c += problem.ResponseTime * (x[k + 2] - x[k + 1] - x[k] + x[k - 1]) / (2.0 * dt * dt);
-    }
-    cost += 0.5 * dt * problem.Flight[k] * c.squaredNorm();
-    if (k > 0)
-    {
-      cost += 0.5 * dt * weights.Smoothness * std::min(problem.Flight[k], problem.Flight[k - 1]) *
-              (c - before).squaredNorm() / (dt * dt);
-    }
-    before = c;
-  }
-  return cost;
 }
 
 TEST(BandedMatrix, SolvesAsADenseOneDoes)
@@ -199,7 +173,7 @@ TEST(Drift, EndsWhereNoChangeCostsLess)
     EXPECT_EQ(path.front(), problem.Fixed.front());
     EXPECT_EQ(path.back(), problem.Fixed.back());
     EXPECT_GT(outcome.Control, 0.05);
-    const double least = PlainCost(problem, air, weights, path);
+    const double least = PlainDriftCost(problem, air, weights, path);
     EXPECT_NEAR(outcome.Cost, least, 1e-9);
     Random random(5);
     for (int trial = 0; trial < 50; ++trial)
@@ -211,8 +185,33 @@ TEST(Drift, EndsWhereNoChangeCostsLess)
       {
         other[f] += std::sin(M_PI * waves * f / (Frames - 1.0)) * way;
       }
-      EXPECT_GT(PlainCost(problem, air, weights, other), least - 1e-9);
+      EXPECT_GT(PlainDriftCost(problem, air, weights, other), least - 1e-9);
     }
+  }
+}
+
+TEST(Drift, ComesToWhatTheDenseMethodComesTo)
+{
+  const FieldSeries air = Flow(Swirl);
+  for (const double response : { 0.0, 0.05 })
+  {
+    DriftProblem problem = ToAMark();
+    problem.ResponseTime = response;
+    std::vector<Vec3> path(Frames);
+    for (int f = 0; f < Frames; ++f)
+    {
+      const double s = f / (Frames - 1.0);
+      path[f] = (1.0 - s) * problem.Fixed[0] + s * problem.Fixed[Frames - 1];
+    }
+    std::vector<Vec3> plain = path;
+    const double cost = SolveDrift(problem, AirSampler(air), {}, 60, path).Cost;
+    EXPECT_NEAR(PlainSolveDrift(problem, air, {}, 25, plain) / cost, 1.0, 1e-3);
+    double apart = 0.0;
+    for (int f = 0; f < Frames; ++f)
+    {
+      apart = std::max(apart, (path[f] - plain[f]).norm());
+    }
+    EXPECT_LT(apart, 0.01);
   }
 }
 

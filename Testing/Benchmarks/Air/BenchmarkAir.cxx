@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// WaftBenchmarkAir [objects] [frames] [voxels]: leaves that fall from a cloud to places on the
+// ground in one drawn air, part by part, and one leaf's drift beside the same by a dense matrix and
+// differences.
+#include "Air/AirAssimilation.h"
+#include "Air/PlainDrift.h"
+#include "Base/Primitives.h"
+#include "Base/Random.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <sys/resource.h>
+
+using namespace waft;
+
+namespace
+{
+
+constexpr double SettlingSpeed = 0.5; // m/s
+
+double ProcessorSeconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+double LargestMegabytes()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+AssimilationInput Leaves(int count, int frames)
+{
+  AssimilationInput input;
+  input.Scene.Time = { frames, 30.0 };
+  input.Scene.Bounds = { Vec3(-2.0, -2.0, 0.0), Vec3(2.0, 2.0, 4.0) };
+  ObstacleMesh ground;
+  ground.Mesh = MakeBox({ Vec3(-4.0, -4.0, -1.0), Vec3(4.0, 4.0, 0.0) });
+  input.Obstacles.push_back(ground);
+  Random random(1);
+  for (int o = 0; o < count; ++o)
+  {
+    MotionObject object;
+    object.ObjectId = o;
+    object.Position =
+      Vec3(random.Uniform(-1.2, 1.2), random.Uniform(-1.2, 1.2), random.Uniform(2.4, 3.4));
+    object.SettlingSpeed = SettlingSpeed;
+    object.RestHeight = 0.01;
+    Constraint row;
+    row.ObjectId = o;
+    row.Row = o;
+    row.Kind = ConstraintKind::Rest;
+    row.Frame = frames * 9 / 10;
+    row.Until = frames - 1;
+    row.Value = Vec3(random.Uniform(-1.5, 1.5), random.Uniform(-1.5, 1.5), 1.0);
+    Track track;
+    track.ObjectId = o;
+    for (int f = 0; f < frames; ++f)
+    {
+      const double s = std::min(1.0, f / static_cast<double>(row.Frame));
+      track.Positions.push_back((1.0 - s) * object.Position +
+                                s * Vec3(row.Value.x(), row.Value.y(), object.RestHeight));
+    }
+    input.Objects.push_back(object);
+    input.Constraints.push_back(row);
+    input.Tracks.push_back(track);
+  }
+  return input;
+}
+
+void PrintDrifts(const FieldSeries& air, const Track& track, double rate)
+{
+  DriftProblem problem;
+  const std::size_t frames = track.Positions.size();
+  problem.Time = { static_cast<int>(frames), rate };
+  problem.SettlingSpeed = SettlingSpeed;
+  problem.IsFixed.assign(frames, 0);
+  problem.Fixed = track.Positions;
+  problem.Flight.assign(frames - 1, 1.0);
+  problem.IsFixed.front() = problem.IsFixed.back() = 1;
+  std::vector<Vec3> fast = track.Positions;
+  double begun = ProcessorSeconds();
+  constexpr int Times = 20;
+  DriftOutcome outcome;
+  for (int k = 0; k < Times; ++k)
+  {
+    fast = track.Positions;
+    outcome = SolveDrift(problem, AirSampler(air), {}, 60, fast);
+  }
+  const double seconds = (ProcessorSeconds() - begun) / Times;
+  std::vector<Vec3> slow = track.Positions;
+  begun = ProcessorSeconds();
+  const double cost = PlainSolveDrift(problem, air, {}, 60, slow);
+  const double plain = ProcessorSeconds() - begun;
+  std::printf("one leaf's drift: %.4f CPU-s to a cost of %.6g; dense matrix and differences: %.1f "
+              "CPU-s to %.6g (%.0f times)\n",
+              seconds, outcome.Cost, plain, cost, plain / seconds);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const int count = argc > 1 ? std::atoi(argv[1]) : 48;
+  const int frames = argc > 2 ? std::atoi(argv[2]) : 300;
+  AssimilationOptions options;
+  options.Resolution = argc > 3 ? std::atoi(argv[3]) : 64;
+  const AssimilationInput input = Leaves(std::max(1, count), std::max(8, frames));
+  SilentMonitor monitor;
+  AssimilationOutput output;
+  const double begun = ProcessorSeconds();
+  if (const Result result = AssimilateAir(input, options, {}, SerialFor(), monitor, output);
+      !result)
+  {
+    std::fprintf(stderr, "%s\n", result.Message().c_str());
+    return 1;
+  }
+  std::printf(
+    "%d candidates, grid %d^3, %d objects, %d frames, at most %d rounds: %.1f CPU-s, %.0f "
+    "MB\n",
+    options.Candidates, options.Resolution, count, frames, options.Rounds,
+    ProcessorSeconds() - begun, LargestMegabytes());
+  double before = 0.0;
+  for (const AssimilationRound& row : output.Rounds)
+  {
+    if (row.Stage != "draw")
+    {
+      std::printf("  %-12s control %.3f of %.3f m/s, wind %.3f m/s, %6.1f s\n", row.Stage.c_str(),
+                  row.Control, row.Flow, row.Wind, row.Seconds - before);
+    }
+    else if (&row == &output.Rounds.front())
+    {
+      std::printf("  first draws %23.1f s\n", row.Seconds);
+    }
+    before = row.Seconds;
+  }
+  PrintDrifts(output.Air->Velocity, output.Tracks.front(), 30.0);
+  return 0;
+}
