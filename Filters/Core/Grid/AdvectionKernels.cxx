@@ -138,39 +138,6 @@ inline float Linear(const StaggeredLayout& layout, const float* values, const Fo
   return (1.0f - foot.Tx) * all[0] + foot.Tx * all[1];
 }
 
-// Hermite cubic from f1 to f2 with central slopes, held between 0 and three times the difference
-// (Fedkiw et al. 2001, Appendix B, with the bound that makes the cubic monotone). Written so that a
-// mirror image gives the same bits.
-inline Float4 Cubic(const Float4& f0, const Float4& f1, const Float4& f2, const Float4& f3, float t)
-{
-  const Float4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
-  const Float4 d = f2 - f1;
-  const Float4 d3 = 3.0f * d;
-  const Float4 low = Min4(zero, d3);
-  const Float4 high = Max4(zero, d3);
-  const Float4 m1 = Min4(Max4(0.5f * (f2 - f0), low), high);
-  const Float4 m2 = Min4(Max4(0.5f * (f3 - f1), low), high);
-  const float s = 1.0f - t;
-  return (s * f1 + t * f2) + (s * t) * (s * (m1 - d) - t * (m2 - d));
-}
-
-inline float Cubic(float f0, float f1, float f2, float f3, float t)
-{
-  const float d = f2 - f1;
-  const float d3 = 3.0f * d;
-  const float low = std::min(0.0f, d3);
-  const float high = std::max(0.0f, d3);
-  const float m1 = std::min(std::max(0.5f * (f2 - f0), low), high);
-  const float m2 = std::min(std::max(0.5f * (f3 - f1), low), high);
-  const float s = 1.0f - t;
-  return (s * f1 + t * f2) + (s * t) * (s * (m1 - d) - t * (m2 - d));
-}
-
-inline Float4 CubicAlongZ(const float* p, std::ptrdiff_t stride, float t)
-{
-  return Cubic(Load4(p - stride), Load4(p), Load4(p + stride), Load4(p + 2 * stride), t);
-}
-
 } // namespace
 
 WAFT_SIMD_CLONES
@@ -253,22 +220,6 @@ void SampleLinearRow(const StaggeredLayout& layout, const float* values, std::pt
   for (int i = 0; i < count; ++i)
   {
     out[i] = Linear(layout, values, FootAt(feet, row, i));
-  }
-}
-
-void SampleCubicRow(const StaggeredLayout& layout, const float* values, std::ptrdiff_t row,
-                    const FootRow& feet, int count, float* out)
-{
-  const std::ptrdiff_t sy = layout.StrideY;
-  const std::ptrdiff_t sz = layout.StrideZ;
-  for (int i = 0; i < count; ++i)
-  {
-    const Foot foot = FootAt(feet, row, i);
-    const float* p = values + foot.Corner - 1;
-    const Float4 line =
-      Cubic(CubicAlongZ(p - sy, sz, foot.Tz), CubicAlongZ(p, sz, foot.Tz),
-            CubicAlongZ(p + sy, sz, foot.Tz), CubicAlongZ(p + 2 * sy, sz, foot.Tz), foot.Ty);
-    out[i] = Cubic(line[0], line[1], line[2], line[3], foot.Tx);
   }
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Random.h"
 #include "Grid/AdvectionKernels.h"
 
 #include <gtest/gtest.h>
+
+#include <cstring>
 
 #include <array>
 #include <cmath>
@@ -160,6 +163,42 @@ TEST(Advection, HigherSchemesKeepTheBlobAndMakeNoNewExtremum)
   EXPECT_GT(cubic, 1.5 * linear);
   EXPECT_LE(cubic, 1.0 + 1e-5);
   EXPECT_LE(macCormack, 1.0 + 1e-5);
+}
+
+TEST(Advection, RowsAreTheSameBitsAsTheirSamplesOneByOne)
+{
+  constexpr int n = 16, count = 61;
+  const StaggeredLayout layout({ n, n, n });
+  Random random(11);
+  std::vector<float> values(layout.Size());
+  for (float& value : values)
+  {
+    value = random.Index(4) == 0 ? 0.0f : static_cast<float>(random.Normal());
+  }
+  FootRow feet;
+  feet.Resize(count);
+  const auto cell = [&] { return static_cast<int>(random.Index(n)); };
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    feet.Corner[i] = static_cast<int>(layout.Index(cell(), cell(), cell()));
+    feet.Tx[i] = static_cast<float>(random.Uniform());
+    feet.Ty[i] = random.Index(5) == 0 ? 0.0f : static_cast<float>(random.Uniform());
+    feet.Tz[i] = static_cast<float>(random.Uniform());
+  }
+  std::vector<float> together(count);
+  SampleCubicRow(layout, values.data(), 0, feet, count, together.data());
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    FootRow one;
+    one.Resize(1);
+    one.Corner[0] = feet.Corner[i];
+    one.Tx[0] = feet.Tx[i];
+    one.Ty[0] = feet.Ty[i];
+    one.Tz[0] = feet.Tz[i];
+    float alone = 0.0f;
+    SampleCubicRow(layout, values.data(), 0, one, 1, &alone);
+    EXPECT_EQ(std::memcmp(&alone, &together[i], sizeof(alone)), 0) << i;
+  }
 }
 
 TEST(Advection, CubicIsExactForLinearFieldsAndMonotone)
