@@ -35,46 +35,50 @@ Result AssimilationRun::FirstDrift()
   const AirSampler air(this->Drawn.Velocity);
   const double rate = this->Input.Scene.Time.FramesPerSecond;
   const int spread = static_cast<int>(std::lround(this->Options.TouchDownSpread * rate));
-  this->Parallel(this->Drifters.size(),
-                 [&](std::size_t begin, std::size_t end)
-                 {
-                   for (std::size_t o = begin; o < end; ++o)
-                   {
-                     Drifter& drifter = this->Drifters[o];
-                     if (this->IsKept(o))
-                     {
-                       continue;
-                     }
-                     if (!monitor.Tick(static_cast<double>(done++) / this->Drifters.size(), ""))
-                     {
-                       return;
-                     }
-                     this->Paths[o] = this->BestDrift(drifter, air);
-                     for (std::size_t l = 0; l < drifter.NumberOfLandings(); ++l)
-                     {
-                       const int latest = drifter.LandingFrame(l);
-                       const int earliest = drifter.EarliestTouchDown(l, spread);
-                       const int step = std::max(1, static_cast<int>(std::lround(rate / 2.0)));
-                       double least = this->CostOf(drifter, air, this->Paths[o]);
-                       int best = latest;
-                       for (int frame = latest - step;
-                            frame >= earliest && latest > 0 && monitor.Tick(-1.0, "");
-                            frame -= step)
-                       {
-                         drifter.SetTouchDown(l, frame);
-                         std::vector<Vec3> path = this->BestDrift(drifter, air);
-                         const double cost = this->CostOf(drifter, air, path);
-                         if (cost < least)
-                         {
-                           least = cost;
-                           best = frame;
-                           this->Paths[o] = path;
-                         }
-                       }
-                       drifter.SetTouchDown(l, best);
-                     }
-                   }
-                 });
+  this->Parallel(
+    this->Drifters.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t o = begin; o < end; ++o)
+      {
+        Drifter& drifter = this->Drifters[o];
+        if (this->IsKept(o))
+        {
+          continue;
+        }
+        if (!monitor.Tick(static_cast<double>(done++) / this->Drifters.size(), ""))
+        {
+          return;
+        }
+        this->Paths[o] = this->BestDrift(drifter, air, drifter.Starts(air, this->Options.Starts));
+        for (std::size_t l = 0; l < drifter.NumberOfLandings(); ++l)
+        {
+          const int latest = drifter.LandingFrame(l);
+          const int earliest = drifter.EarliestTouchDown(l, spread);
+          const int step = std::max(1, static_cast<int>(std::lround(rate / 2.0)));
+          double least = this->CostOf(drifter, air, this->Paths[o]);
+          int best = latest;
+          int last = latest;
+          std::vector<Vec3> path = this->Paths[o];
+          for (int frame = latest - step; frame >= earliest && latest > 0 && monitor.Tick(-1.0, "");
+               frame -= step)
+          {
+            drifter.SetTouchDown(l, frame);
+            path = this->BestDrift(
+              drifter, air, { drifter.Hastened(path, l, last), drifter.Starts(air, 0).back() });
+            last = frame;
+            const double cost = this->CostOf(drifter, air, path);
+            if (cost < least)
+            {
+              least = cost;
+              best = frame;
+              this->Paths[o] = path;
+            }
+          }
+          drifter.SetTouchDown(l, best);
+        }
+      }
+    });
   this->Note("drift", nullptr);
   return monitor.Tick(1.0, "") ? Result::Ok() : Result::Stopped();
 }
@@ -85,10 +89,10 @@ double AssimilationRun::CostOf(const Drifter& drifter, const AirSampler& air,
   return SolveDrift(drifter.Problem(), air, this->Weights(), 1, path).Cost;
 }
 
-std::vector<Vec3> AssimilationRun::BestDrift(const Drifter& drifter, const AirSampler& air) const
+std::vector<Vec3> AssimilationRun::BestDrift(const Drifter& drifter, const AirSampler& air,
+                                             std::vector<std::vector<Vec3>> paths) const
 {
   const DriftProblem problem = drifter.Problem();
-  std::vector<std::vector<Vec3>> paths = drifter.Starts(air, this->Options.Starts);
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t k = 0; k < paths.size(); ++k)
   {
@@ -96,7 +100,7 @@ std::vector<Vec3> AssimilationRun::BestDrift(const Drifter& drifter, const AirSa
                        k);
   }
   std::sort(order.begin(), order.end());
-  order.resize(std::min(order.size(), FollowedStarts));
+  order.resize(std::min((order.size() + 2) / 3, FollowedStarts));
   for (auto& [cost, k] : order)
   {
     cost = SolveDrift(problem, air, this->Weights(), DriftIterations, paths[k]).Cost;

@@ -66,7 +66,9 @@ private:
   /// From several starts and to several touch-downs; the least control is kept.
   Result FirstDrift();
   double CostOf(const Drifter& drifter, const AirSampler& air, std::vector<Vec3> path) const;
-  std::vector<Vec3> BestDrift(const Drifter& drifter, const AirSampler& air) const;
+  /// The path of least cost that a search from one of `paths` comes to.
+  std::vector<Vec3> BestDrift(const Drifter& drifter, const AirSampler& air,
+                              std::vector<std::vector<Vec3>> paths) const;
   /// Tells each drifter what is too near to it; who has such neighbours.
   std::vector<char> FindNeighbours();
   void Drift(int iterations, const DriftWeights& weights, const std::vector<char>& which);

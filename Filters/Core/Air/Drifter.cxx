@@ -238,38 +238,50 @@ std::vector<Vec3> Drifter::Strayed(std::vector<Vec3> path, const std::vector<int
   return path;
 }
 
-std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air, int strayed) const
+std::vector<int> Drifter::Marks() const
 {
-  const std::size_t frames = this->Planned.size();
   std::vector<int> marks;
-  for (std::size_t f = 0; f < frames; ++f)
+  for (std::size_t f = 0; f < this->IsFixed.size(); ++f)
   {
     if (this->IsFixed[f])
     {
       marks.push_back(static_cast<int>(f));
     }
   }
+  return marks;
+}
+
+std::vector<Vec3> Drifter::Hastened(const std::vector<Vec3>& path, std::size_t landing,
+                                    int touchDown) const
+{
+  // From the mark before on it goes faster, to be there earlier.
+  const int early = this->Landings[landing].Frame;
+  int from = 0;
+  for (const int mark : this->Marks())
+  {
+    from = mark < early ? mark : from;
+  }
+  std::vector<Vec3> hastened = path;
+  for (int f = from; f <= touchDown && early > from; ++f)
+  {
+    const double s = std::min<double>(
+      touchDown, from + (f - from) * static_cast<double>(touchDown - from) / (early - from));
+    const auto low = static_cast<std::size_t>(s);
+    const std::size_t high = std::min(low + 1, path.size() - 1);
+    hastened[static_cast<std::size_t>(f)] =
+      path[low] + (s - static_cast<double>(low)) * (path[high] - path[low]);
+  }
+  return hastened;
+}
+
+std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air, int strayed) const
+{
+  const std::size_t frames = this->Planned.size();
+  const std::vector<int> marks = this->Marks();
   std::vector<Vec3> planned = this->Planned;
   for (std::size_t l = 0; l < this->Landings.size(); ++l)
   {
-    // From the mark before on the plan goes faster, to be there earlier.
-    const int to = this->Latest[l];
-    const int early = this->Landings[l].Frame;
-    int from = 0;
-    for (const int mark : marks)
-    {
-      from = mark < early ? mark : from;
-    }
-    for (int f = from; f <= to && early > from; ++f)
-    {
-      const double s =
-        std::min<double>(to, from + (f - from) * static_cast<double>(to - from) / (early - from));
-      const auto low = static_cast<std::size_t>(s);
-      const std::size_t high = std::min(low + 1, frames - 1);
-      planned[static_cast<std::size_t>(f)] =
-        this->Planned[low] +
-        (s - static_cast<double>(low)) * (this->Planned[high] - this->Planned[low]);
-    }
+    planned = this->Hastened(planned, l, this->Latest[l]);
   }
   std::vector<Vec3> straight = planned;
   std::vector<Vec3> drifting = planned;

@@ -71,6 +71,10 @@ public:
   /// drift from each mark, bent to the next; and some that stray from these.
   std::vector<std::vector<Vec3>> Starts(const AirSampler& air, int strayed) const;
 
+  /// A path that touches down at a frame, brought to the landing's own, earlier one.
+  std::vector<Vec3> Hastened(const std::vector<Vec3>& path, std::size_t landing,
+                             int touchDown) const;
+
   /// Meets fixed frames, balls, velocities and accelerations to the last bit and keeps clear. False
   /// where it is nearer to something than it may.
   bool MakeExact(std::vector<Vec3>& path) const;
@@ -78,6 +82,7 @@ public:
   bool IsClear(std::vector<Vec3> path) const;
 
 private:
+  std::vector<int> Marks() const; // fixed frames
   std::vector<Vec3> Strayed(std::vector<Vec3> path, const std::vector<int>& marks,
                             Random& random) const;
   void FixFrames();
