@@ -222,10 +222,8 @@ AssimilationRun::HandOf AssimilationRun::Hand(std::size_t o, const AirSampler& a
   {
     if (problem.Flight[k] >= 1.0)
     {
-      Mat3 gradient;
       hand.Control += controls[k].squaredNorm();
-      hand.Flow +=
-        air.Between(static_cast<int>(k), 0.5 * (path[k] + path[k + 1]), gradient).squaredNorm();
+      hand.Flow += air.Between(static_cast<int>(k), 0.5 * (path[k] + path[k + 1])).squaredNorm();
       ++hand.Steps;
     }
   }

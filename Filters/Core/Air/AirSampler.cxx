@@ -10,70 +10,77 @@ AirSampler::AirSampler(const FieldSeries& air) : Air(air) {}
 
 AirSampler::Voxel AirSampler::Find(const Vec3& x) const
 {
-  std::array<std::size_t, 3> low, high;
-  Vec3 part, slope;
+  Voxel voxel;
+  std::size_t stride = 1;
   for (int c = 0; c < 3; ++c)
   {
-    const double last = this->Air.Dimensions[c] - 1;
+    const int count = this->Air.Dimensions[static_cast<std::size_t>(c)];
+    const double last = count - 1;
     const double place = (x[c] - this->Air.Origin[c]) / this->Air.Spacing[c];
     const double held = std::clamp(place, 0.0, last);
-    slope[c] = place == held && last > 0.0 ? 1.0 / this->Air.Spacing[c] : 0.0;
-    const double floor = std::min(std::floor(held), std::max(0.0, last - 1.0));
-    low[c] = static_cast<std::size_t>(floor);
-    high[c] = std::min(low[c] + 1, static_cast<std::size_t>(last));
-    part[c] = held - floor;
-  }
-  Voxel voxel;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    Vec3 weight, along;
-    std::array<std::size_t, 3> at;
-    for (int c = 0; c < 3; ++c)
-    {
-      const bool up = (corner >> c & 1) != 0;
-      at[c] = up ? high[c] : low[c];
-      weight[c] = up ? part[c] : 1.0 - part[c];
-      along[c] = up ? slope[c] : -slope[c];
-    }
-    const auto nx = static_cast<std::size_t>(this->Air.Dimensions[0]);
-    const auto ny = static_cast<std::size_t>(this->Air.Dimensions[1]);
-    voxel.Corner[corner] = (at[2] * ny + at[1]) * nx + at[0];
-    voxel.Weight[corner] = weight[0] * weight[1] * weight[2];
-    voxel.Slope[corner] = Vec3(along[0] * weight[1] * weight[2], weight[0] * along[1] * weight[2],
-                               weight[0] * weight[1] * along[2]);
+    const int low = std::min(static_cast<int>(held), std::max(0, count - 2));
+    voxel.Slope[c] = place == held && last > 0.0 ? 1.0 / this->Air.Spacing[c] : 0.0;
+    voxel.Part[c] = held - low;
+    voxel.Next[c] = count > 1 ? stride : 0;
+    voxel.Corner += static_cast<std::size_t>(low) * stride;
+    stride *= static_cast<std::size_t>(count);
   }
   return voxel;
 }
 
-Vec3 AirSampler::Between(int k, const Vec3& x, Mat3& gradient) const
+// corner(i): the values at the i-th sample. Along x, then y, then z, with what each step changes.
+template <class Corner>
+Vec3 AirSampler::Interpolate(const Voxel& voxel, const Corner& corner, Mat3* gradient)
 {
-  const Voxel voxel = this->Find(x);
-  const auto& before = this->Air.Values[static_cast<std::size_t>(k)];
-  const auto& after = this->Air.Values[static_cast<std::size_t>(k) + 1];
-  Vec3 value = Vec3::Zero();
-  gradient.setZero();
-  for (int corner = 0; corner < 8; ++corner)
+  Vec3 value;
+  for (int c = 0; c < 3; ++c)
   {
-    const std::array<float, 3>& a = before[voxel.Corner[corner]];
-    const std::array<float, 3>& b = after[voxel.Corner[corner]];
-    const Vec3 v(0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]));
-    value += voxel.Weight[corner] * v;
-    gradient += v * voxel.Slope[corner].transpose();
+    double faces[2], alongX[2], alongY[2];
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+      double edges[2], along[2];
+      for (std::size_t j = 0; j < 2; ++j)
+      {
+        const std::size_t at = voxel.Corner + j * voxel.Next[1] + k * voxel.Next[2];
+        const double low = corner(at, c);
+        along[j] = corner(at + voxel.Next[0], c) - low;
+        edges[j] = low + voxel.Part[0] * along[j];
+      }
+      alongY[k] = edges[1] - edges[0];
+      faces[k] = edges[0] + voxel.Part[1] * alongY[k];
+      alongX[k] = along[0] + voxel.Part[1] * (along[1] - along[0]);
+    }
+    value[c] = faces[0] + voxel.Part[2] * (faces[1] - faces[0]);
+    if (gradient != nullptr)
+    {
+      (*gradient)(c, 0) = voxel.Slope[0] * (alongX[0] + voxel.Part[2] * (alongX[1] - alongX[0]));
+      (*gradient)(c, 1) = voxel.Slope[1] * (alongY[0] + voxel.Part[2] * (alongY[1] - alongY[0]));
+      (*gradient)(c, 2) = voxel.Slope[2] * (faces[1] - faces[0]);
+    }
   }
   return value;
 }
 
+Vec3 AirSampler::Between(int k, const Vec3& x, Mat3* gradient) const
+{
+  const auto& before = this->Air.Values[static_cast<std::size_t>(k)];
+  const auto& after = this->Air.Values[static_cast<std::size_t>(k) + 1];
+  const auto mean = [&](std::size_t i, int c)
+  {
+    const auto axis = static_cast<std::size_t>(c);
+    return 0.5 * (static_cast<double>(before[i][axis]) + static_cast<double>(after[i][axis]));
+  };
+  return Interpolate(this->Find(x), mean, gradient);
+}
+
 Vec3 AirSampler::At(int frame, const Vec3& x) const
 {
-  const Voxel voxel = this->Find(x);
   const auto& values = this->Air.Values[static_cast<std::size_t>(frame)];
-  Vec3 value = Vec3::Zero();
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const std::array<float, 3>& v = values[voxel.Corner[corner]];
-    value += voxel.Weight[corner] * Vec3(v[0], v[1], v[2]);
-  }
-  return value;
+  return Interpolate(
+    this->Find(x),
+    [&](std::size_t i, int c)
+    { return static_cast<double>(values[i][static_cast<std::size_t>(c)]); },
+    nullptr);
 }
 
 } // namespace waft

@@ -14,18 +14,24 @@ public:
   explicit AirSampler(const FieldSeries& air);
   /// Half way from frame k to the next, at x [m]: trilinear, held at the lattice's ends, where the
   /// gradient d u_i / d x_j [1/s] across them is 0. [m/s]
-  Vec3 Between(int k, const Vec3& x, Mat3& gradient) const;
+  Vec3 Between(int k, const Vec3& x, Mat3* gradient = nullptr) const;
   /// At a frame.
   Vec3 At(int frame, const Vec3& x) const;
 
 private:
+  // Where x lies: its voxel's lowest corner, how far the others are from it in the list of values
+  // (0 where there is none), the place within it from 0 to 1, and 1 / spacing where a move changes
+  // it.
   struct Voxel
   {
-    std::size_t Corner[8];
-    double Weight[8];
-    Vec3 Slope[8]; // of the weights [1/m]
+    std::size_t Corner = 0;
+    std::size_t Next[3];
+    double Part[3];
+    double Slope[3];
   };
   Voxel Find(const Vec3& x) const;
+  template <class Corner>
+  static Vec3 Interpolate(const Voxel& voxel, const Corner& corner, Mat3* gradient);
 
   const FieldSeries& Air;
 };

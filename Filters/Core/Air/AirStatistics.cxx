@@ -52,12 +52,11 @@ void Fly(const FieldSeries& air, int body, double rate, double settlingSpeed,
   for (int f = 0, begun = 0; f < frames; ++f)
   {
     path.push_back(x);
-    Mat3 gradient;
     Vec3 next = x;
     if (f + 1 < frames)
     {
       const Vec3 half = x + 0.5 * step * (sampler.At(f, x) - slip);
-      next += step * (sampler.Between(f, half, gradient) - slip);
+      next += step * (sampler.Between(f, half) - slip);
     }
     const bool leaves =
       ((next - volume.Min).array() < 0.0).any() || ((volume.Max - next).array() < 0.0).any();

@@ -16,6 +16,7 @@ namespace
 
 constexpr int FurtherIterations = 12;     // where the air has changed little, and of every start
 constexpr std::size_t FollowedStarts = 3; // the cheapest by then
+constexpr int FollowedIterations = 24;    // the air changes anyhow before the last drift
 constexpr int HarderPushes = 3;
 constexpr int ContactPasses = 8;
 
@@ -103,7 +104,7 @@ std::vector<Vec3> AssimilationRun::BestDrift(const Drifter& drifter, const AirSa
   order.resize(std::min((order.size() + 2) / 3, FollowedStarts));
   for (auto& [cost, k] : order)
   {
-    cost = SolveDrift(problem, air, this->Weights(), DriftIterations, paths[k]).Cost;
+    cost = SolveDrift(problem, air, this->Weights(), FollowedIterations, paths[k]).Cost;
   }
   return paths[std::min_element(order.begin(), order.end())->second];
 }

@@ -118,7 +118,7 @@ CommonWind::Nodes CommonWind::At(const Level& level, const std::vector<double>& 
   return nodes;
 }
 
-Vec3 CommonWind::Curl(const Place& place, const Nodes& nodes) const
+Vec3 CommonWind::Curl(const Place& place, const double* nodes) const
 {
   const Splines& x = place.Along[0];
   const Splines& y = place.Along[1];
@@ -129,10 +129,9 @@ Vec3 CommonWind::Curl(const Place& place, const Nodes& nodes) const
     for (int j = 0; j < 4; ++j)
     {
       const double* a =
-        nodes.data() +
-        3 * ((static_cast<std::size_t>(z.First + k) * this->Count[1] + (y.First + j)) *
-               this->Count[0] +
-             x.First);
+        nodes + 3 * ((static_cast<std::size_t>(z.First + k) * this->Count[1] + (y.First + j)) *
+                       this->Count[0] +
+                     x.First);
       for (int i = 0; i < 4; ++i, a += 3)
       {
         w[0] +=
@@ -180,7 +179,15 @@ Vec3 CommonWind::At(const Vec3& x, double frame) const
   {
     place.Along[c] = this->SplinesAt(c, x[c]);
   }
-  return this->Curl(place, this->At(this->LevelAt(frame), this->Coefficients));
+  const Level level = this->LevelAt(frame);
+  const std::size_t size = 3 * this->NodesPerKnot();
+  Vec3 wind = Vec3::Zero();
+  for (int m = 0; m < 4; ++m)
+  {
+    wind += level.Weight[m] * this->Curl(place, this->Coefficients.data() +
+                                                  static_cast<std::size_t>(level.First + m) * size);
+  }
+  return wind;
 }
 
 void CommonWind::Penalise(const std::vector<double>& a, std::vector<double>& sum) const
@@ -269,7 +276,7 @@ void CommonWind::Fit(const std::vector<WindSamples>& samples, const ParallelFor&
                  parts[f].assign(knot, 0.0);
                  for (std::size_t s = 0; s < places[f].size(); ++s)
                  {
-                   Vec3 w = this->Curl(places[f][s], nodes);
+                   Vec3 w = this->Curl(places[f][s], nodes.data());
                    if (lessValues)
                    {
                      w -= samples[f].Values[s];
@@ -402,7 +409,7 @@ void CommonWind::AddTo(FieldSeries& sum, const ParallelFor& parallel) const
                    values[i] = nodes[3 * i + static_cast<std::size_t>(term.Potential)];
                  }
                  std::array<int, 3> count = this->Count;
-                 for (int c = 2; c >= 0; --c)
+                 for (int c = 0; c < 3; ++c) // the long inner loops last
                  {
                    std::vector<int> first;
                    std::vector<const double*> weights;

@@ -68,7 +68,7 @@ private:
   Splines SplinesAt(int axis, double x) const;
   Level LevelAt(double frame) const;
   Nodes At(const Level& level, const std::vector<double>& coefficients) const;
-  Vec3 Curl(const Place& place, const Nodes& nodes) const;
+  Vec3 Curl(const Place& place, const double* nodes) const;
   void AddCurl(const Place& place, const Vec3& value, Nodes& nodes) const;
   /// What is penalised, applied: the gradient of half the penalty.
   void Penalise(const std::vector<double>& a, std::vector<double>& sum) const;

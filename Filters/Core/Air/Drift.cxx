@@ -52,7 +52,7 @@ public:
     const Vec3& a = x[static_cast<std::size_t>(k)];
     const Vec3& b = x[static_cast<std::size_t>(k) + 1];
     Mat3 gradient;
-    const Vec3 u = this->Air.Between(k, 0.5 * (a + b), gradient);
+    const Vec3 u = this->Air.Between(k, 0.5 * (a + b), linear ? &gradient : nullptr);
     Vec3 c = (b - a) / this->Step - u + this->Problem.SettlingSpeed * Vec3::UnitZ();
     const bool inert = this->Problem.ResponseTime > 0.0 && k > 0 && k + 2 < this->Frames;
     const double inertia = this->Problem.ResponseTime / (2.0 * this->Step * this->Step);
@@ -84,9 +84,10 @@ public:
   double Cost(const std::vector<Vec3>& x)
   {
     double cost = 0.0;
-    this->Visit(x, false,
-                [&](const Linear& residual, double weight)
-                { cost += 0.5 * weight * residual.Value.squaredNorm(); });
+    const auto add = [&](const Linear& residual, double weight)
+    { cost += 0.5 * weight * residual.Value.squaredNorm(); };
+    this->VisitFlight(x, false, add);
+    this->VisitOthers(x, false, add);
     return cost;
   }
 
@@ -96,12 +97,20 @@ public:
     this->Normal.Clear();
     this->Gradient.assign(this->Normal.Size(), 0.0);
     double cost = 0.0;
-    this->Visit(x, true,
-                [&](const Linear& residual, double weight)
-                {
-                  cost += 0.5 * weight * residual.Value.squaredNorm();
-                  this->Add(residual, weight);
-                });
+    const auto add = [&](const Linear& residual, double weight)
+    {
+      cost += 0.5 * weight * residual.Value.squaredNorm();
+      this->Add(residual, weight);
+    };
+    if (this->Problem.ResponseTime > 0.0)
+    {
+      this->VisitFlight(x, true, add);
+    }
+    else
+    {
+      cost += this->AddFlight(x);
+    }
+    this->VisitOthers(x, true, add);
     return cost;
   }
 
@@ -142,10 +151,9 @@ public:
   }
 
 private:
-  // All residuals with their weights: controls, their changes, accelerations where the control is
-  // free, rows and barriers.
+  // Controls and their changes, with their weights.
   template <class Add>
-  void Visit(const std::vector<Vec3>& x, bool derivatives, const Add& add)
+  void VisitFlight(const std::vector<Vec3>& x, bool derivatives, const Add& add)
   {
     const std::vector<double>& flight = this->Problem.Flight;
     Linear now, before, change;
@@ -180,6 +188,84 @@ private:
       }
       std::swap(now, before);
     }
+  }
+
+  // The same without inertia. With c_k = J_k x and G_k the air's gradient, J_k is -1/dt - G_k / 2
+  // at frame k and 1/dt - G_k / 2 at the next: all blocks of J' W J, whose weights W couple
+  // neighbours in time, come from G_k' G_k and G_k' G_(k-1). Returns the cost.
+  double AddFlight(const std::vector<Vec3>& x)
+  {
+    const auto steps = static_cast<std::size_t>(this->Frames - 1);
+    const std::vector<double>& flight = this->Problem.Flight;
+    this->Controls.resize(steps);
+    this->Gradients.resize(steps);
+    for (std::size_t k = 0; k < steps; ++k)
+    {
+      if (flight[k] > 0.0)
+      {
+        const Vec3 middle = 0.5 * (x[k] + x[k + 1]);
+        const Vec3 u = this->Air.Between(static_cast<int>(k), middle, &this->Gradients[k]);
+        this->Controls[k] =
+          (x[k + 1] - x[k]) / this->Step - u + this->Problem.SettlingSpeed * Vec3::UnitZ();
+      }
+    }
+    const double h = 1.0 / this->Step;
+    const Mat3 square = h * h * Mat3::Identity();
+    // Of the difference of the controls of steps k - 1 and k.
+    const auto coupling = [&](std::size_t k)
+    {
+      const bool has = k > 0 && k < steps;
+      return has ? h * this->Weights.Smoothness * std::min(flight[k - 1], flight[k]) : 0.0;
+    };
+    double cost = 0.0;
+    for (std::size_t k = 0; k < steps; ++k)
+    {
+      if (flight[k] <= 0.0)
+      {
+        continue;
+      }
+      const double before = coupling(k);
+      const double after = coupling(k + 1);
+      const double own = this->Step * flight[k] + before + after;
+      const Vec3& c = this->Controls[k];
+      const Mat3& g = this->Gradients[k];
+      Vec3 pull = own * c;
+      cost += 0.5 * this->Step * flight[k] * c.squaredNorm();
+      if (after > 0.0)
+      {
+        pull -= after * this->Controls[k + 1];
+        cost += 0.5 * after * (this->Controls[k + 1] - c).squaredNorm();
+      }
+      const Mat3 quarter = 0.25 * (g.transpose() * g);
+      const Mat3 sum = 0.5 * h * (g + g.transpose());
+      const Mat3 difference = 0.5 * h * (g.transpose() - g);
+      this->AddBlock(k, k, own * (square + sum + quarter));
+      this->AddBlock(k + 1, k, own * (difference - square + quarter));
+      this->AddBlock(k + 1, k + 1, own * (square - sum + quarter));
+      if (before > 0.0)
+      {
+        pull -= before * this->Controls[k - 1];
+        const Mat3& last = this->Gradients[k - 1];
+        const Mat3 both = 0.25 * (g.transpose() * last);
+        const Mat3 more = 0.5 * h * (last + g.transpose());
+        const Mat3 less = 0.5 * h * (last - g.transpose());
+        const Mat3 middle = less - square + both;
+        this->AddBlock(k, k - 1, -before * (square + more + both));
+        this->AddBlock(k, k, -before * (middle + middle.transpose()));
+        this->AddBlock(k + 1, k - 1, -before * (both - square - less));
+        this->AddBlock(k + 1, k, -before * (square - more + both));
+      }
+      const Vec3 turned = -0.5 * (g.transpose() * pull);
+      this->AddGradient(k, turned - h * pull);
+      this->AddGradient(k + 1, turned + h * pull);
+    }
+    return cost;
+  }
+
+  // Accelerations where the control is free, rows and barriers.
+  template <class Add>
+  void VisitOthers(const std::vector<Vec3>& x, bool derivatives, const Add& add)
+  {
     this->VisitBraking(x, derivatives, add);
     this->VisitRows(x, derivatives, add);
     this->VisitBarriers(x, derivatives, add);
@@ -283,29 +369,39 @@ private:
         continue;
       }
       const Mat3 left = weight * residual.Blocks[i].transpose();
-      const Vec3 gradient = left * residual.Value;
-      const std::size_t row = 3 * static_cast<std::size_t>(fi);
-      for (int c = 0; c < 3; ++c)
-      {
-        this->Gradient[row + static_cast<std::size_t>(c)] += gradient[c];
-      }
+      this->AddGradient(static_cast<std::size_t>(fi), left * residual.Value);
       for (int j = 0; j <= i; ++j)
       {
-        const int fj = residual.First + j;
-        if (this->IsFixed(fj))
-        {
-          continue;
-        }
-        const Mat3 block = left * residual.Blocks[j];
-        const std::size_t column = 3 * static_cast<std::size_t>(fj);
-        for (int r = 0; r < 3; ++r)
-        {
-          for (int c = 0; c < (i == j ? r + 1 : 3); ++c)
-          {
-            this->Normal.At(row + static_cast<std::size_t>(r),
-                            column + static_cast<std::size_t>(c)) += block(r, c);
-          }
-        }
+        this->AddBlock(static_cast<std::size_t>(fi), static_cast<std::size_t>(residual.First + j),
+                       left * residual.Blocks[j]);
+      }
+    }
+  }
+
+  void AddGradient(std::size_t frame, const Vec3& gradient)
+  {
+    if (!this->Problem.IsFixed[frame])
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        this->Gradient[3 * frame + c] += gradient[static_cast<int>(c)];
+      }
+    }
+  }
+
+  // To the lower half: row >= column, both frames.
+  void AddBlock(std::size_t row, std::size_t column, const Mat3& block)
+  {
+    if (this->Problem.IsFixed[row] || this->Problem.IsFixed[column])
+    {
+      return;
+    }
+    for (std::size_t r = 0; r < 3; ++r)
+    {
+      for (std::size_t c = 0; c < (row == column ? r + 1 : 3); ++c)
+      {
+        this->Normal.At(3 * row + r, 3 * column + c) +=
+          block(static_cast<int>(r), static_cast<int>(c));
       }
     }
   }
@@ -322,6 +418,8 @@ private:
   double Step;
   BandedMatrix Normal;
   std::vector<double> Gradient;
+  std::vector<Vec3> Controls; // by step, as the air's gradients
+  std::vector<Mat3> Gradients;
   std::vector<DriftDepth> Depths;
 };
 

@@ -295,11 +295,10 @@ std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air, int straye
     const int to = hasNext ? marks[m + 1] : static_cast<int>(frames) - 1;
     Vec3 x = this->Fixed[static_cast<std::size_t>(from)];
     straight[static_cast<std::size_t>(from)] = drifting[static_cast<std::size_t>(from)] = x;
-    Mat3 gradient;
     for (int f = from; f < to; ++f)
     {
       const Vec3 half = x + 0.5 * step * (air.At(f, x) - slip);
-      x += step * (air.Between(f, half, gradient) - slip);
+      x += step * (air.Between(f, half) - slip);
       x = x.cwiseMax(volume.Min + Vec3::Constant(this->Body.RestHeight))
             .cwiseMin(volume.Max - Vec3::Constant(this->Body.ClearanceRadius));
       drifting[static_cast<std::size_t>(f) + 1] = x;

@@ -121,13 +121,13 @@ TEST(AirSampler, IsTrilinearBetweenFramesWithItsGradient)
   const AirSampler sampler(air);
   const Vec3 x(0.37, -1.21, 2.9);
   Mat3 gradient;
-  EXPECT_LT((sampler.Between(10, x, gradient) - linear(x, 10.5 / 30.0)).norm(), 1e-6);
+  EXPECT_LT((sampler.Between(10, x, &gradient) - linear(x, 10.5 / 30.0)).norm(), 1e-6);
   Mat3 expected;
   expected << 0.3, 0.0, -1.0, 0.0, 2.0, 0.0, 1.0, 0.0, 0.5;
   EXPECT_LT((gradient - expected).norm(), 1e-5);
   EXPECT_LT((sampler.At(7, x) - linear(x, 7.0 / 30.0)).norm(), 1e-6);
   // Beyond the lattice the value at its end, which does not change across it.
-  const Vec3 outside = sampler.Between(10, Vec3(5.0, 0.0, 1.0), gradient);
+  const Vec3 outside = sampler.Between(10, Vec3(5.0, 0.0, 1.0), &gradient);
   EXPECT_LT((outside - linear(Vec3(2.0, 0.0, 1.0), 10.5 / 30.0)).norm(), 1e-6);
   EXPECT_EQ(gradient.col(0).norm(), 0.0);
 }
