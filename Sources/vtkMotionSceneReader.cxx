@@ -8,9 +8,11 @@
 #include "Bridge/SceneWind.h"
 #include "Bridge/ShapeData.h"
 #include "Bridge/StageExecution.h"
+#include "Bridge/StageOptions.h"
 #include "Bridge/VortexData.h"
 #include "Obstacles/SurfaceRepair.h"
 #include "Scene/Scene.h"
+#include "Scene/SceneFileOptions.h"
 
 #include <vtkDemandDrivenPipeline.h>
 #include <vtkImageData.h>
@@ -118,7 +120,7 @@ vtkTypeBool vtkMotionSceneReader::ProcessRequest(vtkInformation* request,
                                                  vtkInformationVector** inputs,
                                                  vtkInformationVector* outputs)
 {
-  return waft::GuardedRequest(this, request, outputs, {},
+  return waft::GuardedRequest(this, request, outputs, waft::RangesOf<waft::SceneReadOptions>(*this),
                               [&] { return this->Process(request, inputs, outputs); });
 }
 
@@ -196,5 +198,5 @@ int vtkMotionSceneReader::RequestData(vtkInformation* request, vtkInformationVec
 void vtkMotionSceneReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n";
+  waft::PrintFields<waft::SceneReadOptions>(os, indent, *this);
 }

@@ -6,7 +6,6 @@
 #include "Base/OptionFields.h"
 #include "Base/Result.h"
 
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -23,24 +22,6 @@ struct PropertyRange
   PropertyRange(const char* name, double value, const limits::Range& range) :
     Name(name), Values{ value }, Range(range)
   {
-  }
-  template <class Number, std::size_t Count>
-  PropertyRange(const char* name, const Number (&values)[Count], const limits::Range& range) :
-    Name(name), Values(values, values + Count), Range(range)
-  {
-  }
-
-  /// A list of vectors.
-  template <std::size_t Count>
-  PropertyRange(const char* name, const std::vector<std::array<double, Count>>& values,
-                const limits::Range& range) :
-    Name(name),
-    Range(range)
-  {
-    for (const std::array<double, Count>& value : values)
-    {
-      this->Values.insert(this->Values.end(), value.begin(), value.end());
-    }
   }
 
   const char* Name;

@@ -2,6 +2,8 @@
 #include "vtkMotionSceneFileWriter.h"
 
 #include "Bridge/SceneBlocks.h"
+#include "Bridge/StageOptions.h"
+#include "Scene/SceneFileOptions.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
@@ -32,5 +34,5 @@ void vtkMotionSceneFileWriter::WriteData()
 void vtkMotionSceneFileWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n";
+  waft::PrintFields<waft::SceneSaveOptions>(os, indent, *this);
 }

@@ -7,7 +7,9 @@
 #include "Bridge/SceneData.h"
 #include "Bridge/ShapeData.h"
 #include "Bridge/StageExecution.h"
+#include "Bridge/StageOptions.h"
 #include "Bridge/VortexData.h"
+#include "Scene/SceneFileOptions.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -98,7 +100,7 @@ vtkTypeBool vtkMotionSceneWriter::ProcessRequest(vtkInformation* request,
                                                  vtkInformationVector* outputs)
 {
   return waft::GuardedRequest(
-    this, request, outputs, {},
+    this, request, outputs, waft::RangesOf<waft::SceneWriteOptions>(*this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
@@ -130,6 +132,5 @@ bool vtkMotionSceneWriter::Write()
 void vtkMotionSceneWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n";
-  os << indent << "Title: " << this->Title << "\n";
+  waft::PrintFields<waft::SceneWriteOptions>(os, indent, *this);
 }

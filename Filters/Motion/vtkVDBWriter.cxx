@@ -4,7 +4,9 @@
 #include "Bridge/FileWriting.h"
 #include "Bridge/SceneData.h"
 #include "Bridge/StageExecution.h"
+#include "Bridge/StageOptions.h"
 #include "Bridge/VolumeData.h"
+#include "Volumes/VolumeOptions.h"
 #include "Volumes/VolumeSeries.h"
 
 #include <vtkDataObject.h>
@@ -82,7 +84,7 @@ vtkTypeBool vtkVDBWriter::ProcessRequest(vtkInformation* request, vtkInformation
                                          vtkInformationVector* outputs)
 {
   return waft::GuardedRequest(
-    this, request, outputs, {},
+    this, request, outputs, waft::RangesOf<waft::VolumeWriteOptions>(*this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
@@ -148,5 +150,5 @@ bool vtkVDBWriter::Write()
 void vtkVDBWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n";
+  waft::PrintFields<waft::VolumeWriteOptions>(os, indent, *this);
 }
