@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkConstraintSource.h"
 
-#include "Bridge/ConstraintData.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/StageOptions.h"
+#include "Bridge/Data/ConstraintData.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Scene/ConstraintOptions.h"
 
 #include <vtkInformationVector.h>

@@ -2,8 +2,8 @@
 #include "vtkLeafShapeSource.h"
 
 #include "Base/SceneFrame.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/StageOptions.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 
 #include "Shapes/TextureImage.h"
 #include "Shapes/ThinShape.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkObjectSource.h"
 
-#include "Bridge/SceneData.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/StageOptions.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Scene/ObjectOptions.h"
 
 #include <vtkInformationVector.h>

@@ -2,7 +2,7 @@
 #include "vtkPaintedShapeSource.h"
 
 #include "Base/AtomicFile.h"
-#include "Bridge/StageOptions.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Shapes/PngImage.h"
 #include "Shapes/TextureImage.h"
 #include "Shapes/ThinShape.h"

@@ -2,9 +2,9 @@
 #include "vtkPhotographShapeSource.h"
 
 #include "Base/SceneFrame.h"
-#include "Bridge/PhotographShape.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/StageOptions.h"
+#include "Bridge/Files/PhotographShape.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Shapes/ThinShape.h"
 
 #include <vtkObjectFactory.h>

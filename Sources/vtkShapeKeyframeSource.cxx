@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShapeKeyframeSource.h"
 
-#include "Bridge/ConstraintData.h"
-#include "Bridge/FieldCollectors.h"
-#include "Bridge/SceneFiles.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/StageOptions.h"
+#include "Bridge/Data/ConstraintData.h"
+#include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Files/SceneFiles.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Scene/KeyframeOptions.h"
 #include "Scene/LetterSpacing.h"
 #include "Scene/SurfaceSampling.h"

@@ -2,9 +2,9 @@
 #include "vtkThinShapeSource.h"
 
 #include "Base/SceneFrame.h"
-#include "Bridge/ShapeData.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/StageOptions.h"
+#include "Bridge/Data/ShapeData.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Shapes/ThinShape.h"
 
 #include <vtkInformation.h>

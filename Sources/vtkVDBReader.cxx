@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVDBReader.h"
 
-#include "Bridge/StageExecution.h"
-#include "Bridge/StageOptions.h"
-#include "Bridge/VolumeData.h"
+#include "Bridge/Data/VolumeData.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Volumes/VolumeOptions.h"
 #include "Volumes/VolumeSequence.h"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMotionSceneFileWriter.h"
 
-#include "Bridge/SceneBlocks.h"
-#include "Bridge/StageOptions.h"
+#include "Bridge/Data/SceneBlocks.h"
+#include "Bridge/Files/SceneOutput.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Scene/SceneFileOptions.h"
 
 #include <vtkErrorCode.h>

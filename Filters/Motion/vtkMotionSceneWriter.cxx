@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMotionSceneWriter.h"
 
-#include "Bridge/FileWriting.h"
-#include "Bridge/KeptStage.h"
-#include "Bridge/SceneBlocks.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/ShapeData.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/StageOptions.h"
-#include "Bridge/VortexData.h"
+#include "Bridge/Data/SceneBlocks.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/ShapeData.h"
+#include "Bridge/Data/VortexData.h"
+#include "Bridge/Files/FileWriting.h"
+#include "Bridge/Files/SceneOutput.h"
+#include "Bridge/Pipeline/KeptStage.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Scene/SceneFileOptions.h"
 
 #include <vtkInformation.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVDBWriter.h"
 
-#include "Bridge/FileWriting.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/StageOptions.h"
-#include "Bridge/VolumeData.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/VolumeData.h"
+#include "Bridge/Files/FileWriting.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Volumes/VolumeOptions.h"
 #include "Volumes/VolumeSeries.h"
 
