@@ -118,7 +118,7 @@ waft_input(WAFT_INPUT_MULTIBLOCK vtkMultiBlockDataSet [[name="input_type" compos
 function(waft_thin_body prefix length curl camber twist areaDensity thickness settlingSpeed)
   string(CONFIGURE [=[
       <DoubleVectorProperty name="Length" command="SetLength" number_of_elements="1" default_values="@length@">
-        <DoubleRangeDomain name="range" min="0"/>
+        <DoubleRangeDomain name="range" min="1e-9"/>
         <Documentation>Largest extent in metres.</Documentation>
       </DoubleVectorProperty>
       <DoubleVectorProperty name="Curl" command="SetCurl" number_of_elements="1" default_values="@curl@">
@@ -135,17 +135,17 @@ function(waft_thin_body prefix length curl camber twist areaDensity thickness se
       </DoubleVectorProperty>
       <DoubleVectorProperty name="AreaDensity" label="Area Density" command="SetAreaDensity"
         number_of_elements="1" default_values="@areaDensity@" panel_visibility="advanced">
-        <DoubleRangeDomain name="range" min="0"/>
+        <DoubleRangeDomain name="range" min="1e-6"/>
         <Documentation>Mass of a square metre, in kilograms.</Documentation>
       </DoubleVectorProperty>
       <DoubleVectorProperty name="Thickness" command="SetThickness"
         number_of_elements="1" default_values="@thickness@" panel_visibility="advanced">
-        <DoubleRangeDomain name="range" min="0"/>
+        <DoubleRangeDomain name="range" min="1e-9"/>
         <Documentation>Thickness in metres.</Documentation>
       </DoubleVectorProperty>
       <DoubleVectorProperty name="DragCoefficient" label="Drag Coefficient" command="SetDragCoefficient"
         number_of_elements="1" default_values="1.2" panel_visibility="advanced">
-        <DoubleRangeDomain name="range" min="0"/>
+        <DoubleRangeDomain name="range" min="1e-9"/>
         <Documentation>Drag coefficient, broadside.</Documentation>
       </DoubleVectorProperty>
       <DoubleVectorProperty name="SettlingSpeed" label="Settling Speed" command="SetSettlingSpeed"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCheckedFiles.h"
 
-#include "Bridge/DataFiles.h"
-#include "Bridge/PictureFiles.h"
+#include "Bridge/Files/DataFiles.h"
+#include "Bridge/Files/PictureFiles.h"
 #include "Files/DataFileCheck.h"
 
 #include <vtkObjectFactory.h>

@@ -18,6 +18,12 @@
 #include <array>
 #include <vector>
 
+namespace waft
+{
+struct ConstraintOptions;
+struct SceneFrame;
+}
+
 class VTKWAFTSOURCES_EXPORT vtkConstraintSource : public vtkPolyDataAlgorithm
 {
 public:
@@ -119,6 +125,10 @@ private:
   vtkConstraintSource(const vtkConstraintSource&) = delete;
   void operator=(const vtkConstraintSource&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::ConstraintOptions;
+  friend struct waft::SceneFrame;
   int ObjectId = 0;
   int Kind = POSITION;
   int Frame = 150;

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkFeatherShapeSource.h"
 
-#include "Bridge/StageExecution.h"
+#include "Base/SceneFrame.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 
-#include "Shapes/Outline.h"
+#include "Shapes/TextureImage.h"
+#include "Shapes/ThinShape.h"
 
 #include <vtkObjectFactory.h>
 
@@ -11,21 +14,9 @@ vtkStandardNewMacro(vtkFeatherShapeSource);
 
 vtkFeatherShapeSource::vtkFeatherShapeSource()
 {
-  this->Length = 0.2;
-  this->Curl = 0.5;
-  this->Camber = 0.1;
-  this->Twist = 0.15;
-  this->AreaDensity = 0.04;
-  this->Thickness = 0.0005;
-  this->SettlingSpeed = 0.4;
-  this->Rows = 36;
-  this->Blotches = 0.9;
-  const double base[3] = { 0.93, 0.90, 0.84 };
-  const double edge[3] = { 0.44, 0.31, 0.22 };
-  const double shaft[3] = { 0.90, 0.84, 0.72 };
-  this->SetBaseColor(base);
-  this->SetEdgeColor(edge);
-  this->SetVeinColor(shaft);
+  waft::CopyFields<waft::SheetOptions>(waft::FeatherSheet(), *this);
+  waft::CopyFields<waft::ThinBody>(waft::FeatherBody(), *this);
+  waft::CopyFields<waft::SkinOptions>(waft::FeatherSkin(), *this);
 }
 
 vtkTypeBool vtkFeatherShapeSource::ProcessRequest(vtkInformation* request,
@@ -34,8 +25,8 @@ vtkTypeBool vtkFeatherShapeSource::ProcessRequest(vtkInformation* request,
 {
   return waft::GuardedRequest(
     this, request, outputs,
-    { { "ShaftLength", this->ShaftLength, waft::limits::Finite },
-      { "Asymmetry", this->Asymmetry, waft::limits::Finite } },
+    waft::RangesOf<waft::FeatherForm, waft::SheetOptions, waft::ThinBody, waft::SkinOptions,
+                   waft::SceneFrame>(*this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
@@ -43,19 +34,12 @@ waft::Result vtkFeatherShapeSource::MakeOutline(waft::Outline& outline, std::str
 {
   static const char* const names[] = { "feather", "contour", "down" };
   name = names[this->Kind];
-  waft::FeatherForm form;
-  form.Kind = static_cast<waft::FeatherKind>(this->Kind);
-  form.Width = this->Width;
-  form.ShaftLength = this->ShaftLength;
-  form.Asymmetry = this->Asymmetry;
-  form.Bend = this->Bend;
-  return waft::OutlineOfFeather(form, outline);
+  return waft::OutlineOfFeather(waft::OptionsOf<waft::FeatherForm>(*this), outline);
 }
 
 void vtkFeatherShapeSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Kind: " << this->Kind << "\n";
-  os << indent << "ShaftLength: " << this->ShaftLength << "\n";
-  os << indent << "Asymmetry: " << this->Asymmetry << "\n";
+  waft::PrintFields<waft::FeatherForm, waft::SheetOptions, waft::ThinBody, waft::SkinOptions,
+                    waft::SceneFrame>(os, indent, *this);
 }

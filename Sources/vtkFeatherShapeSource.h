@@ -11,6 +11,11 @@
 
 #include "vtkPaintedShapeSource.h"
 
+namespace waft
+{
+struct FeatherForm;
+}
+
 class VTKWAFTSOURCES_EXPORT vtkFeatherShapeSource : public vtkPaintedShapeSource
 {
 public:
@@ -47,6 +52,9 @@ private:
   vtkFeatherShapeSource(const vtkFeatherShapeSource&) = delete;
   void operator=(const vtkFeatherShapeSource&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::FeatherForm;
   int Kind = 0;
   double ShaftLength = 1.0;
   double Asymmetry = 1.0;

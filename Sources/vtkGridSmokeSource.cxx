@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkGridSmokeSource.h"
 
-#include "Bridge/FieldCollectors.h"
-#include "Bridge/FieldSweep.h"
-#include "Bridge/SmokeData.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/StageOptions.h"
-#include "Bridge/VortexData.h"
+#include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Data/SmokeData.h"
+#include "Bridge/Data/VortexData.h"
+#include "Bridge/Pipeline/FieldSweep.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Grid/SmokeEnsemble.h"
 #include "Grid/SmokeSeries.h"
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLeafShapeSource.h"
 
-#include "Bridge/StageExecution.h"
+#include "Base/SceneFrame.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 
-#include "Shapes/Outline.h"
+#include "Shapes/TextureImage.h"
+#include "Shapes/ThinShape.h"
 
 #include <vtkObjectFactory.h>
 
@@ -15,8 +18,8 @@ vtkTypeBool vtkLeafShapeSource::ProcessRequest(vtkInformation* request,
 {
   return waft::GuardedRequest(
     this, request, outputs,
-    { { "StemLength", this->StemLength, waft::limits::Finite },
-      { "Lobing", this->Lobing, waft::limits::Finite } },
+    waft::RangesOf<waft::LeafForm, waft::SheetOptions, waft::ThinBody, waft::SkinOptions,
+                   waft::SceneFrame>(*this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
@@ -24,19 +27,12 @@ waft::Result vtkLeafShapeSource::MakeOutline(waft::Outline& outline, std::string
 {
   static const char* const names[] = { "leaf", "maple", "oak", "willow", "birch", "aspen" };
   name = names[this->Kind];
-  waft::LeafForm form;
-  form.Kind = static_cast<waft::LeafKind>(this->Kind);
-  form.Width = this->Width;
-  form.StemLength = this->StemLength;
-  form.Lobing = this->Lobing;
-  form.Bend = this->Bend;
-  return waft::OutlineOfLeaf(form, outline);
+  return waft::OutlineOfLeaf(waft::OptionsOf<waft::LeafForm>(*this), outline);
 }
 
 void vtkLeafShapeSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Kind: " << this->Kind << "\n";
-  os << indent << "StemLength: " << this->StemLength << "\n";
-  os << indent << "Lobing: " << this->Lobing << "\n";
+  waft::PrintFields<waft::LeafForm, waft::SheetOptions, waft::ThinBody, waft::SkinOptions,
+                    waft::SceneFrame>(os, indent, *this);
 }

@@ -11,6 +11,11 @@
 
 #include "vtkPaintedShapeSource.h"
 
+namespace waft
+{
+struct LeafForm;
+}
+
 class VTKWAFTSOURCES_EXPORT vtkLeafShapeSource : public vtkPaintedShapeSource
 {
 public:
@@ -47,6 +52,9 @@ private:
   vtkLeafShapeSource(const vtkLeafShapeSource&) = delete;
   void operator=(const vtkLeafShapeSource&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::LeafForm;
   int Kind = 0;
   double StemLength = 1.0;
   double Lobing = 1.0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMotionDatabaseSource.h"
 
-#include "Bridge/DatabaseConversion.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/StageOptions.h"
+#include "Bridge/Data/DatabaseConversion.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Database/DatabaseBuild.h"
 
 #include <vtkInformation.h>

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMotionSceneReader.h"
 
-#include "Bridge/ConstraintData.h"
-#include "Bridge/FieldCollectors.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/SceneFiles.h"
-#include "Bridge/SceneWind.h"
-#include "Bridge/ShapeData.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/VortexData.h"
+#include "Bridge/Data/ConstraintData.h"
+#include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/ShapeData.h"
+#include "Bridge/Data/VortexData.h"
+#include "Bridge/Files/SceneFiles.h"
+#include "Bridge/Files/SceneWind.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Obstacles/SurfaceRepair.h"
 #include "Scene/Scene.h"
+#include "Scene/SceneFileOptions.h"
 
 #include <vtkDemandDrivenPipeline.h>
 #include <vtkImageData.h>
@@ -118,7 +120,7 @@ vtkTypeBool vtkMotionSceneReader::ProcessRequest(vtkInformation* request,
                                                  vtkInformationVector** inputs,
                                                  vtkInformationVector* outputs)
 {
-  return waft::GuardedRequest(this, request, outputs, {},
+  return waft::GuardedRequest(this, request, outputs, waft::RangesOf<waft::SceneReadOptions>(*this),
                               [&] { return this->Process(request, inputs, outputs); });
 }
 
@@ -196,5 +198,5 @@ int vtkMotionSceneReader::RequestData(vtkInformation* request, vtkInformationVec
 void vtkMotionSceneReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n";
+  waft::PrintFields<waft::SceneReadOptions>(os, indent, *this);
 }

@@ -32,6 +32,11 @@
 #include <memory>
 #include <string>
 
+namespace waft
+{
+struct SceneReadOptions;
+}
+
 class VTKWAFTSOURCES_EXPORT vtkMotionSceneReader : public vtkAlgorithm
 {
 public:
@@ -76,6 +81,9 @@ private:
 
   struct Contents;
   std::unique_ptr<Contents> Read;
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::SceneReadOptions;
   std::string FileName;
 };
 

@@ -15,6 +15,12 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkWaftSourcesModule.h"
 
+namespace waft
+{
+struct ObjectOptions;
+struct SceneFrame;
+}
+
 class VTKWAFTSOURCES_EXPORT vtkObjectSource : public vtkPolyDataAlgorithm
 {
 public:
@@ -114,6 +120,10 @@ private:
   vtkObjectSource(const vtkObjectSource&) = delete;
   void operator=(const vtkObjectSource&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::ObjectOptions;
+  friend struct waft::SceneFrame;
   double Position[3] = { 0.0, 0.0, 3.0 };
   double Velocity[3] = { 0.0, 0.0, 0.0 };
   double Orientation[4] = { 1.0, 0.0, 0.0, 0.0 };

@@ -11,11 +11,20 @@
 
 #include "vtkThinShapeSource.h"
 
+#include <string>
+
+namespace waft
+{
+struct Outline;
+struct PlanForm;
+struct SheetOptions;
+struct SkinOptions;
+} // namespace waft
+
 class VTKWAFTSOURCES_EXPORT vtkPaintedShapeSource : public vtkThinShapeSource
 {
 public:
   vtkAbstractTypeMacro(vtkPaintedShapeSource, vtkThinShapeSource);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /** The plan's width, 1 by nature, 0.3..3. */
@@ -73,9 +82,6 @@ public:
   vtkGetMacro(Seed, int);
   ///@}
 
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
-                             vtkInformationVector* outputs) override;
-
 protected:
   vtkPaintedShapeSource() = default;
   ~vtkPaintedShapeSource() override = default;
@@ -84,6 +90,11 @@ protected:
   /// The plan and the shape's name.
   virtual waft::Result MakeOutline(waft::Outline& outline, std::string& name) = 0;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::PlanForm;
+  friend struct waft::SheetOptions;
+  friend struct waft::SkinOptions;
   double Width = 1.0;
   double Bend = 1.0;
   int Rows = 28;
@@ -97,8 +108,6 @@ protected:
   int Seed = 1;
 
 private:
-  waft::Result Paint(const waft::Outline& outline) const;
-
   vtkPaintedShapeSource(const vtkPaintedShapeSource&) = delete;
   void operator=(const vtkPaintedShapeSource&) = delete;
 };

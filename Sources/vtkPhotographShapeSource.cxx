@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPhotographShapeSource.h"
 
-#include "Bridge/PhotographShape.h"
-#include "Bridge/StageExecution.h"
+#include "Base/SceneFrame.h"
+#include "Bridge/Files/PhotographShape.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
+#include "Shapes/ThinShape.h"
 
 #include <vtkObjectFactory.h>
 
@@ -16,8 +19,8 @@ vtkTypeBool vtkPhotographShapeSource::ProcessRequest(vtkInformation* request,
 {
   return waft::GuardedRequest(
     this, request, outputs,
-    { { "Threshold", this->Threshold, waft::limits::Finite },
-      { "Detail", this->Detail, waft::limits::Finite } },
+    waft::RangesOf<waft::PhotographFile, waft::PhotographOptions, waft::ThinBody, waft::SceneFrame>(
+      *this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
@@ -27,12 +30,8 @@ waft::Result vtkPhotographShapeSource::MakeShape(waft::Shape& shape)
   {
     return waft::Result::Error("Photograph: expected the name of a picture");
   }
-  waft::PhotographOptions options;
-  this->TakeBending(options);
-  options.Threshold = this->Threshold;
-  options.Detail = this->Detail;
-  options.Triangles = this->NumberOfTriangles;
-  const waft::Result made = waft::LoadPhotographShape(this->Photograph, options, shape);
+  const waft::Result made = waft::LoadPhotographShape(
+    this->Photograph, waft::OptionsOf<waft::PhotographOptions>(*this), shape);
   if (!made)
   {
     return waft::Result::Error("Photograph " + this->Photograph + ": " + made.Message());
@@ -44,8 +43,6 @@ waft::Result vtkPhotographShapeSource::MakeShape(waft::Shape& shape)
 void vtkPhotographShapeSource::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Photograph: " << this->Photograph << "\n";
-  os << indent << "Threshold: " << this->Threshold << "\n";
-  os << indent << "Detail: " << this->Detail << "\n";
-  os << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n";
+  waft::PrintFields<waft::PhotographFile, waft::PhotographOptions, waft::ThinBody,
+                    waft::SceneFrame>(os, indent, *this);
 }

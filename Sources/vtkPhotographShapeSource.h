@@ -14,6 +14,12 @@
 
 #include "vtkThinShapeSource.h"
 
+namespace waft
+{
+struct PhotographFile;
+struct PhotographOptions;
+}
+
 class VTKWAFTSOURCES_EXPORT vtkPhotographShapeSource : public vtkThinShapeSource
 {
 public:
@@ -55,6 +61,10 @@ private:
   vtkPhotographShapeSource(const vtkPhotographShapeSource&) = delete;
   void operator=(const vtkPhotographShapeSource&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::PhotographFile;
+  friend struct waft::PhotographOptions;
   std::string Photograph;
   double Threshold = 0.5;
   double Detail = 0.006;

@@ -23,6 +23,12 @@
 #include <string>
 #include <vector>
 
+namespace waft
+{
+struct KeyframeOptions;
+struct SceneFrame;
+}
+
 class VTKWAFTSOURCES_EXPORT vtkShapeKeyframeSource : public vtkPolyDataAlgorithm
 {
 public:
@@ -151,8 +157,10 @@ private:
   vtkShapeKeyframeSource(const vtkShapeKeyframeSource&) = delete;
   void operator=(const vtkShapeKeyframeSource&) = delete;
 
-  struct Drawing;
-
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::KeyframeOptions;
+  friend struct waft::SceneFrame;
   int Shape = TEXT;
   std::string Text = "WAFT";
   std::string Font = "sans";

@@ -20,17 +20,16 @@
 namespace waft
 {
 struct Bending;
-struct Outline;
 class Result;
+struct SceneFrame;
 struct Shape;
-struct TextureOptions;
+struct ThinBody;
 } // namespace waft
 
 class VTKWAFTSOURCES_EXPORT vtkThinShapeSource : public vtkMultiBlockDataSetAlgorithm
 {
 public:
   vtkAbstractTypeMacro(vtkThinShapeSource, vtkMultiBlockDataSetAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /** Largest extent [m], more than 0. */
@@ -58,7 +57,7 @@ public:
   vtkGetMacro(AreaDensity, double);
   ///@}
   ///@{
-  /** Thickness [m], 0 or more. */
+  /** Thickness [m], more than 0. */
   vtkSetMacro(Thickness, double);
   vtkGetMacro(Thickness, double);
   ///@}
@@ -88,9 +87,6 @@ public:
   vtkGetMacro(FramesPerSecond, double);
   ///@}
 
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
-                             vtkInformationVector* outputs) override;
-
 protected:
   vtkThinShapeSource();
   ~vtkThinShapeSource() override = default;
@@ -102,8 +98,12 @@ protected:
 
   /// Gives a shape its name, mesh, texture coordinates, texture and colour.
   virtual waft::Result MakeShape(waft::Shape& shape) = 0;
-  void TakeBending(waft::Bending& bending) const;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::Bending;
+  friend struct waft::SceneFrame;
+  friend struct waft::ThinBody;
   double Length = 0.1;
   double Curl = 0.3;
   double Camber = 0.05;

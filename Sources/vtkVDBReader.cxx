@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVDBReader.h"
 
-#include "Bridge/StageExecution.h"
-#include "Bridge/VolumeData.h"
+#include "Bridge/Data/VolumeData.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
+#include "Volumes/VolumeOptions.h"
 #include "Volumes/VolumeSequence.h"
 
 #include <vtkImageData.h>
@@ -52,10 +54,13 @@ void vtkVDBReader::SetFileName(const std::string& name)
 vtkTypeBool vtkVDBReader::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                                          vtkInformationVector* outputs)
 {
+  std::vector<waft::PropertyRange> ranges = waft::RangesOf<waft::VolumeReadOptions>(*this);
+  if (this->FramesPerSecond != 0.0) // a rate that is given is one that a scene may have
+  {
+    ranges.emplace_back("FramesPerSecond", this->FramesPerSecond, waft::limits::FramesPerSecond);
+  }
   return waft::GuardedRequest(
-    this, request, outputs,
-    { { "FramesPerSecond", this->FramesPerSecond,
-        this->FramesPerSecond == 0.0 ? waft::limits::UpTo(0.0) : waft::limits::FramesPerSecond } },
+    this, request, outputs, ranges,
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
@@ -132,6 +137,5 @@ int vtkVDBReader::RequestData(vtkInformation*, vtkInformationVector**,
 void vtkVDBReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n";
-  os << indent << "FramesPerSecond: " << this->FramesPerSecond << "\n";
+  waft::PrintFields<waft::VolumeReadOptions>(os, indent, *this);
 }

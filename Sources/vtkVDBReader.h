@@ -21,6 +21,11 @@
 #include <memory>
 #include <string>
 
+namespace waft
+{
+struct VolumeReadOptions;
+}
+
 class VTKWAFTSOURCES_EXPORT vtkVDBReader : public vtkImageAlgorithm
 {
 public:
@@ -55,6 +60,9 @@ private:
   vtkVDBReader(const vtkVDBReader&) = delete;
   void operator=(const vtkVDBReader&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::VolumeReadOptions;
   std::string FileName;
   double FramesPerSecond = 0.0;
 

@@ -3,15 +3,15 @@
 
 #include "Air/AirAssimilation.h"
 #include "Air/AssimilationState.h"
-#include "Bridge/AirData.h"
-#include "Bridge/ConstraintData.h"
-#include "Bridge/KeptStage.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/SmokeData.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/StageOptions.h"
-#include "Bridge/TrackData.h"
-#include "Bridge/VortexData.h"
+#include "Bridge/Data/AirData.h"
+#include "Bridge/Data/ConstraintData.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/SmokeData.h"
+#include "Bridge/Data/TrackData.h"
+#include "Bridge/Data/VortexData.h"
+#include "Bridge/Pipeline/KeptStage.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 
 #include <vtkImageData.h>
 #include <vtkInformation.h>

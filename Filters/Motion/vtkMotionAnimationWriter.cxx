@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMotionAnimationWriter.h"
 
-#include "Bridge/FileWriting.h"
-#include "Bridge/PoseData.h"
-#include "Bridge/Ranks.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/ShapeData.h"
-#include "Bridge/StageExecution.h"
+#include "Bridge/Data/PoseData.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/ShapeData.h"
+#include "Bridge/Files/FileWriting.h"
+#include "Bridge/Pipeline/Ranks.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
+#include "Export/AnimationOptions.h"
 #include "Export/GltfAnimation.h"
 #include "Export/PosesCsv.h"
 
@@ -123,7 +125,7 @@ vtkTypeBool vtkMotionAnimationWriter::ProcessRequest(vtkInformation* request,
                                                      vtkInformationVector* outputs)
 {
   return waft::GuardedRequest(
-    this, request, outputs, {},
+    this, request, outputs, waft::RangesOf<waft::AnimationOptions>(*this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
@@ -170,5 +172,5 @@ bool vtkMotionAnimationWriter::Write()
 void vtkMotionAnimationWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n";
+  waft::PrintFields<waft::AnimationOptions>(os, indent, *this);
 }

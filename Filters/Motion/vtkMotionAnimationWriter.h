@@ -23,6 +23,11 @@
 #include <memory>
 #include <string>
 
+namespace waft
+{
+struct AnimationOptions;
+}
+
 class VTKWAFTFILTERS_EXPORT vtkMotionAnimationWriter : public vtkPolyDataAlgorithm
 {
 public:
@@ -57,6 +62,9 @@ private:
   vtkMotionAnimationWriter(const vtkMotionAnimationWriter&) = delete;
   void operator=(const vtkMotionAnimationWriter&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::AnimationOptions;
   std::string FileName;
 
   struct Internals;

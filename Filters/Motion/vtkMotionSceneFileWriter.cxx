@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMotionSceneFileWriter.h"
 
-#include "Bridge/SceneBlocks.h"
+#include "Bridge/Data/SceneBlocks.h"
+#include "Bridge/Files/SceneOutput.h"
+#include "Bridge/Pipeline/StageOptions.h"
+#include "Scene/SceneFileOptions.h"
 
 #include <vtkErrorCode.h>
 #include <vtkInformation.h>
@@ -32,5 +35,5 @@ void vtkMotionSceneFileWriter::WriteData()
 void vtkMotionSceneFileWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n";
+  waft::PrintFields<waft::SceneSaveOptions>(os, indent, *this);
 }

@@ -14,6 +14,11 @@
 
 #include <string>
 
+namespace waft
+{
+struct SceneSaveOptions;
+}
+
 class VTKWAFTFILTERS_EXPORT vtkMotionSceneFileWriter : public vtkWriter
 {
 public:
@@ -38,6 +43,9 @@ private:
   vtkMotionSceneFileWriter(const vtkMotionSceneFileWriter&) = delete;
   void operator=(const vtkMotionSceneFileWriter&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::SceneSaveOptions;
   std::string FileName;
 };
 

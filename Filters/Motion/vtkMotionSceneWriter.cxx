@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMotionSceneWriter.h"
 
-#include "Bridge/FileWriting.h"
-#include "Bridge/KeptStage.h"
-#include "Bridge/SceneBlocks.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/ShapeData.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/VortexData.h"
+#include "Bridge/Data/SceneBlocks.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/ShapeData.h"
+#include "Bridge/Data/VortexData.h"
+#include "Bridge/Files/FileWriting.h"
+#include "Bridge/Files/SceneOutput.h"
+#include "Bridge/Pipeline/KeptStage.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
+#include "Scene/SceneFileOptions.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -98,7 +101,7 @@ vtkTypeBool vtkMotionSceneWriter::ProcessRequest(vtkInformation* request,
                                                  vtkInformationVector* outputs)
 {
   return waft::GuardedRequest(
-    this, request, outputs, {},
+    this, request, outputs, waft::RangesOf<waft::SceneWriteOptions>(*this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
@@ -130,6 +133,5 @@ bool vtkMotionSceneWriter::Write()
 void vtkMotionSceneWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n";
-  os << indent << "Title: " << this->Title << "\n";
+  waft::PrintFields<waft::SceneWriteOptions>(os, indent, *this);
 }

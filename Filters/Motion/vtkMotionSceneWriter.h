@@ -29,6 +29,11 @@
 #include <memory>
 #include <string>
 
+namespace waft
+{
+struct SceneWriteOptions;
+}
+
 class VTKWAFTFILTERS_EXPORT vtkMotionSceneWriter : public vtkMultiBlockDataSetAlgorithm
 {
 public:
@@ -79,6 +84,9 @@ private:
   vtkMotionSceneWriter(const vtkMotionSceneWriter&) = delete;
   void operator=(const vtkMotionSceneWriter&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::SceneWriteOptions;
   std::string FileName;
   std::string Title;
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRotationRefineFilter.h"
 
-#include "Bridge/ArrayNames.h"
-#include "Bridge/Arrays.h"
-#include "Bridge/ConstraintData.h"
-#include "Bridge/KeptStage.h"
-#include "Bridge/PoseData.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/ShapeData.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/StageOptions.h"
-#include "Bridge/TrackData.h"
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/Arrays.h"
+#include "Bridge/Data/ConstraintData.h"
+#include "Bridge/Data/PoseData.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/ShapeData.h"
+#include "Bridge/Data/TrackData.h"
+#include "Bridge/Pipeline/KeptStage.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Rotation/RotationRefine.h"
 
 #include <vtkCellData.h>

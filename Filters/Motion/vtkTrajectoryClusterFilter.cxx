@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTrajectoryClusterFilter.h"
 
-#include "Bridge/ArrayNames.h"
-#include "Bridge/Arrays.h"
-#include "Bridge/DatabaseConversion.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/StageOptions.h"
-#include "Bridge/TrackData.h"
-#include "Bridge/VortexData.h"
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/Arrays.h"
+#include "Bridge/Data/DatabaseConversion.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/TrackData.h"
+#include "Bridge/Data/VortexData.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Trajectory/TrajectoryClusters.h"
 
 #include <vtkFieldData.h>

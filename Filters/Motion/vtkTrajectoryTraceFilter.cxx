@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTrajectoryTraceFilter.h"
 
-#include "Bridge/ArrayNames.h"
-#include "Bridge/Arrays.h"
-#include "Bridge/FieldCollectors.h"
-#include "Bridge/FlowData.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/StageOptions.h"
-#include "Bridge/TrackData.h"
-#include "Bridge/VortexData.h"
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/Arrays.h"
+#include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Data/FlowData.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/TrackData.h"
+#include "Bridge/Data/VortexData.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Obstacles/ObstacleSet.h"
 
 #include <vtkImageData.h>

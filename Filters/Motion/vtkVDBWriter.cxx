@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVDBWriter.h"
 
-#include "Bridge/FileWriting.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/VolumeData.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/VolumeData.h"
+#include "Bridge/Files/FileWriting.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
+#include "Volumes/VolumeOptions.h"
 #include "Volumes/VolumeSeries.h"
 
 #include <vtkDataObject.h>
@@ -82,7 +84,7 @@ vtkTypeBool vtkVDBWriter::ProcessRequest(vtkInformation* request, vtkInformation
                                          vtkInformationVector* outputs)
 {
   return waft::GuardedRequest(
-    this, request, outputs, {},
+    this, request, outputs, waft::RangesOf<waft::VolumeWriteOptions>(*this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
@@ -148,5 +150,5 @@ bool vtkVDBWriter::Write()
 void vtkVDBWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << this->FileName << "\n";
+  waft::PrintFields<waft::VolumeWriteOptions>(os, indent, *this);
 }

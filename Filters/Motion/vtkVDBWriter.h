@@ -20,6 +20,11 @@
 #include <memory>
 #include <string>
 
+namespace waft
+{
+struct VolumeWriteOptions;
+}
+
 class VTKWAFTFILTERS_EXPORT vtkVDBWriter : public vtkImageAlgorithm
 {
 public:
@@ -53,6 +58,9 @@ private:
   vtkVDBWriter(const vtkVDBWriter&) = delete;
   void operator=(const vtkVDBWriter&) = delete;
 
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::VolumeWriteOptions;
   std::string FileName;
 
   struct Internals;

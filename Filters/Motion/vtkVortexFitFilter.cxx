@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVortexFitFilter.h"
 
-#include "Bridge/ArrayNames.h"
-#include "Bridge/Arrays.h"
-#include "Bridge/KeptStage.h"
-#include "Bridge/StageExecution.h"
-#include "Bridge/StageOptions.h"
-#include "Bridge/TrackData.h"
-#include "Bridge/VortexData.h"
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/Arrays.h"
+#include "Bridge/Data/TrackData.h"
+#include "Bridge/Data/VortexData.h"
+#include "Bridge/Pipeline/KeptStage.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageOptions.h"
 #include "Vortex/VortexFit.h"
 #include "Vortex/VortexSamples.h"
 

@@ -6,7 +6,8 @@
 
 Rules: nothing under Filters/Core includes VTK; a Core library includes only itself and the libraries it
 is allowed; wrappers (Sources, Filters/Motion) include no other wrapper's header but that of an
-abstract base; Bridge includes no wrapper; third-party libraries stay in the Core library that owns them; modules of the
+abstract base; Bridge includes no wrapper, and its folder Data nothing of its other two, which do not
+include each other; third-party libraries stay in the Core library that owns them; modules of the
 Python package import each other in no circle, within functions neither.
 """
 import ast
@@ -33,6 +34,7 @@ CORE_MAY_INCLUDE = {
     "Rotation": {"Base", "Constraints", "Obstacles"},
     "Export": {"Base"},
 }
+BRIDGE_MAY_INCLUDE = {"Data": {"Data"}, "Files": {"Data", "Files"}, "Pipeline": {"Data", "Pipeline"}}
 THIRD_PARTY_OWNERS = {
     "CGAL": {"Obstacles", "Shapes"},
     "openvdb": {"Obstacles", "Volumes"},
@@ -74,6 +76,19 @@ def check_core(root):
                 yield path, number, f"{first} belongs to {sorted(THIRD_PARTY_OWNERS[first])}: {header}"
             elif header.startswith(("Bridge/", "Motion/", "Sources/")):
                 yield path, number, f"Core includes a layer above it: {header}"
+
+
+def check_bridge(root):
+    bridge = root / "Filters" / "Bridge"
+    for path in sources(bridge):
+        folder = path.relative_to(bridge).parts[0]
+        if folder not in BRIDGE_MAY_INCLUDE:
+            yield path, 1, f"{folder} is not in the list of Bridge's folders"
+            continue
+        for number, header in includes(path):
+            parts = header.split("/")
+            if parts[0] == "Bridge" and parts[1] not in BRIDGE_MAY_INCLUDE[folder]:
+                yield path, number, f"Bridge/{folder} may not include Bridge/{parts[1]}: {header}"
 
 
 def check_wrappers(root):
@@ -130,7 +145,7 @@ def check_python(root):
 
 def check(root):
     root = pathlib.Path(root)
-    return [*check_core(root), *check_wrappers(root), *check_python(root)]
+    return [*check_core(root), *check_bridge(root), *check_wrappers(root), *check_python(root)]
 
 
 def main():

@@ -44,6 +44,17 @@ class Rules(unittest.TestCase):
         })
         self.assertEqual(["includes the wrapper vtkASource.h"], found)
 
+    def test_folders_of_bridge_keep_their_order(self):
+        files = {"Filters/Bridge/Pipeline/A.h": '#include "Bridge/Data/B.h"\n',
+                 "Filters/Bridge/Files/C.h": '#include "Bridge/Data/B.h"\n#include "Base/Types.h"\n',
+                 "Filters/Bridge/Data/B.h": ""}
+        self.assertEqual([], self.violations(files))
+        files["Filters/Bridge/Data/B.h"] = '#include "Bridge/Files/C.h"\n'
+        self.assertEqual(["Bridge/Data may not include Bridge/Files: Bridge/Files/C.h"], self.violations(files))
+        files["Filters/Bridge/Data/B.h"] = '#include "Bridge/D.h"\n'
+        self.assertEqual(1, len(self.violations(files)))
+        self.assertEqual(1, len(self.violations({"Filters/Bridge/D.h": "\n"})))
+
     def test_unknown_library(self):
         self.assertEqual(1, len(self.violations({"Filters/Core/Misc/A.h": "\n"})))
 

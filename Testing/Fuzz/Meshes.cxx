@@ -2,7 +2,7 @@
 // Meshes as obstacles and as shapes. The first byte of an input chooses the kind of file.
 #include "Fuzz.h"
 
-#include "Bridge/SceneFiles.h"
+#include "Bridge/Files/SceneFiles.h"
 
 #include <vtkObject.h>
 

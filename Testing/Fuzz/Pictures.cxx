@@ -3,7 +3,7 @@
 // file.
 #include "Fuzz.h"
 
-#include "Bridge/SceneFiles.h"
+#include "Bridge/Files/SceneFiles.h"
 
 #include <vtkObject.h>
 

@@ -3,7 +3,7 @@
 // kind of file; a .vti is also the second step of a series whose collection is right.
 #include "Fuzz.h"
 
-#include "Bridge/WindFiles.h"
+#include "Bridge/Files/WindFiles.h"
 
 #include <vtkObject.h>
 

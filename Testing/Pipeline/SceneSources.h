@@ -3,7 +3,7 @@
 // them.
 #pragma once
 
-#include "Bridge/ShapeData.h"
+#include "Bridge/Data/ShapeData.h"
 
 #include <vtkMotionSceneReader.h>
 #include <vtkMultiBlockDataSet.h>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Data that go from Core to VTK come back as they were.
 #include "Base/Random.h"
-#include "Bridge/ArrayNames.h"
-#include "Bridge/ConstraintData.h"
-#include "Bridge/FieldCollectors.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/ShapeData.h"
-#include "Bridge/TrackData.h"
-#include "Bridge/VortexData.h"
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/ConstraintData.h"
+#include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/ShapeData.h"
+#include "Bridge/Data/TrackData.h"
+#include "Bridge/Data/VortexData.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>

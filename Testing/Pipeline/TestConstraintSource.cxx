@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PipelineTesting.h"
 
-#include "Bridge/ConstraintData.h"
-#include "Bridge/SceneData.h"
+#include "Bridge/Data/ConstraintData.h"
+#include "Bridge/Data/SceneData.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkConstraintSource.h>

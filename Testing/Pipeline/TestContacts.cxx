@@ -5,8 +5,8 @@
 
 #include "SceneChain.h"
 
-#include "Bridge/FieldCollectors.h"
-#include "Bridge/TrackData.h"
+#include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Data/TrackData.h"
 #include "Obstacles/ObstacleSet.h"
 
 #include <vtkDataArray.h>

@@ -2,8 +2,8 @@
 // The motion database goes to VTK, to files and back without a bit changed.
 #include "Base/Random.h"
 #include "Base/TemporaryFolder.h"
-#include "Bridge/ArrayNames.h"
-#include "Bridge/DatabaseConversion.h"
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/DatabaseConversion.h"
 #include "Trajectory/SameDatabase.h"
 #include "Trajectory/Style.h"
 #include "Trajectory/TrajectoryClusters.h"

@@ -2,9 +2,9 @@
 #include "PipelineTesting.h"
 
 #include "Base/Primitives.h"
-#include "Bridge/FieldCollectors.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/VortexData.h"
+#include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/VortexData.h"
 
 #include <vtkFloatArray.h>
 #include <vtkGridSmokeSource.h>

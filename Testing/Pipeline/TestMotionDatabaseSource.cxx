@@ -2,7 +2,7 @@
 #include "PipelineTesting.h"
 
 #include "Base/TemporaryFolder.h"
-#include "Bridge/DatabaseConversion.h"
+#include "Bridge/Data/DatabaseConversion.h"
 #include "Database/DatabaseBuild.h"
 
 #include <vtkMotionDatabaseSource.h>

@@ -4,9 +4,9 @@
 
 #include "Base/TemporaryFolder.h"
 
-#include "Bridge/ConstraintData.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/SceneFiles.h"
+#include "Bridge/Data/ConstraintData.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Files/SceneFiles.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

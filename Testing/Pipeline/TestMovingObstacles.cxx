@@ -5,8 +5,8 @@
 #include "SceneChain.h"
 
 #include "Base/Types.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/TrackData.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/TrackData.h"
 
 #include <vtkConstraintSource.h>
 #include <vtkImplicitPolyDataDistance.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PipelineTesting.h"
 
-#include "Bridge/SceneData.h"
+#include "Bridge/Data/SceneData.h"
 
 #include <vtkObjectSource.h>
 #include <vtkPolyData.h>

@@ -4,10 +4,10 @@
 
 #include "../Core/Planning/SwirlDatabase.h"
 #include "Base/Primitives.h"
-#include "Bridge/ConstraintData.h"
-#include "Bridge/DatabaseConversion.h"
-#include "Bridge/FieldCollectors.h"
-#include "Bridge/SceneData.h"
+#include "Bridge/Data/ConstraintData.h"
+#include "Bridge/Data/DatabaseConversion.h"
+#include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Data/SceneData.h"
 
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>

@@ -4,13 +4,13 @@
 #include "Base/Primitives.h"
 #include "Base/ShapeMeasures.h"
 #include "Base/TemporaryFolder.h"
-#include "Bridge/ArrayNames.h"
-#include "Bridge/ConstraintData.h"
-#include "Bridge/FieldCollectors.h"
-#include "Bridge/PoseData.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/ShapeData.h"
-#include "Bridge/TrackData.h"
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/ConstraintData.h"
+#include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Data/PoseData.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/ShapeData.h"
+#include "Bridge/Data/TrackData.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

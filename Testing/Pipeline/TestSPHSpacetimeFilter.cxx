@@ -3,11 +3,11 @@
 
 #include "../Core/Spacetime/SpacetimeScenes.h"
 #include "Base/TemporaryFolder.h"
-#include "Bridge/ConstraintData.h"
-#include "Bridge/FieldCollectors.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/TrackData.h"
-#include "Bridge/VortexData.h"
+#include "Bridge/Data/ConstraintData.h"
+#include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/TrackData.h"
+#include "Bridge/Data/VortexData.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>

@@ -2,9 +2,9 @@
 #include "PipelineTesting.h"
 
 #include "Base/Primitives.h"
-#include "Bridge/ConstraintData.h"
-#include "Bridge/FieldCollectors.h"
-#include "Bridge/SceneData.h"
+#include "Bridge/Data/ConstraintData.h"
+#include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Data/SceneData.h"
 
 #include <vtkPolyData.h>
 #include <vtkShapeKeyframeSource.h>

@@ -3,8 +3,8 @@
 
 #include "Base/ShapeMeasures.h"
 #include "Base/TemporaryFolder.h"
-#include "Bridge/ArrayNames.h"
-#include "Bridge/ShapeData.h"
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/ShapeData.h"
 
 #include <vtkFeatherShapeSource.h>
 #include <vtkFieldData.h>

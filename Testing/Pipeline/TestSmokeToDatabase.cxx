@@ -2,9 +2,9 @@
 // Smoke, traced and clustered by three stages that know each other by their data only.
 #include "PipelineTesting.h"
 
-#include "Bridge/DatabaseConversion.h"
-#include "Bridge/TrackData.h"
-#include "Bridge/VortexData.h"
+#include "Bridge/Data/DatabaseConversion.h"
+#include "Bridge/Data/TrackData.h"
+#include "Bridge/Data/VortexData.h"
 
 #include <vtkGridSmokeSource.h>
 #include <vtkMultiBlockDataSet.h>

@@ -3,11 +3,11 @@
 
 #include "../Core/Planning/SwirlDatabase.h"
 #include "Base/Primitives.h"
-#include "Bridge/ConstraintData.h"
-#include "Bridge/DatabaseConversion.h"
-#include "Bridge/FieldCollectors.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/TrackData.h"
+#include "Bridge/Data/ConstraintData.h"
+#include "Bridge/Data/DatabaseConversion.h"
+#include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/TrackData.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

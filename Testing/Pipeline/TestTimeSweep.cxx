@@ -4,7 +4,7 @@
 
 #include "Base/TemporaryFolder.h"
 
-#include "Bridge/StageExecution.h"
+#include "Bridge/Pipeline/StageExecution.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkInformationVector.h>

@@ -3,12 +3,12 @@
 #include "PipelineTesting.h"
 
 #include "Base/Primitives.h"
-#include "Bridge/ArrayNames.h"
-#include "Bridge/Arrays.h"
-#include "Bridge/DatabaseConversion.h"
-#include "Bridge/FieldCollectors.h"
-#include "Bridge/SceneData.h"
-#include "Bridge/TrackData.h"
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/Arrays.h"
+#include "Bridge/Data/DatabaseConversion.h"
+#include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/TrackData.h"
 #include "Trajectory/TrajectoryClusters.h"
 #include "Trajectory/TrajectoryTracer.h"
 

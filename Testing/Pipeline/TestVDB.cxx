@@ -2,7 +2,7 @@
 #include "PipelineTesting.h"
 
 #include "Base/TemporaryFolder.h"
-#include "Bridge/SceneData.h"
+#include "Bridge/Data/SceneData.h"
 #include "Volumes/VolumeFile.h"
 
 #include <vtkFloatArray.h>

@@ -2,9 +2,9 @@
 #include "PipelineTesting.h"
 
 #include "Base/Random.h"
-#include "Bridge/ArrayNames.h"
-#include "Bridge/TrackData.h"
-#include "Bridge/VortexData.h"
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/TrackData.h"
+#include "Bridge/Data/VortexData.h"
 
 #include <vtkFieldData.h>
 #include <vtkPointData.h>

@@ -3,26 +3,33 @@
 // has them as its properties, as JSON.
 #include "Air/AirAssimilation.h"
 #include "Database/DatabaseBuild.h"
+#include "Export/AnimationOptions.h"
 #include "Planning/Takes.h"
 #include "Rotation/RotationRefine.h"
+#include "Scene/ConstraintOptions.h"
+#include "Scene/KeyframeOptions.h"
+#include "Scene/ObjectOptions.h"
+#include "Scene/SceneFileOptions.h"
+#include "Shapes/Photograph.h"
+#include "Shapes/TextureImage.h"
+#include "Shapes/ThinShape.h"
 #include "Spacetime/Spacetime.h"
 #include "Trajectory/TrajectoryClusters.h"
 #include "Trajectory/TrajectoryTracer.h"
+#include "Volumes/VolumeOptions.h"
 #include "Vortex/VortexFit.h"
 
 #include <nlohmann/json.hpp>
 
 #include <iostream>
-#include <tuple>
 
 namespace
 {
 
 template <class... Options>
-nlohmann::json FieldsOf()
+nlohmann::json FieldsOf(const Options&... options)
 {
   auto fields = nlohmann::json::array();
-  const std::tuple<Options...> all;
   const auto add = [&fields](const waft::OptionField& field, const auto& value)
   {
     nlohmann::json said{ { "name", field.Name }, { "sentence", field.Sentence } };
@@ -40,7 +47,7 @@ nlohmann::json FieldsOf()
     }
     fields.push_back(said);
   };
-  (Options::Visit(add, std::get<Options>(all)), ...);
+  (Options::Visit(add, options), ...);
   return fields;
 }
 
@@ -48,17 +55,34 @@ nlohmann::json FieldsOf()
 
 int main()
 {
+  const waft::SceneFrame frame;
   const nlohmann::json classes{
-    { "vtkGridSmokeSource", FieldsOf<waft::SmokeOptions, waft::EnsembleOptions>() },
-    { "vtkMotionDatabaseSource", FieldsOf<waft::DatabaseOptions>() },
-    { "vtkRotationRefineFilter", FieldsOf<waft::RotationOptions>() },
-    { "vtkAirAssimilationFilter", FieldsOf<waft::AssimilationOptions>() },
-    { "vtkSPHSpacetimeFilter", FieldsOf<waft::SpacetimeOptions>() },
-    { "vtkStylisticPlannerFilter", FieldsOf<waft::PlanOptions, waft::TakeOptions>() },
-    { "vtkTrajectoryClusterFilter", FieldsOf<waft::ClusterOptions, waft::SegmentationOptions,
-                                             waft::ClusterTreeOptions, waft::ConnectionOptions>() },
-    { "vtkTrajectoryTraceFilter", FieldsOf<waft::TraceOptions, waft::AnnotationOptions>() },
-    { "vtkVortexFitFilter", FieldsOf<waft::VortexFitOptions>() },
+    { "vtkConstraintSource", FieldsOf(waft::ConstraintOptions()) },
+    { "vtkFeatherShapeSource", FieldsOf(waft::FeatherForm(), waft::FeatherSheet(),
+                                        waft::FeatherBody(), waft::FeatherSkin(), frame) },
+    { "vtkLeafShapeSource", FieldsOf(waft::LeafForm(), waft::SheetOptions(), waft::ThinBody(),
+                                     waft::SkinOptions(), frame) },
+    { "vtkMotionAnimationWriter", FieldsOf(waft::AnimationOptions()) },
+    { "vtkMotionSceneFileWriter", FieldsOf(waft::SceneSaveOptions()) },
+    { "vtkMotionSceneReader", FieldsOf(waft::SceneReadOptions()) },
+    { "vtkMotionSceneWriter", FieldsOf(waft::SceneWriteOptions()) },
+    { "vtkObjectSource", FieldsOf(waft::ObjectOptions()) },
+    { "vtkPhotographShapeSource",
+      FieldsOf(waft::PhotographFile(), waft::PhotographOptions(), waft::ThinBody(), frame) },
+    { "vtkShapeKeyframeSource", FieldsOf(waft::KeyframeOptions()) },
+    { "vtkVDBReader", FieldsOf(waft::VolumeReadOptions()) },
+    { "vtkVDBWriter", FieldsOf(waft::VolumeWriteOptions()) },
+    { "vtkGridSmokeSource", FieldsOf(waft::SmokeOptions(), waft::EnsembleOptions()) },
+    { "vtkMotionDatabaseSource", FieldsOf(waft::DatabaseOptions()) },
+    { "vtkRotationRefineFilter", FieldsOf(waft::RotationOptions()) },
+    { "vtkAirAssimilationFilter", FieldsOf(waft::AssimilationOptions()) },
+    { "vtkSPHSpacetimeFilter", FieldsOf(waft::SpacetimeOptions()) },
+    { "vtkStylisticPlannerFilter", FieldsOf(waft::PlanOptions(), waft::TakeOptions()) },
+    { "vtkTrajectoryClusterFilter",
+      FieldsOf(waft::ClusterOptions(), waft::SegmentationOptions(), waft::ClusterTreeOptions(),
+               waft::ConnectionOptions()) },
+    { "vtkTrajectoryTraceFilter", FieldsOf(waft::TraceOptions(), waft::AnnotationOptions()) },
+    { "vtkVortexFitFilter", FieldsOf(waft::VortexFitOptions()) },
   };
   std::cout << classes.dump(1) << "\n";
   return 0;

@@ -2,8 +2,8 @@
 #include "Base/AtomicFile.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
+#include <deque>
 #include <filesystem>
 
 #include <unistd.h>
@@ -13,44 +13,6 @@ namespace waft
 
 namespace
 {
-
-std::string PartOf(const std::string& path)
-{
-  return path + ".part" + std::to_string(::getpid());
-}
-
-Result Failure(const std::string& path)
-{
-  const std::string reason = std::strerror(errno);
-  std::remove(PartOf(path).c_str());
-  return Result::Error("cannot write " + path + ": " + reason);
-}
-
-Result WritePart(const std::string& path, const std::string& bytes)
-{
-  const std::string part = PartOf(path);
-  const auto fail = [&]() { return Failure(path); };
-  std::FILE* file = std::fopen(part.c_str(), "wb");
-  if (file == nullptr)
-  {
-    return fail();
-  }
-  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() &&
-                       std::fflush(file) == 0 && ::fsync(::fileno(file)) == 0;
-  if (!written)
-  {
-    const int reason = errno;
-    std::fclose(file);
-    errno = reason;
-    return fail();
-  }
-  return std::fclose(file) == 0 ? Result::Ok() : fail();
-}
-
-Result PutInPlace(const std::string& path)
-{
-  return std::rename(PartOf(path).c_str(), path.c_str()) == 0 ? Result::Ok() : Failure(path);
-}
 
 /// The folders above a file that are not there, the outermost first.
 std::vector<std::filesystem::path> MissingFolders(const std::string& path)
@@ -66,19 +28,100 @@ std::vector<std::filesystem::path> MissingFolders(const std::string& path)
   return missing;
 }
 
+Result WritePart(PartFile& part, const std::string& bytes)
+{
+  if (part.Open())
+  {
+    part.Write(bytes.data(), bytes.size());
+  }
+  return part.Close();
+}
+
 } // namespace
+
+PartFile::PartFile(const std::string& path) :
+  Path(path), Part(path + ".part" + std::to_string(::getpid()))
+{
+}
+
+PartFile::~PartFile()
+{
+  if (this->File != nullptr)
+  {
+    std::fclose(this->File);
+  }
+  if (!this->IsInPlace)
+  {
+    std::remove(this->Part.c_str());
+  }
+}
+
+bool PartFile::Fail()
+{
+  if (this->Reason == 0)
+  {
+    this->Reason = errno != 0 ? errno : EIO;
+  }
+  return false;
+}
+
+Result PartFile::Failure() const
+{
+  return Result::Error("cannot write " + this->Path + ": " + std::strerror(this->Reason));
+}
+
+bool PartFile::Open()
+{
+  this->File = std::fopen(this->Part.c_str(), "wb");
+  return this->File != nullptr || this->Fail();
+}
+
+bool PartFile::Write(const void* bytes, std::size_t size)
+{
+  return std::fwrite(bytes, 1, size, this->File) == size || this->Fail();
+}
+
+Result PartFile::Close()
+{
+  if (this->File != nullptr)
+  {
+    if (std::fflush(this->File) != 0 || ::fsync(::fileno(this->File)) != 0)
+    {
+      this->Fail();
+    }
+    if (std::fclose(this->File) != 0)
+    {
+      this->Fail();
+    }
+    this->File = nullptr;
+  }
+  return this->Reason == 0 ? Result::Ok() : this->Failure();
+}
+
+Result PartFile::PutInPlace()
+{
+  if (std::rename(this->Part.c_str(), this->Path.c_str()) != 0)
+  {
+    this->Fail();
+    std::remove(this->Part.c_str());
+    return this->Failure();
+  }
+  this->IsInPlace = true;
+  return Result::Ok();
+}
 
 Result WriteWholeFile(const std::string& path, const std::string& bytes)
 {
-  WAFT_RETURN_IF_FAILED(WritePart(path, bytes));
-  return PutInPlace(path);
+  PartFile part(path);
+  WAFT_RETURN_IF_FAILED(WritePart(part, bytes));
+  return part.PutInPlace();
 }
 
 Result WriteWholeFiles(const std::vector<FileContent>& files)
 {
   Result result = Result::Ok();
   std::vector<std::filesystem::path> made;
-  std::vector<std::string> parts;
+  std::deque<PartFile> parts; // they do not move
   std::error_code error;
   for (const FileContent& file : files)
   {
@@ -89,12 +132,11 @@ Result WriteWholeFiles(const std::vector<FileContent>& files)
         made.push_back(folder);
       }
     }
-    result = WritePart(file.Path, file.Bytes);
+    result = WritePart(parts.emplace_back(file.Path), file.Bytes);
     if (!result)
     {
       break;
     }
-    parts.push_back(file.Path);
   }
   for (std::size_t i = 0; result && i < files.size(); ++i)
   {
@@ -104,14 +146,11 @@ Result WriteWholeFiles(const std::vector<FileContent>& files)
       result = Result::Error("cannot write " + files[i].Path + ": it is a folder");
     }
   }
-  for (std::size_t i = 0; result && i < files.size(); ++i)
+  for (auto part = parts.begin(); result && part != parts.end(); ++part)
   {
-    result = PutInPlace(files[i].Path);
+    result = part->PutInPlace();
   }
-  for (const std::string& path : parts)
-  {
-    std::remove(PartOf(path).c_str()); // those that were not put in place
-  }
+  parts.clear(); // and with them the files that were not put in place
   for (auto folder = made.rbegin(); !result && folder != made.rend(); ++folder)
   {
     std::filesystem::remove(*folder, error); // empty ones only

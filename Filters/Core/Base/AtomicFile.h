@@ -1,17 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// The one way in which files are written: whole or not at all.
 #pragma once
 
 #include "Base/Result.h"
 
+#include <cstdio>
 #include <string>
 #include <vector>
 
 namespace waft
 {
 
-/// Writes a file whole or not at all: under a name of its own beside it, then renamed over it. On
-/// failure what stood there before is untouched and nothing is left behind; the message names the
-/// path and the system's reason.
+/// A file on its way to its place: written under a name of its own beside it, then renamed over it.
+/// Until then what stood there before is untouched; without that nothing is left behind. Errors
+/// name the path and the system's reason.
+class PartFile
+{
+public:
+  explicit PartFile(const std::string& path);
+  ~PartFile();
+  PartFile(const PartFile&) = delete;
+  void operator=(const PartFile&) = delete;
+
+  /// Where it is written, for libraries that open their files themselves. Others call Open, Write
+  /// and Close.
+  const std::string& Name() const { return this->Part; }
+  bool Open();
+  /// After an Open that was true.
+  bool Write(const void* bytes, std::size_t size);
+  /// All of it is on the disk, or an error, also the one of an Open or Write before.
+  Result Close();
+  Result PutInPlace();
+
+private:
+  bool Fail();
+  Result Failure() const;
+
+  std::string Path, Part;
+  std::FILE* File = nullptr;
+  int Reason = 0; // of the first failure
+  bool IsInPlace = false;
+};
+
+/// Writes a file of these bytes as a PartFile.
 Result WriteWholeFile(const std::string& path, const std::string& bytes);
 
 /// A file's path and what is to be in it.

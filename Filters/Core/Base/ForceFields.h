@@ -26,6 +26,20 @@ struct Vortex
   double Confidence = 1.0; // 0..1
   int ObjectCount = 0;     // tracks that witnessed it
 
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.VortexId...);
+    visit(of.P1...);
+    visit(of.P2...);
+    visit(of.Strength...);
+    visit(of.CenterTime...);
+    visit(of.Duration...);
+    visit(of.CoreRadius...);
+    visit(of.Confidence...);
+    visit(of.ObjectCount...);
+  }
+
   /// Acceleration at x, without the factor of time [m/s^2].
   Vec3 SpatialAcceleration(const Vec3& x) const;
   double TimeFactor(double time) const;

@@ -10,7 +10,7 @@
 //
 // A holder is the struct itself or any class whose members have the same names: a stage of the
 // pipeline that keeps its properties so. A field is a number, a flag, a text, or several numbers:
-// an array or a Box, which a stage keeps as an array.
+// an array, a Box, which a stage keeps as an array, or a list of arrays, which it keeps alike.
 #pragma once
 
 #include "Base/Limits.h"
@@ -58,6 +58,11 @@ inline OptionField TextField(const char* name, const char* sentence)
 }
 
 template <class Value>
+inline constexpr bool IsList = false;
+template <class Item>
+inline constexpr bool IsList<std::vector<Item>> = true;
+
+template <class Value>
 inline constexpr bool IsNumber = std::is_arithmetic_v<Value> || std::is_enum_v<Value>;
 
 /// Calls use(number) for each number of a field in its order; those of a box are xmin, xmax, ymin,
@@ -80,9 +85,9 @@ void EachNumber(Value& value, const Use& use)
   }
   else if constexpr (!std::is_same_v<Plain, std::string>)
   {
-    for (auto& number : value)
+    for (auto& item : value)
     {
-      use(number);
+      EachNumber(item, use);
     }
   }
 }
@@ -118,7 +123,12 @@ void CopyFields(const From& from, To& to)
   const auto copy = [](const OptionField&, const auto& value, auto& copied)
   {
     using Copied = std::decay_t<decltype(copied)>;
-    if constexpr (IsNumber<Copied> || std::is_same_v<Copied, std::string>)
+    if constexpr (std::is_same_v<Copied, std::decay_t<decltype(value)>> &&
+                  !std::is_pointer_v<Copied>)
+    {
+      copied = value;
+    }
+    else if constexpr (IsNumber<Copied> || std::is_same_v<Copied, std::string>)
     {
       copied = static_cast<Copied>(value);
     }
@@ -141,6 +151,10 @@ inline auto ExchangeFieldsWith(StateArchive& stream)
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>)
     {
       stream.Text(value);
+    }
+    else if constexpr (IsList<std::decay_t<decltype(value)>>)
+    {
+      stream.List(value);
     }
     else
     {

@@ -2,70 +2,33 @@
 #include "Base/StateArchive.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-
-#include <unistd.h>
 
 namespace waft
 {
 
-StateFileWriter::StateFileWriter(const std::string& path) :
-  Path(path), Part(path + ".part" + std::to_string(::getpid()))
+StateFileWriter::StateFileWriter(const std::string& path) : File(path)
 {
-  this->File = std::fopen(this->Part.c_str(), "wb");
-  if (this->File == nullptr)
+  if (!this->File.Open())
   {
-    this->Reason = errno;
     this->Fail();
-  }
-}
-
-StateFileWriter::~StateFileWriter()
-{
-  if (this->File != nullptr)
-  {
-    std::fclose(this->File);
-    std::remove(this->Part.c_str());
   }
 }
 
 bool StateFileWriter::Bytes(void* bytes, std::size_t size)
 {
   this->Checks.Add(bytes, size);
-  if (std::fwrite(bytes, 1, size, this->File) == size)
-  {
-    return true;
-  }
-  this->Reason = errno;
-  return false;
+  return this->File.Write(bytes, size);
 }
 
 Result StateFileWriter::Commit()
 {
-  const auto fail = [this]()
-  { return Result::Error("cannot write " + this->Path + ": " + std::strerror(this->Reason)); };
   const std::uint64_t sum = this->Checks.Sum();
-  if (!this->IsGood())
+  if (this->IsGood())
   {
-    return fail();
+    this->File.Write(&sum, sizeof(sum));
   }
-  const bool written = std::fwrite(&sum, sizeof(sum), 1, this->File) == 1 &&
-                       std::fflush(this->File) == 0 && ::fsync(::fileno(this->File)) == 0;
-  this->Reason = errno;
-  if (!written)
-  {
-    return fail();
-  }
-  const bool closed = std::fclose(this->File) == 0;
-  this->File = nullptr;
-  if (!closed || std::rename(this->Part.c_str(), this->Path.c_str()) != 0)
-  {
-    this->Reason = errno;
-    std::remove(this->Part.c_str());
-    return fail();
-  }
-  return Result::Ok();
+  WAFT_RETURN_IF_FAILED(this->File.Close());
+  return this->File.PutInPlace();
 }
 
 StateFileReader::StateFileReader(const std::string& path)

@@ -3,6 +3,7 @@
 // writes it and reads it back, so that the two cannot differ.
 #pragma once
 
+#include "Base/AtomicFile.h"
 #include "Base/Digest.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
@@ -128,14 +129,11 @@ protected:
   }
 };
 
-/// Writes a file whole or not at all: under a name of its own, renamed by Commit.
+/// Writes a file whole or not at all.
 class StateFileWriter : public StateArchive
 {
 public:
   explicit StateFileWriter(const std::string& path);
-  ~StateFileWriter() override;
-  StateFileWriter(const StateFileWriter&) = delete;
-  void operator=(const StateFileWriter&) = delete;
 
   bool IsReading() const override { return false; }
   /// The file takes its place, its checksum at the end. Errors name the path and the reason; what
@@ -146,9 +144,7 @@ protected:
   bool Bytes(void* bytes, std::size_t size) override;
 
 private:
-  std::string Path, Part;
-  std::FILE* File = nullptr;
-  int Reason = 0;
+  PartFile File;
   Digest Checks;
 };
 

@@ -6,6 +6,7 @@
 #include "Base/Monitor.h"
 #include "Base/Parallel.h"
 #include "Base/Result.h"
+#include "Base/SceneFrame.h"
 #include "Grid/SmokeEnsemble.h"
 #include "Grid/SmokeOptions.h"
 #include "Trajectory/Coverage.h"
@@ -48,11 +49,7 @@ struct DatabaseOptions : AirRun
   static void VisitSimulations(Visitor&& visit, Holder&... of)
   {
     AirRun::Visit(visit, of...);
-    visit(OptionField{ "NumberOfFrames",
-                       { 2, limits::Frames.High },
-                       "",
-                       "Frames of the animation; frame k is at time k / FramesPerSecond." },
-          of.NumberOfFrames...);
+    visit(NumberOfFramesField(2), of.NumberOfFrames...);
     visit(
       OptionField{
         "Resolution",
@@ -60,10 +57,7 @@ struct DatabaseOptions : AirRun
         "",
         "Voxels along the longest side of the volume, whose sides are whole numbers of them." },
       of.Resolution...);
-    visit(OptionField{ "Seed", limits::Seed, "",
-                       "Seed of everything random in this stage. The same seed gives the same "
-                       "result, bit by bit, on any number of threads." },
-          of.Seed...);
+    visit(SeedField(), of.Seed...);
     visit(
       OptionField{
         "SettlingSpeed", limits::UpTo(limits::Speed.High), "m/s",

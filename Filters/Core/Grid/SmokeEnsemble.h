@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Base/Mesh.h"
+#include "Base/SceneFrame.h"
 #include "Grid/SmokeOptions.h"
 
 #include <array>
@@ -91,15 +92,8 @@ struct EnsembleOptions : AirRun
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
   {
-    visit(OptionField{ "Seed", limits::Seed, "",
-                       "Seed of everything random in this stage. The same seed gives the same "
-                       "result, bit by bit, on any number of threads." },
-          of.Seed...);
-    visit(OptionField{ "NumberOfFrames",
-                       { 1, limits::Frames.High },
-                       "",
-                       "Frames of the animation; frame k is at time k / FramesPerSecond." },
-          of.NumberOfFrames...);
+    visit(SeedField(), of.Seed...);
+    visit(NumberOfFramesField(1), of.NumberOfFrames...);
     VisitAir(visit, of...);
     visit(OptionField{ "NumberOfEmitters", { 0, 1000 }, "", "Random balls that give off smoke." },
           of.NumberOfEmitters...);

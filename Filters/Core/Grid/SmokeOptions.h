@@ -4,8 +4,8 @@
 
 #include "Base/FieldSeries.h"
 #include "Base/ForceFields.h"
-#include "Base/OptionFields.h"
 #include "Base/Result.h"
+#include "Base/SceneFrame.h"
 #include "Base/Types.h"
 
 #include <array>
@@ -44,11 +44,8 @@ struct AirRun
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
   {
-    visit(OptionField{ "Bounds", limits::Coordinate, "m",
-                       "The volume (xmin, xmax, ymin, ymax, zmin, zmax) in metres; z is up." },
-          of.Bounds...);
-    visit(OptionField{ "FramesPerSecond", limits::FramesPerSecond, "1/s", "Frames per second." },
-          of.FramesPerSecond...);
+    visit(BoundsField(), of.Bounds...);
+    visit(FramesPerSecondField(), of.FramesPerSecond...);
     visit(
       OptionField{
         "WarmUpSeconds", limits::UpTo(1e6), "s",

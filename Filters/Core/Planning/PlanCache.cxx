@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/PlanCache.h"
 
-#include "Base/Digest.h"
+#include "Base/MemberDigest.h"
 
 #include <algorithm>
 #include <cstring>
@@ -43,61 +43,6 @@ public:
 private:
   std::string Bytes;
 };
-
-void AddDatabase(const MotionDatabase& database, Digest& digest)
-{
-  digest.Add(database.FramesPerSecond);
-  digest.Add(database.Volume.Min);
-  digest.Add(database.Volume.Max);
-  digest.Add(database.Window);
-  digest.Add(database.SettlingSpeed);
-  digest.Add(database.TopSpeed);
-  digest.Add(database.Groups.size());
-  for (const SegmentGroup& group : database.Groups)
-  {
-    digest.Add(group.NumberOfSamples);
-    digest.AddMatrix(group.Mean);
-    digest.AddMatrix(group.Basis);
-  }
-  digest.Add(database.Segments.size());
-  for (const Segment& segment : database.Segments)
-  {
-    digest.Add(segment.Group);
-    digest.Add(segment.Simulation);
-    digest.AddMatrix(segment.Coefficients);
-    digest.AddList(segment.ForceTypes);
-    digest.AddList(segment.VortexIds);
-    digest.Add(segment.MeanWind);
-  }
-  digest.Add(database.Nodes.size());
-  for (const ClusterNode& node : database.Nodes)
-  {
-    digest.Add(node.Parent);
-    digest.Add(node.Group);
-    digest.Add(node.Medoid);
-    digest.Add(node.FirstChild);
-    digest.Add(node.NumberOfChildren);
-    digest.Add(node.NumberOfSegments);
-    digest.Add(node.Radius);
-  }
-  digest.AddList(database.TopNodes);
-  for (const Connection& connection : database.Connections)
-  {
-    digest.Add(connection.Cost);
-    digest.AddMatrix(connection.Rotation.coeffs());
-    digest.Add(connection.Translation);
-    digest.Add(connection.IsConnectible);
-  }
-  for (const Vortex& vortex : database.Vortices)
-  {
-    digest.Add(vortex.P1);
-    digest.Add(vortex.P2);
-    digest.Add(vortex.Strength);
-    digest.Add(vortex.CenterTime);
-    digest.Add(vortex.Duration);
-    digest.Add(vortex.CoreRadius);
-  }
-}
 
 /// Of what all plans of a scene share besides the database.
 std::string SharedKey(const PlanInput& input, const PlanOptions& options)
@@ -220,7 +165,7 @@ Result PlanCache::Tools(const PlanInput& input, const SegmentLibraryOptions& opt
 void PlanCache::Begin(const PlanInput& input, const PlanOptions& options)
 {
   Digest database;
-  AddDatabase(input.Database, database);
+  MemberDigest{ database }(input.Database);
   this->DatabaseKey = database.Text();
   const std::string shared = this->DatabaseKey + SharedKey(input, options);
   if (shared != this->Shared)

@@ -6,9 +6,9 @@
 #include "Base/ForceFields.h"
 #include "Base/Monitor.h"
 #include "Base/Motion.h"
-#include "Base/OptionFields.h"
 #include "Base/Parallel.h"
 #include "Base/Result.h"
+#include "Base/SceneFrame.h"
 #include "Constraints/Constraint.h"
 #include "Obstacles/ObstacleSet.h"
 #include "Planning/Guide.h"
@@ -99,10 +99,7 @@ struct PlanOptions : RotationRange
   static void Visit(Visitor&& visit, Holder&... of)
   {
     VisitStyle(visit, of...);
-    visit(OptionField{ "Seed", limits::Seed, "",
-                       "Seed of everything random in this stage. The same seed gives the same "
-                       "result, bit by bit, on any number of threads." },
-          of.Seed...);
+    visit(SeedField(), of.Seed...);
   }
 };
 

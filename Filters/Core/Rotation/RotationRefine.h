@@ -5,10 +5,10 @@
 #include "Base/FieldSeries.h"
 #include "Base/Monitor.h"
 #include "Base/Motion.h"
-#include "Base/OptionFields.h"
 #include "Base/Parallel.h"
 #include "Base/Pose.h"
 #include "Base/Result.h"
+#include "Base/SceneFrame.h"
 #include "Base/Shape.h"
 #include "Constraints/Constraint.h"
 #include "Obstacles/ObstacleSet.h"
@@ -119,10 +119,7 @@ struct RotationOptions
                    "",
                    "Pixels on a side of the pictures of each shape that tell what hides what." },
       of.RasterSize...);
-    visit(OptionField{ "Seed", limits::Seed, "",
-                       "Seed of everything random in this stage. The same seed gives the same "
-                       "result, bit by bit, on any number of threads." },
-          of.Seed...);
+    visit(SeedField(), of.Seed...);
   }
 };
 

@@ -116,22 +116,6 @@ void AddStem(const Outline& outline, FlatSheet& sheet)
 
 } // namespace
 
-Result Bending::Validate() const
-{
-  const auto within = [](double value, double low, double high)
-  { return value >= low && value <= high; };
-  if (!(this->Length > 0.0) || !std::isfinite(this->Length))
-  {
-    return Result::Error("Length: expected a length above 0");
-  }
-  if (!within(this->Curl, 0.0, 2.0) || !within(this->Camber, 0.0, 0.5) ||
-      !within(this->Twist, -1.0, 1.0))
-  {
-    return Result::Error("expected Curl from 0 to 2, Camber from 0 to 0.5, Twist from -1 to 1");
-  }
-  return Result::Ok();
-}
-
 FlatSheet FlattenOutline(const Outline& outline, int rows, int columns)
 {
   FlatSheet sheet;

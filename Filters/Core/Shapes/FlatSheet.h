@@ -2,6 +2,7 @@
 // A flat cut-out on its way to become a curved body: built-in outlines and photographs share it.
 #pragma once
 
+#include "Base/OptionFields.h"
 #include "Base/Result.h"
 #include "Base/Shape.h"
 #include "Shapes/Outline.h"
@@ -15,12 +16,22 @@ namespace waft
 /// How a flat sheet is bent.
 struct Bending
 {
-  double Length = 0.1;  // m, the largest extent of the result
-  double Curl = 0.3;    // rise of the edges over half the local width, 0..2
-  double Camber = 0.05; // rise of both ends over the length, 0..0.5
-  double Twist = 0.0;   // rad, of the tip against the base, -1..1
+  double Length = 0.1;
+  double Curl = 0.3;
+  double Camber = 0.05;
+  double Twist = 0.0;
 
-  Result Validate() const;
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "Length", limits::Length, "m", "Largest extent in metres." }, of.Length...);
+    visit(OptionField{ "Curl", { 0, 2 }, "", "Rise of the edges over half the local width." },
+          of.Curl...);
+    visit(OptionField{ "Camber", { 0, 0.5 }, "", "Rise of both ends over the length." },
+          of.Camber...);
+    visit(OptionField{ "Twist", { -1, 1 }, "rad", "Turn of the tip against the base, in radians." },
+          of.Twist...);
+  }
 };
 
 /// A plan cut into triangles, in units of the outline: x along the length from about 0 to 1.

@@ -14,7 +14,8 @@ struct Job
 {
   const char* File;
   const char* Builtin;
-  waft::TextureOptions Options;
+  waft::SkinOptions Skin;
+  int Height;
 };
 
 // Wavefront OBJ with texture coordinates, metres, z up.
@@ -54,7 +55,7 @@ int main(int argc, char** argv)
   using Color = std::array<double, 3>;
   const auto job = [](const char* file, const char* builtin, int width, int height, Color base,
                       Color edge, Color vein, double blotches, std::uint64_t seed) {
-    return Job{ file, builtin, { width, height, base, edge, vein, blotches, seed } };
+    return Job{ file, builtin, { "", width, base, edge, vein, blotches, seed }, height };
   };
   const Job jobs[] = {
     job("leaf-green.png", "leaf", 384, 192, { 0.36, 0.52, 0.14 }, { 0.66, 0.62, 0.16 },
@@ -89,11 +90,11 @@ int main(int argc, char** argv)
     waft::Result result = waft::OutlineOf(job.Builtin, outline);
     if (result)
     {
-      result = waft::PaintTexture(outline, job.Options, pixels);
+      result = waft::PaintTexture(outline, job.Skin, job.Height, pixels);
     }
     if (result)
     {
-      png = waft::EncodePng(pixels, job.Options.Width, job.Options.Height);
+      png = waft::EncodePng(pixels, job.Skin.TextureSize, job.Height);
       result = waft::WriteWholeFile(path, png);
     }
     if (!result)

@@ -185,11 +185,6 @@ Outline Down()
   return outline;
 }
 
-bool IsBetween(double value, double low, double high)
-{
-  return value >= low && value <= high;
-}
-
 } // namespace
 
 void Outline::PointAt(const OutlinePlace& place, double& x, double& y) const
@@ -231,28 +226,6 @@ void Outline::StemAt(double s, double& x, double& y) const
   const double endY = this->Type == Kind::Star ? 0.0 : this->Width * this->Middle(0.0);
   x = this->StemStart + s * length;
   y = endY - 0.12 * length * (1.0 - s) * (1.0 - s);
-}
-
-Result LeafForm::Validate() const
-{
-  if (!IsBetween(this->Width, 0.3, 3.0) || !IsBetween(this->StemLength, 0.0, 3.0) ||
-      !IsBetween(this->Lobing, 0.0, 1.5) || !IsBetween(this->Bend, -5.0, 5.0))
-  {
-    return Result::Error("expected Width from 0.3 to 3, StemLength from 0 to 3, Lobing from 0 to "
-                         "1.5, Bend from -5 to 5");
-  }
-  return Result::Ok();
-}
-
-Result FeatherForm::Validate() const
-{
-  if (!IsBetween(this->Width, 0.3, 3.0) || !IsBetween(this->ShaftLength, 0.0, 3.0) ||
-      !IsBetween(this->Asymmetry, -2.0, 2.0) || !IsBetween(this->Bend, -5.0, 5.0))
-  {
-    return Result::Error("expected Width from 0.3 to 3, ShaftLength from 0 to 3, Asymmetry from -2 "
-                         "to 2, Bend from -5 to 5");
-  }
-  return Result::Ok();
 }
 
 Result OutlineOfLeaf(const LeafForm& form, Outline& outline)

@@ -3,6 +3,7 @@
 // outline. All lengths are in units of the body's length.
 #pragma once
 
+#include "Base/OptionFields.h"
 #include "Base/Result.h"
 
 #include <functional>
@@ -78,16 +79,51 @@ enum class LeafKind
   Aspen = 5 // nearly round
 };
 
+/// What the plans of leaves and feathers share; 1 is what the kind has by nature.
+struct PlanForm
+{
+  double Width = 1.0;
+  double Bend = 1.0; // of the middle line or the shaft
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(
+      OptionField{
+        "Width", { 0.3, 3 }, "", "Width of the outline; 1 is what the kind has by nature." },
+      of.Width...);
+    visit(
+      OptionField{
+        "Bend", { -5, 5 }, "", "Bend of the middle line; 1 is what the kind has by nature." },
+      of.Bend...);
+  }
+};
+
 /// A leaf's plan; 1 is what the kind has by nature.
-struct LeafForm
+struct LeafForm : PlanForm
 {
   LeafKind Kind = LeafKind::Ovate;
-  double Width = 1.0;      // 0.3..3
-  double StemLength = 1.0; // 0 (none)..3
-  double Lobing = 1.0;     // depth of lobes and teeth, 0..1.5
-  double Bend = 1.0;       // of the middle line, -5..5
+  double StemLength = 1.0;
+  double Lobing = 1.0;
 
-  Result Validate() const;
+  Result Validate() const { return ValidateFields<LeafForm>(*this); }
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "Kind", { 0, 5 }, "", "Whose outline: Ovate is toothed as a beech's." },
+          of.Kind...);
+    visit(OptionField{ "StemLength",
+                       { 0, 3 },
+                       "",
+                       "Length of the stem; 1 is what the kind has by nature, 0 none." },
+          of.StemLength...);
+    visit(
+      OptionField{
+        "Lobing", { 0, 1.5 }, "", "Depth of lobes and teeth; 1 is what the kind has by nature." },
+      of.Lobing...);
+    PlanForm::Visit(visit, of...);
+  }
 };
 
 enum class FeatherKind
@@ -98,15 +134,36 @@ enum class FeatherKind
 };
 
 /// A feather's plan; 1 is what the kind has by nature. Down has neither shaft nor vanes.
-struct FeatherForm
+struct FeatherForm : PlanForm
 {
   FeatherKind Kind = FeatherKind::Flight;
-  double Width = 1.0;       // 0.3..3
-  double ShaftLength = 1.0; // of the bare shaft, 0 (none)..3
-  double Asymmetry = 1.0;   // of the two vanes, -2..2
-  double Bend = 1.0;        // of the shaft, -5..5
+  double ShaftLength = 1.0;
+  double Asymmetry = 1.0;
 
-  Result Validate() const;
+  Result Validate() const { return ValidateFields<FeatherForm>(*this); }
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(
+      OptionField{
+        "Kind",
+        { 0, 2 },
+        "",
+        "Flight is a wing's, Contour a body's with down at its base, Down wisps about a point." },
+      of.Kind...);
+    visit(OptionField{ "ShaftLength",
+                       { 0, 3 },
+                       "",
+                       "Length of the bare shaft; 1 is what the kind has by nature, 0 none." },
+          of.ShaftLength...);
+    visit(OptionField{ "Asymmetry",
+                       { -2, 2 },
+                       "",
+                       "How unlike the two vanes are; 1 is what the kind has by nature." },
+          of.Asymmetry...);
+    PlanForm::Visit(visit, of...);
+  }
 };
 
 Result OutlineOfLeaf(const LeafForm& form, Outline& outline);

@@ -157,21 +157,6 @@ struct Profile
 
 } // namespace
 
-Result PhotographOptions::Validate() const
-{
-  WAFT_RETURN_IF_FAILED(Bending::Validate());
-  if (!(this->Threshold > 0.0 && this->Threshold < 1.0))
-  {
-    return Result::Error("Threshold: expected a number between 0 and 1");
-  }
-  if (!(this->Detail >= 0.0005 && this->Detail <= 0.1) || this->Triangles < 20 ||
-      this->Triangles > 20000)
-  {
-    return Result::Error("expected Detail from 0.0005 to 0.1 and 20 to 20000 triangles");
-  }
-  return Result::Ok();
-}
-
 Result MakePhotographSheet(const AlphaMask& mask, const PhotographOptions& options, Shape& shape)
 {
   WAFT_RETURN_IF_FAILED(options.Validate());
@@ -187,7 +172,7 @@ Result MakePhotographSheet(const AlphaMask& mask, const PhotographOptions& optio
   {
     // Fewer corners may cross each other where the outline is narrow: then they are too few.
     outline = SimplifyOutline(traced, attempt + 1 < MostAttempts ? tolerance : 0.0);
-    const double side = std::sqrt(SideOfArea * SignedArea(outline) / options.Triangles);
+    const double side = std::sqrt(SideOfArea * SignedArea(outline) / options.NumberOfTriangles);
     filled = TriangulatePolygon(outline, side, pixels, sheet.Triangles);
     if (filled)
     {

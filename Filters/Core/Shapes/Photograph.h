@@ -8,16 +8,50 @@
 #include "Shapes/AlphaOutline.h"
 #include "Shapes/FlatSheet.h"
 
+#include <string>
+
 namespace waft
 {
 
 struct PhotographOptions : Bending
 {
-  double Threshold = 0.5; // of alpha, between 0 and 1
-  double Detail = 0.006;  // how far the outline may be off, in lengths, 0.0005..0.1
-  int Triangles = 500;    // about as many as wanted, 20..20000; a fine outline takes more
+  double Threshold = 0.5;
+  double Detail = 0.006;
+  int NumberOfTriangles = 500;
 
-  Result Validate() const;
+  Result Validate() const { return ValidateFields<PhotographOptions>(*this); }
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(
+      OptionField{
+        "Threshold", { 0.01, 0.99 }, "", "Alpha above which a pixel belongs to the body." },
+      of.Threshold...);
+    visit(
+      OptionField{
+        "Detail", { 0.0005, 0.1 }, "lengths", "How far the outline may be off, in lengths." },
+      of.Detail...);
+    visit(OptionField{ "NumberOfTriangles",
+                       { 20, 20000 },
+                       "",
+                       "About as many triangles; a fine outline takes more." },
+          of.NumberOfTriangles...);
+    Bending::Visit(visit, of...);
+  }
+};
+
+/// A photograph that a user names.
+struct PhotographFile
+{
+  std::string Photograph;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(TextField("Photograph", "The picture file; its transparency tells the outline."),
+          of.Photograph...);
+  }
 };
 
 /// The largest thing that the mask shows, as mesh and texture coordinates of `shape`: its longest

@@ -94,7 +94,7 @@ double ToInteger(double x)
 
 struct Painter
 {
-  const TextureOptions& Options;
+  const SkinOptions& Options;
   const Outline Plan;
   const Noise Grain;
 
@@ -136,10 +136,10 @@ struct Painter
     const double blotch = this->Grain.Octaves(7.0 * x, 7.0 * y, 5);
     const double edge = Smooth(0.45, 1.05, across + 0.5 * blotch);
     const double spots = this->Options.Blotches * Smooth(0.05, 0.45, blotch);
-    Color color =
-      Mix(this->Options.Base, this->Options.Edge, std::clamp(0.8 * edge + spots, 0.0, 1.0));
+    Color color = Mix(this->Options.BaseColor, this->Options.EdgeColor,
+                      std::clamp(0.8 * edge + spots, 0.0, 1.0));
     color = Scale(color, 1.0 + 0.22 * this->Grain.Octaves(24.0 * x, 24.0 * y, 3));
-    return Mix(color, this->Options.Vein, 0.75 * veins);
+    return Mix(color, this->Options.VeinColor, 0.75 * veins);
   }
 
   void Leaf(double x, double y, Color& color, double& alpha) const
@@ -178,7 +178,7 @@ struct Painter
       {
         const double round = 1.0 - 0.5 * off / this->Plan.StemWidth;
         const double tint = this->Plan.Paint == Outline::Skin::Feather ? 0.0 : 0.3;
-        color = Scale(Mix(this->Options.Vein, this->Options.Edge, tint), round);
+        color = Scale(Mix(this->Options.VeinColor, this->Options.EdgeColor, tint), round);
         alpha = 1.0;
       }
     }
@@ -197,12 +197,13 @@ struct Painter
     const double bands = Smooth(-0.1, 0.35,
                                 std::sin(2.0 * M_PI * (5.2 * (s - 0.3 * std::abs(off)) + 0.2)) +
                                   0.8 * this->Grain.Octaves(14.0 * x, 22.0 * y, 3));
-    color = Mix(this->Options.Base, this->Options.Edge,
+    color = Mix(this->Options.BaseColor, this->Options.EdgeColor,
                 this->Options.Blotches * bands * Smooth(0.10, 0.35, s));
     color = Mix(color, { 0.97, 0.96, 0.94 }, 0.7 * Smooth(0.16, 0.02, s));
     color = Scale(color, 0.90 + 0.10 * fine + 0.16 * clumps);
     const double shaft = Line(off, 0.0085 * (1.05 - s));
-    color = Mix(color, Scale(this->Options.Vein, 1.0 - 0.25 * Smooth(-0.006, 0.006, off)), shaft);
+    color =
+      Mix(color, Scale(this->Options.VeinColor, 1.0 - 0.25 * Smooth(-0.006, 0.006, off)), shaft);
     alpha = place.Along > -0.005 && place.Along < 1.0 && across < 1.0 ? 1.0 : 0.0;
     for (const auto& split : { std::array<double, 3>{ 0.34, 1.0, 0.35 },
                                { 0.63, 1.0, 0.55 },
@@ -241,8 +242,9 @@ struct Painter
     const double bend = place.Along + 0.6 * this->Grain.At(3.0 * x, 3.0 * y);
     const double wisps = this->Grain.At(14.0 * bend, 2.0 * place.Across) +
                          0.7 * this->Grain.At(37.0 * bend, 3.0 * place.Across);
-    color = Scale(Mix(this->Options.Base, this->Options.Edge, 0.5 * Smooth(0.2, 1.0, place.Across)),
-                  1.0 + 0.08 * wisps);
+    color = Scale(
+      Mix(this->Options.BaseColor, this->Options.EdgeColor, 0.5 * Smooth(0.2, 1.0, place.Across)),
+      1.0 + 0.08 * wisps);
     alpha = place.Across < 1.0 && wisps > 1.9 * place.Across - 1.35 ? 1.0 : 0.0;
   }
 
@@ -251,8 +253,8 @@ struct Painter
     const OutlinePlace place = this->Plan.PlaceOf(x, this->Plan.Width * y);
     const double s = std::clamp(place.Along, 0.0, 1.0);
     const double lines = 0.5 + 0.5 * std::cos(60.0 * place.Across);
-    color = Mix(this->Options.Edge, this->Options.Base, Smooth(0.0, 0.75, s));
-    color = Mix(color, this->Options.Vein, 0.12 * lines * (1.0 - 0.6 * s));
+    color = Mix(this->Options.EdgeColor, this->Options.BaseColor, Smooth(0.0, 0.75, s));
+    color = Mix(color, this->Options.VeinColor, 0.12 * lines * (1.0 - 0.6 * s));
     color = Scale(color, 1.0 + 0.10 * this->Grain.Octaves(12.0 * x, 12.0 * y, 4));
     const double notch = 0.06 * std::exp(-(y / 0.05) * (y / 0.05));
     alpha = s < 1.0 - notch && std::abs(place.Across) < 1.02 ? 1.0 : 0.0;
@@ -282,47 +284,43 @@ struct Painter
 
 } // namespace
 
-Result TextureOptions::Validate() const
+SkinOptions FeatherSkin()
 {
-  if (this->Width < 16 || this->Width > 4096 || this->Height < 16 || this->Height > 4096)
-  {
-    return Result::Error("expected a width and a height from 16 to 4096 pixels");
-  }
-  for (const auto& color : { this->Base, this->Edge, this->Vein })
-  {
-    for (const double c : color)
-    {
-      if (!(c >= 0.0 && c <= 1.0))
-      {
-        return Result::Error("expected colours of numbers from 0 to 1");
-      }
-    }
-  }
-  if (!(this->Blotches >= 0.0 && this->Blotches <= 1.0))
-  {
-    return Result::Error("Blotches: expected a number from 0 to 1");
-  }
-  return Result::Ok();
+  SkinOptions skin;
+  skin.BaseColor = { 0.93, 0.90, 0.84 };
+  skin.EdgeColor = { 0.44, 0.31, 0.22 };
+  skin.VeinColor = { 0.90, 0.84, 0.72 };
+  skin.Blotches = 0.9;
+  return skin;
 }
 
-Result PaintTexture(const Outline& outline, const TextureOptions& options,
+int TextureHeight(const Outline& outline, int width)
+{
+  const PlanBox box = TextureBox(outline);
+  const double ratio = (box.Y1 - box.Y0) / (box.X1 - box.X0);
+  return std::clamp(static_cast<int>(std::lround(ratio * width)),
+                    static_cast<int>(TexturePixels.Low), static_cast<int>(TexturePixels.High));
+}
+
+Result PaintTexture(const Outline& outline, const SkinOptions& options, int height,
                     std::vector<std::uint8_t>& pixels)
 {
   WAFT_RETURN_IF_FAILED(options.Validate());
+  WAFT_RETURN_IF_FAILED((OptionField{ "height", TexturePixels, "pixels", "" }.Check(height)));
   const PlanBox box = TextureBox(outline);
   const Painter painter{ options, outline, Noise(options.Seed) };
-  pixels.assign(4 * static_cast<std::size_t>(options.Width) * options.Height, 0);
+  pixels.assign(4 * static_cast<std::size_t>(options.TextureSize) * height, 0);
   constexpr int fine = 3; // samples a side of a pixel
-  for (int j = 0; j < options.Height; ++j)
+  for (int j = 0; j < height; ++j)
   {
-    for (int i = 0; i < options.Width; ++i)
+    for (int i = 0; i < options.TextureSize; ++i)
     {
       Color sum{ 0.0, 0.0, 0.0 };
       double cover = 0.0;
       for (int k = 0; k < fine * fine; ++k)
       {
-        const double u = (i + (k % fine + 0.5) / fine) / options.Width;
-        const double v = (j + (k / fine + 0.5) / fine) / options.Height;
+        const double u = (i + (k % fine + 0.5) / fine) / options.TextureSize;
+        const double v = (j + (k / fine + 0.5) / fine) / height;
         Color color{};
         double alpha = 0.0;
         painter.Paint(box.X0 + u * (box.X1 - box.X0), box.Y0 + v * (box.Y1 - box.Y0), color, alpha);
@@ -333,8 +331,8 @@ Result PaintTexture(const Outline& outline, const TextureOptions& options,
         }
       }
       // Colour goes on beyond the outline, so that filtering does not darken its edge.
-      std::uint8_t* pixel =
-        &pixels[4 * (static_cast<std::size_t>(j) * options.Width + static_cast<std::size_t>(i))];
+      std::uint8_t* pixel = &pixels[4 * (static_cast<std::size_t>(j) * options.TextureSize +
+                                         static_cast<std::size_t>(i))];
       for (int c = 0; c < 3; ++c)
       {
         pixel[c] = static_cast<std::uint8_t>(

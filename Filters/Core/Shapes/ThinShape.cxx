@@ -54,13 +54,26 @@ SheetOptions SheetOf(const std::string& name)
 
 Result SheetOptions::Validate() const
 {
-  WAFT_RETURN_IF_FAILED(Bending::Validate());
-  if (this->Rows < 4 || this->Rows > 200 || this->Columns < 2 || this->Columns > 64 ||
-      this->Columns % 2 != 0)
-  {
-    return Result::Error("expected Rows from 4 to 200 and an even number of Columns from 2 to 64");
-  }
-  return Result::Ok();
+  WAFT_RETURN_IF_FAILED(ValidateFields<SheetOptions>(*this));
+  return this->Columns % 2 == 0 ? Result::Ok()
+                                : Result::Error("Columns: expected an even number, found " +
+                                                std::to_string(this->Columns));
+}
+
+SheetOptions FeatherSheet()
+{
+  SheetOptions options = SheetOf("feather");
+  options.Length = 0.2;
+  return options;
+}
+
+ThinBody FeatherBody()
+{
+  ThinBody body;
+  body.AreaDensity = 0.04;
+  body.Thickness = 0.0005;
+  body.SettlingSpeed = 0.4;
+  return body;
 }
 
 const std::vector<BuiltinShape>& BuiltinShapes()
@@ -99,11 +112,7 @@ PlanBox TextureBox(const Outline& outline)
 
 Result MakeSheet(const Outline& outline, const SheetOptions& options, Shape& shape)
 {
-  Result valid = options.Validate();
-  if (!valid)
-  {
-    return valid;
-  }
+  WAFT_RETURN_IF_FAILED(options.Validate());
   const FlatSheet sheet = FlattenOutline(outline, options.Rows, options.Columns);
   const PlanBox box = TextureBox(outline);
   shape.TextureCoordinates.clear();

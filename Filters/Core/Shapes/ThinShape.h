@@ -16,11 +16,51 @@ namespace waft
 /// How an outline is cut into triangles and bent.
 struct SheetOptions : Bending
 {
-  int Rows = 28;   // along a strip, 4..200; sectors of a star are twice as many
-  int Columns = 8; // across a strip, 2..64, even; rings of a star are half as many
+  int Rows = 28;   // along a strip; sectors of a star are twice as many
+  int Columns = 8; // across a strip, even; rings of a star are half as many
 
+  /// The fields, and an even number of columns: a source rounds a user's up.
   Result Validate() const;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    Bending::Visit(visit, of...);
+    visit(OptionField{ "Rows", { 4, 200 }, "", "Rows of the mesh along its length." }, of.Rows...);
+    visit(OptionField{ "Columns",
+                       { 2, 64 },
+                       "",
+                       "Columns of the mesh across; an odd number counts as the next even one." },
+          of.Columns...);
+  }
 };
+
+/// What a thin body is made of.
+struct ThinBody
+{
+  double AreaDensity = 0.1;
+  double Thickness = 0.0004;
+  double DragCoefficient = 1.2;
+  double SettlingSpeed = 0.8;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "AreaDensity", limits::AreaDensity, "kg/m^2",
+                       "Mass of a square metre, in kilograms." },
+          of.AreaDensity...);
+    visit(OptionField{ "Thickness", limits::Length, "m", "Thickness in metres." }, of.Thickness...);
+    visit(OptionField{ "DragCoefficient", limits::Coefficient, "", "Drag coefficient, broadside." },
+          of.DragCoefficient...);
+    visit(OptionField{ "SettlingSpeed", limits::Above(0, limits::Speed.High), "m/s",
+                       "Terminal fall speed in still air, in metres per second." },
+          of.SettlingSpeed...);
+  }
+};
+
+/// What a feather starts with; the defaults are a leaf's.
+SheetOptions FeatherSheet();
+ThinBody FeatherBody();
 
 /// One of the names that a scene may give to `builtin`, with its numbers.
 struct BuiltinShape

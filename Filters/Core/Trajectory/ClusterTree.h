@@ -4,9 +4,9 @@
 #pragma once
 
 #include "Base/Monitor.h"
-#include "Base/OptionFields.h"
 #include "Base/Parallel.h"
 #include "Base/Result.h"
+#include "Base/SceneFrame.h"
 #include "Trajectory/MotionDatabase.h"
 
 #include <Eigen/Core>
@@ -50,10 +50,7 @@ struct ClusterTreeOptions
       OptionField{
         "Branching", { 2, 1e6 }, "", "Children of an inner node of a cluster tree, at most." },
       of.Branching...);
-    visit(OptionField{ "Seed", limits::Seed, "",
-                       "Seed of everything random in this stage. The same seed gives the same "
-                       "result, bit by bit, on any number of threads." },
-          of.Seed...);
+    visit(SeedField(), of.Seed...);
   }
 };
 

@@ -25,6 +25,15 @@ struct SegmentGroup
   Eigen::VectorXd Mean;       // [3 NumberOfSamples], m
   Eigen::MatrixXd Basis;      // [3 NumberOfSamples x rank], orthonormal columns
   double RelativeError = 0.0; // rms of what the truncated basis leaves out over rms of the segments
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.NumberOfSamples...);
+    visit(of.Mean...);
+    visit(of.Basis...);
+    visit(of.RelativeError...);
+  }
 };
 
 /// One piece of a traced trajectory in a frame of its own: the first sample at the origin, the
@@ -37,6 +46,17 @@ struct Segment
   std::vector<ForceType> ForceTypes; // one a sample
   std::vector<int> VortexIds;        // one a sample: index into MotionDatabase::Vortices, -1 none
   Vec3 MeanWind = Vec3::Zero();      // mean wind acceleration along it, in its frame [m/s^2]
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Group...);
+    visit(of.Simulation...);
+    visit(of.Coefficients...);
+    visit(of.ForceTypes...);
+    visit(of.VortexIds...);
+    visit(of.MeanWind...);
+  }
 };
 
 /// A node of a tree-structured vector quantiser. A leaf holds exactly one segment.
@@ -49,6 +69,18 @@ struct ClusterNode
   int NumberOfChildren = 0;
   int NumberOfSegments = 1;
   double Radius = 0.0; // largest distance of a member to the medoid, in coefficients [m]
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Parent...);
+    visit(of.Group...);
+    visit(of.Medoid...);
+    visit(of.FirstChild...);
+    visit(of.NumberOfChildren...);
+    visit(of.NumberOfSegments...);
+    visit(of.Radius...);
+  }
 };
 
 /// How well the head window of one top-level representative continues the tail window of another
@@ -60,6 +92,15 @@ struct Connection
   Quat Rotation = Quat::Identity();
   Vec3 Translation = Vec3::Zero();
   bool IsConnectible = false;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Cost...);
+    visit(of.Rotation...);
+    visit(of.Translation...);
+    visit(of.IsConnectible...);
+  }
 };
 
 struct MotionDatabase
@@ -85,6 +126,24 @@ struct MotionDatabase
   std::vector<Vec3> Reconstruct(int segment) const;
   /// Indices in range, sizes in agreement, every number finite, at least one segment.
   Result Validate() const;
+
+  /// All that paths are planned with: every member but the Provenance.
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.FramesPerSecond...);
+    visit(of.Volume.Min...);
+    visit(of.Volume.Max...);
+    visit(of.Window...);
+    visit(of.SettlingSpeed...);
+    visit(of.TopSpeed...);
+    visit(of.Groups...);
+    visit(of.Segments...);
+    visit(of.Nodes...);
+    visit(of.TopNodes...);
+    visit(of.Connections...);
+    visit(of.Vortices...);
+  }
 };
 
 } // namespace waft

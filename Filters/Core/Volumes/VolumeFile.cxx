@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/VolumeFile.h"
 
+#include "Base/AtomicFile.h"
 #include "Volumes/VolumeArchive.h"
 
 #include <openvdb/openvdb.h>
@@ -8,9 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <filesystem>
 #include <functional>
-#include <unistd.h>
 
 namespace waft
 {
@@ -339,7 +338,7 @@ Result WriteVolume(const std::string& path, const Volume& volume, const SceneInf
       return Result::Error("field `" + field.Name + "`: expected 1 or 3 values a point");
     }
   }
-  const std::string part = path + ".part" + std::to_string(::getpid());
+  PartFile part(path);
   const Result written = Guarded("a place that can be written",
                                  [&]
                                  {
@@ -348,19 +347,13 @@ Result WriteVolume(const std::string& path, const Volume& volume, const SceneInf
                                    {
                                      grids.push_back(MakeGrid(volume, field));
                                    }
-                                   openvdb::io::File file(part);
+                                   openvdb::io::File file(part.Name());
                                    file.write(grids, NotesOf(scene));
                                    file.close();
-                                   std::filesystem::rename(part, path);
                                    return Result::Ok();
                                  });
-  if (!written)
-  {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    return Result::Error("cannot write " + path + ": " + written.Message());
-  }
-  return written;
+  return written ? part.PutInPlace()
+                 : Result::Error("cannot write " + path + ": " + written.Message());
 }
 
 } // namespace waft

@@ -5,8 +5,8 @@
 
 #include "Base/ForceFields.h"
 #include "Base/Monitor.h"
-#include "Base/OptionFields.h"
 #include "Base/Result.h"
+#include "Base/SceneFrame.h"
 #include "Base/Types.h"
 
 #include <cstdint>
@@ -87,10 +87,7 @@ struct VortexFitOptions
                        "",
                        "Rounds in which each vortex is fitted to what the others leave." },
           of.Sweeps...);
-    visit(OptionField{ "Seed", limits::Seed, "",
-                       "Seed of everything random in this stage. The same seed gives the same "
-                       "result, bit by bit, on any number of threads." },
-          of.Seed...);
+    visit(SeedField(), of.Seed...);
   }
 };
 

@@ -6,7 +6,7 @@ import zipfile
 import numpy as np
 
 from waft.failures import BadInput
-from waft.files import number
+from waft.files import number, whole_file
 from waft._flights import Flights
 from waft.loading import data_file
 
@@ -110,9 +110,8 @@ def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30
             content.update(_encoded([paths[i] for i in chosen], index, air))
         if progress:
             progress((air + 1) / airs, f"air {air + 1} of {airs} simulated")
-    with open(f"{path}.part", "wb") as stream:
+    with whole_file(path) as part, open(part, "wb") as stream:
         np.savez_compressed(stream, **content)
-    os.replace(f"{path}.part", path)
 
 
 def _paths(tracks, shortest):

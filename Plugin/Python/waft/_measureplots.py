@@ -6,6 +6,7 @@ import pathlib
 import numpy as np
 
 from waft import _flights
+from waft.files import whole_file
 
 
 def draw(measured, folder):
@@ -36,8 +37,8 @@ def draw(measured, folder):
     figure.tight_layout()
     name = pathlib.Path(measured.name).resolve().name if measured.name != "pooled" else "pooled"
     path = os.path.join(folder, f"{name}-{measured.tracks}.png")
-    figure.savefig(f"{path}.part", format="png", dpi=80)
-    os.replace(f"{path}.part", path)
+    with whole_file(path) as part:
+        figure.savefig(part, format="png", dpi=80)
     return []
 
 

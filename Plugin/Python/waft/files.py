@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The formats of files that are written and read."""
+import contextlib
 import csv
 import errno
 import json
@@ -10,6 +11,19 @@ import pathlib
 def number(value):
     """A double with 17 significant digits, which reads back bit for bit."""
     return format(value, ".17g")
+
+
+@contextlib.contextmanager
+def whole_file(path):
+    """A name to write to; what was written takes the place of `path` when all went well, else nothing is left."""
+    part = f"{path}.part"
+    try:
+        yield part
+        os.replace(part, path)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.remove(part)
+        raise
 
 
 def write_csv(path, header, rows):

@@ -59,3 +59,28 @@ TEST(WriteWholeFiles, WritesAllOrNothing)
   EXPECT_EQ(read(deep), "second");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 3);
 }
+
+TEST(PartFile, LeavesNothingUntilItIsInPlace)
+{
+  const test::TemporaryFolder temporary;
+  const std::string path = temporary.File("whole");
+  const auto count = [&]
+  { return std::distance(fs::directory_iterator(temporary.Path()), fs::directory_iterator()); };
+  {
+    PartFile part(path);
+    ASSERT_TRUE(part.Open());
+    EXPECT_TRUE(part.Write("half", 4));
+    EXPECT_EQ(count(), 1);
+    EXPECT_FALSE(fs::exists(path));
+  }
+  EXPECT_EQ(count(), 0);
+  PartFile part(path);
+  std::ofstream(part.Name()) << "by another library";
+  EXPECT_TRUE(part.PutInPlace());
+  EXPECT_TRUE(fs::exists(path));
+  EXPECT_EQ(count(), 1);
+  // What failed first is what the error says.
+  PartFile nowhere(temporary.File("none/a"));
+  EXPECT_FALSE(nowhere.Open());
+  EXPECT_NE(nowhere.Close().Message().find("No such file"), std::string::npos);
+}

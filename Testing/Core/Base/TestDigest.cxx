@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Digest.h"
+#include "Base/MemberDigest.h"
 
 #include <gtest/gtest.h>
 
@@ -66,4 +67,65 @@ TEST(Digest, OfListsSaysWhereOneEnds)
   EXPECT_NE(a.Text(), b.Text());
   EXPECT_NE(a.Text(), c.Text());
   EXPECT_NE(b.Text(), c.Text());
+}
+
+namespace
+{
+
+struct Part
+{
+  Vec3 Place = Vec3::Zero();
+  Quat Turn = Quat::Identity();
+  bool IsThere = false;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Place...);
+    visit(of.Turn...);
+    visit(of.IsThere...);
+  }
+};
+
+struct Whole
+{
+  int Number = 0;
+  Eigen::MatrixXd Numbers = Eigen::MatrixXd::Zero(2, 3);
+  std::vector<int> Ids{ 1, 2 };
+  std::vector<Part> Parts{ 2 };
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Number...);
+    visit(of.Numbers...);
+    visit(of.Ids...);
+    visit(of.Parts...);
+  }
+};
+
+template <class Change>
+std::string DigestAfter(const Change& change)
+{
+  Whole whole;
+  change(whole);
+  Digest digest;
+  MemberDigest{ digest }(whole);
+  return digest.Text();
+}
+
+} // namespace
+
+TEST(Digest, EveryMemberTellsApart)
+{
+  const std::string same = DigestAfter([](Whole&) {});
+  EXPECT_EQ(same, DigestAfter([](Whole&) {}));
+  EXPECT_NE(same, DigestAfter([](Whole& w) { w.Number = 1; }));
+  EXPECT_NE(same, DigestAfter([](Whole& w) { w.Numbers(1, 2) = 1.0; }));
+  EXPECT_NE(same, DigestAfter([](Whole& w) { w.Ids[1] = 3; }));
+  EXPECT_NE(same, DigestAfter([](Whole& w) { w.Ids.pop_back(); }));
+  EXPECT_NE(same, DigestAfter([](Whole& w) { w.Parts.pop_back(); }));
+  EXPECT_NE(same, DigestAfter([](Whole& w) { w.Parts[1].Place.z() = 1.0; }));
+  EXPECT_NE(same, DigestAfter([](Whole& w) { w.Parts[0].Turn = Quat(0.0, 1.0, 0.0, 0.0); }));
+  EXPECT_NE(same, DigestAfter([](Whole& w) { w.Parts[0].IsThere = true; }));
 }

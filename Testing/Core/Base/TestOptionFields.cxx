@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 using namespace waft;
 
@@ -24,6 +26,7 @@ struct SampleOptions
   Kind Surface = Kind::Rough;
   std::string File;
   Box Bounds;
+  std::vector<std::array<double, 3>> Places;
 
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
@@ -34,6 +37,7 @@ struct SampleOptions
     visit(OptionField{ "Surface", { 0, 1 }, "", "What it feels like." }, of.Surface...);
     visit(TextField("File", "Where it is kept."), of.File...);
     visit(OptionField{ "Bounds", { -9, 9 }, "m", "Where it lies." }, of.Bounds...);
+    visit(OptionField{ "Places", { -9, 9 }, "m", "Where else it lies." }, of.Places...);
   }
 };
 
@@ -46,6 +50,7 @@ struct Stage
   int Surface = 1;
   std::string File = "kept";
   double Bounds[6] = { 1, 2, 3, 4, 5, 6 };
+  std::vector<std::array<double, 3>> Places{ { 1, 2, 3 }, { 4, 5, 6 } };
 };
 
 } // namespace
@@ -67,6 +72,9 @@ TEST(OptionFields, TheFirstOutOfItsRangeIsNamed)
             "Bounds: expected a number from -9 to 9 m, found 10");
   options.Bounds.Max.y() = 9;
   EXPECT_TRUE(ValidateFields<SampleOptions>(options));
+  options.Places = { { 0, 0, 0 }, { 0, -10, 0 } };
+  EXPECT_EQ(ValidateFields<SampleOptions>(options).Message(),
+            "Places: expected a number from -9 to 9 m, found -10");
 }
 
 TEST(OptionFields, AreCopiedByName)
@@ -80,6 +88,7 @@ TEST(OptionFields, AreCopiedByName)
   EXPECT_EQ(options.File, "kept");
   EXPECT_EQ(options.Bounds.Min, Vec3(1, 3, 5));
   EXPECT_EQ(options.Bounds.Max, Vec3(2, 4, 6));
+  EXPECT_EQ(options.Places, Stage().Places);
 }
 
 TEST(OptionFields, EachTellsDigestsApart)
@@ -99,4 +108,7 @@ TEST(OptionFields, EachTellsDigestsApart)
   SampleOptions wider;
   wider.Bounds.Max.z() = 5;
   EXPECT_NE(sum({}), sum(wider));
+  SampleOptions elsewhere;
+  elsewhere.Places = { { 0, 0, 1 } };
+  EXPECT_NE(sum({}), sum(elsewhere));
 }

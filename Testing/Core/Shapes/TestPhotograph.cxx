@@ -42,12 +42,12 @@ AlphaMask PaintedLeaf(LeafKind kind)
   form.Kind = kind;
   Outline outline;
   EXPECT_TRUE(OutlineOfLeaf(form, outline));
-  TextureOptions options;
-  options.Width = 200;
-  options.Height = 160;
+  SkinOptions skin;
+  skin.TextureSize = 200;
+  constexpr int height = 160;
   std::vector<std::uint8_t> pixels;
-  EXPECT_TRUE(PaintTexture(outline, options, pixels));
-  AlphaMask mask{ options.Width, options.Height, {} };
+  EXPECT_TRUE(PaintTexture(outline, skin, height, pixels));
+  AlphaMask mask{ skin.TextureSize, height, {} };
   for (std::size_t k = 3; k < pixels.size(); k += 4)
   {
     mask.Values.push_back(pixels[k] / 255.0F);

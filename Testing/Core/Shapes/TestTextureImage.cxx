@@ -12,13 +12,12 @@ TEST(TextureImage, IsOpaqueInsideTheMeshAndClearOutside)
   for (const char* name : { "leaf", "maple", "oak", "willow", "aspen", "petal", "disc" })
   {
     SCOPED_TRACE(name);
-    TextureOptions options;
+    SkinOptions skin;
     Outline outline;
     ASSERT_TRUE(OutlineOf(name, outline));
-    options.Width = 128;
-    options.Height = 96;
+    skin.TextureSize = 128;
     std::vector<std::uint8_t> pixels;
-    ASSERT_TRUE(PaintTexture(outline, options, pixels));
+    ASSERT_TRUE(PaintTexture(outline, skin, 96, pixels));
     ASSERT_EQ(pixels.size(), 4u * 128u * 96u);
     Shape shape;
     ASSERT_TRUE(MakeBuiltinShape(name, 0.0, shape));
@@ -44,18 +43,17 @@ TEST(TextureImage, IsOpaqueInsideTheMeshAndClearOutside)
 
 TEST(TextureImage, FollowsItsSeed)
 {
-  TextureOptions options;
+  SkinOptions skin;
   Outline outline;
   ASSERT_TRUE(OutlineOf("feather", outline));
-  options.Width = 64;
-  options.Height = 32;
+  skin.TextureSize = 64;
   std::vector<std::uint8_t> first;
   std::vector<std::uint8_t> again;
   std::vector<std::uint8_t> other;
-  ASSERT_TRUE(PaintTexture(outline, options, first));
-  ASSERT_TRUE(PaintTexture(outline, options, again));
-  options.Seed = 2;
-  ASSERT_TRUE(PaintTexture(outline, options, other));
+  ASSERT_TRUE(PaintTexture(outline, skin, 32, first));
+  ASSERT_TRUE(PaintTexture(outline, skin, 32, again));
+  skin.Seed = 2;
+  ASSERT_TRUE(PaintTexture(outline, skin, 32, other));
   EXPECT_EQ(first, again);
   EXPECT_NE(first, other);
 }
@@ -63,13 +61,14 @@ TEST(TextureImage, FollowsItsSeed)
 TEST(TextureImage, RefusesUnknownOutlinesAndColours)
 {
   std::vector<std::uint8_t> pixels;
-  TextureOptions options;
+  SkinOptions skin;
   Outline outline;
   EXPECT_FALSE(OutlineOf("bubble", outline));
   ASSERT_TRUE(OutlineOf("leaf", outline));
-  options.Edge[1] = 1.5;
-  EXPECT_FALSE(PaintTexture(outline, options, pixels));
-  options = TextureOptions();
-  options.Width = 3;
-  EXPECT_FALSE(PaintTexture(outline, options, pixels));
+  skin.EdgeColor[1] = 1.5;
+  EXPECT_FALSE(PaintTexture(outline, skin, 96, pixels));
+  skin = SkinOptions();
+  skin.TextureSize = 3;
+  EXPECT_FALSE(PaintTexture(outline, skin, 96, pixels));
+  EXPECT_FALSE(PaintTexture(outline, SkinOptions(), 3, pixels));
 }

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/Data/AirData.h"
+
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/Arrays.h"
+#include "Bridge/Data/Columns.h"
+#include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Data/SceneData.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+namespace waft
+{
+
+void AddControls(const std::vector<std::vector<Vec3>>& controls, vtkPolyData* tracks)
+{
+  std::vector<Vec3> all;
+  for (const std::vector<Vec3>& own : controls)
+  {
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  AddVectors(tracks->GetPointData(), names::Control, all);
+}
+
+void AirToImage(const FieldSeries& air, const FieldSeries& wind, double time, const SceneInfo& info,
+                vtkImageData* data)
+{
+  FieldSeriesToImage(air, time, info, data);
+  if (!wind.IsEmpty())
+  {
+    vtkNew<vtkImageData> force;
+    FieldSeriesToImage(wind, time, info, force);
+    data->GetPointData()->AddArray(force->GetPointData()->GetArray(names::Wind));
+  }
+}
+
+void RoundsToTable(const std::vector<AssimilationRound>& rounds, const SceneInfo& info,
+                   vtkTable* table)
+{
+  table->Initialize();
+  vtkFieldData* columns = table->GetRowData();
+  AddColumn(columns, names::Stage, rounds, &AssimilationRound::Stage);
+  AddColumn(columns, names::Candidate, rounds, &AssimilationRound::Candidate);
+  AddColumn(columns, names::ControlRms, rounds, &AssimilationRound::Control);
+  AddColumn(columns, names::ControlMedian, rounds, &AssimilationRound::MedianControl);
+  AddColumn(columns, names::FlowRms, rounds, &AssimilationRound::Flow);
+  AddColumn(columns, names::WindRms, rounds, &AssimilationRound::Wind);
+  AddColumn(columns, names::Seconds, rounds, &AssimilationRound::Seconds);
+  SceneInfoToFieldData(info, table);
+}
+
+} // namespace waft

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/Data/ConstraintData.h"
+
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/Columns.h"
+#include "Bridge/Data/SceneData.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+#include <algorithm>
+
+namespace waft
+{
+
+void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const SceneInfo& info,
+                           vtkPolyData* data)
+{
+  vtkNew<vtkDoubleArray> values;
+  values->SetName(names::Value);
+  values->SetNumberOfComponents(4);
+  for (const Constraint& row : constraints)
+  {
+    if (IsAttitude(row.Kind))
+    {
+      const Quat& q = row.Orientation;
+      values->InsertNextTuple4(q.w(), q.x(), q.y(), q.z());
+    }
+    else
+    {
+      values->InsertNextTuple4(row.Value.x(), row.Value.y(), row.Value.z(), 0.0);
+    }
+  }
+  data->Initialize();
+  SetVertices(data, Column(constraints, [](const Constraint& row)
+                           { return IsPlace(row.Kind) ? row.Value : Vec3(Vec3::Zero()); }));
+  vtkPointData* arrays = data->GetPointData();
+  AddColumn(arrays, names::ObjectId, constraints, &Constraint::ObjectId);
+  AddColumn(arrays, names::Frame, constraints, &Constraint::Frame);
+  AddColumn(arrays, names::Kind, constraints,
+            [](const Constraint& row) { return static_cast<unsigned char>(row.Kind); });
+  arrays->AddArray(values);
+  AddColumn(arrays, names::Radius, constraints, &Constraint::Radius);
+  AddColumn(arrays, names::Until, constraints, &Constraint::Until);
+  AddColumn(arrays, names::TouchDown, constraints, &Constraint::TouchDown);
+  AddColumn(arrays, names::Row, constraints, &Constraint::Row);
+  AddColumn(arrays, names::Target, constraints, &Constraint::Target);
+  AddColumn(arrays, names::Group, constraints, &Constraint::Group);
+  AddColumn(arrays, names::ClassId, constraints, &Constraint::ClassId);
+  AddColumn(arrays, names::Status, constraints,
+            [](const Constraint& row) { return static_cast<int>(row.Status); });
+  SceneInfoToFieldData(info, data);
+}
+
+Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
+                               std::vector<Constraint>& constraints)
+{
+  const ArrayPlace place{ data->GetPointData(), "Constraints", data->GetNumberOfPoints() };
+  const int last = time.NumberOfFrames - 1;
+  const int met = 0;
+  Constraint fallback;
+  fallback.Until = last;
+  fallback.Row = -1;
+  std::vector<Constraint> read(static_cast<std::size_t>(place.Tuples), fallback);
+  std::vector<int> kinds, statuses;
+  std::vector<Quat> values;
+  std::vector<Vec3> places; // shown alone: `Value` is what counts
+  WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "Constraints", places));
+  const auto readOptional = [&](const char* name, auto member)
+  { return ReadOptionalColumn(place, name, read, member); };
+  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::ObjectId, read, &Constraint::ObjectId));
+  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::Frame, read, &Constraint::Frame));
+  WAFT_RETURN_IF_FAILED(ReadInts(place, names::Kind, kinds));
+  WAFT_RETURN_IF_FAILED(ReadQuaternions(place, names::Value, values));
+  WAFT_RETURN_IF_FAILED(readOptional(names::Radius, &Constraint::Radius));
+  WAFT_RETURN_IF_FAILED(readOptional(names::Until, &Constraint::Until));
+  WAFT_RETURN_IF_FAILED(readOptional(names::TouchDown, &Constraint::TouchDown));
+  WAFT_RETURN_IF_FAILED(readOptional(names::Row, &Constraint::Row));
+  WAFT_RETURN_IF_FAILED(readOptional(names::Target, &Constraint::Target));
+  WAFT_RETURN_IF_FAILED(readOptional(names::Group, &Constraint::Group));
+  WAFT_RETURN_IF_FAILED(readOptional(names::ClassId, &Constraint::ClassId));
+  WAFT_RETURN_IF_FAILED(ReadInts(place, names::Status, statuses, &met));
+  for (std::size_t i = 0; i < read.size(); ++i)
+  {
+    Constraint& row = read[i];
+    const std::string vertex = "Constraints: vertex " + std::to_string(i);
+    if (kinds[i] < 0 || kinds[i] >= NumberOfConstraintKinds)
+    {
+      return Result::Error(vertex + ": array `Kind`: expected 0 to " +
+                           std::to_string(NumberOfConstraintKinds - 1) + ", found " +
+                           std::to_string(kinds[i]));
+    }
+    if (row.Frame < 0 || row.Frame > last)
+    {
+      return Result::Error(vertex + ": array `Frame`: expected 0 to " + std::to_string(last) +
+                           ", found " + std::to_string(row.Frame));
+    }
+    if (row.Radius < 0.0)
+    {
+      return Result::Error(vertex + ": array `Radius`: expected 0 or more, found " +
+                           std::to_string(row.Radius));
+    }
+    row.Kind = static_cast<ConstraintKind>(kinds[i]);
+    // Value has four components; a quaternion is read as (w, x, y, z).
+    const Quat& v = values[i];
+    if (IsAttitude(row.Kind))
+    {
+      if (v.norm() == 0.0)
+      {
+        return Result::Error(vertex + ": array `Value`: expected a quaternion, found zeros");
+      }
+      row.Orientation = v.normalized();
+    }
+    else
+    {
+      row.Value = Vec3(v.w(), v.x(), v.y());
+    }
+    if (TraitsOf(row.Kind).Lasts)
+    {
+      row.Until = std::clamp(row.Until, row.Frame, last);
+    }
+    row.Row = row.Row < 0 ? static_cast<int>(i) : row.Row;
+    row.Status = static_cast<ConstraintStatus>(std::clamp(statuses[i], 0, 3));
+  }
+  constraints = std::move(read);
+  return Result::Ok();
+}
+
+void ReportToTable(const std::vector<ReportRow>& report, const SceneInfo& info, vtkTable* table)
+{
+  table->Initialize();
+  vtkFieldData* columns = table->GetRowData();
+  AddColumn(columns, names::Row, report, &ReportRow::Row);
+  AddColumn(columns, names::Target, report, &ReportRow::Target);
+  AddColumn(columns, names::ObjectId, report, &ReportRow::ObjectId);
+  AddColumn(columns, names::Frame, report, &ReportRow::Frame);
+  AddColumn(columns, names::Kind, report,
+            [](const ReportRow& line) { return std::string(ToString(line.Kind)); });
+  AddColumn(columns, names::Residual, report, &ReportRow::Residual);
+  AddColumn(columns, names::Status, report,
+            [](const ReportRow& line) { return std::string(ToString(line.Status)); });
+  AddColumn(columns, names::Message, report, &ReportRow::Message);
+  SceneInfoToFieldData(info, table);
+}
+
+} // namespace waft

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/Data/PoseData.h"
+
+#include "Base/MeshNormals.h"
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/Arrays.h"
+#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/TrackData.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkIdList.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <map>
+
+namespace waft
+{
+
+void PosesToPolyData(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses,
+                     const SceneInfo& info, vtkPolyData* data)
+{
+  TracksToPolyData(tracks, info, data);
+  std::vector<Quat> orientations;
+  std::vector<Vec3> spins, torques;
+  for (const PoseTrack& pose : poses)
+  {
+    orientations.insert(orientations.end(), pose.Orientations.begin(), pose.Orientations.end());
+    spins.insert(spins.end(), pose.AngularVelocities.begin(), pose.AngularVelocities.end());
+    torques.insert(torques.end(), pose.Torques.begin(), pose.Torques.end());
+  }
+  AddQuaternions(data->GetPointData(), names::Orientation, orientations);
+  AddVectors(data->GetPointData(), names::AngularVelocity, spins);
+  AddVectors(data->GetPointData(), names::Torque, torques);
+}
+
+Result PosesFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,
+                         std::vector<PoseTrack>& poses)
+{
+  WAFT_RETURN_IF_FAILED(TracksFromPolyData(data, tracks));
+  const ArrayPlace points{ data->GetPointData(), "Poses", data->GetNumberOfPoints() };
+  const Vec3 zero = Vec3::Zero();
+  std::vector<Quat> orientations;
+  std::vector<Vec3> spins, torques;
+  WAFT_RETURN_IF_FAILED(ReadQuaternions(points, names::Orientation, orientations));
+  WAFT_RETURN_IF_FAILED(ReadVectors(points, names::AngularVelocity, spins, &zero));
+  WAFT_RETURN_IF_FAILED(ReadVectors(points, names::Torque, torques, &zero));
+  std::vector<PoseTrack> read;
+  vtkNew<vtkIdList> line;
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    data->GetCellPoints(cell, line);
+    PoseTrack pose;
+    pose.ObjectId = tracks[static_cast<std::size_t>(cell)].ObjectId;
+    for (vtkIdType i = 0; i < line->GetNumberOfIds(); ++i)
+    {
+      const auto point = static_cast<std::size_t>(line->GetId(i));
+      pose.Orientations.push_back(orientations[point]);
+      pose.AngularVelocities.push_back(spins[point]);
+      pose.Torques.push_back(torques[point]);
+    }
+    read.push_back(std::move(pose));
+  }
+  poses = std::move(read);
+  return Result::Ok();
+}
+
+PosedMeshes::PosedMeshes() = default;
+PosedMeshes::~PosedMeshes() = default;
+
+Result PosedMeshes::Build(const std::vector<Shape>& shapes,
+                          const std::vector<MotionObject>& objects,
+                          const std::vector<Track>& tracks, const SceneInfo& info)
+{
+  std::map<int, const MotionObject*> objectOfId;
+  for (const MotionObject& object : objects)
+  {
+    objectOfId[object.ObjectId] = &object;
+  }
+  this->Bodies.clear();
+  bool textured = !shapes.empty();
+  for (const Shape& shape : shapes)
+  {
+    this->Bodies.push_back({ shape.Mesh.Points, SmoothNormals(shape.Mesh) });
+    textured = textured && !shape.TextureCoordinates.empty();
+  }
+  this->BodyOfTrack.clear();
+  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetName("TextureCoordinates");
+  coordinates->SetNumberOfComponents(2);
+  std::vector<int> pointObjects, pointShapes, cellObjects, cellShapes;
+  for (const Track& track : tracks)
+  {
+    const auto found = objectOfId.find(track.ObjectId);
+    if (found == objectOfId.end() || found->second->ShapeId < 0 ||
+        found->second->ShapeId >= static_cast<int>(shapes.size()))
+    {
+      return Result::Error("Tracks: object " + std::to_string(track.ObjectId) +
+                           ": expected an object of this id and its shape");
+    }
+    const int shapeId = found->second->ShapeId;
+    const Shape& shape = shapes[static_cast<std::size_t>(shapeId)];
+    this->BodyOfTrack.push_back(static_cast<std::size_t>(shapeId));
+    const auto first = static_cast<vtkIdType>(pointObjects.size());
+    for (const auto& t : shape.Mesh.Triangles)
+    {
+      const vtkIdType ids[3] = { first + t[0], first + t[1], first + t[2] };
+      triangles->InsertNextCell(3, ids);
+    }
+    pointObjects.insert(pointObjects.end(), shape.Mesh.Points.size(), track.ObjectId);
+    pointShapes.insert(pointShapes.end(), shape.Mesh.Points.size(), shapeId);
+    cellObjects.insert(cellObjects.end(), shape.Mesh.Triangles.size(), track.ObjectId);
+    cellShapes.insert(cellShapes.end(), shape.Mesh.Triangles.size(), shapeId);
+    for (const auto& uv : shape.TextureCoordinates)
+    {
+      coordinates->InsertNextTuple2(uv[0], uv[1]);
+    }
+  }
+  this->Template->Initialize();
+  this->Template->SetPolys(triangles);
+  AddInts(this->Template->GetPointData(), names::ObjectId, pointObjects);
+  AddInts(this->Template->GetPointData(), names::ShapeId, pointShapes);
+  AddInts(this->Template->GetCellData(), names::ObjectId, cellObjects);
+  AddInts(this->Template->GetCellData(), names::ShapeId, cellShapes);
+  if (textured)
+  {
+    this->Template->GetPointData()->SetTCoords(coordinates);
+  }
+  SceneInfoToFieldData(info, this->Template);
+  return Result::Ok();
+}
+
+void PosedMeshes::Fill(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses,
+                       int frame, vtkPolyData* data) const
+{
+  data->ShallowCopy(this->Template);
+  vtkNew<vtkDoubleArray> places;
+  vtkNew<vtkFloatArray> normals;
+  const vtkIdType count = this->Template->GetPointData()->GetNumberOfTuples();
+  places->SetNumberOfComponents(3);
+  places->SetNumberOfTuples(count);
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(count);
+  double* place = places->GetPointer(0);
+  float* normal = normals->GetPointer(0);
+  for (std::size_t t = 0; t < tracks.size(); ++t)
+  {
+    const Body& body = this->Bodies[this->BodyOfTrack[t]];
+    const int last = static_cast<int>(tracks[t].Positions.size()) - 1;
+    const auto k = static_cast<std::size_t>(std::clamp(frame, 0, last));
+    const Mat3 turn = poses[t].Orientations[k].toRotationMatrix();
+    for (std::size_t i = 0; i < body.Points.size(); ++i)
+    {
+      const Vec3 x = tracks[t].Positions[k] + turn * body.Points[i];
+      const Vec3 n = turn * body.Normals[i];
+      for (int c = 0; c < 3; ++c)
+      {
+        *place++ = x[c];
+        *normal++ = static_cast<float>(n[c]);
+      }
+    }
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetData(places);
+  data->SetPoints(points);
+  data->GetPointData()->SetNormals(normals);
+}
+
+} // namespace waft

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/Data/SceneData.h"
+
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/Columns.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataObject.h>
+#include <vtkLongLongArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+#include <set>
+
+namespace waft
+{
+void SceneInfoToFieldData(const SceneInfo& info, vtkDataObject* data)
+{
+  vtkFieldData* fields = data->GetFieldData();
+  const Vec3& low = info.Bounds.Min;
+  const Vec3& high = info.Bounds.Max;
+  AddDoubles(fields, names::Bounds, { low.x(), high.x(), low.y(), high.y(), low.z(), high.z() });
+  AddInts(fields, names::NumberOfFrames, { info.Time.NumberOfFrames });
+  AddDoubles(fields, names::FramesPerSecond, { info.Time.FramesPerSecond });
+  AddDoubles(fields, names::AirDensity, { info.AirDensity });
+  vtkNew<vtkLongLongArray> seed;
+  seed->SetName(names::Seed);
+  seed->InsertNextValue(static_cast<long long>(info.Seed));
+  fields->AddArray(seed);
+}
+
+Result SceneInfoFromFieldData(vtkDataObject* data, SceneInfo& info)
+{
+  vtkFieldData* fields = data->GetFieldData();
+  if (fields->GetAbstractArray(names::Bounds))
+  {
+    vtkDataArray* bounds = fields->GetArray(names::Bounds);
+    if (!bounds || bounds->GetNumberOfValues() != 6)
+    {
+      return Result::Error("field data `Bounds`: expected 6 numbers, found " +
+                           (bounds ? std::to_string(bounds->GetNumberOfValues()) : "text"));
+    }
+    double b[6];
+    for (int i = 0; i < 6; ++i)
+    {
+      b[i] = bounds->GetVariantValue(i).ToDouble();
+    }
+    info.Bounds = Box{ Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5]) };
+  }
+  const std::string owner = "field data";
+  double frames = info.Time.NumberOfFrames;
+  auto seed = static_cast<double>(info.Seed);
+  if (!(info.Bounds.Size().minCoeff() > 0.0) || !limits::Coordinate.HoldsAll(info.Bounds.Min) ||
+      !limits::Coordinate.HoldsAll(info.Bounds.Max))
+  {
+    return Result::Error("field data `Bounds`: expected min < max along each axis, within 1e6 m");
+  }
+  WAFT_RETURN_IF_FAILED(
+    ReadNumber(fields, owner, names::NumberOfFrames, limits::UpTo(limits::Frames.High), frames));
+  WAFT_RETURN_IF_FAILED(ReadNumber(fields, owner, names::FramesPerSecond, limits::FramesPerSecond,
+                                   info.Time.FramesPerSecond));
+  WAFT_RETURN_IF_FAILED(ReadNumber(fields, owner, names::AirDensity,
+                                   limits::UpTo(limits::Density.High), info.AirDensity));
+  WAFT_RETURN_IF_FAILED(ReadNumber(fields, owner, names::Seed, limits::Seed, seed));
+  if (frames < 1.0)
+  {
+    return Result::Error("field data `NumberOfFrames`: expected at least 1");
+  }
+  info.Time.NumberOfFrames = static_cast<int>(frames);
+  info.Seed = static_cast<std::uint64_t>(seed);
+  return Result::Ok();
+}
+
+void ObjectsToPolyData(const std::vector<MotionObject>& objects, const SceneInfo& info,
+                       vtkPolyData* data)
+{
+  data->Initialize();
+  SetVertices(data, Column(objects, &MotionObject::Position));
+  vtkPointData* arrays = data->GetPointData();
+  AddColumn(arrays, names::ObjectId, objects, &MotionObject::ObjectId);
+  AddColumn(arrays, names::ShapeId, objects, &MotionObject::ShapeId);
+  AddColumn(arrays, names::Mass, objects, &MotionObject::Mass);
+  AddColumn(arrays, names::Velocity, objects, &MotionObject::Velocity);
+  AddColumn(arrays, names::VelocityGiven, objects,
+            [](const MotionObject& object)
+            { return static_cast<unsigned char>(object.VelocityGiven); });
+  AddColumn(arrays, names::Orientation, objects, &MotionObject::Orientation);
+  AddColumn(arrays, names::AngularVelocity, objects, &MotionObject::AngularVelocity);
+  AddColumn(arrays, names::SettlingSpeed, objects, &MotionObject::SettlingSpeed);
+  AddColumn(arrays, names::ClassId, objects, &MotionObject::ClassId);
+  AddColumn(arrays, names::ClearanceRadius, objects, &MotionObject::ClearanceRadius);
+  AddColumn(arrays, names::RestHeight, objects, &MotionObject::RestHeight);
+  SceneInfoToFieldData(info, data);
+}
+
+Result ObjectsFromPolyData(vtkPolyData* data, std::vector<MotionObject>& objects)
+{
+  const ArrayPlace place{ data->GetPointData(), "Objects", data->GetNumberOfPoints() };
+  std::vector<Vec3> positions;
+  WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "Objects", positions));
+  std::vector<MotionObject> read(positions.size());
+  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::ObjectId, read, &MotionObject::ObjectId));
+  const auto readOptional = [&](const char* name, auto member)
+  { return ReadOptionalColumn(place, name, read, member); };
+  WAFT_RETURN_IF_FAILED(readOptional(names::ShapeId, &MotionObject::ShapeId));
+  WAFT_RETURN_IF_FAILED(readOptional(names::ClassId, &MotionObject::ClassId));
+  WAFT_RETURN_IF_FAILED(readOptional(names::Mass, &MotionObject::Mass));
+  WAFT_RETURN_IF_FAILED(readOptional(names::Velocity, &MotionObject::Velocity));
+  WAFT_RETURN_IF_FAILED(readOptional(names::VelocityGiven, &MotionObject::VelocityGiven));
+  WAFT_RETURN_IF_FAILED(readOptional(names::Orientation, &MotionObject::Orientation));
+  WAFT_RETURN_IF_FAILED(readOptional(names::AngularVelocity, &MotionObject::AngularVelocity));
+  WAFT_RETURN_IF_FAILED(readOptional(names::SettlingSpeed, &MotionObject::SettlingSpeed));
+  WAFT_RETURN_IF_FAILED(readOptional(names::ClearanceRadius, &MotionObject::ClearanceRadius));
+  WAFT_RETURN_IF_FAILED(readOptional(names::RestHeight, &MotionObject::RestHeight));
+  std::set<int> seen;
+  for (std::size_t i = 0; i < read.size(); ++i)
+  {
+    if (!seen.insert(read[i].ObjectId).second)
+    {
+      return Result::Error("Objects: array `ObjectId`: " + std::to_string(read[i].ObjectId) +
+                           " stands twice, ids must differ");
+    }
+    read[i].Position = positions[i];
+  }
+  objects = std::move(read);
+  return Result::Ok();
+}
+
+} // namespace waft

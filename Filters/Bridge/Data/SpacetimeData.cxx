@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/Data/SpacetimeData.h"
+
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/Columns.h"
+#include "Bridge/Data/SceneData.h"
+
+#include <vtkDataSetAttributes.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+
+namespace waft
+{
+namespace
+{
+
+void AddFloats(vtkFieldData* data, const char* name, const std::vector<float>& values,
+               int components)
+{
+  vtkNew<vtkFloatArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    array->SetValue(static_cast<vtkIdType>(i), values[i]);
+  }
+  data->AddArray(array);
+}
+
+} // namespace
+
+void ParticlesToPolyData(const ParticleSeries& particles, int frame, const SceneInfo& info,
+                         vtkPolyData* data)
+{
+  data->Initialize();
+  SceneInfoToFieldData(info, data);
+  if (particles.Frames.empty())
+  {
+    return;
+  }
+  const auto last = static_cast<int>(particles.Frames.size()) - 1;
+  const ParticleSeries::Frame& now =
+    particles.Frames[static_cast<std::size_t>(std::clamp(frame, 0, last))];
+  const std::size_t count = particles.ObjectIds.size();
+  std::vector<Vec3> positions;
+  std::vector<int> ids;
+  std::vector<unsigned char> kinds;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const float* x = now.Positions.data() + 3 * i;
+    positions.emplace_back(x[0], x[1], x[2]);
+    ids.push_back(static_cast<int>(i));
+    kinds.push_back(particles.ObjectIds[i] < 0 ? 0 : 1);
+  }
+  SetVertices(data, positions);
+  vtkPointData* arrays = data->GetPointData();
+  AddInts(arrays, names::ParticleId, ids);
+  AddBytes(arrays, names::Kind, kinds);
+  AddInts(arrays, names::ObjectId, particles.ObjectIds);
+  AddFloats(arrays, names::Mass, particles.Masses, 1);
+  AddFloats(arrays, names::Velocity, now.Velocities, 3);
+  AddFloats(arrays, names::Density, now.Densities, 1);
+  AddFloats(arrays, names::Pressure, now.Pressures, 1);
+  AddFloats(arrays, names::Wind, now.Winds, 3);
+  AddFloats(arrays, names::VortexForce, now.VortexForces, 3);
+}
+
+void ConvergenceToTable(const std::vector<ConvergenceRow>& rows, const SceneInfo& info,
+                        vtkTable* table)
+{
+  table->Initialize();
+  vtkFieldData* columns = table->GetRowData();
+  AddColumn(columns, names::Pass, rows, &ConvergenceRow::Pass);
+  AddColumn(columns, names::Stage, rows, &ConvergenceRow::Stage);
+  AddColumn(columns, names::Iteration, rows, &ConvergenceRow::Iteration);
+  AddColumn(columns, names::E, rows, &ConvergenceRow::E);
+  AddColumn(columns, names::Ex, rows, &ConvergenceRow::Ex);
+  AddColumn(columns, names::Ev, rows, &ConvergenceRow::Ev);
+  AddColumn(columns, names::Ec, rows, &ConvergenceRow::Ec);
+  AddColumn(columns, names::MaxViolation, rows, &ConvergenceRow::MaxViolation);
+  AddColumn(columns, names::Leash, rows, &ConvergenceRow::Leash);
+  AddColumn(columns, names::Seconds, rows, &ConvergenceRow::Seconds);
+  SceneInfoToFieldData(info, table);
+}
+
+} // namespace waft

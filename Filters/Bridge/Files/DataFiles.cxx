@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/Files/DataFiles.h"
+
+#include "Bridge/Data/Arrays.h"
+#include "Bridge/Files/FileReading.h"
+#include "Files/DataFileCheck.h"
+
+#include <vtkCompositeDataIterator.h>
+#include <vtkImageData.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLImageDataReader.h>
+#include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLPolyDataReader.h>
+
+namespace waft
+{
+namespace
+{
+
+template <class Reader, class Data>
+Result ReadChecked(const std::string& path, const char* type, Data* data)
+{
+  WAFT_RETURN_IF_FAILED(CheckDataFile(path, { type }));
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  WAFT_RETURN_IF_FAILED(RunReader(reader));
+  data->ShallowCopy(reader->GetOutputDataObject(0));
+  return Result::Ok();
+}
+
+} // namespace
+
+Result ReadPolyDataFile(const std::string& path, vtkPolyData* data)
+{
+  WAFT_RETURN_IF_FAILED(ReadChecked<vtkXMLPolyDataReader>(path, "PolyData", data));
+  return CheckCells(data, "surface");
+}
+
+Result ReadImageFile(const std::string& path, vtkImageData* data)
+{
+  return ReadChecked<vtkXMLImageDataReader>(path, "ImageData", data);
+}
+
+Result ReadBlocksFile(const std::string& path, vtkMultiBlockDataSet* data)
+{
+  WAFT_RETURN_IF_FAILED(
+    ReadChecked<vtkXMLMultiBlockDataReader>(path, "vtkMultiBlockDataSet", data));
+  const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(data->NewIterator());
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    auto* surface = vtkPolyData::SafeDownCast(leaves->GetCurrentDataObject());
+    if (surface)
+    {
+      WAFT_RETURN_IF_FAILED(
+        CheckCells(surface, "block " + std::to_string(leaves->GetCurrentFlatIndex() - 1)));
+    }
+  }
+  return Result::Ok();
+}
+
+} // namespace waft

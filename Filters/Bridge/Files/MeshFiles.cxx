@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/Files/MeshFiles.h"
+
+#include "Base/Limits.h"
+#include "Bridge/Data/Arrays.h"
+#include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Files/DataFiles.h"
+#include "Bridge/Files/FileReading.h"
+#include "Files/FileBytes.h"
+#include "Files/GltfMesh.h"
+#include "Files/MeshFileCheck.h"
+
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkOBJReader.h>
+#include <vtkPLYReader.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSTLReader.h>
+#include <vtkTriangleFilter.h>
+
+namespace waft
+{
+namespace
+{
+
+template <class Reader>
+Result ReadChecked(const std::string& path, Result (*check)(std::string_view), vtkPolyData* data)
+{
+  FileBytes file;
+  WAFT_RETURN_IF_FAILED(file.Open(path));
+  WAFT_RETURN_IF_FAILED(check(file.View()));
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  WAFT_RETURN_IF_FAILED(RunReader(reader));
+  data->ShallowCopy(reader->GetOutputDataObject(0));
+  // What splits the cells into triangles does not look.
+  return CheckCells(data, "mesh");
+}
+
+Result CheckPoints(const TriangleMesh& mesh)
+{
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    if (!limits::Coordinate.HoldsAll(mesh.Points[i]))
+    {
+      return Result::Error("point " + std::to_string(i) +
+                           ": expected coordinates of at most 1e6, found others");
+    }
+  }
+  return Result::Ok();
+}
+
+Result ReadGltfSurface(const std::string& path, SurfaceFile& surface)
+{
+  GltfSurface read;
+  WAFT_RETURN_IF_FAILED(ReadGltf(path, read));
+  surface.Mesh = std::move(read.Mesh);
+  surface.TextureCoordinates = std::move(read.TextureCoordinates);
+  for (Vec3& p : surface.Mesh.Points)
+  {
+    p = Vec3(p.x(), -p.z(), p.y());
+  }
+  return Result::Ok();
+}
+
+Result ReadPolyData(const std::string& path, const std::string& extension, vtkPolyData* data)
+{
+  if (extension == ".obj")
+  {
+    return ReadChecked<vtkOBJReader>(path, CheckObj, data);
+  }
+  if (extension == ".ply")
+  {
+    return ReadChecked<vtkPLYReader>(path, CheckPly, data);
+  }
+  if (extension == ".stl")
+  {
+    return ReadChecked<vtkSTLReader>(path, CheckStl, data);
+  }
+  if (extension == ".vtp")
+  {
+    return ReadPolyDataFile(path, data);
+  }
+  return Result::Error("expected a .vtp, .obj, .ply, .stl or .glb file, found " +
+                       Quoted(extension));
+}
+
+Result SurfaceFromPolyData(vtkPolyData* data, SurfaceFile& surface)
+{
+  vtkNew<vtkTriangleFilter> filter;
+  filter->SetInputData(data);
+  filter->PassLinesOff();
+  filter->PassVertsOff();
+  filter->Update();
+  vtkPolyData* triangles = filter->GetOutput();
+  vtkDataArray* coordinates = triangles->GetPointData()->GetTCoords();
+  for (vtkIdType i = 0; coordinates && i < coordinates->GetNumberOfTuples(); ++i)
+  {
+    surface.TextureCoordinates.push_back(
+      { coordinates->GetComponent(i, 0), coordinates->GetComponent(i, 1) });
+  }
+  WAFT_RETURN_IF_FAILED(MeshFromPolyData(triangles, "mesh", surface.Mesh));
+  return CheckPoints(surface.Mesh);
+}
+
+} // namespace
+
+Result ReadSurfaceFile(const std::string& path, SurfaceFile& surface)
+{
+  const std::string extension = Extension(path);
+  SurfaceFile read;
+  if (extension == ".glb" || extension == ".gltf")
+  {
+    WAFT_RETURN_IF_FAILED(ReadGltfSurface(path, read));
+  }
+  else
+  {
+    vtkNew<vtkPolyData> data;
+    WAFT_RETURN_IF_FAILED(ReadPolyData(path, extension, data));
+    WAFT_RETURN_IF_FAILED(SurfaceFromPolyData(data, read));
+  }
+  if (read.Mesh.Triangles.empty())
+  {
+    return Result::Error("expected a surface with triangles, found none");
+  }
+  surface = std::move(read);
+  return Result::Ok();
+}
+
+} // namespace waft

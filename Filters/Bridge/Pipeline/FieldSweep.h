@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The obstacles, the wind and the air of a stage, gathered over time.
+#pragma once
+
+#include "Base/FieldSeries.h"
+#include "Base/Mesh.h"
+#include "Base/Result.h"
+#include "Base/Types.h"
+#include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Pipeline/StageExecution.h"
+
+#include <vector>
+
+namespace waft
+{
+
+/// Pulls the optional input ports Obstacles (vtkPolyData), Wind and Air (vtkImageData) of a stage
+/// over all their steps: RequestSteps in RequestUpdateExtent, Take and Continue in RequestData, at
+/// last the results.
+class FieldSweep
+{
+public:
+  static constexpr int NoPort = -1;
+
+  explicit FieldSweep(int obstaclesPort = NoPort, int windPort = NoPort, int airPort = NoPort);
+  /// From now on obstacles are kept from one sweep to the next, and there is no sweep while nothing
+  /// changes upstream of their port. Of a stage without wind and air only.
+  void KeepObstacles() { this->Keeps = this->WindPort == NoPort && this->AirPort == NoPort; }
+  /// Like TimeSweep::RequestSteps; of images all is asked for, whatever their lattices.
+  void RequestSteps(vtkAlgorithm* stage, vtkInformation* request, vtkInformationVector** inputs,
+                    vtkInformationVector* outputs, bool isCurrent);
+  bool IsFirst() const { return this->Sweep.IsFirst(); }
+  /// What the ports show in this pass. Inputs that are absent or empty are passed over. Fails as
+  /// the collectors do.
+  Result Take(vtkInformationVector** inputs, const Timeline& line);
+  bool Continue(vtkInformation* request);
+  void Reset(vtkInformation* request) { this->Sweep.Reset(request); }
+
+  /// After the last pass, once each.
+  std::vector<ObstacleMesh> TakeObstacles();
+  FieldSeries TakeWind() { return this->Wind.Take(); }
+  FieldSeries TakeAir() { return this->Air.Take(); }
+
+private:
+  int ObstaclesPort;
+  int WindPort;
+  int AirPort;
+  TimeSweep Sweep;
+  ObstacleCollector Obstacles;
+  FieldCollector Wind;
+  FieldCollector Air{ FieldCollector::Takes::Air };
+  bool Keeps = false;
+  bool IsKept = false;    // this run takes the obstacles of an earlier sweep
+  bool MustSweep = false; // it cannot, after all
+  std::vector<vtkMTimeType> Signature, KeptSignature; // of the obstacles' port
+  double Rate = 0.0, KeptRate = 0.0;                  // frames per second
+  std::vector<ObstacleMesh> Kept;
+};
+
+} // namespace waft

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A stage that computes once and serves every frame from what it keeps.
+//
+// The Internals of such a stage derive from KeptStage and say how to take the inputs and run Core;
+// its RequestUpdateExtent and RequestData are those of KeptStage.
+#pragma once
+
+#include "Base/Motion.h"
+#include "Base/Result.h"
+#include "Base/Types.h"
+#include "Bridge/Pipeline/FieldSweep.h"
+#include "Bridge/Pipeline/StageExecution.h"
+#include "Constraints/Constraint.h"
+
+#include <vtkDataObject.h>
+#include <vtkSmartPointer.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+class KeptStage
+{
+public:
+  /// scenePort: the input whose field data give the scene; the others: as in FieldSweep.
+  KeptStage(vtkAlgorithm* stage, int scenePort, int obstaclesPort = FieldSweep::NoPort,
+            int windPort = FieldSweep::NoPort, int airPort = FieldSweep::NoPort);
+  virtual ~KeptStage() = default;
+  KeptStage(const KeptStage&) = delete;
+  KeptStage& operator=(const KeptStage&) = delete;
+
+  /// The stage's requests. RequestData runs Core when parameters or inputs have changed, once all
+  /// steps of obstacles, wind and air were pulled; then it fills the outputs for the time asked.
+  /// Where the scene is with the first rank (IsWithFirstRank), and when it is stopped while it
+  /// pulls, they stay empty.
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
+                          vtkInformationVector* outputs);
+  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                  vtkInformationVector* outputs);
+
+protected:
+  /// Takes the inputs (Scene and Fields are there), runs Core, fills the Kept outputs and Warnings.
+  /// Stopped: what is kept is shown, and the next update runs again.
+  virtual Result Run(vtkInformationVector** inputs, Monitor& monitor) = 0;
+  /// Of several ranks that run together: what holds for all of them, out of what this one found in
+  /// its inputs.
+  virtual Result Agree(const Result& own) { return own; }
+  /// Fills the outputs that are not kept, for a time within the scene's [s].
+  virtual void FillVarying(double time, vtkInformationVector* outputs) const;
+
+  /// The data of an output port that are the same at every frame: made when first named during Run,
+  /// given as shallow copies, since later stages may ask for every frame. Data is the port's type.
+  template <typename Data>
+  Data* Kept(int port)
+  {
+    const auto at = static_cast<std::size_t>(port);
+    this->Keep.resize(std::max(this->Keep.size(), at + 1));
+    if (!this->Keep[at])
+    {
+      this->Keep[at].TakeReference(Data::New());
+    }
+    return static_cast<Data*>(this->Keep[at].Get());
+  }
+  /// The rows of an optional input Constraints, none when it is absent or empty.
+  Result TakeConstraints(vtkInformationVector* input, std::vector<Constraint>& constraints) const;
+  /// The frame nearest to a time [s].
+  int FrameAt(double time) const;
+
+  SceneInfo Scene;
+  FieldSweep Fields;
+  std::vector<std::string> Warnings;
+
+private:
+  Result Refresh(vtkInformationVector** inputs);
+  virtual bool RunsOnAllRanks() const { return false; }
+  /// Between two steps of what is pulled over time: false when the stage is asked to stop.
+  bool GoesOn();
+
+  vtkAlgorithm* Stage;
+  int ScenePort;
+  StageCache Cache;
+  std::chrono::steady_clock::time_point LastLook = std::chrono::steady_clock::now();
+  std::vector<vtkSmartPointer<vtkDataObject>> Keep; // by output port, null where it varies
+};
+
+} // namespace waft

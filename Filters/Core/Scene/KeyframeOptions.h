@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One keyframe, made by hand: targets that together draw a text, a picture or a surface.
+#pragma once
+
+#include "Base/SceneFrame.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+enum class DrawnShape
+{
+  Text,
+  Image,
+  Surface
+};
+
+struct KeyframeOptions : SceneFrame
+{
+  DrawnShape Shape = DrawnShape::Text;
+  std::string Text = "WAFT";
+  std::string Font = "sans";
+  std::string ImageFile;
+  std::vector<std::array<double, 3>> ClassColors;
+  int NumberOfTargets = 48;
+  int Frame = 250;
+  bool Rest = true;
+  int Until = -1;
+  double Radius = 0.0;
+  int Group = 0;
+  Vec3 Origin{ 0.0, 0.0, 0.1 };
+  Vec3 U = Vec3::UnitX();
+  Vec3 V = Vec3::UnitY();
+  double Width = 3.4;
+  std::uint64_t Seed = 1;
+
+  SceneInfo Info() const
+  {
+    SceneInfo info = this->SceneFrame::Info();
+    info.Seed = this->Seed;
+    return info;
+  }
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(
+      OptionField{
+        "Shape", { 0, 2 }, "", "What is drawn: Text, the picture Image File or the Input." },
+      of.Shape...);
+    visit(TextField("Text", "A line of text."), of.Text...);
+    visit(TextField("Font", "sans, serif, mono or the path of a font file."), of.Font...);
+    visit(TextField("ImageFile", "A picture file; transparent pixels, or without transparency the "
+                                 "colour of its border, are background."),
+          of.ImageFile...);
+    visit(OptionField{ "ClassColors",
+                       { 0, 1 },
+                       "",
+                       "Colours (red, green, blue from 0 to 1) of the classes of a picture: a "
+                       "target takes the class of the nearest, its place in this list." },
+          of.ClassColors...);
+    visit(OptionField{ "NumberOfTargets", limits::Count, "",
+                       "Targets; there must be as many objects." },
+          of.NumberOfTargets...);
+    visit(OptionField{ "Frame", limits::UpTo(limits::MostInt), "",
+                       "Frame at which the objects are there." },
+          of.Frame...);
+    visit(FlagField("Rest", "The objects lie still on the first surface straight below their "
+                            "targets; else they pass them."),
+          of.Rest...);
+    visit(OptionField{ "Until",
+                       { -1, limits::MostInt },
+                       "",
+                       "Rests last to this frame; -1 is the last of the scene." },
+          of.Until...);
+    visit(OptionField{ "Radius", limits::Distance, "m",
+                       "By how much a target may be missed, in metres; 0 is exact." },
+          of.Radius...);
+    visit(
+      OptionField{
+        "Group", limits::UpTo(limits::MostInt), "",
+        "The targets of one group go to distinct objects; another keyframe needs another group." },
+      of.Group...);
+    visit(OptionField{ "Origin", limits::Coordinate, "m",
+                       "Centre of the drawing in metres; a surface stands where it is." },
+          of.Origin...);
+    visit(OptionField{ "U", limits::Direction, "", "Direction of the drawing's width." }, of.U...);
+    visit(OptionField{ "V", limits::Direction, "", "Direction of the drawing's height." }, of.V...);
+    visit(OptionField{ "Width", limits::Length, "m", "Width of the drawing in metres." },
+          of.Width...);
+    visit(SeedField(), of.Seed...);
+    SceneFrame::Visit(visit, of...);
+  }
+};
+
+} // namespace waft
