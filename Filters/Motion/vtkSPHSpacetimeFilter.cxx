@@ -202,6 +202,11 @@ int vtkSPHSpacetimeFilter::FillOutputPortInformation(int port, vtkInformation* i
   return 1;
 }
 
+void vtkSPHSpacetimeFilter::EmptyConvergence(vtkTable* table)
+{
+  waft::ConvergenceToTable({}, {}, table);
+}
+
 std::string vtkSPHSpacetimeFilter::CheckRoom(const double bounds[6], int numberOfFrames,
                                              int numberOfObjects) const
 {

@@ -20,7 +20,7 @@
  * Output port 1, Particles (vtkPolyData, varies in time): gas and object particles.
  * Output port 2, Vortices (vtkPolyData): as fitted.
  * Output port 3, Wind (vtkImageData, varies in time): on the optimiser's own lattice [m/s^2].
- * Output port 4, Convergence (vtkTable): one row an iteration.
+ * Output port 4, Convergence (vtkTable): one row an iteration, each term of E a column.
  * Output port 5, Report (vtkTable): one line per row and target of the constraints.
  *
  * Shi et al. 2005, section 5 and Appendix B: all positions and velocities of all frames are
@@ -45,6 +45,7 @@
 #include <string>
 
 class vtkMultiProcessController;
+class vtkTable;
 namespace waft
 {
 struct SpacetimeOptions;
@@ -247,6 +248,8 @@ public:
    * (xmin, xmax, ymin, ymax, zmin, zmax) [m] above its ground: for layers of gas, and in memory.
    * Says what is lacking; empty when nothing is. A script may ask before anything is planned. */
   std::string CheckRoom(const double bounds[6], int numberOfFrames, int numberOfObjects) const;
+  /** Makes a table the Convergence of no iteration: the columns alone. */
+  static void EmptyConvergence(vtkTable* table);
   /** Solve on: the next update goes on from where the last one ended although nothing changed. */
   void Continue();
   /** Forget the last run: the next update starts from the planned tracks. */

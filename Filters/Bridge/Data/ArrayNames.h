@@ -141,16 +141,8 @@ constexpr const char* Score = "Score";
 // Particles.
 constexpr const char* ParticleId = "ParticleId";
 
-// Convergence.
-constexpr const char* Pass = "Pass";
+// Tables of what was done.
 constexpr const char* Stage = "Stage";
-constexpr const char* Iteration = "Iteration";
-constexpr const char* E = "E";
-constexpr const char* Ex = "Ex";
-constexpr const char* Ev = "Ev";
-constexpr const char* Ec = "Ec";
-constexpr const char* MaxViolation = "MaxViolation";
-constexpr const char* Leash = "Leash";
 constexpr const char* Seconds = "Seconds";
 constexpr const char* TouchDown = "TouchDown"; // of rests
 constexpr const char* Candidate = "Candidate"; // of rounds

@@ -74,16 +74,8 @@ void ConvergenceToTable(const std::vector<ConvergenceRow>& rows, const SceneInfo
 {
   table->Initialize();
   vtkFieldData* columns = table->GetRowData();
-  AddColumn(columns, names::Pass, rows, &ConvergenceRow::Pass);
-  AddColumn(columns, names::Stage, rows, &ConvergenceRow::Stage);
-  AddColumn(columns, names::Iteration, rows, &ConvergenceRow::Iteration);
-  AddColumn(columns, names::E, rows, &ConvergenceRow::E);
-  AddColumn(columns, names::Ex, rows, &ConvergenceRow::Ex);
-  AddColumn(columns, names::Ev, rows, &ConvergenceRow::Ev);
-  AddColumn(columns, names::Ec, rows, &ConvergenceRow::Ec);
-  AddColumn(columns, names::MaxViolation, rows, &ConvergenceRow::MaxViolation);
-  AddColumn(columns, names::Leash, rows, &ConvergenceRow::Leash);
-  AddColumn(columns, names::Seconds, rows, &ConvergenceRow::Seconds);
+  VisitConvergence([&](const ConvergenceColumn& column, auto member)
+                   { AddColumn(columns, column.Name, rows, member); });
   SceneInfoToFieldData(info, table);
 }
 

@@ -17,8 +17,7 @@ namespace waft
 void ParticlesToPolyData(const ParticleSeries& particles, int frame, const SceneInfo& info,
                          vtkPolyData* data);
 
-/// One row per iteration: `Pass`, `Stage`, `Iteration`, `E`, `Ex`, `Ev`, `Ec`, `MaxViolation` [m],
-/// `Leash` [m], `Seconds`.
+/// One row per iteration; see VisitConvergence for the columns.
 void ConvergenceToTable(const std::vector<ConvergenceRow>& rows, const SceneInfo& info,
                         vtkTable* table);
 

@@ -2,6 +2,7 @@
 #include "Planning/Blending.h"
 
 #include "Base/SmoothStep.h"
+#include "Planning/PlannerNumbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +12,6 @@ namespace waft
 
 namespace
 {
-
-/// To either side of a connection, over which its pieces are handed over. Over the window alone
-/// what is left of the difference in velocity would take several times the air's accelerations.
-constexpr double HandoverSeconds = 1.25;
 
 /// The integral of SmoothStep from 0.
 double SmoothStepIntegral(double u)
@@ -123,7 +120,7 @@ std::vector<Handover> Handovers(const std::vector<Steps>& steps, int overlap, do
 std::vector<Handover> HandOver(const SegmentLibrary& library, const PieceChain& chain)
 {
   return Handovers(UnturnedSteps(library, chain), library.Window() - 1,
-                   HandoverSeconds * library.Options().FramesPerSecond);
+                   PlannerNumbers::HandoverTime * library.Options().FramesPerSecond);
 }
 
 std::vector<Vec3> BlendChain(const SegmentLibrary& library, const PieceChain& chain)
@@ -132,7 +129,7 @@ std::vector<Vec3> BlendChain(const SegmentLibrary& library, const PieceChain& ch
   const std::vector<int> beginnings = chain.Beginnings(library.Window());
   const std::vector<Steps> own = UnturnedSteps(library, chain);
   const std::vector<Handover> handovers =
-    Handovers(own, overlap, HandoverSeconds * library.Options().FramesPerSecond);
+    Handovers(own, overlap, PlannerNumbers::HandoverTime * library.Options().FramesPerSecond);
   Steps steps(static_cast<std::size_t>(std::max(0, chain.NumberOfSamples(library.Window()) - 1)),
               Vec3::Zero());
   for (std::size_t i = 0; i < own.size(); ++i)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/FreeFlight.h"
 
+#include "Planning/PlannerNumbers.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,7 +56,7 @@ private:
   const SpanTask& Task;
   double Margin;
   Random Stream;
-  double Tolerance = 0.05; // of the velocity at the start, relative
+  double Tolerance = PlannerNumbers::FirstMismatch; // of the velocity at the start, relative
 };
 
 bool FlightGrower::Fits(const Piece& piece, double firstFrame) const
@@ -93,7 +95,7 @@ bool FlightGrower::PlaceRoot(Level& level)
       std::atan2(own.x() * wish.y() - own.y() * wish.x(), own.x() * wish.x() + own.y() * wish.y());
     const Vec3 turned = Eigen::AngleAxisd(yaw, Vec3::UnitZ()) * own;
     // The more draws miss, the less is asked.
-    this->Tolerance += 0.002;
+    this->Tolerance += PlannerNumbers::MismatchGrowth;
     if ((turned - wish).norm() > this->Tolerance * (wish.norm() + this->Library.TypicalStep()))
     {
       return false;

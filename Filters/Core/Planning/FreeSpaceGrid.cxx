@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/FreeSpaceGrid.h"
 
+#include "Planning/PlannerNumbers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -25,7 +27,8 @@ FreeSpaceGrid::FreeSpaceGrid(const ObstacleSet& obstacles, const Box& bounds, do
   field.Obstacles = &obstacles;
   field.Bounds = bounds;
   // More room than this makes no way better.
-  const double enough = std::max(2.0 * this->Spacing, 4.0 * clearance);
+  const double enough = std::max(PlannerNumbers::EnoughSpacings * this->Spacing,
+                                 PlannerNumbers::EnoughRadii * clearance);
   Cell cell;
   for (cell[2] = 0; cell[2] < this->Counts[2] && !stop; ++cell[2])
   {
@@ -67,7 +70,7 @@ bool FreeSpaceGrid::NearestFree(const Vec3& x, Cell& nearest) const
   }
   double best = 1e300;
   Cell cell;
-  const int reach = 3;
+  const int reach = PlannerNumbers::EntryCells;
   for (cell[2] = std::max(0, home[2] - reach);
        cell[2] <= std::min(this->Counts[2] - 1, home[2] + reach); ++cell[2])
   {
@@ -104,7 +107,7 @@ bool FreeSpaceGrid::IsPassable(const Cell& a, const Cell& b) const
   const Vec3 to = this->Center(b);
   // Balls that overlap cover the way between; else a thin wall may stand there.
   return roomA + roomB > (to - from).norm() + this->Clearance ||
-         this->Obstacles.IsClear(from, 0.0, to, 0.0, 0.5 * this->Clearance);
+         this->Obstacles.IsClear(from, 0.0, to, 0.0, PlannerNumbers::SightShare * this->Clearance);
 }
 
 std::vector<Vec3> FreeSpaceGrid::FindWay(const Vec3& a, const Vec3& b) const
@@ -156,8 +159,9 @@ std::vector<Vec3> FreeSpaceGrid::FindWay(const Vec3& a, const Vec3& b) const
       const Vec3 center = this->Center(next);
       // A little detour for more room.
       const double narrow = this->Clearance / std::max<double>(this->Room[nextIndex], 1e-6);
-      const auto sum = static_cast<float>(length[index] + (center - this->Center(cell)).norm() *
-                                                            (1.0 + 0.5 * narrow));
+      const auto sum =
+        static_cast<float>(length[index] + (center - this->Center(cell)).norm() *
+                                             (1.0 + PlannerNumbers::NarrowDetour * narrow));
       if (isDone[nextIndex] == 0 && sum < length[nextIndex] && this->IsPassable(cell, next))
       {
         length[nextIndex] = sum;

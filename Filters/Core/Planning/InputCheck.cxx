@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/InputCheck.h"
 
+#include "Planning/PlannerNumbers.h"
+
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -94,7 +96,7 @@ std::vector<std::string> DatabaseRemarks(const MotionDatabase& database, const S
     remarks.emplace_back(text);
   }
   const double width = scene.Bounds.Width();
-  if (std::abs(database.Volume.Width() - width) > 0.1 * width)
+  if (std::abs(database.Volume.Width() - width) > PlannerNumbers::OddWidth * width)
   {
     std::snprintf(text, sizeof text,
                   "Database: traced in a volume %.6g m wide, the scene's is %.6g m: its segments "

@@ -2,6 +2,7 @@
 #include "Planning/Itinerary.h"
 
 #include "Constraints/Rest.h"
+#include "Planning/PlannerNumbers.h"
 
 #include <algorithm>
 #include <map>
@@ -11,9 +12,6 @@ namespace waft
 
 namespace
 {
-
-/// Speed below which something that is to be so slow is to halt [m/s].
-constexpr double HaltingSpeed = 0.02;
 
 class ItineraryMaker
 {
@@ -103,7 +101,7 @@ public:
     {
       mark->second.HasVelocity = true;
       mark->second.Velocity = value;
-      mark->second.Halts = row.Value.norm() < HaltingSpeed;
+      mark->second.Halts = row.Value.norm() < PlannerNumbers::HaltingSpeed;
     }
     this->StartsAsTold = this->StartsAsTold || (derivative == 1 && row.Frame == 0);
   }

@@ -3,6 +3,7 @@
 
 #include "Constraints/Repair.h"
 #include "Planning/ObjectProgress.h"
+#include "Planning/PlannerNumbers.h"
 #include "Planning/Seams.h"
 
 #include <algorithm>
@@ -15,13 +16,6 @@ namespace waft
 
 namespace
 {
-
-/// Fastest fall in the last second before a rest over the SettlingSpeed: what the air may add near
-/// the ground.
-constexpr double LandingDescent = 1.1;
-
-/// Other ways to a mark that are tried when there is no way on from where a flight came to it.
-constexpr int Returns = 3;
 
 class ObjectPlanner
 {
@@ -69,7 +63,8 @@ SpanEnd ObjectPlanner::EndAt(std::size_t index, bool isGoal) const
   SpanEnd end;
   end.Position = isGoal ? mark.Position : this->Now.Plan.Positions[mark.Until];
   end.IsRest = mark.IsRest;
-  end.Descent = LandingDescent * this->Object.SettlingSpeed * this->Scene.Time.Step();
+  end.Descent =
+    PlannerNumbers::LandingDescent * this->Object.SettlingSpeed * this->Scene.Time.Step();
   end.HasVelocity = mark.HasVelocity && !mark.Halts;
   end.Velocity = mark.Velocity;
   if (mark.IsRest || mark.Halts || end.HasVelocity || (!isGoal && this->Now.Halted))
@@ -107,7 +102,7 @@ void ObjectPlanner::Draw(const Mark& from, Mark& to)
   const Vec3 way = to.Position - start;
   if (!isGiven && way.norm() - to.Radius > most)
   {
-    Vec3 place = start + way.normalized() * (0.7 * most);
+    Vec3 place = start + way.normalized() * (PlannerNumbers::DrawnShare * most);
     while ((place - start).norm() > 1e-3 &&
            this->Now.Field.FirstHit({ start, 0.5 * (start + place), place }, 1, 2, to.Frame, 0.0,
                                     0.0) >= 0)
@@ -208,7 +203,7 @@ void ObjectPlanner::PlanFlight(std::size_t from, int lastFrame, int attempt)
 void ObjectPlanner::ReturnFrom(std::size_t mark, const ObjectProgress& start)
 {
   const ObjectProgress found = this->Now;
-  for (int attempt = 1; attempt <= Returns; ++attempt)
+  for (int attempt = 1; attempt <= PlannerNumbers::Returns; ++attempt)
   {
     this->Now = start;
     this->PlanFlight(mark - 1, found.Way.Marks[mark].Frame, attempt);
@@ -269,12 +264,13 @@ ObjectPlan ObjectPlanner::Run()
     }
   }
   const std::vector<Vec3> separate = this->Now.Plan.Positions;
-  const auto reach = static_cast<int>(std::lround(this->Scene.Time.FramesPerSecond / 3.0));
+  const auto reach =
+    static_cast<int>(std::lround(this->Scene.Time.FramesPerSecond / PlannerNumbers::SeamRate));
   const std::vector<Vec3> united =
     UniteFlights(this->Now.Seams, reach, this->Now.Way.Rows, this->Now.Warp);
   this->Now.Plan.Positions = RepairPath(this->Now.Field, this->Now.Warp, this->Options.Tolerance,
-                                        1.45 * this->Library.TopStep(), united,
-                                        this->Now.Warp.Rows.empty() ? separate : united,
+                                        PlannerNumbers::RepairAllowance * this->Library.TopStep(),
+                                        united, this->Now.Warp.Rows.empty() ? separate : united,
                                         this->Now.Plan.WorstSlack, this->Now.Plan.WorstFrame);
   return std::move(this->Now.Plan);
 }

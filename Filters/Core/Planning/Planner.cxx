@@ -7,6 +7,7 @@
 #include "Planning/ObjectPlan.h"
 #include "Planning/PlanCache.h"
 #include "Planning/PlanReport.h"
+#include "Planning/PlannerNumbers.h"
 #include "Planning/RowConflicts.h"
 #include "Planning/RowCover.h"
 
@@ -76,7 +77,7 @@ public:
   const FreeSpaceGrid* Of(const MotionObject& object, int level)
   {
     const auto entry = this->Maps.find(object.ClearanceRadius);
-    if (entry == this->Maps.end() || level >= static_cast<int>(Levels.size()))
+    if (entry == this->Maps.end() || level >= static_cast<int>(PlannerNumbers::MapCells.size()))
     {
       return nullptr;
     }
@@ -87,7 +88,7 @@ public:
                      lazy.Map = std::make_unique<FreeSpaceGrid>(
                        this->Input.Obstacles, this->Input.Scene.Bounds,
                        object.ClearanceRadius + this->Margin,
-                       Levels[static_cast<std::size_t>(level)], this->Stop);
+                       PlannerNumbers::MapCells[static_cast<std::size_t>(level)], this->Stop);
                    });
     return lazy.Map.get();
   }
@@ -101,9 +102,7 @@ private:
   const PlanInput& Input;
   double Margin;
   const std::atomic<bool>& Stop;
-  /// Cells along the width: the fine map finds passages hardly wider than the body.
-  static constexpr std::array<int, 2> Levels{ 32, 64 };
-  std::map<double, std::array<LazyMap, Levels.size()>> Maps;
+  std::map<double, std::array<LazyMap, PlannerNumbers::MapCells.size()>> Maps;
 };
 
 void StoreTrees(const SegmentLibrary& library, int objectId, const std::vector<SpanTrees>& spans,
@@ -156,7 +155,8 @@ std::vector<unsigned char> AssignAndJudge(const PlanInput& input, const SegmentL
                                           PlanOutput& output)
 {
   const SpeedLimit limit(library.TopStep(), library.Options().FramesPerSecond,
-                         library.ShortestSpan(), 2e-9 * input.Scene.Bounds.Width());
+                         library.ShortestSpan(),
+                         PlannerNumbers::SamePlace * input.Scene.Bounds.Width());
   const auto judge = [&]()
   {
     output.Report =
@@ -256,11 +256,11 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   ObjectPlanOptions objectOptions;
   const double width = input.Scene.Bounds.Width();
   objectOptions.Seed = options.Seed;
-  objectOptions.Tolerance = 2e-4 * width;
+  objectOptions.Tolerance = PlannerNumbers::Tolerance * width;
   objectOptions.Span.RetimingLimit = options.RetimingLimit;
   objectOptions.Span.JoinThreshold = options.JoinThreshold;
-  objectOptions.Span.Margin = 5e-3 * width;
-  objectOptions.Span.CheckMargin = 2e-4 * width;
+  objectOptions.Span.Margin = PlannerNumbers::GrowingMargin * width;
+  objectOptions.Span.CheckMargin = PlannerNumbers::CheckMargin * width;
   objectOptions.Span.MaximumNumberOfBranches = options.MaximumNumberOfBranches;
   objectOptions.Span.NumberOfCandidates = options.NumberOfCandidates;
   objectOptions.Span.GuideWeight = options.GuideWeight;
@@ -305,7 +305,7 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
       {
         if (guide.ObjectId == input.Objects[i].ObjectId && options.GuideWeight > 0.0)
         {
-          itinerary.Follow(guide.Points, 0.02 * width, input.Scene);
+          itinerary.Follow(guide.Points, PlannerNumbers::GuideEnd * width, input.Scene);
         }
       }
       plans[i] =

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/Refinement.h"
 
+#include "Planning/PlannerNumbers.h"
+
 #include <cmath>
 
 namespace waft
@@ -35,7 +37,7 @@ Mat3 FitRotation(const SegmentLibrary& library, const Steps& own, const Steps& w
   {
     return rotation;
   }
-  for (int iteration = 0; iteration < 3; ++iteration)
+  for (int iteration = 0; iteration < PlannerNumbers::RotationSteps; ++iteration)
   {
     // Gauss-Newton on the rotation vector; the ridge keeps straight windows from spinning.
     Mat3 normal = Mat3::Zero();
@@ -46,7 +48,7 @@ Mat3 FitRotation(const SegmentLibrary& library, const Steps& own, const Steps& w
       normal += b.squaredNorm() * Mat3::Identity() - b * b.transpose();
       right += b.cross(wanted[k]);
     }
-    normal += 1e-2 * normal.trace() * Mat3::Identity();
+    normal += PlannerNumbers::RotationRidge * normal.trace() * Mat3::Identity();
     const Vec3 turn = normal.ldlt().solve(right);
     const double angle = turn.norm();
     if (!(angle > 1e-12))

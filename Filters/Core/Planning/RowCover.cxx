@@ -3,6 +3,7 @@
 
 #include "Constraints/Keyframes.h"
 #include "Constraints/LeastCost.h"
+#include "Planning/PlannerNumbers.h"
 
 #include <algorithm>
 #include <map>
@@ -15,15 +16,7 @@ namespace waft
 namespace
 {
 
-/// Of the database's top speed: at 0.8 of it nearly every leg is met, at the whole hardly any.
-constexpr double EasyHaste = 0.85;
-
 constexpr std::size_t None = static_cast<std::size_t>(-1);
-
-/// Assignments that may be solved until one holds with certainty the least cost: so many, or as
-/// many as there are of this number of pairs in all.
-constexpr std::size_t MostSolutions = 400;
-constexpr std::size_t MostPairs = 40000000;
 
 /// The rows of one (Row, Target).
 struct Wish
@@ -98,7 +91,8 @@ public:
   {
     const std::size_t pairs =
       (this->Wishes.size() + this->Closed.size()) * (this->Wishes.size() + this->Gaps.size());
-    const std::size_t most = std::min(MostSolutions, MostPairs / pairs + 1);
+    const std::size_t most =
+      std::min(PlannerNumbers::MostSolutions, PlannerNumbers::MostPairs / pairs + 1);
     std::multimap<RankedCost, Solution> open; // equal ones in the order in which they were found
     Solution best = this->Solve({});
     for (std::size_t solved = 1; best.HasMistake; ++solved)
@@ -129,9 +123,9 @@ private:
   RankedCost Leg(const Stop& from, const Stop& to) const
   {
     const double haste = this->Limit.Haste(from, to);
-    return haste > 1.0
-             ? RankedCost::Never()
-             : RankedCost{ haste > EasyHaste ? 1 : 0, (to.Value - from.Value).squaredNorm() };
+    return haste > 1.0 ? RankedCost::Never()
+                       : RankedCost{ haste > PlannerNumbers::EasyHaste ? 1 : 0,
+                                     (to.Value - from.Value).squaredNorm() };
   }
 
   Solution Solve(std::vector<Decision> decisions) const;

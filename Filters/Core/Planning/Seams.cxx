@@ -2,6 +2,7 @@
 #include "Planning/Seams.h"
 
 #include "Base/SmoothStep.h"
+#include "Planning/PlannerNumbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,6 @@ namespace waft
 
 namespace
 {
-
-constexpr int HealingRounds = 3;
 
 /// True when the bend at a sample follows from fixed samples alone.
 bool IsGiven(const WarpProblem& warp, int k)
@@ -115,11 +114,11 @@ std::vector<Vec3> UniteFlights(const std::vector<int>& seams, int reach,
     if (row.Radius > 0.0)
     {
       const Vec3 offset = ValueOf(row.Row, united) - row.Row.Value;
-      if (!(offset.norm() > 0.9 * row.Radius))
+      if (!(offset.norm() > PlannerNumbers::RowLeft * row.Radius))
       {
         continue;
       }
-      imposed.Value += offset.normalized() * (0.8 * row.Radius);
+      imposed.Value += offset.normalized() * (PlannerNumbers::RowGiven * row.Radius);
     }
     PrepareRow(imposed, reach, united, warp);
     warp.Rows.push_back(imposed);
@@ -132,7 +131,7 @@ std::vector<Vec3> UniteFlights(const std::vector<int>& seams, int reach,
     united = SolveWarp(warp);
   }
   // What rows and given stretches bent the path by jumps there in turn.
-  for (int round = 0; round < HealingRounds && !places.empty(); ++round)
+  for (int round = 0; round < PlannerNumbers::HealingRounds && !places.empty(); ++round)
   {
     warp.SecondDifferences = SecondDifferences(united);
     HealSeams(places, reach, warp);

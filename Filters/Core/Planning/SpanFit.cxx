@@ -2,6 +2,7 @@
 #include "Planning/SpanFit.h"
 
 #include "Planning/ChainTiming.h"
+#include "Planning/PlannerNumbers.h"
 #include "Planning/Refinement.h"
 
 #include <algorithm>
@@ -12,16 +13,6 @@ namespace waft
 
 namespace
 {
-
-/// Rounds of easing, and the share of frames in the way beyond which it is not tried.
-constexpr int EasingRounds = 6;
-constexpr double EasingShare = 0.35;
-/// Pull towards the tree at a frame that is in the way, and its growth from round to round. At the
-/// first it bends about ten frames, at the last hardly more than the frame itself.
-constexpr double FirstPull = 1e-3;
-constexpr double PullGrowth = 6.0;
-/// Frames to either side that a pull holds as well.
-constexpr int PullReach = 4;
 
 /// True when a step is longer than `top` [m].
 bool IsTooFast(const std::vector<Vec3>& positions, double top)
@@ -59,10 +50,10 @@ std::vector<double> Spread(const std::vector<double>& pulls)
   const auto count = static_cast<int>(pulls.size());
   for (int k = 0; k < count; ++k)
   {
-    for (int i = std::max(0, k - PullReach);
-         pulls[k] > 0.0 && i <= std::min(count - 1, k + PullReach); ++i)
+    for (int i = std::max(0, k - PlannerNumbers::PullReach);
+         pulls[k] > 0.0 && i <= std::min(count - 1, k + PlannerNumbers::PullReach); ++i)
     {
-      const double u = 1.0 - std::abs(i - k) / (PullReach + 1.0);
+      const double u = 1.0 - std::abs(i - k) / (PlannerNumbers::PullReach + 1.0);
       result[i] = std::max(result[i], u * u * u * pulls[k]);
     }
   }
@@ -79,7 +70,7 @@ bool SpanFitter::Ease(SpanWarp& span, const std::vector<Vec3>& anchors, bool toG
   const ClearanceField& field = toGoal ? this->Field : this->MissField;
   // The given ends themselves are judged elsewhere.
   const int last = toGoal ? span.Clock.Frames - 1 : span.Clock.Frames;
-  const auto limit = static_cast<std::size_t>(EasingShare * span.Clock.Frames);
+  const auto limit = static_cast<std::size_t>(PlannerNumbers::EasingShare * span.Clock.Frames);
   const std::vector<SoftMark> guide = span.Problem.Soft;
   std::vector<double> pulls(positions.size(), 0.0);
   std::size_t before = limit + 1;
@@ -103,14 +94,14 @@ bool SpanFitter::Ease(SpanWarp& span, const std::vector<Vec3>& anchors, bool toG
     }
     // A landing is not eased: that would make it a fall again.
     const bool lands = span.Landing > 0 && !hits.empty() && hits.back() >= span.Landing;
-    if (lands || round == EasingRounds || hits.size() >= before)
+    if (lands || round == PlannerNumbers::EasingRounds || hits.size() >= before)
     {
       return false; // or it does not get better
     }
     before = hits.size();
     for (int k : hits)
     {
-      pulls[k] = pulls[k] > 0.0 ? PullGrowth * pulls[k] : FirstPull;
+      pulls[k] = pulls[k] > 0.0 ? PlannerNumbers::PullGrowth * pulls[k] : PlannerNumbers::FirstPull;
     }
     span.Problem.Soft = guide;
     const std::vector<double> spread = Spread(pulls);
@@ -193,7 +184,7 @@ bool SpanFitter::Fit(const PieceChain& chain, const PieceChain& grown, bool toGo
 /// A path that reaches its mark head on to a wall leaves the next flight no way.
 bool SpanFitter::CanGoOn(const std::vector<Vec3>& positions, const SpanResult& result) const
 {
-  const int ahead = this->Library.Window() + 4;
+  const int ahead = this->Library.Window() + PlannerNumbers::LookAhead;
   std::vector<Vec3> next{ positions.back() };
   const std::vector<Vec3>& samples = this->Library.Samples(result.Continuation.Segment);
   const Vec3 step = positions.back() - positions[positions.size() - 2];
@@ -216,7 +207,8 @@ bool SpanFitter::FitRefined(const PieceChain& chain, bool toGoal, SpanResult& re
     return false;
   }
   PieceChain refined = chain;
-  const double shift = 0.1 * this->Library.TypicalStep() * this->Request.Clock.Frames /
+  const double shift = PlannerNumbers::RefinementShift * this->Library.TypicalStep() *
+                       this->Request.Clock.Frames /
                        static_cast<double>(std::max<std::size_t>(1, chain.Pieces.size()));
   if (RefineChain(this->Library, shift, refined).NumberOfReplaced > 0)
   {

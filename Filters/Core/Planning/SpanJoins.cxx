@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How the two trees meet: joins found, kept in order of their score, and handed out.
+#include "Planning/PlannerNumbers.h"
 #include "Planning/SpanSearch.h"
 
 #include <algorithm>
@@ -8,19 +9,13 @@
 namespace waft
 {
 
-namespace
-{
-
-constexpr std::size_t KeptJoins = 32;
-constexpr std::size_t KeptApproaches = 12;
-
-} // namespace
-
 double SpanSearch::Score(double gap, double angle, int rawFrames, double mismatch) const
 {
   const double frames = this->Task.Frames;
-  return gap / (this->Library.TypicalStep() * frames) + 0.25 * std::abs(angle) +
-         0.5 * std::abs(rawFrames - frames) / frames + 0.1 * mismatch;
+  return gap / (this->Library.TypicalStep() * frames) +
+         PlannerNumbers::AngleCost * std::abs(angle) +
+         PlannerNumbers::RetimingCost * std::abs(rawFrames - frames) / frames +
+         PlannerNumbers::MismatchCost * mismatch;
 }
 
 void SpanSearch::MeetOther(int tree, int index)
@@ -28,14 +23,16 @@ void SpanSearch::MeetOther(int tree, int index)
   const double limit = this->Options.RetimingLimit * this->Task.Frames;
   const Branch& own = this->Trees[tree][index];
   const std::vector<Branch>& others = this->Trees[1 - tree];
-  const double worst = this->Joins.size() < KeptJoins ? 1.5 : this->Joins.back().Score;
+  const double worst = this->Joins.size() < PlannerNumbers::KeptJoins ? PlannerNumbers::WorstScore
+                                                                      : this->Joins.back().Score;
   const double reach = worst * this->Library.TypicalStep() * this->Task.Frames;
+  const double far = reach + PlannerNumbers::WindowLength;
   for (std::size_t i = 0; i < others.size(); ++i)
   {
     const Branch& other = others[i];
     const int raw = own.Elapsed + other.Elapsed - (this->Window - 1);
     if (std::abs(raw - this->Task.Frames) > limit ||
-        (own.FreeEnd - other.FreeEnd).squaredNorm() > (reach + 0.5) * (reach + 0.5))
+        (own.FreeEnd - other.FreeEnd).squaredNorm() > far * far)
     {
       continue;
     }
@@ -88,7 +85,7 @@ void SpanSearch::CloseOnGoal(int index)
     for (int last = low; last <= high; ++last)
     {
       const double gap = (entry.Place * samples[last] - goal).norm();
-      if (gap > 1.5 * typical)
+      if (gap > PlannerNumbers::WorstScore * typical)
       {
         continue;
       }
@@ -102,9 +99,10 @@ void SpanSearch::CloseOnGoal(int index)
         best.LastPiece.Last = last;
       }
     }
-    const bool offered = this->Joins.size() < KeptJoins || best.Score < this->Joins.back().Score;
-    const bool nearer =
-      this->Nearest.size() < KeptApproaches || best.Distance < this->Nearest.back().Distance;
+    const bool offered =
+      this->Joins.size() < PlannerNumbers::KeptJoins || best.Score < this->Joins.back().Score;
+    const bool nearer = this->Nearest.size() < PlannerNumbers::KeptApproaches ||
+                        best.Distance < this->Nearest.back().Distance;
     if (best.Score > 1e29 || (!offered && !nearer))
     {
       continue;
@@ -123,7 +121,8 @@ void SpanSearch::CloseOnGoal(int index)
     if (this->Task.Goal.HasVelocity)
     {
       const Vec3 own = best.LastPiece.Place.Rotation * CentralStep(samples, best.LastPiece.Last);
-      best.Score += 0.1 * (own - this->Task.Goal.Velocity).norm() / this->Library.TypicalStep();
+      best.Score += PlannerNumbers::MismatchCost * (own - this->Task.Goal.Velocity).norm() /
+                    this->Library.TypicalStep();
     }
     if (this->Task.Goal.IsRest && !this->CanEndHere(best.LastPiece))
     {
@@ -143,7 +142,7 @@ void SpanSearch::Offer(const Join& join)
     std::upper_bound(this->Joins.begin(), this->Joins.end(), join,
                      [](const Join& a, const Join& b) { return a.Score < b.Score; });
   this->Joins.insert(place, join);
-  if (this->Joins.size() > KeptJoins)
+  if (this->Joins.size() > PlannerNumbers::KeptJoins)
   {
     this->Joins.pop_back();
   }
@@ -155,7 +154,7 @@ void SpanSearch::OfferApproach(const Join& join)
     std::upper_bound(this->Nearest.begin(), this->Nearest.end(), join,
                      [](const Join& a, const Join& b) { return a.Distance < b.Distance; });
   this->Nearest.insert(place, join);
-  if (this->Nearest.size() > KeptApproaches)
+  if (this->Nearest.size() > PlannerNumbers::KeptApproaches)
   {
     this->Nearest.pop_back();
   }

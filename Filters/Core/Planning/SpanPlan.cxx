@@ -2,10 +2,14 @@
 #include "Planning/SpanPlan.h"
 
 #include "Planning/FreeFlight.h"
+#include "Planning/PlannerNumbers.h"
+#include "Planning/SpanWay.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
+#include <utility>
 
 namespace waft
 {
@@ -13,23 +17,13 @@ namespace waft
 namespace
 {
 
-/// More than any difference in style.
-constexpr double HardLandingPenalty = 4.0;
-constexpr double JerkPenalty = 1.0;
-
-/// Of a path twice as fierce as air ever is, against the distances of style.
-constexpr double AccelerationExcessWeight = 0.1;
-
-/// Free flights tried before the object is left to hover.
-constexpr int FreeAttempts = 8;
-
 class SpanPlanner
 {
 public:
   SpanPlanner(const SegmentLibrary& library, const ClearanceField& field,
-              const SpanRequest& request, const SpanPlanOptions& options) :
+              const SpanRequest& request, const SpanPlanOptions& options, Random random) :
     Library(library),
-    Field(field), MissField(field), Request(request), Options(options),
+    Field(field), MissField(field), Request(request), Options(options), Stream(random),
     Fitter(library, this->Field, this->MissField, this->Request, options.CheckMargin)
   {
     auto& contacts = this->MissField.Contacts;
@@ -41,22 +35,38 @@ public:
                    contacts.end());
   }
 
-  SpanResult Run(Random random);
+  SpanResult Run();
 
 private:
+  // What is tried in turn until there is a path; see Run.
+  bool JoinTrees();
+  bool JoinAnyhow();
+  bool ComeNear();
+  bool FlyOn();
+  bool FlyAnew();
+  bool Hover();
+
+  void JudgeSpeed();
+  void Attempt(const Join& join);
+  bool Fly(int flights);
   ClearanceField FlightField(const ClearanceField& base) const;
-  bool Search(const ClearanceField& field, const SpanTask& task, bool reachable, Random& random,
-              SpanResult& result) const;
-  void Hover(SpanResult& result) const;
   double StyleDistance(const std::vector<Vec3>& positions) const;
-  bool WayAround(const ClearanceField& field, SpanTask& task) const;
 
   const SegmentLibrary& Library;
   const ClearanceField& Field;
   ClearanceField MissField; // holds when the goal is not reached
   SpanRequest Request;
   SpanPlanOptions Options;
+  Random Stream;
   SpanFitter Fitter;
+
+  SpanTask Task;
+  bool IsReachable = true; // in the time, as far as speed goes
+  ClearanceField Flight;   // on the clock of flight
+  std::optional<SpanSearch> Search;
+  int Candidates = 0, Tries = 0; // paths to the goal, and joins that were tried to be one
+  double Merit = 1e300;          // of the best candidate
+  SpanResult Result;
 };
 
 /// The field on the clock of flight: braking and launching last half as many frames there.
@@ -92,8 +102,9 @@ ClearanceField SpanPlanner::FlightField(const ClearanceField& base) const
 }
 
 /// Where no piece of the database fits: comes to a stop and stays.
-void SpanPlanner::Hover(SpanResult& result) const
+bool SpanPlanner::Hover()
 {
+  SpanResult& result = this->Result;
   const auto frames = static_cast<std::size_t>(this->Request.Clock.Frames) + 1;
   const Vec3 step = this->Request.Before.empty()
                       ? Vec3(Vec3::Zero())
@@ -102,7 +113,7 @@ void SpanPlanner::Hover(SpanResult& result) const
   result.PieceFrames.clear();
   result.RetimingFactor = 1.0;
   result.HasContinuation = false;
-  for (double pause : { 8.0, 4.0, 2.0, 1.0 })
+  for (const double pause : PlannerNumbers::Pauses)
   {
     result.Positions.assign(frames, this->Request.Start.Position);
     for (std::size_t k = 1; k < frames; ++k)
@@ -119,6 +130,7 @@ void SpanPlanner::Hover(SpanResult& result) const
   result.SecondDifferences = SecondDifferences(result.Positions);
   result.Sources.assign(frames, FrameSource());
   result.Halts = true;
+  return true;
 }
 
 /// Of the whole flight so far with this span, braking and launching left out.
@@ -138,152 +150,178 @@ double SpanPlanner::StyleDistance(const std::vector<Vec3>& positions) const
   history.Acceleration.insert(history.Acceleration.end(), flight.Acceleration.begin(),
                               flight.Acceleration.end());
   return this->Options.Gauge->Distance(std::move(history)) +
-         AccelerationExcessWeight * this->Options.Gauge->AccelerationExcess(flight);
+         PlannerNumbers::AccelerationExcessWeight * this->Options.Gauge->AccelerationExcess(flight);
 }
 
-/// Sets task.Way to the guide, or where that or the straight one is blocked to a way around; false
-/// when the map shows none.
-bool SpanPlanner::WayAround(const ClearanceField& field, SpanTask& task) const
+/// Keeps the path of a join when it is one, and better than those before.
+void SpanPlanner::Attempt(const Join& join)
 {
-  task.Way = this->Request.Guide;
-  if (!this->Options.Rooms || field.Obstacles == nullptr || field.Obstacles->IsEmpty())
+  if (!this->Search->IsGapClear(join))
   {
-    return true;
+    return;
   }
-  const auto isClear = [&](const std::vector<Vec3>& way)
+  ++this->Tries;
+  PieceChain chain;
+  chain.Pieces = this->Search->Chain(join, chain.JoinPlace);
+  chain.JoinAngle = join.Angle;
+  SpanResult candidate = this->Result;
+  if (!this->Fitter.FitRefined(chain, true, candidate))
   {
-    for (std::size_t k = 1; k < way.size(); ++k)
-    {
-      if (!field.Obstacles->IsClear(way[k - 1], 0.0, way[k], 0.0, 0.0))
-      {
-        return false;
-      }
-    }
-    return true;
-  };
-  if (task.Way.size() > 1 && isClear(task.Way))
-  {
-    return true;
+    return;
   }
-  task.Way.clear();
-  const Vec3 lift = Vec3(0.0, 0.0, field.Rule.Radius + this->Options.Margin);
-  const Vec3 a = task.Start.Position + (task.Start.IsRest ? lift : Vec3(Vec3::Zero()));
-  const Vec3 b = task.Goal.Position + (task.Goal.IsRest ? lift : Vec3(Vec3::Zero()));
-  const double radius = std::min({ field.Rule.Radius, field.Required(a), field.Required(b) });
-  if (field.Obstacles->IsClear(a, 0.0, b, 0.0, 0.9 * std::max(0.0, radius)))
+  ++this->Candidates;
+  const double merit = join.Score + this->StyleDistance(candidate.Positions) +
+                       (candidate.IsHardLanding ? PlannerNumbers::HardLandingPenalty : 0.0) +
+                       (candidate.HasLargeJerk ? PlannerNumbers::JerkPenalty : 0.0);
+  if (merit < this->Merit)
   {
-    return true;
+    this->Merit = merit;
+    this->Result = std::move(candidate);
+    this->Result.ReachesGoal = true;
+    this->Result.Distance = join.Distance;
+    this->Result.Cost = join.Score;
   }
-  for (int level = 0; task.Way.empty(); ++level)
-  {
-    const FreeSpaceGrid* rooms = this->Options.Rooms(level);
-    if (rooms == nullptr)
-    {
-      return level == 0;
-    }
-    task.Way = rooms->FindWay(a, b);
-  }
-  return true;
 }
 
-bool SpanPlanner::Search(const ClearanceField& field, const SpanTask& task, bool reachable,
-                         Random& random, SpanResult& result) const
+/// Trees grow until they have met often enough.
+bool SpanPlanner::JoinTrees()
 {
-  SpanSearchOptions searchOptions;
-  searchOptions.RetimingLimit = this->Options.RetimingLimit;
-  searchOptions.Margin = this->Options.Margin;
-  SpanSearch search(this->Library, field, task, searchOptions, Random(random));
-  double best = 1e300;
-  int candidates = 0;
-  int tries = 0;
-  const auto attempt = [&](const Join& join)
+  if (!this->Request.HasGoal || !this->IsReachable)
   {
-    if (!search.IsGapClear(join))
-    {
-      return;
-    }
-    ++tries;
-    PieceChain chain;
-    chain.Pieces = search.Chain(join, chain.JoinPlace);
-    chain.JoinAngle = join.Angle;
-    SpanResult candidate = result;
-    if (!this->Fitter.FitRefined(chain, true, candidate))
-    {
-      return;
-    }
-    ++candidates;
-    const double merit = join.Score + this->StyleDistance(candidate.Positions) +
-                         (candidate.IsHardLanding ? HardLandingPenalty : 0.0) +
-                         (candidate.HasLargeJerk ? JerkPenalty : 0.0);
-    if (merit < best)
-    {
-      best = merit;
-      result = std::move(candidate);
-      result.Distance = join.Distance;
-      result.Cost = join.Score;
-    }
-  };
-  Join join;
+    return false;
+  }
   const int limit = this->Options.MaximumNumberOfBranches;
   const int enough = this->Options.Gauge != nullptr ? this->Options.NumberOfCandidates : 1;
+  const int roughAfter =
+    this->Task.Way.empty() ? PlannerNumbers::RoughAfter : PlannerNumbers::RoughAfterInMaze;
   int firstFound = 0;
-  for (int step = 0; reachable && candidates < enough && step < 6 * limit &&
-                     search.NumberOfBranches() < limit && tries <= limit;
+  for (int step = 0; this->Candidates < enough && step < PlannerNumbers::StepsPerBranch * limit &&
+                     this->Search->NumberOfBranches() < limit && this->Tries <= limit;
        ++step)
   {
     if (this->Options.Stop != nullptr && this->Options.Stop->load())
     {
       break;
     }
-    if (candidates == 0 && step == (task.Way.empty() ? 3000 : 600))
+    if (this->Candidates == 0 && step == roughAfter)
     {
-      search.AllowRough();
+      this->Search->AllowRough();
     }
     // What is asked of a join grows milder the longer the search takes.
-    const double patience = step / 300.0;
-    const double threshold =
-      std::min(0.6, this->Options.JoinThreshold * (1.0 + patience * patience));
-    while (candidates < enough && search.Take(threshold, join))
+    const double patience = step / PlannerNumbers::Patience;
+    const double threshold = std::min(PlannerNumbers::MildestThreshold,
+                                      this->Options.JoinThreshold * (1.0 + patience * patience));
+    Join join;
+    while (this->Candidates < enough && this->Search->Take(threshold, join))
     {
-      attempt(join);
+      this->Attempt(join);
     }
-    firstFound = candidates == 0 ? step : firstFound;
-    if (candidates > 0 && step > 3 * firstFound + 200)
+    firstFound = this->Candidates == 0 ? step : firstFound;
+    if (this->Candidates > 0 &&
+        step > PlannerNumbers::MoreSteps * firstFound + PlannerNumbers::MoreStepsAtLeast)
     {
       break;
     }
-    search.Step();
+    this->Search->Step();
   }
-  while (reachable && candidates == 0 && search.Take(1.0, join))
-  {
-    attempt(join);
-  }
-  bool found = candidates > 0;
-  for (int step = 0; !reachable && step < 200; ++step)
-  {
-    search.Step();
-  }
-  result.ReachesGoal = found;
-  for (std::size_t i = 0; !found && i < search.Approaches().size(); ++i)
-  {
-    const Join& nearest = search.Approaches()[i];
-    PieceChain chain;
-    chain.Pieces = search.Chain(nearest, chain.JoinPlace);
-    found = this->Fitter.Fit(chain, false, result);
-    result.Distance = nearest.Distance;
-    result.Cost = nearest.Score;
-  }
-  for (int tree = 0; tree < 2; ++tree)
-  {
-    result.Trees[tree] = search.Tree(tree);
-  }
-  return found;
+  return this->Candidates > 0;
 }
 
-SpanResult SpanPlanner::Run(Random random)
+/// The joins that were not good enough.
+bool SpanPlanner::JoinAnyhow()
 {
-  SpanResult result;
-  SpanTask task;
+  Join join;
+  while (this->Request.HasGoal && this->IsReachable && this->Candidates == 0 &&
+         this->Search->Take(PlannerNumbers::LastThreshold, join))
+  {
+    this->Attempt(join);
+  }
+  return this->Candidates > 0;
+}
+
+/// The forward tree's paths that come nearest to the goal about in time.
+bool SpanPlanner::ComeNear()
+{
+  if (!this->Request.HasGoal)
+  {
+    return false;
+  }
+  for (int step = 0; !this->IsReachable && step < PlannerNumbers::StepsTowards; ++step)
+  {
+    this->Search->Step();
+  }
+  for (const Join& nearest : this->Search->Approaches())
+  {
+    PieceChain chain;
+    chain.Pieces = this->Search->Chain(nearest, chain.JoinPlace);
+    this->Result.Cost = nearest.Score;
+    if (this->Fitter.Fit(chain, false, this->Result))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// So many free flights at most, out of where the trees cannot come near.
+bool SpanPlanner::Fly(int flights)
+{
+  const ClearanceField missed = this->FlightField(this->MissField);
+  for (int flight = 0; flight < flights; ++flight)
+  {
+    this->Stream.Bits();
+    PieceChain chain;
+    chain.Pieces = FlyFree(this->Library, missed, this->Task, this->Options.Margin,
+                           PlannerNumbers::FlightSteps, this->Stream);
+    chain.JoinPlace = static_cast<int>(chain.Pieces.size());
+    if (!chain.Pieces.empty() && this->Fitter.FitRefined(chain, false, this->Result))
+    {
+      return true;
+    }
+    this->Task.HasContinuation = false;
+  }
+  return false;
+}
+
+bool SpanPlanner::FlyOn()
+{
+  return this->Fly(PlannerNumbers::FlightsOn);
+}
+
+/// The seam is left to be healed.
+bool SpanPlanner::FlyAnew()
+{
+  this->Task.Start.HasVelocity = false;
+  return this->Fly(PlannerNumbers::FlightsAnew);
+}
+
+/// What is too far for any flight is flown towards, as far as the top speed goes.
+void SpanPlanner::JudgeSpeed()
+{
+  SpanTask& task = this->Task;
+  const Vec3 way = task.Goal.Position - task.Start.Position;
+  const double needed = std::max(0.0, way.norm() - this->Request.GoalRadius) / task.Frames;
+  const double top = this->Library.TopStep();
+  if (needed > top)
+  {
+    const double rate = this->Library.Options().FramesPerSecond;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "asks for %.3g m/s on average, the database's top speed is %.3g m/s",
+                  needed * rate, top * rate);
+    this->Result.Message = text;
+  }
+  if (needed > SpeedAllowance * top)
+  {
+    this->IsReachable = false;
+    this->Result.IsRuledOut = true;
+    task.Goal.Position = task.Start.Position + way.normalized() * (top * task.Frames);
+  }
+}
+
+SpanResult SpanPlanner::Run()
+{
+  SpanTask& task = this->Task;
   task.Start = this->Request.Start;
   task.Goal = this->Request.Goal;
   task.Frames = std::max(1, static_cast<int>(std::lround(this->Request.Clock.FlightFrames())));
@@ -291,68 +329,47 @@ SpanResult SpanPlanner::Run(Random random)
   task.HasContinuation = this->Request.HasContinuation;
   task.Continuation = this->Request.Continuation;
   task.GoesOn = this->Request.GoesOn;
-
-  bool reachable = this->Request.HasGoal;
+  this->Flight = this->FlightField(this->Field);
   if (this->Request.HasGoal)
   {
-    const Vec3 way = task.Goal.Position - task.Start.Position;
-    const double needed = std::max(0.0, way.norm() - this->Request.GoalRadius) / task.Frames;
-    const double top = this->Library.TopStep();
-    if (needed > top)
+    this->JudgeSpeed();
+    if (!FindWay(this->Flight, this->Options, this->Request.Guide, task))
     {
-      const double rate = this->Library.Options().FramesPerSecond;
-      char text[160];
-      std::snprintf(text, sizeof text,
-                    "asks for %.3g m/s on average, the database's top speed is %.3g m/s",
-                    needed * rate, top * rate);
-      result.Message = text;
-    }
-    if (needed > SpeedAllowance * top)
-    {
-      reachable = false;
-      result.IsRuledOut = true;
-      task.Goal.Position = task.Start.Position + way.normalized() * (top * task.Frames);
-    }
-  }
-  const ClearanceField flight = this->FlightField(this->Field);
-  if (this->Request.HasGoal)
-  {
-    if (!this->WayAround(flight, task))
-    {
-      result.IsRuledOut = true;
+      this->Result.IsRuledOut = true;
       this->Options.MaximumNumberOfBranches =
-        std::max(1, this->Options.MaximumNumberOfBranches / 20);
+        std::max(1, this->Options.MaximumNumberOfBranches / PlannerNumbers::RuledOutBranches);
     }
+    SpanSearchOptions searchOptions;
+    searchOptions.RetimingLimit = this->Options.RetimingLimit;
+    searchOptions.Margin = this->Options.Margin;
+    this->Search.emplace(this->Library, this->Flight, task, searchOptions, this->Stream);
   }
-  if (this->Request.HasGoal && this->Search(flight, task, reachable, random, result))
+  static constexpr bool (SpanPlanner::*Resorts[])() = {
+    &SpanPlanner::JoinTrees,  // to the goal, as smoothly as is asked for
+    &SpanPlanner::JoinAnyhow, // to the goal
+    &SpanPlanner::ComeNear,   // to a stop near the goal
+    &SpanPlanner::FlyOn,      // anywhere, with the velocity at the start
+    &SpanPlanner::FlyAnew,    // anywhere
+    &SpanPlanner::Hover,      // nowhere
+  };
+  for (const auto resort : Resorts)
   {
-    if (!result.ReachesGoal)
+    if ((this->*resort)())
     {
-      result.Distance = (result.Positions.back() - this->Request.Goal.Position).norm();
+      break;
     }
-    return result;
   }
-  const ClearanceField missed = this->FlightField(this->MissField);
-  bool flies = false;
-  for (int attempt = 0; attempt < FreeAttempts && !flies; ++attempt)
+  SpanResult& result = this->Result;
+  for (int tree = 0; tree < 2 && this->Search; ++tree)
   {
-    random.Bits();
-    // At last the seam is left to be healed.
-    task.Start.HasVelocity = this->Request.Start.HasVelocity && attempt + 2 < FreeAttempts;
-    PieceChain chain;
-    chain.Pieces = FlyFree(this->Library, missed, task, this->Options.Margin, 2000, random);
-    chain.JoinPlace = static_cast<int>(chain.Pieces.size());
-    flies = !chain.Pieces.empty() && this->Fitter.FitRefined(chain, false, result);
-    task.HasContinuation = false;
+    result.Trees[tree] = this->Search->Tree(tree);
   }
-  if (!flies)
+  if (!result.ReachesGoal && this->Request.HasGoal)
   {
-    this->Hover(result);
+    result.Distance = (result.Positions.back() - this->Request.Goal.Position).norm();
   }
-  result.ReachesGoal = !this->Request.HasGoal;
-  result.Distance =
-    this->Request.HasGoal ? (result.Positions.back() - this->Request.Goal.Position).norm() : 0.0;
-  return result;
+  result.ReachesGoal = result.ReachesGoal || !this->Request.HasGoal;
+  return std::move(result);
 }
 
 } // namespace
@@ -360,7 +377,7 @@ SpanResult SpanPlanner::Run(Random random)
 SpanResult PlanSpan(const SegmentLibrary& library, const ClearanceField& field,
                     const SpanRequest& request, const SpanPlanOptions& options, Random random)
 {
-  return SpanPlanner(library, field, request, options).Run(random);
+  return SpanPlanner(library, field, request, options, random).Run();
 }
 
 } // namespace waft

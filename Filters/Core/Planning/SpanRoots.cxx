@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the two trees begin, and paths of a single piece.
+#include "Planning/PlannerNumbers.h"
 #include "Planning/SpanSearch.h"
 
 #include <algorithm>
@@ -28,8 +29,8 @@ bool SpanSearch::CanEndHere(const Piece& piece) const
 {
   // A body lands from above.
   const std::vector<Vec3>& samples = this->Library.Samples(piece.Segment);
-  const double low = (piece.Place * samples[piece.Last]).z() - 1e-6;
-  for (int k = std::max(piece.First, piece.Last - 30); k < piece.Last; ++k)
+  const double low = (piece.Place * samples[piece.Last]).z() - PlannerNumbers::LandingSlack;
+  for (int k = std::max(piece.First, piece.Last - PlannerNumbers::LandingLook); k < piece.Last; ++k)
   {
     if ((piece.Place * samples[k]).z() < low)
     {
@@ -68,8 +69,9 @@ void SpanSearch::AddRoots(int tree, int count)
     // With a velocity to match the best of several draws is tried; without, each draw is as good.
     // Where no way on has that velocity, the seam is healed afterwards.
     const bool matches =
-      end.HasVelocity && (!this->Trees[tree].empty() || this->RootFailures[tree] < 40);
-    const int draws = matches ? 48 : 1;
+      end.HasVelocity &&
+      (!this->Trees[tree].empty() || this->RootFailures[tree] < PlannerNumbers::RootFailures);
+    const int draws = matches ? PlannerNumbers::RootDraws : 1;
     for (int draw = 0; draw < draws; ++draw)
     {
       Piece piece;
@@ -118,7 +120,7 @@ void SpanSearch::AddSinglePieces()
     piece.Segment = this->Library.SegmentOfTop(top);
     const std::vector<Vec3>& samples = this->Library.Samples(piece.Segment);
     const auto count = static_cast<int>(samples.size());
-    for (int first = 0; first < count; first += 2)
+    for (int first = 0; first < count; first += PlannerNumbers::SinglePieceStride)
     {
       Join best;
       best.Score = 1e30;

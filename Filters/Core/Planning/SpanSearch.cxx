@@ -2,26 +2,13 @@
 #include "Planning/SpanSearch.h"
 
 #include "Planning/FreeSpaceGrid.h"
+#include "Planning/PlannerNumbers.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace waft
 {
-
-namespace
-{
-
-constexpr int FailuresUntilGivenUp = 12;
-
-/// Of seeds about a way around obstacles, in radii of the body.
-constexpr double WaySpread = 4.0;
-/// Of these seeds, how many are where the trees have come to, and the share of the way meant by
-/// that.
-constexpr double FrontShare = 0.5;
-constexpr double FrontLength = 0.06;
-
-} // namespace
 
 SpanSearch::SpanSearch(const SegmentLibrary& library, const ClearanceField& field,
                        const SpanTask& task, const SpanSearchOptions& options, Random random) :
@@ -32,7 +19,8 @@ SpanSearch::SpanSearch(const SegmentLibrary& library, const ClearanceField& fiel
   const double reach = library.TopStep() * task.Frames * 0.5;
   const Vec3 centre = 0.5 * (task.Start.Position + task.Goal.Position);
   const Vec3 half = 0.5 * (task.Goal.Position - task.Start.Position).cwiseAbs() +
-                    Vec3::Constant(std::max(0.3 * reach, 2.0 * field.Rule.Radius));
+                    Vec3::Constant(std::max(PlannerNumbers::SeedReach * reach,
+                                            PlannerNumbers::SeedRadii * field.Rule.Radius));
   this->SeedBox.Min = field.Bounds.Min.cwiseMax(centre - half);
   this->SeedBox.Max = field.Bounds.Max.cwiseMin(centre + half);
   for (std::size_t k = 0; k < task.Way.size(); ++k)
@@ -58,8 +46,8 @@ SpanSearch::SpanSearch(const SegmentLibrary& library, const ClearanceField& fiel
   {
     this->AddRoot(0, task.Continuation, 0.0);
   }
-  this->AddRoots(0, 8);
-  this->AddRoots(1, 8);
+  this->AddRoots(0, PlannerNumbers::FirstRoots);
+  this->AddRoots(1, PlannerNumbers::FirstRoots);
 }
 
 bool SpanSearch::IsFree(const Piece& piece, double firstFrame) const
@@ -78,19 +66,21 @@ Vec3 SpanSearch::Seed(int tree, double& frame)
 {
   const bool hasWay = !this->Task.Way.empty();
   double u = this->Stream.Uniform();
-  if (hasWay && this->Stream.Uniform() < FrontShare)
+  if (hasWay && this->Stream.Uniform() < PlannerNumbers::FrontShare)
   {
     // About where the tree has come to, rather beyond: through the next window.
-    const double ahead = FrontLength * (2.0 * u - 0.5);
+    const double ahead = PlannerNumbers::FrontLength * (2.0 * u - PlannerNumbers::FrontBack);
     u = std::clamp(tree == 0 ? this->Reached[0] + ahead : this->Reached[1] - ahead, 0.0, 1.0);
   }
   frame = u * this->Task.Frames;
-  if (this->Stream.Uniform() < (hasWay ? 0.8 : 0.5))
+  if (this->Stream.Uniform() <
+      (hasWay ? PlannerNumbers::SeedsAboutWay : PlannerNumbers::SeedsAboutLine))
   {
     // About the way, as far from it as there is time for, or in a maze as there is room.
-    const double time =
-      0.35 * this->Library.TypicalStep() * this->Task.Frames * std::sqrt(u * (1.0 - u));
-    const double spread = hasWay ? std::min(time, WaySpread * this->Field.Rule.Radius) : time;
+    const double time = PlannerNumbers::SeedSpread * this->Library.TypicalStep() *
+                        this->Task.Frames * std::sqrt(u * (1.0 - u));
+    const double spread =
+      hasWay ? std::min(time, PlannerNumbers::WaySpread * this->Field.Rule.Radius) : time;
     const Vec3 offset(this->Stream.Normal(), this->Stream.Normal(), this->Stream.Normal());
     const Vec3 x =
       spread * offset + (hasWay ? PointAlong(this->Task.Way, u)
@@ -111,7 +101,8 @@ void SpanSearch::NoteProgress(int tree, const Vec3& end)
   {
     nearest = (way[k] - end).squaredNorm() < (way[nearest] - end).squaredNorm() ? k : nearest;
   }
-  if (way.empty() || (way[nearest] - end).norm() > WaySpread * this->Field.Rule.Radius)
+  if (way.empty() ||
+      (way[nearest] - end).norm() > PlannerNumbers::WaySpread * this->Field.Rule.Radius)
   {
     return;
   }
@@ -132,7 +123,8 @@ int SpanSearch::SeedNode(int tree, const Vec3& seed, double elapsed) const
   for (std::size_t i = 0; i < branches.size(); ++i)
   {
     const Branch& branch = branches[i];
-    if (branch.Elapsed >= this->Task.Frames || branch.Failures >= FailuresUntilGivenUp)
+    if (branch.Elapsed >= this->Task.Frames ||
+        branch.Failures >= PlannerNumbers::FailuresUntilGivenUp)
     {
       continue;
     }
@@ -173,7 +165,7 @@ const Neighbour* SpanSearch::BestSegment(int tree, const Branch& parent, const V
 void SpanSearch::Step()
 {
   const int tree = this->Turn++ % 2;
-  if (this->Turn % 16 < 2 && !(tree == 0 && this->Task.HasContinuation))
+  if (this->Turn % PlannerNumbers::TurnsPerRoot < 2 && !(tree == 0 && this->Task.HasContinuation))
   {
     this->AddRoots(tree, 1);
   }
@@ -189,7 +181,7 @@ void SpanSearch::Step()
   const Neighbour* entry = this->BestSegment(tree, parent, seed);
   if (entry == nullptr)
   {
-    this->Trees[tree][node].Failures = FailuresUntilGivenUp;
+    this->Trees[tree][node].Failures = PlannerNumbers::FailuresUntilGivenUp;
     return;
   }
   Branch branch;

@@ -4,22 +4,13 @@
 #include "Base/SmoothStep.h"
 #include "Constraints/Rest.h"
 #include "Planning/FreeSpaceGrid.h"
+#include "Planning/PlannerNumbers.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace waft
 {
-
-namespace
-{
-
-/// Pull of a guide of full weight on each frame: what bends within 18 frames is left as it flies.
-constexpr double GuidePull = 1e-5;
-/// Of the database's top speed, the mean fall before a landing above which the landing is faster.
-constexpr double DivingShare = 0.6;
-
-} // namespace
 
 std::vector<Vec3> SpanWarp::Frames() const
 {
@@ -42,7 +33,8 @@ SpanWarp LaySpan(const SpanRequest& request, const SpanClock& clock, const std::
   {
     const Vec3 offset = path.back() - goal;
     const double distance = offset.norm();
-    goal += offset * std::min(1.0, 0.9 * request.GoalRadius / std::max(distance, 1e-300));
+    goal += offset * std::min(1.0, PlannerNumbers::GoalShare * request.GoalRadius /
+                                     std::max(distance, 1e-300));
   }
   WarpProblem& warp = span.Problem;
   warp.SecondDifferences.assign(count, Vec3::Zero());
@@ -80,7 +72,7 @@ SpanWarp LaySpan(const SpanRequest& request, const SpanClock& clock, const std::
   }
   if (toGoal && request.Guide.size() > 1)
   {
-    const double pull = GuidePull * request.GuideWeight * request.GuideWeight;
+    const double pull = PlannerNumbers::GuidePull * request.GuideWeight * request.GuideWeight;
     for (int k = 1; k < clock.Frames; ++k)
     {
       const double share = clock.Flown(k) / clock.FlightFrames();
@@ -95,8 +87,8 @@ void BringDown(const SpanRequest& request, const SegmentLibrary& library, SpanWa
 {
   const double second = library.Options().FramesPerSecond;
   const auto cushion = static_cast<int>(std::lround(second * CushionTime));
-  const auto inner = static_cast<int>(std::lround(0.9 * second));
-  const auto outer = static_cast<int>(std::lround(1.5 * second));
+  const auto inner = static_cast<int>(std::lround(PlannerNumbers::SinkTime * second));
+  const auto outer = static_cast<int>(std::lround(PlannerNumbers::SettleTime * second));
   const int frames = span.Clock.Frames;
   if (!(request.Goal.Descent > 0.0) || span.After == 0 || cushion < 2 ||
       frames - outer < span.Clock.LaunchFrames + 3)
@@ -109,9 +101,10 @@ void BringDown(const SpanRequest& request, const SegmentLibrary& library, SpanWa
   const double own = (positions[a].z() - positions[b].z()) / (b - a);
   // A goal that is near in time may be far below: the rest of the span must not have to dive.
   const double drop = request.Start.Position.z() - request.Goal.Position.z();
-  const double affordable = (drop - DivingShare * library.TopStep() * b) / (inner - 0.5 * cushion);
+  const double affordable =
+    (drop - PlannerNumbers::DivingShare * library.TopStep() * b) / (inner - 0.5 * cushion);
   const double most = std::max(request.Goal.Descent, affordable);
-  const double descent = std::clamp(own, 0.25 * request.Goal.Descent, most);
+  const double descent = std::clamp(own, PlannerNumbers::SlowestSink * request.Goal.Descent, most);
   std::vector<Vec3>& bends = span.Problem.SecondDifferences;
   for (int k = 1; k < frames; ++k)
   {
@@ -119,7 +112,7 @@ void BringDown(const SpanRequest& request, const SegmentLibrary& library, SpanWa
     double& bend = bends[span.Before + k].z();
     if (left >= outer)
     {
-      const double u = std::min(1.0, (left - outer) / (0.5 * second));
+      const double u = std::min(1.0, (left - outer) / (PlannerNumbers::FadeTime * second));
       bend *= CubicStep(u);
     }
     else

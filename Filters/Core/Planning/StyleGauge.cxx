@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/StyleGauge.h"
 
+#include "Planning/PlannerNumbers.h"
 #include "Trajectory/Style.h"
 
 #include <algorithm>
@@ -12,16 +13,6 @@ namespace waft
 namespace
 {
 
-constexpr int Quantiles = 200;
-
-/// Accelerations of a path that has little time are farther from the database's in any case; its
-/// shape need not be.
-constexpr double CurvatureWeight = 1.25;
-constexpr double AccelerationWeight = 0.75;
-
-/// Of the database's accelerations lie below what counts as fierce.
-constexpr double HighQuantile = 0.99;
-
 std::vector<double> QuantilesOf(std::vector<double> values)
 {
   std::vector<double> result;
@@ -30,9 +21,9 @@ std::vector<double> QuantilesOf(std::vector<double> values)
     return result;
   }
   std::sort(values.begin(), values.end());
-  for (int i = 0; i < Quantiles; ++i)
+  for (int i = 0; i < PlannerNumbers::Quantiles; ++i)
   {
-    const double place = (i + 0.5) / Quantiles * static_cast<double>(values.size());
+    const double place = (i + 0.5) / PlannerNumbers::Quantiles * static_cast<double>(values.size());
     result.push_back(values[std::min(values.size() - 1, static_cast<std::size_t>(place))]);
   }
   return result;
@@ -67,7 +58,7 @@ double DistanceTo(const std::vector<double>& quantiles, std::vector<double>& val
 StyleGauge::StyleGauge(const MotionDatabase& database)
 {
   StyleSamples samples = StyleOf(database);
-  this->HighAcceleration = Quantile(samples.Acceleration, HighQuantile);
+  this->HighAcceleration = Quantile(samples.Acceleration, PlannerNumbers::HighQuantile);
   this->LogCurvature = QuantilesOf(std::move(samples.LogCurvature));
   this->Acceleration = QuantilesOf(std::move(samples.Acceleration));
 }
@@ -90,8 +81,8 @@ void StyleGauge::Append(const std::vector<Vec3>& positions, double step, int fir
 
 double StyleGauge::Distance(StyleHistory history) const
 {
-  return CurvatureWeight * DistanceTo(this->LogCurvature, history.LogCurvature) +
-         AccelerationWeight * DistanceTo(this->Acceleration, history.Acceleration);
+  return PlannerNumbers::CurvatureWeight * DistanceTo(this->LogCurvature, history.LogCurvature) +
+         PlannerNumbers::AccelerationWeight * DistanceTo(this->Acceleration, history.Acceleration);
 }
 
 double StyleGauge::AccelerationExcess(const StyleHistory& flight) const

@@ -153,8 +153,8 @@ void Lbfgs::Exchange(StateArchive& stream)
   stream.List(this->Pairs.Rho);
   vector(stream, this->Gradient);
   stream.List(this->Energies);
-  stream.Values(this->Gamma, this->Terms.E, this->Terms.Ex, this->Terms.Ev, this->Terms.Ec,
-                this->Terms.Penalties);
+  stream.Value(this->Gamma);
+  waft::Exchange(stream, this->Terms);
 }
 
 LbfgsEnd Lbfgs::Minimize(SpacetimeObjective& objective,

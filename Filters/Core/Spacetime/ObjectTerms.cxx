@@ -65,8 +65,8 @@ double ClearanceTerms(const SpacetimeModel& model, int frame, double scale, cons
 }
 
 // Distance beyond the reach about the approach.
-double ReachTerms(const SpacetimeModel& model, int frame, double scale, const float* state,
-                  float* gradient)
+double ApproachTerms(const SpacetimeModel& model, int frame, double scale, const float* state,
+                     float* gradient)
 {
   if (model.Reach.empty())
   {
@@ -189,12 +189,14 @@ double PairDistance(const SpacetimeModel& model, int frame, std::size_t a, std::
   return distance;
 }
 
-double AddObjectTerms(const SpacetimeModel& model, int frame, double scale, const float* state,
-                      float* gradient)
+ObjectTerms AddObjectTerms(const SpacetimeModel& model, int frame, double scale, const float* state,
+                           float* gradient)
 {
-  return ClearanceTerms(model, frame, scale, state, gradient) +
-         ReachTerms(model, frame, scale, state, gradient) +
-         ContactTerms(model, frame, scale, state, gradient);
+  ObjectTerms terms; // the gradient's bits depend on their order
+  terms.Clearance = ClearanceTerms(model, frame, scale, state, gradient);
+  terms.Approach = ApproachTerms(model, frame, scale, state, gradient);
+  terms.Contact = ContactTerms(model, frame, scale, state, gradient);
+  return terms;
 }
 
 } // namespace waft

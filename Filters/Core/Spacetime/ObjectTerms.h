@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Terms of E among objects and surfaces: clearance and contact.
+// Penalties of E on objects: clearance, approach and contact.
 #pragma once
 
 #include "Spacetime/SpacetimeModel.h"
@@ -17,10 +17,16 @@ double ObstacleClearance(const SpacetimeModel& model, int frame, std::size_t obj
 /// that are to lie over each other have to come together.
 double PairDistance(const SpacetimeModel& model, int frame, std::size_t a, std::size_t b);
 
-/// Half the weighted sum of squares of the depths below the required clearance (walls, floor,
-/// obstacles) and below the distance of pairs of objects. Adds scale times the gradient to
-/// the six rows of `gradient` where it is not null. Objects at fixed positions are left out.
-double AddObjectTerms(const SpacetimeModel& model, int frame, double scale, const float* state,
-                      float* gradient);
+struct ObjectTerms
+{
+  double Clearance = 0.0; // of depths below the required clearance (walls, floor, obstacles)
+  double Approach = 0.0;  // of distances beyond the reach about the approach
+  double Contact = 0.0;   // of depths below the distance of pairs of objects
+};
+
+/// Half the weighted sums of squares. Adds scale times their gradient to the six rows of `gradient`
+/// where it is not null. Objects at fixed positions are left out.
+ObjectTerms AddObjectTerms(const SpacetimeModel& model, int frame, double scale, const float* state,
+                           float* gradient);
 
 } // namespace waft

@@ -10,6 +10,7 @@
 #include "Base/Result.h"
 #include "Base/Types.h"
 #include "Constraints/MotionProblem.h"
+#include "Spacetime/Convergence.h"
 #include "Spacetime/TermWeights.h"
 
 #include <array>
@@ -229,17 +230,6 @@ struct ParticleSeries
   std::vector<int> ObjectIds; // -1: gas
   std::vector<float> Masses;  // kg, as the SPH sums weigh them
   std::vector<Frame> Frames;
-};
-
-struct ConvergenceRow
-{
-  int Pass = 0;
-  std::string Stage;
-  int Iteration = 0;
-  double E = 0.0, Ex = 0.0, Ev = 0.0, Ec = 0.0;
-  double MaxViolation = 0.0; // m
-  double Leash = 0.0;        // m; 0: released
-  double Seconds = 0.0;      // since RunSpacetime began
 };
 
 struct SpacetimeOutput

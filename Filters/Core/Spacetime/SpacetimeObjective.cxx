@@ -207,7 +207,7 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
     terms.Adjoint(g);
   }
   const double crowding = weights.Separation * this->Times.FrameWeights[j];
-  sums.Penalties =
+  sums.Separation =
     crowding * terms.Crowding(static_cast<float>(crowding),
                               gradient ? gradient->data() + this->Place(j) : nullptr);
 }
@@ -250,6 +250,19 @@ void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
     }
   }
   this->FrameSums[j].Ec += 0.5 * share * w * sum;
+}
+
+void SpacetimeObjective::ObjectFrame(const StateVector& state, std::size_t j, StateVector* gradient)
+{
+  const double weight = this->Times.FrameWeights[j];
+  const ObjectTerms terms =
+    AddObjectTerms(this->Problem, this->Times.Frames[j], weight, state.data() + this->Place(j),
+                   gradient ? gradient->data() + this->Place(j) : nullptr);
+  SpacetimeTerms& sums = this->FrameSums[j];
+  sums.Clearance = weight * terms.Clearance;
+  sums.Approach = weight * terms.Approach;
+  sums.Contact = weight * terms.Contact;
+  sums.Penalties = sums.Separation + weight * (terms.Clearance + terms.Approach + terms.Contact);
 }
 
 void SpacetimeObjective::GatherFrame(std::size_t j, StateVector& gradient) const
@@ -307,23 +320,18 @@ bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradien
 {
   ++this->Evaluations;
   this->Residuals.resize((this->RowsEnd - this->RowsBegin) * 9 * this->Problem.Stride(), 0.0f);
-  const bool done = this->Chunked(
-    monitor, 0.0, 0.9,
-    [&](std::size_t begin, std::size_t end)
-    {
-      auto worker = this->Borrow();
-      for (std::size_t j = begin; j < end; ++j)
-      {
-        this->SphFrame(*worker, state, j, gradient);
-        this->SmoothRow(state, j);
-        float* g = gradient ? gradient->data() + this->Place(j) : nullptr;
-        this->FrameSums[j].Penalties +=
-          this->Times.FrameWeights[j] * AddObjectTerms(this->Problem, this->Times.Frames[j],
-                                                       this->Times.FrameWeights[j],
-                                                       state.data() + this->Place(j), g);
-      }
-      this->Return(std::move(worker));
-    });
+  const bool done = this->Chunked(monitor, 0.0, 0.9,
+                                  [&](std::size_t begin, std::size_t end)
+                                  {
+                                    auto worker = this->Borrow();
+                                    for (std::size_t j = begin; j < end; ++j)
+                                    {
+                                      this->SphFrame(*worker, state, j, gradient);
+                                      this->SmoothRow(state, j);
+                                      this->ObjectFrame(state, j, gradient);
+                                    }
+                                    this->Return(std::move(worker));
+                                  });
   if (!done)
   {
     return false;
@@ -345,10 +353,7 @@ bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradien
   terms = SpacetimeTerms();
   for (const SpacetimeTerms& sum : this->FrameSums)
   {
-    terms.Ex += sum.Ex;
-    terms.Ev += sum.Ev;
-    terms.Ec += sum.Ec;
-    terms.Penalties += sum.Penalties;
+    SpacetimeTerms::Visit([](double& all, double one) { all += one; }, terms, sum);
   }
   const SpacetimeWeights& w = this->Problem.Weights;
   terms.E = w.PositionWeight * terms.Ex + w.VelocityWeight * terms.Ev +

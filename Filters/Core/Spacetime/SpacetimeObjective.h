@@ -5,6 +5,7 @@
 #include "Base/Monitor.h"
 #include "Base/Parallel.h"
 #include "Particles/NeighborList.h"
+#include "Spacetime/Convergence.h"
 #include "Spacetime/FrameTerms.h"
 #include "Spacetime/SpacetimeModel.h"
 #include "Spacetime/StateVector.h"
@@ -15,14 +16,6 @@
 
 namespace waft
 {
-
-/// E = c1 Ex + c2 Ev + c3 Ec + Penalties; each is half a sum of squares.
-struct SpacetimeTerms
-{
-  double E = 0.0;
-  double Ex = 0.0, Ev = 0.0, Ec = 0.0;
-  double Penalties = 0.0; // clearance, approach, contact and separation, weighted
-};
 
 /// The unknowns are six rows a frame (x, y, z, u, v, w of gas, then objects, padded).
 /// With j a frame of the level and s the step to the next one (Shi et al. 2005, Eqs. 3, 4, 9-11):
@@ -79,6 +72,7 @@ private:
   NeighborList& ListOf(Worker& worker, std::size_t j);
   void SphFrame(Worker& worker, const StateVector& state, std::size_t j, StateVector* gradient);
   void SmoothRow(const StateVector& state, std::size_t j);
+  void ObjectFrame(const StateVector& state, std::size_t j, StateVector* gradient);
   void GatherFrame(std::size_t j, StateVector& gradient) const;
   /// The rows of other ranks' frames that the own frames' gradient takes in.
   void ReceiveRows();

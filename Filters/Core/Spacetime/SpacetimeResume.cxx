@@ -12,7 +12,7 @@ namespace waft
 namespace
 {
 
-constexpr const char* Format = "Waft spacetime checkpoint 5";
+constexpr const char* Format = "Waft spacetime checkpoint 6";
 constexpr double WritingShare = 1.0 / 30.0; // of the time, for checkpoints
 
 void ExchangeStep(StateArchive& stream, SpacetimeStep& step)
@@ -20,13 +20,6 @@ void ExchangeStep(StateArchive& stream, SpacetimeStep& step)
   stream.Values(step.Coarseness, step.IsUpdate, step.FitsVortices, step.Pass, step.Iterations,
                 step.Leash);
   stream.Text(step.Name);
-}
-
-void ExchangeRow(StateArchive& stream, ConvergenceRow& row)
-{
-  stream.Values(row.Pass, row.Iteration, row.E, row.Ex, row.Ev, row.Ec, row.MaxViolation, row.Leash,
-                row.Seconds);
-  stream.Text(row.Stage);
 }
 
 } // namespace
@@ -40,7 +33,8 @@ void SpacetimeRun::ExchangeCheckpoint(StateArchive& stream)
   stream.List(this->Program.CoarseFrames,
               [](StateArchive& s, std::vector<int>& frames) { s.List(frames); });
   stream.Values(next, this->IsInside, coarseness, this->GoesOn, this->StartEnergy, this->Before);
-  stream.List(this->Output.Convergence, ExchangeRow);
+  stream.List(this->Output.Convergence,
+              [](StateArchive& s, ConvergenceRow& row) { Exchange(s, row); });
   stream.List(this->Beginning);
   stream.List(this->Setup.Model.Vortices, [](StateArchive& s, Vortex& v) { Exchange(s, v); });
   Exchange(stream, this->Setup.Model.Wind);
@@ -71,9 +65,8 @@ void SpacetimeRun::ExchangeCheckpoint(StateArchive& stream)
     this->Solver->Solver->Exchange(stream);
     return;
   }
-  SpacetimeTerms& terms = this->Place.Terms;
-  stream.Values(this->Place.Sweep, this->Place.Index, terms.E, terms.Ex, terms.Ev, terms.Ec,
-                terms.Penalties);
+  stream.Values(this->Place.Sweep, this->Place.Index);
+  Exchange(stream, this->Place.Terms);
   stream.List(this->Place.Energies);
 }
 

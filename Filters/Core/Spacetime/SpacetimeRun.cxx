@@ -46,13 +46,10 @@ void SpacetimeRun::Record(int pass, const std::string& stage, int iteration,
                           const SpacetimeTerms& terms, double violation, double leash)
 {
   ConvergenceRow row;
+  static_cast<SpacetimeTerms&>(row) = terms;
   row.Pass = pass;
   row.Stage = stage;
   row.Iteration = iteration;
-  row.E = terms.E;
-  row.Ex = terms.Ex;
-  row.Ev = terms.Ev;
-  row.Ec = terms.Ec;
   row.MaxViolation = std::max(0.0, violation) * this->Setup.Spacing;
   row.Leash = leash;
   row.Seconds = this->Seconds();

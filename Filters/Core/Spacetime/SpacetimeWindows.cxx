@@ -150,12 +150,8 @@ bool SpacetimeRun::SolveWindow(const SpacetimeStep& step,
   {
     own = part.Share.Whole(std::move(own), size);
     std::copy(own.begin(), own.end(), begin);
-    SpacetimeTerms& all = this->Place.Terms;
-    all.E += last.E - first.E;
-    all.Ex += last.Ex - first.Ex;
-    all.Ev += last.Ev - first.Ev;
-    all.Ec += last.Ec - first.Ec;
-    all.Penalties += last.Penalties - first.Penalties;
+    SpacetimeTerms::Visit([](double& all, double now, double before) { all += now - before; },
+                          this->Place.Terms, last, first);
   }
   return end != LbfgsEnd::Stopped;
 }

@@ -19,7 +19,6 @@ from waft.watching import Clock, collect
 QUALITIES = ("preview", "assimilated", "full", "paper")
 PREVIEW = {"Resolution": 32, "Rounds": 1}  # of the assimilation
 OPTIMISER = {}  # properties of the optimiser besides its defaults
-CONVERGENCE = ("Pass", "Stage", "Iteration", "E", "Ex", "Ev", "Ec", "MaxViolation", "Leash", "Seconds")
 STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
 REPORT = "report.json"
 STATE = "assimilated.state"
@@ -301,12 +300,22 @@ def write_results(pipeline, place, scene, checkpoint, meshes=False):
         energies = [dict(zip(header, row))["E"] for row in (rows[0], rows[-1])]
         write_csv(place.path("convergence.csv"), header, rows)
     else:
-        write_csv(place.path("convergence.csv"), CONVERGENCE, [])
+        write_csv(place.path("convergence.csv"), *table_rows(_empty_convergence()))
     if pipeline.assimilation is not None:
         _write_air(pipeline, place, checkpoint)
     _write_report(pipeline, place.path("constraints.csv"))
     _write_animation(pipeline, place)
     place.commit(_summary(pipeline, scene, energies))
+
+
+def _empty_convergence():
+    """The optimiser's table of a run that does without it."""
+    from vtkmodules.vtkCommonDataModel import vtkTable
+    from waft.vtkWaftFilters import vtkSPHSpacetimeFilter
+
+    table = vtkTable()
+    vtkSPHSpacetimeFilter.EmptyConvergence(table)
+    return table
 
 
 def _write_air(pipeline, place, checkpoint):

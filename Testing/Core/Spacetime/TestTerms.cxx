@@ -9,6 +9,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 using namespace waft;
 using test::Problem;
@@ -164,5 +167,41 @@ TEST(Terms, TheFastObjectiveHasTheSameCostAndGradient)
           << term.Name << " " << table->Name << " " << int(kind);
       }
     }
+  }
+}
+
+// So that what a column of the convergence falls by is what that term falls by.
+TEST(Terms, EachPenaltyHasAColumnOfItsOwn)
+{
+  const std::vector<std::pair<std::string, double SpacetimeTerms::*>> penalties = {
+    { "clearance", &SpacetimeTerms::Clearance },
+    { "approach", &SpacetimeTerms::Approach },
+    { "contact", &SpacetimeTerms::Contact },
+    { "separation", &SpacetimeTerms::Separation },
+  };
+  Problem problem;
+  for (const Term& term : Terms())
+  {
+    term.Add(problem.Empty(), problem);
+    const SpacetimeModel& model = problem.Setup.Model;
+    const TimeLevel level = problem.Level();
+    const ReferenceObjective reference(model, level);
+    SpacetimeObjective objective(model, level, SerialFor(), FastestSphKernels());
+    SpacetimeTerms terms;
+    ASSERT_TRUE(objective.Evaluate(reference.To(problem.Disturbed(reference)), nullptr, terms));
+    double sum = 0.0;
+    for (const auto& [name, member] : penalties)
+    {
+      const bool isIts = std::string(term.Name).rfind(name, 0) == 0;
+      EXPECT_TRUE(isIts ? terms.*member > 0.0 : terms.*member >= 0.0) << term.Name << " " << name;
+      sum += terms.*member;
+    }
+    EXPECT_NEAR(terms.Penalties, sum, 1e-12 * sum) << term.Name;
+    const SpacetimeWeights& w = model.Weights;
+    EXPECT_NEAR(terms.E,
+                w.PositionWeight * terms.Ex + w.VelocityWeight * terms.Ev +
+                  w.CoherenceWeight * terms.Ec + sum,
+                1e-12 * terms.E)
+      << term.Name;
   }
 }
