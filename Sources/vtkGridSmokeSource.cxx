@@ -126,9 +126,7 @@ waft::Result vtkGridSmokeSource::Internals::Begin(const vtkGridSmokeSource& self
   input.CacheLimit = static_cast<std::size_t>(self.CacheLimit) * Megabyte;
   if (!this->Obstacles.empty())
   {
-    input.Solids =
-      [obstacles = this->Obstacles, options](int frame, auto& distances, auto& velocities)
-    { return waft::NodeDistances(obstacles, frame, options, distances, velocities); };
+    input.Solids = waft::NodeSolids(this->Obstacles, options);
     input.SolidsMove = std::any_of(this->Obstacles.begin(), this->Obstacles.end(),
                                    [](const waft::ObstacleMesh& o) { return o.IsMoving(); });
   }

@@ -89,11 +89,8 @@ waft::Result vtkAirAssimilationFilter::Internals::Run(vtkInformationVector** inp
   this->Solution = waft::AssimilationOutput();
   waft::AssimilationInput input;
   WAFT_RETURN_IF_FAILED(this->Take(inputs, input));
-  const waft::SolidsOn solids = [&input](const waft::SmokeOptions& smoke) -> waft::SolidsAtFrame
-  {
-    return [obstacles = input.Obstacles, smoke](int frame, auto& distances, auto& velocities)
-    { return waft::NodeDistances(obstacles, frame, smoke, distances, velocities); };
-  };
+  const waft::SolidsOn solids = [&input](const waft::SmokeOptions& smoke)
+  { return waft::NodeSolids(input.Obstacles, smoke); };
   WAFT_RETURN_IF_FAILED(
     waft::AssimilateAir(input, waft::OptionsOf<waft::AssimilationOptions>(*this->Self), solids,
                         waft::SmpFor(), monitor, this->Solution, &this->Memory));

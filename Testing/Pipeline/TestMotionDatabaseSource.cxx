@@ -69,7 +69,7 @@ TEST(MotionDatabaseSource, AbortedItGivesNothing)
 {
   vtkNew<vtkMotionDatabaseSource> source;
   MakeSmall(source);
-  const AbortBeyond stop(source, 0.3);
+  const AbortBeyond stop(source, 0.05);
   source->Update();
   EXPECT_EQ(source->GetOutput()->GetNumberOfBlocks(), 0u);
 }

@@ -15,6 +15,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
 
 namespace waft
 {
@@ -23,6 +26,23 @@ namespace
 
 /// Distances are exact this many voxels from a surface.
 constexpr double BandInVoxels = 4.0;
+constexpr std::size_t MostKeptNodes = 25 * 25 * 25; // of a frame: 250 kB
+
+// The obstacles of a series of frames, and the frames of a small grid that were asked for already.
+struct SolidFrames
+{
+  struct Frame
+  {
+    std::vector<float> Distances;
+    std::vector<std::array<float, 3>> Velocities;
+  };
+  std::vector<ObstacleMesh> Obstacles;
+  ObstacleSet Set;
+  Result Built = Result::Ok();
+  SmokeOptions Options;
+  std::map<int, Frame> Kept;
+  std::mutex Guard; // of Kept
+};
 
 template <typename ArrayType, typename Value>
 void AddValues(vtkImageData* data, const char* name, const Value* values, int components)
@@ -69,22 +89,17 @@ void ForNodes(const SmokeOptions& options, const Body& body)
   }
 }
 
-Result NodeVelocities(const std::vector<ObstacleMesh>& obstacles, int frame,
-                      const SmokeOptions& options, const std::vector<float>& distances,
-                      std::vector<std::array<float, 3>>& velocities)
+void NodeVelocities(const SolidFrames& solids, int frame, const std::vector<float>& distances,
+                    std::vector<std::array<float, 3>>& velocities)
 {
+  const SmokeOptions& options = solids.Options;
   std::map<int, std::array<float, 3>> velocityOf;
-  for (const ObstacleMesh& obstacle : obstacles)
+  for (const ObstacleMesh& obstacle : solids.Obstacles)
   {
     const Vec3 v =
       (obstacle.Offset(frame + 0.5) - obstacle.Offset(frame - 0.5)) * options.FramesPerSecond;
     velocityOf[obstacle.ObstacleId] = { static_cast<float>(v.x()), static_cast<float>(v.y()),
                                         static_cast<float>(v.z()) };
-  }
-  ObstacleSet set;
-  if (Result built = set.Build(obstacles); !built)
-  {
-    return built;
   }
   const double near = 2.0 * options.Spacing().maxCoeff();
   velocities.assign(distances.size(), { 0.0f, 0.0f, 0.0f });
@@ -95,11 +110,35 @@ Result NodeVelocities(const std::vector<ObstacleMesh>& obstacles, int frame,
              if (distances[node] < near)
              {
                SurfaceHit hit;
-               set.SignedDistance(x, frame, hit);
+               solids.Set.SignedDistance(x, frame, hit);
                velocities[node] = velocityOf[hit.ObstacleId];
              }
              ++node;
            });
+}
+
+Result ComputeFrame(const SolidFrames& solids, int frame, std::vector<float>& distances,
+                    std::vector<std::array<float, 3>>& velocities)
+{
+  WAFT_RETURN_IF_FAILED(solids.Built);
+  DistanceLattice lattice;
+  const bool isGrid = MakeLattice(solids.Options, lattice);
+  WAFT_RETURN_IF_FAILED(ComputeDistanceLattice(solids.Obstacles, frame, lattice));
+  if (isGrid)
+  {
+    distances = std::move(lattice.Values);
+  }
+  else
+  {
+    distances.reserve(solids.Options.NumberOfNodes());
+    ForNodes(solids.Options,
+             [&](const Vec3& x) { distances.push_back(static_cast<float>(lattice.Sample(x))); });
+  }
+  if (std::any_of(solids.Obstacles.begin(), solids.Obstacles.end(),
+                  [](const ObstacleMesh& o) { return o.IsMoving(); }))
+  {
+    NodeVelocities(solids, frame, distances, velocities);
+  }
   return Result::Ok();
 }
 
@@ -123,35 +162,39 @@ void SmokeFrameToImage(const SmokeFrame& frame, const SceneInfo& info, vtkImageD
   SceneInfoToFieldData(info, data);
 }
 
-Result NodeDistances(const std::vector<ObstacleMesh>& obstacles, int frame,
-                     const SmokeOptions& options, std::vector<float>& distances,
-                     std::vector<std::array<float, 3>>& velocities)
+SolidsAtFrame NodeSolids(std::vector<ObstacleMesh> obstacles, const SmokeOptions& options)
 {
-  distances.clear();
-  velocities.clear();
-  if (obstacles.empty())
+  auto solids = std::make_shared<SolidFrames>();
+  solids->Obstacles = std::move(obstacles);
+  solids->Options = options;
+  solids->Built = solids->Set.Build(solids->Obstacles);
+  return [solids](int frame, std::vector<float>& distances,
+                  std::vector<std::array<float, 3>>& velocities) -> Result
   {
+    distances.clear();
+    velocities.clear();
+    if (solids->Obstacles.empty())
+    {
+      return Result::Ok();
+    }
+    {
+      const std::lock_guard<std::mutex> lock(solids->Guard);
+      const auto kept = solids->Kept.find(frame);
+      if (kept != solids->Kept.end())
+      {
+        distances = kept->second.Distances;
+        velocities = kept->second.Velocities;
+        return Result::Ok();
+      }
+    }
+    WAFT_RETURN_IF_FAILED(ComputeFrame(*solids, frame, distances, velocities));
+    if (solids->Options.NumberOfNodes() <= MostKeptNodes)
+    {
+      const std::lock_guard<std::mutex> lock(solids->Guard);
+      solids->Kept[frame] = { distances, velocities };
+    }
     return Result::Ok();
-  }
-  DistanceLattice lattice;
-  const bool isGrid = MakeLattice(options, lattice);
-  if (Result computed = ComputeDistanceLattice(obstacles, frame, lattice); !computed)
-  {
-    return computed;
-  }
-  if (isGrid)
-  {
-    distances = std::move(lattice.Values);
-  }
-  else
-  {
-    distances.reserve(options.NumberOfNodes());
-    ForNodes(options,
-             [&](const Vec3& x) { distances.push_back(static_cast<float>(lattice.Sample(x))); });
-  }
-  const bool moves = std::any_of(obstacles.begin(), obstacles.end(),
-                                 [](const ObstacleMesh& o) { return o.IsMoving(); });
-  return moves ? NodeVelocities(obstacles, frame, options, distances, velocities) : Result::Ok();
+  };
 }
 
 } // namespace waft

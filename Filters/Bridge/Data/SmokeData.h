@@ -4,7 +4,7 @@
 
 #include "Base/Mesh.h"
 #include "Base/Result.h"
-#include "Grid/SmokeOptions.h"
+#include "Grid/SmokeSeries.h"
 
 #include <array>
 #include <vector>
@@ -20,8 +20,8 @@ void SmokeFrameToImage(const SmokeFrame& frame, const SceneInfo& info, vtkImageD
 
 /// Signed distances at the nodes of a grid of these options, and, when an obstacle moves, the
 /// velocity of the nearest one at the nodes in or near it (empty lists without obstacles).
-Result NodeDistances(const std::vector<ObstacleMesh>& obstacles, int frame,
-                     const SmokeOptions& options, std::vector<float>& distances,
-                     std::vector<std::array<float, 3>>& velocities);
+/// May be called by several threads. Frames of a small grid are computed once and kept: many coarse
+/// runs are made among the same obstacles.
+SolidsAtFrame NodeSolids(std::vector<ObstacleMesh> obstacles, const SmokeOptions& options);
 
 } // namespace waft
