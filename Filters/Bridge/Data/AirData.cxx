@@ -26,14 +26,14 @@ void AddControls(const std::vector<std::vector<Vec3>>& controls, vtkPolyData* tr
   AddVectors(tracks->GetPointData(), names::Control, all);
 }
 
-void AirToImage(const FieldSeries& air, const FieldSeries& wind, double time, const SceneInfo& info,
+void AirToImage(const HalfSeries& air, const HalfSeries& wind, double time, const SceneInfo& info,
                 vtkImageData* data)
 {
-  FieldSeriesToImage(air, time, info, data);
+  FieldSeriesToImage(air.Around(time), time, info, data);
   if (!wind.IsEmpty())
   {
     vtkNew<vtkImageData> force;
-    FieldSeriesToImage(wind, time, info, force);
+    FieldSeriesToImage(wind.Around(time), time, info, force);
     data->GetPointData()->AddArray(force->GetPointData()->GetArray(names::Wind));
   }
 }

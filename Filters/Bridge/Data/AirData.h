@@ -16,7 +16,7 @@ namespace waft
 void AddControls(const std::vector<std::vector<Vec3>>& controls, vtkPolyData* tracks);
 
 /// One time of the air: `Velocity` [m/s] and, unless empty, `Wind` [m/s^2]; time is sampled.
-void AirToImage(const FieldSeries& air, const FieldSeries& wind, double time, const SceneInfo& info,
+void AirToImage(const HalfSeries& air, const HalfSeries& wind, double time, const SceneInfo& info,
                 vtkImageData* data);
 
 /// One row a round: `Stage`, `Candidate`, `ControlRms`, `ControlMedian`, `FlowRms`, `WindRms`

@@ -16,6 +16,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -305,14 +306,9 @@ void FieldSeriesToImage(const FieldSeries& series, double time, const SceneInfo&
   vtkNew<vtkFloatArray> values;
   values->SetName(series.Meaning == FieldMeaning::Acceleration ? names::Wind : names::Velocity);
   values->SetNumberOfComponents(3);
-  values->SetNumberOfTuples(static_cast<vtkIdType>(series.NumberOfPoints()));
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
-  {
-    double point[3];
-    data->GetPoint(i, point);
-    const Vec3 v = series.Sample(Vec3(point[0], point[1], point[2]), time);
-    values->SetTuple3(i, v.x(), v.y(), v.z());
-  }
+  const FieldSeries::Field now = series.At(time);
+  values->SetNumberOfTuples(static_cast<vtkIdType>(now.size()));
+  std::copy_n(now.data()->data(), 3 * now.size(), values->GetPointer(0));
   data->GetPointData()->AddArray(values);
   SceneInfoToFieldData(info, data);
 }

@@ -194,24 +194,35 @@ ParallelFor SmpFor()
   {
     vtkSMPTools::SetBackend("STDThread");
   }
-  return [](std::size_t count, const std::function<void(std::size_t, std::size_t)>& body)
+  ParallelFor loop =
+    [](std::size_t count, const std::function<void(std::size_t, std::size_t)>& body)
   {
-    // An exception that left a thread of VTK's would end the process.
-    std::mutex mutex;
-    std::exception_ptr first;
     vtkSMPTools::For(0, static_cast<vtkIdType>(count),
                      [&](vtkIdType begin, vtkIdType end)
-                     {
-                       try
-                       {
-                         body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
-                       }
-                       catch (...)
-                       {
-                         const std::lock_guard<std::mutex> lock(mutex);
-                         first = first ? first : std::current_exception();
-                       }
-                     });
+                     { body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)); });
+  };
+  if (std::strcmp(vtkSMPTools::GetBackend(), "STDThread") == 0)
+  {
+    loop = ThreadedFor(vtkSMPTools::GetEstimatedNumberOfThreads()); // VTK's begin with each loop
+  }
+  return [loop](std::size_t count, const std::function<void(std::size_t, std::size_t)>& body)
+  {
+    // An exception that left a thread would end the process.
+    std::mutex mutex;
+    std::exception_ptr first;
+    loop(count,
+         [&](std::size_t begin, std::size_t end)
+         {
+           try
+           {
+             body(begin, end);
+           }
+           catch (...)
+           {
+             const std::lock_guard<std::mutex> lock(mutex);
+             first = first ? first : std::current_exception();
+           }
+         });
     if (first)
     {
       std::rethrow_exception(first);

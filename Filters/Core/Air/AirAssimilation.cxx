@@ -68,7 +68,7 @@ Result AssimilationRun::Solve()
     result = this->Draw();
     if (!result || result.IsStopped())
     {
-      this->Drawn.Velocity = FieldSeries(); // the plan is the best so far
+      this->Drawn.Velocity = HalfSeries(); // the plan is the best so far
       return result;
     }
     result = this->FirstDrift();
@@ -76,12 +76,12 @@ Result AssimilationRun::Solve()
   }
   if (this->Options.Rounds == 0 && !result.IsStopped())
   {
-    const FieldSeries plain = this->Drawn.Velocity;
+    const HalfSeries plain = this->Drawn.Velocity;
     this->FindWind(plain);
   }
   for (; round < this->Options.Rounds && !result.IsStopped() && this->GoesOn(); ++round)
   {
-    FieldSeries plain = this->Drawn.Velocity;
+    HalfSeries plain = this->Drawn.Velocity;
     this->FindWind(plain);
     result = this->SimulateAgain(std::move(plain), round);
     WAFT_RETURN_IF_FAILED(result);

@@ -10,6 +10,7 @@
 
 #include "Air/CommonWind.h"
 #include "Air/Drift.h"
+#include "Base/HalfSeries.h"
 #include "Base/Monitor.h"
 #include "Base/OptionFields.h"
 #include "Base/Parallel.h"
@@ -169,11 +170,11 @@ struct AssimilationRound
   double Seconds = 0.0;       // since the run began
 };
 
-/// An air of all frames on one lattice; values are those of half floats.
+/// An air of all frames on one lattice.
 struct DrawnAir
 {
-  FieldSeries Velocity; // m/s
-  FieldSeries Wind;     // m/s^2, the common wind's force in it; may be empty
+  HalfSeries Velocity; // m/s
+  HalfSeries Wind;     // m/s^2, the common wind's force in it; may be empty
 };
 
 struct AssimilationOutput

@@ -1,12 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/AirSampler.h"
 
+#include "Grid/Float4.h"
+
 #include <algorithm>
+#include <cstdint>
 
 namespace waft
 {
+namespace
+{
 
-AirSampler::AirSampler(const FieldSeries& air) : Air(air) {}
+// The three values and a 0, side by side.
+typedef std::uint32_t Bits4 __attribute__((vector_size(16)));
+typedef double Double4 __attribute__((vector_size(32)));
+
+// As of single ones: Base/Half.h.
+inline Float4 FromHalf(const Half3& half)
+{
+  const Bits4 bits = { half[0], half[1], half[2], 0 };
+  const Float4 size = (Float4)((bits & 0x7fffu) << 13) * 0x1p112f;
+  return (Float4)((Bits4)size | ((bits & 0x8000u) << 16));
+}
+
+} // namespace
+
+AirSampler::AirSampler(const HalfSeries& air) : Air(air) {}
 
 AirSampler::Voxel AirSampler::Find(const Vec3& x) const
 {
@@ -28,59 +47,59 @@ AirSampler::Voxel AirSampler::Find(const Vec3& x) const
   return voxel;
 }
 
-// corner(i): the values at the i-th sample. Along x, then y, then z, with what each step changes.
+// Along x, then y, then z, with what each step changes. corner(i, values): at the i-th point.
 template <class Corner>
 Vec3 AirSampler::Interpolate(const Voxel& voxel, const Corner& corner, Mat3* gradient)
 {
-  Vec3 value;
-  for (int c = 0; c < 3; ++c)
+  Double4 faces[2], alongX[2], alongY[2];
+  for (std::size_t k = 0; k < 2; ++k)
   {
-    double faces[2], alongX[2], alongY[2];
-    for (std::size_t k = 0; k < 2; ++k)
+    Double4 edges[2], along[2];
+    for (std::size_t j = 0; j < 2; ++j)
     {
-      double edges[2], along[2];
-      for (std::size_t j = 0; j < 2; ++j)
-      {
-        const std::size_t at = voxel.Corner + j * voxel.Next[1] + k * voxel.Next[2];
-        const double low = corner(at, c);
-        along[j] = corner(at + voxel.Next[0], c) - low;
-        edges[j] = low + voxel.Part[0] * along[j];
-      }
-      alongY[k] = edges[1] - edges[0];
-      faces[k] = edges[0] + voxel.Part[1] * alongY[k];
-      alongX[k] = along[0] + voxel.Part[1] * (along[1] - along[0]);
+      const std::size_t at = voxel.Corner + j * voxel.Next[1] + k * voxel.Next[2];
+      Double4 low, high;
+      corner(at, low);
+      corner(at + voxel.Next[0], high);
+      along[j] = high - low;
+      edges[j] = low + voxel.Part[0] * along[j];
     }
-    value[c] = faces[0] + voxel.Part[2] * (faces[1] - faces[0]);
-    if (gradient != nullptr)
+    alongY[k] = edges[1] - edges[0];
+    faces[k] = edges[0] + voxel.Part[1] * alongY[k];
+    alongX[k] = along[0] + voxel.Part[1] * (along[1] - along[0]);
+  }
+  const Double4 alongZ = faces[1] - faces[0];
+  const Double4 value = faces[0] + voxel.Part[2] * alongZ;
+  if (gradient != nullptr)
+  {
+    const Double4 slopes[3] = {
+      voxel.Slope[0] * (alongX[0] + voxel.Part[2] * (alongX[1] - alongX[0])),
+      voxel.Slope[1] * (alongY[0] + voxel.Part[2] * (alongY[1] - alongY[0])),
+      voxel.Slope[2] * alongZ
+    };
+    for (int c = 0; c < 3; ++c)
     {
-      (*gradient)(c, 0) = voxel.Slope[0] * (alongX[0] + voxel.Part[2] * (alongX[1] - alongX[0]));
-      (*gradient)(c, 1) = voxel.Slope[1] * (alongY[0] + voxel.Part[2] * (alongY[1] - alongY[0]));
-      (*gradient)(c, 2) = voxel.Slope[2] * (faces[1] - faces[0]);
+      gradient->col(c) = Vec3(slopes[c][0], slopes[c][1], slopes[c][2]);
     }
   }
-  return value;
+  return Vec3(value[0], value[1], value[2]);
 }
 
 Vec3 AirSampler::Between(int k, const Vec3& x, Mat3* gradient) const
 {
   const auto& before = this->Air.Values[static_cast<std::size_t>(k)];
   const auto& after = this->Air.Values[static_cast<std::size_t>(k) + 1];
-  const auto mean = [&](std::size_t i, int c)
-  {
-    const auto axis = static_cast<std::size_t>(c);
-    return 0.5 * (static_cast<double>(before[i][axis]) + static_cast<double>(after[i][axis]));
-  };
+  const auto mean = [&](std::size_t i, Double4& value)
+  { value = 0.5 * __builtin_convertvector(FromHalf(before[i]) + FromHalf(after[i]), Double4); };
   return Interpolate(this->Find(x), mean, gradient);
 }
 
 Vec3 AirSampler::At(int frame, const Vec3& x) const
 {
   const auto& values = this->Air.Values[static_cast<std::size_t>(frame)];
-  return Interpolate(
-    this->Find(x),
-    [&](std::size_t i, int c)
-    { return static_cast<double>(values[i][static_cast<std::size_t>(c)]); },
-    nullptr);
+  const auto corner = [&](std::size_t i, Double4& value)
+  { value = __builtin_convertvector(FromHalf(values[i]), Double4); };
+  return Interpolate(this->Find(x), corner, nullptr);
 }
 
 } // namespace waft

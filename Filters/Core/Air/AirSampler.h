@@ -2,16 +2,16 @@
 // The air's velocity between two frames, with its gradient.
 #pragma once
 
-#include "Base/FieldSeries.h"
+#include "Base/HalfSeries.h"
 
 namespace waft
 {
 
-/// Of a FieldSeries whose k-th field is that of frame k.
+/// Of a series whose k-th field is that of frame k.
 class AirSampler
 {
 public:
-  explicit AirSampler(const FieldSeries& air);
+  explicit AirSampler(const HalfSeries& air);
   /// Half way from frame k to the next, at x [m]: trilinear, held at the lattice's ends, where the
   /// gradient d u_i / d x_j [1/s] across them is 0. [m/s]
   Vec3 Between(int k, const Vec3& x, Mat3* gradient = nullptr) const;
@@ -33,7 +33,7 @@ private:
   template <class Corner>
   static Vec3 Interpolate(const Voxel& voxel, const Corner& corner, Mat3* gradient);
 
-  const FieldSeries& Air;
+  const HalfSeries& Air;
 };
 
 } // namespace waft

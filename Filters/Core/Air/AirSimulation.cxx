@@ -2,6 +2,7 @@
 #include "Air/AirSimulation.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace waft
 {
@@ -12,18 +13,38 @@ using Field = AirSteering::Field;
 
 constexpr int SmoothingPasses = 2; // of what steers
 
+// Where the points of a lattice lie between those of another along one axis: the lower of the two
+// neighbours, the part of the way to the other one, held at the ends.
+struct Neighbours
+{
+  std::vector<int> Low, High;
+  std::vector<float> Part;
+
+  Neighbours(const SeriesLattice& of, const SeriesLattice& among, int axis)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    const double last = among.Dimensions[a] - 1;
+    for (int i = 0; i < of.Dimensions[a]; ++i)
+    {
+      const double x = of.Origin[axis] + i * of.Spacing[axis];
+      const double at = std::clamp((x - among.Origin[axis]) / among.Spacing[axis], 0.0, last);
+      this->Low.push_back(static_cast<int>(at));
+      this->High.push_back(std::min(this->Low.back() + 1, among.Dimensions[a] - 1));
+      this->Part.push_back(static_cast<float>(at - this->Low.back()));
+    }
+  }
+};
+
 // The cells' velocities at the points of the lattice; across a wall there is none.
-void Restrict(SmokeFrame& cells, const AirScene& scene, const FieldSeries& lattice,
+void Restrict(const SmokeFrame& cells, const AirScene& scene, const SeriesLattice& lattice,
               const ParallelFor& parallel, Field& values)
 {
-  FieldSeries one;
-  one.Dimensions = cells.Dimensions;
-  one.Origin = cells.Origin;
-  one.Spacing = cells.Spacing;
-  one.Times = { 0.0 };
-  one.Values.resize(1);
-  std::swap(one.Values[0], cells.Velocity); // until the end of this function
+  SeriesLattice grid;
+  grid.Dimensions = cells.Dimensions;
+  grid.Origin = cells.Origin;
+  grid.Spacing = cells.Spacing;
   const std::array<int, 3>& n = lattice.Dimensions;
+  const Neighbours along[3] = { { lattice, grid, 0 }, { lattice, grid, 1 }, { lattice, grid, 2 } };
   values.resize(lattice.NumberOfPoints());
   const auto isWall = [&](int axis, int i)
   {
@@ -32,29 +53,55 @@ void Restrict(SmokeFrame& cells, const AirScene& scene, const FieldSeries& latti
       scene.Smoke.Boundary[static_cast<std::size_t>(axis)] == BoundaryKind::Closed;
     return ends && (closed || (axis == 2 && i == 0 && scene.Smoke.ClosedFloor));
   };
+  const auto row = [&](int j, int k)
+  {
+    return cells.Velocity.data() +
+           (static_cast<std::size_t>(k) * grid.Dimensions[1] + j) * grid.Dimensions[0];
+  };
+  const auto points = [&](std::size_t j, std::size_t k)
+  {
+    const std::array<float, 3>* rows[4] = { row(along[1].Low[j], along[2].Low[k]),
+                                            row(along[1].High[j], along[2].Low[k]),
+                                            row(along[1].Low[j], along[2].High[k]),
+                                            row(along[1].High[j], along[2].High[k]) };
+    const float y = along[1].Part[j];
+    const float z = along[2].Part[k];
+    const float weights[4] = { (1.0f - y) * (1.0f - z), y * (1.0f - z), (1.0f - y) * z, y * z };
+    std::array<float, 3>* value = values.data() + (k * n[1] + j) * n[0];
+    for (std::size_t i = 0; i < along[0].Low.size(); ++i, ++value)
+    {
+      const auto low = static_cast<std::size_t>(along[0].Low[i]);
+      const auto high = static_cast<std::size_t>(along[0].High[i]);
+      const float x = along[0].Part[i];
+      *value = { 0.0f, 0.0f, 0.0f };
+      for (int r = 0; r < 4; ++r)
+      {
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          (*value)[c] += weights[r] * ((1.0f - x) * rows[r][low][c] + x * rows[r][high][c]);
+        }
+      }
+      const std::size_t index[3] = { i, j, k };
+      for (int c = 0; c < 3; ++c)
+      {
+        if (isWall(c, static_cast<int>(index[c])))
+        {
+          (*value)[static_cast<std::size_t>(c)] = 0.0f;
+        }
+      }
+    }
+  };
   parallel(static_cast<std::size_t>(n[2]),
            [&](std::size_t begin, std::size_t end)
            {
-             for (auto k = static_cast<int>(begin); k < static_cast<int>(end); ++k)
+             for (std::size_t k = begin; k < end; ++k)
              {
-               std::size_t at = static_cast<std::size_t>(k) * n[1] * n[0];
-               for (int j = 0; j < n[1]; ++j)
+               for (std::size_t j = 0; j < along[1].Low.size(); ++j)
                {
-                 for (int i = 0; i < n[0]; ++i, ++at)
-                 {
-                   const Vec3 x = lattice.Origin + Vec3(i, j, k).cwiseProduct(lattice.Spacing);
-                   const Vec3 u = one.Sample(x, 0.0);
-                   const int index[3] = { i, j, k };
-                   for (int c = 0; c < 3; ++c)
-                   {
-                     values[at][static_cast<std::size_t>(c)] =
-                       isWall(c, index[c]) ? 0.0f : static_cast<float>(u[c]);
-                   }
-                 }
+                 points(j, k);
                }
              }
            });
-  std::swap(one.Values[0], cells.Velocity);
 }
 
 // Binomial means along each axis: what is finer than two spacings is left to the air itself. Across
@@ -105,9 +152,9 @@ Result PlaceSolids(const AirScene& scene, int frame, SmokeSolver& solver)
 
 } // namespace
 
-FieldSeries AirLattice(const AirScene& scene, FieldMeaning meaning)
+HalfSeries AirLattice(const AirScene& scene, FieldMeaning meaning)
 {
-  FieldSeries series;
+  HalfSeries series;
   series.Meaning = meaning;
   series.Dimensions = scene.LatticeDimensions;
   series.Origin = scene.Smoke.Bounds.Min;
@@ -119,10 +166,8 @@ FieldSeries AirLattice(const AirScene& scene, FieldMeaning meaning)
   return series;
 }
 
-AirSteering::AirSteering(const FieldSeries& wanted, FieldSeries own, FieldSeries push,
-                         double rate) :
-  Wanted(wanted),
-  Own(std::move(own)), Pushes(std::move(push)), Rate(rate)
+AirSteering::AirSteering(const HalfSeries& wanted, HalfSeries own, HalfSeries push, double rate) :
+  Wanted(wanted), Own(std::move(own)), Pushes(std::move(push)), Rate(rate)
 {
   if (this->Pushes.IsEmpty())
   {
@@ -135,8 +180,9 @@ AirSteering::AirSteering(const FieldSeries& wanted, FieldSeries own, FieldSeries
 FieldSeries AirSteering::At(int frame, const Field& now)
 {
   const auto f = static_cast<std::size_t>(frame);
-  Field& push = this->Pushes.Values[f];
+  Field push = this->Pushes.At(f);
   push.resize(now.size());
+  const Field goal = this->Wanted.At(f);
   const Field wanted = MaterialDerivative(this->Wanted, f);
   const Field own = MaterialDerivative(this->Own, f);
   for (std::size_t i = 0; i < push.size(); ++i)
@@ -144,8 +190,7 @@ FieldSeries AirSteering::At(int frame, const Field& now)
     for (std::size_t c = 0; c < 3; ++c)
     {
       const float feed = wanted[i][c] - own[i][c] + push[i][c];
-      push[i][c] =
-        feed + static_cast<float>(this->Rate) * (this->Wanted.Values[f][i][c] - now[i][c]);
+      push[i][c] = feed + static_cast<float>(this->Rate) * (goal[i][c] - now[i][c]);
     }
   }
   for (int pass = 0; pass < SmoothingPasses; ++pass)
@@ -154,20 +199,17 @@ FieldSeries AirSteering::At(int frame, const Field& now)
   }
   if (f > 0)
   {
-    this->Own.Values[f - 1] = Field(); // no later frame asks for it
+    this->Own.Values[f - 1] = {}; // no later frame asks for it
   }
-  FieldSeries one;
-  one.Meaning = FieldMeaning::Acceleration;
-  one.Dimensions = this->Pushes.Dimensions;
-  one.Origin = this->Pushes.Origin;
-  one.Spacing = this->Pushes.Spacing;
+  this->Pushes.Set(f, push);
+  FieldSeries one{ static_cast<const SeriesLattice&>(this->Pushes) };
   one.Times = { this->Pushes.Times[f] };
-  one.Values = { push };
+  one.Values = { std::move(push) };
   return one;
 }
 
 Result SimulateAir(const AirScene& scene, AirSteering* steering, const ParallelFor& parallel,
-                   Monitor& monitor, FieldSeries& air, SmokeState* begun)
+                   Monitor& monitor, HalfSeries& air, SmokeState* begun)
 {
   SmokeSolver solver;
   WAFT_RETURN_IF_FAILED(solver.Begin(scene.Smoke, scene.Forces));
@@ -202,12 +244,13 @@ Result SimulateAir(const AirScene& scene, AirSteering* steering, const ParallelF
       solver.SetSteering(steering->At(frame, values));
     }
     air.Times.push_back(scene.Time.Time(frame));
-    air.Values.push_back(std::move(values));
+    air.Values.emplace_back();
+    air.Set(static_cast<std::size_t>(frame), values);
   }
   return Result::Ok();
 }
 
-Field MaterialDerivative(const FieldSeries& air, std::size_t f)
+Field MaterialDerivative(const HalfSeries& air, std::size_t f)
 {
   Field derivative(air.NumberOfPoints());
   const std::array<int, 3>& n = air.Dimensions;
@@ -215,6 +258,7 @@ Field MaterialDerivative(const FieldSeries& air, std::size_t f)
   const std::size_t before = f > 0 ? f - 1 : 0;
   const std::size_t after = std::min(f + 1, air.Values.size() - 1);
   const double time = air.Times[after] - air.Times[before];
+  const Field now = air.At(f), earlier = air.At(before), later = air.At(after);
   std::ptrdiff_t p = 0;
   for (int k = 0; k < n[2]; ++k)
   {
@@ -226,16 +270,14 @@ Field MaterialDerivative(const FieldSeries& air, std::size_t f)
         const auto at = static_cast<std::size_t>(p);
         for (std::size_t c = 0; c < 3; ++c)
         {
-          double d =
-            time > 0.0 ? (air.Values[after][at][c] - air.Values[before][at][c]) / time : 0.0;
+          double d = time > 0.0 ? (later[at][c] - earlier[at][c]) / time : 0.0;
           for (int axis = 0; axis < 3; ++axis)
           {
             const int low = index[axis] > 0 ? -1 : 0;
             const int high = index[axis] + 1 < n[static_cast<std::size_t>(axis)] ? 1 : 0;
             const auto a = static_cast<std::size_t>(p + low * stride[axis]);
             const auto b = static_cast<std::size_t>(p + high * stride[axis]);
-            d += air.Values[f][at][static_cast<std::size_t>(axis)] *
-                 (air.Values[f][b][c] - air.Values[f][a][c]) /
+            d += now[at][static_cast<std::size_t>(axis)] * (now[b][c] - now[a][c]) /
                  (std::max(1, high - low) * air.Spacing[axis]);
           }
           derivative[at][c] = static_cast<float>(d);

@@ -3,6 +3,7 @@
 // steered towards a wanted air.
 #pragma once
 
+#include "Base/HalfSeries.h"
 #include "Base/Monitor.h"
 #include "Base/Parallel.h"
 #include "Grid/SmokeSeries.h"
@@ -31,34 +32,34 @@ struct AirScene
 class AirSteering
 {
 public:
-  using Field = std::vector<std::array<float, 3>>;
+  using Field = FieldSeries::Field;
 
   /// wanted: m/s, is the caller's until the last frame. own: the air as it went without the change,
   /// m/s; push: what steered it then, m/s^2, or empty. Both are let go of as the frames pass. rate:
   /// 1/s.
-  AirSteering(const FieldSeries& wanted, FieldSeries own, FieldSeries push, double rate);
+  AirSteering(const HalfSeries& wanted, HalfSeries own, HalfSeries push, double rate);
   /// The acceleration from a frame on [m/s^2], where the air moves by `now`. Frames in order.
   FieldSeries At(int frame, const Field& now);
   /// Of all frames so far.
-  FieldSeries TakePushes() { return std::move(this->Pushes); }
+  HalfSeries TakePushes() { return std::move(this->Pushes); }
 
 private:
-  const FieldSeries& Wanted;
-  FieldSeries Own, Pushes;
+  const HalfSeries& Wanted;
+  HalfSeries Own, Pushes;
   double Rate;
 };
 
 /// An empty series on the scene's lattice.
-FieldSeries AirLattice(const AirScene& scene, FieldMeaning meaning);
+HalfSeries AirLattice(const AirScene& scene, FieldMeaning meaning);
 
 /// air: the velocity at each frame. steering: null: left to itself. begun: the state of the first
 /// frame, which does not depend on the steering: gone on from where it is given, left where it is
 /// empty. Two frames of the simulation itself are in memory. Stopped by the monitor, the list ends
 /// before the last frame. The same on any number of threads.
 Result SimulateAir(const AirScene& scene, AirSteering* steering, const ParallelFor& parallel,
-                   Monitor& monitor, FieldSeries& air, SmokeState* begun = nullptr);
+                   Monitor& monitor, HalfSeries& air, SmokeState* begun = nullptr);
 
 /// D u / D t [m/s^2] of frame f by central differences, one-sided at the ends of space and time.
-AirSteering::Field MaterialDerivative(const FieldSeries& air, std::size_t f);
+AirSteering::Field MaterialDerivative(const HalfSeries& air, std::size_t f);
 
 } // namespace waft

@@ -30,14 +30,14 @@ struct Sums
   std::array<std::size_t, AirStatistics::Bins> Pairs{};
 };
 
-Box VolumeOf(const FieldSeries& air)
+Box VolumeOf(const HalfSeries& air)
 {
   const Vec3 cells(air.Dimensions[0] - 1, air.Dimensions[1] - 1, air.Dimensions[2] - 1);
   return { air.Origin, air.Origin + cells.cwiseProduct(air.Spacing) };
 }
 
 // The flights of one body, one after another.
-void Fly(const FieldSeries& air, int body, double rate, double settlingSpeed,
+void Fly(const HalfSeries& air, int body, double rate, double settlingSpeed,
          std::vector<Vec3>& path, std::vector<char>& isFree)
 {
   const AirSampler sampler(air);
@@ -153,7 +153,7 @@ AirStatistics StatisticsOf(const FreeFlights& flights, double framesPerSecond, d
   return found;
 }
 
-AirStatistics DriftStatistics(const FieldSeries& air, double framesPerSecond, double settlingSpeed,
+AirStatistics DriftStatistics(const HalfSeries& air, double framesPerSecond, double settlingSpeed,
                               const ParallelFor& parallel)
 {
   FreeFlights flights;

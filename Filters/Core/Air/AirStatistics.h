@@ -2,7 +2,7 @@
 // How bodies move that an air carries: what tells a lively air from a calm one.
 #pragma once
 
-#include "Base/FieldSeries.h"
+#include "Base/HalfSeries.h"
 #include "Base/Parallel.h"
 #include "Base/Types.h"
 
@@ -37,7 +37,7 @@ AirStatistics StatisticsOf(const FreeFlights& flights, double framesPerSecond, d
 
 /// Of bodies that sink with a settling speed [m/s], let go at random and, where they leave the
 /// volume of the lattice, again. The same on any number of threads.
-AirStatistics DriftStatistics(const FieldSeries& air, double framesPerSecond, double settlingSpeed,
+AirStatistics DriftStatistics(const HalfSeries& air, double framesPerSecond, double settlingSpeed,
                               const ParallelFor& parallel);
 
 /// Mean of |ln| of the ratio of the structures where both are known; 0 where none is.

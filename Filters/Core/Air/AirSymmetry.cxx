@@ -47,12 +47,14 @@ std::vector<AirSymmetry> AirSymmetries(const Box& volume)
   return all;
 }
 
-FieldSeries Image(const AirSymmetry& symmetry, const FieldSeries& field)
+HalfSeries Image(const AirSymmetry& symmetry, const HalfSeries& field)
 {
-  FieldSeries image = field;
+  HalfSeries image{ static_cast<const SeriesLattice&>(field) };
+  image.Values.resize(field.Values.size());
   const Mat3 m = symmetry.Matrix();
   const std::array<int, 3>& n = field.Dimensions;
   const Vec3 middle(0.5 * (n[0] - 1), 0.5 * (n[1] - 1), 0.5 * (n[2] - 1));
+  std::vector<std::size_t> sources;
   for (int k = 0; k < n[2]; ++k)
   {
     for (int j = 0; j < n[1]; ++j)
@@ -60,20 +62,23 @@ FieldSeries Image(const AirSymmetry& symmetry, const FieldSeries& field)
       for (int i = 0; i < n[0]; ++i)
       {
         const Vec3 from = middle + m.transpose() * (Vec3(i, j, k) - middle);
-        const auto at = static_cast<std::size_t>((k * n[1] + j) * n[0] + i);
-        const auto source = static_cast<std::size_t>(
-          (std::lround(from.z()) * n[1] + std::lround(from.y())) * n[0] + std::lround(from.x()));
-        for (std::size_t f = 0; f < field.Values.size(); ++f)
-        {
-          const std::array<float, 3>& v = field.Values[f][source];
-          const Vec3 turned = m * Vec3(v[0], v[1], v[2]);
-          for (int c = 0; c < 3; ++c)
-          {
-            image.Values[f][at][static_cast<std::size_t>(c)] = static_cast<float>(turned[c]);
-          }
-        }
+        sources.push_back(static_cast<std::size_t>(
+          (std::lround(from.z()) * n[1] + std::lround(from.y())) * n[0] + std::lround(from.x())));
       }
     }
+  }
+  for (std::size_t f = 0; f < field.Values.size(); ++f)
+  {
+    const HalfSeries::Field values = field.At(f);
+    HalfSeries::Field turned(values.size());
+    for (std::size_t at = 0; at < sources.size(); ++at)
+    {
+      const std::array<float, 3>& v = values[sources[at]];
+      const Vec3 u = m * Vec3(v[0], v[1], v[2]);
+      turned[at] = { static_cast<float>(u.x()), static_cast<float>(u.y()),
+                     static_cast<float>(u.z()) };
+    }
+    image.Set(f, turned);
   }
   return image;
 }

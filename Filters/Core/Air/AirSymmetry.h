@@ -3,7 +3,7 @@
 // is an air, too.
 #pragma once
 
-#include "Base/FieldSeries.h"
+#include "Base/HalfSeries.h"
 #include "Base/Types.h"
 #include "Grid/SmokeOptions.h"
 
@@ -24,7 +24,7 @@ struct AirSymmetry
 std::vector<AirSymmetry> AirSymmetries(const Box& volume);
 
 /// The image of a field whose lattice the symmetry maps onto itself.
-FieldSeries Image(const AirSymmetry& symmetry, const FieldSeries& field);
+HalfSeries Image(const AirSymmetry& symmetry, const HalfSeries& field);
 /// The image of vortices and winds in closed form.
 SmokeForces Image(const AirSymmetry& symmetry, const Box& volume, const SmokeForces& forces);
 

@@ -190,9 +190,9 @@ AirScene AssimilationRun::CoarseScene() const
   return coarse;
 }
 
-Result AssimilationRun::SimulateSideBySide(
-  std::size_t count, double begin, double end, const std::function<AirScene(std::size_t)>& sceneOf,
-  const std::function<void(std::size_t, FieldSeries&)>& use)
+Result AssimilationRun::SimulateSideBySide(std::size_t count, double begin, double end,
+                                           const std::function<AirScene(std::size_t)>& sceneOf,
+                                           const std::function<void(std::size_t, HalfSeries&)>& use)
 {
   PartMonitor monitor(this->Caller, begin, end, "Drawing the forces of the air");
   std::vector<Result> results(count, Result::Ok());
@@ -204,7 +204,7 @@ Result AssimilationRun::SimulateSideBySide(
                    {
                      const auto before = static_cast<double>(done);
                      PartMonitor step(monitor, before / count, (before + 1.0) / count);
-                     FieldSeries air;
+                     HalfSeries air;
                      results[k] = SimulateAir(sceneOf(k), nullptr, SerialFor(), step, air);
                      if (results[k] && !results[k].IsStopped())
                      {
@@ -247,7 +247,7 @@ Result AssimilationRun::DrawForces(std::vector<ForceDraw>& draws)
     }
     return scene;
   };
-  const auto use = [&](std::size_t k, const FieldSeries& air)
+  const auto use = [&](std::size_t k, const HalfSeries& air)
   {
     (k < ClosedDraws ? draws[k].Found : open[k - ClosedDraws]) =
       DriftStatistics(air, rate, speed, SerialFor());
@@ -284,7 +284,7 @@ Result AssimilationRun::Draw()
   const auto candidates = static_cast<std::size_t>(this->Options.Candidates);
   draws.resize(std::min(draws.size(), (candidates + symmetries.size() - 1) / symmetries.size()));
   const AirScene coarse = this->CoarseScene();
-  std::vector<FieldSeries> airs(draws.size());
+  std::vector<HalfSeries> airs(draws.size());
   result = this->SimulateSideBySide(
     draws.size(), DrawsEnd, TrialsEnd,
     [&](std::size_t k)
@@ -293,7 +293,7 @@ Result AssimilationRun::Draw()
       scene.Forces = draws[k].Forces;
       return scene;
     },
-    [&](std::size_t k, FieldSeries& air) { airs[k] = std::move(air); });
+    [&](std::size_t k, HalfSeries& air) { airs[k] = std::move(air); });
   if (!result || result.IsStopped())
   {
     return result;
@@ -323,11 +323,10 @@ Result AssimilationRun::Draw()
   PartMonitor monitor(this->Caller, TrialsEnd, DrawEnd, "Drawing the air");
   const Result simulated =
     SimulateAir(this->Scene, nullptr, this->Parallel, monitor, this->Drawn.Velocity, &this->Begun);
-  RoundToHalf(this->Drawn.Velocity);
   return simulated;
 }
 
-double AssimilationRun::Try(const FieldSeries& series, AssimilationRound& row) const
+double AssimilationRun::Try(const HalfSeries& series, AssimilationRound& row) const
 {
   const AirSampler air(series);
   const std::size_t stride = (this->Drifters.size() + TrialObjects - 1) / TrialObjects;
@@ -377,12 +376,12 @@ double AssimilationRun::Try(const FieldSeries& series, AssimilationRound& row) c
          PathStrengthCost * (v * v + a * a);
 }
 
-Result AssimilationRun::SimulateAgain(FieldSeries plain, int round)
+Result AssimilationRun::SimulateAgain(HalfSeries plain, int round)
 {
   AirSteering steering(this->Drawn.Velocity, std::move(plain), std::move(this->Drawn.Wind),
                        SteeringRate);
-  this->Drawn.Wind = FieldSeries();
-  FieldSeries air;
+  this->Drawn.Wind = HalfSeries();
+  HalfSeries air;
   const double part = (1.0 - DriftEnd) / this->Options.Rounds;
   PartMonitor monitor(this->Caller, DriftEnd + round * part, DriftEnd + (round + 1) * part,
                       "Simulating the air with the common wind, round " +
@@ -396,8 +395,6 @@ Result AssimilationRun::SimulateAgain(FieldSeries plain, int round)
   }
   this->Drawn.Velocity = std::move(air);
   this->Drawn.Wind = steering.TakePushes();
-  RoundToHalf(this->Drawn.Velocity);
-  RoundToHalf(this->Drawn.Wind);
   this->DriftOn(DriftIterations);
   this->Note("simulate " + std::to_string(round + 1), nullptr);
   return Result::Ok();

@@ -161,7 +161,7 @@ void AssimilationRun::Drift(int iterations, const DriftWeights& weights,
                  });
 }
 
-void AssimilationRun::FindWind(const FieldSeries& plain)
+void AssimilationRun::FindWind(const HalfSeries& plain)
 {
   CommonWindOptions options;
   options.Spacing = this->Options.WindSpacing;

@@ -50,16 +50,16 @@ private:
   AirScene CoarseScene() const;
   Result SimulateSideBySide(std::size_t count, double begin, double end,
                             const std::function<AirScene(std::size_t)>& sceneOf,
-                            const std::function<void(std::size_t, FieldSeries&)>& use);
+                            const std::function<void(std::size_t, HalfSeries&)>& use);
   /// Draws by coarse simulations, those first in whose closed box bodies move most as they do in
   /// the open boxes of the databases (Wanted), each scaled to be as strong.
   Result DrawForces(std::vector<ForceDraw>& draws);
   /// The air in whose coarse run the objects come to their marks with the least control, and move
   /// as wanted.
   Result Draw();
-  double Try(const FieldSeries& series, AssimilationRound& row) const;
+  double Try(const HalfSeries& series, AssimilationRound& row) const;
   /// Towards the air with the common wind, by what its motion asks for beside what drives it now.
-  Result SimulateAgain(FieldSeries plain, int round);
+  Result SimulateAgain(HalfSeries plain, int round);
 
   // AssimilationDrift.cxx
   DriftWeights Weights() const;
@@ -76,7 +76,7 @@ private:
   /// Those that are too near to each other give way, pass by pass harder.
   void KeepApart();
   /// The air without and then with the wind that the controls have in common.
-  void FindWind(const FieldSeries& plain);
+  void FindWind(const HalfSeries& plain);
   /// The wind that would have made the controls needless: what it is at the bodies, and they.
   void FitWind(CommonWind& common) const;
   /// What keeps too near to something is pushed harder first; only what that does not help is moved

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/AssimilationState.h"
 
-#include <Eigen/Core>
-
 #include <algorithm>
 
 namespace waft
@@ -19,37 +17,12 @@ T& Read(const T& value)
   return const_cast<T&>(value);
 }
 
-std::uint16_t ToHalf(float value)
-{
-  return Eigen::numext::bit_cast<std::uint16_t>(Eigen::half(value));
-}
-
-float FromHalf(std::uint16_t bits)
-{
-  return static_cast<float>(Eigen::numext::bit_cast<Eigen::half>(bits));
-}
-
-// Values that are half floats already.
-void ExchangeHalves(StateArchive& stream, FieldSeries& series)
+void ExchangeSeries(StateArchive& stream, HalfSeries& series)
 {
   stream.Values(series.Meaning, series.Dimensions[0], series.Dimensions[1], series.Dimensions[2],
                 series.Origin, series.Spacing);
   stream.List(series.Times);
-  const auto exchange = [](StateArchive& s, std::vector<std::array<float, 3>>& values)
-  {
-    std::vector<std::array<std::uint16_t, 3>> halves(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      std::transform(values[i].begin(), values[i].end(), halves[i].begin(), ToHalf);
-    }
-    s.List(halves);
-    values.resize(halves.size());
-    for (std::size_t i = 0; s.IsReading() && i < values.size(); ++i)
-    {
-      std::transform(halves[i].begin(), halves[i].end(), values[i].begin(), FromHalf);
-    }
-  };
-  stream.List(series.Values, exchange);
+  stream.List(series.Values, [](StateArchive& s, std::vector<Half3>& values) { s.List(values); });
 }
 
 // What is written is only read of, what is read is made anew: the air may be another's, too.
@@ -57,8 +30,8 @@ void ExchangeAir(StateArchive& stream, std::shared_ptr<const DrawnAir>& air)
 {
   const auto moved =
     stream.IsReading() ? std::make_shared<DrawnAir>() : std::const_pointer_cast<DrawnAir>(air);
-  ExchangeHalves(stream, moved->Velocity);
-  ExchangeHalves(stream, moved->Wind);
+  ExchangeSeries(stream, moved->Velocity);
+  ExchangeSeries(stream, moved->Wind);
   air = moved;
 }
 
@@ -122,20 +95,6 @@ AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions&
     key.Planned.push_back(planned.Sum());
   }
   return key;
-}
-
-void RoundToHalf(FieldSeries& series)
-{
-  for (std::vector<std::array<float, 3>>& field : series.Values)
-  {
-    for (std::array<float, 3>& value : field)
-    {
-      for (float& c : value)
-      {
-        c = FromHalf(ToHalf(c));
-      }
-    }
-  }
 }
 
 Result WriteState(const std::string& path, AssimilationState& state)

@@ -49,9 +49,6 @@ struct AssimilationState
   bool IsEmpty() const { return this->Air->Velocity.IsEmpty(); }
 };
 
-/// Rounds the values of a series to half floats, as which they go into files.
-void RoundToHalf(FieldSeries& series);
-
 /// Writes a state whole or not at all; errors name the path and the reason.
 Result WriteState(const std::string& path, AssimilationState& state);
 /// What keeps the file from being a state, in words; empty when nothing does. A file that is not

@@ -365,7 +365,7 @@ std::vector<double> Contract(const std::vector<double>& values, std::array<int, 
 
 } // namespace
 
-void CommonWind::AddTo(FieldSeries& sum, const ParallelFor& parallel) const
+void CommonWind::AddTo(HalfSeries& sum, const ParallelFor& parallel) const
 {
   std::array<std::vector<Splines>, 3> along;
   for (int c = 0; c < 3; ++c)
@@ -401,6 +401,7 @@ void CommonWind::AddTo(FieldSeries& sum, const ParallelFor& parallel) const
              {
                const Nodes nodes =
                  this->At(this->LevelAt(sum.Times[f] / this->Time.Step()), this->Coefficients);
+               HalfSeries::Field field = sum.At(f);
                for (const Term& term : terms)
                {
                  std::vector<double> values(this->NodesPerKnot());
@@ -424,10 +425,11 @@ void CommonWind::AddTo(FieldSeries& sum, const ParallelFor& parallel) const
                  }
                  for (std::size_t i = 0; i < values.size(); ++i)
                  {
-                   sum.Values[f][i][static_cast<std::size_t>(term.Of)] +=
+                   field[i][static_cast<std::size_t>(term.Of)] +=
                      static_cast<float>(term.Sign * values[i]);
                  }
                }
+               sum.Set(f, field);
              }
            });
 }

@@ -2,7 +2,7 @@
 // A smooth wind that all bodies share: what their controls have in common.
 #pragma once
 
-#include "Base/FieldSeries.h"
+#include "Base/HalfSeries.h"
 #include "Base/Parallel.h"
 #include "Base/Types.h"
 
@@ -43,7 +43,7 @@ public:
   void Fit(const std::vector<WindSamples>& samples, const ParallelFor& parallel);
   Vec3 At(const Vec3& x, double frame) const;
   /// sum += W at the points of the lattice, of each field's frame.
-  void AddTo(FieldSeries& sum, const ParallelFor& parallel) const;
+  void AddTo(HalfSeries& sum, const ParallelFor& parallel) const;
   std::size_t NumberOfCoefficients() const { return this->Coefficients.size(); }
 
 private:

@@ -3,6 +3,7 @@
 
 #include "Base/Limits.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace waft
@@ -53,6 +54,24 @@ Vec3 SampleLevel(const FieldSeries& field, const std::vector<std::array<float, 3
   return value;
 }
 
+// Between which times a time lies, held at the first and last one.
+struct Moment
+{
+  std::size_t Before = 0;
+  double Part = 0.0; // of the way to the next time, below 1
+};
+
+Moment MomentOf(const std::vector<double>& times, double time)
+{
+  const auto above = std::upper_bound(times.begin(), times.end(), time);
+  if (above == times.begin())
+  {
+    return {};
+  }
+  const auto k = static_cast<std::size_t>(above - times.begin());
+  return { k - 1, above == times.end() ? 0.0 : (time - times[k - 1]) / (times[k] - times[k - 1]) };
+}
+
 Vec3 SampleSeries(const FieldSeries& field, const Vec3& x, double time, Mat3* jacobian)
 {
   if (jacobian)
@@ -63,18 +82,16 @@ Vec3 SampleSeries(const FieldSeries& field, const Vec3& x, double time, Mat3* ja
   {
     return Vec3::Zero();
   }
-  const auto above = std::upper_bound(field.Times.begin(), field.Times.end(), time);
-  if (above == field.Times.begin() || above == field.Times.end())
+  const Moment at = MomentOf(field.Times, time);
+  if (at.Part == 0.0)
   {
-    const auto& level = above == field.Times.begin() ? field.Values.front() : field.Values.back();
-    return SampleLevel(field, level, x, jacobian);
+    return SampleLevel(field, field.Values[at.Before], x, jacobian);
   }
-  const std::size_t k = static_cast<std::size_t>(above - field.Times.begin());
-  const double f = (time - field.Times[k - 1]) / (field.Times[k] - field.Times[k - 1]);
+  const double f = at.Part;
   Mat3 j0 = Mat3::Zero();
   Mat3 j1 = Mat3::Zero();
-  const Vec3 v0 = SampleLevel(field, field.Values[k - 1], x, jacobian ? &j0 : nullptr);
-  const Vec3 v1 = SampleLevel(field, field.Values[k], x, jacobian ? &j1 : nullptr);
+  const Vec3 v0 = SampleLevel(field, field.Values[at.Before], x, jacobian ? &j0 : nullptr);
+  const Vec3 v1 = SampleLevel(field, field.Values[at.Before + 1], x, jacobian ? &j1 : nullptr);
   if (jacobian)
   {
     *jacobian = (1.0 - f) * j0 + f * j1;
@@ -102,6 +119,25 @@ Result CheckLattice(const std::string& name, const std::array<int, 3>& dimension
                          PointText(spacing) + ", origin " + PointText(origin));
   }
   return Result::Ok();
+}
+
+FieldSeries::Field FieldSeries::At(double time) const
+{
+  if (this->IsEmpty())
+  {
+    return {};
+  }
+  const Moment at = MomentOf(this->Times, time);
+  Field values = this->Values[at.Before];
+  for (std::size_t i = 0; at.Part > 0.0 && i < values.size(); ++i)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      values[i][c] = static_cast<float>((1.0 - at.Part) * values[i][c] +
+                                        at.Part * this->Values[at.Before + 1][i][c]);
+    }
+  }
+  return values;
 }
 
 Result FieldSeries::Validate(const std::string& name) const

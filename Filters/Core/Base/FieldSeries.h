@@ -24,29 +24,41 @@ enum class FieldMeaning
 Result CheckLattice(const std::string& name, const std::array<int, 3>& dimensions,
                     const Vec3& origin, const Vec3& spacing);
 
-/// Values at lattice points Origin + (i, j, k) * Spacing, i fastest, one list per time. Sampling is
-/// trilinear in space and linear in time, clamped to the lattice and to the first and last time.
-struct FieldSeries
+/// Points Origin + (i, j, k) * Spacing, i fastest, and the times at which they have values.
+struct SeriesLattice
 {
   FieldMeaning Meaning = FieldMeaning::Acceleration;
   std::array<int, 3> Dimensions{ 0, 0, 0 };
   Vec3 Origin = Vec3::Zero();
   Vec3 Spacing = Vec3::Ones();
-  std::vector<double> Times;                             // s, increasing
-  std::vector<std::vector<std::array<float, 3>>> Values; // [time][point]
+  std::vector<double> Times; // s, increasing
 
-  bool IsEmpty() const { return this->Values.empty(); }
   std::size_t NumberOfPoints() const
   {
     return static_cast<std::size_t>(this->Dimensions[0]) * this->Dimensions[1] *
            this->Dimensions[2];
   }
+};
+
+/// One list of values per time. Sampling is trilinear in space and linear in time, clamped to the
+/// lattice and to the first and last time.
+struct FieldSeries : SeriesLattice
+{
+  using Field = std::vector<std::array<float, 3>>; // [point]
+
+  std::vector<Field> Values; // [time]
+
+  FieldSeries() = default;
+  explicit FieldSeries(const SeriesLattice& lattice) : SeriesLattice(lattice) {}
+  bool IsEmpty() const { return this->Values.empty(); }
   /// A lattice that can be, sizes agree, times increase, every value is within the limits of
   /// accelerations or velocities.
   Result Validate(const std::string& name) const;
   Vec3 Sample(const Vec3& x, double time) const;
   /// The same and its Jacobian d value_i / d x_j.
   Vec3 Sample(const Vec3& x, double time, Mat3& jacobian) const;
+  /// At a time at all points; empty where the series is.
+  Field At(double time) const;
 };
 
 } // namespace waft

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Threads, injected by the caller: serial here, vtkSMPTools in the wrappers.
+// Threads, injected by the caller: serial by default, as vtkSMPTools is set in the wrappers.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,8 @@ inline ParallelFor SerialFor()
   };
 }
 
-/// A ParallelFor of std::threads, for tests and benchmarks of Core and programs without VTK.
+/// A ParallelFor of std::threads that stay for the next loop. A loop within a loop, or beside that
+/// of another thread, is serial.
 ParallelFor ThreadedFor(int numberOfThreads);
 
 } // namespace waft

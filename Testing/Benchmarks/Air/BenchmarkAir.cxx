@@ -71,7 +71,7 @@ AssimilationInput Leaves(int count, int frames)
   return input;
 }
 
-void PrintDrifts(const FieldSeries& air, const Track& track, double rate)
+void PrintDrifts(const HalfSeries& air, const Track& track, double rate)
 {
   DriftProblem problem;
   const std::size_t frames = track.Positions.size();
@@ -93,7 +93,7 @@ void PrintDrifts(const FieldSeries& air, const Track& track, double rate)
   const double seconds = (ProcessorSeconds() - begun) / Times;
   std::vector<Vec3> slow = track.Positions;
   begun = ProcessorSeconds();
-  const double cost = PlainSolveDrift(problem, air, {}, 60, slow);
+  const double cost = PlainSolveDrift(problem, Unpacked(air), {}, 60, slow);
   const double plain = ProcessorSeconds() - begun;
   std::printf("one leaf's drift: %.4f CPU-s to a cost of %.6g; dense matrix and differences: %.1f "
               "CPU-s to %.6g (%.0f times)\n",

@@ -43,6 +43,16 @@ Eigen::VectorXd Residuals(const DriftProblem& problem, const FieldSeries& air,
 
 } // namespace
 
+FieldSeries Unpacked(const HalfSeries& air)
+{
+  FieldSeries series{ static_cast<const SeriesLattice&>(air) };
+  for (std::size_t k = 0; k < air.Values.size(); ++k)
+  {
+    series.Values.push_back(air.At(k));
+  }
+  return series;
+}
+
 double PlainDriftCost(const DriftProblem& problem, const FieldSeries& air,
                       const DriftWeights& weights, const std::vector<Vec3>& path)
 {

@@ -8,6 +8,9 @@
 namespace waft
 {
 
+/// The same series in floats.
+FieldSeries Unpacked(const HalfSeries& air);
+
 /// The cost of a path of flight alone [m^2/s].
 double PlainDriftCost(const DriftProblem& problem, const FieldSeries& air,
                       const DriftWeights& weights, const std::vector<Vec3>& path);

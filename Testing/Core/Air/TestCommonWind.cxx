@@ -94,12 +94,13 @@ TEST(CommonWind, IsAddedToALatticeAsItIs)
   sum.Times = { 1.0 };
   sum.Values.assign(1,
                     std::vector<std::array<float, 3>>(sum.NumberOfPoints(), { 1.0f, 2.0f, 3.0f }));
-  wind.AddTo(sum, SerialFor());
+  HalfSeries halves(sum);
+  wind.AddTo(halves, SerialFor());
   for (int i = 0; i < 7; ++i)
   {
     const Vec3 x = sum.Origin + Vec3(i, 2, 3).cwiseProduct(sum.Spacing);
     const Vec3 expected = Vec3(1.0, 2.0, 3.0) + wind.At(x, 30.0);
-    EXPECT_LT((sum.Sample(x, 1.0) - expected).norm(), 1e-5);
+    EXPECT_LT((halves.Around(1.0).Sample(x, 1.0) - expected).norm(), 2e-3);
   }
 }
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/FieldSeries.h"
 #include "Base/ForceFields.h"
+#include "Base/Half.h"
+#include "Base/HalfSeries.h"
 #include "Base/Random.h"
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 using namespace waft;
@@ -120,6 +124,56 @@ TEST(FieldSeries, ReproducesALinearFieldAndItsJacobian)
   // Beyond the lattice and the times the nearest value holds.
   EXPECT_LT((field.Sample(Vec3(9.0, 9.0, 9.0), 7.0) - 3.0 * (a * Vec3(0.5, 1.0, 2.5))).norm(),
             1e-5);
+}
+
+TEST(FieldSeries, IsBetweenItsStepsAtAllPoints)
+{
+  FieldSeries field;
+  EXPECT_TRUE(field.At(1.0).empty());
+  field.Dimensions = { 2, 1, 1 };
+  field.Times = { 1.0, 3.0 };
+  field.Values = { { { 0.0f, 1.0f, 2.0f }, { 4.0f, 4.0f, 4.0f } },
+                   { { 8.0f, 1.0f, 0.0f }, { 4.0f, 0.0f, 8.0f } } };
+  EXPECT_EQ(field.At(0.0), field.Values[0]);
+  EXPECT_EQ(field.At(3.0), field.Values[1]);
+  EXPECT_EQ(field.At(9.0), field.Values[1]);
+  EXPECT_EQ(field.At(1.5), (FieldSeries::Field{ { 2.0f, 1.0f, 1.5f }, { 4.0f, 3.0f, 5.0f } }));
+}
+
+TEST(HalfSeries, HasTheNearestHalfFloats)
+{
+  for (std::uint32_t bits = 0; bits < 0x7c00u; ++bits) // all that are finite
+  {
+    const auto half = static_cast<std::uint16_t>(bits);
+    const float value = FromHalf(half);
+    ASSERT_EQ(value, static_cast<float>(Eigen::numext::bit_cast<Eigen::half>(half)));
+    ASSERT_EQ(ToHalf(value), half);
+    ASSERT_EQ(FromHalf(ToHalf(-value)), -value);
+  }
+  Random random(3, 1);
+  for (int k = 0; k < 100000; ++k)
+  {
+    const auto value = static_cast<float>(std::exp(random.Uniform(-20.0, 11.0)));
+    ASSERT_EQ(FromHalf(ToHalf(value)), static_cast<float>(Eigen::half(value))) << value;
+  }
+  EXPECT_EQ(FromHalf(ToHalf(1e9f)), 65504.0f);
+  EXPECT_EQ(FromHalf(ToHalf(-1e9f)), -65504.0f);
+  EXPECT_EQ(std::abs(FromHalf(ToHalf(std::nanf("")))), 65504.0f);
+}
+
+TEST(HalfSeries, GivesTheStepsAroundATime)
+{
+  FieldSeries field;
+  field.Dimensions = { 1, 1, 1 };
+  field.Times = { 1.0, 2.0, 3.0 };
+  field.Values = { { { 1.0f, 0.0f, 0.0f } }, { { 2.0f, 0.0f, 0.0f } }, { { 4.0f, 0.0f, 0.0f } } };
+  const HalfSeries halves(field);
+  for (const double time : { 0.0, 1.0, 1.4, 2.0, 2.5, 3.0, 4.0 })
+  {
+    EXPECT_EQ(halves.Around(time).At(time), field.At(time)) << time;
+    EXPECT_LE(halves.Around(time).Values.size(), 2u);
+  }
+  EXPECT_TRUE(HalfSeries().Around(1.0).IsEmpty());
 }
 
 TEST(FieldSeries, NamesTheStepOfANumberThatIsNotFinite)
