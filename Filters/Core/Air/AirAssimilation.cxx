@@ -14,8 +14,8 @@ namespace
 {
 
 constexpr int LeastFrames = 8;
-constexpr double EnoughControl = 0.05; // of the flow at the bodies
-constexpr double LargeControl = 0.3;   // of the flow, that is told
+constexpr double EnoughControl = 0.065; // of the flow at the bodies
+constexpr double LargeControl = 0.3;    // of the flow, that is told
 constexpr std::size_t MostTold = 10;
 constexpr int OfTheStart = -1; // row of a velocity that an object begins with
 constexpr const char* Finished = "finish";

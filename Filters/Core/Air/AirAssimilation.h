@@ -28,7 +28,7 @@ namespace waft
 struct AssimilationOptions
 {
   int Resolution = 64;
-  int LatticeResolution = 32;
+  int LatticeResolution = 40;
   int Candidates = 32;
   int Starts = 8;
   int Rounds = 3;

@@ -17,7 +17,7 @@ from waft.watching import Clock, collect
 # How objects come to their marks: drift in one drawn air on a coarse grid; the same on the full one; the optimiser from there, in
 # that air; and, as in the paper, the optimiser from the plan, gas at rest.
 QUALITIES = ("preview", "assimilated", "full", "paper")
-PREVIEW = {"Resolution": 32, "Rounds": 1}  # of the assimilation
+PREVIEW = {"Resolution": 32, "LatticeResolution": 32, "Rounds": 1}  # of the assimilation
 OPTIMISER = {}  # properties of the optimiser besides its defaults
 STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
 REPORT = "report.json"
