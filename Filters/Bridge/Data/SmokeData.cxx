@@ -3,7 +3,7 @@
 
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/SceneData.h"
-#include "Obstacles/DistanceLattice.h"
+#include "Obstacles/DistanceFrames.h"
 #include "Obstacles/ObstacleSet.h"
 
 #include <vtkFloatArray.h>
@@ -37,9 +37,11 @@ struct SolidFrames
     std::vector<std::array<float, 3>> Velocities;
   };
   std::vector<ObstacleMesh> Obstacles;
-  ObstacleSet Set;
-  Result Built = Result::Ok();
   SmokeOptions Options;
+  DistanceLattice Lattice; // without values
+  bool IsLatticeTheGrid = true;
+  DistanceFrames Distances;
+  Result Built = Result::Ok();
   std::map<int, Frame> Kept;
   std::mutex Guard; // of Kept
 };
@@ -89,57 +91,86 @@ void ForNodes(const SmokeOptions& options, const Body& body)
   }
 }
 
-void NodeVelocities(const SolidFrames& solids, int frame, const std::vector<float>& distances,
-                    std::vector<std::array<float, 3>>& velocities)
+// The values at the grid's nodes of an array on the lattice: that of the nearest point.
+std::vector<int> NearestAtNodes(const SolidFrames& solids, const std::vector<int>& values)
+{
+  const DistanceLattice& lattice = solids.Lattice;
+  std::vector<int> atNodes;
+  atNodes.reserve(solids.Options.NumberOfNodes());
+  ForNodes(solids.Options,
+           [&](const Vec3& x)
+           {
+             std::size_t n = 0;
+             for (int axis = 2; axis >= 0; --axis)
+             {
+               const long index = std::lround((x[axis] - lattice.Origin[axis]) / lattice.Spacing);
+               const long last = lattice.Dimensions[axis] - 1;
+               n = n * lattice.Dimensions[axis] + std::clamp(index, 0L, last);
+             }
+             atNodes.push_back(values[n]);
+           });
+  return atNodes;
+}
+
+// Those of the nearest obstacles, where they are nearer than two voxels.
+std::vector<std::array<float, 3>> NodeVelocities(const SolidFrames& solids, int frame,
+                                                 const std::vector<float>& distances,
+                                                 const std::vector<int>& nearest)
 {
   const SmokeOptions& options = solids.Options;
-  std::map<int, std::array<float, 3>> velocityOf;
+  std::vector<std::array<float, 3>> velocityOf;
   for (const ObstacleMesh& obstacle : solids.Obstacles)
   {
     const Vec3 v =
       (obstacle.Offset(frame + 0.5) - obstacle.Offset(frame - 0.5)) * options.FramesPerSecond;
-    velocityOf[obstacle.ObstacleId] = { static_cast<float>(v.x()), static_cast<float>(v.y()),
-                                        static_cast<float>(v.z()) };
+    velocityOf.push_back(
+      { static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()) });
   }
   const double near = 2.0 * options.Spacing().maxCoeff();
-  velocities.assign(distances.size(), { 0.0f, 0.0f, 0.0f });
-  std::size_t node = 0;
-  ForNodes(options,
-           [&](const Vec3& x)
-           {
-             if (distances[node] < near)
-             {
-               SurfaceHit hit;
-               solids.Set.SignedDistance(x, frame, hit);
-               velocities[node] = velocityOf[hit.ObstacleId];
-             }
-             ++node;
-           });
+  std::vector<std::array<float, 3>> velocities(distances.size(), { 0.0f, 0.0f, 0.0f });
+  for (std::size_t node = 0; node < distances.size(); ++node)
+  {
+    if (distances[node] < near && nearest[node] >= 0)
+    {
+      velocities[node] = velocityOf[nearest[node]];
+    }
+  }
+  return velocities;
 }
 
 Result ComputeFrame(const SolidFrames& solids, int frame, std::vector<float>& distances,
                     std::vector<std::array<float, 3>>& velocities)
 {
   WAFT_RETURN_IF_FAILED(solids.Built);
-  DistanceLattice lattice;
-  const bool isGrid = MakeLattice(solids.Options, lattice);
-  WAFT_RETURN_IF_FAILED(ComputeDistanceLattice(solids.Obstacles, frame, lattice));
-  if (isGrid)
+  const bool moves = std::any_of(solids.Obstacles.begin(), solids.Obstacles.end(),
+                                 [](const ObstacleMesh& o) { return o.IsMoving(); });
+  std::vector<int> nearest;
+  WAFT_RETURN_IF_FAILED(solids.Distances.At(frame, distances, moves ? &nearest : nullptr));
+  if (!solids.IsLatticeTheGrid)
   {
-    distances = std::move(lattice.Values);
-  }
-  else
-  {
+    DistanceLattice lattice = solids.Lattice;
+    lattice.Values = std::move(distances);
+    distances.clear();
     distances.reserve(solids.Options.NumberOfNodes());
     ForNodes(solids.Options,
              [&](const Vec3& x) { distances.push_back(static_cast<float>(lattice.Sample(x))); });
+    if (moves)
+    {
+      nearest = NearestAtNodes(solids, nearest);
+    }
   }
-  if (std::any_of(solids.Obstacles.begin(), solids.Obstacles.end(),
-                  [](const ObstacleMesh& o) { return o.IsMoving(); }))
+  if (moves)
   {
-    NodeVelocities(solids, frame, distances, velocities);
+    velocities = NodeVelocities(solids, frame, distances, nearest);
   }
   return Result::Ok();
+}
+
+Result BuildSolids(SolidFrames& solids)
+{
+  solids.IsLatticeTheGrid = MakeLattice(solids.Options, solids.Lattice);
+  WAFT_RETURN_IF_FAILED(ObstacleSet().Build(solids.Obstacles));
+  return solids.Distances.Build(solids.Obstacles, solids.Lattice);
 }
 
 } // namespace
@@ -167,7 +198,7 @@ SolidsAtFrame NodeSolids(std::vector<ObstacleMesh> obstacles, const SmokeOptions
   auto solids = std::make_shared<SolidFrames>();
   solids->Obstacles = std::move(obstacles);
   solids->Options = options;
-  solids->Built = solids->Set.Build(solids->Obstacles);
+  solids->Built = solids->Obstacles.empty() ? Result::Ok() : BuildSolids(*solids);
   return [solids](int frame, std::vector<float>& distances,
                   std::vector<std::array<float, 3>>& velocities) -> Result
   {

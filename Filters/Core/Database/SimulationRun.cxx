@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Database/SimulationRun.h"
 
+#include "Obstacles/DistanceFrames.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Signed distance to closed surfaces on a regular lattice, by OpenVDB level sets.
+// Signed distance to closed surfaces on a regular lattice.
 #pragma once
 
-#include "Base/Mesh.h"
-#include "Base/Result.h"
 #include "Base/Types.h"
 
 #include <array>
@@ -28,13 +26,5 @@ struct DistanceLattice
   /// The same and the gradient of the trilinear interpolant (zero where clamped).
   double Sample(const Vec3& x, Vec3& gradient) const;
 };
-
-/// Fills lattice.Values from its Dimensions, Origin, Spacing and Band: the signed distance to the
-/// nearest obstacle as they stand at a frame, where within Band, else Band with the sign. Errors: a
-/// lattice without points, spacing or band that is not positive, an obstacle that ObstacleSet
-/// would refuse (cutting itself excepted: it is not looked for here). On failure lattice.Values is
-/// empty. Runs on one thread.
-Result ComputeDistanceLattice(const std::vector<ObstacleMesh>& obstacles, double frame,
-                              DistanceLattice& lattice);
 
 } // namespace waft

@@ -10,7 +10,8 @@ namespace waft
 {
 
 void UnsignedNarrowBand(const TriangleMesh& mesh, const Vec3& offset,
-                        const DistanceLattice& lattice, std::vector<float>& distance)
+                        const DistanceLattice& lattice, const LatticeWindow& window,
+                        std::vector<float>& distance)
 {
   // In index space the lattice's points are the integers.
   std::vector<openvdb::Vec3s> points;
@@ -38,22 +39,16 @@ void UnsignedNarrowBand(const TriangleMesh& mesh, const Vec3& offset,
       grid = openvdb::tools::meshToVolume<openvdb::FloatGrid>(
         adapter, *transform, width, width, openvdb::tools::UNSIGNED_DISTANCE_FIELD);
     });
-  const auto nx = static_cast<std::size_t>(lattice.Dimensions[0]);
-  const auto ny = static_cast<std::size_t>(lattice.Dimensions[1]);
-  distance.assign(nx * ny * lattice.Dimensions[2], 0.0F);
+  distance.clear();
+  distance.reserve(window.NumberOfPoints());
   auto accessor = grid->getConstAccessor();
   const auto band = static_cast<float>(lattice.Band + lattice.Spacing);
-  for (int k = 0; k < lattice.Dimensions[2]; ++k)
-  {
-    for (int j = 0; j < lattice.Dimensions[1]; ++j)
+  window.ForEachPoint(
+    [&](int i, int j, int k)
     {
-      for (int i = 0; i < lattice.Dimensions[0]; ++i)
-      {
-        const float value = accessor.getValue(openvdb::Coord(i, j, k));
-        distance[(k * ny + j) * nx + i] = std::min(std::abs(value), band);
-      }
-    }
-  }
+      const float value = accessor.getValue(openvdb::Coord(i, j, k));
+      distance.push_back(std::min(std::abs(value), band));
+    });
 }
 
 } // namespace waft

@@ -257,7 +257,7 @@ double Winding(const TriangleMesh& mesh, const std::vector<int>& triangles, cons
     sum +=
       std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
-  return sum / (2.0 * EIGEN_PI);
+  return static_cast<double>(sum / (2.0 * EIGEN_PI));
 }
 
 void FaceOutwards(TriangleMesh& mesh, const std::vector<int>& component, int count)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Particles/ObstacleField.h"
 
-#include "Obstacles/DistanceLattice.h"
+#include "Obstacles/DistanceFrames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,14 +61,16 @@ Result ObstacleField::Build(const std::vector<ObstacleMesh>& obstacles, const Bo
   }
   this->Dimensions = lattice.Dimensions;
   this->InverseSpacing = unit / spacing;
+  DistanceFrames frames;
+  WAFT_RETURN_IF_FAILED(frames.Build(obstacles, lattice));
   for (int frame = 0; frame < (moving ? numberOfFrames : 1); ++frame)
   {
-    if (Result result = ComputeDistanceLattice(obstacles, frame, lattice); !result)
+    std::vector<float> values;
+    if (Result result = frames.At(frame, values); !result)
     {
       this->Lattices.clear();
       return result;
     }
-    std::vector<float> values = lattice.Values;
     for (float& value : values)
     {
       value = static_cast<float>(value / unit);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Obstacles/DistanceLattice.h"
+#include "Obstacles/DistanceFrames.h"
 
 #include "Base/Random.h"
 #include "Obstacles/ObstacleSet.h"
@@ -61,6 +61,64 @@ TEST(DistanceLattice, EqualsTheTreesAtEveryPoint)
     }
   }
   EXPECT_GT(inside, 5000);
+}
+
+TEST(DistanceFrames, EachFrameIsThatOfItsOwnAndNamesTheNearest)
+{
+  const std::vector<ObstacleMesh> scene = Scene();
+  ObstacleSet set;
+  ASSERT_TRUE(static_cast<bool>(set.Build(scene)));
+  DistanceFrames frames;
+  std::vector<float> distances;
+  EXPECT_FALSE(static_cast<bool>(frames.At(0.0, distances)));
+  ASSERT_TRUE(static_cast<bool>(frames.Build(scene, Lattice())));
+  for (const double frame : { 1.0, 0.0, 0.25 })
+  {
+    DistanceLattice alone = Lattice();
+    std::vector<int> nearest;
+    ASSERT_TRUE(static_cast<bool>(frames.At(frame, distances, &nearest)));
+    ASSERT_TRUE(static_cast<bool>(ComputeDistanceLattice(scene, frame, alone)));
+    ASSERT_EQ(distances, alone.Values);
+    std::array<int, 3> counts{};
+    std::size_t n = 0;
+    for (int k = 0; k < 26; ++k)
+    {
+      for (int j = 0; j < 43; ++j)
+      {
+        for (int i = 0; i < 41; ++i, ++n)
+        {
+          ++counts[nearest[n] + 1];
+          ASSERT_EQ(nearest[n] < 0, distances[n] >= 0.35F);
+          const Vec3 x = alone.Origin + alone.Spacing * Vec3(i, j, k);
+          SurfaceHit hit;
+          const double distance = set.SignedDistance(x, frame, hit);
+          if (std::abs(distance) < 0.349 && nearest[n] != hit.ObstacleId)
+          {
+            SurfaceHit other; // equally near
+            EXPECT_NEAR(set.SignedDistanceTo(nearest[n], x, frame, other), distance, 1e-6);
+          }
+        }
+      }
+    }
+    EXPECT_GT(*std::min_element(counts.begin(), counts.end()), 500);
+  }
+}
+
+TEST(DistanceFrames, AnObstacleThatLeavesTheLatticeIsNotInIt)
+{
+  std::vector<ObstacleMesh> scene(1);
+  scene[0].Mesh = MakeBox({ Vec3(-1, -1, 0), Vec3(0, 0, 1) });
+  scene[0].Offsets = { Vec3::Zero(), Vec3(50, 0, 0), Vec3(-1.2, -50, 3) };
+  DistanceFrames frames;
+  ASSERT_TRUE(static_cast<bool>(frames.Build(scene, Lattice())));
+  std::vector<float> distances;
+  ASSERT_TRUE(static_cast<bool>(frames.At(0.0, distances)));
+  EXPECT_LT(*std::min_element(distances.begin(), distances.end()), 0.0F);
+  for (const double frame : { 1.0, 2.0 })
+  {
+    ASSERT_TRUE(static_cast<bool>(frames.At(frame, distances)));
+    EXPECT_EQ(*std::min_element(distances.begin(), distances.end()), 0.35F);
+  }
 }
 
 TEST(DistanceLattice, SamplesLinearFieldsExactlyAndItsGradientIsTheInterpolants)
