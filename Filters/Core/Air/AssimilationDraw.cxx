@@ -4,6 +4,7 @@
 
 #include "Air/AirStatistics.h"
 #include "Air/AirSymmetry.h"
+#include "Base/FractionDone.h"
 #include "Base/Random.h"
 #include "Grid/SmokeEnsemble.h"
 
@@ -202,8 +203,9 @@ Result AssimilationRun::SimulateSideBySide(std::size_t count, double begin, doub
                  {
                    for (std::size_t k = first; k < last; ++k)
                    {
-                     const auto before = static_cast<double>(done);
-                     PartMonitor step(monitor, before / count, (before + 1.0) / count);
+                     const std::size_t before = done;
+                     PartMonitor step(monitor, FractionDone(before, count),
+                                      FractionDone(before + 1, count));
                      HalfSeries air;
                      results[k] = SimulateAir(sceneOf(k), nullptr, SerialFor(), step, air);
                      if (results[k] && !results[k].IsStopped())

@@ -3,6 +3,7 @@
 #include "Air/AssimilationRun.h"
 
 #include "Air/DriftContacts.h"
+#include "Base/FractionDone.h"
 
 #include <algorithm>
 #include <atomic>
@@ -47,7 +48,7 @@ Result AssimilationRun::FirstDrift()
         {
           continue;
         }
-        if (!monitor.Tick(static_cast<double>(done++) / this->Drifters.size(), ""))
+        if (!monitor.Tick(FractionDone(done++, this->Drifters.size()), ""))
         {
           return;
         }

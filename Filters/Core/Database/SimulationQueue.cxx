@@ -41,7 +41,8 @@ public:
   bool Tick(double, const std::string&) override
   {
     if (std::this_thread::get_id() == this->Turn.CallingThread &&
-        !this->Turn.Caller.Tick(this->Turn.StepsDone / this->Turn.AllSteps, this->Text))
+        !this->Turn.Caller.Tick(static_cast<double>(this->Turn.StepsDone) / this->Turn.AllSteps,
+                                this->Text))
     {
       this->Turn.IsStopped = true;
     }

@@ -267,7 +267,8 @@ private:
   {
     const std::string_view index = tag.Attribute("index");
     long long number = 0;
-    if (!index.empty() && (!ParseInteger(index, number) || number < 0 || number >= MostBlocks))
+    if (!index.empty() &&
+        (!ParseInteger(index, number) || number < 0 || static_cast<double>(number) >= MostBlocks))
     {
       return Result::Error(place + "index: expected a number from 0 to 99999, found " +
                            Quoted(index));

@@ -163,17 +163,17 @@ std::string_view GltfFile::OpenChunks(std::string_view file)
       throw GltfError{ "byte " + std::to_string(at) +
                        ": expected a whole chunk, found the end of the file" };
     }
-    const std::uint64_t size = ReadUnsigned(file, at, 4, ByteOrder::Little);
+    const std::uint64_t length = ReadUnsigned(file, at, 4, ByteOrder::Little);
     const std::string_view type = file.substr(at + 4, 4);
     if (at == 12)
     {
-      text = type == "JSON" ? file.substr(at + 8, size) : text;
+      text = type == "JSON" ? file.substr(at + 8, length) : text;
     }
     else if (type == std::string_view("BIN\0", 4) && this->Binary.empty())
     {
-      this->Binary = file.substr(at + 8, size);
+      this->Binary = file.substr(at + 8, length);
     }
-    at += 8 + size;
+    at += 8 + length;
   }
   return text;
 }

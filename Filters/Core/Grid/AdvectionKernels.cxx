@@ -30,10 +30,11 @@ Reach ReachOf(const StaggeredLayout& layout, const AxisEnds& ends, int faceAxis,
   }
   // Up to a wall, and one voxel into the outside, where everything is zero.
   const float wall = onFaces ? 0.0f : -0.5f;
+  const auto end = static_cast<float>(n);
   Reach reach;
   reach.Low = ends[axis][0] == EndKind::Outside ? -1.0f : wall;
-  reach.High =
-    ends[axis][1] == EndKind::Outside ? (onFaces ? n + 1.0f : n) : n + (onFaces ? 0.0f : wall);
+  reach.High = ends[axis][1] == EndKind::Outside ? (onFaces ? end + 1.0f : end)
+                                                 : end + (onFaces ? 0.0f : wall);
   return reach;
 }
 

@@ -86,8 +86,7 @@ void SmokeSolver::Internals::AddWinds(double time, double dt, const ParallelFor&
     {
       for (int i = 0; i < layout.N[axis]; ++i)
       {
-        const double d =
-          (this->FirstCenter[axis] + i * this->Spacing[axis] - wind.Center[axis]) / wind.Radius;
+        const double d = (this->VoxelCenter(axis, i) - wind.Center[axis]) / wind.Radius;
         along[axis].push_back(static_cast<float>(std::exp(-0.5 * d * d)));
       }
     }
@@ -117,7 +116,7 @@ void SmokeSolver::Internals::AddSteering(const ParallelFor& parallelFor,
   {
     for (int i = 0; i < layout.N[axis]; ++i)
     {
-      const double x = this->FirstCenter[axis] + i * this->Spacing[axis];
+      const double x = this->VoxelCenter(axis, i);
       between[axis].push_back(
         Between((x - field.Origin[axis]) / field.Spacing[axis], field.Dimensions[axis]));
     }
@@ -184,9 +183,8 @@ void SmokeSolver::Internals::AddField(const FieldSeries& field, double time, dou
               {
                 for (int i = 0; i < layout.N[0]; ++i)
                 {
-                  const Vec3 x(this->FirstCenter[0] + i * this->Spacing[0],
-                               this->FirstCenter[1] + j * this->Spacing[1],
-                               this->FirstCenter[2] + k * this->Spacing[2]);
+                  const Vec3 x(this->VoxelCenter(0, i), this->VoxelCenter(1, j),
+                               this->VoxelCenter(2, k));
                   const std::array<float, 3> value = ToFloats(field.Sample(x, time));
                   const std::ptrdiff_t p = layout.Index(i, j, k);
                   for (int axis = 0; axis < 3; ++axis)

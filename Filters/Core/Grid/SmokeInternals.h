@@ -44,6 +44,11 @@ struct SmokeSolver::Internals
   AxisEnds DerivedEnds{}; // of what is derived from it: no jump at an open end
   std::array<float, 3> Spacing{ 1.0f, 1.0f, 1.0f };
   std::array<float, 3> FirstCenter{ 0.0f, 0.0f, 0.0f };
+  /// Of the voxels of this index along an axis.
+  float VoxelCenter(int axis, int index) const
+  {
+    return this->FirstCenter[axis] + static_cast<float>(index) * this->Spacing[axis];
+  }
 
   SolidFaces Solids;
   PressureSolver Pressure;

@@ -161,7 +161,8 @@ std::vector<Vec3> BlendChain(const SegmentLibrary& library, const PieceChain& ch
   path.push_back(first.Place * library.Samples(first.Segment)[first.First]);
   for (std::size_t k = 0; k < steps.size(); ++k)
   {
-    const double turn = chain.JoinAngle * (k + 0.5) / static_cast<double>(steps.size());
+    const double turn =
+      chain.JoinAngle * (static_cast<double>(k) + 0.5) / static_cast<double>(steps.size());
     path.push_back(path.back() + Eigen::AngleAxisd(turn, Vec3::UnitZ()) * steps[k]);
   }
   return path;

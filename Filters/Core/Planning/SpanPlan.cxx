@@ -74,7 +74,7 @@ ClearanceField SpanPlanner::FlightField(const ClearanceField& base) const
 {
   ClearanceField field = base;
   const double first = this->Request.FirstFrame;
-  const double flight = std::lround(this->Request.Clock.FlightFrames());
+  const double flight = std::round(this->Request.Clock.FlightFrames());
   for (ContactStretch& contact : field.Contacts)
   {
     if (this->Request.Clock.LaunchFrames > 0 && contact.FirstFrame <= first)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rotation/RotationRefine.h"
 
+#include "Base/FractionDone.h"
 #include "Base/Random.h"
 #include "Base/ShapeMeasures.h"
 #include "Constraints/ConstraintCheck.h"
@@ -293,7 +294,8 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
     }
     WAFT_RETURN_IF_FAILED(
       shapes[s].Panels.Build(input.Shapes[s], shapes[s].Properties, options.RasterSize, parallel));
-    if (!monitor.Tick(0.1 * (s + 1) / shapes.size(), "Looking at shapes from all around"))
+    if (!monitor.Tick(0.1 * FractionDone(s + 1, shapes.size()),
+                      "Looking at shapes from all around"))
     {
       return Result::Stopped();
     }
@@ -322,7 +324,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
                  outcomes[i] = TurnObjectWithin(most, plan, body, MakePath(input, track));
                }
              });
-    const double done = static_cast<double>(first + count) / outcomes.size();
+    const double done = FractionDone(first + count, outcomes.size());
     if (!monitor.Tick(0.1 + 0.9 * done, "Turning objects"))
     {
       return Result::Stopped();

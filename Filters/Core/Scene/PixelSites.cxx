@@ -57,7 +57,7 @@ std::vector<Vec3> FirstSites(const WeightedPixels& pixels, std::size_t count, do
 
 void RelaxInArea(const WeightedPixels& pixels, std::vector<Vec3>& sites)
 {
-  const double work = static_cast<double>(pixels.Points.size()) * sites.size();
+  const double work = static_cast<double>(pixels.Points.size() * sites.size());
   const int iterations = static_cast<int>(std::clamp(1e9 / work, 8.0, 60.0));
   for (int iteration = 0; iteration < iterations; ++iteration)
   {

@@ -133,8 +133,8 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int place)
   }
   obstacle.ObstacleId =
     node.Has("id") ? static_cast<int>(node.At("id", "").Integer("an id")) : place;
-  const bool moves = std::any_of(places.begin(), places.end(),
-                                 [&](const Vec3& place) { return place != places.front(); });
+  const bool moves =
+    std::any_of(places.begin(), places.end(), [&](const Vec3& at) { return at != places.front(); });
   for (std::size_t frame = 0; moves && frame < places.size(); ++frame)
   {
     obstacle.Offsets.push_back(places[frame] - reference);

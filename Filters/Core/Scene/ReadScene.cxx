@@ -124,8 +124,8 @@ SceneJson ParseText(const std::string& text, const std::string& name)
     const std::size_t quote = what.find('\'');
     const std::string number =
       quote == std::string::npos ? what : what.substr(quote + 1, what.rfind('\'') - quote - 1);
-    const std::size_t place = std::min(text.find(number), text.size());
-    throw SceneError{ name + ": " + LineAndColumn(text, place + 1) +
+    const std::size_t at = std::min(text.find(number), text.size());
+    throw SceneError{ name + ": " + LineAndColumn(text, at + 1) +
                       ": expected a finite number, found " + number };
   }
 }

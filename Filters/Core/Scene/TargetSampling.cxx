@@ -114,7 +114,8 @@ std::vector<std::size_t> Share(const std::vector<double>& weights, std::size_t c
     double most = -1e300;
     for (std::size_t c = 0; c < weights.size(); ++c)
     {
-      const double lack = weights[c] / total * static_cast<double>(count) - shares[c];
+      const double lack =
+        weights[c] / total * static_cast<double>(count) - static_cast<double>(shares[c]);
       if (weights[c] > 0.0 && (limits.empty() || shares[c] < limits[c]) && lack > most)
       {
         most = lack;

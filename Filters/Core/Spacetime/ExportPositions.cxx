@@ -205,17 +205,17 @@ std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
     for (std::size_t frame = 0; frame < frames; ++frame)
     {
       float* p = state.data() + frame * model.FrameSize() + model.NumberOfGas + o;
-      const bool kept = object.IsKept(frame);
+      const bool isKept = object.IsKept(frame);
       const Vec3 local = setup.FromWorld(x[frame]);
       Vec3 moved = local - Vec3(p[0], p[stride], p[2 * stride]);
-      if (kept || moved.norm() < Rounding)
+      if (isKept || moved.norm() < Rounding)
       {
         moved.setZero();
       }
-      const bool holds = kept || model.Flag(static_cast<int>(frame), o) & FixedVelocity;
+      const bool holds = isKept || model.Flag(static_cast<int>(frame), o) & FixedVelocity;
       for (int c = 0; c < 3; ++c)
       {
-        p[c * stride] = kept ? p[c * stride] : static_cast<float>(local[c]);
+        p[c * stride] = isKept ? p[c * stride] : static_cast<float>(local[c]);
         p[(3 + c) * stride] += holds ? 0.0f : static_cast<float>(moved[c] - before[c]);
       }
       before = moved;

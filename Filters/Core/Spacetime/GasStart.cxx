@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/GasStart.h"
 
+#include "Base/FractionDone.h"
 #include "Spacetime/SplineFit.h"
 #include "Spacetime/WindEstimate.h"
 
@@ -116,7 +117,7 @@ bool StartGas(SpacetimeObjective& objective, const ParallelFor& parallel, Monito
   }
   for (std::size_t j = 0; j + 1 < level.NumberOfFrames(); ++j)
   {
-    if (!monitor.Tick(static_cast<double>(j) / level.NumberOfFrames(), {}))
+    if (!monitor.Tick(FractionDone(j, level.NumberOfFrames()), {}))
     {
       state = still;
       return false;

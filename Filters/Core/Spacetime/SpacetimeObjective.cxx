@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/SpacetimeObjective.h"
 
+#include "Base/FractionDone.h"
 #include "Spacetime/ObjectTerms.h"
 
 #include <algorithm>
@@ -116,7 +117,7 @@ bool SpacetimeObjective::Chunked(Monitor* monitor, double from, double to,
     const std::size_t size = std::min(chunk, own.End - first);
     this->Parallel(size,
                    [&](std::size_t begin, std::size_t end) { body(first + begin, first + end); });
-    const double share = static_cast<double>(std::min(most, done + chunk)) / most;
+    const double share = FractionDone(std::min(most, done + chunk), most);
     if (monitor && !monitor->Tick(from + (to - from) * share, {}))
     {
       return false;

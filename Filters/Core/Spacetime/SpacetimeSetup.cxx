@@ -178,7 +178,8 @@ Result SetUpVolume(const SpacetimeInput& input, const SpacetimeOptions& options,
     model.Offsets.push_back({ static_cast<float>(radius * std::cos(angle)),
                               static_cast<float>(radius * std::sin(angle)), 0.0f });
   }
-  const double particles = static_cast<double>(per) * model.NumberOfObjects;
+  const double particles =
+    static_cast<double>(static_cast<std::size_t>(per) * model.NumberOfObjects);
   model.Fluid.ObjectMass =
     model.Fluid.GasMass *
     std::min(ObjectMassShare, AllObjectsMassShare * static_cast<double>(gas.size()) / particles);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trajectory/ClusterTree.h"
 
+#include "Base/FractionDone.h"
 #include "Trajectory/KMeans.h"
 
 #include <algorithm>
@@ -159,7 +160,7 @@ Result BuildClusterTrees(const std::vector<TreeInput>& groups, const ClusterTree
     {
       continue;
     }
-    if (!monitor.Tick(0.3 * g / groups.size(), "Clustering segments"))
+    if (!monitor.Tick(0.3 * FractionDone(g, groups.size()), "Clustering segments"))
     {
       return Result::Stopped();
     }
@@ -183,7 +184,7 @@ Result BuildClusterTrees(const std::vector<TreeInput>& groups, const ClusterTree
   constexpr std::size_t batch = 8;
   for (std::size_t first = 0; first < subtrees.size(); first += batch)
   {
-    if (!monitor.Tick(0.3 + 0.7 * first / subtrees.size(), "Splitting clusters"))
+    if (!monitor.Tick(0.3 + 0.7 * FractionDone(first, subtrees.size()), "Splitting clusters"))
     {
       return Result::Stopped();
     }

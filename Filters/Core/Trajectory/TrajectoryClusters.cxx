@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trajectory/TrajectoryClusters.h"
 
+#include "Base/FractionDone.h"
 #include "Base/Random.h"
 #include "Trajectory/Compression.h"
 #include "Trajectory/ParameterText.h"
@@ -128,7 +129,7 @@ std::vector<TreeInput> Compress(const ClusterInput& input, const std::vector<Pie
   std::vector<TreeInput> trees;
   for (std::size_t length = 0; length < lengths.size(); ++length)
   {
-    if (!monitor.Tick(double(length) / lengths.size(), "Compressing segments"))
+    if (!monitor.Tick(FractionDone(length, lengths.size()), "Compressing segments"))
     {
       return {};
     }
@@ -244,7 +245,7 @@ Result ClusterTrajectories(const ClusterInput& input, const ClusterOptions& opti
   std::vector<Piece> pieces;
   for (std::size_t s = 0; s < input.Simulations.size(); ++s)
   {
-    if (!monitor.Tick(0.3 * s / input.Simulations.size(), "Cutting trajectories"))
+    if (!monitor.Tick(0.3 * FractionDone(s, input.Simulations.size()), "Cutting trajectories"))
     {
       return Result::Stopped();
     }

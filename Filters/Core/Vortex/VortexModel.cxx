@@ -44,7 +44,7 @@ Vec3 EvaluateVortex(const double* center, const double* direction, const double*
   const double core = std::exp(shape[LogCore]);
   const double duration = std::exp(shape[LogDuration]);
   const double s = (time - shape[PeakTime]) / duration;
-  const double k = std::exp(-0.5 * s * s) / (4.0 * EIGEN_PI);
+  const double k = static_cast<double>(std::exp(-0.5 * s * s) / (4.0 * EIGEN_PI));
   const Vec3 r1 = x - c + h * d;
   const Vec3 r2 = x - c - h * d;
   const Vec3 r0 = 2.0 * h * d;

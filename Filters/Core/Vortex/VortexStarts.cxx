@@ -27,8 +27,8 @@ VortexParameters Perturb(const VortexParameters& base, double width, double amou
   {
     p.Center[axis] += 0.1 * width * normal();
   }
-  const Vec3 side = Eigen::AngleAxisd(random.Uniform(0.0, 2.0 * EIGEN_PI), p.Direction) *
-                    PerpendicularTo(p.Direction);
+  const Vec3 side =
+    Eigen::AngleAxisd(random.Uniform(0.0, 2.0 * M_PI), p.Direction) * PerpendicularTo(p.Direction);
   p.Direction = (p.Direction + 0.4 * normal() * side).normalized();
   p.Shape[LogHalfLength] += 0.5 * normal();
   p.Shape[PeakTime] += 0.4 * std::exp(p.Shape[LogDuration]) * normal();
