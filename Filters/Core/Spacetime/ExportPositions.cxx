@@ -107,8 +107,7 @@ public:
   {
     const Vec3& low = this->Setup.Origin;
     const Vec3 high = this->Setup.ToWorld(this->Setup.Model.Size);
-    const MotionObject& object = this->Setup.Objects[this->Index];
-    const double radius = std::max(0.0, object.ClearanceRadius - this->Slack);
+    const ClearanceRule rule = ClearanceRule(this->Setup.Objects[this->Index]).With(-this->Slack);
     for (std::size_t frame = 0; frame < x.size(); ++frame)
     {
       const int flags = this->Setup.Model.Flag(static_cast<int>(frame), this->Index);
@@ -119,8 +118,8 @@ public:
       for (int c = 0; c < 3; ++c)
       {
         const bool lands = c == 2 && (flags & LandsOnFloor);
-        const double least = low[c] + (lands ? object.RestHeight : radius);
-        x[frame][c] = std::max(least, std::min(x[frame][c], high[c] - radius));
+        const double least = low[c] + rule.From(lands);
+        x[frame][c] = std::max(least, std::min(x[frame][c], high[c] - rule.Radius));
       }
     }
   }

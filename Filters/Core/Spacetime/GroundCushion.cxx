@@ -49,7 +49,7 @@ CushionForce LandingCushion(const SpacetimeModel& model, int frame, double step,
   {
     surface = ObstacleSurface(model, frame, position);
   }
-  const double height = surface.Distance - model.RestHeights[object];
+  const double height = surface.Distance - model.Clearances[object].RestHeight;
   const double share = height / brake;
   const double near = share * share + CoreShare * CoreShare;
   const double far = 1.0 + share * share * share * share;

@@ -37,7 +37,7 @@ double ClearanceTerms(const SpacetimeModel& model, int frame, double scale, cons
         }
       }
     };
-    const double radius = model.Clearances[o] + Margin;
+    const double radius = model.Clearances[o].With(Margin).Radius;
     for (int c = 0; c < 3; ++c)
     {
       const double x = state[c * stride + i];
@@ -157,14 +157,14 @@ double ContactTerms(const SpacetimeModel& model, int frame, double scale, const 
 
 double FloorClearance(const SpacetimeModel& model, int frame, std::size_t object)
 {
-  return model.Flag(frame, object) & LandsOnFloor ? model.RestHeights[object]
-                                                  : model.Clearances[object] + Margin;
+  const bool lands = (model.Flag(frame, object) & LandsOnFloor) != 0;
+  return model.Clearances[object].With(Margin).From(lands);
 }
 
 double ObstacleClearance(const SpacetimeModel& model, int frame, std::size_t object)
 {
-  return model.Flag(frame, object) & LandsOnObstacle ? model.RestHeights[object]
-                                                     : model.Clearances[object] + Margin;
+  const bool lands = (model.Flag(frame, object) & LandsOnObstacle) != 0;
+  return model.Clearances[object].With(Margin).From(lands);
 }
 
 double PairDistance(const SpacetimeModel& model, int frame, std::size_t a, std::size_t b)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Base/ForceFields.h"
+#include "Constraints/ClearanceRule.h"
 #include "Particles/ObstacleField.h"
 #include "Particles/RestDensity.h"
 #include "Particles/SphFluid.h"
@@ -55,11 +56,10 @@ struct SpacetimeModel
   std::size_t NumberOfObjects = 0;
   std::vector<std::array<float, 3>> Offsets; // of an object's particles from its centre [dx]
 
-  std::vector<float> Gravities;    // g' of each object, downwards [dx / frame^2]
-  std::vector<float> DragRates;    // one an object [1 / frame]
-  std::vector<float> Clearances;   // one an object [dx]
-  std::vector<float> RestHeights;  // one an object [dx]
-  std::vector<float> BrakeHeights; // above rest, over which it is braked to land [dx]
+  std::vector<float> Gravities;          // g' of each object, downwards [dx / frame^2]
+  std::vector<float> DragRates;          // one an object [1 / frame]
+  std::vector<ClearanceRule> Clearances; // one an object, in dx and in single precision
+  std::vector<float> BrakeHeights;       // above rest, over which it is braked to land [dx]
   /// A place that an object should be near to at a frame, after its start and before it lands, and
   /// how near [dx]; Reach 0: none. Both [frame * NumberOfObjects + object].
   std::vector<Vec3> Approach;

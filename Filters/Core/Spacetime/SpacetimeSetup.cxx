@@ -214,8 +214,8 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
     const double share = std::min(1.0, FastestDrag / rate);
     model.DragRates.push_back(static_cast<float>(share * rate));
     model.Gravities.push_back(static_cast<float>(share * gravity / setup.AccelerationUnit()));
-    model.Clearances.push_back(static_cast<float>(object.ClearanceRadius / setup.Spacing));
-    model.RestHeights.push_back(static_cast<float>(object.RestHeight / setup.Spacing));
+    model.Clearances.emplace_back(static_cast<float>(object.ClearanceRadius / setup.Spacing),
+                                  static_cast<float>(object.RestHeight / setup.Spacing));
     model.BrakeHeights.push_back(
       static_cast<float>(0.5 * CushionTime * object.SettlingSpeed / setup.Spacing));
     radii += object.ClearanceRadius / setup.Spacing / static_cast<double>(no);

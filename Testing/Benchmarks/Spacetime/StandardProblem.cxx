@@ -120,8 +120,7 @@ void StandardProblem::Build()
   }
   model.Gravities.assign(model.NumberOfObjects, static_cast<float>(0.2 * step * step / unit));
   model.DragRates.assign(model.NumberOfObjects, 0.0f);
-  model.Clearances.assign(model.NumberOfObjects, 0.0f);
-  model.RestHeights.assign(model.NumberOfObjects, 0.0f);
+  model.Clearances.assign(model.NumberOfObjects, ClearanceRule(0.0, 0.0));
   const std::size_t no = model.NumberOfObjects;
   model.Flags.assign(static_cast<std::size_t>(this->NumberOfFrames) * no, 0);
   Random random(this->Seed, 1u << 20);

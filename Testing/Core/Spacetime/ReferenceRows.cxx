@@ -118,7 +118,7 @@ void ReferenceObjective::AddClearance(const double* z, std::size_t j, RowSet& ro
     };
     for (int c = 0; c < 3; ++c)
     {
-      const double usual = this->Model.Clearances[o] + ClearanceMargin;
+      const double usual = this->Model.Clearances[o].Radius + ClearanceMargin;
       keep(c == 2 ? FloorClearance(this->Model, frame, o) : usual, x[c], Vec3::Unit(c));
       keep(usual, this->Model.Size[c] - x[c], -Vec3::Unit(c));
     }

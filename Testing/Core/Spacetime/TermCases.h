@@ -271,14 +271,20 @@ inline const std::vector<Term>& Terms()
       [](Model& m, const Problem&)
       {
         m.Weights.Clearance = 10.0;
-        m.Clearances.assign(m.Clearances.size(), 2.2f);
+        for (ClearanceRule& rule : m.Clearances)
+        {
+          rule.Radius = 2.2f;
+        }
       } },
     { "clearance from an obstacle",
       [](Model& m, const Problem& p)
       {
         m.Weights.Clearance = 10.0;
         m.Obstacles = p.Full.Obstacles;
-        m.Clearances.assign(m.Clearances.size(), 1.2f);
+        for (ClearanceRule& rule : m.Clearances)
+        {
+          rule.Radius = 1.2f;
+        }
       } },
     { "approach",
       [](Model& m, const Problem&)

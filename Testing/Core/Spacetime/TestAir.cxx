@@ -155,7 +155,8 @@ TEST(LandingCushion, StopsASettlingLeafSoftlyAboveTheFloor)
   Vec3 v = -model.SettlingSlip(0) * Vec3::UnitZ();
   double hardest = 0.0;
   int frames = 0;
-  for (; x.z() > model.RestHeights[0] + 0.2 * model.BrakeHeights[0] && frames < 300; ++frames)
+  for (; x.z() > model.Clearances[0].RestHeight + 0.2 * model.BrakeHeights[0] && frames < 300;
+       ++frames)
   {
     const Vec3 force = LandingCushion(model, 3, 1.0, 0, x, v).Acceleration -
                        (model.Gravities[0] + model.DragRates[0] * v.z()) * Vec3::UnitZ();
