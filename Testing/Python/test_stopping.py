@@ -29,7 +29,8 @@ MEDIUM = scene(301, {"positions": [[0.4 * i - 1.0, 0.2 * j, 2.6] for i in range(
                constraints=[{"kind": "position", "object": i, "frame": 200, "value": [0.1 * i, 0.3, 1.2]}
                             for i in range(18)])
 THIMBLE = scene(91, {"count": 20000, "region": {"min": [0, 0, 1], "max": [0.01, 0.01, 1.01]}})
-MILLION = scene(1000000, {"positions": [[-0.6, -0.5, 2.6]]})
+LONG = scene(20000, {"positions": [[-0.6, -0.5, 2.6]]})
+MILLION = scene(1000000, {"positions": [[0.4 * i - 1.0, -0.5, 2.6] for i in range(6)]})  # planned for far more than 12 s
 ANY_MEMORY = ("--memory-limit", 1e6)  # MB: it is stopped long before it takes that
 
 
@@ -104,19 +105,28 @@ class Stopping(unittest.TestCase):
         self.expect_seen(time.monotonic() - began - 1.0 - start, done.stderr)
         self.assertEqual(STOPPED_EARLY, done.returncode)
 
-    def test_while_it_optimises_writes_the_best_so_far(self):
-        command = self.synthesize(MEDIUM)
+    def stop_when_planned(self, content):
+        """Ends a run by a signal as soon as its plan is kept; returns the seconds until it had ended."""
         out = self.folder / "out"
-        process = subprocess.Popen([*map(str, command)], stderr=subprocess.PIPE, text=True)
+        process = subprocess.Popen([*map(str, self.synthesize(content))], stderr=subprocess.PIPE, text=True)
         self.addCleanup(process.stderr.close)
         self.addCleanup(process.kill)
         deadline = time.monotonic() + 120.0
         while time.monotonic() < deadline and process.poll() is None and not (out / "checkpoint").is_dir():
             time.sleep(0.05)
+        asked = time.monotonic()
         process.send_signal(signal.SIGTERM)
         _, said = process.communicate(timeout=120.0)
         self.assertEqual(STOPPED_EARLY, process.returncode, said)
         self.assertTrue((out / "poses.csv").is_file(), list(out.iterdir()))
+        return time.monotonic() - asked
+
+    def test_while_it_optimises_writes_the_best_so_far(self):
+        self.stop_when_planned(MEDIUM)
+
+    def test_while_the_air_of_many_frames_is_drawn(self):
+        self.assertLess(self.stop_when_planned(LONG), SEEN_WITHIN + LOADED)
+        self.assertEqual(["air_0000.vti"], [path.name for path in (self.folder / "out/air").iterdir()])
 
     def test_that_the_system_killed_says_so(self):
         process = subprocess.Popen([*map(str, self.synthesize(MEDIUM))], stderr=subprocess.PIPE, text=True)

@@ -117,9 +117,14 @@ class Pipeline:
             registrationName="Assimilation", Tracks=self._planned[0], Objects=self._scene("Objects"),
             Constraints=self._planned[3], Obstacles=self._scene("Obstacles"), **own, **self._wind()))
 
+    @property
+    def has_air(self):
+        """Whether an air was drawn: not by a run that was stopped before."""
+        return self.assimilation is not None and self.output("assimilation", 5).GetNumberOfRows() > 0
+
     def add_rotation(self, seed):
         tracks, rows = self._tracks_and_rows()
-        air = {} if self.assimilation is None else {"Air": simple.OutputPort(self.assimilation, 1)}
+        air = {"Air": simple.OutputPort(self.assimilation, 1)} if self.has_air else {}
         if self.spacetime is not None:
             tracks = simple.OutputPort(self.spacetime, 0)
         self.rotation = self._add(simple.RotationRefineFilter(

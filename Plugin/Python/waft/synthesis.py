@@ -326,7 +326,8 @@ def _write_air(pipeline, place, checkpoint):
         write_xml(pipeline.output("assimilation", 0), place.path("assimilated.vtp"))
     write_xml(pipeline.output("assimilation", 3), place.path("constraints.vtp"))
     write_csv(place.path("rounds.csv"), *table_rows(pipeline.output("assimilation", 5)))
-    _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half)
+    steps = None if pipeline.has_air else 1  # without an air all steps are the same calm one
+    _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half, steps)
     if checkpoint.air_file.is_file():
         shutil.copyfile(checkpoint.air_file, place.path(STATE))
 
@@ -348,13 +349,14 @@ def _write_shapes(pipeline, place):
         shutil.copyfile(source, place.path(name))
 
 
-def _write_series(pipeline, stage, port, name, suffix, place, change=lambda data: None):
-    """NAME.pvd with one file a step in the folder NAME, of data that were changed first."""
+def _write_series(pipeline, stage, port, name, suffix, place, change=lambda data: None, steps=None):
+    """NAME.pvd with one file a step in the folder NAME, of data that were changed first, `steps` steps at most."""
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Sddp
 
     algorithm = getattr(pipeline, stage).GetClientSideObject()
     entries = []
-    for step, time in enumerate(algorithm.GetOutputInformation(port).Get(Sddp.TIME_STEPS()) or (0.0,)):
+    times = algorithm.GetOutputInformation(port).Get(Sddp.TIME_STEPS()) or (0.0,)
+    for step, time in enumerate(times[:steps]):
         file = f"{name}/{name}_{step:04d}{suffix}"
         data = _at(algorithm, port, time)
         change(data)
