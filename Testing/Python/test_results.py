@@ -132,11 +132,27 @@ class Results(unittest.TestCase):
         self.write("new")
 
     def test_what_dead_processes_left_is_swept(self):
-        self.put(".waft-0a_bc9zz/new/poses.csv")
-        self.put(".waft-mine/notes.txt")  # no name that a run gives
+        child = os.fork()
+        if child == 0:
+            with result_place(self.out) as place:
+                for folder in (place.temporary(), place.temporary()):
+                    (folder / "new").mkdir()
+                    (folder / "new" / "poses.csv").write_text("poses", encoding="utf-8")
+                os._exit(0)  # dies with them
+        os.waitpid(child, 0)
+        self.assertEqual(2, len(list(self.out.glob(".waft-*"))))
         self.write("new")
-        self.assertFalse((self.out / ".waft-0a_bc9zz").exists())
-        self.assertTrue((self.out / ".waft-mine").exists())
+        self.assertEqual([], list(self.out.glob(".waft-*")))
+
+    def test_a_users_folder_stays_whatever_its_name(self):
+        for name in (".waft-cam_take", ".waft-mine"):  # the first as a run's temporary folders are called
+            self.put(f"{name}/notes.txt")
+        (self.out / ".waft-nothings").mkdir()
+        self.write("new")
+        self.write("newer")
+        for name in (".waft-cam_take", ".waft-mine"):
+            self.assertTrue((self.out / name / "notes.txt").exists())
+        self.assertTrue((self.out / ".waft-nothings").is_dir())
 
     def test_a_failure_in_the_middle_puts_the_old_results_back(self):
         self.write("old")

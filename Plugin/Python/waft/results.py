@@ -16,6 +16,7 @@ import json
 import os
 import pathlib
 import re
+import secrets
 import shutil
 import tempfile
 
@@ -26,6 +27,7 @@ from waft.watching import tell_guard
 _MOVE = ".waft-move"
 _JOURNAL = "journal.json"
 _TEMPORARY = re.compile(r"\.waft-[a-z0-9_]{8}")  # as tempfile.mkdtemp makes them
+_MARK = "temporary-of-waft"  # a file in them: a folder of such a name without it is the user's
 
 
 @dataclasses.dataclass(frozen=True)
@@ -134,7 +136,7 @@ class ResultPlace:
 
     def __exit__(self, *_):
         for folder in self._temporary:
-            shutil.rmtree(folder, ignore_errors=True)
+            _sweep(folder)
         self._release()
 
     def _acquire(self):
@@ -205,9 +207,11 @@ class ResultPlace:
                 for entry in files + [folder for folder in inner if os.path.islink(os.path.join(at, folder))]]
 
     def temporary(self):
-        """A new folder; it goes with the run, also when that dies, unless it is renamed."""
-        self._temporary.append(pathlib.Path(tempfile.mkdtemp(prefix=".waft-", dir=self.room)))
-        return self._temporary[-1]
+        """A new folder; it goes with the run, also when that dies, unless it is renamed, as its folders may be."""
+        folder = pathlib.Path(tempfile.mkdtemp(prefix=".waft-", dir=self.room))
+        self._temporary.append(folder)
+        (folder / _MARK).touch()
+        return folder
 
     def path(self, name):
         """Where to write the file of this name for now; its folder is there."""
@@ -279,8 +283,22 @@ def _recover(root, room):
     if (room / _MOVE).is_dir():
         _Move(root, room / _MOVE).go_on()
     for entry in room.iterdir():
-        if _TEMPORARY.fullmatch(entry.name) and entry.is_dir() and not entry.is_symlink():
-            shutil.rmtree(entry, ignore_errors=True)
+        if _TEMPORARY.fullmatch(entry.name) and not entry.is_symlink() and (entry / _MARK).is_file():
+            _sweep(entry)
+
+
+def _sweep(folder):
+    """Removes a temporary folder as far as the system lets it: its mark last, so that a later run can go on with that."""
+    try:
+        for entry in folder.iterdir():
+            if entry.is_dir() and not entry.is_symlink():
+                shutil.rmtree(entry)
+            elif entry.name != _MARK:
+                entry.unlink()
+        (folder / _MARK).unlink(missing_ok=True)
+        folder.rmdir()
+    except OSError:  # it went, or another program holds a file in it
+        pass
 
 
 class _Move:
@@ -334,9 +352,9 @@ class _Move:
     def _end(self):
         for folder in {pathlib.PurePosixPath(name).parent for name in (*self._outgoing, *self._incoming)}:
             _remove_empty(self._root, folder)
-        gone = tempfile.mkdtemp(prefix=".waft-", dir=self._folder.parent)
-        os.rename(self._folder, gone)  # over the empty folder: from here on it is swept and not gone on with
-        shutil.rmtree(gone, ignore_errors=True)
+        gone = self._folder.with_name(f".waft-{secrets.token_hex(4)}")
+        os.rename(self._folder, gone)  # from here on it is swept and not gone on with
+        _sweep(gone)
 
 
 def _remove_empty(root, folder):

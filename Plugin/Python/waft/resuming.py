@@ -80,7 +80,8 @@ class Checkpoint:
 
     def keep_plan(self, pipeline):
         """Takes the place of whatever another run left."""
-        folder = self._place.temporary()
+        folder = self._place.temporary() / self._folder.name
+        folder.mkdir()
         for port, name in PLAN.items():
             write_xml(pipeline.planned(port), folder / name)
         header = list(pipeline.plan_report[0]) if pipeline.plan_report else []
