@@ -213,6 +213,11 @@ class ResultPlace:
         (folder / _MARK).touch()
         return folder
 
+    def discard(self, folder):
+        """Removes a temporary() folder that has served."""
+        self._temporary.remove(folder)
+        _sweep(folder)
+
     def path(self, name):
         """Where to write the file of this name for now; its folder is there."""
         if self._staging is None:

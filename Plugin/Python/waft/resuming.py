@@ -80,7 +80,8 @@ class Checkpoint:
 
     def keep_plan(self, pipeline):
         """Takes the place of whatever another run left."""
-        folder = self._place.temporary() / self._folder.name
+        temporary = self._place.temporary()
+        folder = temporary / self._folder.name
         folder.mkdir()
         for port, name in PLAN.items():
             write_xml(pipeline.planned(port), folder / name)
@@ -89,6 +90,7 @@ class Checkpoint:
         write_json(folder / _KEY, {"key": self._key, "manifest": manifest_rows(manifest_of(folder))})
         self.clear()
         os.rename(folder, self._folder)
+        self._place.discard(temporary)
 
     def take_plan(self, pipeline):
         pipeline.take_plan(*(self._folder / name for name in PLAN.values()))
