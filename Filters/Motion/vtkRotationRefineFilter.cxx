@@ -56,6 +56,7 @@ struct vtkRotationRefineFilter::Internals : waft::KeptStage
 {
   vtkRotationRefineFilter* Self;
   std::vector<waft::Track> Tracks;
+  waft::AirOnTracks Air;
   waft::RotationOutput Rotation;
   waft::PosedMeshes Meshes;
 
@@ -63,17 +64,29 @@ struct vtkRotationRefineFilter::Internals : waft::KeptStage
     KeptStage(self, TracksPort, ObstaclesPort, WindPort, AirPort), Self(self)
   {
   }
+  waft::Result TakePass(vtkInformationVector** inputs, bool isFirst) override;
   waft::Result Take(vtkInformationVector** inputs, waft::RotationInput& input);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   void FillVarying(double time, vtkInformationVector* outputs) const override;
 };
 
+waft::Result vtkRotationRefineFilter::Internals::TakePass(vtkInformationVector** inputs,
+                                                          bool isFirst)
+{
+  if (isFirst)
+  {
+    WAFT_RETURN_IF_FAILED(
+      waft::TracksFromPolyData(vtkPolyData::GetData(inputs[TracksPort]), this->Tracks));
+    this->Air = waft::AirOnTracks(this->Tracks, this->Scene.Time);
+  }
+  return this->Air.Add(this->Fields.TakeAir());
+}
+
 waft::Result vtkRotationRefineFilter::Internals::Take(vtkInformationVector** inputs,
                                                       waft::RotationInput& input)
 {
   input.Scene = this->Scene;
-  WAFT_RETURN_IF_FAILED(
-    waft::TracksFromPolyData(vtkPolyData::GetData(inputs[TracksPort]), input.Tracks));
+  input.Tracks = std::move(this->Tracks);
   WAFT_RETURN_IF_FAILED(
     waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[ObjectsPort]), input.Objects));
   WAFT_RETURN_IF_FAILED(
@@ -84,16 +97,16 @@ waft::Result vtkRotationRefineFilter::Internals::Take(vtkInformationVector** inp
 waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inputs,
                                                      waft::Monitor& monitor)
 {
-  this->Tracks.clear();
   waft::RotationInput input;
+  this->Air.Finish();
+  const waft::AirOnTracks air = std::move(this->Air);
+  input.Air = &air;
   WAFT_RETURN_IF_FAILED(this->Take(inputs, input));
   waft::ObstacleSet obstacles;
   WAFT_RETURN_IF_FAILED(obstacles.Build(this->Fields.TakeObstacles()));
   input.Obstacles = &obstacles;
   const waft::FieldSeries wind = this->Fields.TakeWind();
   input.Wind = &wind;
-  const waft::FieldSeries air = this->Fields.TakeAir();
-  input.Air = &air;
   WAFT_RETURN_IF_FAILED(this->Meshes.Build(input.Shapes, input.Objects, input.Tracks, this->Scene));
   const waft::Result result =
     waft::RunRotationRefine(input, waft::OptionsOf<waft::RotationOptions>(*this->Self),

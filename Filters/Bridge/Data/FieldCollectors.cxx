@@ -235,9 +235,9 @@ Result FieldCollector::Add(vtkImageData* data, double time)
 {
   const bool isWind = this->What == Takes::Wind;
   const std::string name = isWind ? "Wind" : "Air";
-  if (!this->Series.IsEmpty() && time <= this->Series.Times.back())
+  if (this->HasLattice && time <= this->LastTime)
   {
-    return SeenAlready(name, time, this->Series.Times.back());
+    return SeenAlready(name, time, this->LastTime);
   }
   vtkPointData* arrays = data->GetPointData();
   vtkDataArray* values = isWind ? arrays->GetArray(names::Wind) : nullptr;
@@ -258,9 +258,10 @@ Result FieldCollector::Add(vtkImageData* data, double time)
                          " values, one a point, found " +
                          std::to_string(values->GetNumberOfTuples()));
   }
-  if (this->Series.IsEmpty())
+  if (!this->HasLattice)
   {
     this->Series = lattice;
+    this->HasLattice = true;
   }
   if (lattice.Dimensions != this->Series.Dimensions || lattice.Origin != this->Series.Origin ||
       lattice.Spacing != this->Series.Spacing || meaning != this->Series.Meaning)
@@ -284,6 +285,7 @@ Result FieldCollector::Add(vtkImageData* data, double time)
       step[static_cast<std::size_t>(i)][static_cast<std::size_t>(c)] = static_cast<float>(value);
     }
   }
+  this->LastTime = time;
   this->Series.Times.push_back(time);
   this->Series.Values.push_back(std::move(step));
   return Result::Ok();
@@ -291,8 +293,10 @@ Result FieldCollector::Add(vtkImageData* data, double time)
 
 FieldSeries FieldCollector::Take()
 {
-  FieldSeries series = std::move(this->Series);
-  this->Series = FieldSeries();
+  FieldSeries series(static_cast<const SeriesLattice&>(this->Series));
+  series.Values = std::move(this->Series.Values);
+  this->Series.Times.clear();
+  this->Series.Values.clear();
   return series;
 }
 

@@ -59,11 +59,14 @@ public:
   explicit FieldCollector(Takes what = Takes::Wind) : What(what) {}
   /// As that of ObstacleCollector.
   Result Add(vtkImageData* data, double time);
+  /// Those since the last call.
   FieldSeries Take();
 
 private:
-  Takes What; // errors begin with its name
-  FieldSeries Series;
+  Takes What;         // errors begin with its name
+  FieldSeries Series; // not yet taken
+  bool HasLattice = false;
+  double LastTime = 0.0;
 };
 
 /// One step of a series as an image with the array `Wind` or `Velocity`; time is sampled.

@@ -36,7 +36,7 @@ public:
   bool Continue(vtkInformation* request);
   void Reset(vtkInformation* request) { this->Sweep.Reset(request); }
 
-  /// After the last pass, once each.
+  /// After the last pass, once each; of the air also after each pass, what came since.
   std::vector<ObstacleMesh> TakeObstacles();
   FieldSeries TakeWind() { return this->Wind.Take(); }
   FieldSeries TakeAir() { return this->Air.Take(); }

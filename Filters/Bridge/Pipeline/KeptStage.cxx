@@ -55,12 +55,14 @@ int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** input
   if (!this->Cache.IsCurrent(this->Stage, inputs))
   {
     Result result = Result::Ok();
-    if (this->Fields.IsFirst())
+    const bool isFirst = this->Fields.IsFirst();
+    if (isFirst)
     {
       this->Scene = SceneInfo();
       result = SceneInfoFromFieldData(vtkDataObject::GetData(inputs[this->ScenePort]), this->Scene);
     }
     result = result ? this->Fields.Take(inputs, this->Scene.Time) : result;
+    result = result ? this->TakePass(inputs, isFirst) : result;
     const bool hasMore = result && this->Fields.Continue(request);
     if (hasMore && this->GoesOn())
     {
@@ -126,6 +128,11 @@ Result KeptStage::Refresh(vtkInformationVector** inputs)
     }
   }
   return result;
+}
+
+Result KeptStage::TakePass(vtkInformationVector**, bool)
+{
+  return Result::Ok();
 }
 
 void KeptStage::FillVarying(double, vtkInformationVector*) const {}

@@ -47,6 +47,9 @@ protected:
   /// Takes the inputs (Scene and Fields are there), runs Core, fills the Kept outputs and Warnings.
   /// Stopped: what is kept is shown, and the next update runs again.
   virtual Result Run(vtkInformationVector** inputs, Monitor& monitor) = 0;
+  /// After each pass over what is pulled over time, the first of a run being told: takes from
+  /// Fields what is not to be kept until Run.
+  virtual Result TakePass(vtkInformationVector** inputs, bool isFirst);
   /// Of several ranks that run together: what holds for all of them, out of what this one found in
   /// its inputs.
   virtual Result Agree(const Result& own) { return own; }

@@ -80,33 +80,37 @@ Result CheckTracks(const RotationInput& input, std::map<int, std::size_t>& objec
   return Result::Ok();
 }
 
-bool HasValues(const FieldSeries* field)
-{
-  return field != nullptr && !field->IsEmpty();
-}
-
 Vec3 Curl(const Mat3& gradient)
 {
   return Vec3(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0),
               gradient(1, 0) - gradient(0, 1));
 }
 
-FlightPath MakePath(const RotationInput& input, const Track& track)
+FlightPath MakePath(const RotationInput& input, std::size_t i)
 {
+  const Track& track = input.Tracks[i];
   FlightPath path;
   path.Step = input.Scene.Time.Step();
   path.RelativeVelocities = CentralVelocities(track.Positions, path.Step);
-  const bool given = HasValues(input.Air);
-  const FieldSeries* field = given ? input.Air : input.Wind;
-  const bool sampled = HasValues(field) && field->Meaning == FieldMeaning::Velocity;
+  const bool given = input.Air != nullptr && !input.Air->IsEmpty();
+  const bool blown = !given && input.Wind != nullptr && !input.Wind->IsEmpty() &&
+                     input.Wind->Meaning == FieldMeaning::Velocity;
   for (std::size_t k = 0; k < track.Positions.size(); ++k)
   {
     Mat3 gradient = Mat3::Zero();
     Vec3 air = Vec3::Zero();
-    if (sampled)
+    if (given)
     {
-      air =
-        field->Sample(track.Positions[k], input.Scene.Time.Time(static_cast<double>(k)), gradient);
+      air = input.Air->Velocity(i, k);
+      gradient = input.Air->Gradient(i, k);
+    }
+    else if (blown)
+    {
+      const double time = input.Scene.Time.Time(static_cast<double>(k));
+      air = input.Wind->Sample(track.Positions[k], time, gradient);
+    }
+    if (given || blown)
+    {
       path.AirGradients.push_back(gradient);
     }
     if (given)
@@ -264,14 +268,6 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
   {
     return Result::Error("AirDensity must be 0 or more");
   }
-  if (HasValues(input.Air))
-  {
-    WAFT_RETURN_IF_FAILED(input.Air->Validate("Air"));
-    if (input.Air->Meaning != FieldMeaning::Velocity)
-    {
-      return Result::Error("Air: expected velocities, found accelerations");
-    }
-  }
 
   std::vector<unsigned char> used(input.Shapes.size(), 0);
   for (const Track& track : input.Tracks)
@@ -321,7 +317,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
                                        options.Follow);
                  AttitudePlan plan = MakePlan(input, options, object, track);
                  plan.BoundingRadius = shape.Properties.BoundingRadius;
-                 outcomes[i] = TurnObjectWithin(most, plan, body, MakePath(input, track));
+                 outcomes[i] = TurnObjectWithin(most, plan, body, MakePath(input, i));
                }
              });
     const double done = FractionDone(first + count, outcomes.size());

@@ -12,6 +12,7 @@
 #include "Base/Shape.h"
 #include "Constraints/Constraint.h"
 #include "Obstacles/ObstacleSet.h"
+#include "Rotation/AirOnTracks.h"
 #include "Rotation/PanelBody.h"
 
 #include <string>
@@ -134,10 +135,10 @@ struct RotationInput
   /// The air's velocity where tracks carry none; its gradient counts in any case. A field of
   /// accelerations is passed over: it has acted on the path already.
   const FieldSeries* Wind = nullptr;
-  /// The air's velocity [m/s], or none. With it neither Wind nor what tracks say of the air counts:
-  /// bodies move relative to it, its gradient turns them, and half its vorticity is the turning
-  /// that Damping draws them to.
-  const FieldSeries* Air = nullptr;
+  /// The air at all frames of Tracks, or none. With it neither Wind nor what tracks say of the air
+  /// counts: bodies move relative to it, its gradient turns them, and half its vorticity is the
+  /// turning that Damping draws them to.
+  const AirOnTracks* Air = nullptr;
 };
 
 struct RotationOutput
@@ -152,8 +153,8 @@ struct RotationOutput
   std::vector<std::string> Warnings; // objects and shapes are named; rows that are not met too
 };
 
-/// Fails when a shape has no area, a mass is not positive, a track has no object or another length,
-/// Air is no field of velocities; nothing is written then. Results do not depend on the number of
+/// Fails when a shape has no area, a mass is not positive, a track has no object or another length;
+/// nothing is written then. Results do not depend on the number of
 /// threads.
 Result RunRotationRefine(const RotationInput& input, const RotationOptions& options,
                          const ParallelFor& parallel, Monitor& monitor, RotationOutput& output);
