@@ -72,8 +72,8 @@ def load(folder):
     objects = read_surface(os.path.join(folder, "objects.vtp"))
     shape_of = dict(
         zip(
-            _array(objects.GetPointData(), "ObjectId", "objects.vtp").tolist(),
-            _array(objects.GetPointData(), "ShapeId", "objects.vtp").tolist(),
+            array_of(objects.GetPointData(), "ObjectId", "objects.vtp").tolist(),
+            array_of(objects.GetPointData(), "ShapeId", "objects.vtp").tolist(),
         )
     )
     bodies = _bodies(folder)
@@ -97,7 +97,7 @@ def load(folder):
         shapes=np.array(shapes, dtype=int),
         bodies=bodies,
         marks=_marks(folder),
-        obstacles=_obstacles(folder),
+        obstacles=obstacles_of(folder),
     )
 
 
@@ -107,7 +107,7 @@ def read_surface(path):
     return reading.read_surface(path)
 
 
-def _array(attributes, name, place):
+def array_of(attributes, name, place):
     array = attributes.GetArray(name)
     if array is None:
         raise BadInput(f"{place}: the array {name} is missing")
@@ -115,19 +115,22 @@ def _array(attributes, name, place):
 
 
 def _poses(poses):
-    lines = poses.GetLines()
-    if poses.GetNumberOfLines() == 0:
-        raise BadInput("poses.vtp: expected one polyline per object, found none")
-    offsets = vtk_to_numpy(lines.GetOffsetsArray())
-    order = vtk_to_numpy(lines.GetConnectivityArray())
-    lengths = np.diff(offsets)
-    if np.any(lengths != lengths[0]):
-        raise BadInput("poses.vtp: expected polylines with the same number of frames")
-    ids = np.array(_array(poses.GetCellData(), "ObjectId", "poses.vtp"), dtype=int)
+    ids, order = polylines(poses, "poses.vtp")
     points = vtk_to_numpy(poses.GetPoints().GetData()).astype(float)
-    quaternions = np.array(_array(poses.GetPointData(), "Orientation", "poses.vtp"), dtype=float)
-    shape = (len(lengths), int(lengths[0]))
-    return ids, points[order].reshape(*shape, 3), quaternions[order].reshape(*shape, 4)
+    quaternions = np.array(array_of(poses.GetPointData(), "Orientation", "poses.vtp"), dtype=float)
+    return ids, points[order], quaternions[order]
+
+
+def polylines(tracks, place):
+    """Ids of the objects of Tracks, and the index of each point by [object, frame]."""
+    lines = tracks.GetLines()
+    if tracks.GetNumberOfLines() == 0:
+        raise BadInput(f"{place}: expected one polyline per object, found none")
+    lengths = np.diff(vtk_to_numpy(lines.GetOffsetsArray()))
+    if np.any(lengths != lengths[0]):
+        raise BadInput(f"{place}: expected polylines with the same number of frames")
+    ids = np.array(array_of(tracks.GetCellData(), "ObjectId", place), dtype=int)
+    return ids, vtk_to_numpy(lines.GetConnectivityArray()).reshape(len(lengths), int(lengths[0]))
 
 
 def _bodies(folder):
@@ -180,7 +183,7 @@ def _marks(folder):
     points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
     columns = data.GetPointData()
     kind, frame, radius, row, target = (
-        _array(columns, name, "constraints.vtp")
+        array_of(columns, name, "constraints.vtp")
         for name in ("Kind", "Frame", "Radius", "Row", "Target")
     )
     marks.resting = [points[i] for i in np.flatnonzero(kind == 4)]
@@ -196,7 +199,17 @@ def _marks(folder):
     return marks
 
 
-def _obstacles(folder):
+def ground_height(points, bounds):
+    """Height of the ground's top where an obstacle's points are the ground's: a flat slab that reaches past the whole floor
+    of the volume; else None."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    covers = low[0] <= bounds[0] and low[1] <= bounds[2] and high[0] >= bounds[1] and high[1] >= bounds[3]
+    is_flat = len(np.unique(points[:, 2])) == 2
+    return float(high[2]) if covers and is_flat and high[2] < bounds[5] else None
+
+
+def obstacles_of(folder):
+    """(time in seconds, surface of all obstacles) of a folder, growing time; one where none moves, none where there are none."""
     series = os.path.join(folder, "obstacles.pvd")
     if os.path.isfile(series):
         try:

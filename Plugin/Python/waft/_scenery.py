@@ -16,6 +16,8 @@ from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkTexture
 
+from ._folder import ground_height
+
 _SKY = np.array([0.50, 0.66, 0.83])
 _HORIZON = np.array([0.90, 0.925, 0.94])
 _GROUND = np.array([0.885, 0.870, 0.835])
@@ -64,20 +66,16 @@ def lines(points, pieces):
 
 
 def _split_ground(surface, bounds):
-    """The obstacles without the ground, and the ground's height (None: no ground). The ground is
-    the flat slab that reaches past the whole floor of the volume."""
+    """The obstacles without the ground, and the ground's height (None: no ground)."""
     ids = surface.GetPointData().GetArray("ObstacleId")
     if ids is None or surface.GetNumberOfPolys() == 0:
         return surface, None
     ids = vtk_to_numpy(ids)
     points = vtk_to_numpy(surface.GetPoints().GetData())
     for number in np.unique(ids):
-        own = points[ids == number]
-        low, high = own.min(axis=0), own.max(axis=0)
-        covers = np.all(low[:2] <= bounds[[0, 2]]) and np.all(high[:2] >= bounds[[1, 3]])
-        flat = len(np.unique(own[:, 2])) == 2
-        if covers and flat and high[2] < bounds[5]:
-            return _without(surface, ids == number), float(high[2])
+        height = ground_height(points[ids == number], bounds)
+        if height is not None:
+            return _without(surface, ids == number), height
     return surface, None
 
 

@@ -125,6 +125,13 @@ def parser():
                       help="0 to 1; default 1, and little where obstacles hide what flies")
     show.set_defaults(run=run_render)
 
+    share_it = commands.add_parser("page", help="a result as one page for a browser, DIR/page.html")
+    share_it.add_argument("folder", type=path, metavar="DIR", help="what synthesize wrote")
+    share_it.add_argument("--measure", type=path, nargs="?", const=True, metavar="FILE",
+                          help="with the rows of measure: measured now, or those in FILE, which measure --json wrote (default: "
+                               "DIR/measure.json where it is)")
+    share_it.set_defaults(run=run_page)
+
     judge = commands.add_parser("measure", help="how good a motion is, from the files of results alone", epilog=MEASURE_EXIT)
     judge.add_argument("folders", type=path, nargs="*", metavar="DIR", help="what synthesize wrote; several are pooled, too")
     judge.add_argument("--tracks", choices=("optimized", "planned", "poses"), default="optimized",
@@ -188,6 +195,15 @@ def run_render(options):
     seconds = time.monotonic() - began
     count = len(drawn) * len(options.views)
     print(f"{options.folder}: {count} pictures in {seconds:.1f} s, {count / seconds:.1f} frames a second", file=sys.stderr)
+    return failures.ALL_MET
+
+
+def run_page(options):
+    from waft.page import write_page
+
+    with interruptible("stopped: no page was written"):
+        page = write_page(options.folder, options.measure)
+    print(f"{page}: {os.path.getsize(page) / 1e6:.1f} MB; open it in a browser", file=sys.stderr)
     return failures.ALL_MET
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The embedded scenes, start to finish, with pictures."""
+"""The embedded scenes, start to finish, with pictures and pages."""
 import pathlib
 import sys
 
@@ -12,10 +12,12 @@ SCENES = ("feather-waypoints", "leaves-letters")
 
 
 def run_demo(folder, threads=None):
-    """Synthesises and renders each scene into FOLDER/<scene>; returns the worst exit status."""
+    """Synthesises and renders each scene into FOLDER/<scene>, with a page; returns the worst exit status."""
+    from waft.page import write_page
     from waft.render import render
 
     status = failures.ALL_MET
+    pages = []
     for name in SCENES:
         target = pathlib.Path(folder) / name
         print(f"{name}: planning, optimising, turning ...", file=sys.stderr)
@@ -29,5 +31,7 @@ def run_demo(folder, threads=None):
         print(f"{name}: rendering ...", file=sys.stderr)
         with interruptible("stopped: the pictures that were drawn are whole"):
             render(target, frames=f"0:{last}:{max(1, last // 6)}", size=(960, 540))
+            pages.append(write_page(target))
     print(f"Pictures are in {folder}/*/frames; {folder}/*/animation.glb opens in Blender.", file=sys.stderr)
+    print(f"To watch it, open in a browser: {' '.join(pages)}", file=sys.stderr)
     return status

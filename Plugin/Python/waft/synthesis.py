@@ -420,6 +420,7 @@ def _summary(pipeline, scene, energies):
     return {
         "version": version(),
         "scene": pathlib.Path(scene).name,
+        "title": str((read_json(scene) or {}).get("title", "")),
         "seed": pipeline.seed,
         "key": pipeline.key,
         "stages": {name: {"seconds": watch.seconds, "processorSeconds": watch.processor_seconds,

@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a page shows of a folder of `waft synthesize`: plain data for its scripts, binary arrays as base64."""
+import base64
+import csv
+import json
+import math
+import os
+import struct
+import sys
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from waft import _folder
+from waft.failures import BadInput
+from waft.results import read_json
+
+_PLACES = ("position", "rest")  # kinds whose value is a place
+_KINDS = ("position", "velocity", "acceleration", "orientation", "rest")
+_MOST_ROWS = 1200  # of a plot; more cannot be told apart
+
+
+def describe(folder, measured=None):
+    """(what there is to tell, the bytes of animation.glb); raises BadInput that names the file and the lack.
+
+    measured: see page.write_page."""
+    report = _report(folder)
+    animation, ids, rate, frames = _animation(folder)
+    poses = _folder.read_surface(os.path.join(folder, "poses.vtp"))
+    bounds = poses.GetFieldData().GetArray("Bounds")
+    if bounds is None:
+        raise BadInput("poses.vtp: the field array Bounds is missing")
+    bounds = vtk_to_numpy(bounds).ravel().tolist()
+    title = report.get("title") or report["scene"].removesuffix(".json").removesuffix(".waft")
+    run = {"title": title, "scene": report["scene"], "version": report["version"], "seed": report["seed"],
+           "quality": report.get("quality", ""), "stoppedEarly": report.get("stoppedEarly", False),
+           "rate": rate, "frames": frames, "bounds": bounds, "marks": _marks(folder), "plan": _plan(folder, ids, frames),
+           "obstacles": _obstacles(folder, bounds, rate, frames), "energy": _energy(folder), "rounds": _rounds(folder),
+           "measured": _measured(folder, measured)}
+    return run, animation
+
+
+def _report(folder):
+    path = os.path.join(folder, "report.json")
+    report = read_json(path)
+    if report is None:
+        raise BadInput(f"{path}: missing or no JSON; `waft synthesize` writes it")
+    if not isinstance(report, dict) or not {"version", "scene", "seed"} <= report.keys():
+        raise BadInput(f"{path}: expected the report of `waft synthesize`, with version, scene and seed")
+    return report
+
+
+def _animation(folder):
+    """Bytes of animation.glb, and of it: ids of objects in order, frames a second, number of frames."""
+    path = os.path.join(folder, "animation.glb")
+    if not os.path.isfile(path):
+        raise BadInput(f"{path}: missing; `waft synthesize` writes it")
+    with open(path, "rb") as stream:
+        content = stream.read()
+    try:
+        magic, _, length, size, kind = struct.unpack("<4sIII4s", content[:20])
+        if magic != b"glTF" or kind != b"JSON" or length != len(content):
+            raise ValueError("it is cut, or something else")
+        gltf = json.loads(content[20:20 + size])
+        ids = [int(node["extras"]["ObjectId"]) for node in gltf["nodes"]]
+        rate = float(gltf["asset"]["extras"]["framesPerSecond"])
+        animation = gltf["animations"][0]
+        if len(animation["channels"]) != 2 * len(ids):
+            raise ValueError("not every object has keys of translation and rotation")
+        frames = int(gltf["accessors"][animation["samplers"][0]["input"]]["count"])
+    except (struct.error, ValueError, KeyError, IndexError, TypeError) as error:
+        raise BadInput(f"{path}: expected the animation that `waft synthesize` writes: {error}") from error
+    return content, ids, rate, frames
+
+
+def _rows(folder, name, is_needed=True):
+    """Rows of a CSV file as dictionaries."""
+    path = os.path.join(folder, name)
+    if not os.path.isfile(path) and not is_needed:
+        return []
+    try:
+        with open(path, newline="", encoding="utf-8") as stream:
+            return list(csv.DictReader(stream))
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise BadInput(f"{path}: expected a table that `waft synthesize` writes: {error}") from error
+
+
+def _number(row, name, path):
+    """A number of a table's row, None where it is not finite."""
+    try:
+        value = float(row[name])
+    except (KeyError, TypeError, ValueError) as error:
+        raise BadInput(f"{path}: column {name}: expected numbers, found '{row.get(name)}'") from error
+    return value if math.isfinite(value) else None
+
+
+def _marks(folder):
+    """One entry a line of constraints.csv, with the places of its rows in constraints.vtp: [frame, x, y, z, radius]."""
+    name = "constraints.vtp"
+    places = {}
+    data = _folder.read_surface(os.path.join(folder, name))
+    if data.GetNumberOfPoints():
+        points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+        columns = [_folder.array_of(data.GetPointData(), column, name) for column in ("Row", "Target", "Kind", "Frame", "Radius")]
+        for point, row, target, kind, frame, radius in zip(points, *columns):
+            if _KINDS[min(int(kind), len(_KINDS) - 1)] in _PLACES:
+                places.setdefault((int(row), int(target)), []).append([int(frame), *point.tolist(), float(radius)])
+    marks = []
+    for line in _rows(folder, "constraints.csv"):
+        row, target, owner, frame, residual = (_number(line, column, "constraints.csv")
+                                               for column in ("Row", "Target", "ObjectId", "Frame", "Residual"))
+        marks.append({"row": row, "target": target, "object": owner, "frame": frame, "kind": line["Kind"],
+                      "status": line["Status"], "residual": residual, "message": line["Message"],
+                      "places": sorted(places.get((row, target), []))})
+    return marks
+
+
+def _plan(folder, ids, frames):
+    """Planned places of the objects in order, 16 bits a number within their box; None without a plan."""
+    path = os.path.join(folder, "planned.vtp")
+    if not os.path.isfile(path):
+        return None
+    tracks = _folder.read_surface(path)
+    own, order = _folder.polylines(tracks, "planned.vtp")
+    points = vtk_to_numpy(tracks.GetPoints().GetData()).astype(float)[order]
+    places = dict(zip(own.tolist(), points))
+    if points.shape[1] != frames or not set(ids) <= places.keys():
+        raise BadInput(f"{path}: expected the paths of the objects of animation.glb, {frames} frames each")
+    points = np.stack([places[number] for number in ids])
+    low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
+    steps = np.rint(65535.0 * (points - low) / np.maximum(high - low, 1e-12)).astype("<u2")
+    return {"low": low.tolist(), "high": high.tolist(), "steps": _base64(steps)}
+
+
+def _base64(values):
+    return base64.b64encode(np.ascontiguousarray(values).tobytes()).decode()
+
+
+def _obstacles(folder, bounds, rate, frames):
+    """Surfaces as they stand at frame 0, and how far each is shifted at every frame; of the ground its height alone."""
+    steps = _folder.obstacles_of(folder)
+    if not steps or not steps[0][1].GetNumberOfPolys():
+        return []
+    surface = steps[0][1]
+    numbers = _folder.array_of(surface.GetPointData(), "ObstacleId", "obstacles")
+    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    moved = [vtk_to_numpy(step.GetPoints().GetData()).astype(float) for _, step in steps]
+    if any(step.shape != points.shape for step in moved):
+        raise BadInput("obstacles.pvd: expected the same surfaces at every step")
+    triangles = _triangles(surface)
+    entries = []
+    for number in np.unique(numbers):
+        own = np.flatnonzero(numbers == number)
+        shifts = np.array([(step[own] - points[own]).mean(axis=0) for step in moved])
+        if any(np.abs(step[own] - points[own] - shift).max() > 1e-5 for step, shift in zip(moved, shifts)):
+            raise BadInput(f"obstacles.pvd: obstacle {number}: expected it to move without turning or bending")
+        ground = _folder.ground_height(points[own], bounds)
+        is_moving = len(moved) > 1 and np.abs(shifts).max() > 1e-9
+        places = np.full(len(points), -1)
+        places[own] = np.arange(len(own))
+        faces = places[triangles[np.isin(triangles[:, 0], own)]]
+        entries.append({
+            "ground": ground if not is_moving else None, "points": _base64(points[own].astype("<f4")),
+            "triangles": _base64(faces.astype("<u4")),
+            "shifts": _base64(_at_frames([time for time, _ in steps], shifts, rate, frames)) if is_moving else None})
+    return entries
+
+
+def _at_frames(times, shifts, rate, frames):
+    now = np.arange(frames) / rate
+    return np.stack([np.interp(now, times, shifts[:, axis]) for axis in range(3)], axis=1).astype("<f4")
+
+
+def _triangles(surface):
+    """[triangle, 3] of the polygons, as fans."""
+    offsets = vtk_to_numpy(surface.GetPolys().GetOffsetsArray())
+    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray())
+    return np.array([(corners[first], corners[at], corners[at + 1]) for first, last in zip(offsets, offsets[1:])
+                     for at in range(first + 1, last - 1)]).reshape(-1, 3)
+
+
+def _energy(folder):
+    """How E fell; None where no optimiser was at work."""
+    rows = _rows(folder, "convergence.csv", is_needed=False)
+    if not rows:
+        return None
+    columns = [name for name in ("E", "Ex", "Ev", "Ec") if name in rows[0]]
+    kept = rows[::max(1, math.ceil(len(rows) / _MOST_ROWS))]
+    if kept[-1] is not rows[-1]:
+        kept.append(rows[-1])
+    return {"columns": columns, "rows": [[_number(row, name, "convergence.csv") for name in columns] for row in kept]}
+
+
+def _rounds(folder):
+    return [{"stage": row.get("Stage", ""), "control": _number(row, "ControlRms", "rounds.csv")}
+            for row in _rows(folder, "rounds.csv", is_needed=False)]
+
+
+def _measured(folder, measured):
+    """The rows of `waft measure` for this folder; None when there are none."""
+    if measured is True:
+        from waft.measuring import measure
+
+        return measure(folder)[0].as_json()
+    beside = os.path.join(folder, "measure.json")
+    if measured is None and not os.path.isfile(beside):
+        return None
+    path = measured or beside
+    found = read_json(path)
+    try:
+        own = [entry for entry in found if os.path.realpath(entry["folder"]) == os.path.realpath(folder)] or found
+        if len(own) != 1:
+            raise ValueError(f"none of its {len(found)} entries is about {folder}")
+        keys = ("row", "value", "wanted", "drifters", "met", "why")
+        return {"folder": own[0]["folder"], "tracks": own[0]["tracks"], "notes": list(own[0]["notes"]),
+                "rows": [{key: row[key] for key in keys} for row in own[0]["rows"]]}
+    except (TypeError, KeyError, ValueError) as error:
+        lack = f"{path}: expected what `waft measure --json` writes: {error}"
+        if measured:
+            raise BadInput(lack) from error
+        print(f"waft: warning: {lack}; left out", file=sys.stderr)
+        return None

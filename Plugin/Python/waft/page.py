@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One page that shows a result in a browser, with all that it needs in it: see Documentation/Page.md."""
+import base64
+import html
+import json
+import os
+import pathlib
+import re
+
+from waft import _pagedata
+from waft.failures import BadInput, WaftError
+from waft.results import ResultPlace
+
+NAME = "page.html"
+THREE = "/usr/share/javascript/three/three.min.js"
+_PARTS = pathlib.Path(__file__).resolve().parent / "page"
+_FILE = re.compile(r'<link rel="stylesheet" href="([^"]+)">|<script src="([^"]+)"></script>')
+
+
+def write_page(folder, measured=None):
+    """Writes FOLDER/page.html and its manifest, FOLDER/page.json; returns the page's path.
+
+    folder:   what `waft synthesize` wrote
+    measured: a file of `waft measure --json`, or True to measure now; FOLDER/measure.json is taken where there is one
+
+    Raises BadInput on a bad folder or file, and where a page.html is in the way that Waft did not write or that was changed
+    since; WaftError where three.js is not installed.
+    """
+    if not os.path.isdir(folder):
+        raise BadInput(f"{folder}: no such folder; `waft synthesize` makes it")
+    with ResultPlace(folder, "page.json") as place:
+        place.check([NAME])
+        run, animation = _pagedata.describe(folder, measured)
+        place.path(NAME).write_text(_page(run, animation), encoding="utf-8")
+        place.commit({})
+    return os.path.join(folder, NAME)
+
+
+def _page(run, animation):
+    """The template with its files, and what is shown, put into it."""
+    text = _FILE.sub(lambda found: _style(found[1]) if found[1] else _script(found[2]), _read(_PARTS / "page.html"))
+    # In a script's text `<` could end it, or begin a comment.
+    inside = {'id="run">': json.dumps(run, separators=(",", ":")).replace("<", "\\u003c"),
+              'id="animation">': base64.b64encode(animation).decode(),
+              "<title>": html.escape(run["title"])}
+    for before, content in inside.items():
+        head, _, tail = text.partition(before)
+        text = head + before + content + tail
+    return text
+
+
+def _style(name):
+    return f"<style>\n{_read(_PARTS / name)}</style>"
+
+
+def _script(name):
+    code = _read_three() if name == os.path.basename(THREE) else _read(_PARTS / name)
+    return f"<script>\n{code}</script>"
+
+
+def _read_three():
+    try:
+        return _read(THREE)
+    except OSError as error:
+        raise WaftError(f"{THREE}: {error.strerror}; three.js draws the page: apt-get install libjs-three") from error
+
+
+def _read(path):
+    return pathlib.Path(path).read_text(encoding="utf-8")
