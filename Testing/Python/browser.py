@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A page in chromium without its window, driven through the DevTools protocol over two pipes; Python's own library only."""
 import base64
+import fcntl
 import json
 import os
 import pathlib
@@ -17,6 +18,13 @@ _SWITCHES = ("--headless", "--no-sandbox", "--use-gl=angle", "--use-angle=swifts
              "--disable-dev-shm-usage", "--disable-extensions", "--hide-scrollbars", "--remote-debugging-pipe")
 
 
+def _moved(descriptor):
+    """The same file under a number from 10 on."""
+    higher = fcntl.fcntl(descriptor, fcntl.F_DUPFD_CLOEXEC, 10)
+    os.close(descriptor)
+    return higher
+
+
 class Browser:
     """One page. errors: what the console and scripts complained of; requests: addresses that were asked for."""
 
@@ -26,10 +34,11 @@ class Browser:
         self._profile = tempfile.mkdtemp(prefix="waft-browser-")
         orders, self._orders = os.pipe()
         self._told, told = os.pipe()
-        # The browser reads orders at 3 and answers at 4.
+        # The browser reads orders at 3 and answers at 4, so that neither end may be there already.
+        orders, told = (_moved(end) for end in (orders, told))
         command = f'exec "$0" "$@" 3<&{orders} 4>&{told}'
         self._process = subprocess.Popen(
-            ["sh", "-c", command, PROGRAM, *_SWITCHES, f"--user-data-dir={self._profile}", "about:blank"], pass_fds=(orders, told),
+            ["bash", "-c", command, PROGRAM, *_SWITCHES, f"--user-data-dir={self._profile}", "about:blank"], pass_fds=(orders, told),
             start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             env={**os.environ, "HOME": self._profile})
         os.close(orders)

@@ -7,6 +7,13 @@ const TRANSLUCENT = `#include <lights_fragment_end>
   float through = saturate(dot(-geometry.normal, directionalLights[0].direction));
   reflectedLight.directDiffuse += 0.55 * through * directionalLights[0].color * diffuseColor.rgb * vec3(1.1, 1.0, 0.72);`;
 
+// A coarser level of the picture has a smoother outline.
+const OUTLINE = `#if defined(USE_MAP) && defined(ALPHATEST)
+    diffuseColor.a = texture2D(map, vUv, 1.3).a + 0.08;
+  #endif
+  #include <alphatest_fragment>
+  diffuseColor.a = 1.0;`;
+
 const FILM = `float facing = saturate(dot(normalize(vViewPosition), normal));
   float rim = pow(1.0 - facing, 2.2);
   vec3 sheen = 0.5 + 0.5 * cos(6.2832 * (vec3(0.0, 0.33, 0.67) + 1.4 * facing + 0.35 * normal.y));
@@ -38,7 +45,7 @@ class Flyers {
   }
 
   leaf({ color, picture }) {
-    const material = new THREE.MeshStandardMaterial({ roughness: 0.62, metalness: 0, side: THREE.DoubleSide });
+    const material = new THREE.MeshStandardMaterial({ roughness: 0.88, metalness: 0, side: THREE.DoubleSide });
     material.color.setRGB(...color);
     if (picture) {
       material.map = new THREE.Texture();
@@ -46,7 +53,8 @@ class Flyers {
       material.alphaTest = 0.5;
     }
     material.onBeforeCompile = (shader) => {
-      shader.fragmentShader = shader.fragmentShader.replace("#include <lights_fragment_end>", TRANSLUCENT);
+      shader.fragmentShader = shader.fragmentShader.replace("#include <lights_fragment_end>", TRANSLUCENT)
+        .replace("#include <alphatest_fragment>", OUTLINE);
     };
     return material;
   }

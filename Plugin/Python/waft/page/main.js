@@ -67,8 +67,9 @@ function begin() {
   for (const button of document.querySelectorAll("#views [data-view]"))
     button.addEventListener("click", () => look(button.dataset.view));
   byName("full").addEventListener("click", fill);
+  byName("full").hidden = !byName("theatre").requestFullscreen;
   function fill() {
-    if (document.fullscreenElement) document.exitFullscreen(); else if (byName("theatre").requestFullscreen) byName("theatre").requestFullscreen();
+    if (document.fullscreenElement) document.exitFullscreen(); else if (!byName("full").hidden) byName("theatre").requestFullscreen();
   }
   const switches = { paths: "p", marks: "m", obstacles: "o", beside: "b" };
   for (const name of Object.keys(switches)) byName(name).addEventListener("change", changed);

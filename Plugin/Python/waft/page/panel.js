@@ -38,18 +38,18 @@ function tellMeasured({ folder, tracks, rows, notes }) {
   byName("measured-note").textContent = [`How the motion (${tracks}) compares with bodies that drift in free air.`, ...notes].join(" ");
   const wanted = ([low, high]) => low === null ? high === null ? "" : `≤ ${figure(high)}` : high === null ? `≥ ${figure(low)}` : `${figure(low)} to ${figure(high)}`;
   byName("measured").querySelector("tbody").append(...rows.map((row) => element("tr", [
-    element("td", row.row),
-    element("td", row.value === null ? `not measured: ${row.why}` : figure(row.value), { className: row.met === false ? "missed" : row.met ? "met" : "" }),
+    element("td", [row.row, row.value === null ? element("small", ` not measured: ${row.why}`) : ""]),
+    element("td", figure(row.value), { className: row.met === false ? "missed" : row.met ? "met" : "" }),
     element("td", wanted(row.wanted)),
     element("td", row.drifters === null ? "" : figure(row.drifters)),
   ])));
 }
 
-const WISHES = { rest: "lie here", position: "pass here", velocity: "have a velocity", acceleration: "have an acceleration", orientation: "be turned so" };
+const WISHES = { rest: "lie", position: "pass", velocity: "velocity", acceleration: "acceleration", orientation: "turn" };
 const UNITS = { rest: "m", position: "m", velocity: "m/s", acceleration: "m/s²", orientation: "rad" };
 
 function wishText(mark) {
-  return mark.kind === "position" && mark.places.length > 1 ? `fly this path to ${mark.places[mark.places.length - 1][0]}` : WISHES[mark.kind] || mark.kind;
+  return mark.kind === "position" && mark.places.length > 1 ? `path, to ${mark.places[mark.places.length - 1][0]}` : WISHES[mark.kind] || mark.kind;
 }
 
 function tellMarks(run, names, choose) {

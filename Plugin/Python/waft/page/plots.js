@@ -26,14 +26,14 @@ function figure(value) {
 
 class Plot {
   // series: {name, values, kind: "", "second", "faint" or "band" (then also lows)}; values are at 0, 1, ... in the unit of `of`.
-  constructor({ title, unit, of, series, isLog = false, summary, onPick }) {
+  constructor({ title, unit, of, series, isLog = false, highest = 0, summary, onPick }) {
     Object.assign(this, { series, isLog, count: Math.max(...series.map(({ values }) => values.length)) });
     this.root = element("figure", element("figcaption", [title, element("span", unit)]));
     this.svg = drawn("svg", { viewBox: `0 0 ${PLOT.width} ${PLOT.height}`, role: "img", "aria-label": summary }, null);
     this.root.append(this.svg);
     const all = series.flatMap(({ values, lows = [] }) => [...values, ...lows]).filter((value) => Number.isFinite(value) && (!isLog || value > 0));
-    this.low = isLog ? Math.min(...all) : 0;
-    this.high = Math.max(...all, this.low * 1.01, 1e-12);
+    this.high = Math.max(...all, highest, 1e-12);
+    this.low = isLog ? Math.max(Math.min(...all, 0.99 * this.high), 1e-4 * this.high) : 0;  // four decades show enough
     for (const value of isLog ? [this.low, this.high] : [0, this.high / 2, this.high]) {
       const y = this.y(value);
       drawn("line", { x1: PLOT.left, x2: PLOT.width - PLOT.right, y1: y, y2: y, class: "plot-axis" }, this.svg);
@@ -105,7 +105,7 @@ function speedPlot(run, objects, onPick) {
     { name: "median", values: quantiles[1] },
     { name: "followed", kind: "second", values: [] },
   ] : all.map((values, index) => ({ name: objects[index].name, kind: ["", "second", "faint"][index], values }));
-  const plot = new Plot({ title: "Speed", unit: "m/s", of: "frames", series, onPick,
+  const plot = new Plot({ title: "Speed", unit: "m/s", of: "frames", series, onPick, highest: fastest,
     summary: `Speeds over ${run.frames} frames; the fastest is ${figure(fastest)} metres a second` });
   plot.follow = (index) => many && plot.trace(2, index < 0 ? [] : all[index]);
   return plot;
@@ -129,7 +129,7 @@ function roundsPlot(rounds) {
   const first = best.length ? [`best of ${drawnAirs.length} drawn airs`] : [];
   const names = [...first, ...after.map(({ stage }) => stage)];
   const plot = new Plot({ title: "Control", unit: "what the air does not do, m/s", of: "rounds",
-    series: [{ name: names.join(" → "), values: controls }],
+    series: [{ name: `${names[0]} → ${names[names.length - 1]}`, values: controls }],
     summary: `Control of ${figure(controls[0])} metres a second at first and ${figure(controls[controls.length - 1])} in the end, over ${names.join(", ")}` });
   controls.forEach((value, index) => {
     const dot = drawn("circle", { cx: plot.x(index), cy: plot.y(value), r: 2.6, class: "plot-dot" }, plot.svg);

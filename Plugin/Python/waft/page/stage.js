@@ -79,7 +79,7 @@ class Stage {
     this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.radius = 1.6;
     this.sun.shadow.bias = -0.0009;
-    this.rim = new THREE.DirectionalLight(0xcfe0ff, 0.35);
+    this.rim = new THREE.DirectionalLight(0xcfe0ff, 0.25);
     this.rim.position.copy(this.center).add(new THREE.Vector3(3, 1.4, -4));
     this.rim.target.position.copy(this.center);
     this.scene.add(this.sky, this.sun, this.sun.target, this.rim, this.rim.target);
@@ -105,7 +105,9 @@ class Stage {
 
   // A floor that shows only what falls on it: shadows, and light round its middle. The rest is the backdrop.
   addGround(height) {
-    this.soil = new THREE.ShadowMaterial();
+    // Drawn before all else, so that bodies that lie a hair below it are not veiled.
+    this.soil = new THREE.ShadowMaterial({ transparent: false, depthWrite: false, blending: THREE.CustomBlending,
+      blendSrcAlpha: THREE.OneFactor, blendDstAlpha: THREE.OneMinusSrcAlphaFactor });
     this.floor = { middle: { value: this.center.clone() }, reach: { value: this.size },
       shade: { value: new THREE.Vector4() }, glow: { value: new THREE.Vector4() } };
     this.soil.onBeforeCompile = (shader) => {

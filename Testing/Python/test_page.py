@@ -1,0 +1,346 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`waft page` on a small flown word: what is in the page, what is refused; and the page in chromium, where that is.
+
+    test_page.py SCENES WORK_FOLDER"""
+
+import base64
+import json
+import os
+import pathlib
+import re
+import shutil
+import sys
+import time
+import unittest
+from unittest import mock
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import numpy as np  # noqa: E402
+from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkTriangleFilter  # noqa: E402
+from vtkmodules.vtkFiltersSources import vtkCubeSource  # noqa: E402
+from vtkmodules.vtkIOImage import vtkPNGReader  # noqa: E402
+
+import result_files  # noqa: E402
+import sample_folder  # noqa: E402
+from browser import PROGRAM, Browser  # noqa: E402
+
+from waft import page as pages  # noqa: E402
+from waft.failures import BadInput, WaftError  # noqa: E402
+from waft.files import write_json, write_pvd, write_xml  # noqa: E402
+from waft.page import write_page  # noqa: E402
+from waft.synthesis import synthesize  # noqa: E402
+
+SCENES, WORK = (pathlib.Path(argument) for argument in sys.argv[1:3])
+FLOWN = WORK / "flown"
+MOST = 8e6  # bytes
+
+
+def setUpModule():
+    shutil.rmtree(WORK, ignore_errors=True)
+    WORK.mkdir(parents=True)
+    # A word, and a box that is pushed along beside it: what is to be seen is all there.
+    scene = json.loads((SCENES / "leaves-letters.waft.json").read_text(encoding="utf-8"))
+    for shape in scene["shapes"].values():
+        shape["texture"] = str(SCENES / shape["texture"])
+    scene["title"] = "Leaves </script> & a <ball>"
+    write_json(WORK / "word.waft.json", scene)
+    synthesize(WORK / "word.waft.json", output=FLOWN, preview=True)
+    boxes = [_boxes((-5, 5, -5, 5, -0.5, 0), (x, x + 0.3, 1.4, 1.7, 0, 0.3)) for x in (0.0, 1.0)]
+    for step, surface in enumerate(boxes):
+        write_xml(surface, FLOWN / f"box_{step}.vtp")
+    write_pvd(FLOWN / "obstacles.pvd", [(0.0, "box_0.vtp"), (299 / 30, "box_1.vtp")])
+    write_page(FLOWN)
+
+
+def _boxes(*bounds):
+    """Obstacles, a box each, of triangles."""
+    both = vtkAppendPolyData()
+    for number, box in enumerate(bounds):
+        cube = vtkCubeSource()
+        cube.SetBounds(*box)
+        triangles = vtkTriangleFilter()
+        triangles.SetInputConnection(cube.GetOutputPort())
+        triangles.Update()
+        data = triangles.GetOutput()
+        sample_folder.add(data.GetPointData(), "ObstacleId", [number] * data.GetNumberOfPoints(), np.int32)
+        both.AddInputData(data)
+    both.Update()
+    return both.GetOutput()
+
+
+def folder(name, *left_out):
+    """A copy of what a page is made of."""
+    place = WORK / name
+    shutil.rmtree(place, ignore_errors=True)
+    shutil.copytree(FLOWN, place, ignore=shutil.ignore_patterns("air", "*.state", "page.*", *left_out))
+    return place
+
+
+def contents(place):
+    """What there is to tell, and the animation, of a page."""
+    text = (place / "page.html").read_text(encoding="utf-8")
+    run, = re.findall(r'<script type="application/json" id="run">(.*?)</script>', text, re.DOTALL)
+    animation, = re.findall(r'<script type="text/plain" id="animation">(.*?)</script>', text, re.DOTALL)
+    return json.loads(run), base64.b64decode(animation), text
+
+
+class ContentsTest(unittest.TestCase):
+    def test_it_is_one_file_with_all_in_it(self):
+        run, animation, text = contents(FLOWN)
+        self.assertLess(len(text.encode()), MOST)
+        self.assertEqual(animation, (FLOWN / "animation.glb").read_bytes())
+        self.assertEqual(re.findall(r'(?:src|href)="[^"]+"', text), [])
+        self.assertIn("Permission is hereby granted", text)
+        self.assertIn("three.js authors", text)
+        self.assertIn("<title>Leaves &lt;/script&gt; &amp; a &lt;ball&gt;</title>", text)
+
+    def test_it_says_what_it_shows(self):
+        run, _, _ = contents(FLOWN)
+        report = json.loads((FLOWN / "report.json").read_text(encoding="utf-8"))
+        self.assertEqual(run["title"], "Leaves </script> & a <ball>")
+        for name in ("scene", "seed", "quality", "version"):
+            self.assertEqual(run[name], report[name])
+        self.assertEqual((run["frames"], run["rate"]), (300, 30.0))
+        self.assertEqual(len(run["rounds"]), len((FLOWN / "rounds.csv").read_text(encoding="utf-8").splitlines()) - 1)
+        self.assertIsNone(run["energy"])
+        self.assertIsNone(run["measured"])
+
+    def test_marks_are_those_of_the_run(self):
+        run, _, _ = contents(FLOWN)
+        rows = {(row.row, row.target): row for row in result_files.read_rows(FLOWN)}
+        self.assertEqual(len(run["marks"]), len(rows))
+        for mark in run["marks"]:
+            row = rows[mark["row"], mark["target"]]
+            self.assertEqual((mark["object"], mark["frame"], mark["kind"], mark["status"]), (row.object, row.frame, "rest", row.status))
+            (frame, *place, radius), = mark["places"]
+            self.assertEqual((frame, radius), (row.frame, row.radius))
+            self.assertEqual(tuple(place), tuple(row.value[:3]))
+
+    def test_the_plan_is_that_of_the_run(self):
+        run, _, _ = contents(FLOWN)
+        plan = run["plan"]
+        steps = memoryview(base64.b64decode(plan["steps"])).cast("H")
+        for index, (_, path) in enumerate(sorted(result_files.read_tracks(FLOWN / "planned.vtp").items())):
+            for frame in (0, 150, 299):
+                for axis in range(3):
+                    low, high = plan["low"][axis], plan["high"][axis]
+                    value = low + (high - low) * steps[3 * (index * 300 + frame) + axis] / 65535
+                    self.assertAlmostEqual(value, path[frame][axis], delta=1e-4)
+
+    def test_obstacles_move_and_the_ground_is_a_height(self):
+        run, _, _ = contents(FLOWN)
+        ground = [entry for entry in run["obstacles"] if entry["ground"] is not None]
+        box, = [entry for entry in run["obstacles"] if entry["ground"] is None]
+        self.assertEqual([entry["ground"] for entry in ground], [0.0])
+        shifts = memoryview(base64.b64decode(box["shifts"])).cast("f")
+        self.assertEqual(len(shifts), 900)
+        self.assertAlmostEqual(shifts[3 * 299], 1.0, places=5)
+        self.assertAlmostEqual(shifts[3 * 149], 149 / 299, places=5)
+
+    def test_an_optimiser_is_plotted(self):
+        place = folder("optimised")
+        table = "Stage,E,Ex,Ev,Ec\n" + "".join(f"a,{3000 - k},1,2,3\n" for k in range(2999))
+        (place / "convergence.csv").write_text(table, encoding="utf-8")
+        write_page(place)
+        energy = contents(place)[0]["energy"]
+        self.assertEqual((energy["columns"], energy["rows"][0], energy["rows"][-1]),
+                         (["E", "Ex", "Ev", "Ec"], [3000, 1, 2, 3], [2, 1, 2, 3]))
+        self.assertLess(len(energy["rows"]), 1300)
+
+    def test_measured_rows_are_taken_where_they_are(self):
+        place = folder("measured")
+        row = {"key": "life", "row": "life", "value": 1.5, "wanted": [None, 1.0], "drifters": None, "met": False, "why": ""}
+        entry = {"folder": str(place), "tracks": "optimized", "objects": 48, "notes": ["so"], "rows": [row]}
+        write_json(place / "measure.json", [{**entry, "folder": "another", "notes": []}, entry])
+        write_page(place)
+        measured = contents(place)[0]["measured"]
+        self.assertEqual((measured["notes"], [found["value"] for found in measured["rows"]]), (["so"], [1.5]))
+        write_json(place / "others.json", [{**entry, "folder": "a"}, {**entry, "folder": "b"}])
+        with self.assertRaisesRegex(BadInput, "others.json: expected what `waft measure --json` writes"):
+            write_page(place, place / "others.json")
+        (place / "measure.json").write_text("mine", encoding="utf-8")
+        write_page(place)
+        self.assertIsNone(contents(place)[0]["measured"])
+
+
+class RefusalTest(unittest.TestCase):
+    def test_its_own_page_makes_room(self):
+        place = folder("own")
+        first = write_page(place)
+        before = pathlib.Path(first).read_bytes()
+        self.assertEqual(write_page(place), first)
+        self.assertEqual(pathlib.Path(first).read_bytes(), before)
+        self.assertEqual([path.name for path in place.glob(".waft-*")], [])
+
+    def test_a_page_of_the_users_stays(self):
+        place = folder("foreign")
+        (place / "page.html").write_text("mine", encoding="utf-8")
+        with self.assertRaisesRegex(BadInput, r"page\.html: no run of waft wrote it: it stays as it is"):
+            write_page(place)
+        self.assertEqual((place / "page.html").read_text(encoding="utf-8"), "mine")
+        self.assertFalse((place / "page.json").exists())
+
+    def test_a_page_that_was_changed_stays(self):
+        place = folder("changed")
+        path = pathlib.Path(write_page(place))
+        with open(path, "a", encoding="utf-8") as stream:
+            stream.write("<!-- my own -->")
+        with self.assertRaisesRegex(BadInput, r"page\.html: it was changed since a run wrote it"):
+            write_page(place)
+        self.assertTrue(path.read_text(encoding="utf-8").endswith("<!-- my own -->"))
+
+    def test_what_is_no_result_is_named(self):
+        with self.assertRaisesRegex(BadInput, "nowhere: no such folder"):
+            write_page(WORK / "nowhere")
+        for name in ("report.json", "animation.glb", "poses.vtp", "constraints.vtp", "constraints.csv"):
+            place = folder("lacking", name)
+            with self.subTest(name), self.assertRaisesRegex(BadInput, re.escape(name)):
+                write_page(place)
+            self.assertFalse((place / "page.html").exists() or (place / "page.json").exists())
+
+    def test_what_is_damaged_is_named(self):
+        for name in ("report.json", "animation.glb", "planned.vtp", "constraints.csv", "rounds.csv"):
+            place = folder("damaged")
+            content = (place / name).read_bytes()
+            (place / name).write_bytes(content[:len(content) // 3] if name.endswith((".glb", ".vtp")) else b"Row,Stage\n1,2\n")
+            with self.subTest(name), self.assertRaisesRegex(BadInput, re.escape(name)):
+                write_page(place)
+            self.assertFalse((place / "page.html").exists())
+
+    def test_the_package_that_is_missing_is_named(self):
+        place = folder("bare")
+        with mock.patch.object(pages, "THREE", "/nowhere/three.min.js"), self.assertRaisesRegex(WaftError, "libjs-three") as caught:
+            write_page(place)
+        self.assertNotIsInstance(caught.exception, BadInput)
+        self.assertFalse((place / "page.html").exists())
+
+
+@unittest.skipUnless(PROGRAM, "chromium is not installed: the page was not looked at")
+class BrowserTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Browser()
+        cls.addClassCleanup(cls.browser.__exit__)
+        cls.browser.size(960, 600)
+        cls.browser.prefer(color_scheme="light", reduced_motion="reduce")
+        cls.browser.open(FLOWN / "page.html", "window.waft && waft.ready")
+
+    def tearDown(self):
+        self.assertEqual(self.browser.errors, [])
+        own = (FLOWN / "page.html").absolute().as_uri()
+        self.assertEqual([url for url in self.browser.requests if url != own and not url.startswith("data:")], [])
+
+    def pixels(self, name):
+        """The page as [row from the top, column, colour]."""
+        path = WORK / f"{name}.png"
+        self.browser.picture(path)
+        reader = vtkPNGReader()
+        reader.SetFileName(str(path))
+        reader.Update()
+        columns, rows, _ = reader.GetOutput().GetDimensions()
+        return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(rows, columns, -1)[::-1, :, :3].astype(int)
+
+    def test_it_says_what_it_shows(self):
+        text = self.browser.run("document.body.innerText")
+        for words in ("Leaves </script> & a <ball>", "48 of 48", "preview", "word.waft.json", "10 s"):
+            self.assertIn(words, text)
+        self.assertEqual(self.browser.run("document.querySelectorAll('#wishes tbody tr').length"), 48)
+        self.assertGreaterEqual(self.browser.run("document.querySelectorAll('#plots figure').length"), 2)
+
+    def test_all_that_is_worked_has_a_name(self):
+        lacking = self.browser.run("""[...document.querySelectorAll('button, input, select, canvas, #plots svg')].filter((part) =>
+          !(part.getAttribute('aria-label') || part.textContent.trim() || (part.labels || []).length)).map((part) => part.outerHTML)""")
+        self.assertEqual(lacking, [])
+
+    def test_it_plays_and_stops(self):
+        self.browser.run("waft.view('side'), waft.seek(60), waft.settle()")
+        before = self.pixels("before")
+        self.browser.press(" ", code="Space", text=" ")
+        self.browser.wait("waft.frame > 75")
+        self.assertTrue(self.browser.run("waft.playing"))
+        self.browser.press(" ", code="Space", text=" ")
+        self.assertFalse(self.browser.run("waft.playing"))
+        after = self.pixels("after")
+        self.assertGreater((abs(after - before).max(axis=2) > 40)[:480, :580].mean(), 0.002)
+
+    def test_keys_step(self):
+        self.browser.run("waft.seek(100)")
+        for key, shift, wanted in (("ArrowRight", 0, 101), ("ArrowRight", 8, 131), ("ArrowLeft", 0, 130), ("End", 0, 299), ("Home", 0, 0)):
+            self.browser.press(key, code=key, modifiers=shift)
+            self.assertEqual(self.browser.run("waft.frame"), wanted, key)
+
+    def test_it_scrubs_to_the_last_frame_and_the_word_reads(self):
+        self.browser.run("""(() => { const slider = document.getElementById('frame');
+          slider.value = slider.max; slider.dispatchEvent(new Event('input')); document.getElementById('marks').click();
+          waft.view('top'); waft.settle(); })()""")
+        self.assertEqual(self.browser.run("waft.frame"), 299)
+        self.assertIn("frame 299", self.browser.run("document.getElementById('frame').getAttribute('aria-valuetext')"))
+        marks = self.browser.run("waft.run.marks.map(({ places: [[, x, y]] }) => waft.project([x, y, 0]))")
+        # Half-way between neighbouring letters, and above and below the word, the floor is empty.
+        empty = self.browser.run("[[-1.5, 1], [0, 1], [1.5, 1], [-1.5, -1], [0, -1], [1.5, -1]].map(([x, y]) => waft.project([x, y, 0]))")
+        pixels = self.pixels("word")
+        self.browser.run("document.getElementById('marks').click()")
+        saturation = pixels.max(axis=2) - pixels.min(axis=2)  # leaves are yellow, red and brown, the stage is pale
+
+        def share(point, reach=4):
+            column, row = (round(value) for value in point)
+            return (saturation[row - reach:row + reach + 1, column - reach:column + reach + 1] > 70).mean()
+
+        self.assertEqual(len(marks), 48)
+        covered = [share(mark) for mark in marks]
+        self.assertGreaterEqual(sum(part > 0.5 for part in covered), 46, covered)
+        self.assertEqual([share(point) for point in empty], [0.0] * 6)
+        # The word and not its mirror image.
+        middle = sum(column for column, _ in marks) / len(marks)
+        mirrored = [share((2 * middle - column, row)) for column, row in marks]
+        self.assertLess(sum(part > 0.5 for part in mirrored), 40, mirrored)
+
+    def test_one_object_is_followed(self):
+        self.browser.run("waft.view('side'), waft.seek(120), waft.follow(5), waft.settle()")
+        self.assertEqual(self.browser.run("document.getElementById('follow').selectedOptions[0].text"), "gold-5")
+        near = self.pixels("near")
+        self.browser.run("waft.follow(-1), waft.view('side'), waft.settle()")
+        far = self.pixels("far")
+        self.assertGreater((abs(near - far).max(axis=2) > 40)[:480, :580].mean(), 0.005)
+
+    def test_the_plan_is_beside_the_result(self):
+        self.browser.run("waft.view('top'), waft.seek(150), document.getElementById('beside').click(), waft.settle()")
+        self.assertTrue(self.browser.run("!document.getElementById('label-plan').hidden"))
+        pixels = self.pixels("beside")
+        width = self.browser.run("document.getElementById('canvas').clientWidth")
+        plan, result = pixels[130:430, :width // 2], pixels[130:430, width // 2:width // 2 * 2]
+        for pane in (plan, result):
+            self.assertGreater((pane.max(axis=2) - pane.min(axis=2) > 70).sum(), 300)
+        self.assertGreater((abs(plan - result).max(axis=2) > 60).mean(), 0.005)
+        self.browser.run("document.getElementById('beside').click(), waft.settle()")
+
+    def test_it_fits_a_phone(self):
+        try:
+            self.browser.size(390, 844, is_phone=True)
+            self.browser.run("waft.seek(299), waft.view('top'), waft.settle()")
+            self.assertEqual(self.browser.run("document.documentElement.scrollWidth"), 390)
+            boxes = self.browser.run("""[...document.querySelectorAll('#play, #frame, #clock, #speed, #views button, #title')]
+              .map((part) => part.getBoundingClientRect()).map(({ left, right }) => [left, right])""")
+            self.assertTrue(all(0 <= left < right <= 390 for left, right in boxes), boxes)
+            marks = self.browser.run("waft.run.marks.map(({ places: [[, x, y]] }) => waft.project([x, y, 0]))")
+            self.assertTrue(all(0 < column < 390 for column, _ in marks), marks)
+        finally:
+            self.browser.size(960, 600)
+
+    def test_dark_is_dark(self):
+        def light():
+            time.sleep(0.3)
+            return self.pixels("stage").mean()
+
+        bright = light()
+        self.browser.prefer(color_scheme="dark", reduced_motion="reduce")
+        self.browser.wait("document.getElementById('scheme').value === 'night'")
+        dark = light()
+        self.browser.prefer(color_scheme="light", reduced_motion="reduce")
+        self.browser.wait("document.getElementById('scheme').value === 'paper'")
+        self.assertLess(dark, 0.5 * bright)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
