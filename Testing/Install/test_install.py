@@ -89,7 +89,7 @@ class InstallTest(unittest.TestCase):
     def test_command(self):
         command = os.path.join(PREFIX, "bin", "waft")
         text = self.check_run([command, "--help"])
-        for word in ("synthesize", "render", "database", "demo"):
+        for word in ("synthesize", "render", "page", "database", "demo"):
             self.assertIn(word, text)
         status, text = run([command, "fly"])
         self.assertEqual(status, 2, text)
@@ -102,6 +102,10 @@ class InstallTest(unittest.TestCase):
         link = os.path.join(WORK, "waft-link")
         os.symlink(os.path.join(PREFIX, "bin", "waft"), link)
         self.assertIn("synthesize", self.check_run([link, "--help"]))
+
+    def test_the_parts_of_the_page_came_along(self):
+        parts = os.listdir(os.path.join(SOURCE, "Plugin", "Python", "waft", "page"))
+        self.assertEqual(sorted(os.listdir(os.path.join(PACKAGES, "waft", "page"))), sorted(parts))
 
     def test_data_came_along(self):
         data = os.path.join(PREFIX, "share", "waft", "Data")

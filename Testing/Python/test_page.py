@@ -264,6 +264,15 @@ class BrowserTest(unittest.TestCase):
         after = self.pixels("after")
         self.assertGreater((abs(after - before).max(axis=2) > 40)[:480, :580].mean(), 0.002)
 
+    def test_it_begins_by_itself_where_motion_is_welcome(self):
+        try:
+            self.browser.prefer(color_scheme="light", reduced_motion="no-preference")
+            self.browser.open(FLOWN / "page.html", "window.waft && waft.ready && waft.frame > 2")
+        finally:
+            self.browser.prefer(color_scheme="light", reduced_motion="reduce")
+            self.browser.open(FLOWN / "page.html", "window.waft && waft.ready")
+        self.assertFalse(self.browser.run("waft.playing"))
+
     def test_keys_step(self):
         self.browser.run("waft.seek(100)")
         for key, shift, wanted in (("ArrowRight", 0, 101), ("ArrowRight", 8, 131), ("ArrowLeft", 0, 130), ("End", 0, 299), ("Home", 0, 0)):

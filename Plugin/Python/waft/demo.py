@@ -31,7 +31,13 @@ def run_demo(folder, threads=None):
         print(f"{name}: rendering ...", file=sys.stderr)
         with interruptible("stopped: the pictures that were drawn are whole"):
             render(target, frames=f"0:{last}:{max(1, last // 6)}", size=(960, 540))
+        try:
             pages.append(write_page(target))
+        except failures.BadInput:
+            raise
+        except failures.WaftError as error:  # without three.js there is all else
+            print(f"waft: warning: {error}", file=sys.stderr)
     print(f"Pictures are in {folder}/*/frames; {folder}/*/animation.glb opens in Blender.", file=sys.stderr)
-    print(f"To watch it, open in a browser: {' '.join(pages)}", file=sys.stderr)
+    if pages:
+        print(f"To watch it, open in a browser: {' '.join(pages)}", file=sys.stderr)
     return status

@@ -20,6 +20,7 @@ function begin() {
   const changed = () => { stale = true; };
   const cameras = new Cameras(canvas, stage, flyers, run, () => { changed(); showView(); });
   const player = new Player(run, changed);
+  const picture = new Picture({ stage, flyers, marks, flown, plan, intended, cameras });
 
   const ids = new Map(objects.map(({ id }, index) => [id, index]));
   const names = new Map(objects.map(({ id, name }) => [id, name]));
@@ -93,7 +94,7 @@ function begin() {
     const box = canvas.getBoundingClientRect();
     let best = -1, least = reach;
     spots.forEach((spot, index) => {
-      const [u, v] = project(spot);
+      const [u, v] = picture.project(spot);
       const away = Math.hypot(u + box.left - x, v + box.top - y);
       if (away < least) [best, least] = [index, away];
     });
@@ -107,14 +108,6 @@ function begin() {
     if (object >= 0) note(`following ${objects[object].name}`);
     follow(object);
   };
-  // A place on the stage as pixels of the canvas, in the pane of the result.
-  function project(place) {
-    const { width, height, panes } = layout();
-    const [x, y, w, h] = panes[panes.length - 1];
-    const seen = place.clone().project(cameras.camera);
-    return [x + (0.5 + 0.5 * seen.x) * w, height - y - h + (0.5 - 0.5 * seen.y) * h, width];
-  }
-
   const keys = {
     " ": () => player.toggle(), Home: () => player.seek(0), End: () => player.seek(player.last), Escape: () => look("auto"),
     a: () => look("auto"), s: () => look("side"), t: () => look("top"), f: fill,
@@ -130,48 +123,9 @@ function begin() {
     act(event);
   });
 
-  // The panes as [x, y from below, width, height], the result last.
-  function layout() {
-    const { clientWidth: width, clientHeight: height } = canvas;
-    if (!byName("beside").checked) return { width, height, panes: [[0, 0, width, height]] };
-    const isWide = width > height;
-    return { width, height, panes: isWide ? [[0, 0, width / 2, height], [width / 2, 0, width / 2, height]]
-      : [[0, height / 2, width, height / 2], [0, 0, width, height / 2]] };
-  }
-
   function draw(seconds) {
-    const { renderer } = stage;
-    const { width, height, panes } = layout();
-    const ratio = Math.min(devicePixelRatio || 1, 2);
-    if (renderer.getPixelRatio() !== ratio) renderer.setPixelRatio(ratio);
-    const size = renderer.getSize(new THREE.Vector2());
-    if (size.x !== width || size.y !== height) renderer.setSize(width, height, false);
-    const [, , w, h] = panes[0];
-    for (const name of ["label-plan", "label-result"]) byName(name).hidden = panes.length < 2;
-    stage.moveTo(player.frame);
-    stage.obstacles.visible = byName("obstacles").checked;
-    marks.moveTo(player.frame);
-    marks.group.visible = byName("marks").checked;
-    for (const paths of [flown, intended])
-      if (paths) {
-        paths.set({ frame: player.frame, whole: byName("paths").checked ? 1 : 0, width: w < 600 ? 0.7 : 0.9 });
-        paths.material.uniforms.pixels.value.set(w / 2, h / 2);
-      }
-    flyers.moveTo(player.frame);
-    cameras.resize(w / h);
-    const moves = cameras.update(player.frame, seconds);
-    renderer.setScissorTest(panes.length > 1);
-    panes.forEach((pane, index) => {
-      const isPlan = panes.length > 1 && index === 0;
-      flyers.moveTo(player.frame, isPlan ? plan : null);
-      flown.mesh.visible = !isPlan;
-      if (intended) intended.mesh.visible = isPlan;
-      renderer.setViewport(...pane);
-      renderer.setScissor(...pane);
-      renderer.render(stage.scene, cameras.camera);
-    });
     speeds.mark(Math.round(player.frame));
-    return moves;
+    return picture.draw(player.frame, seconds);
   }
 
   let before = performance.now();
@@ -207,7 +161,7 @@ function begin() {
     // Draws at once, the camera where it is to come to; for pictures.
     settle: () => { draw(Infinity); draw(Infinity); },
     // Pixels of the canvas at which a point of the scene (z up) is seen.
-    project: (point) => project(onStage(point)).slice(0, 2),
+    project: (point) => picture.project(onStage(point)),
   };
   requestAnimationFrame(tick);
 }

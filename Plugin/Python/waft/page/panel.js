@@ -37,11 +37,11 @@ function tellMeasured({ folder, tracks, rows, notes }) {
   byName("measured").hidden = false;
   byName("measured-note").textContent = [`How the motion (${tracks}) compares with bodies that drift in free air.`, ...notes].join(" ");
   const wanted = ([low, high]) => low === null ? high === null ? "" : `≤ ${figure(high)}` : high === null ? `≥ ${figure(low)}` : `${figure(low)} to ${figure(high)}`;
+  const besides = (row) => row.value === null ? [`not measured: ${row.why}`]
+    : [wanted(row.wanted) && `wanted ${wanted(row.wanted)}`, row.drifters !== null && `drifters ${figure(row.drifters)}`].filter(Boolean);
   byName("measured").querySelector("tbody").append(...rows.map((row) => element("tr", [
-    element("td", [row.row, row.value === null ? element("small", ` not measured: ${row.why}`) : ""]),
+    element("td", [row.row, element("small", besides(row).join(", "))]),
     element("td", figure(row.value), { className: row.met === false ? "missed" : row.met ? "met" : "" }),
-    element("td", wanted(row.wanted)),
-    element("td", row.drifters === null ? "" : figure(row.drifters)),
   ])));
 }
 
