@@ -273,6 +273,28 @@ class BrowserTest(unittest.TestCase):
             self.browser.open(FLOWN / "page.html", "window.waft && waft.ready")
         self.assertFalse(self.browser.run("waft.playing"))
 
+    def test_marks_show_their_status(self):
+        place = folder("statuses")
+        lines = (place / "constraints.csv").read_text(encoding="utf-8").splitlines(keepends=True)
+        lines[2::2] = [line.replace(",met,", ",unreachable,") for line in lines[2::2]]
+        (place / "constraints.csv").write_text("".join(lines), encoding="utf-8")
+        write_page(place)
+        try:
+            self.browser.open(place / "page.html", "window.waft && waft.ready")
+            self.assertIn("24 of 48", self.browser.run("document.getElementById('facts').innerText"))
+            self.browser.run("waft.view('top'), waft.seek(299), waft.settle()")
+            marks = self.browser.run("waft.run.marks.map(({ status, places: [[, x, y]] }) => [status, waft.project([x, y, 0])])")
+            reach = round(self.browser.run("waft.project([0.1, 0, 0])[0] - waft.project([0, 0, 0])[0]")) + 2
+            pixels = self.pixels("statuses")
+        finally:
+            self.browser.requests.clear()
+            self.browser.open(FLOWN / "page.html", "window.waft && waft.ready")
+        red, green, blue = (pixels[..., color] for color in range(3))
+        hues = {"met": green > red + 40, "unreachable": (blue > green + 30) & (blue > red + 15)}  # leaves have neither
+        shown = [hues[status][round(row) - reach:round(row) + reach, round(column) - reach:round(column) + reach].sum() > 8
+                 for status, (column, row) in marks]
+        self.assertEqual(sum(shown), 48, shown)
+
     def test_keys_step(self):
         self.browser.run("waft.seek(100)")
         for key, shift, wanted in (("ArrowRight", 0, 101), ("ArrowRight", 8, 131), ("ArrowLeft", 0, 130), ("End", 0, 299), ("Home", 0, 0)):

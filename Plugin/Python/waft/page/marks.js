@@ -38,7 +38,8 @@ class Marks {
     this.meshes = [...kinds.values()].map(({ key, status, spots }) => {
       const material = new THREE.MeshBasicMaterial({ color: statusColor(status), transparent: true, depthWrite: false, toneMapped: false,
         opacity: { ring: 0.75, ball: 0.95, room: 0.14 }[key], side: THREE.DoubleSide });
-      const mesh = new THREE.InstancedMesh(key === "ring" ? flat : ball, material, spots.length);
+      // A geometry of its own: three.js binds the places of instances anew only when the geometry is another.
+      const mesh = new THREE.InstancedMesh((key === "ring" ? flat : ball).clone(), material, spots.length);
       mesh.frustumCulled = false;
       mesh.renderOrder = 1;
       this.group.add(mesh);
