@@ -37,6 +37,7 @@ class Marks {
     const ball = new THREE.SphereBufferGeometry(1, 24, 16);
     this.meshes = [...kinds.values()].map(({ key, status, spots }) => {
       const material = new THREE.MeshBasicMaterial({ color: statusColor(status), transparent: true, depthWrite: false, toneMapped: false,
+        depthTest: status === "met",  // one that was missed may be within an obstacle
         opacity: { ring: 0.75, ball: 0.95, room: 0.14 }[key], side: THREE.DoubleSide });
       // A geometry of its own: three.js binds the places of instances anew only when the geometry is another.
       const mesh = new THREE.InstancedMesh((key === "ring" ? flat : ball).clone(), material, spots.length);
