@@ -250,6 +250,12 @@ class Scene:
         """A copy of the scene as JSON has it, paths absolute."""
         return json.loads(json.dumps(self._data))
 
+    def files(self) -> List[str]:
+        """Paths of all files that the scene names."""
+        found: Dict[str, None] = {}
+        _schema.with_files(self._data, _schema.definition("scene"), lambda file: found.setdefault(file))
+        return list(found)
+
     @property
     def shapes(self) -> List[str]:
         """Names of the shapes."""

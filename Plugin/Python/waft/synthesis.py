@@ -111,6 +111,8 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
         pipeline.status = (failures.STOPPED_EARLY if pipeline.stopped
                            else failures.NOT_ALL_MET if unmet else failures.ALL_MET)
         if place is not None:
+            clock.phase = "writing the results"
+            clock.tell(0.0, clock.phase)
             write_results(pipeline, place, scene, checkpoint, meshes)
             if not pipeline.stopped:
                 checkpoint.clear()
@@ -225,7 +227,7 @@ def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limi
         pipeline.add_planner(pipeline.seed)
         pipeline.watch("planner", clock)
         pipeline.update("planner")
-        pipeline.plan_report = _dictionaries(pipeline.output("planner", 2))
+        pipeline.plan_report = read_rows(pipeline.output("planner", 2))
     clock.keep()
     if checkpoint is not None and not is_found:
         checkpoint.keep_plan(pipeline)
@@ -296,8 +298,8 @@ def _check_room(pipeline, settings):
 def constraint_report(pipeline):
     """The report of the stage that moves the objects, with the reasons of the planner and the orientation rows as they were turned."""
     motion, _, _, reported = pipeline.motion
-    report = _dictionaries(pipeline.output(motion, reported))
-    turned = {(row["Row"], row["Target"]): row for row in _dictionaries(pipeline.output("rotation", 2))}
+    report = read_rows(pipeline.output(motion, reported))
+    turned = {(row["Row"], row["Target"]): row for row in read_rows(pipeline.output("rotation", 2))}
     reasons = {(row["Row"], row["Target"]): row["Message"] for row in pipeline.plan_report if row["Status"] != "met"}
     for row in report:
         reason = reasons.get((row["Row"], row["Target"]))
@@ -325,7 +327,8 @@ def _sentences(message, are_approaches):
     return [text for text in message.split("; ") if text.startswith("it comes within ") == are_approaches]
 
 
-def _dictionaries(table):
+def read_rows(table):
+    """A table as one dictionary a row, all texts."""
     header, rows = table_rows(table)
     return [dict(zip(header, row)) for row in rows]
 
@@ -461,7 +464,7 @@ def _planned_objects(pipeline):
     kinds = {"ObjectId": int, "Rows": int, "Met": int, "Status": str, "Cost": float, "Branches": int,
              "Seconds": float, "Message": str}
     return [{name[0].lower() + name[1:]: kind(row[name]) for name, kind in kinds.items()}
-            for row in _dictionaries(pipeline.output("planner", 7))]
+            for row in read_rows(pipeline.output("planner", 7))]
 
 
 def _settled(pipeline):

@@ -141,6 +141,7 @@ class Clock:
 
     def __init__(self, time_limit=None, quiet=False, words=NOTHING_COMPUTED, on_progress=None):
         self.on_progress = on_progress
+        self.phase = ""  # what is said instead of a stage's own words
         self.shares = {}
         self._done = 0.0
         self._failure = None
@@ -202,7 +203,7 @@ class Clock:
         if now - self._last < 0.2:
             return
         self._last = now
-        self.tell(self._whole(name, fraction), f"{name}: {text}" if text else name)
+        self.tell(self._whole(name, fraction), self.phase or (f"{name}: {text}" if text else name))
         if self._quiet:
             return
         print(f"\r\033[K{name} {100.0 * fraction:3.0f} %  {text or ''}"[:110], end="", file=sys.stderr)
