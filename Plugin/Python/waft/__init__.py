@@ -1,24 +1,58 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Waft: motion of light things in air that hits the artist's marks, for pvpython.
-
-Importing the package loads the ParaView plugin. Then
+"""Waft: motion of light things in air that hits the artist's marks.
 
     import waft
-    run = waft.synthesize("scene.waft.json", output="out")
-    run.planner.Seed = 7        # change one property ...
+    scene = waft.Scene("A word")                      # or a scene file: waft.Scene.load("word.waft.json")
+    scene.add_objects("maple", count=60, region={"min": (-1, -1, 2.5), "max": (1, 1, 3.8)})
+    scene.add_keyframe(299, text="HELLO", origin=(0, 0, 1.5), v=(0, 0, 1), width=3)
+    scene.save("word.waft.json")
+
+    run = waft.synthesize(scene, quality="preview", output="out")
+    run.positions[object, frame], run.orientations, run.times, run.marks     # numpy arrays
+    run.planner.Seed = 7            # change one property of a stage ...
     run.rotation.UpdatePipeline()   # ... and update: only what depends on it is computed again
 
-The VTK classes themselves are in waft.vtkWaftSources and waft.vtkWaftFilters.
+Scenes need nothing but Python. All else needs ParaView: in pvpython, pvbatch and ParaView's own shell the plugin is loaded by the
+import, elsewhere by its first use or by load_plugin(). The VTK classes are there by name, `from waft import vtkSPHSpacetimeFilter`,
+once the plugin is loaded.
 """
-from waft.loading import data_file, load_plugin, version
+import importlib as _importlib
 
-load_plugin()
-
-# Before the first object of a class is seen from Python: what has no class then keeps that of its nearest base.
-from waft import vtkWaftFilters, vtkWaftSources  # noqa: E402, F401
-from waft.failures import BadInput, WaftError  # noqa: E402
-from waft.measuring import measure  # noqa: E402
-from waft.synthesis import synthesize  # noqa: E402
+from waft.failures import BadInput, WaftError
+from waft.loading import data_file, is_paraview_here as _is_paraview_here, load_plugin, version
+from waft.scene import Scene
 
 __version__ = version()
-__all__ = ["BadInput", "WaftError", "data_file", "load_plugin", "measure", "synthesize", "version"]
+__all__ = ["BadInput", "Scene", "WaftError", "data_file", "load_plugin", "measure", "synthesize", "version"]
+
+_LATER = {"measure": "waft.measuring", "synthesize": "waft.synthesis"}  # what takes its time to import, by its module
+_WRAPPED = ("vtkWaftSources", "vtkWaftFilters")
+
+
+def __getattr__(name):
+    try:
+        if name in _LATER:
+            found = getattr(_importlib.import_module(_LATER[name]), name)
+        elif name.startswith("vtk") and name not in _WRAPPED:
+            load_plugin()
+            found = next(vars(module)[name] for module in map(_wrapped, _WRAPPED) if name in vars(module))
+        else:
+            raise AttributeError(f"module 'waft' has no attribute '{name}'")
+    except ImportError as error:
+        raise AttributeError(f"waft.{name} is not there: {error}") from error
+    except StopIteration:
+        raise AttributeError(f"module 'waft' has no class '{name}'") from None
+    globals()[name] = found
+    return found
+
+
+def _wrapped(name):
+    return _importlib.import_module(f"waft.{name}")
+
+
+def __dir__():
+    return [*__all__, *(name for name in globals() if name.startswith("__") or (name.startswith("vtk") and name not in _WRAPPED))]
+
+
+if _is_paraview_here():
+    load_plugin()

@@ -3,10 +3,13 @@
 import argparse
 import json
 import os
+import shlex
 import sys
 import time
 
 from waft import failures
+from waft._schema import definition
+from waft.loading import version
 from waft.watching import interruptible, tell_guard
 
 DESCRIPTION = "Motion of light things in air that goes where you say and moves like things carried by one air."
@@ -16,6 +19,11 @@ be met (named in constraints.csv and below), all others are; 4 stopped early, be
 DATABASE_EXIT = """exit status: 0 done; 2 malformed usage, nothing computed; 4 stopped early, the database of the
 simulations that are whole written (nothing when there is none); 1 anything else. FILE.coverage.csv tells what
 each simulation added"""
+
+NEW_EXIT = """exit status: 0 written; 2 malformed usage, or something is there already; 1 anything else"""
+
+CHECK_EXIT = """exit status: 0 nothing stands against it, though some may be hard; 2 malformed scene or usage; 3 some constraint
+cannot be met, by itself or beside another; 1 anything else"""
 
 MEASURE_EXIT = """exit status: 0 measured, whatever the figures; 2 malformed usage or a folder without the results that are
 needed; 1 anything else"""
@@ -75,6 +83,8 @@ views = _argument(_views, "names of side, top and follow with commas between",
 
 def parser():
     main = argparse.ArgumentParser(prog="waft", description=DESCRIPTION, epilog=EXIT)
+    main.add_argument("--version", action="version", version=f"waft {version()}")
+    main.set_defaults(needs_paraview=True)
     commands = main.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
     make = commands.add_parser("synthesize", help="a scene file to an animation", epilog=EXIT)
@@ -94,7 +104,30 @@ def parser():
     make.add_argument("--edit-of", type=path, metavar="DIR",
                       help="a finished run of the scene before some rows changed: the same air, only what changed drifts again")
     make.add_argument("--meshes", action="store_true", help="also meshes.pvd: all meshes posed, a file a frame")
+    make.add_argument("--watch", action="store_true",
+                      help="fly at preview quality, and again whenever the scene file or a file that it names is saved, until stopped")
+    make.add_argument("--progress", choices=("line", "json"), default="line",
+                      help="line: on a terminal; json: each message as a line of JSON on stdout, {\"fraction\", \"text\"}")
     make.set_defaults(run=run_synthesize)
+
+    begin = commands.add_parser("new", help="a first scene, to change by hand", epilog=NEW_EXIT)
+    begin.add_argument("scene", type=path, metavar="FILE.waft.json", help="is written; what is there is never overwritten")
+    begin.add_argument("--text", action="append", default=[], metavar="TEXT", help="a word that bodies form; repeatable, one after the "
+                                                                               "other; default WAFT")
+    begin.add_argument("--image", type=path, action="append", default=[], metavar="FILE", help="a picture that they form; repeatable")
+    begin.add_argument("--path", type=path, action="append", default=[], metavar="CSV",
+                       help="a curve that one more body follows, rows x,y,z in metres; repeatable")
+    begin.add_argument("--obstacle", type=path, action="append", default=[], metavar="FILE",
+                       help="a closed surface in the way (.vtp, .obj, .ply, .stl, .glb); repeatable")
+    begin.add_argument("--shape", choices=definition("shape")["properties"]["builtin"]["enum"], default="maple",
+                       help="a built-in shape, default maple")
+    begin.add_argument("--count", type=_whole(1, 100000), default=60, help="bodies that form words and pictures, default 60")
+    begin.set_defaults(run=run_new, needs_paraview=False)
+
+    look = commands.add_parser("check", help="what of a scene cannot be, and what will be hard", epilog=CHECK_EXIT)
+    look.add_argument("scene", type=path, help="scene file, *.waft.json")
+    look.add_argument("--database", type=path, metavar="FILE", help="motion database, .vtm (default: the embedded one)")
+    look.set_defaults(run=run_check)
 
     base = commands.add_parser("database", help="a motion database from simulations of smoke", epilog=DATABASE_EXIT)
     base.add_argument("--output", type=path, required=True, metavar="FILE.vtm")
@@ -156,15 +189,60 @@ def parser():
     return main
 
 
+def parse(arguments=None):
+    """The options of a command line; ends the process by SystemExit at --help, --version and malformed usage."""
+    main = parser()
+    options = main.parse_args(arguments)
+    if options.command == "synthesize" and options.watch and (options.time_limit is not None or options.resume):
+        main.error("--watch: expected neither --time-limit nor --resume with it")
+    return options
+
+
 def run_synthesize(options):
+    if options.watch:
+        from waft.repeating import fly_when_saved
+
+        return fly_when_saved(options.scene, lambda: _fly(options, "preview"))
+    return _fly(options, options.quality)
+
+
+def _fly(options, quality):
     from waft.synthesis import synthesize, tell
 
     run = synthesize(options.scene, output=options.output, database=options.database, seed=options.seed,
-                     threads=options.threads, time_limit=options.time_limit, quality=options.quality,
+                     threads=options.threads, time_limit=options.time_limit, quality=quality,
                      resume=options.resume, quiet=False, meshes=options.meshes,
-                     memory_limit=options.memory_limit, edit_of=options.edit_of)
+                     memory_limit=options.memory_limit, edit_of=options.edit_of,
+                     on_progress=_print_json if options.progress == "json" else None)
     tell(run, options.output)
+    run.delete()
     return run.status
+
+
+def _print_json(fraction, text):
+    print(json.dumps({"fraction": round(fraction, 4), "text": text}), flush=True)
+
+
+def run_new(options):
+    from waft.starting import new_scene
+
+    scene = new_scene(options.scene, options.text, options.image, options.path, options.obstacle, options.shape, options.count)
+    print(f"{options.scene}: {len(scene.objects)} objects, {scene.frames} frames; fly it: waft synthesize {shlex.quote(options.scene)} "
+          "--output out --preview", file=sys.stderr)
+    return failures.ALL_MET
+
+
+def run_check(options):
+    from waft.checking import check
+
+    with interruptible("stopped: a check writes nothing"):
+        looked, findings = check(options.scene, options.database)
+    for finding in findings:
+        print(f"waft: {'hard' if finding.is_possible else 'cannot be met'}: {finding.text}")
+    impossible = sum(not finding.is_possible for finding in findings)
+    print(f"waft: {options.scene}: {len(looked.ids)} objects, {len(looked.report)} constraints, {impossible} of them cannot be met, "
+          f"{len(findings) - impossible} remarks on what will be hard")
+    return failures.NOT_ALL_MET if impossible else failures.ALL_MET
 
 
 def run_database(options):
@@ -233,7 +311,7 @@ def run_demo(options):
 
 
 def main(arguments=None):
-    options = parser().parse_args(arguments)
+    options = parse(arguments)
     try:
         return options.run(options)
     except failures.WaftError as error:

@@ -11,7 +11,7 @@ tells through a pipe, a line each, what stands for it:
     words TEXT      what to say when it is ended; none: it has something to write and ends by itself
     made FOLDER     it made this folder, which goes when it is empty; the innermost first
 
-Nothing here needs more than Python's own library.
+Nothing here needs more than Python's own library, nor do the commands that do without ParaView, which are done here.
 """
 import contextlib
 import ctypes
@@ -140,7 +140,20 @@ def say(text):
     print(("\r\033[K" if sys.stderr.isatty() else "") + f"waft: {text}", file=sys.stderr)
 
 
+def parse(arguments):
+    """The options; --help, --version and malformed usage end here, before ParaView is started for them."""
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+    from waft import cli
+
+    return cli.parse(arguments)
+
+
 def main(arguments):
+    if not parse(arguments).needs_paraview:
+        from waft import cli, watching
+
+        watching.note_stops()
+        return cli.main(arguments)
     signal.pthread_sigmask(signal.SIG_BLOCK, STOPS | {signal.SIGCHLD})
     if arguments[:1] not in (["demo"], ["render"]) or os.environ.get("DISPLAY"):
         return watch(arguments)

@@ -2,6 +2,7 @@
 """Where the installed tree (or the build tree, which is laid out alike) keeps what the package needs."""
 import os
 import pathlib
+import sys
 
 _PACKAGE = pathlib.Path(__file__).resolve().parent
 
@@ -33,12 +34,29 @@ def data_file(name):
     return str(path)
 
 
-def load_plugin():
-    """Makes the proxies known to paraview.simple, once; a clear error when ParaView's version differs."""
-    from paraview import simple
+def is_paraview_here():
+    """Whether this process is one of ParaView's programs, or has its package imported."""
+    try:
+        program = os.path.basename(os.readlink("/proc/self/exe"))
+    except OSError:
+        program = ""
+    return program.startswith(("pvpython", "pvbatch", "paraview")) or "paraview.simple" in sys.modules
 
-    if hasattr(simple, "StylisticPlannerFilter"):
-        return
+
+def load_plugin():
+    """Makes the proxies known to paraview.simple, once; a clear error when ParaView's version differs, or there is none."""
+    try:
+        from paraview import simple
+    except ImportError as error:
+        raise ImportError(f"ParaView's Python package was not found ({error}): run this by pvpython") from error
+
+    if not hasattr(simple, "StylisticPlannerFilter"):
+        _load_library(simple)
+    # Before the first object of a class is seen from Python: what has no class then keeps that of its nearest base.
+    from waft import vtkWaftFilters, vtkWaftSources  # noqa: F401
+
+
+def _load_library(simple):
     plugin = _find_upwards("lib*/paraview-*/plugins/Waft/Waft.so") or _find_upwards(
         "lib/*/paraview-*/plugins/Waft/Waft.so")
     if plugin is None:

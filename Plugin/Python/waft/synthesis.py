@@ -6,13 +6,19 @@ import pathlib
 import re
 import shutil
 import sys
+import tempfile
+from typing import TYPE_CHECKING, Callable, Optional, Union
 
 from waft import failures
 from waft.files import half, table_rows, write_csv, write_pvd, write_xml
-from waft.loading import set_threads, version
+from waft.loading import load_plugin, set_threads, version
 from waft.results import Entry, ResultPlace, read_json
 from waft.resuming import Checkpoint, run_key
-from waft.watching import Clock, collect
+from waft.scene import Scene
+from waft.watching import Clock, collect, is_main_thread
+
+if TYPE_CHECKING:
+    from waft.run import Run
 
 # How objects come to their marks: drift in one drawn air on a coarse grid; the same on the full one; the optimiser from there, in
 # that air; and, as in the paper, the optimiser from the plan, gas at rest.
@@ -24,12 +30,19 @@ REPORT = "report.json"
 STATE = "assimilated.state"
 
 
-def synthesize(scene, output=None, database=None, seed=None, threads=None, time_limit=None,
-               preview=False, resume=False, quiet=True, checkpoint_interval=None, meshes=False,
-               memory_limit=None, quality=None, edit_of=None):
-    """Plans, optimises and turns the objects of a scene; returns the live Pipeline of proxies.
+# Parts of the time that stages take, for the share that is done.
+_SHARES = {"reader": 1, "database": 1, "planner": 6, "assimilation": 45, "spacetime": 45, "rotation": 2}
+_WITHOUT = {"preview": ("spacetime",), "assimilated": ("spacetime",), "full": (), "paper": ("assimilation",)}
 
-    scene: path of a *.waft.json file. output: a folder for the files of `waft synthesize` (none: nothing
+
+def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, database=None, seed: Optional[int] = None,
+               threads: Optional[int] = None, time_limit: Optional[float] = None, preview: bool = False, resume: bool = False,
+               quiet: bool = True, checkpoint_interval: Optional[float] = None, meshes: bool = False,
+               memory_limit: Optional[float] = None, quality: Optional[str] = None, edit_of=None,
+               on_progress: Optional[Callable[[float, str], Optional[bool]]] = None) -> "Run":
+    """Plans, optimises and turns the objects of a scene; returns the Run with its live proxies and arrays.
+
+    scene: a waft.Scene, or the path of a *.waft.json file. output: a folder for the files of `waft synthesize` (none: nothing
     is written). database: a motion database, .vtm (default: the one that comes with Waft). seed: instead
     of the scene's. threads: number of threads (default all; the result is the same). time_limit: seconds.
     preview: a coarse assimilation, for a quick look. resume: goes on from where an earlier run with the
@@ -37,14 +50,25 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
     `checkpoint` of output. checkpoint_interval: seconds between two writings there (none: the filter's own).
     meshes: also writes meshes.pvd, all meshes posed, a file a frame. memory_limit: megabytes that the optimiser
     may take (none: as many as it needs). quality: one of QUALITIES (default full). edit_of: the folder of a finished run of the
-    same scene but for some objects' rows: the same air, and only what changed drifts again.
+    same scene but for some objects' rows: the same air, and only what changed drifts again. on_progress: called with the share
+    that is done (0 to 1) and a sentence, some five times a second; when it returns False the run stops with the best so far.
 
-    The Pipeline has, besides the proxies: status (exit status of the command), report (the constraints,
+    It may be called from any thread, of one run at a time; only in the main one Ctrl-C and SIGTERM stop it. The stages' data are
+    read where they are made: in a session that is connected to a pvserver it is refused. The Run has, besides proxies and arrays: status (exit status of the command), report (the constraints,
     one dictionary per row), warnings. Raises BadInput on malformed input, and where results would take the place of files that
     no run wrote; nothing is written then.
     """
-    from waft.pipeline import Pipeline
+    if isinstance(scene, Scene):
+        return _synthesize_made(scene, output=output, database=database, seed=seed, threads=threads, time_limit=time_limit,
+                                preview=preview, resume=resume, quiet=quiet, checkpoint_interval=checkpoint_interval,
+                                meshes=meshes, memory_limit=memory_limit, quality=quality, edit_of=edit_of,
+                                on_progress=on_progress)
+    load_plugin()
+    from waft.run import Run
 
+    if on_progress is not None and not callable(on_progress):
+        raise failures.BadInput(f"on_progress: expected a function of a share and a sentence, found {on_progress!r}")
+    _check_session()
     if not os.path.isfile(scene):
         raise failures.BadInput(f"{scene}: no such scene file")
     quality = quality or ("preview" if preview else "full")
@@ -53,9 +77,12 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
     set_threads(threads)
     with contextlib.ExitStack() as stack:
         place = stack.enter_context(result_place(output)) if output is not None and is_first_rank() else None
-        pipeline = Pipeline(scene, database)
+        pipeline = Run(scene, database)
         stack.push(lambda error, *_: error and pipeline.delete())  # nobody else has a hold of its stages then
-        with Clock(time_limit, quiet, "stopped before the paths were planned: nothing was written") as clock:
+        if not is_main_thread():
+            stack.callback(lambda: [watch.release() for watch in pipeline.watches.values()])
+        with Clock(time_limit, quiet, "stopped before the paths were planned: nothing was written", on_progress) as clock:
+            clock.shares = {name: share for name, share in _SHARES.items() if name not in _WITHOUT[quality]}
             pipeline.read(clock)
             scene_seed = pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)
             pipeline.seed = int(scene_seed) if seed is None else seed
@@ -76,6 +103,7 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
                 if checkpoint is not None:
                     checkpoint.clear()
                 raise
+            clock.check_progress()
             pipeline.stopped = clock.interrupted or clock.timed_out
         pipeline.report = constraint_report(pipeline)
         pipeline.warnings += [text for watch in pipeline.watches.values() for text in watch.errors + watch.warnings]
@@ -83,10 +111,37 @@ def synthesize(scene, output=None, database=None, seed=None, threads=None, time_
         pipeline.status = (failures.STOPPED_EARLY if pipeline.stopped
                            else failures.NOT_ALL_MET if unmet else failures.ALL_MET)
         if place is not None:
+            clock.phase = "writing the results"
+            clock.tell(0.0, clock.phase)
             write_results(pipeline, place, scene, checkpoint, meshes)
             if not pipeline.stopped:
                 checkpoint.clear()
+        clock.tell(1.0, "stopped early" if pipeline.stopped else "done")
+        clock.check_progress()
     return pipeline
+
+
+def _synthesize_made(scene, **options):
+    """Of a waft.Scene: by a file that is there as long as the Run, whose reader may ask for it again."""
+    folder = tempfile.TemporaryDirectory(prefix="waft-scene-")
+    path = os.path.join(folder.name, "scene.waft.json")
+    scene.save(path)
+    try:
+        run = synthesize(path, **options)
+    except failures.BadInput as error:
+        raise failures.BadInput(str(error).replace(path, "scene")) from error
+    run.scene_folder = folder
+    return run
+
+
+def _check_session():
+    from paraview import servermanager
+
+    connection = servermanager.ActiveConnection
+    if connection is not None and connection.IsRemote():
+        raise failures.WaftError(
+            f"waft.synthesize reads the data of the stages in this process, and those of this session are on {connection.GetURI()}: "
+            "Disconnect() first, run `waft synthesize` on that machine, or join the proxies by hand, which work there")
 
 
 def _state_of(folder, quality):
@@ -172,7 +227,7 @@ def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limi
         pipeline.add_planner(pipeline.seed)
         pipeline.watch("planner", clock)
         pipeline.update("planner")
-        pipeline.plan_report = _dictionaries(pipeline.output("planner", 2))
+        pipeline.plan_report = read_rows(pipeline.output("planner", 2))
     clock.keep()
     if checkpoint is not None and not is_found:
         checkpoint.keep_plan(pipeline)
@@ -243,8 +298,8 @@ def _check_room(pipeline, settings):
 def constraint_report(pipeline):
     """The report of the stage that moves the objects, with the reasons of the planner and the orientation rows as they were turned."""
     motion, _, _, reported = pipeline.motion
-    report = _dictionaries(pipeline.output(motion, reported))
-    turned = {(row["Row"], row["Target"]): row for row in _dictionaries(pipeline.output("rotation", 2))}
+    report = read_rows(pipeline.output(motion, reported))
+    turned = {(row["Row"], row["Target"]): row for row in read_rows(pipeline.output("rotation", 2))}
     reasons = {(row["Row"], row["Target"]): row["Message"] for row in pipeline.plan_report if row["Status"] != "met"}
     for row in report:
         reason = reasons.get((row["Row"], row["Target"]))
@@ -272,7 +327,8 @@ def _sentences(message, are_approaches):
     return [text for text in message.split("; ") if text.startswith("it comes within ") == are_approaches]
 
 
-def _dictionaries(table):
+def read_rows(table):
+    """A table as one dictionary a row, all texts."""
     header, rows = table_rows(table)
     return [dict(zip(header, row)) for row in rows]
 
@@ -283,14 +339,8 @@ def write_results(pipeline, place, scene, checkpoint, meshes=False):
         checkpoint.copy_plan(name)
     motion, tracks, vortices, _ = pipeline.motion
     write_xml(pipeline.output(motion, tracks), place.path("optimized.vtp"))
-    write_xml(pipeline.output("rotation", 1), place.path("poses.vtp"))
     write_xml(pipeline.output(motion, vortices), place.path("vortices.vtp"))
-    write_xml(pipeline.output("reader", 0), place.path("objects.vtp"))
-    _write_shapes(pipeline, place)
-    if _do_obstacles_move(scene):
-        _write_series(pipeline, "reader", 2, "obstacles", ".vtp", place)
-    else:
-        write_xml(_at(pipeline.reader.GetClientSideObject(), 2, 0.0), place.path("obstacles.vtp"))
+    write_bodies(pipeline, place, scene)
     if meshes:
         _write_series(pipeline, "rotation", 0, "meshes", ".vtp", place)
     energies = []
@@ -306,6 +356,17 @@ def write_results(pipeline, place, scene, checkpoint, meshes=False):
     _write_report(pipeline, place.path("constraints.csv"))
     _write_animation(pipeline, place)
     place.commit(_summary(pipeline, scene, energies))
+
+
+def write_bodies(pipeline, place, scene):
+    """The files with the motion of the bodies and what stands about them, which pictures are drawn from."""
+    write_xml(pipeline.output("rotation", 1), place.path("poses.vtp"))
+    write_xml(pipeline.output("reader", 0), place.path("objects.vtp"))
+    _write_shapes(pipeline, place)
+    if _do_obstacles_move(scene):
+        _write_series(pipeline, "reader", 2, "obstacles", ".vtp", place)
+    else:
+        write_xml(_at(pipeline.reader.GetClientSideObject(), 2, 0.0), place.path("obstacles.vtp"))
 
 
 def _empty_convergence():
@@ -403,7 +464,7 @@ def _planned_objects(pipeline):
     kinds = {"ObjectId": int, "Rows": int, "Met": int, "Status": str, "Cost": float, "Branches": int,
              "Seconds": float, "Message": str}
     return [{name[0].lower() + name[1:]: kind(row[name]) for name, kind in kinds.items()}
-            for row in _dictionaries(pipeline.output("planner", 7))]
+            for row in read_rows(pipeline.output("planner", 7))]
 
 
 def _settled(pipeline):

@@ -5,6 +5,7 @@ import os
 import resource
 import signal
 import sys
+import threading
 import time
 
 from waft.failures import Interrupted
@@ -29,9 +30,16 @@ def tell_guard(key, value):
         os.write(int(pipe), f"{key} {value}\n".encode())
 
 
+def is_main_thread():
+    return threading.current_thread() is threading.main_thread()
+
+
 @contextlib.contextmanager
 def _handling(handler):
-    """Meanwhile stops go to a handler."""
+    """Meanwhile stops go to a handler; not in a thread beside the main one, which alone gets signals."""
+    if not is_main_thread():
+        yield
+        return
     before = {number: signal.signal(number, handler) for number in STOPS}
     try:
         yield
@@ -54,13 +62,14 @@ def interruptible(words):
 
 
 def collect(vtk_object, event, texts):
-    """Appends what an object says with ErrorEvent or WarningEvent to a list, a line each, instead of VTK's printing."""
+    """Appends what an object says with ErrorEvent or WarningEvent to a list, a line each, instead of VTK's printing; returns the
+    object and its observer."""
     def take(_caller, _event, text):
         texts.append(_line(text))
 
     # VTK hands the text over only when the observer says that it wants a string.
     take.CallDataType = "string0"
-    vtk_object.AddObserver(event, take)
+    return vtk_object, vtk_object.AddObserver(event, take)
 
 
 def _line(text):
@@ -93,13 +102,17 @@ class StageWatch:
         self._started = None
         self._shown = None
         self.algorithm = proxy.GetClientSideObject()
-        self.algorithm.AddObserver("StartEvent", self._start)
-        self.algorithm.AddObserver("EndEvent", self._end)
-        self.algorithm.AddObserver("ProgressEvent", self._progress)
+        events = {"StartEvent": self._start, "EndEvent": self._end, "ProgressEvent": self._progress}
+        self._observers = [(self.algorithm, self.algorithm.AddObserver(event, take)) for event, take in events.items()]
+        self._observers += [collect(self.algorithm, "ErrorEvent", self.errors),
+                            collect(self.algorithm.GetExecutive(), "ErrorEvent", self.errors),
+                            collect(self.algorithm, "WarningEvent", self.warnings)]
 
-        collect(self.algorithm, "ErrorEvent", self.errors)
-        collect(self.algorithm.GetExecutive(), "ErrorEvent", self.errors)
-        collect(self.algorithm, "WarningEvent", self.warnings)
+    def release(self):
+        """Follows no longer. VTK calls an observer in the state of the thread that added it, which ends with that thread."""
+        for observed, observer in self._observers:
+            observed.RemoveObserver(observer)
+        self._observers = []
 
     def _start(self, *_):
         self._started = (time.monotonic(), time.process_time())
@@ -119,12 +132,19 @@ class StageWatch:
 
 
 class Clock:
-    """Time limit, interrupt and a progress line on stderr (when it is a terminal).
+    """Time limit, interrupt and progress: a line on stderr (when it is a terminal), and calls of a function.
 
-    words: what is said when a stop comes while there is nothing to write; it is empty from keep() on.
+    words: what is said when a stop comes while there is nothing to write; it is empty from keep() on. on_progress: called with
+    the share that is done (0 to 1, never less than before) and a sentence; it stops the run by returning False, and ends it by
+    an exception. shares: {stage: its part of the whole}.
     """
 
-    def __init__(self, time_limit=None, quiet=False, words=NOTHING_COMPUTED):
+    def __init__(self, time_limit=None, quiet=False, words=NOTHING_COMPUTED, on_progress=None):
+        self.on_progress = on_progress
+        self.phase = ""  # what is said instead of a stage's own words
+        self.shares = {}
+        self._done = 0.0
+        self._failure = None
         self.started = time.monotonic()
         self.time_limit = time_limit
         self.interrupted = bool(_noted)
@@ -157,6 +177,7 @@ class Clock:
 
     def check(self):
         """Raises Interrupted when it is to stop and there is nothing to write."""
+        self.check_progress()
         if self.words and self.should_stop():
             raise Interrupted(self.words)
 
@@ -172,9 +193,38 @@ class Clock:
             self.timed_out = True
         return self.interrupted or self.timed_out
 
+    def check_progress(self):
+        """Raises what on_progress raised; within VTK, from where it is called, it would be lost."""
+        if self._failure is not None:
+            raise self._failure
+
     def show(self, name, fraction, text):
         now = time.monotonic()
-        if self._quiet or now - self._last < 0.2:
+        if now - self._last < 0.2:
             return
         self._last = now
+        self.tell(self._whole(name, fraction), self.phase or (f"{name}: {text}" if text else name))
+        if self._quiet:
+            return
         print(f"\r\033[K{name} {100.0 * fraction:3.0f} %  {text or ''}"[:110], end="", file=sys.stderr)
+
+    def _whole(self, name, fraction):
+        """The share of the whole that is done."""
+        before = 0.0
+        for stage, share in self.shares.items():
+            if stage == name:
+                return (before + share * min(max(fraction, 0.0), 1.0)) / sum(self.shares.values())
+            before += share
+        return 0.0
+
+    def tell(self, done, text):
+        """Calls on_progress."""
+        self._done = max(self._done, done)
+        if self.on_progress is None or self._failure is not None:
+            return
+        try:
+            if self.on_progress(self._done, text) is False:
+                self.interrupted = True
+        except BaseException as error:  # noqa: B902 (raised again by check_progress)
+            self._failure = error
+            self.interrupted = True

@@ -251,6 +251,7 @@ TEST(SceneSchema, UsesOnlyKeywordsThatThisTestUnderstands)
   std::set<std::string> keywords;
   CollectKeywords(Schema(), keywords);
   const std::set<std::string> known = { "$schema",
+                                        "format",
                                         "title",
                                         "description",
                                         "default",

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""waft.synthesize of a waft.Scene, in a thread beside the main one: its progress, its arrays, its pictures, its page in a notebook.
+
+    pvpython test_run.py         without a display: pictures are drawn on a virtual one
+"""
+import base64
+import csv
+import os
+import pathlib
+import re
+import sys
+import tempfile
+import threading
+import unittest
+
+import numpy as np
+import waft
+
+os.environ.pop("DISPLAY", None)
+
+
+def small_scene():
+    scene = waft.Scene("Small", comment="three leaves")
+    scene.set_time(61)
+    scene.add_object("leaf", (0, 0, 2.5), id=5)
+    scene.add_objects("petal", positions=[(1, 1, 2.5), (-1, -1, 2.5)])
+    scene.add_position(5, 60, (0.2, 0.1, 1.6), radius=0.1)
+    scene.add_orientation(5, 30, (1, 0, 0, 0), radius=3.0)
+    return scene
+
+
+class Stop(Exception):
+    pass
+
+
+class RunTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.told = []
+        made = []
+
+        def fly():
+            made.append(waft.synthesize(small_scene(), output=cls.folder / "out", quality="preview", threads=1,
+                                        on_progress=lambda share, text: cls.told.append((share, text))))
+        thread = threading.Thread(target=fly)
+        thread.start()
+        thread.join()
+        cls.run_, = made
+
+    def test_progress_grows_to_done(self):
+        shares = [share for share, _ in self.told]
+        self.assertEqual(sorted(shares), shares)
+        self.assertTrue(0.0 <= shares[0] < 0.5)
+        self.assertEqual((1.0, "done"), self.told[-1])
+        self.assertTrue(any(text.startswith("assimilation: ") for _, text in self.told), self.told)
+
+    def test_arrays_are_what_poses_csv_holds(self):
+        run = self.run_
+        self.assertEqual(((3, 61, 3), (3, 61, 4), (61,)), (run.positions.shape, run.orientations.shape, run.times.shape))
+        with open(self.folder / "out" / "poses.csv", encoding="utf-8", newline="") as stream:
+            rows = list(csv.DictReader(stream))
+        ids = run.object_ids.tolist()
+        self.assertEqual(183, len(rows))
+        for row in rows:
+            place = ids.index(int(row["object"])), int(row["frame"])
+            self.assertEqual([float(row[name]) for name in "xyz"], run.positions[place].tolist())
+            self.assertEqual([float(row[name]) for name in ("qw", "qx", "qy", "qz")], run.orientations[place].tolist())
+            self.assertEqual(float(row["time"]), run.times[place[1]])
+
+    def test_marks_are_the_rows_of_the_report(self):
+        marks = self.run_.marks
+        self.assertEqual([(0, 5, 60, "position"), (1, 5, 30, "orientation")],
+                         [(mark["row"], mark["object"], mark["frame"], mark["kind"]) for mark in marks])
+        self.assertEqual([row["Status"] for row in self.run_.report], marks["status"].tolist())
+        reached = np.linalg.norm(self.run_.positions[self.run_.object_ids.tolist().index(5), 60] - (0.2, 0.1, 1.6))
+        self.assertLess(reached, 0.1 + 1e-6)
+
+    def test_a_still_shows_the_bodies(self):
+        path = self.folder / "still.png"
+        first = self.run_.render(path, frame=0, size=(160, 90))
+        last = self.run_.render(size=(160, 90))
+        self.assertEqual(((90, 160, 3), np.uint8), (first.shape, first.dtype))
+        self.assertEqual(b"\x89PNG", path.read_bytes()[:4])
+        self.assertTrue(np.any(first != last))
+        self.assertNotIn("DISPLAY", os.environ)
+        for name, bad in (("frame", 61), ("view", "front"), ("size", (1, 1)), ("path", "still.jpg")):
+            with self.assertRaisesRegex(waft.BadInput, f"Run.render: {name}: "):
+                self.run_.render(**{name: bad})
+
+    def test_a_notebook_shows_a_still_and_the_marks(self):
+        page = self.run_._repr_html_()
+        still = base64.b64decode(re.search(r'src="data:image/png;base64,([^"]+)"', page)[1])
+        self.assertEqual(b"\x89PNG", still[:4])
+        self.assertEqual(3, page.count("<tr>"))
+        self.assertIn("<td>orientation</td>", page)
+        self.assertIn("3 objects, 61 frames", repr(self.run_))
+
+    def test_progress_stops_the_run(self):
+        run = waft.synthesize(small_scene(), quality="preview", threads=1,
+                              on_progress=lambda _, text: not text.startswith("assimilation"))
+        self.assertTrue(run.stopped)
+        self.assertEqual(4, run.status)
+        run.delete()
+
+    def test_what_progress_raises_comes_out(self):
+        def raises(_share, _text):
+            raise Stop("enough")
+        with self.assertRaisesRegex(Stop, "enough"):
+            waft.synthesize(small_scene(), output=self.folder / "none", quality="preview", threads=1, on_progress=raises)
+        self.assertFalse((self.folder / "none").exists())
+        with self.assertRaisesRegex(waft.BadInput, "on_progress"):
+            waft.synthesize(small_scene(), on_progress=3)
+
+    def test_a_malformed_scene_is_named_as_such(self):
+        with self.assertRaisesRegex(waft.BadInput, "^scene: /objects"):
+            waft.synthesize(waft.Scene("nothing flies"))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""waft.Scene by plain Python: what it writes is what the reader of scene files takes, and each wrong argument is refused at once.
+
+    test_scene.py SCENES         by a Python without ParaView; SCENES: the folder of scene files
+    pvpython test_scene.py SCENES   reads what was written, too
+"""
+import glob
+import inspect
+import json
+import os
+import pathlib
+import sys
+import tempfile
+import unittest
+
+import waft
+from waft import _entries, _schema
+
+SCENES = sys.argv.pop(1)
+METHODS = {"time": "set_time", "domain": "set_domain", "ground": "set_ground", "air": "set_air", "shape": "add_shape",
+           "singleObject": "add_object", "objectsInRegion": "add_objects", "objectsAtPositions": "add_objects",
+           "positionConstraint": "add_position", "velocityConstraint": "add_velocity",
+           "accelerationConstraint": "add_acceleration", "orientationConstraint": "add_orientation",
+           "restConstraint": "add_rest", "pathConstraint": "add_path", "keyframeConstraint": "add_keyframe",
+           "pointTargets": "add_keyframe", "textTargets": "add_keyframe", "imageTargets": "add_keyframe",
+           "meshTargets": "add_keyframe", "boxObstacle": "add_box", "sphereObstacle": "add_sphere",
+           "cylinderObstacle": "add_cylinder", "meshObstacle": "add_mesh", "analyticWind": "add_wind",
+           "windFile": "add_wind_file", "vortex": "add_vortex"}
+
+
+def everything():
+    scene = waft.Scene("Everything", seed=3, comment="a comment")
+    scene.set_time(60, 25.0)
+    scene.set_domain((-3, -3, 0), (3, 3, 5))
+    scene.set_ground(0.1)
+    scene.set_air(1.1)
+    scene.add_shape("red", "maple", size=0.12, settling_speed=0.8, color=(1, 0.2, 0), class_="red")
+    one = scene.add_object("red", (0, 0, 3), velocity=(0, 0, -0.1), mass=0.001)
+    many = scene.add_objects("leaf", count=5, region={"min": (-2, -2, 1.5), "max": (2, 2, 4)}, seed=2)
+    given = scene.add_objects("petal", positions=[(2, 2, 4), (-2, 2, 4)], comment="two petals")
+    scene.add_position(one, 20, (0, 0, 2.5), radius=0.3)
+    scene.add_velocity(one, 20, (0, 0, -0.5), radius=1.0)
+    scene.add_acceleration(one, 20, (0, 0, 0), radius=1.0)
+    scene.add_orientation(one, 20, (1, 0, 0, 0), radius=0.5)
+    scene.add_rest(-1, 50, (1, 1, 1), until=55)
+    scene.add_path(given[0], 5, [(2, 2, 3.9), (2, 2, 3.88)], radius=0.2)
+    scene.add_keyframe(55, text="L", origin=(0, 0, 1), v=(0, 0, 1), width=2, count=4, objects=many[:4], assign="inOrder")
+    scene.add_keyframe(57, points=[(0, 0, 1)], velocity="rest", until=59)
+    scene.add_keyframe(50, image=os.path.join(SCENES, "star.png"), origin=(0, 0, 2), width=2)
+    box = scene.add_box((2, 2, 0.1), (3, 3, 1), motion=[{"frame": 0, "position": (2.5, 2.5, 0.6)}])
+    scene.add_sphere((-2, -2, 1), 0.2, id=7)
+    scene.add_cylinder((2, -2, 0.1), (2, -2, 1), 0.2)
+    scene.add_wind((1, 0, 0), 0.2, (0, 0, 2), 1, 0.5, 0.5)
+    scene.add_vortex((0, 0, 1), (0, 0, 2), 0.1, 0.5, 0.5, 0.2)
+    assert (one, many, given, box) == (0, [1, 2, 3, 4, 5], [6, 7], 0)
+    return scene
+
+
+class SceneTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def test_every_field_of_the_schema_is_an_argument(self):
+        entries = {name for name, kind in _schema.schema()["definitions"].items() if kind.get("additionalProperties") is False}
+        self.assertEqual({"region", "motionKey"}, entries - METHODS.keys())
+        for name, method in METHODS.items():
+            arguments = set(inspect.signature(getattr(waft.Scene, method)).parameters)
+            fields = {_entries.argument_name(field) for field in _schema.definition(name)["properties"]} - {"kind", "targets"}
+            self.assertEqual(set(), fields - arguments, name)
+            for argument in fields:
+                self.assertIn(f"\n{argument}: ", getattr(waft.Scene, method).__doc__)
+
+    def test_names_of_fields_and_arguments(self):
+        for field, argument in (("settlingSpeed", "settling_speed"), ("class", "class_"), ("p1", "p1"), ("u", "u")):
+            self.assertEqual((field, argument), (_entries.field_name(argument), _entries.argument_name(field)))
+
+    def test_what_is_saved_is_loaded_again_from_another_folder(self):
+        scene = everything()
+        (self.folder / "deep").mkdir()
+        path = self.folder / "deep" / "scene.waft.json"
+        scene.save(path)
+        written = json.loads(path.read_text(encoding="utf-8"))
+        image = written["constraints"][8]["targets"]["image"]
+        self.assertFalse(os.path.isabs(image))
+        self.assertTrue(os.path.samefile(path.parent / image, os.path.join(SCENES, "star.png")))
+        again = waft.Scene.load(path)
+        self.assertTrue(os.path.samefile(again.as_dict()["constraints"][8]["targets"]["image"],
+                                         os.path.join(SCENES, "star.png")))
+        other = self.folder / "scene.waft.json"
+        again.save(other)
+        waft.Scene.load(other).save(path)
+        self.assertEqual(written, json.loads(path.read_text(encoding="utf-8")))
+        self.assertEqual(scene.objects, again.objects)
+        self.assertEqual("a comment", written["_"])
+        self.assertEqual(["deep", "scene.waft.json"], sorted(os.listdir(self.folder)))
+
+    def test_scenes_that_come_with_waft_are_loaded(self):
+        for path in glob.glob(os.path.join(SCENES, "*.waft.json")):
+            self.assertTrue(waft.Scene.load(path).objects, path)
+
+    def test_a_loaded_scene_that_is_malformed_names_file_and_place(self):
+        for text, place in (('{"waft": 1, "time": {"frames": 1}}', "/time/frames: expected a whole number from 2 to 1000000, found 1"),
+                            ('{"waft": 1, "tme": {}}', "/tme: "), ('{"waft": 2}', "/waft: expected 1, found 2"),
+                            ('{"waft": 1, "air": {"density": NaN}}', "NaN"), ("{", "JSON"), ("[]", "/: expected")):
+            path = self.folder / "bad.waft.json"
+            path.write_text(text, encoding="utf-8")
+            with self.assertRaises(waft.BadInput) as caught:
+                waft.Scene.load(path)
+            self.assertIn(str(path), str(caught.exception))
+            self.assertIn(place, str(caught.exception))
+        with self.assertRaises(waft.BadInput):
+            waft.Scene.load(self.folder / "none.waft.json")
+
+    def test_wrong_arguments_are_refused_at_once(self):
+        scene = everything()
+        before = scene.as_dict()
+        bad = [
+            ("title: expected a text, found 3", lambda: waft.Scene(3)),
+            ("seed: ", lambda: waft.Scene(seed=-1)),
+            ("frames: expected a whole number from 2 to 1000000, found 1", lambda: scene.set_time(1)),
+            ("frames: ", lambda: scene.set_time(True)),
+            ("max: expected a list of 3 numbers", lambda: scene.set_domain(max=(1, 2))),
+            ("enabled: expected true or false, found 1", lambda: scene.set_ground(enabled=1)),
+            ("name: ", lambda: scene.add_shape("red", "leaf")),
+            ("expected builtin or mesh", lambda: scene.add_shape("x")),
+            ("builtin: expected one of leaf, ", lambda: scene.add_shape("x", "birch")),
+            ("size: expected a number from 1e-09 to 1000000, found \"1\"", lambda: scene.add_shape("x", "leaf", size="1")),
+            ("mesh: expected a file that is there", lambda: scene.add_shape("x", mesh=self.folder / "none.obj")),
+            ("shape: expected one of red, ", lambda: scene.add_object("lea", (0, 0, 1))),
+            ("position: ", lambda: scene.add_object("leaf", "above")),
+            ("id: expected an id that no object has, found 3", lambda: scene.add_object("leaf", (0, 0, 1), id=3)),
+            ("region: ", lambda: scene.add_objects("leaf", count=2)),
+            ("count: ", lambda: scene.add_objects("leaf", count=2.5, region={"min": (0, 0, 0), "max": (1, 1, 1)})),
+            ("region.max: ", lambda: scene.add_objects("leaf", count=2, region={"min": (0, 0, 0)})),
+            ("object: expected the id of one of the scene's 8 objects, found 8", lambda: scene.add_position(8, 1, (0, 0, 0))),
+            ("frame: expected a frame from 0 to 59", lambda: scene.add_position(0, 60, (0, 0, 0))),
+            ("until: ", lambda: scene.add_rest(0, 40, (0, 0, 0), until=60)),
+            ("value: expected a list of 4 numbers", lambda: scene.add_orientation(0, 1, (0, 0, 0))),
+            ("points: expected a frame from 0 to 59", lambda: scene.add_path(0, 55, [(0, 0, 1)] * 6)),
+            ("points[1][2]: ", lambda: scene.add_path(0, 5, [(0, 0, 1), (0, 0, float("nan"))])),
+            ("points or text or image or mesh: ", lambda: scene.add_keyframe(10)),
+            ("origin: ", lambda: scene.add_keyframe(10, text="A", width=1)),
+            ("velocity: ", lambda: scene.add_keyframe(10, points=[(0, 0, 1)], velocity="fast")),
+            ("width: ", lambda: scene.add_keyframe(10, points=[(0, 0, 1)], width=2)),
+            ("objects: ", lambda: scene.add_keyframe(10, points=[(0, 0, 1)], objects=[99])),
+            ("radius: ", lambda: scene.add_sphere((0, 0, 0), -1)),
+            ("motion[0].position: ", lambda: scene.add_box((0, 0, 0), (1, 1, 1), motion=[{"frame": 0, "position": (0, 0)}])),
+            ("unexpected keyword argument 'colour'", lambda: scene.add_box((0, 0, 0), (1, 1, 1), colour=1)),
+            ("missing a required argument: 'max'", lambda: scene.add_box((0, 0, 0))),
+            ("file: expected a file that is there", lambda: scene.add_mesh("none.obj")),
+            ("file: expected series", lambda: scene.add_wind_file("none.obj")),
+            ("comment: expected a text, found 3", lambda: scene.add_wind_file("none.vti", comment=3)),
+            ("path: ", lambda: scene.save(3)),
+        ]
+        for words, call in bad:
+            with self.subTest(words):
+                with self.assertRaises(waft.BadInput) as caught:
+                    call()
+                self.assertIn(words, str(caught.exception))
+        self.assertEqual(before, scene.as_dict())
+
+    def test_what_there_is_to_see_is_public(self):
+        names = [name for name in dir(waft) if not name.startswith("__") and not name.startswith("vtk")]
+        self.assertEqual(sorted(waft.__all__), sorted(names))
+        self.assertFalse(hasattr(waft, "vtkNothing"))
+        self.assertFalse(hasattr(waft, "nothing"))
+
+    @unittest.skipIf("paraview.simple" not in sys.modules, "without ParaView")
+    def test_the_reader_takes_what_is_saved(self):
+        import numpy as np
+        from waft import vtkMotionSceneReader
+
+        scene = everything()
+        scene.add_position(np.int64(1), 30, np.array([0.5, 0.25, 3.0]), radius=np.float32(0.5))
+        scene.save(self.folder / "scene.waft.json")
+        errors = []
+        from waft.watching import collect
+        reader = vtkMotionSceneReader()
+        collect(reader, "ErrorEvent", errors)
+        reader.SetFileName(str(self.folder / "scene.waft.json"))
+        reader.Update()
+        self.assertEqual([], errors)
+        self.assertEqual(8, reader.GetOutputDataObject(0).GetNumberOfPoints())
+        self.assertEqual((0.5, 0.25, 3.0), reader.GetOutputDataObject(1).GetPoint(reader.GetOutputDataObject(1).GetNumberOfPoints() - 1))
+
+    @unittest.skipIf("paraview.simple" in sys.modules, "with ParaView")
+    def test_nothing_of_paraview_is_imported(self):
+        everything()
+        self.assertEqual([], [name for name in sys.modules if name.startswith(("paraview", "vtkmodules", "numpy"))])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

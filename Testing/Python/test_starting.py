@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`waft new`, `waft check`, `waft synthesize --watch` and `--progress json`, as a user calls them.
+
+    test_starting.py WAFT       WAFT: the command of the build or of an installed tree
+"""
+import json
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+WAFT = sys.argv.pop(1)
+
+LEAVES = {"waft": 1, "time": {"frames": 61}, "shapes": {"leaf": {"builtin": "leaf"}},
+          "objects": [{"shape": "leaf", "positions": [[-1.0, -0.5, 2.6], [-0.9, 0.6, 2.4]]}]}
+
+
+def position(number, frame, value, **more):
+    return {"kind": "position", "object": number, "frame": frame, "value": value, **more}
+
+
+class StartingTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def waft(self, *arguments):
+        return subprocess.run([WAFT, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True, check=False)
+
+    def write(self, name="scene.waft.json", **changes):
+        (self.folder / name).write_text(json.dumps(LEAVES | changes), encoding="utf-8")
+
+    def check(self, status, *words, **changes):
+        self.write(**changes)
+        done = self.waft("check", "scene.waft.json")
+        self.assertEqual(status, done.returncode, done.stdout + done.stderr)
+        for word in words:
+            self.assertIn(word, done.stdout + done.stderr)
+        return done.stdout
+
+    def test_help_version_and_usage_come_at_once(self):
+        for arguments, status in (("--help",), 0), (("--version",), 0), (("synthesize", "--help"), 0), (("fly",), 2), ((), 2), (
+                ("synthesize", "x", "--output", "y", "--watch", "--resume"), 2):
+            used = []
+            for _ in range(3):
+                began = time.monotonic()
+                self.assertEqual(status, self.waft(*arguments).returncode)
+                used.append(time.monotonic() - began)
+            self.assertLess(min(used), 1.0, arguments)  # ParaView alone takes more to start; 0.15 s on a quiet machine
+
+    def test_a_new_scene_is_commented_and_flies(self):
+        done = self.waft("new", "a.waft.json", "--text", "I", "--shape", "petal", "--count", 6)
+        self.assertEqual(0, done.returncode, done.stderr)
+        text = (self.folder / "a.waft.json").read_text(encoding="utf-8")
+        self.assertGreater(text.count('"_"'), 4)
+        again = self.waft("new", "a.waft.json")
+        self.assertEqual(2, again.returncode)
+        self.assertIn("a.waft.json: it is there", again.stderr)
+        self.assertEqual(text, (self.folder / "a.waft.json").read_text(encoding="utf-8"))
+        checked = self.waft("check", "a.waft.json")
+        self.assertEqual(0, checked.returncode, checked.stdout)
+        flown = self.waft("synthesize", "a.waft.json", "--output", "out", "--preview", "--progress", "json")
+        self.assertEqual(0, flown.returncode, flown.stderr)
+        told = [json.loads(line) for line in flown.stdout.splitlines()]
+        self.assertEqual({"fraction": 1.0, "text": "done"}, told[-1])
+        self.assertGreater(len(told), 5)
+        fractions = [one["fraction"] for one in told]
+        self.assertEqual(sorted(fractions), fractions)
+
+    def test_a_new_scene_takes_words_pictures_curves_and_obstacles(self):
+        (self.folder / "curve.csv").write_text("x,y,z\n-1.5,0,3\n0,0.5,2.5\n1.2,-0.4,2\n", encoding="utf-8")
+        (self.folder / "wedge.obj").write_text("v 1 1 0\nv 1.3 1 0\nv 1 1.3 0\nv 1 1 0.3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n",
+                                               encoding="utf-8")
+        done = self.waft("new", "b.waft.json", "--text", "A", "--text", "B", "--path", "curve.csv", "--obstacle", "wedge.obj",
+                         "--count", 5)
+        self.assertEqual(0, done.returncode, done.stderr)
+        scene = json.loads((self.folder / "b.waft.json").read_text(encoding="utf-8"))
+        kinds = [row["kind"] for row in scene["constraints"]]
+        self.assertEqual(["path", "keyframe", "keyframe"], kinds)
+        self.assertEqual("wedge.obj", scene["obstacles"][0]["file"])
+        curve = scene["constraints"][0]["points"]
+        self.assertEqual([1.2, -0.4, 2.0], curve[-1])
+        steps = [sum((a - b) ** 2 for a, b in zip(p, q)) ** 0.5 for p, q in zip(curve, curve[1:])]
+        self.assertLess(max(steps), 0.5 / 30 + 1e-5)
+        checked = self.waft("check", "b.waft.json")
+        self.assertEqual(0, checked.returncode, checked.stdout + checked.stderr)
+        for arguments in (("--path", "none.csv"), ("--image", "none.png"), ("--obstacle", "none.obj"), ("--path", "wedge.obj"),
+                          ("--shape", "birch"), ("--count", "0"), ("--text", "")):
+            refused = self.waft("new", "c.waft.json", *arguments)
+            self.assertEqual(2, refused.returncode, arguments)
+            self.assertIn(arguments[1] or "text", refused.stderr)
+            self.assertFalse((self.folder / "c.waft.json").exists())
+
+    def test_check_takes_what_is_fine(self):
+        said = self.check(0, "0 of them cannot be met, 0 remarks", constraints=[position(0, 60, [-0.9, -0.4, 1.9], radius=0.1)])
+        self.assertEqual(1, said.count("\n"))
+        self.assertEqual(["scene.waft.json"], [path.name for path in self.folder.iterdir()])
+
+    def test_check_tells_what_is_hard(self):
+        self.check(0, "hard: too fast: row 0 target 0: object 0 has 1 s for", constraints=[position(0, 30, [0.6, -0.5, 2.0])])
+        self.check(0, "hard: no time to fall: row 0", constraints=[{"kind": "rest", "object": 0, "frame": 45, "value": [-1, -0.5, 1]}])
+        self.check(0, "hard: too near: 1 pairs of the 2 marks at frame 60",
+                   constraints=[position(0, 60, [-0.9, 0.0, 2]), position(1, 60, [-0.9, 0.02, 2])])
+        self.check(0, "hard: too narrow: obstacles 0 and 1 are 0.05 m apart",
+                   obstacles=[{"kind": "box", "min": [1, -1, 0], "max": [1.2, 0, 2]}, {"kind": "box", "min": [1, 0.05, 0], "max": [1.2, 1, 2]}])
+        self.check(0, "hard: too narrow: row 0 target 0 lies 0.02 m from obstacle 0",
+                   obstacles=[{"kind": "box", "min": [-0.5, -1, 0], "max": [-0.3, 0, 2.2]}],
+                   constraints=[position(0, 60, [-0.52, -0.4, 2])])
+        self.check(0, "hard: too many", domain={"min": [-1.5, -1.5, 0], "max": [1, 1, 3]},
+                   shapes={"leaf": {"builtin": "leaf", "size": 1.1}})
+
+    def test_check_names_what_cannot_be(self):
+        said = self.check(3, "row 0 target 0", "inside obstacle 0", "row 1", "outside the volume", "2 of them cannot be met",
+                          obstacles=[{"kind": "box", "min": [0.9, -2, 0], "max": [1.0, 2, 4]}],
+                          constraints=[position(0, 60, [0.95, 0.6, 2.2]), position(1, 60, [0, 0, 9])])
+        self.assertNotIn("hard: too fast", said)
+        self.check(2, "/time/frames", time={"frames": 1})
+        self.assertEqual(2, self.waft("check", "none.waft.json").returncode)
+        self.assertEqual(2, self.waft("check", "scene.waft.json", "--database", "none.vtm").returncode)
+
+    def test_watch_flies_again_when_the_scene_is_saved(self):
+        self.write(objects=LEAVES["objects"] + [{"shape": "leaf", "position": [0, 0, 2]}])
+        process = subprocess.Popen([WAFT, "synthesize", "scene.waft.json", "--output", "out", "--watch"], cwd=self.folder,
+                                   stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.kill)
+        said = []
+
+        def wait():
+            for line in process.stderr:
+                said.append(line)
+                if "waiting for it to be saved" in line:
+                    return
+            self.fail(said)
+        wait()
+        first = (self.folder / "out" / "poses.csv").read_text(encoding="utf-8")
+        self.write(time={"frames": 1})
+        wait()
+        self.assertTrue(any("/time/frames" in line for line in said), said)
+        self.assertEqual(first, (self.folder / "out" / "poses.csv").read_text(encoding="utf-8"))
+        self.write()
+        wait()
+        second = (self.folder / "out" / "poses.csv").read_text(encoding="utf-8")
+        self.assertEqual((1 + 3 * 61, 1 + 2 * 61), (first.count("\n"), second.count("\n")))
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(0, process.wait(10), said)
+        process.stderr.close()
+        self.assertEqual({"out", "scene.waft.json"}, {path.name for path in self.folder.iterdir()})
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
