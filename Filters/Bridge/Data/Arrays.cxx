@@ -153,6 +153,12 @@ void AddStrings(vtkFieldData* data, const char* name, const std::vector<std::str
   AddScalars<vtkStringArray>(data, name, values);
 }
 
+std::string FirstString(vtkFieldData* data, const char* name)
+{
+  auto* texts = vtkStringArray::SafeDownCast(data->GetAbstractArray(name));
+  return texts && texts->GetNumberOfValues() > 0 ? texts->GetValue(0) : std::string();
+}
+
 void AddVectors(vtkFieldData* data, const char* name, const std::vector<Vec3>& values)
 {
   vtkNew<vtkDoubleArray> array;

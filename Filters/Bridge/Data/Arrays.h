@@ -27,6 +27,9 @@ void AddVectors(vtkFieldData* data, const char* name, const std::vector<Vec3>& v
 /// Four components a tuple, (w, x, y, z).
 void AddQuaternions(vtkFieldData* data, const char* name, const std::vector<Quat>& values);
 
+/// The first text of an array; an empty one when there is no such array.
+std::string FirstString(vtkFieldData* data, const char* name);
+
 /// Points of double precision.
 void SetPoints(vtkPoints* points, const std::vector<Vec3>& values);
 /// Points of double precision, each with a vertex.

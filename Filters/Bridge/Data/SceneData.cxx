@@ -73,6 +73,19 @@ Result SceneInfoFromFieldData(vtkDataObject* data, SceneInfo& info)
   return Result::Ok();
 }
 
+void AuthoredToFieldData(const std::string& part, vtkDataObject* data)
+{
+  if (!part.empty())
+  {
+    AddStrings(data->GetFieldData(), names::Authored, { part });
+  }
+}
+
+std::string AuthoredFromFieldData(vtkDataObject* data)
+{
+  return data == nullptr ? std::string() : FirstString(data->GetFieldData(), names::Authored);
+}
+
 void ObjectsToPolyData(const std::vector<MotionObject>& objects, const SceneInfo& info,
                        vtkPolyData* data)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Obstacles, winds and vortices of a scene file.
 #include "Base/Primitives.h"
+#include "Obstacles/SurfaceRepair.h"
 #include "Scene/SceneReader.h"
 
 #include <algorithm>
@@ -58,7 +59,7 @@ void SceneReader::ReadObstacles(const SceneNode& node)
   }
 }
 
-ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int place)
+ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int index)
 {
   const std::string expected = "box, sphere, cylinder or mesh";
   const SceneNode kindNode = node.At("kind", expected);
@@ -132,7 +133,13 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int place)
     kindNode.Fail(expected);
   }
   obstacle.ObstacleId =
-    node.Has("id") ? static_cast<int>(node.At("id", "").Integer("an id")) : place;
+    node.Has("id") ? static_cast<int>(node.At("id", "").Integer("an id")) : index;
+  Result closed = RepairSurface(node.Pointer(), obstacle.Mesh);
+  closed = closed ? CheckSelfIntersection(node.Pointer(), obstacle.Mesh) : closed;
+  if (!closed)
+  {
+    throw SceneError{ closed.Message() };
+  }
   const bool moves =
     std::any_of(places.begin(), places.end(), [&](const Vec3& at) { return at != places.front(); });
   for (std::size_t frame = 0; moves && frame < places.size(); ++frame)

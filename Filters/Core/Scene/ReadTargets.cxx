@@ -4,6 +4,7 @@
 #include "Scene/SceneReader.h"
 #include "Scene/SurfaceSampling.h"
 #include "Scene/TargetSampling.h"
+#include "Scene/TextFonts.h"
 
 #include <algorithm>
 
@@ -200,7 +201,7 @@ std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node,
   {
     const SceneNode text = node.At("text", "");
     std::string font = node.Has("font") ? node.At("font", "").Text() : "sans";
-    if (font != "sans" && font != "serif" && font != "mono")
+    if (!IsFontFamily(font))
     {
       font = this->File(node.At("font", ""));
     }
