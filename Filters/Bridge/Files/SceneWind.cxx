@@ -46,13 +46,13 @@ Result SceneWind::Build(const Scene& scene)
     const Result result = ReadWindFile(file.Path, scene.Info.Time, wind);
     if (!result)
     {
-      return Result::Error(file.Place + ": " + result.Message());
+      return Result::Error(file.Location + ": " + result.Message());
     }
     const bool isAlone = scene.WindFiles.size() == 1 && scene.Winds.empty();
     if (wind.Meaning == FieldMeaning::Velocity && !isAlone)
     {
-      return Result::Error(file.Place + ": expected the only wind of the scene (its `Velocity` "
-                                        "draws by drag and does not add up with others)");
+      return Result::Error(file.Location + ": expected the only wind of the scene (its `Velocity` "
+                                           "draws by drag and does not add up with others)");
     }
     built.Files.push_back(std::move(wind));
   }

@@ -46,7 +46,7 @@ std::string Reason(const std::string& what)
 }
 
 // Where a parser stands in a text, and the fields that it met in the objects around it.
-class ParserPlace
+class ParserPosition
 {
 public:
   /// False at a field that its object had before.
@@ -99,13 +99,13 @@ private:
 SceneJson ParseText(const std::string& text, const std::string& name)
 {
   // A field that stands twice in an object would silently win or lose.
-  ParserPlace place;
+  ParserPosition position;
   const auto refuseTwice = [&](int, SceneJson::parse_event_t event, SceneJson& value)
   {
-    if (!place.Pass(event, value))
+    if (!position.Pass(event, value))
     {
-      throw SceneError{ name + ": " + place.Pointer() +
-                        ": expected every field of an object once, found \"" + place.Field() +
+      throw SceneError{ name + ": " + position.Pointer() +
+                        ": expected every field of an object once, found \"" + position.Field() +
                         "\" twice" };
     }
     return true;

@@ -118,12 +118,12 @@ int SceneReader::ClassOf(const std::string& name)
 {
   auto& classes = this->Out.Classes;
   const auto found = std::find(classes.begin(), classes.end(), name);
-  const auto place = static_cast<int>(found - classes.begin());
+  const auto index = static_cast<int>(found - classes.begin());
   if (found == classes.end())
   {
     classes.push_back(name);
   }
-  return place;
+  return index;
 }
 
 // The id of the next object: what the entry says, or its place in the expanded list.

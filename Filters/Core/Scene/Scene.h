@@ -18,8 +18,8 @@ namespace waft
 /// A wind that is read from a file: .vti, .pvd or .vdb.
 struct WindFile
 {
-  std::string Path;  // resolved against the scene file's folder
-  std::string Place; // "FILE: /json/pointer", for messages
+  std::string Path;     // resolved against the scene file's folder
+  std::string Location; // "FILE: /json/pointer", for messages
 };
 
 /// Parts of a scene file as they were written, each a scene file itself, with names of files

@@ -53,7 +53,7 @@ private:
     int ClassId = -1;
   };
   // Where targets of a text, a picture or a mesh lie.
-  struct Placement
+  struct TargetFrame
   {
     Vec3 Origin = Vec3::Zero();
     Vec3 U = Vec3::UnitX();
@@ -95,8 +95,8 @@ private:
   std::vector<Target> SamplePlane(const SceneNode& node, TargetMask mask, std::size_t count,
                                   const std::vector<int>& classIds, int row) const;
   std::vector<Target> SampleMesh(const SceneNode& node, std::size_t count, int row) const;
-  Placement ReadPlacement(const SceneNode& node, bool needsWidth) const;
-  double BodyWidth(const Placement& place, int pixels) const;
+  TargetFrame ReadTargetFrame(const SceneNode& node, bool needsWidth) const;
+  double BodyWidth(const TargetFrame& frame, int pixels) const;
 
   std::string Name;
   std::string Folder;
