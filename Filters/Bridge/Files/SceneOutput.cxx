@@ -182,7 +182,7 @@ std::string TakenName(const std::vector<FileContent>& files, const std::vector<s
   return {};
 }
 
-Result CheckPlaceOf(const std::string& fileName)
+Result CheckNameOf(const std::string& fileName)
 {
   std::error_code error;
   if (!std::filesystem::exists(fileName, error) || IsSceneFile(fileName))
@@ -204,7 +204,7 @@ Result WriteSceneFiles(const SceneContents& scene, const std::string& fileName,
   {
     return WrongEnding(fileName, ".waft.json");
   }
-  WAFT_RETURN_IF_FAILED(CheckPlaceOf(fileName));
+  WAFT_RETURN_IF_FAILED(CheckNameOf(fileName));
   std::string folder = path.parent_path().string();
   folder += folder.empty() ? "" : "/";
   SceneContents whole = scene;
