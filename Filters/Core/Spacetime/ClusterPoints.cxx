@@ -15,7 +15,7 @@ std::vector<Eigen::MatrixX3d> HardConstraints::ClusterPoints(const StateVector& 
     for (const int frame : cluster.Frames())
     {
       const auto j = static_cast<std::size_t>(this->LevelOfFrame[frame]);
-      const bool isOwn = this->Share.Own().Contains(j);
+      const bool isOwn = this->Partition.Own().Contains(j);
       for (std::size_t c = 0; c < 3; ++c)
       {
         values.push_back(isOwn ? vector[this->Place(j, cluster.Object()) + c * this->Model.Stride()]
@@ -24,7 +24,7 @@ std::vector<Eigen::MatrixX3d> HardConstraints::ClusterPoints(const StateVector& 
       frames.push_back(j);
     }
   }
-  this->Share.GatherPoints(frames, values);
+  this->Partition.GatherPoints(frames, values);
   std::vector<Eigen::MatrixX3d> points;
   const float* value = values.data();
   for (const LinearCluster& cluster : this->Clusters)
@@ -47,7 +47,7 @@ void HardConstraints::SetClusterPoints(const std::vector<Eigen::MatrixX3d>& poin
     for (std::size_t k = 0; k < cluster.Frames().size(); ++k)
     {
       const auto j = static_cast<std::size_t>(this->LevelOfFrame[cluster.Frames()[k]]);
-      if (this->Share.Own().Contains(j))
+      if (this->Partition.Own().Contains(j))
       {
         float* x = vector.data() + this->Place(j, cluster.Object());
         for (int c = 0; c < 3; ++c)

@@ -80,7 +80,8 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
       const auto flags = [&](int frame) -> std::uint8_t&
       { return model.Flags[static_cast<std::size_t>(frame) * model.NumberOfObjects + o]; };
       const auto coherence = [&](int frame) -> float& {
-        return model.CoherenceShares[static_cast<std::size_t>(frame) * model.NumberOfObjects + o];
+        return model
+          .CoherenceFractions[static_cast<std::size_t>(frame) * model.NumberOfObjects + o];
       };
       // The way to and from a frame near the surface lies within the window, too.
       for (int frame = std::max(0, static_cast<int>(std::ceil(window.First)) + 1);

@@ -15,7 +15,7 @@ void FrameTerms::Adjoint(float* gradient)
   const std::size_t per = this->Model.Offsets.size();
   const std::size_t p = this->ParticleStride;
   const std::size_t s = this->BodyStride;
-  const float share = 1.0f / static_cast<float>(per);
+  const float fraction = 1.0f / static_cast<float>(per);
   const auto fill = [&](std::size_t place, std::size_t body, float factor, float drag)
   {
     SphAdjointRecord& record = this->Adjoints[place];
@@ -36,7 +36,7 @@ void FrameTerms::Adjoint(float* gradient)
     for (std::size_t k = 0; k < per; ++k)
     {
       const std::size_t place = ng + o * per + k;
-      fill(place, ng + o, share, this->Model.DragRates[o]);
+      fill(place, ng + o, fraction, this->Model.DragRates[o]);
       SphAdjointRecord& record = this->Adjoints[place];
       float* average = &record.AX + 4;
       float byRaise = 0.0f;
@@ -116,8 +116,8 @@ void FrameTerms::Adjoint(float* gradient)
     {
       bar[c] = this->AccelerationBar(c)[i];
     }
-    const Vec3 byPosition = this->Cushions[o].ByPosition.transpose() * bar;
-    const Vec3 byVelocity = this->Cushions[o].ByVelocity.transpose() * bar;
+    const Vec3 byPosition = this->Damping[o].ByPosition.transpose() * bar;
+    const Vec3 byVelocity = this->Damping[o].ByVelocity.transpose() * bar;
     for (int c = 0; c < 3; ++c)
     {
       gradient[c * s + i] += static_cast<float>(byPosition[c]);

@@ -80,7 +80,7 @@ std::vector<std::uint64_t> DigestOfPlaces(const SpacetimeSetup& setup)
   {
     DigestStream& sum = sums[place];
     sum.Values(Read(setup.Table.Planned[place]), Read(model.Flags[place]), Read(model.Reach[place]),
-               Read(model.CoherenceShares[place]), Read(model.NearestMarks[place]));
+               Read(model.CoherenceFractions[place]), Read(model.NearestMarks[place]));
     if (model.Flags[place] & FixedPosition)
     {
       sum.Value(Read(setup.ExactPositions[place]));

@@ -39,7 +39,7 @@ void Shift(const SpacetimeModel& model, std::size_t object, const std::vector<Ve
 
 } // namespace
 
-EditRegion FindEditRegion(const SpacetimeMemory& before, const ProblemDigest& now,
+EditRegion FindEditRegion(const SpacetimeWarmStart& before, const ProblemDigest& now,
                           const SpacetimeOptions& options, const SpacetimeSetup& setup,
                           const StateVector& state)
 {
@@ -93,7 +93,7 @@ EditRegion FindEditRegion(const SpacetimeMemory& before, const ProblemDigest& no
   return region;
 }
 
-void MoveToPlan(const SpacetimeMemory& before, const SpacetimeOptions& options,
+void MoveToPlan(const SpacetimeWarmStart& before, const SpacetimeOptions& options,
                 const SpacetimeSetup& setup, StateVector& state)
 {
   const SpacetimeModel& model = setup.Model;

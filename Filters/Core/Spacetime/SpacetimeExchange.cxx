@@ -33,7 +33,7 @@ void Exchange(StateArchive& stream, SpacetimeInput& input)
   Exchange(stream, input.Air);
 }
 
-void Exchange(StateArchive& stream, SpacetimeMemory& memory)
+void Exchange(StateArchive& stream, SpacetimeWarmStart& memory)
 {
   ExchangeDigest(stream, memory.Digest);
   stream.List(memory.State);

@@ -22,9 +22,9 @@ struct SpacetimeObjective::Worker
 
 SpacetimeObjective::SpacetimeObjective(const SpacetimeModel& model, const TimeLevel& level,
                                        const ParallelFor& parallel, const SphKernelTable& kernels,
-                                       bool keepsLists, const FrameShare* share) :
+                                       bool keepsLists, const FramePartition* partition) :
   Problem(model),
-  Times(level), Ranks(share != nullptr ? *share : FrameShare(level.NumberOfFrames())),
+  Times(level), Ranks(partition != nullptr ? *partition : FramePartition(level.NumberOfFrames())),
   Parallel(parallel), Kernels(kernels), KeepsLists(keepsLists)
 {
   const double self = model.Fluid.GasMass * model.Fluid.Kernel(0.0);
@@ -117,8 +117,8 @@ bool SpacetimeObjective::Chunked(Monitor* monitor, double from, double to,
     const std::size_t size = std::min(chunk, own.End - first);
     this->Parallel(size,
                    [&](std::size_t begin, std::size_t end) { body(first + begin, first + end); });
-    const double share = FractionDone(std::min(most, done + chunk), most);
-    if (monitor && !monitor->Tick(from + (to - from) * share, {}))
+    const double fraction = FractionDone(std::min(most, done + chunk), most);
+    if (monitor && !monitor->Tick(from + (to - from) * fraction, {}))
     {
       return false;
     }
@@ -140,9 +140,9 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
   NeighborList& list = this->ListOf(worker, j);
   terms.Forward(here, this->Times.Frames[j], last ? 1.0 : step, list);
 
-  const double share = last ? 0.0 : this->Times.StepWeights[j + 1];
-  const float wx = static_cast<float>(weights.PositionWeight * share);
-  const float wv = static_cast<float>(weights.VelocityWeight * share);
+  const double stepWeight = last ? 0.0 : this->Times.StepWeights[j + 1];
+  const float wx = static_cast<float>(weights.PositionWeight * stepWeight);
+  const float wv = static_cast<float>(weights.VelocityWeight * stepWeight);
   const float ws = static_cast<float>(weights.CoherenceWeight * weights.SpatialShare *
                                       this->SpatialScale * this->Times.FrameWeights[j]);
   const auto s = static_cast<float>(step);
@@ -193,13 +193,13 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
     {
       const bool isBound = !last && this->Bound[(j + 1) * model.NumberOfObjects + o];
       add(ng + o, static_cast<float>(model.Offsets.size()), objectStep, isBound ? 0.0f : 1.0f,
-          objectAir * model.CoherenceShare(this->Times.Frames[j], o),
+          objectAir * model.CoherenceFraction(this->Times.Frames[j], o),
           c == 2 ? model.SettlingSlip(o) : 0.0f);
     }
   }
   SpacetimeTerms& sums = this->FrameSums[j];
-  sums.Ex = 0.5 * share * ex;
-  sums.Ev = 0.5 * share * ev;
+  sums.Ex = 0.5 * stepWeight * ex;
+  sums.Ev = 0.5 * stepWeight * ev;
   sums.Ec = 0.5 * weights.SpatialShare * this->SpatialScale * this->Times.FrameWeights[j] * ec;
   if (gradient)
   {
@@ -218,9 +218,9 @@ void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
   const SpacetimeModel& model = this->Problem;
   const std::size_t stride = model.Stride();
   const std::size_t ng = model.NumberOfGas;
-  const double share = 1.0 - model.Weights.SpatialShare;
+  const double fraction = 1.0 - model.Weights.SpatialShare;
   const double w = this->Times.SmoothWeights[j];
-  const auto factor = static_cast<float>(model.Weights.CoherenceWeight * share * w);
+  const auto factor = static_cast<float>(model.Weights.CoherenceWeight * fraction * w);
   double sum = 0.0;
   for (int c = 0; c < 3; ++c)
   {
@@ -250,7 +250,7 @@ void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
       value *= weight * factor;
     }
   }
-  this->FrameSums[j].Ec += 0.5 * share * w * sum;
+  this->FrameSums[j].Ec += 0.5 * fraction * w * sum;
 }
 
 void SpacetimeObjective::ObjectFrame(const StateVector& state, std::size_t j, StateVector* gradient)

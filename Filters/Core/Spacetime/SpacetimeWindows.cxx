@@ -55,7 +55,7 @@ bool SpacetimeRun::MinimizeInWindows(const SpacetimeStep& step)
   {
     place = WindowPlace();
     whole.Constraints.Project(state);
-    whole.Share.FillHalo(state, model.FrameSize());
+    whole.Partition.FillHalo(state, model.FrameSize());
   }
   if (place.Energies.empty())
   {
@@ -118,7 +118,7 @@ bool SpacetimeRun::SolveWindow(const SpacetimeStep& step,
   part.Constraints.SetLeash(step.Leash / this->Setup.Spacing);
   float* begin = state.data() + level.PartBegin(window.first) * size;
   StateVector own =
-    part.Share.Take(StateVector(begin, begin + part.Level.NumberOfFrames() * size), size);
+    part.Partition.Take(StateVector(begin, begin + part.Level.NumberOfFrames() * size), size);
   LbfgsOptions options;
   options.MaximumNumberOfIterations = IterationsAtOnce;
   options.Tolerance = 0.0;
@@ -148,7 +148,7 @@ bool SpacetimeRun::SolveWindow(const SpacetimeStep& step,
   }
   if (last.E <= first.E)
   {
-    own = part.Share.Whole(std::move(own), size);
+    own = part.Partition.Whole(std::move(own), size);
     std::copy(own.begin(), own.end(), begin);
     SpacetimeTerms::Visit([](double& all, double now, double before) { all += now - before; },
                           this->Place.Terms, last, first);

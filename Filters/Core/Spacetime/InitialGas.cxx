@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Spacetime/GasStart.h"
+#include "Spacetime/InitialGas.h"
 
 #include "Base/FractionDone.h"
 #include "Spacetime/SplineFit.h"
@@ -97,8 +97,8 @@ SplineWind FitFlow(const SpacetimeModel& model, const TimeLevel& level, const St
 
 } // namespace
 
-bool StartGas(SpacetimeObjective& objective, const ParallelFor& parallel, Monitor& monitor,
-              StateVector& state)
+bool MakeInitialGas(SpacetimeObjective& objective, const ParallelFor& parallel, Monitor& monitor,
+                    StateVector& state)
 {
   const SpacetimeModel& model = objective.Model();
   const TimeLevel& level = objective.Level();
