@@ -18,8 +18,8 @@ std::vector<Eigen::MatrixX3d> HardConstraints::ClusterPoints(const StateVector& 
       const bool isOwn = this->Partition.Own().Contains(j);
       for (std::size_t c = 0; c < 3; ++c)
       {
-        values.push_back(isOwn ? vector[this->Place(j, cluster.Object()) + c * this->Model.Stride()]
-                               : 0.0f);
+        values.push_back(
+          isOwn ? vector[this->Offset(j, cluster.Object()) + c * this->Model.Stride()] : 0.0f);
       }
       frames.push_back(j);
     }
@@ -49,7 +49,7 @@ void HardConstraints::SetClusterPoints(const std::vector<Eigen::MatrixX3d>& poin
       const auto j = static_cast<std::size_t>(this->LevelOfFrame[cluster.Frames()[k]]);
       if (this->Partition.Own().Contains(j))
       {
-        float* x = vector.data() + this->Place(j, cluster.Object());
+        float* x = vector.data() + this->Offset(j, cluster.Object());
         for (int c = 0; c < 3; ++c)
         {
           x[c * this->Model.Stride()] =

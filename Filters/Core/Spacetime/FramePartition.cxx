@@ -227,13 +227,13 @@ void FramePartition::Exchange(StateArchive& stream, std::vector<float>& held,
   std::vector<float> block(blockSize);
   for (std::size_t j = 0; j < this->Count; ++j)
   {
-    const auto place = static_cast<std::ptrdiff_t>(this->Slot(j) * blockSize);
+    const auto offset = static_cast<std::ptrdiff_t>(this->Slot(j) * blockSize);
     if (!stream.IsReading())
     {
       Communicator::Bytes bytes;
       if (this->Owned.Contains(j))
       {
-        const char* first = reinterpret_cast<const char*>(held.data() + place);
+        const char* first = reinterpret_cast<const char*>(held.data() + offset);
         bytes.assign(first, first + size);
       }
       this->BringToFirst(j, bytes);
@@ -243,7 +243,7 @@ void FramePartition::Exchange(StateArchive& stream, std::vector<float>& held,
     stream.Raw(block.data(), size);
     if (this->Kept.Contains(j))
     {
-      std::copy_n(block.begin(), blockSize, held.begin() + place);
+      std::copy_n(block.begin(), blockSize, held.begin() + offset);
     }
   }
 }

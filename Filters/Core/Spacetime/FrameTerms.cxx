@@ -90,7 +90,7 @@ void FrameTerms::FillPositions(const float* state)
 }
 
 // Records and X, by place.
-void FrameTerms::PlaceParticles(const float* state)
+void FrameTerms::PositionParticles(const float* state)
 {
   const std::size_t ng = this->Model.NumberOfGas;
   const std::size_t n = this->Model.NumberOfParticles();
@@ -246,7 +246,7 @@ void FrameTerms::Forward(const float* state, int frame, double step, NeighborLis
   list.Update(this->Kernels, n, ng, x, x + p, x + 2 * p, static_cast<float>(this->Fluid.Support()),
               this->Scratch);
   this->Order = list.Order().data();
-  this->PlaceParticles(state);
+  this->PositionParticles(state);
   const SphNeighbors neighbors = list.View();
   this->AddWalls(frame);
   this->MakeRoom(list.NumberOfEntries());

@@ -55,7 +55,7 @@ private:
   static constexpr std::size_t Block = 256;
 
   void FillPositions(const float* state);
-  void PlaceParticles(const float* state);
+  void PositionParticles(const float* state);
   void MakeRoom(std::size_t entries);
   void GatherRates();
   void AddWalls(int frame);

@@ -151,7 +151,7 @@ void HardConstraints::TakeClusters(const std::vector<bool>& hasFrame)
   }
 }
 
-std::size_t HardConstraints::Place(std::size_t j, std::size_t object) const
+std::size_t HardConstraints::Offset(std::size_t j, std::size_t object) const
 {
   return this->Partition.Slot(j) * this->Model.FrameSize() + this->Model.NumberOfGas + object;
 }
@@ -203,7 +203,7 @@ void HardConstraints::Project(StateVector& state) const
             continue;
           }
           const int flags = this->Model.Flag(this->Level.Frames[j], o);
-          float* p = state.data() + this->Place(j, o);
+          float* p = state.data() + this->Offset(j, o);
           if (flags & FixedPosition)
           {
             Set(
@@ -220,7 +220,7 @@ void HardConstraints::Project(StateVector& state) const
   this->ForBalls(
     [&](const LevelBall& ball)
     {
-      float* p = state.data() + this->Place(ball.Frame, ball.Object);
+      float* p = state.data() + this->Offset(ball.Frame, ball.Object);
       const Vec3 d = Get(p, stride) - ball.Center;
       const double r = d.norm();
       if (r > ball.Radius * Inside)
@@ -255,8 +255,8 @@ void HardConstraints::EnterBalls(const TimelinePreconditioner& preconditioner,
   {
     if (this->Partition.Own().Contains(this->Touched.Frame(k)))
     {
-      const std::size_t place = this->Place(ball->Frame, ball->Object);
-      const Vec3 d = Get(state.data() + place, this->Model.Stride()) - ball->Center;
+      const std::size_t offset = this->Offset(ball->Frame, ball->Object);
+      const Vec3 d = Get(state.data() + offset, this->Model.Stride()) - ball->Center;
       const double inside = ball->Radius * Inside;
       if (d.norm() > inside)
       {
@@ -308,7 +308,7 @@ void HardConstraints::FindActive(const StateVector& state, const StateVector& gr
       if (n != Vec3::Zero())
       {
         this->ActiveBalls.push_back(
-          { this->Place(ball.Frame, ball.Object),
+          { this->Offset(ball.Frame, ball.Object),
             { static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()) } });
       }
     });
@@ -329,11 +329,11 @@ Vec3 HardConstraints::TouchNormal(const LevelBall& ball, const StateVector& stat
                                   const StateVector& gradient) const
 {
   const std::size_t stride = this->Model.Stride();
-  const std::size_t place = this->Place(ball.Frame, ball.Object);
-  const Vec3 d = Get(state.data() + place, stride) - ball.Center;
+  const std::size_t offset = this->Offset(ball.Frame, ball.Object);
+  const Vec3 d = Get(state.data() + offset, stride) - ball.Center;
   const double r = d.norm();
   const bool leaves =
-    r >= ball.Radius * OnSphere && r > 0.0 && Get(gradient.data() + place, stride).dot(d) < 0.0;
+    r >= ball.Radius * OnSphere && r > 0.0 && Get(gradient.data() + offset, stride).dot(d) < 0.0;
   return leaves ? Vec3(d / r) : Vec3::Zero();
 }
 
@@ -379,7 +379,7 @@ void HardConstraints::ProjectTangent(StateVector& direction) const
     for (std::size_t o = 0; o < no; ++o)
     {
       const int flags = this->Model.Flag(this->Level.Frames[j], o);
-      float* p = direction.data() + this->Place(j, o);
+      float* p = direction.data() + this->Offset(j, o);
       if (flags & FixedPosition)
       {
         Set(p, stride, Vec3::Zero());
@@ -399,7 +399,7 @@ void HardConstraints::ProjectTangent(StateVector& direction) const
   }
   for (const Active& active : this->ActiveBalls)
   {
-    float* p = direction.data() + active.Place;
+    float* p = direction.data() + active.Offset;
     const Vec3 n(active.Normal[0], active.Normal[1], active.Normal[2]);
     const Vec3 d = Get(p, stride);
     Set(p, stride, d - d.dot(n) * n);
@@ -428,7 +428,7 @@ double HardConstraints::MaxViolation(const StateVector& state) const
   double largest = 0.0;
   for (const LevelBall& ball : this->Balls)
   {
-    const Vec3 d = Get(state.data() + this->Place(ball.Frame, ball.Object), stride) - ball.Center;
+    const Vec3 d = Get(state.data() + this->Offset(ball.Frame, ball.Object), stride) - ball.Center;
     largest = std::max(largest, d.norm() - ball.Radius);
   }
   const std::vector<Eigen::MatrixX3d> points = this->ClusterPoints(state);

@@ -60,7 +60,7 @@ public:
 
 private:
   void EnterBalls(const TimelinePreconditioner& preconditioner, StateVector& state) const;
-  std::size_t Place(std::size_t j, std::size_t object) const;
+  std::size_t Offset(std::size_t j, std::size_t object) const;
   void HoldObjects(const std::vector<char>& movable);
   void TakeClusters(const std::vector<bool>& hasFrame);
   void ClearHeld(StateVector& direction) const;
@@ -95,7 +95,7 @@ private:
   std::vector<std::size_t> HeldGas;
   struct Active
   {
-    std::size_t Place;
+    std::size_t Offset;
     float Normal[3];
   };
   std::vector<Active> ActiveBalls;

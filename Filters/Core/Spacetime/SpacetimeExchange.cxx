@@ -22,7 +22,7 @@ namespace
 void ExchangeDigest(StateArchive& stream, ProblemDigest& digest)
 {
   stream.Values(digest.Shape, digest.Physics, digest.Vortices, digest.SceneVortices);
-  stream.List(digest.Places);
+  stream.List(digest.Requests);
 }
 
 } // namespace

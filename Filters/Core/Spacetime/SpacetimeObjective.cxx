@@ -86,7 +86,7 @@ FrameTerms& SpacetimeObjective::ForwardFrame(const StateVector& state, std::size
   }
   FrameTerms& terms = this->Pool.front()->Terms;
   const double step = j + 1 < this->Times.NumberOfFrames() ? this->Times.Steps[j + 1] : 1.0;
-  terms.Forward(state.data() + this->Place(j), this->Times.Frames[j], step,
+  terms.Forward(state.data() + this->Offset(j), this->Times.Frames[j], step,
                 this->ListOf(*this->Pool.front(), j));
   return terms;
 }
@@ -134,7 +134,7 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
   const std::size_t stride = model.Stride();
   const std::size_t ng = model.NumberOfGas;
   const bool last = j + 1 == this->Times.NumberOfFrames();
-  const float* here = state.data() + this->Place(j);
+  const float* here = state.data() + this->Offset(j);
   FrameTerms& terms = worker.Terms;
   const double step = last ? 0.0 : this->Times.Steps[j + 1];
   NeighborList& list = this->ListOf(worker, j);
@@ -203,14 +203,14 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
   sums.Ec = 0.5 * weights.SpatialShare * this->SpatialScale * this->Times.FrameWeights[j] * ec;
   if (gradient)
   {
-    float* g = gradient->data() + this->Place(j);
+    float* g = gradient->data() + this->Offset(j);
     std::fill(g, g + model.FrameSize(), 0.0f);
     terms.Adjoint(g);
   }
   const double crowding = weights.Separation * this->Times.FrameWeights[j];
   sums.Separation =
     crowding * terms.Crowding(static_cast<float>(crowding),
-                              gradient ? gradient->data() + this->Place(j) : nullptr);
+                              gradient ? gradient->data() + this->Offset(j) : nullptr);
 }
 
 void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
@@ -226,7 +226,7 @@ void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
   {
     float* r = this->Row(j, 2, c);
     const auto row = [&](std::size_t k)
-    { return state.data() + this->Place(k) + (3 + c) * stride; };
+    { return state.data() + this->Offset(k) + (3 + c) * stride; };
     std::copy(row(j), row(j) + model.NumberOfBodies(), r);
     for (const TimeLevel::Neighbor& neighbor : this->Times.Rows[j])
     {
@@ -257,8 +257,8 @@ void SpacetimeObjective::ObjectFrame(const StateVector& state, std::size_t j, St
 {
   const double weight = this->Times.FrameWeights[j];
   const ObjectTerms terms =
-    AddObjectTerms(this->Problem, this->Times.Frames[j], weight, state.data() + this->Place(j),
-                   gradient ? gradient->data() + this->Place(j) : nullptr);
+    AddObjectTerms(this->Problem, this->Times.Frames[j], weight, state.data() + this->Offset(j),
+                   gradient ? gradient->data() + this->Offset(j) : nullptr);
   SpacetimeTerms& sums = this->FrameSums[j];
   sums.Clearance = weight * terms.Clearance;
   sums.Approach = weight * terms.Approach;
@@ -273,7 +273,7 @@ void SpacetimeObjective::GatherFrame(std::size_t j, StateVector& gradient) const
   const std::size_t n = model.NumberOfBodies();
   const bool last = j + 1 == this->Times.NumberOfFrames();
   const auto row = [&](std::size_t k, int kind, int c) { return this->Row(k, kind, c); };
-  float* g = gradient.data() + this->Place(j);
+  float* g = gradient.data() + this->Offset(j);
   const auto step = static_cast<float>(this->Times.Steps[j]);
   for (int c = 0; c < 3; ++c)
   {

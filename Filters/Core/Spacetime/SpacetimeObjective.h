@@ -88,7 +88,10 @@ private:
   {
     return const_cast<SpacetimeObjective*>(this)->Row(j, kind, c);
   }
-  std::size_t Place(std::size_t j) const { return this->Ranks.Slot(j) * this->Problem.FrameSize(); }
+  std::size_t Offset(std::size_t j) const
+  {
+    return this->Ranks.Slot(j) * this->Problem.FrameSize();
+  }
 
   const SpacetimeModel& Problem;
   const TimeLevel& Times;

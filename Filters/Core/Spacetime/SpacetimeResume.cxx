@@ -65,9 +65,9 @@ void SpacetimeRun::ExchangeCheckpoint(StateArchive& stream)
     this->Solver->Solver->Exchange(stream);
     return;
   }
-  stream.Values(this->Place.Sweep, this->Place.Index);
-  Exchange(stream, this->Place.Terms);
-  stream.List(this->Place.Energies);
+  stream.Values(this->Current.Sweep, this->Current.Index);
+  Exchange(stream, this->Current.Terms);
+  stream.List(this->Current.Energies);
 }
 
 // An edit is short, and its end depends on what only this process has.
@@ -94,7 +94,7 @@ void SpacetimeRun::KeepCheckpoint(bool now)
   }
 }
 
-void SpacetimeRun::MarkPlace()
+void SpacetimeRun::MarkState()
 {
   if (this->KeepsCheckpoints())
   {
@@ -103,7 +103,7 @@ void SpacetimeRun::MarkPlace()
 }
 
 // Of a step that was stopped all but the lists is as it was at the mark.
-void SpacetimeRun::KeepPlace()
+void SpacetimeRun::KeepState()
 {
   if (this->Stopped && this->KeepsCheckpoints() && this->Ranks.Decide(!this->HasCheckpointFailed))
   {
@@ -213,7 +213,7 @@ bool SpacetimeRun::GoOn()
     return false;
   }
   // Vortices that came with new plans are not taken in, those that somebody changed are.
-  const bool isPlanned = digest.Places != memory.Digest.Places;
+  const bool isPlanned = digest.Requests != memory.Digest.Requests;
   const bool hasNewVortices = isPlanned ? digest.SceneVortices != memory.Digest.SceneVortices
                                         : digest.Vortices != memory.Digest.Vortices;
   SpacetimeModel& model = this->Setup.Model;

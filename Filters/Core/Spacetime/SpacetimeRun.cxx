@@ -177,7 +177,7 @@ void SpacetimeRun::TakeSteps()
   {
     const SpacetimeStep& step = steps[this->Next];
     this->EnterLevel(step.Coarseness);
-    this->MarkPlace();
+    this->MarkState();
     const bool windows = !step.IsUpdate && this->HasWindows(this->Solver->Level);
     if (step.IsUpdate ? this->UpdateFields(step)
                       : (windows ? this->MinimizeInWindows(step) : this->Minimize(step)))
@@ -223,7 +223,7 @@ bool SpacetimeRun::Minimize(const SpacetimeStep& step)
     monitor.Text = text;
     const bool isUp = this->TimeIsUp();
     this->KeepCheckpoint(isUp);
-    this->MarkPlace();
+    this->MarkState();
     this->IsCut = this->IsCut || isUp;
     return !isUp;
   };
@@ -231,7 +231,7 @@ bool SpacetimeRun::Minimize(const SpacetimeStep& step)
     solver.Solver->Minimize(solver.Objective, solver.Preconditioner, solver.Constraints, options,
                             observer, &monitor, state);
   this->Stopped = this->Stopped || !monitor.Going;
-  this->KeepPlace();
+  this->KeepState();
   return end != LbfgsEnd::Stopped;
 }
 
@@ -277,7 +277,7 @@ bool SpacetimeRun::UpdateFields(const SpacetimeStep& step)
     model.Wind = wind;
     this->Output.Convergence.resize(rows);
     this->Stopped = true;
-    this->KeepPlace();
+    this->KeepState();
   }
   return going;
 }

@@ -70,8 +70,8 @@ private:
   /// A step's observer calls this after each iterate.
   void KeepCheckpoint(bool now);
   /// At each place that a stopped run may go on from; writes the last one, when the run is stopped.
-  void MarkPlace();
-  void KeepPlace();
+  void MarkState();
+  void KeepState();
   bool KeepsCheckpoints() const;
   void WriteCheckpoint();
   void ExchangeCheckpoint(StateArchive& stream);
@@ -106,14 +106,14 @@ private:
   std::unique_ptr<LevelSolver> Solver; // of the level that the run is on
   int Coarseness = 0;                  // of that level
   std::size_t Window = 0;              // free frames that are solved at once on the present level
-  struct WindowPlace                   // in a minimisation by windows
+  struct CurrentWindow                 // in a minimisation by windows
   {
     int Sweep = 0;
     std::uint64_t Index = 0;      // of the window, in the sweep
     SpacetimeTerms Terms;         // E of the whole, now
     std::vector<double> Energies; // E of the whole after each sweep
   };
-  WindowPlace Place;
+  CurrentWindow Current;
 
   double AllWork = 1.0;     // expected, in iterations at full resolution
   bool Stopped = false;     // by the monitor

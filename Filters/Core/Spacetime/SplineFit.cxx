@@ -67,7 +67,7 @@ SplineFit::SplineFit(const SplineWind& shape, int knots, const std::vector<Splin
     for (const SplineSamples::Sample& sample : samples[j].Samples)
     {
       Row row;
-      row.Nodes = shape.Stencil(sample.Place);
+      row.Nodes = shape.Stencil(sample.Position);
       row.Weight = static_cast<float>(sample.Weight);
       for (int a = 0; a < 3; ++a)
       {

@@ -26,7 +26,7 @@ struct SplineSamples
 {
   struct Sample
   {
-    Vec3 Place = Vec3::Zero(); // [dx]
+    Vec3 Position = Vec3::Zero(); // [dx]
     Vec3 Value = Vec3::Zero();
     double Weight = 1.0;
   };

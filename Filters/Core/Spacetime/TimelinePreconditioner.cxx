@@ -221,14 +221,14 @@ void TimelinePreconditioner::Solve(const StateVector& in, StateVector& out) cons
                    {
                      const Columns columns = this->ColumnsAt(k);
                      const int c = columns.Component;
-                     const auto place = [&](int unknown)
+                     const auto offset = [&](int unknown)
                      {
                        return static_cast<std::size_t>(unknown / 2) * this->Model.FrameSize() +
                               (unknown % 2 ? 3 + c : c) * stride + columns.First;
                      };
                      this->SolveColumns(
-                       columns, [&](int i) { return in.data() + place(i); },
-                       [&](int i) { return out.data() + place(i); });
+                       columns, [&](int i) { return in.data() + offset(i); },
+                       [&](int i) { return out.data() + offset(i); });
                    }
                  });
 }
@@ -257,7 +257,7 @@ void TimelinePreconditioner::SolvePartitioned(const StateVector& in, StateVector
   }
   const auto size = [&](const FrameRange& frames, const FrameRange& columns)
   { return 2 * frames.Size() * (starts[columns.End] - starts[columns.Begin]); };
-  const auto place =
+  const auto offset =
     [&](const FrameRange& frames, const FrameRange& columns, std::size_t k, std::size_t unknown)
   {
     return 2 * frames.Size() * (starts[k] - starts[columns.Begin]) +
@@ -285,7 +285,7 @@ void TimelinePreconditioner::SolvePartitioned(const StateVector& in, StateVector
         {
           const std::size_t row = (i % 2 ? 3 : 0) + static_cast<std::size_t>(c.Component);
           visit(this->Partition.Slot(i / 2) * this->Model.FrameSize() + row * stride + c.First,
-                floats(mine[r]) + place(own, columns, k, i), c.Count);
+                floats(mine[r]) + offset(own, columns, k, i), c.Count);
         }
       }
     }
@@ -307,8 +307,8 @@ void TimelinePreconditioner::SolvePartitioned(const StateVector& in, StateVector
                      const auto value = [&](int i)
                      {
                        const int owner = owners[static_cast<std::size_t>(i / 2)];
-                       return floats(others[owner]) + place(this->Partition.OwnOf(owner), own, k,
-                                                            static_cast<std::size_t>(i));
+                       return floats(others[owner]) + offset(this->Partition.OwnOf(owner), own, k,
+                                                             static_cast<std::size_t>(i));
                      };
                      this->SolveColumns(this->ColumnsAt(k), value, value);
                    }

@@ -73,13 +73,13 @@ SplineWind EstimateWind(const SpacetimeObjective& objective, const StateVector& 
       }
       const float* p = state.data() + partition.Slot(j) * model.FrameSize() + i;
       SplineSamples::Sample sample;
-      sample.Place = Vec3(p[0], p[stride], p[2 * stride]);
+      sample.Position = Vec3(p[0], p[stride], p[2 * stride]);
       double rv[3];
       objective.VelocityResidual(j + 1, i, rv);
       sample.Value = Vec3(rv[0], rv[1], rv[2]) / step;
       if (!model.Wind.IsEmpty())
       {
-        sample.Value += SampleField(model.Wind, sample.Place, level.Frames[j]);
+        sample.Value += SampleField(model.Wind, sample.Position, level.Frames[j]);
       }
       sample.Weight = (gas ? options.GasStride : 1.0) * model.VelocityWeight(i) * step;
       samples[j].Samples.push_back(sample);
