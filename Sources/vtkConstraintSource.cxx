@@ -37,7 +37,7 @@ void vtkConstraintSource::SetNumberOfWaypoints(int count)
 
 void vtkConstraintSource::SetWaypoint(int index, double x, double y, double z)
 {
-  const std::array<double, 3> place{ x, y, z };
+  const std::array<double, 3> point{ x, y, z };
   if (index < 0)
   {
     return;
@@ -50,19 +50,19 @@ void vtkConstraintSource::SetWaypoint(int index, double x, double y, double z)
   {
     return; // it was refused
   }
-  if (this->Waypoints[static_cast<std::size_t>(index)] != place)
+  if (this->Waypoints[static_cast<std::size_t>(index)] != point)
   {
-    this->Waypoints[static_cast<std::size_t>(index)] = place;
+    this->Waypoints[static_cast<std::size_t>(index)] = point;
     this->Modified();
   }
 }
 
-void vtkConstraintSource::GetWaypoint(int index, double place[3]) const
+void vtkConstraintSource::GetWaypoint(int index, double point[3]) const
 {
   const bool isThere = index >= 0 && index < this->GetNumberOfWaypoints();
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    place[axis] = isThere ? this->Waypoints[static_cast<std::size_t>(index)][axis] : 0.0;
+    point[axis] = isThere ? this->Waypoints[static_cast<std::size_t>(index)][axis] : 0.0;
   }
 }
 

@@ -91,7 +91,7 @@ public:
   int GetNumberOfWaypoints() const { return static_cast<int>(this->Waypoints.size()); }
   void SetWaypoint(int index, double x, double y, double z);
   /** Zeros for a waypoint that is not there. */
-  void GetWaypoint(int index, double place[3]) const;
+  void GetWaypoint(int index, double point[3]) const;
   ///@}
   ///@{
   /** The volume (xmin, xmax, ymin, ymax, zmin, zmax) [m]. */

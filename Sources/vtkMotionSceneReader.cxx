@@ -10,7 +10,6 @@
 #include "Bridge/Files/SceneWind.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageOptions.h"
-#include "Obstacles/SurfaceRepair.h"
 #include "Scene/Scene.h"
 #include "Scene/SceneFileOptions.h"
 
@@ -28,31 +27,6 @@
 
 vtkStandardNewMacro(vtkMotionSceneReader);
 
-namespace
-{
-
-// What the reader of the format cannot see: surfaces that are not closed or cut themselves.
-waft::Result CheckObstacles(const std::string& file, waft::Scene& scene)
-{
-  for (std::size_t i = 0; i < scene.Obstacles.size(); ++i)
-  {
-    const std::string name = file + ": /obstacles/" + std::to_string(i);
-    waft::TriangleMesh& mesh = scene.Obstacles[i].Mesh;
-    waft::Result result = waft::RepairSurface(name, mesh);
-    if (result)
-    {
-      result = waft::CheckSelfIntersection(name, mesh);
-    }
-    if (!result)
-    {
-      return result;
-    }
-  }
-  return waft::Result::Ok();
-}
-
-} // namespace
-
 struct vtkMotionSceneReader::Contents
 {
   waft::Scene Scene;
@@ -68,10 +42,6 @@ struct vtkMotionSceneReader::Contents
   {
     waft::Scene scene;
     waft::Result result = waft::ReadScene(file, waft::VtkSceneAssets(), scene);
-    if (result)
-    {
-      result = CheckObstacles(file, scene);
-    }
     if (result)
     {
       result = this->Wind.Build(scene);
@@ -91,6 +61,10 @@ struct vtkMotionSceneReader::Contents
     waft::ObstaclesToPolyData(this->Scene.Obstacles, 0.0, info, this->KeptObstacles);
     waft::VorticesToPolyData(this->Scene.Vortices, info, this->KeptVortices);
     waft::ShapesToMultiBlock(this->Scene.Shapes, info, this->KeptShapes);
+    const waft::AuthoredScene& authored = this->Scene.Authored;
+    waft::AuthoredToFieldData(authored.Objects, this->KeptObjects);
+    waft::AuthoredToFieldData(authored.Constraints, this->KeptConstraints);
+    waft::AuthoredToFieldData(authored.Obstacles, this->KeptObstacles);
   }
 };
 
@@ -190,7 +164,9 @@ int vtkMotionSceneReader::RequestData(vtkInformation* request, vtkInformationVec
     waft::MoveObstacles(read.Scene.Obstacles, time * info.Time.FramesPerSecond,
                         vtkPolyData::GetData(outputs, OBSTACLES));
   }
-  read.Wind.Fill(time, info, vtkImageData::GetData(outputs, WIND));
+  vtkImageData* wind = vtkImageData::GetData(outputs, WIND);
+  read.Wind.Fill(time, info, wind);
+  waft::AuthoredToFieldData(read.Scene.Authored.Winds, wind);
   (void)waft::RequestedTimeOfAll(request, outputs, info.Time); // filling has cleared the stamps
   return 1;
 }

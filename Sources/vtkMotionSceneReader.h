@@ -20,7 +20,10 @@
  *    the scene has no wind.
  *
  * Every output carries the field data `Bounds`, `NumberOfFrames`, `FramesPerSecond`, `AirDensity`
- * and `Seed`, and every port the frames as time steps. An error's text is `FILE: /json/pointer:
+ * and `Seed`, and every port the frames as time steps. Every output that a section of the file made
+ * (of Shapes each block, of Objects also the title) carries that section as the artist wrote it, in
+ * the field data `Authored` (text): a scene file of that section alone, with names of files
+ * resolved. vtkMotionSceneWriter writes it back. An error's text is `FILE: /json/pointer:
  * expected what, found what`, and all outputs are then empty.
  */
 #ifndef vtkMotionSceneReader_h

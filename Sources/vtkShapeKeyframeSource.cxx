@@ -27,7 +27,7 @@ namespace
 struct Drawing
 {
   const waft::KeyframeOptions& Options;
-  std::vector<waft::Vec3> Places;
+  std::vector<waft::Vec3> Positions;
   std::vector<int> Classes;
 
   waft::Result Draw(vtkPolyData* input);
@@ -52,9 +52,9 @@ waft::Result Drawing::DrawMask(const waft::TargetMask& mask)
   WAFT_RETURN_IF_FAILED(waft::SampleMask(mask, this->Count(), {}, this->Options.Seed, 0, targets));
   for (const waft::PlaneTarget& target : targets)
   {
-    this->Places.push_back(this->Options.Origin +
-                           this->Options.Width *
-                             (target.X * u.normalized() + target.Y * v.normalized()));
+    this->Positions.push_back(this->Options.Origin +
+                              this->Options.Width *
+                                (target.X * u.normalized() + target.Y * v.normalized()));
     this->Classes.push_back(target.Class);
   }
   return waft::Result::Ok();
@@ -98,8 +98,8 @@ waft::Result Drawing::DrawSurface(vtkPolyData* input)
   waft::TriangleMesh mesh;
   WAFT_RETURN_IF_FAILED(waft::MeshFromPolyData(input, "Input", mesh));
   WAFT_RETURN_IF_FAILED(
-    waft::SampleSurface(mesh, this->Count(), this->Options.Seed, 0, this->Places));
-  this->Classes.assign(this->Places.size(), -1);
+    waft::SampleSurface(mesh, this->Count(), this->Options.Seed, 0, this->Positions));
+  this->Classes.assign(this->Positions.size(), -1);
   return waft::Result::Ok();
 }
 
@@ -122,14 +122,14 @@ std::vector<waft::Constraint> RowsOf(const Drawing& drawing)
   const waft::KeyframeOptions& options = drawing.Options;
   const int last = options.NumberOfFrames - 1;
   std::vector<waft::Constraint> rows;
-  for (std::size_t k = 0; k < drawing.Places.size(); ++k)
+  for (std::size_t k = 0; k < drawing.Positions.size(); ++k)
   {
     waft::Constraint row;
     row.Kind = options.Rest ? waft::ConstraintKind::Rest : waft::ConstraintKind::Position;
     row.Frame = options.Frame;
     row.Until = options.Rest ? std::max(options.Frame, options.Until < 0 ? last : options.Until)
                              : options.Frame;
-    row.Value = drawing.Places[k];
+    row.Value = drawing.Positions[k];
     row.Radius = options.Radius;
     row.Row = -1;
     row.Target = static_cast<int>(k);

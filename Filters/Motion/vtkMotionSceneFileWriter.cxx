@@ -11,6 +11,8 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
 
+#include <vector>
+
 vtkStandardNewMacro(vtkMotionSceneFileWriter);
 
 int vtkMotionSceneFileWriter::FillInputPortInformation(int, vtkInformation* info)
@@ -24,7 +26,12 @@ void vtkMotionSceneFileWriter::WriteData()
   waft::SceneContents scene;
   waft::Result result =
     waft::SceneFromBlocks(vtkMultiBlockDataSet::SafeDownCast(this->GetInput()), scene);
-  result = result ? waft::WriteSceneFiles(scene, this->FileName) : result;
+  std::vector<std::string> remarks;
+  result = result ? waft::WriteSceneFiles(scene, this->FileName, remarks) : result;
+  for (const std::string& remark : remarks)
+  {
+    vtkWarningMacro(<< remark);
+  }
   if (!result)
   {
     vtkErrorMacro(<< result.Message());

@@ -18,6 +18,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
+#include <vector>
+
 vtkStandardNewMacro(vtkMotionSceneWriter);
 
 namespace
@@ -59,6 +61,10 @@ waft::Result vtkMotionSceneWriter::Internals::Run(vtkInformationVector** inputs,
     waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[ObjectsPort]), parts.Objects));
   WAFT_RETURN_IF_FAILED(this->TakeConstraints(inputs[ConstraintsPort], parts.Constraints));
   parts.Obstacles = this->Fields.TakeObstacles();
+  const auto authored = [&](int port)
+  { return waft::AuthoredFromFieldData(vtkDataObject::GetData(inputs[port])); };
+  parts.Authored = { authored(ObjectsPort), authored(ConstraintsPort), authored(ObstaclesPort),
+                     authored(WindPort) };
   scene.Wind = this->Fields.TakeWind();
   if (auto* shapes = vtkMultiBlockDataSet::GetData(inputs[ShapesPort]))
   {
@@ -70,7 +76,12 @@ waft::Result vtkMotionSceneWriter::Internals::Run(vtkInformationVector** inputs,
   }
   if (!this->Self->FileName.empty())
   {
-    WAFT_RETURN_IF_FAILED(waft::WriteSceneFiles(scene, this->Self->FileName));
+    std::vector<std::string> remarks;
+    WAFT_RETURN_IF_FAILED(waft::WriteSceneFiles(scene, this->Self->FileName, remarks));
+    for (const std::string& remark : remarks)
+    {
+      vtkWarningWithObjectMacro(this->Self, << remark);
+    }
     this->IsWritten = true;
   }
   waft::SceneToBlocks(scene, this->Kept<vtkMultiBlockDataSet>(0));

@@ -16,8 +16,12 @@
  *
  * What sources made by hand, or vtkMotionSceneReader read, edited or not, reads back from the file
  * the same, number by number; the format is in Documentation/SceneFiles.md, with what it does not
- * keep. Meshes and winds go into files beside the scene's. All files are written, or none: upon an
- * error, which names the object, row, shape or obstacle, what stood there before is untouched.
+ * keep. Inputs (of Shapes each block) that carry the field data `Authored` (text, from
+ * vtkMotionSceneReader) are written in the artist's own words, entry by entry, as far as these
+ * still make the data; edits win. Meshes without words and edited winds go into files beside the
+ * scene's. A file there that the writer did not make as it is stays, and others are named; a
+ * warning says so. All files are written, or none: upon an error, which names the object, row,
+ * shape or obstacle, what stood there before is untouched.
  * Executing the stage writes, once for each change; without a FileName nothing is written.
  */
 #ifndef vtkMotionSceneWriter_h

@@ -15,7 +15,7 @@
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Spacetime/Spacetime.h"
 #include "Spacetime/SpacetimeBudget.h"
-#include "Spacetime/SpacetimeMemory.h"
+#include "Spacetime/SpacetimeWarmStart.h"
 
 #include <vtkCellData.h>
 #include <vtkImageData.h>
@@ -61,7 +61,7 @@ struct vtkSPHSpacetimeFilter::Internals : waft::KeptStage
 {
   vtkSPHSpacetimeFilter* Self;
   waft::SpacetimeOutput Solution;
-  waft::SpacetimeMemory Memory; // of the last run, for the next
+  waft::SpacetimeWarmStart Memory; // of the last run, for the next
 
   explicit Internals(vtkSPHSpacetimeFilter* self) :
     KeptStage(self, PlannedPort, ObstaclesPort, BackgroundPort, AirPort), Self(self)
@@ -178,7 +178,7 @@ void vtkSPHSpacetimeFilter::Continue()
 
 void vtkSPHSpacetimeFilter::Restart()
 {
-  this->Impl->Memory = waft::SpacetimeMemory();
+  this->Impl->Memory = waft::SpacetimeWarmStart();
   this->Modified();
 }
 

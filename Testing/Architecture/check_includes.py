@@ -19,7 +19,7 @@ CORE_MAY_INCLUDE = {
     "Base": set(),
     "Files": {"Base"},
     "Constraints": {"Base", "Obstacles"},
-    "Scene": {"Base", "Constraints"},
+    "Scene": {"Base", "Constraints", "Obstacles"},
     "Shapes": {"Base"},
     "Grid": {"Base"},
     "Obstacles": {"Base"},

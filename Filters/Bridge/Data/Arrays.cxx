@@ -83,11 +83,11 @@ Result FindNumbers(vtkFieldData* data, const std::string& what, const char* name
 
 // The array with its shape and its numbers checked; null without an error when it is absent and may
 // be.
-Result Find(const ArrayPlace& place, const char* name, int components, bool isOptional,
+Result Find(const ArraySource& source, const char* name, int components, bool isOptional,
             const limits::Range& range, vtkDataArray*& array)
 {
-  const std::string what = ArrayText(place.Owner, name);
-  WAFT_RETURN_IF_FAILED(FindNumbers(place.Data, what, name, array));
+  const std::string what = ArrayText(source.Owner, name);
+  WAFT_RETURN_IF_FAILED(FindNumbers(source.Data, what, name, array));
   if (!array)
   {
     return isOptional ? Result::Ok() : Result::Error(what + " is missing");
@@ -97,9 +97,9 @@ Result Find(const ArrayPlace& place, const char* name, int components, bool isOp
     return Result::Error(what + ": expected " + std::to_string(components) + " components, found " +
                          std::to_string(array->GetNumberOfComponents()));
   }
-  if (array->GetNumberOfTuples() != place.Tuples)
+  if (array->GetNumberOfTuples() != source.Tuples)
   {
-    return Result::Error(what + ": expected " + std::to_string(place.Tuples) + " entries, found " +
+    return Result::Error(what + ": expected " + std::to_string(source.Tuples) + " entries, found " +
                          std::to_string(array->GetNumberOfTuples()));
   }
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
@@ -117,14 +117,15 @@ Result Find(const ArrayPlace& place, const char* name, int components, bool isOp
 }
 
 template <class ValueT, class Convert>
-Result Read(const ArrayPlace& place, const char* name, int components, std::vector<ValueT>& values,
-            const ValueT* fallback, Convert convert, const limits::Range& range)
+Result Read(const ArraySource& source, const char* name, int components,
+            std::vector<ValueT>& values, const ValueT* fallback, Convert convert,
+            const limits::Range& range)
 {
   vtkDataArray* array = nullptr;
-  WAFT_RETURN_IF_FAILED(Find(place, name, components, fallback != nullptr, range, array));
+  WAFT_RETURN_IF_FAILED(Find(source, name, components, fallback != nullptr, range, array));
   values.clear();
-  values.reserve(static_cast<std::size_t>(place.Tuples));
-  for (vtkIdType i = 0; i < place.Tuples; ++i)
+  values.reserve(static_cast<std::size_t>(source.Tuples));
+  for (vtkIdType i = 0; i < source.Tuples; ++i)
   {
     values.push_back(array ? convert(array, i) : *fallback);
   }
@@ -151,6 +152,12 @@ void AddBytes(vtkFieldData* data, const char* name, const std::vector<unsigned c
 void AddStrings(vtkFieldData* data, const char* name, const std::vector<std::string>& values)
 {
   AddScalars<vtkStringArray>(data, name, values);
+}
+
+std::string FirstString(vtkFieldData* data, const char* name)
+{
+  auto* texts = vtkStringArray::SafeDownCast(data->GetAbstractArray(name));
+  return texts && texts->GetNumberOfValues() > 0 ? texts->GetValue(0) : std::string();
 }
 
 void AddVectors(vtkFieldData* data, const char* name, const std::vector<Vec3>& values)
@@ -219,40 +226,40 @@ Result ReadNumber(vtkFieldData* data, const std::string& owner, const char* name
   return Result::Ok();
 }
 
-Result ReadDoubles(const ArrayPlace& place, const char* name, std::vector<double>& values,
+Result ReadDoubles(const ArraySource& source, const char* name, std::vector<double>& values,
                    const double* fallback)
 {
   return Read(
-    place, name, 1, values, fallback,
+    source, name, 1, values, fallback,
     [](vtkDataArray* array, vtkIdType i) { return array->GetComponent(i, 0); }, RangeOf(name));
 }
 
-Result ReadInts(const ArrayPlace& place, const char* name, std::vector<int>& values,
+Result ReadInts(const ArraySource& source, const char* name, std::vector<int>& values,
                 const int* fallback)
 {
   constexpr limits::Range range = { std::numeric_limits<int>::min(),
                                     std::numeric_limits<int>::max() };
-  vtkDataArray* array = place.Data->GetArray(name);
+  vtkDataArray* array = source.Data->GetArray(name);
   for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
   {
     const double number = array->GetComponent(i, 0);
     if (range.Holds(number) && number != std::floor(number))
     {
-      return Result::Error(ArrayText(place.Owner, name) + ": entry " + std::to_string(i) +
+      return Result::Error(ArrayText(source.Owner, name) + ": entry " + std::to_string(i) +
                            ": expected a whole number, found " + NumberText(number, 10));
     }
   }
   return Read(
-    place, name, 1, values, fallback,
+    source, name, 1, values, fallback,
     [](vtkDataArray* array, vtkIdType i) { return static_cast<int>(array->GetComponent(i, 0)); },
     range);
 }
 
-Result ReadVectors(const ArrayPlace& place, const char* name, std::vector<Vec3>& values,
+Result ReadVectors(const ArraySource& source, const char* name, std::vector<Vec3>& values,
                    const Vec3* fallback)
 {
   return Read(
-    place, name, 3, values, fallback,
+    source, name, 3, values, fallback,
     [](vtkDataArray* array, vtkIdType i)
     {
       Vec3 v;
@@ -262,11 +269,11 @@ Result ReadVectors(const ArrayPlace& place, const char* name, std::vector<Vec3>&
     RangeOf(name));
 }
 
-Result ReadQuaternions(const ArrayPlace& place, const char* name, std::vector<Quat>& values,
+Result ReadQuaternions(const ArraySource& source, const char* name, std::vector<Quat>& values,
                        const Quat* fallback)
 {
   return Read(
-    place, name, 4, values, fallback,
+    source, name, 4, values, fallback,
     [](vtkDataArray* array, vtkIdType i)
     {
       double q[4];

@@ -27,6 +27,9 @@ void AddVectors(vtkFieldData* data, const char* name, const std::vector<Vec3>& v
 /// Four components a tuple, (w, x, y, z).
 void AddQuaternions(vtkFieldData* data, const char* name, const std::vector<Quat>& values);
 
+/// The first text of an array; an empty one when there is no such array.
+std::string FirstString(vtkFieldData* data, const char* name);
+
 /// Points of double precision.
 void SetPoints(vtkPoints* points, const std::vector<Vec3>& values);
 /// Points of double precision, each with a vertex.
@@ -38,7 +41,7 @@ Result ReadNumber(vtkFieldData* data, const std::string& owner, const char* name
                   const limits::Range& range, double& value);
 
 /// What is read, for messages: "Tracks: point data array".
-struct ArrayPlace
+struct ArraySource
 {
   vtkFieldData* Data;
   std::string Owner;
@@ -48,13 +51,13 @@ struct ArrayPlace
 /// Read an array of one component (three, four); the message names owner and array, what was
 /// expected and the first entry that is out of the range of its name (a whole number for ints).
 /// With a fallback an absent array is filled with it.
-Result ReadDoubles(const ArrayPlace& place, const char* name, std::vector<double>& values,
+Result ReadDoubles(const ArraySource& source, const char* name, std::vector<double>& values,
                    const double* fallback = nullptr);
-Result ReadInts(const ArrayPlace& place, const char* name, std::vector<int>& values,
+Result ReadInts(const ArraySource& source, const char* name, std::vector<int>& values,
                 const int* fallback = nullptr);
-Result ReadVectors(const ArrayPlace& place, const char* name, std::vector<Vec3>& values,
+Result ReadVectors(const ArraySource& source, const char* name, std::vector<Vec3>& values,
                    const Vec3* fallback = nullptr);
-Result ReadQuaternions(const ArrayPlace& place, const char* name, std::vector<Quat>& values,
+Result ReadQuaternions(const ArraySource& source, const char* name, std::vector<Quat>& values,
                        const Quat* fallback = nullptr);
 /// Fails on a coordinate that is none (limits::Coordinate).
 Result ReadPoints(vtkPoints* points, const std::string& owner, std::vector<Vec3>& values);

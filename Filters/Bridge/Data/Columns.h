@@ -63,34 +63,34 @@ void AddColumn(vtkFieldData* data, const char* name, const std::vector<Row>& row
   AddArray(data, name, Column(rows, value));
 }
 
-inline Result ReadArray(const ArrayPlace& place, const char* name, std::vector<double>& values)
+inline Result ReadArray(const ArraySource& source, const char* name, std::vector<double>& values)
 {
-  return ReadDoubles(place, name, values);
+  return ReadDoubles(source, name, values);
 }
 
-inline Result ReadArray(const ArrayPlace& place, const char* name, std::vector<int>& values)
+inline Result ReadArray(const ArraySource& source, const char* name, std::vector<int>& values)
 {
-  return ReadInts(place, name, values);
+  return ReadInts(source, name, values);
 }
 
-inline Result ReadArray(const ArrayPlace& place, const char* name, std::vector<Vec3>& values)
+inline Result ReadArray(const ArraySource& source, const char* name, std::vector<Vec3>& values)
 {
-  return ReadVectors(place, name, values);
+  return ReadVectors(source, name, values);
 }
 
-inline Result ReadArray(const ArrayPlace& place, const char* name, std::vector<Quat>& values)
+inline Result ReadArray(const ArraySource& source, const char* name, std::vector<Quat>& values)
 {
-  return ReadQuaternions(place, name, values);
+  return ReadQuaternions(source, name, values);
 }
 
 /// Reads an array into a member of the rows, of which there are as many as the place has entries.
 /// Fails as the reading of the array does.
 template <class Row, class Value>
-Result ReadColumn(const ArrayPlace& place, const char* name, std::vector<Row>& rows,
+Result ReadColumn(const ArraySource& source, const char* name, std::vector<Row>& rows,
                   Value Row::*member)
 {
   std::vector<Value> values;
-  if (Result read = ReadArray(place, name, values); !read)
+  if (Result read = ReadArray(source, name, values); !read)
   {
     return read;
   }
@@ -103,10 +103,11 @@ Result ReadColumn(const ArrayPlace& place, const char* name, std::vector<Row>& r
 
 /// The same; when the array is absent the rows stay as they are.
 template <class Row, class Value>
-Result ReadOptionalColumn(const ArrayPlace& place, const char* name, std::vector<Row>& rows,
+Result ReadOptionalColumn(const ArraySource& source, const char* name, std::vector<Row>& rows,
                           Value Row::*member)
 {
-  return place.Data->GetAbstractArray(name) ? ReadColumn(place, name, rows, member) : Result::Ok();
+  return source.Data->GetAbstractArray(name) ? ReadColumn(source, name, rows, member)
+                                             : Result::Ok();
 }
 
 } // namespace waft

@@ -58,23 +58,23 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
 Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
                                std::vector<Constraint>& constraints)
 {
-  const ArrayPlace place{ data->GetPointData(), "Constraints", data->GetNumberOfPoints() };
+  const ArraySource source{ data->GetPointData(), "Constraints", data->GetNumberOfPoints() };
   const int last = time.NumberOfFrames - 1;
   const int met = 0;
   Constraint fallback;
   fallback.Until = last;
   fallback.Row = -1;
-  std::vector<Constraint> read(static_cast<std::size_t>(place.Tuples), fallback);
+  std::vector<Constraint> read(static_cast<std::size_t>(source.Tuples), fallback);
   std::vector<int> kinds, statuses;
   std::vector<Quat> values;
-  std::vector<Vec3> places; // shown alone: `Value` is what counts
-  WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "Constraints", places));
+  std::vector<Vec3> positions; // shown alone: `Value` is what counts
+  WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "Constraints", positions));
   const auto readOptional = [&](const char* name, auto member)
-  { return ReadOptionalColumn(place, name, read, member); };
-  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::ObjectId, read, &Constraint::ObjectId));
-  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::Frame, read, &Constraint::Frame));
-  WAFT_RETURN_IF_FAILED(ReadInts(place, names::Kind, kinds));
-  WAFT_RETURN_IF_FAILED(ReadQuaternions(place, names::Value, values));
+  { return ReadOptionalColumn(source, name, read, member); };
+  WAFT_RETURN_IF_FAILED(ReadColumn(source, names::ObjectId, read, &Constraint::ObjectId));
+  WAFT_RETURN_IF_FAILED(ReadColumn(source, names::Frame, read, &Constraint::Frame));
+  WAFT_RETURN_IF_FAILED(ReadInts(source, names::Kind, kinds));
+  WAFT_RETURN_IF_FAILED(ReadQuaternions(source, names::Value, values));
   WAFT_RETURN_IF_FAILED(readOptional(names::Radius, &Constraint::Radius));
   WAFT_RETURN_IF_FAILED(readOptional(names::Until, &Constraint::Until));
   WAFT_RETURN_IF_FAILED(readOptional(names::TouchDown, &Constraint::TouchDown));
@@ -82,7 +82,7 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   WAFT_RETURN_IF_FAILED(readOptional(names::Target, &Constraint::Target));
   WAFT_RETURN_IF_FAILED(readOptional(names::Group, &Constraint::Group));
   WAFT_RETURN_IF_FAILED(readOptional(names::ClassId, &Constraint::ClassId));
-  WAFT_RETURN_IF_FAILED(ReadInts(place, names::Status, statuses, &met));
+  WAFT_RETURN_IF_FAILED(ReadInts(source, names::Status, statuses, &met));
   for (std::size_t i = 0; i < read.size(); ++i)
   {
     Constraint& row = read[i];

@@ -24,13 +24,13 @@ namespace waft
 namespace
 {
 
-vtkDoubleArray* FindRows(const ArrayPlace& place, const char* name, Result& result)
+vtkDoubleArray* FindRows(const ArraySource& source, const char* name, Result& result)
 {
-  auto* array = vtkDoubleArray::SafeDownCast(place.Data->GetArray(name));
-  if (!array || array->GetNumberOfTuples() != place.Tuples)
+  auto* array = vtkDoubleArray::SafeDownCast(source.Data->GetArray(name));
+  if (!array || array->GetNumberOfTuples() != source.Tuples)
   {
-    result = Result::Error(place.Owner + ": expected an array `" + name + "` of doubles with " +
-                           std::to_string(place.Tuples) + " entries");
+    result = Result::Error(source.Owner + ": expected an array `" + name + "` of doubles with " +
+                           std::to_string(source.Tuples) + " entries");
     return nullptr;
   }
   return array;
@@ -38,15 +38,15 @@ vtkDoubleArray* FindRows(const ArrayPlace& place, const char* name, Result& resu
 
 Result ReadBasis(vtkTable* table, MotionDatabase& database)
 {
-  const ArrayPlace place{ table->GetRowData(), "Basis", table->GetNumberOfRows() };
+  const ArraySource source{ table->GetRowData(), "Basis", table->GetNumberOfRows() };
   std::vector<int> groups, ranks;
   std::vector<double> errors, means;
-  WAFT_RETURN_IF_FAILED(ReadInts(place, names::Group, groups));
-  WAFT_RETURN_IF_FAILED(ReadInts(place, names::Rank, ranks));
-  WAFT_RETURN_IF_FAILED(ReadDoubles(place, names::RelativeError, errors));
-  WAFT_RETURN_IF_FAILED(ReadDoubles(place, names::Mean, means));
+  WAFT_RETURN_IF_FAILED(ReadInts(source, names::Group, groups));
+  WAFT_RETURN_IF_FAILED(ReadInts(source, names::Rank, ranks));
+  WAFT_RETURN_IF_FAILED(ReadDoubles(source, names::RelativeError, errors));
+  WAFT_RETURN_IF_FAILED(ReadDoubles(source, names::Mean, means));
   Result result = Result::Ok();
-  vtkDoubleArray* basis = FindRows(place, names::Basis, result);
+  vtkDoubleArray* basis = FindRows(source, names::Basis, result);
   WAFT_RETURN_IF_FAILED(result);
   for (std::size_t begin = 0; begin < groups.size();)
   {
@@ -84,8 +84,8 @@ Result ReadBasis(vtkTable* table, MotionDatabase& database)
 Result ReadSegments(vtkPolyData* data, MotionDatabase& database)
 {
   WAFT_RETURN_IF_FAILED(CheckCells(data, "Segments"));
-  const ArrayPlace cells{ data->GetCellData(), "Segments", data->GetNumberOfCells() };
-  const ArrayPlace points{ data->GetPointData(), "Segments", data->GetNumberOfPoints() };
+  const ArraySource cells{ data->GetCellData(), "Segments", data->GetNumberOfCells() };
+  const ArraySource points{ data->GetPointData(), "Segments", data->GetNumberOfPoints() };
   std::vector<int> groups, simulations, types, vortexIds;
   std::vector<Vec3> winds;
   WAFT_RETURN_IF_FAILED(ReadInts(cells, names::Group, groups));
@@ -146,18 +146,18 @@ Result ReadSegments(vtkPolyData* data, MotionDatabase& database)
 
 Result ReadNodes(vtkTable* table, MotionDatabase& database)
 {
-  const ArrayPlace place{ table->GetRowData(), "Nodes", table->GetNumberOfRows() };
-  database.Nodes.resize(static_cast<std::size_t>(place.Tuples));
+  const ArraySource source{ table->GetRowData(), "Nodes", table->GetNumberOfRows() };
+  database.Nodes.resize(static_cast<std::size_t>(source.Tuples));
   std::vector<ClusterNode>& nodes = database.Nodes;
-  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::Group, nodes, &ClusterNode::Group));
-  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::Parent, nodes, &ClusterNode::Parent));
-  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::Medoid, nodes, &ClusterNode::Medoid));
-  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::FirstChild, nodes, &ClusterNode::FirstChild));
+  WAFT_RETURN_IF_FAILED(ReadColumn(source, names::Group, nodes, &ClusterNode::Group));
+  WAFT_RETURN_IF_FAILED(ReadColumn(source, names::Parent, nodes, &ClusterNode::Parent));
+  WAFT_RETURN_IF_FAILED(ReadColumn(source, names::Medoid, nodes, &ClusterNode::Medoid));
+  WAFT_RETURN_IF_FAILED(ReadColumn(source, names::FirstChild, nodes, &ClusterNode::FirstChild));
   WAFT_RETURN_IF_FAILED(
-    ReadColumn(place, names::NumberOfChildren, nodes, &ClusterNode::NumberOfChildren));
+    ReadColumn(source, names::NumberOfChildren, nodes, &ClusterNode::NumberOfChildren));
   WAFT_RETURN_IF_FAILED(
-    ReadColumn(place, names::NumberOfSegments, nodes, &ClusterNode::NumberOfSegments));
-  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::Radius, nodes, &ClusterNode::Radius));
+    ReadColumn(source, names::NumberOfSegments, nodes, &ClusterNode::NumberOfSegments));
+  WAFT_RETURN_IF_FAILED(ReadColumn(source, names::Radius, nodes, &ClusterNode::Radius));
   for (std::size_t n = 0; n < nodes.size(); ++n)
   {
     if (nodes[n].Parent == -1)
@@ -170,15 +170,15 @@ Result ReadNodes(vtkTable* table, MotionDatabase& database)
 
 Result ReadConnections(vtkTable* table, MotionDatabase& database)
 {
-  const ArrayPlace place{ table->GetRowData(), "Connections", table->GetNumberOfRows() };
+  const ArraySource source{ table->GetRowData(), "Connections", table->GetNumberOfRows() };
   std::vector<Connection>& connections = database.Connections;
-  connections.resize(static_cast<std::size_t>(place.Tuples));
+  connections.resize(static_cast<std::size_t>(source.Tuples));
   std::vector<int> isConnectible;
-  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::Cost, connections, &Connection::Cost));
-  WAFT_RETURN_IF_FAILED(ReadInts(place, names::IsConnectible, isConnectible));
-  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::Rotation, connections, &Connection::Rotation));
+  WAFT_RETURN_IF_FAILED(ReadColumn(source, names::Cost, connections, &Connection::Cost));
+  WAFT_RETURN_IF_FAILED(ReadInts(source, names::IsConnectible, isConnectible));
+  WAFT_RETURN_IF_FAILED(ReadColumn(source, names::Rotation, connections, &Connection::Rotation));
   WAFT_RETURN_IF_FAILED(
-    ReadColumn(place, names::Translation, connections, &Connection::Translation));
+    ReadColumn(source, names::Translation, connections, &Connection::Translation));
   for (std::size_t i = 0; i < connections.size(); ++i)
   {
     connections[i].IsConnectible = isConnectible[i] != 0;

@@ -30,10 +30,10 @@ Result SplitObstacles(vtkPolyData* data, std::vector<ObstacleMesh>& obstacles)
 {
   TriangleMesh whole;
   WAFT_RETURN_IF_FAILED(MeshFromPolyData(data, "Obstacles", whole));
-  const ArrayPlace place{ data->GetPointData(), "Obstacles", data->GetNumberOfPoints() };
+  const ArraySource source{ data->GetPointData(), "Obstacles", data->GetNumberOfPoints() };
   const int single = 0;
   std::vector<int> ids;
-  WAFT_RETURN_IF_FAILED(ReadInts(place, names::ObstacleId, ids, &single));
+  WAFT_RETURN_IF_FAILED(ReadInts(source, names::ObstacleId, ids, &single));
   std::map<int, ObstacleMesh> byId;
   std::vector<int> local(whole.Points.size(), -1);
   for (std::size_t i = 0; i < whole.Points.size(); ++i)

@@ -93,15 +93,15 @@ bool SolidVoxels::Contains(const Vec3& x) const
   }
   double solid = 0.0;
   int low[3];
-  double share[3];
+  double fraction[3];
   for (int axis = 0; axis < 3; ++axis)
   {
     const int last = this->Lattice.Dimensions[axis] - 1;
-    const double place =
+    const double cell =
       std::clamp((x[axis] - this->Lattice.Origin[axis]) / this->Lattice.Spacing[axis], 0.0,
                  static_cast<double>(last));
-    low[axis] = std::min(static_cast<int>(place), std::max(last - 1, 0));
-    share[axis] = place - low[axis];
+    low[axis] = std::min(static_cast<int>(cell), std::max(last - 1, 0));
+    fraction[axis] = cell - low[axis];
   }
   for (int corner = 0; corner < 8; ++corner)
   {
@@ -111,7 +111,7 @@ bool SolidVoxels::Contains(const Vec3& x) const
     {
       const bool isHigh = ((corner >> axis) & 1) != 0;
       const int last = this->Lattice.Dimensions[axis] - 1;
-      weight *= isHigh ? share[axis] : 1.0 - share[axis];
+      weight *= isHigh ? fraction[axis] : 1.0 - fraction[axis];
       index = index * static_cast<std::size_t>(last + 1) + std::min(low[axis] + isHigh, last);
     }
     solid += this->Values[index] != 0 ? weight : 0.0;

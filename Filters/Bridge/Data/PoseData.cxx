@@ -42,7 +42,7 @@ Result PosesFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,
                          std::vector<PoseTrack>& poses)
 {
   WAFT_RETURN_IF_FAILED(TracksFromPolyData(data, tracks));
-  const ArrayPlace points{ data->GetPointData(), "Poses", data->GetNumberOfPoints() };
+  const ArraySource points{ data->GetPointData(), "Poses", data->GetNumberOfPoints() };
   const Vec3 zero = Vec3::Zero();
   std::vector<Quat> orientations;
   std::vector<Vec3> spins, torques;
@@ -139,15 +139,15 @@ void PosedMeshes::Fill(const std::vector<Track>& tracks, const std::vector<PoseT
                        int frame, vtkPolyData* data) const
 {
   data->ShallowCopy(this->Template);
-  vtkNew<vtkDoubleArray> places;
+  vtkNew<vtkDoubleArray> coordinates;
   vtkNew<vtkFloatArray> normals;
   const vtkIdType count = this->Template->GetPointData()->GetNumberOfTuples();
-  places->SetNumberOfComponents(3);
-  places->SetNumberOfTuples(count);
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(count);
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
   normals->SetNumberOfTuples(count);
-  double* place = places->GetPointer(0);
+  double* coordinate = coordinates->GetPointer(0);
   float* normal = normals->GetPointer(0);
   for (std::size_t t = 0; t < tracks.size(); ++t)
   {
@@ -161,14 +161,14 @@ void PosedMeshes::Fill(const std::vector<Track>& tracks, const std::vector<PoseT
       const Vec3 n = turn * body.Normals[i];
       for (int c = 0; c < 3; ++c)
       {
-        *place++ = x[c];
+        *coordinate++ = x[c];
         *normal++ = static_cast<float>(n[c]);
       }
     }
   }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetData(places);
+  points->SetData(coordinates);
   data->SetPoints(points);
   data->GetPointData()->SetNormals(normals);
 }

@@ -19,7 +19,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkStringArray.h>
 
 #include <cstring>
 
@@ -116,6 +115,9 @@ void SceneToBlocks(const SceneContents& scene, vtkMultiBlockDataSet* data)
   ObjectsToPolyData(parts.Objects, info, objects);
   ConstraintsToPolyData(parts.Constraints, info, constraints);
   ObstaclesToPolyData(parts.Obstacles, 0.0, info, obstacles);
+  AuthoredToFieldData(parts.Authored.Objects, objects);
+  AuthoredToFieldData(parts.Authored.Constraints, constraints);
+  AuthoredToFieldData(parts.Authored.Obstacles, obstacles);
   for (const ObstacleMesh& obstacle : parts.Obstacles)
   {
     if (obstacle.IsMoving())
@@ -131,6 +133,7 @@ void SceneToBlocks(const SceneContents& scene, vtkMultiBlockDataSet* data)
     vtkNew<vtkImageData> image;
     StepToImage(scene.Wind, step, info, image);
     AddDoubles(image->GetFieldData(), names::Time, { scene.Wind.Times[step] });
+    AuthoredToFieldData(parts.Authored.Winds, image);
     wind->SetBlock(static_cast<unsigned int>(step), image);
   }
   data->Initialize();
@@ -155,12 +158,15 @@ Result SceneFromBlocks(vtkMultiBlockDataSet* data, SceneContents& scene)
   }
   WAFT_RETURN_IF_FAILED(SceneInfoFromFieldData(objects, parts.Info));
   WAFT_RETURN_IF_FAILED(ObjectsFromPolyData(objects, parts.Objects));
+  parts.Authored.Objects = AuthoredFromFieldData(objects);
   auto* constraints = FindBlock<vtkPolyData>(data, "Constraints");
+  parts.Authored.Constraints = AuthoredFromFieldData(constraints);
   if (constraints && constraints->GetNumberOfPoints() > 0)
   {
     WAFT_RETURN_IF_FAILED(ConstraintsFromPolyData(constraints, parts.Info.Time, parts.Constraints));
   }
   auto* obstacles = FindBlock<vtkPolyData>(data, "Obstacles");
+  parts.Authored.Obstacles = AuthoredFromFieldData(obstacles);
   if (obstacles && obstacles->GetNumberOfPoints() > 0)
   {
     WAFT_RETURN_IF_FAILED(ObstaclesFromBlock(obstacles, parts.Info.Time, parts.Obstacles));
@@ -186,12 +192,12 @@ Result SceneFromBlocks(vtkMultiBlockDataSet* data, SceneContents& scene)
         return Result::Error("Wind: block " + std::to_string(step) +
                              ": expected an image with the field data `Time`");
       }
+      parts.Authored.Winds = AuthoredFromFieldData(image);
       WAFT_RETURN_IF_FAILED(collector.Add(image, time->GetComponent(0, 0)));
     }
     read.Wind = collector.Take();
   }
-  auto* title = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(Title));
-  parts.Title = title && title->GetNumberOfValues() > 0 ? title->GetValue(0) : std::string();
+  parts.Title = FirstString(data->GetFieldData(), Title);
   scene = std::move(read);
   return Result::Ok();
 }

@@ -23,7 +23,8 @@ struct SceneContents
 
 /// Blocks `Objects`, `Constraints`, `Obstacles` (where they stand at frame 0; of each that moves
 /// the field data `Motion` and its id, a displacement a frame [m]), `Shapes`, `Vortices` and `Wind`
-/// (one image a step, with the field data `Time` [s]); field data `Title`.
+/// (one image a step, with the field data `Time` [s]); field data `Title`; of each block that has
+/// one the field data `Authored`.
 void SceneToBlocks(const SceneContents& scene, vtkMultiBlockDataSet* data);
 /// The same back. Blocks that are missing are empty; only `Objects` has to be there.
 Result SceneFromBlocks(vtkMultiBlockDataSet* data, SceneContents& scene);

@@ -73,6 +73,19 @@ Result SceneInfoFromFieldData(vtkDataObject* data, SceneInfo& info)
   return Result::Ok();
 }
 
+void AuthoredToFieldData(const std::string& part, vtkDataObject* data)
+{
+  if (!part.empty())
+  {
+    AddStrings(data->GetFieldData(), names::Authored, { part });
+  }
+}
+
+std::string AuthoredFromFieldData(vtkDataObject* data)
+{
+  return data == nullptr ? std::string() : FirstString(data->GetFieldData(), names::Authored);
+}
+
 void ObjectsToPolyData(const std::vector<MotionObject>& objects, const SceneInfo& info,
                        vtkPolyData* data)
 {
@@ -97,13 +110,13 @@ void ObjectsToPolyData(const std::vector<MotionObject>& objects, const SceneInfo
 
 Result ObjectsFromPolyData(vtkPolyData* data, std::vector<MotionObject>& objects)
 {
-  const ArrayPlace place{ data->GetPointData(), "Objects", data->GetNumberOfPoints() };
+  const ArraySource source{ data->GetPointData(), "Objects", data->GetNumberOfPoints() };
   std::vector<Vec3> positions;
   WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "Objects", positions));
   std::vector<MotionObject> read(positions.size());
-  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::ObjectId, read, &MotionObject::ObjectId));
+  WAFT_RETURN_IF_FAILED(ReadColumn(source, names::ObjectId, read, &MotionObject::ObjectId));
   const auto readOptional = [&](const char* name, auto member)
-  { return ReadOptionalColumn(place, name, read, member); };
+  { return ReadOptionalColumn(source, name, read, member); };
   WAFT_RETURN_IF_FAILED(readOptional(names::ShapeId, &MotionObject::ShapeId));
   WAFT_RETURN_IF_FAILED(readOptional(names::ClassId, &MotionObject::ClassId));
   WAFT_RETURN_IF_FAILED(readOptional(names::Mass, &MotionObject::Mass));

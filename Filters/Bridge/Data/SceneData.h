@@ -6,6 +6,7 @@
 #include "Base/Result.h"
 #include "Base/Types.h"
 
+#include <string>
 #include <vector>
 
 class vtkDataObject;
@@ -18,6 +19,12 @@ namespace waft
 void SceneInfoToFieldData(const SceneInfo& info, vtkDataObject* data);
 /// What is absent keeps the value that info has. Fails on an empty volume, frames or rate.
 Result SceneInfoFromFieldData(vtkDataObject* data, SceneInfo& info);
+
+/// Field data `Authored`: the part of a scene file that made this data (AuthoredScene); nothing is
+/// added for an empty text.
+void AuthoredToFieldData(const std::string& part, vtkDataObject* data);
+/// An empty text where there is none or no data.
+std::string AuthoredFromFieldData(vtkDataObject* data);
 
 void ObjectsToPolyData(const std::vector<MotionObject>& objects, const SceneInfo& info,
                        vtkPolyData* data);

@@ -18,7 +18,6 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkStringArray.h>
 
 namespace waft
 {
@@ -59,6 +58,7 @@ void ShapeToPolyData(const Shape& shape, vtkPolyData* data)
   AddVectors(fields, names::Tint, { Vec3(shape.Tint[0], shape.Tint[1], shape.Tint[2]) });
   AddDoubles(fields, names::Opacity, { Opacity(shape) });
   AddStrings(fields, names::Texture, { shape.Texture });
+  AuthoredToFieldData(shape.Authored, data);
 }
 
 void ReadColor(vtkFieldData* fields, const char* name, std::array<double, 3>& color)
@@ -103,11 +103,8 @@ Result ShapeFromPolyData(vtkPolyData* data, const std::string& name, Shape& shap
   shape.ClassId = static_cast<int>(classId);
   ReadColor(fields, names::Color, shape.Color);
   ReadColor(fields, names::Tint, shape.Tint);
-  auto* texture = vtkStringArray::SafeDownCast(fields->GetAbstractArray(names::Texture));
-  if (texture && texture->GetNumberOfValues() > 0)
-  {
-    shape.Texture = texture->GetValue(0);
-  }
+  shape.Texture = FirstString(fields, names::Texture);
+  shape.Authored = AuthoredFromFieldData(data);
   return Result::Ok();
 }
 

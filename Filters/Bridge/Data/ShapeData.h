@@ -14,7 +14,7 @@ namespace waft
 {
 
 /// Block i is shape i, by its name; field data `DragCoefficient`, `AreaDensity`, `Thickness`,
-/// `SettlingSpeed`, `ClassId`, `Color`, `Texture`.
+/// `SettlingSpeed`, `ClassId`, `Color`, `Texture`, `Authored`.
 void ShapesToMultiBlock(const std::vector<Shape>& shapes, const SceneInfo& info,
                         vtkMultiBlockDataSet* data);
 /// Polygons are split into triangles; absent field data has the defaults of Shape. Fails on a block

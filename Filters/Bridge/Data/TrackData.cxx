@@ -50,16 +50,16 @@ std::vector<T> Pick(const std::vector<T>& all, vtkIdList* ids)
 }
 
 // Absent arrays leave the list empty.
-Result ReadOptional(const ArrayPlace& place, const char* name, std::vector<Vec3>& values)
+Result ReadOptional(const ArraySource& source, const char* name, std::vector<Vec3>& values)
 {
   values.clear();
-  return place.Data->GetAbstractArray(name) ? ReadVectors(place, name, values) : Result::Ok();
+  return source.Data->GetAbstractArray(name) ? ReadVectors(source, name, values) : Result::Ok();
 }
 
-Result ReadOptional(const ArrayPlace& place, const char* name, std::vector<int>& values)
+Result ReadOptional(const ArraySource& source, const char* name, std::vector<int>& values)
 {
   values.clear();
-  return place.Data->GetAbstractArray(name) ? ReadInts(place, name, values) : Result::Ok();
+  return source.Data->GetAbstractArray(name) ? ReadInts(source, name, values) : Result::Ok();
 }
 
 } // namespace
@@ -138,8 +138,8 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
 Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks)
 {
   WAFT_RETURN_IF_FAILED(CheckCells(data, "Tracks"));
-  const ArrayPlace points{ data->GetPointData(), "Tracks", data->GetNumberOfPoints() };
-  const ArrayPlace cells{ data->GetCellData(), "Tracks", data->GetNumberOfCells() };
+  const ArraySource points{ data->GetPointData(), "Tracks", data->GetNumberOfPoints() };
+  const ArraySource cells{ data->GetCellData(), "Tracks", data->GetNumberOfCells() };
   std::vector<Vec3> positions, vortex, wind, forces, air, sph;
   std::vector<int> ids, types, vortexIds;
   WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "Tracks", positions));

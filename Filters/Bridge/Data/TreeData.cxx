@@ -102,8 +102,8 @@ Result GuidesFromPolyData(vtkPolyData* data, std::vector<Guide>& guides)
   {
     return Result::Ok();
   }
-  std::vector<Vec3> places;
-  WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "Guides", places));
+  std::vector<Vec3> positions;
+  WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "Guides", positions));
   WAFT_RETURN_IF_FAILED(CheckCells(data, "Guides"));
   std::vector<int> ids;
   if (data->GetCellData()->GetAbstractArray(names::ObjectId))
@@ -120,7 +120,7 @@ Result GuidesFromPolyData(vtkPolyData* data, std::vector<Guide>& guides)
     vtkIdList* points = data->GetCell(before + k)->GetPointIds();
     for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
     {
-      guide.Points.push_back(places[static_cast<std::size_t>(points->GetId(i))]);
+      guide.Points.push_back(positions[static_cast<std::size_t>(points->GetId(i))]);
     }
     guides.push_back(std::move(guide));
   }

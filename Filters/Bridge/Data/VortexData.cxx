@@ -48,7 +48,7 @@ Result VorticesFromPolyData(vtkPolyData* data, std::vector<Vortex>& vortices)
 {
   WAFT_RETURN_IF_FAILED(CheckCells(data, "Vortices"));
   const vtkIdType count = data->GetNumberOfCells();
-  const ArrayPlace place{ data->GetCellData(), "Vortices", count };
+  const ArraySource source{ data->GetCellData(), "Vortices", count };
   vortices.clear();
   if (count == 0)
   {
@@ -57,13 +57,13 @@ Result VorticesFromPolyData(vtkPolyData* data, std::vector<Vortex>& vortices)
   std::vector<Vec3> points;
   std::vector<Vortex> read(static_cast<std::size_t>(count));
   const auto readOptional = [&](const char* name, auto member)
-  { return ReadOptionalColumn(place, name, read, member); };
+  { return ReadOptionalColumn(source, name, read, member); };
   WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "Vortices", points));
   WAFT_RETURN_IF_FAILED(readOptional(names::VortexId, &Vortex::VortexId));
-  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::Strength, read, &Vortex::Strength));
-  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::CenterTime, read, &Vortex::CenterTime));
-  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::Duration, read, &Vortex::Duration));
-  WAFT_RETURN_IF_FAILED(ReadColumn(place, names::CoreRadius, read, &Vortex::CoreRadius));
+  WAFT_RETURN_IF_FAILED(ReadColumn(source, names::Strength, read, &Vortex::Strength));
+  WAFT_RETURN_IF_FAILED(ReadColumn(source, names::CenterTime, read, &Vortex::CenterTime));
+  WAFT_RETURN_IF_FAILED(ReadColumn(source, names::Duration, read, &Vortex::Duration));
+  WAFT_RETURN_IF_FAILED(ReadColumn(source, names::CoreRadius, read, &Vortex::CoreRadius));
   WAFT_RETURN_IF_FAILED(readOptional(names::Confidence, &Vortex::Confidence));
   WAFT_RETURN_IF_FAILED(readOptional(names::ObjectCount, &Vortex::ObjectCount));
   vtkNew<vtkIdList> ends;

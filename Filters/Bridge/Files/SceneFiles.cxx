@@ -114,16 +114,6 @@ Result VtkSceneAssets::LoadBuiltinShape(const std::string& builtin, double size,
   return MakeBuiltinShape(builtin, size, shape);
 }
 
-std::vector<std::string> VtkSceneAssets::BuiltinShapeNames() const
-{
-  std::vector<std::string> names;
-  for (const BuiltinShape& builtin : BuiltinShapes())
-  {
-    names.push_back(builtin.Name);
-  }
-  return names;
-}
-
 Result VtkSceneAssets::LoadShapeMesh(const std::string& path, double size, Shape& shape) const
 {
   if (IsPictureName(path))

@@ -14,7 +14,6 @@ class VtkSceneAssets : public SceneAssets
 {
 public:
   Result LoadBuiltinShape(const std::string& builtin, double size, Shape& shape) const override;
-  std::vector<std::string> BuiltinShapeNames() const override;
   Result LoadShapeMesh(const std::string& path, double size, Shape& shape) const override;
   Result LoadAlignedShape(const std::string& path, Shape& shape) const override;
   Result LoadMesh(const std::string& path, TriangleMesh& mesh) const override;

@@ -5,6 +5,8 @@
 #include "Bridge/Data/ShapeData.h"
 #include "Bridge/Files/FileWriting.h"
 #include "Bridge/Files/SceneFiles.h"
+#include "Bridge/Files/SceneWind.h"
+#include "Bridge/Files/WrittenMark.h"
 #include "Scene/WriteScene.h"
 #include "Shapes/ThinShape.h"
 
@@ -57,11 +59,11 @@ std::string MeshFileOf(const Scene& scene, const SceneMeshFile& file)
   Shape shape; // of an obstacle only the mesh matters
   if (file.IsShape)
   {
-    shape = scene.Shapes[file.Place];
+    shape = scene.Shapes[file.Index];
   }
   else
   {
-    shape.Mesh = scene.Obstacles[file.Place].Mesh;
+    shape.Mesh = scene.Obstacles[file.Index].Mesh;
   }
   vtkNew<vtkMultiBlockDataSet> blocks;
   ShapesToMultiBlock({ shape }, scene.Info, blocks);
@@ -118,9 +120,83 @@ Result AddDisc(Scene& scene)
   return Result::Ok();
 }
 
+/// Puts the authored winds where they still make the field in hand; else there is the field alone.
+void FindAuthoredWinds(SceneContents& scene)
+{
+  Scene authored;
+  SceneWind wind;
+  const std::string& part = scene.Parts.Authored.Winds;
+  if (part.empty() || !ParseScene(part, {}, {}, VtkSceneAssets(), authored))
+  {
+    return;
+  }
+  authored.Info = scene.Parts.Info;
+  if (wind.Build(authored) && wind.Makes(scene.Wind))
+  {
+    scene.Parts.Winds = std::move(authored.Winds);
+    scene.Parts.WindFiles = std::move(authored.WindFiles);
+  }
+}
+
+/// All files of a scene, itself the last, when those beside it are called by this stem.
+Result MakeFiles(SceneContents scene, const std::string& folder, const std::string& fileName,
+                 const std::string& stem, std::vector<FileContent>& files,
+                 std::vector<std::string>& named)
+{
+  files.clear();
+  Scene& parts = scene.Parts;
+  if (!scene.Wind.IsEmpty() && parts.Winds.empty() && parts.WindFiles.empty())
+  {
+    parts.WindFiles = { { AddWind(scene, folder, stem, files), {} } };
+  }
+  SceneText text;
+  WAFT_RETURN_IF_FAILED(FormatScene(parts, VtkSceneAssets(), folder, stem, text));
+  for (const SceneMeshFile& mesh : text.Meshes)
+  {
+    files.push_back({ folder + mesh.Name, MeshFileOf(parts, mesh) });
+  }
+  for (FileContent& file : files)
+  {
+    file.Bytes += WrittenMark(file.Bytes);
+  }
+  files.push_back({ fileName, text.Json });
+  named = text.NamedFiles;
+  return Result::Ok();
+}
+
+/// The first of the files beside a scene whose name is taken; an empty text when all are free.
+std::string TakenName(const std::vector<FileContent>& files, const std::vector<std::string>& named)
+{
+  namespace fs = std::filesystem;
+  for (std::size_t i = 0; i + 1 < files.size(); ++i)
+  {
+    std::error_code error;
+    const std::string& path = files[i].Path;
+    const std::string whole = fs::absolute(path, error).lexically_normal().string();
+    const bool isNamed = std::find(named.begin(), named.end(), whole) != named.end();
+    if (isNamed || (fs::exists(fs::symlink_status(path, error)) && !IsMarkedAsWritten(path)))
+    {
+      return path;
+    }
+  }
+  return {};
+}
+
+Result CheckNameOf(const std::string& fileName)
+{
+  std::error_code error;
+  if (!std::filesystem::exists(fileName, error) || IsSceneFile(fileName))
+  {
+    return Result::Ok();
+  }
+  return Result::Error(fileName + ": nothing was written: expected a new name or a scene file, "
+                                  "found something else of this name, which is left alone");
+}
+
 } // namespace
 
-Result WriteSceneFiles(const SceneContents& scene, const std::string& fileName)
+Result WriteSceneFiles(const SceneContents& scene, const std::string& fileName,
+                       std::vector<std::string>& remarks)
 {
   const std::filesystem::path path(fileName);
   const std::string stem = StemOf(path.filename().string());
@@ -128,6 +204,7 @@ Result WriteSceneFiles(const SceneContents& scene, const std::string& fileName)
   {
     return WrongEnding(fileName, ".waft.json");
   }
+  WAFT_RETURN_IF_FAILED(CheckNameOf(fileName));
   std::string folder = path.parent_path().string();
   folder += folder.empty() ? "" : "/";
   SceneContents whole = scene;
@@ -135,22 +212,32 @@ Result WriteSceneFiles(const SceneContents& scene, const std::string& fileName)
   {
     WAFT_RETURN_IF_FAILED(AddDisc(whole.Parts));
   }
+  FindAuthoredWinds(whole);
   std::vector<FileContent> files;
-  if (!whole.Wind.IsEmpty())
+  std::string taken, freeStem = stem;
+  for (int k = 2;; ++k)
   {
-    whole.Parts.WindFiles = { { AddWind(whole, folder, stem, files), {} } };
+    std::vector<std::string> named;
+    const Result made = MakeFiles(whole, folder, fileName, freeStem, files, named);
+    if (!made)
+    {
+      return Result::Error(fileName + ": nothing was written: " + made.Message());
+    }
+    const std::string inTheWay = TakenName(files, named);
+    if (inTheWay.empty())
+    {
+      break;
+    }
+    taken = taken.empty() ? inTheWay : taken;
+    freeStem = stem + "-" + std::to_string(k);
   }
-  SceneText text;
-  const Result formatted = FormatScene(whole.Parts, VtkSceneAssets(), folder, stem, text);
-  if (!formatted)
+  if (!taken.empty())
   {
-    return Result::Error(fileName + ": nothing was written: " + formatted.Message());
+    remarks.push_back("\"" + taken +
+                      "\" is left alone, since no writing of this scene made it as it "
+                      "is, or the scene names it: the files beside the scene are called " +
+                      freeStem + ".*");
   }
-  for (const SceneMeshFile& mesh : text.Meshes)
-  {
-    files.push_back({ folder + mesh.Name, MeshFileOf(whole.Parts, mesh) });
-  }
-  files.push_back({ fileName, text.Json });
   return WriteWholeFiles(files);
 }
 

@@ -6,6 +6,7 @@
 #include "Bridge/Data/SceneBlocks.h"
 
 #include <string>
+#include <vector>
 
 namespace waft
 {
@@ -13,6 +14,12 @@ namespace waft
 /// Writes a scene file (*.waft.json) and beside it what it cannot say in words: NAME.*.vtp,
 /// NAME.wind.vti or NAME.wind.pvd with the folder NAME.wind. All of them or none, and nothing when
 /// something cannot be written (FormatScene says what). Objects without any shape become discs.
-Result WriteSceneFiles(const SceneContents& scene, const std::string& fileName);
+///
+/// A scene that stands at `fileName` is replaced, any other file there is an error. Files beside it
+/// carry a mark with a digest of themselves: those that an earlier writing made, and nobody changed
+/// since or names in the scene, are replaced. Where another one has such a name all of them are
+/// called NAME-2.*, NAME-3.*, ..., and `remarks` says so.
+Result WriteSceneFiles(const SceneContents& scene, const std::string& fileName,
+                       std::vector<std::string>& remarks);
 
 } // namespace waft

@@ -7,6 +7,7 @@
 
 #include <vtkImageData.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace waft
@@ -45,13 +46,13 @@ Result SceneWind::Build(const Scene& scene)
     const Result result = ReadWindFile(file.Path, scene.Info.Time, wind);
     if (!result)
     {
-      return Result::Error(file.Place + ": " + result.Message());
+      return Result::Error(file.Location + ": " + result.Message());
     }
     const bool isAlone = scene.WindFiles.size() == 1 && scene.Winds.empty();
     if (wind.Meaning == FieldMeaning::Velocity && !isAlone)
     {
-      return Result::Error(file.Place + ": expected the only wind of the scene (its `Velocity` "
-                                        "draws by drag and does not add up with others)");
+      return Result::Error(file.Location + ": expected the only wind of the scene (its `Velocity` "
+                                           "draws by drag and does not add up with others)");
     }
     built.Files.push_back(std::move(wind));
   }
@@ -80,14 +81,8 @@ void SceneWind::WholeExtent(int extent[6]) const
   }
 }
 
-void SceneWind::Fill(double time, const SceneInfo& info, vtkImageData* image) const
+FieldSeries SceneWind::At(double time) const
 {
-  image->Initialize();
-  if (this->IsEmpty())
-  {
-    SceneInfoToFieldData(info, image);
-    return;
-  }
   FieldSeries now = this->Lattice;
   now.Times = { time };
   now.Values.resize(1);
@@ -95,9 +90,9 @@ void SceneWind::Fill(double time, const SceneInfo& info, vtkImageData* image) co
   {
     const auto nx = static_cast<std::size_t>(now.Dimensions[0]);
     const auto ny = static_cast<std::size_t>(now.Dimensions[1]);
-    const Vec3 place(static_cast<double>(i % nx), static_cast<double>(i / nx % ny),
-                     static_cast<double>(i / nx / ny));
-    const Vec3 x = now.Origin + place.cwiseProduct(now.Spacing);
+    const Vec3 cell(static_cast<double>(i % nx), static_cast<double>(i / nx % ny),
+                    static_cast<double>(i / nx / ny));
+    const Vec3 x = now.Origin + cell.cwiseProduct(now.Spacing);
     Vec3 value = Vec3::Zero();
     for (const AnalyticWind& wind : this->Analytic)
     {
@@ -109,7 +104,48 @@ void SceneWind::Fill(double time, const SceneInfo& info, vtkImageData* image) co
     }
     now.Values[0].push_back({ float(value.x()), float(value.y()), float(value.z()) });
   }
-  FieldSeriesToImage(now, time, info, image);
+  return now;
+}
+
+void SceneWind::Fill(double time, const SceneInfo& info, vtkImageData* image) const
+{
+  image->Initialize();
+  if (this->IsEmpty())
+  {
+    SceneInfoToFieldData(info, image);
+    return;
+  }
+  FieldSeriesToImage(this->At(time), time, info, image);
+}
+
+bool SceneWind::Makes(const FieldSeries& field) const
+{
+  constexpr double tolerance = 1e-6; // of values, which are floats, and of a spacing
+  const Vec3 shift = field.Origin - this->Lattice.Origin;
+  const Vec3 stretch = field.Spacing - this->Lattice.Spacing;
+  const double least = tolerance * this->Lattice.Spacing.minCoeff();
+  if (this->IsEmpty() || field.IsEmpty() || field.Meaning != this->Lattice.Meaning ||
+      field.Dimensions != this->Lattice.Dimensions || shift.norm() > least ||
+      stretch.norm() > least)
+  {
+    return false;
+  }
+  const auto isSame = [&](const std::array<float, 3>& a, const std::array<float, 3>& b)
+  {
+    const Vec3 u(a[0], a[1], a[2]);
+    const Vec3 v(b[0], b[1], b[2]);
+    return (u - v).norm() <= tolerance * std::max(1.0, u.norm());
+  };
+  for (std::size_t step = 0; step < field.Times.size(); ++step)
+  {
+    const FieldSeries now = this->At(field.Times[step]);
+    if (!std::equal(now.Values[0].begin(), now.Values[0].end(), field.Values[step].begin(),
+                    field.Values[step].end(), isSame))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 } // namespace waft

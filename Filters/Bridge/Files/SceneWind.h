@@ -26,7 +26,12 @@ public:
   /// The field at a time [s]; an image without points when there is no wind.
   void Fill(double time, const SceneInfo& info, vtkImageData* image) const;
 
+  /// Whether it has the values of a field that was made of it once, at all the field's times.
+  bool Makes(const FieldSeries& field) const;
+
 private:
+  FieldSeries At(double time) const; // with one step
+
   std::vector<AnalyticWind> Analytic;
   std::vector<FieldSeries> Files;
   FieldSeries Lattice; // its dimensions, origin, spacing and meaning

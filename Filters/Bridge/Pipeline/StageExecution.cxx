@@ -138,7 +138,7 @@ bool IsOnlyConsumer(vtkAlgorithm* stage, vtkInformation* input)
 }
 
 // Whether what is upstream of a stage serves others as well, which are not upstream of it.
-bool SharesUpstream(vtkAlgorithm* stage, vtkInformationVector** inputs)
+bool HasCommonUpstream(vtkAlgorithm* stage, vtkInformationVector** inputs)
 {
   const std::set<vtkExecutive*> upstream = UpstreamOf(stage, inputs);
   const auto isOther = [&](vtkExecutive* consumer)
@@ -271,7 +271,7 @@ void TimeSweep::RequestSteps(vtkAlgorithm* stage, vtkInformation* request,
   }
   const bool isPulling = !isCurrent && this->NumberOfSteps > 1 && this->HasNewStep();
   vtkInformation* output = outputs->GetInformationObject(AskingPort(request));
-  const bool mayMislead = isPulling && SharesUpstream(stage, inputs);
+  const bool mayMislead = isPulling && HasCommonUpstream(stage, inputs);
   this->MustReturn = false;
   for (int port = 0; port < stage->GetNumberOfInputPorts(); ++port)
   {

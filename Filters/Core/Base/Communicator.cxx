@@ -31,16 +31,16 @@ void Communicator::Exchange(const std::vector<Bytes>& sent, std::vector<Bytes>& 
 void Communicator::Broadcast(void* bytes, std::size_t size, int from)
 {
   const int ranks = this->Size();
-  const int place = (this->Rank() - from + ranks) % ranks;
+  const int slot = (this->Rank() - from + ranks) % ranks;
   for (int reached = 1; reached < ranks; reached *= 2)
   {
-    if (place < reached && place + reached < ranks)
+    if (slot < reached && slot + reached < ranks)
     {
-      this->SendReceive((place + reached + from) % ranks, bytes, size, nullptr, 0);
+      this->SendReceive((slot + reached + from) % ranks, bytes, size, nullptr, 0);
     }
-    else if (place >= reached && place < 2 * reached)
+    else if (slot >= reached && slot < 2 * reached)
     {
-      this->SendReceive((place - reached + from) % ranks, nullptr, 0, bytes, size);
+      this->SendReceive((slot - reached + from) % ranks, nullptr, 0, bytes, size);
     }
   }
 }

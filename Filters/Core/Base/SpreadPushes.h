@@ -23,11 +23,11 @@ inline std::vector<Vec3> SpreadPushes(const std::vector<Vec3>& own, int reach)
   {
     for (int i = std::max(0, k - reach); i <= std::min(last, k + reach); ++i)
     {
-      const double share = SmoothStep(1.0 - std::abs(i - k) / (reach + 1.0));
-      const double size = share * own[k].norm();
+      const double fraction = SmoothStep(1.0 - std::abs(i - k) / (reach + 1.0));
+      const double size = fraction * own[k].norm();
       if (size > spread[i].norm() && size > Least)
       {
-        spread[i] = share * own[k];
+        spread[i] = fraction * own[k];
       }
     }
   }

@@ -15,7 +15,7 @@ namespace waft
 namespace
 {
 
-constexpr double SimulationShare = 0.95; // of the progress; the rest is cutting and clustering
+constexpr double SimulationFraction = 0.95; // of the progress; the rest is cutting and clustering
 
 /// The part of the progress that simulations make.
 class SimulationMonitor : public Monitor
@@ -24,7 +24,7 @@ public:
   explicit SimulationMonitor(Monitor& whole) : Whole(whole) {}
   bool Tick(double fraction, const std::string& text) override
   {
-    return this->Whole.Tick(SimulationShare * fraction, text);
+    return this->Whole.Tick(SimulationFraction * fraction, text);
   }
 
 private:
@@ -39,7 +39,7 @@ public:
   explicit ToTheEnd(Monitor& whole) : Whole(whole) {}
   bool Tick(double fraction, const std::string& text) override
   {
-    const double part = SimulationShare + (1.0 - SimulationShare) * fraction;
+    const double part = SimulationFraction + (1.0 - SimulationFraction) * fraction;
     this->IsAsked = this->IsAsked && this->Whole.Tick(part, text);
     return true;
   }

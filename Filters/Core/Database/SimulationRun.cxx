@@ -76,7 +76,7 @@ Result SimulationRun::Begin(const DatabaseOptions& options, int simulation)
   this->Distances = nullptr;
   if (!ensemble.Obstacles.empty())
   {
-    WAFT_RETURN_IF_FAILED(this->PlaceObstacles(smoke, ensemble.Obstacles));
+    WAFT_RETURN_IF_FAILED(this->PositionObstacles(smoke, ensemble.Obstacles));
   }
 
   const Vec3 spacing = smoke.Spacing();
@@ -97,8 +97,8 @@ Result SimulationRun::Begin(const DatabaseOptions& options, int simulation)
   return this->Tracer.Begin(lattice, trace, this->Vortices, isSolid);
 }
 
-Result SimulationRun::PlaceObstacles(const SmokeOptions& options,
-                                     const std::vector<ObstacleMesh>& obstacles)
+Result SimulationRun::PositionObstacles(const SmokeOptions& options,
+                                        const std::vector<ObstacleMesh>& obstacles)
 {
   this->Distances = std::make_shared<DistanceLattice>();
   for (int axis = 0; axis < 3; ++axis)

@@ -28,7 +28,7 @@ public:
   TracedSimulation Finish();
 
 private:
-  Result PlaceObstacles(const SmokeOptions& options, const std::vector<ObstacleMesh>& obstacles);
+  Result PositionObstacles(const SmokeOptions& options, const std::vector<ObstacleMesh>& obstacles);
 
   int WarmUpFrames = 0;
   int StepsTaken = 0;

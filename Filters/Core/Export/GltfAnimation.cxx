@@ -121,9 +121,9 @@ public:
     node.name = (shape.empty() ? "object" : shape) + "-" + std::to_string(object.ObjectId);
     node.extras = Extras("ObjectId", tinygltf::Value(object.ObjectId));
     node.mesh = static_cast<int>(object.Shape);
-    const Vec3 place = ToYUp(object.Positions[0]);
+    const Vec3 translation = ToYUp(object.Positions[0]);
     const Vec3 axis = ToYUp(object.Orientations[0].vec());
-    node.translation = { place.x(), place.y(), place.z() };
+    node.translation = { translation.x(), translation.y(), translation.z() };
     node.rotation = { axis.x(), axis.y(), axis.z(), object.Orientations[0].w() };
     const int number = static_cast<int>(this->Model.nodes.size());
     this->Model.nodes.push_back(node);

@@ -108,12 +108,13 @@ Result DataFileArrays::Check(const ArrayClaim& claim) const
   }
   if (!isGood)
   {
-    return Result::Error(claim.Place + "expected its values, found that they are cut or damaged");
+    return Result::Error(claim.Location +
+                         "expected its values, found that they are cut or damaged");
   }
   if (claim.Bytes > 0.0 && bytes != claim.Bytes)
   {
     return Result::Error(
-      claim.Place + "expected " + std::to_string(static_cast<long long>(claim.Bytes)) +
+      claim.Location + "expected " + std::to_string(static_cast<long long>(claim.Bytes)) +
       " bytes of values, found " + std::to_string(static_cast<long long>(bytes)));
   }
   return Result::Ok();

@@ -14,7 +14,7 @@ namespace waft
 /// What an array's element says of its values, before it is known where they are.
 struct ArrayClaim
 {
-  std::string Place;
+  std::string Location;
   std::string_view Format; // ascii, binary, appended
   double Bytes = -1.0;     // of all values; -1: only the array's own header says
   std::size_t At = 0;      // of inline values: their byte; of appended ones: their offset

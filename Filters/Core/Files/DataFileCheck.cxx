@@ -47,17 +47,17 @@ public:
     XmlTag tag;
     while (!this->HasEnd && this->Tags.Next(tag))
     {
-      const std::string place =
+      const std::string location =
         "byte " + std::to_string(tag.Begin) + ": element " + Quoted(tag.Name) + ": ";
       if (tag.IsOpening)
       {
-        WAFT_RETURN_IF_FAILED(this->Open(tag, place, types));
+        WAFT_RETURN_IF_FAILED(this->Open(tag, location, types));
       }
       if (tag.IsClosing)
       {
         if (this->Stack.empty() || this->Stack.back() != tag.Name)
         {
-          return Result::Error(place + "expected the end of another element");
+          return Result::Error(location + "expected the end of another element");
         }
         this->Stack.pop_back();
         this->HasEnd = this->Stack.empty();
@@ -77,43 +77,43 @@ public:
   }
 
 private:
-  Result Open(const XmlTag& tag, const std::string& place, const std::vector<std::string>& types)
+  Result Open(const XmlTag& tag, const std::string& location, const std::vector<std::string>& types)
   {
     if (this->Stack.empty())
     {
-      WAFT_RETURN_IF_FAILED(this->OpenRoot(tag, place, types));
+      WAFT_RETURN_IF_FAILED(this->OpenRoot(tag, location, types));
     }
     const std::string_view parent = this->Stack.empty() ? std::string_view() : this->Stack.back();
     this->Stack.push_back(tag.Name);
     if (this->Stack.size() > DeepestElement)
     {
-      return Result::Error(place + "expected at most " + std::to_string(DeepestElement) +
+      return Result::Error(location + "expected at most " + std::to_string(DeepestElement) +
                            " elements one in the other, found more");
     }
     if (tag.Name == "ImageData")
     {
       double points = 0.0;
-      WAFT_RETURN_IF_FAILED(this->ReadExtent(tag, "WholeExtent", place, points));
-      WAFT_RETURN_IF_FAILED(CheckNumbers(tag, "Origin", place, 3));
-      WAFT_RETURN_IF_FAILED(CheckNumbers(tag, "Spacing", place, 3));
-      return CheckNumbers(tag, "Direction", place, 9);
+      WAFT_RETURN_IF_FAILED(this->ReadExtent(tag, "WholeExtent", location, points));
+      WAFT_RETURN_IF_FAILED(CheckNumbers(tag, "Origin", location, 3));
+      WAFT_RETURN_IF_FAILED(CheckNumbers(tag, "Spacing", location, 3));
+      return CheckNumbers(tag, "Direction", location, 9);
     }
     if (tag.Name == "Piece")
     {
-      return this->OpenPiece(tag, place);
+      return this->OpenPiece(tag, location);
     }
     if (tag.Name == "DataArray" || tag.Name == "Array")
     {
-      return this->OpenArray(tag, parent, place);
+      return this->OpenArray(tag, parent, location);
     }
     if (this->Type == "vtkMultiBlockDataSet" && (tag.Name == "DataSet" || tag.Name == "Block"))
     {
-      return this->OpenBlock(tag, place);
+      return this->OpenBlock(tag, location);
     }
-    return tag.Name == "AppendedData" ? this->OpenAppended(tag, place) : Result::Ok();
+    return tag.Name == "AppendedData" ? this->OpenAppended(tag, location) : Result::Ok();
   }
 
-  Result OpenRoot(const XmlTag& tag, const std::string& place,
+  Result OpenRoot(const XmlTag& tag, const std::string& location,
                   const std::vector<std::string>& types)
   {
     const std::string_view type = tag.Attribute("type");
@@ -129,13 +129,13 @@ private:
     const std::string_view order = tag.Attribute("byte_order");
     this->Arrays.Order = order == "BigEndian" ? ByteOrder::Big : ByteOrder::Little;
     const bool isKnown = order.empty() || order == "LittleEndian" || order == "BigEndian";
-    return isKnown
-             ? Result::Ok()
-             : Result::Error(place + "expected LittleEndian or BigEndian, found " + Quoted(order));
+    return isKnown ? Result::Ok()
+                   : Result::Error(location + "expected LittleEndian or BigEndian, found " +
+                                   Quoted(order));
   }
 
   // An attribute that counts; 0 when it is left out.
-  Result ReadCount(const XmlTag& tag, const char* name, const std::string& place, double& count,
+  Result ReadCount(const XmlTag& tag, const char* name, const std::string& location, double& count,
                    double absent = 0.0) const
   {
     const std::string_view text = tag.Attribute(name);
@@ -148,7 +148,7 @@ private:
     if (!ParseInteger(text, number) || number < 0 ||
         static_cast<double>(number) > this->Arrays.Most())
     {
-      return Result::Error(place + name + ": expected a number that a file of " +
+      return Result::Error(location + name + ": expected a number that a file of " +
                            std::to_string(this->Arrays.Text.size()) + " bytes can hold, found " +
                            Quoted(text));
     }
@@ -157,7 +157,7 @@ private:
   }
 
   // In place of other texts the reader takes its own numbers.
-  static Result CheckNumbers(const XmlTag& tag, const char* name, const std::string& place,
+  static Result CheckNumbers(const XmlTag& tag, const char* name, const std::string& location,
                              std::size_t count)
   {
     const std::vector<std::string_view> words = WordsOf(tag.Attribute(name));
@@ -169,12 +169,12 @@ private:
     }
     return isGood || !tag.Has(name)
              ? Result::Ok()
-             : Result::Error(place + name + ": expected " + std::to_string(count) +
+             : Result::Error(location + name + ": expected " + std::to_string(count) +
                              " numbers, found " + Quoted(tag.Attribute(name)));
   }
 
   // Six numbers, each pair in order or empty (last = first - 1).
-  Result ReadExtent(const XmlTag& tag, const char* name, const std::string& place,
+  Result ReadExtent(const XmlTag& tag, const char* name, const std::string& location,
                     double& points) const
   {
     const std::vector<std::string_view> words = WordsOf(tag.Attribute(name));
@@ -190,50 +190,51 @@ private:
     }
     return isGood && points <= this->Arrays.Most()
              ? Result::Ok()
-             : Result::Error(place + name +
+             : Result::Error(location + name +
                              ": expected 6 numbers, first and last of each axis, of "
                              "a lattice that a file of " +
                              std::to_string(this->Arrays.Text.size()) + " bytes can hold, found " +
                              Quoted(tag.Attribute(name)));
   }
 
-  Result OpenPiece(const XmlTag& tag, const std::string& place)
+  Result OpenPiece(const XmlTag& tag, const std::string& location)
   {
     PieceCounts counts;
     if (this->Type == "ImageData")
     {
-      WAFT_RETURN_IF_FAILED(this->ReadExtent(tag, "Extent", place, counts.Points));
+      WAFT_RETURN_IF_FAILED(this->ReadExtent(tag, "Extent", location, counts.Points));
     }
     else
     {
-      WAFT_RETURN_IF_FAILED(this->ReadCount(tag, "NumberOfPoints", place, counts.Points));
+      WAFT_RETURN_IF_FAILED(this->ReadCount(tag, "NumberOfPoints", location, counts.Points));
     }
-    WAFT_RETURN_IF_FAILED(this->ReadCount(tag, "NumberOfRows", place, counts.Rows));
+    WAFT_RETURN_IF_FAILED(this->ReadCount(tag, "NumberOfRows", location, counts.Rows));
     for (const char* kind : { "Verts", "Lines", "Strips", "Polys" })
     {
       const std::string name = std::string("NumberOf") + kind;
       double& count = counts.OfKind[kind];
-      WAFT_RETURN_IF_FAILED(this->ReadCount(tag, name.c_str(), place, count));
+      WAFT_RETURN_IF_FAILED(this->ReadCount(tag, name.c_str(), location, count));
       counts.Cells += count;
     }
     this->Piece = counts;
     return Result::Ok();
   }
 
-  Result OpenArray(const XmlTag& tag, std::string_view parent, const std::string& place)
+  Result OpenArray(const XmlTag& tag, std::string_view parent, const std::string& location)
   {
     ArrayClaim claim;
-    claim.Place = place + "array " + Quoted(tag.Attribute("Name")) + ": ";
+    claim.Location = location + "array " + Quoted(tag.Attribute("Name")) + ": ";
     claim.Format = tag.Attribute("format");
     claim.Format = claim.Format.empty() ? "ascii" : claim.Format;
     const int size = SizeOf(tag.Attribute("type"));
     double components = 1.0;
     double tuples = 0.0;
-    WAFT_RETURN_IF_FAILED(this->ReadCount(tag, "NumberOfComponents", claim.Place, components, 1.0));
-    WAFT_RETURN_IF_FAILED(this->ReadCount(tag, "NumberOfTuples", claim.Place, tuples));
+    WAFT_RETURN_IF_FAILED(
+      this->ReadCount(tag, "NumberOfComponents", claim.Location, components, 1.0));
+    WAFT_RETURN_IF_FAILED(this->ReadCount(tag, "NumberOfTuples", claim.Location, tuples));
     if (size == 0)
     {
-      return Result::Error(claim.Place + "expected a type of numbers or String, found " +
+      return Result::Error(claim.Location + "expected a type of numbers or String, found " +
                            Quoted(tag.Attribute("type")));
     }
     const auto ofKind = this->Piece.OfKind.find(parent);
@@ -248,7 +249,7 @@ private:
     const double values = tuples * components;
     if (values > this->Arrays.Most())
     {
-      return Result::Error(claim.Place + "expected values that the file can hold, found " +
+      return Result::Error(claim.Location + "expected values that the file can hold, found " +
                            std::to_string(static_cast<long long>(values)));
     }
     claim.Bytes = isCounted ? values * size : -1.0;
@@ -256,21 +257,21 @@ private:
     if (claim.Format == "appended")
     {
       double offset = 0.0;
-      WAFT_RETURN_IF_FAILED(this->ReadCount(tag, "offset", claim.Place, offset));
+      WAFT_RETURN_IF_FAILED(this->ReadCount(tag, "offset", claim.Location, offset));
       claim.At = static_cast<std::size_t>(offset);
     }
     this->Claims.push_back(std::move(claim));
     return Result::Ok();
   }
 
-  Result OpenBlock(const XmlTag& tag, const std::string& place)
+  Result OpenBlock(const XmlTag& tag, const std::string& location)
   {
     const std::string_view index = tag.Attribute("index");
     long long number = 0;
     if (!index.empty() &&
         (!ParseInteger(index, number) || number < 0 || static_cast<double>(number) >= MostBlocks))
     {
-      return Result::Error(place + "index: expected a number from 0 to 99999, found " +
+      return Result::Error(location + "index: expected a number from 0 to 99999, found " +
                            Quoted(index));
     }
     const std::string file = Unescaped(tag.Attribute("file"));
@@ -290,14 +291,15 @@ private:
   }
 
   // The values follow an underscore up to the last `</AppendedData>`; they may look like tags.
-  Result OpenAppended(const XmlTag& tag, const std::string& place)
+  Result OpenAppended(const XmlTag& tag, const std::string& location)
   {
     const std::size_t end = this->Arrays.Text.rfind("</AppendedData>");
     const std::size_t mark = this->Arrays.Text.find('_', tag.End);
     if (end == std::string_view::npos || mark == std::string_view::npos || mark > end)
     {
-      return Result::Error(place + "expected `_`, values and `</AppendedData>`, found the end of "
-                                   "the file");
+      return Result::Error(location +
+                           "expected `_`, values and `</AppendedData>`, found the end of "
+                           "the file");
     }
     this->Arrays.Appended = this->Arrays.Text.substr(mark + 1, end - mark - 1);
     this->Arrays.IsRaw = tag.Attribute("encoding") == "raw";

@@ -55,8 +55,8 @@ std::uint64_t ReadUnsigned(std::string_view bytes, std::size_t at, int size, Byt
   std::uint64_t value = 0;
   for (int i = 0; i < size; ++i)
   {
-    const int place = order == ByteOrder::Big ? i : size - 1 - i;
-    value = value << 8 | static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(place)]);
+    const int index = order == ByteOrder::Big ? i : size - 1 - i;
+    value = value << 8 | static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(index)]);
   }
   return value;
 }

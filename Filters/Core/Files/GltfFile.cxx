@@ -9,51 +9,51 @@ namespace waft
 namespace
 {
 
-std::string DecodedData(std::string_view text, const std::string& place)
+std::string DecodedData(std::string_view text, const std::string& location)
 {
   text = text.substr(0, text.find_last_not_of('=') + 1);
   std::string bytes;
   const std::size_t taken = DecodeBase64(text, bytes);
   if (taken < text.size())
   {
-    Refuse(place, "expected base64, found " + Quoted(text.substr(taken, 1)));
+    Refuse(location, "expected base64, found " + Quoted(text.substr(taken, 1)));
   }
   return bytes;
 }
 
-void OpenBytes(FileBytes& file, const std::string& path, const std::string& place)
+void OpenBytes(FileBytes& file, const std::string& path, const std::string& location)
 {
   if (const Result opened = file.Open(path); !opened)
   {
-    throw GltfError{ place + opened.Message() };
+    throw GltfError{ location + opened.Message() };
   }
 }
 
 } // namespace
 
-void Refuse(const std::string& place, const std::string& what)
+void Refuse(const std::string& location, const std::string& what)
 {
-  throw GltfError{ place + ": " + what };
+  throw GltfError{ location + ": " + what };
 }
 
-std::uint64_t IndexAt(const GltfJson& object, const char* key, const std::string& place)
+std::uint64_t IndexAt(const GltfJson& object, const char* key, const std::string& location)
 {
   const auto found = object.find(key);
   if (found == object.end() || !found->is_number_unsigned())
   {
-    Refuse(place + "/" + key, "expected a whole number from 0 on");
+    Refuse(location + "/" + key, "expected a whole number from 0 on");
   }
   return found->get<std::uint64_t>();
 }
 
-std::uint64_t IndexAt(const GltfJson& object, const char* key, const std::string& place,
+std::uint64_t IndexAt(const GltfJson& object, const char* key, const std::string& location,
                       std::uint64_t absent)
 {
-  return object.contains(key) ? IndexAt(object, key, place) : absent;
+  return object.contains(key) ? IndexAt(object, key, location) : absent;
 }
 
 std::vector<double> NumbersAt(const GltfJson& object, const char* key, std::vector<double> absent,
-                              const std::string& place)
+                              const std::string& location)
 {
   const auto found = object.find(key);
   if (found == object.end())
@@ -69,7 +69,7 @@ std::vector<double> NumbersAt(const GltfJson& object, const char* key, std::vect
   }
   if (!isGood)
   {
-    Refuse(place + "/" + key, "expected " + std::to_string(absent.size()) + " numbers");
+    Refuse(location + "/" + key, "expected " + std::to_string(absent.size()) + " numbers");
   }
   return absent;
 }
@@ -105,30 +105,30 @@ std::vector<double> GltfFile::Read(std::uint64_t accessor, const std::string& us
                                    const std::string& type, std::size_t components)
 {
   const GltfJson& entry = this->Entry("accessors", accessor, user);
-  const std::string place = "/accessors/" + std::to_string(accessor);
+  const std::string location = "/accessors/" + std::to_string(accessor);
   if (entry.value("type", GltfJson()) != type || entry.contains("sparse"))
   {
-    Refuse(place, "expected " + type + ", not sparse");
+    Refuse(location, "expected " + type + ", not sparse");
   }
-  const std::uint64_t kind = IndexAt(entry, "componentType", place);
+  const std::uint64_t kind = IndexAt(entry, "componentType", location);
   const int size = kind == 5126 || kind == 5125 ? 4 : kind == 5123 ? 2 : kind == 5121 ? 1 : 0;
   const bool isIndex = components == 1;
   if (size == 0 || (isIndex ? kind == 5126 : components == 3 && kind != 5126))
   {
-    Refuse(place + "/componentType", isIndex ? "expected whole numbers" : "expected floats");
+    Refuse(location + "/componentType", isIndex ? "expected whole numbers" : "expected floats");
   }
-  const std::uint64_t viewIndex = IndexAt(entry, "bufferView", place);
-  const GltfJson& viewEntry = this->Entry("bufferViews", viewIndex, place);
+  const std::uint64_t viewIndex = IndexAt(entry, "bufferView", location);
+  const GltfJson& viewEntry = this->Entry("bufferViews", viewIndex, location);
   const std::string_view view = this->View(viewEntry, "/bufferViews/" + std::to_string(viewIndex));
   const std::uint64_t element = components * static_cast<std::uint64_t>(size);
-  const std::uint64_t stride = IndexAt(viewEntry, "byteStride", place, element);
-  const std::uint64_t start = IndexAt(entry, "byteOffset", place, 0);
-  const std::uint64_t count = IndexAt(entry, "count", place);
+  const std::uint64_t stride = IndexAt(viewEntry, "byteStride", location, element);
+  const std::uint64_t start = IndexAt(entry, "byteOffset", location, 0);
+  const std::uint64_t count = IndexAt(entry, "count", location);
   if (count < 1 || stride < element || stride > 252 || start > view.size() || count > view.size() ||
       !Holds(view, start, (count - 1) * stride + element))
   {
-    Refuse(place, "expected " + std::to_string(count) + " elements within its view of " +
-                    std::to_string(view.size()) + " bytes");
+    Refuse(location, "expected " + std::to_string(count) + " elements within its view of " +
+                       std::to_string(view.size()) + " bytes");
   }
   const double scale = kind == 5123 ? 65535.0 : kind == 5121 ? 255.0 : 1.0;
   std::vector<double> numbers;
@@ -179,7 +179,7 @@ std::string_view GltfFile::OpenChunks(std::string_view file)
 }
 
 void GltfFile::OpenBuffer(Buffer& buffer, const GltfJson& entry, bool isFirst,
-                          const std::string& place)
+                          const std::string& location)
 {
   const auto uri = entry.find("uri");
   if (uri == entry.end())
@@ -188,16 +188,16 @@ void GltfFile::OpenBuffer(Buffer& buffer, const GltfJson& entry, bool isFirst,
   }
   else if (!uri->is_string())
   {
-    Refuse(place + "/uri", "expected a text");
+    Refuse(location + "/uri", "expected a text");
   }
   else if (const auto& name = uri->get_ref<const std::string&>(); name.rfind("data:", 0) == 0)
   {
     const std::size_t comma = name.find(";base64,");
     if (comma == std::string::npos)
     {
-      Refuse(place + "/uri", "expected base64, found other data");
+      Refuse(location + "/uri", "expected base64, found other data");
     }
-    buffer.Decoded = DecodedData(std::string_view(name).substr(comma + 8), place + "/uri");
+    buffer.Decoded = DecodedData(std::string_view(name).substr(comma + 8), location + "/uri");
     buffer.Bytes = buffer.Decoded;
   }
   else
@@ -205,7 +205,7 @@ void GltfFile::OpenBuffer(Buffer& buffer, const GltfJson& entry, bool isFirst,
     buffer.File = std::make_unique<FileBytes>();
     OpenBytes(*buffer.File,
               (std::filesystem::path(this->Path).parent_path() / name.c_str()).string(),
-              place + "/uri: ");
+              location + "/uri: ");
     buffer.Bytes = buffer.File->View();
   }
 }
@@ -213,34 +213,34 @@ void GltfFile::OpenBuffer(Buffer& buffer, const GltfJson& entry, bool isFirst,
 std::string_view GltfFile::BufferBytes(std::uint64_t index, const std::string& user)
 {
   const GltfJson& entry = this->Entry("buffers", index, user);
-  const std::string place = "/buffers/" + std::to_string(index);
+  const std::string location = "/buffers/" + std::to_string(index);
   this->Buffers.resize(this->Json.at("buffers").size());
   Buffer& buffer = this->Buffers[index];
   if (buffer.IsOpen)
   {
     return buffer.Bytes;
   }
-  this->OpenBuffer(buffer, entry, index == 0, place);
-  const std::uint64_t size = IndexAt(entry, "byteLength", place);
+  this->OpenBuffer(buffer, entry, index == 0, location);
+  const std::uint64_t size = IndexAt(entry, "byteLength", location);
   if (size > buffer.Bytes.size())
   {
-    Refuse(place + "/byteLength", "expected at most the " + std::to_string(buffer.Bytes.size()) +
-                                    " bytes that are there, found " + std::to_string(size));
+    Refuse(location + "/byteLength", "expected at most the " + std::to_string(buffer.Bytes.size()) +
+                                       " bytes that are there, found " + std::to_string(size));
   }
   buffer.Bytes = buffer.Bytes.substr(0, size);
   buffer.IsOpen = true;
   return buffer.Bytes;
 }
 
-std::string_view GltfFile::View(const GltfJson& entry, const std::string& place)
+std::string_view GltfFile::View(const GltfJson& entry, const std::string& location)
 {
-  const std::string_view bytes = this->BufferBytes(IndexAt(entry, "buffer", place), place);
-  const std::uint64_t start = IndexAt(entry, "byteOffset", place, 0);
-  const std::uint64_t size = IndexAt(entry, "byteLength", place);
+  const std::string_view bytes = this->BufferBytes(IndexAt(entry, "buffer", location), location);
+  const std::uint64_t start = IndexAt(entry, "byteOffset", location, 0);
+  const std::uint64_t size = IndexAt(entry, "byteLength", location);
   if (!Holds(bytes, start, size))
   {
-    Refuse(place, "expected bytes within its buffer of " + std::to_string(bytes.size()) +
-                    ", found " + std::to_string(size) + " from " + std::to_string(start));
+    Refuse(location, "expected bytes within its buffer of " + std::to_string(bytes.size()) +
+                       ", found " + std::to_string(size) + " from " + std::to_string(start));
   }
   return bytes.substr(start, size);
 }

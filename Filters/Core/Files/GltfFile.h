@@ -24,16 +24,16 @@ struct GltfError
 };
 
 /// Throws "place: what".
-[[noreturn]] void Refuse(const std::string& place, const std::string& what);
+[[noreturn]] void Refuse(const std::string& location, const std::string& what);
 
 /// A whole number from 0 on in `object`, which stands at `place`.
-std::uint64_t IndexAt(const GltfJson& object, const char* key, const std::string& place);
+std::uint64_t IndexAt(const GltfJson& object, const char* key, const std::string& location);
 /// The same, or `absent` where there is none.
-std::uint64_t IndexAt(const GltfJson& object, const char* key, const std::string& place,
+std::uint64_t IndexAt(const GltfJson& object, const char* key, const std::string& location,
                       std::uint64_t absent);
 /// As many finite numbers as `absent` has, which is given where there are none.
 std::vector<double> NumbersAt(const GltfJson& object, const char* key, std::vector<double> absent,
-                              const std::string& place);
+                              const std::string& location);
 
 /// All of this throws GltfError, and what the JSON library throws.
 class GltfFile
@@ -64,9 +64,9 @@ private:
   std::string_view OpenChunks(std::string_view file);
   // Bytes of `buffers[index]`, opened once.
   std::string_view BufferBytes(std::uint64_t index, const std::string& user);
-  void OpenBuffer(Buffer& buffer, const GltfJson& entry, bool isFirst, const std::string& place);
+  void OpenBuffer(Buffer& buffer, const GltfJson& entry, bool isFirst, const std::string& location);
   // Bytes of a view of a buffer.
-  std::string_view View(const GltfJson& entry, const std::string& place);
+  std::string_view View(const GltfJson& entry, const std::string& location);
 
   std::string Path;
   FileBytes Whole;

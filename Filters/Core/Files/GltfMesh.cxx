@@ -14,16 +14,16 @@ namespace
 
 using Matrix4 = Eigen::Matrix4d;
 
-Matrix4 TransformOf(const GltfJson& node, const std::string& place)
+Matrix4 TransformOf(const GltfJson& node, const std::string& location)
 {
   if (node.contains("matrix"))
   {
-    const std::vector<double> m = NumbersAt(node, "matrix", std::vector<double>(16), place);
+    const std::vector<double> m = NumbersAt(node, "matrix", std::vector<double>(16), location);
     return Eigen::Map<const Matrix4>(m.data());
   }
-  const std::vector<double> t = NumbersAt(node, "translation", { 0.0, 0.0, 0.0 }, place);
-  const std::vector<double> r = NumbersAt(node, "rotation", { 0.0, 0.0, 0.0, 1.0 }, place);
-  const std::vector<double> s = NumbersAt(node, "scale", { 1.0, 1.0, 1.0 }, place);
+  const std::vector<double> t = NumbersAt(node, "translation", { 0.0, 0.0, 0.0 }, location);
+  const std::vector<double> r = NumbersAt(node, "rotation", { 0.0, 0.0, 0.0, 1.0 }, location);
+  const std::vector<double> s = NumbersAt(node, "scale", { 1.0, 1.0, 1.0 }, location);
   Matrix4 transform = Matrix4::Identity();
   const Eigen::Quaterniond turn(r[3], r[0], r[1], r[2]);
   transform.topLeftCorner<3, 3>() =
@@ -50,52 +50,54 @@ class SurfaceBuild
 public:
   SurfaceBuild(GltfFile& file, GltfSurface& surface) : File(file), Surface(surface) {}
 
-  void Add(const GltfJson& node, const std::string& place, const Matrix4& transform)
+  void Add(const GltfJson& node, const std::string& location, const Matrix4& transform)
   {
     if (!node.contains("mesh"))
     {
       return;
     }
-    const std::uint64_t index = IndexAt(node, "mesh", place);
-    const GltfJson& mesh = this->File.Entry("meshes", index, place + "/mesh");
-    const std::string meshPlace = "/meshes/" + std::to_string(index) + "/primitives";
+    const std::uint64_t index = IndexAt(node, "mesh", location);
+    const GltfJson& mesh = this->File.Entry("meshes", index, location + "/mesh");
+    const std::string meshLocation = "/meshes/" + std::to_string(index) + "/primitives";
     const auto primitives = mesh.find("primitives");
     if (primitives == mesh.end() || !primitives->is_array())
     {
-      Refuse(meshPlace, "expected a list");
+      Refuse(meshLocation, "expected a list");
     }
     for (std::size_t i = 0; i < primitives->size(); ++i)
     {
-      this->AddPrimitive((*primitives)[i], meshPlace + "/" + std::to_string(i), transform);
+      this->AddPrimitive((*primitives)[i], meshLocation + "/" + std::to_string(i), transform);
     }
   }
 
 private:
-  void AddPrimitive(const GltfJson& primitive, const std::string& place, const Matrix4& transform)
+  void AddPrimitive(const GltfJson& primitive, const std::string& location,
+                    const Matrix4& transform)
   {
     const auto attributes = primitive.is_object() ? primitive.find("attributes") : primitive.end();
     if (!primitive.is_object() || attributes == primitive.end() || !attributes->is_object())
     {
-      Refuse(place + "/attributes", "expected an object");
+      Refuse(location + "/attributes", "expected an object");
     }
-    const std::uint64_t mode = IndexAt(primitive, "mode", place, 4);
+    const std::uint64_t mode = IndexAt(primitive, "mode", location, 4);
     if (mode < 4 || mode > 6)
     {
       return; // points and lines
     }
-    const std::string at = place + "/attributes";
-    const std::vector<double> places =
+    const std::string at = location + "/attributes";
+    const std::vector<double> coordinates =
       this->File.Read(IndexAt(*attributes, "POSITION", at), at + "/POSITION", "VEC3", 3);
     TriangleMesh& mesh = this->Surface.Mesh;
     const int first = static_cast<int>(mesh.Points.size());
-    const std::size_t count = places.size() / 3;
+    const std::size_t count = coordinates.size() / 3;
     if (mesh.Points.size() + count > MostOfAKind)
     {
       Refuse(at, "expected at most " + std::to_string(MostOfAKind) + " points in all");
     }
     for (std::size_t i = 0; i < count; ++i)
     {
-      const Eigen::Vector4d local(places[3 * i], places[3 * i + 1], places[3 * i + 2], 1.0);
+      const Eigen::Vector4d local(coordinates[3 * i], coordinates[3 * i + 1],
+                                  coordinates[3 * i + 2], 1.0);
       const Vec3 p = (transform * local).head<3>();
       if (!limits::Coordinate.HoldsAll(p))
       {
@@ -105,7 +107,7 @@ private:
       mesh.Points.push_back(p.cast<float>().cast<double>());
     }
     this->AddTextureCoordinates(*attributes, at, count);
-    this->AddTriangles(primitive, place, mode, first, count);
+    this->AddTriangles(primitive, location, mode, first, count);
   }
 
   void AddTextureCoordinates(const GltfJson& attributes, const std::string& at, std::size_t count)
@@ -133,15 +135,15 @@ private:
     }
   }
 
-  void AddTriangles(const GltfJson& primitive, const std::string& place, std::uint64_t mode,
+  void AddTriangles(const GltfJson& primitive, const std::string& location, std::uint64_t mode,
                     int first, std::size_t count)
   {
     std::vector<int> corners;
     if (primitive.contains("indices"))
     {
-      const std::string at = place + "/indices";
+      const std::string at = location + "/indices";
       for (const double index :
-           this->File.Read(IndexAt(primitive, "indices", place), at, "SCALAR", 1))
+           this->File.Read(IndexAt(primitive, "indices", location), at, "SCALAR", 1))
       {
         if (index >= static_cast<double>(count))
         {
@@ -159,7 +161,7 @@ private:
     auto& all = this->Surface.Mesh.Triangles;
     if (all.size() + triangles.size() > MostOfAKind)
     {
-      Refuse(place, "expected at most " + std::to_string(MostOfAKind) + " triangles in all");
+      Refuse(location, "expected at most " + std::to_string(MostOfAKind) + " triangles in all");
     }
     all.insert(all.end(), triangles.begin(), triangles.end());
   }
@@ -179,7 +181,7 @@ struct Visit
 };
 
 // Nodes on `pending` in the order of the file.
-void AddChildren(const GltfJson& owner, const char* key, const std::string& place,
+void AddChildren(const GltfJson& owner, const char* key, const std::string& location,
                  const Matrix4& transform, std::vector<Visit>& pending)
 {
   const auto list = owner.find(key);
@@ -187,7 +189,7 @@ void AddChildren(const GltfJson& owner, const char* key, const std::string& plac
   {
     return;
   }
-  const std::string at = place + "/" + key;
+  const std::string at = location + "/" + key;
   if (!list->is_array())
   {
     Refuse(at, "expected a list");
@@ -223,10 +225,10 @@ void ReadScene(GltfFile& file, GltfSurface& surface)
              "expected each node once, found node " + std::to_string(visit.Node) + " again");
     }
     seen[visit.Node] = true;
-    const std::string place = "/nodes/" + std::to_string(visit.Node);
-    const Matrix4 transform = visit.Parent * TransformOf(node, place);
-    build.Add(node, place, transform);
-    AddChildren(node, "children", place, transform, pending);
+    const std::string location = "/nodes/" + std::to_string(visit.Node);
+    const Matrix4 transform = visit.Parent * TransformOf(node, location);
+    build.Add(node, location, transform);
+    AddChildren(node, "children", location, transform, pending);
   }
 }
 

@@ -16,7 +16,7 @@ using ObjCounts = std::array<long long, 3>;
 
 // One corner, `point/texture/normal`. Numbers below zero count back from the last line above.
 Result CheckCorner(std::string_view corner, const ObjCounts& above, const ObjCounts& all,
-                   const std::string& place)
+                   const std::string& location)
 {
   std::string_view rest = corner;
   for (std::size_t part = 0; part < 3; ++part)
@@ -29,7 +29,7 @@ Result CheckCorner(std::string_view corner, const ObjCounts& above, const ObjCou
                                                        (index < 0 && -index <= above[part]));
     if (!isLeftOut && !isThere)
     {
-      return Result::Error(place + "expected an index of " + std::to_string(all[part]) +
+      return Result::Error(location + "expected an index of " + std::to_string(all[part]) +
                            (part == 0   ? " points"
                             : part == 1 ? " texture coordinates"
                                         : " normals") +
@@ -41,7 +41,7 @@ Result CheckCorner(std::string_view corner, const ObjCounts& above, const ObjCou
     }
     rest.remove_prefix(end + 1);
   }
-  return Result::Error(place + "expected point/texture/normal, found " + Quoted(corner));
+  return Result::Error(location + "expected point/texture/normal, found " + Quoted(corner));
 }
 
 // Which of the counts a line adds to; 3: none.
@@ -73,7 +73,7 @@ Result CheckObj(std::string_view file)
     const std::string_view kind = words.empty() ? std::string_view() : words[0];
     if (const std::size_t at = ObjKind(line); at < above.size())
     {
-      WAFT_RETURN_IF_FAILED(CheckCoordinates(words, 1, at == 1 ? 2 : 3, lines.Place()));
+      WAFT_RETURN_IF_FAILED(CheckCoordinates(words, 1, at == 1 ? 2 : 3, lines.Location()));
       ++above[at];
     }
     else if (kind == "f" || kind == "l" || kind == "p")
@@ -82,12 +82,12 @@ Result CheckObj(std::string_view file)
       // A backslash goes on in the next line, which readers do not agree about.
       if (words.size() < 1 + least)
       {
-        return Result::Error(lines.Place() + "expected at least " + std::to_string(least) +
+        return Result::Error(lines.Location() + "expected at least " + std::to_string(least) +
                              " corners, found " + std::to_string(words.size() - 1));
       }
       for (std::size_t i = 1; i < words.size(); ++i)
       {
-        WAFT_RETURN_IF_FAILED(CheckCorner(words[i], above, all, lines.Place()));
+        WAFT_RETURN_IF_FAILED(CheckCorner(words[i], above, all, lines.Location()));
       }
     }
   }
@@ -133,7 +133,7 @@ Result CheckStl(std::string_view file)
     hasEnd = hasEnd || (!words.empty() && words[0] == "endsolid");
     if (!words.empty() && words[0] == "vertex")
     {
-      WAFT_RETURN_IF_FAILED(CheckCoordinates(words, 1, 3, lines.Place()));
+      WAFT_RETURN_IF_FAILED(CheckCoordinates(words, 1, 3, lines.Location()));
     }
   }
   return hasEnd ? Result::Ok() : Result::Error("expected `endsolid`, found the end of the file");

@@ -51,16 +51,16 @@ Result ReadTiffFields(std::string_view file, ByteOrder order, TiffFields& fields
       continue;
     }
     const std::uint64_t bytes = static_cast<std::uint64_t>(size) * length;
-    const std::uint64_t place = bytes <= 4 ? entry + 8 : ReadUnsigned(file, entry + 8, 4, order);
+    const std::uint64_t offset = bytes <= 4 ? entry + 8 : ReadUnsigned(file, entry + 8, 4, order);
     total += bytes;
-    if (!Holds(file, place, bytes) || total > file.size())
+    if (!Holds(file, offset, bytes) || total > file.size())
     {
       return Cut("field " + std::to_string(tag));
     }
     for (std::uint64_t k = 0; k < length; ++k)
     {
       fields[tag].push_back(
-        ReadUnsigned(file, place + k * static_cast<std::uint64_t>(size), size, order));
+        ReadUnsigned(file, offset + k * static_cast<std::uint64_t>(size), size, order));
     }
   }
   return Result::Ok();
@@ -195,7 +195,7 @@ Result CheckTiff(std::string_view file)
   }
   // Tiles, where there are some, or strips.
   const bool isTiled = fields.count(324) > 0;
-  const auto& places = fields[isTiled ? 324 : 273];
+  const auto& offsets = fields[isTiled ? 324 : 273];
   const auto& sizes = fields[isTiled ? 325 : 279];
   const std::uint64_t along = isTiled ? FieldOf(fields, 322, 0) : width;
   const std::uint64_t down =
@@ -203,18 +203,18 @@ Result CheckTiff(std::string_view file)
   WAFT_RETURN_IF_FAILED(CheckPictureSize(along, down));
   const std::uint64_t planes = FieldOf(fields, 284, 1) == 2 ? channels : 1;
   const std::uint64_t parts = ((width + along - 1) / along) * ((height + down - 1) / down) * planes;
-  if (places.size() != parts || sizes.size() != parts)
+  if (offsets.size() != parts || sizes.size() != parts)
   {
     return Result::Error("expected " + std::to_string(parts) + " strips or tiles, found " +
-                         std::to_string(places.size()));
+                         std::to_string(offsets.size()));
   }
   const std::uint64_t partBytes = along * down * (channels / planes) * bits / 8;
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < offsets.size(); ++i)
   {
     const std::uint64_t last = isTiled ? down : height - (i % (parts / planes)) * down;
     const std::uint64_t least =
       FieldOf(fields, 259, 1) == 1 ? partBytes / down * std::min(down, last) : std::uint64_t{ 1 };
-    if (sizes[i] < least || !Holds(file, places[i], sizes[i]))
+    if (sizes[i] < least || !Holds(file, offsets[i], sizes[i]))
     {
       return Cut("strip or tile " + std::to_string(i));
     }

@@ -136,7 +136,7 @@ Result ReadHeader(TextLines& lines, PlyHeader& header)
     }
     if (!isGood)
     {
-      return Result::Error(lines.Place() + "expected a line of a PLY header, found " +
+      return Result::Error(lines.Location() + "expected a line of a PLY header, found " +
                            Quoted(line));
     }
   }
@@ -202,41 +202,41 @@ bool IsIndexList(const PlyProperty& property)
          (property.Name == "vertex_indices" || property.Name == "vertex_index");
 }
 
-Result CheckElement(const PlyElement& element, const std::string& place, long long points,
+Result CheckElement(const PlyElement& element, const std::string& location, long long points,
                     PlyNumbers& numbers)
 {
   if (!numbers.BeginElement())
   {
-    return Result::Error(place + "expected it, found the end of the file");
+    return Result::Error(location + "expected it, found the end of the file");
   }
   for (const PlyProperty& property : element.Properties)
   {
     double count = 1.0;
     if (property.Count.Size > 0 && (!numbers.Next(property.Count, count) || count < 0.0))
     {
-      return Result::Error(place + "expected the length of `" + property.Name + "`");
+      return Result::Error(location + "expected the length of `" + property.Name + "`");
     }
     const bool isIndex = element.Name == "face" && IsIndexList(property);
-    const bool isPlace = element.Name == "vertex" && IsCoordinate(property.Name);
+    const bool isPosition = element.Name == "vertex" && IsCoordinate(property.Name);
     if (isIndex && count > MostCorners)
     {
-      return Result::Error(place + "expected at most 255 corners, found more");
+      return Result::Error(location + "expected at most 255 corners, found more");
     }
     for (double i = 0.0; i < count; ++i)
     {
       double number = 0.0;
       if (!numbers.Next(property.Type, number))
       {
-        return Result::Error(place + "expected all of `" + property.Name +
+        return Result::Error(location + "expected all of `" + property.Name +
                              "`, found fewer numbers");
       }
-      if (isPlace && !limits::Coordinate.Holds(number))
+      if (isPosition && !limits::Coordinate.Holds(number))
       {
-        return Result::Error(place + "expected coordinates of at most 1e6, found others");
+        return Result::Error(location + "expected coordinates of at most 1e6, found others");
       }
       if (isIndex && !(number >= 0.0 && number < static_cast<double>(points)))
       {
-        return Result::Error(place + "expected indices of " + std::to_string(points) +
+        return Result::Error(location + "expected indices of " + std::to_string(points) +
                              " points, found another");
       }
     }
@@ -255,12 +255,12 @@ Result CheckPly(std::string_view file)
   bool hasFaces = false;
   for (const PlyElement& element : header.Elements)
   {
-    const bool isPlaced = element.Find("x") && element.Find("y") && element.Find("z");
+    const bool hasPositions = element.Find("x") && element.Find("y") && element.Find("z");
     for (const PlyProperty& property : element.Properties)
     {
       hasFaces = hasFaces || (element.Name == "face" && IsIndexList(property));
     }
-    points = element.Name == "vertex" && isPlaced ? element.Count : points;
+    points = element.Name == "vertex" && hasPositions ? element.Count : points;
   }
   if (points < 0 || !hasFaces)
   {
@@ -276,8 +276,8 @@ Result CheckPly(std::string_view file)
     }
     for (long long i = 0; i < element.Count; ++i)
     {
-      const std::string place = "element " + element.Name + " " + std::to_string(i) + ": ";
-      WAFT_RETURN_IF_FAILED(CheckElement(element, place, points, numbers));
+      const std::string location = "element " + element.Name + " " + std::to_string(i) + ": ";
+      WAFT_RETURN_IF_FAILED(CheckElement(element, location, points, numbers));
     }
   }
   return Result::Ok();

@@ -229,10 +229,10 @@ Result SoundPng(std::string_view file, std::string& sound)
   bool hasEnd = false;
   for (std::size_t at = Signature.size(); !hasEnd;)
   {
-    const std::string place = "byte " + std::to_string(at) + ": ";
+    const std::string location = "byte " + std::to_string(at) + ": ";
     if (!Holds(file, at, 12) || !Holds(file, at + 12, Read32(file, at)))
     {
-      return Result::Error(place + "expected a whole chunk, found the end of the file");
+      return Result::Error(location + "expected a whole chunk, found the end of the file");
     }
     const std::uint32_t size = Read32(file, at);
     const std::string_view type = file.substr(at + 4, 4);
@@ -240,11 +240,11 @@ Result SoundPng(std::string_view file, std::string& sound)
     const auto* bytes = reinterpret_cast<const Bytef*>(file.data() + at + 4);
     if (crc32(0, bytes, size + 4) != Read32(file, at + 8 + size))
     {
-      return Result::Error(place + "chunk " + Quoted(type) + ": its checksum is wrong");
+      return Result::Error(location + "chunk " + Quoted(type) + ": its checksum is wrong");
     }
     if (header.empty() != (type == "IHDR"))
     {
-      return Result::Error(place + "expected one chunk IHDR, the first");
+      return Result::Error(location + "expected one chunk IHDR, the first");
     }
     if (type == "IHDR")
     {
@@ -265,7 +265,7 @@ Result SoundPng(std::string_view file, std::string& sound)
     }
     else if (type != "IEND" && type[0] >= 'A' && type[0] <= 'Z')
     {
-      return Result::Error(place + "expected a known chunk, found " + Quoted(type));
+      return Result::Error(location + "expected a known chunk, found " + Quoted(type));
     }
     hasEnd = type == "IEND";
     at += 12 + std::size_t{ size };

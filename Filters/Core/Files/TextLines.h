@@ -36,7 +36,7 @@ public:
     return true;
   }
   /// "line 7: ", of the last line given.
-  std::string Place() const { return "line " + std::to_string(this->Number) + ": "; }
+  std::string Location() const { return "line " + std::to_string(this->Number) + ": "; }
   /// What follows that line.
   std::string_view Remainder() const { return this->Rest; }
 
@@ -61,14 +61,14 @@ inline std::vector<std::string_view> WordsOf(std::string_view line)
 
 /// Are words [first, first + count) there, and coordinates in limits::Coordinate?
 inline Result CheckCoordinates(const std::vector<std::string_view>& words, std::size_t first,
-                               std::size_t count, const std::string& place)
+                               std::size_t count, const std::string& location)
 {
   for (std::size_t i = first; i < first + count; ++i)
   {
     double number = 0.0;
     if (i >= words.size() || !ParseNumber(words[i], number) || !limits::Coordinate.Holds(number))
     {
-      return Result::Error(place + "expected " + std::to_string(count) +
+      return Result::Error(location + "expected " + std::to_string(count) +
                            " numbers of at most 1e6, found " +
                            (i < words.size() ? Quoted(words[i]) : std::to_string(i - first)));
     }

@@ -123,9 +123,9 @@ Result CheckSelfIntersection(const std::string& name, const TriangleMesh& mesh)
     return Result::Ok();
   }
   const auto& corners = mesh.Triangles[first];
-  const Vec3 place =
+  const Vec3 middle =
     (mesh.Points[corners[0]] + mesh.Points[corners[1]] + mesh.Points[corners[2]]) / 3.0;
-  return Result::Error(name + ": the surface cuts itself near " + PointText(place) +
+  return Result::Error(name + ": the surface cuts itself near " + PointText(middle) +
                        ", expected the boundary of a solid");
 }
 

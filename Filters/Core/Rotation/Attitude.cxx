@@ -265,15 +265,15 @@ private:
   {
     const Vec3 turn = LogMap(wanted * start.conjugate());
     const double time = (key.Frame - from) / this->Plan.Time.FramesPerSecond;
-    const double share = this->Plan.TurningRate * time / std::max(turn.norm(), 1e-12);
-    if (share >= 1.0)
+    const double fraction = this->Plan.TurningRate * time / std::max(turn.norm(), 1e-12);
+    if (fraction >= 1.0)
     {
       return wanted;
     }
     this->Out.TooFast[{ key.Row, key.Target }] = "it asks for " + Short(turn.norm() / time) +
                                                  " rad/s since frame " + std::to_string(from) +
                                                  ", more than " + Short(this->Plan.TurningRate);
-    return (ExpMap(share * turn) * start).normalized();
+    return (ExpMap(fraction * turn) * start).normalized();
   }
 
   RestingPose LyingPose(const LandingWindow& rest, const Quat& arriving) const
@@ -320,8 +320,8 @@ private:
         left.coeffs() = -left.coeffs();
       }
       after = left;
-      const double share = SmoothStep(1.0 - (rest.Frame - i) / span);
-      poses[i] = (ExpMap(share * SignedLogMap(left)) * poses[i]).normalized();
+      const double fraction = SmoothStep(1.0 - (rest.Frame - i) / span);
+      poses[i] = (ExpMap(fraction * SignedLogMap(left)) * poses[i]).normalized();
       this->Marks.Changed[i] = 1;
     }
     this->State.Flight.Orientation = lying;

@@ -115,7 +115,7 @@ private:
 
   double LeastPlaneBlend(std::size_t k, double start) const
   {
-    constexpr int Places = 24;
+    constexpr int Samples = 24;
     double best = start;
     double height = this->Around.Lowest(k, start);
     if (height >= -Rounding)
@@ -123,9 +123,9 @@ private:
       return start;
     }
     double before = start;
-    for (int i = 1; i <= Places; ++i)
+    for (int i = 1; i <= Samples; ++i)
     {
-      double here = start + (1.0 - start) * i / Places;
+      double here = start + (1.0 - start) * i / Samples;
       const double lowest = this->Around.Lowest(k, here);
       if (lowest >= -Rounding)
       {

@@ -58,7 +58,7 @@ double Attached(const FlightBody& body, const Vec3& velocity)
 /// turns a plate broadside, as far as the flow is attached; it and the changing P keep the energy
 /// of the moving air in the account.
 Rates Derive(const FlightBody& body, const FlightPath& path, const FlightState& state, double frame,
-             double share)
+             double slowing)
 {
   Rates rates;
   if (body.AirDensity <= 0.0)
@@ -76,7 +76,7 @@ Rates Derive(const FlightBody& body, const FlightPath& path, const FlightState& 
   const Vec3 velocity = body.Slips ? state.Velocity(body) : given;
   const Wrench air =
     body.Panels->Evaluate(turn.transpose() * velocity, gradient, body.Coefficients);
-  const double density = share * body.AirDensity;
+  const double density = slowing * body.AirDensity;
   rates.Torque = density * (turn * air.Torque);
   if (body.Slips)
   {
@@ -87,7 +87,7 @@ Rates Derive(const FlightBody& body, const FlightPath& path, const FlightState& 
     rates.Momentum =
       density * (turn * air.Force + drawn) + turn * (body.Mass * (turn.transpose() * wanted));
     rates.Torque -=
-      share * Attached(body, turn.transpose() * velocity) * velocity.cross(state.Momentum);
+      slowing * Attached(body, turn.transpose() * velocity) * velocity.cross(state.Momentum);
   }
   rates.AngularMomentum = rates.Torque;
   return rates;
@@ -239,7 +239,7 @@ FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int fra
   const double wanted = std::ceil(path.Step * rate / StepOfRate);
   const int steps = static_cast<int>(
     std::clamp(wanted, floor != nullptr ? LeastContactSteps : 2.0, static_cast<double>(MostSteps)));
-  const double share = wanted > MostSteps ? MostSteps / wanted : 1.0;
+  const double slowing = wanted > MostSteps ? MostSteps / wanted : 1.0;
   const double h = path.Step / steps;
   const double fade = std::exp(-0.5 * h * body.Damping);
   for (int i = 0; i < steps; ++i)
@@ -247,7 +247,7 @@ FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int fra
     const double here = frame + static_cast<double>(i) / steps;
     // Damping is exact in two halves about the step, so that its rate holds for any step.
     Fade(body, path, here, fade, state);
-    Rates rates = Derive(body, path, state, here, share);
+    Rates rates = Derive(body, path, state, here, slowing);
     if (settling.Weight > 0.0)
     {
       rates.AngularMomentum += SettlingTorque(body, settling, state);
@@ -263,7 +263,7 @@ FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int fra
     middle.AngularMomentum += 0.5 * h * rates.AngularMomentum;
     middle.Momentum += 0.5 * h * rates.Momentum;
     events.Slowed = LimitTurning(body, fastest, middle) || events.Slowed;
-    rates = Derive(body, path, middle, here + 0.5 / steps, share);
+    rates = Derive(body, path, middle, here + 0.5 / steps, slowing);
     if (settling.Weight > 0.0)
     {
       rates.AngularMomentum += SettlingTorque(body, settling, middle);

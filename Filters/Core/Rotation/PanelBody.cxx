@@ -69,8 +69,8 @@ void PanelBody::SplitMesh(const TriangleMesh& mesh, std::vector<Piece>& pieces) 
     const Vec3& b = mesh.Points[mesh.Triangles[t][1]];
     const Vec3& c = mesh.Points[mesh.Triangles[t][2]];
     const Vec3 area = 0.5 * (b - a).cross(c - a);
-    const double share = area.norm() / this->TotalArea;
-    const int cuts = std::clamp(static_cast<int>(std::ceil(std::sqrt(256.0 * share))), 1, 24);
+    const double fraction = area.norm() / this->TotalArea;
+    const int cuts = std::clamp(static_cast<int>(std::ceil(std::sqrt(256.0 * fraction))), 1, 24);
     const Vec3 u = (b - a) / cuts;
     const Vec3 v = (c - a) / cuts;
     for (int i = 0; i < cuts; ++i)

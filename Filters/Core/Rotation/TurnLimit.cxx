@@ -15,11 +15,11 @@ namespace
 {
 constexpr int MostFlights = 12;
 constexpr int MostInVain = 3;
-constexpr int Ramp = 8;              // frames over which the flight slows down, and gathers speed
-constexpr double LeastShare = 0.05;  // of the limit, that a flight is left
-constexpr double Quickness = 0.5;    // of the limit, by which torques change turning in a frame
-constexpr double Aim = 0.97;         // of the limit, for what is above it: few flights do
-constexpr double Slack = 1.0 + 1e-9; // rounding
+constexpr int Ramp = 8;                // frames over which the flight slows down, and gathers speed
+constexpr double LeastFraction = 0.05; // of the limit, that a flight is left
+constexpr double Quickness = 0.5;      // of the limit, by which torques change turning in a frame
+constexpr double Aim = 0.97;           // of the limit, for what is above it: few flights do
+constexpr double Slack = 1.0 + 1e-9;   // rounding
 constexpr double Unlimited = std::numeric_limits<double>::infinity();
 const double Half = std::acos(-1.0); // rad, of a turn
 const double Degrees = 180.0 / Half;
@@ -82,13 +82,13 @@ void SlowAbout(const std::vector<double>& turns, double most, double step,
     const double excess = turns[k] > most * Slack ? turns[k] - Aim * most : 0.0;
     for (int i = std::max(k - Ramp, 0); excess > 0.0 && i <= std::min(k + Ramp, count - 1); ++i)
     {
-      const double share = SmoothStep(1.0 - std::abs(i - k) / (Ramp + 1.0));
-      less[i] = std::max(less[i], excess * share);
+      const double fraction = SmoothStep(1.0 - std::abs(i - k) / (Ramp + 1.0));
+      less[i] = std::max(less[i], excess * fraction);
     }
   }
   for (int i = 0; i < count; ++i)
   {
-    fastest[i] = std::max(fastest[i] - less[i] / step, LeastShare * most / step);
+    fastest[i] = std::max(fastest[i] - less[i] / step, LeastFraction * most / step);
   }
 }
 

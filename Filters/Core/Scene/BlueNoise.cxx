@@ -63,15 +63,15 @@ std::vector<std::vector<Neighbor>> Neighbors(const std::vector<Vec3>& points, do
 
 double PackingDistance(double measure, int dimensions, std::size_t count)
 {
-  const double share = measure / static_cast<double>(std::max<std::size_t>(count, 1));
+  const double measureOfEach = measure / static_cast<double>(std::max<std::size_t>(count, 1));
   switch (dimensions)
   {
     case 3:
-      return std::cbrt(std::sqrt(2.0) * share);
+      return std::cbrt(std::sqrt(2.0) * measureOfEach);
     case 2:
-      return std::sqrt(2.0 / std::sqrt(3.0) * share);
+      return std::sqrt(2.0 / std::sqrt(3.0) * measureOfEach);
     default:
-      return share;
+      return measureOfEach;
   }
 }
 

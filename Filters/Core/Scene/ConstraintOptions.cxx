@@ -68,9 +68,10 @@ Result ConstraintOptions::MakeRows(std::vector<Constraint>& rows) const
   {
     Constraint& own = rows[static_cast<std::size_t>(k)];
     own.Value = Vec3(this->Waypoints[static_cast<std::size_t>(k)].data());
-    const double share = count > 1 ? static_cast<double>(k) / (count - 1) : 0.0;
-    own.Frame = this->Frame + static_cast<int>(
-                                std::lround(share * (OrLast(this->LastFrame, last) - this->Frame)));
+    const double fraction = count > 1 ? static_cast<double>(k) / (count - 1) : 0.0;
+    own.Frame =
+      this->Frame +
+      static_cast<int>(std::lround(fraction * (OrLast(this->LastFrame, last) - this->Frame)));
     own.Until = waft::LastFrame(own);
   }
   return Result::Ok();

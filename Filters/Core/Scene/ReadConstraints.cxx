@@ -11,10 +11,10 @@ namespace waft
 int SceneReader::ObjectId(const SceneNode& node, int lowest) const
 {
   // Ids that are not the places in the list leave gaps.
-  const int last = this->PlaceOfObject.empty() ? -1 : this->PlaceOfObject.rbegin()->first;
+  const int last = this->IndexOfObject.empty() ? -1 : this->IndexOfObject.rbegin()->first;
   const char* what = lowest < 0 ? "the id of an object or -1 for any" : "the id of an object";
   const int id = static_cast<int>(node.Integer(lowest, last, what));
-  if (id >= 0 && this->PlaceOfObject.count(id) == 0)
+  if (id >= 0 && this->IndexOfObject.count(id) == 0)
   {
     node.Fail(what);
   }
@@ -23,7 +23,7 @@ int SceneReader::ObjectId(const SceneNode& node, int lowest) const
 
 const MotionObject& SceneReader::Object(int id) const
 {
-  return this->Out.Objects[this->PlaceOfObject.at(id)];
+  return this->Out.Objects[this->IndexOfObject.at(id)];
 }
 
 void SceneReader::ReadConstraints(const SceneNode& node)
@@ -36,7 +36,16 @@ void SceneReader::ReadConstraints(const SceneNode& node)
   this->AssignChosen(node);
 }
 
-void SceneReader::ReadConstraint(const SceneNode& node, int row)
+void SceneReader::KeepConstraints(std::size_t count)
+{
+  while (this->Out.Constraints.size() > count)
+  {
+    this->Choices.erase(this->Out.Constraints.back().Group);
+    this->Out.Constraints.pop_back();
+  }
+}
+
+void SceneReader::ReadConstraint(const SceneNode& node, int index)
 {
   std::string expected;
   for (int k = 0; k < NumberOfConstraintKinds; ++k)
@@ -48,12 +57,12 @@ void SceneReader::ReadConstraint(const SceneNode& node, int row)
   const std::string kind = kindNode.Text();
   if (kind == "path")
   {
-    this->ReadPath(node, row);
+    this->ReadPath(node, index);
     return;
   }
   if (kind == "keyframe")
   {
-    this->ReadKeyframe(node, row);
+    this->ReadKeyframe(node, index);
     return;
   }
   const ConstraintTraits* simple = FindConstraintKind(kind);
@@ -63,7 +72,7 @@ void SceneReader::ReadConstraint(const SceneNode& node, int row)
   }
   node.CheckFields(kind + "Constraint");
   Constraint constraint;
-  constraint.Row = row;
+  constraint.Row = index;
   constraint.Kind = simple->Kind;
   constraint.ObjectId =
     this->ObjectId(node.At("object", "the id of an object"), simple->IsPlace ? -1 : 0);
@@ -145,7 +154,6 @@ std::vector<int> SceneReader::ObjectIds(const SceneNode& node, bool mayBeAny) co
   return ids;
 }
 
-// "Any object" means any of the scene; a choice among a few is made here, once all rows are known.
 void SceneReader::AssignChosen(const SceneNode& node)
 {
   if (this->Choices.empty())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Obstacles, winds and vortices of a scene file.
 #include "Base/Primitives.h"
+#include "Obstacles/SurfaceRepair.h"
 #include "Scene/SceneReader.h"
 
 #include <algorithm>
@@ -58,20 +59,20 @@ void SceneReader::ReadObstacles(const SceneNode& node)
   }
 }
 
-ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int place)
+ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int index)
 {
   const std::string expected = "box, sphere, cylinder or mesh";
   const SceneNode kindNode = node.At("kind", expected);
   const std::string kind = kindNode.Text();
   ObstacleMesh obstacle;
-  std::vector<Vec3> places; // of its reference point, one a frame; none where it stands still
+  std::vector<Vec3> positions; // of its reference point, one a frame; none where it stands still
   // Where its reference point is at frame 0.
   const auto first = [&](const Vec3& reference) -> Vec3
   {
-    places = node.Has("motion") ? this->ReadMotion(node.At("motion", "")) : std::vector<Vec3>();
+    positions = node.Has("motion") ? this->ReadMotion(node.At("motion", "")) : std::vector<Vec3>();
     const double tolerance = 1e-12 * this->Out.Info.Bounds.Width();
-    const bool isThere = places.empty() || (places.front() - reference).norm() <= tolerance;
-    return isThere ? reference : places.front();
+    const bool isThere = positions.empty() || (positions.front() - reference).norm() <= tolerance;
+    return isThere ? reference : positions.front();
   };
   Vec3 reference; // of the mesh as it is made
   if (kind == "box")
@@ -132,12 +133,18 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int place)
     kindNode.Fail(expected);
   }
   obstacle.ObstacleId =
-    node.Has("id") ? static_cast<int>(node.At("id", "").Integer("an id")) : place;
-  const bool moves =
-    std::any_of(places.begin(), places.end(), [&](const Vec3& at) { return at != places.front(); });
-  for (std::size_t frame = 0; moves && frame < places.size(); ++frame)
+    node.Has("id") ? static_cast<int>(node.At("id", "").Integer("an id")) : index;
+  Result closed = RepairSurface(node.Pointer(), obstacle.Mesh);
+  closed = closed ? CheckSelfIntersection(node.Pointer(), obstacle.Mesh) : closed;
+  if (!closed)
   {
-    obstacle.Offsets.push_back(places[frame] - reference);
+    throw SceneError{ closed.Message() };
+  }
+  const bool moves = std::any_of(positions.begin(), positions.end(),
+                                 [&](const Vec3& at) { return at != positions.front(); });
+  for (std::size_t frame = 0; moves && frame < positions.size(); ++frame)
+  {
+    obstacle.Offsets.push_back(positions[frame] - reference);
   }
   return obstacle;
 }
@@ -159,7 +166,7 @@ std::vector<Vec3> SceneReader::ReadMotion(const SceneNode& node) const
     }
     keys.emplace_back(frame, key.At("position", "a point [x, y, z]").Vector());
   }
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   std::size_t after = 0; // the first key not before the frame
   for (int frame = 0; !keys.empty() && frame < this->Out.Info.Time.NumberOfFrames; ++frame)
   {
@@ -169,14 +176,14 @@ std::vector<Vec3> SceneReader::ReadMotion(const SceneNode& node) const
     }
     if (after == 0 || after == keys.size() || keys[after].first == frame)
     {
-      places.push_back(keys[std::min(after, keys.size() - 1)].second);
+      positions.push_back(keys[std::min(after, keys.size() - 1)].second);
       continue;
     }
     const auto& [frameA, a] = keys[after - 1];
     const auto& [frameB, b] = keys[after];
-    places.emplace_back(a + double(frame - frameA) / (frameB - frameA) * (b - a));
+    positions.emplace_back(a + double(frame - frameA) / (frameB - frameA) * (b - a));
   }
-  return places;
+  return positions;
 }
 
 TriangleMesh MakeGround(const Box& bounds, double height)

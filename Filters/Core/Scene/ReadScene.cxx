@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/NumberText.h"
+#include "Scene/AuthoredParts.h"
 #include "Scene/Scene.h"
 #include "Scene/SceneReader.h"
 
@@ -45,7 +46,7 @@ std::string Reason(const std::string& what)
 }
 
 // Where a parser stands in a text, and the fields that it met in the objects around it.
-class ParserPlace
+class ParserPosition
 {
 public:
   /// False at a field that its object had before.
@@ -98,13 +99,13 @@ private:
 SceneJson ParseText(const std::string& text, const std::string& name)
 {
   // A field that stands twice in an object would silently win or lose.
-  ParserPlace place;
+  ParserPosition position;
   const auto refuseTwice = [&](int, SceneJson::parse_event_t event, SceneJson& value)
   {
-    if (!place.Pass(event, value))
+    if (!position.Pass(event, value))
     {
-      throw SceneError{ name + ": " + place.Pointer() +
-                        ": expected every field of an object once, found \"" + place.Field() +
+      throw SceneError{ name + ": " + position.Pointer() +
+                        ": expected every field of an object once, found \"" + position.Field() +
                         "\" twice" };
     }
     return true;
@@ -216,21 +217,6 @@ void SceneReader::ReadInfo(const SceneNode& root)
                   " m on, the longest at most " + NumberText(MostSlender) + " times the shortest");
     }
   }
-  this->GroundHeight = info.Bounds.Min.z();
-  if (root.Has("ground"))
-  {
-    const SceneNode ground = root.At("ground", "");
-    ground.CheckFields("ground");
-    if (ground.Has("height"))
-    {
-      this->GroundHeight = ground.At("height", "").Number();
-      if (this->GroundHeight > info.Bounds.Max.z() - LeastSide)
-      {
-        ground.At("height", "").Fail("a height below the top of the volume");
-      }
-    }
-    this->HasGround = !ground.Has("enabled") || ground.At("enabled", "").Boolean();
-  }
   if (root.Has("air"))
   {
     const SceneNode air = root.At("air", "");
@@ -242,10 +228,31 @@ void SceneReader::ReadInfo(const SceneNode& root)
   }
 }
 
+void SceneReader::ReadGround(const SceneNode& root)
+{
+  const Box& bounds = this->Out.Info.Bounds;
+  this->GroundHeight = bounds.Min.z();
+  if (root.Has("ground"))
+  {
+    const SceneNode ground = root.At("ground", "");
+    ground.CheckFields("ground");
+    if (ground.Has("height"))
+    {
+      this->GroundHeight = ground.At("height", "").Number();
+      if (this->GroundHeight > bounds.Max.z() - LeastSide)
+      {
+        ground.At("height", "").Fail("a height below the top of the volume");
+      }
+    }
+    this->HasGround = !ground.Has("enabled") || ground.At("enabled", "").Boolean();
+  }
+}
+
 void SceneReader::Read(const SceneNode& root)
 {
   root.CheckFields("scene");
   this->ReadInfo(root);
+  this->ReadGround(root);
   // Obstacles before objects (they keep clear of them), objects before constraints (which name
   // them).
   if (root.Has("shapes"))
@@ -285,6 +292,7 @@ Result ParseScene(const std::string& text, const std::string& name, const std::s
     try
     {
       SceneReader(name, folder, assets, read).Read(SceneNode(json, ""));
+      KeepAuthored(json, folder, read);
     }
     catch (const SceneError& error)
     {
@@ -301,6 +309,13 @@ Result ParseScene(const std::string& text, const std::string& name, const std::s
   {
     return Result::Error(name + ": " + error.what());
   }
+}
+
+bool IsSceneFile(const std::string& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  const SceneJson json = SceneJson::parse(stream, nullptr, false);
+  return json.is_object() && json.contains("waft");
 }
 
 Result ReadScene(const std::string& file, const SceneAssets& assets, Scene& scene)

@@ -118,12 +118,12 @@ int SceneReader::ClassOf(const std::string& name)
 {
   auto& classes = this->Out.Classes;
   const auto found = std::find(classes.begin(), classes.end(), name);
-  const auto place = static_cast<int>(found - classes.begin());
+  const auto index = static_cast<int>(found - classes.begin());
   if (found == classes.end())
   {
     classes.push_back(name);
   }
-  return place;
+  return index;
 }
 
 // The id of the next object: what the entry says, or its place in the expanded list.
@@ -131,7 +131,7 @@ int SceneReader::FreeId(const SceneNode& node) const
 {
   const int id = node.Has("id") ? static_cast<int>(node.At("id", "").Integer("an id"))
                                 : static_cast<int>(this->Out.Objects.size());
-  if (this->PlaceOfObject.count(id) > 0)
+  if (this->IndexOfObject.count(id) > 0)
   {
     node.FailWith("expected an id of its own, found " + std::to_string(id) + " for two objects");
   }
@@ -153,7 +153,7 @@ void SceneReader::ReadObjects(const SceneNode& node)
   }
 }
 
-void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t entry)
+void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t index)
 {
   const bool inRegion = node.Has("count") || node.Has("region");
   const bool atPositions = !inRegion && node.Has("positions");
@@ -213,7 +213,7 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t entry)
   std::vector<Vec3> positions;
   if (inRegion)
   {
-    positions = this->SpreadObjects(node, entry, object.ClearanceRadius);
+    positions = this->SpreadObjects(node, index, object.ClearanceRadius);
   }
   else if (atPositions)
   {
@@ -231,8 +231,22 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t entry)
   {
     object.ObjectId = this->FreeId(node);
     object.Position = position;
-    this->PlaceOfObject[object.ObjectId] = this->Out.Objects.size();
-    this->Out.Objects.push_back(object);
+    this->AddObject(object);
+  }
+}
+
+void SceneReader::AddObject(const MotionObject& object)
+{
+  this->IndexOfObject[object.ObjectId] = this->Out.Objects.size();
+  this->Out.Objects.push_back(object);
+}
+
+void SceneReader::KeepObjects(std::size_t count)
+{
+  while (this->Out.Objects.size() > count)
+  {
+    this->IndexOfObject.erase(this->Out.Objects.back().ObjectId);
+    this->Out.Objects.pop_back();
   }
 }
 

@@ -4,6 +4,7 @@
 #include "Scene/SceneReader.h"
 #include "Scene/SurfaceSampling.h"
 #include "Scene/TargetSampling.h"
+#include "Scene/TextFonts.h"
 
 #include <algorithm>
 
@@ -17,10 +18,10 @@ constexpr int MostLetters = 1000;
 
 } // namespace
 
-SceneReader::Placement SceneReader::ReadPlacement(const SceneNode& node, bool needsWidth) const
+SceneReader::TargetFrame SceneReader::ReadTargetFrame(const SceneNode& node, bool needsWidth) const
 {
-  Placement place;
-  place.Origin = node.At("origin", "the centre [x, y, z]").Vector();
+  TargetFrame frame;
+  frame.Origin = node.At("origin", "the centre [x, y, z]").Vector();
   const auto direction = [&](const char* field, Vec3& value)
   {
     if (node.Has(field))
@@ -33,28 +34,28 @@ SceneReader::Placement SceneReader::ReadPlacement(const SceneNode& node, bool ne
       value = v.normalized();
     }
   };
-  direction("u", place.U);
-  direction("v", place.V);
-  if (place.U.cross(place.V).norm() < 1e-3)
+  direction("u", frame.U);
+  direction("v", frame.V);
+  if (frame.U.cross(frame.V).norm() < 1e-3)
   {
     node.FailWith("expected directions `u` and `v` that are not parallel, found parallel ones");
   }
   if (needsWidth || node.Has("width"))
   {
-    place.Width = node.At("width", "a width in metres").Number();
+    frame.Width = node.At("width", "a width in metres").Number();
   }
-  return place;
+  return frame;
 }
 
 // The largest extent of any object, in pixels of a picture that is so wide.
-double SceneReader::BodyWidth(const Placement& place, int pixels) const
+double SceneReader::BodyWidth(const TargetFrame& frame, int pixels) const
 {
   double radius = 0.0;
   for (const MotionObject& object : this->Out.Objects)
   {
     radius = std::max(radius, object.ClearanceRadius);
   }
-  return 2.0 * radius / place.Width * pixels;
+  return 2.0 * radius / frame.Width * pixels;
 }
 
 std::vector<SceneReader::Target> SceneReader::SamplePlane(const SceneNode& node, TargetMask mask,
@@ -62,8 +63,8 @@ std::vector<SceneReader::Target> SceneReader::SamplePlane(const SceneNode& node,
                                                           const std::vector<int>& classIds,
                                                           int row) const
 {
-  const Placement place = this->ReadPlacement(node, true);
-  mask.BodyWidth = this->BodyWidth(place, mask.Width);
+  const TargetFrame frame = this->ReadTargetFrame(node, true);
+  mask.BodyWidth = this->BodyWidth(frame, mask.Width);
   std::vector<std::size_t> limits(classIds.size(), 0);
   for (std::size_t c = 0; c < classIds.size(); ++c)
   {
@@ -81,7 +82,7 @@ std::vector<SceneReader::Target> SceneReader::SamplePlane(const SceneNode& node,
   std::vector<Target> targets;
   for (const PlaneTarget& sample : samples)
   {
-    targets.push_back({ place.Origin + place.Width * (sample.X * place.U + sample.Y * place.V),
+    targets.push_back({ frame.Origin + frame.Width * (sample.X * frame.U + sample.Y * frame.V),
                         sample.Class < 0 ? -1 : classIds[sample.Class] });
   }
   return targets;
@@ -105,13 +106,13 @@ std::vector<SceneReader::Target> SceneReader::SampleMesh(const SceneNode& node, 
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  const Placement place = this->ReadPlacement(node, false);
+  const TargetFrame frame = this->ReadTargetFrame(node, false);
   const double extent = high.x() - low.x();
   if (node.Has("width") && !(extent > 0.0))
   {
     file.Fail("a mesh that extends along its x axis (`width` scales it)");
   }
-  const double scale = node.Has("width") ? place.Width / extent : 1.0;
+  const double scale = node.Has("width") ? frame.Width / extent : 1.0;
   std::vector<Vec3> points;
   Check(file,
         [&]
@@ -119,13 +120,13 @@ std::vector<SceneReader::Target> SceneReader::SampleMesh(const SceneNode& node, 
           return SampleSurface(mesh, count, this->Out.Info.Seed, static_cast<std::uint64_t>(row),
                                points);
         });
-  const Vec3 w = place.U.cross(place.V).normalized();
+  const Vec3 w = frame.U.cross(frame.V).normalized();
   std::vector<Target> targets;
   for (const Vec3& p : points)
   {
     const Vec3 local = scale * (p - 0.5 * (low + high));
     targets.push_back(
-      { place.Origin + local.x() * place.U + local.y() * place.V + local.z() * w, -1 });
+      { frame.Origin + local.x() * frame.U + local.y() * frame.V + local.z() * w, -1 });
   }
   return targets;
 }
@@ -200,7 +201,7 @@ std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node,
   {
     const SceneNode text = node.At("text", "");
     std::string font = node.Has("font") ? node.At("font", "").Text() : "sans";
-    if (font != "sans" && font != "serif" && font != "mono")
+    if (!IsFontFamily(font))
     {
       font = this->File(node.At("font", ""));
     }
@@ -213,7 +214,7 @@ std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node,
     }
     Check(text, [&] { return this->Assets.DrawText(text.Text(), font, picture); });
     TargetMask close = MaskFromPicture(picture, {});
-    close.BodyWidth = this->BodyWidth(this->ReadPlacement(node, true), close.Width);
+    close.BodyWidth = this->BodyWidth(this->ReadTargetFrame(node, true), close.Width);
     const double distance = TargetDistance(close, count);
     picture = SpreadLetters(picture, distance);
     return this->SamplePlane(node, MaskFromPicture(picture, {}), count, {}, row);

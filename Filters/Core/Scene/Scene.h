@@ -18,8 +18,18 @@ namespace waft
 /// A wind that is read from a file: .vti, .pvd or .vdb.
 struct WindFile
 {
-  std::string Path;  // resolved against the scene file's folder
-  std::string Place; // "FILE: /json/pointer", for messages
+  std::string Path;     // resolved against the scene file's folder
+  std::string Location; // "FILE: /json/pointer", for messages
+};
+
+/// Parts of a scene file as they were written, each a scene file itself, with names of files
+/// resolved. FormatScene writes them back where they still make what the scene has. Empty: none.
+struct AuthoredScene
+{
+  std::string Objects; // and the title, and the file's comments
+  std::string Constraints;
+  std::string Obstacles; // and the ground
+  std::string Winds;
 };
 
 /// The contents of a scene file. Shapes keep the order of the file (ShapeId is the place), objects
@@ -37,6 +47,7 @@ struct Scene
   std::vector<AnalyticWind> Winds;
   std::vector<WindFile> WindFiles;
   std::vector<Vortex> Vortices;
+  AuthoredScene Authored;
   std::vector<std::string> Warnings; // what was read and is odd, a sentence each
 };
 
@@ -50,5 +61,8 @@ Result ReadScene(const std::string& file, const SceneAssets& assets, Scene& scen
 /// The same from a text; file names are resolved against `folder`, `name` stands in messages.
 Result ParseScene(const std::string& text, const std::string& name, const std::string& folder,
                   const SceneAssets& assets, Scene& scene);
+
+/// Whether a file is JSON with a scene's version in it, right or not.
+bool IsSceneFile(const std::string& file);
 
 } // namespace waft

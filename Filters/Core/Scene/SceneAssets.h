@@ -34,8 +34,6 @@ public:
   /// A built-in shape (leaf, maple, ...) with its numbers; size: largest extent [m], 0 the
   /// default one.
   virtual Result LoadBuiltinShape(const std::string& builtin, double size, Shape& shape) const = 0;
-  /// The names that LoadBuiltinShape knows.
-  virtual std::vector<std::string> BuiltinShapeNames() const = 0;
   /// A thin body from a mesh file, centred and turned to its body axes, or from a photograph, which
   /// is its texture then; size as above, 0 leaves the file's own (0.1 m for a photograph).
   virtual Result LoadShapeMesh(const std::string& path, double size, Shape& shape) const = 0;

@@ -11,7 +11,7 @@ const std::vector<SceneFieldTable>& SceneFieldTables()
   using namespace limits;
   constexpr Range Version = { 1, 1 };
   constexpr Range IdOrAny = { -1, Id.High };
-  constexpr Range Share = UpTo(1);
+  constexpr Range Fraction = UpTo(1);
   static const std::vector<SceneFieldTable> tables = {
     { "scene",
       { { "waft", Version },
@@ -41,7 +41,7 @@ const std::vector<SceneFieldTable>& SceneFieldTables()
         { "thickness", Length },
         { "dragCoefficient", Coefficient },
         { "settlingSpeed", Speed },
-        { "color", Share },
+        { "color", Fraction },
         "class" } },
     { "singleObject",
       { "shape",
@@ -141,7 +141,7 @@ const std::vector<SceneFieldTable>& SceneFieldTables()
         { "v", Direction },
         { "width", Length },
         { "count", Count },
-        { "classes", Share } } },
+        { "classes", Fraction } } },
     { "meshTargets",
       { "mesh",
         { "origin", Coordinate },

@@ -2,8 +2,6 @@
 #include "Scene/SceneFormat.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 
 namespace waft
 {
@@ -72,23 +70,17 @@ std::string PrettyText(const SceneJson& json)
   return text + "\n";
 }
 
-std::vector<double> ShortNumbers(double value)
+bool IsReadable(const std::function<void()>& read)
 {
-  std::vector<double> numbers;
-  for (int digits = 6; digits <= 15; digits += 3)
+  try
   {
-    char text[40];
-    std::snprintf(text, sizeof(text), "%.*g", digits, value);
-    numbers.push_back(std::strtod(text, nullptr));
+    read();
+    return true;
   }
-  numbers.push_back(value);
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  return numbers;
-}
-
-bool IsSameMesh(const TriangleMesh& a, const TriangleMesh& b)
-{
-  return a.Triangles == b.Triangles && a.Points == b.Points;
+  catch (const SceneError&)
+  {
+    return false;
+  }
 }
 
 } // namespace waft

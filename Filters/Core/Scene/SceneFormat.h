@@ -2,10 +2,10 @@
 // The parts of the writer of scenes, one a section of the file. Private to this library.
 #pragma once
 
-#include "Constraints/Constraint.h"
-#include "Scene/SceneNode.h"
+#include "Scene/SceneReader.h"
 #include "Scene/WriteScene.h"
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -13,13 +13,13 @@
 namespace waft
 {
 
+/// Writes the sections in the order in which they are read. An authored entry is written as it is
+/// when reading it, behind what is written already, gives what the scene has; else what the scene
+/// has is written in the plainest words.
 class SceneFormat
 {
 public:
-  SceneFormat(const Scene& scene, const SceneAssets& assets, std::string folder, std::string stem) :
-    In(scene), Assets(assets), Folder(std::move(folder)), Stem(std::move(stem))
-  {
-  }
+  SceneFormat(const Scene& scene, const SceneAssets& assets, std::string folder, std::string stem);
 
   /// Throws SceneError.
   SceneText Write();
@@ -27,51 +27,59 @@ public:
 private:
   // WriteScene.cxx
   void WriteInfo();
+  std::string SideFile(const std::string& what, bool isShape, std::size_t index);
+  std::string ExistingFile(const std::string& path, const std::string& owner) const;
+  std::string Relative(const std::string& path) const;
+  SceneJson AsWritten(SceneJson entry);
+
+  // WriteShapes.cxx
+  void NameClasses();
   void WriteShapes();
-  SceneJson FormatShape(std::size_t place);
-  bool FindBuiltin(const Shape& shape, SceneJson& json, Shape& found) const;
-  std::string ClassName(int classId);
+  bool ReadsAsShape(const SceneJson& entry, Shape& read);
+  SceneJson FormatShape(std::size_t index);
   void WriteObjects();
+  std::size_t AuthoredObjects(const SceneJson& entry, std::size_t first, std::size_t index,
+                              SceneJson& json);
   SceneJson FormatObject(const MotionObject& object) const;
-  std::string MeshFile(const std::string& what, bool isShape, std::size_t place);
-  std::string Relative(const std::string& path, const std::string& owner) const;
 
   // WriteConstraints.cxx
+  using Rows = std::vector<const Constraint*>;
   void WriteConstraints();
-  std::vector<std::vector<const Constraint*>> Entries() const;
-  bool FormatSimple(const std::vector<const Constraint*>& rows, SceneJson& json) const;
-  bool FormatPath(const std::vector<const Constraint*>& rows, SceneJson& json) const;
-  bool FormatKeyframe(const std::vector<const Constraint*>& rows, SceneJson& json) const;
-  void SetTargets(const std::vector<const Constraint*>& targets, SceneJson& json) const;
+  std::vector<Rows> Entries() const;
+  SceneJson FormatRows(bool keepsChoices, bool& isSame);
+  bool ReadsAsRows(const SceneJson& entry, int index, const Rows& rows);
+  std::vector<SceneJson> PlainRows(const Rows& rows) const;
+  bool FormatSimple(const Rows& rows, SceneJson& json) const;
+  bool FormatPath(const Rows& rows, SceneJson& json) const;
+  bool FormatKeyframe(const Rows& rows, SceneJson& json) const;
+  void SetTargets(const Rows& targets, SceneJson& json) const;
 
   // WriteFields.cxx
   void WriteObstacles();
-  SceneJson FormatObstacle(std::size_t place);
-  bool FormatSurface(const TriangleMesh& mesh, SceneJson& json) const;
-  SceneJson FormatMotion(const ObstacleMesh& obstacle, const Vec3& reference) const;
-  bool IsGround(double& height) const;
+  SceneJson FormatObstacle(std::size_t index, int position, const SceneJson* authored);
+  SceneJson FormatMotion(const ObstacleMesh& obstacle) const;
+  std::size_t FindGround(const SceneJson& authored);
   void WriteWinds();
   void WriteVortices();
 
-  const Scene& In;
+  Scene In; // classes numbered as they are met in the file
   const SceneAssets& Assets;
   std::string Folder;
   std::string Stem;
   SceneText Out;
   SceneJson Root;
   std::vector<std::string> ShapeNames; // as written, each once
-  std::map<int, std::string> Classes;  // names of the ClassIds met so far
+  Scene Written;                       // what the file reads as so far
+  SceneReader Reader;
 };
+
+/// Whether a text of the format can be read; what `read` throws then is what is wrong with it.
+bool IsReadable(const std::function<void()>& read);
 
 SceneJson FormatVector(const Vec3& v);
 SceneJson FormatRotation(const Quat& q);
 
 /// JSON with two blanks an indent; lists of numbers, or of lists of three, stay on a line.
 std::string PrettyText(const SceneJson& json);
-
-/// Numbers near `value` that are short in decimal, shortest first, `value` itself last.
-std::vector<double> ShortNumbers(double value);
-
-bool IsSameMesh(const TriangleMesh& a, const TriangleMesh& b);
 
 } // namespace waft

@@ -74,7 +74,7 @@ std::string PointerToken(const std::string& field)
 }
 
 SceneNode::SceneNode(const SceneJson& value, std::string pointer, const limits::Range* range) :
-  Value(value), Place(std::move(pointer)), Range(range)
+  Value(value), Address(std::move(pointer)), Range(range)
 {
 }
 
@@ -85,7 +85,7 @@ void SceneNode::Fail(const std::string& expected) const
 
 void SceneNode::FailWith(const std::string& message) const
 {
-  throw SceneError{ (this->Place.empty() ? std::string("/") : this->Place) + ": " + message };
+  throw SceneError{ (this->Address.empty() ? std::string("/") : this->Address) + ": " + message };
 }
 
 bool SceneNode::Has(const std::string& field) const
@@ -102,10 +102,10 @@ SceneNode SceneNode::At(const std::string& field, const std::string& expected) c
   const auto found = this->Value.find(field);
   if (found == this->Value.end())
   {
-    throw SceneError{ this->Place + "/" + PointerToken(field) + ": expected " + expected +
+    throw SceneError{ this->Address + "/" + PointerToken(field) + ": expected " + expected +
                       ", found nothing" };
   }
-  return { *found, this->Place + "/" + PointerToken(field), this->RangeOf(field) };
+  return { *found, this->Address + "/" + PointerToken(field), this->RangeOf(field) };
 }
 
 // Fields whose names the artist chooses have the range of what holds them.
@@ -121,7 +121,7 @@ const limits::Range* SceneNode::RangeOf(const std::string& field) const
 
 SceneNode SceneNode::Item(std::size_t i) const
 {
-  return { this->Value[i], this->Place + "/" + std::to_string(i), this->Range };
+  return { this->Value[i], this->Address + "/" + std::to_string(i), this->Range };
 }
 
 std::size_t SceneNode::Size(const std::string& expected) const
@@ -162,8 +162,9 @@ void SceneNode::CheckFields(const std::string& table) const
       {
         list += (list.empty() ? "" : ", ") + known.Name;
       }
-      throw SceneError{ this->Place + "/" + PointerToken(field) + ": expected one of the fields " +
-                        list + ", found the unknown field \"" + field + "\"" };
+      throw SceneError{ this->Address + "/" + PointerToken(field) +
+                        ": expected one of the fields " + list + ", found the unknown field \"" +
+                        field + "\"" };
     }
   }
 }

@@ -30,7 +30,7 @@ public:
   /// `range`: of the numbers in this value, from the table of fields; null where it has none.
   SceneNode(const SceneJson& value, std::string pointer, const limits::Range* range = nullptr);
 
-  const std::string& Pointer() const { return this->Place; }
+  const std::string& Pointer() const { return this->Address; }
   /// Throws "pointer: expected `expected`, found <this value>".
   [[noreturn]] void Fail(const std::string& expected) const;
   /// Throws "pointer: message".
@@ -68,7 +68,7 @@ private:
   const limits::Range* RangeOf(const std::string& field) const;
 
   const SceneJson& Value;
-  std::string Place;
+  std::string Address;
   const limits::Range* Range;
   mutable const SceneFieldTable* Table = nullptr; // once the fields were checked
 };

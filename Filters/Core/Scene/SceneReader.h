@@ -23,8 +23,27 @@ public:
   {
   }
 
-  /// Throws SceneError.
+  /// These throw SceneError. One entry is read after what the scene has already, as if it came next
+  /// in the file, `index` in its list.
   void Read(const SceneNode& root);
+  void ReadShape(const SceneNode& node, const std::string& name);
+  void ReadGround(const SceneNode& root);
+  void AddGround();
+  ObstacleMesh ReadObstacle(const SceneNode& node, int index);
+  void ReadObjectEntry(const SceneNode& node, std::size_t index);
+  void ReadConstraint(const SceneNode& node, int index);
+  void ReadWinds(const SceneNode& node);
+  /// "Any object" means any of the scene; a choice among a few is made here, once all rows are
+  /// known.
+  void AssignChosen(const SceneNode& node);
+
+  /// Adds an object that no entry was read for.
+  void AddObject(const MotionObject& object);
+  /// Forgets what entries added behind the first `count`.
+  void KeepObjects(std::size_t count);
+  void KeepConstraints(std::size_t count);
+  /// Does a row of the scene wait for AssignChosen?
+  bool IsChosenLater(const Constraint& row) const { return this->Choices.count(row.Group) > 0; }
 
 private:
   // A keyframe's target in the world.
@@ -34,7 +53,7 @@ private:
     int ClassId = -1;
   };
   // Where targets of a text, a picture or a mesh lie.
-  struct Placement
+  struct TargetFrame
   {
     Vec3 Origin = Vec3::Zero();
     Vec3 U = Vec3::UnitX();
@@ -51,30 +70,23 @@ private:
 
   // ReadShapes.cxx
   void ReadShapes(const SceneNode& node);
-  void ReadShape(const SceneNode& node, const std::string& name);
   void ReadObjects(const SceneNode& node);
-  void ReadObjectEntry(const SceneNode& node, std::size_t entry);
   int ClassOf(const std::string& name);
   int FreeId(const SceneNode& node) const;
   std::vector<Vec3> SpreadObjects(const SceneNode& node, std::size_t entry, double radius);
 
   // ReadFields.cxx
   void ReadObstacles(const SceneNode& node);
-  ObstacleMesh ReadObstacle(const SceneNode& node, int place);
   std::vector<Vec3> ReadMotion(const SceneNode& node) const;
-  void AddGround();
-  void ReadWinds(const SceneNode& node);
   void ReadVortices(const SceneNode& node);
 
   // ReadConstraints.cxx
   void ReadConstraints(const SceneNode& node);
-  void ReadConstraint(const SceneNode& node, int row);
   void ReadPath(const SceneNode& node, int row);
   void ReadKeyframe(const SceneNode& node, int row);
   int ObjectId(const SceneNode& node, int lowest) const;
   const MotionObject& Object(int id) const;
   std::vector<int> ObjectIds(const SceneNode& node, bool mayBeAny) const;
-  void AssignChosen(const SceneNode& node);
 
   // ReadTargets.cxx
   std::vector<Target> ReadTargets(const SceneNode& node, int row, std::size_t objects) const;
@@ -83,8 +95,8 @@ private:
   std::vector<Target> SamplePlane(const SceneNode& node, TargetMask mask, std::size_t count,
                                   const std::vector<int>& classIds, int row) const;
   std::vector<Target> SampleMesh(const SceneNode& node, std::size_t count, int row) const;
-  Placement ReadPlacement(const SceneNode& node, bool needsWidth) const;
-  double BodyWidth(const Placement& place, int pixels) const;
+  TargetFrame ReadTargetFrame(const SceneNode& node, bool needsWidth) const;
+  double BodyWidth(const TargetFrame& frame, int pixels) const;
 
   std::string Name;
   std::string Folder;
@@ -92,7 +104,7 @@ private:
   Scene& Out;
   bool HasGround = true;
   double GroundHeight = 0.0;
-  std::map<int, std::size_t> PlaceOfObject; // by id
+  std::map<int, std::size_t> IndexOfObject; // by id
   std::map<int, std::vector<int>> Choices; // by row of a keyframe, the ids that it may choose among
 };
 

@@ -96,17 +96,17 @@ std::vector<Vec3> SampleClass(const TargetMask& mask, int ofClass, std::size_t c
 }
 
 // Shares `count` by weight, nobody above its limit; the rest goes where most room is left.
-std::vector<std::size_t> Share(const std::vector<double>& weights, std::size_t count,
-                               const std::vector<std::size_t>& limits)
+std::vector<std::size_t> DivideByWeight(const std::vector<double>& weights, std::size_t count,
+                                        const std::vector<std::size_t>& limits)
 {
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  std::vector<std::size_t> shares(weights.size(), 0);
+  std::vector<std::size_t> counts(weights.size(), 0);
   std::size_t given = 0;
   for (std::size_t c = 0; c < weights.size(); ++c)
   {
     const auto wanted = static_cast<std::size_t>(weights[c] / total * static_cast<double>(count));
-    shares[c] = limits.empty() ? wanted : std::min(wanted, limits[c]);
-    given += shares[c];
+    counts[c] = limits.empty() ? wanted : std::min(wanted, limits[c]);
+    given += counts[c];
   }
   while (given < count)
   {
@@ -115,8 +115,8 @@ std::vector<std::size_t> Share(const std::vector<double>& weights, std::size_t c
     for (std::size_t c = 0; c < weights.size(); ++c)
     {
       const double lack =
-        weights[c] / total * static_cast<double>(count) - static_cast<double>(shares[c]);
-      if (weights[c] > 0.0 && (limits.empty() || shares[c] < limits[c]) && lack > most)
+        weights[c] / total * static_cast<double>(count) - static_cast<double>(counts[c]);
+      if (weights[c] > 0.0 && (limits.empty() || counts[c] < limits[c]) && lack > most)
       {
         most = lack;
         next = c;
@@ -126,10 +126,10 @@ std::vector<std::size_t> Share(const std::vector<double>& weights, std::size_t c
     {
       break;
     }
-    ++shares[next];
+    ++counts[next];
     ++given;
   }
-  return shares;
+  return counts;
 }
 
 } // namespace
@@ -166,17 +166,17 @@ Result SampleMask(const TargetMask& mask, std::size_t count,
       weights[c] += mask.Weights[i];
     }
   }
-  const std::vector<std::size_t> shares = Share(weights, count, classLimits);
-  const std::size_t possible = std::accumulate(shares.begin(), shares.end(), std::size_t(0));
+  const std::vector<std::size_t> counts = DivideByWeight(weights, count, classLimits);
+  const std::size_t possible = std::accumulate(counts.begin(), counts.end(), std::size_t(0));
   if (possible < count)
   {
     return Result::Error("expected objects of the picture's classes for " + std::to_string(count) +
                          " targets, found " + std::to_string(possible));
   }
   Random random(seed, stream);
-  for (std::size_t c = 0; c < shares.size(); ++c)
+  for (std::size_t c = 0; c < counts.size(); ++c)
   {
-    for (const Vec3& p : SampleClass(mask, static_cast<int>(c), shares[c], random))
+    for (const Vec3& p : SampleClass(mask, static_cast<int>(c), counts[c], random))
     {
       targets.push_back({ p.x() / mask.Width - 0.5, (p.y() - 0.5 * mask.Height) / mask.Width,
                           mask.Classes.empty() ? -1 : static_cast<int>(c) });

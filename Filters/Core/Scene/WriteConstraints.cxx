@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rows as the constraints of a scene file: single rows, paths and keyframes.
+#include "Scene/AuthoredParts.h"
+#include "Scene/SceneComparison.h"
 #include "Scene/SceneFormat.h"
 
 #include <algorithm>
@@ -20,14 +22,14 @@ std::string NameOf(const Constraint& row)
 } // namespace
 
 /// Rows that belong to one entry of the list: those of a group, else of a number.
-std::vector<std::vector<const Constraint*>> SceneFormat::Entries() const
+std::vector<SceneFormat::Rows> SceneFormat::Entries() const
 {
-  std::vector<std::vector<const Constraint*>> entries;
-  std::map<std::pair<bool, int>, std::size_t> places;
+  std::vector<Rows> entries;
+  std::map<std::pair<bool, int>, std::size_t> indices;
   for (const Constraint& row : this->In.Constraints)
   {
     const std::pair<bool, int> key(row.Group >= 0, row.Group >= 0 ? row.Group : row.Row);
-    const auto [found, isNew] = places.try_emplace(key, entries.size());
+    const auto [found, isNew] = indices.try_emplace(key, entries.size());
     if (isNew)
     {
       entries.emplace_back();
@@ -37,7 +39,7 @@ std::vector<std::vector<const Constraint*>> SceneFormat::Entries() const
   return entries;
 }
 
-bool SceneFormat::FormatSimple(const std::vector<const Constraint*>& rows, SceneJson& json) const
+bool SceneFormat::FormatSimple(const Rows& rows, SceneJson& json) const
 {
   const Constraint& row = *rows.front();
   const bool lasts = TraitsOf(row.Kind).Lasts;
@@ -65,7 +67,7 @@ bool SceneFormat::FormatSimple(const std::vector<const Constraint*>& rows, Scene
   return true;
 }
 
-bool SceneFormat::FormatPath(const std::vector<const Constraint*>& rows, SceneJson& json) const
+bool SceneFormat::FormatPath(const Rows& rows, SceneJson& json) const
 {
   const Constraint& first = *rows.front();
   SceneJson points = SceneJson::array();
@@ -90,7 +92,7 @@ bool SceneFormat::FormatPath(const std::vector<const Constraint*>& rows, SceneJs
   return true;
 }
 
-void SceneFormat::SetTargets(const std::vector<const Constraint*>& targets, SceneJson& json) const
+void SceneFormat::SetTargets(const Rows& targets, SceneJson& json) const
 {
   SceneJson points = SceneJson::array();
   SceneJson classes = SceneJson::array();
@@ -98,13 +100,8 @@ void SceneFormat::SetTargets(const std::vector<const Constraint*>& targets, Scen
   for (const Constraint* row : targets)
   {
     points.push_back(FormatVector(row->Value));
-    const auto known = this->Classes.find(row->ClassId);
-    if (row->ClassId >= 0 && known == this->Classes.end())
-    {
-      throw SceneError{ NameOf(*row) + ": `ClassId`: expected the class of an object, found " +
-                        std::to_string(row->ClassId) };
-    }
-    classes.push_back(row->ClassId < 0 ? std::string() : known->second);
+    classes.push_back(row->ClassId < 0 ? std::string()
+                                       : this->In.Classes[static_cast<std::size_t>(row->ClassId)]);
     hasClasses = hasClasses || row->ClassId >= 0;
   }
   json["targets"]["points"] = std::move(points);
@@ -115,11 +112,11 @@ void SceneFormat::SetTargets(const std::vector<const Constraint*>& targets, Scen
 }
 
 /// Places at one frame, each with or each without one and the same velocity.
-bool SceneFormat::FormatKeyframe(const std::vector<const Constraint*>& rows, SceneJson& json) const
+bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
 {
   const Constraint& first = *rows.front();
-  std::vector<const Constraint*> targets;
-  std::vector<const Constraint*> velocities;
+  Rows targets;
+  Rows velocities;
   for (const Constraint* row : rows)
   {
     if (IsPlace(row->Kind))
@@ -144,13 +141,13 @@ bool SceneFormat::FormatKeyframe(const std::vector<const Constraint*>& rows, Sce
     velocities.push_back(row);
   }
   std::set<int> named;
-  std::set<std::pair<int, int>> places;
+  std::set<std::pair<int, int>> numbers;
   bool isAssigned = false;
   for (const Constraint* row : targets)
   {
     isAssigned = isAssigned || row->ObjectId >= 0;
     if ((row->ObjectId >= 0 && !named.insert(row->ObjectId).second) ||
-        !places.emplace(row->Row, row->Target).second)
+        !numbers.emplace(row->Row, row->Target).second)
     {
       return false;
     }
@@ -189,6 +186,96 @@ bool SceneFormat::FormatKeyframe(const std::vector<const Constraint*>& rows, Sce
   return true;
 }
 
+/// In one entry where the format has one for them, else one by one: this loses nothing where every
+/// row says whose it is.
+std::vector<SceneJson> SceneFormat::PlainRows(const Rows& rows) const
+{
+  SceneJson json = SceneJson::object();
+  if (this->FormatSimple(rows, json) || this->FormatPath(rows, json) ||
+      this->FormatKeyframe(rows, json))
+  {
+    return { json };
+  }
+  std::vector<SceneJson> list;
+  for (const Constraint* row : rows)
+  {
+    if (row->ObjectId < 0)
+    {
+      throw SceneError{ NameOf(*row) + ": " + std::to_string(rows.size()) +
+                        " rows belong together, some to any object (-1): expected at most as "
+                        "many targets as there are objects (" +
+                        std::to_string(this->In.Objects.size()) +
+                        "), of one kind, frame and Radius" };
+    }
+    Constraint alone = *row;
+    alone.Group = alone.ClassId = -1;
+    alone.Radius = alone.Kind == ConstraintKind::Rest ? 0.0 : alone.Radius;
+    SceneJson single = SceneJson::object();
+    (void)this->FormatSimple({ &alone }, single);
+    list.push_back(std::move(single));
+  }
+  return list;
+}
+
+/// Reads an entry; what it gives stays in Written where it gives these rows.
+bool SceneFormat::ReadsAsRows(const SceneJson& entry, int index, const Rows& rows)
+{
+  const auto& read = this->Written.Constraints;
+  const std::size_t before = read.size();
+  const auto isSame = [](const SceneReader& reader, const Constraint& a, const Constraint& b)
+  { return IsSameRow(a, b, !reader.IsChosenLater(a)); };
+  bool fits = IsReadable([&] { this->Reader.ReadConstraint(SceneNode(entry, ""), index); }) &&
+              read.size() - before == rows.size();
+  for (std::size_t i = 0; fits && i < rows.size(); ++i)
+  {
+    fits = isSame(this->Reader, read[before + i], *rows[i]);
+  }
+  if (!fits)
+  {
+    this->Reader.KeepConstraints(before);
+  }
+  return fits;
+}
+
+/// All rows as entries. keepsChoices: also authored keyframes that choose among a few objects,
+/// which is seen once all rows are known; isSame: whether they chose as the scene has it.
+SceneJson SceneFormat::FormatRows(bool keepsChoices, bool& isSame)
+{
+  const SceneJson authored = AuthoredList(this->In.Authored.Constraints, "constraints");
+  auto& read = this->Written.Constraints;
+  this->Reader.KeepConstraints(0);
+  SceneJson list = SceneJson::array();
+  Rows inOrder;
+  for (const Rows& rows : this->Entries())
+  {
+    const auto row = static_cast<std::size_t>(std::max(rows.front()->Row, 0));
+    const std::size_t before = read.size();
+    inOrder.insert(inOrder.end(), rows.begin(), rows.end());
+    if (row < authored.size() &&
+        this->ReadsAsRows(authored[row], static_cast<int>(list.size()), rows))
+    {
+      if (keepsChoices || !this->Reader.IsChosenLater(read.back()))
+      {
+        list.push_back(this->AsWritten(authored[row]));
+        continue;
+      }
+      this->Reader.KeepConstraints(before);
+    }
+    for (const SceneJson& json : this->PlainRows(rows))
+    {
+      const std::string pointer = "/constraints/" + std::to_string(list.size());
+      this->Reader.ReadConstraint(SceneNode(json, pointer), static_cast<int>(list.size()));
+      list.push_back(json);
+    }
+  }
+  isSame = IsReadable([&] { this->Reader.AssignChosen(SceneNode(list, "/constraints")); });
+  for (std::size_t i = 0; isSame && i < inOrder.size(); ++i)
+  {
+    isSame = read[i].ObjectId == inOrder[i]->ObjectId;
+  }
+  return list;
+}
+
 void SceneFormat::WriteConstraints()
 {
   std::set<int> ids;
@@ -204,34 +291,11 @@ void SceneFormat::WriteConstraints()
                         std::to_string(row.ObjectId) };
     }
   }
-  SceneJson list = SceneJson::array();
-  for (const std::vector<const Constraint*>& rows : this->Entries())
+  bool isSame = true;
+  SceneJson list = this->FormatRows(true, isSame);
+  if (!isSame)
   {
-    SceneJson json = SceneJson::object();
-    if (this->FormatSimple(rows, json) || this->FormatPath(rows, json) ||
-        this->FormatKeyframe(rows, json))
-    {
-      list.push_back(std::move(json));
-      continue;
-    }
-    // One by one: this loses nothing where every row says whose it is.
-    for (const Constraint* row : rows)
-    {
-      if (row->ObjectId < 0)
-      {
-        throw SceneError{ NameOf(*row) + ": " + std::to_string(rows.size()) +
-                          " rows belong together, some to any object (-1): expected at most as "
-                          "many targets as there are objects (" +
-                          std::to_string(this->In.Objects.size()) +
-                          "), of one kind, frame and Radius" };
-      }
-      Constraint alone = *row;
-      alone.Group = alone.ClassId = -1;
-      alone.Radius = alone.Kind == ConstraintKind::Rest ? 0.0 : alone.Radius;
-      SceneJson single = SceneJson::object();
-      (void)this->FormatSimple({ &alone }, single);
-      list.push_back(std::move(single));
-    }
+    list = this->FormatRows(false, isSame);
   }
   if (!list.empty())
   {

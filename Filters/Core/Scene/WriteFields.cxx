@@ -1,187 +1,146 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Obstacles, winds and vortices as a scene file has them.
-#include "Base/Primitives.h"
+#include "Scene/AuthoredParts.h"
+#include "Scene/SceneComparison.h"
 #include "Scene/SceneFormat.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace waft
 {
 
-/// Boxes, spheres and cylinders are known by their meshes, to the last bit.
-bool SceneFormat::FormatSurface(const TriangleMesh& mesh, SceneJson& json) const
-{
-  const std::vector<Vec3>& points = mesh.Points;
-  if (points.size() < 8)
-  {
-    return false;
-  }
-  if (IsSameMesh(mesh, MakeBox(Box{ points.front(), points.back() })))
-  {
-    json = { { "kind", "box" },
-             { "min", FormatVector(points.front()) },
-             { "max", FormatVector(points.back()) } };
-    return true;
-  }
-  const double reach = (points[2] - points[0]).norm();
-  for (const double radius : ShortNumbers(reach))
-  {
-    if (radius > 0.0 && points[0] != points[1] &&
-        IsSameMesh(mesh, MakeCylinder(points[0], points[1], radius)))
-    {
-      json = { { "kind", "cylinder" },
-               { "base", FormatVector(points[0]) },
-               { "top", FormatVector(points[1]) },
-               { "radius", radius } };
-      return true;
-    }
-  }
-  const Vec3 middle = 0.5 * (points.front() + points.back());
-  for (const double radius : ShortNumbers(0.5 * (points.front() - points.back()).norm()))
-  {
-    for (const double height : ShortNumbers(middle.z()))
-    {
-      const Vec3 center(points.front().x(), points.front().y(), height);
-      if (radius > 0.0 && IsSameMesh(mesh, MakeSphere(center, radius)))
-      {
-        json = { { "kind", "sphere" }, { "center", FormatVector(center) }, { "radius", radius } };
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-/// As few keys as hold the motion within a rounding. reference: the point that moves, where the
-/// mesh stands.
-SceneJson SceneFormat::FormatMotion(const ObstacleMesh& obstacle, const Vec3& reference) const
+/// Of a mesh from a file, which has its points where they are: the keys are the displacements, as
+/// few of them as hold the motion within a rounding.
+SceneJson SceneFormat::FormatMotion(const ObstacleMesh& obstacle) const
 {
   const std::vector<Vec3>& offsets = obstacle.Offsets;
   const int last =
     std::min(this->In.Info.Time.NumberOfFrames, static_cast<int>(offsets.size())) - 1;
+  const auto offset = [&](int frame) -> const Vec3&
+  { return offsets[static_cast<std::size_t>(frame)]; };
   const double tolerance = 1e-12 * this->In.Info.Bounds.Width();
-  SceneJson keys = SceneJson::array();
-  const auto add = [&](int frame)
-  {
-    const Vec3 exact = reference + offsets[frame];
-    Vec3 place = exact;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (const double number : ShortNumbers(exact[axis]))
-      {
-        if (std::abs(number - exact[axis]) <= tolerance)
-        {
-          place[axis] = number;
-          break;
-        }
-      }
-    }
-    keys.push_back({ { "frame", frame }, { "position", FormatVector(place) } });
-  };
   const auto isStraight = [&](int a, int b)
   {
     for (int k = a + 1; k < b; ++k)
     {
       const double s = static_cast<double>(k - a) / (b - a);
-      if ((offsets[a] + s * (offsets[b] - offsets[a]) - offsets[k]).norm() > tolerance)
+      if ((offset(a) + s * (offset(b) - offset(a)) - offset(k)).norm() > tolerance)
       {
         return false;
       }
     }
     return true;
   };
+  SceneJson keys = SceneJson::array();
+  const auto add = [&](int frame) {
+    keys.push_back({ { "frame", frame }, { "position", FormatVector(offset(frame)) } });
+  };
   add(0);
-  int from = 0;
-  while (from < last)
+  for (int from = 0, to = 1; from < last; from = to++)
   {
-    int to = from + 1;
     while (to < last && isStraight(from, to + 1))
     {
       ++to;
     }
     add(to);
-    from = to;
   }
   return keys;
 }
 
-/// Of an obstacle as it is written.
-static Vec3 ReferencePoint(const SceneJson& json)
+/// position: in the list that is written. authored: the entry of this id, or null.
+SceneJson SceneFormat::FormatObstacle(std::size_t index, int position, const SceneJson* authored)
 {
-  const auto point = [&](const char* field)
+  const ObstacleMesh& obstacle = this->In.Obstacles[index];
+  const bool hasOwnId = obstacle.ObstacleId != position;
+  if (hasOwnId && !limits::Id.Holds(obstacle.ObstacleId))
   {
-    return Vec3(json[field][0].get<double>(), json[field][1].get<double>(),
-                json[field][2].get<double>());
-  };
-  const std::string kind = json["kind"].get<std::string>();
-  return kind == "box"        ? Vec3(0.5 * (point("min") + point("max")))
-         : kind == "sphere"   ? point("center")
-         : kind == "cylinder" ? point("base")
-                              : Vec3(Vec3::Zero()); // a file has its points where they are
-}
-
-SceneJson SceneFormat::FormatObstacle(std::size_t place)
-{
-  const ObstacleMesh& obstacle = this->In.Obstacles[place];
-  SceneJson json = SceneJson::object();
-  if (!this->FormatSurface(obstacle.Mesh, json))
-  {
-    json["kind"] = "mesh";
-    json["file"] = this->MeshFile("obstacle-" + std::to_string(obstacle.ObstacleId), false, place);
+    throw SceneError{ "Obstacles: `ObstacleId`: expected 0 to 1000000000, found " +
+                      std::to_string(obstacle.ObstacleId) };
   }
-  if (obstacle.ObstacleId != static_cast<int>(place))
+  SceneJson json = authored == nullptr ? SceneJson::object() : *authored;
+  ObstacleMesh read;
+  const bool isAuthored =
+    authored != nullptr &&
+    IsReadable([&] { read = this->Reader.ReadObstacle(SceneNode(json, ""), position); }) &&
+    IsSameObstacle(read, obstacle);
+  if (isAuthored)
   {
-    if (obstacle.ObstacleId < 0 || obstacle.ObstacleId > 1000000000)
-    {
-      throw SceneError{ "Obstacles: `ObstacleId`: expected 0 to 1000000000, found " +
-                        std::to_string(obstacle.ObstacleId) };
-    }
+    json = this->AsWritten(std::move(json));
+  }
+  else
+  {
+    json = { { "kind", "mesh" },
+             { "file",
+               this->SideFile("obstacle-" + std::to_string(obstacle.ObstacleId), false, index) } };
+  }
+  if (hasOwnId)
+  {
     json["id"] = obstacle.ObstacleId;
   }
-  if (obstacle.IsMoving())
+  if (!isAuthored && obstacle.IsMoving())
   {
-    json["motion"] = this->FormatMotion(obstacle, ReferencePoint(json));
+    json["motion"] = this->FormatMotion(obstacle);
   }
   return json;
 }
 
-/// The ground is the last obstacle and has the id and the mesh that the reader gives it.
-bool SceneFormat::IsGround(double& height) const
+/// The obstacle that the authored ground still is; how many there are where none is.
+std::size_t SceneFormat::FindGround(const SceneJson& authored)
 {
-  if (this->In.Obstacles.empty() || this->In.Obstacles.back().Mesh.Points.empty())
+  std::size_t index = this->In.Obstacles.size();
+  if (!authored.contains("waft") ||
+      !IsReadable([&] { this->Reader.ReadGround(SceneNode(authored, "")); }))
   {
-    return false;
+    return index;
   }
-  const ObstacleMesh& slab = this->In.Obstacles.back();
-  int id = static_cast<int>(this->In.Obstacles.size()) - 1;
-  for (const ObstacleMesh& obstacle : this->In.Obstacles)
+  this->Reader.AddGround();
+  for (const ObstacleMesh& ground : this->Written.Obstacles) // one or none
   {
-    id = &obstacle == &slab ? id : std::max(id, obstacle.ObstacleId + 1);
+    const auto found =
+      std::find_if(this->In.Obstacles.begin(), this->In.Obstacles.end(),
+                   [&](const ObstacleMesh& obstacle) { return IsSameObstacle(obstacle, ground); });
+    index = static_cast<std::size_t>(found - this->In.Obstacles.begin());
   }
-  height = slab.Mesh.Points.back().z();
-  return !slab.IsMoving() && slab.ObstacleId == id && height < this->In.Info.Bounds.Max.z() &&
-         IsSameMesh(slab.Mesh, MakeGround(this->In.Info.Bounds, height));
+  this->Written.Obstacles.clear();
+  return index;
 }
 
 void SceneFormat::WriteObstacles()
 {
-  double height = 0.0;
-  const bool hasGround = this->IsGround(height);
-  if (!hasGround)
+  const SceneJson authored = AuthoredPart(this->In.Authored.Obstacles);
+  const std::size_t count = this->In.Obstacles.size();
+  const std::size_t ground = this->FindGround(authored);
+  if (ground == count)
   {
     this->Root["ground"]["enabled"] = false;
   }
-  else if (height != this->In.Info.Bounds.Min.z())
+  else if (authored.contains("ground"))
   {
-    this->Root["ground"]["height"] = height;
+    this->Root["ground"] = authored["ground"];
   }
-  const std::size_t count = this->In.Obstacles.size() - (hasGround ? 1 : 0);
+  std::map<int, SceneJson> entries; // by id
+  int next = 0;
+  for (const SceneJson& entry : AuthoredList(this->In.Authored.Obstacles, "obstacles"))
+  {
+    const bool hasId = entry.is_object() && entry.contains("id") && entry["id"].is_number();
+    const double id = hasId ? entry["id"].get<double>() : next;
+    if (limits::Id.Holds(id))
+    {
+      entries.emplace(static_cast<int>(id), entry);
+    }
+    ++next;
+  }
   SceneJson list = SceneJson::array();
   for (std::size_t i = 0; i < count; ++i)
   {
-    list.push_back(this->FormatObstacle(i));
+    if (i != ground)
+    {
+      const auto entry = entries.find(this->In.Obstacles[i].ObstacleId);
+      list.push_back(this->FormatObstacle(i, static_cast<int>(list.size()),
+                                          entry == entries.end() ? nullptr : &entry->second));
+    }
   }
+  this->Written.Obstacles = this->In.Obstacles; // objects keep clear of all, in whatever order
   if (!list.empty())
   {
     this->Root["obstacles"] = std::move(list);
@@ -191,23 +150,31 @@ void SceneFormat::WriteObstacles()
 void SceneFormat::WriteWinds()
 {
   SceneJson list = SceneJson::array();
-  for (const AnalyticWind& wind : this->In.Winds)
+  SceneJson authored = AuthoredPart(this->In.Authored.Winds);
+  if (authored.contains("winds") &&
+      IsReadable([&] { this->Reader.ReadWinds(SceneNode(authored["winds"], "/winds")); }) &&
+      AreSameWinds(this->Written, this->In))
   {
-    list.push_back({ { "direction", FormatVector(wind.Direction) },
-                     { "strength", wind.Strength },
-                     { "center", FormatVector(wind.Center) },
-                     { "radius", wind.Radius },
-                     { "centerTime", wind.CenterTime },
-                     { "duration", wind.Duration } });
+    for (SceneJson& entry : authored["winds"])
+    {
+      list.push_back(this->AsWritten(entry));
+    }
   }
-  for (const WindFile& file : this->In.WindFiles)
+  else
   {
-    const std::filesystem::path path(file.Path);
-    list.push_back(
-      { { "file",
-          path.is_absolute()
-            ? path.lexically_relative(std::filesystem::absolute(this->Folder)).generic_string()
-            : file.Path } });
+    for (const AnalyticWind& wind : this->In.Winds)
+    {
+      list.push_back({ { "direction", FormatVector(wind.Direction) },
+                       { "strength", wind.Strength },
+                       { "center", FormatVector(wind.Center) },
+                       { "radius", wind.Radius },
+                       { "centerTime", wind.CenterTime },
+                       { "duration", wind.Duration } });
+    }
+    for (const WindFile& file : this->In.WindFiles)
+    {
+      list.push_back({ { "file", this->Relative(file.Path) } });
+    }
   }
   if (!list.empty())
   {

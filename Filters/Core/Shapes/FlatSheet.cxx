@@ -12,7 +12,7 @@ namespace
 {
 
 // Rows are closer together where the outline closes.
-double RowPlace(int row, int rows)
+double RowPosition(int row, int rows)
 {
   return 0.5 - 0.5 * std::cos(M_PI * row / rows);
 }
@@ -36,7 +36,7 @@ void AddStrip(const Outline& outline, int rows, int columns, FlatSheet& sheet)
     const int first = static_cast<int>(sheet.Points.size());
     for (int c = 0; c <= columns; ++c)
     {
-      add(RowPlace(row, rows), -1.0 + 2.0 * c / columns);
+      add(RowPosition(row, rows), -1.0 + 2.0 * c / columns);
     }
     for (int c = 0; c < columns; ++c)
     {

@@ -187,36 +187,36 @@ Outline Down()
 
 } // namespace
 
-void Outline::PointAt(const OutlinePlace& place, double& x, double& y) const
+void Outline::PointAt(const OutlineCoordinates& at, double& x, double& y) const
 {
   if (this->Type == Kind::Star)
   {
-    const double r = place.Across * this->Radius(place.Along);
-    x = this->CenterX + r * std::cos(place.Along);
-    y = this->Width * r * std::sin(place.Along);
+    const double r = at.Across * this->Radius(at.Along);
+    x = this->CenterX + r * std::cos(at.Along);
+    y = this->Width * r * std::sin(at.Along);
     return;
   }
-  const double width = place.Across > 0.0 ? this->Left(place.Along) : this->Right(place.Along);
-  x = this->BladeStart + place.Along * (this->BladeEnd - this->BladeStart);
-  y = this->Width * (this->Middle(place.Along) + place.Across * width);
+  const double width = at.Across > 0.0 ? this->Left(at.Along) : this->Right(at.Along);
+  x = this->BladeStart + at.Along * (this->BladeEnd - this->BladeStart);
+  y = this->Width * (this->Middle(at.Along) + at.Across * width);
 }
 
-OutlinePlace Outline::PlaceOf(double x, double stretched) const
+OutlineCoordinates Outline::CoordinatesOf(double x, double stretched) const
 {
   const double y = stretched / this->Width;
-  OutlinePlace place;
+  OutlineCoordinates at;
   if (this->Type == Kind::Star)
   {
-    place.Along = std::atan2(y, x - this->CenterX);
-    place.Across = std::hypot(x - this->CenterX, y) / this->Radius(place.Along);
-    return place;
+    at.Along = std::atan2(y, x - this->CenterX);
+    at.Across = std::hypot(x - this->CenterX, y) / this->Radius(at.Along);
+    return at;
   }
-  place.Along = (x - this->BladeStart) / (this->BladeEnd - this->BladeStart);
-  const double s = std::clamp(place.Along, 0.0, 1.0);
+  at.Along = (x - this->BladeStart) / (this->BladeEnd - this->BladeStart);
+  const double s = std::clamp(at.Along, 0.0, 1.0);
   const double off = y - this->Middle(s);
   const double width = off > 0.0 ? this->Left(s) : this->Right(s);
-  place.Across = off / std::max(width, 1e-9);
-  return place;
+  at.Across = off / std::max(width, 1e-9);
+  return at;
 }
 
 void Outline::StemAt(double s, double& x, double& y) const

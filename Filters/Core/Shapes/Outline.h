@@ -14,7 +14,7 @@ namespace waft
 {
 
 /// A place of the plan in the outline's own coordinates.
-struct OutlinePlace
+struct OutlineCoordinates
 {
   double Along = 0.0;  // 0 at the blade's base, 1 at its tip (strip); angle [rad] (star)
   double Across = 0.0; // -1 right edge, 0 middle, 1 left edge (strip); 0 centre, 1 edge (star)
@@ -60,9 +60,9 @@ struct Outline
   double Fluff = 0.0; // share of a feather's vane whose barbs are loose
 
   /// A point of the plan: along as above, across from -1 to 1 (star: 0 to 1).
-  void PointAt(const OutlinePlace& place, double& x, double& y) const;
+  void PointAt(const OutlineCoordinates& at, double& x, double& y) const;
   /// The place of a point; |Across| > 1 outside.
-  OutlinePlace PlaceOf(double x, double y) const;
+  OutlineCoordinates CoordinatesOf(double x, double y) const;
   /// The stem's middle line, from its end (0) to the blade (1).
   void StemAt(double s, double& x, double& y) const;
   /// x of the place where the stem ends in the blade.

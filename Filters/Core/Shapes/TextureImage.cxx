@@ -144,22 +144,22 @@ struct Painter
 
   void Leaf(double x, double y, Color& color, double& alpha) const
   {
-    const OutlinePlace place = this->Plan.PlaceOf(x, this->Plan.Width * y);
+    const OutlineCoordinates at = this->Plan.CoordinatesOf(x, this->Plan.Width * y);
     if (this->Plan.Type == Outline::Kind::Star)
     {
       const double r = std::hypot(x - this->Plan.CenterX, y);
-      color = this->LeafColor(place.Across, this->StarVeins(place.Along, r), x, y);
-      alpha = place.Across < 1.03 ? 1.0 : 0.0;
+      color = this->LeafColor(at.Across, this->StarVeins(at.Along, r), x, y);
+      alpha = at.Across < 1.03 ? 1.0 : 0.0;
     }
     else
     {
-      const double s = std::clamp(place.Along, 0.0, 1.0);
-      color = this->LeafColor(std::abs(place.Across), this->StripVeins(s, place.Across, y), x, y);
+      const double s = std::clamp(at.Along, 0.0, 1.0);
+      color = this->LeafColor(std::abs(at.Across), this->StripVeins(s, at.Across, y), x, y);
       // Teeth: the edge runs back a little and jumps out again.
       const double phase = 26.0 * s;
       const double tooth = this->Plan.Teeth * (phase - std::floor(phase));
-      const bool inside = place.Along > -0.01 && place.Along < 1.01;
-      alpha = inside && std::abs(place.Across) < 1.02 - tooth ? 1.0 : 0.0;
+      const bool inside = at.Along > -0.01 && at.Along < 1.01;
+      alpha = inside && std::abs(at.Across) < 1.02 - tooth ? 1.0 : 0.0;
     }
     this->Stem(x, y, color, alpha);
   }
@@ -186,9 +186,9 @@ struct Painter
 
   void Feather(double x, double y, Color& color, double& alpha) const
   {
-    const OutlinePlace place = this->Plan.PlaceOf(x, this->Plan.Width * y);
-    const double s = std::clamp(place.Along, 0.0, 1.0);
-    const double across = std::abs(place.Across);
+    const OutlineCoordinates at = this->Plan.CoordinatesOf(x, this->Plan.Width * y);
+    const double s = std::clamp(at.Along, 0.0, 1.0);
+    const double across = std::abs(at.Across);
     const double off = y - this->Plan.Middle(s);
     // Barbs leave the shaft forwards; clumps of them part at the splits.
     const double barb = s - 0.9 * std::abs(off) * (1.0 + 0.6 * across);
@@ -204,7 +204,7 @@ struct Painter
     const double shaft = Line(off, 0.0085 * (1.05 - s));
     color =
       Mix(color, Scale(this->Options.VeinColor, 1.0 - 0.25 * Smooth(-0.006, 0.006, off)), shaft);
-    alpha = place.Along > -0.005 && place.Along < 1.0 && across < 1.0 ? 1.0 : 0.0;
+    alpha = at.Along > -0.005 && at.Along < 1.0 && across < 1.0 ? 1.0 : 0.0;
     for (const auto& split : { std::array<double, 3>{ 0.34, 1.0, 0.35 },
                                { 0.63, 1.0, 0.55 },
                                { 0.47, -1.0, 0.45 },
@@ -229,7 +229,7 @@ struct Painter
     {
       alpha = 0.0;
     }
-    if (shaft > 0.5 && place.Along > 0.0 && place.Along < 1.0)
+    if (shaft > 0.5 && at.Along > 0.0 && at.Along < 1.0)
     {
       alpha = 1.0;
     }
@@ -238,26 +238,26 @@ struct Painter
 
   void Down(double x, double y, Color& color, double& alpha) const
   {
-    const OutlinePlace place = this->Plan.PlaceOf(x, this->Plan.Width * y);
-    const double bend = place.Along + 0.6 * this->Grain.At(3.0 * x, 3.0 * y);
-    const double wisps = this->Grain.At(14.0 * bend, 2.0 * place.Across) +
-                         0.7 * this->Grain.At(37.0 * bend, 3.0 * place.Across);
+    const OutlineCoordinates at = this->Plan.CoordinatesOf(x, this->Plan.Width * y);
+    const double bend = at.Along + 0.6 * this->Grain.At(3.0 * x, 3.0 * y);
+    const double wisps = this->Grain.At(14.0 * bend, 2.0 * at.Across) +
+                         0.7 * this->Grain.At(37.0 * bend, 3.0 * at.Across);
     color = Scale(
-      Mix(this->Options.BaseColor, this->Options.EdgeColor, 0.5 * Smooth(0.2, 1.0, place.Across)),
+      Mix(this->Options.BaseColor, this->Options.EdgeColor, 0.5 * Smooth(0.2, 1.0, at.Across)),
       1.0 + 0.08 * wisps);
-    alpha = place.Across < 1.0 && wisps > 1.9 * place.Across - 1.35 ? 1.0 : 0.0;
+    alpha = at.Across < 1.0 && wisps > 1.9 * at.Across - 1.35 ? 1.0 : 0.0;
   }
 
   void Petal(double x, double y, Color& color, double& alpha) const
   {
-    const OutlinePlace place = this->Plan.PlaceOf(x, this->Plan.Width * y);
-    const double s = std::clamp(place.Along, 0.0, 1.0);
-    const double lines = 0.5 + 0.5 * std::cos(60.0 * place.Across);
+    const OutlineCoordinates at = this->Plan.CoordinatesOf(x, this->Plan.Width * y);
+    const double s = std::clamp(at.Along, 0.0, 1.0);
+    const double lines = 0.5 + 0.5 * std::cos(60.0 * at.Across);
     color = Mix(this->Options.EdgeColor, this->Options.BaseColor, Smooth(0.0, 0.75, s));
     color = Mix(color, this->Options.VeinColor, 0.12 * lines * (1.0 - 0.6 * s));
     color = Scale(color, 1.0 + 0.10 * this->Grain.Octaves(12.0 * x, 12.0 * y, 4));
     const double notch = 0.06 * std::exp(-(y / 0.05) * (y / 0.05));
-    alpha = s < 1.0 - notch && std::abs(place.Across) < 1.02 ? 1.0 : 0.0;
+    alpha = s < 1.0 - notch && std::abs(at.Across) < 1.02 ? 1.0 : 0.0;
   }
 
   /// x, y in the plan as it is stretched; the skins are painted before the stretch.

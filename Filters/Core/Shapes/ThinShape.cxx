@@ -197,9 +197,9 @@ Result AlignShape(double size, TriangleMesh& mesh)
     const Vec3& b = mesh.Points[t[1]];
     const Vec3& c = mesh.Points[t[2]];
     const Vec3 sum = a + b + c;
-    const double share = 0.5 * (b - a).cross(c - a).norm() / 12.0;
+    const double weight = 0.5 * (b - a).cross(c - a).norm() / 12.0;
     moments +=
-      share * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
+      weight * (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
   }
   const Eigen::SelfAdjointEigenSolver<Mat3> axes(moments); // ascending
   Mat3 rotation;
@@ -210,10 +210,10 @@ Result AlignShape(double size, TriangleMesh& mesh)
   for (const auto& t : mesh.Triangles)
   {
     const Vec3& a = mesh.Points[t[0]];
-    const double share = (mesh.Points[t[1]] - a).cross(mesh.Points[t[2]] - a).norm();
+    const double weight = (mesh.Points[t[1]] - a).cross(mesh.Points[t[2]] - a).norm();
     const Vec3 center = (a + mesh.Points[t[1]] + mesh.Points[t[2]]) / 3.0;
-    skewX += share * std::pow(rotation.row(0).dot(center), 3);
-    skewZ += share * std::pow(rotation.row(2).dot(center), 3);
+    skewX += weight * std::pow(rotation.row(0).dot(center), 3);
+    skewZ += weight * std::pow(rotation.row(2).dot(center), 3);
   }
   if (skewX < 0.0)
   {

@@ -45,7 +45,7 @@ Result TriangulatePolygon(const Polygon& polygon, double size,
     }
     CGAL::refine_Delaunay_mesh_2(mesh, Criteria(LeastShape, size));
     std::map<Triangulation::Vertex_handle, int> numbers;
-    std::vector<std::array<double, 2>> places;
+    std::vector<std::array<double, 2>> vertices;
     std::vector<std::array<int, 3>> faces;
     for (auto face = mesh.finite_faces_begin(); face != mesh.finite_faces_end(); ++face)
     {
@@ -57,10 +57,10 @@ Result TriangulatePolygon(const Polygon& polygon, double size,
       for (int c = 0; c < 3; ++c)
       {
         const auto vertex = face->vertex(c);
-        const auto [number, isNew] = numbers.emplace(vertex, static_cast<int>(places.size()));
+        const auto [number, isNew] = numbers.emplace(vertex, static_cast<int>(vertices.size()));
         if (isNew)
         {
-          places.push_back({ vertex->point().x(), vertex->point().y() });
+          vertices.push_back({ vertex->point().x(), vertex->point().y() });
         }
         corners[static_cast<std::size_t>(c)] = number->second;
       }
@@ -70,7 +70,7 @@ Result TriangulatePolygon(const Polygon& polygon, double size,
     {
       return Result::Error("expected an outline with an area, found none");
     }
-    points = std::move(places);
+    points = std::move(vertices);
     triangles = std::move(faces);
     return Result::Ok();
   }

@@ -15,16 +15,16 @@ std::vector<Eigen::MatrixX3d> HardConstraints::ClusterPoints(const StateVector& 
     for (const int frame : cluster.Frames())
     {
       const auto j = static_cast<std::size_t>(this->LevelOfFrame[frame]);
-      const bool isOwn = this->Share.Own().Contains(j);
+      const bool isOwn = this->Partition.Own().Contains(j);
       for (std::size_t c = 0; c < 3; ++c)
       {
-        values.push_back(isOwn ? vector[this->Place(j, cluster.Object()) + c * this->Model.Stride()]
-                               : 0.0f);
+        values.push_back(
+          isOwn ? vector[this->Offset(j, cluster.Object()) + c * this->Model.Stride()] : 0.0f);
       }
       frames.push_back(j);
     }
   }
-  this->Share.GatherPoints(frames, values);
+  this->Partition.GatherPoints(frames, values);
   std::vector<Eigen::MatrixX3d> points;
   const float* value = values.data();
   for (const LinearCluster& cluster : this->Clusters)
@@ -47,9 +47,9 @@ void HardConstraints::SetClusterPoints(const std::vector<Eigen::MatrixX3d>& poin
     for (std::size_t k = 0; k < cluster.Frames().size(); ++k)
     {
       const auto j = static_cast<std::size_t>(this->LevelOfFrame[cluster.Frames()[k]]);
-      if (this->Share.Own().Contains(j))
+      if (this->Partition.Own().Contains(j))
       {
-        float* x = vector.data() + this->Place(j, cluster.Object());
+        float* x = vector.data() + this->Offset(j, cluster.Object());
         for (int c = 0; c < 3; ++c)
         {
           x[c * this->Model.Stride()] =

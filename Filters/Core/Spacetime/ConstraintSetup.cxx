@@ -58,10 +58,10 @@ void SetUpStarts(const SpacetimeInput& input, SpacetimeSetup& setup)
 
 void Fix(SpacetimeSetup& setup, int frame, std::size_t object, const Vec3& position, int flags)
 {
-  const std::size_t place = static_cast<std::size_t>(frame) * setup.Model.NumberOfObjects + object;
-  setup.Model.Flags[place] |= static_cast<std::uint8_t>(flags | FixedPosition);
-  setup.ExactPositions[place] = position;
-  setup.Table.FixedPositions[place] = setup.FromWorld(position);
+  const std::size_t index = static_cast<std::size_t>(frame) * setup.Model.NumberOfObjects + object;
+  setup.Model.Flags[index] |= static_cast<std::uint8_t>(flags | FixedPosition);
+  setup.ExactPositions[index] = position;
+  setup.Table.FixedPositions[index] = setup.FromWorld(position);
 }
 
 void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
@@ -80,7 +80,8 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
       const auto flags = [&](int frame) -> std::uint8_t&
       { return model.Flags[static_cast<std::size_t>(frame) * model.NumberOfObjects + o]; };
       const auto coherence = [&](int frame) -> float& {
-        return model.CoherenceShares[static_cast<std::size_t>(frame) * model.NumberOfObjects + o];
+        return model
+          .CoherenceFractions[static_cast<std::size_t>(frame) * model.NumberOfObjects + o];
       };
       // The way to and from a frame near the surface lies within the window, too.
       for (int frame = std::max(0, static_cast<int>(std::ceil(window.First)) + 1);
@@ -142,7 +143,7 @@ void SetUpApproaches(double rate, SpacetimeSetup& setup)
   }
   const int second = static_cast<int>(rate);
   const double radius = AlikeRadius * model.Size.head<2>().maxCoeff();
-  const auto place = [&](int frame, std::size_t o)
+  const auto index = [&](int frame, std::size_t o)
   { return static_cast<std::size_t>(frame) * model.NumberOfObjects + o; };
   std::vector<Vec3> ways(second + 1); // by frames before the rest
   std::vector<double> weights(second + 1);
@@ -161,13 +162,13 @@ void SetUpApproaches(double rate, SpacetimeSetup& setup)
       for (int k = 1; k <= second && other.Frame - k > 0; ++k)
       {
         ways[k] +=
-          weight * (setup.Table.Planned[place(other.Frame - k, other.Object)] - other.Rest);
+          weight * (setup.Table.Planned[index(other.Frame - k, other.Object)] - other.Rest);
         weights[k] += weight;
       }
     }
     for (int k = 1; k <= second && landing.Frame - k > 0; ++k)
     {
-      model.Approach[place(landing.Frame - k, landing.Object)] =
+      model.Approach[index(landing.Frame - k, landing.Object)] =
         landing.Rest + ways[k] / weights[k];
     }
   }

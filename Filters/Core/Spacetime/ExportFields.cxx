@@ -58,7 +58,7 @@ void AppendObjects(const SpacetimeInput& input, const SpacetimeSetup& setup, Fra
     double witness = 0.0;
     for (std::size_t k = model.NumberOfGas + o * per; k < model.NumberOfGas + (o + 1) * per; ++k)
     {
-      witness += (air[k].Density - air[k].WallShare) / static_cast<double>(per);
+      witness += (air[k].Density - air[k].WallFraction) / static_cast<double>(per);
     }
     Vec3 v, u, vortex, wind;
     for (int c = 0; c < 3; ++c)

@@ -56,20 +56,20 @@ void Scale(SplineWind& wind, double factor)
 
 } // namespace
 
-std::vector<Vec3> ObjectPositions(const SpacetimeModel& model, const FrameShare& share,
+std::vector<Vec3> ObjectPositions(const SpacetimeModel& model, const FramePartition& partition,
                                   const StateVector& state)
 {
   const std::size_t no = model.NumberOfObjects;
-  std::vector<float> rows(share.Frames() * no * 3, 0.0f);
-  for (std::size_t j = share.Own().Begin; j < share.Own().End; ++j)
+  std::vector<float> rows(partition.Frames() * no * 3, 0.0f);
+  for (std::size_t j = partition.Own().Begin; j < partition.Own().End; ++j)
   {
-    const float* p = state.data() + share.Slot(j) * model.FrameSize() + model.NumberOfGas;
+    const float* p = state.data() + partition.Slot(j) * model.FrameSize() + model.NumberOfGas;
     for (std::size_t k = 0; k < 3 * no; ++k)
     {
       rows[3 * j * no + k] = p[(k % 3) * model.Stride() + k / 3];
     }
   }
-  share.Gather(rows, 3 * no);
+  partition.Gather(rows, 3 * no);
   std::vector<Vec3> positions;
   for (std::size_t k = 0; k < rows.size(); k += 3)
   {
@@ -122,7 +122,7 @@ bool UpdateWind(SpacetimeModel& model, SpacetimeObjective& objective, const Stat
                 const ParallelFor& parallel, Monitor* monitor, SpacetimeTerms& terms)
 {
   // New vortices may be weaker than those that the wind was held to.
-  const std::vector<Vec3> positions = ObjectPositions(model, objective.Share(), state);
+  const std::vector<Vec3> positions = ObjectPositions(model, objective.Partition(), state);
   HoldWind(model, objective.Level(), positions);
   // The residuals that the estimate reads belong to the last evaluation: make that this state.
   if (!objective.Evaluate(state, nullptr, terms, monitor))
@@ -131,11 +131,11 @@ bool UpdateWind(SpacetimeModel& model, SpacetimeObjective& objective, const Stat
   }
   const SplineWind before = model.Wind;
   const SplineWind fitted = EstimateWind(objective, state, WindOptions(), parallel);
-  for (double share = 1.0; share > 0.2; share *= 0.5)
+  for (double fraction = 1.0; fraction > 0.2; fraction *= 0.5)
   {
     model.Wind = fitted;
     HoldWind(model, objective.Level(), positions);
-    Scale(model.Wind, share);
+    Scale(model.Wind, fraction);
     SpacetimeTerms next;
     if (!objective.Evaluate(state, nullptr, next, monitor))
     {
@@ -170,8 +170,8 @@ bool UpdateVortices(SpacetimeSetup& setup, SpacetimeObjective& objective,
     known.insert(vortex.VortexId);
   }
   const TimeLevel& level = objective.Level();
-  const FrameShare& share = objective.Share();
-  const std::vector<Vec3> positions = ObjectPositions(model, share, state);
+  const FramePartition& partition = objective.Partition();
+  const std::vector<Vec3> positions = ObjectPositions(model, partition, state);
   const std::vector<float> rows = objective.ObjectRows();
   std::vector<VortexSample> samples;
   ForFlights(model, level, positions,
@@ -213,7 +213,7 @@ bool UpdateVortices(SpacetimeSetup& setup, SpacetimeObjective& objective,
   options.MaximumNewVortices = 0;
   std::vector<Vortex> fitted;
   bool going = true;
-  if (share.IsFirst())
+  if (partition.IsFirst())
   {
     const Result result = FitVortices(samples, priors, options, fitMonitor, fitted);
     going = !result.IsStopped();
@@ -222,9 +222,9 @@ bool UpdateVortices(SpacetimeSetup& setup, SpacetimeObjective& objective,
       fitted.clear();
     }
   }
-  if (!share.IsAlone())
+  if (!partition.IsAlone())
   {
-    BroadcastStream stream(share.Others());
+    BroadcastStream stream(partition.Others());
     stream.Value(going);
     stream.List(fitted, [](StateArchive& s, Vortex& v) { Exchange(s, v); });
   }

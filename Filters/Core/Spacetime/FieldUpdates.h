@@ -13,7 +13,7 @@ namespace waft
 
 /// Positions of all objects at all frames of a level [level frame * objects + object], out of a
 /// vector of a share of them. To be called by all ranks.
-std::vector<Vec3> ObjectPositions(const SpacetimeModel& model, const FrameShare& share,
+std::vector<Vec3> ObjectPositions(const SpacetimeModel& model, const FramePartition& partition,
                                   const StateVector& state);
 
 /// Weakens the estimated wind so that its root mean square at the objects, over their flights and

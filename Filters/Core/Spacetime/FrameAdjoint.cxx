@@ -15,10 +15,10 @@ void FrameTerms::Adjoint(float* gradient)
   const std::size_t per = this->Model.Offsets.size();
   const std::size_t p = this->ParticleStride;
   const std::size_t s = this->BodyStride;
-  const float share = 1.0f / static_cast<float>(per);
-  const auto fill = [&](std::size_t place, std::size_t body, float factor, float drag)
+  const float fraction = 1.0f / static_cast<float>(per);
+  const auto fill = [&](std::size_t particle, std::size_t body, float factor, float drag)
   {
-    SphAdjointRecord& record = this->Adjoints[place];
+    SphAdjointRecord& record = this->Adjoints[particle];
     float* out = &record.AX;
     for (int c = 0; c < 3; ++c)
     {
@@ -35,17 +35,17 @@ void FrameTerms::Adjoint(float* gradient)
   {
     for (std::size_t k = 0; k < per; ++k)
     {
-      const std::size_t place = ng + o * per + k;
-      fill(place, ng + o, share, this->Model.DragRates[o]);
-      SphAdjointRecord& record = this->Adjoints[place];
+      const std::size_t particle = ng + o * per + k;
+      fill(particle, ng + o, fraction, this->Model.DragRates[o]);
+      SphAdjointRecord& record = this->Adjoints[particle];
       float* average = &record.AX + 4;
       float byRaise = 0.0f;
       for (int c = 0; c < 3; ++c)
       {
-        byRaise += average[c] * this->PairSums[place].Second[c];
-        average[c] *= this->Raise[place - ng];
+        byRaise += average[c] * this->PairSums[particle].Second[c];
+        average[c] *= this->Raise[particle - ng];
       }
-      this->RaiseSlope[place - ng] *= byRaise; // of E by Psi from here on
+      this->RaiseSlope[particle - ng] *= byRaise; // of E by Psi from here on
     }
   }
   this->Kernels.AdjointPressure(this->Constants, this->Records.data(), this->Adjoints.data(),
@@ -74,9 +74,9 @@ void FrameTerms::Adjoint(float* gradient)
   }
   this->Kernels.AdjointState(this->Constants, this->Records.data(), this->Adjoints.data(),
                              this->Pairs, n, this->PairSums.data());
-  const auto add = [&](std::size_t place, std::size_t body)
+  const auto add = [&](std::size_t particle, std::size_t body)
   {
-    const SphPairSum& sum = this->PairSums[place];
+    const SphPairSum& sum = this->PairSums[particle];
     for (int c = 0; c < 3; ++c)
     {
       gradient[c * s + body] += sum.First[c];
@@ -116,8 +116,8 @@ void FrameTerms::Adjoint(float* gradient)
     {
       bar[c] = this->AccelerationBar(c)[i];
     }
-    const Vec3 byPosition = this->Cushions[o].ByPosition.transpose() * bar;
-    const Vec3 byVelocity = this->Cushions[o].ByVelocity.transpose() * bar;
+    const Vec3 byPosition = this->Damping[o].ByPosition.transpose() * bar;
+    const Vec3 byVelocity = this->Damping[o].ByVelocity.transpose() * bar;
     for (int c = 0; c < 3; ++c)
     {
       gradient[c * s + i] += static_cast<float>(byPosition[c]);

@@ -110,18 +110,18 @@ void FrameTerms::AddFields(const float* state, int frame)
   }
 }
 
-void FrameTerms::AddCushions(const float* state, int frame, double step)
+void FrameTerms::AddLandingDamping(const float* state, int frame, double step)
 {
   const std::size_t s = this->BodyStride;
   for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
   {
     const std::size_t i = this->Model.NumberOfGas + o;
     const auto row = [&](int c) { return static_cast<double>(state[c * s + i]); };
-    this->Cushions[o] = LandingCushion(this->Model, frame, step, o, Vec3(row(0), row(1), row(2)),
-                                       Vec3(row(3), row(4), row(5)));
+    this->Damping[o] = LandingDamping(this->Model, frame, step, o, Vec3(row(0), row(1), row(2)),
+                                      Vec3(row(3), row(4), row(5)));
     for (int c = 0; c < 3; ++c)
     {
-      this->Acceleration(c)[i] += static_cast<float>(this->Cushions[o].Acceleration[c]);
+      this->Acceleration(c)[i] += static_cast<float>(this->Damping[o].Acceleration[c]);
     }
   }
 }

@@ -3,7 +3,7 @@
 
 #include "Base/LargePages.h"
 #include "Particles/SphSurfaces.h"
-#include "Spacetime/AirShare.h"
+#include "Spacetime/WallCorrection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +55,7 @@ FrameTerms::FrameTerms(const SpacetimeModel& model, const SphFluid& fluid,
   this->VortexForce.assign(3 * b, 0.0f);
   this->Rates.assign(6 * b, 0.0f);
   this->Bars.assign(6 * b, 0.0f);
-  this->Cushions.resize(model.NumberOfObjects);
+  this->Damping.resize(model.NumberOfObjects);
 }
 
 std::vector<FrameTerms::AirAt> FrameTerms::Air() const
@@ -90,7 +90,7 @@ void FrameTerms::FillPositions(const float* state)
 }
 
 // Records and X, by place.
-void FrameTerms::PlaceParticles(const float* state)
+void FrameTerms::PositionParticles(const float* state)
 {
   const std::size_t ng = this->Model.NumberOfGas;
   const std::size_t n = this->Model.NumberOfParticles();
@@ -130,26 +130,26 @@ void FrameTerms::AddObstacle(std::size_t i, int frame)
   constexpr int First[6] = { 0, 0, 0, 1, 1, 2 };
   constexpr int Second[6] = { 0, 1, 2, 1, 2, 2 };
   const std::size_t p = this->ParticleStride;
-  SurfaceShare share;
-  share.Value = this->Psi[i];
+  SurfaceShare surfaces;
+  surfaces.Value = this->Psi[i];
   for (int k = 0; k < 6; ++k)
   {
-    share.Hessian(First[k], Second[k]) = share.Hessian(Second[k], First[k]) =
+    surfaces.Hessian(First[k], Second[k]) = surfaces.Hessian(Second[k], First[k]) =
       this->PsiHessian[k * p + i];
   }
   for (int a = 0; a < 3; ++a)
   {
-    share.Gradient[a] = this->PsiGradient[a * p + i];
+    surfaces.Gradient[a] = this->PsiGradient[a * p + i];
   }
-  share.Add(this->Fluid, d, normal, curvature);
-  this->Psi[i] = static_cast<float>(share.Value);
+  surfaces.Add(this->Fluid, d, normal, curvature);
+  this->Psi[i] = static_cast<float>(surfaces.Value);
   for (int k = 0; k < 6; ++k)
   {
-    this->PsiHessian[k * p + i] = static_cast<float>(share.Hessian(First[k], Second[k]));
+    this->PsiHessian[k * p + i] = static_cast<float>(surfaces.Hessian(First[k], Second[k]));
   }
   for (int a = 0; a < 3; ++a)
   {
-    this->PsiGradient[a * p + i] = static_cast<float>(share.Gradient[a]);
+    this->PsiGradient[a * p + i] = static_cast<float>(surfaces.Gradient[a]);
   }
   if (i < this->Model.NumberOfGas && d < SpringReach)
   {
@@ -246,7 +246,7 @@ void FrameTerms::Forward(const float* state, int frame, double step, NeighborLis
   list.Update(this->Kernels, n, ng, x, x + p, x + 2 * p, static_cast<float>(this->Fluid.Support()),
               this->Scratch);
   this->Order = list.Order().data();
-  this->PlaceParticles(state);
+  this->PositionParticles(state);
   const SphNeighbors neighbors = list.View();
   this->AddWalls(frame);
   this->MakeRoom(list.NumberOfEntries());
@@ -270,7 +270,7 @@ void FrameTerms::Forward(const float* state, int frame, double step, NeighborLis
   }
   for (std::size_t k = ng; k < n; ++k)
   {
-    const AirShare air(this->Psi[k]);
+    const WallCorrection air(this->Psi[k]);
     this->Raise[k - ng] = static_cast<float>(air.Raise);
     this->RaiseSlope[k - ng] = static_cast<float>(air.Slope);
   }
@@ -278,7 +278,7 @@ void FrameTerms::Forward(const float* state, int frame, double step, NeighborLis
                            this->PairSums.data());
   this->AddFields(state, frame);
   this->GatherRates();
-  this->AddCushions(state, frame, step);
+  this->AddLandingDamping(state, frame, step);
 }
 
 // From places to bodies.
@@ -299,7 +299,7 @@ void FrameTerms::GatherRates()
     }
   }
   const std::size_t per = this->Model.Offsets.size();
-  const float share = 1.0f / static_cast<float>(per);
+  const float fraction = 1.0f / static_cast<float>(per);
   for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
   {
     const SphPairSum* sums = this->PairSums.data() + ng + o * per;
@@ -312,10 +312,10 @@ void FrameTerms::GatherRates()
         sumD += this->Raise[o * per + k] * sums[k].Second[c];
       }
       const std::size_t i = c * s + ng + o;
-      const float average = share * sumD;
+      const float average = fraction * sumD;
       // Drag towards the air about the object: D is the mean velocity of the air relative to it.
       const float fall = c == 2 ? this->Model.Gravities[o] : 0.0f;
-      rates[i] = share * sumA + external[i] - fall + this->Model.DragRates[o] * average;
+      rates[i] = fraction * sumA + external[i] - fall + this->Model.DragRates[o] * average;
       rates[3 * s + i] = average;
     }
   }

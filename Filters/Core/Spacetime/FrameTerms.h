@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Particles/NeighborList.h"
-#include "Spacetime/GroundCushion.h"
+#include "Spacetime/LandingDamping.h"
 #include "Spacetime/SpacetimeModel.h"
 
 #include <vector>
@@ -46,7 +46,7 @@ public:
   /// density that is not gas.
   struct AirAt
   {
-    double Density, Pressure, WallShare;
+    double Density, Pressure, WallFraction;
   };
   std::vector<AirAt> Air() const;
 
@@ -55,7 +55,7 @@ private:
   static constexpr std::size_t Block = 256;
 
   void FillPositions(const float* state);
-  void PlaceParticles(const float* state);
+  void PositionParticles(const float* state);
   void MakeRoom(std::size_t entries);
   void GatherRates();
   void AddWalls(int frame);
@@ -64,7 +64,7 @@ private:
   void AddFields(const float* state, int frame);
   void ActivateVortices(int frame);
   void AddWinds(const float* state, std::size_t begin, std::size_t end);
-  void AddCushions(const float* state, int frame, double step);
+  void AddLandingDamping(const float* state, int frame, double step);
   SphRows ParticleRows(std::vector<float>& v, std::size_t begin) const
   {
     return { v.data() + begin, this->ParticleStride };
@@ -86,14 +86,14 @@ private:
   std::vector<SphAdjointRecord> Adjoints;
   std::vector<float> Density, PressureSlope, Psi, Bar; // particles
   std::vector<float> PsiGradient, PsiHessian;          // 3 and 6 rows
-  std::vector<float> Raise, RaiseSlope;                // of D of the objects' particles; AirShare
-  std::vector<float> SpringForce, SpringSlope;         // gas: 3 rows and 6 of the Jacobian
-  std::vector<float> Force, Jacobian, VortexForce;     // bodies: 3, 9 and 3 rows
-  std::vector<float> Rates, Bars;                      // bodies: 6 rows
+  std::vector<float> Raise, RaiseSlope;            // of D of the objects' particles; WallCorrection
+  std::vector<float> SpringForce, SpringSlope;     // gas: 3 rows and 6 of the Jacobian
+  std::vector<float> Force, Jacobian, VortexForce; // bodies: 3, 9 and 3 rows
+  std::vector<float> Rates, Bars;                  // bodies: 6 rows
   std::vector<float> WindCoefficients, BackgroundCoefficients;
   float BackgroundDrag = 0.0f;
   bool HasWinds = false;
-  std::vector<CushionForce> Cushions; // one an object
+  std::vector<DampingForce> Damping; // one an object
   std::vector<SphVortex> Active;
   NeighborScratch Scratch;
   /// The pairs of the frame that Forward was last called for, and sums over them.

@@ -40,10 +40,12 @@ std::vector<LinearCluster> MakeClusters(const SpacetimeModel& model, const Const
 
 HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& level,
                                  const ConstraintTable& table, const ParallelFor& parallel,
-                                 const std::vector<char>& movable, const FrameShare* share) :
+                                 const std::vector<char>& movable,
+                                 const FramePartition* partition) :
   Model(model),
-  Level(level), Share(share != nullptr ? *share : FrameShare(level.NumberOfFrames())), Table(table),
-  Parallel(parallel), Touched(model, this->Share)
+  Level(level),
+  Partition(partition != nullptr ? *partition : FramePartition(level.NumberOfFrames())),
+  Table(table), Parallel(parallel), Touched(model, this->Partition)
 {
   this->LevelOfFrame.assign(model.NumberOfFrames, -1);
   std::vector<bool> hasFrame(model.NumberOfFrames, false);
@@ -72,7 +74,7 @@ HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& l
       if (!taken[j * no + ball.Object])
       {
         this->Touched.Add(static_cast<std::size_t>(j), ball.Object);
-        if (this->Share.Own().Contains(j))
+        if (this->Partition.Own().Contains(j))
         {
           this->Balls.push_back(
             { static_cast<std::size_t>(j), ball.Object, ball.Center, ball.Radius });
@@ -84,7 +86,7 @@ HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& l
   {
     taken[ball.Frame * no + ball.Object] = true;
   }
-  const FrameRange& own = this->Share.Own();
+  const FrameRange& own = this->Partition.Own();
   for (std::size_t j = own.Begin; j < own.End && !table.Planned.empty(); ++j)
   {
     for (std::size_t o = 0; o < no; ++o)
@@ -149,9 +151,9 @@ void HardConstraints::TakeClusters(const std::vector<bool>& hasFrame)
   }
 }
 
-std::size_t HardConstraints::Place(std::size_t j, std::size_t object) const
+std::size_t HardConstraints::Offset(std::size_t j, std::size_t object) const
 {
-  return this->Share.Slot(j) * this->Model.FrameSize() + this->Model.NumberOfGas + object;
+  return this->Partition.Slot(j) * this->Model.FrameSize() + this->Model.NumberOfGas + object;
 }
 
 void HardConstraints::ForBalls(const std::function<void(const LevelBall&)>& visit) const
@@ -173,7 +175,7 @@ void HardConstraints::Project(StateVector& state) const
 {
   const std::size_t stride = this->Model.Stride();
   const std::size_t no = this->Model.NumberOfObjects;
-  const FrameRange& own = this->Share.Own();
+  const FrameRange& own = this->Partition.Own();
   this->Parallel(
     own.Size(),
     [&](std::size_t begin, std::size_t end)
@@ -184,7 +186,7 @@ void HardConstraints::Project(StateVector& state) const
         {
           continue;
         }
-        float* frame = state.data() + this->Share.Slot(j) * this->Model.FrameSize();
+        float* frame = state.data() + this->Partition.Slot(j) * this->Model.FrameSize();
         for (int c = 0; c < 3; ++c)
         {
           float* x = frame + c * stride;
@@ -201,7 +203,7 @@ void HardConstraints::Project(StateVector& state) const
             continue;
           }
           const int flags = this->Model.Flag(this->Level.Frames[j], o);
-          float* p = state.data() + this->Place(j, o);
+          float* p = state.data() + this->Offset(j, o);
           if (flags & FixedPosition)
           {
             Set(
@@ -218,7 +220,7 @@ void HardConstraints::Project(StateVector& state) const
   this->ForBalls(
     [&](const LevelBall& ball)
     {
-      float* p = state.data() + this->Place(ball.Frame, ball.Object);
+      float* p = state.data() + this->Offset(ball.Frame, ball.Object);
       const Vec3 d = Get(p, stride) - ball.Center;
       const double r = d.norm();
       if (r > ball.Radius * Inside)
@@ -251,10 +253,10 @@ void HardConstraints::EnterBalls(const TimelinePreconditioner& preconditioner,
   auto ball = this->Balls.begin();
   for (std::size_t k = 0; k < this->Touched.Size(); ++k)
   {
-    if (this->Share.Own().Contains(this->Touched.Frame(k)))
+    if (this->Partition.Own().Contains(this->Touched.Frame(k)))
     {
-      const std::size_t place = this->Place(ball->Frame, ball->Object);
-      const Vec3 d = Get(state.data() + place, this->Model.Stride()) - ball->Center;
+      const std::size_t offset = this->Offset(ball->Frame, ball->Object);
+      const Vec3 d = Get(state.data() + offset, this->Model.Stride()) - ball->Center;
       const double inside = ball->Radius * Inside;
       if (d.norm() > inside)
       {
@@ -274,7 +276,7 @@ void HardConstraints::FindWalls(std::size_t j, const StateVector& state,
   for (int c = 0; c < 3; ++c)
   {
     const std::size_t row =
-      this->Share.Slot(j) * this->Model.FrameSize() + c * this->Model.Stride();
+      this->Partition.Slot(j) * this->Model.FrameSize() + c * this->Model.Stride();
     const auto size = static_cast<float>(this->Model.Size[c]);
     for (std::size_t i = row; i < row + this->Model.NumberOfGas; ++i)
     {
@@ -289,7 +291,7 @@ void HardConstraints::FindWalls(std::size_t j, const StateVector& state,
 void HardConstraints::FindActive(const StateVector& state, const StateVector& gradient)
 {
   this->ActiveWalls.resize(this->Level.NumberOfFrames());
-  const FrameRange& own = this->Share.Own();
+  const FrameRange& own = this->Partition.Own();
   this->Parallel(own.Size(),
                  [&](std::size_t begin, std::size_t end)
                  {
@@ -306,7 +308,7 @@ void HardConstraints::FindActive(const StateVector& state, const StateVector& gr
       if (n != Vec3::Zero())
       {
         this->ActiveBalls.push_back(
-          { this->Place(ball.Frame, ball.Object),
+          { this->Offset(ball.Frame, ball.Object),
             { static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()) } });
       }
     });
@@ -327,11 +329,11 @@ Vec3 HardConstraints::TouchNormal(const LevelBall& ball, const StateVector& stat
                                   const StateVector& gradient) const
 {
   const std::size_t stride = this->Model.Stride();
-  const std::size_t place = this->Place(ball.Frame, ball.Object);
-  const Vec3 d = Get(state.data() + place, stride) - ball.Center;
+  const std::size_t offset = this->Offset(ball.Frame, ball.Object);
+  const Vec3 d = Get(state.data() + offset, stride) - ball.Center;
   const double r = d.norm();
   const bool leaves =
-    r >= ball.Radius * OnSphere && r > 0.0 && Get(gradient.data() + place, stride).dot(d) < 0.0;
+    r >= ball.Radius * OnSphere && r > 0.0 && Get(gradient.data() + offset, stride).dot(d) < 0.0;
   return leaves ? Vec3(d / r) : Vec3::Zero();
 }
 
@@ -339,9 +341,9 @@ void HardConstraints::ClearHeld(StateVector& direction) const
 {
   const std::size_t size = this->Model.FrameSize();
   const std::size_t no = this->Model.NumberOfObjects;
-  for (std::size_t j = this->Share.Own().Begin; j < this->Share.Own().End; ++j)
+  for (std::size_t j = this->Partition.Own().Begin; j < this->Partition.Own().End; ++j)
   {
-    float* frame = direction.data() + this->Share.Slot(j) * size;
+    float* frame = direction.data() + this->Partition.Slot(j) * size;
     if (!this->Level.IsFree(j))
     {
       std::fill(frame, frame + size, 0.0f);
@@ -372,12 +374,12 @@ void HardConstraints::ProjectTangent(StateVector& direction) const
   {
     this->ClearHeld(direction);
   }
-  for (std::size_t j = this->Share.Own().Begin; j < this->Share.Own().End; ++j)
+  for (std::size_t j = this->Partition.Own().Begin; j < this->Partition.Own().End; ++j)
   {
     for (std::size_t o = 0; o < no; ++o)
     {
       const int flags = this->Model.Flag(this->Level.Frames[j], o);
-      float* p = direction.data() + this->Place(j, o);
+      float* p = direction.data() + this->Offset(j, o);
       if (flags & FixedPosition)
       {
         Set(p, stride, Vec3::Zero());
@@ -397,7 +399,7 @@ void HardConstraints::ProjectTangent(StateVector& direction) const
   }
   for (const Active& active : this->ActiveBalls)
   {
-    float* p = direction.data() + active.Place;
+    float* p = direction.data() + active.Offset;
     const Vec3 n(active.Normal[0], active.Normal[1], active.Normal[2]);
     const Vec3 d = Get(p, stride);
     Set(p, stride, d - d.dot(n) * n);
@@ -426,7 +428,7 @@ double HardConstraints::MaxViolation(const StateVector& state) const
   double largest = 0.0;
   for (const LevelBall& ball : this->Balls)
   {
-    const Vec3 d = Get(state.data() + this->Place(ball.Frame, ball.Object), stride) - ball.Center;
+    const Vec3 d = Get(state.data() + this->Offset(ball.Frame, ball.Object), stride) - ball.Center;
     largest = std::max(largest, d.norm() - ball.Radius);
   }
   const std::vector<Eigen::MatrixX3d> points = this->ClusterPoints(state);
@@ -434,7 +436,7 @@ double HardConstraints::MaxViolation(const StateVector& state) const
   {
     largest = std::max(largest, this->Clusters[k].Violation(points[k]));
   }
-  return this->Share.IsAlone() ? largest : this->Share.Others().Largest(largest);
+  return this->Partition.IsAlone() ? largest : this->Partition.Others().Largest(largest);
 }
 
 } // namespace waft

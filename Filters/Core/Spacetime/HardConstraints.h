@@ -4,10 +4,10 @@
 
 #include "Base/Parallel.h"
 #include "Constraints/LinearCluster.h"
-#include "Spacetime/FrameShare.h"
+#include "Spacetime/ActiveConstraints.h"
+#include "Spacetime/FramePartition.h"
 #include "Spacetime/SpacetimeModel.h"
 #include "Spacetime/StateVector.h"
-#include "Spacetime/TouchedBalls.h"
 
 #include <vector>
 
@@ -38,7 +38,7 @@ public:
   /// all are this rank's. What takes a vector is to be called by all ranks.
   HardConstraints(const SpacetimeModel& model, const TimeLevel& level, const ConstraintTable& table,
                   const ParallelFor& parallel, const std::vector<char>& movable = {},
-                  const FrameShare* share = nullptr);
+                  const FramePartition* partition = nullptr);
 
   /// Radius about the planned positions [dx]; zero: none. The user's own requirements win.
   void SetLeash(double radius) { this->Leash = radius; }
@@ -60,7 +60,7 @@ public:
 
 private:
   void EnterBalls(const TimelinePreconditioner& preconditioner, StateVector& state) const;
-  std::size_t Place(std::size_t j, std::size_t object) const;
+  std::size_t Offset(std::size_t j, std::size_t object) const;
   void HoldObjects(const std::vector<char>& movable);
   void TakeClusters(const std::vector<bool>& hasFrame);
   void ClearHeld(StateVector& direction) const;
@@ -71,7 +71,7 @@ private:
 
   const SpacetimeModel& Model;
   const TimeLevel& Level;
-  FrameShare Share;
+  FramePartition Partition;
   const ConstraintTable& Table;
   ParallelFor Parallel;
   double Leash = 0.0;
@@ -86,7 +86,7 @@ private:
   Vec3 TouchNormal(const LevelBall& ball, const StateVector& state,
                    const StateVector& gradient) const;
   std::vector<LevelBall> Balls;      // the user's
-  TouchedBalls Touched;              // of them, of all ranks
+  ActiveConstraints Touched;         // of them, of all ranks
   std::vector<LevelBall> LeashBalls; // radius as set
   std::vector<LinearCluster> Clusters;
   std::vector<int> LevelOfFrame; // -1: not on this level
@@ -95,7 +95,7 @@ private:
   std::vector<std::size_t> HeldGas;
   struct Active
   {
-    std::size_t Place;
+    std::size_t Offset;
     float Normal[3];
   };
   std::vector<Active> ActiveBalls;

@@ -16,10 +16,10 @@ constexpr std::size_t ToleranceWindow = 20; // iterations
 
 } // namespace
 
-Lbfgs::Lbfgs(const FrameShare& share, std::size_t frameSize, const ParallelFor& parallel,
+Lbfgs::Lbfgs(const FramePartition& partition, std::size_t frameSize, const ParallelFor& parallel,
              int history) :
-  Share(share),
-  FrameSize(frameSize), Space(share, frameSize, parallel),
+  Partition(partition),
+  FrameSize(frameSize), Space(partition, frameSize, parallel),
   Capacity(static_cast<std::size_t>(std::max(1, history)))
 {
   const std::size_t n = this->Space.Size();
@@ -34,7 +34,7 @@ void Lbfgs::Project(const TimelinePreconditioner& preconditioner,
                     const HardConstraints& constraints, StateVector& state) const
 {
   constraints.Project(preconditioner, state);
-  this->Share.FillHalo(state, this->FrameSize);
+  this->Partition.FillHalo(state, this->FrameSize);
 }
 
 // Step = -P H P g by the two-loop recursion with H0 = gamma P M^-1 P.
@@ -147,7 +147,7 @@ bool Lbfgs::HasConverged(double tolerance) const
 void Lbfgs::Exchange(StateArchive& stream)
 {
   const auto vector = [this](StateArchive& s, StateVector& v)
-  { this->Share.Exchange(s, v, this->FrameSize); };
+  { this->Partition.Exchange(s, v, this->FrameSize); };
   stream.List(this->Pairs.S, vector);
   stream.List(this->Pairs.Y, vector);
   stream.List(this->Pairs.Rho);

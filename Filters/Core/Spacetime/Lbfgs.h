@@ -36,7 +36,8 @@ enum class LbfgsEnd
 class Lbfgs
 {
 public:
-  Lbfgs(const FrameShare& share, std::size_t frameSize, const ParallelFor& parallel, int history);
+  Lbfgs(const FramePartition& partition, std::size_t frameSize, const ParallelFor& parallel,
+        int history);
 
   /// Called after each accepted iterate; returns false to stop.
   using Observer = std::function<bool(int iteration, const SpacetimeTerms& terms)>;
@@ -69,7 +70,7 @@ private:
   void Project(const TimelinePreconditioner& preconditioner, const HardConstraints& constraints,
                StateVector& state) const;
 
-  FrameShare Share;
+  FramePartition Partition;
   std::size_t FrameSize;
   VectorSpace Space;
   std::size_t Capacity;

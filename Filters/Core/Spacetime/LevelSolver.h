@@ -11,12 +11,12 @@ namespace waft
 {
 
 /// A level's frames, shared out among ranks, with as many beside the own ones as E's rows reach.
-inline FrameShare ShareOf(const TimeLevel& level, Communicator& ranks)
+inline FramePartition PartitionOf(const TimeLevel& level, Communicator& ranks)
 {
-  return FrameShare(level.NumberOfFrames(), static_cast<std::size_t>(level.Reach()), ranks);
+  return FramePartition(level.NumberOfFrames(), static_cast<std::size_t>(level.Reach()), ranks);
 }
 
-/// A level of time with everything that solves on it. Its vectors are of its Share.
+/// A level of time with everything that solves on it. Its vectors are of its Partition.
 struct LevelSolver
 {
   /// history: pairs of L-BFGS; 0: no solver of its own, lists are not kept and a rank holds all
@@ -24,21 +24,23 @@ struct LevelSolver
   LevelSolver(const SpacetimeSetup& setup, TimeLevel times, const ParallelFor& parallel,
               Communicator& ranks, int history, const std::vector<char>& movable = {}) :
     Level(std::move(times)),
-    Share(history > 0 ? ShareOf(this->Level, ranks) : ShareOf(this->Level, ranks).HoldingAll()),
-    Objective(setup.Model, this->Level, parallel, FastestSphKernels(), history > 0, &this->Share),
+    Partition(history > 0 ? PartitionOf(this->Level, ranks)
+                          : PartitionOf(this->Level, ranks).HoldingAll()),
+    Objective(setup.Model, this->Level, parallel, FastestSphKernels(), history > 0,
+              &this->Partition),
     Preconditioner(setup.Model, this->Level, parallel, TimelinePreconditioner::UsualDamping,
-                   &this->Share),
-    Constraints(setup.Model, this->Level, setup.Table, parallel, movable, &this->Share)
+                   &this->Partition),
+    Constraints(setup.Model, this->Level, setup.Table, parallel, movable, &this->Partition)
   {
     if (history > 0)
     {
       this->Solver =
-        std::make_unique<Lbfgs>(this->Share, setup.Model.FrameSize(), parallel, history);
+        std::make_unique<Lbfgs>(this->Partition, setup.Model.FrameSize(), parallel, history);
     }
   }
 
   TimeLevel Level;
-  FrameShare Share;
+  FramePartition Partition;
   SpacetimeObjective Objective;
   TimelinePreconditioner Preconditioner;
   HardConstraints Constraints;

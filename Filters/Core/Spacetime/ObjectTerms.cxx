@@ -77,14 +77,14 @@ double ApproachTerms(const SpacetimeModel& model, int frame, double scale, const
   double sum = 0.0;
   for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
   {
-    const std::size_t place = static_cast<std::size_t>(frame) * model.NumberOfObjects + o;
-    if (model.Reach[place] <= 0.0f || (model.Flags[place] & FixedPosition))
+    const std::size_t index = static_cast<std::size_t>(frame) * model.NumberOfObjects + o;
+    if (model.Reach[index] <= 0.0f || (model.Flags[index] & FixedPosition))
     {
       continue;
     }
     const std::size_t i = model.NumberOfGas + o;
-    const Vec3 d = Vec3(state[i], state[stride + i], state[2 * stride + i]) - model.Approach[place];
-    const double beyond = d.norm() - model.Reach[place];
+    const Vec3 d = Vec3(state[i], state[stride + i], state[2 * stride + i]) - model.Approach[index];
+    const double beyond = d.norm() - model.Reach[index];
     if (beyond > 0.0)
     {
       sum += 0.5 * weight * beyond * beyond;
@@ -180,10 +180,10 @@ double PairDistance(const SpacetimeModel& model, int frame, std::size_t a, std::
     const std::int32_t mark = model.NearestMarks[static_cast<std::size_t>(frame) * n + o];
     if (mark >= 0 && model.Flag(mark, a) & model.Flag(mark, b) & FixedPosition)
     {
-      const Vec3* places = model.Approach.data() + static_cast<std::size_t>(mark) * n;
+      const Vec3* approach = model.Approach.data() + static_cast<std::size_t>(mark) * n;
       const double aside = (frame - mark) / model.MarkDuration;
       const double growth = model.Weights.ContactDistance * aside * aside;
-      distance = std::min(distance, (places[a] - places[b]).norm() + growth);
+      distance = std::min(distance, (approach[a] - approach[b]).norm() + growth);
     }
   }
   return distance;

@@ -80,10 +80,10 @@ void SpacetimeObjective::ObjectResiduals(std::vector<double>& ex, std::vector<do
         continue;
       }
       const std::size_t i = model.NumberOfGas + o;
-      const double share = this->Times.StepWeights[j];
-      const double weightX =
-        model.BodyWeight(i) * model.Weights.ObjectPosition * model.Weights.PositionWeight * share;
-      const double weightV = model.VelocityWeight(i) * share;
+      const double stepWeight = this->Times.StepWeights[j];
+      const double weightX = model.BodyWeight(i) * model.Weights.ObjectPosition *
+                             model.Weights.PositionWeight * stepWeight;
+      const double weightV = model.VelocityWeight(i) * stepWeight;
       for (int c = 0; c < 3; ++c)
       {
         const float* row = rows.data() + (j * model.NumberOfObjects + o) * 6;

@@ -15,7 +15,7 @@ std::array<int, 3> WindLatticeDimensions(const Box& volume)
 
 Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options,
                     const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
-                    SpacetimeMemory* memory, Communicator* ranks)
+                    SpacetimeWarmStart* memory, Communicator* ranks)
 {
   output = SpacetimeOutput();
   SerialCommunicator alone;
@@ -45,7 +45,7 @@ Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options
     output = SpacetimeOutput();
     if (memory != nullptr)
     {
-      *memory = SpacetimeMemory();
+      *memory = SpacetimeWarmStart();
     }
   }
   return result;

@@ -246,7 +246,7 @@ struct SpacetimeOutput
   std::vector<std::string> Warnings;
 };
 
-struct SpacetimeMemory; // SpacetimeMemory.h
+struct SpacetimeWarmStart; // SpacetimeWarmStart.h
 
 /// Points of the lattice on which the wind is estimated and handed out; it spans the volume.
 std::array<int, 3> WindLatticeDimensions(const Box& volume);
@@ -271,6 +271,6 @@ std::array<int, 3> WindLatticeDimensions(const Box& volume);
 /// any number of ranks. Null: one rank.
 Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options,
                     const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
-                    SpacetimeMemory* memory = nullptr, Communicator* ranks = nullptr);
+                    SpacetimeWarmStart* memory = nullptr, Communicator* ranks = nullptr);
 
 } // namespace waft

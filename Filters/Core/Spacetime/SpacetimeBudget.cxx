@@ -15,7 +15,7 @@ namespace
 constexpr double Megabyte = 1e6;
 constexpr std::size_t ShortestWindow = 8; // frames: in shorter ones hardly anything can move
 constexpr double ListGrowth = 1.3;        // of a list's room over its entries
-constexpr double WallShare = 0.85;        // of neighbours that walls leave, on average
+constexpr double WallFraction = 0.85;     // of neighbours that walls leave, on average
 constexpr double UsualSkin = 0.2;         // [dx]
 constexpr double SmallParts = 4e6;        // factors, fields, work space of the threads
 
@@ -29,7 +29,7 @@ SpacetimeBudget::SpacetimeBudget(const SpacetimeModel& model, const SpacetimeOpt
   const double exported = sizeof(float) * 14.0 * particles;
   const double reach = 2.0 * options.SmoothingLength + UsualSkin;
   const double neighbors =
-    WallShare * 4.0 / 3.0 * M_PI * reach * reach * reach + 4.0; // whole groups of eight
+    WallFraction * 4.0 / 3.0 * M_PI * reach * reach * reach + 4.0; // whole groups of eight
   const double entry = particles < 65535.0 ? 2.0 : 4.0;
   // Of the positions of its construction a list may keep the last ones too; see NeighborCourse.
   const double list = particles * (ListGrowth * entry * neighbors + 8.0 * sizeof(float));

@@ -71,19 +71,19 @@ std::uint64_t DigestOfVortices(const std::vector<Vortex>& vortices, const std::s
   return sum.Sum();
 }
 
-std::vector<std::uint64_t> DigestOfPlaces(const SpacetimeSetup& setup)
+std::vector<std::uint64_t> DigestOfRequests(const SpacetimeSetup& setup)
 {
   const SpacetimeModel& model = setup.Model;
   const std::size_t no = model.NumberOfObjects;
   std::vector<DigestStream> sums(model.Flags.size());
-  for (std::size_t place = 0; place < sums.size(); ++place)
+  for (std::size_t index = 0; index < sums.size(); ++index)
   {
-    DigestStream& sum = sums[place];
-    sum.Values(Read(setup.Table.Planned[place]), Read(model.Flags[place]), Read(model.Reach[place]),
-               Read(model.CoherenceShares[place]), Read(model.NearestMarks[place]));
-    if (model.Flags[place] & FixedPosition)
+    DigestStream& sum = sums[index];
+    sum.Values(Read(setup.Table.Planned[index]), Read(model.Flags[index]), Read(model.Reach[index]),
+               Read(model.CoherenceFractions[index]), Read(model.NearestMarks[index]));
+    if (model.Flags[index] & FixedPosition)
     {
-      sum.Value(Read(setup.ExactPositions[place]));
+      sum.Value(Read(setup.ExactPositions[index]));
     }
   }
   for (const PositionBall& ball : setup.Table.Balls)
@@ -99,12 +99,12 @@ std::vector<std::uint64_t> DigestOfPlaces(const SpacetimeSetup& setup)
         Read(term.Coefficient), Read(row.Value), Read(row.Radius));
     }
   }
-  std::vector<std::uint64_t> places;
+  std::vector<std::uint64_t> requests;
   for (const DigestStream& sum : sums)
   {
-    places.push_back(sum.Sum());
+    requests.push_back(sum.Sum());
   }
-  return places;
+  return requests;
 }
 
 } // namespace
@@ -168,7 +168,7 @@ ProblemDigest DigestOfProblem(const SpacetimeInput& input, const SpacetimeOption
   digest.Physics = physics.Sum();
   digest.Vortices = DigestOfVortices(input.Vortices, {});
   digest.SceneVortices = DigestOfVortices(input.Vortices, claimed);
-  digest.Places = DigestOfPlaces(setup);
+  digest.Requests = DigestOfRequests(setup);
   return digest;
 }
 

@@ -24,7 +24,7 @@ struct ProblemDigest
   std::uint64_t SceneVortices = 0; // those that no track claims
   /// What is asked of an object at a frame: the planned place and every row that touches it
   /// [frame * objects + object].
-  std::vector<std::uint64_t> Places;
+  std::vector<std::uint64_t> Requests;
 };
 ProblemDigest DigestOfProblem(const SpacetimeInput& input, const SpacetimeOptions& options,
                               const SpacetimeSetup& setup);

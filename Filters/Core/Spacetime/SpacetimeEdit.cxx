@@ -39,7 +39,7 @@ void Shift(const SpacetimeModel& model, std::size_t object, const std::vector<Ve
 
 } // namespace
 
-EditRegion FindEditRegion(const SpacetimeMemory& before, const ProblemDigest& now,
+EditRegion FindEditRegion(const SpacetimeWarmStart& before, const ProblemDigest& now,
                           const SpacetimeOptions& options, const SpacetimeSetup& setup,
                           const StateVector& state)
 {
@@ -48,12 +48,12 @@ EditRegion FindEditRegion(const SpacetimeMemory& before, const ProblemDigest& no
   EditRegion region;
   std::vector<char> changed(no, 0);
   int first = model.NumberOfFrames, last = -1;
-  for (std::size_t place = 0; place < now.Places.size(); ++place)
+  for (std::size_t index = 0; index < now.Requests.size(); ++index)
   {
-    if (now.Places[place] != before.Digest.Places[place])
+    if (now.Requests[index] != before.Digest.Requests[index])
     {
-      const auto frame = static_cast<int>(place / no);
-      changed[place % no] = 1;
+      const auto frame = static_cast<int>(index / no);
+      changed[index % no] = 1;
       first = std::min(first, frame);
       last = std::max(last, frame);
     }
@@ -93,7 +93,7 @@ EditRegion FindEditRegion(const SpacetimeMemory& before, const ProblemDigest& no
   return region;
 }
 
-void MoveToPlan(const SpacetimeMemory& before, const SpacetimeOptions& options,
+void MoveToPlan(const SpacetimeWarmStart& before, const SpacetimeOptions& options,
                 const SpacetimeSetup& setup, StateVector& state)
 {
   const SpacetimeModel& model = setup.Model;
@@ -106,8 +106,8 @@ void MoveToPlan(const SpacetimeMemory& before, const SpacetimeOptions& options,
     bool moves = false;
     for (int frame = 0; frame < model.NumberOfFrames; ++frame)
     {
-      const std::size_t place = static_cast<std::size_t>(frame) * no + o;
-      shifts[frame] = setup.Table.Planned[place] - before.Planned[place];
+      const std::size_t index = static_cast<std::size_t>(frame) * no + o;
+      shifts[frame] = setup.Table.Planned[index] - before.Planned[index];
       moves = moves || !shifts[frame].isZero(0.0);
     }
     if (moves)
@@ -116,13 +116,13 @@ void MoveToPlan(const SpacetimeMemory& before, const SpacetimeOptions& options,
     }
     for (int frame = 0; frame < model.NumberOfFrames; ++frame)
     {
-      const std::size_t place = static_cast<std::size_t>(frame) * no + o;
-      if (!(model.Flags[place] & FixedPosition))
+      const std::size_t index = static_cast<std::size_t>(frame) * no + o;
+      if (!(model.Flags[index] & FixedPosition))
       {
         continue;
       }
       const Vec3 miss =
-        setup.Table.FixedPositions[place] - Position(model, state, frame, model.NumberOfGas + o);
+        setup.Table.FixedPositions[index] - Position(model, state, frame, model.NumberOfGas + o);
       if (miss.norm() < Missed)
       {
         continue;

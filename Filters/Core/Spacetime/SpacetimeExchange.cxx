@@ -22,7 +22,7 @@ namespace
 void ExchangeDigest(StateArchive& stream, ProblemDigest& digest)
 {
   stream.Values(digest.Shape, digest.Physics, digest.Vortices, digest.SceneVortices);
-  stream.List(digest.Places);
+  stream.List(digest.Requests);
 }
 
 } // namespace
@@ -33,7 +33,7 @@ void Exchange(StateArchive& stream, SpacetimeInput& input)
   Exchange(stream, input.Air);
 }
 
-void Exchange(StateArchive& stream, SpacetimeMemory& memory)
+void Exchange(StateArchive& stream, SpacetimeWarmStart& memory)
 {
   ExchangeDigest(stream, memory.Digest);
   stream.List(memory.State);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Base/StateArchive.h"
-#include "Spacetime/SpacetimeMemory.h"
+#include "Spacetime/SpacetimeWarmStart.h"
 
 namespace waft
 {
@@ -11,6 +11,6 @@ namespace waft
 void Exchange(StateArchive& stream, SplineWind& wind);
 void Exchange(StateArchive& stream, SpacetimeOptions& options);
 void Exchange(StateArchive& stream, SpacetimeInput& input);
-void Exchange(StateArchive& stream, SpacetimeMemory& memory);
+void Exchange(StateArchive& stream, SpacetimeWarmStart& memory);
 
 } // namespace waft

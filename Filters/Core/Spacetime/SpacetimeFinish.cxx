@@ -73,9 +73,9 @@ void SpacetimeRun::KeepTheBetter(const HardConstraints& constraints)
 // Neighbours are looked for anew: what is measured of a frame depends on that frame alone.
 Result SpacetimeRun::MeasureResult(const TimeLevel& level, const HardConstraints& constraints)
 {
-  const FrameShare share = ShareOf(level, this->Ranks).HoldingAll();
+  const FramePartition partition = PartitionOf(level, this->Ranks).HoldingAll();
   SpacetimeObjective objective(this->Setup.Model, level, this->Parallel, FastestSphKernels(), false,
-                               &share);
+                               &partition);
   SpacetimeTerms terms;
   objective.Evaluate(this->State, nullptr, terms);
   if (!std::isfinite(terms.E))

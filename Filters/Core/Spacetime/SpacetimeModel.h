@@ -70,7 +70,7 @@ struct SpacetimeModel
   double MarkDuration = 30.0;
   /// How much of rs an object answers for at a frame, 0 to 1: less where it brakes, none where it
   /// lies still. Empty: all [frame * NumberOfObjects + object].
-  std::vector<float> CoherenceShares;
+  std::vector<float> CoherenceFractions;
   std::vector<std::uint8_t> Flags; // [frame * NumberOfObjects + object]
 
   std::vector<Vortex> Vortices;            // in dx and frames
@@ -95,12 +95,12 @@ struct SpacetimeModel
   {
     return this->Flags[static_cast<std::size_t>(frame) * this->NumberOfObjects + object];
   }
-  float CoherenceShare(int frame, std::size_t object) const
+  float CoherenceFraction(int frame, std::size_t object) const
   {
-    return this->CoherenceShares.empty()
+    return this->CoherenceFractions.empty()
              ? 1.0f
-             : this->CoherenceShares[static_cast<std::size_t>(frame) * this->NumberOfObjects +
-                                     object];
+             : this->CoherenceFractions[static_cast<std::size_t>(frame) * this->NumberOfObjects +
+                                        object];
   }
   double BodyWeight(std::size_t body) const
   {

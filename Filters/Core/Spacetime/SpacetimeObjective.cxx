@@ -22,9 +22,9 @@ struct SpacetimeObjective::Worker
 
 SpacetimeObjective::SpacetimeObjective(const SpacetimeModel& model, const TimeLevel& level,
                                        const ParallelFor& parallel, const SphKernelTable& kernels,
-                                       bool keepsLists, const FrameShare* share) :
+                                       bool keepsLists, const FramePartition* partition) :
   Problem(model),
-  Times(level), Ranks(share != nullptr ? *share : FrameShare(level.NumberOfFrames())),
+  Times(level), Ranks(partition != nullptr ? *partition : FramePartition(level.NumberOfFrames())),
   Parallel(parallel), Kernels(kernels), KeepsLists(keepsLists)
 {
   const double self = model.Fluid.GasMass * model.Fluid.Kernel(0.0);
@@ -86,7 +86,7 @@ FrameTerms& SpacetimeObjective::ForwardFrame(const StateVector& state, std::size
   }
   FrameTerms& terms = this->Pool.front()->Terms;
   const double step = j + 1 < this->Times.NumberOfFrames() ? this->Times.Steps[j + 1] : 1.0;
-  terms.Forward(state.data() + this->Place(j), this->Times.Frames[j], step,
+  terms.Forward(state.data() + this->Offset(j), this->Times.Frames[j], step,
                 this->ListOf(*this->Pool.front(), j));
   return terms;
 }
@@ -117,8 +117,8 @@ bool SpacetimeObjective::Chunked(Monitor* monitor, double from, double to,
     const std::size_t size = std::min(chunk, own.End - first);
     this->Parallel(size,
                    [&](std::size_t begin, std::size_t end) { body(first + begin, first + end); });
-    const double share = FractionDone(std::min(most, done + chunk), most);
-    if (monitor && !monitor->Tick(from + (to - from) * share, {}))
+    const double fraction = FractionDone(std::min(most, done + chunk), most);
+    if (monitor && !monitor->Tick(from + (to - from) * fraction, {}))
     {
       return false;
     }
@@ -134,15 +134,15 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
   const std::size_t stride = model.Stride();
   const std::size_t ng = model.NumberOfGas;
   const bool last = j + 1 == this->Times.NumberOfFrames();
-  const float* here = state.data() + this->Place(j);
+  const float* here = state.data() + this->Offset(j);
   FrameTerms& terms = worker.Terms;
   const double step = last ? 0.0 : this->Times.Steps[j + 1];
   NeighborList& list = this->ListOf(worker, j);
   terms.Forward(here, this->Times.Frames[j], last ? 1.0 : step, list);
 
-  const double share = last ? 0.0 : this->Times.StepWeights[j + 1];
-  const float wx = static_cast<float>(weights.PositionWeight * share);
-  const float wv = static_cast<float>(weights.VelocityWeight * share);
+  const double stepWeight = last ? 0.0 : this->Times.StepWeights[j + 1];
+  const float wx = static_cast<float>(weights.PositionWeight * stepWeight);
+  const float wv = static_cast<float>(weights.VelocityWeight * stepWeight);
   const float ws = static_cast<float>(weights.CoherenceWeight * weights.SpatialShare *
                                       this->SpatialScale * this->Times.FrameWeights[j]);
   const auto s = static_cast<float>(step);
@@ -193,24 +193,24 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
     {
       const bool isBound = !last && this->Bound[(j + 1) * model.NumberOfObjects + o];
       add(ng + o, static_cast<float>(model.Offsets.size()), objectStep, isBound ? 0.0f : 1.0f,
-          objectAir * model.CoherenceShare(this->Times.Frames[j], o),
+          objectAir * model.CoherenceFraction(this->Times.Frames[j], o),
           c == 2 ? model.SettlingSlip(o) : 0.0f);
     }
   }
   SpacetimeTerms& sums = this->FrameSums[j];
-  sums.Ex = 0.5 * share * ex;
-  sums.Ev = 0.5 * share * ev;
+  sums.Ex = 0.5 * stepWeight * ex;
+  sums.Ev = 0.5 * stepWeight * ev;
   sums.Ec = 0.5 * weights.SpatialShare * this->SpatialScale * this->Times.FrameWeights[j] * ec;
   if (gradient)
   {
-    float* g = gradient->data() + this->Place(j);
+    float* g = gradient->data() + this->Offset(j);
     std::fill(g, g + model.FrameSize(), 0.0f);
     terms.Adjoint(g);
   }
   const double crowding = weights.Separation * this->Times.FrameWeights[j];
   sums.Separation =
     crowding * terms.Crowding(static_cast<float>(crowding),
-                              gradient ? gradient->data() + this->Place(j) : nullptr);
+                              gradient ? gradient->data() + this->Offset(j) : nullptr);
 }
 
 void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
@@ -218,15 +218,15 @@ void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
   const SpacetimeModel& model = this->Problem;
   const std::size_t stride = model.Stride();
   const std::size_t ng = model.NumberOfGas;
-  const double share = 1.0 - model.Weights.SpatialShare;
+  const double fraction = 1.0 - model.Weights.SpatialShare;
   const double w = this->Times.SmoothWeights[j];
-  const auto factor = static_cast<float>(model.Weights.CoherenceWeight * share * w);
+  const auto factor = static_cast<float>(model.Weights.CoherenceWeight * fraction * w);
   double sum = 0.0;
   for (int c = 0; c < 3; ++c)
   {
     float* r = this->Row(j, 2, c);
     const auto row = [&](std::size_t k)
-    { return state.data() + this->Place(k) + (3 + c) * stride; };
+    { return state.data() + this->Offset(k) + (3 + c) * stride; };
     std::copy(row(j), row(j) + model.NumberOfBodies(), r);
     for (const TimeLevel::Neighbor& neighbor : this->Times.Rows[j])
     {
@@ -250,15 +250,15 @@ void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
       value *= weight * factor;
     }
   }
-  this->FrameSums[j].Ec += 0.5 * share * w * sum;
+  this->FrameSums[j].Ec += 0.5 * fraction * w * sum;
 }
 
 void SpacetimeObjective::ObjectFrame(const StateVector& state, std::size_t j, StateVector* gradient)
 {
   const double weight = this->Times.FrameWeights[j];
   const ObjectTerms terms =
-    AddObjectTerms(this->Problem, this->Times.Frames[j], weight, state.data() + this->Place(j),
-                   gradient ? gradient->data() + this->Place(j) : nullptr);
+    AddObjectTerms(this->Problem, this->Times.Frames[j], weight, state.data() + this->Offset(j),
+                   gradient ? gradient->data() + this->Offset(j) : nullptr);
   SpacetimeTerms& sums = this->FrameSums[j];
   sums.Clearance = weight * terms.Clearance;
   sums.Approach = weight * terms.Approach;
@@ -273,7 +273,7 @@ void SpacetimeObjective::GatherFrame(std::size_t j, StateVector& gradient) const
   const std::size_t n = model.NumberOfBodies();
   const bool last = j + 1 == this->Times.NumberOfFrames();
   const auto row = [&](std::size_t k, int kind, int c) { return this->Row(k, kind, c); };
-  float* g = gradient.data() + this->Place(j);
+  float* g = gradient.data() + this->Offset(j);
   const auto step = static_cast<float>(this->Times.Steps[j]);
   for (int c = 0; c < 3; ++c)
   {

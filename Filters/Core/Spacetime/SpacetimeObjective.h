@@ -31,7 +31,7 @@ public:
   /// share: of the level's frames; null: all are this rank's. State and gradient are vectors of it.
   SpacetimeObjective(const SpacetimeModel& model, const TimeLevel& level,
                      const ParallelFor& parallel, const SphKernelTable& kernels,
-                     bool keepsLists = true, const FrameShare* share = nullptr);
+                     bool keepsLists = true, const FramePartition* partition = nullptr);
   ~SpacetimeObjective();
 
   /// E, and its gradient where asked for (not null). Deterministic for any number of threads.
@@ -61,7 +61,7 @@ public:
 
   const SpacetimeModel& Model() const { return this->Problem; }
   const TimeLevel& Level() const { return this->Times; }
-  const FrameShare& Share() const { return this->Ranks; }
+  const FramePartition& Partition() const { return this->Ranks; }
   std::size_t NumberOfEvaluations() const { return this->Evaluations; }
   std::size_t NumberOfPairs() const; // directed, entries of the lists
 
@@ -88,11 +88,14 @@ private:
   {
     return const_cast<SpacetimeObjective*>(this)->Row(j, kind, c);
   }
-  std::size_t Place(std::size_t j) const { return this->Ranks.Slot(j) * this->Problem.FrameSize(); }
+  std::size_t Offset(std::size_t j) const
+  {
+    return this->Ranks.Slot(j) * this->Problem.FrameSize();
+  }
 
   const SpacetimeModel& Problem;
   const TimeLevel& Times;
-  FrameShare Ranks;
+  FramePartition Ranks;
   ParallelFor Parallel;
   const SphKernelTable& Kernels;
   bool KeepsLists;

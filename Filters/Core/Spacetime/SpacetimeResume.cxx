@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr const char* Format = "Waft spacetime checkpoint 6";
-constexpr double WritingShare = 1.0 / 30.0; // of the time, for checkpoints
+constexpr double WritingFraction = 1.0 / 30.0; // of the time, for checkpoints
 
 void ExchangeStep(StateArchive& stream, SpacetimeStep& step)
 {
@@ -57,7 +57,7 @@ void SpacetimeRun::ExchangeCheckpoint(StateArchive& stream)
   }
   else
   {
-    this->Solver->Share.Exchange(stream, this->LevelState(), this->Setup.Model.FrameSize());
+    this->Solver->Partition.Exchange(stream, this->LevelState(), this->Setup.Model.FrameSize());
   }
   this->Solver->Objective.ExchangeLists(stream);
   if (this->Solver->Solver)
@@ -65,9 +65,9 @@ void SpacetimeRun::ExchangeCheckpoint(StateArchive& stream)
     this->Solver->Solver->Exchange(stream);
     return;
   }
-  stream.Values(this->Place.Sweep, this->Place.Index);
-  Exchange(stream, this->Place.Terms);
-  stream.List(this->Place.Energies);
+  stream.Values(this->Current.Sweep, this->Current.Index);
+  Exchange(stream, this->Current.Terms);
+  stream.List(this->Current.Energies);
 }
 
 // An edit is short, and its end depends on what only this process has.
@@ -85,7 +85,7 @@ void SpacetimeRun::KeepCheckpoint(bool now)
   double interval = this->Options.CheckpointInterval;
   if (interval > 0.0)
   {
-    interval = std::max(interval, this->CheckpointCost / WritingShare);
+    interval = std::max(interval, this->CheckpointCost / WritingFraction);
   }
   const bool isDue = now || this->Elapsed() - this->LastCheckpoint >= interval;
   if (this->Ranks.Decide(isDue && !this->HasCheckpointFailed))
@@ -94,7 +94,7 @@ void SpacetimeRun::KeepCheckpoint(bool now)
   }
 }
 
-void SpacetimeRun::MarkPlace()
+void SpacetimeRun::MarkState()
 {
   if (this->KeepsCheckpoints())
   {
@@ -103,7 +103,7 @@ void SpacetimeRun::MarkPlace()
 }
 
 // Of a step that was stopped all but the lists is as it was at the mark.
-void SpacetimeRun::KeepPlace()
+void SpacetimeRun::KeepState()
 {
   if (this->Stopped && this->KeepsCheckpoints() && this->Ranks.Decide(!this->HasCheckpointFailed))
   {
@@ -201,8 +201,8 @@ bool SpacetimeRun::GoOn()
     return false;
   }
   const ProblemDigest digest = DigestOfProblem(this->Input, this->Options, this->Setup);
-  SpacetimeMemory received;
-  SpacetimeMemory& memory = this->Ranks.IsFirst() ? *this->Memory : received;
+  SpacetimeWarmStart received;
+  SpacetimeWarmStart& memory = this->Ranks.IsFirst() ? *this->Memory : received;
   if (this->Ranks.Size() > 1)
   {
     BroadcastStream stream(this->Ranks);
@@ -213,7 +213,7 @@ bool SpacetimeRun::GoOn()
     return false;
   }
   // Vortices that came with new plans are not taken in, those that somebody changed are.
-  const bool isPlanned = digest.Places != memory.Digest.Places;
+  const bool isPlanned = digest.Requests != memory.Digest.Requests;
   const bool hasNewVortices = isPlanned ? digest.SceneVortices != memory.Digest.SceneVortices
                                         : digest.Vortices != memory.Digest.Vortices;
   SpacetimeModel& model = this->Setup.Model;
@@ -298,7 +298,7 @@ void SpacetimeRun::Remember(std::vector<std::vector<Vec3>> positions)
   {
     return;
   }
-  SpacetimeMemory& memory = *this->Memory;
+  SpacetimeWarmStart& memory = *this->Memory;
   memory.Digest = DigestOfProblem(this->Input, this->Options, this->Setup);
   memory.State = std::move(this->State);
   memory.Vortices = this->Setup.Model.Vortices;

@@ -2,7 +2,7 @@
 #include "Spacetime/SpacetimeRun.h"
 
 #include "Spacetime/FieldUpdates.h"
-#include "Spacetime/GasStart.h"
+#include "Spacetime/InitialGas.h"
 #include "Spacetime/StepMonitor.h"
 #include "Spacetime/TimeLevels.h"
 
@@ -16,13 +16,13 @@ namespace waft
 namespace
 {
 
-constexpr double CoarseTimeShare = 0.5; // of a time limit, for the coarse levels
+constexpr double CoarseTimeFraction = 0.5; // of a time limit, for the coarse levels
 
 } // namespace
 
 SpacetimeRun::SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& options,
                            const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
-                           SpacetimeMemory* memory, Communicator& ranks) :
+                           SpacetimeWarmStart* memory, Communicator& ranks) :
   Input(input),
   Options(options), Parallel(parallel), Ranks(ranks), Own(monitor), Progress(monitor, ranks),
   Output(output), Memory(memory), Clock(std::chrono::steady_clock::now())
@@ -37,8 +37,8 @@ double SpacetimeRun::Elapsed() const
 
 bool SpacetimeRun::TimeIsUp() const
 {
-  const double share = this->Coarseness > 0 ? CoarseTimeShare : 1.0;
-  const double limit = this->Options.TimeLimit * share;
+  const double fraction = this->Coarseness > 0 ? CoarseTimeFraction : 1.0;
+  const double limit = this->Options.TimeLimit * fraction;
   return limit > 0.0 && this->Ranks.Decide(this->Elapsed() > limit);
 }
 
@@ -60,9 +60,9 @@ SpacetimeTerms SpacetimeRun::Measure()
 {
   const TimeLevel full =
     TimeLevel::Full(this->Setup.Model.NumberOfFrames, this->Options.TemporalWindow);
-  const FrameShare share = ShareOf(full, this->Ranks).HoldingAll();
+  const FramePartition partition = PartitionOf(full, this->Ranks).HoldingAll();
   SpacetimeObjective objective(this->Setup.Model, full, this->Parallel, FastestSphKernels(), false,
-                               &share);
+                               &partition);
   SpacetimeTerms terms;
   objective.Evaluate(this->State, nullptr, terms);
   return terms;
@@ -82,12 +82,12 @@ Result SpacetimeRun::Begin()
   bool isMoved = false;
   StepMonitor monitor(this->Own, 0.0, 0.0, 1);
   monitor.Text = "spacetime: moving the gas";
-  if (this->Ranks.IsFirst()) // one frame after the other: there is nothing to share
+  if (this->Ranks.IsFirst()) // one frame after the other: there is nothing to partition
   {
     const SpacetimeModel& model = this->Setup.Model;
     const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
     SpacetimeObjective objective(model, full, this->Parallel, FastestSphKernels(), false);
-    isMoved = StartGas(objective, this->Parallel, monitor, this->State);
+    isMoved = MakeInitialGas(objective, this->Parallel, monitor, this->State);
   }
   if (this->Ranks.Decide(isMoved))
   {
@@ -126,11 +126,11 @@ void SpacetimeRun::EnterLevel(int coarseness)
   const int history = this->HasWindows(level) ? 0 : this->Options.HistorySize;
   this->Solver = std::make_unique<LevelSolver>(this->Setup, std::move(level), this->Parallel,
                                                this->Ranks, history, this->Region.Movable);
-  if (this->IsShared())
+  if (this->IsPartitioned())
   {
     const bool isPart = coarseness > 0 || !this->Region.IsEmpty();
-    this->PartState = this->Solver->Share.Take(std::move(isPart ? this->PartState : this->State),
-                                               model.FrameSize());
+    this->PartState = this->Solver->Partition.Take(
+      std::move(isPart ? this->PartState : this->State), model.FrameSize());
     if (this->Region.IsEmpty())
     {
       this->State = StateVector(); // LeaveLevel makes it anew
@@ -146,12 +146,12 @@ void SpacetimeRun::LeaveLevel()
   }
   const SpacetimeModel& model = this->Setup.Model;
   const TimeLevel level = this->Solver->Level;
-  const FrameShare share = this->Solver->Share;
-  const bool isShared = this->IsShared();
+  const FramePartition partition = this->Solver->Partition;
+  const bool isPartitioned = this->IsPartitioned();
   this->Solver.reset(); // before the next one, which is as large
-  if (isShared)
+  if (isPartitioned)
   {
-    this->PartState = share.Whole(std::move(this->PartState), model.FrameSize());
+    this->PartState = partition.Whole(std::move(this->PartState), model.FrameSize());
   }
   if (this->Coarseness > 0)
   {
@@ -163,7 +163,7 @@ void SpacetimeRun::LeaveLevel()
     std::copy(this->PartState.begin(), this->PartState.end(),
               this->State.data() + level.Frames.front() * model.FrameSize());
   }
-  else if (isShared)
+  else if (isPartitioned)
   {
     this->State = std::move(this->PartState);
   }
@@ -177,14 +177,14 @@ void SpacetimeRun::TakeSteps()
   {
     const SpacetimeStep& step = steps[this->Next];
     this->EnterLevel(step.Coarseness);
-    this->MarkPlace();
+    this->MarkState();
     const bool windows = !step.IsUpdate && this->HasWindows(this->Solver->Level);
     if (step.IsUpdate ? this->UpdateFields(step)
                       : (windows ? this->MinimizeInWindows(step) : this->Minimize(step)))
     {
       ++this->Next;
     }
-    else if (this->Coarseness > 0 && !this->Stopped) // its share of the time is up
+    else if (this->Coarseness > 0 && !this->Stopped) // its partition of the time is up
     {
       this->Next = this->Program.FirstFine();
     }
@@ -223,7 +223,7 @@ bool SpacetimeRun::Minimize(const SpacetimeStep& step)
     monitor.Text = text;
     const bool isUp = this->TimeIsUp();
     this->KeepCheckpoint(isUp);
-    this->MarkPlace();
+    this->MarkState();
     this->IsCut = this->IsCut || isUp;
     return !isUp;
   };
@@ -231,7 +231,7 @@ bool SpacetimeRun::Minimize(const SpacetimeStep& step)
     solver.Solver->Minimize(solver.Objective, solver.Preconditioner, solver.Constraints, options,
                             observer, &monitor, state);
   this->Stopped = this->Stopped || !monitor.Going;
-  this->KeepPlace();
+  this->KeepState();
   return end != LbfgsEnd::Stopped;
 }
 
@@ -277,7 +277,7 @@ bool SpacetimeRun::UpdateFields(const SpacetimeStep& step)
     model.Wind = wind;
     this->Output.Convergence.resize(rows);
     this->Stopped = true;
-    this->KeepPlace();
+    this->KeepState();
   }
   return going;
 }

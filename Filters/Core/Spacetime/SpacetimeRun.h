@@ -5,8 +5,8 @@
 #include "Spacetime/LevelSolver.h"
 #include "Spacetime/SpacetimeBudget.h"
 #include "Spacetime/SpacetimeEdit.h"
-#include "Spacetime/SpacetimeMemory.h"
 #include "Spacetime/SpacetimeProgram.h"
+#include "Spacetime/SpacetimeWarmStart.h"
 
 #include <chrono>
 #include <memory>
@@ -22,7 +22,7 @@ class SpacetimeRun
 public:
   SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& options,
                const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
-               SpacetimeMemory* memory, Communicator& ranks);
+               SpacetimeWarmStart* memory, Communicator& ranks);
 
   Result Run();
 
@@ -48,13 +48,14 @@ private:
   void LeaveLevel();
   StateVector& LevelState()
   {
-    return this->Coarseness > 0 || !this->Region.IsEmpty() || this->IsShared() ? this->PartState
-                                                                               : this->State;
+    return this->Coarseness > 0 || !this->Region.IsEmpty() || this->IsPartitioned()
+             ? this->PartState
+             : this->State;
   }
   /// The level's motion is in pieces; in windows every rank has all of it.
-  bool IsShared() const
+  bool IsPartitioned() const
   {
-    return this->Solver && this->Solver->Solver && !this->Solver->Share.IsAlone();
+    return this->Solver && this->Solver->Solver && !this->Solver->Partition.IsAlone();
   }
   /// Both return false when the run was stopped.
   bool Minimize(const SpacetimeStep& step);
@@ -69,8 +70,8 @@ private:
   /// A step's observer calls this after each iterate.
   void KeepCheckpoint(bool now);
   /// At each place that a stopped run may go on from; writes the last one, when the run is stopped.
-  void MarkPlace();
-  void KeepPlace();
+  void MarkState();
+  void KeepState();
   bool KeepsCheckpoints() const;
   void WriteCheckpoint();
   void ExchangeCheckpoint(StateArchive& stream);
@@ -88,7 +89,7 @@ private:
   Monitor& Own;         // of this rank
   RankMonitor Progress; // of all
   SpacetimeOutput& Output;
-  SpacetimeMemory* Memory;
+  SpacetimeWarmStart* Memory;
   std::chrono::steady_clock::time_point Clock;
   double Before = 0.0; // seconds of the runs that this one goes on from
 
@@ -105,14 +106,14 @@ private:
   std::unique_ptr<LevelSolver> Solver; // of the level that the run is on
   int Coarseness = 0;                  // of that level
   std::size_t Window = 0;              // free frames that are solved at once on the present level
-  struct WindowPlace                   // in a minimisation by windows
+  struct CurrentWindow                 // in a minimisation by windows
   {
     int Sweep = 0;
     std::uint64_t Index = 0;      // of the window, in the sweep
     SpacetimeTerms Terms;         // E of the whole, now
     std::vector<double> Energies; // E of the whole after each sweep
   };
-  WindowPlace Place;
+  CurrentWindow Current;
 
   double AllWork = 1.0;     // expected, in iterations at full resolution
   bool Stopped = false;     // by the monitor

@@ -16,14 +16,14 @@ namespace waft
 namespace
 {
 
-constexpr double ParticleRing = 0.3;         // radius of an object's particles [dx]
-constexpr double LatticeSpacing = 0.4;       // of the obstacles' distances [dx]
-constexpr double LargestContact = 0.5;       // [dx]
-constexpr double ContactSlack = 1.05;        // a penalty gives way a little before it holds
-constexpr double FastestDrag = 0.45;         // [1 / frame]
-constexpr double ObjectMassShare = 0.1;      // of a gas particle's mass, at most
-constexpr double AllObjectsMassShare = 0.02; // of all gas, at most
-constexpr double LeastCore = 1.5;            // of a vortex [dx]: the gas cannot follow a finer one
+constexpr double ParticleRing = 0.3;            // radius of an object's particles [dx]
+constexpr double LatticeSpacing = 0.4;          // of the obstacles' distances [dx]
+constexpr double LargestContact = 0.5;          // [dx]
+constexpr double ContactSlack = 1.05;           // a penalty gives way a little before it holds
+constexpr double FastestDrag = 0.45;            // [1 / frame]
+constexpr double ObjectMassFraction = 0.1;      // of a gas particle's mass, at most
+constexpr double AllObjectsMassFraction = 0.02; // of all gas, at most
+constexpr double LeastCore = 1.5; // of a vortex [dx]: the gas cannot follow a finer one
 
 constexpr int LeastFrames = 3;
 
@@ -89,7 +89,7 @@ bool IsGround(const ObstacleMesh& obstacle, const Box& volume, double& top)
 std::vector<Vec3> FillWithGas(const GasLattice& lattice, SpacetimeModel& model)
 {
   SphVolume volume(model.Size);
-  // Where obstacles move no gas is at rest beside them; the walls' share is right all the same.
+  // Where obstacles move no gas is at rest beside them; the walls' weakening is right all the same.
   volume.Obstacles = model.Obstacles.IsMoving() ? nullptr : &model.Obstacles;
   std::vector<Vec3> gas;
   std::vector<char> isThere;
@@ -182,7 +182,8 @@ Result SetUpVolume(const SpacetimeInput& input, const SpacetimeOptions& options,
     static_cast<double>(static_cast<std::size_t>(per) * model.NumberOfObjects);
   model.Fluid.ObjectMass =
     model.Fluid.GasMass *
-    std::min(ObjectMassShare, AllObjectsMassShare * static_cast<double>(gas.size()) / particles);
+    std::min(ObjectMassFraction,
+             AllObjectsMassFraction * static_cast<double>(gas.size()) / particles);
 
   setup.Start.assign(model.NumberOfFrames * model.FrameSize(), 0.0f);
   for (int frame = 0; frame < model.NumberOfFrames; ++frame)
@@ -211,9 +212,9 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
     // In still air drag and effective gravity balance at the settling speed. Both are weakened
     // alike for what would come to that speed in less than two frames: the step could not follow.
     const double rate = setup.FrameStep * gravity / std::max(1e-3, object.SettlingSpeed);
-    const double share = std::min(1.0, FastestDrag / rate);
-    model.DragRates.push_back(static_cast<float>(share * rate));
-    model.Gravities.push_back(static_cast<float>(share * gravity / setup.AccelerationUnit()));
+    const double weakening = std::min(1.0, FastestDrag / rate);
+    model.DragRates.push_back(static_cast<float>(weakening * rate));
+    model.Gravities.push_back(static_cast<float>(weakening * gravity / setup.AccelerationUnit()));
     model.Clearances.emplace_back(static_cast<float>(object.ClearanceRadius / setup.Spacing),
                                   static_cast<float>(object.RestHeight / setup.Spacing));
     model.BrakeHeights.push_back(
@@ -227,7 +228,7 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
   setup.Table.FixedPositions.assign(model.Flags.size(), Vec3::Zero());
   setup.Table.Planned.resize(model.Flags.size());
   model.Reach.assign(model.Flags.size(), 0.0f);
-  model.CoherenceShares.assign(model.Flags.size(), 1.0f);
+  model.CoherenceFractions.assign(model.Flags.size(), 1.0f);
   setup.ExactPositions.assign(model.Flags.size(), Vec3::Zero());
   for (std::size_t o = 0; o < no; ++o)
   {

@@ -38,7 +38,7 @@ bool SpacetimeRun::MinimizeInWindows(const SpacetimeStep& step)
   const SpacetimeModel& model = this->Setup.Model;
   LevelSolver& whole = *this->Solver;
   StateVector& state = this->LevelState();
-  WindowPlace& place = this->Place;
+  CurrentWindow& current = this->Current;
   const int sweeps =
     std::max(2, static_cast<int>(std::lround(SweepsOfAll * step.Iterations / IterationsAtOnce)));
   const double from = 1.0 - this->Program.Work(this->Next, model.NumberOfFrames) / this->AllWork;
@@ -48,57 +48,57 @@ bool SpacetimeRun::MinimizeInWindows(const SpacetimeStep& step)
   whole.Constraints.SetLeash(step.Leash / this->Setup.Spacing);
   const auto record = [&]()
   {
-    this->Record(step.Pass, step.Name, static_cast<int>(place.Energies.size()) - 1, place.Terms,
+    this->Record(step.Pass, step.Name, static_cast<int>(current.Energies.size()) - 1, current.Terms,
                  whole.Constraints.MaxViolation(state), step.Leash);
   };
   if (!std::exchange(this->IsInside, true))
   {
-    place = WindowPlace();
+    current = CurrentWindow();
     whole.Constraints.Project(state);
-    whole.Share.FillHalo(state, model.FrameSize());
+    whole.Partition.FillHalo(state, model.FrameSize());
   }
-  if (place.Energies.empty())
+  if (current.Energies.empty())
   {
-    if (!whole.Objective.Evaluate(state, nullptr, place.Terms, &monitor))
+    if (!whole.Objective.Evaluate(state, nullptr, current.Terms, &monitor))
     {
       this->Stopped = true;
-      this->KeepPlace();
+      this->KeepState();
       return false;
     }
-    place.Energies = { place.Terms.E };
+    current.Energies = { current.Terms.E };
     record();
   }
-  for (; place.Sweep < sweeps; ++place.Sweep)
+  for (; current.Sweep < sweeps; ++current.Sweep)
   {
-    const auto windows = this->Windows(place.Sweep);
-    monitor.Done = place.Sweep + 1; // the first is to measure the whole
-    for (; place.Index < windows.size(); ++place.Index)
+    const auto windows = this->Windows(current.Sweep);
+    monitor.Done = current.Sweep + 1; // the first is to measure the whole
+    for (; current.Index < windows.size(); ++current.Index)
     {
       const bool isUp = this->TimeIsUp();
       this->KeepCheckpoint(isUp);
       this->IsCut = this->IsCut || isUp;
-      const double done = static_cast<double>(place.Index) / static_cast<double>(windows.size());
+      const double done = static_cast<double>(current.Index) / static_cast<double>(windows.size());
       if (!isUp && !monitor.Tick(done, {}))
       {
         this->Stopped = true;
-        this->KeepPlace();
+        this->KeepState();
       }
-      if (isUp || this->Stopped || !this->SolveWindow(step, windows[place.Index], done, monitor))
+      if (isUp || this->Stopped || !this->SolveWindow(step, windows[current.Index], done, monitor))
       {
         return false;
       }
     }
-    place.Index = 0;
-    place.Energies.push_back(place.Terms.E);
+    current.Index = 0;
+    current.Energies.push_back(current.Terms.E);
     record();
     char text[160];
     std::snprintf(text, sizeof(text), "spacetime: %s, sweep %d, E = %.4g", step.Name.c_str(),
-                  place.Sweep + 1, place.Terms.E);
+                  current.Sweep + 1, current.Terms.E);
     monitor.Text = text;
     // A sweep and the shifted one after it reach every frame's neighbours.
-    const std::size_t last = place.Energies.size() - 1;
-    if (last >= 2 && place.Energies[last - 2] - place.Terms.E <
-                       this->Options.Tolerance * place.Energies[last - 2])
+    const std::size_t last = current.Energies.size() - 1;
+    if (last >= 2 && current.Energies[last - 2] - current.Terms.E <
+                       this->Options.Tolerance * current.Energies[last - 2])
     {
       break;
     }
@@ -118,7 +118,7 @@ bool SpacetimeRun::SolveWindow(const SpacetimeStep& step,
   part.Constraints.SetLeash(step.Leash / this->Setup.Spacing);
   float* begin = state.data() + level.PartBegin(window.first) * size;
   StateVector own =
-    part.Share.Take(StateVector(begin, begin + part.Level.NumberOfFrames() * size), size);
+    part.Partition.Take(StateVector(begin, begin + part.Level.NumberOfFrames() * size), size);
   LbfgsOptions options;
   options.MaximumNumberOfIterations = IterationsAtOnce;
   options.Tolerance = 0.0;
@@ -144,14 +144,14 @@ bool SpacetimeRun::SolveWindow(const SpacetimeStep& step,
   if (end == LbfgsEnd::Stopped)
   {
     this->Stopped = true;
-    this->KeepPlace(); // the window is to be solved anew
+    this->KeepState(); // the window is to be solved anew
   }
   if (last.E <= first.E)
   {
-    own = part.Share.Whole(std::move(own), size);
+    own = part.Partition.Whole(std::move(own), size);
     std::copy(own.begin(), own.end(), begin);
     SpacetimeTerms::Visit([](double& all, double now, double before) { all += now - before; },
-                          this->Place.Terms, last, first);
+                          this->Current.Terms, last, first);
   }
   return end != LbfgsEnd::Stopped;
 }

@@ -20,7 +20,8 @@ class SplineFit
 {
 public:
   SplineFit(const SplineWind& shape, int knots, const std::vector<SplineSamples>& samples,
-            const SplineFitOptions& options, const ParallelFor& parallel, const FrameShare* share);
+            const SplineFitOptions& options, const ParallelFor& parallel,
+            const FramePartition* partition);
   SplineWind Solve() const;
 
 private:
@@ -43,7 +44,7 @@ private:
   const SplineFitOptions& Options;
   const std::vector<SplineSamples>& Samples;
   ParallelFor Parallel;
-  FrameShare Share;
+  FramePartition Partition;
   SplineWind Shape; // geometry only
   int Knots = 1;
   CurlPotential Potential;
@@ -53,11 +54,11 @@ private:
 
 SplineFit::SplineFit(const SplineWind& shape, int knots, const std::vector<SplineSamples>& samples,
                      const SplineFitOptions& options, const ParallelFor& parallel,
-                     const FrameShare* share) :
+                     const FramePartition* partition) :
   Options(options),
   Samples(samples), Parallel(parallel),
-  Share(share != nullptr ? *share : FrameShare(samples.size())), Shape(shape), Knots(knots),
-  Potential(shape, knots), Rows(samples.size())
+  Partition(partition != nullptr ? *partition : FramePartition(samples.size())), Shape(shape),
+  Knots(knots), Potential(shape, knots), Rows(samples.size())
 {
   this->Shape.Knots.clear();
   double total = 0.0;
@@ -66,7 +67,7 @@ SplineFit::SplineFit(const SplineWind& shape, int knots, const std::vector<Splin
     for (const SplineSamples::Sample& sample : samples[j].Samples)
     {
       Row row;
-      row.Nodes = shape.Stencil(sample.Place);
+      row.Nodes = shape.Stencil(sample.Position);
       row.Weight = static_cast<float>(sample.Weight);
       for (int a = 0; a < 3; ++a)
       {
@@ -76,10 +77,10 @@ SplineFit::SplineFit(const SplineWind& shape, int knots, const std::vector<Splin
     }
   }
   // One rank after the other, in the order of the frames.
-  const int ranks = this->Share.IsAlone() ? 1 : this->Share.Others().Size();
+  const int ranks = this->Partition.IsAlone() ? 1 : this->Partition.Others().Size();
   for (int r = 0; r < ranks; ++r)
   {
-    const bool isTurn = this->Share.IsAlone() || this->Share.Others().Rank() == r;
+    const bool isTurn = this->Partition.IsAlone() || this->Partition.Others().Rank() == r;
     for (std::size_t j = 0; j < samples.size() && isTurn; ++j)
     {
       for (const Row& row : this->Rows[j])
@@ -87,9 +88,9 @@ SplineFit::SplineFit(const SplineWind& shape, int knots, const std::vector<Splin
         total += row.Weight;
       }
     }
-    if (!this->Share.IsAlone())
+    if (!this->Partition.IsAlone())
     {
-      this->Share.Others().Broadcast(&total, sizeof(total), r);
+      this->Partition.Others().Broadcast(&total, sizeof(total), r);
     }
   }
   this->MeanWeight = total / (static_cast<double>(this->Shape.NumberOfNodes()) * this->Knots);
@@ -178,7 +179,7 @@ void SplineFit::Data(const Vector& c, Vector& out, bool target) const
   const std::size_t frames = this->Samples.size();
   const std::size_t block = 3 * this->Shape.NumberOfNodes();
   std::vector<float> parts(frames * block, 0.0f);
-  const FrameRange& own = this->Share.Own();
+  const FrameRange& own = this->Partition.Own();
   const auto knotOf = [&](std::size_t j, double& t)
   {
     const double s = this->Samples[j].Frame / this->Shape.FramesPerKnot;
@@ -215,7 +216,7 @@ void SplineFit::Data(const Vector& c, Vector& out, bool target) const
                      }
                    }
                  });
-  this->Share.Gather(parts, block);
+  this->Partition.Gather(parts, block);
   for (std::size_t j = 0; j < frames; ++j)
   {
     double t;
@@ -292,9 +293,9 @@ SplineWind SplineFit::Solve() const
 SplineWind FitSplineField(const SplineWind& shape, int numberOfKnots,
                           const std::vector<SplineSamples>& samples,
                           const SplineFitOptions& options, const ParallelFor& parallel,
-                          const FrameShare* share)
+                          const FramePartition* partition)
 {
-  return SplineFit(shape, numberOfKnots, samples, options, parallel, share).Solve();
+  return SplineFit(shape, numberOfKnots, samples, options, parallel, partition).Solve();
 }
 
 } // namespace waft

@@ -5,7 +5,7 @@
 
 #include "Base/Parallel.h"
 #include "Base/Types.h"
-#include "Spacetime/FrameShare.h"
+#include "Spacetime/FramePartition.h"
 #include "Spacetime/SplineWind.h"
 
 #include <vector>
@@ -26,7 +26,7 @@ struct SplineSamples
 {
   struct Sample
   {
-    Vec3 Place = Vec3::Zero(); // [dx]
+    Vec3 Position = Vec3::Zero(); // [dx]
     Vec3 Value = Vec3::Zero();
     double Weight = 1.0;
   };
@@ -41,6 +41,6 @@ struct SplineSamples
 SplineWind FitSplineField(const SplineWind& shape, int numberOfKnots,
                           const std::vector<SplineSamples>& samples,
                           const SplineFitOptions& options, const ParallelFor& parallel,
-                          const FrameShare* share = nullptr);
+                          const FramePartition* partition = nullptr);
 
 } // namespace waft

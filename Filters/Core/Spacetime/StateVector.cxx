@@ -9,17 +9,17 @@ namespace waft
 // blockSum(first, size) of each block, added up in the order of the blocks.
 double VectorSpace::Sum(const std::function<double(std::size_t, std::size_t)>& blockSum) const
 {
-  std::vector<double> sums(this->Share.Frames(), 0.0);
-  const FrameRange& own = this->Share.Own();
+  std::vector<double> sums(this->Partition.Frames(), 0.0);
+  const FrameRange& own = this->Partition.Own();
   this->Parallel(own.Size(),
                  [&](std::size_t begin, std::size_t end)
                  {
                    for (std::size_t j = own.Begin + begin; j < own.Begin + end; ++j)
                    {
-                     sums[j] = blockSum(this->Share.Slot(j) * this->BlockSize, this->BlockSize);
+                     sums[j] = blockSum(this->Partition.Slot(j) * this->BlockSize, this->BlockSize);
                    }
                  });
-  this->Share.Gather(sums);
+  this->Partition.Gather(sums);
   double total = 0.0;
   for (const double s : sums)
   {
@@ -31,8 +31,8 @@ double VectorSpace::Sum(const std::function<double(std::size_t, std::size_t)>& b
 // range(first, last) of the elements of the own blocks.
 void VectorSpace::ForElements(const std::function<void(std::size_t, std::size_t)>& range) const
 {
-  const FrameRange& own = this->Share.Own();
-  const std::size_t first = this->Share.Slot(own.Begin);
+  const FrameRange& own = this->Partition.Own();
+  const std::size_t first = this->Partition.Slot(own.Begin);
   this->Parallel(own.Size(), [&](std::size_t begin, std::size_t end)
                  { range((first + begin) * this->BlockSize, (first + end) * this->BlockSize); });
 }

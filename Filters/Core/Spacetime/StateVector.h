@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Base/Parallel.h"
-#include "Spacetime/FrameShare.h"
+#include "Spacetime/FramePartition.h"
 
 #include <cstddef>
 #include <functional>
@@ -18,13 +18,13 @@ using StateVector = std::vector<float>;
 class VectorSpace
 {
 public:
-  VectorSpace(const FrameShare& share, std::size_t blockSize, const ParallelFor& parallel) :
-    Share(share), BlockSize(blockSize), Parallel(parallel)
+  VectorSpace(const FramePartition& partition, std::size_t blockSize, const ParallelFor& parallel) :
+    Partition(partition), BlockSize(blockSize), Parallel(parallel)
   {
   }
 
   /// Of a vector, frames that are held and not owned included: these keep what they are.
-  std::size_t Size() const { return this->Share.Held().Size() * this->BlockSize; }
+  std::size_t Size() const { return this->Partition.Held().Size() * this->BlockSize; }
   double Dot(const StateVector& a, const StateVector& b) const;
   /// y += factor x
   void Add(double factor, const StateVector& x, StateVector& y) const;
@@ -39,7 +39,7 @@ private:
 
   void ForElements(const std::function<void(std::size_t, std::size_t)>& range) const;
 
-  FrameShare Share;
+  FramePartition Partition;
   std::size_t BlockSize;
   ParallelFor Parallel;
 };

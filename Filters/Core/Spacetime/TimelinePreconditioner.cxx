@@ -12,9 +12,9 @@ namespace
 constexpr std::size_t ColumnsAtOnce = 64; // bodies solved side by side: fits the second cache
 
 // The average D of an object vanishes when the air goes along with it, which the air does, so that
-// an object has only a share of the stiffness of its own D, and of the damping. Else the solver
+// an object has only a partition of the stiffness of its own D, and of the damping. Else the solver
 // stirs the gas, that is many, and the objects lag behind.
-constexpr double ObjectShare = 0.3;
+constexpr double ObjectFraction = 0.3;
 
 struct Entry
 {
@@ -26,9 +26,10 @@ struct Entry
 
 TimelinePreconditioner::TimelinePreconditioner(const SpacetimeModel& model, const TimeLevel& level,
                                                const ParallelFor& parallel, double damping,
-                                               const FrameShare* share) :
+                                               const FramePartition* partition) :
   Model(model),
-  Level(level), Share(share != nullptr ? *share : FrameShare(level.NumberOfFrames())),
+  Level(level),
+  Partition(partition != nullptr ? *partition : FramePartition(level.NumberOfFrames())),
   Parallel(parallel), Damping(damping)
 {
   this->Gas = this->Factor(-1);
@@ -52,7 +53,7 @@ TimelinePreconditioner::Band TimelinePreconditioner::Factor(long object) const
   band.HalfWidth = std::min(n - 1, 4 * this->Level.Reach());
   const int h = band.HalfWidth;
   const double weight = object < 0 ? 1.0 : static_cast<double>(this->Model.Offsets.size());
-  const double share = object < 0 ? 1.0 : ObjectShare;
+  const double fraction = object < 0 ? 1.0 : ObjectFraction;
   const auto flag = [&](int j) -> int
   { return object < 0 ? 0 : this->Model.Flag(this->Level.Frames[j], object); };
   const auto isFixed = [&](int unknown)
@@ -78,13 +79,13 @@ TimelinePreconditioner::Band TimelinePreconditioner::Factor(long object) const
   };
   for (int j = 0; j < frames; ++j)
   {
-    addRow({ { 2 * j, 1.0 } }, share * this->Damping);
-    addRow({ { 2 * j + 1, 1.0 } }, share * this->Damping);
+    addRow({ { 2 * j, 1.0 } }, fraction * this->Damping);
+    addRow({ { 2 * j + 1, 1.0 } }, fraction * this->Damping);
     const double air =
       object < 0 ? 1.0
-                 : w.ObjectCoherence * this->Model.CoherenceShare(this->Level.Frames[j], object);
+                 : w.ObjectCoherence * this->Model.CoherenceFraction(this->Level.Frames[j], object);
     addRow({ { 2 * j + 1, 1.0 } },
-           share * air * w.CoherenceWeight * w.SpatialShare * this->Level.FrameWeights[j]);
+           fraction * air * w.CoherenceWeight * w.SpatialShare * this->Level.FrameWeights[j]);
     std::vector<Entry> row{ { 2 * j + 1, 1.0 } };
     for (const auto& neighbor : this->Level.Rows[j])
     {
@@ -207,9 +208,9 @@ TimelinePreconditioner::Columns TimelinePreconditioner::ColumnsAt(std::size_t k)
 
 void TimelinePreconditioner::Solve(const StateVector& in, StateVector& out) const
 {
-  if (!this->Share.IsAlone())
+  if (!this->Partition.IsAlone())
   {
-    this->SolveShared(in, out);
+    this->SolvePartitioned(in, out);
     return;
   }
   const std::size_t stride = this->Model.Stride();
@@ -220,14 +221,14 @@ void TimelinePreconditioner::Solve(const StateVector& in, StateVector& out) cons
                    {
                      const Columns columns = this->ColumnsAt(k);
                      const int c = columns.Component;
-                     const auto place = [&](int unknown)
+                     const auto offset = [&](int unknown)
                      {
                        return static_cast<std::size_t>(unknown / 2) * this->Model.FrameSize() +
                               (unknown % 2 ? 3 + c : c) * stride + columns.First;
                      };
                      this->SolveColumns(
-                       columns, [&](int i) { return in.data() + place(i); },
-                       [&](int i) { return out.data() + place(i); });
+                       columns, [&](int i) { return in.data() + offset(i); },
+                       [&](int i) { return out.data() + offset(i); });
                    }
                  });
 }
@@ -244,19 +245,19 @@ std::vector<float> TimelinePreconditioner::ColumnOf(std::size_t object, std::siz
 
 // The columns are shared out as the frames are. A rank's message to another holds, columns by
 // columns of the receiver, the unknowns of the sender's frames; the answer is laid out alike.
-void TimelinePreconditioner::SolveShared(const StateVector& in, StateVector& out) const
+void TimelinePreconditioner::SolvePartitioned(const StateVector& in, StateVector& out) const
 {
-  Communicator& ranks = this->Share.Others();
+  Communicator& ranks = this->Partition.Others();
   const std::size_t stride = this->Model.Stride();
-  const FrameShare shares(this->NumberOfColumns(), 0, ranks);
+  const FramePartition columnPartition(this->NumberOfColumns(), 0, ranks);
   std::vector<std::size_t> starts{ 0 }; // of columns, in bodies
-  for (std::size_t k = 0; k < shares.Frames(); ++k)
+  for (std::size_t k = 0; k < columnPartition.Frames(); ++k)
   {
     starts.push_back(starts.back() + this->ColumnsAt(k).Count);
   }
   const auto size = [&](const FrameRange& frames, const FrameRange& columns)
   { return 2 * frames.Size() * (starts[columns.End] - starts[columns.Begin]); };
-  const auto place =
+  const auto offset =
     [&](const FrameRange& frames, const FrameRange& columns, std::size_t k, std::size_t unknown)
   {
     return 2 * frames.Size() * (starts[k] - starts[columns.Begin]) +
@@ -267,24 +268,24 @@ void TimelinePreconditioner::SolveShared(const StateVector& in, StateVector& out
   std::vector<Communicator::Bytes> mine(ranks.Size()), others(ranks.Size());
   for (int r = 0; r < ranks.Size(); ++r)
   {
-    mine[r].resize(size(this->Share.Own(), shares.OwnOf(r)) * sizeof(float));
-    others[r].resize(size(this->Share.OwnOf(r), shares.Own()) * sizeof(float));
+    mine[r].resize(size(this->Partition.Own(), columnPartition.OwnOf(r)) * sizeof(float));
+    others[r].resize(size(this->Partition.OwnOf(r), columnPartition.Own()) * sizeof(float));
   }
   // visit(columns' values of the own frames, where they stand in a message)
   const auto forOwnFrames = [&](const auto& visit)
   {
     for (int r = 0; r < ranks.Size(); ++r)
     {
-      const FrameRange columns = shares.OwnOf(r);
-      const FrameRange& own = this->Share.Own();
+      const FrameRange columns = columnPartition.OwnOf(r);
+      const FrameRange& own = this->Partition.Own();
       for (std::size_t k = columns.Begin; k < columns.End; ++k)
       {
         const Columns c = this->ColumnsAt(k);
         for (std::size_t i = 2 * own.Begin; i < 2 * own.End; ++i)
         {
           const std::size_t row = (i % 2 ? 3 : 0) + static_cast<std::size_t>(c.Component);
-          visit(this->Share.Slot(i / 2) * this->Model.FrameSize() + row * stride + c.First,
-                floats(mine[r]) + place(own, columns, k, i), c.Count);
+          visit(this->Partition.Slot(i / 2) * this->Model.FrameSize() + row * stride + c.First,
+                floats(mine[r]) + offset(own, columns, k, i), c.Count);
         }
       }
     }
@@ -293,11 +294,11 @@ void TimelinePreconditioner::SolveShared(const StateVector& in, StateVector& out
                { std::copy_n(in.data() + at, count, message); });
   ranks.Exchange(mine, others);
   std::vector<int> owners;
-  for (std::size_t j = 0; j < this->Share.Frames(); ++j)
+  for (std::size_t j = 0; j < this->Partition.Frames(); ++j)
   {
-    owners.push_back(this->Share.OwnerOf(j));
+    owners.push_back(this->Partition.OwnerOf(j));
   }
-  const FrameRange& own = shares.Own();
+  const FrameRange& own = columnPartition.Own();
   this->Parallel(own.Size(),
                  [&](std::size_t begin, std::size_t end)
                  {
@@ -306,8 +307,8 @@ void TimelinePreconditioner::SolveShared(const StateVector& in, StateVector& out
                      const auto value = [&](int i)
                      {
                        const int owner = owners[static_cast<std::size_t>(i / 2)];
-                       return floats(others[owner]) +
-                              place(this->Share.OwnOf(owner), own, k, static_cast<std::size_t>(i));
+                       return floats(others[owner]) + offset(this->Partition.OwnOf(owner), own, k,
+                                                             static_cast<std::size_t>(i));
                      };
                      this->SolveColumns(this->ColumnsAt(k), value, value);
                    }

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Base/Parallel.h"
-#include "Spacetime/FrameShare.h"
+#include "Spacetime/FramePartition.h"
 #include "Spacetime/SpacetimeModel.h"
 #include "Spacetime/StateVector.h"
 
@@ -14,17 +14,17 @@ namespace waft
 {
 
 /// M over (x0, v0, x1, v1, ...) of one body and component: the rows rx, rv (without accelerations),
-/// rt, a diagonal for rs and a little damping, of objects a share of both; Cholesky in bands. Gas
-/// shares one factor, each object has its own, where fixed unknowns and steps that are no free
+/// rt, a diagonal for rs and a little damping, of objects a partition of both; Cholesky in bands.
+/// Gas shares one factor, each object has its own, where fixed unknowns and steps that are no free
 /// flight are left out.
 class TimelinePreconditioner
 {
 public:
   static constexpr double UsualDamping = 1e-3;
-  /// share: of the level's frames, whose vectors are solved for; null: all are this rank's.
+  /// partition: of the level's frames, whose vectors are solved for; null: all are this rank's.
   TimelinePreconditioner(const SpacetimeModel& model, const TimeLevel& level,
                          const ParallelFor& parallel, double damping = UsualDamping,
-                         const FrameShare* share = nullptr);
+                         const FramePartition* partition = nullptr);
 
   /// out = M^-1 in; fixed unknowns give zero. To be called by all ranks: a body's time line is
   /// brought together on one of them, and goes back.
@@ -53,11 +53,11 @@ private:
   /// in(i), out(i): where the columns' values of unknown i stand.
   template <class In, class Out>
   void SolveColumns(const Columns& columns, const In& in, const Out& out) const;
-  void SolveShared(const StateVector& in, StateVector& out) const;
+  void SolvePartitioned(const StateVector& in, StateVector& out) const;
 
   const SpacetimeModel& Model;
   const TimeLevel& Level;
-  FrameShare Share;
+  FramePartition Partition;
   ParallelFor Parallel;
   double Damping;
   Band Gas;

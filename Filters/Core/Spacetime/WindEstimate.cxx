@@ -52,8 +52,8 @@ SplineWind EstimateWind(const SpacetimeObjective& objective, const StateVector& 
 {
   const SpacetimeModel& model = objective.Model();
   const TimeLevel& level = objective.Level();
-  const FrameShare& share = objective.Share();
-  const FrameRange& own = share.Own();
+  const FramePartition& partition = objective.Partition();
+  const FrameRange& own = partition.Own();
   const std::size_t stride = model.Stride();
   std::vector<SplineSamples> samples(level.NumberOfFrames());
   for (std::size_t j = 0; j < samples.size(); ++j)
@@ -71,15 +71,15 @@ SplineWind EstimateWind(const SpacetimeObjective& objective, const StateVector& 
       {
         continue;
       }
-      const float* p = state.data() + share.Slot(j) * model.FrameSize() + i;
+      const float* p = state.data() + partition.Slot(j) * model.FrameSize() + i;
       SplineSamples::Sample sample;
-      sample.Place = Vec3(p[0], p[stride], p[2 * stride]);
+      sample.Position = Vec3(p[0], p[stride], p[2 * stride]);
       double rv[3];
       objective.VelocityResidual(j + 1, i, rv);
       sample.Value = Vec3(rv[0], rv[1], rv[2]) / step;
       if (!model.Wind.IsEmpty())
       {
-        sample.Value += SampleField(model.Wind, sample.Place, level.Frames[j]);
+        sample.Value += SampleField(model.Wind, sample.Position, level.Frames[j]);
       }
       sample.Weight = (gas ? options.GasStride : 1.0) * model.VelocityWeight(i) * step;
       samples[j].Samples.push_back(sample);
@@ -95,7 +95,7 @@ SplineWind EstimateWind(const SpacetimeObjective& objective, const StateVector& 
            });
   return FitSplineField(MakeWindLattice(model, options.FramesPerKnot),
                         KnotsOf(model, options.FramesPerKnot), samples, options.Fit, parallel,
-                        &share);
+                        &partition);
 }
 
 } // namespace waft

@@ -139,9 +139,9 @@ Vec4 LeaningAtMost(const Mat4& horn, double limit)
       break;
     }
     // The secant step, kept off the ends and taken in turn with bisection, so that both ends close.
-    double share = a / (a + b);
-    share = i % 2 == 0 ? std::clamp(share, 0.02, 0.98) : 0.5;
-    const double middle = low + share * (high - low);
+    double fraction = a / (a + b);
+    fraction = i % 2 == 0 ? std::clamp(fraction, 0.02, 0.98) : 0.5;
+    const double middle = low + fraction * (high - low);
     const Vec4 q = WithPenalty(horn, middle);
     if (Lean(q) > limit)
     {

@@ -120,22 +120,22 @@ Result ClusterTreeOptions::Validate() const
   return Result::Ok();
 }
 
-std::vector<int> TopNodeShares(const std::vector<std::size_t>& groupSizes, int numberOfTopNodes)
+std::vector<int> TopNodesOfGroups(const std::vector<std::size_t>& groupSizes, int numberOfTopNodes)
 {
   double roots = 0.0;
   for (const std::size_t size : groupSizes)
   {
     roots += std::sqrt(static_cast<double>(size));
   }
-  std::vector<int> shares;
+  std::vector<int> topNodes;
   for (const std::size_t size : groupSizes)
   {
-    const double share =
+    const double wanted =
       numberOfTopNodes * std::sqrt(static_cast<double>(size)) / std::max(roots, 1e-300);
     const int most = static_cast<int>(std::min<std::size_t>(size, 1u << 30));
-    shares.push_back(std::min(most, std::max(1, static_cast<int>(std::lround(share)))));
+    topNodes.push_back(std::min(most, std::max(1, static_cast<int>(std::lround(wanted)))));
   }
-  return shares;
+  return topNodes;
 }
 
 Result BuildClusterTrees(const std::vector<TreeInput>& groups, const ClusterTreeOptions& options,
@@ -151,7 +151,7 @@ Result BuildClusterTrees(const std::vector<TreeInput>& groups, const ClusterTree
   {
     sizes.push_back(group.Segments.size());
   }
-  const std::vector<int> shares = TopNodeShares(sizes, options.NumberOfTopNodes);
+  const std::vector<int> counts = TopNodesOfGroups(sizes, options.NumberOfTopNodes);
 
   std::vector<Subtree> subtrees;
   for (std::size_t g = 0; g < groups.size(); ++g)
@@ -171,9 +171,9 @@ Result BuildClusterTrees(const std::vector<TreeInput>& groups, const ClusterTree
     }
     Random random(options.Seed, 2 * g);
     std::vector<Members> parts = { all };
-    if (shares[g] > 1)
+    if (counts[g] > 1)
     {
-      parts = KMeans(groups[g].Coefficients, all, shares[g], options.Iterations, random);
+      parts = KMeans(groups[g].Coefficients, all, counts[g], options.Iterations, random);
     }
     for (Members& part : parts)
     {

@@ -68,6 +68,6 @@ Result BuildClusterTrees(const std::vector<TreeInput>& groups, const ClusterTree
                          std::vector<ClusterNode>& nodes, std::vector<int>& topNodes);
 
 /// Initial clusters of each group by sizes of groups, summing to about numberOfTopNodes.
-std::vector<int> TopNodeShares(const std::vector<std::size_t>& groupSizes, int numberOfTopNodes);
+std::vector<int> TopNodesOfGroups(const std::vector<std::size_t>& groupSizes, int numberOfTopNodes);
 
 } // namespace waft

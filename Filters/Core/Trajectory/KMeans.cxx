@@ -36,11 +36,11 @@ Eigen::MatrixXd SpreadSeeds(const Eigen::MatrixXd& points, const std::vector<int
     {
       break;
     }
-    double place = random.Uniform() * total;
+    double drawn = random.Uniform() * total;
     std::size_t m = 0;
-    while (m + 1 < members.size() && (place >= nearest[m] || nearest[m] == 0.0))
+    while (m + 1 < members.size() && (drawn >= nearest[m] || nearest[m] == 0.0))
     {
-      place -= nearest[m++];
+      drawn -= nearest[m++];
     }
     chosen = members[m];
   }

@@ -71,14 +71,14 @@ double KolmogorovSmirnov(std::vector<double> a, std::vector<double> b)
   return largest;
 }
 
-double Quantile(std::vector<double> values, double share)
+double Quantile(std::vector<double> values, double fraction)
 {
   if (values.empty())
   {
     return 0.0;
   }
   std::sort(values.begin(), values.end());
-  const double rank = std::clamp(share, 0.0, 1.0) * static_cast<double>(values.size() - 1);
+  const double rank = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(values.size() - 1);
   const auto low = static_cast<std::size_t>(rank);
   const std::size_t high = std::min(low + 1, values.size() - 1);
   return values[low] + (rank - static_cast<double>(low)) * (values[high] - values[low]);

@@ -37,6 +37,6 @@ StyleSamples StyleOf(const MotionDatabase& database);
 double KolmogorovSmirnov(std::vector<double> a, std::vector<double> b);
 
 /// Value below which a share (0..1) of the samples lies, linear between ranks; 0 when empty.
-double Quantile(std::vector<double> values, double share);
+double Quantile(std::vector<double> values, double fraction);
 
 } // namespace waft

@@ -25,14 +25,14 @@ struct Piece : TrackPiece
 
 Result CheckTrack(const Track& track, std::size_t simulation)
 {
-  const std::string place = "track of object " + std::to_string(track.ObjectId) +
-                            " of simulation " + std::to_string(simulation) + ": ";
+  const std::string location = "track of object " + std::to_string(track.ObjectId) +
+                               " of simulation " + std::to_string(simulation) + ": ";
   const std::size_t count = track.Positions.size();
   for (const Vec3& position : track.Positions)
   {
     if (!position.allFinite())
     {
-      return Result::Error(place + "a position is not finite");
+      return Result::Error(location + "a position is not finite");
     }
   }
   for (const std::size_t size :
@@ -40,7 +40,7 @@ Result CheckTrack(const Track& track, std::size_t simulation)
   {
     if (size != 0 && size != count)
     {
-      return Result::Error(place + "the annotation does not have one entry a sample");
+      return Result::Error(location + "the annotation does not have one entry a sample");
     }
   }
   return Result::Ok();

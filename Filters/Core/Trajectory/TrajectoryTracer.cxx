@@ -23,12 +23,12 @@ struct Stencil
     for (int axis = 0; axis < 3; ++axis)
     {
       const int last = lattice.Dimensions[axis] - 1;
-      const double place = std::clamp((x[axis] - lattice.Origin[axis]) / lattice.Spacing[axis], 0.0,
-                                      static_cast<double>(last));
-      const int low = std::min(static_cast<int>(place), std::max(last - 1, 0));
+      const double cell = std::clamp((x[axis] - lattice.Origin[axis]) / lattice.Spacing[axis], 0.0,
+                                     static_cast<double>(last));
+      const int low = std::min(static_cast<int>(cell), std::max(last - 1, 0));
       const int high = std::min(low + 1, last);
       offsets[axis] = { low * stride, high * stride };
-      weights[axis] = { 1.0 - (place - low), place - low };
+      weights[axis] = { 1.0 - (cell - low), cell - low };
       stride *= static_cast<std::size_t>(lattice.Dimensions[axis]);
     }
     for (int corner = 0; corner < 8; ++corner)
@@ -57,19 +57,19 @@ struct Stencil
 };
 
 /// Linear in time between two frames; before the first of two, the second alone.
-double Share(const FlowFrame& before, const FlowFrame& now, double time)
+double TimeFraction(const FlowFrame& before, const FlowFrame& now, double time)
 {
   const double length = now.Time - before.Time;
   return length > 0.0 ? std::clamp((time - before.Time) / length, 0.0, 1.0) : 1.0;
 }
 
-Vec3 Blend(const Stencil& stencil, const Samples& before, const Samples& now, double share)
+Vec3 Blend(const Stencil& stencil, const Samples& before, const Samples& now, double fraction)
 {
-  if (share >= 1.0 || before.size() != now.size())
+  if (fraction >= 1.0 || before.size() != now.size())
   {
     return stencil.Mean(now);
   }
-  return (1.0 - share) * stencil.Mean(before) + share * stencil.Mean(now);
+  return (1.0 - fraction) * stencil.Mean(before) + fraction * stencil.Mean(now);
 }
 
 bool AllFinite(const Samples& samples)
@@ -120,9 +120,9 @@ Result TrajectoryTracer::Begin(const FlowLattice& lattice, const TraceOptions& o
   return Result::Ok();
 }
 
-void TrajectoryTracer::PlaceSeeds()
+void TrajectoryTracer::SpreadSeeds()
 {
-  std::array<std::vector<int>, 3> places;
+  std::array<std::vector<int>, 3> indices;
   const int stride = this->Options.SeedStride;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -131,14 +131,14 @@ void TrajectoryTracer::PlaceSeeds()
     const int first = (points - 1 - (count - 1) * stride) / 2;
     for (int i = 0; i < count; ++i)
     {
-      places[axis].push_back(first + i * stride);
+      indices[axis].push_back(first + i * stride);
     }
   }
-  for (const int k : places[2])
+  for (const int k : indices[2])
   {
-    for (const int j : places[1])
+    for (const int j : indices[1])
     {
-      for (const int i : places[0])
+      for (const int i : indices[0])
       {
         Tracer tracer;
         tracer.Position = this->Lattice.Origin + Vec3(i, j, k).cwiseProduct(this->Lattice.Spacing);
@@ -154,25 +154,26 @@ void TrajectoryTracer::PlaceSeeds()
 
 Result TrajectoryTracer::CheckFrame(const FlowFrame& frame) const
 {
-  const std::string place = "flow at " + std::to_string(frame.Time) + " s: ";
+  const std::string location = "flow at " + std::to_string(frame.Time) + " s: ";
   const std::size_t points = this->Lattice.NumberOfPoints();
   if (frame.Velocity.size() != points ||
       (!frame.VortexForce.empty() && frame.VortexForce.size() != points) ||
       (!frame.WindForce.empty() && frame.WindForce.size() != points))
   {
-    return Result::Error(place + "expected " + std::to_string(points) + " values in each array");
+    return Result::Error(location + "expected " + std::to_string(points) + " values in each array");
   }
   if (this->HasFrame && !(frame.Time > this->Now.Time))
   {
-    return Result::Error(place + "expected a time after " + std::to_string(this->Now.Time) + " s");
+    return Result::Error(location + "expected a time after " + std::to_string(this->Now.Time) +
+                         " s");
   }
   if (!AllFinite(frame.Velocity))
   {
-    return Result::Error(place + "Velocity holds a value that is not finite");
+    return Result::Error(location + "Velocity holds a value that is not finite");
   }
   if (!AllFinite(frame.VortexForce) || !AllFinite(frame.WindForce))
   {
-    return Result::Error(place + "VortexForce or WindForce holds a value that is not finite");
+    return Result::Error(location + "VortexForce or WindForce holds a value that is not finite");
   }
   return Result::Ok();
 }
@@ -189,7 +190,7 @@ Result TrajectoryTracer::Feed(FlowFrame frame, const ParallelFor& parallelFor)
     this->Now = std::move(frame);
     this->Before.Time = this->Now.Time;
     this->HasFrame = true;
-    this->PlaceSeeds();
+    this->SpreadSeeds();
     for (Tracer& tracer : this->Tracers)
     {
       this->Record(tracer, this->StartTime);
@@ -244,11 +245,11 @@ void TrajectoryTracer::Advance(Tracer& tracer) const
 void TrajectoryTracer::Record(Tracer& tracer, double time) const
 {
   const Stencil stencil(this->Lattice, tracer.Position);
-  const double share = Share(this->Before, this->Now, time);
+  const double fraction = TimeFraction(this->Before, this->Now, time);
   Vec3 vortexForce = Vec3::Zero();
   if (!this->Now.VortexForce.empty())
   {
-    vortexForce = Blend(stencil, this->Before.VortexForce, this->Now.VortexForce, share);
+    vortexForce = Blend(stencil, this->Before.VortexForce, this->Now.VortexForce, fraction);
   }
   else
   {
@@ -262,7 +263,7 @@ void TrajectoryTracer::Record(Tracer& tracer, double time) const
   tracer.Path.WindAccelerations.push_back(
     this->Now.WindForce.empty()
       ? Vec3(Vec3::Zero())
-      : Blend(stencil, this->Before.WindForce, this->Now.WindForce, share));
+      : Blend(stencil, this->Before.WindForce, this->Now.WindForce, fraction));
 }
 
 bool TrajectoryTracer::CanBeAt(const Vec3& x, double time) const
@@ -273,8 +274,8 @@ bool TrajectoryTracer::CanBeAt(const Vec3& x, double time) const
 Vec3 TrajectoryTracer::VelocityAt(const Vec3& x, double time) const
 {
   const Stencil stencil(this->Lattice, x);
-  Vec3 velocity =
-    Blend(stencil, this->Before.Velocity, this->Now.Velocity, Share(this->Before, this->Now, time));
+  Vec3 velocity = Blend(stencil, this->Before.Velocity, this->Now.Velocity,
+                        TimeFraction(this->Before, this->Now, time));
   velocity.z() -= this->Options.SettlingSpeed;
   return velocity;
 }

@@ -111,7 +111,7 @@ private:
     Track Path;
   };
 
-  void PlaceSeeds();
+  void SpreadSeeds();
   Result CheckFrame(const FlowFrame& frame) const;
   void Advance(Tracer& tracer) const;
   void Record(Tracer& tracer, double time) const;

@@ -30,23 +30,23 @@ Result ReadVectorVolume(const std::string& path, double time, FieldSeries& step)
   {
     return Result::Error("expected a vector grid `Wind` or `Velocity`, found neither");
   }
-  const std::string place = "grid `" + grid->Name + "`: ";
+  const std::string location = "grid `" + grid->Name + "`: ";
   if (grid->Components != 3)
   {
-    return Result::Error(place + "expected vectors, found " + grid->Type);
+    return Result::Error(location + "expected vectors, found " + grid->Type);
   }
   if (grid->Active.IsEmpty())
   {
-    return Result::Error(place + "expected active voxels, found none");
+    return Result::Error(location + "expected active voxels, found none");
   }
   if (grid->Active.NumberOfVoxels() > MostWindVoxels)
   {
-    return Result::Error(place + "expected at most 256^3 voxels, found " +
+    return Result::Error(location + "expected at most 256^3 voxels, found " +
                          std::to_string(static_cast<long>(grid->Active.NumberOfVoxels())));
   }
   if (!grid->IsUpright)
   {
-    return Result::Error(place + "expected a transform that scales and shifts only");
+    return Result::Error(location + "expected a transform that scales and shifts only");
   }
   VolumeField field;
   WAFT_RETURN_IF_FAILED(ReadVolumeGrid(path, grid->Name, grid->Active, field));

@@ -31,9 +31,10 @@ VolumeArchive::VolumeArchive(const std::string& path) :
     this->Stream.seekg(at);
     Entry entry;
     entry.Outline = entry.Descriptor.read(this->Stream);
-    for (const std::int64_t place : { entry.Descriptor.getGridPos(), entry.Descriptor.getEndPos() })
+    for (const std::int64_t position :
+         { entry.Descriptor.getGridPos(), entry.Descriptor.getEndPos() })
     {
-      if (place < at || static_cast<std::uint64_t>(place) > this->Size)
+      if (position < at || static_cast<std::uint64_t>(position) > this->Size)
       {
         OPENVDB_THROW(openvdb::IoError, "the end of the file before that of a grid");
       }
@@ -46,9 +47,9 @@ VolumeArchive::VolumeArchive(const std::string& path) :
 // Of a newer version the library would say on the console that it cannot read it, and go on.
 void VolumeArchive::CheckVersion()
 {
-  constexpr std::streamoff place = 8; // behind the magic number
+  constexpr std::streamoff offset = 8; // behind the magic number
   std::uint32_t version = 0;
-  this->Stream.seekg(place);
+  this->Stream.seekg(offset);
   this->Stream.read(reinterpret_cast<char*>(&version), sizeof(version));
   this->Stream.seekg(0);
   if (version > openvdb::OPENVDB_FILE_VERSION)

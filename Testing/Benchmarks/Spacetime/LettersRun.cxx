@@ -3,7 +3,7 @@
 
 #include "PlanScenes.h"
 #include "Spacetime/Spacetime.h"
-#include "Spacetime/SpacetimeMemory.h"
+#include "Spacetime/SpacetimeWarmStart.h"
 #include "StandardRun.h"
 
 #include <cstdio>
@@ -16,7 +16,7 @@ namespace
 
 /// The last leaf's target is moved by a tenth of a metre, and the run goes on from its motion.
 void PrintEdit(SpacetimeInput input, const SpacetimeOptions& options, const ParallelFor& parallel,
-               SpacetimeMemory& memory, double whole)
+               SpacetimeWarmStart& memory, double whole)
 {
   input.Constraints.back().Value.x() += 0.1;
   SilentMonitor monitor;
@@ -55,7 +55,7 @@ int RunLetters(int leaves, bool edits, double memoryLimit, const ParallelFor& pa
   input.Vortices = plan.Vortices;
   SpacetimeOptions options;
   options.MemoryLimit = memoryLimit;
-  SpacetimeMemory memory;
+  SpacetimeWarmStart memory;
   SpacetimeOutput output;
   const double cpu = CpuSeconds();
   test::PlanScene::Check(RunSpacetime(input, options, parallel, monitor, output, &memory));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StandardRun.h"
 
-#include "Spacetime/GasStart.h"
+#include "Spacetime/InitialGas.h"
 #include "Spacetime/LevelSolver.h"
 #include "Spacetime/SpacetimeProgram.h"
 #include "Spacetime/TimeLevels.h"
@@ -184,7 +184,7 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
     all.Evaluate(state, nullptr, terms);
     curve.Start = terms.E;
     SilentMonitor silent;
-    StartGas(all, parallel, silent, state);
+    MakeInitialGas(all, parallel, silent, state);
   }
   const auto measure = [&](const SpacetimeStep& step, const TimeLevel& level, const StateVector& x,
                            int iteration, double e)

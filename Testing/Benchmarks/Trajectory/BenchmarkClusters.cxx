@@ -155,12 +155,12 @@ int main(int argc, char** argv)
               options.RelativeError, threads, Wall() - start);
 
   const double plainStart = Wall();
-  const std::vector<int> shares = TopNodeShares(GroupSizes(database), 100);
+  const std::vector<int> topNodes = TopNodesOfGroups(GroupSizes(database), 100);
   long plainNodes = 0;
   double plainSquares = 0.0;
   for (std::size_t g = 0; g < database.Groups.size(); ++g)
   {
-    const PlainTree tree = PlainClusters(SamplesOf(database, static_cast<int>(g)), shares[g],
+    const PlainTree tree = PlainClusters(SamplesOf(database, static_cast<int>(g)), topNodes[g],
                                          options.Trees.Branching, options.Trees.Iterations);
     plainNodes += tree.Nodes;
     plainSquares += tree.SumOfSquares;

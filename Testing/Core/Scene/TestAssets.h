@@ -19,15 +19,6 @@ public:
   {
     return MakeBuiltinShape(builtin, size, shape);
   }
-  std::vector<std::string> BuiltinShapeNames() const override
-  {
-    std::vector<std::string> names;
-    for (const BuiltinShape& builtin : BuiltinShapes())
-    {
-      names.push_back(builtin.Name);
-    }
-    return names;
-  }
   Result LoadAlignedShape(const std::string&, Shape& shape) const override
   {
     shape.Mesh = MakeBox(Box{ Vec3(0.0, 0.0, 0.0), Vec3(4.0, 2.0, 1.0) });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReferenceForces.h"
 
-#include "Spacetime/GroundCushion.h"
+#include "Spacetime/LandingDamping.h"
 
 #include <algorithm>
 
@@ -128,7 +128,7 @@ OutsideForce ForceOn(const SpacetimeModel& model, int frame, double step, std::s
   }
   const std::size_t object = body - model.NumberOfGas;
   force.Acceleration.z() -= model.Gravities[object];
-  const CushionForce cushion = LandingCushion(model, frame, step, object, position, velocity);
+  const DampingForce cushion = LandingDamping(model, frame, step, object, position, velocity);
   force.Acceleration += cushion.Acceleration;
   force.ByPosition += cushion.ByPosition;
   force.ByVelocity += cushion.ByVelocity;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReferenceObjective.h"
 
-#include "Spacetime/AirShare.h"
+#include "Spacetime/WallCorrection.h"
 
 #include <algorithm>
 #include <utility>
@@ -98,7 +98,7 @@ void ReferenceObjective::Raise(std::size_t j, Frame& frame, std::vector<Vec3>& a
   {
     const SurfaceShare surfaces =
       SurfaceDensity(this->Fluid, this->Volume(j), frame.Particles.Positions[p]);
-    const AirShare air(surfaces.Value);
+    const WallCorrection air(surfaces.Value);
     frame.Raises[p] = air.Raise;
     frame.RaiseGradients[p] = air.Slope * surfaces.Gradient;
     averages[p] *= air.Raise;

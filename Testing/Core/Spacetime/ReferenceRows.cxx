@@ -67,7 +67,7 @@ void ReferenceObjective::AddCoherence(const double* z, const std::vector<Frame>&
     {
       const std::size_t object = i - this->Model.NumberOfGas;
       slip = this->Model.SettlingSlip(object);
-      air = w.ObjectCoherence * this->Model.CoherenceShare(this->Level.Frames[j], object);
+      air = w.ObjectCoherence * this->Model.CoherenceFraction(this->Level.Frames[j], object);
     }
     const double share = w.CoherenceWeight * this->Model.BodyWeight(i);
     const double space =

@@ -2,7 +2,7 @@
 // Runs of the optimiser that tests share.
 #pragma once
 
-#include "Spacetime/SpacetimeMemory.h"
+#include "Spacetime/SpacetimeWarmStart.h"
 #include "SpacetimeScenes.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ inline SpacetimeOptions QuickOptions()
 }
 
 inline SpacetimeOutput RunScene(const SpacetimeInput& input, const SpacetimeOptions& options,
-                                int threads = 2, SpacetimeMemory* memory = nullptr)
+                                int threads = 2, SpacetimeWarmStart* memory = nullptr)
 {
   SilentMonitor monitor;
   SpacetimeOutput output;

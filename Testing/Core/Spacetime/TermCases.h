@@ -72,7 +72,7 @@ struct Problem
     std::fill(model.Flags.begin(), model.Flags.end(), std::uint8_t(0));
     std::fill(model.Reach.begin(), model.Reach.end(), 0.0f);
     model.NearestMarks.clear();
-    model.CoherenceShares.clear();
+    model.CoherenceFractions.clear();
     return model;
   }
 
@@ -165,7 +165,7 @@ inline void AddFluid(SpacetimeModel& model, const Problem& problem)
 }
 
 /// Of objects that settle as fast as ever, with next to no drag of their own.
-inline void AddCushion(SpacetimeModel& model, const Problem& problem, std::uint8_t flag)
+inline void AddLandingDamping(SpacetimeModel& model, const Problem& problem, std::uint8_t flag)
 {
   model.Weights.VelocityWeight = 1.0;
   model.Flags.assign(model.Flags.size(), flag);
@@ -215,12 +215,12 @@ inline const std::vector<Term>& Terms()
         m.Gravities = p.Full.Gravities;
       } },
     { "cushion above the floor",
-      [](Model& m, const Problem& p) { AddCushion(m, p, LandsOnFloor); } },
+      [](Model& m, const Problem& p) { AddLandingDamping(m, p, LandsOnFloor); } },
     { "cushion above an obstacle",
       [](Model& m, const Problem& p)
       {
         m.Obstacles = p.Full.Obstacles;
-        AddCushion(m, p, LandsOnObstacle);
+        AddLandingDamping(m, p, LandsOnObstacle);
       } },
     { "estimated wind",
       [](Model& m, const Problem&)
@@ -251,7 +251,7 @@ inline const std::vector<Term>& Terms()
         m.Gravities = p.Full.Gravities;
         for (std::size_t place = 0; place < m.Flags.size(); ++place)
         {
-          m.CoherenceShares.push_back(0.25f * static_cast<float>(place % 5));
+          m.CoherenceFractions.push_back(0.25f * static_cast<float>(place % 5));
         }
       } },
     { "coherence in time",

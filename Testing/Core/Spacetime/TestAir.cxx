@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the air does to light things: terminal fall, the cushion above a surface, the moving start.
-#include "Spacetime/GasStart.h"
-#include "Spacetime/GroundCushion.h"
+#include "Spacetime/InitialGas.h"
+#include "Spacetime/LandingDamping.h"
 #include "Spacetime/SpacetimeSetup.h"
 #include "SpacetimeScenes.h"
 #include "StandardProblem.h"
@@ -96,7 +96,7 @@ TEST(SettlingSlip, AThingThatFallsAtItsSettlingSpeedThroughStillAirIsAtOneWithIt
   EXPECT_LT(coherence(1.0), 0.01 * coherence(2.0));
 }
 
-TEST(LandingCushion, HasExactDerivativesAboveTheFloorAndAnObstacle)
+TEST(LandingDamping, HasExactDerivativesAboveTheFloorAndAnObstacle)
 {
   SceneOptions scene;
   scene.NumberOfFrames = 20;
@@ -115,7 +115,7 @@ TEST(LandingCushion, HasExactDerivativesAboveTheFloorAndAnObstacle)
     const Vec3 place = flag == LandsOnFloor ? setup.FromWorld(Vec3(1.0, 1.0, 0.06))
                                             : setup.FromWorld(Vec3(0.68, 0.1, 0.67));
     const Vec3 velocity(0.02, -0.03, -0.08);
-    const CushionForce force = LandingCushion(model, 3, 1.0, 1, place, velocity);
+    const DampingForce force = LandingDamping(model, 3, 1.0, 1, place, velocity);
     EXPECT_GT(force.Acceleration.norm(), 1e-5);
     EXPECT_LT(force.Acceleration.dot(velocity), 0.0);
     const double h = 1e-3;
@@ -126,11 +126,11 @@ TEST(LandingCushion, HasExactDerivativesAboveTheFloorAndAnObstacle)
       *Component(behind, c) -= h;
       *Component(faster, c) += h;
       *Component(slower, c) -= h;
-      const Vec3 byPlace = (LandingCushion(model, 3, 1.0, 1, ahead, velocity).Acceleration -
-                            LandingCushion(model, 3, 1.0, 1, behind, velocity).Acceleration) /
+      const Vec3 byPlace = (LandingDamping(model, 3, 1.0, 1, ahead, velocity).Acceleration -
+                            LandingDamping(model, 3, 1.0, 1, behind, velocity).Acceleration) /
                            (2.0 * h);
-      const Vec3 byVelocity = (LandingCushion(model, 3, 1.0, 1, place, faster).Acceleration -
-                               LandingCushion(model, 3, 1.0, 1, place, slower).Acceleration) /
+      const Vec3 byVelocity = (LandingDamping(model, 3, 1.0, 1, place, faster).Acceleration -
+                               LandingDamping(model, 3, 1.0, 1, place, slower).Acceleration) /
                               (2.0 * h);
       EXPECT_LT((byPlace - force.ByPosition.col(c)).norm(), 0.05 * force.ByPosition.norm() + 1e-6)
         << int(flag) << c;
@@ -138,11 +138,11 @@ TEST(LandingCushion, HasExactDerivativesAboveTheFloorAndAnObstacle)
     }
   }
   model.Flags.assign(model.Flags.size(), 0);
-  EXPECT_EQ(LandingCushion(model, 3, 1.0, 1, Vec3(1.0, 1.0, 0.1), -Vec3::UnitZ()).Acceleration,
+  EXPECT_EQ(LandingDamping(model, 3, 1.0, 1, Vec3(1.0, 1.0, 0.1), -Vec3::UnitZ()).Acceleration,
             Vec3(Vec3::Zero()));
 }
 
-TEST(LandingCushion, StopsASettlingLeafSoftlyAboveTheFloor)
+TEST(LandingDamping, StopsASettlingLeafSoftlyAboveTheFloor)
 {
   SceneOptions scene;
   scene.NumberOfFrames = 20;
@@ -158,7 +158,7 @@ TEST(LandingCushion, StopsASettlingLeafSoftlyAboveTheFloor)
   for (; x.z() > model.Clearances[0].RestHeight + 0.2 * model.BrakeHeights[0] && frames < 300;
        ++frames)
   {
-    const Vec3 force = LandingCushion(model, 3, 1.0, 0, x, v).Acceleration -
+    const Vec3 force = LandingDamping(model, 3, 1.0, 0, x, v).Acceleration -
                        (model.Gravities[0] + model.DragRates[0] * v.z()) * Vec3::UnitZ();
     hardest = std::max(hardest, force.norm());
     v += force;
@@ -203,7 +203,7 @@ TEST(GasAtRest, StaysWhereItIsInTheStandardProblem)
   EXPECT_LT(drift.Moved, 2e-3);
 }
 
-TEST(StartGas, MovesTheAirWithTheObjectsAndKeepsItsDynamics)
+TEST(MakeInitialGas, MovesTheAirWithTheObjectsAndKeepsItsDynamics)
 {
   // Everything is carried along by one stream.
   SceneOptions scene;
@@ -229,7 +229,7 @@ TEST(StartGas, MovesTheAirWithTheObjectsAndKeepsItsDynamics)
   objective.Evaluate(setup.Start, nullptr, still);
   StateVector state = setup.Start;
   SilentMonitor monitor;
-  ASSERT_TRUE(StartGas(objective, SerialFor(), monitor, state));
+  ASSERT_TRUE(MakeInitialGas(objective, SerialFor(), monitor, state));
   objective.Evaluate(state, nullptr, moved);
   EXPECT_LT(moved.Ev, still.Ev);
   // They stir it, and not faintly.

@@ -103,7 +103,7 @@ void ExpectKept(const SpacetimeInput& input, const SpacetimeOutput& before,
 }
 
 void ExpectLocal(const SpacetimeInput& edited, const SpacetimeOutput& before, int first, int last,
-                 SpacetimeMemory& memory, double fullCpu)
+                 SpacetimeWarmStart& memory, double fullCpu)
 {
   const double start = Cpu();
   const SpacetimeOutput after = RunScene(edited, Options(), 2, &memory);
@@ -135,7 +135,7 @@ void ExpectLocal(const SpacetimeInput& edited, const SpacetimeOutput& before, in
 TEST(Edit, ATargetThatMovesWithItsPlanIsSolvedWhereItChanged)
 {
   const SpacetimeInput input = Scene();
-  SpacetimeMemory memory;
+  SpacetimeWarmStart memory;
   const double start = Cpu();
   const SpacetimeOutput before = RunScene(input, Options(), 2, &memory);
   const double cpu = Cpu() - start;
@@ -146,7 +146,7 @@ TEST(Edit, ATargetThatMovesWithItsPlanIsSolvedWhereItChanged)
 TEST(Edit, ATargetAloneMovesTheFramesAboutIt)
 {
   const SpacetimeInput input = Scene();
-  SpacetimeMemory memory;
+  SpacetimeWarmStart memory;
   const double start = Cpu();
   const SpacetimeOutput before = RunScene(input, Options(), 2, &memory);
   const double cpu = Cpu() - start;
@@ -158,7 +158,7 @@ TEST(Edit, ATargetAloneMovesTheFramesAboutIt)
 TEST(Edit, WithoutARegionAllIsSolvedOn)
 {
   const SpacetimeInput input = Scene();
-  SpacetimeMemory memory;
+  SpacetimeWarmStart memory;
   SpacetimeOptions options = Options();
   RunScene(input, options, 2, &memory);
   const SpacetimeInput edited = MoveTarget(input, Vec3(0.1, 0.0, 0.0), 45, 75);

@@ -57,7 +57,7 @@ SpacetimeInput Scene(int frames = 40)
 
 /// Rank 0's output; of input, options, monitor and memory the other ranks are given nothing of use.
 SpacetimeOutput RunOn(int size, const SpacetimeInput& input, const SpacetimeOptions& options,
-                      SpacetimeMemory* memory = nullptr, Monitor* monitor = nullptr,
+                      SpacetimeWarmStart* memory = nullptr, Monitor* monitor = nullptr,
                       bool stops = false)
 {
   SilentMonitor silent;
@@ -115,7 +115,7 @@ void ExpectSame(const SpacetimeOutput& a, const SpacetimeOutput& b)
 
 } // namespace
 
-TEST(FrameShare, GivesEachFrameToOneRankAndHoldsThoseBesideIt)
+TEST(FramePartition, GivesEachFrameToOneRankAndHoldsThoseBesideIt)
 {
   for (const int size : { 2, 3, 7 })
   {
@@ -124,27 +124,28 @@ TEST(FrameShare, GivesEachFrameToOneRankAndHoldsThoseBesideIt)
       EXPECT_TRUE(RunRanks(size,
                            [&](Communicator& ranks)
                            {
-                             const FrameShare share(frames, 2, ranks);
+                             const FramePartition partition(frames, 2, ranks);
                              std::vector<float> all;
                              for (std::size_t j = 0; j < frames; ++j)
                              {
                                all.insert(all.end(), { float(j), float(10 * j) });
-                               EXPECT_TRUE(share.OwnOf(share.OwnerOf(j)).Contains(j));
+                               EXPECT_TRUE(partition.OwnOf(partition.OwnerOf(j)).Contains(j));
                              }
-                             EXPECT_LE(share.Own().Size(), share.MostOwned());
-                             std::vector<float> held = share.Take(all, 2);
-                             ASSERT_EQ(held.size(), 2 * share.Held().Size());
+                             EXPECT_LE(partition.Own().Size(), partition.MostOwned());
+                             std::vector<float> held = partition.Take(all, 2);
+                             ASSERT_EQ(held.size(), 2 * partition.Held().Size());
                              // Nothing but the own blocks, the halo comes from its owners.
                              std::vector<float> own(held.size(), -1.0f);
-                             for (std::size_t j = share.Own().Begin; j < share.Own().End; ++j)
+                             for (std::size_t j = partition.Own().Begin; j < partition.Own().End;
+                                  ++j)
                              {
-                               own[2 * share.Slot(j)] = all[2 * j];
-                               own[2 * share.Slot(j) + 1] = all[2 * j + 1];
+                               own[2 * partition.Slot(j)] = all[2 * j];
+                               own[2 * partition.Slot(j) + 1] = all[2 * j + 1];
                              }
                              const std::vector<float> alone = own;
-                             share.FillHalo(own, 2);
+                             partition.FillHalo(own, 2);
                              EXPECT_EQ(own, held);
-                             EXPECT_EQ(share.Whole(alone, 2), all);
+                             EXPECT_EQ(partition.Whole(alone, 2), all);
                            }));
     }
   }
@@ -194,7 +195,7 @@ TEST(Ranks, GoOnFromAMotionAndEditItToTheSameBits)
   SpacetimeInput input = Scene(60);
   SpacetimeOptions options = Options();
   options.EditDuration = 0.3;
-  SpacetimeMemory one, two;
+  SpacetimeWarmStart one, two;
   const SpacetimeOutput first = RunScene(input, options, 1, &one);
   ExpectSame(RunOn(2, input, options, &two), first);
   EXPECT_EQ(one.State, two.State);
@@ -281,13 +282,13 @@ TEST(Ranks, ShareTheMemoryOfTheSolver)
   SpacetimeSetup setup;
   ASSERT_TRUE(MakeSetup(Scene(), Options(), setup));
   std::vector<std::size_t> sizes(4);
-  EXPECT_TRUE(RunRanks(4,
-                       [&](Communicator& ranks)
-                       {
-                         const LevelSolver solver(setup, TimeLevel::Full(40, 1), SerialFor(), ranks,
-                                                  6);
-                         const std::size_t size = setup.Model.FrameSize();
-                         sizes[ranks.Rank()] = solver.Share.Take(setup.Start, size).size() / size;
-                       }));
+  EXPECT_TRUE(
+    RunRanks(4,
+             [&](Communicator& ranks)
+             {
+               const LevelSolver solver(setup, TimeLevel::Full(40, 1), SerialFor(), ranks, 6);
+               const std::size_t size = setup.Model.FrameSize();
+               sizes[ranks.Rank()] = solver.Partition.Take(setup.Start, size).size() / size;
+             }));
   EXPECT_EQ(sizes, (std::vector<std::size_t>{ 11, 12, 12, 11 })); // ten each, and the halo
 }

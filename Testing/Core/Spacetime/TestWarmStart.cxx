@@ -32,7 +32,7 @@ std::size_t Iterations(const SpacetimeOutput& output)
 TEST(WarmStart, GoesOnAfterAChangedWeightAndReachesWhatAFreshRunReaches)
 {
   const SpacetimeInput input = Scene();
-  SpacetimeMemory memory;
+  SpacetimeWarmStart memory;
   SpacetimeOptions options = QuickOptions();
   const SpacetimeOutput first = RunScene(input, options, 2, &memory);
   EXPECT_EQ(first.Convergence.front().Stage, "initial");
@@ -69,7 +69,7 @@ TEST(WarmStart, GoesOnAfterAChangedWeightAndReachesWhatAFreshRunReaches)
 TEST(WarmStart, GoesOnInTheStageWhereItWasStopped)
 {
   const SpacetimeInput input = Scene();
-  SpacetimeMemory memory;
+  SpacetimeWarmStart memory;
   StopAt monitor(0.5);
   SpacetimeOutput stopped;
   const Result result =
@@ -88,7 +88,7 @@ TEST(WarmStart, GoesOnInTheStageWhereItWasStopped)
 TEST(WarmStart, SaysSoWhenNothingCanBeBettered)
 {
   const SpacetimeInput input = Scene();
-  SpacetimeMemory memory;
+  SpacetimeWarmStart memory;
   SpacetimeOptions options = QuickOptions();
   options.Tolerance = 0.05;
   SpacetimeOutput output;
@@ -106,7 +106,7 @@ TEST(WarmStart, SaysSoWhenNothingCanBeBettered)
 TEST(WarmStart, TakesInVorticesThatSomebodyMoved)
 {
   SpacetimeInput input = Scene();
-  SpacetimeMemory memory;
+  SpacetimeWarmStart memory;
   SpacetimeOptions options = QuickOptions();
   options.FitVortexFields = false;
   RunScene(input, options, 2, &memory);

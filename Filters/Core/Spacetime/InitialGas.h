@@ -12,7 +12,7 @@ namespace waft
 /// lets the gas of `state` (all frames, gas at rest) run forward in time under its own dynamics and
 /// the external fields, drawn towards that flow. Objects stay where they are. objective: at full
 /// resolution. False when the monitor stopped it or the gas ran away; the gas is then at rest.
-bool StartGas(SpacetimeObjective& objective, const ParallelFor& parallel, Monitor& monitor,
-              StateVector& state);
+bool MakeInitialGas(SpacetimeObjective& objective, const ParallelFor& parallel, Monitor& monitor,
+                    StateVector& state);
 
 } // namespace waft

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Spacetime/FrameShare.h"
+#include "Spacetime/FramePartition.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,10 +8,13 @@
 namespace waft
 {
 
-FrameShare::FrameShare(std::size_t frames) : Count(frames), Owned{ 0, frames }, Kept{ 0, frames } {}
+FramePartition::FramePartition(std::size_t frames) :
+  Count(frames), Owned{ 0, frames }, Kept{ 0, frames }
+{
+}
 
-FrameShare::FrameShare(std::size_t frames, std::size_t halo, Communicator& ranks) :
-  FrameShare(frames)
+FramePartition::FramePartition(std::size_t frames, std::size_t halo, Communicator& ranks) :
+  FramePartition(frames)
 {
   if (ranks.Size() > 1)
   {
@@ -22,29 +25,29 @@ FrameShare::FrameShare(std::size_t frames, std::size_t halo, Communicator& ranks
   }
 }
 
-FrameShare FrameShare::HoldingAll() const
+FramePartition FramePartition::HoldingAll() const
 {
-  FrameShare share = *this;
-  share.Halo = this->Count;
-  share.Kept = { 0, this->Count };
-  return share;
+  FramePartition partition = *this;
+  partition.Halo = this->Count;
+  partition.Kept = { 0, this->Count };
+  return partition;
 }
 
-FrameRange FrameShare::OwnOf(int rank) const
+FrameRange FramePartition::OwnOf(int rank) const
 {
   const auto ranks = static_cast<std::size_t>(this->Ranks->Size());
   const auto r = static_cast<std::size_t>(rank);
   return { this->Count * r / ranks, this->Count * (r + 1) / ranks };
 }
 
-FrameRange FrameShare::HeldOf(int rank) const
+FrameRange FramePartition::HeldOf(int rank) const
 {
   const FrameRange own = this->OwnOf(rank);
   return { own.Begin - std::min(own.Begin, this->Halo),
            std::min(this->Count, own.End + this->Halo) };
 }
 
-int FrameShare::OwnerOf(std::size_t j) const
+int FramePartition::OwnerOf(std::size_t j) const
 {
   int rank = 0;
   while (!this->IsAlone() && !this->OwnOf(rank).Contains(j))
@@ -54,7 +57,7 @@ int FrameShare::OwnerOf(std::size_t j) const
   return rank;
 }
 
-std::size_t FrameShare::MostOwned() const
+std::size_t FramePartition::MostOwned() const
 {
   if (this->IsAlone())
   {
@@ -64,7 +67,7 @@ std::size_t FrameShare::MostOwned() const
   return (this->Count + ranks - 1) / ranks;
 }
 
-void FrameShare::Move(const Part& part, const RangeOf& has, const RangeOf& wants) const
+void FramePartition::Move(const Part& part, const RangeOf& has, const RangeOf& wants) const
 {
   if (this->IsAlone())
   {
@@ -106,7 +109,7 @@ void FrameShare::Move(const Part& part, const RangeOf& has, const RangeOf& wants
   }
 }
 
-void FrameShare::FillHalo(std::vector<float>& held, std::size_t blockSize) const
+void FramePartition::FillHalo(std::vector<float>& held, std::size_t blockSize) const
 {
   const std::size_t size = blockSize * sizeof(float);
   this->Move(
@@ -114,7 +117,7 @@ void FrameShare::FillHalo(std::vector<float>& held, std::size_t blockSize) const
     [this](int r) { return this->HeldOf(r); });
 }
 
-std::vector<float> FrameShare::Take(std::vector<float> all, std::size_t blockSize) const
+std::vector<float> FramePartition::Take(std::vector<float> all, std::size_t blockSize) const
 {
   if (this->Kept.Size() == this->Count)
   {
@@ -125,7 +128,7 @@ std::vector<float> FrameShare::Take(std::vector<float> all, std::size_t blockSiz
   return { at(this->Kept.Begin), at(this->Kept.End) };
 }
 
-std::vector<float> FrameShare::Whole(std::vector<float> held, std::size_t blockSize) const
+std::vector<float> FramePartition::Whole(std::vector<float> held, std::size_t blockSize) const
 {
   if (this->IsAlone())
   {
@@ -140,8 +143,8 @@ std::vector<float> FrameShare::Whole(std::vector<float> held, std::size_t blockS
   return all;
 }
 
-void FrameShare::GatherPoints(const std::vector<std::size_t>& frames,
-                              std::vector<float>& points) const
+void FramePartition::GatherPoints(const std::vector<std::size_t>& frames,
+                                  std::vector<float>& points) const
 {
   if (this->IsAlone() || frames.empty())
   {
@@ -180,7 +183,7 @@ void FrameShare::GatherPoints(const std::vector<std::size_t>& frames,
   }
 }
 
-void FrameShare::BringToFirst(std::size_t j, Communicator::Bytes& bytes) const
+void FramePartition::BringToFirst(std::size_t j, Communicator::Bytes& bytes) const
 {
   const int owner = this->OwnerOf(j);
   if (this->IsAlone() || owner == 0)
@@ -202,8 +205,8 @@ void FrameShare::BringToFirst(std::size_t j, Communicator::Bytes& bytes) const
   }
 }
 
-void FrameShare::Exchange(StateArchive& stream, std::vector<float>& held,
-                          std::size_t blockSize) const
+void FramePartition::Exchange(StateArchive& stream, std::vector<float>& held,
+                              std::size_t blockSize) const
 {
   if (this->IsAlone())
   {
@@ -224,13 +227,13 @@ void FrameShare::Exchange(StateArchive& stream, std::vector<float>& held,
   std::vector<float> block(blockSize);
   for (std::size_t j = 0; j < this->Count; ++j)
   {
-    const auto place = static_cast<std::ptrdiff_t>(this->Slot(j) * blockSize);
+    const auto offset = static_cast<std::ptrdiff_t>(this->Slot(j) * blockSize);
     if (!stream.IsReading())
     {
       Communicator::Bytes bytes;
       if (this->Owned.Contains(j))
       {
-        const char* first = reinterpret_cast<const char*>(held.data() + place);
+        const char* first = reinterpret_cast<const char*>(held.data() + offset);
         bytes.assign(first, first + size);
       }
       this->BringToFirst(j, bytes);
@@ -240,7 +243,7 @@ void FrameShare::Exchange(StateArchive& stream, std::vector<float>& held,
     stream.Raw(block.data(), size);
     if (this->Kept.Contains(j))
     {
-      std::copy_n(block.begin(), blockSize, held.begin() + place);
+      std::copy_n(block.begin(), blockSize, held.begin() + offset);
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What brakes a light thing just above a surface: the air that it has to press out of the way,
-// a film far thinner than the gas particles are apart.
+// A damping force that takes the speed along a surface's normal from an object that is about to
+// land there: it stands for the air that the object has to press out of the way, a film far thinner
+// than the gas particles are apart.
 #pragma once
 
 #include "Spacetime/SpacetimeModel.h"
@@ -11,7 +12,7 @@ namespace waft
 {
 
 /// An acceleration [dx / frame^2] with its derivatives by position and velocity.
-struct CushionForce
+struct DampingForce
 {
   Vec3 Acceleration = Vec3::Zero();
   Eigen::Matrix3d ByPosition = Eigen::Matrix3d::Zero(); // row: component of the acceleration
@@ -25,7 +26,7 @@ struct CushionForce
 /// with r = h / b and the step s to the next frame. From far above down to rest that takes 1.13 u
 /// of the speed, most of it over the height b and as the root of the height: as plans come down. It
 /// takes no more than all of the speed in a step.
-CushionForce LandingCushion(const SpacetimeModel& model, int frame, double step, std::size_t object,
+DampingForce LandingDamping(const SpacetimeModel& model, int frame, double step, std::size_t object,
                             const Vec3& position, const Vec3& velocity);
 
 } // namespace waft

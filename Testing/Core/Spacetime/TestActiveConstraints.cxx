@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Directions along touched balls.
-#include "Spacetime/TouchedBalls.h"
+#include "Spacetime/ActiveConstraints.h"
 
 #include "Spacetime/SpacetimeSetup.h"
 #include "Spacetime/TimeLevels.h"
@@ -32,13 +32,13 @@ SpacetimeSetup TwoObjects()
 
 } // namespace
 
-TEST(TouchedBalls, AreFollowedByTheWholeTimeLine)
+TEST(ActiveConstraints, AreFollowedByTheWholeTimeLine)
 {
   const SpacetimeSetup setup = TwoObjects();
   const SpacetimeModel& model = setup.Model;
   const TimeLevel level = TimeLevel::Full(Frames, 1);
   const TimelinePreconditioner preconditioner(model, level, SerialFor());
-  TouchedBalls balls(model, FrameShare(Frames));
+  ActiveConstraints balls(model, FramePartition(Frames));
   balls.Add(8, 1);
   balls.Add(11, 1);
   balls.Add(9, 0); // not touched
@@ -92,13 +92,13 @@ TEST(TouchedBalls, AreFollowedByTheWholeTimeLine)
   EXPECT_LT(dot(press, solved(press)), 1e-4 * dot(press, free));
 }
 
-TEST(TouchedBalls, BringAllOfAPathThatMissesThem)
+TEST(ActiveConstraints, BringAllOfAPathThatMissesThem)
 {
   const SpacetimeSetup setup = TwoObjects();
   const SpacetimeModel& model = setup.Model;
   const TimeLevel level = TimeLevel::Full(Frames, 1);
   const TimelinePreconditioner preconditioner(model, level, SerialFor());
-  TouchedBalls balls(model, FrameShare(Frames));
+  ActiveConstraints balls(model, FramePartition(Frames));
   balls.Add(8, 1);
   balls.Add(12, 1);
   balls.Add(9, 0); // not missed

@@ -2,7 +2,7 @@
 // Descent along the user's balls that an object's path touches.
 #pragma once
 
-#include "Spacetime/FrameShare.h"
+#include "Spacetime/FramePartition.h"
 #include "Spacetime/StateVector.h"
 #include "Spacetime/TimelinePreconditioner.h"
 
@@ -16,10 +16,10 @@ namespace waft
 /// the ball with a jerk. It is projected in the metric of M, so that the object's whole time line
 /// goes along: d - M^-1 A^T (A M^-1 A^T)^-1 A d, a row of A for each touched ball. A path that is
 /// outside balls is brought to them likewise.
-class TouchedBalls
+class ActiveConstraints
 {
 public:
-  TouchedBalls(const SpacetimeModel& model, const FrameShare& share);
+  ActiveConstraints(const SpacetimeModel& model, const FramePartition& partition);
 
   /// A ball about an object's place at a level frame. All ranks add the same, in the same order.
   void Add(std::size_t frame, std::size_t object);
@@ -42,7 +42,7 @@ private:
                 const std::vector<double>& beyond, StateVector& vector) const;
 
   const SpacetimeModel& Model;
-  FrameShare Share;
+  FramePartition Partition;
   std::vector<std::size_t> Frames, Objects;
   std::vector<float> Normals;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Spacetime/GroundCushion.h"
+#include "Spacetime/LandingDamping.h"
 
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace
 // Shaped so that what settles in still air comes down as plans do: its speed falls as the root of
 // the height, evenly in time, from about the height from which plans brake.
 constexpr double Strength = 0.6;
-constexpr double CoreShare = 0.02; // of the height from which it brakes, where it is stiffest
+constexpr double CoreFraction = 0.02; // of the height from which it brakes, where it is stiffest
 
 struct Surface
 {
@@ -29,10 +29,10 @@ Surface ObstacleSurface(const SpacetimeModel& model, int frame, const Vec3& posi
 
 } // namespace
 
-CushionForce LandingCushion(const SpacetimeModel& model, int frame, double step, std::size_t object,
+DampingForce LandingDamping(const SpacetimeModel& model, int frame, double step, std::size_t object,
                             const Vec3& position, const Vec3& velocity)
 {
-  CushionForce force;
+  DampingForce force;
   const std::uint8_t flag = model.Flag(frame, object);
   if (!(flag & (LandsOnFloor | LandsOnObstacle)) || (flag & LiftsOff))
   {
@@ -50,11 +50,11 @@ CushionForce LandingCushion(const SpacetimeModel& model, int frame, double step,
     surface = ObstacleSurface(model, frame, position);
   }
   const double height = surface.Distance - model.Clearances[object].RestHeight;
-  const double share = height / brake;
-  const double near = share * share + CoreShare * CoreShare;
-  const double far = 1.0 + share * share * share * share;
+  const double r = height / brake;
+  const double near = r * r + CoreFraction * CoreFraction;
+  const double far = 1.0 + r * r * r * r;
   const double free = Strength * model.SettlingSlip(object) / brake / (std::pow(near, 0.25) * far);
-  const double fall = -(0.5 * share / near + 4.0 * share * share * share / far) / brake;
+  const double fall = -(0.5 * r / near + 4.0 * r * r * r / far) / brake;
   // As a step implicit in this drag would have it. An explicit one takes more than all of the speed
   // and throws the object back.
   const double rate = free / (1.0 + step * free);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Spacetime/TouchedBalls.h"
+#include "Spacetime/ActiveConstraints.h"
 
 #include <Eigen/Cholesky>
 
@@ -28,26 +28,26 @@ bool IsZero(const Vec3& v)
 
 } // namespace
 
-TouchedBalls::TouchedBalls(const SpacetimeModel& model, const FrameShare& share) :
-  Model(model), Share(share)
+ActiveConstraints::ActiveConstraints(const SpacetimeModel& model, const FramePartition& partition) :
+  Model(model), Partition(partition)
 {
 }
 
-void TouchedBalls::Add(std::size_t frame, std::size_t object)
+void ActiveConstraints::Add(std::size_t frame, std::size_t object)
 {
   this->Frames.push_back(frame);
   this->Objects.push_back(object);
   this->Normals.insert(this->Normals.end(), 3, 0.0f);
 }
 
-void TouchedBalls::Touch(std::vector<float> normals)
+void ActiveConstraints::Touch(std::vector<float> normals)
 {
   this->Normals = std::move(normals);
-  this->Share.GatherPoints(this->Frames, this->Normals);
+  this->Partition.GatherPoints(this->Frames, this->Normals);
 }
 
-void TouchedBalls::Project(const TimelinePreconditioner& preconditioner,
-                           StateVector& direction) const
+void ActiveConstraints::Project(const TimelinePreconditioner& preconditioner,
+                                StateVector& direction) const
 {
   const std::size_t stride = this->Model.Stride();
   const std::vector<Vec3> normals = Vectors(this->Normals);
@@ -59,13 +59,13 @@ void TouchedBalls::Project(const TimelinePreconditioner& preconditioner,
   for (std::size_t k = 0; k < this->Size(); ++k)
   {
     const std::size_t j = this->Frames[k];
-    for (int c = 0; c < 3 && this->Share.Own().Contains(j); ++c)
+    for (int c = 0; c < 3 && this->Partition.Own().Contains(j); ++c)
     {
-      moves[3 * k + c] = direction[this->Share.Slot(j) * this->Model.FrameSize() + c * stride +
+      moves[3 * k + c] = direction[this->Partition.Slot(j) * this->Model.FrameSize() + c * stride +
                                    this->Model.NumberOfGas + this->Objects[k]];
     }
   }
-  this->Share.GatherPoints(this->Frames, moves);
+  this->Partition.GatherPoints(this->Frames, moves);
   const std::vector<Vec3> steps = Vectors(moves);
   std::vector<double> beyond(this->Size());
   for (std::size_t k = 0; k < this->Size(); ++k)
@@ -75,10 +75,10 @@ void TouchedBalls::Project(const TimelinePreconditioner& preconditioner,
   this->TakeAway(preconditioner, normals, beyond, direction);
 }
 
-void TouchedBalls::Enter(const TimelinePreconditioner& preconditioner,
-                         std::vector<float> overshoots, StateVector& state) const
+void ActiveConstraints::Enter(const TimelinePreconditioner& preconditioner,
+                              std::vector<float> overshoots, StateVector& state) const
 {
-  this->Share.GatherPoints(this->Frames, overshoots);
+  this->Partition.GatherPoints(this->Frames, overshoots);
   std::vector<Vec3> normals = Vectors(overshoots);
   std::vector<double> beyond(this->Size(), 0.0);
   for (std::size_t k = 0; k < this->Size(); ++k)
@@ -92,9 +92,9 @@ void TouchedBalls::Enter(const TimelinePreconditioner& preconditioner,
   this->TakeAway(preconditioner, normals, beyond, state);
 }
 
-void TouchedBalls::TakeAway(const TimelinePreconditioner& preconditioner,
-                            const std::vector<Vec3>& normals, const std::vector<double>& beyond,
-                            StateVector& vector) const
+void ActiveConstraints::TakeAway(const TimelinePreconditioner& preconditioner,
+                                 const std::vector<Vec3>& normals,
+                                 const std::vector<double>& beyond, StateVector& vector) const
 {
   std::map<std::size_t, std::vector<std::size_t>> touched; // by object
   for (std::size_t k = 0; k < this->Size(); ++k)
@@ -125,9 +125,9 @@ void TouchedBalls::TakeAway(const TimelinePreconditioner& preconditioner,
     for (Eigen::Index a = 0; a < n; ++a)
     {
       const Vec3 force = forces[a] * normals[balls[a]];
-      for (std::size_t j = this->Share.Own().Begin; j < this->Share.Own().End; ++j)
+      for (std::size_t j = this->Partition.Own().Begin; j < this->Partition.Own().End; ++j)
       {
-        float* p = vector.data() + this->Share.Slot(j) * this->Model.FrameSize() +
+        float* p = vector.data() + this->Partition.Slot(j) * this->Model.FrameSize() +
                    this->Model.NumberOfGas + object;
         for (int c = 0; c < 3; ++c)
         {

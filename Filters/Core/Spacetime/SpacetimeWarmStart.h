@@ -10,7 +10,7 @@ namespace waft
 {
 
 /// What a run leaves for the next one, which goes on from it when the same unknowns are asked for.
-struct SpacetimeMemory
+struct SpacetimeWarmStart
 {
   ProblemDigest Digest;
   StateVector State;            // all frames, gas and objects, as exported [dx]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Spacetime/GasStart.h"
+#include "Spacetime/InitialGas.h"
 
 #include "Base/FractionDone.h"
 #include "Spacetime/SplineFit.h"
@@ -40,7 +40,7 @@ double LostStrength(const SplineWind& flow, const std::vector<SplineSamples>& sa
     {
       if (!sample.Value.isZero()) // an object's
       {
-        const Vec3 u = SampleField(flow, sample.Place, frame.Frame);
+        const Vec3 u = SampleField(flow, sample.Position, frame.Frame);
         product += u.dot(sample.Value);
         square += u.squaredNorm();
       }
@@ -65,7 +65,7 @@ SplineWind FitFlow(const SpacetimeModel& model, const TimeLevel& level, const St
         continue;
       }
       SplineSamples::Sample sample;
-      sample.Place = Row(here, stride, model.NumberOfGas + o);
+      sample.Position = Row(here, stride, model.NumberOfGas + o);
       sample.Value = Row(here + 3 * stride, stride, model.NumberOfGas + o);
       sample.Value.z() += model.SettlingSlip(o);
       samples[j].Samples.push_back(sample);
@@ -74,9 +74,9 @@ SplineWind FitFlow(const SpacetimeModel& model, const TimeLevel& level, const St
     for (std::size_t i = j % every; i < model.NumberOfGas; i += every)
     {
       SplineSamples::Sample sample;
-      sample.Place = Row(here, stride, i);
-      const bool atWall = (sample.Place.array() < WallReach).any() ||
-                          ((model.Size - sample.Place).array() < WallReach).any();
+      sample.Position = Row(here, stride, i);
+      const bool atWall = (sample.Position.array() < WallReach).any() ||
+                          ((model.Size - sample.Position).array() < WallReach).any();
       sample.Weight = every * (atWall ? WallWeight : StillWeight);
       samples[j].Samples.push_back(sample);
     }
@@ -97,8 +97,8 @@ SplineWind FitFlow(const SpacetimeModel& model, const TimeLevel& level, const St
 
 } // namespace
 
-bool StartGas(SpacetimeObjective& objective, const ParallelFor& parallel, Monitor& monitor,
-              StateVector& state)
+bool MakeInitialGas(SpacetimeObjective& objective, const ParallelFor& parallel, Monitor& monitor,
+                    StateVector& state)
 {
   const SpacetimeModel& model = objective.Model();
   const TimeLevel& level = objective.Level();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Frames of a time level, shared out among ranks: a rank owns a range of them and holds those
+// Frames of a time level, divided among ranks: a rank owns a range of them and holds those
 // beside it too.
 #pragma once
 
@@ -20,18 +20,18 @@ struct FrameRange
   bool Contains(std::size_t j) const { return j >= this->Begin && j < this->End; }
 };
 
-/// Vectors of a share have one block for each frame that is held, in order. What is said of all
+/// Vectors of a partition have one block for each frame that is held, in order. What is said of all
 /// ranks (Gather, FillHalo and whatever calls them) all must call.
-class FrameShare
+class FramePartition
 {
 public:
   /// All frames, of the only rank.
-  FrameShare(std::size_t frames);
+  FramePartition(std::size_t frames);
   /// halo: frames held to either side of the own ones. More ranks than frames leave some without.
-  /// The communicator must outlive the share.
-  FrameShare(std::size_t frames, std::size_t halo, Communicator& ranks);
+  /// The communicator must outlive the partition.
+  FramePartition(std::size_t frames, std::size_t halo, Communicator& ranks);
   /// The same frames owned, all held.
-  FrameShare HoldingAll() const;
+  FramePartition HoldingAll() const;
 
   bool IsAlone() const { return this->Ranks == nullptr; }
   /// Of all ranks; not to be asked for where IsAlone.
@@ -40,7 +40,7 @@ public:
   std::size_t Frames() const { return this->Count; }
   const FrameRange& Own() const { return this->Owned; }
   const FrameRange& Held() const { return this->Kept; }
-  /// Place of a frame's block in a vector.
+  /// Index of a frame's block in a vector.
   std::size_t Slot(std::size_t j) const { return j - this->Kept.Begin; }
   FrameRange OwnOf(int rank) const;
   FrameRange HeldOf(int rank) const;
