@@ -20,6 +20,19 @@ constexpr std::size_t FollowedStarts = 3; // the cheapest by then
 constexpr int FollowedIterations = 24;    // the air changes anyhow before the last drift
 constexpr int HarderPushes = 3;
 constexpr int ContactPasses = 8;
+// Of the sharpest bend of a path, what giving way may make of it: a body between others would
+// rather jump out from between them than come a centimetre too near.
+constexpr double SharpestGivingWay = 1.5;
+
+double SharpestBend(const std::vector<Vec3>& path)
+{
+  double sharpest = 0.0;
+  for (std::size_t f = 1; f + 1 < path.size(); ++f)
+  {
+    sharpest = std::max(sharpest, (path[f - 1] - 2.0 * path[f] + path[f + 1]).norm());
+  }
+  return sharpest;
+}
 
 } // namespace
 
@@ -58,7 +71,9 @@ Result AssimilationRun::FirstDrift()
           const int latest = drifter.LandingFrame(l);
           const int earliest = drifter.EarliestTouchDown(l, spread);
           const int step = std::max(1, static_cast<int>(std::lround(rate / 2.0)));
-          double least = this->CostOf(drifter, air, this->Paths[o]);
+          const auto judged = [&](const std::vector<Vec3>& path)
+          { return this->JudgementOf(drifter, this->CostOf(drifter, air, path), path); };
+          Judgement least = judged(this->Paths[o]);
           int best = latest;
           int last = latest;
           std::vector<Vec3> path = this->Paths[o];
@@ -69,10 +84,10 @@ Result AssimilationRun::FirstDrift()
             path = this->BestDrift(
               drifter, air, { drifter.Hastened(path, l, last), drifter.Starts(air, 0).back() });
             last = frame;
-            const double cost = this->CostOf(drifter, air, path);
-            if (cost < least)
+            const Judgement now = judged(path);
+            if (now < least)
             {
-              least = cost;
+              least = now;
               best = frame;
               this->Paths[o] = path;
             }
@@ -95,19 +110,29 @@ std::vector<Vec3> AssimilationRun::BestDrift(const Drifter& drifter, const AirSa
                                              std::vector<std::vector<Vec3>> paths) const
 {
   const DriftProblem problem = drifter.Problem();
-  std::vector<std::pair<double, std::size_t>> order;
+  std::vector<std::pair<Judgement, std::size_t>> order;
+  const auto follow = [&](std::size_t k, int iterations)
+  {
+    const double cost = SolveDrift(problem, air, this->Weights(), iterations, paths[k]).Cost;
+    return this->JudgementOf(drifter, cost, paths[k]);
+  };
   for (std::size_t k = 0; k < paths.size(); ++k)
   {
-    order.emplace_back(SolveDrift(problem, air, this->Weights(), FurtherIterations, paths[k]).Cost,
-                       k);
+    order.emplace_back(follow(k, FurtherIterations), k);
   }
   std::sort(order.begin(), order.end());
   order.resize(std::min((order.size() + 2) / 3, FollowedStarts));
-  for (auto& [cost, k] : order)
+  for (auto& [judgement, k] : order)
   {
-    cost = SolveDrift(problem, air, this->Weights(), FollowedIterations, paths[k]).Cost;
+    judgement = follow(k, FollowedIterations);
   }
   return paths[std::min_element(order.begin(), order.end())->second];
+}
+
+AssimilationRun::Judgement AssimilationRun::JudgementOf(const Drifter& drifter, double cost,
+                                                        const std::vector<Vec3>& path) const
+{
+  return { static_cast<bool>(this->Scene.Solids) && drifter.PassesThrough(path), cost };
 }
 
 std::vector<char> AssimilationRun::FindNeighbours()
@@ -132,6 +157,11 @@ void AssimilationRun::DriftOn(int iterations)
 void AssimilationRun::KeepApart()
 {
   DriftWeights weights = this->Weights();
+  std::vector<double> allowed;
+  for (const std::vector<Vec3>& path : this->Paths)
+  {
+    allowed.push_back(SharpestGivingWay * SharpestBend(path));
+  }
   for (int pass = 0; pass < ContactPasses; ++pass)
   {
     const std::vector<char> touches = this->FindNeighbours();
@@ -140,7 +170,15 @@ void AssimilationRun::KeepApart()
       return;
     }
     weights.Barrier *= 2.0;
+    const std::vector<std::vector<Vec3>> before = this->Paths;
     this->Drift(FurtherIterations, weights, touches);
+    for (std::size_t o = 0; o < before.size(); ++o)
+    {
+      if (SharpestBend(this->Paths[o]) > allowed[o])
+      {
+        this->Paths[o] = before[o];
+      }
+    }
   }
 }
 

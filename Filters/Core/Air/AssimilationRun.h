@@ -65,8 +65,20 @@ private:
   DriftWeights Weights() const;
   /// From several starts and to several touch-downs; the least control is kept.
   Result FirstDrift();
+  /// Of two paths the one that judges less goes on.
+  struct Judgement
+  {
+    bool PassesThrough = false; // an obstacle: barriers ask at frames alone, a wall may be thinner
+    double Cost = 0.0;
+    bool operator<(const Judgement& other) const
+    {
+      return this->PassesThrough != other.PassesThrough ? other.PassesThrough
+                                                        : this->Cost < other.Cost;
+    }
+  };
+  Judgement JudgementOf(const Drifter& drifter, double cost, const std::vector<Vec3>& path) const;
   double CostOf(const Drifter& drifter, const AirSampler& air, std::vector<Vec3> path) const;
-  /// The path of least cost that a search from one of `paths` comes to.
+  /// The best path that a search from one of `paths` comes to.
   std::vector<Vec3> BestDrift(const Drifter& drifter, const AirSampler& air,
                               std::vector<std::vector<Vec3>> paths) const;
   /// Tells each drifter what is too near to it; who has such neighbours.

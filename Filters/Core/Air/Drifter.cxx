@@ -274,15 +274,21 @@ std::vector<Vec3> Drifter::Hastened(const std::vector<Vec3>& path, std::size_t l
   return hastened;
 }
 
-std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air, int strayed) const
+std::vector<Vec3> Drifter::HastenedPlan() const
 {
-  const std::size_t frames = this->Planned.size();
-  const std::vector<int> marks = this->Marks();
   std::vector<Vec3> planned = this->Planned;
   for (std::size_t l = 0; l < this->Landings.size(); ++l)
   {
     planned = this->Hastened(planned, l, this->Latest[l]);
   }
+  return planned;
+}
+
+std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air, int strayed) const
+{
+  const std::size_t frames = this->Planned.size();
+  const std::vector<int> marks = this->Marks();
+  const std::vector<Vec3> planned = this->HastenedPlan();
   std::vector<Vec3> straight = planned;
   std::vector<Vec3> drifting = planned;
   const double step = this->Place.Scene.Time.Step();
@@ -404,6 +410,20 @@ PathClearance Drifter::Around() const
            ClearanceSlack * this->Place.Scene.Bounds.Width() };
 }
 
+bool Drifter::PassesThrough(const std::vector<Vec3>& path) const
+{
+  for (std::size_t f = 0; f + 1 < path.size(); ++f)
+  {
+    const auto frame = static_cast<double>(f);
+    const int landedOn = RequiredClearance(this->Body, this->Landings, frame + 0.5).Exempt;
+    if (!this->Place.Obstacles.IsClear(path[f], frame, path[f + 1], frame + 1.0, 0.0, landedOn))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 bool Drifter::IsClear(std::vector<Vec3> path) const
 {
   this->MeetRows(path);
@@ -420,7 +440,7 @@ bool Drifter::MakeExact(std::vector<Vec3>& path) const
   }
   const PathFreedom freedom{ weights, this->Place.Scene.Time.Step(),
                              [this](std::vector<Vec3>& x) { this->MeetRows(x); } };
-  return ResolveClearance(this->Around(), freedom, this->Planned, path);
+  return ResolveClearance(this->Around(), freedom, this->HastenedPlan(), path);
 }
 
 } // namespace waft

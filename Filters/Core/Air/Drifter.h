@@ -75,6 +75,8 @@ public:
   std::vector<Vec3> Hastened(const std::vector<Vec3>& path, std::size_t landing,
                              int touchDown) const;
 
+  /// Whether the centre goes through an obstacle.
+  bool PassesThrough(const std::vector<Vec3>& path) const;
   /// Meets fixed frames, balls, velocities and accelerations to the last bit and keeps clear. False
   /// where it is nearer to something than it may.
   bool MakeExact(std::vector<Vec3>& path) const;
@@ -83,6 +85,8 @@ public:
 
 private:
   std::vector<int> Marks() const; // fixed frames
+  /// The plan, brought to the touch-downs as they are set.
+  std::vector<Vec3> HastenedPlan() const;
   std::vector<Vec3> Strayed(std::vector<Vec3> path, const std::vector<int>& marks,
                             Random& random) const;
   void FixFrames();
