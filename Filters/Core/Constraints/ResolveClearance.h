@@ -12,6 +12,18 @@
 namespace waft
 {
 
+/// Near a mark that itself lies closer to something than the radius, only the mark's own clearance
+/// can be asked for.
+struct TightMark
+{
+  Vec3 Position = Vec3::Zero();
+  double Distance = 0.0; // its clearance [m]
+};
+
+/// What a rule asks for on the way from a to b [m]: its radius, less next to tight marks.
+double Required(const ClearanceRule& rule, const std::vector<TightMark>& tight, const Vec3& a,
+                const Vec3& b);
+
 /// What the path of an object keeps clear of from each frame to the next: obstacles, walls and
 /// ground; around a landing its surface counts by the RestHeight (Rest.h).
 struct PathClearance
@@ -21,11 +33,16 @@ struct PathClearance
   const std::vector<LandingWindow>& Landings;
   ClearanceRule Rule;
   double Slack = 0.0; // m: a path that is nearer by less counts as clear
+  std::vector<TightMark> TightMarks = {};
 
+  /// What holds on the way from a to b, the slack taken off.
+  ClearanceRule RuleOn(const Vec3& a, const Vec3& b) const;
   /// Frames k from which the way to k + 1 is not clear.
   std::vector<std::size_t> BlockedSteps(const std::vector<Vec3>& path) const;
-  /// The way out to all that is asked for at a frame, zero where it is kept [m].
-  Vec3 Lacking(const Vec3& x, double frame) const;
+  /// By frame, the way out to all that is asked for, of a path whose `blocked` steps are not clear
+  /// [m].
+  std::vector<Vec3> Lacking(const std::vector<Vec3>& path,
+                            const std::vector<std::size_t>& blocked) const;
 };
 
 /// In what way a path may be changed.
@@ -35,6 +52,11 @@ struct PathFreedom
   double FrameStep = 1.0;      // s
   /// Brings a path that was changed back to all that it is to meet exactly.
   std::function<void(std::vector<Vec3>&)> MeetRows;
+  int Rounds = 8;      // of pushing
+  double Beyond = 0.0; // m, pushed farther than what is asked for
+  int Reach = 15;      // frames to either side over which a push comes and goes
+  /// Takes up pushes, one a frame [m]. None: each frame is moved by its weight.
+  std::function<void(const std::vector<Vec3>& pushes, std::vector<Vec3>& path)> Yield = {};
 };
 
 /// Where the path is not clear it is moved away from the obstacles, smoothly in time, and where

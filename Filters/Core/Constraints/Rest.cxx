@@ -10,7 +10,6 @@ namespace
 {
 
 constexpr double SteepestNormal = 0.1; // z of the normal, 84 degrees
-constexpr double LandingSlack = 1e-6;  // m: a resting centre lies at its distance up to rounding
 
 /// Samples of the centre against the obstacle it lands on.
 bool StaysAbove(const ObstacleSet& obstacles, int obstacleId, double distance, const Vec3& a,

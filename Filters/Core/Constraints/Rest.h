@@ -15,6 +15,8 @@ namespace waft
 
 /// [s] in which a thing that settles is braked to rest, as on a cushion of air.
 constexpr double CushionTime = 1.0 / 3.0;
+/// [m] by which a resting centre may miss its distance, for rounding.
+constexpr double LandingSlack = 1e-6;
 
 /// The centre of a body that lies on the first surface straight below `value` at a frame: x and y
 /// are the value's, the height is the surface's plus restHeight / normal.z, so that a body lying in
@@ -57,14 +59,14 @@ Clearance RequiredClearance(const ClearanceRule& rule, const std::vector<Landing
                             double frame);
 
 /// Swept version: from a at frameA to b at frameB, frameA <= frameB, split where a window begins or
-/// ends. Within a window the centre keeps its LandingDistance (less 1e-6 m for rounding) from the
+/// ends. Within a window the centre keeps its LandingDistance (less LandingSlack) from the
 /// exempt obstacle, looked at in at least 8 places a frame. Walls are not looked at.
 bool IsMotionClear(const ObstacleSet& obstacles, const ClearanceRule& rule,
                    const std::vector<LandingWindow>& windows, const Vec3& a, double frameA,
                    const Vec3& b, double frameB);
 
 /// True when x keeps the clearance's radius from the sides and the top of the volume and from its
-/// floor; during a landing LandingDistance (less 1e-6 m) is enough from the floor.
+/// floor; during a landing LandingDistance (less LandingSlack) is enough from the floor.
 bool KeepsInside(const Box& volume, const Clearance& clearance, const Vec3& x);
 
 } // namespace waft

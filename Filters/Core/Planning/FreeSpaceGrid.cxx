@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/FreeSpaceGrid.h"
 
+#include "Planning/ClearanceField.h"
 #include "Planning/PlannerNumbers.h"
 
 #include <algorithm>

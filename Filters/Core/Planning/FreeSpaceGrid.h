@@ -2,7 +2,7 @@
 // A coarse map of where a body of one size fits, to lead the trees through mazes.
 #pragma once
 
-#include "Constraints/Clearance.h"
+#include "Obstacles/ObstacleSet.h"
 
 #include <array>
 #include <atomic>

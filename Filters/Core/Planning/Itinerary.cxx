@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/Itinerary.h"
 
-#include "Constraints/Rest.h"
 #include "Planning/PlannerNumbers.h"
 
 #include <algorithm>
@@ -21,38 +20,16 @@ public:
     this->Marks[0].Position = object.Position;
   }
 
-  /// windows: the object's landings; this rest has none where nothing is below it.
-  void AddRest(const Constraint& row, int index, const std::vector<LandingWindow>& windows)
+  /// landing: where it lies then.
+  void AddRest(const Constraint& row, int index, const LandingWindow& landing)
   {
     Mark mark;
     mark.Frame = row.Frame;
     mark.Until = std::clamp(row.Until, row.Frame, this->Scene.Time.NumberOfFrames - 1);
     mark.IsRest = true;
     mark.Constraint = index;
-    // Nothing below: the floor of the volume.
-    mark.Position = row.Value;
-    mark.Position.z() = this->Scene.Bounds.Min.z() + this->Object.RestHeight;
-    ContactStretch contact;
-    contact.Constraint = index;
-    contact.FirstFrame = row.Frame - this->Scene.Time.FramesPerSecond;
-    contact.LastFrame = row.Until + this->Scene.Time.FramesPerSecond;
-    for (const LandingWindow& window : windows)
-    {
-      if (window.Row == row.Row && window.Target == row.Target && window.Frame == row.Frame)
-      {
-        mark.Position = window.Centre;
-        contact.FirstFrame = window.First;
-        contact.LastFrame = window.Last;
-        contact.Surface = window.ObstacleId;
-        contact.Normal = window.Normal;
-      }
-    }
-    contact.Centre = mark.Position;
-    if (row.Frame == 0)
-    {
-      mark.Position = this->Object.Position;
-    }
-    this->Result.Contacts.push_back(contact);
+    mark.Position = row.Frame == 0 ? this->Object.Position : landing.Centre;
+    this->Result.Landings.push_back(landing);
     this->Marks[mark.Frame] = mark;
   }
 
@@ -198,7 +175,15 @@ Itinerary MakeItinerary(const MotionObject& object, const std::vector<Constraint
   ItineraryMaker maker(object, scene);
   for (const std::size_t i : rests)
   {
-    maker.AddRest(rows[i], static_cast<int>(i), windows);
+    for (const LandingWindow& window : windows)
+    {
+      if (window.Row == rows[i].Row && window.Target == rows[i].Target &&
+          window.Frame == rows[i].Frame)
+      {
+        maker.AddRest(rows[i], static_cast<int>(i), window);
+        break;
+      }
+    }
   }
   for (const std::size_t i : positions)
   {

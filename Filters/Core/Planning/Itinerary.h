@@ -3,8 +3,8 @@
 #pragma once
 
 #include "Base/Motion.h"
-#include "Constraints/Clearance.h"
 #include "Constraints/Constraint.h"
+#include "Constraints/Rest.h"
 #include "Constraints/Warp.h"
 #include "Planning/Guide.h"
 
@@ -35,8 +35,8 @@ struct MotionRow
 
 struct Itinerary
 {
-  std::vector<Mark> Marks; // by frame, the first at frame 0
-  std::vector<ContactStretch> Contacts;
+  std::vector<Mark> Marks;             // by frame, the first at frame 0
+  std::vector<LandingWindow> Landings; // of the rests among the marks
   std::vector<MotionRow> Rows;
   GuideWay Way; // empty: none
 
@@ -44,7 +44,8 @@ struct Itinerary
   void Follow(const std::vector<Vec3>& points, double radius, const SceneInfo& scene);
 };
 
-/// rows: all constraints of the scene; isUsed: one a row, those that are false are passed over.
+/// rows: all constraints of the scene; isUsed: one a row, those that are false are passed over, and
+/// so are rests with nothing below.
 /// Where two rows speak of one frame the tighter one counts.
 Itinerary MakeItinerary(const MotionObject& object, const std::vector<Constraint>& rows,
                         const std::vector<unsigned char>& isUsed, const ObstacleSet& obstacles,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/ObjectPlan.h"
 
-#include "Constraints/Repair.h"
 #include "Planning/ObjectProgress.h"
 #include "Planning/PlannerNumbers.h"
 #include "Planning/Seams.h"
@@ -145,7 +144,6 @@ void ObjectPlanner::PlanFlight(std::size_t from, int lastFrame, int attempt)
   {
     request.Goal = this->EndAt(from + 1, true);
     request.GoalRadius = marks[from + 1].Radius;
-    request.GoalConstraint = marks[from + 1].Constraint;
     request.GoesOn = !brakes && lastFrame + 1 < this->Scene.Time.NumberOfFrames;
   }
   else
@@ -268,10 +266,13 @@ ObjectPlan ObjectPlanner::Run()
     static_cast<int>(std::lround(this->Scene.Time.FramesPerSecond / PlannerNumbers::SeamRate));
   const std::vector<Vec3> united =
     UniteFlights(this->Now.Seams, reach, this->Now.Way.Rows, this->Now.Warp);
-  this->Now.Plan.Positions = RepairPath(this->Now.Field, this->Now.Warp, this->Options.Tolerance,
-                                        PlannerNumbers::RepairAllowance * this->Library.TopStep(),
-                                        united, this->Now.Warp.Rows.empty() ? separate : united,
-                                        this->Now.Plan.WorstSlack, this->Now.Plan.WorstFrame);
+  ClearPathOptions clearing;
+  clearing.Tolerance = this->Options.Tolerance;
+  clearing.MostStep = PlannerNumbers::RepairAllowance * this->Library.TopStep();
+  clearing.FrameStep = this->Scene.Time.Step();
+  this->Now.Plan.Positions =
+    ClearPath(this->Now.Field, this->Now.Warp, clearing, united,
+              this->Now.Warp.Rows.empty() ? separate : united, this->Now.Plan.Shortfall);
   return std::move(this->Now.Plan);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Constraints/Constraint.h"
+#include "Planning/ClearPath.h"
 #include "Planning/Itinerary.h"
 #include "Planning/SpanPlan.h"
 #include "Planning/Vortices.h"
@@ -48,9 +49,8 @@ struct ObjectPlan
   std::vector<UseSample> Samples; // one a frame
   std::vector<MarkOutcome> Outcomes;
   std::vector<SpanTrees> Spans;
-  double WorstSlack = 0.0; // of the swept centre against what is required [m]
-  int WorstFrame = -1;
-  double Seconds = 0.0; // spent on all of it
+  PathShortfall Shortfall; // of the clearance
+  double Seconds = 0.0;    // spent on all of it
 };
 
 ObjectPlan PlanObject(const SegmentLibrary& library, const MotionObject& object,

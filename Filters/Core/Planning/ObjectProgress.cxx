@@ -16,7 +16,7 @@ ObjectProgress::ObjectProgress(const MotionObject& object, const Itinerary& itin
   this->Field.Obstacles = &obstacles;
   this->Field.Bounds = scene.Bounds;
   this->Field.Rule = object;
-  this->Field.Contacts = itinerary.Contacts;
+  this->Field.Landings = itinerary.Landings;
   for (const Mark& mark : itinerary.Marks)
   {
     const double distance = this->Field.Distance(mark.Position, mark.Frame);
@@ -41,11 +41,7 @@ void ObjectProgress::Fix(int frame, const Vec3& position)
 
 void ObjectProgress::Miss(Mark& mark, const Vec3& place)
 {
-  auto& contacts = this->Field.Contacts;
-  contacts.erase(std::remove_if(contacts.begin(), contacts.end(),
-                                [&](const ContactStretch& contact)
-                                { return contact.Constraint == mark.Constraint; }),
-                 contacts.end());
+  this->Field.ForgetLanding(mark.Frame);
   mark.Until = mark.Frame;
   mark.Position = place;
   mark.IsRest = mark.Halts = mark.HasVelocity = false;

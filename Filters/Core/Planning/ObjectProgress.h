@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Constraints/Warp.h"
+#include "Planning/ClearanceField.h"
 #include "Planning/ObjectPlan.h"
 
 #include <vector>

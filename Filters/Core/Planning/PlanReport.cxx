@@ -86,11 +86,11 @@ void ReportObject(const MotionObject& object, const ObjectPlan& plan, bool isPla
                                outcome.Seconds });
     last = &outcome;
   }
-  if (plan.WorstFrame >= 0)
+  if (plan.Shortfall.Frame >= 0)
   {
     char text[128];
     std::snprintf(text, sizeof text, "object %d comes %.3g m too near to something at frame %d",
-                  object.ObjectId, -plan.WorstSlack, plan.WorstFrame);
+                  object.ObjectId, plan.Shortfall.Depth, plan.Shortfall.Frame);
     own.Message = text;
     if (last != nullptr)
     {

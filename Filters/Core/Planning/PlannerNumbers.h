@@ -47,6 +47,11 @@ struct PlannerNumbers
   static constexpr double SeamRate = 3.0; // 1/s; seams are healed over its inverse to either side
   /// Top speed of the repair over the database's: a little above SpeedAllowance.
   static constexpr double RepairAllowance = 1.45;
+  static constexpr int RepairRounds = 40;
+  static constexpr int RepairReach = 5;       // frames to either side that are pushed along
+  static constexpr double RepairBeyond = 2.0; // times the tolerance, beyond what is asked for
+  static constexpr double RepairPull = 0.05;  // weight of a push, over that of a second difference
+  static constexpr double LaidOn = 4.0;       // times the tolerance: so far below a plane of rest
   ///@}
 
   /// @name Maps of free space.

@@ -16,12 +16,12 @@ namespace waft
 namespace
 {
 
-using Key = std::pair<int, int>; // (Row, Target)
+using TargetKey = std::pair<int, int>; // (Row, Target)
 
 /// The places of one line of the report.
 struct Line
 {
-  Key Id;
+  TargetKey Id;
   ConstraintKind Kind = ConstraintKind::Position;
   std::vector<Stop> Stops; // by frame
 
@@ -51,7 +51,7 @@ public:
                      { return std::pair(a.First(), a.Last()) < std::pair(b.First(), b.Last()); });
   }
 
-  void Settle(const Stop& start, std::map<Key, GivenUp>& givenUp);
+  void Settle(const Stop& start, std::map<TargetKey, GivenUp>& givenUp);
 
 private:
   struct Leg
@@ -236,7 +236,7 @@ std::string ObjectLines::Why(std::size_t line, const std::vector<std::size_t>& k
   return text + ": " + how;
 }
 
-void ObjectLines::Settle(const Stop& start, std::map<Key, GivenUp>& givenUp)
+void ObjectLines::Settle(const Stop& start, std::map<TargetKey, GivenUp>& givenUp)
 {
   const auto isFar = [&](const Line& line)
   { return line.First() > 0 && this->Limit.Haste(start, line.Stops.front()) > SpeedAllowance; };
@@ -279,15 +279,15 @@ std::map<int, std::vector<Line>> CollectLines(const std::vector<Constraint>& con
                                               const ObstacleSet& obstacles,
                                               const std::vector<ReportRow>& report)
 {
-  std::map<Key, ConstraintStatus> judged;
+  std::map<TargetKey, ConstraintStatus> judged;
   for (const ReportRow& line : report)
   {
     judged[{ line.Row, line.Target }] = line.Status;
   }
-  std::map<int, std::map<Key, Line>> lines;
+  std::map<int, std::map<TargetKey, Line>> lines;
   for (const Constraint& row : constraints)
   {
-    const Key id{ row.Row, row.Target };
+    const TargetKey id{ row.Row, row.Target };
     const auto object = objects.find(row.ObjectId);
     if (object == objects.end() || !IsPlace(row.Kind) || row.Status != ConstraintStatus::Met ||
         judged[id] == ConstraintStatus::Infeasible ||
@@ -326,7 +326,7 @@ std::vector<ReportRow> JudgeWithSpeeds(const std::vector<Constraint>& constraint
   {
     byId[object.ObjectId] = &object;
   }
-  std::map<Key, GivenUp> givenUp;
+  std::map<TargetKey, GivenUp> givenUp;
   for (auto& [objectId, lines] : CollectLines(constraints, byId, obstacles, report))
   {
     ObjectLines(std::move(lines), limit, scene.Bounds.Size().norm())

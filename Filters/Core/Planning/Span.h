@@ -17,7 +17,6 @@ struct SpanRequest
   SpanEnd Goal;
   bool HasGoal = true;
   double GoalRadius = 0.0; // anywhere in this ball is as good [m]
-  int GoalConstraint = -1; // the row, whose contact is void when it is not reached
   int FirstFrame = 0;
   SpanClock Clock;
   bool HasContinuation = false;

@@ -26,13 +26,10 @@ public:
     Field(field), MissField(field), Request(request), Options(options), Stream(random),
     Fitter(library, this->Field, this->MissField, this->Request, options.CheckMargin)
   {
-    auto& contacts = this->MissField.Contacts;
-    contacts.erase(std::remove_if(contacts.begin(), contacts.end(),
-                                  [&](const ContactStretch& contact) {
-                                    return contact.Constraint >= 0 &&
-                                           contact.Constraint == request.GoalConstraint;
-                                  }),
-                   contacts.end());
+    if (request.HasGoal)
+    {
+      this->MissField.ForgetLanding(request.FirstFrame + request.Clock.Frames);
+    }
   }
 
   SpanResult Run();
@@ -75,17 +72,16 @@ ClearanceField SpanPlanner::FlightField(const ClearanceField& base) const
   ClearanceField field = base;
   const double first = this->Request.FirstFrame;
   const double flight = std::round(this->Request.Clock.FlightFrames());
-  for (ContactStretch& contact : field.Contacts)
+  for (LandingWindow& landing : field.Landings)
   {
-    if (this->Request.Clock.LaunchFrames > 0 && contact.FirstFrame <= first)
+    if (this->Request.Clock.LaunchFrames > 0 && landing.First <= first)
     {
-      contact.LastFrame =
-        std::min(contact.LastFrame, first + 0.5 * this->Request.Clock.LaunchFrames);
+      landing.Last = std::min(landing.Last, first + 0.5 * this->Request.Clock.LaunchFrames);
     }
     else if (this->Request.Clock.BrakeFrames > 0 &&
-             contact.LastFrame >= first + this->Request.Clock.Frames)
+             landing.Last >= first + this->Request.Clock.Frames)
     {
-      contact.FirstFrame = std::max(first, first + flight - 0.5 * this->Request.Clock.BrakeFrames);
+      landing.First = std::max(first, first + flight - 0.5 * this->Request.Clock.BrakeFrames);
     }
   }
   // Marks that are tighter than the margin lower it next to them.

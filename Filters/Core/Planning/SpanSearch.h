@@ -4,7 +4,7 @@
 #pragma once
 
 #include "Base/Random.h"
-#include "Constraints/Clearance.h"
+#include "Planning/ClearanceField.h"
 #include "Planning/SegmentLibrary.h"
 
 #include <vector>

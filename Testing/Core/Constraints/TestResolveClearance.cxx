@@ -123,3 +123,40 @@ TEST(ResolveClearance, NothingMovesWhereWeightsAreZero)
   EXPECT_FALSE(ResolveClearance(room.Clearance(), freedom, Room::Path(1.3), path));
   EXPECT_EQ(path, before);
 }
+
+TEST(ResolveClearance, NextToATightMarkOnlyItsOwnDistanceIsAskedFor)
+{
+  const Room room({ Vec3(-0.005, -0.5, 0), Vec3(0.005, 0.5, 3) });
+  const std::vector<Vec3> path = Room::Path(0.57); // 0.07 m from the wall at the nearest
+  PathClearance clearance = room.Clearance();
+  ASSERT_FALSE(clearance.BlockedSteps(path).empty());
+  clearance.TightMarks = { { Vec3(0, 0.57, 2), 0.065 } };
+  EXPECT_TRUE(clearance.BlockedSteps(path).empty());
+  EXPECT_NEAR(Required(room.Leaf, clearance.TightMarks, Vec3(0, 0.62, 2), Vec3(0.1, 0.62, 2)), 0.08,
+              1e-12);
+}
+
+TEST(ResolveClearance, PushesOutOfWallsAndSurfacesThatAreLandedOn)
+{
+  Room room({ Vec3(-1, -1, 0), Vec3(1, 1, 1) });
+  room.Leaf.RestHeight = 0.02;
+  LandingWindow landing;
+  landing.ObstacleId = 0;
+  landing.Frame = landing.Until = 30;
+  landing.First = 0;
+  landing.Last = Frames;
+  room.Landings = { landing };
+  // Sinks by 0.05 m into the block under it, and by as much into the side of the room.
+  std::vector<Vec3> path(Frames, Vec3(0, 0, 1.5));
+  for (int k = 10; k < 20; ++k)
+  {
+    path[static_cast<std::size_t>(k)].z() = 0.95;
+    path[static_cast<std::size_t>(k + 20)].y() = 1.95;
+  }
+  PathFreedom freedom = room.Freedom(path);
+  freedom.Beyond = 0.001;
+  EXPECT_TRUE(
+    ResolveClearance(room.Clearance(), freedom, std::vector<Vec3>(Frames, Vec3(0, 0, -9)), path));
+  EXPECT_GE(path[15].z(), 1.02);
+  EXPECT_LE(path[35].y(), 1.9);
+}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Free flight, refinement, clearance, repair and seams: each stage on its own.
-#include "Constraints/Repair.h"
+#include "Planning/ClearPath.h"
 #include "Planning/Refinement.h"
 #include "Planning/Seams.h"
 
@@ -117,7 +117,7 @@ TEST(Clearance, SkippingFindsTheHitsThatEverySampleFinds)
   EXPECT_LT(hits, 95);
 }
 
-TEST(Repair, EasesAPathOutOfABox)
+TEST(ClearPath, EasesAPathOutOfABox)
 {
   std::vector<ObstacleMesh> meshes(1);
   meshes[0].Mesh = MakeBox(Box{ Vec3(-0.2, -2.0, 0.0), Vec3(0.2, 2.0, 2.0) });
@@ -133,12 +133,14 @@ TEST(Repair, EasesAPathOutOfABox)
   warp.Fixed[0] = Vec3(-1.5, 0.0, 1.98);
   warp.Fixed[100] = Vec3(1.5, 0.0, 1.98);
   const std::vector<Vec3> path = SolveWarp(warp);
-  ASSERT_FALSE(FindViolations(field, path, 0.001).empty());
-  double slack = 0.0;
-  int frame = 0;
-  const std::vector<Vec3> repaired = RepairPath(field, warp, 0.001, 1.0, path, path, slack, frame);
-  EXPECT_TRUE(FindViolations(field, repaired, 0.001).empty());
-  EXPECT_EQ(frame, -1);
+  const PathClearance clearance{ obstacles, field.Bounds, field.Landings, field.Rule, 0.001 };
+  ASSERT_FALSE(clearance.BlockedSteps(path).empty());
+  ClearPathOptions options;
+  options.Tolerance = 0.001;
+  PathShortfall shortfall;
+  const std::vector<Vec3> repaired = ClearPath(field, warp, options, path, path, shortfall);
+  EXPECT_TRUE(clearance.BlockedSteps(repaired).empty());
+  EXPECT_EQ(shortfall.Frame, -1);
   EXPECT_EQ(repaired.front(), path.front());
   for (const Vec3& bend : SecondDifferences(repaired))
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Constraints/Clearance.h"
+#include "Planning/ClearanceField.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace waft
@@ -13,13 +14,21 @@ constexpr double RoomWorthMeasuring = 4.0; // of the radius
 
 } // namespace
 
-const ContactStretch* ClearanceField::ContactAt(double frame) const
+void ClearanceField::ForgetLanding(int frame)
 {
-  for (const ContactStretch& contact : this->Contacts)
+  this->Landings.erase(std::remove_if(this->Landings.begin(), this->Landings.end(),
+                                      [frame](const LandingWindow& landing)
+                                      { return landing.Frame == frame; }),
+                       this->Landings.end());
+}
+
+const LandingWindow* ClearanceField::LandingAt(double frame) const
+{
+  for (const LandingWindow& landing : this->Landings)
   {
-    if (frame >= contact.FirstFrame && frame <= contact.LastFrame)
+    if (frame >= landing.First && frame <= landing.Last)
     {
-      return &contact;
+      return &landing;
     }
   }
   return nullptr;
@@ -27,13 +36,13 @@ const ContactStretch* ClearanceField::ContactAt(double frame) const
 
 double ClearanceField::Distance(const Vec3& x, double frame, double limit) const
 {
-  const ContactStretch* contact = this->ContactAt(frame);
+  const LandingWindow* landing = this->LandingAt(frame);
   double distance = std::min({ x.x() - this->Bounds.Min.x(), x.y() - this->Bounds.Min.y(),
                                this->Bounds.Max.x() - x.x(), this->Bounds.Max.y() - x.y(),
                                this->Bounds.Max.z() - x.z(), limit });
-  if (contact != nullptr)
+  if (landing != nullptr)
   {
-    distance = std::min(distance, (x - contact->Centre).dot(contact->Normal) + this->Rule.Radius);
+    distance = std::min(distance, (x - landing->Centre).dot(landing->Normal) + this->Rule.Radius);
   }
   else
   {
@@ -43,57 +52,14 @@ double ClearanceField::Distance(const Vec3& x, double frame, double limit) const
   {
     distance =
       std::min(distance, this->Obstacles->SignedDistance(
-                           x, frame, distance, contact != nullptr ? contact->Surface : -1));
-  }
-  return distance;
-}
-
-double ClearanceField::Distance(const Vec3& x, double frame, Vec3& away) const
-{
-  const ContactStretch* contact = this->ContactAt(frame);
-  double distance = 1e30;
-  const auto offer = [&](double d, const Vec3& direction)
-  {
-    if (d < distance)
-    {
-      distance = d;
-      away = direction;
-    }
-  };
-  offer(x.x() - this->Bounds.Min.x(), Vec3::UnitX());
-  offer(x.y() - this->Bounds.Min.y(), Vec3::UnitY());
-  offer(this->Bounds.Max.x() - x.x(), -Vec3::UnitX());
-  offer(this->Bounds.Max.y() - x.y(), -Vec3::UnitY());
-  offer(this->Bounds.Max.z() - x.z(), -Vec3::UnitZ());
-  if (contact != nullptr)
-  {
-    offer((x - contact->Centre).dot(contact->Normal) + this->Rule.Radius, contact->Normal);
-  }
-  else
-  {
-    offer(x.z() - this->Bounds.Min.z(), Vec3::UnitZ());
-  }
-  if (this->Obstacles != nullptr && !this->Obstacles->IsEmpty())
-  {
-    SurfaceHit hit;
-    const double d =
-      this->Obstacles->SignedDistance(x, frame, hit, contact != nullptr ? contact->Surface : -1);
-    // Outside, away from the closest point (it may lie on an edge); inside, out of the face.
-    const Vec3 apart = x - hit.Point;
-    offer(d, d > 1e-9 && apart.norm() > 1e-9 ? Vec3(apart.normalized()) : hit.Normal);
+                           x, frame, distance, landing != nullptr ? landing->ObstacleId : -1));
   }
   return distance;
 }
 
 double ClearanceField::Required(const Vec3& x) const
 {
-  double required = this->Rule.Radius;
-  for (const TightMark& mark : this->TightMarks)
-  {
-    // Grows with the distance to the mark, no faster than a path can leave the surface.
-    required = std::min(required, mark.Distance + 0.3 * (x - mark.Position).norm());
-  }
-  return required;
+  return waft::Required(this->Rule, this->TightMarks, x, x);
 }
 
 int ClearanceField::FirstHit(const std::vector<Vec3>& samples, int first, int last,
@@ -104,8 +70,8 @@ int ClearanceField::FirstHit(const std::vector<Vec3>& samples, int first, int la
   while (k <= last)
   {
     const double frame = firstFrame + (k - first) * framesPerSample;
-    const bool atContact = this->ContactAt(frame) != nullptr;
-    const double wanted = this->Required(samples[k]) + (atContact ? -1e-9 : margin);
+    const bool lands = this->LandingAt(frame) != nullptr;
+    const double wanted = this->Required(samples[k]) + (lands ? -1e-9 : margin);
     // Room beyond a few radii only costs time to measure.
     const double slack =
       this->Distance(samples[k], frame, wanted + RoomWorthMeasuring * this->Rule.Radius) - wanted;
@@ -117,7 +83,7 @@ int ClearanceField::FirstHit(const std::vector<Vec3>& samples, int first, int la
     double way = 0.0;
     int next = k + 1;
     while (!moving && next < last &&
-           atContact == (this->ContactAt(firstFrame + (next - first) * framesPerSample) != nullptr))
+           lands == (this->LandingAt(firstFrame + (next - first) * framesPerSample) != nullptr))
     {
       way += (samples[next] - samples[next - 1]).norm();
       if (way > 0.7 * slack)
