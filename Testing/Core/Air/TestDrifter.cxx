@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Air/AirAssimilation.h"
+#include "Air/Drifter.h"
+#include "Base/Primitives.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace waft;
+
+namespace
+{
+
+constexpr int Frames = 61;
+constexpr int LiesAt = 40;      // the frame of its rest
+constexpr int ComesDownAt = 25; // its touch-down
+constexpr double WallTop = 0.8; // m
+
+/// A body that is to come to lie behind a wall 2 cm thick, and its plan, which goes over the wall.
+struct BehindAWall
+{
+  SceneInfo Scene;
+  ObstacleSet Obstacles;
+  MotionObject Object;
+  Constraint Row;
+  std::vector<Vec3> Plan;
+
+  BehindAWall()
+  {
+    this->Scene.Time = { Frames, 30.0 };
+    ObstacleMesh ground, wall;
+    ground.Mesh = MakeBox({ Vec3(-3.0, -3.0, -1.0), Vec3(3.0, 3.0, 0.0) });
+    wall.ObstacleId = 1;
+    wall.Mesh = MakeBox({ Vec3(-0.01, -2.5, 0.001), Vec3(0.01, 2.5, WallTop) });
+    EXPECT_TRUE(this->Obstacles.Build({ ground, wall }));
+    this->Object.ObjectId = this->Row.ObjectId = 3;
+    this->Object.Position = Vec3(-1.0, 0.0, 0.7);
+    this->Object.SettlingSpeed = 0.5;
+    this->Object.RestHeight = 0.01;
+    this->Row.Kind = ConstraintKind::Rest;
+    this->Row.Frame = LiesAt;
+    this->Row.Until = Frames - 1;
+    this->Row.Value = Vec3(1.0, 0.0, 0.5);
+    for (int f = 0; f < Frames; ++f)
+    {
+      const double s = std::min(1.0, f / double(LiesAt));
+      const double x = -1.0 + 2.0 * s;
+      const double z = 0.01 + 0.69 * (1.0 - s) + 0.8 * (1.0 - x * x);
+      this->Plan.emplace_back(x, 0.0, z);
+    }
+  }
+};
+
+std::vector<Vec3> Straight(const std::vector<Vec3>& path, int last)
+{
+  std::vector<Vec3> straight;
+  for (int f = 0; f < Frames; ++f)
+  {
+    straight.push_back(path.front() +
+                       std::min(1.0, f / double(last)) * (path.back() - path.front()));
+  }
+  return straight;
+}
+
+double LongestStep(const std::vector<Vec3>& path)
+{
+  double longest = 0.0;
+  for (std::size_t f = 0; f + 1 < path.size(); ++f)
+  {
+    longest = std::max(longest, (path[f + 1] - path[f]).norm());
+  }
+  return longest;
+}
+
+} // namespace
+
+TEST(Drifter, SeesAWallThatIsThinnerThanAStep)
+{
+  const BehindAWall scene;
+  const DriftScene around{ scene.Scene, scene.Obstacles, false };
+  const Drifter body(around, scene.Object, scene.Plan, { scene.Row });
+  EXPECT_FALSE(body.PassesThrough(scene.Plan));
+  EXPECT_TRUE(body.PassesThrough(Straight(scene.Plan, LiesAt)));
+}
+
+TEST(Drifter, FallsBackOnThePlanBroughtToItsTouchDown)
+{
+  const BehindAWall scene;
+  const DriftScene around{ scene.Scene, scene.Obstacles, false };
+  Drifter body(around, scene.Object, scene.Plan, { scene.Row });
+  body.SetTouchDown(0, ComesDownAt);
+  std::vector<Vec3> path = Straight(scene.Plan, ComesDownAt); // cannot be pushed out of the wall
+  EXPECT_TRUE(body.MakeExact(path));
+  EXPECT_FALSE(body.PassesThrough(path));
+  for (int f = ComesDownAt; f < Frames; ++f)
+  {
+    EXPECT_EQ(path[static_cast<std::size_t>(f)], *body.HeldAt(f)) << f;
+  }
+  const double hastening = double(LiesAt) / ComesDownAt;
+  EXPECT_LT(LongestStep(path), 1.5 * hastening * LongestStep(scene.Plan));
+}
+
+/// Twenty bodies that come to marks nearer to each other than they are wide.
+TEST(AssimilationContacts, NoBodyJumpsOutOfACrowd)
+{
+  AssimilationInput input;
+  input.Scene.Time = { Frames, 30.0 };
+  for (int o = 0; o < 20; ++o)
+  {
+    MotionObject object;
+    object.ObjectId = o;
+    object.SettlingSpeed = 0.5;
+    const Vec3 offset(o % 5 - 2.0, o / 5 - 1.5, 0.0);
+    object.Position = Vec3(0.0, 0.0, 2.0) + 0.12 * offset;
+    input.Objects.push_back(object);
+    Constraint row;
+    row.ObjectId = o;
+    row.Row = o;
+    row.Frame = LiesAt;
+    row.Value = Vec3(0.1, 0.0, 1.7) + 1.2 * object.ClearanceRadius * offset;
+    input.Constraints.push_back(row);
+    Track track;
+    track.ObjectId = o;
+    for (int f = 0; f < Frames; ++f)
+    {
+      const double s = f / double(LiesAt);
+      track.Positions.push_back((1.0 - s) * object.Position + s * row.Value);
+    }
+    input.Tracks.push_back(track);
+  }
+  AssimilationOptions options;
+  options.Resolution = options.LatticeResolution = 16;
+  options.Rounds = 1;
+  SilentMonitor monitor;
+  AssimilationOutput output;
+  ASSERT_TRUE(AssimilateAir(input, options, {}, SerialFor(), monitor, output));
+  for (const Track& track : output.Tracks)
+  {
+    for (int f = 1; f + 1 < Frames; ++f)
+    {
+      const auto at = static_cast<std::size_t>(f);
+      const Vec3 bend =
+        track.Positions[at - 1] - 2.0 * track.Positions[at] + track.Positions[at + 1];
+      EXPECT_LT(900.0 * bend.norm(), 40.0) << "object " << track.ObjectId << ", frame " << f;
+    }
+  }
+}
