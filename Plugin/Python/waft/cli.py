@@ -311,8 +311,8 @@ def run_demo(options):
 
 
 def main(arguments=None):
-    options = parse(arguments)
     try:
+        options = parse(arguments)
         return options.run(options)
     except failures.WaftError as error:
         return _give_up(error, error.status)

@@ -101,24 +101,24 @@ TEST(Drifter, FallsBackOnThePlanBroughtToItsTouchDown)
   EXPECT_LT(LongestStep(path), 1.5 * hastening * LongestStep(scene.Plan));
 }
 
-/// Twenty bodies that come to marks nearer to each other than they are wide.
+/// Bodies whose marks are nearer to each other than they are wide, one after the other.
 TEST(AssimilationContacts, NoBodyJumpsOutOfACrowd)
 {
   AssimilationInput input;
   input.Scene.Time = { Frames, 30.0 };
-  for (int o = 0; o < 20; ++o)
+  for (int o = 0; o < 45; ++o)
   {
     MotionObject object;
     object.ObjectId = o;
     object.SettlingSpeed = 0.5;
-    const Vec3 offset(o % 5 - 2.0, o / 5 - 1.5, 0.0);
-    object.Position = Vec3(0.0, 0.0, 2.0) + 0.12 * offset;
+    const Vec3 offset(o % 5 - 2.0, o / 5 % 3 - 1.0, o / 15 - 1.0);
+    object.Position = Vec3(0.0, 0.0, 2.0) + 1.5 * object.ClearanceRadius * offset;
     input.Objects.push_back(object);
     Constraint row;
     row.ObjectId = o;
     row.Row = o;
     row.Frame = LiesAt;
-    row.Value = Vec3(0.1, 0.0, 1.7) + 1.2 * object.ClearanceRadius * offset;
+    row.Value = Vec3(0.1, 0.0, 1.7) + object.ClearanceRadius * offset.reverse();
     input.Constraints.push_back(row);
     Track track;
     track.ObjectId = o;
