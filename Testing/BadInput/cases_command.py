@@ -76,9 +76,25 @@ def _bad_options():
     for folder in ("none", ".", "scene.waft.json", "f" * 5000, ""):
         yield _call(f"render '{folder[:30]}'", "render", folder)
         yield _call(f"measure '{folder[:30]}'", "measure", folder)
+        yield _call(f"page '{folder[:30]}'", "page", folder)
+        yield _call(f"check '{folder[:30]}'", "check", folder, status=(0,) if folder == "scene.waft.json" else (2,))
+    yield _call("page --measure of a file that is none", "page", "none", "--measure", "m.json")
+    yield _call("check with a database that is none", "check", "scene.waft.json", "--database", "scene.waft.json")
     for option, value in (("--tracks", "x"), ("--airs", "1"), ("--seed", "-1"), ("--settling-speeds", "0.5,x"),
                           ("--settling-speeds", "-1"), ("--settling-speeds", "")):
         yield _call(f"measure {option} '{value}'", "measure", "none", f"{option}={value}", says=(option,))
+
+    for name, *options in (("--text ''", "--text="), ("--text of a blank", "--text", " "), ("--count 0", "--count=0"),
+                           ("--count -1", "--count=-1"), ("--count x", "--count=x"), ("--count 10^12", "--count=1000000000000"),
+                           ("--shape none", "--shape=none"), ("--image none", "--image=none.png"),
+                           ("--image of a scene", "--image=scene.waft.json"), ("--path none", "--path=none.csv"),
+                           ("--path of a scene", "--path=scene.waft.json"), ("--obstacle none", "--obstacle=none.obj"),
+                           ("--obstacle of a scene", "--obstacle=scene.waft.json")):
+        yield _call(f"new {name}", "new", "n.waft.json", *options)
+    yield _call("new alone", "new")
+    for path in ("scene.waft.json", "n.json", "", ".", "none/n.waft.json", "n" * 5000 + ".waft.json"):
+        yield _call(f"new '{path[:30]}'", "new", path, says=(path,) if path == "scene.waft.json" else ())
+    yield _call("synthesize --progress x", "synthesize", "scene.waft.json", "--output", OUT, "--progress=x", says=("--progress",))
 
 
 def _in_the_way():

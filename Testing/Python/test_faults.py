@@ -17,7 +17,8 @@ import waft
 from waft.database import database_place, settle_database
 from waft.results import manifest_of, read_manifest
 from waft.resuming import Checkpoint
-from waft.synthesis import OPTIMISER, result_place, write_results
+from waft.synthesis import OPTIMISER
+from waft.writing import result_place, write_results
 
 KILL = ctypes.CDLL(None).WaftKillAtRename
 SCENE = {

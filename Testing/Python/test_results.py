@@ -16,7 +16,7 @@ from waft.failures import BadInput, WaftError
 from waft.files import whole_file, write_xml
 from waft.resuming import Checkpoint
 from waft.results import ResultPlace, manifest_of
-from waft.synthesis import earlier_results, result_place
+from waft.writing import earlier_results, result_place
 
 NAMES = ["poses.csv", "shapes/", "shapes.vtm", "report.json"]
 

@@ -13,7 +13,7 @@ from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 from waft.failures import BadInput
 from waft.loading import load_plugin
 from waft.pipeline import Pipeline
-from waft.synthesis import read_rows
+from waft.writing import read_rows
 from waft.watching import Clock
 
 _PLACES = (0, 4)  # kinds of rows that are places: position, rest

@@ -14,35 +14,20 @@ tells through a pipe, a line each, what stands for it:
 Nothing here needs more than Python's own library, nor do the commands that do without ParaView, which are done here.
 """
 import contextlib
-import ctypes
 import os
 import pathlib
-import secrets
-import select
 import signal
-import struct
-import subprocess
 import sys
 import time
 
-STOPS = {signal.SIGINT, signal.SIGTERM}
+if __name__ == "__main__":  # run by its file alone: the package is where that is
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+
+from waft.display import STOPS, display, start  # noqa: E402
+
 STOPPED_EARLY = 4
 GRACE = 0.5  # s from a stop until a child that has nothing to write is ended
 NOTHING_BEGUN = "stopped before anything was begun"
-LIBC = ctypes.CDLL(None)
-
-
-def start(command, blocked=(), death=signal.SIGKILL, **options):
-    """A child that gets the signal `death` when this process ends, and takes all signals but those that are blocked."""
-    guard = os.getpid()
-
-    def prepare():
-        LIBC.prctl(1, int(death))  # PR_SET_PDEATHSIG
-        if os.getppid() != guard:
-            os._exit(1)
-        signal.pthread_sigmask(signal.SIG_SETMASK, blocked)
-
-    return subprocess.Popen(command, preexec_fn=prepare, **options)
 
 
 class Told:
@@ -102,39 +87,6 @@ def watch(arguments):
     return child.returncode
 
 
-@contextlib.contextmanager
-def display():
-    """A virtual screen in DISPLAY; False when a stop came before it was there."""
-    cookie = secrets.token_bytes(16)
-    key = os.memfd_create("Xauthority")
-    name = b"MIT-MAGIC-COOKIE-1"
-    # Of any host (65535, no address) and any display (no number): the file is seen by our children alone.
-    os.write(key, struct.pack(">HHHH18sH16s", 65535, 0, 0, len(name), name, len(cookie), cookie))
-    authority = f"/proc/{os.getpid()}/fd/{key}"
-    first = 100 + os.getpid() % 900  # not 0, which programs take where no display is named
-    server = None
-    try:
-        for number in range(first, first + 20):
-            reading, writing = os.pipe()
-            server = start(["Xvfb", f":{number}", "-displayfd", str(writing), "-screen", "0", "1280x1024x24",
-                            "-nolisten", "tcp", "-noreset", "-auth", authority],
-                           death=signal.SIGTERM, pass_fds=(writing,), stderr=subprocess.DEVNULL)
-            os.close(writing)
-            while not select.select([reading], [], [], 0.05)[0]:
-                if signal.sigpending() & STOPS:
-                    yield False
-                    return
-            if os.read(reading, 16):  # its number, when it is ready; nothing when that is another's
-                os.environ.update(DISPLAY=f":{number}", XAUTHORITY=authority)
-                yield True
-                return
-        raise OSError("no virtual display: Xvfb could not be started")
-    finally:
-        if server is not None:
-            server.terminate()
-            server.wait()
-
-
 def say(text):
     """A line on stderr, in place of the progress line when that is a terminal."""
     print(("\r\033[K" if sys.stderr.isatty() else "") + f"waft: {text}", file=sys.stderr)
@@ -142,7 +94,6 @@ def say(text):
 
 def parse(arguments):
     """The options; --help, --version and malformed usage end here, before ParaView is started for them."""
-    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
     from waft import cli
 
     return cli.parse(arguments)

@@ -14,7 +14,7 @@ from ._output import AviMovie, Mp4Movie, OggMovie, grab, write_png
 from ._scenery import Scenery
 from .failures import BadInput, WaftError
 from .results import Entry, ResultPlace
-from .synthesis import earlier_results
+from .writing import earlier_results
 
 
 _HIDDEN = 0.1  # share of the motion behind obstacles from which on one sees through them

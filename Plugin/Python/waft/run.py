@@ -92,7 +92,7 @@ class Run(Pipeline):
 
     def _write_drawn(self, folder):
         from waft.files import write_xml
-        from waft.synthesis import write_bodies
+        from waft.writing import write_bodies
 
         class Place:
             @staticmethod
@@ -141,14 +141,14 @@ class Run(Pipeline):
 @contextlib.contextmanager
 def _display():
     """The display that there is, or a virtual one for now."""
-    from waft import guard
+    from waft.display import display
 
     if os.environ.get("DISPLAY"):
         yield
         return
     before = {name: os.environ.get(name) for name in ("DISPLAY", "XAUTHORITY")}
     try:
-        with guard.display() as is_there:
+        with display() as is_there:
             if not is_there:
                 raise WaftError("stopped before there was a virtual display")
             yield

@@ -17,15 +17,27 @@ HOLD = 0.15  # m about the points of a curve
 HIGH, WIDEST = 1.0, 3.2  # m, of a letter and of a word
 THIN = set("iIlj1.,:;'|!()[] ")
 MOST_POINTS = 100000  # of a curve
+PICTURES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp")
+SURFACES = (".vtp", ".obj", ".ply", ".stl", ".glb")
 
 
 def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple", count=60):
     """Writes a commented scene that flies: texts and images in the order given, formed one after the other by `count` bodies of a
-    built-in shape; for each curve a body that follows it; obstacles from files. Raises BadInput where there is a file."""
+    built-in shape; for each curve a body that follows it; obstacles from files. Raises BadInput where there is a file, and of
+    files and texts that no scene can use."""
     if os.path.lexists(path):
         raise BadInput(f"{path}: it is there, and stays as it is: choose another name")
     if not str(path).endswith(".waft.json"):
         raise BadInput(f"{path}: expected a name that ends with .waft.json")
+    if not os.path.isdir(os.path.dirname(os.path.abspath(path))):
+        raise BadInput(f"{path}: expected a folder that is there")
+    for text in texts:
+        if not text.strip():
+            raise BadInput("--text: expected a word, found blanks")
+    for files, kinds in ((images, PICTURES), (obstacles, SURFACES)):
+        for file in files:
+            if not str(file).lower().endswith(kinds):
+                raise BadInput(f"{file}: expected a file that ends with {', '.join(kinds)}")
     courses = [_course(curve) for curve in curves]
     if not (texts or images or curves):
         texts = ["WAFT"]

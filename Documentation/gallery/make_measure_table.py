@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Prints the rows of `waft measure` for several scenes as a table of a page.
+
+    waft measure DIR --json SCENE.json        for each folder of results
+    python3 make_measure_table.py SCENE.json...
+
+A line a scene, named after its file; what misses what is wanted is in **bold**, what is not measured is "-". Processor seconds and
+the largest memory are of the folder's report.json, where it is still there.
+"""
+import json
+import pathlib
+import sys
+
+COLUMNS = (
+    ("private hand", ("private_hand",)),
+    ("replay", ("replay",)),
+    ("variance v; a", ("life_velocity", "life_acceleration")),
+    ("energy in four bands", ("band_0.1", "band_0.3", "band_0.6", "band_1.2")),
+    ("S2; 3 S_L / S", ("one_air", "one_air_along")),
+    ("told apart", ("told_apart",)),
+    ("start: a; jerk", ("start", "start_jerk")),
+    ("landing; sd, s", ("landing", "landing_times")),
+    ("witnesses: v; a", ("witnesses_life_velocity", "witnesses_life_acceleration")),
+    ("S2; told apart", ("witnesses_one_air", "witnesses_told_apart")),
+    ("wind's force", ("witnesses_wind",)),
+    ("exact rows", ("exact",)),
+)
+
+
+def figure(row):
+    """The value of a row in two digits, bold where it misses; "-" where it is not measured."""
+    value = None if row is None else row["value"]
+    if value is None:
+        return "-"
+    text = f"{value:.0e}" if 0.0 < abs(value) < 1e-3 else f"{value:.2f}" if abs(value) < 9.995 else f"{value:.0f}"
+    text = "0" if value == 0.0 else text
+    return text if row["met"] is not False else f"**{text}**"
+
+
+def cost(folder):
+    """Processor seconds and megabytes of the run, of its report."""
+    try:
+        stages = json.loads((pathlib.Path(folder) / "report.json").read_text(encoding="utf-8"))["stages"]
+    except (OSError, KeyError, ValueError):
+        return "-"
+    seconds = sum(stage["processorSeconds"] for stage in stages.values())
+    return f"{seconds:.0f}, {max(stage['peakMemoryMB'] for stage in stages.values()):.0f}"
+
+
+def main(files):
+    heads = ["scene", "objects", *(name for name, _ in COLUMNS), "CPU s, MB"]
+    print("| " + " | ".join(heads) + " |")
+    print("|" + "---|" * len(heads))
+    for file in files:
+        measured = json.loads(pathlib.Path(file).read_text(encoding="utf-8"))[0]
+        rows = {row["key"]: row for row in measured["rows"]}
+        cells = [", ".join(figure(rows.get(key)) for key in keys) for _, keys in COLUMNS]
+        print("| " + " | ".join([pathlib.Path(file).stem, str(measured["objects"]), *cells, cost(measured["folder"])]) + " |")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

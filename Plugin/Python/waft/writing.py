@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The files of a run: their names, what earlier versions wrote, and what is in each."""
+import pathlib
+import re
+import shutil
+
+from waft import failures
+from waft.files import half, table_rows, write_csv, write_pvd, write_xml
+from waft.loading import version
+from waft.results import Entry, ResultPlace, read_json
+from waft.watching import collect
+
+STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
+REPORT = "report.json"
+STATE = "assimilated.state"
+
+# What versions without a manifest wrote.
+_EARLIER_NAMES = re.compile(
+    r"(planned|optimized|poses|vortices|objects|constraints|obstacles)\.vtp|(poses|convergence|constraints)\.csv|"
+    r"animation\.glb|(wind|obstacles|meshes)\.pvd|shapes\.vtm|wind/wind_\d{4,}\.vti|"
+    r"(obstacles/obstacles|meshes/meshes)_\d{4,}\.vtp|shapes/(shapes_\d+\.vtp|picture_\d+\.\w+)")
+
+
+def earlier_results(folder):
+    """{name: Entry} of the results of a version without a manifest; None when its report.json is another program's."""
+    report = read_json(folder / REPORT)
+    if not isinstance(report, dict) or not {"version", "scene", "seed", "stages", "constraints"} <= report.keys():
+        return None
+    names = (path.relative_to(folder).as_posix() for path in (*folder.glob("*"), *folder.glob("*/*")))
+    return {name: Entry() for name in names if _EARLIER_NAMES.fullmatch(name)}
+
+
+def result_place(folder):
+    """The ResultPlace of a folder of results."""
+    return ResultPlace(folder, REPORT, earlier=earlier_results)
+
+
+def result_names(scene, meshes, quality):
+    """What a run writes, folders with a slash at their end."""
+    names = ["planned.vtp", "optimized.vtp", "poses.vtp", "poses.csv", "vortices.vtp", "objects.vtp", "shapes.vtm", "shapes/",
+             "constraints.vtp", "constraints.csv", "convergence.csv", "wind.pvd", "wind/", "animation.glb", REPORT]
+    if quality in ("preview", "assimilated"):
+        names = [name for name in names if name not in ("wind.pvd", "wind/")]
+    if quality != "paper":
+        names += ["assimilated.vtp", "air.pvd", "air/", "rounds.csv", STATE]
+    names += ["obstacles.pvd", "obstacles/"] if _do_obstacles_move(scene) else ["obstacles.vtp"]
+    return names + (["meshes.pvd", "meshes/"] if meshes else [])
+
+
+def _do_obstacles_move(scene):
+    """Whether an obstacle of a scene file (one that was read well) is ever at another place."""
+    return any(len({tuple(step["position"]) for step in obstacle.get("motion", ())}) > 1
+               for obstacle in (read_json(scene) or {}).get("obstacles", ()))
+
+
+def read_rows(table):
+    """A table as one dictionary a row, all texts."""
+    header, rows = table_rows(table)
+    return [dict(zip(header, row)) for row in rows]
+
+
+def write_results(pipeline, place, scene, checkpoint, meshes=False):
+    """Every file of a run, all at once: see the user guide for what each holds."""
+    for name in ("planned.vtp", "constraints.vtp"):
+        checkpoint.copy_plan(name)
+    motion, tracks, vortices, _ = pipeline.motion
+    write_xml(pipeline.output(motion, tracks), place.path("optimized.vtp"))
+    write_xml(pipeline.output(motion, vortices), place.path("vortices.vtp"))
+    write_bodies(pipeline, place, scene)
+    if meshes:
+        _write_series(pipeline, "rotation", 0, "meshes", ".vtp", place)
+    energies = []
+    if motion == "spacetime":
+        _write_series(pipeline, "spacetime", 3, "wind", ".vti", place)
+        header, rows = table_rows(pipeline.output("spacetime", 4))
+        energies = [dict(zip(header, row))["E"] for row in (rows[0], rows[-1])]
+        write_csv(place.path("convergence.csv"), header, rows)
+    else:
+        write_csv(place.path("convergence.csv"), *table_rows(_empty_convergence()))
+    if pipeline.assimilation is not None:
+        _write_air(pipeline, place, checkpoint)
+    _write_report(pipeline, place.path("constraints.csv"))
+    _write_animation(pipeline, place)
+    place.commit(_summary(pipeline, scene, energies))
+
+
+def write_bodies(pipeline, place, scene):
+    """The files with the motion of the bodies and what stands about them, which pictures are drawn from."""
+    write_xml(pipeline.output("rotation", 1), place.path("poses.vtp"))
+    write_xml(pipeline.output("reader", 0), place.path("objects.vtp"))
+    _write_shapes(pipeline, place)
+    if _do_obstacles_move(scene):
+        _write_series(pipeline, "reader", 2, "obstacles", ".vtp", place)
+    else:
+        write_xml(_at(pipeline.reader.GetClientSideObject(), 2, 0.0), place.path("obstacles.vtp"))
+
+
+def _empty_convergence():
+    """The optimiser's table of a run that does without it."""
+    from vtkmodules.vtkCommonDataModel import vtkTable
+    from waft.vtkWaftFilters import vtkSPHSpacetimeFilter
+
+    table = vtkTable()
+    vtkSPHSpacetimeFilter.EmptyConvergence(table)
+    return table
+
+
+def _write_air(pipeline, place, checkpoint):
+    """What the assimilation gives besides vortices and the report."""
+    if pipeline.spacetime is None:
+        shutil.copyfile(place.path("optimized.vtp"), place.path("assimilated.vtp"))
+    else:
+        write_xml(pipeline.output("assimilation", 0), place.path("assimilated.vtp"))
+    write_xml(pipeline.output("assimilation", 3), place.path("constraints.vtp"))
+    write_csv(place.path("rounds.csv"), *table_rows(pipeline.output("assimilation", 5)))
+    steps = None if pipeline.has_air else 1  # without an air all steps are the same calm one
+    _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half, steps)
+    if checkpoint.air_file.is_file():
+        shutil.copyfile(checkpoint.air_file, place.path(STATE))
+
+
+def _write_shapes(pipeline, place):
+    """shapes.vtm and its folder with the surfaces, and with copies of the pictures on them, whose `Texture` is relative to
+    the results: they can be drawn from anywhere, and on another machine."""
+    shapes = pipeline.output("reader", 3).NewInstance()
+    shapes.DeepCopy(pipeline.output("reader", 3))
+    pictures = {}
+    for block in range(shapes.GetNumberOfBlocks()):
+        texture = shapes.GetBlock(block).GetFieldData().GetAbstractArray("Texture")
+        source = pathlib.Path(texture.GetValue(0)) if texture is not None and texture.GetValue(0) else None
+        if source is not None and source.is_file():
+            name = pictures.setdefault(source, f"shapes/picture_{len(pictures)}{source.suffix}")
+            texture.SetValue(0, name)
+    write_xml(shapes, place.path("shapes.vtm"))
+    for source, name in pictures.items():
+        shutil.copyfile(source, place.path(name))
+
+
+def _write_series(pipeline, stage, port, name, suffix, place, change=lambda data: None, steps=None):
+    """NAME.pvd with one file a step in the folder NAME, of data that were changed first, `steps` steps at most."""
+    from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Sddp
+
+    algorithm = getattr(pipeline, stage).GetClientSideObject()
+    entries = []
+    times = algorithm.GetOutputInformation(port).Get(Sddp.TIME_STEPS()) or (0.0,)
+    for step, time in enumerate(times[:steps]):
+        file = f"{name}/{name}_{step:04d}{suffix}"
+        data = _at(algorithm, port, time)
+        change(data)
+        write_xml(data, place.path(file))
+        entries.append((time, file))
+    write_pvd(place.path(name + ".pvd"), entries)
+
+
+def _at(algorithm, port, time):
+    from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Sddp
+
+    algorithm.GetOutputInformation(port).Set(Sddp.UPDATE_TIME_STEP(), time)
+    algorithm.Update(port)
+    copy = algorithm.GetOutputDataObject(port).NewInstance()
+    copy.DeepCopy(algorithm.GetOutputDataObject(port))
+    return copy
+
+
+def _write_report(pipeline, path):
+    header = ["Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message", "TouchDown"]
+    write_csv(path, header, [[row[name] for name in header] for row in pipeline.report])
+
+
+def _write_animation(pipeline, place):
+    from waft.vtkWaftFilters import vtkMotionAnimationWriter
+
+    writer = vtkMotionAnimationWriter()
+    errors = []
+    collect(writer, "ErrorEvent", errors)
+    collect(writer, "WarningEvent", pipeline.warnings)
+    writer.SetInputDataObject(0, pipeline.output("rotation", 1))
+    writer.SetInputDataObject(1, pipeline.output("reader", 0))
+    writer.SetInputDataObject(2, pipeline.output("reader", 3))
+    for name in ("animation.glb", "poses.csv"):
+        writer.SetFileName(str(place.path(name)))
+        if not writer.Write():
+            raise failures.WaftError(f"{name}: could not be written: {'; '.join(errors)}")
+
+
+def _planned_objects(pipeline):
+    """What planning came to, one dictionary an object; none when an earlier run's plan was taken."""
+    if pipeline.planner is None:
+        return []
+    kinds = {"ObjectId": int, "Rows": int, "Met": int, "Status": str, "Cost": float, "Branches": int,
+             "Seconds": float, "Message": str}
+    return [{name[0].lower() + name[1:]: kind(row[name]) for name, kind in kinds.items()}
+            for row in read_rows(pipeline.output("planner", 7))]
+
+
+def _settled(pipeline):
+    """How many bodies are laid on surfaces away from their paths, and by how much at most [m]."""
+    shifts = pipeline.output("rotation", 1).GetCellData().GetArray("Shift")
+    shifts = [shifts.GetValue(i) for i in range(shifts.GetNumberOfTuples())] if shifts is not None else []
+    return {"objects": sum(shift > 0.0 for shift in shifts), "largestShift": max(shifts, default=0.0)}
+
+
+def _summary(pipeline, scene, energies):
+    counts = {status: 0 for status in STATUS_ORDER}
+    for row in pipeline.report:
+        counts[row["Status"]] += 1
+    return {
+        "version": version(),
+        "scene": pathlib.Path(scene).name,
+        "title": str((read_json(scene) or {}).get("title", "")),
+        "seed": pipeline.seed,
+        "key": pipeline.key,
+        "stages": {name: {"seconds": watch.seconds, "processorSeconds": watch.processor_seconds,
+                          "peakMemoryMB": watch.peak_mb}
+                   for name, watch in pipeline.watches.items()},
+        "quality": pipeline.quality,
+        "energy": dict(zip(("before", "after"), map(float, energies))),
+        "constraints": {**counts, "unmet": [row for row in pipeline.report if row["Status"] != "met"]},
+        "objects": _planned_objects(pipeline),
+        "settled": _settled(pipeline),
+        "stoppedEarly": pipeline.stopped,
+        "warnings": pipeline.warnings,
+    }
