@@ -16,27 +16,29 @@ void FrameTerms::Adjoint(float* gradient)
   const std::size_t p = this->ParticleStride;
   const std::size_t s = this->BodyStride;
   const float fraction = 1.0f / static_cast<float>(per);
-  const auto fill = [&](std::size_t particle, std::size_t body, float factor, float drag)
+  const bool inAir = !this->Model.Air.IsEmpty();
+  const auto fill =
+    [&](std::size_t particle, std::size_t body, float factor, float pushed, float drag)
   {
     SphAdjointRecord& record = this->Adjoints[particle];
     float* out = &record.AX;
     for (int c = 0; c < 3; ++c)
     {
       const float abar = this->AccelerationBar(c)[body];
-      out[c] = factor * abar;
+      out[c] = pushed * abar;
       out[4 + c] = factor * (this->AverageBar(c)[body] + drag * abar);
     }
   };
   for (std::size_t k = 0; k < ng; ++k)
   {
-    fill(k, this->Order[k], 1.0f, 0.0f);
+    fill(k, this->Order[k], 1.0f, 1.0f, 0.0f);
   }
   for (std::size_t o = 0; o < this->Model.NumberOfObjects; ++o)
   {
     for (std::size_t k = 0; k < per; ++k)
     {
       const std::size_t particle = ng + o * per + k;
-      fill(particle, ng + o, fraction, this->Model.DragRates[o]);
+      fill(particle, ng + o, fraction, inAir ? 0.0f : fraction, this->Model.DragRates[o]);
       SphAdjointRecord& record = this->Adjoints[particle];
       float* average = &record.AX + 4;
       float byRaise = 0.0f;
@@ -90,6 +92,17 @@ void FrameTerms::Adjoint(float* gradient)
   for (std::size_t k = ng; k < n; ++k)
   {
     add(k, ng + (k - ng) / per);
+  }
+  if (inAir)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      for (std::size_t i = 0; i < ng; ++i)
+      {
+        gradient[(3 + c) * s + i] -= this->Model.AirDrag * this->AccelerationBar(c)[i];
+      }
+    }
+    return;
   }
   const std::size_t bodies = this->Model.NumberOfBodies();
   const float* j = this->Jacobian.data();

@@ -277,13 +277,14 @@ void FrameTerms::Forward(const float* state, int frame, double step, NeighborLis
   this->Kernels.Accelerate(this->Constants, this->Records.data(), this->Pairs, n,
                            this->PairSums.data());
   this->AddFields(state, frame);
-  this->GatherRates();
+  this->GatherRates(state);
   this->AddLandingDamping(state, frame, step);
 }
 
 // From places to bodies.
-void FrameTerms::GatherRates()
+void FrameTerms::GatherRates(const float* state)
 {
+  const bool inAir = !this->Model.Air.IsEmpty();
   const std::size_t ng = this->Model.NumberOfGas;
   const std::size_t s = this->BodyStride;
   float* rates = this->Rates.data();
@@ -294,7 +295,9 @@ void FrameTerms::GatherRates()
     const SphPairSum& sum = this->PairSums[k];
     for (int c = 0; c < 3; ++c)
     {
-      rates[c * s + i] = sum.First[c] + external[c * s + i];
+      rates[c * s + i] =
+        sum.First[c] +
+        (inAir ? -this->Model.AirDrag * state[(3 + c) * s + i] : external[c * s + i]);
       rates[(3 + c) * s + i] = sum.Second[c];
     }
   }
@@ -315,7 +318,8 @@ void FrameTerms::GatherRates()
       const float average = fraction * sumD;
       // Drag towards the air about the object: D is the mean velocity of the air relative to it.
       const float fall = c == 2 ? this->Model.Gravities[o] : 0.0f;
-      rates[i] = fraction * sumA + external[i] - fall + this->Model.DragRates[o] * average;
+      const float pushed = inAir ? 0.0f : fraction * sumA + external[i];
+      rates[i] = pushed - fall + this->Model.DragRates[o] * average;
       rates[3 * s + i] = average;
     }
   }

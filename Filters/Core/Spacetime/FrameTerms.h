@@ -20,7 +20,7 @@ class FrameTerms
 public:
   FrameTerms(const SpacetimeModel& model, const SphFluid& fluid, const SphKernelTable& kernels);
 
-  /// state: the frame's six rows; step: frames to the next one. Brings `list` up to date.
+  /// state: the frame's six rows, in a drawn air with the deviations as velocities; step: frames to the next one. Brings `list` up to date.
   /// Then Acceleration (all of it, external fields included) and Average hold.
   void Forward(const float* state, int frame, double step, NeighborList& list);
   /// Of the frame of the last Forward: AccelerationBar and AverageBar in; adds their pull-back to
@@ -57,7 +57,7 @@ private:
   void FillPositions(const float* state);
   void PositionParticles(const float* state);
   void MakeRoom(std::size_t entries);
-  void GatherRates();
+  void GatherRates(const float* state);
   void AddWalls(int frame);
   void AddSprings(std::size_t begin, std::size_t end, const SphBox& box);
   void AddObstacle(std::size_t i, int frame);

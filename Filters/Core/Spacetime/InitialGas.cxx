@@ -104,17 +104,24 @@ bool MakeInitialGas(SpacetimeObjective& objective, const ParallelFor& parallel, 
   const TimeLevel& level = objective.Level();
   const std::size_t stride = model.Stride();
   const std::size_t gas = model.NumberOfGas;
-  const SplineWind flow = model.HasAir ? model.Background : FitFlow(model, level, state, parallel);
+  const bool inAir = !model.Air.IsEmpty();
+  const SplineWind flow = inAir ? SplineWind() : FitFlow(model, level, state, parallel);
   const StateVector still = state;
   for (std::size_t i = 0; i < gas; ++i)
   {
     // Of what is before the first frame no object tells the flow's first knots.
-    const Vec3 v = SampleField(flow, Row(state.data(), stride, i), model.HasAir ? 0.0 : Beginning);
+    const Vec3 x = Row(state.data(), stride, i);
+    const Vec3 v = inAir ? model.Air.Velocity(x, 0.0) : SampleField(flow, x, Beginning);
     for (int c = 0; c < 3; ++c)
     {
       state[(3 + c) * stride + i] = static_cast<float>(v[c]);
     }
   }
+  const auto deviation = [&](std::size_t j, const Vec3& x, const Vec3& v) -> Vec3
+  {
+    const double step = level.Steps[j];
+    return v - model.Air.Velocity(x - 0.5 * step * v, level.Frames[j] - 0.5 * step);
+  };
   for (std::size_t j = 0; j + 1 < level.NumberOfFrames(); ++j)
   {
     if (!monitor.Tick(FractionDone(j, level.NumberOfFrames()), {}))
@@ -129,16 +136,19 @@ bool MakeInitialGas(SpacetimeObjective& objective, const ParallelFor& parallel, 
     bool isFinite = true;
     for (std::size_t i = 0; i < gas; ++i)
     {
-      const Vec3 u = SampleField(flow, Row(here, stride, i), level.Frames[j]);
+      const Vec3 x = Row(here, stride, i);
+      const Vec3 v = Row(here + 3 * stride, stride, i);
+      const Vec3 a(terms.Acceleration(0)[i], terms.Acceleration(1)[i], terms.Acceleration(2)[i]);
+      const Vec3 after =
+        inAir ? model.Air.Carried(x, deviation(j, x, v) + step * a, level.Frames[j + 1], step)
+              : Vec3(v + step * (a + Pull * (SampleField(flow, x, level.Frames[j]) - v)));
       for (int c = 0; c < 3; ++c)
       {
-        const double v = here[(3 + c) * stride + i];
-        const double a = terms.Acceleration(c)[i] + Pull * (u[c] - v);
-        const double after = v + step * a;
-        const double x = here[c * stride + i] + step * after;
-        next[(3 + c) * stride + i] = static_cast<float>(after);
-        next[c * stride + i] = static_cast<float>(std::clamp(x, Inside, model.Size[c] - Inside));
-        isFinite = isFinite && std::isfinite(after);
+        const double ahead = x[c] + step * after[c];
+        next[(3 + c) * stride + i] = static_cast<float>(after[c]);
+        next[c * stride + i] =
+          static_cast<float>(std::clamp(ahead, Inside, model.Size[c] - Inside));
+        isFinite = isFinite && std::isfinite(after[c]);
       }
     }
     if (!isFinite)

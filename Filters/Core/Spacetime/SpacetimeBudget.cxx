@@ -35,6 +35,10 @@ SpacetimeBudget::SpacetimeBudget(const SpacetimeModel& model, const SpacetimeOpt
   const double list = particles * (ListGrowth * entry * neighbors + 8.0 * sizeof(float));
   // The motion, the one it began with, and the rows of an evaluation of the whole.
   this->Base = SmallParts + model.NumberOfFrames * (2.0 * frame + rows);
+  if (!model.Air.IsEmpty()) // deviations and the air's Jacobians
+  {
+    this->Base += model.NumberOfFrames * (frame + rows);
+  }
   this->Exported = model.NumberOfFrames * exported;
   // Of a window: its part of the state, L-BFGS with its pairs, rows and lists.
   this->PerFrame = frame * (6.0 + 2.0 * options.HistorySize) + rows + list;

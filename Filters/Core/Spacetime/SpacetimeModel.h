@@ -8,6 +8,7 @@
 #include "Particles/ObstacleField.h"
 #include "Particles/RestDensity.h"
 #include "Particles/SphFluid.h"
+#include "Spacetime/DrawnAir.h"
 #include "Spacetime/SplineWind.h"
 #include "Spacetime/TermWeights.h"
 
@@ -42,7 +43,8 @@ enum ObjectFrameFlags : std::uint8_t
   NoDynamics = 4,       // the step into this frame is not one of free flight
   LandsOnFloor = 8,     // clearance to the floor is reduced to the rest height
   LandsOnObstacle = 16, // the same for obstacles
-  LiftsOff = 32         // after a rest: no cushion, which would hold it back
+  LiftsOff = 32,        // after a rest: no cushion, which would hold it back
+  Braked = 64           // in a drawn air: the step into this frame is slowed by what no air does
 };
 
 /// Everything but the unknowns.
@@ -76,8 +78,12 @@ struct SpacetimeModel
   std::vector<Vortex> Vortices;            // in dx and frames
   SplineWind Wind;                         // estimated
   std::array<int, 3> WindNodes{ 0, 0, 0 }; // of its lattice; zero: from Size
-  SplineWind Background;                   // the user's, or a drawn air
-  bool HasAir = false;                     // Background is one
+  SplineWind Background;                   // the user's
+  /// Where there is one, velocities are deviations from it in all of E but the positions' steps, no
+  /// other field acts, and objects go with the air and sink at their SettlingSlip: their DragRates
+  /// are 1 and neither its pressure nor the gas' is felt.
+  DrawnAir Air;
+  float AirDrag = 0.0f; // with which the gas is drawn back to it [1 / frame]
   ObstacleField Obstacles;
   RestDensity
     Rest; // what the gas lattice lacks beside walls, and beside obstacles that stand still

@@ -86,8 +86,17 @@ FrameTerms& SpacetimeObjective::ForwardFrame(const StateVector& state, std::size
   }
   FrameTerms& terms = this->Pool.front()->Terms;
   const double step = j + 1 < this->Times.NumberOfFrames() ? this->Times.Steps[j + 1] : 1.0;
-  terms.Forward(state.data() + this->Offset(j), this->Times.Frames[j], step,
-                this->ListOf(*this->Pool.front(), j));
+  const SpacetimeModel& model = this->Problem;
+  const float* moving = state.data() + this->Offset(j);
+  std::vector<float> deviations;
+  if (!model.Air.IsEmpty())
+  {
+    deviations.resize(model.FrameSize());
+    model.Air.Deviations(moving, model.NumberOfBodies(), model.Stride(), this->Times.Frames[j],
+                         this->Times.Steps[j], deviations.data(), nullptr);
+    moving = deviations.data();
+  }
+  terms.Forward(moving, this->Times.Frames[j], step, this->ListOf(*this->Pool.front(), j));
   return terms;
 }
 
@@ -126,8 +135,8 @@ bool SpacetimeObjective::Chunked(Monitor* monitor, double from, double to,
   return true;
 }
 
-void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std::size_t j,
-                                  StateVector* gradient)
+void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state,
+                                  const StateVector& moving, std::size_t j, StateVector* gradient)
 {
   const SpacetimeModel& model = this->Problem;
   const SpacetimeWeights& weights = model.Weights;
@@ -135,10 +144,11 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
   const std::size_t ng = model.NumberOfGas;
   const bool last = j + 1 == this->Times.NumberOfFrames();
   const float* here = state.data() + this->Offset(j);
+  const float* deviations = moving.data() + this->Offset(j);
   FrameTerms& terms = worker.Terms;
   const double step = last ? 0.0 : this->Times.Steps[j + 1];
   NeighborList& list = this->ListOf(worker, j);
-  terms.Forward(here, this->Times.Frames[j], last ? 1.0 : step, list);
+  terms.Forward(deviations, this->Times.Frames[j], last ? 1.0 : step, list);
 
   const double stepWeight = last ? 0.0 : this->Times.StepWeights[j + 1];
   const float wx = static_cast<float>(weights.PositionWeight * stepWeight);
@@ -153,9 +163,10 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
   for (int c = 0; c < 3; ++c)
   {
     const float* x = here + c * stride;
-    const float* v = here + (3 + c) * stride;
     const float* xn = x + model.FrameSize();
-    const float* vn = v + model.FrameSize();
+    const float* vn = xn + 3 * stride;
+    const float* w = deviations + (3 + c) * stride;
+    const float* wn = w + model.FrameSize();
     const float* a = terms.Acceleration(c);
     const float* d = terms.Average(c);
     float* abar = terms.AccelerationBar(c);
@@ -163,7 +174,7 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
     float* outX = last ? nullptr : this->Row(j + 1, 0, c);
     float* outV = last ? nullptr : this->Row(j + 1, 1, c);
     const auto add =
-      [&](std::size_t i, float weight, float own, float flight, float air, float slip)
+      [&](std::size_t i, float weight, float own, float flight, float law, float air, float slip)
     {
       const float rs = d[i] - slip;
       ec += static_cast<double>(weight * air * rs) * rs;
@@ -172,7 +183,7 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
       if (!last)
       {
         const float rx = flight * ((xn[i] - x[i]) - s * (vn[i] + eps * d[i]));
-        const float rv = flight * ((vn[i] - v[i]) - s * a[i]);
+        const float rv = law * ((wn[i] - w[i]) - s * a[i]);
         ex += static_cast<double>(own * weight * rx) * rx;
         ev += static_cast<double>(weight * rv) * rv;
         const float byX = own * weight * wx * rx;
@@ -187,12 +198,14 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
     };
     for (std::size_t i = 0; i < ng; ++i)
     {
-      add(i, 1.0f, 1.0f, 1.0f, 1.0f, 0.0f);
+      add(i, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 0.0f);
     }
     for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
     {
       const bool isBound = !last && this->Bound[(j + 1) * model.NumberOfObjects + o];
+      const bool isBraked = !last && (model.Flag(this->Times.Frames[j + 1], o) & Braked);
       add(ng + o, static_cast<float>(model.Offsets.size()), objectStep, isBound ? 0.0f : 1.0f,
+          isBound || isBraked ? 0.0f : 1.0f,
           objectAir * model.CoherenceFraction(this->Times.Frames[j], o),
           c == 2 ? model.SettlingSlip(o) : 0.0f);
     }
@@ -213,7 +226,7 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state, std:
                               gradient ? gradient->data() + this->Offset(j) : nullptr);
 }
 
-void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
+void SpacetimeObjective::SmoothRow(const StateVector& moving, std::size_t j)
 {
   const SpacetimeModel& model = this->Problem;
   const std::size_t stride = model.Stride();
@@ -226,7 +239,7 @@ void SpacetimeObjective::SmoothRow(const StateVector& state, std::size_t j)
   {
     float* r = this->Row(j, 2, c);
     const auto row = [&](std::size_t k)
-    { return state.data() + this->Offset(k) + (3 + c) * stride; };
+    { return moving.data() + this->Offset(k) + (3 + c) * stride; };
     std::copy(row(j), row(j) + model.NumberOfBodies(), r);
     for (const TimeLevel::Neighbor& neighbor : this->Times.Rows[j])
     {
@@ -314,6 +327,54 @@ void SpacetimeObjective::GatherFrame(std::size_t j, StateVector& gradient) const
       }
     }
   }
+  if (!model.Air.IsEmpty())
+  {
+    this->ToVelocities(j, g);
+  }
+}
+
+void SpacetimeObjective::ToVelocities(std::size_t j, float* gradient) const
+{
+  const SpacetimeModel& model = this->Problem;
+  const std::size_t stride = model.Stride();
+  const double step = this->Times.Steps[j];
+  std::vector<float> direct(3 * stride, 0.0f); // by rx
+  for (int c = 0; c < 3 && j > 0; ++c)
+  {
+    const float* rx = this->Row(j, 0, c);
+    for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
+    {
+      direct[c * stride + i] = -static_cast<float>(step) * rx[i];
+    }
+  }
+  DrawnAir::ToVelocities(this->Jacobians.data() + this->Ranks.Slot(j) * 9 * stride, direct.data(),
+                         model.NumberOfBodies(), stride, step, gradient);
+}
+
+const StateVector& SpacetimeObjective::TakeDeviations(const StateVector& state)
+{
+  const SpacetimeModel& model = this->Problem;
+  if (model.Air.IsEmpty())
+  {
+    return state;
+  }
+  const std::size_t stride = model.Stride();
+  const FrameRange& held = this->Ranks.Held();
+  this->Deviations.resize(held.Size() * model.FrameSize());
+  this->Jacobians.resize(held.Size() * 9 * stride);
+  this->Parallel(held.Size(),
+                 [&](std::size_t begin, std::size_t end)
+                 {
+                   for (std::size_t j = held.Begin + begin; j < held.Begin + end; ++j)
+                   {
+                     const std::size_t offset = this->Offset(j);
+                     model.Air.Deviations(
+                       state.data() + offset, model.NumberOfBodies(), stride, this->Times.Frames[j],
+                       this->Times.Steps[j], this->Deviations.data() + offset,
+                       this->Jacobians.data() + this->Ranks.Slot(j) * 9 * stride);
+                   }
+                 });
+  return this->Deviations;
 }
 
 bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradient,
@@ -321,14 +382,15 @@ bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradien
 {
   ++this->Evaluations;
   this->Residuals.resize((this->RowsEnd - this->RowsBegin) * 9 * this->Problem.Stride(), 0.0f);
+  const StateVector& moving = this->TakeDeviations(state);
   const bool done = this->Chunked(monitor, 0.0, 0.9,
                                   [&](std::size_t begin, std::size_t end)
                                   {
                                     auto worker = this->Borrow();
                                     for (std::size_t j = begin; j < end; ++j)
                                     {
-                                      this->SphFrame(*worker, state, j, gradient);
-                                      this->SmoothRow(state, j);
+                                      this->SphFrame(*worker, state, moving, j, gradient);
+                                      this->SmoothRow(moving, j);
                                       this->ObjectFrame(state, j, gradient);
                                     }
                                     this->Return(std::move(worker));

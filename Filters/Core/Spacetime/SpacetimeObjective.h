@@ -23,6 +23,7 @@ namespace waft
 ///   rv = v^{j+1} - v^j - s (a^j + f^j)
 ///   rs = D^j / (1 - m W(0) / rho0)
 ///   rt = v^j - mean of v^k over the neighbours in time
+/// In a drawn air v is the deviation from it (DrawnAir) but in rx, which takes velocities.
 class SpacetimeObjective
 {
 public:
@@ -70,10 +71,14 @@ private:
   std::unique_ptr<Worker> Borrow();
   void Return(std::unique_ptr<Worker> worker);
   NeighborList& ListOf(Worker& worker, std::size_t j);
-  void SphFrame(Worker& worker, const StateVector& state, std::size_t j, StateVector* gradient);
-  void SmoothRow(const StateVector& state, std::size_t j);
+  void SphFrame(Worker& worker, const StateVector& state, const StateVector& moving, std::size_t j,
+                StateVector* gradient);
+  void SmoothRow(const StateVector& moving, std::size_t j);
+  /// In a drawn air, of the frames that the own ones' rows reach: what E takes for the velocities.
+  const StateVector& TakeDeviations(const StateVector& state);
   void ObjectFrame(const StateVector& state, std::size_t j, StateVector* gradient);
   void GatherFrame(std::size_t j, StateVector& gradient) const;
+  void ToVelocities(std::size_t j, float* gradient) const;
   /// The rows of other ranks' frames that the own frames' gradient takes in.
   void ReceiveRows();
   bool Chunked(Monitor* monitor, double from, double to,
@@ -107,6 +112,8 @@ private:
   /// Weighted residuals of the step into frame j: rx, rv and rt, nine rows, from frame RowsBegin.
   std::vector<float> Residuals;
   std::size_t RowsBegin = 0, RowsEnd = 0;
+  StateVector Deviations; // of the held frames, in a drawn air
+  StateVector Jacobians;  // nine rows a frame, of the air where they are taken
   std::vector<SpacetimeTerms> FrameSums;
   std::vector<std::uint8_t> Bound; // [frame * objects + object]: no free flight into the frame
   std::mutex PoolMutex;

@@ -103,6 +103,10 @@ std::size_t SpacetimeProgram::Find(const std::string& name) const
 SpacetimeProgram PlanProgram(const SpacetimeSetup& setup, const SpacetimeOptions& options,
                              double width)
 {
+  if (!setup.Model.Air.IsEmpty())
+  {
+    return PlanInAir(options);
+  }
   const int frames = setup.Model.NumberOfFrames;
   const int iterations = options.MaximumNumberOfIterations;
   SpacetimeProgram program;
@@ -150,6 +154,13 @@ SpacetimeProgram PlanProgram(const SpacetimeSetup& setup, const SpacetimeOptions
     steps.push_back(Update(level, pass, true));
   }
   AddLast("fine", options.Passes, level > 0 ? LastIterations(options) : iterations, false, steps);
+  return program;
+}
+
+SpacetimeProgram PlanInAir(const SpacetimeOptions& options)
+{
+  SpacetimeProgram program;
+  program.Steps.push_back(Minimise(0, options.Passes, "fine", LastIterations(options)));
   return program;
 }
 

@@ -44,6 +44,9 @@ struct SpacetimeProgram
 /// From planned tracks: leash and passes, coarse to fine.
 SpacetimeProgram PlanProgram(const SpacetimeSetup& setup, const SpacetimeOptions& options,
                              double width);
+/// In a drawn air, in which the tracks and their gas fly already: all frames at once, no fields to
+/// be found.
+SpacetimeProgram PlanInAir(const SpacetimeOptions& options);
 /// From a motion that was solved before, under conditions that may have changed.
 SpacetimeProgram PlanAgain(const SpacetimeOptions& options, bool fitVortices);
 /// From a motion that was solved before, some of it changed: the fields stay as they are.

@@ -25,6 +25,8 @@ constexpr double ObjectMassFraction = 0.1;      // of a gas particle's mass, at 
 constexpr double AllObjectsMassFraction = 0.02; // of all gas, at most
 constexpr double LeastCore = 1.5; // of a vortex [dx]: the gas cannot follow a finer one
 
+constexpr double BrakingTime = 0.1; // before a rest: as assimilated tracks come down [s]
+
 constexpr int LeastFrames = 3;
 
 // Objects in the order of the tracks.
@@ -249,18 +251,53 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
   model.Approach = setup.Table.Planned;
 }
 
+// In a drawn air objects go with it: no drag is too fast, nothing else moves or slows them, and they
+// begin and land as they came here.
+void SetUpAir(const SpacetimeInput& input, const SpacetimeOptions& options, SpacetimeSetup& setup)
+{
+  if (input.Air.IsEmpty())
+  {
+    return;
+  }
+  SpacetimeModel& model = setup.Model;
+  const std::size_t no = model.NumberOfObjects;
+  model.Air = DrawnAir(input.Air, setup.Origin, setup.Spacing, setup.FrameStep);
+  model.AirDrag = static_cast<float>(options.WindDrag * setup.FrameStep);
+  for (std::size_t o = 0; o < no; ++o)
+  {
+    model.DragRates[o] = 1.0f;
+    model.Gravities[o] =
+      static_cast<float>(setup.Objects[o].SettlingSpeed * setup.FrameStep / setup.Spacing);
+  }
+  model.BrakeHeights.assign(no, 0.0f);
+  model.Reach.assign(model.Flags.size(), 0.0f);
+  model.CoherenceFractions.assign(model.Flags.size(), 0.0f);
+  const auto braking =
+    static_cast<int>(std::ceil(BrakingTime * input.Scene.Time.FramesPerSecond)) + 1;
+  for (std::size_t o = 0; o < no; ++o)
+  {
+    for (const LandingWindow& window : setup.Landings[o])
+    {
+      const int last = std::min(window.Frame, model.NumberOfFrames - 1);
+      for (int frame = std::max(1, window.Frame - braking); frame <= last; ++frame)
+      {
+        model.Flags[static_cast<std::size_t>(frame) * no + o] |= Braked;
+      }
+    }
+  }
+}
+
 void SetUpBackground(const SpacetimeInput& input, const SpacetimeOptions& options,
                      SpacetimeSetup& setup)
 {
-  const FieldSeries& given = input.Air.IsEmpty() ? input.Wind : input.Air;
-  if (given.IsEmpty())
+  const FieldSeries& given = input.Wind;
+  if (given.IsEmpty() || !input.Air.IsEmpty()) // a drawn air contains it
   {
     return;
   }
   constexpr int LongestKnot = 5; // frames
   SpacetimeModel& model = setup.Model;
   SplineWind& wind = model.Background;
-  model.HasAir = !input.Air.IsEmpty();
   const bool velocity = given.Meaning == FieldMeaning::Velocity;
   wind.Drag = velocity ? options.WindDrag * setup.FrameStep : 0.0;
   wind.Origin = Vec3::Constant(-1.0);
@@ -341,6 +378,7 @@ Result MakeSetup(const SpacetimeInput& input, const SpacetimeOptions& options,
   static_cast<TermWeights&>(setup.Model.Weights) = options;
   SetUpObjects(input, options, setup);
   SetUpConstraints(input, grounds, setup);
+  SetUpAir(input, options, setup);
   SetUpBackground(input, options, setup);
   for (const Vortex& vortex : input.Vortices)
   {

@@ -97,7 +97,14 @@ TimelinePreconditioner::Band TimelinePreconditioner::Factor(long object) const
       const double step = this->Level.StepWeights[j];
       addRow({ { 2 * j, 1.0 }, { 2 * j - 2, -1.0 }, { 2 * j + 1, -this->Level.Steps[j] } },
              (object < 0 ? 1.0 : w.ObjectPosition) * w.PositionWeight * step);
-      addRow({ { 2 * j + 1, 1.0 }, { 2 * j - 1, -1.0 } }, w.VelocityWeight * step);
+      if (object >= 0 && !this->Model.Air.IsEmpty()) // a deviation vanishes, whatever it was
+      {
+        addRow({ { 2 * j + 1, 1.0 } }, w.VelocityWeight * step);
+      }
+      else
+      {
+        addRow({ { 2 * j + 1, 1.0 }, { 2 * j - 1, -1.0 } }, w.VelocityWeight * step);
+      }
     }
   }
 

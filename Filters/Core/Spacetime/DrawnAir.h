@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A drawn air as the optimiser sees it: what bodies move beside it.
+#pragma once
+
+#include "Base/FieldSeries.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace waft
+{
+
+/// A velocity field of all frames in dx and frames. In it E is that of the deviations
+///   w = v - U(x - s v / 2, t - s / 2)
+/// of all bodies: a velocity v belongs to the middle of the step s that leads to its frame.
+/// What the air itself does costs nothing, and no viscosity damps it.
+class DrawnAir
+{
+public:
+  DrawnAir() = default;
+  /// series [m, s, m/s] must outlive the air; origin of the gas' box [m], dx [m], of a frame [s].
+  DrawnAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep);
+
+  bool IsEmpty() const { return this->Series == nullptr; }
+  /// At a place [dx] and frame; the Jacobian d u_i / d x_j [1 / frame].
+  Vec3 Velocity(const Vec3& x, double frame, Mat3* jacobian = nullptr) const;
+  /// The velocity, in the step s into a frame, of a body at x before it whose deviation is w then:
+  /// v = w + U(x + s v / 2, frame - s / 2).
+  Vec3 Carried(const Vec3& x, const Vec3& w, double frame, double step) const;
+
+  /// Rows have a stride. state: six rows of `bodies` at a frame; out: the same with w in the place
+  /// of v; jacobians (unless null): nine rows, row-major, of U where w is taken.
+  void Deviations(const float* state, std::size_t bodies, std::size_t stride, double frame,
+                  double step, float* out, float* jacobians) const;
+  /// The way back: of six rows of a gradient by x and w (its last three rows) one by x and v.
+  /// direct: what of the last three rows is by v itself, three rows.
+  static void ToVelocities(const float* jacobians, const float* direct, std::size_t bodies,
+                           std::size_t stride, double step, float* gradient);
+
+private:
+  const FieldSeries* Series = nullptr;
+  Vec3 Origin = Vec3::Zero();
+  double Spacing = 1.0, FrameStep = 1.0;
+};
+
+} // namespace waft
