@@ -129,6 +129,13 @@ void vtkSPHSpacetimeFilter::Internals::KeepSolution()
                    this->Solution.PositionResiduals);
   waft::AddDoubles(tracks->GetCellData(), waft::names::VelocityResidual,
                    this->Solution.VelocityResiduals);
+  for (const auto& [name, value] :
+       { std::pair(waft::names::ReplayError, this->Solution.ObjectReplayError),
+         std::pair(waft::names::GasReplayError, this->Solution.GasReplayError),
+         std::pair(waft::names::GasHiddenHand, this->Solution.GasHiddenHand) })
+  {
+    waft::AddDoubles(tracks->GetFieldData(), name, { value });
+  }
   waft::VorticesToPolyData(this->Solution.Vortices, this->Scene,
                            this->Kept<vtkPolyData>(VorticesPort));
   waft::ConvergenceToTable(this->Solution.Convergence, this->Scene,

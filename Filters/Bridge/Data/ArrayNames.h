@@ -155,6 +155,9 @@ constexpr const char* FlowRms = "FlowRms";
 constexpr const char* WindRms = "WindRms";
 constexpr const char* PositionResidual = "PositionResidual"; // of tracks
 constexpr const char* VelocityResidual = "VelocityResidual";
+constexpr const char* ReplayError = "ReplayError"; // of tracks, field data
+constexpr const char* GasReplayError = "GasReplayError";
+constexpr const char* GasHiddenHand = "GasHiddenHand";
 
 } // namespace names
 } // namespace waft

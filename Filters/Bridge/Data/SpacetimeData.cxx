@@ -67,6 +67,7 @@ void ParticlesToPolyData(const ParticleSeries& particles, int frame, const Scene
   AddFloats(arrays, names::Pressure, now.Pressures, 1);
   AddFloats(arrays, names::Wind, now.Winds, 3);
   AddFloats(arrays, names::VortexForce, now.VortexForces, 3);
+  AddFloats(arrays, names::Residual, now.Residuals, 3);
 }
 
 void ConvergenceToTable(const std::vector<ConvergenceRow>& rows, const SceneInfo& info,

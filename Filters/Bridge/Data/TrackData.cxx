@@ -67,13 +67,14 @@ Result ReadOptional(const ArraySource& source, const char* name, std::vector<int
 void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, vtkPolyData* data)
 {
   const Vec3 zero = Vec3::Zero();
-  std::vector<Vec3> positions, velocities, vortex, wind, forces, air, sph;
+  std::vector<Vec3> positions, velocities, vortex, wind, forces, air, sph, residual;
   std::vector<int> frames, vortexIds, objectIds;
   std::vector<double> times;
   std::vector<ForceType> types;
   bool hasForces = false;
   bool hasAir = false;
   bool hasSph = false;
+  bool hasResidual = false;
   vtkNew<vtkCellArray> lines;
   for (const Track& track : tracks)
   {
@@ -95,9 +96,11 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
     Append(track.Forces, count, zero, forces);
     Append(track.AirVelocities, count, zero, air);
     Append(track.SphVelocities, count, zero, sph);
+    Append(track.Residuals, count, zero, residual);
     hasForces = hasForces || !track.Forces.empty();
     hasAir = hasAir || !track.AirVelocities.empty();
     hasSph = hasSph || !track.SphVelocities.empty();
+    hasResidual = hasResidual || !track.Residuals.empty();
     objectIds.push_back(track.ObjectId);
   }
   std::vector<unsigned char> typeBytes;
@@ -131,6 +134,10 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
   {
     AddVectors(arrays, names::SPHVelocity, sph);
   }
+  if (hasResidual)
+  {
+    AddVectors(arrays, names::Residual, residual);
+  }
   AddInts(data->GetCellData(), names::ObjectId, objectIds);
   SceneInfoToFieldData(info, data);
 }
@@ -140,7 +147,7 @@ Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks)
   WAFT_RETURN_IF_FAILED(CheckCells(data, "Tracks"));
   const ArraySource points{ data->GetPointData(), "Tracks", data->GetNumberOfPoints() };
   const ArraySource cells{ data->GetCellData(), "Tracks", data->GetNumberOfCells() };
-  std::vector<Vec3> positions, vortex, wind, forces, air, sph;
+  std::vector<Vec3> positions, vortex, wind, forces, air, sph, residual;
   std::vector<int> ids, types, vortexIds;
   WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "Tracks", positions));
   WAFT_RETURN_IF_FAILED(ReadInts(cells, names::ObjectId, ids));
@@ -151,6 +158,7 @@ Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks)
   WAFT_RETURN_IF_FAILED(ReadOptional(points, names::Force, forces));
   WAFT_RETURN_IF_FAILED(ReadOptional(points, names::AirVelocity, air));
   WAFT_RETURN_IF_FAILED(ReadOptional(points, names::SPHVelocity, sph));
+  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::Residual, residual));
   std::vector<ForceType> forceTypes;
   for (const int type : types)
   {
@@ -172,6 +180,7 @@ Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks)
     track.Forces = Pick(forces, line);
     track.AirVelocities = Pick(air, line);
     track.SphVelocities = Pick(sph, line);
+    track.Residuals = Pick(residual, line);
     read.push_back(std::move(track));
   }
   tracks = std::move(read);

@@ -15,7 +15,7 @@ namespace waft
 
 /// Points in the order of the tracks, then of frames; `Velocity` is the central difference of the
 /// positions. Annotations that a track does not have are written as none; `Force`, `AirVelocity`
-/// and `SPHVelocity` are written when the tracks have them.
+/// `SPHVelocity` and `Residual` are written when the tracks have them.
 void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, vtkPolyData* data);
 
 /// One track per line cell, in the order of the cells; needs the cell data `ObjectId`.

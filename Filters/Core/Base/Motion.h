@@ -50,6 +50,7 @@ struct Track
   std::vector<Vec3> WindAccelerations;   // m/s^2
   std::vector<Vec3> Forces;              // m/s^2, vortex plus wind, after the optimiser
   std::vector<Vec3> AirVelocities;       // m/s, of the gas at the object
+  std::vector<Vec3> Residuals;           // m/s^2, what no term of the optimiser's model gives
 };
 
 /// Central differences of the positions [m/s], one-sided and of second order at the ends; zero for

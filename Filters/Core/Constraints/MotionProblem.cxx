@@ -17,7 +17,7 @@ void ExchangeTrack(StateArchive& stream, Track& track)
 {
   stream.Value(track.ObjectId);
   for (auto* list : { &track.Positions, &track.SphVelocities, &track.VortexAccelerations,
-                      &track.WindAccelerations, &track.Forces, &track.AirVelocities })
+                      &track.WindAccelerations, &track.Forces, &track.AirVelocities, &track.Residuals })
   {
     stream.List(*list);
   }

@@ -2,6 +2,7 @@
 #include "Spacetime/DrawnAir.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace waft
 {
@@ -13,10 +14,11 @@ constexpr int Corrections = 3;
 
 } // namespace
 
-DrawnAir::DrawnAir(const FieldSeries& series, const Vec3& origin, double spacing,
-                   double frameStep) :
+DrawnAir::DrawnAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep,
+                   std::size_t numberOfGas, std::vector<double> settling) :
   Series(&series),
-  Origin(origin), Spacing(spacing), FrameStep(frameStep)
+  Origin(origin), Spacing(spacing), FrameStep(frameStep), NumberOfGas(numberOfGas),
+  Settling(std::move(settling))
 {
 }
 
@@ -33,12 +35,23 @@ Vec3 DrawnAir::Velocity(const Vec3& x, double frame, Mat3* jacobian) const
   return (this->FrameStep / this->Spacing) * u;
 }
 
-Vec3 DrawnAir::Carried(const Vec3& x, const Vec3& w, double frame, double step) const
+Vec3 DrawnAir::Deviation(std::size_t body, const Vec3& x, const Vec3& v, double frame, double step,
+                         Mat3* jacobian) const
 {
-  Vec3 v = w + this->Velocity(x, frame - 0.5 * step);
+  Vec3 w = v - this->Velocity(x - 0.5 * step * v, frame - 0.5 * step, jacobian);
+  w.z() += body < this->NumberOfGas ? 0.0 : this->Settling[body - this->NumberOfGas];
+  return w;
+}
+
+Vec3 DrawnAir::Carried(std::size_t body, const Vec3& x, const Vec3& w, double frame,
+                       double step) const
+{
+  Vec3 beside = w;
+  beside.z() -= body < this->NumberOfGas ? 0.0 : this->Settling[body - this->NumberOfGas];
+  Vec3 v = beside + this->Velocity(x, frame - 0.5 * step);
   for (int k = 0; k < Corrections; ++k)
   {
-    v = w + this->Velocity(x + 0.5 * step * v, frame - 0.5 * step);
+    v = beside + this->Velocity(x + 0.5 * step * v, frame - 0.5 * step);
   }
   return v;
 }
@@ -50,13 +63,12 @@ void DrawnAir::Deviations(const float* state, std::size_t bodies, std::size_t st
   for (std::size_t i = 0; i < bodies; ++i)
   {
     const auto row = [&](int c) { return static_cast<double>(state[c * stride + i]); };
-    const Vec3 v(row(3), row(4), row(5));
-    const Vec3 x = Vec3(row(0), row(1), row(2)) - 0.5 * step * v;
     Mat3 jacobian;
-    const Vec3 u = this->Velocity(x, frame - 0.5 * step, jacobians ? &jacobian : nullptr);
+    const Vec3 w = this->Deviation(i, Vec3(row(0), row(1), row(2)), Vec3(row(3), row(4), row(5)),
+                                   frame, step, jacobians ? &jacobian : nullptr);
     for (int c = 0; c < 3; ++c)
     {
-      out[(3 + c) * stride + i] = static_cast<float>(v[c] - u[c]);
+      out[(3 + c) * stride + i] = static_cast<float>(w[c]);
       for (int k = 0; k < 3 && jacobians; ++k)
       {
         jacobians[(3 * c + k) * stride + i] = static_cast<float>(jacobian(c, k));

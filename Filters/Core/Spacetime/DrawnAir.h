@@ -11,22 +11,26 @@ namespace waft
 {
 
 /// A velocity field of all frames in dx and frames. In it E is that of the deviations
-///   w = v - U(x - s v / 2, t - s / 2)
-/// of all bodies: a velocity v belongs to the middle of the step s that leads to its frame.
-/// What the air itself does costs nothing, and no viscosity damps it.
+///   w = v - (U(x - s v / 2, t - s / 2) - settling e_z)
+/// of all bodies, where gas does not settle: a velocity v belongs to the middle of the step s that
+/// leads to its frame. What drifts costs nothing, and no viscosity damps what the air itself does.
 class DrawnAir
 {
 public:
   DrawnAir() = default;
-  /// series [m, s, m/s] must outlive the air; origin of the gas' box [m], dx [m], of a frame [s].
-  DrawnAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep);
+  /// series [m, s, m/s] must outlive the air; origin of the gas' box [m], dx [m], of a frame [s];
+  /// settling: speeds of the bodies behind the gas [dx / frame].
+  DrawnAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep,
+           std::size_t numberOfGas, std::vector<double> settling);
 
   bool IsEmpty() const { return this->Series == nullptr; }
   /// At a place [dx] and frame; the Jacobian d u_i / d x_j [1 / frame].
   Vec3 Velocity(const Vec3& x, double frame, Mat3* jacobian = nullptr) const;
-  /// The velocity, in the step s into a frame, of a body at x before it whose deviation is w then:
-  /// v = w + U(x + s v / 2, frame - s / 2).
-  Vec3 Carried(const Vec3& x, const Vec3& w, double frame, double step) const;
+  /// w of a body at x with velocity v at a frame, after a step s.
+  Vec3 Deviation(std::size_t body, const Vec3& x, const Vec3& v, double frame, double step,
+                 Mat3* jacobian = nullptr) const;
+  /// The velocity, in the step s into a frame, of a body at x before it whose deviation is w then.
+  Vec3 Carried(std::size_t body, const Vec3& x, const Vec3& w, double frame, double step) const;
 
   /// Rows have a stride. state: six rows of `bodies` at a frame; out: the same with w in the place
   /// of v; jacobians (unless null): nine rows, row-major, of U where w is taken.
@@ -41,6 +45,8 @@ private:
   const FieldSeries* Series = nullptr;
   Vec3 Origin = Vec3::Zero();
   double Spacing = 1.0, FrameStep = 1.0;
+  std::size_t NumberOfGas = 0;
+  std::vector<double> Settling;
 };
 
 } // namespace waft

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/Rollout.h"
 #include "Spacetime/SpacetimeExport.h"
 #include "Spacetime/WindEstimate.h"
 
@@ -42,8 +43,45 @@ void Annotate(const SpacetimeSetup& setup, const Vec3& x, double time, const Vec
   track.VortexIds.push_back(id);
 }
 
-void AppendObjects(const SpacetimeInput& input, const SpacetimeSetup& setup, FrameTerms& terms,
-                   const float* state, int frame, SpacetimeOutput& output)
+// What moves an object in a drawn air beside it, from the frame before on: the gas' deviation that
+// is felt there, and the control that neither air nor gas gives [dx / frame].
+struct Beside
+{
+  Vec3 Gas = Vec3::Zero();
+  Vec3 Control = Vec3::Zero();
+};
+
+// The acceleration that no term of the model gives into a frame, in a drawn air about the frame
+// before: objects go with it, so that there it is the change of their control.
+void AppendResidual(const SpacetimeSetup& setup, const SpacetimeObjective& objective, int frame,
+                    std::size_t object, const Vec3& controlBefore, const Vec3& control,
+                    Track& track)
+{
+  const SpacetimeModel& model = setup.Model;
+  track.Residuals.push_back(Vec3::Zero());
+  if (frame == 0)
+  {
+    return;
+  }
+  const bool lies = (model.Flag(frame, object) & NoDynamics) != 0;
+  if (!model.Air.IsEmpty())
+  {
+    if (!lies && frame > 1)
+    {
+      track.Residuals[static_cast<std::size_t>(frame) - 1] =
+        setup.AccelerationUnit() * (control - controlBefore);
+    }
+    return;
+  }
+  double rv[3];
+  objective.VelocityResidual(static_cast<std::size_t>(frame), model.NumberOfGas + object, rv);
+  track.Residuals.back() =
+    lies ? Vec3(Vec3::Zero()) : Vec3(setup.AccelerationUnit() * Vec3(rv[0], rv[1], rv[2]));
+}
+
+void AppendObjects(const SpacetimeInput& input, const SpacetimeSetup& setup,
+                   const SpacetimeObjective& objective, FrameTerms& terms, const float* state,
+                   int frame, std::vector<Beside>& beside, SpacetimeOutput& output)
 {
   const SpacetimeModel& model = setup.Model;
   const std::size_t stride = model.Stride();
@@ -60,14 +98,25 @@ void AppendObjects(const SpacetimeInput& input, const SpacetimeSetup& setup, Fra
     {
       witness += (air[k].Density - air[k].WallFraction) / static_cast<double>(per);
     }
-    Vec3 v, u, vortex, wind;
+    Vec3 x, v, relative, vortex, wind;
     for (int c = 0; c < 3; ++c)
     {
+      x[c] = state[c * stride + i];
       v[c] = state[(3 + c) * stride + i];
-      u[c] = v[c] + terms.Average(c)[i] / std::max(0.05, witness);
+      relative[c] = terms.Average(c)[i];
       vortex[c] = terms.ByVortices(c)[i];
       wind[c] = terms.External(c)[i] - vortex[c];
     }
+    Vec3 u = v + relative / std::max(0.05, witness);
+    const Vec3 controlBefore = beside[o].Control;
+    if (!model.Air.IsEmpty())
+    {
+      const Vec3 w = model.Air.Deviation(i, x, v, frame, frame > 0 ? 1.0 : 0.0);
+      beside[o].Control = w - beside[o].Gas;
+      beside[o].Gas = w + relative;
+      u = model.Air.Velocity(x, frame) + beside[o].Gas;
+    }
+    AppendResidual(setup, objective, frame, o, controlBefore, beside[o].Control, track);
     vortex *= setup.AccelerationUnit();
     wind *= setup.AccelerationUnit();
     track.SphVelocities.push_back(speed * v);
@@ -79,8 +128,9 @@ void AppendObjects(const SpacetimeInput& input, const SpacetimeSetup& setup, Fra
   }
 }
 
-void AppendParticles(const SpacetimeInput& input, const SpacetimeSetup& setup, FrameTerms& terms,
-                     const float* state, ParticleSeries& series)
+void AppendParticles(const SpacetimeInput& input, const SpacetimeSetup& setup,
+                     const SpacetimeObjective& objective, FrameTerms& terms, const float* state,
+                     int number, const std::vector<Track>& tracks, ParticleSeries& series)
 {
   const SpacetimeModel& model = setup.Model;
   const std::size_t stride = model.Stride();
@@ -91,7 +141,8 @@ void AppendParticles(const SpacetimeInput& input, const SpacetimeSetup& setup, F
   const std::vector<FrameTerms::AirAt> air = terms.Air();
   series.Frames.emplace_back();
   ParticleSeries::Frame& frame = series.Frames.back();
-  for (auto* v : { &frame.Positions, &frame.Velocities, &frame.Winds, &frame.VortexForces })
+  for (auto* v : { &frame.Positions, &frame.Velocities, &frame.Winds, &frame.VortexForces,
+                   &frame.Residuals })
   {
     v->reserve(3 * n);
   }
@@ -100,12 +151,20 @@ void AppendParticles(const SpacetimeInput& input, const SpacetimeSetup& setup, F
     const bool gas = k < model.NumberOfGas;
     const std::size_t part = gas ? 0 : (k - model.NumberOfGas) % per;
     const std::size_t i = gas ? k : model.NumberOfGas + (k - model.NumberOfGas) / per;
+    double rv[3] = {};
+    if (gas && number > 0)
+    {
+      objective.VelocityResidual(static_cast<std::size_t>(number), i, rv);
+    }
+    const Vec3 residual = gas ? Vec3(setup.AccelerationUnit() * Vec3(rv[0], rv[1], rv[2]))
+                              : tracks[i - model.NumberOfGas].Residuals.back();
     for (int c = 0; c < 3; ++c)
     {
       const double offset = gas ? 0.0 : model.Offsets[part][c];
       frame.Positions.push_back(
         static_cast<float>(setup.Origin[c] + setup.Spacing * (state[c * stride + i] + offset)));
       frame.Velocities.push_back(static_cast<float>(speed * state[(3 + c) * stride + i]));
+      frame.Residuals.push_back(static_cast<float>(residual[c]));
       const double vortex = terms.ByVortices(c)[i];
       frame.VortexForces.push_back(static_cast<float>(setup.AccelerationUnit() * vortex));
       frame.Winds.push_back(
@@ -164,6 +223,29 @@ FieldSeries ExportWind(const SpacetimeInput& input, const SpacetimeSetup& setup)
   return field;
 }
 
+void MeasureDynamics(const SpacetimeSetup& setup, SpacetimeObjective& objective,
+                     const StateVector& state, SpacetimeOutput& output)
+{
+  const SpacetimeModel& model = setup.Model;
+  const ParticleSeries& series = output.Particles;
+  double residuals = 0.0, accelerations = 0.0;
+  for (std::size_t k = 1; k < series.Frames.size(); ++k)
+  {
+    const ParticleSeries::Frame& frame = series.Frames[k];
+    for (std::size_t i = 0; i < 3 * model.NumberOfGas; ++i)
+    {
+      const double a = (frame.Velocities[i] - series.Frames[k - 1].Velocities[i]) / setup.FrameStep;
+      residuals += static_cast<double>(frame.Residuals[i]) * frame.Residuals[i];
+      accelerations += a * a;
+    }
+  }
+  output.GasHiddenHand = accelerations > 0.0 ? std::sqrt(residuals / accelerations) : -1.0;
+  const ReplayError replay =
+    MeasureReplay(objective, state, static_cast<int>(std::lround(1.0 / setup.FrameStep)));
+  output.ObjectReplayError = replay.Objects;
+  output.GasReplayError = replay.Gas;
+}
+
 } // namespace
 
 bool ExportFields(const SpacetimeInput& input, const SpacetimeSetup& setup,
@@ -190,15 +272,19 @@ bool ExportFields(const SpacetimeInput& input, const SpacetimeSetup& setup,
       static_cast<float>(mass * (gas ? model.Fluid.GasMass : model.Fluid.ObjectMass)));
   }
   bool going = true;
+  std::vector<Beside> beside(model.NumberOfObjects);
+  SpacetimeTerms all;
+  objective.Evaluate(state, nullptr, all); // for the residuals
   for (int frame = 0; frame < model.NumberOfFrames; ++frame)
   {
     FrameTerms& terms = objective.ForwardFrame(state, static_cast<std::size_t>(frame));
     const float* here = state.data() + frame * model.FrameSize();
-    AppendObjects(input, setup, terms, here, frame, output);
-    AppendParticles(input, setup, terms, here, series);
+    AppendObjects(input, setup, objective, terms, here, frame, beside, output);
+    AppendParticles(input, setup, objective, terms, here, frame, output.Tracks, series);
     // An abort is noted, and the rest still written: a result without its last frames is none.
     going = monitor.Tick(1.0, "writing the motion") && going;
   }
+  MeasureDynamics(setup, objective, state, output);
   output.Vortices.clear();
   for (const Vortex& vortex : model.Vortices)
   {

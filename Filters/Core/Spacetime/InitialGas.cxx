@@ -2,6 +2,7 @@
 #include "Spacetime/InitialGas.h"
 
 #include "Base/FractionDone.h"
+#include "Spacetime/Rollout.h"
 #include "Spacetime/SplineFit.h"
 #include "Spacetime/WindEstimate.h"
 
@@ -22,7 +23,6 @@ constexpr double FlowSpacing = 1.7;   // of the flow's lattice [dx]: finer than 
 constexpr double FramesPerKnot = 8.0; // of the flow
 constexpr double MostStrength = 3.0;
 constexpr double Beginning = 15.0; // the gas starts with the flow of this frame
-constexpr double Inside = 0.05;    // gas is kept this far from the walls [dx]
 
 Vec3 Row(const float* state, std::size_t stride, std::size_t i)
 {
@@ -117,11 +117,6 @@ bool MakeInitialGas(SpacetimeObjective& objective, const ParallelFor& parallel, 
       state[(3 + c) * stride + i] = static_cast<float>(v[c]);
     }
   }
-  const auto deviation = [&](std::size_t j, const Vec3& x, const Vec3& v) -> Vec3
-  {
-    const double step = level.Steps[j];
-    return v - model.Air.Velocity(x - 0.5 * step * v, level.Frames[j] - 0.5 * step);
-  };
   for (std::size_t j = 0; j + 1 < level.NumberOfFrames(); ++j)
   {
     if (!monitor.Tick(FractionDone(j, level.NumberOfFrames()), {}))
@@ -138,18 +133,10 @@ bool MakeInitialGas(SpacetimeObjective& objective, const ParallelFor& parallel, 
     {
       const Vec3 x = Row(here, stride, i);
       const Vec3 v = Row(here + 3 * stride, stride, i);
-      const Vec3 a(terms.Acceleration(0)[i], terms.Acceleration(1)[i], terms.Acceleration(2)[i]);
-      const Vec3 after =
-        inAir ? model.Air.Carried(x, deviation(j, x, v) + step * a, level.Frames[j + 1], step)
-              : Vec3(v + step * (a + Pull * (SampleField(flow, x, level.Frames[j]) - v)));
-      for (int c = 0; c < 3; ++c)
-      {
-        const double ahead = x[c] + step * after[c];
-        next[(3 + c) * stride + i] = static_cast<float>(after[c]);
-        next[c * stride + i] =
-          static_cast<float>(std::clamp(ahead, Inside, model.Size[c] - Inside));
-        isFinite = isFinite && std::isfinite(after[c]);
-      }
+      const Vec3 pull = inAir ? Vec3(Vec3::Zero()) : Vec3(Pull * (SampleField(flow, x, level.Frames[j]) - v));
+      const Vec3 after = NextVelocity(model, level, terms, j, i, x, v, pull);
+      MoveGas(model, i, step, x, after, next);
+      isFinite = isFinite && after.allFinite();
     }
     if (!isFinite)
     {

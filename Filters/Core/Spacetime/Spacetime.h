@@ -226,6 +226,7 @@ struct ParticleSeries
     std::vector<float> Positions, Velocities; // three each
     std::vector<float> Densities, Pressures;  // kg/m^3, Pa
     std::vector<float> Winds, VortexForces;   // three each, m/s^2
+    std::vector<float> Residuals;             // three each: what no term gives [m/s^2]
   };
   std::vector<int> ObjectIds; // -1: gas
   std::vector<float> Masses;  // kg, as the SPH sums weigh them
@@ -243,6 +244,10 @@ struct SpacetimeOutput
   std::vector<double> PositionResiduals; // rms of x against its prediction by object [dx]
   std::vector<double> VelocityResiduals; // the same of v [dx / frame]
   double Spacing = 0.0;                  // dx [m]
+  /// How far it is a motion of the model. ReplayErrors: of objects and gas, a second after they
+  /// were let go (Rollout.h); GasHiddenHand: rms of the gas' Residuals over that of Dv/Dt. Negative:
+  /// not to be had.
+  double ObjectReplayError = -1.0, GasReplayError = -1.0, GasHiddenHand = -1.0;
   std::vector<std::string> Warnings;
 };
 

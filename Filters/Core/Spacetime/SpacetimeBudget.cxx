@@ -26,7 +26,7 @@ SpacetimeBudget::SpacetimeBudget(const SpacetimeModel& model, const SpacetimeOpt
   const double frame = sizeof(float) * double(model.FrameSize());
   const double particles = double(model.NumberOfParticles());
   const double rows = sizeof(float) * 9.0 * double(model.Stride());
-  const double exported = sizeof(float) * 14.0 * particles;
+  const double exported = sizeof(float) * 17.0 * particles;
   const double reach = 2.0 * options.SmoothingLength + UsualSkin;
   const double neighbors =
     WallFraction * 4.0 / 3.0 * M_PI * reach * reach * reach + 4.0; // whole groups of eight

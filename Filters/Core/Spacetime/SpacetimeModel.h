@@ -80,8 +80,8 @@ struct SpacetimeModel
   std::array<int, 3> WindNodes{ 0, 0, 0 }; // of its lattice; zero: from Size
   SplineWind Background;                   // the user's
   /// Where there is one, velocities are deviations from it in all of E but the positions' steps, no
-  /// other field acts, and objects go with the air and sink at their SettlingSlip: their DragRates
-  /// are 1 and neither its pressure nor the gas' is felt.
+  /// other field acts, and objects go with the air and settle in it: their DragRates are 1, their
+  /// Gravities 0, and they do not feel the gas' pressure.
   DrawnAir Air;
   float AirDrag = 0.0f; // with which the gas is drawn back to it [1 / frame]
   ObstacleField Obstacles;

@@ -261,14 +261,16 @@ void SetUpAir(const SpacetimeInput& input, const SpacetimeOptions& options, Spac
   }
   SpacetimeModel& model = setup.Model;
   const std::size_t no = model.NumberOfObjects;
-  model.Air = DrawnAir(input.Air, setup.Origin, setup.Spacing, setup.FrameStep);
-  model.AirDrag = static_cast<float>(options.WindDrag * setup.FrameStep);
-  for (std::size_t o = 0; o < no; ++o)
+  std::vector<double> settling;
+  for (const MotionObject& object : setup.Objects)
   {
-    model.DragRates[o] = 1.0f;
-    model.Gravities[o] =
-      static_cast<float>(setup.Objects[o].SettlingSpeed * setup.FrameStep / setup.Spacing);
+    settling.push_back(object.SettlingSpeed * setup.FrameStep / setup.Spacing);
   }
+  model.Air = DrawnAir(input.Air, setup.Origin, setup.Spacing, setup.FrameStep, model.NumberOfGas,
+                       std::move(settling));
+  model.AirDrag = static_cast<float>(options.WindDrag * setup.FrameStep);
+  model.DragRates.assign(no, 1.0f);
+  model.Gravities.assign(no, 0.0f);
   model.BrakeHeights.assign(no, 0.0f);
   model.Reach.assign(model.Flags.size(), 0.0f);
   model.CoherenceFractions.assign(model.Flags.size(), 0.0f);

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// E beside a drawn air: what the air does costs nothing, objects go with it, and the gradient is
+// exact.
+#include "Spacetime/InitialGas.h"
+#include "Spacetime/Rollout.h"
+#include "Spacetime/SpacetimeSetup.h"
+#include "Spacetime/TimelinePreconditioner.h"
+#include "SpacetimeScenes.h"
+
+#include <gtest/gtest.h>
+
+using namespace waft;
+
+namespace
+{
+
+// A slow turn about the vertical through the middle of a box, along its walls, which gets faster.
+Vec3 Turning(const Box& box, const Vec3& x, double time)
+{
+  const Vec3 at = M_PI * (x - box.Min).cwiseQuotient(box.Size());
+  const double speed = (0.8 + 0.2 * time) * box.Width();
+  return speed * Vec3(std::sin(at.x()) * std::cos(at.y()), -std::cos(at.x()) * std::sin(at.y()), 0.0) /
+         M_PI;
+}
+
+FieldSeries TurningAir(const Box& bounds, int frames, double step)
+{
+  FieldSeries air;
+  air.Meaning = FieldMeaning::Velocity;
+  air.Dimensions = { 17, 17, 3 };
+  air.Origin = bounds.Min;
+  air.Spacing = bounds.Size().cwiseQuotient(Vec3(16.0, 16.0, 2.0));
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    air.Times.push_back(frame * step);
+    air.Values.emplace_back();
+    for (int k = 0; k < 3; ++k)
+    {
+      for (int j = 0; j < 17; ++j)
+      {
+        for (int i = 0; i < 17; ++i)
+        {
+          const Vec3 x = air.Origin + air.Spacing.cwiseProduct(Vec3(i, j, k));
+          const Vec3 u = Turning(bounds, x, frame * step);
+          air.Values.back().push_back(
+            { static_cast<float>(u[0]), static_cast<float>(u[1]), static_cast<float>(u[2]) });
+        }
+      }
+    }
+  }
+  return air;
+}
+
+struct AirProblem
+{
+  explicit AirProblem(int frames, int objects = 3)
+  {
+    SceneOptions scene;
+    scene.NumberOfFrames = frames;
+    scene.NumberOfObjects = objects;
+    this->Input = MakeScene(scene);
+    this->Step = this->Input.Scene.Time.Step();
+    this->Input.Air = TurningAir(this->Input.Scene.Bounds, frames, this->Step);
+    this->Input.Constraints.clear();
+    for (std::size_t o = 0; o < this->Input.Tracks.size(); ++o)
+    {
+      this->Drift(this->Input.Objects[o], this->Input.Tracks[o]);
+    }
+    SpacetimeOptions options;
+    options.NumberOfGasParticles = 216;
+    options.NumberOfObjectParticles = 12;
+    const Result result = MakeSetup(this->Input, options, this->Setup);
+    EXPECT_TRUE(result) << result.Message();
+    this->Level = TimeLevel::Full(frames, 1);
+  }
+
+  // Along the air less the settling speed, by the midpoint rule.
+  void Drift(const MotionObject& object, Track& track) const
+  {
+    for (std::size_t k = 1; k < track.Positions.size(); ++k)
+    {
+      const Vec3& x = track.Positions[k - 1];
+      Vec3 v = Vec3::Zero();
+      for (int again = 0; again < 4; ++again)
+      {
+        const double between = (static_cast<double>(k) - 0.5) * this->Step;
+        v = this->Input.Air.Sample(x + 0.5 * this->Step * v, between) - object.SettlingSpeed * Vec3::UnitZ();
+      }
+      track.Positions[k] = x + this->Step * v;
+    }
+  }
+
+  double Step = 0.0;
+  SpacetimeInput Input;
+  SpacetimeSetup Setup;
+  TimeLevel Level;
+};
+
+} // namespace
+
+TEST(DrawnAir, ItsGradientEqualsCentralDifferences)
+{
+  const AirProblem problem(8);
+  const SpacetimeModel& model = problem.Setup.Model;
+  SpacetimeObjective objective(model, problem.Level, SerialFor(), FastestSphKernels());
+  StateVector state = problem.Setup.Start;
+  Random random(5);
+  for (float& value : state)
+  {
+    value += static_cast<float>(0.05 * random.Normal());
+  }
+  StateVector gradient(state.size());
+  SpacetimeTerms terms;
+  ASSERT_TRUE(objective.Evaluate(state, &gradient, terms));
+  for (int kind = 0; kind < 4; ++kind) // positions or velocities, of gas or of objects
+  {
+    StateVector plus = state, minus = state;
+    double slope = 0.0, norm = 0.0;
+    const auto isTaken = [&](std::size_t k)
+    {
+      const std::size_t index = k % model.FrameSize();
+      const bool isGas = index % model.Stride() < model.NumberOfGas;
+      return (index / model.Stride() < 3) == (kind % 2 == 0) && isGas == (kind < 2);
+    };
+    for (std::size_t k = 0; k < state.size(); ++k)
+    {
+      norm += isTaken(k) ? static_cast<double>(gradient[k]) * gradient[k] : 0.0;
+    }
+    const double scale = 5e-4 / std::sqrt(norm / static_cast<double>(state.size()));
+    for (std::size_t k = 0; k < state.size(); ++k)
+    {
+      const double move = isTaken(k) ? scale * gradient[k] : 0.0;
+      plus[k] = static_cast<float>(state[k] + move);
+      minus[k] = static_cast<float>(state[k] - move);
+      slope += static_cast<double>(gradient[k]) * (double(plus[k]) - double(minus[k]));
+    }
+    SpacetimeTerms high, low;
+    objective.Evaluate(plus, nullptr, high);
+    objective.Evaluate(minus, nullptr, low);
+    EXPECT_NEAR((high.E - low.E) / slope, 1.0, 3e-3) << "kind " << kind;
+  }
+}
+
+TEST(DrawnAir, WhatDriftsInItCostsNextToNothing)
+{
+  AirProblem problem(40);
+  SpacetimeModel& model = problem.Setup.Model;
+  model.Fluid.ObjectMass = 1e-9; // the gas does not know of the objects
+  model.Fluid.SoundSpeed = 1e-3; // nor of its own disorder
+  SpacetimeObjective objective(model, problem.Level, SerialFor(), FastestSphKernels());
+  StateVector state = problem.Setup.Start;
+  SilentMonitor monitor;
+  ASSERT_TRUE(MakeInitialGas(objective, SerialFor(), monitor, state));
+  SpacetimeTerms drifting, hastened;
+  objective.Evaluate(state, nullptr, drifting);
+  StateVector faster = state;
+  for (std::size_t k = 0; k < faster.size(); ++k)
+  {
+    const bool isVelocity = k % model.FrameSize() >= 3 * model.Stride();
+    faster[k] *= isVelocity ? 1.1f : 1.0f;
+  }
+  objective.Evaluate(faster, nullptr, hastened);
+  EXPECT_LT(drifting.Ev, 1e-3 * hastened.Ev);
+  EXPECT_LT(drifting.Ex, 1e-6);
+  const ReplayError replay = MeasureReplay(objective, state, 5);
+  EXPECT_GE(replay.Objects, 0.0);
+  EXPECT_LT(replay.Objects, 1e-3);
+  EXPECT_LT(replay.Gas, 1e-3);
+}
+
+TEST(DrawnAir, AMotionThatTheModelDoesNotGiveIsNotReplayed)
+{
+  AirProblem problem(40);
+  SpacetimeModel& model = problem.Setup.Model;
+  SpacetimeObjective objective(model, problem.Level, SerialFor(), FastestSphKernels());
+  StateVector state = problem.Setup.Start; // the gas stays where it is in an air that turns
+  const ReplayError replay = MeasureReplay(objective, state, 5);
+  EXPECT_EQ(replay.Gas, -1.0); // it has no velocity
+  for (int frame = 0; frame < model.NumberOfFrames; ++frame)
+  {
+    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    {
+      state[frame * model.FrameSize() + 5 * model.Stride() + model.NumberOfGas + o] *= 3.0f;
+    }
+  }
+  EXPECT_GT(MeasureReplay(objective, state, 5).Objects, 0.3);
+}
+
+TEST(DrawnAir, ARunInItKeepsTheMotionAndSaysHowFarItIsOne)
+{
+  AirProblem problem(50);
+  SpacetimeOptions options;
+  options.NumberOfGasParticles = 216;
+  options.NumberOfObjectParticles = 12;
+  options.MaximumNumberOfIterations = 30;
+  SilentMonitor monitor;
+  SpacetimeOutput output;
+  const Result result = RunSpacetime(problem.Input, options, SerialFor(), monitor, output);
+  ASSERT_TRUE(result) << result.Message();
+  for (std::size_t o = 0; o < output.Tracks.size(); ++o)
+  {
+    for (std::size_t k = 0; k < 50; ++k)
+    {
+      const Vec3 moved = output.Tracks[o].Positions[k] - problem.Input.Tracks[o].Positions[k];
+      EXPECT_LT(moved.norm(), 0.05) << o << ", frame " << k;
+    }
+    ASSERT_EQ(output.Tracks[o].Residuals.size(), 50u);
+  }
+  EXPECT_LT(output.GasHiddenHand, 0.25);
+  EXPECT_GE(output.GasHiddenHand, 0.0);
+  const std::vector<float>& residuals = output.Particles.Frames.back().Residuals;
+  EXPECT_EQ(residuals.size(), output.Particles.Frames.back().Velocities.size());
+}
