@@ -144,9 +144,15 @@ public:
   vtkGetMacro(ContactDistance, double);
   ///@}
   ///@{
-  /** Rate in 1/s with which an air, or a wind given as a velocity, draws the gas. 0 to 100. */
+  /** Rate in 1/s with which a wind given as a velocity draws the gas. 0 to 100. */
   vtkSetClampMacro(WindDrag, double, 0.0, 100.0);
   vtkGetMacro(WindDrag, double);
+  ///@}
+  ///@{
+  /** Rate in 1/s with which gas that moves otherwise than the drawn air of the input Air comes
+   * back to it. With less its disorder shakes the objects. 0 to 100. */
+  vtkSetClampMacro(AirDrag, double, 0.0, 100.0);
+  vtkGetMacro(AirDrag, double);
   ///@}
   ///@{
   /** Estimate a smooth wind from what nothing else explains, and freeze it in the prediction. */
@@ -310,6 +316,7 @@ private:
   double EffectiveGravity = 0.8;
   double ContactDistance = -1.0;
   double WindDrag = 2.0;
+  double AirDrag = 8.0;
   bool EstimateWind = true;
   bool FitVortexFields = true;
   int Passes = 2;

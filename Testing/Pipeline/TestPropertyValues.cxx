@@ -387,7 +387,7 @@ TEST(PropertyValues, OfSmoke)
                       NUMBER(S, BuoyancyTemperature, 0.1),
                       NUMBER(S, EmitterTemperature, 30),
                       NUMBER(S, Dissipation, 0),
-                      NUMBER(S, WindDrag, 1),
+                      NUMBER(S, WindDrag, 1), NUMBER(S, AirDrag, 1),
                       NUMBER(S, CourantNumber, 2),
                       NUMBER(S, Tolerance, 1e-3),
                       ENDS(S, VortexDiameter, 0.3),
@@ -467,7 +467,7 @@ TEST(PropertyValues, OfTheOptimisation)
                       NUMBER(S, SmoothingLength, 1),  NUMBER(S, CourantNumber, 0.5),
                       NUMBER(S, Viscosity, 1),        NUMBER(S, XsphFactor, 0.5),
                       NUMBER(S, PressureExponent, 2), NUMBER(S, EffectiveGravity, 1),
-                      NUMBER(S, ContactDistance, -1), NUMBER(S, WindDrag, 1),
+                      NUMBER(S, ContactDistance, -1), NUMBER(S, WindDrag, 1), NUMBER(S, AirDrag, 1),
                       NUMBER(S, Tolerance, 0.1),      NUMBER(S, TimeLimit, 0),
                       NUMBER(S, EditDuration, 1),     NUMBER(S, EditRadius, 1),
                       NUMBER(S, MemoryLimit, 0),      NUMBER(S, CheckpointInterval, 1) });

@@ -24,11 +24,11 @@ public:
            std::size_t numberOfGas, std::vector<double> settling);
 
   bool IsEmpty() const { return this->Series == nullptr; }
-  /// At a place [dx] and frame; the Jacobian d u_i / d x_j [1 / frame].
-  Vec3 Velocity(const Vec3& x, double frame, Mat3* jacobian = nullptr) const;
+  /// At a place [dx] and frame.
+  Vec3 Velocity(const Vec3& x, double frame) const;
   /// w of a body at x with velocity v at a frame, after a step s.
-  Vec3 Deviation(std::size_t body, const Vec3& x, const Vec3& v, double frame, double step,
-                 Mat3* jacobian = nullptr) const;
+  Vec3 Deviation(std::size_t body, const Vec3& x, const Vec3& v, double frame,
+                 double step) const;
   /// The velocity, in the step s into a frame, of a body at x before it whose deviation is w then.
   Vec3 Carried(std::size_t body, const Vec3& x, const Vec3& w, double frame, double step) const;
 
@@ -42,6 +42,12 @@ public:
                            std::size_t stride, double step, float* gradient);
 
 private:
+  /// The values about a frame, (u, v, w, 0) a node [dx / frame].
+  void Slice(double frame, std::vector<float>& values) const;
+  /// Of a slice, at x [dx]; jacobian (unless null): [1 / frame].
+  void Sample(const std::vector<float>& slice, const Vec3& x, float u[4],
+              float jacobian[3][4]) const;
+
   const FieldSeries* Series = nullptr;
   Vec3 Origin = Vec3::Zero();
   double Spacing = 1.0, FrameStep = 1.0;

@@ -33,6 +33,7 @@ struct SpacetimeOptions : TermWeights
   double EffectiveGravity = 0.8;
   double ContactDistance = -1.0;
   double WindDrag = 2.0;
+  double AirDrag = 8.0;
   bool EstimateWind = true;
   bool FitVortexFields = true;
   int MaximumNumberOfVortices = 16;
@@ -104,8 +105,15 @@ struct SpacetimeOptions : TermWeights
       OptionField{ "WindDrag",
                    { 0, 100 },
                    "1/s",
-                   "Rate in 1/s with which an air, or a wind given as a velocity, draws the gas." },
+                   "Rate in 1/s with which a wind given as a velocity draws the gas." },
       of.WindDrag...);
+    visit(
+      OptionField{ "AirDrag",
+                   { 0, 100 },
+                   "1/s",
+                   "Rate in 1/s with which gas that moves otherwise than a drawn air comes back to it. "
+                   "With less its disorder shakes the objects." },
+      of.AirDrag...);
     visit(
       FlagField(
         "EstimateWind",
@@ -213,8 +221,8 @@ struct SpacetimeOptions : TermWeights
 /// Its Vortices are first guesses and priors (see SelectVortices), its Wind a fixed background.
 struct SpacetimeInput : MotionProblem
 {
-  /// Velocity of a drawn air, in which Wind is contained already, or empty: the gas begins in it
-  /// and is drawn towards it as WindDrag says.
+  /// Velocity of a drawn air, in which Wind is contained already, or empty: what is
+  /// solved for is how gas and objects deviate from it (DrawnAir.h).
   FieldSeries Air;
 };
 

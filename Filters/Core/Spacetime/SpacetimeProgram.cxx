@@ -160,7 +160,7 @@ SpacetimeProgram PlanProgram(const SpacetimeSetup& setup, const SpacetimeOptions
 SpacetimeProgram PlanInAir(const SpacetimeOptions& options)
 {
   SpacetimeProgram program;
-  program.Steps.push_back(Minimise(0, options.Passes, "fine", LastIterations(options)));
+  program.Steps.push_back(Minimise(0, options.Passes, "fine", (LastIterations(options) + 1) / 2));
   return program;
 }
 

@@ -268,7 +268,7 @@ void SetUpAir(const SpacetimeInput& input, const SpacetimeOptions& options, Spac
   }
   model.Air = DrawnAir(input.Air, setup.Origin, setup.Spacing, setup.FrameStep, model.NumberOfGas,
                        std::move(settling));
-  model.AirDrag = static_cast<float>(options.WindDrag * setup.FrameStep);
+  model.AirDrag = static_cast<float>(options.AirDrag * setup.FrameStep);
   model.DragRates.assign(no, 1.0f);
   model.Gravities.assign(no, 0.0f);
   model.BrakeHeights.assign(no, 0.0f);

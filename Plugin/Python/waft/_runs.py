@@ -20,7 +20,7 @@ NEAR_ROW = 8  # frames about a position row that are no free flight
 @dataclass
 class Run:
     """A folder's motion: its flights, the arrays of its tracks {name: [object, frame, ...]}, the columns of its rows {name: [row]},
-    and the touch-downs [(object, frame)]."""
+    the touch-downs [(object, frame)], and what the optimiser says of its own motion {name: number}."""
 
     folder: str
     flights: Flights
@@ -30,6 +30,7 @@ class Run:
     ids: np.ndarray
     touches: list
     inertia: bool
+    figures: dict
 
     @property
     def width(self):
@@ -51,7 +52,13 @@ def read_run(folder, tracks="optimized"):
     flying, free, touches = flight(rows, ids, positions.shape[1], rate)
     report = read_json(os.path.join(folder, "report.json"))
     inertia = bool(report.get("inertia")) if isinstance(report, dict) else False
-    return Run(str(folder), Flights(positions, rate, flying, free, slip), bounds, arrays, rows, ids, touches, inertia)
+    return Run(str(folder), Flights(positions, rate, flying, free, slip), bounds, arrays, rows, ids, touches, inertia,
+               _figures(data))
+
+
+def _figures(data):
+    arrays = {name: data.GetFieldData().GetArray(name) for name in ("ReplayError", "GasReplayError", "GasHiddenHand")}
+    return {name: array.GetValue(0) for name, array in arrays.items() if array is not None and array.GetValue(0) >= 0.0}
 
 
 def _field(path, data, name, size):
