@@ -2,7 +2,7 @@
 #include "CeresRun.h"
 
 #include "ReferenceObjective.h"
-#include "Spacetime/Lbfgs.h"
+#include "Spacetime/Solver/Lbfgs.h"
 
 #include <ceres/ceres.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StandardRun.h"
 
-#include "Spacetime/InitialGas.h"
-#include "Spacetime/LevelSolver.h"
-#include "Spacetime/SpacetimeProgram.h"
-#include "Spacetime/TimeLevels.h"
+#include "Spacetime/Model/LevelTransfer.h"
+#include "Spacetime/Run/SpacetimeProgram.h"
+#include "Spacetime/Scene/InitialGas.h"
+#include "Spacetime/Solver/LevelSolver.h"
 
 #include <sys/resource.h>
 
@@ -234,8 +234,9 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
       leave();
       coarseness = step.Coarseness;
       solver = std::make_unique<LevelSolver>(
-        setup, program.LevelOf(coarseness, model.NumberOfFrames, options.TemporalWindow), parallel,
-        alone, options.HistorySize);
+        setup.Model, setup.Table,
+        program.LevelOf(coarseness, model.NumberOfFrames, options.TemporalWindow), parallel, alone,
+        options.HistorySize);
       part = coarseness > 0 ? Restrict(model, solver->Level, state) : StateVector();
     }
     StateVector& x = coarseness > 0 ? part : state;

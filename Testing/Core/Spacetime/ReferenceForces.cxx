@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReferenceForces.h"
 
-#include "Spacetime/LandingDamping.h"
+#include "Spacetime/Energy/LandingDamping.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 // fast kernels against.
 #pragma once
 
-#include "Spacetime/SpacetimeModel.h"
+#include "Spacetime/Model/SpacetimeModel.h"
 
 namespace waft
 {

@@ -4,7 +4,7 @@
 
 #include "Base/Random.h"
 #include "ReferenceObjective.h"
-#include "Spacetime/SpacetimeSetup.h"
+#include "Spacetime/Scene/SpacetimeSetup.h"
 #include "SpacetimeScenes.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the air does to light things: terminal fall, the cushion above a surface, the moving start.
-#include "Spacetime/InitialGas.h"
-#include "Spacetime/LandingDamping.h"
-#include "Spacetime/SpacetimeSetup.h"
+#include "Spacetime/Energy/LandingDamping.h"
+#include "Spacetime/Scene/InitialGas.h"
+#include "Spacetime/Scene/SpacetimeSetup.h"
 #include "SpacetimeScenes.h"
 #include "StandardProblem.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Spacetime/SpacetimeObjective.h"
-#include "Spacetime/SpacetimeSetup.h"
-#include "Spacetime/TimelinePreconditioner.h"
+#include "Spacetime/Energy/SpacetimeObjective.h"
+#include "Spacetime/Scene/SpacetimeSetup.h"
+#include "Spacetime/Solver/TimelinePreconditioner.h"
 #include "SpacetimeScenes.h"
 
 #include <gtest/gtest.h>

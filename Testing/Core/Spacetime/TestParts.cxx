@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Levels of time, distances of pairs, the way out of obstacles, the preconditioner, clusters of
 // linear rows, the wind's least squares.
-#include "Spacetime/HardConstraints.h"
-#include "Spacetime/ObjectTerms.h"
-#include "Spacetime/SpacetimeExport.h"
-#include "Spacetime/SpacetimeProgram.h"
-#include "Spacetime/SpacetimeSetup.h"
-#include "Spacetime/TimeLevels.h"
-#include "Spacetime/TimelinePreconditioner.h"
-#include "Spacetime/VortexSelection.h"
-#include "Spacetime/WindEstimate.h"
+#include "Spacetime/Energy/ObjectTerms.h"
+#include "Spacetime/Fields/VortexSelection.h"
+#include "Spacetime/Fields/WindEstimate.h"
+#include "Spacetime/Model/LevelTransfer.h"
+#include "Spacetime/Run/SpacetimeProgram.h"
+#include "Spacetime/Scene/SpacetimeExport.h"
+#include "Spacetime/Scene/SpacetimeSetup.h"
+#include "Spacetime/Solver/HardConstraints.h"
+#include "Spacetime/Solver/TimelinePreconditioner.h"
 #include "SpacetimeScenes.h"
 
 #include <Eigen/Dense>

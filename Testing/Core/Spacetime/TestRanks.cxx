@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several ranks: the same bits as one, whatever is asked for.
 #include "Base/TemporaryFolder.h"
-#include "Spacetime/LevelSolver.h"
-#include "Spacetime/SpacetimeBudget.h"
+#include "Spacetime/Run/SpacetimeBudget.h"
+#include "Spacetime/Solver/LevelSolver.h"
 #include "SpacetimeRuns.h"
 #include "ThreadRanks.h"
 
@@ -282,13 +282,14 @@ TEST(Ranks, ShareTheMemoryOfTheSolver)
   SpacetimeSetup setup;
   ASSERT_TRUE(MakeSetup(Scene(), Options(), setup));
   std::vector<std::size_t> sizes(4);
-  EXPECT_TRUE(
-    RunRanks(4,
-             [&](Communicator& ranks)
-             {
-               const LevelSolver solver(setup, TimeLevel::Full(40, 1), SerialFor(), ranks, 6);
-               const std::size_t size = setup.Model.FrameSize();
-               sizes[ranks.Rank()] = solver.Partition.Take(setup.Start, size).size() / size;
-             }));
+  EXPECT_TRUE(RunRanks(4,
+                       [&](Communicator& ranks)
+                       {
+                         const LevelSolver solver(setup.Model, setup.Table, TimeLevel::Full(40, 1),
+                                                  SerialFor(), ranks, 6);
+                         const std::size_t size = setup.Model.FrameSize();
+                         sizes[ranks.Rank()] =
+                           solver.Partition.Take(setup.Start, size).size() / size;
+                       }));
   EXPECT_EQ(sizes, (std::vector<std::size_t>{ 11, 12, 12, 11 })); // ten each, and the halo
 }

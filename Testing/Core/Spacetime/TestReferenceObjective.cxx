@@ -3,7 +3,7 @@
 #include "Base/Random.h"
 #include "CeresRun.h"
 #include "ReferenceObjective.h"
-#include "Spacetime/SpacetimeObjective.h"
+#include "Spacetime/Energy/SpacetimeObjective.h"
 
 #include <gtest/gtest.h>
 

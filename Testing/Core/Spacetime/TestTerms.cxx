@@ -3,7 +3,7 @@
 // fast objective in single precision held against them.
 #include "Base/Random.h"
 #include "ReferenceObjective.h"
-#include "Spacetime/SpacetimeObjective.h"
+#include "Spacetime/Energy/SpacetimeObjective.h"
 #include "TermCases.h"
 
 #include <gtest/gtest.h>
