@@ -198,7 +198,7 @@ TEST(Ranks, GoOnFromAMotionAndEditItToTheSameBits)
   SpacetimeWarmStart one, two;
   const SpacetimeOutput first = RunScene(input, options, 1, &one);
   ExpectSame(RunOn(2, input, options, &two), first);
-  EXPECT_EQ(one.State, two.State);
+  EXPECT_EQ(one.State.Motion, two.State.Motion);
   // A target is moved: a part of the motion is solved again.
   input.Constraints.back().Value.x() += 0.05;
   const SpacetimeOutput edited = RunScene(input, options, 1, &one);
@@ -285,8 +285,8 @@ TEST(Ranks, ShareTheMemoryOfTheSolver)
   EXPECT_TRUE(RunRanks(4,
                        [&](Communicator& ranks)
                        {
-                         const LevelSolver solver(setup.Model, setup.Table, TimeLevel::Full(40, 1),
-                                                  SerialFor(), ranks, 6);
+                         const LevelSolver solver(setup.Model, setup.Model.Fields, setup.Table,
+                                                  TimeLevel::Full(40, 1), SerialFor(), ranks, 6);
                          const std::size_t size = setup.Model.FrameSize();
                          sizes[ranks.Rank()] =
                            solver.Partition.Take(setup.Start, size).size() / size;

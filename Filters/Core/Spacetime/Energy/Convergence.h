@@ -34,7 +34,7 @@ struct SpacetimeTerms
   }
 };
 
-inline void Exchange(StateArchive& stream, SpacetimeTerms& terms)
+inline void Serialise(StateArchive& stream, SpacetimeTerms& terms)
 {
   SpacetimeTerms::Visit([&](double& value) { stream.Value(value); }, terms);
 }
@@ -89,9 +89,9 @@ void VisitConvergence(Visitor&& visit)
 }
 
 /// All columns and Penalties: a row as it was.
-inline void Exchange(StateArchive& stream, ConvergenceRow& row)
+inline void Serialise(StateArchive& stream, ConvergenceRow& row)
 {
-  Exchange(stream, static_cast<SpacetimeTerms&>(row));
+  Serialise(stream, static_cast<SpacetimeTerms&>(row));
   stream.Values(row.Pass, row.Iteration, row.MaxViolation, row.Leash, row.Seconds);
   stream.Text(row.Stage);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What acts on a frame's bodies beside the gas: vortices, winds and cushions.
+// What acts on a frame's bodies beside the gas: vortices, winds and the damping of landings.
 #include "Spacetime/Energy/FrameTerms.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr double LeastTimeFactor = 1e-3; // a vortex weaker than this share of i
 void FrameTerms::ActivateVortices(int frame)
 {
   this->Active.clear();
-  for (const Vortex& vortex : this->Model.Vortices)
+  for (const Vortex& vortex : this->Fields.Vortices)
   {
     const double factor = vortex.TimeFactor(frame);
     if (factor < LeastTimeFactor)
@@ -43,7 +43,7 @@ void FrameTerms::AddWinds(const float* state, std::size_t begin, std::size_t end
   const float* x = state + begin;
   const SphRows force = this->BodyRows(this->Force, begin);
   const SphRows jacobian = this->BodyRows(this->Jacobian, begin);
-  const SplineWind& wind = this->Model.Wind;
+  const SplineWind& wind = this->Fields.Wind;
   if (!wind.IsEmpty())
   {
     this->Kernels.Spline(wind.Field(this->WindCoefficients), 1.0f, end - begin, x, x + s, x + 2 * s,
@@ -71,11 +71,11 @@ void FrameTerms::AddFields(const float* state, int frame)
   const std::size_t s = this->BodyStride;
   const SplineWind& background = this->Model.Background;
   this->ActivateVortices(frame);
-  this->HasWinds = !this->Model.Wind.IsEmpty() || !background.IsEmpty();
+  this->HasWinds = !this->Fields.Wind.IsEmpty() || !background.IsEmpty();
   this->BackgroundDrag = 0.0f;
-  if (!this->Model.Wind.IsEmpty())
+  if (!this->Fields.Wind.IsEmpty())
   {
-    this->Model.Wind.At(frame, this->WindCoefficients);
+    this->Fields.Wind.At(frame, this->WindCoefficients);
   }
   if (!background.IsEmpty())
   {

@@ -24,10 +24,11 @@ inline float PositivePart(float x)
 
 } // namespace
 
-FrameTerms::FrameTerms(const SpacetimeModel& model, const SphFluid& fluid,
+FrameTerms::FrameTerms(const SpacetimeModel& model, const AirFields& fields, const SphFluid& fluid,
                        const SphKernelTable& kernels) :
   Model(model),
-  Fluid(fluid), Kernels(kernels), Constants(fluid.Constants()), BodyStride(model.Stride())
+  Fields(fields), Fluid(fluid), Kernels(kernels), Constants(fluid.Constants()),
+  BodyStride(model.Stride())
 {
   const std::size_t n = model.NumberOfParticles();
   this->ParticleStride = (n + 15) / 16 * 16;

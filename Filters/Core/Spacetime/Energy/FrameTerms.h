@@ -18,7 +18,9 @@ namespace waft
 class FrameTerms
 {
 public:
-  FrameTerms(const SpacetimeModel& model, const SphFluid& fluid, const SphKernelTable& kernels);
+  /// The fields may change between two calls of Forward.
+  FrameTerms(const SpacetimeModel& model, const AirFields& fields, const SphFluid& fluid,
+             const SphKernelTable& kernels);
 
   /// state: the frame's six rows; step: frames to the next one. Brings `list` up to date.
   /// Then Acceleration (all of it, external fields included) and Average hold.
@@ -75,6 +77,7 @@ private:
   }
 
   const SpacetimeModel& Model;
+  const AirFields& Fields;
   SphFluid Fluid;
   const SphKernelTable& Kernels;
   SphConstants Constants;

@@ -114,7 +114,7 @@ void SpacetimeObjective::RewindLists()
   }
 }
 
-void SpacetimeObjective::ExchangeLists(StateArchive& stream)
+void SpacetimeObjective::SerialiseLists(StateArchive& stream)
 {
   for (std::size_t j = 0; j < this->Times.NumberOfFrames() && this->KeepsLists; ++j)
   {

@@ -12,19 +12,22 @@ namespace waft
 
 struct SpacetimeObjective::Worker
 {
-  Worker(const SpacetimeModel& model, const TimeLevel& level, const SphKernelTable& kernels) :
-    Terms(model, FluidOf(model, level), kernels)
+  Worker(const SpacetimeModel& model, const AirFields& fields, const TimeLevel& level,
+         const SphKernelTable& kernels) :
+    Terms(model, fields, FluidOf(model, level), kernels)
   {
   }
   FrameTerms Terms;
   NeighborList List; // of the frame at hand, where lists are not kept
 };
 
-SpacetimeObjective::SpacetimeObjective(const SpacetimeModel& model, const TimeLevel& level,
-                                       const ParallelFor& parallel, const SphKernelTable& kernels,
-                                       bool keepsLists, const FramePartition* partition) :
+SpacetimeObjective::SpacetimeObjective(const SpacetimeModel& model, const AirFields& fields,
+                                       const TimeLevel& level, const ParallelFor& parallel,
+                                       const SphKernelTable& kernels, bool keepsLists,
+                                       const FramePartition* partition) :
   Problem(model),
-  Times(level), Ranks(partition != nullptr ? *partition : FramePartition(level.NumberOfFrames())),
+  Acting(fields), Times(level),
+  Ranks(partition != nullptr ? *partition : FramePartition(level.NumberOfFrames())),
   Parallel(parallel), Kernels(kernels), KeepsLists(keepsLists)
 {
   const double self = model.Fluid.GasMass * model.Fluid.Kernel(0.0);
@@ -59,7 +62,7 @@ std::unique_ptr<SpacetimeObjective::Worker> SpacetimeObjective::Borrow()
       return worker;
     }
   }
-  return std::make_unique<Worker>(this->Problem, this->Times, this->Kernels);
+  return std::make_unique<Worker>(this->Problem, this->Acting, this->Times, this->Kernels);
 }
 
 void SpacetimeObjective::Return(std::unique_ptr<Worker> worker)
@@ -82,7 +85,8 @@ FrameTerms& SpacetimeObjective::ForwardFrame(const StateVector& state, std::size
 {
   if (this->Pool.empty())
   {
-    this->Pool.push_back(std::make_unique<Worker>(this->Problem, this->Times, this->Kernels));
+    this->Pool.push_back(
+      std::make_unique<Worker>(this->Problem, this->Acting, this->Times, this->Kernels));
   }
   FrameTerms& terms = this->Pool.front()->Terms;
   const double step = j + 1 < this->Times.NumberOfFrames() ? this->Times.Steps[j + 1] : 1.0;

@@ -26,10 +26,12 @@ namespace waft
 class SpacetimeObjective
 {
 public:
-  /// The model and the level must outlive the objective. Without keepsLists neighbours are looked
+  /// The model, the fields and the level must outlive the objective; the fields may change between
+  /// two evaluations. Without keepsLists neighbours are looked
   /// for at each evaluation: slower, for few evaluations in little memory.
-  /// share: of the level's frames; null: all are this rank's. State and gradient are vectors of it.
-  SpacetimeObjective(const SpacetimeModel& model, const TimeLevel& level,
+  /// partition: of the level's frames; null: all are this rank's. State and gradient are vectors of
+  /// it.
+  SpacetimeObjective(const SpacetimeModel& model, const AirFields& fields, const TimeLevel& level,
                      const ParallelFor& parallel, const SphKernelTable& kernels,
                      bool keepsLists = true, const FramePartition* partition = nullptr);
   ~SpacetimeObjective();
@@ -51,7 +53,7 @@ public:
 
   /// Writes, or reads back, what the neighbour lists remember of the evaluations so far: with it
   /// the next ones give the same bits.
-  void ExchangeLists(StateArchive& stream);
+  void SerialiseLists(StateArchive& stream);
   /// Remembers the lists as they are now; brings them back to that, whatever was evaluated since.
   void MarkLists();
   void RewindLists();
@@ -60,6 +62,7 @@ public:
   FrameTerms& ForwardFrame(const StateVector& state, std::size_t j);
 
   const SpacetimeModel& Model() const { return this->Problem; }
+  const AirFields& Fields() const { return this->Acting; }
   const TimeLevel& Level() const { return this->Times; }
   const FramePartition& Partition() const { return this->Ranks; }
   std::size_t NumberOfEvaluations() const { return this->Evaluations; }
@@ -94,6 +97,7 @@ private:
   }
 
   const SpacetimeModel& Problem;
+  const AirFields& Acting;
   const TimeLevel& Times;
   FramePartition Ranks;
   ParallelFor Parallel;

@@ -33,10 +33,10 @@ void ForFlights(const SpacetimeModel& model, const TimeLevel& level,
   }
 }
 
-Vec3 VortexAcceleration(const SpacetimeModel& model, const Vec3& x, double frame)
+Vec3 VortexAcceleration(const AirFields& fields, const Vec3& x, double frame)
 {
   Vec3 sum = Vec3::Zero();
-  for (const Vortex& vortex : model.Vortices)
+  for (const Vortex& vortex : fields.Vortices)
   {
     sum += vortex.Acceleration(x, frame);
   }
@@ -78,9 +78,10 @@ std::vector<Vec3> ObjectPositions(const SpacetimeModel& model, const FramePartit
   return positions;
 }
 
-void HoldWind(SpacetimeModel& model, const TimeLevel& level, const std::vector<Vec3>& positions)
+void HoldWind(const SpacetimeModel& model, const TimeLevel& level,
+              const std::vector<Vec3>& positions, AirFields& fields)
 {
-  if (model.Wind.IsEmpty())
+  if (fields.Wind.IsEmpty())
   {
     return;
   }
@@ -93,8 +94,8 @@ void HoldWind(SpacetimeModel& model, const TimeLevel& level, const std::vector<V
     for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
     {
       const Vec3& x = positions[j * model.NumberOfObjects + o];
-      const double vortices = VortexAcceleration(model, x, level.Frames[j]).squaredNorm();
-      const double wind = SampleField(model.Wind, x, level.Frames[j]).squaredNorm();
+      const double vortices = VortexAcceleration(fields, x, level.Frames[j]).squaredNorm();
+      const double wind = SampleField(fields.Wind, x, level.Frames[j]).squaredNorm();
       all.Vortices += vortices;
       all.Wind += wind;
       if (j + 1 < level.NumberOfFrames() && !StepIsBound(model, level, j + 1, o))
@@ -114,32 +115,33 @@ void HoldWind(SpacetimeModel& model, const TimeLevel& level, const std::vector<V
   }
   if (factor < 1.0)
   {
-    Scale(model.Wind, factor);
+    Scale(fields.Wind, factor);
   }
 }
 
-bool UpdateWind(SpacetimeModel& model, SpacetimeObjective& objective, const StateVector& state,
+bool UpdateWind(AirFields& fields, SpacetimeObjective& objective, const StateVector& state,
                 const ParallelFor& parallel, Monitor* monitor, SpacetimeTerms& terms)
 {
+  const SpacetimeModel& model = objective.Model();
   // New vortices may be weaker than those that the wind was held to.
   const std::vector<Vec3> positions = ObjectPositions(model, objective.Partition(), state);
-  HoldWind(model, objective.Level(), positions);
+  HoldWind(model, objective.Level(), positions, fields);
   // The residuals that the estimate reads belong to the last evaluation: make that this state.
   if (!objective.Evaluate(state, nullptr, terms, monitor))
   {
     return false;
   }
-  const SplineWind before = model.Wind;
+  const SplineWind before = fields.Wind;
   const SplineWind fitted = EstimateWind(objective, state, WindOptions(), parallel);
   for (double fraction = 1.0; fraction > 0.2; fraction *= 0.5)
   {
-    model.Wind = fitted;
-    HoldWind(model, objective.Level(), positions);
-    Scale(model.Wind, fraction);
+    fields.Wind = fitted;
+    HoldWind(model, objective.Level(), positions, fields);
+    Scale(fields.Wind, fraction);
     SpacetimeTerms next;
     if (!objective.Evaluate(state, nullptr, next, monitor))
     {
-      model.Wind = before;
+      fields.Wind = before;
       return false;
     }
     if (std::isfinite(next.E) && next.E < terms.E)
@@ -148,22 +150,23 @@ bool UpdateWind(SpacetimeModel& model, SpacetimeObjective& objective, const Stat
       return true;
     }
   }
-  model.Wind = before;
+  fields.Wind = before;
   return objective.Evaluate(state, nullptr, terms, monitor);
 }
 
-bool UpdateVortices(SpacetimeModel& model, const SpacetimeUnits& units,
-                    SpacetimeObjective& objective, const std::vector<Track>& planned,
-                    const Box& bounds, std::uint64_t seed, const StateVector& state,
-                    Monitor& monitor, Monitor& fitMonitor, SpacetimeTerms& terms)
+bool UpdateVortices(AirFields& fields, const SpacetimeUnits& units, SpacetimeObjective& objective,
+                    const std::vector<Track>& planned, const Box& bounds, std::uint64_t seed,
+                    const StateVector& state, Monitor& monitor, Monitor& fitMonitor,
+                    SpacetimeTerms& terms)
 {
+  const SpacetimeModel& model = objective.Model();
   if (!objective.Evaluate(state, nullptr, terms, &monitor))
   {
     return false;
   }
   std::vector<Vortex> priors;
   std::set<int> known;
-  for (const Vortex& vortex : model.Vortices)
+  for (const Vortex& vortex : fields.Vortices)
   {
     priors.push_back(ToWorld(units, vortex));
     known.insert(vortex.VortexId);
@@ -188,10 +191,10 @@ bool UpdateVortices(SpacetimeModel& model, const SpacetimeUnits& units,
                                  ? Vec3(row[0] / weight, row[1] / weight, row[2] / weight)
                                  : Vec3::Zero();
                // What the motion asks for: the fields as they are and what they leave over.
-               Vec3 a = VortexAcceleration(model, x, frame) + rv / level.Steps[j + 1];
-               if (!model.Wind.IsEmpty())
+               Vec3 a = VortexAcceleration(fields, x, frame) + rv / level.Steps[j + 1];
+               if (!fields.Wind.IsEmpty())
                {
-                 a += SampleField(model.Wind, x, frame);
+                 a += SampleField(fields.Wind, x, frame);
                }
                VortexSample sample;
                sample.Track = static_cast<int>(o);
@@ -231,11 +234,11 @@ bool UpdateVortices(SpacetimeModel& model, const SpacetimeUnits& units,
   {
     return going;
   }
-  const std::vector<Vortex> before = model.Vortices;
-  model.Vortices.clear();
+  const std::vector<Vortex> before = fields.Vortices;
+  fields.Vortices.clear();
   for (const Vortex& vortex : fitted)
   {
-    model.Vortices.push_back(ToModel(units, vortex));
+    fields.Vortices.push_back(ToModel(units, vortex));
   }
   SpacetimeTerms next;
   const bool evaluated = objective.Evaluate(state, nullptr, next, &monitor);
@@ -244,7 +247,7 @@ bool UpdateVortices(SpacetimeModel& model, const SpacetimeUnits& units,
     terms = next;
     return true;
   }
-  model.Vortices = before;
+  fields.Vortices = before;
   return evaluated;
 }
 

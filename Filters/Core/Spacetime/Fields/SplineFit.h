@@ -36,7 +36,7 @@ struct SplineSamples
 
 /// The field's coefficients are those of a CurlPotential, so that its discrete divergence vanishes.
 /// shape: the lattice, its FramesPerKnot and as many knots as wanted (their values are not read).
-/// share: of the frames that samples are given of, which have samples on their own rank alone
+/// partition: of the frames that samples are given of, which have samples on their own rank alone
 /// (Frame is set on all); the field is found on every rank. Null: all are this rank's.
 SplineWind FitSplineField(const SplineWind& shape, int numberOfKnots,
                           const std::vector<SplineSamples>& samples,

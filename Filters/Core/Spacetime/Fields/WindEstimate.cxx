@@ -77,9 +77,9 @@ SplineWind EstimateWind(const SpacetimeObjective& objective, const StateVector& 
       double rv[3];
       objective.VelocityResidual(j + 1, i, rv);
       sample.Value = Vec3(rv[0], rv[1], rv[2]) / step;
-      if (!model.Wind.IsEmpty())
+      if (!objective.Fields().Wind.IsEmpty())
       {
-        sample.Value += SampleField(model.Wind, sample.Position, level.Frames[j]);
+        sample.Value += SampleField(objective.Fields().Wind, sample.Position, level.Frames[j]);
       }
       sample.Weight = (gas ? options.GasStride : 1.0) * model.VelocityWeight(i) * step;
       samples[j].Samples.push_back(sample);

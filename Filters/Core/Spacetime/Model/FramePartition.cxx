@@ -205,8 +205,8 @@ void FramePartition::BringToFirst(std::size_t j, Communicator::Bytes& bytes) con
   }
 }
 
-void FramePartition::Exchange(StateArchive& stream, std::vector<float>& held,
-                              std::size_t blockSize) const
+void FramePartition::Serialise(StateArchive& stream, std::vector<float>& held,
+                               std::size_t blockSize) const
 {
   if (this->IsAlone())
   {

@@ -79,7 +79,7 @@ public:
   /// What a frame's owner has, to rank 0; nothing on the others.
   void BringToFirst(std::size_t j, Communicator::Bytes& bytes) const;
   /// Moves a vector as a list of the blocks of all frames, the same for any number of ranks.
-  void Exchange(StateArchive& stream, std::vector<float>& held, std::size_t blockSize) const;
+  void Serialise(StateArchive& stream, std::vector<float>& held, std::size_t blockSize) const;
 
 private:
   Communicator* Ranks = nullptr;

@@ -3,12 +3,11 @@
 // times in frames. What is known and fixed while E is minimised.
 #pragma once
 
-#include "Base/ForceFields.h"
 #include "Constraints/ClearanceRule.h"
 #include "Particles/ObstacleField.h"
 #include "Particles/RestDensity.h"
 #include "Particles/SphFluid.h"
-#include "Spacetime/Model/SplineWind.h"
+#include "Spacetime/Model/AirFields.h"
 #include "Spacetime/Model/TermWeights.h"
 
 #include <array>
@@ -42,7 +41,7 @@ enum ObjectFrameFlags : std::uint8_t
   NoDynamics = 4,       // the step into this frame is not one of free flight
   LandsOnFloor = 8,     // clearance to the floor is reduced to the rest height
   LandsOnObstacle = 16, // the same for obstacles
-  LiftsOff = 32         // after a rest: no cushion, which would hold it back
+  LiftsOff = 32         // after a rest: no landing damping, which would hold it back
 };
 
 /// Everything but the unknowns.
@@ -73,8 +72,7 @@ struct SpacetimeModel
   std::vector<float> CoherenceFractions;
   std::vector<std::uint8_t> Flags; // [frame * NumberOfObjects + object]
 
-  std::vector<Vortex> Vortices;            // in dx and frames
-  SplineWind Wind;                         // estimated
+  AirFields Fields;                        // that a run begins with
   std::array<int, 3> WindNodes{ 0, 0, 0 }; // of its lattice; zero: from Size
   SplineWind Background;                   // the user's, or a drawn air
   bool HasAir = false;                     // Background is one

@@ -30,7 +30,7 @@ struct SpacetimeOptions : TermWeights
   bool UseLeash = true;
   int LeashIterations = 20;
   /// A third of it on every fourth frame and in each of the last stages, two fifths in those
-  /// between; see PlanProgram.
+  /// between; see PlanSchedule.
   int MaximumNumberOfIterations = 150;
   double Tolerance = 0.01;
   int HistorySize = 6;
@@ -114,7 +114,7 @@ struct SpacetimeOptions : TermWeights
 
   /// What else decides on the result: how E is minimised.
   template <class Visitor, class... Holder>
-  static void VisitProgram(Visitor&& visit, Holder&... of)
+  static void VisitSchedule(Visitor&& visit, Holder&... of)
   {
     visit(
       OptionField{
@@ -195,7 +195,7 @@ struct SpacetimeOptions : TermWeights
   static void Visit(Visitor&& visit, Holder&... of)
   {
     VisitPhysics(visit, of...);
-    VisitProgram(visit, of...);
+    VisitSchedule(visit, of...);
     VisitUse(visit, of...);
   }
 };

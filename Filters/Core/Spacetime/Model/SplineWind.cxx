@@ -80,7 +80,7 @@ Vec3 SampleField(const SplineWind& field, const Vec3& x, double frame)
   return value;
 }
 
-void Exchange(StateArchive& stream, SplineWind& wind)
+void Serialise(StateArchive& stream, SplineWind& wind)
 {
   stream.Values(wind.Dimensions[0], wind.Dimensions[1], wind.Dimensions[2], wind.Origin,
                 wind.Spacing, wind.FramesPerKnot, wind.Drag);

@@ -48,6 +48,6 @@ struct SplineWind
 /// Value of a field at a place [dx] and frame.
 Vec3 SampleField(const SplineWind& field, const Vec3& x, double frame);
 
-void Exchange(StateArchive& stream, SplineWind& wind);
+void Serialise(StateArchive& stream, SplineWind& wind);
 
 } // namespace waft

@@ -2,11 +2,32 @@
 #include "Spacetime/Run/Spacetime.h"
 
 #include "Spacetime/Fields/WindEstimate.h"
-#include "Spacetime/Run/SpacetimeExchange.h"
+#include "Spacetime/Run/SpacetimeBudget.h"
 #include "Spacetime/Run/SpacetimeRun.h"
+#include "Spacetime/Run/SpacetimeSerialise.h"
+
+#include <utility>
 
 namespace waft
 {
+namespace
+{
+
+Result RunHere(const SpacetimeInput& input, const SpacetimeOptions& options,
+               const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
+               SpacetimeWarmStart* memory, Communicator& ranks)
+{
+  SpacetimeSetup problem;
+  WAFT_RETURN_IF_FAILED(MakeSetup(input, options, problem));
+  WAFT_RETURN_IF_FAILED(
+    SpacetimeBudget(problem.Model, options)
+      .Validate(static_cast<std::size_t>(problem.Model.NumberOfFrames), options));
+  StateVector start = std::move(problem.Start);
+  return SpacetimeRun(input, options, problem, parallel, monitor, output, memory, ranks)
+    .Run(std::move(start));
+}
+
+} // namespace
 
 std::array<int, 3> WindLatticeDimensions(const Box& volume)
 {
@@ -26,19 +47,19 @@ Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options
     if (all.Size() > 1)
     {
       BroadcastStream stream(all);
-      Exchange(stream, const_cast<SpacetimeInput&>(input)); // which writing leaves as it is
-      Exchange(stream, const_cast<SpacetimeOptions&>(options));
+      Serialise(stream, const_cast<SpacetimeInput&>(input)); // which writing leaves as it is
+      Serialise(stream, const_cast<SpacetimeOptions&>(options));
     }
-    result = SpacetimeRun(input, options, parallel, monitor, output, memory, all).Run();
+    result = RunHere(input, options, parallel, monitor, output, memory, all);
   }
   else
   {
     BroadcastStream stream(all);
     SpacetimeInput received;
     SpacetimeOptions asked;
-    Exchange(stream, received);
-    Exchange(stream, asked);
-    result = SpacetimeRun(received, asked, parallel, monitor, output, nullptr, all).Run();
+    Serialise(stream, received);
+    Serialise(stream, asked);
+    result = RunHere(received, asked, parallel, monitor, output, nullptr, all);
   }
   if (!result || !all.IsFirst())
   {

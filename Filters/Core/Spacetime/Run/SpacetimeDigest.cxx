@@ -2,7 +2,6 @@
 #include "Spacetime/Run/SpacetimeDigest.h"
 
 #include "Particles/SphKernels.h"
-#include "Spacetime/Run/SpacetimeExchange.h"
 
 #include <set>
 
@@ -117,7 +116,7 @@ std::uint64_t DigestOfRun(const SpacetimeInput& input, const SpacetimeOptions& o
   AddScene(sum, input.Scene);
   AddSurroundings(sum, input);
   SpacetimeOptions::VisitPhysics(ExchangeFieldsWith(sum), Read(options));
-  SpacetimeOptions::VisitProgram(ExchangeFieldsWith(sum), Read(options));
+  SpacetimeOptions::VisitSchedule(ExchangeFieldsWith(sum), Read(options));
   for (const Track& track : input.Tracks)
   {
     sum.Value(Read(track.ObjectId));

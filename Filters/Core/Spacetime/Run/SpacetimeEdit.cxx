@@ -76,7 +76,7 @@ EditRegion FindEditRegion(const SpacetimeWarmStart& before, const ProblemDigest&
     region.Movable[model.NumberOfGas + o] = 1;
     for (int frame = region.First; frame <= region.Last; ++frame)
     {
-      for (const StateVector* motion : { &before.State, &state })
+      for (const StateVector* motion : { &before.State.Motion, &state })
       {
         const Vec3 at = Position(model, *motion, frame, model.NumberOfGas + o);
         for (std::size_t i = 0; i < region.Movable.size(); ++i)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Spacetime/Run/SolverState.h"
 #include "Spacetime/Run/SpacetimeDigest.h"
 
-#include <string>
 #include <vector>
 
 namespace waft
@@ -13,14 +13,11 @@ namespace waft
 struct SpacetimeWarmStart
 {
   ProblemDigest Digest;
-  StateVector State;            // all frames, gas and objects, as exported [dx]
-  std::vector<Vortex> Vortices; // as E ended with them, in dx and frames
-  SplineWind Wind;
+  SolverState State;                        // as exported; Now: the stage that it was stopped in
   std::vector<Vec3> Planned;                // [frame * objects + object, dx]
   std::vector<std::vector<Vec3>> Positions; // exported, by object and frame [m]
-  std::string Stage; // of the program, where the run was stopped; empty: it had ended
 
-  bool IsEmpty() const { return this->State.empty(); }
+  bool IsEmpty() const { return this->State.Motion.empty(); }
 };
 
 } // namespace waft

@@ -33,27 +33,27 @@ std::vector<std::pair<std::size_t, std::size_t>> SpacetimeRun::Windows(int sweep
   return windows;
 }
 
-bool SpacetimeRun::MinimizeInWindows(const SpacetimeStep& step)
+bool SpacetimeRun::MinimizeInWindows(const Stage& stage)
 {
-  const SpacetimeModel& model = this->Setup.Model;
+  const SpacetimeModel& model = this->Problem.Model;
+  const std::string name = stage.Name();
   LevelSolver& whole = *this->Solver;
-  StateVector& state = this->LevelState();
-  CurrentWindow& current = this->Current;
+  StateVector& state = this->State.Part;
+  WindowSweep& current = this->State.Sweep;
   const int sweeps =
-    std::max(2, static_cast<int>(std::lround(SweepsOfAll * step.Iterations / IterationsAtOnce)));
-  const double from = 1.0 - this->Program.Work(this->Next, model.NumberOfFrames) / this->AllWork;
-  const double to = 1.0 - this->Program.Work(this->Next + 1, model.NumberOfFrames) / this->AllWork;
-  StepMonitor monitor(this->Progress, from, to, sweeps + 1);
-  monitor.Text = "spacetime: " + step.Name;
-  whole.Constraints.SetLeash(step.Leash / this->Setup.Spacing);
+    std::max(2, static_cast<int>(std::lround(SweepsOfAll * stage.Iterations / IterationsAtOnce)));
+  StepMonitor monitor(this->Progress, this->FractionAt(this->State.Next),
+                      this->FractionAt(this->State.Next + 1), sweeps + 1);
+  monitor.Text = "spacetime: " + name;
+  whole.Constraints.SetLeash(stage.Leash / this->Problem.Spacing);
   const auto record = [&]()
   {
-    this->Record(step.Pass, step.Name, static_cast<int>(current.Energies.size()) - 1, current.Terms,
-                 whole.Constraints.MaxViolation(state), step.Leash);
+    this->Record(stage.Pass, name, static_cast<int>(current.Energies.size()) - 1, current.Terms,
+                 whole.Constraints.MaxViolation(state), stage.Leash);
   };
-  if (!std::exchange(this->IsInside, true))
+  if (!std::exchange(this->State.IsInside, true))
   {
-    current = CurrentWindow();
+    current = WindowSweep();
     whole.Constraints.Project(state);
     whole.Partition.FillHalo(state, model.FrameSize());
   }
@@ -83,7 +83,7 @@ bool SpacetimeRun::MinimizeInWindows(const SpacetimeStep& step)
         this->Stopped = true;
         this->KeepState();
       }
-      if (isUp || this->Stopped || !this->SolveWindow(step, windows[current.Index], done, monitor))
+      if (isUp || this->Stopped || !this->SolveWindow(stage, windows[current.Index], done, monitor))
       {
         return false;
       }
@@ -92,7 +92,7 @@ bool SpacetimeRun::MinimizeInWindows(const SpacetimeStep& step)
     current.Energies.push_back(current.Terms.E);
     record();
     char text[160];
-    std::snprintf(text, sizeof(text), "spacetime: %s, sweep %d, E = %.4g", step.Name.c_str(),
+    std::snprintf(text, sizeof(text), "spacetime: %s, sweep %d, E = %.4g", name.c_str(),
                   current.Sweep + 1, current.Terms.E);
     monitor.Text = text;
     // A sweep and the shifted one after it reach every frame's neighbours.
@@ -106,19 +106,17 @@ bool SpacetimeRun::MinimizeInWindows(const SpacetimeStep& step)
   return true;
 }
 
-bool SpacetimeRun::SolveWindow(const SpacetimeStep& step,
-                               std::pair<std::size_t, std::size_t> window, double done,
-                               Monitor& monitor)
+bool SpacetimeRun::SolveWindow(const Stage& stage, std::pair<std::size_t, std::size_t> window,
+                               double done, Monitor& monitor)
 {
-  const std::size_t size = this->Setup.Model.FrameSize();
-  StateVector& state = this->LevelState();
-  const TimeLevel& level = this->Solver->Level;
-  LevelSolver part(this->Setup.Model, this->Setup.Table, level.Part(window.first, window.second),
+  const std::size_t size = this->Problem.Model.FrameSize();
+  StateVector& state = this->State.Part;
+  const FrameView view(this->Problem.Model, this->Solver->Level, window.first, window.second);
+  LevelSolver part(this->Problem.Model, this->State.Fields, this->Problem.Table, view.Level(),
                    this->Parallel, this->Ranks, this->Options.HistorySize);
-  part.Constraints.SetLeash(step.Leash / this->Setup.Spacing);
-  float* begin = state.data() + level.PartBegin(window.first) * size;
-  StateVector own =
-    part.Partition.Take(StateVector(begin, begin + part.Level.NumberOfFrames() * size), size);
+  part.Constraints.SetLeash(stage.Leash / this->Problem.Spacing);
+  StateVector own = part.Partition.Take(view.Take(state), size);
+  LbfgsMemory memory;
   LbfgsOptions options;
   options.MaximumNumberOfIterations = IterationsAtOnce;
   options.Tolerance = 0.0;
@@ -140,7 +138,7 @@ bool SpacetimeRun::SolveWindow(const SpacetimeStep& step,
     double Done;
   } inner(monitor, done);
   const LbfgsEnd end = part.Solver->Minimize(part.Objective, part.Preconditioner, part.Constraints,
-                                             options, observer, &inner, own);
+                                             options, observer, &inner, memory, own);
   if (end == LbfgsEnd::Stopped)
   {
     this->Stopped = true;
@@ -148,10 +146,9 @@ bool SpacetimeRun::SolveWindow(const SpacetimeStep& step,
   }
   if (last.E <= first.E)
   {
-    own = part.Partition.Whole(std::move(own), size);
-    std::copy(own.begin(), own.end(), begin);
+    view.Merge(part.Partition.Whole(std::move(own), size), state);
     SpacetimeTerms::Visit([](double& all, double now, double before) { all += now - before; },
-                          this->Current.Terms, last, first);
+                          this->State.Sweep.Terms, last, first);
   }
   return end != LbfgsEnd::Stopped;
 }

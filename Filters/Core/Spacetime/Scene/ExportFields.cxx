@@ -13,8 +13,8 @@ namespace
 constexpr double ForceFloor = 0.05; // m/s^2: below it a point counts as undriven
 
 // The annotation's rule: vortex where it gives more than half of the force.
-void Annotate(const SpacetimeSetup& setup, const Vec3& x, double time, const Vec3& vortexForce,
-              const Vec3& windForce, Track& track)
+void Annotate(const SpacetimeUnits& units, const std::vector<Vortex>& vortices, const Vec3& x,
+              double time, const Vec3& vortexForce, const Vec3& windForce, Track& track)
 {
   const double vortex = vortexForce.norm();
   const double wind = windForce.norm();
@@ -24,9 +24,9 @@ void Annotate(const SpacetimeSetup& setup, const Vec3& x, double time, const Vec
   {
     type = ForceType::Vortex;
     double strongest = 0.0;
-    for (const Vortex& candidate : setup.Model.Vortices)
+    for (const Vortex& candidate : vortices)
     {
-      const double a = ToWorld(setup, candidate).Acceleration(x, time).norm();
+      const double a = ToWorld(units, candidate).Acceleration(x, time).norm();
       if (a > strongest)
       {
         strongest = a;
@@ -42,8 +42,9 @@ void Annotate(const SpacetimeSetup& setup, const Vec3& x, double time, const Vec
   track.VortexIds.push_back(id);
 }
 
-void AppendObjects(const SpacetimeInput& input, const SpacetimeSetup& setup, FrameTerms& terms,
-                   const float* state, int frame, SpacetimeOutput& output)
+void AppendObjects(const SpacetimeInput& input, const SpacetimeSetup& setup,
+                   const std::vector<Vortex>& vortices, FrameTerms& terms, const float* state,
+                   int frame, SpacetimeOutput& output)
 {
   const SpacetimeModel& model = setup.Model;
   const std::size_t stride = model.Stride();
@@ -75,7 +76,7 @@ void AppendObjects(const SpacetimeInput& input, const SpacetimeSetup& setup, Fra
     track.VortexAccelerations.push_back(vortex);
     track.WindAccelerations.push_back(wind);
     track.Forces.push_back(vortex + wind);
-    Annotate(setup, track.Positions[frame], time, vortex, wind, track);
+    Annotate(setup, vortices, track.Positions[frame], time, vortex, wind, track);
   }
 }
 
@@ -118,14 +119,15 @@ void AppendParticles(const SpacetimeInput& input, const SpacetimeSetup& setup, F
 
 // The estimated wind, and the user's where it is an acceleration, at the nodes of the estimate's
 // lattice.
-FieldSeries ExportWind(const SpacetimeInput& input, const SpacetimeSetup& setup)
+FieldSeries ExportWind(const SpacetimeInput& input, const SpacetimeSetup& setup,
+                       const SplineWind& wind)
 {
   const SpacetimeModel& model = setup.Model;
   const bool background = !model.Background.IsEmpty() && model.Background.Drag <= 0.0;
   const SplineWind shape = MakeWindLattice(model, WindOptions().FramesPerKnot);
   const std::size_t knots =
-    !model.Wind.IsEmpty()
-      ? model.Wind.Knots.size()
+    !wind.IsEmpty()
+      ? wind.Knots.size()
       : (background ? 1 + static_cast<std::size_t>(model.NumberOfFrames / shape.FramesPerKnot) : 1);
   FieldSeries field;
   field.Meaning = FieldMeaning::Acceleration;
@@ -145,9 +147,9 @@ FieldSeries ExportWind(const SpacetimeInput& input, const SpacetimeSetup& setup)
         {
           const Vec3 x = shape.Origin + Vec3(i, j, k).cwiseProduct(shape.Spacing);
           Vec3 value = Vec3::Zero();
-          if (!model.Wind.IsEmpty())
+          if (!wind.IsEmpty())
           {
-            value += SampleField(model.Wind, x, frame);
+            value += SampleField(wind, x, frame);
           }
           if (background)
           {
@@ -194,17 +196,17 @@ bool ExportFields(const SpacetimeInput& input, const SpacetimeSetup& setup,
   {
     FrameTerms& terms = objective.ForwardFrame(state, static_cast<std::size_t>(frame));
     const float* here = state.data() + frame * model.FrameSize();
-    AppendObjects(input, setup, terms, here, frame, output);
+    AppendObjects(input, setup, objective.Fields().Vortices, terms, here, frame, output);
     AppendParticles(input, setup, terms, here, series);
     // An abort is noted, and the rest still written: a result without its last frames is none.
     going = monitor.Tick(1.0, "writing the motion") && going;
   }
   output.Vortices.clear();
-  for (const Vortex& vortex : model.Vortices)
+  for (const Vortex& vortex : objective.Fields().Vortices)
   {
     output.Vortices.push_back(ToWorld(setup, vortex));
   }
-  output.Wind = ExportWind(input, setup);
+  output.Wind = ExportWind(input, setup, objective.Fields().Wind);
   return going;
 }
 

@@ -333,7 +333,7 @@ Result MakeSetup(const SpacetimeInput& input, const SpacetimeOptions& options,
   for (const Vortex& vortex :
        SelectVortices(input.Vortices, input.Tracks, input.Scene, options.MaximumNumberOfVortices))
   {
-    setup.Model.Vortices.push_back(ToModel(setup, vortex));
+    setup.Model.Fields.Vortices.push_back(ToModel(setup, vortex));
   }
   return Result::Ok();
 }

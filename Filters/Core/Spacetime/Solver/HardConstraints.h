@@ -19,8 +19,8 @@ class HardConstraints
 public:
   /// movable: by body; those that are not keep their values, as do all at the level's frames that
   /// are not free. Rows that bind both what may move and what may not are held as they are. Empty:
-  /// all may move. share: of the level's frames, whose vectors are held to the requirements; null:
-  /// all are this rank's. What takes a vector is to be called by all ranks.
+  /// all may move. partition: of the level's frames, whose vectors are held to the requirements;
+  /// null: all are this rank's. What takes a vector is to be called by all ranks.
   HardConstraints(const SpacetimeModel& model, const TimeLevel& level, const ConstraintTable& table,
                   const ParallelFor& parallel, const std::vector<char>& movable = {},
                   const FramePartition* partition = nullptr);

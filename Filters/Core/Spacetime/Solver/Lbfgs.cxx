@@ -14,6 +14,17 @@ constexpr double Armijo = 1e-4;
 constexpr int LineSearchTrials = 10;
 constexpr std::size_t ToleranceWindow = 20; // iterations
 
+bool HasConverged(const std::vector<double>& energies, double tolerance)
+{
+  const std::size_t now = energies.size() - 1;
+  if (now < ToleranceWindow)
+  {
+    return false;
+  }
+  const double before = energies[now - ToleranceWindow];
+  return before - energies[now] < tolerance * before;
+}
+
 } // namespace
 
 Lbfgs::Lbfgs(const FramePartition& partition, std::size_t frameSize, const ParallelFor& parallel,
@@ -23,7 +34,7 @@ Lbfgs::Lbfgs(const FramePartition& partition, std::size_t frameSize, const Paral
   Capacity(static_cast<std::size_t>(std::max(1, history)))
 {
   const std::size_t n = this->Space.Size();
-  for (auto* v : { &this->Gradient, &this->Trial, &this->TrialGradient, &this->Step, &this->Work })
+  for (auto* v : { &this->Trial, &this->TrialGradient, &this->Step, &this->Work })
   {
     v->assign(n, 0.0f);
   }
@@ -39,28 +50,28 @@ void Lbfgs::Project(const TimelinePreconditioner& preconditioner,
 
 // Step = -P H P g by the two-loop recursion with H0 = gamma P M^-1 P.
 void Lbfgs::Direction(const TimelinePreconditioner& preconditioner,
-                      const HardConstraints& constraints)
+                      const HardConstraints& constraints, const LbfgsMemory& memory)
 {
-  const std::size_t count = this->Pairs.S.size();
+  const std::size_t count = memory.Pairs.S.size();
   std::vector<double> alpha(count);
-  this->Work = this->Gradient;
+  this->Work = memory.Gradient;
   constraints.ProjectTangent(this->Work);
-  double product = count > 0 ? this->Space.Dot(this->Pairs.S[count - 1], this->Work) : 0.0;
+  double product = count > 0 ? this->Space.Dot(memory.Pairs.S[count - 1], this->Work) : 0.0;
   for (std::size_t k = count; k-- > 0;)
   {
-    alpha[k] = this->Pairs.Rho[k] * product;
-    const StateVector& next = k > 0 ? this->Pairs.S[k - 1] : this->Work;
-    product = this->Space.AddDot(-alpha[k], this->Pairs.Y[k], this->Work, next);
+    alpha[k] = memory.Pairs.Rho[k] * product;
+    const StateVector& next = k > 0 ? memory.Pairs.S[k - 1] : this->Work;
+    product = this->Space.AddDot(-alpha[k], memory.Pairs.Y[k], this->Work, next);
   }
   constraints.ProjectTangent(this->Work);
   preconditioner.Solve(this->Work, this->Step);
   constraints.ProjectTangent(preconditioner, this->Step);
-  this->Space.Scale(this->Gamma, this->Step);
-  product = count > 0 ? this->Space.Dot(this->Pairs.Y[0], this->Step) : 0.0;
+  this->Space.Scale(memory.Gamma, this->Step);
+  product = count > 0 ? this->Space.Dot(memory.Pairs.Y[0], this->Step) : 0.0;
   for (std::size_t k = 0; k < count; ++k)
   {
-    const StateVector& next = k + 1 < count ? this->Pairs.Y[k + 1] : this->Step;
-    product = this->Space.AddDot(alpha[k] - this->Pairs.Rho[k] * product, this->Pairs.S[k],
+    const StateVector& next = k + 1 < count ? memory.Pairs.Y[k + 1] : this->Step;
+    product = this->Space.AddDot(alpha[k] - memory.Pairs.Rho[k] * product, memory.Pairs.S[k],
                                  this->Step, next);
   }
   constraints.ProjectTangent(preconditioner, this->Step);
@@ -69,9 +80,10 @@ void Lbfgs::Direction(const TimelinePreconditioner& preconditioner,
 
 bool Lbfgs::LineSearch(SpacetimeObjective& objective, const TimelinePreconditioner& preconditioner,
                        const HardConstraints& constraints, Monitor* monitor,
-                       const StateVector& state, SpacetimeTerms& terms, bool& stopped)
+                       const StateVector& state, LbfgsMemory& memory, bool& stopped)
 {
-  const double slope = this->Space.Dot(this->Gradient, this->Step);
+  SpacetimeTerms& terms = memory.Terms;
+  const double slope = this->Space.Dot(memory.Gradient, this->Step);
   if (!(slope < 0.0))
   {
     return false;
@@ -101,21 +113,22 @@ bool Lbfgs::LineSearch(SpacetimeObjective& objective, const TimelinePrecondition
 }
 
 void Lbfgs::Remember(const TimelinePreconditioner& preconditioner,
-                     const HardConstraints& constraints, const StateVector& state)
+                     const HardConstraints& constraints, const StateVector& state,
+                     LbfgsMemory& memory)
 {
   StateVector s, y;
-  if (this->Pairs.S.size() == this->Capacity)
+  if (memory.Pairs.S.size() == this->Capacity)
   {
-    s = std::move(this->Pairs.S.front());
-    y = std::move(this->Pairs.Y.front());
-    this->Pairs.S.erase(this->Pairs.S.begin());
-    this->Pairs.Y.erase(this->Pairs.Y.begin());
-    this->Pairs.Rho.erase(this->Pairs.Rho.begin());
+    s = std::move(memory.Pairs.S.front());
+    y = std::move(memory.Pairs.Y.front());
+    memory.Pairs.S.erase(memory.Pairs.S.begin());
+    memory.Pairs.Y.erase(memory.Pairs.Y.begin());
+    memory.Pairs.Rho.erase(memory.Pairs.Rho.begin());
   }
   s.resize(state.size());
   y.resize(state.size());
   this->Space.Combine(this->Trial, -1.0, state, s);
-  this->Space.Combine(this->TrialGradient, -1.0, this->Gradient, y);
+  this->Space.Combine(this->TrialGradient, -1.0, memory.Gradient, y);
   const double sy = this->Space.Dot(s, y);
   const double bound = 1e-9 * std::sqrt(this->Space.Dot(s, s)) * std::sqrt(this->Space.Dot(y, y));
   if (!(sy > bound))
@@ -127,80 +140,74 @@ void Lbfgs::Remember(const TimelinePreconditioner& preconditioner,
   preconditioner.Solve(this->Work, this->Step);
   constraints.ProjectTangent(preconditioner, this->Step);
   const double yMy = this->Space.Dot(this->Work, this->Step);
-  this->Gamma = yMy > 0.0 ? sy / yMy : 1.0;
-  this->Pairs.S.push_back(std::move(s));
-  this->Pairs.Y.push_back(std::move(y));
-  this->Pairs.Rho.push_back(1.0 / sy);
+  memory.Gamma = yMy > 0.0 ? sy / yMy : 1.0;
+  memory.Pairs.S.push_back(std::move(s));
+  memory.Pairs.Y.push_back(std::move(y));
+  memory.Pairs.Rho.push_back(1.0 / sy);
 }
 
-bool Lbfgs::HasConverged(double tolerance) const
+void Serialise(StateArchive& stream, LbfgsMemory& memory, const FramePartition& partition,
+               std::size_t frameSize)
 {
-  const std::size_t now = this->Energies.size() - 1;
-  if (now < ToleranceWindow)
+  const auto vector = [&](StateArchive& s, StateVector& v)
+  { partition.Serialise(s, v, frameSize); };
+  stream.List(memory.Pairs.S, vector);
+  stream.List(memory.Pairs.Y, vector);
+  stream.List(memory.Pairs.Rho);
+  stream.List(memory.Energies);
+  if (!memory.Energies.empty()) // else there is no iterate yet
   {
-    return false;
+    vector(stream, memory.Gradient);
   }
-  const double before = this->Energies[now - ToleranceWindow];
-  return before - this->Energies[now] < tolerance * before;
-}
-
-void Lbfgs::Exchange(StateArchive& stream)
-{
-  const auto vector = [this](StateArchive& s, StateVector& v)
-  { this->Partition.Exchange(s, v, this->FrameSize); };
-  stream.List(this->Pairs.S, vector);
-  stream.List(this->Pairs.Y, vector);
-  stream.List(this->Pairs.Rho);
-  vector(stream, this->Gradient);
-  stream.List(this->Energies);
-  stream.Value(this->Gamma);
-  waft::Exchange(stream, this->Terms);
+  stream.Value(memory.Gamma);
+  Serialise(stream, memory.Terms);
 }
 
 LbfgsEnd Lbfgs::Minimize(SpacetimeObjective& objective,
                          const TimelinePreconditioner& preconditioner, HardConstraints& constraints,
                          const LbfgsOptions& options, const Observer& observer, Monitor* monitor,
-                         StateVector& state)
+                         LbfgsMemory& memory, StateVector& state)
 {
-  SpacetimeTerms& terms = this->Terms;
+  SpacetimeTerms& terms = memory.Terms;
+  memory.Gradient.resize(this->Space.Size(), 0.0f);
   if (!options.GoesOn)
   {
     this->Project(preconditioner, constraints, state);
-    this->Energies.clear();
+    memory.Energies.clear();
   }
-  if (this->Energies.empty())
+  if (memory.Energies.empty())
   {
-    if (!objective.Evaluate(state, &this->Gradient, terms, monitor))
+    if (!objective.Evaluate(state, &memory.Gradient, terms, monitor))
     {
       return LbfgsEnd::Stopped;
     }
-    this->Energies.push_back(terms.E);
+    memory.Energies.push_back(terms.E);
     if (!observer(0, terms))
     {
       return LbfgsEnd::Stopped;
     }
   }
-  while (!this->HasConverged(options.Tolerance))
+  while (!HasConverged(memory.Energies, options.Tolerance))
   {
-    const int iteration = static_cast<int>(this->Energies.size());
+    const int iteration = static_cast<int>(memory.Energies.size());
     if (iteration > options.MaximumNumberOfIterations)
     {
       return LbfgsEnd::Iterations;
     }
-    constraints.FindActive(state, this->Gradient);
+    constraints.FindActive(state, memory.Gradient);
     bool stopped = false;
-    this->Direction(preconditioner, constraints);
+    this->Direction(preconditioner, constraints, memory);
     bool lower =
-      this->LineSearch(objective, preconditioner, constraints, monitor, state, terms, stopped);
-    if (!lower && !stopped && !this->Pairs.S.empty())
+      this->LineSearch(objective, preconditioner, constraints, monitor, state, memory, stopped);
+    if (!lower && !stopped && !memory.Pairs.S.empty())
     {
-      History before = std::exchange(this->Pairs, History());
-      this->Direction(preconditioner, constraints);
+      CurvaturePairs before = std::exchange(memory.Pairs, CurvaturePairs());
+      this->Direction(preconditioner, constraints, memory);
       lower =
-        this->LineSearch(objective, preconditioner, constraints, monitor, state, terms, stopped);
+        this->LineSearch(objective, preconditioner, constraints, monitor, state, memory, stopped);
       if (stopped)
       {
-        this->Pairs = std::move(before);
+        memory.Pairs = std::move(before);
       }
     }
     if (stopped)
@@ -211,10 +218,10 @@ LbfgsEnd Lbfgs::Minimize(SpacetimeObjective& objective,
     {
       return LbfgsEnd::NoDescent;
     }
-    this->Remember(preconditioner, constraints, state);
+    this->Remember(preconditioner, constraints, state, memory);
     std::swap(state, this->Trial);
-    std::swap(this->Gradient, this->TrialGradient);
-    this->Energies.push_back(terms.E);
+    std::swap(memory.Gradient, this->TrialGradient);
+    memory.Energies.push_back(terms.E);
     if (!observer(iteration, terms))
     {
       return LbfgsEnd::Stopped;

@@ -20,13 +20,14 @@ struct LevelSolver
 {
   /// history: pairs of L-BFGS; 0: no solver of its own, lists are not kept and a rank holds all
   /// frames. movable: as of HardConstraints.
-  LevelSolver(const SpacetimeModel& model, const ConstraintTable& table, TimeLevel times,
-              const ParallelFor& parallel, Communicator& ranks, int history,
+  LevelSolver(const SpacetimeModel& model, const AirFields& fields, const ConstraintTable& table,
+              TimeLevel times, const ParallelFor& parallel, Communicator& ranks, int history,
               const std::vector<char>& movable = {}) :
     Level(std::move(times)),
     Partition(history > 0 ? PartitionOf(this->Level, ranks)
                           : PartitionOf(this->Level, ranks).HoldingAll()),
-    Objective(model, this->Level, parallel, FastestSphKernels(), history > 0, &this->Partition),
+    Objective(model, fields, this->Level, parallel, FastestSphKernels(), history > 0,
+              &this->Partition),
     Preconditioner(model, this->Level, parallel, TimelinePreconditioner::UsualDamping,
                    &this->Partition),
     Constraints(model, this->Level, table, parallel, movable, &this->Partition)

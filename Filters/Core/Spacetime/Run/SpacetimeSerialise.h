@@ -8,8 +8,8 @@
 namespace waft
 {
 
-void Exchange(StateArchive& stream, SpacetimeOptions& options);
-void Exchange(StateArchive& stream, SpacetimeInput& input);
-void Exchange(StateArchive& stream, SpacetimeWarmStart& memory);
+void Serialise(StateArchive& stream, SpacetimeOptions& options);
+void Serialise(StateArchive& stream, SpacetimeInput& input);
+void Serialise(StateArchive& stream, SpacetimeWarmStart& memory);
 
 } // namespace waft

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Spacetime/Run/SpacetimeExchange.h"
+#include "Spacetime/Run/SpacetimeSerialise.h"
 
 namespace waft
 {
 
-void Exchange(StateArchive& stream, SpacetimeOptions& options)
+void Serialise(StateArchive& stream, SpacetimeOptions& options)
 {
   SpacetimeOptions::Visit(ExchangeFieldsWith(stream), options);
 }
@@ -12,7 +12,7 @@ void Exchange(StateArchive& stream, SpacetimeOptions& options)
 namespace
 {
 
-void ExchangeDigest(StateArchive& stream, ProblemDigest& digest)
+void Serialise(StateArchive& stream, ProblemDigest& digest)
 {
   stream.Values(digest.Shape, digest.Physics, digest.Vortices, digest.SceneVortices);
   stream.List(digest.Requests);
@@ -20,21 +20,18 @@ void ExchangeDigest(StateArchive& stream, ProblemDigest& digest)
 
 } // namespace
 
-void Exchange(StateArchive& stream, SpacetimeInput& input)
+void Serialise(StateArchive& stream, SpacetimeInput& input)
 {
   Exchange(stream, static_cast<MotionProblem&>(input));
   Exchange(stream, input.Air);
 }
 
-void Exchange(StateArchive& stream, SpacetimeWarmStart& memory)
+void Serialise(StateArchive& stream, SpacetimeWarmStart& memory)
 {
-  ExchangeDigest(stream, memory.Digest);
-  stream.List(memory.State);
-  stream.List(memory.Vortices, [](StateArchive& s, Vortex& v) { Exchange(s, v); });
-  Exchange(stream, memory.Wind);
+  Serialise(stream, memory.Digest);
+  Serialise(stream, memory.State, 0, [] { return FramePartition(0); });
   stream.List(memory.Planned);
   stream.List(memory.Positions, [](StateArchive& s, std::vector<Vec3>& list) { s.List(list); });
-  stream.Text(memory.Stage);
 }
 
 } // namespace waft
