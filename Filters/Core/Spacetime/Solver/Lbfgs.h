@@ -36,7 +36,8 @@ struct CurvaturePairs // the oldest first
 };
 
 /// What the iterations after the present one depend on, besides the state and the objective's
-/// lists. The pairs are kept from stage to stage: leash and fields change E's curvature little.
+/// lists. The pairs are kept from stage to stage of a level, since leash and fields change E's
+/// curvature little: forgotten, they leave E some percent higher.
 struct LbfgsMemory
 {
   CurvaturePairs Pairs;
