@@ -17,18 +17,18 @@ struct WindOptions
   SplineFitOptions Fit;
 };
 
-/// Nodes of the wind's lattice: five cells along the longest side, and half a cell beyond each
-/// wall.
 /// Nodes of a lattice of about so many cells along each axis; two at least.
 std::array<int, 3> LatticeDimensions(const Vec3& cells);
 
+/// Nodes of the wind's lattice over a volume of that size: five cells along the longest side, and
+/// half a cell beyond each wall.
 std::array<int, 3> WindLatticeOf(const Vec3& size);
 
-/// A wind of this size [dx] without values.
 /// A lattice of quadratic B-splines over a volume of that size [dx], without knots.
 SplineWind MakeLattice(const Vec3& size, const std::array<int, 3>& dimensions,
                        double framesPerKnot);
 
+/// The wind's lattice, without values.
 SplineWind MakeWindLattice(const SpacetimeModel& model, double framesPerKnot);
 
 /// Knots that span all frames.

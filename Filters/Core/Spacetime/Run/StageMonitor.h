@@ -8,11 +8,11 @@
 namespace waft
 {
 
-/// Progress of one step as a part of the whole.
-class StepMonitor : public Monitor
+/// Progress of one stage as a part of the whole.
+class StageMonitor : public Monitor
 {
 public:
-  StepMonitor(Monitor& outer, double from, double to, int steps) :
+  StageMonitor(Monitor& outer, double from, double to, int steps) :
     Outer(outer), From(std::min(1.0, from)), To(std::min(1.0, to)), Steps(std::max(1, steps))
   {
   }
