@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws who includes whom: the Core libraries, Bridge, Motion, Sources and the Plugin, as map.svg.
+"""Draws who includes whom: the Core libraries, Bridge, Motion, Sources and the Plugin, as map.svg, and the folders of a
+library that has some, as map_LIBRARY.svg.
 
-    make_map.py ROOT [MAP]     writes MAP (ROOT/Documentation/map.svg)
-    make_map.py ROOT --check   exit status 1 when the committed map is not what would be written
+    make_map.py ROOT           writes the maps (into ROOT/Documentation)
+    make_map.py ROOT --check   exit status 1 when a committed map is not what would be written
 
 A room stands one floor above the highest room that it includes. An arrow that is implied by a chain of others is left
 out. The Plugin includes nothing: it loads the modules that Plugin/CMakeLists.txt names.
@@ -12,7 +13,8 @@ import pathlib
 import re
 import sys
 
-INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"/]+)/', re.MULTILINE)
+INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"/]+)/(?:([^"/]+)/)?', re.MULTILINE)
+LIBRARIES_IN_FOLDERS = ("Spacetime",)
 MODULES = {"WaftSources": "Sources", "WaftFilters": "Motion"}  # modules of the plugin, and their rooms
 WIDTH, HEIGHT, GAP, FLOOR, MARGIN = 104, 34, 22, 84, 24  # a room, the space beside it, from floor to floor [px]
 COLOURS = {"Core": "#e4eef8", "Bridge": "#e6f3e2", "VTK": "#fbeeda", "Plugin": "#f3e2ec"}
@@ -28,16 +30,25 @@ def rooms(root):
             "Sources": root / "Sources"}
 
 
+def included(folder):
+    """Pairs of first and second part of what the sources below a folder include by a path."""
+    return {pair for path in folder.rglob("*") if path.suffix in (".h", ".cxx", ".txx")
+            for pair in INCLUDE.findall(path.read_text(encoding="utf-8"))}
+
+
+def folder_dependencies(root, library):
+    """{folder of a library: the set of its other folders that it includes}."""
+    folders = [folder for folder in sorted((root / "Filters" / "Core" / library).iterdir()) if folder.is_dir()]
+    return {folder.name: {second for first, second in included(folder) if first == library and second} - {folder.name}
+            for folder in folders}
+
+
 def dependencies(root):
     """{room: the set of rooms that it includes}."""
     folders = rooms(root)
     found = {}
     for room, folder in folders.items():
-        named = set()
-        for path in folder.rglob("*"):
-            if path.suffix in (".h", ".cxx", ".txx"):
-                named.update(INCLUDE.findall(path.read_text(encoding="utf-8")))
-        found[room] = (named & folders.keys()) - {room}
+        found[room] = ({first for first, _ in included(folder)} & folders.keys()) - {room}
     plugin = (root / "Plugin" / "CMakeLists.txt").read_text(encoding="utf-8")
     found["Plugin"] = {room for module, room in MODULES.items() if f"Waft::{module}" in plugin}
     return found
@@ -90,13 +101,13 @@ def beside(lefts, x):
     return x
 
 
-def drawing(root):
-    """The map as SVG."""
-    graph = reduced(dependencies(root))
+def drawing(whole, legend):
+    """The map of a graph as SVG."""
+    graph = reduced(whole)
     storeys = floors(graph)
     widest = max(len(floor) for floor in storeys)
     width = 2 * MARGIN + widest * (WIDTH + GAP) - GAP
-    height = 2 * MARGIN + (len(storeys) - 1) * FLOOR + HEIGHT + 34
+    height = 2 * MARGIN + (len(storeys) - 1) * FLOOR + HEIGHT + (34 if legend else 0)
     place = {}
     for level, floor in enumerate(storeys):
         left = (width - len(floor) * (WIDTH + GAP) + GAP) / 2
@@ -131,7 +142,7 @@ def drawing(root):
         lines.append(f'<rect x="{x:.0f}" y="{y}" width="{WIDTH}" height="{HEIGHT}" rx="5" fill="{colour}" stroke="#556"/>')
         lines.append(f'<text x="{x + WIDTH / 2:.0f}" y="{y + 22}" text-anchor="middle">{room}</text>')
     x = MARGIN
-    for kind, text in LEGEND:
+    for kind, text in legend:
         lines.append(f'<rect x="{x}" y="{height - 30}" width="14" height="14" fill="{COLOURS[kind]}" stroke="#556"/>')
         lines.append(f'<text x="{x + 20}" y="{height - 18}">{text}</text>')
         x += 44 + 7 * len(text)
@@ -140,14 +151,16 @@ def drawing(root):
 
 def main(root, option=""):
     root = pathlib.Path(root)
-    text = drawing(root)
-    committed = root / "Documentation" / "map.svg"
-    if option == "--check":
-        if not committed.is_file() or committed.read_text(encoding="utf-8") != text:
+    maps = {"map.svg": drawing(dependencies(root), LEGEND)}
+    for library in LIBRARIES_IN_FOLDERS:
+        maps[f"map_{library}.svg"] = drawing(folder_dependencies(root, library), ())
+    for name, text in maps.items():
+        committed = root / "Documentation" / name
+        if option != "--check":
+            committed.write_text(text, encoding="utf-8")
+        elif not committed.is_file() or committed.read_text(encoding="utf-8") != text:
             print(f"{committed}: expected what make_map.py writes; run: python3 Documentation/make_map.py .")
             return 1
-        return 0
-    (pathlib.Path(option) if option else committed).write_text(text, encoding="utf-8")
     return 0
 
 

@@ -13,9 +13,9 @@
 #include "Bridge/Pipeline/Ranks.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageOptions.h"
-#include "Spacetime/Spacetime.h"
-#include "Spacetime/SpacetimeBudget.h"
-#include "Spacetime/SpacetimeWarmStart.h"
+#include "Spacetime/Run/Spacetime.h"
+#include "Spacetime/Run/SpacetimeBudget.h"
+#include "Spacetime/Run/SpacetimeWarmStart.h"
 
 #include <vtkCellData.h>
 #include <vtkImageData.h>

@@ -5,7 +5,7 @@
     check_includes.py ROOT     prints each violation as file:line: reason; exit status 1 when there is one
 
 Rules: nothing under Filters/Core includes VTK; a Core library includes only itself and the libraries it
-is allowed; wrappers (Sources, Filters/Motion) include no other wrapper's header but that of an
+is allowed; a library in folders has them on floors, and includes none above; wrappers (Sources, Filters/Motion) include no other wrapper's header but that of an
 abstract base; Bridge includes no wrapper, and its folder Data nothing of its other two, which do not
 include each other; third-party libraries stay in the Core library that owns them; modules of the
 Python package import each other in no circle, within functions neither.
@@ -34,6 +34,17 @@ CORE_MAY_INCLUDE = {
     "Rotation": {"Base", "Constraints", "Obstacles"},
     "Export": {"Base"},
 }
+# Folders of a library: each with those below that it includes.
+FOLDER_MAY_INCLUDE = {
+    "Spacetime": {
+        "Model": set(),
+        "Energy": {"Model"},
+        "Solver": {"Model", "Energy"},
+        "Fields": {"Model", "Energy"},
+        "Scene": {"Model", "Energy", "Fields"},
+        "Run": {"Model", "Energy", "Solver", "Fields", "Scene"},
+    },
+}
 BRIDGE_MAY_INCLUDE = {"Data": {"Data"}, "Files": {"Data", "Files"}, "Pipeline": {"Data", "Pipeline"}}
 THIRD_PARTY_OWNERS = {
     "CGAL": {"Obstacles", "Shapes"},
@@ -60,12 +71,26 @@ def is_vtk(header):
     return re.match(r"(vtk|pq)[A-Za-z0-9_]*\.h$", header.split("/")[-1]) is not None
 
 
+def check_folders(path, library, folder):
+    floors = FOLDER_MAY_INCLUDE.get(library)
+    if floors is None:
+        return
+    if folder not in floors:
+        yield path, 1, f"{folder} is not in the list of folders of {library}"
+        return
+    for number, header in includes(path):
+        parts = header.split("/")
+        if parts[0] == library and parts[1] not in floors[folder] | {folder}:
+            yield path, number, f"{library}/{folder} may not include {library}/{parts[1]}: {header}"
+
+
 def check_core(root):
     for path in sources(root / "Filters" / "Core"):
         library = path.relative_to(root / "Filters" / "Core").parts[0]
         if library not in CORE_MAY_INCLUDE:
             yield path, 1, f"library {library} is not in the list of Core libraries"
             continue
+        yield from check_folders(path, library, path.relative_to(root / "Filters" / "Core").parts[1])
         for number, header in includes(path):
             first = header.split("/")[0]
             if is_vtk(header):

@@ -55,6 +55,16 @@ class Rules(unittest.TestCase):
         self.assertEqual(1, len(self.violations(files)))
         self.assertEqual(1, len(self.violations({"Filters/Bridge/D.h": "\n"})))
 
+    def test_folders_of_a_library_keep_their_order(self):
+        files = {"Filters/Core/Spacetime/Energy/A.h": '#include "Spacetime/Model/B.h"\n#include "Base/Types.h"\n',
+                 "Filters/Core/Spacetime/Run/C.h": '#include "Spacetime/Energy/A.h"\n#include "Spacetime/Run/D.h"\n',
+                 "Filters/Core/Spacetime/Model/B.h": ""}
+        self.assertEqual([], self.violations(files))
+        files["Filters/Core/Spacetime/Model/B.h"] = '#include "Spacetime/Energy/A.h"\n'
+        self.assertEqual(["Spacetime/Model may not include Spacetime/Energy: Spacetime/Energy/A.h"],
+                         self.violations(files))
+        self.assertEqual(1, len(self.violations({"Filters/Core/Spacetime/E.h": "\n"})))
+
     def test_unknown_library(self):
         self.assertEqual(1, len(self.violations({"Filters/Core/Misc/A.h": "\n"})))
 

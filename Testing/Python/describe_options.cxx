@@ -13,7 +13,7 @@
 #include "Shapes/Photograph.h"
 #include "Shapes/TextureImage.h"
 #include "Shapes/ThinShape.h"
-#include "Spacetime/Spacetime.h"
+#include "Spacetime/Run/Spacetime.h"
 #include "Trajectory/TrajectoryClusters.h"
 #include "Trajectory/TrajectoryTracer.h"
 #include "Volumes/VolumeOptions.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Base/Types.h"
-#include "Spacetime/Spacetime.h"
+#include "Spacetime/Run/Spacetime.h"
 
 class vtkPolyData;
 class vtkTable;

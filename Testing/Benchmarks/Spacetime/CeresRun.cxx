@@ -2,7 +2,7 @@
 #include "CeresRun.h"
 
 #include "ReferenceObjective.h"
-#include "Spacetime/Lbfgs.h"
+#include "Spacetime/Solver/Lbfgs.h"
 
 #include <ceres/ceres.h>
 
@@ -92,7 +92,7 @@ CeresComparison CompareWithCeres(StandardProblem& problem, int iterations, int c
 
   const TimeLevel level = TimeLevel::Full(model.NumberOfFrames, 1);
   from = Seconds();
-  SpacetimeObjective objective(model, level, parallel, FastestSphKernels());
+  SpacetimeObjective objective(model, model.Fields, level, parallel, FastestSphKernels());
   const TimelinePreconditioner preconditioner(model, level, parallel);
   HardConstraints constraints(model, level, problem.Setup.Table, parallel);
   Lbfgs solver(level.NumberOfFrames(), model.FrameSize(), parallel, 10);
@@ -105,7 +105,9 @@ CeresComparison CompareWithCeres(StandardProblem& problem, int iterations, int c
     ++result.Waft.Evaluations;
     return true;
   };
-  (void)solver.Minimize(objective, preconditioner, constraints, lbfgs, count, nullptr, state);
+  LbfgsMemory memory;
+  (void)solver.Minimize(objective, preconditioner, constraints, lbfgs, count, nullptr, memory,
+                        state);
   result.Waft.Seconds = Seconds() - from;
   z = reference.From(state);
   result.Waft.Cost = reference.Evaluate(z.data(), nullptr);

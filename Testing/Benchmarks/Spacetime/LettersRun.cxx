@@ -2,8 +2,8 @@
 #include "LettersRun.h"
 
 #include "PlanScenes.h"
-#include "Spacetime/Spacetime.h"
-#include "Spacetime/SpacetimeWarmStart.h"
+#include "Spacetime/Run/Spacetime.h"
+#include "Spacetime/Run/SpacetimeWarmStart.h"
 #include "StandardRun.h"
 
 #include <cstdio>

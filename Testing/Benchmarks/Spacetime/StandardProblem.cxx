@@ -135,7 +135,7 @@ void StandardProblem::Build()
     vortex.Duration = 2.0 * FramesPerSecond;
     vortex.CenterTime = (this->NumberOfFrames - 1) * (2 * k + 1) / 6.0;
     vortex.CoreRadius = 1.5;
-    model.Vortices.push_back(vortex);
+    model.Fields.Vortices.push_back(vortex);
   }
 
   this->Setup.Table.Planned.resize(model.Flags.size());

@@ -3,7 +3,7 @@
 // box of gas with three vortices.
 #pragma once
 
-#include "Spacetime/SpacetimeSetup.h"
+#include "Spacetime/Scene/SpacetimeSetup.h"
 
 #include <array>
 #include <cstdint>

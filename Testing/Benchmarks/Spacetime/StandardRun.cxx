@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StandardRun.h"
 
-#include "Spacetime/InitialGas.h"
-#include "Spacetime/LevelSolver.h"
-#include "Spacetime/SpacetimeProgram.h"
-#include "Spacetime/TimeLevels.h"
+#include "Spacetime/Model/LevelTransfer.h"
+#include "Spacetime/Run/Schedule.h"
+#include "Spacetime/Scene/InitialGas.h"
+#include "Spacetime/Solver/LevelSolver.h"
 
 #include <sys/resource.h>
 
@@ -140,7 +140,7 @@ EvaluationCost MeasureCost(const SpacetimeSetup& setup, const StateVector& state
   StateVector gradient(state.size());
   const auto measure = [&](const ParallelFor& threads, double& cpu, double& wall)
   {
-    SpacetimeObjective objective(model, full, threads, kernels);
+    SpacetimeObjective objective(model, model.Fields, full, threads, kernels);
     SpacetimeTerms terms;
     objective.Evaluate(state, &gradient, terms);
     const double wallBefore = WallSeconds(), cpuBefore = CpuSeconds();
@@ -170,33 +170,33 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
                             const ParallelFor& parallel, StateVector& state)
 {
   const SpacetimeModel& model = setup.Model;
-  SpacetimeProgram program = PlanProgram(setup, options, model.Size.x());
-  const std::vector<SpacetimeStep> again = PlanAgain(options, false).Steps;
-  program.Steps.insert(program.Steps.end(), again.begin(), again.end());
-  const TimeLevel full = program.LevelOf(0, model.NumberOfFrames, options.TemporalWindow);
+  Schedule schedule = PlanSchedule(setup, options, model.Size.x());
+  const std::vector<Stage> again = PlanAgain(options, false).Stages;
+  schedule.Stages.insert(schedule.Stages.end(), again.begin(), again.end());
+  const TimeLevel full = schedule.LevelOf(0, model.NumberOfFrames, options.TemporalWindow);
   SpacetimeTerms terms;
   StandardCurve curve;
   state = setup.Start;
   const double wall = WallSeconds(), cpu = CpuSeconds();
   double wallOff = 0.0, cpuOff = 0.0;
   {
-    SpacetimeObjective all(model, full, parallel, FastestSphKernels());
+    SpacetimeObjective all(model, model.Fields, full, parallel, FastestSphKernels());
     all.Evaluate(state, nullptr, terms);
     curve.Start = terms.E;
     SilentMonitor silent;
     MakeInitialGas(all, parallel, silent, state);
   }
-  const auto measure = [&](const SpacetimeStep& step, const TimeLevel& level, const StateVector& x,
-                           int iteration, double e)
+  const auto measure =
+    [&](const Stage& stage, const TimeLevel& level, const StateVector& x, int iteration, double e)
   {
     const double wallNow = WallSeconds(), cpuNow = CpuSeconds();
     StandardCurve::Point point{ wallNow - wall - wallOff, cpuNow - cpu - cpuOff, e };
-    if (step.Coarseness > 0)
+    if (stage.Coarseness > 0)
     {
       StateVector prolonged = state;
       Prolong(model, level, x, prolonged);
       SpacetimeTerms at;
-      SpacetimeObjective(model, full, parallel, FastestSphKernels(), false)
+      SpacetimeObjective(model, model.Fields, full, parallel, FastestSphKernels(), false)
         .Evaluate(prolonged, nullptr, at);
       point.E = at.E;
     }
@@ -204,7 +204,7 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
     std::printf(
       "%-16s iteration %4d  E %10.5f  at all frames %10.5f = %6.3f %% of E0  wall %6.2f s  "
       "CPU %6.2f s\n",
-      step.Name.c_str(), iteration, e, point.E, 100.0 * point.E / curve.Start, point.Wall,
+      stage.Name().c_str(), iteration, e, point.E, 100.0 * point.E / curve.Start, point.Wall,
       point.Cpu);
     std::fflush(stdout);
     wallOff += WallSeconds() - wallNow;
@@ -212,6 +212,7 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
   };
   SerialCommunicator alone;
   std::unique_ptr<LevelSolver> solver;
+  LbfgsMemory memory;
   StateVector part;
   int coarseness = -1;
   const auto leave = [&]()
@@ -222,36 +223,38 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
     }
     curve.Evaluations += solver ? solver->Objective.NumberOfEvaluations() : 0;
     solver.reset();
+    memory = LbfgsMemory();
   };
-  for (const SpacetimeStep& step : program.Steps)
+  for (const Stage& stage : schedule.Stages)
   {
-    if (step.IsUpdate)
+    if (stage.IsUpdate())
     {
       continue;
     }
-    if (step.Coarseness != coarseness)
+    if (stage.Coarseness != coarseness)
     {
       leave();
-      coarseness = step.Coarseness;
+      coarseness = stage.Coarseness;
       solver = std::make_unique<LevelSolver>(
-        setup, program.LevelOf(coarseness, model.NumberOfFrames, options.TemporalWindow), parallel,
-        alone, options.HistorySize);
+        setup.Model, setup.Model.Fields, setup.Table,
+        schedule.LevelOf(coarseness, model.NumberOfFrames, options.TemporalWindow), parallel, alone,
+        options.HistorySize);
       part = coarseness > 0 ? Restrict(model, solver->Level, state) : StateVector();
     }
     StateVector& x = coarseness > 0 ? part : state;
     LbfgsOptions minimise;
-    minimise.MaximumNumberOfIterations = step.Iterations;
+    minimise.MaximumNumberOfIterations = stage.Iterations;
     minimise.Tolerance = 0.0;
     const auto observer = [&](int iteration, const SpacetimeTerms& now)
     {
       if (iteration > 0 && iteration % every == 0)
       {
-        measure(step, solver->Level, x, iteration, now.E);
+        measure(stage, solver->Level, x, iteration, now.E);
       }
       return true;
     };
     solver->Solver->Minimize(solver->Objective, solver->Preconditioner, solver->Constraints,
-                             minimise, observer, nullptr, x);
+                             minimise, observer, nullptr, memory, x);
   }
   leave();
   return curve;

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "Base/Parallel.h"
-#include "Spacetime/SpacetimeSetup.h"
+#include "Spacetime/Scene/SpacetimeSetup.h"
 
 #include <vector>
 

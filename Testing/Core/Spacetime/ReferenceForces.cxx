@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReferenceForces.h"
 
-#include "Spacetime/LandingDamping.h"
+#include "Spacetime/Energy/LandingDamping.h"
 
 #include <algorithm>
 
@@ -90,7 +90,7 @@ OutsideForce ForceOn(const SpacetimeModel& model, int frame, double step, std::s
                      const Vec3& position, const Vec3& velocity)
 {
   OutsideForce force;
-  for (const Vortex& vortex : model.Vortices)
+  for (const Vortex& vortex : model.Fields.Vortices)
   {
     if (vortex.TimeFactor(frame) >= LeastTimeFactor)
     {
@@ -99,9 +99,9 @@ OutsideForce ForceOn(const SpacetimeModel& model, int frame, double step, std::s
       force.ByPosition += slope;
     }
   }
-  if (!model.Wind.IsEmpty())
+  if (!model.Fields.Wind.IsEmpty())
   {
-    AddSpline(model.Wind, frame, 1.0, position, force);
+    AddSpline(model.Fields.Wind, frame, 1.0, position, force);
   }
   if (!model.Background.IsEmpty())
   {
@@ -128,10 +128,10 @@ OutsideForce ForceOn(const SpacetimeModel& model, int frame, double step, std::s
   }
   const std::size_t object = body - model.NumberOfGas;
   force.Acceleration.z() -= model.Gravities[object];
-  const DampingForce cushion = LandingDamping(model, frame, step, object, position, velocity);
-  force.Acceleration += cushion.Acceleration;
-  force.ByPosition += cushion.ByPosition;
-  force.ByVelocity += cushion.ByVelocity;
+  const DampingForce damping = LandingDamping(model, frame, step, object, position, velocity);
+  force.Acceleration += damping.Acceleration;
+  force.ByPosition += damping.ByPosition;
+  force.ByVelocity += damping.ByVelocity;
   return force;
 }
 

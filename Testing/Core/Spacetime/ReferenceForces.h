@@ -3,7 +3,7 @@
 // fast kernels against.
 #pragma once
 
-#include "Spacetime/SpacetimeModel.h"
+#include "Spacetime/Model/SpacetimeModel.h"
 
 namespace waft
 {
@@ -17,8 +17,8 @@ struct OutsideForce
   Mat3 ByVelocity = Mat3::Zero();
 };
 
-/// Vortices, gravity, springs of walls and obstacles, winds and the landing cushion on a body at a
-/// frame, with the step to the next one.
+/// Vortices, gravity, springs of walls and obstacles, winds and the damping of landings on a body
+/// at a frame, with the step to the next one.
 OutsideForce ForceOn(const SpacetimeModel& model, int frame, double step, std::size_t body,
                      const Vec3& position, const Vec3& velocity);
 

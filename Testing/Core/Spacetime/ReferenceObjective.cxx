@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReferenceObjective.h"
 
-#include "Spacetime/WallCorrection.h"
+#include "Spacetime/Energy/WallCorrection.h"
 
 #include <algorithm>
 #include <utility>

@@ -6,8 +6,8 @@
 
 #include "Particles/SphReference.h"
 #include "ReferenceForces.h"
-#include "Spacetime/SpacetimeModel.h"
-#include "Spacetime/StateVector.h"
+#include "Spacetime/Model/StateVector.h"
+#include "Spacetime/Model/TimeLevel.h"
 
 #include <vector>
 

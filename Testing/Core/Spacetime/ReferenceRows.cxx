@@ -2,7 +2,7 @@
 // The rows whose squares make up E.
 #include "ReferenceObjective.h"
 
-#include "Spacetime/ObjectTerms.h"
+#include "Spacetime/Energy/ObjectTerms.h"
 
 #include <cmath>
 

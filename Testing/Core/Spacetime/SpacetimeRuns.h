@@ -2,7 +2,7 @@
 // Runs of the optimiser that tests share.
 #pragma once
 
-#include "Spacetime/SpacetimeWarmStart.h"
+#include "Spacetime/Run/SpacetimeWarmStart.h"
 #include "SpacetimeScenes.h"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include "Constraints/Constraint.h"
 #include "Constraints/Rest.h"
 #include "Obstacles/ObstacleSet.h"
-#include "Spacetime/Spacetime.h"
+#include "Spacetime/Run/Spacetime.h"
 
 #include <cmath>
 

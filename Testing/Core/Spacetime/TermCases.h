@@ -4,7 +4,7 @@
 
 #include "Base/Random.h"
 #include "ReferenceObjective.h"
-#include "Spacetime/SpacetimeSetup.h"
+#include "Spacetime/Scene/SpacetimeSetup.h"
 #include "SpacetimeScenes.h"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ struct Problem
     w.ObjectPosition = w.ObjectCoherence = 1.0;
     w.Clearance = w.Reach = w.Contact = w.ContactDistance = w.Separation = 0.0;
     model.Fluid.SoundSpeed = model.Fluid.Viscosity = 0.0;
-    model.Vortices.clear();
+    model.Fields.Vortices.clear();
     model.Background = SplineWind();
     model.Obstacles = ObstacleField();
     std::fill(model.DragRates.begin(), model.DragRates.end(), 0.0f);
@@ -142,18 +142,18 @@ struct Term
 
 inline void AddWind(SpacetimeModel& model)
 {
-  model.Wind.Dimensions = { 4, 4, 5 };
-  model.Wind.Origin = Vec3::Constant(-1.0);
-  model.Wind.Spacing = (model.Size + Vec3::Constant(2.0)).cwiseQuotient(Vec3(3.0, 3.0, 4.0));
-  model.Wind.FramesPerKnot = 4.0;
+  model.Fields.Wind.Dimensions = { 4, 4, 5 };
+  model.Fields.Wind.Origin = Vec3::Constant(-1.0);
+  model.Fields.Wind.Spacing = (model.Size + Vec3::Constant(2.0)).cwiseQuotient(Vec3(3.0, 3.0, 4.0));
+  model.Fields.Wind.FramesPerKnot = 4.0;
   Random random(8);
   for (int knot = 0; knot < 3; ++knot)
   {
-    model.Wind.Knots.emplace_back();
+    model.Fields.Wind.Knots.emplace_back();
     for (int k = 0; k < 4 * 80; ++k)
     {
-      model.Wind.Knots.back().push_back(k % 4 == 3 ? 0.0f
-                                                   : static_cast<float>(0.02 * random.Normal()));
+      model.Fields.Wind.Knots.back().push_back(
+        k % 4 == 3 ? 0.0f : static_cast<float>(0.02 * random.Normal()));
     }
   }
 }
@@ -205,7 +205,7 @@ inline const std::vector<Term>& Terms()
       [](Model& m, const Problem& p)
       {
         m.Weights.VelocityWeight = 1.0;
-        m.Vortices = p.Full.Vortices;
+        m.Fields.Vortices = p.Full.Fields.Vortices;
       } },
     { "drag",
       [](Model& m, const Problem& p)
@@ -214,9 +214,9 @@ inline const std::vector<Term>& Terms()
         m.DragRates = p.Full.DragRates;
         m.Gravities = p.Full.Gravities;
       } },
-    { "cushion above the floor",
+    { "landing damping above the floor",
       [](Model& m, const Problem& p) { AddLandingDamping(m, p, LandsOnFloor); } },
-    { "cushion above an obstacle",
+    { "landing damping above an obstacle",
       [](Model& m, const Problem& p)
       {
         m.Obstacles = p.Full.Obstacles;
@@ -233,7 +233,7 @@ inline const std::vector<Term>& Terms()
       {
         m.Weights.VelocityWeight = 1.0;
         AddWind(m);
-        std::swap(m.Wind, m.Background);
+        std::swap(m.Fields.Wind, m.Background);
       } },
     { "background that draws",
       [](Model& m, const Problem& p)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Directions along touched balls.
-#include "Spacetime/ActiveConstraints.h"
+#include "Spacetime/Solver/ActiveConstraints.h"
 
-#include "Spacetime/SpacetimeSetup.h"
-#include "Spacetime/TimeLevels.h"
+#include "Spacetime/Model/LevelTransfer.h"
+#include "Spacetime/Scene/SpacetimeSetup.h"
 #include "SpacetimeScenes.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the air does to light things: terminal fall, the cushion above a surface, the moving start.
-#include "Spacetime/InitialGas.h"
-#include "Spacetime/LandingDamping.h"
-#include "Spacetime/SpacetimeSetup.h"
+// What the air does to light things: terminal fall, the damping above a surface, the moving start.
+#include "Spacetime/Energy/LandingDamping.h"
+#include "Spacetime/Scene/InitialGas.h"
+#include "Spacetime/Scene/SpacetimeSetup.h"
 #include "SpacetimeScenes.h"
 #include "StandardProblem.h"
 
@@ -33,7 +33,7 @@ struct Drift
   Drift(const SpacetimeModel& model, const StateVector& start, int frames)
   {
     const TimeLevel level = TimeLevel::Full(model.NumberOfFrames, 1);
-    SpacetimeObjective objective(model, level, SerialFor(), FastestSphKernels());
+    SpacetimeObjective objective(model, model.Fields, level, SerialFor(), FastestSphKernels());
     StateVector state(start.begin(), start.begin() + model.FrameSize());
     state.resize(start.size());
     for (int j = 0; j < frames; ++j)
@@ -87,7 +87,7 @@ TEST(SettlingSlip, AThingThatFallsAtItsSettlingSpeedThroughStillAirIsAtOneWithIt
         static_cast<float>(factor);
     }
     const TimeLevel level = TimeLevel::Full(3, 1);
-    SpacetimeObjective objective(model, level, SerialFor(), FastestSphKernels());
+    SpacetimeObjective objective(model, model.Fields, level, SerialFor(), FastestSphKernels());
     SpacetimeTerms terms;
     objective.Evaluate(setup.Start, nullptr, terms);
     return terms.Ec;
@@ -196,7 +196,7 @@ TEST(GasAtRest, StaysWhereItIsInTheStandardProblem)
   problem.NumberOfFrames = 4;
   problem.NumberOfObjects = 1;
   problem.Build();
-  problem.Setup.Model.Vortices.clear();
+  problem.Setup.Model.Fields.Vortices.clear();
   problem.Setup.Model.Fluid.ObjectMass = 1e-9;
   const Drift drift(problem.Setup.Model, problem.Setup.Start, 300);
   EXPECT_LT(drift.Accelerated, 2e-6);
@@ -224,7 +224,7 @@ TEST(MakeInitialGas, MovesTheAirWithTheObjectsAndKeepsItsDynamics)
   SpacetimeSetup setup = MakeProblem(input);
   const SpacetimeModel& model = setup.Model;
   const TimeLevel level = TimeLevel::Full(scene.NumberOfFrames, 1);
-  SpacetimeObjective objective(model, level, SerialFor(), FastestSphKernels());
+  SpacetimeObjective objective(model, model.Fields, level, SerialFor(), FastestSphKernels());
   SpacetimeTerms still, moved;
   objective.Evaluate(setup.Start, nullptr, still);
   StateVector state = setup.Start;

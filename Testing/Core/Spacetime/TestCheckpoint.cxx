@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs that are killed, and go on.
 #include "Base/TemporaryFolder.h"
+#include "Spacetime/Run/SolverState.h"
 #include "SpacetimeRuns.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <csignal>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -228,6 +230,76 @@ TEST(Checkpoint, ATimeLimitLeavesTheCourseThatARunWithoutItTakes)
   ExpectSameMotion(RunScene(input, Options(path)), whole);
 }
 
+/// The bytes of a state whose Part has three frames of two values.
+std::vector<char> BytesOf(SolverState state)
+{
+  MemoryStream stream;
+  Serialise(stream, state, 2, [] { return FramePartition(3); });
+  return stream.Content;
+}
+
+TEST(SolverState, GoesToAFileAndBackWithoutALoss)
+{
+  SolverState state;
+  state.Plan.CoarseFrames = { { 0, 2, 4 } };
+  Stage stage;
+  stage.Kind = StageKind::Leash;
+  stage.Coarseness = 1;
+  stage.Leash = 0.25;
+  state.Plan.Stages = { stage, Stage() };
+  state.Next = 1;
+  state.Coarseness = 1;
+  state.StartEnergy = 3.5;
+  state.Seconds = 12.0;
+  state.Log.resize(2);
+  state.Log[1].Stage = "free 1";
+  state.Fields.Vortices.resize(1);
+  state.Fields.Wind.Knots = { { 0.5f, 0.25f } };
+  state.Motion = { 7.0f };
+  state.Beginning = { 8.0f, 9.0f };
+  state.Part = { 0.0f, 1.0f, 2.0f, 3.0f, 4.0f, 5.0f };
+  state.Curvature.Pairs = { { state.Part }, { state.Part }, { 0.125 } };
+  state.Curvature.Gradient = state.Part;
+  state.Curvature.Energies = { 3.0, 2.0 };
+  state.Sweep.Energies = { 1.0 };
+  const std::vector<char> bytes = BytesOf(state);
+
+  const std::string path = CheckpointPath("state");
+  StateFileWriter writer(path);
+  Serialise(writer, state, 2, [] { return FramePartition(3); });
+  ASSERT_TRUE(writer.Commit());
+  StateFileReader reader(path);
+  SolverState back;
+  Serialise(reader, back, 2,
+            [&]
+            {
+              EXPECT_EQ(back.Coarseness, 1); // what tells the partition is there
+              return FramePartition(3);
+            });
+  EXPECT_TRUE(reader.IsAtEnd());
+  EXPECT_EQ(BytesOf(back), bytes);
+  EXPECT_EQ(back.Now().Name(), "free 1");
+  EXPECT_EQ(back.Curvature.NumberOfIterations(), 1);
+
+  const std::vector<std::function<void(SolverState&)>> changes = {
+    [](SolverState& s) { s.Plan.Stages[0].Leash = 0.5; },
+    [](SolverState& s) { s.IsInside = true; },
+    [](SolverState& s) { s.Log[1].Stage = "free 2"; },
+    [](SolverState& s) { s.Fields.Vortices[0].Strength += 1.0; },
+    [](SolverState& s) { s.Fields.Wind.Knots[0][1] = 0.0f; },
+    [](SolverState& s) { s.Part[5] = 6.0f; },
+    [](SolverState& s) { s.Curvature.Pairs.Y[0][2] = 6.0f; },
+    [](SolverState& s) { s.Curvature.Gamma = 2.0; },
+    [](SolverState& s) { s.Sweep.Index = 1; }
+  };
+  for (std::size_t k = 0; k < changes.size(); ++k)
+  {
+    SolverState changed = back;
+    changes[k](changed);
+    EXPECT_NE(BytesOf(changed), bytes) << k;
+  }
+}
+
 TEST(Checkpoint, OneOfSomethingElseIsIgnoredAndSaidSo)
 {
   const SpacetimeInput input = Scene();
@@ -271,7 +343,7 @@ TEST(Checkpoint, OneOfSomethingElseIsIgnoredAndSaidSo)
   expectIgnored(input, few, "damaged");
   {
     StateFileWriter file(path);
-    std::string format = "Waft spacetime checkpoint 6";
+    std::string format = "Waft spacetime checkpoint 7";
     std::uint64_t key = DigestOfRun(input, few);
     std::uint64_t none = 0;
     file.Text(format);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // E beside a drawn air: what the air does costs nothing, objects go with it, and the gradient is
 // exact.
-#include "Spacetime/InitialGas.h"
-#include "Spacetime/Rollout.h"
-#include "Spacetime/SpacetimeSetup.h"
-#include "Spacetime/TimelinePreconditioner.h"
+#include "Spacetime/Scene/InitialGas.h"
+#include "Spacetime/Scene/Rollout.h"
+#include "Spacetime/Scene/SpacetimeSetup.h"
+#include "Spacetime/Solver/TimelinePreconditioner.h"
 #include "SpacetimeScenes.h"
 
 #include <gtest/gtest.h>
@@ -102,7 +102,7 @@ TEST(DrawnAir, ItsGradientEqualsCentralDifferences)
 {
   const AirProblem problem(8);
   const SpacetimeModel& model = problem.Setup.Model;
-  SpacetimeObjective objective(model, problem.Level, SerialFor(), FastestSphKernels());
+  SpacetimeObjective objective(model, model.Fields, problem.Level, SerialFor(), FastestSphKernels());
   StateVector state = problem.Setup.Start;
   Random random(5);
   for (float& value : state)
@@ -147,7 +147,7 @@ TEST(DrawnAir, WhatDriftsInItCostsNextToNothing)
   SpacetimeModel& model = problem.Setup.Model;
   model.Fluid.ObjectMass = 1e-9; // the gas does not know of the objects
   model.Fluid.SoundSpeed = 1e-3; // nor of its own disorder
-  SpacetimeObjective objective(model, problem.Level, SerialFor(), FastestSphKernels());
+  SpacetimeObjective objective(model, model.Fields, problem.Level, SerialFor(), FastestSphKernels());
   StateVector state = problem.Setup.Start;
   SilentMonitor monitor;
   ASSERT_TRUE(MakeInitialGas(objective, SerialFor(), monitor, state));
@@ -172,7 +172,7 @@ TEST(DrawnAir, AMotionThatTheModelDoesNotGiveIsNotReplayed)
 {
   AirProblem problem(40);
   SpacetimeModel& model = problem.Setup.Model;
-  SpacetimeObjective objective(model, problem.Level, SerialFor(), FastestSphKernels());
+  SpacetimeObjective objective(model, model.Fields, problem.Level, SerialFor(), FastestSphKernels());
   StateVector state = problem.Setup.Start; // the gas stays where it is in an air that turns
   const ReplayError replay = MeasureReplay(objective, state, 5);
   EXPECT_EQ(replay.Gas, -1.0); // it has no velocity

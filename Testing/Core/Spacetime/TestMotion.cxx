@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the optimisation promises of any scene: E never grows within a stage, what is required
 // holds, the wind explains no more than it may, seams are smoothed and things keep apart.
-#include "Spacetime/Spacetime.h"
-#include "Spacetime/SpacetimeSetup.h"
+#include "Spacetime/Run/Spacetime.h"
+#include "Spacetime/Scene/SpacetimeSetup.h"
 #include "SpacetimeScenes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Spacetime/SpacetimeObjective.h"
-#include "Spacetime/SpacetimeSetup.h"
-#include "Spacetime/TimelinePreconditioner.h"
+#include "Spacetime/Energy/SpacetimeObjective.h"
+#include "Spacetime/Scene/SpacetimeSetup.h"
+#include "Spacetime/Solver/TimelinePreconditioner.h"
 #include "SpacetimeScenes.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,7 @@ struct Problem
 double GradientError(const SpacetimeSetup& setup, const TimeLevel& level, double step)
 {
   const SpacetimeModel& model = setup.Model;
-  SpacetimeObjective objective(model, level, SerialFor(), FastestSphKernels());
+  SpacetimeObjective objective(model, model.Fields, level, SerialFor(), FastestSphKernels());
   const StateVector full = Disturbed(setup, 0.05);
   StateVector state(level.NumberOfFrames() * model.FrameSize());
   for (std::size_t j = 0; j < level.NumberOfFrames(); ++j)

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Levels of time, distances of pairs, the way out of obstacles, the preconditioner, clusters of
 // linear rows, the wind's least squares.
-#include "Spacetime/HardConstraints.h"
-#include "Spacetime/ObjectTerms.h"
-#include "Spacetime/SpacetimeExport.h"
-#include "Spacetime/SpacetimeProgram.h"
-#include "Spacetime/SpacetimeSetup.h"
-#include "Spacetime/TimeLevels.h"
-#include "Spacetime/TimelinePreconditioner.h"
-#include "Spacetime/VortexSelection.h"
-#include "Spacetime/WindEstimate.h"
+#include "Spacetime/Energy/ObjectTerms.h"
+#include "Spacetime/Fields/VortexSelection.h"
+#include "Spacetime/Fields/WindEstimate.h"
+#include "Spacetime/Model/LevelTransfer.h"
+#include "Spacetime/Run/Schedule.h"
+#include "Spacetime/Scene/SpacetimeExport.h"
+#include "Spacetime/Scene/SpacetimeSetup.h"
+#include "Spacetime/Solver/HardConstraints.h"
+#include "Spacetime/Solver/TimelinePreconditioner.h"
 #include "SpacetimeScenes.h"
 
 #include <Eigen/Dense>
@@ -79,32 +79,32 @@ TEST(TimeLevels, HoldEveryFrameOfARequirement)
   }
 }
 
-TEST(SpacetimeProgram, GoesFromTheCoarsestLevelToAllFrames)
+TEST(Schedule, GoesFromTheCoarsestLevelToAllFrames)
 {
   SceneOptions scene;
   scene.NumberOfFrames = 200;
   SpacetimeInput input = MakeScene(scene);
   const SpacetimeOptions options;
   const auto plan = [&]()
-  { return PlanProgram(MakeProblem(input), options, input.Scene.Bounds.Width()); };
-  const SpacetimeProgram program = plan();
-  ASSERT_EQ(program.Coarsest(), 2);
-  EXPECT_LE(program.CoarseFrames[1].size(), 60u);
-  EXPECT_LE(program.CoarseFrames[0].size(), 110u);
-  EXPECT_EQ(program.LevelOf(0, 200, 1).NumberOfFrames(), 200u);
-  EXPECT_EQ(program.Steps.front().Coarseness, 2);
-  EXPECT_GT(program.Steps.front().Leash, 0.0);
-  EXPECT_EQ(program.Steps.back().Coarseness, 0);
-  for (std::size_t k = 1; k < program.Steps.size(); ++k)
+  { return PlanSchedule(MakeProblem(input), options, input.Scene.Bounds.Width()); };
+  const Schedule schedule = plan();
+  ASSERT_EQ(schedule.Coarsest(), 2);
+  EXPECT_LE(schedule.CoarseFrames[1].size(), 60u);
+  EXPECT_LE(schedule.CoarseFrames[0].size(), 110u);
+  EXPECT_EQ(schedule.LevelOf(0, 200, 1).NumberOfFrames(), 200u);
+  EXPECT_EQ(schedule.Stages.front().Coarseness, 2);
+  EXPECT_GT(schedule.Stages.front().Leash, 0.0);
+  EXPECT_EQ(schedule.Stages.back().Coarseness, 0);
+  for (std::size_t k = 1; k < schedule.Stages.size(); ++k)
   {
-    EXPECT_LE(program.Steps[k].Coarseness, program.Steps[k - 1].Coarseness);
+    EXPECT_LE(schedule.Stages[k].Coarseness, schedule.Stages[k - 1].Coarseness);
   }
-  for (const SpacetimeStep& step : program.Steps)
+  for (const Stage& stage : schedule.Stages)
   {
-    if (!step.IsUpdate) // a run that was left finds its stage by its name
+    if (!stage.IsUpdate()) // a run that was left finds its stage again
     {
-      EXPECT_EQ(program.Steps[program.Find(step.Name)].Coarseness, step.Coarseness) << step.Name;
-      EXPECT_EQ(&program.Steps[program.Find(step.Name)], &step) << step.Name;
+      EXPECT_EQ(schedule.Stages[schedule.Find(stage)].Coarseness, stage.Coarseness) << stage.Name();
+      EXPECT_EQ(&schedule.Stages[schedule.Find(stage)], &stage) << stage.Name();
     }
   }
   // Marks at every second frame leave nothing to a level of every fourth.
@@ -117,9 +117,9 @@ TEST(SpacetimeProgram, GoesFromTheCoarsestLevelToAllFrames)
     row.Value = input.Tracks[0].Positions[frame];
     input.Constraints.push_back(row);
   }
-  const SpacetimeProgram bound = plan();
+  const Schedule bound = plan();
   EXPECT_EQ(bound.Coarsest(), 1);
-  EXPECT_EQ(bound.Steps.front().Coarseness, 1);
+  EXPECT_EQ(bound.Stages.front().Coarseness, 1);
 }
 
 TEST(PairDistance, IsNoMoreAtMarksThanTheyAreApart)
@@ -329,7 +329,7 @@ TEST(WindEstimate, RecoversASmoothWindThatIsFreeOfDivergence)
   const SpacetimeInput input = MakeScene(scene);
   SpacetimeSetup setup = MakeProblem(input, 1000);
   SpacetimeModel& model = setup.Model;
-  model.Vortices.clear();
+  model.Fields.Vortices.clear();
   model.Gravities.assign(model.NumberOfObjects, 0.0f);
   const auto truth = [&](const Vec3& x, double frame)
   {
@@ -359,7 +359,7 @@ TEST(WindEstimate, RecoversASmoothWindThatIsFreeOfDivergence)
   }
   model.Fluid.Viscosity = 0.0;
   const TimeLevel level = TimeLevel::Full(40, 1);
-  SpacetimeObjective objective(model, level, SerialFor(), FastestSphKernels());
+  SpacetimeObjective objective(model, model.Fields, level, SerialFor(), FastestSphKernels());
   SpacetimeTerms terms;
   objective.Evaluate(state, nullptr, terms);
   WindOptions options;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several ranks: the same bits as one, whatever is asked for.
 #include "Base/TemporaryFolder.h"
-#include "Spacetime/LevelSolver.h"
-#include "Spacetime/SpacetimeBudget.h"
+#include "Spacetime/Run/SpacetimeBudget.h"
+#include "Spacetime/Solver/LevelSolver.h"
 #include "SpacetimeRuns.h"
 #include "ThreadRanks.h"
 
@@ -198,7 +198,7 @@ TEST(Ranks, GoOnFromAMotionAndEditItToTheSameBits)
   SpacetimeWarmStart one, two;
   const SpacetimeOutput first = RunScene(input, options, 1, &one);
   ExpectSame(RunOn(2, input, options, &two), first);
-  EXPECT_EQ(one.State, two.State);
+  EXPECT_EQ(one.State.Motion, two.State.Motion);
   // A target is moved: a part of the motion is solved again.
   input.Constraints.back().Value.x() += 0.05;
   const SpacetimeOutput edited = RunScene(input, options, 1, &one);
@@ -282,13 +282,14 @@ TEST(Ranks, ShareTheMemoryOfTheSolver)
   SpacetimeSetup setup;
   ASSERT_TRUE(MakeSetup(Scene(), Options(), setup));
   std::vector<std::size_t> sizes(4);
-  EXPECT_TRUE(
-    RunRanks(4,
-             [&](Communicator& ranks)
-             {
-               const LevelSolver solver(setup, TimeLevel::Full(40, 1), SerialFor(), ranks, 6);
-               const std::size_t size = setup.Model.FrameSize();
-               sizes[ranks.Rank()] = solver.Partition.Take(setup.Start, size).size() / size;
-             }));
+  EXPECT_TRUE(RunRanks(4,
+                       [&](Communicator& ranks)
+                       {
+                         const LevelSolver solver(setup.Model, setup.Model.Fields, setup.Table,
+                                                  TimeLevel::Full(40, 1), SerialFor(), ranks, 6);
+                         const std::size_t size = setup.Model.FrameSize();
+                         sizes[ranks.Rank()] =
+                           solver.Partition.Take(setup.Start, size).size() / size;
+                       }));
   EXPECT_EQ(sizes, (std::vector<std::size_t>{ 11, 12, 12, 11 })); // ten each, and the halo
 }

@@ -3,7 +3,7 @@
 #include "Base/Random.h"
 #include "CeresRun.h"
 #include "ReferenceObjective.h"
-#include "Spacetime/SpacetimeObjective.h"
+#include "Spacetime/Energy/SpacetimeObjective.h"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,8 @@ TEST(SpacetimeObjective, EqualsTheReference)
   const TimeLevel level = TimeLevel::Full(problem.Setup.Model.NumberOfFrames, 1);
   for (const SphKernelTable* table : { &PortableSphKernels(), &FastestSphKernels() })
   {
-    SpacetimeObjective objective(problem.Setup.Model, level, SerialFor(), *table);
+    SpacetimeObjective objective(problem.Setup.Model, problem.Setup.Model.Fields, level,
+                                 SerialFor(), *table);
     SpacetimeTerms terms;
     StateVector gradient(state.size());
     ASSERT_TRUE(objective.Evaluate(state, &gradient, terms));
@@ -81,7 +82,8 @@ TEST(SpacetimeObjective, PushesGasThatIsTooNearApart)
   const auto evaluate = [&](double weight, const StateVector& x, StateVector& gradient)
   {
     problem.Setup.Model.Weights.Separation = weight;
-    SpacetimeObjective objective(problem.Setup.Model, level, SerialFor(), FastestSphKernels());
+    SpacetimeObjective objective(problem.Setup.Model, problem.Setup.Model.Fields, level,
+                                 SerialFor(), FastestSphKernels());
     SpacetimeTerms terms;
     objective.Evaluate(x, &gradient, terms);
     return terms;
@@ -104,7 +106,7 @@ TEST(SpacetimeObjective, VanishesOnARollout)
   SpacetimeModel& model = problem.Setup.Model;
   model.Weights.CoherenceWeight = 0.0;
   const TimeLevel level = TimeLevel::Full(model.NumberOfFrames, 1);
-  SpacetimeObjective objective(model, level, SerialFor(), FastestSphKernels());
+  SpacetimeObjective objective(model, model.Fields, level, SerialFor(), FastestSphKernels());
   StateVector state = problem.Setup.Start;
   SpacetimeTerms terms;
   objective.Evaluate(state, nullptr, terms);

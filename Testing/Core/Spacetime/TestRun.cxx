@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The whole optimisation on small scenes.
-#include "Spacetime/Spacetime.h"
+#include "Spacetime/Run/Spacetime.h"
 #include "SpacetimeRuns.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 // fast objective in single precision held against them.
 #include "Base/Random.h"
 #include "ReferenceObjective.h"
-#include "Spacetime/SpacetimeObjective.h"
+#include "Spacetime/Energy/SpacetimeObjective.h"
 #include "TermCases.h"
 
 #include <gtest/gtest.h>
@@ -155,7 +155,7 @@ TEST(Terms, TheFastObjectiveHasTheSameCostAndGradient)
     const StateVector state = reference.To(z);
     for (const SphKernelTable* table : { &PortableSphKernels(), &FastestSphKernels() })
     {
-      SpacetimeObjective objective(model, level, SerialFor(), *table);
+      SpacetimeObjective objective(model, model.Fields, level, SerialFor(), *table);
       SpacetimeTerms terms;
       StateVector gradient(state.size());
       ASSERT_TRUE(objective.Evaluate(state, &gradient, terms));
@@ -186,7 +186,7 @@ TEST(Terms, EachPenaltyHasAColumnOfItsOwn)
     const SpacetimeModel& model = problem.Setup.Model;
     const TimeLevel level = problem.Level();
     const ReferenceObjective reference(model, level);
-    SpacetimeObjective objective(model, level, SerialFor(), FastestSphKernels());
+    SpacetimeObjective objective(model, model.Fields, level, SerialFor(), FastestSphKernels());
     SpacetimeTerms terms;
     ASSERT_TRUE(objective.Evaluate(reference.To(problem.Disturbed(reference)), nullptr, terms));
     double sum = 0.0;

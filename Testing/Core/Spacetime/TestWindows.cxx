@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs in bounded memory.
 #include "Base/TemporaryFolder.h"
-#include "Spacetime/SpacetimeBudget.h"
-#include "Spacetime/SpacetimeSetup.h"
+#include "Spacetime/Run/SpacetimeBudget.h"
+#include "Spacetime/Scene/SpacetimeSetup.h"
 #include "SpacetimeRuns.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The terms of E, and the table that tells how they fell: each column is named here, once.
+#pragma once
+
+#include "Base/StateArchive.h"
+
+#include <string>
+
+namespace waft
+{
+
+/// E = c1 Ex + c2 Ev + c3 Ec + Penalties; each term is half a sum of squares.
+struct SpacetimeTerms
+{
+  double E = 0.0;
+  double Ex = 0.0, Ev = 0.0, Ec = 0.0;
+  double Clearance = 0.0, Approach = 0.0, Contact = 0.0, Separation = 0.0; // weighted
+  /// The four before. They are summed frame by frame, so a sum of the columns differs by rounding.
+  double Penalties = 0.0;
+
+  /// visit(member of *this...) of every number.
+  template <class Visitor, class... Terms>
+  static void Visit(Visitor&& visit, Terms&... of)
+  {
+    visit(of.E...);
+    visit(of.Ex...);
+    visit(of.Ev...);
+    visit(of.Ec...);
+    visit(of.Clearance...);
+    visit(of.Approach...);
+    visit(of.Contact...);
+    visit(of.Separation...);
+    visit(of.Penalties...);
+  }
+};
+
+inline void Serialise(StateArchive& stream, SpacetimeTerms& terms)
+{
+  SpacetimeTerms::Visit([&](double& value) { stream.Value(value); }, terms);
+}
+
+struct ConvergenceRow : SpacetimeTerms
+{
+  int Pass = 0;
+  std::string Stage;
+  int Iteration = 0;
+  double MaxViolation = 0.0; // m
+  double Leash = 0.0;        // m; 0: released
+  double Seconds = 0.0;      // since RunSpacetime began
+};
+
+struct ConvergenceColumn
+{
+  const char* Name;
+  const char* Unit; // of lengths in gas spacings dx and times in frames, where it is of the solver
+  const char* Meaning;
+};
+
+/// visit(column, member of ConvergenceRow) in the order of the table.
+template <class Visitor>
+void VisitConvergence(Visitor&& visit)
+{
+  using Row = ConvergenceRow;
+  visit(ConvergenceColumn{ "Pass", "", "alternation of solving with estimating the fields" },
+        &Row::Pass);
+  visit(ConvergenceColumn{ "Stage", "", "what was done" }, &Row::Stage);
+  visit(ConvergenceColumn{ "Iteration", "", "in the stage; 0: what it begins with" },
+        &Row::Iteration);
+  visit(ConvergenceColumn{ "E", "", "what is minimised: c1 Ex + c2 Ev + c3 Ec and the penalties" },
+        &Row::E);
+  visit(ConvergenceColumn{ "Ex", "dx^2", "positions against their prediction, Eq. 3" }, &Row::Ex);
+  visit(ConvergenceColumn{ "Ev", "(dx/frame)^2", "velocities against their prediction, Eq. 3" },
+        &Row::Ev);
+  visit(ConvergenceColumn{ "Ec", "(dx/frame)^2", "velocities against their neighbours', Eq. 4" },
+        &Row::Ec);
+  visit(ConvergenceColumn{ "MaxViolation", "m", "largest miss of a position" }, &Row::MaxViolation);
+  visit(ConvergenceColumn{ "Leash", "m", "radius of the leash; 0: released" }, &Row::Leash);
+  visit(ConvergenceColumn{ "Seconds", "s", "since the run began" }, &Row::Seconds);
+  visit(
+    ConvergenceColumn{ "Clearance", "dx^2", "weighted: objects too near to a wall or obstacle" },
+    &Row::Clearance);
+  visit(ConvergenceColumn{ "Approach", "dx^2",
+                           "weighted: objects too far from where they start or land" },
+        &Row::Approach);
+  visit(ConvergenceColumn{ "Contact", "dx^2", "weighted: objects too near to one another" },
+        &Row::Contact);
+  visit(ConvergenceColumn{ "Separation", "dx^2", "weighted: gas too near to gas" },
+        &Row::Separation);
+}
+
+/// All columns and Penalties: a row as it was.
+inline void Serialise(StateArchive& stream, ConvergenceRow& row)
+{
+  Serialise(stream, static_cast<SpacetimeTerms&>(row));
+  stream.Values(row.Pass, row.Iteration, row.MaxViolation, row.Leash, row.Seconds);
+  stream.Text(row.Stage);
+}
+
+} // namespace waft

@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/Energy/SpacetimeObjective.h"
+
+#include "Base/FractionDone.h"
+#include "Spacetime/Energy/ObjectTerms.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+
+struct SpacetimeObjective::Worker
+{
+  Worker(const SpacetimeModel& model, const AirFields& fields, const TimeLevel& level,
+         const SphKernelTable& kernels) :
+    Terms(model, fields, FluidOf(model, level), kernels)
+  {
+  }
+  FrameTerms Terms;
+  NeighborList List; // of the frame at hand, where lists are not kept
+};
+
+SpacetimeObjective::SpacetimeObjective(const SpacetimeModel& model, const AirFields& fields,
+                                       const TimeLevel& level, const ParallelFor& parallel,
+                                       const SphKernelTable& kernels, bool keepsLists,
+                                       const FramePartition* partition) :
+  Problem(model),
+  Acting(fields), Times(level),
+  Ranks(partition != nullptr ? *partition : FramePartition(level.NumberOfFrames())),
+  Parallel(parallel), Kernels(kernels), KeepsLists(keepsLists)
+{
+  const double self = model.Fluid.GasMass * model.Fluid.Kernel(0.0);
+  this->SpatialScale = 1.0 / ((1.0 - self) * (1.0 - self));
+  const std::size_t frames = level.NumberOfFrames();
+  const FrameRange& own = this->Ranks.Own();
+  const auto reach = static_cast<std::size_t>(level.Reach());
+  this->Lists.resize(keepsLists ? own.Size() : 0);
+  this->RowsBegin = own.Begin - std::min(own.Begin, reach);
+  this->RowsEnd = std::min(frames, own.End + reach);
+  this->FrameSums.resize(frames);
+  this->Bound.assign(frames * model.NumberOfObjects, 0);
+  for (std::size_t j = 1; j < frames; ++j)
+  {
+    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    {
+      this->Bound[j * model.NumberOfObjects + o] = StepIsBound(model, level, j, o) ? 1 : 0;
+    }
+  }
+}
+
+SpacetimeObjective::~SpacetimeObjective() = default;
+
+std::unique_ptr<SpacetimeObjective::Worker> SpacetimeObjective::Borrow()
+{
+  {
+    const std::lock_guard<std::mutex> lock(this->PoolMutex);
+    if (!this->Pool.empty())
+    {
+      auto worker = std::move(this->Pool.back());
+      this->Pool.pop_back();
+      return worker;
+    }
+  }
+  return std::make_unique<Worker>(this->Problem, this->Acting, this->Times, this->Kernels);
+}
+
+void SpacetimeObjective::Return(std::unique_ptr<Worker> worker)
+{
+  const std::lock_guard<std::mutex> lock(this->PoolMutex);
+  this->Pool.push_back(std::move(worker));
+}
+
+NeighborList& SpacetimeObjective::ListOf(Worker& worker, std::size_t j)
+{
+  if (this->KeepsLists)
+  {
+    return this->Lists[j - this->Ranks.Own().Begin];
+  }
+  worker.List = NeighborList();
+  return worker.List;
+}
+
+FrameTerms& SpacetimeObjective::ForwardFrame(const StateVector& state, std::size_t j)
+{
+  if (this->Pool.empty())
+  {
+    this->Pool.push_back(
+      std::make_unique<Worker>(this->Problem, this->Acting, this->Times, this->Kernels));
+  }
+  FrameTerms& terms = this->Pool.front()->Terms;
+  const double step = j + 1 < this->Times.NumberOfFrames() ? this->Times.Steps[j + 1] : 1.0;
+  const SpacetimeModel& model = this->Problem;
+  const float* moving = state.data() + this->Offset(j);
+  std::vector<float> deviations;
+  if (!model.Air.IsEmpty())
+  {
+    deviations.resize(model.FrameSize());
+    model.Air.Deviations(moving, model.NumberOfBodies(), model.Stride(), this->Times.Frames[j],
+                         this->Times.Steps[j], deviations.data(), nullptr);
+    moving = deviations.data();
+  }
+  terms.Forward(moving, this->Times.Frames[j], step, this->ListOf(*this->Pool.front(), j));
+  return terms;
+}
+
+std::size_t SpacetimeObjective::NumberOfPairs() const
+{
+  std::size_t sum = 0;
+  for (const NeighborList& list : this->Lists)
+  {
+    sum += list.NumberOfEntries();
+  }
+  return sum;
+}
+
+// body(begin, end) over the own frames. All ranks take as many chunks, and ask the monitor as
+// often.
+bool SpacetimeObjective::Chunked(Monitor* monitor, double from, double to,
+                                 const std::function<void(std::size_t, std::size_t)>& body)
+{
+  // About 0.1 s of one core between two calls of the monitor.
+  const std::size_t chunk =
+    std::max<std::size_t>(2, 600000 / std::max<std::size_t>(1, this->Problem.NumberOfParticles()));
+  const FrameRange& own = this->Ranks.Own();
+  const std::size_t most = this->Ranks.MostOwned();
+  for (std::size_t done = 0; done < most; done += chunk)
+  {
+    const std::size_t first = std::min(own.End, own.Begin + done);
+    const std::size_t size = std::min(chunk, own.End - first);
+    this->Parallel(size,
+                   [&](std::size_t begin, std::size_t end) { body(first + begin, first + end); });
+    const double fraction = FractionDone(std::min(most, done + chunk), most);
+    if (monitor && !monitor->Tick(from + (to - from) * fraction, {}))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state,
+                                  const StateVector& moving, std::size_t j, StateVector* gradient)
+{
+  const SpacetimeModel& model = this->Problem;
+  const SpacetimeWeights& weights = model.Weights;
+  const std::size_t stride = model.Stride();
+  const std::size_t ng = model.NumberOfGas;
+  const bool last = j + 1 == this->Times.NumberOfFrames();
+  const float* here = state.data() + this->Offset(j);
+  const float* deviations = moving.data() + this->Offset(j);
+  FrameTerms& terms = worker.Terms;
+  const double step = last ? 0.0 : this->Times.Steps[j + 1];
+  NeighborList& list = this->ListOf(worker, j);
+  terms.Forward(deviations, this->Times.Frames[j], last ? 1.0 : step, list);
+
+  const double stepWeight = last ? 0.0 : this->Times.StepWeights[j + 1];
+  const float wx = static_cast<float>(weights.PositionWeight * stepWeight);
+  const float wv = static_cast<float>(weights.VelocityWeight * stepWeight);
+  const float ws = static_cast<float>(weights.CoherenceWeight * weights.SpatialShare *
+                                      this->SpatialScale * this->Times.FrameWeights[j]);
+  const auto s = static_cast<float>(step);
+  const auto eps = static_cast<float>(weights.XsphFactor);
+  const auto objectStep = static_cast<float>(weights.ObjectPosition);
+  const auto objectAir = static_cast<float>(weights.ObjectCoherence);
+  double ex = 0.0, ev = 0.0, ec = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const float* x = here + c * stride;
+    const float* xn = x + model.FrameSize();
+    const float* vn = xn + 3 * stride;
+    const float* w = deviations + (3 + c) * stride;
+    const float* wn = w + model.FrameSize();
+    const float* a = terms.Acceleration(c);
+    const float* d = terms.Average(c);
+    float* abar = terms.AccelerationBar(c);
+    float* dbar = terms.AverageBar(c);
+    float* outX = last ? nullptr : this->Row(j + 1, 0, c);
+    float* outV = last ? nullptr : this->Row(j + 1, 1, c);
+    const auto add =
+      [&](std::size_t i, float weight, float own, float flight, float law, float air, float slip)
+    {
+      const float rs = d[i] - slip;
+      ec += static_cast<double>(weight * air * rs) * rs;
+      float byAverage = weight * air * ws * rs;
+      float byAcceleration = 0.0f;
+      if (!last)
+      {
+        const float rx = flight * ((xn[i] - x[i]) - s * (vn[i] + eps * d[i]));
+        const float rv = law * ((wn[i] - w[i]) - s * a[i]);
+        ex += static_cast<double>(own * weight * rx) * rx;
+        ev += static_cast<double>(weight * rv) * rv;
+        const float byX = own * weight * wx * rx;
+        const float byV = weight * wv * rv;
+        outX[i] = byX;
+        outV[i] = byV;
+        byAcceleration = -s * byV;
+        byAverage -= s * eps * byX;
+      }
+      abar[i] = byAcceleration;
+      dbar[i] = byAverage;
+    };
+    for (std::size_t i = 0; i < ng; ++i)
+    {
+      add(i, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 0.0f);
+    }
+    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    {
+      const bool isBound = !last && this->Bound[(j + 1) * model.NumberOfObjects + o];
+      const bool isBraked = !last && (model.Flag(this->Times.Frames[j + 1], o) & Braked);
+      add(ng + o, static_cast<float>(model.Offsets.size()), objectStep, isBound ? 0.0f : 1.0f,
+          isBound || isBraked ? 0.0f : 1.0f,
+          objectAir * model.CoherenceFraction(this->Times.Frames[j], o),
+          c == 2 ? model.SettlingSlip(o) : 0.0f);
+    }
+  }
+  SpacetimeTerms& sums = this->FrameSums[j];
+  sums.Ex = 0.5 * stepWeight * ex;
+  sums.Ev = 0.5 * stepWeight * ev;
+  sums.Ec = 0.5 * weights.SpatialShare * this->SpatialScale * this->Times.FrameWeights[j] * ec;
+  if (gradient)
+  {
+    float* g = gradient->data() + this->Offset(j);
+    std::fill(g, g + model.FrameSize(), 0.0f);
+    terms.Adjoint(g);
+  }
+  const double crowding = weights.Separation * this->Times.FrameWeights[j];
+  sums.Separation =
+    crowding * terms.Crowding(static_cast<float>(crowding),
+                              gradient ? gradient->data() + this->Offset(j) : nullptr);
+}
+
+void SpacetimeObjective::SmoothRow(const StateVector& moving, std::size_t j)
+{
+  const SpacetimeModel& model = this->Problem;
+  const std::size_t stride = model.Stride();
+  const std::size_t ng = model.NumberOfGas;
+  const double fraction = 1.0 - model.Weights.SpatialShare;
+  const double w = this->Times.SmoothWeights[j];
+  const auto factor = static_cast<float>(model.Weights.CoherenceWeight * fraction * w);
+  double sum = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    float* r = this->Row(j, 2, c);
+    const auto row = [&](std::size_t k)
+    { return moving.data() + this->Offset(k) + (3 + c) * stride; };
+    std::copy(row(j), row(j) + model.NumberOfBodies(), r);
+    for (const TimeLevel::Neighbor& neighbor : this->Times.Rows[j])
+    {
+      const float* v = row(neighbor.Frame);
+      const auto coefficient = static_cast<float>(neighbor.Coefficient);
+      for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
+      {
+        r[i] -= coefficient * v[i];
+      }
+    }
+    for (std::size_t i = 0; i < ng; ++i)
+    {
+      sum += static_cast<double>(r[i]) * r[i];
+      r[i] *= factor;
+    }
+    const auto weight = static_cast<float>(model.Offsets.size());
+    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    {
+      float& value = r[ng + o];
+      sum += static_cast<double>(weight * value) * value;
+      value *= weight * factor;
+    }
+  }
+  this->FrameSums[j].Ec += 0.5 * fraction * w * sum;
+}
+
+void SpacetimeObjective::ObjectFrame(const StateVector& state, std::size_t j, StateVector* gradient)
+{
+  const double weight = this->Times.FrameWeights[j];
+  const ObjectTerms terms =
+    AddObjectTerms(this->Problem, this->Times.Frames[j], weight, state.data() + this->Offset(j),
+                   gradient ? gradient->data() + this->Offset(j) : nullptr);
+  SpacetimeTerms& sums = this->FrameSums[j];
+  sums.Clearance = weight * terms.Clearance;
+  sums.Approach = weight * terms.Approach;
+  sums.Contact = weight * terms.Contact;
+  sums.Penalties = sums.Separation + weight * (terms.Clearance + terms.Approach + terms.Contact);
+}
+
+void SpacetimeObjective::GatherFrame(std::size_t j, StateVector& gradient) const
+{
+  const SpacetimeModel& model = this->Problem;
+  const std::size_t stride = model.Stride();
+  const std::size_t n = model.NumberOfBodies();
+  const bool last = j + 1 == this->Times.NumberOfFrames();
+  const auto row = [&](std::size_t k, int kind, int c) { return this->Row(k, kind, c); };
+  float* g = gradient.data() + this->Offset(j);
+  const auto step = static_cast<float>(this->Times.Steps[j]);
+  for (int c = 0; c < 3; ++c)
+  {
+    float* gx = g + c * stride;
+    float* gv = g + (3 + c) * stride;
+    if (j > 0)
+    {
+      const float* rx = row(j, 0, c);
+      const float* rv = row(j, 1, c);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        gx[i] += rx[i];
+        gv[i] += rv[i] - step * rx[i];
+      }
+    }
+    if (!last)
+    {
+      const float* rx = row(j + 1, 0, c);
+      const float* rv = row(j + 1, 1, c);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        gx[i] -= rx[i];
+        gv[i] -= rv[i];
+      }
+    }
+    const float* rt = row(j, 2, c);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      gv[i] += rt[i];
+    }
+    for (const TimeLevel::Neighbor& column : this->Times.Columns[j])
+    {
+      const float* other = row(column.Frame, 2, c);
+      const auto coefficient = static_cast<float>(column.Coefficient);
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        gv[i] -= coefficient * other[i];
+      }
+    }
+  }
+  if (!model.Air.IsEmpty())
+  {
+    this->ToVelocities(j, g);
+  }
+}
+
+void SpacetimeObjective::ToVelocities(std::size_t j, float* gradient) const
+{
+  const SpacetimeModel& model = this->Problem;
+  const std::size_t stride = model.Stride();
+  const double step = this->Times.Steps[j];
+  std::vector<float> direct(3 * stride, 0.0f); // by rx
+  for (int c = 0; c < 3 && j > 0; ++c)
+  {
+    const float* rx = this->Row(j, 0, c);
+    for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
+    {
+      direct[c * stride + i] = -static_cast<float>(step) * rx[i];
+    }
+  }
+  DrawnAir::ToVelocities(this->Jacobians.data() + this->Ranks.Slot(j) * 9 * stride, direct.data(),
+                         model.NumberOfBodies(), stride, step, gradient);
+}
+
+const StateVector& SpacetimeObjective::TakeDeviations(const StateVector& state)
+{
+  const SpacetimeModel& model = this->Problem;
+  if (model.Air.IsEmpty())
+  {
+    return state;
+  }
+  const std::size_t stride = model.Stride();
+  const FrameRange& held = this->Ranks.Held();
+  this->Deviations.resize(held.Size() * model.FrameSize());
+  this->Jacobians.resize(held.Size() * 9 * stride);
+  this->Parallel(held.Size(),
+                 [&](std::size_t begin, std::size_t end)
+                 {
+                   for (std::size_t j = held.Begin + begin; j < held.Begin + end; ++j)
+                   {
+                     const std::size_t offset = this->Offset(j);
+                     model.Air.Deviations(
+                       state.data() + offset, model.NumberOfBodies(), stride, this->Times.Frames[j],
+                       this->Times.Steps[j], this->Deviations.data() + offset,
+                       this->Jacobians.data() + this->Ranks.Slot(j) * 9 * stride);
+                   }
+                 });
+  return this->Deviations;
+}
+
+bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradient,
+                                  SpacetimeTerms& terms, Monitor* monitor)
+{
+  ++this->Evaluations;
+  this->Residuals.resize((this->RowsEnd - this->RowsBegin) * 9 * this->Problem.Stride(), 0.0f);
+  const StateVector& moving = this->TakeDeviations(state);
+  const bool done = this->Chunked(monitor, 0.0, 0.9,
+                                  [&](std::size_t begin, std::size_t end)
+                                  {
+                                    auto worker = this->Borrow();
+                                    for (std::size_t j = begin; j < end; ++j)
+                                    {
+                                      this->SphFrame(*worker, state, moving, j, gradient);
+                                      this->SmoothRow(moving, j);
+                                      this->ObjectFrame(state, j, gradient);
+                                    }
+                                    this->Return(std::move(worker));
+                                  });
+  if (!done)
+  {
+    return false;
+  }
+  if (gradient)
+  {
+    this->ReceiveRows();
+    const FrameRange& own = this->Ranks.Own();
+    this->Parallel(own.Size(),
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                     for (std::size_t j = own.Begin + begin; j < own.Begin + end; ++j)
+                     {
+                       this->GatherFrame(j, *gradient);
+                     }
+                   });
+  }
+  this->Ranks.Gather(this->FrameSums);
+  terms = SpacetimeTerms();
+  for (const SpacetimeTerms& sum : this->FrameSums)
+  {
+    SpacetimeTerms::Visit([](double& all, double one) { all += one; }, terms, sum);
+  }
+  const SpacetimeWeights& w = this->Problem.Weights;
+  terms.E = w.PositionWeight * terms.Ex + w.VelocityWeight * terms.Ev +
+            w.CoherenceWeight * terms.Ec + terms.Penalties;
+  return true;
+}
+
+} // namespace waft

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/Model/AirFields.h"
+
+#include "Constraints/MotionProblem.h"
+
+namespace waft
+{
+
+void Serialise(StateArchive& stream, AirFields& fields)
+{
+  stream.List(fields.Vortices, [](StateArchive& s, Vortex& v) { Exchange(s, v); });
+  Serialise(stream, fields.Wind);
+}
+
+} // namespace waft

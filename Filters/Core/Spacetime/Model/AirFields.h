@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What acts on the air from outside, and is found anew in the course of a run.
+#pragma once
+
+#include "Base/ForceFields.h"
+#include "Base/StateArchive.h"
+#include "Spacetime/Model/SplineWind.h"
+
+#include <vector>
+
+namespace waft
+{
+
+struct AirFields
+{
+  std::vector<Vortex> Vortices; // in dx and frames
+  SplineWind Wind;              // estimated
+};
+
+void Serialise(StateArchive& stream, AirFields& fields);
+
+} // namespace waft

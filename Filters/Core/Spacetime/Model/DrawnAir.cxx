@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/Model/DrawnAir.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace waft
+{
+namespace
+{
+
+// Of the midpoint rule; a step changes v by some hundredths, so that three are exact enough.
+constexpr int Corrections = 3;
+
+} // namespace
+
+DrawnAir::DrawnAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep,
+                   std::size_t numberOfGas, std::vector<double> settling) :
+  Series(&series),
+  Origin(origin), Spacing(spacing), FrameStep(frameStep), NumberOfGas(numberOfGas),
+  Settling(std::move(settling))
+{
+}
+
+Vec3 DrawnAir::Velocity(const Vec3& x, double frame) const
+{
+  const Vec3 u =
+    this->Series->Sample(this->Origin + this->Spacing * x, frame * this->FrameStep);
+  return (this->FrameStep / this->Spacing) * u;
+}
+
+Vec3 DrawnAir::Deviation(std::size_t body, const Vec3& x, const Vec3& v, double frame,
+                         double step) const
+{
+  Vec3 w = v - this->Velocity(x - 0.5 * step * v, frame - 0.5 * step);
+  w.z() += body < this->NumberOfGas ? 0.0 : this->Settling[body - this->NumberOfGas];
+  return w;
+}
+
+Vec3 DrawnAir::Carried(std::size_t body, const Vec3& x, const Vec3& w, double frame,
+                       double step) const
+{
+  Vec3 beside = w;
+  beside.z() -= body < this->NumberOfGas ? 0.0 : this->Settling[body - this->NumberOfGas];
+  Vec3 v = beside + this->Velocity(x, frame - 0.5 * step);
+  for (int k = 0; k < Corrections; ++k)
+  {
+    v = beside + this->Velocity(x + 0.5 * step * v, frame - 0.5 * step);
+  }
+  return v;
+}
+
+void DrawnAir::Deviations(const float* state, std::size_t bodies, std::size_t stride, double frame,
+                          double step, float* out, float* jacobians) const
+{
+  thread_local std::vector<float> slice;
+  this->Slice(frame - 0.5 * step, slice);
+  std::copy(state, state + 6 * stride, out);
+  for (std::size_t i = 0; i < bodies; ++i)
+  {
+    const auto row = [&](int c) { return static_cast<double>(state[c * stride + i]); };
+    const Vec3 v(row(3), row(4), row(5));
+    const Vec3 x = Vec3(row(0), row(1), row(2)) - 0.5 * step * v;
+    float u[4], slopes[3][4];
+    this->Sample(slice, x, u, jacobians != nullptr ? slopes : nullptr);
+    const double settling = i < this->NumberOfGas ? 0.0 : this->Settling[i - this->NumberOfGas];
+    for (int c = 0; c < 3; ++c)
+    {
+      out[(3 + c) * stride + i] = static_cast<float>(v[c] - u[c] + (c == 2 ? settling : 0.0));
+      for (int k = 0; k < 3 && jacobians; ++k)
+      {
+        jacobians[(3 * c + k) * stride + i] = slopes[k][c];
+      }
+    }
+  }
+}
+
+void DrawnAir::Slice(double frame, std::vector<float>& values) const
+{
+  const FieldSeries& air = *this->Series;
+  const double time = frame * this->FrameStep;
+  const auto after = std::upper_bound(air.Times.begin(), air.Times.end(), time);
+  const auto next = std::min(static_cast<std::size_t>(after - air.Times.begin()),
+                             air.Times.size() - 1);
+  const std::size_t before = after == air.Times.begin() ? 0 : next - (after != air.Times.end());
+  const double gap = air.Times[next] - air.Times[before];
+  const double part =
+    gap > 0.0 ? std::clamp((time - air.Times[before]) / gap, 0.0, 1.0) : 0.0;
+  const double unit = this->FrameStep / this->Spacing;
+  const auto low = static_cast<float>((1.0 - part) * unit);
+  const auto high = static_cast<float>(part * unit);
+  const auto* a = air.Values[before].data();
+  const auto* b = air.Values[next].data();
+  const std::size_t n = air.NumberOfPoints();
+  values.resize(4 * n);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      values[4 * i + c] = low * a[i][c] + high * b[i][c];
+    }
+    values[4 * i + 3] = 0.0f;
+  }
+}
+
+void DrawnAir::Sample(const std::vector<float>& slice, const Vec3& x, float u[4],
+                      float jacobian[3][4]) const
+{
+  const FieldSeries& air = *this->Series;
+  std::size_t corner = 0, next[3], stride = 1;
+  float part[3], slope[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    const int count = air.Dimensions[c];
+    const double s =
+      (this->Origin[c] + this->Spacing * x[c] - air.Origin[c]) / air.Spacing[c];
+    const double held = std::clamp(s, 0.0, static_cast<double>(count - 1));
+    const int low = std::clamp(static_cast<int>(held), 0, std::max(0, count - 2));
+    part[c] = static_cast<float>(held - low);
+    slope[c] = s == held && count > 1 ? static_cast<float>(this->Spacing / air.Spacing[c]) : 0.0f;
+    next[c] = count > 1 ? stride : 0;
+    corner += static_cast<std::size_t>(low) * stride;
+    stride *= static_cast<std::size_t>(count);
+  }
+  float faces[2][4], alongX[2][4], alongY[2][4];
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const float* p = slice.data() + 4 * (corner + k * next[2]);
+    const float* q = p + 4 * next[1];
+    for (int c = 0; c < 4; ++c)
+    {
+      const float first = p[4 * next[0] + c] - p[c];
+      const float second = q[4 * next[0] + c] - q[c];
+      const float low = p[c] + part[0] * first;
+      alongY[k][c] = q[c] + part[0] * second - low;
+      alongX[k][c] = first + part[1] * (second - first);
+      faces[k][c] = low + part[1] * alongY[k][c];
+    }
+  }
+  for (int c = 0; c < 4; ++c)
+  {
+    u[c] = faces[0][c] + part[2] * (faces[1][c] - faces[0][c]);
+    if (jacobian != nullptr)
+    {
+      jacobian[0][c] = slope[0] * (alongX[0][c] + part[2] * (alongX[1][c] - alongX[0][c]));
+      jacobian[1][c] = slope[1] * (alongY[0][c] + part[2] * (alongY[1][c] - alongY[0][c]));
+      jacobian[2][c] = slope[2] * (faces[1][c] - faces[0][c]);
+    }
+  }
+}
+
+void DrawnAir::ToVelocities(const float* jacobians, const float* direct, std::size_t bodies,
+                            std::size_t stride, double step, float* gradient)
+{
+  const auto half = static_cast<float>(0.5 * step);
+  for (int k = 0; k < 3; ++k)
+  {
+    float* gx = gradient + k * stride;
+    const float* j[3] = { jacobians + k * stride, jacobians + (3 + k) * stride,
+                          jacobians + (6 + k) * stride };
+    const float* gv[3] = { gradient + 3 * stride, gradient + 4 * stride, gradient + 5 * stride };
+    const float* by[3] = { direct, direct + stride, direct + 2 * stride };
+    for (std::size_t i = 0; i < bodies; ++i)
+    {
+      gx[i] -= j[0][i] * (gv[0][i] - by[0][i]) + j[1][i] * (gv[1][i] - by[1][i]) +
+               j[2][i] * (gv[2][i] - by[2][i]);
+    }
+  }
+  for (std::size_t i = 0; i < bodies; ++i)
+  {
+    float w[3];
+    for (int c = 0; c < 3; ++c)
+    {
+      w[c] = gradient[(3 + c) * stride + i] - direct[c * stride + i];
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      gradient[(3 + k) * stride + i] +=
+        half * (jacobians[k * stride + i] * w[0] + jacobians[(3 + k) * stride + i] * w[1] +
+                jacobians[(6 + k) * stride + i] * w[2]);
+    }
+  }
+}
+
+} // namespace waft

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a user sets of a run.
+#pragma once
+
+#include "Base/Result.h"
+#include "Spacetime/Model/TermWeights.h"
+
+#include <string>
+
+namespace waft
+{
+
+/// Members have the defaults; the Visit templates say the rest of each field. They are three, by
+/// what depends on a field.
+struct SpacetimeOptions : TermWeights
+{
+  int NumberOfGasParticles = 2500;
+  int NumberOfObjectParticles = 125;
+  double SmoothingLength = 1.2;
+  double CourantNumber = 0.5;
+  double Viscosity = 0.2;
+  double PressureExponent = 1.0;
+  double EffectiveGravity = 0.8;
+  double ContactDistance = -1.0;
+  double WindDrag = 2.0;
+  double AirDrag = 8.0;
+  bool EstimateWind = true;
+  bool FitVortexFields = true;
+  int MaximumNumberOfVortices = 16;
+  int Passes = 2;
+  bool UseLeash = true;
+  int LeashIterations = 20;
+  /// A third of it on every fourth frame and in each of the last stages, two fifths in those
+  /// between; see PlanSchedule.
+  int MaximumNumberOfIterations = 150;
+  double Tolerance = 0.01;
+  int HistorySize = 6;
+  double MemoryLimit = 0.0;
+  double TimeLimit = 0.0; // one may break bit-equality
+  bool WarmStart = true;
+  double EditDuration = 1.0;
+  double EditRadius = 1.0;
+  std::string CheckpointFile;
+  double CheckpointInterval = 10.0;
+
+  Result Validate() const { return ValidateFields<SpacetimeOptions>(*this); }
+
+  /// What E is made of.
+  template <class Visitor, class... Holder>
+  static void VisitPhysics(Visitor&& visit, Holder&... of)
+  {
+    TermWeights::Visit(visit, of...);
+    visit(OptionField{ "NumberOfGasParticles",
+                       { 64, 200000 },
+                       "",
+                       "Gas particles that fill the volume; they set the spacing dx." },
+          of.NumberOfGasParticles...);
+    visit(OptionField{ "NumberOfObjectParticles",
+                       { 1, 100000 },
+                       "",
+                       "Particles of all objects together, shared among them, one to five each." },
+          of.NumberOfObjectParticles...);
+    visit(
+      OptionField{ "SmoothingLength", { 0.8, 2 }, "dx", "Smoothing length h over the spacing dx." },
+      of.SmoothingLength...);
+    visit(OptionField{ "CourantNumber",
+                       { 0.1, 1 },
+                       "",
+                       "Sound speed times frame step over h: how stiff the gas is." },
+          of.CourantNumber...);
+    visit(
+      OptionField{
+        "Viscosity",
+        { 0, 2 },
+        "",
+        "Artificial viscosity alpha. Below 0.18 gas at rest stirs itself within half a minute." },
+      of.Viscosity...);
+    visit(
+      OptionField{
+        "PressureExponent", { 1, 7 }, "", "Exponent gamma of the equation of state, Eq. 12." },
+      of.PressureExponent...);
+    visit(OptionField{ "EffectiveGravity",
+                       { 0, 20 },
+                       "m/s^2",
+                       "Reduced gravity of the objects in m/s^2; with it and drag they fall at "
+                       "their SettlingSpeed in still air." },
+          of.EffectiveGravity...);
+    visit(OptionField{ "ContactDistance",
+                       { -1, 100 },
+                       "m",
+                       "Distance between centres that objects keep, in metres; negative: from "
+                       "their sizes; 0: none." },
+          of.ContactDistance...);
+    visit(
+      OptionField{ "WindDrag",
+                   { 0, 100 },
+                   "1/s",
+                   "Rate in 1/s with which a wind given as a velocity draws the gas." },
+      of.WindDrag...);
+    visit(
+      OptionField{ "AirDrag",
+                   { 0, 100 },
+                   "1/s",
+                   "Rate in 1/s with which gas that moves otherwise than a drawn air comes back to it. "
+                   "With less its disorder shakes the objects." },
+      of.AirDrag...);
+    visit(
+      FlagField(
+        "EstimateWind",
+        "Estimate a smooth wind from what nothing else explains, and freeze it in the prediction."),
+      of.EstimateWind...);
+    visit(FlagField("FitVortexFields", "Fit the vortices anew between the passes."),
+          of.FitVortexFields...);
+    visit(
+      OptionField{ "MaximumNumberOfVortices",
+                   { 0, 1000 },
+                   "",
+                   "How many of the vortices that the planned paths bring stir the air, the "
+                   "strongest of each place and time first; those of the scene itself always do." },
+      of.MaximumNumberOfVortices...);
+  }
+
+  /// What else decides on the result: how E is minimised.
+  template <class Visitor, class... Holder>
+  static void VisitSchedule(Visitor&& visit, Holder&... of)
+  {
+    visit(
+      OptionField{
+        "Passes", { 1, 10 }, "", "Alternations of solving with estimating the force fields." },
+      of.Passes...);
+    visit(FlagField("UseLeash", "Keep every point near the planned path at first, in a ball that "
+                                "grows and is then removed."),
+          of.UseLeash...);
+    visit(
+      OptionField{
+        "LeashIterations", { 1, 10000 }, "", "Iterations at each of the five radii of the leash." },
+      of.LeashIterations...);
+    visit(OptionField{ "MaximumNumberOfIterations",
+                       { 1, 100000 },
+                       "",
+                       "Iterations: half of them on every fourth frame, a third in each stage on "
+                       "every second frame and on all." },
+          of.MaximumNumberOfIterations...);
+    visit(
+      OptionField{ "Tolerance",
+                   { 0, 1 },
+                   "",
+                   "A stage ends when E fell by less than this share in 20 iterations; 0: never." },
+      of.Tolerance...);
+    visit(OptionField{ "HistorySize", { 1, 20 }, "", "Pairs that L-BFGS keeps." },
+          of.HistorySize...);
+    visit(
+      OptionField{
+        "MemoryLimit",
+        { 0, 1e+09 },
+        "MB",
+        "Megabytes that a run may take besides its input; 0: no limit. Frames are solved in "
+        "windows, in several times the time, where all at once would take more." },
+      of.MemoryLimit...);
+  }
+
+  /// What tells neither problems nor their solutions apart.
+  template <class Visitor, class... Holder>
+  static void VisitUse(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "TimeLimit",
+                       { 0, 1e+09 },
+                       "s",
+                       "Seconds after which the best motion so far is given; 0: no limit. With a "
+                       "limit two runs may differ." },
+          of.TimeLimit...);
+    visit(FlagField("WarmStart",
+                    "After a change, go on from the motion and the fields of the last run instead "
+                    "of from the planned tracks, as long as objects, frames and gas are the same."),
+          of.WarmStart...);
+    visit(OptionField{ "EditDuration",
+                       { 0, 1000 },
+                       "s",
+                       "When only some tracks or rows changed since the last run: seconds before "
+                       "and after the changed frames that are solved again; 0: all is solved on." },
+          of.EditDuration...);
+    visit(OptionField{ "EditRadius",
+                       { 0, 1000 },
+                       "m",
+                       "Then: metres about the changed objects within which gas and objects move; "
+                       "nothing else does. 0: all is solved on." },
+          of.EditRadius...);
+    visit(
+      TextField("CheckpointFile",
+                "A file that the state of a run is written to at intervals, whole or not at all; "
+                "empty: none. A run of the same inputs and properties that was ended before its "
+                "time goes on from it, to the same bits; a run that ends by itself removes it."),
+      of.CheckpointFile...);
+    visit(OptionField{ "CheckpointInterval",
+                       { 0, 1e+06 },
+                       "s",
+                       "Seconds between two writings of Checkpoint File, and at least thirty times "
+                       "what one takes; 0: after each iteration." },
+          of.CheckpointInterval...);
+  }
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    VisitPhysics(visit, of...);
+    VisitSchedule(visit, of...);
+    VisitUse(visit, of...);
+  }
+};
+
+} // namespace waft

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The file that a run can be taken up from.
+#pragma once
+
+#include "Base/Communicator.h"
+#include "Base/StateArchive.h"
+#include "Spacetime/Model/SpacetimeOptions.h"
+#include "Spacetime/Scene/SpacetimeInput.h"
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+/// All ranks call it together; the file, and the clock that decides, are rank 0's.
+class CheckpointFile
+{
+public:
+  CheckpointFile(const SpacetimeInput& input, const SpacetimeOptions& options, Communicator& ranks,
+                 std::vector<std::string>& warnings);
+
+  /// A file is named.
+  bool IsNamed() const { return !this->Path().empty(); }
+  /// The interval is over, or somebody asks for it now; never again once writing failed.
+  bool IsDue(bool now) const;
+  using Content = std::function<void(StateArchive& stream)>;
+  void Write(const Content& content);
+  /// False when there is none, or when it is not of this run: then a warning says why. What content
+  /// read of a file that ends too early, or where isSound says so, is to be thrown away.
+  bool Read(const Content& content, const std::function<bool()>& isSound);
+  void Remove() const;
+
+private:
+  const std::string& Path() const { return this->Options.CheckpointFile; }
+  double Elapsed() const;
+
+  const SpacetimeInput& Input;
+  const SpacetimeOptions& Options;
+  Communicator& Ranks;
+  std::vector<std::string>& Warnings;
+  std::chrono::steady_clock::time_point Clock;
+  double Last = 0.0, Cost = 0.0; // s
+  bool HasFailed = false;
+};
+
+} // namespace waft

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All that changes in the course of a run, as one value.
+#pragma once
+
+#include "Base/StateArchive.h"
+#include "Spacetime/Energy/Convergence.h"
+#include "Spacetime/Model/AirFields.h"
+#include "Spacetime/Model/FramePartition.h"
+#include "Spacetime/Run/Schedule.h"
+#include "Spacetime/Solver/Lbfgs.h"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace waft
+{
+
+/// Where a minimisation by windows is.
+struct WindowSweep
+{
+  int Sweep = 0;
+  std::uint64_t Index = 0;      // of the window, in the sweep
+  SpacetimeTerms Terms;         // E of the whole, now
+  std::vector<double> Energies; // E of the whole after each sweep
+};
+
+/// A run goes from one of these to the next, stage by stage; two of the same bits go the same way.
+struct SolverState
+{
+  Schedule Plan;
+  std::uint64_t Next = 0;   // stage
+  bool IsInside = false;    // Next's minimisation has begun
+  int Coarseness = 0;       // of the level of Part
+  double StartEnergy = 0.0; // E of what the run begins with
+  double Seconds = 0.0;     // that runs took before this one
+  std::vector<ConvergenceRow> Log;
+  AirFields Fields;
+  /// All frames [dx]; empty while a level that holds or replaces all of them is solved.
+  StateVector Motion;
+  /// What the run began with, unless it goes on from another motion.
+  StateVector Beginning;
+  /// Of the level that is solved, in pieces where there are several ranks; empty between levels.
+  StateVector Part;
+  LbfgsMemory Curvature; // of Part
+  WindowSweep Sweep;
+
+  bool IsDone() const { return this->Next >= this->Plan.Stages.size(); }
+  const Stage& Now() const { return this->Plan.Stages[this->Next]; }
+};
+
+/// The one way in which a state goes to files and to other ranks, and back. partition: of Part and
+/// Curvature, asked for once what comes before them is there; of no frames where both are empty.
+void Serialise(StateArchive& stream, SolverState& state, std::size_t frameSize,
+               const std::function<FramePartition()>& partition);
+
+} // namespace waft

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The spacetime optimisation of Shi et al. 2005, section 5: planned paths become the motion of
+// things in one body of air, with the user's requirements met exactly.
+#pragma once
+
+#include "Base/Communicator.h"
+#include "Base/Monitor.h"
+#include "Base/Parallel.h"
+#include "Base/Result.h"
+#include "Spacetime/Model/SpacetimeOptions.h"
+#include "Spacetime/Scene/SpacetimeInput.h"
+#include "Spacetime/Scene/SpacetimeOutput.h"
+
+#include <array>
+
+namespace waft
+{
+
+struct SpacetimeWarmStart; // SpacetimeWarmStart.h
+
+/// Points of the lattice on which the wind is estimated and handed out; it spans the volume.
+std::array<int, 3> WindLatticeDimensions(const Box& volume);
+
+/// Errors: tracks that are empty, not finite or of different lengths, constraints or tracks without
+/// object, a volume too small for the gas, a MemoryLimit too low for windows of a few frames.
+/// Stopped (by the monitor): the output holds the best feasible motion so far; so it does at the
+/// TimeLimit, which is a warning.
+///
+/// memory, where there is one, is what the last run left and is left anew: with WarmStart and the
+/// same unknowns (objects, frames, gas) the run goes on from it, else from the planned tracks. An
+/// error empties it.
+///
+/// CheckpointFile is written at intervals, whole or not at all, and removed when the run ends by
+/// itself. One of the same input and options is gone on from, to the same bits as if the run had
+/// never been ended; any other is ignored with a warning.
+///
+/// ranks: all of them call this together and share the frames out among them. Input, options and
+/// memory are rank 0's, those given elsewhere are not read; so are the decisions of its monitor and
+/// its clock, and the checkpoint, which a run of another number of ranks may go on from. The output
+/// and what memory keeps are rank 0's too and empty elsewhere; the result's bits are the same for
+/// any number of ranks. Null: one rank.
+Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options,
+                    const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
+                    SpacetimeWarmStart* memory = nullptr, Communicator* ranks = nullptr);
+
+} // namespace waft

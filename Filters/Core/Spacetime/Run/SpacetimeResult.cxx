@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a run leaves: its motion, measured anew and exported.
+#include "Spacetime/Run/SpacetimeRun.h"
+
+#include "Constraints/ConstraintCheck.h"
+#include "Spacetime/Fields/FieldUpdates.h"
+#include "Spacetime/Scene/SpacetimeExport.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace waft
+{
+
+Result SpacetimeRun::Export()
+{
+  const TimeLevel level =
+    TimeLevel::Full(this->Problem.Model.NumberOfFrames, this->Options.TemporalWindow);
+  const HardConstraints constraints(this->Problem.Model, level, this->Problem.Table,
+                                    this->Parallel);
+  StateVector& motion = this->State.Motion;
+  KeptMotion kept;
+  if (this->Region.IsEmpty())
+  {
+    constraints.Project(motion);
+    this->KeepTheBetter(constraints);
+  }
+  else if (this->Memory != nullptr)
+  {
+    kept = { &this->Region, &this->Memory->Positions };
+  }
+  std::vector<std::vector<Vec3>> positions;
+  if (this->Ranks.IsFirst())
+  {
+    positions = ExportPositions(this->Input, this->Problem, kept, motion, this->Output.Warnings);
+  }
+  this->Ranks.Broadcast(motion.data(), motion.size() * sizeof(float));
+  if (this->Region.IsEmpty()) // the objects have moved since the wind was estimated
+  {
+    HoldWind(this->Problem.Model, level,
+             ObjectPositions(this->Problem.Model, level.NumberOfFrames(), motion),
+             this->State.Fields);
+  }
+  if (Result result = this->MeasureResult(level, constraints); !result)
+  {
+    return result;
+  }
+  if (this->Ranks.IsFirst())
+  {
+    this->WriteOutput(level, std::move(positions));
+  }
+  return this->Stopped ? Result::Stopped() : Result::Ok();
+}
+
+// Left on a coarse level, whose steps and gas are not quite those of all frames, a run may have
+// come to more than it began with.
+void SpacetimeRun::KeepTheBetter(const HardConstraints& constraints)
+{
+  if (this->State.Beginning.empty())
+  {
+    return;
+  }
+  constraints.Project(this->State.Beginning);
+  const double found = this->Measure(this->State.Motion).E;
+  std::swap(this->State.Motion, this->State.Beginning);
+  const double began = this->Measure(this->State.Motion).E;
+  this->State.StartEnergy =
+    std::max(this->State.StartEnergy, began); // plans need not keep to the rows
+  if (found <= began)
+  {
+    std::swap(this->State.Motion, this->State.Beginning);
+  }
+  this->State.Beginning = StateVector();
+}
+
+// Neighbours are looked for anew: what is measured of a frame depends on that frame alone.
+Result SpacetimeRun::MeasureResult(const TimeLevel& level, const HardConstraints& constraints)
+{
+  const FramePartition partition = PartitionOf(level, this->Ranks).HoldingAll();
+  SpacetimeObjective objective(this->Problem.Model, this->State.Fields, level, this->Parallel,
+                               FastestSphKernels(), false, &partition);
+  SpacetimeTerms terms;
+  objective.Evaluate(this->State.Motion, nullptr, terms);
+  if (!std::isfinite(terms.E))
+  {
+    return Result::Error("spacetime: the cost of the result is not finite");
+  }
+  std::vector<double> ex, ev;
+  std::vector<int> steps;
+  objective.ObjectResiduals(ex, ev, steps);
+  for (std::size_t o = 0; o < ex.size(); ++o)
+  {
+    const double n = std::max(1, steps[o]);
+    this->Output.PositionResiduals.push_back(std::sqrt(2.0 * ex[o] / n));
+    this->Output.VelocityResiduals.push_back(std::sqrt(2.0 * ev[o] / n));
+  }
+  this->Record(this->Options.Passes, "final", 0, terms,
+               constraints.MaxViolation(this->State.Motion), 0.0);
+  return Result::Ok();
+}
+
+void SpacetimeRun::WriteOutput(const TimeLevel& level, std::vector<std::vector<Vec3>> positions)
+{
+  SpacetimeObjective objective(this->Problem.Model, this->State.Fields, level, this->Parallel,
+                               FastestSphKernels(), false);
+  (void)ExportFields(this->Input, this->Problem, objective, this->State.Motion, positions,
+                     this->Own, this->Output);
+  this->Output.Report = this->Problem.Report;
+  MeasureResiduals(this->Input.Constraints, this->Output.Tracks, this->Problem.Objects,
+                   this->Problem.Obstacles, this->Input.Scene, this->Output.Report);
+  const bool finished = this->State.IsDone();
+  if (this->IsCut && !finished)
+  {
+    this->Output.Warnings.push_back("TimeLimit: reached before the last stage; the best so far");
+  }
+  const double energy = this->State.Log.back().E;
+  if (finished && this->Region.IsEmpty() &&
+      this->State.StartEnergy - energy <=
+        std::max(1e-6, this->Options.Tolerance) * this->State.StartEnergy)
+  {
+    char text[200];
+    std::snprintf(
+      text, sizeof(text),
+      "spacetime: nothing can be bettered by more than Tolerance: E was %.6g and is %.6g",
+      this->State.StartEnergy, energy);
+    this->Output.Warnings.push_back(text);
+  }
+  if (finished && !this->IsCut && this->Checkpoint.IsNamed())
+  {
+    this->Checkpoint.Remove();
+  }
+  this->Output.Convergence = std::move(this->State.Log);
+  this->Remember(std::move(positions));
+}
+
+} // namespace waft

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/Run/SpacetimeRun.h"
+
+#include "Spacetime/Run/SpacetimeBudget.h"
+#include "Spacetime/Run/StageMonitor.h"
+#include "Spacetime/Scene/InitialGas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace waft
+{
+namespace
+{
+
+constexpr double CoarseTimeFraction = 0.5; // of a time limit, for the coarse levels
+constexpr double ForUpdates = 1.03;        // work with that for the fields, over that without
+
+} // namespace
+
+SpacetimeRun::SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& options,
+                           const SpacetimeSetup& problem, const ParallelFor& parallel,
+                           Monitor& monitor, SpacetimeOutput& output, SpacetimeWarmStart* memory,
+                           Communicator& ranks) :
+  Input(input),
+  Options(options), Problem(problem), Parallel(parallel), Ranks(ranks), Own(monitor),
+  Progress(monitor, ranks), Output(output), Memory(memory), Clock(std::chrono::steady_clock::now()),
+  Checkpoint(input, options, ranks, output.Warnings)
+{
+}
+
+Result SpacetimeRun::Run(StateVector start)
+{
+  this->Output.Spacing = this->Problem.Spacing;
+  if (!this->Load() && !this->Rebase())
+  {
+    WAFT_RETURN_IF_FAILED(this->Begin(std::move(start)));
+  }
+  start = StateVector();
+  this->AllWork =
+    std::max(1.0, ForUpdates * this->State.Plan.Work(0, this->Problem.Model.NumberOfFrames));
+  while (!this->Stopped && !this->State.IsDone() && this->RunStage())
+  {
+  }
+  this->LeaveLevel();
+  return this->Export();
+}
+
+double SpacetimeRun::Elapsed() const
+{
+  const std::chrono::duration<double> d = std::chrono::steady_clock::now() - this->Clock;
+  return d.count();
+}
+
+bool SpacetimeRun::TimeIsUp() const
+{
+  const double fraction = this->State.Coarseness > 0 ? CoarseTimeFraction : 1.0;
+  const double limit = this->Options.TimeLimit * fraction;
+  return limit > 0.0 && this->Ranks.Decide(this->Elapsed() > limit);
+}
+
+double SpacetimeRun::FractionAt(std::size_t stage) const
+{
+  return 1.0 - this->State.Plan.Work(stage, this->Problem.Model.NumberOfFrames) / this->AllWork;
+}
+
+void SpacetimeRun::Record(int pass, const std::string& stage, int iteration,
+                          const SpacetimeTerms& terms, double violation, double leash)
+{
+  ConvergenceRow row;
+  static_cast<SpacetimeTerms&>(row) = terms;
+  row.Pass = pass;
+  row.Stage = stage;
+  row.Iteration = iteration;
+  row.MaxViolation = std::max(0.0, violation) * this->Problem.Spacing;
+  row.Leash = leash;
+  row.Seconds = this->Seconds();
+  this->State.Log.push_back(std::move(row));
+}
+
+SpacetimeTerms SpacetimeRun::Measure(const StateVector& motion) const
+{
+  const SpacetimeModel& model = this->Problem.Model;
+  const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
+  const FramePartition partition = PartitionOf(full, this->Ranks).HoldingAll();
+  SpacetimeObjective objective(model, this->State.Fields, full, this->Parallel, FastestSphKernels(),
+                               false, &partition);
+  SpacetimeTerms terms;
+  objective.Evaluate(motion, nullptr, terms);
+  return terms;
+}
+
+Result SpacetimeRun::Begin(StateVector start)
+{
+  const SpacetimeModel& model = this->Problem.Model;
+  this->State.Motion = std::move(start);
+  this->State.Fields = model.Fields;
+  this->State.Plan = PlanSchedule(this->Problem, this->Options, this->Input.Scene.Bounds.Width());
+  const SpacetimeTerms terms = this->Measure(this->State.Motion);
+  if (!std::isfinite(terms.E))
+  {
+    return Result::Error("Tracks: the planned motion has no finite cost");
+  }
+  this->State.StartEnergy = terms.E;
+  this->Record(0, "initial", 0, terms, 0.0, 0.0);
+  bool isMoved = false;
+  StageMonitor monitor(this->Own, 0.0, 0.0, 1);
+  monitor.Text = "spacetime: moving the gas";
+  StateVector& motion = this->State.Motion;
+  if (this->Ranks.IsFirst()) // one frame after the other: there is nothing to partition
+  {
+    const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
+    SpacetimeObjective objective(model, this->State.Fields, full, this->Parallel,
+                                 FastestSphKernels(), false);
+    isMoved = MakeInitialGas(objective, this->Parallel, monitor, motion);
+  }
+  if (this->Ranks.Decide(isMoved))
+  {
+    this->Ranks.Broadcast(motion.data(), motion.size() * sizeof(float));
+    this->Record(0, "gas moved", 0, this->Measure(motion), 0.0, 0.0);
+  }
+  this->Stopped = !this->Ranks.Decide(monitor.Going);
+  this->State.Beginning = motion;
+  return Result::Ok();
+}
+
+void SpacetimeRun::MakeLevel(int coarseness)
+{
+  const SpacetimeModel& model = this->Problem.Model;
+  const TimeLevel level =
+    this->State.Plan.LevelOf(coarseness, model.NumberOfFrames, this->Options.TemporalWindow);
+  if (this->Region.IsEmpty())
+  {
+    this->View.emplace(model, level);
+  }
+  else
+  {
+    this->View.emplace(model, level, static_cast<std::size_t>(this->Region.First),
+                       static_cast<std::size_t>(this->Region.Last));
+  }
+  this->State.Coarseness = coarseness;
+  const TimeLevel& times = this->View->Level();
+  this->Window = SpacetimeBudget(model, this->Options)
+                   .WindowOf(times.NumberOfFrames(), this->Options.MemoryLimit);
+  const int history = this->HasWindows(times) ? 0 : this->Options.HistorySize;
+  this->Solver =
+    std::make_unique<LevelSolver>(model, this->State.Fields, this->Problem.Table, times,
+                                  this->Parallel, this->Ranks, history, this->Region.Movable);
+}
+
+void SpacetimeRun::EnterLevel(int coarseness)
+{
+  if (this->Solver && coarseness == this->State.Coarseness)
+  {
+    return;
+  }
+  this->LeaveLevel();
+  this->MakeLevel(coarseness);
+  this->State.Part = this->View->Take(this->State.Motion);
+  if (this->IsPartitioned())
+  {
+    this->State.Part =
+      this->Solver->Partition.Take(std::move(this->State.Part), this->Problem.Model.FrameSize());
+  }
+}
+
+void SpacetimeRun::LeaveLevel()
+{
+  if (!this->Solver)
+  {
+    return;
+  }
+  const FramePartition partition = this->Solver->Partition;
+  const bool isPartitioned = this->IsPartitioned();
+  this->Solver.reset(); // before the next one, which is as large
+  this->State.Curvature = LbfgsMemory();
+  StateVector part = std::exchange(this->State.Part, StateVector());
+  if (isPartitioned)
+  {
+    part = partition.Whole(std::move(part), this->Problem.Model.FrameSize());
+  }
+  this->View->Merge(std::move(part), this->State.Motion);
+}
+
+bool SpacetimeRun::RunStage()
+{
+  const Stage& stage = this->State.Now();
+  this->EnterLevel(stage.Coarseness);
+  this->MarkState();
+  bool isDone = false;
+  if (stage.IsUpdate())
+  {
+    isDone = this->UpdateFields(stage);
+  }
+  else
+  {
+    isDone = this->HasWindows(this->Solver->Level) ? this->MinimizeInWindows(stage)
+                                                   : this->Minimize(stage);
+  }
+  this->State.IsInside = false;
+  if (isDone)
+  {
+    ++this->State.Next;
+    return true;
+  }
+  if (this->State.Coarseness > 0 && !this->Stopped) // its part of the time is up
+  {
+    this->State.Next = this->State.Plan.FirstFine();
+    return true;
+  }
+  return false;
+}
+
+bool SpacetimeRun::KeepsCheckpoints() const
+{
+  // An edit is short, and its end depends on what only this process has.
+  return this->Checkpoint.IsNamed() && !this->IsCut && this->Region.IsEmpty();
+}
+
+void SpacetimeRun::KeepCheckpoint(bool now)
+{
+  if (this->KeepsCheckpoints() && this->Checkpoint.IsDue(now))
+  {
+    this->WriteCheckpoint();
+  }
+}
+
+void SpacetimeRun::MarkState()
+{
+  if (this->KeepsCheckpoints())
+  {
+    this->Solver->Objective.MarkLists();
+  }
+}
+
+// Of a stage that was stopped all but the lists is as it was at the mark.
+void SpacetimeRun::KeepState()
+{
+  if (this->Stopped && this->KeepsCheckpoints() && this->Checkpoint.IsDue(true))
+  {
+    this->Solver->Objective.RewindLists();
+    this->WriteCheckpoint();
+  }
+}
+
+void SpacetimeRun::WriteCheckpoint()
+{
+  const double before = std::exchange(this->State.Seconds, this->Seconds());
+  this->Checkpoint.Write([this](StateArchive& stream) { this->SerialiseAll(stream); });
+  this->State.Seconds = before;
+}
+
+// The lists are no state, but what they remember of evaluations tells the bits of the next.
+void SpacetimeRun::SerialiseAll(StateArchive& stream)
+{
+  const auto partition = [&]()
+  {
+    if (stream.IsReading())
+    {
+      this->MakeLevel(std::clamp(this->State.Coarseness, 0, this->State.Plan.Coarsest()));
+    }
+    return this->Solver->Partition;
+  };
+  Serialise(stream, this->State, this->Problem.Model.FrameSize(), partition);
+  if (stream.IsReading())
+  {
+    // A file may end before its time.
+    this->State.Part.resize(this->Solver->Partition.Held().Size() *
+                            this->Problem.Model.FrameSize());
+  }
+  this->Solver->Objective.SerialiseLists(stream);
+}
+
+bool SpacetimeRun::Load()
+{
+  const auto content = [this](StateArchive& stream) { this->SerialiseAll(stream); };
+  if (this->Checkpoint.Read(content, [this]() { return !this->State.IsDone(); }))
+  {
+    return true;
+  }
+  this->Solver.reset();
+  this->View.reset();
+  this->State = SolverState();
+  return false;
+}
+
+} // namespace waft

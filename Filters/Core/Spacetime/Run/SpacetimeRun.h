@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One run of the optimisation: a state to begin with, a stage after the other, what it leaves.
+#pragma once
+
+#include "Spacetime/Model/EditRegion.h"
+#include "Spacetime/Model/FrameView.h"
+#include "Spacetime/Run/CheckpointFile.h"
+#include "Spacetime/Run/SpacetimeWarmStart.h"
+#include "Spacetime/Scene/SpacetimeOutput.h"
+#include "Spacetime/Solver/LevelSolver.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace waft
+{
+
+class SpacetimeRun
+{
+public:
+  SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& options,
+               const SpacetimeSetup& problem, const ParallelFor& parallel, Monitor& monitor,
+               SpacetimeOutput& output, SpacetimeWarmStart* memory, Communicator& ranks);
+
+  /// start: all frames of the planned motion.
+  Result Run(StateVector start);
+
+private:
+  double Elapsed() const; // since this run began [s]
+  double Seconds() const { return this->State.Seconds + this->Elapsed(); }
+  bool TimeIsUp() const; // for all ranks
+  /// Of the run, once the stages before that one are done.
+  double FractionAt(std::size_t stage) const;
+  void Record(int pass, const std::string& stage, int iteration, const SpacetimeTerms& terms,
+              double violation, double leash);
+
+  /// The state to begin with: of a file, of the last run's memory, of the plan. False when there is
+  /// nothing that fits; the state is then as it was made.
+  bool Load();
+  bool Rebase();
+  Result Begin(StateVector start);
+  void ResetOutside(const StateVector& before, StateVector& motion) const;
+  /// The cost of a motion at full resolution, its neighbour lists made anew.
+  SpacetimeTerms Measure(const StateVector& motion) const;
+
+  /// One stage; false when the run is to end.
+  bool RunStage();
+  /// Makes Part and what solves on it, and puts Part back.
+  void EnterLevel(int coarseness);
+  void MakeLevel(int coarseness);
+  void LeaveLevel();
+  /// Part is in pieces; in windows every rank has all of it.
+  bool IsPartitioned() const
+  {
+    return this->Solver && this->Solver->Solver && !this->Solver->Partition.IsAlone();
+  }
+  /// All three return false when the run was stopped.
+  bool Minimize(const Stage& stage);
+  bool MinimizeInWindows(const Stage& stage);
+  bool SolveWindow(const Stage& stage, std::pair<std::size_t, std::size_t> window, double done,
+                   Monitor& monitor);
+  bool UpdateFields(const Stage& stage);
+  bool HasWindows(const TimeLevel& level) const { return this->Window < level.NumberOfFrames(); }
+  /// First and last free level frame of each window of a sweep.
+  std::vector<std::pair<std::size_t, std::size_t>> Windows(int sweep) const;
+
+  /// A stage's observer calls this after each iterate.
+  void KeepCheckpoint(bool now);
+  /// At each place that a stopped run may go on from; writes the last one, when the run is stopped.
+  void MarkState();
+  void KeepState();
+  bool KeepsCheckpoints() const;
+  void WriteCheckpoint();
+  void SerialiseAll(StateArchive& stream);
+
+  Result Export();
+  void KeepTheBetter(const HardConstraints& constraints);
+  Result MeasureResult(const TimeLevel& level, const HardConstraints& constraints);
+  void WriteOutput(const TimeLevel& level, std::vector<std::vector<Vec3>> positions);
+  void Remember(std::vector<std::vector<Vec3>> positions);
+
+  const SpacetimeInput& Input;
+  const SpacetimeOptions& Options;
+  const SpacetimeSetup& Problem;
+  ParallelFor Parallel;
+  Communicator& Ranks;
+  Monitor& Own;         // of this rank
+  RankMonitor Progress; // of all
+  SpacetimeOutput& Output;
+  SpacetimeWarmStart* Memory;
+  std::chrono::steady_clock::time_point Clock;
+  CheckpointFile Checkpoint;
+
+  SolverState State;
+  EditRegion Region;                   // all that moves, when an edit is local
+  std::optional<FrameView> View;       // that Part is of
+  std::unique_ptr<LevelSolver> Solver; // of Part
+  std::size_t Window = 0;              // free frames that are solved at once on the present level
+  double AllWork = 1.0;                // expected, in iterations at full resolution
+  bool Stopped = false;                // by the monitor
+  bool IsCut = false;                  // by the time limit: what follows is no course to go on from
+};
+
+} // namespace waft

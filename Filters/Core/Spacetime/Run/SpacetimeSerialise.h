@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a run takes, knows and leaves, as streams: to files and to other ranks.
+#pragma once
+
+#include "Base/StateArchive.h"
+#include "Spacetime/Run/SpacetimeWarmStart.h"
+
+namespace waft
+{
+
+void Serialise(StateArchive& stream, SpacetimeOptions& options);
+void Serialise(StateArchive& stream, SpacetimeInput& input);
+void Serialise(StateArchive& stream, SpacetimeWarmStart& memory);
+
+} // namespace waft

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Spacetime/Scene/SpacetimeExport.h"
+
+#include "Constraints/ResolveClearance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+namespace
+{
+
+constexpr double Rounding = 1e-5;       // [dx]: places that differ by less are the same
+constexpr int SoftEdge = 6;             // frames over which changes come in beside what is kept
+constexpr double ClearanceSlack = 5e-4; // of L, of the 1e-3 that clearance may miss
+
+// One object's motion, made exact.
+class ObjectExport
+{
+public:
+  ObjectExport(const SpacetimeInput& input, const SpacetimeSetup& setup, std::size_t object,
+               const std::vector<LinearCluster>& clusters, const KeptMotion& kept) :
+    Input(input),
+    Setup(setup), Index(object), Slack(ClearanceSlack * input.Scene.Bounds.Width()),
+    Weights(input.Tracks[object].Positions.size(), 1.0)
+  {
+    for (const LinearCluster& cluster : clusters)
+    {
+      if (cluster.Object() == object)
+      {
+        this->Clusters.push_back(&cluster);
+      }
+    }
+    for (const PositionBall& ball : setup.Table.Balls)
+    {
+      if (ball.Object == object)
+      {
+        this->Balls.push_back(&ball);
+      }
+    }
+    if (kept.Region != nullptr)
+    {
+      this->Before = &(*kept.Positions)[object];
+      this->FindKept(*kept.Region);
+    }
+  }
+
+  bool IsKept(std::size_t frame) const { return this->Weights[frame] <= 0.0; }
+
+  /// x in metres, one a frame.
+  void MakeExact(std::vector<Vec3>& x) const
+  {
+    this->MeetRows(x);
+    for (std::size_t frame = 0; frame < x.size(); ++frame)
+    {
+      if (this->IsKept(frame))
+      {
+        x[frame] = (*this->Before)[frame];
+      }
+    }
+  }
+
+  void MeetRows(std::vector<Vec3>& x) const
+  {
+    const std::size_t no = this->Setup.Model.NumberOfObjects;
+    for (std::size_t frame = 0; frame < x.size(); ++frame)
+    {
+      if (this->Setup.Model.Flag(static_cast<int>(frame), this->Index) & FixedPosition)
+      {
+        x[frame] = this->Setup.ExactPositions[frame * no + this->Index];
+      }
+    }
+    this->KeepInside(x);
+    for (const PositionBall* ball : this->Balls)
+    {
+      if (this->Setup.Model.Flag(ball->Frame, this->Index) & FixedPosition)
+      {
+        continue;
+      }
+      const Vec3 centre = this->Setup.ToWorld(ball->Center);
+      const double radius = ball->Radius * this->Setup.Spacing;
+      const Vec3 d = x[ball->Frame] - centre;
+      if (d.norm() > radius)
+      {
+        x[ball->Frame] = centre + (radius / d.norm()) * d;
+      }
+    }
+    for (const LinearCluster* cluster : this->Clusters)
+    {
+      const std::vector<int>& frames = cluster->Frames();
+      Eigen::MatrixX3d positions(frames.size(), 3);
+      for (std::size_t k = 0; k < frames.size(); ++k)
+      {
+        positions.row(k) = this->Setup.FromWorld(x[frames[k]]).transpose();
+      }
+      cluster->Project(positions);
+      for (std::size_t k = 0; k < frames.size(); ++k)
+      {
+        x[frames[k]] = this->Setup.ToWorld(positions.row(k).transpose());
+      }
+    }
+  }
+
+  // Walls and floor: the penalty in E leaves a hair's breadth, that a shift takes away.
+  void KeepInside(std::vector<Vec3>& x) const
+  {
+    const Vec3& low = this->Setup.Origin;
+    const Vec3 high = this->Setup.ToWorld(this->Setup.Model.Size);
+    const ClearanceRule rule = ClearanceRule(this->Setup.Objects[this->Index]).With(-this->Slack);
+    for (std::size_t frame = 0; frame < x.size(); ++frame)
+    {
+      const int flags = this->Setup.Model.Flag(static_cast<int>(frame), this->Index);
+      if (flags & FixedPosition)
+      {
+        continue;
+      }
+      for (int c = 0; c < 3; ++c)
+      {
+        const bool lands = c == 2 && (flags & LandsOnFloor);
+        const double least = low[c] + rule.From(lands);
+        x[frame][c] = std::max(least, std::min(x[frame][c], high[c] - rule.Radius));
+      }
+    }
+  }
+
+  /// Where the optimised motion is not clear it is moved out of the way, or goes back to the plan.
+  bool Clear(std::vector<Vec3>& x) const
+  {
+    const PathClearance clearance{ this->Setup.Obstacles, this->Input.Scene.Bounds,
+                                   this->Setup.Landings[this->Index],
+                                   this->Setup.Objects[this->Index], this->Slack };
+    const PathFreedom freedom{ this->Weights, this->Setup.FrameStep,
+                               [this](std::vector<Vec3>& path) { this->MakeExact(path); } };
+    return ResolveClearance(clearance, freedom, this->Input.Tracks[this->Index].Positions, x);
+  }
+
+private:
+  // Rows that bind a frame that is kept are kept whole, as in the solver.
+  void FindKept(const EditRegion& region)
+  {
+    const std::size_t body = this->Setup.Model.NumberOfGas + this->Index;
+    const auto frames = static_cast<int>(this->Weights.size());
+    const auto isKept = [&](int frame) { return !region.Moves(frame, body); };
+    for (int frame = 0; frame < frames; ++frame)
+    {
+      const int inside = std::min(region.First > 0 ? frame - region.First + 1 : frames,
+                                  region.Last + 1 < frames ? region.Last - frame + 1 : frames);
+      this->Weights[frame] = isKept(frame) ? 0.0 : std::min(1.0, inside / (SoftEdge + 1.0));
+    }
+    for (const LinearCluster* cluster : this->Clusters)
+    {
+      if (std::any_of(cluster->Frames().begin(), cluster->Frames().end(), isKept))
+      {
+        for (const int frame : cluster->Frames())
+        {
+          this->Weights[frame] = 0.0;
+        }
+      }
+    }
+  }
+
+  const SpacetimeInput& Input;
+  const SpacetimeSetup& Setup;
+  std::size_t Index;
+  double Slack; // m, that the clearance may miss
+  std::vector<const LinearCluster*> Clusters;
+  std::vector<const PositionBall*> Balls;
+  std::vector<double> Weights; // of going back to the plan, by frame; 0: kept as it was
+  const std::vector<Vec3>* Before = nullptr;
+};
+
+} // namespace
+
+std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
+                                               const SpacetimeSetup& setup, const KeptMotion& kept,
+                                               StateVector& state,
+                                               std::vector<std::string>& warnings)
+{
+  const SpacetimeModel& model = setup.Model;
+  const std::size_t stride = model.Stride();
+  const auto frames = static_cast<std::size_t>(model.NumberOfFrames);
+  const std::vector<LinearCluster> clusters =
+    MakeClusters(model, setup.Table, std::vector<bool>(frames, true));
+  std::vector<std::vector<Vec3>> positions(model.NumberOfObjects);
+  for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+  {
+    std::vector<Vec3>& x = positions[o];
+    x.resize(frames);
+    for (std::size_t frame = 0; frame < frames; ++frame)
+    {
+      const float* p = state.data() + frame * model.FrameSize() + model.NumberOfGas + o;
+      x[frame] = setup.ToWorld(Vec3(p[0], p[stride], p[2 * stride]));
+    }
+    const ObjectExport object(input, setup, o, clusters, kept);
+    object.MakeExact(x);
+    if (!object.Clear(x))
+    {
+      warnings.push_back("object " + std::to_string(setup.Objects[o].ObjectId) +
+                         ": the planned path leaves less than the clearance asked for");
+    }
+    // Velocities go along with what has been moved, so that steps follow them as before.
+    Vec3 before = Vec3::Zero();
+    for (std::size_t frame = 0; frame < frames; ++frame)
+    {
+      float* p = state.data() + frame * model.FrameSize() + model.NumberOfGas + o;
+      const bool isKept = object.IsKept(frame);
+      const Vec3 local = setup.FromWorld(x[frame]);
+      Vec3 moved = local - Vec3(p[0], p[stride], p[2 * stride]);
+      if (isKept || moved.norm() < Rounding)
+      {
+        moved.setZero();
+      }
+      const bool holds = isKept || model.Flag(static_cast<int>(frame), o) & FixedVelocity;
+      for (int c = 0; c < 3; ++c)
+      {
+        p[c * stride] = isKept ? p[c * stride] : static_cast<float>(local[c]);
+        p[(3 + c) * stride] += holds ? 0.0f : static_cast<float>(moved[c] - before[c]);
+      }
+      before = moved;
+    }
+  }
+  return positions;
+}
+
+} // namespace waft

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The user's requirements and the leash as sets that every accepted iterate lies in.
+#pragma once
+
+#include "Base/Parallel.h"
+#include "Spacetime/Model/ConstraintTable.h"
+#include "Spacetime/Model/FramePartition.h"
+#include "Spacetime/Model/StateVector.h"
+#include "Spacetime/Model/TimeLevel.h"
+#include "Spacetime/Solver/ActiveConstraints.h"
+
+#include <vector>
+
+namespace waft
+{
+
+class HardConstraints
+{
+public:
+  /// movable: by body; those that are not keep their values, as do all at the level's frames that
+  /// are not free. Rows that bind both what may move and what may not are held as they are. Empty:
+  /// all may move. partition: of the level's frames, whose vectors are held to the requirements;
+  /// null: all are this rank's. What takes a vector is to be called by all ranks.
+  HardConstraints(const SpacetimeModel& model, const TimeLevel& level, const ConstraintTable& table,
+                  const ParallelFor& parallel, const std::vector<char>& movable = {},
+                  const FramePartition* partition = nullptr);
+
+  /// Radius about the planned positions [dx]; zero: none. The user's own requirements win.
+  void SetLeash(double radius) { this->Leash = radius; }
+
+  /// The nearest state that meets everything (gas is held in its box).
+  void Project(StateVector& state) const;
+  /// The same for a trial point, whose time lines first come along to the user's balls that they
+  /// miss (once there is no leash).
+  void Project(const TimelinePreconditioner& preconditioner, StateVector& state) const;
+  /// Balls, and walls of the gas' box, that the descent direction -gradient would leave.
+  void FindActive(const StateVector& state, const StateVector& gradient);
+  /// Removes from a direction what leaves fixed values, active balls and walls and exact rows.
+  void ProjectTangent(StateVector& direction) const;
+  /// The same for a direction out of the preconditioner, whose time lines go along with what the
+  /// touched balls of the user take away (once there is no leash).
+  void ProjectTangent(const TimelinePreconditioner& preconditioner, StateVector& direction) const;
+  /// Largest violation of a position [dx], in single precision.
+  double MaxViolation(const StateVector& state) const;
+
+private:
+  void EnterBalls(const TimelinePreconditioner& preconditioner, StateVector& state) const;
+  std::size_t Offset(std::size_t j, std::size_t object) const;
+  void HoldObjects(const std::vector<char>& movable);
+  void TakeClusters(const std::vector<bool>& hasFrame);
+  void ClearHeld(StateVector& direction) const;
+  /// One point a free frame of each cluster, of all ranks' frames; and back to the own ones.
+  std::vector<Eigen::MatrixX3d> ClusterPoints(const StateVector& vector) const;
+  void SetClusterPoints(const std::vector<Eigen::MatrixX3d>& points, StateVector& vector) const;
+  void FindWalls(std::size_t j, const StateVector& state, const StateVector& gradient);
+
+  const SpacetimeModel& Model;
+  const TimeLevel& Level;
+  FramePartition Partition;
+  const ConstraintTable& Table;
+  ParallelFor Parallel;
+  double Leash = 0.0;
+  struct LevelBall
+  {
+    std::size_t Frame, Object;
+    Vec3 Center;
+    double Radius;
+  };
+  void ForBalls(const std::function<void(const LevelBall&)>& visit) const;
+  /// The direction out of a ball where the state touches it and a descent would leave it, or zero.
+  Vec3 TouchNormal(const LevelBall& ball, const StateVector& state,
+                   const StateVector& gradient) const;
+  std::vector<LevelBall> Balls;      // the user's
+  ActiveConstraints Touched;         // of them, of all ranks
+  std::vector<LevelBall> LeashBalls; // radius as set
+  std::vector<LinearCluster> Clusters;
+  std::vector<int> LevelOfFrame; // -1: not on this level
+  bool IsPart = false;
+  std::vector<char> Held; // [level frame * objects + object]: keeps its values
+  std::vector<std::size_t> HeldGas;
+  struct Active
+  {
+    std::size_t Offset;
+    float Normal[3];
+  };
+  std::vector<Active> ActiveBalls;
+  std::vector<std::vector<std::size_t>> ActiveWalls; // by level frame: coordinates held at a wall
+};
+
+} // namespace waft
