@@ -134,8 +134,8 @@ private:
       return { wish };
     }
     SurfaceHit hit;
-    RestingPlace(this->Obstacles, row.Value, row.Frame, this->Find(row.ObjectId)->RestHeight,
-                 wish.Value, hit);
+    RestingPosition(this->Obstacles, row.Value, row.Frame, this->Find(row.ObjectId)->RestHeight,
+                    wish.Value, hit);
     wish.Radius = 0.0;
     std::vector<Wish> wishes;
     for (int f = row.Frame; f <= std::min(row.Until, this->Scene.Time.NumberOfFrames - 1); ++f)

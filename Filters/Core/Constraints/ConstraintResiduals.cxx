@@ -79,7 +79,7 @@ void Apply(const std::map<Key, Finding>& findings, std::vector<ReportRow>& repor
       line.Status = ConstraintStatus::Unreachable;
       Tell(line, found->second.Message);
     }
-    else if (line.Status == ConstraintStatus::Unreachable && IsPlace(line.Kind))
+    else if (line.Status == ConstraintStatus::Unreachable && IsPositional(line.Kind))
     {
       Tell(line, "it comes within " + NumberText(line.Residual, 3) + " m");
     }
@@ -111,9 +111,10 @@ struct Motion
 double DistanceToRest(const Constraint& row, const Track& track, const MotionObject* object,
                       const ObstacleSet& obstacles)
 {
-  Vec3 place;
+  Vec3 resting;
   SurfaceHit hit;
-  if (!RestingPlace(obstacles, row.Value, row.Frame, object ? object->RestHeight : 0.0, place, hit))
+  if (!RestingPosition(obstacles, row.Value, row.Frame, object ? object->RestHeight : 0.0, resting,
+                       hit))
   {
     return Nowhere;
   }
@@ -121,7 +122,7 @@ double DistanceToRest(const Constraint& row, const Track& track, const MotionObj
   const int last = std::min(row.Until, static_cast<int>(track.Positions.size()) - 1);
   for (int f = row.Frame; f <= last; ++f)
   {
-    const double distance = (track.Positions[f] - place).norm();
+    const double distance = (track.Positions[f] - resting).norm();
     worst = distance <= worst ? worst : distance; // keeps NaN
   }
   return worst;
@@ -195,7 +196,8 @@ void MeasureResiduals(const std::vector<Constraint>& constraints, const std::vec
       double nearest = Nowhere;
       for (const auto& [objectId, motion] : motions)
       {
-        nearest = IsPlace(row.Kind) ? std::min(nearest, Distance(row, motion, obstacles)) : nearest;
+        nearest =
+          IsPositional(row.Kind) ? std::min(nearest, Distance(row, motion, obstacles)) : nearest;
       }
       if (nearest < Nowhere && row.Kind == kind->second)
       {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Four floats side by side, in the vector extension that GCC and Clang share.
+// Four floats side by side, in the vector extension that GCC and Clang have.
 #pragma once
 
 #include <cstring>

@@ -124,7 +124,7 @@ void NeighborList::Build(const SphKernelTable& kernels, std::size_t n, std::size
   }
 }
 
-// The places found, filled up to a group of eight with the far one.
+// The slots found, filled up to a group of eight with the far one.
 void NeighborList::Append(const NeighborScratch& scratch, std::size_t found)
 {
   const auto append = [&](auto& list)

@@ -44,7 +44,7 @@ private:
   std::string Bytes;
 };
 
-/// Of what all plans of a scene share besides the database.
+/// Of what all plans of a scene have in common besides the database.
 std::string SharedKey(const PlanInput& input, const PlanOptions& options)
 {
   Digest digest;
@@ -95,19 +95,19 @@ std::string PlanKey(const MotionObject& object, const std::vector<Constraint>& r
   key.Add(object.ClearanceRadius);
   key.Add(object.RestHeight);
   key.Add(own.size());
-  std::map<std::pair<int, int>, int> numbers; // which rows share Row and Target, and their order
-  for (const int place : own)
+  std::map<std::pair<int, int>, int> numbers; // of rows by Row and Target, in that order
+  for (const int index : own)
   {
-    numbers[{ rows[place].Row, rows[place].Target }] = 0;
+    numbers[{ rows[index].Row, rows[index].Target }] = 0;
   }
   int next = 0;
   for (auto& entry : numbers)
   {
     entry.second = next++;
   }
-  for (const int place : own)
+  for (const int index : own)
   {
-    const Constraint& row = rows[place];
+    const Constraint& row = rows[index];
     key.Add(row.Frame);
     key.Add(row.Kind);
     key.Add(row.Value);

@@ -47,7 +47,7 @@ bool SceneFormat::FormatSimple(const Rows& rows, SceneJson& json) const
   {
     return false;
   }
-  if (row.ObjectId < 0 && !IsPlace(row.Kind))
+  if (row.ObjectId < 0 && !IsPositional(row.Kind))
   {
     throw SceneError{ NameOf(row) + ": a " + ToString(row.Kind) +
                       " of any object (-1), expected the id of one" };
@@ -111,7 +111,7 @@ void SceneFormat::SetTargets(const Rows& targets, SceneJson& json) const
   }
 }
 
-/// Places at one frame, each with or each without one and the same velocity.
+/// Positions at one frame, each with or each without one and the same velocity.
 bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
 {
   const Constraint& first = *rows.front();
@@ -119,7 +119,7 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
   Rows velocities;
   for (const Constraint* row : rows)
   {
-    if (IsPlace(row->Kind))
+    if (IsPositional(row->Kind))
     {
       if (row->Kind != first.Kind || row->Frame != first.Frame || row->Radius != first.Radius ||
           (row->Kind == ConstraintKind::Rest && row->Until != first.Until))
