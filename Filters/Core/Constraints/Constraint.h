@@ -111,6 +111,12 @@ inline int LastFrame(const Constraint& row)
   return TraitsOf(row.Kind).Lasts ? std::max(row.Frame, row.Until) : row.Frame;
 }
 
+/// How far from what it asks for a row counts as met, in the unit of Value.
+inline double RadiusOf(const Constraint& row)
+{
+  return TraitsOf(row.Kind).Lasts ? 0.0 : row.Radius;
+}
+
 /// The frame from which a row holds or, as a rest may, is met already.
 inline int FirstFrame(const Constraint& row)
 {

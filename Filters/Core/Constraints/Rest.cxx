@@ -44,6 +44,25 @@ bool RestingPosition(const ObstacleSet& obstacles, const Vec3& value, double fra
   return true;
 }
 
+bool WantedPosition(const Constraint& row, int /*frame*/, double restHeight,
+                    const ObstacleSet& obstacles, Vec3& position)
+{
+  SurfaceHit hit;
+  switch (row.Kind)
+  {
+    case ConstraintKind::Position:
+      position = row.Value;
+      return true;
+    case ConstraintKind::Rest: // on what stands still: the same at all its frames
+      return RestingPosition(obstacles, row.Value, row.Frame, restHeight, position, hit);
+    case ConstraintKind::Velocity:
+    case ConstraintKind::Acceleration:
+    case ConstraintKind::Orientation:
+      break;
+  }
+  return false;
+}
+
 std::vector<LandingWindow> LandingWindows(const MotionObject& object,
                                           const std::vector<Constraint>& rows,
                                           const ObstacleSet& obstacles, double framesPerSecond)

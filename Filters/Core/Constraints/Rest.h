@@ -25,6 +25,12 @@ constexpr double LandingSlack = 1e-6;
 bool RestingPosition(const ObstacleSet& obstacles, const Vec3& value, double frame,
                      double restHeight, Vec3& centre, SurfaceHit& hit);
 
+/// Where a row of a positional kind asks the centre of an object to be at one of its frames, from
+/// Frame to LastFrame(row). False when it asks for no position: a rest with nothing below, or
+/// another kind.
+bool WantedPosition(const Constraint& row, int frame, double restHeight,
+                    const ObstacleSet& obstacles, Vec3& position);
+
 /// One rest row and the time around it in which its surface does not count as an obstacle: from one
 /// second before it lies there to one second after its Until.
 struct LandingWindow

@@ -17,18 +17,9 @@ Stop StopOf(const Constraint& row, double restHeight, const ObstacleSet& obstacl
   stop.First = row.Frame;
   stop.Last = LastFrame(row);
   stop.Value = stop.Position = row.Value;
-  stop.Radius = row.Radius;
-  if (TraitsOf(row.Kind).Lasts)
-  {
-    stop.Radius = 0.0;
-    stop.IsRest = true;
-    SurfaceHit hit;
-    Vec3 resting;
-    if (RestingPosition(obstacles, row.Value, row.Frame, restHeight, resting, hit))
-    {
-      stop.Position = resting;
-    }
-  }
+  (void)WantedPosition(row, row.Frame, restHeight, obstacles, stop.Position);
+  stop.Radius = RadiusOf(row);
+  stop.IsRest = TraitsOf(row.Kind).Lasts;
   return stop;
 }
 

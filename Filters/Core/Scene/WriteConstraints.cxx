@@ -19,6 +19,22 @@ std::string NameOf(const Constraint& row)
   return "Constraints: row " + std::to_string(row.Row) + ", target " + std::to_string(row.Target);
 }
 
+/// Whether the targets of a keyframe may be rows of this kind.
+bool IsOfKeyframe(ConstraintKind kind)
+{
+  switch (kind)
+  {
+    case ConstraintKind::Position:
+    case ConstraintKind::Rest: // "velocity": "rest"
+      return true;
+    case ConstraintKind::Velocity: // beside a target
+    case ConstraintKind::Acceleration:
+    case ConstraintKind::Orientation:
+      break;
+  }
+  return false;
+}
+
 } // namespace
 
 /// Rows that belong to one entry of the list: those of a group, else of a number.
@@ -119,7 +135,7 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
   Rows velocities;
   for (const Constraint* row : rows)
   {
-    if (IsPositional(row->Kind))
+    if (IsOfKeyframe(row->Kind))
     {
       if (row->Kind != first.Kind || row->Frame != first.Frame || row->Radius != first.Radius ||
           (row->Kind == ConstraintKind::Rest && row->Until != first.Until))
@@ -209,7 +225,7 @@ std::vector<SceneJson> SceneFormat::PlainRows(const Rows& rows) const
     }
     Constraint alone = *row;
     alone.Group = alone.ClassId = -1;
-    alone.Radius = alone.Kind == ConstraintKind::Rest ? 0.0 : alone.Radius;
+    alone.Radius = RadiusOf(alone);
     SceneJson single = SceneJson::object();
     (void)this->FormatSimple({ &alone }, single);
     list.push_back(std::move(single));
