@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grid/AdvectionKernels.h"
 
-#include "Grid/Float4.h"
-#include "Grid/Simd.h"
+#include "Base/Simd.h"
 
 #include <algorithm>
 #include <cmath>
