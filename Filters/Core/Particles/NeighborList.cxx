@@ -226,12 +226,4 @@ SphNeighbors NeighborList::View() const
            narrow ? nullptr : this->Wide.data() };
 }
 
-std::size_t NeighborList::MemoryBytes() const
-{
-  return (this->Starts.capacity() + this->Particles.capacity()) * sizeof(std::uint32_t) +
-         this->Narrow.capacity() * sizeof(std::uint16_t) +
-         this->Wide.capacity() * sizeof(std::uint32_t) +
-         (this->Now.Reference ? this->Now.Reference->capacity() * sizeof(float) : 0);
-}
-
 } // namespace waft

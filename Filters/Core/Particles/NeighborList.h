@@ -62,7 +62,6 @@ public:
   {
     return this->Starts.empty() ? 0 : 8 * static_cast<std::size_t>(this->Starts.back());
   }
-  std::size_t MemoryBytes() const;
 
 private:
   void Append(const NeighborScratch& scratch, std::size_t found);

@@ -65,7 +65,6 @@ public:
   const Mat3& AddedMass() const { return this->AirMass; }
   double Area() const { return this->TotalArea; }
   bool HidesItself() const { return !this->Visibility.empty(); }
-  int NumberOfPanels() const { return static_cast<int>(this->Panels.size()); }
 
 private:
   struct Panel
