@@ -98,7 +98,7 @@ public:
   vtkGetMacro(MaximumNumberOfBranches, int);
   ///@}
   ///@{
-  /** Share by which a path may last longer or shorter before its time is scaled, 0..0.5. */
+  /** Fraction by which a path may last longer or shorter before its time is scaled, 0..0.5. */
   vtkSetClampMacro(RetimingLimit, double, 0.0, 0.5);
   vtkGetMacro(RetimingLimit, double);
   ///@}

@@ -17,6 +17,7 @@ from paraview import servermanager, simple
 
 import waft  # noqa: F401 (loads the plugin)
 from waft import vtkWaftFilters, vtkWaftSources
+from waft._kinds import KINDS
 
 XML, DESCRIBE_OPTIONS = sys.argv[1:3]
 LARGE = 1e6  # from here on a panel need not name the end of a range
@@ -143,6 +144,12 @@ class ProxyTest(unittest.TestCase):
                 if described.tag in VALUES and described.get("information_only") != "1":
                     with self.subTest(file=path, property=described.get("name")):
                         self.assertIn((own, described.get("name")), said)
+
+    def test_kinds_of_constraints_are_those_of_python(self):
+        source, = (element for _, element in described_proxies() if element.get("name") == "ConstraintSource")
+        kind, = (p for p in source if p.get("name") == "Kind")
+        entries = {entry.get("text").lower(): int(entry.get("value")) for entry in kind.iter("Entry")}
+        self.assertEqual(entries, {name: number for number, name in enumerate(KINDS)})
 
     def check_option(self, field, described, fresh):
         sentence = " ".join(described.find("Documentation").text.split())

@@ -36,7 +36,7 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
   }
   data->Initialize();
   SetVertices(data, Column(constraints, [](const Constraint& row)
-                           { return IsPlace(row.Kind) ? row.Value : Vec3(Vec3::Zero()); }));
+                           { return IsPositional(row.Kind) ? row.Value : Vec3(Vec3::Zero()); }));
   vtkPointData* arrays = data->GetPointData();
   AddColumn(arrays, names::ObjectId, constraints, &Constraint::ObjectId);
   AddColumn(arrays, names::Frame, constraints, &Constraint::Frame);

@@ -126,7 +126,7 @@ Result AssimilationRun::SetUpDrifters()
       {
         rows.push_back(row);
       }
-      else if (row.Status == ConstraintStatus::Unreachable && TraitsOf(row.Kind).IsPlace)
+      else if (row.Status == ConstraintStatus::Unreachable && TraitsOf(row.Kind).IsPositional)
       {
         // The plan comes as near as it can.
         Constraint near = row;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/AirSampler.h"
 
-#include "Grid/Float4.h"
+#include "Base/Simd.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -13,7 +13,7 @@ namespace waft
 double SurfaceArea(const TriangleMesh& mesh);
 
 /// "1 of 300 triangles has no area" and what comes of it, for a mesh that has such triangles (two
-/// corners in one place, or three on a line to single precision); empty for all others.
+/// corners in one point, or three on a line to single precision); empty for all others.
 std::string RemarkOnFlatTriangles(const TriangleMesh& mesh);
 
 /// Centre of mass of a shell of even thickness [m]; of the points when the area is zero.

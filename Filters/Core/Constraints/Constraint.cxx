@@ -13,7 +13,7 @@ namespace
 constexpr double LeastSpeed = 1e-6; // m/s: of tracks that stand still
 
 constexpr std::array<ConstraintTraits, NumberOfConstraintKinds> Kinds{ {
-  // Kind, Name, Unit, IsPlace, Lasts, Derivative, Tolerance
+  // Kind, Name, Unit, IsPositional, Lasts, Derivative, Tolerance
   { ConstraintKind::Position, "position", "m", true, false, 0, 1e-9 },
   { ConstraintKind::Velocity, "velocity", "m/s", false, false, 1, 1e-6 },
   { ConstraintKind::Acceleration, "acceleration", "m/s^2", false, false, 2, 1e-6 },

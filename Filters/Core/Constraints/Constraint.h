@@ -29,8 +29,9 @@ struct ConstraintTraits
   ConstraintKind Kind;
   const char* Name; // in files and messages
   const char* Unit; // of Value and Radius
-  /// Value is a place that the path passes through. Any object (-1) may be asked for places alone.
-  bool IsPlace;
+  /// Value is a position that the path passes through. Any object (-1) may be asked for positions
+  /// alone.
+  bool IsPositional;
   /// From Frame to Until, and exact whatever the Radius; else at Frame alone.
   bool Lasts;
   /// Which derivative of the path by time is wanted: 0, 1 or 2; -1: none, but the attitude.
@@ -50,9 +51,9 @@ inline const char* ToString(ConstraintKind kind)
 {
   return TraitsOf(kind).Name;
 }
-inline bool IsPlace(ConstraintKind kind)
+inline bool IsPositional(ConstraintKind kind)
 {
-  return TraitsOf(kind).IsPlace;
+  return TraitsOf(kind).IsPositional;
 }
 /// Its value is an orientation, in Constraint::Orientation.
 inline bool IsAttitude(ConstraintKind kind)
@@ -108,6 +109,12 @@ struct Constraint
 inline int LastFrame(const Constraint& row)
 {
   return TraitsOf(row.Kind).Lasts ? std::max(row.Frame, row.Until) : row.Frame;
+}
+
+/// How far from what it asks for a row counts as met, in the unit of Value.
+inline double RadiusOf(const Constraint& row)
+{
+  return TraitsOf(row.Kind).Lasts ? 0.0 : row.Radius;
 }
 
 /// The frame from which a row holds or, as a rest may, is met already.

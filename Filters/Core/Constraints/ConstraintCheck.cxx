@@ -119,27 +119,26 @@ private:
     return line;
   }
 
-  /// A row as wishes about positions: a rest is one a frame.
+  /// A row as wishes about positions, one for each of its frames.
   std::vector<Wish> Expand(const Constraint& row, int line) const
   {
     Wish wish;
     wish.Value = row.Value;
-    wish.Radius = row.Radius;
+    wish.Radius = RadiusOf(row);
     wish.Line = line;
     wish.Kind = row.Kind;
     wish.Frame = row.Frame;
     wish.Stencil = DerivativeStencil(TraitsOf(row.Kind).Derivative, row.Frame, this->Scene.Time);
-    if (!TraitsOf(row.Kind).Lasts)
+    if (!IsPositional(row.Kind))
     {
       return { wish };
     }
-    SurfaceHit hit;
-    RestingPlace(this->Obstacles, row.Value, row.Frame, this->Find(row.ObjectId)->RestHeight,
-                 wish.Value, hit);
-    wish.Radius = 0.0;
+    const double restHeight = this->Find(row.ObjectId)->RestHeight;
+    const int last = std::min(LastFrame(row), this->Scene.Time.NumberOfFrames - 1);
     std::vector<Wish> wishes;
-    for (int f = row.Frame; f <= std::min(row.Until, this->Scene.Time.NumberOfFrames - 1); ++f)
+    for (int f = row.Frame; f <= last; ++f)
     {
+      (void)WantedPosition(row, f, restHeight, this->Obstacles, wish.Value); // judged before
       wish.Frame = f;
       wish.Stencil = { { f, 1.0 } };
       wishes.push_back(wish);

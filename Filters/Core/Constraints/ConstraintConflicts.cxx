@@ -31,8 +31,8 @@ ObjectWishes::ObjectWishes(const Vec3& start, double tolerance) : Tolerance(tole
 Contradiction ObjectWishes::Add(const Wish& wish)
 {
   Contradiction found =
-    IsPlace(wish.Kind) ? this->CheckPlace(wish) : this->CheckSameDerivative(wish);
-  if (found.IsEmpty() && !IsPlace(wish.Kind))
+    IsPositional(wish.Kind) ? this->CheckPosition(wish) : this->CheckSameDerivative(wish);
+  if (found.IsEmpty() && !IsPositional(wish.Kind))
   {
     found = this->CheckDerivative(wish, wish);
   }
@@ -47,17 +47,17 @@ Contradiction ObjectWishes::Add(const Wish& wish)
   }
   if (found.IsEmpty())
   {
-    (IsPlace(wish.Kind) ? this->Places[wish.Frame] : this->Derivatives).push_back(wish);
+    (IsPositional(wish.Kind) ? this->Positions[wish.Frame] : this->Derivatives).push_back(wish);
   }
   return found;
 }
 
-Contradiction ObjectWishes::CheckPlace(const Wish& wish) const
+Contradiction ObjectWishes::CheckPosition(const Wish& wish) const
 {
-  const auto places = this->Places.find(wish.Frame);
-  for (std::size_t n = 0; places != this->Places.end() && n < places->second.size(); ++n)
+  const auto positions = this->Positions.find(wish.Frame);
+  for (std::size_t n = 0; positions != this->Positions.end() && n < positions->second.size(); ++n)
   {
-    const Wish& other = places->second[n];
+    const Wish& other = positions->second[n];
     const double distance = (wish.Value - other.Value).norm();
     if (distance > wish.Radius + other.Radius + this->Tolerance)
     {
@@ -93,8 +93,8 @@ Contradiction ObjectWishes::CheckSameDerivative(const Wish& wish) const
   return {};
 }
 
-/// Places at all frames of a derivative's stencil decide whether it can hold: the smallest ball of
-/// each frame counts, the candidate's among them.
+/// Positions at all frames of a derivative's stencil decide whether it can hold: the smallest ball
+/// of each frame counts, the candidate's among them.
 Contradiction ObjectWishes::CheckDerivative(const Wish& derivative, const Wish& candidate) const
 {
   Vec3 centre = -derivative.Value;
@@ -103,12 +103,13 @@ Contradiction ObjectWishes::CheckDerivative(const Wish& derivative, const Wish& 
   std::set<int> lines{ derivative.Line };
   for (const auto& [frame, c] : derivative.Stencil)
   {
-    const Wish* best = IsPlace(candidate.Kind) && candidate.Frame == frame ? &candidate : nullptr;
-    const auto places = this->Places.find(frame);
-    for (std::size_t n = 0; places != this->Places.end() && n < places->second.size(); ++n)
+    const Wish* best =
+      IsPositional(candidate.Kind) && candidate.Frame == frame ? &candidate : nullptr;
+    const auto positions = this->Positions.find(frame);
+    for (std::size_t n = 0; positions != this->Positions.end() && n < positions->second.size(); ++n)
     {
-      const Wish& place = places->second[n];
-      best = !best || place.Radius < best->Radius ? &place : best;
+      const Wish& position = positions->second[n];
+      best = !best || position.Radius < best->Radius ? &position : best;
     }
     if (!best)
     {
@@ -159,7 +160,7 @@ void ObjectWishes::Withdraw(int line)
   };
   this->Exact.Withdraw(line);
   erase(this->Derivatives);
-  for (auto& [frame, list] : this->Places)
+  for (auto& [frame, list] : this->Positions)
   {
     erase(list);
   }

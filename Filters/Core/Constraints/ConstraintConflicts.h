@@ -39,7 +39,7 @@ struct Contradiction
 class ObjectWishes
 {
 public:
-  /// tolerance: distance of places that are taken as one [m].
+  /// tolerance: distance of positions that are taken as one [m].
   ObjectWishes(const Vec3& start, double tolerance);
 
   /// Keeps a wish unless it contradicts what is kept.
@@ -49,14 +49,14 @@ public:
   void Withdraw(int line);
 
 private:
-  Contradiction CheckPlace(const Wish& wish) const;
+  Contradiction CheckPosition(const Wish& wish) const;
   Contradiction CheckDerivative(const Wish& derivative, const Wish& candidate) const;
   Contradiction CheckSameDerivative(const Wish& wish) const;
 
   double Tolerance;
   LinearRows Exact;
-  std::map<int, std::vector<Wish>> Places; // by frame
-  std::vector<Wish> Derivatives;           // velocities and accelerations
+  std::map<int, std::vector<Wish>> Positions; // by frame
+  std::vector<Wish> Derivatives;              // velocities and accelerations
   std::vector<std::pair<Constraint, int>> Orientations;
 };
 

@@ -60,8 +60,8 @@ std::string WhyRestInfeasible(const Constraint& row, const MotionObject* object,
     return "rests until frame " + std::to_string(row.Until) + ", expected " +
            std::to_string(row.Frame) + " or later";
   }
-  if (!RestingPlace(obstacles, row.Value, row.Frame, object ? object->RestHeight : 0.0, centre,
-                    hit))
+  if (!RestingPosition(obstacles, row.Value, row.Frame, object ? object->RestHeight : 0.0, centre,
+                       hit))
   {
     return "there is no surface below " + PointText(row.Value) + " to rest on";
   }

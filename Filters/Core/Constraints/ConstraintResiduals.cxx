@@ -33,9 +33,7 @@ struct Finding
 /// A distance that is no number is as far as can be.
 double BeyondRadius(const Constraint& row, double distance)
 {
-  return std::isfinite(distance)
-           ? std::max(0.0, distance - (TraitsOf(row.Kind).Lasts ? 0.0 : row.Radius))
-           : Nowhere;
+  return std::isfinite(distance) ? std::max(0.0, distance - RadiusOf(row)) : Nowhere;
 }
 
 void Note(const Constraint& row, ConstraintKind kindOfLine, double distance, double tolerance,
@@ -79,7 +77,7 @@ void Apply(const std::map<Key, Finding>& findings, std::vector<ReportRow>& repor
       line.Status = ConstraintStatus::Unreachable;
       Tell(line, found->second.Message);
     }
-    else if (line.Status == ConstraintStatus::Unreachable && IsPlace(line.Kind))
+    else if (line.Status == ConstraintStatus::Unreachable && IsPositional(line.Kind))
     {
       Tell(line, "it comes within " + NumberText(line.Residual, 3) + " m");
     }
@@ -108,20 +106,21 @@ struct Motion
   }
 };
 
-double DistanceToRest(const Constraint& row, const Track& track, const MotionObject* object,
-                      const ObstacleSet& obstacles)
+/// The largest at the frames of a row of a positional kind.
+double DistanceToPositions(const Constraint& row, const Motion& motion,
+                           const ObstacleSet& obstacles)
 {
-  Vec3 place;
-  SurfaceHit hit;
-  if (!RestingPlace(obstacles, row.Value, row.Frame, object ? object->RestHeight : 0.0, place, hit))
-  {
-    return Nowhere;
-  }
+  const std::vector<Vec3>& path = motion.Path->Positions;
   double worst = 0.0;
-  const int last = std::min(row.Until, static_cast<int>(track.Positions.size()) - 1);
+  const int last = std::min(LastFrame(row), static_cast<int>(path.size()) - 1);
   for (int f = row.Frame; f <= last; ++f)
   {
-    const double distance = (track.Positions[f] - place).norm();
+    Vec3 wanted;
+    if (!WantedPosition(row, f, motion.Object ? motion.Object->RestHeight : 0.0, obstacles, wanted))
+    {
+      return Nowhere;
+    }
+    const double distance = (path[f] - wanted).norm();
     worst = distance <= worst ? worst : distance; // keeps NaN
   }
   return worst;
@@ -137,13 +136,12 @@ double Distance(const Constraint& row, const Motion& motion, const ObstacleSet& 
   switch (row.Kind)
   {
     case ConstraintKind::Position:
-      return (motion.Path->Positions[row.Frame] - row.Value).norm();
+    case ConstraintKind::Rest:
+      return DistanceToPositions(row, motion, obstacles);
     case ConstraintKind::Velocity:
       return (motion.Velocities[row.Frame] - row.Value).norm();
     case ConstraintKind::Acceleration:
       return (motion.Accelerations[row.Frame] - row.Value).norm();
-    case ConstraintKind::Rest:
-      return DistanceToRest(row, *motion.Path, motion.Object, obstacles);
     case ConstraintKind::Orientation:
       break; // of poses
   }
@@ -195,7 +193,8 @@ void MeasureResiduals(const std::vector<Constraint>& constraints, const std::vec
       double nearest = Nowhere;
       for (const auto& [objectId, motion] : motions)
       {
-        nearest = IsPlace(row.Kind) ? std::min(nearest, Distance(row, motion, obstacles)) : nearest;
+        nearest =
+          IsPositional(row.Kind) ? std::min(nearest, Distance(row, motion, obstacles)) : nearest;
       }
       if (nearest < Nowhere && row.Kind == kind->second)
       {

@@ -20,8 +20,8 @@ struct Target
   std::vector<std::size_t> Rows;
   int Frame = 0;
   int Until = 0;
-  bool HasPlace = false;
-  Vec3 Place = Vec3::Zero();
+  bool HasPosition = false;
+  Vec3 Position = Vec3::Zero();
   int ClassId = -1;
   int ObjectId = -1;
 };
@@ -50,20 +50,20 @@ std::vector<Group> CollectGroups(const std::vector<Constraint>& rows)
     target.Rows.push_back(i);
     target.Frame = std::min(target.Frame, row.Frame);
     target.Until = std::max(target.Until, LastFrame(row));
-    if (IsPlace(row.Kind) && !target.HasPlace)
+    if (IsPositional(row.Kind) && !target.HasPosition)
     {
-      target.HasPlace = true;
-      target.Place = row.Value;
+      target.HasPosition = true;
+      target.Position = row.Value;
     }
     target.ClassId = std::max(target.ClassId, row.ClassId);
     target.ObjectId = std::max(target.ObjectId, row.ObjectId);
   }
-  // A row without a group is a group of its own, where it is about no place.
+  // A row without a group is a group of its own, where it is about no position.
   std::map<std::tuple<int, int, int>, Group> groups;
   for (const auto& [key, target] : targets)
   {
     const int id = groupOf[key];
-    if (id < 0 && target.HasPlace)
+    if (id < 0 && target.HasPosition)
     {
       continue;
     }
@@ -88,10 +88,10 @@ std::vector<Group> CollectGroups(const std::vector<Constraint>& rows)
 
 /// Where an object was last asked to be before a frame, and whether it is asked to be anywhere
 /// between two frames.
-class Places
+class KnownPositions
 {
 public:
-  Places(const std::vector<MotionObject>& objects, const std::vector<Constraint>& rows)
+  KnownPositions(const std::vector<MotionObject>& objects, const std::vector<Constraint>& rows)
   {
     for (const MotionObject& object : objects)
     {
@@ -99,15 +99,15 @@ public:
     }
     for (const Constraint& row : rows)
     {
-      if (row.ObjectId >= 0 && IsPlace(row.Kind))
+      if (row.ObjectId >= 0 && IsPositional(row.Kind))
       {
         this->Add(row.ObjectId, row.Frame, LastFrame(row), row.Value);
       }
     }
   }
-  void Add(int object, int frame, int until, const Vec3& place)
+  void Add(int object, int frame, int until, const Vec3& position)
   {
-    this->Known[object][frame] = { place, until };
+    this->Known[object][frame] = { position, until };
   }
   const Vec3& Before(int object, int frame) const
   {
@@ -115,10 +115,9 @@ public:
   }
   bool IsTaken(int object, int frame, int until) const
   {
-    const auto& places = this->Known.at(object);
-    const auto next = places.lower_bound(frame);
-    return (next != places.end() && next->first <= until) ||
-           std::prev(next)->second.second >= frame;
+    const auto& known = this->Known.at(object);
+    const auto next = known.lower_bound(frame);
+    return (next != known.end() && next->first <= until) || std::prev(next)->second.second >= frame;
   }
 
 private:
@@ -154,7 +153,7 @@ std::set<int> Candidates(const std::vector<MotionObject>& objects, const Group& 
 void AssignKeyframes(const std::vector<MotionObject>& objects, std::vector<Constraint>& rows,
                      const std::map<int, std::vector<int>>& choices)
 {
-  Places places(objects, rows);
+  KnownPositions known(objects, rows);
   for (const Group& group : CollectGroups(rows))
   {
     const std::set<int> candidates = Candidates(objects, group, choices);
@@ -182,10 +181,11 @@ void AssignKeyframes(const std::vector<MotionObject>& objects, std::vector<Const
         }
         RankedCost& cost = problem.At(t, o);
         cost = RankedCost();
-        if (target.HasPlace)
+        if (target.HasPosition)
         {
-          cost.Penalty = places.IsTaken(object.ObjectId, target.Frame, target.Until) ? 1 : 0;
-          cost.Amount = (target.Place - places.Before(object.ObjectId, target.Frame)).squaredNorm();
+          cost.Penalty = known.IsTaken(object.ObjectId, target.Frame, target.Until) ? 1 : 0;
+          cost.Amount =
+            (target.Position - known.Before(object.ObjectId, target.Frame)).squaredNorm();
         }
       }
     }
@@ -201,9 +201,9 @@ void AssignKeyframes(const std::vector<MotionObject>& objects, std::vector<Const
       {
         rows[row].ObjectId = object;
       }
-      if (open[t]->HasPlace)
+      if (open[t]->HasPosition)
       {
-        places.Add(object, open[t]->Frame, open[t]->Until, open[t]->Place);
+        known.Add(object, open[t]->Frame, open[t]->Until, open[t]->Position);
       }
     }
   }

@@ -11,13 +11,13 @@
 namespace waft
 {
 
-/// Gives each row with ObjectId -1 that is in a group, or is about no place, to an object. Rows of
-/// equal (Row, Target) go to the same object; those of one Group to distinct ones, and to none that
-/// the group names itself; a ClassId asks for an object of that class. Groups are treated in the
-/// order of their frames, each by least total squared distance [m^2] from the objects' places
-/// before (their starts, or their last position or rest rows); an object that has another place at
-/// the time is taken last. Rows left over keep -1. choices: by Group, the only ids that its rows
-/// may go to; groups that are not there choose among all.
+/// Gives each row with ObjectId -1 that is in a group, or is about no position, to an object. Rows
+/// of equal (Row, Target) go to the same object; those of one Group to distinct ones, and to none
+/// that the group names itself; a ClassId asks for an object of that class. Groups are treated in
+/// the order of their frames, each by least total squared distance [m^2] from the objects'
+/// positions before (their starts, or their last position or rest rows); an object that has another
+/// position at the time is taken last. Rows left over keep -1. choices: by Group, the only ids that
+/// its rows may go to; groups that are not there choose among all.
 void AssignKeyframes(const std::vector<MotionObject>& objects, std::vector<Constraint>& rows,
                      const std::map<int, std::vector<int>>& choices = {});
 

@@ -150,7 +150,7 @@ std::vector<LinearCluster> MakeClusters(const std::vector<DifferenceRow>& rows,
                                         const std::vector<PositionBall>& balls,
                                         const FixedAt& fixedAt, const std::vector<bool>& hasFrame)
 {
-  // Rows of one object by their first frame; a row joins the cluster before it when they share a
+  // Rows of one object by their first frame; a row joins the cluster before it when they have a
   // free frame.
   std::map<std::size_t, std::vector<const DifferenceRow*>> byObject;
   for (const DifferenceRow& row : rows)

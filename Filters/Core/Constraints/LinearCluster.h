@@ -41,7 +41,7 @@ struct DifferenceRow
 /// Where an object is fixed at a frame; null: it is free.
 using FixedAt = std::function<const Vec3*(int frame, std::size_t object)>;
 
-/// Rows of one object that share frames, with the positions that they bind.
+/// Rows of one object that have frames in common, with the positions that they bind.
 class LinearCluster
 {
 public:
@@ -80,7 +80,8 @@ private:
   std::vector<BallPoint> BallPoints;
 };
 
-/// Groups the rows of each object that share free frames, of those whose frames are all there.
+/// Groups the rows of each object that have free frames in common, of those whose frames are all
+/// there.
 std::vector<LinearCluster> MakeClusters(const std::vector<DifferenceRow>& rows,
                                         const std::vector<PositionBall>& balls,
                                         const FixedAt& fixedAt, const std::vector<bool>& hasFrame);

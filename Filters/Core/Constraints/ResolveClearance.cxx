@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr double MarkSlope = 0.3; // of the radius from a tight mark on: a path can leave so fast
-constexpr int StepParts = 8;      // places from a frame to the next that are looked at
+constexpr int StepParts = 8;      // points from a frame to the next that are looked at
 constexpr int SmallestRamp = 6;   // frames over which the fallback blends in
 constexpr double FallbackSpeed = 0.3; // of going back to the fallback, at most [m/s]
 constexpr int FallbackRounds = 5;     // the ramp doubles each time

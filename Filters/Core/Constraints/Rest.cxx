@@ -32,8 +32,8 @@ bool StaysAbove(const ObstacleSet& obstacles, int obstacleId, double distance, c
 
 } // namespace
 
-bool RestingPlace(const ObstacleSet& obstacles, const Vec3& value, double frame, double restHeight,
-                  Vec3& centre, SurfaceHit& hit)
+bool RestingPosition(const ObstacleSet& obstacles, const Vec3& value, double frame,
+                     double restHeight, Vec3& centre, SurfaceHit& hit)
 {
   if (!obstacles.SurfaceBelow(value, frame, hit))
   {
@@ -42,6 +42,25 @@ bool RestingPlace(const ObstacleSet& obstacles, const Vec3& value, double frame,
   const double slope = std::max(hit.Normal.z(), SteepestNormal);
   centre = Vec3(value.x(), value.y(), hit.Point.z() + restHeight / slope);
   return true;
+}
+
+bool WantedPosition(const Constraint& row, int /*frame*/, double restHeight,
+                    const ObstacleSet& obstacles, Vec3& position)
+{
+  SurfaceHit hit;
+  switch (row.Kind)
+  {
+    case ConstraintKind::Position:
+      position = row.Value;
+      return true;
+    case ConstraintKind::Rest: // on what stands still: the same at all its frames
+      return RestingPosition(obstacles, row.Value, row.Frame, restHeight, position, hit);
+    case ConstraintKind::Velocity:
+    case ConstraintKind::Acceleration:
+    case ConstraintKind::Orientation:
+      break;
+  }
+  return false;
 }
 
 std::vector<LandingWindow> LandingWindows(const MotionObject& object,
@@ -54,7 +73,7 @@ std::vector<LandingWindow> LandingWindows(const MotionObject& object,
     SurfaceHit hit;
     Vec3 centre;
     if (row.ObjectId != object.ObjectId || row.Kind != ConstraintKind::Rest ||
-        !RestingPlace(obstacles, row.Value, row.Frame, object.RestHeight, centre, hit))
+        !RestingPosition(obstacles, row.Value, row.Frame, object.RestHeight, centre, hit))
     {
       continue;
     }
@@ -111,7 +130,7 @@ bool IsMotionClear(const ObstacleSet& obstacles, const ClearanceRule& rule,
     }
   }
   std::sort(cuts.begin(), cuts.end());
-  const auto place = [&](double frame)
+  const auto at = [&](double frame)
   { return frameB > frameA ? Vec3(a + (frame - frameA) / (frameB - frameA) * (b - a)) : b; };
   double from = frameA;
   Vec3 x = a;
@@ -121,7 +140,7 @@ bool IsMotionClear(const ObstacleSet& obstacles, const ClearanceRule& rule,
     {
       continue;
     }
-    const Vec3 y = cut == frameB ? b : place(cut);
+    const Vec3 y = cut == frameB ? b : at(cut);
     const Clearance clearance = RequiredClearance(rule, windows, 0.5 * (from + cut));
     if (!obstacles.IsClear(x, from, y, cut, clearance.Radius, clearance.Exempt) ||
         (clearance.Exempt >= 0 &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where things come to rest, and what clearance holds around a landing: the one place that planner,
+// Where things come to rest, and what clearance holds around a landing: the one rule that planner,
 // optimiser and rotation ask.
 #pragma once
 
@@ -22,8 +22,14 @@ constexpr double LandingSlack = 1e-6;
 /// are the value's, the height is the surface's plus restHeight / normal.z, so that a body lying in
 /// the tangent plane touches it (on faces steeper than 84 degrees as if they were 84). False when
 /// there is nothing below.
-bool RestingPlace(const ObstacleSet& obstacles, const Vec3& value, double frame, double restHeight,
-                  Vec3& centre, SurfaceHit& hit);
+bool RestingPosition(const ObstacleSet& obstacles, const Vec3& value, double frame,
+                     double restHeight, Vec3& centre, SurfaceHit& hit);
+
+/// Where a row of a positional kind asks the centre of an object to be at one of its frames, from
+/// Frame to LastFrame(row). False when it asks for no position: a rest with nothing below, or
+/// another kind.
+bool WantedPosition(const Constraint& row, int frame, double restHeight,
+                    const ObstacleSet& obstacles, Vec3& position);
 
 /// One rest row and the time around it in which its surface does not count as an obstacle: from one
 /// second before it lies there to one second after its Until.
@@ -34,7 +40,7 @@ struct LandingWindow
   int Until = 0;
   double First = 0.0;          // frames
   double Last = 0.0;           // frames
-  Vec3 Centre = Vec3::Zero();  // resting place of the centre
+  Vec3 Centre = Vec3::Zero();  // resting position of the centre
   Vec3 Point = Vec3::Zero();   // of the surface, straight below
   Vec3 Normal = Vec3::UnitZ(); // of the surface there
   int Row = 0;
@@ -60,7 +66,7 @@ Clearance RequiredClearance(const ClearanceRule& rule, const std::vector<Landing
 
 /// Swept version: from a at frameA to b at frameB, frameA <= frameB, split where a window begins or
 /// ends. Within a window the centre keeps its LandingDistance (less LandingSlack) from the
-/// exempt obstacle, looked at in at least 8 places a frame. Walls are not looked at.
+/// exempt obstacle, looked at in at least 8 points a frame. Walls are not looked at.
 bool IsMotionClear(const ObstacleSet& obstacles, const ClearanceRule& rule,
                    const std::vector<LandingWindow>& windows, const Vec3& a, double frameA,
                    const Vec3& b, double frameB);

@@ -115,7 +115,7 @@ std::vector<Vec3> SolveWarp(const WarpProblem& problem)
   {
     for (std::size_t i = 0; i < frames.size(); ++i)
     {
-      matrix.Add(i, i, 1e-13); // two marks at least hold a path in its place
+      matrix.Add(i, i, 1e-13); // two marks at least hold a path where it is
     }
   }
   for (std::size_t k = 1; k + 1 < count; ++k)

@@ -26,7 +26,7 @@ struct AnimatedShape
 struct AnimatedObject
 {
   int ObjectId = 0;
-  std::size_t Shape = 0; // place in the list of shapes
+  std::size_t Shape = 0; // index in the list of shapes
   std::vector<Vec3> Positions;
   std::vector<Quat> Orientations; // body to world, unit
 };

@@ -35,7 +35,7 @@ enum class ByteOrder
   Big
 };
 
-/// An unsigned number of 1 to 8 bytes at a place; the caller has seen that they are there.
+/// An unsigned number of 1 to 8 bytes at an offset; the caller has seen that they are there.
 std::uint64_t ReadUnsigned(std::string_view bytes, std::size_t at, int size, ByteOrder order);
 /// The same as a float (4) or a double (8).
 double ReadReal(std::string_view bytes, std::size_t at, int size, ByteOrder order);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grid/AdvectionKernels.h"
 
-#include "Grid/Float4.h"
-#include "Grid/Simd.h"
+#include "Base/Simd.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +37,7 @@ Reach ReachOf(const StaggeredLayout& layout, const AxisEnds& ends, int faceAxis,
   return reach;
 }
 
-// The displacement d from the place `at` that stays within reach.
+// The displacement d from the point `at` that stays within reach.
 inline float Limit(const Reach& reach, float at, float d)
 {
   return std::min(std::max(d, reach.Low - at), reach.High - at);
@@ -67,7 +66,7 @@ inline void Split(float& d, std::ptrdiff_t stride, int& corner)
   d -= static_cast<float>(floor);
 }
 
-// Feet of a row from displacements dx, dy, dz [voxels] of the samples at place (i, j, k) + shift of
+// Feet of a row from displacements dx, dy, dz [voxels] of the samples at index (i, j, k) + shift of
 // the index space of the faces of faceAxis, which are relative to (i, j, k) again afterwards.
 inline void __attribute__((always_inline))
 RowFeet(const StaggeredLayout& layout, const AxisEnds& ends, int faceAxis, const float* shift,

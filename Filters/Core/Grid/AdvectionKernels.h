@@ -20,7 +20,7 @@ struct CarrierFlow
 };
 
 /// Where the values of a row of samples are looked up: the sample at the lower corner of the voxel
-/// around each foot, counted from the row's first sample, and the place within that voxel, 0..1.
+/// around each foot, counted from the row's first sample, and the position within that voxel, 0..1.
 struct FootRow
 {
   std::vector<int> Corner;
@@ -35,7 +35,7 @@ struct FootRow
 };
 
 /// Displacements in voxels, one time step back, of the cell centres of plane k: a Runge-Kutta step
-/// of second order (midpoint rule). Not places: their rounding would depend on the side of the
+/// of second order (midpoint rule). Not positions: their rounding would depend on the side of the
 /// grid.
 void TracePlane(const CarrierFlow& flow, int k, const std::array<float*, 3>& displacement);
 

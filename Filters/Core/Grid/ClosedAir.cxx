@@ -9,7 +9,7 @@ ClosedAir::ClosedAir(const PaddedCells& c, const std::array<const float*, 3>& we
   Part(c.Size(), -1)
 {
   std::vector<bool> seen(c.Size(), false);
-  struct Place
+  struct Node
   {
     int At[3];
   };
@@ -25,15 +25,15 @@ ClosedAir::ClosedAir(const PaddedCells& c, const std::array<const float*, 3>& we
     }
     return false;
   };
-  std::vector<Place> stack;
+  std::vector<Node> stack;
   std::vector<std::ptrdiff_t> members;
-  const auto enter = [&](const Place& place)
+  const auto enter = [&](const Node& node)
   {
-    const std::ptrdiff_t p = c.Index(place.At[0], place.At[1], place.At[2]);
+    const std::ptrdiff_t p = c.Index(node.At[0], node.At[1], node.At[2]);
     if (!seen[p])
     {
       seen[p] = true;
-      stack.push_back(place);
+      stack.push_back(node);
       members.push_back(p);
     }
   };
@@ -53,9 +53,9 @@ ClosedAir::ClosedAir(const PaddedCells& c, const std::array<const float*, 3>& we
         enter({ { i, j, k } });
         while (!stack.empty())
         {
-          const Place place = stack.back();
+          const Node node = stack.back();
           stack.pop_back();
-          const std::ptrdiff_t p = c.Index(place.At[0], place.At[1], place.At[2]);
+          const std::ptrdiff_t p = c.Index(node.At[0], node.At[1], node.At[2]);
           for (int axis = 0; axis < 3; ++axis)
           {
             for (int side = -1; side <= 1; side += 2)
@@ -65,7 +65,7 @@ ClosedAir::ClosedAir(const PaddedCells& c, const std::array<const float*, 3>& we
               {
                 continue;
               }
-              Place next = place;
+              Node next = node;
               next.At[axis] += side;
               const bool leaves = next.At[axis] < 0 || next.At[axis] >= c.N[axis];
               if (leaves && !periodic[axis])

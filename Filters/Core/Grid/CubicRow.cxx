@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where most of the time of a smoke simulation goes: cubic samples at the feet of a row, one by one
 // or, where the processor has AVX2, eight at a time to the same bits.
+#include "Base/Simd.h"
 #include "Grid/AdvectionKernels.h"
-#include "Grid/Float4.h"
 
 #if defined(__GNUC__) && defined(__x86_64__)
 #define WAFT_HAS_EIGHTS
@@ -16,38 +16,17 @@ namespace
 
 // Hermite cubic from f1 to f2 with central slopes, held between 0 and three times the difference
 // (Fedkiw et al. 2001, Appendix B, with the bound that makes the cubic monotone). Written so that a
-// mirror image gives the same bits.
-inline Float4 Cubic(const Float4& f0, const Float4& f1, const Float4& f2, const Float4& f3, float t)
+// mirror image gives the same bits. Of one sample or of four.
+template <typename Values>
+inline Values Cubic(const Values& f0, const Values& f1, const Values& f2, const Values& f3, float t)
 {
-  const Float4 zero = { 0.0f, 0.0f, 0.0f, 0.0f };
-  const Float4 d = f2 - f1;
-  const Float4 d3 = 3.0f * d;
-  const Float4 low = Min4(zero, d3);
-  const Float4 high = Max4(zero, d3);
-  const Float4 m1 = Min4(Max4(0.5f * (f2 - f0), low), high);
-  const Float4 m2 = Min4(Max4(0.5f * (f3 - f1), low), high);
-  const float s = 1.0f - t;
-  return (s * f1 + t * f2) + (s * t) * (s * (m1 - d) - t * (m2 - d));
-}
-
-// As the vector instructions have it, also for the signs of zeros.
-inline float Least(float a, float b)
-{
-  return a < b ? a : b;
-}
-inline float Most(float a, float b)
-{
-  return a > b ? a : b;
-}
-
-inline float Cubic(float f0, float f1, float f2, float f3, float t)
-{
-  const float d = f2 - f1;
-  const float d3 = 3.0f * d;
-  const float low = Least(0.0f, d3);
-  const float high = Most(0.0f, d3);
-  const float m1 = Least(Most(0.5f * (f2 - f0), low), high);
-  const float m2 = Least(Most(0.5f * (f3 - f1), low), high);
+  const Values zero{};
+  const Values d = f2 - f1;
+  const Values d3 = 3.0f * d;
+  const Values low = Lesser(zero, d3);
+  const Values high = Greater(zero, d3);
+  const Values m1 = Lesser(Greater(0.5f * (f2 - f0), low), high);
+  const Values m2 = Lesser(Greater(0.5f * (f3 - f1), low), high);
   const float s = 1.0f - t;
   return (s * f1 + t * f2) + (s * t) * (s * (m1 - d) - t * (m2 - d));
 }
@@ -78,7 +57,7 @@ void SampleOneByOne(const StaggeredLayout& layout, const float* values, std::ptr
 
 #define WAFT_AVX2 __attribute__((target("avx2")))
 
-// The same formula.
+// The same formula, of eight samples in two halves.
 WAFT_AVX2 inline __m256 Cubic(__m256 f0, __m256 f1, __m256 f2, __m256 f3, __m256 t)
 {
   const __m256 zero = _mm256_setzero_ps();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grid/MultigridKernels.h"
 
-#include "Grid/Simd.h"
+#include "Base/Simd.h"
 
 #include <algorithm>
 

@@ -35,10 +35,10 @@ double In(Random& random, const Range& range)
   return random.Uniform(range.front(), range.back());
 }
 
-// The volume less a margin, a share of each side.
-Box Inner(const Box& bounds, double share)
+// The volume less a margin, a fraction of each side.
+Box Inner(const Box& bounds, double fraction)
 {
-  const Vec3 margin = share * bounds.Size();
+  const Vec3 margin = fraction * bounds.Size();
   return Box{ bounds.Min + margin, bounds.Max - margin };
 }
 

@@ -18,16 +18,16 @@ std::array<float, 3> ToFloats(const Vec3& v)
   return { static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()) };
 }
 
-/// Where a place is between the points of a lattice along one axis, held at its ends.
+/// Where a coordinate is between the points of a lattice along one axis, held at its ends.
 struct LatticeBetween
 {
   std::size_t Low = 0, High = 0;
   float Part = 0.0f;
 };
 
-LatticeBetween Between(double place, int points)
+LatticeBetween Between(double coordinate, int points)
 {
-  const double held = std::clamp(place, 0.0, static_cast<double>(points - 1));
+  const double held = std::clamp(coordinate, 0.0, static_cast<double>(points - 1));
   const int low = std::min(static_cast<int>(held), std::max(points - 2, 0));
   return { static_cast<std::size_t>(low), static_cast<std::size_t>(std::min(low + 1, points - 1)),
            static_cast<float>(held - low) };
@@ -290,13 +290,13 @@ void SmokeSolver::Internals::Emit(double time)
           {
             continue;
           }
-          const double share = std::min(inside, 1.0);
+          const double fraction = std::min(inside, 1.0);
           this->Density[p] =
-            std::max(this->Density[p], static_cast<float>(share * emitter.Density));
+            std::max(this->Density[p], static_cast<float>(fraction * emitter.Density));
           if (emitter.Temperature != 0.0)
           {
             this->Temperature[p] += static_cast<float>(
-              share * (emitter.Temperature - static_cast<double>(this->Temperature[p])));
+              fraction * (emitter.Temperature - static_cast<double>(this->Temperature[p])));
           }
         }
       }

@@ -27,7 +27,7 @@ enum class BoundaryKind
 {
   Closed,  // walls that the air slides along
   Open,    // still air of zero pressure outside
-  Periodic // the two ends are the same place
+  Periodic // the two ends are the same plane
 };
 
 /// Where and when air is simulated.

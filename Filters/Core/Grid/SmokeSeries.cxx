@@ -12,7 +12,7 @@ namespace
 
 constexpr int ShortestCheckpointInterval = 16;
 /// Checkpoints take at most this part of the cache.
-constexpr double CheckpointShare = 0.25;
+constexpr double CheckpointFraction = 0.25;
 
 std::size_t SizeOf(const SmokeFrame& frame)
 {
@@ -48,7 +48,7 @@ Result SmokeSeries::Begin(SmokeSeriesInput input)
   this->Solver.Read(frame);
   const std::size_t state = SizeOf(this->Solver.Save());
   this->KeepsCheckpoints = state + SizeOf(frame) <= this->Input.CacheLimit;
-  const double room = CheckpointShare * static_cast<double>(this->Input.CacheLimit);
+  const double room = CheckpointFraction * static_cast<double>(this->Input.CacheLimit);
   const double count = std::max(room / static_cast<double>(state), 1.0);
   this->CheckpointInterval =
     std::max(ShortestCheckpointInterval,

@@ -10,7 +10,7 @@ namespace waft
 {
 
 /// Arrays of n + 1 samples along each axis with two ghosts at either end, so that faces (n + 1
-/// along their own axis) and cell centres (n) share one layout and a cubic stencil needs no
+/// along their own axis) and cell centres (n) have one layout and a cubic stencil needs no
 /// branches. Face (i, j, k) of axis a is the one of cell (i, j, k) towards the axis's lower end.
 struct StaggeredLayout
 {

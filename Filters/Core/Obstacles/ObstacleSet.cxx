@@ -253,7 +253,7 @@ bool ObstacleSet::SurfaceBelow(const Vec3& x, double frame, SurfaceHit& hit) con
   {
     const Vec3 offset = this->Impl->Meshes[k].Offset(frame);
     const auto crossings = this->Impl->Trees[k].Crossings(x.x() - offset.x(), x.y() - offset.y());
-    // The n-th entry belongs to the n-th exit, also where rounded heights have changed places.
+    // The n-th entry belongs to the n-th exit, also where rounded heights have changed their order.
     std::vector<double> entries;
     std::size_t used = 0;
     for (const VerticalCrossing& crossing : crossings)

@@ -124,7 +124,7 @@ void NeighborList::Build(const SphKernelTable& kernels, std::size_t n, std::size
   }
 }
 
-// The places found, filled up to a group of eight with the far one.
+// The slots found, filled up to a group of eight with the far one.
 void NeighborList::Append(const NeighborScratch& scratch, std::size_t found)
 {
   const auto append = [&](auto& list)
@@ -224,14 +224,6 @@ SphNeighbors NeighborList::View() const
   const bool narrow = this->Wide.empty();
   return { this->Starts.data(), narrow ? this->Narrow.data() : nullptr,
            narrow ? nullptr : this->Wide.data() };
-}
-
-std::size_t NeighborList::MemoryBytes() const
-{
-  return (this->Starts.capacity() + this->Particles.capacity()) * sizeof(std::uint32_t) +
-         this->Narrow.capacity() * sizeof(std::uint16_t) +
-         this->Wide.capacity() * sizeof(std::uint32_t) +
-         (this->Now.Reference ? this->Now.Reference->capacity() * sizeof(float) : 0);
 }
 
 } // namespace waft

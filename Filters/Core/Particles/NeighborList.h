@@ -32,7 +32,7 @@ struct NeighborCourse
 /// Neighbour lists of one frame, each pair once: a pair of gas particles is listed at one of the
 /// two, a pair of gas and object at the object. Particles from numberOfGas on belong to objects and
 /// do not see each other. Two bytes an entry up to 65535 particles, four beyond.
-/// The lists speak of places: the gas by cells of the reach's size, so that what is near in space
+/// The lists speak of slots: the gas by cells of the reach's size, so that what is near in space
 /// is near in memory however the gas has mixed, then the objects' particles as they are numbered.
 class NeighborList
 {
@@ -54,15 +54,14 @@ public:
   /// Writes the course, or reads one back and restores it.
   void Exchange(StateArchive& stream);
 
-  /// By place.
+  /// By slot.
   SphNeighbors View() const;
-  /// The particle at each place.
+  /// The particle in each slot.
   const std::vector<std::uint32_t>& Order() const { return this->Particles; }
   std::size_t NumberOfEntries() const
   {
     return this->Starts.empty() ? 0 : 8 * static_cast<std::size_t>(this->Starts.back());
   }
-  std::size_t MemoryBytes() const;
 
 private:
   void Append(const NeighborScratch& scratch, std::size_t found);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The signed distance of obstacles as a smooth function of place and frame, in gas spacings.
+// The signed distance of obstacles as a smooth function of position and frame, in gas spacings.
 #pragma once
 
 #include "Base/Mesh.h"

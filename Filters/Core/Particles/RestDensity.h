@@ -13,7 +13,7 @@
 namespace waft
 {
 
-/// The walls' and obstacles' share of the density is an integral over a continuum, the gas about it
+/// The walls' and obstacles' part of the density is an integral over a continuum, the gas about it
 /// a sum over particles: beside a surface the two do not make one by some percent, and gas at rest
 /// would be pushed about. This field is what each site of the lattice lacks. Between sites it is
 /// blended by the quintic 6 u^5 - 15 u^4 + 10 u^3 along each axis, whose first and second

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eight floats in a register of 256 bits: what AVX2 and AVX-512 share.
+// Eight floats in a register of 256 bits: what AVX2 and AVX-512 have in common.
 struct Lanes
 {
   __m256 Value;
@@ -125,14 +125,14 @@ inline void Transpose(const Lanes in[8], __m256 out[8])
   }
 }
 
-/// Subtracts lane k of eight components from the eight floats at places[k], lane by lane.
-inline void SubtractRecords(float* base, const std::uint32_t* places, const Lanes components[8])
+/// Subtracts lane k of eight components from the eight floats at offsets[k], lane by lane.
+inline void SubtractRecords(float* base, const std::uint32_t* offsets, const Lanes components[8])
 {
   __m256 rows[8];
   Transpose(components, rows);
   for (int k = 0; k < 8; ++k)
   {
-    float* record = base + places[k];
+    float* record = base + offsets[k];
     _mm256_store_ps(record, _mm256_sub_ps(_mm256_load_ps(record), rows[k]));
   }
 }
@@ -148,11 +148,11 @@ inline void AddSums(float* record, const Lanes components[8])
   _mm256_store_ps(record, _mm256_add_ps(_mm256_load_ps(record), sum));
 }
 
-/// Places of the set bits of a mask, first to last.
+/// Indices of the set bits of a mask, first to last.
 struct SetBits
 {
-  unsigned char Places[256][8];
-  constexpr SetBits() : Places()
+  unsigned char Indices[256][8];
+  constexpr SetBits() : Indices()
   {
     for (int mask = 0; mask < 256; ++mask)
     {
@@ -161,7 +161,7 @@ struct SetBits
       {
         if (mask & (1 << bit))
         {
-          this->Places[mask][count++] = static_cast<unsigned char>(bit);
+          this->Indices[mask][count++] = static_cast<unsigned char>(bit);
         }
       }
     }
@@ -177,9 +177,9 @@ struct LaneOrder
   LaneOrder(unsigned mask, unsigned first)
   {
     static constexpr std::uint32_t Ring[16] = { 0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7 };
-    const auto* places = reinterpret_cast<const __m128i*>(AllSetBits.Places[mask]);
+    const auto* indices = reinterpret_cast<const __m128i*>(AllSetBits.Indices[mask]);
     const auto* turn = reinterpret_cast<const __m256i*>(Ring + 8 - first);
-    this->Value = _mm256_permutevar8x32_epi32(_mm256_cvtepu8_epi32(_mm_loadl_epi64(places)),
+    this->Value = _mm256_permutevar8x32_epi32(_mm256_cvtepu8_epi32(_mm_loadl_epi64(indices)),
                                               _mm256_loadu_si256(turn));
   }
   Lanes operator()(Lanes a) const { return { _mm256_permutevar8x32_ps(a.Value, this->Value) }; }

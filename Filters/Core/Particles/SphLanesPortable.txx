@@ -139,11 +139,11 @@ inline void LoadFour(const float* base, const Index* index, Lanes out[4])
   }
 }
 
-inline void SubtractRecords(float* base, const std::uint32_t* places, const Lanes components[8])
+inline void SubtractRecords(float* base, const std::uint32_t* offsets, const Lanes components[8])
 {
   for (int k = 0; k < 8; ++k)
   {
-    float* record = base + places[k];
+    float* record = base + offsets[k];
     for (int c = 0; c < 8; ++c)
     {
       record[c] -= components[c].Value[k];

@@ -36,7 +36,7 @@ struct LoadedAhead
   }
 };
 
-/// Eight pairs of one i, as they are found: x_i - x_j, and j's place as the bits of lanes.
+/// Eight pairs of one i, as they are found: x_i - x_j, and j's slot as the bits of lanes.
 struct FoundPairs
 {
   Lanes X, Y, Z, Other;
@@ -93,7 +93,7 @@ struct PairPacker
   }
 };
 
-/// The pairs within the support of the particles from begin to end: all but s; places in Other.
+/// The pairs within the support of the particles from begin to end: all but s; slots in Other.
 template <typename Index>
 void FindPairs(const SphConstants& c, const SphRecord* records, const std::uint32_t* starts,
                const Index* list, std::size_t begin, std::size_t end, const FoundPairs& far,
@@ -120,7 +120,7 @@ void FindPairs(const SphConstants& c, const SphRecord* records, const std::uint3
   }
 }
 
-/// The density of these pairs. Makes places in Other where records begin.
+/// The density of these pairs. Makes slots in Other offsets where records begin.
 void WeighPairs(const SphConstants& c, const SphRecord* records, std::size_t begin, std::size_t end,
                 const SphPairs& pairs, float* density)
 {
@@ -164,14 +164,14 @@ void DensitySum(const SphConstants& c, const SphRecord* records, const std::uint
 {
   // Pairs are weighed while they are in the first cache, and no sooner than their number is known.
   constexpr std::size_t Block = 32;
-  std::uint32_t places[8];
+  std::uint32_t slots[8];
   for (std::uint32_t l = 0; l < 8; ++l)
   {
-    places[l] = static_cast<std::uint32_t>(n) + l;
+    slots[l] = static_cast<std::uint32_t>(n) + l;
   }
   // At the edge of the support and beyond all terms vanish.
   const Lanes beyond = Lanes::Set(1.0f / c.InverseSupport);
-  const FoundPairs far{ beyond, beyond, beyond, LoadBits(places) };
+  const FoundPairs far{ beyond, beyond, beyond, LoadBits(slots) };
   for (std::size_t i = 0; i < n; ++i)
   {
     density[i] = 0.0f;

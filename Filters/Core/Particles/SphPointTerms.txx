@@ -64,14 +64,13 @@ void RestTerms(const SphRestField& field, std::size_t n, const float* x, const f
   const Lanes one = Lanes::Set(1.0f);
   for (std::size_t i = 0; i < n; i += 8)
   {
-    // Share of the second site along each axis, and its derivatives by the place.
+    // Weight of the second site along each axis, and its derivatives by the position.
     Lanes first[3], second[3], t[3], t1[3], t2[3];
     for (int a = 0; a < 3; ++a)
     {
       const float inverse = field.InverseCell[a];
       const Lanes last = Lanes::Set(static_cast<float>(field.Dimensions[a] - 1));
-      const Lanes site =
-        Fma(Lanes::Load(points[a] + i), Lanes::Set(inverse), Lanes::Set(0.5f));
+      const Lanes site = Fma(Lanes::Load(points[a] + i), Lanes::Set(inverse), Lanes::Set(0.5f));
       const Lanes c = Min(Max(site, zero), last);
       first[a] = Min(Floor(c), Max(last - one, zero));
       second[a] = Min(first[a] + one, last);

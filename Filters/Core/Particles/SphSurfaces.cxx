@@ -24,7 +24,7 @@ void PlaneComplement(const SphFluid& fluid, double d, double& q, double& q1, dou
   q2 = (d < 0.0 ? 1.0 : -1.0) * inverse * inverse * s4 * (105.0 - 189.0 * s + 84.0 * s * s);
 }
 
-SurfaceShare Walls(const SphFluid& fluid, const Vec3& size, const Vec3& x)
+SurfaceDensityPart Walls(const SphFluid& fluid, const Vec3& size, const Vec3& x)
 {
   Vec3 q, q1, q2;
   for (int a = 0; a < 3; ++a)
@@ -36,22 +36,23 @@ SurfaceShare Walls(const SphFluid& fluid, const Vec3& size, const Vec3& x)
     q1[a] = low1 * high - low * high1;
     q2[a] = low2 * high + low * high2 - 2.0 * low1 * high1;
   }
-  SurfaceShare share;
-  share.Value = 1.0 - q.prod();
+  SurfaceDensityPart part;
+  part.Value = 1.0 - q.prod();
   for (int a = 0; a < 3; ++a)
   {
     const int b = (a + 1) % 3;
     const int c = (a + 2) % 3;
-    share.Gradient[a] = -q1[a] * q[b] * q[c];
-    share.Hessian(a, a) = -q2[a] * q[b] * q[c];
-    share.Hessian(a, b) = share.Hessian(b, a) = -q1[a] * q1[b] * q[c];
+    part.Gradient[a] = -q1[a] * q[b] * q[c];
+    part.Hessian(a, a) = -q2[a] * q[b] * q[c];
+    part.Hessian(a, b) = part.Hessian(b, a) = -q1[a] * q1[b] * q[c];
   }
-  return share;
+  return part;
 }
 
 } // namespace
 
-void SurfaceShare::Add(const SphFluid& fluid, double d, const Vec3& normal, const Mat3& curvature)
+void SurfaceDensityPart::Add(const SphFluid& fluid, double d, const Vec3& normal,
+                             const Mat3& curvature)
 {
   double q, q1, q2;
   PlaneComplement(fluid, d, q, q1, q2);
@@ -63,25 +64,25 @@ void SurfaceShare::Add(const SphFluid& fluid, double d, const Vec3& normal, cons
   this->Value = 1.0 - open * q;
 }
 
-SurfaceShare SurfaceDensity(const SphFluid& fluid, const SphVolume& volume, const Vec3& x)
+SurfaceDensityPart SurfaceDensity(const SphFluid& fluid, const SphVolume& volume, const Vec3& x)
 {
-  SurfaceShare share = Walls(fluid, volume.Size, x);
+  SurfaceDensityPart part = Walls(fluid, volume.Size, x);
   if (volume.Obstacles != nullptr && !volume.Obstacles->IsEmpty())
   {
     Vec3 normal;
     Mat3 curvature;
     const double d = volume.Obstacles->Evaluate(x, volume.Frame, normal, curvature);
-    share.Add(fluid, d, normal, curvature);
+    part.Add(fluid, d, normal, curvature);
   }
   if (volume.Rest != nullptr)
   {
     Vec3 gradient;
     Mat3 hessian;
-    share.Value += volume.Rest->Evaluate(x, gradient, hessian);
-    share.Gradient += gradient;
-    share.Hessian += hessian;
+    part.Value += volume.Rest->Evaluate(x, gradient, hessian);
+    part.Gradient += gradient;
+    part.Hessian += hessian;
   }
-  return share;
+  return part;
 }
 
 } // namespace waft

@@ -23,8 +23,8 @@ struct SphVolume
   SphVolume(const Vec3& size) : Size(size) {}
 };
 
-/// A density [rho0] with its derivatives by the place [dx].
-struct SurfaceShare
+/// A density [rho0] with its derivatives by the position [dx].
+struct SurfaceDensityPart
 {
   double Value = 0.0;
   Vec3 Gradient = Vec3::Zero();
@@ -36,6 +36,6 @@ struct SurfaceShare
 };
 
 /// Kernel mass beyond the walls and obstacles, and the rest density's field.
-SurfaceShare SurfaceDensity(const SphFluid& fluid, const SphVolume& volume, const Vec3& x);
+SurfaceDensityPart SurfaceDensity(const SphFluid& fluid, const SphVolume& volume, const Vec3& x);
 
 } // namespace waft

@@ -44,19 +44,19 @@ std::vector<int> PieceChain::Beginnings(int window) const
   return result;
 }
 
-Vec3 Handover::Correction(double place, bool isAfter) const
+Vec3 Handover::Correction(double index, bool isAfter) const
 {
-  const double u = (place - this->Centre) / this->Reach;
+  const double u = (index - this->Centre) / this->Reach;
   if (isAfter ? u >= 1.0 : u <= -1.0)
   {
     return Vec3::Zero();
   }
   // The offset rises along a smooth step, the slope along its integral, less what the pieces after
   // the overlap bring themselves.
-  const double share = SmoothStep(0.5 * (u + 1.0)) - (isAfter ? 1.0 : 0.0);
+  const double fraction = SmoothStep(0.5 * (u + 1.0)) - (isAfter ? 1.0 : 0.0);
   const double ramp =
     2.0 * SmoothStepIntegral(0.5 * (u + 1.0)) + std::max(u - 1.0, 0.0) - (isAfter ? u : 0.0);
-  return share * this->Offset + ramp * this->Reach * this->Slope;
+  return fraction * this->Offset + ramp * this->Reach * this->Slope;
 }
 
 namespace
@@ -74,8 +74,8 @@ std::vector<Steps> UnturnedSteps(const SegmentLibrary& library, const PieceChain
   {
     const Piece& piece = chain.Pieces[i];
     const std::vector<Vec3>& samples = library.Samples(piece.Segment);
-    const Mat3 rotation =
-      static_cast<int>(i) >= chain.JoinPlace ? back * piece.Place.Rotation : piece.Place.Rotation;
+    const Mat3 rotation = static_cast<int>(i) >= chain.JoinIndex ? back * piece.Transform.Rotation
+                                                                 : piece.Transform.Rotation;
     Steps steps;
     for (int k = piece.First; k < piece.Last; ++k)
     {
@@ -158,7 +158,7 @@ std::vector<Vec3> BlendChain(const SegmentLibrary& library, const PieceChain& ch
   std::vector<Vec3> path;
   path.reserve(steps.size() + 1);
   const Piece& first = chain.Pieces.front();
-  path.push_back(first.Place * library.Samples(first.Segment)[first.First]);
+  path.push_back(first.Transform * library.Samples(first.Segment)[first.First]);
   for (std::size_t k = 0; k < steps.size(); ++k)
   {
     const double turn =

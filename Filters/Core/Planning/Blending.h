@@ -15,7 +15,7 @@ namespace waft
 struct PieceChain
 {
   std::vector<Piece> Pieces;
-  int JoinPlace = 0;      // the first piece that stands where the goal's tree put it
+  int JoinIndex = 0;      // the first piece that stands where the goal's tree put it
   double JoinAngle = 0.0; // about the vertical [rad]
 
   /// Samples the whole chain covers.
@@ -35,10 +35,10 @@ struct Handover
   Vec3 Offset = Vec3::Zero(); // step after less step before, at the centre [m per frame]
   Vec3 Slope = Vec3::Zero();  // what it grows by from step to step [m per frame^2]
 
-  /// What is added at a place of the chain [steps] to the steps of the pieces before the overlap,
+  /// What is added at an index of the chain [steps] to the steps of the pieces before the overlap,
   /// or of those after it, as they are before the turn of the join is spread: zero beyond the reach
   /// on their own side.
-  Vec3 Correction(double place, bool isAfter) const;
+  Vec3 Correction(double index, bool isAfter) const;
 };
 
 /// One a connection of the chain.
@@ -46,8 +46,8 @@ std::vector<Handover> HandOver(const SegmentLibrary& library, const PieceChain& 
 
 /// Positions of the chain, one a sample, from the first piece's first sample. Steps, not positions,
 /// are blended (handed over as above; what is left, with quintic weights over the overlap), so a
-/// gap in place between two pieces never becomes a kink; the turn of the join is spread evenly over
-/// all samples, none at the ends.
+/// gap between two pieces never becomes a jump of the second difference; the turn of the join is
+/// spread evenly over all samples, none at the ends.
 std::vector<Vec3> BlendChain(const SegmentLibrary& library, const PieceChain& chain);
 
 /// The time line of a span in frames of flight.

@@ -16,9 +16,9 @@ ChainTiming::ChainTiming(const SegmentLibrary& library, const PieceChain& chain,
 {
 }
 
-std::vector<ChainTiming::Place> ChainTiming::Places() const
+std::vector<ChainTiming::ChainSample> ChainTiming::ChainSamples() const
 {
-  std::vector<Place> places;
+  std::vector<ChainSample> samples;
   std::size_t piece = 0;
   for (int frame = 0; frame <= this->Clock.Frames; ++frame)
   {
@@ -28,9 +28,9 @@ std::vector<ChainTiming::Place> ChainTiming::Places() const
     {
       ++piece;
     }
-    places.push_back({ static_cast<int>(piece), index });
+    samples.push_back({ static_cast<int>(piece), index });
   }
-  return places;
+  return samples;
 }
 
 std::vector<int> ChainTiming::PieceFrames() const
@@ -47,12 +47,12 @@ std::vector<int> ChainTiming::PieceFrames() const
 std::vector<FrameSource> ChainTiming::Sources() const
 {
   std::vector<FrameSource> sources;
-  for (const Place& place : this->Places())
+  for (const ChainSample& at : this->ChainSamples())
   {
-    const Piece& body = this->Chain.Pieces[place.Piece];
+    const Piece& body = this->Chain.Pieces[at.Piece];
     const int sample =
-      body.First + static_cast<int>(std::lround(place.Index - this->Beginnings[place.Piece]));
-    sources.push_back({ place.Piece, std::clamp(sample, body.First, body.Last) });
+      body.First + static_cast<int>(std::lround(at.Index - this->Beginnings[at.Piece]));
+    sources.push_back({ at.Piece, std::clamp(sample, body.First, body.Last) });
   }
   return sources;
 }
@@ -60,16 +60,16 @@ std::vector<FrameSource> ChainTiming::Sources() const
 std::vector<Vec3> ChainTiming::TreePositions() const
 {
   std::vector<Vec3> positions;
-  for (const Place& place : this->Places())
+  for (const ChainSample& at : this->ChainSamples())
   {
-    const Piece& body = this->Chain.Pieces[place.Piece];
+    const Piece& body = this->Chain.Pieces[at.Piece];
     const std::vector<Vec3>& samples = this->Library.Samples(body.Segment);
-    const double own = std::clamp(body.First + place.Index - this->Beginnings[place.Piece],
+    const double own = std::clamp(body.First + at.Index - this->Beginnings[at.Piece],
                                   static_cast<double>(body.First), static_cast<double>(body.Last));
     const int low = std::min(static_cast<int>(own), std::max(body.First, body.Last - 1));
     const Vec3& a = samples[low];
     const Vec3& b = samples[std::min(low + 1, body.Last)];
-    positions.push_back(body.Place * Vec3(a + (own - low) * (b - a)));
+    positions.push_back(body.Transform * Vec3(a + (own - low) * (b - a)));
   }
   return positions;
 }

@@ -27,12 +27,12 @@ public:
   std::vector<Vec3> TreePositions() const;
 
 private:
-  struct Place
+  struct ChainSample
   {
     int Piece;
     double Index; // sample of the chain
   };
-  std::vector<Place> Places() const; // one a frame
+  std::vector<ChainSample> ChainSamples() const; // one a frame
 
   const SegmentLibrary& Library;
   const PieceChain& Chain;

@@ -12,7 +12,7 @@ namespace waft
 namespace
 {
 
-/// One level of the search: a piece in place and the successors still to be tried.
+/// One level of the search: a placed piece and the successors still to be tried.
 struct Level
 {
   Piece Body;
@@ -65,7 +65,7 @@ bool FlightGrower::Fits(const Piece& piece, double firstFrame) const
   std::vector<Vec3> placed(static_cast<std::size_t>(piece.Last) + 1);
   for (int k = piece.First; k <= piece.Last; ++k)
   {
-    placed[k] = piece.Place * samples[k];
+    placed[k] = piece.Transform * samples[k];
   }
   // What comes after the span's end need not fit.
   const int last =
@@ -101,8 +101,9 @@ bool FlightGrower::PlaceRoot(Level& level)
       return false;
     }
   }
-  piece.Place.Rotation = Eigen::AngleAxisd(yaw, Vec3::UnitZ()).toRotationMatrix();
-  piece.Place.Translation = task.Start.Position - piece.Place.Rotation * samples[piece.First];
+  piece.Transform.Rotation = Eigen::AngleAxisd(yaw, Vec3::UnitZ()).toRotationMatrix();
+  piece.Transform.Translation =
+    task.Start.Position - piece.Transform.Rotation * samples[piece.First];
   level.Body = piece;
   level.Elapsed = piece.Last - piece.First;
   return this->Fits(piece, task.FirstFrame);
@@ -120,10 +121,10 @@ bool FlightGrower::Advance(const Level& from, int successor, Level& level)
   piece.Segment = this->Library.SegmentOfTop(entry.Top);
   const std::vector<Vec3>& samples = this->Library.Samples(piece.Segment);
   piece.Last = static_cast<int>(samples.size()) - 1;
-  piece.Place = from.Body.Place * entry.Place;
-  const Vec3 head = piece.Place * samples.front();
-  this->Library.LimitTilt(piece.Place.Rotation);
-  piece.Place.Translation = head - piece.Place.Rotation * samples.front();
+  piece.Transform = from.Body.Transform * entry.Transform;
+  const Vec3 head = piece.Transform * samples.front();
+  this->Library.LimitTilt(piece.Transform.Rotation);
+  piece.Transform.Translation = head - piece.Transform.Rotation * samples.front();
   const int overlap = this->Library.Window() - 1;
   level.Body = piece;
   level.Elapsed = from.Elapsed + piece.Last - overlap;

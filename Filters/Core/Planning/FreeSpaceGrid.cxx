@@ -108,7 +108,8 @@ bool FreeSpaceGrid::IsPassable(const Cell& a, const Cell& b) const
   const Vec3 to = this->Center(b);
   // Balls that overlap cover the way between; else a thin wall may stand there.
   return roomA + roomB > (to - from).norm() + this->Clearance ||
-         this->Obstacles.IsClear(from, 0.0, to, 0.0, PlannerNumbers::SightShare * this->Clearance);
+         this->Obstacles.IsClear(from, 0.0, to, 0.0,
+                                 PlannerNumbers::SightFraction * this->Clearance);
 }
 
 std::vector<Vec3> FreeSpaceGrid::FindWay(const Vec3& a, const Vec3& b) const
@@ -186,14 +187,14 @@ std::vector<Vec3> FreeSpaceGrid::FindWay(const Vec3& a, const Vec3& b) const
   return way;
 }
 
-Vec3 PointAlong(const std::vector<Vec3>& way, double share)
+Vec3 PointAlong(const std::vector<Vec3>& way, double fraction)
 {
   double total = 0.0;
   for (std::size_t k = 1; k < way.size(); ++k)
   {
     total += (way[k] - way[k - 1]).norm();
   }
-  double left = share * total;
+  double left = fraction * total;
   for (std::size_t k = 1; k < way.size(); ++k)
   {
     const double step = (way[k] - way[k - 1]).norm();

@@ -21,7 +21,7 @@ public:
                 const std::atomic<bool>& stop);
 
   /// A shortest way over the cells from a to b, both included (A*; ends that do not fit themselves,
-  /// like places of rest, are entered from the nearest cell that does). Empty when the map shows
+  /// like positions of rest, are entered from the nearest cell that does). Empty when the map shows
   /// none.
   std::vector<Vec3> FindWay(const Vec3& a, const Vec3& b) const;
 
@@ -41,7 +41,7 @@ private:
   std::vector<float> Room; // distance to the nearest thing at each centre [m]
 };
 
-/// Point at a share (0..1) of the length of a polyline.
-Vec3 PointAlong(const std::vector<Vec3>& way, double share);
+/// Point at a fraction (0..1) of the length of a polyline.
+Vec3 PointAlong(const std::vector<Vec3>& way, double fraction);
 
 } // namespace waft

@@ -24,7 +24,7 @@ public:
 
   bool IsEmpty() const { return this->Points.size() < 2; }
   const Vec3& End() const { return this->Points.back(); }
-  /// What lies between where the last part ended and the place nearest to `to` beyond it, with
+  /// What lies between where the last part ended and the point nearest to `to` beyond it, with
   /// `from` and `to` themselves as ends. Parts follow one another.
   std::vector<Vec3> Take(const Vec3& from, const Vec3& to);
 

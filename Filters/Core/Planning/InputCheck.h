@@ -8,7 +8,7 @@ namespace waft
 {
 
 /// Fails on what is malformed: no frames, no volume, ids that occur twice, rows and guides of
-/// unknown objects or frames, numbers that are not finite. The message names the place.
+/// unknown objects or frames, numbers that are not finite. The message names object and frame.
 Result CheckPlanInput(const PlanInput& input);
 
 /// What is odd about flying a scene on a database, a sentence each: another frame rate (segments

@@ -56,7 +56,7 @@ public:
     this->Marks[row.Frame] = mark;
   }
 
-  /// A velocity or an acceleration; after all places.
+  /// A velocity or an acceleration; after all positions.
   void AddDerivative(const Constraint& row)
   {
     if (this->Scene.Time.NumberOfFrames < 2)

@@ -16,26 +16,17 @@ Stop StopOf(const Constraint& row, double restHeight, const ObstacleSet& obstacl
   Stop stop;
   stop.First = row.Frame;
   stop.Last = LastFrame(row);
-  stop.Value = stop.Place = row.Value;
-  stop.Radius = row.Radius;
-  if (TraitsOf(row.Kind).Lasts)
-  {
-    stop.Radius = 0.0;
-    stop.IsRest = true;
-    SurfaceHit hit;
-    Vec3 place;
-    if (RestingPlace(obstacles, row.Value, row.Frame, restHeight, place, hit))
-    {
-      stop.Place = place;
-    }
-  }
+  stop.Value = stop.Position = row.Value;
+  (void)WantedPosition(row, row.Frame, restHeight, obstacles, stop.Position);
+  stop.Radius = RadiusOf(row);
+  stop.IsRest = TraitsOf(row.Kind).Lasts;
   return stop;
 }
 
 Stop StartOf(const MotionObject& object)
 {
   Stop start;
-  start.Value = start.Place = object.Position;
+  start.Value = start.Position = object.Position;
   return start;
 }
 
@@ -55,7 +46,7 @@ double SpeedLimit::Reach(int frames, bool launches, bool brakes) const
 
 double SpeedLimit::Haste(const Stop& from, const Stop& to) const
 {
-  const double way = (to.Place - from.Place).norm() - from.Radius - to.Radius;
+  const double way = (to.Position - from.Position).norm() - from.Radius - to.Radius;
   const int frames = to.First - from.Last;
   if (way <= this->Tolerance)
   {

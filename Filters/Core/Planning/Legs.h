@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where rows ask an object to be, and whether it can come from one such place to the next in time.
+// Where rows ask an object to be, and whether it can come from one such position to the next in
+// time.
 #pragma once
 
 #include "Base/Motion.h"
@@ -12,14 +13,14 @@
 namespace waft
 {
 
-/// A place that is asked for from frame First to Last.
+/// A position that is asked for from frame First to Last.
 struct Stop
 {
   int First = 0;
   int Last = 0;
-  Vec3 Value = Vec3::Zero(); // as the row has it
-  Vec3 Place = Vec3::Zero(); // where the object is then: of a rest on the surface
-  double Radius = 0.0;       // m
+  Vec3 Value = Vec3::Zero();    // as the row has it
+  Vec3 Position = Vec3::Zero(); // where the object is then: of a rest on the surface
+  double Radius = 0.0;          // m
   bool IsRest = false;
 };
 
@@ -36,13 +37,13 @@ class SpeedLimit
 {
 public:
   /// topStep: m per frame; shortestSpan: flights of fewer frames are drawn; tolerance: distance of
-  /// places that are taken as one [m].
+  /// positions that are taken as one [m].
   SpeedLimit(double topStep, double framesPerSecond, int shortestSpan, double tolerance);
 
   /// m in so many frames at the database's top speed.
   double Reach(int frames, bool launches, bool brakes) const;
   /// Length of the way from a stop to a later one, less both radii, over what can be flown at the
-  /// database's top speed; infinite when they overlap in time at different places. Beyond
+  /// database's top speed; infinite when they overlap in time at different positions. Beyond
   /// SpeedAllowance no path is tried.
   double Haste(const Stop& from, const Stop& to) const;
 

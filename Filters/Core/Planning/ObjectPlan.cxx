@@ -94,23 +94,23 @@ void ObjectPlanner::Draw(const Mark& from, Mark& to)
   const int frames = to.Frame - from.Until;
   MarkOutcome outcome;
   outcome.Constraint = to.Constraint;
-  // Frame by frame from one place that was met to the next it is the artist's own path, as fast as
-  // it may be.
+  // Frame by frame from one position that was met to the next it is the artist's own path, as fast
+  // as it may be.
   const bool isGiven = frames == 1 && from.Constraint >= 0 && this->Now.LastReached;
   const double most = SpeedAllowance * this->Library.TopStep() * frames;
   const Vec3 way = to.Position - start;
   if (!isGiven && way.norm() - to.Radius > most)
   {
-    Vec3 place = start + way.normalized() * (PlannerNumbers::DrawnShare * most);
-    while ((place - start).norm() > 1e-3 &&
-           this->Now.Field.FirstHit({ start, 0.5 * (start + place), place }, 1, 2, to.Frame, 0.0,
-                                    0.0) >= 0)
+    Vec3 reached = start + way.normalized() * (PlannerNumbers::DrawnFraction * most);
+    while ((reached - start).norm() > 1e-3 &&
+           this->Now.Field.FirstHit({ start, 0.5 * (start + reached), reached }, 1, 2, to.Frame,
+                                    0.0, 0.0) >= 0)
     {
-      place = 0.5 * (start + place);
+      reached = 0.5 * (start + reached);
     }
     outcome.IsReached = false;
     outcome.Message = "far faster than the database's top speed";
-    this->Now.Miss(to, place);
+    this->Now.Miss(to, reached);
   }
   for (int frame = from.Until + 1; frame <= to.Frame; ++frame)
   {

@@ -39,11 +39,11 @@ void ObjectProgress::Fix(int frame, const Vec3& position)
   this->Warp.Fixed[frame] = position;
 }
 
-void ObjectProgress::Miss(Mark& mark, const Vec3& place)
+void ObjectProgress::Miss(Mark& mark, const Vec3& position)
 {
   this->Field.ForgetLanding(mark.Frame);
   mark.Until = mark.Frame;
-  mark.Position = place;
+  mark.Position = position;
   mark.IsRest = mark.Halts = mark.HasVelocity = false;
 }
 
@@ -99,15 +99,15 @@ void ObjectProgress::Keep(const SegmentLibrary& library, const Timeline& time,
     }
     SegmentUse use;
     use.Segment = span.Pieces[i].Segment;
-    use.Place = span.Pieces[i].Place;
+    use.Transform = span.Pieces[i].Transform;
     use.RetimingFactor = span.RetimingFactor;
     use.FirstTime = time.Time(first + span.PieceFrames[i]);
     if (low >= 0)
     {
       const int middle = (low + high) / 2;
-      use.Place.Translation +=
+      use.Transform.Translation +=
         span.Positions[middle] -
-        use.Place * library.Samples(use.Segment)[span.Sources[middle].Sample];
+        use.Transform * library.Samples(use.Segment)[span.Sources[middle].Sample];
     }
     this->Plan.Uses.push_back(use);
   }

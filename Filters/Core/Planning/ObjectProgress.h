@@ -12,7 +12,7 @@
 namespace waft
 {
 
-/// A value: a copy is a place to return to.
+/// A value: a copy is a state to return to.
 struct ObjectProgress
 {
   /// margin: kept beyond the clearance radius [m]. The obstacles must outlive the progress.
@@ -25,12 +25,12 @@ struct ObjectProgress
   void LieStill(const Mark& mark);
   /// A mark of Way that was not reached: the object goes on from where it came to, and what was
   /// held there is void.
-  void Miss(Mark& mark, const Vec3& place);
+  void Miss(Mark& mark, const Vec3& position);
   /// Adds a span that was flown; its trees are taken from it.
   void Keep(const SegmentLibrary& library, const Timeline& time, const SpanRequest& request,
             SpanResult& span);
 
-  Itinerary Way; // marks that are missed become places where the object just was
+  Itinerary Way; // marks that are missed become positions where the object just was
   ClearanceField Field;
   ObjectPlan Plan;
   WarpProblem Warp;

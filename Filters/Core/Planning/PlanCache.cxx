@@ -2,10 +2,11 @@
 #include "Planning/PlanCache.h"
 
 #include "Base/MemberDigest.h"
+#include "Base/StateArchive.h"
+#include "Constraints/MotionProblem.h"
 
 #include <algorithm>
-#include <cstring>
-#include <type_traits>
+#include <cstdint>
 
 namespace waft
 {
@@ -13,38 +14,7 @@ namespace waft
 namespace
 {
 
-/// Bytes of numbers, one after the other.
-class Key
-{
-public:
-  template <typename Number>
-  void Add(Number number)
-  {
-    static_assert(std::is_arithmetic<Number>::value || std::is_enum<Number>::value, "a number");
-    char bytes[sizeof(Number)];
-    std::memcpy(bytes, &number, sizeof(Number));
-    this->Bytes.append(bytes, sizeof(Number));
-  }
-  void Add(const Vec3& v)
-  {
-    this->Add(v.x());
-    this->Add(v.y());
-    this->Add(v.z());
-  }
-  void Add(const Quat& q)
-  {
-    this->Add(q.w());
-    this->Add(q.x());
-    this->Add(q.y());
-    this->Add(q.z());
-  }
-  std::string Take() { return std::move(this->Bytes); }
-
-private:
-  std::string Bytes;
-};
-
-/// Of what all plans of a scene share besides the database.
+/// Of what all plans of a scene have in common besides the database.
 std::string SharedKey(const PlanInput& input, const PlanOptions& options)
 {
   Digest digest;
@@ -82,52 +52,38 @@ std::size_t BytesOf(const ObjectPlan& plan)
 std::string PlanKey(const MotionObject& object, const std::vector<Constraint>& rows,
                     const std::vector<int>& own, const std::vector<Guide>& guides)
 {
-  Key key;
-  key.Add(object.ObjectId);
-  key.Add(object.ShapeId);
-  key.Add(object.ClassId);
-  key.Add(object.Mass);
-  key.Add(object.Position);
-  key.Add(object.Velocity);
-  key.Add(object.Orientation);
-  key.Add(object.AngularVelocity);
-  key.Add(object.SettlingSpeed);
-  key.Add(object.ClearanceRadius);
-  key.Add(object.RestHeight);
-  key.Add(own.size());
-  std::map<std::pair<int, int>, int> numbers; // which rows share Row and Target, and their order
-  for (const int place : own)
+  MemoryStream key;
+  MotionObject body = object;
+  Exchange(key, body);
+  std::map<std::pair<int, int>, int> numbers; // of rows by Row and Target, in that order
+  for (const int index : own)
   {
-    numbers[{ rows[place].Row, rows[place].Target }] = 0;
+    numbers[{ rows[index].Row, rows[index].Target }] = 0;
   }
   int next = 0;
   for (auto& entry : numbers)
   {
     entry.second = next++;
   }
-  for (const int place : own)
+  std::size_t count = own.size();
+  key.Value(count);
+  for (const int index : own)
   {
-    const Constraint& row = rows[place];
-    key.Add(row.Frame);
-    key.Add(row.Kind);
-    key.Add(row.Value);
-    key.Add(row.Orientation);
-    key.Add(row.Radius);
-    key.Add(row.Until);
-    key.Add(numbers[{ row.Row, row.Target }]);
+    Constraint row = rows[index];
+    row.Row = numbers[{ row.Row, row.Target }];
+    row.Target = 0;
+    row.Group = row.ClassId = -1; // it has its object
+    Exchange(key, row);
   }
   for (const Guide& guide : guides)
   {
     if (guide.ObjectId == object.ObjectId)
     {
-      key.Add(guide.Points.size());
-      for (const Vec3& point : guide.Points)
-      {
-        key.Add(point);
-      }
+      std::vector<Vec3> points = guide.Points;
+      key.List(points);
     }
   }
-  return key.Take();
+  return { key.Content.begin(), key.Content.end() };
 }
 
 Result MakePlanTools(const MotionDatabase& database, const SegmentLibraryOptions& options,
@@ -143,15 +99,13 @@ Result MakePlanTools(const MotionDatabase& database, const SegmentLibraryOptions
 Result PlanCache::Tools(const PlanInput& input, const SegmentLibraryOptions& options,
                         const ParallelFor& parallelFor, std::shared_ptr<const PlanTools>& tools)
 {
-  Key key;
-  key.Add(reinterpret_cast<std::uintptr_t>(&input.Database));
-  key.Add(options.FramesPerSecond);
-  key.Add(options.Freedom);
-  key.Add(options.MaximumTilt);
-  key.Add(options.MaximumConnectionCost);
-  key.Add(options.MinimumNumberOfNeighbours);
-  key.Add(options.RoughConnectionFactor);
-  const std::string wanted = this->DatabaseKey + key.Take();
+  MemoryStream key;
+  auto address = reinterpret_cast<std::uintptr_t>(&input.Database);
+  SegmentLibraryOptions own = options;
+  key.Values(address, own.FramesPerSecond, own.Freedom, own.MaximumTilt, own.MaximumConnectionCost,
+             own.MinimumNumberOfNeighbours, own.RoughConnectionFactor);
+  const std::string wanted =
+    this->DatabaseKey + std::string(key.Content.begin(), key.Content.end());
   if (!this->KeptTools || wanted != this->ToolsKey)
   {
     this->KeptTools.reset();

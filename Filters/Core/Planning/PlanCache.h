@@ -18,9 +18,9 @@
 namespace waft
 {
 
-/// All that the plan of one object depends on besides what all objects share, byte by byte: the
-/// object, its own rows that count (`own`: their places in the list, in order; numbered among
-/// themselves, since other rows shift their numbers) and its guide.
+/// All that the plan of one object depends on besides what all objects have in common, byte by
+/// byte: the object, its own rows that count (`own`: their indices in the list, in order; numbered
+/// among themselves, since other rows shift their numbers) and its guide.
 std::string PlanKey(const MotionObject& object, const std::vector<Constraint>& rows,
                     const std::vector<int>& own, const std::vector<Guide>& guides);
 
@@ -42,11 +42,11 @@ class PlanCache
 public:
   explicit PlanCache(std::size_t limit = std::size_t(256) << 20) : Limit(limit) {}
 
-  /// Before the plans of one run are asked for: forgets all when what they share has changed:
-  /// database, obstacles with their motions, volume and time, all options but the Seed. Known by
-  /// digests of 128 bits.
+  /// Before the plans of one run are asked for: forgets all when what they have in common has
+  /// changed: database, obstacles with their motions, volume and time, all options but the Seed.
+  /// Known by digests of 128 bits.
   void Begin(const PlanInput& input, const PlanOptions& options);
-  /// After Begin: the tools of the last run, or new ones when the database or its place in memory
+  /// After Begin: the tools of the last run, or new ones when the database or its address
   /// is another.
   Result Tools(const PlanInput& input, const SegmentLibraryOptions& options,
                const ParallelFor& parallelFor, std::shared_ptr<const PlanTools>& tools);
@@ -71,7 +71,7 @@ private:
   std::size_t Used = 0;
   std::uint64_t Clock = 0;
   std::string Shared;
-  std::string ToolsKey; // of the database, its place and the options of its library
+  std::string ToolsKey; // of the database, its address and the options of its library
   std::string DatabaseKey;
   std::shared_ptr<const PlanTools> KeptTools;
   std::map<std::pair<std::uint64_t, int>, Entry> Plans;

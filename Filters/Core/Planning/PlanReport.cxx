@@ -150,15 +150,15 @@ void MarkUnmet(const std::vector<ReportRow>& report, std::vector<Constraint>& co
 
 void CountLines(PlanOutput& output)
 {
-  std::map<int, ObjectRow*> places;
+  std::map<int, ObjectRow*> rowOf;
   for (ObjectRow& own : output.Objects)
   {
-    places[own.ObjectId] = &own;
+    rowOf[own.ObjectId] = &own;
   }
   for (const ReportRow& line : output.Report)
   {
-    const auto found = places.find(line.ObjectId);
-    if (found == places.end())
+    const auto found = rowOf.find(line.ObjectId);
+    if (found == rowOf.end())
     {
       continue; // of any object, or of one that was not planned
     }

@@ -131,7 +131,7 @@ void StoreTrees(const SegmentLibrary& library, int objectId, const std::vector<S
         const std::vector<Vec3>& samples = library.Samples(branch.Body.Segment);
         for (int k = branch.Body.First; k <= branch.Body.Last; ++k)
         {
-          stored.Points.push_back(branch.Body.Place * samples[k]);
+          stored.Points.push_back(branch.Body.Transform * samples[k]);
         }
         output.push_back(std::move(stored));
       }
@@ -156,7 +156,7 @@ std::vector<unsigned char> AssignAndJudge(const PlanInput& input, const SegmentL
 {
   const SpeedLimit limit(library.TopStep(), library.Options().FramesPerSecond,
                          library.ShortestSpan(),
-                         PlannerNumbers::SamePlace * input.Scene.Bounds.Width());
+                         PlannerNumbers::SamePosition * input.Scene.Bounds.Width());
   const auto judge = [&]()
   {
     output.Report =
@@ -175,7 +175,7 @@ std::vector<unsigned char> AssignAndJudge(const PlanInput& input, const SegmentL
   return isUsed;
 }
 
-/// For each object the places of its rows that count.
+/// For each object the indices of its rows that count.
 std::vector<std::vector<int>> OwnRows(const std::vector<MotionObject>& objects,
                                       const std::vector<Constraint>& rows,
                                       const std::vector<unsigned char>& isUsed)
@@ -196,7 +196,7 @@ std::vector<std::vector<int>> OwnRows(const std::vector<MotionObject>& objects,
   return own;
 }
 
-/// A kept plan whose outcomes name places in the list of all rows again.
+/// A kept plan whose outcomes name indices in the list of all rows again.
 ObjectPlan WithRows(ObjectPlan plan, const std::vector<int>& own)
 {
   for (MarkOutcome& outcome : plan.Outcomes)
@@ -207,7 +207,7 @@ ObjectPlan WithRows(ObjectPlan plan, const std::vector<int>& own)
   return plan;
 }
 
-/// The other way: outcomes count the object's own rows, whose places in the list may change.
+/// The other way: outcomes count the object's own rows, whose indices in the list may change.
 ObjectPlan WithOrdinals(ObjectPlan plan, const std::vector<int>& own)
 {
   for (MarkOutcome& outcome : plan.Outcomes)

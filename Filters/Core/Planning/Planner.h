@@ -80,12 +80,13 @@ struct PlanOptions : RotationRange
         "",
         "Paths looked for in each flight; the one nearest to the style of the database is taken." },
       of.NumberOfCandidates...);
-    visit(OptionField{ "RetimingLimit",
-                       { 0, 0.5 },
-                       "",
-                       "Share by which a path may last longer or shorter before its time is scaled "
-                       "to the frames there are." },
-          of.RetimingLimit...);
+    visit(
+      OptionField{ "RetimingLimit",
+                   { 0, 0.5 },
+                   "",
+                   "Fraction by which a path may last longer or shorter before its time is scaled "
+                   "to the frames there are." },
+      of.RetimingLimit...);
     visit(
       OptionField{
         "GuideWeight",
@@ -107,9 +108,9 @@ struct PlanOptions : RotationRange
 struct TreeBranch
 {
   int ObjectId = 0;
-  int Span = 0;      // place of the flight along the object's time line
+  int Span = 0;      // index of the flight along the object's time line
   int Tree = 0;      // 0 from the start, 1 from the goal
-  int Parent = -1;   // place in PlanOutput::Trees, -1: a root
+  int Parent = -1;   // index in PlanOutput::Trees, -1: a root
   int Segment = 0;   // of the database
   double Cost = 0.0; // of the connection to the parent
   int Frame = 0;     // of the free end

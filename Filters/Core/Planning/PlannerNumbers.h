@@ -17,7 +17,7 @@ struct PlannerNumbers
   static constexpr double Tolerance = 2e-4;     // by which a path may miss the clearance
   static constexpr double GrowingMargin = 5e-3; // kept beyond the clearance while trees grow
   static constexpr double CheckMargin = 2e-4;   // kept beyond it by what comes out
-  static constexpr double SamePlace = 2e-9;     // apart, places are taken as one
+  static constexpr double SamePosition = 2e-9;  // apart, positions are taken as one
   static constexpr double GuideEnd = 0.02;      // radius of the mark at the end of a guide
   static constexpr double OddWidth = 0.1;       // a database's volume of another size is remarked
   /// Cells of the maps along the width: the fine one finds passages hardly wider than the body.
@@ -42,8 +42,8 @@ struct PlannerNumbers
   static constexpr double LandingDescent = 1.1;
   /// Other ways to a mark that are tried when there is no way on from where a flight came to it.
   static constexpr int Returns = 3;
-  /// Of the farthest place that a drawn stretch can reach, where it goes when its mark is farther.
-  static constexpr double DrawnShare = 0.7;
+  /// Of the farthest point that a drawn stretch can reach, where it goes when its mark is farther.
+  static constexpr double DrawnFraction = 0.7;
   static constexpr double SeamRate = 3.0; // 1/s; seams are healed over its inverse to either side
   /// Top speed of the repair over the database's: a little above SpeedAllowance.
   static constexpr double RepairAllowance = 1.45;
@@ -59,21 +59,21 @@ struct PlannerNumbers
   static constexpr int EntryCells = 3;          // in which an end that does not fit is entered
   static constexpr double EnoughSpacings = 2.0; // room beyond which no way is better: of a cell,
   static constexpr double EnoughRadii = 4.0;    // and of the clearance, the larger
-  static constexpr double NarrowDetour = 0.5; // of its length, for a cell as wide as the clearance
-  static constexpr double SightShare = 0.5;   // of the clearance, free between two cells
+  static constexpr double NarrowDetour = 0.5;  // of its length, for a cell as wide as the clearance
+  static constexpr double SightFraction = 0.5; // of the clearance, free between two cells
   ///@}
 
   /// @name Seeds of the trees.
   ///@{
   static constexpr double SeedReach = 0.3; // of half of what is flown at top speed, about both ends
   static constexpr double SeedRadii = 2.0; // of the body, at least
-  static constexpr double SeedsAboutLine = 0.5; // share of seeds about the straight line,
+  static constexpr double SeedsAboutLine = 0.5; // fraction of seeds about the straight line,
   static constexpr double SeedsAboutWay = 0.8;  // or about a way; others are anywhere
   static constexpr double SeedSpread = 0.35; // of what is flown in all, half way between the ends
   static constexpr double WaySpread = 4.0;   // the same about a way around obstacles [body radii]
-  /// Of seeds about a way, how many are where the trees have come to, and the share of the way
+  /// Of seeds about a way, how many are where the trees have come to, and the fraction of the way
   /// meant by that: trees find through narrower windows.
-  static constexpr double FrontShare = 0.5;
+  static constexpr double FrontFraction = 0.5;
   static constexpr double FrontLength = 0.06;
   static constexpr double FrontBack = 0.5; // of FrontLength, behind where they have come to
   ///@}
@@ -93,7 +93,7 @@ struct PlannerNumbers
   /// @name Joins of the trees. Their score is relative: the gap is in typical flights of the span.
   ///@{
   static constexpr double AngleCost = 0.25;    // a rad that the join turns
-  static constexpr double RetimingCost = 0.5;  // a share of time by which pieces are retimed
+  static constexpr double RetimingCost = 0.5;  // a fraction of time by which pieces are retimed
   static constexpr double MismatchCost = 0.1;  // a typical speed that an end's velocity is off
   static constexpr double WorstScore = 1.5;    // of a join that is kept at all
   static constexpr double WindowLength = 0.5;  // m; free ends of two pieces that fit may be so far
@@ -150,7 +150,7 @@ struct PlannerNumbers
   static constexpr int RotationSteps = 3;        // of Gauss-Newton: the yaw before is near
   static constexpr double RotationRidge = 1e-2;  // of the trace: straight windows do not spin
   static constexpr int LookAhead = 4;            // frames beyond a window that must be free
-  static constexpr double GoalShare = 0.9;       // of a mark's ball that is used
+  static constexpr double GoalFraction = 0.9;    // of a mark's ball that is used
   /// Pull of a guide of full weight on each frame: what bends within 18 frames is left as it flies.
   static constexpr double GuidePull = 1e-5;
   ///@}
@@ -158,7 +158,7 @@ struct PlannerNumbers
   /// @name Easing around obstacles.
   ///@{
   static constexpr int EasingRounds = 6;
-  static constexpr double EasingShare = 0.35; // of frames in the way: beyond it is not tried
+  static constexpr double EasingFraction = 0.35; // of frames in the way: beyond it is not tried
   /// Pull towards the tree at a frame that is in the way, and its growth from round to round. At
   /// the first it bends about ten frames, at the last hardly more than the frame itself.
   static constexpr double FirstPull = 1e-3;
@@ -173,7 +173,7 @@ struct PlannerNumbers
   static constexpr double FadeTime = 0.5;     // s before that, over which bends fade
   static constexpr double SlowestSink = 0.25; // of the descent asked for
   /// Of the database's top speed, the mean fall before a landing above which the landing is faster.
-  static constexpr double DivingShare = 0.6;
+  static constexpr double DivingFraction = 0.6;
   ///@}
 
   /// @name Spans united.

@@ -81,9 +81,9 @@ double ConnectionCost(const SegmentLibrary& library, const Piece& before, const 
   for (int k = 0; k < steps; ++k)
   {
     const int i = before.Last - steps + k;
-    const Vec3 a = before.Place.Rotation * (first[i + 1] - first[i]);
+    const Vec3 a = before.Transform.Rotation * (first[i + 1] - first[i]);
     const int j = after.First + k;
-    const Vec3 b = after.Place.Rotation * (second[j + 1] - second[j]);
+    const Vec3 b = after.Transform.Rotation * (second[j + 1] - second[j]);
     difference += (a - b).squaredNorm();
     scale += 0.5 * (a.squaredNorm() + b.squaredNorm());
   }
@@ -119,15 +119,15 @@ RefinementResult RefineChain(const SegmentLibrary& library, double maximumShift,
     AppendWindow(library.Samples(before.Segment), before.Last - steps, steps, wanted);
     for (Vec3& step : wanted)
     {
-      step = before.Place.Rotation * step;
+      step = before.Transform.Rotation * step;
     }
     AppendWindow(library.Samples(after.Segment), after.First, steps, wanted);
     for (int k = steps; k < 2 * steps; ++k)
     {
-      wanted[k] = after.Place.Rotation * wanted[k];
+      wanted[k] = after.Transform.Rotation * wanted[k];
     }
-    const Vec3 displacement = piece.Place.Rotation * (library.Samples(piece.Segment).back() -
-                                                      library.Samples(piece.Segment).front());
+    const Vec3 displacement = piece.Transform.Rotation * (library.Samples(piece.Segment).back() -
+                                                          library.Samples(piece.Segment).front());
     const auto evaluate = [&](int segment)
     {
       Trial trial;
@@ -143,7 +143,7 @@ RefinementResult RefineChain(const SegmentLibrary& library, double maximumShift,
       trial.Rotation = FitRotation(library, own, wanted);
       Piece candidate = piece;
       candidate.Segment = segment;
-      candidate.Place.Rotation = trial.Rotation;
+      candidate.Transform.Rotation = trial.Rotation;
       trial.Cost =
         ConnectionCost(library, before, candidate) + ConnectionCost(library, candidate, after);
       trial.Shift = (trial.Rotation * (samples.back() - samples.front()) - displacement).norm();
@@ -151,7 +151,7 @@ RefinementResult RefineChain(const SegmentLibrary& library, double maximumShift,
     };
     Trial best;
     best.Segment = piece.Segment;
-    best.Rotation = piece.Place.Rotation;
+    best.Rotation = piece.Transform.Rotation;
     best.Cost = ConnectionCost(library, before, piece) + ConnectionCost(library, piece, after);
     const double original = best.Cost;
     int node = database.TopNodes[piece.Top];
@@ -178,16 +178,16 @@ RefinementResult RefineChain(const SegmentLibrary& library, double maximumShift,
     if (best.Cost < original)
     {
       const std::vector<Vec3>& old = library.Samples(piece.Segment);
-      const Vec3 head = piece.Place * old.front();
-      const Vec3 tail = piece.Place * old.back();
+      const Vec3 head = piece.Transform * old.front();
+      const Vec3 tail = piece.Transform * old.back();
       piece.Segment = best.Segment;
-      piece.Place.Rotation = best.Rotation;
+      piece.Transform.Rotation = best.Rotation;
       const std::vector<Vec3>& samples = library.Samples(piece.Segment);
-      piece.Place.Translation = head - best.Rotation * samples.front();
-      const Vec3 shift = piece.Place * samples.back() - tail;
+      piece.Transform.Translation = head - best.Rotation * samples.front();
+      const Vec3 shift = piece.Transform * samples.back() - tail;
       for (std::size_t j = i + 1; j < chain.Pieces.size(); ++j)
       {
-        chain.Pieces[j].Place.Translation += shift;
+        chain.Pieces[j].Transform.Translation += shift;
       }
       ++result.NumberOfReplaced;
     }

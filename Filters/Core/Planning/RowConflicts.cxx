@@ -18,7 +18,7 @@ namespace
 
 using TargetKey = std::pair<int, int>; // (Row, Target)
 
-/// The places of one line of the report.
+/// The stops of one line of the report.
 struct Line
 {
   TargetKey Id;
@@ -80,35 +80,35 @@ private:
 /// The first leg from one line to the other that cannot be flown, or none.
 ObjectLines::Leg ObjectLines::TooFast(const Line& a, const Line& b) const
 {
-  struct Place
+  struct Visit
   {
     const Stop* At;
     const Line* Of;
     bool IsOfBoth = false;
   };
-  std::vector<Place> places;
+  std::vector<Visit> visits;
   for (const Line* line : { &a, &b })
   {
     for (const Stop& stop : line->Stops)
     {
-      places.push_back({ &stop, line });
+      visits.push_back({ &stop, line });
     }
   }
-  std::stable_sort(places.begin(), places.end(),
-                   [](const Place& x, const Place& y) { return x.At->First < y.At->First; });
-  for (std::size_t k = 1; k < places.size(); ++k)
+  std::stable_sort(visits.begin(), visits.end(),
+                   [](const Visit& x, const Visit& y) { return x.At->First < y.At->First; });
+  for (std::size_t k = 1; k < visits.size(); ++k)
   {
-    const Place& before = places[k - 1];
-    Place& place = places[k];
-    if (before.IsOfBoth || before.Of == place.Of)
+    const Visit& before = visits[k - 1];
+    Visit& visit = visits[k];
+    if (before.IsOfBoth || before.Of == visit.Of)
     {
       continue; // within a line any speed will do
     }
-    if (this->Limit.Haste(*before.At, *place.At) > SpeedAllowance)
+    if (this->Limit.Haste(*before.At, *visit.At) > SpeedAllowance)
     {
-      return { before.At, place.At };
+      return { before.At, visit.At };
     }
-    place.IsOfBoth = place.At->First <= before.At->Last;
+    visit.IsOfBoth = visit.At->First <= before.At->Last;
   }
   return {};
 }
@@ -206,7 +206,8 @@ std::vector<std::size_t> ObjectLines::Most(const std::vector<std::size_t>& membe
 
 std::string ObjectLines::Speeds(const Leg& leg) const
 {
-  const double way = (leg.To->Place - leg.From->Place).norm() - leg.From->Radius - leg.To->Radius;
+  const double way =
+    (leg.To->Position - leg.From->Position).norm() - leg.From->Radius - leg.To->Radius;
   const int frames = leg.To->First - leg.From->Last;
   if (frames <= 0)
   {
@@ -289,7 +290,7 @@ std::map<int, std::vector<Line>> CollectLines(const std::vector<Constraint>& con
   {
     const TargetKey id{ row.Row, row.Target };
     const auto object = objects.find(row.ObjectId);
-    if (object == objects.end() || !IsPlace(row.Kind) || row.Status != ConstraintStatus::Met ||
+    if (object == objects.end() || !IsPositional(row.Kind) || row.Status != ConstraintStatus::Met ||
         judged[id] == ConstraintStatus::Infeasible ||
         (row.Frame == 0 && judged[id] == ConstraintStatus::Conflict))
     {

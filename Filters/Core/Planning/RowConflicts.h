@@ -13,7 +13,7 @@ namespace waft
 {
 
 /// Judges the rows as JudgeConstraints does, and before contradictions of other kinds those of
-/// speed: what asks an object to go from one line's place to another's at more than SpeedAllowance
+/// speed: what asks an object to go from one line's stop to another's at more than SpeedAllowance
 /// times the database's top speed. Of such lines the fewest are given up, of equally many the later
 /// ones in the list: Conflict, with the kept lines named. Within a line (a given path) any speed
 /// will do. A line that cannot be reached from the start is Unreachable, and given up where others

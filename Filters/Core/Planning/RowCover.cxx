@@ -32,13 +32,13 @@ struct Wish
   }
 };
 
-/// A stretch of an object's time line between two places that are fixed.
+/// A stretch of an object's time line between two positions that are fixed.
 struct Gap
 {
   std::size_t Object = 0;
   Stop From;
   Stop To;
-  bool IsOpen = true; // no place is fixed after it
+  bool IsOpen = true; // no position is fixed after it
 };
 
 /// Is the wish within the gap's time, and of a kind that its object can fulfil?
@@ -66,9 +66,9 @@ struct Solution
 };
 
 /// The ways of objects as an assignment: what comes next takes what was before, either the end of a
-/// fixed place or a wish. A way that begins at one object's place may then end at another's, or
-/// pass a wish of the wrong class; so first legs of such ways are decided one by one, the cheapest
-/// solution first (branch and bound).
+/// fixed position or a wish. A way that begins at one object's position may then end at another's,
+/// or pass a wish of the wrong class; so first legs of such ways are decided one by one, the
+/// cheapest solution first (branch and bound).
 class Cover
 {
 public:
@@ -136,10 +136,10 @@ private:
   const std::vector<Wish>& Wishes;
   std::vector<Gap> Gaps;
   const SpeedLimit& Limit;
-  std::vector<std::size_t> Closed; // gaps after which a place is fixed
+  std::vector<std::size_t> Closed; // gaps after which a position is fixed
 };
 
-/// Rows are wishes, then the places at which gaps end; columns are those at which gaps begin, then
+/// Rows are wishes, then the frames at which gaps end; columns are those at which gaps begin, then
 /// wishes. A gap that was decided to go first to a wish begins there. A wish that is left over
 /// takes itself, so that no way begins with it.
 Solution Cover::Solve(std::vector<Decision> decisions) const
@@ -170,7 +170,7 @@ Solution Cover::Solve(std::vector<Decision> decisions) const
     excluded.erase(excluded.lower_bound({ g, 0 }), excluded.lower_bound({ g + 1, 0 }));
   }
   const auto isOpen = [&](std::size_t w) { return solution.GapOf[w] == None; };
-  // Nothing of this is ever left out where it can be otherwise, neither a way to a fixed place.
+  // Nothing of this is ever left out where it can be otherwise, neither a way to a fixed position.
   AssignmentProblem problem(
     gaps + wishes, std::vector<RankedCost>(wishes + this->Closed.size(), { count * count, 0.0 }));
   for (std::size_t w = 0; w < wishes; ++w)
@@ -268,7 +268,7 @@ std::vector<Wish> CollectWishes(const std::vector<unsigned char>& isFree,
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     const Constraint& row = rows[i];
-    if (row.ObjectId >= 0 || row.Group >= 0 || !IsPlace(row.Kind))
+    if (row.ObjectId >= 0 || row.Group >= 0 || !IsPositional(row.Kind))
     {
       continue;
     }
@@ -294,23 +294,23 @@ std::vector<Wish> CollectWishes(const std::vector<unsigned char>& isFree,
   return result;
 }
 
-/// The places that each object is fixed to, in order of time, its start first.
+/// The positions that each object is fixed to, in order of time, its start first.
 std::vector<std::vector<Stop>> FixedStops(const std::vector<MotionObject>& objects,
                                           const std::vector<unsigned char>& isFree,
                                           const ObstacleSet& obstacles,
                                           const std::vector<Constraint>& rows)
 {
-  std::map<int, std::size_t> placeOf;
+  std::map<int, std::size_t> indexOf;
   std::vector<std::vector<Stop>> stops(objects.size());
   for (std::size_t o = 0; o < objects.size(); ++o)
   {
-    placeOf[objects[o].ObjectId] = o;
+    indexOf[objects[o].ObjectId] = o;
     stops[o].push_back(StartOf(objects[o]));
   }
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
-    const auto object = placeOf.find(rows[i].ObjectId);
-    if (object != placeOf.end() && IsPlace(rows[i].Kind) && isFree[i] != 0)
+    const auto object = indexOf.find(rows[i].ObjectId);
+    if (object != indexOf.end() && IsPositional(rows[i].Kind) && isFree[i] != 0)
     {
       stops[object->second].push_back(
         StopOf(rows[i], objects[object->second].RestHeight, obstacles));

@@ -86,9 +86,9 @@ void HealSeams(const std::vector<int>& seams, int reach, WarpProblem& warp)
     for (int k = 1; k < own; ++k)
     {
       const double u = 1.0 - static_cast<double>(k) / own;
-      const double share = CubicStep(u);
-      bends[seam - k] += left * share * jump;
-      bends[seam + k] -= (1.0 - left) * share * jump;
+      const double weight = CubicStep(u);
+      bends[seam - k] += left * weight * jump;
+      bends[seam + k] -= (1.0 - left) * weight * jump;
     }
   }
 }
@@ -99,13 +99,13 @@ std::vector<Vec3> UniteFlights(const std::vector<int>& seams, int reach,
   HealSeams(seams, reach, warp);
   std::vector<Vec3> united = SolveWarp(warp);
   // Rows with a tolerance are imposed where the motion does not meet them by itself.
-  std::vector<int> places;
+  std::vector<int> jumps;
   for (int seam : seams)
   {
     if (seam > 1 && seam + 2 < static_cast<int>(warp.IsFixed.size()) &&
         (IsGiven(warp, seam - 1) || IsGiven(warp, seam + 1)))
     {
-      places.push_back(seam);
+      jumps.push_back(seam);
     }
   }
   for (const MotionRow& row : rows)
@@ -122,19 +122,19 @@ std::vector<Vec3> UniteFlights(const std::vector<int>& seams, int reach,
     }
     PrepareRow(imposed, reach, united, warp);
     warp.Rows.push_back(imposed);
-    places.push_back((imposed.Frames.front() + imposed.Frames.back()) / 2);
+    jumps.push_back((imposed.Frames.front() + imposed.Frames.back()) / 2);
   }
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+  std::sort(jumps.begin(), jumps.end());
+  jumps.erase(std::unique(jumps.begin(), jumps.end()), jumps.end());
   if (!warp.Rows.empty())
   {
     united = SolveWarp(warp);
   }
   // What rows and given stretches bent the path by jumps there in turn.
-  for (int round = 0; round < PlannerNumbers::HealingRounds && !places.empty(); ++round)
+  for (int round = 0; round < PlannerNumbers::HealingRounds && !jumps.empty(); ++round)
   {
     warp.SecondDifferences = SecondDifferences(united);
-    HealSeams(places, reach, warp);
+    HealSeams(jumps, reach, warp);
     united = SolveWarp(warp);
   }
   return united;

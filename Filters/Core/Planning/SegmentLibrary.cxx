@@ -166,8 +166,8 @@ void SegmentLibrary::ConnectTops(const ParallelFor& parallelFor)
           Neighbour next;
           next.Top = static_cast<int>(b);
           next.Cost = std::isfinite(entry.Cost) ? entry.Cost : 1e9;
-          next.Place = { entry.Rotation.toRotationMatrix(), entry.Translation };
-          next.FreeEnd = next.Place * second.back();
+          next.Transform = { entry.Rotation.toRotationMatrix(), entry.Translation };
+          next.FreeEnd = next.Transform * second.back();
           after.push_back(next);
         }
         std::stable_sort(after.begin(), after.end(),
@@ -201,8 +201,8 @@ void SegmentLibrary::ConnectTops(const ParallelFor& parallelFor)
       previous.Top = static_cast<int>(a);
       previous.Cost = next.Cost;
       previous.IsSmooth = next.IsSmooth;
-      previous.Place = next.Place.Inverse();
-      previous.FreeEnd = previous.Place * this->AllSamples[this->Tops[a]].front();
+      previous.Transform = next.Transform.Inverse();
+      previous.FreeEnd = previous.Transform * this->AllSamples[this->Tops[a]].front();
       this->Before[static_cast<std::size_t>(next.Top)].push_back(previous);
     }
   }
@@ -210,9 +210,9 @@ void SegmentLibrary::ConnectTops(const ParallelFor& parallelFor)
 
 const Neighbour* SegmentLibrary::Connection(int before, int after) const
 {
-  const int place = this->Lookup[static_cast<std::size_t>(before) * this->Tops.size() +
+  const int index = this->Lookup[static_cast<std::size_t>(before) * this->Tops.size() +
                                  static_cast<std::size_t>(after)];
-  return place < 0 ? nullptr : &this->After[before][place];
+  return index < 0 ? nullptr : &this->After[before][index];
 }
 
 void SegmentLibrary::LimitTilt(Mat3& rotation) const

@@ -39,10 +39,10 @@ struct Placement
 /// A neighbour that fits at one end of a segment, placed in that segment's frame.
 struct Neighbour
 {
-  int Top = 0;          // place in MotionDatabase::TopNodes
+  int Top = 0;          // index in MotionDatabase::TopNodes
   double Cost = 0.0;    // residual rms over window chord (Eq. 1)
   bool IsSmooth = true; // within the threshold; the others serve where no smooth way is found
-  Placement Place;
+  Placement Transform;
   Vec3 FreeEnd = Vec3::Zero(); // its other end, in the frame of the segment it is attached to
 };
 
@@ -67,7 +67,7 @@ public:
 
   const MotionDatabase& Database() const { return *this->Source; }
   const SegmentLibraryOptions& Options() const { return this->Settings; }
-  /// Samples that consecutive segments share, at the scene's frame rate (at least 3).
+  /// Samples that consecutive segments have in common, at the scene's frame rate (at least 3).
   int Window() const { return this->WindowSamples; }
   /// Flights of fewer frames are drawn, not searched.
   int ShortestSpan() const { return this->WindowSamples + 2; }
@@ -106,7 +106,7 @@ private:
   std::vector<int> Tops; // segment of each top-level node
   std::vector<std::vector<Neighbour>> After;
   std::vector<std::vector<Neighbour>> Before;
-  std::vector<int> Lookup; // [before * tops + after]: place in After[before], or -1
+  std::vector<int> Lookup; // [before * tops + after]: index in After[before], or -1
 };
 
 } // namespace waft

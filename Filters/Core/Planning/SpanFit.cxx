@@ -43,7 +43,7 @@ bool HasLargeJerk(const std::vector<Vec3>& positions, double most)
 }
 
 /// A pull holds its neighbours, too, less with the distance: along with the tree, not to a point,
-/// which would be a kink.
+/// which would be a jump of the velocity.
 std::vector<double> Spread(const std::vector<double>& pulls)
 {
   std::vector<double> result(pulls.size(), 0.0);
@@ -70,7 +70,7 @@ bool SpanFitter::Ease(SpanWarp& span, const std::vector<Vec3>& anchors, bool toG
   const ClearanceField& field = toGoal ? this->Field : this->MissField;
   // The given ends themselves are judged elsewhere.
   const int last = toGoal ? span.Clock.Frames - 1 : span.Clock.Frames;
-  const auto limit = static_cast<std::size_t>(PlannerNumbers::EasingShare * span.Clock.Frames);
+  const auto limit = static_cast<std::size_t>(PlannerNumbers::EasingFraction * span.Clock.Frames);
   const std::vector<SoftMark> guide = span.Problem.Soft;
   std::vector<double> pulls(positions.size(), 0.0);
   std::size_t before = limit + 1;
@@ -176,8 +176,8 @@ bool SpanFitter::Fit(const PieceChain& chain, const PieceChain& grown, bool toGo
   result.Continuation = last;
   result.Continuation.First = last.Last;
   result.Continuation.Last = end;
-  result.Continuation.Place.Translation +=
-    positions.back() - last.Place * this->Library.Samples(last.Segment)[last.Last];
+  result.Continuation.Transform.Translation +=
+    positions.back() - last.Transform * this->Library.Samples(last.Segment)[last.Last];
   return !this->Request.GoesOn || result.Halts || this->CanGoOn(positions, result);
 }
 
@@ -192,7 +192,7 @@ bool SpanFitter::CanGoOn(const std::vector<Vec3>& positions, const SpanResult& r
   {
     next.push_back(result.HasContinuation &&
                        result.Continuation.First + k <= result.Continuation.Last
-                     ? Vec3(result.Continuation.Place * samples[result.Continuation.First + k])
+                     ? Vec3(result.Continuation.Transform * samples[result.Continuation.First + k])
                      : Vec3(next.back() + step));
   }
   return this->Field.FirstHit(next, 1, ahead,

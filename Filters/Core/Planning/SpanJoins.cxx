@@ -43,14 +43,14 @@ void SpanSearch::MeetOther(int tree, int index)
     {
       continue;
     }
-    const Placement predicted = forward.Body.Place * entry->Place;
+    const Placement predicted = forward.Body.Transform * entry->Transform;
     const Vec3 head = this->Library.Samples(backward.Body.Segment).front();
-    const Mat3 turn = backward.Body.Place.Rotation * predicted.Rotation.transpose();
+    const Mat3 turn = backward.Body.Transform.Rotation * predicted.Rotation.transpose();
     Join join;
     join.Forward = tree == 0 ? index : static_cast<int>(i);
     join.Backward = tree == 0 ? static_cast<int>(i) : index;
     join.RawFrames = raw;
-    join.Distance = (backward.Body.Place * head - predicted * head).norm();
+    join.Distance = (backward.Body.Transform * head - predicted * head).norm();
     join.Angle = std::atan2(turn(1, 0) - turn(0, 1), turn(0, 0) + turn(1, 1));
     join.Score = this->Score(join.Distance, join.Angle, raw, own.Mismatch + other.Mismatch);
     if (join.Score < worst)
@@ -65,7 +65,7 @@ void SpanSearch::CloseOnGoal(int index)
   const Branch& parent = this->Trees[0][index];
   const double limit = this->Options.RetimingLimit * this->Task.Frames;
   const double typical = this->Library.TypicalStep() * this->Task.Frames;
-  const Vec3 goal = parent.Body.Place.Inverse() * this->Task.Goal.Position;
+  const Vec3 goal = parent.Body.Transform.Inverse() * this->Task.Goal.Position;
   const int overlap = this->Window - 1;
   // A root that passes the goal by itself would be a single piece; here one more is attached.
   for (const Neighbour& entry : this->Library.Successors(parent.Body.Top))
@@ -84,7 +84,7 @@ void SpanSearch::CloseOnGoal(int index)
     best.Score = 1e30;
     for (int last = low; last <= high; ++last)
     {
-      const double gap = (entry.Place * samples[last] - goal).norm();
+      const double gap = (entry.Transform * samples[last] - goal).norm();
       if (gap > PlannerNumbers::WorstScore * typical)
       {
         continue;
@@ -111,16 +111,18 @@ void SpanSearch::CloseOnGoal(int index)
     best.HasLastPiece = true;
     best.LastPiece.Top = entry.Top;
     best.LastPiece.Segment = this->Library.SegmentOfTop(entry.Top);
-    best.LastPiece.Place = parent.Body.Place * entry.Place;
-    const Vec3 hinge = best.LastPiece.Place * samples.front();
-    this->Library.LimitTilt(best.LastPiece.Place.Rotation);
-    best.LastPiece.Place.Translation = hinge - best.LastPiece.Place.Rotation * samples.front();
+    best.LastPiece.Transform = parent.Body.Transform * entry.Transform;
+    const Vec3 hinge = best.LastPiece.Transform * samples.front();
+    this->Library.LimitTilt(best.LastPiece.Transform.Rotation);
+    best.LastPiece.Transform.Translation =
+      hinge - best.LastPiece.Transform.Rotation * samples.front();
     best.Distance =
-      (best.LastPiece.Place * samples[best.LastPiece.Last] - this->Task.Goal.Position).norm();
+      (best.LastPiece.Transform * samples[best.LastPiece.Last] - this->Task.Goal.Position).norm();
     best.Score = this->Score(best.Distance, 0.0, best.RawFrames, parent.Mismatch);
     if (this->Task.Goal.HasVelocity)
     {
-      const Vec3 own = best.LastPiece.Place.Rotation * CentralStep(samples, best.LastPiece.Last);
+      const Vec3 own =
+        best.LastPiece.Transform.Rotation * CentralStep(samples, best.LastPiece.Last);
       best.Score += PlannerNumbers::MismatchCost * (own - this->Task.Goal.Velocity).norm() /
                     this->Library.TypicalStep();
     }
@@ -138,10 +140,9 @@ void SpanSearch::CloseOnGoal(int index)
 
 void SpanSearch::Offer(const Join& join)
 {
-  const auto place =
-    std::upper_bound(this->Joins.begin(), this->Joins.end(), join,
-                     [](const Join& a, const Join& b) { return a.Score < b.Score; });
-  this->Joins.insert(place, join);
+  const auto at = std::upper_bound(this->Joins.begin(), this->Joins.end(), join,
+                                   [](const Join& a, const Join& b) { return a.Score < b.Score; });
+  this->Joins.insert(at, join);
   if (this->Joins.size() > PlannerNumbers::KeptJoins)
   {
     this->Joins.pop_back();
@@ -150,10 +151,10 @@ void SpanSearch::Offer(const Join& join)
 
 void SpanSearch::OfferApproach(const Join& join)
 {
-  const auto place =
+  const auto at =
     std::upper_bound(this->Nearest.begin(), this->Nearest.end(), join,
                      [](const Join& a, const Join& b) { return a.Distance < b.Distance; });
-  this->Nearest.insert(place, join);
+  this->Nearest.insert(at, join);
   if (this->Nearest.size() > PlannerNumbers::KeptApproaches)
   {
     this->Nearest.pop_back();
@@ -173,7 +174,7 @@ bool SpanSearch::IsGapClear(const Join& join) const
   if (join.HasLastPiece)
   {
     from =
-      join.LastPiece.Place * this->Library.Samples(join.LastPiece.Segment)[join.LastPiece.Last];
+      join.LastPiece.Transform * this->Library.Samples(join.LastPiece.Segment)[join.LastPiece.Last];
     to = this->Task.Goal.Position;
   }
   else
@@ -195,7 +196,7 @@ bool SpanSearch::Take(double threshold, Join& join)
   return true;
 }
 
-std::vector<Piece> SpanSearch::Chain(const Join& join, int& joinPlace) const
+std::vector<Piece> SpanSearch::Chain(const Join& join, int& joinIndex) const
 {
   std::vector<Piece> chain;
   for (int i = join.Forward; i >= 0; i = this->Trees[0][i].Parent)
@@ -203,7 +204,7 @@ std::vector<Piece> SpanSearch::Chain(const Join& join, int& joinPlace) const
     chain.push_back(this->Trees[0][i].Body);
   }
   std::reverse(chain.begin(), chain.end());
-  joinPlace = static_cast<int>(chain.size());
+  joinIndex = static_cast<int>(chain.size());
   if (join.HasLastPiece)
   {
     chain.push_back(join.LastPiece);

@@ -158,7 +158,7 @@ void SpanPlanner::Attempt(const Join& join)
   }
   ++this->Tries;
   PieceChain chain;
-  chain.Pieces = this->Search->Chain(join, chain.JoinPlace);
+  chain.Pieces = this->Search->Chain(join, chain.JoinIndex);
   chain.JoinAngle = join.Angle;
   SpanResult candidate = this->Result;
   if (!this->Fitter.FitRefined(chain, true, candidate))
@@ -249,7 +249,7 @@ bool SpanPlanner::ComeNear()
   for (const Join& nearest : this->Search->Approaches())
   {
     PieceChain chain;
-    chain.Pieces = this->Search->Chain(nearest, chain.JoinPlace);
+    chain.Pieces = this->Search->Chain(nearest, chain.JoinIndex);
     this->Result.Cost = nearest.Score;
     if (this->Fitter.Fit(chain, false, this->Result))
     {
@@ -269,7 +269,7 @@ bool SpanPlanner::Fly(int flights)
     PieceChain chain;
     chain.Pieces = FlyFree(this->Library, missed, this->Task, this->Options.Margin,
                            PlannerNumbers::FlightSteps, this->Stream);
-    chain.JoinPlace = static_cast<int>(chain.Pieces.size());
+    chain.JoinIndex = static_cast<int>(chain.Pieces.size());
     if (!chain.Pieces.empty() && this->Fitter.FitRefined(chain, false, this->Result))
     {
       return true;

@@ -29,10 +29,10 @@ bool SpanSearch::CanEndHere(const Piece& piece) const
 {
   // A body lands from above.
   const std::vector<Vec3>& samples = this->Library.Samples(piece.Segment);
-  const double low = (piece.Place * samples[piece.Last]).z() - PlannerNumbers::LandingSlack;
+  const double low = (piece.Transform * samples[piece.Last]).z() - PlannerNumbers::LandingSlack;
   for (int k = std::max(piece.First, piece.Last - PlannerNumbers::LandingLook); k < piece.Last; ++k)
   {
-    if ((piece.Place * samples[k]).z() < low)
+    if ((piece.Transform * samples[k]).z() < low)
     {
       return false;
     }
@@ -47,7 +47,7 @@ bool SpanSearch::AddRoot(int tree, const Piece& piece, double mismatch)
   branch.Elapsed = piece.Last - piece.First;
   branch.Mismatch = mismatch;
   const std::vector<Vec3>& samples = this->Library.Samples(piece.Segment);
-  branch.FreeEnd = piece.Place * samples[tree == 0 ? piece.Last : piece.First];
+  branch.FreeEnd = piece.Transform * samples[tree == 0 ? piece.Last : piece.First];
   const double first =
     tree == 0 ? this->Task.FirstFrame : this->Task.FirstFrame + this->Task.Frames - branch.Elapsed;
   if (branch.Elapsed > this->Task.Frames * (1.0 + this->Options.RetimingLimit) ||
@@ -95,8 +95,8 @@ void SpanSearch::AddRoots(int tree, int count)
       }
       if (mismatch < bestMismatch)
       {
-        piece.Place.Rotation = Yaw(yaw);
-        piece.Place.Translation = end.Position - piece.Place.Rotation * samples[at];
+        piece.Transform.Rotation = Yaw(yaw);
+        piece.Transform.Translation = end.Position - piece.Transform.Rotation * samples[at];
         best = piece;
         bestMismatch = mismatch;
       }
@@ -147,7 +147,7 @@ void SpanSearch::AddSinglePieces()
         join.LastPiece = piece;
         join.LastPiece.First = first;
         join.LastPiece.Last = last;
-        join.LastPiece.Place = { turn, this->Task.Start.Position - turn * samples[first] };
+        join.LastPiece.Transform = { turn, this->Task.Start.Position - turn * samples[first] };
         join.RawFrames = raw;
         join.Distance = (turn * way - wanted).norm();
         join.Score = this->Score(join.Distance, 0.0, raw, mismatch / this->Library.TypicalStep());

@@ -25,13 +25,14 @@ SpanSearch::SpanSearch(const SegmentLibrary& library, const ClearanceField& fiel
   this->SeedBox.Max = field.Bounds.Max.cwiseMin(centre + half);
   for (std::size_t k = 0; k < task.Way.size(); ++k)
   {
-    this->WayShares.push_back(
-      k == 0 ? 0.0 : this->WayShares.back() + (task.Way[k] - task.Way[k - 1]).norm());
+    this->WayFractions.push_back(
+      k == 0 ? 0.0 : this->WayFractions.back() + (task.Way[k] - task.Way[k - 1]).norm());
   }
-  const double length = this->WayShares.empty() ? 1.0 : std::max(this->WayShares.back(), 1e-300);
-  for (double& share : this->WayShares)
+  const double length =
+    this->WayFractions.empty() ? 1.0 : std::max(this->WayFractions.back(), 1e-300);
+  for (double& fraction : this->WayFractions)
   {
-    share /= length;
+    fraction /= length;
   }
   for (const Vec3& x : task.Way)
   {
@@ -56,7 +57,7 @@ bool SpanSearch::IsFree(const Piece& piece, double firstFrame) const
   std::vector<Vec3> placed(static_cast<std::size_t>(piece.Last) + 1);
   for (int k = piece.First; k <= piece.Last; ++k)
   {
-    placed[k] = piece.Place * samples[k];
+    placed[k] = piece.Transform * samples[k];
   }
   return this->Field.FirstHit(placed, piece.First, piece.Last, firstFrame, 1.0,
                               this->Options.Margin) < 0;
@@ -66,7 +67,7 @@ Vec3 SpanSearch::Seed(int tree, double& frame)
 {
   const bool hasWay = !this->Task.Way.empty();
   double u = this->Stream.Uniform();
-  if (hasWay && this->Stream.Uniform() < PlannerNumbers::FrontShare)
+  if (hasWay && this->Stream.Uniform() < PlannerNumbers::FrontFraction)
   {
     // About where the tree has come to, rather beyond: through the next window.
     const double ahead = PlannerNumbers::FrontLength * (2.0 * u - PlannerNumbers::FrontBack);
@@ -91,7 +92,7 @@ Vec3 SpanSearch::Seed(int tree, double& frame)
   return this->Stream.InBox(this->SeedBox);
 }
 
-/// How far along the way a tree has come: to the place of the way that is nearest to a free end and
+/// How far along the way a tree has come: to the point of the way that is nearest to a free end and
 /// in its sight.
 void SpanSearch::NoteProgress(int tree, const Vec3& end)
 {
@@ -106,11 +107,11 @@ void SpanSearch::NoteProgress(int tree, const Vec3& end)
   {
     return;
   }
-  const double share = this->WayShares[nearest];
-  if ((tree == 0 ? share > this->Reached[0] : share < this->Reached[1]) &&
+  const double fraction = this->WayFractions[nearest];
+  if ((tree == 0 ? fraction > this->Reached[0] : fraction < this->Reached[1]) &&
       this->Field.Obstacles->IsClear(end, 0.0, way[nearest], 0.0, 0.0))
   {
-    this->Reached[tree] = share;
+    this->Reached[tree] = fraction;
   }
 }
 
@@ -143,7 +144,7 @@ const Neighbour* SpanSearch::BestSegment(int tree, const Branch& parent, const V
 {
   const std::vector<Neighbour>& list = tree == 0 ? this->Library.Successors(parent.Body.Top)
                                                  : this->Library.Predecessors(parent.Body.Top);
-  const Vec3 local = parent.Body.Place.Inverse() * seed;
+  const Vec3 local = parent.Body.Transform.Inverse() * seed;
   const Neighbour* best = nullptr;
   double bestDistance = 1e300;
   for (const Neighbour& entry : list)
@@ -192,13 +193,13 @@ void SpanSearch::Step()
   branch.Body.Segment = this->Library.SegmentOfTop(entry->Top);
   const std::vector<Vec3>& samples = this->Library.Samples(branch.Body.Segment);
   branch.Body.Last = static_cast<int>(samples.size()) - 1;
-  branch.Body.Place = parent.Body.Place * entry->Place;
+  branch.Body.Transform = parent.Body.Transform * entry->Transform;
   // The tilt adds up along a chain; beyond the limit it is turned back about the shared window.
-  const Vec3 hinge = branch.Body.Place * (tree == 0 ? samples.front() : samples.back());
-  this->Library.LimitTilt(branch.Body.Place.Rotation);
-  branch.Body.Place.Translation =
-    hinge - branch.Body.Place.Rotation * (tree == 0 ? samples.front() : samples.back());
-  branch.FreeEnd = branch.Body.Place * (tree == 0 ? samples.back() : samples.front());
+  const Vec3 hinge = branch.Body.Transform * (tree == 0 ? samples.front() : samples.back());
+  this->Library.LimitTilt(branch.Body.Transform.Rotation);
+  branch.Body.Transform.Translation =
+    hinge - branch.Body.Transform.Rotation * (tree == 0 ? samples.front() : samples.back());
+  branch.FreeEnd = branch.Body.Transform * (tree == 0 ? samples.back() : samples.front());
   branch.Elapsed = parent.Elapsed + branch.Body.Last - (this->Window - 1);
   const double firstFrame = tree == 0 ? this->Task.FirstFrame + parent.Elapsed - (this->Window - 1)
                                       : this->Task.FirstFrame + this->Task.Frames - branch.Elapsed;

@@ -19,7 +19,7 @@ struct Piece
   int Top = 0; // its top-level cluster
   int First = 0;
   int Last = 0;
-  Placement Place;
+  Placement Transform;
 };
 
 struct SpanEnd
@@ -93,9 +93,9 @@ public:
   bool Take(double threshold, Join& join);
   /// The forward paths that come nearest to the goal about in time.
   const std::vector<Join>& Approaches() const { return this->Nearest; }
-  /// Pieces from start to goal of a join; the angle at the join and the place of the join in the
+  /// Pieces from start to goal of a join; the angle at the join and the index of the join in the
   /// list.
-  std::vector<Piece> Chain(const Join& join, int& joinPlace) const;
+  std::vector<Piece> Chain(const Join& join, int& joinIndex) const;
 
   int NumberOfBranches() const
   {
@@ -130,8 +130,8 @@ private:
   SpanSearchOptions Options;
   Random Stream;
   Box SeedBox;
-  std::vector<double> WayShares;    // of the length of the task's way, one a point
-  double Reached[2] = { 0.0, 1.0 }; // shares of the way the trees have come to
+  std::vector<double> WayFractions; // of the length of the task's way, one a point
+  double Reached[2] = { 0.0, 1.0 }; // fractions of the way the trees have come to
   int Turn = 0;
   int Window = 0;
   int RootFailures[2] = { 0, 0 };

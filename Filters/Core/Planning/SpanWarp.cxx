@@ -33,7 +33,7 @@ SpanWarp LaySpan(const SpanRequest& request, const SpanClock& clock, const std::
   {
     const Vec3 offset = path.back() - goal;
     const double distance = offset.norm();
-    goal += offset * std::min(1.0, PlannerNumbers::GoalShare * request.GoalRadius /
+    goal += offset * std::min(1.0, PlannerNumbers::GoalFraction * request.GoalRadius /
                                      std::max(distance, 1e-300));
   }
   WarpProblem& warp = span.Problem;
@@ -75,8 +75,8 @@ SpanWarp LaySpan(const SpanRequest& request, const SpanClock& clock, const std::
     const double pull = PlannerNumbers::GuidePull * request.GuideWeight * request.GuideWeight;
     for (int k = 1; k < clock.Frames; ++k)
     {
-      const double share = clock.Flown(k) / clock.FlightFrames();
-      warp.Soft.push_back({ before + k, PointAlong(request.Guide, share), pull });
+      const double fraction = clock.Flown(k) / clock.FlightFrames();
+      warp.Soft.push_back({ before + k, PointAlong(request.Guide, fraction), pull });
     }
   }
   return span;
@@ -102,7 +102,7 @@ void BringDown(const SpanRequest& request, const SegmentLibrary& library, SpanWa
   // A goal that is near in time may be far below: the rest of the span must not have to dive.
   const double drop = request.Start.Position.z() - request.Goal.Position.z();
   const double affordable =
-    (drop - PlannerNumbers::DivingShare * library.TopStep() * b) / (inner - 0.5 * cushion);
+    (drop - PlannerNumbers::DivingFraction * library.TopStep() * b) / (inner - 0.5 * cushion);
   const double most = std::max(request.Goal.Descent, affordable);
   const double descent = std::clamp(own, PlannerNumbers::SlowestSink * request.Goal.Descent, most);
   std::vector<Vec3>& bends = span.Problem.SecondDifferences;

@@ -23,8 +23,8 @@ std::vector<double> QuantilesOf(std::vector<double> values)
   std::sort(values.begin(), values.end());
   for (int i = 0; i < PlannerNumbers::Quantiles; ++i)
   {
-    const double place = (i + 0.5) / PlannerNumbers::Quantiles * static_cast<double>(values.size());
-    result.push_back(values[std::min(values.size() - 1, static_cast<std::size_t>(place))]);
+    const double rank = (i + 0.5) / PlannerNumbers::Quantiles * static_cast<double>(values.size());
+    result.push_back(values[std::min(values.size() - 1, static_cast<std::size_t>(rank))]);
   }
   return result;
 }

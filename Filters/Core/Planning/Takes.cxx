@@ -13,7 +13,7 @@ namespace waft
 namespace
 {
 
-/// The share of a take in the progress of all.
+/// The part of a take in the progress of all.
 class TakeMonitor : public Monitor
 {
 public:
@@ -114,9 +114,9 @@ Result PlanTakes(const PlanInput& input, const PlanOptions& options, const TakeO
   {
     PlanOptions own = options;
     own.Seed = options.Seed + static_cast<std::uint64_t>(take);
-    TakeMonitor share(monitor, take, takes.NumberOfTakes);
+    TakeMonitor part(monitor, take, takes.NumberOfTakes);
     PlanOutput plan;
-    const Result result = PlanMotion(input, own, parallelFor, share, plan, memory);
+    const Result result = PlanMotion(input, own, parallelFor, part, plan, memory);
     if (!result || result.IsStopped())
     {
       if (take == 0)

@@ -13,8 +13,8 @@ Vortex CarryVortex(const Vortex& source, const SegmentUse& use, int id)
 {
   Vortex vortex = source;
   vortex.VortexId = id;
-  vortex.P1 = use.Place * source.P1;
-  vortex.P2 = use.Place * source.P2;
+  vortex.P1 = use.Transform * source.P1;
+  vortex.P2 = use.Transform * source.P2;
   // Played faster by a factor, the same path needs accelerations larger by its square.
   vortex.Strength *= use.RetimingFactor * use.RetimingFactor;
   vortex.CenterTime = use.FirstTime + source.CenterTime / use.RetimingFactor;
@@ -35,7 +35,7 @@ void Annotate(const SegmentLibrary& library, const std::vector<SegmentUse>& uses
   track.VortexIds.assign(count, -1);
   track.VortexAccelerations.assign(count, Vec3::Zero());
   track.WindAccelerations.assign(count, Vec3::Zero());
-  std::map<std::pair<int, int>, int> carried; // (use, vortex of the database) -> place in vortices
+  std::map<std::pair<int, int>, int> carried; // (use, vortex of the database) -> index in vortices
   for (std::size_t frame = 0; frame < count; ++frame)
   {
     const UseSample& sample = samples[frame];
@@ -52,7 +52,7 @@ void Annotate(const SegmentLibrary& library, const std::vector<SegmentUse>& uses
     const int at = library.DatabaseSample(use.Segment, sample.Sample);
     track.ForceTypes[frame] = segment.ForceTypes[at];
     track.WindAccelerations[frame] =
-      use.Place.Rotation * segment.MeanWind * (use.RetimingFactor * use.RetimingFactor);
+      use.Transform.Rotation * segment.MeanWind * (use.RetimingFactor * use.RetimingFactor);
     const int source = segment.VortexIds.empty() ? -1 : segment.VortexIds[at];
     if (source < 0)
     {

@@ -15,7 +15,7 @@ namespace waft
 struct SegmentUse
 {
   int Segment = 0;
-  Placement Place;
+  Placement Transform;
   double FirstTime = 0.0;      // of the segment's first sample [s]
   double RetimingFactor = 1.0; // its own frames per frame of the scene
 };

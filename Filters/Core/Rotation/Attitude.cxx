@@ -235,7 +235,7 @@ private:
     return true;
   }
 
-  /// Turns the poses before a key by a share of what is missing there, more and more.
+  /// Turns the poses before a key by a fraction of what is missing there, more and more.
   void MeetKey(const Constraint& key, int from)
   {
     const int k = key.Frame;

@@ -92,7 +92,7 @@ void PanelBody::SplitMesh(const TriangleMesh& mesh, std::vector<Piece>& pieces) 
   }
 }
 
-/// Halves the pieces at the median of their widest direction, by place and by normal, until each
+/// Halves the pieces at the median of their widest direction, by position and by normal, until each
 /// group is one panel of the budget.
 void PanelBody::Gather(std::vector<Piece>& pieces, std::size_t begin, std::size_t end, int budget,
                        std::vector<int>& panelOfPiece)

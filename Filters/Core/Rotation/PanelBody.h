@@ -34,9 +34,9 @@ struct AirCoefficients
   double Drag = 1.2;           // cd, broadside
   double Lift = 2.9;           // extra slope of the normal force at small angles of attack
   double Spin = 0.0;           // rad, pitch of the propeller that a thin body is about its normal
-  double Friction = 1.0 / 6.0; // tangential drag, as a share of cd (Andersen et al. 2005: A, B)
+  double Friction = 1.0 / 6.0; // tangential drag, as a fraction of cd (Andersen et al. 2005: A, B)
   double PressureShift = 0.0;  // centre of pressure edge-on, in half chords ahead of the centre
-  double Separation = 1.0;     // share of the potential flow's moment that is lost broadside
+  double Separation = 1.0;     // fraction of the potential flow's moment that is lost broadside
   double Autorotation = 1.0;   // torque that keeps a turning plate turning
   double RotationalLift = 0.5; // C_R of Andersen, Pesavento, Wang 2005 (1.1 in two dimensions)
 };
@@ -65,7 +65,6 @@ public:
   const Mat3& AddedMass() const { return this->AirMass; }
   double Area() const { return this->TotalArea; }
   bool HidesItself() const { return !this->Visibility.empty(); }
-  int NumberOfPanels() const { return static_cast<int>(this->Panels.size()); }
 
 private:
   struct Panel

@@ -45,9 +45,4 @@ struct Wrench
   Vec3 Torque = Vec3::Zero(); // N m
 };
 
-/// Paper, Eq. 5 per pixel: drag 0.5 cd rho |w|^2 dA against w, the velocity of that piece of
-/// surface relative to the air, w = relativeVelocity + gradient r. All in body axes.
-Wrench RasterDrag(const RasterView& view, const Vec3& relativeVelocity, const Mat3& gradient,
-                  double dragCoefficient, double airDensity);
-
 } // namespace waft

@@ -44,7 +44,7 @@ Result ConstraintOptions::MakeRows(std::vector<Constraint>& rows) const
   const int count = this->UseWaypoints ? static_cast<int>(this->Waypoints.size()) : 0;
   WAFT_RETURN_IF_FAILED(this->CheckFrames(count));
   const ConstraintTraits& kind = TraitsOf(this->Kind);
-  if (count > 0 && !kind.IsPlace)
+  if (count > 0 && !kind.IsPositional)
   {
     return Result::Error("Kind: expected position or rest, since there are waypoints");
   }

@@ -63,7 +63,7 @@ std::vector<int> LabelInk(const Picture& text, std::vector<Letter>& parts)
   return labels;
 }
 
-// Parts that share most of their width are one letter; letters from left to right.
+// Parts that have in common most of their width are one letter; letters from left to right.
 std::vector<Letter> JoinParts(std::vector<Letter> parts)
 {
   std::sort(parts.begin(), parts.end(),

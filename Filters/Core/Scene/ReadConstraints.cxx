@@ -10,7 +10,7 @@ namespace waft
 
 int SceneReader::ObjectId(const SceneNode& node, int lowest) const
 {
-  // Ids that are not the places in the list leave gaps.
+  // Ids that are not the indices in the list leave gaps.
   const int last = this->IndexOfObject.empty() ? -1 : this->IndexOfObject.rbegin()->first;
   const char* what = lowest < 0 ? "the id of an object or -1 for any" : "the id of an object";
   const int id = static_cast<int>(node.Integer(lowest, last, what));
@@ -75,7 +75,7 @@ void SceneReader::ReadConstraint(const SceneNode& node, int index)
   constraint.Row = index;
   constraint.Kind = simple->Kind;
   constraint.ObjectId =
-    this->ObjectId(node.At("object", "the id of an object"), simple->IsPlace ? -1 : 0);
+    this->ObjectId(node.At("object", "the id of an object"), simple->IsPositional ? -1 : 0);
   constraint.Frame = this->Frame(node.At("frame", "a frame of the scene"));
   constraint.Until = constraint.Frame;
   if (IsAttitude(simple->Kind))

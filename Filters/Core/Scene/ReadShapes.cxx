@@ -126,7 +126,7 @@ int SceneReader::ClassOf(const std::string& name)
   return index;
 }
 
-// The id of the next object: what the entry says, or its place in the expanded list.
+// The id of the next object: what the entry says, or its index in the expanded list.
 int SceneReader::FreeId(const SceneNode& node) const
 {
   const int id = node.Has("id") ? static_cast<int>(node.At("id", "").Integer("an id"))

@@ -32,8 +32,8 @@ struct AuthoredScene
   std::string Winds;
 };
 
-/// The contents of a scene file. Shapes keep the order of the file (ShapeId is the place), objects
-/// are numbered in the order of the expanded list, ClassId is the place in Classes.
+/// The contents of a scene file. Shapes keep the order of the file (ShapeId is the index), objects
+/// are numbered in the order of the expanded list, ClassId is the index in Classes.
 struct Scene
 {
   SceneInfo Info;

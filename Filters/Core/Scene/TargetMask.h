@@ -16,7 +16,7 @@ struct TargetMask
   int Width = 0;
   int Height = 0;
   std::vector<float> Weights; // 0..1, x fastest, row 0 at the bottom
-  std::vector<int> Classes;   // place in the list of class colours; -1 or empty: none
+  std::vector<int> Classes;   // index in the list of class colours; -1 or empty: none
   double BodyWidth = 0.0;     // of what comes to lie on the targets [pixels]; 0: points
 
   bool IsEmpty() const;

@@ -95,7 +95,7 @@ std::vector<Vec3> SampleClass(const TargetMask& mask, int ofClass, std::size_t c
   return sites;
 }
 
-// Shares `count` by weight, nobody above its limit; the rest goes where most room is left.
+// Divides `count` by weight, nobody above its limit; the rest goes where most room is left.
 std::vector<std::size_t> DivideByWeight(const std::vector<double>& weights, std::size_t count,
                                         const std::vector<std::size_t>& limits)
 {

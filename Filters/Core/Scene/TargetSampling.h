@@ -27,8 +27,8 @@ double TargetDistance(const TargetMask& mask, std::size_t count);
 /// `count` targets, evenly spread by the weights, relaxed. Where strokes are thinner than the
 /// distance of targets or than the bodies (text), the targets lie on the strokes' middle lines,
 /// ends included; else they are a weighted centroidal Voronoi tessellation. Sorted by x.
-/// classLimits: the most targets of each class (empty: no limit; the classes then share by weight).
-/// Fails when the mask is empty or the limits leave too few.
+/// classLimits: the most targets of each class (empty: no limit; then divided among classes by
+/// weight). Fails when the mask is empty or the limits leave too few.
 Result SampleMask(const TargetMask& mask, std::size_t count,
                   const std::vector<std::size_t>& classLimits, std::uint64_t seed,
                   std::uint64_t stream, std::vector<PlaneTarget>& targets);

@@ -19,6 +19,22 @@ std::string NameOf(const Constraint& row)
   return "Constraints: row " + std::to_string(row.Row) + ", target " + std::to_string(row.Target);
 }
 
+/// Whether the targets of a keyframe may be rows of this kind.
+bool IsOfKeyframe(ConstraintKind kind)
+{
+  switch (kind)
+  {
+    case ConstraintKind::Position:
+    case ConstraintKind::Rest: // "velocity": "rest"
+      return true;
+    case ConstraintKind::Velocity: // beside a target
+    case ConstraintKind::Acceleration:
+    case ConstraintKind::Orientation:
+      break;
+  }
+  return false;
+}
+
 } // namespace
 
 /// Rows that belong to one entry of the list: those of a group, else of a number.
@@ -47,7 +63,7 @@ bool SceneFormat::FormatSimple(const Rows& rows, SceneJson& json) const
   {
     return false;
   }
-  if (row.ObjectId < 0 && !IsPlace(row.Kind))
+  if (row.ObjectId < 0 && !IsPositional(row.Kind))
   {
     throw SceneError{ NameOf(row) + ": a " + ToString(row.Kind) +
                       " of any object (-1), expected the id of one" };
@@ -111,7 +127,7 @@ void SceneFormat::SetTargets(const Rows& targets, SceneJson& json) const
   }
 }
 
-/// Places at one frame, each with or each without one and the same velocity.
+/// Positions at one frame, each with or each without one and the same velocity.
 bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
 {
   const Constraint& first = *rows.front();
@@ -119,7 +135,7 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
   Rows velocities;
   for (const Constraint* row : rows)
   {
-    if (IsPlace(row->Kind))
+    if (IsOfKeyframe(row->Kind))
     {
       if (row->Kind != first.Kind || row->Frame != first.Frame || row->Radius != first.Radius ||
           (row->Kind == ConstraintKind::Rest && row->Until != first.Until))
@@ -209,7 +225,7 @@ std::vector<SceneJson> SceneFormat::PlainRows(const Rows& rows) const
     }
     Constraint alone = *row;
     alone.Group = alone.ClassId = -1;
-    alone.Radius = alone.Kind == ConstraintKind::Rest ? 0.0 : alone.Radius;
+    alone.Radius = RadiusOf(alone);
     SceneJson single = SceneJson::object();
     (void)this->FormatSimple({ &alone }, single);
     list.push_back(std::move(single));

@@ -32,7 +32,7 @@ struct SceneText
 /// Scene::Authored and Shape::Authored are written back entry by entry, as they are, where they
 /// still make what the scene has (to 1e-12; obstacles to 1e-9 m). What was edited since, or never
 /// authored, is written as numbers: objects with their positions, rows with their values, surfaces
-/// as files `stem`.*.vtp, motions of obstacles as the places at their frames. Paths of files become
+/// as files `stem`.*.vtp, motions of obstacles as the poses at their frames. Paths of files become
 /// relative to `folder`, which is where the scene file will be; relative ones of winds are so
 /// already.
 ///

@@ -27,7 +27,7 @@ std::function<double(double)> Blade(double a, double b)
   };
 }
 
-// A strip with a stem of the given share of its natural length.
+// A strip with a stem of the given fraction of its natural length.
 Outline Strip(double bladeStart, double stemWidth, double stemLength,
               const std::function<double(double)>& halfWidth)
 {
@@ -135,7 +135,7 @@ double Lobe(double angle, double center, double halfAngle)
   return std::max(0.0, 1.0 - std::abs(std::remainder(angle - center, 2.0 * M_PI)) / halfAngle);
 }
 
-// Five lobes about the place where the stem ends, with teeth. The tip of the middle one is at x =
+// Five lobes about the point where the stem ends, with teeth. The tip of the middle one is at x =
 // 1.
 Outline Maple(const LeafForm& form)
 {

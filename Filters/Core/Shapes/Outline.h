@@ -13,7 +13,7 @@
 namespace waft
 {
 
-/// A place of the plan in the outline's own coordinates.
+/// A point of the plan in the outline's own coordinates.
 struct OutlineCoordinates
 {
   double Along = 0.0;  // 0 at the blade's base, 1 at its tip (strip); angle [rad] (star)
@@ -57,15 +57,15 @@ struct Outline
   double CenterX = 0.5;                 // of a star
   std::vector<Rib> Ribs;                // of a star's lobes
   double Teeth = 0.0; // depth of teeth that the texture cuts, share of the half width
-  double Fluff = 0.0; // share of a feather's vane whose barbs are loose
+  double Fluff = 0.0; // fraction of a feather's vane whose barbs are loose
 
   /// A point of the plan: along as above, across from -1 to 1 (star: 0 to 1).
   void PointAt(const OutlineCoordinates& at, double& x, double& y) const;
-  /// The place of a point; |Across| > 1 outside.
+  /// The coordinates of a point; |Across| > 1 outside.
   OutlineCoordinates CoordinatesOf(double x, double y) const;
   /// The stem's middle line, from its end (0) to the blade (1).
   void StemAt(double s, double& x, double& y) const;
-  /// x of the place where the stem ends in the blade.
+  /// x of the point where the stem ends in the blade.
   double StemEnd() const { return this->Type == Kind::Star ? this->CenterX : this->BladeStart; }
 };
 

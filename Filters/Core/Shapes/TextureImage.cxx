@@ -98,7 +98,7 @@ struct Painter
   const Outline Plan;
   const Noise Grain;
 
-  // How strongly a vein shows at a place of a strip: rib, side veins that bend towards the tip,
+  // How strongly a vein shows at a point of a strip: rib, side veins that bend towards the tip,
   // and a net between them.
   double StripVeins(double s, double t, double y) const
   {

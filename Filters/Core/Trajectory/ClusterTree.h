@@ -19,8 +19,8 @@ namespace waft
 
 struct ClusterTreeOptions
 {
-  /// Initial clusters of all groups together; each group gets a share by the root of its size, at
-  /// least one.
+  /// Initial clusters of all groups together; each group gets a fraction by the root of its size,
+  /// at least one.
   int NumberOfTopNodes = 100;
   /// Children of an inner node, at most.
   int Branching = 4;

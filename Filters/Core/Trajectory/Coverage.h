@@ -21,11 +21,11 @@ struct CoveragePoint
   double NewShare = 0.0; // of these, farther from all before than the tolerance, 0..1
 };
 
-/// Takes simulations one after the other and tells of each what share of its segments is new: their
-/// rms distance over the samples to every earlier segment of their length, both in the frames of
-/// SegmentFrame.h, is above a tolerance times the rms chord of the segments of that length so far,
-/// their own included. Every segment counts, also those that a database is thinned by. Memory: four
-/// bytes a coordinate, less than 1 MB for a simulation of 512 tracers and 300 frames.
+/// Takes simulations one after the other and tells of each what fraction of its segments is new:
+/// their rms distance over the samples to every earlier segment of their length, both in the frames
+/// of SegmentFrame.h, is above a tolerance times the rms chord of the segments of that length so
+/// far, their own included. Every segment counts, also those that a database is thinned by. Memory:
+/// four bytes a coordinate, less than 1 MB for a simulation of 512 tracers and 300 frames.
 class Coverage
 {
 public:

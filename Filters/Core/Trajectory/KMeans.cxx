@@ -59,17 +59,6 @@ Eigen::VectorXd MeanOf(const Eigen::MatrixXd& points, const std::vector<int>& me
   return sum / static_cast<double>(members.size());
 }
 
-double SumOfSquares(const Eigen::MatrixXd& points, const std::vector<int>& members)
-{
-  const Eigen::VectorXd mean = MeanOf(points, members);
-  double sum = 0.0;
-  for (const int member : members)
-  {
-    sum += (points.col(member) - mean).squaredNorm();
-  }
-  return sum;
-}
-
 std::vector<std::vector<int>> KMeans(const Eigen::MatrixXd& points, const std::vector<int>& members,
                                      int count, int iterations, Random& random)
 {

@@ -20,7 +20,4 @@ std::vector<std::vector<int>> KMeans(const Eigen::MatrixXd& points, const std::v
 /// Mean of some columns, summed in their order.
 Eigen::VectorXd MeanOf(const Eigen::MatrixXd& points, const std::vector<int>& members);
 
-/// Sum of squared distances of some columns to their mean.
-double SumOfSquares(const Eigen::MatrixXd& points, const std::vector<int>& members);
-
 } // namespace waft

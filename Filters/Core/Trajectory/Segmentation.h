@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cuts trajectories into motion units at places of least curvature (Shi et al. 2005, section 3.2).
+// Cuts trajectories into motion units at samples of least curvature (Shi et al. 2005, section 3.2).
 #pragma once
 
 #include "Base/OptionFields.h"

@@ -36,7 +36,7 @@ StyleSamples StyleOf(const MotionDatabase& database);
 /// when either is empty.
 double KolmogorovSmirnov(std::vector<double> a, std::vector<double> b);
 
-/// Value below which a share (0..1) of the samples lies, linear between ranks; 0 when empty.
+/// Value below which a fraction (0..1) of the samples lies, linear between ranks; 0 when empty.
 double Quantile(std::vector<double> values, double fraction);
 
 } // namespace waft

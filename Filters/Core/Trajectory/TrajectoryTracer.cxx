@@ -289,12 +289,6 @@ Vec3 TrajectoryTracer::Step(const Vec3& x, double time, double step) const
   return x + step / 6.0 * (k1 + 2.0 * (k2 + k3) + k4);
 }
 
-std::size_t TrajectoryTracer::NumberOfLiving() const
-{
-  return static_cast<std::size_t>(std::count_if(this->Tracers.begin(), this->Tracers.end(),
-                                                [](const Tracer& t) { return t.IsLiving; }));
-}
-
 std::vector<Track> TrajectoryTracer::Finish()
 {
   std::vector<Track> tracks;

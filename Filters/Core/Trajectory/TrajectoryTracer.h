@@ -99,10 +99,6 @@ public:
   /// Annotated trajectories, one per seed in the order of the lattice (ObjectId counts them).
   std::vector<Track> Finish();
 
-  std::size_t NumberOfTracers() const { return this->Tracers.size(); }
-  /// Those that are still inside.
-  std::size_t NumberOfLiving() const;
-
 private:
   struct Tracer
   {

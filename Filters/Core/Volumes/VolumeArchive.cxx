@@ -19,7 +19,7 @@ VolumeArchive::VolumeArchive(const std::string& path) :
   this->setDataCompression(this->Stream);
   if (!this->inputHasGridOffsets())
   {
-    OPENVDB_THROW(openvdb::IoError, "grids without their places in the file");
+    OPENVDB_THROW(openvdb::IoError, "grids without their offsets in the file");
   }
   this->CheckNotes();
   this->FileNotes.readMeta(this->Stream);

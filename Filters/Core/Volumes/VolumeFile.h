@@ -55,7 +55,7 @@ struct VolumeGrid
   std::string Type;            // as OpenVDB calls it: "float", "vec3s"
   int Components = 0;          // 1 or 3; 0: of a type that is not read
   bool IsUpright = false;      // its transform scales and shifts only
-  Vec3 Zero = Vec3::Zero();    // place of the centre of voxel (0, 0, 0) [m]
+  Vec3 Zero = Vec3::Zero();    // position of the centre of voxel (0, 0, 0) [m]
   Vec3 Spacing = Vec3::Ones(); // m
   VoxelBox Active;             // of its active voxels
 };

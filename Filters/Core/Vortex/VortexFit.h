@@ -94,7 +94,7 @@ struct VortexFitOptions
 /// Fits each prior to the samples that its VortexId claims and to all others that pass its region
 /// (where its field is felt). fitted: the priors in their order with their VortexIds, less those
 /// merged into an earlier one, then new vortices with ids above all in use. Each carries
-///   Confidence: share of the energy explained x precision x witnesses, all 0..1; the precision
+///   Confidence: fraction of the energy explained x precision x witnesses, all 0..1; the precision
 ///     falls as the standard deviations (from the data alone) of axis, centre, strength and time
 ///     reach 15 degrees, 0.1 L, 30 % and 0.4 s; one track counts 0.3, two 0.7, three or more 1;
 ///   ObjectCount: tracks with at least 5 samples that felt it.

@@ -21,8 +21,8 @@ int CountWitnesses(const Vortex& vortex, const std::vector<VortexSample>& sample
 /// Nearer than MergeDistance, MergeAngle and MergeTime; axes may point either way.
 bool AreDuplicates(const Vortex& a, const Vortex& b, const VortexFitOptions& options);
 
-/// The samples within 0.2 L and 1.5 s of the place with most energy (acceleration squared); region:
-/// their numbers. Looks about the 24 strongest samples that lie apart from each other.
+/// The samples within 0.2 L and 1.5 s of the sample with most energy (acceleration squared);
+/// region: their numbers. Looks about the 24 strongest samples that lie apart from each other.
 std::vector<VortexSample> StrongestRegion(const std::vector<VortexSample>& samples, double width,
                                           std::vector<std::size_t>& region);
 

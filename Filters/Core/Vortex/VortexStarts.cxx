@@ -62,7 +62,7 @@ VortexParameters GuessFromSamples(const std::vector<VortexSample>& samples)
   mean /= total;
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(spread);
   p.Direction = eigen.eigenvectors().col(0);
-  // f . c = f . x, about the mean place; the ridge decides along the axis.
+  // f . c = f . x, about the mean position; the ridge decides along the axis.
   Mat3 normal = Mat3::Zero();
   Vec3 right = Vec3::Zero();
   double spreadOfTime = 0.0;

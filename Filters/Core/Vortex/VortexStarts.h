@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Places to start the search for one vortex.
+// Positions to start the search for one vortex.
 #pragma once
 
 #include "Vortex/VortexSearch.h"

@@ -10,6 +10,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import reading
+from ._kinds import POSITION, REST
 from .failures import BadInput
 
 
@@ -186,9 +187,9 @@ def _marks(folder):
         array_of(columns, name, "constraints.vtp")
         for name in ("Kind", "Frame", "Radius", "Row", "Target")
     )
-    marks.resting = [points[i] for i in np.flatnonzero(kind == 4)]
+    marks.resting = [points[i] for i in np.flatnonzero(kind == REST)]
     groups = {}
-    for i in np.flatnonzero(kind == 0):
+    for i in np.flatnonzero(kind == POSITION):
         groups.setdefault((row[i], target[i]), []).append(i)
     for members in groups.values():
         if len(members) > 1:

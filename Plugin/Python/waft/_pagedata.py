@@ -12,11 +12,10 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from waft import _folder
+from waft._kinds import POSITIONAL
 from waft.failures import BadInput
 from waft.results import read_json
 
-_PLACES = ("position", "rest")  # kinds whose value is a place
-_KINDS = ("position", "velocity", "acceleration", "orientation", "rest")
 _MOST_ROWS = 1200  # of a plot; more cannot be told apart
 
 
@@ -103,7 +102,7 @@ def _marks(folder):
         points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
         columns = [_folder.array_of(data.GetPointData(), column, name) for column in ("Row", "Target", "Kind", "Frame", "Radius")]
         for point, row, target, kind, frame, radius in zip(points, *columns):
-            if _KINDS[min(int(kind), len(_KINDS) - 1)] in _PLACES:
+            if kind in POSITIONAL:
                 places.setdefault((int(row), int(target)), []).append([int(frame), *point.tolist(), float(radius)])
     marks = []
     for line in _rows(folder, "constraints.csv"):

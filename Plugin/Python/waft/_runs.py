@@ -8,12 +8,12 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from waft._drifters import END, START
 from waft._flights import Flights
+from waft._kinds import POSITION, REST, VELOCITY
 from waft._folder import read_surface
 from waft.failures import BadInput
 from waft.results import read_json
 
 TRACKS = ("optimized", "planned", "poses")
-POSITION, VELOCITY, ACCELERATION, REST = 0, 1, 2, 4
 NEAR_ROW = 8  # frames about a position row that are no free flight
 
 

@@ -10,14 +10,13 @@ from vtkmodules.vtkCommonCore import mutable, vtkIdList
 from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 
+from waft._kinds import POSITION, POSITIONAL, REST
 from waft.failures import BadInput
 from waft.loading import load_plugin
 from waft.pipeline import Pipeline
 from waft.writing import read_rows
 from waft.watching import Clock
 
-_PLACES = (0, 4)  # kinds of rows that are places: position, rest
-_REST = 4
 _LOST = ("infeasible", "conflict")  # by itself, or beside another
 _KEPT_UP = 0.5  # share of the air's top speed that a body is carried at over a whole flight
 _SINKING = 0.1  # the same of air that sinks all the way
@@ -125,7 +124,7 @@ def _legs(looked):
     """(object's index; place, frame and radius from; index of the row to) between an object's places in time order, those left
     out that cannot be met."""
     for index, number in enumerate(looked.ids):
-        rows = np.flatnonzero((looked.object == number) & np.isin(looked.kind, _PLACES) & looked.can_be)
+        rows = np.flatnonzero((looked.object == number) & np.isin(looked.kind, POSITIONAL) & looked.can_be)
         rows = rows[np.argsort(looked.frame[rows], kind="stable")]
         place, frame, room, before = looked.starts[index], 0, 0.0, -1
         for row in rows:
@@ -149,7 +148,7 @@ def _falls(looked):
     """Rests that leave no time to come down by settling and the air together."""
     for index, place, frame, room, row in _legs(looked):
         seconds = (looked.frame[row] - frame) / looked.rate
-        if looked.kind[row] != _REST:
+        if looked.kind[row] != REST:
             continue
         height = float(place[2] - looked.height_below(looked.places[row])) - room
         fastest = float(looked.settling[index]) + _SINKING * looked.top_speed
@@ -170,7 +169,7 @@ def _gaps(looked):
         if 1e-6 < gap < wide:
             yield f"too narrow: obstacles {one} and {other} are {gap:.3g} m apart, the widest body needs {wide:.3g} m to pass"
     clearance = dict(zip(looked.ids.tolist(), looked.clearance.tolist()))
-    for row in np.flatnonzero(looked.kind == 0):
+    for row in np.flatnonzero(looked.kind == POSITION):
         own = clearance.get(int(looked.object[row]), 0.5 * wide)
         for number, distance in distances.items():
             room = distance.EvaluateFunction(looked.places[row].tolist()) + looked.radius[row]
@@ -192,8 +191,8 @@ def _nearest(distance, surface):
 def _near_marks(looked):
     """Frames at which objects are asked to be nearer to one another than they are wide."""
     wide = 2.0 * float(np.median(looked.clearance)) if len(looked.clearance) else 0.0
-    for frame in np.unique(looked.frame[looked.kind == 0]):
-        rows = np.flatnonzero((looked.kind == 0) & (looked.frame == frame))
+    for frame in np.unique(looked.frame[looked.kind == POSITION]):
+        rows = np.flatnonzero((looked.kind == POSITION) & (looked.frame == frame))
         places = looked.places[rows]
         near = 0
         smallest = np.inf

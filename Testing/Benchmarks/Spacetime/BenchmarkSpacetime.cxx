@@ -121,7 +121,7 @@ public:
     this->Evaluations.push_back(static_cast<double>(curve.Evaluations));
     this->Seconds.push_back(cost.Cpu);
     this->Pairs.push_back(cost.Pair);
-    this->PeakShares.push_back(100.0 * cost.Share);
+    this->PeakFractions.push_back(100.0 * cost.Share);
     this->Ratios.push_back(cost.WallAlone / cost.Wall);
     this->Megabytes.push_back(peak);
   }
@@ -144,7 +144,7 @@ public:
                 "| one thread to all, times | %.2f | 1.75 of two |\n"
                 "| evaluations of the run, all levels | %.0f | |\n"
                 "| peak memory, MB | %.0f | 900 |\n",
-                Median(this->Seconds), Median(this->Pairs), Median(this->PeakShares),
+                Median(this->Seconds), Median(this->Pairs), Median(this->PeakFractions),
                 Median(this->Ratios), Median(this->Evaluations), Median(this->Megabytes));
   }
 
@@ -162,7 +162,7 @@ private:
   }
 
   std::vector<double> Wall[Marks], Cpu[Marks];
-  std::vector<double> Evaluations, Seconds, Pairs, PeakShares, Ratios, Megabytes;
+  std::vector<double> Evaluations, Seconds, Pairs, PeakFractions, Ratios, Megabytes;
 };
 
 StandardProblem MakeProblem(int argc, char** argv, int seed)

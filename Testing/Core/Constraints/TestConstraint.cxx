@@ -13,7 +13,7 @@ TEST(ConstraintKinds, AreFoundByTheirNames)
     const ConstraintTraits* found = FindConstraintKind(ToString(kind));
     ASSERT_NE(found, nullptr) << ToString(kind);
     EXPECT_EQ(found->Kind, kind);
-    EXPECT_EQ(found->IsPlace, found->Derivative == 0) << found->Name;
+    EXPECT_EQ(found->IsPositional, found->Derivative == 0) << found->Name;
   }
   EXPECT_EQ(FindConstraintKind("jump"), nullptr);
   EXPECT_EQ(FindConstraintKind(""), nullptr);

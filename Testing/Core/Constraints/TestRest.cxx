@@ -57,14 +57,15 @@ TEST(Rest, BodyTouchesTheSlope)
   const ObstacleSet set = Scene();
   Vec3 centre;
   SurfaceHit hit;
-  ASSERT_TRUE(RestingPlace(set, Vec3(0.4, 0.1, 3.0), 0, 0.02, centre, hit));
+  ASSERT_TRUE(RestingPosition(set, Vec3(0.4, 0.1, 3.0), 0, 0.02, centre, hit));
   EXPECT_EQ(hit.ObstacleId, 1);
   EXPECT_NEAR(set.SignedDistance(centre, 0), 0.02, 1e-12);
   EXPECT_EQ(centre.x(), 0.4);
   EXPECT_EQ(centre.y(), 0.1);
-  ASSERT_TRUE(RestingPlace(set, Vec3(2, 2, -0.3), 0, 0.0, centre, hit)); // a target in the ground
+  ASSERT_TRUE(
+    RestingPosition(set, Vec3(2, 2, -0.3), 0, 0.0, centre, hit)); // a target in the ground
   EXPECT_EQ(centre.z(), 0.0);
-  EXPECT_FALSE(RestingPlace(set, Vec3(9, 0, 3), 0, 0.02, centre, hit));
+  EXPECT_FALSE(RestingPosition(set, Vec3(9, 0, 3), 0, 0.02, centre, hit));
 }
 
 TEST(Rest, WindowsSpanOneSecondBeforeAndAfter)

@@ -77,7 +77,7 @@ Densities ComputeDensities(const SphFluid& fluid, const SphVolume& volume, const
   d.Hessian.resize(n);
   for (std::size_t i = 0; i < n; ++i)
   {
-    const SurfaceShare surfaces = SurfaceDensity(fluid, volume, state.Positions[i]);
+    const SurfaceDensityPart surfaces = SurfaceDensity(fluid, volume, state.Positions[i]);
     d.Rho[i] = surfaces.Value;
     d.Gradient[i] = surfaces.Gradient;
     d.Hessian[i] = surfaces.Hessian;

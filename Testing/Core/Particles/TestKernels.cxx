@@ -151,7 +151,7 @@ TEST(SphKernels, WallsAndTheRestDensityEqualTheReference)
                 { gradient.data(), n }, { hessian.data(), n });
     for (std::size_t i = 0; i < n; ++i)
     {
-      const SurfaceShare expected = SurfaceDensity(gas.Fluid, volume, points[i]);
+      const SurfaceDensityPart expected = SurfaceDensity(gas.Fluid, volume, points[i]);
       EXPECT_NEAR(psi[i], expected.Value, 3e-6);
       constexpr int First[6] = { 0, 0, 0, 1, 1, 2 };
       constexpr int Second[6] = { 0, 1, 2, 1, 2, 2 };

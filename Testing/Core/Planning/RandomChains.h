@@ -39,7 +39,7 @@ inline PieceChain RandomChain(std::uint64_t seed, int frames = 240)
   field.Obstacles = &obstacles;
   PieceChain chain;
   chain.Pieces = FlyFree(Library(), field, FreeTask(frames), 0.01, 2000, Random(seed));
-  chain.JoinPlace = static_cast<int>(chain.Pieces.size());
+  chain.JoinIndex = static_cast<int>(chain.Pieces.size());
   return chain;
 }
 

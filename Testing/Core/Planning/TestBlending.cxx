@@ -13,7 +13,7 @@ TEST(Blending, UndoneGivesBackTheDatabaseOutsideTheOverlaps)
   // Turn, handovers and rigid motion taken off again, the steps are those of the segments.
   const SegmentLibrary& library = Library();
   PieceChain chain = RandomChain(4);
-  chain.JoinPlace = 2;
+  chain.JoinIndex = 2;
   chain.JoinAngle = 0.3;
   const std::vector<Vec3> path = BlendChain(library, chain);
   ASSERT_EQ(static_cast<int>(path.size()), chain.NumberOfSamples(library.Window()));
@@ -36,12 +36,12 @@ TEST(Blending, UndoneGivesBackTheDatabaseOutsideTheOverlaps)
       {
         step -= handovers[j].Correction(at + 0.5, i > j);
       }
-      if (static_cast<int>(i) >= chain.JoinPlace)
+      if (static_cast<int>(i) >= chain.JoinIndex)
       {
         step = Eigen::AngleAxisd(0.3, Vec3::UnitZ()) * step;
       }
       const Vec3 own = samples[piece.First + k + 1] - samples[piece.First + k];
-      EXPECT_LT((piece.Place.Rotation.transpose() * step - own).norm(), 1e-12);
+      EXPECT_LT((piece.Transform.Rotation.transpose() * step - own).norm(), 1e-12);
       ++compared;
     }
   }
@@ -151,12 +151,12 @@ TEST(Blending, SpreadsTheTurnOfTheJoinEvenly)
   const SegmentLibrary& library = Library();
   PieceChain straight = RandomChain(5);
   PieceChain turned = straight;
-  turned.JoinPlace = 2;
+  turned.JoinIndex = 2;
   turned.JoinAngle = 0.4;
   const Mat3 turn = Eigen::AngleAxisd(0.4, Vec3::UnitZ()).toRotationMatrix();
   for (std::size_t i = 2; i < turned.Pieces.size(); ++i)
   {
-    turned.Pieces[i].Place.Rotation = turn * turned.Pieces[i].Place.Rotation;
+    turned.Pieces[i].Transform.Rotation = turn * turned.Pieces[i].Transform.Rotation;
   }
   // With the later pieces turned by the join's angle, each step is turned by its share of it.
   const std::vector<Vec3> a = BlendChain(library, straight);

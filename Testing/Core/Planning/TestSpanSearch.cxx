@@ -52,11 +52,11 @@ TEST(SegmentLibrary, PlacesSuccessorsSoThatWindowsMeetInTheRightDirection)
       double sum = 0.0;
       for (int j = 0; j < window; ++j)
       {
-        sum += (first[first.size() - window + j] - next.Place * second[j]).squaredNorm();
+        sum += (first[first.size() - window + j] - next.Transform * second[j]).squaredNorm();
       }
       const double chord = (first.back() - first[first.size() - window]).norm();
       EXPECT_LT(std::sqrt(sum / window), 0.2 * chord);
-      EXPECT_LT((next.FreeEnd - next.Place * second.back()).norm(), 1e-12);
+      EXPECT_LT((next.FreeEnd - next.Transform * second.back()).norm(), 1e-12);
       ++checked;
     }
     for (const Neighbour& previous : library.Predecessors(top))
@@ -64,7 +64,7 @@ TEST(SegmentLibrary, PlacesSuccessorsSoThatWindowsMeetInTheRightDirection)
       // The same pair seen from the one that comes after.
       const Neighbour* same = library.Connection(previous.Top, top);
       ASSERT_NE(same, nullptr);
-      const Placement both = same->Place * previous.Place;
+      const Placement both = same->Transform * previous.Transform;
       EXPECT_LT((both.Rotation - Mat3::Identity()).norm() + both.Translation.norm(), 1e-9);
     }
   }
@@ -111,7 +111,7 @@ TEST(SpanSearch, SeedNodeAndSegmentEqualBruteForce)
       const Branch& branch = search.Tree(tree)[i];
       const std::vector<Vec3>& samples = library.Samples(branch.Body.Segment);
       const Vec3 end =
-        branch.Body.Place * samples[tree == 0 ? branch.Body.Last : branch.Body.First];
+        branch.Body.Transform * samples[tree == 0 ? branch.Body.Last : branch.Body.First];
       const double late = library.TypicalStep() * (branch.Elapsed - elapsed);
       const double distance = (end - seed).squaredNorm() + late * late;
       if (branch.Elapsed < task.Frames && branch.Failures < 12 && distance < least)
@@ -139,7 +139,7 @@ TEST(SpanSearch, SeedNodeAndSegmentEqualBruteForce)
       }
       const std::vector<Vec3>& samples = library.Samples(library.SegmentOfTop(candidate));
       const Placement place =
-        parent.Body.Place * (tree == 0 ? entry->Place : entry->Place.Inverse());
+        parent.Body.Transform * (tree == 0 ? entry->Transform : entry->Transform.Inverse());
       const double distance =
         (place * (tree == 0 ? samples.back() : samples.front()) - seed).norm();
       if (distance < nearest)
@@ -172,7 +172,7 @@ TEST(SpanSearch, GrowsBothTreesInsideTheVolumeAndFindsCheapJoins)
     {
       for (int k = branch.Body.First; k <= branch.Body.Last; ++k)
       {
-        const Vec3 x = branch.Body.Place * library.Samples(branch.Body.Segment)[k];
+        const Vec3 x = branch.Body.Transform * library.Samples(branch.Body.Segment)[k];
         EXPECT_GT(field.Bounds.InnerDistance(x), field.Rule.Radius);
       }
     }
@@ -231,7 +231,7 @@ TEST(SpanSearch, CheapestJoinEqualsBruteForce)
           continue;
         }
         const std::vector<Vec3>& samples = library.Samples(library.SegmentOfTop(top));
-        Placement place = forward.Body.Place * entry->Place;
+        Placement place = forward.Body.Transform * entry->Transform;
         for (const Branch& backward : search.Tree(1))
         {
           const int raw = forward.Elapsed + backward.Elapsed - overlap;
@@ -239,10 +239,10 @@ TEST(SpanSearch, CheapestJoinEqualsBruteForce)
           {
             continue;
           }
-          const Mat3 turn = backward.Body.Place.Rotation * place.Rotation.transpose();
+          const Mat3 turn = backward.Body.Transform.Rotation * place.Rotation.transpose();
           const double angle = std::atan2(turn(1, 0) - turn(0, 1), turn(0, 0) + turn(1, 1));
           const double gap =
-            (backward.Body.Place * samples.front() - place * samples.front()).norm();
+            (backward.Body.Transform * samples.front() - place * samples.front()).norm();
           meetings.push_back(score(gap, angle, raw));
         }
         // Or one more piece, cut where it suits; which cut is judged before its lean is limited.

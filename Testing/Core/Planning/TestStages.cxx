@@ -23,7 +23,7 @@ TEST(FreeFlight, LastsItsFramesInsideTheVolume)
     {
       for (int k = piece.First; k < piece.Last - 8; ++k)
       {
-        EXPECT_GT(Box().InnerDistance(piece.Place * Library().Samples(piece.Segment)[k]), 0.05);
+        EXPECT_GT(Box().InnerDistance(piece.Transform * Library().Samples(piece.Segment)[k]), 0.05);
       }
     }
   }
@@ -76,7 +76,7 @@ TEST(Refinement, FindsAPlantedPerfectSegment)
     chain.Pieces = { { planted, top, 0, window - 1, {} },
                      { node.Medoid, top, 0, last, {} },
                      { planted, top, last - (window - 1), last, {} } };
-    chain.JoinPlace = 3;
+    chain.JoinIndex = 3;
     const RefinementResult result = RefineChain(library, 10.0, chain);
     EXPECT_EQ(chain.Pieces[1].Segment, planted);
     EXPECT_LT(result.CostAfter, 1e-12);

@@ -64,7 +64,7 @@ double FastestTurn(const PoseTrack& poses, int first, int last)
 }
 } // namespace
 
-TEST(Touching, WhatDoesNotTouchStaysToTheBit)
+TEST(FloorContact, WhatDoesNotTouchStaysToTheBit)
 {
   const Shape leaf = CurledLeaf();
   const Prepared prepared(leaf);
@@ -80,7 +80,7 @@ TEST(Touching, WhatDoesNotTouchStaysToTheBit)
   EXPECT_EQ(before.AngularMomentum, state.AngularMomentum);
 }
 
-TEST(Touching, AnyPoseIsTurnedUpAndGainsNoEnergy)
+TEST(FloorContact, AnyPoseIsTurnedUpAndGainsNoEnergy)
 {
   const Shape sheet = Sheet(0.1, 0.06);
   const Prepared prepared(sheet);
@@ -103,7 +103,7 @@ TEST(Touching, AnyPoseIsTurnedUpAndGainsNoEnergy)
   }
 }
 
-TEST(Touching, APlateOnItsEdgeIsStoppedThere)
+TEST(FloorContact, APlateOnItsEdgeIsStoppedThere)
 {
   // A strip about its long axis: the lower edge is 0.03 sin(0.5) below the centre.
   const Shape strip = Sheet(0.1, 0.06);
@@ -125,7 +125,7 @@ TEST(Touching, APlateOnItsEdgeIsStoppedThere)
   EXPECT_NEAR(4.0, state.AngularVelocity(body).x(), 1e-6);
 }
 
-TEST(Touching, AGustLiftsALeafWithoutSpinningIt)
+TEST(FloorContact, AGustLiftsALeafWithoutSpinningIt)
 {
   // Down nearly level, at rest from frame 60 to 70, then up slowly in a gust that would turn it
   // over at once.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Random.h"
+#include "RasterDrag.h"
 #include "Rotation/Rasterizer.h"
 #include "RotationFixtures.h"
 

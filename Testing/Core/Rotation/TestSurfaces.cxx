@@ -104,7 +104,7 @@ Flown LandAt(const ObstacleSet& obstacles, const Vec3& target, const Quat& start
   const double height = RestHeight(leaf);
   Vec3 place;
   SurfaceHit hit;
-  EXPECT_TRUE(RestingPlace(obstacles, target, Rest, height, place, hit));
+  EXPECT_TRUE(RestingPosition(obstacles, target, Rest, height, place, hit));
   std::vector<Vec3> path = LandingPath(place, Rest, Until + 1, phase);
   for (int k = 1; k < Frames - Until; ++k)
   {
@@ -116,7 +116,7 @@ Flown LandAt(const ObstacleSet& obstacles, const Vec3& target, const Quat& start
     Vec3 least;
     SurfaceHit below;
     if ((k < Rest || k > Until) &&
-        RestingPlace(obstacles, path[k] + Vec3(0.0, 0.0, 0.3), k, height, least, below))
+        RestingPosition(obstacles, path[k] + Vec3(0.0, 0.0, 0.3), k, height, least, below))
     {
       path[k].z() = std::max(path[k].z(), least.z());
     }

@@ -96,7 +96,7 @@ void ReferenceObjective::Raise(std::size_t j, Frame& frame, std::vector<Vec3>& a
   frame.RaiseGradients.assign(averages.size(), Vec3::Zero());
   for (std::size_t p = this->Model.NumberOfGas; p < averages.size(); ++p)
   {
-    const SurfaceShare surfaces =
+    const SurfaceDensityPart surfaces =
       SurfaceDensity(this->Fluid, this->Volume(j), frame.Particles.Positions[p]);
     const WallCorrection air(surfaces.Value);
     frame.Raises[p] = air.Raise;

@@ -22,7 +22,7 @@ struct Candidate
   }
 };
 
-constexpr double RadiusShare = 0.5;
+constexpr double RadiusFraction = 0.5;
 
 } // namespace
 
@@ -54,7 +54,7 @@ NearestResult FindNearest(const MotionDatabase& database, int group,
     }
     if (node.FirstChild >= 0)
     {
-      open.push({ distance - RadiusShare * node.Radius, distance, index });
+      open.push({ distance - RadiusFraction * node.Radius, distance, index });
     }
   };
   for (const int top : database.TopNodes)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TracedDatabase.h"
-#include "Trajectory/KMeans.h"
 #include "Trajectory/NearestSegment.h"
 #include "Trajectory/SegmentFrame.h"
 
@@ -30,17 +29,17 @@ std::vector<int> SegmentsBelow(const MotionDatabase& database, int node)
   return all;
 }
 
+/// Of squared distances of coefficients to their mean.
 double SumOfSquaresOf(const MotionDatabase& database, const std::vector<int>& segments)
 {
   const Eigen::Index rank = database.Segments[segments[0]].Coefficients.size();
   Eigen::MatrixXd points(rank, static_cast<Eigen::Index>(segments.size()));
-  std::vector<int> members;
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
     points.col(static_cast<Eigen::Index>(i)) = database.Segments[segments[i]].Coefficients;
-    members.push_back(static_cast<int>(i));
   }
-  return SumOfSquares(points, members);
+  const Eigen::VectorXd mean = points.rowwise().mean();
+  return (points.colwise() - mean).squaredNorm();
 }
 
 } // namespace

@@ -131,7 +131,7 @@ void FrameTerms::AddObstacle(std::size_t i, int frame)
   constexpr int First[6] = { 0, 0, 0, 1, 1, 2 };
   constexpr int Second[6] = { 0, 1, 2, 1, 2, 2 };
   const std::size_t p = this->ParticleStride;
-  SurfaceShare surfaces;
+  SurfaceDensityPart surfaces;
   surfaces.Value = this->Psi[i];
   for (int k = 0; k < 6; ++k)
   {

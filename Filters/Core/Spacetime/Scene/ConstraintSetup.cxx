@@ -216,7 +216,7 @@ std::vector<Constraint> FindApproaches(const SpacetimeInput& input, const Spacet
   std::vector<Constraint> approaches;
   for (Constraint row : input.Constraints)
   {
-    if (!IsPlace(row.Kind) || row.ObjectId < 0 || missed.count({ row.Row, row.Target }) == 0 ||
+    if (!IsPositional(row.Kind) || row.ObjectId < 0 || missed.count({ row.Row, row.Target }) == 0 ||
         row.Frame < 0 || row.Frame >= setup.Model.NumberOfFrames)
     {
       continue;
@@ -226,8 +226,8 @@ std::vector<Constraint> FindApproaches(const SpacetimeInput& input, const Spacet
     {
       SurfaceHit hit;
       const Vec3 value = row.Value;
-      (void)RestingPlace(setup.Obstacles, value, row.Frame, setup.Objects[o].RestHeight, row.Value,
-                         hit);
+      (void)RestingPosition(setup.Obstacles, value, row.Frame, setup.Objects[o].RestHeight,
+                            row.Value, hit);
       row.Kind = ConstraintKind::Position;
     }
     const double distance = (input.Tracks[o].Positions[row.Frame] - row.Value).norm();
