@@ -387,7 +387,7 @@ TEST(PropertyValues, OfSmoke)
                       NUMBER(S, BuoyancyTemperature, 0.1),
                       NUMBER(S, EmitterTemperature, 30),
                       NUMBER(S, Dissipation, 0),
-                      NUMBER(S, WindDrag, 1), NUMBER(S, AirDrag, 1),
+                      NUMBER(S, WindDrag, 1),
                       NUMBER(S, CourantNumber, 2),
                       NUMBER(S, Tolerance, 1e-3),
                       ENDS(S, VortexDiameter, 0.3),
