@@ -165,6 +165,10 @@ def parser():
                                "DIR/measure.json where it is)")
     share_it.set_defaults(run=run_page)
 
+    plug = commands.add_parser("blender-addon", help="the add-on for Blender as a zip file, to install there", epilog=NEW_EXIT)
+    plug.add_argument("file", type=path, metavar="FILE.zip", help="is written; what is there is never overwritten")
+    plug.set_defaults(run=run_blender_addon, needs_paraview=False)
+
     judge = commands.add_parser("measure", help="how good a motion is, from the files of results alone", epilog=MEASURE_EXIT)
     judge.add_argument("folders", type=path, nargs="*", metavar="DIR", help="what synthesize wrote; several are pooled, too")
     judge.add_argument("--tracks", choices=("optimized", "planned", "poses"), default="optimized",
@@ -282,6 +286,14 @@ def run_page(options):
     with interruptible("stopped: no page was written"):
         page = write_page(options.folder, options.measure)
     print(f"{page}: {os.path.getsize(page) / 1e6:.1f} MB; open it in a browser", file=sys.stderr)
+    return failures.ALL_MET
+
+
+def run_blender_addon(options):
+    from waft.blenderaddon import write_addon
+
+    write_addon(options.file)
+    print(f"{options.file}: in Blender, Edit > Preferences > Add-ons > Install", file=sys.stderr)
     return failures.ALL_MET
 
 
