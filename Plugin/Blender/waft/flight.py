@@ -17,6 +17,7 @@ import numpy as np
 ALL_MET, FAILED, BAD_INPUT, NOT_ALL_MET, STOPPED_EARLY = range(5)  # what waft ends with
 _KEPT_LINES = 200  # of what it says
 _POSES = "poses.csv"
+_ROUNDING = 1e-6  # of a number, as a share of it and of 1
 
 
 def find_command(chosen, package):
@@ -101,8 +102,17 @@ class Flight:
         atexit.unregister(self.kill)
         for reader in self._readers:
             reader.join(1.0)
-        has_result = status in (ALL_MET, NOT_ALL_MET, STOPPED_EARLY) and os.path.isfile(os.path.join(self.folder, _POSES))
+        has_result = status in (ALL_MET, NOT_ALL_MET, STOPPED_EARLY) and _has_poses(self.folder)
         return Outcome(status, has_result, "\n".join(self._said))
+
+
+def _has_poses(folder):
+    """Whether there is any: a run that is stopped before anything has flown writes none."""
+    try:
+        with open(os.path.join(folder, _POSES), encoding="ascii") as stream:
+            return len(stream.readlines(2000)) > 1
+    except OSError:
+        return False
 
 
 def read_poses(folder, objects, frames):
@@ -123,18 +133,28 @@ def unmet(folder):
         return [row for row in csv.DictReader(stream) if row["Status"] != "met"]
 
 
-def can_edit(scene, files, folder):
-    """Whether an earlier run, whose scene file is in a folder, differs from a scene and its files in nothing but constraints."""
+def as_edit_of(folder, scene, files):
+    """A scene as an edit of an earlier run, whose scene file is in a folder; None where they differ in more than constraints."""
     try:
         with open(os.path.join(folder, "scene.waft.json"), encoding="utf-8") as stream:
             before = json.load(stream)
         for name, content in files.items():
             with open(os.path.join(folder, name), "rb") as stream:
                 if stream.read() != (content if isinstance(content, bytes) else content.encode()):
-                    return False
+                    return None
     except (OSError, ValueError):
-        return False
-    now = json.loads(json.dumps(scene))
-    before.pop("constraints", None)
-    now.pop("constraints", None)
-    return before == now
+        return None
+    now = _settled(json.loads(json.dumps(scene)), before)
+    return now if {**now, "constraints": []} == {**before, "constraints": []} else None
+
+
+def _settled(now, before):
+    """What was read now, with the numbers of before where they differ in their rounding alone: what came back as keys, which are of single
+    precision, is what went out."""
+    if isinstance(now, dict) and isinstance(before, dict):
+        return {key: _settled(value, before.get(key)) for key, value in now.items()}
+    if isinstance(now, list) and isinstance(before, list):
+        return [_settled(*pair) for pair in zip(now, before)] + now[len(before):]
+    if isinstance(now, float) and isinstance(before, (int, float)) and abs(now - before) <= _ROUNDING * max(1.0, abs(now)):
+        return before
+    return now

@@ -21,12 +21,13 @@ running = None  # the Run that is under way
 class Run:
     """A flight of a scene: from its folder to its take."""
 
-    def __init__(self, stage, name, folder, flight, remark):
+    def __init__(self, stage, name, folder, flight, quality, edited):
         self.stage = stage
         self.name = name
         self.folder = folder
         self.flight = flight
-        self.remark = remark
+        self.quality = quality
+        self.edited = edited  # the name of the take that it is an edit of, or ""
 
 
 def check(context):
@@ -51,15 +52,14 @@ def begin(context):
     quality = context.scene.waft.quality
     name, folder = _new_folder()
     try:
-        scene_file = stage.write(folder)
         edited = _edited(context.scene, stage, quality)
+        scene_file = stage.write(folder)
         flight = flights.Flight(command, scene_file, os.path.join(folder, _RESULT), quality, edited)
     except OSError as error:
         shutil.rmtree(folder, ignore_errors=True)
         found.error(f"{command}: {error.strerror}")
         return False
-    remark = quality + (f", edit of {os.path.basename(os.path.dirname(edited))}" if edited else "")
-    running = Run(stage, name, folder, flight, remark)
+    running = Run(stage, name, folder, flight, quality, os.path.basename(os.path.dirname(edited)) if edited else "")
     return True
 
 
@@ -73,7 +73,7 @@ def end(context, outcome):
         return False
     result = os.path.join(run.folder, _RESULT)
     try:
-        positions, orientations = flights.read_poses(result, len(run.stage.flyers), len(run.stage.frames))
+        poses = flights.read_poses(result, len(run.stage.flyers), len(run.stage.frames))
     except (OSError, ValueError) as error:
         found.error(str(error))
         return False
@@ -81,9 +81,9 @@ def end(context, outcome):
         sources = run.stage.sources.get("constraints", [])
         about = context.scene.objects.get(sources[int(row["Row"])])
         found.warn(f"{row['Status']} at frame {int(row['Frame']) + run.stage.frames[0]}: {row['Message']}", about)
-    remark = run.remark + (", stopped early" if outcome.status == flights.STOPPED_EARLY else "")
-    gone = takes.add(context.scene, run.name, bpy.path.relpath(run.folder), remark, run.stage, positions, orientations)
-    for name in gone:
+    take = {"name": run.name, "folder": bpy.path.relpath(run.folder), "quality": run.quality, "edited": run.edited,
+            "is_stopped": outcome.status == flights.STOPPED_EARLY}
+    for name in takes.add(context.scene, take, run.stage, *poses):
         found.warn(f"{name} is no longer there: its motion is left out")
     return True
 
@@ -116,13 +116,17 @@ def _new_folder():
 
 
 def _edited(scene, stage, quality):
-    """The result that the next one is an edit of: the latest finished take of this quality that differs in its constraints alone;
-    None where there is none."""
+    """The result that the next one is an edit of: the latest finished take of this quality from which it differs in its constraints
+    alone; None where there is none."""
     for take in reversed(scene.waft.takes):
         folder = bpy.path.abspath(take.folder)
-        if take.remark.split(",")[0] == quality and "stopped" not in take.remark and flights.can_edit(stage.scene, stage.files, folder) \
-                and os.path.isfile(os.path.join(folder, _RESULT, "report.json")):
-            return os.path.join(folder, _RESULT)
+        result = os.path.join(folder, _RESULT)
+        if take.quality != quality or take.is_stopped or not os.path.isfile(os.path.join(result, "report.json")):
+            continue
+        edit = flights.as_edit_of(folder, stage.scene, stage.files)
+        if edit is not None:
+            stage.scene = edit
+            return result
     return None
 
 

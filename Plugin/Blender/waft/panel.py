@@ -114,7 +114,7 @@ def _draw_field(layout, field):
 class WAFT_UL_takes(bpy.types.UIList):
     def draw_item(self, _context, layout, _data, item, _icon, _active, _property):
         layout.label(text=item.name, icon="ACTION")
-        layout.label(text=item.remark)
+        layout.label(text=item.quality + (f", edit of {item.edited}" if item.edited else "") + (", stopped early" if item.is_stopped else ""))
 
 
 class WAFT_PT_takes(_Panel, bpy.types.Panel):

@@ -69,7 +69,9 @@ class Take(bpy.types.PropertyGroup):
     """A flight that came back; `name` is also that of its folder."""
 
     folder: StringProperty()
-    remark: StringProperty()
+    quality: StringProperty()
+    edited: StringProperty(description="The take that it is an edit of")
+    is_stopped: BoolProperty(description="The best so far of a flight that was stopped")
 
 
 class SceneSettings(bpy.types.PropertyGroup):

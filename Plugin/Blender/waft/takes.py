@@ -8,8 +8,10 @@ from . import curves
 _MOTION = ("location", "rotation_quaternion")
 
 
-def add(scene, name, folder, remark, stage, positions, orientations):
-    """Gives each flyer that is still there an action with its motion, and shows the take. Returns the names of those that are gone."""
+def add(scene, values, stage, positions, orientations):
+    """Gives each flyer that is still there an action with its motion, and shows the take. values: of its properties. Returns the names of
+    the flyers that are gone."""
+    name = values["name"]
     gone = []
     for index, (flyer, _) in enumerate(stage.flyers):
         thing = scene.objects.get(flyer)
@@ -28,7 +30,8 @@ def add(scene, name, folder, remark, stage, positions, orientations):
         entry.name = name
         entry.action = action
     take = scene.waft.takes.add()
-    take.name, take.folder, take.remark = name, folder, remark
+    for key, value in values.items():
+        setattr(take, key, value)
     scene.waft.shown = len(scene.waft.takes) - 1
     return gone
 
@@ -76,4 +79,5 @@ def _give_back(thing):
     curves.play(thing, settings.own_action)
     thing.rotation_mode = settings.own_mode
     thing.matrix_basis = Matrix([settings.own_matrix[at:at + 4] for at in range(0, 16, 4)])
-    settings.own_action = None
+    for name in ("own_action", "own_mode", "own_matrix"):
+        settings.property_unset(name)
