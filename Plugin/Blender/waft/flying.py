@@ -67,7 +67,7 @@ def end(context, outcome):
     """Takes in what a flight that ended has brought; returns whether it is a take."""
     global running
     run, running = running, None
-    _report(run.stage, outcome, context)
+    _report(run, outcome, context)
     if not outcome.has_result:
         shutil.rmtree(run.folder, ignore_errors=True)
         return False
@@ -130,14 +130,15 @@ def _edited(scene, stage, quality):
     return None
 
 
-def _report(stage, outcome, context):
+def _report(run, outcome, context):
     """Says in `found` how a flight ended."""
+    stage = run.stage
     found.clear()
     lines = [line.removeprefix("waft: ") for line in outcome.words.splitlines() if line.startswith("waft: ")]
-    if outcome.status < 0 or outcome.status > 128:
-        found.error(f"waft was killed (signal {-outcome.status if outcome.status < 0 else outcome.status - 128}): nothing was changed")
-    elif outcome.status == flights.STOPPED_EARLY and not outcome.has_result:
+    if run.flight.was_stopped and not outcome.has_result:
         found.warn("stopped before there was anything to keep: nothing was changed")
+    elif outcome.status < 0 or outcome.status > 128:  # as a process ends, and as a shell tells it
+        found.error(f"waft was killed (signal {-outcome.status if outcome.status < 0 else outcome.status - 128}): nothing was changed")
     elif not outcome.has_result:
         for line in [line for line in lines if not line.startswith("warning:")] or [outcome.words[-300:] or "waft ended without a word"]:
             found.error(line, _about(stage, line, context))

@@ -6,6 +6,7 @@ from bpy.props import (BoolProperty, CollectionProperty, EnumProperty, FloatProp
 
 from . import takes
 from .bodies import PRESETS
+from .sampling import POSE_SIZE
 
 ROLES = (
     ("NONE", "None", "Takes no part"),
@@ -61,7 +62,7 @@ class ObjectSettings(bpy.types.PropertyGroup):
     # What an object was before its first take, and its takes.
     own_action: PointerProperty(type=bpy.types.Action)
     own_mode: StringProperty()
-    own_matrix: FloatVectorProperty(size=16)
+    own_pose: FloatVectorProperty(size=POSE_SIZE)
     takes: CollectionProperty(type=ObjectTake)
 
 

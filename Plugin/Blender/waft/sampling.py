@@ -2,19 +2,35 @@
 """Where objects are, and what their properties are, over the frames of a scene."""
 import contextlib
 
+_POSE = (("location", 3), ("rotation_quaternion", 4), ("rotation_euler", 3), ("rotation_axis_angle", 4))
+POSE_SIZE = sum(size for _, size in _POSE)
+
+
+def pose_values(thing):
+    """The numbers of an object's location and rotation, in all ways that it keeps them."""
+    return [value for name, _ in _POSE for value in getattr(thing, name)]
+
+
+def set_pose(thing, values):
+    """Gives back what pose_values told."""
+    at = 0
+    for name, size in _POSE:
+        setattr(thing, name, values[at:at + size])
+        at += size
+
 
 @contextlib.contextmanager
 def frame_kept(scene, things):
     """Afterwards the scene is at its frame again, and things that were moved without a key are where they were."""
     frame, part = scene.frame_current, scene.frame_subframe
-    before = [(thing, thing.matrix_basis.copy()) for thing in things]
+    before = [(thing, pose_values(thing)) for thing in things]
     try:
         yield
     finally:
         scene.frame_set(frame, subframe=part)
-        for thing, matrix in before:
-            if thing.matrix_basis != matrix:
-                thing.matrix_basis = matrix
+        for thing, values in before:
+            if pose_values(thing) != values:
+                set_pose(thing, values)
 
 
 def sample(context, things, frames, values):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Takes: what flights brought, as actions of the user's own objects. A take is swapped for another by its actions."""
 import bpy
-from mathutils import Matrix
 
 from . import curves
+from .sampling import pose_values, set_pose
 
 _MOTION = ("location", "rotation_quaternion")
 
@@ -40,7 +40,7 @@ def _keep_own(thing):
     settings = thing.waft
     settings.own_action = thing.animation_data.action if thing.animation_data else None
     settings.own_mode = thing.rotation_mode
-    settings.own_matrix = [value for row in thing.matrix_basis for value in row]
+    settings.own_pose = pose_values(thing)
 
 
 def show(scene, index):
@@ -78,6 +78,6 @@ def _give_back(thing):
     settings = thing.waft
     curves.play(thing, settings.own_action)
     thing.rotation_mode = settings.own_mode
-    thing.matrix_basis = Matrix([settings.own_matrix[at:at + 4] for at in range(0, 16, 4)])
-    for name in ("own_action", "own_mode", "own_matrix"):
+    set_pose(thing, list(settings.own_pose))
+    for name in ("own_action", "own_mode", "own_pose"):
         settings.property_unset(name)
