@@ -76,7 +76,6 @@ class WAFT_PT_object(_Panel, bpy.types.Panel):
         if thing is None:
             return
         box = layout.box()
-        box.use_property_split = True
         box.label(text=thing.name, icon="OBJECT_DATA")
         field = field_of(thing)
         if thing.waft.role == "NONE" and field is not None:
