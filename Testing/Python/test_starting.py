@@ -11,6 +11,7 @@ import sys
 import tempfile
 import time
 import unittest
+import zipfile
 
 WAFT = sys.argv.pop(1)
 
@@ -51,6 +52,23 @@ class StartingTest(unittest.TestCase):
                 self.assertEqual(status, self.waft(*arguments).returncode)
                 used.append(time.monotonic() - began)
             self.assertLess(min(used), 1.0, arguments)  # ParaView alone takes more to start; 0.15 s on a quiet machine
+
+    def test_the_addon_is_one_zip_and_replaces_nothing(self):
+        done = self.waft("blender-addon", "a.zip")
+        self.assertEqual(0, done.returncode, done.stderr)
+        with zipfile.ZipFile(self.folder / "a.zip") as content:
+            names = content.namelist()
+            self.assertIn(b'"name": "Waft"', content.read("waft_addon/__init__.py"))
+        self.assertTrue(all(name.startswith("waft_addon/") and name.endswith(".py") for name in names), names)
+        written = (self.folder / "a.zip").read_bytes()
+        self.assertEqual(0, self.waft("blender-addon", "b.zip").returncode)
+        self.assertEqual(written, (self.folder / "b.zip").read_bytes())
+        for name, words in (("a.zip", "it is there"), ("a.tar", "ends with .zip"), ("none/a.zip", "a folder that is there")):
+            done = self.waft("blender-addon", name)
+            self.assertEqual(2, done.returncode, name)
+            self.assertIn(words, done.stderr)
+        self.assertEqual(written, (self.folder / "a.zip").read_bytes())
+        self.assertEqual({"a.zip", "b.zip"}, {path.name for path in self.folder.iterdir()})
 
     def test_a_new_scene_is_commented_and_flies(self):
         done = self.waft("new", "a.waft.json", "--text", "I", "--shape", "petal", "--count", 6)

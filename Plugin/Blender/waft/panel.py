@@ -112,8 +112,8 @@ def _draw_field(layout, field):
 
 class WAFT_UL_takes(bpy.types.UIList):
     def draw_item(self, _context, layout, _data, item, _icon, _active, _property):
-        layout.label(text=item.name, icon="ACTION")
-        layout.label(text=item.quality + (f", edit of {item.edited}" if item.edited else "") + (", stopped early" if item.is_stopped else ""))
+        parts = [item.name, item.quality, item.edited and f"edit of {item.edited}", item.is_stopped and "stopped early"]
+        layout.label(text=", ".join(part for part in parts if part), icon="ACTION")
 
 
 class WAFT_PT_takes(_Panel, bpy.types.Panel):

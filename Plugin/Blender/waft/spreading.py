@@ -22,6 +22,7 @@ def spread(context, flyer, emitter, count, seed):
         copy.waft.takes.clear()
         copy.waft.own_action = None
         collection.objects.link(copy)
+        copy.select_set(False)
         copy.rotation_mode = "XYZ"
         copy.rotation_euler = (0.0, 0.0, float(chance.uniform(0.0, 2.0 * np.pi)))
         copy.location = place
