@@ -31,20 +31,17 @@ class Body:
 
 
 def body_of(thing, depsgraph, unit):
-    """(Body, "") of an object, or (None, what is wrong with it). unit: metres of a Blender unit."""
-    obstruction = _obstruction(thing)
-    if obstruction:
-        return None, obstruction
+    """The Body of an object; None where it has no faces. unit: metres of a Blender unit."""
     scale = np.array(thing.scale, float)
     points, triangles = triangles_of(thing, depsgraph)
     points = points * scale
     corners = points[triangles]
     areas = 0.5 * np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
     if not areas.sum() > 0.0:
-        return None, "has no faces: expected a mesh with an area"
+        return None
     center = np.average(corners.mean(axis=1), axis=0, weights=areas)
     axes = _axes(corners - center, areas)
-    return Body((points - center) @ axes * unit, triangles, scale, center, axes), ""
+    return Body((points - center) @ axes * unit, triangles, scale, center, axes)
 
 
 def pose_of(matrix, body, unit):
@@ -61,7 +58,7 @@ def placements(positions, orientations, body, unit):
     return positions / unit - rotate(turns, body.center), turns
 
 
-def _obstruction(thing):
+def obstruction(thing):
     """What keeps an object from being placed by its own location and rotation; "" for nothing."""
     if thing.parent is not None:
         return "hangs on a parent: clear it and keep the transformation (Alt P)"

@@ -37,7 +37,6 @@ def sample(context, things, frames, values):
     """{frame: {name: (matrix in the world, values(thing))}} of things at frames, the scene's own frame first: what was moved there
     without a key is still where it was put. Leaves the scene at the last of the frames."""
     scene = context.scene
-    context.view_layer.update()
     found = {}
     for frame in sorted(frames, key=lambda frame: (frame != scene.frame_current, frame)):
         go_to(scene, frame)

@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 
 from . import marks
-from .bodies import body_of, placements, pose_of
+from .bodies import body_of, obstruction, placements, pose_of
 from .curves import is_animated
 from .obstacles import add_obstacles, add_volume
 from .problems import Problems
@@ -120,6 +120,7 @@ class Stage:
     def _read(self, context):
         parts = {role: [] for role in ("FLYER", "MARK", "TARGET", "OBSTACLE", "VOLUME")}
         fields = []
+        context.view_layer.update()  # objects that a script has just made are in it then
         for thing in context.view_layer.objects:
             if thing.waft.role in parts:
                 parts[thing.waft.role].append(thing)
@@ -164,17 +165,19 @@ class Stage:
         """Adds shapes and objects; returns {name: ObjectId} and {name: Body}."""
         if not things:
             self.problems.error("nothing flies: select meshes and make them flyers")
-        ids, bodies, shapes, unscaled = {}, {}, {}, {}
+        ids, bodies, shapes, made = {}, {}, {}, {}
         for thing in things:
-            if thing.type != "MESH":
-                self.problems.error("is no mesh: a flyer is a mesh", thing)
-                continue
-            own = (thing.data.name, *thing.scale) if not thing.modifiers and thing.data.shape_keys is None else (thing.name, "")
-            fresh, problem = body_of(thing, self.depsgraph, self.unit)
+            problem = obstruction(thing) if thing.type == "MESH" else "is no mesh: a flyer is a mesh"
             if problem:
                 self.problems.error(problem, thing)
                 continue
-            body = unscaled.setdefault(own, fresh)
+            own = (thing.data.name, *thing.scale) if not thing.modifiers and thing.data.shape_keys is None else (thing.name, "")
+            if own not in made:
+                made[own] = body_of(thing, self.depsgraph, self.unit)
+            body = made[own]
+            if body is None:
+                self.problems.error("has no faces: expected a mesh with an area", thing)
+                continue
             weights = self._weights(thing)
             name = shapes.setdefault((own, *weights.items()), f"{thing.data.name.replace('/', '_')}-{len(shapes)}")
             if name not in self.scene.setdefault("shapes", {}):
