@@ -5,6 +5,8 @@ import math
 import os
 import pathlib
 import signal
+import struct
+import subprocess
 import sys
 import time
 import unittest
@@ -12,8 +14,11 @@ import unittest
 import addon_utils
 import bpy
 import numpy as np
+from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Quaternion
 
+if "bool" not in vars(np):
+    np.bool = bool  # the glTF importer of Blender 3.4 asks for this name, which NumPy 1.24 has dropped
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import blender_scenes as scenes  # noqa: E402
@@ -92,6 +97,19 @@ def points_of_file(path):
     return np.array(numbers.split(), float).reshape(-1, 3)
 
 
+def waft(*arguments):
+    return subprocess.run([WAFT, *map(str, arguments)], capture_output=True, text=True, check=False)
+
+
+def go_to(scene, frame):
+    scene.frame_set(int(frame), subframe=frame - int(frame))
+
+
+def gltf_json(path):
+    content = path.read_bytes()
+    return json.loads(content[20:20 + struct.unpack("<I", content[12:16])[0]])
+
+
 class Flown(unittest.TestCase):
     """What goes out and what comes back, against the files of the run."""
 
@@ -168,7 +186,7 @@ class Flown(unittest.TestCase):
         self.assertLess(np.abs(center - (0.2, 0.5, 1.5)).max(), NEAR)
 
     def test_petals_in_centimetres(self):
-        _, written = self.look(scenes.petals_in_centimetres)
+        take, written = self.look(scenes.petals_in_centimetres)
         self.assertEqual(len(written["objects"]), 12)
         self.assertEqual(len(written["shapes"]), 1)
         self.assertAlmostEqual(written["time"]["framesPerSecond"], 30.0 / 1.001, 4)
@@ -179,6 +197,52 @@ class Flown(unittest.TestCase):
         keys = written["obstacles"][0]["motion"]
         at = np.interp(24, [key["frame"] for key in keys], [key["position"][0] for key in keys])  # Blender's frame 35, half way
         self.assertLess(abs(at), NEAR)
+        self.look_at_export(take / "result", written)
+
+    def look_at_export(self, folder, written):
+        """`waft export`, imported: what surrounds the motion is where it was."""
+        done = waft("export", folder)
+        self.assertEqual(0, done.returncode, done.stderr)
+        rate = written["time"]["framesPerSecond"]
+        scene = scenes.empty_scene(0, 59, 30, 30.0 / rate)
+        bpy.ops.import_scene.gltf(filepath=str(folder / "scene.glb"))
+        self.assertEqual((scene["framesPerSecond"], scene["firstFrame"], scene["lastFrame"]), (rate, 0, 59))
+        keys = written["obstacles"][0]["motion"]
+        block, ground = scene.objects["obstacle-0"], scene.objects["ground"]
+        for frame in (0, 17, 39, 59):
+            go_to(scene, frame * 30.0 / rate)  # the importer takes the rate without its base
+            wanted = [np.interp(frame, [key["frame"] for key in keys], [key["position"][axis] for key in keys]) for axis in range(3)]
+            self.assertLess(np.abs(np.array(block.matrix_world.translation) - wanted).max(), NEAR)
+        self.assertLess(np.abs(np.array(block.dimensions) - (0.2, 0.2, 0.2)).max(), 0.1)
+        self.assertLess(np.abs(world_points(ground, 1.0) - (0, 0, 0))[:, 2].max(), NEAR)
+        marks = [thing for thing in scene.objects if thing.name.startswith("mark-")]
+        self.assertEqual(12, len(marks))
+        self.assertTrue(all(thing.type == "EMPTY" and thing["frame"] == 51 for thing in marks))
+        go_to(scene, 51 * 30.0 / rate)
+        flyers = {thing["ObjectId"]: thing for thing in scene.objects if thing.name.startswith("Petal")}
+        for thing in marks:  # the flyer is there
+            self.assertLess((flyers[thing["ObjectId"]].matrix_world.translation - thing.matrix_world.translation).length, NEAR)
+        camera = next(thing for thing in scene.objects if thing.type == "CAMERA")
+        for thing in flyers.values():
+            x, y, depth = world_to_camera_view(scene, camera, thing.matrix_world.translation)
+            self.assertTrue(0.0 < x < 1.0 and 0.0 < y < 1.0 and depth > 0.0, (x, y, depth))
+        for part in ("none", "camera"):
+            self.assertEqual(0, waft("export", folder, "--with", part).returncode)
+            names = {node["name"] for node in gltf_json(folder / "scene.glb")["nodes"]}
+            self.assertEqual(part == "camera", "camera" in names)
+            self.assertFalse({"ground", "obstacle-0"} & names)
+        for kind, name in (("abc", "alembic"), ("usd", "usd")):
+            done = waft("export", folder, "--to", kind)
+            if getattr(bpy.app.build_options, name):
+                self.assertEqual(0, done.returncode, done.stderr)
+                self.assertTrue((folder / f"scene.{kind}").is_file())
+            else:
+                self.assertEqual(1, done.returncode)
+                self.assertIn("was built without this format", done.stderr)
+                self.assertFalse((folder / f"scene.{kind}").exists())
+        (folder / "scene.glb").write_text("mine", encoding="utf-8")
+        self.assertEqual(2, waft("export", folder).returncode)
+        self.assertEqual("mine", (folder / "scene.glb").read_text(encoding="utf-8"))
 
     def test_paper_in_wind(self):
         take, written = self.look(scenes.paper_in_wind)

@@ -48,10 +48,15 @@ def _size(text):
 
 
 VIEWS = ("side", "top", "follow")
+PARTS = ("ground", "obstacles", "marks", "camera")
 
 
-def _views(text):
+def _names(text):
     return tuple(text.split(","))
+
+
+def _parts(text):
+    return () if text == "none" else _names(text)
 
 
 def _speeds(text):
@@ -77,7 +82,9 @@ share = _argument(float, "a share above 0, at most 1", lambda x: 0.0 < x <= 1.0)
 size = _argument(_size, "WxH such as 1280x720, each from 16 to 16384", lambda s: all(16 <= n <= 16384 for n in s))
 
 speeds = _argument(_speeds, "speeds from 0 to 20 m/s with commas between", lambda all_: all(0.0 <= v <= 20.0 for v in all_))
-views = _argument(_views, "names of side, top and follow with commas between",
+parts = _argument(_parts, "none, or names of ground, obstacles, marks and camera with commas between",
+                  lambda names: len(set(names)) == len(names) and all(name in PARTS for name in names))
+views = _argument(_names, "names of side, top and follow with commas between",
                   lambda names: len(set(names)) == len(names) and all(name in VIEWS for name in names))
 
 
@@ -164,6 +171,14 @@ def parser():
                           help="with the rows of measure: measured now, or those in FILE, which measure --json wrote (default: "
                                "DIR/measure.json where it is)")
     share_it.set_defaults(run=run_page)
+
+    hand = commands.add_parser("export", help="a result with its surroundings for other programs, DIR/scene.glb and the like")
+    hand.add_argument("folder", type=path, metavar="DIR", help="what synthesize wrote")
+    hand.add_argument("--to", choices=("glb", "abc", "usd"), default="glb", help="default glb; the others are written by Blender where it "
+                                                                                 "was built with them")
+    hand.add_argument("--with", dest="parts", type=parts, default=PARTS, metavar="P,P",
+                      help="of ground, obstacles, marks (as empties) and camera, or none; default all")
+    hand.set_defaults(run=run_export)
 
     plug = commands.add_parser("blender-addon", help="the add-on for Blender as a zip file, to install there", epilog=NEW_EXIT)
     plug.add_argument("file", type=path, metavar="FILE.zip", help="is written; what is there is never overwritten")
@@ -286,6 +301,15 @@ def run_page(options):
     with interruptible("stopped: no page was written"):
         page = write_page(options.folder, options.measure)
     print(f"{page}: {os.path.getsize(page) / 1e6:.1f} MB; open it in a browser", file=sys.stderr)
+    return failures.ALL_MET
+
+
+def run_export(options):
+    from waft.exporting import export
+
+    with interruptible("stopped: nothing was written"):
+        file = export(options.folder, options.to, options.parts)
+    print(f"{file}: {os.path.getsize(file) / 1e6:.1f} MB", file=sys.stderr)
     return failures.ALL_MET
 
 
