@@ -112,7 +112,8 @@ def parser():
                       help="a finished run of the scene before some rows changed: the same air, only what changed drifts again")
     make.add_argument("--meshes", action="store_true", help="also meshes.pvd: all meshes posed, a file a frame")
     make.add_argument("--watch", action="store_true",
-                      help="fly at preview quality, and again whenever the scene file or a file that it names is saved, until stopped")
+                      help="fly at preview quality, and again whenever the scene file or a file that it names is saved, until stopped; "
+                           "DIR/page.html, open in a browser, follows")
     make.add_argument("--progress", choices=("line", "json"), default="line",
                       help="line: on a terminal; json: each message as a line of JSON on stdout, {\"fraction\", \"text\"}")
     make.set_defaults(run=run_synthesize)
@@ -221,7 +222,7 @@ def run_synthesize(options):
     if options.watch:
         from waft.repeating import fly_when_saved
 
-        return fly_when_saved(options.scene, lambda: _fly(options, "preview"))
+        return fly_when_saved(options.scene, lambda: _fly_and_show(options))
     return _fly(options, options.quality)
 
 
@@ -236,6 +237,19 @@ def _fly(options, quality):
     tell(run, options.output)
     run.delete()
     return run.status
+
+
+def _fly_and_show(options):
+    """A preview, and its page, which loads itself again after the next one; without a page there is all else."""
+    from waft.page import write_page
+
+    status = _fly(options, "preview")
+    if status != failures.STOPPED_EARLY:
+        try:
+            print(f"waft: {write_page(options.output, is_watched=True)}: open it in a browser, it follows", file=sys.stderr)
+        except failures.WaftError as error:
+            print(f"waft: warning: {error}", file=sys.stderr)
+    return status
 
 
 def _print_json(fraction, text):
