@@ -131,6 +131,22 @@ class StartingTest(unittest.TestCase):
         self.check(0, "hard: too many", domain={"min": [-1.5, -1.5, 0], "max": [1, 1, 3]},
                    shapes={"leaf": {"builtin": "leaf", "size": 1.1}})
 
+    def test_a_file_stands_by_the_axis_that_is_up(self):
+        corners = [(x, y, z) for x in (-0.2, 0.2) for y in (0.1, 2.0) for z in (-0.2, 0.2)]  # tall along y
+        faces = ["1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"]
+        (self.folder / "post.obj").write_text("".join(f"v {x} {y} {z}\n" for x, y, z in corners) +
+                                              "".join(f"f {face}\n" for face in faces), encoding="utf-8")
+        post = {"kind": "mesh", "file": "post.obj"}
+        above, beside = position(0, 60, [0, 0, 1.5]), position(1, 60, [0, 1.5, 0.1])
+        self.check(3, "row 0 target 0", "inside obstacle 0", obstacles=[{**post, "up": "y"}], constraints=[above])
+        self.check(3, "row 0 target 0", "inside obstacle 0", obstacles=[post | {"up": "z"}], constraints=[beside])
+        self.assertIn("inside obstacle 0", self.check(3, "does not say which axis is up: z was taken", obstacles=[post],
+                                                      constraints=[above, beside]))
+        self.assertNotIn("axis is up", self.check(0, obstacles=[{**post, "up": "y"}]))
+        self.check(2, "/obstacles/0/up: expected y or z, found", obstacles=[{**post, "up": "x"}])
+        (self.folder / "post.glb").write_bytes(b"glTF")
+        self.check(2, "/obstacles/0", obstacles=[{"kind": "mesh", "file": "post.glb", "up": "y"}])
+
     def test_check_names_what_cannot_be(self):
         said = self.check(3, "row 0 target 0", "inside obstacle 0", "row 1", "outside the volume", "2 of them cannot be met",
                           obstacles=[{"kind": "box", "min": [0.9, -2, 0], "max": [1.0, 2, 4]}],
