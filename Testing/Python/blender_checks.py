@@ -431,6 +431,15 @@ class BadInput(unittest.TestCase):
         bpy.ops.waft.check()
         self.assertEqual([], [problem for problem in flying.found if problem.object])
 
+    def test_what_is_disabled_takes_no_part(self):
+        scenes.obstacle("Sheet", scenes.sheet_mesh("Sheet", 0.3)).hide_viewport = True
+        hidden = scenes.mark("Hidden", (0.2, 0.1, 1.7), 20, self.leaf)
+        hidden.hide_set(True)  # out of sight alone
+        save("disabled")
+        looked = flying.check(bpy.context)
+        self.assertEqual([("Sheet", False)], [(problem.object, problem.is_error) for problem in looked.problems])
+        self.assertEqual({"Mark", "Hidden"}, set(looked.sources["constraints"]))
+
     def test_mark_against_the_start(self):
         scenes.mark("Early", (0.4, 0.1, 1.7), 1, self.leaf)
         self.refused("disagrees with the start of Leaf", "Early")

@@ -121,8 +121,12 @@ class Stage:
         parts = {role: [] for role in ("FLYER", "MARK", "TARGET", "OBSTACLE", "VOLUME")}
         fields = []
         context.view_layer.update()  # objects that a script has just made are in it then
+        depsgraph = context.evaluated_depsgraph_get()
         for thing in context.view_layer.objects:
-            if thing.waft.role in parts:
+            takes_part = thing.waft.role in parts or field_of(thing) is not None
+            if takes_part and not thing.evaluated_get(depsgraph).is_evaluated:
+                self.problems.warn("is disabled in viewports, where Blender does not evaluate it: it takes no part", thing)
+            elif thing.waft.role in parts:
                 parts[thing.waft.role].append(thing)
             elif field_of(thing) is not None:
                 fields.append(thing)
