@@ -49,4 +49,5 @@ vtk_module_wrap_python(
   WRAPPED_MODULES waft_wrapped_modules)
 
 add_subdirectory(Plugin/Python)
+add_subdirectory(Plugin/Blender)
 include(WaftPackage)

@@ -11,6 +11,7 @@ import shutil
 import subprocess
 import sys
 import unittest
+import zipfile
 
 BUILD, SOURCE, WORK = (os.path.realpath(path) for path in sys.argv[1:4])
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -106,6 +107,17 @@ class InstallTest(unittest.TestCase):
     def test_the_parts_of_the_page_came_along(self):
         parts = os.listdir(os.path.join(SOURCE, "Plugin", "Python", "waft", "page"))
         self.assertEqual(sorted(os.listdir(os.path.join(PACKAGES, "waft", "page"))), sorted(parts))
+
+    def test_the_addon_came_along(self):
+        addon = os.path.join(PREFIX, "share", "blender", "scripts", "addons", "waft_addon")
+        parts = glob.glob(os.path.join(SOURCE, "Plugin", "Blender", "waft", "*.py"))
+        self.assertEqual(sorted(os.listdir(addon)), sorted(map(os.path.basename, parts)))
+        archive = os.path.join(WORK, "addon.zip")
+        self.check_run([os.path.join(PREFIX, "bin", "waft"), "blender-addon", archive])
+        with zipfile.ZipFile(archive) as content:
+            for path in parts:
+                with open(path, "rb") as file:
+                    self.assertEqual(content.read(f"waft_addon/{os.path.basename(path)}"), file.read())
 
     def test_data_came_along(self):
         data = os.path.join(PREFIX, "share", "waft", "Data")

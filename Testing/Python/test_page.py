@@ -273,6 +273,27 @@ class BrowserTest(unittest.TestCase):
             self.browser.open(FLOWN / "page.html", "window.waft && waft.ready")
         self.assertFalse(self.browser.run("waft.playing"))
 
+    def test_a_watched_page_follows(self):
+        place = folder("watched")
+        write_page(place, is_watched=True)
+        self.browser.requests.clear()
+        try:
+            self.browser.open(place / "page.html", "window.waft && waft.ready")
+            self.browser.run("waft.view('top'), waft.seek(50)")
+            time.sleep(1.5)  # looked at meanwhile, and as it was
+            self.assertEqual(self.browser.run("waft.frame"), 50)
+            report = json.loads((place / "report.json").read_text(encoding="utf-8"))
+            write_json(place / "report.json", {**report, "title": "Anew"})
+            write_page(place, is_watched=True)
+            self.browser.wait("document.title === 'Anew' && window.waft && waft.ready && waft.frame === 50")
+            self.assertEqual(self.browser.run("document.querySelector('#views [aria-pressed=true]').dataset.view"), "top")
+            self.assertTrue(all(url.startswith(place.absolute().as_uri()) or url.startswith("data:") for url in self.browser.requests))
+            write_page(place)
+            self.assertFalse((place / "page.watch.js").exists())
+        finally:
+            self.browser.requests.clear()
+            self.browser.open(FLOWN / "page.html", "window.waft && waft.ready")
+
     def test_marks_show_their_status(self):
         place = folder("statuses")
         lines = (place / "constraints.csv").read_text(encoding="utf-8").splitlines(keepends=True)

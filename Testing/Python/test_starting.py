@@ -11,6 +11,7 @@ import sys
 import tempfile
 import time
 import unittest
+import zipfile
 
 WAFT = sys.argv.pop(1)
 
@@ -51,6 +52,23 @@ class StartingTest(unittest.TestCase):
                 self.assertEqual(status, self.waft(*arguments).returncode)
                 used.append(time.monotonic() - began)
             self.assertLess(min(used), 1.0, arguments)  # ParaView alone takes more to start; 0.15 s on a quiet machine
+
+    def test_the_addon_is_one_zip_and_replaces_nothing(self):
+        done = self.waft("blender-addon", "a.zip")
+        self.assertEqual(0, done.returncode, done.stderr)
+        with zipfile.ZipFile(self.folder / "a.zip") as content:
+            names = content.namelist()
+            self.assertIn(b'"name": "Waft"', content.read("waft_addon/__init__.py"))
+        self.assertTrue(all(name.startswith("waft_addon/") and name.endswith(".py") for name in names), names)
+        written = (self.folder / "a.zip").read_bytes()
+        self.assertEqual(0, self.waft("blender-addon", "b.zip").returncode)
+        self.assertEqual(written, (self.folder / "b.zip").read_bytes())
+        for name, words in (("a.zip", "it is there"), ("a.tar", "ends with .zip"), ("none/a.zip", "a folder that is there")):
+            done = self.waft("blender-addon", name)
+            self.assertEqual(2, done.returncode, name)
+            self.assertIn(words, done.stderr)
+        self.assertEqual(written, (self.folder / "a.zip").read_bytes())
+        self.assertEqual({"a.zip", "b.zip"}, {path.name for path in self.folder.iterdir()})
 
     def test_a_new_scene_is_commented_and_flies(self):
         done = self.waft("new", "a.waft.json", "--text", "I", "--shape", "petal", "--count", 6)
@@ -113,6 +131,22 @@ class StartingTest(unittest.TestCase):
         self.check(0, "hard: too many", domain={"min": [-1.5, -1.5, 0], "max": [1, 1, 3]},
                    shapes={"leaf": {"builtin": "leaf", "size": 1.1}})
 
+    def test_a_file_stands_by_the_axis_that_is_up(self):
+        corners = [(x, y, z) for x in (-0.2, 0.2) for y in (0.1, 2.0) for z in (-0.2, 0.2)]  # tall along y
+        faces = ["1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"]
+        (self.folder / "post.obj").write_text("".join(f"v {x} {y} {z}\n" for x, y, z in corners) +
+                                              "".join(f"f {face}\n" for face in faces), encoding="utf-8")
+        post = {"kind": "mesh", "file": "post.obj"}
+        above, beside = position(0, 60, [0, 0, 1.5]), position(1, 60, [0, 1.5, 0.1])
+        self.check(3, "row 0 target 0", "inside obstacle 0", obstacles=[{**post, "up": "y"}], constraints=[above])
+        self.check(3, "row 0 target 0", "inside obstacle 0", obstacles=[post | {"up": "z"}], constraints=[beside])
+        self.assertIn("inside obstacle 0", self.check(3, "does not say which axis is up: z was taken", obstacles=[post],
+                                                      constraints=[above, beside]))
+        self.assertNotIn("axis is up", self.check(0, obstacles=[{**post, "up": "y"}]))
+        self.check(2, "/obstacles/0/up: expected y or z, found", obstacles=[{**post, "up": "x"}])
+        (self.folder / "post.glb").write_bytes(b"glTF")
+        self.check(2, "/obstacles/0", obstacles=[{"kind": "mesh", "file": "post.glb", "up": "y"}])
+
     def test_check_names_what_cannot_be(self):
         said = self.check(3, "row 0 target 0", "inside obstacle 0", "row 1", "outside the volume", "2 of them cannot be met",
                           obstacles=[{"kind": "box", "min": [0.9, -2, 0], "max": [1.0, 2, 4]}],
@@ -137,6 +171,8 @@ class StartingTest(unittest.TestCase):
             self.fail(said)
         wait()
         first = (self.folder / "out" / "poses.csv").read_text(encoding="utf-8")
+        stamp = (self.folder / "out" / "page.watch.js").read_text(encoding="utf-8")
+        self.assertIn(stamp.split('"')[1], (self.folder / "out" / "page.html").read_text(encoding="utf-8"))
         self.write(time={"frames": 1})
         wait()
         self.assertTrue(any("/time/frames" in line for line in said), said)
@@ -145,6 +181,7 @@ class StartingTest(unittest.TestCase):
         wait()
         second = (self.folder / "out" / "poses.csv").read_text(encoding="utf-8")
         self.assertEqual((1 + 3 * 61, 1 + 2 * 61), (first.count("\n"), second.count("\n")))
+        self.assertNotEqual(stamp, (self.folder / "out" / "page.watch.js").read_text(encoding="utf-8"))
         process.send_signal(signal.SIGINT)
         self.assertEqual(0, process.wait(10), said)
         process.stderr.close()

@@ -5,7 +5,9 @@
 #include "Scene/SceneReader.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 
 namespace waft
 {
@@ -33,6 +35,34 @@ bool EntersVolume(const ObstacleMesh& obstacle, const Box& volume)
            : std::any_of(obstacle.Offsets.begin(), obstacle.Offsets.end(), meets);
 }
 
+std::string EndingOf(const std::string& path)
+{
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return ending;
+}
+
+// Whether the y axis of an obstacle's file is up, so that it is to be turned.
+bool IsYUp(const SceneNode& node, const std::string& path)
+{
+  if (!node.Has("up"))
+  {
+    return false;
+  }
+  const SceneNode up = node.At("up", "");
+  const std::string axis = up.Text();
+  if (axis != "y" && axis != "z")
+  {
+    up.Fail("y or z");
+  }
+  if (EndingOf(path) == ".glb")
+  {
+    up.FailWith("expected no `up` of a .glb file, whose y axis is up by its format");
+  }
+  return axis == "y";
+}
+
 } // namespace
 
 void SceneReader::ReadObstacles(const SceneNode& node)
@@ -49,6 +79,13 @@ void SceneReader::ReadObstacles(const SceneNode& node)
         item.FailWith("expected an id of its own, found " + std::to_string(obstacle.ObstacleId) +
                       " for two obstacles");
       }
+    }
+    if (item.Has("file") && !item.Has("up") && EndingOf(item.At("file", "").Text()) == ".obj")
+    {
+      this->Out.Warnings.push_back(
+        this->Name + ": " + item.Pointer() +
+        ": an .obj file does not say which axis is up: z was taken; state `up` (y as Blender and "
+        "most others write them, or z)");
     }
     if (!EntersVolume(obstacle, this->Out.Info.Bounds))
     {
@@ -120,6 +157,13 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int index)
     if (obstacle.Mesh.Triangles.empty())
     {
       file.Fail("a surface with triangles");
+    }
+    if (IsYUp(node, path))
+    {
+      for (Vec3& p : obstacle.Mesh.Points)
+      {
+        p = Vec3(p.x(), -p.z(), p.y());
+      }
     }
     const double scale = node.Has("scale") ? node.At("scale", "").Number() : 1.0;
     reference = first(node.Has("position") ? node.At("position", "").Vector() : Vec3(Vec3::Zero()));

@@ -165,6 +165,7 @@ const std::vector<SceneFieldTable>& SceneFieldTables()
         "file",
         { "position", Coordinate },
         { "scale", Coefficient },
+        "up",
         { "id", Id },
         "motion" } },
     { "motionKey", { { "frame", Frame }, { "position", Coordinate } } },

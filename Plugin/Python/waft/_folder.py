@@ -223,3 +223,64 @@ def obstacles_of(folder):
         return [(time, read_surface(path)) for time, path in sorted(steps)]
     single = os.path.join(folder, "obstacles.vtp")
     return [(0.0, read_surface(single))] if os.path.isfile(single) else []
+
+
+@dataclass
+class Obstacle:
+    """A surface as it stands at frame 0 and how far it is shifted at every frame [frame, 3]; None where it stands still. ground: its
+    height, of one that is the ground."""
+
+    number: int
+    points: np.ndarray
+    triangles: np.ndarray
+    shifts: np.ndarray
+    ground: float
+
+
+def moving_obstacles(folder, bounds, rate, frames):
+    """Each Obstacle of a folder, in the order of their ids."""
+    steps = obstacles_of(folder)
+    if not steps or not steps[0][1].GetNumberOfPolys():
+        return []
+    surface = steps[0][1]
+    numbers = array_of(surface.GetPointData(), "ObstacleId", "obstacles")
+    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    moved = [vtk_to_numpy(step.GetPoints().GetData()).astype(float) for _, step in steps]
+    if any(step.shape != points.shape for step in moved):
+        raise BadInput("obstacles.pvd: expected the same surfaces at every step")
+    triangles = _triangles(surface)
+    found = []
+    for number in np.unique(numbers):
+        own = np.flatnonzero(numbers == number)
+        shifts = np.array([(step[own] - points[own]).mean(axis=0) for step in moved])
+        if any(np.abs(step[own] - points[own] - shift).max() > 1e-5 for step, shift in zip(moved, shifts)):
+            raise BadInput(f"obstacles.pvd: obstacle {number}: expected it to move without turning or bending")
+        is_moving = len(moved) > 1 and np.abs(shifts).max() > 1e-9
+        places = np.full(len(points), -1)
+        places[own] = np.arange(len(own))
+        found.append(Obstacle(
+            int(number), points[own], places[triangles[np.isin(triangles[:, 0], own)]],
+            _at_frames([time for time, _ in steps], shifts, rate, frames) if is_moving else None,
+            None if is_moving else ground_height(points[own], bounds)))
+    return found
+
+
+def _at_frames(times, shifts, rate, frames):
+    now = np.arange(frames) / rate
+    return np.stack([np.interp(now, times, shifts[:, axis]) for axis in range(3)], axis=1)
+
+
+def _triangles(surface):
+    """[triangle, 3] of the polygons, as fans."""
+    offsets = vtk_to_numpy(surface.GetPolys().GetOffsetsArray())
+    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray())
+    return np.array([(corners[first], corners[at], corners[at + 1]) for first, last in zip(offsets, offsets[1:])
+                     for at in range(first + 1, last - 1)]).reshape(-1, 3)
+
+
+def bounds_of(folder):
+    """The volume of a run, as six numbers."""
+    bounds = read_surface(os.path.join(folder, "poses.vtp")).GetFieldData().GetArray("Bounds")
+    if bounds is None:
+        raise BadInput("poses.vtp: the field array Bounds is missing")
+    return vtk_to_numpy(bounds).ravel().tolist()

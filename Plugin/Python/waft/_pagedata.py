@@ -24,16 +24,12 @@ def describe(folder, measured=None):
 
     measured: see page.write_page."""
     report = _report(folder)
-    animation, ids, rate, frames = _animation(folder)
-    poses = _folder.read_surface(os.path.join(folder, "poses.vtp"))
-    bounds = poses.GetFieldData().GetArray("Bounds")
-    if bounds is None:
-        raise BadInput("poses.vtp: the field array Bounds is missing")
-    bounds = vtk_to_numpy(bounds).ravel().tolist()
+    animation, ids, rate, frames = animation_of(folder)
+    bounds = _folder.bounds_of(folder)
     title = report.get("title") or report["scene"].removesuffix(".json").removesuffix(".waft")
     run = {"title": title, "scene": report["scene"], "version": report["version"], "seed": report["seed"],
            "quality": report.get("quality", ""), "stoppedEarly": report.get("stoppedEarly", False),
-           "rate": rate, "frames": frames, "bounds": bounds, "marks": _marks(folder), "plan": _plan(folder, ids, frames),
+           "rate": rate, "frames": frames, "bounds": bounds, "marks": marks_of(folder), "plan": _plan(folder, ids, frames),
            "obstacles": _obstacles(folder, bounds, rate, frames), "energy": _energy(folder), "rounds": _rounds(folder),
            "measured": _measured(folder, measured)}
     return run, animation
@@ -49,7 +45,7 @@ def _report(folder):
     return report
 
 
-def _animation(folder):
+def animation_of(folder):
     """Bytes of animation.glb, and of it: ids of objects in order, frames a second, number of frames."""
     path = os.path.join(folder, "animation.glb")
     if not os.path.isfile(path):
@@ -93,7 +89,7 @@ def _number(row, name, path):
     return value if math.isfinite(value) else None
 
 
-def _marks(folder):
+def marks_of(folder):
     """One entry a line of constraints.csv, with the places of its rows in constraints.vtp: [frame, x, y, z, radius]."""
     name = "constraints.vtp"
     places = {}
@@ -137,45 +133,10 @@ def _base64(values):
 
 def _obstacles(folder, bounds, rate, frames):
     """Surfaces as they stand at frame 0, and how far each is shifted at every frame; of the ground its height alone."""
-    steps = _folder.obstacles_of(folder)
-    if not steps or not steps[0][1].GetNumberOfPolys():
-        return []
-    surface = steps[0][1]
-    numbers = _folder.array_of(surface.GetPointData(), "ObstacleId", "obstacles")
-    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
-    moved = [vtk_to_numpy(step.GetPoints().GetData()).astype(float) for _, step in steps]
-    if any(step.shape != points.shape for step in moved):
-        raise BadInput("obstacles.pvd: expected the same surfaces at every step")
-    triangles = _triangles(surface)
-    entries = []
-    for number in np.unique(numbers):
-        own = np.flatnonzero(numbers == number)
-        shifts = np.array([(step[own] - points[own]).mean(axis=0) for step in moved])
-        if any(np.abs(step[own] - points[own] - shift).max() > 1e-5 for step, shift in zip(moved, shifts)):
-            raise BadInput(f"obstacles.pvd: obstacle {number}: expected it to move without turning or bending")
-        ground = _folder.ground_height(points[own], bounds)
-        is_moving = len(moved) > 1 and np.abs(shifts).max() > 1e-9
-        places = np.full(len(points), -1)
-        places[own] = np.arange(len(own))
-        faces = places[triangles[np.isin(triangles[:, 0], own)]]
-        entries.append({
-            "ground": ground if not is_moving else None, "points": _base64(points[own].astype("<f4")),
-            "triangles": _base64(faces.astype("<u4")),
-            "shifts": _base64(_at_frames([time for time, _ in steps], shifts, rate, frames)) if is_moving else None})
-    return entries
-
-
-def _at_frames(times, shifts, rate, frames):
-    now = np.arange(frames) / rate
-    return np.stack([np.interp(now, times, shifts[:, axis]) for axis in range(3)], axis=1).astype("<f4")
-
-
-def _triangles(surface):
-    """[triangle, 3] of the polygons, as fans."""
-    offsets = vtk_to_numpy(surface.GetPolys().GetOffsetsArray())
-    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray())
-    return np.array([(corners[first], corners[at], corners[at + 1]) for first, last in zip(offsets, offsets[1:])
-                     for at in range(first + 1, last - 1)]).reshape(-1, 3)
+    return [{"ground": obstacle.ground, "points": _base64(obstacle.points.astype("<f4")),
+             "triangles": _base64(obstacle.triangles.astype("<u4")),
+             "shifts": None if obstacle.shifts is None else _base64(obstacle.shifts.astype("<f4"))}
+            for obstacle in _folder.moving_obstacles(folder, bounds, rate, frames)]
 
 
 def _energy(folder):

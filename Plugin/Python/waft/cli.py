@@ -48,10 +48,15 @@ def _size(text):
 
 
 VIEWS = ("side", "top", "follow")
+PARTS = ("ground", "obstacles", "marks", "camera")
 
 
-def _views(text):
+def _names(text):
     return tuple(text.split(","))
+
+
+def _parts(text):
+    return () if text == "none" else _names(text)
 
 
 def _speeds(text):
@@ -77,7 +82,9 @@ share = _argument(float, "a share above 0, at most 1", lambda x: 0.0 < x <= 1.0)
 size = _argument(_size, "WxH such as 1280x720, each from 16 to 16384", lambda s: all(16 <= n <= 16384 for n in s))
 
 speeds = _argument(_speeds, "speeds from 0 to 20 m/s with commas between", lambda all_: all(0.0 <= v <= 20.0 for v in all_))
-views = _argument(_views, "names of side, top and follow with commas between",
+parts = _argument(_parts, "none, or names of ground, obstacles, marks and camera with commas between",
+                  lambda names: len(set(names)) == len(names) and all(name in PARTS for name in names))
+views = _argument(_names, "names of side, top and follow with commas between",
                   lambda names: len(set(names)) == len(names) and all(name in VIEWS for name in names))
 
 
@@ -105,7 +112,8 @@ def parser():
                       help="a finished run of the scene before some rows changed: the same air, only what changed drifts again")
     make.add_argument("--meshes", action="store_true", help="also meshes.pvd: all meshes posed, a file a frame")
     make.add_argument("--watch", action="store_true",
-                      help="fly at preview quality, and again whenever the scene file or a file that it names is saved, until stopped")
+                      help="fly at preview quality, and again whenever the scene file or a file that it names is saved, until stopped; "
+                           "DIR/page.html, open in a browser, follows")
     make.add_argument("--progress", choices=("line", "json"), default="line",
                       help="line: on a terminal; json: each message as a line of JSON on stdout, {\"fraction\", \"text\"}")
     make.set_defaults(run=run_synthesize)
@@ -165,6 +173,18 @@ def parser():
                                "DIR/measure.json where it is)")
     share_it.set_defaults(run=run_page)
 
+    hand = commands.add_parser("export", help="a result with its surroundings for other programs, DIR/scene.glb and the like")
+    hand.add_argument("folder", type=path, metavar="DIR", help="what synthesize wrote")
+    hand.add_argument("--to", choices=("glb", "abc", "usd"), default="glb", help="default glb; the others are written by Blender where it "
+                                                                                 "was built with them")
+    hand.add_argument("--with", dest="parts", type=parts, default=PARTS, metavar="P,P",
+                      help="of ground, obstacles, marks (as empties) and camera, or none; default all")
+    hand.set_defaults(run=run_export)
+
+    plug = commands.add_parser("blender-addon", help="the add-on for Blender as a zip file, to install there", epilog=NEW_EXIT)
+    plug.add_argument("file", type=path, metavar="FILE.zip", help="is written; what is there is never overwritten")
+    plug.set_defaults(run=run_blender_addon, needs_paraview=False)
+
     judge = commands.add_parser("measure", help="how good a motion is, from the files of results alone", epilog=MEASURE_EXIT)
     judge.add_argument("folders", type=path, nargs="*", metavar="DIR", help="what synthesize wrote; several are pooled, too")
     judge.add_argument("--tracks", choices=("optimized", "planned", "poses"), default="optimized",
@@ -202,7 +222,7 @@ def run_synthesize(options):
     if options.watch:
         from waft.repeating import fly_when_saved
 
-        return fly_when_saved(options.scene, lambda: _fly(options, "preview"))
+        return fly_when_saved(options.scene, lambda: _fly_and_show(options))
     return _fly(options, options.quality)
 
 
@@ -217,6 +237,19 @@ def _fly(options, quality):
     tell(run, options.output)
     run.delete()
     return run.status
+
+
+def _fly_and_show(options):
+    """A preview, and its page, which loads itself again after the next one; without a page there is all else."""
+    from waft.page import write_page
+
+    status = _fly(options, "preview")
+    if status != failures.STOPPED_EARLY:
+        try:
+            print(f"waft: {write_page(options.output, is_watched=True)}: open it in a browser, it follows", file=sys.stderr)
+        except failures.WaftError as error:
+            print(f"waft: warning: {error}", file=sys.stderr)
+    return status
 
 
 def _print_json(fraction, text):
@@ -282,6 +315,23 @@ def run_page(options):
     with interruptible("stopped: no page was written"):
         page = write_page(options.folder, options.measure)
     print(f"{page}: {os.path.getsize(page) / 1e6:.1f} MB; open it in a browser", file=sys.stderr)
+    return failures.ALL_MET
+
+
+def run_export(options):
+    from waft.exporting import export
+
+    with interruptible("stopped: nothing was written"):
+        file = export(options.folder, options.to, options.parts)
+    print(f"{file}: {os.path.getsize(file) / 1e6:.1f} MB", file=sys.stderr)
+    return failures.ALL_MET
+
+
+def run_blender_addon(options):
+    from waft.blenderaddon import write_addon
+
+    write_addon(options.file)
+    print(f"{options.file}: in Blender, Edit > Preferences > Add-ons > Install", file=sys.stderr)
     return failures.ALL_MET
 
 

@@ -34,6 +34,11 @@ def data_file(name):
     return str(path)
 
 
+def addon_folder():
+    """The folder of the add-on for Blender; None where it was not installed."""
+    return _find_upwards("share/blender/scripts/addons/waft_addon")
+
+
 def is_paraview_here():
     """Whether this process is one of ParaView's programs, or has its package imported."""
     try:

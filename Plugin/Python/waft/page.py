@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One page that shows a result in a browser, with all that it needs in it: see Documentation/Page.md."""
 import base64
+import hashlib
 import html
 import json
 import os
@@ -12,16 +13,18 @@ from waft.failures import BadInput, WaftError
 from waft.results import ResultPlace
 
 NAME = "page.html"
+STAMP = "page.watch.js"
 THREE = "/usr/share/javascript/three/three.min.js"
 _PARTS = pathlib.Path(__file__).resolve().parent / "page"
 _FILE = re.compile(r'<link rel="stylesheet" href="([^"]+)">|<script src="([^"]+)"></script>')
 
 
-def write_page(folder, measured=None):
+def write_page(folder, measured=None, is_watched=False):
     """Writes FOLDER/page.html and its manifest, FOLDER/page.json; returns the page's path.
 
-    folder:   what `waft synthesize` wrote
-    measured: a file of `waft measure --json`, or True to measure now; FOLDER/measure.json is taken where there is one
+    folder:     what `waft synthesize` wrote
+    measured:   a file of `waft measure --json`, or True to measure now; FOLDER/measure.json is taken where there is one
+    is_watched: the page looks at FOLDER/page.watch.js, which is written too, and loads itself again when it was written anew
 
     Raises BadInput on a bad folder or file, and where a page.html is in the way that Waft did not write or that was changed
     since; WaftError where three.js is not installed.
@@ -29,9 +32,13 @@ def write_page(folder, measured=None):
     if not os.path.isdir(folder):
         raise BadInput(f"{folder}: no such folder; `waft synthesize` makes it")
     with ResultPlace(folder, "page.json") as place:
-        place.check([NAME])
-        run, animation = _pagedata.describe(folder, measured)
-        place.path(NAME).write_text(_page(run, animation), encoding="utf-8")
+        place.check([NAME, STAMP] if is_watched else [NAME])
+        page = _page(*_pagedata.describe(folder, measured))
+        if is_watched:
+            stamp = hashlib.sha256(page.encode()).hexdigest()
+            page = _watched(page, stamp)
+            place.path(STAMP).write_text(f'waftWritten("{stamp}");\n', encoding="utf-8")
+        place.path(NAME).write_text(page, encoding="utf-8")
         place.commit({})
     return os.path.join(folder, NAME)
 
@@ -47,6 +54,14 @@ def _page(run, animation):
         head, _, tail = text.partition(before)
         text = head + before + content + tail
     return text
+
+
+def _watched(page, stamp):
+    """A page that may ask for the file with its newest stamp."""
+    policy = "script-src 'unsafe-inline'"
+    head, _, tail = page.partition(policy)
+    body, end, rest = tail.rpartition("</body>")
+    return f'{head}{policy} file:{body}{_script("watch.js")}\n<script>watchPage("{stamp}", "{STAMP}");</script>\n{end}{rest}'
 
 
 def _style(name):

@@ -189,7 +189,8 @@ class Scene:
 
     @documented("meshObstacle")
     def add_mesh(self, file: Path, *, position: Optional[Vector] = None, scale: Optional[float] = None,
-                 id: Optional[int] = None, motion: Optional[Motion] = None, comment: Optional[str] = None) -> int:
+                 up: Optional[str] = None, id: Optional[int] = None, motion: Optional[Motion] = None,
+                 comment: Optional[str] = None) -> int:
         """A closed surface from a file."""
         return self._add_obstacle("add_mesh", "mesh", locals())
 

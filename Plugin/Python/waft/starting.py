@@ -55,8 +55,9 @@ def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple",
     scene.add_shape("body", shape, comment="leaf, maple, oak, willow, aspen, feather, down, petal, bubble or disc; size [m] and "
                                            "settlingSpeed [m/s] may be given, too")
     for file in obstacles:
-        scene.add_mesh(file, position=(0, 0, 0), scale=1, comment="a closed surface; z is up, metres: scale and position put it "
-                                                                  "where it is to be")
+        up = {} if str(file).lower().endswith(".glb") else {"up": "y" if str(file).lower().endswith(".obj") else "z"}
+        scene.add_mesh(file, position=(0, 0, 0), scale=1, **up, comment="a closed surface, metres: scale and position put it where it "
+                                                                        "is to be; up is the file's axis that is up")
     bodies = []
     if forms:
         bodies = scene.add_objects("body", count=count, region={"min": (-1.6, -1.2, 2.2), "max": (1.6, 1.2, 3.7)},

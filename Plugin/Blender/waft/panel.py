@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The panel Waft in the sidebar of the 3D view."""
+import textwrap
+
+import bpy
+
+from . import flying
+from .winds import VORTEX_FACTOR, field_of
+
+_LETTER = 7.0  # pixels, at least, of a letter of a message
+
+
+class _Panel:
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "Waft"
+
+
+class WAFT_PT_fly(_Panel, bpy.types.Panel):
+    bl_label = "Waft"
+
+    def draw(self, context):
+        layout = self.layout
+        settings = context.scene.waft
+        column = layout.column(align=True)
+        column.prop(settings, "quality")
+        column.prop(settings, "seed")
+        layout.prop(settings, "has_ground")
+        if flying.running is None:
+            row = layout.row(align=True)
+            row.operator("waft.check", icon="CHECKMARK")
+            row.operator("waft.fly", icon="PLAY")
+        else:
+            flight = flying.running.flight
+            box = layout.box()
+            box.label(text=f"{flying.running.name}: {100.0 * flight.fraction:.0f} %", icon="TIME")
+            _write(box, context, flight.text)
+            box.operator("waft.stop", icon="CANCEL")
+        for problem in flying.found:
+            _show(layout, context, problem)
+
+
+def _show(layout, context, problem):
+    box = layout.box()
+    icon = "ERROR" if problem.is_error else "INFO"
+    if problem.object:
+        box.operator("waft.select", text=problem.object, icon=icon).name = problem.object
+        _write(box, context, problem.text)
+    else:
+        _write(box, context, problem.text, icon)
+
+
+def _write(layout, context, text, icon="NONE"):
+    """A text over as many lines as the sidebar's width asks for."""
+    width = max(20, int(context.region.width / (_LETTER * context.preferences.system.ui_scale)) - 6)
+    column = layout.column(align=True)
+    column.scale_y = 0.8
+    for number, line in enumerate(textwrap.wrap(text, width)):
+        column.label(text=line, icon=icon if number == 0 else "NONE")
+
+
+class WAFT_PT_object(_Panel, bpy.types.Panel):
+    bl_label = "Scene"
+
+    def draw(self, context):
+        layout = self.layout
+        grid = layout.grid_flow(row_major=True, columns=2, align=True)
+        for role, icon in (("FLYER", "OUTLINER_OB_FORCE_FIELD"), ("MARK", "EMPTY_AXIS"), ("TARGET", "FONT_DATA"),
+                           ("OBSTACLE", "MESH_CUBE"), ("VOLUME", "CUBE"), ("NONE", "X")):
+            grid.operator("waft.role", text=role.capitalize(), icon=icon).role = role
+        row = layout.row(align=True)
+        row.operator("waft.add_mark", icon="ADD")
+        row.operator("waft.add_volume", icon="ADD")
+        layout.operator("waft.spread", icon="STICKY_UVS_DISABLE")
+        thing = context.active_object
+        if thing is None:
+            return
+        box = layout.box()
+        box.label(text=thing.name, icon="OBJECT_DATA")
+        field = field_of(thing)
+        if thing.waft.role == "NONE" and field is not None:
+            _draw_field(box, field)
+            return
+        box.prop(thing.waft, "role")
+        draw = {"FLYER": _draw_flyer, "MARK": _draw_mark, "TARGET": _draw_target}.get(thing.waft.role)
+        if draw:
+            draw(box.column(align=True), thing.waft)
+
+
+def _draw_flyer(layout, settings):
+    for name in ("preset", "settling_speed", "area_density", "thickness", "drag_coefficient"):
+        layout.prop(settings, name)
+
+
+def _draw_mark(layout, settings):
+    for name in ("flyer", "frame", "radius", "kind", *(("until",) if settings.kind == "REST" else ()), "is_turned"):
+        layout.prop(settings, name)
+
+
+def _draw_target(layout, settings):
+    for name in ("group", "frame", "radius", "kind", *(("until",) if settings.kind == "REST" else ()), "count"):
+        layout.prop(settings, name)
+
+
+def _draw_field(layout, field):
+    layout.prop(field, "strength")
+    if field.type == "WIND":
+        layout.label(text=f"{field.strength:.3g} m/s² along its z axis")
+    else:
+        layout.label(text=f"{VORTEX_FACTOR * field.strength:.3g} m²/s² about its z axis")
+
+
+class WAFT_UL_takes(bpy.types.UIList):
+    def draw_item(self, _context, layout, _data, item, _icon, _active, _property):
+        parts = [item.name, item.quality, item.edited and f"edit of {item.edited}", item.is_stopped and "stopped early"]
+        layout.label(text=", ".join(part for part in parts if part), icon="ACTION")
+
+
+class WAFT_PT_takes(_Panel, bpy.types.Panel):
+    bl_label = "Takes"
+
+    @classmethod
+    def poll(cls, context):
+        return len(context.scene.waft.takes) > 0
+
+    def draw(self, context):
+        row = self.layout.row()
+        row.template_list("WAFT_UL_takes", "", context.scene.waft, "takes", context.scene.waft, "shown", rows=3)
+        row.operator("waft.remove_take", text="", icon="REMOVE")
+
+
+CLASSES = (WAFT_UL_takes, WAFT_PT_fly, WAFT_PT_object, WAFT_PT_takes)

@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A Blender scene as a scene file of Waft (Documentation/SceneFiles.md): everything that takes part, read at one go."""
+import json
+import os
+
+import bpy
+import numpy as np
+
+from . import marks
+from .bodies import body_of, obstruction, placements, pose_of
+from .curves import is_animated
+from .obstacles import add_obstacles, add_volume
+from .problems import Problems
+from .sampling import frame_kept, go_to, sample
+from .surfaces import polydata
+from .targets import add_targets
+from .winds import add_fields, field_of
+
+MINIMUM = (3, 4, 0)  # of Blender
+
+
+def too_old(version):
+    """What is said of a version of Blender that is too old; "" of others."""
+    if tuple(version) >= MINIMUM:
+        return ""
+    return f"this is Blender {'.'.join(map(str, version))}: Waft needs {MINIMUM[0]}.{MINIMUM[1]} or later"
+
+
+class Stage:
+    """What of a scene takes part.
+
+    scene: the scene file's content. files: {name: content} that it names. problems: what stands against a flight. sources:
+    {"constraints", "obstacles", ...: the name of the object of each entry}. flyers: [(object's name, Body)] in the order of
+    their ObjectId. frames: the frames of the scene, of which the first is frame 0 of the file. unit: metres of a Blender unit.
+    rate: frames per second.
+    """
+
+    def __init__(self, context):
+        self.problems = Problems()
+        self.scene = {"waft": 1}
+        self.files = {}
+        self.sources = {}
+        self.flyers = []
+        settings = context.scene
+        self.frames = range(settings.frame_start, settings.frame_end + 1)
+        self.rate = settings.render.fps / settings.render.fps_base
+        self.unit = settings.unit_settings.scale_length
+        self.low = self.high = None
+        self.depsgraph = None
+        self._places = {}
+        old = too_old(bpy.app.version)
+        if old:
+            self.problems.error(old)
+        elif len(self.frames) < 2:
+            self.problems.error("the scene has one frame: expected two at least (Output properties, Frame Range)")
+        else:
+            self._read(context)
+
+    # What the parts ask.
+
+    def matrix(self, thing, frame):
+        """Where an object is at a frame."""
+        return self._places[frame][thing.name][0]
+
+    def value(self, thing, frame):
+        """The radius of a mark, or the strength of a field, at a frame."""
+        return self._places[frame][thing.name][1]
+
+    def start_of(self, thing, body):
+        """Where the centre of mass of a flyer is at the first frame [Blender units]."""
+        return pose_of(self.matrix(thing, self.frames[0]), body, self.unit)[0] / self.unit
+
+    def is_inside(self, place):
+        """Whether a place [Blender units] is in the volume."""
+        place = np.asarray(place) * self.unit
+        return self.low is None or bool(np.all(place >= self.low) and np.all(place <= self.high))
+
+    def own_frame(self, thing, frame):
+        """The scene file's number of a frame; None, and a problem, where it is none of the scene."""
+        if frame in self.frames:
+            return frame - self.frames[0]
+        self.problems.error(f"is at frame {frame}: expected one of the scene's, {self.frames[0]} to {self.frames[-1]}", thing)
+        return None
+
+    def rest_of(self, thing):
+        """The fields of a keyframe that rests; none of one that passes."""
+        if thing.waft.kind != "REST":
+            return {}
+        until = self.own_frame(thing, thing.waft.until) if thing.waft.until else None
+        return {"velocity": "rest"} if until is None else {"velocity": "rest", "until": until}
+
+    def add(self, group, thing, **entry):
+        """Adds an entry to a list of the scene file."""
+        self.scene.setdefault(group, []).append({"_object": thing.name, **entry})
+        self.sources.setdefault(group, []).append(thing.name)
+
+    def file(self, name, content):
+        """Keeps a file beside the scene file; returns its name there."""
+        stem, ending = os.path.splitext(name)
+        own = f"{stem}-{len(self.files)}{ending}"
+        self.files[own] = content
+        return own
+
+    def write(self, folder):
+        """Writes the scene file and what it names into an empty folder; returns its path."""
+        for name, content in self.files.items():
+            with open(os.path.join(folder, name), "wb") as stream:
+                stream.write(content if isinstance(content, bytes) else content.encode())
+        path = os.path.join(folder, "scene.waft.json")
+        with open(path, "w", encoding="utf-8") as stream:
+            json.dump(self.scene, stream, indent=1, ensure_ascii=False)
+        return path
+
+    def placements(self, index, positions, orientations):
+        """(locations, quaternions) of the object of the flyer of an ObjectId, from the poses of its body."""
+        return placements(positions, orientations, self.flyers[index][1], self.unit)
+
+    # Reading.
+
+    def _read(self, context):
+        parts = {role: [] for role in ("FLYER", "MARK", "TARGET", "OBSTACLE", "VOLUME")}
+        fields = []
+        context.view_layer.update()  # objects that a script has just made are in it then
+        depsgraph = context.evaluated_depsgraph_get()
+        for thing in context.view_layer.objects:
+            takes_part = thing.waft.role in parts or field_of(thing) is not None
+            if takes_part and not thing.evaluated_get(depsgraph).is_evaluated:
+                self.problems.warn("is disabled in viewports, where Blender does not evaluate it: it takes no part", thing)
+            elif thing.waft.role in parts:
+                parts[thing.waft.role].append(thing)
+            elif field_of(thing) is not None:
+                fields.append(thing)
+        for thing in parts["MARK"]:
+            if thing.type != "EMPTY":
+                self.problems.error("is no empty: a mark is an empty", thing)
+        with frame_kept(context.scene, parts["FLYER"]):
+            self._sample(context, parts, fields)
+            go_to(context.scene, self.frames[0])
+            self.depsgraph = context.evaluated_depsgraph_get()
+            self._add(context.scene, parts, fields)
+            self.depsgraph = None  # which an undo would take away
+
+    def _add(self, scene, parts, fields):
+        self.scene.update(title=scene.name, seed=scene.waft.seed, time={"frames": len(self.frames), "framesPerSecond": self.rate})
+        has_volume = add_volume(self, parts["VOLUME"], scene.waft.has_ground)
+        ids, bodies = self._add_flyers(parts["FLYER"])
+        add_obstacles(self, parts["OBSTACLE"])
+        marks.add_marks(self, [thing for thing in parts["MARK"] if thing.type == "EMPTY"], bodies, ids)
+        add_targets(self, parts["TARGET"], ids)
+        if has_volume:
+            add_fields(self, fields)
+
+    def _sample(self, context, parts, fields):
+        moving = [*parts["OBSTACLE"], *fields]
+        frames = {self.frames[0]}
+        frames.update(frame for thing in parts["MARK"] for frame in marks.frames_of(thing) if frame in self.frames)
+        frames.update(thing.waft.frame for thing in parts["TARGET"] if thing.waft.frame in self.frames)
+        if any(is_animated(thing) for thing in moving):
+            frames.update(self.frames)
+
+        def value(thing):
+            return thing.waft.radius if thing.waft.role == "MARK" else thing.field.strength if field_of(thing) else 0.0
+
+        self._places = sample(context, [*sum(parts.values(), []), *fields], frames, value)
+        for frame in self.frames:
+            self._places.setdefault(frame, self._places[self.frames[0]])
+
+    def _add_flyers(self, things):
+        """Adds shapes and objects; returns {name: ObjectId} and {name: Body}."""
+        if not things:
+            self.problems.error("nothing flies: select meshes and make them flyers")
+        ids, bodies, shapes, made = {}, {}, {}, {}
+        for thing in things:
+            problem = obstruction(thing) if thing.type == "MESH" else "is no mesh: a flyer is a mesh"
+            if problem:
+                self.problems.error(problem, thing)
+                continue
+            own = (thing.data.name, *thing.scale) if not thing.modifiers and thing.data.shape_keys is None else (thing.name, "")
+            if own not in made:
+                made[own] = body_of(thing, self.depsgraph, self.unit)
+            body = made[own]
+            if body is None:
+                self.problems.error("has no faces: expected a mesh with an area", thing)
+                continue
+            weights = self._weights(thing)
+            name = shapes.setdefault((own, *weights.items()), f"{thing.data.name.replace('/', '_')}-{len(shapes)}")
+            if name not in self.scene.setdefault("shapes", {}):
+                mesh = self.file("flyer.vtp", polydata(body.points, body.triangles))
+                self.scene["shapes"][name] = {"_object": thing.name, "mesh": mesh, "align": False, **weights}
+            position, orientation = pose_of(self.matrix(thing, self.frames[0]), body, self.unit)
+            if not self.is_inside(position / self.unit):
+                self.problems.error("starts outside of the volume", thing)
+            ids[thing.name] = len(self.flyers)
+            bodies[thing.name] = body
+            self.flyers.append((thing.name, body))
+            self.add("objects", thing, shape=name, position=position.tolist(), orientation=orientation.tolist())
+        return ids, bodies
+
+    @staticmethod
+    def _weights(thing):
+        settings = thing.waft
+        weights = {"settlingSpeed": settings.settling_speed, "areaDensity": settings.area_density, "thickness": settings.thickness,
+                   "dragCoefficient": settings.drag_coefficient}
+        material = thing.active_material
+        if material is not None:
+            weights["color"] = tuple(material.diffuse_color[:3])
+        return weights

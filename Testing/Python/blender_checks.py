@@ -1,0 +1,539 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the add-on does in Blender; test_blender.py runs it: blender -b --python blender_checks.py -- FOLDER WAFT [NAMES ...]"""
+import json
+import math
+import os
+import pathlib
+import signal
+import struct
+import subprocess
+import sys
+import time
+import unittest
+
+import addon_utils
+import bpy
+import numpy as np
+from bpy_extras.object_utils import world_to_camera_view
+from mathutils import Quaternion
+
+if "bool" not in vars(np):
+    np.bool = bool  # the glTF importer of Blender 3.4 asks for this name, which NumPy 1.24 has dropped
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+import blender_scenes as scenes  # noqa: E402
+
+addon_utils.enable("waft_addon", default_set=True)
+
+from waft_addon import bodies, flight, flying, stage, surfaces  # noqa: E402
+
+FOLDER, WAFT = sys.argv[sys.argv.index("--") + 1:][:2]
+NEAR, ALIKE = 1e-5, 1e-4  # m, rad: what comes back and what goes out agree to
+MOVED = ("location", "rotation_quaternion", "rotation_euler", "rotation_axis_angle", "rotation_mode", "animation_data", "matrix_basis",
+         "matrix_local", "matrix_world", "dimensions", "waft")  # of a flyer that flies
+FOLLOWING = ("matrix_local", "matrix_world")  # of what hangs on it
+
+
+def save(name):
+    """Saves the file in a folder of its own."""
+    folder = pathlib.Path(FOLDER) / f"{name}-{time.monotonic_ns()}"
+    folder.mkdir()
+    bpy.ops.wm.save_as_mainfile(filepath=str(folder / f"{name}.blend"))
+    return folder
+
+
+def fly():
+    flying.found.clear()
+    try:
+        return bpy.ops.waft.fly() == {"FINISHED"}
+    except RuntimeError:  # a report of an error
+        return False
+
+
+def settings_of(block):
+    """All plain values of a block of data, by name."""
+    found = {}
+    for one in block.bl_rna.properties:
+        if one.identifier in ("rna_type", "original", "users", "is_updated", "is_updated_data", "is_evaluated", "tag", "session_uid"):
+            continue
+        value = getattr(block, one.identifier, None)
+        if one.type == "POINTER":
+            found[one.identifier] = getattr(value, "name", None) if value is not None else None
+            if one.identifier in ("waft", "field", "animation_data") and value is not None:
+                found[one.identifier] = settings_of(value)
+        elif one.type == "COLLECTION":
+            found[one.identifier] = len(value)
+        elif getattr(one, "is_array", False):
+            found[one.identifier] = repr([list(part) if hasattr(part, "__len__") else part for part in value])
+        else:
+            found[one.identifier] = repr(value)
+    return found
+
+
+def everything(but=()):
+    """What is in the file: {kind: {name: values}}, without what moves of the flyers `but`."""
+    bpy.context.view_layer.update()
+    found = {}
+    for kind in ("objects", "meshes", "materials", "collections", "scenes", "curves", "images", "worlds", "cameras", "lights", "actions"):
+        found[kind] = {block.name: settings_of(block) for block in getattr(bpy.data, kind)}
+    for name, values in found["objects"].items():
+        for part in MOVED if name in but else FOLLOWING if but else ():
+            values.pop(part, None)
+    found["points"] = {one.name: repr([tuple(point.co) for point in one.vertices]) for one in bpy.data.meshes}
+    found["selected"] = [thing.name for thing in bpy.context.selected_objects]
+    return found
+
+
+def world_points(thing, unit):
+    """The points of an object's mesh in the world [m], by Blender."""
+    points, _ = surfaces.triangles_of(thing, bpy.context.evaluated_depsgraph_get())
+    matrix = np.array(thing.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world, float)
+    return surfaces.moved(points, matrix) * unit
+
+
+def points_of_file(path):
+    text = pathlib.Path(path).read_text(encoding="utf-8")
+    numbers = text.split('NumberOfComponents="3" format="ascii">')[1].split("<")[0]
+    return np.array(numbers.split(), float).reshape(-1, 3)
+
+
+def waft(*arguments):
+    return subprocess.run([WAFT, *map(str, arguments)], capture_output=True, text=True, check=False)
+
+
+def go_to(scene, frame):
+    scene.frame_set(int(frame), subframe=frame - int(frame))
+
+
+def gltf_json(path):
+    content = path.read_bytes()
+    return json.loads(content[20:20 + struct.unpack("<I", content[12:16])[0]])
+
+
+class Flown(unittest.TestCase):
+    """What goes out and what comes back, against the files of the run."""
+
+    def look(self, make, quality="preview"):
+        make()
+        scene = bpy.context.scene
+        scene.waft.quality = quality
+        folder = save(make.__name__)
+        unit, first = scene.unit_settings.scale_length, scene.frame_start
+        names = [thing.name for thing in scene.objects if thing.waft.role == "FLYER"]
+        scene.frame_set(first)
+        starts = {name: world_points(scene.objects[name], unit) for name in names}
+        scene.frame_set(first + 5)
+        before = everything(names)
+        self.assertTrue(fly(), list(flying.found))
+        after = everything(names)
+        self.assertEqual(set(after["actions"]) - set(before["actions"]), {f"take-001 {name}" for name in names})
+        after["actions"] = before["actions"]
+        for kind in before:
+            if kind != "scenes":
+                self.assertEqual(before[kind], after[kind], kind)
+        for one in (before, after):
+            one["scenes"][scene.name].pop("waft")
+        self.assertEqual(before["scenes"], after["scenes"])
+
+        take = next(pathlib.Path(folder).glob("*-waft/take-001"))
+        written = json.loads((take / "scene.waft.json").read_text(encoding="utf-8"))
+        table = np.loadtxt(take / "result" / "poses.csv", delimiter=",", skiprows=1)
+        frames = int(table[:, 1].max()) + 1
+        self.assertEqual(frames, scene.frame_end - first + 1)
+        rate = scene.render.fps / scene.render.fps_base
+        self.assertAlmostEqual(table[frames - 1, 2], (frames - 1) / rate, 9)
+        farthest = turned = started = 0.0
+        for number, entry in enumerate(written["objects"]):
+            thing = scene.objects[entry["_object"]]
+            poses = table[table[:, 0] == number]
+            points = points_of_file(take / written["shapes"][entry["shape"]]["mesh"])
+            for frame in (*range(0, frames, 7), frames - 1):
+                scene.frame_set(first + frame)
+                turn = Quaternion(poses[frame, 6:10])
+                wanted = points @ np.array(turn.to_matrix(), float).T + poses[frame, 3:6]
+                found = world_points(thing, unit)
+                farthest = max(farthest, np.abs(found - wanted).max())
+                if frame == 0:
+                    started = max(started, np.abs(found - starts[thing.name]).max())
+                    first_matrix, first_turn = thing.matrix_world.copy(), turn
+                turns = [np.array(one, float)[:3, :3] for one in (thing.matrix_world, first_matrix, turn.to_matrix(), first_turn.to_matrix())]
+                apart = turns[0] @ np.linalg.inv(turns[1]) - turns[2] @ np.linalg.inv(turns[3])
+                turned = max(turned, np.linalg.norm(apart) / math.sqrt(2.0))  # of a small angle
+        print(f"{make.__name__}: {len(names)} objects, {frames} frames: largest distance {farthest:.1e} m, angle {turned:.1e} rad, "
+              f"start {started:.1e} m")
+        self.assertLess(farthest, NEAR)
+        self.assertLess(started, NEAR)
+        self.assertLess(turned, ALIKE)
+        return take, written
+
+    def test_leaves_and_marks(self):
+        _, written = self.look(scenes.leaves_and_marks)
+        rows = {(row["_object"], row["frame"]): row for row in written["constraints"]}
+        self.assertEqual(set(rows), {("Place", 29), ("Hung", 39), ("Keyed", 21), ("Keyed", 43)})
+        self.assertAlmostEqual(rows["Keyed", 21]["radius"], 0.1, 6)
+        self.assertEqual(rows["Hung", 39]["object"], 1)
+        turn = Quaternion((0.6, 0.0, 0.8, 0.0))
+        wanted = np.array((0.4, 0.0, 2.1)) + np.array(turn.to_matrix()) @ (0.1, 0.0, -0.4)
+        self.assertLess(np.abs(np.array(rows["Hung", 39]["value"]) - wanted).max(), NEAR)
+        # The centre of mass of the leaf comes to the mark.
+        scene = bpy.context.scene
+        scene.frame_set(44)
+        points = world_points(scene.objects["Mirrored"], 1.0)
+        _, triangles = surfaces.triangles_of(scene.objects["Mirrored"], bpy.context.evaluated_depsgraph_get())
+        corners = points[triangles]
+        areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+        center = np.average(corners.mean(axis=1), axis=0, weights=areas)
+        self.assertLess(np.abs(center - (0.2, 0.5, 1.5)).max(), NEAR)
+
+    def test_petals_in_centimetres(self):
+        take, written = self.look(scenes.petals_in_centimetres)
+        self.assertEqual(len(written["objects"]), 12)
+        self.assertEqual(len(written["shapes"]), 1)
+        self.assertAlmostEqual(written["time"]["framesPerSecond"], 30.0 / 1.001, 4)
+        self.assertEqual(np.round(written["domain"]["max"], 6).tolist(), [1.8, 1.8, 2.6])
+        text = written["constraints"][0]["targets"]
+        self.assertEqual((text["text"], text["count"]), ("I", 12))
+        self.assertLess(np.abs(np.array(text["v"]) - (0.0, 0.0, 1.0)).max(), 1e-6)
+        keys = written["obstacles"][0]["motion"]
+        at = np.interp(24, [key["frame"] for key in keys], [key["position"][0] for key in keys])  # Blender's frame 35, half way
+        self.assertLess(abs(at), NEAR)
+        self.look_at_export(take / "result", written)
+
+    def look_at_export(self, folder, written):
+        """`waft export`, imported: what surrounds the motion is where it was."""
+        done = waft("export", folder)
+        self.assertEqual(0, done.returncode, done.stderr)
+        rate = written["time"]["framesPerSecond"]
+        scene = scenes.empty_scene(0, 59, 30, 30.0 / rate)
+        bpy.ops.import_scene.gltf(filepath=str(folder / "scene.glb"))
+        self.assertEqual((scene["framesPerSecond"], scene["firstFrame"], scene["lastFrame"]), (rate, 0, 59))
+        keys = written["obstacles"][0]["motion"]
+        block, ground = scene.objects["obstacle-0"], scene.objects["ground"]
+        for frame in (0, 17, 39, 59):
+            go_to(scene, frame * 30.0 / rate)  # the importer takes the rate without its base
+            wanted = [np.interp(frame, [key["frame"] for key in keys], [key["position"][axis] for key in keys]) for axis in range(3)]
+            self.assertLess(np.abs(np.array(block.matrix_world.translation) - wanted).max(), NEAR)
+        self.assertLess(np.abs(np.array(block.dimensions) - (0.2, 0.2, 0.2)).max(), 0.1)
+        self.assertLess(np.abs(world_points(ground, 1.0) - (0, 0, 0))[:, 2].max(), NEAR)
+        marks = [thing for thing in scene.objects if thing.name.startswith("mark-")]
+        self.assertEqual(12, len(marks))
+        self.assertTrue(all(thing.type == "EMPTY" and thing["frame"] == 51 for thing in marks))
+        go_to(scene, 51 * 30.0 / rate)
+        flyers = {thing["ObjectId"]: thing for thing in scene.objects if thing.name.startswith("Petal")}
+        for thing in marks:  # the flyer is there
+            self.assertLess((flyers[thing["ObjectId"]].matrix_world.translation - thing.matrix_world.translation).length, NEAR)
+        camera = next(thing for thing in scene.objects if thing.type == "CAMERA")
+        for thing in flyers.values():
+            x, y, depth = world_to_camera_view(scene, camera, thing.matrix_world.translation)
+            self.assertTrue(0.0 < x < 1.0 and 0.0 < y < 1.0 and depth > 0.0, (x, y, depth))
+        for part in ("none", "camera"):
+            self.assertEqual(0, waft("export", folder, "--with", part).returncode)
+            names = {node["name"] for node in gltf_json(folder / "scene.glb")["nodes"]}
+            self.assertEqual(part == "camera", "camera" in names)
+            self.assertFalse({"ground", "obstacle-0"} & names)
+        for kind, name in (("abc", "alembic"), ("usd", "usd")):
+            done = waft("export", folder, "--to", kind)
+            if getattr(bpy.app.build_options, name):
+                self.assertEqual(0, done.returncode, done.stderr)
+                self.assertTrue((folder / f"scene.{kind}").is_file())
+            else:
+                self.assertEqual(1, done.returncode)
+                self.assertIn("was built without this format", done.stderr)
+                self.assertFalse((folder / f"scene.{kind}").exists())
+        (folder / "scene.glb").write_text("mine", encoding="utf-8")
+        self.assertEqual(2, waft("export", folder).returncode)
+        self.assertEqual("mine", (folder / "scene.glb").read_text(encoding="utf-8"))
+
+    def test_paper_in_wind(self):
+        take, written = self.look(scenes.paper_in_wind)
+        arc = next(row for row in written["constraints"] if row["_object"] == "Arc")
+        self.assertEqual((arc["objects"], arc["frame"], len(arc["targets"]["points"])), ([0, 1], 40, 2))
+        self.assertLess(np.abs(np.array(arc["targets"]["points"][1]) - (-0.2, 0.26, 1.5)).max(), 0.03)
+        wind, vortex = written["winds"][0], written["vortices"][0]
+        self.assertLess(np.abs(np.array(wind["direction"]) - (1.0, 0.0, 0.0)).max(), 1e-6)
+        self.assertAlmostEqual(wind["strength"], 0.8, 6)
+        self.assertAlmostEqual(vortex["strength"], 2.0 * math.pi * 0.3, 5)
+        self.assertAlmostEqual(vortex["centerTime"], 20 / 25, 2)
+        self.assertTrue(all(row["Status"] == "met" for row in csv_rows(take / "result" / "constraints.csv")))
+        # A page lies on the table, its mesh's y axis up or down.
+        scene = bpy.context.scene
+        scene.frame_set(scene.frame_end)
+        lowest = world_points(scene.objects["Page 3"], 1.0)[:, 2].min()
+        self.assertLess(abs(lowest - 1.1), 2e-3)
+
+
+def csv_rows(path):
+    import csv
+
+    with open(path, encoding="utf-8", newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+class Takes(unittest.TestCase):
+    def test_edit_swap_and_remove(self):
+        scenes.leaves_and_marks()
+        scene = bpy.context.scene
+        one, other = scene.objects["One"], scene.objects["Other"]
+        one.scale = (1.0, 1.0, 1.0)
+        one.color = (0.1, 0.2, 0.3, 1.0)
+        one.keyframe_insert("color", frame=1)  # an action of the user's own
+        own = one.animation_data.action
+        save("takes")
+        names = ["One", "Other", "Mirrored"]
+        before = everything()
+        self.assertTrue(fly(), list(flying.found))
+        first_path = keys(one)
+        scene.objects["Place"].location.x += 0.1
+        self.assertTrue(fly(), list(flying.found))
+        self.assertEqual([take.name for take in scene.waft.takes], ["take-001", "take-002"])
+        self.assertEqual(scene.waft.takes[1].edited, "take-001")
+        self.assertGreater(np.abs(keys(one) - first_path).max(), 0.01)
+        self.assertEqual(one.animation_data.action.name, "take-002 One")
+        self.assertTrue(any(curve.data_path == "color" for curve in one.animation_data.action.fcurves))
+        self.assertEqual([curve.data_path for curve in own.fcurves], ["color"] * 4)
+        second = keys(other)
+        scene.waft.shown = 0
+        self.assertEqual(one.animation_data.action.name, "take-001 One")
+        self.assertTrue(np.array_equal(keys(other), second))  # the edit left it as it was
+        self.assertTrue(np.array_equal(keys(one), first_path))
+        scene.objects["Place"].location.x -= 0.1
+        # Put elsewhere at the first frame, without a key, a flyer starts from there; elsewhere in time its keys hold.
+        scene.frame_set(1)
+        other.location = (0.3, -0.2, 2.1)
+        start = stage.Stage(bpy.context).scene["objects"][1]["position"]
+        self.assertLess(np.abs(np.array(start) - (0.3, -0.2, 2.1)).max(), 0.1)
+        self.assertEqual([round(x, 6) for x in other.location], [0.3, -0.2, 2.1])
+        scene.frame_set(5)
+        other.location = (0.3, -0.2, 2.1)
+        start = stage.Stage(bpy.context).scene["objects"][1]["position"]
+        self.assertLess(np.abs(np.array(start) - (0.4, 0.0, 2.1)).max(), 0.1)
+        while len(scene.waft.takes):
+            bpy.ops.waft.remove_take()
+        self.assertIs(one.animation_data.action, own)
+        after = everything()
+        for name in names:
+            for part in ("rotation_mode", "waft"):
+                self.assertEqual(before["objects"][name][part], after["objects"][name][part], name)
+            for part in ("location", "scale"):
+                self.assertEqual(before["objects"][name][part], after["objects"][name][part], name)
+        self.assertEqual(set(before["actions"]), set(after["actions"]))
+
+
+def keys(thing):
+    """The values of the keys of an object's location and rotation."""
+    found = []
+    for curve in thing.animation_data.action.fcurves:
+        if curve.data_path in ("location", "rotation_quaternion"):
+            values = np.empty(2 * len(curve.keyframe_points))
+            curve.keyframe_points.foreach_get("co", values)
+            found.append(values)
+    return np.array(found)
+
+
+class BadInput(unittest.TestCase):
+    """Each is said, about its object, and nothing in the file is changed."""
+
+    def setUp(self):
+        self.leaf = scenes.small_scene()
+        self.scene = bpy.context.scene
+
+    def refused(self, text, about="", is_saved=True):
+        folder = save("bad") if is_saved else None
+        before = everything()
+        self.assertFalse(fly())
+        said = [(problem.object, problem.text) for problem in flying.found if problem.is_error]
+        self.assertTrue(any(name == about and text in words for name, words in said), said)
+        self.assertEqual(before, everything())
+        if folder is not None:
+            self.assertEqual([], [one for one in folder.rglob("*") if "take" in one.name])
+
+    def test_no_waft(self):
+        preferences = bpy.context.preferences.addons["waft_addon"].preferences
+        preferences.command = "/nowhere/waft"
+        try:
+            self.refused("/nowhere/waft (of the add-on's preferences) is no program")
+        finally:
+            preferences.command = ""
+        path, lack = flight.find_command("", "/nowhere/share/blender/scripts/addons/waft_addon")
+        if path is None:
+            self.assertIn("no waft was found", lack)
+        self.assertEqual(flight.find_command(WAFT, "/a/b/c/d/e/f"), (WAFT, ""))
+
+    def test_no_program_of_waft(self):
+        preferences = bpy.context.preferences.addons["waft_addon"].preferences
+        preferences.command = "/bin/false"
+        try:
+            self.refused("waft ended without a word")
+        finally:
+            preferences.command = ""
+
+    def test_old_blender(self):
+        self.assertIn("this is Blender 3.3.9: Waft needs 3.4", stage.too_old((3, 3, 9)))
+        self.assertEqual("", stage.too_old((3, 4, 0)))
+
+    def test_unsaved(self):
+        self.refused("the file is not saved", is_saved=False)
+
+    def test_open_obstacle(self):
+        scenes.obstacle("Sheet", scenes.sheet_mesh("Sheet", 0.3))
+        self.refused("is not closed: 4 edges do not belong to two faces", "Sheet")
+
+    def test_obstacle_that_cuts_itself(self):
+        one, other = scenes.box_mesh("A", 0.2), scenes.box_mesh("B", 0.2)
+        points = [tuple(v.co) for v in one.vertices] + [(v.co.x + 0.1, v.co.y + 0.1, v.co.z + 0.1) for v in other.vertices]
+        faces = [tuple(p.vertices) for p in one.polygons] + [tuple(i + 8 for i in p.vertices) for p in other.polygons]
+        scenes.obstacle("Two", scenes.mesh("Two", points, faces), location=(0.5, 0.5, 1.0))
+        self.refused("cut", "Two")
+
+    def test_obstacle_without_faces(self):
+        scenes.obstacle("Void", scenes.mesh("Void", [(0, 0, 0)], []))
+        self.refused("has no faces", "Void")
+
+    def test_flyer_without_faces(self):
+        scenes.flyer("Void", scenes.mesh("Void", [(0, 0, 0), (1, 0, 0)], []), location=(0, 0, 1))
+        self.refused("has no faces", "Void")
+
+    def test_flyer_with_a_parent(self):
+        self.leaf.parent = scenes.link("Parent", None)
+        self.refused("hangs on a parent", "Leaf")
+
+    def test_flyer_outside(self):
+        self.leaf.location.z = 5.0
+        self.refused("starts outside of the volume", "Leaf")
+
+    def test_nothing_flies(self):
+        self.leaf.waft.role = "NONE"
+        self.scene.objects["Mark"].waft.flyer = None
+        self.refused("nothing flies")
+
+    def test_no_volume(self):
+        self.scene.objects["Volume"].waft.role = "NONE"
+        self.refused("there is no volume")
+
+    def test_turned_volume(self):
+        self.scene.objects["Volume"].rotation_euler = (0.0, 0.0, 0.3)
+        self.refused("is turned", "Volume")
+
+    def test_mark_outside_of_the_range(self):
+        self.scene.objects["Mark"].waft.frame = 37
+        self.refused("is at frame 37: expected one of the scene's, 1 to 36", "Mark")
+
+    def test_mark_outside_of_the_volume(self):
+        self.scene.objects["Mark"].location.x = 9.0
+        self.refused("lies outside of the volume at frame 30", "Mark")
+
+    def test_marks_that_disagree(self):
+        scenes.mark("Second", (0.4, 0.1, 1.7), 30, self.leaf, radius=0.1)
+        self.refused("disagrees with Mark: at frame 30 Leaf cannot be at both", "Second")
+
+    def test_marks_that_agree(self):
+        scenes.mark("Second", (0.15, 0.1, 1.7), 30, self.leaf, radius=0.1)
+        bpy.ops.waft.check()
+        self.assertEqual([], [problem for problem in flying.found if problem.object])
+
+    def test_what_is_disabled_takes_no_part(self):
+        scenes.obstacle("Sheet", scenes.sheet_mesh("Sheet", 0.3)).hide_viewport = True
+        hidden = scenes.mark("Hidden", (0.2, 0.1, 1.7), 20, self.leaf)
+        hidden.hide_set(True)  # out of sight alone
+        save("disabled")
+        looked = flying.check(bpy.context)
+        self.assertEqual([("Sheet", False)], [(problem.object, problem.is_error) for problem in looked.problems])
+        self.assertEqual({"Mark", "Hidden"}, set(looked.sources["constraints"]))
+
+    def test_mark_against_the_start(self):
+        scenes.mark("Early", (0.4, 0.1, 1.7), 1, self.leaf)
+        self.refused("disagrees with the start of Leaf", "Early")
+
+    def test_empty_group(self):
+        word = bpy.data.curves.new("Word", "FONT")
+        scenes.target("Word", word, 30).waft.group = bpy.data.collections.new("Nobody")
+        self.refused("in which there is no flyer", "Word")
+
+    def test_too_many_places(self):
+        word = bpy.data.curves.new("Word", "FONT")
+        scenes.target("Word", word, 30).waft.count = 5
+        self.refused("has 5 places for 1 flyers", "Word")
+
+    def test_killed(self):
+        folder = save("killed")
+        before = everything()
+        self.assertTrue(flying.begin(bpy.context), list(flying.found))
+        run = flying.running.flight
+        until(lambda: run.text.startswith("assimilation"))
+        os.killpg(run.pid, signal.SIGKILL)
+        self.assertFalse(flying.end(bpy.context, outcome_of(run)))
+        self.assertIn("waft was killed (signal 9): nothing was changed", [problem.text for problem in flying.found])
+        self.assertEqual(before, everything())
+        self.assertEqual([], list(folder.glob("*-waft/*")))
+
+    def test_stopped_at_once(self):
+        save("stopped")
+        before = everything()
+        self.assertTrue(flying.begin(bpy.context), list(flying.found))
+        run = flying.running.flight
+        bpy.ops.waft.stop()
+        self.assertFalse(flying.end(bpy.context, outcome_of(run)))
+        self.assertIn("stopped before there was anything to keep: nothing was changed", [problem.text for problem in flying.found])
+        self.assertEqual(before, everything())
+
+    def test_stopped_with_the_best_so_far(self):
+        self.scene.waft.quality = "assimilated"
+        save("stopped")
+        self.assertTrue(flying.begin(bpy.context), list(flying.found))
+        run = flying.running.flight
+        until(lambda: "Simulating" in run.text)
+        bpy.ops.waft.stop()
+        self.assertTrue(flying.end(bpy.context, outcome_of(run)), list(flying.found))
+        self.assertTrue(self.scene.waft.takes[0].is_stopped)
+        self.assertEqual(self.leaf.animation_data.action.name, "take-001 Leaf")
+
+    def test_another_file_is_opened(self):
+        folder = save("left")
+        self.assertTrue(flying.begin(bpy.context), list(flying.found))
+        pid = flying.running.flight.pid
+        scenes.empty_scene()
+        self.assertIsNone(flying.running)
+        with self.assertRaises(ProcessLookupError):
+            os.kill(pid, 0)
+        self.assertEqual([], list(folder.glob("*-waft/*")))
+
+    def test_message_selects_its_object(self):
+        bpy.ops.waft.select(name="Mark")
+        self.assertEqual(bpy.context.view_layer.objects.active.name, "Mark")
+
+
+def until(holds, seconds=120.0):
+    end = time.monotonic() + seconds
+    while not holds():
+        if time.monotonic() > end:
+            raise AssertionError(f"not within {seconds} s")
+        time.sleep(0.02)
+
+
+def outcome_of(run):
+    found = []
+    until(lambda: found.append(run.poll()) or found[-1] is not None)
+    return found[-1]
+
+
+class Bodies(unittest.TestCase):
+    def test_a_mesh_on_its_axes_keeps_them(self):
+        scenes.empty_scene()
+        body = bodies.body_of(scenes.flyer("Sheet", scenes.sheet_mesh("Sheet", 0.1)), bpy.context.evaluated_depsgraph_get(), 1.0)
+        self.assertTrue(np.array_equal(body.axes, np.eye(3)))
+
+    def test_least_spread_is_z(self):
+        scenes.empty_scene()
+        body = bodies.body_of(scenes.flyer("Leaf", scenes.leaf_mesh()), bpy.context.evaluated_depsgraph_get(), 2.0)
+        self.assertLess(np.abs(body.axes.T @ body.axes - np.eye(3)).max(), 1e-12)
+        self.assertAlmostEqual(np.linalg.det(body.axes), 1.0, 12)
+        spread = np.ptp(body.points, axis=0)
+        self.assertTrue(spread[0] > spread[1] > spread[2])
+        self.assertGreater(body.axes[2, 2], 0.0)
+
+
+if __name__ == "__main__":
+    names = sys.argv[sys.argv.index("--") + 3:]
+    loader = unittest.defaultTestLoader
+    tests = loader.loadTestsFromNames(names, sys.modules[__name__]) if names else loader.loadTestsFromModule(sys.modules[__name__])
+    sys.exit(not unittest.TextTestRunner(verbosity=2).run(tests).wasSuccessful())
