@@ -461,16 +461,17 @@ TEST(PropertyValues, OfTheOptimisation)
   using S = vtkSPHSpacetimeFilter;
   vtkNew<S> filter;
   const SceneData data(filter);
-  TryNaN<S>(filter, { NUMBER(S, PositionWeight, 1),   NUMBER(S, VelocityWeight, 1),
-                      NUMBER(S, CoherenceWeight, 1),  NUMBER(S, SpatialShare, 0.5),
-                      NUMBER(S, ObjectCoherence, 1),  NUMBER(S, ObjectPosition, 1),
-                      NUMBER(S, SmoothingLength, 1),  NUMBER(S, CourantNumber, 0.5),
-                      NUMBER(S, Viscosity, 1),        NUMBER(S, XsphFactor, 0.5),
-                      NUMBER(S, PressureExponent, 2), NUMBER(S, EffectiveGravity, 1),
-                      NUMBER(S, ContactDistance, -1), NUMBER(S, WindDrag, 1), NUMBER(S, AirDrag, 1),
-                      NUMBER(S, Tolerance, 0.1),      NUMBER(S, TimeLimit, 0),
-                      NUMBER(S, EditDuration, 1),     NUMBER(S, EditRadius, 1),
-                      NUMBER(S, MemoryLimit, 0),      NUMBER(S, CheckpointInterval, 1) });
+  TryNaN<S>(filter, { NUMBER(S, PositionWeight, 1),    NUMBER(S, VelocityWeight, 1),
+                      NUMBER(S, CoherenceWeight, 1),   NUMBER(S, SpatialShare, 0.5),
+                      NUMBER(S, ObjectCoherence, 1),   NUMBER(S, ObjectPosition, 1),
+                      NUMBER(S, SmoothingLength, 1),   NUMBER(S, CourantNumber, 0.5),
+                      NUMBER(S, Viscosity, 1),         NUMBER(S, XsphFactor, 0.5),
+                      NUMBER(S, PressureExponent, 2),  NUMBER(S, EffectiveGravity, 1),
+                      NUMBER(S, ContactDistance, -1),  NUMBER(S, WindDrag, 1),
+                      NUMBER(S, AirDrag, 1),           NUMBER(S, Tolerance, 0.1),
+                      NUMBER(S, TimeLimit, 0),         NUMBER(S, EditDuration, 1),
+                      NUMBER(S, EditRadius, 1),        NUMBER(S, MemoryLimit, 0),
+                      NUMBER(S, CheckpointInterval, 1) });
 }
 
 TEST(PropertyValues, OfTheRotation)

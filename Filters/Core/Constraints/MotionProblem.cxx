@@ -16,8 +16,9 @@ void ExchangeQuaternion(StateArchive& stream, Quat& q)
 void ExchangeTrack(StateArchive& stream, Track& track)
 {
   stream.Value(track.ObjectId);
-  for (auto* list : { &track.Positions, &track.SphVelocities, &track.VortexAccelerations,
-                      &track.WindAccelerations, &track.Forces, &track.AirVelocities, &track.Residuals })
+  for (auto* list :
+       { &track.Positions, &track.SphVelocities, &track.VortexAccelerations,
+         &track.WindAccelerations, &track.Forces, &track.AirVelocities, &track.Residuals })
   {
     stream.List(*list);
   }

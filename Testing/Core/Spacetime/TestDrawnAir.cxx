@@ -19,7 +19,8 @@ Vec3 Turning(const Box& box, const Vec3& x, double time)
 {
   const Vec3 at = M_PI * (x - box.Min).cwiseQuotient(box.Size());
   const double speed = (0.8 + 0.2 * time) * box.Width();
-  return speed * Vec3(std::sin(at.x()) * std::cos(at.y()), -std::cos(at.x()) * std::sin(at.y()), 0.0) /
+  return speed *
+         Vec3(std::sin(at.x()) * std::cos(at.y()), -std::cos(at.x()) * std::sin(at.y()), 0.0) /
          M_PI;
 }
 
@@ -84,7 +85,8 @@ struct AirProblem
       for (int again = 0; again < 4; ++again)
       {
         const double between = (static_cast<double>(k) - 0.5) * this->Step;
-        v = this->Input.Air.Sample(x + 0.5 * this->Step * v, between) - object.SettlingSpeed * Vec3::UnitZ();
+        v = this->Input.Air.Sample(x + 0.5 * this->Step * v, between) -
+            object.SettlingSpeed * Vec3::UnitZ();
       }
       track.Positions[k] = x + this->Step * v;
     }
@@ -102,7 +104,8 @@ TEST(DrawnAir, ItsGradientEqualsCentralDifferences)
 {
   const AirProblem problem(8);
   const SpacetimeModel& model = problem.Setup.Model;
-  SpacetimeObjective objective(model, model.Fields, problem.Level, SerialFor(), FastestSphKernels());
+  SpacetimeObjective objective(model, model.Fields, problem.Level, SerialFor(),
+                               FastestSphKernels());
   StateVector state = problem.Setup.Start;
   Random random(5);
   for (float& value : state)
@@ -147,7 +150,8 @@ TEST(DrawnAir, WhatDriftsInItCostsNextToNothing)
   SpacetimeModel& model = problem.Setup.Model;
   model.Fluid.ObjectMass = 1e-9; // the gas does not know of the objects
   model.Fluid.SoundSpeed = 1e-3; // nor of its own disorder
-  SpacetimeObjective objective(model, model.Fields, problem.Level, SerialFor(), FastestSphKernels());
+  SpacetimeObjective objective(model, model.Fields, problem.Level, SerialFor(),
+                               FastestSphKernels());
   StateVector state = problem.Setup.Start;
   SilentMonitor monitor;
   ASSERT_TRUE(MakeInitialGas(objective, SerialFor(), monitor, state));
@@ -172,7 +176,8 @@ TEST(DrawnAir, AMotionThatTheModelDoesNotGiveIsNotReplayed)
 {
   AirProblem problem(40);
   SpacetimeModel& model = problem.Setup.Model;
-  SpacetimeObjective objective(model, model.Fields, problem.Level, SerialFor(), FastestSphKernels());
+  SpacetimeObjective objective(model, model.Fields, problem.Level, SerialFor(),
+                               FastestSphKernels());
   StateVector state = problem.Setup.Start; // the gas stays where it is in an air that turns
   const ReplayError replay = MeasureReplay(objective, state, 5);
   EXPECT_EQ(replay.Gas, -1.0); // it has no velocity

@@ -296,9 +296,8 @@ void FrameTerms::GatherRates(const float* state)
     const SphPairSum& sum = this->PairSums[k];
     for (int c = 0; c < 3; ++c)
     {
-      rates[c * s + i] =
-        sum.First[c] +
-        (inAir ? -this->Model.AirDrag * state[(3 + c) * s + i] : external[c * s + i]);
+      rates[c * s + i] = sum.First[c] + (inAir ? -this->Model.AirDrag * state[(3 + c) * s + i]
+                                               : external[c * s + i]);
       rates[(3 + c) * s + i] = sum.Second[c];
     }
   }

@@ -22,8 +22,9 @@ public:
   FrameTerms(const SpacetimeModel& model, const AirFields& fields, const SphFluid& fluid,
              const SphKernelTable& kernels);
 
-  /// state: the frame's six rows, in a drawn air with the deviations as velocities; step: frames to the next one. Brings `list` up to date.
-  /// Then Acceleration (all of it, external fields included) and Average hold.
+  /// state: the frame's six rows, in a drawn air with the deviations as velocities; step: frames to
+  /// the next one. Brings `list` up to date. Then Acceleration (all of it, external fields
+  /// included) and Average hold.
   void Forward(const float* state, int frame, double step, NeighborList& list);
   /// Of the frame of the last Forward: AccelerationBar and AverageBar in; adds their pull-back to
   /// the six rows of `gradient`.

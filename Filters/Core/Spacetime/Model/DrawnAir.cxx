@@ -24,8 +24,7 @@ DrawnAir::DrawnAir(const FieldSeries& series, const Vec3& origin, double spacing
 
 Vec3 DrawnAir::Velocity(const Vec3& x, double frame) const
 {
-  const Vec3 u =
-    this->Series->Sample(this->Origin + this->Spacing * x, frame * this->FrameStep);
+  const Vec3 u = this->Series->Sample(this->Origin + this->Spacing * x, frame * this->FrameStep);
   return (this->FrameStep / this->Spacing) * u;
 }
 
@@ -80,12 +79,11 @@ void DrawnAir::Slice(double frame, std::vector<float>& values) const
   const FieldSeries& air = *this->Series;
   const double time = frame * this->FrameStep;
   const auto after = std::upper_bound(air.Times.begin(), air.Times.end(), time);
-  const auto next = std::min(static_cast<std::size_t>(after - air.Times.begin()),
-                             air.Times.size() - 1);
+  const auto next =
+    std::min(static_cast<std::size_t>(after - air.Times.begin()), air.Times.size() - 1);
   const std::size_t before = after == air.Times.begin() ? 0 : next - (after != air.Times.end());
   const double gap = air.Times[next] - air.Times[before];
-  const double part =
-    gap > 0.0 ? std::clamp((time - air.Times[before]) / gap, 0.0, 1.0) : 0.0;
+  const double part = gap > 0.0 ? std::clamp((time - air.Times[before]) / gap, 0.0, 1.0) : 0.0;
   const double unit = this->FrameStep / this->Spacing;
   const auto low = static_cast<float>((1.0 - part) * unit);
   const auto high = static_cast<float>(part * unit);
@@ -112,8 +110,7 @@ void DrawnAir::Sample(const std::vector<float>& slice, const Vec3& x, float u[4]
   for (int c = 0; c < 3; ++c)
   {
     const int count = air.Dimensions[c];
-    const double s =
-      (this->Origin[c] + this->Spacing * x[c] - air.Origin[c]) / air.Spacing[c];
+    const double s = (this->Origin[c] + this->Spacing * x[c] - air.Origin[c]) / air.Spacing[c];
     const double held = std::clamp(s, 0.0, static_cast<double>(count - 1));
     const int low = std::clamp(static_cast<int>(held), 0, std::max(0, count - 2));
     part[c] = static_cast<float>(held - low);

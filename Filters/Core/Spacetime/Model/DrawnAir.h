@@ -27,8 +27,7 @@ public:
   /// At a place [dx] and frame.
   Vec3 Velocity(const Vec3& x, double frame) const;
   /// w of a body at x with velocity v at a frame, after a step s.
-  Vec3 Deviation(std::size_t body, const Vec3& x, const Vec3& v, double frame,
-                 double step) const;
+  Vec3 Deviation(std::size_t body, const Vec3& x, const Vec3& v, double frame, double step) const;
   /// The velocity, in the step s into a frame, of a body at x before it whose deviation is w then.
   Vec3 Carried(std::size_t body, const Vec3& x, const Vec3& w, double frame, double step) const;
 

@@ -91,18 +91,18 @@ struct SpacetimeOptions : TermWeights
                        "Distance between centres that objects keep, in metres; negative: from "
                        "their sizes; 0: none." },
           of.ContactDistance...);
+    visit(OptionField{ "WindDrag",
+                       { 0, 100 },
+                       "1/s",
+                       "Rate in 1/s with which a wind given as a velocity draws the gas." },
+          of.WindDrag...);
     visit(
-      OptionField{ "WindDrag",
-                   { 0, 100 },
-                   "1/s",
-                   "Rate in 1/s with which a wind given as a velocity draws the gas." },
-      of.WindDrag...);
-    visit(
-      OptionField{ "AirDrag",
-                   { 0, 100 },
-                   "1/s",
-                   "Rate in 1/s with which gas that moves otherwise than a drawn air comes back to it. "
-                   "With less its disorder shakes the objects." },
+      OptionField{
+        "AirDrag",
+        { 0, 100 },
+        "1/s",
+        "Rate in 1/s with which gas that moves otherwise than a drawn air comes back to it. "
+        "With less its disorder shakes the objects." },
       of.AirDrag...);
     visit(
       FlagField(

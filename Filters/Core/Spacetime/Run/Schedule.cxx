@@ -195,8 +195,8 @@ Schedule PlanSchedule(const SpacetimeSetup& setup, const SpacetimeOptions& optio
 Schedule PlanInAir(const SpacetimeOptions& options)
 {
   Schedule schedule;
-  schedule.Stages.push_back(Minimise(StageKind::Fine, 0, options.Passes, '\0',
-                                     (LastIterations(options) + 1) / 2));
+  schedule.Stages.push_back(
+    Minimise(StageKind::Fine, 0, options.Passes, '\0', (LastIterations(options) + 1) / 2));
   return schedule;
 }
 

@@ -2,7 +2,7 @@
 #include "Spacetime/Run/SpacetimeRun.h"
 
 #include "Spacetime/Run/SpacetimeBudget.h"
-#include "Spacetime/Run/StageMonitor.h"
+#include "Spacetime/Run/StageProgress.h"
 #include "Spacetime/Scene/InitialGas.h"
 
 #include <algorithm>
@@ -105,7 +105,7 @@ Result SpacetimeRun::Begin(StateVector start)
   this->State.StartEnergy = terms.E;
   this->Record(0, "initial", 0, terms, 0.0, 0.0);
   bool isMoved = false;
-  StageMonitor monitor(this->Own, 0.0, 0.0, 1);
+  StageProgress monitor(this->Own, 0.0, 0.0, 1);
   monitor.Text = "spacetime: moving the gas";
   StateVector& motion = this->State.Motion;
   if (this->Ranks.IsFirst()) // one frame after the other: there is nothing to partition

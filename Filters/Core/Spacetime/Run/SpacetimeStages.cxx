@@ -2,7 +2,7 @@
 // What the stages of a run do: minimise E with the fields as they are, or estimate these anew.
 #include "Spacetime/Fields/FieldUpdates.h"
 #include "Spacetime/Run/SpacetimeRun.h"
-#include "Spacetime/Run/StageMonitor.h"
+#include "Spacetime/Run/StageProgress.h"
 
 #include <cstdio>
 #include <utility>
@@ -13,8 +13,8 @@ namespace waft
 bool SpacetimeRun::Minimize(const Stage& stage)
 {
   const std::string name = stage.Name();
-  StageMonitor monitor(this->Progress, this->FractionAt(this->State.Next),
-                       this->FractionAt(this->State.Next + 1), stage.Iterations);
+  StageProgress monitor(this->Progress, this->FractionAt(this->State.Next),
+                        this->FractionAt(this->State.Next + 1), stage.Iterations);
   monitor.Text = "spacetime: " + name;
   LevelSolver& solver = *this->Solver;
   monitor.Done = this->State.IsInside ? this->State.Curvature.NumberOfIterations() : 0;
@@ -50,8 +50,8 @@ bool SpacetimeRun::Minimize(const Stage& stage)
 bool SpacetimeRun::UpdateFields(const Stage& stage)
 {
   const double done = this->FractionAt(this->State.Next);
-  StageMonitor monitor(this->Progress, done, done, 1);
-  StageMonitor fitMonitor(this->Own, done, done, 1);
+  StageProgress monitor(this->Progress, done, done, 1);
+  StageProgress fitMonitor(this->Own, done, done, 1);
   LevelSolver& solver = *this->Solver;
   const StateVector& state = this->State.Part;
   AirFields& fields = this->State.Fields;

@@ -3,7 +3,7 @@
 // them as they are, every second sweep shifted by half a window (Shi et al. 2005, section 5:
 // disjoint subsets of the frames).
 #include "Spacetime/Run/SpacetimeRun.h"
-#include "Spacetime/Run/StageMonitor.h"
+#include "Spacetime/Run/StageProgress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,8 +42,8 @@ bool SpacetimeRun::MinimizeInWindows(const Stage& stage)
   WindowSweep& current = this->State.Sweep;
   const int sweeps =
     std::max(2, static_cast<int>(std::lround(SweepsOfAll * stage.Iterations / IterationsAtOnce)));
-  StageMonitor monitor(this->Progress, this->FractionAt(this->State.Next),
-                       this->FractionAt(this->State.Next + 1), sweeps + 1);
+  StageProgress monitor(this->Progress, this->FractionAt(this->State.Next),
+                        this->FractionAt(this->State.Next + 1), sweeps + 1);
   monitor.Text = "spacetime: " + name;
   whole.Constraints.SetLeash(stage.Leash / this->Problem.Spacing);
   const auto record = [&]()

@@ -141,8 +141,8 @@ void AppendParticles(const SpacetimeInput& input, const SpacetimeSetup& setup,
   const std::vector<FrameTerms::AirAt> air = terms.Air();
   series.Frames.emplace_back();
   ParticleSeries::Frame& frame = series.Frames.back();
-  for (auto* v : { &frame.Positions, &frame.Velocities, &frame.Winds, &frame.VortexForces,
-                   &frame.Residuals })
+  for (auto* v :
+       { &frame.Positions, &frame.Velocities, &frame.Winds, &frame.VortexForces, &frame.Residuals })
   {
     v->reserve(3 * n);
   }

@@ -133,7 +133,8 @@ bool MakeInitialGas(SpacetimeObjective& objective, const ParallelFor& parallel, 
     {
       const Vec3 x = Row(here, stride, i);
       const Vec3 v = Row(here + 3 * stride, stride, i);
-      const Vec3 pull = inAir ? Vec3(Vec3::Zero()) : Vec3(Pull * (SampleField(flow, x, level.Frames[j]) - v));
+      const Vec3 pull =
+        inAir ? Vec3(Vec3::Zero()) : Vec3(Pull * (SampleField(flow, x, level.Frames[j]) - v));
       const Vec3 after = NextVelocity(model, level, terms, j, i, x, v, pull);
       MoveGas(model, i, step, x, after, next);
       isFinite = isFinite && after.allFinite();

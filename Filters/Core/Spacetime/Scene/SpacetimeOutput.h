@@ -41,8 +41,8 @@ struct SpacetimeOutput
   std::vector<double> VelocityResiduals; // the same of v [dx / frame]
   double Spacing = 0.0;                  // dx [m]
   /// How far it is a motion of the model. ReplayErrors: of objects and gas, a second after they
-  /// were let go (Rollout.h); GasHiddenHand: rms of the gas' Residuals over that of Dv/Dt. Negative:
-  /// not to be had.
+  /// were let go (Rollout.h); GasHiddenHand: rms of the gas' Residuals over that of Dv/Dt.
+  /// Negative: not to be had.
   double ObjectReplayError = -1.0, GasReplayError = -1.0, GasHiddenHand = -1.0;
   std::vector<std::string> Warnings;
 };

@@ -251,8 +251,8 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
   model.Approach = setup.Table.Planned;
 }
 
-// In a drawn air objects go with it: no drag is too fast, nothing else moves or slows them, and they
-// begin and land as they came here.
+// In a drawn air objects go with it: no drag is too fast, nothing else moves or slows them, and
+// they begin and land as they came here.
 void SetUpAir(const SpacetimeInput& input, const SpacetimeOptions& options, SpacetimeSetup& setup)
 {
   if (input.Air.IsEmpty())

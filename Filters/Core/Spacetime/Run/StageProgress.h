@@ -9,10 +9,10 @@ namespace waft
 {
 
 /// Progress of one stage as a part of the whole.
-class StageMonitor : public Monitor
+class StageProgress : public Monitor
 {
 public:
-  StageMonitor(Monitor& outer, double from, double to, int steps) :
+  StageProgress(Monitor& outer, double from, double to, int steps) :
     Outer(outer), From(std::min(1.0, from)), To(std::min(1.0, to)), Steps(std::max(1, steps))
   {
   }
