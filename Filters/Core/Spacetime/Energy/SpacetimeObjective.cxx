@@ -351,7 +351,7 @@ void SpacetimeObjective::ToVelocities(std::size_t j, float* gradient) const
       direct[c * stride + i] = -static_cast<float>(step) * rx[i];
     }
   }
-  DrawnAir::ToVelocities(this->Jacobians.data() + this->Ranks.Slot(j) * 9 * stride, direct.data(),
+  GivenAir::ToVelocities(this->Jacobians.data() + this->Ranks.Slot(j) * 9 * stride, direct.data(),
                          model.NumberOfBodies(), stride, step, gradient);
 }
 

@@ -23,7 +23,7 @@ namespace waft
 ///   rv = v^{j+1} - v^j - s (a^j + f^j)
 ///   rs = D^j / (1 - m W(0) / rho0)
 ///   rt = v^j - mean of v^k over the neighbours in time
-/// In a drawn air v is the deviation from it (DrawnAir) but in rx, which takes velocities.
+/// In a drawn air v is the deviation from it (GivenAir) but in rx, which takes velocities.
 class SpacetimeObjective
 {
 public:

@@ -8,7 +8,7 @@
 #include "Particles/RestDensity.h"
 #include "Particles/SphFluid.h"
 #include "Spacetime/Model/AirFields.h"
-#include "Spacetime/Model/DrawnAir.h"
+#include "Spacetime/Model/GivenAir.h"
 #include "Spacetime/Model/TermWeights.h"
 
 #include <array>
@@ -80,7 +80,7 @@ struct SpacetimeModel
   /// Where there is one, velocities are deviations from it in all of E but the positions' steps, no
   /// other field acts, and objects go with the air and settle in it: their DragRates are 1, their
   /// Gravities 0, and they do not feel the gas' pressure.
-  DrawnAir Air;
+  GivenAir Air;
   float AirDrag = 0.0f; // with which the gas is drawn back to it [1 / frame]
   ObstacleField Obstacles;
   RestDensity

@@ -12,7 +12,7 @@ namespace waft
 struct SpacetimeInput : MotionProblem
 {
   /// Velocity of a drawn air, in which Wind is contained already, or empty: what is solved
-  /// for is how gas and objects deviate from it (Model/DrawnAir.h).
+  /// for is how gas and objects deviate from it (Model/GivenAir.h).
   FieldSeries Air;
 };
 

@@ -266,7 +266,7 @@ void SetUpAir(const SpacetimeInput& input, const SpacetimeOptions& options, Spac
   {
     settling.push_back(object.SettlingSpeed * setup.FrameStep / setup.Spacing);
   }
-  model.Air = DrawnAir(input.Air, setup.Origin, setup.Spacing, setup.FrameStep, model.NumberOfGas,
+  model.Air = GivenAir(input.Air, setup.Origin, setup.Spacing, setup.FrameStep, model.NumberOfGas,
                        std::move(settling));
   model.AirDrag = static_cast<float>(options.AirDrag * setup.FrameStep);
   model.DragRates.assign(no, 1.0f);

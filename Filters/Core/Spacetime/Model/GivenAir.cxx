@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Spacetime/Model/DrawnAir.h"
+#include "Spacetime/Model/GivenAir.h"
 
 #include <algorithm>
 #include <utility>
@@ -14,7 +14,7 @@ constexpr int Corrections = 3;
 
 } // namespace
 
-DrawnAir::DrawnAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep,
+GivenAir::GivenAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep,
                    std::size_t numberOfGas, std::vector<double> settling) :
   Series(&series),
   Origin(origin), Spacing(spacing), FrameStep(frameStep), NumberOfGas(numberOfGas),
@@ -22,13 +22,13 @@ DrawnAir::DrawnAir(const FieldSeries& series, const Vec3& origin, double spacing
 {
 }
 
-Vec3 DrawnAir::Velocity(const Vec3& x, double frame) const
+Vec3 GivenAir::Velocity(const Vec3& x, double frame) const
 {
   const Vec3 u = this->Series->Sample(this->Origin + this->Spacing * x, frame * this->FrameStep);
   return (this->FrameStep / this->Spacing) * u;
 }
 
-Vec3 DrawnAir::Deviation(std::size_t body, const Vec3& x, const Vec3& v, double frame,
+Vec3 GivenAir::Deviation(std::size_t body, const Vec3& x, const Vec3& v, double frame,
                          double step) const
 {
   Vec3 w = v - this->Velocity(x - 0.5 * step * v, frame - 0.5 * step);
@@ -36,7 +36,7 @@ Vec3 DrawnAir::Deviation(std::size_t body, const Vec3& x, const Vec3& v, double 
   return w;
 }
 
-Vec3 DrawnAir::Carried(std::size_t body, const Vec3& x, const Vec3& w, double frame,
+Vec3 GivenAir::Carried(std::size_t body, const Vec3& x, const Vec3& w, double frame,
                        double step) const
 {
   Vec3 beside = w;
@@ -49,7 +49,7 @@ Vec3 DrawnAir::Carried(std::size_t body, const Vec3& x, const Vec3& w, double fr
   return v;
 }
 
-void DrawnAir::Deviations(const float* state, std::size_t bodies, std::size_t stride, double frame,
+void GivenAir::Deviations(const float* state, std::size_t bodies, std::size_t stride, double frame,
                           double step, float* out, float* jacobians) const
 {
   thread_local std::vector<float> slice;
@@ -74,7 +74,7 @@ void DrawnAir::Deviations(const float* state, std::size_t bodies, std::size_t st
   }
 }
 
-void DrawnAir::Slice(double frame, std::vector<float>& values) const
+void GivenAir::Slice(double frame, std::vector<float>& values) const
 {
   const FieldSeries& air = *this->Series;
   const double time = frame * this->FrameStep;
@@ -101,7 +101,7 @@ void DrawnAir::Slice(double frame, std::vector<float>& values) const
   }
 }
 
-void DrawnAir::Sample(const std::vector<float>& slice, const Vec3& x, float u[4],
+void GivenAir::Sample(const std::vector<float>& slice, const Vec3& x, float u[4],
                       float jacobian[3][4]) const
 {
   const FieldSeries& air = *this->Series;
@@ -146,7 +146,7 @@ void DrawnAir::Sample(const std::vector<float>& slice, const Vec3& x, float u[4]
   }
 }
 
-void DrawnAir::ToVelocities(const float* jacobians, const float* direct, std::size_t bodies,
+void GivenAir::ToVelocities(const float* jacobians, const float* direct, std::size_t bodies,
                             std::size_t stride, double step, float* gradient)
 {
   const auto half = static_cast<float>(0.5 * step);

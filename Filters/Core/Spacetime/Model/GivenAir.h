@@ -14,13 +14,13 @@ namespace waft
 ///   w = v - (U(x - s v / 2, t - s / 2) - settling e_z)
 /// of all bodies, where gas does not settle: a velocity v belongs to the middle of the step s that
 /// leads to its frame. What drifts costs nothing, and no viscosity damps what the air itself does.
-class DrawnAir
+class GivenAir
 {
 public:
-  DrawnAir() = default;
+  GivenAir() = default;
   /// series [m, s, m/s] must outlive the air; origin of the gas' box [m], dx [m], of a frame [s];
   /// settling: speeds of the bodies behind the gas [dx / frame].
-  DrawnAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep,
+  GivenAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep,
            std::size_t numberOfGas, std::vector<double> settling);
 
   bool IsEmpty() const { return this->Series == nullptr; }

@@ -100,7 +100,7 @@ struct AirProblem
 
 } // namespace
 
-TEST(DrawnAir, ItsGradientEqualsCentralDifferences)
+TEST(GivenAir, ItsGradientEqualsCentralDifferences)
 {
   const AirProblem problem(8);
   const SpacetimeModel& model = problem.Setup.Model;
@@ -144,7 +144,7 @@ TEST(DrawnAir, ItsGradientEqualsCentralDifferences)
   }
 }
 
-TEST(DrawnAir, WhatDriftsInItCostsNextToNothing)
+TEST(GivenAir, WhatDriftsInItCostsNextToNothing)
 {
   AirProblem problem(40);
   SpacetimeModel& model = problem.Setup.Model;
@@ -172,7 +172,7 @@ TEST(DrawnAir, WhatDriftsInItCostsNextToNothing)
   EXPECT_LT(replay.Gas, 1e-3);
 }
 
-TEST(DrawnAir, AMotionThatTheModelDoesNotGiveIsNotReplayed)
+TEST(GivenAir, AMotionThatTheModelDoesNotGiveIsNotReplayed)
 {
   AirProblem problem(40);
   SpacetimeModel& model = problem.Setup.Model;
@@ -191,7 +191,7 @@ TEST(DrawnAir, AMotionThatTheModelDoesNotGiveIsNotReplayed)
   EXPECT_GT(MeasureReplay(objective, state, 5).Objects, 0.3);
 }
 
-TEST(DrawnAir, ARunInItKeepsTheMotionAndSaysHowFarItIsOne)
+TEST(GivenAir, ARunInItKeepsTheMotionAndSaysHowFarItIsOne)
 {
   AirProblem problem(50);
   SpacetimeOptions options;
