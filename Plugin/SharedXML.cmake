@@ -6,6 +6,12 @@ set(WAFT_TIMESTEP_VALUES [=[
         <Documentation>The times of the frames, in seconds.</Documentation>
       </DoubleVectorProperty>]=])
 
+set(WAFT_ACTIVE [=[
+      <IntVectorProperty name="Active" command="SetActive" number_of_elements="1" default_values="1" panel_visibility="advanced">
+        <BooleanDomain name="bool"/>
+        <Documentation>Whether the stage runs. One that rests takes none of its inputs and gives empty outputs.</Documentation>
+      </IntVectorProperty>]=])
+
 set(WAFT_SEED [=[
       <IntVectorProperty name="Seed" command="SetSeed" number_of_elements="1" default_values="1">
         <IntRangeDomain name="range" min="0"/>

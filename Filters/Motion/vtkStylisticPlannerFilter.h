@@ -3,7 +3,8 @@
  * @class   vtkStylisticPlannerFilter
  * @brief   flies objects on segments of a motion database from mark to mark, around obstacles
  *
- * Input port 0, Database (vtkMultiBlockDataSet): a motion database.
+ * Input port 0, Database (vtkMultiBlockDataSet, optional): a motion database; without it that which comes with
+ * Waft, read whole on every rank.
  * Input port 1, Objects (vtkPolyData): one vertex an object; its field data give the volume and the
  * frames.
  * Input port 2, Constraints (vtkPolyData): one vertex a row.
@@ -127,9 +128,27 @@ public:
   vtkGetMacro(NumberOfPlannedObjects, int);
 
   ///@{
+  /// For ParaView, which connects what is selected to the input that it counts as 0: the objects, since
+  /// the database may be left out.
+  void SetObjectsConnection(vtkAlgorithmOutput* objects) { this->SetInputConnection(1, objects); }
+  void SetDatabaseConnection(int, vtkAlgorithmOutput* database)
+  {
+    this->SetInputConnection(0, database);
+  }
+  ///@}
+
+  ///@{
   /// Take an optional input away.
+  void RemoveAllDatabase() { this->SetInputConnection(0, nullptr); }
   void RemoveAllObstacles() { this->SetInputConnection(3, nullptr); }
   void RemoveAllGuides() { this->SetInputConnection(4, nullptr); }
+  ///@}
+
+  ///@{
+  /** Whether the stage runs. One that rests takes none of its inputs and gives empty outputs. */
+  vtkSetMacro(Active, bool);
+  vtkGetMacro(Active, bool);
+  vtkBooleanMacro(Active, bool);
   ///@}
 
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
@@ -169,6 +188,8 @@ private:
   int Take = 0;
   int Seed = 1;
   int NumberOfPlannedObjects = 0;
+
+  bool Active = true;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
