@@ -9,6 +9,7 @@
 #include <vtkSMOutputPort.h>
 #include <vtkSMProperty.h>
 #include <vtkSMPropertyHelper.h>
+#include <vtkSMProxyListDomain.h>
 
 #include <sstream>
 #include <string>
@@ -19,9 +20,14 @@ vtkStandardNewMacro(vtkSMMotionRepresentationProxy);
 namespace
 {
 
-// Numbers, or the text of a choice.
+// Numbers, the text of a choice, or the source of a glyph.
 void SetFrom(vtkSMProperty* property, const std::string& text)
 {
+  if (auto* choices = property->FindDomain<vtkSMProxyListDomain>())
+  {
+    vtkSMPropertyHelper(property).Set(choices->FindProxy("sources", text.c_str()));
+    return;
+  }
   std::istringstream stream(text);
   std::vector<double> numbers;
   for (double number = 0.0; stream >> number;)
@@ -40,6 +46,12 @@ void SetFrom(vtkSMProperty* property, const std::string& text)
   }
 }
 
+int AssociationOf(vtkPVXMLElement* look)
+{
+  return std::string(look->GetAttributeOrEmpty("of")) == "CELLS" ? vtkDataObject::CELL
+                                                                 : vtkDataObject::POINT;
+}
+
 } // namespace
 
 vtkSMMotionRepresentationProxy::~vtkSMMotionRepresentationProxy() = default;
@@ -53,18 +65,35 @@ int vtkSMMotionRepresentationProxy::LoadXMLState(vtkPVXMLElement* element,
 
 void vtkSMMotionRepresentationProxy::UpdateVTKObjects()
 {
-  vtkSMProperty* input = this->GetProperty("Input");
-  if (!this->HasLook && input != nullptr && vtkSMPropertyHelper(input).GetAsProxy() != nullptr)
+  vtkPVDataInformation* data = this->HasLook ? nullptr : this->Shown();
+  if (data != nullptr && data->GetNumberOfPoints() > 0)
   {
     this->HasLook = true;
     vtkPVXMLElement* hints = this->GetHints();
-    if (vtkPVXMLElement* look =
-          hints != nullptr ? hints->FindNestedElementByName("FirstPicture") : nullptr)
+    for (unsigned int i = 0; hints != nullptr && i < hints->GetNumberOfNestedElements(); ++i)
     {
-      this->PutOn(look);
+      vtkPVXMLElement* look = hints->GetNestedElement(i);
+      const char* color = look->GetAttribute("color");
+      if (std::string(look->GetName()) == "FirstPicture" &&
+          (color == nullptr || data->GetArrayInformation(color, AssociationOf(look)) != nullptr))
+      {
+        this->PutOn(look);
+        break;
+      }
     }
   }
   this->Superclass::UpdateVTKObjects();
+}
+
+vtkPVDataInformation* vtkSMMotionRepresentationProxy::Shown()
+{
+  vtkSMProperty* input = this->GetProperty("Input");
+  if (input == nullptr || vtkSMPropertyHelper(input).GetNumberOfElements() == 0)
+  {
+    return nullptr;
+  }
+  vtkSMOutputPort* port = vtkSMPropertyHelper(input).GetAsOutputPort();
+  return port != nullptr ? port->GetDataInformation() : nullptr;
 }
 
 void vtkSMMotionRepresentationProxy::PutOn(vtkPVXMLElement* look)
@@ -90,25 +119,18 @@ void vtkSMMotionRepresentationProxy::PutOn(vtkPVXMLElement* look)
     this->SizeBy(array);
   }
   const char* color = look->GetAttribute("color");
-  const bool ofCells = std::string(look->GetAttributeOrEmpty("of")) == "CELLS";
   vtkSMPropertyHelper(this, "ColorArrayName")
-    .SetInputArrayToProcess(ofCells ? vtkDataObject::CELL : vtkDataObject::POINT,
-                            color != nullptr ? color : "");
+    .SetInputArrayToProcess(AssociationOf(look), color != nullptr ? color : "");
 }
 
 void vtkSMMotionRepresentationProxy::SizeBy(const char* array)
 {
-  vtkSMPropertyHelper input(this, "Input");
-  vtkSMOutputPort* port = input.GetAsOutputPort();
-  vtkPVArrayInformation* found = port != nullptr
-    ? port->GetDataInformation()->GetArrayInformation(array, vtkDataObject::POINT)
-    : nullptr;
+  vtkPVArrayInformation* found = this->Shown()->GetArrayInformation(array, vtkDataObject::POINT);
   if (found != nullptr && found->GetComponentRange(0)[0] > 0.0)
   {
-    vtkSMPropertyHelper(this, "ScaleByArray").Set(1);
-    vtkSMPropertyHelper(this, "SetScaleArray")
-      .SetInputArrayToProcess(vtkDataObject::POINT, array);
-    vtkSMPropertyHelper(this, "GaussianRadius").Set(1.0);
+    vtkSMPropertyHelper(this, "SelectScaleArray").Set(array);
+    vtkSMPropertyHelper(this, "ScaleMode").Set("Magnitude");
+    vtkSMPropertyHelper(this, "ScaleFactor").Set(2.0); // a glyph's ball has the diameter 1
   }
 }
 
