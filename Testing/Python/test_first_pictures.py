@@ -150,7 +150,7 @@ class FirstPicturesTest(unittest.TestCase):
                     simple.SaveScreenshot(str(path), view, ImageResolution=[600, 400])
                     drawn = pixels(path)
                     share = np.mean(np.abs(drawn - 255).max(axis=1) > 24)
-                    self.assertGreater(share, 0.004, "next to nothing is drawn")
+                    self.assertGreater(share, 0.002, "next to nothing is drawn")
 
     def test_changes_of_a_user_stay(self):
         view = simple.CreateRenderView()

@@ -28,12 +28,12 @@ VALUES = ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty", "
 
 
 def described_proxies():
-    """(file, element) of each proxy that the plugin's XML files describe."""
+    """(file, element) of each source, filter and writer that the plugin's XML files describe."""
     found = []
     for path in sorted(glob.glob(os.path.join(XML, "*.xml"))):
         for group in ElementTree.parse(path).getroot().iter("ProxyGroup"):
             found += [(os.path.basename(path), element) for element in group
-                      if element.tag.endswith("Proxy")]
+                      if element.tag.endswith("Proxy") and group.get("name") != "representations"]
     return found
 
 
