@@ -7,10 +7,17 @@
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMSessionProxyManager.h>
 
+#include <algorithm>
+#include <iterator>
+
 vtkStandardNewMacro(vtkSMMotionAnimationProxy);
 
 namespace
 {
+
+// The browser wants those that give before those that take.
+constexpr const char* Stages[] = { "Scene",        "Planner",   "Vortices",
+                                   "Assimilation", "Spacetime", "Rotation" };
 
 // An output of a stage; none where nothing is to be joined.
 struct Source
@@ -140,17 +147,15 @@ void vtkSMMotionAnimationProxy::SetSeed(int seed)
 void vtkSMMotionAnimationProxy::ShowStages(bool shown)
 {
   vtkSMSessionProxyManager* manager = this->GetSessionProxyManager();
-  for (unsigned int i = 0; shown != this->AreShown && i < this->GetNumberOfProxies(); ++i)
+  if (shown && !this->AreShown)
   {
-    vtkSMProxy* stage = this->GetProxy(i);
-    if (shown)
-    {
-      manager->RegisterProxy("sources", this->GetProxyName(i), stage);
-    }
-    else
-    {
-      manager->UnRegisterProxy(stage);
-    }
+    std::for_each(std::begin(Stages), std::end(Stages), [&](const char* name)
+                  { manager->RegisterProxy("sources", name, this->GetProxy(name)); });
+  }
+  else if (!shown && this->AreShown)
+  {
+    std::for_each(std::rbegin(Stages), std::rend(Stages), [&](const char* name)
+                  { manager->UnRegisterProxy(this->GetProxy(name)); });
   }
   this->AreShown = shown;
 }
