@@ -101,6 +101,28 @@ class ProxyTest(unittest.TestCase):
                     self.assertIsNotNone(text, "no Documentation")
                     self.assertTrue((text.text or "").strip(), "empty Documentation")
 
+    def test_panels_speak_of_properties_that_are_there(self):
+        groups = decorators = 0
+        for path, element in described_proxies():
+            own = {p.get("name"): p for p in element if p.tag.endswith("Property")}
+            for group in element.findall("PropertyGroup"):
+                groups += 1
+                for member in group.findall("Property"):
+                    with self.subTest(file=path, group=group.get("label")):
+                        self.assertIn(member.get("name"), own)
+            grouped = [member.get("name") for group in element.findall("PropertyGroup") for member in group.findall("Property")]
+            self.assertEqual(len(grouped), len(set(grouped)), f"{path}: a property in two groups")
+            for decorator in element.iter("PropertyWidgetDecorator"):
+                decorators += 1
+                with self.subTest(file=path, decorator=decorator.get("property")):
+                    self.assertIn(decorator.get("property"), own)
+                    decides = own[decorator.get("property")]
+                    choices = [entry.get("value") for entry in decides.iter("Entry")] or ["0", "1"]
+                    for value in (decorator.get("values") or decorator.get("value")).split():
+                        self.assertIn(value, choices)
+        self.assertGreater(groups, 15)
+        self.assertGreater(decorators, 15)
+
     def test_an_optional_input_can_be_taken_away(self):
         some = simple.Sphere()
         seen = 0
