@@ -3,14 +3,13 @@
  * @class   vtkStylisticPlannerFilter
  * @brief   flies objects on segments of a motion database from mark to mark, around obstacles
  *
- * Input port 0, Database (vtkMultiBlockDataSet, optional): a motion database; without it that which comes with
- * Waft, read whole on every rank.
- * Input port 1, Objects (vtkPolyData): one vertex an object; its field data give the volume and the
- * frames.
- * Input port 2, Constraints (vtkPolyData): one vertex a row.
- * Input port 3, Obstacles (vtkPolyData, optional, may move): closed surfaces, `ObstacleId`.
- * Input port 4, Guides (vtkPolyData, optional): a polyline an object, named by the cell data
- * `ObjectId` (without it, line k is for the object of id k): a rough way, followed loosely.
+ * Input port 0, Database (vtkMultiBlockDataSet, optional): a motion database; without it that which
+ * comes with Waft, read whole on every rank. Input port 1, Objects (vtkPolyData): one vertex an
+ * object; its field data give the volume and the frames. Input port 2, Constraints (vtkPolyData):
+ * one vertex a row. Input port 3, Obstacles (vtkPolyData, optional, may move): closed surfaces,
+ * `ObstacleId`. Input port 4, Guides (vtkPolyData, optional): a polyline an object, named by the
+ * cell data `ObjectId` (without it, line k is for the object of id k): a rough way, followed
+ * loosely.
  *
  * Output port 0, Tracks (vtkPolyData): one polyline an object, one point a frame, annotated with
  * what drove the segments (`ForceType`, `VortexId`, `VortexAcceleration`, `WindAcceleration`).
@@ -128,8 +127,8 @@ public:
   vtkGetMacro(NumberOfPlannedObjects, int);
 
   ///@{
-  /// For ParaView, which connects what is selected to the input that it counts as 0: the objects, since
-  /// the database may be left out.
+  /// For ParaView, which connects what is selected to the input that it counts as 0: the objects,
+  /// since the database may be left out.
   void SetObjectsConnection(vtkAlgorithmOutput* objects) { this->SetInputConnection(1, objects); }
   void SetDatabaseConnection(int, vtkAlgorithmOutput* database)
   {

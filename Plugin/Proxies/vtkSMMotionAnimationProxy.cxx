@@ -78,7 +78,8 @@ bool vtkSMMotionAnimationProxy::AreInRange(int quality, int stop)
   }
   if (!isStop)
   {
-    vtkErrorMacro("StopAfter: expected 0 (Scene) to " << AFTER_ALL << " (Rotation), found " << stop);
+    vtkErrorMacro("StopAfter: expected 0 (Scene) to " << AFTER_ALL << " (Rotation), found "
+                                                      << stop);
   }
   return isQuality && isStop;
 }
@@ -102,7 +103,8 @@ void vtkSMMotionAnimationProxy::Arrange(int quality, int stop)
   Join(spacetime, "Tracks", tracks);
   Join(spacetime, "Constraints", rows);
   Join(spacetime, "Air", air);
-  Join(spacetime, "Vortices", draws ? Source{ assimilation, 2 } : Source{ this->GetProxy("Vortices"), 0 });
+  Join(spacetime, "Vortices",
+       draws ? Source{ assimilation, 2 } : Source{ this->GetProxy("Vortices"), 0 });
   Join(rotation, "Tracks", optimises ? Source{ spacetime, 0 } : tracks);
   Join(rotation, "Constraints", rows);
   Join(rotation, "Air", air);
@@ -149,13 +151,14 @@ void vtkSMMotionAnimationProxy::ShowStages(bool shown)
   vtkSMSessionProxyManager* manager = this->GetSessionProxyManager();
   if (shown && !this->AreShown)
   {
-    std::for_each(std::begin(Stages), std::end(Stages), [&](const char* name)
+    std::for_each(std::begin(Stages), std::end(Stages),
+                  [&](const char* name)
                   { manager->RegisterProxy("sources", name, this->GetProxy(name)); });
   }
   else if (!shown && this->AreShown)
   {
-    std::for_each(std::rbegin(Stages), std::rend(Stages), [&](const char* name)
-                  { manager->UnRegisterProxy(this->GetProxy(name)); });
+    std::for_each(std::rbegin(Stages), std::rend(Stages),
+                  [&](const char* name) { manager->UnRegisterProxy(this->GetProxy(name)); });
   }
   this->AreShown = shown;
 }

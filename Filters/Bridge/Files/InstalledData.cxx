@@ -49,7 +49,7 @@ Result FindDataFile(const std::string& name, std::string& path)
     }
   }
   return Result::Error("share/waft/Data/" + name + ": expected above " + library.string() +
-                         ", found in no folder; WAFT_DATA can name another");
+                       ", found in no folder; WAFT_DATA can name another");
 }
 
 } // namespace waft

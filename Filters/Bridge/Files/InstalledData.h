@@ -10,7 +10,8 @@ namespace waft
 {
 
 /// The path of a file that comes with Waft, such as Database/embedded.vtm: in the folder that the
-/// environment names as WAFT_DATA, else in share/waft/Data of the nearest folder above this library.
+/// environment names as WAFT_DATA, else in share/waft/Data of the nearest folder above this
+/// library.
 Result FindDataFile(const std::string& name, std::string& path);
 
 } // namespace waft
