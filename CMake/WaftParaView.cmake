@@ -13,6 +13,7 @@ vtk_module_scan(
   MODULE_FILES
     "${CMAKE_CURRENT_SOURCE_DIR}/Sources/vtk.module"
     "${CMAKE_CURRENT_SOURCE_DIR}/Filters/Motion/vtk.module"
+    "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/Proxies/vtk.module"
   PROVIDES_MODULES waft_modules
   REQUIRES_MODULES waft_required_modules
   WANT_BY_DEFAULT ON
@@ -38,8 +39,11 @@ paraview_plugin_build(
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   AUTOLOAD ${waft_plugins})
 
+# Proxies are made by their names in XML; ParaView's own wrapping serves them in Python.
+set(waft_python_modules ${waft_modules})
+list(REMOVE_ITEM waft_python_modules Waft::WaftProxies)
 vtk_module_wrap_python(
-  MODULES ${waft_modules}
+  MODULES ${waft_python_modules}
   TARGET Waft::Python
   PYTHON_PACKAGE "waft"
   MODULE_DESTINATION "${WAFT_PYTHON_DIR}"

@@ -6,6 +6,12 @@ set(WAFT_TIMESTEP_VALUES [=[
         <Documentation>The times of the frames, in seconds.</Documentation>
       </DoubleVectorProperty>]=])
 
+set(WAFT_ACTIVE [=[
+      <IntVectorProperty name="Active" command="SetActive" number_of_elements="1" default_values="1" panel_visibility="advanced">
+        <BooleanDomain name="bool"/>
+        <Documentation>Whether the stage runs. One that rests takes none of its inputs and gives empty outputs.</Documentation>
+      </IntVectorProperty>]=])
+
 set(WAFT_SEED [=[
       <IntVectorProperty name="Seed" command="SetSeed" number_of_elements="1" default_values="1">
         <IntRangeDomain name="range" min="0"/>
@@ -178,21 +184,26 @@ function(waft_skin prefix rows base edge vein blotches)
         <Documentation>Columns of the mesh across; an odd number counts as the next even one.</Documentation>
       </IntVectorProperty>
       <StringVectorProperty name="TextureFile" label="Texture File" command="SetTextureFile" number_of_elements="1" default_values="">
+        <FileListDomain name="files"/>
+        <Hints>
+          <FileChooser extensions="png" file_description="PNG pictures"/>
+          <AcceptAnyFile/>
+        </Hints>
         <Documentation>The PNG file that the painted skin is written to; empty: no skin, the plain Base Color.</Documentation>
       </StringVectorProperty>
       <IntVectorProperty name="TextureSize" label="Texture Size" command="SetTextureSize" number_of_elements="1" default_values="512" panel_visibility="advanced">
         <IntRangeDomain name="range" min="16" max="4096"/>
         <Documentation>Pixels of the skin along the length.</Documentation>
       </IntVectorProperty>
-      <DoubleVectorProperty name="BaseColor" label="Base Color" command="SetBaseColor" number_of_elements="3" default_values="@base@">
+      <DoubleVectorProperty name="BaseColor" label="Base Color" command="SetBaseColor" number_of_elements="3" default_values="@base@" panel_widget="color_selector">
         <DoubleRangeDomain name="range" min="0 0 0" max="1 1 1"/>
         <Documentation>Colour near the middle: red, green, blue.</Documentation>
       </DoubleVectorProperty>
-      <DoubleVectorProperty name="EdgeColor" label="Edge Color" command="SetEdgeColor" number_of_elements="3" default_values="@edge@">
+      <DoubleVectorProperty name="EdgeColor" label="Edge Color" command="SetEdgeColor" number_of_elements="3" default_values="@edge@" panel_widget="color_selector">
         <DoubleRangeDomain name="range" min="0 0 0" max="1 1 1"/>
         <Documentation>Colour of edges, blotches and bands: red, green, blue.</Documentation>
       </DoubleVectorProperty>
-      <DoubleVectorProperty name="VeinColor" label="Vein Color" command="SetVeinColor" number_of_elements="3" default_values="@vein@">
+      <DoubleVectorProperty name="VeinColor" label="Vein Color" command="SetVeinColor" number_of_elements="3" default_values="@vein@" panel_widget="color_selector">
         <DoubleRangeDomain name="range" min="0 0 0" max="1 1 1"/>
         <Documentation>Colour of veins, stem or shaft: red, green, blue.</Documentation>
       </DoubleVectorProperty>

@@ -82,6 +82,11 @@ void vtkMotionSceneReader::SetFileName(const std::string& name)
   this->Modified();
 }
 
+int vtkMotionSceneReader::GetSceneSeed() const
+{
+  return static_cast<int>(this->Read->Scene.Info.Seed);
+}
+
 int vtkMotionSceneReader::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port == SHAPES ? "vtkMultiBlockDataSet"

@@ -64,6 +64,9 @@ public:
   vtkGetMacro(FileName, std::string);
   ///@}
 
+  /** The seed that the scene file gives; 1 before one was read. */
+  int GetSceneSeed() const;
+
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
 

@@ -62,6 +62,7 @@ struct vtkAirAssimilationFilter::Internals : waft::KeptStage
   }
   waft::Result Take(vtkInformationVector** inputs, waft::AssimilationInput& input);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  bool IsActive() const override { return this->Self->Active; }
   void FillVarying(double time, vtkInformationVector* outputs) const override;
 };
 
@@ -191,4 +192,5 @@ void vtkAirAssimilationFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   waft::PrintFields<waft::AssimilationOptions>(os, indent, *this);
+  os << indent << "Active: " << this->Active << "\n";
 }

@@ -151,6 +151,13 @@ public:
   void RemoveAllVortices() { this->SetInputConnection(5, nullptr); }
   ///@}
 
+  ///@{
+  /** Whether the stage runs. One that rests takes none of its inputs and gives empty outputs. */
+  vtkSetMacro(Active, bool);
+  vtkGetMacro(Active, bool);
+  vtkBooleanMacro(Active, bool);
+  ///@}
+
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
 
@@ -191,6 +198,8 @@ private:
   std::string CheckpointFile;
   std::string StateFile;
   std::string EditOf;
+
+  bool Active = true;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -67,6 +67,7 @@ struct vtkRotationRefineFilter::Internals : waft::KeptStage
   waft::Result TakePass(vtkInformationVector** inputs, bool isFirst) override;
   waft::Result Take(vtkInformationVector** inputs, waft::RotationInput& input);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  bool IsActive() const override { return this->Self->Active; }
   void FillVarying(double time, vtkInformationVector* outputs) const override;
 };
 
@@ -204,4 +205,5 @@ void vtkRotationRefineFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   waft::PrintFields<waft::RotationOptions>(os, indent, *this);
+  os << indent << "Active: " << this->Active << "\n";
 }

@@ -127,6 +127,13 @@ public:
   void RemoveAllAir() { this->SetInputConnection(6, nullptr); }
   ///@}
 
+  ///@{
+  /** Whether the stage runs. One that rests takes none of its inputs and gives empty outputs. */
+  vtkSetMacro(Active, bool);
+  vtkGetMacro(Active, bool);
+  vtkBooleanMacro(Active, bool);
+  ///@}
+
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
 
@@ -164,6 +171,8 @@ private:
   double MaximumTurn = 60.0;
   int RasterSize = 128;
   int Seed = 1;
+
+  bool Active = true;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -69,6 +69,7 @@ struct vtkSPHSpacetimeFilter::Internals : waft::KeptStage
   }
   waft::Result Take(vtkInformationVector** inputs, waft::SpacetimeInput& input);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  bool IsActive() const override { return this->Self->Active; }
   waft::Result Agree(const waft::Result& own) override;
   bool RunsOnAllRanks() const override { return true; }
   void KeepSolution();
@@ -268,5 +269,6 @@ void vtkSPHSpacetimeFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   waft::PrintFields<waft::SpacetimeOptions>(os, indent, *this);
+  os << indent << "Active: " << this->Active << "\n";
   os << indent << "Controller: " << this->Controller.Get() << "\n";
 }

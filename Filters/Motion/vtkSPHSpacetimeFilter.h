@@ -275,6 +275,13 @@ public:
   void RemoveAllAir() { this->SetInputConnection(6, nullptr); }
   ///@}
 
+  ///@{
+  /** Whether the stage runs. One that rests takes none of its inputs and gives empty outputs. */
+  vtkSetMacro(Active, bool);
+  vtkGetMacro(Active, bool);
+  vtkBooleanMacro(Active, bool);
+  ///@}
+
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
 
@@ -335,6 +342,8 @@ private:
   double CheckpointInterval = 10.0;
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
+  bool Active = true;
+
   struct Internals;
   std::unique_ptr<Internals> Impl;
 };

@@ -7,6 +7,8 @@
 #include "Bridge/Data/TrackData.h"
 #include "Bridge/Data/TreeData.h"
 #include "Bridge/Data/VortexData.h"
+#include "Bridge/Files/DataFiles.h"
+#include "Bridge/Files/InstalledData.h"
 #include "Bridge/Pipeline/KeptStage.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageOptions.h"
@@ -19,6 +21,7 @@
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -62,6 +65,7 @@ struct vtkStylisticPlannerFilter::Internals : waft::KeptStage
   waft::PlanCache Memory;
   waft::MotionDatabase Database; // stays in its place, where the memory's tools look for it
   std::vector<std::pair<vtkDataObject*, vtkMTimeType>> GivenDatabase; // its blocks, and when
+  bool HasEmbeddedDatabase = false;
   std::vector<waft::ObstacleMesh> GivenObstacles; // what Obstacles was built from
   waft::ObstacleSet Obstacles;
 
@@ -71,14 +75,38 @@ struct vtkStylisticPlannerFilter::Internals : waft::KeptStage
     this->Fields.KeepObstacles(); // an edit of a row does not pull them again
   }
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  bool IsActive() const override { return this->Self->Active; }
   waft::Result TakeDatabase(vtkMultiBlockDataSet* data);
+  waft::Result TakeEmbeddedDatabase();
   waft::Result TakeObstacles();
   void KeepPlan(const waft::PlanOutput& plan);
 };
 
+/// Reads the database that comes with Waft: whole, on every rank.
+waft::Result vtkStylisticPlannerFilter::Internals::TakeEmbeddedDatabase()
+{
+  std::string path;
+  WAFT_RETURN_IF_FAILED(waft::FindDataFile("Database/embedded.vtm", path));
+  const vtkNew<vtkMultiBlockDataSet> data;
+  waft::Result result = waft::ReadBlocksFile(path, data);
+  result = result ? waft::DatabaseFromMultiBlock(data, this->Database) : result;
+  return result ? result : waft::Result::Error(path + ": " + result.Message());
+}
+
 /// Takes the database over when it is another than the last time.
 waft::Result vtkStylisticPlannerFilter::Internals::TakeDatabase(vtkMultiBlockDataSet* data)
 {
+  if (data == nullptr)
+  {
+    if (!this->HasEmbeddedDatabase)
+    {
+      this->GivenDatabase.clear();
+      WAFT_RETURN_IF_FAILED(this->TakeEmbeddedDatabase());
+      this->HasEmbeddedDatabase = true;
+    }
+    return waft::Result::Ok();
+  }
+  this->HasEmbeddedDatabase = false;
   std::vector<std::pair<vtkDataObject*, vtkMTimeType>> given{ { data, data->GetMTime() } };
   vtkSmartPointer<vtkCompositeDataIterator> leaf;
   leaf.TakeReference(data->NewIterator());
@@ -182,7 +210,7 @@ int vtkStylisticPlannerFilter::FillInputPortInformation(int port, vtkInformation
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
             port == DatabasePort ? "vtkMultiBlockDataSet" : "vtkPolyData");
-  if (port == ObstaclesPort || port == GuidesPort)
+  if (port == DatabasePort || port == ObstaclesPort || port == GuidesPort)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
@@ -229,5 +257,6 @@ void vtkStylisticPlannerFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   waft::PrintFields<waft::PlanOptions, waft::TakeOptions>(os, indent, *this);
+  os << indent << "Active: " << this->Active << "\n";
   os << indent << "NumberOfPlannedObjects: " << this->NumberOfPlannedObjects << "\n";
 }

@@ -3,13 +3,13 @@
  * @class   vtkStylisticPlannerFilter
  * @brief   flies objects on segments of a motion database from mark to mark, around obstacles
  *
- * Input port 0, Database (vtkMultiBlockDataSet): a motion database.
- * Input port 1, Objects (vtkPolyData): one vertex an object; its field data give the volume and the
- * frames.
- * Input port 2, Constraints (vtkPolyData): one vertex a row.
- * Input port 3, Obstacles (vtkPolyData, optional, may move): closed surfaces, `ObstacleId`.
- * Input port 4, Guides (vtkPolyData, optional): a polyline an object, named by the cell data
- * `ObjectId` (without it, line k is for the object of id k): a rough way, followed loosely.
+ * Input port 0, Database (vtkMultiBlockDataSet, optional): a motion database; without it that which
+ * comes with Waft, read whole on every rank. Input port 1, Objects (vtkPolyData): one vertex an
+ * object; its field data give the volume and the frames. Input port 2, Constraints (vtkPolyData):
+ * one vertex a row. Input port 3, Obstacles (vtkPolyData, optional, may move): closed surfaces,
+ * `ObstacleId`. Input port 4, Guides (vtkPolyData, optional): a polyline an object, named by the
+ * cell data `ObjectId` (without it, line k is for the object of id k): a rough way, followed
+ * loosely.
  *
  * Output port 0, Tracks (vtkPolyData): one polyline an object, one point a frame, annotated with
  * what drove the segments (`ForceType`, `VortexId`, `VortexAcceleration`, `WindAcceleration`).
@@ -127,9 +127,27 @@ public:
   vtkGetMacro(NumberOfPlannedObjects, int);
 
   ///@{
+  /// For ParaView, which connects what is selected to the input that it counts as 0: the objects,
+  /// since the database may be left out.
+  void SetObjectsConnection(vtkAlgorithmOutput* objects) { this->SetInputConnection(1, objects); }
+  void SetDatabaseConnection(int, vtkAlgorithmOutput* database)
+  {
+    this->SetInputConnection(0, database);
+  }
+  ///@}
+
+  ///@{
   /// Take an optional input away.
+  void RemoveAllDatabase() { this->SetInputConnection(0, nullptr); }
   void RemoveAllObstacles() { this->SetInputConnection(3, nullptr); }
   void RemoveAllGuides() { this->SetInputConnection(4, nullptr); }
+  ///@}
+
+  ///@{
+  /** Whether the stage runs. One that rests takes none of its inputs and gives empty outputs. */
+  vtkSetMacro(Active, bool);
+  vtkGetMacro(Active, bool);
+  vtkBooleanMacro(Active, bool);
   ///@}
 
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
@@ -169,6 +187,8 @@ private:
   int Take = 0;
   int Seed = 1;
   int NumberOfPlannedObjects = 0;
+
+  bool Active = true;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -37,7 +37,8 @@ def good():
     """The data that stages pass on, of one small run."""
     from vtkmodules.vtkCommonCore import vtkFloatArray
     from vtkmodules.vtkCommonDataModel import vtkImageData
-    from waft import synthesize
+    from waft import data_file, synthesize
+    from waft.reading import read_blocks
 
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "scene.waft.json"
@@ -54,9 +55,10 @@ def good():
     velocity.Fill(0.1)
     flow.GetPointData().AddArray(velocity)
     places = {"objects": ("reader", 0), "obstacles": ("reader", 2), "shapes": ("reader", 3), "vortices": ("reader", 4),
-              "wind": ("reader", 5), "database": ("database", 0), "tracks": ("planner", 0), "constraints": ("planner", 3),
+              "wind": ("reader", 5), "tracks": ("planner", 0), "constraints": ("planner", 3),
               "flown": ("assimilation", 0), "poses": ("rotation", 1)}
-    return {"flow": flow} | {name: _copy(run.output(*place)) for name, place in places.items()}
+    database = read_blocks(data_file("Database/embedded.vtm"))
+    return {"flow": flow, "database": _copy(database)} | {name: _copy(run.output(*place)) for name, place in places.items()}
 
 
 def _copy(data):

@@ -45,6 +45,16 @@ def writer():
     simple.SaveData(os.environ["WAFT_GUI_SCENE"], proxy=made["writer"])
 
 
+def stages():
+    """Those of an animation, which are joined already; nothing of it runs."""
+    animation = simple.WaftAnimation(FileName=os.environ["WAFT_GUI_SCENE"], StopAfter="Scene", ShowStages=1)
+    animation.UpdatePipeline()
+
+
+def look_at(name):
+    return lambda: simple.SetActiveSource(simple.FindSource(name))
+
+
 def finish():
     data = {name: proxy.GetClientSideObject().GetOutputDataObject(0) for name, proxy in made.items()}
     report = made["planner"].GetClientSideObject().GetOutputDataObject(2)
@@ -61,7 +71,9 @@ STEPS = [
     lambda: show("rest", simple.ShapeKeyframeSource(Frame=270, NumberOfTargets=1, Width=0.5)),
     lambda: show("rows", simple.AppendGeometry(Input=[made["way"], made["rest"]])),
     lambda: show("guide", simple.PolyLineSource(Points=[-1, 0, 3, -0.8, 0.5, 2.5, -0.5, 0, 2])),
-    ground, database, planner, writer, finish]
+    ground, database, planner, writer, lambda: show("leaf", simple.LeafShapeSource(), None),
+    lambda: simple.SetActiveSource(simple.GridSmokeSource()), stages, *map(look_at, ("Assimilation", "Spacetime", "Rotation")),
+    finish]
 steps = iter(STEPS)
 
 

@@ -50,12 +50,12 @@ def run_paraview(folder, arguments):
     return done.returncode, done.stdout
 
 
-def play(events, folder):
-    """Exit status, what was printed, and what watch_widgets.py noted while an event script played."""
+def play(events, folder, watch="watch_widgets.py"):
+    """Exit status, what was printed, and what a script noted while an event script played."""
     script = folder / "events.xml"
     text = (HERE / events).read_text(encoding="utf-8")
     script.write_text(text.replace("@PANEL@", PANEL).replace("@VIEW@", VIEW), encoding="utf-8")
-    status, printed = run_paraview(folder, [f"--script={HERE / 'watch_widgets.py'}", f"--test-directory={folder}",
+    status, printed = run_paraview(folder, [f"--script={HERE / watch}", f"--test-directory={folder}",
                                             f"--test-script={script}", "--exit"])
     return status, printed, [json.loads(line) for line in (folder / "log").read_text(encoding="utf-8").splitlines()]
 
@@ -90,6 +90,20 @@ class WidgetTest(unittest.TestCase):
         self.assertEqual(result["statuses"], ["met", "met", "met"])
         self.assertEqual(len(kept["constraints"]), 3)
         self.assertEqual(kept["objects"][0]["position"], [-1, 0, 3])
+
+    def test_one_apply_shows_an_animation_and_its_stages(self):
+        with tempfile.TemporaryDirectory() as folder:
+            status, printed, notes = play("animation.xml", pathlib.Path(folder), "watch_animation.py")
+        self.assertEqual(status, 0, printed)
+        for sign in ("ERR|", "FATL|", "Traceback", "critical:"):
+            self.assertNotIn(sign, printed)
+        self.assertIn({"Meshes": "MotionBodiesRepresentation", "Poses": "MotionFaintPathsRepresentation",
+                       "Obstacles": "MotionObstaclesRepresentation", "Marks": "MotionMarksRepresentation"},
+                      [note["shown"] for note in notes])
+        self.assertEqual({note["views"] for note in notes}, {1}, "no spreadsheet or chart on Apply")
+        stages = ["Assimilation", "Planner", "Rotation", "Scene", "Spacetime", "Vortices", "WaftAnimation1"]
+        self.assertEqual([note["sources"] for note in notes if note["sources"] == stages][:1], [stages])
+        self.assertEqual(notes[-1]["sources"], ["WaftAnimation1"])
 
     def test_a_start_is_typed_and_dragged(self):
         notes = self.of("ObjectSource")

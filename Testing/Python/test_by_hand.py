@@ -23,12 +23,6 @@ def points_of(data):
     return [data.GetPoint(i) for i in range(data.GetNumberOfPoints())]
 
 
-def embedded_database():
-    database = simple.XMLMultiBlockDataReader(FileName=[waft.data_file("Database/embedded.vtm")])
-    database.TimeArray = "None"
-    return database
-
-
 class ByHandTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -42,9 +36,7 @@ class ByHandTest(unittest.TestCase):
         cls.rows = simple.AppendGeometry(Input=[way, speed, word])
         box = simple.Box(XLength=0.3, YLength=0.3, ZLength=1.2, Center=[-0.4, 0.3, 0.9])
         cls.wall = simple.Clean(Input=simple.Triangulate(Input=box))
-        cls.database = embedded_database()
-        cls.planner = simple.StylisticPlannerFilter(Database=cls.database, Objects=cls.objects, Constraints=cls.rows,
-                                                    Obstacles=cls.wall)
+        cls.planner = simple.StylisticPlannerFilter(Objects=cls.objects, Constraints=cls.rows, Obstacles=cls.wall)
         UpdatePipeline(proxy=cls.planner)
         cls.folder = tempfile.TemporaryDirectory()
 
@@ -65,7 +57,9 @@ class ByHandTest(unittest.TestCase):
         self.assertEqual(points_of(data_of(reader, 0)), points_of(data_of(self.objects)))
         self.assertEqual(points_of(data_of(reader, 1)), points_of(data_of(self.rows)))
         self.assertEqual(data_of(reader, 2).GetNumberOfCells(), 12)
-        again = simple.StylisticPlannerFilter(Database=self.database, Objects=OutputPort(reader, 0),
+        database = simple.XMLMultiBlockDataReader(FileName=[waft.data_file("Database/embedded.vtm")])
+        database.TimeArray = "None"
+        again = simple.StylisticPlannerFilter(Database=database, Objects=OutputPort(reader, 0),
                                               Constraints=OutputPort(reader, 1), Obstacles=OutputPort(reader, 2))
         UpdatePipeline(proxy=again)
         self.assertEqual(points_of(data_of(again)), points_of(data_of(self.planner)))

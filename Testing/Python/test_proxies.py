@@ -24,17 +24,23 @@ LARGE = 1e6  # from here on a panel need not name the end of a range
 # What a class does with these by itself, before or beside the run of Core that its options describe.
 OF_THE_CLASS_ALONE = {("vtkGridSmokeSource", "CacheLimit"), ("vtkMotionDatabaseSource", "TimeLimit"),
                       ("vtkVortexFitFilter", "SubtractWind"), ("vtkVortexFitFilter", "PriorFreedom")}
+OF_ANY_STAGE = {"Active"}
 VALUES = ("IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty", "IdTypeVectorProperty")
 
 
 def described_proxies():
-    """(file, element) of each proxy that the plugin's XML files describe."""
+    """(file, element) of each source, filter and writer that the plugin's XML files describe."""
     found = []
     for path in sorted(glob.glob(os.path.join(XML, "*.xml"))):
         for group in ElementTree.parse(path).getroot().iter("ProxyGroup"):
             found += [(os.path.basename(path), element) for element in group
-                      if element.tag.endswith("Proxy")]
+                      if element.tag.endswith("Proxy") and group.get("name") != "representations"]
     return found
+
+
+def of_a_class():
+    """Those with a VTK class of their own: all but those that join others, whose properties are theirs."""
+    return [(path, element) for path, element in described_proxies() if element.get("class")]
 
 
 def fresh_object(class_name):
@@ -96,6 +102,28 @@ class ProxyTest(unittest.TestCase):
                     self.assertIsNotNone(text, "no Documentation")
                     self.assertTrue((text.text or "").strip(), "empty Documentation")
 
+    def test_panels_speak_of_properties_that_are_there(self):
+        groups = decorators = 0
+        for path, element in described_proxies():
+            own = {p.get("name"): p for p in element if p.tag.endswith("Property")}
+            for group in element.findall("PropertyGroup"):
+                groups += 1
+                for member in group.findall("Property"):
+                    with self.subTest(file=path, group=group.get("label")):
+                        self.assertIn(member.get("name"), own)
+            grouped = [member.get("name") for group in element.findall("PropertyGroup") for member in group.findall("Property")]
+            self.assertEqual(len(grouped), len(set(grouped)), f"{path}: a property in two groups")
+            for decorator in element.iter("PropertyWidgetDecorator"):
+                decorators += 1
+                with self.subTest(file=path, decorator=decorator.get("property")):
+                    self.assertIn(decorator.get("property"), own)
+                    decides = own[decorator.get("property")]
+                    choices = [entry.get("value") for entry in decides.iter("Entry")] or ["0", "1"]
+                    for value in (decorator.get("values") or decorator.get("value")).split():
+                        self.assertIn(value, choices)
+        self.assertGreater(groups, 15)
+        self.assertGreater(decorators, 15)
+
     def test_an_optional_input_can_be_taken_away(self):
         some = simple.Sphere()
         seen = 0
@@ -103,19 +131,20 @@ class ProxyTest(unittest.TestCase):
             for described in element.findall("InputProperty"):
                 if described.find("Hints/Optional") is None:
                     continue
-                name, port = described.get("name"), int(described.get("port_index", "0"))
+                name = described.get("name")
                 proxy = make(element.get("name"))()
                 stage = proxy.GetClientSideObject()
                 with self.subTest(proxy=path, input=name):
                     for source, count in ((some, 1), (None, 0), (some, 1)):
                         setattr(proxy, name, source)
                         proxy.UpdateVTKObjects()
-                        self.assertEqual(count, stage.GetNumberOfInputConnections(port))
+                        ports = range(stage.GetNumberOfInputPorts())
+                        self.assertEqual(count, sum(stage.GetNumberOfInputConnections(port) for port in ports))
                 seen += 1
         self.assertGreater(seen, 10)
 
     def test_defaults_are_those_of_the_class(self):
-        for path, element in described_proxies():
+        for path, element in of_a_class():
             proxy = make(element.get("name"))()
             proxy.UpdateVTKObjects()
             used = proxy.GetClientSideObject()
@@ -137,11 +166,11 @@ class ProxyTest(unittest.TestCase):
 
     def test_every_option_is_said_in_core(self):
         classes = json.loads(subprocess.run([DESCRIBE_OPTIONS], check=True, capture_output=True).stdout)
-        for path, element in described_proxies():
+        for path, element in of_a_class():
             own = element.get("class")
             said = {(own, field["name"]) for field in classes.get(own, [])} | OF_THE_CLASS_ALONE
             for described in element:
-                if described.tag in VALUES and described.get("information_only") != "1":
+                if described.tag in VALUES and described.get("information_only") != "1" and described.get("name") not in OF_ANY_STAGE:
                     with self.subTest(file=path, property=described.get("name")):
                         self.assertIn((own, described.get("name")), said)
 

@@ -114,6 +114,23 @@ with open(sys.argv[1], "w", encoding="utf-8") as stream:
 """
 
 
+# All processes run this script (--symmetric), as a user's; each reads the embedded database whole.
+SYNTHESIS = """
+import hashlib, json, os, sys
+import waft
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+scene = waft.Scene(seed=5)
+scene.set_time(40)
+scene.add_objects("maple", count=2, region={"min": (-0.5, -0.5, 2.5), "max": (0.5, 0.5, 3)})
+scene.add_position(0, 30, (0.2, 0.1, 2.5), radius=0.1)
+run = waft.synthesize(scene, quality="preview")
+rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
+with open(sys.argv[1] + ".%d" % rank, "w", encoding="utf-8") as stream:
+    json.dump({"places": hashlib.sha256(run.positions.tobytes()).hexdigest(), "shape": run.positions.shape,
+               "marks": run.marks["status"].tolist()}, stream)
+"""
+
+
 class Ranks(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -151,6 +168,16 @@ class Ranks(unittest.TestCase):
         self.assertGreater(other.pop("mistakes"), 0)
         self.assertEqual(other, {"courses": [[], []], "said": [], "points": [], "particles": 0, "wind": 0,
                                  "report": 0, "alone": []})
+
+    def test_synthesizes_on_the_embedded_database(self):
+        found = {}
+        for processes in (1, 2):
+            out = self.folder / f"made{processes}"
+            self.run_on(processes, SYNTHESIS, [out], ["--symmetric"])
+            found[processes] = json.loads(pathlib.Path(f"{out}.0").read_text(encoding="utf-8"))
+        self.assertEqual(found[1]["shape"], [2, 40, 3])
+        self.assertEqual(found[1]["marks"], ["met"])
+        self.assertEqual(found[2], found[1])
 
     def test_in_a_pipeline_of_paraview(self):
         self.run_on(1, FILES, [self.folder])

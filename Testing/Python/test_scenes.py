@@ -47,7 +47,6 @@ class ScenesTest(unittest.TestCase):
         pipeline = Pipeline(scene)
         pipeline.reader.FileName = str(scene)
         pipeline.reader.UpdatePipeline()
-        pipeline.database.UpdatePipeline()
         pipeline.add_planner(int(pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)))
         pipeline.planner.UpdatePipeline()
         header, rows = table_rows(pipeline.output("planner", 2))

@@ -40,7 +40,7 @@ KeptStage::KeptStage(vtkAlgorithm* stage, int scenePort, int obstaclesPort, int 
 int KeptStage::RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
                                    vtkInformationVector* outputs)
 {
-  const bool isCurrent = this->Cache.IsCurrent(this->Stage, inputs);
+  const bool isCurrent = !this->IsActive() || this->Cache.IsCurrent(this->Stage, inputs);
   this->Fields.RequestSteps(this->Stage, request, inputs, outputs, isCurrent);
   return 1;
 }
@@ -48,6 +48,10 @@ int KeptStage::RequestUpdateExtent(vtkInformation* request, vtkInformationVector
 int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** inputs,
                            vtkInformationVector* outputs)
 {
+  if (!this->IsActive())
+  {
+    return Empty(outputs);
+  }
   if (!this->RunsOnAllRanks() && IsWithFirstRank(vtkDataObject::GetData(inputs[this->ScenePort])))
   {
     return Empty(outputs);

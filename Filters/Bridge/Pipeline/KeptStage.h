@@ -50,6 +50,8 @@ protected:
   /// After each pass over what is pulled over time, the first of a run being told: takes from
   /// Fields what is not to be kept until Run.
   virtual Result TakePass(vtkInformationVector** inputs, bool isFirst);
+  /// False of a stage that was told to rest: it takes no input, and its outputs are empty.
+  virtual bool IsActive() const { return true; }
   /// Of several ranks that run together: what holds for all of them, out of what this one found in
   /// its inputs.
   virtual Result Agree(const Result& own) { return own; }

@@ -13,6 +13,7 @@ from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 from waft._kinds import POSITION, POSITIONAL, REST
 from waft.failures import BadInput
 from waft.loading import load_plugin
+from waft import reading
 from waft.pipeline import Pipeline
 from waft.writing import read_rows
 from waft.watching import Clock
@@ -71,7 +72,7 @@ class Looked:
         lost = {(int(row["Row"]), int(row["Target"])) for row in self.report if row["Status"] in _LOST}
         self.can_be = np.array([pair not in lost for pair in zip(self.row.tolist(), self.target.tolist())], bool)
         self.radius = vtk_to_numpy(rows.GetPointData().GetArray("Radius")).copy() if count else np.empty(0)
-        self.top_speed = pipeline.output("database").GetBlock(0).GetFieldData().GetArray("TopSpeed").GetComponent(0, 0)
+        self.top_speed = reading.read_blocks(pipeline.database_file).GetBlock(0).GetFieldData().GetArray("TopSpeed").GetComponent(0, 0)
         self.obstacles = _by_id(pipeline.output("reader", 2))
         self._surface = vtkStaticCellLocator()
         self._surface.SetDataSet(pipeline.output("reader", 2))

@@ -10,7 +10,8 @@ from waft.watching import StageWatch
 
 
 class Pipeline:
-    """The live proxies: reader, database, planner, assimilation and spacetime (None where the quality has none), rotation.
+    """The live proxies: reader, database (None: the planner takes the one that comes with Waft), planner, assimilation and
+    spacetime (None where the quality has none), rotation.
 
     Change a property of any of them and call UpdatePipeline() on the last: only what depends on the
     change is computed again.
@@ -23,9 +24,11 @@ class Pipeline:
         reading.check_blocks(self.database_file, "motion database")
         self._stages = []  # all proxies that were made, in order
         self.reader = self._add(simple.MotionSceneReader(registrationName="Scene"))  # the file once it is watched
-        self.database = self._add(simple.XMLMultiBlockDataReader(
-            registrationName="Database", FileName=[self.database_file]))
-        self.database.TimeArray = "None"
+        self.database = None
+        if database is not None:
+            self.database = self._add(simple.XMLMultiBlockDataReader(
+                registrationName="Database", FileName=[self.database_file]))
+            self.database.TimeArray = "None"
         self.planner = None
         self._planned = {}  # outputs of the planner, or of readers of what an earlier run left
         self.assimilation = None
@@ -49,8 +52,9 @@ class Pipeline:
         self.update("reader")
         if self.output("reader").GetNumberOfPoints() == 0:
             raise BadInput(f"{self.scene_file}: /objects: expected at least one object, found none")
-        self.watch("database", clock)
-        self.update("database")
+        if self.database is not None:
+            self.watch("database", clock)
+            self.update("database")
 
     def watch(self, name, clock):
         self.watches[name] = StageWatch(name, getattr(self, name), clock)
@@ -67,7 +71,7 @@ class Pipeline:
         watch.clock.check()
         if watch.errors and not watch.was_aborted:
             message = watch.errors[0]
-            is_database = name == "database" or message.startswith("motion database: ")
+            is_database = self.database is not None and (name == "database" or message.startswith("motion database: "))
             raise BadInput(f"{self.database_file}: {message}" if is_database else message)
 
     def output(self, name, port=0):
@@ -77,9 +81,10 @@ class Pipeline:
     # The stages are joined one by one: which optional inputs there are is known once the reader ran.
 
     def add_planner(self, seed):
+        given = {} if self.database is None else {"Database": self.database}
         self.planner = self._add(simple.StylisticPlannerFilter(
-            registrationName="Planner", Database=self.database, Objects=self._scene("Objects"),
-            Constraints=self._scene("Constraints"), Obstacles=self._scene("Obstacles")))
+            registrationName="Planner", Objects=self._scene("Objects"), Constraints=self._scene("Constraints"),
+            Obstacles=self._scene("Obstacles"), **given))
         self.planner.Seed = seed
         self._planned = {port: simple.OutputPort(self.planner, port) for port in (0, 3, 4)}
 

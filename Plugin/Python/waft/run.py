@@ -8,7 +8,6 @@ import pathlib
 import tempfile
 
 import numpy as np
-from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from waft.failures import BadInput, WaftError
@@ -105,16 +104,11 @@ class Run(Pipeline):
         write_bodies(self, Place, self.scene_file)
 
     def show(self, view=None):
-        """The bodies, the obstacles and the paths in a view of ParaView (default: the active one, or a new one); the animation of
-        the session then has the frames of the scene. Returns the view."""
-        view = view or simple.GetActiveViewOrCreate("RenderView")
-        shown = [simple.Show(simple.OutputPort(self.rotation, port), view) for port in (0, 1)]
-        shown[1].Opacity = 0.25
-        simple.Show(simple.OutputPort(self.reader, 2), view).Opacity = 0.5
-        simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
-        view.ResetCamera()
-        simple.Render(view)
-        return view
+        """The bodies, the obstacles, the paths and the marks in a view of ParaView (default: the active one, or a new one); the
+        animation of the session then has the frames of the scene. Returns the view."""
+        from waft.showing import show
+
+        return show(self, view)[0]
 
     def __repr__(self):
         objects, frames, _ = self.positions.shape

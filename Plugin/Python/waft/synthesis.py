@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 # How objects come to their marks: drift in one drawn air on a coarse grid; the same on the full one; the optimiser from there, in
 # that air; and, as in the paper, the optimiser from the plan, gas at rest.
 QUALITIES = ("preview", "assimilated", "full", "paper")
-PREVIEW = {"Resolution": 32, "LatticeResolution": 32, "Rounds": 1}  # of the assimilation
 OPTIMISER = {}  # properties of the optimiser besides its defaults
 
 # Parts of the time that stages take, for the share that is done.
@@ -188,7 +187,7 @@ def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limi
         checkpoint.keep_plan(pipeline)
 
     if pipeline.quality != "paper":
-        _assimilate(pipeline, clock, checkpoint, PREVIEW if pipeline.quality == "preview" else {})
+        _assimilate(pipeline, clock, checkpoint)
     if optimises and not clock.timed_out:
         _optimise(pipeline, clock, checkpoint, settings, checkpoint_interval)
     pipeline.add_rotation(pipeline.seed)
@@ -196,7 +195,14 @@ def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limi
     pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
 
 
-def _assimilate(pipeline, clock, checkpoint, settings):
+def _preview_of(stage):
+    """{property: value} that a stage's proxy names for a quick look."""
+    hints = stage.SMProxy.GetHints().FindNestedElementByName("Preview")
+    named = [hints.GetNestedElement(i) for i in range(hints.GetNumberOfNestedElements())]
+    return {element.GetAttribute("name"): int(element.GetAttribute("value")) for element in named}
+
+
+def _assimilate(pipeline, clock, checkpoint):
     pipeline.add_assimilation()
     if pipeline.edit_of is not None:
         pipeline.assimilation.EditOf = str(pipeline.edit_of)
@@ -206,8 +212,9 @@ def _assimilate(pipeline, clock, checkpoint, settings):
         if checkpoint.air_file.is_file():  # it was done when the run was stopped
             pipeline.assimilation.EditOf = str(checkpoint.air_file)
     watch = pipeline.watch("assimilation", clock)
-    for name, value in settings.items():
-        setattr(pipeline.assimilation, name, value)
+    if pipeline.quality == "preview":
+        for name, value in _preview_of(pipeline.assimilation).items():
+            setattr(pipeline.assimilation, name, value)
     left = clock.remaining()
     if left is not None:
         pipeline.assimilation.TimeLimit = max(left, 0.001)

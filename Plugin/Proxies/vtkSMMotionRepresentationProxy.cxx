@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSMMotionRepresentationProxy.h"
+
+#include <vtkDataObject.h>
+#include <vtkObjectFactory.h>
+#include <vtkPVArrayInformation.h>
+#include <vtkPVDataInformation.h>
+#include <vtkPVXMLElement.h>
+#include <vtkSMOutputPort.h>
+#include <vtkSMProperty.h>
+#include <vtkSMPropertyHelper.h>
+#include <vtkSMProxyListDomain.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkSMMotionRepresentationProxy);
+
+namespace
+{
+
+// Numbers, the text of a choice, or the source of a glyph.
+void SetFrom(vtkSMProperty* property, const std::string& text)
+{
+  if (auto* choices = property->FindDomain<vtkSMProxyListDomain>())
+  {
+    vtkSMPropertyHelper(property).Set(choices->FindProxy("sources", text.c_str()));
+    return;
+  }
+  std::istringstream stream(text);
+  std::vector<double> numbers;
+  for (double number = 0.0; stream >> number;)
+  {
+    numbers.push_back(number);
+  }
+  vtkSMPropertyHelper helper(property);
+  if (!stream.eof() || numbers.empty())
+  {
+    helper.Set(text.c_str());
+    return;
+  }
+  for (unsigned int i = 0; i < numbers.size(); ++i)
+  {
+    helper.Set(i, numbers[i]);
+  }
+}
+
+int AssociationOf(vtkPVXMLElement* look)
+{
+  return std::string(look->GetAttributeOrEmpty("of")) == "CELLS" ? vtkDataObject::CELL
+                                                                 : vtkDataObject::POINT;
+}
+
+} // namespace
+
+vtkSMMotionRepresentationProxy::~vtkSMMotionRepresentationProxy() = default;
+
+int vtkSMMotionRepresentationProxy::LoadXMLState(vtkPVXMLElement* element,
+                                                 vtkSMProxyLocator* locator)
+{
+  this->HasLook = true;
+  return this->Superclass::LoadXMLState(element, locator);
+}
+
+void vtkSMMotionRepresentationProxy::UpdateVTKObjects()
+{
+  vtkPVDataInformation* data = this->HasLook ? nullptr : this->Shown();
+  if (data != nullptr && data->GetNumberOfPoints() > 0)
+  {
+    this->HasLook = true;
+    vtkPVXMLElement* hints = this->GetHints();
+    for (unsigned int i = 0; hints != nullptr && i < hints->GetNumberOfNestedElements(); ++i)
+    {
+      vtkPVXMLElement* look = hints->GetNestedElement(i);
+      const char* color = look->GetAttribute("color");
+      if (std::string(look->GetName()) == "FirstPicture" &&
+          (color == nullptr || data->GetArrayInformation(color, AssociationOf(look)) != nullptr))
+      {
+        this->PutOn(look);
+        break;
+      }
+    }
+  }
+  this->Superclass::UpdateVTKObjects();
+}
+
+vtkPVDataInformation* vtkSMMotionRepresentationProxy::Shown()
+{
+  vtkSMProperty* input = this->GetProperty("Input");
+  if (input == nullptr || vtkSMPropertyHelper(input).GetNumberOfElements() == 0)
+  {
+    return nullptr;
+  }
+  vtkSMOutputPort* port = vtkSMPropertyHelper(input).GetAsOutputPort();
+  return port != nullptr ? port->GetDataInformation() : nullptr;
+}
+
+void vtkSMMotionRepresentationProxy::PutOn(vtkPVXMLElement* look)
+{
+  for (unsigned int i = 0; i < look->GetNumberOfNestedElements(); ++i)
+  {
+    vtkPVXMLElement* set = look->GetNestedElement(i);
+    vtkSMProperty* property = this->GetProperty(set->GetAttributeOrEmpty("name"));
+    if (property == nullptr)
+    {
+      vtkErrorMacro("FirstPicture of " << this->GetXMLName() << ": expected a property, found "
+                                       << set->GetAttributeOrEmpty("name"));
+      continue;
+    }
+    SetFrom(property, set->GetAttributeOrEmpty("value"));
+  }
+  if (const char* type = look->GetAttribute("type"))
+  {
+    vtkSMPropertyHelper(this, "Representation").Set(type);
+  }
+  if (const char* array = look->GetAttribute("size"))
+  {
+    this->SizeBy(array);
+  }
+  const char* color = look->GetAttribute("color");
+  vtkSMPropertyHelper(this, "ColorArrayName")
+    .SetInputArrayToProcess(AssociationOf(look), color != nullptr ? color : "");
+}
+
+void vtkSMMotionRepresentationProxy::SizeBy(const char* array)
+{
+  vtkPVArrayInformation* found = this->Shown()->GetArrayInformation(array, vtkDataObject::POINT);
+  if (found != nullptr && found->GetComponentRange(0)[0] > 0.0)
+  {
+    vtkSMPropertyHelper(this, "SelectScaleArray").Set(array);
+    vtkSMPropertyHelper(this, "ScaleMode").Set("Magnitude");
+    vtkSMPropertyHelper(this, "ScaleFactor").Set(2.0); // a glyph's ball has the diameter 1
+  }
+}
+
+void vtkSMMotionRepresentationProxy::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "HasLook: " << this->HasLook << "\n";
+}

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSMMotionRepresentationProxy
+ * @brief   a representation of ParaView that begins with a look of its own
+ *
+ * Its XML names the look, by hints FirstPicture, of which the first counts whose array `color` is
+ * there: the attributes `color` (an array) and `of` (POINTS or CELLS), `size` (a point array that
+ * gives the radii of balls, where all of them are positive), `type` (of the representation) and a
+ * nested Property, name and value, for each property that differs from ParaView's default. The look
+ * is put on once, when there are first points to show; what is loaded from a state or set later
+ * stays. Where no hint counts, data look as ParaView has it.
+ */
+#ifndef vtkSMMotionRepresentationProxy_h
+#define vtkSMMotionRepresentationProxy_h
+
+#include "vtkSMPVRepresentationProxy.h"
+#include "vtkWaftProxiesModule.h"
+
+class vtkPVDataInformation;
+
+class VTKWAFTPROXIES_EXPORT vtkSMMotionRepresentationProxy : public vtkSMPVRepresentationProxy
+{
+public:
+  static vtkSMMotionRepresentationProxy* New();
+  vtkTypeMacro(vtkSMMotionRepresentationProxy, vtkSMPVRepresentationProxy);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void UpdateVTKObjects() override;
+  int LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator) override;
+
+protected:
+  vtkSMMotionRepresentationProxy() = default;
+  ~vtkSMMotionRepresentationProxy() override;
+
+private:
+  vtkSMMotionRepresentationProxy(const vtkSMMotionRepresentationProxy&) = delete;
+  void operator=(const vtkSMMotionRepresentationProxy&) = delete;
+
+  vtkPVDataInformation* Shown();
+  void PutOn(vtkPVXMLElement* look);
+  void SizeBy(const char* array);
+
+  bool HasLook = false;
+};
+
+#endif

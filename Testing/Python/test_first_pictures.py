@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a user sees when a source or filter is first applied: each output of each proxy as its hints say, drawn by waft.show.
+
+    pvbatch test_first_pictures.py XML_FOLDER SOURCE OUTPUT_FOLDER
+
+OUTPUT_FOLDER gets a picture of each proxy; Documentation/gallery/first_*.png are these."""
+import os
+import pathlib
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+import waft
+from test_animation import QUICK, STAGES, stage_of
+
+XML, SOURCE, PLACE = map(pathlib.Path, sys.argv[1:4])
+
+
+def described():
+    """{name: element} of each proxy of the plugin with outputs."""
+    found = {}
+    for path in sorted(XML.glob("*.xml")):
+        for group in ElementTree.parse(path).getroot().iter("ProxyGroup"):
+            found.update((e.get("name"), e) for e in group if e.tag.endswith("Proxy") and e.find("OutputPort") is not None)
+    return found
+
+
+def make_scene(path):
+    scene = waft.Scene("First pictures", seed=5)
+    scene.set_time(40)
+    scene.add_objects("maple", count=5, region={"min": (-1, -1, 2.2), "max": (1, 1, 3)})
+    for number, place in enumerate(((0.6, 0.3, 2.4), (-0.5, 0.3, 2.5), (0.1, -0.4, 2.1))):
+        scene.add_position(number, 30, place, radius=0.1)
+    scene.add_box((-1.5, 1, 0), (-1, 1.5, 1.5))
+    scene.add_vortex((0, 0, 1), (0, 0, 3), 0.1, 0.5, 0.5, 0.3)
+    scene.add_wind((1, 0, 0), 0.5, (0, 0, 2), 1.0, 0.5, 0.5)
+    scene.save(path)
+    return str(path)
+
+
+def make_all(folder):
+    """{name: stage} of every proxy, with small inputs."""
+    animation = simple.WaftAnimation(FileName=make_scene(folder / "first.waft.json"), Quality="Full")
+    for stage, values in QUICK.items():
+        for name, value in values.items():
+            setattr(stage_of(animation, stage), name, value)
+    scene, planner, _, drift, gas, turned = (stage_of(animation, name) for name in STAGES)
+    smoke = simple.GridSmokeSource(Resolution=[24, 24, 24], NumberOfFrames=40, WarmUpSeconds=2)
+    traced = simple.TrajectoryTraceFilter(Input=smoke)
+    port = simple.OutputPort
+    vdb = str(SOURCE / "Testing" / "Pipeline" / "Fixtures" / "wind_0000.vdb")
+    photograph = str(SOURCE / "Data" / "Shapes" / "leaf-green.png")
+    return {
+        "WaftAnimation": animation, "MotionSceneReader": scene, "StylisticPlannerFilter": planner,
+        "AirAssimilationFilter": drift, "SPHSpacetimeFilter": gas, "RotationRefineFilter": turned,
+        "GridSmokeSource": smoke, "TrajectoryTraceFilter": traced,
+        "TrajectoryClusterFilter": simple.TrajectoryClusterFilter(Input=traced),
+        "MotionDatabaseSource": simple.MotionDatabaseSource(NumberOfSimulations=4, Resolution=16, NumberOfFrames=40),
+        "VortexFitFilter": simple.VortexFitFilter(Input=port(gas, 0)),
+        "ObjectSource": simple.ObjectSource(), "ConstraintSource": simple.ConstraintSource(Radius=0.2),
+        "ShapeKeyframeSource": simple.ShapeKeyframeSource(Text="WAFT", NumberOfTargets=60),
+        "LeafShapeSource": simple.LeafShapeSource(), "FeatherShapeSource": simple.FeatherShapeSource(),
+        "PhotographShapeSource": simple.PhotographShapeSource(Photograph=photograph),
+        "MotionSceneWriter": simple.MotionSceneWriter(Objects=port(scene, 0), Constraints=port(scene, 1), Obstacles=port(scene, 2)),
+        "MotionAnimationWriter": simple.MotionAnimationWriter(Poses=port(turned, 1), Objects=port(scene, 0), Shapes=port(scene, 3)),
+        "VDBReader": simple.VDBReader(FileName=vdb),
+        "VDBWriter": simple.VDBWriter(Input=port(smoke, 0)),
+    }
+
+
+def pixels(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
+
+
+class FirstPicturesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        PLACE.mkdir(parents=True, exist_ok=True)
+        cls.stages = make_all(pathlib.Path(folder.name))
+        cls.looks = {element.get("name"): element.findall("Hints/FirstPicture")
+                     for element in ElementTree.parse(XML / "Representations.xml").getroot().iter("MotionRepresentationProxy")}
+
+    def test_every_proxy_is_there(self):
+        self.assertEqual(set(self.stages), set(described()))
+
+    def test_every_output_says_how_it_is_shown(self):
+        for name, element in described().items():
+            views = {hint.get("port"): hint.get("type") for hint in element.iter("View")}
+            kinds = {hint.get("port"): hint.get("type") for hint in element.iter("Representation")}
+            for number, port in enumerate(element.findall("OutputPort")):
+                with self.subTest(proxy=name, port=port.get("name")):
+                    self.assertTrue(str(number) in views or str(number) in kinds, "no entry")
+                    self.assertIn(kinds.get(str(number), next(iter(self.looks))), self.looks)
+                    about = simple.OutputPort(self.stages[name], number).GetDataInformation().DataInformation
+                    self.stages[name].UpdatePipeline()
+                    if about.GetDataClassName() == "vtkTable":
+                        self.assertIn(str(number), views, "a table is not shown in space")
+
+    def test_it_looks_as_its_kind(self):
+        view = simple.CreateRenderView()
+        seen, modes = set(), set()
+        for name, element in described().items():
+            for hint in element.iter("Representation"):
+                output = simple.OutputPort(self.stages[name], int(hint.get("port")))
+                output.UpdatePipeline()
+                if output.GetDataInformation().GetNumberOfPoints() == 0:
+                    continue
+                with self.subTest(proxy=name, port=hint.get("port"), kind=hint.get("type")):
+                    shown = simple.Show(output, view)
+                    self.assertEqual(shown.SMProxy.GetXMLName(), hint.get("type"))
+                    arrays = {"CELLS": output.CellData.keys(), "POINTS": output.PointData.keys()}
+                    look = next(look for look in self.looks[hint.get("type")]
+                                if not look.get("color") or look.get("color") in arrays[look.get("of")])
+                    self.assertEqual(shown.Representation, look.get("type"))
+                    self.assertEqual(shown.ColorArrayName[1] or None, look.get("color"))
+                    for held in look:
+                        value = shown.SMProxy.GetProperty(held.get("name"))
+                        if value.IsA("vtkSMProxyProperty"):
+                            self.assertEqual(value.GetProxy(0).GetXMLName(), held.get("value"))
+                        elif held.get("name") == "ScaleFactor" and shown.ScaleMode == "Magnitude":
+                            self.assertEqual([shown.SelectScaleArray, shown.ScaleFactor], [look.get("size"), 2])
+                        elif isinstance(value.GetElement(0), str):
+                            self.assertIn(held.get("value"), [value.GetElement(i) for i in range(value.GetNumberOfElements())])
+                        else:
+                            self.assertAlmostEqual(float(value.GetElement(0)), float(held.get("value").split()[0]))
+                    seen.add(hint.get("type"))
+                    modes.add(str(shown.ScaleMode) if look.get("size") else "")
+        self.assertIn("'Magnitude'", modes, "marks with radii are balls of them")
+        self.assertEqual(seen, set(self.looks), "kinds that no output was shown in")
+
+    def test_every_picture_shows_something(self):
+        for name, stage in self.stages.items():
+            with self.subTest(proxy=name):
+                stage.UpdatePipeline()
+                for number, view in enumerate(waft.show(stage, fresh_view())):
+                    if hasattr(view, "CameraPosition"):
+                        at_the_end()
+                    path = PLACE / f"first_{name}{f'_{number}' if number else ''}.png"
+                    simple.SaveScreenshot(str(path), view, ImageResolution=[600, 400])
+                    drawn = pixels(path)
+                    share = np.mean(np.abs(drawn - 255).max(axis=1) > 24)
+                    self.assertGreater(share, 0.002, "next to nothing is drawn")
+
+    def test_changes_of_a_user_stay(self):
+        view = simple.CreateRenderView()
+        shown = simple.Show(simple.OutputPort(self.stages["StylisticPlannerFilter"], 0), view)
+        shown.LineWidth = 7
+        simple.ColorBy(shown, None)
+        self.stages["StylisticPlannerFilter"].UpdatePipeline()
+        simple.Render(view)
+        self.assertEqual(shown.LineWidth, 7)
+        self.assertEqual(shown.ColorArrayName[1], "")
+
+    def test_what_cannot_be_shown_is_said(self):
+        for wrong in (None, "Planner", 3, [None]):
+            with self.assertRaises(waft.BadInput) as caught:
+                waft.show(wrong)
+            self.assertIn("show: expected a stage", str(caught.exception))
+        for wrong in (-1, 8, "Tracks"):
+            with self.assertRaises(waft.BadInput) as caught:
+                waft.show(self.stages["StylisticPlannerFilter"], port=wrong)
+            self.assertIn("show: port: expected a whole number from 0 to 7", str(caught.exception))
+
+    def test_costs_are_a_chart_with_a_logarithmic_axis(self):
+        charts = [view for view in waft.show(self.stages["SPHSpacetimeFilter"], fresh_view()) if hasattr(view, "LeftAxisLogScale")]
+        self.assertEqual(len(charts), 1)
+        self.assertEqual(charts[0].LeftAxisLogScale, 1)
+        self.assertEqual(list(charts[0].Representations[0].SeriesVisibility), ["E", "Ec", "Ev", "Ex"])
+
+
+def fresh_view():
+    view = simple.CreateRenderView()
+    view.UseColorPaletteForBackground = 0
+    view.Background = [1, 1, 1]
+    view.OrientationAxesVisibility = 0
+    return view
+
+
+def at_the_end():
+    scene = simple.GetAnimationScene()
+    scene.AnimationTime = scene.EndTime
+
+
+if __name__ == "__main__":
+    done = unittest.main(argv=sys.argv[:1], exit=False)
+    sys.stdout.flush()
+    os._exit(0 if done.result.wasSuccessful() else 1)  # views of many kinds end in any order
