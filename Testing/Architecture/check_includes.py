@@ -7,7 +7,8 @@
 Rules: nothing under Filters/Core includes VTK; a Core library includes only itself and the libraries it
 is allowed; a library in folders has them on floors, and includes none above; wrappers (Sources, Filters/Motion) include no other wrapper's header but that of an
 abstract base; Bridge includes no wrapper, and its folder Data nothing of its other two, which do not
-include each other; third-party libraries stay in the Core library that owns them; modules of the
+include each other; no two headers define a class of one name, for which the linker would take either;
+third-party libraries stay in the Core library that owns them; modules of the
 Python package import each other in no circle, within functions neither.
 """
 import ast
@@ -53,6 +54,7 @@ THIRD_PARTY_OWNERS = {
     "nlohmann": {"Files", "Scene"},
     "tiny_gltf.h": {"Export"},
 }
+CLASS = re.compile(r"(?:class|struct)\s+(?:\w+_EXPORT\s+)?(\w+)(?!\w|\s*;)")
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^">]+)[">]')
 
 
@@ -131,6 +133,19 @@ def check_wrappers(root):
                 yield path, number, f"{first} belongs to {sorted(THIRD_PARTY_OWNERS[first])}: {header}"
 
 
+def check_names(root):
+    """Classes at the level of a namespace, which stand at the beginning of a line; one that is only declared ends with ;."""
+    first = {}
+    for folder in ("Filters", "Sources", "Plugin"):
+        for path in sources(root / folder):
+            if path.suffix != ".h":
+                continue
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                match = CLASS.match(line)
+                if match and first.setdefault(match.group(1), path) != path:
+                    yield path, number, f"{match.group(1)} is defined in {first[match.group(1)].name} too"
+
+
 def python_imports(path, package):
     """{name: line} of the modules of a package that one of them imports."""
     names = {}
@@ -170,7 +185,7 @@ def check_python(root):
 
 def check(root):
     root = pathlib.Path(root)
-    return [*check_core(root), *check_bridge(root), *check_wrappers(root), *check_python(root)]
+    return [*check_core(root), *check_bridge(root), *check_wrappers(root), *check_names(root), *check_python(root)]
 
 
 def main():

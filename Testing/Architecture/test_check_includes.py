@@ -55,6 +55,13 @@ class Rules(unittest.TestCase):
         self.assertEqual(1, len(self.violations(files)))
         self.assertEqual(1, len(self.violations({"Filters/Bridge/D.h": "\n"})))
 
+    def test_a_name_belongs_to_one_class(self):
+        files = {"Filters/Core/Grid/A.h": "namespace waft\n{\nclass Solver\n{\n};\n}\n",
+                 "Filters/Core/Air/B.h": "namespace waft\n{\nclass Solver;\nclass Solvers\n{\n};\n}\n"}
+        self.assertEqual([], self.violations(files))
+        files["Filters/Core/Air/B.h"] = "namespace waft\n{\nclass Solver : public Base\n{\n};\n}\n"
+        self.assertEqual(["Solver is defined in B.h too"], self.violations(files))
+
     def test_folders_of_a_library_keep_their_order(self):
         files = {"Filters/Core/Spacetime/Energy/A.h": '#include "Spacetime/Model/B.h"\n#include "Base/Types.h"\n',
                  "Filters/Core/Spacetime/Run/C.h": '#include "Spacetime/Energy/A.h"\n#include "Spacetime/Run/D.h"\n',
