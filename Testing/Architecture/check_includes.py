@@ -54,7 +54,7 @@ THIRD_PARTY_OWNERS = {
     "nlohmann": {"Files", "Scene"},
     "tiny_gltf.h": {"Export"},
 }
-CLASS = re.compile(r"(?:class|struct)\s+(?:\w+_EXPORT\s+)?(\w+)(?!\w|\s*;)")
+CLASS = re.compile(r"(?:class|struct)\s+(?:\w+_EXPORT\s+)?(\w+)(?!\w|\s*;|::)")
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^">]+)[">]')
 
 
