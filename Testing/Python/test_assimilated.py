@@ -141,6 +141,8 @@ class Assimilated(unittest.TestCase):
         return vtk_to_numpy(poses.GetArray("AngularVelocity")).copy()
 
     def test_an_unknown_quality_is_named(self):
+        with self.assertRaisesRegex(BadInput, "particles: expected quality full or paper"):
+            waft.synthesize(str(self.scene), quality="assimilated", particles=True)
         with self.assertRaisesRegex(BadInput, "quality: expected one of preview, assimilated, full, paper, found best"):
             waft.synthesize(str(self.scene), quality="best")
 

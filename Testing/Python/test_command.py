@@ -193,7 +193,7 @@ class Command(unittest.TestCase):
         poses = []
         for threads in (1, 2):
             out = self.folder / f"threads{threads}"
-            done = run("synthesize", scene, "--output", out, "--threads", threads, *["--meshes"][:threads - 1])
+            done = run("synthesize", scene, "--output", out, "--threads", threads, *["--meshes", "--particles"][:2 * (threads - 1)])
             self.assertEqual(0, done.returncode, done.stderr)
             poses.append((out / "poses.csv").read_bytes())
             self.assertIn("waft: warning: shape 'leaf'", done.stderr)
@@ -203,6 +203,12 @@ class Command(unittest.TestCase):
         self.assertEqual(91, len(meshes))
         self.assertTrue(all((out / mesh.get("file")).is_file() for mesh in meshes))
         self.assertAlmostEqual(3.0, float(meshes[-1].get("timestep")), places=9)
+        particles = ElementTree.parse(out / "particles.pvd").findall(".//DataSet")
+        self.assertEqual(91, len(particles))
+        self.assertIn(b'"Residual"', (out / particles[45].get("file")).read_bytes())
+        dynamics = json.loads((out / "report.json").read_text(encoding="utf-8"))["dynamics"]
+        self.assertEqual({"replayError", "gasReplayError", "gasHiddenHand"}, set(dynamics))
+        self.assertLess(max(dynamics.values()), 0.5)
         figures = motion_checks.measure(out, scene)
         self.assertEqual([], motion_checks.violations(figures))
         self.assertEqual(("initial", "final"), (figures["first_stage"], figures["last_stage"]))

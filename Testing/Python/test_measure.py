@@ -63,8 +63,8 @@ def turning_air(frames=FRAMES, nodes=9):
     return AirField(np.arange(frames) / RATE, np.repeat(one[None], frames, axis=0), None, [-2.0, -2.0, 0.0], spacing)
 
 
-def write_folder(folder, positions, slip=SLIP, air=None, rest=None):
-    """What `waft measure` reads of a result: rest is the frame from which all lie."""
+def write_folder(folder, positions, slip=SLIP, air=None, rest=None, said=None):
+    """What `waft measure` reads of a result: rest is the frame from which all lie, said what an optimiser says of it."""
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
     count, frames = positions.shape[:2]
@@ -79,6 +79,8 @@ def write_folder(folder, positions, slip=SLIP, air=None, rest=None):
     sample_folder.add(tracks.GetCellData(), "ObjectId", np.arange(count), np.int32)
     sample_folder.add(tracks.GetFieldData(), "Bounds", [[value] for value in BOUNDS])
     sample_folder.add(tracks.GetFieldData(), "FramesPerSecond", [RATE])
+    for name, value in (said or {}).items():
+        sample_folder.add(tracks.GetFieldData(), name, [value])
     for name in ("optimized", "planned"):
         write_xml(tracks, os.path.join(folder, f"{name}.vtp"))
     objects = sample_folder._vertices(positions[:, 0])
@@ -238,9 +240,17 @@ class FolderTest(unittest.TestCase):
         self.assertEqual(measured["witnesses_wind"].value, 0.0)
         self.assertLess(measured["one_air_along"].value, 1e-2)
         self.assertTrue(math.isnan(measured["hidden_hand_gas"].value))
-        self.assertIn("particles.pvd", measured["hidden_hand_gas"].why)
+        self.assertIn("no optimised gas", measured["hidden_hand_gas"].why)
         text = "\n".join(table(measured))
-        self.assertIn("not measured: no particles.pvd", text)
+        self.assertIn("not measured: no optimised gas", text)
+
+    def test_an_optimised_motion_says_what_it_is(self):
+        said = {"ReplayError": 0.2, "GasReplayError": -1.0, "GasHiddenHand": 0.3}
+        measured = measure(write_folder(os.path.join(WORK, "said"), self.path, air=self.air, said=said))[0]
+        self.assertAlmostEqual(0.2, measured["replay"].value)
+        self.assertTrue(measured["replay"].met)
+        self.assertAlmostEqual(0.3, measured["hidden_hand_gas"].value)
+        self.assertFalse(measured["hidden_hand_gas"].met)
 
     def test_a_landing(self):
         path = np.repeat(places(COUNT)[:, None], FRAMES, axis=1)

@@ -111,6 +111,7 @@ def parser():
     make.add_argument("--edit-of", type=path, metavar="DIR",
                       help="a finished run of the scene before some rows changed: the same air, only what changed drifts again")
     make.add_argument("--meshes", action="store_true", help="also meshes.pvd: all meshes posed, a file a frame")
+    make.add_argument("--particles", action="store_true", help="also particles.pvd: the optimiser's gas and objects, a file a frame")
     make.add_argument("--watch", action="store_true",
                       help="fly at preview quality, and again whenever the scene file or a file that it names is saved, until stopped; "
                            "DIR/page.html, open in a browser, follows")
@@ -231,7 +232,7 @@ def _fly(options, quality):
 
     run = synthesize(options.scene, output=options.output, database=options.database, seed=options.seed,
                      threads=options.threads, time_limit=options.time_limit, quality=quality,
-                     resume=options.resume, quiet=False, meshes=options.meshes,
+                     resume=options.resume, quiet=False, meshes=options.meshes, particles=options.particles,
                      memory_limit=options.memory_limit, edit_of=options.edit_of,
                      on_progress=_print_json if options.progress == "json" else None)
     tell(run, options.output)

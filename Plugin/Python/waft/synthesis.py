@@ -32,7 +32,7 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
                threads: Optional[int] = None, time_limit: Optional[float] = None, preview: bool = False, resume: bool = False,
                quiet: bool = True, checkpoint_interval: Optional[float] = None, meshes: bool = False,
                memory_limit: Optional[float] = None, quality: Optional[str] = None, edit_of=None,
-               on_progress: Optional[Callable[[float, str], Optional[bool]]] = None) -> "Run":
+               on_progress: Optional[Callable[[float, str], Optional[bool]]] = None, particles: bool = False) -> "Run":
     """Plans, optimises and turns the objects of a scene; returns the Run with its live proxies and arrays.
 
     scene: a waft.Scene, or the path of a *.waft.json file. output: a folder for the files of `waft synthesize` (none: nothing
@@ -41,7 +41,8 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
     preview: a coarse assimilation, for a quick look. resume: goes on from where an earlier run with the
     same inputs was stopped or killed, to the same motion as if it had not been; what it left is in the folder
     `checkpoint` of output. checkpoint_interval: seconds between two writings there (none: the filter's own).
-    meshes: also writes meshes.pvd, all meshes posed, a file a frame. memory_limit: megabytes that the optimiser
+    meshes: also writes meshes.pvd, all meshes posed, a file a frame; particles: also particles.pvd, the optimiser's gas and
+    objects. memory_limit: megabytes that the optimiser
     may take (none: as many as it needs). quality: one of QUALITIES (default full). edit_of: the folder of a finished run of the
     same scene but for some objects' rows: the same air, and only what changed drifts again. on_progress: called with the share
     that is done (0 to 1) and a sentence, some five times a second; when it returns False the run stops with the best so far.
@@ -55,7 +56,7 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
         return _synthesize_made(scene, output=output, database=database, seed=seed, threads=threads, time_limit=time_limit,
                                 preview=preview, resume=resume, quiet=quiet, checkpoint_interval=checkpoint_interval,
                                 meshes=meshes, memory_limit=memory_limit, quality=quality, edit_of=edit_of,
-                                on_progress=on_progress)
+                                on_progress=on_progress, particles=particles)
     load_plugin()
     from waft.run import Run
 
@@ -67,6 +68,9 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
     quality = quality or ("preview" if preview else "full")
     if quality not in QUALITIES:
         raise failures.BadInput(f"quality: expected one of {', '.join(QUALITIES)}, found {quality}")
+    if particles and quality in ("preview", "assimilated"):
+        raise failures.BadInput(f"particles: expected quality full or paper, whose optimiser has particles, found {quality}")
+    series = [name for name, wanted in (("meshes", meshes), ("particles", particles)) if wanted]
     set_threads(threads)
     with contextlib.ExitStack() as stack:
         place = stack.enter_context(result_place(output)) if output is not None and is_first_rank() else None
@@ -85,7 +89,7 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
             pipeline.warnings = []
             checkpoint = None
             if place is not None:
-                place.check(result_names(scene, meshes, quality))
+                place.check(result_names(scene, series, quality))
                 checkpoint = Checkpoint(place, pipeline.key)
             lack = checkpoint.lack() if resume and checkpoint is not None else ""
             if lack:
@@ -106,7 +110,7 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
         if place is not None:
             clock.phase = "writing the results"
             clock.tell(0.0, clock.phase)
-            write_results(pipeline, place, scene, checkpoint, meshes)
+            write_results(pipeline, place, scene, checkpoint, series)
             if not pipeline.stopped:
                 checkpoint.clear()
         clock.tell(1.0, "stopped early" if pipeline.stopped else "done")

@@ -13,6 +13,8 @@ from waft.watching import collect
 STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
 REPORT = "report.json"
 STATE = "assimilated.state"
+# Data that is written only when it is asked for, a file a frame: {name: (stage, port)}.
+SERIES = {"meshes": ("rotation", 0), "particles": ("spacetime", 1)}
 
 # What versions without a manifest wrote.
 _EARLIER_NAMES = re.compile(
@@ -35,8 +37,8 @@ def result_place(folder):
     return ResultPlace(folder, REPORT, earlier=earlier_results)
 
 
-def result_names(scene, meshes, quality):
-    """What a run writes, folders with a slash at their end."""
+def result_names(scene, series, quality):
+    """What a run writes, folders with a slash at their end. series: names of SERIES."""
     names = ["planned.vtp", "optimized.vtp", "poses.vtp", "poses.csv", "vortices.vtp", "objects.vtp", "shapes.vtm", "shapes/",
              "constraints.vtp", "constraints.csv", "convergence.csv", "wind.pvd", "wind/", "animation.glb", REPORT]
     if quality in ("preview", "assimilated"):
@@ -44,7 +46,7 @@ def result_names(scene, meshes, quality):
     if quality != "paper":
         names += ["assimilated.vtp", "air.pvd", "air/", "rounds.csv", STATE]
     names += ["obstacles.pvd", "obstacles/"] if _do_obstacles_move(scene) else ["obstacles.vtp"]
-    return names + (["meshes.pvd", "meshes/"] if meshes else [])
+    return names + [name + end for name in series for end in (".pvd", "/")]
 
 
 def _do_obstacles_move(scene):
@@ -59,7 +61,7 @@ def read_rows(table):
     return [dict(zip(header, row)) for row in rows]
 
 
-def write_results(pipeline, place, scene, checkpoint, meshes=False):
+def write_results(pipeline, place, scene, checkpoint, series=()):
     """Every file of a run, all at once: see the user guide for what each holds."""
     for name in ("planned.vtp", "constraints.vtp"):
         checkpoint.copy_plan(name)
@@ -67,8 +69,8 @@ def write_results(pipeline, place, scene, checkpoint, meshes=False):
     write_xml(pipeline.output(motion, tracks), place.path("optimized.vtp"))
     write_xml(pipeline.output(motion, vortices), place.path("vortices.vtp"))
     write_bodies(pipeline, place, scene)
-    if meshes:
-        _write_series(pipeline, "rotation", 0, "meshes", ".vtp", place)
+    for name in series:
+        _write_series(pipeline, *SERIES[name], name, ".vtp", place)
     energies = []
     if motion == "spacetime":
         _write_series(pipeline, "spacetime", 3, "wind", ".vti", place)
@@ -200,6 +202,16 @@ def _settled(pipeline):
     return {"objects": sum(shift > 0.0 for shift in shifts), "largestShift": max(shifts, default=0.0)}
 
 
+def _dynamics(pipeline):
+    """How far an optimised motion is one of its model (SPHSpacetimeFilter), {name: number}; nothing of another or of what cannot
+    be had."""
+    if pipeline.spacetime is None:
+        return {}
+    data = pipeline.output("spacetime", 0).GetFieldData()
+    arrays = {name: data.GetArray(name) for name in ("ReplayError", "GasReplayError", "GasHiddenHand")}
+    return {name[0].lower() + name[1:]: array.GetValue(0) for name, array in arrays.items() if array and array.GetValue(0) >= 0.0}
+
+
 def _summary(pipeline, scene, energies):
     counts = {status: 0 for status in STATUS_ORDER}
     for row in pipeline.report:
@@ -215,6 +227,7 @@ def _summary(pipeline, scene, energies):
                    for name, watch in pipeline.watches.items()},
         "quality": pipeline.quality,
         "energy": dict(zip(("before", "after"), map(float, energies))),
+        "dynamics": _dynamics(pipeline),
         "constraints": {**counts, "unmet": [row for row in pipeline.report if row["Status"] != "met"]},
         "objects": _planned_objects(pipeline),
         "settled": _settled(pipeline),
