@@ -2,9 +2,9 @@
 """Prints the rows of `waft measure` for several scenes as a table of a page.
 
     waft measure DIR --json SCENE.json        for each folder of results
-    python3 make_measure_table.py SCENE.json...
+    python3 make_measure_table.py [--optimised] SCENE.json...
 
-A line a scene, named after its file; what misses what is wanted is in **bold**, what is not measured is "-". Processor seconds and
+With --optimised the hands of the optimiser's model are shown, and the air's own figures, which it does not change, are not. A line a scene, named after its file; what misses what is wanted is in **bold**, what is not measured is "-". Processor seconds and
 the largest memory are of the folder's report.json, where it is still there.
 """
 import json
@@ -25,6 +25,8 @@ COLUMNS = (
     ("wind's force", ("witnesses_wind",)),
     ("exact rows", ("exact",)),
 )
+OPTIMISED = (("hidden hand: objects, gas", ("hidden_hand", "hidden_hand_gas")),
+             *(column for column in COLUMNS if not column[1][0].startswith("witnesses")))
 
 
 def figure(row):
@@ -47,14 +49,17 @@ def cost(folder):
     return f"{seconds:.0f}, {max(stage['peakMemoryMB'] for stage in stages.values()):.0f}"
 
 
-def main(files):
-    heads = ["scene", "objects", *(name for name, _ in COLUMNS), "CPU s, MB"]
+def main(arguments):
+    optimised = "--optimised" in arguments
+    files = [file for file in arguments if file != "--optimised"]
+    columns = OPTIMISED if optimised else COLUMNS
+    heads = ["scene", "objects", *(name for name, _ in columns), "CPU s, MB"]
     print("| " + " | ".join(heads) + " |")
     print("|" + "---|" * len(heads))
     for file in files:
         measured = json.loads(pathlib.Path(file).read_text(encoding="utf-8"))[0]
         rows = {row["key"]: row for row in measured["rows"]}
-        cells = [", ".join(figure(rows.get(key)) for key in keys) for _, keys in COLUMNS]
+        cells = [", ".join(figure(rows.get(key)) for key in keys) for _, keys in columns]
         print("| " + " | ".join([pathlib.Path(file).stem, str(measured["objects"]), *cells, cost(measured["folder"])]) + " |")
 
 

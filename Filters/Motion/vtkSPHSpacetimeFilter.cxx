@@ -133,7 +133,9 @@ void vtkSPHSpacetimeFilter::Internals::KeepSolution()
   for (const auto& [name, value] :
        { std::pair(waft::names::ReplayError, this->Solution.ObjectReplayError),
          std::pair(waft::names::GasReplayError, this->Solution.GasReplayError),
-         std::pair(waft::names::GasHiddenHand, this->Solution.GasHiddenHand) })
+         std::pair(waft::names::GasHiddenHand, this->Solution.GasHiddenHand),
+         std::pair(waft::names::RepairedFraction, this->Solution.RepairedFraction),
+         std::pair(waft::names::LargestRepair, this->Solution.LargestRepair) })
   {
     waft::AddDoubles(tracks->GetFieldData(), name, { value });
   }

@@ -207,7 +207,7 @@ class Command(unittest.TestCase):
         self.assertEqual(91, len(particles))
         self.assertIn(b'"Residual"', (out / particles[45].get("file")).read_bytes())
         dynamics = json.loads((out / "report.json").read_text(encoding="utf-8"))["dynamics"]
-        self.assertEqual({"replayError", "gasReplayError", "gasHiddenHand"}, set(dynamics))
+        self.assertEqual({"replayError", "gasReplayError", "gasHiddenHand", "repairedFraction", "largestRepair"}, set(dynamics))
         self.assertLess(max(dynamics.values()), 0.5)
         figures = motion_checks.measure(out, scene)
         self.assertEqual([], motion_checks.violations(figures))

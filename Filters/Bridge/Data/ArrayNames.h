@@ -158,6 +158,8 @@ constexpr const char* VelocityResidual = "VelocityResidual";
 constexpr const char* ReplayError = "ReplayError"; // of tracks, field data
 constexpr const char* GasReplayError = "GasReplayError";
 constexpr const char* GasHiddenHand = "GasHiddenHand";
+constexpr const char* RepairedFraction = "RepairedFraction";
+constexpr const char* LargestRepair = "LargestRepair";
 
 } // namespace names
 } // namespace waft

@@ -208,7 +208,8 @@ def _dynamics(pipeline):
     if pipeline.spacetime is None:
         return {}
     data = pipeline.output("spacetime", 0).GetFieldData()
-    arrays = {name: data.GetArray(name) for name in ("ReplayError", "GasReplayError", "GasHiddenHand")}
+    arrays = {name: data.GetArray(name) for name in ("ReplayError", "GasReplayError", "GasHiddenHand", "RepairedFraction",
+                                                 "LargestRepair")}
     return {name[0].lower() + name[1:]: array.GetValue(0) for name, array in arrays.items() if array and array.GetValue(0) >= 0.0}
 
 

@@ -12,6 +12,12 @@
 
 namespace waft
 {
+namespace
+{
+
+constexpr double LeastRepair = 1e-5; // of the volume's width
+
+} // namespace
 
 Result SpacetimeRun::Export()
 {
@@ -33,7 +39,10 @@ Result SpacetimeRun::Export()
   std::vector<std::vector<Vec3>> positions;
   if (this->Ranks.IsFirst())
   {
+    const std::vector<Vec3> solved =
+      ObjectPositions(this->Problem.Model, level.NumberOfFrames(), motion);
     positions = ExportPositions(this->Input, this->Problem, kept, motion, this->Output.Warnings);
+    this->MeasureRepairs(solved, positions);
   }
   this->Ranks.Broadcast(motion.data(), motion.size() * sizeof(float));
   if (this->Region.IsEmpty()) // the objects have moved since the wind was estimated
@@ -72,6 +81,26 @@ void SpacetimeRun::KeepTheBetter(const HardConstraints& constraints)
     std::swap(this->State.Motion, this->State.Beginning);
   }
   this->State.Beginning = StateVector();
+}
+
+// What the export moved objects by, beyond rounding, to keep what is asked for.
+void SpacetimeRun::MeasureRepairs(const std::vector<Vec3>& solved,
+                                  const std::vector<std::vector<Vec3>>& exported)
+{
+  const std::size_t objects = exported.size();
+  const double least = LeastRepair * this->Input.Scene.Bounds.Width();
+  std::size_t moved = 0;
+  double largest = 0.0;
+  for (std::size_t k = 0; k < solved.size(); ++k)
+  {
+    const Vec3 place = this->Problem.ToWorld(solved[k]);
+    const double distance = (exported[k % objects][k / objects] - place).norm();
+    moved += distance > least ? 1 : 0;
+    largest = std::max(largest, distance);
+  }
+  this->Output.RepairedFraction =
+    solved.empty() ? 0.0 : static_cast<double>(moved) / static_cast<double>(solved.size());
+  this->Output.LargestRepair = largest;
 }
 
 // Neighbours are looked for anew: what is measured of a frame depends on that frame alone.

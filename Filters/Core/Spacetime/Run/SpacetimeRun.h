@@ -79,6 +79,8 @@ private:
 
   Result Export();
   void KeepTheBetter(const HardConstraints& constraints);
+  void MeasureRepairs(const std::vector<Vec3>& solved,
+                      const std::vector<std::vector<Vec3>>& exported);
   Result MeasureResult(const TimeLevel& level, const HardConstraints& constraints);
   void WriteOutput(const TimeLevel& level, std::vector<std::vector<Vec3>> positions);
   void Remember(std::vector<std::vector<Vec3>> positions);

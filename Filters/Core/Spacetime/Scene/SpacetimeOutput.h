@@ -44,6 +44,9 @@ struct SpacetimeOutput
   /// were let go (Rollout.h); GasHiddenHand: rms of the gas' Residuals over that of Dv/Dt.
   /// Negative: not to be had.
   double ObjectReplayError = -1.0, GasReplayError = -1.0, GasHiddenHand = -1.0;
+  /// Of all frames of all objects, those that were moved after solving by more than 1e-5 of the
+  /// volume's width, so that all that is asked for holds; and by how much at most [m].
+  double RepairedFraction = 0.0, LargestRepair = 0.0;
   std::vector<std::string> Warnings;
 };
 
