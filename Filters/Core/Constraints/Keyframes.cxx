@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Constraints/Keyframes.h"
 
-#include "Constraints/LeastCost.h"
+#include "Constraints/NearestColumns.h"
 
 #include <algorithm>
 #include <map>
@@ -148,6 +148,55 @@ std::set<int> Candidates(const std::vector<MotionObject>& objects, const Group& 
   return ids;
 }
 
+/// The objects that a target may have, each where it is before. Who has another place at the time
+/// is penalized.
+std::vector<NearestColumns::Place> PlacesFor(const Target& target,
+                                             const std::vector<MotionObject>& objects,
+                                             const std::set<int>& candidates,
+                                             const KnownPositions& known)
+{
+  std::vector<NearestColumns::Place> places;
+  for (std::size_t o = 0; o < objects.size(); ++o)
+  {
+    const int id = objects[o].ObjectId;
+    if (candidates.count(id) == 0 || (target.ClassId >= 0 && target.ClassId != objects[o].ClassId))
+    {
+      continue;
+    }
+    places.push_back({ o, Vec3::Zero(), 0 });
+    if (target.HasPosition)
+    {
+      places.back().Position = known.Before(id, target.Frame);
+      places.back().Penalty = known.IsTaken(id, target.Frame, target.Until) ? 1 : 0;
+    }
+  }
+  return places;
+}
+
+/// Index of the object of each target, -1 where it has none.
+std::vector<int> ChooseObjects(const std::vector<MotionObject>& objects,
+                               const std::set<int>& candidates, const KnownPositions& known,
+                               const std::vector<const Target*>& open)
+{
+  std::map<std::tuple<int, int, int, bool>, std::size_t> kindOf;
+  std::vector<std::vector<NearestColumns::Place>> kinds;
+  std::vector<NearestColumns::Row> rows;
+  for (const Target* target : open)
+  {
+    const std::tuple key(target->Frame, target->Until, target->ClassId, target->HasPosition);
+    const auto [kind, isNew] = kindOf.emplace(key, kinds.size());
+    if (isNew)
+    {
+      kinds.push_back(PlacesFor(*target, objects, candidates, known));
+    }
+    rows.push_back({ kind->second, target->Position });
+  }
+  // Nobody is left out for the sake of penalties.
+  const RankedCost leftOut{ static_cast<std::int64_t>(open.size()) + 1, 0.0 };
+  NearestColumns problem(objects.size(), leftOut, std::move(kinds), std::move(rows));
+  return AssignLeastCost(problem).ColumnOf;
+}
+
 } // namespace
 
 void AssignKeyframes(const std::vector<MotionObject>& objects, std::vector<Constraint>& rows,
@@ -165,31 +214,7 @@ void AssignKeyframes(const std::vector<MotionObject>& objects, std::vector<Const
         open.push_back(&target);
       }
     }
-    const auto most = static_cast<std::int64_t>(open.size());
-    AssignmentProblem problem(objects.size(),
-                              std::vector<RankedCost>(open.size(), { most + 1, 0.0 }));
-    for (std::size_t t = 0; t < open.size(); ++t)
-    {
-      const Target& target = *open[t];
-      for (std::size_t o = 0; o < objects.size(); ++o)
-      {
-        const MotionObject& object = objects[o];
-        if (candidates.count(object.ObjectId) == 0 ||
-            (target.ClassId >= 0 && target.ClassId != object.ClassId))
-        {
-          continue;
-        }
-        RankedCost& cost = problem.At(t, o);
-        cost = RankedCost();
-        if (target.HasPosition)
-        {
-          cost.Penalty = known.IsTaken(object.ObjectId, target.Frame, target.Until) ? 1 : 0;
-          cost.Amount =
-            (target.Position - known.Before(object.ObjectId, target.Frame)).squaredNorm();
-        }
-      }
-    }
-    const std::vector<int> chosen = AssignLeastCost(problem);
+    const std::vector<int> chosen = ChooseObjects(objects, candidates, known, open);
     for (std::size_t t = 0; t < open.size(); ++t)
     {
       if (chosen[t] < 0)

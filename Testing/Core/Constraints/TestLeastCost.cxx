@@ -2,13 +2,17 @@
 #include "Constraints/LeastCost.h"
 
 #include "Base/Random.h"
+#include "Constraints/NearestColumns.h"
+#include "PlainAssignment.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <set>
 
 using namespace waft;
+using namespace waft::test;
 
 namespace
 {
@@ -51,6 +55,84 @@ RankedCost TryAll(const AssignmentProblem& problem)
   };
   extend();
   return best;
+}
+
+/// The same pairs as a table.
+AssignmentProblem TableOf(const ColumnSearch& search)
+{
+  AssignmentProblem problem(search.Columns(), search.LeftOut());
+  for (std::size_t row = 0; row < problem.Rows(); ++row)
+  {
+    for (std::size_t column = 0; column < problem.Columns; ++column)
+    {
+      problem.At(row, column) = search.Cost(row, column);
+    }
+  }
+  return problem;
+}
+
+using Points = std::vector<Vec3>;
+
+Points RandomPoints(std::size_t count, const Box& box, Random& random)
+{
+  Points points;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    points.push_back(random.InBox(box));
+  }
+  return points;
+}
+
+Points LatticePoints(std::size_t count, Random& random)
+{
+  Points points;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    points.push_back(Vec3(random.Index(4), random.Index(4), random.Index(3)));
+  }
+  return points;
+}
+
+NearestColumns OneKind(const Points& columns, const Points& rows)
+{
+  std::vector<NearestColumns::Place> places;
+  for (std::size_t c = 0; c < columns.size(); ++c)
+  {
+    places.push_back({ c, columns[c], 0 });
+  }
+  std::vector<NearestColumns::Row> seeing;
+  for (const Vec3& row : rows)
+  {
+    seeing.push_back({ 0, row });
+  }
+  const RankedCost leftOut{ std::int64_t(rows.size()) + 1, 0.0 };
+  return NearestColumns(columns.size(), leftOut, { places }, seeing);
+}
+
+/// Of the cost that the plain way finds, no column twice, and proved by its own bound.
+void ExpectLeast(NearestColumns search, bool isUnique)
+{
+  const AssignmentProblem table = TableOf(search);
+  const std::vector<int> plain = PlainAssignment(table).Run();
+  const Assignment found = AssignLeastCost(search);
+  std::vector<int> taken;
+  std::copy_if(found.ColumnOf.begin(), found.ColumnOf.end(), std::back_inserter(taken),
+               [](int column) { return column >= 0; });
+  std::sort(taken.begin(), taken.end());
+  EXPECT_EQ(std::adjacent_find(taken.begin(), taken.end()), taken.end());
+  const RankedCost least = CostOf(table, plain);
+  const RankedCost cost = CostOf(table, found.ColumnOf);
+  const double rounding = 1e-11 * (1.0 + least.Amount);
+  EXPECT_EQ(cost.Penalty, least.Penalty);
+  EXPECT_NEAR(cost.Amount, least.Amount, rounding);
+  EXPECT_EQ(found.Cost.Penalty, least.Penalty);
+  EXPECT_NEAR(found.Cost.Amount, least.Amount, rounding);
+  EXPECT_EQ(found.Bound.Penalty, least.Penalty);
+  EXPECT_NEAR(found.Bound.Amount, least.Amount, rounding);
+  if (isUnique)
+  {
+    EXPECT_EQ(found.ColumnOf, plain);
+  }
 }
 
 } // namespace
@@ -96,4 +178,84 @@ TEST(AssignLeastCost, TakesTheFirstOfEquals)
   AssignmentProblem problem(3, { { 9, 0.0 }, { 9, 0.0 } });
   std::fill(problem.Costs.begin(), problem.Costs.end(), RankedCost{ 0, 1.0 });
   EXPECT_EQ(AssignLeastCost(problem), (std::vector<int>{ 0, 1 }));
+}
+
+TEST(NearestColumns, EqualsThePlainWayWherePointsAreApart)
+{
+  Random random(3);
+  const Box air;
+  const Box ground{ Vec3(-2, -2, 0), Vec3(2, 2, 0) };
+  const Box line{ Vec3(9, 1, 0), Vec3(9, 1, 4) };
+  for (const Box& targets : { air, ground, line })
+  {
+    for (const auto& [columns, rows] :
+         { std::pair(1, 1), std::pair(60, 60), std::pair(300, 300), std::pair(300, 200) })
+    {
+      ExpectLeast(OneKind(RandomPoints(columns, air, random), RandomPoints(rows, targets, random)),
+                  true);
+    }
+  }
+}
+
+TEST(NearestColumns, CostsTheSameAsThePlainWayWhereManyAreEqual)
+{
+  Random random(4);
+  const Points together(120, Vec3(1, 2, 3));
+  for (int trial = 0; trial < 20; ++trial)
+  {
+    ExpectLeast(OneKind(LatticePoints(100, random), LatticePoints(100, random)), false);
+    ExpectLeast(OneKind(LatticePoints(100, random), LatticePoints(70, random)), false);
+  }
+  ExpectLeast(OneKind(together, LatticePoints(100, random)), false);
+  ExpectLeast(OneKind(LatticePoints(100, random), together), false);
+  ExpectLeast(OneKind(together, together), false);
+}
+
+TEST(NearestColumns, LeavesOutThoseWhoCostTheMost)
+{
+  Random random(5);
+  const Box air;
+  ExpectLeast(OneKind(RandomPoints(80, air, random), RandomPoints(200, air, random)), false);
+  ExpectLeast(OneKind(LatticePoints(50, random), LatticePoints(90, random)), false);
+  ExpectLeast(OneKind({}, RandomPoints(5, air, random)), true);
+  ExpectLeast(OneKind(RandomPoints(5, air, random), {}), true);
+}
+
+TEST(NearestColumns, EqualsThePlainWayWithKindsAndPenalties)
+{
+  Random random(6);
+  const Box air;
+  for (int trial = 0; trial < 100; ++trial)
+  {
+    const std::size_t columns = 1 + random.Index(40);
+    std::vector<std::vector<NearestColumns::Place>> kinds(1 + random.Index(3));
+    for (auto& places : kinds)
+    {
+      const double share = random.Uniform();
+      for (std::size_t c = 0; c < columns; ++c)
+      {
+        if (random.Uniform() < share)
+        {
+          places.push_back({ c, random.InBox(air), std::int64_t(random.Index(2)) });
+        }
+      }
+    }
+    std::vector<NearestColumns::Row> rows(1 + random.Index(60));
+    for (NearestColumns::Row& row : rows)
+    {
+      row = { random.Index(std::uint32_t(kinds.size())), random.InBox(air) };
+    }
+    const RankedCost leftOut{ std::int64_t(rows.size()) + 1, 0.0 };
+    ExpectLeast(NearestColumns(columns, leftOut, kinds, rows), false);
+  }
+}
+
+TEST(NearestColumns, IsProvedToBeTheLeastOfTenThousand)
+{
+  Random random(7);
+  NearestColumns search =
+    OneKind(RandomPoints(10000, Box(), random), RandomPoints(10000, Box(), random));
+  const Assignment found = AssignLeastCost(search);
+  EXPECT_EQ(found.Cost.Penalty, 0);
+  EXPECT_NEAR(found.Cost.Amount, found.Bound.Amount, 1e-9 * found.Cost.Amount);
 }
