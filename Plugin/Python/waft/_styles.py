@@ -35,7 +35,7 @@ STYLES = {
     "paper": Style(
         sky=(0.99, 0.985, 0.97), horizon=(0.98, 0.97, 0.95), ground=(0.98, 0.97, 0.95),
         trail=(0.35, 0.36, 0.40), grid=0.0,
-        suns=12, sun_radius=0.10, shadow=0.42, translucency=0.55, exposure=1.15, ambient=0.30),
+        suns=12, sun_radius=0.10, shadow=0.42, translucency=0.55, exposure=1.45, ambient=0.30),
     "dark": Style(
         sky=(0.025, 0.035, 0.050), horizon=(0.045, 0.060, 0.075), ground=(0.170, 0.215, 0.240),
         trail=(0.75, 0.80, 0.85), grid=0.0, pool=(0.1, 1.6),

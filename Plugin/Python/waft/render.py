@@ -11,7 +11,8 @@ from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkToneMappingPas
 from ._cameras import Cameras
 from ._flyers import Objects, Trails, add_marks
 from ._folder import load
-from ._output import AviMovie, Loop, Mp4Movie, OggMovie, grab, write_png
+from ._loop import Loop
+from ._output import AviMovie, Mp4Movie, OggMovie, grab, write_png
 from ._scenery import Scenery
 from ._styles import STYLES, VIEWS
 from .failures import BadInput, WaftError
