@@ -97,9 +97,10 @@ class Cameras:
             center, distance = _fit(np.concatenate([places + reach[0], places + reach[1]]), direction, self._aspect)
             fits.append([*center, distance])
         spread = 0.6 * motion.frames_per_second
-        away = np.arange(frames)
-        ways = np.array([np.interp(away, keys, column) for column in np.array(fits).T])
-        weights = np.exp(-0.5 * ((away[:, None] - away) / spread) ** 2)
+        now = np.arange(frames)
+        # It comes late, lest the smoothing cuts off what moves last.
+        ways = np.array([np.interp(now - 1.5 * spread, keys, column) for column in np.array(fits).T])
+        weights = np.exp(-0.5 * ((now[:, None] - now) / spread) ** 2)
         smooth = (weights @ ways.T) / weights.sum(axis=1)[:, None]
         return direction, smooth[:, :3], smooth[:, 3]
 

@@ -39,5 +39,5 @@ STYLES = {
     "dark": Style(
         sky=(0.025, 0.035, 0.050), horizon=(0.045, 0.060, 0.075), ground=(0.170, 0.215, 0.240),
         trail=(0.75, 0.80, 0.85), grid=0.0, pool=(0.1, 1.6),
-        suns=12, sun_radius=0.10, shadow=0.80, translucency=0.70, exposure=1.25, ambient=0.25),
+        suns=12, sun_radius=0.10, shadow=0.80, translucency=0.70, exposure=1.45, ambient=0.30),
 }
