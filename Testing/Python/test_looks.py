@@ -3,7 +3,9 @@
 
     pvbatch test_looks.py WORK_FOLDER"""
 
+import contextlib
 import dataclasses
+import io
 import os
 import shutil
 import sys
@@ -17,7 +19,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
 
 import sample_folder  # noqa: E402
 
-from waft import _styles  # noqa: E402
+from waft import _styles, cli  # noqa: E402
 from waft._cameras import Cameras  # noqa: E402
 from waft._folder import load  # noqa: E402
 from waft._styles import STYLES  # noqa: E402
@@ -192,6 +194,31 @@ class LoopTest(unittest.TestCase):
             render(place, frames="0", size=SIZE, views="hero", samples=1, loop=1.0)
         with open(path, encoding="utf-8") as file:
             self.assertEqual(file.read(), "mine")
+
+
+class CommandTest(unittest.TestCase):
+    @staticmethod
+    def parsed(*words):
+        return cli.parser().parse_args(["render", "out", *words])
+
+    def test_options(self):
+        plain = self.parsed()
+        self.assertEqual((plain.style, plain.loop, plain.views), ("day", None, ("side", "top")))
+        self.assertEqual((self.parsed("--loop").loop, self.parsed("--loop", "0.5").loop), (3.0, 0.5))
+        self.assertEqual(self.parsed("--views", "hero,follow").views, ("hero", "follow"))
+        self.assertEqual(self.parsed("--style", "paper").style, "paper")
+
+    def test_bad_ones_are_told(self):
+        cases = (("--style", "noon", "invalid choice: 'noon'"), ("--loop", "0", "megabytes above 0, at most 1000"),
+                 ("--loop", "much", "megabytes above 0, at most 1000"), ("--loop", "nan", "megabytes above 0, at most 1000"),
+                 ("--views", "heroes", "names of hero, side, top and follow"))
+        for option, value, wanted in cases:
+            said = io.StringIO()
+            with self.subTest(option=option, value=value), contextlib.redirect_stderr(said):
+                with self.assertRaises(SystemExit) as stopped:
+                    self.parsed(option, value)
+                self.assertEqual(stopped.exception.code, 2)
+                self.assertIn(wanted, said.getvalue())
 
 
 if __name__ == "__main__":
