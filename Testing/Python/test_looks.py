@@ -102,7 +102,7 @@ class StyleTest(unittest.TestCase):
         return vtk_to_numpy(taken.GetPointData().GetScalars()).astype(float).reshape(SIZE[1], SIZE[0], 3)
 
     def test_each_has_its_own_ground(self):
-        means = {style: np.median(self.drawn(style).mean(axis=2)) for style in STYLES}
+        means = {style: np.median(self.drawn(style).mean(axis=2)) for style in ("studio", "paper", "dark")}
         self.assertLess(means["dark"], 70.0)
         self.assertGreater(means["paper"], 220.0)
         self.assertTrue(means["dark"] < means["studio"] < means["paper"], means)
@@ -128,8 +128,25 @@ class StyleTest(unittest.TestCase):
         dim, bright = (self.drawn("studio", exposure=exposure).mean() for exposure in (0.6, 1.4))
         self.assertLess(1.2 * dim, bright)
 
+    def test_clear_is_bodies_and_shadows_alone(self):
+        place = folder("clear")
+        render(place, frames=str(LAST), size=SIZE, views="hero", samples=2, style="clear", paths=False, targets=False)
+        with Image.open(os.path.join(place, "frames", f"hero_{LAST:04d}.png")) as made:
+            self.assertEqual(made.mode, "RGBA")
+            drawn = np.asarray(made, int)
+        alpha = drawn[..., 3]
+        self.assertGreater((alpha == 0).mean(), 0.5)
+        self.assertGreater((alpha == 255).sum(), 100)  # bodies and the box
+        shadow = (alpha > 5) & (alpha < 200) & (drawn[..., :3].max(axis=2) < 10)
+        self.assertGreater(shadow.sum(), 20)
+        # Colours are not those of black that shows through: at a body's edge as bright as within.
+        edge = (alpha > 100) & (alpha < 200) & ~shadow
+        self.assertGreater(np.median(drawn[edge].max(axis=1)), 0.6 * np.median(drawn[alpha == 255][:, :3].max(axis=1)))
+        with self.assertRaisesRegex(BadInput, "style 'clear': a movie has no transparency"):
+            render(place, frames="0", style="clear", movie=True)
+
     def test_an_unknown_one_is_named(self):
-        with self.assertRaisesRegex(BadInput, "style 'noon': expected one of day, studio, paper, dark"):
+        with self.assertRaisesRegex(BadInput, "style 'noon': expected one of day, studio, paper, dark, clear"):
             render(folder("noon"), style="noon")
 
 

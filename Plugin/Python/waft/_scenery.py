@@ -135,7 +135,7 @@ class Scenery:
         self._light()
         self.ground = None
         self.move_to(0)
-        if self.ground is not None:
+        if self.ground is not None and style.backdrop:
             self._make_ground()
 
     def _rays(self, style):
@@ -209,6 +209,10 @@ class Scenery:
 
     def show_sky(self, horizon):
         """A sky whose colour meets the ground's at the horizon (its height in the picture)."""
+        if not self._style.backdrop:
+            self._renderer.SetBackground(0.0, 0.0, 0.0)
+            self._renderer.SetBackgroundAlpha(0.0)
+            return
         key = round(horizon, 4)
         if key not in self._skies:
             rows = np.linspace(0.0, 1.0, 256)
@@ -264,7 +268,7 @@ class Scenery:
 
     def _cast_obstacles(self, shown):
         actor = self._obstacle_shadow
-        actor.SetVisibility(shown.GetNumberOfPolys() > 0 and self.ground is not None)
+        actor.SetVisibility(shown.GetNumberOfPolys() > 0 and self.ground is not None and self._style.backdrop)
         if not actor.GetVisibility():
             return
         actor.GetMapper().SetInputData(shown)

@@ -21,6 +21,7 @@ class Style:
     shadow: float = 0.42  # opacity of a shadow at its object
     translucency: float = 0.0  # share of the sun's light that a leaf lets through
     ambient: float = 0.46  # light on a body from everywhere
+    backdrop: bool = True  # sky and ground; without them all but bodies, shadows and obstacles is clear
     exposure: float = None  # of the tone mapping; None: colours as they are
 
 
@@ -40,4 +41,8 @@ STYLES = {
         sky=(0.025, 0.035, 0.050), horizon=(0.045, 0.060, 0.075), ground=(0.170, 0.215, 0.240),
         trail=(0.75, 0.80, 0.85), grid=0.0, pool=(0.1, 1.6),
         suns=12, sun_radius=0.10, shadow=0.80, translucency=0.70, exposure=1.45, ambient=0.30),
+    "clear": Style(
+        sky=(0.0, 0.0, 0.0), horizon=(0.0, 0.0, 0.0), ground=(0.0, 0.0, 0.0),
+        trail=(0.5, 0.5, 0.5), grid=0.0, backdrop=False,
+        suns=12, sun_radius=0.10, shadow=0.55, translucency=0.55, ambient=0.30),
 }

@@ -71,6 +71,8 @@ class Stage:
         self._window = vtkRenderWindow()
         self._window.SetOffScreenRendering(1)
         self._window.SetMultiSamples(0)
+        self._window.SetAlphaBitPlanes(not style.backdrop)
+        self._is_clear = not style.backdrop
         self._window.SetSize(size[0] * samples, size[1] * samples)
         self._window.AddRenderer(self._renderer)
         self._scenery = Scenery(motion, self._renderer, style, line_width=samples)
@@ -102,7 +104,7 @@ class Stage:
         vtkMapper.SetResolveCoincidentTopology(0)
         self._window.Render()
         vtkMapper.SetResolveCoincidentTopology(resolve)
-        return grab(self._window, self._samples)
+        return grab(self._window, self._samples, self._is_clear)
 
     def _opacity(self, view):
         """Of the obstacles in all frames of a view: the one asked for, or what lets objects be seen."""
@@ -156,7 +158,7 @@ def render(
     samples:  samples x samples pixels are drawn for each one (1: jagged, and the fastest)
     obstacle_opacity: 0 to 1; by itself 1, or where obstacles hide much of the motion from a view,
               little, with their edges drawn
-    style:    "day", "studio", "paper" or "dark"
+    style:    "day", "studio", "paper", "dark" or "clear" (transparent, not for movies)
     loop:     also FOLDER/<view>.webp, an animation without an end of at most so many megabytes (10^6 bytes)
     progress: called with the part done (0..1) and a sentence after each picture
 
@@ -174,6 +176,8 @@ def render(
         raise BadInput(f"obstacle opacity {obstacle_opacity}: expected a number from 0 to 1")
     if style not in STYLES:
         raise BadInput(f"style '{style}': expected one of {', '.join(STYLES)}")
+    if movie and not STYLES[style].backdrop:
+        raise BadInput(f"style '{style}': a movie has no transparency; expected a loop or pictures alone")
     if loop is not None:
         Loop.require(loop)
     if not os.path.isdir(folder):

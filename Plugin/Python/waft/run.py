@@ -59,7 +59,7 @@ class Run(Pipeline):
         return np.array([tuple(row[name] for name in _COLUMNS) for row in self.report], dtype=_MARK)
 
     def render(self, path=None, frame=None, size=(960, 540), view="side", **options) -> np.ndarray:
-        """A still as a numpy array (height, width, 3) of bytes, the top row first.
+        """A still as a numpy array (height, width, 3; of the style clear 4, with alpha) of bytes, the top row first.
 
         path: also writes it, .png. frame: default the last. size: width and height, 16 to 16384. view: hero, side, top or follow.
         options: of waft.render.Stage: samples, paths, targets, obstacle_opacity, style. Without a display a virtual one is used
@@ -90,7 +90,7 @@ class Run(Pipeline):
         if path is not None:
             write_png(picture, path)
         width, height, _ = picture.GetDimensions()
-        return vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(height, width, 3)[::-1].copy()
+        return vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(height, width, -1)[::-1].copy()
 
     def _write_drawn(self, folder):
         from waft.files import write_xml
