@@ -40,7 +40,7 @@ def folder(name):
 
 def on_picture(camera, places, reach):
     """Where the balls about places lie on the picture: low and high of x and y, from -1 to 1."""
-    corners = reach * np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
+    corners = reach / np.sqrt(3.0) * np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
     points = (places[:, None, :] + corners).reshape(-1, 3)
     matrix = camera.GetCompositeProjectionTransformMatrix(SIZE[0] / SIZE[1], -1.0, 1.0)
     entries = np.array([[matrix.GetElement(row, column) for column in range(4)] for row in range(4)])
@@ -79,6 +79,16 @@ class HeroTest(unittest.TestCase):
         away = np.array([self.cameras.at("hero", frame).GetDistance() for frame in range(LAST + 1)])
         self.assertLess(away[-1], away[0])
         self.assertLess(np.abs(np.diff(eyes, axis=0)).max(), 0.05 * away[0])
+
+    def test_one_object_is_followed_from_near(self):
+        motion = self.motion
+        motion.positions = np.zeros((1, 301, 3)) + [0.0, 0.0, 1.0]
+        motion.positions[0, :, 0] = 0.6 * np.arange(301) / sample_folder.RATE  # 6 m in 10 s
+        self.cameras = Cameras(motion, SIZE[0] / SIZE[1])
+        for frame in range(301):
+            low, high = on_picture(self.cameras.at("hero", frame), motion.positions[:, frame], self.reach)
+            self.assertLess(max(-low.min(), high.max()), 1.0, frame)
+        self.assertGreater(self.fill("hero", 150, motion.positions[:, 150]), 2.0 * self.fill("side", 150, motion.positions[:, 150]))
 
     def test_it_is_the_higher_the_more_lies(self):
         def pitch():

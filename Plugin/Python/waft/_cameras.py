@@ -72,8 +72,8 @@ class Cameras:
         return 0.5 + 0.5 * math.tan(pitch) / half
 
     def _hero(self, frame):
-        """Near and low, but the higher the more objects come to lie, so that what they lay can be read. All that moves from
-        this frame on is in the picture, so the camera nears what the motion ends with."""
+        """Near and low, but the higher the more objects come to lie, so that what they lay can be read. All that moves in the
+        next seconds, of many objects until the end, is in the picture, so the camera nears what the motion ends with."""
         if self._approach is None:
             self._approach = self._make_approach()
         direction, centers, distances = self._approach
@@ -83,7 +83,10 @@ class Cameras:
         """Direction of the hero's camera, and of each frame the centre and distance [frame, 3], [frame]."""
         motion = self._motion
         frames = motion.number_of_frames
-        lying = min(len(motion.marks.resting) / len(motion.positions), 1.0)
+        objects, resting = len(motion.positions), len(motion.marks.resting)
+        # A few that lie write nothing.
+        lying = min(resting / objects, 1.0) * min(max(resting - 1, 0) / 5.0, 1.0)
+        ahead = int(2.0 * motion.frames_per_second * math.sqrt(objects))
         pitch = math.radians(12.0 + 38.0 * lying)
         direction = np.array([-0.08, 1.0, 0.0]) / math.hypot(0.08, 1.0) * math.cos(pitch)
         direction[2] = -math.sin(pitch)
@@ -93,14 +96,14 @@ class Cameras:
         keys = np.unique(np.append(np.arange(0, frames, step), frames - 1))
         fits = []
         for at in range(len(keys)):
-            places = motion.positions[:, keys[at:], :].reshape(-1, 3)
+            places = motion.positions[:, keys[at:][keys[at:] <= keys[at] + ahead], :].reshape(-1, 3)
             center, distance = _fit(np.concatenate([places + reach[0], places + reach[1]]), direction, self._aspect)
             fits.append([*center, distance])
         spread = 0.6 * motion.frames_per_second
-        now = np.arange(frames)
-        # It comes late, lest the smoothing cuts off what moves last.
-        ways = np.array([np.interp(now - 1.5 * spread, keys, column) for column in np.array(fits).T])
-        weights = np.exp(-0.5 * ((now[:, None] - now) / spread) ** 2)
+        # It comes late, lest the smoothing cuts off what moves last; before the first frame and after the last all stands.
+        around = np.arange(-int(3.0 * spread), frames + int(3.0 * spread))
+        ways = np.array([np.interp(around - 1.5 * spread, keys, column) for column in np.array(fits).T])
+        weights = np.exp(-0.5 * ((np.arange(frames)[:, None] - around) / spread) ** 2)
         smooth = (weights @ ways.T) / weights.sum(axis=1)[:, None]
         return direction, smooth[:, :3], smooth[:, 3]
 
