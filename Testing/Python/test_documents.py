@@ -60,6 +60,17 @@ class DocumentsTest(unittest.TestCase):
                     with self.subTest(page=os.path.relpath(page, SOURCE), target=target):
                         self.assertTrue(os.path.exists(os.path.join(os.path.dirname(page), target)))
 
+    def test_the_readme_opens_with_an_animation_that_loads_soon(self):
+        first = LINK.findall(text_of(os.path.join(SOURCE, "README.md")))[0]
+        with open(os.path.join(SOURCE, first), "rb") as file:
+            content = file.read()
+        self.assertEqual((b"RIFF", b"WEBP", b"VP8X"), (content[:4], content[8:12], content[12:16]))
+        width, height = (1 + int.from_bytes(content[at:at + 3], "little") for at in (24, 27))
+        self.assertEqual((960, 540), (width, height))
+        self.assertEqual(0, int.from_bytes(content[content.index(b"ANIM") + 12:][:2], "little"))  # without an end
+        self.assertGreater(content.count(b"ANMF"), 60)
+        self.assertLess(len(content), 3e6)
+
     def test_lines_are_not_wide(self):
         wide = "word " * 30
         self.assertEqual([1], list(wide_lines(f"{wide}\n| {wide} |\n```\n{wide}\n```\nnarrow\n")))

@@ -86,7 +86,8 @@ class RunTest(unittest.TestCase):
         self.assertEqual(b"\x89PNG", path.read_bytes()[:4])
         self.assertTrue(np.any(first != last))
         self.assertNotIn("DISPLAY", os.environ)
-        for name, bad in (("frame", 61), ("view", "front"), ("size", (1, 1)), ("path", "still.jpg")):
+        for name, bad in (("frame", 61), ("view", "front"), ("size", (1, 1)), ("path", "still.jpg"),
+                          ("style", "noon")):
             with self.assertRaisesRegex(waft.BadInput, f"Run.render: {name}: "):
                 self.run_.render(**{name: bad})
 

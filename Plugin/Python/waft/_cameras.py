@@ -7,8 +7,6 @@ import math
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-VIEWS = ("side", "top", "follow")
-
 _VIEW_ANGLE = 28.0  # degrees, of the picture's height
 _MARGIN = 1.06  # room round what must be seen
 
@@ -41,7 +39,7 @@ def _perspective(center, direction, distance, size):
 
 
 class Cameras:
-    """`at(view, frame)` gives the camera; the views are side, top and follow."""
+    """`at(view, frame)` gives the camera; the views are hero, side, top and follow."""
 
     def __init__(self, motion, aspect):
         self._motion = motion
@@ -52,10 +50,13 @@ class Cameras:
         self._reach = reach
         self._highest = float(motion.positions[..., 2].max()) + reach
         self._fixed = {}
+        self._approach = None
 
     def at(self, view, frame):
         if view == "follow":
             return self._follow(frame)
+        if view == "hero":
+            return self._hero(frame)
         if view not in self._fixed:
             self._fixed[view] = self._side() if view == "side" else self._top()
         return self._fixed[view]
@@ -69,6 +70,42 @@ class Cameras:
             return 2.0
         half = math.tan(math.radians(_VIEW_ANGLE) / 2.0)
         return 0.5 + 0.5 * math.tan(pitch) / half
+
+    def _hero(self, frame):
+        """Near and low, but the higher the more objects come to lie, so that what they lay can be read. All that moves in the
+        next seconds, of many objects until the end, is in the picture, so the camera nears what the motion ends with."""
+        if self._approach is None:
+            self._approach = self._make_approach()
+        direction, centers, distances = self._approach
+        return _perspective(centers[frame], direction, distances[frame], self._size)
+
+    def _make_approach(self):
+        """Direction of the hero's camera, and of each frame the centre and distance [frame, 3], [frame]."""
+        motion = self._motion
+        frames = motion.number_of_frames
+        objects, resting = len(motion.positions), len(motion.marks.resting)
+        # A few that lie write nothing.
+        lying = min(resting / objects, 1.0) * min(max(resting - 1, 0) / 5.0, 1.0)
+        ahead = int(2.0 * motion.frames_per_second * math.sqrt(objects))
+        pitch = math.radians(12.0 + 38.0 * lying)
+        direction = np.array([-0.08, 1.0, 0.0]) / math.hypot(0.08, 1.0) * math.cos(pitch)
+        direction[2] = -math.sin(pitch)
+        reach = self._reach * np.array([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
+        # Few frames tell as much as all: an object moves less than the margin in between.
+        step = max(int(round(0.2 * motion.frames_per_second)), 1)
+        keys = np.unique(np.append(np.arange(0, frames, step), frames - 1))
+        fits = []
+        for at in range(len(keys)):
+            places = motion.positions[:, keys[at:][keys[at:] <= keys[at] + ahead], :].reshape(-1, 3)
+            center, distance = _fit(np.concatenate([places + reach[0], places + reach[1]]), direction, self._aspect)
+            fits.append([*center, distance])
+        spread = 0.6 * motion.frames_per_second
+        # It comes late, lest the smoothing cuts off what moves last; before the first frame and after the last all stands.
+        around = np.arange(-int(3.0 * spread), frames + int(3.0 * spread))
+        ways = np.array([np.interp(around - 1.5 * spread, keys, column) for column in np.array(fits).T])
+        weights = np.exp(-0.5 * ((np.arange(frames)[:, None] - around) / spread) ** 2)
+        smooth = (weights @ ways.T) / weights.sum(axis=1)[:, None]
+        return direction, smooth[:, :3], smooth[:, 3]
 
     def _side(self):
         direction = np.array([-0.20, 1.0, -0.15])

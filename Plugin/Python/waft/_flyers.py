@@ -17,8 +17,12 @@ from .failures import BadInput
 from .reading import read_picture
 
 _MARK = (0.86, 0.25, 0.16)
-_TRAIL = (0.25, 0.33, 0.45)
 _CUT_OUT = "//VTK::TCoord::Impl\n  if (gl_FragData[0].a < 0.5) discard;\n"
+# VTK turns a normal towards the eye; what the first light, the sun, throws on the other side comes through.
+_SHINE_THROUGH = (
+    "//VTK::Light::Impl\n  fragOutput0.rgb += %.3f * diffuseColor * lightColor0"
+    " * max(0.0, dot(normalVCVSOutput, lightDirectionVC0));\n"
+)
 
 
 def rotation(quaternion):
@@ -57,7 +61,7 @@ def _load_texture(path):
 class _Look:
     """Mapper, texture and surface properties that all objects of one shape share."""
 
-    def __init__(self, body):
+    def __init__(self, body, style):
         normals = vtkPolyDataNormals()
         normals.SetInputData(body.surface)
         normals.SplittingOff()
@@ -73,13 +77,15 @@ class _Look:
         # VTK multiplies a texture by the surface's colour.
         self.color = body.tint if self.texture else body.color
         self.opacity = body.opacity
+        self.ambient = style.ambient
+        self.translucency = style.translucency if self.opacity == 1.0 else 0.0
 
     def object_actor(self):
         actor = self._actor()
         look = actor.GetProperty()
         film = self.opacity < 1.0
         look.SetColor(*self.color)
-        look.SetAmbient(0.46)
+        look.SetAmbient(self.ambient)
         look.SetDiffuse(0.72)
         look.SetSpecular(0.9 if film else 0.12)
         look.SetSpecularPower(60.0 if film else 12.0)
@@ -91,6 +97,10 @@ class _Look:
             if self.texture:
                 actor.GetShaderProperty().AddFragmentShaderReplacement(
                     "//VTK::TCoord::Impl", True, _CUT_OUT, False
+                )
+            if self.translucency > 0.0:
+                actor.GetShaderProperty().AddFragmentShaderReplacement(
+                    "//VTK::Light::Impl", True, _SHINE_THROUGH % self.translucency, False
                 )
         return actor
 
@@ -110,19 +120,20 @@ class _Look:
 
 
 class Objects:
-    """One actor per object and two for its shadow: its outline cast along the sun's rays, which
+    """One actor per object and more for its shadow: its outline cast along each of the sun's rays, which
     pales with height, and a soft spot that takes over."""
 
-    def __init__(self, motion, renderer, scenery):
+    def __init__(self, motion, renderer, scenery, style):
         self._motion = motion
         self._scenery = scenery
-        looks = [_Look(body) for body in motion.bodies]
+        self._shadow = style.shadow
+        looks = [_Look(body, style) for body in motion.bodies]
         spot = self._spot()
         self._planes = {}
         self._items = []
         for index, shape in enumerate(motion.shapes):
             look = looks[shape]
-            actors = [look.object_actor(), look.shadow_actor(), spot()]
+            actors = [look.object_actor(), *(look.shadow_actor() for _ in scenery.rays), spot()]
             matrices = [vtkMatrix4x4() for _ in actors]
             for actor, matrix in zip(actors, matrices):
                 actor.SetUserMatrix(matrix)
@@ -146,32 +157,33 @@ class Objects:
             return
         spot, normal, distance = met
         nearness = distance / (3.0 * look.extent)
-        sharp = 0.42 * math.exp(-nearness)
-        soft = 0.22 * (1.0 - math.exp(-nearness)) / (1.0 + (nearness / 2.5) ** 1.5)
-        actors[0].GetProperty().SetOpacity(sharp)
-        actors[0].SetVisibility(bool(sharp > 0.01))
-        actors[1].GetProperty().SetOpacity(soft)
-        actors[1].SetVisibility(bool(soft > 0.01))
-        sun = self._scenery.sun
-        flatten, basis = self._plane(normal)
-        shift = sun * (normal @ spot) / (normal @ sun)
-        _set(matrices[0], (flatten @ turn).tolist(), (flatten @ place + shift).tolist())
+        sharp = self._shadow * math.exp(-nearness)
+        soft = 0.52 * self._shadow * (1.0 - math.exp(-nearness)) / (1.0 + (nearness / 2.5) ** 1.5)
+        basis, flattened = self._plane(normal)
+        # Where all rays' outlines lie on one another they are as dark as one alone.
+        share = 1.0 - (1.0 - sharp) ** (1.0 / len(flattened))
+        for actor, matrix, ray, flatten in zip(actors, matrices, self._scenery.rays, flattened):
+            actor.GetProperty().SetOpacity(share)
+            actor.SetVisibility(bool(sharp > 0.01))
+            shift = ray * (normal @ spot) / (normal @ ray)
+            _set(matrix, (flatten @ turn).tolist(), (flatten @ place + shift).tolist())
+        actors[-1].GetProperty().SetOpacity(soft)
+        actors[-1].SetVisibility(bool(soft > 0.01))
         width = look.extent * (1.0 + 0.35 * nearness)
-        _set(matrices[1], (width * basis).tolist(), spot.tolist())
+        _set(matrices[-1], (width * basis).tolist(), spot.tolist())
 
     def _plane(self, normal):
-        """Of a plane with that normal: what casts onto it along the sun's rays, x -> x - sun (n . x) /
-        (n . sun), and axes whose third is the normal. Few normals come, and often."""
+        """Of a plane with that normal: axes whose third is the normal, and what casts onto it along each of the sun's rays s,
+        x -> x - s (n . x) / (n . s). Few normals come, and often."""
         key = normal.tobytes()
         if key not in self._planes:
-            sun = self._scenery.sun
             side = np.cross(normal, [0.0, 1.0, 0.0] if abs(normal[1]) < 0.9 else [1.0, 0.0, 0.0])
             side /= np.linalg.norm(side)
             if len(self._planes) > 4096:
                 self._planes.clear()
             self._planes[key] = (
-                np.eye(3) - np.outer(sun, normal) / (normal @ sun),
                 np.stack([side, np.cross(normal, side), normal], axis=1),
+                [np.eye(3) - np.outer(ray, normal) / (normal @ ray) for ray in self._scenery.rays],
             )
         return self._planes[key]
 
@@ -207,8 +219,9 @@ class Trails:
     """Where each object was in the last second, fading; with at most three objects the whole way
     since the start, fainter; with more than a hundred shorter and fainter, lest they hide what flies."""
 
-    def __init__(self, motion, renderer, width=1.5):
+    def __init__(self, motion, renderer, color, width=1.5):
         self._motion = motion
+        self._color = color
         objects = len(motion.positions)
         crowd = min(1.0, math.sqrt(100.0 / objects))
         self._length = max(int(round(crowd * motion.frames_per_second)), 1)
@@ -233,7 +246,7 @@ class Trails:
         data = lines(points, order)
         age = np.minimum((frame - np.arange(first, frame + 1)) / self._length, 1.0)
         shade = np.empty((objects, count, 4), np.uint8)
-        shade[..., :3] = (255.0 * np.array(_TRAIL)).astype(np.uint8)
+        shade[..., :3] = (255.0 * np.array(self._color)).astype(np.uint8)
         floor = 95.0 if self._whole else 0.0
         shade[..., 3] = (floor + (self._strength - floor) * (1.0 - age) ** 1.5).astype(np.uint8)
         data.GetPointData().SetScalars(numpy_to_vtk(shade.reshape(-1, 4), deep=True))

@@ -18,23 +18,27 @@ from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 from ._scenery import image
 
 
-def grab(window, samples):
-    """The window's picture as vtkImageData; `samples` x `samples` pixels of it make one."""
+def grab(window, samples, is_clear=False):
+    """The window's picture as vtkImageData, with alpha where it is clear; `samples` x `samples` pixels of it make one."""
     reader = vtkWindowToImageFilter()
     reader.SetInput(window)
-    reader.SetInputBufferTypeToRGB()
+    (reader.SetInputBufferTypeToRGBA if is_clear else reader.SetInputBufferTypeToRGB)()
     reader.ReadFrontBufferOff()
     reader.ShouldRerenderOff()
     reader.Update()
     taken = reader.GetOutput()
-    if samples == 1:
+    if samples == 1 and not is_clear:
         return taken
     width, height, _ = taken.GetDimensions()
     pixels = vtk_to_numpy(taken.GetPointData().GetScalars())
-    pixels = pixels.reshape(height, width, 3).astype(np.uint16)
+    pixels = pixels.reshape(height, width, -1).astype(np.uint16)
     rows = sum(pixels[i::samples] for i in range(samples))
     total = sum(rows[:, i::samples] for i in range(samples))
-    return image(((total + samples * samples // 2) // (samples * samples)).astype(np.uint8))
+    mean = (total + samples * samples // 2) // (samples * samples)
+    if is_clear:
+        # Drawn over black: colours come as their alpha's share.
+        mean[..., :3] = np.minimum(mean[..., :3] * 255 // np.maximum(mean[..., 3:].astype(np.uint32), 1), 255)
+    return image(mean.astype(np.uint8))
 
 
 def write_png(picture, path):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What does not fly: sky, ground, light and obstacles, and what lies below a point."""
 
+import math
+
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (the rendering back end)
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
@@ -18,9 +20,6 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, v
 
 from ._folder import ground_height
 
-_SKY = np.array([0.50, 0.66, 0.83])
-_HORIZON = np.array([0.90, 0.925, 0.94])
-_GROUND = np.array([0.885, 0.870, 0.835])
 _GRID = (0.52, 0.50, 0.46)
 _OBSTACLE = (0.60, 0.66, 0.72)
 _EDGE = (0.33, 0.38, 0.44)
@@ -31,18 +30,21 @@ LAYER = 1e-4
 
 
 def image(pixels):
-    """An image of bytes [row from the bottom, column, channel]."""
+    """An image of bytes or floats [row from the bottom, column, channel]."""
     rows, columns, channels = pixels.shape
     data = vtkImageData()
     data.SetDimensions(columns, rows, 1)
-    scalars = numpy_to_vtk(np.ascontiguousarray(pixels.reshape(-1, channels), np.uint8), deep=True)
+    scalars = numpy_to_vtk(np.ascontiguousarray(pixels.reshape(-1, channels)), deep=True)
     data.GetPointData().SetScalars(scalars)
     return data
 
 
 def texture(pixels):
+    """Of bytes, or of floats from 0 to 1, which make no steps in what is nearly one colour."""
     made = vtkTexture()
     made.SetInputData(image(pixels))
+    if pixels.dtype != np.uint8:
+        made.SetColorModeToDirectScalars()
     made.InterpolateOn()
     made.RepeatOff()
     made.EdgeClampOn()
@@ -113,10 +115,13 @@ class Scenery:
     # The sun: light travels along this direction, steep enough that a shadow stays near its object.
     sun = np.array([0.28, 0.34, -1.0]) / np.linalg.norm([0.28, 0.34, -1.0])
 
-    def __init__(self, motion, renderer, line_width=1.0):
+    def __init__(self, motion, renderer, style, line_width=1.0):
         self._motion = motion
+        self._style = style
+        self._sky, self._horizon, self._ground = (np.array(c) for c in (style.sky, style.horizon, style.ground))
         self._renderer = renderer
         self._line_width = line_width
+        self.rays = self._rays(style)
         bounds = motion.bounds
         self.size = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
         self._surface = None
@@ -130,8 +135,14 @@ class Scenery:
         self._light()
         self.ground = None
         self.move_to(0)
-        if self.ground is not None:
+        if self.ground is not None and style.backdrop:
             self._make_ground()
+
+    def _rays(self, style):
+        """Directions from places spread evenly over the sun's disk; of one, its middle."""
+        turns = np.arange(style.suns) * math.pi * (3.0 - math.sqrt(5.0))
+        away = style.sun_radius * np.sqrt(np.arange(style.suns) / style.suns)
+        return [self.sun + [x, y, 0.0] for x, y in zip(away * np.cos(turns), away * np.sin(turns))]
 
     def move_to(self, frame):
         """Shows the obstacles as they are in a frame."""
@@ -198,15 +209,19 @@ class Scenery:
 
     def show_sky(self, horizon):
         """A sky whose colour meets the ground's at the horizon (its height in the picture)."""
+        if not self._style.backdrop:
+            self._renderer.SetBackground(0.0, 0.0, 0.0)
+            self._renderer.SetBackgroundAlpha(0.0)
+            return
         key = round(horizon, 4)
         if key not in self._skies:
             rows = np.linspace(0.0, 1.0, 256)
             above = np.clip((rows - horizon) / max(1.0 - min(horizon, 0.6), 0.2), 0.0, 1.0)[:, None]
             above = above**1.5
-            color = _HORIZON * (1.0 - above) + _SKY * above
+            color = self._horizon * (1.0 - above) + self._sky * above
             if self.ground is None:
                 mix = rows[:, None]
-                color = _HORIZON * (1.0 - mix) + _SKY * mix
+                color = self._horizon * (1.0 - mix) + self._sky * mix
             pixels = np.repeat((255.0 * color + 0.5).astype(np.uint8)[:, None, :], 2, axis=1)
             # One sky is kept: a camera that follows has another horizon in each frame.
             self._skies = {key: texture(pixels)}
@@ -246,14 +261,14 @@ class Scenery:
         actor.GetMapper().ScalarVisibilityOff()
         actor.VisibilityOff()
         actor.GetProperty().LightingOff()
-        actor.GetProperty().SetColor(*(0.86 * _GROUND))
+        actor.GetProperty().SetColor(*(0.86 * self._ground))
         actor.SetUserMatrix(vtkMatrix4x4())
         self._renderer.AddActor(actor)
         return actor
 
     def _cast_obstacles(self, shown):
         actor = self._obstacle_shadow
-        actor.SetVisibility(shown.GetNumberOfPolys() > 0 and self.ground is not None)
+        actor.SetVisibility(shown.GetNumberOfPolys() > 0 and self.ground is not None and self._style.backdrop)
         if not actor.GetVisibility():
             return
         actor.GetMapper().SetInputData(shown)
@@ -275,18 +290,20 @@ class Scenery:
         plane.SetPoint2(middle[0] - far, middle[1] + far, height)
         mapper = vtkPolyDataMapper()
         mapper.SetInputConnection(plane.GetOutputPort())
+        near, gone = self._style.pool
         # Its colour passes into the horizon's, so that it has no edge.
         axis = np.linspace(-1.0, 1.0, 1024)
         radius = np.hypot(*np.meshgrid(axis, axis)) * far / size
-        fade = np.clip((radius - 0.7) / 5.0, 0.0, 1.0)[..., None]
+        fade = np.clip((radius - near) / (gone - near), 0.0, 1.0)[..., None]
         fade = fade * fade * (3.0 - 2.0 * fade)
-        color = _GROUND * (1.0 - fade) + _HORIZON * fade
+        color = self._ground * (1.0 - fade) + self._horizon * fade
         actor = vtkActor()
         actor.SetMapper(mapper)
-        actor.SetTexture(texture((255.0 * color + 0.5).astype(np.uint8)))
+        actor.SetTexture(texture(color.astype(np.float32)))
         actor.GetProperty().LightingOff()
         self._renderer.AddActor(actor)
-        self._renderer.AddActor(self._make_grid())
+        if self._style.grid > 0.0:
+            self._renderer.AddActor(self._make_grid())
 
     def _make_grid(self):
         """A faint grid on the floor of the volume, for scale: eight cells in its width."""
@@ -309,7 +326,7 @@ class Scenery:
         actor.SetMapper(mapper)
         look = actor.GetProperty()
         look.SetColor(*_GRID)
-        look.SetOpacity(0.22)
+        look.SetOpacity(self._style.grid)
         look.SetLineWidth(self._line_width)
         look.LightingOff()
         return actor

@@ -9,6 +9,7 @@ import time
 
 from waft import failures
 from waft._schema import definition
+from waft._styles import STYLES, VIEWS
 from waft.loading import version
 from waft.watching import interruptible, tell_guard
 
@@ -47,7 +48,6 @@ def _size(text):
     return int(width), int(height)
 
 
-VIEWS = ("side", "top", "follow")
 PARTS = ("ground", "obstacles", "marks", "camera")
 
 
@@ -77,6 +77,7 @@ path = _argument(str, "a path of 1 to 4095 letters, 255 in each name", _fits)
 threads = _whole(1, 1024)
 seed = _whole(0, 2 ** 31 - 1)
 positive = _argument(float, "a positive number", lambda x: 0.0 < x < float("inf"))
+megabytes = _argument(float, "megabytes above 0, at most 1000", lambda x: 0.0 < x <= 1000.0)
 opacity = _argument(float, "a number from 0 to 1", lambda x: 0.0 <= x <= 1.0)
 share = _argument(float, "a share above 0, at most 1", lambda x: 0.0 < x <= 1.0)
 size = _argument(_size, "WxH such as 1280x720, each from 16 to 16384", lambda s: all(16 <= n <= 16384 for n in s))
@@ -84,7 +85,7 @@ size = _argument(_size, "WxH such as 1280x720, each from 16 to 16384", lambda s:
 speeds = _argument(_speeds, "speeds from 0 to 20 m/s with commas between", lambda all_: all(0.0 <= v <= 20.0 for v in all_))
 parts = _argument(_parts, "none, or names of ground, obstacles, marks and camera with commas between",
                   lambda names: len(set(names)) == len(names) and all(name in PARTS for name in names))
-views = _argument(_names, "names of side, top and follow with commas between",
+views = _argument(_names, "names of hero, side, top and follow with commas between",
                   lambda names: len(set(names)) == len(names) and all(name in VIEWS for name in names))
 
 
@@ -162,7 +163,12 @@ def parser():
     show.add_argument("--size", type=size, default=(1280, 720), metavar="WxH")
     show.add_argument("--movie", action="store_true", help="also DIR/VIEW.ogv and .avi, and .mp4 with ffmpeg")
     show.add_argument("--views", type=views, default=("side", "top"), metavar="V,V",
-                      help="of side, top and follow; default side,top")
+                      help="of hero (near, on all that moves), side, top and follow; default side,top")
+    show.add_argument("--style", choices=tuple(STYLES), default="day", help="default day")
+    show.add_argument("--loop", type=megabytes, nargs="?", const=3.0, metavar="MB",
+                      help="also DIR/VIEW.webp, an animation that begins again, of at most so many megabytes; default 3")
+    show.add_argument("--no-trails", action="store_true", help="without the ways of the last second")
+    show.add_argument("--no-marks", action="store_true", help="without the places that the scene asks for")
     show.add_argument("--obstacle-opacity", type=opacity, metavar="X",
                       help="0 to 1; default 1, and little where obstacles hide what flies")
     show.set_defaults(run=run_render)
@@ -303,7 +309,8 @@ def run_render(options):
     drawn = []
     with interruptible("stopped: the pictures that were drawn are whole"):
         render(options.folder, frames=options.frames, size=options.size, movie=options.movie, views=options.views,
-               obstacle_opacity=options.obstacle_opacity, progress=lambda done, text: drawn.append(text))
+               obstacle_opacity=options.obstacle_opacity, paths=not options.no_trails, targets=not options.no_marks,
+               style=options.style, loop=options.loop, progress=lambda done, text: drawn.append(text))
     seconds = time.monotonic() - began
     count = len(drawn) * len(options.views)
     print(f"{options.folder}: {count} pictures in {seconds:.1f} s, {count / seconds:.1f} frames a second", file=sys.stderr)

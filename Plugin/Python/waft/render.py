@@ -6,12 +6,15 @@ import re
 
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkMapper, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkToneMappingPass
 
-from ._cameras import VIEWS, Cameras
+from ._cameras import Cameras
 from ._flyers import Objects, Trails, add_marks
 from ._folder import load
+from ._loop import Loop
 from ._output import AviMovie, Mp4Movie, OggMovie, grab, write_png
 from ._scenery import Scenery
+from ._styles import STYLES, VIEWS
 from .failures import BadInput, WaftError
 from .results import Entry, ResultPlace
 from .writing import earlier_results
@@ -44,23 +47,39 @@ def parse_frames(text, count):
     return range(first, last + 1, step)
 
 
+def _film(exposure):
+    """A pass that keeps light above white as what nears it, by the curve of film."""
+    made = vtkToneMappingPass()
+    made.SetToneMappingType(vtkToneMappingPass.GenericFilmic)
+    made.SetGenericFilmicDefaultPresets()
+    made.SetUseACES(False)
+    made.SetExposure(exposure)
+    made.SetDelegatePass(vtkRenderStepsPass())
+    return made
+
+
 class Stage:
     """The drawn scene: `draw(view, frame)` leaves the picture in the window and returns it."""
 
     def __init__(self, motion, size=(1280, 720), samples=2, paths=True, targets=True,
-                 obstacle_opacity=None):
+                 obstacle_opacity=None, style="day"):
         self._samples = samples
         self._renderer = vtkRenderer()
+        style = STYLES[style]
+        if style.exposure is not None:
+            self._renderer.SetPass(_film(style.exposure))
         self._window = vtkRenderWindow()
         self._window.SetOffScreenRendering(1)
         self._window.SetMultiSamples(0)
+        self._window.SetAlphaBitPlanes(not style.backdrop)
+        self._is_clear = not style.backdrop
         self._window.SetSize(size[0] * samples, size[1] * samples)
         self._window.AddRenderer(self._renderer)
-        self._scenery = Scenery(motion, self._renderer, line_width=samples)
+        self._scenery = Scenery(motion, self._renderer, style, line_width=samples)
         self._cameras = Cameras(motion, size[0] / size[1])
-        self._moving = [self._scenery, Objects(motion, self._renderer, self._scenery)]
+        self._moving = [self._scenery, Objects(motion, self._renderer, self._scenery, style)]
         if paths:
-            self._moving.append(Trails(motion, self._renderer, width=1.2 * samples))
+            self._moving.append(Trails(motion, self._renderer, style.trail, width=1.2 * samples))
         if targets:
             add_marks(motion, self._renderer, self._scenery.size)
         self._motion = motion
@@ -85,7 +104,7 @@ class Stage:
         vtkMapper.SetResolveCoincidentTopology(0)
         self._window.Render()
         vtkMapper.SetResolveCoincidentTopology(resolve)
-        return grab(self._window, self._samples)
+        return grab(self._window, self._samples, self._is_clear)
 
     def _opacity(self, view):
         """Of the obstacles in all frames of a view: the one asked for, or what lets objects be seen."""
@@ -123,6 +142,8 @@ def render(
     targets=True,
     samples=2,
     obstacle_opacity=None,
+    style="day",
+    loop=None,
     progress=None,
 ):
     """Draws the motion of a folder.
@@ -131,12 +152,14 @@ def render(
     frames:   "A:B:S", from A to B (B included), every S; all frames if None
     size:     width and height in pixels
     movie:    also FOLDER/<view>.ogv and <view>.avi, and <view>.mp4 where the program ffmpeg is found
-    views:    of "side", "top" (straight down, x to the right) and "follow"
+    views:    of "hero" (near, all that moves is in the picture), "side", "top" (straight down, x to the right) and "follow"
     paths:    a faint trail of each object's last second (up to three objects: since the start)
     targets:  small marks where the scene wants objects to pass
     samples:  samples x samples pixels are drawn for each one (1: jagged, and the fastest)
     obstacle_opacity: 0 to 1; by itself 1, or where obstacles hide much of the motion from a view,
               little, with their edges drawn
+    style:    "day", "studio", "paper", "dark" or "clear" (transparent, not for movies)
+    loop:     also FOLDER/<view>.webp, an animation without an end of at most so many megabytes (10^6 bytes)
     progress: called with the part done (0..1) and a sentence after each picture
 
     Writes FOLDER/frames/<view>_0000.png and so on, each whole or not at all, and FOLDER/pictures.json with their
@@ -151,6 +174,12 @@ def render(
         raise BadInput("expected at least one view, samples >= 1 and a size of 16 to 16384 pixels")
     if obstacle_opacity is not None and not 0.0 <= obstacle_opacity <= 1.0:
         raise BadInput(f"obstacle opacity {obstacle_opacity}: expected a number from 0 to 1")
+    if style not in STYLES:
+        raise BadInput(f"style '{style}': expected one of {', '.join(STYLES)}")
+    if movie and not STYLES[style].backdrop:
+        raise BadInput(f"style '{style}': a movie has no transparency; expected a loop or pictures alone")
+    if loop is not None:
+        Loop.require(loop)
     if not os.path.isdir(folder):
         raise BadInput(f"{folder}: no such folder; `waft synthesize` makes it")
     with ResultPlace(folder, "pictures.json", earlier=_earlier_pictures) as place:
@@ -160,10 +189,14 @@ def render(
             raise WaftError(
                 "rendering needs a display; run it under: xvfb-run -a -s \"-screen 0 1280x1024x24\""
             )
-        movies = {view: [f"{view}{ending}" for ending in _MOVIES] if movie else [] for view in views}
-        names = [_picture(view, frame) for view in views for frame in numbers] + sum(movies.values(), [])
+        if loop is not None:
+            Loop.check(len(numbers), size, len(views))
+        makers = {**(_MOVIES if movie else {}), **({".webp": lambda path, rate: Loop(path, rate, loop)} if loop else {})}
+        movies = {view: {f"{view}{ending}": make for ending, make in makers.items()} for view in views}
+        names = [_picture(view, frame) for view in views for frame in numbers]
+        names += [name for own in movies.values() for name in own]
         place.check(names, replaces_all=False)
-        stage = Stage(motion, size, samples, paths, targets, obstacle_opacity)
+        stage = Stage(motion, size, samples, paths, targets, obstacle_opacity, style)
         place.claim(names)
         try:
             written = _draw(stage, place, numbers, movies, motion.frames_per_second / numbers.step, progress)
@@ -189,9 +222,8 @@ def _earlier_pictures(folder):
 
 
 def _draw(stage, place, numbers, movies, rate, progress):
-    """Draws all pictures and movies ({view: names}); returns the names of the files."""
-    films = {name: _MOVIES[os.path.splitext(name)[1]](place.path(name), rate)
-             for names in movies.values() for name in names}
+    """Draws all pictures and movies ({view: {name: maker}}); returns the names of the files."""
+    films = {name: make(place.path(name), rate) for own in movies.values() for name, make in own.items()}
     written = []
     try:
         for done, frame in enumerate(numbers):

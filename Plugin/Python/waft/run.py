@@ -58,15 +58,15 @@ class Run(Pipeline):
         return np.array([tuple(row[name] for name in _COLUMNS) for row in self.report], dtype=_MARK)
 
     def render(self, path=None, frame=None, size=(960, 540), view="side", **options) -> np.ndarray:
-        """A still as a numpy array (height, width, 3) of bytes, the top row first.
+        """A still as a numpy array (height, width, 3; of the style clear 4, with alpha) of bytes, the top row first.
 
-        path: also writes it, .png. frame: default the last. size: width and height, 16 to 16384. view: side, top or follow.
-        options: of waft.render.Stage: samples, paths, targets, obstacle_opacity. Without a display a virtual one is used
+        path: also writes it, .png. frame: default the last. size: width and height, 16 to 16384. view: hero, side, top or follow.
+        options: of waft.render.Stage: samples, paths, targets, obstacle_opacity, style. Without a display a virtual one is used
         (Xvfb); raises WaftError where there is none.
         """
-        from waft._cameras import VIEWS
         from waft._folder import load
         from waft._output import write_png
+        from waft._styles import STYLES, VIEWS
         from waft.render import Stage
 
         count = len(self.times)
@@ -75,6 +75,8 @@ class Run(Pipeline):
             raise BadInput(f"Run.render: frame: expected a whole number from 0 to {count - 1}, found {frame!r}")
         if view not in VIEWS:
             raise BadInput(f"Run.render: view: expected one of {', '.join(VIEWS)}, found {view!r}")
+        if options.get("style", "day") not in STYLES:
+            raise BadInput(f"Run.render: style: expected one of {', '.join(STYLES)}, found {options['style']!r}")
         if len(size) != 2 or min(size) < 16 or max(size) > 16384:
             raise BadInput(f"Run.render: size: expected width and height from 16 to 16384, found {size!r}")
         if path is not None and pathlib.Path(path).suffix != ".png":
@@ -87,7 +89,7 @@ class Run(Pipeline):
         if path is not None:
             write_png(picture, path)
         width, height, _ = picture.GetDimensions()
-        return vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(height, width, 3)[::-1].copy()
+        return vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(height, width, -1)[::-1].copy()
 
     def _write_drawn(self, folder):
         from waft.files import write_xml
