@@ -52,6 +52,10 @@ Result AssimilationRun::Run(AssimilationState* memory)
   {
     this->Finish();
   }
+  else
+  {
+    this->KeepPlan();
+  }
   if (!result.IsStopped())
   {
     this->Leave(memory);
@@ -68,7 +72,7 @@ Result AssimilationRun::Solve()
     result = this->Draw();
     if (!result || result.IsStopped())
     {
-      this->Drawn.Velocity = HalfSeries(); // the plan is the best so far
+      this->Drawn.Velocity = HalfSeries();
       return result;
     }
     result = this->FirstDrift();
@@ -149,6 +153,19 @@ Result AssimilationRun::SetUpDrifters()
     this->Paths.push_back(track.Positions);
   }
   return Result::Ok();
+}
+
+// Before there is an air the plan is the best so far.
+void AssimilationRun::KeepPlan()
+{
+  this->Output.Warnings.push_back("stopped before there was an air: the paths are the plan's");
+  this->Output.Tracks = this->Input.Tracks;
+  for (const Track& track : this->Output.Tracks)
+  {
+    this->Output.Controls.emplace_back(track.Positions.size(), Vec3::Zero());
+  }
+  MeasureResiduals(this->Output.Constraints, this->Output.Tracks, this->Input.Objects,
+                   this->Obstacles, this->Input.Scene, this->Output.Report);
 }
 
 void AssimilationRun::Finish()

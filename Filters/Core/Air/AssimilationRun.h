@@ -115,6 +115,7 @@ private:
   bool GoesOn() const;
   Result SetUpDrifters();
   void Finish();
+  void KeepPlan();
   /// Sums over the steps of free flight.
   struct HandOf
   {

@@ -292,7 +292,15 @@ TEST(AirAssimilation, StopsWhereItIsAskedTo)
     AssimilationOutput output;
     const Result result = AssimilateAir(Leaves(), Small(), {}, SerialFor(), monitor, output);
     EXPECT_TRUE(result.IsStopped());
-    EXPECT_EQ(output.Tracks.empty(), at < 0.25); // else the best so far
+    const AssimilationInput input = Leaves();
+    ASSERT_EQ(output.Tracks.size(), input.Tracks.size()); // the best so far
+    ASSERT_EQ(output.Controls.size(), input.Tracks.size());
+    EXPECT_EQ(output.Air->Velocity.IsEmpty(), at < 0.25);
+    for (std::size_t o = 0; o < input.Tracks.size() && at < 0.25; ++o)
+    {
+      EXPECT_EQ(output.Tracks[o].Positions, input.Tracks[o].Positions); // the plan
+      EXPECT_EQ(output.Controls[o].size(), input.Tracks[o].Positions.size());
+    }
   }
 }
 
