@@ -466,6 +466,19 @@ class BadInput(unittest.TestCase):
         self.assertEqual(before, everything())
         self.assertEqual([], list(folder.glob("*-waft/*")))
 
+    def test_what_somebody_put_into_its_folder_stays(self):
+        folder = save("shared")
+        self.assertTrue(flying.begin(bpy.context), list(flying.found))
+        run = flying.running.flight
+        until(lambda: run.text.startswith("assimilation"))
+        take = next(folder.glob("*-waft/*"))
+        for mine in (take / "notes.txt", take / "result" / "reference.png", take / "result" / "checkpoint" / "mine.txt"):
+            mine.write_text("mine", encoding="utf-8")
+        os.killpg(run.pid, signal.SIGKILL)
+        self.assertFalse(flying.end(bpy.context, outcome_of(run)))
+        left = {str(path.relative_to(take)) for path in take.rglob("*") if path.is_file()}
+        self.assertEqual({"notes.txt", "result/reference.png", "result/checkpoint/mine.txt"}, left)
+
     def test_stopped_at_once(self):
         save("stopped")
         before = everything()

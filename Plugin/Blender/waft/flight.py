@@ -2,11 +2,13 @@
 """A run of `waft synthesize` beside Blender. Nothing here knows of Blender."""
 import atexit
 import collections
+import contextlib
 import csv
 import dataclasses
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -15,6 +17,12 @@ import threading
 import numpy as np
 
 ALL_MET, FAILED, BAD_INPUT, NOT_ALL_MET, STOPPED_EARLY = range(5)  # what waft ends with
+SCENE = "scene.waft.json"  # in the folder of a flight
+# What a run that is killed leaves: its folder `checkpoint` with these files (Plugin/Python/waft/resuming.py), and temporary folders
+# with a mark (results.py).
+_CHECKPOINT = re.compile(r"(planned|constraints|vortices)\.vtp|report\.csv|key|(spacetime|assimilation|assimilated)\.state(\.part\d+)?")
+_TEMPORARY = re.compile(r"\.waft-[a-z0-9_]{8}")
+_MARK = "temporary-of-waft"
 _KEPT_LINES = 200  # of what it says
 _POSES = "poses.csv"
 _ROUNDING = 1e-6  # of a number, as a share of it and of 1
@@ -136,7 +144,7 @@ def unmet(folder):
 def as_edit_of(folder, scene, files):
     """A scene as an edit of an earlier run, whose scene file is in a folder; None where they differ in more than constraints."""
     try:
-        with open(os.path.join(folder, "scene.waft.json"), encoding="utf-8") as stream:
+        with open(os.path.join(folder, SCENE), encoding="utf-8") as stream:
             before = json.load(stream)
         for name, content in files.items():
             with open(os.path.join(folder, name), "rb") as stream:
@@ -158,3 +166,23 @@ def _settled(now, before):
     if isinstance(now, float) and isinstance(before, (int, float)) and abs(now - before) <= _ROUNDING * max(1.0, abs(now)):
         return before
     return now
+
+
+def discard(result):
+    """Takes away what a run without a result has left of its own in its folder, and the folder where nothing else is in it."""
+    folder = pathlib.Path(result)
+    for temporary in folder.glob(".waft-*"):
+        if _TEMPORARY.fullmatch(temporary.name) and (temporary / _MARK).is_file():
+            shutil.rmtree(temporary, ignore_errors=True)
+    checkpoint = folder / "checkpoint"
+    for file in checkpoint.glob("*"):
+        if _CHECKPOINT.fullmatch(file.name) and not file.is_dir():
+            remove(file)
+    for emptied in (checkpoint, folder):
+        with contextlib.suppress(OSError):
+            emptied.rmdir()
+
+
+def remove(file):
+    with contextlib.suppress(OSError):
+        os.remove(file)

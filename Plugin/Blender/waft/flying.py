@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From the scene to a take: what Check and Fly do, whoever asks for it."""
+import contextlib
 import os
 import re
-import shutil
 
 import bpy
 
@@ -56,7 +56,7 @@ def begin(context):
         scene_file = stage.write(folder)
         flight = flights.Flight(command, scene_file, os.path.join(folder, _RESULT), quality, edited)
     except OSError as error:
-        shutil.rmtree(folder, ignore_errors=True)
+        _discard(stage, folder)
         found.error(f"{command}: {error.strerror}")
         return False
     running = Run(stage, name, folder, flight, quality, os.path.basename(os.path.dirname(edited)) if edited else "")
@@ -69,7 +69,7 @@ def end(context, outcome):
     run, running = running, None
     _report(run, outcome, context)
     if not outcome.has_result:
-        shutil.rmtree(run.folder, ignore_errors=True)
+        _discard(run.stage, run.folder)
         return False
     result = os.path.join(run.folder, _RESULT)
     try:
@@ -94,7 +94,7 @@ def drop():
     run, running = running, None
     if run is not None:
         run.flight.kill()
-        shutil.rmtree(run.folder, ignore_errors=True)
+        _discard(run.stage, run.folder)
 
 
 def _chosen(context):
@@ -113,6 +113,16 @@ def _new_folder():
             return name, os.path.join(base, name)
         except FileExistsError:
             number += 1
+
+
+def _discard(stage, folder):
+    """Takes away what a flight without a result has left, and its folder where nothing else is in it: what somebody put there
+    meanwhile stays."""
+    flights.discard(os.path.join(folder, _RESULT))
+    for name in stage.written():
+        flights.remove(os.path.join(folder, name))
+    with contextlib.suppress(OSError):
+        os.rmdir(folder)
 
 
 def _edited(scene, stage, quality):

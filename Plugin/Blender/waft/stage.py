@@ -9,6 +9,7 @@ import numpy as np
 from . import marks
 from .bodies import body_of, obstruction, placements, pose_of
 from .curves import is_animated
+from .flight import SCENE
 from .obstacles import add_obstacles, add_volume
 from .problems import Problems
 from .sampling import frame_kept, go_to, sample
@@ -101,12 +102,16 @@ class Stage:
         self.files[own] = content
         return own
 
+    def written(self):
+        """Names of the files that `write` makes."""
+        return [*self.files, SCENE]
+
     def write(self, folder):
         """Writes the scene file and what it names into an empty folder; returns its path."""
         for name, content in self.files.items():
             with open(os.path.join(folder, name), "wb") as stream:
                 stream.write(content if isinstance(content, bytes) else content.encode())
-        path = os.path.join(folder, "scene.waft.json")
+        path = os.path.join(folder, SCENE)
         with open(path, "w", encoding="utf-8") as stream:
             json.dump(self.scene, stream, indent=1, ensure_ascii=False)
         return path
