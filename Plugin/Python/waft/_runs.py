@@ -11,6 +11,7 @@ from waft._flights import Flights
 from waft._kinds import POSITION, REST, VELOCITY
 from waft._folder import read_surface
 from waft.failures import BadInput
+from waft.reading import dynamics
 from waft.results import read_json
 
 TRACKS = ("optimized", "planned", "poses")
@@ -53,12 +54,7 @@ def read_run(folder, tracks="optimized"):
     report = read_json(os.path.join(folder, "report.json"))
     inertia = bool(report.get("inertia")) if isinstance(report, dict) else False
     return Run(str(folder), Flights(positions, rate, flying, free, slip), bounds, arrays, rows, ids, touches, inertia,
-               _figures(data))
-
-
-def _figures(data):
-    arrays = {name: data.GetFieldData().GetArray(name) for name in ("ReplayError", "GasReplayError", "GasHiddenHand")}
-    return {name: array.GetValue(0) for name, array in arrays.items() if array is not None and array.GetValue(0) >= 0.0}
+               dynamics(data))
 
 
 def _field(path, data, name, size):

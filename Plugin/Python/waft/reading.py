@@ -41,3 +41,11 @@ def _call(function, path, *data):
     lack = getattr(vtkCheckedFiles, function)(os.fsencode(path), *data)
     if lack:
         raise BadInput(f"{path}: {lack}")
+
+
+def dynamics(tracks):
+    """How far optimised tracks are a motion of the optimiser's model, as they say themselves (SPHSpacetimeFilter): {name: number},
+    without what cannot be had; nothing of others."""
+    names = ("ReplayError", "GasReplayError", "GasHiddenHand", "RepairedFraction", "LargestRepair")
+    arrays = {name: tracks.GetFieldData().GetArray(name) for name in names}
+    return {name: array.GetValue(0) for name, array in arrays.items() if array is not None and array.GetValue(0) >= 0.0}

@@ -7,6 +7,7 @@ import shutil
 from waft import failures
 from waft.files import half, table_rows, write_csv, write_pvd, write_xml
 from waft.loading import version
+from waft.reading import dynamics
 from waft.results import Entry, ResultPlace, read_json
 from waft.watching import collect
 
@@ -203,14 +204,9 @@ def _settled(pipeline):
 
 
 def _dynamics(pipeline):
-    """How far an optimised motion is one of its model (SPHSpacetimeFilter), {name: number}; nothing of another or of what cannot
-    be had."""
     if pipeline.spacetime is None:
         return {}
-    data = pipeline.output("spacetime", 0).GetFieldData()
-    arrays = {name: data.GetArray(name) for name in ("ReplayError", "GasReplayError", "GasHiddenHand", "RepairedFraction",
-                                                 "LargestRepair")}
-    return {name[0].lower() + name[1:]: array.GetValue(0) for name, array in arrays.items() if array and array.GetValue(0) >= 0.0}
+    return {name[0].lower() + name[1:]: value for name, value in dynamics(pipeline.output("spacetime", 0)).items()}
 
 
 def _summary(pipeline, scene, energies):

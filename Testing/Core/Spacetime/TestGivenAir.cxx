@@ -144,6 +144,40 @@ TEST(GivenAir, ItsGradientEqualsCentralDifferences)
   }
 }
 
+TEST(GivenAir, AFrameAtOnceIsAsBodyByBody)
+{
+  const AirProblem problem(8);
+  const SpacetimeModel& model = problem.Setup.Model;
+  const std::size_t stride = model.Stride();
+  const double unit = problem.Setup.FrameStep / problem.Setup.Spacing;
+  std::vector<float> out(model.FrameSize()), jacobians(9 * stride);
+  for (const double frame : { 0.0, 2.0, 3.3, 20.0 }) // on a time of the air, between, after all
+  {
+    const float* state = problem.Setup.Start.data();
+    model.Air.Deviations(state, model.NumberOfBodies(), stride, frame, 1.0, out.data(),
+                         jacobians.data());
+    for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
+    {
+      const Vec3 x(state[i], state[stride + i], state[2 * stride + i]);
+      const Vec3 v(state[3 * stride + i], state[4 * stride + i], state[5 * stride + i]);
+      const Vec3 w = model.Air.Deviation(i, x, v, frame, 1.0);
+      Mat3 jacobian;
+      (void)problem.Input.Air.Sample(problem.Setup.ToWorld(x - 0.5 * v),
+                                     (frame - 0.5) * problem.Setup.FrameStep, jacobian);
+      for (int c = 0; c < 3; ++c)
+      {
+        EXPECT_NEAR(out[(3 + c) * stride + i], w[c], 1e-5 * unit) << i << ", frame " << frame;
+        for (int k = 0; k < 3; ++k)
+        {
+          EXPECT_NEAR(jacobians[(3 * c + k) * stride + i], problem.Setup.FrameStep * jacobian(c, k),
+                      1e-5 * problem.Setup.FrameStep)
+            << i << ", frame " << frame;
+        }
+      }
+    }
+  }
+}
+
 TEST(GivenAir, WhatDriftsInItCostsNextToNothing)
 {
   AirProblem problem(40);

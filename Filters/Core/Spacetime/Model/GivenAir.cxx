@@ -32,7 +32,7 @@ Vec3 GivenAir::Deviation(std::size_t body, const Vec3& x, const Vec3& v, double 
                          double step) const
 {
   Vec3 w = v - this->Velocity(x - 0.5 * step * v, frame - 0.5 * step);
-  w.z() += body < this->NumberOfGas ? 0.0 : this->Settling[body - this->NumberOfGas];
+  w.z() += this->SettlingOf(body);
   return w;
 }
 
@@ -40,7 +40,7 @@ Vec3 GivenAir::Carried(std::size_t body, const Vec3& x, const Vec3& w, double fr
                        double step) const
 {
   Vec3 beside = w;
-  beside.z() -= body < this->NumberOfGas ? 0.0 : this->Settling[body - this->NumberOfGas];
+  beside.z() -= this->SettlingOf(body);
   Vec3 v = beside + this->Velocity(x, frame - 0.5 * step);
   for (int k = 0; k < Corrections; ++k)
   {
@@ -62,10 +62,10 @@ void GivenAir::Deviations(const float* state, std::size_t bodies, std::size_t st
     const Vec3 x = Vec3(row(0), row(1), row(2)) - 0.5 * step * v;
     float u[4], slopes[3][4];
     this->Sample(slice, x, u, jacobians != nullptr ? slopes : nullptr);
-    const double settling = i < this->NumberOfGas ? 0.0 : this->Settling[i - this->NumberOfGas];
     for (int c = 0; c < 3; ++c)
     {
-      out[(3 + c) * stride + i] = static_cast<float>(v[c] - u[c] + (c == 2 ? settling : 0.0));
+      out[(3 + c) * stride + i] =
+        static_cast<float>(v[c] - u[c] + (c == 2 ? this->SettlingOf(i) : 0.0));
       for (int k = 0; k < 3 && jacobians; ++k)
       {
         jacobians[(3 * c + k) * stride + i] = slopes[k][c];
@@ -150,19 +150,6 @@ void GivenAir::ToVelocities(const float* jacobians, const float* direct, std::si
                             std::size_t stride, double step, float* gradient)
 {
   const auto half = static_cast<float>(0.5 * step);
-  for (int k = 0; k < 3; ++k)
-  {
-    float* gx = gradient + k * stride;
-    const float* j[3] = { jacobians + k * stride, jacobians + (3 + k) * stride,
-                          jacobians + (6 + k) * stride };
-    const float* gv[3] = { gradient + 3 * stride, gradient + 4 * stride, gradient + 5 * stride };
-    const float* by[3] = { direct, direct + stride, direct + 2 * stride };
-    for (std::size_t i = 0; i < bodies; ++i)
-    {
-      gx[i] -= j[0][i] * (gv[0][i] - by[0][i]) + j[1][i] * (gv[1][i] - by[1][i]) +
-               j[2][i] * (gv[2][i] - by[2][i]);
-    }
-  }
   for (std::size_t i = 0; i < bodies; ++i)
   {
     float w[3];
@@ -172,9 +159,11 @@ void GivenAir::ToVelocities(const float* jacobians, const float* direct, std::si
     }
     for (int k = 0; k < 3; ++k)
     {
-      gradient[(3 + k) * stride + i] +=
-        half * (jacobians[k * stride + i] * w[0] + jacobians[(3 + k) * stride + i] * w[1] +
-                jacobians[(6 + k) * stride + i] * w[2]);
+      const float carried = jacobians[k * stride + i] * w[0] +
+                            jacobians[(3 + k) * stride + i] * w[1] +
+                            jacobians[(6 + k) * stride + i] * w[2];
+      gradient[k * stride + i] -= carried;
+      gradient[(3 + k) * stride + i] += half * carried;
     }
   }
 }

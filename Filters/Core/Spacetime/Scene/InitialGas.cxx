@@ -136,7 +136,7 @@ bool MakeInitialGas(SpacetimeObjective& objective, const ParallelFor& parallel, 
       const Vec3 pull =
         inAir ? Vec3(Vec3::Zero()) : Vec3(Pull * (SampleField(flow, x, level.Frames[j]) - v));
       const Vec3 after = NextVelocity(model, level, terms, j, i, x, v, pull);
-      MoveGas(model, i, step, x, after, next);
+      MoveBody(model, i, step, x, after, next);
       isFinite = isFinite && after.allFinite();
     }
     if (!isFinite)

@@ -44,7 +44,7 @@ void RunForward(SpacetimeObjective& objective, int from, int until,
       const Vec3 x = BodyRow(here, stride, i);
       const Vec3 v = NextVelocity(model, objective.Level(), terms, j, i, x,
                                   BodyRow(here + 3 * stride, stride, i), Vec3::Zero());
-      MoveGas(model, i, 1.0, x, v, next);
+      MoveBody(model, i, 1.0, x, v, next);
     }
   }
 }
@@ -65,8 +65,8 @@ Vec3 NextVelocity(const SpacetimeModel& model, const TimeLevel& level, FrameTerm
   return model.Air.Carried(body, x, w + step * (a + pull), level.Frames[j + 1], step);
 }
 
-void MoveGas(const SpacetimeModel& model, std::size_t body, double step, const Vec3& x,
-             const Vec3& velocity, float* next)
+void MoveBody(const SpacetimeModel& model, std::size_t body, double step, const Vec3& x,
+              const Vec3& velocity, float* next)
 {
   const std::size_t stride = model.Stride();
   for (int c = 0; c < 3; ++c)

@@ -11,9 +11,9 @@ namespace waft
 /// terms: of that frame; pull: an acceleration of its own [dx / frame^2].
 Vec3 NextVelocity(const SpacetimeModel& model, const TimeLevel& level, FrameTerms& terms,
                   std::size_t j, std::size_t body, const Vec3& x, const Vec3& v, const Vec3& pull);
-/// Gas is kept in its box.
-void MoveGas(const SpacetimeModel& model, std::size_t body, double step, const Vec3& x,
-             const Vec3& velocity, float* next);
+/// Fills its rows of the next frame; it is kept in the box of the gas.
+void MoveBody(const SpacetimeModel& model, std::size_t body, double step, const Vec3& x,
+              const Vec3& velocity, float* next);
 
 /// How far a solution is a motion of the model: gas and objects let go from it at frames 30, 90 and
 /// 150, as far as they are there, and run forward for a second; rms of what their velocities are
