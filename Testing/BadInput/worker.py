@@ -98,7 +98,9 @@ def follow(child, pipe):
                 break
             said += part[:max(0, (1 << 20) - len(said))]
         state, now_used = _used(child)
-        if state == "Z":
+        if state == "Z":  # it may have spoken and ended since the pipe was looked at
+            while select.select([pipe], [], [], 0.0)[0] and (part := os.read(pipe, 1 << 16)):
+                said += part[:max(0, (1 << 20) - len(said))]
             break
         now = time.monotonic()
         if state in "RD" or now_used != used:
