@@ -292,7 +292,7 @@ double AssimilationRun::WindAlong(std::size_t o, const CommonWind& common) const
   double sum = 0.0;
   for (std::size_t k = 0; k + 1 < path.size(); k += WindStride)
   {
-    if (problem.Flight[k] >= 1.0)
+    if (IsFreeStep(problem, path, static_cast<int>(k)))
     {
       const Vec3 middle = 0.5 * (path[k] + path[k + 1]);
       sum += WindStride * common.At(middle, static_cast<double>(k) + 0.5).squaredNorm();

@@ -35,7 +35,8 @@ struct Neighbours
   }
 };
 
-// The cells' velocities at the points of the lattice; across a wall there is none.
+// The cells' velocities at the points of the lattice; across a wall there is none, nor on the
+// floor.
 void Restrict(const SmokeFrame& cells, const AirScene& scene, const SeriesLattice& lattice,
               const ParallelFor& parallel, Field& values)
 {
@@ -102,6 +103,7 @@ void Restrict(const SmokeFrame& cells, const AirScene& scene, const SeriesLattic
                }
              }
            });
+  StopAtFloor(lattice, values);
 }
 
 // Binomial means along each axis: what is finer than two spacings is left to the air itself. Across
@@ -137,6 +139,17 @@ void Smooth(const std::array<int, 3>& n, Field& field)
     }
   }
 }
+
+} // namespace
+
+void StopAtFloor(const SeriesLattice& lattice, AirSteering::Field& values)
+{
+  const auto floor = static_cast<std::ptrdiff_t>(lattice.Dimensions[0]) * lattice.Dimensions[1];
+  std::fill_n(values.begin(), floor, std::array<float, 3>{});
+}
+
+namespace
+{
 
 Result PlaceSolids(const AirScene& scene, int frame, SmokeSolver& solver)
 {

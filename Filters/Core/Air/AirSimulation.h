@@ -52,6 +52,10 @@ private:
 /// An empty series on the scene's lattice.
 HalfSeries AirLattice(const AirScene& scene, FieldMeaning meaning);
 
+/// The floor holds the air on it: the layer in which it does is thinner than a cell, and is taken
+/// to be as thick as one of the lattice. What lands comes down through it.
+void StopAtFloor(const SeriesLattice& lattice, AirSteering::Field& values);
+
 /// air: the velocity at each frame. steering: null: left to itself. begun: the state of the first
 /// frame, which does not depend on the steering: gone on from where it is given, left where it is
 /// empty. Two frames of the simulation itself are in memory. Stopped by the monitor, the list ends

@@ -353,7 +353,8 @@ double AssimilationRun::Try(const HalfSeries& series, AssimilationRound& row) co
                      flights.IsFree[k].assign(path.size(), 0);
                      for (std::size_t f = unfree; f + unfree < path.size(); ++f)
                      {
-                       flights.IsFree[k][f] = problem.Flight[f] >= 1.0 ? 1 : 0;
+                       flights.IsFree[k][f] =
+                         IsFreeStep(problem, path, static_cast<int>(f)) ? 1 : 0;
                      }
                    }
                  });
@@ -398,6 +399,7 @@ Result AssimilationRun::SimulateAgain(HalfSeries plain, int round)
   this->Drawn.Velocity = std::move(air);
   this->Drawn.Wind = steering.TakePushes();
   this->DriftOn(DriftIterations);
+  this->SeekAgain(monitor);
   this->Note("simulate " + std::to_string(round + 1), nullptr);
   return Result::Ok();
 }

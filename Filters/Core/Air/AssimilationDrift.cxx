@@ -17,6 +17,7 @@ namespace
 
 constexpr int FurtherIterations = 12;     // where the air has changed little, and of every start
 constexpr std::size_t FollowedStarts = 3; // the cheapest by then
+constexpr double SoughtAgain = 0.2;       // control over the flow, of what is lost where it is
 constexpr int FollowedIterations = 24;    // the air changes anyhow before the last drift
 constexpr int HarderPushes = 3;
 constexpr int ContactPasses = 8;
@@ -46,58 +47,86 @@ DriftWeights AssimilationRun::Weights() const
 Result AssimilationRun::FirstDrift()
 {
   PartMonitor monitor(this->Caller, DrawEnd, DriftEnd, "Letting the objects drift to their marks");
-  std::atomic<std::size_t> done{ 0 };
-  const AirSampler air(this->Drawn.Velocity);
-  const double rate = this->Input.Scene.Time.FramesPerSecond;
-  const int spread = static_cast<int>(std::lround(this->Options.TouchDownSpread * rate));
-  this->Parallel(
-    this->Drifters.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t o = begin; o < end; ++o)
-      {
-        Drifter& drifter = this->Drifters[o];
-        if (this->IsKept(o))
-        {
-          continue;
-        }
-        if (!monitor.Tick(FractionDone(done++, this->Drifters.size()), ""))
-        {
-          return;
-        }
-        this->Paths[o] = this->BestDrift(drifter, air, drifter.Starts(air, this->Options.Starts));
-        for (std::size_t l = 0; l < drifter.NumberOfLandings(); ++l)
-        {
-          const int latest = drifter.LandingFrame(l);
-          const int earliest = drifter.EarliestTouchDown(l, spread);
-          const int step = std::max(1, static_cast<int>(std::lround(rate / 2.0)));
-          const auto judged = [&](const std::vector<Vec3>& path)
-          { return this->JudgementOf(drifter, this->CostOf(drifter, air, path), path); };
-          Judgement least = judged(this->Paths[o]);
-          int best = latest;
-          int last = latest;
-          std::vector<Vec3> path = this->Paths[o];
-          for (int frame = latest - step; frame >= earliest && latest > 0 && monitor.Tick(-1.0, "");
-               frame -= step)
-          {
-            drifter.SetTouchDown(l, frame);
-            path = this->BestDrift(
-              drifter, air, { drifter.Hastened(path, l, last), drifter.Starts(air, 0).back() });
-            last = frame;
-            const Judgement now = judged(path);
-            if (now < least)
-            {
-              least = now;
-              best = frame;
-              this->Paths[o] = path;
-            }
-          }
-          drifter.SetTouchDown(l, best);
-        }
-      }
-    });
+  this->Seek(std::vector<char>(this->Drifters.size(), 1), monitor);
   this->Note("drift", nullptr);
   return monitor.Tick(1.0, "") ? Result::Ok() : Result::Stopped();
+}
+
+void AssimilationRun::SeekAgain(Monitor& monitor)
+{
+  const AirSampler air(this->Drawn.Velocity);
+  std::vector<HandOf> hands;
+  HandOf all;
+  for (std::size_t o = 0; o < this->Drifters.size(); ++o)
+  {
+    hands.push_back(this->Hand(o, air));
+    all.Flow += hands.back().Flow;
+    all.Steps += hands.back().Steps;
+  }
+  std::vector<char> which;
+  for (const HandOf& hand : hands)
+  {
+    which.push_back(hand.Rms(hand.Control) > SoughtAgain * all.Rms(all.Flow) ? 1 : 0);
+  }
+  this->Seek(which, monitor);
+}
+
+void AssimilationRun::Seek(const std::vector<char>& which, Monitor& monitor)
+{
+  std::atomic<std::size_t> done{ 0 };
+  const AirSampler air(this->Drawn.Velocity);
+  this->Parallel(this->Drifters.size(),
+                 [&](std::size_t begin, std::size_t end)
+                 {
+                   for (std::size_t o = begin; o < end; ++o)
+                   {
+                     const double fraction = FractionDone(done++, this->Drifters.size());
+                     if (which[o] && !this->IsKept(o) && monitor.Tick(fraction, ""))
+                     {
+                       this->SeekPath(o, air, monitor);
+                     }
+                   }
+                 });
+}
+
+void AssimilationRun::SeekPath(std::size_t o, const AirSampler& air, Monitor& monitor)
+{
+  const double rate = this->Input.Scene.Time.FramesPerSecond;
+  const int spread = static_cast<int>(std::lround(this->Options.TouchDownSpread * rate));
+  const int step = std::max(1, static_cast<int>(std::lround(rate / 2.0)));
+  Drifter& drifter = this->Drifters[o];
+  const auto judged = [&](const std::vector<Vec3>& path)
+  { return this->JudgementOf(drifter, this->CostOf(drifter, air, path), path); };
+  for (std::size_t l = 0; l < drifter.NumberOfLandings(); ++l)
+  {
+    drifter.SetTouchDown(l, drifter.LandingFrame(l));
+  }
+  this->Paths[o] = this->BestDrift(drifter, air, drifter.Starts(air, this->Options.Starts));
+  for (std::size_t l = 0; l < drifter.NumberOfLandings(); ++l)
+  {
+    const int latest = drifter.LandingFrame(l);
+    const int earliest = drifter.EarliestTouchDown(l, spread);
+    Judgement least = judged(this->Paths[o]);
+    int best = latest;
+    int last = latest;
+    std::vector<Vec3> path = this->Paths[o];
+    for (int frame = latest - step; frame >= earliest && latest > 0 && monitor.Tick(-1.0, "");
+         frame -= step)
+    {
+      drifter.SetTouchDown(l, frame);
+      path = this->BestDrift(drifter, air,
+                             { drifter.Hastened(path, l, last), drifter.Starts(air, 0).back() });
+      last = frame;
+      const Judgement now = judged(path);
+      if (now < least)
+      {
+        least = now;
+        best = frame;
+        this->Paths[o] = path;
+      }
+    }
+    drifter.SetTouchDown(l, best);
+  }
 }
 
 double AssimilationRun::CostOf(const Drifter& drifter, const AirSampler& air,
@@ -213,10 +242,26 @@ void AssimilationRun::FindWind(const HalfSeries& plain)
   {
     this->FitWind(common);
     this->Drawn.Velocity = plain;
-    common.AddTo(this->Drawn.Velocity, this->Parallel);
+    this->AddWind(common);
     this->DriftOn(FurtherIterations);
     this->Note("wind " + std::to_string(k + 1), &common);
   }
+}
+
+void AssimilationRun::AddWind(const CommonWind& common)
+{
+  HalfSeries& air = this->Drawn.Velocity;
+  common.AddTo(air, this->Parallel);
+  this->Parallel(air.Values.size(),
+                 [&air](std::size_t begin, std::size_t end)
+                 {
+                   for (std::size_t f = begin; f < end; ++f)
+                   {
+                     HalfSeries::Field field = air.At(f);
+                     StopAtFloor(air, field);
+                     air.Set(f, field);
+                   }
+                 });
 }
 
 void AssimilationRun::FitWind(CommonWind& common) const
@@ -230,7 +275,7 @@ void AssimilationRun::FitWind(CommonWind& common) const
     for (int k = 1; k < static_cast<int>(controls.size()); k += WindStride)
     {
       const auto at = static_cast<std::size_t>(k);
-      if (problem.Flight[at] < 1.0)
+      if (!IsFreeStep(problem, this->Paths[o], k))
       {
         continue;
       }

@@ -63,8 +63,12 @@ private:
 
   // AssimilationDrift.cxx
   DriftWeights Weights() const;
-  /// From several starts and to several touch-downs; the least control is kept.
   Result FirstDrift();
+  /// From several starts and to several touch-downs; the least control is kept.
+  void Seek(const std::vector<char>& which, Monitor& monitor);
+  void SeekPath(std::size_t o, const AirSampler& air, Monitor& monitor);
+  /// Those whom the air as it has become does not take to their marks.
+  void SeekAgain(Monitor& monitor);
   /// Of two paths the one that judges less goes on.
   struct Judgement
   {
@@ -89,6 +93,7 @@ private:
   void KeepApart();
   /// The air without and then with the wind that the controls have in common.
   void FindWind(const HalfSeries& plain);
+  void AddWind(const CommonWind& common);
   /// The wind that would have made the controls needless: what it is at the bodies, and they.
   void FitWind(CommonWind& common) const;
   /// What keeps too near to something is pushed harder first; only what that does not help is moved

@@ -52,8 +52,7 @@ public:
     const Vec3& a = x[static_cast<std::size_t>(k)];
     const Vec3& b = x[static_cast<std::size_t>(k) + 1];
     Mat3 gradient;
-    const Vec3 u = this->Air.Between(k, 0.5 * (a + b), linear ? &gradient : nullptr);
-    Vec3 c = (b - a) / this->Step - u + this->Problem.SettlingSpeed * Vec3::UnitZ();
+    Vec3 c = (b - a) / this->Step - this->Drifting(k, 0.5 * (a + b), linear ? &gradient : nullptr);
     const bool inert = this->Problem.ResponseTime > 0.0 && k > 0 && k + 2 < this->Frames;
     const double inertia = this->Problem.ResponseTime / (2.0 * this->Step * this->Step);
     if (inert)
@@ -151,6 +150,20 @@ public:
   }
 
 private:
+  // The velocity that the air, settling and the cushion give at x in a step.
+  Vec3 Drifting(int k, const Vec3& x, Mat3* gradient) const
+  {
+    Vec3 slope;
+    const double factor = this->Problem.Cushion.Factor(x, k + 0.5, gradient ? &slope : nullptr);
+    Vec3 u = this->Air.Between(k, x, gradient);
+    u.z() -= factor * this->Problem.SettlingSpeed;
+    if (gradient)
+    {
+      gradient->row(2) -= this->Problem.SettlingSpeed * slope.transpose();
+    }
+    return u;
+  }
+
   // Controls and their changes, with their weights.
   template <class Add>
   void VisitFlight(const std::vector<Vec3>& x, bool derivatives, const Add& add)
@@ -204,9 +217,8 @@ private:
       if (flight[k] > 0.0)
       {
         const Vec3 middle = 0.5 * (x[k] + x[k + 1]);
-        const Vec3 u = this->Air.Between(static_cast<int>(k), middle, &this->Gradients[k]);
-        this->Controls[k] =
-          (x[k + 1] - x[k]) / this->Step - u + this->Problem.SettlingSpeed * Vec3::UnitZ();
+        this->Controls[k] = (x[k + 1] - x[k]) / this->Step -
+                            this->Drifting(static_cast<int>(k), middle, &this->Gradients[k]);
       }
     }
     const double h = 1.0 / this->Step;
@@ -436,6 +448,13 @@ std::vector<Vec3> DriftControls(const DriftProblem& problem, const AirSampler& a
     controls.push_back(solver.Control(path, k, nullptr));
   }
   return controls;
+}
+
+bool IsFreeStep(const DriftProblem& problem, const std::vector<Vec3>& path, int step)
+{
+  const auto k = static_cast<std::size_t>(step);
+  return problem.Flight[k] >= 1.0 &&
+         problem.Cushion.Factor(0.5 * (path[k] + path[k + 1]), step + 0.5) >= 1.0;
 }
 
 DriftOutcome SolveDrift(const DriftProblem& problem, const AirSampler& air,

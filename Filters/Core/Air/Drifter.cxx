@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr double BarrierMargin = 0.01; // m, that the penalty asks for besides
-constexpr double BrakingTime = 0.1;    // s, beside what is given
+constexpr double HandOverTime = 0.1;   // s, beside what is given
 constexpr double LargestHair = 0.02;   // m
 constexpr int StrayWaves = 3;
 constexpr double StraySize = 0.15;      // of L, of the slowest wave
@@ -139,18 +139,26 @@ DriftProblem Drifter::Problem() const
   problem.IsFixed = this->IsFixed;
   problem.Fixed = this->Fixed;
   problem.Rows = this->DriftRows;
-  // Steps between fixed frames are given; beside them a body is braked or taken up.
+  problem.Cushion = LandingCushion(this->Place.Obstacles, this->Landings, this->Body.RestHeight,
+                                   this->Body.SettlingSpeed);
+  // Steps between fixed frames are given; beside them a body is taken up or handed over. To a rest
+  // it comes by the cushion.
   const std::size_t steps = this->IsFixed.size() - 1;
-  const double reach = BrakingTime * time.FramesPerSecond;
+  const double reach = HandOverTime * time.FramesPerSecond;
   std::vector<double> away(steps, 2.0 * reach);
   const auto isGiven = [&](std::size_t k) { return this->IsFixed[k] && this->IsFixed[k + 1]; };
   for (std::size_t k = 0; k < steps; ++k)
   {
     away[k] = isGiven(k) ? 0.0 : k > 0 ? std::min(away[k], away[k - 1] + 1.0) : away[k];
   }
+  const auto isLanding = [&](std::size_t frame)
+  {
+    return std::any_of(this->Landings.begin(), this->Landings.end(),
+                       [&](const LandingWindow& l) { return l.Frame == static_cast<int>(frame); });
+  };
   for (std::size_t k = steps; k-- > 0;)
   {
-    away[k] = k + 1 < steps ? std::min(away[k], away[k + 1] + 1.0) : away[k];
+    away[k] = k + 1 < steps && !isLanding(k + 1) ? std::min(away[k], away[k + 1] + 1.0) : away[k];
   }
   for (std::size_t k = 0; k < steps; ++k)
   {

@@ -3,6 +3,7 @@
 #include "Air/Drift.h"
 #include "Air/PlainDrift.h"
 #include "Base/Random.h"
+#include "Obstacles/Shapes.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -74,6 +75,40 @@ DriftProblem ToAMark()
   problem.IsFixed[Frames - 1] = 1;
   problem.Fixed[Frames - 1] = Vec3(-0.6, 0.4, 1.5);
   return problem;
+}
+
+/// A mark on a floor, that the body comes to rest on.
+struct ToAFloor
+{
+  explicit ToAFloor(double response)
+  {
+    ObstacleMesh floor;
+    floor.Mesh = MakeBox({ Vec3(-2.0, -2.0, 0.0), Vec3(2.0, 2.0, 1.5) });
+    EXPECT_TRUE(this->Obstacles.Build({ floor }));
+    LandingWindow landing;
+    landing.ObstacleId = floor.ObstacleId;
+    landing.Frame = Frames - 1;
+    landing.First = landing.Frame - 30.0;
+    this->Problem = ToAMark();
+    this->Problem.Fixed.front().z() = 2.4;
+    this->Problem.Fixed.back().z() = 1.51;
+    this->Problem.ResponseTime = response;
+    this->Problem.Cushion =
+      LandingCushion(this->Obstacles, { landing }, 0.01, this->Problem.SettlingSpeed);
+  }
+  ObstacleSet Obstacles;
+  DriftProblem Problem;
+};
+
+std::vector<Vec3> StraightIn(const DriftProblem& problem)
+{
+  std::vector<Vec3> path;
+  for (int f = 0; f < Frames; ++f)
+  {
+    const double s = f / (Frames - 1.0);
+    path.push_back((1.0 - s) * problem.Fixed.front() + s * problem.Fixed.back());
+  }
+  return path;
 }
 
 TEST(BandedMatrix, SolvesAsADenseOneDoes)
@@ -167,12 +202,7 @@ TEST(Drift, EndsWhereNoChangeCostsLess)
   {
     DriftProblem problem = ToAMark();
     problem.ResponseTime = response;
-    std::vector<Vec3> path(Frames);
-    for (int f = 0; f < Frames; ++f)
-    {
-      const double s = f / (Frames - 1.0);
-      path[f] = (1.0 - s) * problem.Fixed[0] + s * problem.Fixed[Frames - 1];
-    }
+    std::vector<Vec3> path = StraightIn(problem);
     const DriftOutcome outcome = SolveDrift(problem, AirSampler(air), weights, 200, path);
     EXPECT_EQ(path.front(), problem.Fixed.front());
     EXPECT_EQ(path.back(), problem.Fixed.back());
@@ -201,12 +231,7 @@ TEST(Drift, ComesToWhatTheDenseMethodComesTo)
   {
     DriftProblem problem = ToAMark();
     problem.ResponseTime = response;
-    std::vector<Vec3> path(Frames);
-    for (int f = 0; f < Frames; ++f)
-    {
-      const double s = f / (Frames - 1.0);
-      path[f] = (1.0 - s) * problem.Fixed[0] + s * problem.Fixed[Frames - 1];
-    }
+    std::vector<Vec3> path = StraightIn(problem);
     std::vector<Vec3> plain = path;
     const double cost = SolveDrift(problem, AirSampler(air), {}, 60, path).Cost;
     EXPECT_NEAR(PlainSolveDrift(problem, Unpacked(air), {}, 25, plain) / cost, 1.0, 1e-3);
@@ -216,6 +241,33 @@ TEST(Drift, ComesToWhatTheDenseMethodComesTo)
       apart = std::max(apart, (path[f] - plain[f]).norm());
     }
     EXPECT_LT(apart, 0.01);
+  }
+}
+
+// The last frames are the ground's, not a hand's.
+TEST(Drift, ComesToRestByTheCushion)
+{
+  const HalfSeries air = Flow(Swirl);
+  for (const double response : { 0.0, 0.05 })
+  {
+    const ToAFloor scene(response);
+    const DriftProblem& problem = scene.Problem;
+    std::vector<Vec3> path = StraightIn(problem);
+    const DriftOutcome outcome = SolveDrift(problem, AirSampler(air), {}, 200, path);
+    EXPECT_NEAR(outcome.Cost, PlainDriftCost(problem, Unpacked(air), {}, path), 1e-9);
+    std::vector<Vec3> plain = StraightIn(problem);
+    EXPECT_NEAR(PlainSolveDrift(problem, Unpacked(air), {}, 60, plain) / outcome.Cost, 1.0, 1e-2);
+    const double last = 30.0 * (path[Frames - 2] - path[Frames - 1]).z();
+    EXPECT_LT(last, 0.5 * problem.SettlingSpeed);
+    EXPECT_FALSE(IsFreeStep(problem, path, Frames - 2));
+    EXPECT_TRUE(IsFreeStep(problem, path, Frames / 2));
+    const std::vector<Vec3> controls = DriftControls(problem, AirSampler(air), path);
+    double largest = 0.0;
+    for (std::size_t k = controls.size() - 4; k < controls.size(); ++k)
+    {
+      largest = std::max(largest, controls[k].norm());
+    }
+    EXPECT_LT(largest, 2.0 * outcome.Control);
   }
 }
 

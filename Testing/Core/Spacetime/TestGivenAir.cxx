@@ -54,16 +54,23 @@ FieldSeries TurningAir(const Box& bounds, int frames, double step)
 
 struct AirProblem
 {
-  explicit AirProblem(int frames, int objects = 3)
+  explicit AirProblem(int frames, int objects = 3, bool lands = false)
   {
     SceneOptions scene;
     scene.NumberOfFrames = frames;
     scene.NumberOfObjects = objects;
     this->Input = MakeScene(scene);
+    if (lands)
+    {
+      this->Land();
+    }
     this->Step = this->Input.Scene.Time.Step();
     this->Input.Air = TurningAir(this->Input.Scene.Bounds, frames, this->Step);
-    this->Input.Constraints.clear();
-    for (std::size_t o = 0; o < this->Input.Tracks.size(); ++o)
+    if (!lands)
+    {
+      this->Input.Constraints.clear();
+    }
+    for (std::size_t o = 0; o < this->Input.Tracks.size() && !lands; ++o)
     {
       this->Drift(this->Input.Objects[o], this->Input.Tracks[o]);
     }
@@ -73,6 +80,24 @@ struct AirProblem
     const Result result = MakeSetup(this->Input, options, this->Setup);
     EXPECT_TRUE(result) << result.Message();
     this->Level = TimeLevel::Full(frames, 1);
+  }
+
+  // All are a few centimetres above the ground, where they lie from the last frame on.
+  void Land()
+  {
+    const int last = this->Input.Scene.Time.NumberOfFrames - 1;
+    for (std::size_t o = 0; o < this->Input.Tracks.size(); ++o)
+    {
+      const MotionObject& object = this->Input.Objects[o];
+      std::vector<Vec3>& path = this->Input.Tracks[o].Positions;
+      for (int k = 0; k <= last; ++k)
+      {
+        path[static_cast<std::size_t>(k)].z() = object.RestHeight + 0.005 * (last - k);
+      }
+      this->Input.Objects[o].Position = path.front();
+      this->Input.Constraints[o].Kind = ConstraintKind::Rest;
+      this->Input.Constraints[o].Value = path.back();
+    }
   }
 
   // Along the air less the settling speed, by the midpoint rule.
@@ -98,11 +123,8 @@ struct AirProblem
   TimeLevel Level;
 };
 
-} // namespace
-
-TEST(GivenAir, ItsGradientEqualsCentralDifferences)
+void CheckGradient(const AirProblem& problem)
 {
-  const AirProblem problem(8);
   const SpacetimeModel& model = problem.Setup.Model;
   SpacetimeObjective objective(model, model.Fields, problem.Level, SerialFor(),
                                FastestSphKernels());
@@ -144,6 +166,18 @@ TEST(GivenAir, ItsGradientEqualsCentralDifferences)
   }
 }
 
+} // namespace
+
+TEST(GivenAir, ItsGradientEqualsCentralDifferences)
+{
+  CheckGradient(AirProblem(8));
+}
+
+TEST(GivenAir, ItsGradientEqualsCentralDifferencesAboveWhatIsLandedOn)
+{
+  CheckGradient(AirProblem(8, 3, true));
+}
+
 TEST(GivenAir, AFrameAtOnceIsAsBodyByBody)
 {
   const AirProblem problem(8);
@@ -175,6 +209,32 @@ TEST(GivenAir, AFrameAtOnceIsAsBodyByBody)
         }
       }
     }
+  }
+}
+
+TEST(GivenAir, AFrameAtOnceIsAsBodyByBodyInACushion)
+{
+  const AirProblem problem(8, 3, true);
+  const SpacetimeModel& model = problem.Setup.Model;
+  const std::size_t stride = model.Stride();
+  std::vector<float> out(model.FrameSize());
+  const float* state = problem.Setup.Start.data() + 5 * model.FrameSize();
+  model.Air.Deviations(state, model.NumberOfBodies(), stride, 5.0, 1.0, out.data(), nullptr);
+  for (std::size_t i = model.NumberOfGas; i < model.NumberOfBodies(); ++i)
+  {
+    const Vec3 x(state[i], state[stride + i], state[2 * stride + i]);
+    const Vec3 v(state[3 * stride + i], state[4 * stride + i], state[5 * stride + i]);
+    const Vec3 w = model.Air.Deviation(i, x, v, 5.0, 1.0);
+    const double settling = problem.Input.Objects[i - model.NumberOfGas].SettlingSpeed *
+                            problem.Setup.FrameStep / problem.Setup.Spacing;
+    const Vec3 free = v - model.Air.Velocity(x - 0.5 * v, 4.5) + settling * Vec3::UnitZ();
+    EXPECT_GT((free - w).z(), 0.1 * settling) << i; // the cushion acts
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(out[(3 + c) * stride + i], w[c], 1e-5 * settling) << i;
+    }
+    const Vec3 before = x - v;
+    EXPECT_LT((model.Air.Carried(i, before, w, 5.0, 1.0) - v).norm(), 0.01 * v.norm()) << i;
   }
 }
 

@@ -207,9 +207,8 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state,
     for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
     {
       const bool isBound = !last && this->Bound[(j + 1) * model.NumberOfObjects + o];
-      const bool isBraked = !last && (model.Flag(this->Times.Frames[j + 1], o) & Braked);
       add(ng + o, static_cast<float>(model.Offsets.size()), objectStep, isBound ? 0.0f : 1.0f,
-          isBound || isBraked ? 0.0f : 1.0f,
+          isBound ? 0.0f : 1.0f,
           objectAir * model.CoherenceFraction(this->Times.Frames[j], o),
           c == 2 ? model.SettlingSlip(o) : 0.0f);
     }

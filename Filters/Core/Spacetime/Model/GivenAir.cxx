@@ -15,10 +15,11 @@ constexpr int Corrections = 3;
 } // namespace
 
 GivenAir::GivenAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep,
-                   std::size_t numberOfGas, std::vector<double> settling) :
+                   std::size_t numberOfGas, std::vector<double> settling,
+                   std::vector<LandingCushion> cushions) :
   Series(&series),
   Origin(origin), Spacing(spacing), FrameStep(frameStep), NumberOfGas(numberOfGas),
-  Settling(std::move(settling))
+  Settling(std::move(settling)), Cushions(std::move(cushions))
 {
 }
 
@@ -28,23 +29,38 @@ Vec3 GivenAir::Velocity(const Vec3& x, double frame) const
   return (this->FrameStep / this->Spacing) * u;
 }
 
+double GivenAir::Settles(std::size_t object, const Vec3& x, double frame, Vec3* slope) const
+{
+  const double speed = this->Settling[object];
+  const double factor =
+    this->Cushions[object].Factor(this->Origin + this->Spacing * x, frame, slope);
+  if (slope != nullptr)
+  {
+    *slope *= speed * this->Spacing;
+  }
+  return factor * speed;
+}
+
+Vec3 GivenAir::Drift(std::size_t body, const Vec3& x, double frame) const
+{
+  Vec3 u = this->Velocity(x, frame);
+  u.z() -= body < this->NumberOfGas ? 0.0 : this->Settles(body - this->NumberOfGas, x, frame);
+  return u;
+}
+
 Vec3 GivenAir::Deviation(std::size_t body, const Vec3& x, const Vec3& v, double frame,
                          double step) const
 {
-  Vec3 w = v - this->Velocity(x - 0.5 * step * v, frame - 0.5 * step);
-  w.z() += this->SettlingOf(body);
-  return w;
+  return v - this->Drift(body, x - 0.5 * step * v, frame - 0.5 * step);
 }
 
 Vec3 GivenAir::Carried(std::size_t body, const Vec3& x, const Vec3& w, double frame,
                        double step) const
 {
-  Vec3 beside = w;
-  beside.z() -= this->SettlingOf(body);
-  Vec3 v = beside + this->Velocity(x, frame - 0.5 * step);
+  Vec3 v = w + this->Drift(body, x, frame - 0.5 * step);
   for (int k = 0; k < Corrections; ++k)
   {
-    v = beside + this->Velocity(x + 0.5 * step * v, frame - 0.5 * step);
+    v = w + this->Drift(body, x + 0.5 * step * v, frame - 0.5 * step);
   }
   return v;
 }
@@ -62,10 +78,19 @@ void GivenAir::Deviations(const float* state, std::size_t bodies, std::size_t st
     const Vec3 x = Vec3(row(0), row(1), row(2)) - 0.5 * step * v;
     float u[4], slopes[3][4];
     this->Sample(slice, x, u, jacobians != nullptr ? slopes : nullptr);
+    if (i >= this->NumberOfGas)
+    {
+      Vec3 slope;
+      u[2] -= static_cast<float>(
+        this->Settles(i - this->NumberOfGas, x, frame - 0.5 * step, jacobians ? &slope : nullptr));
+      for (int k = 0; k < 3 && jacobians; ++k)
+      {
+        slopes[k][2] -= static_cast<float>(slope[k]);
+      }
+    }
     for (int c = 0; c < 3; ++c)
     {
-      out[(3 + c) * stride + i] =
-        static_cast<float>(v[c] - u[c] + (c == 2 ? this->SettlingOf(i) : 0.0));
+      out[(3 + c) * stride + i] = static_cast<float>(v[c] - u[c]);
       for (int k = 0; k < 3 && jacobians; ++k)
       {
         jacobians[(3 * c + k) * stride + i] = slopes[k][c];

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/FieldSeries.h"
+#include "Constraints/LandingCushion.h"
 
 #include <cstddef>
 #include <vector>
@@ -11,17 +12,19 @@ namespace waft
 {
 
 /// A velocity field of all frames in dx and frames. In it E is that of the deviations
-///   w = v - (U(x - s v / 2, t - s / 2) - settling e_z)
-/// of all bodies, where gas does not settle: a velocity v belongs to the middle of the step s that
-/// leads to its frame. What drifts costs nothing, and no viscosity damps what the air itself does.
+///   w = v - (U(x - s v / 2, t - s / 2) - f settling e_z)
+/// of all bodies, where gas does not settle and f is what a cushion leaves of settling: a velocity
+/// v belongs to the middle of the step s that leads to its frame. What drifts costs nothing, and no
+/// viscosity damps what the air itself does.
 class GivenAir
 {
 public:
   GivenAir() = default;
   /// series [m, s, m/s] must outlive the air; origin of the gas' box [m], dx [m], of a frame [s];
-  /// settling: speeds of the bodies behind the gas [dx / frame].
+  /// settling: speeds of the bodies behind the gas [dx / frame]; cushions: of the same bodies.
   GivenAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep,
-           std::size_t numberOfGas, std::vector<double> settling);
+           std::size_t numberOfGas, std::vector<double> settling,
+           std::vector<LandingCushion> cushions);
 
   bool IsEmpty() const { return this->Series == nullptr; }
   /// At a place [dx] and frame.
@@ -42,10 +45,10 @@ public:
                            std::size_t stride, double step, float* gradient);
 
 private:
-  double SettlingOf(std::size_t body) const
-  {
-    return body < this->NumberOfGas ? 0.0 : this->Settling[body - this->NumberOfGas];
-  }
+  /// The velocity with which a body at x drifts at a frame.
+  Vec3 Drift(std::size_t body, const Vec3& x, double frame) const;
+  /// The speed with which an object settles at x [dx / frame], slope unless null: by x [1 / frame].
+  double Settles(std::size_t object, const Vec3& x, double frame, Vec3* slope = nullptr) const;
   /// The values about a frame, (u, v, w, 0) a node [dx / frame].
   void Slice(double frame, std::vector<float>& values) const;
   /// Of a slice, at x [dx]; jacobian (unless null): [1 / frame].
@@ -56,7 +59,8 @@ private:
   Vec3 Origin = Vec3::Zero();
   double Spacing = 1.0, FrameStep = 1.0;
   std::size_t NumberOfGas = 0;
-  std::vector<double> Settling;
+  std::vector<double> Settling; // by object, as the cushions
+  std::vector<LandingCushion> Cushions;
 };
 
 } // namespace waft

@@ -42,8 +42,7 @@ enum ObjectFrameFlags : std::uint8_t
   NoDynamics = 4,       // the step into this frame is not one of free flight
   LandsOnFloor = 8,     // clearance to the floor is reduced to the rest height
   LandsOnObstacle = 16, // the same for obstacles
-  LiftsOff = 32,        // after a rest: no landing damping, which would hold it back
-  Braked = 64           // in a drawn air: the step into this frame is slowed by what no air does
+  LiftsOff = 32         // after a rest: no landing damping, which would hold it back
 };
 
 /// Everything but the unknowns.

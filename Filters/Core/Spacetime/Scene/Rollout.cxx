@@ -95,7 +95,7 @@ ReplayError MeasureReplay(SpacetimeObjective& objective, const StateVector& stat
     {
       for (int frame = from; frame <= until; ++frame)
       {
-        isFlying[o] = isFlying[o] && (model.Flag(frame, o) & (NoDynamics | Braked)) == 0;
+        isFlying[o] = isFlying[o] && (model.Flag(frame, o) & NoDynamics) == 0;
       }
     }
     StateVector replayed = state;

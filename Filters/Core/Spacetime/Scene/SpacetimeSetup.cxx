@@ -25,8 +25,6 @@ constexpr double FastestDrag = 0.45;            // [1 / frame]
 constexpr double ObjectMassFraction = 0.1;      // of a gas particle's mass, at most
 constexpr double AllObjectsMassFraction = 0.02; // of all gas, at most
 
-constexpr double BrakingTime = 0.1; // before a rest: as assimilated tracks come down [s]
-
 constexpr int LeastFrames = 3;
 
 // Objects in the order of the tracks.
@@ -262,31 +260,22 @@ void SetUpAir(const SpacetimeInput& input, const SpacetimeOptions& options, Spac
   SpacetimeModel& model = setup.Model;
   const std::size_t no = model.NumberOfObjects;
   std::vector<double> settling;
-  for (const MotionObject& object : setup.Objects)
+  std::vector<LandingCushion> cushions;
+  for (std::size_t o = 0; o < no; ++o)
   {
+    const MotionObject& object = setup.Objects[o];
     settling.push_back(object.SettlingSpeed * setup.FrameStep / setup.Spacing);
+    cushions.emplace_back(setup.Obstacles, setup.Landings[o], object.RestHeight,
+                          object.SettlingSpeed);
   }
   model.Air = GivenAir(input.Air, setup.Origin, setup.Spacing, setup.FrameStep, model.NumberOfGas,
-                       std::move(settling));
+                       std::move(settling), std::move(cushions));
   model.AirDrag = static_cast<float>(options.AirDrag * setup.FrameStep);
   model.DragRates.assign(no, 1.0f);
   model.Gravities.assign(no, 0.0f);
   model.BrakeHeights.assign(no, 0.0f);
   model.Reach.assign(model.Flags.size(), 0.0f);
   model.CoherenceFractions.assign(model.Flags.size(), 0.0f);
-  const auto braking =
-    static_cast<int>(std::ceil(BrakingTime * input.Scene.Time.FramesPerSecond)) + 1;
-  for (std::size_t o = 0; o < no; ++o)
-  {
-    for (const LandingWindow& window : setup.Landings[o])
-    {
-      const int last = std::min(window.Frame, model.NumberOfFrames - 1);
-      for (int frame = std::max(1, window.Frame - braking); frame <= last; ++frame)
-      {
-        model.Flags[static_cast<std::size_t>(frame) * no + o] |= Braked;
-      }
-    }
-  }
 }
 
 void SetUpBackground(const SpacetimeInput& input, const SpacetimeOptions& options,
