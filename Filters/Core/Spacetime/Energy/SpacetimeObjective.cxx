@@ -208,8 +208,7 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state,
     {
       const bool isBound = !last && this->Bound[(j + 1) * model.NumberOfObjects + o];
       add(ng + o, static_cast<float>(model.Offsets.size()), objectStep, isBound ? 0.0f : 1.0f,
-          isBound ? 0.0f : 1.0f,
-          objectAir * model.CoherenceFraction(this->Times.Frames[j], o),
+          isBound ? 0.0f : 1.0f, objectAir * model.CoherenceFraction(this->Times.Frames[j], o),
           c == 2 ? model.SettlingSlip(o) : 0.0f);
     }
   }
