@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr int Reach = 4;           // frames that a residual may span, less one
-constexpr double Converged = 1e-6; // relative fall of the cost in an iteration
+constexpr double Converged = 1e-4; // relative fall of the cost in an iteration
 constexpr double LeastDamping = 1e-7;
 constexpr double MostDamping = 1e9;
 
