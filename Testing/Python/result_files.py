@@ -51,12 +51,13 @@ class PolyData:
     """points [(x, y, z)]; lines and polys [[point index]]; point, cell and field {name: [value or tuple]}."""
 
     def __init__(self, path):
-        root = ElementTree.parse(path).getroot()
+        text, self._appended = _without_appended(pathlib.Path(path).read_bytes())
+        root = ElementTree.fromstring(text)
         assert root.get("byte_order") == "LittleEndian" and sys.byteorder == "little", path
         self._header = {"UInt32": "I", "UInt64": "Q"}[root.get("header_type", "UInt32")]
         self._compressed = root.get("compressor") == "vtkZLibDataCompressor"
-        appended = root.find("AppendedData")
-        self._appended = appended.text.strip()[1:] if appended is not None else ""
+        entry = root.find("AppendedData")
+        self._is_raw = entry is not None and entry.get("encoding") == "raw"
         data = root.find("PolyData")
         piece = data.find("Piece")
         self.field = self._arrays(data.find("FieldData"))
@@ -80,26 +81,26 @@ class PolyData:
             flat = [float(word) for word in (entry.text or "").split()]
         else:
             is_appended = entry.get("format") == "appended"
-            text = self._appended[int(entry.get("offset")):] if is_appended else entry.text.strip()
+            text = self._appended[int(entry.get("offset")):] if is_appended else entry.text.strip().encode()
             values = array.array(_TYPES[entry.get("type")])
-            values.frombytes(self._bytes(text))
+            values.frombytes(self._bytes(text, _raw if is_appended and self._is_raw else _decode))
             flat = values.tolist()
         width = int(entry.get("NumberOfComponents", 1))
         return flat if width == 1 else [tuple(flat[i:i + width]) for i in range(0, len(flat), width)]
 
-    def _bytes(self, text):
+    def _bytes(self, text, decode):
         size = struct.calcsize("<" + self._header)
 
         def numbers(start, count):
-            return struct.unpack(f"<{count}{self._header}", _decode(text, start, count * size)[0])
+            return struct.unpack(f"<{count}{self._header}", decode(text, start, count * size)[0])
 
         if not self._compressed:
             length, = numbers(0, 1)
-            return _decode(text, 0, size + length)[0][size:]
+            return decode(text, 0, size + length)[0][size:]
         blocks, = numbers(0, 1)
         lengths = numbers(0, 3 + blocks)[3:]
-        _, start = _decode(text, 0, (3 + blocks) * size)
-        packed, _ = _decode(text, start, sum(lengths))
+        _, start = decode(text, 0, (3 + blocks) * size)
+        packed, _ = decode(text, start, sum(lengths))
         result, place = b"", 0
         for length in lengths:
             result += zlib.decompress(packed[place:place + length])
@@ -111,6 +112,21 @@ def _decode(text, start, length):
     """The bytes of a piece of base64 of this many bytes, and where the next one begins."""
     end = start + (length + 2) // 3 * 4
     return base64.b64decode(text[start:end])[:length], end
+
+
+def _without_appended(content):
+    """A VTK file whose appended values, which may be no text, are taken out, and these."""
+    start = content.find(b"<AppendedData")
+    if start < 0:
+        return content, b""
+    start = content.index(b"_", start) + 1
+    end = content.rindex(b"</AppendedData>")
+    return content[:start] + content[end:], content[start:end]
+
+
+def _raw(content, start, length):
+    """The same of bytes as they are."""
+    return content[start:start + length], start + length
 
 
 def read_tracks(path):

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/AssimilationState.h"
 
+#include "Air/PackedSeries.h"
+
 #include <algorithm>
 
 namespace waft
@@ -8,7 +10,7 @@ namespace waft
 namespace
 {
 
-constexpr const char* Format = "Waft assimilation 1";
+constexpr const char* Format = "Waft assimilation 2";
 
 // A digest changes nothing of what it reads.
 template <class T>
@@ -22,7 +24,7 @@ void ExchangeSeries(StateArchive& stream, HalfSeries& series)
   stream.Values(series.Meaning, series.Dimensions[0], series.Dimensions[1], series.Dimensions[2],
                 series.Origin, series.Spacing);
   stream.List(series.Times);
-  stream.List(series.Values, [](StateArchive& s, std::vector<Half3>& values) { s.List(values); });
+  ExchangePacked(stream, series.Values);
 }
 
 // What is written is only read of, what is read is made anew: the air may be another's, too.

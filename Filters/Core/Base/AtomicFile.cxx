@@ -14,6 +14,10 @@ namespace waft
 namespace
 {
 
+/// Bytes after which what was written is pushed to the disk: who writes against the clock sees how
+/// fast that is before the end.
+constexpr std::size_t PushedBytes = std::size_t(4) << 20;
+
 /// The folders above a file that are not there, the outermost first.
 std::vector<std::filesystem::path> MissingFolders(const std::string& path)
 {
@@ -78,7 +82,16 @@ bool PartFile::Open()
 
 bool PartFile::Write(const void* bytes, std::size_t size)
 {
-  return std::fwrite(bytes, 1, size, this->File) == size || this->Fail();
+  const auto before = static_cast<std::size_t>(std::ftell(this->File));
+  if (std::fwrite(bytes, 1, size, this->File) != size)
+  {
+    return this->Fail();
+  }
+  if ((before + size) / PushedBytes == before / PushedBytes)
+  {
+    return true;
+  }
+  return (std::fflush(this->File) == 0 && ::fdatasync(::fileno(this->File)) == 0) || this->Fail();
 }
 
 Result PartFile::Close()

@@ -25,30 +25,41 @@ void AppendVector(const Vec3& v, std::string& text)
   AppendNumber(v.y(), text);
   AppendNumber(v.z(), text);
 }
-} // namespace
 
-Result PosesCsv(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses,
-                const Timeline& time, std::string& text)
+Result CheckFit(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses)
 {
   if (tracks.size() != poses.size())
   {
     return Result::Error("expected poses for " + std::to_string(tracks.size()) + " tracks, found " +
                          std::to_string(poses.size()));
   }
-  text = "object,frame,time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n";
   for (std::size_t i = 0; i < tracks.size(); ++i)
+  {
+    const std::size_t count = tracks[i].Positions.size();
+    if (poses[i].ObjectId != tracks[i].ObjectId || poses[i].Orientations.size() != count ||
+        poses[i].AngularVelocities.size() != count)
+    {
+      return Result::Error("the poses of object " + std::to_string(poses[i].ObjectId) +
+                           " do not fit the track of object " + std::to_string(tracks[i].ObjectId));
+    }
+  }
+  return Result::Ok();
+}
+} // namespace
+
+Result PosesCsv(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses,
+                const Timeline& time, const std::function<bool(const std::string& text)>& write)
+{
+  WAFT_RETURN_IF_FAILED(CheckFit(tracks, poses));
+  std::string text = "object,frame,time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n";
+  bool isWanted = write(text);
+  for (std::size_t i = 0; i < tracks.size() && isWanted; ++i)
   {
     const Track& track = tracks[i];
     const PoseTrack& pose = poses[i];
-    const std::size_t count = track.Positions.size();
-    if (pose.ObjectId != track.ObjectId || pose.Orientations.size() != count ||
-        pose.AngularVelocities.size() != count)
-    {
-      return Result::Error("the poses of object " + std::to_string(pose.ObjectId) +
-                           " do not fit the track of object " + std::to_string(track.ObjectId));
-    }
     const std::vector<Vec3> velocities = CentralVelocities(track.Positions, time.Step());
-    for (std::size_t k = 0; k < count; ++k)
+    text.clear();
+    for (std::size_t k = 0; k < track.Positions.size(); ++k)
     {
       text += std::to_string(track.ObjectId) + "," + std::to_string(k);
       AppendNumber(time.Time(static_cast<double>(k)), text);
@@ -59,6 +70,7 @@ Result PosesCsv(const std::vector<Track>& tracks, const std::vector<PoseTrack>& 
       AppendVector(pose.AngularVelocities[k], text);
       text += '\n';
     }
+    isWanted = write(text);
   }
   return Result::Ok();
 }
@@ -66,9 +78,15 @@ Result PosesCsv(const std::vector<Track>& tracks, const std::vector<PoseTrack>& 
 Result WritePosesCsv(const std::string& path, const std::vector<Track>& tracks,
                      const std::vector<PoseTrack>& poses, const Timeline& time)
 {
-  std::string text;
-  WAFT_RETURN_IF_FAILED(PosesCsv(tracks, poses, time, text));
-  return WriteWholeFile(path, text);
+  PartFile file(path);
+  if (file.Open())
+  {
+    WAFT_RETURN_IF_FAILED(PosesCsv(tracks, poses, time,
+                                   [&](const std::string& text)
+                                   { return file.Write(text.data(), text.size()); }));
+  }
+  WAFT_RETURN_IF_FAILED(file.Close());
+  return file.PutInPlace();
 }
 
 } // namespace waft

@@ -5,6 +5,7 @@
 #include "Base/Pose.h"
 #include "Base/Result.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,10 @@ namespace waft
 /// object,frame,time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz
 /// and one line per object and frame, in the order of tracks, then of frames. Numbers have 17
 /// significant digits, so that reading them gives the same bits. Velocities are central differences
-/// of the positions. Fails when poses do not fit the tracks.
+/// of the positions. It is passed on piece by piece, and no further once write returns false. Fails
+/// when poses do not fit the tracks.
 Result PosesCsv(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses,
-                const Timeline& time, std::string& text);
+                const Timeline& time, const std::function<bool(const std::string& text)>& write);
 
 /// The same as a file, whole or not at all.
 Result WritePosesCsv(const std::string& path, const std::vector<Track>& tracks,

@@ -54,6 +54,7 @@ def write_xml(data, path):
     writer.SetInputDataObject(data)
     writer.SetFileName(str(path))
     writer.SetCompressionLevel(1)  # a quarter of the usual level's time, files 2 % larger
+    writer.EncodeAppendedDataOff()  # bytes as they are: in base64 they would take a third more
     is_loud = vtkObject.GetGlobalWarningDisplay()
     vtkObject.SetGlobalWarningDisplay(0)  # the writers inside say in their own words what is said below
     try:
@@ -86,13 +87,37 @@ def write_pvd(path, entries):
 
 
 def half(data):
-    """Rounds the point data of a VTK data set to half floats, which take half the room where they are compressed."""
+    """Rounds the point data of a VTK data set to half floats, and those near zero to a 512th of the typical value: they take
+    a third of the room where they are compressed."""
     import numpy as np
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
     for index in range(data.GetPointData().GetNumberOfArrays()):
         values = vtk_to_numpy(data.GetPointData().GetArray(index))
-        values[...] = values.astype(np.float16)
+        typical = float(np.sqrt(np.mean(np.square(values, dtype=float)))) if values.size else 0.0
+        if typical > 0.0:
+            step = values.dtype.type(2.0 ** (np.floor(np.log2(typical)) - 8))
+            values[...] = (np.rint(values / step) * step).astype(np.float16)
+
+
+def in_single_precision(data, exact=()):
+    """A copy of a VTK data set whose point data are doubles with the precision of floats, which take half the room where they
+    are compressed; points and the arrays named as exact keep all digits."""
+    import numpy as np
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    copy = data.NewInstance()
+    copy.ShallowCopy(data)
+    for index in range(copy.GetPointData().GetNumberOfArrays()):
+        array = copy.GetPointData().GetArray(index)
+        if array is None or array.GetName() in exact or not array.IsA("vtkDoubleArray"):
+            continue
+        rounded = array.NewInstance()
+        rounded.DeepCopy(array)
+        values = vtk_to_numpy(rounded)
+        values[...] = values.astype(np.float32)
+        copy.GetPointData().AddArray(rounded)
+    return copy
 
 
 def table_rows(table):

@@ -5,7 +5,7 @@ import re
 import shutil
 
 from waft import failures
-from waft.files import half, table_rows, write_csv, write_pvd, write_xml
+from waft.files import half, in_single_precision, table_rows, write_csv, write_pvd, write_xml
 from waft.loading import version
 from waft.reading import dynamics
 from waft.results import Entry, ResultPlace, read_json
@@ -16,6 +16,11 @@ REPORT = "report.json"
 STATE = "assimilated.state"
 # Data that is written only when it is asked for, a file a frame: {name: (stage, port)}.
 SERIES = {"meshes": ("rotation", 0), "particles": ("spacetime", 1)}
+
+# Of the air's images: between two of them it is as good as straight (1 % off), at any frame rate [s].
+AIR_INTERVAL = 0.1
+# What reads back bit for bit beside points: what else poses.csv says but velocities, which follow from points, and time.
+_EXACT = ("Time", "Orientation", "AngularVelocity")
 
 # What versions without a manifest wrote.
 _EARLIER_NAMES = re.compile(
@@ -67,7 +72,7 @@ def write_results(pipeline, place, scene, checkpoint, series=()):
     for name in ("planned.vtp", "constraints.vtp"):
         checkpoint.copy_plan(name)
     motion, tracks, vortices, _ = pipeline.motion
-    write_xml(pipeline.output(motion, tracks), place.path("optimized.vtp"))
+    write_tracks(pipeline.output(motion, tracks), place.path("optimized.vtp"))
     write_xml(pipeline.output(motion, vortices), place.path("vortices.vtp"))
     write_bodies(pipeline, place, scene)
     for name in series:
@@ -89,13 +94,18 @@ def write_results(pipeline, place, scene, checkpoint, series=()):
 
 def write_bodies(pipeline, place, scene):
     """The files with the motion of the bodies and what stands about them, which pictures are drawn from."""
-    write_xml(pipeline.output("rotation", 1), place.path("poses.vtp"))
+    write_tracks(pipeline.output("rotation", 1), place.path("poses.vtp"))
     write_xml(pipeline.output("reader", 0), place.path("objects.vtp"))
     _write_shapes(pipeline, place)
     if _do_obstacles_move(scene):
         _write_series(pipeline, "reader", 2, "obstacles", ".vtp", place)
     else:
         write_xml(_at(pipeline.reader.GetClientSideObject(), 2, 0.0), place.path("obstacles.vtp"))
+
+
+def write_tracks(tracks, path):
+    """Tracks or poses as a file: what drives the bodies to 7 digits, the motion itself to all."""
+    write_xml(in_single_precision(tracks, _EXACT), path)
 
 
 def _empty_convergence():
@@ -113,11 +123,11 @@ def _write_air(pipeline, place, checkpoint):
     if pipeline.spacetime is None:
         shutil.copyfile(place.path("optimized.vtp"), place.path("assimilated.vtp"))
     else:
-        write_xml(pipeline.output("assimilation", 0), place.path("assimilated.vtp"))
+        write_tracks(pipeline.output("assimilation", 0), place.path("assimilated.vtp"))
     write_xml(pipeline.output("assimilation", 3), place.path("constraints.vtp"))
     write_csv(place.path("rounds.csv"), *table_rows(pipeline.output("assimilation", 5)))
-    steps = None if pipeline.has_air else 1  # without an air all steps are the same calm one
-    _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half, steps)
+    interval = AIR_INTERVAL if pipeline.has_air else float("inf")  # without an air all steps are the same calm one
+    _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half, interval)
     if checkpoint.air_file.is_file():
         shutil.copyfile(checkpoint.air_file, place.path(STATE))
 
@@ -139,20 +149,33 @@ def _write_shapes(pipeline, place):
         shutil.copyfile(source, place.path(name))
 
 
-def _write_series(pipeline, stage, port, name, suffix, place, change=lambda data: None, steps=None):
-    """NAME.pvd with one file a step in the folder NAME, of data that were changed first, `steps` steps at most."""
+def _write_series(pipeline, stage, port, name, suffix, place, change=lambda data: None, interval=0.0):
+    """NAME.pvd with one file a step in the folder NAME, of data that were changed first; of steps closer than `interval` [s]
+    only some, the last always unless the interval is endless."""
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Sddp
 
     algorithm = getattr(pipeline, stage).GetClientSideObject()
     entries = []
-    times = algorithm.GetOutputInformation(port).Get(Sddp.TIME_STEPS()) or (0.0,)
-    for step, time in enumerate(times[:steps]):
+    for step, time in spaced(algorithm.GetOutputInformation(port).Get(Sddp.TIME_STEPS()) or (0.0,), interval):
         file = f"{name}/{name}_{step:04d}{suffix}"
         data = _at(algorithm, port, time)
         change(data)
         write_xml(data, place.path(file))
         entries.append((time, file))
     write_pvd(place.path(name + ".pvd"), entries)
+
+
+def spaced(times, interval):
+    """(number, time) of the first of the times, of those that keep at most the interval from the one before, and of the last:
+    as few as that takes. Of an endless interval the first alone."""
+    steps = list(enumerate(times))
+    if interval == float("inf"):
+        return steps[:1]
+    chosen = steps[:1]
+    for here, after in zip(steps[1:], steps[2:] + [None]):
+        if after is None or after[1] - chosen[-1][1] > interval * (1.0 + 1e-9):
+            chosen.append(here)
+    return chosen
 
 
 def _at(algorithm, port, time):

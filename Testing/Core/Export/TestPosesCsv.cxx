@@ -27,7 +27,12 @@ TEST(PosesCsv, ReadsBackBitByBit)
     }
   }
   std::string text;
-  ASSERT_TRUE(PosesCsv(tracks, poses, time, text));
+  const auto collect = [&text](const std::string& part)
+  {
+    text += part;
+    return true;
+  };
+  ASSERT_TRUE(PosesCsv(tracks, poses, time, collect));
   std::istringstream lines(text);
   std::string line;
   std::getline(lines, line);
@@ -68,5 +73,7 @@ TEST(PosesCsv, ReadsBackBitByBit)
   }
   EXPECT_FALSE(std::getline(lines, line));
   poses[1].ObjectId = 9;
-  EXPECT_FALSE(PosesCsv(tracks, poses, time, text));
+  text.clear();
+  EXPECT_FALSE(PosesCsv(tracks, poses, time, collect));
+  EXPECT_TRUE(text.empty());
 }

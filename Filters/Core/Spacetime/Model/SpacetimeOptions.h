@@ -194,8 +194,8 @@ struct SpacetimeOptions : TermWeights
     visit(OptionField{ "CheckpointInterval",
                        { 0, 1e+06 },
                        "s",
-                       "Seconds between two writings of Checkpoint File, and at least thirty times "
-                       "what one takes; 0: after each iteration." },
+                       "Seconds between two writings of Checkpoint File, and as many more as keep "
+                       "them within 2 % of the time; 0: after each iteration." },
           of.CheckpointInterval...);
   }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <memory>
 
 namespace waft
@@ -13,56 +14,88 @@ namespace
 {
 
 constexpr const char* Format = "Waft spacetime checkpoint 7";
-constexpr double WritingFraction = 1.0 / 30.0; // of the time, for checkpoints
+constexpr double WritingFraction = 0.02;                 // of the time, for checkpoints
+constexpr std::size_t PieceBytes = std::size_t(4) << 20; // between two looks at the clock
+
+using Clock = std::chrono::steady_clock;
+
+/// What goes to a file as long as there is time.
+class TimedStream : public StateArchive
+{
+public:
+  TimedStream(StateArchive& file, double seconds) : File(file), Seconds(seconds) {}
+  bool IsReading() const override { return false; }
+  bool IsLate() const
+  {
+    return std::chrono::duration<double>(Clock::now() - this->Begin).count() > this->Seconds;
+  }
+
+protected:
+  bool Bytes(void* bytes, std::size_t size) override
+  {
+    char* at = static_cast<char*>(bytes);
+    for (std::size_t done = 0; done < size && !this->IsLate() && this->File.IsGood();)
+    {
+      const std::size_t piece = std::min(PieceBytes, size - done);
+      this->File.Raw(at + done, piece);
+      done += piece;
+    }
+    return !this->IsLate() && this->File.IsGood();
+  }
+
+private:
+  StateArchive& File;
+  double Seconds;
+  Clock::time_point Begin = Clock::now();
+};
 
 } // namespace
 
 CheckpointFile::CheckpointFile(const SpacetimeInput& input, const SpacetimeOptions& options,
                                Communicator& ranks, std::vector<std::string>& warnings) :
   Input(input),
-  Options(options), Ranks(ranks), Warnings(warnings), Clock(std::chrono::steady_clock::now())
+  Options(options), Ranks(ranks), Warnings(warnings), Begin(Clock::now()),
+  Schedule(options.CheckpointInterval, WritingFraction)
 {
 }
 
 double CheckpointFile::Elapsed() const
 {
-  const std::chrono::duration<double> d = std::chrono::steady_clock::now() - this->Clock;
-  return d.count();
+  return std::chrono::duration<double>(Clock::now() - this->Begin).count();
 }
 
 bool CheckpointFile::IsDue(bool now) const
 {
-  double interval = this->Options.CheckpointInterval;
-  if (interval > 0.0)
-  {
-    interval = std::max(interval, this->Cost / WritingFraction);
-  }
-  const bool isDue = now || this->Elapsed() - this->Last >= interval;
+  const bool isDue = now || this->Schedule.IsDue(this->Elapsed());
   return this->Ranks.Decide(isDue && !this->HasFailed);
 }
 
-void CheckpointFile::Write(const Content& content)
+void CheckpointFile::Write(const Content& content, bool now)
 {
   const double from = this->Elapsed();
   std::unique_ptr<StateFileWriter> file;
+  std::unique_ptr<TimedStream> timed;
   if (this->Ranks.IsFirst())
   {
     file = std::make_unique<StateFileWriter>(this->Path());
+    timed = std::make_unique<TimedStream>(*file, now ? std::numeric_limits<double>::infinity()
+                                                     : this->Schedule.Allowance(from));
   }
-  RankFileStream stream(this->Ranks, file.get(), false);
+  RankFileStream stream(this->Ranks, timed.get(), false);
   std::string format = Format;
   std::uint64_t key = DigestOfRun(this->Input, this->Options);
   stream.Text(format);
   stream.Value(key);
   content(stream);
-  const Result result = file ? file->Commit() : Result::Ok();
+  const bool isGivenUp = timed && timed->IsLate() && file->IsGood();
+  const Result result = file && !isGivenUp ? file->Commit() : Result::Ok();
   if (!result)
   {
     this->HasFailed = true;
     this->Warnings.push_back("CheckpointFile: " + result.Message());
   }
-  this->Last = this->Elapsed();
-  this->Cost = this->Last - from;
+  const double to = this->Elapsed();
+  this->Schedule.Note(to, to - from);
 }
 
 bool CheckpointFile::Read(const Content& content, const std::function<bool()>& isSound)

@@ -4,6 +4,7 @@
 
 #include "Base/Communicator.h"
 #include "Base/StateArchive.h"
+#include "Base/WritingSchedule.h"
 #include "Spacetime/Model/SpacetimeOptions.h"
 #include "Spacetime/Scene/SpacetimeInput.h"
 
@@ -24,10 +25,12 @@ public:
 
   /// A file is named.
   bool IsNamed() const { return !this->Path().empty(); }
-  /// The interval is over, or somebody asks for it now; never again once writing failed.
+  /// The schedule says so, or somebody asks for it now; never again once writing failed.
   bool IsDue(bool now) const;
   using Content = std::function<void(StateArchive& stream)>;
-  void Write(const Content& content);
+  /// now: however long it takes. Otherwise it is given up when it takes too long; the last file
+  /// stays then.
+  void Write(const Content& content, bool now);
   /// False when there is none, or when it is not of this run: then a warning says why. What content
   /// read of a file that ends too early, or where isSound says so, is to be thrown away.
   bool Read(const Content& content, const std::function<bool()>& isSound);
@@ -41,8 +44,8 @@ private:
   const SpacetimeOptions& Options;
   Communicator& Ranks;
   std::vector<std::string>& Warnings;
-  std::chrono::steady_clock::time_point Clock;
-  double Last = 0.0, Cost = 0.0; // s
+  std::chrono::steady_clock::time_point Begin;
+  WritingSchedule Schedule;
   bool HasFailed = false;
 };
 

@@ -222,7 +222,7 @@ void SpacetimeRun::KeepCheckpoint(bool now)
 {
   if (this->KeepsCheckpoints() && this->Checkpoint.IsDue(now))
   {
-    this->WriteCheckpoint();
+    this->WriteCheckpoint(now);
   }
 }
 
@@ -240,14 +240,14 @@ void SpacetimeRun::KeepState()
   if (this->Stopped && this->KeepsCheckpoints() && this->Checkpoint.IsDue(true))
   {
     this->Solver->Objective.RewindLists();
-    this->WriteCheckpoint();
+    this->WriteCheckpoint(true);
   }
 }
 
-void SpacetimeRun::WriteCheckpoint()
+void SpacetimeRun::WriteCheckpoint(bool now)
 {
   const double before = std::exchange(this->State.Seconds, this->Seconds());
-  this->Checkpoint.Write([this](StateArchive& stream) { this->SerialiseAll(stream); });
+  this->Checkpoint.Write([this](StateArchive& stream) { this->SerialiseAll(stream); }, now);
   this->State.Seconds = before;
 }
 

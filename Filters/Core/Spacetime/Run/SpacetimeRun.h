@@ -74,7 +74,7 @@ private:
   void MarkState();
   void KeepState();
   bool KeepsCheckpoints() const;
-  void WriteCheckpoint();
+  void WriteCheckpoint(bool now);
   void SerialiseAll(StateArchive& stream);
 
   Result Export();
