@@ -440,7 +440,12 @@ int GuardedRequest(vtkAlgorithm* stage, vtkInformation* request, vtkInformationV
   return Fail(stage, outputs, lack);
 }
 
-int Fail(vtkAlgorithm* stage, vtkInformationVector* outputs, const std::string& message)
+bool IsPieceOfOthers(vtkInformation* request, vtkInformationVector* outputs)
+{
+  return outputs->GetInformationObject(AskingPort(request))->Get(Sddp::UPDATE_PIECE_NUMBER()) > 0;
+}
+
+int Empty(vtkInformationVector* outputs)
 {
   for (int out = 0; out < outputs->GetNumberOfInformationObjects(); ++out)
   {
@@ -449,6 +454,12 @@ int Fail(vtkAlgorithm* stage, vtkInformationVector* outputs, const std::string& 
       data->Initialize();
     }
   }
+  return 1;
+}
+
+int Fail(vtkAlgorithm* stage, vtkInformationVector* outputs, const std::string& message)
+{
+  Empty(outputs);
   vtkErrorWithObjectMacro(stage, << MessageText(message));
   return 0;
 }
