@@ -17,10 +17,16 @@ import, elsewhere by its first use or by load_plugin(). The VTK classes are ther
 once the plugin is loaded.
 """
 import importlib as _importlib
+import typing as _typing
 
 from waft.failures import BadInput, WaftError
 from waft.loading import data_file, is_paraview_here as _is_paraview_here, load_plugin, version
 from waft.scene import Scene
+
+if _typing.TYPE_CHECKING:  # what __getattr__ finds
+    from waft.measuring import measure
+    from waft.showing import show
+    from waft.synthesis import synthesize
 
 __version__ = version()
 __all__ = ["BadInput", "Scene", "WaftError", "data_file", "load_plugin", "measure", "show", "synthesize", "version"]
