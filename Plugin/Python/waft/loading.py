@@ -74,9 +74,19 @@ def _check_plugin():
                           f"{_PACKAGE} of Waft {version()}: install both anew, from one, or set PV_PLUGIN_PATH and PYTHONPATH alike")
 
 
+def _plugin():
+    """Path of the plugin; None where Waft was built for VTK alone."""
+    return _find_upwards("lib*/paraview-*/plugins/Waft/Waft.so") or _find_upwards("lib/*/paraview-*/plugins/Waft/Waft.so")
+
+
+def load_classes() -> None:
+    """Makes the VTK classes ready: with the plugin where there is one, else they need VTK's own package alone."""
+    if _plugin() is not None:
+        load_plugin()
+
+
 def _load_library(simple):
-    plugin = _find_upwards("lib*/paraview-*/plugins/Waft/Waft.so") or _find_upwards(
-        "lib/*/paraview-*/plugins/Waft/Waft.so")
+    plugin = _plugin()
     if plugin is None:
         raise ImportError(f"the ParaView plugin Waft.so was not found above {_PACKAGE}")
     built_for = plugin.parts[-4].replace("paraview-", "")
