@@ -13,6 +13,7 @@
 #include "Scene/Scene.h"
 #include "Scene/SceneFileOptions.h"
 
+#include <vtkAlgorithm.h>
 #include <vtkDemandDrivenPipeline.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -119,6 +120,12 @@ int vtkMotionSceneReader::Process(vtkInformation* request, vtkInformationVector*
 
 int vtkMotionSceneReader::RequestInformation(vtkInformationVector* outputs)
 {
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    // The pipeline asks the other ranks, of several, for their pieces only then.
+    outputs->GetInformationObject(port)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(),
+                                             this->OnEveryRank);
+  }
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
   vtkInformation* wind = outputs->GetInformationObject(WIND);
   wind->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
@@ -155,6 +162,10 @@ int vtkMotionSceneReader::RequestData(vtkInformation* request, vtkInformationVec
   if (!this->Read->Error.empty())
   {
     return waft::Fail(this, outputs, this->Read->Error);
+  }
+  if (!this->OnEveryRank && waft::IsPieceOfOthers(request, outputs))
+  {
+    return waft::Empty(outputs);
   }
   const Contents& read = *this->Read;
   const waft::SceneInfo& info = read.Scene.Info;

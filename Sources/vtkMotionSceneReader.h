@@ -64,6 +64,15 @@ public:
   vtkGetMacro(FileName, std::string);
   ///@}
 
+  ///@{
+  /** Every MPI process gives the whole scene, and all stages do the same on each; default off: the
+   * first process alone does, so that nothing counts twice, and the outputs of the others are
+   * empty. For scripts that each process runs by itself (pvbatch --symmetric). */
+  vtkSetMacro(OnEveryRank, bool);
+  vtkGetMacro(OnEveryRank, bool);
+  vtkBooleanMacro(OnEveryRank, bool);
+  ///@}
+
   /** The seed that the scene file gives; 1 before one was read. */
   int GetSceneSeed() const;
 
@@ -91,6 +100,7 @@ private:
   // literals here against it.
   friend struct waft::SceneReadOptions;
   std::string FileName;
+  bool OnEveryRank = false;
 };
 
 #endif

@@ -15,6 +15,7 @@
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Spacetime/Run/Spacetime.h"
 #include "Spacetime/Run/SpacetimeBudget.h"
+#include "Spacetime/Run/SpacetimeSerialise.h"
 #include "Spacetime/Run/SpacetimeWarmStart.h"
 
 #include <vtkCellData.h>
@@ -114,8 +115,16 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs
   WAFT_RETURN_IF_FAILED(
     waft::RunSpacetime(input, waft::OptionsOf<waft::SpacetimeOptions>(*this->Self), waft::SmpFor(),
                        monitor, this->Solution, &this->Memory, &ranks));
+  // A rank that was given the scene gets the result, too, when all were.
+  const bool isEmpty = vtkPolyData::GetData(inputs[PlannedPort])->GetNumberOfPoints() == 0;
+  const bool isForAll = ranks.Largest(isEmpty ? 1.0 : 0.0) == 0.0;
+  if (isForAll && ranks.Size() > 1)
+  {
+    waft::BroadcastStream stream(ranks);
+    waft::Serialise(stream, this->Solution);
+  }
   this->Warnings = this->Solution.Warnings;
-  if (ranks.IsFirst())
+  if (isForAll || ranks.IsFirst())
   {
     this->KeepSolution();
   }

@@ -104,6 +104,49 @@ class InstallTest(unittest.TestCase):
         os.symlink(os.path.join(PREFIX, "bin", "waft"), link)
         self.assertIn("synthesize", self.check_run([link, "--help"]))
 
+    def test_version_is_one(self):
+        with open(os.path.join(SOURCE, "CMakeLists.txt"), encoding="utf-8") as file:
+            version = re.search(r"^project\(Waft VERSION (\S+)", file.read(), re.M).group(1)
+        self.assertEqual(self.check_run([os.path.join(PREFIX, "bin", "waft"), "--version"]), f"waft {version}\n")
+
+    def test_another_version_of_a_part_is_told(self):
+        other = os.path.join(WORK, "other")
+        shutil.copytree(PREFIX, other, symlinks=True)
+        with open(os.path.join(other, "share", "waft", "VERSION"), "w", encoding="utf-8") as file:
+            file.write("9.8.7\n")
+        packages = os.path.join(other, "lib", "python3", "dist-packages")
+        status, text = run([os.path.join(other, "bin", "waft"), "--version"])
+        self.assertEqual(status, 1, text)
+        self.assertRegex(text, rf"^waft: the command is of Waft \S+, the package {packages}/waft of Waft 9\.8\.7: install both anew")
+        place = glob.glob(os.path.join(PREFIX, "lib*", "paraview-*", "plugins"))[0]
+        _, text = run(["pvpython", "-c", f"import sys; sys.path.insert(0, {packages!r}); import waft"], PV_PLUGIN_PATH=place)
+        self.assertRegex(text, rf"ImportError: the plugin {place}/Waft/Waft\.so is of Waft \S+, the package {packages}/waft of Waft 9\.8\.7")
+
+    def test_manual_has_every_option_and_no_mistake(self):
+        manual = os.path.join(PREFIX, "share", "man", "man1", "waft.1")
+        with open(manual, encoding="utf-8") as file:
+            text = file.read().replace("\\-", "-")
+        for command in ("synthesize", "measure", "database"):
+            for option in set(re.findall(r"--[a-z-]+", self.check_run([os.path.join(PREFIX, "bin", "waft"), command, "--help"]))):
+                self.assertIn(option, text, command)
+        if shutil.which("groff"):
+            self.assertEqual(run(["groff", "-man", "-Tutf8", "-ww", "-z", manual]), (0, ""))
+
+    def test_completion_of_bash(self):
+        path = os.path.join(PREFIX, "share", "bash-completion", "completions", "waft")
+        for typed, offered in (("waft syn", ["synthesize"]), ("waft --", ["--help", "--version"]), ("waft synthesize --qual", ["--quality"]),
+                               ("waft synthesize --quality p", ["preview", "paper"]), ("waft render out", [])):
+            script = f'source "{path}"; COMP_WORDS=({typed}); COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1)); _waft; echo "${{COMPREPLY[*]}}"'
+            self.assertEqual(self.check_run(["bash", "-c", script]).split(), offered, typed)
+
+    def test_completion_of_zsh_is_read(self):
+        if not shutil.which("zsh"):
+            self.skipTest("zsh is not there")
+        self.check_run(["zsh", "-n", os.path.join(PREFIX, "share", "zsh", "vendor-completions", "_waft")])
+
+    def test_paraview_beside_it_would_find_the_plugin(self):
+        self.assertTrue(os.path.isfile(os.path.join(PREFIX, "bin", "plugins", "Waft", "Waft.so")))
+
     def test_the_parts_of_the_page_came_along(self):
         parts = os.listdir(os.path.join(SOURCE, "Plugin", "Python", "waft", "page"))
         self.assertEqual(sorted(os.listdir(os.path.join(PACKAGES, "waft", "page"))), sorted(parts))

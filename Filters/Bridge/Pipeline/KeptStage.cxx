@@ -16,20 +16,6 @@
 namespace waft
 {
 
-namespace
-{
-
-int Empty(vtkInformationVector* outputs)
-{
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkDataObject::GetData(outputs, port)->Initialize();
-  }
-  return 1;
-}
-
-} // namespace
-
 KeptStage::KeptStage(vtkAlgorithm* stage, int scenePort, int obstaclesPort, int windPort,
                      int airPort) :
   Fields(obstaclesPort, windPort, airPort),

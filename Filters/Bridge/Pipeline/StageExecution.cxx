@@ -15,6 +15,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkSMPTools.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkVersionMacros.h>
 
 #include "Base/MessageText.h"
 #include "Bridge/Data/SceneData.h"
@@ -178,11 +179,15 @@ bool StageMonitor::Tick(double fraction, const std::string& text)
 {
   this->Stage->SetProgressText(text.c_str());
   this->Stage->UpdateProgress(std::clamp(fraction, 0.0, 1.0));
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
   this->IsStopped = this->IsStopped || this->Stage->CheckAbort() || this->Stage->GetAbortExecute();
   // CheckAbort marks the outputs, and the executive would empty what the stage gives: its best so
   // far. The wish to stop is taken back at once, since taking it back later would modify the stage
   // and make it run again.
   this->Stage->SetAbortOutput(false);
+#else
+  this->IsStopped = this->IsStopped || this->Stage->GetAbortExecute();
+#endif
   this->Stage->SetAbortExecute(0);
   return !this->IsStopped;
 }
@@ -440,7 +445,12 @@ int GuardedRequest(vtkAlgorithm* stage, vtkInformation* request, vtkInformationV
   return Fail(stage, outputs, lack);
 }
 
-int Fail(vtkAlgorithm* stage, vtkInformationVector* outputs, const std::string& message)
+bool IsPieceOfOthers(vtkInformation* request, vtkInformationVector* outputs)
+{
+  return outputs->GetInformationObject(AskingPort(request))->Get(Sddp::UPDATE_PIECE_NUMBER()) > 0;
+}
+
+int Empty(vtkInformationVector* outputs)
 {
   for (int out = 0; out < outputs->GetNumberOfInformationObjects(); ++out)
   {
@@ -449,6 +459,12 @@ int Fail(vtkAlgorithm* stage, vtkInformationVector* outputs, const std::string& 
       data->Initialize();
     }
   }
+  return 1;
+}
+
+int Fail(vtkAlgorithm* stage, vtkInformationVector* outputs, const std::string& message)
+{
+  Empty(outputs);
   vtkErrorWithObjectMacro(stage, << MessageText(message));
   return 0;
 }

@@ -140,6 +140,13 @@ int GuardedRequest(vtkAlgorithm* stage, vtkInformation* request, vtkInformationV
                    const std::vector<PropertyRange>& properties,
                    const std::function<int()>& process);
 
+/// Whether a request is for the piece of another rank than the first. ParaView asks sources with a
+/// composite output for it, whether they say that they can give pieces or not.
+bool IsPieceOfOthers(vtkInformation* request, vtkInformationVector* outputs);
+
+/// Leaves every output empty; returns 1 for RequestData to return.
+int Empty(vtkInformationVector* outputs);
+
 /// Reports an error of the stage and leaves every output empty; returns 0 for RequestData to
 /// return.
 int Fail(vtkAlgorithm* stage, vtkInformationVector* outputs, const std::string& message);

@@ -13,19 +13,6 @@ void ExchangeQuaternion(StateArchive& stream, Quat& q)
   stream.Values(q.w(), q.x(), q.y(), q.z());
 }
 
-void ExchangeTrack(StateArchive& stream, Track& track)
-{
-  stream.Value(track.ObjectId);
-  for (auto* list :
-       { &track.Positions, &track.SphVelocities, &track.VortexAccelerations,
-         &track.WindAccelerations, &track.Forces, &track.AirVelocities, &track.Residuals })
-  {
-    stream.List(*list);
-  }
-  stream.List(track.ForceTypes);
-  stream.List(track.VortexIds);
-}
-
 template <class T>
 void ExchangeList(StateArchive& stream, std::vector<T>& list)
 {
@@ -63,6 +50,26 @@ Result CheckTracks(const MotionProblem& problem, int leastFrames)
     }
   }
   return Result::Ok();
+}
+
+void Exchange(StateArchive& stream, Track& track)
+{
+  stream.Value(track.ObjectId);
+  for (auto* list :
+       { &track.Positions, &track.SphVelocities, &track.VortexAccelerations,
+         &track.WindAccelerations, &track.Forces, &track.AirVelocities, &track.Residuals })
+  {
+    stream.List(*list);
+  }
+  stream.List(track.ForceTypes);
+  stream.List(track.VortexIds);
+}
+
+void Exchange(StateArchive& stream, ReportRow& line)
+{
+  stream.Values(line.Row, line.Target, line.ObjectId, line.Frame, line.Kind, line.Residual,
+                line.Status);
+  stream.Text(line.Message);
 }
 
 void Exchange(StateArchive& stream, Vortex& v)
@@ -112,7 +119,7 @@ void Exchange(StateArchive& stream, MotionProblem& problem)
   SceneInfo& scene = problem.Scene;
   stream.Values(scene.Bounds.Min, scene.Bounds.Max, scene.Time.NumberOfFrames,
                 scene.Time.FramesPerSecond, scene.AirDensity, scene.Seed);
-  stream.List(problem.Tracks, ExchangeTrack);
+  ExchangeList(stream, problem.Tracks);
   ExchangeList(stream, problem.Objects);
   ExchangeList(stream, problem.Constraints);
   ExchangeList(stream, problem.Obstacles);

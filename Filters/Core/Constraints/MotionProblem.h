@@ -28,6 +28,8 @@ struct MotionProblem
 /// At least one track, at least so many frames, in each track one finite position a frame.
 Result CheckTracks(const MotionProblem& problem, int leastFrames);
 
+void Exchange(StateArchive& stream, Track& track);
+void Exchange(StateArchive& stream, ReportRow& line);
 void Exchange(StateArchive& stream, Vortex& vortex);
 void Exchange(StateArchive& stream, AnalyticWind& wind);
 void Exchange(StateArchive& stream, FieldSeries& field);

@@ -12,11 +12,17 @@ namespace waft
 struct SceneReadOptions
 {
   std::string FileName;
+  bool OnEveryRank = false;
 
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
   {
     visit(TextField("FileName", "The scene file. Setting it reads the file anew."), of.FileName...);
+    visit(
+      FlagField("OnEveryRank",
+                "Every MPI process gives the whole scene, not the first alone: for scripts that "
+                "each process runs by itself."),
+      of.OnEveryRank...);
   }
 };
 

@@ -17,10 +17,16 @@ import, elsewhere by its first use or by load_plugin(). The VTK classes are ther
 once the plugin is loaded.
 """
 import importlib as _importlib
+import typing as _typing
 
 from waft.failures import BadInput, WaftError
-from waft.loading import data_file, is_paraview_here as _is_paraview_here, load_plugin, version
+from waft.loading import data_file, is_paraview_here as _is_paraview_here, load_classes as _load_classes, load_plugin, version
 from waft.scene import Scene
+
+if _typing.TYPE_CHECKING:  # what __getattr__ finds
+    from waft.measuring import measure
+    from waft.showing import show
+    from waft.synthesis import synthesize
 
 __version__ = version()
 __all__ = ["BadInput", "Scene", "WaftError", "data_file", "load_plugin", "measure", "show", "synthesize", "version"]
@@ -34,7 +40,7 @@ def __getattr__(name):
         if name in _LATER:
             found = getattr(_importlib.import_module(_LATER[name]), name)
         elif name.startswith("vtk") and name not in _WRAPPED:
-            load_plugin()
+            _load_classes()
             found = next(vars(module)[name] for module in map(_wrapped, _WRAPPED) if name in vars(module))
         else:
             raise AttributeError(f"module 'waft' has no attribute '{name}'")

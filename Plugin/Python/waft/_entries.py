@@ -3,9 +3,12 @@
 import functools
 import inspect
 import re
+from typing import Any, Callable, Dict, TypeVar, cast
 
 from waft import _schema
 from waft.failures import BadInput
+
+Method = TypeVar("Method", bound=Callable[..., Any])
 
 
 def field_name(argument):
@@ -23,14 +26,14 @@ def refusal(method, argument, expected, found):
     return BadInput(f"Scene.{method}: {argument}: expected {expected}, found {found}")
 
 
-def documented(*definitions):
+def documented(*definitions: str) -> Callable[[Method], Method]:
     """For a method whose arguments are fields of these definitions of the schema: what the schema says of each ends its
     documentation, and a call that does not fit its signature raises BadInput."""
-    fields = {}
+    fields: Dict[str, Any] = {}
     for kind in definitions:
         fields.update(_schema.definition(kind)["properties"])
 
-    def decorate(method):
+    def decorate(method: Method) -> Method:
         signature = inspect.signature(method)
         names = [name for name in signature.parameters if name != "self"]
 
@@ -44,8 +47,8 @@ def documented(*definitions):
 
         lines = [f"{name}: {_schema.described(fields[field_name(name)])}" for name in names if field_name(name) in fields]
         lines += ["comment: a text that goes with the entry"] if "comment" in names else []
-        called.__doc__ = inspect.getdoc(method) + "\n\n" + "\n".join(lines) + "\n"
-        return called
+        called.__doc__ = (inspect.getdoc(method) or "") + "\n\n" + "\n".join(lines) + "\n"
+        return cast(Method, called)
     return decorate
 
 

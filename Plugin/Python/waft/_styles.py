@@ -2,6 +2,7 @@
 """Names of views, and looks of a picture: the colours of what does not fly, how soft the sun is, and how light becomes colour."""
 
 from dataclasses import dataclass
+from typing import Optional
 
 VIEWS = ("hero", "side", "top", "follow")
 
@@ -22,7 +23,7 @@ class Style:
     translucency: float = 0.0  # share of the sun's light that a leaf lets through
     ambient: float = 0.46  # light on a body from everywhere
     backdrop: bool = True  # sky and ground; without them all but bodies, shadows and obstacles is clear
-    exposure: float = None  # of the tone mapping; None: colours as they are
+    exposure: Optional[float] = None  # of the tone mapping; None: colours as they are
 
 
 STYLES = {

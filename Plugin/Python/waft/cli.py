@@ -140,11 +140,11 @@ def parser():
     look.set_defaults(run=run_check)
 
     base = commands.add_parser("database", help="a motion database from simulations of smoke", epilog=DATABASE_EXIT)
-    base.add_argument("--output", type=path, required=True, metavar="FILE.vtm")
+    base.add_argument("--output", type=path, required=True, metavar="FILE.vtm", help="file for the database")
     base.add_argument("--simulations", type=_whole(1, 1000000), default=8, help="default 8")
     base.add_argument("--frames", type=_whole(2, 1000000), default=300, help="frames of each, default 300")
     base.add_argument("--resolution", type=_whole(4, 1024), default=64, help="cells along a side, default 64")
-    base.add_argument("--seed", type=seed, default=1)
+    base.add_argument("--seed", type=seed, default=1, help="of the first simulation, default 1")
     base.add_argument("--threads", type=threads, help="default: all cores; the result is the same")
     base.add_argument("--until-covered", type=share, nargs="?", const=0.05, default=0.0, metavar="SHARE",
                       help="stop when less than this share of a simulation's segments is new (without a number "
@@ -160,7 +160,7 @@ def parser():
     show = commands.add_parser("render", help="pictures and a movie of a result")
     show.add_argument("folder", type=path, metavar="DIR", help="what synthesize wrote")
     show.add_argument("--frames", metavar="A:B:S", help="first, last and step; default all")
-    show.add_argument("--size", type=size, default=(1280, 720), metavar="WxH")
+    show.add_argument("--size", type=size, default=(1280, 720), metavar="WxH", help="of the pictures, default 1280x720")
     show.add_argument("--movie", action="store_true", help="also DIR/VIEW.ogv and .avi, and .mp4 with ffmpeg")
     show.add_argument("--views", type=views, default=("side", "top"), metavar="V,V",
                       help="of hero (near, on all that moves), side, top and follow; default side,top")
@@ -210,8 +210,8 @@ def parser():
     judge.set_defaults(run=run_measure)
 
     demo = commands.add_parser("demo", help="the embedded scenes, start to finish, with pictures")
-    demo.add_argument("--output", type=path, default="demo", metavar="DIR")
-    demo.add_argument("--threads", type=threads)
+    demo.add_argument("--output", type=path, default="demo", metavar="DIR", help="folder for the results, default demo")
+    demo.add_argument("--threads", type=threads, help="default: all cores; the result is the same")
     demo.set_defaults(run=run_demo)
     return main
 

@@ -99,6 +99,16 @@ def parse(arguments):
     return cli.parse(arguments)
 
 
+def check_version(command):
+    """Ends the process where the command is of another version than this package."""
+    from waft.loading import version
+
+    if command not in (None, version()):
+        say(f"the command is of Waft {command}, the package {pathlib.Path(__file__).resolve().parent} of Waft {version()}: "
+            "install both anew, from one")
+        sys.exit(1)
+
+
 def main(arguments):
     if not parse(arguments).needs_paraview:
         from waft import cli, watching
@@ -117,6 +127,7 @@ def main(arguments):
 
 if __name__ == "__main__":
     try:
+        check_version(globals().get("COMMAND_VERSION"))  # that of the installed command
         status = main(sys.argv[1:])
     except OSError as error:
         say(error)

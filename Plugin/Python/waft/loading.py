@@ -17,12 +17,12 @@ def _find_upwards(pattern):
     return None
 
 
-def version():
+def version() -> str:
     """The version of this Waft, as text."""
     return _find_upwards("share/waft/VERSION").read_text(encoding="utf-8").strip()
 
 
-def data_file(name):
+def data_file(name: str) -> str:
     """Path of a file that comes with Waft: "Database/embedded.vtm", "Scenes/...".
 
     WAFT_DATA names another folder. Raises FileNotFoundError when there is no such file.
@@ -48,7 +48,7 @@ def is_paraview_here():
     return program.startswith(("pvpython", "pvbatch", "paraview")) or "paraview.simple" in sys.modules
 
 
-def load_plugin():
+def load_plugin() -> None:
     """Makes the proxies known to paraview.simple, once; a clear error when ParaView's version differs, or there is none."""
     try:
         from paraview import simple
@@ -57,13 +57,36 @@ def load_plugin():
 
     if not hasattr(simple, "StylisticPlannerFilter"):
         _load_library(simple)
+    _check_plugin()
     # Before the first object of a class is seen from Python: what has no class then keeps that of its nearest base.
     from waft import vtkWaftFilters, vtkWaftSources  # noqa: F401
 
 
+def _check_plugin():
+    """ImportError where the plugin that is loaded is of another version than this package."""
+    from paraview import servermanager
+
+    plugins = servermanager.vtkSMProxyManager.GetProxyManager().GetPluginManager().GetLocalInformation()
+    names = [plugins.GetPluginName(i) for i in range(plugins.GetNumberOfPlugins())]
+    loaded = next((i for i, name in enumerate(names) if name == "Waft" and plugins.GetPluginLoaded(i)), None)
+    if loaded is not None and plugins.GetPluginVersion(loaded) != version():
+        raise ImportError(f"the plugin {plugins.GetPluginFileName(loaded)} is of Waft {plugins.GetPluginVersion(loaded)}, the package "
+                          f"{_PACKAGE} of Waft {version()}: install both anew, from one, or set PV_PLUGIN_PATH and PYTHONPATH alike")
+
+
+def _plugin():
+    """Path of the plugin; None where Waft was built for VTK alone."""
+    return _find_upwards("lib*/paraview-*/plugins/Waft/Waft.so") or _find_upwards("lib/*/paraview-*/plugins/Waft/Waft.so")
+
+
+def load_classes() -> None:
+    """Makes the VTK classes ready: with the plugin where there is one, else they need VTK's own package alone."""
+    if _plugin() is not None:
+        load_plugin()
+
+
 def _load_library(simple):
-    plugin = _find_upwards("lib*/paraview-*/plugins/Waft/Waft.so") or _find_upwards(
-        "lib/*/paraview-*/plugins/Waft/Waft.so")
+    plugin = _plugin()
     if plugin is None:
         raise ImportError(f"the ParaView plugin Waft.so was not found above {_PACKAGE}")
     built_for = plugin.parts[-4].replace("paraview-", "")

@@ -3,6 +3,7 @@
 import math
 import os
 from dataclasses import dataclass, field
+from typing import Callable, List, Optional, Sequence, Union
 
 import numpy as np
 
@@ -19,6 +20,8 @@ REPLAYED = (30, 90, 150)  # frames from which bodies drift on
 GRAVITY = 9.81
 LENGTHS = (4.0, 3.0, 2.0, 1.0)  # of the pieces of a spectrum, the longest that both have [s]
 UNKNOWN = float("nan")
+
+Path = Union[str, "os.PathLike[str]"]
 
 
 @dataclass
@@ -73,7 +76,8 @@ class Measured:
                 "rows": [row.as_json() for row in self.rows]}
 
 
-def measure(folders, tracks="optimized", drifters=None, plots=None, progress=None):
+def measure(folders: Union[Path, Sequence[Path]], tracks: str = "optimized", drifters: Optional[Path] = None, plots: Optional[Path] = None,
+            progress: Optional[Callable[[float, str], None]] = None) -> "List[Measured]":
     """Measures the motion of folders that `waft synthesize` wrote.
 
     folders:  one, or a list; with several, what is of the same scene is measured pooled, too

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pipeline of a scene: each stage a ParaView proxy, joined by VTK data alone."""
-from paraview import simple
+from paraview import servermanager, simple
 
 from waft import reading
 from waft.database import settle_database
@@ -24,6 +24,7 @@ class Pipeline:
         reading.check_blocks(self.database_file, "motion database")
         self._stages = []  # all proxies that were made, in order
         self.reader = self._add(simple.MotionSceneReader(registrationName="Scene"))  # the file once it is watched
+        self.reader.OnEveryRank = servermanager.vtkProcessModule.GetProcessModule().GetSymmetricMPIMode()
         self.database = None
         if database is not None:
             self.database = self._add(simple.XMLMultiBlockDataReader(

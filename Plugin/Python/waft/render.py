@@ -3,6 +3,7 @@
 
 import os
 import re
+from typing import Callable, Dict
 
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkMapper, vtkRenderer, vtkRenderWindow
@@ -205,7 +206,7 @@ def render(
     return [os.path.join(folder, name) for name in written]
 
 
-_MOVIES = {".ogv": OggMovie, ".avi": AviMovie, **({".mp4": Mp4Movie} if Mp4Movie.available() else {})}
+_MOVIES: Dict[str, Callable] = {".ogv": OggMovie, ".avi": AviMovie, **({".mp4": Mp4Movie} if Mp4Movie.available() else {})}
 
 
 def _picture(view, frame):

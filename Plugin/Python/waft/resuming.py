@@ -16,7 +16,7 @@ PLAN = {0: "planned.vtp", 3: "constraints.vtp", 4: "vortices.vtp"}
 _REPORT, _KEY = "report.csv", "key"
 # Of the optimiser; of the assimilation on its way, and when it is done.
 _STATES = ("spacetime.state", "assimilation.state", "assimilated.state")
-_OWN = re.compile("|".join([*map(re.escape, (*PLAN.values(), _REPORT, _KEY)),
+_OWN = re.compile("|".join([*(re.escape(name) for name in (*PLAN.values(), _REPORT, _KEY)),
                             *(re.escape(state) + r"(\.part\d+)?" for state in _STATES)]))
 
 

@@ -6,6 +6,7 @@ import html
 import os
 import pathlib
 import tempfile
+from typing import Any, Dict, List, Optional
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -26,7 +27,21 @@ class Run(Pipeline):
     body to world; times: (frames) [s]; object_ids: (objects), the id of each object in the arrays; marks: a structured array, a
     row for each mark: row, target, object, frame, kind, status, residual, message. They are those of the stages as they are:
     after a change of a property and run.rotation.UpdatePipeline() the new ones (marks: of the run).
+
+    status: exit status of the command; report: the marks, one dictionary a row; warnings: sentences; stopped: whether it was
+    stopped early, with the best so far; seed and quality: those of the run.
     """
+
+    status: int
+    report: List[Dict[str, Any]]
+    warnings: List[str]
+    stopped: bool
+    seed: int
+    quality: str
+    edit_of: Optional[pathlib.Path]  # the file with the air that was kept
+    key: str  # of the run, for checkpoints
+    plan_report: List[Dict[str, Any]]
+    scene_folder: "tempfile.TemporaryDirectory[str]"  # with the file of a scene that was made here
 
     def _poses(self):
         return self.output("rotation", 1)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """First pictures in ParaView's views. How each port of a stage is shown is said by the hints of its proxy."""
 import math
+from typing import Any, List, Optional
 
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkDataObject
@@ -14,7 +15,7 @@ _NEAR = 0.25  # of the extent of what flies: obstacles this near belong to the p
 _COURSE = 1e-6  # of the largest cost: what is less is not drawn
 
 
-def show(shown, view=None, port=None):
+def show(shown: Any, view: Any = None, port: Optional[int] = None) -> List[Any]:
     """Shows a stage, several in a list, or a Run; with `port` that output of a stage alone.
 
     Of a stage every output that its proxy shows by itself: what is in space in a render view (view: default the active one, or a

@@ -5,7 +5,7 @@ import os
 import pathlib
 import sys
 import tempfile
-from typing import TYPE_CHECKING, Callable, Optional, Union
+from typing import TYPE_CHECKING, Callable, Dict, Optional, Union
 
 from waft import failures
 from waft.loading import load_plugin, set_threads
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 # How objects come to their marks: drift in one drawn air on a coarse grid; the same on the full one; the optimiser from there, in
 # that air; and, as in the paper, the optimiser from the plan, gas at rest.
 QUALITIES = ("preview", "assimilated", "full", "paper")
-OPTIMISER = {}  # properties of the optimiser besides its defaults
+OPTIMISER: Dict[str, Union[int, float]] = {}  # properties of the optimiser besides its defaults
 
 # Parts of the time that stages take, for the share that is done.
 _SHARES = {"reader": 1, "database": 1, "planner": 6, "assimilation": 45, "spacetime": 45, "rotation": 2}
@@ -111,7 +111,7 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
             clock.phase = "writing the results"
             clock.tell(0.0, clock.phase)
             write_results(pipeline, place, scene, checkpoint, series)
-            if not pipeline.stopped:
+            if checkpoint is not None and not pipeline.stopped:
                 checkpoint.clear()
         clock.tell(1.0, "stopped early" if pipeline.stopped else "done")
         clock.check_progress()

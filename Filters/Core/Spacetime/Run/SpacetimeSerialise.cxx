@@ -18,12 +18,44 @@ void Serialise(StateArchive& stream, ProblemDigest& digest)
   stream.List(digest.Requests);
 }
 
+void Serialise(StateArchive& stream, ParticleSeries& particles)
+{
+  stream.List(particles.ObjectIds);
+  stream.List(particles.Masses);
+  stream.List(particles.Frames,
+              [](StateArchive& s, ParticleSeries::Frame& frame)
+              {
+                for (auto* list : { &frame.Positions, &frame.Velocities, &frame.Densities,
+                                    &frame.Pressures, &frame.Winds, &frame.VortexForces,
+                                    &frame.Residuals })
+                {
+                  s.List(*list);
+                }
+              });
+}
+
 } // namespace
 
 void Serialise(StateArchive& stream, SpacetimeInput& input)
 {
   Exchange(stream, static_cast<MotionProblem&>(input));
   Exchange(stream, input.Air);
+}
+
+void Serialise(StateArchive& stream, SpacetimeOutput& output)
+{
+  const auto exchange = [](StateArchive& s, auto& element) { Exchange(s, element); };
+  stream.List(output.Tracks, exchange);
+  Serialise(stream, output.Particles);
+  stream.List(output.Vortices, exchange);
+  Exchange(stream, output.Wind);
+  stream.List(output.Convergence, [](StateArchive& s, ConvergenceRow& row) { Serialise(s, row); });
+  stream.List(output.Report, exchange);
+  stream.List(output.PositionResiduals);
+  stream.List(output.VelocityResiduals);
+  stream.Values(output.Spacing, output.ObjectReplayError, output.GasReplayError,
+                output.GasHiddenHand, output.RepairedFraction, output.LargestRepair);
+  stream.List(output.Warnings, [](StateArchive& s, std::string& text) { s.Text(text); });
 }
 
 void Serialise(StateArchive& stream, SpacetimeWarmStart& memory)

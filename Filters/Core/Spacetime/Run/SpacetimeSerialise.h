@@ -3,6 +3,8 @@
 #pragma once
 
 #include "Base/StateArchive.h"
+#include "Spacetime/Scene/SpacetimeInput.h"
+#include "Spacetime/Scene/SpacetimeOutput.h"
 #include "Spacetime/Run/SpacetimeWarmStart.h"
 
 namespace waft
@@ -10,6 +12,7 @@ namespace waft
 
 void Serialise(StateArchive& stream, SpacetimeOptions& options);
 void Serialise(StateArchive& stream, SpacetimeInput& input);
+void Serialise(StateArchive& stream, SpacetimeOutput& output);
 void Serialise(StateArchive& stream, SpacetimeWarmStart& memory);
 
 } // namespace waft
