@@ -9,9 +9,9 @@ namespace waft
 namespace
 {
 
-constexpr double LandingCushionTime = 0.2; // s
-constexpr double LongestApproach = 0.3;    // s: what is low before hovers by itself
-constexpr double CoreFraction = 0.05;      // c / b: below, the root is too steep for a step
+constexpr double LandingCushionTime = 0.15; // s
+constexpr double LongestApproach = 0.2;     // s: what is low before hovers by itself
+constexpr double CoreFraction = 0.02;       // c / b: below, the root is too steep for a step
 
 } // namespace
 

@@ -12,7 +12,7 @@ namespace waft
 /// What settles on a surface has to press the air from under it. That is finer than any lattice, so
 /// it is a law: of the velocity with which a body settles, a factor is left at the height h above
 /// the centre's rest on the surface that it is about to land on,
-///   f = sqrt(2 r - r^2),  r = (h + c) / (b + c) from 0 to 1,  c = b / 20,
+///   f = sqrt(2 r - r^2),  r = (h + c) / (b + c) from 0 to 1,  c = b / 50,
 /// which is the slowing of a spring that takes the speed over the height b. In still air a body
 /// passes b in LandingCushionTime, so that b = 2 / pi LandingCushionTime settling.
 class LandingCushion
