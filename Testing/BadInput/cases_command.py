@@ -92,6 +92,15 @@ def _bad_options():
                            ("--obstacle of a scene", "--obstacle=scene.waft.json")):
         yield _call(f"new {name}", "new", "n.waft.json", *options)
     yield _call("new alone", "new")
+    for option, values in {"--seeds": ("", "x", "4:3", "-1:2", "1:2:3", "1.5", "0:100000", 2 ** 31), "--jobs": ("0", "-1", "x", 10 ** 9),
+                           "--threads": ("0", "x"), "--quality": ("x",)}.items():
+        for value in values:
+            yield _call(f"takes {option} '{value}'", "takes", "scene.waft.json", "--output", "t", "--seeds=1", f"{option}={value}",
+                        says=(option,))
+    for name, scene, *options in (("of no scene", "none.waft.json"), ("with a database that is none", "scene.waft.json", "--database", "none.vtm"),
+                                  ("below a file", "scene.waft.json", "--output", "scene.waft.json/t"),
+                                  ("of a folder", "."), ("without --output", "scene.waft.json", "--output", "")):
+        yield _call(f"takes {name}", "takes", scene, "--seeds", "1", "--output", "t", *options)
     for path in ("scene.waft.json", "n.json", "", ".", "none/n.waft.json", "n" * 5000 + ".waft.json"):
         yield _call(f"new '{path[:30]}'", "new", path, says=(path,) if path == "scene.waft.json" else ())
     yield _call("synthesize --progress x", "synthesize", "scene.waft.json", "--output", OUT, "--progress=x", says=("--progress",))

@@ -115,6 +115,23 @@ std::vector<Handover> Handovers(const std::vector<Steps>& steps, int overlap, do
   return result;
 }
 
+/// Adds what all handovers do at an index of the chain to a step of a piece, in their order. Each
+/// is zero beyond its reach: of those of a long chain nearly all are, and are not looked at.
+void AddCorrections(const std::vector<Handover>& handovers, double index, std::size_t piece,
+                    Vec3& step)
+{
+  constexpr double slack = 1e-6; // more than rounding
+  auto handover =
+    std::partition_point(handovers.begin(), handovers.end(),
+                         [&](const Handover& h) { return index > h.Centre + h.Reach + slack; });
+  for (; handover != handovers.end() && index > handover->Centre - handover->Reach - slack;
+       ++handover)
+  {
+    step +=
+      handover->Correction(index, piece > static_cast<std::size_t>(handover - handovers.begin()));
+  }
+}
+
 } // namespace
 
 std::vector<Handover> HandOver(const SegmentLibrary& library, const PieceChain& chain)
@@ -138,10 +155,7 @@ std::vector<Vec3> BlendChain(const SegmentLibrary& library, const PieceChain& ch
     for (int k = 0; k < length; ++k)
     {
       Vec3 step = own[i][k];
-      for (std::size_t j = 0; j < handovers.size(); ++j)
-      {
-        step += handovers[j].Correction(beginnings[i] + k + 0.5, i > j);
-      }
+      AddCorrections(handovers, beginnings[i] + k + 0.5, i, step);
       // Step k of the piece lies in the overlap with the one before (k < overlap) or after.
       double weight = 1.0;
       if (i > 0)

@@ -26,6 +26,9 @@ NEW_EXIT = """exit status: 0 written; 2 malformed usage, or something is there a
 CHECK_EXIT = """exit status: 0 nothing stands against it, though some may be hard; 2 malformed scene or usage; 3 some constraint
 cannot be met, by itself or beside another; 1 anything else"""
 
+TAKES_EXIT = """exit status: that of the worst take: 0 all constraints of all takes met; 3 some not; 2 malformed scene or usage,
+nothing computed; 4 stopped, the same command goes on; 1 a take failed, or anything else"""
+
 MEASURE_EXIT = """exit status: 0 measured, whatever the figures; 2 malformed usage or a folder without the results that are
 needed; 1 anything else"""
 
@@ -63,6 +66,11 @@ def _speeds(text):
     return [float(speed) for speed in text.split(",")]
 
 
+def _seeds(text):
+    first, _, last = text.partition(":")
+    return range(int(first), int(last or first) + 1)
+
+
 def _whole(first, last):
     return _argument(int, f"a whole number from {first} to {last}", lambda n: first <= n <= last)
 
@@ -76,6 +84,8 @@ def _fits(path):
 path = _argument(str, "a path of 1 to 4095 letters, 255 in each name", _fits)
 threads = _whole(1, 1024)
 seed = _whole(0, 2 ** 31 - 1)
+seeds = _argument(_seeds, "seeds A:B, or one, from 0 to 2147483647, at most 100000 of them",
+                  lambda s: 0 < len(s) <= 100000 and s[0] >= 0 and s[-1] < 2 ** 31)
 positive = _argument(float, "a positive number", lambda x: 0.0 < x < float("inf"))
 megabytes = _argument(float, "megabytes above 0, at most 1000", lambda x: 0.0 < x <= 1000.0)
 opacity = _argument(float, "a number from 0 to 1", lambda x: 0.0 <= x <= 1.0)
@@ -119,6 +129,18 @@ def parser():
     make.add_argument("--progress", choices=("line", "json"), default="line",
                       help="line: on a terminal; json: each message as a line of JSON on stdout, {\"fraction\", \"text\"}")
     make.set_defaults(run=run_synthesize)
+
+    many = commands.add_parser("takes", help="many variations of a scene, and a table of them", epilog=TAKES_EXIT)
+    many.add_argument("scene", type=path, help="scene file, *.waft.json")
+    many.add_argument("--seeds", type=seeds, required=True, metavar="A:B", help="a take for each, both ends included")
+    many.add_argument("--output", type=path, required=True, metavar="DIR", help="folder for takes.csv, takes.txt and the takes; those "
+                                                                                "that are there already are not flown again")
+    many.add_argument("--jobs", type=_whole(1, 256), default=1, metavar="N", help="takes at a time, default 1")
+    many.add_argument("--threads", type=threads, help="of each take; default: all cores together; the result is the same")
+    many.add_argument("--database", type=path, metavar="FILE", help="motion database, .vtm (default: the embedded one)")
+    many.add_argument("--quality", choices=("preview", "assimilated", "full", "paper"), default="full", help="default full")
+    many.add_argument("--preview", dest="quality", action="store_const", const="preview", help="--quality preview")
+    many.set_defaults(run=run_takes, needs_paraview=False)
 
     begin = commands.add_parser("new", help="a first scene, to change by hand", epilog=NEW_EXIT)
     begin.add_argument("scene", type=path, metavar="FILE.waft.json", help="is written; what is there is never overwritten")
@@ -261,6 +283,15 @@ def _fly_and_show(options):
 
 def _print_json(fraction, text):
     print(json.dumps({"fraction": round(fraction, 4), "text": text}), flush=True)
+
+
+def run_takes(options):
+    from waft.takes import fly_takes, table
+
+    status, rows = fly_takes(options.scene, options.seeds, options.output, options.quality, options.jobs, options.threads,
+                             options.database, tell=lambda line: print(f"waft: {line}", file=sys.stderr, flush=True))
+    print(table(rows), end="")
+    return status
 
 
 def run_new(options):

@@ -30,6 +30,10 @@ _TEMPORARY = re.compile(r"\.waft-[a-z0-9_]{8}")  # as tempfile.mkdtemp makes the
 _MARK = "temporary-of-waft"  # a file in them: a folder of such a name without it is the user's
 
 
+class Busy(BadInput):
+    """Another run holds the place."""
+
+
 @dataclasses.dataclass(frozen=True)
 class Entry:
     """What a run wrote under a name; without a digest, whatever is there."""
@@ -153,7 +157,7 @@ class ResultPlace:
             except OSError as error:
                 os.close(lock)
                 if error.errno == errno.EWOULDBLOCK:
-                    raise BadInput(f"{self.room}: another run of waft is at work there") from error
+                    raise Busy(f"{self.room}: another run of waft is at work there") from error
                 raise WaftError(f"{self.room}: cannot be locked: {error.strerror}") from error
             if _is_same(lock, self.room):
                 self._lock = lock

@@ -272,6 +272,13 @@ class Scene:
         """Number of frames."""
         return int(self._data.get("time", {}).get("frames", _schema.definition("time")["properties"]["frames"]["default"]))
 
+    def with_seed(self, seed: int) -> "Scene":
+        """A copy whose seed is another: another flight to the same marks."""
+        copy = type(self)(seed=seed)  # refuses what is no seed
+        copy._data = {**self._data, "seed": seed}
+        copy._ids = list(self._ids)
+        return copy
+
     def __repr__(self) -> str:
         counts = ", ".join(f"{len(self._data.get(name, ()))} {name}" for name in _LISTS[1:] if self._data.get(name))
         title = self._data.get("title")

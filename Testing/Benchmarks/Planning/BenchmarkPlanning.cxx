@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints how long plans take, how many marks they reach and what memory they need: a maze of 16
 // boxes with windows (and how much faster a classic RRT-Connect gets through it, where OMPL is
-// installed), the same maze in 100,000 triangles, and letters on the ground. Arguments: number of
-// seeds [50], and one of maze, fine, fast, narrow, letters [all].
+// installed), the same maze in 100,000 triangles, letters on the ground, and spans of many frames.
+// Arguments: number of seeds [50], and one of maze, fine, fast, narrow, letters, long [all].
+#include "Base/Digest.h"
+#include "PlainBlending.h"
 #include "PlanScenes.h"
+#include "RandomChains.h"
 #include "Trajectory/Style.h"
 #ifdef WAFT_HAS_OMPL
 #include "RRTConnect.h"
@@ -134,6 +137,60 @@ void Letters(int count)
   std::fflush(stdout);
 }
 
+/// The blending of one chain, and the plain way.
+void LongChains()
+{
+  for (const int frames : { 250, 1150, 2950 })
+  {
+    const PieceChain chain = RandomChain(4, frames);
+    const int times = 200000 / frames;
+    double seconds[2];
+    bool isSame = true;
+    for (const bool isPlain : { false, true })
+    {
+      const Stopwatch watch;
+      for (int i = 0; i < times; ++i)
+      {
+        const std::vector<Vec3> path =
+          isPlain ? PlainBlend(Library(), chain) : BlendChain(Library(), chain);
+        isSame = isSame && path.size() > 1;
+      }
+      seconds[isPlain] = watch.CpuSeconds() / times;
+    }
+    isSame = isSame && BlendChain(Library(), chain) == PlainBlend(Library(), chain);
+    std::printf(
+      "chain of %d frames, %zu pieces, 1 thread: blended in %.2f CPU-us a frame, the plain "
+      "way %.2f, %s\n",
+      frames, chain.Pieces.size(), 1e6 * seconds[0] / frames, 1e6 * seconds[1] / frames,
+      isSame ? "the same bits" : "OTHER BITS");
+  }
+}
+
+/// One span each, ever longer: seconds a frame and object should not grow.
+void LongSpans(int count)
+{
+  for (const int frames : { 300, 1200, 3000 })
+  {
+    PlanScene scene;
+    AddLetters(scene, count, frames);
+    PlanScene::Check(scene.Obstacles.Build(scene.Meshes));
+    const Stopwatch watch;
+    const PlanOutput output = Plan(scene, 1, SerialFor());
+    const double seconds = watch.CpuSeconds();
+    Digest positions;
+    for (const Track& track : output.Tracks)
+    {
+      positions.AddList(track.Positions);
+    }
+    std::printf(
+      "span of %d frames, %d objects, 1 thread: %.2f s of processor time, %.1f us a frame "
+      "and object, %d reached, digest %016llx\n",
+      frames - 50, count, seconds, 1e6 * seconds / (count * (frames - 50.0)), CountMet(output),
+      static_cast<unsigned long long>(positions.Sum()));
+    std::fflush(stdout);
+  }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -166,6 +223,11 @@ int main(int argc, char** argv)
   {
     Letters(125);
     Letters(1000);
+  }
+  if (isWanted("long"))
+  {
+    LongChains();
+    LongSpans(48);
   }
   return 0;
 }

@@ -184,8 +184,10 @@ inline void AddMazeFlight(PlanScene& scene, int frames)
 }
 
 /// Objects aloft all over the volume that lie on the ground from frame 250 on and spell WAFT.
-inline void AddLetters(PlanScene& scene, int count)
+/// So many frames, of which the last 50 are rest.
+inline void AddLetters(PlanScene& scene, int count, int frames = 300)
 {
+  scene.Scene.Time.NumberOfFrames = frames;
   const char* rows[7] = { "#...#..###..#####.#####", "#...#.#...#.#.......#..",
                           "#...#.#...#.#.......#..", "#.#.#.#####.####....#..",
                           "#.#.#.#...#.#.......#..", "##.##.#...#.#.......#..",
@@ -208,7 +210,7 @@ inline void AddLetters(PlanScene& scene, int count)
     scene.Objects.back().SettlingSpeed = 0.5;
     Vec3 place = dots[static_cast<std::size_t>(i) % dots.size()];
     place += random.InBox(Box{ Vec3(-0.06, -0.06, 0.0), Vec3(0.06, 0.06, 1e-9) });
-    Constraint& row = scene.AddRow(ConstraintKind::Rest, -1, 250, place);
+    Constraint& row = scene.AddRow(ConstraintKind::Rest, -1, frames - 50, place);
     row.Until = scene.Scene.Time.NumberOfFrames - 1;
     row.Row = 0;
     row.Target = i;

@@ -6,7 +6,7 @@
 #include "Planning/FreeFlight.h"
 #include "SwirlDatabase.h"
 
-#include <gtest/gtest.h>
+#include <stdexcept>
 
 namespace waft
 {
@@ -18,7 +18,10 @@ inline const SegmentLibrary& Library()
   static const SegmentLibrary library = []
   {
     SegmentLibrary built;
-    EXPECT_TRUE(bool(built.Build(SwirlDatabase(), SegmentLibraryOptions(), SerialFor())));
+    if (!built.Build(SwirlDatabase(), SegmentLibraryOptions(), SerialFor()))
+    {
+      throw std::runtime_error("the database of the tests is none");
+    }
     return built;
   }();
   return library;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From a chain of pieces to a path: blended, its gap shared out, braked and retimed.
+#include "PlainBlending.h"
 #include "Planning/SpanFit.h"
 #include "RandomChains.h"
 
@@ -46,6 +47,18 @@ TEST(Blending, UndoneGivesBackTheDatabaseOutsideTheOverlaps)
     }
   }
   EXPECT_GT(compared, 60);
+}
+
+TEST(Blending, LeavesOutOnlyHandoversThatAddNothing)
+{
+  for (const std::uint64_t seed : { 4, 5, 6 })
+  {
+    PieceChain chain = RandomChain(seed, 900);
+    ASSERT_GT(chain.Pieces.size(), 20U);
+    chain.JoinIndex = static_cast<int>(chain.Pieces.size()) / 2;
+    chain.JoinAngle = 0.2;
+    EXPECT_EQ(BlendChain(Library(), chain), PlainBlend(Library(), chain));
+  }
 }
 
 TEST(Handover, IsSmoothAndEndsAtItsReach)
