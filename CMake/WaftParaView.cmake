@@ -2,6 +2,23 @@
 set(WAFT_PYTHON_DIR "lib/python3/dist-packages" CACHE STRING "Where Python modules go, below the prefix")
 
 find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingViews)
+
+# ParaView's own window. What these libraries say that they link to asks for the development packages of all that
+# ParaView was built from; the plugin itself needs none of it.
+find_package(Qt5 QUIET COMPONENTS Widgets)
+set(has_window ${Qt5_FOUND})
+foreach(library IN ITEMS pqCore pqComponents)
+  if(TARGET ParaView::${library})
+    get_target_property(configurations ParaView::${library} IMPORTED_CONFIGURATIONS)
+    foreach(configuration IN LISTS configurations)
+      set_property(TARGET ParaView::${library} PROPERTY IMPORTED_LINK_DEPENDENT_LIBRARIES_${configuration})
+    endforeach()
+    set_property(TARGET ParaView::${library} PROPERTY INTERFACE_LINK_LIBRARIES Qt5::Widgets)
+  else()
+    set(has_window OFF)
+  endif()
+endforeach()
+option(WAFT_WINDOW "Build what needs Qt: Waft's tool bar in ParaView's window" ${has_window})
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 # Wrappers and plugin are installed side by side with lib/: found from either place, and from lib itself.
@@ -26,8 +43,12 @@ vtk_module_build(
   TEST_DIRECTORY_NAME NONE
   CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/waft")
 
+set(plugin_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin")
+if(WAFT_WINDOW)
+  list(APPEND plugin_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/Qt/paraview.plugin")
+endif()
 paraview_plugin_scan(
-  PLUGIN_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin"
+  PLUGIN_FILES ${plugin_files}
   PROVIDES_PLUGINS waft_plugins
   REQUIRES_MODULES waft_plugin_modules
   ENABLE_BY_DEFAULT ON

@@ -96,6 +96,7 @@ Result AssimilationRun::FirstDrift()
         }
       }
     });
+  this->ShowPaths();
   this->Note("drift", nullptr);
   return monitor.Tick(1.0, "") ? Result::Ok() : Result::Stopped();
 }
@@ -148,10 +149,11 @@ std::vector<char> AssimilationRun::FindNeighbours()
   return touches;
 }
 
-void AssimilationRun::DriftOn(int iterations)
+bool AssimilationRun::DriftOn(int iterations, Monitor& monitor)
 {
   (void)this->FindNeighbours();
-  this->Drift(iterations, this->Weights(), std::vector<char>(this->Drifters.size(), 1));
+  return this->Drift(iterations, this->Weights(), std::vector<char>(this->Drifters.size(), 1),
+                     monitor);
 }
 
 void AssimilationRun::KeepApart()
@@ -171,7 +173,8 @@ void AssimilationRun::KeepApart()
     }
     weights.Barrier *= 2.0;
     const std::vector<std::vector<Vec3>> before = this->Paths;
-    this->Drift(FurtherIterations, weights, touches);
+    SilentMonitor silent; // it is short, and the best so far wants it, too
+    (void)this->Drift(FurtherIterations, weights, touches, silent);
     for (std::size_t o = 0; o < before.size(); ++o)
     {
       if (SharpestBend(this->Paths[o]) > allowed[o])
@@ -182,15 +185,21 @@ void AssimilationRun::KeepApart()
   }
 }
 
-void AssimilationRun::Drift(int iterations, const DriftWeights& weights,
-                            const std::vector<char>& which)
+bool AssimilationRun::Drift(int iterations, const DriftWeights& weights,
+                            const std::vector<char>& which, Monitor& monitor)
 {
+  PartMonitor part(monitor, 0.0, 1.0);
+  std::atomic<std::size_t> done{ 0 };
   const AirSampler air(this->Drawn.Velocity);
   this->Parallel(this->Drifters.size(),
                  [&](std::size_t begin, std::size_t end)
                  {
                    for (std::size_t o = begin; o < end; ++o)
                    {
+                     if (!part.Tick(FractionDone(done++, this->Drifters.size()), ""))
+                     {
+                       return;
+                     }
                      if (which[o] && !this->IsKept(o))
                      {
                        SolveDrift(this->Drifters[o].Problem(), air, weights, iterations,
@@ -198,9 +207,11 @@ void AssimilationRun::Drift(int iterations, const DriftWeights& weights,
                      }
                    }
                  });
+  this->ShowPaths();
+  return part.Tick(1.0, "");
 }
 
-void AssimilationRun::FindWind(const HalfSeries& plain)
+Result AssimilationRun::FindWind(const HalfSeries& plain, int round)
 {
   CommonWindOptions options;
   options.Spacing = this->Options.WindSpacing;
@@ -209,17 +220,31 @@ void AssimilationRun::FindWind(const HalfSeries& plain)
   options.Bending *= this->Options.WindStiffness;
   options.Changing *= this->Options.WindStiffness;
   CommonWind common(this->Input.Scene.Bounds, this->Input.Scene.Time, options);
+  const double begin = this->ProgressOf(round, 0.0);
+  const double step = (this->ProgressOf(round, WindEnd) - begin) / this->Options.WindRounds;
   for (int k = 0; k < this->Options.WindRounds; ++k)
   {
-    this->FitWind(common);
+    PartMonitor fitting(this->Caller, begin + k * step, begin + (k + 0.5) * step,
+                        "Fitting the common wind");
+    const bool isFitted = this->FitWind(common, fitting);
     this->Drawn.Velocity = plain;
-    common.AddTo(this->Drawn.Velocity, this->Parallel);
-    this->DriftOn(FurtherIterations);
+    if (!isFitted || !common.AddTo(this->Drawn.Velocity, this->Parallel, fitting))
+    {
+      this->Drawn.Velocity = plain;
+      return Result::Stopped();
+    }
+    PartMonitor drifting(this->Caller, begin + (k + 0.5) * step, begin + (k + 1) * step,
+                         "Letting the objects drift in the common wind");
+    if (!this->DriftOn(FurtherIterations, drifting))
+    {
+      return Result::Stopped();
+    }
     this->Note("wind " + std::to_string(k + 1), &common);
   }
+  return Result::Ok();
 }
 
-void AssimilationRun::FitWind(CommonWind& common) const
+bool AssimilationRun::FitWind(CommonWind& common, Monitor& monitor) const
 {
   const AirSampler air(this->Drawn.Velocity);
   std::map<int, WindSamples> byFrame;
@@ -246,7 +271,7 @@ void AssimilationRun::FitWind(CommonWind& common) const
   {
     samples.push_back(std::move(at));
   }
-  common.Fit(samples, this->Parallel);
+  return common.Fit(samples, this->Parallel, monitor);
 }
 
 bool AssimilationRun::FinishPath(std::size_t o, const AirSampler& air)
