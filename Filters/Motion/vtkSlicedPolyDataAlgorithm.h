@@ -23,7 +23,7 @@ struct SliceOptions;
 class VTKWAFTFILTERS_EXPORT vtkSlicedPolyDataAlgorithm : public vtkPolyDataAlgorithm
 {
 public:
-  vtkTypeMacro(vtkSlicedPolyDataAlgorithm, vtkPolyDataAlgorithm);
+  vtkAbstractTypeMacro(vtkSlicedPolyDataAlgorithm, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

@@ -12,6 +12,7 @@
 
 #include <vtkSMSourceProxy.h>
 
+#include <QMainWindow>
 #include <QProgressBar>
 #include <QStyle>
 #include <QToolButton>
@@ -23,8 +24,9 @@
 namespace
 {
 
-constexpr double Slice = 0.3; // s: the window answers in between
-constexpr int Pause = 10;     // ms for the window's own events
+constexpr double Slice = 0.3;     // s: the window answers in between
+constexpr int Pause = 10;         // ms for the window's own events
+constexpr int WorkPerPicture = 3; // of the time that a picture takes, at least
 constexpr int BarSteps = 1000;
 constexpr int BarWidth = 360; // pixels
 
@@ -57,6 +59,16 @@ WaftToolBar::WaftToolBar(QWidget* parent) : QToolBar("Waft", parent)
   this->connect(model, &pqServerManagerModel::sourceRemoved, this, &WaftToolBar::onDataUpdated);
   this->connect(model, &pqServerManagerModel::dataUpdated, this, &WaftToolBar::onDataUpdated);
   this->Show(State::Resting, {});
+  // ParaView's own rows are full; this one is beside its progress. Once the window has taken it in.
+  QTimer::singleShot(0, this, &WaftToolBar::MoveDown);
+}
+
+void WaftToolBar::MoveDown()
+{
+  if (auto* window = qobject_cast<QMainWindow*>(this->window()))
+  {
+    window->addToolBar(Qt::BottomToolBarArea, this);
+  }
 }
 
 WaftToolBar::~WaftToolBar() = default;
@@ -108,6 +120,10 @@ void WaftToolBar::onTimer()
   }
   if (held.empty())
   {
+    if (this->Now != State::Resting)
+    {
+      this->Draw();
+    }
     this->Show(State::Resting, held);
   }
   else if (this->Now != State::Stopped)
@@ -134,10 +150,25 @@ void WaftToolBar::WorkOn(const std::vector<waft::HeldStage>& held)
     auto* proxy = vtkSMSourceProxy::SafeDownCast(source->getProxy());
     proxy->UpdatePipeline(time);
   }
-  for (pqView* view : pqApplicationCore::instance()->getServerManagerModel()->findItems<pqView*>())
+  // Where pictures take long they are not to take the most of the time.
+  if (!this->SinceDrawn.isValid() ||
+      this->SinceDrawn.elapsed() >= WorkPerPicture * this->DrawingTook)
+  {
+    this->Draw();
+  }
+}
+
+void WaftToolBar::Draw()
+{
+  QElapsedTimer clock;
+  clock.start();
+  auto* model = pqApplicationCore::instance()->getServerManagerModel();
+  for (pqView* view : model->findItems<pqView*>())
   {
     view->forceRender();
   }
+  this->DrawingTook = clock.elapsed();
+  this->SinceDrawn.start();
 }
 
 void WaftToolBar::onStop()
@@ -145,6 +176,7 @@ void WaftToolBar::onStop()
   if (this->Now == State::Working)
   {
     this->Timer.stop();
+    this->Draw();
     this->Show(State::Stopped, waft::HeldStages());
   }
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QElapsedTimer>
 #include <QTimer>
 #include <QToolBar>
 
 #include <vector>
 
-class QLabel;
 class QProgressBar;
 class QToolButton;
 class pqPipelineSource;
@@ -17,7 +17,7 @@ struct HeldStage;
 } // namespace waft
 
 /// Sources that are made in the window work in slices: Apply returns after the first, the others
-/// follow by a timer, each with a new picture, until the work is done or Stop is pressed.
+/// follow by a timer, with new pictures, until the work is done or Stop is pressed.
 class WaftToolBar : public QToolBar
 {
   Q_OBJECT
@@ -43,10 +43,15 @@ private:
   };
 
   QToolButton* AddButton(const char* name, const QString& text, const QString& tip);
+  void MoveDown();
   void Show(State state, const std::vector<waft::HeldStage>& held);
   void WorkOn(const std::vector<waft::HeldStage>& held);
+  /// Renders all views.
+  void Draw();
 
   QTimer Timer;
+  QElapsedTimer SinceDrawn;
+  qint64 DrawingTook = 0; // ms, the last time
   QToolButton* Stop;
   QToolButton* GoOn;
   QProgressBar* Bar;
