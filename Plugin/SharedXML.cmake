@@ -12,15 +12,18 @@ set(WAFT_ACTIVE [=[
         <Documentation>Whether the stage runs. One that rests takes none of its inputs and gives empty outputs.</Documentation>
       </IntVectorProperty>]=])
 
-# Of a stage that can work in slices. Slice is the window's and a script's affair: neither a saved state nor a
-# trace tells of it.
+# Of a stage that can work in slices. The window asks by WorkInSlices, so that neither a saved state nor a trace tells
+# of it: whoever loads these expects the whole result.
 set(WAFT_SLICE [=[
-      <DoubleVectorProperty name="Slice" command="SetSlice" number_of_elements="1" default_values="0" panel_visibility="never" state_ignored="1">
+      <DoubleVectorProperty name="Slice" command="SetSlice" number_of_elements="1" default_values="0" panel_visibility="never">
         <DoubleRangeDomain name="range" min="0" max="1e+09"/>
         <Documentation>Seconds of work after which an update shows the motion so far, to go on from there when it is asked to; 0: all at once. The motion comes to the same bits.</Documentation>
       </DoubleVectorProperty>]=])
 set(WAFT_SLICES [=[
 @WAFT_SLICE@
+      <Property name="WorkInSlices" command="WorkInSlices" panel_visibility="never">
+        <Documentation>From now on the stage works in slices as short as a window wants them.</Documentation>
+      </Property>
       <Property name="GoOn" command="GoOn" panel_visibility="never">
         <Documentation>The next update goes on with the work that is held; nothing where none is.</Documentation>
       </Property>

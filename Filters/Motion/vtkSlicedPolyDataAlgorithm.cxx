@@ -16,6 +16,11 @@ void vtkSlicedPolyDataAlgorithm::SetSlice(double seconds)
   this->Slice = std::clamp(seconds, 0.0, 1e+09);
 }
 
+void vtkSlicedPolyDataAlgorithm::WorkInSlices()
+{
+  this->SetSlice(0.3);
+}
+
 void vtkSlicedPolyDataAlgorithm::GoOn()
 {
   this->Kept().GoOn();

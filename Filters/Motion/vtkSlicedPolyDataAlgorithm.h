@@ -33,6 +33,8 @@ public:
   void SetSlice(double seconds);
   vtkGetMacro(Slice, double);
   ///@}
+  /** Sets a Slice as short as a window wants it, 0.3 s. */
+  void WorkInSlices();
   /** The next update goes on with the work that is held; nothing where none is. */
   void GoOn();
   /** 1 when what the last update gave is the whole result, 0 when it is not: the stage's own work

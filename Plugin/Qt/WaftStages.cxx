@@ -9,23 +9,34 @@
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMProxy.h>
 
+#include <algorithm>
+
 namespace waft
 {
 
 namespace
 {
 
-constexpr const char* Complete = "Complete";
+/// Itself or those that it bundles: all that can work in slices.
+std::vector<vtkSMProxy*> StagesOf(vtkSMProxy* source)
+{
+  std::vector<vtkSMProxy*> stages{ source };
+  auto* bundle = vtkSMCompoundSourceProxy::SafeDownCast(source);
+  for (unsigned int i = 0; bundle != nullptr && i < bundle->GetNumberOfProxies(); ++i)
+  {
+    stages.push_back(bundle->GetProxy(i));
+  }
+  const auto last =
+    std::remove_if(stages.begin(), stages.end(),
+                   [](vtkSMProxy* stage) { return stage->GetProperty("WorkInSlices") == nullptr; });
+  stages.erase(last, stages.end());
+  return stages;
+}
 
 bool IsComplete(vtkSMProxy* stage)
 {
-  vtkSMProperty* complete = stage->GetProperty(Complete);
-  if (complete == nullptr)
-  {
-    return true;
-  }
-  stage->UpdatePropertyInformation(complete);
-  return vtkSMPropertyHelper(complete).GetAsInt() != 0;
+  stage->UpdatePropertyInformation(stage->GetProperty("Complete"));
+  return vtkSMPropertyHelper(stage, "Complete").GetAsInt() != 0;
 }
 
 } // namespace
@@ -36,26 +47,23 @@ std::vector<HeldStage> HeldStages()
   const auto model = pqApplicationCore::instance()->getServerManagerModel();
   for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
   {
-    vtkSMProxy* proxy = source->getProxy();
-    if (!IsComplete(proxy))
+    for (vtkSMProxy* stage : StagesOf(source->getProxy()))
     {
-      held.push_back({ source, proxy });
-    }
-    auto* bundle = vtkSMCompoundSourceProxy::SafeDownCast(proxy);
-    for (unsigned int i = 0; bundle != nullptr && i < bundle->GetNumberOfProxies(); ++i)
-    {
-      if (!IsComplete(bundle->GetProxy(i)))
+      if (!IsComplete(stage))
       {
-        held.push_back({ source, bundle->GetProxy(i) });
+        held.push_back({ source, stage });
       }
     }
   }
   return held;
 }
 
-void SetSlice(vtkSMProxy* source, double seconds)
+void WorkInSlices(vtkSMProxy* source)
 {
-  vtkSMPropertyHelper(source, "Slice", /*quiet=*/true).Set(seconds);
+  for (vtkSMProxy* stage : StagesOf(source))
+  {
+    stage->InvokeCommand("WorkInSlices");
+  }
 }
 
 WorkOfStage WorkOf(vtkSMProxy* stage)

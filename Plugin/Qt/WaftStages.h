@@ -22,9 +22,8 @@ struct HeldStage
 /// Of all sources of the window.
 std::vector<HeldStage> HeldStages();
 
-/// Seconds of work after which a source shows what there is so far: for one without the property
-/// nothing happens.
-void SetSlice(vtkSMProxy* source, double seconds);
+/// A source, where it can, is to show what there is so far after a short while of work.
+void WorkInSlices(vtkSMProxy* source);
 
 /// What a stage says of its work, and how much of it is done (0 to 1).
 struct WorkOfStage

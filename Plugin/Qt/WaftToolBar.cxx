@@ -24,7 +24,6 @@
 namespace
 {
 
-constexpr double Slice = 0.3;     // s: the window answers in between
 constexpr int Pause = 10;         // ms for the window's own events
 constexpr int WorkPerPicture = 3; // of the time that a picture takes, at least
 constexpr int BarSteps = 1000;
@@ -86,14 +85,14 @@ QToolButton* WaftToolBar::AddButton(const char* name, const QString& text, const
 // Not those that a script makes, which expects the whole result.
 void WaftToolBar::onSourceMade(pqPipelineSource* source)
 {
-  waft::SetSlice(source->getProxy(), Slice);
+  waft::WorkInSlices(source->getProxy());
 }
 
 void WaftToolBar::onSourceAdded(pqPipelineSource* source)
 {
   if (pqApplicationCore::instance()->isLoadingState())
   {
-    waft::SetSlice(source->getProxy(), Slice);
+    waft::WorkInSlices(source->getProxy());
   }
 }
 

@@ -43,7 +43,7 @@ def finish(animation):
     sliced = digest(animation)
     once = simple.WaftAnimation(FileName=animation.FileName)
     simple.UpdatePipeline(proxy=once)
-    write(slice=animation.Slice, sliced=sliced, once=digest(once), sliceOfScript=once.Slice,
+    write(sliced=sliced, once=digest(once), saved=animation.Slice, slices=[stage_of(made, "Planner").GetSlice() for made in (animation, once)],
           text=stage_of(animation, "Rotation").GetProgressText())
     os._exit(0)  # ParaView's own way out asks whether to save
 

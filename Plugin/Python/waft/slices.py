@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Stages that work in slices: each update a bounded part, with the motion so far to look at."""
+from waft.failures import BadInput
 
 
 def go_on(source) -> bool:
     """Goes on with the work that a source holds, by one slice of its stages; True when nothing is left.
 
     source: a proxy, Waft Animation or a stage by itself, whose property Slice [s] is above 0. The first slice is done by
-    UpdatePipeline() or Show(). Works on a pvserver as well.
+    UpdatePipeline() or Show(). Works on a pvserver as well. Raises BadInput where source is no proxy.
     """
+    if not hasattr(source, "SMProxy") or not hasattr(source, "UpdatePipeline"):
+        raise BadInput(f"source: expected a proxy of a source or filter, found {source!r}")
     held = _held(source)
     for stage in held:
         stage.InvokeCommand("GoOn")
