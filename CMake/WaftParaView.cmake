@@ -1,6 +1,28 @@
 # The plugin of ParaView, of the modules that are there.
+
+# ParaView's own window. What these libraries say that they link to asks for the development packages of all that
+# ParaView was built from; the plugin itself needs none of it.
+find_package(Qt5 QUIET COMPONENTS Widgets)
+set(has_window ${Qt5_FOUND})
+foreach(library IN ITEMS pqCore pqComponents)
+  if(TARGET ParaView::${library})
+    get_target_property(configurations ParaView::${library} IMPORTED_CONFIGURATIONS)
+    foreach(configuration IN LISTS configurations)
+      set_property(TARGET ParaView::${library} PROPERTY IMPORTED_LINK_DEPENDENT_LIBRARIES_${configuration})
+    endforeach()
+    set_property(TARGET ParaView::${library} PROPERTY INTERFACE_LINK_LIBRARIES Qt5::Widgets)
+  else()
+    set(has_window OFF)
+  endif()
+endforeach()
+option(WAFT_WINDOW "Build what needs Qt: Waft's tool bar in ParaView's window" ${has_window})
+
+set(plugin_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin")
+if(WAFT_WINDOW)
+  list(APPEND plugin_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/Qt/paraview.plugin")
+endif()
 paraview_plugin_scan(
-  PLUGIN_FILES "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin"
+  PLUGIN_FILES ${plugin_files}
   PROVIDES_PLUGINS waft_plugins
   REQUIRES_MODULES waft_plugin_modules
   ENABLE_BY_DEFAULT ON

@@ -12,6 +12,37 @@ set(WAFT_ACTIVE [=[
         <Documentation>Whether the stage runs. One that rests takes none of its inputs and gives empty outputs.</Documentation>
       </IntVectorProperty>]=])
 
+# Of a stage that can work in slices. The window asks by WorkInSlices, so that neither a saved state nor a trace tells
+# of it: whoever loads these expects the whole result.
+set(WAFT_SLICE [=[
+      <DoubleVectorProperty name="Slice" command="SetSlice" number_of_elements="1" default_values="0" panel_visibility="never">
+        <DoubleRangeDomain name="range" min="0" max="1e+09"/>
+        <Documentation>Seconds of work after which an update shows the motion so far, to go on from there when it is asked to; 0: all at once. The motion comes to the same bits.</Documentation>
+      </DoubleVectorProperty>]=])
+set(WAFT_SLICES [=[
+@WAFT_SLICE@
+      <Property name="WorkInSlices" command="WorkInSlices" panel_visibility="never">
+        <Documentation>From now on the stage works in slices as short as a window wants them.</Documentation>
+      </Property>
+      <Property name="GoOn" command="GoOn" panel_visibility="never">
+        <Documentation>The next update goes on with the work that is held; nothing where none is.</Documentation>
+      </Property>
+      <IntVectorProperty name="Complete" command="GetComplete" information_only="1">
+        <SimpleIntInformationHelper/>
+        <Documentation>1: the last update gave the whole result; 0: the motion so far.</Documentation>
+      </IntVectorProperty>
+      <DoubleVectorProperty name="WorkDone" command="GetWorkDone" information_only="1">
+        <SimpleDoubleInformationHelper/>
+        <Documentation>Of the work that is held: 0 to 1.</Documentation>
+      </DoubleVectorProperty>
+      <StringVectorProperty name="Message" command="GetProgressText" information_only="1">
+        <SimpleStringInformationHelper/>
+        <Documentation>What the stage does; done in the end.</Documentation>
+      </StringVectorProperty>]=])
+string(CONFIGURE "${WAFT_SLICES}" WAFT_SLICES @ONLY)
+# Waft Animation hands it to its stages.
+string(REPLACE " command=\"SetSlice\"" "" WAFT_ANIMATION_SLICE "${WAFT_SLICE}")
+
 set(WAFT_SEED [=[
       <IntVectorProperty name="Seed" command="SetSeed" number_of_elements="1" default_values="1">
         <IntRangeDomain name="range" min="0"/>

@@ -3,6 +3,7 @@
 
 #include "Air/AirAssimilation.h"
 #include "Air/AssimilationState.h"
+#include "Base/SliceOptions.h"
 #include "Bridge/Data/AirData.h"
 #include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/SceneData.h"
@@ -60,8 +61,12 @@ struct vtkAirAssimilationFilter::Internals : waft::KeptStage
     KeptStage(self, PlannedPort, ObstaclesPort, WindPort), Self(self)
   {
   }
+  ~Internals() override { this->Discard(); }
   waft::Result Take(vtkInformationVector** inputs, waft::AssimilationInput& input);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  double Slice() const override { return this->Self->Slice; }
+  void KeepSoFar() override;
+  waft::Result TakeSoFar(vtkInformationVector** inputs) override;
   bool IsActive() const override { return this->Self->Active; }
   void FillVarying(double time, vtkInformationVector* outputs) const override;
 };
@@ -108,6 +113,21 @@ waft::Result vtkAirAssimilationFilter::Internals::Run(vtkInformationVector** inp
   return waft::Result::Ok();
 }
 
+void vtkAirAssimilationFilter::Internals::KeepSoFar()
+{
+  waft::TracksToPolyData(this->Solution.Tracks, this->Scene, this->Kept<vtkPolyData>(TracksPort));
+  waft::ConstraintsToPolyData(this->Solution.Constraints, this->Scene,
+                              this->Kept<vtkPolyData>(ConstraintsPort));
+  waft::RoundsToTable(this->Solution.Rounds, this->Scene, this->Kept<vtkTable>(RoundsPort));
+}
+
+waft::Result vtkAirAssimilationFilter::Internals::TakeSoFar(vtkInformationVector** inputs)
+{
+  this->Kept<vtkPolyData>(TracksPort)->ShallowCopy(vtkPolyData::GetData(inputs[PlannedPort]));
+  this->Kept<vtkPolyData>(ConstraintsPort)->ShallowCopy(vtkPolyData::GetData(inputs[RowsPort]));
+  return waft::Result::Ok();
+}
+
 void vtkAirAssimilationFilter::Internals::FillVarying(double time,
                                                       vtkInformationVector* outputs) const
 {
@@ -122,6 +142,11 @@ vtkAirAssimilationFilter::vtkAirAssimilationFilter() : Impl(std::make_unique<Int
 }
 
 vtkAirAssimilationFilter::~vtkAirAssimilationFilter() = default;
+
+waft::KeptStage& vtkAirAssimilationFilter::Kept()
+{
+  return *this->Impl;
+}
 
 void vtkAirAssimilationFilter::Restart()
 {
@@ -154,7 +179,7 @@ vtkTypeBool vtkAirAssimilationFilter::ProcessRequest(vtkInformation* request,
                                                      vtkInformationVector* outputs)
 {
   return waft::GuardedRequest(
-    this, request, outputs, waft::RangesOf<waft::AssimilationOptions>(*this),
+    this, request, outputs, waft::RangesOf<waft::AssimilationOptions, waft::SliceOptions>(*this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 

@@ -26,7 +26,7 @@
 #ifndef vtkAirAssimilationFilter_h
 #define vtkAirAssimilationFilter_h
 
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkSlicedPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
 #include <memory>
@@ -37,11 +37,11 @@ namespace waft
 struct AssimilationOptions;
 } // namespace waft
 
-class VTKWAFTFILTERS_EXPORT vtkAirAssimilationFilter : public vtkPolyDataAlgorithm
+class VTKWAFTFILTERS_EXPORT vtkAirAssimilationFilter : public vtkSlicedPolyDataAlgorithm
 {
 public:
   static vtkAirAssimilationFilter* New();
-  vtkTypeMacro(vtkAirAssimilationFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkAirAssimilationFilter, vtkSlicedPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -173,6 +173,7 @@ protected:
                           vtkInformationVector* outputs) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,
                   vtkInformationVector* outputs) override;
+  waft::KeptStage& Kept() override;
 
 private:
   vtkAirAssimilationFilter(const vtkAirAssimilationFilter&) = delete;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRotationRefineFilter.h"
 
+#include "Base/SliceOptions.h"
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/ConstraintData.h"
@@ -23,6 +24,7 @@
 #include <vtkTable.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 vtkStandardNewMacro(vtkRotationRefineFilter);
@@ -59,14 +61,21 @@ struct vtkRotationRefineFilter::Internals : waft::KeptStage
   waft::AirOnTracks Air;
   waft::RotationOutput Rotation;
   waft::PosedMeshes Meshes;
+  waft::RotationInput Input;
+  std::vector<waft::PoseTrack> PosesSoFar; // of Input
 
   explicit Internals(vtkRotationRefineFilter* self) :
     KeptStage(self, TracksPort, ObstaclesPort, WindPort, AirPort), Self(self)
   {
   }
+  ~Internals() override { this->Discard(); }
   waft::Result TakePass(vtkInformationVector** inputs, bool isFirst) override;
   waft::Result Take(vtkInformationVector** inputs, waft::RotationInput& input);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  double Slice() const override { return this->Self->Slice; }
+  void KeepSoFar() override;
+  waft::Result TakeSoFar(vtkInformationVector** inputs) override;
+  void FillSoFar(double time, vtkInformationVector* outputs) const override;
   bool IsActive() const override { return this->Self->Active; }
   void FillVarying(double time, vtkInformationVector* outputs) const override;
 };
@@ -98,7 +107,9 @@ waft::Result vtkRotationRefineFilter::Internals::Take(vtkInformationVector** inp
 waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inputs,
                                                      waft::Monitor& monitor)
 {
-  waft::RotationInput input;
+  waft::RotationInput& input = this->Input;
+  input = waft::RotationInput();
+  this->Rotation = waft::RotationOutput();
   this->Air.Finish();
   const waft::AirOnTracks air = std::move(this->Air);
   input.Air = &air;
@@ -132,7 +143,54 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
                      farthest);
     waft::ReportToTable(this->Rotation.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
   }
+  input = waft::RotationInput(); // it points to what ends here
   return result;
+}
+
+// Those that are not turned yet keep the orientation that they begin with.
+void vtkRotationRefineFilter::Internals::KeepSoFar()
+{
+  std::map<int, waft::Quat> begun;
+  for (const waft::MotionObject& object : this->Input.Objects)
+  {
+    begun[object.ObjectId] = object.Orientation;
+  }
+  this->PosesSoFar = this->Rotation.Poses;
+  for (std::size_t i = this->PosesSoFar.size(); i < this->Input.Tracks.size(); ++i)
+  {
+    const waft::Track& track = this->Input.Tracks[i];
+    waft::PoseTrack still;
+    still.ObjectId = track.ObjectId;
+    still.Orientations.assign(track.Positions.size(), begun[track.ObjectId]);
+    still.AngularVelocities.assign(track.Positions.size(), waft::Vec3::Zero());
+    still.Torques.assign(track.Positions.size(), waft::Vec3::Zero());
+    this->PosesSoFar.push_back(std::move(still));
+  }
+  waft::PosesToPolyData(this->Input.Tracks, this->PosesSoFar, this->Scene,
+                        this->Kept<vtkPolyData>(PosesPort));
+}
+
+waft::Result vtkRotationRefineFilter::Internals::TakeSoFar(vtkInformationVector** inputs)
+{
+  this->Input = waft::RotationInput();
+  this->Rotation = waft::RotationOutput();
+  this->PosesSoFar.clear();
+  WAFT_RETURN_IF_FAILED(
+    waft::TracksFromPolyData(vtkPolyData::GetData(inputs[TracksPort]), this->Tracks));
+  WAFT_RETURN_IF_FAILED(this->Take(inputs, this->Input));
+  WAFT_RETURN_IF_FAILED(
+    this->Meshes.Build(this->Input.Shapes, this->Input.Objects, this->Input.Tracks, this->Scene));
+  this->KeepSoFar();
+  return waft::Result::Ok();
+}
+
+void vtkRotationRefineFilter::Internals::FillSoFar(double time, vtkInformationVector* outputs) const
+{
+  if (!this->PosesSoFar.empty())
+  {
+    this->Meshes.Fill(this->Input.Tracks, this->PosesSoFar, this->FrameAt(time),
+                      vtkPolyData::GetData(outputs, MeshesPort));
+  }
 }
 
 void vtkRotationRefineFilter::Internals::FillVarying(double time,
@@ -152,6 +210,11 @@ vtkRotationRefineFilter::vtkRotationRefineFilter() : Impl(std::make_unique<Inter
 }
 
 vtkRotationRefineFilter::~vtkRotationRefineFilter() = default;
+
+waft::KeptStage& vtkRotationRefineFilter::Kept()
+{
+  return *this->Impl;
+}
 
 int vtkRotationRefineFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
@@ -177,7 +240,7 @@ vtkTypeBool vtkRotationRefineFilter::ProcessRequest(vtkInformation* request,
                                                     vtkInformationVector* outputs)
 {
   return waft::GuardedRequest(
-    this, request, outputs, waft::RangesOf<waft::RotationOptions>(*this),
+    this, request, outputs, waft::RangesOf<waft::RotationOptions, waft::SliceOptions>(*this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 

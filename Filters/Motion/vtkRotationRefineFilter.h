@@ -31,7 +31,7 @@
 #ifndef vtkRotationRefineFilter_h
 #define vtkRotationRefineFilter_h
 
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkSlicedPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
 #include <memory>
@@ -41,11 +41,11 @@ namespace waft
 struct RotationOptions;
 }
 
-class VTKWAFTFILTERS_EXPORT vtkRotationRefineFilter : public vtkPolyDataAlgorithm
+class VTKWAFTFILTERS_EXPORT vtkRotationRefineFilter : public vtkSlicedPolyDataAlgorithm
 {
 public:
   static vtkRotationRefineFilter* New();
-  vtkTypeMacro(vtkRotationRefineFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkRotationRefineFilter, vtkSlicedPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -149,6 +149,7 @@ protected:
                           vtkInformationVector* outputs) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,
                   vtkInformationVector* outputs) override;
+  waft::KeptStage& Kept() override;
 
 private:
   vtkRotationRefineFilter(const vtkRotationRefineFilter&) = delete;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSPHSpacetimeFilter.h"
 
+#include "Base/SliceOptions.h"
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/ConstraintData.h"
@@ -68,8 +69,13 @@ struct vtkSPHSpacetimeFilter::Internals : waft::KeptStage
     KeptStage(self, PlannedPort, ObstaclesPort, BackgroundPort, AirPort), Self(self)
   {
   }
+  ~Internals() override { this->Discard(); }
   waft::Result Take(vtkInformationVector** inputs, waft::SpacetimeInput& input);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  double Slice() const override { return this->Self->Slice; }
+  void KeepSoFar() override;
+  void Forget() override { this->Memory = waft::SpacetimeWarmStart(); }
+  waft::Result TakeSoFar(vtkInformationVector** inputs) override;
   bool IsActive() const override { return this->Self->Active; }
   waft::Result Agree(const waft::Result& own) override;
   bool RunsOnAllRanks() const override { return true; }
@@ -155,6 +161,19 @@ void vtkSPHSpacetimeFilter::Internals::KeepSolution()
   waft::ReportToTable(this->Solution.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
 }
 
+void vtkSPHSpacetimeFilter::Internals::KeepSoFar()
+{
+  waft::TracksToPolyData(this->Solution.Tracks, this->Scene, this->Kept<vtkPolyData>(TracksPort));
+  waft::ConvergenceToTable(this->Solution.Convergence, this->Scene,
+                           this->Kept<vtkTable>(ConvergencePort));
+}
+
+waft::Result vtkSPHSpacetimeFilter::Internals::TakeSoFar(vtkInformationVector** inputs)
+{
+  this->Kept<vtkPolyData>(TracksPort)->ShallowCopy(vtkPolyData::GetData(inputs[PlannedPort]));
+  return waft::Result::Ok();
+}
+
 void vtkSPHSpacetimeFilter::Internals::FillVarying(double time, vtkInformationVector* outputs) const
 {
   if (this->Solution.Particles.Frames.empty())
@@ -175,6 +194,11 @@ vtkSPHSpacetimeFilter::vtkSPHSpacetimeFilter() : Impl(std::make_unique<Internals
 }
 
 vtkSPHSpacetimeFilter::~vtkSPHSpacetimeFilter() = default;
+
+waft::KeptStage& vtkSPHSpacetimeFilter::Kept()
+{
+  return *this->Impl;
+}
 
 void vtkSPHSpacetimeFilter::SetController(vtkMultiProcessController* controller)
 {
@@ -242,7 +266,7 @@ vtkTypeBool vtkSPHSpacetimeFilter::ProcessRequest(vtkInformation* request,
                                                   vtkInformationVector* outputs)
 {
   return waft::GuardedRequest(
-    this, request, outputs, waft::RangesOf<waft::SpacetimeOptions>(*this),
+    this, request, outputs, waft::RangesOf<waft::SpacetimeOptions, waft::SliceOptions>(*this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 

@@ -36,7 +36,7 @@
 #ifndef vtkSPHSpacetimeFilter_h
 #define vtkSPHSpacetimeFilter_h
 
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkSlicedPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
 #include <vtkSmartPointer.h>
@@ -52,11 +52,11 @@ struct SpacetimeOptions;
 struct TermWeights;
 } // namespace waft
 
-class VTKWAFTFILTERS_EXPORT vtkSPHSpacetimeFilter : public vtkPolyDataAlgorithm
+class VTKWAFTFILTERS_EXPORT vtkSPHSpacetimeFilter : public vtkSlicedPolyDataAlgorithm
 {
 public:
   static vtkSPHSpacetimeFilter* New();
-  vtkTypeMacro(vtkSPHSpacetimeFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkSPHSpacetimeFilter, vtkSlicedPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -297,6 +297,7 @@ protected:
                           vtkInformationVector* outputs) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,
                   vtkInformationVector* outputs) override;
+  waft::KeptStage& Kept() override;
 
 private:
   vtkSPHSpacetimeFilter(const vtkSPHSpacetimeFilter&) = delete;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkStylisticPlannerFilter.h"
 
+#include "Base/SliceOptions.h"
 #include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/DatabaseConversion.h"
 #include "Bridge/Data/SceneData.h"
@@ -28,6 +29,7 @@
 #include <vtkTable.h>
 
 #include <algorithm>
+#include <map>
 
 vtkStandardNewMacro(vtkStylisticPlannerFilter);
 
@@ -68,13 +70,18 @@ struct vtkStylisticPlannerFilter::Internals : waft::KeptStage
   bool HasEmbeddedDatabase = false;
   std::vector<waft::ObstacleMesh> GivenObstacles; // what Obstacles was built from
   waft::ObstacleSet Obstacles;
+  std::vector<waft::MotionObject> Objects;
+  waft::PlanOutput Plan;
 
   explicit Internals(vtkStylisticPlannerFilter* self) :
     KeptStage(self, ObjectsPort, ObstaclesPort), Self(self)
   {
     this->Fields.KeepObstacles(); // an edit of a row does not pull them again
   }
+  ~Internals() override { this->Discard(); }
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
+  double Slice() const override { return this->Self->Slice; }
+  void KeepSoFar() override;
   bool IsActive() const override { return this->Self->Active; }
   waft::Result TakeDatabase(vtkMultiBlockDataSet* data);
   waft::Result TakeEmbeddedDatabase();
@@ -154,20 +161,20 @@ waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** in
                                                        waft::Monitor& monitor)
 {
   WAFT_RETURN_IF_FAILED(this->TakeDatabase(vtkMultiBlockDataSet::GetData(inputs[DatabasePort])));
-  std::vector<waft::MotionObject> objects;
+  this->Objects.clear();
   WAFT_RETURN_IF_FAILED(
-    waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[ObjectsPort]), objects));
+    waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[ObjectsPort]), this->Objects));
   std::vector<waft::Constraint> constraints;
   WAFT_RETURN_IF_FAILED(this->TakeConstraints(inputs[ConstraintsPort], constraints));
   WAFT_RETURN_IF_FAILED(this->TakeObstacles());
   std::vector<waft::Guide> guides;
   WAFT_RETURN_IF_FAILED(waft::GuidesFromPolyData(vtkPolyData::GetData(inputs[GuidesPort]), guides));
-  const waft::PlanInput input{ this->Database,  objects,     constraints,
-                               this->Obstacles, this->Scene, guides };
+  const waft::PlanInput input{ this->Database,  this->Objects, constraints,
+                               this->Obstacles, this->Scene,   guides };
   const auto options = waft::OptionsOf<waft::PlanOptions>(*this->Self);
   const auto choice = waft::OptionsOf<waft::TakeOptions>(*this->Self);
   this->Warnings = waft::DatabaseRemarks(this->Database, this->Scene);
-  waft::PlanOutput plan;
+  waft::PlanOutput& plan = this->Plan;
   std::vector<waft::TakeScore> takes;
   const waft::Result result =
     waft::PlanTakes(input, options, choice, waft::SmpFor(), monitor, plan, takes, &this->Memory);
@@ -176,7 +183,33 @@ waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** in
                                    [](const waft::ObjectRow& object) { return object.IsPlanned; }));
   this->KeepPlan(plan); // also when stopped: what was planned so far
   waft::TakesToTable(takes, this->Scene, this->Kept<vtkTable>(TakesPort));
+  this->Plan = waft::PlanOutput();
   return result;
+}
+
+// What is not planned yet stands where it begins.
+void vtkStylisticPlannerFilter::Internals::KeepSoFar()
+{
+  std::map<int, const waft::Track*> planned;
+  for (const waft::Track& track : this->Plan.Tracks)
+  {
+    planned[track.ObjectId] = &track;
+  }
+  std::vector<waft::Track> tracks(this->Objects.size());
+  for (std::size_t i = 0; i < tracks.size(); ++i)
+  {
+    const waft::MotionObject& object = this->Objects[i];
+    const auto known = planned.find(object.ObjectId);
+    tracks[i].ObjectId = object.ObjectId;
+    tracks[i].Positions =
+      known != planned.end()
+        ? known->second->Positions
+        : std::vector<waft::Vec3>(static_cast<std::size_t>(this->Scene.Time.NumberOfFrames),
+                                  object.Position);
+  }
+  waft::TracksToPolyData(tracks, this->Scene, this->Kept<vtkPolyData>(TracksPort));
+  waft::ConstraintsToPolyData(this->Plan.Constraints, this->Scene,
+                              this->Kept<vtkPolyData>(AssignedPort));
 }
 
 void vtkStylisticPlannerFilter::Internals::KeepPlan(const waft::PlanOutput& plan)
@@ -206,6 +239,11 @@ vtkStylisticPlannerFilter::vtkStylisticPlannerFilter() : Impl(std::make_unique<I
 
 vtkStylisticPlannerFilter::~vtkStylisticPlannerFilter() = default;
 
+waft::KeptStage& vtkStylisticPlannerFilter::Kept()
+{
+  return *this->Impl;
+}
+
 int vtkStylisticPlannerFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
@@ -229,7 +267,8 @@ vtkTypeBool vtkStylisticPlannerFilter::ProcessRequest(vtkInformation* request,
                                                       vtkInformationVector* outputs)
 {
   return waft::GuardedRequest(
-    this, request, outputs, waft::RangesOf<waft::PlanOptions, waft::TakeOptions>(*this),
+    this, request, outputs,
+    waft::RangesOf<waft::PlanOptions, waft::TakeOptions, waft::SliceOptions>(*this),
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 

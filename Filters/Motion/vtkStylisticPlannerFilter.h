@@ -39,7 +39,7 @@
 #ifndef vtkStylisticPlannerFilter_h
 #define vtkStylisticPlannerFilter_h
 
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkSlicedPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
 #include <memory>
@@ -51,11 +51,11 @@ struct TakeOptions;
 struct RotationRange;
 }
 
-class VTKWAFTFILTERS_EXPORT vtkStylisticPlannerFilter : public vtkPolyDataAlgorithm
+class VTKWAFTFILTERS_EXPORT vtkStylisticPlannerFilter : public vtkSlicedPolyDataAlgorithm
 {
 public:
   static vtkStylisticPlannerFilter* New();
-  vtkTypeMacro(vtkStylisticPlannerFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkStylisticPlannerFilter, vtkSlicedPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum RotationFreedoms
@@ -165,6 +165,7 @@ protected:
                           vtkInformationVector* outputs) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,
                   vtkInformationVector* outputs) override;
+  waft::KeptStage& Kept() override;
 
 private:
   vtkStylisticPlannerFilter(const vtkStylisticPlannerFilter&) = delete;

@@ -60,6 +60,7 @@ void vtkSMMotionAnimationProxy::UpdateVTKObjects()
       this->Arranged = wanted;
     }
     this->SetSeed(vtkSMPropertyHelper(this, "Seed").GetAsInt());
+    this->SetSlice(vtkSMPropertyHelper(this, "Slice").GetAsDouble());
   }
   this->Superclass::UpdateVTKObjects();
   if (scene != nullptr && this->GetLocation() != 0)
@@ -143,6 +144,14 @@ void vtkSMMotionAnimationProxy::SetSeed(int seed)
   for (const char* stage : { "Planner", "Rotation" })
   {
     vtkSMPropertyHelper(this->GetProxy(stage), "Seed").Set(seed);
+  }
+}
+
+void vtkSMMotionAnimationProxy::SetSlice(double seconds)
+{
+  for (const char* stage : Stages)
+  {
+    vtkSMPropertyHelper(this->GetProxy(stage), "Slice", /*quiet=*/true).Set(seconds);
   }
 }
 

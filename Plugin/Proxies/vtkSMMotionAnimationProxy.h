@@ -11,6 +11,7 @@
  *   takes. A stage that rests gives empty outputs. The hint Preview of AirAssimilationFilter names
  *   the values of its properties at the quality Preview.
  * - Seed goes to the planner and the rotation; a negative one is the scene's own.
+ * - Slice goes to all stages that have it.
  * - ShowStages: the stages stand in the pipeline browser, the very ones that this source runs.
  */
 #ifndef vtkSMMotionAnimationProxy_h
@@ -58,6 +59,7 @@ private:
   void Arrange(int quality, int stop);
   void SetDetail(bool isPreview);
   void SetSeed(int seed);
+  void SetSlice(double seconds);
   void ShowStages(bool shown);
 
   std::array<int, 2> Arranged{ -1, -1 }; // quality and stop that the stages stand for

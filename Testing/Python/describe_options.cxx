@@ -2,6 +2,7 @@
 // Prints what the options structs of Core say of their fields, by the class of the pipeline that
 // has them as its properties, as JSON.
 #include "Air/AirAssimilation.h"
+#include "Base/SliceOptions.h"
 #include "Database/DatabaseBuild.h"
 #include "Export/AnimationOptions.h"
 #include "Planning/Takes.h"
@@ -74,10 +75,11 @@ int main()
     { "vtkVDBWriter", FieldsOf(waft::VolumeWriteOptions()) },
     { "vtkGridSmokeSource", FieldsOf(waft::SmokeOptions(), waft::EnsembleOptions()) },
     { "vtkMotionDatabaseSource", FieldsOf(waft::DatabaseOptions()) },
-    { "vtkRotationRefineFilter", FieldsOf(waft::RotationOptions()) },
-    { "vtkAirAssimilationFilter", FieldsOf(waft::AssimilationOptions()) },
-    { "vtkSPHSpacetimeFilter", FieldsOf(waft::SpacetimeOptions()) },
-    { "vtkStylisticPlannerFilter", FieldsOf(waft::PlanOptions(), waft::TakeOptions()) },
+    { "vtkRotationRefineFilter", FieldsOf(waft::RotationOptions(), waft::SliceOptions()) },
+    { "vtkAirAssimilationFilter", FieldsOf(waft::AssimilationOptions(), waft::SliceOptions()) },
+    { "vtkSPHSpacetimeFilter", FieldsOf(waft::SpacetimeOptions(), waft::SliceOptions()) },
+    { "vtkStylisticPlannerFilter",
+      FieldsOf(waft::PlanOptions(), waft::TakeOptions(), waft::SliceOptions()) },
     { "vtkTrajectoryClusterFilter",
       FieldsOf(waft::ClusterOptions(), waft::SegmentationOptions(), waft::ClusterTreeOptions(),
                waft::ConnectionOptions()) },

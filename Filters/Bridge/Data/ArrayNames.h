@@ -14,6 +14,9 @@ constexpr const char* FramesPerSecond = "FramesPerSecond";
 constexpr const char* AirDensity = "AirDensity";
 constexpr const char* Seed = "Seed";
 
+// Field data of what a stage shows before its work is done: 0.
+constexpr const char* Complete = "Complete";
+
 // Field data of what a scene file made: its part of the file.
 constexpr const char* Authored = "Authored";
 

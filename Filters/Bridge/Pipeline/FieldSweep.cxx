@@ -72,6 +72,12 @@ void FieldSweep::RequestSteps(vtkAlgorithm* stage, vtkInformation* request,
   }
 }
 
+bool FieldSweep::Leave(vtkInformation* request)
+{
+  this->MustSweep = false;
+  return !this->IsKept && this->Sweep.Leave(request);
+}
+
 bool FieldSweep::Continue(vtkInformation* request)
 {
   if (!this->IsKept && !this->MustSweep)

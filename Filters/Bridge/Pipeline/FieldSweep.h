@@ -34,6 +34,8 @@ public:
   /// the collectors do.
   Result Take(vtkInformationVector** inputs, const Timeline& line);
   bool Continue(vtkInformation* request);
+  /// Like TimeSweep::Leave.
+  bool Leave(vtkInformation* request);
   void Reset(vtkInformation* request) { this->Sweep.Reset(request); }
 
   /// After the last pass, once each; of the air also after each pass, what came since.

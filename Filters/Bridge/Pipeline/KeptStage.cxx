@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/Pipeline/KeptStage.h"
 
+#include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Pipeline/Ranks.h"
@@ -12,9 +14,54 @@
 #include <vtkPolyData.h>
 
 #include <cmath>
+#include <utility>
 
 namespace waft
 {
+
+namespace
+{
+
+bool IsComplete(vtkDataObject* data)
+{
+  double complete = 1.0;
+  return data == nullptr ||
+         !ReadNumber(data->GetFieldData(), "field data", names::Complete, { 0, 1 }, complete) ||
+         complete > 0.0;
+}
+
+bool HasUnfinishedInput(vtkAlgorithm* stage, vtkInformationVector** inputs)
+{
+  for (int port = 0; port < stage->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      if (!IsComplete(vtkDataObject::GetData(inputs[port], i)))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Passes the caller's ticks on and notes how far they are.
+class NotingMonitor : public Monitor
+{
+public:
+  NotingMonitor(Monitor& caller, double& done) : Caller(caller), Done(done) {}
+  bool Tick(double fraction, const std::string& text) override
+  {
+    this->Done = fraction;
+    return this->Caller.Tick(fraction, text);
+  }
+
+private:
+  Monitor& Caller;
+  double& Done;
+};
+
+} // namespace
 
 KeptStage::KeptStage(vtkAlgorithm* stage, int scenePort, int obstaclesPort, int windPort,
                      int airPort) :
@@ -44,37 +91,65 @@ int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** input
   }
   if (!this->Cache.IsCurrent(this->Stage, inputs))
   {
-    Result result = Result::Ok();
-    const bool isFirst = this->Fields.IsFirst();
-    if (isFirst)
+    this->Discard();
+    this->IsUnfinished = HasUnfinishedInput(this->Stage, inputs);
+    if (this->IsUnfinished)
     {
-      this->Scene = SceneInfo();
-      result = SceneInfoFromFieldData(vtkDataObject::GetData(inputs[this->ScenePort]), this->Scene);
+      if (this->Fields.Leave(request))
+      {
+        return 1;
+      }
+      this->Keep.clear();
+      if (!this->TakeScene(inputs) || !this->TakeSoFar(inputs))
+      {
+        this->Keep.clear();
+      }
+      this->Cache.MarkCurrent(this->Stage, inputs);
     }
-    result = result ? this->Fields.Take(inputs, this->Scene.Time) : result;
-    result = result ? this->TakePass(inputs, isFirst) : result;
-    const bool hasMore = result && this->Fields.Continue(request);
-    if (hasMore && this->GoesOn())
+    else
     {
-      return 1;
+      Result result = Result::Ok();
+      const bool isFirst = this->Fields.IsFirst();
+      if (isFirst)
+      {
+        result = this->TakeScene(inputs);
+      }
+      result = result ? this->Fields.Take(inputs, this->Scene.Time) : result;
+      result = result ? this->TakePass(inputs, isFirst) : result;
+      const bool hasMore = result && this->Fields.Continue(request);
+      if (hasMore && this->GoesOn())
+      {
+        return 1;
+      }
+      this->Fields.Reset(request);
+      this->Cache.Forget();
+      if (hasMore)
+      {
+        return Empty(outputs); // stopped, and nothing is computed yet
+      }
+      result = this->Agree(result);
+      result = result ? this->Begin(inputs) : result;
+      if (!result)
+      {
+        return Fail(this->Stage, outputs, result.Message());
+      }
     }
-    this->Fields.Reset(request);
+  }
+  else if (std::exchange(this->IsDue, false) && this->Held.IsHeld())
+  {
     this->Cache.Forget();
-    if (hasMore)
-    {
-      return Empty(outputs); // stopped, and nothing is computed yet
-    }
-    result = this->Agree(result);
-    result = result ? this->Refresh(inputs) : result;
+    const Result result = this->Advance(inputs);
     if (!result)
     {
       return Fail(this->Stage, outputs, result.Message());
     }
-    if (!result.IsStopped())
-    {
-      this->Cache.MarkCurrent(this->Stage, inputs);
-    }
   }
+  this->Show(request, outputs);
+  return 1;
+}
+
+void KeptStage::Show(vtkInformation* request, vtkInformationVector* outputs)
+{
   const double time = RequestedTimeOfAll(request, outputs, this->Scene.Time);
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
@@ -86,9 +161,25 @@ int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** input
       output->ShallowCopy(this->Keep[at]);
     }
   }
-  this->FillVarying(time, outputs);
+  if (this->IsUnfinished)
+  {
+    this->FillSoFar(time, outputs);
+    for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+    {
+      AddInts(vtkDataObject::GetData(outputs, port)->GetFieldData(), names::Complete, { 0 });
+    }
+  }
+  else
+  {
+    this->FillVarying(time, outputs);
+  }
   RequestedTimeOfAll(request, outputs, this->Scene.Time); // filling has cleared the stamps
-  return 1;
+}
+
+Result KeptStage::TakeScene(vtkInformationVector** inputs)
+{
+  this->Scene = SceneInfo();
+  return SceneInfoFromFieldData(vtkDataObject::GetData(inputs[this->ScenePort]), this->Scene);
 }
 
 bool KeptStage::GoesOn()
@@ -101,23 +192,85 @@ bool KeptStage::GoesOn()
     return true;
   }
   this->LastLook = now;
-  return StageMonitor(this->Stage).Tick(0.0, "Looking at what moves");
+  StageMonitor monitor(this->Stage);
+  const bool goesOn = monitor.Tick(0.0, "Looking at what moves");
+  if (goesOn)
+  {
+    monitor.Hold();
+  }
+  return goesOn;
 }
 
-Result KeptStage::Refresh(vtkInformationVector** inputs)
+double KeptStage::SliceNow() const
+{
+  // Several ranks, which wait for each other at places of their own, do it all at once.
+  ControllerCommunicator ranks(vtkMultiProcessController::GetGlobalController());
+  return ranks.Size() > 1 ? 0.0 : this->Slice();
+}
+
+Result KeptStage::Begin(vtkInformationVector** inputs)
+{
+  this->Warnings.clear();
+  if (this->SliceNow() > 0.0)
+  {
+    this->Held.Begin([this, inputs](Monitor& monitor) { return this->Run(inputs, monitor); });
+    return this->Advance(inputs);
+  }
+  this->Keep.clear();
+  StageMonitor monitor(this->Stage);
+  return this->End(inputs, this->Run(inputs, monitor));
+}
+
+Result KeptStage::Advance(vtkInformationVector** inputs)
 {
   this->Keep.clear();
-  this->Warnings.clear();
   StageMonitor monitor(this->Stage);
-  const Result result = this->Run(inputs, monitor);
-  if (result)
+  NotingMonitor noting(monitor, this->Done);
+  Result result = Result::Ok();
+  this->IsUnfinished = !this->Held.GoOn(this->SliceNow(), noting, result);
+  if (!this->IsUnfinished)
   {
-    for (const std::string& warning : this->Warnings)
-    {
-      vtkWarningWithObjectMacro(this->Stage, << warning);
-    }
+    return this->End(inputs, result);
+  }
+  monitor.Hold();
+  this->KeepSoFar();
+  this->Cache.MarkCurrent(this->Stage, inputs);
+  return Result::Ok();
+}
+
+Result KeptStage::End(vtkInformationVector** inputs, const Result& result)
+{
+  if (!result)
+  {
+    return result;
+  }
+  for (const std::string& warning : this->Warnings)
+  {
+    vtkWarningWithObjectMacro(this->Stage, << warning);
+  }
+  if (!result.IsStopped())
+  {
+    this->Cache.MarkCurrent(this->Stage, inputs);
   }
   return result;
+}
+
+void KeptStage::Discard()
+{
+  if (this->Held.IsHeld())
+  {
+    this->Held.Discard();
+    this->Forget();
+  }
+}
+
+void KeptStage::GoOn()
+{
+  if (this->Held.IsHeld())
+  {
+    this->IsDue = true;
+    this->Cache.Reawaken(this->Stage);
+  }
 }
 
 Result KeptStage::TakePass(vtkInformationVector**, bool)
@@ -125,7 +278,14 @@ Result KeptStage::TakePass(vtkInformationVector**, bool)
   return Result::Ok();
 }
 
+Result KeptStage::TakeSoFar(vtkInformationVector**)
+{
+  return Result::Ok();
+}
+
 void KeptStage::FillVarying(double, vtkInformationVector*) const {}
+
+void KeptStage::FillSoFar(double, vtkInformationVector*) const {}
 
 Result KeptStage::TakeConstraints(vtkInformationVector* input,
                                   std::vector<Constraint>& constraints) const

@@ -3,12 +3,17 @@
 //
 // The Internals of such a stage derive from KeptStage and say how to take the inputs and run Core;
 // its RequestUpdateExtent and RequestData are those of KeptStage.
+//
+// With a Slice one update does a bounded part of the work. What there is so far is shown then, with
+// the field data `Complete` of 0; GoOn makes the next update do the next part. A stage whose input
+// is not complete shows what that comes to without work.
 #pragma once
 
 #include "Base/Motion.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
 #include "Bridge/Pipeline/FieldSweep.h"
+#include "Bridge/Pipeline/SlicedRun.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Constraints/Constraint.h"
 
@@ -43,10 +48,30 @@ public:
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,
                   vtkInformationVector* outputs);
 
+  /// The next update goes on with work that is held; nothing where none is.
+  void GoOn();
+  /// Whether what is shown is the whole result.
+  bool IsComplete() const { return !this->IsUnfinished; }
+  /// 0 to 1: of the work that is held.
+  double WorkDone() const { return this->Done; }
+  /// In the destructor of who derives: what is held works on its members.
+  void Discard();
+
 protected:
   /// Takes the inputs (Scene and Fields are there), runs Core, fills the Kept outputs and Warnings.
-  /// Stopped: what is kept is shown, and the next update runs again.
+  /// Stopped: what is kept is shown, and the next update runs again. Inputs are there until the
+  /// first tick of the monitor.
   virtual Result Run(vtkInformationVector** inputs, Monitor& monitor) = 0;
+  /// Seconds of work in an update; 0: all.
+  virtual double Slice() const { return 0.0; }
+  /// Fills the Kept outputs with what the run that is held has come to.
+  virtual void KeepSoFar() {}
+  /// The same out of inputs that are not complete; stays empty where it fails.
+  virtual Result TakeSoFar(vtkInformationVector** inputs);
+  /// After work that was held was discarded: what comes must not depend on how far it had come.
+  virtual void Forget() {}
+  /// FillVarying, of what there is so far.
+  virtual void FillSoFar(double time, vtkInformationVector* outputs) const;
   /// After each pass over what is pulled over time, the first of a run being told: takes from
   /// Fields what is not to be kept until Run.
   virtual Result TakePass(vtkInformationVector** inputs, bool isFirst);
@@ -81,7 +106,13 @@ protected:
   std::vector<std::string> Warnings;
 
 private:
-  Result Refresh(vtkInformationVector** inputs);
+  Result TakeScene(vtkInformationVector** inputs);
+  /// Runs Core as far as one update goes, and keeps what came out.
+  Result Begin(vtkInformationVector** inputs);
+  Result Advance(vtkInformationVector** inputs);
+  Result End(vtkInformationVector** inputs, const Result& result);
+  void Show(vtkInformation* request, vtkInformationVector* outputs);
+  double SliceNow() const;
   virtual bool RunsOnAllRanks() const { return false; }
   /// Between two steps of what is pulled over time: false when the stage is asked to stop.
   bool GoesOn();
@@ -89,6 +120,10 @@ private:
   vtkAlgorithm* Stage;
   int ScenePort;
   StageCache Cache;
+  SlicedRun Held;
+  bool IsDue = false;        // work that is held is to go on
+  bool IsUnfinished = false; // what is kept is not the whole result
+  double Done = 0.0;
   std::chrono::steady_clock::time_point LastLook = std::chrono::steady_clock::now();
   std::vector<vtkSmartPointer<vtkDataObject>> Keep; // by output port, null where it varies
 };

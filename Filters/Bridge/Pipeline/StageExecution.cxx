@@ -175,6 +175,14 @@ bool TimelineOf(vtkInformation* input, Timeline& line)
 
 } // namespace
 
+StageMonitor::~StageMonitor()
+{
+  if (!this->IsHeld)
+  {
+    this->Stage->SetProgressText(this->IsStopped ? "stopped" : "done");
+  }
+}
+
 bool StageMonitor::Tick(double fraction, const std::string& text)
 {
   this->Stage->SetProgressText(text.c_str());
@@ -252,6 +260,16 @@ bool StageCache::IsCurrent(vtkAlgorithm* stage, vtkInformationVector** inputs) c
   return !this->Signature.empty() && this->Signature == CurrentSignature(stage, inputs);
 }
 
+void StageCache::Reawaken(vtkAlgorithm* stage)
+{
+  const bool isOwn = !this->Signature.empty() && this->Signature.front() == stage->GetMTime();
+  stage->Modified();
+  if (isOwn)
+  {
+    this->Signature.front() = stage->GetMTime();
+  }
+}
+
 void StageCache::MarkCurrent(vtkAlgorithm* stage, vtkInformationVector** inputs)
 {
   this->Signature = CurrentSignature(stage, inputs);
@@ -324,6 +342,12 @@ bool TimeSweep::Continue(vtkInformation* request)
   }
   this->Reset(request);
   return false;
+}
+
+bool TimeSweep::Leave(vtkInformation* request)
+{
+  this->Step = std::max(this->Step, this->NumberOfSteps - 1);
+  return this->Continue(request);
 }
 
 void TimeSweep::Reset(vtkInformation* request)

@@ -39,14 +39,20 @@ class vtkInformationVector;
 namespace waft
 {
 
-/// Passes progress to an algorithm and asks it for abort.
+/// Passes progress to an algorithm and asks it for abort. In the end the text is "done", or
+/// "stopped", unless the work is held.
 class StageMonitor : public Monitor
 {
 public:
   explicit StageMonitor(vtkAlgorithm* stage) : Stage(stage) {}
+  ~StageMonitor() override;
+  StageMonitor(const StageMonitor&) = delete;
+  StageMonitor& operator=(const StageMonitor&) = delete;
   bool Tick(double fraction, const std::string& text) override;
+  void Hold() { this->IsHeld = true; }
 
 private:
+  bool IsHeld = false;
   vtkAlgorithm* Stage;
   bool IsStopped = false;
 };
@@ -65,6 +71,8 @@ public:
   bool IsCurrent(vtkAlgorithm* stage, vtkInformationVector** inputs) const;
   void MarkCurrent(vtkAlgorithm* stage, vtkInformationVector** inputs);
   void Forget() { this->Signature.clear(); }
+  /// The stage executes again when it is updated next, though what is kept stays current.
+  void Reawaken(vtkAlgorithm* stage);
 
 private:
   std::vector<vtkMTimeType> Signature;
@@ -103,6 +111,8 @@ public:
   double Fraction() const;
   /// In RequestData, when this step's data was taken: true when another pass was asked for.
   bool Continue(vtkInformation* request);
+  /// The steps that are left are not wanted: true when the pass back was asked for.
+  bool Leave(vtkInformation* request);
   /// After a failure in the middle of a sweep.
   void Reset(vtkInformation* request);
 

@@ -38,6 +38,7 @@ Result AssimilationRun::Run(AssimilationState* memory)
   WAFT_RETURN_IF_FAILED(this->SetUpDrifters());
   this->SetUpScene();
   this->Key = KeyOf(this->Input, this->Options);
+  this->ShowPaths();
   const bool isEdit = this->Edit(memory);
   if (memory != nullptr)
   {
@@ -48,6 +49,7 @@ Result AssimilationRun::Run(AssimilationState* memory)
   {
     return result;
   }
+  this->Output.Tracks.clear(); // what was shown so far
   if (!this->Drawn.Velocity.IsEmpty())
   {
     this->Finish();
@@ -81,13 +83,16 @@ Result AssimilationRun::Solve()
   if (this->Options.Rounds == 0 && !result.IsStopped())
   {
     const HalfSeries plain = this->Drawn.Velocity;
-    this->FindWind(plain);
+    result = this->FindWind(plain, 0);
   }
   for (; round < this->Options.Rounds && !result.IsStopped() && this->GoesOn(); ++round)
   {
     HalfSeries plain = this->Drawn.Velocity;
-    this->FindWind(plain);
-    result = this->SimulateAgain(std::move(plain), round);
+    result = this->FindWind(plain, round);
+    if (!result.IsStopped())
+    {
+      result = this->SimulateAgain(std::move(plain), round);
+    }
     WAFT_RETURN_IF_FAILED(result);
     this->KeepCheckpoint(round + 1, result);
   }
@@ -153,6 +158,20 @@ Result AssimilationRun::SetUpDrifters()
     this->Paths.push_back(track.Positions);
   }
   return Result::Ok();
+}
+
+void AssimilationRun::ShowPaths()
+{
+  if (!this->Caller.ShowsSoFar())
+  {
+    return;
+  }
+  this->Output.Tracks.resize(this->Paths.size());
+  for (std::size_t o = 0; o < this->Paths.size(); ++o)
+  {
+    this->Output.Tracks[o].ObjectId = this->Drifters[o].Object().ObjectId;
+    this->Output.Tracks[o].Positions = this->Paths[o];
+  }
 }
 
 // Before there is an air the plan is the best so far.

@@ -385,11 +385,10 @@ Result AssimilationRun::SimulateAgain(HalfSeries plain, int round)
                        SteeringRate);
   this->Drawn.Wind = HalfSeries();
   HalfSeries air;
-  const double part = (1.0 - DriftEnd) / this->Options.Rounds;
-  PartMonitor monitor(this->Caller, DriftEnd + round * part, DriftEnd + (round + 1) * part,
-                      "Simulating the air with the common wind, round " +
-                        std::to_string(round + 1) + " of at most " +
-                        std::to_string(this->Options.Rounds));
+  PartMonitor monitor(
+    this->Caller, this->ProgressOf(round, WindEnd), this->ProgressOf(round, SimulationEnd),
+    "Simulating the air with the common wind, round " + std::to_string(round + 1) + " of at most " +
+      std::to_string(this->Options.Rounds));
   const Result simulated =
     SimulateAir(this->Scene, &steering, this->Parallel, monitor, air, &this->Begun);
   if (!simulated || simulated.IsStopped())
@@ -398,8 +397,19 @@ Result AssimilationRun::SimulateAgain(HalfSeries plain, int round)
   }
   this->Drawn.Velocity = std::move(air);
   this->Drawn.Wind = steering.TakePushes();
-  this->DriftOn(DriftIterations);
-  this->SeekAgain(monitor);
+  PartMonitor drifting(this->Caller, this->ProgressOf(round, SimulationEnd),
+                       this->ProgressOf(round, DriftingEnd),
+                       "Letting the objects drift to their marks");
+  if (!this->DriftOn(DriftIterations, drifting))
+  {
+    return Result::Stopped();
+  }
+  PartMonitor seeking(this->Caller, this->ProgressOf(round, DriftingEnd),
+                      this->ProgressOf(round, 1.0), "Seeking anew what the air has lost");
+  if (!this->SeekAgain(seeking))
+  {
+    return Result::Stopped();
+  }
   this->Note("simulate " + std::to_string(round + 1), nullptr);
   return Result::Ok();
 }

@@ -47,12 +47,12 @@ DriftWeights AssimilationRun::Weights() const
 Result AssimilationRun::FirstDrift()
 {
   PartMonitor monitor(this->Caller, DrawEnd, DriftEnd, "Letting the objects drift to their marks");
-  this->Seek(std::vector<char>(this->Drifters.size(), 1), monitor);
+  (void)this->Seek(std::vector<char>(this->Drifters.size(), 1), monitor);
   this->Note("drift", nullptr);
   return monitor.Tick(1.0, "") ? Result::Ok() : Result::Stopped();
 }
 
-void AssimilationRun::SeekAgain(Monitor& monitor)
+bool AssimilationRun::SeekAgain(Monitor& monitor)
 {
   const AirSampler air(this->Drawn.Velocity);
   std::vector<HandOf> hands;
@@ -68,10 +68,10 @@ void AssimilationRun::SeekAgain(Monitor& monitor)
   {
     which.push_back(hand.Rms(hand.Control) > SoughtAgain * all.Rms(all.Flow) ? 1 : 0);
   }
-  this->Seek(which, monitor);
+  return this->Seek(which, monitor);
 }
 
-void AssimilationRun::Seek(const std::vector<char>& which, Monitor& monitor)
+bool AssimilationRun::Seek(const std::vector<char>& which, Monitor& monitor)
 {
   std::atomic<std::size_t> done{ 0 };
   const AirSampler air(this->Drawn.Velocity);
@@ -81,12 +81,18 @@ void AssimilationRun::Seek(const std::vector<char>& which, Monitor& monitor)
                    for (std::size_t o = begin; o < end; ++o)
                    {
                      const double fraction = FractionDone(done++, this->Drifters.size());
-                     if (which[o] && !this->IsKept(o) && monitor.Tick(fraction, ""))
+                     if (!monitor.Tick(fraction, ""))
+                     {
+                       return;
+                     }
+                     if (which[o] && !this->IsKept(o))
                      {
                        this->SeekPath(o, air, monitor);
                      }
                    }
                  });
+  this->ShowPaths();
+  return monitor.Tick(1.0, "");
 }
 
 void AssimilationRun::SeekPath(std::size_t o, const AirSampler& air, Monitor& monitor)
@@ -97,8 +103,12 @@ void AssimilationRun::SeekPath(std::size_t o, const AirSampler& air, Monitor& mo
   Drifter& drifter = this->Drifters[o];
   const auto judged = [&](const std::vector<Vec3>& path)
   { return this->JudgementOf(drifter, this->CostOf(drifter, air, path), path); };
+  const Judgement before = judged(this->Paths[o]);
+  const std::vector<Vec3> pathBefore = this->Paths[o];
+  std::vector<int> touchDownsBefore;
   for (std::size_t l = 0; l < drifter.NumberOfLandings(); ++l)
   {
+    touchDownsBefore.push_back(drifter.TouchDown(l));
     drifter.SetTouchDown(l, drifter.LandingFrame(l));
   }
   this->Paths[o] = this->BestDrift(drifter, air, drifter.Starts(air, this->Options.Starts));
@@ -126,6 +136,14 @@ void AssimilationRun::SeekPath(std::size_t o, const AirSampler& air, Monitor& mo
       }
     }
     drifter.SetTouchDown(l, best);
+  }
+  if (!(judged(this->Paths[o]) < before))
+  {
+    this->Paths[o] = pathBefore;
+    for (std::size_t l = 0; l < touchDownsBefore.size(); ++l)
+    {
+      drifter.SetTouchDown(l, touchDownsBefore[l]);
+    }
   }
 }
 
@@ -177,10 +195,11 @@ std::vector<char> AssimilationRun::FindNeighbours()
   return touches;
 }
 
-void AssimilationRun::DriftOn(int iterations)
+bool AssimilationRun::DriftOn(int iterations, Monitor& monitor)
 {
   (void)this->FindNeighbours();
-  this->Drift(iterations, this->Weights(), std::vector<char>(this->Drifters.size(), 1));
+  return this->Drift(iterations, this->Weights(), std::vector<char>(this->Drifters.size(), 1),
+                     monitor);
 }
 
 void AssimilationRun::KeepApart()
@@ -200,7 +219,8 @@ void AssimilationRun::KeepApart()
     }
     weights.Barrier *= 2.0;
     const std::vector<std::vector<Vec3>> before = this->Paths;
-    this->Drift(FurtherIterations, weights, touches);
+    SilentMonitor silent; // it is short, and the best so far wants it, too
+    (void)this->Drift(FurtherIterations, weights, touches, silent);
     for (std::size_t o = 0; o < before.size(); ++o)
     {
       if (SharpestBend(this->Paths[o]) > allowed[o])
@@ -211,15 +231,21 @@ void AssimilationRun::KeepApart()
   }
 }
 
-void AssimilationRun::Drift(int iterations, const DriftWeights& weights,
-                            const std::vector<char>& which)
+bool AssimilationRun::Drift(int iterations, const DriftWeights& weights,
+                            const std::vector<char>& which, Monitor& monitor)
 {
+  PartMonitor part(monitor, 0.0, 1.0);
+  std::atomic<std::size_t> done{ 0 };
   const AirSampler air(this->Drawn.Velocity);
   this->Parallel(this->Drifters.size(),
                  [&](std::size_t begin, std::size_t end)
                  {
                    for (std::size_t o = begin; o < end; ++o)
                    {
+                     if (!part.Tick(FractionDone(done++, this->Drifters.size()), ""))
+                     {
+                       return;
+                     }
                      if (which[o] && !this->IsKept(o))
                      {
                        SolveDrift(this->Drifters[o].Problem(), air, weights, iterations,
@@ -227,9 +253,11 @@ void AssimilationRun::Drift(int iterations, const DriftWeights& weights,
                      }
                    }
                  });
+  this->ShowPaths();
+  return part.Tick(1.0, "");
 }
 
-void AssimilationRun::FindWind(const HalfSeries& plain)
+Result AssimilationRun::FindWind(const HalfSeries& plain, int round)
 {
   CommonWindOptions options;
   options.Spacing = this->Options.WindSpacing;
@@ -238,20 +266,37 @@ void AssimilationRun::FindWind(const HalfSeries& plain)
   options.Bending *= this->Options.WindStiffness;
   options.Changing *= this->Options.WindStiffness;
   CommonWind common(this->Input.Scene.Bounds, this->Input.Scene.Time, options);
+  const double begin = this->ProgressOf(round, 0.0);
+  const double step = (this->ProgressOf(round, WindEnd) - begin) / this->Options.WindRounds;
   for (int k = 0; k < this->Options.WindRounds; ++k)
   {
-    this->FitWind(common);
+    PartMonitor fitting(this->Caller, begin + k * step, begin + (k + 0.5) * step,
+                        "Fitting the common wind");
+    const bool isFitted = this->FitWind(common, fitting);
     this->Drawn.Velocity = plain;
-    this->AddWind(common);
-    this->DriftOn(FurtherIterations);
+    if (!isFitted || !this->AddWind(common, fitting))
+    {
+      this->Drawn.Velocity = plain;
+      return Result::Stopped();
+    }
+    PartMonitor drifting(this->Caller, begin + (k + 0.5) * step, begin + (k + 1) * step,
+                         "Letting the objects drift in the common wind");
+    if (!this->DriftOn(FurtherIterations, drifting))
+    {
+      return Result::Stopped();
+    }
     this->Note("wind " + std::to_string(k + 1), &common);
   }
+  return Result::Ok();
 }
 
-void AssimilationRun::AddWind(const CommonWind& common)
+bool AssimilationRun::AddWind(const CommonWind& common, Monitor& monitor)
 {
   HalfSeries& air = this->Drawn.Velocity;
-  common.AddTo(air, this->Parallel);
+  if (!common.AddTo(air, this->Parallel, monitor))
+  {
+    return false;
+  }
   this->Parallel(air.Values.size(),
                  [&air](std::size_t begin, std::size_t end)
                  {
@@ -262,9 +307,10 @@ void AssimilationRun::AddWind(const CommonWind& common)
                      air.Set(f, field);
                    }
                  });
+  return true;
 }
 
-void AssimilationRun::FitWind(CommonWind& common) const
+bool AssimilationRun::FitWind(CommonWind& common, Monitor& monitor) const
 {
   const AirSampler air(this->Drawn.Velocity);
   std::map<int, WindSamples> byFrame;
@@ -291,7 +337,7 @@ void AssimilationRun::FitWind(CommonWind& common) const
   {
     samples.push_back(std::move(at));
   }
-  common.Fit(samples, this->Parallel);
+  return common.Fit(samples, this->Parallel, monitor);
 }
 
 bool AssimilationRun::FinishPath(std::size_t o, const AirSampler& air)

@@ -150,7 +150,8 @@ bool AssimilationRun::Edit(AssimilationState* memory)
   if (!kept.Key.IsSame(this->Key))
   {
     (void)this->FirstDrift();
-    this->DriftOn(DriftIterations);
+    PartMonitor drifting(this->Caller, DriftEnd, 1.0, "Letting the objects drift to their marks");
+    (void)this->DriftOn(DriftIterations, drifting);
     this->Note("edit", nullptr);
   }
   return true;

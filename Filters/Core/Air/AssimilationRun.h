@@ -18,6 +18,9 @@ namespace waft
 inline constexpr int DriftIterations = 60;
 inline constexpr double DrawEnd = 0.25; // of a run, about
 inline constexpr double DriftEnd = 0.4;
+inline constexpr double WindEnd = 0.15; // of a round, about
+inline constexpr double SimulationEnd = 0.85;
+inline constexpr double DriftingEnd = 0.92;
 inline constexpr int WindStride = 3; // frames between samples of the common wind
 
 class AssimilationRun
@@ -64,11 +67,12 @@ private:
   // AssimilationDrift.cxx
   DriftWeights Weights() const;
   Result FirstDrift();
-  /// From several starts and to several touch-downs; the least control is kept.
-  void Seek(const std::vector<char>& which, Monitor& monitor);
+  /// From several starts and to several touch-downs; the least control is kept, that so far among
+  /// them. False: stopped.
+  bool Seek(const std::vector<char>& which, Monitor& monitor);
   void SeekPath(std::size_t o, const AirSampler& air, Monitor& monitor);
   /// Those whom the air as it has become does not take to their marks.
-  void SeekAgain(Monitor& monitor);
+  bool SeekAgain(Monitor& monitor);
   /// Of two paths the one that judges less goes on.
   struct Judgement
   {
@@ -87,15 +91,17 @@ private:
                               std::vector<std::vector<Vec3>> paths) const;
   /// Tells each drifter what is too near to it; who has such neighbours.
   std::vector<char> FindNeighbours();
-  void Drift(int iterations, const DriftWeights& weights, const std::vector<char>& which);
-  void DriftOn(int iterations);
+  /// False: stopped, and some have not drifted.
+  bool Drift(int iterations, const DriftWeights& weights, const std::vector<char>& which,
+             Monitor& monitor);
+  bool DriftOn(int iterations, Monitor& monitor);
   /// Those that are too near to each other give way, pass by pass harder.
   void KeepApart();
   /// The air without and then with the wind that the controls have in common.
-  void FindWind(const HalfSeries& plain);
-  void AddWind(const CommonWind& common);
+  Result FindWind(const HalfSeries& plain, int round);
+  bool AddWind(const CommonWind& common, Monitor& monitor);
   /// The wind that would have made the controls needless: what it is at the bodies, and they.
-  void FitWind(CommonWind& common) const;
+  bool FitWind(CommonWind& common, Monitor& monitor) const;
   /// What keeps too near to something is pushed harder first; only what that does not help is moved
   /// out of the way without a look at the air.
   bool FinishPath(std::size_t o, const AirSampler& air);
@@ -121,6 +127,13 @@ private:
   Result SetUpDrifters();
   void Finish();
   void KeepPlan();
+  /// Where a round begins, and `share` of it is done, in the progress of a run.
+  double ProgressOf(int round, double share) const
+  {
+    return DriftEnd + (round + share) * (1.0 - DriftEnd) / std::max(1, this->Options.Rounds);
+  }
+  /// The motion so far, for a monitor that shows it.
+  void ShowPaths();
   /// Sums over the steps of free flight.
   struct HandOf
   {

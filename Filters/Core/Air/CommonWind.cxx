@@ -229,11 +229,12 @@ void CommonWind::Penalise(const std::vector<double>& a, std::vector<double>& sum
   }
 }
 
-void CommonWind::Fit(const std::vector<WindSamples>& samples, const ParallelFor& parallel)
+bool CommonWind::Fit(const std::vector<WindSamples>& samples, const ParallelFor& parallel,
+                     Monitor& monitor)
 {
   if (samples.empty())
   {
-    return;
+    return true;
   }
   std::vector<Level> levels;
   std::vector<std::vector<Place>> places(samples.size());
@@ -310,6 +311,10 @@ void CommonWind::Fit(const std::vector<WindSamples>& samples, const ParallelFor&
   const double enough = 1e-8 * size;
   for (int iteration = 0; iteration < this->Options.Iterations && size > enough; ++iteration)
   {
+    if (!monitor.Tick(static_cast<double>(iteration) / this->Options.Iterations, ""))
+    {
+      return false;
+    }
     apply(direction, false, product);
     const double step = size / Dot(direction, product);
     for (std::size_t i = 0; i < residual.size(); ++i)
@@ -324,6 +329,7 @@ void CommonWind::Fit(const std::vector<WindSamples>& samples, const ParallelFor&
       direction[i] = residual[i] + size / before * direction[i];
     }
   }
+  return true;
 }
 
 namespace
@@ -365,8 +371,9 @@ std::vector<double> Contract(const std::vector<double>& values, std::array<int, 
 
 } // namespace
 
-void CommonWind::AddTo(HalfSeries& sum, const ParallelFor& parallel) const
+bool CommonWind::AddTo(HalfSeries& sum, const ParallelFor& parallel, Monitor& monitor) const
 {
+  PartMonitor part(monitor, 1.0, 1.0);
   std::array<std::vector<Splines>, 3> along;
   for (int c = 0; c < 3; ++c)
   {
@@ -397,7 +404,7 @@ void CommonWind::AddTo(HalfSeries& sum, const ParallelFor& parallel) const
   parallel(sum.Values.size(),
            [&](std::size_t begin, std::size_t end)
            {
-             for (std::size_t f = begin; f < end; ++f)
+             for (std::size_t f = begin; f < end && part.Tick(-1.0, ""); ++f)
              {
                const Nodes nodes =
                  this->At(this->LevelAt(sum.Times[f] / this->Time.Step()), this->Coefficients);
@@ -432,6 +439,7 @@ void CommonWind::AddTo(HalfSeries& sum, const ParallelFor& parallel) const
                sum.Set(f, field);
              }
            });
+  return part.Tick(-1.0, "");
 }
 
 } // namespace waft

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/HalfSeries.h"
+#include "Base/Monitor.h"
 #include "Base/Parallel.h"
 #include "Base/Types.h"
 
@@ -39,11 +40,11 @@ public:
   CommonWind(const Box& volume, const Timeline& time, const CommonWindOptions& options);
 
   /// Least squares over all samples; goes on from the wind as it is. The same on any number of
-  /// threads.
-  void Fit(const std::vector<WindSamples>& samples, const ParallelFor& parallel);
+  /// threads. False: stopped, the wind fits as well as it does by then.
+  bool Fit(const std::vector<WindSamples>& samples, const ParallelFor& parallel, Monitor& monitor);
   Vec3 At(const Vec3& x, double frame) const;
-  /// sum += W at the points of the lattice, of each field's frame.
-  void AddTo(HalfSeries& sum, const ParallelFor& parallel) const;
+  /// sum += W at the points of the lattice, of each field's frame. False: stopped, at some frames.
+  bool AddTo(HalfSeries& sum, const ParallelFor& parallel, Monitor& monitor) const;
   std::size_t NumberOfCoefficients() const { return this->Coefficients.size(); }
 
 private:

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <atomic>
+#include <mutex>
+#include <shared_mutex>
 #include <string>
 #include <thread>
 #include <utility>
@@ -18,11 +20,15 @@ public:
   /// fraction: 0..1 of this kernel; text: a short sentence. Returns false to ask the kernel to
   /// stop.
   virtual bool Tick(double fraction, const std::string& text) = 0;
+  /// Whether somebody looks during a Tick at what there is so far. A kernel that has an output for
+  /// it then writes there, from the thread that ticks alone.
+  virtual bool ShowsSoFar() const { return false; }
 };
 
 /// A part of a kernel's work, from `begin` to `end` of the whole. May be asked from any thread: the
-/// whole is asked from the thread that made it, the others hear what it said. A fraction below 0
-/// leaves the progress where it is.
+/// whole is asked from the thread that made it; the others wait as long as that takes, since work
+/// may be held meanwhile, and hear what it said. A fraction below 0 leaves the progress where it
+/// is.
 class PartMonitor : public Monitor
 {
 public:
@@ -37,13 +43,19 @@ public:
     {
       this->Fraction = fraction < 0.0 ? this->Fraction : fraction;
       const double whole = this->Begin + this->Fraction * (this->End - this->Begin);
+      const std::unique_lock<std::shared_mutex> hold(this->Asking);
       if (!this->Whole.Tick(whole, this->Text.empty() ? text : this->Text))
       {
         this->IsStopped = true;
       }
     }
+    else
+    {
+      const std::shared_lock<std::shared_mutex> wait(this->Asking);
+    }
     return !this->IsStopped;
   }
+  bool ShowsSoFar() const override { return this->Whole.ShowsSoFar(); }
 
 private:
   Monitor& Whole;
@@ -52,6 +64,7 @@ private:
   double Fraction = 0.0;
   std::thread::id Thread = std::this_thread::get_id();
   std::atomic<bool> IsStopped{ false };
+  std::shared_mutex Asking; // held by the thread that asks the whole
 };
 
 /// Never stops and says nothing.

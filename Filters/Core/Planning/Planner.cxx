@@ -20,6 +20,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <shared_mutex>
 #include <string>
 #include <thread>
 
@@ -29,9 +30,11 @@ namespace waft
 namespace
 {
 
-/// Runs the work in a thread of its own while the caller's ticks the monitor.
+/// Runs the work in a thread of its own while the caller's ticks the monitor. Holding is locked
+/// during a tick, which may last; before it, `show` is called.
 void RunWhileTicking(const std::function<void()>& work, std::size_t count,
                      const std::atomic<std::size_t>& done, std::atomic<bool>& stop,
+                     std::shared_mutex& holding, const std::function<void()>& show,
                      Monitor& monitor)
 {
   std::mutex mutex;
@@ -49,6 +52,8 @@ void RunWhileTicking(const std::function<void()>& work, std::size_t count,
   while (!ended.wait_for(lock, std::chrono::milliseconds(50), [&]() { return hasEnded; }))
   {
     const std::size_t planned = done;
+    show();
+    const std::unique_lock<std::shared_mutex> hold(holding);
     const bool goesOn = monitor.Tick(
       0.05 + 0.9 * static_cast<double>(planned) / static_cast<double>(count),
       "Planned " + std::to_string(planned) + " of " + std::to_string(count) + " objects");
@@ -268,8 +273,9 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   objectOptions.Span.Gauge = &tools->Gauge;
   const std::size_t count = input.Objects.size();
   std::vector<ObjectPlan> plans(count);
-  std::vector<unsigned char> isDone(count, 0);
+  std::vector<std::atomic<bool>> isDone(count);
   std::atomic<std::size_t> done{ 0 };
+  std::shared_mutex holding;
   std::atomic<bool> stop{ false };
   objectOptions.Span.Stop = &stop;
   FreeSpaceGrids rooms(input, objectOptions.Span.Margin, stop);
@@ -286,7 +292,8 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
       if (known != nullptr)
       {
         plans[i] = WithRows(*known, ownRows[i]);
-        isKnown[i] = isDone[i] = 1;
+        isKnown[i] = 1;
+        isDone[i] = true;
         continue;
       }
     }
@@ -296,6 +303,9 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   {
     for (std::size_t k = begin; k < end && !stop; ++k)
     {
+      {
+        const std::shared_lock<std::shared_mutex> wait(holding);
+      }
       const std::size_t i = unknown[k];
       ObjectPlanOptions own = objectOptions;
       own.Span.Rooms = [&rooms, &input, i](int level) { return rooms.Of(input.Objects[i], level); };
@@ -310,19 +320,32 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
       }
       plans[i] =
         PlanObject(library, input.Objects[i], itinerary, input.Obstacles, input.Scene, own);
-      isDone[i] = stop ? 0 : 1;
+      isDone[i] = !stop;
       ++done;
+    }
+  };
+  std::vector<char> isShown(count, 0);
+  const auto show = [&]()
+  {
+    for (std::size_t i = 0; monitor.ShowsSoFar() && i < count; ++i)
+    {
+      if (isShown[i] == 0 && isDone[i])
+      {
+        isShown[i] = 1;
+        output.Tracks.push_back({ input.Objects[i].ObjectId, plans[i].Positions });
+      }
     }
   };
   if (!unknown.empty())
   {
     RunWhileTicking([&]() { parallelFor(unknown.size(), planRange); }, unknown.size(), done, stop,
-                    monitor);
+                    holding, show, monitor);
   }
+  output.Tracks.clear();
   const bool stopped = stop;
   for (const std::size_t i : unknown)
   {
-    if (memory != nullptr && isDone[i] != 0)
+    if (memory != nullptr && isDone[i])
     {
       memory->Keep(options.Seed, input.Objects[i].ObjectId, keys[i],
                    WithOrdinals(plans[i], ownRows[i]));
@@ -332,7 +355,7 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   // In the order of the objects, so that ids do not depend on threads.
   for (std::size_t i = 0; i < count; ++i)
   {
-    if (isDone[i] == 0)
+    if (!isDone[i])
     {
       continue;
     }

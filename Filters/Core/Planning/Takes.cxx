@@ -24,6 +24,7 @@ public:
                           this->Count == 1 ? text
                                            : "Take " + std::to_string(this->Take) + ": " + text);
   }
+  bool ShowsSoFar() const override { return this->Take == 0 && this->All.ShowsSoFar(); }
 
 private:
   Monitor& All;
@@ -115,14 +116,11 @@ Result PlanTakes(const PlanInput& input, const PlanOptions& options, const TakeO
     PlanOptions own = options;
     own.Seed = options.Seed + static_cast<std::uint64_t>(take);
     TakeMonitor part(monitor, take, takes.NumberOfTakes);
-    PlanOutput plan;
+    PlanOutput other;
+    PlanOutput& plan = take == 0 ? output : other;
     const Result result = PlanMotion(input, own, parallelFor, part, plan, memory);
     if (!result || result.IsStopped())
     {
-      if (take == 0)
-      {
-        output = std::move(plan);
-      }
       return result;
     }
     if (take == 0)
@@ -138,7 +136,10 @@ Result PlanTakes(const PlanInput& input, const PlanOptions& options, const TakeO
     if (isAskedFor || ((takes.Take < 0 || take < takes.Take) && score.Score < least))
     {
       least = score.Score;
-      output = std::move(plan);
+      if (take > 0)
+      {
+        output = std::move(other);
+      }
     }
   }
   return Result::Ok();

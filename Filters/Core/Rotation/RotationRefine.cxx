@@ -320,6 +320,10 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
                  outcomes[i] = TurnObjectWithin(most, plan, body, MakePath(input, i));
                }
              });
+    for (std::size_t i = first; monitor.ShowsSoFar() && i < first + count; ++i)
+    {
+      output.Poses.push_back(outcomes[i].Poses);
+    }
     const double done = FractionDone(first + count, outcomes.size());
     if (!monitor.Tick(0.1 + 0.9 * done, "Turning objects"))
     {

@@ -29,9 +29,9 @@ if _typing.TYPE_CHECKING:  # what __getattr__ finds
     from waft.synthesis import synthesize
 
 __version__ = version()
-__all__ = ["BadInput", "Scene", "WaftError", "data_file", "load_plugin", "measure", "show", "synthesize", "version"]
+__all__ = ["BadInput", "Scene", "WaftError", "data_file", "go_on", "load_plugin", "measure", "show", "synthesize", "version"]
 
-_LATER = {"measure": "waft.measuring", "show": "waft.showing", "synthesize": "waft.synthesis"}  # what takes its time to import, by its module
+_LATER = {"go_on": "waft.slices", "measure": "waft.measuring", "show": "waft.showing", "synthesize": "waft.synthesis"}  # what takes its time to import, by its module
 _WRAPPED = ("vtkWaftSources", "vtkWaftFilters")
 
 

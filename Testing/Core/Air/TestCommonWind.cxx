@@ -42,7 +42,8 @@ CommonWind Fitted(const ParallelFor& parallel)
     }
     samples.push_back(at);
   }
-  wind.Fit(samples, parallel);
+  SilentMonitor monitor;
+  EXPECT_TRUE(wind.Fit(samples, parallel, monitor));
   return wind;
 }
 
@@ -95,7 +96,8 @@ TEST(CommonWind, IsAddedToALatticeAsItIs)
   sum.Values.assign(1,
                     std::vector<std::array<float, 3>>(sum.NumberOfPoints(), { 1.0f, 2.0f, 3.0f }));
   HalfSeries halves(sum);
-  wind.AddTo(halves, SerialFor());
+  SilentMonitor monitor;
+  EXPECT_TRUE(wind.AddTo(halves, SerialFor(), monitor));
   for (int i = 0; i < 7; ++i)
   {
     const Vec3 x = sum.Origin + Vec3(i, 2, 3).cwiseProduct(sum.Spacing);

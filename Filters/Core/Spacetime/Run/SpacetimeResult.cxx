@@ -16,8 +16,29 @@ namespace
 {
 
 constexpr double LeastRepair = 1e-5; // of the volume's width
+constexpr auto BetweenPictures = std::chrono::milliseconds(500);
 
 } // namespace
+
+void SpacetimeRun::ShowMotion()
+{
+  const auto now = std::chrono::steady_clock::now();
+  if (!this->Own.ShowsSoFar() || this->IsPartitioned() || now - this->Shown < BetweenPictures)
+  {
+    return;
+  }
+  this->Shown = now;
+  StateVector motion = this->State.Motion;
+  this->View->Merge(StateVector(this->State.Part), motion);
+  const std::size_t objects = this->Output.Tracks.size();
+  const std::vector<Vec3> places = ObjectPositions(
+    this->Problem.Model, static_cast<std::size_t>(this->Problem.Model.NumberOfFrames), motion);
+  for (std::size_t k = 0; k < places.size(); ++k)
+  {
+    this->Output.Tracks[k % objects].Positions[k / objects] = this->Problem.ToWorld(places[k]);
+  }
+  this->Output.Convergence = this->State.Log;
+}
 
 Result SpacetimeRun::Export()
 {

@@ -33,6 +33,10 @@ SpacetimeRun::SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& 
 Result SpacetimeRun::Run(StateVector start)
 {
   this->Output.Spacing = this->Problem.Spacing;
+  if (this->Own.ShowsSoFar())
+  {
+    this->Output.Tracks = this->Input.Tracks;
+  }
   if (!this->Load() && !this->Rebase())
   {
     WAFT_RETURN_IF_FAILED(this->Begin(std::move(start)));

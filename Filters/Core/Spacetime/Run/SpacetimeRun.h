@@ -77,6 +77,8 @@ private:
   void WriteCheckpoint(bool now);
   void SerialiseAll(StateArchive& stream);
 
+  /// The objects' motion so far, now and then, for a monitor that shows it.
+  void ShowMotion();
   Result Export();
   void KeepTheBetter(const HardConstraints& constraints);
   void MeasureRepairs(const std::vector<Vec3>& solved,
@@ -103,8 +105,9 @@ private:
   std::unique_ptr<LevelSolver> Solver; // of Part
   std::size_t Window = 0;              // free frames that are solved at once on the present level
   double AllWork = 1.0;                // expected, in iterations at full resolution
-  bool Stopped = false;                // by the monitor
-  bool IsCut = false;                  // by the time limit: what follows is no course to go on from
+  std::chrono::steady_clock::time_point Shown; // last
+  bool Stopped = false;                        // by the monitor
+  bool IsCut = false; // by the time limit: what follows is no course to go on from
 };
 
 } // namespace waft

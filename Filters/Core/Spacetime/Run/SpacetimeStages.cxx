@@ -36,6 +36,7 @@ bool SpacetimeRun::Minimize(const Stage& stage)
     const bool isUp = this->TimeIsUp();
     this->KeepCheckpoint(isUp);
     this->MarkState();
+    this->ShowMotion();
     this->IsCut = this->IsCut || isUp;
     return !isUp;
   };

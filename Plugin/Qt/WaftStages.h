@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stages of the window's sources that can work in slices, as the client sees them.
+#pragma once
+
+#include <QString>
+
+#include <vector>
+
+class pqPipelineSource;
+class vtkSMProxy;
+
+namespace waft
+{
+
+/// One that has shown the motion so far.
+struct HeldStage
+{
+  pqPipelineSource* Source = nullptr;
+  vtkSMProxy* Stage = nullptr; // of Source, or one of those that it bundles
+};
+
+/// Of all sources of the window.
+std::vector<HeldStage> HeldStages();
+
+/// A source, where it can, is to show what there is so far after a short while of work.
+void WorkInSlices(vtkSMProxy* source);
+
+/// What a stage says of its work, and how much of it is done (0 to 1).
+struct WorkOfStage
+{
+  QString Message;
+  double Done = 0.0;
+};
+WorkOfStage WorkOf(vtkSMProxy* stage);
+
+/// The next update of these goes on.
+void GoOn(const std::vector<HeldStage>& held);
+
+} // namespace waft

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs inside ParaView while an event script plays: gives the Waft Animation that the menu made the file of a scene with a feather;
+notes, a line a look, how far the work is. When it is done it compares with a run all at once, and ends ParaView."""
+import hashlib
+import json
+import os
+import time
+import traceback
+
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import waft
+
+DEADLINE = 600.0  # s
+scene = waft.Scene(seed=5)
+scene.set_time(120)
+scene.add_objects("feather", positions=[(-0.6, -0.5, 2.6)])
+scene.add_position(0, 60, (0.3, 0.4, 2.1))
+scene.add_position(0, 110, (0.5, -0.2, 1.5))
+scene.save(os.environ["WAFT_GUI_SCENE"])
+log = open(os.environ["WAFT_GUI_LOG"], "w", encoding="utf-8")
+view = simple.GetActiveViewOrCreate("RenderView")
+began = time.monotonic()
+
+
+def stage_of(animation, name):
+    return animation.SMProxy.GetProxy(name).GetClientSideObject()
+
+
+def digest(animation):
+    poses = stage_of(animation, "Rotation").GetOutputDataObject(1)
+    arrays = [poses.GetPoints().GetData(), poses.GetPointData().GetArray("Orientation")]
+    return hashlib.sha256(b"".join(vtk_to_numpy(array).tobytes() for array in arrays)).hexdigest()
+
+
+def write(**line):
+    log.write(json.dumps({"wall": time.monotonic() - began, "processor": time.process_time(), **line}) + "\n")
+    log.flush()
+
+
+def finish(animation):
+    sliced = digest(animation)
+    once = simple.WaftAnimation(FileName=animation.FileName)
+    simple.UpdatePipeline(proxy=once)
+    write(sliced=sliced, once=digest(once), saved=animation.Slice, slices=[stage_of(made, "Planner").GetSlice() for made in (animation, once)],
+          text=stage_of(animation, "Rotation").GetProgressText())
+    os._exit(0)  # ParaView's own way out asks whether to save
+
+
+def look():
+    animation = simple.FindSource("WaftAnimation1")
+    if animation is None:
+        return
+    if not animation.FileName:
+        animation.SMProxy.GetProperty("FileName").SetElement(0, os.environ["WAFT_GUI_SCENE"])  # for Apply to push
+        write(chosen=True)
+        return
+    rotation = stage_of(animation, "Rotation")
+    shown = view.SMProxy.FindRepresentation(animation.SMProxy, 0) is not None
+    meshes = rotation.GetOutputDataObject(0)
+    if not shown or meshes is None or meshes.GetNumberOfPoints() == 0:
+        return
+    complete = rotation.GetComplete()
+    points = rotation.GetOutputDataObject(1).GetNumberOfPoints()
+    write(complete=complete, points=points, bodies=meshes.GetNumberOfPoints(), flagged=meshes.GetFieldData().HasArray("Complete"),
+          work=[stage_of(animation, name).GetWorkDone() for name in ("Planner", "Assimilation", "Rotation")])
+    if complete:
+        finish(animation)
+
+
+def note(*_):
+    try:
+        look()
+        if time.monotonic() - began > DEADLINE:
+            raise TimeoutError("the work was not done in time")
+    except Exception:
+        traceback.print_exc()
+        os._exit(1)
+
+
+interactor = view.GetInteractor()
+interactor.AddObserver("TimerEvent", note)
+interactor.CreateRepeatingTimer(50)

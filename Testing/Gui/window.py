@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""ParaView's own window on a virtual screen, for tests that are started with PARAVIEW XVFB PLUGINS MODULES."""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+PARAVIEW, XVFB, PLUGINS, MODULES = sys.argv[1:5]
+HERE = pathlib.Path(__file__).parent
+PANEL = ("pqClientMainWindow/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/"
+         "scrollAreaWidgetContents/PropertiesFrame/ProxyPanel")
+VIEW = ("pqClientMainWindow/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1/"
+        "Container/Frame.0/CentralWidgetFrame/Viewport")
+
+
+class Screen:
+    """An X server of its own; it names its display once clients may come."""
+
+    def __enter__(self):
+        read, write = os.pipe()
+        self.server = subprocess.Popen([XVFB, "-displayfd", str(write), "-screen", "0", "1400x1000x24", "-noreset"],
+                                       pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as stream:
+            number = stream.readline().strip()
+        if not number:
+            raise RuntimeError("Xvfb: expected a display, found none")
+        return ":" + number
+
+    def __exit__(self, *_):
+        self.server.terminate()
+        self.server.wait()
+
+
+def run_paraview(folder, arguments):
+    """ParaView's exit status and what it printed."""
+    with Screen() as display:
+        environment = {**os.environ, "DISPLAY": display, "HOME": str(folder), "XDG_RUNTIME_DIR": str(folder),
+                       "PV_PLUGIN_PATH": PLUGINS, "PYTHONPATH": MODULES, "WAFT_GUI_LOG": str(folder / "log"),
+                       "WAFT_GUI_SCENE": str(folder / "kept.waft.json")}
+        done = subprocess.run([PARAVIEW, "--dr", *arguments], env=environment, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, check=False)
+    return done.returncode, done.stdout
+
+
+def play(events, folder, watch="watch_widgets.py", ends=True):
+    """Exit status, what was printed, and what a script noted while an event script played; with `ends` ParaView ends after
+    the events, else the script ends it."""
+    script = folder / "events.xml"
+    text = (HERE / events).read_text(encoding="utf-8")
+    script.write_text(text.replace("@PANEL@", PANEL).replace("@VIEW@", VIEW), encoding="utf-8")
+    status, printed = run_paraview(folder, [f"--script={HERE / watch}", f"--test-directory={folder}",
+                                            f"--test-script={script}", *(["--exit"] if ends else [])])
+    return status, printed, [json.loads(line) for line in (folder / "log").read_text(encoding="utf-8").splitlines()]

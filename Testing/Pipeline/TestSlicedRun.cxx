@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Work in slices, and a stage that works so.
+#include "PipelineTesting.h"
+
+#include "Base/Parallel.h"
+#include "Bridge/Pipeline/SlicedRun.h"
+#include "SceneChain.h"
+
+#include <vtkAirAssimilationFilter.h>
+#include <vtkFieldData.h>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace
+{
+
+constexpr double OneTick = 1e-9; // s: a slice ends at the first tick
+
+/// Says at most so many times that the work may go on.
+struct CountingMonitor : waft::Monitor
+{
+  bool Tick(double fraction, const std::string& text) override
+  {
+    this->Thread = std::this_thread::get_id();
+    this->Fraction = fraction;
+    this->Text = text;
+    return ++this->Ticks <= this->Most;
+  }
+  int Ticks = 0;
+  int Most = 1000;
+  double Fraction = -1.0;
+  std::string Text;
+  std::thread::id Thread;
+};
+
+/// Counts to ten.
+waft::Result Count(int& count, waft::Monitor& monitor)
+{
+  for (; count < 10; ++count)
+  {
+    if (!monitor.Tick(0.1 * count, "at " + std::to_string(count)))
+    {
+      return waft::Result::Stopped();
+    }
+  }
+  return waft::Result::Ok();
+}
+
+} // namespace
+
+TEST(SlicedRun, GoesOnWhereItWasHeld)
+{
+  int count = 0;
+  waft::SlicedRun run;
+  run.Begin([&](waft::Monitor& monitor) { return Count(count, monitor); });
+  CountingMonitor monitor;
+  waft::Result result = waft::Result::Error("none yet");
+  for (int slice = 0; slice < 10; ++slice)
+  {
+    ASSERT_FALSE(run.GoOn(OneTick, monitor, result));
+    EXPECT_EQ(count, slice);
+    EXPECT_EQ(monitor.Text, "at " + std::to_string(slice));
+    EXPECT_EQ(monitor.Thread, std::this_thread::get_id());
+  }
+  EXPECT_TRUE(run.GoOn(OneTick, monitor, result));
+  EXPECT_TRUE(result);
+  EXPECT_EQ(count, 10);
+  EXPECT_FALSE(run.IsHeld());
+}
+
+TEST(SlicedRun, RunsToTheEndWithoutALimit)
+{
+  int count = 0;
+  waft::SlicedRun run;
+  run.Begin([&](waft::Monitor& monitor) { return Count(count, monitor); });
+  CountingMonitor monitor;
+  waft::Result result = waft::Result::Error("none yet");
+  EXPECT_TRUE(run.GoOn(0.0, monitor, result));
+  EXPECT_EQ(count, 10);
+}
+
+TEST(SlicedRun, StopsWhenTheCallerSaysSo)
+{
+  int count = 0;
+  waft::SlicedRun run;
+  run.Begin([&](waft::Monitor& monitor) { return Count(count, monitor); });
+  CountingMonitor monitor;
+  monitor.Most = 3;
+  waft::Result result = waft::Result::Ok();
+  EXPECT_TRUE(run.GoOn(0.0, monitor, result));
+  EXPECT_TRUE(result.IsStopped());
+  EXPECT_EQ(count, 3);
+}
+
+TEST(SlicedRun, DiscardsWhatIsHeld)
+{
+  int count = 0;
+  CountingMonitor monitor;
+  waft::Result result = waft::Result::Ok();
+  {
+    waft::SlicedRun run;
+    run.Begin([&](waft::Monitor& own) { return Count(count, own); });
+    EXPECT_FALSE(run.GoOn(OneTick, monitor, result));
+    run.Begin([&](waft::Monitor& own) { return Count(count, own); }); // the first has stopped
+    EXPECT_FALSE(run.GoOn(OneTick, monitor, result));
+  }
+  EXPECT_EQ(count, 0);
+  waft::SlicedRun never; // begun, and never gone on with
+  never.Begin([&](waft::Monitor& own) { return Count(count, own); });
+}
+
+TEST(SlicedRun, ThrowsWhatTheWorkThrows)
+{
+  waft::SlicedRun run;
+  run.Begin([](waft::Monitor&) -> waft::Result { throw std::runtime_error("too large"); });
+  CountingMonitor monitor;
+  waft::Result result = waft::Result::Ok();
+  EXPECT_THROW(run.GoOn(0.0, monitor, result), std::runtime_error);
+  EXPECT_FALSE(run.IsHeld());
+}
+
+// While the thread that ticks is held, the others that work for the same kernel wait.
+TEST(SlicedRun, HoldsAllThreadsOfAPart)
+{
+  using namespace std::chrono_literals;
+  std::atomic<int> others{ 0 };
+  waft::SlicedRun run;
+  run.Begin(
+    [&](waft::Monitor& monitor)
+    {
+      waft::PartMonitor part(monitor, 0.0, 1.0);
+      std::atomic<bool> goesOn{ true };
+      std::thread other(
+        [&]
+        {
+          while (goesOn && part.Tick(0.0, ""))
+          {
+            ++others;
+          }
+        });
+      bool isAsked = true;
+      for (int k = 0; isAsked && k < 50; ++k)
+      {
+        std::this_thread::sleep_for(1ms);
+        isAsked = part.Tick(0.02 * k, "at " + std::to_string(k));
+      }
+      goesOn = false;
+      other.join();
+      return waft::Result::Ok();
+    });
+  CountingMonitor monitor;
+  waft::Result result = waft::Result::Ok();
+  for (int slice = 0; slice < 3; ++slice)
+  {
+    ASSERT_FALSE(run.GoOn(OneTick, monitor, result));
+    std::this_thread::sleep_for(2ms); // what was between two looks comes to its end
+    const int before = others;
+    std::this_thread::sleep_for(10ms);
+    EXPECT_LE(others, before + 1);
+  }
+}
+
+namespace
+{
+
+const char* const Scene = R"({"waft": 1, "time": {"frames": 40},
+  "shapes": {"leaf": {"builtin": "leaf"}},
+  "objects": [{"shape": "leaf", "positions": [[-0.5, 0.0, 2.1], [-0.5, 0.4, 2.2]]}],
+  "constraints": [{"kind": "position", "object": 0, "frame": 39, "value": [0.3, 0.1, 2.0]}],
+  "obstacles": [{"kind": "sphere", "center": [1, -1, 2], "radius": 0.2, "motion":
+    [{"frame": 0, "position": [1, -1, 2]}, {"frame": 39, "position": [1, 1, 2]}]}]})";
+
+/// Planner, assimilation, optimiser and rotation.
+struct LongChain : SceneChain
+{
+  vtkNew<vtkAirAssimilationFilter> Assimilation;
+
+  LongChain() : SceneChain(Scene)
+  {
+    this->Assimilation->SetInputConnection(0, this->Planner->GetOutputPort(0));
+    this->Assimilation->SetInputConnection(1, this->Reader->GetOutputPort(0));
+    this->Assimilation->SetInputConnection(2, this->Planner->GetOutputPort(3));
+    this->Assimilation->SetInputConnection(3, this->Reader->GetOutputPort(2));
+    this->Assimilation->SetResolution(16);
+    this->Assimilation->SetLatticeResolution(12);
+    this->Assimilation->SetRounds(1);
+    this->Assimilation->SetCandidates(1);
+    this->Assimilation->SetStarts(0);
+    this->Assimilation->SetWindRounds(2);
+    this->Spacetime->SetNumberOfGasParticles(125);
+    this->Spacetime->SetLeashIterations(1);
+    this->Spacetime->SetMaximumNumberOfIterations(6);
+    this->Spacetime->SetInputConnection(0, this->Assimilation->GetOutputPort(0));
+    this->Spacetime->SetInputConnection(6, this->Assimilation->GetOutputPort(1));
+  }
+  std::vector<vtkSlicedPolyDataAlgorithm*> Sliced() const
+  {
+    return { this->Planner, this->Assimilation, this->Spacetime, this->Rotation };
+  }
+  void SetSlice(double seconds)
+  {
+    for (vtkSlicedPolyDataAlgorithm* stage : this->Sliced())
+    {
+      stage->SetSlice(seconds);
+    }
+  }
+  void Update(double time)
+  {
+    this->Rotation->GetOutputInformation(1)->Set(
+      vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), time);
+    this->Rotation->Update(1);
+  }
+  void GoOn()
+  {
+    for (vtkSlicedPolyDataAlgorithm* stage : this->Sliced())
+    {
+      stage->GoOn();
+    }
+  }
+  std::string Poses()
+  {
+    vtkPolyData* poses = Poly(this->Rotation, 1);
+    std::string bytes;
+    const auto add = [&bytes](vtkDataArray* array)
+    {
+      bytes.append(static_cast<const char*>(array->GetVoidPointer(0)),
+                   static_cast<std::size_t>(array->GetDataSize() * array->GetDataTypeSize()));
+    };
+    add(poses->GetPoints()->GetData());
+    add(poses->GetPointData()->GetArray("Orientation"));
+    return bytes;
+  }
+};
+
+/// The poses of a chain that was never held.
+const std::string& AllAtOnce()
+{
+  static const std::string poses = []
+  {
+    LongChain chain;
+    chain.Update(0.0);
+    return chain.Poses();
+  }();
+  return poses;
+}
+
+} // namespace
+
+TEST(Slices, ComeToTheSameBytesAndShowTheMotionSoFar)
+{
+  const std::string whole = AllAtOnce();
+  LongChain chain;
+  chain.SetSlice(0.02);
+  int slices = 0;
+  std::vector<bool> wasHeld(4, false);
+  for (chain.Update(0.5); chain.Rotation->GetComplete() == 0 && slices < 10000; ++slices)
+  {
+    vtkPolyData* poses = SceneChain::Poly(chain.Rotation, 1);
+    ASSERT_EQ(poses->GetNumberOfPoints(), 80) << "slice " << slices;
+    ASSERT_EQ(poses->GetFieldData()->GetArray("Complete")->GetComponent(0, 0), 0.0);
+    ASSERT_GT(SceneChain::Poly(chain.Rotation, 0)->GetNumberOfPoints(), 0);
+    for (std::size_t stage = 0; stage < 4; ++stage)
+    {
+      const double done = chain.Sliced()[stage]->GetWorkDone();
+      wasHeld[stage] = wasHeld[stage] || (done > 0.0 && done < 1.0);
+    }
+    const ExecutionCount count(chain.Assimilation);
+    chain.Update(0.6); // another time: nothing goes on
+    chain.Update(0.5);
+    chain.GoOn();
+    chain.Update(0.5);
+  }
+  EXPECT_GT(slices, 10);
+  EXPECT_TRUE(wasHeld[1] && wasHeld[2]);
+  EXPECT_EQ(chain.Poses(), whole);
+  EXPECT_EQ(SceneChain::Poly(chain.Rotation, 1)->GetFieldData()->GetArray("Complete"), nullptr);
+  for (vtkSlicedPolyDataAlgorithm* stage : chain.Sliced())
+  {
+    EXPECT_STREQ(stage->GetProgressText(), "done") << stage->GetClassName();
+    const WorkCount count(stage);
+    chain.GoOn(); // there is nothing left
+    chain.Update(0.7);
+    EXPECT_EQ(count.Value, 0);
+  }
+}
+
+TEST(Slices, BeginAnewAfterAChange)
+{
+  LongChain chain;
+  chain.SetSlice(0.02);
+  chain.Planner->SetSeed(4);
+  chain.Update(0.0);
+  for (int k = 0; k < 5; ++k)
+  {
+    chain.GoOn();
+    chain.Update(0.0);
+  }
+  ASSERT_EQ(chain.Rotation->GetComplete(), 0);
+  chain.Planner->SetSeed(1);
+  chain.SetSlice(0.0);
+  chain.Update(0.0);
+  EXPECT_EQ(chain.Rotation->GetComplete(), 1);
+  EXPECT_EQ(chain.Poses(), AllAtOnce());
+}
+
+TEST(Slices, AreAllAtOnceFromWhereTheyAreHeld)
+{
+  LongChain chain;
+  chain.SetSlice(0.02);
+  chain.Update(0.0);
+  ASSERT_EQ(chain.Rotation->GetComplete(), 0);
+  chain.SetSlice(0.0);
+  chain.GoOn();
+  chain.Update(0.0);
+  EXPECT_EQ(chain.Rotation->GetComplete(), 1);
+  EXPECT_EQ(chain.Poses(), AllAtOnce());
+}
+
+TEST(Slices, AreLeftWhenTheChainGoes)
+{
+  LongChain chain;
+  chain.SetSlice(0.02);
+  chain.Update(0.0);
+  EXPECT_EQ(chain.Rotation->GetComplete(), 0);
+}

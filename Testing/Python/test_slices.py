@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Work in slices from a script, here and on a pvserver: the motion so far after each, and in the end the same bytes.
+
+    pvpython test_slices.py PVSERVER"""
+import contextlib
+import os
+import pathlib
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import numpy as np
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import waft
+
+PVSERVER = sys.argv.pop(1)
+SLICE = 0.1   # s
+FRAMES = 40
+
+
+def make_scene(folder):
+    scene = waft.Scene("Short", seed=5)
+    scene.set_time(FRAMES)
+    scene.add_objects("feather", count=2, region={"min": (-0.5, -0.5, 2.5), "max": (0.5, 0.5, 3)})
+    scene.add_position(0, 30, (0.2, 0.1, 2.5), radius=0.1)
+    path = os.path.join(folder, "short.waft.json")
+    scene.save(path)
+    return path
+
+
+def poses(animation):
+    data = servermanager.Fetch(animation, idx=animation["Poses"].Port)
+    return vtk_to_numpy(data.GetPoints().GetData()).tobytes() + vtk_to_numpy(data.GetPointData().GetArray("Orientation")).tobytes()
+
+
+def is_flagged(animation, port="Poses"):
+    return animation[port].FieldData.GetArray("Complete") is not None
+
+
+@contextlib.contextmanager
+def server():
+    """A pvserver that serves one client; its port."""
+    with socket.socket() as free:
+        free.bind(("localhost", 0))
+        port = free.getsockname()[1]
+    with subprocess.Popen([PVSERVER, f"--server-port={port}"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as process:
+        try:
+            for line in process.stdout:
+                if "Accepting connection" in line:
+                    break
+            yield port
+        finally:
+            process.terminate()
+            process.communicate()
+
+
+class SliceTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.scene = make_scene(folder.name)
+        animation = simple.WaftAnimation(FileName=cls.scene)
+        animation.UpdatePipeline()
+        cls.whole = poses(animation)
+        simple.Delete(animation)
+
+    def check_slices(self):
+        animation = simple.WaftAnimation(FileName=self.scene, Slice=SLICE)
+        began = time.process_time()
+        animation.UpdatePipeline()
+        self.assertLess(time.process_time() - began, 2.0)
+        slices = 0
+        while True:
+            self.assertEqual(animation["Poses"].GetDataInformation().GetNumberOfPoints(), 2 * FRAMES)
+            self.assertGreater(animation["Meshes"].GetDataInformation().GetNumberOfPoints(), 0)
+            self.assertTrue(is_flagged(animation))
+            slices += 1
+            if waft.go_on(animation):
+                break
+        self.assertGreater(slices, 2)
+        self.assertFalse(is_flagged(animation))
+        self.assertTrue(waft.go_on(animation), "nothing is left")
+        self.assertEqual(poses(animation), self.whole)
+        simple.Delete(animation)
+
+    def test_in_this_process(self):
+        self.check_slices()
+
+    def test_on_a_server(self):
+        with server() as port:
+            simple.Connect("localhost", port)
+            waft.load_plugin()
+            try:
+                self.check_slices()
+            finally:
+                simple.Disconnect()
+                simple.Connect()
+
+    def test_a_change_begins_anew(self):
+        animation = simple.WaftAnimation(FileName=self.scene, Slice=SLICE, Seed=6)
+        animation.UpdatePipeline()
+        waft.go_on(animation)
+        animation.Seed = -1
+        animation.Slice = 0.0
+        animation.UpdatePipeline()
+        self.assertFalse(is_flagged(animation))
+        self.assertEqual(poses(animation), self.whole)
+        simple.Delete(animation)
+
+    def test_a_state_tells_nothing_of_a_window(self):
+        animation = simple.WaftAnimation(FileName=self.scene, StopAfter="Plan")
+        for name in ("Planner", "Assimilation", "Spacetime", "Rotation"):
+            stage = animation.SMProxy.GetProxy(name)
+            self.assertEqual(stage.GetClientSideObject().GetSlice(), 0.0, "a script's")
+            stage.InvokeCommand("WorkInSlices")
+            animation.UpdatePipeline()
+            self.assertEqual(stage.GetClientSideObject().GetSlice(), 0.3)
+        self.assertEqual(animation.Slice, 0.0)
+        simple.Delete(animation)
+
+    def test_wrong_values_are_named(self):
+        stage = waft.vtkStylisticPlannerFilter()
+        for value, held in ((-1.0, 0.0), (1e300, 1e9)):
+            stage.SetSlice(value)
+            self.assertEqual(stage.GetSlice(), held)
+        for wrong in (None, "animation", 3):
+            with self.assertRaisesRegex(waft.BadInput, "source: expected a proxy"):
+                waft.go_on(wrong)
+
+
+if __name__ == "__main__":
+    done = unittest.main(argv=sys.argv[:1], exit=False)
+    sys.exit(0 if done.result.wasSuccessful() else 1)
