@@ -6,7 +6,7 @@ namespace waft
 
 void Serialise(StateArchive& stream, SpacetimeOptions& options)
 {
-  SpacetimeOptions::Visit(ExchangeFieldsWith(stream), options);
+  SpacetimeOptions::Visit(SerialiseFieldsWith(stream), options);
 }
 
 namespace
@@ -22,8 +22,8 @@ void Serialise(StateArchive& stream, ProblemDigest& digest)
 
 void Serialise(StateArchive& stream, SpacetimeInput& input)
 {
-  Exchange(stream, static_cast<MotionProblem&>(input));
-  Exchange(stream, input.Air);
+  Serialise(stream, static_cast<MotionProblem&>(input));
+  Serialise(stream, input.Air);
 }
 
 void Serialise(StateArchive& stream, SpacetimeWarmStart& memory)
