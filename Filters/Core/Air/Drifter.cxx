@@ -55,7 +55,7 @@ void Drifter::SetTouchDown(std::size_t landing, int frame)
   const LandingWindow& window = this->Landings[landing];
   for (Constraint& row : this->Wanted)
   {
-    if (row.Row == window.Row && row.Target == window.Target && row.Kind == ConstraintKind::Rest)
+    if (row.Row == window.Row && row.Target == window.Target && IsRest(row.Kind))
     {
       row.TouchDown = frame;
     }
@@ -86,7 +86,7 @@ void Drifter::FixFrames()
   }
   for (const Constraint& row : this->Wanted)
   {
-    if (row.Kind == ConstraintKind::Position && row.Radius <= 0.0)
+    if (IsPassing(row.Kind) && row.Radius <= 0.0)
     {
       fix(row.Frame, row.Value);
     }
@@ -98,7 +98,7 @@ void Drifter::AddRows()
   const Timeline& time = this->World.Scene.Time;
   for (const Constraint& row : this->Wanted)
   {
-    if (row.Kind == ConstraintKind::Position && row.Radius > 0.0)
+    if (IsPassing(row.Kind) && row.Radius > 0.0)
     {
       this->Balls.push_back({ row.Frame, 0, row.Value, row.Radius });
       this->DriftRows.push_back({ { { row.Frame, 1.0 } }, row.Value, row.Radius });
