@@ -58,14 +58,14 @@ public:
   vtkGetMacro(NumberOfSimulations, int);
   ///@}
   ///@{
-  /** The first simulation of whose segments a smaller share than this is new is the last; 0: all
+  /** The first simulation of whose segments a smaller fraction than this is new is the last; 0: all
    * are run. */
   vtkSetClampMacro(StopBelow, double, 0.0, 1.0);
   vtkGetMacro(StopBelow, double);
   ///@}
   ///@{
-  /** A segment is new when its rms distance to all before is above this share of the rms chord of
-   * the segments of its length. */
+  /** A segment is new when its rms distance to all before is above this fraction of the rms chord
+   * of the segments of its length. */
   vtkSetClampMacro(CoverageTolerance, double, 1e-6, 1.0);
   vtkGetMacro(CoverageTolerance, double);
   ///@}

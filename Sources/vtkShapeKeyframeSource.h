@@ -7,7 +7,7 @@
  * Output port 0, Constraints (vtkPolyData): NumberOfTargets rows for any object (`ObjectId` -1) at
  * Frame, of one `Group`, so that they go to distinct objects: rests on the first surface straight
  * below, or positions. With ClassColors the targets of a picture have the `ClassId` of the nearest
- * colour, its place in the list. `Row` is -1: a row's number is its vertex's. The field data
+ * colour, its index in the list. `Row` is -1: a row's number is its vertex's. The field data
  * `Bounds`, `NumberOfFrames`, `FramesPerSecond`, `Seed` describe the scene.
  *
  * Texts are drawn along their middle lines where strokes are thin, pictures by brightness against

@@ -29,7 +29,7 @@
  * by bit, on any number of threads. Stopped half way or by TimeLimit, it gives the best motion so
  * far, and the next run goes on from there.
  *
- * Of several MPI processes each solves for its share of the frames, to the same bits. All must
+ * Of several MPI processes each solves for its partition of the frames, to the same bits. All must
  * update the filter together. Inputs and properties of process 0 hold; its outputs hold the result,
  * those of the others are empty.
  */
@@ -85,7 +85,7 @@ public:
   vtkGetMacro(CoherenceWeight, double);
   ///@}
   ///@{
-  /** Share c31 of neighbours in space in Eq. 4; the rest is neighbours in time. 0 to 1. */
+  /** Fraction c31 of neighbours in space in Eq. 4; the rest is neighbours in time. 0 to 1. */
   vtkSetClampMacro(SpatialShare, double, 0.0, 1.0);
   vtkGetMacro(SpatialShare, double);
   ///@}
@@ -196,7 +196,7 @@ public:
   vtkGetMacro(MaximumNumberOfIterations, int);
   ///@}
   ///@{
-  /** A stage ends when E fell by less than this share in 20 iterations; 0: never. 0 to 1. */
+  /** A stage ends when E fell by less than this fraction in 20 iterations; 0: never. 0 to 1. */
   vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}

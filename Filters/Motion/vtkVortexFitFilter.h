@@ -45,7 +45,7 @@ public:
   vtkGetMacro(MaximumNewVortices, int);
   ///@}
   ///@{
-  /** Share of the energy in its region that a new vortex must explain, 0..1. */
+  /** Fraction of the energy in its region that a new vortex must explain, 0..1. */
   vtkSetClampMacro(MinimumGain, double, 0.0, 1.0);
   vtkGetMacro(MinimumGain, double);
   ///@}

@@ -98,9 +98,9 @@ TEST(Bridge, ConstraintsComeBack)
   rows[2].Status = ConstraintStatus::Unreachable;
   vtkNew<vtkPolyData> data;
   ConstraintsToPolyData(rows, SceneInfo(), data);
-  double place[3];
-  data->GetPoint(2, place);
-  EXPECT_EQ(Vec3(place[0], place[1], place[2]), rows[2].Value);
+  double point[3];
+  data->GetPoint(2, point);
+  EXPECT_EQ(Vec3(point[0], point[1], point[2]), rows[2].Value);
   std::vector<Constraint> back;
   ASSERT_TRUE(ConstraintsFromPolyData(data, Timeline(), back));
   ASSERT_EQ(back.size(), 3u);

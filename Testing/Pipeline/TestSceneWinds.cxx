@@ -110,8 +110,8 @@ TEST(SceneWinds, VolumesAreASeriesByTheirNumbers)
   vtkDataArray* values = wind->GetPointData()->GetArray("Wind");
   ASSERT_TRUE(values);
   ASSERT_EQ(values->GetNumberOfTuples(), 125);
-  const vtkIdType place = wind->FindPoint(1.0, 0.0, 3.0);
-  EXPECT_NEAR(values->GetComponent(place, 0), 2.0, 1e-6);
-  EXPECT_NEAR(values->GetComponent(place, 1), 1.0, 1e-6);
-  EXPECT_NEAR(values->GetComponent(place, 2), 1.0, 1e-6);
+  const vtkIdType point = wind->FindPoint(1.0, 0.0, 3.0);
+  EXPECT_NEAR(values->GetComponent(point, 0), 2.0, 1e-6);
+  EXPECT_NEAR(values->GetComponent(point, 1), 1.0, 1e-6);
+  EXPECT_NEAR(values->GetComponent(point, 2), 1.0, 1e-6);
 }

@@ -37,7 +37,8 @@ double LeftSide(vtkPolyData* surface)
 }
 
 /// A stage like any other: notes where its obstacles (port 0, swept) stand at each step; whatever
-/// comes in at port 1 is not swept. Gives the place that it noted for the time asked, as a point.
+/// comes in at port 1 is not swept. Gives the position that it noted for the time asked, as a
+/// point.
 class SweepProbe : public vtkPolyDataAlgorithm
 {
 public:
@@ -45,7 +46,7 @@ public:
   vtkTypeMacro(SweepProbe, vtkPolyDataAlgorithm);
 
   std::vector<double> Times;
-  std::vector<double> Places;
+  std::vector<double> Positions;
   int Runs = 0;
   int Passes = 0;
 
@@ -79,12 +80,12 @@ protected:
       if (this->Sweep.IsFirst())
       {
         this->Times.clear();
-        this->Places.clear();
+        this->Positions.clear();
       }
       if (this->Sweep.HasNewStep())
       {
         this->Times.push_back(waft::TimeSweep::DataTime(inputs[0]->GetInformationObject(0)));
-        this->Places.push_back(LeftSide(surface));
+        this->Positions.push_back(LeftSide(surface));
       }
       if (this->Sweep.Continue(request))
       {
@@ -97,7 +98,8 @@ protected:
     const double time = waft::RequestedTimeOfAll(request, outputs, line);
     vtkNew<vtkPoints> point;
     point->SetDataTypeToDouble();
-    point->InsertNextPoint(this->Places[static_cast<std::size_t>(std::lround(30.0 * time))], 0, 1);
+    point->InsertNextPoint(this->Positions[static_cast<std::size_t>(std::lround(30.0 * time))], 0,
+                           1);
     vtkPolyData::GetData(outputs)->SetPoints(point);
     return 1;
   }
@@ -110,12 +112,12 @@ vtkStandardNewMacro(SweepProbe);
 
 void ExpectTheWholeMotion(const SweepProbe& probe)
 {
-  ASSERT_EQ(probe.Places.size(), static_cast<std::size_t>(Frames));
+  ASSERT_EQ(probe.Positions.size(), static_cast<std::size_t>(Frames));
   for (int k = 0; k < Frames; ++k)
   {
     const auto at = static_cast<std::size_t>(k);
     EXPECT_NEAR(probe.Times[at], k / 30.0, 1e-12) << "frame " << k;
-    EXPECT_NEAR(probe.Places[at], k / 30.0, 1e-12) << "frame " << k;
+    EXPECT_NEAR(probe.Positions[at], k / 30.0, 1e-12) << "frame " << k;
   }
 }
 

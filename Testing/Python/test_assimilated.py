@@ -19,7 +19,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 import waft
 from waft.failures import BadInput
 from waft.reading import read_surface
+from waft.synthesis import ASSIMILATION
 
+COARSE = {"Resolution": 32, "LatticeResolution": 32}
 SCENE = {
     "waft": 1,
     "seed": 3,
@@ -41,6 +43,8 @@ class Assimilated(unittest.TestCase):
         cls.folder = pathlib.Path(folder.name)
         cls.scene = cls.folder / "three.waft.json"
         cls.scene.write_text(json.dumps(SCENE), encoding="utf-8")
+        ASSIMILATION.update(COARSE)
+        cls.addClassCleanup(ASSIMILATION.clear)
         cls.out = cls.folder / "out"
         cls.made = waft.synthesize(str(cls.scene), output=str(cls.out), quality="assimilated")
 
@@ -101,7 +105,7 @@ class Assimilated(unittest.TestCase):
             self.assertEqual((self.out / name).read_bytes(), (self.folder / "edited" / name).read_bytes())
 
     def test_a_run_that_was_killed_goes_on_to_the_same_bytes(self):
-        kill = """if True:
+        kill = f"""if True:
             import os, pathlib, signal, sys, threading, time, waft
             state = pathlib.Path(sys.argv[2]) / "checkpoint" / "assimilation.state"
             def watch():
@@ -109,6 +113,8 @@ class Assimilated(unittest.TestCase):
                     time.sleep(0.005)
                 os.kill(os.getpid(), signal.SIGKILL)
             threading.Thread(target=watch, daemon=True).start()
+            from waft.synthesis import ASSIMILATION
+            ASSIMILATION.update({COARSE})
             waft.synthesize(sys.argv[1], output=sys.argv[2], quality="assimilated")
             """
         out = self.folder / "killed"

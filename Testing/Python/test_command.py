@@ -2,6 +2,8 @@
 """The command as a person runs it: exit status, messages, files that are whole or untouched.
 
     test_command.py WAFT       WAFT: the command of the build or of an installed tree
+
+What is refused is asked of one process that has started (warm.py); runs are processes of their own.
 """
 import hashlib
 import json
@@ -15,6 +17,7 @@ import unittest
 from xml.etree import ElementTree
 
 import motion_checks
+import warm
 
 WAFT = sys.argv.pop(1)
 
@@ -50,6 +53,11 @@ def tree(folder):
 
 
 class Command(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.warm = warm.Warm(WAFT)
+        cls.addClassCleanup(cls.warm.close)
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -72,14 +80,18 @@ class Command(unittest.TestCase):
         (out / "report.json").write_text(json.dumps(
             {"manifest": [{"name": "poses.csv", "size": 3, "digest": digest}]}), encoding="utf-8")
         before = tree(out)
-        done = run("synthesize", scene, "--output", out, *options)
+        done = self.warm.run("synthesize", scene, "--output", out, *options)
         self.assertEqual(status, done.returncode, done.stderr)
         for part in parts:
             self.assertIn(part, done.stderr)
         self.assertEqual(before, tree(out))
 
     def test_missing_scene(self):
-        self.refused(self.folder / "none.waft.json", "none.waft.json", "no such")
+        scene = self.folder / "none.waft.json"
+        self.refused(scene, "none.waft.json", "no such")
+        cold = run("synthesize", scene, "--output", self.folder / "out")  # all of the command, as the process that has started says it
+        started = self.warm.run("synthesize", scene, "--output", self.folder / "out")
+        self.assertEqual((started.returncode, started.stdout, started.stderr), (cold.returncode, cold.stdout, cold.stderr))
 
     def test_broken_json(self):
         path = self.folder / "broken.waft.json"
@@ -131,7 +143,7 @@ class Command(unittest.TestCase):
         path = self.folder / "taken"
         path.write_text("old", encoding="utf-8")
         for out in (path, path / "below"):
-            done = run("synthesize", self.scene(), "--output", out)
+            done = self.warm.run("synthesize", self.scene(), "--output", out)
             self.assertEqual(2, done.returncode, done.stderr)
             self.assertIn("taken: expected a folder", done.stderr)
         self.assertEqual("old", path.read_text(encoding="utf-8"))
@@ -148,10 +160,10 @@ class Command(unittest.TestCase):
         scene = self.scene(lambda s: s["shapes"].update(leaf={"mesh": "shapes/my.obj"}))
         before = tree(self.folder)
         for options in ((), ("--resume",), ("--preview",)):
-            done = run("synthesize", scene, "--output", self.folder, *options)
+            done = self.warm.run("synthesize", scene, "--output", self.folder, *options)
             self.assertEqual(2, done.returncode, done.stderr)
             self.assertIn("shapes/my.obj: no run of waft wrote it", done.stderr)
-        done = run("database", "--output", self.folder / "shapes.vtm", "--simulations", 1, "--resolution", 8, "--frames", 30)
+        done = self.warm.run("database", "--output", self.folder / "shapes.vtm", "--simulations", 1, "--resolution", 8, "--frames", 30)
         self.assertEqual(2, done.returncode, done.stderr)
         self.assertIn("shapes/my.obj: no run of waft wrote it", done.stderr)
         self.assertEqual(before, tree(self.folder))
@@ -164,7 +176,7 @@ class Command(unittest.TestCase):
         try:
             while first.poll() is None and not (out / "checkpoint").exists():
                 time.sleep(0.01)
-            second = run("synthesize", self.scene(), "--output", out)
+            second = self.warm.run("synthesize", self.scene(), "--output", out)
             self.assertEqual(2, second.returncode, second.stderr)
             self.assertIn("another run of waft is at work", second.stderr)
         finally:

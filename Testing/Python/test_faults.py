@@ -17,7 +17,7 @@ import waft
 from waft.database import database_place, settle_database
 from waft.results import manifest_of, read_manifest
 from waft.resuming import Checkpoint
-from waft.synthesis import OPTIMISER
+from waft.synthesis import ASSIMILATION, OPTIMISER
 from waft.writing import result_place, write_results
 
 KILL = ctypes.CDLL(None).WaftKillAtRename
@@ -54,6 +54,8 @@ class Faults(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = pathlib.Path(folder.name)
+        ASSIMILATION.update(Resolution=16, LatticeResolution=8, Candidates=1, Starts=0)  # many files of air, and small
+        cls.addClassCleanup(ASSIMILATION.clear)
 
     def attack(self, prepared, change, put_right, check):
         """Kills change(folder) at each of its renames in turn, each in a folder of its own as prepared; check(folder) holds at
@@ -156,15 +158,15 @@ class Faults(unittest.TestCase):
         KILL(0)
         run(whole)
         renames = KILL(0)
-        for share in (0.0, 0.1, 0.5):
-            out = self.folder / f"killed{share}"
+        for fraction in (0.0, 0.1, 0.5):
+            out = self.folder / f"killed{fraction}"
 
             def killed():
-                KILL(2 + int(share * renames))  # the first is that of the plan
+                KILL(2 + int(fraction * renames))  # the first is that of the plan
                 run(out)
             self.assertEqual(-signal.SIGKILL, in_child(killed))
             self.assertTrue((out / "checkpoint" / "key").exists())
-            self.assertEqual(share > 0.0, (out / "checkpoint" / "spacetime.state").exists())
+            self.assertEqual(fraction > 0.0, (out / "checkpoint" / "spacetime.state").exists())
             again = run(out, resume=True)
             self.assertEqual([], again.warnings)
             self.assertEqual((whole / "poses.csv").read_bytes(), (out / "poses.csv").read_bytes())

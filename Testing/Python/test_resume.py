@@ -1,17 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A run of the command that is killed or interrupted goes on to the files of one that was not.
 
-    pvpython test_resume.py PVPYTHON        the tests; each run is a process of its own
+    pvpython test_resume.py        each run is a process of its own
 """
 import json
+import multiprocessing
 import os
 import pathlib
 import signal
-import subprocess
 import sys
 import tempfile
 import time
 import unittest
+
+import warm
+
+from waft.synthesis import OPTIMISER, synthesize
+from waft.watching import note_stops
 
 SCENE = {
     "waft": 1,
@@ -21,47 +26,62 @@ SCENE = {
     "objects": [{"shape": "leaf", "positions": [[-0.6, -0.5, 2.6], [0.6, 0.4, 2.8]]}],
     "constraints": [{"kind": "position", "object": 0, "frame": 60, "value": [-0.2, -0.2, 1.9]}],
 }
-CHILD = """
-import sys
-from waft.synthesis import OPTIMISER, synthesize
-OPTIMISER.update(NumberOfGasParticles=600, LeashIterations=5, MaximumNumberOfIterations=20)
-run = synthesize(sys.argv[1], output=sys.argv[2], quality="paper", resume=sys.argv[3] == "resume", threads=1,
-                 time_limit=float(sys.argv[4]) or None, checkpoint_interval=float(sys.argv[5]))
-print("\\n".join(run.warnings), end="")
-sys.exit(run.status)
-"""
+
+
+class Flight(multiprocessing.get_context("fork").Process):
+    """A run in a process of its own, a fork of this one, which has ParaView loaded."""
+
+    def __init__(self, scene, out, resume=False, time_limit=None, interval=0):
+        super().__init__()
+        self.options = {"output": out, "resume": resume, "time_limit": time_limit, "checkpoint_interval": interval}
+        self.scene = scene
+        self.log = out.with_name(f"{out.name}.log")
+        self.start()
+
+    def run(self):
+        log = os.open(self.log, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
+        os.dup2(log, 1)
+        os.dup2(log, 2)
+        note_stops()
+        OPTIMISER.update(NumberOfGasParticles=600, LeashIterations=5, MaximumNumberOfIterations=20)
+        run = synthesize(self.scene, quality="paper", threads=1, **self.options)
+        print("\n".join(run.warnings), end="", flush=True)
+        sys.exit(run.status)
+
+    def end(self):
+        """(its exit status, what it said)"""
+        self.join()
+        return self.exitcode, self.log.read_text(encoding="utf-8")
 
 
 class Resume(unittest.TestCase):
-    def setUp(self):
+    @classmethod
+    def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.scene = self.folder / "scene.waft.json"
-        self.scene.write_text(json.dumps(SCENE), encoding="utf-8")
-        (self.folder / "child.py").write_text(CHILD, encoding="utf-8")
-
-    def start(self, out, resume=False, time_limit=0, interval=0):
-        return subprocess.Popen([PVPYTHON, str(self.folder / "child.py"), str(self.scene), str(out),
-                                 "resume" if resume else "fresh", str(time_limit), str(interval)],
-                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.scene = cls.folder / "scene.waft.json"
+        cls.scene.write_text(json.dumps(SCENE), encoding="utf-8")
+        warm.load()
+        cls.whole = cls.folder / "whole"
+        done = Flight(cls.scene, cls.whole, interval=1e6).end()
+        if done != (0, ""):
+            raise RuntimeError(f"the whole run: {done}")
 
     def finish(self, out, **options):
-        child = self.start(out, **options)
-        text, _ = child.communicate()
-        return child.returncode, text
+        return Flight(self.scene, out, **options).end()
 
     def kill_when(self, out, reached):
         """Starts a run and kills it as soon as reached(folder of the checkpoint)."""
-        child = self.start(out)
-        while child.poll() is None and not reached(out / "checkpoint"):
+        child = Flight(self.scene, out)
+        while child.is_alive() and not reached(out / "checkpoint"):
             time.sleep(0.002)
-        child.send_signal(signal.SIGKILL)
-        child.communicate()
-        self.assertEqual(-signal.SIGKILL, child.returncode, "it ended before it could be killed")
+        child.kill()
+        self.assertEqual(-signal.SIGKILL, child.end()[0], "it ended before it could be killed")
         self.assertFalse((out / "poses.csv").exists())
 
-    def expect_same(self, whole, out):
+    def expect_same(self, out):
+        whole = self.whole
         names = ["poses.csv", "planned.vtp", "optimized.vtp", "poses.vtp", "vortices.vtp", "constraints.vtp",
                  "constraints.csv", "animation.glb"]
         for name in names:
@@ -73,9 +93,6 @@ class Resume(unittest.TestCase):
         self.assertEqual([], [entry.name for entry in out.iterdir() if entry.name.startswith(".")])
 
     def test_killed_at_three_moments(self):
-        whole = self.folder / "whole"
-        self.assertEqual((0, ""), self.finish(whole))
-
         def planned(folder):
             return (folder / "key").exists()
 
@@ -97,10 +114,10 @@ class Resume(unittest.TestCase):
                 status, text = self.finish(out, resume=True)
                 self.assertEqual((0, ""), (status, text))
                 self.assertFalse("planner" in json.loads((out / "report.json").read_text())["stages"])
-                self.expect_same(whole, out)
+                self.expect_same(out)
 
         # Out of time, the best so far is written, and a run without a limit goes on.
-        seconds = json.loads((whole / "report.json").read_text())["stages"]
+        seconds = json.loads((self.whole / "report.json").read_text())["stages"]
         out = self.folder / "limited"
         limit = sum(stage["seconds"] for stage in seconds.values()) - 0.6 * seconds["spacetime"]["seconds"]
         status, text = self.finish(out, time_limit=limit)
@@ -109,39 +126,34 @@ class Resume(unittest.TestCase):
         if (out / "checkpoint").exists():
             status, text = self.finish(out, resume=True)
             self.assertEqual((0, ""), (status, text))
-            self.expect_same(whole, out)
+            self.expect_same(out)
 
     def test_interrupted(self):
         """Ctrl-C writes the best so far and where to go on from, though nothing was due to be written yet."""
-        whole = self.folder / "whole"
-        self.assertEqual((0, ""), self.finish(whole, interval=1e6))
-        seconds = json.loads((whole / "report.json").read_text())["stages"]["spacetime"]["seconds"]
-        energy = [float(line.split(",")[3]) for line in (whole / "convergence.csv").read_text().splitlines()[1:]]
+        seconds = json.loads((self.whole / "report.json").read_text())["stages"]["spacetime"]["seconds"]
+        energy = [float(line.split(",")[3]) for line in (self.whole / "convergence.csv").read_text().splitlines()[1:]]
         found = 0
-        for share in (0.35, 0.6):
-            out = self.folder / f"interrupted{share}"
-            child = self.start(out, interval=1e6)
-            while child.poll() is None and not (out / "checkpoint" / "key").exists():
+        for fraction in (0.35, 0.6):
+            out = self.folder / f"interrupted{fraction}"
+            child = Flight(self.scene, out, interval=1e6)
+            while child.is_alive() and not (out / "checkpoint" / "key").exists():
                 time.sleep(0.002)
-            time.sleep(share * seconds)
-            child.send_signal(signal.SIGINT)
-            text, _ = child.communicate()
-            self.assertIn((child.returncode, text), [(4, ""), (0, "")])  # 0: too late, on a machine that is freer now
+            time.sleep(fraction * seconds)
+            os.kill(child.pid, signal.SIGINT)
+            status, text = child.end()
+            self.assertIn((status, text), [(4, ""), (0, "")])  # 0: too late, on a machine that is freer now
             self.assertTrue((out / "poses.csv").exists())
-            if child.returncode == 0:
+            if status == 0:
                 continue
             report = json.loads((out / "report.json").read_text())
             self.assertTrue(report["stoppedEarly"])
             self.assertLess(report["energy"]["after"], energy[0])
             found += (out / "checkpoint" / "spacetime.state").exists()
             self.assertEqual((0, ""), self.finish(out, resume=True, interval=1e6))
-            self.expect_same(whole, out)
+            self.expect_same(out)
         self.assertGreater(found, 0, "no run was interrupted while it was optimised")
 
     def test_a_damaged_plan_is_said_and_planned_anew(self):
-        whole = self.folder / "whole"
-        self.assertEqual((0, ""), self.finish(whole))
-
         def cut(name):
             return lambda folder: os.truncate(folder / name, 900)
 
@@ -157,20 +169,19 @@ class Resume(unittest.TestCase):
                 status, text = self.finish(out, resume=True)
                 self.assertEqual(0, status, text)
                 self.assertRegex(text, f"checkpoint/{name} is damaged.*: done from the start")
-                self.expect_same(whole, out)
+                self.expect_same(out)
 
     def test_nothing_to_go_on_from_is_said(self):
         out = self.folder / "out"
         self.kill_when(out, lambda folder: (folder / "key").exists())
-        changed = dict(SCENE, seed=6)
-        self.scene.write_text(json.dumps(changed), encoding="utf-8")
-        status, text = self.finish(out, resume=True)
+        changed = self.folder / "changed.waft.json"
+        changed.write_text(json.dumps(dict(SCENE, seed=6)), encoding="utf-8")
+        status, text = Flight(changed, out, resume=True).end()
         self.assertEqual(0, status)
         self.assertIn("no stopped run of this scene", text)
         self.assertIn("planner", json.loads((out / "report.json").read_text())["stages"])
 
 
 if __name__ == "__main__":
-    PVPYTHON = sys.argv[1]
     done = unittest.main(argv=sys.argv[:1], exit=False, verbosity=2)
     sys.exit(0 if done.result.wasSuccessful() else 1)

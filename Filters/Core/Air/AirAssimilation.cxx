@@ -135,7 +135,7 @@ Result AssimilationRun::SetUpDrifters()
       {
         rows.push_back(row);
       }
-      else if (row.Status == ConstraintStatus::Unreachable && TraitsOf(row.Kind).IsPositional)
+      else if (row.Status == ConstraintStatus::Unreachable && IsPositional(row.Kind))
       {
         // The plan comes as near as it can.
         Constraint near = row;

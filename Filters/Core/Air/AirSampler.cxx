@@ -35,10 +35,10 @@ AirSampler::Voxel AirSampler::Find(const Vec3& x) const
   {
     const int count = this->Air.Dimensions[static_cast<std::size_t>(c)];
     const double last = count - 1;
-    const double place = (x[c] - this->Air.Origin[c]) / this->Air.Spacing[c];
-    const double held = std::clamp(place, 0.0, last);
+    const double coordinate = (x[c] - this->Air.Origin[c]) / this->Air.Spacing[c];
+    const double held = std::clamp(coordinate, 0.0, last);
     const int low = std::min(static_cast<int>(held), std::max(0, count - 2));
-    voxel.Slope[c] = place == held && last > 0.0 ? 1.0 / this->Air.Spacing[c] : 0.0;
+    voxel.Slope[c] = coordinate == held && last > 0.0 ? 1.0 / this->Air.Spacing[c] : 0.0;
     voxel.Part[c] = held - low;
     voxel.Next[c] = count > 1 ? stride : 0;
     voxel.Corner += static_cast<std::size_t>(low) * stride;

@@ -20,7 +20,7 @@ public:
 
 private:
   // Where x lies: its voxel's lowest corner, how far the others are from it in the list of values
-  // (0 where there is none), the place within it from 0 to 1, and 1 / spacing where a move changes
+  // (0 where there is none), the offset within it from 0 to 1, and 1 / spacing where a move changes
   // it.
   struct Voxel
   {

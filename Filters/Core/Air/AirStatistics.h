@@ -25,7 +25,7 @@ struct AirStatistics
   std::array<double, Bins> Structure{};
 };
 
-/// Paths of bodies, one place a frame [m], and where each flies freely.
+/// Paths of bodies, one position a frame [m], and where each flies freely.
 struct FreeFlights
 {
   std::vector<std::vector<Vec3>> Paths;

@@ -125,7 +125,7 @@ void AssimilationRun::SeekPath(std::size_t o, const AirSampler& air, Monitor& mo
     {
       drifter.SetTouchDown(l, frame);
       path = this->BestDrift(drifter, air,
-                             { drifter.Hastened(path, l, last), drifter.Starts(air, 0).back() });
+                             { drifter.Retimed(path, l, last), drifter.Starts(air, 0).back() });
       last = frame;
       const Judgement now = judged(path);
       if (now < least)
@@ -325,11 +325,11 @@ bool AssimilationRun::FitWind(CommonWind& common, Monitor& monitor) const
       {
         continue;
       }
-      const Vec3 place = 0.5 * (this->Paths[o][at] + this->Paths[o][at + 1]);
+      const Vec3 middle = 0.5 * (this->Paths[o][at] + this->Paths[o][at + 1]);
       WindSamples& samples = byFrame[k];
       samples.Frame = k + 0.5;
-      samples.Places.push_back(place);
-      samples.Values.push_back(controls[at] + common.At(place, k + 0.5));
+      samples.Positions.push_back(middle);
+      samples.Values.push_back(controls[at] + common.At(middle, k + 0.5));
     }
   }
   std::vector<WindSamples> samples;

@@ -19,32 +19,32 @@ T& Read(const T& value)
   return const_cast<T&>(value);
 }
 
-void ExchangeSeries(StateArchive& stream, HalfSeries& series)
+void SerialiseSeries(StateArchive& stream, HalfSeries& series)
 {
   stream.Values(series.Meaning, series.Dimensions[0], series.Dimensions[1], series.Dimensions[2],
                 series.Origin, series.Spacing);
   stream.List(series.Times);
-  ExchangePacked(stream, series.Values);
+  SerialisePacked(stream, series.Values);
 }
 
 // What is written is only read of, what is read is made anew: the air may be another's, too.
-void ExchangeAir(StateArchive& stream, std::shared_ptr<const DrawnAir>& air)
+void SerialiseAir(StateArchive& stream, std::shared_ptr<const DrawnAir>& air)
 {
   const auto moved =
     stream.IsReading() ? std::make_shared<DrawnAir>() : std::const_pointer_cast<DrawnAir>(air);
-  ExchangeSeries(stream, moved->Velocity);
-  ExchangeSeries(stream, moved->Wind);
+  SerialiseSeries(stream, moved->Velocity);
+  SerialiseSeries(stream, moved->Wind);
   air = moved;
 }
 
-void ExchangeRound(StateArchive& stream, AssimilationRound& row)
+void SerialiseRound(StateArchive& stream, AssimilationRound& row)
 {
   stream.Text(row.Stage);
   stream.Text(row.Candidate);
   stream.Values(row.Control, row.MedianControl, row.Flow, row.Wind, row.Seconds);
 }
 
-void Exchange(StateArchive& stream, AssimilationState& state)
+void Serialise(StateArchive& stream, AssimilationState& state)
 {
   stream.Value(state.Key.Surroundings);
   stream.List(state.Key.Ids);
@@ -52,12 +52,12 @@ void Exchange(StateArchive& stream, AssimilationState& state)
   stream.List(state.Key.Planned);
   stream.Values(state.Rounds, state.IsFinished);
   stream.Text(state.Candidate);
-  stream.List(state.Forces.Vortices, [](StateArchive& s, Vortex& v) { Exchange(s, v); });
-  stream.List(state.Forces.Winds, [](StateArchive& s, AnalyticWind& w) { Exchange(s, w); });
-  ExchangeAir(stream, state.Air);
+  stream.List(state.Forces.Vortices, [](StateArchive& s, Vortex& v) { Serialise(s, v); });
+  stream.List(state.Forces.Winds, [](StateArchive& s, AnalyticWind& w) { Serialise(s, w); });
+  SerialiseAir(stream, state.Air);
   stream.List(state.Paths, [](StateArchive& s, std::vector<Vec3>& path) { s.List(path); });
   stream.List(state.TouchDowns, [](StateArchive& s, std::vector<int>& frames) { s.List(frames); });
-  stream.List(state.Table, ExchangeRound);
+  stream.List(state.Table, SerialiseRound);
 }
 
 } // namespace
@@ -71,8 +71,8 @@ AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions&
   scene.Obstacles = input.Obstacles;
   scene.Vortices = input.Vortices;
   scene.Wind = input.Wind;
-  Exchange(around, scene);
-  AssimilationOptions::VisitAir(ExchangeFieldsWith(around), Read(options));
+  Serialise(around, scene);
+  AssimilationOptions::VisitAir(SerialiseFieldsWith(around), Read(options));
   key.Surroundings = around.Sum();
   for (const Track& track : input.Tracks)
   {
@@ -81,14 +81,14 @@ AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions&
     {
       if (object.ObjectId == track.ObjectId)
       {
-        Exchange(wanted, Read(object));
+        Serialise(wanted, Read(object));
       }
     }
     for (const Constraint& row : input.Constraints)
     {
       if (row.ObjectId == track.ObjectId)
       {
-        Exchange(wanted, Read(row));
+        Serialise(wanted, Read(row));
       }
     }
     planned.List(Read(track.Positions));
@@ -104,7 +104,7 @@ Result WriteState(const std::string& path, AssimilationState& state)
   StateFileWriter file(path);
   std::string format = Format;
   file.Text(format);
-  Exchange(file, state);
+  Serialise(file, state);
   return file.Commit();
 }
 
@@ -126,7 +126,7 @@ std::string ReadState(const std::string& path, AssimilationState& state)
   {
     return "is no assimilation of this version";
   }
-  Exchange(file, state);
+  Serialise(file, state);
   if (!file.IsAtEnd())
   {
     state = AssimilationState();

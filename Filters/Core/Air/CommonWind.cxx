@@ -11,7 +11,7 @@ namespace
 
 constexpr double SampleTime = 0.1; // s, that one sample stands for
 
-/// Cubic B-splines of four knots around a place 0..1 between the middle two.
+/// Cubic B-splines of four knots around a point 0..1 between the middle two.
 void CubicWeights(double t, double* w, double* slope)
 {
   const double s = 1.0 - t;
@@ -78,11 +78,11 @@ CommonWind::Splines CommonWind::SplinesAt(int axis, double x) const
   const double high = this->Volume.Max[axis];
   const double held = std::clamp(x, low, high);
   const int spans = this->Count[static_cast<std::size_t>(axis)] - 3;
-  const double place = (held - low) / h;
+  const double coordinate = (held - low) / h;
   Splines s;
-  s.First = std::clamp(static_cast<int>(std::floor(place)), 0, spans - 1);
+  s.First = std::clamp(static_cast<int>(std::floor(coordinate)), 0, spans - 1);
   double slopes[4];
-  CubicWeights(place - s.First, s.Plain, slopes);
+  CubicWeights(coordinate - s.First, s.Plain, slopes);
   double atLow, atHigh;
   const double a = Hold((held - low) / h, atLow);
   const double b = Hold((high - held) / h, atHigh);
@@ -96,10 +96,10 @@ CommonWind::Splines CommonWind::SplinesAt(int axis, double x) const
 
 CommonWind::Level CommonWind::LevelAt(double frame) const
 {
-  const double place = std::clamp(frame / this->FramesPerKnot, 0.0, this->Knots - 3.0);
+  const double knot = std::clamp(frame / this->FramesPerKnot, 0.0, this->Knots - 3.0);
   Level level;
-  level.First = std::min(static_cast<int>(std::floor(place)), this->Knots - 4);
-  CubicWeights(place - level.First, level.Weight, nullptr);
+  level.First = std::min(static_cast<int>(std::floor(knot)), this->Knots - 4);
+  CubicWeights(knot - level.First, level.Weight, nullptr);
   return level;
 }
 
@@ -118,11 +118,11 @@ CommonWind::Nodes CommonWind::At(const Level& level, const std::vector<double>& 
   return nodes;
 }
 
-Vec3 CommonWind::Curl(const Place& place, const double* nodes) const
+Vec3 CommonWind::Curl(const Basis& basis, const double* nodes) const
 {
-  const Splines& x = place.Along[0];
-  const Splines& y = place.Along[1];
-  const Splines& z = place.Along[2];
+  const Splines& x = basis.Along[0];
+  const Splines& y = basis.Along[1];
+  const Splines& z = basis.Along[2];
   Vec3 w = Vec3::Zero();
   for (int k = 0; k < 4; ++k)
   {
@@ -146,11 +146,11 @@ Vec3 CommonWind::Curl(const Place& place, const double* nodes) const
   return w;
 }
 
-void CommonWind::AddCurl(const Place& place, const Vec3& value, Nodes& nodes) const
+void CommonWind::AddCurl(const Basis& basis, const Vec3& value, Nodes& nodes) const
 {
-  const Splines& x = place.Along[0];
-  const Splines& y = place.Along[1];
-  const Splines& z = place.Along[2];
+  const Splines& x = basis.Along[0];
+  const Splines& y = basis.Along[1];
+  const Splines& z = basis.Along[2];
   for (int k = 0; k < 4; ++k)
   {
     for (int j = 0; j < 4; ++j)
@@ -174,17 +174,17 @@ void CommonWind::AddCurl(const Place& place, const Vec3& value, Nodes& nodes) co
 
 Vec3 CommonWind::At(const Vec3& x, double frame) const
 {
-  Place place;
+  Basis basis;
   for (int c = 0; c < 3; ++c)
   {
-    place.Along[c] = this->SplinesAt(c, x[c]);
+    basis.Along[c] = this->SplinesAt(c, x[c]);
   }
   const Level level = this->LevelAt(frame);
   const std::size_t size = 3 * this->NodesPerKnot();
   Vec3 wind = Vec3::Zero();
   for (int m = 0; m < 4; ++m)
   {
-    wind += level.Weight[m] * this->Curl(place, this->Coefficients.data() +
+    wind += level.Weight[m] * this->Curl(basis, this->Coefficients.data() +
                                                   static_cast<std::size_t>(level.First + m) * size);
   }
   return wind;
@@ -237,7 +237,7 @@ bool CommonWind::Fit(const std::vector<WindSamples>& samples, const ParallelFor&
     return true;
   }
   std::vector<Level> levels;
-  std::vector<std::vector<Place>> places(samples.size());
+  std::vector<std::vector<Basis>> bases(samples.size());
   for (const WindSamples& at : samples)
   {
     levels.push_back(this->LevelAt(at.Frame));
@@ -247,14 +247,14 @@ bool CommonWind::Fit(const std::vector<WindSamples>& samples, const ParallelFor&
            {
              for (std::size_t f = begin; f < end; ++f)
              {
-               for (const Vec3& x : samples[f].Places)
+               for (const Vec3& x : samples[f].Positions)
                {
-                 Place place;
+                 Basis basis;
                  for (int c = 0; c < 3; ++c)
                  {
-                   place.Along[c] = this->SplinesAt(c, x[c]);
+                   basis.Along[c] = this->SplinesAt(c, x[c]);
                  }
-                 places[f].push_back(place);
+                 bases[f].push_back(basis);
                }
              }
            });
@@ -275,14 +275,14 @@ bool CommonWind::Fit(const std::vector<WindSamples>& samples, const ParallelFor&
                {
                  const Nodes nodes = this->At(levels[f], a);
                  parts[f].assign(knot, 0.0);
-                 for (std::size_t s = 0; s < places[f].size(); ++s)
+                 for (std::size_t s = 0; s < bases[f].size(); ++s)
                  {
-                   Vec3 w = this->Curl(places[f][s], nodes.data());
+                   Vec3 w = this->Curl(bases[f][s], nodes.data());
                    if (lessValues)
                    {
                      w -= samples[f].Values[s];
                    }
-                   this->AddCurl(places[f][s], weight * w, parts[f]);
+                   this->AddCurl(bases[f][s], weight * w, parts[f]);
                  }
                }
              });

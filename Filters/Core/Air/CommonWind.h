@@ -28,8 +28,8 @@ struct CommonWindOptions
 struct WindSamples
 {
   double Frame = 0.0;
-  std::vector<Vec3> Places; // m
-  std::vector<Vec3> Values; // m/s
+  std::vector<Vec3> Positions; // m
+  std::vector<Vec3> Values;    // m/s
 };
 
 /// W = curl A [m/s] with A in cubic B-splines of space and time: solenoidal. The parts of A along a
@@ -55,7 +55,7 @@ private:
     int First = 0;
     double Plain[4], Held[4], Slope[4];
   };
-  struct Place
+  struct Basis
   {
     Splines Along[3];
   };
@@ -69,8 +69,8 @@ private:
   Splines SplinesAt(int axis, double x) const;
   Level LevelAt(double frame) const;
   Nodes At(const Level& level, const std::vector<double>& coefficients) const;
-  Vec3 Curl(const Place& place, const double* nodes) const;
-  void AddCurl(const Place& place, const Vec3& value, Nodes& nodes) const;
+  Vec3 Curl(const Basis& basis, const double* nodes) const;
+  void AddCurl(const Basis& basis, const Vec3& value, Nodes& nodes) const;
   /// What is penalised, applied: the gradient of half the penalty.
   void Penalise(const std::vector<double>& a, std::vector<double>& sum) const;
   std::size_t NodesPerKnot() const

@@ -172,16 +172,16 @@ private:
     Linear now, before, change;
     for (int k = 0; k + 1 < this->Frames; ++k)
     {
-      const double share = flight[static_cast<std::size_t>(k)];
-      if (share <= 0.0)
+      const double fraction = flight[static_cast<std::size_t>(k)];
+      if (fraction <= 0.0)
       {
         continue;
       }
       now.Value = this->Control(x, k, derivatives ? &now : nullptr);
-      add(now, share * this->Step);
+      add(now, fraction * this->Step);
       if (k > 0 && flight[static_cast<std::size_t>(k) - 1] > 0.0)
       {
-        const double both = std::min(share, flight[static_cast<std::size_t>(k) - 1]);
+        const double both = std::min(fraction, flight[static_cast<std::size_t>(k) - 1]);
         change.Value = (now.Value - before.Value) / this->Step;
         if (derivatives)
         {

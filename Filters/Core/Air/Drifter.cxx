@@ -12,18 +12,18 @@ namespace waft
 namespace
 {
 
-constexpr double BarrierMargin = 0.01; // m, that the penalty asks for besides
-constexpr double HandOverTime = 0.1;   // s, beside what is given
-constexpr double LargestHair = 0.02;   // m
-constexpr int StrayWaves = 3;
-constexpr double StraySize = 0.15;      // of L, of the slowest wave
-constexpr double ClearanceSlack = 5e-4; // of L, of the 1e-3 that clearance may miss
+constexpr double BarrierMargin = 0.01;     // m, that the penalty asks for besides
+constexpr double HandOverTime = 0.1;       // s, beside what is given
+constexpr double LargestBarrierGap = 0.02; // m
+constexpr int PerturbationWaves = 3;
+constexpr double PerturbationSize = 0.15; // of L, of the slowest wave
+constexpr double ClearanceSlack = 5e-4;   // of L, of the 1e-3 that clearance may miss
 
 } // namespace
 
 Drifter::Drifter(const DriftScene& scene, const MotionObject& object, std::vector<Vec3> planned,
                  std::vector<Constraint> rows) :
-  Place(scene),
+  World(scene),
   Body(object), Planned(std::move(planned)), Wanted(std::move(rows)),
   Landings(LandingWindows(object, this->Wanted, scene.Obstacles, scene.Scene.Time.FramesPerSecond))
 {
@@ -43,7 +43,7 @@ int Drifter::EarliestTouchDown(std::size_t landing, int most) const
   {
     if (this->IsFixed[static_cast<std::size_t>(f)] && f < this->Landings[landing].Frame)
     {
-      earliest = f + static_cast<int>(this->Place.Scene.Time.FramesPerSecond);
+      earliest = f + static_cast<int>(this->World.Scene.Time.FramesPerSecond);
       break;
     }
   }
@@ -55,13 +55,13 @@ void Drifter::SetTouchDown(std::size_t landing, int frame)
   const LandingWindow& window = this->Landings[landing];
   for (Constraint& row : this->Wanted)
   {
-    if (row.Row == window.Row && row.Target == window.Target && row.Kind == ConstraintKind::Rest)
+    if (row.Row == window.Row && row.Target == window.Target && IsRest(row.Kind))
     {
       row.TouchDown = frame;
     }
   }
   this->Landings[landing].Frame = frame;
-  this->Landings[landing].First = frame - this->Place.Scene.Time.FramesPerSecond;
+  this->Landings[landing].First = frame - this->World.Scene.Time.FramesPerSecond;
   this->FixFrames();
 }
 
@@ -86,7 +86,7 @@ void Drifter::FixFrames()
   }
   for (const Constraint& row : this->Wanted)
   {
-    if (row.Kind == ConstraintKind::Position && row.Radius <= 0.0)
+    if (IsPassing(row.Kind) && row.Radius <= 0.0)
     {
       fix(row.Frame, row.Value);
     }
@@ -95,10 +95,10 @@ void Drifter::FixFrames()
 
 void Drifter::AddRows()
 {
-  const Timeline& time = this->Place.Scene.Time;
+  const Timeline& time = this->World.Scene.Time;
   for (const Constraint& row : this->Wanted)
   {
-    if (row.Kind == ConstraintKind::Position && row.Radius > 0.0)
+    if (IsPassing(row.Kind) && row.Radius > 0.0)
     {
       this->Balls.push_back({ row.Frame, 0, row.Value, row.Radius });
       this->DriftRows.push_back({ { { row.Frame, 1.0 } }, row.Value, row.Radius });
@@ -131,15 +131,15 @@ void Drifter::AddRows()
 
 DriftProblem Drifter::Problem() const
 {
-  const Timeline& time = this->Place.Scene.Time;
+  const Timeline& time = this->World.Scene.Time;
   DriftProblem problem;
   problem.Time = time;
   problem.SettlingSpeed = this->Body.SettlingSpeed;
-  problem.ResponseTime = this->Place.Inertia ? this->Body.SettlingSpeed / StandardGravity : 0.0;
+  problem.ResponseTime = this->World.Inertia ? this->Body.SettlingSpeed / StandardGravity : 0.0;
   problem.IsFixed = this->IsFixed;
   problem.Fixed = this->Fixed;
   problem.Rows = this->DriftRows;
-  problem.Cushion = LandingCushion(this->Place.Obstacles, this->Landings, this->Body.RestHeight,
+  problem.Cushion = LandingCushion(this->World.Obstacles, this->Landings, this->Body.RestHeight,
                                    this->Body.SettlingSpeed);
   // Steps between fixed frames are given; beside them a body is taken up or handed over. To a rest
   // it comes by the cushion.
@@ -173,7 +173,7 @@ void Drifter::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths)
 {
   const Clearance asked = RequiredClearance(this->Body, this->Landings, frame);
   const double radius = asked.Radius + BarrierMargin;
-  const Box& volume = this->Place.Scene.Bounds;
+  const Box& volume = this->World.Scene.Bounds;
   const auto push = [&](const Vec3& normal, double depth)
   {
     if (depth > 0.0)
@@ -192,11 +192,11 @@ void Drifter::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths)
   for (auto n = std::lower_bound(this->Neighbours.begin(), this->Neighbours.end(), frame, before);
        n != this->Neighbours.end() && n->Frame == frame; ++n)
   {
-    const Vec3 apart = x - n->Place;
+    const Vec3 apart = x - n->Position;
     const double distance = apart.norm();
     push(distance > 1e-9 ? Vec3(apart / distance) : Vec3::UnitZ(), 0.5 * (n->Distance - distance));
   }
-  const ObstacleSet& obstacles = this->Place.Obstacles;
+  const ObstacleSet& obstacles = this->World.Obstacles;
   if (obstacles.SignedDistance(x, frame, radius, asked.Exempt) < radius)
   {
     SurfaceHit hit;
@@ -212,8 +212,8 @@ void Drifter::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths)
 }
 
 // Bent between its marks by slow waves.
-std::vector<Vec3> Drifter::Strayed(std::vector<Vec3> path, const std::vector<int>& marks,
-                                   Random& random) const
+std::vector<Vec3> Drifter::Perturbed(std::vector<Vec3> path, const std::vector<int>& marks,
+                                     Random& random) const
 {
   const int frames = static_cast<int>(path.size());
   for (std::size_t m = 0; m < marks.size(); ++m)
@@ -225,22 +225,23 @@ std::vector<Vec3> Drifter::Strayed(std::vector<Vec3> path, const std::vector<int
     {
       continue;
     }
-    Vec3 waves[StrayWaves];
+    Vec3 waves[PerturbationWaves];
     for (Vec3& wave : waves)
     {
-      wave = StraySize * this->Place.Scene.Bounds.Width() * random.Normal() * random.Direction();
+      wave =
+        PerturbationSize * this->World.Scene.Bounds.Width() * random.Normal() * random.Direction();
     }
     for (int f = from + 1; f < to + (isLast ? 1 : 0); ++f)
     {
       const double s = static_cast<double>(f - from) / (to - from) * (isLast ? 0.5 : 1.0);
-      for (int w = 0; w < StrayWaves; ++w)
+      for (int w = 0; w < PerturbationWaves; ++w)
       {
         path[static_cast<std::size_t>(f)] += std::sin(M_PI * (w + 1) * s) / (w + 1) * waves[w];
       }
       path[static_cast<std::size_t>(f)] =
         path[static_cast<std::size_t>(f)]
-          .cwiseMax(this->Place.Scene.Bounds.Min + Vec3::Constant(this->Body.ClearanceRadius))
-          .cwiseMin(this->Place.Scene.Bounds.Max - Vec3::Constant(this->Body.ClearanceRadius));
+          .cwiseMax(this->World.Scene.Bounds.Min + Vec3::Constant(this->Body.ClearanceRadius))
+          .cwiseMin(this->World.Scene.Bounds.Max - Vec3::Constant(this->Body.ClearanceRadius));
     }
   }
   return path;
@@ -259,8 +260,8 @@ std::vector<int> Drifter::Marks() const
   return marks;
 }
 
-std::vector<Vec3> Drifter::Hastened(const std::vector<Vec3>& path, std::size_t landing,
-                                    int touchDown) const
+std::vector<Vec3> Drifter::Retimed(const std::vector<Vec3>& path, std::size_t landing,
+                                   int touchDown) const
 {
   // From the mark before on it goes faster, to be there earlier.
   const int early = this->Landings[landing].Frame;
@@ -269,39 +270,39 @@ std::vector<Vec3> Drifter::Hastened(const std::vector<Vec3>& path, std::size_t l
   {
     from = mark < early ? mark : from;
   }
-  std::vector<Vec3> hastened = path;
+  std::vector<Vec3> retimed = path;
   for (int f = from; f <= touchDown && early > from; ++f)
   {
     const double s = std::min<double>(
       touchDown, from + (f - from) * static_cast<double>(touchDown - from) / (early - from));
     const auto low = static_cast<std::size_t>(s);
     const std::size_t high = std::min(low + 1, path.size() - 1);
-    hastened[static_cast<std::size_t>(f)] =
+    retimed[static_cast<std::size_t>(f)] =
       path[low] + (s - static_cast<double>(low)) * (path[high] - path[low]);
   }
-  return hastened;
+  return retimed;
 }
 
-std::vector<Vec3> Drifter::HastenedPlan() const
+std::vector<Vec3> Drifter::RetimedPlan() const
 {
   std::vector<Vec3> planned = this->Planned;
   for (std::size_t l = 0; l < this->Landings.size(); ++l)
   {
-    planned = this->Hastened(planned, l, this->Latest[l]);
+    planned = this->Retimed(planned, l, this->Latest[l]);
   }
   return planned;
 }
 
-std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air, int strayed) const
+std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air, int perturbed) const
 {
   const std::size_t frames = this->Planned.size();
   const std::vector<int> marks = this->Marks();
-  const std::vector<Vec3> planned = this->HastenedPlan();
+  const std::vector<Vec3> planned = this->RetimedPlan();
   std::vector<Vec3> straight = planned;
   std::vector<Vec3> drifting = planned;
-  const double step = this->Place.Scene.Time.Step();
+  const double step = this->World.Scene.Time.Step();
   const Vec3 slip = this->Body.SettlingSpeed * Vec3::UnitZ();
-  const Box& volume = this->Place.Scene.Bounds;
+  const Box& volume = this->World.Scene.Bounds;
   for (std::size_t m = 0; m < marks.size(); ++m)
   {
     const int from = marks[m];
@@ -336,19 +337,19 @@ std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air, int straye
     }
   }
   std::vector<std::vector<Vec3>> starts{ planned, straight, drifting };
-  Random random(this->Place.Scene.Seed, static_cast<std::uint64_t>(this->Body.ObjectId) + 1);
-  for (int k = 0; k < strayed; ++k)
+  Random random(this->World.Scene.Seed, static_cast<std::uint64_t>(this->Body.ObjectId) + 1);
+  for (int k = 0; k < perturbed; ++k)
   {
-    starts.push_back(this->Strayed(k % 2 == 0 ? drifting : planned, marks, random));
+    starts.push_back(this->Perturbed(k % 2 == 0 ? drifting : planned, marks, random));
   }
   return starts;
 }
 
-// Of walls and of surfaces that are landed on barriers leave a hair's breadth, that a shift takes
+// Of walls and of surfaces that are landed on barriers leave a small gap, that a shift takes
 // away.
-void Drifter::TakeOutHairs(std::vector<Vec3>& path) const
+void Drifter::CloseBarrierGaps(std::vector<Vec3>& path) const
 {
-  const Box& volume = this->Place.Scene.Bounds;
+  const Box& volume = this->World.Scene.Bounds;
   for (std::size_t f = 0; f < path.size(); ++f)
   {
     if (this->IsFixed[f])
@@ -365,8 +366,9 @@ void Drifter::TakeOutHairs(std::vector<Vec3>& path) const
         .cwiseMin(volume.Max - low);
     SurfaceHit hit;
     const double distance =
-      lands ? this->Place.Obstacles.SignedDistanceTo(asked.Exempt, path[f], frame, hit) : 0.0;
-    if (lands && distance < asked.LandingDistance && asked.LandingDistance - distance < LargestHair)
+      lands ? this->World.Obstacles.SignedDistanceTo(asked.Exempt, path[f], frame, hit) : 0.0;
+    if (lands && distance < asked.LandingDistance &&
+        asked.LandingDistance - distance < LargestBarrierGap)
     {
       path[f] += (asked.LandingDistance - distance) * hit.Normal;
     }
@@ -379,7 +381,7 @@ void Drifter::MeetRows(std::vector<Vec3>& path) const
   {
     path[f] = this->IsFixed[f] ? this->Fixed[f] : path[f];
   }
-  this->TakeOutHairs(path);
+  this->CloseBarrierGaps(path);
   for (const PositionBall& ball : this->Balls)
   {
     Vec3& x = path[static_cast<std::size_t>(ball.Frame)];
@@ -414,8 +416,8 @@ void Drifter::MeetRows(std::vector<Vec3>& path) const
 
 PathClearance Drifter::Around() const
 {
-  return { this->Place.Obstacles, this->Place.Scene.Bounds, this->Landings, this->Body,
-           ClearanceSlack * this->Place.Scene.Bounds.Width() };
+  return { this->World.Obstacles, this->World.Scene.Bounds, this->Landings, this->Body,
+           ClearanceSlack * this->World.Scene.Bounds.Width() };
 }
 
 bool Drifter::PassesThrough(const std::vector<Vec3>& path) const
@@ -424,7 +426,7 @@ bool Drifter::PassesThrough(const std::vector<Vec3>& path) const
   {
     const auto frame = static_cast<double>(f);
     const int landedOn = RequiredClearance(this->Body, this->Landings, frame + 0.5).Exempt;
-    if (!this->Place.Obstacles.IsClear(path[f], frame, path[f + 1], frame + 1.0, 0.0, landedOn))
+    if (!this->World.Obstacles.IsClear(path[f], frame, path[f + 1], frame + 1.0, 0.0, landedOn))
     {
       return true;
     }
@@ -446,9 +448,9 @@ bool Drifter::MakeExact(std::vector<Vec3>& path) const
   {
     weights.push_back(fixed ? 0.0 : 1.0);
   }
-  const PathFreedom freedom{ weights, this->Place.Scene.Time.Step(),
+  const PathFreedom freedom{ weights, this->World.Scene.Time.Step(),
                              [this](std::vector<Vec3>& x) { this->MeetRows(x); } };
-  return ResolveClearance(this->Around(), freedom, this->HastenedPlan(), path);
+  return ResolveClearance(this->Around(), freedom, this->RetimedPlan(), path);
 }
 
 } // namespace waft

@@ -28,7 +28,7 @@ struct DriftScene
 struct DriftNeighbour
 {
   int Frame = 0;
-  Vec3 Place = Vec3::Zero();
+  Vec3 Position = Vec3::Zero();
   double Distance = 0.0;
 };
 
@@ -68,12 +68,12 @@ public:
   DriftProblem Problem() const;
 
   /// Paths to begin with: the plan, brought to the touch-downs; straight from mark to mark; free
-  /// drift from each mark, bent to the next; and some that stray from these.
-  std::vector<std::vector<Vec3>> Starts(const AirSampler& air, int strayed) const;
+  /// drift from each mark, bent to the next; and some that are perturbed from these.
+  std::vector<std::vector<Vec3>> Starts(const AirSampler& air, int perturbed) const;
 
   /// A path that touches down at a frame, brought to the landing's own, earlier one.
-  std::vector<Vec3> Hastened(const std::vector<Vec3>& path, std::size_t landing,
-                             int touchDown) const;
+  std::vector<Vec3> Retimed(const std::vector<Vec3>& path, std::size_t landing,
+                            int touchDown) const;
 
   /// Whether the centre goes through an obstacle.
   bool PassesThrough(const std::vector<Vec3>& path) const;
@@ -86,18 +86,18 @@ public:
 private:
   std::vector<int> Marks() const; // fixed frames
   /// The plan, brought to the touch-downs as they are set.
-  std::vector<Vec3> HastenedPlan() const;
-  std::vector<Vec3> Strayed(std::vector<Vec3> path, const std::vector<int>& marks,
-                            Random& random) const;
+  std::vector<Vec3> RetimedPlan() const;
+  std::vector<Vec3> Perturbed(std::vector<Vec3> path, const std::vector<int>& marks,
+                              Random& random) const;
   void FixFrames();
   void AddRows();
-  void TakeOutHairs(std::vector<Vec3>& path) const;
+  void CloseBarrierGaps(std::vector<Vec3>& path) const;
   void MeetRows(std::vector<Vec3>& path) const;
   void TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths) const;
 
   PathClearance Around() const;
 
-  const DriftScene& Place;
+  const DriftScene& World;
   MotionObject Body;
   std::vector<Vec3> Planned;
   std::vector<Constraint> Wanted;

@@ -156,7 +156,7 @@ void Read(StateArchive& stream, std::vector<std::vector<Half3>>& values, std::si
 
 } // namespace
 
-void ExchangePacked(StateArchive& stream, std::vector<std::vector<Half3>>& values)
+void SerialisePacked(StateArchive& stream, std::vector<std::vector<Half3>>& values)
 {
   std::uint64_t points = values.empty() ? 0 : values.front().size();
   stream.List(values, [](StateArchive&, std::vector<Half3>&) {}); // their number

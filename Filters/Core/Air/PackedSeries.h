@@ -12,6 +12,6 @@ namespace waft
 /// evenly that what a value differs from the straight line through the two times before is mostly
 /// within a byte; these differences are what is written, by zlib. A stream with anything else is
 /// refused.
-void ExchangePacked(StateArchive& stream, std::vector<std::vector<Half3>>& values);
+void SerialisePacked(StateArchive& stream, std::vector<std::vector<Half3>>& values);
 
 } // namespace waft

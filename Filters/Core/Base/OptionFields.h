@@ -144,7 +144,7 @@ void CopyFields(const From& from, To& to)
 }
 
 /// A visitor that writes or reads each field.
-inline auto ExchangeFieldsWith(StateArchive& stream)
+inline auto SerialiseFieldsWith(StateArchive& stream)
 {
   return [&stream](const OptionField&, auto& value)
   {

@@ -55,14 +55,14 @@ public:
     this->Resize(values, sizeof(T));
     this->Move(values.data(), values.size() * sizeof(T));
   }
-  /// Of anything: exchange(stream, element) moves one.
-  template <class T, class Exchange>
-  void List(std::vector<T>& values, const Exchange& exchange)
+  /// Of anything: serialise(stream, element) moves one.
+  template <class T, class Serialiser>
+  void List(std::vector<T>& values, const Serialiser& serialise)
   {
     this->Resize(values, 1);
     for (T& value : values)
     {
-      exchange(*this, value);
+      serialise(*this, value);
     }
   }
 

@@ -55,6 +55,16 @@ inline bool IsPositional(ConstraintKind kind)
 {
   return TraitsOf(kind).IsPositional;
 }
+/// The object lies still from Frame to Until.
+inline bool IsRest(ConstraintKind kind)
+{
+  return TraitsOf(kind).Lasts;
+}
+/// Its value is a position that is passed, at Frame alone.
+inline bool IsPassing(ConstraintKind kind)
+{
+  return IsPositional(kind) && !IsRest(kind);
+}
 /// Its value is an orientation, in Constraint::Orientation.
 inline bool IsAttitude(ConstraintKind kind)
 {

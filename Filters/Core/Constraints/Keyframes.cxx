@@ -150,27 +150,27 @@ std::set<int> Candidates(const std::vector<MotionObject>& objects, const Group& 
 
 /// The objects that a target may have, each where it is before. Who has another place at the time
 /// is penalized.
-std::vector<NearestColumns::Place> PlacesFor(const Target& target,
-                                             const std::vector<MotionObject>& objects,
-                                             const std::set<int>& candidates,
-                                             const KnownPositions& known)
+std::vector<NearestColumns::Candidate> CandidatesFor(const Target& target,
+                                                     const std::vector<MotionObject>& objects,
+                                                     const std::set<int>& ids,
+                                                     const KnownPositions& known)
 {
-  std::vector<NearestColumns::Place> places;
+  std::vector<NearestColumns::Candidate> candidates;
   for (std::size_t o = 0; o < objects.size(); ++o)
   {
     const int id = objects[o].ObjectId;
-    if (candidates.count(id) == 0 || (target.ClassId >= 0 && target.ClassId != objects[o].ClassId))
+    if (ids.count(id) == 0 || (target.ClassId >= 0 && target.ClassId != objects[o].ClassId))
     {
       continue;
     }
-    places.push_back({ o, Vec3::Zero(), 0 });
+    candidates.push_back({ o, Vec3::Zero(), 0 });
     if (target.HasPosition)
     {
-      places.back().Position = known.Before(id, target.Frame);
-      places.back().Penalty = known.IsTaken(id, target.Frame, target.Until) ? 1 : 0;
+      candidates.back().Position = known.Before(id, target.Frame);
+      candidates.back().Penalty = known.IsTaken(id, target.Frame, target.Until) ? 1 : 0;
     }
   }
-  return places;
+  return candidates;
 }
 
 /// Index of the object of each target, -1 where it has none.
@@ -179,7 +179,7 @@ std::vector<int> ChooseObjects(const std::vector<MotionObject>& objects,
                                const std::vector<const Target*>& open)
 {
   std::map<std::tuple<int, int, int, bool>, std::size_t> kindOf;
-  std::vector<std::vector<NearestColumns::Place>> kinds;
+  std::vector<std::vector<NearestColumns::Candidate>> kinds;
   std::vector<NearestColumns::Row> rows;
   for (const Target* target : open)
   {
@@ -187,7 +187,7 @@ std::vector<int> ChooseObjects(const std::vector<MotionObject>& objects,
     const auto [kind, isNew] = kindOf.emplace(key, kinds.size());
     if (isNew)
     {
-      kinds.push_back(PlacesFor(*target, objects, candidates, known));
+      kinds.push_back(CandidatesFor(*target, objects, candidates, known));
     }
     rows.push_back({ kind->second, target->Position });
   }

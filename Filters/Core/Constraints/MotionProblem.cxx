@@ -8,15 +8,15 @@ namespace waft
 namespace
 {
 
-void ExchangeQuaternion(StateArchive& stream, Quat& q)
+void SerialiseQuaternion(StateArchive& stream, Quat& q)
 {
   stream.Values(q.w(), q.x(), q.y(), q.z());
 }
 
 template <class T>
-void ExchangeList(StateArchive& stream, std::vector<T>& list)
+void SerialiseList(StateArchive& stream, std::vector<T>& list)
 {
-  stream.List(list, [](StateArchive& s, T& element) { Exchange(s, element); });
+  stream.List(list, [](StateArchive& s, T& element) { Serialise(s, element); });
 }
 
 } // namespace
@@ -52,7 +52,7 @@ Result CheckTracks(const MotionProblem& problem, int leastFrames)
   return Result::Ok();
 }
 
-void Exchange(StateArchive& stream, Track& track)
+void Serialise(StateArchive& stream, Track& track)
 {
   stream.Value(track.ObjectId);
   for (auto* list :
@@ -65,25 +65,25 @@ void Exchange(StateArchive& stream, Track& track)
   stream.List(track.VortexIds);
 }
 
-void Exchange(StateArchive& stream, ReportRow& line)
+void Serialise(StateArchive& stream, ReportRow& line)
 {
   stream.Values(line.Row, line.Target, line.ObjectId, line.Frame, line.Kind, line.Residual,
                 line.Status);
   stream.Text(line.Message);
 }
 
-void Exchange(StateArchive& stream, Vortex& v)
+void Serialise(StateArchive& stream, Vortex& v)
 {
   stream.Values(v.VortexId, v.P1, v.P2, v.Strength, v.CenterTime, v.Duration, v.CoreRadius,
                 v.Confidence, v.ObjectCount);
 }
 
-void Exchange(StateArchive& stream, AnalyticWind& w)
+void Serialise(StateArchive& stream, AnalyticWind& w)
 {
   stream.Values(w.Direction, w.Strength, w.Center, w.Radius, w.CenterTime, w.Duration);
 }
 
-void Exchange(StateArchive& stream, FieldSeries& field)
+void Serialise(StateArchive& stream, FieldSeries& field)
 {
   stream.Values(field.Meaning, field.Dimensions[0], field.Dimensions[1], field.Dimensions[2],
                 field.Origin, field.Spacing);
@@ -92,21 +92,21 @@ void Exchange(StateArchive& stream, FieldSeries& field)
               [](StateArchive& s, std::vector<std::array<float, 3>>& values) { s.List(values); });
 }
 
-void Exchange(StateArchive& stream, Constraint& c)
+void Serialise(StateArchive& stream, Constraint& c)
 {
   stream.Values(c.ObjectId, c.Frame, c.Kind, c.Value, c.Radius, c.Until, c.TouchDown, c.Row,
                 c.Target, c.Group, c.ClassId, c.Status);
-  ExchangeQuaternion(stream, c.Orientation);
+  SerialiseQuaternion(stream, c.Orientation);
 }
 
-void Exchange(StateArchive& stream, MotionObject& o)
+void Serialise(StateArchive& stream, MotionObject& o)
 {
   stream.Values(o.ObjectId, o.ShapeId, o.ClassId, o.Mass, o.Position, o.Velocity, o.VelocityGiven,
                 o.AngularVelocity, o.SettlingSpeed, o.ClearanceRadius, o.RestHeight);
-  ExchangeQuaternion(stream, o.Orientation);
+  SerialiseQuaternion(stream, o.Orientation);
 }
 
-void Exchange(StateArchive& stream, ObstacleMesh& obstacle)
+void Serialise(StateArchive& stream, ObstacleMesh& obstacle)
 {
   stream.Value(obstacle.ObstacleId);
   stream.List(obstacle.Mesh.Points);
@@ -114,17 +114,17 @@ void Exchange(StateArchive& stream, ObstacleMesh& obstacle)
   stream.List(obstacle.Offsets);
 }
 
-void Exchange(StateArchive& stream, MotionProblem& problem)
+void Serialise(StateArchive& stream, MotionProblem& problem)
 {
   SceneInfo& scene = problem.Scene;
   stream.Values(scene.Bounds.Min, scene.Bounds.Max, scene.Time.NumberOfFrames,
                 scene.Time.FramesPerSecond, scene.AirDensity, scene.Seed);
-  ExchangeList(stream, problem.Tracks);
-  ExchangeList(stream, problem.Objects);
-  ExchangeList(stream, problem.Constraints);
-  ExchangeList(stream, problem.Obstacles);
-  ExchangeList(stream, problem.Vortices);
-  Exchange(stream, problem.Wind);
+  SerialiseList(stream, problem.Tracks);
+  SerialiseList(stream, problem.Objects);
+  SerialiseList(stream, problem.Constraints);
+  SerialiseList(stream, problem.Obstacles);
+  SerialiseList(stream, problem.Vortices);
+  Serialise(stream, problem.Wind);
 }
 
 } // namespace waft

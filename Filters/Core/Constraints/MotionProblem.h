@@ -28,14 +28,14 @@ struct MotionProblem
 /// At least one track, at least so many frames, in each track one finite position a frame.
 Result CheckTracks(const MotionProblem& problem, int leastFrames);
 
-void Exchange(StateArchive& stream, Track& track);
-void Exchange(StateArchive& stream, ReportRow& line);
-void Exchange(StateArchive& stream, Vortex& vortex);
-void Exchange(StateArchive& stream, AnalyticWind& wind);
-void Exchange(StateArchive& stream, FieldSeries& field);
-void Exchange(StateArchive& stream, Constraint& constraint);
-void Exchange(StateArchive& stream, MotionObject& object);
-void Exchange(StateArchive& stream, ObstacleMesh& obstacle);
-void Exchange(StateArchive& stream, MotionProblem& problem);
+void Serialise(StateArchive& stream, Track& track);
+void Serialise(StateArchive& stream, ReportRow& line);
+void Serialise(StateArchive& stream, Vortex& vortex);
+void Serialise(StateArchive& stream, AnalyticWind& wind);
+void Serialise(StateArchive& stream, FieldSeries& field);
+void Serialise(StateArchive& stream, Constraint& constraint);
+void Serialise(StateArchive& stream, MotionObject& object);
+void Serialise(StateArchive& stream, ObstacleMesh& obstacle);
+void Serialise(StateArchive& stream, MotionProblem& problem);
 
 } // namespace waft

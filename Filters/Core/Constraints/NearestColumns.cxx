@@ -41,42 +41,42 @@ bool NearestColumns::Worth::operator<(const Worth& other) const
 
 void NearestColumns::Tree::Stretch(const std::vector<Vec3>& targets)
 {
-  std::vector<Vec3> places;
-  for (const Place& place : this->Places)
+  std::vector<Vec3> columns;
+  for (const Candidate& candidate : this->Candidates)
   {
-    places.push_back(place.Position);
+    columns.push_back(candidate.Position);
   }
   const auto [targetMean, targetWidth] = Distribution(targets);
-  const auto [placeMean, placeWidth] = Distribution(places);
+  const auto [columnMean, columnWidth] = Distribution(columns);
   this->TargetMean = targetMean;
-  this->PlaceMean = placeMean;
+  this->ColumnMean = columnMean;
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (targetWidth[axis] > 0.0 && placeWidth[axis] > 0.0)
+    if (targetWidth[axis] > 0.0 && columnWidth[axis] > 0.0)
     {
-      this->TargetScale[axis] = std::sqrt(placeWidth[axis] / targetWidth[axis]);
-      this->PlaceScale[axis] = 1.0 / this->TargetScale[axis];
+      this->TargetScale[axis] = std::sqrt(columnWidth[axis] / targetWidth[axis]);
+      this->ColumnScale[axis] = 1.0 / this->TargetScale[axis];
     }
   }
 }
 
-double NearestColumns::Tree::RowShare(const Vec3& target) const
+double NearestColumns::Tree::RowConstant(const Vec3& target) const
 {
   const Vec3 own = target - this->TargetMean;
-  return (own + this->TargetMean - this->PlaceMean).squaredNorm() -
-         this->Seen(target).squaredNorm();
+  return (own + this->TargetMean - this->ColumnMean).squaredNorm() -
+         this->StretchTarget(target).squaredNorm();
 }
 
-double NearestColumns::Tree::ColumnShare(const Vec3& position) const
+double NearestColumns::Tree::ColumnConstant(const Vec3& position) const
 {
-  const Vec3 own = position - this->PlaceMean;
-  return own.squaredNorm() - 2.0 * own.dot(this->TargetMean - this->PlaceMean) -
-         own.cwiseProduct(this->PlaceScale).squaredNorm();
+  const Vec3 own = position - this->ColumnMean;
+  return own.squaredNorm() - 2.0 * own.dot(this->TargetMean - this->ColumnMean) -
+         own.cwiseProduct(this->ColumnScale).squaredNorm();
 }
 
 double NearestColumns::Tree::Spread(const std::vector<Vec3>& targets) const
 {
-  if (this->Places.empty() || targets.empty())
+  if (this->Candidates.empty() || targets.empty())
   {
     return 0.0;
   }
@@ -84,31 +84,31 @@ double NearestColumns::Tree::Spread(const std::vector<Vec3>& targets) const
   Vec3 high = this->Nodes[0].High;
   for (const Vec3& target : targets)
   {
-    low = low.cwiseMin(this->Seen(target));
-    high = high.cwiseMax(this->Seen(target));
+    low = low.cwiseMin(this->StretchTarget(target));
+    high = high.cwiseMax(this->StretchTarget(target));
   }
   return (high - low).squaredNorm();
 }
 
 void NearestColumns::Tree::Build(std::size_t columns)
 {
-  this->PlaceOf.assign(columns, ColumnOffer::None);
+  this->CandidateOf.assign(columns, ColumnOffer::None);
   this->LeafOf.assign(columns, ColumnOffer::None);
   std::size_t leaves = 1;
-  while (leaves * LeafSize < this->Places.size())
+  while (leaves * LeafSize < this->Candidates.size())
   {
     leaves *= 2;
   }
   this->Nodes.resize(2 * leaves - 1);
-  this->Worths.resize(this->Places.size());
-  this->Split(0, 0, this->Places.size());
-  for (std::size_t p = 0; p < this->Places.size(); ++p)
+  this->Worths.resize(this->Candidates.size());
+  this->Split(0, 0, this->Candidates.size());
+  for (std::size_t p = 0; p < this->Candidates.size(); ++p)
   {
-    const Place& place = this->Places[p];
-    this->PlaceOf[place.Column] = p;
-    this->Seats.push_back(this->Seat(place));
-    this->Shares.push_back({ place.Penalty, this->ColumnShare(place.Position) });
-    this->Worths[p] = { RankedCost() - this->Shares[p], true, true };
+    const Candidate& candidate = this->Candidates[p];
+    this->CandidateOf[candidate.Column] = p;
+    this->Points.push_back(this->StretchColumn(candidate));
+    this->Constants.push_back({ candidate.Penalty, this->ColumnConstant(candidate.Position) });
+    this->Worths[p] = { RankedCost() - this->Constants[p], true, true };
   }
   for (std::size_t node = this->Nodes.size(); node-- > 0;)
   {
@@ -123,18 +123,18 @@ void NearestColumns::Tree::Split(std::size_t node, std::size_t begin, std::size_
   own.End = end;
   if (begin < end)
   {
-    own.Low = own.High = this->Seat(this->Places[begin]);
+    own.Low = own.High = this->StretchColumn(this->Candidates[begin]);
   }
   for (std::size_t p = begin; p < end; ++p)
   {
-    own.Low = own.Low.cwiseMin(this->Seat(this->Places[p]));
-    own.High = own.High.cwiseMax(this->Seat(this->Places[p]));
+    own.Low = own.Low.cwiseMin(this->StretchColumn(this->Candidates[p]));
+    own.High = own.High.cwiseMax(this->StretchColumn(this->Candidates[p]));
   }
   if (this->IsLeaf(node))
   {
     for (std::size_t p = begin; p < end; ++p)
     {
-      this->LeafOf[this->Places[p].Column] = node;
+      this->LeafOf[this->Candidates[p].Column] = node;
     }
     return;
   }
@@ -142,9 +142,9 @@ void NearestColumns::Tree::Split(std::size_t node, std::size_t begin, std::size_
   (own.High - own.Low).maxCoeff(&axis);
   const std::size_t middle = begin + (end - begin) / 2;
   // By column among equals: the order is the same on every machine.
-  std::sort(this->Places.begin() + std::ptrdiff_t(begin),
-            this->Places.begin() + std::ptrdiff_t(end),
-            [axis](const Place& a, const Place& b) {
+  std::sort(this->Candidates.begin() + std::ptrdiff_t(begin),
+            this->Candidates.begin() + std::ptrdiff_t(end),
+            [axis](const Candidate& a, const Candidate& b) {
               return std::pair(a.Position[axis], a.Column) < std::pair(b.Position[axis], b.Column);
             });
   this->Split(2 * node + 1, begin, middle);
@@ -168,12 +168,12 @@ void NearestColumns::Tree::Gather(std::size_t node)
 
 void NearestColumns::Tree::Set(std::size_t column, const State& state)
 {
-  const std::size_t p = this->PlaceOf[column];
+  const std::size_t p = this->CandidateOf[column];
   if (p == ColumnOffer::None)
   {
     return;
   }
-  this->Worths[p] = { state.Price - this->Shares[p], !state.IsTaken, !state.IsClosed };
+  this->Worths[p] = { state.Price - this->Constants[p], !state.IsTaken, !state.IsClosed };
   for (std::size_t node = this->LeafOf[column];; node = (node - 1) / 2)
   {
     const Worth before = this->Nodes[node].Most;
@@ -212,9 +212,9 @@ void NearestColumns::Tree::Search(std::size_t node, const Vec3& position,
       {
         continue;
       }
-      const double distance = (position - this->Seats[p]).squaredNorm();
-      const ColumnOffer offer{ this->Places[p].Column, RankedCost{ 0, distance } - worth.Discount,
-                               !worth.IsFree };
+      const double distance = (position - this->Points[p]).squaredNorm();
+      const ColumnOffer offer{ this->Candidates[p].Column,
+                               RankedCost{ 0, distance } - worth.Discount, !worth.IsFree };
       if (offer.IsBefore(best.first))
       {
         best = { offer, best.first };
@@ -246,7 +246,7 @@ void NearestColumns::Tree::Search(std::size_t node, const Vec3& position,
 }
 
 NearestColumns::NearestColumns(std::size_t columns, const RankedCost& leftOut,
-                               std::vector<std::vector<Place>> kinds, std::vector<Row> rows) :
+                               std::vector<std::vector<Candidate>> kinds, std::vector<Row> rows) :
   ColumnCount(columns),
   RowsLeftOut(rows.size(), leftOut), Rows(std::move(rows)), Trees(kinds.size())
 {
@@ -261,7 +261,7 @@ NearestColumns::NearestColumns(std::size_t columns, const RankedCost& leftOut,
       }
     }
     Tree& tree = this->Trees[k];
-    tree.Places = std::move(kinds[k]);
+    tree.Candidates = std::move(kinds[k]);
     tree.Stretch(targets);
     tree.Build(columns);
     this->Spread = std::max(this->Spread, tree.Spread(targets));
@@ -271,11 +271,11 @@ NearestColumns::NearestColumns(std::size_t columns, const RankedCost& leftOut,
 RankedCost NearestColumns::Cost(std::size_t row, std::size_t column) const
 {
   const Tree& tree = this->Trees[this->Rows[row].Kind];
-  const std::size_t p = tree.PlaceOf[column];
+  const std::size_t p = tree.CandidateOf[column];
   return p == ColumnOffer::None
            ? RankedCost::Never()
-           : RankedCost{ tree.Places[p].Penalty,
-                         (this->Rows[row].Position - tree.Places[p].Position).squaredNorm() };
+           : RankedCost{ tree.Candidates[p].Penalty,
+                         (this->Rows[row].Position - tree.Candidates[p].Position).squaredNorm() };
 }
 
 void NearestColumns::Set(std::size_t column, const State& state)
@@ -291,19 +291,19 @@ std::pair<ColumnOffer, ColumnOffer> NearestColumns::Best(std::size_t row) const
   const Row& own = this->Rows[row];
   const Tree& tree = this->Trees[own.Kind];
   std::pair<ColumnOffer, ColumnOffer> best;
-  tree.Search(0, tree.Seen(own.Position), best);
-  const RankedCost share{ 0, tree.RowShare(own.Position) };
-  best.first.Cost = best.first.Cost + share;
-  best.second.Cost = best.second.Cost + share;
+  tree.Search(0, tree.StretchTarget(own.Position), best);
+  const RankedCost constant{ 0, tree.RowConstant(own.Position) };
+  best.first.Cost = best.first.Cost + constant;
+  best.second.Cost = best.second.Cost + constant;
   return best;
 }
 
-/// What makes up for the column's share of costs, as the first rows see it.
+/// What makes up for the column's constant, as the first rows see it.
 RankedCost NearestColumns::FirstPrice(std::size_t column) const
 {
   const Tree& tree = this->Trees[0];
-  const std::size_t p = tree.PlaceOf[column];
-  return p == ColumnOffer::None ? RankedCost() : RankedCost{ 0, tree.Shares[p].Amount };
+  const std::size_t p = tree.CandidateOf[column];
+  return p == ColumnOffer::None ? RankedCost() : RankedCost{ 0, tree.Constants[p].Amount };
 }
 
 } // namespace waft

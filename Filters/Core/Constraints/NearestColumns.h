@@ -19,12 +19,12 @@ namespace waft
 /// A constant that all costs of a row or of a column share does not change who is nearest, once
 /// prices make up for it. So the trees hold the points moved and stretched along each axis until
 /// targets and columns lie in one cloud: with T and O from the means and any k, (T - O + s)^2 is
-/// (k T - O / k)^2, and what depends on T or O alone. Prices are then small and nearly the same in
-/// places that are near, which is what searches are fast by.
+/// (k T - O / k)^2, and what depends on T or O alone. Prices are then small and nearly the same at
+/// points that are near, which is what searches are fast by.
 class NearestColumns : public ColumnSearch
 {
 public:
-  struct Place
+  struct Candidate
   {
     std::size_t Column = 0;
     Vec3 Position = Vec3::Zero();
@@ -36,10 +36,10 @@ public:
     Vec3 Position = Vec3::Zero();
   };
 
-  /// kinds: the places that rows of each kind may take, at most one of a column.
+  /// kinds: the columns that rows of each kind may take, each at most once.
   /// leftOut: cost of a row that takes none.
   NearestColumns(std::size_t columns, const RankedCost& leftOut,
-                 std::vector<std::vector<Place>> kinds, std::vector<Row> rows);
+                 std::vector<std::vector<Candidate>> kinds, std::vector<Row> rows);
 
   std::size_t Columns() const override { return this->ColumnCount; }
   const std::vector<RankedCost>& LeftOut() const override { return this->RowsLeftOut; }
@@ -69,22 +69,22 @@ private:
     {
       Vec3 Low = Vec3::Zero();
       Vec3 High = Vec3::Zero();
-      std::size_t Begin = 0, End = 0; // of Places
+      std::size_t Begin = 0, End = 0; // of Candidates
       Worth Most;
     };
 
     void Stretch(const std::vector<Vec3>& targets);
     double Spread(const std::vector<Vec3>& targets) const;
-    Vec3 Seen(const Vec3& target) const
+    Vec3 StretchTarget(const Vec3& target) const
     {
       return (target - this->TargetMean).cwiseProduct(this->TargetScale);
     }
-    Vec3 Seat(const Place& place) const
+    Vec3 StretchColumn(const Candidate& candidate) const
     {
-      return (place.Position - this->PlaceMean).cwiseProduct(this->PlaceScale);
+      return (candidate.Position - this->ColumnMean).cwiseProduct(this->ColumnScale);
     }
-    double RowShare(const Vec3& target) const;
-    double ColumnShare(const Vec3& position) const;
+    double RowConstant(const Vec3& target) const;
+    double ColumnConstant(const Vec3& position) const;
     void Build(std::size_t columns);
     void Split(std::size_t node, std::size_t begin, std::size_t end);
     void Gather(std::size_t node); // Most from what is below
@@ -95,14 +95,14 @@ private:
     /// No offer below the node can be before this one.
     ColumnOffer Bound(std::size_t node, const Vec3& position) const;
 
-    std::vector<Place> Places;      // ordered by leaves
-    std::vector<Vec3> Seats;        // of the places, stretched
-    std::vector<RankedCost> Shares; // of the costs, by place
-    Vec3 TargetMean = Vec3::Zero(), PlaceMean = Vec3::Zero();
-    Vec3 TargetScale = Vec3::Zero(), PlaceScale = Vec3::Zero(); // k and 1 / k, 0: the axis is flat
+    std::vector<Candidate> Candidates; // ordered by leaves
+    std::vector<Vec3> Points;          // of the candidates, stretched
+    std::vector<RankedCost> Constants; // of the costs, by candidate
+    Vec3 TargetMean = Vec3::Zero(), ColumnMean = Vec3::Zero();
+    Vec3 TargetScale = Vec3::Zero(), ColumnScale = Vec3::Zero(); // k and 1 / k, 0: the axis is flat
     std::vector<Worth> Worths;
     std::vector<Node> Nodes;
-    std::vector<std::size_t> PlaceOf, LeafOf; // by column
+    std::vector<std::size_t> CandidateOf, LeafOf; // by column
   };
 
   std::size_t ColumnCount = 0;

@@ -72,7 +72,7 @@ std::vector<LandingWindow> LandingWindows(const MotionObject& object,
   {
     SurfaceHit hit;
     Vec3 centre;
-    if (row.ObjectId != object.ObjectId || row.Kind != ConstraintKind::Rest ||
+    if (row.ObjectId != object.ObjectId || !IsRest(row.Kind) ||
         !RestingPosition(obstacles, row.Value, row.Frame, object.RestHeight, centre, hit))
     {
       continue;

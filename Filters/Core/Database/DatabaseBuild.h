@@ -77,19 +77,21 @@ struct DatabaseOptions : AirRun
                        "Simulations, each with vortices, winds and obstacles of its own; at most, "
                        "when StopBelow is set." },
           of.NumberOfSimulations...);
-    visit(OptionField{ "StopBelow",
-                       { 0, 1 },
-                       "",
-                       "The first simulation of whose segments a smaller share than this is new is "
-                       "the last, 0.05 for one in twenty; 0: all are run. New is what is farther "
-                       "from all before than CoverageTolerance." },
-          of.StopBelow...);
-    visit(OptionField{ "CoverageTolerance",
-                       { 1e-6, 1 },
-                       "",
-                       "A segment is new when its rms distance to all before is above this share "
-                       "of the rms chord of the segments of its length." },
-          of.CoverageTolerance...);
+    visit(
+      OptionField{ "StopBelow",
+                   { 0, 1 },
+                   "",
+                   "The first simulation of whose segments a smaller fraction than this is new is "
+                   "the last, 0.05 for one in twenty; 0: all are run. New is what is farther "
+                   "from all before than CoverageTolerance." },
+      of.StopBelow...);
+    visit(
+      OptionField{ "CoverageTolerance",
+                   { 1e-6, 1 },
+                   "",
+                   "A segment is new when its rms distance to all before is above this fraction "
+                   "of the rms chord of the segments of its length." },
+      of.CoverageTolerance...);
     visit(TextField("KeptIn", "A folder where simulations that are whole are kept, so that a "
                               "stopped run can be gone on with; they are taken from it when they "
                               "are of the same parameters. It may be removed afterwards."),

@@ -204,7 +204,7 @@ void NeighborList::Restore(NeighborCourse course)
   this->IsRestored = this->Now.Reference != nullptr;
 }
 
-void NeighborList::Exchange(StateArchive& stream)
+void NeighborList::Serialise(StateArchive& stream)
 {
   NeighborCourse course = this->Now;
   std::vector<float> reference = course.Reference ? *course.Reference : std::vector<float>();

@@ -52,7 +52,7 @@ public:
   /// The next Update builds the entries as they were, and goes on from there.
   void Restore(NeighborCourse course);
   /// Writes the course, or reads one back and restores it.
-  void Exchange(StateArchive& stream);
+  void Serialise(StateArchive& stream);
 
   /// By slot.
   SphNeighbors View() const;

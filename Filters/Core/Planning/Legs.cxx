@@ -19,7 +19,7 @@ Stop StopOf(const Constraint& row, double restHeight, const ObstacleSet& obstacl
   stop.Value = stop.Position = row.Value;
   (void)WantedPosition(row, row.Frame, restHeight, obstacles, stop.Position);
   stop.Radius = RadiusOf(row);
-  stop.IsRest = TraitsOf(row.Kind).Lasts;
+  stop.IsRest = IsRest(row.Kind);
   return stop;
 }
 

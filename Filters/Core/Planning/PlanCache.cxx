@@ -54,7 +54,7 @@ std::string PlanKey(const MotionObject& object, const std::vector<Constraint>& r
 {
   MemoryStream key;
   MotionObject body = object;
-  Exchange(key, body);
+  Serialise(key, body);
   std::map<std::pair<int, int>, int> numbers; // of rows by Row and Target, in that order
   for (const int index : own)
   {
@@ -73,7 +73,7 @@ std::string PlanKey(const MotionObject& object, const std::vector<Constraint>& r
     row.Row = numbers[{ row.Row, row.Target }];
     row.Target = 0;
     row.Group = row.ClassId = -1; // it has its object
-    Exchange(key, row);
+    Serialise(key, row);
   }
   for (const Guide& guide : guides)
   {

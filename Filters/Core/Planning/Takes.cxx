@@ -42,7 +42,7 @@ StyleSamples FlightStyle(const PlanOutput& plan, const Timeline& time)
     std::vector<unsigned char> isFree(track.Positions.size(), 1);
     for (const Constraint& row : plan.Constraints)
     {
-      if (row.ObjectId == track.ObjectId && row.Kind == ConstraintKind::Rest)
+      if (row.ObjectId == track.ObjectId && IsRest(row.Kind))
       {
         const int last = std::min(count, row.Until + second + 1);
         for (int k = std::max(0, row.Frame - second); k < last; ++k)

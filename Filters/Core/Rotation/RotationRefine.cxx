@@ -157,11 +157,10 @@ AttitudePlan MakePlan(const RotationInput& input, const RotationOptions& options
   const int last = static_cast<int>(track.Positions.size()) - 1;
   for (const Constraint& row : input.Constraints)
   {
-    // A row that an earlier stage found impossible does not bind; how near a place is come to
+    // A row that an earlier stage found impossible does not bind; how near a position is come to
     // stays.
-    const bool binds =
-      row.Status == ConstraintStatus::Met ||
-      (row.Status == ConstraintStatus::Unreachable && row.Kind == ConstraintKind::Position);
+    const bool binds = row.Status == ConstraintStatus::Met ||
+                       (row.Status == ConstraintStatus::Unreachable && IsPassing(row.Kind));
     if (row.ObjectId != object.ObjectId || !binds || row.Frame < 0 || row.Frame > last)
     {
       continue;
@@ -229,7 +228,7 @@ void ReportOrientations(const RotationInput& input,
   std::set<std::pair<int, int>> told;
   for (const Constraint& row : input.Constraints)
   {
-    if (row.Kind == ConstraintKind::Orientation)
+    if (IsAttitude(row.Kind))
     {
       rows.push_back(row);
       if (row.Status != ConstraintStatus::Met)

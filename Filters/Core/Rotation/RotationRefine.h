@@ -88,8 +88,8 @@ struct RotationOptions
     visit(OptionField{ "VariationPerObject",
                        { 0, 0.5 },
                        "",
-                       "How much objects of one shape differ in their coefficients, each by its "
-                       "own share from the Seed." },
+                       "How much objects of one shape differ in their coefficients, each by an "
+                       "amount of its own from the Seed." },
           of.VariationPerObject...);
     visit(
       OptionField{

@@ -61,7 +61,7 @@ struct KeyframeOptions : SceneFrame
                        { 0, 1 },
                        "",
                        "Colours (red, green, blue from 0 to 1) of the classes of a picture: a "
-                       "target takes the class of the nearest, its place in this list." },
+                       "target takes the class of the nearest, its index in this list." },
           of.ClassColors...);
     visit(OptionField{ "NumberOfTargets", limits::Count, "",
                        "Targets; there must be as many objects." },

@@ -138,7 +138,7 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
     if (IsOfKeyframe(row->Kind))
     {
       if (row->Kind != first.Kind || row->Frame != first.Frame || row->Radius != first.Radius ||
-          (row->Kind == ConstraintKind::Rest && row->Until != first.Until))
+          (IsRest(row->Kind) && row->Until != first.Until))
       {
         return false;
       }
@@ -186,7 +186,7 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
     json["objects"] = std::move(objects);
     json["assign"] = "inOrder";
   }
-  if (first.Kind == ConstraintKind::Rest)
+  if (IsRest(first.Kind))
   {
     json["velocity"] = "rest";
     json["until"] = first.Until;

@@ -56,7 +56,7 @@ struct Outline
   std::function<double(double)> Radius; // at an angle from +x, star
   double CenterX = 0.5;                 // of a star
   std::vector<Rib> Ribs;                // of a star's lobes
-  double Teeth = 0.0; // depth of teeth that the texture cuts, share of the half width
+  double Teeth = 0.0; // depth of teeth that the texture cuts, fraction of the half width
   double Fluff = 0.0; // fraction of a feather's vane whose barbs are loose
 
   /// A point of the plan: along as above, across from -1 to 1 (star: 0 to 1).

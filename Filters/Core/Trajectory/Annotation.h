@@ -30,7 +30,7 @@ struct AnnotationOptions
                        { 0, 1 },
                        "",
                        "A point is driven by a vortex when the vortices' force is more than this "
-                       "share of the sum of the magnitudes of both." },
+                       "fraction of the sum of the magnitudes of both." },
           of.VortexShare...);
     visit(OptionField{ "ForceFloor", limits::Factor, "m/s^2",
                        "An acceleration below this drives nothing, in metres per second squared." },

@@ -74,7 +74,7 @@ struct VortexFitOptions
     visit(OptionField{ "MinimumGain",
                        { 0, 1 },
                        "",
-                       "Share of the energy in its region that a new vortex must explain." },
+                       "Fraction of the energy in its region that a new vortex must explain." },
           of.MinimumGain...);
     visit(
       FlagField("UniformBackground",

@@ -21,7 +21,9 @@ if TYPE_CHECKING:
 # How objects come to their marks: drift in one drawn air on a coarse grid; the same on the full one; the optimiser from there, in
 # that air; and, as in the paper, the optimiser from the plan, gas at rest.
 QUALITIES = ("preview", "assimilated", "full", "paper")
-OPTIMISER: Dict[str, Union[int, float]] = {}  # properties of the optimiser besides its defaults
+# Properties of stages besides their defaults, and those of a preview.
+ASSIMILATION: Dict[str, Union[int, float]] = {}
+OPTIMISER: Dict[str, Union[int, float]] = {}
 
 # Parts of the time that stages take, for the share that is done.
 _SHARES = {"reader": 1, "database": 1, "planner": 6, "assimilation": 45, "spacetime": 45, "rotation": 2}
@@ -216,9 +218,9 @@ def _assimilate(pipeline, clock, checkpoint):
         if checkpoint.air_file.is_file():  # it was done when the run was stopped
             pipeline.assimilation.EditOf = str(checkpoint.air_file)
     watch = pipeline.watch("assimilation", clock)
-    if pipeline.quality == "preview":
-        for name, value in _preview_of(pipeline.assimilation).items():
-            setattr(pipeline.assimilation, name, value)
+    coarse = _preview_of(pipeline.assimilation) if pipeline.quality == "preview" else {}
+    for name, value in {**coarse, **ASSIMILATION}.items():
+        setattr(pipeline.assimilation, name, value)
     left = clock.remaining()
     if left is not None:
         pipeline.assimilation.TimeLimit = max(left, 0.001)

@@ -34,15 +34,15 @@ double SecondsSince(std::clock_t begin)
 void Assign(const char* name, std::size_t count, const Box& targets)
 {
   Random random(5);
-  std::vector<NearestColumns::Place> places;
+  std::vector<NearestColumns::Candidate> candidates;
   std::vector<NearestColumns::Row> rows;
   for (std::size_t i = 0; i < count; ++i)
   {
-    places.push_back({ i, random.InBox(Box()), 0 });
+    candidates.push_back({ i, random.InBox(Box()), 0 });
     rows.push_back({ 0, random.InBox(targets) });
   }
   const RankedCost leftOut{ static_cast<std::int64_t>(count) + 1, 0.0 };
-  NearestColumns search(count, leftOut, { places }, rows);
+  NearestColumns search(count, leftOut, { candidates }, rows);
   std::clock_t begin = std::clock();
   const Assignment found = AssignLeastCost(search);
   std::printf("%-7s n %6zu: %8.3f CPU-s, peak %4.0f MB, cost %.10g m^2, above bound by %.1e m^2",

@@ -65,7 +65,7 @@ void Print(const EvaluationCost& cost, const char* when)
 {
   std::printf("%s: value and gradient %.3f s CPU, %.3f s wall, %.2f ns a directed pair, %.0f %% of "
               "peak, %.3f us a particle and frame",
-              when, cost.Cpu, cost.Wall, cost.Pair, 100.0 * cost.Share, cost.Place);
+              when, cost.Cpu, cost.Wall, cost.Pair, 100.0 * cost.PeakFraction, cost.ParticleFrame);
   if (cost.WallAlone > 0.0)
   {
     std::printf("; one thread %.3f s wall, %.2f times as long", cost.WallAlone,
@@ -121,7 +121,7 @@ public:
     this->Evaluations.push_back(static_cast<double>(curve.Evaluations));
     this->Seconds.push_back(cost.Cpu);
     this->Pairs.push_back(cost.Pair);
-    this->PeakFractions.push_back(100.0 * cost.Share);
+    this->PeakFractions.push_back(100.0 * cost.PeakFraction);
     this->Ratios.push_back(cost.WallAlone / cost.Wall);
     this->Megabytes.push_back(peak);
   }
@@ -199,11 +199,11 @@ int PrintGrowth(int argc, char** argv, const ParallelFor& parallel)
     const SpacetimeSetup& setup = problem.Setup;
     const EvaluationCost cost =
       MeasureCost(setup, setup.Start, parallel, FastestSphKernels(), false);
-    first = first > 0.0 ? first : cost.Place;
+    first = first > 0.0 ? first : cost.ParticleFrame;
     std::printf("%6zu particles x %4d frames: %.3f s CPU, %.3f us a particle and frame: %+.1f %%; "
                 "peak memory so far %.0f MB\n",
-                setup.Model.NumberOfParticles(), setup.Model.NumberOfFrames, cost.Cpu, cost.Place,
-                100.0 * (cost.Place / first - 1.0), PeakMegabytes());
+                setup.Model.NumberOfParticles(), setup.Model.NumberOfFrames, cost.Cpu,
+                cost.ParticleFrame, 100.0 * (cost.ParticleFrame / first - 1.0), PeakMegabytes());
     std::fflush(stdout);
   }
   return 0;

@@ -63,8 +63,8 @@ Path MakePath(int index, int count, double span, std::uint64_t seed)
   const double angle = 2.0 * M_PI * index / count;
   path.Marks[1] = Vec3(0.5 + 0.22 * std::cos(angle), 0.5 + 0.22 * std::sin(angle), 0.5);
   const int side = static_cast<int>(std::ceil(std::sqrt(double(count))));
-  const auto place = [side](int k) { return side > 1 ? 0.25 + 0.5 * k / (side - 1) : 0.5; };
-  path.Marks[2] = Vec3(place(index % side), place(index / side), 0.2);
+  const auto along = [side](int k) { return side > 1 ? 0.25 + 0.5 * k / (side - 1) : 0.5; };
+  path.Marks[2] = Vec3(along(index % side), along(index / side), 0.2);
   path.Helix[0] = random.Uniform(0.05, 0.1);
   path.Helix[1] = random.Uniform(0.25, 0.5);
   path.Helix[2] = random.Uniform(0.02, 0.05);
@@ -163,12 +163,12 @@ void StandardProblem::Build()
       const double t = frame * step;
       const Vec3 x = path.At(t) / unit;
       const Vec3 v = (path.At(t) - path.At(t - step)) / unit;
-      const std::size_t place = static_cast<std::size_t>(frame) * no + o;
-      this->Setup.Table.Planned[place] = x;
+      const std::size_t index = static_cast<std::size_t>(frame) * no + o;
+      this->Setup.Table.Planned[index] = x;
       if (frame == 0 || 2 * frame == this->NumberOfFrames - 1 || frame == this->NumberOfFrames - 1)
       {
-        this->Setup.Table.FixedPositions[place] = x;
-        model.Flags[place] = FixedPosition;
+        this->Setup.Table.FixedPositions[index] = x;
+        model.Flags[index] = FixedPosition;
       }
       float* state = this->Setup.Start.data() + frame * model.FrameSize() + gas.size() + o;
       for (int c = 0; c < 3; ++c)

@@ -29,7 +29,7 @@ double WallSeconds()
   return d.count();
 }
 
-Vec3 Place(const SpacetimeModel& model, const StateVector& state, int frame, std::size_t body)
+Vec3 PositionOf(const SpacetimeModel& model, const StateVector& state, int frame, std::size_t body)
 {
   const float* p = state.data() + frame * model.FrameSize() + body;
   return { p[0], p[model.Stride()], p[2 * model.Stride()] };
@@ -43,7 +43,7 @@ void ForGasPairs(const SpacetimeModel& model, const StateVector& state, int fram
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < model.NumberOfGas; ++i)
   {
-    points.push_back(Place(model, state, frame, i));
+    points.push_back(PositionOf(model, state, frame, i));
   }
   std::sort(points.begin(), points.end(),
             [](const Vec3& a, const Vec3& b) { return a.x() < b.x(); });
@@ -119,11 +119,11 @@ double PeakGigaflops()
 #endif
 }
 
-StandardCurve::Point StandardCurve::Passes(double share) const
+StandardCurve::Point StandardCurve::Passes(double fraction) const
 {
   for (const Point& point : this->Points)
   {
-    if (point.E <= share * this->Start)
+    if (point.E <= fraction * this->Start)
     {
       return point;
     }
@@ -161,8 +161,8 @@ EvaluationCost MeasureCost(const SpacetimeSetup& setup, const StateVector& state
   const double pairs = PairsWithinSupport(model, state);
   const double peak = PeakGigaflops();
   cost.Pair = 1e9 * cost.Cpu / pairs;
-  cost.Place = 1e6 * cost.Cpu / (double(model.NumberOfParticles()) * model.NumberOfFrames);
-  cost.Share = peak > 0.0 ? 1e-9 * OperationsPerPair * pairs / cost.Cpu / peak : 0.0;
+  cost.ParticleFrame = 1e6 * cost.Cpu / (double(model.NumberOfParticles()) * model.NumberOfFrames);
+  cost.PeakFraction = peak > 0.0 ? 1e-9 * OperationsPerPair * pairs / cost.Cpu / peak : 0.0;
   return cost;
 }
 
@@ -268,7 +268,7 @@ GasFaults CheckGas(const SpacetimeModel& model, const StateVector& state)
   {
     for (std::size_t i = 0; i < model.NumberOfGas; ++i)
     {
-      const Vec3 x = Place(model, state, frame, i);
+      const Vec3 x = PositionOf(model, state, frame, i);
       faults.Outside +=
         (x.array() < 0.0).any() || (x.array() > model.Size.array() + 1e-5).any() ? 1 : 0;
     }
@@ -294,11 +294,11 @@ double PairsWithinSupport(const SpacetimeModel& model, const StateVector& state)
     {
       for (const auto& offset : model.Offsets)
       {
-        const Vec3 x =
-          Place(model, state, frame, model.NumberOfGas + o) + Vec3(offset[0], offset[1], offset[2]);
+        const Vec3 x = PositionOf(model, state, frame, model.NumberOfGas + o) +
+                       Vec3(offset[0], offset[1], offset[2]);
         for (std::size_t i = 0; i < model.NumberOfGas; ++i)
         {
-          count += (Place(model, state, frame, i) - x).squaredNorm() < reach * reach ? 2 : 0;
+          count += (PositionOf(model, state, frame, i) - x).squaredNorm() < reach * reach ? 2 : 0;
         }
       }
     }

@@ -23,8 +23,8 @@ struct StandardCurve
   std::vector<Point> Points;
   std::size_t Evaluations = 0; // of value and gradient, at all levels
 
-  /// Wall and processor seconds of the first point at or below this share of E0; -1: none.
-  Point Passes(double share) const;
+  /// Wall and processor seconds of the first point at or below this fraction of E0; -1: none.
+  Point Passes(double fraction) const;
 };
 
 /// What the gas came to: must be none.
@@ -44,8 +44,8 @@ struct EvaluationCost
   double Cpu = 0.0, Wall = 0.0; // s
   double WallAlone = 0.0;       // s, on one thread; 0: not measured
   double Pair = 0.0;            // ns of Cpu a directed pair within the support
-  double Place = 0.0;           // us of Cpu a particle and frame
-  double Share = 0.0;           // of the machine's peak, counted operations; 0: not known
+  double ParticleFrame = 0.0;   // us of Cpu a particle and frame
+  double PeakFraction = 0.0;    // of the machine's peak, counted operations; 0: not known
 };
 
 /// alone: measures one thread, too.

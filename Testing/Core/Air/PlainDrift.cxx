@@ -34,8 +34,8 @@ Eigen::VectorXd Residuals(const DriftProblem& problem, const FieldSeries& air,
     all.segment<3>(at) = std::sqrt(dt * problem.Flight[k]) * c;
     if (k > 0)
     {
-      const double share = std::min(problem.Flight[k], problem.Flight[k - 1]);
-      all.segment<3>(at + 3) = std::sqrt(weights.Smoothness * share / dt) * (c - before);
+      const double fraction = std::min(problem.Flight[k], problem.Flight[k - 1]);
+      all.segment<3>(at + 3) = std::sqrt(weights.Smoothness * fraction / dt) * (c - before);
     }
     before = c;
   }

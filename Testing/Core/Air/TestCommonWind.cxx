@@ -37,8 +37,8 @@ CommonWind Fitted(const ParallelFor& parallel)
     at.Frame = f;
     for (int s = 0; s < 300; ++s)
     {
-      at.Places.push_back(random.InBox(Volume));
-      at.Values.push_back(Gyre(at.Places.back(), Time.Time(f)));
+      at.Positions.push_back(random.InBox(Volume));
+      at.Values.push_back(Gyre(at.Positions.back(), Time.Time(f)));
     }
     samples.push_back(at);
   }

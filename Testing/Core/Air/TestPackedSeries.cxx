@@ -42,7 +42,7 @@ private:
 std::vector<char> Pack(Values values)
 {
   MemoryStream stream;
-  ExchangePacked(stream, values);
+  SerialisePacked(stream, values);
   EXPECT_TRUE(stream.IsGood());
   return stream.Content;
 }
@@ -51,7 +51,7 @@ void ExpectReadsBack(const Values& values)
 {
   ReadingStream stream(Pack(values));
   Values read;
-  ExchangePacked(stream, read);
+  SerialisePacked(stream, read);
   EXPECT_TRUE(stream.IsGood());
   EXPECT_EQ(stream.Left(), 0U);
   EXPECT_EQ(read, values);
@@ -110,7 +110,7 @@ TEST(PackedSeries, DamagedBytesAreRefused)
     ReadingStream stream(
       std::vector<char>(whole.begin(), whole.begin() + static_cast<long>(length)));
     Values read;
-    ExchangePacked(stream, read);
+    SerialisePacked(stream, read);
     EXPECT_FALSE(stream.IsGood()) << length;
   }
   // A number of points that the bytes cannot be: nothing is made room for.
@@ -119,6 +119,6 @@ TEST(PackedSeries, DamagedBytesAreRefused)
   std::memcpy(many.data() + sizeof(std::uint64_t), &points, sizeof(points));
   ReadingStream stream(many);
   Values read;
-  ExchangePacked(stream, read);
+  SerialisePacked(stream, read);
   EXPECT_FALSE(stream.IsGood());
 }

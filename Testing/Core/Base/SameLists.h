@@ -26,8 +26,8 @@ void ExpectSameFields(const Fields& x, const Fields& y, std::index_sequence<I...
     ...);
 }
 
-/// As many of both, and each two in one place the same in all the fields that `fieldsOf` ties of an
-/// item. A failure names the item by `what` and its place, and the place of the field.
+/// As many of both, and each two at one index the same in all the fields that `fieldsOf` ties of an
+/// item. A failure names the item by `what` and its index, and the index of the field.
 template <class T, class FieldsOf>
 void ExpectSameItems(const char* what, const std::vector<T>& a, const std::vector<T>& b,
                      const FieldsOf& fieldsOf)

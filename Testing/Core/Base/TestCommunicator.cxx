@@ -12,7 +12,7 @@ using namespace waft;
 namespace
 {
 
-void Exchange(StateArchive& stream, std::vector<int>& list, std::string& text)
+void Serialise(StateArchive& stream, std::vector<int>& list, std::string& text)
 {
   stream.List(list);
   stream.Text(text);
@@ -83,7 +83,7 @@ TEST(Communicator, BroadcastsStructuresByTheirStreams)
                        [&](Communicator& ranks)
                        {
                          BroadcastStream stream(ranks);
-                         Exchange(stream, lists[ranks.Rank()], texts[ranks.Rank()]);
+                         Serialise(stream, lists[ranks.Rank()], texts[ranks.Rank()]);
                        }));
   for (int r = 0; r < 3; ++r)
   {
@@ -107,7 +107,7 @@ TEST(Communicator, WritesOneFileAndReadsItForAll)
                            file = std::make_unique<StateFileWriter>(path);
                          }
                          RankFileStream stream(ranks, file.get(), false);
-                         Exchange(stream, lists[ranks.Rank()], texts[ranks.Rank()]);
+                         Serialise(stream, lists[ranks.Rank()], texts[ranks.Rank()]);
                          if (file)
                          {
                            EXPECT_TRUE(file->Commit());
@@ -124,7 +124,7 @@ TEST(Communicator, WritesOneFileAndReadsItForAll)
       file = std::make_unique<StateFileReader>(path);
     }
     RankFileStream stream(ranks, file.get(), true);
-    Exchange(stream, read[ranks.Rank()], words[ranks.Rank()]);
+    Serialise(stream, read[ranks.Rank()], words[ranks.Rank()]);
     good[ranks.Rank()] = stream.IsGood();
     int more = 0;
     stream.Value(more);

@@ -96,7 +96,7 @@ TEST(OptionFields, EachTellsDigestsApart)
   const auto sum = [](SampleOptions options)
   {
     DigestStream stream;
-    SampleOptions::Visit(ExchangeFieldsWith(stream), options);
+    SampleOptions::Visit(SerialiseFieldsWith(stream), options);
     return stream.Sum();
   };
   EXPECT_EQ(sum({}), sum({}));

@@ -23,7 +23,7 @@ struct Sample
   std::vector<Vec3> Points{ Vec3(1, 2, 3) };
   std::vector<std::vector<double>> Rows{ { 1.0 }, {}, { 2.0, 3.0 } };
 
-  void Exchange(StateArchive& stream)
+  void Serialise(StateArchive& stream)
   {
     stream.Values(this->Number, this->Flag, this->Place);
     stream.Text(this->Name);
@@ -37,7 +37,7 @@ void WriteSample(const std::string& path)
 {
   Sample sample;
   StateFileWriter writer(path);
-  sample.Exchange(writer);
+  sample.Serialise(writer);
   ASSERT_TRUE(writer.Commit());
 }
 
@@ -50,7 +50,7 @@ TEST(StateArchive, ReadsBackWhatWasWritten)
   Sample sample;
   {
     StateFileWriter writer(path);
-    sample.Exchange(writer);
+    sample.Serialise(writer);
     EXPECT_FALSE(fs::exists(path)); // not before it is whole
     ASSERT_TRUE(writer.Commit());
   }
@@ -58,7 +58,7 @@ TEST(StateArchive, ReadsBackWhatWasWritten)
   Sample read;
   read = { 0, false, Vec3::Zero(), "", {}, { Vec3::Zero(), Vec3::Zero() }, { { 4.0 } } };
   StateFileReader reader(path);
-  read.Exchange(reader);
+  read.Serialise(reader);
   EXPECT_TRUE(reader.IsAtEnd());
   EXPECT_EQ(read.Number, sample.Number);
   EXPECT_EQ(read.Flag, sample.Flag);
@@ -86,7 +86,7 @@ TEST(StateArchive, SeesDamageAndBelievesNoNumberOfElements)
     EXPECT_FALSE(IsWholeStateFile(path)) << at;
     StateFileReader reader(path); // must not ask for petabytes
     Sample read;
-    read.Exchange(reader);
+    read.Serialise(reader);
     std::fstream back(path, std::ios::in | std::ios::out | std::ios::binary);
     back.seekp(at);
     back.put(byte);
@@ -115,7 +115,7 @@ TEST(StateArchive, LeavesTheOldFileUntilTheNewOneIsWhole)
     std::distance(fs::directory_iterator(fs::path(path).parent_path()), fs::directory_iterator()),
     1);
   StateFileWriter nowhere(path + "/none/state");
-  sample.Exchange(nowhere);
+  sample.Serialise(nowhere);
   const Result result = nowhere.Commit();
   EXPECT_FALSE(result);
   EXPECT_NE(result.Message().find("cannot write"), std::string::npos);

@@ -95,10 +95,10 @@ Points LatticePoints(std::size_t count, Random& random)
 
 NearestColumns OneKind(const Points& columns, const Points& rows)
 {
-  std::vector<NearestColumns::Place> places;
+  std::vector<NearestColumns::Candidate> candidates;
   for (std::size_t c = 0; c < columns.size(); ++c)
   {
-    places.push_back({ c, columns[c], 0 });
+    candidates.push_back({ c, columns[c], 0 });
   }
   std::vector<NearestColumns::Row> seeing;
   for (const Vec3& row : rows)
@@ -106,7 +106,7 @@ NearestColumns OneKind(const Points& columns, const Points& rows)
     seeing.push_back({ 0, row });
   }
   const RankedCost leftOut{ std::int64_t(rows.size()) + 1, 0.0 };
-  return NearestColumns(columns.size(), leftOut, { places }, seeing);
+  return NearestColumns(columns.size(), leftOut, { candidates }, seeing);
 }
 
 /// Of the cost that the plain way finds, no column twice, and proved by its own bound.
@@ -228,15 +228,15 @@ TEST(NearestColumns, EqualsThePlainWayWithKindsAndPenalties)
   for (int trial = 0; trial < 100; ++trial)
   {
     const std::size_t columns = 1 + random.Index(40);
-    std::vector<std::vector<NearestColumns::Place>> kinds(1 + random.Index(3));
-    for (auto& places : kinds)
+    std::vector<std::vector<NearestColumns::Candidate>> kinds(1 + random.Index(3));
+    for (auto& candidates : kinds)
     {
-      const double share = random.Uniform();
+      const double fraction = random.Uniform();
       for (std::size_t c = 0; c < columns; ++c)
       {
-        if (random.Uniform() < share)
+        if (random.Uniform() < fraction)
         {
-          places.push_back({ c, random.InBox(air), std::int64_t(random.Index(2)) });
+          candidates.push_back({ c, random.InBox(air), std::int64_t(random.Index(2)) });
         }
       }
     }

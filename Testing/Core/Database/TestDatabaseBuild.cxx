@@ -348,7 +348,7 @@ TEST(DatabaseBuild, EndsWhereHardlyAnythingIsNew)
   options.SimulationsAtOnce = 3;
   const Built all = BuildAll(options, 2);
   ASSERT_EQ(all.Coverage.size(), 4u);
-  // The first share below the threshold is that of the simulation after `last`.
+  // The first fraction below the threshold is that of the simulation after `last`.
   std::size_t last = 1;
   while (last < 3 && all.Coverage[last].NewShare >= all.Coverage[0].NewShare)
   {

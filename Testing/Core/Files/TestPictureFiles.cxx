@@ -83,9 +83,9 @@ std::string Tiff(std::uint32_t width, std::uint32_t bytes)
   const auto field = [](int tag, int type, std::uint32_t value)
   { return Little(tag, 2) + Little(type, 2) + Little(1, 4) + Little(value, 4); };
   std::string file = std::string("II*\0", 4) + Little(8, 4) + Little(9, 2);
-  const auto place = static_cast<std::uint32_t>(file.size() + 9 * 12 + 4);
+  const auto offset = static_cast<std::uint32_t>(file.size() + 9 * 12 + 4);
   file += field(256, 4, width) + field(257, 4, 2) + field(258, 3, 8) + field(259, 3, 1) +
-          field(262, 3, 1) + field(273, 4, place) + field(277, 3, 1) + field(278, 4, 2) +
+          field(262, 3, 1) + field(273, 4, offset) + field(277, 3, 1) + field(278, 4, 2) +
           field(279, 4, bytes) + Little(0, 4);
   return file + std::string(bytes, 'x');
 }

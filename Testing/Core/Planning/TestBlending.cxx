@@ -68,28 +68,28 @@ TEST(Handover, IsSmoothAndEndsAtItsReach)
   handover.Reach = 30.0;
   handover.Offset = Vec3(0.02, -0.01, 0.005);
   handover.Slope = Vec3(0.001, 0.002, -0.001);
-  const auto before = [&](double place) { return handover.Correction(place, false); };
-  const auto after = [&](double place) { return handover.Correction(place, true); };
+  const auto before = [&](double sample) { return handover.Correction(sample, false); };
+  const auto after = [&](double sample) { return handover.Correction(sample, true); };
   EXPECT_EQ(before(9.9), Vec3(Vec3::Zero()));
   EXPECT_EQ(after(70.1), Vec3(Vec3::Zero()));
   const double h = 0.01;
-  for (double place = -5.0; place < 85.0; place += h)
+  for (double sample = -5.0; sample < 85.0; sample += h)
   {
     // Together with what the pieces differ by, both sides are one motion.
-    const Vec3 difference = handover.Offset + (place - 40.0) * handover.Slope;
-    EXPECT_LT((before(place) - after(place) - difference).norm(), 1e-12) << place;
+    const Vec3 difference = handover.Offset + (sample - 40.0) * handover.Slope;
+    EXPECT_LT((before(sample) - after(sample) - difference).norm(), 1e-12) << sample;
     // Twice differentiable: no jump in the second derivative.
     const auto bend = [&](double x) -> Vec3
     { return (before(x - h) - 2.0 * before(x) + before(x + h)) / (h * h); };
-    EXPECT_LT((bend(place + h) - bend(place)).norm(), 2e-6) << place;
+    EXPECT_LT((bend(sample + h) - bend(sample)).norm(), 2e-6) << sample;
   }
   // Handed over, the offset leaves no shift in place.
   Handover flat = handover;
   flat.Slope = Vec3::Zero();
   Vec3 shift = Vec3::Zero();
-  for (double place = 0.5; place < 80.0; place += 1.0)
+  for (double sample = 0.5; sample < 80.0; sample += 1.0)
   {
-    shift += flat.Correction(place, place > 40.0);
+    shift += flat.Correction(sample, sample > 40.0);
   }
   EXPECT_LT(shift.norm(), 1e-12);
 }
@@ -141,20 +141,20 @@ TEST(Redistribution, SharesTheGapOutEvenlyAndKeepsTheEnds)
     // What each connection takes, a frame: from the middle of its overlap to the next.
     const std::vector<int> beginnings = chain.Beginnings(library.Window());
     const double scale = 240.0 / (static_cast<double>(chained.size()) - 1.0);
-    std::vector<Vec3> shares;
+    std::vector<Vec3> changes;
     int from = 0;
     for (std::size_t i = 1; i <= beginnings.size(); ++i)
     {
       const int to = i < beginnings.size() ? static_cast<int>(beginnings[i] * scale) : 240;
-      shares.push_back(((result.Positions[to] - own[to]) - (result.Positions[from] - own[from])) /
-                       (to - from));
+      changes.push_back(((result.Positions[to] - own[to]) - (result.Positions[from] - own[from])) /
+                        (to - from));
       from = to;
     }
     const Vec3 mean = (request.Goal.Position - own[240] - request.Start.Position + own[0]) / 240.0;
     ASSERT_GT(mean.norm(), 1e-3);
-    for (const Vec3& share : shares)
+    for (const Vec3& change : changes)
     {
-      EXPECT_LE((share - mean).norm(), 0.1 * mean.norm()) << seed;
+      EXPECT_LE((change - mean).norm(), 0.1 * mean.norm()) << seed;
     }
   }
 }
@@ -171,14 +171,14 @@ TEST(Blending, SpreadsTheTurnOfTheJoinEvenly)
   {
     turned.Pieces[i].Transform.Rotation = turn * turned.Pieces[i].Transform.Rotation;
   }
-  // With the later pieces turned by the join's angle, each step is turned by its share of it.
+  // With the later pieces turned by the join's angle, each step is turned by its part of it.
   const std::vector<Vec3> a = BlendChain(library, straight);
   const std::vector<Vec3> b = BlendChain(library, turned);
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t k = 0; k + 1 < a.size(); ++k)
   {
-    const double share = 0.4 * (k + 0.5) / (a.size() - 1.0);
-    const Vec3 wanted = Eigen::AngleAxisd(share, Vec3::UnitZ()) * (a[k + 1] - a[k]);
+    const double angle = 0.4 * (k + 0.5) / (a.size() - 1.0);
+    const Vec3 wanted = Eigen::AngleAxisd(angle, Vec3::UnitZ()) * (a[k + 1] - a[k]);
     EXPECT_LT((b[k + 1] - b[k] - wanted).norm(), 1e-12);
   }
 }

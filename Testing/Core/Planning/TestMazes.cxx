@@ -21,7 +21,7 @@ double BoxDistance(const Box& box, const Vec3& x)
   return apart.cwiseMax(0.0).norm() + std::min(0.0, apart.maxCoeff());
 }
 
-/// Least distance minus radius of the swept centre, 8 places a frame. All obstacles are boxes.
+/// Least distance minus radius of the swept centre, 8 positions a frame. All obstacles are boxes.
 double LeastBoxSlack(const PlanScene& scene, const Track& track)
 {
   std::vector<Box> boxes;
@@ -72,7 +72,7 @@ double TriangleDistance(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3&
                   : std::min({ toSide(a, b), toSide(b, c), toSide(c, a) });
 }
 
-/// Least distance of the swept centre to any triangle, minus radius, 8 places a frame. A centre
+/// Least distance of the swept centre to any triangle, minus radius, 8 positions a frame. A centre
 /// that begins outside and never comes near a surface stays outside.
 double LeastMeshSlack(const PlanScene& scene, const Track& track)
 {
@@ -101,10 +101,10 @@ double LeastMeshSlack(const PlanScene& scene, const Track& track)
 /// The factor that the report tells, 0 when it tells none.
 double RetimingFactor(const ReportRow& line)
 {
-  const std::size_t place = line.Message.find("retimed by ");
+  const std::size_t offset = line.Message.find("retimed by ");
   double factor = 0.0;
-  return place != std::string::npos &&
-             std::sscanf(line.Message.c_str() + place, "retimed by %lf", &factor) == 1
+  return offset != std::string::npos &&
+             std::sscanf(line.Message.c_str() + offset, "retimed by %lf", &factor) == 1
            ? factor
            : 0.0;
 }

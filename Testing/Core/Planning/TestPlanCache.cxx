@@ -141,7 +141,7 @@ TEST(PlanCache, RowsOfOthersMayComeAndGo)
 {
   Remembered r;
   EXPECT_EQ(r.PlansAnew(), 6);
-  // A row in front of all others shifts their places and numbers.
+  // A row in front of all others shifts their indices and numbers.
   Constraint row;
   row.ObjectId = 5;
   row.Frame = row.Until = 90;

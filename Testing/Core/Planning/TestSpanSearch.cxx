@@ -138,10 +138,10 @@ TEST(SpanSearch, SeedNodeAndSegmentEqualBruteForce)
         continue;
       }
       const std::vector<Vec3>& samples = library.Samples(library.SegmentOfTop(candidate));
-      const Placement place =
+      const Placement placed =
         parent.Body.Transform * (tree == 0 ? entry->Transform : entry->Transform.Inverse());
       const double distance =
-        (place * (tree == 0 ? samples.back() : samples.front()) - seed).norm();
+        (placed * (tree == 0 ? samples.back() : samples.front()) - seed).norm();
       if (distance < nearest)
       {
         nearest = distance;
@@ -180,8 +180,8 @@ TEST(SpanSearch, GrowsBothTreesInsideTheVolumeAndFindsCheapJoins)
   Join join;
   ASSERT_TRUE(search.Take(0.3, join));
   EXPECT_LE(std::abs(join.RawFrames - task.Frames), 0.15 * task.Frames);
-  int place = 0;
-  const std::vector<Piece> chain = search.Chain(join, place);
+  int index = 0;
+  const std::vector<Piece> chain = search.Chain(join, index);
   int frames = 0;
   for (const Piece& piece : chain)
   {
@@ -231,7 +231,7 @@ TEST(SpanSearch, CheapestJoinEqualsBruteForce)
           continue;
         }
         const std::vector<Vec3>& samples = library.Samples(library.SegmentOfTop(top));
-        Placement place = forward.Body.Transform * entry->Transform;
+        Placement placed = forward.Body.Transform * entry->Transform;
         for (const Branch& backward : search.Tree(1))
         {
           const int raw = forward.Elapsed + backward.Elapsed - overlap;
@@ -239,17 +239,17 @@ TEST(SpanSearch, CheapestJoinEqualsBruteForce)
           {
             continue;
           }
-          const Mat3 turn = backward.Body.Transform.Rotation * place.Rotation.transpose();
+          const Mat3 turn = backward.Body.Transform.Rotation * placed.Rotation.transpose();
           const double angle = std::atan2(turn(1, 0) - turn(0, 1), turn(0, 0) + turn(1, 1));
           const double gap =
-            (backward.Body.Transform * samples.front() - place * samples.front()).norm();
+            (backward.Body.Transform * samples.front() - placed * samples.front()).norm();
           meetings.push_back(score(gap, angle, raw));
         }
         // Or one more piece, cut where it suits; which cut is judged before its lean is limited.
-        const Placement uncut = place;
-        const Vec3 head = place * samples.front();
-        library.LimitTilt(place.Rotation);
-        place.Translation = head - place.Rotation * samples.front();
+        const Placement uncut = placed;
+        const Vec3 head = placed * samples.front();
+        library.LimitTilt(placed.Rotation);
+        placed.Translation = head - placed.Rotation * samples.front();
         int best = -1;
         double bestScore = 1e300;
         for (int last = overlap + 1; last < static_cast<int>(samples.size()); ++last)
@@ -264,7 +264,7 @@ TEST(SpanSearch, CheapestJoinEqualsBruteForce)
         }
         if (best >= 0)
         {
-          const double own = score((place * samples[best] - task.Goal.Position).norm(), 0.0,
+          const double own = score((placed * samples[best] - task.Goal.Position).norm(), 0.0,
                                    forward.Elapsed - overlap + best);
           least = std::min(least, own);
         }

@@ -100,23 +100,23 @@ bool ReaderAccepts(const Json& json, std::string& message)
   return static_cast<bool>(result);
 }
 
-// All places of objects inside a value.
+// JSON pointers to all objects inside a value.
 void CollectObjects(const Json& value, const Json::json_pointer& at,
-                    std::vector<Json::json_pointer>& places)
+                    std::vector<Json::json_pointer>& pointers)
 {
   if (value.is_object())
   {
-    places.push_back(at);
+    pointers.push_back(at);
     for (const auto& item : value.items())
     {
-      CollectObjects(item.value(), at / item.key(), places);
+      CollectObjects(item.value(), at / item.key(), pointers);
     }
   }
   else if (value.is_array())
   {
     for (std::size_t i = 0; i < value.size(); ++i)
     {
-      CollectObjects(value[i], at / i, places);
+      CollectObjects(value[i], at / i, pointers);
     }
   }
 }
@@ -158,7 +158,7 @@ const Json* NumberSchema(const Json& schema)
 }
 
 void CollectNumbers(const Json& value, const Json::json_pointer& at,
-                    std::vector<Json::json_pointer>& places)
+                    std::vector<Json::json_pointer>& pointers)
 {
   for (auto item = value.begin(); item != value.end(); ++item)
   {
@@ -166,11 +166,11 @@ void CollectNumbers(const Json& value, const Json::json_pointer& at,
       value.is_object() ? at / item.key() : at / static_cast<std::size_t>(item - value.begin());
     if (item->is_structured())
     {
-      CollectNumbers(*item, place, places);
+      CollectNumbers(*item, place, pointers);
     }
     else if (item->is_number() && place.to_string() != "/_comment")
     {
-      places.push_back(place);
+      pointers.push_back(place);
     }
   }
 }
@@ -203,10 +203,10 @@ TEST(SceneSchema, BoundsEveryNumberAsTheTableDoes)
 TEST(SceneSchema, RefusesNumbersBeyondTheirBoundsAsTheReaderDoes)
 {
   const Json scene = Json::parse(Everything);
-  std::vector<Json::json_pointer> places;
-  CollectNumbers(scene, Json::json_pointer(), places);
-  EXPECT_GT(places.size(), 150u);
-  for (const Json::json_pointer& place : places)
+  std::vector<Json::json_pointer> pointers;
+  CollectNumbers(scene, Json::json_pointer(), pointers);
+  EXPECT_GT(pointers.size(), 150u);
+  for (const Json::json_pointer& place : pointers)
   {
     for (const double number : { 1e308, -1e308, 3e16, -3e16 })
     {
@@ -296,10 +296,10 @@ TEST(SceneSchema, AcceptsASceneWithEveryFieldAsTheReaderDoes)
 TEST(SceneSchema, RefusesWhatTheReaderRefuses)
 {
   const Json scene = Json::parse(Everything);
-  std::vector<Json::json_pointer> places;
-  CollectObjects(scene, Json::json_pointer(), places);
+  std::vector<Json::json_pointer> pointers;
+  CollectObjects(scene, Json::json_pointer(), pointers);
   int refused = 0;
-  for (const Json::json_pointer& place : places)
+  for (const Json::json_pointer& place : pointers)
   {
     if (place.to_string() == "/shapes" || place.to_string().find("classes") != std::string::npos)
     {

@@ -215,11 +215,11 @@ ReferenceObjective::Numbers ReferenceObjective::PullBack(const std::vector<Frame
     SphRates given;
     for (std::size_t i = 0; i < bodies; ++i)
     {
-      const auto share = static_cast<double>(this->ParticlesOf(i));
+      const auto count = static_cast<double>(this->ParticlesOf(i));
       const Vec3 a = bar(j, i, Acceleration);
       const Vec3 d = bar(j, i, Average) + this->DragRate(i) * a;
-      given.Accelerations.insert(given.Accelerations.end(), this->ParticlesOf(i), a / share);
-      given.Averages.insert(given.Averages.end(), this->ParticlesOf(i), d / share);
+      given.Accelerations.insert(given.Accelerations.end(), this->ParticlesOf(i), a / count);
+      given.Averages.insert(given.Averages.end(), this->ParticlesOf(i), d / count);
     }
     SphState adjoint;
     std::vector<Vec3> byRaise;
@@ -235,13 +235,13 @@ ReferenceObjective::Numbers ReferenceObjective::PullBack(const std::vector<Frame
     }
     for (std::size_t i = 0; i < bodies; ++i)
     {
-      const auto share = static_cast<double>(this->ParticlesOf(i));
+      const auto count = static_cast<double>(this->ParticlesOf(i));
       const OutsideForce& outside = frames[j].Outside[i];
       const Vec3 a = bar(j, i, Acceleration);
       const Vec3 x = bar(j, i, Place) + outside.ByPosition.transpose() * a +
-                     share * this->Mean(adjoint.Positions, i);
+                     count * this->Mean(adjoint.Positions, i);
       const Vec3 v = bar(j, i, Speed) + outside.ByVelocity.transpose() * a +
-                     share * this->Mean(adjoint.Velocities, i);
+                     count * this->Mean(adjoint.Velocities, i);
       for (int c = 0; c < 3; ++c)
       {
         result[this->Unknown(j, i, c)] = x[c];

@@ -30,10 +30,10 @@ void ReferenceObjective::AddMotion(const double* z, const std::vector<Frame>& fr
     {
       continue;
     }
-    const double share = this->Model.BodyWeight(i) * this->Level.StepWeights[j + 1];
+    const double weight = this->Model.BodyWeight(i) * this->Level.StepWeights[j + 1];
     const double x =
-      std::sqrt((i < this->Model.NumberOfGas ? 1.0 : w.ObjectPosition) * w.PositionWeight * share);
-    const double v = std::sqrt(w.VelocityWeight * share);
+      std::sqrt((i < this->Model.NumberOfGas ? 1.0 : w.ObjectPosition) * w.PositionWeight * weight);
+    const double v = std::sqrt(w.VelocityWeight * weight);
     const Vec3 next = this->At(z, j + 1, i, 3);
     const Vec3 rx = this->At(z, j + 1, i, 0) - this->At(z, j, i, 0) -
                     s * (next + w.XsphFactor * frames[j].Averages[i]);
@@ -69,10 +69,10 @@ void ReferenceObjective::AddCoherence(const double* z, const std::vector<Frame>&
       slip = this->Model.SettlingSlip(object);
       air = w.ObjectCoherence * this->Model.CoherenceFraction(this->Level.Frames[j], object);
     }
-    const double share = w.CoherenceWeight * this->Model.BodyWeight(i);
+    const double weight = w.CoherenceWeight * this->Model.BodyWeight(i);
     const double space =
-      std::sqrt(share * air * w.SpatialShare * this->Level.FrameWeights[j]) / (1.0 - own);
-    const double time = std::sqrt(share * (1.0 - w.SpatialShare) * this->Level.SmoothWeights[j]);
+      std::sqrt(weight * air * w.SpatialShare * this->Level.FrameWeights[j]) / (1.0 - own);
+    const double time = std::sqrt(weight * (1.0 - w.SpatialShare) * this->Level.SmoothWeights[j]);
     Vec3 rt = this->At(z, j, i, 3);
     for (const TimeLevel::Neighbor& neighbor : this->Level.Rows[j])
     {

@@ -220,9 +220,9 @@ TEST(Checkpoint, ATimeLimitLeavesTheCourseThatARunWithoutItTakes)
   limited.CheckpointInterval = 1e6;
   // On a busy machine the first run may have been the slower one: a shorter limit then.
   SpacetimeOutput cut;
-  for (double share = 0.3; share > 0.01 && !FileExists(path); share *= 0.5)
+  for (double fraction = 0.3; fraction > 0.01 && !FileExists(path); fraction *= 0.5)
   {
-    limited.TimeLimit = share * whole.Convergence.back().Seconds;
+    limited.TimeLimit = fraction * whole.Convergence.back().Seconds;
     cut = RunScene(input, limited);
   }
   ASSERT_EQ(cut.Warnings.size(), 1u);

@@ -107,8 +107,8 @@ void ExpectLocal(const SpacetimeInput& edited, const SpacetimeOutput& before, in
 {
   const double start = Cpu();
   const SpacetimeOutput after = RunScene(edited, Options(), 2, &memory);
-  const double share = (Cpu() - start) / fullCpu;
-  EXPECT_LT(share, 0.25);
+  const double fraction = (Cpu() - start) / fullCpu;
+  EXPECT_LT(fraction, 0.25);
   ASSERT_EQ(after.Convergence[1].Stage, "edit");
   EXPECT_TRUE(after.Warnings.empty());
   for (const ReportRow& row : after.Report)
@@ -127,7 +127,7 @@ void ExpectLocal(const SpacetimeInput& edited, const SpacetimeOutput& before, in
   testing::Test::RecordProperty("edited", std::to_string(after.Convergence.front().E));
   testing::Test::RecordProperty("solved", std::to_string(after.Convergence.back().E));
   testing::Test::RecordProperty("fresh", std::to_string(fresh.Convergence.back().E));
-  testing::Test::RecordProperty("share", std::to_string(share));
+  testing::Test::RecordProperty("fraction", std::to_string(fraction));
 }
 
 } // namespace

@@ -213,8 +213,8 @@ TEST(TimelinePreconditioner, InvertsTheTimeCoupling)
   for (const std::size_t body : { std::size_t(4), model.NumberOfGas + 1 })
   {
     const bool object = body >= model.NumberOfGas;
-    const double share = object ? 0.3 : 1.0; // of the diagonal
-    Eigen::MatrixXd m = Eigen::MatrixXd::Identity(24, 24) * (share * damping);
+    const double fraction = object ? 0.3 : 1.0; // of the diagonal
+    Eigen::MatrixXd m = Eigen::MatrixXd::Identity(24, 24) * (fraction * damping);
     const auto add = [&](const std::vector<std::pair<int, double>>& row, double weight)
     {
       Eigen::VectorXd v = Eigen::VectorXd::Zero(24);
@@ -227,7 +227,7 @@ TEST(TimelinePreconditioner, InvertsTheTimeCoupling)
     for (int j = 0; j < 12; ++j)
     {
       const double air = object ? w.ObjectCoherence : 1.0;
-      add({ { 2 * j + 1, 1.0 } }, share * air * w.CoherenceWeight * w.SpatialShare);
+      add({ { 2 * j + 1, 1.0 } }, fraction * air * w.CoherenceWeight * w.SpatialShare);
       std::vector<std::pair<int, double>> row{ { 2 * j + 1, 1.0 } };
       const int count = (j > 0) + (j < 11);
       for (const int k : { j - 1, j + 1 })

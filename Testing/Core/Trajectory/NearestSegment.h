@@ -20,7 +20,7 @@ struct NearestResult
 /// (see SegmentFrame.h) and as many as the group's.
 Eigen::VectorXd CoefficientsOf(const SegmentGroup& group, const std::vector<Vec3>& positions);
 
-/// Best-first descent: the node whose medoid is nearest, less a share of its radius, is opened
+/// Best-first descent: the node whose medoid is nearest, less a fraction of its radius, is opened
 /// next; nodes that cannot hold anything nearer (triangle inequality) are dropped. It ends when
 /// nothing is left (then the result is exact) or after `budget` distances, 0: no limit.
 NearestResult FindNearest(const MotionDatabase& database, int group,

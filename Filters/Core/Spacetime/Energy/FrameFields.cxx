@@ -10,7 +10,7 @@ namespace waft
 namespace
 {
 
-constexpr double LeastTimeFactor = 1e-3; // a vortex weaker than this share of itself is left out
+constexpr double LeastTimeFactor = 1e-3; // a vortex weaker than this fraction of itself is left out
 
 } // namespace
 

@@ -90,7 +90,7 @@ void FrameTerms::FillPositions(const float* state)
   }
 }
 
-// Records and X, by place.
+// Records and X, in the order of the neighbour list.
 void FrameTerms::PositionParticles(const float* state)
 {
   const std::size_t ng = this->Model.NumberOfGas;
@@ -282,7 +282,7 @@ void FrameTerms::Forward(const float* state, int frame, double step, NeighborLis
   this->AddLandingDamping(state, frame, step);
 }
 
-// From places to bodies.
+// From the order of the neighbour list to bodies.
 void FrameTerms::GatherRates(const float* state)
 {
   const bool inAir = !this->Model.Air.IsEmpty();

@@ -13,7 +13,7 @@ namespace waft
 {
 
 /// Work space for one frame at a time, one a thread. Rows of bodies have the model's stride, rows
-/// of particles a stride of their own. Particles stand in the places of the frame's neighbour list;
+/// of particles a stride of their own. Particles stand in the order of the frame's neighbour list;
 /// objects' particles in their own.
 class FrameTerms
 {
@@ -45,7 +45,7 @@ public:
   {
     return (this->HasWinds ? this->VortexForce : this->Force).data() + c * this->BodyStride;
   }
-  /// Of a particle, by its number: density, P (in rho0 dx^2 / frame^2), and the share of the
+  /// Of a particle, by its number: density, P (in rho0 dx^2 / frame^2), and the fraction of the
   /// density that is not gas.
   struct AirAt
   {
@@ -84,7 +84,7 @@ private:
   SphConstants Constants;
   std::size_t BodyStride, ParticleStride;
 
-  const std::uint32_t* Order = nullptr; // the particle at each place
+  const std::uint32_t* Order = nullptr; // the particle at each index
   std::vector<float> X;                 // 3 rows of particles
   std::vector<SphRecord> Records;       // particles and the far ones
   std::vector<SphAdjointRecord> Adjoints;

@@ -123,13 +123,13 @@ void SpacetimeObjective::SerialiseLists(StateArchive& stream)
     NeighborList& list = isOwn ? this->Lists[j - this->Ranks.Own().Begin] : other;
     if (this->Ranks.IsAlone() || stream.IsReading())
     {
-      list.Exchange(stream);
+      list.Serialise(stream);
       continue;
     }
     MemoryStream written;
     if (isOwn)
     {
-      list.Exchange(written);
+      list.Serialise(written);
     }
     this->Ranks.BringToFirst(j, written.Content);
     stream.Raw(written.Content.data(), written.Content.size());

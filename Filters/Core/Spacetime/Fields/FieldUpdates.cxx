@@ -228,7 +228,7 @@ bool UpdateVortices(AirFields& fields, const SpacetimeUnits& units, SpacetimeObj
   {
     BroadcastStream stream(partition.Others());
     stream.Value(going);
-    stream.List(fitted, [](StateArchive& s, Vortex& v) { Exchange(s, v); });
+    stream.List(fitted, [](StateArchive& s, Vortex& v) { Serialise(s, v); });
   }
   if (fitted.empty())
   {

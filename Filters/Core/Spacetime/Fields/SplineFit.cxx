@@ -37,7 +37,7 @@ private:
   };
   // Of the field whose knot has the coefficients `knot`.
   std::array<float, 3> Value(const Row& row, const std::vector<float>& knot) const;
-  // Calls visit(place of a node's coefficients in a knot's, its weight) on a row's 27 nodes.
+  // Calls visit(offset of a node's coefficients in a knot's, its weight) on a row's 27 nodes.
   template <class Visit>
   void ForNodes(const Row& row, float factor, const Visit& visit) const;
 

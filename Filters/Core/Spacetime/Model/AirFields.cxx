@@ -8,7 +8,7 @@ namespace waft
 
 void Serialise(StateArchive& stream, AirFields& fields)
 {
-  stream.List(fields.Vortices, [](StateArchive& s, Vortex& v) { Exchange(s, v); });
+  stream.List(fields.Vortices, [](StateArchive& s, Vortex& v) { Serialise(s, v); });
   Serialise(stream, fields.Wind);
 }
 

@@ -142,10 +142,11 @@ struct SpacetimeOptions : TermWeights
                        "every second frame and on all." },
           of.MaximumNumberOfIterations...);
     visit(
-      OptionField{ "Tolerance",
-                   { 0, 1 },
-                   "",
-                   "A stage ends when E fell by less than this share in 20 iterations; 0: never." },
+      OptionField{
+        "Tolerance",
+        { 0, 1 },
+        "",
+        "A stage ends when E fell by less than this fraction in 20 iterations; 0: never." },
       of.Tolerance...);
     visit(OptionField{ "HistorySize", { 1, 20 }, "", "Pairs that L-BFGS keeps." },
           of.HistorySize...);

@@ -32,7 +32,7 @@ struct SplineWind
 
   bool IsEmpty() const { return this->Knots.empty(); }
   std::size_t NumberOfNodes() const { return this->Node(0, 0, this->Dimensions[2]); }
-  /// Place of a node in a row of all, x running fastest.
+  /// Index of a node in a row of all, x running fastest.
   std::size_t Node(int i, int j, int k) const
   {
     return (static_cast<std::size_t>(k) * this->Dimensions[1] + j) * this->Dimensions[0] + i;

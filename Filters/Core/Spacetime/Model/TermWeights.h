@@ -37,10 +37,11 @@ struct TermWeights
                        "Weight c3 of Eq. 2: how much objects move with the air about them." },
           of.CoherenceWeight...);
     visit(
-      OptionField{ "SpatialShare",
-                   { 0, 1 },
-                   "",
-                   "Share c31 of neighbours in space in Eq. 4; the rest is neighbours in time." },
+      OptionField{
+        "SpatialShare",
+        { 0, 1 },
+        "",
+        "Fraction c31 of neighbours in space in Eq. 4; the rest is neighbours in time." },
       of.SpatialShare...);
     visit(OptionField{ "ObjectCoherence",
                        { 0, 1e+06 },

@@ -15,7 +15,7 @@ namespace
 constexpr int LeashStages = 5;            // radii 0.01 L 2^k, k = 0..4
 constexpr double FirstLeash = 0.01;       // of L
 constexpr int CoarseStrides[] = { 2, 4 }; // frames; on eight, pressure is not the gas' any more
-constexpr double WorthCoarsening = 0.8;   // a level has fewer frames than this share of the next
+constexpr double WorthCoarsening = 0.8;   // a level has fewer frames than this fraction of the next
 /// Of a level's own: ten of every fourth frame are a time line of 37 or more. A shorter one comes
 /// to the coarser level's answer as soon without it.
 constexpr std::size_t FewestFrames[] = { 4, 10 };

@@ -64,7 +64,7 @@ std::uint64_t DigestOfVortices(const std::vector<Vortex>& vortices, const std::s
   {
     if (without.count(vortex.VortexId) == 0)
     {
-      Exchange(sum, Read(vortex));
+      Serialise(sum, Read(vortex));
     }
   }
   return sum.Sum();
@@ -115,8 +115,8 @@ std::uint64_t DigestOfRun(const SpacetimeInput& input, const SpacetimeOptions& o
   sum.Text(kernels);
   AddScene(sum, input.Scene);
   AddSurroundings(sum, input);
-  SpacetimeOptions::VisitPhysics(ExchangeFieldsWith(sum), Read(options));
-  SpacetimeOptions::VisitSchedule(ExchangeFieldsWith(sum), Read(options));
+  SpacetimeOptions::VisitPhysics(SerialiseFieldsWith(sum), Read(options));
+  SpacetimeOptions::VisitSchedule(SerialiseFieldsWith(sum), Read(options));
   for (const Track& track : input.Tracks)
   {
     sum.Value(Read(track.ObjectId));
@@ -134,7 +134,7 @@ std::uint64_t DigestOfRun(const SpacetimeInput& input, const SpacetimeOptions& o
   }
   for (const Vortex& vortex : input.Vortices)
   {
-    Exchange(sum, Read(vortex));
+    Serialise(sum, Read(vortex));
   }
   return sum.Sum();
 }
@@ -152,7 +152,7 @@ ProblemDigest DigestOfProblem(const SpacetimeInput& input, const SpacetimeOption
   DigestStream physics;
   AddScene(physics, input.Scene);
   AddSurroundings(physics, input);
-  SpacetimeOptions::VisitPhysics(ExchangeFieldsWith(physics), Read(options));
+  SpacetimeOptions::VisitPhysics(SerialiseFieldsWith(physics), Read(options));
   for (const MotionObject& object : setup.Objects)
   {
     shape.Value(Read(object.ObjectId));

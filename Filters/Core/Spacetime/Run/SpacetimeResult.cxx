@@ -114,8 +114,8 @@ void SpacetimeRun::MeasureRepairs(const std::vector<Vec3>& solved,
   double largest = 0.0;
   for (std::size_t k = 0; k < solved.size(); ++k)
   {
-    const Vec3 place = this->Problem.ToWorld(solved[k]);
-    const double distance = (exported[k % objects][k / objects] - place).norm();
+    const Vec3 position = this->Problem.ToWorld(solved[k]);
+    const double distance = (exported[k % objects][k / objects] - position).norm();
     moved += distance > least ? 1 : 0;
     largest = std::max(largest, distance);
   }

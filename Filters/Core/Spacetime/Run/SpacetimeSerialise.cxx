@@ -6,7 +6,7 @@ namespace waft
 
 void Serialise(StateArchive& stream, SpacetimeOptions& options)
 {
-  SpacetimeOptions::Visit(ExchangeFieldsWith(stream), options);
+  SpacetimeOptions::Visit(SerialiseFieldsWith(stream), options);
 }
 
 namespace
@@ -25,9 +25,9 @@ void Serialise(StateArchive& stream, ParticleSeries& particles)
   stream.List(particles.Frames,
               [](StateArchive& s, ParticleSeries::Frame& frame)
               {
-                for (auto* list : { &frame.Positions, &frame.Velocities, &frame.Densities,
-                                    &frame.Pressures, &frame.Winds, &frame.VortexForces,
-                                    &frame.Residuals })
+                for (auto* list :
+                     { &frame.Positions, &frame.Velocities, &frame.Densities, &frame.Pressures,
+                       &frame.Winds, &frame.VortexForces, &frame.Residuals })
                 {
                   s.List(*list);
                 }
@@ -38,19 +38,19 @@ void Serialise(StateArchive& stream, ParticleSeries& particles)
 
 void Serialise(StateArchive& stream, SpacetimeInput& input)
 {
-  Exchange(stream, static_cast<MotionProblem&>(input));
-  Exchange(stream, input.Air);
+  Serialise(stream, static_cast<MotionProblem&>(input));
+  Serialise(stream, input.Air);
 }
 
 void Serialise(StateArchive& stream, SpacetimeOutput& output)
 {
-  const auto exchange = [](StateArchive& s, auto& element) { Exchange(s, element); };
-  stream.List(output.Tracks, exchange);
+  const auto serialise = [](StateArchive& s, auto& element) { Serialise(s, element); };
+  stream.List(output.Tracks, serialise);
   Serialise(stream, output.Particles);
-  stream.List(output.Vortices, exchange);
-  Exchange(stream, output.Wind);
+  stream.List(output.Vortices, serialise);
+  Serialise(stream, output.Wind);
   stream.List(output.Convergence, [](StateArchive& s, ConvergenceRow& row) { Serialise(s, row); });
-  stream.List(output.Report, exchange);
+  stream.List(output.Report, serialise);
   stream.List(output.PositionResiduals);
   stream.List(output.VelocityResiduals);
   stream.Values(output.Spacing, output.ObjectReplayError, output.GasReplayError,

@@ -201,7 +201,7 @@ void SetUpNearestMarks(double rate, SpacetimeModel& model)
 }
 
 // What no path was found for is approached as near as the plan comes to it: its ball reaches to
-// there. A rest that is not reached is a place in passing.
+// there. A rest that is not reached is a position in passing.
 std::vector<Constraint> FindApproaches(const SpacetimeInput& input, const SpacetimeSetup& setup,
                                        const std::map<int, std::size_t>& index)
 {
@@ -222,7 +222,7 @@ std::vector<Constraint> FindApproaches(const SpacetimeInput& input, const Spacet
       continue;
     }
     const std::size_t o = index.at(row.ObjectId);
-    if (row.Kind == ConstraintKind::Rest)
+    if (IsRest(row.Kind))
     {
       SurfaceHit hit;
       const Vec3 value = row.Value;

@@ -17,8 +17,9 @@ namespace waft
 struct LbfgsOptions
 {
   int MaximumNumberOfIterations = 100;
-  double Tolerance = 1e-2; // stop when E falls by less than this share in 20 iterations; 0: never
-  bool GoesOn = false;     // from where the memory is, instead of from a new start
+  double Tolerance =
+    1e-2;              // stop when E falls by less than this fraction in 20 iterations; 0: never
+  bool GoesOn = false; // from where the memory is, instead of from a new start
 };
 
 enum class LbfgsEnd
