@@ -245,8 +245,8 @@ public:
   vtkGetCharFromStdStringMacro(CheckpointFile);
   ///@}
   ///@{
-  /** Seconds between two writings of CheckpointFile, and as many more as keep them within 2 % of the
-   * time; 0: after each iteration. 0 to 1e+06. */
+  /** Seconds between two writings of CheckpointFile, and as many more as keep them within 2 % of
+   * the time; 0: after each iteration. 0 to 1e+06. */
   vtkSetClampMacro(CheckpointInterval, double, 0.0, 1e+06);
   vtkGetMacro(CheckpointInterval, double);
   ///@}

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "Base/StateArchive.h"
+#include "Spacetime/Run/SpacetimeWarmStart.h"
 #include "Spacetime/Scene/SpacetimeInput.h"
 #include "Spacetime/Scene/SpacetimeOutput.h"
-#include "Spacetime/Run/SpacetimeWarmStart.h"
 
 namespace waft
 {
