@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Export/PosesCsv.h"
 
+#include "Base/FractionDone.h"
+
 #include "Base/AtomicFile.h"
 
 #include <charconv>
@@ -28,7 +30,7 @@ void AppendVector(const Vec3& v, std::string& text)
 } // namespace
 
 Result PosesCsv(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses,
-                const Timeline& time, std::string& text)
+                const Timeline& time, std::string& text, Monitor& monitor)
 {
   if (tracks.size() != poses.size())
   {
@@ -38,6 +40,10 @@ Result PosesCsv(const std::vector<Track>& tracks, const std::vector<PoseTrack>& 
   text = "object,frame,time,x,y,z,qw,qx,qy,qz,vx,vy,vz,wx,wy,wz\n";
   for (std::size_t i = 0; i < tracks.size(); ++i)
   {
+    if (!monitor.Tick(FractionDone(i, tracks.size()), "Writing poses"))
+    {
+      return Result::Stopped();
+    }
     const Track& track = tracks[i];
     const PoseTrack& pose = poses[i];
     const std::size_t count = track.Positions.size();
@@ -64,11 +70,11 @@ Result PosesCsv(const std::vector<Track>& tracks, const std::vector<PoseTrack>& 
 }
 
 Result WritePosesCsv(const std::string& path, const std::vector<Track>& tracks,
-                     const std::vector<PoseTrack>& poses, const Timeline& time)
+                     const std::vector<PoseTrack>& poses, const Timeline& time, Monitor& monitor)
 {
   std::string text;
-  WAFT_RETURN_IF_FAILED(PosesCsv(tracks, poses, time, text));
-  return WriteWholeFile(path, text);
+  const Result result = PosesCsv(tracks, poses, time, text, monitor);
+  return result && !result.IsStopped() ? WriteWholeFile(path, text) : result;
 }
 
 } // namespace waft

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/Monitor.h"
 #include "Base/Motion.h"
 #include "Base/Pose.h"
 #include "Base/Result.h"
@@ -17,10 +18,10 @@ namespace waft
 /// significant digits, so that reading them gives the same bits. Velocities are central differences
 /// of the positions. Fails when poses do not fit the tracks.
 Result PosesCsv(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses,
-                const Timeline& time, std::string& text);
+                const Timeline& time, std::string& text, Monitor& monitor);
 
 /// The same as a file, whole or not at all.
 Result WritePosesCsv(const std::string& path, const std::vector<Track>& tracks,
-                     const std::vector<PoseTrack>& poses, const Timeline& time);
+                     const std::vector<PoseTrack>& poses, const Timeline& time, Monitor& monitor);
 
 } // namespace waft

@@ -27,7 +27,8 @@ TEST(PosesCsv, ReadsBackBitByBit)
     }
   }
   std::string text;
-  ASSERT_TRUE(PosesCsv(tracks, poses, time, text));
+  SilentMonitor silent;
+  ASSERT_TRUE(PosesCsv(tracks, poses, time, text, silent));
   std::istringstream lines(text);
   std::string line;
   std::getline(lines, line);
@@ -68,5 +69,20 @@ TEST(PosesCsv, ReadsBackBitByBit)
   }
   EXPECT_FALSE(std::getline(lines, line));
   poses[1].ObjectId = 9;
-  EXPECT_FALSE(PosesCsv(tracks, poses, time, text));
+  EXPECT_FALSE(PosesCsv(tracks, poses, time, text, silent));
+}
+
+TEST(PosesCsv, IsNotWrittenWhenItIsStopped)
+{
+  struct StoppingMonitor : Monitor
+  {
+    bool Tick(double, const std::string&) override { return false; }
+  };
+  StoppingMonitor monitor;
+  const Vec3 place = Vec3::Zero();
+  const std::vector<Track> tracks{ { 0, { place } } };
+  const std::vector<PoseTrack> poses{ { 0, { Quat::Identity() }, { place }, { place } } };
+  const Result result = WritePosesCsv("/nowhere/poses.csv", tracks, poses, { 1, 24.0 }, monitor);
+  EXPECT_TRUE(result); // a folder that is not there would fail
+  EXPECT_TRUE(result.IsStopped());
 }
