@@ -259,6 +259,7 @@ TEST(Slices, ComeToTheSameBytesAndShowTheMotionSoFar)
   const std::string whole = AllAtOnce();
   LongChain chain;
   chain.SetSlice(0.02);
+  chain.Spacetime->SetSlice(1e-3); // it is small
   int slices = 0;
   std::vector<bool> wasHeld(4, false);
   for (chain.Update(0.5); chain.Rotation->GetComplete() == 0 && slices < 10000; ++slices)
