@@ -35,14 +35,16 @@ struct vtkMotionAnimationWriter::Internals
   bool Written = false;
   std::vector<std::string> Warnings;
 
-  waft::Result Run(vtkInformationVector** inputs, const std::string& fileName);
+  waft::Result Run(vtkInformationVector** inputs, const std::string& fileName,
+                   waft::Monitor& monitor);
   waft::Result WriteGlb(vtkInformationVector** inputs, const std::vector<waft::Track>& tracks,
                         const std::vector<waft::PoseTrack>& poses, double framesPerSecond,
-                        const std::string& fileName);
+                        const std::string& fileName, waft::Monitor& monitor);
 };
 
 waft::Result vtkMotionAnimationWriter::Internals::Run(vtkInformationVector** inputs,
-                                                      const std::string& fileName)
+                                                      const std::string& fileName,
+                                                      waft::Monitor& monitor)
 {
   this->Warnings.clear();
   vtkPolyData* data = vtkPolyData::GetData(inputs[0]);
@@ -53,18 +55,19 @@ waft::Result vtkMotionAnimationWriter::Internals::Run(vtkInformationVector** inp
   WAFT_RETURN_IF_FAILED(waft::PosesFromPolyData(data, tracks, poses));
   if (waft::HasEnding(fileName, ".csv"))
   {
-    return waft::WritePosesCsv(fileName, tracks, poses, info.Time);
+    return waft::WritePosesCsv(fileName, tracks, poses, info.Time, monitor);
   }
   if (waft::HasEnding(fileName, ".glb"))
   {
-    return this->WriteGlb(inputs, tracks, poses, info.Time.FramesPerSecond, fileName);
+    return this->WriteGlb(inputs, tracks, poses, info.Time.FramesPerSecond, fileName, monitor);
   }
   return waft::WrongEnding(fileName, Endings);
 }
 
 waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(
   vtkInformationVector** inputs, const std::vector<waft::Track>& tracks,
-  const std::vector<waft::PoseTrack>& poses, double framesPerSecond, const std::string& fileName)
+  const std::vector<waft::PoseTrack>& poses, double framesPerSecond, const std::string& fileName,
+  waft::Monitor& monitor)
 {
   std::vector<waft::MotionObject> objects;
   WAFT_RETURN_IF_FAILED(waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[1]), objects));
@@ -103,7 +106,7 @@ waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(
     animated.push_back({ tracks[i].ObjectId, static_cast<std::size_t>(found->second),
                          tracks[i].Positions, poses[i].Orientations });
   }
-  return waft::WriteAnimationGlb(fileName, shapes, animated, framesPerSecond);
+  return waft::WriteAnimationGlb(fileName, shapes, animated, framesPerSecond, monitor);
 }
 
 vtkMotionAnimationWriter::vtkMotionAnimationWriter() : Impl(std::make_unique<Internals>())
@@ -148,7 +151,8 @@ int vtkMotionAnimationWriter::RequestData(vtkInformation*, vtkInformationVector*
   if (!this->FileName.empty() && !impl.Cache.IsCurrent(this, inputs))
   {
     impl.Written = false;
-    const waft::Result result = impl.Run(inputs, this->FileName);
+    waft::StageMonitor monitor(this);
+    const waft::Result result = impl.Run(inputs, this->FileName, monitor);
     for (const std::string& warning : impl.Warnings)
     {
       vtkWarningMacro(<< warning);
@@ -157,8 +161,11 @@ int vtkMotionAnimationWriter::RequestData(vtkInformation*, vtkInformationVector*
     {
       return waft::Fail(this, outputs, result.Message());
     }
-    impl.Written = true;
-    impl.Cache.MarkCurrent(this, inputs);
+    if (!result.IsStopped())
+    {
+      impl.Written = true;
+      impl.Cache.MarkCurrent(this, inputs);
+    }
   }
   vtkPolyData::GetData(outputs)->ShallowCopy(vtkPolyData::GetData(inputs[0]));
   return 1;

@@ -103,17 +103,6 @@ class SliceTest(unittest.TestCase):
                 simple.Disconnect()
                 simple.Connect()
 
-    def test_a_change_begins_anew(self):
-        animation = simple.WaftAnimation(FileName=self.scene, Slice=SLICE, Seed=6)
-        animation.UpdatePipeline()
-        waft.go_on(animation)
-        animation.Seed = -1
-        animation.Slice = 0.0
-        animation.UpdatePipeline()
-        self.assertFalse(is_flagged(animation))
-        self.assertEqual(poses(animation), self.whole)
-        simple.Delete(animation)
-
     def test_a_state_tells_nothing_of_a_window(self):
         animation = simple.WaftAnimation(FileName=self.scene, StopAfter="Plan")
         for name in ("Planner", "Assimilation", "Spacetime", "Rotation"):

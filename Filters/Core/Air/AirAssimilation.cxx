@@ -52,7 +52,7 @@ Result AssimilationRun::Run(AssimilationState* memory)
   this->Output.Tracks.clear(); // what was shown so far
   if (!this->Drawn.Velocity.IsEmpty())
   {
-    this->Finish();
+    this->Finish(result.IsStopped());
   }
   else
   {
@@ -187,9 +187,16 @@ void AssimilationRun::KeepPlan()
                    this->Obstacles, this->Input.Scene, this->Output.Report);
 }
 
-void AssimilationRun::Finish()
+void AssimilationRun::Finish(bool isStopped)
 {
-  this->KeepApart();
+  if (isStopped)
+  {
+    this->Output.Warnings.push_back("stopped: objects may come too near to each other");
+  }
+  else
+  {
+    this->KeepApart();
+  }
   const AirSampler air(this->Drawn.Velocity);
   const std::size_t count = this->Drifters.size();
   std::vector<char> clear(count, 1);

@@ -204,6 +204,7 @@ bool AssimilationRun::DriftOn(int iterations, Monitor& monitor)
 
 void AssimilationRun::KeepApart()
 {
+  PartMonitor monitor(this->Caller, 1.0, 1.0, "Keeping the objects apart");
   DriftWeights weights = this->Weights();
   std::vector<double> allowed;
   for (const std::vector<Vec3>& path : this->Paths)
@@ -219,8 +220,11 @@ void AssimilationRun::KeepApart()
     }
     weights.Barrier *= 2.0;
     const std::vector<std::vector<Vec3>> before = this->Paths;
-    SilentMonitor silent; // it is short, and the best so far wants it, too
-    (void)this->Drift(FurtherIterations, weights, touches, silent);
+    if (!this->Drift(FurtherIterations, weights, touches, monitor))
+    {
+      this->Paths = before;
+      return;
+    }
     for (std::size_t o = 0; o < before.size(); ++o)
     {
       if (SharpestBend(this->Paths[o]) > allowed[o])

@@ -125,7 +125,9 @@ private:
   Result Solve();
   bool GoesOn() const;
   Result SetUpDrifters();
-  void Finish();
+  /// Paths exactly through what is asked for, and what else is given out. Who stops does not wait
+  /// until objects give way to each other.
+  void Finish(bool isStopped);
   void KeepPlan();
   /// Where a round begins, and `share` of it is done, in the progress of a run.
   double ProgressOf(int round, double share) const

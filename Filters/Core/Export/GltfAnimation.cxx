@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Export/GltfAnimation.h"
 
+#include "Base/FractionDone.h"
+
 #include "Base/AtomicFile.h"
 #include "Base/MeshNormals.h"
 #include "Base/ShapeMeasures.h"
@@ -311,7 +313,7 @@ Result Check(const std::vector<AnimatedShape>& shapes, const std::vector<Animate
 
 Result GltfAnimation(const std::vector<AnimatedShape>& shapes,
                      const std::vector<AnimatedObject>& objects, double framesPerSecond,
-                     std::string& bytes)
+                     std::string& bytes, Monitor& monitor)
 {
   WAFT_RETURN_IF_FAILED(Check(shapes, objects, framesPerSecond));
   try
@@ -330,9 +332,13 @@ Result GltfAnimation(const std::vector<AnimatedShape>& shapes,
     {
       writer.AddTimes(objects[0].Positions.size());
     }
-    for (const AnimatedObject& object : objects)
+    for (std::size_t i = 0; i < objects.size(); ++i)
     {
-      writer.AddObject(object);
+      if (!monitor.Tick(FractionDone(i, objects.size()), "Writing the animation"))
+      {
+        return Result::Stopped();
+      }
+      writer.AddObject(objects[i]);
     }
     if (!writer.Save(bytes))
     {
@@ -347,11 +353,12 @@ Result GltfAnimation(const std::vector<AnimatedShape>& shapes,
 }
 
 Result WriteAnimationGlb(const std::string& path, const std::vector<AnimatedShape>& shapes,
-                         const std::vector<AnimatedObject>& objects, double framesPerSecond)
+                         const std::vector<AnimatedObject>& objects, double framesPerSecond,
+                         Monitor& monitor)
 {
   std::string bytes;
-  WAFT_RETURN_IF_FAILED(GltfAnimation(shapes, objects, framesPerSecond, bytes));
-  return WriteWholeFile(path, bytes);
+  const Result result = GltfAnimation(shapes, objects, framesPerSecond, bytes, monitor);
+  return result && !result.IsStopped() ? WriteWholeFile(path, bytes) : result;
 }
 
 } // namespace waft

@@ -3,6 +3,7 @@
 // shape, one animated node an object.
 #pragma once
 
+#include "Base/Monitor.h"
 #include "Base/Result.h"
 #include "Base/Shape.h"
 #include "Export/ImageFile.h"
@@ -41,10 +42,11 @@ struct AnimatedObject
 /// shape, or numbers that are not finite.
 Result GltfAnimation(const std::vector<AnimatedShape>& shapes,
                      const std::vector<AnimatedObject>& objects, double framesPerSecond,
-                     std::string& bytes);
+                     std::string& bytes, Monitor& monitor);
 
 /// The same as a .glb file, whole or not at all.
 Result WriteAnimationGlb(const std::string& path, const std::vector<AnimatedShape>& shapes,
-                         const std::vector<AnimatedObject>& objects, double framesPerSecond);
+                         const std::vector<AnimatedObject>& objects, double framesPerSecond,
+                         Monitor& monitor);
 
 } // namespace waft

@@ -2,6 +2,7 @@
 #include "Export/PosesCsv.h"
 
 #include "Base/AtomicFile.h"
+#include "Base/FractionDone.h"
 
 #include <charconv>
 
@@ -76,14 +77,30 @@ Result PosesCsv(const std::vector<Track>& tracks, const std::vector<PoseTrack>& 
 }
 
 Result WritePosesCsv(const std::string& path, const std::vector<Track>& tracks,
-                     const std::vector<PoseTrack>& poses, const Timeline& time)
+                     const std::vector<PoseTrack>& poses, const Timeline& time, Monitor& monitor)
 {
+  std::size_t parts = 0; // of which the first is the line of names
+  const auto goesOn = [&]
+  { return monitor.Tick(FractionDone(parts++, tracks.size() + 1), "Writing poses"); };
+  if (!goesOn())
+  {
+    return Result::Stopped();
+  }
   PartFile file(path);
+  bool isStopped = false;
   if (file.Open())
   {
     WAFT_RETURN_IF_FAILED(PosesCsv(tracks, poses, time,
                                    [&](const std::string& text)
-                                   { return file.Write(text.data(), text.size()); }));
+                                   {
+                                     const bool isWritten = file.Write(text.data(), text.size());
+                                     isStopped = !goesOn();
+                                     return isWritten && !isStopped;
+                                   }));
+  }
+  if (isStopped)
+  {
+    return Result::Stopped();
   }
   WAFT_RETURN_IF_FAILED(file.Close());
   return file.PutInPlace();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Base/Monitor.h"
 #include "Base/Motion.h"
 #include "Base/Pose.h"
 #include "Base/Result.h"
@@ -23,6 +24,6 @@ Result PosesCsv(const std::vector<Track>& tracks, const std::vector<PoseTrack>& 
 
 /// The same as a file, whole or not at all.
 Result WritePosesCsv(const std::string& path, const std::vector<Track>& tracks,
-                     const std::vector<PoseTrack>& poses, const Timeline& time);
+                     const std::vector<PoseTrack>& poses, const Timeline& time, Monitor& monitor);
 
 } // namespace waft

@@ -15,6 +15,8 @@ using namespace waft;
 
 namespace
 {
+
+waft::SilentMonitor monitor;
 // A PNG of one pixel.
 const unsigned char Pixel[] = { 0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a, 0,    0,    0,    0x0d,
                                 'I',  'H', 'D', 'R', 0,    0,    0,    1,    0,    0,    0,    1,
@@ -66,7 +68,7 @@ void WriteAndRead(const std::vector<AnimatedShape>& shapes,
                   const std::vector<AnimatedObject>& objects, double rate, tinygltf::Model& model)
 {
   std::string bytes;
-  ASSERT_TRUE(GltfAnimation(shapes, objects, rate, bytes));
+  ASSERT_TRUE(GltfAnimation(shapes, objects, rate, bytes, monitor));
   tinygltf::TinyGLTF reader;
   std::string error, warning;
   ASSERT_TRUE(reader.LoadBinaryFromMemory(&model, &error, &warning,
@@ -222,7 +224,7 @@ TEST(GltfAnimation, BadDataAreNamedAndNothingIsWritten)
   const std::string path = folder.File("animation.glb");
   const auto message = [&](const std::vector<AnimatedObject>& objects)
   {
-    const Result result = WriteAnimationGlb(path, Shapes(), objects, 30.0);
+    const Result result = WriteAnimationGlb(path, Shapes(), objects, 30.0, monitor);
     EXPECT_FALSE(result);
     EXPECT_FALSE(std::filesystem::exists(path));
     return result.Message();
@@ -236,7 +238,7 @@ TEST(GltfAnimation, BadDataAreNamedAndNothingIsWritten)
   objects = Objects();
   objects[0].Positions[4].x() = std::nan("");
   EXPECT_NE(message(objects).find("frame 4"), std::string::npos);
-  ASSERT_TRUE(WriteAnimationGlb(path, Shapes(), Objects(), 30.0));
+  ASSERT_TRUE(WriteAnimationGlb(path, Shapes(), Objects(), 30.0, monitor));
   EXPECT_TRUE(std::filesystem::remove(path));
 }
 

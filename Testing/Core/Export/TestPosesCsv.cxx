@@ -77,3 +77,18 @@ TEST(PosesCsv, ReadsBackBitByBit)
   EXPECT_FALSE(PosesCsv(tracks, poses, time, collect));
   EXPECT_TRUE(text.empty());
 }
+
+TEST(PosesCsv, IsNotWrittenWhenItIsStopped)
+{
+  struct StoppingMonitor : Monitor
+  {
+    bool Tick(double, const std::string&) override { return false; }
+  };
+  StoppingMonitor monitor;
+  const Vec3 place = Vec3::Zero();
+  const std::vector<Track> tracks{ { 0, { place } } };
+  const std::vector<PoseTrack> poses{ { 0, { Quat::Identity() }, { place }, { place } } };
+  const Result result = WritePosesCsv("/nowhere/poses.csv", tracks, poses, { 1, 24.0 }, monitor);
+  EXPECT_TRUE(result); // a folder that is not there would fail
+  EXPECT_TRUE(result.IsStopped());
+}
