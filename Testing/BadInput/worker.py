@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Does a share of the cases, each in a fork of this process, which has the package loaded once for all.
+"""Does some of the cases, each in a fork of this process, which has the package loaded once for all.
 
     pvpython worker.py FIRST STEP GROUPS PATTERN      cases FIRST, FIRST + STEP, ...; a line of JSON for each
 """
@@ -17,9 +17,10 @@ import tempfile
 import time
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE))
+sys.path[:0] = [str(HERE), str(HERE.parent / "Python")]
 
 import judge  # noqa: E402
+import warm  # noqa: E402
 from case import LEAF, synthesize  # noqa: E402
 
 ADDRESS_SPACE = 8 << 30  # bytes
@@ -46,36 +47,22 @@ def changes(before, after):
 def in_child(case, arguments, folder, said):
     """Never returns."""
     os.setsid()
-    nothing = os.open(os.devnull, os.O_RDONLY)
-    for source, target in ((nothing, 0), (said, 1), (said, 2)):
-        os.dup2(source, target)
-    os.chdir(folder)
-    os.environ.update(case.environment)
-    limits = {resource.RLIMIT_AS: ADDRESS_SPACE, resource.RLIMIT_CORE: 0, resource.RLIMIT_CPU: PROCESSOR_SECONDS,
-              **case.limits}
-    for limit, value in limits.items():
-        resource.setrlimit(limit, (value, value + 5 if limit == resource.RLIMIT_CPU else value))
-    status = 1
-    try:
-        if case.act is not None:
-            wrong = case.act()
-            status = 1 if wrong else 0
-            print(wrong or "", file=sys.stderr)
-        else:
+
+    def act():
+        os.environ.update(case.environment)
+        limits = {resource.RLIMIT_AS: ADDRESS_SPACE, resource.RLIMIT_CORE: 0, resource.RLIMIT_CPU: PROCESSOR_SECONDS,
+                  **case.limits}
+        for limit, value in limits.items():
+            resource.setrlimit(limit, (value, value + 5 if limit == resource.RLIMIT_CPU else value))
+        if case.act is None:
             from waft import cli
 
-            status = cli.main(arguments)
-    except SystemExit as end:
-        status = end.code if isinstance(end.code, int) else 1
-    except BaseException:  # as the interpreter itself would
-        import traceback
+            return cli.main(arguments)
+        wrong = case.act()
+        print(wrong or "", file=sys.stderr)
+        return 1 if wrong else 0
 
-        traceback.print_exc()
-    try:
-        sys.stdout.flush()
-        sys.stderr.flush()
-    finally:
-        os._exit(status or 0)
+    warm.become(act, folder, said, said)
 
 
 def _used(child):

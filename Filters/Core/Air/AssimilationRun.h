@@ -129,10 +129,10 @@ private:
   /// until objects give way to each other.
   void Finish(bool isStopped);
   void KeepPlan();
-  /// Where a round begins, and `share` of it is done, in the progress of a run.
-  double ProgressOf(int round, double share) const
+  /// Where a round begins, and a fraction of it is done, in the progress of a run.
+  double ProgressOf(int round, double fraction) const
   {
-    return DriftEnd + (round + share) * (1.0 - DriftEnd) / std::max(1, this->Options.Rounds);
+    return DriftEnd + (round + fraction) * (1.0 - DriftEnd) / std::max(1, this->Options.Rounds);
   }
   /// The motion so far, for a monitor that shows it.
   void ShowPaths();

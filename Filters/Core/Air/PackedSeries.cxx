@@ -76,8 +76,8 @@ void AddDifferences(const Planes& planes, std::vector<std::vector<Half3>>& value
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const std::size_t place = 3 * i + axis;
-      const auto folded = static_cast<std::uint16_t>(planes[0][place] | (planes[1][place] << 8U));
+      const std::size_t offset = 3 * i + axis;
+      const auto folded = static_cast<std::uint16_t>(planes[0][offset] | (planes[1][offset] << 8U));
       values[k][i][axis] =
         HalfOf(static_cast<std::uint16_t>(Unfolded(folded) + Expected(values, k, i, axis)));
     }
