@@ -184,7 +184,7 @@ class DefinitionTest(unittest.TestCase):
 
     def test_flight(self):
         rows = {"ObjectId": np.array([0, 0, 1, 2]), "Frame": np.array([60, 30, 0, 50]), "Kind": np.array([4, 0, 4, 4]),
-                "Until": np.array([89, 30, 20, 89]), "TouchDown": np.array([-1, -1, -1, 40])}
+                "Until": np.array([89, 30, 20, 89]), "TouchDown": np.array([-1, -1, -1, 40]), "LiftOff": np.array([-1, -1, -1, -1])}
         flying, free, touches = flight(rows, np.arange(3), FRAMES, RATE)
         self.assertEqual([list(np.flatnonzero(row)[[0, -1]]) for row in flying], [[0, 60], [20, 89], [0, 40]])
         self.assertEqual(list(np.flatnonzero(free[0])), [*range(15, 22)])

@@ -151,6 +151,7 @@ constexpr const char* ParticleId = "ParticleId";
 constexpr const char* Stage = "Stage";
 constexpr const char* Seconds = "Seconds";
 constexpr const char* TouchDown = "TouchDown"; // of rests
+constexpr const char* LiftOff = "LiftOff";     // of rests
 constexpr const char* Candidate = "Candidate"; // of rounds
 constexpr const char* ControlRms = "ControlRms";
 constexpr const char* ControlMedian = "ControlMedian";

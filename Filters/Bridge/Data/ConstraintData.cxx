@@ -46,6 +46,7 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
   AddColumn(arrays, names::Radius, constraints, &Constraint::Radius);
   AddColumn(arrays, names::Until, constraints, &Constraint::Until);
   AddColumn(arrays, names::TouchDown, constraints, &Constraint::TouchDown);
+  AddColumn(arrays, names::LiftOff, constraints, &Constraint::LiftOff);
   AddColumn(arrays, names::Row, constraints, &Constraint::Row);
   AddColumn(arrays, names::Target, constraints, &Constraint::Target);
   AddColumn(arrays, names::Group, constraints, &Constraint::Group);
@@ -78,6 +79,7 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   WAFT_RETURN_IF_FAILED(readOptional(names::Radius, &Constraint::Radius));
   WAFT_RETURN_IF_FAILED(readOptional(names::Until, &Constraint::Until));
   WAFT_RETURN_IF_FAILED(readOptional(names::TouchDown, &Constraint::TouchDown));
+  WAFT_RETURN_IF_FAILED(readOptional(names::LiftOff, &Constraint::LiftOff));
   WAFT_RETURN_IF_FAILED(readOptional(names::Row, &Constraint::Row));
   WAFT_RETURN_IF_FAILED(readOptional(names::Target, &Constraint::Target));
   WAFT_RETURN_IF_FAILED(readOptional(names::Group, &Constraint::Group));

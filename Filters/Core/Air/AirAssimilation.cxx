@@ -226,7 +226,7 @@ void AssimilationRun::Finish(bool isStopped)
     Track track;
     track.ObjectId = this->Drifters[o].Object().ObjectId;
     track.Positions = this->Paths[o];
-    const DriftProblem problem = this->Drifters[o].Problem();
+    const DriftProblem problem = this->Drifters[o].Problem(air);
     const std::vector<Vec3> between = DriftControls(problem, air, track.Positions);
     std::vector<Vec3> controls(track.Positions.size(), Vec3::Zero());
     for (std::size_t f = 0; f < track.Positions.size(); ++f)
@@ -245,6 +245,7 @@ void AssimilationRun::Finish(bool isStopped)
         if (own.Row == row.Row && own.Target == row.Target && own.ObjectId == row.ObjectId)
         {
           row.TouchDown = own.TouchDown;
+          row.LiftOff = own.LiftOff;
         }
       }
     }
@@ -257,7 +258,7 @@ void AssimilationRun::Finish(bool isStopped)
 
 AssimilationRun::HandOf AssimilationRun::Hand(std::size_t o, const AirSampler& air) const
 {
-  const DriftProblem problem = this->Drifters[o].Problem();
+  const DriftProblem problem = this->Drifters[o].Problem(air);
   const std::vector<Vec3>& path = this->Paths[o];
   const std::vector<Vec3> controls = DriftControls(problem, air, path);
   HandOf hand;
@@ -285,7 +286,7 @@ void AssimilationRun::Note(const std::string& stage, const CommonWind* common)
                    for (std::size_t o = begin; o < end; ++o)
                    {
                      hands[o] = this->Hand(o, air);
-                     winds[o] = common ? this->WindAlong(o, *common) : 0.0;
+                     winds[o] = common ? this->WindAlong(o, *common, air) : 0.0;
                    }
                  });
   HandOf all;
@@ -311,9 +312,10 @@ void AssimilationRun::Note(const std::string& stage, const CommonWind* common)
   this->Output.Rounds.push_back(row);
 }
 
-double AssimilationRun::WindAlong(std::size_t o, const CommonWind& common) const
+double AssimilationRun::WindAlong(std::size_t o, const CommonWind& common,
+                                  const AirSampler& air) const
 {
-  const DriftProblem problem = this->Drifters[o].Problem();
+  const DriftProblem problem = this->Drifters[o].Problem(air);
   const std::vector<Vec3>& path = this->Paths[o];
   double sum = 0.0;
   for (std::size_t k = 0; k + 1 < path.size(); k += WindStride)

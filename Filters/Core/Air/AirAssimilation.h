@@ -109,11 +109,13 @@ struct AssimilationOptions
                        "s^2",
                        "Cost of changes of the control over that of the control, in s^2." },
           of.Smoothness...);
-    visit(OptionField{ "TouchDownSpread",
-                       { 0, 60 },
-                       "s",
-                       "Seconds that an object may lie before the frame from which it has to." },
-          of.TouchDownSpread...);
+    visit(
+      OptionField{
+        "TouchDownSpread",
+        { 0, 60 },
+        "s",
+        "Seconds that an object may lie before and after the frames between which it has to." },
+      of.TouchDownSpread...);
     visit(FlagField("Inertia",
                     "Bodies come after the air as g / SettlingSpeed has it, instead of at once."),
           of.Inertia...);
@@ -183,7 +185,7 @@ struct AssimilationOutput
   std::vector<std::vector<Vec3>> Controls; // by track and frame [m/s]
   std::shared_ptr<const DrawnAir> Air = std::make_shared<DrawnAir>();
   std::vector<Vortex> Vortices;        // all that stir the air
-  std::vector<Constraint> Constraints; // with TouchDown
+  std::vector<Constraint> Constraints; // with TouchDown and LiftOff
   std::vector<ReportRow> Report;
   std::vector<AssimilationRound> Rounds;
   std::vector<std::string> Warnings;

@@ -344,7 +344,7 @@ double AssimilationRun::Try(const HalfSeries& series, AssimilationRound& row) co
                    for (std::size_t k = begin; k < end; ++k)
                    {
                      const Drifter& drifter = this->Drifters[k * stride];
-                     const DriftProblem problem = drifter.Problem();
+                     const DriftProblem problem = drifter.Problem(air);
                      std::vector<Vec3>& path = flights.Paths[k];
                      path = drifter.Starts(air, 0).back();
                      const DriftOutcome outcome =

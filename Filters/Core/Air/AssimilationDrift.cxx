@@ -105,58 +105,77 @@ void AssimilationRun::SeekPath(std::size_t o, const AirSampler& air, Monitor& mo
   { return this->JudgementOf(drifter, this->CostOf(drifter, air, path), path); };
   const Judgement before = judged(this->Paths[o]);
   const std::vector<Vec3> pathBefore = this->Paths[o];
-  std::vector<int> touchDownsBefore;
+  std::vector<std::pair<int, int>> timesBefore;
   for (std::size_t l = 0; l < drifter.NumberOfLandings(); ++l)
   {
-    touchDownsBefore.push_back(drifter.TouchDown(l));
+    timesBefore.emplace_back(drifter.TouchDown(l), drifter.LiftOff(l));
     drifter.SetTouchDown(l, drifter.LandingFrame(l));
+    drifter.SetLiftOff(l, drifter.LeavingFrame(l));
   }
   this->Paths[o] = this->BestDrift(drifter, air, drifter.Starts(air, this->Options.Starts));
   for (std::size_t l = 0; l < drifter.NumberOfLandings(); ++l)
   {
-    const int latest = drifter.LandingFrame(l);
-    const int earliest = drifter.EarliestTouchDown(l, spread);
-    Judgement least = judged(this->Paths[o]);
-    int best = latest;
-    int last = latest;
-    std::vector<Vec3> path = this->Paths[o];
-    for (int frame = latest - step; frame >= earliest && latest > 0 && monitor.Tick(-1.0, "");
-         frame -= step)
-    {
-      drifter.SetTouchDown(l, frame);
-      path = this->BestDrift(drifter, air,
-                             { drifter.Retimed(path, l, last), drifter.Starts(air, 0).back() });
-      last = frame;
-      const Judgement now = judged(path);
-      if (now < least)
-      {
-        least = now;
-        best = frame;
-        this->Paths[o] = path;
-      }
-    }
-    drifter.SetTouchDown(l, best);
+    const int landing = drifter.LandingFrame(l);
+    this->SeekTime(
+      o, air, { landing, landing > 0 ? drifter.EarliestTouchDown(l, spread) : landing, -step },
+      [&](int frame) { drifter.SetTouchDown(l, frame); },
+      [&](const std::vector<Vec3>& path, int last) { return drifter.Retimed(path, l, last); },
+      monitor);
+    this->SeekTime(
+      o, air, { drifter.LeavingFrame(l), drifter.LatestLiftOff(l, spread), step },
+      [&](int frame) { drifter.SetLiftOff(l, frame); },
+      [&](const std::vector<Vec3>& path, int last) { return drifter.Delayed(path, l, last); },
+      monitor);
   }
   if (!(judged(this->Paths[o]) < before))
   {
     this->Paths[o] = pathBefore;
-    for (std::size_t l = 0; l < touchDownsBefore.size(); ++l)
+    for (std::size_t l = 0; l < timesBefore.size(); ++l)
     {
-      drifter.SetTouchDown(l, touchDownsBefore[l]);
+      drifter.SetTouchDown(l, timesBefore[l].first);
+      drifter.SetLiftOff(l, timesBefore[l].second);
     }
   }
+}
+
+void AssimilationRun::SeekTime(std::size_t o, const AirSampler& air, const FramesToTry& frames,
+                               const std::function<void(int)>& set, const Retiming& retimed,
+                               Monitor& monitor)
+{
+  const Drifter& drifter = this->Drifters[o];
+  const auto judged = [&](const std::vector<Vec3>& path)
+  { return this->JudgementOf(drifter, this->CostOf(drifter, air, path), path); };
+  Judgement least = judged(this->Paths[o]);
+  int best = frames.First;
+  int last = frames.First;
+  std::vector<Vec3> path = this->Paths[o];
+  for (int frame = frames.First + frames.Step;
+       (frame - frames.Last) * frames.Step <= 0 && monitor.Tick(-1.0, ""); frame += frames.Step)
+  {
+    set(frame);
+    path = this->BestDrift(drifter, air, { retimed(path, last), drifter.Starts(air, 0).back() });
+    last = frame;
+    const Judgement now = judged(path);
+    if (now < least)
+    {
+      least = now;
+      best = frame;
+      this->Paths[o] = path;
+    }
+  }
+  set(best);
 }
 
 double AssimilationRun::CostOf(const Drifter& drifter, const AirSampler& air,
                                std::vector<Vec3> path) const
 {
-  return SolveDrift(drifter.Problem(), air, this->Weights(), 1, path).Cost;
+  return SolveDrift(drifter.Problem(air), air, this->Weights(), 1, path).Cost;
 }
 
 std::vector<Vec3> AssimilationRun::BestDrift(const Drifter& drifter, const AirSampler& air,
                                              std::vector<std::vector<Vec3>> paths) const
 {
-  const DriftProblem problem = drifter.Problem();
+  const DriftProblem problem = drifter.Problem(air);
   std::vector<std::pair<Judgement, std::size_t>> order;
   const auto follow = [&](std::size_t k, int iterations)
   {
@@ -252,7 +271,7 @@ bool AssimilationRun::Drift(int iterations, const DriftWeights& weights,
                      }
                      if (which[o] && !this->IsKept(o))
                      {
-                       SolveDrift(this->Drifters[o].Problem(), air, weights, iterations,
+                       SolveDrift(this->Drifters[o].Problem(air), air, weights, iterations,
                                   this->Paths[o]);
                      }
                    }
@@ -320,7 +339,7 @@ bool AssimilationRun::FitWind(CommonWind& common, Monitor& monitor) const
   std::map<int, WindSamples> byFrame;
   for (std::size_t o = 0; o < this->Drifters.size(); ++o)
   {
-    const DriftProblem problem = this->Drifters[o].Problem();
+    const DriftProblem problem = this->Drifters[o].Problem(air);
     const std::vector<Vec3> controls = DriftControls(problem, air, this->Paths[o]);
     for (int k = 1; k < static_cast<int>(controls.size()); k += WindStride)
     {
@@ -351,7 +370,7 @@ bool AssimilationRun::FinishPath(std::size_t o, const AirSampler& air)
   for (int k = 0; k < HarderPushes && !drifter.IsClear(this->Paths[o]); ++k)
   {
     weights.Barrier *= 10.0;
-    SolveDrift(drifter.Problem(), air, weights, DriftIterations, this->Paths[o]);
+    SolveDrift(drifter.Problem(air), air, weights, DriftIterations, this->Paths[o]);
   }
   return drifter.MakeExact(this->Paths[o]);
 }

@@ -20,12 +20,13 @@ AssimilationState AssimilationRun::State() const
   state.Paths = this->Paths;
   for (const Drifter& drifter : this->Drifters)
   {
-    std::vector<int> frames;
+    state.TouchDowns.emplace_back();
+    state.LiftOffs.emplace_back();
     for (std::size_t l = 0; l < drifter.NumberOfLandings(); ++l)
     {
-      frames.push_back(drifter.TouchDown(l));
+      state.TouchDowns.back().push_back(drifter.TouchDown(l));
+      state.LiftOffs.back().push_back(drifter.LiftOff(l));
     }
-    state.TouchDowns.push_back(std::move(frames));
   }
   state.Table = this->Output.Rounds;
   return state;
@@ -44,10 +45,12 @@ void AssimilationRun::TakePath(std::size_t o, const AssimilationState& state)
 {
   Drifter& drifter = this->Drifters[o];
   this->Paths[o] = state.Paths[o];
-  const std::vector<int>& frames = state.TouchDowns[o];
-  for (std::size_t l = 0; l < std::min(drifter.NumberOfLandings(), frames.size()); ++l)
+  const std::vector<int>& down = state.TouchDowns[o];
+  const std::vector<int>& up = state.LiftOffs[o];
+  for (std::size_t l = 0; l < std::min({ drifter.NumberOfLandings(), down.size(), up.size() }); ++l)
   {
-    drifter.SetTouchDown(l, frames[l]);
+    drifter.SetTouchDown(l, down[l]);
+    drifter.SetLiftOff(l, up[l]);
   }
 }
 
@@ -56,6 +59,7 @@ bool AssimilationRun::HasPaths(const AssimilationState& state) const
   const std::size_t frames = this->Input.Tracks.front().Positions.size();
   return !state.IsEmpty() && state.Paths.size() == this->Drifters.size() &&
          state.TouchDowns.size() == this->Drifters.size() &&
+         state.LiftOffs.size() == this->Drifters.size() &&
          state.Air->Velocity.Values.size() == frames &&
          std::all_of(state.Paths.begin(), state.Paths.end(),
                      [frames](const std::vector<Vec3>& path) { return path.size() == frames; });

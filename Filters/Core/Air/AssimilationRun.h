@@ -67,10 +67,19 @@ private:
   // AssimilationDrift.cxx
   DriftWeights Weights() const;
   Result FirstDrift();
-  /// From several starts and to several touch-downs; the least control is kept, that so far among
-  /// them. False: stopped.
+  /// From several starts, with several touch-downs and lift-offs; the least control is kept, that
+  /// so far among them. False: stopped.
   bool Seek(const std::vector<char>& which, Monitor& monitor);
   void SeekPath(std::size_t o, const AirSampler& air, Monitor& monitor);
+  struct FramesToTry
+  {
+    int First = 0, Last = 0, Step = 1; // First: as it is
+  };
+  /// Another frame for the end or the beginning of a flight: set gives it to the drifter, retimed
+  /// brings a path from the frame that it has to the one that is set.
+  using Retiming = std::function<std::vector<Vec3>(const std::vector<Vec3>& path, int frame)>;
+  void SeekTime(std::size_t o, const AirSampler& air, const FramesToTry& frames,
+                const std::function<void(int)>& set, const Retiming& retimed, Monitor& monitor);
   /// Those whom the air as it has become does not take to their marks.
   bool SeekAgain(Monitor& monitor);
   /// Of two paths the one that judges less goes on.
@@ -148,7 +157,7 @@ private:
     }
   };
   HandOf Hand(std::size_t o, const AirSampler& air) const;
-  double WindAlong(std::size_t o, const CommonWind& common) const;
+  double WindAlong(std::size_t o, const CommonWind& common, const AirSampler& air) const;
   void Note(const std::string& stage, const CommonWind* common);
   /// Warns of objects that the air does not take to their marks.
   void TellLargeHands();

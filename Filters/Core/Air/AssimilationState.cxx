@@ -56,7 +56,9 @@ void Serialise(StateArchive& stream, AssimilationState& state)
   stream.List(state.Forces.Winds, [](StateArchive& s, AnalyticWind& w) { Serialise(s, w); });
   SerialiseAir(stream, state.Air);
   stream.List(state.Paths, [](StateArchive& s, std::vector<Vec3>& path) { s.List(path); });
-  stream.List(state.TouchDowns, [](StateArchive& s, std::vector<int>& frames) { s.List(frames); });
+  const auto frames = [](StateArchive& s, std::vector<int>& list) { s.List(list); };
+  stream.List(state.TouchDowns, frames);
+  stream.List(state.LiftOffs, frames);
   stream.List(state.Table, SerialiseRound);
 }
 

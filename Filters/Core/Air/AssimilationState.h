@@ -44,6 +44,7 @@ struct AssimilationState
   std::shared_ptr<const DrawnAir> Air = std::make_shared<DrawnAir>();
   std::vector<std::vector<Vec3>> Paths;
   std::vector<std::vector<int>> TouchDowns; // one a landing
+  std::vector<std::vector<int>> LiftOffs;   // likewise
   std::vector<AssimilationRound> Table;
 
   bool IsEmpty() const { return this->Air->Velocity.IsEmpty(); }

@@ -150,11 +150,11 @@ public:
   }
 
 private:
-  // The velocity that the air, settling and the cushion give at x in a step.
+  // The velocity that the air, settling and the ground effect give at x in a step.
   Vec3 Drifting(int k, const Vec3& x, Mat3* gradient) const
   {
     Vec3 slope;
-    const double factor = this->Problem.Cushion.Factor(x, k + 0.5, gradient ? &slope : nullptr);
+    const double factor = this->Problem.Ground.Factor(x, k + 0.5, gradient ? &slope : nullptr);
     Vec3 u = this->Air.Between(k, x, gradient);
     u.z() -= factor * this->Problem.SettlingSpeed;
     if (gradient)
@@ -454,7 +454,7 @@ bool IsFreeStep(const DriftProblem& problem, const std::vector<Vec3>& path, int 
 {
   const auto k = static_cast<std::size_t>(step);
   return problem.Flight[k] >= 1.0 &&
-         problem.Cushion.Factor(0.5 * (path[k] + path[k + 1]), step + 0.5) >= 1.0;
+         !problem.Ground.Brakes(0.5 * (path[k] + path[k + 1]), step + 0.5);
 }
 
 DriftOutcome SolveDrift(const DriftProblem& problem, const AirSampler& air,

@@ -5,7 +5,7 @@
 #include "Air/AirSampler.h"
 #include "Base/Motion.h"
 #include "Base/Types.h"
-#include "Constraints/LandingCushion.h"
+#include "Constraints/GroundEffect.h"
 
 #include <functional>
 #include <utility>
@@ -54,7 +54,7 @@ struct DriftProblem
   /// By step: 1 where it flies by the air alone, 0 where it lies still, between where it is taken
   /// up from a rest or handed over from and to frames that are given.
   std::vector<double> Flight;
-  LandingCushion Cushion;
+  GroundEffect Ground;
   std::vector<DriftRow> Rows;
   /// Adds all that a body at x is too near to at a frame; may be empty.
   std::function<void(int frame, const Vec3& x, std::vector<DriftDepth>& depths)> TooNear;
@@ -69,16 +69,16 @@ struct DriftOutcome
 
 /// The control of a step [m/s]: what moves the body beside the air,
 ///   c = x' + ResponseTime x'' - u(x, t) + f SettlingSpeed e_z,
-/// with the cushion's factor f, the inertial law v' = (u - v) g / SettlingSpeed - g e_z in units of
-/// velocity.
+/// with the factor f of the ground effect, the inertial law v' = (u - v) g / SettlingSpeed - g e_z
+/// in units of velocity.
 std::vector<Vec3> DriftControls(const DriftProblem& problem, const AirSampler& air,
                                 const std::vector<Vec3>& path);
 
-/// Whether it flies in a step by the air alone, above what cushions it.
+/// Whether it flies in a step by the air alone, above what brakes its landing.
 bool IsFreeStep(const DriftProblem& problem, const std::vector<Vec3>& path, int step);
 
-/// Moves the path to a local minimum of 1/2 sum Flight |c|^2 dt + Smoothness / 2 sum |dc/dt|^2 dt +
-/// barriers, over all frames that are not fixed at once: Levenberg's method, the Gauss-Newton
+/// Moves the path to a local minimum of 1/2 sum Flight |c|^2 dt + Smoothness / 2 sum |dc/dt|^2 dt
+/// + barriers, over all frames that are not fixed at once: Levenberg's method, the Gauss-Newton
 /// matrix being banded. Fixed frames take their values.
 DriftOutcome SolveDrift(const DriftProblem& problem, const AirSampler& air,
                         const DriftWeights& weights, int maximumIterations,

@@ -30,6 +30,7 @@ Drifter::Drifter(const DriftScene& scene, const MotionObject& object, std::vecto
   for (const LandingWindow& landing : this->Landings)
   {
     this->Latest.push_back(landing.Frame);
+    this->Leaving.push_back(landing.Until);
   }
   this->FixFrames();
   this->AddRows();
@@ -52,17 +53,42 @@ int Drifter::EarliestTouchDown(std::size_t landing, int most) const
 
 void Drifter::SetTouchDown(std::size_t landing, int frame)
 {
-  const LandingWindow& window = this->Landings[landing];
-  for (Constraint& row : this->Wanted)
-  {
-    if (row.Row == window.Row && row.Target == window.Target && IsRest(row.Kind))
-    {
-      row.TouchDown = frame;
-    }
-  }
-  this->Landings[landing].Frame = frame;
-  this->Landings[landing].First = frame - this->World.Scene.Time.FramesPerSecond;
+  LandingWindow& window = this->Landings[landing];
+  this->RestOf(window).TouchDown = frame;
+  window.Frame = frame;
+  window.First = frame - this->World.Scene.Time.FramesPerSecond;
   this->FixFrames();
+}
+
+int Drifter::LatestLiftOff(std::size_t landing, int most) const
+{
+  // Most of the way to the next mark, or to the end, is flown.
+  const int frames = this->NumberOfFrames();
+  int next = this->LiftOff(landing) + 1;
+  while (next < frames && !this->IsFixed[static_cast<std::size_t>(next)])
+  {
+    ++next;
+  }
+  const int leaving = this->Leaving[landing];
+  return std::max(leaving, leaving + std::min(most, (next - leaving) / 3));
+}
+
+void Drifter::SetLiftOff(std::size_t landing, int frame)
+{
+  LandingWindow& window = this->Landings[landing];
+  this->RestOf(window).LiftOff = frame;
+  window.Until = frame;
+  window.Last = frame + this->World.Scene.Time.FramesPerSecond;
+  this->FixFrames();
+}
+
+Constraint& Drifter::RestOf(const LandingWindow& landing)
+{
+  return *std::find_if(this->Wanted.begin(), this->Wanted.end(),
+                       [&](const Constraint& row) {
+                         return row.Row == landing.Row && row.Target == landing.Target &&
+                                IsRest(row.Kind);
+                       });
 }
 
 void Drifter::FixFrames()
@@ -129,7 +155,7 @@ void Drifter::AddRows()
   }
 }
 
-DriftProblem Drifter::Problem() const
+DriftProblem Drifter::Problem(const AirSampler& air) const
 {
   const Timeline& time = this->World.Scene.Time;
   DriftProblem problem;
@@ -139,10 +165,12 @@ DriftProblem Drifter::Problem() const
   problem.IsFixed = this->IsFixed;
   problem.Fixed = this->Fixed;
   problem.Rows = this->DriftRows;
-  problem.Cushion = LandingCushion(this->World.Obstacles, this->Landings, this->Body.RestHeight,
-                                   this->Body.SettlingSpeed);
+  const int last = this->NumberOfFrames() - 1;
+  problem.Ground =
+    GroundEffect(this->World.Obstacles, this->Landings, this->Body, time.FramesPerSecond,
+                 [&](const Vec3& x, int frame) { return air.At(std::min(frame, last), x); });
   // Steps between fixed frames are given; beside them a body is taken up or handed over. To a rest
-  // it comes by the cushion.
+  // it comes by the ground effect.
   const std::size_t steps = this->IsFixed.size() - 1;
   const double reach = HandOverTime * time.FramesPerSecond;
   std::vector<double> away(steps, 2.0 * reach);
@@ -283,12 +311,40 @@ std::vector<Vec3> Drifter::Retimed(const std::vector<Vec3>& path, std::size_t la
   return retimed;
 }
 
+std::vector<Vec3> Drifter::Delayed(const std::vector<Vec3>& path, std::size_t landing,
+                                   int liftOff) const
+{
+  // To the mark after it goes faster; without one all is later.
+  const int late = this->Landings[landing].Until;
+  const int last = this->NumberOfFrames() - 1;
+  int to = last + late - liftOff;
+  for (const int mark : this->Marks())
+  {
+    if (mark > late)
+    {
+      to = mark;
+      break;
+    }
+  }
+  std::vector<Vec3> delayed = path;
+  for (int f = liftOff; f <= std::min(to, last) && late < to; ++f)
+  {
+    const double s =
+      liftOff + std::max(0, f - late) * static_cast<double>(to - liftOff) / (to - late);
+    const auto low = static_cast<std::size_t>(s);
+    const std::size_t high = std::min(low + 1, path.size() - 1);
+    delayed[static_cast<std::size_t>(f)] =
+      path[low] + (s - static_cast<double>(low)) * (path[high] - path[low]);
+  }
+  return delayed;
+}
+
 std::vector<Vec3> Drifter::RetimedPlan() const
 {
   std::vector<Vec3> planned = this->Planned;
   for (std::size_t l = 0; l < this->Landings.size(); ++l)
   {
-    planned = this->Retimed(planned, l, this->Latest[l]);
+    planned = this->Delayed(this->Retimed(planned, l, this->Latest[l]), l, this->Leaving[l]);
   }
   return planned;
 }

@@ -51,6 +51,15 @@ public:
   int LandingFrame(std::size_t landing) const { return this->Latest[landing]; }
   int EarliestTouchDown(std::size_t landing, int most) const;
 
+  /// The frame until which a landing lies there, of its row's own last one and up to `most` frames
+  /// after.
+  void SetLiftOff(std::size_t landing, int frame);
+  int LiftOff(std::size_t landing) const { return this->Landings[landing].Until; }
+  /// The row's own last frame, and the latest frame until which it may lie there: the same where it
+  /// lies to the end.
+  int LeavingFrame(std::size_t landing) const { return this->Leaving[landing]; }
+  int LatestLiftOff(std::size_t landing, int most) const;
+
   int NumberOfFrames() const { return static_cast<int>(this->Planned.size()); }
   /// Where it is held at a frame, or null.
   const Vec3* HeldAt(int frame) const
@@ -64,8 +73,8 @@ public:
     this->Neighbours = std::move(neighbours);
   }
 
-  /// As the touch-downs are set. Points into this drifter.
-  DriftProblem Problem() const;
+  /// As the touch-downs and lift-offs are set, in an air. Points into this drifter.
+  DriftProblem Problem(const AirSampler& air) const;
 
   /// Paths to begin with: the plan, brought to the touch-downs; straight from mark to mark; free
   /// drift from each mark, bent to the next; and some that are perturbed from these.
@@ -74,6 +83,8 @@ public:
   /// A path that touches down at a frame, brought to the landing's own, earlier one.
   std::vector<Vec3> Retimed(const std::vector<Vec3>& path, std::size_t landing,
                             int touchDown) const;
+  /// A path that lifts off at a frame, brought to the landing's own, later one.
+  std::vector<Vec3> Delayed(const std::vector<Vec3>& path, std::size_t landing, int liftOff) const;
 
   /// Whether the centre goes through an obstacle.
   bool PassesThrough(const std::vector<Vec3>& path) const;
@@ -85,6 +96,7 @@ public:
 
 private:
   std::vector<int> Marks() const; // fixed frames
+  Constraint& RestOf(const LandingWindow& landing);
   /// The plan, brought to the touch-downs as they are set.
   std::vector<Vec3> RetimedPlan() const;
   std::vector<Vec3> Perturbed(std::vector<Vec3> path, const std::vector<int>& marks,
@@ -102,7 +114,8 @@ private:
   std::vector<Vec3> Planned;
   std::vector<Constraint> Wanted;
   std::vector<LandingWindow> Landings;
-  std::vector<int> Latest;
+  std::vector<int> Latest;  // touch-downs, as the rows have them
+  std::vector<int> Leaving; // lift-offs likewise
   std::vector<unsigned char> IsFixed;
   std::vector<Vec3> Fixed;
   std::vector<DriftNeighbour> Neighbours;

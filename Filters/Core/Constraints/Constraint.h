@@ -107,6 +107,7 @@ struct Constraint
   double Radius = 0.0;                 // same unit as Value (orientation: rad); 0: exact
   int Until = 0;                       // rest lasts from Frame to this frame
   int TouchDown = -1;                  // of a rest: lies there from this frame on; -1: from Frame
+  int LiftOff = -1;                    // of a rest: lies there until this frame; -1: until Until
   int Row = 0;                         // index in the scene's list
   int Target = 0;                      // index in that row's list of targets
   int Group = -1;                      // rows of one group go to distinct objects
@@ -115,10 +116,10 @@ struct Constraint
     ConstraintStatus::Met; // what an earlier stage found: only met rows bind
 };
 
-/// Of what is wanted of a row.
+/// The frame until which a row holds, or a rest goes on.
 inline int LastFrame(const Constraint& row)
 {
-  return TraitsOf(row.Kind).Lasts ? std::max(row.Frame, row.Until) : row.Frame;
+  return TraitsOf(row.Kind).Lasts ? std::max({ row.Frame, row.Until, row.LiftOff }) : row.Frame;
 }
 
 /// How far from what it asks for a row counts as met, in the unit of Value.

@@ -94,8 +94,8 @@ void Serialise(StateArchive& stream, FieldSeries& field)
 
 void Serialise(StateArchive& stream, Constraint& c)
 {
-  stream.Values(c.ObjectId, c.Frame, c.Kind, c.Value, c.Radius, c.Until, c.TouchDown, c.Row,
-                c.Target, c.Group, c.ClassId, c.Status);
+  stream.Values(c.ObjectId, c.Frame, c.Kind, c.Value, c.Radius, c.Until, c.TouchDown, c.LiftOff,
+                c.Row, c.Target, c.Group, c.ClassId, c.Status);
   SerialiseQuaternion(stream, c.Orientation);
 }
 

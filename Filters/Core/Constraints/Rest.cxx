@@ -80,7 +80,7 @@ std::vector<LandingWindow> LandingWindows(const MotionObject& object,
     LandingWindow window;
     window.ObstacleId = hit.ObstacleId;
     window.Frame = FirstFrame(row);
-    window.Until = std::max(row.Until, row.Frame);
+    window.Until = LastFrame(row);
     window.First = window.Frame - framesPerSecond;
     window.Last = window.Until + framesPerSecond;
     window.Centre = centre;

@@ -35,9 +35,9 @@ bool WantedPosition(const Constraint& row, int frame, double restHeight,
 /// second before it lies there to one second after its Until.
 struct LandingWindow
 {
-  int ObstacleId = -1; // the surface landed on
-  int Frame = 0;       // FirstFrame of the row
-  int Until = 0;
+  int ObstacleId = -1;         // the surface landed on
+  int Frame = 0;               // FirstFrame of the row
+  int Until = 0;               // LastFrame of the row
   double First = 0.0;          // frames
   double Last = 0.0;           // frames
   Vec3 Centre = Vec3::Zero();  // resting position of the centre

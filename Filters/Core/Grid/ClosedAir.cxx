@@ -14,17 +14,6 @@ ClosedAir::ClosedAir(const PaddedCells& c, const std::array<const float*, 3>& we
     int At[3];
   };
   const std::array<std::ptrdiff_t, 3> stride{ 1, c.StrideY, c.StrideZ };
-  const auto hasFace = [&](std::ptrdiff_t p)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      if (weights[axis][p] > 0.0f || weights[axis][p + stride[axis]] > 0.0f)
-      {
-        return true;
-      }
-    }
-    return false;
-  };
   std::vector<Node> stack;
   std::vector<std::ptrdiff_t> members;
   const auto enter = [&](const Node& node)
@@ -44,7 +33,7 @@ ClosedAir::ClosedAir(const PaddedCells& c, const std::array<const float*, 3>& we
       for (int i = 0; i < c.N[0]; ++i)
       {
         const std::ptrdiff_t start = c.Index(i, j, k);
-        if (seen[start] || !hasFace(start))
+        if (seen[start])
         {
           continue;
         }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts of the air that no open face lets out, where the pressure is free by a constant.
+// Parts of the air that no open face lets out, where the pressure is free by a constant. A cell
+// that a solid shuts in is such a part by itself.
 #pragma once
 
 #include "Grid/MultigridKernels.h"
@@ -24,11 +25,11 @@ public:
             const std::array<bool, 3>& periodic);
 
   /// Takes the mean of each closed part from its cells, so that a pressure can answer b [padded
-  /// layout].
+  /// layout]: 0 in a cell that is shut in, whatever a moving solid does there.
   void MakeCompatible(std::vector<float>& b) const;
 
 private:
-  std::vector<std::int32_t> Part; // of each padded cell; -1: none, or no air
+  std::vector<std::int32_t> Part; // of each padded cell; -1: none
   std::vector<std::size_t> Sizes; // cells of each part
 };
 

@@ -317,6 +317,10 @@ bool SmokeSolver::Internals::Advance(double start, double duration, const Parall
     {
       return false;
     }
+    if (substeps == most && !std::isfinite(this->LargestSpeed()))
+    {
+      return true; // nowhere to trace to; the frame's end tells
+    }
   }
   return true;
 }

@@ -101,10 +101,11 @@ def _slips(path, ids):
 
 
 def _rows(path):
-    """Columns of constraints.vtp, TouchDown (-1 where it is not told) among them; no rows without the file."""
+    """Columns of constraints.vtp, TouchDown and LiftOff (-1 where they are not told) among them; no rows without the file."""
     names = ("ObjectId", "Frame", "Kind", "Until", "Radius", "Value")
+    told = ("TouchDown", "LiftOff")
     if not os.path.isfile(path):
-        return {name: np.zeros((0, 4) if name == "Value" else 0) for name in (*names, "TouchDown")}
+        return {name: np.zeros((0, 4) if name == "Value" else 0) for name in (*names, *told)}
     data = read_surface(path)
     rows = {}
     for name in names:
@@ -112,8 +113,9 @@ def _rows(path):
         if array is None:
             raise BadInput(f"{path}: the array {name} is missing")
         rows[name] = vtk_to_numpy(array)
-    touch = data.GetPointData().GetArray("TouchDown")
-    rows["TouchDown"] = np.full(len(rows["Frame"]), -1) if touch is None else vtk_to_numpy(touch)
+    for name in told:
+        array = data.GetPointData().GetArray(name)
+        rows[name] = np.full(len(rows["Frame"]), -1) if array is None else vtk_to_numpy(array)
     status = data.GetPointData().GetAbstractArray("Status")
     if status is not None and status.IsA("vtkStringArray"):
         rows["Met"] = np.array([status.GetValue(i) == "met" for i in range(len(rows["Frame"]))])
@@ -133,7 +135,7 @@ def flight(rows, ids, frames, rate):
         free[index, :start] = False
         for row in own[rows["Kind"][own] == REST]:
             touch = int(rows["TouchDown"][row]) if rows["TouchDown"][row] >= 0 else int(rows["Frame"][row])
-            until = int(rows["Until"][row])
+            until = max(int(rows["Until"][row]), int(rows["LiftOff"][row]))
             flying[index, touch + 1 if touch > 0 else 0:until if until < frames - 1 else frames] = False
             free[index, max(touch - end, 0):until + start] = False
             if touch > 0:

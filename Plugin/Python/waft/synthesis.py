@@ -276,19 +276,23 @@ def constraint_report(pipeline):
         measured = turned.get((row["Row"], row["Target"]))
         if measured is not None and row["Kind"] == "orientation" and row["Status"] == "met":
             row.update((name, measured[name]) for name in ("Residual", "Status", "Message"))
-    _add_touch_downs(pipeline, report)
+    _add_rests(pipeline, report)
     return report
 
 
-def _add_touch_downs(pipeline, report):
-    """The frame from which each rest is kept; -1 of other rows, and where no stage tells."""
+def _add_rests(pipeline, report):
+    """The frames from and until which each rest is kept; -1 of other rows, and where no stage tells."""
+    names = ("TouchDown", "LiftOff")
     frames = {}
     if pipeline.assimilation is not None:
         rows = pipeline.output("assimilation", 3).GetPointData()
-        row, target, frame = (rows.GetArray(name) for name in ("Row", "Target", "TouchDown"))
-        frames = {(row.GetValue(i), target.GetValue(i)): frame.GetValue(i) for i in range(frame.GetNumberOfTuples())}
+        columns = [rows.GetArray(name) for name in ("Row", "Target", *names)]
+        for i in range(columns[0].GetNumberOfTuples()):
+            row, target, *found = (column.GetValue(i) for column in columns)
+            frames[row, target] = found
     for line in report:
-        line["TouchDown"] = str(frames.get((int(line["Row"]), int(line["Target"])), -1))
+        found = frames.get((int(line["Row"]), int(line["Target"])), (-1, -1))
+        line.update(zip(names, map(str, found)))
 
 
 def _sentences(message, are_approaches):

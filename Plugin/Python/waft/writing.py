@@ -189,7 +189,7 @@ def _at(algorithm, port, time):
 
 
 def _write_report(pipeline, path):
-    header = ["Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message", "TouchDown"]
+    header = ["Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message", "TouchDown", "LiftOff"]
     write_csv(path, header, [[row[name] for name in header] for row in pipeline.report])
 
 

@@ -18,24 +18,31 @@ Eigen::VectorXd Residuals(const DriftProblem& problem, const FieldSeries& air,
 {
   const double dt = problem.Time.Step();
   const auto frames = static_cast<Eigen::Index>(x.size());
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(6 * frames);
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(9 * frames);
   Vec3 before = Vec3::Zero();
   for (std::size_t k = 0; k + 1 < x.size(); ++k)
   {
     const Vec3 middle = 0.5 * (x[k] + x[k + 1]);
     const Vec3 u = 0.5 * (air.Sample(middle, air.Times[k]) + air.Sample(middle, air.Times[k + 1]));
-    const double factor = problem.Cushion.Factor(middle, static_cast<double>(k) + 0.5);
+    const double factor = problem.Ground.Factor(middle, static_cast<double>(k) + 0.5);
     Vec3 c = (x[k + 1] - x[k]) / dt - u + factor * problem.SettlingSpeed * Vec3::UnitZ();
     if (problem.ResponseTime > 0.0 && k > 0 && k + 2 < x.size())
     {
       c += problem.ResponseTime * (x[k + 2] - x[k + 1] - x[k] + x[k - 1]) / (2.0 * dt * dt);
     }
-    const auto at = static_cast<Eigen::Index>(6 * k);
+    const auto at = static_cast<Eigen::Index>(9 * k);
     all.segment<3>(at) = std::sqrt(dt * problem.Flight[k]) * c;
     if (k > 0)
     {
       const double fraction = std::min(problem.Flight[k], problem.Flight[k - 1]);
       all.segment<3>(at + 3) = std::sqrt(weights.Smoothness * fraction / dt) * (c - before);
+    }
+    if (k > 0)
+    {
+      const double free = 1.0 - std::min(problem.Flight[k - 1], problem.Flight[k]);
+      const bool isGiven = problem.IsFixed[k - 1] && problem.IsFixed[k] && problem.IsFixed[k + 1];
+      const Vec3 bend = (x[k - 1] - 2.0 * x[k] + x[k + 1]) / (dt * dt);
+      all.segment<3>(at + 6) = std::sqrt(isGiven ? 0.0 : free * weights.Braking * dt) * bend;
     }
     before = c;
   }

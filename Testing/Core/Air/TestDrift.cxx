@@ -77,9 +77,11 @@ DriftProblem ToAMark()
   return problem;
 }
 
-/// A mark on a floor, that the body comes to rest on.
+/// A mark on a floor, that the body comes to rest on at a frame and lies on from then on.
 struct ToAFloor
 {
+  static constexpr int TouchDown = Frames - 7;
+
   explicit ToAFloor(double response)
   {
     ObstacleMesh floor;
@@ -87,14 +89,22 @@ struct ToAFloor
     EXPECT_TRUE(this->Obstacles.Build({ floor }));
     LandingWindow landing;
     landing.ObstacleId = floor.ObstacleId;
-    landing.Frame = Frames - 1;
+    landing.Frame = TouchDown;
     landing.First = landing.Frame - 30.0;
     this->Problem = ToAMark();
     this->Problem.Fixed.front().z() = 2.4;
     this->Problem.Fixed.back().z() = 1.51;
     this->Problem.ResponseTime = response;
-    this->Problem.Cushion =
-      LandingCushion(this->Obstacles, { landing }, 0.01, this->Problem.SettlingSpeed);
+    for (std::size_t f = TouchDown; f < Frames; ++f)
+    {
+      this->Problem.IsFixed[f] = 1;
+      this->Problem.Fixed[f] = this->Problem.Fixed.back();
+    }
+    std::fill(this->Problem.Flight.begin() + TouchDown, this->Problem.Flight.end(), 0.0);
+    MotionObject body;
+    body.RestHeight = 0.01;
+    body.SettlingSpeed = this->Problem.SettlingSpeed;
+    this->Problem.Ground = GroundEffect(this->Obstacles, { landing }, body, 30.0, nullptr);
   }
   ObstacleSet Obstacles;
   DriftProblem Problem;
@@ -245,7 +255,7 @@ TEST(Drift, ComesToWhatTheDenseMethodComesTo)
 }
 
 // The last frames are the ground's, not a hand's.
-TEST(Drift, ComesToRestByTheCushion)
+TEST(Drift, ComesToRestByTheGroundEffect)
 {
   const HalfSeries air = Flow(Swirl);
   for (const double response : { 0.0, 0.05 })
@@ -257,13 +267,14 @@ TEST(Drift, ComesToRestByTheCushion)
     EXPECT_NEAR(outcome.Cost, PlainDriftCost(problem, Unpacked(air), {}, path), 1e-9);
     std::vector<Vec3> plain = StraightIn(problem);
     EXPECT_NEAR(PlainSolveDrift(problem, Unpacked(air), {}, 60, plain) / outcome.Cost, 1.0, 1e-2);
-    const double last = 30.0 * (path[Frames - 2] - path[Frames - 1]).z();
+    constexpr int down = ToAFloor::TouchDown;
+    const double last = 30.0 * (path[down - 1] - path[down]).z();
     EXPECT_LT(last, 0.7 * problem.SettlingSpeed);
-    EXPECT_FALSE(IsFreeStep(problem, path, Frames - 2));
+    EXPECT_FALSE(IsFreeStep(problem, path, down - 1));
     EXPECT_TRUE(IsFreeStep(problem, path, Frames / 2));
     const std::vector<Vec3> controls = DriftControls(problem, AirSampler(air), path);
     double largest = 0.0;
-    for (std::size_t k = controls.size() - 4; k < controls.size(); ++k)
+    for (std::size_t k = down - 4; k < down; ++k)
     {
       largest = std::max(largest, controls[k].norm());
     }

@@ -16,10 +16,10 @@ constexpr int Corrections = 3;
 
 GivenAir::GivenAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep,
                    std::size_t numberOfGas, std::vector<double> settling,
-                   std::vector<LandingCushion> cushions) :
+                   std::vector<GroundEffect> ground) :
   Series(&series),
   Origin(origin), Spacing(spacing), FrameStep(frameStep), NumberOfGas(numberOfGas),
-  Settling(std::move(settling)), Cushions(std::move(cushions))
+  Settling(std::move(settling)), Ground(std::move(ground))
 {
 }
 
@@ -32,8 +32,7 @@ Vec3 GivenAir::Velocity(const Vec3& x, double frame) const
 double GivenAir::Settles(std::size_t object, const Vec3& x, double frame, Vec3* slope) const
 {
   const double speed = this->Settling[object];
-  const double factor =
-    this->Cushions[object].Factor(this->Origin + this->Spacing * x, frame, slope);
+  const double factor = this->Ground[object].Factor(this->Origin + this->Spacing * x, frame, slope);
   if (slope != nullptr)
   {
     *slope *= speed * this->Spacing;

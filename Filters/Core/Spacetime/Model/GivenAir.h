@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Base/FieldSeries.h"
-#include "Constraints/LandingCushion.h"
+#include "Constraints/GroundEffect.h"
 
 #include <cstddef>
 #include <vector>
@@ -13,7 +13,7 @@ namespace waft
 
 /// A velocity field of all frames in dx and frames. In it E is that of the deviations
 ///   w = v - (U(x - s v / 2, t - s / 2) - f settling e_z)
-/// of all bodies, where gas does not settle and f is what a cushion leaves of settling: a velocity
+/// of all bodies, where gas does not settle and f is the factor of the ground effect: a velocity
 /// v belongs to the middle of the step s that leads to its frame. What drifts costs nothing, and no
 /// viscosity damps what the air itself does.
 class GivenAir
@@ -21,10 +21,9 @@ class GivenAir
 public:
   GivenAir() = default;
   /// series [m, s, m/s] must outlive the air; origin of the gas' box [m], dx [m], of a frame [s];
-  /// settling: speeds of the bodies behind the gas [dx / frame]; cushions: of the same bodies.
+  /// settling: speeds of the bodies behind the gas [dx / frame]; ground: of the same bodies.
   GivenAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep,
-           std::size_t numberOfGas, std::vector<double> settling,
-           std::vector<LandingCushion> cushions);
+           std::size_t numberOfGas, std::vector<double> settling, std::vector<GroundEffect> ground);
 
   bool IsEmpty() const { return this->Series == nullptr; }
   /// At a place [dx] and frame.
@@ -59,8 +58,8 @@ private:
   Vec3 Origin = Vec3::Zero();
   double Spacing = 1.0, FrameStep = 1.0;
   std::size_t NumberOfGas = 0;
-  std::vector<double> Settling; // by object, as the cushions
-  std::vector<LandingCushion> Cushions;
+  std::vector<double> Settling; // by object, as Ground
+  std::vector<GroundEffect> Ground;
 };
 
 } // namespace waft

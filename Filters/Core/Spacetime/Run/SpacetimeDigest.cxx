@@ -47,8 +47,8 @@ void AddSurroundings(DigestStream& sum, const SpacetimeInput& input)
 void AddConstraint(DigestStream& sum, const Constraint& row)
 {
   Constraint c = row;
-  sum.Values(c.ObjectId, c.Frame, c.Kind, c.Value, c.Radius, c.Until, c.TouchDown, c.Row, c.Target,
-             c.Status);
+  sum.Values(c.ObjectId, c.Frame, c.Kind, c.Value, c.Radius, c.Until, c.TouchDown, c.LiftOff, c.Row,
+             c.Target, c.Status);
 }
 
 void AddObject(DigestStream& sum, const MotionObject& object)

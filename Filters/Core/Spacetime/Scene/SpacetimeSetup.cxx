@@ -259,17 +259,19 @@ void SetUpAir(const SpacetimeInput& input, const SpacetimeOptions& options, Spac
   }
   SpacetimeModel& model = setup.Model;
   const std::size_t no = model.NumberOfObjects;
+  const auto air = [&](const Vec3& x, int frame)
+  { return input.Air.Sample(x, frame * setup.FrameStep); };
   std::vector<double> settling;
-  std::vector<LandingCushion> cushions;
+  std::vector<GroundEffect> ground;
   for (std::size_t o = 0; o < no; ++o)
   {
     const MotionObject& object = setup.Objects[o];
     settling.push_back(object.SettlingSpeed * setup.FrameStep / setup.Spacing);
-    cushions.emplace_back(setup.Obstacles, setup.Landings[o], object.RestHeight,
-                          object.SettlingSpeed);
+    ground.emplace_back(setup.Obstacles, setup.Landings[o], object,
+                        input.Scene.Time.FramesPerSecond, air);
   }
   model.Air = GivenAir(input.Air, setup.Origin, setup.Spacing, setup.FrameStep, model.NumberOfGas,
-                       std::move(settling), std::move(cushions));
+                       std::move(settling), std::move(ground));
   model.AirDrag = static_cast<float>(options.AirDrag * setup.FrameStep);
   model.DragRates.assign(no, 1.0f);
   model.Gravities.assign(no, 0.0f);

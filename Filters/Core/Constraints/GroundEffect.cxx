@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Constraints/GroundEffect.h"
+
+#include "Base/SmoothStep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+namespace
+{
+
+constexpr double LandingCushionTime = 0.15; // s
+constexpr double LongestApproach = 0.2;     // s: what is low before hovers by itself
+constexpr double CoreFraction = 0.02;       // c / b: below, the root is too steep for a step
+
+// Force that lifts a plate from a plane in a wind along it (coefficient 1) over that which lets it
+// settle (1.2): loose plates take off at about the speed at which they settle.
+constexpr double LiftRatio = 0.8;
+constexpr double MostLift = 2.5; // it rises by no more than 1.5 of the speed with which it settles
+constexpr double BearingTime = 0.1; // s
+constexpr double LiftTime = 0.6;    // s
+
+} // namespace
+
+GroundEffect::GroundEffect(const ObstacleSet& obstacles, const std::vector<LandingWindow>& landings,
+                           const MotionObject& body, double framesPerSecond, const AirAt& air) :
+  Obstacles(&obstacles),
+  RestHeight(body.RestHeight), Height(2.0 / M_PI * LandingCushionTime * body.SettlingSpeed),
+  Length(2.0 * body.ClearanceRadius)
+{
+  if (body.SettlingSpeed <= 0.0)
+  {
+    return;
+  }
+  for (const LandingWindow& landing : landings)
+  {
+    // A landing's window begins a second before its touch-down.
+    const double down = landing.Frame;
+    this->Times.push_back(
+      { landing.ObstacleId, down - LongestApproach * (down - landing.First), down, {} });
+    if (!air || this->Length <= 0.0)
+    {
+      continue;
+    }
+    Near rise{ landing.ObstacleId, static_cast<double>(landing.Until), 0.0, {} };
+    const double frames = LiftTime * framesPerSecond;
+    for (int f = 0; f <= static_cast<int>(frames) + 1; ++f)
+    {
+      const Vec3 above = landing.Centre + this->Length * landing.Normal;
+      const double speeds = air(above, landing.Until + f).squaredNorm();
+      const double lift =
+        std::min(MostLift, LiftRatio * speeds / (body.SettlingSpeed * body.SettlingSpeed));
+      const double borne = 1.0 - SmoothStep(f / (BearingTime * framesPerSecond));
+      rise.Lift.push_back((1.0 - SmoothStep(f / frames)) * (borne + (1.0 - borne) * lift));
+    }
+    rise.Last = rise.First + static_cast<double>(rise.Lift.size()) - 1.0;
+    this->Times.push_back(std::move(rise));
+  }
+}
+
+const GroundEffect::Near* GroundEffect::NearAt(double frame) const
+{
+  const auto near =
+    std::find_if(this->Times.begin(), this->Times.end(),
+                 [&](const Near& n) { return frame >= n.First && frame <= n.Last; });
+  return near != this->Times.end() ? &*near : nullptr;
+}
+
+bool GroundEffect::Brakes(const Vec3& x, double frame) const
+{
+  const Near* near = this->NearAt(frame);
+  Vec3 normal;
+  return near != nullptr && near->Lift.empty() &&
+         this->HeightAbove(*near, x, frame, normal) < this->Height;
+}
+
+double GroundEffect::HeightAbove(const Near& near, const Vec3& x, double frame, Vec3& normal) const
+{
+  SurfaceHit hit;
+  const double distance = this->Obstacles->SignedDistanceTo(near.ObstacleId, x, frame, hit);
+  normal = hit.Normal;
+  return distance - this->RestHeight;
+}
+
+double GroundEffect::Landing(double height, double& slope) const
+{
+  if (height >= this->Height)
+  {
+    return 1.0;
+  }
+  const double core = CoreFraction * this->Height;
+  const double r = (std::max(0.0, height) + core) / (this->Height + core);
+  const double factor = std::sqrt(2.0 * r - r * r);
+  slope = height > 0.0 ? (1.0 - r) / factor / (this->Height + core) : 0.0;
+  return factor;
+}
+
+double GroundEffect::Lifting(const Near& near, double height, double frame, double& slope) const
+{
+  if (height >= this->Length)
+  {
+    return 1.0;
+  }
+  const double after = frame - near.First;
+  const auto low = std::min(static_cast<std::size_t>(after), near.Lift.size() - 2);
+  const double part = after - static_cast<double>(low);
+  const double lift = (1.0 - part) * near.Lift[low] + part * near.Lift[low + 1];
+  const double r = std::max(0.0, height) / this->Length;
+  slope = 6.0 * lift * r * (1.0 - r) / this->Length;
+  return 1.0 - lift * (1.0 - CubicStep(r));
+}
+
+double GroundEffect::Factor(const Vec3& x, double frame, Vec3* gradient) const
+{
+  if (gradient != nullptr)
+  {
+    gradient->setZero();
+  }
+  const Near* near = this->NearAt(frame);
+  if (near == nullptr)
+  {
+    return 1.0;
+  }
+  Vec3 normal;
+  const double height = this->HeightAbove(*near, x, frame, normal);
+  double slope = 0.0;
+  const double factor =
+    near->Lift.empty() ? this->Landing(height, slope) : this->Lifting(*near, height, frame, slope);
+  if (gradient != nullptr)
+  {
+    *gradient = slope * normal;
+  }
+  return factor;
+}
+
+} // namespace waft

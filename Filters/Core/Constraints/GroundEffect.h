@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a surface does to a body that drifts down to rest on it or is blown off it.
+#pragma once
+
+#include "Constraints/Rest.h"
+
+#include <functional>
+#include <vector>
+
+namespace waft
+{
+
+/// The velocity of the air at a place [m] and frame [m/s].
+using AirAt = std::function<Vec3(const Vec3& x, int frame)>;
+
+/// Both are finer than any lattice, so they are laws, of the factor f with which a body settles
+/// (downwards by f times its settling speed u) at the height h of its centre above where it rests.
+///
+/// What comes down has to press the air from under it:
+///   f = sqrt(2 r - r^2),  r = (h + c) / (b + c) from 0 to 1,  c = b / 50,
+/// which is the slowing of a spring that takes the speed over the height b. In still air a body
+/// passes b in LandingCushionTime, so that b = 2 / pi LandingCushionTime u.
+///
+/// What lies is lifted by air that flows over it, as a plate on a plane is: the force goes with the
+/// square of the air's speed U a body's length above, as the weight does with that of u,
+///   f = 1 - s (1 - 3 r^2 + 2 r^3),  r = h / l from 0 to 1,  s = LiftRatio (U / u)^2 up to
+///   MostLift,
+/// with the body's length l. The surface bears it at first: s begins with 1, for BearingTime.
+/// What has left turns and loses the lift: s goes to 0 over LiftTime.
+class GroundEffect
+{
+public:
+  GroundEffect() = default; // there is none: the factor is 1
+  /// obstacles must outlive it; air may be empty: then nothing is lifted.
+  GroundEffect(const ObstacleSet& obstacles, const std::vector<LandingWindow>& landings,
+               const MotionObject& body, double framesPerSecond, const AirAt& air);
+
+  /// At a place [m] and frame, which may lie between two; gradient, unless null: by x [1/m].
+  double Factor(const Vec3& x, double frame, Vec3* gradient = nullptr) const;
+
+  /// Whether it lands there, low enough to be slowed.
+  bool Brakes(const Vec3& x, double frame) const;
+
+private:
+  struct Near // the last of the way to a touch-down, or the first after a lift-off
+  {
+    int ObstacleId = -1;
+    double First = 0.0, Last = 0.0; // frames
+    std::vector<double> Lift;       // s from First on, frame by frame; empty: it lands
+  };
+  const Near* NearAt(double frame) const;
+  double HeightAbove(const Near& near, const Vec3& x, double frame, Vec3& normal) const;
+  double Landing(double height, double& slope) const;
+  double Lifting(const Near& near, double height, double frame, double& slope) const;
+
+  const ObstacleSet* Obstacles = nullptr;
+  std::vector<Near> Times; // in order of Last
+  double RestHeight = 0.0;
+  double Height = 0.0; // b [m]
+  double Length = 0.0; // l [m]
+};
+
+} // namespace waft

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Constraints/GroundEffect.h"
+
+#include "Obstacles/Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace waft;
+using namespace waft::testing;
+
+namespace
+{
+
+constexpr double Settling = 0.5;    // m/s
+constexpr double RestHeight = 0.01; // m
+constexpr double Height = 2.0 / M_PI * 0.15 * Settling;
+constexpr double Length = 0.2; // m
+constexpr double Rate = 30.0;  // 1/s
+constexpr double Wind = 0.8;   // m/s
+
+/// A slope of 30 degrees, landed on at frame 60.
+struct OnASlope
+{
+  OnASlope()
+  {
+    ObstacleMesh slope;
+    slope.ObstacleId = 3;
+    slope.Mesh = MakeBox({ Vec3(-2, -2, -1), Vec3(2, 2, 0) });
+    for (Vec3& p : slope.Mesh.Points)
+    {
+      p.z() += p.x() * std::tan(M_PI / 6.0);
+    }
+    EXPECT_TRUE(this->Obstacles.Build({ slope }));
+    LandingWindow landing;
+    landing.ObstacleId = 3;
+    landing.Frame = 60;
+    landing.First = 30.0;
+    landing.Until = 70;
+    landing.Centre = Above(RestHeight);
+    landing.Normal = Normal();
+    MotionObject body;
+    body.RestHeight = RestHeight;
+    body.ClearanceRadius = 0.5 * Length;
+    body.SettlingSpeed = Settling;
+    this->Ground = GroundEffect(this->Obstacles, { landing }, body, Rate, nullptr);
+    this->Windy = GroundEffect(this->Obstacles, { landing }, body, Rate,
+                               [](const Vec3& x, int)
+                               {
+                                 EXPECT_LT((x - Above(RestHeight + Length)).norm(), 1e-12);
+                                 return Vec3(0.0, Wind, 0.0);
+                               });
+  }
+  static Vec3 Above(double height)
+  {
+    return Vec3(0.2, 0.1, 0.2 * std::tan(M_PI / 6.0)) + height * Normal();
+  }
+  static Vec3 Normal() { return { -0.5, 0.0, std::cos(M_PI / 6.0) }; }
+
+  ObstacleSet Obstacles;
+  GroundEffect Ground;
+  GroundEffect Windy;
+};
+
+} // namespace
+
+TEST(GroundEffect, WhatComesDownIsSlowedFromItsHeightOn)
+{
+  const OnASlope scene;
+  EXPECT_EQ(GroundEffect().Factor(OnASlope::Above(0.02), 55.0), 1.0);
+  EXPECT_EQ(scene.Ground.Factor(OnASlope::Above(RestHeight + 1.001 * Height), 55.0), 1.0);
+  double last = 1.0;
+  for (double part = 0.99; part > 0.0; part -= 0.05)
+  {
+    const double factor = scene.Ground.Factor(OnASlope::Above(RestHeight + part * Height), 55.0);
+    EXPECT_LT(factor, last) << part;
+    EXPECT_NEAR(factor, std::sqrt(2.0 * part - part * part), 0.25 - 0.25 * part + 1e-3) << part;
+    last = factor;
+  }
+  EXPECT_LT(scene.Ground.Factor(OnASlope::Above(RestHeight), 60.0), 0.21);
+}
+
+TEST(GroundEffect, OnlyShortlyBeforeItsTouchDown)
+{
+  const OnASlope scene;
+  const Vec3 x = OnASlope::Above(RestHeight + 0.2 * Height);
+  EXPECT_EQ(scene.Ground.Factor(x, 53.5), 1.0);
+  EXPECT_LT(scene.Ground.Factor(x, 54.5), 1.0);
+  EXPECT_LT(scene.Ground.Factor(x, 60.0), 1.0);
+  EXPECT_EQ(scene.Ground.Factor(x, 60.5), 1.0); // lying there
+}
+
+TEST(GroundEffect, ItsGradientIsThatOfCentralDifferences)
+{
+  const OnASlope scene;
+  for (const double frame : { 55.5, 73.25 }) // landing, and lifted
+  {
+    for (const double part : { 0.1, 0.4, 0.9 })
+    {
+      const Vec3 x = OnASlope::Above(RestHeight + part * (frame < 60.0 ? Height : Length));
+      Vec3 gradient;
+      (void)scene.Windy.Factor(x, frame, &gradient);
+      EXPECT_GT(gradient.norm(), 0.1);
+      for (int c = 0; c < 3; ++c)
+      {
+        constexpr double h = 1e-6;
+        const double rise = scene.Windy.Factor(x + h * Vec3::Unit(c), frame) -
+                            scene.Windy.Factor(x - h * Vec3::Unit(c), frame);
+        EXPECT_NEAR(gradient[c], rise / (2.0 * h), 1e-4) << frame << ", " << part;
+      }
+    }
+  }
+}
+
+TEST(GroundEffect, WindLiftsWhatLies)
+{
+  const OnASlope scene;
+  const double lift = 0.8 * Wind * Wind / Settling / Settling;
+  ASSERT_GT(lift, 1.5);
+  const auto factor = [](const GroundEffect& ground, double height, double frame)
+  { return ground.Factor(OnASlope::Above(RestHeight + height), frame); };
+  EXPECT_EQ(factor(scene.Windy, 0.0, 69.0), 1.0);
+  EXPECT_NEAR(factor(scene.Windy, 0.0, 70.0), 0.0, 1e-9); // the surface bears it still
+  EXPECT_LT(factor(scene.Windy, 0.0, 73.0), 1.0 - 0.9 * lift);
+  EXPECT_NEAR(1.0 - factor(scene.Windy, 0.5 * Length, 73.0),
+              0.5 * (1.0 - factor(scene.Windy, 0.0, 73.0)), 1e-9);
+  EXPECT_EQ(factor(scene.Windy, 1.001 * Length, 73.0), 1.0);
+  EXPECT_EQ(factor(scene.Ground, 0.0, 73.0), 1.0); // no wind
+}
+
+TEST(GroundEffect, TheLiftIsLostAsItTurns)
+{
+  const OnASlope scene;
+  double before = 1.0 - scene.Windy.Factor(OnASlope::Above(0.05), 73.0);
+  for (double frame = 73.5; frame < 88.0; frame += 0.5)
+  {
+    const double lift = 1.0 - scene.Windy.Factor(OnASlope::Above(0.05), frame);
+    EXPECT_LT(lift, before) << frame;
+    before = lift;
+  }
+  EXPECT_NEAR(scene.Windy.Factor(OnASlope::Above(0.05), 88.0), 1.0, 1e-12);
+  EXPECT_EQ(scene.Windy.Factor(OnASlope::Above(0.05), 90.0), 1.0);
+}
+
+TEST(GroundEffect, WhatSettlesStraightOntoItIsThereInTheCushionsTime)
+{
+  const OnASlope scene;
+  double height = Height;
+  double time = 0.0;
+  for (constexpr double step = 1e-5; height > 0.0 && time < 1.0; time += step)
+  {
+    height -= step * Settling * scene.Ground.Factor(OnASlope::Above(RestHeight + height), 55.0);
+  }
+  EXPECT_NEAR(time, 0.15, 0.03);
+}
