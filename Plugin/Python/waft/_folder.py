@@ -59,6 +59,16 @@ class Motion:
     def number_of_frames(self):
         return self.positions.shape[1]
 
+    def pose(self, place, time):
+        """Position and orientation of an object, by its place in the arrays, at a time in frames: straight between frames."""
+        first = int(time)
+        share = time - first
+        if share == 0.0:
+            return self.positions[place, first], self.orientations[place, first]
+        weights = np.array([1.0 - share, share])
+        turn = weights @ self.orientations[place, first:first + 2]
+        return weights @ self.positions[place, first:first + 2], turn / np.linalg.norm(turn)
+
     def obstacles_at(self, frame):
         """The obstacles of a frame: the last of the series that is not later."""
         time = frame / self.frames_per_second + 1e-9
