@@ -140,10 +140,11 @@ class Objects:
                 renderer.AddActor(actor)
             self._items.append((index, look, actors, matrices))
 
-    def move_to(self, frame):
+    def move_to(self, time):
+        """Shows all as they are at a time in frames."""
         for index, look, actors, matrices in self._items:
-            place = self._motion.positions[index, frame]
-            turn = rotation(self._motion.orientations[index, frame])
+            place, quaternion = self._motion.pose(index, time)
+            turn = rotation(quaternion)
             _set(matrices[0], turn.tolist(), place.tolist())
             self._cast(place, turn, look, actors[1:], matrices[1:])
 

@@ -59,6 +59,17 @@ class Motion:
     def number_of_frames(self):
         return self.positions.shape[1]
 
+    def pose(self, index, time):
+        """Position and orientation of an object, by its index, at a time in frames: straight between frames."""
+        first = int(time)
+        after = time - first
+        if after == 0.0:
+            return self.positions[index, first], self.orientations[index, first]
+        weights = np.array([1.0 - after, after])
+        before, then = self.orientations[index, first:first + 2]
+        turn = weights @ [before, np.copysign(1.0, before @ then) * then]
+        return weights @ self.positions[index, first:first + 2], turn / np.linalg.norm(turn)
+
     def obstacles_at(self, frame):
         """The obstacles of a frame: the last of the series that is not later."""
         time = frame / self.frames_per_second + 1e-9

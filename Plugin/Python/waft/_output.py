@@ -18,8 +18,8 @@ from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 from ._scenery import image
 
 
-def grab(window, samples, is_clear=False):
-    """The window's picture as vtkImageData, with alpha where it is clear; `samples` x `samples` pixels of it make one."""
+def grab(window, is_clear=False):
+    """The window's pixels [row from the bottom, column, red, green, blue and, where it is clear, alpha], bytes."""
     reader = vtkWindowToImageFilter()
     reader.SetInput(window)
     (reader.SetInputBufferTypeToRGBA if is_clear else reader.SetInputBufferTypeToRGB)()
@@ -27,18 +27,27 @@ def grab(window, samples, is_clear=False):
     reader.ShouldRerenderOff()
     reader.Update()
     taken = reader.GetOutput()
-    if samples == 1 and not is_clear:
-        return taken
     width, height, _ = taken.GetDimensions()
-    pixels = vtk_to_numpy(taken.GetPointData().GetScalars())
-    pixels = pixels.reshape(height, width, -1).astype(np.uint16)
+    return vtk_to_numpy(taken.GetPointData().GetScalars()).reshape(height, width, -1)
+
+
+def reduced(pixels, samples):
+    """`samples` x `samples` pixels averaged to one."""
+    if samples == 1:
+        return pixels
+    pixels = pixels.astype(np.uint16)
     rows = sum(pixels[i::samples] for i in range(samples))
     total = sum(rows[:, i::samples] for i in range(samples))
-    mean = (total + samples * samples // 2) // (samples * samples)
-    if is_clear:
-        # Drawn over black: colours come as their alpha's share.
-        mean[..., :3] = np.minimum(mean[..., :3] * 255 // np.maximum(mean[..., 3:].astype(np.uint32), 1), 255)
-    return image(mean.astype(np.uint8))
+    return ((total + samples * samples // 2) // (samples * samples)).astype(np.uint8)
+
+
+def finished(pixels):
+    """Pixels as vtkImageData. With alpha they were drawn over black, so that their colours come as their alpha's share."""
+    if pixels.shape[2] == 4:
+        whole = pixels.astype(np.uint32)
+        whole[..., :3] = np.minimum(whole[..., :3] * 255 // np.maximum(whole[..., 3:], 1), 255)
+        pixels = whole.astype(np.uint8)
+    return image(pixels)
 
 
 def write_png(picture, path):

@@ -88,6 +88,7 @@ seeds = _argument(_seeds, "seeds A:B, or one, from 0 to 2147483647, at most 1000
                   lambda s: 0 < len(s) <= 100000 and s[0] >= 0 and s[-1] < 2 ** 31)
 positive = _argument(float, "a positive number", lambda x: 0.0 < x < float("inf"))
 megabytes = _argument(float, "megabytes above 0, at most 1000", lambda x: 0.0 < x <= 1000.0)
+millimetres = _argument(float, "millimetres from 0 to 1000", lambda x: 0.0 <= x <= 1000.0)
 opacity = _argument(float, "a number from 0 to 1", lambda x: 0.0 <= x <= 1.0)
 share = _argument(float, "a share above 0, at most 1", lambda x: 0.0 < x <= 1.0)
 size = _argument(_size, "WxH such as 1280x720, each from 16 to 16384", lambda s: all(16 <= n <= 16384 for n in s))
@@ -189,6 +190,13 @@ def parser():
     show.add_argument("--style", choices=tuple(STYLES), default="day", help="default day")
     show.add_argument("--loop", type=megabytes, nargs="?", const=3.0, metavar="MB",
                       help="also DIR/VIEW.webp, an animation that begins again, of at most so many megabytes; default 3")
+    show.add_argument("--sheet", action="store_true", help="also DIR/VIEW_sheet.png, up to 20 of the pictures with their frames' numbers")
+    show.add_argument("--shutter", type=opacity, default=0.0, metavar="X",
+                      help="fraction of a frame in which the shutter is open: blurs what moves; default 0")
+    show.add_argument("--aperture", type=millimetres, default=0.0, metavar="MM",
+                      help="width of the lens, 0 to 1000: blurs what is nearer or farther than where the camera looks; default 0")
+    show.add_argument("--subframes", type=_whole(2, 256), default=16, metavar="N",
+                      help="pictures that are averaged with --shutter or --aperture, default 16")
     show.add_argument("--no-trails", action="store_true", help="without the ways of the last second")
     show.add_argument("--no-marks", action="store_true", help="without the places that the scene asks for")
     show.add_argument("--obstacle-opacity", type=opacity, metavar="X",
@@ -341,7 +349,8 @@ def run_render(options):
     with interruptible("stopped: the pictures that were drawn are whole"):
         render(options.folder, frames=options.frames, size=options.size, movie=options.movie, views=options.views,
                obstacle_opacity=options.obstacle_opacity, paths=not options.no_trails, targets=not options.no_marks,
-               style=options.style, loop=options.loop, progress=lambda done, text: drawn.append(text))
+               style=options.style, loop=options.loop, shutter=options.shutter, aperture=options.aperture,
+               subframes=options.subframes, sheet=options.sheet, progress=lambda done, text: drawn.append(text))
     seconds = time.monotonic() - began
     count = len(drawn) * len(options.views)
     print(f"{options.folder}: {count} pictures in {seconds:.1f} s, {count / seconds:.1f} frames a second", file=sys.stderr)

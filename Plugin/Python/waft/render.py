@@ -10,11 +10,13 @@ from vtkmodules.vtkRenderingCore import vtkMapper, vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkToneMappingPass
 
 from ._cameras import Cameras
+from ._exposure import Exposure, Film, seen_through
 from ._flyers import Objects, Trails, add_marks
 from ._folder import load
 from ._loop import Loop
-from ._output import AviMovie, Mp4Movie, OggMovie, grab, write_png
+from ._output import AviMovie, Mp4Movie, OggMovie, finished, grab, reduced, write_png
 from ._scenery import Scenery
+from ._sheet import Sheet
 from ._styles import STYLES, VIEWS
 from .failures import BadInput, WaftError
 from .results import Entry, ResultPlace
@@ -63,8 +65,10 @@ class Stage:
     """The drawn scene: `draw(view, frame)` leaves the picture in the window and returns it."""
 
     def __init__(self, motion, size=(1280, 720), samples=2, paths=True, targets=True,
-                 obstacle_opacity=None, style="day"):
-        self._samples = samples
+                 obstacle_opacity=None, style="day", exposure=Exposure()):
+        self._exposure = exposure
+        # Pictures that are averaged lie apart by parts of a pixel.
+        self._samples = samples = samples if exposure.is_plain else 1
         self._renderer = vtkRenderer()
         style = STYLES[style]
         if style.exposure is not None:
@@ -78,34 +82,47 @@ class Stage:
         self._window.AddRenderer(self._renderer)
         self._scenery = Scenery(motion, self._renderer, style, line_width=samples)
         self._cameras = Cameras(motion, size[0] / size[1])
-        self._moving = [self._scenery, Objects(motion, self._renderer, self._scenery, style)]
+        self._objects = Objects(motion, self._renderer, self._scenery, style)
+        self._surroundings = [self._scenery]
         if paths:
-            self._moving.append(Trails(motion, self._renderer, style.trail, width=1.2 * samples))
+            self._surroundings.append(Trails(motion, self._renderer, style.trail, width=1.2 * samples))
         if targets:
             add_marks(motion, self._renderer, self._scenery.size)
         self._motion = motion
         self._obstacle_opacity = obstacle_opacity
         self._opacities = {}
-        self._frame = None
+        self._frame = self._time = None
 
     def draw(self, view, frame):
-        opacity = self._opacity(view)
         if frame != self._frame:
-            for part in self._moving:
+            for part in self._surroundings:
                 part.move_to(frame)
-            self._frame = frame
+            self._frame, self._time = frame, None
+        self._scenery.show_obstacles(self._opacity(view))
+        self._scenery.show_sky(self._cameras.horizon(view, frame))
         camera = self._cameras.at(view, frame)
+        if self._exposure.is_plain:
+            return finished(reduced(self._taken(camera, frame), self._samples))
+        film, size = Film(), np.array(self._window.GetSize())
+        for away, lens, pixel in self._exposure.moments():
+            time = min(max(frame + away, 0.0), self._motion.number_of_frames - 1.0)
+            film.add(self._taken(seen_through(camera, lens, pixel, size), time))
+        return finished(film.mean())
+
+    def _taken(self, camera, time):
+        """Pixels of the window with all bodies as they are at a time in frames."""
+        if time != self._time:
+            self._objects.move_to(time)
+            self._time = time
         # VTK turns the lights into the camera's axes only when the camera is newer than last time.
         camera.Modified()
         self._renderer.SetActiveCamera(camera)
-        self._scenery.show_obstacles(opacity)
-        self._scenery.show_sky(self._cameras.horizon(view, frame))
         # A setting of the whole process that ParaView changes: pictures are not to depend on it.
         resolve = vtkMapper.GetResolveCoincidentTopology()
         vtkMapper.SetResolveCoincidentTopology(0)
         self._window.Render()
         vtkMapper.SetResolveCoincidentTopology(resolve)
-        return grab(self._window, self._samples, self._is_clear)
+        return grab(self._window, self._is_clear)
 
     def _opacity(self, view):
         """Of the obstacles in all frames of a view: the one asked for, or what lets objects be seen."""
@@ -145,6 +162,10 @@ def render(
     obstacle_opacity=None,
     style="day",
     loop=None,
+    shutter=0.0,
+    aperture=0.0,
+    subframes=16,
+    sheet=False,
     progress=None,
 ):
     """Draws the motion of a folder.
@@ -160,6 +181,11 @@ def render(
     obstacle_opacity: 0 to 1; by itself 1, or where obstacles hide much of the motion from a view,
               little, with their edges drawn
     style:    "day", "studio", "paper", "dark" or "clear" (transparent, not for movies)
+    shutter:  fraction of a frame's time in which the shutter is open (0 to 1; 0.5 is that of film): what moves is blurred
+    aperture: width of the lens in millimetres (0 to 1000): blurred is what is nearer or farther than where the camera looks
+              (not "top", which looks from no place)
+    subframes: plain pictures that are averaged for one with a shutter or an aperture (2 to 256), in linear light
+    sheet:    also FOLDER/<view>_sheet.png, up to 20 of the pictures with the numbers of their frames
     loop:     also FOLDER/<view>.webp, an animation without an end of at most so many megabytes (10^6 bytes)
     progress: called with the part done (0..1) and a sentence after each picture
 
@@ -179,6 +205,7 @@ def render(
         raise BadInput(f"style '{style}': expected one of {', '.join(STYLES)}")
     if movie and not STYLES[style].backdrop:
         raise BadInput(f"style '{style}': a movie has no transparency; expected a loop or pictures alone")
+    exposure = Exposure(shutter, aperture, subframes)
     if loop is not None:
         Loop.require(loop)
     if not os.path.isdir(folder):
@@ -192,12 +219,16 @@ def render(
             )
         if loop is not None:
             Loop.check(len(numbers), size, len(views))
-        makers = {**(_MOVIES if movie else {}), **({".webp": lambda path, rate: Loop(path, rate, loop)} if loop else {})}
+        makers = dict(_MOVIES) if movie else {}
+        if loop is not None:
+            makers[".webp"] = lambda path, rate: Loop(path, rate, loop)
+        if sheet:
+            makers["_sheet.png"] = lambda path, rate: Sheet(path, numbers)
         movies = {view: {f"{view}{ending}": make for ending, make in makers.items()} for view in views}
         names = [_picture(view, frame) for view in views for frame in numbers]
         names += [name for own in movies.values() for name in own]
         place.check(names, replaces_all=False)
-        stage = Stage(motion, size, samples, paths, targets, obstacle_opacity, style)
+        stage = Stage(motion, size, samples, paths, targets, obstacle_opacity, style, exposure)
         place.claim(names)
         try:
             written = _draw(stage, place, numbers, movies, motion.frames_per_second / numbers.step, progress)
