@@ -190,6 +190,21 @@ AirSteering::AirSteering(const HalfSeries& wanted, HalfSeries own, HalfSeries pu
   }
 }
 
+FieldSeries AirSteering::Lacking(const Field& now) const
+{
+  FieldSeries lacking{ static_cast<const SeriesLattice&>(this->Wanted) };
+  lacking.Times = { this->Wanted.Times.front() };
+  lacking.Values = { this->Wanted.At(0) };
+  for (std::size_t i = 0; i < now.size(); ++i)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      lacking.Values[0][i][c] -= now[i][c];
+    }
+  }
+  return lacking;
+}
+
 FieldSeries AirSteering::At(int frame, const Field& now)
 {
   const auto f = static_cast<std::size_t>(frame);
@@ -249,9 +264,18 @@ Result SimulateAir(const AirScene& scene, AirSteering* steering, const ParallelF
     {
       *begun = solver.Save();
     }
-    solver.ReadVelocity(cells);
     Field values;
-    Restrict(cells, scene, air, parallel, values);
+    const auto read = [&]
+    {
+      solver.ReadVelocity(cells);
+      Restrict(cells, scene, air, parallel, values);
+    };
+    read();
+    if (steering != nullptr && frame == 0)
+    {
+      WAFT_RETURN_IF_FAILED(solver.AddVelocity(steering->Lacking(values)));
+      read();
+    }
     if (steering != nullptr)
     {
       solver.SetSteering(steering->At(frame, values));

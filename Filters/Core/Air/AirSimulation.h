@@ -38,6 +38,8 @@ public:
   /// m/s; push: what steered it then, m/s^2, or empty. Both are let go of as the frames pass. rate:
   /// 1/s.
   AirSteering(const HalfSeries& wanted, HalfSeries own, HalfSeries push, double rate);
+  /// What the air of the first frame, which moves by `now`, lacks of the wanted one [m/s].
+  FieldSeries Lacking(const Field& now) const;
   /// The acceleration from a frame on [m/s^2], where the air moves by `now`. Frames in order.
   FieldSeries At(int frame, const Field& now);
   /// Of all frames so far.
@@ -56,10 +58,11 @@ HalfSeries AirLattice(const AirScene& scene, FieldMeaning meaning);
 /// to be as thick as one of the lattice. What lands comes down through it.
 void StopAtFloor(const SeriesLattice& lattice, AirSteering::Field& values);
 
-/// air: the velocity at each frame. steering: null: left to itself. begun: the state of the first
-/// frame, which does not depend on the steering: gone on from where it is given, left where it is
-/// empty. Two frames of the simulation itself are in memory. Stopped by the monitor, the list ends
-/// before the last frame. The same on any number of threads.
+/// air: the velocity at each frame. steering: null: left to itself; else the air has the wanted
+/// velocity from its first frame on, to which it would have to be pushed otherwise. begun: the
+/// state of the first frame before that: gone on from where it is given, left where it is empty.
+/// Two frames of the simulation itself are in memory. Stopped by the monitor, the list ends before
+/// the last frame. The same on any number of threads.
 Result SimulateAir(const AirScene& scene, AirSteering* steering, const ParallelFor& parallel,
                    Monitor& monitor, HalfSeries& air, SmokeState* begun = nullptr);
 

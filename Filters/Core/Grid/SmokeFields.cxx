@@ -130,6 +130,25 @@ void SmokeSolver::Read(SmokeFrame& frame) const
              });
 }
 
+Vec3 SmokeSolver::Internals::FaceAt(int axis, int i, int j, int k) const
+{
+  Vec3 at(i + 0.5, j + 0.5, k + 0.5);
+  at[axis] -= 0.5;
+  return this->Options.Bounds.Min + at.cwiseProduct(this->Options.Spacing());
+}
+
+void SmokeSolver::Internals::ProjectAlone()
+{
+  const FloatArray pressure = this->Potential;
+  const double step = this->PotentialStep;
+  this->PotentialStep = 0.0;
+  std::fill(this->Potential.begin(), this->Potential.end(), 0.0f);
+  this->Project(1.0 / this->Options.FramesPerSecond, SerialFor(), [] { return true; });
+  this->Potential = pressure;
+  this->PotentialStep = step;
+  this->FinishVelocity();
+}
+
 Result SmokeSolver::SetVelocity(const std::function<Vec3(const Vec3&)>& velocity, bool project)
 {
   Internals& s = *this->Impl;
@@ -137,30 +156,53 @@ Result SmokeSolver::SetVelocity(const std::function<Vec3(const Vec3&)>& velocity
   {
     return Result::Error("The solver has not begun");
   }
-  const Vec3 spacing = s.Options.Spacing();
   for (int axis = 0; axis < 3; ++axis)
   {
     ForSamples(s.Layout, axis,
                [&](int i, int j, int k, std::ptrdiff_t p)
                {
-                 Vec3 at(i + 0.5, j + 0.5, k + 0.5);
-                 at[axis] -= 0.5;
-                 const Vec3 x = s.Options.Bounds.Min + at.cwiseProduct(spacing);
-                 s.Velocity[axis][p] = s.Solids.Fractions(axis)[p] > 0.0f
-                                         ? static_cast<float>(velocity(x)[axis])
-                                         : s.Solids.ClosedVelocity(axis, p);
+                 s.Velocity[axis][p] =
+                   s.Solids.Fractions(axis)[p] > 0.0f
+                     ? static_cast<float>(velocity(s.FaceAt(axis, i, j, k))[axis])
+                     : s.Solids.ClosedVelocity(axis, p);
                });
   }
   s.Frame = 0;
   s.Time = 0.0;
   if (project)
   {
-    s.Project(1.0 / s.Options.FramesPerSecond, SerialFor(), [] { return true; });
-    // The potential of this correction is no pressure.
     std::fill(s.Potential.begin(), s.Potential.end(), 0.0f);
-    s.PotentialStep = 0.0;
+    s.ProjectAlone();
   }
   s.FinishVelocity();
+  return Result::Ok();
+}
+
+Result SmokeSolver::AddVelocity(const FieldSeries& velocity)
+{
+  Internals& s = *this->Impl;
+  if (s.Velocity[0].empty())
+  {
+    return Result::Error("The solver has not begun");
+  }
+  if (Result valid = velocity.Validate("The velocity to add"); !valid)
+  {
+    return valid;
+  }
+  const double time = velocity.Times.front();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    ForSamples(s.Layout, axis,
+               [&](int i, int j, int k, std::ptrdiff_t p)
+               {
+                 if (s.Solids.Fractions(axis)[p] > 0.0f)
+                 {
+                   const Vec3 x = s.FaceAt(axis, i, j, k);
+                   s.Velocity[axis][p] += static_cast<float>(velocity.Sample(x, time)[axis]);
+                 }
+               });
+  }
+  s.ProjectAlone();
   return Result::Ok();
 }
 

@@ -81,6 +81,8 @@ struct SmokeSolver::Internals
   bool Substep(double start, double dt, const ParallelFor& parallelFor,
                const std::function<bool()>& goOn);
   double LargestSpeed() const; // in voxels per second
+  /// The centre of a face [m].
+  Vec3 FaceAt(int axis, int i, int j, int k) const;
 
   // SmokeForcing.cxx
   void AddVortices(double time, const ParallelFor& parallelFor, const VectorArrays& sum) const;
@@ -108,6 +110,8 @@ struct SmokeSolver::Internals
   void Advect(int faceAxis, const FloatArray& source, FloatArray& target,
               const ParallelFor& parallelFor);
   bool Project(double dt, const ParallelFor& parallelFor, const std::function<bool()>& goOn);
+  /// Without a step: the potential of that is no pressure, and is not kept.
+  void ProjectAlone();
   void FinishVelocity();
   void FinishScalar(FloatArray& values) const;
 };
