@@ -2,11 +2,14 @@
 #include "vtkObjectSource.h"
 
 #include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/ShapeData.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Scene/ObjectOptions.h"
 
+#include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
@@ -14,7 +17,19 @@ vtkStandardNewMacro(vtkObjectSource);
 
 vtkObjectSource::vtkObjectSource()
 {
-  this->SetNumberOfInputPorts(0);
+  this->SetNumberOfInputPorts(1);
+}
+
+void vtkObjectSource::RemoveAllShapes()
+{
+  this->SetInputConnection(nullptr);
+}
+
+int vtkObjectSource::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
 }
 
 vtkTypeBool vtkObjectSource::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
@@ -29,21 +44,30 @@ int vtkObjectSource::RequestInformation(vtkInformation*, vtkInformationVector**,
                                         vtkInformationVector* outputs)
 {
   waft::SetTimeSteps(waft::OptionsOf<waft::SceneFrame>(*this).Info().Time, outputs);
+  waft::SetStandsStill(outputs->GetInformationObject(0), true);
   return 1;
 }
 
-int vtkObjectSource::RequestData(vtkInformation*, vtkInformationVector**,
+int vtkObjectSource::RequestData(vtkInformation*, vtkInformationVector** inputs,
                                  vtkInformationVector* outputs)
 {
   const auto options = waft::OptionsOf<waft::ObjectOptions>(*this);
-  waft::SceneInfo info = options.Info();
-  info.AirDensity = options.AirDensity;
-  waft::MotionObject object;
-  if (const waft::Result made = options.MakeObject(object); !made)
+  const waft::SceneInfo info = options.Info();
+  auto* given = vtkMultiBlockDataSet::GetData(inputs[0]);
+  std::vector<waft::Shape> shapes;
+  std::vector<waft::MotionObject> objects;
+  waft::Result made = given ? waft::ShapesFromMultiBlock(given, shapes) : waft::Result::Ok();
+  made = made ? options.MakeObjects(given ? &shapes : nullptr, objects) : made;
+  if (!made)
   {
     return waft::Fail(this, outputs, made.Message());
   }
-  waft::ObjectsToPolyData({ object }, info, vtkPolyData::GetData(outputs));
+  vtkPolyData* data = vtkPolyData::GetData(outputs);
+  waft::ObjectsToPolyData(objects, info, data, options.ObjectId >= 0);
+  if (given)
+  {
+    waft::NameShape(shapes[static_cast<std::size_t>(options.ShapeId)], data);
+  }
   waft::RequestedTime(outputs, 0, info.Time);
   return 1;
 }

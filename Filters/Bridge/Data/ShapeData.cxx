@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/Data/ShapeData.h"
 
+#include "Base/Digest.h"
 #include "Base/ShapeMeasures.h"
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Arrays.h"
@@ -18,6 +19,8 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+
+#include <map>
 
 namespace waft
 {
@@ -145,6 +148,63 @@ Result ShapesFromMultiBlock(vtkMultiBlockDataSet* data, std::vector<Shape>& shap
     read.push_back(std::move(shape));
   }
   shapes = std::move(read);
+  return Result::Ok();
+}
+
+namespace
+{
+
+/// Tells one body from another: a number below 2^53 that all goes into that a shape says, but its
+/// name.
+double DigestOf(const Shape& shape)
+{
+  Digest digest;
+  digest.AddList(shape.Mesh.Points);
+  digest.AddList(shape.Mesh.Triangles);
+  digest.AddList(shape.TextureCoordinates);
+  digest.AddList(std::vector<double>{ shape.DragCoefficient, shape.AreaDensity, shape.Thickness,
+                                      shape.SettlingSpeed, shape.Damping });
+  digest.AddList(std::vector<std::array<double, 3>>{ shape.Color, shape.Tint });
+  digest.Add(shape.ClassId);
+  digest.Add(shape.Texture.data(), shape.Texture.size());
+  return static_cast<double>(digest.Sum() >> 11);
+}
+
+} // namespace
+
+void NameShape(const Shape& shape, vtkPolyData* objects)
+{
+  AddDoubles(objects->GetPointData(), names::ShapeDigest,
+             std::vector<double>(static_cast<std::size_t>(objects->GetNumberOfPoints()),
+                                 DigestOf(shape)));
+}
+
+Result FindNamedShapes(const std::vector<Shape>& shapes, vtkPolyData* data,
+                       std::vector<MotionObject>& objects)
+{
+  vtkPointData* arrays = data->GetPointData();
+  if (arrays->GetAbstractArray(names::ShapeDigest) == nullptr)
+  {
+    return Result::Ok();
+  }
+  std::vector<double> wanted;
+  WAFT_RETURN_IF_FAILED(
+    ReadDoubles({ arrays, "Objects", data->GetNumberOfPoints() }, names::ShapeDigest, wanted));
+  std::map<double, int> place;
+  for (std::size_t k = 0; k < shapes.size(); ++k)
+  {
+    place.emplace(DigestOf(shapes[k]), static_cast<int>(k));
+  }
+  for (std::size_t i = 0; i < objects.size(); ++i)
+  {
+    const auto found = place.find(wanted[i]);
+    if (found == place.end())
+    {
+      return Result::Error("the Shape of object " + std::to_string(objects[i].ObjectId) +
+                           " is not among the inputs: choose the source of that shape, too");
+    }
+    objects[i].ShapeId = found->second;
+  }
   return Result::Ok();
 }
 

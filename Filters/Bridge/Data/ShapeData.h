@@ -2,6 +2,7 @@
 // Shapes: a multi-block data set of named surfaces.
 #pragma once
 
+#include "Base/Motion.h"
 #include "Base/Result.h"
 #include "Base/Shape.h"
 #include "Base/Types.h"
@@ -9,6 +10,7 @@
 #include <vector>
 
 class vtkMultiBlockDataSet;
+class vtkPolyData;
 
 namespace waft
 {
@@ -20,5 +22,12 @@ void ShapesToMultiBlock(const std::vector<Shape>& shapes, const SceneInfo& info,
 /// Polygons are split into triangles; absent field data has the defaults of Shape. Fails on a block
 /// that is no surface or has no triangle.
 Result ShapesFromMultiBlock(vtkMultiBlockDataSet* data, std::vector<Shape>& shapes);
+
+/// Gives objects the array `ShapeDigest` of their one body.
+void NameShape(const Shape& shape, vtkPolyData* objects);
+/// Turns `ShapeDigest`, where objects have it, into `ShapeId`, the place of that body in `shapes`.
+/// Fails when it is not among them.
+Result FindNamedShapes(const std::vector<Shape>& shapes, vtkPolyData* data,
+                       std::vector<MotionObject>& objects);
 
 } // namespace waft

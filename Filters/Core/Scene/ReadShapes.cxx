@@ -3,6 +3,7 @@
 #include "Base/NumberText.h"
 #include "Base/ShapeMeasures.h"
 #include "Scene/BlueNoise.h"
+#include "Scene/ObjectOptions.h"
 #include "Scene/MeshQueries.h"
 #include "Scene/SceneReader.h"
 
@@ -175,11 +176,11 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t index)
   }
   MotionObject object;
   object.ShapeId = static_cast<int>(shape - shapes.begin());
-  object.ClassId = shape->ClassId;
-  object.SettlingSpeed = shape->SettlingSpeed;
-  object.ClearanceRadius = ClearanceRadius(*shape);
-  object.RestHeight = RestHeight(*shape);
-  object.Mass = node.Has("mass") ? node.At("mass", "").Number() : ShellMass(*shape);
+  TakeMeasures(*shape, object);
+  if (node.Has("mass"))
+  {
+    object.Mass = node.At("mass", "").Number();
+  }
   if (node.Has("settlingSpeed"))
   {
     object.SettlingSpeed = node.At("settlingSpeed", "").Number();
