@@ -36,14 +36,13 @@ int vtkObjectSource::RequestData(vtkInformation*, vtkInformationVector**,
                                  vtkInformationVector* outputs)
 {
   const auto options = waft::OptionsOf<waft::ObjectOptions>(*this);
-  waft::SceneInfo info = options.Info();
-  info.AirDensity = options.AirDensity;
-  waft::MotionObject object;
-  if (const waft::Result made = options.MakeObject(object); !made)
+  const waft::SceneInfo info = options.Info();
+  std::vector<waft::MotionObject> objects;
+  if (const waft::Result made = options.MakeObjects(objects); !made)
   {
     return waft::Fail(this, outputs, made.Message());
   }
-  waft::ObjectsToPolyData({ object }, info, vtkPolyData::GetData(outputs));
+  waft::ObjectsToPolyData(objects, info, vtkPolyData::GetData(outputs), options.ObjectId >= 0);
   waft::RequestedTime(outputs, 0, info.Time);
   return 1;
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkObjectSource
- * @brief   one light object at its start, made by hand
+ * @brief   light objects of one kind at their starts, made by hand
  *
- * Output port 0, Objects (vtkPolyData): one vertex at Position with the arrays `ObjectId`,
- * `ShapeId`, `ClassId` (int), `Mass` [kg], `SettlingSpeed` [m/s, terminal fall speed in still air],
+ * Output port 0, Objects (vtkPolyData): a vertex an object with the arrays `ObjectId`, `ShapeId`,
+ * `ClassId` (int), `Mass` [kg], `SettlingSpeed` [m/s, terminal fall speed in still air],
  * `ClearanceRadius`, `RestHeight` [m] (double), `Velocity` [m/s], `AngularVelocity` [rad/s, world]
- * (double[3]) and `Orientation` (double[4]; w, x, y, z). Several objects: append several of these.
+ * (double[3]), `Orientation` (double[4]; w, x, y, z), and `ObjectIdGiven` (unsigned char): 0 says
+ * that whoever takes several sources' objects, appended, is to number them; ids of 1 are kept.
  * The field data `Bounds`, `NumberOfFrames`, `FramesPerSecond` and `AirDensity` describe the scene.
  */
 #ifndef vtkObjectSource_h
@@ -28,10 +29,46 @@ public:
   vtkTypeMacro(vtkObjectSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum Layouts
+  {
+    ONE = 0,
+    ROW = 1,
+    SPREAD = 2
+  };
+  ///@{
+  /** One object at Position (0), a row from Position to RowEnd (1), a spread in the region (2). */
+  vtkSetClampMacro(Layout, int, ONE, SPREAD);
+  vtkGetMacro(Layout, int);
+  ///@}
+  ///@{
+  /** Objects of a row or a spread, 1 to 100000. */
+  vtkSetClampMacro(NumberOfObjects, int, 1, 100000);
+  vtkGetMacro(NumberOfObjects, int);
+  ///@}
   ///@{
   /** Place at frame 0 [m]. */
   vtkSetVector3Macro(Position, double);
   vtkGetVector3Macro(Position, double);
+  ///@}
+  ///@{
+  /** Place of a row's last object [m]. */
+  vtkSetVector3Macro(RowEnd, double);
+  vtkGetVector3Macro(RowEnd, double);
+  ///@}
+  ///@{
+  /** Lowest corner of a spread's region [m]. */
+  vtkSetVector3Macro(RegionMin, double);
+  vtkGetVector3Macro(RegionMin, double);
+  ///@}
+  ///@{
+  /** Extents of a spread's region [m]; it may be flat. */
+  vtkSetVector3Macro(RegionSize, double);
+  vtkGetVector3Macro(RegionSize, double);
+  ///@}
+  ///@{
+  /** Seed of a spread, 0 or more; also the scene's. */
+  vtkSetClampMacro(Seed, int, 0, VTK_INT_MAX);
+  vtkGetMacro(Seed, int);
   ///@}
   ///@{
   /** Velocity at frame 0 [m/s]. */
@@ -44,13 +81,19 @@ public:
   vtkGetVector4Macro(Orientation, double);
   ///@}
   ///@{
+  /** Turns about the world's x, y and z axes in this order, after Orientation [degrees]. */
+  vtkSetVector3Macro(Angles, double);
+  vtkGetVector3Macro(Angles, double);
+  ///@}
+  ///@{
   /** Angular velocity at frame 0 [rad/s, world]. */
   vtkSetVector3Macro(AngularVelocity, double);
   vtkGetVector3Macro(AngularVelocity, double);
   ///@}
   ///@{
-  /** Number that tracks and constraints name the object by, 0 or more. */
-  vtkSetClampMacro(ObjectId, int, 0, VTK_INT_MAX);
+  /** Number that tracks and constraints name the object by, of several the first; -1: the least
+   * numbers that no other object takes. */
+  vtkSetClampMacro(ObjectId, int, -1, VTK_INT_MAX);
   vtkGetMacro(ObjectId, int);
   ///@}
   ///@{
@@ -124,11 +167,18 @@ private:
   // literals here against it.
   friend struct waft::ObjectOptions;
   friend struct waft::SceneFrame;
+  int Layout = ONE;
+  int NumberOfObjects = 5;
   double Position[3] = { 0.0, 0.0, 3.0 };
+  double RowEnd[3] = { 1.0, 0.0, 3.0 };
+  double RegionMin[3] = { -1.0, -1.0, 2.5 };
+  double RegionSize[3] = { 2.0, 2.0, 1.0 };
+  int Seed = 1;
   double Velocity[3] = { 0.0, 0.0, 0.0 };
   double Orientation[4] = { 1.0, 0.0, 0.0, 0.0 };
+  double Angles[3] = { 0.0, 0.0, 0.0 };
   double AngularVelocity[3] = { 0.0, 0.0, 0.0 };
-  int ObjectId = 0;
+  int ObjectId = -1;
   int ShapeId = 0;
   int ClassId = -1;
   double Mass = 0.001;

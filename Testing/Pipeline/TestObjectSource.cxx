@@ -3,6 +3,7 @@
 
 #include "Bridge/Data/SceneData.h"
 
+#include <vtkAppendPolyData.h>
 #include <vtkObjectSource.h>
 #include <vtkPolyData.h>
 
@@ -40,4 +41,31 @@ TEST(ObjectSource, RefusesAnOrientationOfZeros)
   source->Update();
   EXPECT_TRUE(errors.Contains("Orientation: expected a quaternion")) << errors.Text;
   EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(ObjectSource, SourcesThatAreAppendedAreNumberedInTheirOrder)
+{
+  vtkNew<vtkObjectSource> first, numbered, second;
+  first->SetLayout(vtkObjectSource::ROW);
+  first->SetNumberOfObjects(3);
+  numbered->SetObjectId(1);
+  second->SetPosition(0.0, 1.0, 2.0);
+  vtkNew<vtkAppendPolyData> all;
+  for (vtkObjectSource* source : { first.Get(), numbered.Get(), second.Get() })
+  {
+    all->AddInputConnection(source->GetOutputPort());
+  }
+  all->Update();
+  std::vector<waft::MotionObject> objects;
+  ASSERT_TRUE(waft::ObjectsFromPolyData(all->GetOutput(), objects));
+  std::vector<int> ids;
+  for (const waft::MotionObject& object : objects)
+  {
+    ids.push_back(object.ObjectId);
+  }
+  EXPECT_EQ(ids, (std::vector<int>{ 0, 2, 3, 1, 4 }));
+  second->SetObjectId(1);
+  all->Update();
+  const waft::Result twice = waft::ObjectsFromPolyData(all->GetOutput(), objects);
+  EXPECT_FALSE(static_cast<bool>(twice)); // ids that are given must differ
 }

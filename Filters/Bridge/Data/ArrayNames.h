@@ -42,6 +42,7 @@ constexpr const char* ResidualForce = "ResidualForce";
 constexpr const char* ShapeId = "ShapeId";
 constexpr const char* Mass = "Mass";
 constexpr const char* SettlingSpeed = "SettlingSpeed";
+constexpr const char* ObjectIdGiven = "ObjectIdGiven";
 constexpr const char* VelocityGiven = "VelocityGiven";
 constexpr const char* ClassId = "ClassId";
 constexpr const char* ClearanceRadius = "ClearanceRadius";

@@ -5,6 +5,7 @@
 #include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/ImageLattice.h"
 #include "Bridge/Data/SceneData.h"
+#include "Obstacles/SolidParts.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
@@ -17,6 +18,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -25,15 +27,55 @@ namespace waft
 namespace
 {
 
-// The surface split by ObstacleId, ids increasing. Points are renumbered per obstacle.
+// The solids that the surface consists of, numbered in the order of their first triangles.
+std::vector<ObstacleMesh> SplitBySolid(const TriangleMesh& whole)
+{
+  int count = 0;
+  const std::vector<int> solidOf = SolidOfTriangles(whole, count);
+  std::vector<ObstacleMesh> obstacles(static_cast<std::size_t>(std::max(1, count)));
+  if (count <= 1)
+  {
+    obstacles[0].Mesh = whole;
+    return obstacles;
+  }
+  std::vector<std::map<int, int>> local(obstacles.size()); // a point may be of several
+  for (std::size_t t = 0; t < whole.Triangles.size(); ++t)
+  {
+    const auto at = static_cast<std::size_t>(solidOf[t]);
+    ObstacleMesh& obstacle = obstacles[at];
+    obstacle.ObstacleId = solidOf[t];
+    std::array<int, 3> triangle{};
+    std::transform(whole.Triangles[t].begin(), whole.Triangles[t].end(), triangle.begin(),
+                   [&](int corner)
+                   {
+                     const auto [point, isNew] =
+                       local[at].emplace(corner, static_cast<int>(obstacle.Mesh.Points.size()));
+                     if (isNew)
+                     {
+                       obstacle.Mesh.Points.push_back(
+                         whole.Points[static_cast<std::size_t>(corner)]);
+                     }
+                     return point->second;
+                   });
+    obstacle.Mesh.Triangles.push_back(triangle);
+  }
+  return obstacles;
+}
+
+// The surface split by ObstacleId, ids increasing, or by its solids where it has no ids. Points are
+// renumbered per obstacle.
 Result SplitObstacles(vtkPolyData* data, std::vector<ObstacleMesh>& obstacles)
 {
   TriangleMesh whole;
   WAFT_RETURN_IF_FAILED(MeshFromPolyData(data, "Obstacles", whole));
+  if (data->GetPointData()->GetAbstractArray(names::ObstacleId) == nullptr)
+  {
+    obstacles = SplitBySolid(whole);
+    return Result::Ok();
+  }
   const ArraySource source{ data->GetPointData(), "Obstacles", data->GetNumberOfPoints() };
-  const int single = 0;
   std::vector<int> ids;
-  WAFT_RETURN_IF_FAILED(ReadInts(source, names::ObstacleId, ids, &single));
+  WAFT_RETURN_IF_FAILED(ReadInts(source, names::ObstacleId, ids));
   std::map<int, ObstacleMesh> byId;
   std::vector<int> local(whole.Points.size(), -1);
   for (std::size_t i = 0; i < whole.Points.size(); ++i)

@@ -87,12 +87,14 @@ std::string AuthoredFromFieldData(vtkDataObject* data)
 }
 
 void ObjectsToPolyData(const std::vector<MotionObject>& objects, const SceneInfo& info,
-                       vtkPolyData* data)
+                       vtkPolyData* data, bool hasOwnIds)
 {
   data->Initialize();
   SetVertices(data, Column(objects, &MotionObject::Position));
   vtkPointData* arrays = data->GetPointData();
   AddColumn(arrays, names::ObjectId, objects, &MotionObject::ObjectId);
+  AddBytes(arrays, names::ObjectIdGiven,
+           std::vector<unsigned char>(objects.size(), hasOwnIds ? 1 : 0));
   AddColumn(arrays, names::ShapeId, objects, &MotionObject::ShapeId);
   AddColumn(arrays, names::Mass, objects, &MotionObject::Mass);
   AddColumn(arrays, names::Velocity, objects, &MotionObject::Velocity);
@@ -107,6 +109,39 @@ void ObjectsToPolyData(const std::vector<MotionObject>& objects, const SceneInfo
   AddColumn(arrays, names::RestHeight, objects, &MotionObject::RestHeight);
   SceneInfoToFieldData(info, data);
 }
+
+namespace
+{
+
+Result NumberObjects(const ArraySource& source, std::vector<MotionObject>& objects)
+{
+  const int isGiven = 1;
+  std::vector<int> given;
+  WAFT_RETURN_IF_FAILED(ReadInts(source, names::ObjectIdGiven, given, &isGiven));
+  std::set<int> taken;
+  for (std::size_t i = 0; i < objects.size(); ++i)
+  {
+    if (given[i] != 0)
+    {
+      taken.insert(objects[i].ObjectId);
+    }
+  }
+  int next = 0;
+  for (std::size_t i = 0; i < objects.size(); ++i)
+  {
+    if (given[i] == 0)
+    {
+      while (taken.count(next) > 0)
+      {
+        ++next;
+      }
+      objects[i].ObjectId = next++;
+    }
+  }
+  return Result::Ok();
+}
+
+} // namespace
 
 Result ObjectsFromPolyData(vtkPolyData* data, std::vector<MotionObject>& objects)
 {
@@ -127,6 +162,7 @@ Result ObjectsFromPolyData(vtkPolyData* data, std::vector<MotionObject>& objects
   WAFT_RETURN_IF_FAILED(readOptional(names::SettlingSpeed, &MotionObject::SettlingSpeed));
   WAFT_RETURN_IF_FAILED(readOptional(names::ClearanceRadius, &MotionObject::ClearanceRadius));
   WAFT_RETURN_IF_FAILED(readOptional(names::RestHeight, &MotionObject::RestHeight));
+  WAFT_RETURN_IF_FAILED(NumberObjects(source, read));
   std::set<int> seen;
   for (std::size_t i = 0; i < read.size(); ++i)
   {

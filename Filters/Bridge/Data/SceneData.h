@@ -26,9 +26,13 @@ void AuthoredToFieldData(const std::string& part, vtkDataObject* data);
 /// An empty text where there is none or no data.
 std::string AuthoredFromFieldData(vtkDataObject* data);
 
+/// hasOwnIds: false says that whoever takes several makers' objects, appended, is to number them
+/// (the array `ObjectIdGiven`).
 void ObjectsToPolyData(const std::vector<MotionObject>& objects, const SceneInfo& info,
-                       vtkPolyData* data);
-/// Needs `ObjectId`; the other arrays have the defaults of MotionObject. Ids must differ.
+                       vtkPolyData* data, bool hasOwnIds = true);
+/// Needs `ObjectId`; the other arrays have the defaults of MotionObject. Ids that are given must
+/// differ. Objects whose `ObjectIdGiven` is 0 take, in their order, the least numbers that no given
+/// id takes: makers that do not know of each other need not agree.
 Result ObjectsFromPolyData(vtkPolyData* data, std::vector<MotionObject>& objects);
 
 } // namespace waft

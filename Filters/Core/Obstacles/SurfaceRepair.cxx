@@ -2,10 +2,10 @@
 #include "Obstacles/SurfaceRepair.h"
 
 #include "Base/NumberText.h"
+#include "Obstacles/PointWelding.h"
+#include "Obstacles/WindingNumber.h"
 
 #include <cmath>
-#include <numeric>
-#include <unordered_map>
 
 namespace waft
 {
@@ -67,70 +67,6 @@ void Apply(const std::vector<int>& representative, TriangleMesh& mesh)
     }
   }
   mesh.Triangles = std::move(kept);
-}
-
-void WeldEqualPoints(TriangleMesh& mesh)
-{
-  const auto& points = mesh.Points;
-  std::vector<int> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  const auto less = [&](int l, int r)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      if (points[l][axis] != points[r][axis])
-      {
-        return points[l][axis] < points[r][axis];
-      }
-    }
-    return l < r;
-  };
-  std::sort(order.begin(), order.end(), less);
-  std::vector<int> representative(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    const bool same = i > 0 && points[order[i]] == points[order[i - 1]];
-    representative[order[i]] = same ? representative[order[i - 1]] : order[i];
-  }
-  Apply(representative, mesh);
-}
-
-/// Welds points nearer than the tolerance [m] to an earlier one.
-void WeldNearPoints(double tolerance, TriangleMesh& mesh)
-{
-  std::unordered_multimap<std::uint64_t, int> cells;
-  const auto key = [](const Eigen::Matrix<std::int64_t, 3, 1>& cell)
-  {
-    return static_cast<std::uint64_t>(cell.x()) * 73856093u ^
-           static_cast<std::uint64_t>(cell.y()) * 19349663u ^
-           static_cast<std::uint64_t>(cell.z()) * 83492791u;
-  };
-  std::vector<int> representative(mesh.Points.size());
-  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
-  {
-    const Vec3& p = mesh.Points[i];
-    const Eigen::Matrix<std::int64_t, 3, 1> cell =
-      (p / (2.0 * tolerance)).array().floor().cast<std::int64_t>();
-    int found = static_cast<int>(i);
-    for (int n = 0; n < 27; ++n)
-    {
-      const Eigen::Matrix<std::int64_t, 3, 1> shift(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-      const auto range = cells.equal_range(key(cell + shift));
-      for (auto it = range.first; it != range.second; ++it)
-      {
-        if ((mesh.Points[it->second] - p).norm() <= tolerance)
-        {
-          found = std::min(found, it->second);
-        }
-      }
-    }
-    representative[i] = found;
-    if (found == static_cast<int>(i))
-    {
-      cells.emplace(key(cell), found);
-    }
-  }
-  Apply(representative, mesh);
 }
 
 std::vector<Edge> SortedEdges(const TriangleMesh& mesh)
@@ -242,24 +178,6 @@ Result OrientComponents(const std::string& name, const std::vector<Edge>& edges,
   return Result::Ok();
 }
 
-/// Winding number of a component about x (Van Oosterom and Strackee 1983), in units of 4 pi.
-double Winding(const TriangleMesh& mesh, const std::vector<int>& triangles, const Vec3& x)
-{
-  double sum = 0.0;
-  for (const int t : triangles)
-  {
-    const Vec3 a = mesh.Points[mesh.Triangles[t][0]] - x;
-    const Vec3 b = mesh.Points[mesh.Triangles[t][1]] - x;
-    const Vec3 c = mesh.Points[mesh.Triangles[t][2]] - x;
-    const double la = a.norm();
-    const double lb = b.norm();
-    const double lc = c.norm();
-    sum +=
-      std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-  }
-  return static_cast<double>(sum / (2.0 * EIGEN_PI));
-}
-
 void FaceOutwards(TriangleMesh& mesh, const std::vector<int>& component, int count)
 {
   std::vector<std::vector<int>> members(count);
@@ -283,7 +201,7 @@ void FaceOutwards(TriangleMesh& mesh, const std::vector<int>& component, int cou
     for (int other = 0; other < count; ++other)
     {
       depth += other != k && bounds[other].contains(bounds[k]) &&
-               std::abs(Winding(mesh, members[other], probe)) > 0.5;
+               std::abs(WindingNumber(mesh, members[other], probe)) > 0.5;
     }
     const bool isCavity = depth % 2 == 1;
     if ((volume[k] > 0.0) == isCavity)
@@ -304,17 +222,12 @@ Result RepairSurface(const std::string& name, TriangleMesh& mesh)
   {
     return result;
   }
-  Eigen::AlignedBox3d bounds;
-  for (const Vec3& p : mesh.Points)
-  {
-    bounds.extend(p);
-  }
-  WeldEqualPoints(mesh);
+  Apply(EqualPoints(mesh.Points), mesh);
   std::vector<Edge> edges = SortedEdges(mesh);
   if (!CheckClosed(name, mesh, edges))
   {
     // Seams that close only up to rounding, sin(2 pi) for instance.
-    WeldNearPoints(std::max(1e-9 * bounds.diagonal().norm(), 1e-300), mesh);
+    Apply(NearPoints(mesh.Points, SeamTolerance(mesh.Points)), mesh);
     edges = SortedEdges(mesh);
     if (Result result = CheckClosed(name, mesh, edges); !result)
     {

@@ -150,7 +150,9 @@ void KeepAuthored(const SceneJson& root, const std::string& folder, Scene& scene
 
 SceneJson AuthoredPart(const std::string& text)
 {
-  const SceneJson json = SceneJson::parse(text, nullptr, false);
+  const auto keeps = [](int depth, SceneJson::parse_event_t event, const SceneJson&)
+  { return !IsTooDeep(depth, event); };
+  const SceneJson json = SceneJson::parse(text, keeps, false);
   return json.is_object() ? Shallow(json) : SceneJson::object();
 }
 

@@ -1,22 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One object at its start, made by hand.
+// Objects of one kind at their starts, made by hand: one, a row, or many spread in a box.
 #pragma once
 
 #include "Base/Motion.h"
 #include "Base/SceneFrame.h"
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 namespace waft
 {
 
+enum class ObjectLayout
+{
+  One,
+  Row,
+  Spread
+};
+
 struct ObjectOptions : SceneFrame
 {
+  ObjectLayout Layout = ObjectLayout::One;
+  int NumberOfObjects = 5;
   Vec3 Position{ 0.0, 0.0, 3.0 };
+  Vec3 RowEnd{ 1.0, 0.0, 3.0 };
+  Vec3 RegionMin{ -1.0, -1.0, 2.5 };
+  Vec3 RegionSize{ 2.0, 2.0, 1.0 };
+  std::uint64_t Seed = 1;
   Vec3 Velocity = Vec3::Zero();
   std::array<double, 4> Orientation{ 1.0, 0.0, 0.0, 0.0 }; // w, x, y, z; not zero
+  Vec3 Angles = Vec3::Zero();                              // degrees
   Vec3 AngularVelocity = Vec3::Zero();
-  int ObjectId = 0;
+  int ObjectId = -1;
   int ShapeId = 0;
   int ClassId = -1;
   double Mass = 0.001;
@@ -25,15 +41,41 @@ struct ObjectOptions : SceneFrame
   double RestHeight = 0.0;
   double AirDensity = 1.2;
 
-  /// A velocity of zero is none: the object starts as its air does.
-  Result MakeObject(MotionObject& object) const;
+  SceneInfo Info() const
+  {
+    SceneInfo info = this->SceneFrame::Info();
+    info.AirDensity = this->AirDensity;
+    return info;
+  }
+
+  /// A velocity of zero is none: the object starts as its air does. Objects without an ObjectId are
+  /// numbered from 0. Fails where a spread finds no room.
+  Result MakeObjects(std::vector<MotionObject>& objects) const;
 
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
   {
+    visit(OptionField{ "Layout",
+                       { 0, 2 },
+                       "",
+                       "One object at Position, a row from Position to Row End, or a spread: "
+                       "objects far from each other in the region." },
+          of.Layout...);
+    visit(OptionField{ "NumberOfObjects", limits::Count, "", "Objects of a row or a spread." },
+          of.NumberOfObjects...);
     visit(OptionField{ "Position", limits::Coordinate, "m",
                        "Place of the centre of mass at frame 0, in metres." },
           of.Position...);
+    visit(OptionField{ "RowEnd", limits::Coordinate, "m",
+                       "Place of the last object of a row, in metres." },
+          of.RowEnd...);
+    visit(OptionField{ "RegionMin", limits::Coordinate, "m",
+                       "Lowest corner of the region that a spread fills, in metres." },
+          of.RegionMin...);
+    visit(OptionField{ "RegionSize", limits::Distance, "m",
+                       "Extents of the region that a spread fills, in metres." },
+          of.RegionSize...);
+    visit(SeedField(), of.Seed...);
     visit(OptionField{ "Velocity", limits::Velocity, "m/s",
                        "Velocity at frame 0, in metres per second." },
           of.Velocity...);
@@ -43,11 +85,21 @@ struct ObjectOptions : SceneFrame
                        "Orientation at frame 0, a quaternion (w, x, y, z), body to world.",
                        { -1, 1 } },
           of.Orientation...);
+    visit(OptionField{ "Angles",
+                       limits::Direction,
+                       "degrees",
+                       "Turns about the world's x, y and z axes in this order, after Orientation, "
+                       "in degrees.",
+                       { -180, 180 } },
+          of.Angles...);
     visit(OptionField{ "AngularVelocity", limits::Spin, "rad/s",
                        "Angular velocity at frame 0, in radians per second, world axes." },
           of.AngularVelocity...);
-    visit(OptionField{ "ObjectId", limits::UpTo(limits::MostInt), "",
-                       "Number that tracks and constraints name the object by." },
+    visit(OptionField{ "ObjectId",
+                       { -1, limits::MostInt },
+                       "",
+                       "Number that tracks and constraints name the object by, of several the "
+                       "first; -1: the least numbers that no other object takes." },
           of.ObjectId...);
     visit(OptionField{ "ShapeId", limits::UpTo(limits::MostInt), "",
                        "Block of Shapes that is its body." },
@@ -76,6 +128,10 @@ struct ObjectOptions : SceneFrame
           of.AirDensity...);
     SceneFrame::Visit(visit, of...);
   }
+
+private:
+  Result MakeBody(MotionObject& object) const;
+  Result MakePositions(std::vector<Vec3>& positions) const;
 };
 
 } // namespace waft

@@ -100,8 +100,12 @@ SceneJson ParseText(const std::string& text, const std::string& name)
 {
   // A field that stands twice in an object would silently win or lose.
   ParserPosition position;
-  const auto refuseTwice = [&](int, SceneJson::parse_event_t event, SceneJson& value)
+  const auto refuseTwice = [&](int depth, SceneJson::parse_event_t event, SceneJson& value)
   {
+    if (IsTooDeep(depth, event))
+    {
+      return false;
+    }
     if (!position.Pass(event, value))
     {
       throw SceneError{ name + ": " + position.Pointer() +
@@ -314,7 +318,9 @@ Result ParseScene(const std::string& text, const std::string& name, const std::s
 bool IsSceneFile(const std::string& file)
 {
   std::ifstream stream(file, std::ios::binary);
-  const SceneJson json = SceneJson::parse(stream, nullptr, false);
+  const auto keeps = [](int depth, SceneJson::parse_event_t event, const SceneJson&)
+  { return !IsTooDeep(depth, event); };
+  const SceneJson json = SceneJson::parse(stream, keeps, false);
   return json.is_object() && json.contains("waft");
 }
 

@@ -15,6 +15,16 @@ namespace waft
 
 using SceneJson = nlohmann::ordered_json; // shapes keep the order of the file
 
+/// Whether a parser is to leave out what it meets: the library copies and frees values by
+/// recursion, so that a text of a million brackets would end the process. No field is so deep.
+inline bool IsTooDeep(int depth, SceneJson::parse_event_t event)
+{
+  using Event = SceneJson::parse_event_t;
+  constexpr int most = 64;
+  const bool opens = event == Event::object_start || event == Event::array_start;
+  return depth > most || (depth == most && opens);
+}
+
 /// Thrown inside this library only; ParseScene turns it into a Result.
 struct SceneError
 {

@@ -381,8 +381,8 @@ TEST(WriteScene, AnEditOfAnObstacleWins)
 TEST(WriteScene, AuthoredTextsThatAreNoneAreNotBelieved)
 {
   Scene scene = Parsed(Edited);
-  const std::string deep = "{\"waft\": 1, \"_a\": " + std::string(100000, '[') +
-                           std::string(100000, ']') + ", \"objects\": 3, \"obstacles\": [7]}";
+  const std::string deep = "{\"waft\": 1, \"_a\": " + std::string(1000000, '[') +
+                           std::string(1000000, ']') + ", \"objects\": 3, \"obstacles\": [7]}";
   for (const std::string& text : { std::string("{"), std::string("[]"), std::string("\xff"), deep })
   {
     scene.Authored = { text, text, text, text };
@@ -393,8 +393,8 @@ TEST(WriteScene, AuthoredTextsThatAreNoneAreNotBelieved)
     EXPECT_EQ(Json::parse(written.Json)["obstacles"][0]["kind"], "mesh");
   }
   // Nor does a comment that nobody checks bring the reader down.
-  const std::string file =
-    "{\"waft\": 1, \"_a\": " + std::string(100000, '[') + std::string(100000, ']') + "}";
+  const std::string file = "{\"_a\": " + std::string(1000000, '[') + std::string(1000000, ']') +
+                           R"(, "waft": 1, "seed": 2})";
   EXPECT_EQ(Parsed(file).Objects.size(), 0u);
 }
 
