@@ -14,7 +14,7 @@ from waft.failures import BadInput
 from waft.reading import dynamics
 from waft.results import read_json
 
-TRACKS = ("optimized", "planned", "poses")
+TRACKS = ("optimized", "assimilated", "planned", "poses")
 NEAR_ROW = 8  # frames about a position row that are no free flight
 
 

@@ -224,7 +224,7 @@ def parser():
 
     judge = commands.add_parser("measure", help="how good a motion is, from the files of results alone", epilog=MEASURE_EXIT)
     judge.add_argument("folders", type=path, nargs="*", metavar="DIR", help="what synthesize wrote; several are pooled, too")
-    judge.add_argument("--tracks", choices=("optimized", "planned", "poses"), default="optimized",
+    judge.add_argument("--tracks", choices=("optimized", "assimilated", "planned", "poses"), default="optimized",
                        help="the motion, DIR/TRACKS.vtp; default optimized")
     judge.add_argument("--json", type=path, nargs="?", const="-", metavar="FILE", help="the rows as JSON; without FILE on stdout, "
                                                                                       "instead of the table")

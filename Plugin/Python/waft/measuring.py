@@ -81,7 +81,7 @@ def measure(folders: Union[Path, Sequence[Path]], tracks: str = "optimized", dri
     """Measures the motion of folders that `waft synthesize` wrote.
 
     folders:  one, or a list; with several, what is of the same scene is measured pooled, too
-    tracks:   "optimized", "planned" or "poses": FOLDER/<tracks>.vtp
+    tracks:   "optimized", "assimilated", "planned" or "poses": FOLDER/<tracks>.vtp
     drifters: a file that make_drifters wrote; the one that comes with Waft if None
     plots:    a folder for pictures beside the drifters' (needs matplotlib)
     progress: called with the part done (0..1) and a sentence
