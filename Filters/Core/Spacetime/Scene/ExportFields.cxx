@@ -45,7 +45,7 @@ void Annotate(const SpacetimeUnits& units, const std::vector<Vortex>& vortices, 
 
 // What moves an object in a drawn air beside it, from the frame before on: the gas' deviation that
 // is felt there, and the control that neither air nor gas gives [dx / frame].
-struct Beside
+struct AirDeviation
 {
   Vec3 Gas = Vec3::Zero();
   Vec3 Control = Vec3::Zero();
@@ -81,7 +81,7 @@ void AppendResidual(const SpacetimeSetup& setup, const SpacetimeObjective& objec
 
 void AppendObjects(const SpacetimeInput& input, const SpacetimeSetup& setup,
                    const SpacetimeObjective& objective, FrameTerms& terms, const float* state,
-                   int frame, std::vector<Beside>& beside, SpacetimeOutput& output)
+                   int frame, std::vector<AirDeviation>& deviations, SpacetimeOutput& output)
 {
   const SpacetimeModel& model = setup.Model;
   const std::size_t stride = model.Stride();
@@ -108,15 +108,15 @@ void AppendObjects(const SpacetimeInput& input, const SpacetimeSetup& setup,
       wind[c] = terms.External(c)[i] - vortex[c];
     }
     Vec3 u = v + relative / std::max(0.05, witness);
-    const Vec3 controlBefore = beside[o].Control;
+    const Vec3 controlBefore = deviations[o].Control;
     if (!model.Air.IsEmpty())
     {
       const Vec3 w = model.Air.Deviation(i, x, v, frame, frame > 0 ? 1.0 : 0.0);
-      beside[o].Control = w - beside[o].Gas;
-      beside[o].Gas = w + relative;
-      u = model.Air.Velocity(x, frame) + beside[o].Gas;
+      deviations[o].Control = w - deviations[o].Gas;
+      deviations[o].Gas = w + relative;
+      u = model.Air.Velocity(x, frame) + deviations[o].Gas;
     }
-    AppendResidual(setup, objective, frame, o, controlBefore, beside[o].Control, track);
+    AppendResidual(setup, objective, frame, o, controlBefore, deviations[o].Control, track);
     vortex *= setup.AccelerationUnit();
     wind *= setup.AccelerationUnit();
     track.SphVelocities.push_back(speed * v);
@@ -273,14 +273,14 @@ bool ExportFields(const SpacetimeInput& input, const SpacetimeSetup& setup,
       static_cast<float>(mass * (gas ? model.Fluid.GasMass : model.Fluid.ObjectMass)));
   }
   bool going = true;
-  std::vector<Beside> beside(model.NumberOfObjects);
+  std::vector<AirDeviation> deviations(model.NumberOfObjects);
   SpacetimeTerms all;
   objective.Evaluate(state, nullptr, all); // for the residuals
   for (int frame = 0; frame < model.NumberOfFrames; ++frame)
   {
     FrameTerms& terms = objective.ForwardFrame(state, static_cast<std::size_t>(frame));
     const float* here = state.data() + frame * model.FrameSize();
-    AppendObjects(input, setup, objective, terms, here, frame, beside, output);
+    AppendObjects(input, setup, objective, terms, here, frame, deviations, output);
     AppendParticles(input, setup, objective, terms, here, frame, output.Tracks, series);
     // An abort is noted, and the rest still written: a result without its last frames is none.
     going = monitor.Tick(1.0, "writing the motion") && going;
