@@ -70,6 +70,9 @@ def cases():
     }
     for name, text in broken.items():
         yield scene_case(group, name, text)
+    lists = "[" * 1000000 + "]" * 1000000
+    yield scene_case(group, "a million lists in a comment", _rewritten('"waft": 1,', f'"_a": {lists}, "waft": 2,'), "/waft")
+    yield scene_case(group, "a million lists for a shape", _rewritten('"waft": 1,', f'"waft": 1, "winds": {lists},'), "/winds")
     yield scene_case(group, "a mark in front", b"\xef\xbb\xbf" + TEXT.encode(), status=(0, 2))
     for name, value in (("a list", []), ("a number", 1), ("a text", "waft"), ("null", None), ("true", True)):
         yield scene_case(group, f"{name} for a scene", json.dumps(value).encode())
