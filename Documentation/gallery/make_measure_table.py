@@ -4,8 +4,9 @@
     waft measure DIR --json SCENE.json        for each folder of results
     python3 make_measure_table.py [--optimised] SCENE.json...
 
-With --optimised the hands of the optimiser's model are shown, and the air's own figures, which it does not change, are not. A line a scene, named after its file; what misses what is wanted is in **bold**, what is not measured is "-". Processor seconds and
-the largest memory are of the folder's report.json, where it is still there.
+With --optimised the hands of the optimiser's model are shown, and the air's own figures, which it does not change, are
+not. A line a scene, named after its file; what misses what is wanted is in **bold**, what is not measured is "-".
+Processor seconds and the largest memory are of the folder's report.json, where it is still there.
 """
 import json
 import pathlib
@@ -39,12 +40,14 @@ def figure(row):
     return text if row["met"] is not False else f"**{text}**"
 
 
-def cost(folder):
-    """Processor seconds and megabytes of the run, of its report."""
+def cost(folder, tracks):
+    """Processor seconds and megabytes of the run, of its report; of what the optimiser began with the seconds until then."""
     try:
         stages = json.loads((pathlib.Path(folder) / "report.json").read_text(encoding="utf-8"))["stages"]
     except (OSError, KeyError, ValueError):
         return "-"
+    if tracks == "assimilated" and stages.pop("spacetime", None):
+        return f"{sum(stage['processorSeconds'] for stage in stages.values()):.0f}, -"
     seconds = sum(stage["processorSeconds"] for stage in stages.values())
     return f"{seconds:.0f}, {max(stage['peakMemoryMB'] for stage in stages.values()):.0f}"
 
@@ -60,7 +63,7 @@ def main(arguments):
         measured = json.loads(pathlib.Path(file).read_text(encoding="utf-8"))[0]
         rows = {row["key"]: row for row in measured["rows"]}
         cells = [", ".join(figure(rows.get(key)) for key in keys) for _, keys in columns]
-        print("| " + " | ".join([pathlib.Path(file).stem, str(measured["objects"]), *cells, cost(measured["folder"])]) + " |")
+        print("| " + " | ".join([pathlib.Path(file).stem, str(measured["objects"]), *cells, cost(measured["folder"], measured["tracks"])]) + " |")
 
 
 if __name__ == "__main__":

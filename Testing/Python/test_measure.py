@@ -208,6 +208,14 @@ class DefinitionTest(unittest.TestCase):
         back = _decoded(_encoded(list(path), 0, 0), 0, 0)
         self.assertLess(max(np.abs(a - b).max() for a, b in zip(path, back)), 0.51 * QUANTUM)
 
+    def test_a_scene_is_measured_by_the_set_of_its_volume(self):
+        default = Drifters()
+        self.assertEqual(Drifters.fitting([0.5], default.bounds, 30.0).path, default.path)
+        pillar = Drifters.fitting([0.5], [-2, 2, -2, 2, 0, 3], 25.0)
+        self.assertTrue(pillar.path.endswith("leaves-pillar.npz"), pillar.path)
+        self.assertEqual(pillar.lacks([0.5], [-2, 2, -2, 2, 0, 3], 25.0), [])
+        self.assertEqual(Drifters.fitting([0.5], [-2, 2, -2, 2, 0, 3], 24.0).path, default.path)
+
     def test_drifters_are_made(self):
         path = os.path.join(WORK, "made.npz")
         os.makedirs(WORK, exist_ok=True)

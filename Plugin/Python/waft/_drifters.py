@@ -58,6 +58,16 @@ class Drifters:
             free[body, int(np.ceil(START * self.rate)):max(end, 0)] = True
         return Flights(positions, self.rate, np.isfinite(positions[..., 0]), free, np.array([slip for _, slip in paths]))
 
+    @staticmethod
+    def fitting(slips, bounds, rate):
+        """Of the sets that come with Waft one that was made for such bodies, else the one of the default volume."""
+        default = Drifters()
+        if not default.lacks(slips, bounds, rate):
+            return default
+        folder = os.path.dirname(default.path)
+        others = (Drifters(os.path.join(folder, name)) for name in sorted(os.listdir(folder)) if name.endswith(".npz"))
+        return next((made for made in others if not made.lacks(slips, bounds, rate)), default)
+
     def lacks(self, slips, bounds, rate):
         """Sentences on what the set was not made for."""
         words = []

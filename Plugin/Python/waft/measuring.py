@@ -82,7 +82,7 @@ def measure(folders: Union[Path, Sequence[Path]], tracks: str = "optimized", dri
 
     folders:  one, or a list; with several, what is of the same scene is measured pooled, too
     tracks:   "optimized", "assimilated", "planned" or "poses": FOLDER/<tracks>.vtp
-    drifters: a file that make_drifters wrote; the one that comes with Waft if None
+    drifters: a file that make_drifters wrote; if None one that comes with Waft, for the scene's volume where there is one
     plots:    a folder for pictures beside the drifters' (needs matplotlib)
     progress: called with the part done (0..1) and a sentence
 
@@ -95,14 +95,14 @@ def measure(folders: Union[Path, Sequence[Path]], tracks: str = "optimized", dri
     if not folders:
         raise BadInput("expected at least one folder")
     runs = [read_run(folder, tracks) for folder in folders]  # what is malformed is told before anything is computed
-    reference = Drifters(drifters)
+    given = drifters and Drifters(drifters)
     done = []
     for run in runs:
-        done.append(_measured([run], reference, tracks, read_air(run.folder) if tracks != "planned" else None))
+        done.append(_measured([run], given, tracks, read_air(run.folder) if tracks != "planned" else None))
         if progress:
             progress(len(done) / (len(runs) + 1), f"{run.folder} measured")
     if len(runs) > 1:
-        done.append(_measured(runs, reference, tracks, None))
+        done.append(_measured(runs, given, tracks, None))
     if plots is not None:
         from waft._measureplots import draw
 
@@ -129,9 +129,10 @@ def make_drifters_for(folders, path, speeds=None, airs=6, seed=20001, progress=N
                   airs, seed, progress=progress)
 
 
-def _measured(runs, reference, tracks, air):
+def _measured(runs, given, tracks, air):
     airs = [run.flights for run in runs]
     slips = np.concatenate([flights.slip for flights in airs])
+    reference = given or Drifters.fitting(slips, runs[0].bounds, runs[0].flights.rate)
     others = reference.airs(slips)
     fewest = min(len(flights) for flights in airs)
     name = runs[0].folder if len(runs) == 1 else "pooled"
