@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Data that go from Core to VTK come back as they were.
+#include "Base/Primitives.h"
 #include "Base/Random.h"
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/ConstraintData.h"
@@ -191,6 +192,34 @@ TEST(Bridge, AnObstacleThatTurnsIsRefused)
   ObstaclesToPolyData({ turned }, 0, SceneInfo(), second);
   const Result result = collector.Add(second, 0.1, Timeline());
   EXPECT_NE(result.Message().find("obstacle 0"), std::string::npos) << result.Message();
+}
+
+TEST(Bridge, ASurfaceWithoutIdsIsSplitIntoItsSolids)
+{
+  ObstacleMesh box, onIt;
+  box.Mesh = MakeBox({ Vec3(-1, -1, 0), Vec3(1, 1, 0.2) });
+  onIt.Mesh = MakeBox({ Vec3(-0.3, -0.3, 0.2), Vec3(0.3, 0.3, 0.8) }); // they share a part of a face
+  onIt.ObstacleId = 7;
+  vtkNew<vtkPolyData> data;
+  ObstaclesToPolyData({ box, onIt }, 0, SceneInfo(), data);
+  data->GetPointData()->RemoveArray("ObstacleId");
+  ObstacleCollector collector;
+  ASSERT_TRUE(collector.Add(data, 0.0, Timeline()));
+  const std::vector<ObstacleMesh> back = collector.Take();
+  ASSERT_EQ(back.size(), 2u);
+  EXPECT_EQ(back[0].ObstacleId, 0);
+  EXPECT_EQ(back[0].Mesh.Points, box.Mesh.Points);
+  EXPECT_EQ(back[1].ObstacleId, 1);
+  EXPECT_EQ(back[1].Mesh.Points, onIt.Mesh.Points);
+  EXPECT_EQ(back[1].Mesh.Triangles, onIt.Mesh.Triangles);
+}
+
+TEST(Bridge, ASurfaceOfNothingIsNoObstacle)
+{
+  ObstacleCollector collector;
+  vtkNew<vtkPolyData> nothing;
+  ASSERT_TRUE(collector.Add(nothing, 0.0, Timeline()));
+  EXPECT_TRUE(collector.Take().empty());
 }
 
 TEST(Bridge, WindStepsComeBack)

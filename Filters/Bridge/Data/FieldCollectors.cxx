@@ -32,10 +32,15 @@ std::vector<ObstacleMesh> SplitBySolid(const TriangleMesh& whole)
 {
   int count = 0;
   const std::vector<int> solidOf = SolidOfTriangles(whole, count);
-  std::vector<ObstacleMesh> obstacles(static_cast<std::size_t>(std::max(1, count)));
+  std::vector<ObstacleMesh> obstacles(static_cast<std::size_t>(count));
   if (count <= 1)
   {
-    obstacles[0].Mesh = whole;
+    // Points without a triangle are told of where the obstacle is built.
+    obstacles.resize(whole.Points.empty() ? 0 : 1);
+    for (ObstacleMesh& obstacle : obstacles)
+    {
+      obstacle.Mesh = whole;
+    }
     return obstacles;
   }
   std::vector<std::map<int, int>> local(obstacles.size()); // a point may be of several
