@@ -21,6 +21,10 @@ HalfSeries::Field HalfSeries::At(std::size_t k) const
 {
   const std::vector<Half3>& halves = this->Values[k];
   Field field(halves.size());
+  if (halves.empty())
+  {
+    return field;
+  }
   const std::uint16_t* from = halves.data()->data();
   std::transform(from, from + 3 * halves.size(), field.data()->data(), FromHalf);
   return field;
@@ -30,6 +34,10 @@ void HalfSeries::Set(std::size_t k, const Field& field)
 {
   std::vector<Half3>& halves = this->Values[k];
   halves.resize(field.size());
+  if (field.empty())
+  {
+    return;
+  }
   const float* from = field.data()->data();
   std::transform(from, from + 3 * field.size(), halves.data()->data(), ToHalf);
 }
