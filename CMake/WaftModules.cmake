@@ -14,6 +14,7 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 # Wrappers and plugin are installed side by side with lib/: found from either place, and from lib itself.
 set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../..;$ORIGIN/../../..")
 
+include(WaftExports)
 add_subdirectory(Filters/Bridge)
 
 list(TRANSFORM waft_folders REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/\\1/vtk.module" OUTPUT_VARIABLE files)
