@@ -296,8 +296,7 @@ Result AssimilationRun::FindWind(const HalfSeries& plain, int round)
     PartMonitor fitting(this->Caller, begin + k * step, begin + (k + 0.5) * step,
                         "Fitting the common wind");
     const bool isFitted = this->FitWind(common, fitting);
-    this->Drawn.Velocity = plain;
-    if (!isFitted || !this->AddWind(common, fitting))
+    if (!isFitted || !this->AddWind(plain, common, fitting))
     {
       this->Drawn.Velocity = plain;
       return Result::Stopped();
@@ -313,23 +312,17 @@ Result AssimilationRun::FindWind(const HalfSeries& plain, int round)
   return Result::Ok();
 }
 
-bool AssimilationRun::AddWind(const CommonWind& common, Monitor& monitor)
+bool AssimilationRun::AddWind(const HalfSeries& plain, const CommonWind& common, Monitor& monitor)
 {
   HalfSeries& air = this->Drawn.Velocity;
-  if (!common.AddTo(air, this->Parallel, monitor))
+  if (!common.AddTo(plain, air, this->Parallel, monitor))
   {
     return false;
   }
-  this->Parallel(air.Values.size(),
-                 [&air](std::size_t begin, std::size_t end)
-                 {
-                   for (std::size_t f = begin; f < end; ++f)
-                   {
-                     HalfSeries::Field field = air.At(f);
-                     StopAtFloor(air, field);
-                     air.Set(f, field);
-                   }
-                 });
+  for (std::vector<Half3>& field : air.Values)
+  {
+    StopAtFloor(air, field);
+  }
   return true;
 }
 

@@ -74,7 +74,7 @@ void AssimilationRun::KeepCheckpoint(int rounds, const Result& result)
   AssimilationState state = this->State();
   state.Rounds = rounds;
   state.Air = { std::shared_ptr<void>(), &this->Drawn }; // for the time of the writing
-  const Result written = WriteState(this->Options.CheckpointFile, state);
+  const Result written = WriteState(this->Options.CheckpointFile, state, this->Parallel);
   if (!written)
   {
     this->HasCheckpointFailed = true;
@@ -176,7 +176,7 @@ void AssimilationRun::Leave(AssimilationState* memory)
   state.Air = this->Output.Air;
   if (!this->Options.StateFile.empty())
   {
-    const Result written = WriteState(this->Options.StateFile, state);
+    const Result written = WriteState(this->Options.StateFile, state, this->Parallel);
     if (!written)
     {
       this->Output.Warnings.push_back("StateFile: " + written.Message());

@@ -108,7 +108,8 @@ private:
   void KeepApart();
   /// The air without and then with the wind that the controls have in common.
   Result FindWind(const HalfSeries& plain, int round);
-  bool AddWind(const CommonWind& common, Monitor& monitor);
+  /// The air as it was without, with the common wind. False: stopped, at some frames.
+  bool AddWind(const HalfSeries& plain, const CommonWind& common, Monitor& monitor);
   /// The wind that would have made the controls needless: what it is at the bodies, and they.
   bool FitWind(CommonWind& common, Monitor& monitor) const;
   /// What keeps too near to something is pushed harder first; only what that does not help is moved

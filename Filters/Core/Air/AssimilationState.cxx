@@ -10,7 +10,7 @@ namespace waft
 namespace
 {
 
-constexpr const char* Format = "Waft assimilation 2";
+constexpr const char* Format = "Waft assimilation 3";
 
 // A digest changes nothing of what it reads.
 template <class T>
@@ -19,21 +19,22 @@ T& Read(const T& value)
   return const_cast<T&>(value);
 }
 
-void SerialiseSeries(StateArchive& stream, HalfSeries& series)
+void SerialiseSeries(StateArchive& stream, HalfSeries& series, const ParallelFor& parallel)
 {
   stream.Values(series.Meaning, series.Dimensions[0], series.Dimensions[1], series.Dimensions[2],
                 series.Origin, series.Spacing);
   stream.List(series.Times);
-  SerialisePacked(stream, series.Values);
+  SerialisePacked(stream, series.Values, parallel);
 }
 
 // What is written is only read of, what is read is made anew: the air may be another's, too.
-void SerialiseAir(StateArchive& stream, std::shared_ptr<const DrawnAir>& air)
+void SerialiseAir(StateArchive& stream, std::shared_ptr<const DrawnAir>& air,
+                  const ParallelFor& parallel)
 {
   const auto moved =
     stream.IsReading() ? std::make_shared<DrawnAir>() : std::const_pointer_cast<DrawnAir>(air);
-  SerialiseSeries(stream, moved->Velocity);
-  SerialiseSeries(stream, moved->Wind);
+  SerialiseSeries(stream, moved->Velocity, parallel);
+  SerialiseSeries(stream, moved->Wind, parallel);
   air = moved;
 }
 
@@ -44,7 +45,7 @@ void SerialiseRound(StateArchive& stream, AssimilationRound& row)
   stream.Values(row.Control, row.MedianControl, row.Flow, row.Wind, row.Seconds);
 }
 
-void Serialise(StateArchive& stream, AssimilationState& state)
+void Serialise(StateArchive& stream, AssimilationState& state, const ParallelFor& parallel)
 {
   stream.Value(state.Key.Surroundings);
   stream.List(state.Key.Ids);
@@ -54,7 +55,7 @@ void Serialise(StateArchive& stream, AssimilationState& state)
   stream.Text(state.Candidate);
   stream.List(state.Forces.Vortices, [](StateArchive& s, Vortex& v) { Serialise(s, v); });
   stream.List(state.Forces.Winds, [](StateArchive& s, AnalyticWind& w) { Serialise(s, w); });
-  SerialiseAir(stream, state.Air);
+  SerialiseAir(stream, state.Air, parallel);
   stream.List(state.Paths, [](StateArchive& s, std::vector<Vec3>& path) { s.List(path); });
   const auto frames = [](StateArchive& s, std::vector<int>& list) { s.List(list); };
   stream.List(state.TouchDowns, frames);
@@ -101,12 +102,12 @@ AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions&
   return key;
 }
 
-Result WriteState(const std::string& path, AssimilationState& state)
+Result WriteState(const std::string& path, AssimilationState& state, const ParallelFor& parallel)
 {
   StateFileWriter file(path);
   std::string format = Format;
   file.Text(format);
-  Serialise(file, state);
+  Serialise(file, state, parallel);
   return file.Commit();
 }
 
@@ -128,7 +129,7 @@ std::string ReadState(const std::string& path, AssimilationState& state)
   {
     return "is no assimilation of this version";
   }
-  Serialise(file, state);
+  Serialise(file, state, SerialFor());
   if (!file.IsAtEnd())
   {
     state = AssimilationState();

@@ -51,7 +51,7 @@ struct AssimilationState
 };
 
 /// Writes a state whole or not at all; errors name the path and the reason.
-Result WriteState(const std::string& path, AssimilationState& state);
+Result WriteState(const std::string& path, AssimilationState& state, const ParallelFor& parallel);
 /// What keeps the file from being a state, in words; empty when nothing does. A file that is not
 /// there leaves the state empty.
 std::string ReadState(const std::string& path, AssimilationState& state);

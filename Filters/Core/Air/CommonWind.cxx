@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/CommonWind.h"
 
+#include "Base/Simd.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -206,18 +208,17 @@ void CommonWind::Penalise(const std::vector<double>& a, std::vector<double>& sum
   for (int axis = 0; axis < 3; ++axis)
   {
     const std::size_t s = stride[axis];
-    const auto n = static_cast<std::size_t>(this->Count[static_cast<std::size_t>(axis)]);
-    for (std::size_t i = s; i + s < a.size(); ++i)
+    const std::size_t line =
+      s * static_cast<std::size_t>(this->Count[static_cast<std::size_t>(axis)]);
+    for (std::size_t first = 0; first < a.size(); first += line)
     {
-      const std::size_t at = i / s % n;
-      if (at == 0 || at + 1 == n)
+      for (std::size_t i = first + s; i < first + line - s; ++i) // but for the first and last node
       {
-        continue;
+        const double bend = bending * (a[i - s] - 2.0 * a[i] + a[i + s]);
+        sum[i - s] += bend;
+        sum[i] -= 2.0 * bend;
+        sum[i + s] += bend;
       }
-      const double bend = bending * (a[i - s] - 2.0 * a[i] + a[i + s]);
-      sum[i - s] += bend;
-      sum[i] -= 2.0 * bend;
-      sum[i + s] += bend;
     }
   }
   const std::size_t s = stride[3];
@@ -335,64 +336,63 @@ bool CommonWind::Fit(const std::vector<WindSamples>& samples, const ParallelFor&
 namespace
 {
 
-// values [z][y][x] contracted along one axis with weights of points there.
-std::vector<double> Contract(const std::vector<double>& values, std::array<int, 3>& count, int axis,
-                             const std::vector<int>& first,
-                             const std::vector<const double*>& weights)
+// The splines that are not zero at each of the points along an axis.
+struct Weights
 {
-  const int points = static_cast<int>(first.size());
-  std::array<int, 3> to = count;
-  to[static_cast<std::size_t>(axis)] = points;
-  const int inner = axis == 0 ? 1 : axis == 1 ? count[0] : count[0] * count[1];
-  const int outer = axis == 2 ? 1 : axis == 1 ? count[2] : count[1] * count[2];
-  const int from = count[static_cast<std::size_t>(axis)];
-  std::vector<double> out(static_cast<std::size_t>(inner) * points * outer, 0.0);
-  for (int o = 0; o < outer; ++o)
+  std::vector<int> First;
+  std::vector<std::array<double, 4>> Of;
+};
+
+// values [outer][from][inner] summed along the middle axis, with the weights of points there.
+WAFT_SIMD_CLONES void Contract(const double* values, std::size_t outer, std::size_t from,
+                               std::size_t inner, const Weights& weights, double* sums)
+{
+  for (std::size_t o = 0; o < outer; ++o)
   {
-    for (int p = 0; p < points; ++p)
+    for (std::size_t p = 0; p < weights.First.size(); ++p)
     {
-      double* sum = out.data() + (static_cast<std::size_t>(o) * points + p) * inner;
-      for (int m = 0; m < 4; ++m)
+      const double w[4] = { weights.Of[p][0], weights.Of[p][1], weights.Of[p][2],
+                            weights.Of[p][3] };
+      const double* v = values + (o * from + static_cast<std::size_t>(weights.First[p])) * inner;
+      for (std::size_t i = 0; i < inner; ++i)
       {
-        const double w = weights[static_cast<std::size_t>(p)][m];
-        const double* v =
-          values.data() +
-          (static_cast<std::size_t>(o) * from + first[static_cast<std::size_t>(p)] + m) * inner;
-        for (int i = 0; i < inner; ++i)
-        {
-          sum[i] += w * v[i];
-        }
+        *sums++ =
+          w[0] * v[i] + w[1] * v[i + inner] + w[2] * v[i + 2 * inner] + w[3] * v[i + 3 * inner];
       }
     }
   }
-  count = to;
-  return out;
 }
 
 } // namespace
 
-bool CommonWind::AddTo(HalfSeries& sum, const ParallelFor& parallel, Monitor& monitor) const
+bool CommonWind::AddTo(const HalfSeries& air, HalfSeries& sum, const ParallelFor& parallel,
+                       Monitor& monitor) const
 {
   PartMonitor part(monitor, 1.0, 1.0);
-  std::array<std::vector<Splines>, 3> along;
-  for (int c = 0; c < 3; ++c)
-  {
-    for (int i = 0; i < sum.Dimensions[static_cast<std::size_t>(c)]; ++i)
-    {
-      along[static_cast<std::size_t>(c)].push_back(
-        this->SplinesAt(c, sum.Origin[c] + i * sum.Spacing[c]));
-    }
-  }
   enum Part
   {
     Plain,
     Held,
     Slope
   };
+  Weights along[3][3]; // axis, part
+  for (int c = 0; c < 3; ++c)
+  {
+    for (int i = 0; i < air.Dimensions[static_cast<std::size_t>(c)]; ++i)
+    {
+      const Splines s = this->SplinesAt(c, air.Origin[c] + i * air.Spacing[c]);
+      const double* parts[3] = { s.Plain, s.Held, s.Slope };
+      for (int p = 0; p < 3; ++p)
+      {
+        along[c][p].First.push_back(s.First);
+        along[c][p].Of.push_back({ parts[p][0], parts[p][1], parts[p][2], parts[p][3] });
+      }
+    }
+  }
   // Component of W, component of A, sign, and which part of the splines along x, y, z.
   struct Term
   {
-    int Of, Potential;
+    std::size_t Of, Potential;
     double Sign;
     Part Parts[3];
   };
@@ -401,42 +401,47 @@ bool CommonWind::AddTo(HalfSeries& sum, const ParallelFor& parallel, Monitor& mo
     { 1, 0, 1.0, { Plain, Held, Slope } }, { 1, 2, -1.0, { Slope, Held, Plain } },
     { 2, 1, 1.0, { Slope, Plain, Held } }, { 2, 0, -1.0, { Plain, Slope, Held } }
   };
-  parallel(sum.Values.size(),
+  const std::array<std::size_t, 3> nodesAlong = { static_cast<std::size_t>(this->Count[0]),
+                                                  static_cast<std::size_t>(this->Count[1]),
+                                                  static_cast<std::size_t>(this->Count[2]) };
+  const std::array<std::size_t, 3> points = { static_cast<std::size_t>(air.Dimensions[0]),
+                                              static_cast<std::size_t>(air.Dimensions[1]),
+                                              static_cast<std::size_t>(air.Dimensions[2]) };
+  const auto addAt = [&](std::size_t f)
+  {
+    const Nodes nodes =
+      this->At(this->LevelAt(air.Times[f] / this->Time.Step()), this->Coefficients);
+    HalfSeries::Field field = air.At(f);
+    std::vector<double> values(this->NodesPerKnot());
+    std::vector<double> alongX(points[0] * nodesAlong[1] * nodesAlong[2]);
+    std::vector<double> alongY(points[0] * points[1] * nodesAlong[2]);
+    std::vector<double> wind(points[0] * points[1] * points[2]);
+    for (const Term& term : terms)
+    {
+      for (std::size_t i = 0; i < values.size(); ++i)
+      {
+        values[i] = nodes[3 * i + term.Potential];
+      }
+      // The long inner loops last.
+      Contract(values.data(), nodesAlong[1] * nodesAlong[2], nodesAlong[0], 1,
+               along[0][term.Parts[0]], alongX.data());
+      Contract(alongX.data(), nodesAlong[2], nodesAlong[1], points[0], along[1][term.Parts[1]],
+               alongY.data());
+      Contract(alongY.data(), 1, nodesAlong[2], points[0] * points[1], along[2][term.Parts[2]],
+               wind.data());
+      for (std::size_t i = 0; i < wind.size(); ++i)
+      {
+        field[i][term.Of] += static_cast<float>(term.Sign * wind[i]);
+      }
+    }
+    sum.Set(f, field);
+  };
+  parallel(air.Values.size(),
            [&](std::size_t begin, std::size_t end)
            {
              for (std::size_t f = begin; f < end && part.Tick(-1.0, ""); ++f)
              {
-               const Nodes nodes =
-                 this->At(this->LevelAt(sum.Times[f] / this->Time.Step()), this->Coefficients);
-               HalfSeries::Field field = sum.At(f);
-               for (const Term& term : terms)
-               {
-                 std::vector<double> values(this->NodesPerKnot());
-                 for (std::size_t i = 0; i < values.size(); ++i)
-                 {
-                   values[i] = nodes[3 * i + static_cast<std::size_t>(term.Potential)];
-                 }
-                 std::array<int, 3> count = this->Count;
-                 for (int c = 0; c < 3; ++c) // the long inner loops last
-                 {
-                   std::vector<int> first;
-                   std::vector<const double*> weights;
-                   for (const Splines& s : along[static_cast<std::size_t>(c)])
-                   {
-                     first.push_back(s.First);
-                     weights.push_back(term.Parts[c] == Plain  ? s.Plain
-                                       : term.Parts[c] == Held ? s.Held
-                                                               : s.Slope);
-                   }
-                   values = Contract(values, count, c, first, weights);
-                 }
-                 for (std::size_t i = 0; i < values.size(); ++i)
-                 {
-                   field[i][static_cast<std::size_t>(term.Of)] +=
-                     static_cast<float>(term.Sign * values[i]);
-                 }
-               }
-               sum.Set(f, field);
+               addAt(f);
              }
            });
   return part.Tick(-1.0, "");

@@ -43,8 +43,10 @@ public:
   /// threads. False: stopped, the wind fits as well as it does by then.
   bool Fit(const std::vector<WindSamples>& samples, const ParallelFor& parallel, Monitor& monitor);
   Vec3 At(const Vec3& x, double frame) const;
-  /// sum += W at the points of the lattice, of each field's frame. False: stopped, at some frames.
-  bool AddTo(HalfSeries& sum, const ParallelFor& parallel, Monitor& monitor) const;
+  /// sum = air + W at the points of the lattice, of each field's frame; sum is on the same lattice
+  /// and has as many fields. False: stopped, at some frames.
+  bool AddTo(const HalfSeries& air, HalfSeries& sum, const ParallelFor& parallel,
+             Monitor& monitor) const;
   std::size_t NumberOfCoefficients() const { return this->Coefficients.size(); }
 
 private:

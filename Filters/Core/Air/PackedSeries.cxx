@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/PackedSeries.h"
 
-#include <zlib.h>
+#include "Base/Simd.h"
 
+#include <zstd.h>
+
+#include <algorithm>
 #include <array>
 
 namespace waft
@@ -10,103 +13,108 @@ namespace waft
 namespace
 {
 
-// Bytes that one packed byte may stand for at most: zlib's are 1032.
-constexpr std::uint64_t MostUnpacked = 1100;
+// Bytes that one packed byte may stand for at most: a block of 128 kB of one value takes four.
+constexpr std::uint64_t MostUnpacked = 1ULL << 16U;
+constexpr std::size_t FramesAtOnce = 16; // in memory until they are written
+constexpr int Level = 1;                 // higher ones cost much and find hardly more
 
+using Frames = std::vector<std::vector<Half3>>;
 using Planes = std::array<std::vector<unsigned char>, 2>; // low and high bytes
+using PackedPlanes = std::array<std::vector<char>, 2>;
 
 // Half floats in the order of their values, and back.
-std::uint16_t RankOf(std::uint16_t half)
+inline std::uint16_t RankOf(std::uint16_t half)
 {
   return static_cast<std::uint16_t>((half & 0x8000U) != 0U ? ~half : half | 0x8000U);
 }
 
-std::uint16_t HalfOf(std::uint16_t rank)
+inline std::uint16_t HalfOf(std::uint16_t rank)
 {
   return static_cast<std::uint16_t>((rank & 0x8000U) != 0U ? rank & 0x7fffU : ~rank);
 }
 
 // Small differences of either sign as small numbers, and back.
-std::uint16_t Folded(std::uint16_t difference)
+inline std::uint16_t Folded(std::uint16_t difference)
 {
   return static_cast<std::uint16_t>((difference << 1U) ^
                                     ((difference & 0x8000U) != 0U ? 0xffffU : 0U));
 }
 
-std::uint16_t Unfolded(std::uint16_t folded)
+inline std::uint16_t Unfolded(std::uint16_t folded)
 {
   return static_cast<std::uint16_t>((folded >> 1U) ^ ((folded & 1U) != 0U ? 0xffffU : 0U));
 }
 
 // The rank that a straight line through the two times before leads to; numbers wrap around.
-std::uint16_t Expected(const std::vector<std::vector<Half3>>& values, std::size_t k, std::size_t i,
-                       std::size_t axis)
+inline std::uint16_t Expected(std::uint16_t last, std::uint16_t before)
 {
-  if (k == 0)
-  {
-    return RankOf(0);
-  }
-  const std::uint16_t last = RankOf(values[k - 1][i][axis]);
-  return k == 1 ? last : static_cast<std::uint16_t>(2 * last - RankOf(values[k - 2][i][axis]));
+  return static_cast<std::uint16_t>(2 * RankOf(last) - RankOf(before));
 }
 
-Planes Differences(const std::vector<std::vector<Half3>>& values, std::size_t k)
+// A frame's numbers and those of the two before it.
+struct Numbers
 {
+  std::vector<Half3> Nothing; // before the first frame
+  const std::uint16_t *Last, *Before;
+
+  Numbers(const Frames& values, std::size_t k)
+  {
+    if (k == 0)
+    {
+      this->Nothing.resize(values[0].size());
+    }
+    const auto& last = k > 0 ? values[k - 1] : this->Nothing;
+    this->Last = last.data()->data();
+    this->Before = k > 1 ? values[k - 2].data()->data() : this->Last;
+  }
+};
+
+WAFT_SIMD_CLONES void Split(const std::uint16_t* now, const std::uint16_t* last,
+                            const std::uint16_t* before, std::size_t count, unsigned char* low,
+                            unsigned char* high)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::uint16_t folded =
+      Folded(static_cast<std::uint16_t>(RankOf(now[i]) - Expected(last[i], before[i])));
+    low[i] = static_cast<unsigned char>(folded & 0xffU);
+    high[i] = static_cast<unsigned char>(folded >> 8U);
+  }
+}
+
+WAFT_SIMD_CLONES void Join(const unsigned char* low, const unsigned char* high,
+                           const std::uint16_t* last, const std::uint16_t* before,
+                           std::size_t count, std::uint16_t* now)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto folded = static_cast<std::uint16_t>(low[i] | (high[i] << 8U));
+    now[i] = HalfOf(static_cast<std::uint16_t>(Unfolded(folded) + Expected(last[i], before[i])));
+  }
+}
+
+PackedPlanes Packed(const Frames& values, std::size_t k)
+{
+  const std::size_t count = 3 * values[k].size();
+  PackedPlanes packed;
+  if (count == 0)
+  {
+    return packed;
+  }
+  const Numbers other(values, k);
   Planes planes;
-  for (auto& plane : planes)
+  planes[0].resize(count);
+  planes[1].resize(count);
+  Split(values[k].data()->data(), other.Last, other.Before, count, planes[0].data(),
+        planes[1].data());
+  for (std::size_t p = 0; p < planes.size(); ++p)
   {
-    plane.reserve(3 * values[k].size());
+    packed[p].resize(ZSTD_compressBound(count));
+    const std::size_t size =
+      ZSTD_compress(packed[p].data(), packed[p].size(), planes[p].data(), count, Level);
+    packed[p].resize(ZSTD_isError(size) != 0U ? 0 : size); // which does not happen: there is room
   }
-  for (std::size_t i = 0; i < values[k].size(); ++i)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const std::uint16_t folded = Folded(
-        static_cast<std::uint16_t>(RankOf(values[k][i][axis]) - Expected(values, k, i, axis)));
-      planes[0].push_back(static_cast<unsigned char>(folded & 0xffU));
-      planes[1].push_back(static_cast<unsigned char>(folded >> 8U));
-    }
-  }
-  return planes;
-}
-
-void AddDifferences(const Planes& planes, std::vector<std::vector<Half3>>& values, std::size_t k)
-{
-  for (std::size_t i = 0; i < values[k].size(); ++i)
-  {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const std::size_t offset = 3 * i + axis;
-      const auto folded = static_cast<std::uint16_t>(planes[0][offset] | (planes[1][offset] << 8U));
-      values[k][i][axis] =
-        HalfOf(static_cast<std::uint16_t>(Unfolded(folded) + Expected(values, k, i, axis)));
-    }
-  }
-}
-
-// Low bytes have hardly any repetition, high ones hardly anything else: a search of matches that
-// zlib is known for would cost much and find nothing.
-std::vector<char> Packed(const std::vector<unsigned char>& bytes, int strategy)
-{
-  z_stream stream{};
-  deflateInit2(&stream, 1, Z_DEFLATED, 15, 8, strategy);
-  std::vector<char> packed(deflateBound(&stream, bytes.size()));
-  stream.next_in = const_cast<unsigned char*>(bytes.data());
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = reinterpret_cast<unsigned char*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  deflate(&stream, Z_FINISH);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
   return packed;
-}
-
-bool Unpack(const std::vector<char>& packed, std::vector<unsigned char>& bytes)
-{
-  uLongf size = bytes.size();
-  return uncompress(bytes.data(), &size, reinterpret_cast<const Bytef*>(packed.data()),
-                    packed.size()) == Z_OK &&
-         size == bytes.size();
 }
 
 // What was read cannot be: more is asked for than any stream has.
@@ -115,21 +123,30 @@ void Refuse(StateArchive& stream)
   stream.Raw(nullptr, SIZE_MAX);
 }
 
-void Write(StateArchive& stream, const std::vector<std::vector<Half3>>& values)
+void Write(StateArchive& stream, const Frames& values, const ParallelFor& parallel)
 {
-  for (std::size_t k = 0; k < values.size() && stream.IsGood(); ++k)
+  for (std::size_t first = 0; first < values.size() && stream.IsGood(); first += FramesAtOnce)
   {
-    const Planes planes = Differences(values, k);
-    for (std::size_t p = 0; p < planes.size(); ++p)
+    std::vector<PackedPlanes> packed(std::min(FramesAtOnce, values.size() - first));
+    parallel(packed.size(),
+             [&](std::size_t begin, std::size_t end)
+             {
+               for (std::size_t k = begin; k < end; ++k)
+               {
+                 packed[k] = Packed(values, first + k);
+               }
+             });
+    for (PackedPlanes& frame : packed)
     {
-      std::vector<char> packed = Packed(planes[p], p == 0 ? Z_HUFFMAN_ONLY : Z_RLE);
-      stream.List(packed);
+      stream.List(frame[0]);
+      stream.List(frame[1]);
     }
   }
 }
 
-void Read(StateArchive& stream, std::vector<std::vector<Half3>>& values, std::size_t points)
+void Read(StateArchive& stream, Frames& values, std::size_t points)
 {
+  const std::size_t count = 3 * points;
   for (std::size_t k = 0; k < values.size() && stream.IsGood(); ++k)
   {
     Planes planes;
@@ -137,33 +154,39 @@ void Read(StateArchive& stream, std::vector<std::vector<Half3>>& values, std::si
     {
       std::vector<char> packed;
       stream.List(packed);
-      if (3 * points > MostUnpacked * packed.size())
+      if (count > MostUnpacked * packed.size())
       {
         Refuse(stream);
         return;
       }
-      plane.resize(3 * points);
-      if (!Unpack(packed, plane))
+      plane.resize(count);
+      if (count > 0 && ZSTD_decompress(plane.data(), count, packed.data(), packed.size()) != count)
       {
         Refuse(stream);
         return;
       }
     }
     values[k].resize(points);
-    AddDifferences(planes, values, k);
+    if (points > 0)
+    {
+      const Numbers other(values, k);
+      Join(planes[0].data(), planes[1].data(), other.Last, other.Before, count,
+           values[k].data()->data());
+    }
   }
 }
 
 } // namespace
 
-void SerialisePacked(StateArchive& stream, std::vector<std::vector<Half3>>& values)
+void SerialisePacked(StateArchive& stream, std::vector<std::vector<Half3>>& values,
+                     const ParallelFor& parallel)
 {
   std::uint64_t points = values.empty() ? 0 : values.front().size();
   stream.List(values, [](StateArchive&, std::vector<Half3>&) {}); // their number
   stream.Value(points);
   if (!stream.IsReading())
   {
-    Write(stream, values);
+    Write(stream, values, parallel);
   }
   else if (points > UINT32_MAX / 3)
   {

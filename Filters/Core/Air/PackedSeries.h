@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/HalfSeries.h"
+#include "Base/Parallel.h"
 #include "Base/StateArchive.h"
 
 namespace waft
@@ -10,8 +11,9 @@ namespace waft
 
 /// Moves the values of a series, all times of which have the same number of points. Air changes so
 /// evenly that what a value differs from the straight line through the two times before is mostly
-/// within a byte; these differences are what is written, by zlib. A stream with anything else is
-/// refused.
-void SerialisePacked(StateArchive& stream, std::vector<std::vector<Half3>>& values);
+/// within a byte; these differences are what is written, low and high bytes apart, by Zstandard. A
+/// stream with anything else is refused. The same bytes on any number of threads.
+void SerialisePacked(StateArchive& stream, std::vector<std::vector<Half3>>& values,
+                     const ParallelFor& parallel = SerialFor());
 
 } // namespace waft

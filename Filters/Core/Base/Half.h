@@ -43,7 +43,8 @@ inline std::uint16_t ToHalf(float value)
   std::int32_t small;
   std::memcpy(&small, &shifted, sizeof(small));
   small -= 0x3f000000;
-  const std::int32_t digits = held < 0x38800000 ? small : normal;
+  const std::int32_t isSmall = (held - 0x38800000) >> 31; // all ones or none
+  const std::int32_t digits = (small & isSmall) | (normal & ~isSmall);
   return static_cast<std::uint16_t>(sign | static_cast<std::uint32_t>(digits));
 }
 

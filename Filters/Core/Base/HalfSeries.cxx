@@ -2,11 +2,32 @@
 #include "Base/HalfSeries.h"
 
 #include "Base/Half.h"
+#include "Base/Simd.h"
 
 #include <algorithm>
 
 namespace waft
 {
+namespace
+{
+
+WAFT_SIMD_CLONES void FromHalves(const std::uint16_t* from, std::size_t count, float* to)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    to[i] = FromHalf(from[i]);
+  }
+}
+
+WAFT_SIMD_CLONES void ToHalves(const float* from, std::size_t count, std::uint16_t* to)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    to[i] = ToHalf(from[i]);
+  }
+}
+
+} // namespace
 
 HalfSeries::HalfSeries(const FieldSeries& series) : SeriesLattice(series)
 {
@@ -25,8 +46,7 @@ HalfSeries::Field HalfSeries::At(std::size_t k) const
   {
     return field;
   }
-  const std::uint16_t* from = halves.data()->data();
-  std::transform(from, from + 3 * halves.size(), field.data()->data(), FromHalf);
+  FromHalves(halves.data()->data(), 3 * halves.size(), field.data()->data());
   return field;
 }
 
@@ -38,8 +58,7 @@ void HalfSeries::Set(std::size_t k, const Field& field)
   {
     return;
   }
-  const float* from = field.data()->data();
-  std::transform(from, from + 3 * field.size(), halves.data()->data(), ToHalf);
+  ToHalves(field.data()->data(), 3 * field.size(), halves.data()->data());
 }
 
 FieldSeries HalfSeries::Around(double time) const

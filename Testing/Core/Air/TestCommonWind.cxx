@@ -97,7 +97,7 @@ TEST(CommonWind, IsAddedToALatticeAsItIs)
                     std::vector<std::array<float, 3>>(sum.NumberOfPoints(), { 1.0f, 2.0f, 3.0f }));
   HalfSeries halves(sum);
   SilentMonitor monitor;
-  EXPECT_TRUE(wind.AddTo(halves, SerialFor(), monitor));
+  EXPECT_TRUE(wind.AddTo(halves, halves, SerialFor(), monitor));
   for (int i = 0; i < 7; ++i)
   {
     const Vec3 x = sum.Origin + Vec3(i, 2, 3).cwiseProduct(sum.Spacing);

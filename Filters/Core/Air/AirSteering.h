@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What makes a simulation of smoke follow a wanted air.
+#pragma once
+
+#include "Base/HalfSeries.h"
+#include "Base/Parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace waft
+{
+
+/// The fields of a series at a frame and at its two neighbours, of which the ends have one.
+class ThreeFrames
+{
+public:
+  using Field = FieldSeries::Field;
+
+  /// Frames in order cost one field each.
+  void MoveTo(const HalfSeries& series, std::size_t f);
+  /// D u / D t [m/s^2] of a velocity, in the layers k of the lattice from `begin` up to `end`:
+  /// central differences, one-sided at the ends of space and time.
+  void MaterialDerivative(const HalfSeries& series, std::size_t begin, std::size_t end,
+                          Field& derivative) const;
+  const Field& Now() const { return this->Fields[1]; }
+
+private:
+  std::array<Field, 3> Fields;
+  std::size_t Next = static_cast<std::size_t>(-1); // the frame that costs one field
+  double Time = 1.0;                               // between the neighbours [s]
+};
+
+/// Steers a simulation towards a wanted air at the scale of the lattice: by what the wanted motion
+/// asks for beside what drives the air already, and at a rate by what it lacks still.
+class AirSteering
+{
+public:
+  using Field = FieldSeries::Field;
+
+  /// wanted: m/s, is the caller's until the last frame. own: the air as it went without the change,
+  /// m/s; push: what steered it then, m/s^2, or empty. Both are let go of as the frames pass. rate:
+  /// 1/s.
+  AirSteering(const HalfSeries& wanted, HalfSeries own, HalfSeries push, double rate);
+  /// What the air of the first frame, which moves by `now`, lacks of the wanted one [m/s].
+  FieldSeries Lacking(const Field& now) const;
+  /// The acceleration from a frame on [m/s^2], where the air moves by `now`. Frames in order. The
+  /// same on any number of threads.
+  FieldSeries At(int frame, const Field& now, const ParallelFor& parallel);
+  /// Of all frames so far.
+  HalfSeries TakePushes() { return std::move(this->Pushes); }
+
+private:
+  const HalfSeries& Wanted;
+  HalfSeries Own, Pushes;
+  double Rate;
+  ThreeFrames WantedNow, OwnNow;
+};
+
+/// The floor holds the air on it: the layer in which it does is thinner than a cell, and is taken
+/// to be as thick as one of the lattice. What lands comes down through it.
+template <class Value>
+void StopAtFloor(const SeriesLattice& lattice, std::vector<Value>& values)
+{
+  const auto floor = static_cast<std::ptrdiff_t>(lattice.Dimensions[0]) * lattice.Dimensions[1];
+  std::fill_n(values.begin(), floor, Value{});
+}
+
+} // namespace waft
