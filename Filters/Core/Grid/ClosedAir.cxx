@@ -86,23 +86,33 @@ void ClosedAir::MakeCompatible(std::vector<float>& b) const
   {
     return;
   }
+  // Most cells that follow one another are of one part: its sum stays in a register meanwhile.
+  const std::size_t count = b.size();
   std::vector<double> means(this->Sizes.size(), 0.0);
-  for (std::size_t p = 0; p < b.size(); ++p)
+  for (std::size_t p = 0; p < count;)
   {
-    if (this->Part[p] >= 0)
+    const std::int32_t part = this->Part[p];
+    double sum = part >= 0 ? means[part] : 0.0;
+    for (; p < count && this->Part[p] == part; ++p)
     {
-      means[this->Part[p]] += b[p];
+      sum += b[p];
+    }
+    if (part >= 0)
+    {
+      means[part] = sum;
     }
   }
   for (std::size_t c = 0; c < means.size(); ++c)
   {
     means[c] /= static_cast<double>(this->Sizes[c]);
   }
-  for (std::size_t p = 0; p < b.size(); ++p)
+  for (std::size_t p = 0; p < count;)
   {
-    if (this->Part[p] >= 0)
+    const std::int32_t part = this->Part[p];
+    const float mean = part >= 0 ? static_cast<float>(means[part]) : 0.0f;
+    for (; p < count && this->Part[p] == part; ++p)
     {
-      b[p] -= static_cast<float>(means[this->Part[p]]);
+      b[p] -= mean;
     }
   }
 }

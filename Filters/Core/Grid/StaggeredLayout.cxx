@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grid/StaggeredLayout.h"
-
 #include <algorithm>
+#include <vector>
 
 namespace waft
 {
@@ -24,13 +24,19 @@ int SourceOf(int at, int count, int period, const std::array<EndKind, 2>& ends)
   return -1;
 }
 
-void CopySlice(const StaggeredLayout& layout, int axis, int to, int from, float* values)
+// A slice across an axis that is copied from another, or set to 0.
+struct Copy
+{
+  int To, From; // From < 0: zeros
+};
+
+void CopySlice(const StaggeredLayout& layout, int axis, const Copy& copy, float* values)
 {
   constexpr int g = StaggeredLayout::Ghosts;
   std::array<int, 3> low{ -g, -g, -g };
   std::array<int, 3> high{ layout.N[0] + g, layout.N[1] + g, layout.N[2] + g };
-  low[axis] = high[axis] = to;
-  const std::ptrdiff_t shift = (from - to) * layout.Stride(axis);
+  low[axis] = high[axis] = copy.To;
+  const std::ptrdiff_t shift = (copy.From - copy.To) * layout.Stride(axis);
   for (int k = low[2]; k <= high[2]; ++k)
   {
     for (int j = low[1]; j <= high[1]; ++j)
@@ -38,7 +44,24 @@ void CopySlice(const StaggeredLayout& layout, int axis, int to, int from, float*
       float* row = values + layout.Index(0, j, k);
       for (int i = low[0]; i <= high[0]; ++i)
       {
-        row[i] = from < 0 ? 0.0f : row[i + shift];
+        row[i] = copy.From < 0 ? 0.0f : row[i + shift];
+      }
+    }
+  }
+}
+
+// All slices across x at once: each row is fetched once.
+void CopyAlongRows(const StaggeredLayout& layout, const std::vector<Copy>& copies, float* values)
+{
+  constexpr int g = StaggeredLayout::Ghosts;
+  for (int k = -g; k <= layout.N[2] + g; ++k)
+  {
+    for (int j = -g; j <= layout.N[1] + g; ++j)
+    {
+      float* row = values + layout.Index(0, j, k);
+      for (const Copy& copy : copies)
+      {
+        row[copy.To] = copy.From < 0 ? 0.0f : row[copy.From];
       }
     }
   }
@@ -54,13 +77,23 @@ void FillGhosts(const StaggeredLayout& layout, const AxisEnds& ends, int faceAxi
     const int count = layout.Count(axis, faceAxis);
     // On a periodic axis the last face is the first one.
     const int first = ends[axis][1] == EndKind::Wrap ? n : count;
+    std::vector<Copy> copies;
     for (int g = 1; g <= StaggeredLayout::Ghosts; ++g)
     {
-      CopySlice(layout, axis, -g, SourceOf(-g, count, n, ends[axis]), values);
+      copies.push_back({ -g, SourceOf(-g, count, n, ends[axis]) });
     }
     for (int at = first; at <= n + StaggeredLayout::Ghosts; ++at)
     {
-      CopySlice(layout, axis, at, SourceOf(at, count, n, ends[axis]), values);
+      copies.push_back({ at, SourceOf(at, count, n, ends[axis]) });
+    }
+    if (axis == 0)
+    {
+      CopyAlongRows(layout, copies, values);
+      continue;
+    }
+    for (const Copy& copy : copies)
+    {
+      CopySlice(layout, axis, copy, values);
     }
   }
 }
