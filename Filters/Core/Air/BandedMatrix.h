@@ -25,31 +25,27 @@ public:
   /// i - halfBand <= j <= i: the lower half is what is stored.
   double& At(std::size_t i, std::size_t j) { return this->Row(i)[j]; }
 
-  /// In place; false where the matrix is not positive definite.
+  /// In place; false where the matrix is not positive definite. Column by column, what follows it
+  /// is changed at once: sums that do not wait for each other.
   bool Factor()
   {
-    for (std::size_t i = 0; i < this->N; ++i)
+    std::vector<double> column(this->Width);
+    for (std::size_t j = 0; j < this->N; ++j)
     {
-      double* row = this->Row(i);
-      for (std::size_t j = this->First(i); j <= i; ++j)
+      double& diagonal = this->Row(j)[j];
+      if (!(diagonal > 0.0))
       {
-        const double* other = this->Row(j);
-        double sum = row[j];
-        for (std::size_t k = this->First(i); k < j; ++k)
+        return false;
+      }
+      diagonal = 1.0 / std::sqrt(diagonal); // kept as its inverse
+      const std::size_t end = std::min(this->N, j + this->Width);
+      for (std::size_t i = j + 1; i < end; ++i)
+      {
+        column[i - j] = this->Row(i)[j] *= diagonal;
+        double* row = this->Row(i) + j;
+        for (std::size_t m = 1; m <= i - j; ++m)
         {
-          sum -= row[k] * other[k];
-        }
-        if (j < i)
-        {
-          row[j] = sum * this->InverseDiagonal(j);
-        }
-        else if (sum > 0.0)
-        {
-          row[i] = 1.0 / std::sqrt(sum); // kept as its inverse
-        }
-        else
-        {
-          return false;
+          row[m] -= column[i - j] * column[m];
         }
       }
     }
@@ -58,14 +54,14 @@ public:
   /// Of the factors, in place.
   void Solve(std::vector<double>& b)
   {
-    for (std::size_t i = 0; i < this->N; ++i)
+    for (std::size_t j = 0; j < this->N; ++j)
     {
-      const double* row = this->Row(i);
-      for (std::size_t k = this->First(i); k < i; ++k)
+      b[j] *= this->Row(j)[j];
+      const std::size_t end = std::min(this->N, j + this->Width);
+      for (std::size_t i = j + 1; i < end; ++i)
       {
-        b[i] -= row[k] * b[k];
+        b[i] -= this->Row(i)[j] * b[j];
       }
-      b[i] *= row[i];
     }
     for (std::size_t i = this->N; i-- > 0;)
     {
@@ -82,7 +78,6 @@ private:
   std::size_t First(std::size_t i) const { return i + 1 > this->Width ? i + 1 - this->Width : 0; }
   /// So that column j is at [j].
   double* Row(std::size_t i) { return this->Values.data() + (i + 1) * this->Width - 1 - i; }
-  double InverseDiagonal(std::size_t j) { return this->Row(j)[j]; }
 
   std::size_t N, Width;
   std::vector<double> Values;

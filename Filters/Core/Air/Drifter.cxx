@@ -231,7 +231,7 @@ void Drifter::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths)
     const double distance = obstacles.SignedDistance(x, frame, hit, asked.Exempt);
     push(hit.Normal, radius - distance);
   }
-  if (asked.Exempt >= 0)
+  if (asked.Exempt >= 0 && obstacles.IsNearerTo(asked.Exempt, x, frame, asked.LandingDistance))
   {
     SurfaceHit hit;
     const double distance = obstacles.SignedDistanceTo(asked.Exempt, x, frame, hit);

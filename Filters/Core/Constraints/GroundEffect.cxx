@@ -72,8 +72,14 @@ bool GroundEffect::Brakes(const Vec3& x, double frame) const
 {
   const Near* near = this->NearAt(frame);
   Vec3 normal;
-  return near != nullptr && near->Lift.empty() &&
+  return near != nullptr && near->Lift.empty() && this->Reaches(*near, x, frame) &&
          this->HeightAbove(*near, x, frame, normal) < this->Height;
+}
+
+bool GroundEffect::Reaches(const Near& near, const Vec3& x, double frame) const
+{
+  const double reach = near.Lift.empty() ? this->Height : this->Length;
+  return this->Obstacles->IsNearerTo(near.ObstacleId, x, frame, this->RestHeight + reach);
 }
 
 double GroundEffect::HeightAbove(const Near& near, const Vec3& x, double frame, Vec3& normal) const
@@ -119,7 +125,7 @@ double GroundEffect::Factor(const Vec3& x, double frame, Vec3* gradient) const
     gradient->setZero();
   }
   const Near* near = this->NearAt(frame);
-  if (near == nullptr)
+  if (near == nullptr || !this->Reaches(*near, x, frame))
   {
     return 1.0;
   }

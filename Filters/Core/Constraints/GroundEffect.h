@@ -49,6 +49,8 @@ private:
     std::vector<double> Lift;       // s from First on, frame by frame; empty: it lands
   };
   const Near* NearAt(double frame) const;
+  /// Whether x is near enough to the surface to feel it.
+  bool Reaches(const Near& near, const Vec3& x, double frame) const;
   double HeightAbove(const Near& near, const Vec3& x, double frame, Vec3& normal) const;
   double Landing(double height, double& slope) const;
   double Lifting(const Near& near, double height, double frame, double& slope) const;

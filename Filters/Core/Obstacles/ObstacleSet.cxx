@@ -225,6 +225,18 @@ double ObstacleSet::SignedDistanceTo(int obstacleId, const Vec3& x, double frame
   return 1e30;
 }
 
+bool ObstacleSet::IsNearerTo(int obstacleId, const Vec3& x, double frame, double limit) const
+{
+  for (std::size_t k = 0; k < this->Impl->Meshes.size(); ++k)
+  {
+    if (this->Impl->Meshes[k].ObstacleId == obstacleId)
+    {
+      return this->Impl->Signed(k, x, frame, limit, nullptr) < limit;
+    }
+  }
+  return false;
+}
+
 bool ObstacleSet::IsClear(const Vec3& a, double frameA, const Vec3& b, double frameB, double radius,
                           int ignored) const
 {

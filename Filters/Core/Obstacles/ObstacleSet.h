@@ -50,6 +50,8 @@ public:
   double SignedDistance(const Vec3& x, double frame, SurfaceHit& hit, int ignored = -1) const;
   /// The same to one obstacle alone; 1e30 when there is none of this id.
   double SignedDistanceTo(int obstacleId, const Vec3& x, double frame, SurfaceHit& hit) const;
+  /// Whether that distance is less than the limit, which is cheaper to tell.
+  bool IsNearerTo(int obstacleId, const Vec3& x, double frame, double limit) const;
 
   /// True when a ball of this radius swept from a (at frameA) to b (at frameB) on a straight line
   /// at constant speed stays clear of every obstacle: no surface point nearer to the centre than
