@@ -68,7 +68,8 @@ def _bad_options():
     numbers = {"--frames": ("x", "5:1", "0:9:0", "99:100", "-1", "1:2:3:4", "1.5"),
                "--size": ("x", "0x0", "15x15", "99999x99999", "640", "640x-1"), "--views": ("", "front", "side,side"),
                "--obstacle-opacity": ("-1", "2", "nan", "x"), "--shutter": ("-1", "1.5", "nan", "x"),
-               "--aperture": ("-1", "2000", "nan", "x"), "--subframes": ("1", "1000", "2.5", "x")}
+               "--aperture": ("-1", "2000", "nan", "x"), "--subframes": ("1", "1000", "2.5", "x"),
+               "--jobs": ("0", "65", "x")}
     for option, values in numbers.items():
         for value in values:
             def make(folder, results, option=option, value=value):

@@ -4,12 +4,16 @@ unlike the pictures one frame later and mirrored; files, movies and errors.
 
     pvbatch test_render.py BASELINE_FOLDER WORK_FOLDER [--update]"""
 
+import multiprocessing
 import os
+import pathlib
 import shutil
+import signal
 import sys
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import numpy as np  # noqa: E402
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter  # noqa: E402
 from vtkmodules.vtkFiltersSources import vtkCubeSource  # noqa: E402
@@ -19,7 +23,9 @@ import picture  # noqa: E402
 import sample_folder  # noqa: E402
 
 from waft.failures import BadInput, WaftError  # noqa: E402
+from waft._drawing import pictures  # noqa: E402
 from waft._folder import load  # noqa: E402
+from waft._scenery import image  # noqa: E402
 from waft.reading import read_surface  # noqa: E402
 from waft.render import Stage, parse_frames, render  # noqa: E402
 
@@ -68,6 +74,41 @@ class RenderTest(unittest.TestCase):
             alone = picture.read(os.path.join(place, "frames", f"{view}_{FRAME + 1:04d}.png"))
             row = picture.read(self.frame(view, FRAME + 1))
             self.assertEqual(abs(alone - row).max(), 0, view)
+
+    def test_several_processes_draw_the_same_files(self):
+        contents = []
+        for jobs in (1, 3):
+            place = f"{WORK}-jobs{jobs}"
+            shutil.rmtree(place, ignore_errors=True)
+            sample_folder.write(place)
+            written = render(place, frames=f"{FRAME}:{FRAME + 4}", size=SIZE, views=VIEWS, samples=1, sheet=True, jobs=jobs)
+            contents.append({os.path.relpath(path, place): pathlib.Path(path).read_bytes() for path in written})
+        self.assertEqual(len(contents[0]), 5 * len(VIEWS) + len(VIEWS))
+        self.assertEqual(contents[0], contents[1])
+
+    def test_a_process_that_ends_before_its_time_is_told(self):
+        place = WORK + "-dies"
+        os.makedirs(place, exist_ok=True)
+
+        class Dying:
+            def draw(self, view, frame):
+                if frame == FRAME + 3:
+                    os.kill(os.getpid(), signal.SIGKILL)
+                if frame == FRAME + 4:
+                    raise WaftError("no paint")
+                return image(np.full((4, 4, 3), frame, np.uint8))
+
+        def drawn(*frames):
+            return pictures(Dying, [("side", frame, os.path.join(place, f"{frame}.png")) for frame in frames], 2, True)
+
+        made = drawn(FRAME, FRAME + 1, FRAME + 2, FRAME + 3)
+        for _ in range(3):
+            next(made)
+        with self.assertRaisesRegex(WaftError, "ended before its time .*-9"):
+            next(made)
+        with self.assertRaisesRegex(WaftError, "no paint"):
+            list(drawn(FRAME, FRAME + 4))
+        self.assertEqual(multiprocessing.active_children(), [])
 
     def test_samples_smooth_and_keep_the_picture(self):
         place = WORK + "-smooth"

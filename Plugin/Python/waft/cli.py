@@ -197,6 +197,7 @@ def parser():
                       help="width of the lens, 0 to 1000: blurs what is nearer or farther than where the camera looks; default 0")
     show.add_argument("--subframes", type=_whole(2, 256), default=16, metavar="N",
                       help="pictures that are averaged with --shutter or --aperture, default 16")
+    show.add_argument("--jobs", type=_whole(1, 64), default=1, metavar="N", help="pictures that are drawn at a time, default 1")
     show.add_argument("--no-trails", action="store_true", help="without the ways of the last second")
     show.add_argument("--no-marks", action="store_true", help="without the places that the scene asks for")
     show.add_argument("--obstacle-opacity", type=opacity, metavar="X",
@@ -350,7 +351,8 @@ def run_render(options):
         render(options.folder, frames=options.frames, size=options.size, movie=options.movie, views=options.views,
                obstacle_opacity=options.obstacle_opacity, paths=not options.no_trails, targets=not options.no_marks,
                style=options.style, loop=options.loop, shutter=options.shutter, aperture=options.aperture,
-               subframes=options.subframes, sheet=options.sheet, progress=lambda done, text: drawn.append(text))
+               subframes=options.subframes, sheet=options.sheet, jobs=options.jobs,
+               progress=lambda done, text: drawn.append(text))
     seconds = time.monotonic() - began
     count = len(drawn) * len(options.views)
     print(f"{options.folder}: {count} pictures in {seconds:.1f} s, {count / seconds:.1f} frames a second", file=sys.stderr)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures and movies of a folder that `waft synthesize` wrote, drawn with plain VTK."""
 
+import contextlib
 import os
 import re
 from typing import Callable, Dict
@@ -10,11 +11,12 @@ from vtkmodules.vtkRenderingCore import vtkMapper, vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkToneMappingPass
 
 from ._cameras import Cameras
+from ._drawing import MOST_JOBS, pictures
 from ._exposure import Exposure, Film, seen_through
 from ._flyers import Objects, Trails, add_marks
 from ._folder import load
 from ._loop import Loop
-from ._output import AviMovie, Mp4Movie, OggMovie, finished, grab, reduced, write_png
+from ._output import AviMovie, Mp4Movie, OggMovie, finished, grab, reduced
 from ._scenery import Scenery
 from ._sheet import Sheet
 from ._styles import STYLES, VIEWS
@@ -166,6 +168,7 @@ def render(
     aperture=0.0,
     subframes=16,
     sheet=False,
+    jobs=1,
     progress=None,
 ):
     """Draws the motion of a folder.
@@ -187,6 +190,7 @@ def render(
     subframes: plain pictures that are averaged for one with a shutter or an aperture (2 to 256), in linear light
     sheet:    also FOLDER/<view>_sheet.png, up to 20 of the pictures with the numbers of their frames
     loop:     also FOLDER/<view>.webp, an animation without an end of at most so many megabytes (10^6 bytes)
+    jobs:     processes that draw side by side (1 to 64), each with the memory of one; the pictures are the same
     progress: called with the part done (0..1) and a sentence after each picture
 
     Writes FOLDER/frames/<view>_0000.png and so on, each whole or not at all, and FOLDER/pictures.json with their
@@ -205,6 +209,8 @@ def render(
         raise BadInput(f"style '{style}': expected one of {', '.join(STYLES)}")
     if movie and not STYLES[style].backdrop:
         raise BadInput(f"style '{style}': a movie has no transparency; expected a loop or pictures alone")
+    if not 1 <= jobs <= MOST_JOBS:
+        raise BadInput(f"jobs {jobs}: expected a whole number from 1 to {MOST_JOBS}")
     exposure = Exposure(shutter, aperture, subframes)
     if loop is not None:
         Loop.require(loop)
@@ -228,10 +234,13 @@ def render(
         names = [_picture(view, frame) for view in views for frame in numbers]
         names += [name for own in movies.values() for name in own]
         place.check(names, replaces_all=False)
-        stage = Stage(motion, size, samples, paths, targets, obstacle_opacity, style, exposure)
         place.claim(names)
         try:
-            written = _draw(stage, place, numbers, movies, motion.frames_per_second / numbers.step, progress)
+            drawn = pictures(lambda: Stage(motion, size, samples, paths, targets, obstacle_opacity, style, exposure),
+                             [(view, frame, place.path(_picture(view, frame))) for frame in numbers for view in views],
+                             jobs, bool(makers))
+            with contextlib.closing(drawn):
+                written = _put(drawn, place, numbers, movies, motion.frames_per_second / numbers.step, progress)
         finally:
             place.confirm(names)
     return [os.path.join(folder, name) for name in written]
@@ -253,16 +262,15 @@ def _earlier_pictures(folder):
     return {name: Entry() for name in names if pattern.fullmatch(name)}
 
 
-def _draw(stage, place, numbers, movies, rate, progress):
-    """Draws all pictures and movies ({view: {name: maker}}); returns the names of the files."""
+def _put(drawn, place, numbers, movies, rate, progress):
+    """Puts pictures in their places as they are drawn, and movies ({view: {name: maker}}); returns the names of the files."""
     films = {name: make(place.path(name), rate) for own in movies.values() for name, make in own.items()}
     written = []
     try:
         for done, frame in enumerate(numbers):
             for view, own in movies.items():
-                picture = stage.draw(view, frame)
+                picture = next(drawn)
                 name = _picture(view, frame)
-                write_png(picture, place.path(name))
                 place.put(name)
                 written.append(name)
                 for film in own:
