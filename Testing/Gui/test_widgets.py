@@ -9,8 +9,28 @@ import pathlib
 import sys
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 from window import HERE, play, run_paraview
+
+
+def effort(events):
+    """(clicks, typed fields) of an event script as a hand does it: a choice opens a list first, what stands in a menu's own
+    list opens the menu and the list."""
+    clicks = fields = 0
+    for event in ElementTree.fromstring(events):
+        command = event.get("command")
+        if command == "set_string":
+            fields += 1
+        elif command == "activated":
+            clicks += 2
+        elif command == "activate" and "MenuManager" in event.get("object"):
+            clicks += 3
+        elif command in ("activate", "set_boolean", "mousePress"):
+            clicks += 1
+        elif command != "mouseRelease":
+            raise ValueError(f"what {command} takes is not known")
+    return clicks, fields
 
 
 class WidgetTest(unittest.TestCase):
@@ -57,6 +77,16 @@ class WidgetTest(unittest.TestCase):
         stages = ["Assimilation", "Planner", "Rotation", "Scene", "Spacetime", "Vortices", "WaftAnimation1"]
         self.assertEqual([note["sources"] for note in notes if note["sources"] == stages][:1], [stages])
         self.assertEqual(notes[-1]["sources"], ["WaftAnimation1"])
+
+    def test_a_scene_by_hand_takes_few_clicks(self):
+        with tempfile.TemporaryDirectory() as folder:
+            status, printed, notes = play("byhand.xml", pathlib.Path(folder))
+        self.check_run(status, printed)
+        self.assertEqual((notes[-1]["source"], len(notes[-1]["points"])), ("StylisticPlannerFilter", 5 * 300))
+        self.assertEqual(notes[-1]["statuses"], 5 * ["met"])
+        clicks, fields = effort((HERE / "byhand.xml").read_text(encoding="utf-8"))
+        self.assertLessEqual(clicks, 35)
+        self.assertLessEqual(fields, 10)
 
     def test_a_start_is_typed_and_dragged(self):
         notes = self.of("ObjectSource")
