@@ -10,9 +10,10 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBlockDataSet, vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader
 
+import waft
 from result_files import PolyData
 from waft.files import half, in_single_precision, write_xml
 from waft.writing import AIR_INTERVAL, spaced, write_tracks
@@ -125,6 +126,29 @@ class Files(unittest.TestCase):
         self.assertEqual(chosen(1, 30.0), [0])
         self.assertEqual(spaced([0.0, 1.0, 2.0], float("inf")), [(0, 0.0)])
         self.assertEqual([step for step, _ in spaced([0.0, 0.1, 0.2], 0.0)], [0, 1, 2])
+
+
+class Portable(unittest.TestCase):
+    """VTK 9.1 reads no data after the tags with Expat 2.6, nor with the fixes of 2.5 that Debian 12 has."""
+
+    def test_data_are_within_the_tags(self):
+        block = vtkMultiBlockDataSet()
+        block.SetBlock(0, poses())
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            for data, file in ((poses(), "a.vtp"), (image(np.zeros((2, 3, 4, 3), np.float32)), "b.vti"), (block, "c.vtm")):
+                write_xml(data, folder / file)
+            written = sorted(path for path in folder.rglob("*") if path.is_file())
+            self.assertEqual(len(written), 4)
+            for path in written:
+                self.assertNotIn(b"<AppendedData", path.read_bytes(), path)
+
+    def test_so_are_those_that_come_with_waft(self):
+        folder = pathlib.Path(waft.data_file("Database/embedded.vtm")).parents[1]
+        shipped = [path for path in folder.rglob("*.vt?") if path.is_file()]
+        self.assertGreater(len(shipped), 6)
+        for path in shipped:
+            self.assertNotIn(b"<AppendedData", path.read_bytes(), path)
 
 
 if __name__ == "__main__":

@@ -48,8 +48,7 @@ std::string XmlOf(vtkDataObject* data)
   vtkNew<Writer> writer;
   writer->SetInputDataObject(data);
   writer->SetWriteToOutputString(true);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOn(); // the text stays XML
+  writer->SetDataModeToBinary(); // the text stays XML
   writer->Write();
   return writer->GetOutputString();
 }

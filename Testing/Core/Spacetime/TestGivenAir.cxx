@@ -260,7 +260,7 @@ TEST(GivenAir, WhatDriftsInItCostsNextToNothing)
   objective.Evaluate(faster, nullptr, hastened);
   EXPECT_LT(drifting.Ev, 1e-3 * hastened.Ev);
   EXPECT_LT(drifting.Ex, 1e-6);
-  const ReplayError replay = MeasureReplay(objective, state, 5);
+  const ReplayError replay = MeasureReplay(objective, state, 5, monitor);
   EXPECT_GE(replay.Objects, 0.0);
   EXPECT_LT(replay.Objects, 1e-3);
   EXPECT_LT(replay.Gas, 1e-3);
@@ -273,7 +273,8 @@ TEST(GivenAir, AMotionThatTheModelDoesNotGiveIsNotReplayed)
   SpacetimeObjective objective(model, model.Fields, problem.Level, SerialFor(),
                                FastestSphKernels());
   StateVector state = problem.Setup.Start; // the gas stays where it is in an air that turns
-  const ReplayError replay = MeasureReplay(objective, state, 5);
+  SilentMonitor monitor;
+  const ReplayError replay = MeasureReplay(objective, state, 5, monitor);
   EXPECT_EQ(replay.Gas, -1.0); // it has no velocity
   for (int frame = 0; frame < model.NumberOfFrames; ++frame)
   {
@@ -282,7 +283,7 @@ TEST(GivenAir, AMotionThatTheModelDoesNotGiveIsNotReplayed)
       state[frame * model.FrameSize() + 5 * model.Stride() + model.NumberOfGas + o] *= 3.0f;
     }
   }
-  EXPECT_GT(MeasureReplay(objective, state, 5).Objects, 0.3);
+  EXPECT_GT(MeasureReplay(objective, state, 5, monitor).Objects, 0.3);
 }
 
 TEST(GivenAir, ARunInItKeepsTheMotionAndSaysHowFarItIsOne)

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 namespace waft
 {
@@ -52,6 +53,7 @@ Result SpacetimeRun::Export()
   {
     constraints.Project(motion);
     this->KeepTheBetter(constraints);
+    this->TickMeasuring();
   }
   else if (this->Memory != nullptr)
   {
@@ -72,13 +74,17 @@ Result SpacetimeRun::Export()
              ObjectPositions(this->Problem.Model, level.NumberOfFrames(), motion),
              this->State.Fields);
   }
-  if (Result result = this->MeasureResult(level, constraints); !result)
+  const FramePartition partition = PartitionOf(level, this->Ranks).HoldingAll();
+  SpacetimeObjective objective(this->Problem.Model, this->State.Fields, level, this->Parallel,
+                               FastestSphKernels(), false, &partition);
+  if (Result result = this->MeasureResult(objective, constraints); !result)
   {
     return result;
   }
+  this->TickMeasuring();
   if (this->Ranks.IsFirst())
   {
-    this->WriteOutput(level, std::move(positions));
+    this->WriteOutput(objective, std::move(positions));
   }
   return this->Stopped ? Result::Stopped() : Result::Ok();
 }
@@ -87,12 +93,17 @@ Result SpacetimeRun::Export()
 // come to more than it began with.
 void SpacetimeRun::KeepTheBetter(const HardConstraints& constraints)
 {
-  if (this->State.Beginning.empty())
+  // Who stopped it does not wait for what the last iteration has told.
+  const bool isKnown = this->Stopped && this->State.Coarseness == 0 && !this->State.Log.empty() &&
+                       this->State.Log.back().E < this->State.StartEnergy;
+  if (this->State.Beginning.empty() || isKnown)
   {
+    this->State.Beginning = StateVector();
     return;
   }
   constraints.Project(this->State.Beginning);
   const double found = this->Measure(this->State.Motion).E;
+  this->TickMeasuring();
   std::swap(this->State.Motion, this->State.Beginning);
   const double began = this->Measure(this->State.Motion).E;
   this->State.StartEnergy =
@@ -124,12 +135,15 @@ void SpacetimeRun::MeasureRepairs(const std::vector<Vec3>& solved,
   this->Output.LargestRepair = largest;
 }
 
-// Neighbours are looked for anew: what is measured of a frame depends on that frame alone.
-Result SpacetimeRun::MeasureResult(const TimeLevel& level, const HardConstraints& constraints)
+void SpacetimeRun::TickMeasuring()
 {
-  const FramePartition partition = PartitionOf(level, this->Ranks).HoldingAll();
-  SpacetimeObjective objective(this->Problem.Model, this->State.Fields, level, this->Parallel,
-                               FastestSphKernels(), false, &partition);
+  this->Stopped = !this->Progress.Tick(1.0, "measuring the motion") || this->Stopped;
+}
+
+// Neighbours are looked for anew: what is measured of a frame depends on that frame alone.
+Result SpacetimeRun::MeasureResult(SpacetimeObjective& objective,
+                                   const HardConstraints& constraints)
+{
   SpacetimeTerms terms;
   objective.Evaluate(this->State.Motion, nullptr, terms);
   if (!std::isfinite(terms.E))
@@ -150,12 +164,19 @@ Result SpacetimeRun::MeasureResult(const TimeLevel& level, const HardConstraints
   return Result::Ok();
 }
 
-void SpacetimeRun::WriteOutput(const TimeLevel& level, std::vector<std::vector<Vec3>> positions)
+void SpacetimeRun::WriteOutput(SpacetimeObjective& measured,
+                               std::vector<std::vector<Vec3>> positions)
 {
-  SpacetimeObjective objective(this->Problem.Model, this->State.Fields, level, this->Parallel,
-                               FastestSphKernels(), false);
-  (void)ExportFields(this->Input, this->Problem, objective, this->State.Motion, positions,
-                     this->Own, this->Output);
+  std::optional<SpacetimeObjective> whole; // where what was measured is a process' part alone
+  if (this->IsPartitioned())
+  {
+    whole.emplace(this->Problem.Model, this->State.Fields, measured.Level(), this->Parallel,
+                  FastestSphKernels(), false);
+    SpacetimeTerms terms;
+    whole->Evaluate(this->State.Motion, nullptr, terms);
+  }
+  (void)ExportFields(this->Input, this->Problem, whole ? *whole : measured, this->State.Motion,
+                     positions, this->Own, this->Output);
   this->Output.Report = this->Problem.Report;
   MeasureResiduals(this->Input.Constraints, this->Output.Tracks, this->Problem.Objects,
                    this->Problem.Obstacles, this->Input.Scene, this->Output.Report);

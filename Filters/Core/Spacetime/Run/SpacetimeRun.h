@@ -83,8 +83,11 @@ private:
   void KeepTheBetter(const HardConstraints& constraints);
   void MeasureRepairs(const std::vector<Vec3>& solved,
                       const std::vector<std::vector<Vec3>>& exported);
-  Result MeasureResult(const TimeLevel& level, const HardConstraints& constraints);
-  void WriteOutput(const TimeLevel& level, std::vector<std::vector<Vec3>> positions);
+  Result MeasureResult(SpacetimeObjective& objective, const HardConstraints& constraints);
+  /// measured: of all frames at the motion, as far as they are this process' own.
+  void WriteOutput(SpacetimeObjective& measured, std::vector<std::vector<Vec3>> positions);
+  /// Between two parts of what is measured in the end.
+  void TickMeasuring();
   void Remember(std::vector<std::vector<Vec3>> positions);
 
   const SpacetimeInput& Input;

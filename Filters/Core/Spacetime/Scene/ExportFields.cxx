@@ -224,8 +224,8 @@ FieldSeries ExportWind(const SpacetimeInput& input, const SpacetimeSetup& setup,
   return field;
 }
 
-void MeasureDynamics(const SpacetimeSetup& setup, SpacetimeObjective& objective,
-                     const StateVector& state, SpacetimeOutput& output)
+bool MeasureDynamics(const SpacetimeSetup& setup, SpacetimeObjective& objective,
+                     const StateVector& state, Monitor& monitor, SpacetimeOutput& output)
 {
   const SpacetimeModel& model = setup.Model;
   const ParticleSeries& series = output.Particles;
@@ -242,9 +242,10 @@ void MeasureDynamics(const SpacetimeSetup& setup, SpacetimeObjective& objective,
   }
   output.GasHiddenHand = accelerations > 0.0 ? std::sqrt(residuals / accelerations) : -1.0;
   const ReplayError replay =
-    MeasureReplay(objective, state, static_cast<int>(std::lround(1.0 / setup.FrameStep)));
+    MeasureReplay(objective, state, static_cast<int>(std::lround(1.0 / setup.FrameStep)), monitor);
   output.ObjectReplayError = replay.Objects;
   output.GasReplayError = replay.Gas;
+  return monitor.Tick(1.0, "writing the motion");
 }
 
 } // namespace
@@ -274,8 +275,6 @@ bool ExportFields(const SpacetimeInput& input, const SpacetimeSetup& setup,
   }
   bool going = true;
   std::vector<AirDeviation> deviations(model.NumberOfObjects);
-  SpacetimeTerms all;
-  objective.Evaluate(state, nullptr, all); // for the residuals
   for (int frame = 0; frame < model.NumberOfFrames; ++frame)
   {
     FrameTerms& terms = objective.ForwardFrame(state, static_cast<std::size_t>(frame));
@@ -285,7 +284,7 @@ bool ExportFields(const SpacetimeInput& input, const SpacetimeSetup& setup,
     // An abort is noted, and the rest still written: a result without its last frames is none.
     going = monitor.Tick(1.0, "writing the motion") && going;
   }
-  MeasureDynamics(setup, objective, state, output);
+  going = going && MeasureDynamics(setup, objective, state, monitor, output);
   output.Vortices.clear();
   for (const Vortex& vortex : objective.Fields().Vortices)
   {

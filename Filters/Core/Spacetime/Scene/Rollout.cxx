@@ -23,9 +23,9 @@ struct SquareSums
   double Ratio() const { return this->All > 0.0 ? std::sqrt(this->Wrong / this->All) : -1.0; }
 };
 
-// From one frame until another; objects that do not fly keep to the solution.
-void RunForward(SpacetimeObjective& objective, int from, int until,
-                const std::vector<char>& isFlying, StateVector& state)
+// From one frame until another; objects that do not fly keep to the solution. False: stopped.
+bool RunForward(SpacetimeObjective& objective, int from, int until,
+                const std::vector<char>& isFlying, StateVector& state, Monitor& monitor)
 {
   const SpacetimeModel& model = objective.Model();
   const std::size_t stride = model.Stride();
@@ -46,7 +46,12 @@ void RunForward(SpacetimeObjective& objective, int from, int until,
                                   BodyRow(here + 3 * stride, stride, i), Vec3::Zero());
       MoveBody(model, i, 1.0, x, v, next);
     }
+    if (!monitor.Tick(1.0, "replaying the motion"))
+    {
+      return false;
+    }
   }
+  return true;
 }
 
 } // namespace
@@ -78,7 +83,8 @@ void MoveBody(const SpacetimeModel& model, std::size_t body, double step, const 
   }
 }
 
-ReplayError MeasureReplay(SpacetimeObjective& objective, const StateVector& state, int second)
+ReplayError MeasureReplay(SpacetimeObjective& objective, const StateVector& state, int second,
+                          Monitor& monitor)
 {
   const SpacetimeModel& model = objective.Model();
   const std::size_t stride = model.Stride();
@@ -99,7 +105,10 @@ ReplayError MeasureReplay(SpacetimeObjective& objective, const StateVector& stat
       }
     }
     StateVector replayed = state;
-    RunForward(objective, from, until, isFlying, replayed);
+    if (!RunForward(objective, from, until, isFlying, replayed, monitor))
+    {
+      return {};
+    }
     const std::size_t offset = static_cast<std::size_t>(until) * model.FrameSize() + 3 * stride;
     for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
     {

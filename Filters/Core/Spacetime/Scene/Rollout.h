@@ -2,6 +2,7 @@
 // The motion run forward, frame after frame, by nothing but what the model gives.
 #pragma once
 
+#include "Base/Monitor.h"
 #include "Spacetime/Energy/SpacetimeObjective.h"
 
 namespace waft
@@ -23,7 +24,8 @@ struct ReplayError
   double Objects = -1.0, Gas = -1.0; // objects in free flight all the while
 };
 
-/// state: of all frames; seconds in frames.
-ReplayError MeasureReplay(SpacetimeObjective& objective, const StateVector& state, int second);
+/// state: of all frames; second: in frames. Stopped by the monitor: as if there were no time for it.
+ReplayError MeasureReplay(SpacetimeObjective& objective, const StateVector& state, int second,
+                          Monitor& monitor);
 
 } // namespace waft

@@ -30,7 +30,8 @@ std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
                                                std::vector<std::string>& warnings);
 
 /// Fills Tracks (fields, air, raw velocities), Particles, Vortices and Wind of the output, and says
-/// how far it is a motion of the model.
+/// how far it is a motion of the model, unless the monitor has stopped it (false). objective:
+/// evaluated at the state.
 bool ExportFields(const SpacetimeInput& input, const SpacetimeSetup& setup,
                   SpacetimeObjective& objective, const StateVector& state,
                   const std::vector<std::vector<Vec3>>& positions, Monitor& monitor,
