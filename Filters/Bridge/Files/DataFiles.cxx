@@ -4,6 +4,8 @@
 #include "Bridge/Data/Arrays.h"
 #include "Bridge/Files/FileReading.h"
 #include "Files/DataFileCheck.h"
+#include "Files/FileBytes.h"
+#include "Files/InlineData.h"
 
 #include <vtkCompositeDataIterator.h>
 #include <vtkImageData.h>
@@ -24,8 +26,16 @@ template <class Reader, class Data>
 Result ReadChecked(const std::string& path, const char* type, Data* data)
 {
   WAFT_RETURN_IF_FAILED(CheckDataFile(path, { type }));
+  FileBytes file;
+  WAFT_RETURN_IF_FAILED(file.Open(path));
   vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
+  const std::string made = WithInlineData(file.View());
+  if (!made.empty())
+  {
+    reader->ReadFromInputStringOn();
+    reader->SetInputString(made);
+  }
   WAFT_RETURN_IF_FAILED(RunReader(reader));
   data->ShallowCopy(reader->GetOutputDataObject(0));
   return Result::Ok();

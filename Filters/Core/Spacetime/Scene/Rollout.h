@@ -24,7 +24,8 @@ struct ReplayError
   double Objects = -1.0, Gas = -1.0; // objects in free flight all the while
 };
 
-/// state: of all frames; second: in frames. Stopped by the monitor: as if there were no time for it.
+/// state: of all frames; second: in frames. Stopped by the monitor: as if there were no time for
+/// it.
 ReplayError MeasureReplay(SpacetimeObjective& objective, const StateVector& state, int second,
                           Monitor& monitor);
 
