@@ -11,12 +11,15 @@
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
+#include <vtkTable.h>
 #include <vtkXMLImageDataWriter.h>
+#include <vtkXMLMultiBlockDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <gtest/gtest.h>
@@ -159,6 +162,38 @@ TEST(DataFiles, SoAreImages)
     const Result result = ReadImageFile(path, read);
     ASSERT_TRUE(result) << result.Message();
     ExpectSame(read->GetPointData()->GetArray("Velocity"), values);
+  }
+}
+
+TEST(DataFiles, SoAreBlocks)
+{
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Values");
+  for (int i = 0; i < 9000; ++i)
+  {
+    values->InsertNextValue(std::sqrt(static_cast<double>(i)));
+  }
+  vtkNew<vtkTable> table;
+  table->AddColumn(values);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, table);
+  blocks->SetBlock(1, table);
+  const test::TemporaryFolder folder;
+  const std::string path = (folder.Path() / "all of it & more.vtm").string();
+  for (const bool isAppended : { true, false })
+  {
+    vtkNew<vtkXMLMultiBlockDataWriter> writer;
+    writer->SetInputDataObject(blocks);
+    writer->SetFileName(path.c_str());
+    writer->SetDataMode(isAppended ? vtkXMLWriter::Appended : vtkXMLWriter::Binary);
+    ASSERT_EQ(writer->Write(), 1);
+    vtkNew<vtkMultiBlockDataSet> read;
+    const Result result = ReadBlocksFile(path, read);
+    ASSERT_TRUE(result) << result.Message();
+    ASSERT_EQ(read->GetNumberOfBlocks(), 2U);
+    auto* found = vtkTable::SafeDownCast(read->GetBlock(1));
+    ASSERT_NE(found, nullptr);
+    ExpectSame(vtkDataArray::SafeDownCast(found->GetColumnByName("Values")), values);
   }
 }
 

@@ -101,6 +101,7 @@ TEST(DatabaseConversion, ComesBackBitForBitThroughFiles)
     vtkNew<vtkXMLMultiBlockDataWriter> writer;
     writer->SetInputDataObject(data);
     writer->SetFileName(file.c_str());
+    writer->SetDataModeToBinary(); // which any Expat reads
     ASSERT_EQ(writer->Write(), 1);
     vtkNew<vtkXMLMultiBlockDataReader> reader;
     reader->SetFileName(file.c_str());

@@ -290,6 +290,7 @@ TEST(MotionSceneWriter, WhatWasAuthoredSurvivesFilesOfVtk)
       vtkNew<vtkXMLPolyDataWriter> saver;
       saver->SetInputConnection(reader->GetOutputPort(port));
       saver->SetFileName(file.c_str());
+      saver->SetDataModeToBinary(); // which any Expat reads
       ASSERT_TRUE(saver->Write());
       vtkNew<vtkXMLPolyDataReader> loader;
       loader->SetFileName(file.c_str());
@@ -298,6 +299,7 @@ TEST(MotionSceneWriter, WhatWasAuthoredSurvivesFilesOfVtk)
     vtkNew<vtkXMLMultiBlockDataWriter> saver;
     saver->SetInputConnection(reader->GetOutputPort(vtkMotionSceneReader::SHAPES));
     saver->SetFileName(folder.File("shapes.vtm").c_str());
+    saver->SetDataModeToBinary();
     ASSERT_TRUE(saver->Write());
     vtkNew<vtkXMLMultiBlockDataReader> loader;
     loader->SetFileName(folder.File("shapes.vtm").c_str());

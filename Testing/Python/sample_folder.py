@@ -54,6 +54,7 @@ def _vertices(points):
 
 def _write(data, path):
     writer = vtkXMLPolyDataWriter()
+    writer.SetDataModeToBinary()
     writer.SetInputData(data)
     writer.SetFileName(path)
     if not writer.Write():
@@ -156,6 +157,7 @@ def _write_shapes(path, tint):
         blocks.SetBlock(index, surface)
         blocks.GetMetaData(index).Set(blocks.NAME(), name)
     writer = vtkXMLMultiBlockDataWriter()
+    writer.SetDataModeToBinary()
     writer.SetInputData(blocks)
     writer.SetFileName(path)
     if not writer.Write():

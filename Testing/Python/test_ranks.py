@@ -23,6 +23,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 FILES = PLANS + """
 for name, data in zip(("tracks", "objects", "rows"), make()):
     writer = vtkXMLPolyDataWriter()
+    writer.SetDataModeToBinary()
     writer.SetFileName(sys.argv[1] + "/" + name + ".vtp")
     writer.SetInputData(data)
     writer.Write()

@@ -207,6 +207,7 @@ class RenderTest(unittest.TestCase):
         beyond = surface.GetNumberOfPoints()
         surface.GetPolys().GetConnectivityArray().SetComponent(4, 0, beyond)
         writer = vtkXMLPolyDataWriter()
+        writer.SetDataModeToBinary()
         writer.SetInputData(surface)
         writer.SetFileName(path)
         self.assertTrue(writer.Write())

@@ -83,6 +83,7 @@ class Vortices(unittest.TestCase):
     def write(self, data):
         self.files += 1
         writer = vtkXMLPolyDataWriter()
+        writer.SetDataModeToBinary()
         writer.SetFileName(os.path.join(self.folder, f"{self.files}.vtp"))
         writer.SetInputDataObject(data)
         self.assertTrue(writer.Write())

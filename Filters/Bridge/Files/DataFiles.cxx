@@ -3,6 +3,7 @@
 
 #include "Bridge/Data/Arrays.h"
 #include "Bridge/Files/FileReading.h"
+#include "Bridge/Files/InlinedBlocks.h"
 #include "Files/DataFileCheck.h"
 #include "Files/FileBytes.h"
 #include "Files/InlineData.h"
@@ -17,15 +18,17 @@
 #include <vtkXMLMultiBlockDataReader.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <string>
+
 namespace waft
 {
 namespace
 {
 
+// A file that CheckDataFile has found whole.
 template <class Reader, class Data>
-Result ReadChecked(const std::string& path, const char* type, Data* data)
+Result Read(const std::string& path, Data* data)
 {
-  WAFT_RETURN_IF_FAILED(CheckDataFile(path, { type }));
   FileBytes file;
   WAFT_RETURN_IF_FAILED(file.Open(path));
   vtkNew<Reader> reader;
@@ -39,6 +42,13 @@ Result ReadChecked(const std::string& path, const char* type, Data* data)
   WAFT_RETURN_IF_FAILED(RunReader(reader));
   data->ShallowCopy(reader->GetOutputDataObject(0));
   return Result::Ok();
+}
+
+template <class Reader, class Data>
+Result ReadChecked(const std::string& path, const char* type, Data* data)
+{
+  WAFT_RETURN_IF_FAILED(CheckDataFile(path, { type }));
+  return Read<Reader>(path, data);
 }
 
 } // namespace
@@ -56,8 +66,10 @@ Result ReadImageFile(const std::string& path, vtkImageData* data)
 
 Result ReadBlocksFile(const std::string& path, vtkMultiBlockDataSet* data)
 {
-  WAFT_RETURN_IF_FAILED(
-    ReadChecked<vtkXMLMultiBlockDataReader>(path, "vtkMultiBlockDataSet", data));
+  WAFT_RETURN_IF_FAILED(CheckDataFile(path, { "vtkMultiBlockDataSet" }));
+  InlinedBlocks blocks;
+  WAFT_RETURN_IF_FAILED(blocks.Make(path));
+  WAFT_RETURN_IF_FAILED(Read<vtkXMLMultiBlockDataReader>(blocks.Path(), data));
   const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(data->NewIterator());
   for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
   {

@@ -27,9 +27,7 @@ class Pipeline:
         self.reader.OnEveryRank = servermanager.vtkProcessModule.GetProcessModule().GetSymmetricMPIMode()
         self.database = None
         if database is not None:
-            self.database = self._add(simple.XMLMultiBlockDataReader(
-                registrationName="Database", FileName=[self.database_file]))
-            self.database.TimeArray = "None"
+            self.database = self._add(_database_reader(self.database_file))
         self.planner = None
         self._planned = {}  # outputs of the planner, or of readers of what an earlier run left
         self.assimilation = None
@@ -156,3 +154,14 @@ class Pipeline:
         if self.output("reader", 4).GetNumberOfCells() == 0:
             return planned
         return self._add(simple.AppendGeometry(registrationName="Vortices", Input=[self._scene("Vortices"), planned]))
+
+
+def _database_reader(path):
+    """A source of ParaView that gives a motion database: its own reader, or what Waft reads where that may not be able to."""
+    if reading.has_appended_blocks(path):
+        source = simple.TrivialProducer(registrationName="Database")
+        source.GetClientSideObject().SetOutput(reading.read_blocks(path))
+        return source
+    source = simple.XMLMultiBlockDataReader(registrationName="Database", FileName=[path])
+    source.TimeArray = "None"
+    return source
