@@ -168,7 +168,7 @@ void SpacetimeRun::WriteOutput(SpacetimeObjective& measured,
                                std::vector<std::vector<Vec3>> positions)
 {
   std::optional<SpacetimeObjective> whole; // where what was measured is a process' part alone
-  if (this->IsPartitioned())
+  if (!PartitionOf(measured.Level(), this->Ranks).IsAlone())
   {
     whole.emplace(this->Problem.Model, this->State.Fields, measured.Level(), this->Parallel,
                   FastestSphKernels(), false);
