@@ -48,7 +48,10 @@ def write_xml(data, path):
     memory here."""
     path = pathlib.Path(path)
     content = _blocks_text(data, path) if path.suffix == ".vtm" else _xml_text(data)
-    path.write_bytes(content.encode())
+    try:
+        path.write_bytes(content.encode())
+    except OSError as error:
+        raise OSError(f"{path}: could not be written: {error.strerror}") from error
 
 
 def _xml_text(data):
