@@ -175,7 +175,7 @@ Result SimulateAir(const AirScene& scene, AirSteering* steering, const ParallelF
       solver.SetSteering(steering->At(frame, values, parallel));
     }
     air.Times.push_back(scene.Time.Time(frame));
-    air.Values.emplace_back();
+    air.Values.push_back(steering != nullptr ? steering->TakeSpare() : std::vector<Half3>());
     air.Set(static_cast<std::size_t>(frame), values);
   }
   return Result::Ok();

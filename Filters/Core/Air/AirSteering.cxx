@@ -252,9 +252,10 @@ FieldSeries AirSteering::At(int frame, const Field& now, const ParallelFor& para
   {
     Smooth(this->Pushes.Dimensions, parallel, push, wanted);
   }
+  this->Spare.clear();
   if (f > 0)
   {
-    this->Own.Values[f - 1] = {}; // no later frame asks for it
+    this->Spare = std::move(this->Own.Values[f - 1]); // no later frame asks for it
   }
   this->Pushes.Set(f, push);
   FieldSeries one{ static_cast<const SeriesLattice&>(this->Pushes) };

@@ -41,14 +41,16 @@ public:
   using Field = FieldSeries::Field;
 
   /// wanted: m/s, is the caller's until the last frame. own: the air as it went without the change,
-  /// m/s; push: what steered it then, m/s^2, or empty. Both are let go of as the frames pass. rate:
-  /// 1/s.
+  /// m/s, let go of as the frames pass; push: what steered it then, m/s^2, or empty. rate: 1/s.
   AirSteering(const HalfSeries& wanted, HalfSeries own, HalfSeries push, double rate);
   /// What the air of the first frame, which moves by `now`, lacks of the wanted one [m/s].
   FieldSeries Lacking(const Field& now) const;
   /// The acceleration from a frame on [m/s^2], where the air moves by `now`. Frames in order. The
   /// same on any number of threads.
   FieldSeries At(int frame, const Field& now, const ParallelFor& parallel);
+  /// The memory of a field that the last frame was the last one to ask for; of the first frame
+  /// none.
+  std::vector<Half3> TakeSpare() { return std::move(this->Spare); }
   /// Of all frames so far.
   HalfSeries TakePushes() { return std::move(this->Pushes); }
 
@@ -56,6 +58,7 @@ private:
   const HalfSeries& Wanted;
   HalfSeries Own, Pushes;
   double Rate;
+  std::vector<Half3> Spare;
   ThreeFrames WantedNow, OwnNow;
 };
 
