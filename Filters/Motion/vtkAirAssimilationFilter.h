@@ -117,6 +117,11 @@ public:
   vtkGetMacro(TimeLimit, double);
   ///@}
   ///@{
+  /** Seed of the forces that are drawn: another one is another air; -1 is the scene's own. */
+  vtkSetClampMacro(Seed, int, -1, VTK_INT_MAX);
+  vtkGetMacro(Seed, int);
+  ///@}
+  ///@{
   /** When only some objects, rows or tracks changed since the last run: the same air, and only
    * what changed drifts again. */
   vtkSetMacro(WarmStart, bool);
@@ -194,6 +199,7 @@ private:
   double Smoothness = 0.005;
   double TouchDownSpread = 2.0;
   bool Inertia = false;
+  int Seed = -1;
   double TimeLimit = 0.0;
   bool WarmStart = true;
   std::string CheckpointFile;

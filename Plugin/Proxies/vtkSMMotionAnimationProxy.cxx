@@ -141,7 +141,7 @@ void vtkSMMotionAnimationProxy::SetSeed(int seed)
     scene->UpdatePipelineInformation();
     seed = vtkSMPropertyHelper(scene, "SceneSeed").GetAsInt();
   }
-  for (const char* stage : { "Planner", "Rotation" })
+  for (const char* stage : { "Planner", "Assimilation", "Rotation" })
   {
     vtkSMPropertyHelper(this->GetProxy(stage), "Seed").Set(seed);
   }

@@ -10,7 +10,7 @@
  * - Quality and StopAfter: which stages run (their property Active) and which output the next one
  *   takes. A stage that rests gives empty outputs. The hint Preview of AirAssimilationFilter names
  *   the values of its properties at the quality Preview.
- * - Seed goes to the planner and the rotation; a negative one is the scene's own.
+ * - Seed goes to the planner, the assimilation and the rotation; a negative one is the scene's own.
  * - Slice goes to all stages that have it.
  * - ShowStages: the stages stand in the pipeline browser, the very ones that this source runs.
  */

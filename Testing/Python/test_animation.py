@@ -115,7 +115,7 @@ class AnimationTest(unittest.TestCase):
             animation.Seed = seed
             animation.UpdatePipeline()
             self.assertEqual(np.array_equal(places(output(animation, "Planner")), own), same, seed)
-        self.assertEqual(stage_of(animation, "Rotation").Seed, 5)
+        self.assertEqual([stage_of(animation, stage).Seed for stage in ("Assimilation", "Rotation")], [5, 5])
 
     def test_the_detail_of_a_stage_stays_as_it_was_set(self):
         animation = self.make({}, StopAfter="Scene")

@@ -367,6 +367,11 @@ double AssimilationRun::Seconds() const
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
 }
 
+std::uint64_t SeedOfAir(const AssimilationInput& input, const AssimilationOptions& options)
+{
+  return options.Seed < 0 ? input.Scene.Seed : static_cast<std::uint64_t>(options.Seed);
+}
+
 std::array<int, 3> AirLatticeDimensions(const Box& volume, const AssimilationOptions& options)
 {
   const Vec3 size = volume.Size();

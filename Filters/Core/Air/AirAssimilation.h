@@ -18,6 +18,7 @@
 #include "Grid/SmokeSeries.h"
 #include "Obstacles/ObstacleSet.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,6 +40,7 @@ struct AssimilationOptions
   double Smoothness = 0.005;
   double TouchDownSpread = 2.0;
   bool Inertia = false;
+  int Seed = -1;
   double TimeLimit = 0.0;
   bool WarmStart = true;
   std::string CheckpointFile;
@@ -119,6 +121,12 @@ struct AssimilationOptions
     visit(FlagField("Inertia",
                     "Bodies come after the air as g / SettlingSpeed has it, instead of at once."),
           of.Inertia...);
+    visit(OptionField{ "Seed",
+                       { -1, 2147483647 },
+                       "",
+                       "Seed of the forces that are drawn: another one is another air; -1 is the "
+                       "scene's own." },
+          of.Seed...);
   }
 
   template <class Visitor, class... Holder>
@@ -191,6 +199,8 @@ struct AssimilationOutput
   std::vector<std::string> Warnings;
 };
 
+/// Of the forces that are drawn.
+std::uint64_t SeedOfAir(const AssimilationInput& input, const AssimilationOptions& options);
 /// Points of the lattice of the air, whose corners are the volume's.
 std::array<int, 3> AirLatticeDimensions(const Box& volume, const AssimilationOptions& options);
 

@@ -228,7 +228,7 @@ Result AssimilationRun::SimulateSideBySide(std::size_t count, double begin, doub
 Result AssimilationRun::DrawForces(std::vector<ForceDraw>& draws)
 {
   const AirScene coarse = this->CoarseScene();
-  Random random(this->Input.Scene.Seed, AirStream);
+  Random random(SeedOfAir(this->Input, this->Options), AirStream);
   draws.resize(ClosedDraws);
   for (ForceDraw& draw : draws)
   {

@@ -71,11 +71,14 @@ AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions&
   DigestStream around;
   AssimilationInput scene; // without objects and rows
   scene.Scene = input.Scene;
+  scene.Scene.Seed = SeedOfAir(input, options);
   scene.Obstacles = input.Obstacles;
   scene.Vortices = input.Vortices;
   scene.Wind = input.Wind;
   Serialise(around, scene);
-  AssimilationOptions::VisitAir(SerialiseFieldsWith(around), Read(options));
+  AssimilationOptions seedless = options; // whoever named the seed
+  seedless.Seed = -1;
+  AssimilationOptions::VisitAir(SerialiseFieldsWith(around), seedless);
   key.Surroundings = around.Sum();
   for (const Track& track : input.Tracks)
   {

@@ -115,11 +115,12 @@ class Pipeline:
             return simple.OutputPort(self.assimilation, 0), simple.OutputPort(self.assimilation, 3)
         return self._planned[0], self._planned[3]
 
-    def add_assimilation(self):
+    def add_assimilation(self, seed):
         own = {"Vortices": self._scene("Vortices")} if self.output("reader", 4).GetNumberOfCells() > 0 else {}
         self.assimilation = self._add(simple.AirAssimilationFilter(
             registrationName="Assimilation", Tracks=self._planned[0], Objects=self._scene("Objects"),
             Constraints=self._planned[3], Obstacles=self._scene("Obstacles"), **own, **self._wind()))
+        self.assimilation.Seed = seed
 
     @property
     def has_air(self):

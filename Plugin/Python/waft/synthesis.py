@@ -209,7 +209,7 @@ def _preview_of(stage):
 
 
 def _assimilate(pipeline, clock, checkpoint):
-    pipeline.add_assimilation()
+    pipeline.add_assimilation(pipeline.seed)
     if pipeline.edit_of is not None:
         pipeline.assimilation.EditOf = str(pipeline.edit_of)
     if checkpoint is not None:

@@ -2,6 +2,7 @@
 #include "Air/AirAssimilation.h"
 #include "Air/AirSimulation.h"
 #include "Air/AirSymmetry.h"
+#include "Air/AssimilationState.h"
 #include "Air/PlainDrift.h"
 #include "Base/Primitives.h"
 #include "Base/Random.h"
@@ -276,6 +277,22 @@ TEST(AirAssimilation, IsTheSameOnAnyNumberOfThreads)
     EXPECT_EQ(one.Tracks[o].Positions, three.Tracks[o].Positions);
   }
   EXPECT_EQ(one.Air->Velocity.Values, three.Air->Velocity.Values);
+}
+
+TEST(AirAssimilation, AnotherSeedIsAnotherAirAndTheScenesOwnTheSame)
+{
+  const AssimilationInput input = Leaves();
+  AssimilationOptions options = Small();
+  options.Rounds = options.WindRounds = options.Starts = 0;
+  options.Candidates = 1;
+  const AssimilationOutput own = Assimilated(input, options);
+  const std::uint64_t key = KeyOf(input, options).Surroundings;
+  options.Seed = static_cast<int>(input.Scene.Seed);
+  EXPECT_EQ(Assimilated(input, options).Air->Velocity.Values, own.Air->Velocity.Values);
+  EXPECT_EQ(KeyOf(input, options).Surroundings, key);
+  ++options.Seed;
+  EXPECT_NE(Assimilated(input, options).Air->Velocity.Values, own.Air->Velocity.Values);
+  EXPECT_NE(KeyOf(input, options).Surroundings, key);
 }
 
 TEST(AirAssimilation, ControlIsWhatTheAirDoesNotExplain)
