@@ -178,7 +178,8 @@ void vtkShapeKeyframeSource::SetClassColor(int index, double red, double green, 
 
 int vtkShapeKeyframeSource::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  // paraview.simple connects whatever is active; a text or a picture asks for nothing.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }

@@ -99,6 +99,17 @@ class WidgetTest(unittest.TestCase):
         for axis in range(3):
             self.assertAlmostEqual(place[axis], dragged[axis], places=5)
 
+    def test_a_vortex_and_a_wind_have_handles(self):
+        with tempfile.TemporaryDirectory() as folder:
+            status, printed, notes = play("forces.xml", pathlib.Path(folder))
+        self.check_run(status, printed)
+        vortex = [note for note in notes if note["source"] == "VortexSource" and note["points"]][-1]
+        self.assertEqual(self.shown(vortex), ["LineSourceWidgetRepresentation"])
+        self.assertEqual(vortex["points"], [[-1.25, 0, 0.5], [0, 0, 3.5]], "typed into the panel, applied")
+        self.assertIn("SphereWidgetRepresentation", self.shown(notes[-1]))
+        wind = [note for note in notes if note["source"] == "WindSource" and note["points"]][-1]
+        self.assertEqual(len(wind["points"]), 17 ** 3)
+
     def test_a_wish_is_one_place_and_then_a_way(self):
         notes = self.of("ConstraintSource")
         one = [note for note in notes if note["points"] == [[0, 0, 2.5]]]

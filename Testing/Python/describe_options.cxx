@@ -8,6 +8,7 @@
 #include "Planning/Takes.h"
 #include "Rotation/RotationRefine.h"
 #include "Scene/ConstraintOptions.h"
+#include "Scene/ForceOptions.h"
 #include "Scene/KeyframeOptions.h"
 #include "Scene/ObjectOptions.h"
 #include "Scene/SceneFileOptions.h"
@@ -73,6 +74,8 @@ int main()
     { "vtkShapeKeyframeSource", FieldsOf(waft::KeyframeOptions()) },
     { "vtkVDBReader", FieldsOf(waft::VolumeReadOptions()) },
     { "vtkVDBWriter", FieldsOf(waft::VolumeWriteOptions()) },
+    { "vtkVortexSource", FieldsOf(waft::VortexSourceOptions()) },
+    { "vtkWindSource", FieldsOf(waft::WindSourceOptions()) },
     { "vtkGridSmokeSource", FieldsOf(waft::SmokeOptions(), waft::EnsembleOptions()) },
     { "vtkMotionDatabaseSource", FieldsOf(waft::DatabaseOptions()) },
     { "vtkRotationRefineFilter", FieldsOf(waft::RotationOptions(), waft::SliceOptions()) },

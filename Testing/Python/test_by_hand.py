@@ -73,6 +73,28 @@ class ByHandTest(unittest.TestCase):
             self.assertEqual(json.load(stream)["title"], "By hand")
         self.check_copy(self.file("hand.waft.json"))
 
+    def test_vortices_and_winds_are_written_as_an_artist_would(self):
+        whirls = simple.AppendGeometry(Input=[simple.VortexSource(VortexId=k, P1=[k, 0, 1], P2=[k, 0, 3], Strength=1 + k)
+                                              for k in range(2)])
+        gust = simple.WindSource(Direction=[0, 2, 0], Strength=0.5, Radius=0.75)
+        writer = simple.MotionSceneWriter(Objects=self.objects, Constraints=self.rows, Obstacles=self.wall,
+                                          Vortices=whirls, Wind=gust)
+        writer.FileName = self.file("forces.waft.json")
+        UpdatePipeline(proxy=writer)
+        with open(self.file("forces.waft.json"), encoding="utf-8") as stream:
+            scene = json.load(stream)
+        self.assertEqual([(entry["p1"], entry["p2"], entry["strength"]) for entry in scene["vortices"]],
+                         [([0, 0, 1], [0, 0, 3], 1), ([1, 0, 1], [1, 0, 3], 2)])
+        self.assertEqual(scene["winds"], [{"direction": [0, 1, 0], "strength": 0.5, "center": [0, 0, 2], "radius": 0.75,
+                                           "centerTime": 5, "duration": 3}])
+        reader = simple.MotionSceneReader(FileName=self.file("forces.waft.json"))
+        UpdatePipeline(time=4.0, proxy=reader)
+        UpdatePipeline(time=4.0, proxy=gust)
+        self.assertEqual(points_of(data_of(reader, 4)), points_of(data_of(whirls)))
+        read, made = (data_of(*where).GetPointData().GetArray("Wind") for where in ((reader, 5), (gust, 0)))
+        self.assertEqual([read.GetTuple(k) for k in range(read.GetNumberOfTuples())],
+                         [made.GetTuple(k) for k in range(made.GetNumberOfTuples())])
+
     def test_save_data_keeps_it(self):
         scene = simple.MotionSceneWriter(Objects=self.objects, Constraints=self.rows, Obstacles=self.wall)
         UpdatePipeline(proxy=scene)

@@ -64,6 +64,7 @@ def make_all(folder):
         "MotionDatabaseSource": simple.MotionDatabaseSource(NumberOfSimulations=4, Resolution=16, NumberOfFrames=40),
         "VortexFitFilter": simple.VortexFitFilter(Input=port(gas, 0)),
         "ObjectSource": simple.ObjectSource(), "ConstraintSource": simple.ConstraintSource(Radius=0.2),
+        "VortexSource": simple.VortexSource(CenterTime=0), "WindSource": simple.WindSource(CenterTime=0),
         "ShapeKeyframeSource": simple.ShapeKeyframeSource(Text="WAFT", NumberOfTargets=60),
         "LeafShapeSource": simple.LeafShapeSource(), "FeatherShapeSource": simple.FeatherShapeSource(),
         "PhotographShapeSource": simple.PhotographShapeSource(Photograph=photograph),

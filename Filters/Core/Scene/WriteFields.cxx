@@ -147,6 +147,16 @@ void SceneFormat::WriteObstacles()
   }
 }
 
+SceneJson FormatWind(const AnalyticWind& wind)
+{
+  return { { "direction", FormatVector(wind.Direction) },
+           { "strength", wind.Strength },
+           { "center", FormatVector(wind.Center) },
+           { "radius", wind.Radius },
+           { "centerTime", wind.CenterTime },
+           { "duration", wind.Duration } };
+}
+
 void SceneFormat::WriteWinds()
 {
   SceneJson list = SceneJson::array();
@@ -164,12 +174,7 @@ void SceneFormat::WriteWinds()
   {
     for (const AnalyticWind& wind : this->In.Winds)
     {
-      list.push_back({ { "direction", FormatVector(wind.Direction) },
-                       { "strength", wind.Strength },
-                       { "center", FormatVector(wind.Center) },
-                       { "radius", wind.Radius },
-                       { "centerTime", wind.CenterTime },
-                       { "duration", wind.Duration } });
+      list.push_back(FormatWind(wind));
     }
     for (const WindFile& file : this->In.WindFiles)
     {
