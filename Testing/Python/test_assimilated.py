@@ -104,6 +104,14 @@ class Assimilated(unittest.TestCase):
         for name in ("air/air_0000.vti", "air/air_0030.vti"):
             self.assertEqual((self.out / name).read_bytes(), (self.folder / "edited" / name).read_bytes())
 
+    def test_another_seed_is_another_air_which_an_edit_keeps(self):
+        first, edited = self.folder / "seeded", self.folder / "seeded-edit"
+        waft.synthesize(str(self.scene), output=str(first), quality="assimilated", seed=9)
+        air = (first / "air/air_0030.vti").read_bytes()
+        self.assertNotEqual(air, (self.out / "air/air_0030.vti").read_bytes())
+        self.assertEqual(waft.synthesize(str(self.scene), output=str(edited), quality="assimilated", edit_of=str(first)).warnings, [])
+        self.assertEqual(air, (edited / "air/air_0030.vti").read_bytes())
+
     def test_a_run_that_was_killed_goes_on_to_the_same_bytes(self):
         kill = f"""if True:
             import os, pathlib, signal, sys, threading, time, waft

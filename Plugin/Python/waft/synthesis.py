@@ -84,9 +84,9 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
             clock.shares = {name: share for name, share in _SHARES.items() if name not in _WITHOUT[quality]}
             pipeline.read(clock)
             scene_seed = pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)
-            pipeline.seed = int(scene_seed) if seed is None else seed
             pipeline.quality = quality
             pipeline.edit_of = _state_of(edit_of, quality)
+            pipeline.seed = seed if seed is not None else _seed_of(edit_of, int(scene_seed))
             pipeline.key = run_key(pipeline, f"{quality} {edit_of or ''}".strip())
             pipeline.warnings = []
             checkpoint = None
@@ -153,6 +153,13 @@ def _state_of(folder, quality):
     if not state.is_file():
         raise failures.BadInput(f"{state}: no such file; expected the folder of a finished run, of another quality than paper")
     return state
+
+
+def _seed_of(folder, otherwise):
+    """That of a run that is edited; otherwise, where there is none, another."""
+    report = read_json(pathlib.Path(folder) / "report.json") if folder is not None else None
+    seed = report.get("seed") if isinstance(report, dict) else None
+    return seed if isinstance(seed, int) else otherwise
 
 
 def tell(run, folder):
