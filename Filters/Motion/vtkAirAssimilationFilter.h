@@ -188,7 +188,7 @@ private:
   // literals here against it.
   friend struct waft::AssimilationOptions;
   int Resolution = 64;
-  int LatticeResolution = 40;
+  int LatticeResolution = 48;
   int Candidates = 32;
   int Starts = 8;
   int Rounds = 3;

@@ -127,7 +127,7 @@ class AnimationTest(unittest.TestCase):
         self.assertEqual(drift.Resolution, 24)
         animation.Quality = "Assimilated"
         animation.UpdatePipeline()
-        self.assertEqual([drift.Resolution, drift.LatticeResolution, drift.Rounds], [64, 40, 3])
+        self.assertEqual([drift.Resolution, drift.LatticeResolution, drift.Rounds], [64, 48, 3])
 
     def test_stages_can_be_shown_and_hidden(self):
         animation = self.make(StopAfter="Plan")

@@ -29,7 +29,7 @@ namespace waft
 struct AssimilationOptions
 {
   int Resolution = 64;
-  int LatticeResolution = 40;
+  int LatticeResolution = 48;
   int Candidates = 32;
   int Starts = 8;
   int Rounds = 3;

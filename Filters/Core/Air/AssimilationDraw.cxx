@@ -35,9 +35,6 @@ constexpr std::uint64_t AirStream = 0x616972; // of random numbers, apart from a
 // against 64^3: 1.24 and 1.03, 1.77 and 1.25).
 constexpr double VelocityGain = 1.24 / 1.03;
 constexpr double AccelerationGain = 1.77 / 1.25;
-// Bodies that are held to marks move less than free ones (leaves-letters, leaves-word): so much
-// stronger the forces are made.
-constexpr double HeldBodies = 1.1;
 constexpr double MostScaling = 2.0; // of the forces, up and down
 constexpr double ScalingCost = 0.25;
 constexpr double StructureCost = 4.0;
@@ -261,8 +258,8 @@ Result AssimilationRun::DrawForces(std::vector<ForceDraw>& draws)
     return simulated;
   }
   this->Wanted = MeanOf(open);
-  this->Wanted.VelocityVariance *= VelocityGain * HeldBodies;
-  this->Wanted.AccelerationVariance *= AccelerationGain * HeldBodies * HeldBodies;
+  this->Wanted.VelocityVariance *= VelocityGain;
+  this->Wanted.AccelerationVariance *= AccelerationGain;
   for (ForceDraw& draw : draws)
   {
     FitDraw(this->Wanted, draw);
