@@ -11,6 +11,7 @@
 #include "Scene/ForceOptions.h"
 #include "Scene/KeyframeOptions.h"
 #include "Scene/ObjectOptions.h"
+#include "Scene/ObstacleOptions.h"
 #include "Scene/SceneFileOptions.h"
 #include "Shapes/Photograph.h"
 #include "Shapes/TextureImage.h"
@@ -69,6 +70,7 @@ int main()
     { "vtkMotionSceneReader", FieldsOf(waft::SceneReadOptions()) },
     { "vtkMotionSceneWriter", FieldsOf(waft::SceneWriteOptions()) },
     { "vtkObjectSource", FieldsOf(waft::ObjectOptions()) },
+    { "vtkObstacleSource", FieldsOf(waft::ObstacleSourceOptions()) },
     { "vtkPhotographShapeSource",
       FieldsOf(waft::PhotographFile(), waft::PhotographOptions(), waft::ThinBody(), frame) },
     { "vtkShapeKeyframeSource", FieldsOf(waft::KeyframeOptions()) },

@@ -95,6 +95,24 @@ class ByHandTest(unittest.TestCase):
         self.assertEqual([read.GetTuple(k) for k in range(read.GetNumberOfTuples())],
                          [made.GetTuple(k) for k in range(made.GetNumberOfTuples())])
 
+    def test_obstacles_are_written_as_an_artist_would(self):
+        pillar = simple.ObstacleSource(Kind="Cylinder", Base=[-0.6, 0.3, 0], Top=[-0.6, 0.3, 1.5], Radius=0.2, Ground=1)
+        ball = simple.ObstacleSource(Kind="Sphere", Center=[1.2, 1, 0.5], Radius=0.25)
+        writer = simple.MotionSceneWriter(Objects=self.objects, Constraints=self.rows, Obstacles=pillar)
+        writer.FileName = self.file("pillar.waft.json")
+        UpdatePipeline(proxy=writer)
+        with open(self.file("pillar.waft.json"), encoding="utf-8") as stream:
+            scene = json.load(stream)
+        self.assertEqual(scene["ground"], {"enabled": True, "height": 0})
+        self.assertEqual(scene["obstacles"], [{"kind": "cylinder", "base": [-0.6, 0.3, 0], "top": [-0.6, 0.3, 1.5], "radius": 0.2}])
+        both = simple.MotionSceneWriter(Objects=self.objects, Constraints=self.rows,
+                                        Obstacles=simple.AppendGeometry(Input=[pillar, ball]))
+        both.FileName = self.file("both.waft.json")
+        UpdatePipeline(proxy=both)
+        reader = simple.MotionSceneReader(FileName=self.file("both.waft.json"))
+        UpdatePipeline(proxy=reader)
+        self.assertEqual(data_of(reader, 2).GetNumberOfCells(), data_of(pillar).GetNumberOfCells() + data_of(ball).GetNumberOfCells())
+
     def test_save_data_keeps_it(self):
         scene = simple.MotionSceneWriter(Objects=self.objects, Constraints=self.rows, Obstacles=self.wall)
         UpdatePipeline(proxy=scene)

@@ -17,8 +17,10 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 import waft
+import picture
 from test_animation import QUICK, STAGES, stage_of
 
+MOST_DIFFERING = 0.005  # of the pixels, between this picture and the one in the gallery
 XML, SOURCE, PLACE = map(pathlib.Path, sys.argv[1:4])
 
 
@@ -65,6 +67,7 @@ def make_all(folder):
         "VortexFitFilter": simple.VortexFitFilter(Input=port(gas, 0)),
         "ObjectSource": simple.ObjectSource(), "ConstraintSource": simple.ConstraintSource(Radius=0.2),
         "VortexSource": simple.VortexSource(CenterTime=0), "WindSource": simple.WindSource(CenterTime=0),
+        "ObstacleSource": simple.ObstacleSource(Kind="Cylinder"),
         "ShapeKeyframeSource": simple.ShapeKeyframeSource(Text="WAFT", NumberOfTargets=60),
         "LeafShapeSource": simple.LeafShapeSource(), "FeatherShapeSource": simple.FeatherShapeSource(),
         "PhotographShapeSource": simple.PhotographShapeSource(Photograph=photograph),
@@ -152,6 +155,8 @@ class FirstPicturesTest(unittest.TestCase):
                     drawn = pixels(path)
                     share = np.mean(np.abs(drawn - 255).max(axis=1) > 24)
                     self.assertGreater(share, 0.002, "next to nothing is drawn")
+                    kept = picture.read(str(SOURCE / "Documentation" / "gallery" / path.name))
+                    self.assertLess(picture.differing(picture.read(str(path)), kept), MOST_DIFFERING, path.name)
 
     def test_changes_of_a_user_stay(self):
         view = simple.CreateRenderView()

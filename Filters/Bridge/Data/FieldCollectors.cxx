@@ -46,23 +46,27 @@ std::vector<ObstacleMesh> SplitBySolid(const TriangleMesh& whole)
   std::vector<std::map<int, int>> local(obstacles.size()); // a point may be of several
   for (std::size_t t = 0; t < whole.Triangles.size(); ++t)
   {
+    for (const int corner : whole.Triangles[t])
+    {
+      local[static_cast<std::size_t>(solidOf[t])].emplace(corner, 0);
+    }
+  }
+  for (std::size_t at = 0; at < obstacles.size(); ++at)
+  {
+    obstacles[at].ObstacleId = static_cast<int>(at);
+    for (auto& [corner, index] : local[at]) // in their order in the whole
+    {
+      index = static_cast<int>(obstacles[at].Mesh.Points.size());
+      obstacles[at].Mesh.Points.push_back(whole.Points[static_cast<std::size_t>(corner)]);
+    }
+  }
+  for (std::size_t t = 0; t < whole.Triangles.size(); ++t)
+  {
     const auto at = static_cast<std::size_t>(solidOf[t]);
-    ObstacleMesh& obstacle = obstacles[at];
-    obstacle.ObstacleId = solidOf[t];
     std::array<int, 3> triangle{};
     std::transform(whole.Triangles[t].begin(), whole.Triangles[t].end(), triangle.begin(),
-                   [&](int corner)
-                   {
-                     const auto [point, isNew] =
-                       local[at].emplace(corner, static_cast<int>(obstacle.Mesh.Points.size()));
-                     if (isNew)
-                     {
-                       obstacle.Mesh.Points.push_back(
-                         whole.Points[static_cast<std::size_t>(corner)]);
-                     }
-                     return point->second;
-                   });
-    obstacle.Mesh.Triangles.push_back(triangle);
+                   [&](int corner) { return local[at].at(corner); });
+    obstacles[at].Mesh.Triangles.push_back(triangle);
   }
   return obstacles;
 }

@@ -29,7 +29,7 @@ void ObstaclesToPolyData(const std::vector<ObstacleMesh>& obstacles, double fram
 void MoveObstacles(const std::vector<ObstacleMesh>& obstacles, double frame, vtkPolyData* data);
 
 /// Gathers the obstacles over the steps of a time-varying surface. Every obstacle may move, not
-/// turn or deform. Without `ObstacleId` the whole surface is obstacle 0.
+/// turn or deform. Without `ObstacleId` what hangs together is one.
 class ObstacleCollector
 {
 public:
