@@ -2,19 +2,26 @@
 #include "vtkObjectSource.h"
 
 #include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/ShapeData.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Scene/ObjectOptions.h"
 
+#include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
+
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkObjectSource);
 
 vtkObjectSource::vtkObjectSource()
 {
-  this->SetNumberOfInputPorts(0);
+  // paraview.simple connects whatever is active to the first port of a new source: it is not used.
+  this->SetNumberOfInputPorts(SHAPES_PORT + 1);
 }
 
 vtkTypeBool vtkObjectSource::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
@@ -25,6 +32,14 @@ vtkTypeBool vtkObjectSource::ProcessRequest(vtkInformation* request, vtkInformat
     [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
+int vtkObjectSource::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
+            port == SHAPES_PORT ? "vtkMultiBlockDataSet" : "vtkDataObject");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
 int vtkObjectSource::RequestInformation(vtkInformation*, vtkInformationVector**,
                                         vtkInformationVector* outputs)
 {
@@ -32,11 +47,28 @@ int vtkObjectSource::RequestInformation(vtkInformation*, vtkInformationVector**,
   return 1;
 }
 
-int vtkObjectSource::RequestData(vtkInformation*, vtkInformationVector**,
+int vtkObjectSource::RequestData(vtkInformation*, vtkInformationVector** inputs,
                                  vtkInformationVector* outputs)
 {
-  const auto options = waft::OptionsOf<waft::ObjectOptions>(*this);
+  auto options = waft::OptionsOf<waft::ObjectOptions>(*this);
   const waft::SceneInfo info = options.Info();
+  if (vtkMultiBlockDataSet* bodies = vtkMultiBlockDataSet::GetData(inputs[SHAPES_PORT]))
+  {
+    std::vector<waft::Shape> shapes;
+    if (const waft::Result read = waft::ShapesFromMultiBlock(bodies, shapes); !read)
+    {
+      return waft::Fail(this, outputs, read.Message());
+    }
+    const auto block = static_cast<std::size_t>(options.ShapeId);
+    if (block >= shapes.size())
+    {
+      return waft::Fail(this, outputs,
+                        "ShapeId: expected a block of Shapes, which has " +
+                          std::to_string(shapes.size()) + ", found " +
+                          std::to_string(options.ShapeId));
+    }
+    options.TakeBodyOf(shapes[block]);
+  }
   std::vector<waft::MotionObject> objects;
   if (const waft::Result made = options.MakeObjects(objects); !made)
   {

@@ -8,7 +8,10 @@
  * `ClearanceRadius`, `RestHeight` [m] (double), `Velocity` [m/s], `AngularVelocity` [rad/s, world]
  * (double[3]), `Orientation` (double[4]; w, x, y, z), and `ObjectIdGiven` (unsigned char): 0 says
  * that whoever takes several sources' objects, appended, is to number them; ids of 1 are kept.
- * The field data `Bounds`, `NumberOfFrames`, `FramesPerSecond` and `AirDensity` describe the scene.
+ * With an input at port 1, Shapes (vtkMultiBlockDataSet), the block ShapeId says Mass,
+ * SettlingSpeed, ClearanceRadius, RestHeight and ClassId instead of the properties; port 0 takes
+ * nothing. The field data `Bounds`, `NumberOfFrames`, `FramesPerSecond` and `AirDensity` describe
+ * the scene.
  */
 #ifndef vtkObjectSource_h
 #define vtkObjectSource_h
@@ -29,6 +32,7 @@ public:
   vtkTypeMacro(vtkObjectSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  static constexpr int SHAPES_PORT = 1;
   enum Layouts
   {
     ONE = 0,
@@ -147,6 +151,9 @@ public:
   vtkGetMacro(AirDensity, double);
   ///@}
 
+  /// Takes the optional input away.
+  void RemoveAllShapes() { this->SetInputConnection(SHAPES_PORT, nullptr); }
+
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
 
@@ -154,6 +161,7 @@ protected:
   vtkObjectSource();
   ~vtkObjectSource() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector** inputs,
                          vtkInformationVector* outputs) override;
   int RequestData(vtkInformation*, vtkInformationVector** inputs,

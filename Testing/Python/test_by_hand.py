@@ -95,6 +95,19 @@ class ByHandTest(unittest.TestCase):
         self.assertEqual([read.GetTuple(k) for k in range(read.GetNumberOfTuples())],
                          [made.GetTuple(k) for k in range(made.GetNumberOfTuples())])
 
+    def test_objects_take_their_body_from_a_shape(self):
+        leaf = simple.LeafShapeSource()  # the active source, which goes into no port by itself
+        own, taken = simple.ObjectSource(Mass=0.5), simple.ObjectSource(Mass=0.5, Shapes=leaf, Layout="Row")
+        for source in (own, taken):
+            UpdatePipeline(proxy=source)
+        value = lambda source, name: data_of(source).GetPointData().GetArray(name).GetTuple1(0)  # noqa: E731
+        self.assertEqual(value(own, "Mass"), 0.5)
+        self.assertEqual(value(taken, "SettlingSpeed"), leaf.SettlingSpeed)
+        self.assertLess(value(taken, "Mass"), 0.01)
+        box = data_of(leaf).GetBlock(0).GetBounds()
+        self.assertAlmostEqual(value(taken, "ClearanceRadius"), max(box[1] - box[0], box[3] - box[2]) / 2, places=6)
+        self.assertGreater(value(taken, "RestHeight"), 0)
+
     def test_obstacles_are_written_as_an_artist_would(self):
         pillar = simple.ObstacleSource(Kind="Cylinder", Base=[-0.6, 0.3, 0], Top=[-0.6, 0.3, 1.5], Radius=0.2, Ground=1)
         ball = simple.ObstacleSource(Kind="Sphere", Center=[1.2, 1, 0.5], Radius=0.25)

@@ -2,6 +2,7 @@
 #include "Scene/ObjectOptions.h"
 
 #include "Base/NumberText.h"
+#include "Base/ShapeMeasures.h"
 #include "Scene/BlueNoise.h"
 
 #include <algorithm>
@@ -21,6 +22,15 @@ Quat FromAngles(const Vec3& degrees)
 }
 
 } // namespace
+
+void ObjectOptions::TakeBodyOf(const Shape& shape)
+{
+  this->Mass = ShellMass(shape);
+  this->SettlingSpeed = shape.SettlingSpeed;
+  this->ClearanceRadius = waft::ClearanceRadius(shape);
+  this->RestHeight = waft::RestHeight(shape);
+  this->ClassId = shape.ClassId;
+}
 
 Result ObjectOptions::MakeBody(MotionObject& object) const
 {

@@ -4,6 +4,7 @@
 
 #include "Base/Motion.h"
 #include "Base/SceneFrame.h"
+#include "Base/Shape.h"
 
 #include <array>
 #include <cstdint>
@@ -48,6 +49,8 @@ struct ObjectOptions : SceneFrame
     return info;
   }
 
+  /// Mass, settling speed, clearance, height at rest and class are those of a body.
+  void TakeBodyOf(const Shape& shape);
   /// A velocity of zero is none: the object starts as its air does. Objects without an ObjectId are
   /// numbered from 0. Fails where a spread finds no room.
   Result MakeObjects(std::vector<MotionObject>& objects) const;
