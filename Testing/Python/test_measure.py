@@ -192,6 +192,14 @@ class DefinitionTest(unittest.TestCase):
         self.assertEqual(list(np.flatnonzero(free[2])), [15])
         self.assertEqual(touches, [(0, 60), (2, 40)])
 
+    def test_a_given_path_is_no_flight(self):
+        frames = np.array([*range(30, 41), 60])
+        rows = {"ObjectId": np.zeros(12, int), "Frame": frames, "Kind": np.zeros(12, int), "Until": frames,
+                "TouchDown": np.full(12, -1), "LiftOff": np.full(12, -1)}
+        flying, free, _ = flight(rows, np.arange(1), FRAMES, RATE)
+        self.assertEqual(list(np.flatnonzero(~flying[0])), [*range(30, 41)], "a mark alone is flown through")
+        self.assertEqual(list(np.flatnonzero(free[0])), [*range(15, 22), 49, 50, 51, *range(69, 90)])
+
     @unittest.skipUnless(_telling.is_there(), "scikit-learn is not installed")
     def test_told_apart(self):
         one, same, other = (flights(waves(24, f, seed=s)) for f, s in ((0.5, 1), (0.5, 2), (1.2, 3)))

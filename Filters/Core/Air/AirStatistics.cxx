@@ -22,10 +22,16 @@ struct Sample
   Vec3 Position, Velocity, Acceleration;
 };
 
-struct Sums
+// Sums of squares about means, and of how many.
+struct Spread
 {
   double Velocity = 0.0, Acceleration = 0.0;
   std::size_t Count = 0;
+};
+
+struct Sums
+{
+  Spread Frames, Own;
   std::array<double, AirStatistics::Bins> Differing{};
   std::array<std::size_t, AirStatistics::Bins> Pairs{};
 };
@@ -91,7 +97,7 @@ void AddPairs(const std::vector<Sample>& here, double width, Sums& sums)
   }
 }
 
-void AddFrame(const std::vector<Sample>& here, Sums& sums)
+void AddAboutMean(const std::vector<Sample>& here, Spread& sums)
 {
   Vec3 velocity = Vec3::Zero(), acceleration = Vec3::Zero();
   const auto count = static_cast<double>(here.size());
@@ -109,6 +115,33 @@ void AddFrame(const std::vector<Sample>& here, Sums& sums)
   sums.Count += here.size();
 }
 
+Sample SampleAt(const std::vector<Vec3>& path, std::size_t f, double rate)
+{
+  return { path[f], 0.5 * rate * (path[f + 1] - path[f - 1]),
+           rate * rate * (path[f + 1] - 2.0 * path[f] + path[f - 1]) };
+}
+
+// Windows of a path that is free all the time, each half over the one before.
+void AddOwn(const std::vector<Vec3>& path, const std::vector<char>& isFree, double rate, Sums& sums)
+{
+  const auto length = static_cast<std::size_t>(std::lround(AirStatistics::OwnSeconds * rate));
+  for (std::size_t begin = 1; length > 1 && begin + length < path.size(); begin += length / 2)
+  {
+    const auto first = isFree.begin() + static_cast<std::ptrdiff_t>(begin);
+    if (std::find(first, first + static_cast<std::ptrdiff_t>(length), 0) !=
+        first + static_cast<std::ptrdiff_t>(length))
+    {
+      continue;
+    }
+    std::vector<Sample> window(length);
+    for (std::size_t k = 0; k < length; ++k)
+    {
+      window[k] = SampleAt(path, begin + k, rate);
+    }
+    AddAboutMean(window, sums.Own);
+  }
+}
+
 } // namespace
 
 AirStatistics StatisticsOf(const FreeFlights& flights, double framesPerSecond, double width)
@@ -123,25 +156,30 @@ AirStatistics StatisticsOf(const FreeFlights& flights, double framesPerSecond, d
     {
       if (flights.IsFree[b][f])
       {
-        const std::vector<Vec3>& x = flights.Paths[b];
-        here.push_back({ x[f], 0.5 * framesPerSecond * (x[f + 1] - x[f - 1]),
-                         framesPerSecond * framesPerSecond * (x[f + 1] - 2.0 * x[f] + x[f - 1]) });
+        here.push_back(SampleAt(flights.Paths[b], f, framesPerSecond));
       }
     }
     if (here.size() < 2)
     {
       continue;
     }
-    AddFrame(here, sums);
+    AddAboutMean(here, sums.Frames);
     if (f % PairFrames == 0)
     {
       AddPairs(here, width, sums);
     }
   }
+  for (std::size_t b = 0; b < flights.Paths.size(); ++b)
+  {
+    AddOwn(flights.Paths[b], flights.IsFree[b], framesPerSecond, sums);
+  }
   AirStatistics found;
-  const double count = std::max<double>(1.0, static_cast<double>(sums.Count));
-  found.VelocityVariance = sums.Velocity / count;
-  found.AccelerationVariance = sums.Acceleration / count;
+  const double count = std::max<double>(1.0, static_cast<double>(sums.Frames.Count));
+  found.VelocityVariance = sums.Frames.Velocity / count;
+  found.AccelerationVariance = sums.Frames.Acceleration / count;
+  const double own = std::max<double>(1.0, static_cast<double>(sums.Own.Count));
+  found.OwnVelocityVariance = sums.Own.Velocity / own;
+  found.OwnAccelerationVariance = sums.Own.Acceleration / own;
   for (std::size_t bin = 0; bin < sums.Pairs.size(); ++bin)
   {
     if (sums.Pairs[bin] > 0 && found.VelocityVariance > 0.0)

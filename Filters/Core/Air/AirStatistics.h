@@ -21,6 +21,11 @@ struct AirStatistics
 
   double VelocityVariance = 0.0;     // about the mean of each frame [m^2/s^2]
   double AccelerationVariance = 0.0; // about the mean of each frame [m^2/s^4]
+  /// About each body's own mean over windows of OwnSeconds, as few bodies have it; 0 where none
+  /// flies freely as long.
+  static constexpr double OwnSeconds = 2.0;
+  double OwnVelocityVariance = 0.0;     // [m^2/s^2]
+  double OwnAccelerationVariance = 0.0; // [m^2/s^4]
   /// S2(r) / 2 var v; 0 where there is no pair.
   std::array<double, Bins> Structure{};
 };

@@ -22,6 +22,7 @@ constexpr std::size_t TrialObjects = 48;
 constexpr std::size_t FewestForStatistics = 12; // bodies
 constexpr double PathStructureCost = 2.0;
 constexpr double PathStrengthCost = 0.2;
+constexpr double Tiny = 1e-12;       // [m^2/s^2]
 constexpr double SteeringRate = 6.0; // 1/s
 constexpr int ClosedDraws = 8;
 constexpr int OpenDraws = 5; // the airs as which the drawn one ought to be
@@ -58,6 +59,13 @@ void FitDraw(const AirStatistics& wanted, AssimilationRun::ForceDraw& draw)
   draw.Misfit = std::isfinite(misfit) ? misfit : 1e300;
 }
 
+// Of a variance that is not as it is wanted; 0 where either is not known.
+double StrengthCost(double found, double wanted)
+{
+  const double misfit = found > 0.0 && wanted > 0.0 ? std::log(found / wanted) : 0.0;
+  return PathStrengthCost * misfit * misfit;
+}
+
 AirStatistics MeanOf(const std::vector<AirStatistics>& airs)
 {
   AirStatistics mean;
@@ -66,6 +74,8 @@ AirStatistics MeanOf(const std::vector<AirStatistics>& airs)
   {
     mean.VelocityVariance += air.VelocityVariance / count;
     mean.AccelerationVariance += air.AccelerationVariance / count;
+    mean.OwnVelocityVariance += air.OwnVelocityVariance / count;
+    mean.OwnAccelerationVariance += air.OwnAccelerationVariance / count;
     for (std::size_t bin = 0; bin < mean.Structure.size(); ++bin)
     {
       mean.Structure[bin] += air.Structure[bin] / count;
@@ -260,6 +270,8 @@ Result AssimilationRun::DrawForces(std::vector<ForceDraw>& draws)
   this->Wanted = MeanOf(open);
   this->Wanted.VelocityVariance *= VelocityGain;
   this->Wanted.AccelerationVariance *= AccelerationGain;
+  this->Wanted.OwnVelocityVariance *= VelocityGain;
+  this->Wanted.OwnAccelerationVariance *= AccelerationGain;
   for (ForceDraw& draw : draws)
   {
     FitDraw(this->Wanted, draw);
@@ -364,16 +376,16 @@ double AssimilationRun::Try(const HalfSeries& series, AssimilationRound& row) co
     StatisticsOf(flights, this->Input.Scene.Time.FramesPerSecond, this->Input.Scene.Bounds.Width());
   row.Control = std::sqrt(sum);
 
-  if (count < FewestForStatistics ||
-      !(found.AccelerationVariance > 0.0 && this->Wanted.AccelerationVariance > 0.0))
+  const double cost = sum / std::max(this->Wanted.VelocityVariance, Tiny);
+  if (count < FewestForStatistics)
   {
-    return sum;
+    return cost + StrengthCost(found.OwnVelocityVariance, this->Wanted.OwnVelocityVariance) +
+           StrengthCost(found.OwnAccelerationVariance, this->Wanted.OwnAccelerationVariance);
   }
   const double structure = StructureDistance(found, this->Wanted);
-  const double v = std::log(found.VelocityVariance / this->Wanted.VelocityVariance);
-  const double a = std::log(found.AccelerationVariance / this->Wanted.AccelerationVariance);
-  return sum / this->Wanted.VelocityVariance + PathStructureCost * structure * structure +
-         PathStrengthCost * (v * v + a * a);
+  return cost + PathStructureCost * structure * structure +
+         StrengthCost(found.VelocityVariance, this->Wanted.VelocityVariance) +
+         StrengthCost(found.AccelerationVariance, this->Wanted.AccelerationVariance);
 }
 
 Result AssimilationRun::SimulateAgain(HalfSeries plain, int round)

@@ -124,7 +124,8 @@ def _rows(path):
 
 def flight(rows, ids, frames, rate):
     """(in the air, in free flight) [object, frame], and the touch-downs [(object, frame)]. In the air is an object from the start or
-    a lift-off to its touch-down; free flight leaves out what is near them, and near rows of position."""
+    a lift-off to its touch-down, but for a path that is given frame by frame; free flight leaves out what is near them, and near
+    rows of position."""
     flying = np.ones((len(ids), frames), bool)
     free = np.ones((len(ids), frames), bool)
     touches = []
@@ -140,8 +141,11 @@ def flight(rows, ids, frames, rate):
             free[index, max(touch - end, 0):until + start] = False
             if touch > 0:
                 touches.append((index, min(touch, frames - 1)))
-        for row in own[rows["Kind"][own] == POSITION]:
-            free[index, np.abs(number - rows["Frame"][row]) <= NEAR_ROW] = False
+        placed = np.isin(number, rows["Frame"][own[rows["Kind"][own] == POSITION]])
+        flying[index, 1:] &= ~(placed[1:] & placed[:-1])
+        flying[index, :-1] &= ~(placed[1:] & placed[:-1])
+        for frame in np.flatnonzero(placed):
+            free[index, np.abs(number - frame) <= NEAR_ROW] = False
     return flying, free & flying, touches
 
 

@@ -107,6 +107,31 @@ TEST(AirStatistics, AreThoseOfASolidRotation)
   EXPECT_EQ(StructureDistance(found, found), 0.0);
 }
 
+TEST(AirStatistics, OfOneBodyAreAboutItsOwnMean)
+{
+  // Once round in two seconds, carried and sinking evenly: |v - mean| = w r, |a| = w^2 r.
+  const double rate = 30.0, radius = 0.3, spin = M_PI;
+  FreeFlights flights;
+  flights.Paths.emplace_back();
+  for (int f = 0; f < 122; ++f)
+  {
+    const double t = f / rate;
+    flights.Paths[0].emplace_back(radius * std::cos(spin * t) + 0.4 * t,
+                                  radius * std::sin(spin * t), 3.0 - 0.5 * t);
+  }
+  flights.IsFree.emplace_back(122, 1);
+  AirStatistics found = StatisticsOf(flights, rate, 4.0);
+  const double velocity = std::pow(spin * radius, 2), acceleration = std::pow(spin, 2) * velocity;
+  EXPECT_NEAR(found.OwnVelocityVariance, velocity * 60.0 / 59.0, 0.01 * velocity);
+  EXPECT_NEAR(found.OwnAccelerationVariance, acceleration * 60.0 / 59.0, 0.01 * acceleration);
+  EXPECT_EQ(found.VelocityVariance, 0.0);
+
+  flights.IsFree[0].assign(122, 0); // no window is free all the time
+  std::fill_n(flights.IsFree[0].begin() + 20, 59, 1);
+  found = StatisticsOf(flights, rate, 4.0);
+  EXPECT_EQ(found.OwnVelocityVariance, 0.0);
+}
+
 TEST(AssimilationContacts, BodiesWhoseWaysCrossKeepApart)
 {
   const AssimilationInput input = Crossing();
