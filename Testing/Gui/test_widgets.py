@@ -99,16 +99,19 @@ class WidgetTest(unittest.TestCase):
         for axis in range(3):
             self.assertAlmostEqual(place[axis], dragged[axis], places=5)
 
-    def test_a_vortex_and_a_wind_have_handles(self):
+    def test_vortices_winds_and_boxes_have_handles(self):
         with tempfile.TemporaryDirectory() as folder:
             status, printed, notes = play("forces.xml", pathlib.Path(folder))
         self.check_run(status, printed)
         vortex = [note for note in notes if note["source"] == "VortexSource" and note["points"]][-1]
         self.assertEqual(self.shown(vortex), ["LineSourceWidgetRepresentation"])
         self.assertEqual(vortex["points"], [[-1.25, 0, 0.5], [0, 0, 3.5]], "typed into the panel, applied")
-        self.assertIn("SphereWidgetRepresentation", self.shown(notes[-1]))
         wind = [note for note in notes if note["source"] == "WindSource" and note["points"]][-1]
+        self.assertIn("SphereWidgetRepresentation", self.shown(wind))
         self.assertEqual(len(wind["points"]), 17 ** 3)
+        box = [note for note in notes if note["source"] == "ObstacleSource" and note["points"]][-1]
+        self.assertEqual(self.shown(box), ["BoxWidgetRepresentation"])
+        self.assertEqual([min(box["points"]), max(box["points"])], [[-1.25, -0.5, 0], [-0.25, 0.5, 2]])
 
     def test_a_wish_is_one_place_and_then_a_way(self):
         notes = self.of("ConstraintSource")
