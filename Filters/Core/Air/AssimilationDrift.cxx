@@ -198,7 +198,8 @@ std::vector<Vec3> AssimilationRun::BestDrift(const Drifter& drifter, const AirSa
 AssimilationRun::Judgement AssimilationRun::JudgementOf(const Drifter& drifter, double cost,
                                                         const std::vector<Vec3>& path) const
 {
-  return { static_cast<bool>(this->Scene.Solids) && drifter.PassesThrough(path), cost };
+  return { static_cast<bool>(this->Scene.Solids) && drifter.PassesThrough(path),
+           cost / drifter.NumberOfFlownSteps() };
 }
 
 std::vector<char> AssimilationRun::FindNeighbours()

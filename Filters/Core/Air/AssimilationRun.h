@@ -86,7 +86,7 @@ private:
   struct Judgement
   {
     bool PassesThrough = false; // an obstacle: barriers ask at frames alone, a wall may be thinner
-    double Cost = 0.0;
+    double Cost = 0.0; // a step flown: lying costs nothing, and would end each flight early
     bool operator<(const Judgement& other) const
     {
       return this->PassesThrough != other.PassesThrough ? other.PassesThrough

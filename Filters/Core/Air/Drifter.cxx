@@ -82,6 +82,17 @@ void Drifter::SetLiftOff(std::size_t landing, int frame)
   this->FixFrames();
 }
 
+int Drifter::NumberOfFlownSteps() const
+{
+  const int last = this->NumberOfFrames() - 1;
+  int flown = last;
+  for (const LandingWindow& landing : this->Landings)
+  {
+    flown -= std::max(0, std::min(landing.Until, last) - std::max(landing.Frame, 0));
+  }
+  return std::max(flown, 1);
+}
+
 Constraint& Drifter::RestOf(const LandingWindow& landing)
 {
   return *std::find_if(this->Wanted.begin(), this->Wanted.end(),

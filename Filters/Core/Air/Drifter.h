@@ -61,6 +61,8 @@ public:
   int LatestLiftOff(std::size_t landing, int most) const;
 
   int NumberOfFrames() const { return static_cast<int>(this->Planned.size()); }
+  /// Steps that it does not lie through, at least one.
+  int NumberOfFlownSteps() const;
   /// Where it is held at a frame, or null.
   const Vec3* HeldAt(int frame) const
   {
