@@ -101,6 +101,22 @@ TEST(Drifter, FallsBackOnThePlanBroughtToItsTouchDown)
   EXPECT_LT(LongestStep(path), 1.5 * hastening * LongestStep(scene.Plan));
 }
 
+TEST(Drifter, CountsTheStepsThatItFlies)
+{
+  BehindAWall scene;
+  const DriftScene around{ scene.Scene, scene.Obstacles, false };
+  Drifter body(around, scene.Object, scene.Plan, { scene.Row });
+  EXPECT_EQ(body.NumberOfFlownSteps(), LiesAt);
+  body.SetTouchDown(0, ComesDownAt);
+  EXPECT_EQ(body.NumberOfFlownSteps(), ComesDownAt);
+  scene.Row.Frame = 0;
+  scene.Row.Until = 20;
+  Drifter leaving(around, scene.Object, scene.Plan, { scene.Row });
+  EXPECT_EQ(leaving.NumberOfFlownSteps(), Frames - 1 - 20);
+  leaving.SetLiftOff(0, 30);
+  EXPECT_EQ(leaving.NumberOfFlownSteps(), Frames - 1 - 30);
+}
+
 /// Bodies whose marks are nearer to each other than they are wide, one after the other.
 TEST(AssimilationContacts, NoBodyJumpsOutOfACrowd)
 {
