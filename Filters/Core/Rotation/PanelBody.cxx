@@ -156,14 +156,12 @@ void PanelBody::Gather(std::vector<Piece>& pieces, std::size_t begin, std::size_
 
 void PanelBody::PackPanels()
 {
-  Pack none;
-  none.X = none.Y = none.Z = none.NX = none.NY = none.NZ = none.Area = Lanes::Zero();
-  this->Packs.assign((this->Panels.size() + Width - 1) / Width, none);
+  this->Packs.assign((this->Panels.size() + Width - 1) / Width, PanelPack{});
   for (std::size_t i = 0; i < this->Panels.size(); ++i)
   {
     const Panel& panel = this->Panels[i];
-    Pack& pack = this->Packs[i / Width];
-    const auto lane = static_cast<long>(i % Width);
+    PanelPack& pack = this->Packs[i / Width];
+    const std::size_t lane = i % Width;
     pack.X[lane] = panel.X;
     pack.Y[lane] = panel.Y;
     pack.Z[lane] = panel.Z;

@@ -41,6 +41,17 @@ struct AirCoefficients
   double RotationalLift = 0.5; // C_R of Andersen, Pesavento, Wang 2005 (1.1 in two dimensions)
 };
 
+/// Four panels side by side, so that the processor works on them together. Lanes beyond the last
+/// panel have no area.
+struct PanelPack
+{
+  static constexpr std::size_t Width = 4;
+
+  double X[Width], Y[Width], Z[Width];    // m, centroids
+  double NX[Width], NY[Width], NZ[Width]; // unit normals
+  double Area[Width];                     // m^2
+};
+
 /// Forces are for air of unit density: multiply by it.
 class PanelBody
 {
@@ -79,19 +90,10 @@ private:
     Vec3 VectorArea = Vec3::Zero();
     int Triangle = 0;
   };
-  /// Four panels side by side, so that the processor works on them together. Lanes beyond the last
-  /// panel have no area.
-  static constexpr std::size_t Width = 4;
-  using Lanes = Eigen::Array<double, Width, 1>;
-  struct Pack
-  {
-    Lanes X, Y, Z;
-    Lanes NX, NY, NZ;
-    Lanes Area;
-  };
+  static constexpr std::size_t Width = PanelPack::Width;
   /// Nodes of the table of directions along each side of a face of the cube.
   static constexpr int Nodes = 7;
-  /// Four nodes of that table and their weights.
+  /// Four nodes of that table and their weights: of each panel the part that is seen.
   struct Mixture
   {
     const float* Corners[4];
@@ -107,13 +109,11 @@ private:
   void PackPanels();
   void SetAddedMass(const ShellProperties& properties);
   Mixture Mix(const Vec3& direction) const;
-  /// Of the panels from `panel` on; 1 where nothing hides anything.
-  Lanes VisibleParts(const Mixture& mixture, std::size_t panel) const;
   Wrench PlateCorrections(const Vec3& velocity, const Mat3& gradient,
                           const AirCoefficients& coefficients) const;
 
   std::vector<Panel> Panels;
-  std::vector<Pack> Packs;       // the same panels
+  std::vector<PanelPack> Packs;  // the same panels
   std::vector<float> Visibility; // [face][row][column][lane], 0..1; empty: nothing hides anything
   double TotalArea = 0.0;
   Vec3 PlateNormal = Vec3::UnitZ();

@@ -2,7 +2,10 @@
 // What the air does to panels that are there: foreshortened area, force and torque.
 #include "Rotation/PanelBody.h"
 
+#include "Base/Simd.h"
+
 #include <cmath>
+#include <cstring>
 
 namespace waft
 {
@@ -16,6 +19,138 @@ double FastestTip(double aspect)
 {
   const double finite = aspect / (2.0 + std::sqrt(4.0 + aspect * aspect));
   return std::pow(finite * (2.0 - std::pow(aspect / (aspect + 0.595), 0.76)), 2.0 / 3.0);
+}
+
+/// A number of four panels. By itself the type would be aligned as far as the processor needs, to
+/// another number of bytes in each clone.
+typedef double Lanes __attribute__((vector_size(32), aligned(32)));
+
+#define WAFT_INLINE inline __attribute__((always_inline)) // compiled for what the caller is
+
+WAFT_INLINE void Load(const double* from, Lanes& lanes)
+{
+  std::memcpy(&lanes, from, sizeof(lanes));
+}
+
+/// Of a flow, what the load of a panel takes: PanelBody::Evaluate.
+struct PanelFlow
+{
+  Vec3 Velocity, Normal;
+  Mat3 Gradient;
+  double Drag, Friction, Lift;
+};
+
+/// Four panels: places and normals, the velocity there, its part along the normals, visible areas.
+struct PanelAir
+{
+  Lanes Place[3], Normal[3], Velocity[3], Along, Area;
+};
+
+WAFT_INLINE void Meet(const PanelPack& pack, const PanelFlow& flow, const float* const* corners,
+                      const double* weights, std::size_t panel, PanelAir& air)
+{
+  Load(pack.X, air.Place[0]);
+  Load(pack.Y, air.Place[1]);
+  Load(pack.Z, air.Place[2]);
+  Load(pack.NX, air.Normal[0]);
+  Load(pack.NY, air.Normal[1]);
+  Load(pack.NZ, air.Normal[2]);
+  Load(pack.Area, air.Area);
+  for (int c = 0; c < 3; ++c)
+  {
+    air.Velocity[c] = flow.Velocity[c] + flow.Gradient(c, 0) * air.Place[0] +
+                      flow.Gradient(c, 1) * air.Place[1] + flow.Gradient(c, 2) * air.Place[2];
+  }
+  air.Along = air.Velocity[0] * air.Normal[0] + air.Velocity[1] * air.Normal[1] +
+              air.Velocity[2] * air.Normal[2];
+  if (corners != nullptr)
+  {
+    Lanes part = {};
+    for (int k = 0; k < 4; ++k)
+    {
+      part += weights[k] * __builtin_convertvector(Load4(corners[k] + panel), Lanes);
+    }
+    air.Area *= part;
+  }
+}
+
+/// Sums over panels, lane by lane until the end.
+struct LoadSums
+{
+  Lanes Force[3] = {}, Torque[3] = {};
+};
+
+WAFT_INLINE void AddLoad(const PanelAir& air, const Lanes (&force)[3], LoadSums& sums)
+{
+  const Lanes(&p)[3] = air.Place;
+  for (int c = 0; c < 3; ++c)
+  {
+    sums.Force[c] += force[c];
+  }
+  sums.Torque[0] += p[1] * force[2] - p[2] * force[1];
+  sums.Torque[1] += p[2] * force[0] - p[0] * force[2];
+  sums.Torque[2] += p[0] * force[1] - p[1] * force[0];
+}
+
+WAFT_INLINE void Total(const LoadSums& sums, Wrench& total)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    const Lanes& f = sums.Force[c];
+    const Lanes& t = sums.Torque[c];
+    total.Force[c] = (f[0] + f[2]) + (f[1] + f[3]);
+    total.Torque[c] = (t[0] + t[2]) + (t[1] + t[3]);
+  }
+}
+
+/// Normal force cd sin(alpha) (1 + lift cos^2(alpha)), friction along the surface. Lift is a matter
+/// of how the flow meets the body as a whole: a panel that leans in a flow that comes broadside has
+/// no more pressure than its neighbours.
+WAFT_SIMD_CLONES void SumPlateLoads(const PanelPack* packs, std::size_t count,
+                                    const PanelFlow& flow, const float* const* corners,
+                                    const double* weights, Wrench& total)
+{
+  const Vec3& n = flow.Normal;
+  LoadSums sums;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    PanelAir air;
+    Meet(packs[i], flow, corners, weights, PanelPack::Width * i, air);
+    const Lanes(&w)[3] = air.Velocity;
+    Lanes speed = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
+    for (std::size_t lane = 0; lane < PanelPack::Width; ++lane)
+    {
+      speed[lane] = __builtin_sqrt(speed[lane]);
+    }
+    speed += 1e-12;
+    const Lanes across = w[0] * n.x() + w[1] * n.y() + w[2] * n.z();
+    const Lanes rub = -flow.Friction * air.Area * speed;
+    const Lanes push = -flow.Drag * air.Area * air.Along *
+                         (speed * (1.0 + flow.Lift) - flow.Lift * across * across / speed) -
+                       rub * air.Along;
+    const Lanes force[3] = { push * air.Normal[0] + rub * w[0], push * air.Normal[1] + rub * w[1],
+                             push * air.Normal[2] + rub * w[2] };
+    AddLoad(air, force, sums);
+  }
+  Total(sums, total);
+}
+
+/// Paper, Eq. 5: speed^2 times the foreshortened area is speed |w.n| times the area.
+WAFT_SIMD_CLONES void SumPaperLoads(const PanelPack* packs, std::size_t count,
+                                    const PanelFlow& flow, const float* const* corners,
+                                    const double* weights, Wrench& total)
+{
+  LoadSums sums;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    PanelAir air;
+    Meet(packs[i], flow, corners, weights, PanelPack::Width * i, air);
+    const Lanes push = -flow.Drag * air.Area * (air.Along < 0.0 ? -air.Along : air.Along);
+    const Lanes force[3] = { push * air.Velocity[0], push * air.Velocity[1],
+                             push * air.Velocity[2] };
+    AddLoad(air, force, sums);
+  }
+  Total(sums, total);
 }
 } // namespace
 
@@ -40,33 +175,22 @@ PanelBody::Mixture PanelBody::Mix(const Vec3& direction) const
            { (1.0 - fa) * (1.0 - fb), fa * (1.0 - fb), (1.0 - fa) * fb, fa * fb } };
 }
 
-PanelBody::Lanes PanelBody::VisibleParts(const Mixture& mixture, std::size_t panel) const
-{
-  using Floats = Eigen::Map<const Eigen::Array<float, Width, 1>>;
-  if (!this->HidesItself())
-  {
-    return Lanes::Ones();
-  }
-  Lanes part = Lanes::Zero();
-  for (int i = 0; i < 4; ++i)
-  {
-    part += mixture.Weights[i] * Floats(mixture.Corners[i] + panel).cast<double>();
-  }
-  return part;
-}
-
 double PanelBody::ForeshortenedArea(const Vec3& direction) const
 {
   const Vec3 d = direction.normalized();
   const Mixture mixture = this->HidesItself() ? this->Mix(d) : Mixture{};
-  Lanes area = Lanes::Zero();
-  for (std::size_t i = 0; i < this->Packs.size(); ++i)
+  double area = 0.0;
+  for (std::size_t i = 0; i < this->Panels.size(); ++i)
   {
-    const Pack& p = this->Packs[i];
-    const Lanes cosine = (p.NX * d.x() + p.NY * d.y() + p.NZ * d.z()).abs();
-    area += cosine * p.Area * this->VisibleParts(mixture, Width * i);
+    const Panel& panel = this->Panels[i];
+    double part = this->HidesItself() ? 0.0 : 1.0;
+    for (int k = 0; k < 4 && this->HidesItself(); ++k)
+    {
+      part += mixture.Weights[k] * static_cast<double>(mixture.Corners[k][i]);
+    }
+    area += std::abs(panel.NX * d.x() + panel.NY * d.y() + panel.NZ * d.z()) * panel.Area * part;
   }
-  return area.sum();
+  return area;
 }
 
 Wrench PanelBody::Evaluate(const Vec3& velocity, const Mat3& gradient,
@@ -75,57 +199,17 @@ Wrench PanelBody::Evaluate(const Vec3& velocity, const Mat3& gradient,
   const bool hides = this->HidesItself();
   const Mixture mixture = hides ? this->Mix(velocity) : Mixture{};
   const bool plate = coefficients.Model == AirModel::Plate;
-  const double drag = 0.5 * coefficients.Drag;
-  const double friction = drag * coefficients.Friction;
-  const double lift = coefficients.Lift * this->PlateFlatness;
-  const Vec3& n = this->PlateNormal;
-  const Mat3& g = gradient;
-  Lanes fx = Lanes::Zero(), fy = fx, fz = fx, tx = fx, ty = fx, tz = fx;
-  for (std::size_t i = 0; i < this->Packs.size(); ++i)
-  {
-    const Pack& p = this->Packs[i];
-    const Lanes wx = velocity.x() + g(0, 0) * p.X + g(0, 1) * p.Y + g(0, 2) * p.Z;
-    const Lanes wy = velocity.y() + g(1, 0) * p.X + g(1, 1) * p.Y + g(1, 2) * p.Z;
-    const Lanes wz = velocity.z() + g(2, 0) * p.X + g(2, 1) * p.Y + g(2, 2) * p.Z;
-    const Lanes wn = wx * p.NX + wy * p.NY + wz * p.NZ;
-    Lanes area = p.Area;
-    if (hides)
-    {
-      area *= this->VisibleParts(mixture, Width * i);
-    }
-    Lanes x, y, z;
-    if (plate)
-    {
-      // Normal force cd sin(alpha) (1 + lift cos^2(alpha)), friction along the surface. Lift is a
-      // matter of how the flow meets the body as a whole: a panel that leans in a flow that comes
-      // broadside has no more pressure than its neighbours.
-      const Lanes speed = (wx * wx + wy * wy + wz * wz).sqrt() + 1e-12;
-      const Lanes across = wx * n.x() + wy * n.y() + wz * n.z();
-      const Lanes rub = -friction * area * speed;
-      const Lanes push =
-        -drag * area * wn * (speed * (1.0 + lift) - lift * across * across / speed) - rub * wn;
-      x = push * p.NX + rub * wx;
-      y = push * p.NY + rub * wy;
-      z = push * p.NZ + rub * wz;
-    }
-    else
-    {
-      // Eq. 5: speed^2 times the foreshortened area is speed |w.n| times the area.
-      const Lanes push = -drag * area * wn.abs();
-      x = push * wx;
-      y = push * wy;
-      z = push * wz;
-    }
-    fx += x;
-    fy += y;
-    fz += z;
-    tx += p.Y * z - p.Z * y;
-    ty += p.Z * x - p.X * z;
-    tz += p.X * y - p.Y * x;
-  }
+  PanelFlow flow;
+  flow.Velocity = velocity;
+  flow.Gradient = gradient;
+  flow.Normal = this->PlateNormal;
+  flow.Drag = 0.5 * coefficients.Drag;
+  flow.Friction = flow.Drag * coefficients.Friction;
+  flow.Lift = coefficients.Lift * this->PlateFlatness;
   Wrench total;
-  total.Force = Vec3(fx.sum(), fy.sum(), fz.sum());
-  total.Torque = Vec3(tx.sum(), ty.sum(), tz.sum());
+  (plate ? SumPlateLoads : SumPaperLoads)(this->Packs.data(), this->Packs.size(), flow,
+                                          hides ? mixture.Corners : nullptr, mixture.Weights,
+                                          total);
   if (plate && this->PlateFlatness > 0.0)
   {
     const Wrench more = this->PlateCorrections(velocity, gradient, coefficients);
