@@ -13,10 +13,10 @@ namespace
 
 // The three values and a 0, side by side.
 typedef std::uint32_t Bits4 __attribute__((vector_size(16)));
-typedef double Double4 __attribute__((vector_size(32)));
+typedef double Double4 __attribute__((vector_size(32), aligned(32)));
 
 // As of single ones: Base/Half.h.
-inline Float4 FromHalf(const Half3& half)
+WAFT_INLINE Float4 FromHalf(const Half3& half)
 {
   const Bits4 bits = { half[0], half[1], half[2], 0 };
   const Float4 size = (Float4)((bits & 0x7fffu) << 13) * 0x1p112f;

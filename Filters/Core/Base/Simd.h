@@ -18,6 +18,13 @@
 #define WAFT_SIMD_CLONES
 #endif
 
+/// What such a function calls in its loops, compiled for what its caller is.
+#if defined(__GNUC__)
+#define WAFT_INLINE inline __attribute__((always_inline))
+#else
+#define WAFT_INLINE inline
+#endif
+
 namespace waft
 {
 

@@ -25,8 +25,6 @@ double FastestTip(double aspect)
 /// another number of bytes in each clone.
 typedef double Lanes __attribute__((vector_size(32), aligned(32)));
 
-#define WAFT_INLINE inline __attribute__((always_inline)) // compiled for what the caller is
-
 WAFT_INLINE void Load(const double* from, Lanes& lanes)
 {
   std::memcpy(&lanes, from, sizeof(lanes));
