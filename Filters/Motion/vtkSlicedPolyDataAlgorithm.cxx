@@ -18,7 +18,7 @@ void vtkSlicedPolyDataAlgorithm::SetSlice(double seconds)
 
 void vtkSlicedPolyDataAlgorithm::WorkInSlices()
 {
-  this->SetSlice(0.3);
+  this->SetSlice(0.2);
 }
 
 void vtkSlicedPolyDataAlgorithm::GoOn()

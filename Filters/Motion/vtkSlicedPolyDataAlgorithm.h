@@ -33,7 +33,7 @@ public:
   void SetSlice(double seconds);
   vtkGetMacro(Slice, double);
   ///@}
-  /** Sets a Slice as short as a window wants it, 0.3 s. */
+  /** Sets a Slice as short as a window wants it, 0.2 s. */
   void WorkInSlices();
   /** The next update goes on with the work that is held; nothing where none is. */
   void GoOn();

@@ -49,7 +49,7 @@ class SliceTest(unittest.TestCase):
 
     def test_it_comes_to_the_same_bytes_as_all_at_once(self):
         end = self.notes[-1]
-        self.assertEqual(end["slices"], [0.3, 0.0], "of the window's source and of a script's")
+        self.assertEqual(end["slices"], [0.2, 0.0], "of the window's source and of a script's")
         self.assertEqual(end["saved"], 0.0)
         self.assertEqual(end["sliced"], end["once"])
         self.assertEqual(end["text"], "done")
