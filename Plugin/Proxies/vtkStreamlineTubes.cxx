@@ -98,7 +98,8 @@ int vtkStreamlineTubes::RequestData(vtkInformation* vtkNotUsed(request),
 {
   // A view that has no data yet, or none on this process, gives something else.
   vtkDataSet* field = vtkDataSet::GetData(input[0], 0);
-  if (field != nullptr && field->GetNumberOfPoints() > 0 && !VectorsOf(field).empty())
+  const bool isDrawn = this->LineLength > 0.0 && this->TubeRadius > 0.0; // numbers, too
+  if (isDrawn && field != nullptr && field->GetNumberOfPoints() > 0 && !VectorsOf(field).empty())
   {
     this->Trace(field, vtkPolyData::GetData(output));
   }

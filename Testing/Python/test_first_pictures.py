@@ -199,6 +199,18 @@ class FirstPicturesTest(unittest.TestCase):
         shown.Representation = "Streamlines"
         self.assertEqual(tubes_of(shown), [])
 
+    def test_streamlines_that_cannot_be_are_not_drawn(self):
+        blowing = simple.Calculator(Input=simple.Wavelet(WholeExtent=[-5, 5] * 3), ResultArrayName="Wind", Function="iHat")
+        shown = simple.Show(blowing, fresh_view(), "MotionAirRepresentation")
+        shown.Representation = "Streamlines"
+        for name, value in (("NumberOfLines", -5), ("LineLength", -1), ("LineLength", math.nan), ("TubeRadius", 0), ("TubeRadius", math.nan)):
+            with self.subTest(name=name, value=value):
+                usual = getattr(shown, name)
+                setattr(shown, name, value)
+                self.assertEqual(tubes_of(shown), [])
+                setattr(shown, name, usual)
+                self.assertGreater(len(tubes_of(shown)), 50)
+
     def test_changes_of_a_user_stay(self):
         view = simple.CreateRenderView()
         shown = simple.Show(simple.OutputPort(self.stages["StylisticPlannerFilter"], 0), view)
