@@ -110,7 +110,7 @@ class SliceTest(unittest.TestCase):
             self.assertEqual(stage.GetClientSideObject().GetSlice(), 0.0, "a script's")
             stage.InvokeCommand("WorkInSlices")
             animation.UpdatePipeline()
-            self.assertEqual(stage.GetClientSideObject().GetSlice(), 0.3)
+            self.assertEqual(stage.GetClientSideObject().GetSlice(), 0.2)
         self.assertEqual(animation.Slice, 0.0)
         simple.Delete(animation)
 
