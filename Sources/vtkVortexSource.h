@@ -16,6 +16,7 @@
 
 namespace waft
 {
+struct PassingForce;
 struct SceneFrame;
 struct VortexSourceOptions;
 }
@@ -97,6 +98,7 @@ private:
   // The properties of the same names; what they may be is said there, and a test holds the
   // literals here against it.
   friend struct waft::VortexSourceOptions;
+  friend struct waft::PassingForce;
   friend struct waft::SceneFrame;
   int VortexId = 0;
   double P1[3] = { 0.0, 0.0, 0.5 };

@@ -16,6 +16,7 @@
 
 namespace waft
 {
+struct PassingForce;
 struct SceneFrame;
 struct WindSourceOptions;
 }
@@ -92,6 +93,7 @@ private:
   // The properties of the same names; what they may be is said there, and a test holds the
   // literals here against it.
   friend struct waft::WindSourceOptions;
+  friend struct waft::PassingForce;
   friend struct waft::SceneFrame;
   double Direction[3] = { 1.0, 0.0, 0.0 };
   double Strength = 1.0;

@@ -16,21 +16,26 @@ vtkStreamlineRepresentation::vtkStreamlineRepresentation()
 
 vtkStreamlineRepresentation::~vtkStreamlineRepresentation() = default;
 
+vtkStreamlineTubes* vtkStreamlineRepresentation::Tubes()
+{
+  return static_cast<vtkStreamlineTubes*>(this->GeometryFilter);
+}
+
 void vtkStreamlineRepresentation::SetNumberOfLines(int lines)
 {
-  static_cast<vtkStreamlineTubes*>(this->GeometryFilter)->SetNumberOfLines(lines);
+  this->Tubes()->SetNumberOfLines(lines);
   this->MarkModified();
 }
 
 void vtkStreamlineRepresentation::SetLineLength(double share)
 {
-  static_cast<vtkStreamlineTubes*>(this->GeometryFilter)->SetLineLength(share);
+  this->Tubes()->SetLineLength(share);
   this->MarkModified();
 }
 
 void vtkStreamlineRepresentation::SetTubeRadius(double share)
 {
-  static_cast<vtkStreamlineTubes*>(this->GeometryFilter)->SetTubeRadius(share);
+  this->Tubes()->SetTubeRadius(share);
   this->MarkModified();
 }
 

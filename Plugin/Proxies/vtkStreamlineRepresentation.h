@@ -9,6 +9,8 @@
 #include "vtkGeometryRepresentationWithFaces.h"
 #include "vtkWaftProxiesModule.h"
 
+class vtkStreamlineTubes;
+
 class VTKWAFTPROXIES_EXPORT vtkStreamlineRepresentation : public vtkGeometryRepresentationWithFaces
 {
 public:
@@ -30,6 +32,8 @@ protected:
 private:
   vtkStreamlineRepresentation(const vtkStreamlineRepresentation&) = delete;
   void operator=(const vtkStreamlineRepresentation&) = delete;
+
+  vtkStreamlineTubes* Tubes(); // the filter that makes what is shown
 };
 
 #endif

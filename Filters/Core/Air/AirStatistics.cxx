@@ -125,15 +125,15 @@ Sample SampleAt(const std::vector<Vec3>& path, std::size_t f, double rate)
 void AddOwn(const std::vector<Vec3>& path, const std::vector<char>& isFree, double rate, Sums& sums)
 {
   const auto length = static_cast<std::size_t>(std::lround(AirStatistics::OwnSeconds * rate));
+  std::vector<Sample> window(length);
   for (std::size_t begin = 1; length > 1 && begin + length < path.size(); begin += length / 2)
   {
     const auto first = isFree.begin() + static_cast<std::ptrdiff_t>(begin);
-    if (std::find(first, first + static_cast<std::ptrdiff_t>(length), 0) !=
-        first + static_cast<std::ptrdiff_t>(length))
+    const auto last = first + static_cast<std::ptrdiff_t>(length);
+    if (std::find(first, last, 0) != last)
     {
       continue;
     }
-    std::vector<Sample> window(length);
     for (std::size_t k = 0; k < length; ++k)
     {
       window[k] = SampleAt(path, begin + k, rate);

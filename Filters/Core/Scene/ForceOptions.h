@@ -10,15 +10,31 @@
 namespace waft
 {
 
-struct VortexSourceOptions : SceneFrame
+/// What comes and goes over time as a bell does.
+struct PassingForce : SceneFrame
+{
+  double CenterTime = 5.0;
+  double Duration = 3.0;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(OptionField{ "CenterTime", limits::Time, "s", "When it is strongest, in seconds." },
+          of.CenterTime...);
+    visit(OptionField{ "Duration", limits::Duration, "s",
+                       "Standard deviation of its strength over time, in seconds." },
+          of.Duration...);
+    SceneFrame::Visit(visit, of...);
+  }
+};
+
+struct VortexSourceOptions : PassingForce
 {
   int VortexId = 0;
   Vec3 P1{ 0.0, 0.0, 0.5 };
   Vec3 P2{ 0.0, 0.0, 3.5 };
   double Strength = 2.0;
   double CoreRadius = 0.3;
-  double CenterTime = 5.0;
-  double Duration = 3.0;
 
   /// Fails where the poles are one point.
   Result Make(Vortex& vortex) const;
@@ -42,23 +58,16 @@ struct VortexSourceOptions : SceneFrame
     visit(OptionField{ "CoreRadius", limits::Length, "m",
                        "Where the acceleration is largest, in metres from the axis." },
           of.CoreRadius...);
-    visit(OptionField{ "CenterTime", limits::Time, "s", "When it is strongest, in seconds." },
-          of.CenterTime...);
-    visit(OptionField{ "Duration", limits::Duration, "s",
-                       "Standard deviation of its strength over time, in seconds." },
-          of.Duration...);
-    SceneFrame::Visit(visit, of...);
+    PassingForce::Visit(visit, of...);
   }
 };
 
-struct WindSourceOptions : SceneFrame
+struct WindSourceOptions : PassingForce
 {
   Vec3 Direction{ 1.0, 0.0, 0.0 };
   double Strength = 1.0;
   Vec3 Center{ 0.0, 0.0, 2.0 };
   double Radius = 1.0;
-  double CenterTime = 5.0;
-  double Duration = 3.0;
 
   /// Fails where Direction is 0.
   Result Make(AnalyticWind& wind) const;
@@ -78,12 +87,7 @@ struct WindSourceOptions : SceneFrame
     visit(OptionField{ "Radius", limits::Length, "m",
                        "Standard deviation of its strength about the centre, in metres." },
           of.Radius...);
-    visit(OptionField{ "CenterTime", limits::Time, "s", "When it is strongest, in seconds." },
-          of.CenterTime...);
-    visit(OptionField{ "Duration", limits::Duration, "s",
-                       "Standard deviation of its strength over time, in seconds." },
-          of.Duration...);
-    SceneFrame::Visit(visit, of...);
+    PassingForce::Visit(visit, of...);
   }
 };
 

@@ -121,9 +121,14 @@ std::vector<Vec3> StraightIn(const DriftProblem& problem)
   return path;
 }
 
-TEST(BandedMatrix, SolvesAsADenseOneDoes)
+class BandedMatrixOf : public ::testing::TestWithParam<std::size_t>
 {
-  constexpr std::size_t n = 40, band = 8;
+};
+
+TEST_P(BandedMatrixOf, SolvesAsADenseOneDoes)
+{
+  constexpr std::size_t n = 40;
+  const std::size_t band = this->GetParam();
   Random random(3);
   Eigen::MatrixXd root = Eigen::MatrixXd::Zero(n, n);
   for (std::size_t i = 0; i < n; ++i)
@@ -152,10 +157,25 @@ TEST(BandedMatrix, SolvesAsADenseOneDoes)
   {
     EXPECT_NEAR(b[i], expected[i], 1e-12);
   }
+}
+
+INSTANTIATE_TEST_SUITE_P(Bands, BandedMatrixOf, ::testing::Values(1, 2, 8, 11, 39));
+
+TEST(BandedMatrix, SaysWhatIsNotPositive)
+{
   BandedMatrix indefinite(2, 1);
   indefinite.At(0, 0) = -1.0;
   indefinite.At(1, 1) = 1.0;
   EXPECT_FALSE(indefinite.Factor());
+  for (const std::size_t at : { 3U, 25U, 39U }) // by the usual band's own way, and in its last rows
+  {
+    BandedMatrix large(40, 8);
+    for (std::size_t i = 0; i < 40; ++i)
+    {
+      large.At(i, i) = i == at ? -1.0 : 1.0;
+    }
+    EXPECT_FALSE(large.Factor()) << at;
+  }
 }
 
 TEST(AirSampler, IsTrilinearBetweenFramesWithItsGradient)

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// When an object touches down and lifts off, and its paths brought to such frames.
+#include "Air/Drifter.h"
+
+#include <algorithm>
+
+namespace waft
+{
+namespace
+{
+
+Vec3 PlaceAt(const std::vector<Vec3>& path, double frame)
+{
+  const auto low = static_cast<std::size_t>(frame);
+  const std::size_t high = std::min(low + 1, path.size() - 1);
+  return path[low] + (frame - static_cast<double>(low)) * (path[high] - path[low]);
+}
+
+} // namespace
+
+int Drifter::EarliestTouchDown(std::size_t landing, int most) const
+{
+  // Not before another mark, and with some way to go from there.
+  int earliest = this->Latest[landing] - most;
+  for (int f = this->Latest[landing] - 1; f >= std::max(0, earliest); --f)
+  {
+    if (this->IsFixed[static_cast<std::size_t>(f)] && f < this->Landings[landing].Frame)
+    {
+      earliest = f + static_cast<int>(this->World.Scene.Time.FramesPerSecond);
+      break;
+    }
+  }
+  return std::clamp(earliest, 0, this->Latest[landing]);
+}
+
+void Drifter::SetTouchDown(std::size_t landing, int frame)
+{
+  LandingWindow& window = this->Landings[landing];
+  this->RestOf(window).TouchDown = frame;
+  window.Frame = frame;
+  window.First = frame - this->World.Scene.Time.FramesPerSecond;
+  this->FixFrames();
+}
+
+int Drifter::LatestLiftOff(std::size_t landing, int most) const
+{
+  // Most of the way to the next mark, or to the end, is flown.
+  const int frames = this->NumberOfFrames();
+  int next = this->LiftOff(landing) + 1;
+  while (next < frames && !this->IsFixed[static_cast<std::size_t>(next)])
+  {
+    ++next;
+  }
+  const int leaving = this->Leaving[landing];
+  return std::max(leaving, leaving + std::min(most, (next - leaving) / 3));
+}
+
+void Drifter::SetLiftOff(std::size_t landing, int frame)
+{
+  LandingWindow& window = this->Landings[landing];
+  this->RestOf(window).LiftOff = frame;
+  window.Until = frame;
+  window.Last = frame + this->World.Scene.Time.FramesPerSecond;
+  this->FixFrames();
+}
+
+int Drifter::NumberOfFlownSteps() const
+{
+  const int last = this->NumberOfFrames() - 1;
+  int flown = last;
+  for (const LandingWindow& landing : this->Landings)
+  {
+    flown -= std::max(0, std::min(landing.Until, last) - std::max(landing.Frame, 0));
+  }
+  return std::max(flown, 1);
+}
+
+Constraint& Drifter::RestOf(const LandingWindow& landing)
+{
+  return *std::find_if(this->Wanted.begin(), this->Wanted.end(),
+                       [&](const Constraint& row) {
+                         return row.Row == landing.Row && row.Target == landing.Target &&
+                                IsRest(row.Kind);
+                       });
+}
+
+std::vector<Vec3> Drifter::Retimed(const std::vector<Vec3>& path, std::size_t landing,
+                                   int touchDown) const
+{
+  // From the mark before on it goes faster, to be there earlier.
+  const int early = this->Landings[landing].Frame;
+  int from = 0;
+  for (const int mark : this->Marks())
+  {
+    from = mark < early ? mark : from;
+  }
+  std::vector<Vec3> retimed = path;
+  for (int f = from; f <= touchDown && early > from; ++f)
+  {
+    const double s = std::min<double>(
+      touchDown, from + (f - from) * static_cast<double>(touchDown - from) / (early - from));
+    retimed[static_cast<std::size_t>(f)] = PlaceAt(path, s);
+  }
+  return retimed;
+}
+
+std::vector<Vec3> Drifter::Delayed(const std::vector<Vec3>& path, std::size_t landing,
+                                   int liftOff) const
+{
+  // To the mark after it goes faster; without one all is later.
+  const int late = this->Landings[landing].Until;
+  const int last = this->NumberOfFrames() - 1;
+  int to = last + late - liftOff;
+  for (const int mark : this->Marks())
+  {
+    if (mark > late)
+    {
+      to = mark;
+      break;
+    }
+  }
+  std::vector<Vec3> delayed = path;
+  for (int f = liftOff; f <= std::min(to, last) && late < to; ++f)
+  {
+    const double s =
+      liftOff + std::max(0, f - late) * static_cast<double>(to - liftOff) / (to - late);
+    delayed[static_cast<std::size_t>(f)] = PlaceAt(path, s);
+  }
+  return delayed;
+}
+
+std::vector<Vec3> Drifter::RetimedPlan() const
+{
+  std::vector<Vec3> planned = this->Planned;
+  for (std::size_t l = 0; l < this->Landings.size(); ++l)
+  {
+    planned = this->Delayed(this->Retimed(planned, l, this->Latest[l]), l, this->Leaving[l]);
+  }
+  return planned;
+}
+
+} // namespace waft
