@@ -9,7 +9,7 @@ import unittest
 
 from window import play
 
-APPLY = 3.0  # s of processor time for a first picture: 1.6 to 2.0 on an idle machine, with room for a busy one
+APPLY = 2.0  # s of the processor, on all threads
 HELD = 1.0   # s in which nothing is done after Stop
 IDLE = 0.3   # s of the processor at most in these
 
@@ -27,11 +27,11 @@ class SliceTest(unittest.TestCase):
             self.assertNotIn(sign, self.printed)
 
     def test_apply_returns_with_a_first_picture(self):
-        chosen, = (note for note in self.notes if "chosen" in note)
+        applied = [note for note in self.notes if "waits" in note][-1]
         first = self.looks[0]
         self.assertEqual((first["complete"], first["points"], first["flagged"]), (0, 120, 1), first)
         self.assertGreater(first["bodies"], 0)
-        self.assertLess(first["processor"] - chosen["processor"], APPLY)
+        self.assertLess(first["processor"] - applied["processor"], APPLY)
 
     def test_the_motion_so_far_is_shown_until_it_is_whole(self):
         self.assertGreater(len({tuple(note["work"]) for note in self.looks}), 5, "slices")

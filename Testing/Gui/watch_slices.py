@@ -60,6 +60,7 @@ def look():
     shown = view.SMProxy.FindRepresentation(animation.SMProxy, 0) is not None
     meshes = rotation.GetOutputDataObject(0)
     if not shown or meshes is None or meshes.GetNumberOfPoints() == 0:
+        write(waits=True)  # for Apply, and no more once that has begun
         return
     complete = rotation.GetComplete()
     points = rotation.GetOutputDataObject(1).GetNumberOfPoints()

@@ -22,6 +22,9 @@ namespace waft
 namespace
 {
 
+// Of a slice: a first picture waits for the first slices of all stages of a pipeline.
+constexpr double FirstSlice = 0.25;
+
 bool IsComplete(vtkDataObject* data)
 {
   double complete = 1.0;
@@ -138,7 +141,7 @@ int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** input
   else if (std::exchange(this->IsDue, false) && this->Held.IsHeld())
   {
     this->Cache.Forget();
-    const Result result = this->Advance(inputs);
+    const Result result = this->Advance(inputs, this->SliceNow());
     if (!result)
     {
       return Fail(this->Stage, outputs, result.Message());
@@ -214,20 +217,20 @@ Result KeptStage::Begin(vtkInformationVector** inputs)
   if (this->SliceNow() > 0.0)
   {
     this->Held.Begin([this, inputs](Monitor& monitor) { return this->Run(inputs, monitor); });
-    return this->Advance(inputs);
+    return this->Advance(inputs, FirstSlice * this->SliceNow());
   }
   this->Keep.clear();
   StageMonitor monitor(this->Stage);
   return this->End(inputs, this->Run(inputs, monitor));
 }
 
-Result KeptStage::Advance(vtkInformationVector** inputs)
+Result KeptStage::Advance(vtkInformationVector** inputs, double seconds)
 {
   this->Keep.clear();
   StageMonitor monitor(this->Stage);
   NotingMonitor noting(monitor, this->Done);
   Result result = Result::Ok();
-  this->IsUnfinished = !this->Held.GoOn(this->SliceNow(), noting, result);
+  this->IsUnfinished = !this->Held.GoOn(seconds, noting, result);
   if (!this->IsUnfinished)
   {
     return this->End(inputs, result);

@@ -109,7 +109,7 @@ private:
   Result TakeScene(vtkInformationVector** inputs);
   /// Runs Core as far as one update goes, and keeps what came out.
   Result Begin(vtkInformationVector** inputs);
-  Result Advance(vtkInformationVector** inputs);
+  Result Advance(vtkInformationVector** inputs, double seconds);
   Result End(vtkInformationVector** inputs, const Result& result);
   void Show(vtkInformation* request, vtkInformationVector* outputs);
   double SliceNow() const;
