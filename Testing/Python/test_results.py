@@ -3,6 +3,7 @@
 
     pvpython test_results.py
 """
+import importlib.util
 import json
 import os
 import pathlib
@@ -17,6 +18,11 @@ from waft.files import whole_file, write_xml
 from waft.resuming import Checkpoint
 from waft.results import ResultPlace, manifest_of
 from waft.writing import earlier_results, result_place
+
+_SPEC = importlib.util.spec_from_file_location(  # of Blender's add-on, which knows nothing of Blender in it
+    "flight", pathlib.Path(__file__).parents[2] / "Plugin" / "Blender" / "waft" / "flight.py")
+flight = importlib.util.module_from_spec(_SPEC)
+_SPEC.loader.exec_module(flight)
 
 NAMES = ["poses.csv", "shapes/", "shapes.vtm", "report.json"]
 
@@ -138,11 +144,19 @@ class Results(unittest.TestCase):
                 for folder in (place.temporary(), place.temporary()):
                     (folder / "new").mkdir()
                     (folder / "new" / "poses.csv").write_text("poses", encoding="utf-8")
-                os._exit(0)  # dies with them
+                place.temporary()
+                os._exit(0)  # dies with them, also with one that it has only just made
         os.waitpid(child, 0)
-        self.assertEqual(2, len(list(self.out.glob(".waft-*"))))
+        self.assertEqual(3, len(list(self.out.glob(".waft-*"))))
         self.write("new")
         self.assertEqual([], list(self.out.glob(".waft-*")))
+
+    def test_the_add_on_knows_a_temporary_folder_too(self):
+        with result_place(self.out) as place:
+            folder = place.temporary()
+            self.put(f"{folder.name}/poses.csv")
+            flight.discard(self.out)
+            self.assertFalse(folder.exists())
 
     def test_a_users_folder_stays_whatever_its_name(self):
         for name in (".waft-cam_take", ".waft-mine"):  # the first as a run's temporary folders are called
@@ -150,6 +164,7 @@ class Results(unittest.TestCase):
         (self.out / ".waft-nothings").mkdir()
         self.write("new")
         self.write("newer")
+        flight.discard(self.out)
         for name in (".waft-cam_take", ".waft-mine"):
             self.assertTrue((self.out / name / "notes.txt").exists())
         self.assertTrue((self.out / ".waft-nothings").is_dir())

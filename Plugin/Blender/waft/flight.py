@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A run of `waft synthesize` beside Blender. Nothing here knows of Blender."""
 import atexit
+import base64
 import collections
 import contextlib
 import csv
 import dataclasses
+import hashlib
 import json
 import os
 import pathlib
@@ -19,10 +21,9 @@ import numpy as np
 ALL_MET, FAILED, BAD_INPUT, NOT_ALL_MET, STOPPED_EARLY = range(5)  # what waft ends with
 SCENE = "scene.waft.json"  # in the folder of a flight
 # What a run that is killed leaves: its folder `checkpoint` with these files (Plugin/Python/waft/resuming.py), and temporary folders
-# with a mark (results.py).
+# whose names end in what goes with their start (results.py).
 _CHECKPOINT = re.compile(r"(planned|constraints|vortices)\.vtp|report\.csv|key|(spacetime|assimilation|assimilated)\.state(\.part\d+)?")
-_TEMPORARY = re.compile(r"\.waft-[a-z0-9_]{8}")
-_MARK = "temporary-of-waft"
+_TEMPORARY = re.compile(r"\.waft-([0-9a-z]{4})([0-9a-z]{4})")
 _KEPT_LINES = 200  # of what it says
 _POSES = "poses.csv"
 _ROUNDING = 1e-6  # of a number, as a share of it and of 1
@@ -172,7 +173,8 @@ def discard(result):
     """Takes away what a run without a result has left of its own in its folder, and the folder where nothing else is in it."""
     folder = pathlib.Path(result)
     for temporary in folder.glob(".waft-*"):
-        if _TEMPORARY.fullmatch(temporary.name) and (temporary / _MARK).is_file():
+        match = _TEMPORARY.fullmatch(temporary.name)
+        if match and match[2] == _check_of(match[1]) and not temporary.is_symlink():
             shutil.rmtree(temporary, ignore_errors=True)
     checkpoint = folder / "checkpoint"
     for file in checkpoint.glob("*"):
@@ -181,6 +183,10 @@ def discard(result):
     for emptied in (checkpoint, folder):
         with contextlib.suppress(OSError):
             emptied.rmdir()
+
+
+def _check_of(start):
+    return base64.b32encode(hashlib.sha256(f"temporary of waft: {start}".encode()).digest()).decode()[:4].lower()
 
 
 def remove(file):

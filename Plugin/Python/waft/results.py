@@ -8,6 +8,7 @@ last when results change hands: where there is no seal the results are not whole
 While results change hands they are in the folder `.waft-move`: `new`, those that go in; `old`, those that stand aside until all
 new ones are in; `journal.json`, the names of both. A move that was cut short is finished by the next run there, or undone.
 """
+import base64
 import dataclasses
 import errno
 import fcntl
@@ -18,7 +19,7 @@ import pathlib
 import re
 import secrets
 import shutil
-import tempfile
+import string
 
 from waft.failures import BadInput, WaftError
 from waft.files import write_json
@@ -26,8 +27,7 @@ from waft.watching import tell_guard
 
 _MOVE = ".waft-move"
 _JOURNAL = "journal.json"
-_TEMPORARY = re.compile(r"\.waft-[a-z0-9_]{8}")  # as tempfile.mkdtemp makes them
-_MARK = "temporary-of-waft"  # a file in them: a folder of such a name without it is the user's
+_TEMPORARY = re.compile(r"\.waft-([0-9a-z]{4})([0-9a-z]{4})")  # the second half tells of the first that a run made the folder
 
 
 class Busy(BadInput):
@@ -212,9 +212,9 @@ class ResultPlace:
 
     def temporary(self):
         """A new folder; it goes with the run, also when that dies, unless it is renamed, as its folders may be."""
-        folder = pathlib.Path(tempfile.mkdtemp(prefix=".waft-", dir=self.room))
+        folder = _free_name(self.room)
+        folder.mkdir(mode=0o700)
         self._temporary.append(folder)
-        (folder / _MARK).touch()
         return folder
 
     def discard(self, folder):
@@ -292,22 +292,33 @@ def _recover(root, room):
     if (room / _MOVE).is_dir():
         _Move(root, room / _MOVE).go_on()
     for entry in room.iterdir():
-        if _TEMPORARY.fullmatch(entry.name) and not entry.is_symlink() and (entry / _MARK).is_file():
+        if _is_temporary(entry.name) and not entry.is_symlink():
             _sweep(entry)
 
 
+def _free_name(room):
+    """A path in room for a temporary folder. That it is one is in its name: whatever happens to its run, it is known as one from
+    the moment it is there until it is gone, and a folder of the user's is none."""
+    while True:
+        start = "".join(secrets.choice(string.ascii_lowercase + string.digits) for _ in range(4))
+        path = room / f".waft-{start}{_check_of(start)}"
+        if not os.path.lexists(path):
+            return path
+
+
+def _check_of(start):
+    """Four letters and digits that go with four others."""
+    return base64.b32encode(hashlib.sha256(f"temporary of waft: {start}".encode()).digest()).decode()[:4].lower()
+
+
+def _is_temporary(name):
+    match = _TEMPORARY.fullmatch(name)
+    return match is not None and match[2] == _check_of(match[1])
+
+
 def _sweep(folder):
-    """Removes a temporary folder as far as the system lets it: its mark last, so that a later run can go on with that."""
-    try:
-        for entry in folder.iterdir():
-            if entry.is_dir() and not entry.is_symlink():
-                shutil.rmtree(entry)
-            elif entry.name != _MARK:
-                entry.unlink()
-        (folder / _MARK).unlink(missing_ok=True)
-        folder.rmdir()
-    except OSError:  # it went, or another program holds a file in it
-        pass
+    """Removes a temporary folder as far as the system lets it; a later run goes on with that."""
+    shutil.rmtree(folder, ignore_errors=True)
 
 
 class _Move:
@@ -361,7 +372,7 @@ class _Move:
     def _end(self):
         for folder in {pathlib.PurePosixPath(name).parent for name in (*self._outgoing, *self._incoming)}:
             _remove_empty(self._root, folder)
-        gone = self._folder.with_name(f".waft-{secrets.token_hex(4)}")
+        gone = _free_name(self._folder.parent)
         os.rename(self._folder, gone)  # from here on it is swept and not gone on with
         _sweep(gone)
 
