@@ -12,8 +12,11 @@ namespace
 {
 
 constexpr double LandingCushionTime = 0.15; // s
-constexpr double LongestApproach = 0.2;     // s: what is low before hovers by itself
-constexpr double CoreFraction = 0.02;       // c / b: below, the root is too steep for a step
+// s before a touch-down: what is low before the first hovers by itself, and from the second on the
+// cushion bears it whole.
+constexpr double CushionBegins = 0.3;
+constexpr double CushionIsWhole = 0.2;
+constexpr double CoreFraction = 0.02; // c / b: below, the root is too steep for a step
 
 // Force that lifts a plate from a plane in a wind along it (coefficient 1) over that which lets it
 // settle (1.2): loose plates take off at about the speed at which they settle.
@@ -36,15 +39,17 @@ GroundEffect::GroundEffect(const ObstacleSet& obstacles, const std::vector<Landi
   }
   for (const LandingWindow& landing : landings)
   {
-    // A landing's window begins a second before its touch-down.
     const double down = landing.Frame;
-    this->Times.push_back(
-      { landing.ObstacleId, down - LongestApproach * (down - landing.First), down, {} });
+    this->Times.push_back({ landing.ObstacleId,
+                            down - CushionBegins * framesPerSecond,
+                            down,
+                            (CushionBegins - CushionIsWhole) * framesPerSecond,
+                            {} });
     if (!air || this->Length <= 0.0)
     {
       continue;
     }
-    Near rise{ landing.ObstacleId, static_cast<double>(landing.Until), 0.0, {} };
+    Near rise{ landing.ObstacleId, static_cast<double>(landing.Until), 0.0, 0.0, {} };
     const double frames = LiftTime * framesPerSecond;
     for (int f = 0; f <= static_cast<int>(frames) + 1; ++f)
     {
@@ -90,7 +95,7 @@ double GroundEffect::HeightAbove(const Near& near, const Vec3& x, double frame, 
   return distance - this->RestHeight;
 }
 
-double GroundEffect::Landing(double height, double& slope) const
+double GroundEffect::Landing(const Near& near, double height, double frame, double& slope) const
 {
   if (height >= this->Height)
   {
@@ -99,8 +104,9 @@ double GroundEffect::Landing(double height, double& slope) const
   const double core = CoreFraction * this->Height;
   const double r = (std::max(0.0, height) + core) / (this->Height + core);
   const double factor = std::sqrt(2.0 * r - r * r);
-  slope = height > 0.0 ? (1.0 - r) / factor / (this->Height + core) : 0.0;
-  return factor;
+  const double share = SmoothStep((frame - near.First) / near.Growth);
+  slope = height > 0.0 ? share * (1.0 - r) / factor / (this->Height + core) : 0.0;
+  return 1.0 - share * (1.0 - factor);
 }
 
 double GroundEffect::Lifting(const Near& near, double height, double frame, double& slope) const
@@ -132,8 +138,8 @@ double GroundEffect::Factor(const Vec3& x, double frame, Vec3* gradient) const
   Vec3 normal;
   const double height = this->HeightAbove(*near, x, frame, normal);
   double slope = 0.0;
-  const double factor =
-    near->Lift.empty() ? this->Landing(height, slope) : this->Lifting(*near, height, frame, slope);
+  const double factor = near->Lift.empty() ? this->Landing(*near, height, frame, slope)
+                                           : this->Lifting(*near, height, frame, slope);
   if (gradient != nullptr)
   {
     *gradient = slope * normal;

@@ -19,7 +19,8 @@ using AirAt = std::function<Vec3(const Vec3& x, int frame)>;
 /// What comes down has to press the air from under it:
 ///   f = sqrt(2 r - r^2),  r = (h + c) / (b + c) from 0 to 1,  c = b / 50,
 /// which is the slowing of a spring that takes the speed over the height b. In still air a body
-/// passes b in LandingCushionTime, so that b = 2 / pi LandingCushionTime u.
+/// passes b in LandingCushionTime, so that b = 2 / pi LandingCushionTime u. Shortly before its
+/// touch-down f comes to that from 1, so that what is low already is not stopped at once.
 ///
 /// What lies is lifted by air that flows over it, as a plate on a plane is: the force goes with the
 /// square of the air's speed U a body's length above, as the weight does with that of u,
@@ -46,13 +47,14 @@ private:
   {
     int ObstacleId = -1;
     double First = 0.0, Last = 0.0; // frames
+    double Growth = 0.0;            // of the cushion, from First on [frames]
     std::vector<double> Lift;       // s from First on, frame by frame; empty: it lands
   };
   const Near* NearAt(double frame) const;
   /// Whether x is near enough to the surface to feel it.
   bool Reaches(const Near& near, const Vec3& x, double frame) const;
   double HeightAbove(const Near& near, const Vec3& x, double frame, Vec3& normal) const;
-  double Landing(double height, double& slope) const;
+  double Landing(const Near& near, double height, double frame, double& slope) const;
   double Lifting(const Near& near, double height, double frame, double& slope) const;
 
   const ObstacleSet* Obstacles = nullptr;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CeresRun.h"
+#include "EddiesRun.h"
 #include "LettersRun.h"
 #include "StandardProblem.h"
 #include "StandardRun.h"
@@ -33,6 +34,10 @@ constexpr const char* Help =
   "instead:\n"
   "                                         500 iterations of Ceres, and --iterations (2000)\n"
   "                                         of the filter's solver\n"
+  "  WaftBenchmarkSpacetime --eddies 0.2    how long gas keeps its eddies, instead: shear waves "
+  "and\n"
+  "                                         Taylor and Green's vortices of 4, 6 and 10 dx, with\n"
+  "                                         that artificial viscosity\n"
   "\n"
   "The standard problem runs the optimiser's own program of levels and then what Continue adds\n"
   "(without leash, wind, fit of vortices and tolerance). Options, with their standard values:\n"
@@ -228,6 +233,10 @@ int main(int argc, char** argv)
   if (const int iterations = static_cast<int>(Argument(argc, argv, "--ceres", 0)); iterations > 0)
   {
     return PrintCeres(argc, argv, iterations, parallel);
+  }
+  if (const double viscosity = Argument(argc, argv, "--eddies", -1.0); viscosity >= 0.0)
+  {
+    return RunEddies(viscosity);
   }
   const int first = static_cast<int>(Argument(argc, argv, "--seed", 1));
   if (Argument(argc, argv, "--growth", 0) != 0)

@@ -85,8 +85,11 @@ TEST(GroundEffect, OnlyShortlyBeforeItsTouchDown)
 {
   const OnASlope scene;
   const Vec3 x = OnASlope::Above(RestHeight + 0.2 * Height);
-  EXPECT_EQ(scene.Ground.Factor(x, 53.5), 1.0);
-  EXPECT_LT(scene.Ground.Factor(x, 54.5), 1.0);
+  EXPECT_EQ(scene.Ground.Factor(x, 50.5), 1.0);
+  const double whole = scene.Ground.Factor(x, 54.5);
+  EXPECT_LT(whole, 1.0);
+  EXPECT_NEAR(scene.Ground.Factor(x, 52.5), 0.5 * (1.0 + whole), 1e-12); // it comes by and by
+  EXPECT_EQ(scene.Ground.Factor(x, 55.0), whole);
   EXPECT_LT(scene.Ground.Factor(x, 60.0), 1.0);
   EXPECT_EQ(scene.Ground.Factor(x, 60.5), 1.0); // lying there
 }

@@ -343,7 +343,7 @@ TEST(Checkpoint, OneOfSomethingElseIsIgnoredAndSaidSo)
   expectIgnored(input, few, "damaged");
   {
     StateFileWriter file(path);
-    std::string format = "Waft spacetime checkpoint 7";
+    std::string format = "Waft spacetime checkpoint 8";
     std::uint64_t key = DigestOfRun(input, few);
     std::uint64_t none = 0;
     file.Text(format);

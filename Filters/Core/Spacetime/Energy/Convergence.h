@@ -15,7 +15,9 @@ struct SpacetimeTerms
   double E = 0.0;
   double Ex = 0.0, Ev = 0.0, Ec = 0.0;
   double Clearance = 0.0, Approach = 0.0, Contact = 0.0, Separation = 0.0; // weighted
-  /// The four before. They are summed frame by frame, so a sum of the columns differs by rounding.
+  double Control = 0.0;                                                    // weighted
+  double EvObjects = 0.0;                                                  // of Ev
+  /// The five before. They are summed frame by frame, so a sum of the columns differs by rounding.
   double Penalties = 0.0;
 
   /// visit(member of *this...) of every number.
@@ -30,6 +32,8 @@ struct SpacetimeTerms
     visit(of.Approach...);
     visit(of.Contact...);
     visit(of.Separation...);
+    visit(of.Control...);
+    visit(of.EvObjects...);
     visit(of.Penalties...);
   }
 };
@@ -86,6 +90,11 @@ void VisitConvergence(Visitor&& visit)
         &Row::Contact);
   visit(ConvergenceColumn{ "Separation", "dx^2", "weighted: gas too near to gas" },
         &Row::Separation);
+  visit(ConvergenceColumn{ "Control", "(dx/frame)^2",
+                           "weighted: in a drawn air, jerks of what moves objects beside it" },
+        &Row::Control);
+  visit(ConvergenceColumn{ "EvObjects", "(dx/frame)^2", "of Ev: objects; the rest is gas" },
+        &Row::EvObjects);
 }
 
 /// All columns and Penalties: a row as it was.

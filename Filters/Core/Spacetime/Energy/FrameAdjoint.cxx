@@ -10,6 +10,14 @@ namespace waft
 
 void FrameTerms::Adjoint(float* gradient)
 {
+  if (this->IsAlone())
+  {
+    for (std::size_t i = 0; i < 3 * this->BodyStride; ++i)
+    {
+      gradient[3 * this->BodyStride + i] -= this->Bars[i] + this->Bars[3 * this->BodyStride + i];
+    }
+    return;
+  }
   const std::size_t ng = this->Model.NumberOfGas;
   const std::size_t n = this->Model.NumberOfParticles();
   const std::size_t per = this->Model.Offsets.size();

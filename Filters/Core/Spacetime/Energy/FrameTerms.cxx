@@ -237,8 +237,23 @@ void FrameTerms::MakeRoom(std::size_t entries)
   this->Pairs = { this->PairStarts.data(), this->PairGroups.data(), this->Nearest.data() };
 }
 
+// Without gas beside it the air deviates nowhere, and an object's D is its own deviation less.
+void FrameTerms::ForwardAlone(const float* state)
+{
+  const std::size_t s = this->BodyStride;
+  for (std::size_t i = 0; i < 3 * s; ++i)
+  {
+    this->Rates[i] = this->Rates[3 * s + i] = -state[3 * s + i];
+  }
+}
+
 void FrameTerms::Forward(const float* state, int frame, double step, NeighborList& list)
 {
+  if (this->IsAlone())
+  {
+    this->ForwardAlone(state);
+    return;
+  }
   const std::size_t ng = this->Model.NumberOfGas;
   const std::size_t n = this->Model.NumberOfParticles();
   const std::size_t p = this->ParticleStride;

@@ -57,6 +57,9 @@ private:
   /// Rows go through several terms in one sweep, so many entries at a time.
   static constexpr std::size_t Block = 256;
 
+  /// Objects in a drawn air without any gas.
+  bool IsAlone() const { return this->Model.NumberOfGas == 0 && !this->Model.Air.IsEmpty(); }
+  void ForwardAlone(const float* state);
   void FillPositions(const float* state);
   void PositionParticles(const float* state);
   void MakeRoom(std::size_t entries);

@@ -123,15 +123,19 @@ double ContactTerms(const SpacetimeModel& model, int frame, double scale, const 
     {
       const std::size_t a = order[p];
       const std::size_t b = order[q];
-      const bool fixedA = model.Flag(frame, a) & FixedPosition;
-      const bool fixedB = model.Flag(frame, b) & FixedPosition;
       double d[3], r2 = 0.0;
       for (int c = 0; c < 3; ++c)
       {
         d[c] = static_cast<double>(x[c * stride + a]) - x[c * stride + b];
         r2 += d[c] * d[c];
       }
-      if ((fixedA && fixedB) || r2 >= d0 * d0 || r2 < 1e-12)
+      if (r2 >= d0 * d0 || r2 < 1e-12)
+      {
+        continue;
+      }
+      const bool fixedA = model.Flag(frame, a) & FixedPosition;
+      const bool fixedB = model.Flag(frame, b) & FixedPosition;
+      if (fixedA && fixedB)
       {
         continue;
       }

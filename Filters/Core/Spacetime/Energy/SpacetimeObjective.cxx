@@ -40,11 +40,21 @@ SpacetimeObjective::SpacetimeObjective(const SpacetimeModel& model, const AirFie
   this->RowsEnd = std::min(frames, own.End + reach);
   this->FrameSums.resize(frames);
   this->Bound.assign(frames * model.NumberOfObjects, 0);
+  this->HasLaw.assign(frames * model.NumberOfObjects, 0);
   for (std::size_t j = 1; j < frames; ++j)
   {
     for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
     {
       this->Bound[j * model.NumberOfObjects + o] = StepIsBound(model, level, j, o) ? 1 : 0;
+      this->HasLaw[j * model.NumberOfObjects + o] = StepHasLaw(model, level, j, o) ? 1 : 0;
+    }
+  }
+  for (std::size_t j = 0; j < frames; ++j)
+  {
+    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    {
+      this->Smoothness.push_back(
+        static_cast<float>(SmoothnessWeight(model, level, j, static_cast<long>(o))));
     }
   }
 }
@@ -163,7 +173,7 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state,
   const auto eps = static_cast<float>(weights.XsphFactor);
   const auto objectStep = static_cast<float>(weights.ObjectPosition);
   const auto objectAir = static_cast<float>(weights.ObjectCoherence);
-  double ex = 0.0, ev = 0.0, ec = 0.0;
+  double ex = 0.0, ev = 0.0, ec = 0.0, evObjects = 0.0;
   for (int c = 0; c < 3; ++c)
   {
     const float* x = here + c * stride;
@@ -204,17 +214,21 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state,
     {
       add(i, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 0.0f);
     }
+    const double ofGas = ev;
     for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
     {
       const bool isBound = !last && this->Bound[(j + 1) * model.NumberOfObjects + o];
+      const bool hasLaw = last || this->HasLaw[(j + 1) * model.NumberOfObjects + o];
       add(ng + o, static_cast<float>(model.Offsets.size()), objectStep, isBound ? 0.0f : 1.0f,
-          isBound ? 0.0f : 1.0f, objectAir * model.CoherenceFraction(this->Times.Frames[j], o),
+          hasLaw ? 1.0f : 0.0f, objectAir * model.CoherenceFraction(this->Times.Frames[j], o),
           c == 2 ? model.SettlingSlip(o) : 0.0f);
     }
+    evObjects += ev - ofGas;
   }
   SpacetimeTerms& sums = this->FrameSums[j];
   sums.Ex = 0.5 * stepWeight * ex;
   sums.Ev = 0.5 * stepWeight * ev;
+  sums.EvObjects = 0.5 * stepWeight * evObjects;
   sums.Ec = 0.5 * weights.SpatialShare * this->SpatialScale * this->Times.FrameWeights[j] * ec;
   if (gradient)
   {
@@ -235,8 +249,9 @@ void SpacetimeObjective::SmoothRow(const StateVector& moving, std::size_t j)
   const std::size_t ng = model.NumberOfGas;
   const double fraction = 1.0 - model.Weights.SpatialShare;
   const double w = this->Times.SmoothWeights[j];
-  const auto factor = static_cast<float>(model.Weights.CoherenceWeight * fraction * w);
-  double sum = 0.0;
+  const auto factor = static_cast<float>(SmoothnessWeight(model, this->Times, j, -1));
+  const bool inAir = !model.Air.IsEmpty();
+  double sum = 0.0, control = 0.0;
   for (int c = 0; c < 3; ++c)
   {
     float* r = this->Row(j, 2, c);
@@ -261,11 +276,14 @@ void SpacetimeObjective::SmoothRow(const StateVector& moving, std::size_t j)
     for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
     {
       float& value = r[ng + o];
-      sum += static_cast<double>(weight * value) * value;
-      value *= weight * factor;
+      const float own = this->Smoothness[j * model.NumberOfObjects + o];
+      const double square = static_cast<double>(weight * value) * value;
+      (inAir ? control : sum) += inAir ? own * square : square;
+      value *= weight * own;
     }
   }
   this->FrameSums[j].Ec += 0.5 * fraction * w * sum;
+  this->FrameSums[j].Control = 0.5 * control;
 }
 
 void SpacetimeObjective::ObjectFrame(const StateVector& state, std::size_t j, StateVector* gradient)
@@ -278,7 +296,8 @@ void SpacetimeObjective::ObjectFrame(const StateVector& state, std::size_t j, St
   sums.Clearance = weight * terms.Clearance;
   sums.Approach = weight * terms.Approach;
   sums.Contact = weight * terms.Contact;
-  sums.Penalties = sums.Separation + weight * (terms.Clearance + terms.Approach + terms.Contact);
+  sums.Penalties =
+    sums.Separation + sums.Control + weight * (terms.Clearance + terms.Approach + terms.Contact);
 }
 
 void SpacetimeObjective::GatherFrame(std::size_t j, StateVector& gradient) const

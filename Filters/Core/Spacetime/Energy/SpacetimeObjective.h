@@ -119,7 +119,9 @@ private:
   StateVector Deviations; // of the held frames, in a drawn air
   StateVector Jacobians;  // nine rows a frame, of the air where they are taken
   std::vector<SpacetimeTerms> FrameSums;
-  std::vector<std::uint8_t> Bound; // [frame * objects + object]: no free flight into the frame
+  std::vector<std::uint8_t> Bound;  // [frame * objects + object]: no free flight into the frame
+  std::vector<std::uint8_t> HasLaw; // likewise: rv counts
+  std::vector<float> Smoothness;    // of the third row of objects, likewise
   std::mutex PoolMutex;
   std::vector<std::unique_ptr<Worker>> Pool;
 };

@@ -12,6 +12,10 @@ namespace
 // Of the midpoint rule; a step changes v by some hundredths, so that three are exact enough.
 constexpr int Corrections = 3;
 
+// Places to sample a node, below which a field's values are taken where they are asked for instead
+// of everywhere.
+constexpr std::size_t NodesPerPlace = 64;
+
 } // namespace
 
 GivenAir::GivenAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep,
@@ -68,7 +72,15 @@ void GivenAir::Deviations(const float* state, std::size_t bodies, std::size_t st
                           double step, float* out, float* jacobians) const
 {
   thread_local std::vector<float> slice;
-  this->Slice(frame - 0.5 * step, slice);
+  const Instant now = this->At(frame - 0.5 * step);
+  const bool isSliced = bodies * NodesPerPlace > this->Series->NumberOfPoints();
+  if (isSliced)
+  {
+    this->Slice(now, slice);
+  }
+  const auto ofSlice = [](std::size_t node, float u[4])
+  { std::copy_n(slice.data() + 4 * node, 4, u); };
+  const auto ofSeries = [&now](std::size_t node, float u[4]) { now.Value(node, u); };
   std::copy(state, state + 6 * stride, out);
   for (std::size_t i = 0; i < bodies; ++i)
   {
@@ -76,7 +88,8 @@ void GivenAir::Deviations(const float* state, std::size_t bodies, std::size_t st
     const Vec3 v(row(3), row(4), row(5));
     const Vec3 x = Vec3(row(0), row(1), row(2)) - 0.5 * step * v;
     float u[4], slopes[3][4];
-    this->Sample(slice, x, u, jacobians != nullptr ? slopes : nullptr);
+    float(*const jacobian)[4] = jacobians != nullptr ? slopes : nullptr;
+    isSliced ? this->Sample(ofSlice, x, u, jacobian) : this->Sample(ofSeries, x, u, jacobian);
     if (i >= this->NumberOfGas)
     {
       Vec3 slope;
@@ -98,7 +111,7 @@ void GivenAir::Deviations(const float* state, std::size_t bodies, std::size_t st
   }
 }
 
-void GivenAir::Slice(double frame, std::vector<float>& values) const
+GivenAir::Instant GivenAir::At(double frame) const
 {
   const FieldSeries& air = *this->Series;
   const double time = frame * this->FrameStep;
@@ -109,24 +122,22 @@ void GivenAir::Slice(double frame, std::vector<float>& values) const
   const double gap = air.Times[next] - air.Times[before];
   const double part = gap > 0.0 ? std::clamp((time - air.Times[before]) / gap, 0.0, 1.0) : 0.0;
   const double unit = this->FrameStep / this->Spacing;
-  const auto low = static_cast<float>((1.0 - part) * unit);
-  const auto high = static_cast<float>(part * unit);
-  const auto* a = air.Values[before].data();
-  const auto* b = air.Values[next].data();
-  const std::size_t n = air.NumberOfPoints();
+  return { air.Values[before].data(), air.Values[next].data(),
+           static_cast<float>((1.0 - part) * unit), static_cast<float>(part * unit) };
+}
+
+void GivenAir::Slice(const Instant& now, std::vector<float>& values) const
+{
+  const std::size_t n = this->Series->NumberOfPoints();
   values.resize(4 * n);
   for (std::size_t i = 0; i < n; ++i)
   {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      values[4 * i + c] = low * a[i][c] + high * b[i][c];
-    }
-    values[4 * i + 3] = 0.0f;
+    now.Value(i, values.data() + 4 * i);
   }
 }
 
-void GivenAir::Sample(const std::vector<float>& slice, const Vec3& x, float u[4],
-                      float jacobian[3][4]) const
+template <class Node>
+void GivenAir::Sample(const Node& node, const Vec3& x, float u[4], float jacobian[3][4]) const
 {
   const FieldSeries& air = *this->Series;
   std::size_t corner = 0, next[3], stride = 1;
@@ -146,14 +157,17 @@ void GivenAir::Sample(const std::vector<float>& slice, const Vec3& x, float u[4]
   float faces[2][4], alongX[2][4], alongY[2][4];
   for (std::size_t k = 0; k < 2; ++k)
   {
-    const float* p = slice.data() + 4 * (corner + k * next[2]);
-    const float* q = p + 4 * next[1];
+    float values[4][4]; // along x, then along y
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      node(corner + k * next[2] + i / 2 * next[1] + i % 2 * next[0], values[i]);
+    }
     for (int c = 0; c < 4; ++c)
     {
-      const float first = p[4 * next[0] + c] - p[c];
-      const float second = q[4 * next[0] + c] - q[c];
-      const float low = p[c] + part[0] * first;
-      alongY[k][c] = q[c] + part[0] * second - low;
+      const float first = values[1][c] - values[0][c];
+      const float second = values[3][c] - values[2][c];
+      const float low = values[0][c] + part[0] * first;
+      alongY[k][c] = values[2][c] + part[0] * second - low;
       alongX[k][c] = first + part[1] * (second - first);
       faces[k][c] = low + part[1] * alongY[k][c];
     }

@@ -5,6 +5,7 @@
 #include "Base/FieldSeries.h"
 #include "Constraints/GroundEffect.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -26,6 +27,13 @@ public:
            std::size_t numberOfGas, std::vector<double> settling, std::vector<GroundEffect> ground);
 
   bool IsEmpty() const { return this->Series == nullptr; }
+  /// The same for the objects alone.
+  GivenAir WithoutGas() const
+  {
+    GivenAir air = *this;
+    air.NumberOfGas = 0;
+    return air;
+  }
   /// At a place [dx] and frame.
   Vec3 Velocity(const Vec3& x, double frame) const;
   /// w of a body at x with velocity v at a frame, after a step s.
@@ -48,11 +56,27 @@ private:
   Vec3 Drift(std::size_t body, const Vec3& x, double frame) const;
   /// The speed with which an object settles at x [dx / frame], slope unless null: by x [1 / frame].
   double Settles(std::size_t object, const Vec3& x, double frame, Vec3* slope = nullptr) const;
-  /// The values about a frame, (u, v, w, 0) a node [dx / frame].
-  void Slice(double frame, std::vector<float>& values) const;
-  /// Of a slice, at x [dx]; jacobian (unless null): [1 / frame].
-  void Sample(const std::vector<float>& slice, const Vec3& x, float u[4],
-              float jacobian[3][4]) const;
+  /// What the series says of a frame between two of its own.
+  struct Instant
+  {
+    const std::array<float, 3>*Before, *After;
+    float Low, High; // their weights
+    /// (u, v, w, 0) of a node [dx / frame].
+    void Value(std::size_t node, float u[4]) const
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        u[c] = this->Low * this->Before[node][c] + this->High * this->After[node][c];
+      }
+      u[3] = 0.0f;
+    }
+  };
+  Instant At(double frame) const;
+  /// The values of all nodes, four each.
+  void Slice(const Instant& now, std::vector<float>& values) const;
+  /// At x [dx], of the nodes' values node(number, u[4]); jacobian (unless null): [1 / frame].
+  template <class Node>
+  void Sample(const Node& node, const Vec3& x, float u[4], float jacobian[3][4]) const;
 
   const FieldSeries* Series = nullptr;
   Vec3 Origin = Vec3::Zero();

@@ -155,4 +155,36 @@ bool StepIsBound(const SpacetimeModel& model, const TimeLevel& level, std::size_
   return false;
 }
 
+bool StepIsGiven(const SpacetimeModel& model, const TimeLevel& level, std::size_t j,
+                 std::size_t object)
+{
+  return (model.Flag(level.Frames[j - 1], object) & model.Flag(level.Frames[j], object) &
+          FixedPosition) != 0;
+}
+
+bool StepHasLaw(const SpacetimeModel& model, const TimeLevel& level, std::size_t j,
+                std::size_t object)
+{
+  return !StepIsBound(model, level, j, object) &&
+         (model.Air.IsEmpty() || !StepIsGiven(model, level, j, object));
+}
+
+double SmoothnessWeight(const SpacetimeModel& model, const TimeLevel& level, std::size_t j,
+                        long object)
+{
+  const SpacetimeWeights& weights = model.Weights;
+  if (object < 0 || model.Air.IsEmpty())
+  {
+    return weights.CoherenceWeight * (1.0 - weights.SpatialShare) * level.SmoothWeights[j];
+  }
+  const auto flies = [&](std::size_t k)
+  { return k > 0 && StepHasLaw(model, level, k, static_cast<std::size_t>(object)); };
+  const auto& row = level.Rows[j];
+  const bool inFlight = flies(j) && std::all_of(row.begin(), row.end(),
+                                                [&](const TimeLevel::Neighbor& n) {
+                                                  return flies(static_cast<std::size_t>(n.Frame));
+                                                });
+  return inFlight ? weights.VelocityWeight * weights.Control * level.SmoothWeights[j] : 0.0;
+}
+
 } // namespace waft

@@ -56,4 +56,19 @@ SphFluid FluidOf(const SpacetimeModel& model, const TimeLevel& level);
 bool StepIsBound(const SpacetimeModel& model, const TimeLevel& level, std::size_t j,
                  std::size_t object);
 
+/// True when its place is given at both ends of the step into level frame j, as where it lies or
+/// follows a path that is given frame by frame.
+bool StepIsGiven(const SpacetimeModel& model, const TimeLevel& level, std::size_t j,
+                 std::size_t object);
+
+/// True when rv counts in that step: in free flight, in a drawn air without what follows a path
+/// that is given frame by frame, which no force has to explain.
+bool StepHasLaw(const SpacetimeModel& model, const TimeLevel& level, std::size_t j,
+                std::size_t object);
+
+/// The weight of row j of Eq. 4's second term for an object, or for gas (-1). In a drawn air an
+/// object's is that of Control: it keeps what moves it beside the air from jerks, in flight alone.
+double SmoothnessWeight(const SpacetimeModel& model, const TimeLevel& level, std::size_t j,
+                        long object);
+
 } // namespace waft

@@ -196,7 +196,7 @@ Schedule PlanInAir(const SpacetimeOptions& options)
 {
   Schedule schedule;
   schedule.Stages.push_back(
-    Minimise(StageKind::Fine, 0, options.Passes, '\0', (LastIterations(options) + 1) / 2));
+    Minimise(StageKind::Fine, 0, options.Passes, '\0', 2 * LastIterations(options) / 3));
   return schedule;
 }
 

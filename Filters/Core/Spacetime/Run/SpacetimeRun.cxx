@@ -4,6 +4,7 @@
 #include "Spacetime/Run/SpacetimeBudget.h"
 #include "Spacetime/Run/StageProgress.h"
 #include "Spacetime/Scene/InitialGas.h"
+#include "Spacetime/Scene/InitialObjects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,9 +116,11 @@ Result SpacetimeRun::Begin(StateVector start)
   if (this->Ranks.IsFirst()) // one frame after the other: there is nothing to partition
   {
     const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
+    const bool goesOn = model.Air.IsEmpty() || MakeInitialObjects(model, this->Problem.Table, full,
+                                                                  this->Parallel, monitor, motion);
     SpacetimeObjective objective(model, this->State.Fields, full, this->Parallel,
                                  FastestSphKernels(), false);
-    isMoved = MakeInitialGas(objective, this->Parallel, monitor, motion);
+    isMoved = goesOn && MakeInitialGas(objective, this->Parallel, monitor, motion);
   }
   if (this->Ranks.Decide(isMoved))
   {

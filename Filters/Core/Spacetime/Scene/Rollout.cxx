@@ -101,7 +101,8 @@ ReplayError MeasureReplay(SpacetimeObjective& objective, const StateVector& stat
     {
       for (int frame = from; frame <= until; ++frame)
       {
-        isFlying[o] = isFlying[o] && (model.Flag(frame, o) & NoDynamics) == 0;
+        isFlying[o] =
+          isFlying[o] && !StepIsGiven(model, objective.Level(), static_cast<std::size_t>(frame), o);
       }
     }
     StateVector replayed = state;

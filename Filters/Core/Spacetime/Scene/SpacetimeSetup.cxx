@@ -24,6 +24,7 @@ constexpr double ContactSlack = 1.05;           // a penalty gives way a little 
 constexpr double FastestDrag = 0.45;            // [1 / frame]
 constexpr double ObjectMassFraction = 0.1;      // of a gas particle's mass, at most
 constexpr double AllObjectsMassFraction = 0.02; // of all gas, at most
+constexpr double ControlTime = 1.0 / 15.0;      // s: what changes faster is a jerk
 
 constexpr int LeastFrames = 3;
 
@@ -273,6 +274,8 @@ void SetUpAir(const SpacetimeInput& input, const SpacetimeOptions& options, Spac
   model.Air = GivenAir(input.Air, setup.Origin, setup.Spacing, setup.FrameStep, model.NumberOfGas,
                        std::move(settling), std::move(ground));
   model.AirDrag = static_cast<float>(options.AirDrag * setup.FrameStep);
+  // Half the second difference of a control that changes within this time costs as much as it.
+  model.Weights.Control = 4.0 * std::pow(ControlTime / setup.FrameStep, 4);
   model.DragRates.assign(no, 1.0f);
   model.Gravities.assign(no, 0.0f);
   model.BrakeHeights.assign(no, 0.0f);

@@ -91,7 +91,7 @@ TimelinePreconditioner::Band TimelinePreconditioner::Factor(long object) const
     {
       row.push_back({ 2 * neighbor.Frame + 1, -neighbor.Coefficient });
     }
-    addRow(row, w.CoherenceWeight * (1.0 - w.SpatialShare) * this->Level.SmoothWeights[j]);
+    addRow(row, SmoothnessWeight(this->Model, this->Level, static_cast<std::size_t>(j), object));
     if (j > 0 && (object < 0 || !StepIsBound(this->Model, this->Level, j, object)))
     {
       const double step = this->Level.StepWeights[j];
@@ -99,7 +99,9 @@ TimelinePreconditioner::Band TimelinePreconditioner::Factor(long object) const
              (object < 0 ? 1.0 : w.ObjectPosition) * w.PositionWeight * step);
       if (object >= 0 && !this->Model.Air.IsEmpty()) // a deviation vanishes, whatever it was
       {
-        addRow({ { 2 * j + 1, 1.0 } }, w.VelocityWeight * step);
+        const bool hasLaw =
+          StepHasLaw(this->Model, this->Level, static_cast<std::size_t>(j), object);
+        addRow({ { 2 * j + 1, 1.0 } }, hasLaw ? w.VelocityWeight * step : 0.0);
       }
       else
       {
