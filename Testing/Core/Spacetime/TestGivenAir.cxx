@@ -422,3 +422,21 @@ TEST(InitialObjects, StayAsTheyWereWhenStopped)
                                   SerialFor(), monitor, state));
   EXPECT_TRUE(state == before);
 }
+
+TEST(GivenAir, WideObjectsKeepTheirWholeWidthApart)
+{
+  AirProblem problem(8);
+  const double width = 0.8 * problem.Setup.Spacing;
+  for (MotionObject& object : problem.Input.Objects)
+  {
+    object.ClearanceRadius = 0.5 * width;
+  }
+  SpacetimeOptions options;
+  options.NumberOfGasParticles = 216;
+  SpacetimeSetup inAir, alone;
+  ASSERT_TRUE(MakeSetup(problem.Input, options, inAir));
+  EXPECT_NEAR(inAir.Model.Weights.ContactDistance * inAir.Spacing, 1.05 * width, 1e-9);
+  problem.Input.Air = FieldSeries();
+  ASSERT_TRUE(MakeSetup(problem.Input, options, alone));
+  EXPECT_EQ(alone.Model.Weights.ContactDistance, 0.5);
+}

@@ -111,13 +111,14 @@ Result SpacetimeRun::Begin(StateVector start)
   this->Record(0, "initial", 0, terms, 0.0, 0.0);
   bool isMoved = false;
   StageProgress monitor(this->Own, 0.0, 0.0, 1);
-  monitor.Text = "spacetime: moving the gas";
+  monitor.Text = "spacetime: letting the objects give way";
   StateVector& motion = this->State.Motion;
   if (this->Ranks.IsFirst()) // one frame after the other: there is nothing to partition
   {
     const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
     const bool goesOn = model.Air.IsEmpty() || MakeInitialObjects(model, this->Problem.Table, full,
                                                                   this->Parallel, monitor, motion);
+    monitor.Text = "spacetime: moving the gas";
     SpacetimeObjective objective(model, this->State.Fields, full, this->Parallel,
                                  FastestSphKernels(), false);
     isMoved = goesOn && MakeInitialGas(objective, this->Parallel, monitor, motion);

@@ -19,7 +19,7 @@ namespace
 
 constexpr double ParticleRing = 0.3;            // radius of an object's particles [dx]
 constexpr double LatticeSpacing = 0.4;          // of the obstacles' distances [dx]
-constexpr double LargestContact = 0.5;          // [dx]
+constexpr double LargestContact = 0.5;          // [dx], where the gas alone is the air
 constexpr double ContactSlack = 1.05;           // a penalty gives way a little before it holds
 constexpr double FastestDrag = 0.45;            // [1 / frame]
 constexpr double ObjectMassFraction = 0.1;      // of a gas particle's mass, at most
@@ -222,9 +222,11 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
       static_cast<float>(0.5 * CushionTime * object.SettlingSpeed / setup.Spacing));
     radii += object.ClearanceRadius / setup.Spacing / static_cast<double>(no);
   }
-  model.Weights.ContactDistance = options.ContactDistance < 0.0
-                                    ? std::min(LargestContact, ContactSlack * 2.0 * radii)
-                                    : options.ContactDistance / setup.Spacing;
+  const double widest = ContactSlack * 2.0 * radii;
+  model.Weights.ContactDistance = options.ContactDistance >= 0.0
+                                    ? options.ContactDistance / setup.Spacing
+                                  : input.Air.IsEmpty() ? std::min(LargestContact, widest)
+                                                        : widest;
   model.Flags.assign(static_cast<std::size_t>(model.NumberOfFrames) * no, 0);
   setup.Table.FixedPositions.assign(model.Flags.size(), Vec3::Zero());
   setup.Table.Planned.resize(model.Flags.size());
