@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // E beside a drawn air: what the air does costs nothing, objects go with it, and the gradient is
 // exact.
+#include "Spacetime/Run/InitialObjects.h"
 #include "Spacetime/Scene/InitialGas.h"
-#include "Spacetime/Scene/InitialObjects.h"
 #include "Spacetime/Scene/Rollout.h"
 #include "Spacetime/Scene/SpacetimeSetup.h"
 #include "Spacetime/Solver/TimelinePreconditioner.h"

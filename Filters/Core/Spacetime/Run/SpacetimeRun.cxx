@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/Run/SpacetimeRun.h"
 
+#include "Spacetime/Run/InitialObjects.h"
 #include "Spacetime/Run/SpacetimeBudget.h"
 #include "Spacetime/Run/StageProgress.h"
 #include "Spacetime/Scene/InitialGas.h"
-#include "Spacetime/Scene/InitialObjects.h"
 
 #include <algorithm>
 #include <cmath>

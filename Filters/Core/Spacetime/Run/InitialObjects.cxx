@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Spacetime/Scene/InitialObjects.h"
+#include "Spacetime/Run/InitialObjects.h"
 
 #include "Spacetime/Solver/LevelSolver.h"
 
