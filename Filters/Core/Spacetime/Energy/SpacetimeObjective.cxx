@@ -278,7 +278,14 @@ void SpacetimeObjective::SmoothRow(const StateVector& moving, std::size_t j)
       float& value = r[ng + o];
       const float own = this->Smoothness[j * model.NumberOfObjects + o];
       const double square = static_cast<double>(weight * value) * value;
-      (inAir ? control : sum) += inAir ? own * square : square;
+      if (inAir)
+      {
+        control += own * square;
+      }
+      else
+      {
+        sum += square;
+      }
       value *= weight * own;
     }
   }

@@ -89,7 +89,14 @@ void GivenAir::Deviations(const float* state, std::size_t bodies, std::size_t st
     const Vec3 x = Vec3(row(0), row(1), row(2)) - 0.5 * step * v;
     float u[4], slopes[3][4];
     float(*const jacobian)[4] = jacobians != nullptr ? slopes : nullptr;
-    isSliced ? this->Sample(ofSlice, x, u, jacobian) : this->Sample(ofSeries, x, u, jacobian);
+    if (isSliced)
+    {
+      this->Sample(ofSlice, x, u, jacobian);
+    }
+    else
+    {
+      this->Sample(ofSeries, x, u, jacobian);
+    }
     if (i >= this->NumberOfGas)
     {
       Vec3 slope;

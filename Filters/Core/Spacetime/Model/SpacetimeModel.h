@@ -31,9 +31,9 @@ struct SpacetimeWeights : TermWeights
   double Contact = 5.0;         // objects nearer to each other than ContactDistance
   double ContactDistance = 0.0; // d0 [dx]
   double Separation = 0.1;      // gas nearer to gas than GasDistance
+  double GasDistance = 0.32;    // [dx]
   /// Of half the second difference of an object's control, over that of the control [frame^4].
   double Control = 0.0;
-  double GasDistance = 0.32; // [dx]
 };
 
 /// What holds for one object at one frame.
