@@ -181,9 +181,11 @@ void SpacetimeRun::WriteOutput(SpacetimeObjective& measured,
   MeasureResiduals(this->Input.Constraints, this->Output.Tracks, this->Problem.Objects,
                    this->Problem.Obstacles, this->Input.Scene, this->Output.Report);
   const bool finished = this->State.IsDone();
-  if (this->IsCut && !finished)
+  if (this->IsCut)
   {
-    this->Output.Warnings.push_back("TimeLimit: reached before the last stage; the best so far");
+    this->Output.Warnings.push_back(
+      finished ? "TimeLimit: its half was up before the coarse levels were done"
+               : "TimeLimit: reached before the last stage; the best so far");
   }
   const double energy = this->State.Log.back().E;
   if (finished && this->Region.IsEmpty() &&
