@@ -25,6 +25,13 @@ def _moved(descriptor):
     return higher
 
 
+LEFT = ("target navigated", "context was destroyed", "Cannot find context")  # what a browser says of a page that it left meanwhile
+
+
+class LeftPage(RuntimeError):
+    """The page went, or was loaded anew, before it had answered."""
+
+
 class Browser:
     """One page. errors: what the console and scripts complained of; requests: addresses that were asked for."""
 
@@ -78,7 +85,9 @@ class Browser:
             self._listen(end - time.monotonic(), method)
         answer = self._answers.pop(self._number)
         if "error" in answer:
-            raise RuntimeError(f"{method}: {answer['error']['message']}")
+            message = answer["error"]["message"]
+            failure = LeftPage if any(part in message for part in LEFT) else RuntimeError
+            raise failure(f"{method}: {message}")
         return answer["result"]
 
     def _listen(self, seconds, method):
@@ -121,7 +130,14 @@ class Browser:
 
     def wait(self, until, seconds=20.0):
         end = time.monotonic() + seconds
-        while not self.run(f"document.readyState === 'complete' && ({until})"):
+
+        def holds():
+            try:
+                return self.run(f"document.readyState === 'complete' && ({until})")
+            except LeftPage:
+                return False
+
+        while not holds():
             if time.monotonic() > end:
                 raise TimeoutError(f"{until}: not true after {seconds} s; {self.errors}")
             time.sleep(0.05)
