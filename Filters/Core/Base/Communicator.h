@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ranks, injected by the caller: one here, vtkMultiProcessController in the wrappers. All ranks run
-// the same kernel on the same input and call the same functions here in the same order.
+// Ranks, injected by the caller: one here, vtkMultiProcessController in the wrappers.
 #pragma once
 
-#include "Base/Monitor.h"
 #include "Base/StateArchive.h"
 
 #include <cstddef>
-#include <string>
-#include <vector>
 
 namespace waft
 {
@@ -18,8 +14,6 @@ namespace waft
 class Communicator
 {
 public:
-  using Bytes = std::vector<char>;
-
   virtual ~Communicator() = default;
   virtual int Rank() const = 0; // 0..Size() - 1; rank 0 decides
   virtual int Size() const = 0;
@@ -30,13 +24,8 @@ public:
   virtual void SendReceive(int other, const void* sent, std::size_t sentSize, void* received,
                            std::size_t receivedSize) = 0;
 
-  /// sent[r] goes to rank r and comes from there into received[r], whose sizes are known
-  /// beforehand.
-  void Exchange(const std::vector<Bytes>& sent, std::vector<Bytes>& received);
-  /// The bytes of one rank, on all of them.
+  /// The bytes of one rank, on all of them: all call it, as Largest.
   void Broadcast(void* bytes, std::size_t size, int from = 0);
-  /// What rank 0 says, on all of them.
-  bool Decide(bool answer);
   /// The largest of all ranks' values.
   double Largest(double value);
 };
@@ -48,21 +37,6 @@ public:
   int Rank() const override { return 0; }
   int Size() const override { return 1; }
   void SendReceive(int, const void*, std::size_t, void*, std::size_t) override {}
-};
-
-/// Asks rank 0's monitor for all. Tick is then to be called by all ranks at once.
-class RankMonitor : public Monitor
-{
-public:
-  RankMonitor(Monitor& own, Communicator& ranks) : Own(own), Ranks(ranks) {}
-  bool Tick(double fraction, const std::string& text) override
-  {
-    return this->Ranks.Decide(this->Own.Tick(fraction, text));
-  }
-
-private:
-  Monitor& Own;
-  Communicator& Ranks;
 };
 
 /// What rank 0 writes here the others read: a function that writes and reads a structure makes it
@@ -80,24 +54,22 @@ private:
   Communicator& Ranks;
 };
 
-/// One file for all ranks: rank 0 writes it, and what rank 0 reads goes to all.
-class RankFileStream : public StateArchive
+/// What one rank writes here another reads.
+class PeerStream : public StateArchive
 {
 public:
-  /// file: of rank 0; null on the others.
-  RankFileStream(Communicator& ranks, StateArchive* file, bool isReading) :
-    Ranks(ranks), File(file), Reads(isReading)
+  PeerStream(Communicator& ranks, int other, bool isReading) :
+    Ranks(ranks), Other(other), Reads(isReading)
   {
   }
   bool IsReading() const override { return this->Reads; }
-  std::uint64_t Left() const override;
 
 protected:
   bool Bytes(void* bytes, std::size_t size) override;
 
 private:
   Communicator& Ranks;
-  StateArchive* File;
+  int Other;
   bool Reads;
 };
 

@@ -210,7 +210,11 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
     wallOff += WallSeconds() - wallNow;
     cpuOff += CpuSeconds() - cpuNow;
   };
-  SerialCommunicator alone;
+  const auto make = [&](const AirFields& fields, const TimeLevel& level, bool keepsLists)
+  {
+    return std::make_unique<SpacetimeObjective>(model, fields, level, parallel, FastestSphKernels(),
+                                                keepsLists);
+  };
   std::unique_ptr<LevelSolver> solver;
   LbfgsMemory memory;
   StateVector part;
@@ -221,7 +225,7 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
     {
       Prolong(model, solver->Level, part, state);
     }
-    curve.Evaluations += solver ? solver->Objective.NumberOfEvaluations() : 0;
+    curve.Evaluations += solver ? solver->Objective->NumberOfEvaluations() : 0;
     solver.reset();
     memory = LbfgsMemory();
   };
@@ -237,7 +241,7 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
       coarseness = stage.Coarseness;
       solver = std::make_unique<LevelSolver>(
         setup.Model, setup.Model.Fields, setup.Table,
-        schedule.LevelOf(coarseness, model.NumberOfFrames, options.TemporalWindow), parallel, alone,
+        schedule.LevelOf(coarseness, model.NumberOfFrames, options.TemporalWindow), parallel, make,
         options.HistorySize);
       part = coarseness > 0 ? Restrict(model, solver->Level, state) : StateVector();
     }
@@ -253,8 +257,7 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
       }
       return true;
     };
-    solver->Solver->Minimize(solver->Objective, solver->Preconditioner, solver->Constraints,
-                             minimise, observer, nullptr, memory, x);
+    solver->Minimize(minimise, observer, nullptr, memory, x);
   }
   leave();
   return curve;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Base/TemporaryFolder.h"
 #include "ThreadRanks.h"
 
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <string>
+#include <vector>
 
 using namespace waft;
 
@@ -20,36 +19,7 @@ void Serialise(StateArchive& stream, std::vector<int>& list, std::string& text)
 
 } // namespace
 
-TEST(Communicator, ExchangesWhatEachHasForEach)
-{
-  for (const int size : { 1, 2, 3, 5, 8 })
-  {
-    std::vector<std::vector<Communicator::Bytes>> got(size);
-    EXPECT_TRUE(RunRanks(size,
-                         [&](Communicator& ranks)
-                         {
-                           const int me = ranks.Rank();
-                           std::vector<Communicator::Bytes> sent(size), received(size);
-                           for (int r = 0; r < size; ++r)
-                           {
-                             // As many bytes as sender times receiver: some messages are empty.
-                             sent[r].assign(me * r, static_cast<char>(10 * me + r));
-                             received[r].resize(me * r);
-                           }
-                           ranks.Exchange(sent, received);
-                           got[me] = received;
-                         }));
-    for (int to = 0; to < size; ++to)
-    {
-      for (int from = 0; from < size; ++from)
-      {
-        EXPECT_EQ(got[to][from], Communicator::Bytes(to * from, char(10 * from + to)));
-      }
-    }
-  }
-}
-
-TEST(Communicator, BroadcastsFromAnyRankAndLetsRankZeroDecide)
+TEST(Communicator, BroadcastsFromAnyRankAndFindsTheLargest)
 {
   for (const int size : { 1, 2, 3, 6 })
   {
@@ -64,8 +34,6 @@ TEST(Communicator, BroadcastsFromAnyRankAndLetsRankZeroDecide)
                              ranks.Broadcast(&value, sizeof(value), from);
                              wrong[me] += value != 100 + from;
                            }
-                           wrong[me] += !ranks.Decide(me == 0);
-                           wrong[me] += ranks.Decide(me != 0);
                            wrong[me] += ranks.Largest(-me * (me - 4.0)) !=
                                         (size > 2 ? 4.0 : (size == 2 ? 3.0 : 0.0));
                          }));
@@ -92,46 +60,26 @@ TEST(Communicator, BroadcastsStructuresByTheirStreams)
   }
 }
 
-TEST(Communicator, WritesOneFileAndReadsItForAll)
+TEST(Communicator, StreamsBetweenTwo)
 {
-  const test::TemporaryFolder folder;
-  const std::string path = folder.File("rank-file");
-  std::vector<std::vector<int>> lists(3, { 2, 7, 1, 8 });
-  std::vector<std::string> texts(3, "twenty-eight");
+  std::vector<int> list;
+  std::string text;
   EXPECT_TRUE(RunRanks(3,
                        [&](Communicator& ranks)
                        {
-                         std::unique_ptr<StateFileWriter> file;
                          if (ranks.IsFirst())
                          {
-                           file = std::make_unique<StateFileWriter>(path);
+                           PeerStream stream(ranks, 2, true);
+                           Serialise(stream, list, text);
                          }
-                         RankFileStream stream(ranks, file.get(), false);
-                         Serialise(stream, lists[ranks.Rank()], texts[ranks.Rank()]);
-                         if (file)
+                         else if (ranks.Rank() == 2)
                          {
-                           EXPECT_TRUE(file->Commit());
+                           std::vector<int> sent{ 2, 7, 1, 8 };
+                           std::string words; // of no bytes
+                           PeerStream stream(ranks, 0, false);
+                           Serialise(stream, sent, words);
                          }
                        }));
-  std::vector<std::vector<int>> read(3);
-  std::vector<std::string> words(3);
-  std::vector<int> good(3, 0);
-  const auto readOn = [&](Communicator& ranks)
-  {
-    std::unique_ptr<StateFileReader> file;
-    if (ranks.IsFirst())
-    {
-      file = std::make_unique<StateFileReader>(path);
-    }
-    RankFileStream stream(ranks, file.get(), true);
-    Serialise(stream, read[ranks.Rank()], words[ranks.Rank()]);
-    good[ranks.Rank()] = stream.IsGood();
-    int more = 0;
-    stream.Value(more);
-    good[ranks.Rank()] += stream.IsGood() ? 10 : 0; // nothing is left to be read
-  };
-  EXPECT_TRUE(RunRanks(3, readOn));
-  EXPECT_EQ(read, lists);
-  EXPECT_EQ(words, texts);
-  EXPECT_EQ(good, std::vector<int>(3, 1));
+  EXPECT_EQ(list, (std::vector<int>{ 2, 7, 1, 8 }));
+  EXPECT_EQ(text, "");
 }

@@ -38,16 +38,17 @@ TEST(ActiveConstraints, AreFollowedByTheWholeTimeLine)
   const SpacetimeModel& model = setup.Model;
   const TimeLevel level = TimeLevel::Full(Frames, 1);
   const TimelinePreconditioner preconditioner(model, level, SerialFor());
-  ActiveConstraints balls(model, FramePartition(Frames));
+  ActiveConstraints balls(model);
   balls.Add(8, 1);
   balls.Add(11, 1);
   balls.Add(9, 0); // not touched
   const Vec3 normals[2] = { Vec3(1.0, 2.0, -2.0) / 3.0, Vec3(0.0, 0.6, 0.8) };
-  balls.Touch({ 1.0f / 3.0f, 2.0f / 3.0f, -2.0f / 3.0f, 0.0f, 0.6f, 0.8f, 0.0f, 0.0f, 0.0f });
+  balls.Touch(
+    { { 1.0f / 3.0f, 2.0f / 3.0f, -2.0f / 3.0f }, { 0.0f, 0.6f, 0.8f }, { 0.0f, 0.0f, 0.0f } });
   const auto place = [&](std::size_t ball, int c)
   {
-    return balls.Frame(ball) * model.FrameSize() + c * model.Stride() + model.NumberOfGas +
-           balls.Object(ball);
+    const std::size_t frame = ball == 0 ? 8 : 11;
+    return frame * model.FrameSize() + c * model.Stride() + model.NumberOfGas + 1;
   };
   const auto beyond = [&](const StateVector& d, std::size_t ball)
   { return normals[ball].dot(Vec3(d[place(ball, 0)], d[place(ball, 1)], d[place(ball, 2)])); };
@@ -98,12 +99,13 @@ TEST(ActiveConstraints, BringAllOfAPathThatMissesThem)
   const SpacetimeModel& model = setup.Model;
   const TimeLevel level = TimeLevel::Full(Frames, 1);
   const TimelinePreconditioner preconditioner(model, level, SerialFor());
-  ActiveConstraints balls(model, FramePartition(Frames));
+  ActiveConstraints balls(model);
   balls.Add(8, 1);
   balls.Add(12, 1);
   balls.Add(9, 0); // not missed
   StateVector state = setup.Start;
-  balls.Enter(preconditioner, { 0.3f, 0.0f, -0.4f, 0.0f, 0.2f, 0.0f, 0.0f, 0.0f, 0.0f }, state);
+  balls.Enter(preconditioner, { { 0.3f, 0.0f, -0.4f }, { 0.0f, 0.2f, 0.0f }, { 0.0f, 0.0f, 0.0f } },
+              state);
   const auto moved = [&](int frame, std::size_t object)
   {
     Vec3 d;

@@ -230,11 +230,10 @@ TEST(Checkpoint, ATimeLimitLeavesTheCourseThatARunWithoutItTakes)
   ExpectSameMotion(RunScene(input, Options(path)), whole);
 }
 
-/// The bytes of a state whose Part has three frames of two values.
 std::vector<char> BytesOf(SolverState state)
 {
   MemoryStream stream;
-  Serialise(stream, state, 2, [] { return FramePartition(3); });
+  Serialise(stream, state);
   return stream.Content;
 }
 
@@ -266,16 +265,11 @@ TEST(SolverState, GoesToAFileAndBackWithoutALoss)
 
   const std::string path = CheckpointPath("state");
   StateFileWriter writer(path);
-  Serialise(writer, state, 2, [] { return FramePartition(3); });
+  Serialise(writer, state);
   ASSERT_TRUE(writer.Commit());
   StateFileReader reader(path);
   SolverState back;
-  Serialise(reader, back, 2,
-            [&]
-            {
-              EXPECT_EQ(back.Coarseness, 1); // what tells the partition is there
-              return FramePartition(3);
-            });
+  Serialise(reader, back);
   EXPECT_TRUE(reader.IsAtEnd());
   EXPECT_EQ(BytesOf(back), bytes);
   EXPECT_EQ(back.Now().Name(), "free 1");

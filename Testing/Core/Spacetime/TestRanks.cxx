@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several ranks: the same bits as one, whatever is asked for.
 #include "Base/TemporaryFolder.h"
+#include "Spacetime/Run/RankedObjective.h"
 #include "Spacetime/Run/SpacetimeBudget.h"
-#include "Spacetime/Solver/LevelSolver.h"
 #include "SpacetimeRuns.h"
 #include "ThreadRanks.h"
 
@@ -115,37 +115,73 @@ void ExpectSame(const SpacetimeOutput& a, const SpacetimeOutput& b)
 
 } // namespace
 
-TEST(FramePartition, GivesEachFrameToOneRankAndHoldsThoseBesideIt)
+TEST(RankedObjective, GivesTheBitsOfOneRank)
 {
-  for (const int size : { 2, 3, 7 })
+  SpacetimeSetup setup;
+  ASSERT_TRUE(MakeSetup(Scene(), Options(), setup));
+  const SpacetimeModel& model = setup.Model;
+  for (const int window : { 1, 3 })
   {
-    for (const std::size_t frames : { 1u, 5u, 24u })
+    const TimeLevel level = TimeLevel::Full(model.NumberOfFrames, window);
+    // The fields change between two evaluations, and what is read afterwards is that of the second.
+    const auto evaluate = [&](Communicator& ranks)
+    {
+      struct
+      {
+        StateVector Gradient;
+        SpacetimeTerms First, Second;
+        std::vector<double> Ex, Ev;
+        std::vector<double> Rows;
+        std::vector<char> Lists;
+      } found;
+      AirFields fields = model.Fields;
+      found.Gradient.resize(setup.Start.size());
+      const auto objective = MakeRankedObjective(model, fields, level, SerialFor(), true, ranks);
+      EXPECT_TRUE(objective->Evaluate(setup.Start, &found.Gradient, found.First));
+      for (Vortex& vortex : fields.Vortices)
+      {
+        vortex.Strength *= 2.0;
+      }
+      EXPECT_TRUE(objective->Evaluate(setup.Start, nullptr, found.Second));
+      objective->BringRows();
+      std::vector<int> steps;
+      objective->ObjectResiduals(found.Ex, found.Ev, steps);
+      for (std::size_t j = 1; j < level.NumberOfFrames(); ++j)
+      {
+        double rv[3];
+        objective->VelocityResidual(j, j, rv);
+        found.Rows.insert(found.Rows.end(), rv, rv + 3);
+      }
+      MemoryStream stream;
+      objective->SerialiseLists(stream);
+      found.Lists = stream.Content;
+      return found;
+    };
+    SerialCommunicator alone;
+    const auto one = evaluate(alone);
+    EXPECT_FALSE(model.Fields.Vortices.empty());
+    EXPECT_NE(one.First.E, one.Second.E);
+    EXPECT_FALSE(one.Lists.empty());
+    for (const int size : { 2, 3, 45 }) // more than frames: some have none
     {
       EXPECT_TRUE(RunRanks(size,
                            [&](Communicator& ranks)
                            {
-                             const FramePartition partition(frames, 2, ranks);
-                             std::vector<float> all;
-                             for (std::size_t j = 0; j < frames; ++j)
+                             if (!ranks.IsFirst())
                              {
-                               all.insert(all.end(), { float(j), float(10 * j) });
-                               EXPECT_TRUE(partition.OwnOf(partition.OwnerOf(j)).Contains(j));
+                               const Result result = ServeEvaluations(model, SerialFor(), ranks);
+                               EXPECT_EQ(result.Message(), "done");
+                               return;
                              }
-                             EXPECT_LE(partition.Own().Size(), partition.MostOwned());
-                             std::vector<float> held = partition.Take(all, 2);
-                             ASSERT_EQ(held.size(), 2 * partition.Held().Size());
-                             // Nothing but the own blocks, the halo comes from its owners.
-                             std::vector<float> own(held.size(), -1.0f);
-                             for (std::size_t j = partition.Own().Begin; j < partition.Own().End;
-                                  ++j)
-                             {
-                               own[2 * partition.Slot(j)] = all[2 * j];
-                               own[2 * partition.Slot(j) + 1] = all[2 * j + 1];
-                             }
-                             const std::vector<float> alone = own;
-                             partition.FillHalo(own, 2);
-                             EXPECT_EQ(own, held);
-                             EXPECT_EQ(partition.Whole(alone, 2), all);
+                             const auto many = evaluate(ranks);
+                             EndEvaluations(Result::Error("done"), ranks);
+                             EXPECT_EQ(many.Gradient, one.Gradient);
+                             EXPECT_EQ(many.First.E, one.First.E);
+                             EXPECT_EQ(many.Second.E, one.Second.E);
+                             EXPECT_EQ(many.Ex, one.Ex);
+                             EXPECT_EQ(many.Ev, one.Ev);
+                             EXPECT_EQ(many.Rows, one.Rows);
+                             EXPECT_EQ(many.Lists, one.Lists);
                            }));
     }
   }
@@ -242,7 +278,7 @@ TEST(Ranks, LeaveACheckpointThatAnyNumberOfThemGoesOnFrom)
   }
 }
 
-TEST(Ranks, ATimeLimitIsKeptByTheClockOfTheFirst)
+TEST(Ranks, ATimeLimitEndsThemTogether)
 {
   SpacetimeOptions options = Options();
   options.TimeLimit = 1e-9; // up at each look
@@ -275,21 +311,4 @@ TEST(Ranks, AllSayWhatIsWrongWithTheInputOfTheFirst)
   EXPECT_NE(messages[0].find("object 11: 39 points"), std::string::npos) << messages[0];
   EXPECT_EQ(messages[1], messages[0]);
   EXPECT_EQ(messages[2], messages[0]);
-}
-
-TEST(Ranks, ShareTheMemoryOfTheSolver)
-{
-  SpacetimeSetup setup;
-  ASSERT_TRUE(MakeSetup(Scene(), Options(), setup));
-  std::vector<std::size_t> sizes(4);
-  EXPECT_TRUE(RunRanks(4,
-                       [&](Communicator& ranks)
-                       {
-                         const LevelSolver solver(setup.Model, setup.Model.Fields, setup.Table,
-                                                  TimeLevel::Full(40, 1), SerialFor(), ranks, 6);
-                         const std::size_t size = setup.Model.FrameSize();
-                         sizes[ranks.Rank()] =
-                           solver.Partition.Take(setup.Start, size).size() / size;
-                       }));
-  EXPECT_EQ(sizes, (std::vector<std::size_t>{ 11, 12, 12, 11 })); // ten each, and the halo
 }

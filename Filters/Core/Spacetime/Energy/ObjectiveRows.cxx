@@ -1,35 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The objective's rows between ranks, and what is read out of them.
+// What is read out of the objective's rows, and the state of its lists.
 #include "Spacetime/Energy/SpacetimeObjective.h"
 
 #include <algorithm>
 
 namespace waft
 {
-
-void SpacetimeObjective::ReceiveRows()
-{
-  const std::size_t row = this->Problem.Stride() * sizeof(float);
-  const std::size_t frames = this->Times.NumberOfFrames();
-  const auto reach = static_cast<std::size_t>(this->Times.Reach());
-  const auto own = [&](int r) { return this->Ranks.OwnOf(r); };
-  // The rows rx and rv of a step are the work of who owns the frame that it comes from.
-  this->Ranks.Move(
-    { this->Residuals.data(), this->RowsBegin, 9 * row, 0, 6 * row },
-    [&](int r)
-    {
-      const FrameRange range = own(r);
-      return FrameRange{ std::min(frames, range.Begin + 1), std::min(frames, range.End + 1) };
-    },
-    own);
-  this->Ranks.Move({ this->Residuals.data(), this->RowsBegin, 9 * row, 6 * row, 3 * row }, own,
-                   [&](int r)
-                   {
-                     const FrameRange range = own(r);
-                     return FrameRange{ range.Begin - std::min(range.Begin, reach),
-                                        std::min(frames, range.End + reach) };
-                   });
-}
 
 void SpacetimeObjective::VelocityResidual(std::size_t j, std::size_t body, double rv[3]) const
 {
@@ -40,34 +16,10 @@ void SpacetimeObjective::VelocityResidual(std::size_t j, std::size_t body, doubl
   }
 }
 
-std::vector<float> SpacetimeObjective::ObjectRows() const
-{
-  const SpacetimeModel& model = this->Problem;
-  const std::size_t no = model.NumberOfObjects;
-  const std::size_t frames = this->Times.NumberOfFrames();
-  // By the frame that a step comes from, which has the step's owner.
-  std::vector<float> rows(frames * no * 6, 0.0f);
-  const FrameRange& own = this->Ranks.Own();
-  for (std::size_t j = own.Begin; j < own.End && j + 1 < frames; ++j)
-  {
-    for (std::size_t o = 0; o < no; ++o)
-    {
-      for (int k = 0; k < 6; ++k)
-      {
-        rows[(j * no + o) * 6 + k] = this->Row(j + 1, k / 3, k % 3)[model.NumberOfGas + o];
-      }
-    }
-  }
-  this->Ranks.Gather(rows, no * 6);
-  std::rotate(rows.begin(), rows.end() - static_cast<std::ptrdiff_t>(no * 6), rows.end());
-  return rows;
-}
-
 void SpacetimeObjective::ObjectResiduals(std::vector<double>& ex, std::vector<double>& ev,
                                          std::vector<int>& steps) const
 {
   const SpacetimeModel& model = this->Problem;
-  const std::vector<float> rows = this->ObjectRows();
   ex.assign(model.NumberOfObjects, 0.0);
   ev.assign(model.NumberOfObjects, 0.0);
   steps.assign(model.NumberOfObjects, 0);
@@ -86,9 +38,8 @@ void SpacetimeObjective::ObjectResiduals(std::vector<double>& ex, std::vector<do
       const double weightV = model.VelocityWeight(i) * stepWeight;
       for (int c = 0; c < 3; ++c)
       {
-        const float* row = rows.data() + (j * model.NumberOfObjects + o) * 6;
-        const double rx = row[c] / std::max(1e-12, weightX);
-        const double rv = row[3 + c] / std::max(1e-12, weightV);
+        const double rx = this->Row(j, 0, c)[i] / std::max(1e-12, weightX);
+        const double rv = this->Row(j, 1, c)[i] / std::max(1e-12, weightV);
         ex[o] += 0.5 * rx * rx;
         ev[o] += 0.5 * rv * rv;
       }
@@ -116,23 +67,14 @@ void SpacetimeObjective::RewindLists()
 
 void SpacetimeObjective::SerialiseLists(StateArchive& stream)
 {
-  for (std::size_t j = 0; j < this->Times.NumberOfFrames() && this->KeepsLists; ++j)
+  this->SerialiseLists(stream, this->AllFrames());
+}
+
+void SpacetimeObjective::SerialiseLists(StateArchive& stream, const FrameRange& frames)
+{
+  for (std::size_t j = frames.Begin; j < frames.End && this->KeepsLists; ++j)
   {
-    const bool isOwn = this->Ranks.Own().Contains(j);
-    NeighborList other;
-    NeighborList& list = isOwn ? this->Lists[j - this->Ranks.Own().Begin] : other;
-    if (this->Ranks.IsAlone() || stream.IsReading())
-    {
-      list.Serialise(stream);
-      continue;
-    }
-    MemoryStream written;
-    if (isOwn)
-    {
-      list.Serialise(written);
-    }
-    this->Ranks.BringToFirst(j, written.Content);
-    stream.Raw(written.Content.data(), written.Content.size());
+    this->Lists[j].Serialise(stream);
   }
 }
 

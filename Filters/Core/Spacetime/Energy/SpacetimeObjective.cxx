@@ -23,21 +23,14 @@ struct SpacetimeObjective::Worker
 
 SpacetimeObjective::SpacetimeObjective(const SpacetimeModel& model, const AirFields& fields,
                                        const TimeLevel& level, const ParallelFor& parallel,
-                                       const SphKernelTable& kernels, bool keepsLists,
-                                       const FramePartition* partition) :
+                                       const SphKernelTable& kernels, bool keepsLists) :
   Problem(model),
-  Acting(fields), Times(level),
-  Ranks(partition != nullptr ? *partition : FramePartition(level.NumberOfFrames())),
-  Parallel(parallel), Kernels(kernels), KeepsLists(keepsLists)
+  Acting(fields), Times(level), Parallel(parallel), Kernels(kernels), KeepsLists(keepsLists)
 {
   const double self = model.Fluid.GasMass * model.Fluid.Kernel(0.0);
   this->SpatialScale = 1.0 / ((1.0 - self) * (1.0 - self));
   const std::size_t frames = level.NumberOfFrames();
-  const FrameRange& own = this->Ranks.Own();
-  const auto reach = static_cast<std::size_t>(level.Reach());
-  this->Lists.resize(keepsLists ? own.Size() : 0);
-  this->RowsBegin = own.Begin - std::min(own.Begin, reach);
-  this->RowsEnd = std::min(frames, own.End + reach);
+  this->Lists.resize(keepsLists ? frames : 0);
   this->FrameSums.resize(frames);
   this->Bound.assign(frames * model.NumberOfObjects, 0);
   this->HasLaw.assign(frames * model.NumberOfObjects, 0);
@@ -85,7 +78,7 @@ NeighborList& SpacetimeObjective::ListOf(Worker& worker, std::size_t j)
 {
   if (this->KeepsLists)
   {
-    return this->Lists[j - this->Ranks.Own().Begin];
+    return this->Lists[j];
   }
   worker.List = NeighborList();
   return worker.List;
@@ -124,23 +117,18 @@ std::size_t SpacetimeObjective::NumberOfPairs() const
   return sum;
 }
 
-// body(begin, end) over the own frames. All ranks take as many chunks, and ask the monitor as
-// often.
-bool SpacetimeObjective::Chunked(Monitor* monitor, double from, double to,
+bool SpacetimeObjective::Chunked(const FrameRange& frames, Monitor* monitor, double from, double to,
                                  const std::function<void(std::size_t, std::size_t)>& body)
 {
   // About 0.1 s of one core between two calls of the monitor.
   const std::size_t chunk =
     std::max<std::size_t>(2, 600000 / std::max<std::size_t>(1, this->Problem.NumberOfParticles()));
-  const FrameRange& own = this->Ranks.Own();
-  const std::size_t most = this->Ranks.MostOwned();
-  for (std::size_t done = 0; done < most; done += chunk)
+  for (std::size_t first = frames.Begin; first < frames.End; first += chunk)
   {
-    const std::size_t first = std::min(own.End, own.Begin + done);
-    const std::size_t size = std::min(chunk, own.End - first);
+    const std::size_t size = std::min(chunk, frames.End - first);
     this->Parallel(size,
                    [&](std::size_t begin, std::size_t end) { body(first + begin, first + end); });
-    const double fraction = FractionDone(std::min(most, done + chunk), most);
+    const double fraction = FractionDone(first + size - frames.Begin, frames.Size());
     if (monitor && !monitor->Tick(from + (to - from) * fraction, {}))
     {
       return false;
@@ -375,11 +363,12 @@ void SpacetimeObjective::ToVelocities(std::size_t j, float* gradient) const
       direct[c * stride + i] = -static_cast<float>(step) * rx[i];
     }
   }
-  GivenAir::ToVelocities(this->Jacobians.data() + this->Ranks.Slot(j) * 9 * stride, direct.data(),
+  GivenAir::ToVelocities(this->Jacobians.data() + j * 9 * stride, direct.data(),
                          model.NumberOfBodies(), stride, step, gradient);
 }
 
-const StateVector& SpacetimeObjective::TakeDeviations(const StateVector& state)
+const StateVector& SpacetimeObjective::TakeDeviations(const FrameRange& frames,
+                                                      const StateVector& state)
 {
   const SpacetimeModel& model = this->Problem;
   if (model.Air.IsEmpty())
@@ -387,61 +376,76 @@ const StateVector& SpacetimeObjective::TakeDeviations(const StateVector& state)
     return state;
   }
   const std::size_t stride = model.Stride();
-  const FrameRange& held = this->Ranks.Held();
-  this->Deviations.resize(held.Size() * model.FrameSize());
-  this->Jacobians.resize(held.Size() * 9 * stride);
-  this->Parallel(held.Size(),
+  this->Deviations.resize(this->Times.NumberOfFrames() * model.FrameSize());
+  this->Jacobians.resize(this->Times.NumberOfFrames() * 9 * stride);
+  this->Parallel(frames.Size(),
                  [&](std::size_t begin, std::size_t end)
                  {
-                   for (std::size_t j = held.Begin + begin; j < held.Begin + end; ++j)
+                   for (std::size_t j = frames.Begin + begin; j < frames.Begin + end; ++j)
                    {
                      const std::size_t offset = this->Offset(j);
-                     model.Air.Deviations(
-                       state.data() + offset, model.NumberOfBodies(), stride, this->Times.Frames[j],
-                       this->Times.Steps[j], this->Deviations.data() + offset,
-                       this->Jacobians.data() + this->Ranks.Slot(j) * 9 * stride);
+                     model.Air.Deviations(state.data() + offset, model.NumberOfBodies(), stride,
+                                          this->Times.Frames[j], this->Times.Steps[j],
+                                          this->Deviations.data() + offset,
+                                          this->Jacobians.data() + j * 9 * stride);
                    }
                  });
   return this->Deviations;
 }
 
-bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradient,
-                                  SpacetimeTerms& terms, Monitor* monitor)
+FrameRange SpacetimeObjective::FramesRead(const FrameRange& frames) const
+{
+  const auto reach = static_cast<std::size_t>(this->Times.Reach());
+  return frames.Widened(2 * reach, 2 * reach, this->Times.NumberOfFrames());
+}
+
+// The rows that the frames' gradient takes in are those of the step before them, and those of
+// neighbours in time.
+bool SpacetimeObjective::EvaluateFrames(const FrameRange& frames, const StateVector& state,
+                                        StateVector* gradient, Monitor* monitor)
 {
   ++this->Evaluations;
-  this->Residuals.resize((this->RowsEnd - this->RowsBegin) * 9 * this->Problem.Stride(), 0.0f);
-  const StateVector& moving = this->TakeDeviations(state);
-  const bool done = this->Chunked(monitor, 0.0, 0.9,
+  const std::size_t all = this->Times.NumberOfFrames();
+  this->Residuals.resize(all * 9 * this->Problem.Stride(), 0.0f);
+  const StateVector& moving = this->TakeDeviations(this->FramesRead(frames), state);
+  const auto reach = static_cast<std::size_t>(this->Times.Reach());
+  const FrameRange steps = frames.Widened(1, 0, all);
+  const bool done = this->Chunked(frames.Widened(reach, reach, all), monitor, 0.0, 0.9,
                                   [&](std::size_t begin, std::size_t end)
                                   {
                                     auto worker = this->Borrow();
                                     for (std::size_t j = begin; j < end; ++j)
                                     {
-                                      this->SphFrame(*worker, state, moving, j, gradient);
+                                      StateVector* own = frames.Contains(j) ? gradient : nullptr;
+                                      if (steps.Contains(j))
+                                      {
+                                        this->SphFrame(*worker, state, moving, j, own);
+                                      }
                                       this->SmoothRow(moving, j);
-                                      this->ObjectFrame(state, j, gradient);
+                                      if (frames.Contains(j))
+                                      {
+                                        this->ObjectFrame(state, j, own);
+                                      }
                                     }
                                     this->Return(std::move(worker));
                                   });
-  if (!done)
+  if (done && gradient)
   {
-    return false;
-  }
-  if (gradient)
-  {
-    this->ReceiveRows();
-    const FrameRange& own = this->Ranks.Own();
-    this->Parallel(own.Size(),
+    this->Parallel(frames.Size(),
                    [&](std::size_t begin, std::size_t end)
                    {
-                     for (std::size_t j = own.Begin + begin; j < own.Begin + end; ++j)
+                     for (std::size_t j = frames.Begin + begin; j < frames.Begin + end; ++j)
                      {
                        this->GatherFrame(j, *gradient);
                      }
                    });
   }
-  this->Ranks.Gather(this->FrameSums);
-  terms = SpacetimeTerms();
+  return done;
+}
+
+SpacetimeTerms SpacetimeObjective::Sum() const
+{
+  SpacetimeTerms terms;
   for (const SpacetimeTerms& sum : this->FrameSums)
   {
     SpacetimeTerms::Visit([](double& all, double one) { all += one; }, terms, sum);
@@ -449,7 +453,18 @@ bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradien
   const SpacetimeWeights& w = this->Problem.Weights;
   terms.E = w.PositionWeight * terms.Ex + w.VelocityWeight * terms.Ev +
             w.CoherenceWeight * terms.Ec + terms.Penalties;
-  return true;
+  return terms;
+}
+
+bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradient,
+                                  SpacetimeTerms& terms, Monitor* monitor)
+{
+  const bool done = this->EvaluateFrames(this->AllFrames(), state, gradient, monitor);
+  if (done)
+  {
+    terms = this->Sum();
+  }
+  return done;
 }
 
 } // namespace waft

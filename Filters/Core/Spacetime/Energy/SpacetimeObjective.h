@@ -30,44 +30,52 @@ public:
   /// The model, the fields and the level must outlive the objective; the fields may change between
   /// two evaluations. Without keepsLists neighbours are looked
   /// for at each evaluation: slower, for few evaluations in little memory.
-  /// partition: of the level's frames; null: all are this rank's. State and gradient are vectors of
-  /// it.
   SpacetimeObjective(const SpacetimeModel& model, const AirFields& fields, const TimeLevel& level,
                      const ParallelFor& parallel, const SphKernelTable& kernels,
-                     bool keepsLists = true, const FramePartition* partition = nullptr);
-  ~SpacetimeObjective();
+                     bool keepsLists = true);
+  virtual ~SpacetimeObjective();
 
   /// E, and its gradient where asked for (not null). Deterministic for any number of threads.
   /// False when the monitor asked to stop; the outputs are then not usable.
-  bool Evaluate(const StateVector& state, StateVector* gradient, SpacetimeTerms& terms,
-                Monitor* monitor = nullptr);
+  virtual bool Evaluate(const StateVector& state, StateVector* gradient, SpacetimeTerms& terms,
+                        Monitor* monitor = nullptr);
+  /// The part of it that some frames make: their blocks of the gradient, their sums. Reads the
+  /// state of FramesRead alone.
+  bool EvaluateFrames(const FrameRange& frames, const StateVector& state, StateVector* gradient,
+                      Monitor* monitor = nullptr);
+  FrameRange FramesRead(const FrameRange& frames) const;
+  /// Of the last evaluation of frame j, and of the step into it (Row), nine rows.
+  SpacetimeTerms& FrameSum(std::size_t j) { return this->FrameSums[j]; }
+  float* FrameRows(std::size_t j) { return this->Row(j, 0, 0); }
 
-  /// After Evaluate: the weighted residuals rx and rv of all objects in the steps into all frames,
-  /// six an object [frame * objects + object]. To be called by all ranks.
-  std::vector<float> ObjectRows() const;
-  /// Half sums of squares of rx and of rv (without weights) by object. To be called by all ranks.
+  /// After Evaluate: makes it so that the rows of all frames can be read.
+  virtual void BringRows() {}
+  /// Half sums of squares of rx and of rv (without weights) by object; of rows, as the next.
   void ObjectResiduals(std::vector<double>& ex, std::vector<double>& ev,
                        std::vector<int>& steps) const;
-  /// After Evaluate: the velocity residual rv [dx / frame] of a body in the step into frame j, from
-  /// a frame of this rank's own.
+  /// The velocity residual rv [dx / frame] of a body in the step into frame j.
   void VelocityResidual(std::size_t j, std::size_t body, double rv[3]) const;
 
   /// Writes, or reads back, what the neighbour lists remember of the evaluations so far: with it
   /// the next ones give the same bits.
-  void SerialiseLists(StateArchive& stream);
+  virtual void SerialiseLists(StateArchive& stream);
+  void SerialiseLists(StateArchive& stream, const FrameRange& frames);
   /// Remembers the lists as they are now; brings them back to that, whatever was evaluated since.
-  void MarkLists();
-  void RewindLists();
+  virtual void MarkLists();
+  virtual void RewindLists();
 
-  /// The rows of one of the rank's own frames at its present state, for outputs. Not thread safe.
+  /// The rows of a frame at its present state, for outputs. Not thread safe.
   FrameTerms& ForwardFrame(const StateVector& state, std::size_t j);
 
   const SpacetimeModel& Model() const { return this->Problem; }
   const AirFields& Fields() const { return this->Acting; }
   const TimeLevel& Level() const { return this->Times; }
-  const FramePartition& Partition() const { return this->Ranks; }
   std::size_t NumberOfEvaluations() const { return this->Evaluations; }
   std::size_t NumberOfPairs() const; // directed, entries of the lists
+
+protected:
+  SpacetimeTerms Sum() const; // of all frames
+  FrameRange AllFrames() const { return { 0, this->Times.NumberOfFrames() }; }
 
 private:
   struct Worker;
@@ -77,47 +85,38 @@ private:
   void SphFrame(Worker& worker, const StateVector& state, const StateVector& moving, std::size_t j,
                 StateVector* gradient);
   void SmoothRow(const StateVector& moving, std::size_t j);
-  /// In a drawn air, of the frames that the own ones' rows reach: what E takes for the velocities.
-  const StateVector& TakeDeviations(const StateVector& state);
+  /// In a drawn air: what E takes for the velocities.
+  const StateVector& TakeDeviations(const FrameRange& frames, const StateVector& state);
   void ObjectFrame(const StateVector& state, std::size_t j, StateVector* gradient);
   void GatherFrame(std::size_t j, StateVector& gradient) const;
   void ToVelocities(std::size_t j, float* gradient) const;
-  /// The rows of other ranks' frames that the own frames' gradient takes in.
-  void ReceiveRows();
-  bool Chunked(Monitor* monitor, double from, double to,
+  bool Chunked(const FrameRange& frames, Monitor* monitor, double from, double to,
                const std::function<void(std::size_t, std::size_t)>& body);
   /// Row c of a kind (0: rx, 1: rv, 2: rt) of the step into a frame.
   float* Row(std::size_t j, int kind, int c)
   {
-    return this->Residuals.data() +
-           ((j - this->RowsBegin) * 9 + 3 * kind + c) * this->Problem.Stride();
+    return this->Residuals.data() + (j * 9 + 3 * kind + c) * this->Problem.Stride();
   }
   const float* Row(std::size_t j, int kind, int c) const
   {
     return const_cast<SpacetimeObjective*>(this)->Row(j, kind, c);
   }
-  std::size_t Offset(std::size_t j) const
-  {
-    return this->Ranks.Slot(j) * this->Problem.FrameSize();
-  }
+  std::size_t Offset(std::size_t j) const { return j * this->Problem.FrameSize(); }
 
   const SpacetimeModel& Problem;
   const AirFields& Acting;
   const TimeLevel& Times;
-  FramePartition Ranks;
   ParallelFor Parallel;
   const SphKernelTable& Kernels;
   bool KeepsLists;
   double SpatialScale; // 1 / (1 - m W(0))^2
   std::size_t Evaluations = 0;
 
-  std::vector<NeighborList> Lists;    // by own frame; empty when they are not kept
+  std::vector<NeighborList> Lists;    // by frame; empty when they are not kept
   std::vector<NeighborCourse> Marked; // of the lists
-  /// Weighted residuals of the step into frame j: rx, rv and rt, nine rows, from frame RowsBegin.
-  std::vector<float> Residuals;
-  std::size_t RowsBegin = 0, RowsEnd = 0;
-  StateVector Deviations; // of the held frames, in a drawn air
-  StateVector Jacobians;  // nine rows a frame, of the air where they are taken
+  std::vector<float> Residuals; // weighted, of the step into frame j: rx, rv and rt, nine rows
+  StateVector Deviations;       // in a drawn air
+  StateVector Jacobians;        // nine rows a frame, of the air where they are taken
   std::vector<SpacetimeTerms> FrameSums;
   std::vector<std::uint8_t> Bound;  // [frame * objects + object]: no free flight into the frame
   std::vector<std::uint8_t> HasLaw; // likewise: rv counts

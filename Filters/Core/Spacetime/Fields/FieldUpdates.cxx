@@ -56,24 +56,17 @@ void Scale(SplineWind& wind, double factor)
 
 } // namespace
 
-std::vector<Vec3> ObjectPositions(const SpacetimeModel& model, const FramePartition& partition,
+std::vector<Vec3> ObjectPositions(const SpacetimeModel& model, std::size_t frames,
                                   const StateVector& state)
 {
-  const std::size_t no = model.NumberOfObjects;
-  std::vector<float> rows(partition.Frames() * no * 3, 0.0f);
-  for (std::size_t j = partition.Own().Begin; j < partition.Own().End; ++j)
-  {
-    const float* p = state.data() + partition.Slot(j) * model.FrameSize() + model.NumberOfGas;
-    for (std::size_t k = 0; k < 3 * no; ++k)
-    {
-      rows[3 * j * no + k] = p[(k % 3) * model.Stride() + k / 3];
-    }
-  }
-  partition.Gather(rows, 3 * no);
   std::vector<Vec3> positions;
-  for (std::size_t k = 0; k < rows.size(); k += 3)
+  for (std::size_t j = 0; j < frames; ++j)
   {
-    positions.emplace_back(rows[k], rows[k + 1], rows[k + 2]);
+    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    {
+      const float* p = state.data() + j * model.FrameSize() + model.NumberOfGas + o;
+      positions.emplace_back(p[0], p[model.Stride()], p[2 * model.Stride()]);
+    }
   }
   return positions;
 }
@@ -124,13 +117,15 @@ bool UpdateWind(AirFields& fields, SpacetimeObjective& objective, const StateVec
 {
   const SpacetimeModel& model = objective.Model();
   // New vortices may be weaker than those that the wind was held to.
-  const std::vector<Vec3> positions = ObjectPositions(model, objective.Partition(), state);
+  const std::vector<Vec3> positions =
+    ObjectPositions(model, objective.Level().NumberOfFrames(), state);
   HoldWind(model, objective.Level(), positions, fields);
   // The residuals that the estimate reads belong to the last evaluation: make that this state.
   if (!objective.Evaluate(state, nullptr, terms, monitor))
   {
     return false;
   }
+  objective.BringRows();
   const SplineWind before = fields.Wind;
   const SplineWind fitted = EstimateWind(objective, state, WindOptions(), parallel);
   for (double fraction = 1.0; fraction > 0.2; fraction *= 0.5)
@@ -156,8 +151,7 @@ bool UpdateWind(AirFields& fields, SpacetimeObjective& objective, const StateVec
 
 bool UpdateVortices(AirFields& fields, const SpacetimeUnits& units, SpacetimeObjective& objective,
                     const std::vector<Track>& planned, const Box& bounds, std::uint64_t seed,
-                    const StateVector& state, Monitor& monitor, Monitor& fitMonitor,
-                    SpacetimeTerms& terms)
+                    const StateVector& state, Monitor& monitor, SpacetimeTerms& terms)
 {
   const SpacetimeModel& model = objective.Model();
   if (!objective.Evaluate(state, nullptr, terms, &monitor))
@@ -172,9 +166,8 @@ bool UpdateVortices(AirFields& fields, const SpacetimeUnits& units, SpacetimeObj
     known.insert(vortex.VortexId);
   }
   const TimeLevel& level = objective.Level();
-  const FramePartition& partition = objective.Partition();
-  const std::vector<Vec3> positions = ObjectPositions(model, partition, state);
-  const std::vector<float> rows = objective.ObjectRows();
+  const std::vector<Vec3> positions = ObjectPositions(model, level.NumberOfFrames(), state);
+  objective.BringRows();
   std::vector<VortexSample> samples;
   ForFlights(model, level, positions,
              [&](std::size_t j, std::size_t o, const Vec3& x)
@@ -184,12 +177,8 @@ bool UpdateVortices(AirFields& fields, const SpacetimeUnits& units, SpacetimeObj
                {
                  return;
                }
-               const double weight =
-                 model.VelocityWeight(model.NumberOfGas + o) * level.StepWeights[j + 1];
-               const float* row = rows.data() + ((j + 1) * model.NumberOfObjects + o) * 6 + 3;
-               const Vec3 rv = weight > 0.0
-                                 ? Vec3(row[0] / weight, row[1] / weight, row[2] / weight)
-                                 : Vec3::Zero();
+               Vec3 rv;
+               objective.VelocityResidual(j + 1, model.NumberOfGas + o, rv.data());
                // What the motion asks for: the fields as they are and what they leave over.
                Vec3 a = VortexAcceleration(fields, x, frame) + rv / level.Steps[j + 1];
                if (!fields.Wind.IsEmpty())
@@ -214,25 +203,10 @@ bool UpdateVortices(AirFields& fields, const SpacetimeUnits& units, SpacetimeObj
   options.Seed = seed;
   options.MaximumNewVortices = 0;
   std::vector<Vortex> fitted;
-  bool going = true;
-  if (partition.IsFirst())
+  const Result result = FitVortices(samples, priors, options, monitor, fitted);
+  if (!result || result.IsStopped() || fitted.empty())
   {
-    const Result result = FitVortices(samples, priors, options, fitMonitor, fitted);
-    going = !result.IsStopped();
-    if (!result || !going)
-    {
-      fitted.clear();
-    }
-  }
-  if (!partition.IsAlone())
-  {
-    BroadcastStream stream(partition.Others());
-    stream.Value(going);
-    stream.List(fitted, [](StateArchive& s, Vortex& v) { Serialise(s, v); });
-  }
-  if (fitted.empty())
-  {
-    return going;
+    return !result.IsStopped();
   }
   const std::vector<Vortex> before = fields.Vortices;
   fields.Vortices.clear();

@@ -11,9 +11,8 @@
 namespace waft
 {
 
-/// Positions of all objects at all frames of a level [level frame * objects + object], out of a
-/// vector of a part of them. To be called by all ranks.
-std::vector<Vec3> ObjectPositions(const SpacetimeModel& model, const FramePartition& partition,
+/// Positions of all objects at all frames of a level [level frame * objects + object].
+std::vector<Vec3> ObjectPositions(const SpacetimeModel& model, std::size_t frames,
                                   const StateVector& state);
 
 /// Weakens the estimated wind so that its root mean square at the objects, over their flights and
@@ -24,16 +23,14 @@ void HoldWind(const SpacetimeModel& model, const TimeLevel& level,
 
 /// Holds the wind to a bound set by the vortices, estimates it anew, and keeps that where E falls.
 /// fields: those of the objective. terms: E at `state` before, and after. False when the monitor
-/// stopped it. To be called by all ranks, as UpdateVortices.
+/// stopped it.
 bool UpdateWind(AirFields& fields, SpacetimeObjective& objective, const StateVector& state,
                 const ParallelFor& parallel, Monitor* monitor, SpacetimeTerms& terms);
 
 /// Fits the vortices to the accelerations that the objects' motion asks for (Shi et al. 2005,
-/// section 5) and keeps them where E does not grow by more than a few percent. Rank 0 fits, with
-/// fitMonitor, which asks no other rank.
+/// section 5) and keeps them where E does not grow by more than a few percent.
 bool UpdateVortices(AirFields& fields, const SpacetimeUnits& units, SpacetimeObjective& objective,
                     const std::vector<Track>& planned, const Box& bounds, std::uint64_t seed,
-                    const StateVector& state, Monitor& monitor, Monitor& fitMonitor,
-                    SpacetimeTerms& terms);
+                    const StateVector& state, Monitor& monitor, SpacetimeTerms& terms);
 
 } // namespace waft

@@ -20,8 +20,7 @@ class SplineFit
 {
 public:
   SplineFit(const SplineWind& shape, int knots, const std::vector<SplineSamples>& samples,
-            const SplineFitOptions& options, const ParallelFor& parallel,
-            const FramePartition* partition);
+            const SplineFitOptions& options, const ParallelFor& parallel);
   SplineWind Solve() const;
 
 private:
@@ -44,7 +43,6 @@ private:
   const SplineFitOptions& Options;
   const std::vector<SplineSamples>& Samples;
   ParallelFor Parallel;
-  FramePartition Partition;
   SplineWind Shape; // geometry only
   int Knots = 1;
   CurlPotential Potential;
@@ -53,12 +51,10 @@ private:
 };
 
 SplineFit::SplineFit(const SplineWind& shape, int knots, const std::vector<SplineSamples>& samples,
-                     const SplineFitOptions& options, const ParallelFor& parallel,
-                     const FramePartition* partition) :
+                     const SplineFitOptions& options, const ParallelFor& parallel) :
   Options(options),
-  Samples(samples), Parallel(parallel),
-  Partition(partition != nullptr ? *partition : FramePartition(samples.size())), Shape(shape),
-  Knots(knots), Potential(shape, knots), Rows(samples.size())
+  Samples(samples), Parallel(parallel), Shape(shape), Knots(knots), Potential(shape, knots),
+  Rows(samples.size())
 {
   this->Shape.Knots.clear();
   double total = 0.0;
@@ -74,23 +70,7 @@ SplineFit::SplineFit(const SplineWind& shape, int knots, const std::vector<Splin
         row.Target[a] = static_cast<float>(sample.Value[a]);
       }
       this->Rows[j].push_back(row);
-    }
-  }
-  // One rank after the other, in the order of the frames.
-  const int ranks = this->Partition.IsAlone() ? 1 : this->Partition.Others().Size();
-  for (int r = 0; r < ranks; ++r)
-  {
-    const bool isTurn = this->Partition.IsAlone() || this->Partition.Others().Rank() == r;
-    for (std::size_t j = 0; j < samples.size() && isTurn; ++j)
-    {
-      for (const Row& row : this->Rows[j])
-      {
-        total += row.Weight;
-      }
-    }
-    if (!this->Partition.IsAlone())
-    {
-      this->Partition.Others().Broadcast(&total, sizeof(total), r);
+      total += row.Weight;
     }
   }
   this->MeanWeight = total / (static_cast<double>(this->Shape.NumberOfNodes()) * this->Knots);
@@ -179,7 +159,6 @@ void SplineFit::Data(const Vector& c, Vector& out, bool target) const
   const std::size_t frames = this->Samples.size();
   const std::size_t block = 3 * this->Shape.NumberOfNodes();
   std::vector<float> parts(frames * block, 0.0f);
-  const FrameRange& own = this->Partition.Own();
   const auto knotOf = [&](std::size_t j, double& t)
   {
     const double s = this->Samples[j].Frame / this->Shape.FramesPerKnot;
@@ -187,11 +166,11 @@ void SplineFit::Data(const Vector& c, Vector& out, bool target) const
     t = s - knot;
     return knot;
   };
-  this->Parallel(own.Size(),
+  this->Parallel(frames,
                  [&](std::size_t begin, std::size_t end)
                  {
                    std::vector<float> here(block, 0.0f);
-                   for (std::size_t j = own.Begin + begin; j < own.Begin + end; ++j)
+                   for (std::size_t j = begin; j < end; ++j)
                    {
                      double t;
                      const int knot = knotOf(j, t);
@@ -216,7 +195,6 @@ void SplineFit::Data(const Vector& c, Vector& out, bool target) const
                      }
                    }
                  });
-  this->Partition.Gather(parts, block);
   for (std::size_t j = 0; j < frames; ++j)
   {
     double t;
@@ -292,10 +270,9 @@ SplineWind SplineFit::Solve() const
 
 SplineWind FitSplineField(const SplineWind& shape, int numberOfKnots,
                           const std::vector<SplineSamples>& samples,
-                          const SplineFitOptions& options, const ParallelFor& parallel,
-                          const FramePartition* partition)
+                          const SplineFitOptions& options, const ParallelFor& parallel)
 {
-  return SplineFit(shape, numberOfKnots, samples, options, parallel, partition).Solve();
+  return SplineFit(shape, numberOfKnots, samples, options, parallel).Solve();
 }
 
 } // namespace waft

@@ -5,7 +5,6 @@
 
 #include "Base/Parallel.h"
 #include "Base/Types.h"
-#include "Spacetime/Model/FramePartition.h"
 #include "Spacetime/Model/SplineWind.h"
 
 #include <vector>
@@ -36,11 +35,8 @@ struct SplineSamples
 
 /// The field's coefficients are those of a CurlPotential, so that its discrete divergence vanishes.
 /// shape: the lattice, its FramesPerKnot and as many knots as wanted (their values are not read).
-/// partition: of the frames that samples are given of, which have samples on their own rank alone
-/// (Frame is set on all); the field is found on every rank. Null: all are this rank's.
 SplineWind FitSplineField(const SplineWind& shape, int numberOfKnots,
                           const std::vector<SplineSamples>& samples,
-                          const SplineFitOptions& options, const ParallelFor& parallel,
-                          const FramePartition* partition = nullptr);
+                          const SplineFitOptions& options, const ParallelFor& parallel);
 
 } // namespace waft

@@ -52,8 +52,6 @@ SplineWind EstimateWind(const SpacetimeObjective& objective, const StateVector& 
 {
   const SpacetimeModel& model = objective.Model();
   const TimeLevel& level = objective.Level();
-  const FramePartition& partition = objective.Partition();
-  const FrameRange& own = partition.Own();
   const std::size_t stride = model.Stride();
   std::vector<SplineSamples> samples(level.NumberOfFrames());
   for (std::size_t j = 0; j < samples.size(); ++j)
@@ -71,7 +69,7 @@ SplineWind EstimateWind(const SpacetimeObjective& objective, const StateVector& 
       {
         continue;
       }
-      const float* p = state.data() + partition.Slot(j) * model.FrameSize() + i;
+      const float* p = state.data() + j * model.FrameSize() + i;
       SplineSamples::Sample sample;
       sample.Position = Vec3(p[0], p[stride], p[2 * stride]);
       double rv[3];
@@ -85,17 +83,16 @@ SplineWind EstimateWind(const SpacetimeObjective& objective, const StateVector& 
       samples[j].Samples.push_back(sample);
     }
   };
-  parallel(own.Size(),
+  parallel(samples.size(),
            [&](std::size_t begin, std::size_t end)
            {
-             for (std::size_t j = own.Begin + begin; j < own.Begin + end; ++j)
+             for (std::size_t j = begin; j < end; ++j)
              {
                collect(j);
              }
            });
   return FitSplineField(MakeWindLattice(model, options.FramesPerKnot),
-                        KnotsOf(model, options.FramesPerKnot), samples, options.Fit, parallel,
-                        &partition);
+                        KnotsOf(model, options.FramesPerKnot), samples, options.Fit, parallel);
 }
 
 } // namespace waft

@@ -9,17 +9,15 @@ namespace waft
 // blockSum(first, size) of each block, added up in the order of the blocks.
 double VectorSpace::Sum(const std::function<double(std::size_t, std::size_t)>& blockSum) const
 {
-  std::vector<double> sums(this->Partition.Frames(), 0.0);
-  const FrameRange& own = this->Partition.Own();
-  this->Parallel(own.Size(),
+  std::vector<double> sums(this->Blocks, 0.0);
+  this->Parallel(this->Blocks,
                  [&](std::size_t begin, std::size_t end)
                  {
-                   for (std::size_t j = own.Begin + begin; j < own.Begin + end; ++j)
+                   for (std::size_t j = begin; j < end; ++j)
                    {
-                     sums[j] = blockSum(this->Partition.Slot(j) * this->BlockSize, this->BlockSize);
+                     sums[j] = blockSum(j * this->BlockSize, this->BlockSize);
                    }
                  });
-  this->Partition.Gather(sums);
   double total = 0.0;
   for (const double s : sums)
   {
@@ -28,13 +26,11 @@ double VectorSpace::Sum(const std::function<double(std::size_t, std::size_t)>& b
   return total;
 }
 
-// range(first, last) of the elements of the own blocks.
+// range(first, last) of the elements of some blocks.
 void VectorSpace::ForElements(const std::function<void(std::size_t, std::size_t)>& range) const
 {
-  const FrameRange& own = this->Partition.Own();
-  const std::size_t first = this->Partition.Slot(own.Begin);
-  this->Parallel(own.Size(), [&](std::size_t begin, std::size_t end)
-                 { range((first + begin) * this->BlockSize, (first + end) * this->BlockSize); });
+  this->Parallel(this->Blocks, [&](std::size_t begin, std::size_t end)
+                 { range(begin * this->BlockSize, end * this->BlockSize); });
 }
 
 double VectorSpace::Dot(const StateVector& a, const StateVector& b) const

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Long vectors of unknowns, one block a frame, and their arithmetic: parallel over a rank's own
-// blocks, sums in the order of all blocks.
+// Long vectors of unknowns, one block a frame, and their arithmetic: parallel over blocks, sums in
+// the order of the blocks.
 #pragma once
 
 #include "Base/Parallel.h"
-#include "Spacetime/Model/FramePartition.h"
 
 #include <cstddef>
 #include <functional>
@@ -18,13 +17,12 @@ using StateVector = std::vector<float>;
 class VectorSpace
 {
 public:
-  VectorSpace(const FramePartition& partition, std::size_t blockSize, const ParallelFor& parallel) :
-    Partition(partition), BlockSize(blockSize), Parallel(parallel)
+  VectorSpace(std::size_t blocks, std::size_t blockSize, const ParallelFor& parallel) :
+    Blocks(blocks), BlockSize(blockSize), Parallel(parallel)
   {
   }
 
-  /// Of a vector, frames that are held and not owned included: these keep what they are.
-  std::size_t Size() const { return this->Partition.Held().Size() * this->BlockSize; }
+  std::size_t Size() const { return this->Blocks * this->BlockSize; }
   double Dot(const StateVector& a, const StateVector& b) const;
   /// y += factor x
   void Add(double factor, const StateVector& x, StateVector& y) const;
@@ -39,8 +37,7 @@ private:
 
   void ForElements(const std::function<void(std::size_t, std::size_t)>& range) const;
 
-  FramePartition Partition;
-  std::size_t BlockSize;
+  std::size_t Blocks, BlockSize;
   ParallelFor Parallel;
 };
 

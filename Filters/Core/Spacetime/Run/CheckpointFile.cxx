@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
-#include <memory>
 
 namespace waft
 {
@@ -52,9 +51,9 @@ private:
 } // namespace
 
 CheckpointFile::CheckpointFile(const SpacetimeInput& input, const SpacetimeOptions& options,
-                               Communicator& ranks, std::vector<std::string>& warnings) :
+                               std::vector<std::string>& warnings) :
   Input(input),
-  Options(options), Ranks(ranks), Warnings(warnings), Begin(Clock::now()),
+  Options(options), Warnings(warnings), Begin(Clock::now()),
   Schedule(options.CheckpointInterval, WritingFraction)
 {
 }
@@ -66,29 +65,22 @@ double CheckpointFile::Elapsed() const
 
 bool CheckpointFile::IsDue(bool now) const
 {
-  const bool isDue = now || this->Schedule.IsDue(this->Elapsed());
-  return this->Ranks.Decide(isDue && !this->HasFailed);
+  return !this->HasFailed && (now || this->Schedule.IsDue(this->Elapsed()));
 }
 
 void CheckpointFile::Write(const Content& content, bool now)
 {
   const double from = this->Elapsed();
-  std::unique_ptr<StateFileWriter> file;
-  std::unique_ptr<TimedStream> timed;
-  if (this->Ranks.IsFirst())
-  {
-    file = std::make_unique<StateFileWriter>(this->Path());
-    timed = std::make_unique<TimedStream>(*file, now ? std::numeric_limits<double>::infinity()
-                                                     : this->Schedule.Allowance(from));
-  }
-  RankFileStream stream(this->Ranks, timed.get(), false);
+  StateFileWriter file(this->Path());
+  TimedStream stream(file, now ? std::numeric_limits<double>::infinity()
+                               : this->Schedule.Allowance(from));
   std::string format = Format;
   std::uint64_t key = DigestOfRun(this->Input, this->Options);
   stream.Text(format);
   stream.Value(key);
   content(stream);
-  const bool isGivenUp = timed && timed->IsLate() && file->IsGood();
-  const Result result = file && !isGivenUp ? file->Commit() : Result::Ok();
+  const bool isGivenUp = stream.IsLate() && file.IsGood();
+  const Result result = isGivenUp ? Result::Ok() : file.Commit();
   if (!result)
   {
     this->HasFailed = true;
@@ -101,8 +93,7 @@ void CheckpointFile::Write(const Content& content, bool now)
 bool CheckpointFile::Read(const Content& content, const std::function<bool()>& isSound)
 {
   const std::string& path = this->Path();
-  const bool isFirst = this->Ranks.IsFirst();
-  if (path.empty() || !this->Ranks.Decide(isFirst && StateFileReader(path).IsGood()))
+  if (path.empty() || !StateFileReader(path).IsGood())
   {
     return false;
   }
@@ -112,16 +103,11 @@ bool CheckpointFile::Read(const Content& content, const std::function<bool()>& i
                              ": ignored, solved from the start");
     return false;
   };
-  if (!this->Ranks.Decide(isFirst && IsWholeStateFile(path)))
+  if (!IsWholeStateFile(path))
   {
     return ignore("is damaged");
   }
-  std::unique_ptr<StateFileReader> file;
-  if (isFirst)
-  {
-    file = std::make_unique<StateFileReader>(path);
-  }
-  RankFileStream stream(this->Ranks, file.get(), true);
+  StateFileReader stream(path);
   std::string format;
   std::uint64_t key = 0;
   stream.Text(format);
@@ -130,12 +116,12 @@ bool CheckpointFile::Read(const Content& content, const std::function<bool()>& i
     return ignore("is no checkpoint of this version");
   }
   stream.Value(key);
-  if (!this->Ranks.Decide(key == DigestOfRun(this->Input, this->Options)))
+  if (key != DigestOfRun(this->Input, this->Options))
   {
     return ignore("belongs to other inputs or properties");
   }
   content(stream);
-  if (!this->Ranks.Decide(!file || file->IsAtEnd()) || !stream.IsGood() || !isSound())
+  if (!stream.IsAtEnd() || !isSound())
   {
     return ignore("is incomplete");
   }

@@ -2,7 +2,6 @@
 // The file that a run can be taken up from.
 #pragma once
 
-#include "Base/Communicator.h"
 #include "Base/StateArchive.h"
 #include "Base/WritingSchedule.h"
 #include "Spacetime/Model/SpacetimeOptions.h"
@@ -16,11 +15,10 @@
 namespace waft
 {
 
-/// All ranks call it together; the file, and the clock that decides, are rank 0's.
 class CheckpointFile
 {
 public:
-  CheckpointFile(const SpacetimeInput& input, const SpacetimeOptions& options, Communicator& ranks,
+  CheckpointFile(const SpacetimeInput& input, const SpacetimeOptions& options,
                  std::vector<std::string>& warnings);
 
   /// A file is named.
@@ -42,7 +40,6 @@ private:
 
   const SpacetimeInput& Input;
   const SpacetimeOptions& Options;
-  Communicator& Ranks;
   std::vector<std::string>& Warnings;
   std::chrono::steady_clock::time_point Begin;
   WritingSchedule Schedule;

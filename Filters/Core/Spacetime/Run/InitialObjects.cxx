@@ -47,17 +47,19 @@ bool MakeInitialObjects(const SpacetimeModel& model, const ConstraintTable& tabl
             const auto from = state.begin() + static_cast<std::ptrdiff_t>(whole);
             std::copy(from, from + count, alone.begin() + static_cast<std::ptrdiff_t>(part));
           });
-  SerialCommunicator here;
-  LevelSolver solver(objects, objects.Fields, table, level, parallel, here, History);
+  const auto make = [&](const AirFields& fields, const TimeLevel& of, bool keepsLists)
+  {
+    return std::make_unique<SpacetimeObjective>(objects, fields, of, parallel, FastestSphKernels(),
+                                                keepsLists);
+  };
+  LevelSolver solver(objects, objects.Fields, table, level, parallel, make, History);
   LbfgsOptions options;
   options.MaximumNumberOfIterations = Iterations;
   options.Tolerance = Tolerance;
   LbfgsMemory memory;
   const auto observer = [&](int iteration, const SpacetimeTerms&)
   { return monitor.Tick(static_cast<double>(iteration) / Iterations, {}); };
-  const LbfgsEnd end =
-    solver.Solver->Minimize(solver.Objective, solver.Preconditioner, solver.Constraints, options,
-                            observer, &monitor, memory, alone);
+  const LbfgsEnd end = solver.Minimize(options, observer, &monitor, memory, alone);
   if (end == LbfgsEnd::Stopped)
   {
     return false;

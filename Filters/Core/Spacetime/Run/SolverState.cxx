@@ -4,8 +4,7 @@
 namespace waft
 {
 
-void Serialise(StateArchive& stream, SolverState& state, std::size_t frameSize,
-               const std::function<FramePartition()>& partition)
+void Serialise(StateArchive& stream, SolverState& state)
 {
   Serialise(stream, state.Plan);
   stream.Values(state.Next, state.IsInside, state.Coarseness, state.StartEnergy, state.Seconds);
@@ -16,9 +15,8 @@ void Serialise(StateArchive& stream, SolverState& state, std::size_t frameSize,
   stream.Values(state.Sweep.Sweep, state.Sweep.Index);
   Serialise(stream, state.Sweep.Terms);
   stream.List(state.Sweep.Energies);
-  const FramePartition pieces = partition();
-  pieces.Serialise(stream, state.Part, frameSize);
-  Serialise(stream, state.Curvature, pieces, frameSize);
+  stream.List(state.Part);
+  Serialise(stream, state.Curvature);
 }
 
 } // namespace waft

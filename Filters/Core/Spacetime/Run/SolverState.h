@@ -5,12 +5,10 @@
 #include "Base/StateArchive.h"
 #include "Spacetime/Energy/Convergence.h"
 #include "Spacetime/Model/AirFields.h"
-#include "Spacetime/Model/FramePartition.h"
 #include "Spacetime/Run/Schedule.h"
 #include "Spacetime/Solver/Lbfgs.h"
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace waft
@@ -40,7 +38,7 @@ struct SolverState
   StateVector Motion;
   /// What the run began with, unless it goes on from another motion.
   StateVector Beginning;
-  /// Of the level that is solved, in pieces where there are several ranks; empty between levels.
+  /// Of the level that is solved; empty between levels.
   StateVector Part;
   LbfgsMemory Curvature; // of Part
   WindowSweep Sweep;
@@ -49,9 +47,7 @@ struct SolverState
   const Stage& Now() const { return this->Plan.Stages[this->Next]; }
 };
 
-/// The one way in which a state goes to files and to other ranks, and back. partition: of Part and
-/// Curvature, asked for once what comes before them is there; of no frames where both are empty.
-void Serialise(StateArchive& stream, SolverState& state, std::size_t frameSize,
-               const std::function<FramePartition()>& partition);
+/// The one way in which a state goes to files and back.
+void Serialise(StateArchive& stream, SolverState& state);
 
 } // namespace waft

@@ -2,6 +2,7 @@
 #include "Spacetime/Run/Spacetime.h"
 
 #include "Spacetime/Fields/WindEstimate.h"
+#include "Spacetime/Run/RankedObjective.h"
 #include "Spacetime/Run/SpacetimeBudget.h"
 #include "Spacetime/Run/SpacetimeRun.h"
 #include "Spacetime/Run/SpacetimeSerialise.h"
@@ -13,9 +14,9 @@ namespace waft
 namespace
 {
 
-Result RunHere(const SpacetimeInput& input, const SpacetimeOptions& options,
-               const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
-               SpacetimeWarmStart* memory, Communicator& ranks)
+Result Solve(const SpacetimeInput& input, const SpacetimeOptions& options,
+             const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
+             SpacetimeWarmStart* memory, Communicator& ranks)
 {
   SpacetimeSetup problem;
   WAFT_RETURN_IF_FAILED(MakeSetup(input, options, problem));
@@ -26,6 +27,15 @@ Result RunHere(const SpacetimeInput& input, const SpacetimeOptions& options,
   return SpacetimeRun(input, options, problem, parallel, monitor, output, memory, ranks)
     .Run(std::move(start));
 }
+
+/// The outcome for the other ranks, also where this one is left by an exception.
+struct Ending
+{
+  Communicator& Ranks;
+  Result Outcome = Result::Error("the first process has failed");
+
+  ~Ending() { EndEvaluations(this->Outcome, this->Ranks); }
+};
 
 } // namespace
 
@@ -41,25 +51,27 @@ Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options
   output = SpacetimeOutput();
   SerialCommunicator alone;
   Communicator& all = ranks != nullptr ? *ranks : alone;
+  BroadcastStream stream(all);
   Result result = Result::Ok();
   if (all.IsFirst())
   {
     if (all.Size() > 1)
     {
-      BroadcastStream stream(all);
       Serialise(stream, const_cast<SpacetimeInput&>(input)); // which writing leaves as it is
       Serialise(stream, const_cast<SpacetimeOptions&>(options));
     }
-    result = RunHere(input, options, parallel, monitor, output, memory, all);
+    Ending ending{ all };
+    result = ending.Outcome = Solve(input, options, parallel, monitor, output, memory, all);
   }
   else
   {
-    BroadcastStream stream(all);
     SpacetimeInput received;
     SpacetimeOptions asked;
     Serialise(stream, received);
     Serialise(stream, asked);
-    result = RunHere(received, asked, parallel, monitor, output, nullptr, all);
+    SpacetimeSetup problem;
+    (void)MakeSetup(received, asked, problem); // rank 0 says what is wrong
+    result = ServeEvaluations(problem.Model, parallel, all);
   }
   if (!result || !all.IsFirst())
   {

@@ -34,11 +34,11 @@ std::array<int, 3> WindLatticeDimensions(const Box& volume);
 /// itself. One of the same input and options is gone on from, to the same bits as if the run had
 /// never been ended; any other is ignored with a warning.
 ///
-/// ranks: all of them call this together and share the frames out among them. Input, options and
-/// memory are rank 0's, those given elsewhere are not read; so are the decisions of its monitor and
-/// its clock, and the checkpoint, which a run of another number of ranks may go on from. The output
-/// and what memory keeps are rank 0's too and empty elsewhere; the result's bits are the same for
-/// any number of ranks. Null: one rank.
+/// ranks: all of them call this together. Rank 0 solves, and all evaluate E, frames of their own
+/// each. Input, options, monitor and memory are rank 0's, those given elsewhere are not used. A
+/// checkpoint may be gone on from by another number of ranks. The output and what memory keeps are
+/// rank 0's, too, and empty elsewhere; the result's bits are the same for any number of ranks.
+/// Null: one rank.
 Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options,
                     const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
                     SpacetimeWarmStart* memory = nullptr, Communicator* ranks = nullptr);

@@ -13,19 +13,12 @@ namespace waft
 
 bool SpacetimeRun::Rebase()
 {
-  if (!this->Options.WarmStart ||
-      !this->Ranks.Decide(this->Memory != nullptr && !this->Memory->IsEmpty()))
+  if (!this->Options.WarmStart || this->Memory == nullptr || this->Memory->IsEmpty())
   {
     return false;
   }
   const ProblemDigest digest = DigestOfProblem(this->Input, this->Options, this->Problem);
-  SpacetimeWarmStart received;
-  SpacetimeWarmStart& memory = this->Ranks.IsFirst() ? *this->Memory : received;
-  if (this->Ranks.Size() > 1)
-  {
-    BroadcastStream stream(this->Ranks);
-    Serialise(stream, memory);
-  }
+  const SpacetimeWarmStart& memory = *this->Memory;
   if (digest.Shape != memory.Digest.Shape)
   {
     return false;

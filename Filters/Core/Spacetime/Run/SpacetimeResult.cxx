@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <optional>
 
 namespace waft
 {
@@ -24,7 +23,7 @@ constexpr auto BetweenPictures = std::chrono::milliseconds(500);
 void SpacetimeRun::ShowMotion()
 {
   const auto now = std::chrono::steady_clock::now();
-  if (!this->Own.ShowsSoFar() || this->IsPartitioned() || now - this->Shown < BetweenPictures)
+  if (!this->Progress.ShowsSoFar() || now - this->Shown < BetweenPictures)
   {
     return;
   }
@@ -59,33 +58,21 @@ Result SpacetimeRun::Export()
   {
     kept = { &this->Region, &this->Memory->Positions };
   }
-  std::vector<std::vector<Vec3>> positions;
-  if (this->Ranks.IsFirst())
-  {
-    const std::vector<Vec3> solved =
-      ObjectPositions(this->Problem.Model, level.NumberOfFrames(), motion);
-    positions = ExportPositions(this->Input, this->Problem, kept, motion, this->Output.Warnings);
-    this->MeasureRepairs(solved, positions);
-  }
-  this->Ranks.Broadcast(motion.data(), motion.size() * sizeof(float));
+  const std::vector<Vec3> solved =
+    ObjectPositions(this->Problem.Model, level.NumberOfFrames(), motion);
+  std::vector<std::vector<Vec3>> positions =
+    ExportPositions(this->Input, this->Problem, kept, motion, this->Output.Warnings);
+  this->MeasureRepairs(solved, positions);
   if (this->Region.IsEmpty()) // the objects have moved since the wind was estimated
   {
     HoldWind(this->Problem.Model, level,
              ObjectPositions(this->Problem.Model, level.NumberOfFrames(), motion),
              this->State.Fields);
   }
-  const FramePartition partition = PartitionOf(level, this->Ranks).HoldingAll();
-  SpacetimeObjective objective(this->Problem.Model, this->State.Fields, level, this->Parallel,
-                               FastestSphKernels(), false, &partition);
-  if (Result result = this->MeasureResult(objective, constraints); !result)
-  {
-    return result;
-  }
+  const auto objective = this->MakeObjective(this->State.Fields, level, false);
+  WAFT_RETURN_IF_FAILED(this->MeasureResult(*objective, constraints));
   this->TickMeasuring();
-  if (this->Ranks.IsFirst())
-  {
-    this->WriteOutput(objective, std::move(positions));
-  }
+  this->WriteOutput(*objective, std::move(positions));
   return this->Stopped ? Result::Stopped() : Result::Ok();
 }
 
@@ -150,6 +137,7 @@ Result SpacetimeRun::MeasureResult(SpacetimeObjective& objective,
   {
     return Result::Error("spacetime: the cost of the result is not finite");
   }
+  objective.BringRows();
   std::vector<double> ex, ev;
   std::vector<int> steps;
   objective.ObjectResiduals(ex, ev, steps);
@@ -167,16 +155,8 @@ Result SpacetimeRun::MeasureResult(SpacetimeObjective& objective,
 void SpacetimeRun::WriteOutput(SpacetimeObjective& measured,
                                std::vector<std::vector<Vec3>> positions)
 {
-  std::optional<SpacetimeObjective> whole; // where what was measured is a process' part alone
-  if (!PartitionOf(measured.Level(), this->Ranks).IsAlone())
-  {
-    whole.emplace(this->Problem.Model, this->State.Fields, measured.Level(), this->Parallel,
-                  FastestSphKernels(), false);
-    SpacetimeTerms terms;
-    whole->Evaluate(this->State.Motion, nullptr, terms);
-  }
-  (void)ExportFields(this->Input, this->Problem, whole ? *whole : measured, this->State.Motion,
-                     positions, this->Own, this->Output);
+  (void)ExportFields(this->Input, this->Problem, measured, this->State.Motion, positions,
+                     this->Progress, this->Output);
   this->Output.Report = this->Problem.Report;
   MeasureResiduals(this->Input.Constraints, this->Output.Tracks, this->Problem.Objects,
                    this->Problem.Obstacles, this->Input.Scene, this->Output.Report);

@@ -2,6 +2,7 @@
 #include "Spacetime/Run/SpacetimeRun.h"
 
 #include "Spacetime/Run/InitialObjects.h"
+#include "Spacetime/Run/RankedObjective.h"
 #include "Spacetime/Run/SpacetimeBudget.h"
 #include "Spacetime/Run/StageProgress.h"
 #include "Spacetime/Scene/InitialGas.h"
@@ -25,16 +26,18 @@ SpacetimeRun::SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& 
                            Monitor& monitor, SpacetimeOutput& output, SpacetimeWarmStart* memory,
                            Communicator& ranks) :
   Input(input),
-  Options(options), Problem(problem), Parallel(parallel), Ranks(ranks), Own(monitor),
-  Progress(monitor, ranks), Output(output), Memory(memory), Clock(std::chrono::steady_clock::now()),
-  Checkpoint(input, options, ranks, output.Warnings)
+  Options(options), Problem(problem), Parallel(parallel), Progress(monitor), Output(output),
+  Memory(memory), Clock(std::chrono::steady_clock::now()),
+  Checkpoint(input, options, output.Warnings)
 {
+  this->MakeObjective = [&](const AirFields& fields, const TimeLevel& level, bool keepsLists)
+  { return MakeRankedObjective(problem.Model, fields, level, parallel, keepsLists, ranks); };
 }
 
 Result SpacetimeRun::Run(StateVector start)
 {
   this->Output.Spacing = this->Problem.Spacing;
-  if (this->Own.ShowsSoFar())
+  if (this->Progress.ShowsSoFar())
   {
     this->Output.Tracks = this->Input.Tracks;
   }
@@ -62,7 +65,7 @@ bool SpacetimeRun::TimeIsUp() const
 {
   const double fraction = this->State.Coarseness > 0 ? CoarseTimeFraction : 1.0;
   const double limit = this->Options.TimeLimit * fraction;
-  return limit > 0.0 && this->Ranks.Decide(this->Elapsed() > limit);
+  return limit > 0.0 && this->Elapsed() > limit;
 }
 
 double SpacetimeRun::FractionAt(std::size_t stage) const
@@ -86,13 +89,10 @@ void SpacetimeRun::Record(int pass, const std::string& stage, int iteration,
 
 SpacetimeTerms SpacetimeRun::Measure(const StateVector& motion) const
 {
-  const SpacetimeModel& model = this->Problem.Model;
-  const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
-  const FramePartition partition = PartitionOf(full, this->Ranks).HoldingAll();
-  SpacetimeObjective objective(model, this->State.Fields, full, this->Parallel, FastestSphKernels(),
-                               false, &partition);
+  const TimeLevel full =
+    TimeLevel::Full(this->Problem.Model.NumberOfFrames, this->Options.TemporalWindow);
   SpacetimeTerms terms;
-  objective.Evaluate(motion, nullptr, terms);
+  this->MakeObjective(this->State.Fields, full, false)->Evaluate(motion, nullptr, terms);
   return terms;
 }
 
@@ -109,26 +109,20 @@ Result SpacetimeRun::Begin(StateVector start)
   }
   this->State.StartEnergy = terms.E;
   this->Record(0, "initial", 0, terms, 0.0, 0.0);
-  bool isMoved = false;
-  StageProgress monitor(this->Own, 0.0, 0.0, 1);
+  StageProgress monitor(this->Progress, 0.0, 0.0, 1);
   monitor.Text = "spacetime: letting the objects give way";
   StateVector& motion = this->State.Motion;
-  if (this->Ranks.IsFirst()) // one frame after the other: there is nothing to partition
+  const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
+  const bool goesOn = model.Air.IsEmpty() || MakeInitialObjects(model, this->Problem.Table, full,
+                                                                this->Parallel, monitor, motion);
+  monitor.Text = "spacetime: moving the gas";
+  SpacetimeObjective objective(model, this->State.Fields, full, this->Parallel, FastestSphKernels(),
+                               false); // one frame after the other
+  if (goesOn && MakeInitialGas(objective, this->Parallel, monitor, motion))
   {
-    const TimeLevel full = TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);
-    const bool goesOn = model.Air.IsEmpty() || MakeInitialObjects(model, this->Problem.Table, full,
-                                                                  this->Parallel, monitor, motion);
-    monitor.Text = "spacetime: moving the gas";
-    SpacetimeObjective objective(model, this->State.Fields, full, this->Parallel,
-                                 FastestSphKernels(), false);
-    isMoved = goesOn && MakeInitialGas(objective, this->Parallel, monitor, motion);
-  }
-  if (this->Ranks.Decide(isMoved))
-  {
-    this->Ranks.Broadcast(motion.data(), motion.size() * sizeof(float));
     this->Record(0, "gas moved", 0, this->Measure(motion), 0.0, 0.0);
   }
-  this->Stopped = !this->Ranks.Decide(monitor.Going);
+  this->Stopped = !monitor.Going;
   this->State.Beginning = motion;
   return Result::Ok();
 }
@@ -152,9 +146,9 @@ void SpacetimeRun::MakeLevel(int coarseness)
   this->Window = SpacetimeBudget(model, this->Options)
                    .WindowOf(times.NumberOfFrames(), this->Options.MemoryLimit);
   const int history = this->HasWindows(times) ? 0 : this->Options.HistorySize;
-  this->Solver =
-    std::make_unique<LevelSolver>(model, this->State.Fields, this->Problem.Table, times,
-                                  this->Parallel, this->Ranks, history, this->Region.Movable);
+  this->Solver = std::make_unique<LevelSolver>(model, this->State.Fields, this->Problem.Table,
+                                               times, this->Parallel, this->MakeObjective, history,
+                                               this->Region.Movable);
 }
 
 void SpacetimeRun::EnterLevel(int coarseness)
@@ -166,11 +160,6 @@ void SpacetimeRun::EnterLevel(int coarseness)
   this->LeaveLevel();
   this->MakeLevel(coarseness);
   this->State.Part = this->View->Take(this->State.Motion);
-  if (this->IsPartitioned())
-  {
-    this->State.Part =
-      this->Solver->Partition.Take(std::move(this->State.Part), this->Problem.Model.FrameSize());
-  }
 }
 
 void SpacetimeRun::LeaveLevel()
@@ -179,16 +168,9 @@ void SpacetimeRun::LeaveLevel()
   {
     return;
   }
-  const FramePartition partition = this->Solver->Partition;
-  const bool isPartitioned = this->IsPartitioned();
   this->Solver.reset(); // before the next one, which is as large
   this->State.Curvature = LbfgsMemory();
-  StateVector part = std::exchange(this->State.Part, StateVector());
-  if (isPartitioned)
-  {
-    part = partition.Whole(std::move(part), this->Problem.Model.FrameSize());
-  }
-  this->View->Merge(std::move(part), this->State.Motion);
+  this->View->Merge(std::exchange(this->State.Part, StateVector()), this->State.Motion);
 }
 
 bool SpacetimeRun::RunStage()
@@ -238,7 +220,7 @@ void SpacetimeRun::MarkState()
 {
   if (this->KeepsCheckpoints())
   {
-    this->Solver->Objective.MarkLists();
+    this->Solver->Objective->MarkLists();
   }
 }
 
@@ -247,7 +229,7 @@ void SpacetimeRun::KeepState()
 {
   if (this->Stopped && this->KeepsCheckpoints() && this->Checkpoint.IsDue(true))
   {
-    this->Solver->Objective.RewindLists();
+    this->Solver->Objective->RewindLists();
     this->WriteCheckpoint(true);
   }
 }
@@ -262,22 +244,14 @@ void SpacetimeRun::WriteCheckpoint(bool now)
 // The lists are no state, but what they remember of evaluations tells the bits of the next.
 void SpacetimeRun::SerialiseAll(StateArchive& stream)
 {
-  const auto partition = [&]()
-  {
-    if (stream.IsReading())
-    {
-      this->MakeLevel(std::clamp(this->State.Coarseness, 0, this->State.Plan.Coarsest()));
-    }
-    return this->Solver->Partition;
-  };
-  Serialise(stream, this->State, this->Problem.Model.FrameSize(), partition);
+  Serialise(stream, this->State);
   if (stream.IsReading())
   {
+    this->MakeLevel(std::clamp(this->State.Coarseness, 0, this->State.Plan.Coarsest()));
     // A file may end before its time.
-    this->State.Part.resize(this->Solver->Partition.Held().Size() *
-                            this->Problem.Model.FrameSize());
+    this->State.Part.resize(this->Solver->Level.NumberOfFrames() * this->Problem.Model.FrameSize());
   }
-  this->Solver->Objective.SerialiseLists(stream);
+  this->Solver->Objective->SerialiseLists(stream);
 }
 
 bool SpacetimeRun::Load()

@@ -32,7 +32,7 @@ public:
 private:
   double Elapsed() const; // since this run began [s]
   double Seconds() const { return this->State.Seconds + this->Elapsed(); }
-  bool TimeIsUp() const; // for all ranks
+  bool TimeIsUp() const;
   /// Of the run, once the stages before that one are done.
   double FractionAt(std::size_t stage) const;
   void Record(int pass, const std::string& stage, int iteration, const SpacetimeTerms& terms,
@@ -53,11 +53,6 @@ private:
   void EnterLevel(int coarseness);
   void MakeLevel(int coarseness);
   void LeaveLevel();
-  /// Part is in pieces; in windows every rank has all of it.
-  bool IsPartitioned() const
-  {
-    return this->Solver && this->Solver->Solver && !this->Solver->Partition.IsAlone();
-  }
   /// All three return false when the run was stopped.
   bool Minimize(const Stage& stage);
   bool MinimizeInWindows(const Stage& stage);
@@ -84,7 +79,7 @@ private:
   void MeasureRepairs(const std::vector<Vec3>& solved,
                       const std::vector<std::vector<Vec3>>& exported);
   Result MeasureResult(SpacetimeObjective& objective, const HardConstraints& constraints);
-  /// measured: of all frames at the motion, as far as they are this process' own.
+  /// measured: of all frames at the motion.
   void WriteOutput(SpacetimeObjective& measured, std::vector<std::vector<Vec3>> positions);
   /// Between two parts of what is measured in the end.
   void TickMeasuring();
@@ -94,9 +89,8 @@ private:
   const SpacetimeOptions& Options;
   const SpacetimeSetup& Problem;
   ParallelFor Parallel;
-  Communicator& Ranks;
-  Monitor& Own;         // of this rank
-  RankMonitor Progress; // of all
+  ObjectiveMaker MakeObjective; // of all ranks
+  Monitor& Progress;
   SpacetimeOutput& Output;
   SpacetimeWarmStart* Memory;
   std::chrono::steady_clock::time_point Clock;

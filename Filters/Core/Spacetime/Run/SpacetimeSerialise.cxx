@@ -12,12 +12,6 @@ void Serialise(StateArchive& stream, SpacetimeOptions& options)
 namespace
 {
 
-void Serialise(StateArchive& stream, ProblemDigest& digest)
-{
-  stream.Values(digest.Shape, digest.Physics, digest.Vortices, digest.SceneVortices);
-  stream.List(digest.Requests);
-}
-
 void Serialise(StateArchive& stream, ParticleSeries& particles)
 {
   stream.List(particles.ObjectIds);
@@ -56,14 +50,6 @@ void Serialise(StateArchive& stream, SpacetimeOutput& output)
   stream.Values(output.Spacing, output.ObjectReplayError, output.GasReplayError,
                 output.GasHiddenHand, output.RepairedFraction, output.LargestRepair);
   stream.List(output.Warnings, [](StateArchive& s, std::string& text) { s.Text(text); });
-}
-
-void Serialise(StateArchive& stream, SpacetimeWarmStart& memory)
-{
-  Serialise(stream, memory.Digest);
-  Serialise(stream, memory.State, 0, [] { return FramePartition(0); });
-  stream.List(memory.Planned);
-  stream.List(memory.Positions, [](StateArchive& s, std::vector<Vec3>& list) { s.List(list); });
 }
 
 } // namespace waft

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Base/StateArchive.h"
-#include "Spacetime/Run/SpacetimeWarmStart.h"
+#include "Spacetime/Model/SpacetimeOptions.h"
 #include "Spacetime/Scene/SpacetimeInput.h"
 #include "Spacetime/Scene/SpacetimeOutput.h"
 
@@ -13,6 +13,5 @@ namespace waft
 void Serialise(StateArchive& stream, SpacetimeOptions& options);
 void Serialise(StateArchive& stream, SpacetimeInput& input);
 void Serialise(StateArchive& stream, SpacetimeOutput& output);
-void Serialise(StateArchive& stream, SpacetimeWarmStart& memory);
 
 } // namespace waft

@@ -40,9 +40,7 @@ bool SpacetimeRun::Minimize(const Stage& stage)
     this->IsCut = this->IsCut || isUp;
     return !isUp;
   };
-  const LbfgsEnd end =
-    solver.Solver->Minimize(solver.Objective, solver.Preconditioner, solver.Constraints, options,
-                            observer, &monitor, this->State.Curvature, state);
+  const LbfgsEnd end = solver.Minimize(options, observer, &monitor, this->State.Curvature, state);
   this->Stopped = this->Stopped || !monitor.Going;
   this->KeepState();
   return end != LbfgsEnd::Stopped;
@@ -52,8 +50,8 @@ bool SpacetimeRun::UpdateFields(const Stage& stage)
 {
   const double done = this->FractionAt(this->State.Next);
   StageProgress monitor(this->Progress, done, done, 1);
-  StageProgress fitMonitor(this->Own, done, done, 1);
   LevelSolver& solver = *this->Solver;
+  SpacetimeObjective& objective = *solver.Objective;
   const StateVector& state = this->State.Part;
   AirFields& fields = this->State.Fields;
   const AirFields before = fields;
@@ -64,10 +62,9 @@ bool SpacetimeRun::UpdateFields(const Stage& stage)
   const double violation = solver.Constraints.MaxViolation(state);
   if (stage.FitsVortices && this->Options.FitVortexFields && !fields.Vortices.empty())
   {
-    monitor.Text = fitMonitor.Text = "spacetime: fitting vortices";
-    going = UpdateVortices(fields, this->Problem, solver.Objective, this->Input.Tracks,
-                           this->Input.Scene.Bounds, this->Input.Scene.Seed, state, monitor,
-                           fitMonitor, terms);
+    monitor.Text = "spacetime: fitting vortices";
+    going = UpdateVortices(fields, this->Problem, objective, this->Input.Tracks,
+                           this->Input.Scene.Bounds, this->Input.Scene.Seed, state, monitor, terms);
     if (going)
     {
       this->Record(stage.Pass, "vortices " + std::to_string(stage.Pass), 0, terms, violation, 0.0);
@@ -76,7 +73,7 @@ bool SpacetimeRun::UpdateFields(const Stage& stage)
   if (going && this->Options.EstimateWind)
   {
     monitor.Text = "spacetime: estimating the wind";
-    going = UpdateWind(fields, solver.Objective, state, this->Parallel, &monitor, terms);
+    going = UpdateWind(fields, objective, state, this->Parallel, &monitor, terms);
     if (going)
     {
       this->Record(stage.Pass, "wind " + std::to_string(log.size()), 0, terms, violation, 0.0);

@@ -35,7 +35,6 @@ std::vector<std::pair<std::size_t, std::size_t>> SpacetimeRun::Windows(int sweep
 
 bool SpacetimeRun::MinimizeInWindows(const Stage& stage)
 {
-  const SpacetimeModel& model = this->Problem.Model;
   const std::string name = stage.Name();
   LevelSolver& whole = *this->Solver;
   StateVector& state = this->State.Part;
@@ -55,11 +54,10 @@ bool SpacetimeRun::MinimizeInWindows(const Stage& stage)
   {
     current = WindowSweep();
     whole.Constraints.Project(state);
-    whole.Partition.FillHalo(state, model.FrameSize());
   }
   if (current.Energies.empty())
   {
-    if (!whole.Objective.Evaluate(state, nullptr, current.Terms, &monitor))
+    if (!whole.Objective->Evaluate(state, nullptr, current.Terms, &monitor))
     {
       this->Stopped = true;
       this->KeepState();
@@ -109,13 +107,12 @@ bool SpacetimeRun::MinimizeInWindows(const Stage& stage)
 bool SpacetimeRun::SolveWindow(const Stage& stage, std::pair<std::size_t, std::size_t> window,
                                double done, Monitor& monitor)
 {
-  const std::size_t size = this->Problem.Model.FrameSize();
   StateVector& state = this->State.Part;
   const FrameView view(this->Problem.Model, this->Solver->Level, window.first, window.second);
   LevelSolver part(this->Problem.Model, this->State.Fields, this->Problem.Table, view.Level(),
-                   this->Parallel, this->Ranks, this->Options.HistorySize);
+                   this->Parallel, this->MakeObjective, this->Options.HistorySize);
   part.Constraints.SetLeash(stage.Leash / this->Problem.Spacing);
-  StateVector own = part.Partition.Take(view.Take(state), size);
+  StateVector own = view.Take(state);
   LbfgsMemory memory;
   LbfgsOptions options;
   options.MaximumNumberOfIterations = IterationsAtOnce;
@@ -137,8 +134,7 @@ bool SpacetimeRun::SolveWindow(const Stage& stage, std::pair<std::size_t, std::s
     Monitor& Outer;
     double Done;
   } inner(monitor, done);
-  const LbfgsEnd end = part.Solver->Minimize(part.Objective, part.Preconditioner, part.Constraints,
-                                             options, observer, &inner, memory, own);
+  const LbfgsEnd end = part.Minimize(options, observer, &inner, memory, own);
   if (end == LbfgsEnd::Stopped)
   {
     this->Stopped = true;
@@ -146,7 +142,7 @@ bool SpacetimeRun::SolveWindow(const Stage& stage, std::pair<std::size_t, std::s
   }
   if (last.E <= first.E)
   {
-    view.Merge(part.Partition.Whole(std::move(own), size), state);
+    view.Merge(std::move(own), state);
     SpacetimeTerms::Visit([](double& all, double now, double before) { all += now - before; },
                           this->State.Sweep.Terms, last, first);
   }

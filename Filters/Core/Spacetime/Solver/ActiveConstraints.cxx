@@ -3,23 +3,12 @@
 
 #include <Eigen/Cholesky>
 
-#include <algorithm>
 #include <map>
 
 namespace waft
 {
 namespace
 {
-
-std::vector<Vec3> Vectors(const std::vector<float>& values)
-{
-  std::vector<Vec3> vectors;
-  for (std::size_t k = 0; k + 2 < values.size(); k += 3)
-  {
-    vectors.emplace_back(values[k], values[k + 1], values[k + 2]);
-  }
-  return vectors;
-}
 
 bool IsZero(const Vec3& v)
 {
@@ -28,61 +17,37 @@ bool IsZero(const Vec3& v)
 
 } // namespace
 
-ActiveConstraints::ActiveConstraints(const SpacetimeModel& model, const FramePartition& partition) :
-  Model(model), Partition(partition)
-{
-}
-
 void ActiveConstraints::Add(std::size_t frame, std::size_t object)
 {
   this->Frames.push_back(frame);
   this->Objects.push_back(object);
-  this->Normals.insert(this->Normals.end(), 3, 0.0f);
-}
-
-void ActiveConstraints::Touch(std::vector<float> normals)
-{
-  this->Normals = std::move(normals);
-  this->Partition.GatherPoints(this->Frames, this->Normals);
+  this->Normals.emplace_back(Eigen::Vector3f::Zero());
 }
 
 void ActiveConstraints::Project(const TimelinePreconditioner& preconditioner,
                                 StateVector& direction) const
 {
   const std::size_t stride = this->Model.Stride();
-  const std::vector<Vec3> normals = Vectors(this->Normals);
-  if (std::all_of(normals.begin(), normals.end(), IsZero))
-  {
-    return;
-  }
-  std::vector<float> moves(3 * this->Size(), 0.0f);
+  std::vector<Vec3> normals;
+  std::vector<double> beyond;
   for (std::size_t k = 0; k < this->Size(); ++k)
   {
-    const std::size_t j = this->Frames[k];
-    for (int c = 0; c < 3 && this->Partition.Own().Contains(j); ++c)
-    {
-      moves[3 * k + c] = direction[this->Partition.Slot(j) * this->Model.FrameSize() + c * stride +
-                                   this->Model.NumberOfGas + this->Objects[k]];
-    }
-  }
-  this->Partition.GatherPoints(this->Frames, moves);
-  const std::vector<Vec3> steps = Vectors(moves);
-  std::vector<double> beyond(this->Size());
-  for (std::size_t k = 0; k < this->Size(); ++k)
-  {
-    beyond[k] = normals[k].dot(steps[k]);
+    const float* p = direction.data() + this->Frames[k] * this->Model.FrameSize() +
+                     this->Model.NumberOfGas + this->Objects[k];
+    normals.emplace_back(this->Normals[k].cast<double>());
+    beyond.push_back(normals[k].dot(Vec3(p[0], p[stride], p[2 * stride])));
   }
   this->TakeAway(preconditioner, normals, beyond, direction);
 }
 
 void ActiveConstraints::Enter(const TimelinePreconditioner& preconditioner,
-                              std::vector<float> overshoots, StateVector& state) const
+                              const Vectors& overshoots, StateVector& state) const
 {
-  this->Partition.GatherPoints(this->Frames, overshoots);
-  std::vector<Vec3> normals = Vectors(overshoots);
+  std::vector<Vec3> normals;
   std::vector<double> beyond(this->Size(), 0.0);
   for (std::size_t k = 0; k < this->Size(); ++k)
   {
+    normals.emplace_back(overshoots[k].cast<double>());
     if (!IsZero(normals[k]))
     {
       beyond[k] = normals[k].norm();
@@ -125,10 +90,9 @@ void ActiveConstraints::TakeAway(const TimelinePreconditioner& preconditioner,
     for (Eigen::Index a = 0; a < n; ++a)
     {
       const Vec3 force = forces[a] * normals[balls[a]];
-      for (std::size_t j = this->Partition.Own().Begin; j < this->Partition.Own().End; ++j)
+      for (std::size_t j = 0; 2 * j < columns[a].size(); ++j)
       {
-        float* p = vector.data() + this->Partition.Slot(j) * this->Model.FrameSize() +
-                   this->Model.NumberOfGas + object;
+        float* p = vector.data() + j * this->Model.FrameSize() + this->Model.NumberOfGas + object;
         for (int c = 0; c < 3; ++c)
         {
           p[c * this->Model.Stride()] -= static_cast<float>(force[c] * columns[a][2 * j]);

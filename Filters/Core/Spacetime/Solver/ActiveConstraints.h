@@ -2,10 +2,12 @@
 // Descent along the user's balls that an object's path touches.
 #pragma once
 
-#include "Spacetime/Model/FramePartition.h"
 #include "Spacetime/Model/StateVector.h"
 #include "Spacetime/Solver/TimelinePreconditioner.h"
 
+#include <Eigen/Core>
+
+#include <utility>
 #include <vector>
 
 namespace waft
@@ -19,21 +21,19 @@ namespace waft
 class ActiveConstraints
 {
 public:
-  ActiveConstraints(const SpacetimeModel& model, const FramePartition& partition);
+  using Vectors = std::vector<Eigen::Vector3f>; // one a ball
 
-  /// A ball about an object's place at a level frame. All ranks add the same, in the same order.
+  explicit ActiveConstraints(const SpacetimeModel& model) : Model(model) {}
+
+  /// A ball about an object's place at a level frame.
   void Add(std::size_t frame, std::size_t object);
   std::size_t Size() const { return this->Frames.size(); }
-  std::size_t Frame(std::size_t ball) const { return this->Frames[ball]; }
-  std::size_t Object(std::size_t ball) const { return this->Objects[ball]; }
 
-  /// Unit normals, 3 values a ball, zero where it is not touched; of the own frames. To be called
-  /// by all ranks, as Project.
-  void Touch(std::vector<float> normals);
+  /// Unit normals, zero where a ball is not touched.
+  void Touch(Vectors normals) { this->Normals = std::move(normals); }
   void Project(const TimelinePreconditioner& preconditioner, StateVector& direction) const;
-  /// overshoots: from each ball's surface to the place outside it, 3 values a ball, zero inside; of
-  /// the own frames. To be called by all ranks.
-  void Enter(const TimelinePreconditioner& preconditioner, std::vector<float> overshoots,
+  /// overshoots: from each ball's surface to the place outside it, zero inside.
+  void Enter(const TimelinePreconditioner& preconditioner, const Vectors& overshoots,
              StateVector& state) const;
 
 private:
@@ -42,9 +42,8 @@ private:
                 const std::vector<double>& beyond, StateVector& vector) const;
 
   const SpacetimeModel& Model;
-  FramePartition Partition;
   std::vector<std::size_t> Frames, Objects;
-  std::vector<float> Normals;
+  Vectors Normals;
 };
 
 } // namespace waft

@@ -29,12 +29,9 @@ void Set(float* p, std::size_t stride, const Vec3& value)
 
 HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& level,
                                  const ConstraintTable& table, const ParallelFor& parallel,
-                                 const std::vector<char>& movable,
-                                 const FramePartition* partition) :
+                                 const std::vector<char>& movable) :
   Model(model),
-  Level(level),
-  Partition(partition != nullptr ? *partition : FramePartition(level.NumberOfFrames())),
-  Table(table), Parallel(parallel), Touched(model, this->Partition)
+  Level(level), Table(table), Parallel(parallel), Touched(model)
 {
   this->LevelOfFrame.assign(model.NumberOfFrames, -1);
   std::vector<bool> hasFrame(model.NumberOfFrames, false);
@@ -63,11 +60,8 @@ HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& l
       if (!taken[j * no + ball.Object])
       {
         this->Touched.Add(static_cast<std::size_t>(j), ball.Object);
-        if (this->Partition.Own().Contains(j))
-        {
-          this->Balls.push_back(
-            { static_cast<std::size_t>(j), ball.Object, ball.Center, ball.Radius });
-        }
+        this->Balls.push_back(
+          { static_cast<std::size_t>(j), ball.Object, ball.Center, ball.Radius });
       }
     }
   }
@@ -75,8 +69,7 @@ HardConstraints::HardConstraints(const SpacetimeModel& model, const TimeLevel& l
   {
     taken[ball.Frame * no + ball.Object] = true;
   }
-  const FrameRange& own = this->Partition.Own();
-  for (std::size_t j = own.Begin; j < own.End && !table.Planned.empty(); ++j)
+  for (std::size_t j = 0; j < level.NumberOfFrames() && !table.Planned.empty(); ++j)
   {
     for (std::size_t o = 0; o < no; ++o)
     {
@@ -142,7 +135,7 @@ void HardConstraints::TakeClusters(const std::vector<bool>& hasFrame)
 
 std::size_t HardConstraints::Offset(std::size_t j, std::size_t object) const
 {
-  return this->Partition.Slot(j) * this->Model.FrameSize() + this->Model.NumberOfGas + object;
+  return j * this->Model.FrameSize() + this->Model.NumberOfGas + object;
 }
 
 void HardConstraints::ForBalls(const std::function<void(const LevelBall&)>& visit) const
@@ -164,18 +157,17 @@ void HardConstraints::Project(StateVector& state) const
 {
   const std::size_t stride = this->Model.Stride();
   const std::size_t no = this->Model.NumberOfObjects;
-  const FrameRange& own = this->Partition.Own();
   this->Parallel(
-    own.Size(),
+    this->Level.NumberOfFrames(),
     [&](std::size_t begin, std::size_t end)
     {
-      for (std::size_t j = own.Begin + begin; j < own.Begin + end; ++j)
+      for (std::size_t j = begin; j < end; ++j)
       {
         if (!this->Level.IsFree(j))
         {
           continue;
         }
-        float* frame = state.data() + this->Partition.Slot(j) * this->Model.FrameSize();
+        float* frame = state.data() + j * this->Model.FrameSize();
         for (int c = 0; c < 3; ++c)
         {
           float* x = frame + c * stride;
@@ -238,23 +230,16 @@ void HardConstraints::Project(const TimelinePreconditioner& preconditioner,
 void HardConstraints::EnterBalls(const TimelinePreconditioner& preconditioner,
                                  StateVector& state) const
 {
-  std::vector<float> overshoots(3 * this->Touched.Size(), 0.0f);
-  auto ball = this->Balls.begin();
-  for (std::size_t k = 0; k < this->Touched.Size(); ++k)
+  ActiveConstraints::Vectors overshoots;
+  for (const LevelBall& ball : this->Balls)
   {
-    if (this->Partition.Own().Contains(this->Touched.Frame(k)))
-    {
-      const std::size_t offset = this->Offset(ball->Frame, ball->Object);
-      const Vec3 d = Get(state.data() + offset, this->Model.Stride()) - ball->Center;
-      const double inside = ball->Radius * Inside;
-      if (d.norm() > inside)
-      {
-        Set(overshoots.data() + 3 * k, 1, (1.0 - inside / d.norm()) * d);
-      }
-      ++ball;
-    }
+    const std::size_t offset = this->Offset(ball.Frame, ball.Object);
+    const Vec3 d = Get(state.data() + offset, this->Model.Stride()) - ball.Center;
+    const double inside = ball.Radius * Inside;
+    const double beyond = d.norm() > inside ? 1.0 - inside / d.norm() : 0.0;
+    overshoots.emplace_back((beyond * d).cast<float>());
   }
-  this->Touched.Enter(preconditioner, std::move(overshoots), state);
+  this->Touched.Enter(preconditioner, overshoots, state);
 }
 
 void HardConstraints::FindWalls(std::size_t j, const StateVector& state,
@@ -264,8 +249,7 @@ void HardConstraints::FindWalls(std::size_t j, const StateVector& state,
   active.clear();
   for (int c = 0; c < 3; ++c)
   {
-    const std::size_t row =
-      this->Partition.Slot(j) * this->Model.FrameSize() + c * this->Model.Stride();
+    const std::size_t row = j * this->Model.FrameSize() + c * this->Model.Stride();
     const auto size = static_cast<float>(this->Model.Size[c]);
     for (std::size_t i = row; i < row + this->Model.NumberOfGas; ++i)
     {
@@ -280,11 +264,10 @@ void HardConstraints::FindWalls(std::size_t j, const StateVector& state,
 void HardConstraints::FindActive(const StateVector& state, const StateVector& gradient)
 {
   this->ActiveWalls.resize(this->Level.NumberOfFrames());
-  const FrameRange& own = this->Partition.Own();
-  this->Parallel(own.Size(),
+  this->Parallel(this->Level.NumberOfFrames(),
                  [&](std::size_t begin, std::size_t end)
                  {
-                   for (std::size_t j = own.Begin + begin; j < own.Begin + end; ++j)
+                   for (std::size_t j = begin; j < end; ++j)
                    {
                      this->FindWalls(j, state, gradient);
                    }
@@ -301,15 +284,10 @@ void HardConstraints::FindActive(const StateVector& state, const StateVector& gr
             { static_cast<float>(n.x()), static_cast<float>(n.y()), static_cast<float>(n.z()) } });
       }
     });
-  std::vector<float> normals(3 * this->Touched.Size(), 0.0f);
-  auto ball = this->Balls.begin();
-  for (std::size_t k = 0; k < this->Touched.Size(); ++k)
+  ActiveConstraints::Vectors normals;
+  for (const LevelBall& ball : this->Balls)
   {
-    if (own.Contains(this->Touched.Frame(k)))
-    {
-      const Vec3 n = this->TouchNormal(*ball++, state, gradient);
-      Set(normals.data() + 3 * k, 1, n);
-    }
+    normals.emplace_back(this->TouchNormal(ball, state, gradient).cast<float>());
   }
   this->Touched.Touch(std::move(normals));
 }
@@ -330,9 +308,9 @@ void HardConstraints::ClearHeld(StateVector& direction) const
 {
   const std::size_t size = this->Model.FrameSize();
   const std::size_t no = this->Model.NumberOfObjects;
-  for (std::size_t j = this->Partition.Own().Begin; j < this->Partition.Own().End; ++j)
+  for (std::size_t j = 0; j < this->Level.NumberOfFrames(); ++j)
   {
-    float* frame = direction.data() + this->Partition.Slot(j) * size;
+    float* frame = direction.data() + j * size;
     if (!this->Level.IsFree(j))
     {
       std::fill(frame, frame + size, 0.0f);
@@ -363,7 +341,7 @@ void HardConstraints::ProjectTangent(StateVector& direction) const
   {
     this->ClearHeld(direction);
   }
-  for (std::size_t j = this->Partition.Own().Begin; j < this->Partition.Own().End; ++j)
+  for (std::size_t j = 0; j < this->Level.NumberOfFrames(); ++j)
   {
     for (std::size_t o = 0; o < no; ++o)
     {
@@ -425,7 +403,38 @@ double HardConstraints::MaxViolation(const StateVector& state) const
   {
     largest = std::max(largest, this->Clusters[k].Violation(points[k]));
   }
-  return this->Partition.IsAlone() ? largest : this->Partition.Others().Largest(largest);
+  return largest;
+}
+
+std::vector<Eigen::MatrixX3d> HardConstraints::ClusterPoints(const StateVector& vector) const
+{
+  std::vector<Eigen::MatrixX3d> points;
+  for (const LinearCluster& cluster : this->Clusters)
+  {
+    points.emplace_back(cluster.Frames().size(), 3);
+    for (Eigen::Index k = 0; k < points.back().rows(); ++k)
+    {
+      const auto j = static_cast<std::size_t>(this->LevelOfFrame[cluster.Frames()[k]]);
+      points.back().row(k) =
+        Get(vector.data() + this->Offset(j, cluster.Object()), this->Model.Stride()).transpose();
+    }
+  }
+  return points;
+}
+
+void HardConstraints::SetClusterPoints(const std::vector<Eigen::MatrixX3d>& points,
+                                       StateVector& vector) const
+{
+  for (std::size_t m = 0; m < points.size(); ++m)
+  {
+    const LinearCluster& cluster = this->Clusters[m];
+    for (Eigen::Index k = 0; k < points[m].rows(); ++k)
+    {
+      const auto j = static_cast<std::size_t>(this->LevelOfFrame[cluster.Frames()[k]]);
+      Set(vector.data() + this->Offset(j, cluster.Object()), this->Model.Stride(),
+          points[m].row(k).transpose());
+    }
+  }
 }
 
 } // namespace waft

@@ -4,7 +4,6 @@
 
 #include "Base/Parallel.h"
 #include "Spacetime/Model/ConstraintTable.h"
-#include "Spacetime/Model/FramePartition.h"
 #include "Spacetime/Model/StateVector.h"
 #include "Spacetime/Model/TimeLevel.h"
 #include "Spacetime/Solver/ActiveConstraints.h"
@@ -19,11 +18,9 @@ class HardConstraints
 public:
   /// movable: by body; those that are not keep their values, as do all at the level's frames that
   /// are not free. Rows that bind both what may move and what may not are held as they are. Empty:
-  /// all may move. partition: of the level's frames, whose vectors are held to the requirements;
-  /// null: all are this rank's. What takes a vector is to be called by all ranks.
+  /// all may move.
   HardConstraints(const SpacetimeModel& model, const TimeLevel& level, const ConstraintTable& table,
-                  const ParallelFor& parallel, const std::vector<char>& movable = {},
-                  const FramePartition* partition = nullptr);
+                  const ParallelFor& parallel, const std::vector<char>& movable = {});
 
   /// Radius about the planned positions [dx]; zero: none. The user's own requirements win.
   void SetLeash(double radius) { this->Leash = radius; }
@@ -49,14 +46,13 @@ private:
   void HoldObjects(const std::vector<char>& movable);
   void TakeClusters(const std::vector<bool>& hasFrame);
   void ClearHeld(StateVector& direction) const;
-  /// One point a free frame of each cluster, of all ranks' frames; and back to the own ones.
+  /// One point a free frame of each cluster, and back.
   std::vector<Eigen::MatrixX3d> ClusterPoints(const StateVector& vector) const;
   void SetClusterPoints(const std::vector<Eigen::MatrixX3d>& points, StateVector& vector) const;
   void FindWalls(std::size_t j, const StateVector& state, const StateVector& gradient);
 
   const SpacetimeModel& Model;
   const TimeLevel& Level;
-  FramePartition Partition;
   const ConstraintTable& Table;
   ParallelFor Parallel;
   double Leash = 0.0;
@@ -71,7 +67,7 @@ private:
   Vec3 TouchNormal(const LevelBall& ball, const StateVector& state,
                    const StateVector& gradient) const;
   std::vector<LevelBall> Balls;      // the user's
-  ActiveConstraints Touched;         // of them, of all ranks
+  ActiveConstraints Touched;         // likewise
   std::vector<LevelBall> LeashBalls; // radius as set
   std::vector<LinearCluster> Clusters;
   std::vector<int> LevelOfFrame; // -1: not on this level

@@ -27,25 +27,14 @@ bool HasConverged(const std::vector<double>& energies, double tolerance)
 
 } // namespace
 
-Lbfgs::Lbfgs(const FramePartition& partition, std::size_t frameSize, const ParallelFor& parallel,
-             int history) :
-  Partition(partition),
-  FrameSize(frameSize), Space(partition, frameSize, parallel),
-  Capacity(static_cast<std::size_t>(std::max(1, history)))
+Lbfgs::Lbfgs(std::size_t frames, std::size_t frameSize, const ParallelFor& parallel, int history) :
+  Space(frames, frameSize, parallel), Capacity(static_cast<std::size_t>(std::max(1, history)))
 {
   const std::size_t n = this->Space.Size();
   for (auto* v : { &this->Trial, &this->TrialGradient, &this->Step, &this->Work })
   {
     v->assign(n, 0.0f);
   }
-}
-
-// The frames beside the own ones are then as E needs them.
-void Lbfgs::Project(const TimelinePreconditioner& preconditioner,
-                    const HardConstraints& constraints, StateVector& state) const
-{
-  constraints.Project(preconditioner, state);
-  this->Partition.FillHalo(state, this->FrameSize);
 }
 
 // Step = -P H P g by the two-loop recursion with H0 = gamma P M^-1 P.
@@ -92,7 +81,7 @@ bool Lbfgs::LineSearch(SpacetimeObjective& objective, const TimelinePrecondition
   for (int trial = 0; trial < LineSearchTrials; ++trial)
   {
     this->Space.Combine(state, alpha, this->Step, this->Trial);
-    this->Project(preconditioner, constraints, this->Trial);
+    constraints.Project(preconditioner, this->Trial);
     SpacetimeTerms next;
     if (!objective.Evaluate(this->Trial, &this->TrialGradient, next, monitor))
     {
@@ -146,18 +135,16 @@ void Lbfgs::Remember(const TimelinePreconditioner& preconditioner,
   memory.Pairs.Rho.push_back(1.0 / sy);
 }
 
-void Serialise(StateArchive& stream, LbfgsMemory& memory, const FramePartition& partition,
-               std::size_t frameSize)
+void Serialise(StateArchive& stream, LbfgsMemory& memory)
 {
-  const auto vector = [&](StateArchive& s, StateVector& v)
-  { partition.Serialise(s, v, frameSize); };
+  const auto vector = [](StateArchive& s, StateVector& v) { s.List(v); };
   stream.List(memory.Pairs.S, vector);
   stream.List(memory.Pairs.Y, vector);
   stream.List(memory.Pairs.Rho);
   stream.List(memory.Energies);
   if (!memory.Energies.empty()) // else there is no iterate yet
   {
-    vector(stream, memory.Gradient);
+    stream.List(memory.Gradient);
   }
   stream.Value(memory.Gamma);
   Serialise(stream, memory.Terms);
@@ -172,7 +159,7 @@ LbfgsEnd Lbfgs::Minimize(SpacetimeObjective& objective,
   memory.Gradient.resize(this->Space.Size(), 0.0f);
   if (!options.GoesOn)
   {
-    this->Project(preconditioner, constraints, state);
+    constraints.Project(preconditioner, state);
     memory.Energies.clear();
   }
   if (memory.Energies.empty())

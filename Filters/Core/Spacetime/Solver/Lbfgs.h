@@ -53,17 +53,13 @@ struct LbfgsMemory
   }
 };
 
-/// partition, frameSize: of its vectors.
-void Serialise(StateArchive& stream, LbfgsMemory& memory, const FramePartition& partition,
-               std::size_t frameSize);
+void Serialise(StateArchive& stream, LbfgsMemory& memory);
 
-/// The solver with its work space. Of several ranks each has the vectors of its part of the frames;
-/// whatever is decided hangs on sums that all of them know.
+/// The solver with its work space, of vectors of so many frames.
 class Lbfgs
 {
 public:
-  Lbfgs(const FramePartition& partition, std::size_t frameSize, const ParallelFor& parallel,
-        int history);
+  Lbfgs(std::size_t frames, std::size_t frameSize, const ParallelFor& parallel, int history);
 
   /// Called after each accepted iterate; returns false to stop.
   using Observer = std::function<bool(int iteration, const SpacetimeTerms& terms)>;
@@ -84,11 +80,6 @@ private:
   void Remember(const TimelinePreconditioner& preconditioner, const HardConstraints& constraints,
                 const StateVector& state, LbfgsMemory& memory);
 
-  void Project(const TimelinePreconditioner& preconditioner, const HardConstraints& constraints,
-               StateVector& state) const;
-
-  FramePartition Partition;
-  std::size_t FrameSize;
   VectorSpace Space;
   std::size_t Capacity;
   StateVector Trial, TrialGradient, Step, Work;

@@ -3,44 +3,46 @@
 
 #include "Spacetime/Solver/Lbfgs.h"
 
+#include <functional>
 #include <memory>
 #include <utility>
 
 namespace waft
 {
 
-/// A level's frames, shared out among ranks, with as many beside the own ones as E's rows reach.
-inline FramePartition PartitionOf(const TimeLevel& level, Communicator& ranks)
-{
-  return FramePartition(level.NumberOfFrames(), static_cast<std::size_t>(level.Reach()), ranks);
-}
+/// Makes what evaluates E on a level, as SpacetimeObjective's constructor says.
+using ObjectiveMaker = std::function<std::unique_ptr<SpacetimeObjective>(
+  const AirFields& fields, const TimeLevel& level, bool keepsLists)>;
 
-/// A level of time with everything that solves on it. Its vectors are of its Partition.
+/// A level of time with everything that solves on it.
 struct LevelSolver
 {
-  /// history: pairs of L-BFGS; 0: no solver of its own, lists are not kept and a rank holds all
-  /// frames. movable: as of HardConstraints.
+  /// history: pairs of L-BFGS; 0: no solver of its own, and lists are not kept. movable: as of
+  /// HardConstraints.
   LevelSolver(const SpacetimeModel& model, const AirFields& fields, const ConstraintTable& table,
-              TimeLevel times, const ParallelFor& parallel, Communicator& ranks, int history,
+              TimeLevel times, const ParallelFor& parallel, const ObjectiveMaker& make, int history,
               const std::vector<char>& movable = {}) :
     Level(std::move(times)),
-    Partition(history > 0 ? PartitionOf(this->Level, ranks)
-                          : PartitionOf(this->Level, ranks).HoldingAll()),
-    Objective(model, fields, this->Level, parallel, FastestSphKernels(), history > 0,
-              &this->Partition),
-    Preconditioner(model, this->Level, parallel, TimelinePreconditioner::UsualDamping,
-                   &this->Partition),
-    Constraints(model, this->Level, table, parallel, movable, &this->Partition)
+    Objective(make(fields, this->Level, history > 0)), Preconditioner(model, this->Level, parallel),
+    Constraints(model, this->Level, table, parallel, movable)
   {
     if (history > 0)
     {
-      this->Solver = std::make_unique<Lbfgs>(this->Partition, model.FrameSize(), parallel, history);
+      this->Solver =
+        std::make_unique<Lbfgs>(this->Level.NumberOfFrames(), model.FrameSize(), parallel, history);
     }
   }
 
+  /// Minimises from `state`, as Lbfgs does.
+  LbfgsEnd Minimize(const LbfgsOptions& options, const Lbfgs::Observer& observer, Monitor* monitor,
+                    LbfgsMemory& memory, StateVector& state)
+  {
+    return this->Solver->Minimize(*this->Objective, this->Preconditioner, this->Constraints,
+                                  options, observer, monitor, memory, state);
+  }
+
   TimeLevel Level;
-  FramePartition Partition;
-  SpacetimeObjective Objective;
+  std::unique_ptr<SpacetimeObjective> Objective;
   TimelinePreconditioner Preconditioner;
   HardConstraints Constraints;
   std::unique_ptr<Lbfgs> Solver;

@@ -12,7 +12,7 @@ namespace
 constexpr std::size_t ColumnsAtOnce = 64; // bodies solved side by side: fits the second cache
 
 // The average D of an object vanishes when the air goes along with it, which the air does, so that
-// an object has only a partition of the stiffness of its own D, and of the damping. Else the solver
+// an object has only a fraction of the stiffness of its own D, and of the damping. Else the solver
 // stirs the gas, that is many, and the objects lag behind.
 constexpr double ObjectFraction = 0.3;
 
@@ -25,12 +25,9 @@ struct Entry
 } // namespace
 
 TimelinePreconditioner::TimelinePreconditioner(const SpacetimeModel& model, const TimeLevel& level,
-                                               const ParallelFor& parallel, double damping,
-                                               const FramePartition* partition) :
+                                               const ParallelFor& parallel, double damping) :
   Model(model),
-  Level(level),
-  Partition(partition != nullptr ? *partition : FramePartition(level.NumberOfFrames())),
-  Parallel(parallel), Damping(damping)
+  Level(level), Parallel(parallel), Damping(damping)
 {
   this->Gas = this->Factor(-1);
   this->Objects.resize(model.NumberOfObjects);
@@ -217,11 +214,6 @@ TimelinePreconditioner::Columns TimelinePreconditioner::ColumnsAt(std::size_t k)
 
 void TimelinePreconditioner::Solve(const StateVector& in, StateVector& out) const
 {
-  if (!this->Partition.IsAlone())
-  {
-    this->SolvePartitioned(in, out);
-    return;
-  }
   const std::size_t stride = this->Model.Stride();
   this->Parallel(this->NumberOfColumns(),
                  [&](std::size_t begin, std::size_t end)
@@ -250,81 +242,6 @@ std::vector<float> TimelinePreconditioner::ColumnOf(std::size_t object, std::siz
   this->SolveColumns({ &this->Objects[object], this->Model.NumberOfGas + object, 1, 0 }, value,
                      value);
   return column;
-}
-
-// The columns are shared out as the frames are. A rank's message to another holds, columns by
-// columns of the receiver, the unknowns of the sender's frames; the answer is laid out alike.
-void TimelinePreconditioner::SolvePartitioned(const StateVector& in, StateVector& out) const
-{
-  Communicator& ranks = this->Partition.Others();
-  const std::size_t stride = this->Model.Stride();
-  const FramePartition columnPartition(this->NumberOfColumns(), 0, ranks);
-  std::vector<std::size_t> starts{ 0 }; // of columns, in bodies
-  for (std::size_t k = 0; k < columnPartition.Frames(); ++k)
-  {
-    starts.push_back(starts.back() + this->ColumnsAt(k).Count);
-  }
-  const auto size = [&](const FrameRange& frames, const FrameRange& columns)
-  { return 2 * frames.Size() * (starts[columns.End] - starts[columns.Begin]); };
-  const auto offset =
-    [&](const FrameRange& frames, const FrameRange& columns, std::size_t k, std::size_t unknown)
-  {
-    return 2 * frames.Size() * (starts[k] - starts[columns.Begin]) +
-           (unknown - 2 * frames.Begin) * (starts[k + 1] - starts[k]);
-  };
-  const auto floats = [](Communicator::Bytes& bytes)
-  { return reinterpret_cast<float*>(bytes.data()); };
-  std::vector<Communicator::Bytes> mine(ranks.Size()), others(ranks.Size());
-  for (int r = 0; r < ranks.Size(); ++r)
-  {
-    mine[r].resize(size(this->Partition.Own(), columnPartition.OwnOf(r)) * sizeof(float));
-    others[r].resize(size(this->Partition.OwnOf(r), columnPartition.Own()) * sizeof(float));
-  }
-  // visit(columns' values of the own frames, where they stand in a message)
-  const auto forOwnFrames = [&](const auto& visit)
-  {
-    for (int r = 0; r < ranks.Size(); ++r)
-    {
-      const FrameRange columns = columnPartition.OwnOf(r);
-      const FrameRange& own = this->Partition.Own();
-      for (std::size_t k = columns.Begin; k < columns.End; ++k)
-      {
-        const Columns c = this->ColumnsAt(k);
-        for (std::size_t i = 2 * own.Begin; i < 2 * own.End; ++i)
-        {
-          const std::size_t row = (i % 2 ? 3 : 0) + static_cast<std::size_t>(c.Component);
-          visit(this->Partition.Slot(i / 2) * this->Model.FrameSize() + row * stride + c.First,
-                floats(mine[r]) + offset(own, columns, k, i), c.Count);
-        }
-      }
-    }
-  };
-  forOwnFrames([&](std::size_t at, float* message, std::size_t count)
-               { std::copy_n(in.data() + at, count, message); });
-  ranks.Exchange(mine, others);
-  std::vector<int> owners;
-  for (std::size_t j = 0; j < this->Partition.Frames(); ++j)
-  {
-    owners.push_back(this->Partition.OwnerOf(j));
-  }
-  const FrameRange& own = columnPartition.Own();
-  this->Parallel(own.Size(),
-                 [&](std::size_t begin, std::size_t end)
-                 {
-                   for (std::size_t k = own.Begin + begin; k < own.Begin + end; ++k)
-                   {
-                     const auto value = [&](int i)
-                     {
-                       const int owner = owners[static_cast<std::size_t>(i / 2)];
-                       return floats(others[owner]) + offset(this->Partition.OwnOf(owner), own, k,
-                                                             static_cast<std::size_t>(i));
-                     };
-                     this->SolveColumns(this->ColumnsAt(k), value, value);
-                   }
-                 });
-  ranks.Exchange(others, mine);
-  forOwnFrames([&](std::size_t at, const float* message, std::size_t count)
-               { std::copy_n(message, count, out.data() + at); });
 }
 
 } // namespace waft

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "Base/Parallel.h"
-#include "Spacetime/Model/FramePartition.h"
 #include "Spacetime/Model/StateVector.h"
 #include "Spacetime/Model/TimeLevel.h"
 
@@ -14,20 +13,17 @@ namespace waft
 {
 
 /// M over (x0, v0, x1, v1, ...) of one body and component: the rows rx, rv (without accelerations),
-/// rt, a diagonal for rs and a little damping, of objects a partition of both; Cholesky in bands.
+/// rt, a diagonal for rs and a little damping, of objects a fraction of both; Cholesky in bands.
 /// Gas shares one factor, each object has its own, where fixed unknowns and steps that are no free
 /// flight are left out.
 class TimelinePreconditioner
 {
 public:
   static constexpr double UsualDamping = 1e-3;
-  /// partition: of the level's frames, whose vectors are solved for; null: all are this rank's.
   TimelinePreconditioner(const SpacetimeModel& model, const TimeLevel& level,
-                         const ParallelFor& parallel, double damping = UsualDamping,
-                         const FramePartition* partition = nullptr);
+                         const ParallelFor& parallel, double damping = UsualDamping);
 
-  /// out = M^-1 in; fixed unknowns give zero. To be called by all ranks: a body's time line is
-  /// brought together on one of them, and goes back.
+  /// out = M^-1 in; fixed unknowns give zero.
   void Solve(const StateVector& in, StateVector& out) const;
   /// M^-1 e for an object, e one at its place at level frame j: what its place and its velocity do,
   /// two values a level frame, the same in each component.
@@ -53,11 +49,9 @@ private:
   /// in(i), out(i): where the columns' values of unknown i stand.
   template <class In, class Out>
   void SolveColumns(const Columns& columns, const In& in, const Out& out) const;
-  void SolvePartitioned(const StateVector& in, StateVector& out) const;
 
   const SpacetimeModel& Model;
   const TimeLevel& Level;
-  FramePartition Partition;
   ParallelFor Parallel;
   double Damping;
   Band Gas;
