@@ -402,7 +402,8 @@ FrameRange SpacetimeObjective::FramesRead(const FrameRange& frames) const
 // The rows that the frames' gradient takes in are those of the step before them, and those of
 // neighbours in time.
 bool SpacetimeObjective::EvaluateFrames(const FrameRange& frames, const StateVector& state,
-                                        StateVector* gradient, Monitor* monitor)
+                                        StateVector* gradient, Monitor* monitor,
+                                        const FrameVisitor& visit)
 {
   ++this->Evaluations;
   const std::size_t all = this->Times.NumberOfFrames();
@@ -425,6 +426,10 @@ bool SpacetimeObjective::EvaluateFrames(const FrameRange& frames, const StateVec
                                       if (frames.Contains(j))
                                       {
                                         this->ObjectFrame(state, j, own);
+                                      }
+                                      if (visit)
+                                      {
+                                        visit(j, worker->Terms);
                                       }
                                     }
                                     this->Return(std::move(worker));
@@ -454,6 +459,13 @@ SpacetimeTerms SpacetimeObjective::Sum() const
   terms.E = w.PositionWeight * terms.Ex + w.VelocityWeight * terms.Ev +
             w.CoherenceWeight * terms.Ec + terms.Penalties;
   return terms;
+}
+
+SpacetimeTerms SpacetimeObjective::EvaluateVisiting(const StateVector& state,
+                                                    const FrameVisitor& visit)
+{
+  (void)this->EvaluateFrames(this->AllFrames(), state, nullptr, nullptr, visit);
+  return this->Sum();
 }
 
 bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradient,

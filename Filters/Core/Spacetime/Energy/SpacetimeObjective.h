@@ -10,6 +10,7 @@
 #include "Spacetime/Model/StateVector.h"
 #include "Spacetime/Model/TimeLevel.h"
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -39,10 +40,13 @@ public:
   /// False when the monitor asked to stop; the outputs are then not usable.
   virtual bool Evaluate(const StateVector& state, StateVector* gradient, SpacetimeTerms& terms,
                         Monitor* monitor = nullptr);
+  /// E, on the way to which each frame's terms are visited: by several threads, in any order.
+  using FrameVisitor = std::function<void(std::size_t j, FrameTerms& terms)>;
+  SpacetimeTerms EvaluateVisiting(const StateVector& state, const FrameVisitor& visit);
   /// The part of it that some frames make: their blocks of the gradient, their sums. Reads the
   /// state of FramesRead alone.
   bool EvaluateFrames(const FrameRange& frames, const StateVector& state, StateVector* gradient,
-                      Monitor* monitor = nullptr);
+                      Monitor* monitor = nullptr, const FrameVisitor& visit = {});
   FrameRange FramesRead(const FrameRange& frames) const;
   /// Of the last evaluation of frame j, and of the step into it (Row), nine rows.
   SpacetimeTerms& FrameSum(std::size_t j) { return this->FrameSums[j]; }

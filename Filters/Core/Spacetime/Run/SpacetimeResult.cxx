@@ -69,10 +69,13 @@ Result SpacetimeRun::Export()
              ObjectPositions(this->Problem.Model, level.NumberOfFrames(), motion),
              this->State.Fields);
   }
-  const auto objective = this->MakeObjective(this->State.Fields, level, false);
-  WAFT_RETURN_IF_FAILED(this->MeasureResult(*objective, constraints));
+  SpacetimeObjective objective(this->Problem.Model, this->State.Fields, level, this->Parallel,
+                               FastestSphKernels(), false);
+  FieldExport fields(this->Input, this->Problem, motion);
+  WAFT_RETURN_IF_FAILED(this->MeasureResult(objective, constraints, fields));
   this->TickMeasuring();
-  this->WriteOutput(*objective, std::move(positions));
+  (void)fields.Write(objective, positions, this->Progress, this->Output);
+  this->WriteOutput(std::move(positions));
   return this->Stopped ? Result::Stopped() : Result::Ok();
 }
 
@@ -129,15 +132,14 @@ void SpacetimeRun::TickMeasuring()
 
 // Neighbours are looked for anew: what is measured of a frame depends on that frame alone.
 Result SpacetimeRun::MeasureResult(SpacetimeObjective& objective,
-                                   const HardConstraints& constraints)
+                                   const HardConstraints& constraints, FieldExport& fields)
 {
-  SpacetimeTerms terms;
-  objective.Evaluate(this->State.Motion, nullptr, terms);
+  const SpacetimeTerms terms = objective.EvaluateVisiting(
+    this->State.Motion, [&](std::size_t j, FrameTerms& of) { fields.Visit(j, of); });
   if (!std::isfinite(terms.E))
   {
     return Result::Error("spacetime: the cost of the result is not finite");
   }
-  objective.BringRows();
   std::vector<double> ex, ev;
   std::vector<int> steps;
   objective.ObjectResiduals(ex, ev, steps);
@@ -152,11 +154,8 @@ Result SpacetimeRun::MeasureResult(SpacetimeObjective& objective,
   return Result::Ok();
 }
 
-void SpacetimeRun::WriteOutput(SpacetimeObjective& measured,
-                               std::vector<std::vector<Vec3>> positions)
+void SpacetimeRun::WriteOutput(std::vector<std::vector<Vec3>> positions)
 {
-  (void)ExportFields(this->Input, this->Problem, measured, this->State.Motion, positions,
-                     this->Progress, this->Output);
   this->Output.Report = this->Problem.Report;
   MeasureResiduals(this->Input.Constraints, this->Output.Tracks, this->Problem.Objects,
                    this->Problem.Obstacles, this->Input.Scene, this->Output.Report);

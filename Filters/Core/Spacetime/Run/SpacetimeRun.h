@@ -6,6 +6,7 @@
 #include "Spacetime/Model/FrameView.h"
 #include "Spacetime/Run/CheckpointFile.h"
 #include "Spacetime/Run/SpacetimeWarmStart.h"
+#include "Spacetime/Scene/SpacetimeExport.h"
 #include "Spacetime/Scene/SpacetimeOutput.h"
 #include "Spacetime/Solver/LevelSolver.h"
 
@@ -78,9 +79,9 @@ private:
   void KeepTheBetter(const HardConstraints& constraints);
   void MeasureRepairs(const std::vector<Vec3>& solved,
                       const std::vector<std::vector<Vec3>>& exported);
-  Result MeasureResult(SpacetimeObjective& objective, const HardConstraints& constraints);
-  /// measured: of all frames at the motion.
-  void WriteOutput(SpacetimeObjective& measured, std::vector<std::vector<Vec3>> positions);
+  Result MeasureResult(SpacetimeObjective& objective, const HardConstraints& constraints,
+                       FieldExport& fields);
+  void WriteOutput(std::vector<std::vector<Vec3>> positions);
   /// Between two parts of what is measured in the end.
   void TickMeasuring();
   void Remember(std::vector<std::vector<Vec3>> positions);

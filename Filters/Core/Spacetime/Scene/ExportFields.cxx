@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace waft
 {
@@ -41,138 +42,6 @@ void Annotate(const SpacetimeUnits& units, const std::vector<Vortex>& vortices, 
   }
   track.ForceTypes.push_back(type);
   track.VortexIds.push_back(id);
-}
-
-// What moves an object in a drawn air beside it, from the frame before on: the gas' deviation that
-// is felt there, and the control that neither air nor gas gives [dx / frame].
-struct AirDeviation
-{
-  Vec3 Gas = Vec3::Zero();
-  Vec3 Control = Vec3::Zero();
-};
-
-// The acceleration that no term of the model gives into a frame, in a drawn air about the frame
-// before: objects go with it, so that there it is the change of their control.
-void AppendResidual(const SpacetimeSetup& setup, const SpacetimeObjective& objective, int frame,
-                    std::size_t object, const Vec3& controlBefore, const Vec3& control,
-                    Track& track)
-{
-  const SpacetimeModel& model = setup.Model;
-  track.Residuals.push_back(Vec3::Zero());
-  if (frame == 0)
-  {
-    return;
-  }
-  const bool lies = (model.Flag(frame, object) & NoDynamics) != 0;
-  if (!model.Air.IsEmpty())
-  {
-    if (!lies && frame > 1)
-    {
-      track.Residuals[static_cast<std::size_t>(frame) - 1] =
-        setup.AccelerationUnit() * (control - controlBefore);
-    }
-    return;
-  }
-  double rv[3];
-  objective.VelocityResidual(static_cast<std::size_t>(frame), model.NumberOfGas + object, rv);
-  track.Residuals.back() =
-    lies ? Vec3(Vec3::Zero()) : Vec3(setup.AccelerationUnit() * Vec3(rv[0], rv[1], rv[2]));
-}
-
-void AppendObjects(const SpacetimeInput& input, const SpacetimeSetup& setup,
-                   const SpacetimeObjective& objective, FrameTerms& terms, const float* state,
-                   int frame, std::vector<AirDeviation>& deviations, SpacetimeOutput& output)
-{
-  const SpacetimeModel& model = setup.Model;
-  const std::size_t stride = model.Stride();
-  const std::size_t per = model.Offsets.size();
-  const double speed = setup.Spacing / setup.FrameStep;
-  const double time = input.Scene.Time.Time(frame);
-  const std::vector<FrameTerms::AirAt> air = terms.Air();
-  for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
-  {
-    const std::size_t i = model.NumberOfGas + o;
-    Track& track = output.Tracks[o];
-    double witness = 0.0;
-    for (std::size_t k = model.NumberOfGas + o * per; k < model.NumberOfGas + (o + 1) * per; ++k)
-    {
-      witness += (air[k].Density - air[k].WallFraction) / static_cast<double>(per);
-    }
-    Vec3 x, v, relative, vortex, wind;
-    for (int c = 0; c < 3; ++c)
-    {
-      x[c] = state[c * stride + i];
-      v[c] = state[(3 + c) * stride + i];
-      relative[c] = terms.Average(c)[i];
-      vortex[c] = terms.ByVortices(c)[i];
-      wind[c] = terms.External(c)[i] - vortex[c];
-    }
-    Vec3 u = v + relative / std::max(0.05, witness);
-    const Vec3 controlBefore = deviations[o].Control;
-    if (!model.Air.IsEmpty())
-    {
-      const Vec3 w = model.Air.Deviation(i, x, v, frame, frame > 0 ? 1.0 : 0.0);
-      deviations[o].Control = w - deviations[o].Gas;
-      deviations[o].Gas = w + relative;
-      u = model.Air.Velocity(x, frame) + deviations[o].Gas;
-    }
-    AppendResidual(setup, objective, frame, o, controlBefore, deviations[o].Control, track);
-    vortex *= setup.AccelerationUnit();
-    wind *= setup.AccelerationUnit();
-    track.SphVelocities.push_back(speed * v);
-    track.AirVelocities.push_back(speed * u);
-    track.VortexAccelerations.push_back(vortex);
-    track.WindAccelerations.push_back(wind);
-    track.Forces.push_back(vortex + wind);
-    Annotate(setup, objective.Fields().Vortices, track.Positions[frame], time, vortex, wind, track);
-  }
-}
-
-void AppendParticles(const SpacetimeInput& input, const SpacetimeSetup& setup,
-                     const SpacetimeObjective& objective, FrameTerms& terms, const float* state,
-                     int number, const std::vector<Track>& tracks, ParticleSeries& series)
-{
-  const SpacetimeModel& model = setup.Model;
-  const std::size_t stride = model.Stride();
-  const std::size_t per = model.Offsets.size();
-  const std::size_t n = model.NumberOfParticles();
-  const double speed = setup.Spacing / setup.FrameStep;
-  const double density = input.Scene.AirDensity;
-  const std::vector<FrameTerms::AirAt> air = terms.Air();
-  series.Frames.emplace_back();
-  ParticleSeries::Frame& frame = series.Frames.back();
-  for (auto* v :
-       { &frame.Positions, &frame.Velocities, &frame.Winds, &frame.VortexForces, &frame.Residuals })
-  {
-    v->reserve(3 * n);
-  }
-  for (std::size_t k = 0; k < n; ++k)
-  {
-    const bool gas = k < model.NumberOfGas;
-    const std::size_t part = gas ? 0 : (k - model.NumberOfGas) % per;
-    const std::size_t i = gas ? k : model.NumberOfGas + (k - model.NumberOfGas) / per;
-    double rv[3] = {};
-    if (gas && number > 0)
-    {
-      objective.VelocityResidual(static_cast<std::size_t>(number), i, rv);
-    }
-    const Vec3 residual = gas ? Vec3(setup.AccelerationUnit() * Vec3(rv[0], rv[1], rv[2]))
-                              : tracks[i - model.NumberOfGas].Residuals.back();
-    for (int c = 0; c < 3; ++c)
-    {
-      const double offset = gas ? 0.0 : model.Offsets[part][c];
-      frame.Positions.push_back(
-        static_cast<float>(setup.Origin[c] + setup.Spacing * (state[c * stride + i] + offset)));
-      frame.Velocities.push_back(static_cast<float>(speed * state[(3 + c) * stride + i]));
-      frame.Residuals.push_back(static_cast<float>(residual[c]));
-      const double vortex = terms.ByVortices(c)[i];
-      frame.VortexForces.push_back(static_cast<float>(setup.AccelerationUnit() * vortex));
-      frame.Winds.push_back(
-        static_cast<float>(setup.AccelerationUnit() * (terms.External(c)[i] - vortex)));
-    }
-    frame.Densities.push_back(static_cast<float>(density * air[k].Density));
-    frame.Pressures.push_back(static_cast<float>(density * speed * speed * air[k].Pressure));
-  }
 }
 
 // The estimated wind, and the user's where it is an acceleration, at the nodes of the estimate's
@@ -250,26 +119,186 @@ bool MeasureDynamics(const SpacetimeSetup& setup, SpacetimeObjective& objective,
 
 } // namespace
 
-bool ExportFields(const SpacetimeInput& input, const SpacetimeSetup& setup,
-                  SpacetimeObjective& objective, const StateVector& state,
-                  const std::vector<std::vector<Vec3>>& positions, Monitor& monitor,
-                  SpacetimeOutput& output)
+FieldExport::FieldExport(const SpacetimeInput& input, const SpacetimeSetup& setup,
+                         const StateVector& state) :
+  Input(input),
+  Setup(setup), State(state), Frames(static_cast<std::size_t>(setup.Model.NumberOfFrames)),
+  Objects(this->Frames.size() * setup.Model.NumberOfObjects)
 {
-  const SpacetimeModel& model = setup.Model;
+}
+
+void FieldExport::Visit(std::size_t frame, FrameTerms& terms)
+{
+  const SpacetimeModel& model = this->Setup.Model;
+  const std::size_t stride = model.Stride();
+  const std::size_t per = model.Offsets.size();
+  const std::size_t n = model.NumberOfParticles();
+  const double speed = this->Setup.Spacing / this->Setup.FrameStep;
+  const double force = this->Setup.AccelerationUnit();
+  const double density = this->Input.Scene.AirDensity;
+  const float* state = this->State.data() + frame * model.FrameSize();
+  const std::vector<FrameTerms::AirAt> air = terms.Air();
+  ParticleSeries::Frame& particles = this->Frames[frame];
+  for (auto* v :
+       { &particles.Positions, &particles.Velocities, &particles.Winds, &particles.VortexForces })
+  {
+    v->reserve(3 * n);
+  }
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    const bool gas = k < model.NumberOfGas;
+    const std::size_t part = gas ? 0 : (k - model.NumberOfGas) % per;
+    const std::size_t i = gas ? k : model.NumberOfGas + (k - model.NumberOfGas) / per;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double offset = gas ? 0.0 : model.Offsets[part][c];
+      particles.Positions.push_back(static_cast<float>(
+        this->Setup.Origin[c] + this->Setup.Spacing * (state[c * stride + i] + offset)));
+      particles.Velocities.push_back(static_cast<float>(speed * state[(3 + c) * stride + i]));
+      const double vortex = terms.ByVortices(c)[i];
+      particles.VortexForces.push_back(static_cast<float>(force * vortex));
+      particles.Winds.push_back(static_cast<float>(force * (terms.External(c)[i] - vortex)));
+    }
+    particles.Densities.push_back(static_cast<float>(density * air[k].Density));
+    particles.Pressures.push_back(static_cast<float>(density * speed * speed * air[k].Pressure));
+  }
+  for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+  {
+    const std::size_t i = model.NumberOfGas + o;
+    ObjectAir& about = this->Objects[frame * model.NumberOfObjects + o];
+    for (std::size_t k = model.NumberOfGas + o * per; k < model.NumberOfGas + (o + 1) * per; ++k)
+    {
+      about.Witness += (air[k].Density - air[k].WallFraction) / static_cast<double>(per);
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      about.Relative[c] = terms.Average(c)[i];
+      about.Vortex[c] = terms.ByVortices(c)[i];
+      about.Wind[c] = terms.External(c)[i] - about.Vortex[c];
+    }
+  }
+}
+
+// The acceleration that no term of the model gives into a frame, in a drawn air about the frame
+// before: objects go with it, so that there it is the change of their control.
+void FieldExport::AppendResidual(const SpacetimeObjective& objective, int frame, std::size_t object,
+                                 const Vec3& controlBefore, const Vec3& control, Track& track) const
+{
+  const SpacetimeModel& model = this->Setup.Model;
+  const double unit = this->Setup.AccelerationUnit();
+  track.Residuals.push_back(Vec3::Zero());
+  if (frame == 0)
+  {
+    return;
+  }
+  const bool lies = (model.Flag(frame, object) & NoDynamics) != 0;
+  if (!model.Air.IsEmpty())
+  {
+    if (!lies && frame > 1)
+    {
+      track.Residuals[static_cast<std::size_t>(frame) - 1] = unit * (control - controlBefore);
+    }
+    return;
+  }
+  double rv[3];
+  objective.VelocityResidual(static_cast<std::size_t>(frame), model.NumberOfGas + object, rv);
+  track.Residuals.back() = lies ? Vec3(Vec3::Zero()) : Vec3(unit * Vec3(rv[0], rv[1], rv[2]));
+}
+
+void FieldExport::AppendObjects(const SpacetimeObjective& objective, int frame,
+                                std::vector<AirDeviation>& deviations,
+                                std::vector<Track>& tracks) const
+{
+  const SpacetimeModel& model = this->Setup.Model;
+  const std::size_t stride = model.Stride();
+  const double speed = this->Setup.Spacing / this->Setup.FrameStep;
+  const double time = this->Input.Scene.Time.Time(frame);
+  const auto j = static_cast<std::size_t>(frame);
+  const float* state = this->State.data() + j * model.FrameSize();
+  for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+  {
+    const std::size_t i = model.NumberOfGas + o;
+    const ObjectAir& about = this->Objects[j * model.NumberOfObjects + o];
+    Track& track = tracks[o];
+    Vec3 x, v;
+    for (int c = 0; c < 3; ++c)
+    {
+      x[c] = state[c * stride + i];
+      v[c] = state[(3 + c) * stride + i];
+    }
+    Vec3 u = v + about.Relative / std::max(0.05, about.Witness);
+    const Vec3 controlBefore = deviations[o].Control;
+    if (!model.Air.IsEmpty())
+    {
+      const Vec3 w = model.Air.Deviation(i, x, v, frame, frame > 0 ? 1.0 : 0.0);
+      deviations[o].Control = w - deviations[o].Gas;
+      deviations[o].Gas = w + about.Relative;
+      u = model.Air.Velocity(x, frame) + deviations[o].Gas;
+    }
+    this->AppendResidual(objective, frame, o, controlBefore, deviations[o].Control, track);
+    const Vec3 vortex = this->Setup.AccelerationUnit() * about.Vortex;
+    const Vec3 wind = this->Setup.AccelerationUnit() * about.Wind;
+    track.SphVelocities.push_back(speed * v);
+    track.AirVelocities.push_back(speed * u);
+    track.VortexAccelerations.push_back(vortex);
+    track.WindAccelerations.push_back(wind);
+    track.Forces.push_back(vortex + wind);
+    Annotate(this->Setup, objective.Fields().Vortices, track.Positions[j], time, vortex, wind,
+             track);
+  }
+}
+
+void FieldExport::AddResiduals(const SpacetimeObjective& objective, int frame,
+                               const std::vector<Track>& tracks)
+{
+  const SpacetimeModel& model = this->Setup.Model;
+  const double unit = this->Setup.AccelerationUnit();
+  std::vector<float>& residuals = this->Frames[static_cast<std::size_t>(frame)].Residuals;
+  residuals.reserve(3 * model.NumberOfParticles());
+  const auto add = [&](const Vec3& residual)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      residuals.push_back(static_cast<float>(residual[c]));
+    }
+  };
+  for (std::size_t i = 0; i < model.NumberOfGas; ++i)
+  {
+    double rv[3] = {};
+    if (frame > 0)
+    {
+      objective.VelocityResidual(static_cast<std::size_t>(frame), i, rv);
+    }
+    add(unit * Vec3(rv[0], rv[1], rv[2]));
+  }
+  for (const Track& track : tracks)
+  {
+    for (std::size_t part = 0; part < model.Offsets.size(); ++part)
+    {
+      add(track.Residuals.back());
+    }
+  }
+}
+
+bool FieldExport::Write(SpacetimeObjective& objective,
+                        const std::vector<std::vector<Vec3>>& positions, Monitor& monitor,
+                        SpacetimeOutput& output)
+{
+  const SpacetimeModel& model = this->Setup.Model;
   output.Tracks.assign(model.NumberOfObjects, Track());
   for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
   {
-    output.Tracks[o].ObjectId = setup.Objects[o].ObjectId;
+    output.Tracks[o].ObjectId = this->Setup.Objects[o].ObjectId;
     output.Tracks[o].Positions = positions[o];
   }
   ParticleSeries& series = output.Particles;
   series = ParticleSeries();
-  const double mass = input.Scene.AirDensity * std::pow(setup.Spacing, 3);
+  const double mass = this->Input.Scene.AirDensity * std::pow(this->Setup.Spacing, 3);
   for (std::size_t k = 0; k < model.NumberOfParticles(); ++k)
   {
     const bool gas = k < model.NumberOfGas;
     series.ObjectIds.push_back(
-      gas ? -1 : setup.Objects[(k - model.NumberOfGas) / model.Offsets.size()].ObjectId);
+      gas ? -1 : this->Setup.Objects[(k - model.NumberOfGas) / model.Offsets.size()].ObjectId);
     series.Masses.push_back(
       static_cast<float>(mass * (gas ? model.Fluid.GasMass : model.Fluid.ObjectMass)));
   }
@@ -277,20 +306,19 @@ bool ExportFields(const SpacetimeInput& input, const SpacetimeSetup& setup,
   std::vector<AirDeviation> deviations(model.NumberOfObjects);
   for (int frame = 0; frame < model.NumberOfFrames; ++frame)
   {
-    FrameTerms& terms = objective.ForwardFrame(state, static_cast<std::size_t>(frame));
-    const float* here = state.data() + frame * model.FrameSize();
-    AppendObjects(input, setup, objective, terms, here, frame, deviations, output);
-    AppendParticles(input, setup, objective, terms, here, frame, output.Tracks, series);
+    this->AppendObjects(objective, frame, deviations, output.Tracks);
+    this->AddResiduals(objective, frame, output.Tracks);
     // An abort is noted, and the rest still written: a result without its last frames is none.
     going = monitor.Tick(1.0, "writing the motion") && going;
   }
-  going = going && MeasureDynamics(setup, objective, state, monitor, output);
+  series.Frames = std::move(this->Frames);
+  going = going && MeasureDynamics(this->Setup, objective, this->State, monitor, output);
   output.Vortices.clear();
   for (const Vortex& vortex : objective.Fields().Vortices)
   {
-    output.Vortices.push_back(ToWorld(setup, vortex));
+    output.Vortices.push_back(ToWorld(this->Setup, vortex));
   }
-  output.Wind = ExportWind(input, setup, objective.Fields().Wind);
+  output.Wind = ExportWind(this->Input, this->Setup, objective.Fields().Wind);
   return going;
 }
 

@@ -8,6 +8,7 @@
 #include "Spacetime/Scene/SpacetimeOutput.h"
 #include "Spacetime/Scene/SpacetimeSetup.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace waft
@@ -29,12 +30,46 @@ std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
                                                StateVector& state,
                                                std::vector<std::string>& warnings);
 
-/// Fills Tracks (fields, air, raw velocities), Particles, Vortices and Wind of the output, and says
-/// how far it is a motion of the model, unless the monitor has stopped it (false). objective:
-/// evaluated at the state.
-bool ExportFields(const SpacetimeInput& input, const SpacetimeSetup& setup,
-                  SpacetimeObjective& objective, const StateVector& state,
-                  const std::vector<std::vector<Vec3>>& positions, Monitor& monitor,
-                  SpacetimeOutput& output);
+/// A motion's Tracks (fields, air, raw velocities), Particles, Vortices and Wind, and how far it is
+/// one of the model.
+class FieldExport
+{
+public:
+  /// The setup and the state must outlive it.
+  FieldExport(const SpacetimeInput& input, const SpacetimeSetup& setup, const StateVector& state);
+
+  /// Takes what the terms say of a frame, all of which are to be visited once. Any thread.
+  void Visit(std::size_t frame, FrameTerms& terms);
+  /// objective: evaluated at the state, all frames visited. False: the monitor stopped it, and how
+  /// far it is a motion of the model is not said.
+  bool Write(SpacetimeObjective& objective, const std::vector<std::vector<Vec3>>& positions,
+             Monitor& monitor, SpacetimeOutput& output);
+
+private:
+  struct ObjectAir // about an object at a frame, in dx and frames
+  {
+    double Witness = 0.0; // how much of the density there is the gas'
+    Vec3 Relative, Vortex, Wind;
+  };
+  /// What moves an object in a drawn air beside it, from the frame before on: the gas' deviation
+  /// that is felt there, and the control that neither air nor gas gives [dx / frame].
+  struct AirDeviation
+  {
+    Vec3 Gas = Vec3::Zero();
+    Vec3 Control = Vec3::Zero();
+  };
+  void AppendResidual(const SpacetimeObjective& objective, int frame, std::size_t object,
+                      const Vec3& controlBefore, const Vec3& control, Track& track) const;
+  void AppendObjects(const SpacetimeObjective& objective, int frame,
+                     std::vector<AirDeviation>& deviations, std::vector<Track>& tracks) const;
+  void AddResiduals(const SpacetimeObjective& objective, int frame,
+                    const std::vector<Track>& tracks);
+
+  const SpacetimeInput& Input;
+  const SpacetimeSetup& Setup;
+  const StateVector& State;
+  std::vector<ParticleSeries::Frame> Frames;
+  std::vector<ObjectAir> Objects; // [frame * objects + object]
+};
 
 } // namespace waft
