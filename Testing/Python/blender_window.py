@@ -59,7 +59,7 @@ def steps():
         told.add(flying.running.flight.fraction)
         expect(leaf_state() == BEFORE, "nothing to change meanwhile")
     expect(flying.running is None, f"an end within {MOST} s")
-    expect(len(told) > 3, "progress")
+    expect(len(told) > 1, "progress")
     yield 0.5
     expect(leaf_state() == FLOWN, f"a take, found {leaf_state()}")
     in_view(bpy.ops.ed.undo)
@@ -72,7 +72,7 @@ def steps():
     in_view(lambda: bpy.ops.waft.fly("INVOKE_DEFAULT"))
     yield 0.2
     in_view(bpy.ops.waft.stop)
-    for _ in range(100):
+    for _ in range(300):
         yield 0.1
         if flying.running is None:
             break

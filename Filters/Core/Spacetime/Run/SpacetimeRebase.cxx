@@ -17,7 +17,7 @@ bool SpacetimeRun::Rebase()
   {
     return false;
   }
-  const ProblemDigest digest = DigestOfProblem(this->Input, this->Options, this->Problem);
+  const ProblemDigest& digest = this->Digest;
   const SpacetimeWarmStart& memory = *this->Memory;
   if (digest.Shape != memory.Digest.Shape)
   {
@@ -110,7 +110,7 @@ void SpacetimeRun::Remember(std::vector<std::vector<Vec3>> positions)
     return;
   }
   SpacetimeWarmStart& memory = *this->Memory;
-  memory.Digest = DigestOfProblem(this->Input, this->Options, this->Problem);
+  memory.Digest = std::move(this->Digest);
   memory.Planned = this->Problem.Table.Planned;
   memory.Positions = std::move(positions);
   memory.State = std::move(this->State);

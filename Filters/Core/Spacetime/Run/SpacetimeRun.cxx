@@ -41,6 +41,10 @@ Result SpacetimeRun::Run(StateVector start)
   {
     this->Output.Tracks = this->Input.Tracks;
   }
+  if (this->Memory != nullptr)
+  {
+    this->Digest = DigestOfProblem(this->Input, this->Options, this->Problem);
+  }
   if (!this->Load() && !this->Rebase())
   {
     WAFT_RETURN_IF_FAILED(this->Begin(std::move(start)));

@@ -94,6 +94,7 @@ private:
   Monitor& Progress;
   SpacetimeOutput& Output;
   SpacetimeWarmStart* Memory;
+  ProblemDigest Digest; // for the memory, made at once: who stops a run does not wait for it
   std::chrono::steady_clock::time_point Clock;
   CheckpointFile Checkpoint;
 
