@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 using namespace waft;
@@ -197,6 +198,31 @@ TEST(Ranks, AWholeRunGivesTheSameBitsOnOneTwoAndThree)
     EXPECT_EQ(row.Status, ConstraintStatus::Met) << row.Message;
   }
   ExpectSame(RunOn(1, input, Options()), one);
+  ExpectSame(RunOn(2, input, Options()), one);
+  ExpectSame(RunOn(3, input, Options()), one);
+}
+
+TEST(Ranks, AWholeRunInADrawnAirGivesTheSameBits)
+{
+  SpacetimeInput input = Scene();
+  const Box& bounds = input.Scene.Bounds;
+  FieldSeries& air = input.Air;
+  air.Meaning = FieldMeaning::Velocity;
+  air.Dimensions = { 5, 5, 5 };
+  air.Origin = bounds.Min;
+  air.Spacing = bounds.Size() / 4.0;
+  for (int frame = 0; frame < 40; ++frame)
+  {
+    air.Times.push_back(input.Scene.Time.Time(frame));
+    air.Values.emplace_back();
+    for (int k = 0; k < 125; ++k)
+    {
+      const auto u = static_cast<float>(0.3 * std::sin(0.1 * frame + k));
+      air.Values.back().push_back({ u, -u, 0.5f * u });
+    }
+  }
+  const SpacetimeOutput one = RunScene(input, Options());
+  ASSERT_FALSE(one.Tracks.empty());
   ExpectSame(RunOn(2, input, Options()), one);
   ExpectSame(RunOn(3, input, Options()), one);
 }

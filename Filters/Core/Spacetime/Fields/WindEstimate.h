@@ -35,8 +35,8 @@ SplineWind MakeWindLattice(const SpacetimeModel& model, double framesPerKnot);
 int KnotsOf(const SpacetimeModel& model, double framesPerKnot);
 
 /// Least squares over particles and frames (FitSplineField). The objective must just have been
-/// evaluated at `state`, and all ranks call this; the new wind replaces the one in its model, which
-/// stays as it is.
+/// evaluated at `state`, its rows brought; the new wind replaces that in its fields, which stay as
+/// they are.
 SplineWind EstimateWind(const SpacetimeObjective& objective, const StateVector& state,
                         const WindOptions& options, const ParallelFor& parallel);
 
