@@ -210,11 +210,6 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
     wallOff += WallSeconds() - wallNow;
     cpuOff += CpuSeconds() - cpuNow;
   };
-  const auto make = [&](const AirFields& fields, const TimeLevel& level, bool keepsLists)
-  {
-    return std::make_unique<SpacetimeObjective>(model, fields, level, parallel, FastestSphKernels(),
-                                                keepsLists);
-  };
   std::unique_ptr<LevelSolver> solver;
   LbfgsMemory memory;
   StateVector part;
@@ -241,8 +236,8 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
       coarseness = stage.Coarseness;
       solver = std::make_unique<LevelSolver>(
         setup.Model, setup.Model.Fields, setup.Table,
-        schedule.LevelOf(coarseness, model.NumberOfFrames, options.TemporalWindow), parallel, make,
-        options.HistorySize);
+        schedule.LevelOf(coarseness, model.NumberOfFrames, options.TemporalWindow), parallel,
+        Objectives(model, parallel), options.HistorySize);
       part = coarseness > 0 ? Restrict(model, solver->Level, state) : StateVector();
     }
     StateVector& x = coarseness > 0 ? part : state;

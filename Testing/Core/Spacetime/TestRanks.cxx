@@ -5,10 +5,10 @@
 #include "Spacetime/Run/SpacetimeBudget.h"
 #include "SpacetimeRuns.h"
 #include "ThreadRanks.h"
+#include "TurningAir.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <string>
 
 using namespace waft;
@@ -137,7 +137,7 @@ TEST(RankedObjective, GivesTheBitsOfOneRank)
       } found;
       AirFields fields = model.Fields;
       found.Gradient.resize(setup.Start.size());
-      const auto objective = MakeRankedObjective(model, fields, level, SerialFor(), true, ranks);
+      const auto objective = RankedObjectives(model, SerialFor(), ranks)(fields, level, true);
       EXPECT_TRUE(objective->Evaluate(setup.Start, &found.Gradient, found.First));
       for (Vortex& vortex : fields.Vortices)
       {
@@ -205,22 +205,7 @@ TEST(Ranks, AWholeRunGivesTheSameBitsOnOneTwoAndThree)
 TEST(Ranks, AWholeRunInADrawnAirGivesTheSameBits)
 {
   SpacetimeInput input = Scene();
-  const Box& bounds = input.Scene.Bounds;
-  FieldSeries& air = input.Air;
-  air.Meaning = FieldMeaning::Velocity;
-  air.Dimensions = { 5, 5, 5 };
-  air.Origin = bounds.Min;
-  air.Spacing = bounds.Size() / 4.0;
-  for (int frame = 0; frame < 40; ++frame)
-  {
-    air.Times.push_back(input.Scene.Time.Time(frame));
-    air.Values.emplace_back();
-    for (int k = 0; k < 125; ++k)
-    {
-      const auto u = static_cast<float>(0.3 * std::sin(0.1 * frame + k));
-      air.Values.back().push_back({ u, -u, 0.5f * u });
-    }
-  }
+  input.Air = TurningAir(input.Scene.Bounds, 40, input.Scene.Time.Step());
   const SpacetimeOutput one = RunScene(input, Options());
   ASSERT_FALSE(one.Tracks.empty());
   ExpectSame(RunOn(2, input, Options()), one);

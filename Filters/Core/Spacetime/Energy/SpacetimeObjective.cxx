@@ -426,10 +426,10 @@ bool SpacetimeObjective::EvaluateFrames(const FrameRange& frames, const StateVec
                                       if (frames.Contains(j))
                                       {
                                         this->ObjectFrame(state, j, own);
-                                      }
-                                      if (visit)
-                                      {
-                                        visit(j, worker->Terms);
+                                        if (visit)
+                                        {
+                                          visit(j, worker->Terms);
+                                        }
                                       }
                                     }
                                     this->Return(std::move(worker));

@@ -29,8 +29,8 @@ class SpacetimeObjective
 {
 public:
   /// The model, the fields and the level must outlive the objective; the fields may change between
-  /// two evaluations. Without keepsLists neighbours are looked
-  /// for at each evaluation: slower, for few evaluations in little memory.
+  /// two evaluations. Without keepsLists neighbours are looked for at each evaluation: slower, for
+  /// few evaluations in little memory.
   SpacetimeObjective(const SpacetimeModel& model, const AirFields& fields, const TimeLevel& level,
                      const ParallelFor& parallel, const SphKernelTable& kernels,
                      bool keepsLists = true);

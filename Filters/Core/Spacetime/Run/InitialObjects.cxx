@@ -47,12 +47,8 @@ bool MakeInitialObjects(const SpacetimeModel& model, const ConstraintTable& tabl
             const auto from = state.begin() + static_cast<std::ptrdiff_t>(whole);
             std::copy(from, from + count, alone.begin() + static_cast<std::ptrdiff_t>(part));
           });
-  const auto make = [&](const AirFields& fields, const TimeLevel& of, bool keepsLists)
-  {
-    return std::make_unique<SpacetimeObjective>(objects, fields, of, parallel, FastestSphKernels(),
-                                                keepsLists);
-  };
-  LevelSolver solver(objects, objects.Fields, table, level, parallel, make, History);
+  LevelSolver solver(objects, objects.Fields, table, level, parallel, Objectives(objects, parallel),
+                     History);
   LbfgsOptions options;
   options.MaximumNumberOfIterations = Iterations;
   options.Tolerance = Tolerance;

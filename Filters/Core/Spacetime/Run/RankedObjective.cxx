@@ -253,18 +253,16 @@ void RankedObjective::RewindLists()
 
 } // namespace
 
-std::unique_ptr<SpacetimeObjective> MakeRankedObjective(const SpacetimeModel& model,
-                                                        const AirFields& fields,
-                                                        const TimeLevel& level,
-                                                        const ParallelFor& parallel,
-                                                        bool keepsLists, Communicator& ranks)
+ObjectiveMaker RankedObjectives(const SpacetimeModel& model, const ParallelFor& parallel,
+                                Communicator& ranks)
 {
   if (ranks.Size() == 1)
   {
-    return std::make_unique<SpacetimeObjective>(model, fields, level, parallel, FastestSphKernels(),
-                                                keepsLists);
+    return Objectives(model, parallel);
   }
-  return std::make_unique<RankedObjective>(model, fields, level, parallel, keepsLists, ranks);
+  return
+    [&model, &ranks, parallel](const AirFields& fields, const TimeLevel& level, bool keepsLists)
+  { return std::make_unique<RankedObjective>(model, fields, level, parallel, keepsLists, ranks); };
 }
 
 Result ServeEvaluations(const SpacetimeModel& model, const ParallelFor& parallel,

@@ -5,21 +5,16 @@
 
 #include "Base/Communicator.h"
 #include "Base/Result.h"
-#include "Spacetime/Energy/SpacetimeObjective.h"
-
-#include <memory>
+#include "Spacetime/Solver/LevelSolver.h"
 
 namespace waft
 {
 
 /// On rank 0: E of which each rank evaluates a range of the level's frames. States go out,
-/// gradients and sums come back, and the bits are those of one rank. Where there is one rank: E by
-/// itself. All that it is given must outlive it; keepsLists: as SpacetimeObjective's.
-std::unique_ptr<SpacetimeObjective> MakeRankedObjective(const SpacetimeModel& model,
-                                                        const AirFields& fields,
-                                                        const TimeLevel& level,
-                                                        const ParallelFor& parallel,
-                                                        bool keepsLists, Communicator& ranks);
+/// gradients and sums come back, and the bits are those of one rank. Where there is one rank:
+/// Objectives. Model and communicator must outlive what is made.
+ObjectiveMaker RankedObjectives(const SpacetimeModel& model, const ParallelFor& parallel,
+                                Communicator& ranks);
 
 /// On the other ranks: does what rank 0's objectives ask for, until EndEvaluations; returns what
 /// that was given.

@@ -26,12 +26,11 @@ SpacetimeRun::SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& 
                            Monitor& monitor, SpacetimeOutput& output, SpacetimeWarmStart* memory,
                            Communicator& ranks) :
   Input(input),
-  Options(options), Problem(problem), Parallel(parallel), Progress(monitor), Output(output),
-  Memory(memory), Clock(std::chrono::steady_clock::now()),
+  Options(options), Problem(problem), Parallel(parallel),
+  MakeObjective(RankedObjectives(problem.Model, parallel, ranks)), Progress(monitor),
+  Output(output), Memory(memory), Clock(std::chrono::steady_clock::now()),
   Checkpoint(input, options, output.Warnings)
 {
-  this->MakeObjective = [&](const AirFields& fields, const TimeLevel& level, bool keepsLists)
-  { return MakeRankedObjective(problem.Model, fields, level, parallel, keepsLists, ranks); };
 }
 
 Result SpacetimeRun::Run(StateVector start)

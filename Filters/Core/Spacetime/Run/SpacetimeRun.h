@@ -2,6 +2,7 @@
 // One run of the optimisation: a state to begin with, a stage after the other, what it leaves.
 #pragma once
 
+#include "Base/Communicator.h"
 #include "Spacetime/Model/EditRegion.h"
 #include "Spacetime/Model/FrameView.h"
 #include "Spacetime/Run/CheckpointFile.h"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Base/FieldSeries.h"
+#include "Base/ForceFields.h"
 #include "Base/Motion.h"
 #include "Base/Types.h"
 #include "Constraints/ConstraintCheck.h"

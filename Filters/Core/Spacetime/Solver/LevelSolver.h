@@ -14,6 +14,16 @@ namespace waft
 using ObjectiveMaker = std::function<std::unique_ptr<SpacetimeObjective>(
   const AirFields& fields, const TimeLevel& level, bool keepsLists)>;
 
+/// By this process alone. The model must outlive what is made.
+inline ObjectiveMaker Objectives(const SpacetimeModel& model, const ParallelFor& parallel)
+{
+  return [&model, parallel](const AirFields& fields, const TimeLevel& level, bool keepsLists)
+  {
+    return std::make_unique<SpacetimeObjective>(model, fields, level, parallel, FastestSphKernels(),
+                                                keepsLists);
+  };
+}
+
 /// A level of time with everything that solves on it.
 struct LevelSolver
 {
