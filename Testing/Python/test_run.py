@@ -5,6 +5,7 @@
 """
 import base64
 import csv
+import json
 import os
 import pathlib
 import re
@@ -12,11 +13,16 @@ import sys
 import tempfile
 import threading
 import unittest
+from unittest import mock
 
 import numpy as np
 import waft
+from waft import synthesis
 
 os.environ.pop("DISPLAY", None)
+
+
+COARSE = {"Resolution": 16, "LatticeResolution": 12, "Candidates": 2, "Rounds": 1}  # an air for tests of the course
 
 
 def small_scene():
@@ -105,6 +111,37 @@ class RunTest(unittest.TestCase):
         self.assertTrue(run.stopped)
         self.assertEqual(4, run.status)
         run.delete()
+
+    def stopped_at(self, quality, text):
+        """(the run, report.json, the folder) of one that is stopped when its progress first tells a text."""
+        began = []
+
+        def goes_on(_, told):
+            began.append(told)
+            return not any(text in one for one in began)
+        out = self.folder / f"stopped {quality} {text}"
+        with mock.patch.object(synthesis, "ASSIMILATION", COARSE):
+            run = waft.synthesize(small_scene(), output=out, quality=quality, threads=1, on_progress=goes_on)
+        self.addCleanup(run.delete)
+        self.assertEqual(4, run.status)
+        self.assertTrue(any(text in one for one in began), began)
+        report = json.loads((out / "report.json").read_text(encoding="utf-8"))
+        self.assertTrue(report["stoppedEarly"])
+        self.assertTrue((out / "poses.csv").is_file())
+        return run, report, out
+
+    def test_no_stage_begins_after_a_stop(self):
+        for quality, text, stage, motion in (("full", "assimilation: ", "assimilation", "assimilation"),
+                                             ("full", "spacetime: ", "spacetime", None),
+                                             ("paper", "spacetime: ", "spacetime", None)):
+            with self.subTest(quality=quality, text=text):
+                run, report, out = self.stopped_at(quality, text)
+                self.assertEqual(stage, report["stopped"]["in"])
+                self.assertIn(report["stopped"]["motion"], (motion,) if motion else ("assimilation", "spacetime"))
+                self.assertEqual(motion != "spacetime" and motion is not None, "spacetime" not in report["stages"])
+                self.assertFalse((out / "air.pvd").exists())
+                self.assertEqual(run.spacetime is not None, (out / "convergence.csv").read_text().count("\n") > 1)
+                self.assertEqual(183, len((out / "poses.csv").read_text().splitlines()) - 1)
 
     def test_what_progress_raises_comes_out(self):
         def raises(_share, _text):

@@ -7,6 +7,7 @@ from waft.database import settle_database
 from waft.failures import BadInput
 from waft.loading import data_file
 from waft.watching import StageWatch
+from waft.writing import read_rows
 
 
 class Pipeline:
@@ -68,10 +69,20 @@ class Pipeline:
         getattr(self, name).UpdatePipeline()
         watch.can_stop = False
         watch.clock.check()
+        if watch.was_aborted and name in ("assimilation", "spacetime") and self.output(name).GetNumberOfPoints() == 0:
+            self._drop(name)
         if watch.errors and not watch.was_aborted:
             message = watch.errors[0]
             is_database = self.database is not None and (name == "database" or message.startswith("motion database: "))
             raise BadInput(f"{self.database_file}: {message}" if is_database else message)
+
+    def _drop(self, name):
+        """A stage that was stopped while it looked at its inputs gave nothing: the motion so far is that of the one before."""
+        stage = getattr(self, name)
+        setattr(self, name, None)
+        self.watches.pop(name).release()
+        self._stages.remove(stage)
+        simple.Delete(stage)
 
     def output(self, name, port=0):
         """The data object of an output port, on this side."""
@@ -139,8 +150,21 @@ class Pipeline:
 
     @property
     def motion(self):
-        """The name of the stage that moves the objects to their marks, and its ports of tracks, vortices and report."""
-        return ("spacetime", 0, 2, 5) if self.spacetime is not None else ("assimilation", 0, 2, 4)
+        """The name of the stage that moves the objects to their marks, and its ports of tracks, vortices and report; of a run
+        that was stopped before the stages after it, that is the planner."""
+        if self.spacetime is not None:
+            return "spacetime", 0, 2, 5
+        return ("assimilation", 0, 2, 4) if self.assimilation is not None else ("planner", 0, 4, 2)
+
+    def moved(self, port):
+        """The data object of an output of the stage that moves the objects; of a plan also where an earlier run left it."""
+        name, *_ = self.motion
+        return self.planned(port) if name == "planner" else self.output(name, port)
+
+    def moved_report(self):
+        """The report of the stage that moves the objects, one dictionary a row, all texts."""
+        name, _, _, port = self.motion
+        return [dict(row) for row in self.plan_report] if name == "planner" else read_rows(self.output(name, port))
 
     def _scene(self, name):
         ports = ("Objects", "Constraints", "Obstacles", "Shapes", "Vortices", "Wind")

@@ -36,6 +36,8 @@ class Run(Pipeline):
     report: List[Dict[str, Any]]
     warnings: List[str]
     stopped: bool
+    hurries: bool  # somebody stopped it, and waits
+    stopped_in: str  # the stage
     seed: int
     quality: str
     edit_of: Optional[pathlib.Path]  # the file with the air that was kept

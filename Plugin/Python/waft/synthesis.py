@@ -13,7 +13,7 @@ from waft.results import read_json
 from waft.resuming import Checkpoint, run_key
 from waft.scene import Scene
 from waft.watching import Clock, is_main_thread
-from waft.writing import STATE, read_rows, result_names, result_place, write_results
+from waft.writing import STATE, left_out, read_rows, result_names, result_place, write_results
 
 if TYPE_CHECKING:
     from waft.run import Run
@@ -104,6 +104,7 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
                 raise
             clock.check_progress()
             pipeline.stopped = clock.interrupted or clock.timed_out
+            pipeline.hurries = clock.interrupted
         pipeline.report = constraint_report(pipeline)
         pipeline.warnings += [text for watch in pipeline.watches.values() for text in watch.errors + watch.warnings]
         unmet = [row for row in pipeline.report if row["Status"] != "met"]
@@ -170,6 +171,8 @@ def tell(run, folder):
         if row["Status"] != "met":
             print(f"waft: row {row['Row']} target {row['Target']} (object {row['ObjectId']}, frame {row['Frame']}, "
                   f"{row['Kind']}): {row['Status']}: {row['Message']}", file=sys.stderr)
+    if left_out(run):
+        print(f"waft: stopped: without {', '.join(left_out(run))}; --resume goes on and writes all", file=sys.stderr)
     met = sum(row["Status"] == "met" for row in run.report)
     seconds = ", ".join(f"{name} {watch.seconds:.1f} s" for name, watch in run.watches.items())
     print(f"{folder}: {met} of {len(run.report)} constraints met ({seconds})", file=sys.stderr)
@@ -199,10 +202,16 @@ def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limi
     if checkpoint is not None and not is_found:
         checkpoint.keep_plan(pipeline)
 
-    if pipeline.quality != "paper":
+    # After a stop no stage begins but the rotation: the motion so far is turned and written.
+    pipeline.stopped_in = "planner" if clock.should_stop() else ""
+    if pipeline.quality != "paper" and not clock.should_stop():
         _assimilate(pipeline, clock, checkpoint)
-    if optimises and not clock.timed_out:
+        pipeline.stopped_in = "assimilation" if clock.should_stop() else ""
+    if optimises and not clock.should_stop():
         _optimise(pipeline, clock, checkpoint, settings, checkpoint_interval)
+        pipeline.stopped_in = "spacetime" if clock.should_stop() else ""
+    if pipeline.motion[0] == "planner":
+        pipeline.warnings.append("stopped before the paths of the plan were moved by air: they are the plan's")
     pipeline.add_rotation(pipeline.seed)
     pipeline.watch("rotation", clock)
     pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
@@ -272,8 +281,7 @@ def _check_room(pipeline, settings):
 
 def constraint_report(pipeline):
     """The report of the stage that moves the objects, with the reasons of the planner and the orientation rows as they were turned."""
-    motion, _, _, reported = pipeline.motion
-    report = read_rows(pipeline.output(motion, reported))
+    report = pipeline.moved_report()
     turned = {(row["Row"], row["Target"]): row for row in read_rows(pipeline.output("rotation", 2))}
     reasons = {(row["Row"], row["Target"]): row["Message"] for row in pipeline.plan_report if row["Status"] != "met"}
     for row in report:

@@ -72,14 +72,15 @@ def write_results(pipeline, place, scene, checkpoint, series=()):
     for name in ("planned.vtp", "constraints.vtp"):
         checkpoint.copy_plan(name)
     motion, tracks, vortices, _ = pipeline.motion
-    write_tracks(pipeline.output(motion, tracks), place.path("optimized.vtp"))
-    write_xml(pipeline.output(motion, vortices), place.path("vortices.vtp"))
+    write_tracks(pipeline.moved(tracks), place.path("optimized.vtp"))
+    write_xml(pipeline.moved(vortices), place.path("vortices.vtp"))
     write_bodies(pipeline, place, scene)
-    for name in series:
+    for name in series if not pipeline.hurries else ():
         _write_series(pipeline, *SERIES[name], name, ".vtp", place)
     energies = []
     if motion == "spacetime":
-        _write_series(pipeline, "spacetime", 3, "wind", ".vti", place)
+        if not pipeline.hurries:
+            _write_series(pipeline, "spacetime", 3, "wind", ".vti", place)
         header, rows = table_rows(pipeline.output("spacetime", 4))
         energies = [dict(zip(header, row))["E"] for row in (rows[0], rows[-1])]
         write_csv(place.path("convergence.csv"), header, rows)
@@ -126,9 +127,10 @@ def _write_air(pipeline, place, checkpoint):
         write_tracks(pipeline.output("assimilation", 0), place.path("assimilated.vtp"))
     write_xml(pipeline.output("assimilation", 3), place.path("constraints.vtp"))
     write_csv(place.path("rounds.csv"), *table_rows(pipeline.output("assimilation", 5)))
-    interval = AIR_INTERVAL if pipeline.has_air else float("inf")  # without an air all steps are the same calm one
-    _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half, interval)
-    if checkpoint.air_file.is_file():
+    if not pipeline.hurries:
+        interval = AIR_INTERVAL if pipeline.has_air else float("inf")  # without an air all steps are the same calm one
+        _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half, interval)
+    if checkpoint.air_file.is_file() and not pipeline.hurries:
         shutil.copyfile(checkpoint.air_file, place.path(STATE))
 
 
@@ -252,5 +254,16 @@ def _summary(pipeline, scene, energies):
         "objects": _planned_objects(pipeline),
         "settled": _settled(pipeline),
         "stoppedEarly": pipeline.stopped,
+        **({"stopped": {"in": pipeline.stopped_in, "motion": pipeline.motion[0], "leftOut": left_out(pipeline)}}
+           if pipeline.stopped else {}),
         "warnings": pipeline.warnings,
     }
+
+
+def left_out(pipeline):
+    """The series of a run that somebody stopped and waits for: the fields, which take longer to write than all else. They are
+    made by --resume."""
+    if not pipeline.hurries:
+        return []
+    names = [] if pipeline.assimilation is None else ["air.pvd"]
+    return names + (["wind.pvd"] if pipeline.spacetime is not None else [])
