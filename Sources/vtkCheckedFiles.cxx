@@ -19,6 +19,11 @@ std::string vtkCheckedFiles::ReadBlocks(const std::string& path, vtkMultiBlockDa
   return waft::ReadBlocksFile(path, data).Message();
 }
 
+std::string vtkCheckedFiles::ReadImage(const std::string& path, vtkImageData* data)
+{
+  return waft::ReadImageFile(path, data).Message();
+}
+
 std::string vtkCheckedFiles::ReadPicture(const std::string& path, vtkImageData* data)
 {
   return waft::ReadPictureFile(path, data).Message();

@@ -29,6 +29,8 @@ public:
   static std::string ReadSurface(const std::string& path, vtkPolyData* data);
   /** A .vtm of surfaces and tables. */
   static std::string ReadBlocks(const std::string& path, vtkMultiBlockDataSet* data);
+  /** A .vti. */
+  static std::string ReadImage(const std::string& path, vtkImageData* data);
   /** A .png, .jpg, .tif or .bmp of at most 2^26 pixels. */
   static std::string ReadPicture(const std::string& path, vtkImageData* data);
   /** The structure of a .vtm and of its blocks' files alone: elements, counts, sizes of arrays. */

@@ -9,7 +9,8 @@ is allowed; a library in folders has them on floors, and includes none above; wr
 abstract base; Bridge includes no wrapper, and its folder Data nothing of its other two, which do not
 include each other; no two headers define a class of one name, for which the linker would take either;
 third-party libraries stay in the Core library that owns them; modules of the
-Python package import each other in no circle, within functions neither.
+Python package import each other in no circle, within functions neither; but for
+the owners of files none of them opens, reads or writes one by itself.
 """
 import ast
 import pathlib
@@ -54,6 +55,11 @@ THIRD_PARTY_OWNERS = {
     "nlohmann": {"Files", "Scene"},
     "tiny_gltf.h": {"Export"},
 }
+# Modules of the package waft that open files; the others ask these, which look at what a file is.
+FILE_OWNERS = {"reading", "files", "results"}
+FILE_CALLS = {"fdopen", "read_bytes", "read_text", "write_bytes", "write_text", "loadtxt", "genfromtxt", "fromfile", "memmap", "iterparse"}
+FILE_MODULES = {"io": {"open"}, "os": {"open"}, "json": {"load", "dump"}, "np": {"load"}, "pickle": {"load"}, "ElementTree": {"parse"},
+                "Image": {"open"}, "shutil": {"copy", "copy2", "copyfile", "copytree", "move"}}
 CLASS = re.compile(r"(?:class|struct)\s+(?:\w+_EXPORT\s+)?(\w+)(?!\w|\s*;|::)")
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^">]+)[">]')
 
@@ -183,9 +189,35 @@ def check_python(root):
             yield from visit(name, [name])
 
 
+def opened_by(call):
+    """The name of what a call opens a file by; empty when it is no such call. What is in memory may be read by any means."""
+    function = call.func
+    if any(isinstance(given, ast.Call) and isinstance(given.func, ast.Attribute) and given.func.attr in ("BytesIO", "StringIO")
+           or isinstance(given, ast.Attribute) and given.attr in ("stdout", "stderr") for given in call.args):
+        return ""
+    if isinstance(function, ast.Name):
+        return function.id if function.id == "open" or re.fullmatch(r"vtk\w+Reader", function.id) else ""
+    if not isinstance(function, ast.Attribute):
+        return ""
+    owner = function.value.id if isinstance(function.value, ast.Name) else ""
+    is_own = owner in FILE_OWNERS
+    return function.attr if (function.attr in FILE_CALLS and not is_own) or function.attr in FILE_MODULES.get(owner, ()) else ""
+
+
+def check_files(root):
+    for path in sorted((root / "Plugin" / "Python" / "waft").glob("*.py")):
+        if path.stem in FILE_OWNERS:
+            continue
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            name = opened_by(node) if isinstance(node, ast.Call) else ""
+            if name:
+                yield path, node.lineno, f"opens a file by {name}: expected a function of {', '.join(sorted(FILE_OWNERS))}"
+
+
 def check(root):
     root = pathlib.Path(root)
-    return [*check_core(root), *check_bridge(root), *check_wrappers(root), *check_names(root), *check_python(root)]
+    return [*check_core(root), *check_bridge(root), *check_wrappers(root), *check_names(root), *check_python(root),
+            *check_files(root)]
 
 
 def main():

@@ -83,6 +83,16 @@ class Rules(unittest.TestCase):
         files["Plugin/Python/waft/c.py"] = "import waft.a\n"
         self.assertEqual(["imports in a circle: a -> b -> c -> a"], self.violations(files))
 
+    def test_files_are_opened_by_their_owners_alone(self):
+        clean = ("from waft.reading import read_text\nread_text(path)\nreading.read_bytes(path)\nScene.load(path)\n"
+                 "np.load(io.BytesIO(content))\njson.loads(text)\njson.dump(rows, sys.stdout)\n")
+        self.assertEqual([], self.violations({"Plugin/Python/waft/a.py": clean, "Plugin/Python/waft/reading.py": "open(path)\n"}))
+        for line in ("open(path)", "open(path, 'w')", "io.open(path)", "os.open(path, 0)", "path.read_text()", "Path(path).read_bytes()",
+                     "path.write_text(text)", "json.load(stream)", "np.load(path)", "ElementTree.parse(path)", "np.loadtxt(path)",
+                     "vtkXMLPolyDataReader()", "Image.open(path)", "shutil.copyfile(a, b)"):
+            with self.subTest(line):
+                self.assertEqual(1, len(self.violations({"Plugin/Python/waft/a.py": line + "\n"})))
+
 
 if __name__ == "__main__":
     unittest.main()

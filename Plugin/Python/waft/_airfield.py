@@ -1,18 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The air of a result folder (air.pvd): its velocity anywhere, and bodies that drift in it."""
 import os
-import pathlib
-import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkObject
-from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
 from waft._drifters import END, NEAR_GROUND, START
 from waft._flights import Flights, rms
 from waft.failures import BadInput
-from waft.files import is_whole
+from waft.reading import read_image, read_text, steps_of
 
 WITNESSES = 200
 AWAY = 0.3  # from every object, where a witness is let go [m]
@@ -106,11 +102,7 @@ def read_air(folder):
     series = os.path.join(folder, "air.pvd")
     if not os.path.isfile(series):
         return None
-    try:
-        steps = sorted((float(step.get("timestep")), step.get("file")) for step in ElementTree.parse(series).iter("DataSet"))
-        steps = [(time, os.path.join(folder, name)) for time, name in steps]
-    except (ElementTree.ParseError, TypeError, ValueError, OSError) as error:
-        raise BadInput(f"{series}: not a collection with a timestep and a file each: {error}") from error
+    steps = [(time, os.path.join(folder, name)) for time, name in steps_of(read_text(series), series)]
     if not steps:
         raise BadInput(f"{series}: expected a file for each frame, found none")
     velocity = wind = shape = frame_of = None
@@ -129,17 +121,7 @@ def read_air(folder):
 
 
 def _image(path):
-    if not is_whole(pathlib.Path(path)):
-        raise BadInput(f"{path}: expected an image that is whole")
-    reader = vtkXMLImageDataReader()
-    reader.SetFileName(path)
-    is_loud = vtkObject.GetGlobalWarningDisplay()
-    vtkObject.SetGlobalWarningDisplay(0)
-    try:
-        reader.Update()
-    finally:
-        vtkObject.SetGlobalWarningDisplay(is_loud)
-    image = reader.GetOutput()
+    image = read_image(path)
     shape = image.GetDimensions()[::-1]
     fields = {}
     for name in ("Velocity", "Wind"):

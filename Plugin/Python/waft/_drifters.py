@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Drifters: bodies that sink through free air of the database's kind, the measure of style (Documentation/Measure.md)."""
+import io
 import os
 import zipfile
 
 import numpy as np
 
 from waft.failures import BadInput
-from waft.files import number, whole_file
+from waft.files import number, whole_file, write_bytes
 from waft._flights import Flights
 from waft.loading import data_file
+from waft.reading import read_bytes
 
 QUANTUM = 2e-6  # places are whole numbers of this [m]
 START, END = 0.5, 0.8  # of a flight, not free: after the start and before the touch-down [s]
@@ -25,8 +27,9 @@ class Drifters:
         self.path = path or data_file("Drifters/drifters.npz")
         if not os.path.isfile(self.path):
             raise BadInput(f"{self.path}: no such file of drifters")
+        content = read_bytes(self.path, what="a file of drifters")
         try:
-            with np.load(self.path) as data:
+            with np.load(io.BytesIO(content)) as data:
                 self._data = {name: data[name] for name in data.files}
             self.bounds, self.rate, self.frames, self.seeds, self.speeds = (self._data[name] for name in _ARRAYS)
             self.rate, self.frames = float(self.rate), int(self.frames)
@@ -120,8 +123,10 @@ def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30
             content.update(_encoded([paths[i] for i in chosen], index, air))
         if progress:
             progress((air + 1) / airs, f"air {air + 1} of {airs} simulated")
-    with whole_file(path) as part, open(part, "wb") as stream:
-        np.savez_compressed(stream, **content)
+    made = io.BytesIO()
+    np.savez_compressed(made, **content)
+    with whole_file(path) as part:
+        write_bytes(part, made.getvalue())
 
 
 def _paths(tracks, shortest):

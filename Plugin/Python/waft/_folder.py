@@ -2,7 +2,6 @@
 """What `waft synthesize` wrote in a folder, as arrays and VTK data ready to be drawn."""
 
 import os
-import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -224,14 +223,8 @@ def obstacles_of(folder):
     """(time in seconds, surface of all obstacles) of a folder, growing time; one where none moves, none where there are none."""
     series = os.path.join(folder, "obstacles.pvd")
     if os.path.isfile(series):
-        try:
-            steps = [
-                (float(step.get("timestep")), os.path.join(folder, step.get("file")))
-                for step in ElementTree.parse(series).iter("DataSet")
-            ]
-        except (ElementTree.ParseError, TypeError, ValueError) as error:
-            raise BadInput(f"{series}: not a collection with a timestep and a file each: {error}") from error
-        return [(time, read_surface(path)) for time, path in sorted(steps)]
+        steps = reading.steps_of(reading.read_text(series), series)
+        return [(time, read_surface(os.path.join(folder, name))) for time, name in steps]
     single = os.path.join(folder, "obstacles.vtp")
     return [(0.0, read_surface(single))] if os.path.isfile(single) else []
 

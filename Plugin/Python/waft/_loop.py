@@ -8,6 +8,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from .failures import BadInput, WaftError
+from .files import write_bytes
 
 
 class Loop:
@@ -74,8 +75,7 @@ class Loop:
         if best is None:
             raise BadInput(f"{os.path.basename(self._path)}: does not fit into {self._limit / 1e6:g} megabytes: expected fewer frames "
                            f"(as A:B:S), smaller ones or a larger limit")
-        with open(self._path, "wb") as file:
-            file.write(best)
+        write_bytes(self._path, best)
 
     def discard(self):
         self._pictures = []

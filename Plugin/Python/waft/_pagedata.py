@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a page shows of a folder of `waft synthesize`: plain data for its scripts, binary arrays as base64."""
 import base64
-import csv
 import json
 import math
 import os
@@ -14,7 +13,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from waft import _folder
 from waft._kinds import POSITIONAL
 from waft.failures import BadInput
-from waft.results import read_json
+from waft.reading import found_json, read_bytes, read_rows
 
 _MOST_ROWS = 1200  # of a plot; more cannot be told apart
 
@@ -37,7 +36,7 @@ def describe(folder, measured=None):
 
 def _report(folder):
     path = os.path.join(folder, "report.json")
-    report = read_json(path)
+    report = found_json(path)
     if report is None:
         raise BadInput(f"{path}: missing or no JSON; `waft synthesize` writes it")
     if not isinstance(report, dict) or not {"version", "scene", "seed"} <= report.keys():
@@ -50,8 +49,7 @@ def animation_of(folder):
     path = os.path.join(folder, "animation.glb")
     if not os.path.isfile(path):
         raise BadInput(f"{path}: missing; `waft synthesize` writes it")
-    with open(path, "rb") as stream:
-        content = stream.read()
+    content = read_bytes(path)
     try:
         magic, _, length, size, kind = struct.unpack("<4sIII4s", content[:20])
         if magic != b"glTF" or kind != b"JSON" or length != len(content):
@@ -73,11 +71,7 @@ def _rows(folder, name, is_needed=True):
     path = os.path.join(folder, name)
     if not os.path.isfile(path) and not is_needed:
         return []
-    try:
-        with open(path, newline="", encoding="utf-8") as stream:
-            return list(csv.DictReader(stream))
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise BadInput(f"{path}: expected a table that `waft synthesize` writes: {error}") from error
+    return read_rows(path, what="a table that `waft synthesize` writes")
 
 
 def _number(row, name, path):
@@ -166,7 +160,7 @@ def _measured(folder, measured):
     if measured is None and not os.path.isfile(beside):
         return None
     path = measured or beside
-    found = read_json(path)
+    found = found_json(path)
     try:
         own = [entry for entry in found if os.path.realpath(entry["folder"]) == os.path.realpath(folder)] or found
         if len(own) != 1:

@@ -11,8 +11,7 @@ from waft._flights import Flights
 from waft._kinds import POSITION, REST, VELOCITY
 from waft._folder import read_surface
 from waft.failures import BadInput
-from waft.reading import dynamics
-from waft.results import read_json
+from waft.reading import dynamics, found_json
 
 TRACKS = ("optimized", "assimilated", "planned", "poses")
 NEAR_ROW = 8  # frames about a position row that are no free flight
@@ -51,7 +50,7 @@ def read_run(folder, tracks="optimized"):
     slip = _slips(os.path.join(folder, "objects.vtp"), ids)
     rows = _rows(os.path.join(folder, "constraints.vtp"))
     flying, free, touches = flight(rows, ids, positions.shape[1], rate)
-    report = read_json(os.path.join(folder, "report.json"))
+    report = found_json(os.path.join(folder, "report.json"))
     inertia = bool(report.get("inertia")) if isinstance(report, dict) else False
     return Run(str(folder), Flights(positions, rate, flying, free, slip), bounds, arrays, rows, ids, touches, inertia,
                dynamics(data))

@@ -11,12 +11,14 @@ import os
 import pathlib
 import re
 
+from waft.reading import read_json
+
 FAMILIES = ("sans", "serif", "mono")
 
 
 @functools.lru_cache(maxsize=None)
 def schema():
-    return json.loads(pathlib.Path(__file__).with_name("scene.schema.json").read_text(encoding="utf-8"))
+    return read_json(pathlib.Path(__file__).with_name("scene.schema.json"))
 
 
 def definition(name):

@@ -6,6 +6,7 @@ import zipfile
 from waft.failures import BadInput, WaftError
 from waft.files import whole_file
 from waft.loading import addon_folder
+from waft.reading import read_bytes
 
 _DATE = (1980, 1, 1, 0, 0, 0)  # of each file, so that the same add-on is the same file
 
@@ -23,4 +24,4 @@ def write_addon(path):
         raise WaftError("the add-on for Blender is not among the files of this Waft")
     with whole_file(path) as part, zipfile.ZipFile(part, "w", zipfile.ZIP_DEFLATED) as archive:
         for source in sorted(folder.glob("*.py")):
-            archive.writestr(zipfile.ZipInfo(f"{folder.name}/{source.name}", _DATE), source.read_bytes(), zipfile.ZIP_DEFLATED)
+            archive.writestr(zipfile.ZipInfo(f"{folder.name}/{source.name}", _DATE), read_bytes(source), zipfile.ZIP_DEFLATED)

@@ -12,6 +12,7 @@ from waft import _folder, _pagedata
 from waft._cameras import Cameras
 from waft._gltf import Gltf, y_up
 from waft.failures import BadInput, WaftError
+from waft.files import copy_file, write_bytes
 from waft.results import ResultPlace
 
 _GROUND, _STONE = (0.42, 0.38, 0.32), (0.5, 0.5, 0.52)
@@ -34,7 +35,7 @@ def export(folder, to, parts):
         place.check([name])
         animation, rate, frames = _with_surroundings(folder, parts)
         if to == "glb":
-            place.path(name).write_bytes(animation)
+            write_bytes(place.path(name), animation)
         else:
             _by_blender(animation, place.path(name), rate, frames)
         place.commit({})
@@ -111,7 +112,7 @@ def _by_blender(animation, path, rate, frames):
         raise WaftError(f"{path.suffix}: Blender writes it, and none was found: apt-get install --no-install-recommends blender")
     with tempfile.TemporaryDirectory(prefix="waft-export-") as folder:
         source, written = os.path.join(folder, "scene.glb"), os.path.join(folder, path.name)
-        pathlib.Path(source).write_bytes(animation)
+        write_bytes(source, animation)
         # Blender takes Python's library from the first python3 on the PATH: that beside it is its own.
         environment = {**os.environ, "PATH": os.pathsep.join([os.path.dirname(blender), os.environ.get("PATH", "")])}
         done = subprocess.run([blender, "-b", "--factory-startup", "--python-exit-code", "3", "--python", _IN_BLENDER, "--", source, written,
@@ -120,4 +121,4 @@ def _by_blender(animation, path, rate, frames):
             raise WaftError(f"{path.suffix}: {blender} was built without this format (Debian's is); nothing was written")
         if done.returncode != 0 or not os.path.isfile(written):
             raise WaftError(f"{path.suffix}: Blender failed: {(done.stderr or done.stdout)[-800:]}")
-        shutil.move(written, path)
+        copy_file(written, path)

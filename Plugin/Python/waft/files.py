@@ -6,7 +6,10 @@ import json
 import os
 import pathlib
 import re
+import shutil
 from xml.sax.saxutils import quoteattr
+
+from waft.reading import open_stream
 
 
 def number(value):
@@ -25,6 +28,22 @@ def whole_file(path):
         with contextlib.suppress(OSError):
             os.remove(part)
         raise
+
+
+def write_bytes(path, content):
+    with open(path, "wb") as stream:
+        stream.write(content)
+
+
+def write_text(path, text):
+    """Lines end as they are."""
+    write_bytes(path, text.encode())
+
+
+def copy_file(source, path):
+    """The bytes of a file that may be anybody's, piece by piece."""
+    with open_stream(source) as content, open(path, "wb") as stream:
+        shutil.copyfileobj(content, stream)
 
 
 def write_csv(path, header, rows):
@@ -49,7 +68,7 @@ def write_xml(data, path):
     path = pathlib.Path(path)
     content = _blocks_text(data, path) if path.suffix == ".vtm" else _xml_text(data)
     try:
-        path.write_bytes(content.encode())
+        write_text(path, content)
     except OSError as error:
         raise OSError(f"{path}: could not be written: {error.strerror}") from error
 
@@ -91,15 +110,6 @@ def _blocks_text(data, path):
         title = f" name={quoteattr(name)}" if name else ""
         entries.append(f'    <DataSet index="{index}"{title} file={quoteattr(file)}/>\n')
     return f"{head}<vtkMultiBlockDataSet>\n{''.join(entries)}  </vtkMultiBlockDataSet>\n{fields}\n</VTKFile>\n"
-
-
-def is_whole(path):
-    """Whether a VTK XML file ends as one."""
-    if not path.is_file():
-        return False
-    with open(path, "rb") as stream:
-        stream.seek(-min(64, path.stat().st_size), os.SEEK_END)
-        return stream.read().rstrip().endswith(b"</VTKFile>")
 
 
 def write_pvd(path, entries):

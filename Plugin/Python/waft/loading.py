@@ -4,6 +4,8 @@ import os
 import pathlib
 import sys
 
+from waft.reading import read_text
+
 _PACKAGE = pathlib.Path(__file__).resolve().parent
 
 
@@ -19,7 +21,7 @@ def _find_upwards(pattern):
 
 def version() -> str:
     """The version of this Waft, as text."""
-    return _find_upwards("share/waft/VERSION").read_text(encoding="utf-8").strip()
+    return read_text(_find_upwards("share/waft/VERSION")).strip()
 
 
 def data_file(name: str) -> str:

@@ -10,6 +10,8 @@ import re
 
 from waft import _pagedata
 from waft.failures import BadInput, WaftError
+from waft.files import write_text
+from waft.reading import read_text
 from waft.results import ResultPlace
 
 NAME = "page.html"
@@ -37,15 +39,15 @@ def write_page(folder, measured=None, is_watched=False):
         if is_watched:
             stamp = hashlib.sha256(page.encode()).hexdigest()
             page = _watched(page, stamp)
-            place.path(STAMP).write_text(f'waftWritten("{stamp}");\n', encoding="utf-8")
-        place.path(NAME).write_text(page, encoding="utf-8")
+            write_text(place.path(STAMP), f'waftWritten("{stamp}");\n')
+        write_text(place.path(NAME), page)
         place.commit({})
     return os.path.join(folder, NAME)
 
 
 def _page(run, animation):
     """The template with its files, and what is shown, put into it."""
-    text = _FILE.sub(lambda found: _style(found[1]) if found[1] else _script(found[2]), _read(_PARTS / "page.html"))
+    text = _FILE.sub(lambda found: _style(found[1]) if found[1] else _script(found[2]), read_text(_PARTS / "page.html"))
     # In a script's text `<` could end it, or begin a comment.
     inside = {'id="run">': json.dumps(run, separators=(",", ":")).replace("<", "\\u003c"),
               'id="animation">': base64.b64encode(animation).decode(),
@@ -65,20 +67,15 @@ def _watched(page, stamp):
 
 
 def _style(name):
-    return f"<style>\n{_read(_PARTS / name)}</style>"
+    return f"<style>\n{read_text(_PARTS / name)}</style>"
 
 
 def _script(name):
-    code = _read_three() if name == os.path.basename(THREE) else _read(_PARTS / name)
+    code = _read_three() if name == os.path.basename(THREE) else read_text(_PARTS / name)
     return f"<script>\n{code}</script>"
 
 
 def _read_three():
-    try:
-        return _read(THREE)
-    except OSError as error:
-        raise WaftError(f"{THREE}: {error.strerror}; three.js draws the page: apt-get install libjs-three") from error
-
-
-def _read(path):
-    return pathlib.Path(path).read_text(encoding="utf-8")
+    if not os.path.isfile(THREE):
+        raise WaftError(f"{THREE}: no such file; three.js draws the page: apt-get install libjs-three")
+    return read_text(THREE)

@@ -1,25 +1,151 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""VTK's files and pictures, read with a look at them first: VTK's readers trust what they are given."""
+"""Files that are read, with a look at them first. What this package reads goes through here, or through beneath.py: only regular
+files, nothing is waited for, no more than a bound; VTK's readers, which trust what they are given, come after Waft's own look."""
+import csv
+import io
+import json
+import math
 import os
 import pathlib
-
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPolyData
+import stat
+import xml.etree.ElementTree as ElementTree
 
 from waft.failures import BadInput
 
+MOST = 1 << 30  # bytes of a file that is read whole, unless its reader says less
+MOST_TEXT = 1 << 28  # of a scene, a table, a report
+_LOOK = os.O_RDONLY | os.O_NONBLOCK | os.O_NOCTTY | os.O_CLOEXEC  # a pipe without a writer is not waited for
+_KINDS = {stat.S_IFDIR: "a folder", stat.S_IFIFO: "a pipe", stat.S_IFSOCK: "a socket", stat.S_IFCHR: "a device",
+          stat.S_IFBLK: "a device", stat.S_IFLNK: "a link"}
+
+
+def kind_of(about):
+    """What there is in place of a file, by its os.stat_result, in words; empty of a regular file."""
+    return "" if stat.S_ISREG(about.st_mode) else _KINDS.get(stat.S_IFMT(about.st_mode), "something else")
+
+
+def open_file(path, what="a file", **options):
+    """A descriptor of a regular file, to be read; raises BadInput that names the file and what was found, as all here do. what: is
+    named as expected. options: of os.open."""
+    try:
+        descriptor = os.open(path, _LOOK | options.pop("flags", 0), **options)
+    except OSError as error:
+        raise BadInput(f"{path}: {error.strerror}; expected {what}") from error
+    except ValueError as error:
+        raise BadInput(f"{path!r}: {error}; expected {what}") from error
+    found = kind_of(os.fstat(descriptor))
+    if found:
+        os.close(descriptor)
+        raise BadInput(f"{path}: expected {what}, found {found}")
+    return descriptor
+
+
+def open_stream(path, what="a file"):
+    """A binary stream of a regular file, for one that is read piece by piece."""
+    return open(open_file(path, what), "rb")
+
+
+def content_of(descriptor, path, most=MOST):
+    """All bytes behind a descriptor of open_file, which is closed."""
+    with open(descriptor, "rb") as stream:
+        size = os.fstat(descriptor).st_size
+        try:
+            content = stream.read(most + 1) if size <= most else b""
+        except OSError as error:
+            raise BadInput(f"{path}: cannot be read: {error.strerror}") from error
+    if max(size, len(content)) > most:  # one of /proc has the size 0
+        raise BadInput(f"{path}: expected a file of at most {most} bytes, found one of {max(size, len(content))} or more")
+    return content
+
+
+def text_of(content, path, what="a text"):
+    """Bytes as text; a mark of the byte order is left out."""
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise BadInput(f"{path}: expected {what} in UTF-8: {error}") from error
+
+
+def json_of(text, path, parse_constant=None):
+    """What a text of JSON holds."""
+    try:
+        return json.loads(text, parse_constant=parse_constant)
+    except (ValueError, RecursionError) as error:
+        raise BadInput(f"{path}: expected JSON in UTF-8: {error}") from error
+
+
+def rows_of(text, path, what="a table"):
+    """The rows of a text of comma-separated values, as dictionaries by the names in its first line."""
+    try:
+        return list(csv.DictReader(io.StringIO(text, newline="")))
+    except csv.Error as error:
+        raise BadInput(f"{path}: expected {what}: {error}") from error
+
+
+def read_bytes(path, most=MOST, what="a file"):
+    """A file's content."""
+    return content_of(open_file(path, what), path, most)
+
+
+def read_text(path, most=MOST_TEXT, what="a text"):
+    """The same as text."""
+    return text_of(read_bytes(path, most, what), path, what)
+
+
+def read_json(path, most=MOST_TEXT, what="a file of JSON", parse_constant=None):
+    """The same as what it holds."""
+    return json_of(read_text(path, most, what), path, parse_constant)
+
+
+def found_json(path):
+    """What a file of JSON holds; None where there is none that can be read."""
+    try:
+        return read_json(path)
+    except BadInput:
+        return None
+
+
+def read_rows(path, most=MOST_TEXT, what="a table"):
+    """The rows of a .csv."""
+    return rows_of(read_text(path, most, what), path, what)
+
+
+def steps_of(text, path):
+    """[(time in seconds, name of a file)] of the text of a ParaView collection, growing time."""
+    try:
+        steps = [(float(step.get("timestep")), step.get("file")) for step in ElementTree.fromstring(text).iter("DataSet")]
+    except (ElementTree.ParseError, TypeError, ValueError) as error:
+        raise BadInput(f"{path}: not a collection with a timestep and a file each: {error}") from error
+    if not all(math.isfinite(time) and name for time, name in steps):
+        raise BadInput(f"{path}: not a collection with a timestep and a file each")
+    return sorted(steps)
+
 
 def read_surface(path):
-    """A .vtp as vtkPolyData; raises BadInput that names the file and the lack, as all here do."""
+    """A .vtp as vtkPolyData."""
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+
     return _read("ReadSurface", path, vtkPolyData())
 
 
 def read_blocks(path):
     """A .vtm of surfaces and tables as vtkMultiBlockDataSet."""
+    from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+
     return _read("ReadBlocks", path, vtkMultiBlockDataSet())
+
+
+def read_image(path):
+    """A .vti as vtkImageData."""
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+
+    return _read("ReadImage", path, vtkImageData())
 
 
 def read_picture(path):
     """A .png, .jpg, .tif or .bmp as vtkImageData."""
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+
     return _read("ReadPicture", path, vtkImageData())
 
 
@@ -35,7 +161,7 @@ def has_appended_blocks(path):
     """Whether files of a .vtm keep their values behind their elements, which VTK 9.1 cannot read with Expat 2.6, nor with the
     fixes of 2.5 that Debian 12 has; read_blocks can."""
     folder = pathlib.Path(path).with_suffix("")
-    return folder.is_dir() and any(b"<AppendedData" in file.read_bytes() for file in folder.iterdir() if file.is_file())
+    return folder.is_dir() and any(b"<AppendedData" in read_bytes(file) for file in folder.iterdir() if file.is_file())
 
 
 def _read(function, path, data):

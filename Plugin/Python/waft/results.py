@@ -13,7 +13,6 @@ import dataclasses
 import errno
 import fcntl
 import hashlib
-import json
 import os
 import pathlib
 import re
@@ -23,6 +22,7 @@ import string
 
 from waft.failures import BadInput, WaftError
 from waft.files import write_json
+from waft.reading import found_json, open_stream
 from waft.watching import tell_guard
 
 _MOVE = ".waft-move"
@@ -43,11 +43,12 @@ class Entry:
 
     @classmethod
     def of(cls, path):
-        content = hashlib.sha256()
-        with open(path, "rb") as stream:
+        content, size = hashlib.sha256(), 0
+        with open_stream(path) as stream:
             while block := stream.read(1 << 20):
                 content.update(block)
-        return cls(os.path.getsize(path), "sha256:" + content.hexdigest())
+                size += len(block)
+        return cls(size, "sha256:" + content.hexdigest())
 
     def fits(self, path):
         if path.is_symlink() or not path.is_file():
@@ -77,17 +78,9 @@ def _entries(rows):
     return manifest
 
 
-def read_json(path):
-    """What a JSON file holds; None when there is no such file or it holds something else."""
-    try:
-        return json.loads(pathlib.Path(path).read_text(encoding="utf-8-sig"))
-    except (OSError, ValueError, RecursionError):
-        return None
-
-
 def read_manifest(path):
     """{name: Entry} of the manifest in a JSON file; None where there is none."""
-    content = read_json(path)
+    content = found_json(path)
     try:
         return _entries(content["manifest"])
     except (KeyError, TypeError, ValueError):
@@ -328,7 +321,7 @@ class _Move:
         self._root = root
         self._folder = folder
         self._new, self._old = folder / "new", folder / "old"
-        journal = read_json(folder / _JOURNAL)
+        journal = found_json(folder / _JOURNAL)
         try:
             self._seal = journal["seal"]
             self._incoming, self._outgoing = _entries(journal["new"]), _entries(journal["old"])

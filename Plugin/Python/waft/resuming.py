@@ -1,16 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a run keeps in its folder while it goes, so that another can go on from it."""
-import csv
 import hashlib
 import os
 import pathlib
 import re
-import shutil
 
 from waft.failures import BadInput
-from waft.files import write_csv, write_json, write_xml
+from waft.files import copy_file, write_csv, write_json, write_xml
 from waft.loading import version
-from waft.results import manifest_of, manifest_rows, read_json, read_manifest
+from waft.reading import found_json, read_rows
+from waft.results import manifest_of, manifest_rows, read_manifest
 
 PLAN = {0: "planned.vtp", 3: "constraints.vtp", 4: "vortices.vtp"}
 _REPORT, _KEY = "report.csv", "key"
@@ -67,7 +66,7 @@ class Checkpoint:
 
     def lack(self):
         """What keeps a run from going on from here, in words; empty when nothing does."""
-        key = read_json(self._folder / _KEY)
+        key = found_json(self._folder / _KEY)
         manifest = read_manifest(self._folder / _KEY)
         if not self._folder.is_dir():
             return "no stopped run of this scene, seed and version"
@@ -94,12 +93,11 @@ class Checkpoint:
 
     def take_plan(self, pipeline):
         pipeline.take_plan(*(self._folder / name for name in PLAN.values()))
-        with open(self._folder / _REPORT, encoding="utf-8", newline="") as file:
-            pipeline.plan_report = list(csv.DictReader(file))
+        pipeline.plan_report = read_rows(self._folder / _REPORT)
 
     def copy_plan(self, name):
         """One of the plan's files among the results: the same bytes whether the plan was made or taken."""
-        shutil.copyfile(self._folder / name, self._place.path(name))
+        copy_file(self._folder / name, self._place.path(name))
 
     def clear(self):
         """Removes what runs left; what someone put beside it meanwhile stays."""

@@ -13,6 +13,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from waft.failures import BadInput, WaftError
 from waft.pipeline import Pipeline
+from waft.reading import read_bytes
 
 _MARK = [("row", int), ("target", int), ("object", int), ("frame", int), ("kind", "U12"), ("status", "U12"), ("residual", float),
          ("message", object)]
@@ -140,7 +141,7 @@ class Run(Pipeline):
             with tempfile.TemporaryDirectory(prefix="waft-still-") as folder:
                 path = pathlib.Path(folder) / "still.png"
                 self.render(path)
-                still = f'<img src="data:image/png;base64,{base64.b64encode(path.read_bytes()).decode()}" alt="the last frame"/>'
+                still = f'<img src="data:image/png;base64,{base64.b64encode(read_bytes(path)).decode()}" alt="the last frame"/>'
         except WaftError as error:
             still = f"<p>{html.escape(str(error))}</p>"
         marks = sorted(self.marks.tolist(), key=lambda mark: mark[5] == "met")

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import json
 import os
-import pathlib
 import re
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
 
 from waft import _schema
 from waft._entries import documented, entry_of, refusal
 from waft.failures import BadInput
-from waft.files import whole_file
+from waft.files import whole_file, write_text
+from waft.reading import read_json
 
 Vector = Sequence[float]  # a tuple, a list or a numpy array of three numbers
 Quaternion = Sequence[float]  # w, x, y, z
@@ -224,18 +224,13 @@ class Scene:
         content = _schema.with_files(self._data, _schema.definition("scene"), lambda file: os.path.relpath(file, folder))
         text = re.sub(r"\[\s+([-+.\deE,\s]+?)\s+\]", lambda list_: f"[{' '.join(list_[1].split())}]", json.dumps(content, indent=2))
         with whole_file(path) as part:
-            pathlib.Path(part).write_text(text + "\n", encoding="utf-8")
+            write_text(part, text + "\n")
 
     @classmethod
     def load(cls, path: Path) -> "Scene":
         """Reads a scene file, comments included. Raises BadInput that names file and place where it is malformed."""
         path = os.fspath(path)
-        try:
-            data = json.loads(pathlib.Path(path).read_text(encoding="utf-8-sig"), parse_constant=_no_number)
-        except OSError as error:
-            raise BadInput(f"{path}: {error.strerror}; expected a scene file") from error
-        except (ValueError, RecursionError) as error:
-            raise BadInput(f"{path}: expected JSON in UTF-8: {error}") from error
+        data = read_json(path, what="a scene file", parse_constant=_no_number)
         wrong = _schema.fault(data, _schema.definition("scene"), "")
         if wrong:
             place, expected, found = wrong

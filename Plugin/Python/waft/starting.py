@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A first scene to change by hand: `waft new`."""
 import csv
+import io
 import itertools
 import math
 import os
 
 from waft.failures import BadInput
+from waft.reading import read_text
 from waft.scene import Scene
 
 RATE = 30  # frames per second
@@ -102,21 +104,19 @@ def _course(path):
 def _points(path):
     """The rows x,y,z of a file; a first row of words is its head."""
     points = []
+    text = read_text(path, what="rows x,y,z [m]")
     try:
-        with open(path, encoding="utf-8-sig", newline="") as stream:
-            for number, row in enumerate(csv.reader(stream), 1):
-                try:
-                    point = [float(cell) for cell in row]
-                except ValueError:
-                    point = []
-                if len(point) == 3 and all(map(math.isfinite, point)):
-                    points.append(point)
-                elif row and number > 1:
-                    raise BadInput(f"{path}: line {number}: expected three numbers x,y,z, found {','.join(row)[:80]}")
-    except OSError as error:
-        raise BadInput(f"{path}: {error.strerror}; expected rows x,y,z [m]") from error
-    except (UnicodeDecodeError, csv.Error) as error:
-        raise BadInput(f"{path}: expected rows x,y,z [m] in UTF-8: {error}") from error
+        for number, row in enumerate(csv.reader(io.StringIO(text, newline="")), 1):
+            try:
+                point = [float(cell) for cell in row]
+            except ValueError:
+                point = []
+            if len(point) == 3 and all(map(math.isfinite, point)):
+                points.append(point)
+            elif row and number > 1:
+                raise BadInput(f"{path}: line {number}: expected three numbers x,y,z, found {','.join(row)[:80]}")
+    except csv.Error as error:
+        raise BadInput(f"{path}: expected rows x,y,z [m]: {error}") from error
     if len(points) < 2:
         raise BadInput(f"{path}: expected rows x,y,z [m], two at least, found {len(points)}")
     return points

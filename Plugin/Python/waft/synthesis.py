@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Callable, Dict, Optional, Union
 
 from waft import failures
 from waft.loading import load_plugin, set_threads
-from waft.results import read_json
+from waft.reading import found_json
 from waft.resuming import Checkpoint, run_key
 from waft.scene import Scene
 from waft.watching import Clock, is_main_thread
@@ -158,7 +158,7 @@ def _state_of(folder, quality):
 
 def _seed_of(folder, otherwise):
     """That of a run that is edited; otherwise, where there is none, another."""
-    report = read_json(pathlib.Path(folder) / "report.json") if folder is not None else None
+    report = found_json(pathlib.Path(folder) / "report.json") if folder is not None else None
     seed = report.get("seed") if isinstance(report, dict) else None
     return seed if isinstance(seed, int) else otherwise
 
@@ -270,7 +270,7 @@ def _check_room(pipeline, settings):
     objects = pipeline.output("reader")
     fields = objects.GetFieldData()
     bounds = [fields.GetArray("Bounds").GetValue(i) for i in range(6)]
-    scene = read_json(pipeline.reader.FileName) or {}
+    scene = found_json(pipeline.reader.FileName) or {}
     ground = scene.get("ground", {})
     if ground.get("enabled", True):
         bounds[4] = max(bounds[4], ground.get("height", bounds[4]))

@@ -21,8 +21,10 @@ import time
 
 from waft import failures
 from waft.failures import BadInput, Interrupted
+from waft.files import write_text
 from waft.loading import version
-from waft.results import Busy, Entry, ResultPlace, check_folder, read_json
+from waft.reading import found_json
+from waft.results import Busy, Entry, ResultPlace, check_folder
 from waft.scene import Scene
 from waft.watching import STOPS, interruptible
 
@@ -133,7 +135,7 @@ class _Flight:
                "message": "" if status in DONE else words, "seconds": round(time.monotonic() - began, 3)}
         self._ends = self._ends or status == failures.MALFORMED  # the others would be refused as well
         if status in DONE:
-            row.update(_summary(read_json(place / "report.json")))
+            row.update(_summary(found_json(place / "report.json")))
             status, text, words = self._run("measure", str(place), "--json")
             if status == 0:
                 row["measures"] = json.loads(text)[0]["rows"]
@@ -180,7 +182,7 @@ def _summary(report):
 
 def _rows(folder):
     """Those of the table, by their seeds."""
-    content = read_json(folder / SEAL)
+    content = found_json(folder / SEAL)
     return sorted((content or {}).get("takes", []), key=lambda row: row["seed"])
 
 
@@ -195,8 +197,8 @@ def _change_table(folder, rows):
                 every = {row["seed"]: row for row in (*_rows(folder), *rows)}
                 every = [every[seed] for seed in sorted(every)]
                 if rows:
-                    place.path("takes.csv").write_text(_as_csv(every), encoding="utf-8")
-                    place.path("takes.txt").write_text(table(every), encoding="utf-8")
+                    write_text(place.path("takes.csv"), _as_csv(every))
+                    write_text(place.path("takes.txt"), table(every))
                     place.commit({"takes": every})
                 return every
         except Busy:

@@ -2,13 +2,12 @@
 """The files of a run: their names, what earlier versions wrote, and what is in each."""
 import pathlib
 import re
-import shutil
 
 from waft import failures
-from waft.files import half, in_single_precision, table_rows, write_csv, write_pvd, write_xml
+from waft.files import copy_file, half, in_single_precision, table_rows, write_csv, write_pvd, write_xml
 from waft.loading import version
-from waft.reading import dynamics
-from waft.results import Entry, ResultPlace, read_json
+from waft.reading import dynamics, found_json
+from waft.results import Entry, ResultPlace
 from waft.watching import collect
 
 STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
@@ -31,7 +30,7 @@ _EARLIER_NAMES = re.compile(
 
 def earlier_results(folder):
     """{name: Entry} of the results of a version without a manifest; None when its report.json is another program's."""
-    report = read_json(folder / REPORT)
+    report = found_json(folder / REPORT)
     if not isinstance(report, dict) or not {"version", "scene", "seed", "stages", "constraints"} <= report.keys():
         return None
     names = (path.relative_to(folder).as_posix() for path in (*folder.glob("*"), *folder.glob("*/*")))
@@ -58,7 +57,7 @@ def result_names(scene, series, quality):
 def _do_obstacles_move(scene):
     """Whether an obstacle of a scene file (one that was read well) is ever at another place."""
     return any(len({tuple(step["position"]) for step in obstacle.get("motion", ())}) > 1
-               for obstacle in (read_json(scene) or {}).get("obstacles", ()))
+               for obstacle in (found_json(scene) or {}).get("obstacles", ()))
 
 
 def read_rows(table):
@@ -122,7 +121,7 @@ def _empty_convergence():
 def _write_air(pipeline, place, checkpoint):
     """What the assimilation gives besides vortices and the report."""
     if pipeline.spacetime is None:
-        shutil.copyfile(place.path("optimized.vtp"), place.path("assimilated.vtp"))
+        copy_file(place.path("optimized.vtp"), place.path("assimilated.vtp"))
     else:
         write_tracks(pipeline.output("assimilation", 0), place.path("assimilated.vtp"))
     write_xml(pipeline.output("assimilation", 3), place.path("constraints.vtp"))
@@ -130,8 +129,8 @@ def _write_air(pipeline, place, checkpoint):
     if not pipeline.hurries:
         interval = AIR_INTERVAL if pipeline.has_air else float("inf")  # without an air all steps are the same calm one
         _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half, interval)
-    if checkpoint.air_file.is_file() and not pipeline.hurries:
-        shutil.copyfile(checkpoint.air_file, place.path(STATE))
+        if checkpoint.air_file.is_file():
+            copy_file(checkpoint.air_file, place.path(STATE))
 
 
 def _write_shapes(pipeline, place):
@@ -148,7 +147,7 @@ def _write_shapes(pipeline, place):
             texture.SetValue(0, name)
     write_xml(shapes, place.path("shapes.vtm"))
     for source, name in pictures.items():
-        shutil.copyfile(source, place.path(name))
+        copy_file(source, place.path(name))
 
 
 def _write_series(pipeline, stage, port, name, suffix, place, change=lambda data: None, interval=0.0):
@@ -241,7 +240,7 @@ def _summary(pipeline, scene, energies):
     return {
         "version": version(),
         "scene": pathlib.Path(scene).name,
-        "title": str((read_json(scene) or {}).get("title", "")),
+        "title": str((found_json(scene) or {}).get("title", "")),
         "seed": pipeline.seed,
         "key": pipeline.key,
         "stages": {name: {"seconds": watch.seconds, "processorSeconds": watch.processor_seconds,
