@@ -56,7 +56,7 @@ THIRD_PARTY_OWNERS = {
     "tiny_gltf.h": {"Export"},
 }
 # Modules of the package waft that open files; the others ask these, which look at what a file is.
-FILE_OWNERS = {"reading", "files", "results"}
+FILE_OWNERS = {"files", "reading", "renaming", "results", "temporary"}
 FILE_CALLS = {"fdopen", "read_bytes", "read_text", "write_bytes", "write_text", "loadtxt", "genfromtxt", "fromfile", "memmap", "iterparse"}
 FILE_MODULES = {"io": {"open"}, "os": {"open"}, "json": {"load", "dump"}, "np": {"load"}, "pickle": {"load"}, "ElementTree": {"parse"},
                 "Image": {"open"}, "shutil": {"copy", "copy2", "copyfile", "copytree", "move"}}

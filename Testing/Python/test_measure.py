@@ -25,8 +25,10 @@ from waft._runs import flight, read_run  # noqa: E402
 from waft.failures import BadInput  # noqa: E402
 from waft.files import write_pvd, write_xml  # noqa: E402
 from waft.measuring import _control, _lacking, table  # noqa: E402
+from waft.reading import read_picture  # noqa: E402
 
 WORK = sys.argv[1]
+shutil.rmtree(WORK, ignore_errors=True)  # of a version whose files this one does not replace
 RATE = 30.0
 FRAMES = 90
 COUNT = 24
@@ -302,12 +304,50 @@ class FolderTest(unittest.TestCase):
             self.assertEqual(cli.main(["measure", self.folder, "--tracks", "planned", "--json"]), 0)
         self.assertEqual(json.loads(out.getvalue())[0]["tracks"], "planned")
 
+    def test_only_what_measure_wrote_is_replaced(self):
+        place = os.path.join(WORK, "mine")
+        shutil.rmtree(place, ignore_errors=True)
+        os.makedirs(os.path.join(place, "folder"))
+        for name in ("scene.waft.json", "rows.json", "made.npz", "passive-optimized.png"):
+            with open(os.path.join(place, name), "w", encoding="utf-8") as stream:
+                stream.write('{"waft": 1}' if name.endswith("waft.json") else "[]")
+        os.symlink("nowhere", os.path.join(place, "lost"))
+        os.mkfifo(os.path.join(place, "pipe"))
+
+        def called(*arguments):
+            said = io.StringIO()
+            with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(said):
+                return cli.main(["measure", self.folder, *arguments]), said.getvalue()
+
+        before = {name: os.lstat(os.path.join(place, name))[:9] for name in os.listdir(place)}
+        for option, name in (("--json", "scene.waft.json"), ("--json", "rows.json"), ("--json", "folder"), ("--json", "lost"), ("--json", "pipe"),
+                             ("--json", "none/rows.json"), ("--plots", ""), ("--plots", "rows.json"), ("--make-drifters", "made.npz"),
+                             ("--make-drifters", "scene.waft.json"), ("--make-drifters", "folder"), ("--make-drifters", "lost")):
+            with self.subTest(option, name=name):
+                status, said = called(option, os.path.join(place, name))
+                self.assertEqual(2, status, said)
+                self.assertIn(name or "passive-optimized.png", said)
+                self.assertEqual(before, {name: os.lstat(os.path.join(place, name))[:9] for name in os.listdir(place)})
+        own = os.path.join(place, "own.json")
+        for _ in range(2):
+            self.assertEqual(0, called("--json", own)[0])
+        with open(own, encoding="utf-8") as stream:
+            text = stream.read()
+        with open(own, "w", encoding="utf-8") as stream:
+            stream.write(text.replace("private", "public"))
+        self.assertEqual(2, called("--json", own)[0])
+
     def test_plots(self):
         plots = os.path.join(WORK, "plots")
         measured = measure(self.folder, plots=plots)[0]
         if not any("matplotlib" in note for note in measured.notes):
-            with open(os.path.join(plots, "passive-optimized.png"), "rb") as stream:
-                self.assertEqual(stream.read(4), b"\x89PNG")
+            path = os.path.join(plots, "passive-optimized.png")
+            self.assertEqual(read_picture(path).GetDimensions()[:2], (1200, 680))
+            measure(self.folder, plots=plots)  # takes the place of its own
+            with open(path, "ab") as stream:
+                stream.write(b"mine")
+            with self.assertRaisesRegex(BadInput, "passive-optimized.png: Waft did not write it"):
+                measure(self.folder, plots=plots)
 
     def test_bad_input_is_named(self):
         def cut(name):

@@ -14,7 +14,7 @@ import tempfile
 import unittest
 
 from waft.failures import BadInput, WaftError
-from waft.files import whole_file, write_xml
+from waft.files import write_xml
 from waft.resuming import Checkpoint
 from waft.results import ResultPlace, manifest_of
 from waft.writing import earlier_results, result_place
@@ -265,20 +265,6 @@ class Results(unittest.TestCase):
         self.put("frames/side_0000.png", "retouched")
         with ResultPlace(self.out, "pictures.json") as place, self.assertRaisesRegex(BadInput, "side_0000.png: it was changed"):
             place.check(names[:1], replaces_all=False)
-
-
-class WholeFiles(unittest.TestCase):
-    def test_a_file_is_whole_or_stays_as_it_was(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = pathlib.Path(folder) / "figures.npz"
-            for text in ("old", "new"):
-                with whole_file(path) as part:
-                    pathlib.Path(part).write_text(text, encoding="utf-8")
-            with self.assertRaises(ValueError), whole_file(path) as part:
-                pathlib.Path(part).write_text("half", encoding="utf-8")
-                raise ValueError
-            self.assertEqual("new", path.read_text(encoding="utf-8"))
-            self.assertEqual([path], list(pathlib.Path(folder).iterdir()))
 
 
 class FullDisks(unittest.TestCase):

@@ -10,6 +10,7 @@ from waft.failures import BadInput
 from waft.files import number, whole_file, write_bytes
 from waft._flights import Flights
 from waft.loading import data_file
+from waft.marks import is_marked_zip, marked_zip
 from waft.reading import read_bytes
 
 QUANTUM = 2e-6  # places are whole numbers of this [m]
@@ -125,8 +126,8 @@ def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30
             progress((air + 1) / airs, f"air {air + 1} of {airs} simulated")
     made = io.BytesIO()
     np.savez_compressed(made, **content)
-    with whole_file(path) as part:
-        write_bytes(part, made.getvalue())
+    with whole_file(path, is_marked_zip) as part:
+        write_bytes(part, marked_zip(made.getvalue()))
 
 
 def _paths(tracks, shortest):

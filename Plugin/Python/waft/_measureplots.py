@@ -1,12 +1,27 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of a motion's figures beside the drifters'."""
+import io
 import os
 import pathlib
 
 import numpy as np
 
 from waft import _flights
-from waft.files import whole_file
+from waft.files import check_target, whole_file, write_bytes
+from waft.marks import is_marked_png, marked_png
+from waft.results import check_folder
+
+
+def check_pictures(names, tracks, folder):
+    """Raises BadInput where a picture cannot be written in a folder, or would take the place of what this did not draw."""
+    check_folder(folder)
+    for name in names if os.path.isdir(folder) else ():
+        check_target(_path(name, tracks, folder), is_marked_png)
+
+
+def _path(name, tracks, folder):
+    name = pathlib.Path(name).resolve().name if name != "pooled" else "pooled"
+    return os.path.join(folder, f"{name}-{tracks}.png")
 
 
 def draw(measured, folder):
@@ -35,10 +50,10 @@ def draw(measured, folder):
     panels[5].axis("off")
     figure.suptitle(f"{measured.name}: {measured.tracks}")
     figure.tight_layout()
-    name = pathlib.Path(measured.name).resolve().name if measured.name != "pooled" else "pooled"
-    path = os.path.join(folder, f"{name}-{measured.tracks}.png")
-    with whole_file(path) as part:
-        figure.savefig(part, format="png", dpi=80)
+    made = io.BytesIO()
+    figure.savefig(made, format="png", dpi=80)
+    with whole_file(_path(measured.name, measured.tracks, folder), is_marked_png) as part:
+        write_bytes(part, marked_png(made.getvalue()))
     return []
 
 

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The add-on for Blender as a zip file that Blender installs: `waft blender-addon`."""
-import os
 import zipfile
 
 from waft.failures import BadInput, WaftError
-from waft.files import whole_file
+from waft.files import check_target, whole_file
 from waft.loading import addon_folder
 from waft.reading import read_bytes
 
@@ -13,12 +12,9 @@ _DATE = (1980, 1, 1, 0, 0, 0)  # of each file, so that the same add-on is the sa
 
 def write_addon(path):
     """Writes the add-on as FILE.zip. Raises BadInput where there is a file, or no such folder; WaftError without the add-on."""
-    if os.path.lexists(path):
-        raise BadInput(f"{path}: it is there, and stays as it is: choose another name")
+    check_target(path)
     if not path.endswith(".zip"):
         raise BadInput(f"{path}: expected a name that ends with .zip")
-    if not os.path.isdir(os.path.dirname(os.path.abspath(path))):
-        raise BadInput(f"{path}: expected a folder that is there")
     folder = addon_folder()
     if folder is None:
         raise WaftError("the add-on for Blender is not among the files of this Waft")

@@ -386,21 +386,26 @@ def run_blender_addon(options):
 
 
 def run_measure(options):
-    from waft.files import write_json
+    from waft.files import check_target, whole_file, write_json
+    from waft.marks import is_marked_json, marked_rows
     from waft.measuring import make_drifters_for, measure, table
 
     if options.make_drifters:
         make_drifters_for(options.folders, options.make_drifters, options.settling_speeds, options.airs, options.seed,
                           progress=lambda _, text: print(text, file=sys.stderr))
         return failures.ALL_MET
+    if options.json and options.json != "-":
+        check_target(options.json, is_marked_json)
     measured = measure(options.folders, options.tracks, options.drifters, options.plots)
+    rows = marked_rows([one.as_json() for one in measured])
     if options.json == "-":
-        json.dump([one.as_json() for one in measured], sys.stdout, indent=2)
+        json.dump(rows, sys.stdout, indent=2)
         print()
     else:
         print("\n\n".join("\n".join(table(one)) for one in measured))
         if options.json:
-            write_json(options.json, [one.as_json() for one in measured])
+            with whole_file(options.json, is_marked_json) as part:
+                write_json(part, rows)
     return failures.ALL_MET
 
 

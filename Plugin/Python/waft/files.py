@@ -9,7 +9,10 @@ import re
 import shutil
 from xml.sax.saxutils import quoteattr
 
+from waft.failures import BadInput
 from waft.reading import open_stream
+from waft.renaming import move_new
+from waft.temporary import temporary_file
 
 
 def number(value):
@@ -17,17 +20,39 @@ def number(value):
     return format(value, ".17g")
 
 
+def check_target(path, is_own=None):
+    """Raises BadInput unless a file can be written under a name. What is there stays, unless is_own(path) says that Waft wrote it
+    and nobody changed it since."""
+    folder = os.path.dirname(os.path.abspath(path))
+    if not os.path.isdir(folder):
+        raise BadInput(f"{path}: expected a folder that is there")
+    if os.path.isdir(path):
+        raise BadInput(f"{path}: expected the name of a file, found a folder")
+    if os.path.lexists(path) and (is_own is None or os.path.islink(path) or not is_own(path)):
+        raise BadInput(f"{path}: {'it is there' if is_own is None else _NOT_OURS}, and stays as it is: choose another name")
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise BadInput(f"{folder}: expected a folder that may be written in")
+
+
 @contextlib.contextmanager
-def whole_file(path):
-    """A name to write to; what was written takes the place of `path` when all went well, else nothing is left."""
-    part = f"{path}.part"
-    try:
+def whole_file(path, is_own=None):
+    """A name to write to; what was written takes the place of `path` when all went well, else nothing is left and what was there
+    stays. Raises BadInput where something is there that may not be replaced, see check_target."""
+    check_target(path, is_own)
+    with temporary_file(os.path.dirname(path) or ".") as (part, descriptor):
         yield part
-        os.replace(part, path)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            os.remove(part)
-        raise
+        os.fsync(descriptor)
+        if is_own is not None and os.path.lexists(path):
+            check_target(path, is_own)
+            os.replace(part, path)
+            return
+        try:
+            move_new(part, path)
+        except FileExistsError as error:  # it came there meanwhile
+            raise BadInput(f"{path}: it is there, and stays as it is: choose another name") from error
+
+
+_NOT_OURS = "Waft did not write it, or it was changed since"
 
 
 def write_bytes(path, content):

@@ -13,6 +13,8 @@ from waft._drifters import Drifters, make_drifters
 from waft._flights import rms
 from waft._runs import TRACKS, largest_residual, read_run
 from waft.failures import BadInput
+from waft.files import check_target
+from waft.marks import is_marked_zip
 
 MANY = 20  # objects from which figures about each frame's mean and about pairs mean something
 START_FRAMES = 10
@@ -94,6 +96,10 @@ def measure(folders: Union[Path, Sequence[Path]], tracks: str = "optimized", dri
         raise BadInput(f"tracks: expected one of {', '.join(TRACKS)}, found '{tracks}'")
     if not folders:
         raise BadInput("expected at least one folder")
+    if plots is not None:
+        from waft._measureplots import check_pictures
+
+        check_pictures([str(folder) for folder in folders] + ["pooled"] * (len(folders) > 1), tracks, plots)
     runs = [read_run(folder, tracks) for folder in folders]  # what is malformed is told before anything is computed
     given = drifters and Drifters(drifters)
     done = []
@@ -114,6 +120,7 @@ def measure(folders: Union[Path, Sequence[Path]], tracks: str = "optimized", dri
 def make_drifters_for(folders, path, speeds=None, airs=6, seed=20001, progress=None):
     """Makes a set of drifters for the volume, frame rate and settling speeds of folders; without a folder for the default volume
     and rate. speeds: instead of theirs [m/s]."""
+    check_target(path, is_marked_zip)
     if not folders:
         if not speeds:
             raise BadInput("drifters: expected a folder, or settling speeds")

@@ -84,6 +84,7 @@ class Run(Pipeline):
         """
         from waft._folder import load
         from waft._output import write_png
+        from waft.files import whole_file
         from waft._styles import STYLES, VIEWS
         from waft.render import Stage
 
@@ -105,7 +106,8 @@ class Run(Pipeline):
             picture = stage.draw(view, int(frame))
             del stage  # its window goes before the display does
         if path is not None:
-            write_png(picture, path)
+            with whole_file(os.fspath(path), lambda path: True) as part:
+                write_png(picture, part)
         width, height, _ = picture.GetDimensions()
         return vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(height, width, -1)[::-1].copy()
 

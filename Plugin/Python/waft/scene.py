@@ -11,7 +11,7 @@ from waft import _schema
 from waft._entries import documented, entry_of, refusal
 from waft.failures import BadInput
 from waft.files import whole_file, write_text
-from waft.reading import read_json
+from waft.reading import json_of, read_json, read_text
 
 Vector = Sequence[float]  # a tuple, a list or a numpy array of three numbers
 Quaternion = Sequence[float]  # w, x, y, z
@@ -215,15 +215,16 @@ class Scene:
 
     # Files and looking inside
 
-    def save(self, path: Path) -> None:
-        """Writes the scene file; paths in it are relative to it. Raises OSError where it cannot be written."""
+    def save(self, path: Path, *, is_new: bool = False) -> None:
+        """Writes the scene file; paths in it are relative to it. Raises BadInput where something else than a scene is there, or
+        with is_new anything, which stays, and OSError where it cannot be written."""
         path = _schema.plain(path)
         if not isinstance(path, str) or not path:
             raise refusal("save", "path", "the path of a file", _schema.shown(path))
         folder = os.path.dirname(os.path.abspath(path))
         content = _schema.with_files(self._data, _schema.definition("scene"), lambda file: os.path.relpath(file, folder))
         text = re.sub(r"\[\s+([-+.\deE,\s]+?)\s+\]", lambda list_: f"[{' '.join(list_[1].split())}]", json.dumps(content, indent=2))
-        with whole_file(path) as part:
+        with whole_file(path, None if is_new else _is_scene) as part:
             write_text(part, text + "\n")
 
     @classmethod
@@ -345,6 +346,16 @@ class Scene:
     def _add_obstacle(self, method, kind, given):
         place = self._append("obstacles", method, f"{kind}Obstacle", given, kind=kind)
         return self._data["obstacles"][place].get("id", place)
+
+
+def _is_scene(path):
+    """Whether a file is a scene, or is empty: it may be saved over."""
+    try:
+        text = read_text(path)
+        content = json_of(text, path) if text else {"waft": 1}
+    except BadInput:
+        return False
+    return isinstance(content, dict) and "waft" in content
 
 
 def _given(arguments):

@@ -7,6 +7,7 @@ import math
 import os
 
 from waft.failures import BadInput
+from waft.files import check_target
 from waft.reading import read_text
 from waft.scene import Scene
 
@@ -27,12 +28,9 @@ def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple",
     """Writes a commented scene that flies: texts and images in the order given, formed one after the other by `count` bodies of a
     built-in shape; for each curve a body that follows it; obstacles from files. Raises BadInput where there is a file, and of
     files and texts that no scene can use."""
-    if os.path.lexists(path):
-        raise BadInput(f"{path}: it is there, and stays as it is: choose another name")
+    check_target(path)
     if not str(path).endswith(".waft.json"):
         raise BadInput(f"{path}: expected a name that ends with .waft.json")
-    if not os.path.isdir(os.path.dirname(os.path.abspath(path))):
-        raise BadInput(f"{path}: expected a folder that is there")
     for text in texts:
         if not text.strip():
             raise BadInput("--text: expected a word, found blanks")
@@ -72,7 +70,7 @@ def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple",
         scene.add_keyframe(frame, **form, origin=(0, 0, 1.9), u=(1, 0, 0), v=(0, 0, 1), width=width, count=len(bodies),
                            objects=bodies if courses else None, radius=0.02,
                            comment="upright, seen from the front; velocity \"rest\", v [0, 1, 0] and a low origin: lying on the ground")
-    scene.save(path)
+    scene.save(path, is_new=True)
     return scene
 
 
