@@ -193,7 +193,7 @@ def opened_by(call):
     """The name of what a call opens a file by; empty when it is no such call. What is in memory may be read by any means."""
     function = call.func
     if any(isinstance(given, ast.Call) and isinstance(given.func, ast.Attribute) and given.func.attr in ("BytesIO", "StringIO")
-           or isinstance(given, ast.Attribute) and given.attr in ("stdout", "stderr") for given in call.args):
+           or isinstance(given, ast.Attribute) and given.attr in ("stdout", "stderr", "devnull") for given in call.args):
         return ""
     if isinstance(function, ast.Name):
         return function.id if function.id == "open" or re.fullmatch(r"vtk\w+Reader", function.id) else ""

@@ -123,8 +123,11 @@ class RenderTest(unittest.TestCase):
         self.assertFalse(picture.agree(smooth, jagged))
 
     def test_movie(self):
-        place = WORK + "-movie"
-        shutil.rmtree(place, ignore_errors=True)
+        shutil.rmtree(WORK + "-movie", ignore_errors=True)
+        os.makedirs(WORK + "-movie")
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(WORK + "-movie")
+        place = "take:1"  # a name that programs would take for a protocol
         sample_folder.write(place)
         written = render(place, frames="0::12", size=(160, 90), views="top", movie=True, samples=1)
         self.assertIn(os.path.join(place, "top.ogv"), written)

@@ -3,7 +3,6 @@
 
 import math
 import os
-import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -15,6 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkTexture
 from ._scenery import lines, texture
 from .failures import BadInput
 from .reading import read_picture
+from .texts import warn
 
 _MARK = (0.86, 0.25, 0.16)
 _CUT_OUT = "//VTK::TCoord::Impl\n  if (gl_FragData[0].a < 0.5) discard;\n"
@@ -44,12 +44,12 @@ def _set(matrix, linear, offset):
 
 def _load_texture(path):
     if not os.path.isfile(path):
-        print(f"waft render: warning: {path}: texture missing, plain colour instead", file=sys.stderr)
+        warn(f"{path}: texture missing, plain colour instead")
         return None
     try:
         picture = read_picture(path)
     except BadInput as error:
-        print(f"waft render: warning: {error}; plain colour instead", file=sys.stderr)
+        warn(f"{error}; plain colour instead")
         return None
     made = vtkTexture()
     made.SetInputData(picture)

@@ -54,7 +54,7 @@ def write_png(picture, path):
     writer = vtkPNGWriter()
     writer.SetInputData(picture)
     writer.SetCompressionLevel(4)
-    writer.SetFileName(str(path))
+    writer.SetFileName(os.fsencode(path))
     writer.Write()
     if writer.GetErrorCode():
         raise OSError(f"{path}: cannot be written")
@@ -84,7 +84,7 @@ class _VtkMovie:
 
     def __init__(self, writer, path, rate):
         self._writer = writer
-        self._writer.SetFileName(str(path))
+        self._writer.SetFileName(os.fsencode(os.path.abspath(path)))  # a name by itself may look like a protocol
         self._writer.SetRate(max(int(round(rate)), 1))
         self._writer.SetQuality(2)
         self._started = False
@@ -126,7 +126,7 @@ class Mp4Movie:
     """An MP4 movie by the program ffmpeg, which gets raw pictures through a pipe."""
 
     def __init__(self, path, rate):
-        self._path = str(path)
+        self._path = os.path.abspath(path)  # a name by itself may look like a protocol, or an option
         self._rate = rate
         self._process = None
 
@@ -146,10 +146,12 @@ class Mp4Movie:
                 stdin=subprocess.PIPE,
             )
         pixels = vtk_to_numpy(picture.GetPointData().GetScalars())
-        self._process.stdin.write(np.ascontiguousarray(pixels).tobytes())
+        with contextlib.suppress(BrokenPipeError):  # it ended before its time, as close() tells
+            self._process.stdin.write(np.ascontiguousarray(pixels).tobytes())
 
     def close(self):
-        self._process.stdin.close()
+        with contextlib.suppress(BrokenPipeError):
+            self._process.stdin.close()
         if self._process.wait() != 0:
             raise OSError(f"{self._path}: ffmpeg failed")
 

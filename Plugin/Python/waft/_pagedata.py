@@ -5,7 +5,6 @@ import json
 import math
 import os
 import struct
-import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -14,6 +13,7 @@ from waft import _folder
 from waft._kinds import POSITIONAL
 from waft.failures import BadInput
 from waft.reading import found_json, read_bytes, read_rows
+from waft.texts import warn
 
 _MOST_ROWS = 1200  # of a plot; more cannot be told apart
 
@@ -172,5 +172,5 @@ def _measured(folder, measured):
         lack = f"{path}: expected what `waft measure --json` writes: {error}"
         if measured:
             raise BadInput(lack) from error
-        print(f"waft: warning: {lack}; left out", file=sys.stderr)
+        warn(f"{lack}; left out")
         return None

@@ -11,6 +11,7 @@ from waft import failures
 from waft._schema import definition
 from waft._styles import STYLES, VIEWS
 from waft.loading import version
+from waft.texts import is_utf8, line, say, shortened, warn
 from waft.watching import interruptible, tell_guard
 
 DESCRIPTION = "Motion of light things in air that goes where you say and moves like things carried by one air."
@@ -41,7 +42,7 @@ def _argument(kind, expected, accepts):
         except ValueError:
             value = None
         if value is None or not accepts(value):
-            raise argparse.ArgumentTypeError(f"expected {expected}, found '{failures.shortened(text, 100)}'")
+            raise argparse.ArgumentTypeError(f"expected {expected}, found '{line(shortened(text, 100))}'")
         return value
     return convert
 
@@ -76,12 +77,12 @@ def _whole(first, last):
 
 
 def _fits(path):
-    """Whether a file system takes a path."""
-    path = os.fsencode(path)
-    return 0 < len(path) < 4096 and all(len(name) < 256 for name in path.split(b"/"))
+    """Whether a file system takes a path, and ParaView."""
+    name = os.fsencode(path)
+    return is_utf8(path) and 0 < len(name) < 4096 and all(len(part) < 256 for part in name.split(b"/"))
 
 
-path = _argument(str, "a path of 1 to 4095 letters, 255 in each name", _fits)
+path = _argument(str, "a path in UTF-8 of 1 to 4095 letters, 255 in each name", _fits)
 threads = _whole(1, 1024)
 seed = _whole(0, 2 ** 31 - 1)
 seeds = _argument(_seeds, "seeds A:B, or one, from 0 to 2147483647, at most 100000 of them",
@@ -100,8 +101,14 @@ views = _argument(_names, "names of hero, side, top and follow with commas betwe
                   lambda names: len(set(names)) == len(names) and all(name in VIEWS for name in names))
 
 
+class _Parser(argparse.ArgumentParser):
+    def error(self, message):
+        """What is wrong with a command line, whatever is in it, in one line below the usage."""
+        super().error(line(shortened(message)))
+
+
 def parser():
-    main = argparse.ArgumentParser(prog="waft", description=DESCRIPTION, epilog=EXIT)
+    main = _Parser(prog="waft", description=DESCRIPTION, epilog=EXIT)
     main.add_argument("--version", action="version", version=f"waft {version()}")
     main.set_defaults(needs_paraview=True)
     commands = main.add_subparsers(dest="command", required=True, metavar="COMMAND")
@@ -284,9 +291,9 @@ def _fly_and_show(options):
     status = _fly(options, "preview")
     if status != failures.STOPPED_EARLY:
         try:
-            print(f"waft: {write_page(options.output, is_watched=True)}: open it in a browser, it follows", file=sys.stderr)
+            say(f"waft: {write_page(options.output, is_watched=True)}: open it in a browser, it follows")
         except failures.WaftError as error:
-            print(f"waft: warning: {error}", file=sys.stderr)
+            warn(error)
     return status
 
 
@@ -298,7 +305,7 @@ def run_takes(options):
     from waft.takes import fly_takes, table
 
     status, rows = fly_takes(options.scene, options.seeds, options.output, options.quality, options.jobs, options.threads,
-                             options.database, tell=lambda line: print(f"waft: {line}", file=sys.stderr, flush=True))
+                             options.database, tell=lambda text: say(f"waft: {text}"))
     print(table(rows), end="")
     return status
 
@@ -307,8 +314,9 @@ def run_new(options):
     from waft.starting import new_scene
 
     scene = new_scene(options.scene, options.text, options.image, options.path, options.obstacle, options.shape, options.count)
-    print(f"{options.scene}: {len(scene.objects)} objects, {scene.frames} frames; fly it: waft synthesize {shlex.quote(options.scene)} "
-          "--output out --preview", file=sys.stderr)
+    name = options.scene if not options.scene.startswith("-") else f"./{options.scene}"
+    say(f"{options.scene}: {len(scene.objects)} objects, {scene.frames} frames; fly it: waft synthesize {shlex.quote(name)} "
+        "--output out --preview")
     return failures.ALL_MET
 
 
@@ -318,10 +326,10 @@ def run_check(options):
     with interruptible("stopped: a check writes nothing"):
         looked, findings = check(options.scene, options.database)
     for finding in findings:
-        print(f"waft: {'hard' if finding.is_possible else 'cannot be met'}: {finding.text}")
+        print(line(f"waft: {'hard' if finding.is_possible else 'cannot be met'}: {finding.text}"))
     impossible = sum(not finding.is_possible for finding in findings)
-    print(f"waft: {options.scene}: {len(looked.ids)} objects, {len(looked.report)} constraints, {impossible} of them cannot be met, "
-          f"{len(findings) - impossible} remarks on what will be hard")
+    print(line(f"waft: {options.scene}: {len(looked.ids)} objects, {len(looked.report)} constraints, {impossible} of them cannot be met, "
+               f"{len(findings) - impossible} remarks on what will be hard"))
     return failures.NOT_ALL_MET if impossible else failures.ALL_MET
 
 
@@ -334,11 +342,10 @@ def run_database(options):
                          coverage_tolerance=options.coverage_tolerance, resume=options.resume,
                          quiet=False)
     count = len(made.coverage) + 1
-    print(f"{options.output}: {count} simulations" + (
-        f", {100.0 * made.coverage[-1][2]:.1f} % of the last one's segments are new" if made.coverage else ""),
-        file=sys.stderr)
+    say(f"{options.output}: {count} simulations" + (
+        f", {100.0 * made.coverage[-1][2]:.1f} % of the last one's segments are new" if made.coverage else ""))
     if made.stopped:
-        print("stopped early; --resume goes on", file=sys.stderr)
+        say("stopped early; --resume goes on")
     return failures.STOPPED_EARLY if made.stopped else failures.ALL_MET
 
 
@@ -355,7 +362,7 @@ def run_render(options):
                progress=lambda done, text: drawn.append(text))
     seconds = time.monotonic() - began
     count = len(drawn) * len(options.views)
-    print(f"{options.folder}: {count} pictures in {seconds:.1f} s, {count / seconds:.1f} frames a second", file=sys.stderr)
+    say(f"{options.folder}: {count} pictures in {seconds:.1f} s, {count / seconds:.1f} frames a second")
     return failures.ALL_MET
 
 
@@ -364,7 +371,7 @@ def run_page(options):
 
     with interruptible("stopped: no page was written"):
         page = write_page(options.folder, options.measure)
-    print(f"{page}: {os.path.getsize(page) / 1e6:.1f} MB; open it in a browser", file=sys.stderr)
+    say(f"{page}: {os.path.getsize(page) / 1e6:.1f} MB; open it in a browser")
     return failures.ALL_MET
 
 
@@ -373,7 +380,7 @@ def run_export(options):
 
     with interruptible("stopped: nothing was written"):
         file = export(options.folder, options.to, options.parts)
-    print(f"{file}: {os.path.getsize(file) / 1e6:.1f} MB", file=sys.stderr)
+    say(f"{file}: {os.path.getsize(file) / 1e6:.1f} MB")
     return failures.ALL_MET
 
 
@@ -381,7 +388,7 @@ def run_blender_addon(options):
     from waft.blenderaddon import write_addon
 
     write_addon(options.file)
-    print(f"{options.file}: in Blender, Edit > Preferences > Add-ons > Install", file=sys.stderr)
+    say(f"{options.file}: in Blender, Edit > Preferences > Add-ons > Install")
     return failures.ALL_MET
 
 
@@ -392,7 +399,7 @@ def run_measure(options):
 
     if options.make_drifters:
         make_drifters_for(options.folders, options.make_drifters, options.settling_speeds, options.airs, options.seed,
-                          progress=lambda _, text: print(text, file=sys.stderr))
+                          progress=lambda _, text: say(text))
         return failures.ALL_MET
     if options.json and options.json != "-":
         check_target(options.json, is_marked_json)
@@ -402,7 +409,7 @@ def run_measure(options):
         json.dump(rows, sys.stdout, indent=2)
         print()
     else:
-        print("\n\n".join("\n".join(table(one)) for one in measured))
+        print("\n\n".join("\n".join(map(line, table(one))) for one in measured))
         if options.json:
             with whole_file(options.json, is_marked_json) as part:
                 write_json(part, rows)
@@ -423,9 +430,11 @@ def main(arguments=None):
         return _give_up(error, error.status)
     except OSError as error:
         return _give_up(error, failures.FAILED)
+    except MemoryError:
+        return _give_up("too little memory", failures.FAILED)
 
 
 def _give_up(error, status):
     tell_guard("words", "")  # said here
-    print(f"waft: {failures.shortened(error)}", file=sys.stderr)
+    say(f"waft: {shortened(error)}")
     return status

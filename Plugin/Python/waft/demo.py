@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The embedded scenes, start to finish, with pictures and pages."""
 import pathlib
-import sys
 
 from waft import failures
 from waft.loading import data_file
 from waft.synthesis import synthesize, tell
+from waft.texts import say, warn
 from waft.watching import interruptible
 
 SCENES = ("feather-waypoints", "leaves-letters")
@@ -20,7 +20,7 @@ def run_demo(folder, threads=None):
     pages = []
     for name in SCENES:
         target = pathlib.Path(folder) / name
-        print(f"{name}: planning, optimising, turning ...", file=sys.stderr)
+        say(f"{name}: planning, optimising, turning ...")
         run = synthesize(data_file(f"Scenes/{name}.waft.json"), output=target, threads=threads, quiet=False,
                          quality="assimilated")
         tell(run, target)
@@ -28,7 +28,7 @@ def run_demo(folder, threads=None):
         if run.stopped:
             return run.status
         last = int(run.output("reader").GetFieldData().GetArray("NumberOfFrames").GetValue(0)) - 1
-        print(f"{name}: rendering ...", file=sys.stderr)
+        say(f"{name}: rendering ...")
         with interruptible("stopped: the pictures that were drawn are whole"):
             render(target, frames=f"0:{last}:{max(1, last // 6)}", size=(960, 540))
         try:
@@ -36,8 +36,8 @@ def run_demo(folder, threads=None):
         except failures.BadInput:
             raise
         except failures.WaftError as error:  # without three.js there is all else
-            print(f"waft: warning: {error}", file=sys.stderr)
-    print(f"Pictures are in {folder}/*/frames; {folder}/*/animation.glb opens in Blender.", file=sys.stderr)
+            warn(error)
+    say(f"Pictures are in {folder}/*/frames; {folder}/*/animation.glb opens in Blender.")
     if pages:
-        print(f"To watch it, open in a browser: {' '.join(pages)}", file=sys.stderr)
+        say(f"To watch it, open in a browser: {' '.join(pages)}")
     return status

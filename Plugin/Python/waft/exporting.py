@@ -120,5 +120,5 @@ def _by_blender(animation, path, rate, frames):
         if done.returncode == _LACKING:
             raise WaftError(f"{path.suffix}: {blender} was built without this format (Debian's is); nothing was written")
         if done.returncode != 0 or not os.path.isfile(written):
-            raise WaftError(f"{path.suffix}: Blender failed: {(done.stderr or done.stdout)[-800:]}")
+            raise WaftError(f"{path.suffix}: Blender failed: {' '.join((done.stderr or done.stdout)[-800:].split())}")
         copy_file(written, path)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What can go wrong, and the exit status that says so."""
+from waft.texts import line, shortened
 
 ALL_MET = 0
 FAILED = 1
@@ -9,12 +10,12 @@ STOPPED_EARLY = 4
 
 
 class WaftError(Exception):
-    """A run could not be done; `status` is the exit status of the command. The message is UTF-8 text that can be read."""
+    """A run could not be done; `status` is the exit status of the command. The message is one line of text that can be read."""
 
     status = FAILED
 
     def __init__(self, message):
-        super().__init__(shortened(message).encode("utf-8", "backslashreplace").decode("utf-8"))
+        super().__init__(line(shortened(message)))
 
 
 class BadInput(WaftError):
@@ -27,9 +28,3 @@ class Interrupted(WaftError):
     """Stopped before there was anything worth writing."""
 
     status = STOPPED_EARLY
-
-
-def shortened(text, most=1800):
-    """A text without its middle where it is longer than most letters."""
-    text = str(text)
-    return text if len(text) <= most else f"{text[:most // 2]} ... {text[-most // 2:]}"

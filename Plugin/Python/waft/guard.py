@@ -5,7 +5,7 @@
 
 The child looks whether to stop between two pieces of its work. While ParaView starts, and within a long call of a
 library, it cannot; as long as it has nothing to write it is ended from here then, at once and without a trace. It
-tells through a pipe, a line each, what stands for it:
+tells through a pipe, a line of JSON each (`[key, value]`: a name may hold any letter), what stands for it:
 
     limit S         the time limit: S seconds from now
     words TEXT      what to say when it is ended; none: it has something to write and ends by itself
@@ -14,20 +14,24 @@ tells through a pipe, a line each, what stands for it:
 Nothing here needs more than Python's own library, nor do the commands that do without ParaView, which are done here.
 """
 import contextlib
+import json
 import os
 import pathlib
 import signal
 import sys
+import tempfile
 import time
 
 if __name__ == "__main__":  # run by its file alone: the package is where that is
     sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 
+from waft import ending, failures, texts  # noqa: E402
 from waft.display import STOPS, display, start  # noqa: E402
 
-STOPPED_EARLY = 4
 GRACE = 0.5  # s from a stop until a child that has nothing to write is ended
 NOTHING_BEGUN = "stopped before anything was begun"
+# Lists of folders that programs look into, in which an empty entry is the working folder.
+SEARCHED = ("PATH", "PYTHONPATH", "LD_LIBRARY_PATH", "PV_PLUGIN_PATH", "QT_PLUGIN_PATH")
 
 
 class Told:
@@ -46,11 +50,11 @@ class Told:
             self._text += os.read(self._end, 65536)
         *lines, self._text = self._text.split(b"\n")
         for line in lines:
-            key, _, value = line.decode("utf-8", "replace").partition(" ")
+            key, value = json.loads(line)
             if key == "words":
                 self.words = value
             elif key == "limit":
-                self.deadline = time.monotonic() + float(value)
+                self.deadline = time.monotonic() + value
             elif key == "made":
                 self.made.append(value)
 
@@ -58,12 +62,17 @@ class Told:
 def watch(arguments):
     """Runs `waft` with these arguments to its end; returns its exit status, negative when a signal ended it."""
     reading, writing = os.pipe()
+    given = os.memfd_create("waft")  # pvpython takes no names that are not of its locale
+    os.write(given, b"\0".join(map(os.fsencode, arguments)))
     package = pathlib.Path(__file__).resolve().parent
-    environment = {**os.environ, "WAFT_GUARD": str(writing), "OMPI_MCA_ess_singleton_isolated": "1",  # no daemon of MPI
+    environment = {**os.environ, "WAFT_GUARD": str(writing), "WAFT_ARGUMENTS": str(given),
+                   "LC_ALL": "C.UTF-8",  # whose names of files are any
+                   "OMPI_MCA_ess_singleton_isolated": "1",  # no daemon of MPI
                    "HWLOC_COMPONENTS": os.environ.get("HWLOC_COMPONENTS", "-gl"),  # nor a look at the X server's cards
                    "PYTHONPATH": os.pathsep.join([str(package.parent), *filter(None, [os.environ.get("PYTHONPATH")])])}
-    child = start(["pvpython", str(package / "__main__.py"), *arguments], STOPS, pass_fds=(writing,), env=environment)
+    child = start(["pvpython", str(package / "__main__.py")], STOPS, pass_fds=(writing, given), env=environment)
     os.close(writing)
+    os.close(given)
     told = Told(reading)
     asked = None
     while child.poll() is None:
@@ -83,13 +92,15 @@ def watch(arguments):
                 with contextlib.suppress(OSError):
                     os.rmdir(folder)
             say(told.words)
-            return STOPPED_EARLY
+            return failures.STOPPED_EARLY
     return child.returncode
 
 
 def say(text):
     """A line on stderr, in place of the progress line when that is a terminal."""
-    print(("\r\033[K" if sys.stderr.isatty() else "") + f"waft: {text}", file=sys.stderr)
+    if sys.stderr.isatty():
+        print("\r\033[K", end="", file=sys.stderr)
+    texts.say(f"waft: {text}")
 
 
 def parse(arguments):
@@ -109,8 +120,28 @@ def check_version(command):
         sys.exit(1)
 
 
+def settle_environment():
+    """What the shell hands over, as all processes of the command are to have it."""
+    for name in SEARCHED:
+        folders = os.environ.get(name)
+        if folders is not None:
+            os.environ[name] = os.pathsep.join(filter(None, folders.split(os.pathsep)))
+    folder = os.environ.get("TMPDIR")
+    if folder is not None and not (os.path.isdir(folder) and os.access(folder, os.W_OK | os.X_OK)):
+        os.environ["TMPDIR"] = tempfile.gettempdir()  # as Python has it; MPI would take the other, and fail
+    os.environ.pop("WAFT_GUARD", None)
+    os.environ.pop("WAFT_ARGUMENTS", None)
+
+
 def main(arguments):
-    if not parse(arguments).needs_paraview:
+    options = parse(arguments)
+    try:
+        os.getcwd()
+    except OSError:
+        say("the working folder is gone: expected to be called in one that is there")
+        return failures.FAILED
+    settle_environment()
+    if not options.needs_paraview:
         from waft import cli, watching
 
         watching.note_stops()
@@ -122,21 +153,17 @@ def main(arguments):
         if is_there:
             return watch(arguments)
     say(NOTHING_BEGUN)
-    return STOPPED_EARLY
+    return failures.STOPPED_EARLY
+
+
+def run():
+    check_version(globals().get("COMMAND_VERSION"))  # that of the installed command
+    try:
+        return main(sys.argv[1:])
+    except OSError as error:
+        say(error)
+        return failures.FAILED
 
 
 if __name__ == "__main__":
-    try:
-        check_version(globals().get("COMMAND_VERSION"))  # that of the installed command
-        status = main(sys.argv[1:])
-    except OSError as error:
-        say(error)
-        status = 1
-    if status < 0:  # as if there were no process in between
-        if -status == signal.SIGKILL:  # whose action cannot be set
-            say("ended by SIGKILL, as systems do when memory runs out")
-        else:
-            signal.signal(-status, signal.SIG_DFL)
-        signal.pthread_sigmask(signal.SIG_UNBLOCK, [-status])
-        os.kill(os.getpid(), -status)
-    sys.exit(status)
+    ending.leave(run)

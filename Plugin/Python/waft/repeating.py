@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`waft synthesize --watch`: flies again whenever the scene is saved."""
 import os
-import sys
 import time
 
 from waft import failures
 from waft.scene import Scene
+from waft.texts import say
 from waft.watching import interruptible
 
 POLL = 0.25  # s between two looks at the files
@@ -16,35 +16,49 @@ def fly_when_saved(scene, fly):
     is malformed is told, and waited for. Returns the status of the last flight that came to its end."""
     if not os.path.isfile(scene):
         raise failures.BadInput(f"{scene}: no such scene file")
+    look = Look(scene)
     while True:
-        seen = look(scene)
+        seen = look()
         try:
             status = fly()
         except failures.BadInput as error:
             status = error.status
-            print(f"waft: {error}", file=sys.stderr)
+            say(f"waft: {error}")
         if status == failures.STOPPED_EARLY:
             return status
         try:
             with interruptible(""):  # the last flight is whole: nobody has to end this process
-                print(f"waft: {scene}: waiting for it to be saved; Ctrl-C ends this", file=sys.stderr, flush=True)
-                while look(scene) == seen:
+                say(f"waft: {scene}: waiting for it to be saved; Ctrl-C ends this")
+                while look() == seen:
                     time.sleep(POLL)
-                settled = look(scene)
-                while time.sleep(POLL) or look(scene) != settled:  # written whole by then
-                    settled = look(scene)
+                settled = look()
+                while time.sleep(POLL) or look() != settled:  # written whole by then
+                    settled = look()
         except failures.Interrupted:
             return status
 
 
-def look(scene):
-    """{file: (size, time)} of a scene file and the files that it names, as far as it can be read."""
-    files = {os.path.abspath(scene)}
+class Look:
+    """Called: {file: (size, time)} of a scene file and the files that it names, as far as it can be read. The scene is read when it
+    changed, and not at every look."""
+
+    def __init__(self, scene):
+        self._scene = os.path.abspath(scene)
+        self._read = None  # (size, time) of the scene that names the files
+        self._files = ()
+
+    def __call__(self):
+        now = _about(self._scene)
+        if now != self._read:
+            self._read, self._files = now, _named(self._scene)
+        return {**{file: _about(file) for file in self._files}, self._scene: now}
+
+
+def _named(scene):
     try:
-        files |= set(Scene.load(scene).files())
+        return Scene.load(scene).files()
     except failures.BadInput:
-        pass
-    return {file: _about(file) for file in files}
+        return ()
 
 
 def _about(file):

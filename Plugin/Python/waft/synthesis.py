@@ -3,7 +3,6 @@
 import contextlib
 import os
 import pathlib
-import sys
 import tempfile
 from typing import TYPE_CHECKING, Callable, Dict, Optional, Union
 
@@ -12,6 +11,7 @@ from waft.loading import load_plugin, set_threads
 from waft.reading import found_json
 from waft.resuming import Checkpoint, run_key
 from waft.scene import Scene
+from waft.texts import is_utf8, say, warn
 from waft.watching import Clock, is_main_thread
 from waft.writing import STATE, left_out, read_rows, result_names, result_place, write_results
 
@@ -65,6 +65,9 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
     if on_progress is not None and not callable(on_progress):
         raise failures.BadInput(f"on_progress: expected a function of a share and a sentence, found {on_progress!r}")
     _check_session()
+    for path in filter(None, (scene, output, database, edit_of)):
+        if not is_utf8(path):
+            raise failures.BadInput(f"{os.fsdecode(path)}: expected a name in UTF-8, as ParaView takes no other")
     if not os.path.isfile(scene):
         raise failures.BadInput(f"{scene}: no such scene file")
     quality = quality or ("preview" if preview else "full")
@@ -166,16 +169,16 @@ def _seed_of(folder, otherwise):
 def tell(run, folder):
     """What came out, on stderr: warnings, constraints that are not met, and a line of figures."""
     for warning in run.warnings:
-        print(f"waft: warning: {warning}", file=sys.stderr)
+        warn(warning)
     for row in run.report:
         if row["Status"] != "met":
-            print(f"waft: row {row['Row']} target {row['Target']} (object {row['ObjectId']}, frame {row['Frame']}, "
-                  f"{row['Kind']}): {row['Status']}: {row['Message']}", file=sys.stderr)
+            say(f"waft: row {row['Row']} target {row['Target']} (object {row['ObjectId']}, frame {row['Frame']}, "
+                f"{row['Kind']}): {row['Status']}: {row['Message']}")
     if left_out(run):
-        print(f"waft: stopped: without {', '.join(left_out(run))}; --resume goes on and writes all", file=sys.stderr)
+        say(f"waft: stopped: without {', '.join(left_out(run))}; --resume goes on and writes all")
     met = sum(row["Status"] == "met" for row in run.report)
     seconds = ", ".join(f"{name} {watch.seconds:.1f} s" for name, watch in run.watches.items())
-    print(f"{folder}: {met} of {len(run.report)} constraints met ({seconds})", file=sys.stderr)
+    say(f"{folder}: {met} of {len(run.report)} constraints met ({seconds})")
 
 
 def is_first_rank():

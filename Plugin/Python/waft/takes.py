@@ -26,6 +26,7 @@ from waft.loading import version
 from waft.reading import found_json
 from waft.results import Busy, Entry, ResultPlace, check_folder
 from waft.scene import Scene
+from waft.texts import cell, line
 from waft.watching import STOPS, interruptible
 
 OUTCOMES = {failures.ALL_MET: "all met", failures.NOT_ALL_MET: "not all met", failures.STOPPED_EARLY: "stopped",
@@ -102,15 +103,15 @@ class _Flight:
         content = hashlib.sha256(f"{version()} {quality}".encode())
         self._scene = Scene.load(scene)
         self._name = os.path.basename(scene)
-        files = [scene, *sorted(self._scene.files()), *([database] if database else [])]
-        for file in files:
-            if not os.path.isfile(file):
-                raise BadInput(f"{file}: no such file")
-            content.update(Entry.of(file).digest.encode())
+        if database and not os.path.isfile(database):
+            raise BadInput(f"{database}: no such file")
+        # What a scene lacks is for who flies it to say: there is no file, as there might be another.
+        for file in [scene, *sorted(self._scene.files()), *([database] if database else [])]:
+            content.update((Entry.of(file).digest if os.path.isfile(file) else "none").encode())
         self.key = content.hexdigest()  # takes of one key and seed are the same
         self._folder = folder
         self._arguments = ["--quality", quality, "--threads", str(threads)]
-        self._arguments += ["--database", str(database)] if database else []
+        self._arguments += ["--database", os.path.abspath(database)] if database else []
         self._lock = threading.Lock()
         self._children = set()
         self._ends = False
@@ -121,7 +122,7 @@ class _Flight:
 
     def fly(self, seed):
         """The row of a take; None when it was not begun, since others were refused or stopped."""
-        place = self._folder / take_name(seed)
+        place = self._folder.absolute() / take_name(seed)  # a name by itself may look like an option
         resume = ["--resume"] if (place / "checkpoint").is_dir() else []
         began = time.monotonic()
         with tempfile.TemporaryDirectory(prefix="waft-take-") as folder:
@@ -162,8 +163,8 @@ class _Flight:
         text, errors = child.communicate()
         with self._lock:
             self._children.discard(child)
-        lines = [line for line in errors.splitlines() if line.strip()]
-        return child.returncode, text, lines[-1].removeprefix("waft: ") if lines else ""
+        said = [words for words in errors.splitlines() if words.strip()]
+        return child.returncode, text, said[-1].removeprefix("waft: ") if said else ""
 
 
 def _block_stops():
@@ -214,18 +215,18 @@ def _as_csv(rows):
     writer.writerow([*_FIRST, *keys, "message"])
     for row in rows:
         values = {measure["key"]: measure["value"] for measure in row.get("measures", ())}
-        writer.writerow([*(row.get(name, "") for name in _FIRST), *(values.get(key) for key in keys), row["message"]])
+        writer.writerow([*(row.get(name, "") for name in _FIRST), *(values.get(key) for key in keys), cell(row["message"])])
     return text.getvalue()
 
 
 def table(rows):
     """The rows for a reader: wishes met, how many measures are within what is wanted, and which are not."""
-    lines = [("seed", "outcome", "wishes", "measures", "seconds", "not as wanted")]
+    cells = [("seed", "outcome", "wishes", "measures", "seconds", "not as wanted")]
     for row in rows:
         judged = [measure for measure in row.get("measures", ()) if measure["met"] is not None]
-        lines.append((str(row["seed"]), row["outcome"], f"{row['met']}/{row['wishes']}" if "met" in row else "-",
+        cells.append((str(row["seed"]), row["outcome"], f"{row['met']}/{row['wishes']}" if "met" in row else "-",
                       f"{sum(measure['met'] for measure in judged)}/{len(judged)}" if judged else "-", f"{row['seconds']:.0f}",
                       ", ".join(measure["key"] for measure in judged if not measure["met"]) or row["message"]))
-    widths = [max(len(line[column]) for line in lines) for column in range(5)]
-    padded = ([*(cell.ljust(width) for cell, width in zip(line, widths)), line[5]] for line in lines)
-    return "".join("  ".join(line).rstrip() + "\n" for line in padded)
+    widths = [max(len(own[column]) for own in cells) for column in range(5)]
+    padded = ([*(text.ljust(width) for text, width in zip(own, widths)), own[5]] for own in cells)
+    return "".join(line("  ".join(cells).rstrip()) + "\n" for cells in padded)

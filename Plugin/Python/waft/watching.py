@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Errors, progress, interrupts and time limits of the stages of a pipeline."""
 import contextlib
+import json
 import os
 import resource
 import signal
@@ -9,6 +10,7 @@ import threading
 import time
 
 from waft.failures import Interrupted
+from waft.texts import line
 
 STOPS = (signal.SIGINT, signal.SIGTERM)
 NOTHING_COMPUTED = "stopped before anything was computed: nothing was written"
@@ -27,7 +29,7 @@ def tell_guard(key, value):
     """Tells the process that guards this one, if there is one (guard.py)."""
     pipe = os.environ.get("WAFT_GUARD")
     if pipe is not None:
-        os.write(int(pipe), f"{key} {value}\n".encode())
+        os.write(int(pipe), json.dumps([key, value if isinstance(value, (int, float)) else str(value)]).encode() + b"\n")
 
 
 def is_main_thread():
@@ -206,7 +208,7 @@ class Clock:
         self.tell(self._whole(name, fraction), self.phase or (f"{name}: {text}" if text else name))
         if self._quiet:
             return
-        print(f"\r\033[K{name} {100.0 * fraction:3.0f} %  {text or ''}"[:110], end="", file=sys.stderr)
+        print("\r\033[K" + line(f"{name} {100.0 * fraction:3.0f} %  {text or ''}")[:104], end="", file=sys.stderr)
 
     def _whole(self, name, fraction):
         """The share of the whole that is done."""
