@@ -9,13 +9,16 @@
 #include "Files/FileBytes.h"
 #include "Files/GltfMesh.h"
 #include "Files/MeshFileCheck.h"
+#include "Files/MeshReaders.h"
 
 #include <vtkDataArray.h>
+#include <vtkIdList.h>
 #include <vtkNew.h>
-#include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkPolygon.h>
 #include <vtkSTLReader.h>
 #include <vtkTriangleFilter.h>
 
@@ -23,6 +26,62 @@ namespace waft
 {
 namespace
 {
+
+// The corners of the triangles that a polygon is split into, by VTK's way of cutting ears off. One
+// that has no such split, as it crosses itself, is split into a fan.
+void AddTriangles(const PolygonSurface& polygons, std::size_t first, std::size_t count,
+                  vtkPolygon* polygon, vtkIdList* split, TriangleMesh& mesh)
+{
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c)
+  {
+    const int* corners = &polygons.Corners[first];
+    mesh.Triangles.push_back({ corners[a], corners[b], corners[c] });
+  };
+  split->Reset();
+  if (count > 3)
+  {
+    const auto size = static_cast<vtkIdType>(count);
+    polygon->Points->SetNumberOfPoints(size);
+    polygon->PointIds->SetNumberOfIds(size);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const int corner = polygons.Corners[first + static_cast<std::size_t>(i)];
+      polygon->Points->SetPoint(i, polygons.Points[static_cast<std::size_t>(corner)].data());
+      polygon->PointIds->SetId(i, i);
+    }
+    polygon->Triangulate(split);
+  }
+  for (vtkIdType i = 0; i + 2 < split->GetNumberOfIds(); i += 3)
+  {
+    add(static_cast<std::size_t>(split->GetId(i)), static_cast<std::size_t>(split->GetId(i + 1)),
+        static_cast<std::size_t>(split->GetId(i + 2)));
+  }
+  for (std::size_t i = 2; i < count && split->GetNumberOfIds() == 0; ++i)
+  {
+    add(0, i - 1, i);
+  }
+}
+
+Result ReadPolygons(const std::string& path, Result (*read)(std::string_view, PolygonSurface&),
+                    SurfaceFile& surface)
+{
+  FileBytes file;
+  WAFT_RETURN_IF_FAILED(file.Open(path));
+  PolygonSurface polygons;
+  WAFT_RETURN_IF_FAILED(read(file.View(), polygons));
+  vtkNew<vtkPolygon> polygon;
+  polygon->Points->SetDataTypeToDouble();
+  vtkNew<vtkIdList> split;
+  std::size_t first = 0;
+  for (const std::size_t end : polygons.Ends)
+  {
+    AddTriangles(polygons, first, end - first, polygon, split, surface.Mesh);
+    first = end;
+  }
+  surface.Mesh.Points = std::move(polygons.Points);
+  surface.TextureCoordinates = std::move(polygons.TextureCoordinates);
+  return Result::Ok();
+}
 
 template <class Reader>
 Result ReadChecked(const std::string& path, Result (*check)(std::string_view), vtkPolyData* data)
@@ -66,10 +125,6 @@ Result ReadGltfSurface(const std::string& path, SurfaceFile& surface)
 
 Result ReadPolyData(const std::string& path, const std::string& extension, vtkPolyData* data)
 {
-  if (extension == ".obj")
-  {
-    return ReadChecked<vtkOBJReader>(path, CheckObj, data);
-  }
   if (extension == ".ply")
   {
     return ReadChecked<vtkPLYReader>(path, CheckPly, data);
@@ -113,6 +168,10 @@ Result ReadSurfaceFile(const std::string& path, SurfaceFile& surface)
   if (extension == ".glb" || extension == ".gltf")
   {
     WAFT_RETURN_IF_FAILED(ReadGltfSurface(path, read));
+  }
+  else if (extension == ".obj")
+  {
+    WAFT_RETURN_IF_FAILED(ReadPolygons(path, ReadObj, read));
   }
   else
   {

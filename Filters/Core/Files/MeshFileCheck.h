@@ -13,8 +13,6 @@ namespace waft
 // coordinates beyond limits::Coordinate (in the unit of the file), and indices of points that are
 // not there.
 
-/// Wavefront OBJ: its lines v, vt, vn, f, l and p; others are the reader's own.
-Result CheckObj(std::string_view file);
 /// STL, binary (with all the triangles of its count) or text.
 Result CheckStl(std::string_view file);
 /// Stanford PLY, ascii or binary: the header, and each element with all its properties, in text on

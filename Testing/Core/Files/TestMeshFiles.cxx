@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes are looked at before a reader sees them that trusts counts and indices.
+// What is wrong with a mesh file is said, and where.
 #include "Base/TemporaryFolder.h"
 #include "Files/GltfMesh.h"
 #include "Files/MeshFileCheck.h"
+#include "Files/MeshReaders.h"
 
 #include <gtest/gtest.h>
 
@@ -24,13 +25,20 @@ const std::string PlyHead = "ply\nformat ascii 1.0\nelement vertex 3\nproperty f
                             "property list uchar int vertex_indices\nend_header\n";
 const std::string PlyPoints = "0 0 0\n1 0 0\n0 1 0\n";
 
-void ExpectErrors(Result (*check)(std::string_view), const std::vector<Bad>& cases)
+template <class Error>
+void ExpectErrors(Error error, const std::vector<Bad>& cases)
 {
   for (const Bad& bad : cases)
   {
-    const std::string message = check(bad.File).Message();
+    const std::string message = error(bad.File);
     EXPECT_NE(message.find(bad.Part), std::string::npos) << bad.File << "\n" << message;
   }
+}
+
+std::string ObjError(std::string_view file)
+{
+  PolygonSurface surface;
+  return ReadObj(file, surface).Message();
 }
 
 // A triangle in a .gltf; the text of its JSON may be changed.
@@ -56,14 +64,18 @@ std::string Gltf(const std::string& from = "", const std::string& to = "")
 TEST(MeshFiles, ObjIndicesAndNumbers)
 {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  EXPECT_EQ(CheckObj(points + "# remark\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 -1\n").Message(), "");
-  ExpectErrors(CheckObj, { { points + "f 1 2 4\n", "line 4: expected an index of 3 points" },
+  EXPECT_EQ(ObjError(points + "# remark\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 -1\n"), "");
+  ExpectErrors(ObjError, { { points + "f 1 2 4\n", "line 4: expected an index of 3 points" },
                            { points + "f 1 2 0\n", "line 4" },
                            { points + "f 1 2 -4\n", "line 4" },
                            { points + "f 1 2 999999999\n", "\"999999999\"" },
                            { points + "f 1 2/1 3\n", "texture coordinates" },
                            { points + "f 1 2\n", "at least 3 corners" },
                            { "v 0 0\n", "line 1: expected 3 numbers" },
+                           { points + "f 1 2 3///\n", "point/texture/normal" },
+                           { points + "f 1 2 -9223372036854775808\n", "index of 3 points" },
+                           { points + "l 1 9\n", "index of 3 points" },
+                           { points + "f 1 2 \\\n", "line 4: expected at least 3 corners" },
                            { "v nan 0 0\n", "\"nan\"" },
                            { "v 0 1e308 0\n", "at most 1e6" },
                            { "v 0 a 0\n", "\"a\"" } });
@@ -77,18 +89,19 @@ TEST(MeshFiles, PlyHeadersAndElements)
     std::string text = PlyHead + PlyPoints + "3 0 1 2\n";
     return text.replace(text.find(from), from.size(), to);
   };
-  ExpectErrors(CheckPly, { { "", "signature of a PLY" },
-                           { PlyHead, "element vertex 0" },
-                           { PlyHead + PlyPoints, "element face 0" },
-                           { PlyHead + PlyPoints + "3 0 1 3\n", "indices of 3 points" },
-                           { PlyHead + PlyPoints + "3 0 1 -1\n", "indices of 3 points" },
-                           { PlyHead + PlyPoints + "300 0 1 2\n", "at most 255 corners" },
-                           { PlyHead + PlyPoints + "3 0 1\n", "fewer numbers" },
-                           { changed("1 0 0", "nan 0 0"), "element vertex 1" },
-                           { changed("1 0 0", "1e9 0 0"), "coordinates of at most 1e6" },
-                           { changed("property float z\n", ""), "x, y, z" },
-                           { changed("vertex 3", "vertex 1000000000"), "element vertex" },
-                           { changed("end_header\n", ""), "line 9" } });
+  ExpectErrors([](std::string_view file) { return CheckPly(file).Message(); },
+               { { "", "signature of a PLY" },
+                 { PlyHead, "element vertex 0" },
+                 { PlyHead + PlyPoints, "element face 0" },
+                 { PlyHead + PlyPoints + "3 0 1 3\n", "indices of 3 points" },
+                 { PlyHead + PlyPoints + "3 0 1 -1\n", "indices of 3 points" },
+                 { PlyHead + PlyPoints + "300 0 1 2\n", "at most 255 corners" },
+                 { PlyHead + PlyPoints + "3 0 1\n", "fewer numbers" },
+                 { changed("1 0 0", "nan 0 0"), "element vertex 1" },
+                 { changed("1 0 0", "1e9 0 0"), "coordinates of at most 1e6" },
+                 { changed("property float z\n", ""), "x, y, z" },
+                 { changed("vertex 3", "vertex 1000000000"), "element vertex" },
+                 { changed("end_header\n", ""), "line 9" } });
 }
 
 TEST(MeshFiles, StlWithAllItsTriangles)
@@ -105,7 +118,8 @@ TEST(MeshFiles, StlWithAllItsTriangles)
   const std::string text = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                            "vertex 0 1 0\nendloop\nendfacet\n";
   EXPECT_EQ(CheckStl(text + "endsolid\n").Message(), "");
-  ExpectErrors(CheckStl, { { text, "endsolid" }, { "solid a\nfacet\nvertex 0 0\n", "line 3" } });
+  ExpectErrors([](std::string_view file) { return CheckStl(file).Message(); },
+               { { text, "endsolid" }, { "solid a\nfacet\nvertex 0 0\n", "line 3" } });
 }
 
 TEST(MeshFiles, GltfTriangleWhereItsNodeStands)
