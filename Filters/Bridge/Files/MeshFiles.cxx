@@ -14,7 +14,6 @@
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
-#include <vtkPLYReader.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -125,10 +124,6 @@ Result ReadGltfSurface(const std::string& path, SurfaceFile& surface)
 
 Result ReadPolyData(const std::string& path, const std::string& extension, vtkPolyData* data)
 {
-  if (extension == ".ply")
-  {
-    return ReadChecked<vtkPLYReader>(path, CheckPly, data);
-  }
   if (extension == ".stl")
   {
     return ReadChecked<vtkSTLReader>(path, CheckStl, data);
@@ -169,9 +164,9 @@ Result ReadSurfaceFile(const std::string& path, SurfaceFile& surface)
   {
     WAFT_RETURN_IF_FAILED(ReadGltfSurface(path, read));
   }
-  else if (extension == ".obj")
+  else if (extension == ".obj" || extension == ".ply")
   {
-    WAFT_RETURN_IF_FAILED(ReadPolygons(path, ReadObj, read));
+    WAFT_RETURN_IF_FAILED(ReadPolygons(path, extension == ".obj" ? ReadObj : ReadPly, read));
   }
   else
   {

@@ -15,8 +15,5 @@ namespace waft
 
 /// STL, binary (with all the triangles of its count) or text.
 Result CheckStl(std::string_view file);
-/// Stanford PLY, ascii or binary: the header, and each element with all its properties, in text on
-/// a line of its own; vertices with x, y, z, faces with a list of indices.
-Result CheckPly(std::string_view file);
 
 } // namespace waft

@@ -18,5 +18,10 @@ namespace waft
 /// may go on behind a backslash and end in a comment. Texture coordinates are kept where all
 /// corners have one.
 Result ReadObj(std::string_view file, PolygonSurface& surface);
+/// Stanford PLY, ascii or binary: one element `vertex` with x, y, z, one element `face` with a list
+/// of indices, and all the others that its header names are there, in text on a line of its own
+/// each. Points are rounded to floats. Texture coordinates are those of points (u and v, or s and
+/// t), or those of corners (a list `texcoord`).
+Result ReadPly(std::string_view file, PolygonSurface& surface);
 
 } // namespace waft

@@ -41,6 +41,12 @@ std::string ObjError(std::string_view file)
   return ReadObj(file, surface).Message();
 }
 
+std::string PlyError(std::string_view file)
+{
+  PolygonSurface surface;
+  return ReadPly(file, surface).Message();
+}
+
 // A triangle in a .gltf; the text of its JSON may be changed.
 std::string Gltf(const std::string& from = "", const std::string& to = "")
 {
@@ -83,25 +89,35 @@ TEST(MeshFiles, ObjIndicesAndNumbers)
 
 TEST(MeshFiles, PlyHeadersAndElements)
 {
-  EXPECT_EQ(CheckPly(PlyHead + PlyPoints + "3 0 1 2\n").Message(), "");
+  EXPECT_EQ(PlyError(PlyHead + PlyPoints + "3 0 1 2\n"), "");
   const auto changed = [](const std::string& from, const std::string& to)
   {
     std::string text = PlyHead + PlyPoints + "3 0 1 2\n";
     return text.replace(text.find(from), from.size(), to);
   };
-  ExpectErrors([](std::string_view file) { return CheckPly(file).Message(); },
-               { { "", "signature of a PLY" },
-                 { PlyHead, "element vertex 0" },
-                 { PlyHead + PlyPoints, "element face 0" },
-                 { PlyHead + PlyPoints + "3 0 1 3\n", "indices of 3 points" },
-                 { PlyHead + PlyPoints + "3 0 1 -1\n", "indices of 3 points" },
-                 { PlyHead + PlyPoints + "300 0 1 2\n", "at most 255 corners" },
-                 { PlyHead + PlyPoints + "3 0 1\n", "fewer numbers" },
-                 { changed("1 0 0", "nan 0 0"), "element vertex 1" },
-                 { changed("1 0 0", "1e9 0 0"), "coordinates of at most 1e6" },
-                 { changed("property float z\n", ""), "x, y, z" },
-                 { changed("vertex 3", "vertex 1000000000"), "element vertex" },
-                 { changed("end_header\n", ""), "line 9" } });
+  ExpectErrors(PlyError, { { "", "signature of a PLY" },
+                           { PlyHead, "element vertex 0" },
+                           { PlyHead + PlyPoints, "element face 0" },
+                           { PlyHead + PlyPoints + "3 0 1 3\n", "indices of 3 points" },
+                           { PlyHead + PlyPoints + "3 0 1 -1\n", "indices of 3 points" },
+                           { PlyHead + PlyPoints + "300 0 1 2\n", "fewer numbers" },
+                           { PlyHead + PlyPoints + "5000 0 1 2\n", "3 to 4096 corners" },
+                           { PlyHead + PlyPoints + "2 0 1\n", "3 to 4096 corners" },
+                           { PlyHead + PlyPoints + "-1\n", "the length of `vertex_indices`" },
+                           { PlyHead + PlyPoints + "3 0 1 1.5\n", "indices of 3 points" },
+                           { PlyHead + PlyPoints + "comment\n\n", "end of the file" },
+                           { changed("end_header", "element face 1\nproperty list int int "
+                                                   "vertex_index\nend_header"),
+                             "one element `face`" },
+                           { changed("end_header", "element odd 1000000000\nend_header"),
+                             "\"odd\": expected one with properties" },
+                           { changed("vertex 3", "vertex 30000000"), "at most 20000000" },
+                           { PlyHead + PlyPoints + "3 0 1\n", "fewer numbers" },
+                           { changed("1 0 0", "nan 0 0"), "element vertex 1" },
+                           { changed("1 0 0", "1e9 0 0"), "coordinates of at most 1e6" },
+                           { changed("property float z\n", ""), "x, y, z" },
+                           { changed("vertex 3", "vertex 1000000000"), "element vertex" },
+                           { changed("end_header\n", ""), "line 9" } });
 }
 
 TEST(MeshFiles, StlWithAllItsTriangles)

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mesh files as other programs write them: what is the same surface is read as the same.
+#include "Files/FileBytes.h"
 #include "Files/MeshReaders.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
 
 using namespace waft;
 
@@ -32,6 +37,49 @@ void ExpectSame(const PolygonSurface& a, const PolygonSurface& b, const std::str
   EXPECT_EQ(a.Corners, b.Corners) << what;
   EXPECT_EQ(a.Ends, b.Ends) << what;
   EXPECT_EQ(a.TextureCoordinates, b.TextureCoordinates) << what;
+}
+
+const std::string PlyHead = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+                            "property float y\nproperty float z\nelement face 2\n"
+                            "property list uchar int vertex_indices\nend_header\n";
+const std::string PlyRows = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n3 0 2 1\n";
+
+template <class Number>
+void Append(std::string& bytes, ByteOrder order, Number number)
+{
+  char raw[sizeof(Number)];
+  std::memcpy(raw, &number, sizeof(Number));
+  if (order == ByteOrder::Big)
+  {
+    std::reverse(std::begin(raw), std::end(raw));
+  }
+  bytes.append(raw, sizeof(Number));
+}
+
+// The rows of PlyRows in bytes, each point with a quality behind it, which is no number.
+template <class Count, class Index>
+std::string PlyBytes(std::string head, ByteOrder order)
+{
+  const bool isLittle = order == ByteOrder::Little;
+  head = Replaced(head, "ascii", isLittle ? "binary_little_endian" : "binary_big_endian");
+  std::string file = Replaced(head, "float z", "float z\nproperty double quality");
+  for (const Vec3& point : { Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0) })
+  {
+    for (const double x : point)
+    {
+      Append(file, order, static_cast<float>(x));
+    }
+    Append(file, order, std::nan(""));
+  }
+  for (const std::vector<int>& face : { std::vector<int>{ 0, 1, 2, 3 }, { 0, 2, 1 } })
+  {
+    Append(file, order, static_cast<Count>(face.size()));
+    for (const int index : face)
+    {
+      Append(file, order, static_cast<Index>(index));
+    }
+  }
+  return file;
 }
 
 const std::string ObjPoints = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -89,6 +137,60 @@ TEST(MeshReaders, ObjTextureCoordinatesAreThePoints)
     Read(ReadObj, ObjPoints + coordinates + "usemtl\nf 1/1 2/2 3/3 4/4\nf 1/1 3/3 2/4\n");
   ASSERT_EQ(seam.Points.size(), 5u);
   EXPECT_EQ(seam.Points[4], seam.Points[1]);
+  EXPECT_EQ(seam.TextureCoordinates[4], (TextureCoordinate{ 0, 1 }));
+  EXPECT_EQ(seam.Corners, (std::vector<int>{ 0, 1, 2, 3, 0, 2, 4 }));
+}
+
+TEST(MeshReaders, PlyForms)
+{
+  const std::string whole = PlyHead + PlyRows;
+  const PolygonSurface square = Read(ReadPly, whole);
+  ExpectSame(square, Read(ReadObj, ObjSquare), "as OBJ");
+  const auto typed = [](const char* type)
+  { return Replaced(PlyHead, "list uchar int", std::string("list ") + type); };
+  for (const std::string& form : {
+         whole.substr(0, whole.size() - 1),
+         Replaced(whole, "\n", "\r\n"),
+         Replaced(whole, "\n", "\r"),
+         Replaced(whole, "\n", " \n"),
+         Replaced(PlyHead, "\n", "\n\n") + PlyRows,
+         PlyHead + Replaced(PlyRows, "\n", "\n\n"),
+         PlyHead + Replaced(PlyRows, "\n", "\ncomment 3 0 1 2\n"),
+         "\xef\xbb\xbf" + whole,
+         Replaced(whole, "vertex_indices", "vertex_index"),
+         Replaced(PlyHead, "end_header", "element edge 0\nend_header") + PlyRows,
+         Replaced(PlyHead, "float z", "float z\nproperty float nx") +
+           Replaced(PlyRows, " 0\n", " 0 nan\n"),
+         Replaced(PlyHead, "end_header", "property char kind\nend_header") +
+           Replaced(Replaced(PlyRows, "2 3\n", "2 3 -1\n"), "2 1\n", "2 1 7\n"),
+         typed("char int") + PlyRows,
+         typed("uint16 double") + PlyRows,
+         PlyBytes<std::uint8_t, std::int32_t>(PlyHead, ByteOrder::Little),
+         PlyBytes<std::uint8_t, std::int32_t>(PlyHead, ByteOrder::Big),
+         PlyBytes<std::int8_t, std::uint32_t>(typed("char uint"), ByteOrder::Big),
+         PlyBytes<std::uint16_t, std::int16_t>(typed("ushort short"), ByteOrder::Big),
+         PlyBytes<std::int32_t, std::uint8_t>(typed("int uchar"), ByteOrder::Little),
+         PlyBytes<std::uint32_t, float>(typed("uint32 float32"), ByteOrder::Little),
+         PlyBytes<std::uint8_t, std::int32_t>(Replaced(PlyHead, "\n", "\r\n"), ByteOrder::Little),
+         PlyBytes<std::uint8_t, std::int32_t>(Replaced(PlyHead, "\n", "\r"), ByteOrder::Little),
+       })
+  {
+    ExpectSame(Read(ReadPly, form), square, form);
+  }
+}
+
+TEST(MeshReaders, PlyTextureCoordinatesOfPointsAndCorners)
+{
+  const std::string ofPoints =
+    Replaced(PlyHead, "float z", "float z\nproperty float s\nproperty float t") +
+    Replaced(PlyRows, " 0\n", " 0 0.5 0.25\n");
+  EXPECT_EQ(Read(ReadPly, ofPoints).TextureCoordinates,
+            std::vector<TextureCoordinate>(4, { 0.5, 0.25 }));
+  const std::string ofCorners =
+    Replaced(PlyHead, "end_header", "property list uchar float texcoord\nend_header") +
+    Replaced(Replaced(PlyRows, "2 3\n", "2 3 8 0 0 1 0 1 1 0 1\n"), "2 1\n", "2 1 6 0 0 1 1 0 1\n");
+  const PolygonSurface seam = Read(ReadPly, ofCorners);
+  ASSERT_EQ(seam.Points.size(), 5u);
   EXPECT_EQ(seam.TextureCoordinates[4], (TextureCoordinate{ 0, 1 }));
   EXPECT_EQ(seam.Corners, (std::vector<int>{ 0, 1, 2, 3, 0, 2, 4 }));
 }
