@@ -8,7 +8,6 @@
 #include "Bridge/Files/FileReading.h"
 #include "Files/FileBytes.h"
 #include "Files/GltfMesh.h"
-#include "Files/MeshFileCheck.h"
 #include "Files/MeshReaders.h"
 
 #include <vtkDataArray.h>
@@ -18,7 +17,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolygon.h>
-#include <vtkSTLReader.h>
 #include <vtkTriangleFilter.h>
 
 namespace waft
@@ -82,20 +80,6 @@ Result ReadPolygons(const std::string& path, Result (*read)(std::string_view, Po
   return Result::Ok();
 }
 
-template <class Reader>
-Result ReadChecked(const std::string& path, Result (*check)(std::string_view), vtkPolyData* data)
-{
-  FileBytes file;
-  WAFT_RETURN_IF_FAILED(file.Open(path));
-  WAFT_RETURN_IF_FAILED(check(file.View()));
-  vtkNew<Reader> reader;
-  reader->SetFileName(path.c_str());
-  WAFT_RETURN_IF_FAILED(RunReader(reader));
-  data->ShallowCopy(reader->GetOutputDataObject(0));
-  // What splits the cells into triangles does not look.
-  return CheckCells(data, "mesh");
-}
-
 Result CheckPoints(const TriangleMesh& mesh)
 {
   for (std::size_t i = 0; i < mesh.Points.size(); ++i)
@@ -122,22 +106,10 @@ Result ReadGltfSurface(const std::string& path, SurfaceFile& surface)
   return Result::Ok();
 }
 
-Result ReadPolyData(const std::string& path, const std::string& extension, vtkPolyData* data)
+Result ReadPolyData(const std::string& path, SurfaceFile& surface)
 {
-  if (extension == ".stl")
-  {
-    return ReadChecked<vtkSTLReader>(path, CheckStl, data);
-  }
-  if (extension == ".vtp")
-  {
-    return ReadPolyDataFile(path, data);
-  }
-  return Result::Error("expected a .vtp, .obj, .ply, .stl or .glb file, found " +
-                       Quoted(extension));
-}
-
-Result SurfaceFromPolyData(vtkPolyData* data, SurfaceFile& surface)
-{
+  vtkNew<vtkPolyData> data;
+  WAFT_RETURN_IF_FAILED(ReadPolyDataFile(path, data));
   vtkNew<vtkTriangleFilter> filter;
   filter->SetInputData(data);
   filter->PassLinesOff();
@@ -164,15 +136,26 @@ Result ReadSurfaceFile(const std::string& path, SurfaceFile& surface)
   {
     WAFT_RETURN_IF_FAILED(ReadGltfSurface(path, read));
   }
-  else if (extension == ".obj" || extension == ".ply")
+  else if (extension == ".obj")
   {
-    WAFT_RETURN_IF_FAILED(ReadPolygons(path, extension == ".obj" ? ReadObj : ReadPly, read));
+    WAFT_RETURN_IF_FAILED(ReadPolygons(path, ReadObj, read));
+  }
+  else if (extension == ".ply")
+  {
+    WAFT_RETURN_IF_FAILED(ReadPolygons(path, ReadPly, read));
+  }
+  else if (extension == ".stl")
+  {
+    WAFT_RETURN_IF_FAILED(ReadPolygons(path, ReadStl, read));
+  }
+  else if (extension == ".vtp")
+  {
+    WAFT_RETURN_IF_FAILED(ReadPolyData(path, read));
   }
   else
   {
-    vtkNew<vtkPolyData> data;
-    WAFT_RETURN_IF_FAILED(ReadPolyData(path, extension, data));
-    WAFT_RETURN_IF_FAILED(SurfaceFromPolyData(data, read));
+    return Result::Error("expected a .vtp, .obj, .ply, .stl or .glb file, found " +
+                         Quoted(extension));
   }
   if (read.Mesh.Triangles.empty())
   {

@@ -23,5 +23,8 @@ Result ReadObj(std::string_view file, PolygonSurface& surface);
 /// each. Points are rounded to floats. Texture coordinates are those of points (u and v, or s and
 /// t), or those of corners (a list `texcoord`).
 Result ReadPly(std::string_view file, PolygonSurface& surface);
+/// STL, binary where the size is that of its triangles, or text in letters of any case. Equal
+/// points, rounded to floats, are one; triangles with a corner twice are left out.
+Result ReadStl(std::string_view file, PolygonSurface& surface);
 
 } // namespace waft

@@ -2,7 +2,6 @@
 // What is wrong with a mesh file is said, and where.
 #include "Base/TemporaryFolder.h"
 #include "Files/GltfMesh.h"
-#include "Files/MeshFileCheck.h"
 #include "Files/MeshReaders.h"
 
 #include <gtest/gtest.h>
@@ -45,6 +44,12 @@ std::string PlyError(std::string_view file)
 {
   PolygonSurface surface;
   return ReadPly(file, surface).Message();
+}
+
+std::string StlError(std::string_view file)
+{
+  PolygonSurface surface;
+  return ReadStl(file, surface).Message();
 }
 
 // A triangle in a .gltf; the text of its JSON may be changed.
@@ -124,18 +129,21 @@ TEST(MeshFiles, StlWithAllItsTriangles)
 {
   std::string binary(84 + 50, '\0');
   binary[80] = 1;
-  EXPECT_EQ(CheckStl(binary).Message(), "");
+  EXPECT_EQ(StlError(binary), "");
   binary[80] = 2;
-  EXPECT_NE(CheckStl(binary).Message().find("2 triangles"), std::string::npos);
+  EXPECT_NE(StlError(binary).find("2 triangles"), std::string::npos);
   binary[80] = 1;
   const float huge = 1e30f;
   std::memcpy(&binary[84 + 12], &huge, 4);
-  EXPECT_NE(CheckStl(binary).Message().find("triangle 0"), std::string::npos);
+  EXPECT_NE(StlError(binary).find("triangle 0"), std::string::npos);
   const std::string text = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
                            "vertex 0 1 0\nendloop\nendfacet\n";
-  EXPECT_EQ(CheckStl(text + "endsolid\n").Message(), "");
-  ExpectErrors([](std::string_view file) { return CheckStl(file).Message(); },
-               { { text, "endsolid" }, { "solid a\nfacet\nvertex 0 0\n", "line 3" } });
+  EXPECT_EQ(StlError(text + "endsolid\n"), "");
+  ExpectErrors(StlError, { { text, "endsolid" },
+                           { text + "endsolid\nsolid b\n", "endsolid" },
+                           { "solid a\nfacet\nvertex 0 0\n", "line 3" },
+                           { "solid a\nvertex 0 0 0\nvertex 1 0 0\nendloop\n",
+                             "line 4: expected a loop of 3 vertices, found 2" } });
 }
 
 TEST(MeshFiles, GltfTriangleWhereItsNodeStands)

@@ -82,6 +82,31 @@ std::string PlyBytes(std::string head, ByteOrder order)
   return file;
 }
 
+const std::string StlText = "solid plate\n"
+                            "facet normal 0 0 1\n  outer loop\n    vertex 0 0 0\n"
+                            "    vertex 1 0 0\n    vertex 1 1 0\n  endloop\nendfacet\n"
+                            "facet normal 0 0 1\n  outer loop\n    vertex 0 0 0\n"
+                            "    vertex 1 1 0\n    vertex 0 1e0 0\n  endloop\nendfacet\n"
+                            "endsolid plate\n";
+
+// The same in bytes behind a header.
+std::string StlBytes(std::string header)
+{
+  header.resize(80, ' ');
+  Append(header, ByteOrder::Little, std::uint32_t{ 2 });
+  for (const std::vector<float>& corners :
+       { std::vector<float>{ 0, 0, 0, 1, 0, 0, 1, 1, 0 }, { 0, -0.f, 0, 1, 1, 0, 0, 1, 0 } })
+  {
+    header.append(12, '\0');
+    for (const float x : corners)
+    {
+      Append(header, ByteOrder::Little, x);
+    }
+    header.append(2, '\0');
+  }
+  return header;
+}
+
 const std::string ObjPoints = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 const std::string ObjSquare = ObjPoints + "f 1 2 3 4\nf 1 3 2\n";
 
@@ -193,4 +218,42 @@ TEST(MeshReaders, PlyTextureCoordinatesOfPointsAndCorners)
   ASSERT_EQ(seam.Points.size(), 5u);
   EXPECT_EQ(seam.TextureCoordinates[4], (TextureCoordinate{ 0, 1 }));
   EXPECT_EQ(seam.Corners, (std::vector<int>{ 0, 1, 2, 3, 0, 2, 4 }));
+}
+
+TEST(MeshReaders, StlForms)
+{
+  const PolygonSurface plate = Read(ReadStl, StlText);
+  EXPECT_EQ(plate.Points.size(), 4u);
+  EXPECT_EQ(plate.Corners, (std::vector<int>{ 0, 1, 2, 0, 2, 3 }));
+  EXPECT_EQ(plate.Ends, (std::vector<std::size_t>{ 3, 6 }));
+  std::string capitals = StlText;
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+  for (const std::string& form : {
+         StlText.substr(0, StlText.size() - 1),
+         Replaced(StlText, "\n", "\r\n"),
+         Replaced(StlText, "\n", "\r"),
+         Replaced(StlText, "\n", "\n\n"),
+         Replaced(StlText, "plate", ""),
+         Replaced(StlText, "plate", std::string(3000, 'x')),
+         Replaced(StlText, "plate", "facet of a plate"),
+         Replaced(Replaced(StlText, "endl", "end l"), "endf", "end f"),
+         Replaced(StlText, "endfacet\nfacet", "endfacet\nendsolid\nsolid b\nfacet"),
+         Replaced(StlText, "0 0 1\n", "nan nan nan\n"),
+         capitals,
+         " " + StlText,
+         "\n\n\t" + StlText,
+         "\xef\xbb\xbf" + StlText,
+         StlBytes("made by a scanner"),
+         StlBytes("solid facet_plate v2"),
+         StlBytes("solid plate\nfacet normal 0 0 1\nendsolid"),
+         StlBytes("made by a scanner") + "a tail",
+         StlBytes("solid plate") + "a tail",
+       })
+  {
+    ExpectSame(Read(ReadStl, form), plate, form);
+  }
+  // A triangle with a corner twice has no area and no place in a surface.
+  const PolygonSurface thin = Read(ReadStl, Replaced(StlText, "vertex 1 0 0", "vertex 1 1 0"));
+  EXPECT_EQ(thin.Ends.size(), 1u);
 }
