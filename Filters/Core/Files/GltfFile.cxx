@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/GltfFile.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -19,6 +20,53 @@ std::string DecodedData(std::string_view text, const std::string& location)
     Refuse(location, "expected base64, found " + Quoted(text.substr(taken, 1)));
   }
   return bytes;
+}
+
+// Extensions that are read, and those of how a surface looks.
+bool IsKnown(const std::string& extension)
+{
+  for (const char* looks : { "KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_",
+                             "KHR_lights_", "EXT_lights_", "KHR_xmp", "KHR_animation_" })
+  {
+    if (extension.rfind(looks, 0) == 0)
+    {
+      return true;
+    }
+  }
+  return extension == "KHR_mesh_quantization" || extension == "EXT_mesh_gpu_instancing";
+}
+
+// A name with %20 and the like as what they stand for; itself where it has other %.
+std::string DecodedName(std::string_view name)
+{
+  constexpr std::string_view digits = "0123456789abcdefABCDEF";
+  std::string decoded;
+  for (std::size_t i = 0; i < name.size(); ++i)
+  {
+    if (name[i] != '%')
+    {
+      decoded += name[i];
+      continue;
+    }
+    int byte = 0;
+    const std::string_view code = name.substr(i + 1, 2);
+    for (const char c : code)
+    {
+      const auto digit = static_cast<int>(digits.find(c));
+      byte = 16 * byte + (digit > 15 ? digit - 6 : digit);
+      if (digit < 0)
+      {
+        return std::string(name);
+      }
+    }
+    if (code.size() < 2 || byte == 0)
+    {
+      return std::string(name);
+    }
+    decoded += static_cast<char>(byte);
+    i += 2;
+  }
+  return decoded;
 }
 
 void OpenBytes(FileBytes& file, const std::string& path, const std::string& location)
@@ -87,6 +135,37 @@ GltfFile::GltfFile(const std::string& path) : Path(path)
   {
     throw GltfError{ "expected a glTF 2.0 file, found no JSON object" };
   }
+  this->CheckExtensions();
+}
+
+// What a file requires and is not known would leave out a part of its surface, or move it.
+void GltfFile::CheckExtensions() const
+{
+  const GltfJson list = this->Json.value("extensionsRequired", GltfJson::array());
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    const std::string location = "/extensionsRequired/" + std::to_string(i);
+    if (!list.is_array() || !list[i].is_string())
+    {
+      Refuse("/extensionsRequired", "expected a list of names");
+    }
+    const auto& name = list[i].get_ref<const std::string&>();
+    if (name.find("compression") != std::string::npos)
+    {
+      Refuse(location, "the mesh is compressed (" + Printable(name) + "): export without it");
+    }
+    if (!IsKnown(name))
+    {
+      Refuse(location, "expected extensions that are known here, found " + Printable(name) +
+                         ": export without it");
+    }
+  }
+}
+
+bool GltfFile::Uses(const std::string& extension) const
+{
+  const GltfJson list = this->Json.value("extensionsUsed", GltfJson::array());
+  return std::find(list.begin(), list.end(), extension) != list.end();
 }
 
 const GltfJson& GltfFile::Entry(const char* list, std::uint64_t index,
@@ -99,51 +178,6 @@ const GltfJson& GltfFile::Entry(const char* list, std::uint64_t index,
     Refuse(user, "expected an index of /" + std::string(list) + ", found " + std::to_string(index));
   }
   return (*found)[index];
-}
-
-std::vector<double> GltfFile::Read(std::uint64_t accessor, const std::string& user,
-                                   const std::string& type, std::size_t components)
-{
-  const GltfJson& entry = this->Entry("accessors", accessor, user);
-  const std::string location = "/accessors/" + std::to_string(accessor);
-  if (entry.value("type", GltfJson()) != type || entry.contains("sparse"))
-  {
-    Refuse(location, "expected " + type + ", not sparse");
-  }
-  const std::uint64_t kind = IndexAt(entry, "componentType", location);
-  const int size = kind == 5126 || kind == 5125 ? 4 : kind == 5123 ? 2 : kind == 5121 ? 1 : 0;
-  const bool isIndex = components == 1;
-  if (size == 0 || (isIndex ? kind == 5126 : components == 3 && kind != 5126))
-  {
-    Refuse(location + "/componentType", isIndex ? "expected whole numbers" : "expected floats");
-  }
-  const std::uint64_t viewIndex = IndexAt(entry, "bufferView", location);
-  const GltfJson& viewEntry = this->Entry("bufferViews", viewIndex, location);
-  const std::string_view view = this->View(viewEntry, "/bufferViews/" + std::to_string(viewIndex));
-  const std::uint64_t element = components * static_cast<std::uint64_t>(size);
-  const std::uint64_t stride = IndexAt(viewEntry, "byteStride", location, element);
-  const std::uint64_t start = IndexAt(entry, "byteOffset", location, 0);
-  const std::uint64_t count = IndexAt(entry, "count", location);
-  if (count < 1 || stride < element || stride > 252 || start > view.size() || count > view.size() ||
-      !Holds(view, start, (count - 1) * stride + element))
-  {
-    Refuse(location, "expected " + std::to_string(count) + " elements within its view of " +
-                       std::to_string(view.size()) + " bytes");
-  }
-  const double scale = kind == 5123 ? 65535.0 : kind == 5121 ? 255.0 : 1.0;
-  std::vector<double> numbers;
-  for (std::uint64_t i = 0; i < count; ++i)
-  {
-    for (std::size_t c = 0; c < components; ++c)
-    {
-      const std::size_t at = start + i * stride + c * static_cast<std::size_t>(size);
-      const double number =
-        kind == 5126 ? ReadReal(view, at, size, ByteOrder::Little)
-                     : static_cast<double>(ReadUnsigned(view, at, size, ByteOrder::Little));
-      numbers.push_back(isIndex ? number : number / scale);
-    }
-  }
-  return numbers;
 }
 
 std::string_view GltfFile::OpenChunks(std::string_view file)
@@ -203,9 +237,12 @@ void GltfFile::OpenBuffer(Buffer& buffer, const GltfJson& entry, bool isFirst,
   else
   {
     buffer.File = std::make_unique<FileBytes>();
-    OpenBytes(*buffer.File,
-              (std::filesystem::path(this->Path).parent_path() / name.c_str()).string(),
-              location + "/uri: ");
+    const std::filesystem::path folder = std::filesystem::path(this->Path).parent_path();
+    std::filesystem::path file = folder / DecodedName(name).c_str();
+    std::error_code none;
+    // Some write a name that has a % as it is.
+    file = std::filesystem::exists(file, none) ? file : folder / name.c_str();
+    OpenBytes(*buffer.File, file.string(), location + "/uri: ");
     buffer.Bytes = buffer.File->View();
   }
 }

@@ -35,6 +35,15 @@ std::uint64_t IndexAt(const GltfJson& object, const char* key, const std::string
 std::vector<double> NumbersAt(const GltfJson& object, const char* key, std::vector<double> absent,
                               const std::string& location);
 
+/// How numbers of an accessor may be kept.
+enum class GltfNumbers
+{
+  Whole,    // bytes, 16 or 32 bits, from 0 on
+  Reals,    // floats
+  Parts,    // floats, or whole ones of 8 or 16 bits as parts of 1
+  Quantized // the same, parts of 1 only where the accessor is normalized
+};
+
 /// All of this throws GltfError, and what the JSON library throws.
 class GltfFile
 {
@@ -46,10 +55,11 @@ public:
   const GltfJson& Root() const { return this->Json; }
   /// An entry of one of the lists of the file, an object; user: the place that speaks of it.
   const GltfJson& Entry(const char* list, std::uint64_t index, const std::string& user) const;
-  /// Numbers of an accessor of this type, `components` an element: whole ones if it is one, floats
-  /// if they are three, floats or parts of 1 otherwise.
-  std::vector<double> Read(std::uint64_t accessor, const std::string& user, const std::string& type,
-                           std::size_t components);
+  /// Does it say that it uses this extension?
+  bool Uses(const std::string& extension) const;
+  /// Numbers of an accessor of this type ("VEC3"), sparse ones included.
+  std::vector<double> Read(std::uint64_t accessor, const std::string& user, const char* type,
+                           GltfNumbers kept);
 
 private:
   struct Buffer
@@ -60,6 +70,7 @@ private:
     bool IsOpen = false;
   };
 
+  void CheckExtensions() const;
   // The JSON of a .glb; its binary chunk is kept.
   std::string_view OpenChunks(std::string_view file);
   // Bytes of `buffers[index]`, opened once.
@@ -67,6 +78,14 @@ private:
   void OpenBuffer(Buffer& buffer, const GltfJson& entry, bool isFirst, const std::string& location);
   // Bytes of a view of a buffer.
   std::string_view View(const GltfJson& entry, const std::string& location);
+  // Where elements of `size` bytes lie in the view that `owner` names.
+  struct Elements
+  {
+    std::string_view Bytes;
+    std::uint64_t Stride = 0;
+  };
+  Elements ElementsOf(const GltfJson& owner, std::uint64_t count, std::uint64_t size,
+                      const std::string& location);
 
   std::string Path;
   FileBytes Whole;

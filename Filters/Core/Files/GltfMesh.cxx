@@ -2,7 +2,8 @@
 #include "Files/GltfMesh.h"
 
 #include "Base/Limits.h"
-#include "Files/GltfFile.h"
+#include "Files/GltfScene.h"
+#include "Files/PolygonSurface.h"
 
 #include <cmath>
 #include <exception>
@@ -13,24 +14,6 @@ namespace
 {
 
 using Matrix4 = Eigen::Matrix4d;
-
-Matrix4 TransformOf(const GltfJson& node, const std::string& location)
-{
-  if (node.contains("matrix"))
-  {
-    const std::vector<double> m = NumbersAt(node, "matrix", std::vector<double>(16), location);
-    return Eigen::Map<const Matrix4>(m.data());
-  }
-  const std::vector<double> t = NumbersAt(node, "translation", { 0.0, 0.0, 0.0 }, location);
-  const std::vector<double> r = NumbersAt(node, "rotation", { 0.0, 0.0, 0.0, 1.0 }, location);
-  const std::vector<double> s = NumbersAt(node, "scale", { 1.0, 1.0, 1.0 }, location);
-  Matrix4 transform = Matrix4::Identity();
-  const Eigen::Quaterniond turn(r[3], r[0], r[1], r[2]);
-  transform.topLeftCorner<3, 3>() =
-    turn.normalized().toRotationMatrix() * Vec3(s[0], s[1], s[2]).asDiagonal();
-  transform.topRightCorner<3, 1>() = Vec3(t[0], t[1], t[2]);
-  return transform;
-}
 
 // Corners of triangles of a primitive's mode (4 list, 5 strip, 6 fan).
 std::vector<std::array<int, 3>> TrianglesOf(const std::vector<int>& corners, std::uint64_t mode)
@@ -45,18 +28,180 @@ std::vector<std::array<int, 3>> TrianglesOf(const std::vector<int>& corners, std
   return triangles;
 }
 
+// A primitive as it is in the file.
+struct Primitive
+{
+  std::vector<Vec3> Points;
+  std::vector<TextureCoordinate> TextureCoordinates; // one a point, or none
+  std::vector<std::array<int, 3>> Triangles;
+};
+
+class PrimitiveReading
+{
+public:
+  PrimitiveReading(GltfFile& file, const GltfJson& primitive, std::string location) :
+    File(file), Entry(primitive), Location(std::move(location))
+  {
+    const auto attributes = primitive.is_object() ? primitive.find("attributes") : primitive.end();
+    if (!primitive.is_object() || attributes == primitive.end() || !attributes->is_object())
+    {
+      Refuse(this->Location + "/attributes", "expected an object");
+    }
+    this->Attributes = &*attributes;
+    this->Mode = IndexAt(primitive, "mode", this->Location, 4);
+  }
+
+  // Others are points and lines.
+  bool HasTriangles() const { return this->Mode >= 4 && this->Mode <= 6; }
+
+  // joints: where those of a skin are, or nothing.
+  Primitive Read(const std::vector<Matrix4>* joints)
+  {
+    const bool isQuantized = this->File.Uses("KHR_mesh_quantization");
+    Primitive read;
+    const std::vector<double> p = this->Attribute(
+      "POSITION", "VEC3", isQuantized ? GltfNumbers::Quantized : GltfNumbers::Reals);
+    for (std::size_t i = 0; i < p.size(); i += 3)
+    {
+      read.Points.emplace_back(p[i], p[i + 1], p[i + 2]);
+    }
+    if (this->Attributes->contains("TEXCOORD_0"))
+    {
+      const std::vector<double> t = this->Attribute(
+        "TEXCOORD_0", "VEC2", isQuantized ? GltfNumbers::Quantized : GltfNumbers::Parts);
+      this->ExpectOneAPoint("TEXCOORD_0", t.size() / 2, read);
+      for (std::size_t i = 0; i < t.size(); i += 2)
+      {
+        if (!(std::isfinite(t[i]) && std::isfinite(t[i + 1])))
+        {
+          Refuse(this->At() + "/TEXCOORD_0", "expected finite numbers");
+        }
+        read.TextureCoordinates.push_back({ t[i], t[i + 1] });
+      }
+    }
+    if (joints)
+    {
+      this->Bend(*joints, read);
+    }
+    read.Triangles = TrianglesOf(this->CornersOf(read.Points.size()), this->Mode);
+    return read;
+  }
+
+private:
+  std::string At() const { return this->Location + "/attributes"; }
+
+  std::vector<double> Attribute(const char* name, const char* type, GltfNumbers kept)
+  {
+    return this->File.Read(IndexAt(*this->Attributes, name, this->At()), this->At() + "/" + name,
+                           type, kept);
+  }
+
+  void ExpectOneAPoint(const char* name, std::size_t count, const Primitive& read) const
+  {
+    if (count != read.Points.size())
+    {
+      Refuse(this->At() + "/" + name,
+             "expected one for each of " + std::to_string(read.Points.size()) + " points");
+    }
+  }
+
+  // Points go where their joints are, each by its weight.
+  void Bend(const std::vector<Matrix4>& joints, Primitive& read)
+  {
+    const std::vector<double> which = this->Attribute("JOINTS_0", "VEC4", GltfNumbers::Whole);
+    const std::vector<double> weights = this->Attribute("WEIGHTS_0", "VEC4", GltfNumbers::Parts);
+    this->ExpectOneAPoint("JOINTS_0", which.size() / 4, read);
+    this->ExpectOneAPoint("WEIGHTS_0", weights.size() / 4, read);
+    for (std::size_t i = 0; i < read.Points.size(); ++i)
+    {
+      Matrix4 sum = Matrix4::Zero();
+      double whole = 0.0;
+      for (std::size_t k = 4 * i; k < 4 * i + 4; ++k)
+      {
+        if (weights[k] == 0.0)
+        {
+          continue; // whatever joint this names
+        }
+        if (which[k] >= static_cast<double>(joints.size()))
+        {
+          Refuse(this->At() + "/JOINTS_0", "expected indices of " + std::to_string(joints.size()) +
+                                             " joints, found " +
+                                             std::to_string(static_cast<long long>(which[k])));
+        }
+        sum += weights[k] * joints[static_cast<std::size_t>(which[k])];
+        whole += weights[k];
+      }
+      if (!(whole > 0.0 && std::isfinite(whole)))
+      {
+        Refuse(this->At() + "/WEIGHTS_0",
+               "expected a sum of 1, found another at point " + std::to_string(i));
+      }
+      read.Points[i] = (sum * read.Points[i].homogeneous()).head<3>() / whole;
+    }
+  }
+
+  std::vector<int> CornersOf(std::size_t count)
+  {
+    std::vector<int> corners;
+    if (!this->Entry.contains("indices"))
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        corners.push_back(static_cast<int>(i));
+      }
+      return corners;
+    }
+    const std::string at = this->Location + "/indices";
+    for (const double index : this->File.Read(IndexAt(this->Entry, "indices", this->Location), at,
+                                              "SCALAR", GltfNumbers::Whole))
+    {
+      if (index >= static_cast<double>(count))
+      {
+        Refuse(at, "expected indices of " + std::to_string(count) + " points, found " +
+                     std::to_string(static_cast<long long>(index)));
+      }
+      corners.push_back(static_cast<int>(index));
+    }
+    return corners;
+  }
+
+  GltfFile& File;
+  const GltfJson& Entry;
+  std::string Location;
+  const GltfJson* Attributes = nullptr;
+  std::uint64_t Mode = 4;
+};
+
 class SurfaceBuild
 {
 public:
-  SurfaceBuild(GltfFile& file, GltfSurface& surface) : File(file), Surface(surface) {}
-
-  void Add(const GltfJson& node, const std::string& location, const Matrix4& transform)
+  SurfaceBuild(GltfFile& file, GltfSurface& surface) :
+    File(file), Surface(surface), Nodes(NodesOfScene(file)), Skins(file, this->Nodes)
   {
-    if (!node.contains("mesh"))
+  }
+
+  void Build()
+  {
+    for (const GltfNode& node : this->Nodes)
+    {
+      this->AddNode(node);
+    }
+    if (!this->AreAllTextured)
+    {
+      this->Surface.TextureCoordinates.clear();
+    }
+  }
+
+private:
+  void AddNode(const GltfNode& node)
+  {
+    const std::string location = "/nodes/" + std::to_string(node.Index);
+    const GltfJson& entry = this->File.Entry("nodes", node.Index, location);
+    if (!entry.contains("mesh"))
     {
       return;
     }
-    const std::uint64_t index = IndexAt(node, "mesh", location);
+    const std::uint64_t index = IndexAt(entry, "mesh", location);
     const GltfJson& mesh = this->File.Entry("meshes", index, location + "/mesh");
     const std::string meshLocation = "/meshes/" + std::to_string(index) + "/primitives";
     const auto primitives = mesh.find("primitives");
@@ -64,173 +209,75 @@ public:
     {
       Refuse(meshLocation, "expected a list");
     }
+    // Joints alone say where a mesh with a skin is, not its node.
+    const std::vector<Matrix4>* joints =
+      entry.contains("skin")
+        ? &this->Skins.Joints(IndexAt(entry, "skin", location), location + "/skin")
+        : nullptr;
+    const std::vector<Matrix4> places =
+      joints ? std::vector<Matrix4>{ Matrix4::Identity() } : InstancesOf(this->File, node);
+    this->Instances += places.size();
+    if (this->Instances > MostOfASurface)
+    {
+      Refuse(location, "expected at most " + std::to_string(MostOfASurface) + " places in all");
+    }
     for (std::size_t i = 0; i < primitives->size(); ++i)
     {
-      this->AddPrimitive((*primitives)[i], meshLocation + "/" + std::to_string(i), transform);
+      const std::string at = meshLocation + "/" + std::to_string(i);
+      PrimitiveReading reading(this->File, (*primitives)[i], at);
+      if (reading.HasTriangles())
+      {
+        const Primitive primitive = reading.Read(joints);
+        for (const Matrix4& place : places)
+        {
+          this->Append(primitive, place, at);
+        }
+      }
     }
   }
 
-private:
-  void AddPrimitive(const GltfJson& primitive, const std::string& location,
-                    const Matrix4& transform)
+  void Append(const Primitive& primitive, const Matrix4& transform, const std::string& location)
   {
-    const auto attributes = primitive.is_object() ? primitive.find("attributes") : primitive.end();
-    if (!primitive.is_object() || attributes == primitive.end() || !attributes->is_object())
-    {
-      Refuse(location + "/attributes", "expected an object");
-    }
-    const std::uint64_t mode = IndexAt(primitive, "mode", location, 4);
-    if (mode < 4 || mode > 6)
-    {
-      return; // points and lines
-    }
-    const std::string at = location + "/attributes";
-    const std::vector<double> coordinates =
-      this->File.Read(IndexAt(*attributes, "POSITION", at), at + "/POSITION", "VEC3", 3);
     TriangleMesh& mesh = this->Surface.Mesh;
+    const auto expectAtMost = [&location](std::size_t count, const char* what)
+    {
+      // A mesh that many nodes show must not fill the memory.
+      if (count > MostOfASurface)
+      {
+        Refuse(location, "expected at most " + std::to_string(MostOfASurface) + what + " in all");
+      }
+    };
+    expectAtMost(mesh.Points.size() + primitive.Points.size(), " points");
+    expectAtMost(mesh.Triangles.size() + primitive.Triangles.size(), " triangles");
     const int first = static_cast<int>(mesh.Points.size());
-    const std::size_t count = coordinates.size() / 3;
-    if (mesh.Points.size() + count > MostOfAKind)
+    for (std::size_t i = 0; i < primitive.Points.size(); ++i)
     {
-      Refuse(at, "expected at most " + std::to_string(MostOfAKind) + " points in all");
-    }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const Eigen::Vector4d local(coordinates[3 * i], coordinates[3 * i + 1],
-                                  coordinates[3 * i + 2], 1.0);
-      const Vec3 p = (transform * local).head<3>();
+      const Vec3 p = (transform * primitive.Points[i].homogeneous()).head<3>();
       if (!limits::Coordinate.HoldsAll(p))
       {
-        Refuse(at,
+        Refuse(location + "/attributes",
                "expected coordinates of at most 1e6, found others at point " + std::to_string(i));
       }
       mesh.Points.push_back(p.cast<float>().cast<double>());
     }
-    this->AddTextureCoordinates(*attributes, at, count);
-    this->AddTriangles(primitive, location, mode, first, count);
-  }
-
-  void AddTextureCoordinates(const GltfJson& attributes, const std::string& at, std::size_t count)
-  {
+    for (const auto& [a, b, c] : primitive.Triangles)
+    {
+      mesh.Triangles.push_back({ first + a, first + b, first + c });
+    }
+    // All points have texture coordinates, or none.
     auto& coordinates = this->Surface.TextureCoordinates;
-    const bool isFirst = coordinates.empty() && this->Surface.Mesh.Points.size() == count;
-    if (!attributes.contains("TEXCOORD_0") || (!isFirst && coordinates.empty()))
-    {
-      coordinates.clear(); // all points have them, or none
-      return;
-    }
-    const std::vector<double> numbers =
-      this->File.Read(IndexAt(attributes, "TEXCOORD_0", at), at + "/TEXCOORD_0", "VEC2", 2);
-    if (numbers.size() != 2 * count)
-    {
-      Refuse(at + "/TEXCOORD_0", "expected one for each of " + std::to_string(count) + " points");
-    }
-    for (std::size_t i = 0; i < numbers.size(); i += 2)
-    {
-      if (!(std::isfinite(numbers[i]) && std::isfinite(numbers[i + 1])))
-      {
-        Refuse(at + "/TEXCOORD_0", "expected finite numbers");
-      }
-      coordinates.push_back({ numbers[i], numbers[i + 1] });
-    }
+    coordinates.insert(coordinates.end(), primitive.TextureCoordinates.begin(),
+                       primitive.TextureCoordinates.end());
+    this->AreAllTextured = this->AreAllTextured && !primitive.TextureCoordinates.empty();
   }
-
-  void AddTriangles(const GltfJson& primitive, const std::string& location, std::uint64_t mode,
-                    int first, std::size_t count)
-  {
-    std::vector<int> corners;
-    if (primitive.contains("indices"))
-    {
-      const std::string at = location + "/indices";
-      for (const double index :
-           this->File.Read(IndexAt(primitive, "indices", location), at, "SCALAR", 1))
-      {
-        if (index >= static_cast<double>(count))
-        {
-          Refuse(at, "expected indices of " + std::to_string(count) + " points, found " +
-                       std::to_string(static_cast<long long>(index)));
-        }
-        corners.push_back(first + static_cast<int>(index));
-      }
-    }
-    for (std::size_t i = 0; corners.empty() && i < count; ++i)
-    {
-      corners.push_back(first + static_cast<int>(i));
-    }
-    const auto triangles = TrianglesOf(corners, mode);
-    auto& all = this->Surface.Mesh.Triangles;
-    if (all.size() + triangles.size() > MostOfAKind)
-    {
-      Refuse(location, "expected at most " + std::to_string(MostOfAKind) + " triangles in all");
-    }
-    all.insert(all.end(), triangles.begin(), triangles.end());
-  }
-
-  // Points or triangles: a mesh that many nodes show must not fill the memory.
-  static constexpr std::size_t MostOfAKind = 20'000'000;
 
   GltfFile& File;
   GltfSurface& Surface;
+  std::vector<GltfNode> Nodes;
+  GltfSkins Skins;
+  std::size_t Instances = 0;
+  bool AreAllTextured = true;
 };
-
-struct Visit
-{
-  std::uint64_t Node = 0;
-  std::string User;
-  Matrix4 Parent;
-};
-
-// Nodes on `pending` in the order of the file.
-void AddChildren(const GltfJson& owner, const char* key, const std::string& location,
-                 const Matrix4& transform, std::vector<Visit>& pending)
-{
-  const auto list = owner.find(key);
-  if (list == owner.end())
-  {
-    return;
-  }
-  const std::string at = location + "/" + key;
-  if (!list->is_array())
-  {
-    Refuse(at, "expected a list");
-  }
-  for (std::size_t i = list->size(); i-- > 0;)
-  {
-    const std::string child = at + "/" + std::to_string(i);
-    if (!(*list)[i].is_number_unsigned())
-    {
-      Refuse(child, "expected the index of a node");
-    }
-    pending.push_back({ (*list)[i].get<std::uint64_t>(), child, transform });
-  }
-}
-
-void ReadScene(GltfFile& file, GltfSurface& surface)
-{
-  const std::uint64_t index = IndexAt(file.Root(), "scene", "", 0);
-  const GltfJson& scene = file.Entry("scenes", index, "/scene");
-  std::vector<Visit> pending;
-  AddChildren(scene, "nodes", "/scenes/" + std::to_string(index), Matrix4::Identity(), pending);
-  SurfaceBuild build(file, surface);
-  std::vector<bool> seen;
-  while (!pending.empty())
-  {
-    const Visit visit = std::move(pending.back());
-    pending.pop_back();
-    const GltfJson& node = file.Entry("nodes", visit.Node, visit.User);
-    seen.resize(file.Root()["nodes"].size());
-    if (seen[visit.Node])
-    {
-      Refuse(visit.User,
-             "expected each node once, found node " + std::to_string(visit.Node) + " again");
-    }
-    seen[visit.Node] = true;
-    const std::string location = "/nodes/" + std::to_string(visit.Node);
-    const Matrix4 transform = visit.Parent * TransformOf(node, location);
-    build.Add(node, location, transform);
-    AddChildren(node, "children", location, transform, pending);
-  }
-}
 
 } // namespace
 
@@ -240,7 +287,7 @@ Result ReadGltf(const std::string& path, GltfSurface& surface)
   {
     GltfSurface read;
     GltfFile file(path);
-    ReadScene(file, read);
+    SurfaceBuild(file, read).Build();
     surface = std::move(read);
   }
   catch (const GltfError& error)

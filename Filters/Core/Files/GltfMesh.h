@@ -19,10 +19,11 @@ struct GltfSurface
 };
 
 /// All triangles (glTF 2.0, sections 3.5 to 3.7) of the default scene, else the first, of a .glb,
-/// or of a .gltf with its buffers inside or in files beside it, where their nodes stand; skins,
-/// shape keys and animations are left out. Points are rounded to floats. Fails, naming the
-/// JSON pointer, on what is missing, of another type, cut off, beyond its buffer or not finite, on
-/// points beyond limits::Coordinate and on nodes that are not trees.
+/// or of a .gltf with its buffers inside or in files beside it, where their nodes stand, or their
+/// joints; shape keys and animations are left out. KHR_mesh_quantization and
+/// EXT_mesh_gpu_instancing are read. Points are rounded to floats. Fails, naming the JSON pointer,
+/// on what is missing, of another type, cut off, beyond its buffer or not finite, on points beyond
+/// limits::Coordinate, on nodes that are not trees, and on other extensions that a file requires.
 Result ReadGltf(const std::string& path, GltfSurface& surface);
 
 } // namespace waft
