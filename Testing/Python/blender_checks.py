@@ -4,11 +4,14 @@ import json
 import math
 import os
 import pathlib
+import re
 import signal
 import struct
 import subprocess
 import sys
+import tempfile
 import time
+import types
 import unittest
 
 import addon_utils
@@ -25,7 +28,7 @@ import blender_scenes as scenes  # noqa: E402
 
 addon_utils.enable("waft_addon", default_set=True)
 
-from waft_addon import bodies, flight, flying, stage, surfaces  # noqa: E402
+from waft_addon import bodies, command, curves, flight, flying, preferences, stage, surfaces, telling  # noqa: E402
 
 FOLDER, WAFT = sys.argv[sys.argv.index("--") + 1:][:2]
 NEAR, ALIKE = 1e-5, 1e-4  # m, rad: what comes back and what goes out agree to
@@ -356,10 +359,12 @@ class BadInput(unittest.TestCase):
             self.refused("/nowhere/waft (of the add-on's preferences) is no program")
         finally:
             preferences.command = ""
-        path, lack = flight.find_command("", "/nowhere/share/blender/scripts/addons/waft_addon")
-        if path is None:
-            self.assertIn("no waft was found", lack)
-        self.assertEqual(flight.find_command(WAFT, "/a/b/c/d/e/f"), (WAFT, ""))
+        for package in ("/nowhere/share/blender/scripts/addons/waft_addon", "/a"):
+            path, lack = command.find_command("", package)
+            if path is None:
+                self.assertIn("no waft was found: name the program in Edit > Preferences > Add-ons", lack)
+                self.assertNotIn("/nowhere", lack)
+        self.assertEqual(command.find_command(WAFT, "/a/b/c/d/e/f"), (WAFT, ""))
 
     def test_no_program_of_waft(self):
         preferences = bpy.context.preferences.addons["waft_addon"].preferences
@@ -398,6 +403,65 @@ class BadInput(unittest.TestCase):
     def test_flyer_with_a_parent(self):
         self.leaf.parent = scenes.link("Parent", None)
         self.refused("hangs on a parent", "Leaf")
+        self.assertEqual([("Leaf", True)], [(problem.object, problem.is_error) for problem in flying.found])  # nothing of its mark
+
+    def test_what_else_would_move_a_flyer(self):
+        def solo(leaf):
+            leaf.keyframe_insert("location", frame=1)
+            data = leaf.animation_data
+            track = data.nla_tracks.new()
+            track.strips.new("Strip", 1, data.action)
+            data.action = None
+            track.is_solo = True
+
+        def half(leaf):
+            solo(leaf)
+            leaf.animation_data.nla_tracks[0].is_solo = False
+            leaf.animation_data.action_influence = 0.5
+
+        def rigid(leaf):
+            bpy.context.view_layer.objects.active = leaf
+            bpy.ops.rigidbody.object_add()
+
+        def driven(path):
+            return lambda leaf: leaf.driver_add(path, 2)
+
+        for change, text in ((driven("location"), "has a driver"), (driven("rotation_euler"), "has a driver"),
+                             (driven("delta_location"), "has a driver"), (rigid, "is an active rigid body"), (solo, "plays solo"),
+                             (half, "blends its action")):
+            with self.subTest(text):
+                change(scenes.small_scene())
+                self.refused(text, "Leaf")
+        leaf = scenes.small_scene()
+        for harmless in (driven("color"), driven("scale")):
+            harmless(leaf)
+        leaf.driver_add("location", 1).mute = True
+        rigid(leaf)
+        leaf.rigid_body.kinematic = True
+        self.assertEqual([], [problem.text for problem in flying.read(bpy.context).problems if problem.object and problem.is_error])
+
+    def test_flyers_that_have_no_mesh_of_their_own(self):
+        instanced = scenes.link("Copies", None, location=(0.0, 0.5, 2.0), instance_type="COLLECTION")
+        instanced.instance_collection = bpy.data.collections.new("Leaves")
+        instanced.waft.role = "FLYER"
+        self.refused("is an instance of a collection", "Copies")
+        instanced.waft.role = "NONE"
+        scenes.instances_on(self.leaf, scenes.link("Seed", scenes.leaf_mesh(), location=(0.5, 0.5, 2.0)))
+        self.refused("shows only instances", "Leaf")
+
+    def test_folder_that_cannot_be_made(self):
+        folder = save("taken")
+        (folder / "taken-waft").write_text("mine", encoding="utf-8")
+        self.assertFalse(fly())
+        self.assertIn("taken-waft is no folder", "".join(problem.text for problem in flying.found if problem.is_error))
+        self.assertIn("Not ready", flying.found.title)
+        (folder / "taken-waft").unlink()
+        make, flying._new_folder = flying._new_folder, lambda: (_ for _ in ()).throw(PermissionError(13, "Permission denied", "/full"))
+        try:
+            self.assertFalse(fly())
+        finally:
+            flying._new_folder = make
+        self.assertIn("/full: Permission denied", [problem.text for problem in flying.found])
 
     def test_flyer_outside(self):
         self.leaf.location.z = 5.0
@@ -430,17 +494,27 @@ class BadInput(unittest.TestCase):
 
     def test_marks_that_agree(self):
         scenes.mark("Second", (0.15, 0.1, 1.7), 30, self.leaf, radius=0.1)
-        bpy.ops.waft.check()
+        flying.read(bpy.context)
         self.assertEqual([], [problem for problem in flying.found if problem.object])
 
-    def test_what_is_disabled_takes_no_part(self):
+    def test_what_is_disabled_or_excluded_takes_no_part(self):
         scenes.obstacle("Sheet", scenes.sheet_mesh("Sheet", 0.3)).hide_viewport = True
         hidden = scenes.mark("Hidden", (0.2, 0.1, 1.7), 20, self.leaf)
         hidden.hide_set(True)  # out of sight alone
+        away = bpy.data.collections.new("Away")
+        self.scene.collection.children.link(away)
+        other = scenes.flyer("Other", self.leaf.data, location=(0.5, 0.0, 2.0))
+        for holder in list(other.users_collection):
+            holder.objects.unlink(other)
+        away.objects.link(other)
+        bpy.context.view_layer.layer_collection.children["Away"].exclude = True
         save("disabled")
-        looked = flying.check(bpy.context)
-        self.assertEqual([("Sheet", False)], [(problem.object, problem.is_error) for problem in looked.problems])
+        looked = flying.read(bpy.context)
+        self.assertEqual([("Sheet", False), ("Other", False)], [(problem.object, problem.is_error) for problem in looked.problems])
+        self.assertIn("excludes", looked.problems[1].text)
         self.assertEqual({"Mark", "Hidden"}, set(looked.sources["constraints"]))
+        scenes.mark("Its", (0.5, 0.1, 1.7), 30, other)
+        self.refused("is a mark of Other, which takes no part", "Its")
 
     def test_mark_against_the_start(self):
         scenes.mark("Early", (0.4, 0.1, 1.7), 1, self.leaf)
@@ -515,6 +589,397 @@ class BadInput(unittest.TestCase):
     def test_message_selects_its_object(self):
         bpy.ops.waft.select(name="Mark")
         self.assertEqual(bpy.context.view_layer.objects.active.name, "Mark")
+
+
+class Oddities(unittest.TestCase):
+    """What flies, but perhaps not as it was thought: a remark about its object."""
+
+    def setUp(self):
+        self.leaf = scenes.small_scene()
+
+    def remarks(self):
+        bpy.context.view_layer.update()
+        looked = stage.Stage(bpy.context)
+        self.assertFalse(looked.problems.is_fatal, list(looked.problems))
+        return [(problem.object, problem.text) for problem in looked.problems]
+
+    def expect(self, text, about="Leaf"):
+        found = self.remarks()
+        self.assertTrue(any(name == about and text in words for name, words in found), found)
+
+    def test_nothing_odd(self):
+        self.assertEqual([], self.remarks())
+
+    def test_forms_that_change(self):
+        def shape_keys(leaf):
+            leaf.shape_key_add(name="Basis")
+            leaf.shape_key_add(name="Bent").keyframe_insert("value", frame=1)
+
+        def hooked(leaf):
+            other = scenes.link("Moving", None)
+            other.keyframe_insert("location", frame=1)
+            leaf.modifiers.new("Hook", "HOOK").object = other
+
+        def keyed(leaf):
+            leaf.modifiers.new("Wave off", "SIMPLE_DEFORM").keyframe_insert("factor", frame=1)
+
+        for change, text in ((lambda leaf: leaf.modifiers.new("Folds", "CLOTH"), "(the modifier Folds)"),
+                             (lambda leaf: leaf.modifiers.new("Soft", "SOFT_BODY"), "(the modifier Soft)"),
+                             (lambda leaf: leaf.modifiers.new("Waves", "WAVE"), "(the modifier Waves)"),
+                             (hooked, "(the modifier Hook)"), (keyed, "(keys on a modifier)"), (shape_keys, "shape keys)"),
+                             (lambda leaf: leaf.keyframe_insert("scale", frame=1), "(keys on its scale)")):
+            with self.subTest(text):
+                change(scenes.small_scene())
+                self.expect(f"may change its form {text}" if text[0] == "(" else text)
+
+    def test_two_in_one_place(self):
+        copy = self.leaf.copy()
+        bpy.context.scene.collection.objects.link(copy)
+        self.expect("starts in the same place as Leaf", copy.name)
+        copy.location.x += 0.05
+        self.assertEqual([], self.remarks())
+
+    def test_large_and_closed(self):
+        scenes.flyer("Cube", scenes.box_mesh("Cube", 0.6), location=(0.5, 0.5, 1.5))
+        self.expect("is 1.2 m large", "Cube")
+        self.expect("is closed", "Cube")
+        self.assertEqual(2, len(self.remarks()))
+        scenes.flyer("Ball", scenes.box_mesh("Ball", 0.03), "BUBBLE", location=(-0.9, 0.9, 1.5))
+        self.assertEqual(2, len(self.remarks()))
+
+    def test_template_that_flies(self):
+        self.leaf.location.z = 0.2
+        emitter = scenes.link("Emitter", scenes.sheet_mesh("Emitter", 0.5), location=(0.0, 0.0, 2.0))
+        for thing in (self.leaf, emitter):
+            thing.select_set(True)
+        bpy.context.view_layer.objects.active = self.leaf
+        bpy.context.view_layer.update()
+        bpy.ops.waft.spread(count=3, seed=2)
+        self.expect("is the one that Spread copied, and flies as well")
+        self.leaf.waft.role = "NONE"
+        bpy.context.scene.objects["Mark"].waft.flyer = None
+        self.assertEqual([], self.remarks())
+
+    def test_instances_beside_a_mesh(self):
+        emitter = scenes.flyer("Emitter", scenes.sheet_mesh("Emitter", 0.1), location=(0.5, 0.0, 2.0))
+        emitter.modifiers.new("Particles", "PARTICLE_SYSTEM")
+        settings = emitter.particle_systems[0].settings
+        settings.render_type, settings.instance_object, settings.count, settings.frame_start = "OBJECT", self.leaf, 5, 1
+        settings.frame_end = 1
+        self.expect("shows instances beside its mesh", "Emitter")
+
+    def test_flyer_of_two_scenes(self):
+        bpy.data.scenes.new("Another").collection.objects.link(self.leaf)
+        self.expect("is in the scene Another, too")
+
+    def test_mark_with_strips(self):
+        mark = bpy.context.scene.objects["Mark"]
+        mark.keyframe_insert("location", frame=20)
+        data = mark.animation_data
+        data.nla_tracks.new().strips.new("Strip", 1, data.action)
+        data.action = None
+        self.expect("has keys in NLA strips", "Mark")
+
+    def test_figures(self):
+        """Texts that Waft sets itself, those that are filled as they are drawn, and what rests upright."""
+        def shape(body, **values):
+            scenes.small_scene()
+            data = bpy.data.curves.new("Word", "FONT")
+            data.body, data.size = body, 0.3
+            for name, value in values.items():
+                setattr(data, name, value)
+            scenes.target("Word", data, 30, location=(-0.4, 0.0, 1.0), rotation_euler=(math.pi / 2.0, 0.0, 0.0))
+            self.remarks()
+            targets = next(row for row in stage.Stage(bpy.context).scene["constraints"] if row["_object"] == "Word")["targets"]
+            return "text" if "text" in targets else "mesh"
+
+        def boxed(width):
+            data = bpy.context.scene.objects["Word"].data
+            data.text_boxes[0].width = width
+            bpy.context.view_layer.update()
+            targets = stage.Stage(bpy.context).scene["constraints"][-1]["targets"]
+            return "text" if "text" in targets else "mesh"
+
+        self.assertEqual("text", shape("TWO WORDS"))
+        self.assertEqual("text", boxed(9.0))
+        self.assertEqual("mesh", boxed(1.0))
+        self.assertEqual("mesh", shape("ONE\nTWO"))
+        self.assertEqual("mesh", shape("WIDE", space_character=2.0))
+        self.assertEqual("mesh", shape("LEANS", shear=0.3))
+        word = bpy.context.scene.objects["Word"]
+        word.waft.kind = "REST"
+        self.expect("stands upright and is a rest", "Word")
+        word.rotation_euler = (0.0, 0.0, 0.4)
+        self.assertEqual([], self.remarks())
+
+
+JARGON = re.compile(r"\brows?\b|rms|segment|MaximumTurn|scene\.waft\.json|object \d|obstacle \d|database|/constraints|target \d")
+
+
+class Checked(unittest.TestCase):
+    """What `waft check` has to say, in the words of Blender."""
+
+    def test_what_waft_finds(self):
+        leaf = scenes.small_scene()
+        scene = bpy.context.scene
+        scene.frame_start, scene.frame_end = 11, 70
+        scenes.obstacle("Post", scenes.box_mesh("Post", 0.3), location=(0.7, 0.0, 1.5))
+        scenes.mark("Inside", (0.7, 0.1, 1.5), 60, leaf)
+        scenes.mark("Hasty", (-1.2, 0.1, 1.2), 34, leaf)
+        save("checked")
+        before = everything()
+        temporary = set(pathlib.Path(tempfile.gettempdir()).glob("waft-check-*"))
+        self.assertEqual({"FINISHED"}, bpy.ops.waft.check())
+        self.assertEqual(before, everything())
+        self.assertEqual(temporary, set(pathlib.Path(tempfile.gettempdir()).glob("waft-check-*")))
+        said = {problem.object: problem.text for problem in flying.found}
+        self.assertRegex(said["Inside"], r"cannot be met at frame 60: the position .* inside Post")
+        self.assertIn("contradicts Mark (position at frame 30): ", said["Hasty"])
+        self.assertEqual("It flies, but 2 wishes cannot be met", flying.found.title)
+        for problem in flying.found:
+            self.assertNotRegex(problem.text, JARGON)
+        bpy.ops.waft.dismiss()
+        self.assertEqual(("", []), (flying.found.title, list(flying.found)))
+
+    def test_a_scene_that_waft_refuses(self):
+        scenes.small_scene()
+        one, other = scenes.box_mesh("A", 0.2), scenes.box_mesh("B", 0.2)
+        points = [tuple(v.co) for v in one.vertices] + [(v.co.x + 0.1, v.co.y + 0.1, v.co.z + 0.1) for v in other.vertices]
+        faces = [tuple(p.vertices) for p in one.polygons] + [tuple(i + 8 for i in p.vertices) for p in other.polygons]
+        scenes.obstacle("Two", scenes.mesh("Two", points, faces), location=(0.5, 0.5, 1.0))
+        save("refused")
+        looked = flying.check(bpy.context)
+        self.assertEqual(["Two"], [problem.object for problem in looked.problems])
+        self.assertRegex(looked.problems[0].text, "^the surface cuts itself")
+        self.assertIn("Not ready", flying.found.title)
+
+    def test_sentences(self):
+        """All that waft warns of, by names and frames of the scene."""
+        scenes.small_scene()
+        bpy.context.scene.frame_start, bpy.context.scene.frame_end = 5, 40
+        scenes.flyer("Other", scenes.leaf_mesh(), location=(0.4, 0.0, 2.0))
+        scenes.obstacle("Post", scenes.box_mesh("Post", 0.1), location=(0.7, 0.0, 0.5))
+        looked = stage.Stage(bpy.context)
+        shape = next(iter(looked.scene["shapes"]))
+        tell = telling.Teller(looked).tell
+        for line, about, text in (
+                ("too fast: row 0 target 0: object 1 has 0.4 s for 4 m, 10 m/s; the fastest of the database is 2.2 m/s, and half of that is "
+                 "kept up: give it 3.6 s or more", "Mark", "too fast: Other has 0.4 s for 4 m: give it 3.6 s or more, which is 86 frames"),
+                ("no time to fall: row 0 target 0: object 0 falls 3 m in 1 s; it settles at 0.8 m/s: give it 3 s or more", "Mark",
+                 "no time to fall: Leaf falls 3 m in 1 s: give it 3 s or more, which is 72 frames"),
+                ("too narrow: row 0 target 0 lies 0.01 m from obstacle 0, the body's clearance radius is 0.05 m", "Mark",
+                 "too narrow: lies 0.01 m from Post, a flyer turns in a ball of 0.05 m about it"),
+                ("too many: the balls of clearance of 900 bodies take 12 % of the volume, 5 % is what flies well", "",
+                 "too many: 900 flyers and the room that they turn in take 12 % of the volume; up to 5 % fly well"),
+                ("Database: traced in a volume 4 m wide, the scene's is 20 m: its segments keep their size and speed, so that marks may be "
+                 "too near or too far apart for them", "Volume",
+                 "the volume is 20 m wide, the flights that paths are made of 4 m: marks may be too near or too far apart for them"),
+                ("object 1 (rows 0, 0): the air does not take it there: what moves it besides is 37 % of the flow's velocity (rms)", "Other",
+                 "the air does not take it to its marks: it is pushed besides, by 37 % of the air's speed; more time between marks helps"),
+                ("3 objects, 12 frames: turning that frames cannot show is slowed to MaximumTurn (60 degrees a frame)", "",
+                 "turns faster than frames can show are slowed to 60 degrees a frame (3 flyers, 12 frames)"),
+                ("1 object, 1 frame: rows, rests or surfaces turn by up to 90 degrees, more than MaximumTurn (60 degrees a frame)", "",
+                 "marks, rests or surfaces turn flyers by up to 90 degrees in a frame (1 flyers, 1 frames)"),
+                ("object 1: its mesh lies up to 0.02 m below a surface, as its centre comes too near", "Other",
+                 "cuts a surface by up to 0.02 m"),
+                ("row 0 target 0 (object 0, frame 25, position): infeasible: the position (0, 0, 1) lies 0.1 m inside obstacle 0, expected "
+                 "outside", "Mark", "cannot be met at frame 30: the position (0, 0, 1) lies 0.1 m inside Post, expected outside"),
+                ("/tmp/a b/take-001/scene.waft.json: /constraints/0/value: row 0 and object 1 from frame 3 to 9", "Mark",
+                 "Mark and Other from frame 8 to 14"),
+                (f"scene.waft.json: /shapes/{shape}/mesh: it has 3 segments and (rms) MaximumTurn", "Leaf",
+                 "it has 3 flights and the limit of turning"),
+                ("obstacle 7 and object 99 of /winds/3: unheard of at frames 1 and 2", "", None)):
+            with self.subTest(line):
+                told = tell(line)
+                self.assertEqual(about, told.object)
+                if text is not None:
+                    self.assertEqual(text, told.text)
+                    self.assertNotRegex(told.text, JARGON)
+
+    def test_like_sentences_are_one(self):
+        looked = [telling.Problem(f"too fast: Leaf has 0.4 s for {d} m", "Word", False) for d in range(40)]
+        other = telling.Problem("too fast: Leaf has 0.4 s for 3 m", "Mark", False)
+        told = telling.gathered([*looked, other])
+        self.assertEqual(["too fast: Leaf has 0.4 s for 0 m (and 39 more like this)", other.text], [problem.text for problem in told])
+
+
+class OnDisk(unittest.TestCase):
+    def test_only_what_was_written_is_freed(self):
+        root = pathlib.Path(tempfile.mkdtemp(dir=FOLDER))
+        (root / "take" / "shapes").mkdir(parents=True)
+        (root / "outside").mkdir()
+        names = ("report.csv", "changed.csv", "shapes/a.vtp", "shapes/link/thesis.txt", "../outside/thesis.txt", "shapes/away.txt")
+        take = root / "take"
+        (take / "shapes" / "link").symlink_to(root / "outside")
+        for name in names[:-1]:
+            (take / name).write_text(name, encoding="utf-8")
+        (root / "outside" / "thesis.txt").write_text("shapes/link/thesis.txt", encoding="utf-8")
+        rows = [flight.row_of(take, name) for name in names[:-1]]
+        (take / "changed.csv").write_text("mine", encoding="utf-8")
+        (take / "mine.txt").write_text("mine", encoding="utf-8")
+        (take / "shapes" / "away.txt").symlink_to(root / "outside" / "thesis.txt")
+        rows += [{**rows[3], "name": names[-1]}, {"name": "mine.txt", "size": 4, "digest": ""}, {"name": "/etc/passwd"}, {}, None, 7,
+                 {"name": "..", "size": 1, "digest": "sha256:"}]
+        self.assertEqual(len("report.csv") + len("shapes/a.vtp"), flight.free(take, rows))
+        left = {str(path.relative_to(root)) for path in root.rglob("*") if path.is_file()}
+        self.assertEqual({"take/changed.csv", "take/mine.txt", "take/shapes/away.txt", "outside/thesis.txt"}, left)
+        self.assertEqual([], flight.manifest_of(take))
+        for content in ("", "{", "[]", '{"manifest": 7}', '{"manifest": [7]}'):
+            (take / "report.json").write_text(content, encoding="utf-8")
+            self.assertEqual([], flight.manifest_of(take))
+
+    def test_versions(self):
+        for program, text in ((WAFT, "waft "), ("/bin/true", "this is no waft"), ("/nowhere", "cannot be run: No such file")):
+            done = []
+            asked = command.Version(program, lambda: done.append(True))
+            until(lambda: done)
+            self.assertTrue(asked.text.startswith(text), asked.text)
+        preferences.version_of("/nowhere")
+        until(lambda: preferences.version_of("/nowhere") == "cannot be run: No such file or directory")
+        self.assertEqual("Blender.md", preferences.manual_of(WAFT).name)
+        self.assertIsNone(preferences.manual_of("/bin/sh"))
+
+
+class Slots(unittest.TestCase):
+    """Actions of Blender 4.4, whose curves are in a bag for each slot, by what stands for them."""
+
+    class Many(list):
+        def __init__(self, make):
+            super().__init__()
+            self._make = make
+
+        def new(self, *arguments, **values):
+            self.append(self._make(*arguments, **values))
+            return self[-1]
+
+    def action(self, *identifiers):
+        def strip(**_):
+            made = types.SimpleNamespace(bags={}, channelbags=[])
+
+            def bag(slot, ensure=False):
+                if ensure and slot.identifier not in made.bags:
+                    made.bags[slot.identifier] = types.SimpleNamespace(fcurves=self.Many(curve))
+                return made.bags.get(slot.identifier)
+
+            made.channelbag = bag
+            return made
+
+        def curve(path, index=0):
+            points = types.SimpleNamespace(add=lambda _: None, foreach_set=lambda *_: None)
+            return types.SimpleNamespace(data_path=path, array_index=index, keyframe_points=points, update=lambda: None)
+
+        def slot(id_type, name):
+            return types.SimpleNamespace(identifier=f"{id_type[:2]}{name}")
+
+        made = types.SimpleNamespace(slots=self.Many(slot), layers=self.Many(lambda _: types.SimpleNamespace(strips=self.Many(strip))))
+        made.slots.extend(types.SimpleNamespace(identifier=identifier) for identifier in identifiers)
+        return made
+
+    def thing(self, name, action=None, slot=None):
+        return types.SimpleNamespace(name=name, animation_data=types.SimpleNamespace(action=action, action_slot=slot))
+
+    def test_reading_makes_nothing(self):
+        action = self.action("MELeaf", "OBLeaf")
+        leaf = self.thing("Leaf", action, action.slots[1])
+        self.assertEqual(([], "OBLeaf"), (curves.curves_of(leaf), curves.slot_of(leaf)))
+        self.assertEqual([], action.layers)
+        self.assertEqual(([], ""), (curves.curves_of(self.thing("Leaf", action)), curves.slot_of(self.thing("Leaf", action))))
+
+    def test_keys_go_into_the_slot_of_the_object(self):
+        values = {"location": np.zeros((4, 3))}
+        for identifiers, own, wanted in ((("MELeaf", "OBLeaf"), "", "OBLeaf"), (("OBOld name", "OBLeaf"), "OBOld name", "OBOld name"),
+                                         (("MELeaf",), "", "OBLeaf"), ((), "", "OBLeaf")):
+            action = self.action(*identifiers)
+            leaf = self.thing("Leaf")
+            slot = curves.replace_curves(action, leaf, values, 1, own)
+            self.assertEqual(wanted, slot)
+            curves.play(leaf, action, slot)
+            self.assertEqual(wanted, leaf.animation_data.action_slot.identifier)
+            self.assertEqual(["location"] * 3, [curve.data_path for curve in curves.curves_of(leaf)])
+            self.assertEqual({wanted}, set(action.layers[0].strips[0].bags))
+            curves.replace_curves(action, leaf, values, 1, slot)
+            self.assertEqual(3, len(curves.curves_of(leaf)))
+        curves.play(leaf, None)
+        self.assertIsNone(leaf.animation_data.action)
+
+
+class Linked(unittest.TestCase):
+    """Objects of other files."""
+
+    def setUp(self):
+        scenes.small_scene()
+        self.library = save("library") / "library.blend"
+        scenes.small_scene()
+        bpy.data.objects.remove(bpy.context.scene.objects["Leaf"])
+
+    def linked(self, name):
+        with bpy.data.libraries.load(str(self.library), link=True) as (_, brought):
+            brought.objects = [name]
+        return brought.objects[0]
+
+    def test_a_linked_flyer_is_refused(self):
+        leaf = self.linked("Leaf")
+        bpy.context.scene.collection.objects.link(leaf)
+        bpy.context.scene.objects["Mark"].waft.flyer = leaf
+        save("user")
+        self.assertFalse(fly())
+        self.assertEqual([("Leaf [library.blend]", True)], [(problem.object, problem.is_error) for problem in flying.found])
+        bpy.ops.waft.select(name="Leaf [library.blend]")
+        self.assertEqual(leaf, bpy.context.view_layer.objects.active)
+
+    def test_doubles_are_told_apart(self):
+        """A mark of the file, and one of the same name that is linked."""
+        scenes.flyer("Own", scenes.leaf_mesh(), location=(0.0, 0.0, 2.0))
+        mark = self.linked("Mark")
+        bpy.context.scene.collection.objects.link(mark)
+        bpy.context.scene.objects["Mark"].location.x = -0.3
+        bpy.context.view_layer.update()
+        looked = stage.Stage(bpy.context)
+        self.assertIn(("Mark [library.blend]", True), [(problem.object, problem.is_error) for problem in looked.problems])
+        rows = {row["_object"]: row["value"] for row in looked.scene["constraints"]}
+        self.assertAlmostEqual(-0.3, rows["Mark"][0], 5)
+
+    def test_an_override_flies_and_keeps_its_motion(self):
+        leaf = self.linked("Leaf").override_create()
+        bpy.context.scene.collection.objects.link(leaf)
+        leaf.location.x = 0.1
+        mark = bpy.context.scene.objects["Mark"]
+        mark.waft.flyer, mark.waft.frame = leaf, 30
+        other = scenes.flyer("Other", scenes.leaf_mesh(), location=(0.5, 0.0, 2.0))
+        folder = save("override")
+
+        def move(*_):
+            if other.animation_data is not None:
+                other.delta_location = (0.0, 0.0, 0.2)
+
+        bpy.app.handlers.frame_change_post.append(move)  # as another add-on might
+        try:
+            self.assertTrue(fly(), list(flying.found))
+        finally:
+            bpy.app.handlers.frame_change_post.remove(move)
+        self.assertEqual(["Other"], [problem.object for problem in flying.found if "something else in the file moves it" in problem.text])
+        self.assertIn("take-001: all 1 wishes are met", flying.found.title)
+        scene = bpy.context.scene
+        scene.frame_set(30)
+        there = leaf.matrix_world.translation.copy()
+        scene.waft.takes.add().name = "take-009"  # of which nothing is left
+        bpy.ops.wm.save_mainfile()
+        bpy.ops.wm.open_mainfile(filepath=bpy.data.filepath)
+        scene = bpy.context.scene
+        leaf = scene.objects["Leaf"]
+        self.assertEqual(["take-001"], [take.name for take in scene.waft.takes])
+        self.assertEqual("take-001 Leaf", leaf.animation_data.action.name)
+        self.assertLess((leaf.matrix_world.translation - there).length, 1e-6)
+        self.assertGreater(2.0 - there.z, 0.1)
+        # Removed, the run's files go, and what somebody put there stays.
+        take = next(folder.glob("*-waft/take-001"))
+        (take / "result" / "mine.txt").write_text("mine", encoding="utf-8")
+        scene.waft.shown = 0
+        self.assertEqual({"FINISHED"}, bpy.ops.waft.remove_take())
+        self.assertEqual(["result/mine.txt"], [str(path.relative_to(take)) for path in take.rglob("*") if path.is_file()])
+        self.assertEqual((0, "XYZ"), (len(leaf.waft.takes), leaf.rotation_mode))
+        self.assertIsNone(leaf.animation_data.action)
+        self.assertAlmostEqual(0.1, leaf.location.x, 6)
 
 
 def until(holds, seconds=120.0):

@@ -91,6 +91,25 @@ def field(name, kind, strength, **values):
     return thing
 
 
+def instances_on(thing, seed):
+    """Has a mesh show instances of another object on its points, and nothing else."""
+    group = bpy.data.node_groups.new("Instances", "GeometryNodeTree")
+    if hasattr(group, "interface"):
+        for way in ("INPUT", "OUTPUT"):
+            group.interface.new_socket("Geometry", in_out=way, socket_type="NodeSocketGeometry")
+    else:
+        group.inputs.new("NodeSocketGeometry", "Geometry")
+        group.outputs.new("NodeSocketGeometry", "Geometry")
+    nodes, links = group.nodes, group.links
+    source, sink, on, info = (nodes.new(kind) for kind in ("NodeGroupInput", "NodeGroupOutput", "GeometryNodeInstanceOnPoints",
+                                                           "GeometryNodeObjectInfo"))
+    info.inputs["Object"].default_value = seed
+    links.new(source.outputs[0], on.inputs["Points"])
+    links.new(info.outputs["Geometry"], on.inputs["Instance"])
+    links.new(on.outputs[0], sink.inputs[0])
+    thing.modifiers.new("Instances", "NODES").node_group = group
+
+
 def leaves_and_marks():
     """Two leaves and a scaled one; a mark, one that hangs on its flyer, one with keys; Euler angles and quaternions."""
     empty_scene(first=1, last=48, rate=24)

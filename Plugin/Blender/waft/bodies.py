@@ -3,7 +3,7 @@
 import dataclasses
 
 import numpy as np
-from mathutils import Matrix, Vector
+from mathutils import Matrix
 
 from .surfaces import triangles_of
 
@@ -15,7 +15,6 @@ PRESETS = {  # settling speed [m/s], area density [kg/m^2], thickness [m], drag 
     "BUBBLE": (0.05, 0.002, 0.000002, 0.47),
 }
 _ALONG = 1e-3  # mixed moments below this share of their sum: the mesh stands on its own axes
-_ONES = Vector((1.0, 1.0, 1.0))
 
 
 @dataclasses.dataclass
@@ -56,18 +55,6 @@ def placements(positions, orientations, body, unit):
     """(locations [n, 3], quaternions [n, 4]) of an object whose body has these positions [m] and orientations."""
     turns = multiply(orientations, quaternion(body.axes) * (1.0, -1.0, -1.0, -1.0))
     return positions / unit - rotate(turns, body.center), turns
-
-
-def obstruction(thing):
-    """What keeps an object from being placed by its own location and rotation; "" for nothing."""
-    if thing.parent is not None:
-        return "hangs on a parent: clear it and keep the transformation (Alt P)"
-    if any(not constraint.mute for constraint in thing.constraints):
-        return "has constraints: remove or mute them"
-    if thing.delta_location.length or thing.delta_scale != _ONES or thing.delta_rotation_euler.to_quaternion().angle \
-            or thing.delta_rotation_quaternion.angle:
-        return "has delta transforms: clear them"
-    return "" if min(map(abs, thing.scale)) > 0.0 else "has a scale of 0"
 
 
 def _axes(corners, areas):

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A run of `waft synthesize` beside Blender. Nothing here knows of Blender."""
-import atexit
 import base64
-import collections
 import contextlib
 import csv
 import dataclasses
@@ -12,35 +10,21 @@ import os
 import pathlib
 import re
 import shutil
-import signal
-import subprocess
-import threading
+import stat
 
 import numpy as np
 
-ALL_MET, FAILED, BAD_INPUT, NOT_ALL_MET, STOPPED_EARLY = range(5)  # what waft ends with
+from .command import ALL_MET, NOT_ALL_MET, STOPPED_EARLY, Process
+
 SCENE = "scene.waft.json"  # in the folder of a flight
 # What a run that is killed leaves: its folder `checkpoint` with these files (Plugin/Python/waft/resuming.py), and temporary folders
 # whose names end in what goes with their start (results.py).
 _CHECKPOINT = re.compile(r"(planned|constraints|vortices)\.vtp|report\.csv|key|(spacetime|assimilation|assimilated)\.state(\.part\d+)?")
 _TEMPORARY = re.compile(r"\.waft-([0-9a-z]{4})([0-9a-z]{4})")
-_KEPT_LINES = 200  # of what it says
 _POSES = "poses.csv"
+_SEAL = "report.json"  # of a result: holds its manifest
+_LARGEST_SEAL = 1 << 28  # bytes
 _ROUNDING = 1e-6  # of a number, as a share of it and of 1
-
-
-def find_command(chosen, package):
-    """(path of the program waft, "") or (None, what is said where there is none). chosen: a path of the user's, or "". package:
-    the add-on's folder, PREFIX/share/blender/scripts/addons/... where it came with Waft."""
-    if chosen:
-        if os.path.isfile(chosen) and os.access(chosen, os.X_OK):
-            return chosen, ""
-        return None, f"{chosen} (of the add-on's preferences) is no program: expected the path of waft"
-    beside = pathlib.Path(package).parents[4] / "bin" / "waft"
-    found = str(beside) if os.access(beside, os.X_OK) else shutil.which("waft")
-    if found:
-        return found, ""
-    return None, f"no waft was found, neither {beside} nor on the PATH: name it in the add-on's preferences"
 
 
 @dataclasses.dataclass
@@ -53,7 +37,7 @@ class Outcome:
     words: str
 
 
-class Flight:
+class Flight(Process):
     """A running `waft synthesize`. fraction (0 to 1) and text say how far it is."""
 
     def __init__(self, command, scene_file, folder, quality, edit_of=None):
@@ -61,58 +45,31 @@ class Flight:
         self.text = "beginning"
         self.folder = folder
         self.was_stopped = False
-        self._said = collections.deque(maxlen=_KEPT_LINES)
         line = [command, "synthesize", scene_file, "--output", folder, "--quality", quality, "--progress", "json"]
-        # A group of its own: a Ctrl-C for Blender is not one for the run, which Blender stops by itself.
-        self._process = subprocess.Popen(line + (["--edit-of", edit_of] if edit_of else []), stdin=subprocess.DEVNULL,
-                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
-        self._readers = [threading.Thread(target=read, daemon=True) for read in (self._follow, self._listen)]
-        for reader in self._readers:
-            reader.start()
-        atexit.register(self.kill)
+        super().__init__(line + (["--edit-of", edit_of] if edit_of else []))
 
-    @property
-    def pid(self):
-        return self._process.pid
-
-    def _follow(self):
-        for line in self._process.stdout:
-            try:
-                told = json.loads(line)
-                self.fraction, self.text = float(told["fraction"]), str(told["text"])
-            except (ValueError, KeyError, TypeError):
-                self._said.append(line.decode(errors="replace").strip())
-
-    def _listen(self):
-        for line in self._process.stderr:
-            self._said.append(line.decode(errors="replace").strip())
+    def take(self, line):
+        try:
+            told = json.loads(line)
+            self.fraction, self.text = float(told["fraction"]), str(told["text"])
+        except (ValueError, KeyError, TypeError):
+            super().take(line)
 
     def stop(self):
         """Asks for the best so far; a second time it ends the run."""
         if self.was_stopped:
             self.kill()
-        elif self._process.poll() is None:
+        elif self.ask_to_stop():
             self.was_stopped = True
             self.text = "stopping, with the best so far"
-            self._process.send_signal(signal.SIGTERM)
-
-    def kill(self):
-        """Ends the run and all that it began."""
-        atexit.unregister(self.kill)
-        if self._process.poll() is None:
-            os.killpg(self._process.pid, signal.SIGKILL)
-            self._process.wait()
 
     def poll(self):
         """The Outcome where the run has ended, else None."""
-        status = self._process.poll()
+        status = self.status()
         if status is None:
             return None
-        atexit.unregister(self.kill)
-        for reader in self._readers:
-            reader.join(1.0)
         has_result = status in (ALL_MET, NOT_ALL_MET, STOPPED_EARLY) and _has_poses(self.folder)
-        return Outcome(status, has_result, "\n".join(self._said))
+        return Outcome(status, has_result, "\n".join(self.said))
 
 
 def _has_poses(folder):
@@ -136,10 +93,10 @@ def read_poses(folder, objects, frames):
     return table[:, :, 3:6], table[:, :, 6:10]
 
 
-def unmet(folder):
-    """The rows of a result's constraints.csv that are not met, as dictionaries of texts."""
+def wishes(folder):
+    """The rows of a result's constraints.csv, as dictionaries of texts."""
     with open(os.path.join(folder, "constraints.csv"), encoding="utf-8", newline="") as stream:
-        return [row for row in csv.DictReader(stream) if row["Status"] != "met"]
+        return list(csv.DictReader(stream))
 
 
 def as_edit_of(folder, scene, files):
@@ -183,6 +140,55 @@ def discard(result):
     for emptied in (checkpoint, folder):
         with contextlib.suppress(OSError):
             emptied.rmdir()
+
+
+def free(folder, rows):
+    """Removes those files below a folder that rows of a manifest name and that are still what was written, and the folders that this
+    empties. Returns how many bytes they had. Everything else stays."""
+    return sum(_free(pathlib.Path(folder), row) for row in rows)
+
+
+def _free(folder, row):
+    try:
+        parts = pathlib.PurePosixPath(row["name"]).parts
+        if not parts or ".." in parts or parts[0] == "/" or not row["digest"]:
+            return 0
+        above = [folder.joinpath(*parts[:count]) for count in range(1, len(parts))]
+        path = folder.joinpath(*parts)
+        if not all(stat.S_ISDIR(os.lstat(one).st_mode) for one in above) or row_of(folder, "/".join(parts)) != row:
+            return 0
+        os.remove(path)
+    except (OSError, ValueError, KeyError, TypeError):
+        return 0
+    with contextlib.suppress(OSError):  # what holds something else stays
+        for one in reversed(above):
+            one.rmdir()
+    return row["size"]
+
+
+def row_of(folder, name):
+    """The row of a manifest for a file below a folder; OSError where it is no regular file."""
+    content, size = hashlib.sha256(), 0
+    with open(os.open(os.path.join(folder, name), os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK), "rb") as stream:
+        if not stat.S_ISREG(os.fstat(stream.fileno()).st_mode):
+            raise OSError(f"{name} is no file")
+        while block := stream.read(1 << 20):
+            content.update(block)
+            size += len(block)
+    return {"name": name, "size": size, "digest": f"sha256:{content.hexdigest()}"}
+
+
+def manifest_of(result):
+    """The rows of the manifest of a result, its seal as it is last; none where there is no whole one."""
+    try:
+        if os.path.getsize(os.path.join(result, _SEAL)) > _LARGEST_SEAL:
+            return []
+        own = row_of(result, _SEAL)
+        with open(os.path.join(result, _SEAL), encoding="utf-8") as stream:
+            rows = json.load(stream)["manifest"]
+        return [row for row in rows if row["name"] != _SEAL] + [own]
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        return []
 
 
 def _check_of(start):

@@ -1,21 +1,26 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From the scene to a take: what Check and Fly do, whoever asks for it."""
 import contextlib
+import json
 import os
-import re
+import time
 
 import bpy
 
 from . import flight as flights
 from . import takes
-from .problems import Problems
+from .command import STOPPED_EARLY, find_command
+from .look import Look
+from .problems import Problem, Problems
 from .stage import Stage
+from .telling import Teller, gathered
 
-_POINTER = re.compile(r"/(constraints|obstacles|objects|winds|vortices|shapes)/([^/:]+)|\bobstacle (?P<obstacle>\d+)")
 _RESULT = "result"  # folder of a run's files, beside the scene file
+_TICK = 0.1  # s
 
 found = Problems()  # what the panel shows
 running = None  # the Run that is under way
+looking = None  # (Stage, Look) of the check that is under way
 
 
 class Run:
@@ -30,34 +35,90 @@ class Run:
         self.edited = edited  # the name of the take that it is an edit of, or ""
 
 
-def check(context):
-    """Reads the scene; returns its Stage. What stands against a flight is in its problems, and in `found`."""
+def read(context):
+    """Reads the scene; returns its Stage. What Blender alone shows to stand against a flight is in its problems, and in `found`."""
+    drop_look()
     stage = Stage(context)
-    if not bpy.data.filepath:
-        stage.problems.error("the file is not saved: save it, results are kept in a folder beside it")
-    _, lack = flights.find_command(_chosen(context), os.path.dirname(os.path.abspath(__file__)))
+    stage.problems += _place_problems()
+    _, lack = _command(context)
     if lack:
         stage.problems.error(lack)
-    found[:] = stage.problems
+    mended = sum(problem.is_error for problem in stage.problems)
+    found.put(f"Not ready: {_count(mended, 'thing')} to mend" if mended else _ready(stage), gathered(stage.problems))
     return stage
+
+
+def begin_look(context):
+    """Begins a check: reads the scene, and has waft look at it (`looking`) where something can fly. Returns the Stage. Nothing in the
+    file is changed."""
+    global looking
+    stage = read(context)
+    if not stage.problems.is_fatal:
+        command, _ = _command(context)
+        try:
+            looking = stage, Look(command, stage.write)
+        except OSError as error:
+            found.error(f"{error.filename or command}: {error.strerror}")
+    return stage
+
+
+def end_look():
+    """Takes in what waft has said where it has ended; returns whether it has."""
+    global looking
+    stage, look = looking
+    told = look.poll()
+    if told is None:
+        return False
+    looking = None
+    lost, hard, wrong = told
+    tell = Teller(stage).tell
+    stage.problems[:0] = [*(tell(line, True) for line in wrong), *(tell(line) for line in lost)]
+    stage.problems += [tell(line) for line in hard]
+    title = "Not ready: it cannot be flown" if wrong else _ready(stage)
+    if lost:
+        title = f"It flies, but {_count(len(lost), 'wish', 'wishes')} cannot be met"
+    found.put(title, gathered(stage.problems))
+    return True
+
+
+def check(context):
+    """A whole check, for scripts: waits for waft. Returns the Stage, with all that was found in its problems."""
+    stage = begin_look(context)
+    while looking is not None and not end_look():
+        time.sleep(_TICK)
+    return stage
+
+
+def _ready(stage):
+    """The line of a scene that can fly."""
+    remarks = len(gathered(stage.problems))
+    return (f"Ready: {_count(len(stage.flyers), 'flyer')}, {_count(len(stage.sources.get('constraints', [])), 'wish', 'wishes')}"
+            + (f", {_count(remarks, 'remark')}" if remarks else ""))
+
+
+def _count(number, one, many=""):
+    return f"{number} {one if number == 1 else many or one + 's'}"
 
 
 def begin(context):
     """Begins a flight; returns whether it did. Nothing in the file is changed."""
     global running
-    stage = check(context)
+    stage = read(context)
     if stage.problems.is_fatal:
         return False
-    command, _ = flights.find_command(_chosen(context), os.path.dirname(os.path.abspath(__file__)))
+    command, _ = _command(context)
     quality = context.scene.waft.quality
-    name, folder = _new_folder()
+    folder = None
     try:
+        name, folder = _new_folder()
         edited = _edited(context.scene, stage, quality)
         scene_file = stage.write(folder)
         flight = flights.Flight(command, scene_file, os.path.join(folder, _RESULT), quality, edited)
     except OSError as error:
-        _discard(stage, folder)
-        found.error(f"{command}: {error.strerror}")
+        if folder is not None:
+            _discard(stage, folder)
+        found.put("Not flown", [*found])
+        found.error(f"{error.filename or command}: {error.strerror}")
         return False
     running = Run(stage, name, folder, flight, quality, os.path.basename(os.path.dirname(edited)) if edited else "")
     return True
@@ -67,50 +128,110 @@ def end(context, outcome):
     """Takes in what a flight that ended has brought; returns whether it is a take."""
     global running
     run, running = running, None
-    _report(run, outcome, context)
+    problems = _reported(run, outcome)
     if not outcome.has_result:
+        found.put("No take: nothing was changed", gathered(problems))
         _discard(run.stage, run.folder)
         return False
     result = os.path.join(run.folder, _RESULT)
     try:
         poses = flights.read_poses(result, len(run.stage.flyers), len(run.stage.frames))
+        wishes = flights.wishes(result)
     except (OSError, ValueError) as error:
+        found.put("No take: nothing was changed", problems)
         found.error(str(error))
         return False
-    for row in flights.unmet(result):
-        sources = run.stage.sources.get("constraints", [])
-        about = context.scene.objects.get(sources[int(row["Row"])])
-        found.warn(f"{row['Status']} at frame {int(row['Frame']) + run.stage.frames[0]}: {row['Message']}", about)
+    teller = Teller(run.stage)
+    unmet = [row for row in wishes if row["Status"] != "met"]
+    missed = [teller.tell(f"row {row['Row']} target {row['Target']} (object {row['ObjectId']}, frame {row['Frame']}, {row['Kind']}): "
+                          f"{row['Status']}: {row['Message']}") for row in unmet]
     take = {"name": run.name, "folder": bpy.path.relpath(run.folder), "quality": run.quality, "edited": run.edited,
-            "is_stopped": outcome.status == flights.STOPPED_EARLY}
-    for name in takes.add(context.scene, take, run.stage, *poses):
-        found.warn(f"{name} is no longer there: its motion is left out")
+            "is_stopped": outcome.status == STOPPED_EARLY, "written": json.dumps(run.stage.manifest)}
+    told = Problems(gathered([*missed, *problems]))
+    gone, strays = takes.add(context.scene, take, run.stage, *poses)
+    for name in gone:
+        told.warn(f"{name} is no longer there: its motion is left out")
+    for name, apart in strays:
+        told.append(Problem(f"is up to {apart:.2g} m from where the take puts it: something else in the file moves it", name, False))
+    met = f"all {len(wishes)} wishes are met" if not unmet else f"{len(wishes) - len(unmet)} of {len(wishes)} wishes are met"
+    found.put(f"{run.name}: {met if wishes else 'flown'}" + (f", {_count(len(told), 'remark')}" if told else ""), told)
     return True
+
+
+def remove(scene, index):
+    """Removes a take, and of its folder what its run wrote, if that is beside this very file; returns the bytes that this freed."""
+    take = scene.waft.takes[index]
+    folder = os.path.abspath(bpy.path.abspath(take.folder))
+    name, written = take.name, take.written
+    takes.remove(scene, index)
+    if not bpy.data.filepath or folder != os.path.join(_base(), name) or os.path.islink(folder) or os.path.islink(_base()):
+        return 0
+    result = os.path.join(folder, _RESULT)
+    freed = 0 if os.path.islink(result) else flights.free(result, flights.manifest_of(result))
+    with contextlib.suppress(ValueError):
+        freed += flights.free(folder, json.loads(written))
+    for emptied in (result, folder, _base()):
+        with contextlib.suppress(OSError):
+            os.rmdir(emptied)
+    return freed
+
+
+def drop_look():
+    """Ends a check without its findings."""
+    global looking
+    if looking is not None:
+        looking[1].kill()
+    looking = None
 
 
 def drop():
     """Ends a flight without its result: its file is closed."""
     global running
+    drop_look()
     run, running = running, None
     if run is not None:
         run.flight.kill()
         _discard(run.stage, run.folder)
 
 
-def _chosen(context):
+def chosen(context):
+    """The path of waft in the add-on's preferences, or ""."""
     addon = context.preferences.addons.get(__package__)
     return bpy.path.abspath(addon.preferences.command) if addon else ""
 
 
+def _command(context):
+    return find_command(chosen(context), os.path.dirname(os.path.abspath(__file__)))
+
+
+def _place_problems():
+    """What stands against results beside the file."""
+    problems = Problems()
+    if not bpy.data.filepath:
+        problems.error("the file is not saved: save it, results are kept in a folder beside it")
+        return problems
+    base = _base()
+    place = base if os.path.lexists(base) else os.path.dirname(base)
+    if not os.path.isdir(place):
+        problems.error(f"{place} is no folder: results are kept in a folder of that name")
+    elif not os.access(place, os.W_OK | os.X_OK):
+        problems.error(f"{place} may not be written in: save the file elsewhere, results are kept in a folder beside it")
+    return problems
+
+
+def _base():
+    """The folder of all takes of the file: FILE-waft beside FILE.blend."""
+    return f"{os.path.splitext(bpy.data.filepath)[0]}-waft"
+
+
 def _new_folder():
-    """(name, path) of a folder for the next take, which is made: FILE-waft/take-001 beside FILE.blend."""
-    base = f"{os.path.splitext(bpy.data.filepath)[0]}-waft"
+    """(name, path) of a folder for the next take, which is made: take-001 and so on."""
     number = 1
     while True:
         name = f"take-{number:03d}"
         try:
-            os.makedirs(os.path.join(base, name))
-            return name, os.path.join(base, name)
+            os.makedirs(os.path.join(_base(), name))
+            return name, os.path.join(_base(), name)
         except FileExistsError:
             number += 1
 
@@ -140,36 +261,18 @@ def _edited(scene, stage, quality):
     return None
 
 
-def _report(run, outcome, context):
-    """Says in `found` how a flight ended."""
-    stage = run.stage
-    found.clear()
+def _reported(run, outcome):
+    """What a flight that ended said, as Problems."""
+    told = Problems()
+    tell = Teller(run.stage).tell
     lines = [line.removeprefix("waft: ") for line in outcome.words.splitlines() if line.startswith("waft: ")]
     if run.flight.was_stopped and not outcome.has_result:
-        found.warn("stopped before there was anything to keep: nothing was changed")
+        told.warn("stopped before there was anything to keep: nothing was changed")
     elif outcome.status < 0 or outcome.status > 128:  # as a process ends, and as a shell tells it
-        found.error(f"waft was killed (signal {-outcome.status if outcome.status < 0 else outcome.status - 128}): nothing was changed")
+        told.error(f"waft was killed (signal {-outcome.status if outcome.status < 0 else outcome.status - 128}): nothing was changed")
     elif not outcome.has_result:
-        for line in [line for line in lines if not line.startswith("warning:")] or [outcome.words[-300:] or "waft ended without a word"]:
-            found.error(line, _about(stage, line, context))
-        found.warn(f"waft ended with status {outcome.status}: nothing was changed")
-    for line in lines:
-        if line.startswith("warning: "):
-            found.warn(line.removeprefix("warning: "), _about(stage, line, context))
-
-
-def _about(stage, line, context):
-    """The object that a sentence of waft is about, by its place in the scene file."""
-    for match in _POINTER.finditer(line):
-        if match["obstacle"]:
-            group, entry = "obstacles", match["obstacle"]
-        else:
-            group, entry = match[1], match[2]
-        if group == "shapes":
-            name = stage.scene["shapes"].get(entry, {}).get("_object", "")
-        else:
-            names = stage.sources.get(group, [])
-            name = names[int(entry)] if entry.isdigit() and int(entry) < len(names) else ""
-        if name:
-            return context.scene.objects.get(name)
-    return None
+        wrong = [line for line in lines if not line.startswith("warning:")] or [outcome.words[-300:] or "waft ended without a word"]
+        told += [tell(line, True) for line in wrong]
+        told.warn(f"waft ended with status {outcome.status}: nothing was changed")
+    told += [tell(line.removeprefix("warning: ")) for line in lines if line.startswith("warning: ")]
+    return told

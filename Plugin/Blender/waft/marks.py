@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 
 from .bodies import pose_of
-from .curves import key_frames
+from .curves import key_frames, nla_paths
 
 KEYED = ("location", "waft.radius")
 
@@ -35,13 +35,19 @@ def flyer_of(thing):
 
 
 def add_marks(stage, things, bodies, ids):
-    """Adds the marks. bodies: {name of a flyer: Body}; ids: {its name: its ObjectId}."""
+    """Adds the marks. bodies: {full name of a flyer: Body}; ids: {its full name: its ObjectId}."""
     found = []
     for thing in things:
         flyer = flyer_of(thing)
-        if flyer is not None and flyer.name not in ids:
-            stage.problems.error(f"is a mark of {flyer.name}, which is no flyer of this scene", thing)
-            continue
+        if flyer is not None and flyer.name_full not in ids:
+            if flyer.name_full in stage.left_out:
+                stage.problems.error(f"is a mark of {flyer.name_full}, which takes no part", thing)
+            elif flyer.waft.role != "FLYER" or flyer.name_full not in stage.known:
+                stage.problems.error(f"is a mark of {flyer.name_full}, which is no flyer of this scene", thing)
+            continue  # what stands against that flyer is said of it
+        if nla_paths(thing) & set(KEYED):
+            stage.problems.warn("has keys in NLA strips, which are not read: bring them back into its action (Tab), or it is a mark at "
+                                + " and ".join(f"frame {frame}" for frame in frames_of(thing)) + " alone", thing)
         for frame in frames_of(thing):
             if stage.own_frame(thing, frame) is None:
                 break
@@ -67,7 +73,7 @@ def _matrix(stage, thing, frame):
 
 
 def _add(stage, mark, bodies, ids):
-    number = -1 if mark.flyer is None else ids[mark.flyer.name]
+    number = -1 if mark.flyer is None else ids[mark.flyer.name_full]
     frame = mark.frame - stage.frames[0]
     radius = mark.radius * stage.unit
     place = (mark.place * stage.unit).tolist()
@@ -81,7 +87,7 @@ def _add(stage, mark, bodies, ids):
         if mark.flyer is None:
             stage.problems.error("turns its flyer, but is a mark of any: name its flyer", mark.thing)
             return
-        body = bodies[mark.flyer.name]
+        body = bodies[mark.flyer.name_full]
         turn = _matrix(stage, mark.thing, mark.frame).to_quaternion().to_matrix()
         scaled = np.eye(4)
         scaled[:3, :3] = np.array(turn, float) * body.scale
@@ -91,18 +97,18 @@ def _add(stage, mark, bodies, ids):
 
 def _compare(stage, marks, bodies):
     """Problems of marks that ask one flyer to be at two places at once."""
-    starts = [Mark(flyer, flyer, stage.frames[0], stage.start_of(flyer, bodies[flyer.name]), 0.0, False)
-              for flyer in {mark.flyer.name: mark.flyer for mark in marks if mark.flyer is not None}.values()]
+    starts = [Mark(flyer, flyer, stage.frames[0], stage.start_of(flyer, bodies[flyer.name_full]), 0.0, False)
+              for flyer in {mark.flyer.name_full: mark.flyer for mark in marks if mark.flyer is not None}.values()]
     seen = {}
     for mark in starts + marks:
         if mark.flyer is None:
             continue
-        for other in seen.setdefault((mark.flyer.name, mark.frame), []):
+        for other in seen.setdefault((mark.flyer.name_full, mark.frame), []):
             apart = mark.place - other.place
             if mark.is_rest or other.is_rest:
                 apart = apart[:2]  # the height of a rest is its surface's
             if np.linalg.norm(apart) > mark.radius + other.radius + 1e-5:
-                what = f"the start of {mark.flyer.name}" if other.thing is mark.flyer else f"{other.thing.name}"
-                stage.problems.error(f"disagrees with {what}: at frame {mark.frame} {mark.flyer.name} cannot be at both", mark.thing)
+                what = f"the start of {mark.flyer.name_full}" if other.thing is mark.flyer else f"{other.thing.name_full}"
+                stage.problems.error(f"disagrees with {what}: at frame {mark.frame} {mark.flyer.name_full} cannot be at both", mark.thing)
                 break
-        seen[mark.flyer.name, mark.frame].append(mark)
+        seen[mark.flyer.name_full, mark.frame].append(mark)

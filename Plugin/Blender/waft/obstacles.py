@@ -2,6 +2,7 @@
 """Obstacles and the volume."""
 import numpy as np
 
+from .hindrances import form_changes
 from .surfaces import moved, open_edges, polydata, triangles_of
 
 _STILL = 1e-6  # Blender units, and radians, that count as no motion
@@ -13,7 +14,8 @@ def add_obstacles(stage, things):
     for thing in things:
         points, triangles = triangles_of(thing, stage.depsgraph)
         if not len(triangles):
-            stage.problems.error("has no faces: an obstacle is a closed surface", thing)
+            stage.problems.error("shows only instances, which have no mesh of their own: make them real (Object > Apply)"
+                                 if thing.name_full in stage.instancers else "has no faces: an obstacle is a closed surface", thing)
             continue
         holes = open_edges(points, triangles)
         if holes:
@@ -22,9 +24,10 @@ def add_obstacles(stage, things):
             continue
         matrices = np.array([np.array(stage.matrix(thing, frame), float) for frame in stage.frames])
         if np.abs(matrices[:, :3, :3] - matrices[0, :3, :3]).max() > _STILL:
-            stage.problems.warn("turns or is scaled; obstacles of Waft only move: it flies as it is at the first frame", thing)
-        elif _is_bent(thing):
-            stage.problems.warn("may change its form; obstacles of Waft only move: it flies as it is at the first frame", thing)
+            stage.problems.warn("turns or is scaled; obstacles of Waft only move: it stays as it is at the first frame", thing)
+        elif bending := form_changes(thing):
+            stage.problems.warn(f"may change its form ({bending}); obstacles of Waft only move: it stays as it is at the first frame",
+                                thing)
         origin = matrices[:, :3, 3] * stage.unit
         turned = np.array(stage.matrix(thing, first), float)
         turned[:3, 3] = 0.0
@@ -34,13 +37,6 @@ def add_obstacles(stage, things):
         if len(keys) > 1:
             entry["motion"] = [{"frame": int(frame), "position": origin[frame].tolist()} for frame in keys]
         stage.add("obstacles", thing, **entry)
-
-
-def _is_bent(thing):
-    shape_keys = getattr(thing.data, "shape_keys", None)
-    return bool(shape_keys and shape_keys.animation_data) or any(
-        modifier.type in ("ARMATURE", "CLOTH", "SOFT_BODY", "WAVE", "MESH_CACHE", "MESH_SEQUENCE_CACHE", "FLUID", "OCEAN")
-        for modifier in thing.modifiers)
 
 
 def _corners(places):

@@ -6,7 +6,8 @@ import bpy
 import numpy as np
 from bpy.props import EnumProperty, IntProperty, StringProperty
 
-from . import flying, spreading, takes
+from . import flying, spreading
+from .names import by_name
 from .properties import ROLES
 
 _TICK = 0.2  # s
@@ -19,21 +20,70 @@ def _redraw(context):
                 area.tag_redraw()
 
 
-class WAFT_OT_check(bpy.types.Operator):
-    """See whether the scene can fly"""
+def _show(context):
+    """Shows what was found: folded where there is a line that says enough."""
+    context.window_manager.waft.is_open = flying.found.is_fatal
+    context.window_manager.waft.page = 0
+    _redraw(context)
+
+
+class _Watching:
+    """An operator that watches a process of waft from a timer of the window, while Blender goes on."""
+
+    def _watch(self, context):
+        self._timer = context.window_manager.event_timer_add(_TICK, window=context.window)
+        context.window_manager.modal_handler_add(self)
+        return {"RUNNING_MODAL"}
+
+    def _leave(self, context):
+        context.window_manager.event_timer_remove(self._timer)
+
+
+class WAFT_OT_check(_Watching, bpy.types.Operator):
+    """See whether the scene can fly, and what will be hard"""
 
     bl_idname = "waft.check"
     bl_label = "Check"
 
+    @classmethod
+    def poll(cls, _context):
+        return flying.running is None and flying.looking is None
+
     def execute(self, context):
-        stage = flying.check(context)
-        if not stage.problems:
-            self.report({"INFO"}, f"{len(stage.flyers)} flyers, {len(stage.sources.get('constraints', []))} marks and targets: ready")
+        """From a script: waits for the end."""
+        flying.check(context)
+        return self._end(context)
+
+    def invoke(self, context, _event):
+        flying.begin_look(context)
+        if flying.looking is None:
+            return self._end(context)
+        self._look = flying.looking
         _redraw(context)
+        return self._watch(context)
+
+    def modal(self, context, event):
+        if event.type != "TIMER":
+            return {"PASS_THROUGH"}
+        if flying.looking is not self._look:  # another file was opened, or a flight begun
+            self._leave(context)
+            return {"CANCELLED"}
+        if not flying.end_look():
+            return {"PASS_THROUGH"}
+        self._leave(context)
+        return self._end(context)
+
+    def cancel(self, context):
+        self._leave(context)
+        flying.drop_look()
+
+    def _end(self, context):
+        _show(context)
+        self.report({"INFO"}, f"Waft: {flying.found.title}")
         return {"FINISHED"}
 
 
-class WAFT_OT_fly(bpy.types.Operator):
+class WAFT_OT_fly(_Watching, bpy.types.Operator):
     """Fly the scene in the background; the motion comes as a take of the flyers"""
 
     bl_idname = "waft.fly"
@@ -47,7 +97,7 @@ class WAFT_OT_fly(bpy.types.Operator):
     def execute(self, context):
         """From a script: waits for the end."""
         if not flying.begin(context):
-            return self._refuse()
+            return self._refuse(context)
         while True:
             outcome = flying.running.flight.poll()
             if outcome is not None:
@@ -55,13 +105,10 @@ class WAFT_OT_fly(bpy.types.Operator):
             time.sleep(_TICK)
 
     def invoke(self, context, _event):
-        begun = flying.begin(context)
-        _redraw(context)
-        if not begun:
-            return self._refuse()
-        self._timer = context.window_manager.event_timer_add(_TICK, window=context.window)
-        context.window_manager.modal_handler_add(self)
-        return {"RUNNING_MODAL"}
+        if not flying.begin(context):
+            return self._refuse(context)
+        _show(context)
+        return self._watch(context)
 
     def modal(self, context, event):
         if event.type != "TIMER":
@@ -80,15 +127,14 @@ class WAFT_OT_fly(bpy.types.Operator):
         self._leave(context)
         flying.drop()
 
-    def _leave(self, context):
-        context.window_manager.event_timer_remove(self._timer)
-
     def _end(self, context, outcome):
-        is_take = flying.end(context, outcome)
-        _redraw(context)
-        return {"FINISHED"} if is_take else self._refuse()
+        if not flying.end(context, outcome):
+            return self._refuse(context)
+        _show(context)
+        return {"FINISHED"}
 
-    def _refuse(self):
+    def _refuse(self, context):
+        _show(context)
         first = next((problem for problem in flying.found if problem.is_error), None)
         if first is not None:
             self.report({"WARNING"}, f"Waft: {first.object} {first.text}" if first.object else f"Waft: {first.text}")
@@ -110,6 +156,32 @@ class WAFT_OT_stop(bpy.types.Operator):
         return {"FINISHED"}
 
 
+class WAFT_OT_dismiss(bpy.types.Operator):
+    """Take what was found out of the panel"""
+
+    bl_idname = "waft.dismiss"
+    bl_label = "Close"
+
+    def execute(self, context):
+        flying.found.put("")
+        _redraw(context)
+        return {"FINISHED"}
+
+
+class WAFT_OT_turn(bpy.types.Operator):
+    """Show others of what was found"""
+
+    bl_idname = "waft.turn"
+    bl_label = "Turn"
+
+    page: IntProperty()
+
+    def execute(self, context):
+        context.window_manager.waft.page = self.page
+        _redraw(context)
+        return {"FINISHED"}
+
+
 class WAFT_OT_select(bpy.types.Operator):
     """Select the object that the message is about"""
 
@@ -120,7 +192,7 @@ class WAFT_OT_select(bpy.types.Operator):
     name: StringProperty()
 
     def execute(self, context):
-        thing = context.view_layer.objects.get(self.name)
+        thing = by_name(context.view_layer.objects).get(self.name)
         if thing is None:
             self.report({"WARNING"}, f"{self.name} is no longer there")
             return {"CANCELLED"}
@@ -226,7 +298,7 @@ class WAFT_OT_spread(bpy.types.Operator):
 
 
 class WAFT_OT_remove_take(bpy.types.Operator):
-    """Remove the take and its actions; without any take the flyers are as they were before. Its folder stays"""
+    """Remove the take, its actions and what its flight wrote beside the file; without any take the flyers are as they were before"""
 
     bl_idname = "waft.remove_take"
     bl_label = "Remove Take"
@@ -237,9 +309,11 @@ class WAFT_OT_remove_take(bpy.types.Operator):
         return 0 <= context.scene.waft.shown < len(context.scene.waft.takes)
 
     def execute(self, context):
-        takes.remove(context.scene, context.scene.waft.shown)
+        freed = flying.remove(context.scene, context.scene.waft.shown)
+        if freed:
+            self.report({"INFO"}, f"Waft: {freed / 1e6:.0f} MB of disk are free again")
         return {"FINISHED"}
 
 
-CLASSES = (WAFT_OT_check, WAFT_OT_fly, WAFT_OT_stop, WAFT_OT_select, WAFT_OT_role, WAFT_OT_add_mark, WAFT_OT_add_volume,
-           WAFT_OT_spread, WAFT_OT_remove_take)
+CLASSES = (WAFT_OT_check, WAFT_OT_fly, WAFT_OT_stop, WAFT_OT_dismiss, WAFT_OT_turn, WAFT_OT_select, WAFT_OT_role, WAFT_OT_add_mark,
+           WAFT_OT_add_volume, WAFT_OT_spread, WAFT_OT_remove_take)

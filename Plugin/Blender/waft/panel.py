@@ -8,6 +8,8 @@ from . import flying
 from .winds import VORTEX_FACTOR, field_of
 
 _LETTER = 7.0  # pixels, at least, of a letter of a message
+_BUTTONS = 6  # letters that the two buttons of a line take
+_AT_ONCE = 3  # messages, so that what is below stays in sight
 
 
 class _Panel:
@@ -36,23 +38,46 @@ class WAFT_PT_fly(_Panel, bpy.types.Panel):
             box.label(text=f"{flying.running.name}: {100.0 * flight.fraction:.0f} %", icon="TIME")
             _write(box, context, flight.text)
             box.operator("waft.stop", icon="CANCEL")
-        for problem in flying.found:
-            _show(layout, context, problem)
+        if flying.looking is not None:
+            layout.box().label(text="Checking", icon="TIME")
+        elif flying.found.title:
+            _report(layout.box(), context, flying.found)
+
+
+def _report(box, context, found):
+    """One line of what was found, which unfolds to some of it at a time."""
+    shown = context.window_manager.waft
+    row = box.row(align=True)
+    if found:
+        row.prop(shown, "is_open", text="", icon="TRIA_DOWN" if shown.is_open else "TRIA_RIGHT", emboss=False)
+    _write(row, context, found.title, "ERROR" if found.is_fatal else "INFO" if found else "CHECKMARK", _BUTTONS)
+    row.operator("waft.dismiss", text="", icon="X", emboss=False)
+    if not shown.is_open:
+        return
+    for problem in found[shown.page * _AT_ONCE:][:_AT_ONCE]:
+        _show(box, context, problem)
+    pages = -(-len(found) // _AT_ONCE)
+    if pages > 1:
+        row = box.row(align=True)
+        for step, icon in ((-1, "TRIA_LEFT"), (1, "TRIA_RIGHT")):
+            turn = row.row()
+            turn.enabled = 0 <= shown.page + step < pages
+            turn.operator("waft.turn", text="", icon=icon).page = shown.page + step
+            if step < 0:
+                row.label(text=f"{shown.page + 1} of {pages}")
 
 
 def _show(layout, context, problem):
-    box = layout.box()
     icon = "ERROR" if problem.is_error else "INFO"
+    column = layout.column(align=True)
     if problem.object:
-        box.operator("waft.select", text=problem.object, icon=icon).name = problem.object
-        _write(box, context, problem.text)
-    else:
-        _write(box, context, problem.text, icon)
+        column.operator("waft.select", text=problem.object, icon=icon).name = problem.object
+    _write(column, context, problem.text, "NONE" if problem.object else icon)
 
 
-def _write(layout, context, text, icon="NONE"):
-    """A text over as many lines as the sidebar's width asks for."""
-    width = max(20, int(context.region.width / (_LETTER * context.preferences.system.ui_scale)) - 6)
+def _write(layout, context, text, icon="NONE", beside=0):
+    """A text over as many lines as the sidebar's width asks for. beside: letters that others take of it."""
+    width = max(20, int(context.region.width / (_LETTER * context.preferences.system.ui_scale)) - 6 - beside)
     column = layout.column(align=True)
     column.scale_y = 0.8
     for number, line in enumerate(textwrap.wrap(text, width)):
@@ -129,4 +154,4 @@ class WAFT_PT_takes(_Panel, bpy.types.Panel):
         row.operator("waft.remove_take", text="", icon="REMOVE")
 
 
-CLASSES = (WAFT_UL_takes, WAFT_PT_fly, WAFT_PT_object, WAFT_PT_takes)
+CLASSES = (WAFT_UL_takes, WAFT_PT_fly, WAFT_PT_takes, WAFT_PT_object)

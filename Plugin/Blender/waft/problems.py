@@ -5,7 +5,7 @@ import dataclasses
 
 @dataclasses.dataclass(frozen=True)
 class Problem:
-    """text: a sentence. object: the name of the object that it is about, or "". is_error: whether nothing flies with it."""
+    """text: a sentence. object: the full name of the object that it is about, or "". is_error: whether nothing flies with it."""
 
     text: str
     object: str = ""
@@ -13,13 +13,22 @@ class Problem:
 
 
 class Problems(list):
-    """Problems in the order in which they were found."""
+    """Problems in the order in which they were found. title: what came of all, in a line; "" for nothing yet."""
+
+    def __init__(self, *problems):
+        super().__init__(*problems)
+        self.title = ""
+
+    def put(self, title, problems=()):
+        """Says this in the place of what was said."""
+        self.title = title
+        self[:] = problems
 
     def error(self, text, about=None):
-        self.append(Problem(text, about.name if about else ""))
+        self.append(Problem(text, about.name_full if about else ""))
 
     def warn(self, text, about=None):
-        self.append(Problem(text, about.name if about else "", False))
+        self.append(Problem(text, about.name_full if about else "", False))
 
     @property
     def is_fatal(self):

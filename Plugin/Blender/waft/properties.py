@@ -23,47 +23,55 @@ QUALITIES = (
 )
 
 
+# Objects that are library overrides keep values of their own, and takes.
+_OWN = {"LIBRARY_OVERRIDABLE"}
+
+
 def _take_preset(settings, _context):
     if settings.preset != "OWN":
         settings.settling_speed, settings.area_density, settings.thickness, settings.drag_coefficient = PRESETS[settings.preset]
 
 
 class ObjectTake(bpy.types.PropertyGroup):
-    """The action of an object in a take; `name` is the take's."""
+    """The action of an object in a take, and its slot there; `name` is the take's."""
 
-    action: PointerProperty(type=bpy.types.Action)
+    action: PointerProperty(type=bpy.types.Action, override=_OWN)
+    slot: StringProperty(override=_OWN)
 
 
 class ObjectSettings(bpy.types.PropertyGroup):
-    role: EnumProperty(name="Part", items=ROLES, default="NONE")
+    role: EnumProperty(override=_OWN, name="Part", items=ROLES, default="NONE")
     # Flyers.
-    preset: EnumProperty(name="Preset", default="LEAF", update=_take_preset, items=(
+    preset: EnumProperty(override=_OWN, name="Preset", default="LEAF", update=_take_preset, items=(
         *((name, name.capitalize(), f"Weights of a {name.lower()}") for name in PRESETS), ("OWN", "Own", "Values of your own")))
-    settling_speed: FloatProperty(name="Settling Speed", default=0.8, min=0.001, soft_max=5.0, precision=3,
+    settling_speed: FloatProperty(override=_OWN, name="Settling Speed", default=0.8, min=0.001, soft_max=5.0, precision=3,
                                   description="Speed at which it falls in still air in the end, in m/s")
-    area_density: FloatProperty(name="Area Density", default=0.1, min=0.0001, soft_max=2.0, precision=4,
+    area_density: FloatProperty(override=_OWN, name="Area Density", default=0.1, min=0.0001, soft_max=2.0, precision=4,
                                 description="Kilograms of a square metre of its surface")
-    thickness: FloatProperty(name="Thickness", default=0.0004, min=1e-7, soft_max=0.01, precision=6, description="In metres")
-    drag_coefficient: FloatProperty(name="Drag Coefficient", default=1.2, min=0.01, soft_max=3.0)
+    thickness: FloatProperty(override=_OWN, name="Thickness", default=0.0004, min=1e-7, soft_max=0.01, precision=6,
+                             description="In metres")
+    drag_coefficient: FloatProperty(override=_OWN, name="Drag Coefficient", default=1.2, min=0.01, soft_max=3.0)
     # Marks and targets.
-    kind: EnumProperty(name="Kind", default="PASS", items=(
+    kind: EnumProperty(override=_OWN, name="Kind", default="PASS", items=(
         ("PASS", "Pass", "Is there at the frame"),
         ("REST", "Rest", "Lands by the frame on the first surface straight below, and lies still")))
-    frame: IntProperty(name="Frame", default=1, description="Of the scene; keys on the location count instead")
-    until: IntProperty(name="Until", default=0, description="Last frame of a rest; 0: the scene's last")
-    radius: FloatProperty(name="Radius", default=0.0, min=0.0, subtype="DISTANCE", unit="LENGTH",
+    frame: IntProperty(override=_OWN, name="Frame", default=1, description="Of the scene; keys on the location count instead")
+    until: IntProperty(override=_OWN, name="Until", default=0, description="Last frame of a rest; 0: the scene's last")
+    radius: FloatProperty(override=_OWN, name="Radius", default=0.0, min=0.0, subtype="DISTANCE", unit="LENGTH",
                           description="How far from it is near enough; 0: exactly there")
-    flyer: PointerProperty(name="Flyer", type=bpy.types.Object, description="Whose mark it is; none: the flyer that it hangs on, "
-                                                                            "else any",
-                           poll=lambda _, thing: thing.waft.role == "FLYER")
-    is_turned: BoolProperty(name="Turned Alike", description="The flyer's rotation there is that of the mark")
-    group: PointerProperty(name="Flyers", type=bpy.types.Collection, description="The collection whose flyers form it; none: all")
-    count: IntProperty(name="Count", default=0, min=0, description="Of places; 0: as many as flyers")
+    flyer: PointerProperty(override=_OWN, name="Flyer", type=bpy.types.Object, poll=lambda _, thing: thing.waft.role == "FLYER",
+                           description="Whose mark it is; none: the flyer that it hangs on, else any")
+    is_turned: BoolProperty(override=_OWN, name="Turned Alike", description="The flyer's rotation there is that of the mark")
+    group: PointerProperty(override=_OWN, name="Flyers", type=bpy.types.Collection,
+                           description="The collection whose flyers form it; none: all")
+    count: IntProperty(override=_OWN, name="Count", default=0, min=0, description="Of places; 0: as many as flyers")
+    copied_from: PointerProperty(type=bpy.types.Object, description="The flyer that Spread made it of", override=_OWN)
     # What an object was before its first take, and its takes.
-    own_action: PointerProperty(type=bpy.types.Action)
-    own_mode: StringProperty()
-    own_pose: FloatVectorProperty(size=POSE_SIZE)
-    takes: CollectionProperty(type=ObjectTake)
+    own_action: PointerProperty(type=bpy.types.Action, override=_OWN)
+    own_slot: StringProperty(override=_OWN)
+    own_mode: StringProperty(override=_OWN)
+    own_pose: FloatVectorProperty(size=POSE_SIZE, override=_OWN)
+    takes: CollectionProperty(type=ObjectTake, override=_OWN | {"USE_INSERTION"})
 
 
 class Take(bpy.types.PropertyGroup):
@@ -73,6 +81,7 @@ class Take(bpy.types.PropertyGroup):
     quality: StringProperty()
     edited: StringProperty(description="The take that it is an edit of")
     is_stopped: BoolProperty(description="The best so far of a flight that was stopped")
+    written: StringProperty(description="The manifest of the scene's files in its folder, as JSON")
 
 
 class SceneSettings(bpy.types.PropertyGroup):
@@ -83,27 +92,26 @@ class SceneSettings(bpy.types.PropertyGroup):
     shown: IntProperty(default=-1, update=lambda settings, _: takes.show(settings.id_data, settings.shown))
 
 
-class Preferences(bpy.types.AddonPreferences):
-    bl_idname = __package__
+class Report(bpy.types.PropertyGroup):
+    """How the panel shows what was found."""
 
-    command: StringProperty(name="Waft", subtype="FILE_PATH", description="The program waft; empty: the one that the add-on was "
-                                                                          "installed with, else that on the PATH")
-
-    def draw(self, _context):
-        self.layout.prop(self, "command")
+    is_open: BoolProperty(name="Show", description="Show or hide what was found", options={"SKIP_SAVE"})
+    page: IntProperty(options={"SKIP_SAVE"})
 
 
-CLASSES = (ObjectTake, ObjectSettings, Take, SceneSettings, Preferences)
+CLASSES = (ObjectTake, ObjectSettings, Take, SceneSettings, Report)
 
 
 def register():
     for one in CLASSES:
         bpy.utils.register_class(one)
-    bpy.types.Object.waft = PointerProperty(type=ObjectSettings)
+    bpy.types.Object.waft = PointerProperty(type=ObjectSettings, override=_OWN)
     bpy.types.Scene.waft = PointerProperty(type=SceneSettings)
+    bpy.types.WindowManager.waft = PointerProperty(type=Report)
 
 
 def unregister():
+    del bpy.types.WindowManager.waft
     del bpy.types.Scene.waft
     del bpy.types.Object.waft
     for one in reversed(CLASSES):

@@ -34,13 +34,13 @@ def frame_kept(scene, things):
 
 
 def sample(context, things, frames, values):
-    """{frame: {name: (matrix in the world, values(thing))}} of things at frames, the scene's own frame first: what was moved there
+    """{frame: {full name: (matrix in the world, values(thing))}} of things at frames, the scene's own frame first: what was moved there
     without a key is still where it was put. Leaves the scene at the last of the frames."""
     scene = context.scene
     found = {}
     for frame in sorted(frames, key=lambda frame: (frame != scene.frame_current, frame)):
         go_to(scene, frame)
-        found[frame] = {thing.name: (thing.matrix_world.copy(), values(thing)) for thing in things}
+        found[frame] = {thing.name_full: (thing.matrix_world.copy(), values(thing)) for thing in things}
     return found
 
 

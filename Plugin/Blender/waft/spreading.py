@@ -21,6 +21,7 @@ def spread(context, flyer, emitter, count, seed):
         copy.animation_data_clear()
         copy.waft.takes.clear()
         copy.waft.own_action = None
+        copy.waft.copied_from = flyer.waft.copied_from or flyer
         collection.objects.link(copy)
         copy.select_set(False)
         copy.rotation_mode = "XYZ"

@@ -7,13 +7,14 @@ import bpy
 import numpy as np
 
 from . import marks
-from .bodies import body_of, obstruction, placements, pose_of
+from .bodies import placements, pose_of
 from .curves import is_animated
-from .flight import SCENE
+from .flight import SCENE, row_of
+from .flyers import add_flyers
 from .obstacles import add_obstacles, add_volume
+from .names import by_name
 from .problems import Problems
 from .sampling import frame_kept, go_to, sample
-from .surfaces import polydata
 from .targets import add_targets
 from .winds import add_fields, field_of
 
@@ -31,9 +32,11 @@ class Stage:
     """What of a scene takes part.
 
     scene: the scene file's content. files: {name: content} that it names. problems: what stands against a flight. sources:
-    {"constraints", "obstacles", ...: the name of the object of each entry}. flyers: [(object's name, Body)] in the order of
-    their ObjectId. frames: the frames of the scene, of which the first is frame 0 of the file. unit: metres of a Blender unit.
-    rate: frames per second.
+    {"constraints", "obstacles", ...: the full name of the object of each entry}. flyers: [(object's full name, Body)] in the order
+    of their ObjectId. frames: the frames of the scene, of which the first is frame 0 of the file. unit: metres of a Blender unit.
+    rate: frames per second. instancers: full names of what shows instances of others. left_out: of what has a part, but takes
+    none. own: that of the Blender scene. known: those of its objects. volume: that of the volume. manifest: of the files that were
+    written.
     """
 
     def __init__(self, context):
@@ -42,7 +45,13 @@ class Stage:
         self.files = {}
         self.sources = {}
         self.flyers = []
+        self.instancers = set()
+        self.left_out = set()
+        self.volume = ""
+        self.manifest = []
         settings = context.scene
+        self.own = settings.name_full
+        self.known = set(by_name(settings.objects))
         self.frames = range(settings.frame_start, settings.frame_end + 1)
         self.rate = settings.render.fps / settings.render.fps_base
         self.unit = settings.unit_settings.scale_length
@@ -61,11 +70,11 @@ class Stage:
 
     def matrix(self, thing, frame):
         """Where an object is at a frame."""
-        return self._places[frame][thing.name][0]
+        return self._places[frame][thing.name_full][0]
 
     def value(self, thing, frame):
         """The radius of a mark, or the strength of a field, at a frame."""
-        return self._places[frame][thing.name][1]
+        return self._places[frame][thing.name_full][1]
 
     def start_of(self, thing, body):
         """Where the centre of mass of a flyer is at the first frame [Blender units]."""
@@ -92,8 +101,8 @@ class Stage:
 
     def add(self, group, thing, **entry):
         """Adds an entry to a list of the scene file."""
-        self.scene.setdefault(group, []).append({"_object": thing.name, **entry})
-        self.sources.setdefault(group, []).append(thing.name)
+        self.scene.setdefault(group, []).append({"_object": thing.name_full, **entry})
+        self.sources.setdefault(group, []).append(thing.name_full)
 
     def file(self, name, content):
         """Keeps a file beside the scene file; returns its name there."""
@@ -107,13 +116,14 @@ class Stage:
         return [*self.files, SCENE]
 
     def write(self, folder):
-        """Writes the scene file and what it names into an empty folder; returns its path."""
+        """Writes the scene file and what it names into an empty folder; returns its path. Their manifest (flight.py) is kept."""
         for name, content in self.files.items():
             with open(os.path.join(folder, name), "wb") as stream:
                 stream.write(content if isinstance(content, bytes) else content.encode())
         path = os.path.join(folder, SCENE)
         with open(path, "w", encoding="utf-8") as stream:
             json.dump(self.scene, stream, indent=1, ensure_ascii=False)
+        self.manifest = [row_of(folder, name) for name in self.written()]
         return path
 
     def placements(self, index, positions, orientations):
@@ -127,14 +137,19 @@ class Stage:
         fields = []
         context.view_layer.update()  # objects that a script has just made are in it then
         depsgraph = context.evaluated_depsgraph_get()
-        for thing in context.view_layer.objects:
-            takes_part = thing.waft.role in parts or field_of(thing) is not None
-            if takes_part and not thing.evaluated_get(depsgraph).is_evaluated:
-                self.problems.warn("is disabled in viewports, where Blender does not evaluate it: it takes no part", thing)
+        layer = by_name(context.view_layer.objects)
+        for name, thing in by_name(context.scene.objects).items():
+            if thing.waft.role not in parts and field_of(thing) is None:
+                continue
+            if name not in layer:
+                self._leave_out("is in a collection that the view layer excludes", thing)
+            elif not thing.evaluated_get(depsgraph).is_evaluated:
+                self._leave_out("is disabled in viewports, where Blender does not evaluate it", thing)
             elif thing.waft.role in parts:
                 parts[thing.waft.role].append(thing)
-            elif field_of(thing) is not None:
+            else:
                 fields.append(thing)
+        self.instancers = _instancers(depsgraph, sum(parts.values(), []))
         for thing in parts["MARK"]:
             if thing.type != "EMPTY":
                 self.problems.error("is no empty: a mark is an empty", thing)
@@ -145,10 +160,15 @@ class Stage:
             self._add(context.scene, parts, fields)
             self.depsgraph = None  # which an undo would take away
 
+    def _leave_out(self, why, thing):
+        self.problems.warn(f"{why}: it takes no part", thing)
+        self.left_out.add(thing.name_full)
+
     def _add(self, scene, parts, fields):
         self.scene.update(title=scene.name, seed=scene.waft.seed, time={"frames": len(self.frames), "framesPerSecond": self.rate})
+        self.volume = parts["VOLUME"][0].name_full if parts["VOLUME"] else ""
         has_volume = add_volume(self, parts["VOLUME"], scene.waft.has_ground)
-        ids, bodies = self._add_flyers(parts["FLYER"])
+        ids, bodies = add_flyers(self, parts["FLYER"])
         add_obstacles(self, parts["OBSTACLE"])
         marks.add_marks(self, [thing for thing in parts["MARK"] if thing.type == "EMPTY"], bodies, ids)
         add_targets(self, parts["TARGET"], ids)
@@ -170,43 +190,10 @@ class Stage:
         for frame in self.frames:
             self._places.setdefault(frame, self._places[self.frames[0]])
 
-    def _add_flyers(self, things):
-        """Adds shapes and objects; returns {name: ObjectId} and {name: Body}."""
-        if not things:
-            self.problems.error("nothing flies: select meshes and make them flyers")
-        ids, bodies, shapes, made = {}, {}, {}, {}
-        for thing in things:
-            problem = obstruction(thing) if thing.type == "MESH" else "is no mesh: a flyer is a mesh"
-            if problem:
-                self.problems.error(problem, thing)
-                continue
-            own = (thing.data.name, *thing.scale) if not thing.modifiers and thing.data.shape_keys is None else (thing.name, "")
-            if own not in made:
-                made[own] = body_of(thing, self.depsgraph, self.unit)
-            body = made[own]
-            if body is None:
-                self.problems.error("has no faces: expected a mesh with an area", thing)
-                continue
-            weights = self._weights(thing)
-            name = shapes.setdefault((own, *weights.items()), f"{thing.data.name.replace('/', '_')}-{len(shapes)}")
-            if name not in self.scene.setdefault("shapes", {}):
-                mesh = self.file("flyer.vtp", polydata(body.points, body.triangles))
-                self.scene["shapes"][name] = {"_object": thing.name, "mesh": mesh, "align": False, **weights}
-            position, orientation = pose_of(self.matrix(thing, self.frames[0]), body, self.unit)
-            if not self.is_inside(position / self.unit):
-                self.problems.error("starts outside of the volume", thing)
-            ids[thing.name] = len(self.flyers)
-            bodies[thing.name] = body
-            self.flyers.append((thing.name, body))
-            self.add("objects", thing, shape=name, position=position.tolist(), orientation=orientation.tolist())
-        return ids, bodies
 
-    @staticmethod
-    def _weights(thing):
-        settings = thing.waft
-        weights = {"settlingSpeed": settings.settling_speed, "areaDensity": settings.area_density, "thickness": settings.thickness,
-                   "dragCoefficient": settings.drag_coefficient}
-        material = thing.active_material
-        if material is not None:
-            weights["color"] = tuple(material.diffuse_color[:3])
-        return weights
+def _instancers(depsgraph, things):
+    """The full names of those of some things that show instances of others: by geometry nodes, particles, faces, as collections."""
+    if not any(thing.instance_type != "NONE" or any(one.type in ("NODES", "PARTICLE_SYSTEM") for one in thing.modifiers)
+               for thing in things):
+        return set()
+    return {one.parent.original.name_full for one in depsgraph.object_instances if one.is_instance and one.parent is not None}

@@ -10,8 +10,8 @@ def _evaluated_mesh(thing, depsgraph):
     """The mesh of an object (a curve's, a text's, too) with its modifiers; None where it has none."""
     evaluated = thing.evaluated_get(depsgraph)
     try:
-        mesh = evaluated.to_mesh()
-    except RuntimeError:  # an object without geometry
+        mesh = evaluated.to_mesh() if thing.type != "EMPTY" else None
+    except RuntimeError:  # another object without geometry
         mesh = None
     try:
         yield mesh

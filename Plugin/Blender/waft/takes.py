@@ -1,20 +1,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Takes: what flights brought, as actions of the user's own objects. A take is swapped for another by its actions."""
 import bpy
+import numpy as np
 
 from . import curves
-from .sampling import pose_values, set_pose
+from .names import by_name
+from .sampling import frame_kept, pose_values, set_pose
 
 _MOTION = ("location", "rotation_quaternion")
+_OFF = 1e-4  # of its distance from the origin, and of 1: an object that is farther from its place is moved by something else
 
 
 def add(scene, values, stage, positions, orientations):
     """Gives each flyer that is still there an action with its motion, and shows the take. values: of its properties. Returns the names of
-    the flyers that are gone."""
+    the flyers that are gone, and (name, metres) of those that something else moves."""
     name = values["name"]
-    gone = []
+    gone, placed = [], []
+    known = by_name(scene.objects)
     for index, (flyer, _) in enumerate(stage.flyers):
-        thing = scene.objects.get(flyer)
+        thing = known.get(flyer)
         if thing is None:
             gone.append(flyer)
             continue
@@ -25,20 +29,36 @@ def add(scene, values, stage, positions, orientations):
         action = settings.own_action.copy() if settings.own_action else bpy.data.actions.new("")
         action.name = f"{name} {flyer}"
         locations, turns = stage.placements(index, positions[index], orientations[index])
-        curves.replace_curves(action, thing, dict(zip(_MOTION, (locations, turns))), stage.frames[0])
+        slot = curves.replace_curves(action, thing, dict(zip(_MOTION, (locations, turns))), stage.frames[0], settings.own_slot)
         entry = settings.takes.add()
         entry.name = name
         entry.action = action
+        entry.slot = slot
+        placed.append((thing, locations))
     take = scene.waft.takes.add()
     for key, value in values.items():
         setattr(take, key, value)
     scene.waft.shown = len(scene.waft.takes) - 1
-    return gone
+    return gone, _strays(scene, placed, stage)
+
+
+def _strays(scene, placed, stage):
+    """(full name, metres) of objects that are not where their keys put them, half way and in the end."""
+    apart = np.zeros(len(placed))
+    with frame_kept(scene, []):
+        for frame in (len(stage.frames) // 2, len(stage.frames) - 1):
+            scene.frame_set(stage.frames[frame])
+            for number, (thing, locations) in enumerate(placed):
+                off = float(np.linalg.norm(np.array(thing.matrix_world.translation) - locations[frame]))
+                if off > _OFF * (1.0 + float(np.linalg.norm(locations[frame]))):
+                    apart[number] = max(apart[number], off)
+    return [(thing.name_full, off * stage.unit) for (thing, _), off in zip(placed, apart.tolist()) if off]
 
 
 def _keep_own(thing):
     settings = thing.waft
     settings.own_action = thing.animation_data.action if thing.animation_data else None
+    settings.own_slot = curves.slot_of(thing)
     settings.own_mode = thing.rotation_mode
     settings.own_pose = pose_values(thing)
 
@@ -50,9 +70,9 @@ def show(scene, index):
     name = scene.waft.takes[index].name
     for thing in scene.objects:
         entry = thing.waft.takes.get(name)
-        if entry is not None:
+        if entry is not None and thing.library is None:
             thing.rotation_mode = "QUATERNION"
-            curves.play(thing, entry.action)
+            curves.play(thing, entry.action, entry.slot)
     scene.frame_set(scene.frame_current, subframe=scene.frame_subframe)
 
 
@@ -62,7 +82,7 @@ def remove(scene, index):
     for thing in scene.objects:
         settings = thing.waft
         at = settings.takes.find(name)
-        if at < 0:
+        if at < 0 or thing.library is not None:
             continue
         action = settings.takes[at].action
         settings.takes.remove(at)
@@ -74,10 +94,24 @@ def remove(scene, index):
     scene.waft.shown = min(index, len(scene.waft.takes) - 1)
 
 
+def forget_lost(scene):
+    """Takes those takes off the list of which no object has an action any more: nothing is left of them to show."""
+    for thing in scene.objects:
+        if thing.library is None:
+            for at in reversed([at for at, entry in enumerate(thing.waft.takes) if entry.action is None]):
+                thing.waft.takes.remove(at)
+    kept = {entry.name for thing in scene.objects for entry in thing.waft.takes}
+    lost = [at for at, take in enumerate(scene.waft.takes) if take.name not in kept]
+    for at in reversed(lost):
+        scene.waft.takes.remove(at)
+    if lost and scene.waft.shown >= len(scene.waft.takes):
+        scene.waft.shown = len(scene.waft.takes) - 1
+
+
 def _give_back(thing):
     settings = thing.waft
-    curves.play(thing, settings.own_action)
+    curves.play(thing, settings.own_action, settings.own_slot)
     thing.rotation_mode = settings.own_mode
     set_pose(thing, list(settings.own_pose))
-    for name in ("own_action", "own_mode", "own_pose"):
+    for name in ("own_action", "own_slot", "own_mode", "own_pose"):
         settings.property_unset(name)

@@ -9,15 +9,17 @@ from .surfaces import edges_of, even_places, moved, polydata, triangles_of
 
 _PICTURES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp")
 _FONTS = (".ttf", ".otf", ".ttc", ".pfb")
+_LINE = 1.4  # of a text's size: the most that a line of letters is high, accents included, and the least of two lines
+_DEEP = 0.25  # of its height: what is less deep is upright
 
 
 def add_targets(stage, things, ids):
-    """Adds a keyframe for each target. ids: {name of a flyer: its ObjectId}."""
+    """Adds a keyframe for each target. ids: {full name of a flyer: its ObjectId}."""
     for thing in things:
         settings = thing.waft
         group = list(ids.values())
         if settings.group is not None:
-            group = [ids[member.name] for member in settings.group.all_objects if member.name in ids]
+            group = [ids[member.name_full] for member in settings.group.all_objects if member.name_full in ids]
             if not group:
                 stage.problems.error(f"has the group {settings.group.name}, in which there is no flyer", thing)
                 continue
@@ -32,6 +34,9 @@ def add_targets(stage, things, ids):
         entry = {"kind": "keyframe", "frame": frame, "targets": shape, "radius": settings.radius * stage.unit, **stage.rest_of(thing)}
         if settings.group is not None:
             entry["objects"] = sorted(group)
+        if "velocity" in entry and _is_upright(stage, thing):
+            stage.problems.warn("stands upright and is a rest: its flyers lie down on what is below it, one behind the other; lay it "
+                                "flat, or let them pass", thing)
         stage.add("constraints", thing, **entry)
 
 
@@ -44,14 +49,23 @@ def _shape(stage, thing, count):
     if not len(triangles):
         points, edges = edges_of(thing, stage.depsgraph)
         if not len(edges):
-            stage.problems.error("has neither faces nor edges to form", thing)
+            stage.problems.error(_lack(stage, thing), thing)
             return None
         return {"points": (even_places(moved(points, matrix), edges, count) * stage.unit).tolist()}
-    if _is_plain_text(thing):
+    if _is_plain_text(thing, points):
         return {"text": thing.data.body.strip(), "font": _font(stage, thing), "count": count, **_frame_of(stage, points, matrix)}
     placed = moved(points, matrix) * stage.unit
     middle = 0.5 * (placed.min(axis=0) + placed.max(axis=0))
     return {"mesh": stage.file("target.vtp", polydata(placed, triangles)), "origin": middle.tolist(), "count": count}
+
+
+def _lack(stage, thing):
+    """Why an object has nothing to form."""
+    if thing.type == "FONT":
+        return "shows nothing: it is empty, or its font has none of its letters (Object Data > Font)"
+    if thing.name_full in stage.instancers:
+        return "shows only instances, which have no mesh of their own: make them real (Object > Apply)"
+    return "has neither faces nor edges to form"
 
 
 def _frame_of(stage, points, matrix):
@@ -63,10 +77,36 @@ def _frame_of(stage, points, matrix):
             "width": float((high - low)[0] * sizes[0] * stage.unit)}
 
 
-def _is_plain_text(thing):
-    """Whether Waft's own setting of text, which keeps few places legible, says the same: one line, not bent or turned to a mesh."""
-    return (thing.type == "FONT" and "\n" not in thing.data.body.strip() and thing.data.follow_curve is None
-            and not thing.modifiers and thing.data.offset == 0.0)
+def _is_plain_text(thing, points):
+    """Whether Waft's own setting of text, which keeps few places legible, says the same: one line, in one face, spaced as the font is,
+    not bent or turned to a mesh."""
+    if thing.type != "FONT":
+        return False
+    data = thing.data
+    return ("\n" not in data.body.strip() and _is_one_line(data, points) and data.follow_curve is None and not thing.modifiers
+            and data.offset == data.shear == 0.0 and data.space_character == data.space_word == 1.0
+            and not any(letter.use_bold or letter.use_italic or letter.use_small_caps for letter in data.body_format))
+
+
+def _is_one_line(data, points):
+    """Whether a text without line ends is drawn in one line: a text box may break it."""
+    boxes = data.text_boxes
+    if not any(box.width for box in boxes):
+        return True
+    return (len(boxes) == 1 and data.overflow == "NONE" and data.space_line >= 1.0
+            and float(np.ptp(points[:, 1])) <= _LINE * data.size)
+
+
+def _is_upright(stage, thing):
+    """Whether a figure is higher than it is deep, seen from above: what rests on a surface would be a line."""
+    if thing.type == "EMPTY":
+        placed = np.array([(x, y, 0.0) for x in (0.0, 1.0) for y in (0.0, 1.0)])
+    else:
+        placed = edges_of(thing, stage.depsgraph)[0]
+    placed = moved(placed, stage.matrix(thing, thing.waft.frame))
+    flat = placed[:, :2] - placed[:, :2].mean(axis=0)
+    depth = np.ptp(flat @ np.linalg.svd(flat, full_matrices=False)[2][-1])
+    return bool(depth < _DEEP * np.ptp(placed[:, 2]))
 
 
 def _font(stage, thing):

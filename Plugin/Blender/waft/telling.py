@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sentences of waft in the words of Blender: objects by their names, frames as the scene counts them, nothing of the inside."""
+import re
+
+from .problems import Problem
+
+# What waft says, and how it is said here. {} are its groups; What has a number becomes a name then.
+_SENTENCES = [(re.compile(pattern, re.S), words) for pattern, words in (
+    (r"too fast: row \d+ target \d+: (?P<object>object \d+) has (\S+) s for (\S+) m, .*: give it (?P<seconds>\S+) s or more",
+     "too fast: {object} has {1} s for {2} m: give it {seconds} s or more, which is {frames} frames"),
+    (r"no time to fall: row \d+ target \d+: (?P<object>object \d+) falls (\S+) m in (\S+) s; .*: give it (?P<seconds>\S+) s or more",
+     "no time to fall: {object} falls {1} m in {2} s: give it {seconds} s or more, which is {frames} frames"),
+    (r"too narrow: row \d+ target \d+ lies (\S+) m from (obstacle \d+), the body's clearance radius is (\S+) m",
+     "too narrow: lies {0} m from {1}, a flyer turns in a ball of {2} m about it"),
+    (r"too many: the balls of clearance of (\d+) bodies take (\d+) % of the volume, (\d+) % is what flies well",
+     "too many: {0} flyers and the room that they turn in take {1} % of the volume; up to {2} % fly well"),
+    (r"row \d+ target -?\d+ \(object -?\d+, (?P<frame>frame \d+), \w+\): \w+: (?:\w+ at frame \d+: )?(.*)",
+     "cannot be met at {frame}: {1}"),
+    (r"Database: traced at (\S+) frames per second, the scene has (\S+): .*",
+     "{1} frames a second are far from the {0} of the flights that paths are made of: they may look uneven"),
+    (r"Database: traced in a volume (\S+) m wide, the scene's is (\S+) m: .*",
+     "the volume is {1} m wide, the flights that paths are made of {0} m: marks may be too near or too far apart for them"),
+    (r"(?P<object>object \d+) \(rows ([\d, ]*)\): .* is (\d+) % of .*",
+     "the air does not take it to its marks: it is pushed besides, by {2} % of the air's speed; more time between marks helps"),
+    (r"and (\d+) more objects that the air does not take to their marks", "{0} more flyers are pushed to their marks besides"),
+    (r"(\d+) objects?, (\d+) frames?: turning that frames cannot show is slowed to MaximumTurn \((\S+) degrees a frame\)",
+     "turns faster than frames can show are slowed to {2} degrees a frame ({0} flyers, {1} frames)"),
+    (r"(\d+) objects?, (\d+) frames?: rows, rests or surfaces turn by up to (\S+) degrees, more than .*",
+     "marks, rests or surfaces turn flyers by up to {2} degrees in a frame ({0} flyers, {1} frames)"),
+    (r"(?P<object>object \d+): its mesh lies up to (\S+) m below a surface, .*", "cuts a surface by up to {1} m"),
+    (r"(?P<object>object \d+): its centre was moved by up to (\S+) m so that .*",
+     "lies on a surface, for which its centre was moved by up to {1} m"),
+    (r"(?P<object>object \d+): the path leaves less than the clearance asked for", "comes nearer to something than it is wide"),
+    (r"stopped before there was an air: the paths are the plan's", "stopped before the air was there: the motion is only planned"),
+    (r"spacetime: nothing can be bettered by more than Tolerance: .*", "there was nothing left to better"),
+)]
+_NUMBERED = re.compile(
+    r"/(?P<group>constraints|obstacles|objects|winds|vortices|shapes)/(?P<entry>[^/:]+)(?:/[^: ]*)?"
+    r"|\b(?P<kind>object|row|obstacle)s? (?P<list>\d+(?:(?:, | and )\d+)*)(?:,? target -?\d+)?"
+    r"|\b(?P<frame>frames? )(?P<first>\d+)(?:(?P<to> to | and )(?P<last>\d+))?"
+    r"|(?P<inside>\bMaximumTurn\b|the database's top speed|\bsegments?\b| \(rms\)|\brows?\b)")
+_WHERE = re.compile(r"(?:.*?scene\.waft\.json: )?(?:/(?:constraints|obstacles|objects|winds|vortices|shapes)/[^/:]+[^: ]*: )?")
+_GROUPS = {"object": "objects", "row": "constraints", "obstacle": "obstacles"}
+_PLAIN = {"MaximumTurn": "the limit of turning", "the database's top speed": "the fastest that air carries", "segment": "flight",
+          "segments": "flights", " (rms)": "", "row": "mark", "rows": "marks"}
+
+
+class Teller:
+    """Tells of a stage (stage.py)."""
+
+    def __init__(self, stage):
+        self._sources = stage.sources
+        self._shapes = {name: shape["_object"] for name, shape in stage.scene.get("shapes", {}).items()}
+        self._first = stage.frames[0]
+        self._rate = stage.rate
+        self._volume = stage.volume
+
+    def tell(self, line, is_error=False):
+        """The Problem that a sentence of waft is."""
+        about = self._volume if line.startswith("Database: traced in a volume") else self._about(line)
+        line = line[_WHERE.match(line).end():]
+        for pattern, words in _SENTENCES:
+            match = pattern.fullmatch(line)
+            if match:
+                line = words.format(*match.groups(), **self._named(match.groupdict()))
+                break
+        return Problem(_NUMBERED.sub(self._replaced, line), about, is_error)
+
+    def _named(self, groups):
+        if "seconds" in groups:
+            groups["frames"] = f"{float(groups['seconds']) * self._rate:.0f}"
+        return groups
+
+    def _about(self, line):
+        """The name of what a sentence is about: what it points at; else a mark before its flyer, and that before what is in the way."""
+        found = {}
+        for match in _NUMBERED.finditer(line):
+            names = self._names(match)
+            found.setdefault("pointer" if match["group"] else match["kind"], names[0] if names else "")
+        if re.match(r"object \d+ \(", line):
+            return found["object"]
+        return next((found[kind] for kind in ("pointer", "row", "object", "obstacle") if found.get(kind)), "")
+
+    def _names(self, match):
+        """The names of the objects that a match of _NUMBERED is about; none where one of them is not known."""
+        if match["group"] == "shapes":
+            return [self._shapes[match["entry"]]] if match["entry"] in self._shapes else []
+        known = self._sources.get(match["group"] or _GROUPS.get(match["kind"]), [])
+        numbers = [match["entry"]] if match["group"] else re.findall(r"\d+", match["list"] or "")
+        if not all(number.isdecimal() and int(number) < len(known) for number in numbers):
+            return []
+        return list(dict.fromkeys(known[int(number)] for number in numbers))
+
+    def _replaced(self, match):
+        if match["inside"]:
+            return _PLAIN[match["inside"]]
+        if match["frame"]:
+            numbers = [str(int(number) + self._first) for number in (match["first"], match["last"]) if number]
+            return match["frame"] + (match["to"] or "").join(numbers)
+        return " and ".join(self._names(match)) or ("the scene" if match["group"] else match[0].replace("row", "mark"))
+
+
+def gathered(problems):
+    """Problems, those that say the same of one object, but for numbers and names, as the first of them and how many there are."""
+    groups = {}
+    for problem in problems:
+        start = problem.text.split(":")[0] if ":" in problem.text else re.sub(r"[\d.]+", "", problem.text)
+        groups.setdefault((problem.object, problem.is_error, start), []).append(problem)
+    return [group[0] if len(group) == 1 else
+            Problem(f"{group[0].text} (and {len(group) - 1} more like this)", group[0].object, group[0].is_error)
+            for group in groups.values()]
