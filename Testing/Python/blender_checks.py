@@ -28,7 +28,7 @@ import blender_scenes as scenes  # noqa: E402
 
 addon_utils.enable("waft_addon", default_set=True)
 
-from waft_addon import bodies, command, curves, flight, flying, preferences, stage, surfaces, telling  # noqa: E402
+from waft_addon import bodies, command, curves, flight, flying, panel, preferences, stage, surfaces, telling  # noqa: E402
 
 FOLDER, WAFT = sys.argv[sys.argv.index("--") + 1:][:2]
 NEAR, ALIKE = 1e-5, 1e-4  # m, rad: what comes back and what goes out agree to
@@ -586,6 +586,14 @@ class BadInput(unittest.TestCase):
             os.kill(pid, 0)
         self.assertEqual([], list(folder.glob("*-waft/*")))
 
+    def test_obstacle_that_is_simulated(self):
+        ball = scenes.obstacle("Ball", scenes.box_mesh("Ball", 0.1), location=(0.8, 0.0, 2.5))
+        bpy.context.view_layer.objects.active = ball
+        bpy.ops.rigidbody.object_add()
+        bpy.context.view_layer.update()
+        motion = stage.Stage(bpy.context).scene["obstacles"][0]["motion"]
+        self.assertLess(motion[-1]["position"][2], 1.0)
+
     def test_message_selects_its_object(self):
         bpy.ops.waft.select(name="Mark")
         self.assertEqual(bpy.context.view_layer.objects.active.name, "Mark")
@@ -801,6 +809,60 @@ class Checked(unittest.TestCase):
         other = telling.Problem("too fast: Leaf has 0.4 s for 3 m", "Mark", False)
         told = telling.gathered([*looked, other])
         self.assertEqual(["too fast: Leaf has 0.4 s for 0 m (and 39 more like this)", other.text], [problem.text for problem in told])
+
+
+class Panel(unittest.TestCase):
+    """What is drawn, by a layout that notes it."""
+
+    class Layout:
+        def __init__(self, noted):
+            self._noted = noted
+
+        def __getattr__(self, name):
+            if name in ("label", "operator", "prop", "template_list"):
+                def note(*arguments, **values):
+                    self._noted.append((name, values.get("text") or next((a for a in arguments if isinstance(a, str) and a), "")))
+                    return types.SimpleNamespace()
+                return note
+            return lambda *_, **__: type(self)(self._noted)
+
+    def drawn(self, one):
+        noted = []
+        context = types.SimpleNamespace(scene=bpy.context.scene, window_manager=bpy.context.window_manager, active_object=None,
+                                        region=types.SimpleNamespace(width=800),
+                                        preferences=types.SimpleNamespace(system=types.SimpleNamespace(ui_scale=1.0)))
+        one.draw(types.SimpleNamespace(layout=self.Layout(noted)), context)
+        return noted
+
+    def test_result_is_one_line_that_unfolds(self):
+        scenes.small_scene()
+        shown = bpy.context.window_manager.waft
+        shown.is_open, shown.page = False, 0
+        flying.found.put("take-001: all is well", [telling.Problem(f"remark {n}", f"Thing {n}", False) for n in range(7)])
+        folded = self.drawn(panel.WAFT_PT_fly)
+        self.assertIn(("label", "take-001: all is well"), folded)
+        self.assertIn(("operator", "waft.dismiss"), folded)
+        self.assertFalse([text for _, text in folded if "remark" in text or text.startswith("Thing")])
+        shown.is_open = True
+        seen = []
+        for page in range(3):
+            bpy.ops.waft.turn(page=page)
+            opened = self.drawn(panel.WAFT_PT_fly)
+            self.assertLess(len(opened) - len(folded), 14)
+            seen += [text for kind, text in opened if kind == "operator" and text.startswith("Thing")]
+        self.assertEqual([f"Thing {n}" for n in range(7)], seen)
+        bpy.ops.waft.dismiss()
+        self.assertFalse([text for _, text in self.drawn(panel.WAFT_PT_fly) if "well" in text or "dismiss" in text])
+        order = panel.CLASSES.index
+        self.assertLess(order(panel.WAFT_PT_takes), order(panel.WAFT_PT_object))
+
+    def test_errors_are_unfolded(self):
+        scenes.small_scene()
+        bpy.context.scene.objects["Leaf"].parent = bpy.context.scene.objects["Volume"]
+        save("errors")
+        self.assertFalse(fly())
+        self.assertIn(("operator", "Leaf"), self.drawn(panel.WAFT_PT_fly))
+        self.assertIn(("label", "Not ready: 1 thing to mend"), self.drawn(panel.WAFT_PT_fly))
 
 
 class OnDisk(unittest.TestCase):

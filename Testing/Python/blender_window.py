@@ -49,6 +49,15 @@ FLOWN = ("take-001 Leaf", "QUATERNION", ["take-001"], 1)
 
 
 def steps():
+    before = leaf_state()
+    expect(in_view(lambda: bpy.ops.waft.check("INVOKE_DEFAULT")) == {"RUNNING_MODAL"}, "a check beside Blender")
+    expect(flying.looking is not None, "it not to wait")
+    for _ in range(10 * MOST):
+        yield 0.1
+        if flying.looking is None:
+            break
+    expect(flying.found.title.startswith("Ready: 1 flyer, 1 wish"), f"a scene that is ready, found {flying.found.title}")
+    expect(leaf_state() == before, "nothing to change")
     in_view(lambda: bpy.ops.ed.undo_push(message="Made"))
     expect(in_view(lambda: bpy.ops.waft.fly("INVOKE_DEFAULT")) == {"RUNNING_MODAL"}, "a run beside Blender")
     told = set()

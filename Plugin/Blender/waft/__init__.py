@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Waft in Blender: leaves, feathers, petals, paper and bubbles that fly to marks. Documentation/Blender.md says how."""
+import os
+
 import bpy
 
 from . import flying, operators, panel, preferences, properties, takes
@@ -24,6 +26,8 @@ def _leave_file(*_):
 
 @bpy.app.handlers.persistent
 def _look_over_takes(*_):
+    if not all(os.path.exists(bpy.path.abspath(library.filepath, library=library.parent)) for library in bpy.data.libraries):
+        return  # what is missing may come again, with its takes
     for scene in bpy.data.scenes:
         if scene.library is None:
             takes.forget_lost(scene)

@@ -89,14 +89,21 @@ def _all_curves(action):
     return [curve for layer in action.layers for strip in layer.strips for bag in strip.channelbags for curve in bag.fcurves]
 
 
+def has_motion(owner):
+    """Whether a block of data has keys, drivers or NLA tracks; None has none."""
+    data = getattr(owner, "animation_data", None)
+    return data is not None and bool(data.action or len(data.drivers) or len(data.nla_tracks))
+
+
 def is_animated(thing):
-    """Whether anything may move an object or what it hangs on: keys, drivers, constraints."""
+    """Whether anything may move an object or what it hangs on: keys, drivers, constraints, a simulation of rigid bodies."""
     while thing is not None:
-        for owner in (thing, thing.data):
-            data = getattr(owner, "animation_data", None)
-            if data is not None and (data.action or len(data.drivers) or len(data.nla_tracks)):
-                return True
-        if len(thing.constraints):
+        if has_motion(thing) or has_motion(thing.data) or len(thing.constraints) or is_simulated(thing):
             return True
         thing = thing.parent
     return False
+
+
+def is_simulated(thing):
+    """Whether an object goes where the simulation of rigid bodies takes it."""
+    return thing.rigid_body is not None and thing.rigid_body.type == "ACTIVE" and not thing.rigid_body.kinematic

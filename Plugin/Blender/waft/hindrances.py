@@ -3,7 +3,7 @@
 import bpy
 from mathutils import Vector
 
-from .curves import curves_of, is_animated
+from .curves import curves_of, has_motion, is_animated, is_simulated
 
 _ONES = Vector((1.0, 1.0, 1.0))
 _PLACE = ("location", "rotation_", "delta_")  # how the data paths begin that place an object
@@ -28,7 +28,7 @@ def obstruction(thing):
         return "has delta transforms: clear them"
     if any(not driver.mute and driver.data_path.startswith(_PLACE) for driver in _drivers(thing)):
         return "has a driver on its location or rotation, which would win over the motion: remove or mute it"
-    if thing.rigid_body is not None and thing.rigid_body.type == "ACTIVE" and not thing.rigid_body.kinematic:
+    if is_simulated(thing):
         return "is an active rigid body, which the simulation would move: remove that, or tick Animated in Physics > Rigid Body"
     return _nla(thing) or ("" if min(map(abs, thing.scale)) > 0.0 else "has a scale of 0")
 
@@ -55,7 +55,7 @@ def _nla(thing):
 def form_changes(thing):
     """What may change the form or the size of a mesh in the course of time; "" for nothing."""
     keys = getattr(thing.data, "shape_keys", None)
-    if _is_driven(thing.data) or _is_driven(keys):
+    if has_motion(thing.data) or has_motion(keys):
         return "keys on its mesh or its shape keys"
     for modifier in thing.modifiers:
         if modifier.show_viewport and (modifier.type in _BENDING or _follows(modifier)):
@@ -66,17 +66,12 @@ def form_changes(thing):
     return "keys on its scale" if any(path.startswith("scale") for path in paths) else ""
 
 
-def _is_driven(owner):
-    data = getattr(owner, "animation_data", None)
-    return data is not None and bool(data.action or len(data.drivers) or len(data.nla_tracks))
-
-
 def _follows(modifier):
     """Whether a modifier asks something that is animated: another object, or its own group of nodes."""
     for one in modifier.bl_rna.properties:
         value = getattr(modifier, one.identifier, None) if one.type == "POINTER" else None
         if isinstance(value, bpy.types.Object) and is_animated(value):
             return True
-        if isinstance(value, bpy.types.NodeTree) and (_is_driven(value) or any(node.type == "INPUT_SCENE_TIME" for node in value.nodes)):
+        if isinstance(value, bpy.types.NodeTree) and (has_motion(value) or any(node.type == "INPUT_SCENE_TIME" for node in value.nodes)):
             return True
     return False
