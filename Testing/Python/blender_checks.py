@@ -770,6 +770,10 @@ class Checked(unittest.TestCase):
                  "no time to fall: Leaf falls 3 m in 1 s: give it 3 s or more, which is 72 frames"),
                 ("too narrow: row 0 target 0 lies 0.01 m from obstacle 0, the body's clearance radius is 0.05 m", "Mark",
                  "too narrow: lies 0.01 m from Post, a flyer turns in a ball of 0.05 m about it"),
+                ("too near: 29 pairs of the 31 marks at frame 25 are nearer than bodies are wide (0.1 m), the nearest 0.08 m: bodies will "
+                 "overlap there; take fewer, smaller ones, or a wider figure", "Mark",
+                 "too near: 29 pairs of the 31 marks at frame 30 are nearer than bodies are wide (0.1 m), the nearest 0.08 m: bodies will "
+                 "overlap there; take fewer, smaller ones, or a wider figure"),
                 ("too many: the balls of clearance of 900 bodies take 12 % of the volume, 5 % is what flies well", "",
                  "too many: 900 flyers and the room that they turn in take 12 % of the volume; up to 5 % fly well"),
                 ("Database: traced in a volume 4 m wide, the scene's is 20 m: its segments keep their size and speed, so that marks may be "

@@ -56,7 +56,7 @@ def steps():
         yield 0.1
         if flying.looking is None:
             break
-    expect(flying.found.title.startswith("Ready: 1 flyer, 1 wish"), f"a scene that is ready, found {flying.found.title}")
+    expect(flying.found.title.startswith("Ready: 1 flyer, 1 mark or target"), f"a scene that is ready, found {flying.found.title}")
     expect(leaf_state() == before, "nothing to change")
     in_view(lambda: bpy.ops.ed.undo_push(message="Made"))
     expect(in_view(lambda: bpy.ops.waft.fly("INVOKE_DEFAULT")) == {"RUNNING_MODAL"}, "a run beside Blender")

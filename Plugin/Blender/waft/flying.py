@@ -92,7 +92,8 @@ def check(context):
 def _ready(stage):
     """The line of a scene that can fly."""
     remarks = len(gathered(stage.problems))
-    return (f"Ready: {_count(len(stage.flyers), 'flyer')}, {_count(len(stage.sources.get('constraints', [])), 'wish', 'wishes')}"
+    asked = len(stage.sources.get("constraints", []))
+    return (f"Ready: {_count(len(stage.flyers), 'flyer')}, {_count(asked, 'mark or target', 'marks and targets')}"
             + (f", {_count(remarks, 'remark')}" if remarks else ""))
 
 

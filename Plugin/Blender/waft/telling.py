@@ -54,10 +54,13 @@ class Teller:
         self._first = stage.frames[0]
         self._rate = stage.rate
         self._volume = stage.volume
+        self._at = {}  # frame of the file: full names of what asks for something then
+        for row, name in zip(stage.scene.get("constraints", []), self._sources.get("constraints", [])):
+            self._at.setdefault(row["frame"], set()).add(name)
 
     def tell(self, line, is_error=False):
         """The Problem that a sentence of waft is."""
-        about = self._volume if line.startswith("Database: traced in a volume") else self._about(line)
+        about = self._about(line)
         line = line[_WHERE.match(line).end():]
         for pattern, words in _SENTENCES:
             match = pattern.fullmatch(line)
@@ -73,6 +76,12 @@ class Teller:
 
     def _about(self, line):
         """The name of what a sentence is about: what it points at; else a mark before its flyer, and that before what is in the way."""
+        if line.startswith("Database: traced in a volume"):
+            return self._volume
+        crowded = re.match(r"too near: .* marks at frame (\d+) ", line)
+        if crowded:
+            names = self._at.get(int(crowded[1]), ())
+            return next(iter(names)) if len(names) == 1 else ""
         found = {}
         for match in _NUMBERED.finditer(line):
             names = self._names(match)
