@@ -88,9 +88,8 @@ def _remark_on_use(stage, thing):
         stage.problems.warn(f"may change its form ({bending}): it flies as it is at the first frame", thing)
     if thing.name_full in stage.instancers:
         stage.problems.warn("shows instances beside its mesh: they go along, but do not weigh", thing)
-    others = [scene.name for scene in thing.users_scene if scene.name_full != stage.own]
-    if others:
-        stage.problems.warn(f"is in the scene {others[0]}, too: it moves there as it does here", thing)
+    if thing.name_full in stage.elsewhere:
+        stage.problems.warn(f"is in the scene {stage.elsewhere[thing.name_full]}, too: it moves there as it does here", thing)
 
 
 def _compare_starts(stage, things, bodies):

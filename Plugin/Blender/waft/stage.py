@@ -34,9 +34,9 @@ class Stage:
     scene: the scene file's content. files: {name: content} that it names. problems: what stands against a flight. sources:
     {"constraints", "obstacles", ...: the full name of the object of each entry}. flyers: [(object's full name, Body)] in the order
     of their ObjectId. frames: the frames of the scene, of which the first is frame 0 of the file. unit: metres of a Blender unit.
-    rate: frames per second. instancers: full names of what shows instances of others. left_out: of what has a part, but takes
-    none. own: that of the Blender scene. known: those of its objects. volume: that of the volume. manifest: of the files that were
-    written.
+    rate: frames per second. Full names of objects: instancers, of what shows instances of others; left_out, of what has a part, but
+    takes none; known, of all of the scene; elsewhere, {that of one of another scene: that scene's name}; volume, that of the volume.
+    manifest: of the files that were written.
     """
 
     def __init__(self, context):
@@ -50,8 +50,8 @@ class Stage:
         self.volume = ""
         self.manifest = []
         settings = context.scene
-        self.own = settings.name_full
         self.known = set(by_name(settings.objects))
+        self.elsewhere = {name: scene.name for scene in bpy.data.scenes if scene != settings for name in by_name(scene.objects)}
         self.frames = range(settings.frame_start, settings.frame_end + 1)
         self.rate = settings.render.fps / settings.render.fps_base
         self.unit = settings.unit_settings.scale_length
@@ -165,7 +165,8 @@ class Stage:
         self.left_out.add(thing.name_full)
 
     def _add(self, scene, parts, fields):
-        self.scene.update(title=scene.name, seed=scene.waft.seed, time={"frames": len(self.frames), "framesPerSecond": self.rate})
+        title = "".join(filter(str.isprintable, scene.name))  # no control characters go into files
+        self.scene.update(title=title, seed=scene.waft.seed, time={"frames": len(self.frames), "framesPerSecond": self.rate})
         self.volume = parts["VOLUME"][0].name_full if parts["VOLUME"] else ""
         has_volume = add_volume(self, parts["VOLUME"], scene.waft.has_ground)
         ids, bodies = add_flyers(self, parts["FLYER"])
