@@ -38,6 +38,8 @@ def steps():
     for number in range(TABS):
         click(window, sidebar.x + sidebar.width - 10, sidebar.y + sidebar.height - 30 - number * TAB)
         yield 0.3
+    with bpy.context.temp_override(window=window, area=area, region=sidebar):
+        bpy.ops.waft.check()
     bpy.context.scene.frame_set(int(FRAME[0]) if FRAME else 120)
     leaf = bpy.context.scene.objects["Leaf 0"]
     for thing in bpy.context.scene.objects:

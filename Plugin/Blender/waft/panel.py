@@ -8,7 +8,7 @@ from . import flying
 from .winds import VORTEX_FACTOR, field_of
 
 _LETTER = 7.0  # pixels, at least, of a letter of a message
-_BUTTONS = 6  # letters that the two buttons of a line take
+_BUTTONS = 8  # letters that two buttons and an icon take of a line
 _AT_ONCE = 3  # messages, so that what is below stays in sight
 
 
@@ -50,7 +50,8 @@ def _report(box, context, found):
     row = box.row(align=True)
     if found:
         row.prop(shown, "is_open", text="", icon="TRIA_DOWN" if shown.is_open else "TRIA_RIGHT", emboss=False)
-    _write(row, context, found.title, "ERROR" if found.is_fatal else "INFO" if found else "CHECKMARK", _BUTTONS)
+    row.label(text="", icon="ERROR" if found.is_fatal else "INFO" if found else "CHECKMARK")
+    _write(row, context, found.title, beside=_BUTTONS)
     row.operator("waft.dismiss", text="", icon="X", emboss=False)
     if not shown.is_open:
         return
@@ -77,7 +78,7 @@ def _show(layout, context, problem):
 
 def _write(layout, context, text, icon="NONE", beside=0):
     """A text over as many lines as the sidebar's width asks for. beside: letters that others take of it."""
-    width = max(20, int(context.region.width / (_LETTER * context.preferences.system.ui_scale)) - 6 - beside)
+    width = max(14, int(context.region.width / (_LETTER * context.preferences.system.ui_scale)) - 6 - beside)
     column = layout.column(align=True)
     column.scale_y = 0.8
     for number, line in enumerate(textwrap.wrap(text, width)):
