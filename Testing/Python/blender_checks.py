@@ -590,6 +590,9 @@ class BadInput(unittest.TestCase):
     def test_message_selects_its_object(self):
         bpy.ops.waft.select(name="Mark")
         self.assertEqual(bpy.context.view_layer.objects.active.name, "Mark")
+        bpy.ops.waft.select(name="Leaf", others="Volume\nGone")
+        self.assertEqual({"Leaf", "Volume"}, {thing.name for thing in bpy.context.selected_objects})
+        self.assertEqual(bpy.context.view_layer.objects.active.name, "Leaf")
 
 
 class Oddities(unittest.TestCase):
@@ -806,6 +809,16 @@ class Checked(unittest.TestCase):
         other = telling.Problem("too fast: Leaf has 0.4 s for 3 m", "Mark", False)
         told = telling.gathered([*looked, other])
         self.assertEqual(["too fast: Leaf has 0.4 s for 0 m (and 39 more like this)", other.text], [problem.text for problem in told])
+        many = [telling.Problem("hangs on a parent: clear it", f"Leaf {n}") for n in range(50)]
+        told = telling.gathered([*many, other])
+        self.assertEqual(["Leaf 0", "Mark"], [problem.object for problem in told])
+        self.assertEqual(tuple(f"Leaf {n}" for n in range(1, 50)), told[0].others)
+
+    def test_paths_stay_as_they_are(self):
+        scenes.small_scene()
+        tell = telling.Teller(stage.Stage(bpy.context)).tell
+        for line in ('the font "/home/me/objects/0/shapes/a.ttf" cannot be read', "/tmp/winds/3.vti: no such file"):
+            self.assertEqual(("", line), (tell(line).object, tell(line).text))
 
 
 class Panel(unittest.TestCase):
@@ -819,7 +832,7 @@ class Panel(unittest.TestCase):
             if name in ("label", "operator", "prop", "template_list"):
                 def note(*arguments, **values):
                     self._noted.append((name, values.get("text") or next((a for a in arguments if isinstance(a, str) and a), "")))
-                    return types.SimpleNamespace()
+                    return types.SimpleNamespace(name="", others="", page=0, role="")
                 return note
             return lambda *_, **__: type(self)(self._noted)
 

@@ -183,23 +183,26 @@ class WAFT_OT_turn(bpy.types.Operator):
 
 
 class WAFT_OT_select(bpy.types.Operator):
-    """Select the object that the message is about"""
+    """Select what the message is about"""
 
     bl_idname = "waft.select"
     bl_label = "Select"
     bl_options = {"UNDO"}
 
     name: StringProperty()
+    others: StringProperty(description="More names, a line each")
 
     def execute(self, context):
-        thing = by_name(context.view_layer.objects).get(self.name)
-        if thing is None:
+        known = by_name(context.view_layer.objects)
+        things = [known[name] for name in (self.name, *self.others.split("\n")) if name in known]
+        if not things:
             self.report({"WARNING"}, f"{self.name} is no longer there")
             return {"CANCELLED"}
         for other in context.selected_objects:
             other.select_set(False)
-        thing.select_set(True)
-        context.view_layer.objects.active = thing
+        for thing in things:
+            thing.select_set(True)
+        context.view_layer.objects.active = things[0]
         return {"FINISHED"}
 
 

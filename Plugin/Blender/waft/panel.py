@@ -72,7 +72,9 @@ def _show(layout, context, problem):
     icon = "ERROR" if problem.is_error else "INFO"
     column = layout.column(align=True)
     if problem.object:
-        column.operator("waft.select", text=problem.object, icon=icon).name = problem.object
+        more = f" and {len(problem.others)} others" if problem.others else ""
+        select = column.operator("waft.select", text=problem.object + more, icon=icon)
+        select.name, select.others = problem.object, "\n".join(problem.others)
     _write(column, context, problem.text, "NONE" if problem.object else icon)
 
 

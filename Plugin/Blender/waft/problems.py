@@ -5,11 +5,13 @@ import dataclasses
 
 @dataclasses.dataclass(frozen=True)
 class Problem:
-    """text: a sentence. object: the full name of the object that it is about, or "". is_error: whether nothing flies with it."""
+    """text: a sentence. object: the full name of the object that it is about, or "". is_error: whether nothing flies with it.
+    others: full names of more objects of which it is true."""
 
     text: str
     object: str = ""
     is_error: bool = True
+    others: tuple = ()
 
 
 class Problems(list):

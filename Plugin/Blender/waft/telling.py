@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Sentences of waft in the words of Blender: objects by their names, frames as the scene counts them, nothing of the inside."""
+import dataclasses
 import re
 
 from .problems import Problem
 
-# What waft says, and how it is said here. {} are its groups; What has a number becomes a name then.
+# What waft says, and how it is said here. {} are its groups; what has a number there becomes a name then.
 _SENTENCES = [(re.compile(pattern, re.S), words) for pattern, words in (
     (r"too fast: row \d+ target \d+: (?P<object>object \d+) has (\S+) s for (\S+) m, .*: give it (?P<seconds>\S+) s or more",
      "too fast: {object} has {1} s for {2} m: give it {seconds} s or more, which is {frames} frames"),
@@ -35,7 +36,7 @@ _SENTENCES = [(re.compile(pattern, re.S), words) for pattern, words in (
     (r"spacetime: nothing can be bettered by more than Tolerance: .*", "there was nothing left to better"),
 )]
 _NUMBERED = re.compile(
-    r"/(?P<group>constraints|obstacles|objects|winds|vortices|shapes)/(?P<entry>[^/:]+)(?:/[^: ]*)?"
+    r"(?<![^\s\"'(])/(?:(?P<group>constraints|obstacles|objects|winds|vortices)/(?P<entry>\d+)|shapes/(?P<shape>[^/:]+))(?:/[^: ]*)?"
     r"|\b(?P<kind>object|row|obstacle)s? (?P<list>\d+(?:(?:, | and )\d+)*)(?:,? target -?\d+)?"
     r"|\b(?P<frame>frames? )(?P<first>\d+)(?:(?P<to> to | and )(?P<last>\d+))?"
     r"|(?P<inside>\bMaximumTurn\b|the database's top speed|\bsegments?\b| \(rms\)|\brows?\b)")
@@ -43,6 +44,7 @@ _WHERE = re.compile(r"(?:.*?scene\.waft\.json: )?(?:/(?:constraints|obstacles|ob
 _GROUPS = {"object": "objects", "row": "constraints", "obstacle": "obstacles"}
 _PLAIN = {"MaximumTurn": "the limit of turning", "the database's top speed": "the fastest that air carries", "segment": "flight",
           "segments": "flights", " (rms)": "", "row": "mark", "rows": "marks"}
+_MANY = 3  # other objects of which the same is said at once
 
 
 class Teller:
@@ -85,15 +87,15 @@ class Teller:
         found = {}
         for match in _NUMBERED.finditer(line):
             names = self._names(match)
-            found.setdefault("pointer" if match["group"] else match["kind"], names[0] if names else "")
+            found.setdefault("pointer" if match["group"] or match["shape"] else match["kind"], names[0] if names else "")
         if re.match(r"object \d+ \(", line):
             return found["object"]
         return next((found[kind] for kind in ("pointer", "row", "object", "obstacle") if found.get(kind)), "")
 
     def _names(self, match):
         """The names of the objects that a match of _NUMBERED is about; none where one of them is not known."""
-        if match["group"] == "shapes":
-            return [self._shapes[match["entry"]]] if match["entry"] in self._shapes else []
+        if match["shape"]:
+            return [self._shapes[match["shape"]]] if match["shape"] in self._shapes else []
         known = self._sources.get(match["group"] or _GROUPS.get(match["kind"]), [])
         numbers = [match["entry"]] if match["group"] else re.findall(r"\d+", match["list"] or "")
         if not all(number.isdecimal() and int(number) < len(known) for number in numbers):
@@ -106,15 +108,25 @@ class Teller:
         if match["frame"]:
             numbers = [str(int(number) + self._first) for number in (match["first"], match["last"]) if number]
             return match["frame"] + (match["to"] or "").join(numbers)
-        return " and ".join(self._names(match)) or ("the scene" if match["group"] else match[0].replace("row", "mark"))
+        return " and ".join(self._names(match)) or (match[0].replace("row", "mark") if match["kind"] else "the scene")
 
 
 def gathered(problems):
-    """Problems, those that say the same of one object, but for numbers and names, as the first of them and how many there are."""
+    """Problems, those that say the same but for numbers together: as the first one of an object, or, where they are about many objects, as
+    the first with the others' names."""
     groups = {}
     for problem in problems:
-        start = problem.text.split(":")[0] if ":" in problem.text else re.sub(r"[\d.]+", "", problem.text)
-        groups.setdefault((problem.object, problem.is_error, start), []).append(problem)
-    return [group[0] if len(group) == 1 else
-            Problem(f"{group[0].text} (and {len(group) - 1} more like this)", group[0].object, group[0].is_error)
-            for group in groups.values()]
+        same = problem.is_error, re.sub(r"[\d.]+", "", problem.text.split(": ")[0])
+        groups.setdefault(same, {}).setdefault(problem.object, []).append(problem)
+    found = []
+    for group in groups.values():
+        first, *others = [_first_of(like) for like in group.values()]
+        if len(others) < _MANY:
+            found += [first, *others]
+        else:
+            found.append(dataclasses.replace(first, others=tuple(problem.object for problem in others)))
+    return found
+
+
+def _first_of(like):
+    return dataclasses.replace(like[0], text=f"{like[0].text} (and {len(like) - 1} more like this)") if len(like) > 1 else like[0]
