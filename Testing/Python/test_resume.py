@@ -15,7 +15,7 @@ import unittest
 import warm
 
 from waft.synthesis import OPTIMISER, synthesize
-from waft.watching import Clock, note_stops
+from waft.watching import NOTHING_COMPUTED, Clock, note_stops
 
 SCENE = {
     "waft": 1,
@@ -156,6 +156,19 @@ class Resume(unittest.TestCase):
                 self.assertEqual(0, status, text)
                 self.assertRegex(text, f"checkpoint/{name} is damaged.*: done from the start")
                 self.expect_same(out)
+
+    def test_a_stop_while_a_clock_is_set_up_is_seen(self):
+        def be_stopped():
+            note_stops()
+            clock = Clock(quiet=True)
+            os.kill(os.getpid(), signal.SIGTERM)  # it goes to the handler of before
+            with clock:
+                os._exit(0 if clock.words == NOTHING_COMPUTED and clock.should_stop() else 1)
+
+        process = multiprocessing.get_context("fork").Process(target=be_stopped)
+        process.start()
+        process.join()
+        self.assertEqual(0, process.exitcode)
 
     def test_nothing_to_go_on_from_is_said(self):
         out = self.folder / "out"

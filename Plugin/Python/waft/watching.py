@@ -158,6 +158,7 @@ class Clock:
 
     def __enter__(self):
         self._handling.__enter__()
+        self.interrupted = self.interrupted or bool(_noted)  # by the handler before ours, since this was made
         tell_guard("words", self.words)
         if self.time_limit:
             tell_guard("limit", self.time_limit)
