@@ -104,6 +104,7 @@ waft::Result vtkAirAssimilationFilter::Internals::Run(vtkInformationVector** inp
   auto* tracks = this->Kept<vtkPolyData>(TracksPort);
   waft::TracksToPolyData(this->Solution.Tracks, this->Scene, tracks);
   waft::AddControls(this->Solution.Controls, tracks);
+  waft::AddTouchDowns(this->Solution.Constraints, tracks);
   waft::VorticesToPolyData(this->Solution.Vortices, this->Scene,
                            this->Kept<vtkPolyData>(VorticesPort));
   waft::ConstraintsToPolyData(this->Solution.Constraints, this->Scene,

@@ -141,6 +141,7 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
                           this->Kept<vtkPolyData>(PosesPort));
     waft::AddDoubles(this->Kept<vtkPolyData>(PosesPort)->GetCellData(), waft::names::Shift,
                      farthest);
+    waft::AddTouchDowns(this->Input.Constraints, this->Kept<vtkPolyData>(PosesPort));
     waft::ReportToTable(this->Rotation.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
   }
   input = waft::RotationInput(); // it points to what ends here

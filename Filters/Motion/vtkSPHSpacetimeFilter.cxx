@@ -133,6 +133,7 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs
   if (isForAll || ranks.IsFirst())
   {
     this->KeepSolution();
+    waft::AddTouchDowns(input.Constraints, this->Kept<vtkPolyData>(TracksPort));
   }
   return waft::Result::Ok(); // also when stopped: the best so far is shown until something changes
 }

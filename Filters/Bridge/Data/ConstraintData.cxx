@@ -5,6 +5,7 @@
 #include "Bridge/Data/Columns.h"
 #include "Bridge/Data/SceneData.h"
 
+#include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -12,6 +13,8 @@
 #include <vtkTable.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 
 namespace waft
 {
@@ -131,8 +134,37 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   return Result::Ok();
 }
 
-void ReportToTable(const std::vector<ReportRow>& report, const SceneInfo& info, vtkTable* table)
+void AddTouchDowns(const std::vector<Constraint>& constraints, vtkPolyData* tracks)
 {
+  vtkDataArray* ids = tracks->GetCellData()->GetArray(names::ObjectId);
+  const vtkIdType count = ids != nullptr ? ids->GetNumberOfTuples() : 0;
+  if (count == 0)
+  {
+    return;
+  }
+  const int last = static_cast<int>(tracks->GetNumberOfPoints() / count) - 1;
+  std::map<int, int> touchDowns; // by ObjectId
+  for (const Constraint& row : constraints)
+  {
+    if (IsRest(row.Kind) && row.Status == ConstraintStatus::Met && LastFrame(row) >= last)
+    {
+      touchDowns[row.ObjectId] = FirstFrame(row);
+    }
+  }
+  std::vector<int> frames;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const auto found = touchDowns.find(static_cast<int>(ids->GetTuple1(i)));
+    frames.push_back(found != touchDowns.end() ? found->second : -1);
+  }
+  AddInts(tracks->GetCellData(), names::TouchDown, frames);
+}
+
+void ReportToTable(const std::vector<ReportRow>& lines, const SceneInfo& info, vtkTable* table)
+{
+  std::vector<ReportRow> report;
+  std::copy_if(lines.begin(), lines.end(), std::back_inserter(report),
+               [](const ReportRow& line) { return line.Target != OfNoRow; });
   table->Initialize();
   vtkFieldData* columns = table->GetRowData();
   AddColumn(columns, names::Row, report, &ReportRow::Row);

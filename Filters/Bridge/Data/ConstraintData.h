@@ -22,7 +22,11 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
 Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
                                std::vector<Constraint>& constraints);
 
-/// One line per row of the report; Kind and Status as text.
+/// Cell data `TouchDown` of tracks or poses: the frame from which a body lies to the end, asked for
+/// or not; -1: it does not.
+void AddTouchDowns(const std::vector<Constraint>& constraints, vtkPolyData* tracks);
+
+/// One line per row of the report but for those of no row; Kind and Status as text.
 void ReportToTable(const std::vector<ReportRow>& report, const SceneInfo& info, vtkTable* table);
 
 } // namespace waft

@@ -17,7 +17,6 @@ constexpr int LeastFrames = 8;
 constexpr double EnoughControl = 0.065; // of the flow at the bodies
 constexpr double LargeControl = 0.3;    // of the flow, that is told
 constexpr std::size_t MostTold = 10;
-constexpr int OfTheStart = -1; // row of a velocity that an object begins with
 constexpr const char* Finished = "finish";
 
 } // namespace
@@ -151,7 +150,7 @@ Result AssimilationRun::SetUpDrifters()
       row.ObjectId = track.ObjectId;
       row.Kind = ConstraintKind::Velocity;
       row.Value = object->second->Velocity;
-      row.Row = row.Target = OfTheStart;
+      row.Row = row.Target = OfNoRow;
       rows.push_back(row);
     }
     this->Drifters.emplace_back(this->Around, *object->second, track.Positions, rows);
@@ -195,6 +194,7 @@ void AssimilationRun::Finish(bool isStopped)
   }
   else
   {
+    this->LandFreeBodies();
     this->KeepApart();
   }
   const AirSampler air(this->Drawn.Velocity);
@@ -248,6 +248,10 @@ void AssimilationRun::Finish(bool isStopped)
           row.LiftOff = own.LiftOff;
         }
       }
+    }
+    if (const Constraint* landing = this->Drifters[o].FreeLanding())
+    {
+      this->Output.Constraints.push_back(*landing);
     }
   }
   MeasureResiduals(this->Output.Constraints, this->Output.Tracks, this->Input.Objects,
@@ -345,7 +349,7 @@ void AssimilationRun::TellLargeHands()
     std::string rows;
     for (const Constraint& row : this->Drifters[o].Rows())
     {
-      if (row.Row != OfTheStart)
+      if (row.Row != OfNoRow)
       {
         rows += (rows.empty() ? "" : ", ") + std::to_string(row.Row);
       }

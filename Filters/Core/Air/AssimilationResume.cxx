@@ -47,6 +47,11 @@ void AssimilationRun::TakePath(std::size_t o, const AssimilationState& state)
   this->Paths[o] = state.Paths[o];
   const std::vector<int>& down = state.TouchDowns[o];
   const std::vector<int>& up = state.LiftOffs[o];
+  if (down.size() == drifter.NumberOfLandings() + 1 && down.back() >= 0 &&
+      down.back() < drifter.NumberOfFrames())
+  {
+    drifter.LandFreely(down.back(), state.Paths[o][static_cast<std::size_t>(down.back())]);
+  }
   for (std::size_t l = 0; l < std::min({ drifter.NumberOfLandings(), down.size(), up.size() }); ++l)
   {
     drifter.SetTouchDown(l, down[l]);

@@ -16,7 +16,8 @@ namespace waft
 {
 
 inline constexpr int DriftIterations = 60;
-inline constexpr double DrawEnd = 0.25; // of a run, about
+inline constexpr int LandingIterations = 24; // of a path that is good but for its end
+inline constexpr double DrawEnd = 0.25;      // of a run, about
 inline constexpr double DriftEnd = 0.4;
 inline constexpr double WindEnd = 0.15; // of a round, about
 inline constexpr double SimulationEnd = 0.85;
@@ -115,6 +116,10 @@ private:
   /// What keeps too near to something is pushed harder first; only what that does not help is moved
   /// out of the way without a look at the air.
   bool FinishPath(std::size_t o, const AirSampler& air);
+
+  // FreeLanding.cxx
+  /// What nothing asks for any more and sinks to a surface lies there to the end.
+  void LandFreeBodies();
 
   // AssimilationResume.cxx
   /// All but the fields.

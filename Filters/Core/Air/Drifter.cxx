@@ -114,6 +114,10 @@ DriftProblem Drifter::Problem(const AirSampler& air) const
   problem.Ground =
     GroundEffect(this->World.Obstacles, this->Landings, this->Body, time.FramesPerSecond,
                  [&](const Vec3& x, int frame) { return air.At(std::min(frame, last), x); });
+  if (this->FreeLanding() == nullptr)
+  {
+    problem.Ground.BearFrom(this->FreeFrom());
+  }
   // Steps between fixed frames are given; beside them a body is taken up or handed over. To a rest
   // it comes by the ground effect.
   const std::size_t steps = this->IsFixed.size() - 1;

@@ -60,6 +60,14 @@ public:
   int LeavingFrame(std::size_t landing) const { return this->Leaving[landing]; }
   int LatestLiftOff(std::size_t landing, int most) const;
 
+  /// The frame from which no row asks for anything any more; a lift-off is left alone for a second.
+  int FreeFrom() const;
+  /// It lies from a frame to the end on the surface straight below a place, though no row asks it
+  /// to.
+  void LandFreely(int frame, const Vec3& place);
+  /// That as a row of no scene: Row and Target are -1. Null: it does not.
+  const Constraint* FreeLanding() const;
+
   int NumberOfFrames() const { return static_cast<int>(this->Planned.size()); }
   /// Steps that it does not lie through, at least one.
   int NumberOfFlownSteps() const;

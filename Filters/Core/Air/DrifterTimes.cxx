@@ -3,6 +3,7 @@
 #include "Air/Drifter.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace waft
 {
@@ -62,6 +63,46 @@ void Drifter::SetLiftOff(std::size_t landing, int frame)
   window.Until = frame;
   window.Last = frame + this->World.Scene.Time.FramesPerSecond;
   this->FixFrames();
+}
+
+int Drifter::FreeFrom() const
+{
+  const int second = static_cast<int>(std::lround(this->World.Scene.Time.FramesPerSecond));
+  int first = 1;
+  for (const Constraint& row : this->Wanted)
+  {
+    first = std::max(first, LastFrame(row) + (IsRest(row.Kind) ? second : 1));
+  }
+  return first;
+}
+
+void Drifter::LandFreely(int frame, const Vec3& place)
+{
+  Constraint rest;
+  rest.ObjectId = this->Body.ObjectId;
+  rest.Kind = ConstraintKind::Rest;
+  rest.Frame = rest.TouchDown = frame;
+  rest.Until = this->NumberOfFrames() - 1;
+  rest.Value = place + Vec3(0.0, 0.0, this->Body.ClearanceRadius);
+  rest.Row = rest.Target = OfNoRow;
+  const std::vector<LandingWindow> windows = LandingWindows(
+    this->Body, { rest }, this->World.Obstacles, this->World.Scene.Time.FramesPerSecond);
+  if (windows.empty())
+  {
+    return;
+  }
+  this->Wanted.push_back(rest);
+  this->Landings.push_back(windows.front());
+  this->Latest.push_back(frame);
+  this->Leaving.push_back(rest.Until);
+  this->FixFrames();
+}
+
+const Constraint* Drifter::FreeLanding() const
+{
+  const bool has =
+    !this->Wanted.empty() && IsRest(this->Wanted.back().Kind) && this->Wanted.back().Row == OfNoRow;
+  return has ? &this->Wanted.back() : nullptr;
 }
 
 int Drifter::NumberOfFlownSteps() const

@@ -96,6 +96,10 @@ enum class ConstraintStatus
 /// "met", "infeasible", "conflict", "unreachable".
 const char* ToString(ConstraintStatus status);
 
+/// Row and Target of what binds an object though no row of the scene asks for it; no report has a
+/// line of it.
+inline constexpr int OfNoRow = -1;
+
 /// What is wanted of one object at one frame.
 struct Constraint
 {

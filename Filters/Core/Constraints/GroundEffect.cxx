@@ -25,6 +25,10 @@ constexpr double MostLift = 2.5; // it rises by no more than 1.5 of the speed wi
 constexpr double BearingTime = 0.1; // s
 constexpr double LiftTime = 0.6;    // s
 
+constexpr double BearingGap = 0.01;   // m, above the clearance
+constexpr double BearingReach = 0.5;  // of the clearance, over which f comes to 0
+constexpr double BearingNormal = 0.8; // least z of the normal, 37 degrees
+
 } // namespace
 
 GroundEffect::GroundEffect(const ObstacleSet& obstacles, const std::vector<LandingWindow>& landings,
@@ -124,6 +128,27 @@ double GroundEffect::Lifting(const Near& near, double height, double frame, doub
   return 1.0 - lift * (1.0 - CubicStep(r));
 }
 
+double GroundEffect::Bearing(const Vec3& x, double frame, Vec3* gradient) const
+{
+  const double low = 0.5 * this->Length + BearingGap;
+  const double reach = BearingReach * 0.5 * this->Length;
+  if (this->Length <= 0.0 || this->Obstacles->SignedDistance(x, frame, low + reach) >= low + reach)
+  {
+    return 1.0;
+  }
+  SurfaceHit hit;
+  const double r = std::max(0.0, this->Obstacles->SignedDistance(x, frame, hit) - low) / reach;
+  if (r >= 1.0 || hit.Normal.z() < BearingNormal)
+  {
+    return 1.0;
+  }
+  if (gradient != nullptr)
+  {
+    *gradient = 6.0 * r * (1.0 - r) / reach * hit.Normal;
+  }
+  return CubicStep(r);
+}
+
 double GroundEffect::Factor(const Vec3& x, double frame, Vec3* gradient) const
 {
   if (gradient != nullptr)
@@ -131,6 +156,10 @@ double GroundEffect::Factor(const Vec3& x, double frame, Vec3* gradient) const
     gradient->setZero();
   }
   const Near* near = this->NearAt(frame);
+  if (near == nullptr && frame >= this->Borne)
+  {
+    return this->Bearing(x, frame, gradient);
+  }
   if (near == nullptr || !this->Reaches(*near, x, frame))
   {
     return 1.0;

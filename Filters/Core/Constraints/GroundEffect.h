@@ -28,6 +28,9 @@ using AirAt = std::function<Vec3(const Vec3& x, int frame)>;
 ///   MostLift,
 /// with the body's length l. The surface bears it at first: s begins with 1, for BearingTime.
 /// What has left turns and loses the lift: s goes to 0 over LiftTime.
+///
+/// What nothing asks for any more is borne by any surface to lie on: there f goes to 0, at the
+/// clearance, so that nothing else has to keep it above.
 class GroundEffect
 {
 public:
@@ -35,6 +38,9 @@ public:
   /// obstacles must outlive it; air may be empty: then nothing is lifted.
   GroundEffect(const ObstacleSet& obstacles, const std::vector<LandingWindow>& landings,
                const MotionObject& body, double framesPerSecond, const AirAt& air);
+
+  /// From this frame on it is borne.
+  void BearFrom(double frame) { this->Borne = frame; }
 
   /// At a place [m] and frame, which may lie between two; gradient, unless null: by x [1/m].
   double Factor(const Vec3& x, double frame, Vec3* gradient = nullptr) const;
@@ -56,12 +62,14 @@ private:
   double HeightAbove(const Near& near, const Vec3& x, double frame, Vec3& normal) const;
   double Landing(const Near& near, double height, double frame, double& slope) const;
   double Lifting(const Near& near, double height, double frame, double& slope) const;
+  double Bearing(const Vec3& x, double frame, Vec3* gradient) const;
 
   const ObstacleSet* Obstacles = nullptr;
   std::vector<Near> Times; // in order of Last
   double RestHeight = 0.0;
-  double Height = 0.0; // b [m]
-  double Length = 0.0; // l [m]
+  double Height = 0.0;  // b [m]
+  double Length = 0.0;  // l [m]
+  double Borne = 1e300; // frame
 };
 
 } // namespace waft

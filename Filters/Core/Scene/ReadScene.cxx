@@ -3,6 +3,7 @@
 #include "Scene/AuthoredParts.h"
 #include "Scene/Scene.h"
 #include "Scene/SceneReader.h"
+#include "Scene/SettledStarts.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -275,6 +276,16 @@ void SceneReader::Read(const SceneNode& root)
   if (root.Has("constraints"))
   {
     this->ReadConstraints(root.At("constraints", ""));
+    std::string moved;
+    Check(root.Has("obstacles") ? root.At("obstacles", "") : root,
+          [&] {
+            return SettleStarts(this->Out.Obstacles, this->Out.Constraints, this->Out.Objects,
+                                moved);
+          });
+    if (!moved.empty())
+    {
+      this->Out.Warnings.push_back(this->Name + ": /objects: " + moved);
+    }
   }
   if (root.Has("winds"))
   {

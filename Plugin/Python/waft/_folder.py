@@ -197,7 +197,7 @@ def _marks(folder):
         array_of(columns, name, "constraints.vtp")
         for name in ("Kind", "Frame", "Radius", "Row", "Target")
     )
-    marks.resting = [points[i] for i in np.flatnonzero(kind == REST)]
+    marks.resting = [points[i] for i in np.flatnonzero((kind == REST) & (target >= 0))]  # those that are asked for
     groups = {}
     for i in np.flatnonzero(kind == POSITION):
         groups.setdefault((row[i], target[i]), []).append(i)

@@ -227,6 +227,16 @@ def _settled(pipeline):
     return {"objects": sum(shift > 0.0 for shift in shifts), "largestShift": max(shifts, default=0.0)}
 
 
+def _free(pipeline):
+    """Bodies that came down and lie though no row asks for it: rests of no row."""
+    if pipeline.assimilation is None:
+        return []
+    rows = pipeline.output("assimilation", 3).GetPointData()
+    objects, targets, frames = (rows.GetArray(name) for name in ("ObjectId", "Target", "TouchDown"))
+    found = [i for i in range(targets.GetNumberOfTuples() if targets is not None else 0) if targets.GetValue(i) < 0]
+    return [{"object": objects.GetValue(i), "touchDown": frames.GetValue(i)} for i in found]
+
+
 def _dynamics(pipeline):
     if pipeline.spacetime is None:
         return {}
@@ -252,6 +262,7 @@ def _summary(pipeline, scene, energies):
         "constraints": {**counts, "unmet": [row for row in pipeline.report if row["Status"] != "met"]},
         "objects": _planned_objects(pipeline),
         "settled": _settled(pipeline),
+        "free": _free(pipeline),
         "stoppedEarly": pipeline.stopped,
         **({"stopped": {"in": pipeline.stopped_in, "motion": pipeline.motion[0], "leftOut": left_out(pipeline)}}
            if pipeline.stopped else {}),
