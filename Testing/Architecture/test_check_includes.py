@@ -89,7 +89,8 @@ class Rules(unittest.TestCase):
         self.assertEqual([], self.violations({"Plugin/Python/waft/a.py": clean, "Plugin/Python/waft/reading.py": "open(path)\n"}))
         for line in ("open(path)", "open(path, 'w')", "io.open(path)", "os.open(path, 0)", "path.read_text()", "Path(path).read_bytes()",
                      "path.write_text(text)", "json.load(stream)", "np.load(path)", "ElementTree.parse(path)", "np.loadtxt(path)",
-                     "vtkXMLPolyDataReader()", "Image.open(path)", "shutil.copyfile(a, b)"):
+                     "vtkXMLPolyDataReader()", "Image.open(path)", "shutil.copyfile(a, b)", "os.replace(a, b)", "os.remove(a)",
+                     "path.unlink()", "shutil.rmtree(folder)"):
             with self.subTest(line):
                 self.assertEqual(1, len(self.violations({"Plugin/Python/waft/a.py": line + "\n"})))
 

@@ -3,6 +3,7 @@
 import json
 import os
 import resource
+import shutil
 
 from case import LEAF, Case, scene_case, synthesize
 
@@ -57,6 +58,25 @@ def cases():
             special(folder / "scene.waft.json")
             return synthesize("scene.waft.json", results)
         yield Case("environment", f"the scene is {name}", scene_itself, says=("scene.waft.json",))
+
+        for file, *commands in (("report.json", ["page"]), ("page.json", ["page"]), ("constraints.csv", ["page"], ["export"]),
+                                ("animation.glb", ["page"], ["export"]), ("planned.vtp", ["measure", "--tracks", "planned"]),
+                                ("measure.json", ["page", "--measure", "results/measure.json"]), ("air.pvd", ["measure"]),
+                                ("obstacles.pvd", ["render"], ["page"]), ("shapes.vtm", ["render"])):
+            for command in commands:
+                def beside(folder, results, special=special, file=file, command=command):
+                    shutil.copytree(results, folder / "results")
+                    (folder / "results" / file).unlink(missing_ok=True)
+                    special(folder / "results" / file)
+                    return [command[0], "results", *command[1:]]
+                yield Case("environment", f"{command[0]} of results whose {file} is {name}", beside, says=(file,))
+        for command in (["new", "n.waft.json", "--path", "p.csv"], ["takes", "p.csv", "--seeds", "1", "--output", "t"],
+                        ["page", "results", "--measure", "p.csv"], ["measure", "results", "--drifters", "p.csv"]):
+            def given(folder, results, special=special, command=command):
+                shutil.copytree(results, folder / "results")
+                special(folder / "p.csv")
+                return command
+            yield Case("environment", f"{command[0]} of a file that is {name}", given, says=("p.csv",))
 
     data = _short("without the data of Waft", {})
     data.environment = {"WAFT_DATA": "/nowhere"}

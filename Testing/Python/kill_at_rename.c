@@ -34,6 +34,13 @@ int rename(const char* from, const char* to)
   return next(from, to);
 }
 
+int renameat2(int fromFolder, const char* from, int toFolder, const char* to, unsigned int flags)
+{
+  Tick();
+  int (*next)(int, const char*, int, const char*, unsigned int) = dlsym(RTLD_NEXT, "renameat2");
+  return next(fromFolder, from, toFolder, to, flags);
+}
+
 int renameat(int fromFolder, const char* from, int toFolder, const char* to)
 {
   Tick();

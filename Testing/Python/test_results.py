@@ -3,7 +3,8 @@
 
     pvpython test_results.py
 """
-import importlib.util
+import hashlib
+import importlib
 import json
 import os
 import pathlib
@@ -11,23 +12,28 @@ import resource
 import signal
 import sys
 import tempfile
+import types
 import unittest
+from unittest import mock
 
+from waft import beneath, results
+from waft.beneath import Folder
+from waft.database import database_place, settle_database
 from waft.failures import BadInput, WaftError
 from waft.files import write_xml
 from waft.resuming import Checkpoint
 from waft.results import ResultPlace, manifest_of
-from waft.writing import earlier_results, result_place
+from waft.writing import earlier_results, result_place, settled
 
-_SPEC = importlib.util.spec_from_file_location(  # of Blender's add-on, which knows nothing of Blender in it
-    "flight", pathlib.Path(__file__).parents[2] / "Plugin" / "Blender" / "waft" / "flight.py")
-flight = importlib.util.module_from_spec(_SPEC)
-_SPEC.loader.exec_module(flight)
+_ADDON = types.ModuleType("addon")  # Blender's, without what knows of Blender in it
+_ADDON.__path__ = [str(pathlib.Path(__file__).parents[2] / "Plugin" / "Blender" / "waft")]
+sys.modules["addon"] = _ADDON
+flight = importlib.import_module("addon.flight")
 
 NAMES = ["poses.csv", "shapes/", "shapes.vtm", "report.json"]
 
 
-class Results(unittest.TestCase):
+class Base(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -59,6 +65,8 @@ class Results(unittest.TestCase):
             self.assertIn(part, str(caught.exception))
         self.assertEqual(before, manifest_of(self.out))
 
+
+class Results(Base):
     def test_a_run_replaces_what_a_run_wrote_and_nothing_else(self):
         self.put("notes.txt")
         self.put("shapes.txt/deep")
@@ -123,7 +131,7 @@ class Results(unittest.TestCase):
         self.put("wind/mine")  # in nobody's way
         self.write("new")
         self.assertEqual({"wind/mine": "mine", "poses.csv": "new", "shapes/leaf.vtp": "new", "shapes.vtm": "new"}, self.texts())
-        self.assertIsNone(earlier_results(self.folder))
+        self.assertIsNone(earlier_results(Folder(self.folder)))
 
     def test_one_run_at_a_time(self):
         with result_place(self.out):
@@ -172,40 +180,32 @@ class Results(unittest.TestCase):
     def test_a_failure_in_the_middle_puts_the_old_results_back(self):
         self.write("old")
         before = manifest_of(self.out)
-        rename, calls = os.rename, []
+        move, calls = beneath.move_new, []
 
-        def failing(source, target):
+        def failing(source, target, *folders):
             calls.append(source)
             if len(calls) == fails_at:
                 raise OSError(28, "No space left on device")
-            rename(source, target)
+            move(source, target, *folders)
 
         for fails_at in range(1, 9):
-            os.rename = failing
             calls.clear()
-            try:
-                with self.assertRaises(OSError):
-                    self.write("new")
-            finally:
-                os.rename = rename
+            with mock.patch.object(beneath, "move_new", failing), self.assertRaises(OSError):
+                self.write("new")
             with result_place(self.out):
                 pass
             self.assertEqual(before, manifest_of(self.out))
 
     def test_a_move_waits_for_a_file_that_came_in_between(self):
         self.write("old")
-        rename = os.rename
+        hand_over = Folder.move
 
-        def dying(source, target):
-            if pathlib.Path(target) == self.out / "shapes.vtm":
+        def dying(folder, name, target, new_name, **options):
+            if target.path / new_name == self.out / "shapes.vtm":
                 raise KeyboardInterrupt
-            rename(source, target)
-        os.rename = dying
-        try:
-            with self.assertRaises(KeyboardInterrupt):
-                self.write("new")
-        finally:
-            os.rename = rename
+            hand_over(folder, name, target, new_name, **options)
+        with mock.patch.object(Folder, "move", dying), self.assertRaises(KeyboardInterrupt):
+            self.write("new")
         self.assertFalse((self.out / "report.json").exists())
         self.put("shapes.vtm")
         with self.assertRaisesRegex(WaftError, "shapes.vtm: no run of waft wrote it"):
@@ -219,18 +219,14 @@ class Results(unittest.TestCase):
     def test_new_files_that_were_damaged_meanwhile_do_not_go_in(self):
         self.write("old")
         before = manifest_of(self.out)
-        rename = os.rename
+        hand_over = Folder.move
 
-        def dying(source, target):
-            rename(source, target)
-            if pathlib.Path(target) == self.out / "poses.csv":
+        def dying(folder, name, target, new_name, **options):
+            hand_over(folder, name, target, new_name, **options)
+            if target.path / new_name == self.out / "poses.csv":
                 raise KeyboardInterrupt
-        os.rename = dying
-        try:
-            with self.assertRaises(KeyboardInterrupt):
-                self.write("new")
-        finally:
-            os.rename = rename
+        with mock.patch.object(Folder, "move", dying), self.assertRaises(KeyboardInterrupt):
+            self.write("new")
         (self.out / ".waft-move" / "new" / "shapes.vtm").write_text("n", encoding="utf-8")
         with result_place(self.out):
             pass
@@ -252,7 +248,6 @@ class Results(unittest.TestCase):
             with self.assertRaisesRegex(BadInput, "side_0001.png: no run"):
                 place.check(names, replaces_all=False)
             place.check(names[:1], replaces_all=False)
-            place.claim(names[:1])
             place.path(names[0]).write_text("drawn", encoding="utf-8")
             place.put(names[0])
             # Killed here: the picture is a run's all the same.
@@ -261,10 +256,150 @@ class Results(unittest.TestCase):
                 place.check(names[:1], replaces_all=False)
                 place.path(names[0]).write_text(text, encoding="utf-8")
                 place.put(names[0])
-                place.confirm(names[:1])
+                place.confirm()
         self.put("frames/side_0000.png", "retouched")
         with ResultPlace(self.out, "pictures.json") as place, self.assertRaisesRegex(BadInput, "side_0000.png: it was changed"):
             place.check(names[:1], replaces_all=False)
+
+
+class Strangers(Base):
+    """What seals, journals and logs of somebody else's say is looked at before anything is done."""
+
+    MINE = {"size": 4, "digest": "sha256:" + hashlib.sha256(b"mine").hexdigest()}
+
+    def test_a_move_that_was_cut_short_is_finished_before_reading(self):
+        self.write("old")
+        hand_over = Folder.move
+
+        def dying(folder, name, target, new_name, **options):
+            if target.path / new_name == self.out / "shapes.vtm":
+                raise KeyboardInterrupt
+            hand_over(folder, name, target, new_name, **options)
+        with mock.patch.object(Folder, "move", dying), self.assertRaises(KeyboardInterrupt):
+            self.write("new")
+        self.assertEqual("new", settled(self.out).text("shapes.vtm"))
+        self.assertTrue((self.out / "report.json").exists())
+        with self.assertRaisesRegex(BadInput, "no such folder"):
+            settled(self.folder / "none")
+
+    def test_who_reads_waits_for_one_who_moves(self):
+        self.write("old")
+        with result_place(self.out):
+            settled(self.out)  # nothing changes hands
+            (self.out / ".waft-move").mkdir()
+            with mock.patch.object(results, "_PATIENCE", 0.2), self.assertRaisesRegex(BadInput, "another run"):
+                settled(self.out)
+            (self.out / ".waft-move").rmdir()
+
+    def test_a_killed_run_of_pictures_leaves_them_known(self):
+        names = [f"frames/side_{number:04d}.png" for number in range(4)]
+
+        def draw(text, ends=None, drawn=names):
+            with ResultPlace(self.out, "pictures.json") as place:
+                place.check(drawn, replaces_all=False)
+                for number, name in enumerate(drawn):
+                    place.path(name).write_text(text, encoding="utf-8")
+                    if number == ends:
+                        os._exit(0)
+                    place.put(name)
+                place.confirm()
+
+        def killed(*arguments):
+            child = os.fork()
+            if child == 0:
+                draw(*arguments)
+            self.assertEqual(0, os.waitpid(child, 0)[1])
+
+        draw("first")
+        killed("second", 2)
+        self.assertTrue((self.out / ".waft-put").exists())
+        self.assertEqual(["second", "second", "first", "first"], [self.texts()[name] for name in names])
+        with result_place(self.out):
+            pass
+        self.assertTrue((self.out / ".waft-put").exists(), "another's log was taken")
+        self.put(names[0])  # of the user's, since then
+        with self.assertRaisesRegex(BadInput, "side_0000.png: it was changed"):
+            draw("third")
+        self.assertFalse((self.out / ".waft-put").exists())
+        (self.out / names[0]).unlink()
+        killed("third", 3)
+        with open(self.out / ".waft-put", "ab") as stream:
+            stream.write(b'{"name": "fra')  # cut in the middle of a row
+        draw("fourth", None, names[1:])
+        self.assertEqual(["third", "fourth", "fourth", "fourth"], [self.texts()[name] for name in names])
+        self.assertEqual(names, sorted(row["name"] for row in json.loads((self.out / "pictures.json").read_text(encoding="utf-8"))["manifest"]))
+
+    def test_a_picture_that_came_meanwhile_stays(self):
+        name = "frames/side_0000.png"
+        for before in ("nothing", "old"):
+            self.out = self.folder / before
+            if before == "old":
+                with ResultPlace(self.out, "pictures.json") as place:
+                    place.path(name).write_text(before, encoding="utf-8")
+                    place.put(name)
+                    place.confirm()
+            with ResultPlace(self.out, "pictures.json") as place:
+                place.check([name], replaces_all=False)
+                place.path(name).write_text("new", encoding="utf-8")
+                self.put(name)
+                with self.assertRaisesRegex(WaftError, "side_0000.png: no run of waft wrote it"):
+                    place.put(name)
+                place.confirm()
+            self.assertEqual("mine", self.texts()[name])
+
+    def test_a_place_beside_others_takes_its_own_names_alone(self):
+        """A database, whose folder is that of whatever lies beside it."""
+        for name in ("thesis.txt", ".bashrc", "air2/x", "airx", "air/../thesis.txt"):
+            with self.subTest(name):
+                self.out = self.folder / name.replace("/", "_")
+                self.put("thesis.txt")
+                self.put("air.vtm.kept/.waft-move/new/" + name.rpartition("/")[2])
+                row = {"name": name, **self.MINE}
+                self.put("air.vtm.kept/.waft-move/journal.json", json.dumps({"seal": "air/manifest.json", "new": [row], "old": []}))
+                before = manifest_of(self.out)
+                with self.assertRaises(BadInput):
+                    settle_database(self.out / "air.vtm")
+                self.assertEqual(before, manifest_of(self.out))
+                (self.out / "air.vtm.kept/.waft-move/journal.json").unlink()
+                os.rename(self.out / "air.vtm.kept/.waft-move", self.out / "aside")
+                self.put("air/manifest.json", json.dumps({"manifest": [row]}))
+                with self.assertRaises(BadInput), database_place(self.out / "air.vtm") as place:
+                    place.check(["air.vtm", "air/"])
+
+    def test_a_room_that_is_a_link_is_refused(self):
+        (self.folder / "precious").mkdir()
+        self.put("air.vtm")
+        (self.out / "air.vtm.kept").symlink_to(self.folder / "precious")
+        with self.assertRaisesRegex(BadInput, "found a link"), database_place(self.out / "air.vtm"):
+            pass
+        self.assertEqual([], list((self.folder / "precious").iterdir()))
+
+    def test_a_checkpoint_of_links_is_refused(self):
+        for kind in ("link", "pipe", "folder"):
+            self.out = self.folder / kind
+            for name in ("planned.vtp", "constraints.vtp", "vortices.vtp", "report.csv", "key"):
+                self.put(f"checkpoint/{name}")
+            path = self.out / "checkpoint" / "assimilation.state"
+            path.symlink_to(self.folder / "precious") if kind == "link" else os.mkfifo(path) if kind == "pipe" else path.mkdir()
+            with result_place(self.out) as place, self.assertRaisesRegex(BadInput, "checkpoint.*stays"):
+                Checkpoint(place, "some key")
+
+    def test_temporary_folders_go_when_no_descriptor_is_left(self):
+        child = os.fork()
+        if child == 0:
+            held = []
+            with result_place(self.out) as place:
+                place.path("shapes/a.vtp").write_text("a", encoding="utf-8")
+                most = max(map(int, os.listdir("/proc/self/fd"))) + 8
+                resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
+                try:
+                    while True:
+                        held.append(os.dup(0))
+                except OSError:
+                    pass
+            os._exit(len(held) and len(os.listdir(self.out)) if self.out.exists() else 0)
+        self.assertEqual(0, os.waitpid(child, 0)[1])
+        self.assertFalse(self.out.exists())
 
 
 class FullDisks(unittest.TestCase):

@@ -18,7 +18,7 @@ from .command import ALL_MET, NOT_ALL_MET, STOPPED_EARLY, Process
 
 SCENE = "scene.waft.json"  # in the folder of a flight
 # What a run that is killed leaves: its folder `checkpoint` with these files (Plugin/Python/waft/resuming.py), and temporary folders
-# whose names end in what goes with their start (results.py).
+# whose names end in what goes with their start (temporary.py).
 _CHECKPOINT = re.compile(r"(planned|constraints|vortices)\.vtp|report\.csv|key|(spacetime|assimilation|assimilated)\.state(\.part\d+)?")
 _TEMPORARY = re.compile(r"\.waft-([0-9a-z]{4})([0-9a-z]{4})")
 _POSES = "poses.csv"

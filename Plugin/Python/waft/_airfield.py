@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The air of a result folder (air.pvd): its velocity anywhere, and bodies that drift in it."""
-import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from waft._drifters import END, NEAR_GROUND, START
 from waft._flights import Flights, rms
+from waft.beneath import Folder
 from waft.failures import BadInput
-from waft.reading import read_image, read_text, steps_of
+from waft.reading import read_image
 
 WITNESSES = 200
 AWAY = 0.3  # from every object, where a witness is let go [m]
@@ -99,14 +99,16 @@ class AirField:
 
 def read_air(folder):
     """The AirField of a folder, None without air.pvd; raises BadInput that names the file and the lack."""
-    series = os.path.join(folder, "air.pvd")
-    if not os.path.isfile(series):
+    folder = Folder(folder)
+    series = folder.found("air.pvd")
+    if series is None:
         return None
-    steps = [(time, os.path.join(folder, name)) for time, name in steps_of(read_text(series), series)]
+    steps = folder.steps("air.pvd")
     if not steps:
         raise BadInput(f"{series}: expected a file for each frame, found none")
     velocity = wind = shape = frame_of = None
-    for index, (_, path) in enumerate(steps):
+    for index, (_, name) in enumerate(steps):
+        path = folder.file(name, "an image that is whole")
         image, fields = _image(path)
         if shape is None:
             shape, frame_of = fields["Velocity"].shape, (image.GetOrigin(), image.GetSpacing())

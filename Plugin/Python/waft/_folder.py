@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What `waft synthesize` wrote in a folder, as arrays and VTK data ready to be drawn."""
 
-import os
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -10,6 +9,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import reading
 from ._kinds import POSITION, REST
+from .beneath import Folder
 from .failures import BadInput
 
 
@@ -76,11 +76,12 @@ class Motion:
         return past[-1] if past else (self.obstacles[0][1] if self.obstacles else None)
 
 
-def load(folder):
+def load(path):
     """Reads a folder; raises BadInput that names the file and the lack."""
-    poses = read_surface(os.path.join(folder, "poses.vtp"))
+    folder = Folder(path)
+    poses = read_surface(folder, "poses.vtp")
     ids, positions, orientations = _poses(poses)
-    objects = read_surface(os.path.join(folder, "objects.vtp"))
+    objects = read_surface(folder, "objects.vtp")
     shape_of = dict(
         zip(
             array_of(objects.GetPointData(), "ObjectId", "objects.vtp").tolist(),
@@ -97,7 +98,7 @@ def load(folder):
     rate = fields.GetArray("FramesPerSecond")
     box = fields.GetArray("Bounds")
     return Motion(
-        folder=folder,
+        folder=path,
         bounds=vtk_to_numpy(box).ravel().astype(float)
         if box
         else np.array([-2.0, 2.0, -2.0, 2.0, 0.0, 4.0]),
@@ -112,10 +113,17 @@ def load(folder):
     )
 
 
-def read_surface(path):
-    if not os.path.isfile(path):
-        raise BadInput(f"{path}: missing; `waft synthesize` writes it")
-    return reading.read_surface(path)
+def read_surface(folder, name):
+    """A .vtp of a beneath.Folder."""
+    return reading.read_surface(needed(folder, name))
+
+
+def needed(folder, name):
+    """The path of a file of a Folder."""
+    path = folder.found(name)
+    if path is None:
+        raise BadInput(f"{folder.path / name}: missing; `waft synthesize` writes it")
+    return path
 
 
 def array_of(attributes, name, place):
@@ -145,9 +153,8 @@ def polylines(tracks, place):
 
 
 def _bodies(folder):
-    path = os.path.join(folder, "shapes.vtm")
-    if not os.path.isfile(path):
-        raise BadInput(f"{path}: missing; `waft synthesize` writes it")
+    path = needed(folder, "shapes.vtm")
+    folder.check_blocks("shapes.vtm")
     blocks = reading.read_blocks(path)
     bodies = []
     for index in range(blocks.GetNumberOfBlocks()):
@@ -166,7 +173,7 @@ def _bodies(folder):
             body.opacity = opacity.GetComponent(0, 0)
         texture = fields.GetAbstractArray("Texture")
         if texture is not None and texture.GetNumberOfValues() > 0 and texture.GetValue(0):
-            body.texture = _find_texture(folder, texture.GetValue(0))
+            body.texture = _find_texture(folder, texture.GetValue(0), index)
         bodies.append(body)
     return bodies
 
@@ -177,18 +184,19 @@ def _color(array):
     return array.GetTuple3(0)
 
 
-def _find_texture(folder, path):
-    """A relative path is meant from the folder, or from where the run was started."""
-    beside = os.path.join(folder, path)
-    return path if os.path.isfile(path) and not os.path.isfile(beside) else beside
+def _find_texture(folder, name, block):
+    """The path of a picture of the folder, be it there or not."""
+    try:
+        return folder.found(name) or str(folder.path / name)
+    except BadInput as error:
+        raise BadInput(f"{folder.path / 'shapes.vtm'}: block {block}: Texture: {error}") from error
 
 
 def _marks(folder):
     marks = Marks()
-    path = os.path.join(folder, "constraints.vtp")
-    if not os.path.isfile(path):
+    if folder.found("constraints.vtp") is None:
         return marks
-    data = read_surface(path)
+    data = read_surface(folder, "constraints.vtp")
     if data.GetNumberOfPoints() == 0:
         return marks
     points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
@@ -220,13 +228,10 @@ def ground_height(points, bounds):
 
 
 def obstacles_of(folder):
-    """(time in seconds, surface of all obstacles) of a folder, growing time; one where none moves, none where there are none."""
-    series = os.path.join(folder, "obstacles.pvd")
-    if os.path.isfile(series):
-        steps = reading.steps_of(reading.read_text(series), series)
-        return [(time, read_surface(os.path.join(folder, name))) for time, name in steps]
-    single = os.path.join(folder, "obstacles.vtp")
-    return [(0.0, read_surface(single))] if os.path.isfile(single) else []
+    """(time in seconds, surface of all obstacles) of a Folder, growing time; one where none moves, none where there are none."""
+    if folder.found("obstacles.pvd"):
+        return [(time, read_surface(folder, name)) for time, name in folder.steps("obstacles.pvd")]
+    return [(0.0, read_surface(folder, "obstacles.vtp"))] if folder.found("obstacles.vtp") else []
 
 
 @dataclass
@@ -242,7 +247,7 @@ class Obstacle:
 
 
 def moving_obstacles(folder, bounds, rate, frames):
-    """Each Obstacle of a folder, in the order of their ids."""
+    """Each Obstacle of a Folder, in the order of their ids."""
     steps = obstacles_of(folder)
     if not steps or not steps[0][1].GetNumberOfPolys():
         return []
@@ -283,8 +288,8 @@ def _triangles(surface):
 
 
 def bounds_of(folder):
-    """The volume of a run, as six numbers."""
-    bounds = read_surface(os.path.join(folder, "poses.vtp")).GetFieldData().GetArray("Bounds")
+    """The volume of a run in a Folder, as six numbers."""
+    bounds = read_surface(folder, "poses.vtp").GetFieldData().GetArray("Bounds")
     if bounds is None:
         raise BadInput("poses.vtp: the field array Bounds is missing")
     return vtk_to_numpy(bounds).ravel().tolist()

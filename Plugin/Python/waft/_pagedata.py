@@ -11,17 +11,19 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from waft import _folder
 from waft._kinds import POSITIONAL
+from waft.beneath import Folder
 from waft.failures import BadInput
-from waft.reading import found_json, read_bytes, read_rows
+from waft.reading import read_json
 from waft.texts import warn
 
 _MOST_ROWS = 1200  # of a plot; more cannot be told apart
 
 
-def describe(folder, measured=None):
+def describe(path, measured=None):
     """(what there is to tell, the bytes of animation.glb); raises BadInput that names the file and the lack.
 
     measured: see page.write_page."""
+    folder = Folder(path)
     report = _report(folder)
     animation, ids, rate, frames = animation_of(folder)
     bounds = _folder.bounds_of(folder)
@@ -35,21 +37,17 @@ def describe(folder, measured=None):
 
 
 def _report(folder):
-    path = os.path.join(folder, "report.json")
-    report = found_json(path)
-    if report is None:
-        raise BadInput(f"{path}: missing or no JSON; `waft synthesize` writes it")
+    path = _folder.needed(folder, "report.json")
+    report = folder.json("report.json")
     if not isinstance(report, dict) or not {"version", "scene", "seed"} <= report.keys():
         raise BadInput(f"{path}: expected the report of `waft synthesize`, with version, scene and seed")
     return report
 
 
 def animation_of(folder):
-    """Bytes of animation.glb, and of it: ids of objects in order, frames a second, number of frames."""
-    path = os.path.join(folder, "animation.glb")
-    if not os.path.isfile(path):
-        raise BadInput(f"{path}: missing; `waft synthesize` writes it")
-    content = read_bytes(path)
+    """Bytes of animation.glb of a Folder, and of it: ids of objects in order, frames a second, number of frames."""
+    path = _folder.needed(folder, "animation.glb")
+    content = folder.bytes("animation.glb")
     try:
         magic, _, length, size, kind = struct.unpack("<4sIII4s", content[:20])
         if magic != b"glTF" or kind != b"JSON" or length != len(content):
@@ -68,10 +66,9 @@ def animation_of(folder):
 
 def _rows(folder, name, is_needed=True):
     """Rows of a CSV file as dictionaries."""
-    path = os.path.join(folder, name)
-    if not os.path.isfile(path) and not is_needed:
+    if folder.found(name) is None and not is_needed:
         return []
-    return read_rows(path, what="a table that `waft synthesize` writes")
+    return folder.rows(name, "a table that `waft synthesize` writes")
 
 
 def _number(row, name, path):
@@ -87,7 +84,7 @@ def marks_of(folder):
     """One entry a line of constraints.csv, with the places of its rows in constraints.vtp: [frame, x, y, z, radius]."""
     name = "constraints.vtp"
     places = {}
-    data = _folder.read_surface(os.path.join(folder, name))
+    data = _folder.read_surface(folder, name)
     if data.GetNumberOfPoints():
         points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
         columns = [_folder.array_of(data.GetPointData(), column, name) for column in ("Row", "Target", "Kind", "Frame", "Radius")]
@@ -106,10 +103,10 @@ def marks_of(folder):
 
 def _plan(folder, ids, frames):
     """Planned places of the objects in order, 16 bits a number within their box; None without a plan."""
-    path = os.path.join(folder, "planned.vtp")
-    if not os.path.isfile(path):
+    path = folder.found("planned.vtp")
+    if path is None:
         return None
-    tracks = _folder.read_surface(path)
+    tracks = _folder.read_surface(folder, "planned.vtp")
     own, order = _folder.polylines(tracks, "planned.vtp")
     points = vtk_to_numpy(tracks.GetPoints().GetData()).astype(float)[order]
     places = dict(zip(own.tolist(), points))
@@ -155,20 +152,19 @@ def _measured(folder, measured):
     if measured is True:
         from waft.measuring import measure
 
-        return measure(folder)[0].as_json()
-    beside = os.path.join(folder, "measure.json")
-    if measured is None and not os.path.isfile(beside):
+        return measure(folder.path)[0].as_json()
+    if measured is None and folder.found("measure.json") is None:
         return None
-    path = measured or beside
-    found = found_json(path)
+    path = measured or folder.path / "measure.json"
     try:
-        own = [entry for entry in found if os.path.realpath(entry["folder"]) == os.path.realpath(folder)] or found
+        found = read_json(path) if measured else folder.json("measure.json")
+        own = [entry for entry in found if os.path.realpath(entry["folder"]) == os.path.realpath(folder.path)] or found
         if len(own) != 1:
-            raise ValueError(f"none of its {len(found)} entries is about {folder}")
+            raise ValueError(f"none of its {len(found)} entries is about {folder.path}")
         keys = ("row", "value", "wanted", "drifters", "met", "why")
         return {"folder": own[0]["folder"], "tracks": own[0]["tracks"], "notes": list(own[0]["notes"]),
                 "rows": [{key: row[key] for key in keys} for row in own[0]["rows"]]}
-    except (TypeError, KeyError, ValueError) as error:
+    except (BadInput, TypeError, KeyError, ValueError) as error:
         lack = f"{path}: expected what `waft measure --json` writes: {error}"
         if measured:
             raise BadInput(lack) from error

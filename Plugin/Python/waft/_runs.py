@@ -11,7 +11,8 @@ from waft._flights import Flights
 from waft._kinds import POSITION, REST, VELOCITY
 from waft._folder import read_surface
 from waft.failures import BadInput
-from waft.reading import dynamics, found_json
+from waft.reading import dynamics
+from waft.writing import settled
 
 TRACKS = ("optimized", "assimilated", "planned", "poses")
 NEAR_ROW = 8  # frames about a position row that are no free flight
@@ -39,18 +40,17 @@ class Run:
 
 def read_run(folder, tracks="optimized"):
     """Reads a folder; raises BadInput that names the file and the lack."""
-    if not os.path.isdir(folder):
-        raise BadInput(f"{folder}: no such folder; `waft synthesize` makes it")
+    below = settled(folder)
     path = os.path.join(folder, f"{tracks}.vtp")
-    data = read_surface(path)
+    data = read_surface(below, f"{tracks}.vtp")
     ids, positions, arrays = _tracks(path, data)
     bounds, rate = _field(path, data, "Bounds", 6), float(_field(path, data, "FramesPerSecond", 1)[0])
     if not rate > 0.0:
         raise BadInput(f"{path}: FramesPerSecond: expected a positive number, found {rate:g}")
-    slip = _slips(os.path.join(folder, "objects.vtp"), ids)
-    rows = _rows(os.path.join(folder, "constraints.vtp"))
+    slip = _slips(below, ids)
+    rows = _rows(below)
     flying, free, touches = flight(rows, ids, positions.shape[1], rate)
-    report = found_json(os.path.join(folder, "report.json"))
+    report = below.json("report.json") if below.found("report.json") else None
     inertia = bool(report.get("inertia")) if isinstance(report, dict) else False
     return Run(str(folder), Flights(positions, rate, flying, free, slip), bounds, arrays, rows, ids, touches, inertia,
                dynamics(data))
@@ -87,8 +87,9 @@ def _tracks(path, data):
     return vtk_to_numpy(identity).astype(int), positions, arrays
 
 
-def _slips(path, ids):
-    data = read_surface(path)
+def _slips(folder, ids):
+    path = folder.path / "objects.vtp"
+    data = read_surface(folder, "objects.vtp")
     identity, speed = (data.GetPointData().GetArray(name) for name in ("ObjectId", "SettlingSpeed"))
     if identity is None or speed is None:
         raise BadInput(f"{path}: the array {'ObjectId' if identity is None else 'SettlingSpeed'} is missing")
@@ -99,13 +100,14 @@ def _slips(path, ids):
     return np.array([of[number] for number in ids.tolist()])
 
 
-def _rows(path):
+def _rows(folder):
     """Columns of constraints.vtp, TouchDown and LiftOff (-1 where they are not told) among them; no rows without the file."""
     names = ("ObjectId", "Frame", "Kind", "Until", "Radius", "Value")
     told = ("TouchDown", "LiftOff")
-    if not os.path.isfile(path):
+    path = folder.path / "constraints.vtp"
+    if folder.found("constraints.vtp") is None:
         return {name: np.zeros((0, 4) if name == "Value" else 0) for name in (*names, *told)}
-    data = read_surface(path)
+    data = read_surface(folder, "constraints.vtp")
     rows = {}
     for name in names:
         array = data.GetPointData().GetArray(name)

@@ -10,7 +10,7 @@ from paraview import simple
 from waft import failures
 from waft.files import table_rows, write_csv, write_xml
 from waft.loading import set_threads
-from waft.results import ResultPlace
+from waft.results import Busy, ResultPlace
 from waft.watching import Clock, StageWatch
 
 
@@ -41,7 +41,9 @@ _MANIFEST = "manifest.json"  # in the folder beside FILE.vtm
 def database_place(path):
     """The ResultPlace of a database."""
     path = pathlib.Path(path)
-    return ResultPlace(path.parent, f"{path.stem}/{_MANIFEST}", room=kept_folder(path))
+    own = (path.name, coverage_file(path).name)
+    return ResultPlace(path.parent, f"{path.stem}/{_MANIFEST}", room=kept_folder(path).name,
+                       owns=lambda name: name in own or name.startswith(f"{path.stem}/"))
 
 
 def settle_database(path):
@@ -51,22 +53,22 @@ def settle_database(path):
         try:
             with database_place(path):
                 pass
-        except failures.BadInput:
+        except Busy:
             pass
 
 
 def _check_kept(kept):
-    for entry in kept.iterdir():
-        if not _KEPT.fullmatch(entry.name):
-            raise failures.BadInput(f"{entry}: expected what a stopped run left, found something else: it stays as it is: move "
-                                    "it away, or choose another name for the database")
+    for name in kept.names():
+        if not (_KEPT.fullmatch(name) and kept.is_regular(kept.about(name))):
+            raise failures.BadInput(f"{kept.path / name}: expected what a stopped run left, found something else: it stays as it is: "
+                                    "move it away, or choose another name for the database")
 
 
 def _forget(kept):
     """Removes the simulations that wait there; nothing else."""
-    for entry in kept.iterdir():
-        if _KEPT.fullmatch(entry.name):
-            entry.unlink()
+    for name in kept.names():
+        if _KEPT.fullmatch(name):
+            kept.remove(name)
 
 
 def make_database(path, simulations=8, frames=300, resolution=64, seed=1, threads=None, time_limit=None,
@@ -85,9 +87,10 @@ def make_database(path, simulations=8, frames=300, resolution=64, seed=1, thread
     path = pathlib.Path(path)
     with database_place(path) as place:
         place.check([path.name, f"{path.stem}/", coverage_file(path).name])
-        _check_kept(place.room)
+        kept = place.folder.below(place.room.name)
+        _check_kept(kept)
         if not resume:
-            _forget(place.room)
+            _forget(kept)
         set_threads(threads)
         source = simple.MotionDatabaseSource()
         source.NumberOfSimulations = simulations
@@ -106,7 +109,7 @@ def make_database(path, simulations=8, frames=300, resolution=64, seed=1, thread
         if watch.errors:
             if "cannot write" in watch.errors[0]:
                 raise failures.WaftError(watch.errors[0])
-            _forget(place.room)
+            _forget(kept)
             raise failures.BadInput(watch.errors[0])
         algorithm = source.GetClientSideObject()
         database = algorithm.GetOutputDataObject(0)
@@ -119,5 +122,5 @@ def make_database(path, simulations=8, frames=300, resolution=64, seed=1, thread
         coverage = [(int(before), int(segments), float(share)) for before, segments, share in rows]
         stopped = watch.was_aborted and len(coverage) + 1 < simulations
         if not stopped:
-            _forget(place.room)
+            _forget(kept)
     return Made(source, stopped, coverage)

@@ -11,6 +11,7 @@ import numpy as np
 from waft import _folder, _pagedata
 from waft._cameras import Cameras
 from waft._gltf import Gltf, y_up
+from waft.beneath import Folder
 from waft.failures import BadInput, WaftError
 from waft.files import copy_file, write_bytes
 from waft.results import ResultPlace
@@ -44,20 +45,21 @@ def export(folder, to, parts):
 
 def _with_surroundings(folder, parts):
     """(bytes of a .glb, frames a second, number of frames)"""
-    animation, _, rate, frames = _pagedata.animation_of(folder)
+    below = Folder(folder)
+    animation, _, rate, frames = _pagedata.animation_of(below)
     gltf = Gltf(animation)
     told = {"framesPerSecond": rate, "firstFrame": 0, "lastFrame": frames - 1}
     for holder in (gltf.content["asset"], gltf.content["scenes"][0]):
         holder["extras"] = {**holder.get("extras", {}), **told}
-    bounds = _folder.bounds_of(folder)
-    for obstacle in _folder.moving_obstacles(folder, bounds, rate, frames):
+    bounds = _folder.bounds_of(below)
+    for obstacle in _folder.moving_obstacles(below, bounds, rate, frames):
         if obstacle.ground is not None:
             if "ground" in parts:
                 _add_ground(gltf, bounds, obstacle.ground)
         elif "obstacles" in parts:
             _add_obstacle(gltf, obstacle)
     if "marks" in parts:
-        for mark in _pagedata.marks_of(folder):
+        for mark in _pagedata.marks_of(below):
             _add_mark(gltf, mark)
     if "camera" in parts:
         _add_camera(gltf, folder)

@@ -2,6 +2,7 @@
 """Files that are read, with a look at them first. What this package reads goes through here, or through beneath.py: only regular
 files, nothing is waited for, no more than a bound; VTK's readers, which trust what they are given, come after Waft's own look."""
 import csv
+import errno
 import io
 import json
 import math
@@ -16,27 +17,34 @@ MOST = 1 << 30  # bytes of a file that is read whole, unless its reader says les
 MOST_TEXT = 1 << 28  # of a scene, a table, a report
 _LOOK = os.O_RDONLY | os.O_NONBLOCK | os.O_NOCTTY | os.O_CLOEXEC  # a pipe without a writer is not waited for
 _KINDS = {stat.S_IFDIR: "a folder", stat.S_IFIFO: "a pipe", stat.S_IFSOCK: "a socket", stat.S_IFCHR: "a device",
-          stat.S_IFBLK: "a device", stat.S_IFLNK: "a link"}
+          stat.S_IFBLK: "a device", stat.S_IFLNK: "a link", stat.S_IFREG: "a file"}
+
+
+def found_in_words(about):
+    """What there is, by its os.stat_result."""
+    return _KINDS.get(stat.S_IFMT(about.st_mode), "something else")
 
 
 def kind_of(about):
-    """What there is in place of a file, by its os.stat_result, in words; empty of a regular file."""
-    return "" if stat.S_ISREG(about.st_mode) else _KINDS.get(stat.S_IFMT(about.st_mode), "something else")
+    """What there is in place of a file; empty of a regular file."""
+    return "" if stat.S_ISREG(about.st_mode) else found_in_words(about)
 
 
-def open_file(path, what="a file", **options):
+def open_file(path, what="a file", folder=None, shown=None):
     """A descriptor of a regular file, to be read; raises BadInput that names the file and what was found, as all here do. what: is
-    named as expected. options: of os.open."""
+    named as expected. folder: a descriptor that a bare name is in, of which no link is followed; shown: its whole path."""
+    shown = path if shown is None else shown
     try:
-        descriptor = os.open(path, _LOOK | options.pop("flags", 0), **options)
+        descriptor = os.open(path, _LOOK | (os.O_NOFOLLOW if folder is not None else 0), dir_fd=folder)
     except OSError as error:
-        raise BadInput(f"{path}: {error.strerror}; expected {what}") from error
+        found = "it is a link" if folder is not None and error.errno == errno.ELOOP else error.strerror
+        raise BadInput(f"{shown}: {found}; expected {what}") from error
     except ValueError as error:
-        raise BadInput(f"{path!r}: {error}; expected {what}") from error
+        raise BadInput(f"{shown!r}: {error}; expected {what}") from error
     found = kind_of(os.fstat(descriptor))
     if found:
         os.close(descriptor)
-        raise BadInput(f"{path}: expected {what}, found {found}")
+        raise BadInput(f"{shown}: expected {what}, found {found}")
     return descriptor
 
 
@@ -119,6 +127,14 @@ def steps_of(text, path):
     if not all(math.isfinite(time) and name for time, name in steps):
         raise BadInput(f"{path}: not a collection with a timestep and a file each")
     return sorted(steps)
+
+
+def blocks_of(text, path):
+    """Names of the files in the text of a .vtm."""
+    try:
+        return [name for name in (element.get("file") for element in ElementTree.fromstring(text).iter()) if name]
+    except ElementTree.ParseError as error:
+        raise BadInput(f"{path}: expected a whole VTK XML file of blocks: {error}") from error
 
 
 def read_surface(path):

@@ -21,10 +21,11 @@ from ._scenery import Scenery
 from ._sheet import Sheet
 from ._styles import STYLES, VIEWS
 from .failures import BadInput, WaftError
-from .results import Entry, ResultPlace
-from .writing import earlier_results
+from .results import ResultPlace
+from .writing import earlier_results, near_files
 
 
+_SEAL = "pictures.json"
 _HIDDEN = 0.1  # share of the motion behind obstacles from which on one sees through them
 _GLASS = 0.22  # opacity of such obstacles
 
@@ -216,13 +217,9 @@ def render(
         Loop.require(loop)
     if not os.path.isdir(folder):
         raise BadInput(f"{folder}: no such folder; `waft synthesize` makes it")
-    with ResultPlace(folder, "pictures.json", earlier=_earlier_pictures) as place:
+    with ResultPlace(folder, _SEAL, earlier=_earlier_pictures) as place:
         motion = load(folder)
         numbers = parse_frames(frames, motion.number_of_frames)
-        if not os.environ.get("DISPLAY"):
-            raise WaftError(
-                "rendering needs a display; run it under: xvfb-run -a -s \"-screen 0 1280x1024x24\""
-            )
         if loop is not None:
             Loop.check(len(numbers), size, len(views))
         makers = dict(_MOVIES) if movie else {}
@@ -234,7 +231,10 @@ def render(
         names = [_picture(view, frame) for view in views for frame in numbers]
         names += [name for own in movies.values() for name in own]
         place.check(names, replaces_all=False)
-        place.claim(names)
+        if not os.environ.get("DISPLAY"):
+            raise WaftError(
+                "rendering needs a display; run it under: xvfb-run -a -s \"-screen 0 1280x1024x24\""
+            )
         try:
             drawn = pictures(lambda: Stage(motion, size, samples, paths, targets, obstacle_opacity, style, exposure),
                              [(view, frame, place.path(_picture(view, frame))) for frame in numbers for view in views],
@@ -242,7 +242,7 @@ def render(
             with contextlib.closing(drawn):
                 written = _put(drawn, place, numbers, movies, motion.frames_per_second / numbers.step, progress)
         finally:
-            place.confirm(names)
+            place.confirm()
     return [os.path.join(folder, name) for name in written]
 
 
@@ -254,12 +254,11 @@ def _picture(view, frame):
 
 
 def _earlier_pictures(folder):
-    """{name: Entry} of the pictures beside the results of a version that kept no account of them."""
-    if earlier_results(folder) is None:
+    """Names of the pictures beside the results in a Folder of a version that kept no account of them."""
+    if folder.about(_SEAL) is not None or earlier_results(folder) is None:
         return None
-    names = (path.relative_to(folder).as_posix() for path in (*folder.glob("frames/*.png"), *folder.glob("*.*")))
     pattern = re.compile(rf"frames/({'|'.join(VIEWS)})_\d{{4,}}\.png|({'|'.join(VIEWS)})\.(ogv|avi|mp4)")
-    return {name: Entry() for name in names if pattern.fullmatch(name)}
+    return [name for name in near_files(folder) if pattern.fullmatch(name)]
 
 
 def _put(drawn, place, numbers, movies, rate, progress):

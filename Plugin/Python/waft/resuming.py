@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a run keeps in its folder while it goes, so that another can go on from it."""
 import hashlib
-import os
 import pathlib
 import re
+import stat
 
 from waft.failures import BadInput
 from waft.files import copy_file, write_csv, write_json, write_xml
 from waft.loading import version
-from waft.reading import found_json, read_rows
-from waft.results import manifest_of, manifest_rows, read_manifest
+from waft.results import manifest_in, manifest_of, manifest_rows
 
 PLAN = {0: "planned.vtp", 3: "constraints.vtp", 4: "vortices.vtp"}
+_FOLDER = "checkpoint"
 _REPORT, _KEY = "report.csv", "key"
 # Of the optimiser; of the assimilation on its way, and when it is done.
 _STATES = ("spacetime.state", "assimilation.state", "assimilated.state")
@@ -50,37 +50,46 @@ class Checkpoint:
 
     def __init__(self, place, key):
         self._place = place
-        self._folder = place.root / "checkpoint"
+        self._below = place.folder
+        self._folder = place.root / _FOLDER
         self._key = key
         self.optimiser_file, self.assimilation_file, self.air_file = (self._folder / state for state in _STATES)
-        if os.path.lexists(self._folder) and not self._is_own():
+        if self._below.about(_FOLDER) is not None and not self._is_own():
             raise BadInput(f"{self._folder}: expected no such folder, or one that a stopped run left: it holds something else and "
                            "stays as it is: move it away, or choose another place for the results")
 
     def _is_own(self):
-        if self._folder.is_symlink() or not self._folder.is_dir():
+        if not stat.S_ISDIR(self._below.about(_FOLDER).st_mode):
             return False
-        names = {entry.name for entry in self._folder.iterdir()}
-        is_plan = names >= {*PLAN.values(), _REPORT} or read_manifest(self._folder / _KEY) is not None
-        return all(_OWN.fullmatch(name) for name in names) and (is_plan or not names)
+        names = set(self._below.names(_FOLDER))
+        is_plan = names >= {*PLAN.values(), _REPORT} or self._manifest() is not None
+        return all(_OWN.fullmatch(name) and self._below.is_regular(self._below.about(f"{_FOLDER}/{name}")) for name in names) and (
+            is_plan or not names)
+
+    def _manifest(self):
+        """Of the plan; None where it cannot be read."""
+        try:
+            return manifest_in(self._below, f"{_FOLDER}/{_KEY}")
+        except BadInput:
+            return None
 
     def lack(self):
         """What keeps a run from going on from here, in words; empty when nothing does."""
-        key = found_json(self._folder / _KEY)
-        manifest = read_manifest(self._folder / _KEY)
-        if not self._folder.is_dir():
+        if not self._below.is_folder(_FOLDER):
             return "no stopped run of this scene, seed and version"
+        key = self._below.found_json(f"{_FOLDER}/{_KEY}")
+        manifest = self._manifest()
         if manifest is None or not {*PLAN.values(), _REPORT} <= manifest.keys():
             return f"{self._folder / _KEY} is damaged, or of another version"
         if key.get("key") != self._key:
             return "no stopped run of this scene, seed and version"
-        damaged = [name for name, entry in manifest.items() if not entry.fits(self._folder / name)]
+        damaged = [name for name, entry in manifest.items() if not entry.fits(self._below, f"{_FOLDER}/{name}")]
         return f"{self._folder / damaged[0]} is damaged" if damaged else ""
 
     def keep_plan(self, pipeline):
         """Takes the place of whatever another run left."""
         temporary = self._place.temporary()
-        folder = temporary / self._folder.name
+        folder = temporary / _FOLDER
         folder.mkdir()
         for port, name in PLAN.items():
             write_xml(pipeline.planned(port), folder / name)
@@ -88,22 +97,21 @@ class Checkpoint:
         write_csv(folder / _REPORT, header, [list(row.values()) for row in pipeline.plan_report])
         write_json(folder / _KEY, {"key": self._key, "manifest": manifest_rows(manifest_of(folder))})
         self.clear()
-        os.rename(folder, self._folder)
+        self._place.move_in(folder, _FOLDER)
         self._place.discard(temporary)
 
     def take_plan(self, pipeline):
-        pipeline.take_plan(*(self._folder / name for name in PLAN.values()))
-        pipeline.plan_report = read_rows(self._folder / _REPORT)
+        pipeline.take_plan(*(self._below.file(f"{_FOLDER}/{name}") for name in PLAN.values()))
+        pipeline.plan_report = self._below.rows(f"{_FOLDER}/{_REPORT}")
 
     def copy_plan(self, name):
         """One of the plan's files among the results: the same bytes whether the plan was made or taken."""
-        copy_file(self._folder / name, self._place.path(name))
+        copy_file(self._below.file(f"{_FOLDER}/{name}"), self._place.path(name))
 
     def clear(self):
         """Removes what runs left; what someone put beside it meanwhile stays."""
-        if self._folder.is_dir():
-            for entry in self._folder.iterdir():
-                if _OWN.fullmatch(entry.name):
-                    entry.unlink()
-            if not any(self._folder.iterdir()):
-                self._folder.rmdir()
+        for name in self._below.names(_FOLDER):
+            if _OWN.fullmatch(name):
+                self._below.remove(f"{_FOLDER}/{name}")
+        if self._below.is_folder(_FOLDER):
+            self._below.remove_empty(_FOLDER)

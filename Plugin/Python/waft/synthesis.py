@@ -7,13 +7,14 @@ import tempfile
 from typing import TYPE_CHECKING, Callable, Dict, Optional, Union
 
 from waft import failures
+from waft.beneath import Folder
 from waft.loading import load_plugin, set_threads
 from waft.reading import found_json
 from waft.resuming import Checkpoint, run_key
 from waft.scene import Scene
 from waft.texts import is_utf8, say, warn
 from waft.watching import Clock, is_main_thread
-from waft.writing import STATE, left_out, read_rows, result_names, result_place, write_results
+from waft.writing import STATE, left_out, read_rows, result_names, result_place, settled, write_results
 
 if TYPE_CHECKING:
     from waft.run import Run
@@ -151,17 +152,19 @@ def _state_of(folder, quality):
     """The file with the air of a finished run; None without a folder."""
     if folder is None:
         return None
-    state = pathlib.Path(folder) / STATE
     if quality == "paper":
         raise failures.BadInput("edit_of: a run of quality paper has no air to keep")
-    if not state.is_file():
-        raise failures.BadInput(f"{state}: no such file; expected the folder of a finished run, of another quality than paper")
-    return state
+    state = settled(folder).found(STATE)
+    if state is None:
+        raise failures.BadInput(f"{pathlib.Path(folder) / STATE}: no such file; expected the folder of a finished run, of another quality "
+                                "than paper")
+    return pathlib.Path(state)
 
 
 def _seed_of(folder, otherwise):
     """That of a run that is edited; otherwise, where there is none, another."""
-    report = found_json(pathlib.Path(folder) / "report.json") if folder is not None else None
+    below = Folder(folder) if folder is not None else None
+    report = below.json("report.json") if below is not None and below.found("report.json") else None
     seed = report.get("seed") if isinstance(report, dict) else None
     return seed if isinstance(seed, int) else otherwise
 

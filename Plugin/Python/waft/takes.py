@@ -20,10 +20,10 @@ import threading
 import time
 
 from waft import failures
+from waft.beneath import Folder
 from waft.failures import BadInput, Interrupted
 from waft.files import write_text
 from waft.loading import version
-from waft.reading import found_json
 from waft.results import Busy, Entry, ResultPlace, check_folder
 from waft.scene import Scene
 from waft.texts import cell, line
@@ -48,7 +48,9 @@ def fly_takes(scene, seeds, output, quality="full", jobs=1, threads=None, databa
     folder = pathlib.Path(output)
     flight = _Flight(scene, folder, quality, threads or max(1, (os.cpu_count() or 1) // jobs), database)
     done = {row["seed"]: row for row in _change_table(folder, [])}
-    missing = [seed for seed in seeds if not flight.is_done(done.get(seed))]
+    missing = [seed for seed in seeds if not flight.is_done(seed, done.get(seed))]
+    for seed in missing if folder.is_dir() else ():
+        Folder(folder).is_folder(take_name(seed))  # raises of a link, which would lead a flight elsewhere
     for seed in seeds:
         if seed not in missing:
             tell(f"{take_name(seed)}: there already")
@@ -116,9 +118,9 @@ class _Flight:
         self._children = set()
         self._ends = False
 
-    def is_done(self, row):
+    def is_done(self, seed, row):
         return row is not None and row["key"] == self.key and row["status"] in DONE and (
-            self._folder / row["folder"] / "report.json").is_file()
+            Folder(self._folder).found(f"{take_name(seed)}/report.json") is not None)
 
     def fly(self, seed):
         """The row of a take; None when it was not begun, since others were refused or stopped."""
@@ -136,7 +138,7 @@ class _Flight:
                "message": "" if status in DONE else words, "seconds": round(time.monotonic() - began, 3)}
         self._ends = self._ends or status == failures.MALFORMED  # the others would be refused as well
         if status in DONE:
-            row.update(_summary(found_json(place / "report.json")))
+            row.update(_summary(Folder(place).json("report.json")))
             status, text, words = self._run("measure", str(place), "--json")
             if status == 0:
                 row["measures"] = json.loads(text)[0]["rows"]
@@ -183,7 +185,7 @@ def _summary(report):
 
 def _rows(folder):
     """Those of the table, by their seeds."""
-    content = found_json(folder / SEAL)
+    content = Folder(folder).found_json(SEAL) if folder.is_dir() else None
     return sorted((content or {}).get("takes", []), key=lambda row: row["seed"])
 
 

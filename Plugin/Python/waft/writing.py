@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The files of a run: their names, what earlier versions wrote, and what is in each."""
+import os
 import pathlib
 import re
+import stat
 
 from waft import failures
+from waft.beneath import Folder
 from waft.files import copy_file, half, in_single_precision, table_rows, write_csv, write_pvd, write_xml
 from waft.loading import version
 from waft.reading import dynamics, found_json
-from waft.results import Entry, ResultPlace
+from waft.results import ResultPlace, settle
 from waft.watching import collect
 
 STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
@@ -29,17 +32,32 @@ _EARLIER_NAMES = re.compile(
 
 
 def earlier_results(folder):
-    """{name: Entry} of the results of a version without a manifest; None when its report.json is another program's."""
-    report = found_json(folder / REPORT)
+    """Names of the results of a version without a manifest in a Folder; None when its report.json is another program's."""
+    report = folder.found_json(REPORT)
     if not isinstance(report, dict) or not {"version", "scene", "seed", "stages", "constraints"} <= report.keys():
         return None
-    names = (path.relative_to(folder).as_posix() for path in (*folder.glob("*"), *folder.glob("*/*")))
-    return {name: Entry() for name in names if _EARLIER_NAMES.fullmatch(name)}
+    return [name for name in near_files(folder) if _EARLIER_NAMES.fullmatch(name)]
+
+
+def near_files(folder):
+    """Names of the files in a Folder, and in those that are in it."""
+    names = folder.names()
+    inner = [name for name in names if stat.S_ISDIR(folder.about(name).st_mode)]
+    names += [f"{name}/{entry}" for name in inner for entry in folder.names(name)]
+    return [name for name in names if folder.is_regular(folder.about(name))]
 
 
 def result_place(folder):
     """The ResultPlace of a folder of results."""
     return ResultPlace(folder, REPORT, earlier=earlier_results)
+
+
+def settled(folder):
+    """The Folder of finished results, to be read: where a change of them was cut short it is finished or undone first."""
+    if not os.path.isdir(folder):
+        raise failures.BadInput(f"{folder}: no such folder; `waft synthesize` makes it")
+    settle(result_place(folder))
+    return Folder(folder)
 
 
 def result_names(scene, series, quality):
@@ -142,9 +160,8 @@ def _write_shapes(pipeline, place):
     for block in range(shapes.GetNumberOfBlocks()):
         texture = shapes.GetBlock(block).GetFieldData().GetAbstractArray("Texture")
         source = pathlib.Path(texture.GetValue(0)) if texture is not None and texture.GetValue(0) else None
-        if source is not None and source.is_file():
-            name = pictures.setdefault(source, f"shapes/picture_{len(pictures)}{source.suffix}")
-            texture.SetValue(0, name)
+        if source is not None:  # of one that is missing the scene's reader has told
+            texture.SetValue(0, pictures.setdefault(source, f"shapes/picture_{len(pictures)}{source.suffix}") if source.is_file() else "")
     write_xml(shapes, place.path("shapes.vtm"))
     for source, name in pictures.items():
         copy_file(source, place.path(name))

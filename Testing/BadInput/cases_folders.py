@@ -1,0 +1,229 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Folders of results of somebody else, whose files and links lead out of them. Nothing beside them may come, go or change."""
+import hashlib
+import json
+import os
+import re
+import shutil
+import socket
+
+from case import LEAF, Case, synthesize
+
+TEXT = b"the user's own\n"
+ROW = {"size": len(TEXT), "digest": f"sha256:{hashlib.sha256(TEXT).hexdigest()}"}
+PAGE, EXPORT, RENDER, MEASURE = ["page", "r"], ["export", "r"], ["render", "r", "--frames", "0"], ["measure", "r"]
+WRITE = synthesize("scene.waft.json", "r")
+EDIT = [*synthesize("scene.waft.json", "new"), "--edit-of", "r"]
+# What a name may be that leads out, by way of r/link, r/shapes/link or r/shapes/deep/link, which lead to the user's folder.
+LEADING = ("link/thesis.txt", "link/new.txt", "link/deep/new.txt", "shapes/link/thesis.txt", "shapes/deep/link/thesis.txt", "thesis-link",
+           "../mine/thesis.txt", "shapes/../../mine/thesis.txt", "./../mine/thesis.txt", "{mine}/thesis.txt", "//{mine}/thesis.txt",
+           "link/../mine/thesis.txt", "", "/", ".", "..", "a\0b", "a/" * 200 + "b", "x" * 300, 7, None, ["a"], {"a": 1})
+
+
+def _make(change, arguments, has_links):
+    """Results `r`, the user's folder `mine`, and maybe links from the one into the other; change(r, mine) does the rest."""
+    def make(folder, results):
+        (folder / "scene.waft.json").write_text(json.dumps(LEAF), encoding="utf-8")
+        r, mine = folder / "r", folder / "mine"
+        shutil.copytree(results, r)
+        mine.mkdir()
+        (mine / "thesis.txt").write_bytes(TEXT)
+        (r / "thesis.txt").write_bytes(TEXT)
+        if has_links:
+            (r / "shapes" / "deep").mkdir()
+            for link in (r / "link", r / "shapes" / "link", r / "shapes" / "deep" / "link"):
+                link.symlink_to(mine)
+            (r / "thesis-link").symlink_to(mine / "thesis.txt")
+        change(r, mine)
+        return arguments
+    return make
+
+
+def _case(name, change, arguments, *says, has_links=False):
+    return Case("folders", f"{arguments[0]}: {name}"[:100].replace("\0", "0"), _make(change, arguments, has_links), says=says)
+
+
+def _named(name, mine):
+    return name.format(mine=mine) if isinstance(name, str) else name
+
+
+def _write(path, content):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(content if isinstance(content, str) else json.dumps(content), encoding="utf-8")
+
+
+def _move(r, journal, files=()):
+    """A change of results that was cut short, with files that go in."""
+    _write(r / ".waft-move" / "journal.json", journal)
+    for name in files:
+        path = r / ".waft-move" / "new" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(TEXT)
+
+
+def _names_of_journals():
+    for number, name in enumerate(LEADING):
+        for which in ("new", "old") if name != "thesis-link" else ():
+            def change(r, mine, name=name, which=which):
+                inner = name if isinstance(name, str) and re.fullmatch(r"\w+(/[\w.]+)+", name) and len(name) < 99 else "one"
+                _move(r, {"seal": "report.json", "new": [], "old": [], which: [{"name": _named(name, mine), **ROW}]}, [inner])
+                (r / "one").write_bytes(TEXT)
+            yield _case(f"a journal whose {which} file is {name!r}", change, (PAGE, MEASURE, EXPORT)[(number + (which == "new")) % 3],
+                        ".waft-move", has_links=True)
+
+
+def _contents_of_journals():
+    rows = [{"name": "one", **ROW}]
+    right = {"seal": "report.json", "new": rows, "old": []}
+    wrongs = ([], 7, "text", None, {}, {"seal": "none"}, {**right, "new": {}}, {**right, "old": None}, {**right, "seal": 3},
+              {**right, "more": 1}, {**right, "new": [7]}, {**right, "new": ["one"]}, {**right, "new": [{"name": "one"}]},
+              *({**right, "new": [{**rows[0], **change}]} for change in (
+                  {"size": -1}, {"size": "1"}, {"size": 1.5}, {"size": None}, {"size": 1e300}, {"digest": ""}, {"digest": "sha256:"},
+                  {"digest": None}, {"digest": ROW["digest"].upper()}, {"digest": ROW["digest"] + "\n"}, {"digest": "md5:" + "0" * 32},
+                  {"more": 1})))
+    for number, wrong in enumerate((*wrongs, "{", "", "[" * 100000, "\ufeff")):
+        arguments = (PAGE, EXPORT, RENDER, WRITE, MEASURE, EDIT)[number % 6]
+        yield _case(f"a journal of {json.dumps(wrong)[:40]}", lambda r, mine, wrong=wrong: _move(r, wrong, ["one"]), arguments, ".waft-move")
+
+
+def _manifests():
+    seals = (("report.json", WRITE), ("page.json", PAGE), ("export-glb.json", EXPORT), ("pictures.json", RENDER),
+             ("takes.json", ["takes", "scene.waft.json", "--seeds", "1", "--output", "r"]))
+    for seal, arguments in seals:
+        for name in LEADING if seal == "page.json" else LEADING[:10] if seal == "report.json" else LEADING[5:7]:
+            def change(r, mine, seal=seal, name=name):
+                content = json.loads((r / seal).read_text(encoding="utf-8")) if seal == "report.json" else {"manifest": []}
+                content["manifest"].append({"name": _named(name, mine), **ROW})
+                _write(r / seal, content)
+            if seal != "pictures.json" or ".." in name:  # only what is drawn anew is replaced: of others nothing is done
+                yield _case(f"a manifest of {seal} names {name!r}", change, arguments, has_links=True)
+        own = {"page.json": "page.html", "export-glb.json": "scene.glb", "pictures.json": "frames/side_0000.png"}.get(seal, "thesis.txt")
+        rows = ({"size": -1, "digest": ""}, {"size": len(TEXT), "digest": ""}, {"size": -1, "digest": ROW["digest"]}, {},
+                {"digest": ROW["digest"]}, {"size": True, "digest": ROW["digest"]}, {**ROW, "more": 1})
+        for number, row in enumerate(rows):
+            for name in {own, "thesis.txt"} if number == 0 else {own}:
+                def bare(r, mine, seal=seal, row=row, name=name):
+                    content = json.loads((r / seal).read_text(encoding="utf-8")) if seal == "report.json" else {"manifest": []}
+                    content["manifest"].append({"name": name, **row})
+                    _write(r / seal, content)
+                    _write(r / name, TEXT.decode())
+                yield _case(f"a manifest of {seal} with {name}, {row}", bare, arguments, seal)
+
+
+def _names_in_files():
+    """A collection, a file of blocks and a picture's name, which others open."""
+    out = [name for name in LEADING if isinstance(name, str) and "\0" not in name and name != ""]
+    for name in (*out, "none.vtp", "thesis.txt"):
+        def steps(r, mine, name=name, series="obstacles"):
+            path = _named(name, mine)
+            _write(r / f"{series}.pvd", f'<VTKFile><Collection><DataSet timestep="0" file="{path}"/></Collection></VTKFile>')
+        yield _case(f"obstacles.pvd names {name!r}", steps, (PAGE, RENDER, EXPORT)[len(name) % 3], has_links=True)
+        yield _case(f"air.pvd names {name!r}", lambda r, mine, steps=steps: steps(r, mine, series="air"), MEASURE, has_links=True)
+
+        def blocks(r, mine, name=name):
+            text = (r / "shapes.vtm").read_text(encoding="utf-8")
+            assert 'file="shapes/shapes_0.vtp"' in text
+            shutil.copy(r / "shapes" / "shapes_0.vtp", mine / "thesis.txt")
+            _write(r / "shapes.vtm", text.replace("shapes/shapes_0.vtp", _named(name, mine)))
+        yield _case(f"shapes.vtm names {name!r}", blocks, RENDER, has_links=True)
+
+        def picture(r, mine, name=name):
+            from waft.files import write_xml
+            from waft.reading import read_blocks
+
+            shapes = read_blocks(str(r / "shapes.vtm"))
+            shapes.GetBlock(0).GetFieldData().GetAbstractArray("Texture").SetValue(0, _named(name, mine))
+            write_xml(shapes, r / "shapes.vtm")
+        if name in out:
+            yield _case(f"a texture is {name!r}", picture, RENDER, "shapes.vtm", "Texture", has_links=True)
+
+    def entity(r, mine):
+        text = (r / "shapes.vtm").read_text(encoding="utf-8").replace("shapes/shapes_0.vtp", "&up;/mine/thesis.txt")
+        _write(r / "shapes.vtm", text.replace("?>\n", '?>\n<!DOCTYPE VTKFile [<!ENTITY up "..">]>\n', 1))
+    yield _case("shapes.vtm leads out by an entity", entity, RENDER)
+
+
+def _pipe(path, _mine):
+    os.mkfifo(path)
+
+
+def _socket(path, _mine):
+    here = os.getcwd()
+    os.chdir(path.parent)  # names of sockets are short
+    with socket.socket(socket.AF_UNIX) as end:
+        end.bind(path.name)
+    os.chdir(here)
+
+
+KINDS = {"a pipe": _pipe, "a socket": _socket, "a link to a device": lambda path, mine: path.symlink_to("/dev/zero"),
+         "a link to a file": lambda path, mine: path.symlink_to(mine / "thesis.txt"), "a link to a folder": lambda path, mine: path.symlink_to(mine),
+         "a link to nothing": lambda path, mine: path.symlink_to(mine / "new.txt"), "a link to itself": lambda path, mine: path.symlink_to(path.name),
+         "a folder": lambda path, mine: path.mkdir()}
+
+
+def _kinds():
+    """Something else where a file of results, or one of Waft's own, would be."""
+    read = {"poses.vtp": (PAGE, RENDER, EXPORT), "optimized.vtp": (MEASURE,), "objects.vtp": (MEASURE, RENDER), "constraints.vtp": (PAGE, MEASURE),
+            "constraints.csv": (PAGE,), "report.json": (PAGE, WRITE), "animation.glb": (PAGE, EXPORT), "planned.vtp": (PAGE,), "shapes.vtm": (RENDER,),
+            "shapes/shapes_0.vtp": (RENDER,), "obstacles.pvd": (PAGE, RENDER), "air.pvd": (MEASURE,), "assimilated.state": (EDIT,),
+            "page.json": (PAGE,), "page.html": (PAGE,), "export-glb.json": (EXPORT,), "scene.glb": (EXPORT,), "pictures.json": (RENDER,),
+            "frames/side_0000.png": (RENDER,), "checkpoint": (WRITE,), "checkpoint/key": (WRITE,), "checkpoint/assimilation.state": (WRITE,),
+            ".waft-move": (PAGE, MEASURE, EDIT), ".waft-move/journal.json": (PAGE, MEASURE), ".waft-put": (RENDER, PAGE)}
+    for number, (name, commands) in enumerate(read.items()):
+        for place, (kind, make) in enumerate(KINDS.items()):
+            if (number + place) % 2 and name != "report.json" or (kind == "a folder" and name in (".waft-move", "checkpoint")):
+                continue  # each kind meets half of the names
+            def change(r, mine, name=name, make=make):
+                path = r / name
+                path.parent.mkdir(exist_ok=True)
+                if name == "frames/side_0000.png":
+                    os.environ["DISPLAY"] = ":nowhere"  # asked for before it is used
+                if path.is_dir():
+                    shutil.rmtree(path)
+                path.unlink(missing_ok=True)
+                make(path, mine)
+            yield _case(f"{name} is {kind}", change, commands[(number + place) // 2 % len(commands)], name.split("/")[0])
+
+    for name in ("frames", "shapes", "air"):
+        def linked(r, mine, name=name):
+            if (r / name).is_dir():
+                shutil.copytree(r / name, mine / name, symlinks=True)
+                shutil.rmtree(r / name)
+            else:
+                (mine / name).mkdir()
+            (r / name).symlink_to(mine / name)
+            os.environ["DISPLAY"] = ":nowhere"
+        yield _case(f"the folder {name} is a link", linked, {"frames": RENDER, "shapes": RENDER, "air": MEASURE}[name], name)
+
+    def take(r, mine):
+        (r / "take-0001").symlink_to(mine)
+    yield _case("a take's folder is a link", take, ["takes", "scene.waft.json", "--seeds", "1", "--output", "r"], "take-0001")
+
+    def temporary(r, mine):
+        from waft.temporary import temporary_name
+
+        (r / temporary_name()).symlink_to(mine)
+        (r / temporary_name()).mkdir()
+        (next(r.glob(".waft-*"))).is_symlink()
+        for folder in r.glob(".waft-*"):
+            if not folder.is_symlink():
+                (folder / "link").symlink_to(mine)
+        (r / "report.json").write_text("{", encoding="utf-8")
+    yield _case("temporary folders that are and hold links", temporary, MEASURE, "report.json")
+
+
+def _puts():
+    """The log of pictures that were put in one by one."""
+    for wrong in ("7\n", "{}\n", "[]\n", '{"seal": 7}\n', '{"seal": "pictures.json", "more": 1}\n', "text\n", "{\n",
+                  *('{"seal": "pictures.json"}\n' + json.dumps(row) + "\n" for row in (
+                      {"name": "thesis.txt", "size": -1, "digest": ""}, {"name": "link/thesis.txt"}, {"name": "../mine/thesis.txt", **ROW}, 7))):
+        yield _case(f".waft-put of {wrong!r}", lambda r, mine, wrong=wrong: _write(r / ".waft-put", wrong), RENDER, ".waft-put")
+
+
+def cases():
+    yield from _names_of_journals()
+    yield from _contents_of_journals()
+    yield from _manifests()
+    yield from _names_in_files()
+    yield from _kinds()
+    yield from _puts()
