@@ -4,8 +4,9 @@
 #include <cerrno>
 #include <cstring>
 #include <deque>
+#include <fcntl.h>
 #include <filesystem>
-
+#include <random>
 #include <unistd.h>
 
 namespace waft
@@ -43,10 +44,7 @@ Result WritePart(PartFile& part, const std::string& bytes)
 
 } // namespace
 
-PartFile::PartFile(const std::string& path) :
-  Path(path), Part(path + ".part" + std::to_string(::getpid()))
-{
-}
+PartFile::PartFile(const std::string& path) : Path(path) {}
 
 PartFile::~PartFile()
 {
@@ -54,10 +52,37 @@ PartFile::~PartFile()
   {
     std::fclose(this->File);
   }
-  if (!this->IsInPlace)
+  if (this->IsMade && !this->IsInPlace)
   {
     std::remove(this->Part.c_str());
   }
+}
+
+const std::string& PartFile::Name()
+{
+  this->Make();
+  return this->Part;
+}
+
+bool PartFile::Make()
+{
+  std::random_device chance;
+  while (!this->IsMade)
+  {
+    this->Part = this->Path + ".part" + std::to_string(chance());
+    constexpr int flags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+    const int made = ::open(this->Part.c_str(), flags, 0666);
+    this->IsMade = made >= 0;
+    if (this->IsMade)
+    {
+      ::close(made);
+    }
+    else if (errno != EEXIST)
+    {
+      return this->Fail();
+    }
+  }
+  return true;
 }
 
 bool PartFile::Fail()
@@ -76,6 +101,10 @@ Result PartFile::Failure() const
 
 bool PartFile::Open()
 {
+  if (!this->Make())
+  {
+    return false;
+  }
   this->File = std::fopen(this->Part.c_str(), "wb");
   return this->File != nullptr || this->Fail();
 }
@@ -113,10 +142,15 @@ Result PartFile::Close()
 
 Result PartFile::PutInPlace()
 {
+  if (!this->IsMade)
+  {
+    errno = ENOENT;
+    this->Fail();
+    return this->Failure();
+  }
   if (std::rename(this->Part.c_str(), this->Path.c_str()) != 0)
   {
     this->Fail();
-    std::remove(this->Part.c_str());
     return this->Failure();
   }
   this->IsInPlace = true;

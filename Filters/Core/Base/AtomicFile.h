@@ -11,9 +11,10 @@
 namespace waft
 {
 
-/// A file on its way to its place: written under a name of its own beside it, then renamed over it.
-/// Until then what stood there before is untouched; without that nothing is left behind. Errors
-/// name the path and the system's reason.
+/// A file on its way to its place: written under a name of its own beside it, `PATH.part` and a
+/// number by chance, which nothing had before, then renamed over it. Until then what stood there
+/// before is untouched; without that nothing is left behind. Errors name the path and the system's
+/// reason.
 class PartFile
 {
 public:
@@ -22,9 +23,9 @@ public:
   PartFile(const PartFile&) = delete;
   void operator=(const PartFile&) = delete;
 
-  /// Where it is written, for libraries that open their files themselves. Others call Open, Write
-  /// and Close.
-  const std::string& Name() const { return this->Part; }
+  /// Where it is written, for libraries that open their files themselves: an empty file, unless it
+  /// cannot be made. Others call Open, Write and Close.
+  const std::string& Name();
   bool Open();
   /// After an Open that was true.
   bool Write(const void* bytes, std::size_t size);
@@ -33,11 +34,13 @@ public:
   Result PutInPlace();
 
 private:
+  bool Make();
   bool Fail();
   Result Failure() const;
 
   std::string Path, Part;
   std::FILE* File = nullptr;
+  bool IsMade = false;
   int Reason = 0; // of the first failure
   bool IsInPlace = false;
 };

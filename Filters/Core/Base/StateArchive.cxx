@@ -2,6 +2,9 @@
 #include "Base/StateArchive.h"
 
 #include <algorithm>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace waft
 {
@@ -33,7 +36,17 @@ Result StateFileWriter::Commit()
 
 StateFileReader::StateFileReader(const std::string& path)
 {
-  this->File = std::fopen(path.c_str(), "rb");
+  // Without O_NONBLOCK a pipe that nobody writes to would be waited for.
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  struct stat status = {};
+  if (file >= 0 && (::fstat(file, &status) != 0 || !S_ISREG(status.st_mode)))
+  {
+    ::close(file);
+  }
+  else if (file >= 0)
+  {
+    this->File = ::fdopen(file, "rb");
+  }
   long size = -1;
   if (this->File != nullptr && std::fseek(this->File, 0, SEEK_END) == 0)
   {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <unistd.h>
 
 using namespace waft;
 namespace fs = std::filesystem;
@@ -83,4 +84,28 @@ TEST(PartFile, LeavesNothingUntilItIsInPlace)
   PartFile nowhere(temporary.File("none/a"));
   EXPECT_FALSE(nowhere.Open());
   EXPECT_NE(nowhere.Close().Message().find("No such file"), std::string::npos);
+}
+
+TEST(PartFile, TakesNoNameThatIsThere)
+{
+  const test::TemporaryFolder temporary;
+  const std::string path = temporary.File("whole");
+  const std::string precious = temporary.File("precious");
+  ASSERT_TRUE(WriteWholeFile(precious, "mine"));
+  for (const std::string& name : { path + ".part", path + ".part" + std::to_string(::getpid()) })
+  {
+    fs::create_symlink(precious, name);
+  }
+  PartFile one(path);
+  PartFile other(path);
+  ASSERT_TRUE(one.Open());
+  ASSERT_TRUE(other.Open());
+  EXPECT_NE(one.Name(), other.Name());
+  EXPECT_TRUE(one.Write("one", 3));
+  EXPECT_TRUE(one.Close());
+  EXPECT_TRUE(one.PutInPlace());
+  EXPECT_EQ(fs::file_size(precious), 4u);
+  EXPECT_FALSE(fs::is_symlink(path));
+  EXPECT_TRUE(fs::is_symlink(path + ".part"));
+  EXPECT_FALSE(PartFile(temporary.File("never")).PutInPlace());
 }

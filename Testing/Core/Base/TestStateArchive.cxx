@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sys/stat.h>
 
 using namespace waft;
 namespace fs = std::filesystem;
@@ -98,6 +99,9 @@ TEST(StateArchive, SeesDamageAndBelievesNoNumberOfElements)
   EXPECT_FALSE(IsWholeStateFile(path));
   EXPECT_FALSE(IsWholeStateFile(path + "none"));
   EXPECT_FALSE(StateFileReader(path + "none").IsGood());
+  ASSERT_EQ(::mkfifo((path + "pipe").c_str(), 0600), 0);
+  EXPECT_FALSE(StateFileReader(path + "pipe").IsGood()); // is not waited for
+  EXPECT_FALSE(StateFileReader("/dev/zero").IsGood());
 }
 
 TEST(StateArchive, LeavesTheOldFileUntilTheNewOneIsWhole)
