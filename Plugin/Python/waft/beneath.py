@@ -164,13 +164,22 @@ class Folder:
         return rows_of(self.text(name, what=what), self.path / name, what)
 
     def steps(self, name):
-        """[(time in seconds, name of a file)] of a ParaView collection."""
-        return steps_of(self.text(name, _MOST_NAMES, "a collection"), self.path / name)
+        """[(time in seconds, name of a file)] of a ParaView collection; the files are there or not."""
+        steps = steps_of(self.text(name, _MOST_NAMES, "a collection"), self.path / name)
+        self._check_named(name, (inner for _, inner in steps))
+        return steps
 
     def check_blocks(self, name):
         """Raises BadInput where a .vtm names anything but files below the folder, be they there or not."""
-        for inner in blocks_of(self.text(name, _MOST_NAMES, "a file of blocks"), self.path / name):
-            self.is_file(inner)
+        self._check_named(name, blocks_of(self.text(name, _MOST_NAMES, "a file of blocks"), self.path / name))
+
+    def _check_named(self, name, named):
+        """Looks at what a file names."""
+        for inner in named:
+            try:
+                self.is_file(inner)
+            except BadInput as error:
+                raise BadInput(f"{self.path / name}: {error}") from error
 
     def file(self, name, what="a file"):
         """The path of a file, for a library to open."""

@@ -7,7 +7,8 @@ import re
 
 from paraview import simple
 
-from waft import failures
+from waft import failures, reading
+from waft.beneath import Folder
 from waft.files import table_rows, write_csv, write_xml
 from waft.loading import set_threads
 from waft.results import Busy, ResultPlace
@@ -55,6 +56,14 @@ def settle_database(path):
                 pass
         except Busy:
             pass
+
+
+def check_database(path):
+    """Raises BadInput unless a file is a motion database, whose blocks are files beside it that no link leads to, by its structure."""
+    if os.path.isfile(path):
+        own = pathlib.Path(os.path.realpath(path))  # it may be linked itself, as files of an installed tree are
+        Folder(own.parent).check_blocks(own.name)
+    reading.check_blocks(path, "motion database")
 
 
 def _check_kept(kept):

@@ -3,7 +3,7 @@
 from paraview import servermanager, simple
 
 from waft import reading
-from waft.database import settle_database
+from waft.database import check_database, settle_database
 from waft.failures import BadInput
 from waft.loading import data_file
 from waft.watching import StageWatch
@@ -22,7 +22,7 @@ class Pipeline:
         self.scene_file = str(scene)
         self.database_file = str(database or data_file("Database/embedded.vtm"))
         settle_database(self.database_file)
-        reading.check_blocks(self.database_file, "motion database")
+        check_database(self.database_file)
         self._stages = []  # all proxies that were made, in order
         self.reader = self._add(simple.MotionSceneReader(registrationName="Scene"))  # the file once it is watched
         self.reader.OnEveryRank = servermanager.vtkProcessModule.GetProcessModule().GetSymmetricMPIMode()
