@@ -156,6 +156,9 @@ class Worker:
 def main(first, step, groups, pattern):
     import waft.cli  # noqa: F401 (each fork has them then)
     import waft.database  # noqa: F401
+    import waft.exporting  # noqa: F401
+    import waft.measuring  # noqa: F401
+    import waft.page  # noqa: F401
     import waft.pipeline  # noqa: F401
     import waft.render  # noqa: F401
     import waft.synthesis  # noqa: F401

@@ -65,6 +65,8 @@ class Folder:
         except NotADirectoryError as error:
             about = os.stat(part, dir_fd=descriptor, follow_symlinks=False)
             raise BadInput(f"{self.path.joinpath(*way)}: expected a folder, found {found_in_words(about)}") from error
+        except PermissionError as error:
+            raise BadInput(f"{self.path.joinpath(*way)}: expected a folder that may be read: {error.strerror}") from error
         os.close(descriptor)
         return inner
 

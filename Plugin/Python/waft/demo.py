@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The embedded scenes, start to finish, with pictures and pages."""
+import os
 import pathlib
 
 from waft import failures
+from waft.beneath import Folder
 from waft.loading import data_file
 from waft.synthesis import synthesize, tell
 from waft.texts import say, warn
@@ -20,6 +22,8 @@ def run_demo(folder, threads=None):
     pages = []
     for name in SCENES:
         target = pathlib.Path(folder) / name
+        if os.path.isdir(folder):
+            Folder(folder).is_folder(name)  # raises of a link, which would lead elsewhere
         say(f"{name}: planning, optimising, turning ...")
         run = synthesize(data_file(f"Scenes/{name}.waft.json"), output=target, threads=threads, quiet=False,
                          quality="assimilated")
