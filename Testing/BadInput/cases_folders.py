@@ -15,8 +15,9 @@ PAGE, EXPORT, RENDER, MEASURE = ["page", "r"], ["export", "r"], ["render", "r", 
 WRITE = synthesize("scene.waft.json", "r")
 EDIT = [*synthesize("scene.waft.json", "new"), "--edit-of", "r"]
 # What a name may be that leads out, by way of r/link, r/shapes/link or r/shapes/deep/link, which lead to the user's folder.
-LEADING = ("link/thesis.txt", "link/new.txt", "link/deep/new.txt", "shapes/link/thesis.txt", "shapes/deep/link/thesis.txt", "thesis-link",
-           "../mine/thesis.txt", "shapes/../../mine/thesis.txt", "./../mine/thesis.txt", "{mine}/thesis.txt", "//{mine}/thesis.txt",
+LEADING = ("link/thesis.txt", "link/new.txt", "link/deep/new.txt", "shapes/link/thesis.txt", "shapes/deep/link/thesis.txt",
+           "thesis-link", "../mine/thesis.txt", "shapes/../../mine/thesis.txt", "./../mine/thesis.txt", "{mine}/thesis.txt",
+           "//{mine}/thesis.txt",
            "link/../mine/thesis.txt", "", "/", ".", "..", "a\0b", "a/" * 200 + "b", "x" * 300, 7, None, ["a"], {"a": 1})
 
 
@@ -68,8 +69,8 @@ def _names_of_journals():
                 inner = name if isinstance(name, str) and re.fullmatch(r"\w+(/[\w.]+)+", name) and len(name) < 99 else "one"
                 _move(r, {"seal": "report.json", "new": [], "old": [], which: [{"name": _named(name, mine), **ROW}]}, [inner])
                 (r / "one").write_bytes(TEXT)
-            yield _case(f"a journal whose {which} file is {name!r}", change, (PAGE, MEASURE, EXPORT)[(number + (which == "new")) % 3],
-                        ".waft-move", has_links=True)
+            arguments = (PAGE, MEASURE, EXPORT)[(number + (which == "new")) % 3]
+            yield _case(f"a journal whose {which} file is {name!r}", change, arguments, ".waft-move", has_links=True)
 
 
 def _contents_of_journals():
@@ -78,12 +79,15 @@ def _contents_of_journals():
     wrongs = ([], 7, "text", None, {}, {"seal": "none"}, {**right, "new": {}}, {**right, "old": None}, {**right, "seal": 3},
               {**right, "more": 1}, {**right, "new": [7]}, {**right, "new": ["one"]}, {**right, "new": [{"name": "one"}]},
               *({**right, "new": [{**rows[0], **change}]} for change in (
-                  {"size": -1}, {"size": "1"}, {"size": 1.5}, {"size": None}, {"size": 1e300}, {"digest": ""}, {"digest": "sha256:"},
-                  {"digest": None}, {"digest": ROW["digest"].upper()}, {"digest": ROW["digest"] + "\n"}, {"digest": "md5:" + "0" * 32},
+                  {"size": -1}, {"size": "1"}, {"size": 1.5}, {"size": None}, {"size": 1e300}, {"digest": ""},
+                  {"digest": "sha256:"},
+                  {"digest": None}, {"digest": ROW["digest"].upper()}, {"digest": ROW["digest"] + "\n"},
+                  {"digest": "md5:" + "0" * 32},
                   {"more": 1})))
     for number, wrong in enumerate((*wrongs, "{", "", "[" * 100000, "\ufeff")):
         arguments = (PAGE, EXPORT, RENDER, WRITE, MEASURE, EDIT)[number % 6]
-        yield _case(f"a journal of {json.dumps(wrong)[:40]}", lambda r, mine, wrong=wrong: _move(r, wrong, ["one"]), arguments, ".waft-move")
+        yield _case(f"a journal of {json.dumps(wrong)[:40]}", lambda r, mine, wrong=wrong: _move(r, wrong, ["one"]), arguments,
+                    ".waft-move")
 
 
 def _manifests():
@@ -97,7 +101,8 @@ def _manifests():
                 _write(r / seal, content)
             if seal != "pictures.json" or ".." in name:  # only what is drawn anew is replaced: of others nothing is done
                 yield _case(f"a manifest of {seal} names {name!r}", change, arguments, has_links=True)
-        own = {"page.json": "page.html", "export-glb.json": "scene.glb", "pictures.json": "frames/side_0000.png"}.get(seal, "thesis.txt")
+        own = {"page.json": "page.html", "export-glb.json": "scene.glb", "pictures.json": "frames/side_0000.png"}
+        own = own.get(seal, "thesis.txt")
         rows = ({"size": -1, "digest": ""}, {"size": len(TEXT), "digest": ""}, {"size": -1, "digest": ROW["digest"]}, {},
                 {"digest": ROW["digest"]}, {"size": True, "digest": ROW["digest"]}, {**ROW, "more": 1})
         for number, row in enumerate(rows):
@@ -117,8 +122,10 @@ def _names_in_files():
         def steps(r, mine, name=name, series="obstacles"):
             path = _named(name, mine)
             _write(r / f"{series}.pvd", f'<VTKFile><Collection><DataSet timestep="0" file="{path}"/></Collection></VTKFile>')
-        yield _case(f"obstacles.pvd names {name!r}", steps, (PAGE, RENDER, EXPORT)[len(name) % 3], "obstacles.pvd" if name in out else "", has_links=True)
-        yield _case(f"air.pvd names {name!r}", lambda r, mine, steps=steps: steps(r, mine, series="air"), MEASURE, "air.pvd" if name in out else "", has_links=True)
+        yield _case(f"obstacles.pvd names {name!r}", steps, (PAGE, RENDER, EXPORT)[len(name) % 3],
+                    "obstacles.pvd" if name in out else "", has_links=True)
+        yield _case(f"air.pvd names {name!r}", lambda r, mine, steps=steps: steps(r, mine, series="air"), MEASURE,
+                    "air.pvd" if name in out else "", has_links=True)
 
         def blocks(r, mine, name=name):
             text = (r / "shapes.vtm").read_text(encoding="utf-8")
@@ -141,8 +148,8 @@ def _names_in_files():
         def database(folder, results, name=name):
             from waft.loading import data_file
 
-            inner = _make(lambda r, mine: shutil.copytree(os.path.dirname(data_file("Database/embedded.vtm")), r / "base"), [], True)
-            inner(folder, results)
+            _make(lambda r, mine: shutil.copytree(os.path.dirname(data_file("Database/embedded.vtm")), r / "base"), [], True)(
+                folder, results)
             path = folder / "r" / "base" / "embedded.vtm"
             path.rename(folder / "r" / "base.vtm")
             text = (folder / "r" / "base.vtm").read_text(encoding="utf-8")
@@ -170,18 +177,25 @@ def _socket(path, _mine):
 
 
 KINDS = {"a pipe": _pipe, "a socket": _socket, "a link to a device": lambda path, mine: path.symlink_to("/dev/zero"),
-         "a link to a file": lambda path, mine: path.symlink_to(mine / "thesis.txt"), "a link to a folder": lambda path, mine: path.symlink_to(mine),
-         "a link to nothing": lambda path, mine: path.symlink_to(mine / "new.txt"), "a link to itself": lambda path, mine: path.symlink_to(path.name),
+         "a link to a file": lambda path, mine: path.symlink_to(mine / "thesis.txt"),
+         "a link to a folder": lambda path, mine: path.symlink_to(mine),
+         "a link to nothing": lambda path, mine: path.symlink_to(mine / "new.txt"),
+         "a link to itself": lambda path, mine: path.symlink_to(path.name),
          "a folder": lambda path, mine: path.mkdir()}
 
 
 def _kinds():
     """Something else where a file of results, or one of Waft's own, would be."""
-    read = {"poses.vtp": (PAGE, RENDER, EXPORT), "optimized.vtp": (MEASURE,), "objects.vtp": (MEASURE, RENDER), "constraints.vtp": (PAGE, MEASURE),
-            "constraints.csv": (PAGE,), "report.json": (PAGE, WRITE), "animation.glb": (PAGE, EXPORT), "planned.vtp": (PAGE,), "shapes.vtm": (RENDER,),
-            "shapes/shapes_0.vtp": (RENDER,), "obstacles.pvd": (PAGE, RENDER), "air.pvd": (MEASURE,), "assimilated.state": (EDIT,),
-            "page.json": (PAGE,), "page.html": (PAGE,), "export-glb.json": (EXPORT,), "scene.glb": (EXPORT,), "pictures.json": (RENDER,),
-            "frames/side_0000.png": (RENDER,), "checkpoint": (WRITE,), "checkpoint/key": (WRITE,), "checkpoint/assimilation.state": (WRITE,),
+    read = {"poses.vtp": (PAGE, RENDER, EXPORT), "optimized.vtp": (MEASURE,), "objects.vtp": (MEASURE, RENDER),
+            "constraints.vtp": (PAGE, MEASURE),
+            "constraints.csv": (PAGE,), "report.json": (PAGE, WRITE), "animation.glb": (PAGE, EXPORT), "planned.vtp": (PAGE,),
+            "shapes.vtm": (RENDER,),
+            "shapes/shapes_0.vtp": (RENDER,), "obstacles.pvd": (PAGE, RENDER), "air.pvd": (MEASURE,),
+            "assimilated.state": (EDIT,),
+            "page.json": (PAGE,), "page.html": (PAGE,), "export-glb.json": (EXPORT,), "scene.glb": (EXPORT,),
+            "pictures.json": (RENDER,),
+            "frames/side_0000.png": (RENDER,), "checkpoint": (WRITE,), "checkpoint/key": (WRITE,),
+            "checkpoint/assimilation.state": (WRITE,),
             ".waft-move": (PAGE, MEASURE, EDIT), ".waft-move/journal.json": (PAGE, MEASURE), ".waft-put": (RENDER, PAGE)}
     for number, (name, commands) in enumerate(read.items()):
         for place, (kind, make) in enumerate(KINDS.items()):
@@ -230,7 +244,8 @@ def _puts():
     """The log of pictures that were put in one by one."""
     for wrong in ("7\n", "{}\n", "[]\n", '{"seal": 7}\n', '{"seal": "pictures.json", "more": 1}\n', "text\n", "{\n",
                   *('{"seal": "pictures.json"}\n' + json.dumps(row) + "\n" for row in (
-                      {"name": "thesis.txt", "size": -1, "digest": ""}, {"name": "link/thesis.txt"}, {"name": "../mine/thesis.txt", **ROW}, 7))):
+                      {"name": "thesis.txt", "size": -1, "digest": ""}, {"name": "link/thesis.txt"},
+                      {"name": "../mine/thesis.txt", **ROW}, 7))):
         yield _case(f".waft-put of {wrong!r}", lambda r, mine, wrong=wrong: _write(r / ".waft-put", wrong), RENDER, ".waft-put")
 
 

@@ -20,7 +20,8 @@ from waft.beneath import Folder, parts_of  # noqa: E402
 from waft.failures import BadInput  # noqa: E402
 
 # Names that lead out of it, or nowhere.
-OUT = ("", "/", "/etc/passwd", "//a", ".", "..", "../mine/a", "in/../../mine/a", "a\0b", "x" * 256, "a/" * 70 + "b", None, 7, b"a", ["a"])
+OUT = ("", "/", "/etc/passwd", "//a", ".", "..", "../mine/a", "in/../../mine/a", "a\0b", "x" * 256, "a/" * 70 + "b", None, 7,
+       b"a", ["a"])
 
 
 class Below(unittest.TestCase):
@@ -57,8 +58,10 @@ class Below(unittest.TestCase):
         """{what is done: of a name}, all that there is."""
         folder = self.folder
         return {"about": folder.about, "is_file": folder.is_file, "is_folder": folder.is_folder, "names": folder.names,
-                "everything": folder.everything, "open": folder.open, "stream": folder.stream, "bytes": folder.bytes, "text": folder.text,
-                "json": folder.json, "rows": folder.rows, "steps": folder.steps, "check_blocks": folder.check_blocks, "file": folder.file,
+                "everything": folder.everything, "open": folder.open, "stream": folder.stream, "bytes": folder.bytes,
+                "text": folder.text,
+                "json": folder.json, "rows": folder.rows, "steps": folder.steps, "check_blocks": folder.check_blocks,
+                "file": folder.file,
                 "found": folder.found, "below": folder.below, "new_stream": folder.new_stream, "make_folder": folder.make_folder,
                 "make_new_folder": folder.make_new_folder, "remove": folder.remove,
                 "move away": lambda name: folder.move(name, folder, "b"), "move to": lambda name: folder.move("a", folder, name),
@@ -87,7 +90,8 @@ class Below(unittest.TestCase):
     def test_what_is_no_file_is_not_read(self):
         for place in ("", "in/", "in/deep/"):
             for name in ("link", "file", "lost", "around", "pipe", "socket", "device"):
-                for act in ("is_file", "open", "stream", "bytes", "text", "json", "rows", "steps", "check_blocks", "file", "found"):
+                for act in ("is_file", "open", "stream", "bytes", "text", "json", "rows", "steps", "check_blocks", "file",
+                            "found"):
                     with self.subTest(act, name=place + name), self.assertRaises(BadInput) as caught:
                         self.acts()[act](place + name)
                     self.assertIn(str(self.path / f"{place}{name}"), str(caught.exception))

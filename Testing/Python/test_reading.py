@@ -27,7 +27,8 @@ def make_kinds(folder):
         (folder / name).symlink_to(target)
     with socket.socket(socket.AF_UNIX) as end:
         end.bind(str(folder / "socket"))
-    return {"a pipe": folder / "pipe", "a folder": folder / "folder", "a device": folder / "endless", "device": folder / "nothing",
+    return {"a pipe": folder / "pipe", "a folder": folder / "folder", "a device": folder / "endless",
+            "device": folder / "nothing",
             "No such file": folder / "lost", "Too many levels": folder / "circle", "pipe": folder / "linked",
             "No such device": folder / "socket", "File name too long": folder / ("x" * 300), "null": folder / "a\0b"}
 
@@ -46,7 +47,8 @@ class Reading(unittest.TestCase):
 
     def test_what_is_no_file_is_refused(self):
         for found, path in make_kinds(self.folder).items():
-            for read in (reading.read_bytes, reading.read_text, reading.read_json, reading.read_rows, reading.open_stream, Scene.load):
+            for read in (reading.read_bytes, reading.read_text, reading.read_json, reading.read_rows, reading.open_stream,
+                         Scene.load):
                 with self.subTest(found, read=read.__name__):
                     self.refused(read, path, path.name[:5] if "\0" not in path.name else "a", found, "expected")
             self.assertIsNone(reading.found_json(path))
@@ -78,7 +80,8 @@ class Reading(unittest.TestCase):
     def test_a_collection_has_times_and_names(self):
         text = '<VTKFile><Collection><DataSet timestep="{}" file="b"/><DataSet timestep="0.5" file="a"/></Collection></VTKFile>'
         self.assertEqual([(0.5, "a"), (1.0, "b")], reading.steps_of(text.format("1"), "x.pvd"))
-        for wrong in (text.format("x"), text.format("nan"), text.format("inf"), text.replace('file="b"', ""), text.replace('file="b"', 'file=""'),
+        for wrong in (text.format("x"), text.format("nan"), text.format("inf"), text.replace('file="b"', ""),
+                      text.replace('file="b"', 'file=""'),
                       text[:50], "", text.replace('timestep="{}"', "")):
             self.refused(lambda text: reading.steps_of(text, "x.pvd"), wrong, "x.pvd: not a collection")
 
@@ -86,10 +89,12 @@ class Reading(unittest.TestCase):
         kinds = make_kinds(self.folder)
         Scene().save(self.folder / "s.waft.json")
         for name in ("a pipe", "a device", "device", "pipe"):
-            for command in (["new", "n.waft.json", "--path", kinds[name]], ["takes", kinds[name], "--seeds", "1", "--output", "t"]):
+            for command in (["new", "n.waft.json", "--path", kinds[name]],
+                            ["takes", kinds[name], "--seeds", "1", "--output", "t"]):
                 with self.subTest(name, command=command[0]):
                     done = subprocess.run([WAFT, *command], cwd=self.folder, capture_output=True, text=True, timeout=60)
-                    self.assertEqual((2, "a " + name.removeprefix("a ")), (done.returncode, done.stderr.strip().rpartition("found ")[2]))
+                    found = done.stderr.strip().rpartition("found ")[2]
+                    self.assertEqual((2, "a " + name.removeprefix("a ")), (done.returncode, found))
         self.assertFalse((self.folder / "n.waft.json").exists() or (self.folder / "t").exists())
 
 

@@ -327,7 +327,8 @@ class Strangers(Base):
             stream.write(b'{"name": "fra')  # cut in the middle of a row
         draw("fourth", None, names[1:])
         self.assertEqual(["third", "fourth", "fourth", "fourth"], [self.texts()[name] for name in names])
-        self.assertEqual(names, sorted(row["name"] for row in json.loads((self.out / "pictures.json").read_text(encoding="utf-8"))["manifest"]))
+        rows = json.loads((self.out / "pictures.json").read_text(encoding="utf-8"))["manifest"]
+        self.assertEqual(names, sorted(row["name"] for row in rows))
 
     def test_a_picture_that_came_meanwhile_stays(self):
         name = "frames/side_0000.png"
@@ -355,7 +356,8 @@ class Strangers(Base):
                 self.put("thesis.txt")
                 self.put("air.vtm.kept/.waft-move/new/" + name.rpartition("/")[2])
                 row = {"name": name, **self.MINE}
-                self.put("air.vtm.kept/.waft-move/journal.json", json.dumps({"seal": "air/manifest.json", "new": [row], "old": []}))
+                journal = {"seal": "air/manifest.json", "new": [row], "old": []}
+                self.put("air.vtm.kept/.waft-move/journal.json", json.dumps(journal))
                 before = manifest_of(self.out)
                 with self.assertRaises(BadInput):
                     settle_database(self.out / "air.vtm")

@@ -48,7 +48,8 @@ class InFolder(unittest.TestCase):
         (self.folder / "empty").touch()
         os.mkfifo(self.folder / "pipe")
         (self.folder / "folder").mkdir()
-        for name, target in (("link", "precious"), ("lost", "nowhere"), ("device", "/dev/null"), ("endless", "/dev/zero"), ("circle", "circle"),
+        for name, target in (("link", "precious"), ("lost", "nowhere"), ("device", "/dev/null"), ("endless", "/dev/zero"),
+                             ("circle", "circle"),
                              ("linked", "folder")):
             (self.folder / name).symlink_to(target)
         with socket.socket(socket.AF_UNIX) as end:
@@ -118,7 +119,8 @@ class WholeFiles(InFolder):
         seen = {temporary.temporary_name() for _ in range(50)}
         self.assertEqual(50, len(seen))
         self.assertTrue(all(map(temporary.is_temporary, seen)))
-        self.assertFalse(any(map(temporary.is_temporary, (".waft-cam_take", ".waft-mine", ".waft-nothings", "a.part", ".waft-move"))))
+        others = (".waft-cam_take", ".waft-mine", ".waft-nothings", "a.part", ".waft-move")
+        self.assertFalse(any(map(temporary.is_temporary, others)))
 
     def test_a_temporary_name_that_is_taken_is_not_taken_again(self):
         names = [temporary.temporary_name() for _ in range(4)]
@@ -230,7 +232,8 @@ class Marks(InFolder):
             except ValueError:
                 return True
         self.check(json.dumps(marked, indent=2).encode(), marks.is_marked_json, is_changed)
-        for other in (rows, [], {}, [7], [{}], [{"digest": ""}], "x", None, {"waft": 1}, [*marked, marked[0]], marked[:1], marked[::-1]):
+        for other in (rows, [], {}, [7], [{}], [{"digest": ""}], "x", None, {"waft": 1}, [*marked, marked[0]], marked[:1],
+                      marked[::-1]):
             self.path.write_text(json.dumps(other), encoding="utf-8")
             self.assertFalse(marks.is_marked_json(self.path), other)
 

@@ -8,12 +8,14 @@ import stat
 import weakref
 
 from waft.failures import BadInput, shortened
-from waft.reading import MOST, MOST_TEXT, blocks_of, content_of, found_in_words, json_of, kind_of, open_file, rows_of, steps_of, text_of
+from waft.reading import (MOST, MOST_TEXT, blocks_of, content_of, found_in_words, json_of, kind_of, open_file, rows_of, steps_of,
+                          text_of)
 from waft.renaming import move_new
 
 _DEEPEST = 64  # folders, one in the other
 _LONGEST = 255  # bytes of a name
 _MOST_NAMES = 1 << 24  # bytes of a file that names others
+_NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC
 _PART = os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
 
 
@@ -197,7 +199,7 @@ class Folder:
     def new_stream(self, name):
         """A binary stream that writes a new file; raises FileExistsError where something has its name."""
         with self._at(name) as (folder, last):
-            return os.fdopen(os.open(last, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW | os.O_CLOEXEC, 0o666, dir_fd=folder), "wb")
+            return os.fdopen(os.open(last, _NEW, 0o666, dir_fd=folder), "wb")
 
     def make_folder(self, name):
         """A folder, and those that it is in, where they are not there yet."""
@@ -214,8 +216,8 @@ class Folder:
             os.mkdir(last, 0o700, dir_fd=folder)
 
     def move(self, name, target, new_name, replaces=False):
-        """Renames a file or folder to a name below another Folder; raises FileExistsError where something has it, unless that is to
-        be replaced."""
+        """Renames a file or folder to a name below another Folder; raises FileExistsError where something has it, unless that
+        is to be replaced."""
         with self._at(name) as (source_folder, source), target._at(new_name) as (target_folder, last):
             if replaces:
                 os.rename(source, last, src_dir_fd=source_folder, dst_dir_fd=target_folder)

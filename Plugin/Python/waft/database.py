@@ -59,7 +59,8 @@ def settle_database(path):
 
 
 def check_database(path):
-    """Raises BadInput unless a file is a motion database, whose blocks are files beside it that no link leads to, by its structure."""
+    """Raises BadInput unless a file is a motion database by its structure, whose blocks are files beside it that no link leads
+    to."""
     if os.path.isfile(path):
         own = pathlib.Path(os.path.realpath(path))  # it may be linked itself, as files of an installed tree are
         Folder(own.parent).check_blocks(own.name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How a single file says that Waft wrote it: by a digest in it of all the rest. So it is known, too, whether it was changed since."""
+"""How a single file says that Waft wrote it: by a digest in it of all the rest, which tells, too, whether it was changed since."""
 import hashlib
 import json
 import struct

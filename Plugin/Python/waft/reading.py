@@ -31,8 +31,8 @@ def kind_of(about):
 
 
 def open_file(path, what="a file", folder=None, shown=None):
-    """A descriptor of a regular file, to be read; raises BadInput that names the file and what was found, as all here do. what: is
-    named as expected. folder: a descriptor that a bare name is in, of which no link is followed; shown: its whole path."""
+    """A descriptor of a regular file, to be read; raises BadInput that names the file and what was found, as all here do. what:
+    is named as expected. folder: a descriptor that a bare name is in, of which no link is followed; shown: its whole path."""
     shown = path if shown is None else shown
     try:
         descriptor = os.open(path, _LOOK | (os.O_NOFOLLOW if folder is not None else 0), dir_fd=folder)

@@ -154,8 +154,8 @@ class ResultPlace:
 
     root: the folder that names are relative to. seal: name of the JSON file that holds the manifest. room: name below root of
     the folder that is locked, for what is not yet whole (none: root itself); it goes when it is empty. earlier: gives the names
-    of the results in a Folder whose seal has no manifest (None: they are none of Waft's). owns: whether a name may be one of these
-    results at all. Raises BadInput when another run is at work there.
+    of the results in a Folder whose seal has no manifest (None: they are none of Waft's). owns: whether a name may be one of
+    these results at all. Raises BadInput when another run is at work there.
     """
 
     def __init__(self, root, seal, room=None, earlier=None, owns=lambda name: True):
@@ -382,12 +382,13 @@ class ResultPlace:
 
 
 def settle(place):
-    """Finishes or undoes a change that was cut short at a ResultPlace that is to be read; one that goes on there is waited for."""
+    """Finishes or undoes a change that was cut short at a ResultPlace that is to be read; one that goes on there is waited
+    for."""
     end = time.monotonic() + _PATIENCE
     while os.path.lexists(place.room / _MOVE):
         if not os.access(place.room, os.W_OK | os.X_OK):
-            raise BadInput(f"{place.room}: a change of results was cut short there: it waits for a command of waft that may write in "
-                           "the folder")
+            raise BadInput(f"{place.room}: a change of results was cut short there: it waits for a command of waft that may "
+                           "write in the folder")
         try:
             with place:
                 return
@@ -409,8 +410,8 @@ class _Move:
         path = room.path / _MOVE / _JOURNAL
         journal = room.found_json(f"{_MOVE}/{_JOURNAL}")
         if journal is None:
-            raise BadInput(f"{path.parent}: a change of results was cut short, and how it was to go on cannot be read: `new` and `old` in "
-                           "it hold the files")
+            raise BadInput(f"{path.parent}: a change of results was cut short, and how it was to go on cannot be read: `new` and "
+                           "`old` in it hold the files")
         _checked(journal, _JOURNALED, path)
         self._seal = journal["seal"]
         self._incoming, self._outgoing = _entries(journal["new"]), _entries(journal["old"])
@@ -458,7 +459,8 @@ class _Move:
         """Moves a file, unless it was moved before; raises WaftError where one of the user's came in between."""
         if source.about(name) is None:
             return
-        for path, is_free in ((source.path / name, entry.fits(source, name)), (target.path / new_name, target.about(new_name) is None)):
+        for path, is_free in ((source.path / name, entry.fits(source, name)),
+                              (target.path / new_name, target.about(new_name) is None)):
             if not is_free:
                 raise WaftError(f"{path}: {_NOT_OURS}; the results that were changing hands wait in {self._room.path / _MOVE}")
         if os.path.dirname(new_name):

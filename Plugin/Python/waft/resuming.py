@@ -63,8 +63,8 @@ class Checkpoint:
             return False
         names = set(self._below.names(_FOLDER))
         is_plan = names >= {*PLAN.values(), _REPORT} or self._manifest() is not None
-        return all(_OWN.fullmatch(name) and self._below.is_regular(self._below.about(f"{_FOLDER}/{name}")) for name in names) and (
-            is_plan or not names)
+        are_own = all(_OWN.fullmatch(name) and self._below.is_regular(self._below.about(f"{_FOLDER}/{name}")) for name in names)
+        return are_own and (is_plan or not names)
 
     def _manifest(self):
         """Of the plan; None where it cannot be read."""

@@ -161,7 +161,8 @@ def _write_shapes(pipeline, place):
         texture = shapes.GetBlock(block).GetFieldData().GetAbstractArray("Texture")
         source = pathlib.Path(texture.GetValue(0)) if texture is not None and texture.GetValue(0) else None
         if source is not None:  # of one that is missing the scene's reader has told
-            texture.SetValue(0, pictures.setdefault(source, f"shapes/picture_{len(pictures)}{source.suffix}") if source.is_file() else "")
+            name = f"shapes/picture_{len(pictures)}{source.suffix}"
+            texture.SetValue(0, pictures.setdefault(source, name) if source.is_file() else "")
     write_xml(shapes, place.path("shapes.vtm"))
     for source, name in pictures.items():
         copy_file(source, place.path(name))
