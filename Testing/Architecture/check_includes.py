@@ -10,7 +10,8 @@ abstract base; Bridge includes no wrapper, and its folder Data nothing of its ot
 include each other; no two headers define a class of one name, for which the linker would take either;
 third-party libraries stay in the Core library that owns them; modules of the
 Python package import each other in no circle, within functions neither; but for
-the owners of files none of them opens, reads or writes one by itself.
+the owners of files none of them opens, reads or writes one by itself; those that
+read results take arrays, JSON and tables by the accessors that look at them.
 """
 import ast
 import pathlib
@@ -61,6 +62,9 @@ FILE_CALLS = {"fdopen", "read_bytes", "read_text", "write_bytes", "write_text", 
               "rmtree", "symlink_to", "hardlink_to", "touch"}
 FILE_MODULES = {"io": {"open"}, "os": {"open", "remove", "removedirs", "rename", "renames", "replace", "link", "symlink", "truncate"}, "json": {"load", "dump"}, "np": {"load"}, "pickle": {"load"}, "ElementTree": {"parse"},
                 "Image": {"open"}, "shutil": {"copy", "copy2", "copyfile", "copytree", "move"}}
+# Modules of the package waft that read results, and what the accessors (_arrays, _records, _tables) do for them.
+RESULT_READERS = {"_folder", "_pagedata", "_runs", "_airfield", "_flyers", "exporting", "page", "measuring", "takes"}
+BARE_CALLS = {"GetArray", "GetAbstractArray", "GetTuple3", "vtk_to_numpy", "loads", "DictReader", "found_json"}
 CLASS = re.compile(r"(?:class|struct)\s+(?:\w+_EXPORT\s+)?(\w+)(?!\w|\s*;|::)")
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^">]+)[">]')
 
@@ -215,10 +219,21 @@ def check_files(root):
                 yield path, node.lineno, f"opens or changes a file by {name}: expected a function of {', '.join(sorted(FILE_OWNERS))}"
 
 
+def check_accessors(root):
+    for path in sorted((root / "Plugin" / "Python" / "waft").glob("*.py")):
+        if path.stem not in RESULT_READERS:
+            continue
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            function = node.func if isinstance(node, ast.Call) else None
+            name = getattr(function, "attr", getattr(function, "id", ""))
+            if name in BARE_CALLS:
+                yield path, node.lineno, f"reads results by {name}: expected an accessor of _arrays, _records or _tables"
+
+
 def check(root):
     root = pathlib.Path(root)
     return [*check_core(root), *check_bridge(root), *check_wrappers(root), *check_names(root), *check_python(root),
-            *check_files(root)]
+            *check_files(root), *check_accessors(root)]
 
 
 def main():

@@ -94,6 +94,13 @@ class Rules(unittest.TestCase):
             with self.subTest(line):
                 self.assertEqual(1, len(self.violations({"Plugin/Python/waft/a.py": line + "\n"})))
 
+    def test_results_are_read_by_accessors(self):
+        files = {"Plugin/Python/waft/_folder.py": "from waft._arrays import array_of\narray_of(data, 'A', 'place')\n",
+                 "Plugin/Python/waft/run.py": "data.GetArray('A')\n"}
+        self.assertEqual([], self.violations(files))
+        files["Plugin/Python/waft/_folder.py"] += "data.GetArray('A')\n"
+        self.assertEqual(["reads results by GetArray: expected an accessor of _arrays, _records or _tables"], self.violations(files))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -2,8 +2,8 @@
 """The air of a result folder (air.pvd): its velocity anywhere, and bodies that drift in it."""
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from waft._arrays import array_of, check_steps
 from waft._drifters import END, NEAR_GROUND, START
 from waft._flights import Flights, rms
 from waft.beneath import Folder
@@ -104,6 +104,7 @@ def read_air(folder):
     if series is None:
         return None
     steps = folder.steps("air.pvd")
+    check_steps(steps, series)
     if not steps:
         raise BadInput(f"{series}: expected a file for each frame, found none")
     velocity = wind = shape = frame_of = None
@@ -125,11 +126,11 @@ def read_air(folder):
 def _image(path):
     image = read_image(path)
     shape = image.GetDimensions()[::-1]
-    fields = {}
-    for name in ("Velocity", "Wind"):
-        array = image.GetPointData().GetArray(name)
-        if array is not None and array.GetNumberOfComponents() == 3 and array.GetNumberOfTuples() == np.prod(shape) > 0:
-            fields[name] = vtk_to_numpy(array).reshape(*shape, 3)
-    if "Velocity" not in fields or not np.isfinite(fields["Velocity"]).all():
-        raise BadInput(f"{path}: expected an image with the point data Velocity, three finite numbers each")
+    columns = image.GetPointData()
+    if not np.prod(shape) > 0:
+        raise BadInput(f"{path}: expected an image with the point data Velocity, found no points")
+    fields = {name: array_of(columns, name, path, 3).reshape(*shape, 3) for name in ("Velocity", "Wind")
+              if name == "Velocity" or columns.HasArray(name)}
+    if not (np.isfinite(image.GetOrigin()).all() and np.isfinite(image.GetSpacing()).all() and min(image.GetSpacing()) > 0.0):
+        raise BadInput(f"{path}: expected a lattice with a finite origin and steps above 0")
     return image, fields

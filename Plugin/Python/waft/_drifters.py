@@ -18,6 +18,7 @@ START, END = 0.5, 0.8  # of a flight, not free: after the start and before the t
 SHORTEST = 2.0  # flights that are kept [s]
 NEAR_GROUND = 0.3  # a body that ends nearer to the floor has landed; others left the volume [m]
 _ARRAYS = ("Bounds", "FramesPerSecond", "NumberOfFrames", "Seeds", "SettlingSpeeds")
+_MOST_BYTES, _MOST_PLACES = 1 << 30, 20000000  # of a file, and of an air
 RESOLUTION = 64  # voxels along the longest side
 
 
@@ -30,13 +31,32 @@ class Drifters:
             raise BadInput(f"{self.path}: no such file of drifters")
         content = read_bytes(self.path, what="a file of drifters")
         try:
+            with zipfile.ZipFile(io.BytesIO(content)) as archive:
+                if sum(member.file_size for member in archive.infolist()) > _MOST_BYTES:
+                    raise ValueError(f"expected arrays of at most {_MOST_BYTES} bytes")
             with np.load(io.BytesIO(content)) as data:
                 self._data = {name: data[name] for name in data.files}
             self.bounds, self.rate, self.frames, self.seeds, self.speeds = (self._data[name] for name in _ARRAYS)
             self.rate, self.frames = float(self.rate), int(self.frames)
             self._paths = [[_decoded(self._data, s, a) for a in range(len(self.seeds))] for s in range(len(self.speeds))]
-        except (OSError, ValueError, KeyError, IndexError, TypeError, EOFError, zipfile.BadZipFile) as error:
+            self._check()
+        except Exception as error:  # archives and arrays that are none raise errors of many kinds
             raise BadInput(f"{self.path}: not a file of drifters that Waft made: {error}") from error
+
+    def _check(self):
+        """Raises ValueError with what is wrong with the values."""
+        for array, what, low, high, size in ((self.bounds, "Bounds", -1e9, 1e9, 6), (self.speeds, "SettlingSpeeds", 0.0, 1e9, None),
+                                             (np.array([self.rate]), "FramesPerSecond", 1.0, 1000.0, 1)):
+            is_right = array.ndim == 1 and len(array) == (size or max(len(array), 1)) and array.dtype.kind in "if"
+            if not is_right or not (np.isfinite(array) & (array >= low) & (array <= high)).all():
+                raise ValueError(f"{what}: expected {size or 'some'} numbers from {low:g} to {high:g}")
+        if np.any(self.bounds[::2] >= self.bounds[1::2]):
+            raise ValueError("Bounds: expected the least and the most of x, y and z in turn")
+        counts = [len(paths) for airs in self._paths for paths in airs]
+        if min(counts, default=0) < 1 or max(counts) * self.frames > _MOST_PLACES:
+            raise ValueError(f"expected paths in each air, of at most {_MOST_PLACES} places")
+        if any(not 3 <= len(path) <= self.frames for airs in self._paths for paths in airs for path in paths):
+            raise ValueError(f"expected paths of 3 to {self.frames} frames")
 
     def airs(self, slips):
         """One Flights for each air, of bodies with the settling speeds nearest to these, in their shares."""

@@ -4,10 +4,11 @@
 from dataclasses import dataclass, field
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from . import reading
+from ._arrays import (array_of, bounds_of, check_steps, check_surface, field_of, object_ids, orientations_of, points_of, polylines, rate_of,
+                      text_of, triangles_of)
 from ._kinds import POSITION, REST
 from .beneath import Folder
 from .failures import BadInput
@@ -81,28 +82,18 @@ def load(path):
     folder = Folder(path)
     poses = read_surface(folder, "poses.vtp")
     ids, positions, orientations = _poses(poses)
-    objects = read_surface(folder, "objects.vtp")
-    shape_of = dict(
-        zip(
-            array_of(objects.GetPointData(), "ObjectId", "objects.vtp").tolist(),
-            array_of(objects.GetPointData(), "ShapeId", "objects.vtp").tolist(),
-        )
-    )
+    columns = read_surface(folder, "objects.vtp").GetPointData()
+    shape_of = dict(zip(object_ids(columns, "objects.vtp").tolist(), array_of(columns, "ShapeId", "objects.vtp", kind=int).tolist()))
     bodies = _bodies(folder)
     shapes = []
     for number in ids.tolist():
         if not 0 <= shape_of.get(number, -1) < len(bodies):
             raise BadInput(f"objects.vtp: object {number} has no shape in shapes.vtm")
         shapes.append(shape_of[number])
-    fields = poses.GetFieldData()
-    rate = fields.GetArray("FramesPerSecond")
-    box = fields.GetArray("Bounds")
     return Motion(
         folder=path,
-        bounds=vtk_to_numpy(box).ravel().astype(float)
-        if box
-        else np.array([-2.0, 2.0, -2.0, 2.0, 0.0, 4.0]),
-        frames_per_second=float(rate.GetComponent(0, 0)) if rate else 30.0,
+        bounds=bounds_of(poses, "poses.vtp"),
+        frames_per_second=rate_of(poses, "poses.vtp"),
         object_ids=ids,
         positions=positions,
         orientations=orientations,
@@ -126,30 +117,10 @@ def needed(folder, name):
     return path
 
 
-def array_of(attributes, name, place):
-    array = attributes.GetArray(name)
-    if array is None:
-        raise BadInput(f"{place}: the array {name} is missing")
-    return vtk_to_numpy(array)
-
-
 def _poses(poses):
     ids, order = polylines(poses, "poses.vtp")
-    points = vtk_to_numpy(poses.GetPoints().GetData()).astype(float)
-    quaternions = np.array(array_of(poses.GetPointData(), "Orientation", "poses.vtp"), dtype=float)
-    return ids, points[order], quaternions[order]
-
-
-def polylines(tracks, place):
-    """Ids of the objects of Tracks, and the index of each point by [object, frame]."""
-    lines = tracks.GetLines()
-    if tracks.GetNumberOfLines() == 0:
-        raise BadInput(f"{place}: expected one polyline per object, found none")
-    lengths = np.diff(vtk_to_numpy(lines.GetOffsetsArray()))
-    if np.any(lengths != lengths[0]):
-        raise BadInput(f"{place}: expected polylines with the same number of frames")
-    ids = np.array(array_of(tracks.GetCellData(), "ObjectId", place), dtype=int)
-    return ids, vtk_to_numpy(lines.GetConnectivityArray()).reshape(len(lengths), int(lengths[0]))
+    points = points_of(poses, "poses.vtp")
+    return ids, points[order], orientations_of(poses.GetPointData(), "poses.vtp")[order]
 
 
 def _bodies(folder):
@@ -164,24 +135,25 @@ def _bodies(folder):
         name = ""
         if blocks.HasMetaData(index):
             name = blocks.GetMetaData(index).Get(blocks.NAME()) or ""
+        place = f"shapes.vtm: block {index}"
+        check_surface(surface, place)
         body = Body(name, surface)
-        fields = surface.GetFieldData()
-        body.color = _color(fields.GetArray("Color"))
-        body.tint = _color(fields.GetArray("Tint"))
-        opacity = fields.GetArray("Opacity")
-        if opacity is not None:
-            body.opacity = opacity.GetComponent(0, 0)
-        texture = fields.GetAbstractArray("Texture")
-        if texture is not None and texture.GetNumberOfValues() > 0 and texture.GetValue(0):
-            body.texture = _find_texture(folder, texture.GetValue(0), index)
+        if not body.extent > 0.0:
+            raise BadInput(f"{place}: expected a surface, found points at one place")
+        body.color, body.tint = _color(surface, "Color", place), _color(surface, "Tint", place)
+        if surface.GetFieldData().HasArray("Opacity"):
+            body.opacity = float(field_of(surface, "Opacity", place, 1, low=0.0, high=1.0)[0])
+        texture = text_of(surface, "Texture", place)
+        if texture:
+            body.texture = _find_texture(folder, texture, index)
         bodies.append(body)
     return bodies
 
 
-def _color(array):
-    if array is None or array.GetNumberOfComponents() != 3:
+def _color(surface, name, place):
+    if not surface.GetFieldData().HasArray(name):
         return (1.0, 1.0, 1.0)
-    return array.GetTuple3(0)
+    return tuple(field_of(surface, name, place, 3, low=0.0, high=1.0).tolist())
 
 
 def _find_texture(folder, name, block):
@@ -199,12 +171,10 @@ def _marks(folder):
     data = read_surface(folder, "constraints.vtp")
     if data.GetNumberOfPoints() == 0:
         return marks
-    points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    points = points_of(data, "constraints.vtp")
     columns = data.GetPointData()
-    kind, frame, radius, row, target = (
-        array_of(columns, name, "constraints.vtp")
-        for name in ("Kind", "Frame", "Radius", "Row", "Target")
-    )
+    kind, frame, row, target = (array_of(columns, name, "constraints.vtp", kind=int) for name in ("Kind", "Frame", "Row", "Target"))
+    radius = array_of(columns, "Radius", "constraints.vtp", low=0.0)
     marks.resting = [points[i] for i in np.flatnonzero((kind == REST) & (target >= 0))]  # those that are asked for
     groups = {}
     for i in np.flatnonzero(kind == POSITION):
@@ -230,8 +200,19 @@ def ground_height(points, bounds):
 def obstacles_of(folder):
     """(time in seconds, surface of all obstacles) of a Folder, growing time; one where none moves, none where there are none."""
     if folder.found("obstacles.pvd"):
-        return [(time, read_surface(folder, name)) for time, name in folder.steps("obstacles.pvd")]
-    return [(0.0, read_surface(folder, "obstacles.vtp"))] if folder.found("obstacles.vtp") else []
+        steps = folder.steps("obstacles.pvd")
+        check_steps(steps, folder.path / "obstacles.pvd")
+        return [(time, _obstacles(folder, name)) for time, name in steps]
+    return [(0.0, _obstacles(folder, "obstacles.vtp"))] if folder.found("obstacles.vtp") else []
+
+
+def _obstacles(folder, name):
+    """A surface of obstacles that tells of each point whose it is."""
+    surface = read_surface(folder, name)
+    check_surface(surface, name)
+    if surface.GetNumberOfPoints():
+        array_of(surface.GetPointData(), "ObstacleId", name, kind=int)
+    return surface
 
 
 @dataclass
@@ -252,12 +233,12 @@ def moving_obstacles(folder, bounds, rate, frames):
     if not steps or not steps[0][1].GetNumberOfPolys():
         return []
     surface = steps[0][1]
-    numbers = array_of(surface.GetPointData(), "ObstacleId", "obstacles")
-    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
-    moved = [vtk_to_numpy(step.GetPoints().GetData()).astype(float) for _, step in steps]
+    numbers = array_of(surface.GetPointData(), "ObstacleId", "obstacles", kind=int)
+    points = points_of(surface, "obstacles")
+    moved = [points_of(step, "obstacles") for _, step in steps]
     if any(step.shape != points.shape for step in moved):
         raise BadInput("obstacles.pvd: expected the same surfaces at every step")
-    triangles = _triangles(surface)
+    triangles = triangles_of(surface, "obstacles")
     found = []
     for number in np.unique(numbers):
         own = np.flatnonzero(numbers == number)
@@ -279,17 +260,6 @@ def _at_frames(times, shifts, rate, frames):
     return np.stack([np.interp(now, times, shifts[:, axis]) for axis in range(3)], axis=1)
 
 
-def _triangles(surface):
-    """[triangle, 3] of the polygons, as fans."""
-    offsets = vtk_to_numpy(surface.GetPolys().GetOffsetsArray())
-    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray())
-    return np.array([(corners[first], corners[at], corners[at + 1]) for first, last in zip(offsets, offsets[1:])
-                     for at in range(first + 1, last - 1)]).reshape(-1, 3)
-
-
-def bounds_of(folder):
+def volume_of(folder):
     """The volume of a run in a Folder, as six numbers."""
-    bounds = read_surface(folder, "poses.vtp").GetFieldData().GetArray("Bounds")
-    if bounds is None:
-        raise BadInput("poses.vtp: the field array Bounds is missing")
-    return vtk_to_numpy(bounds).ravel().tolist()
+    return bounds_of(read_surface(folder, "poses.vtp"), "poses.vtp").tolist()

@@ -1,20 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a page shows of a folder of `waft synthesize`: plain data for its scripts, binary arrays as base64."""
 import base64
-import json
 import math
 import os
 import struct
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from waft import _folder
+from waft._arrays import MOST_FRAMES, array_of, points_of, polylines
 from waft._kinds import POSITIONAL
+from waft._records import GLTF, MEASURED, REPORT, checked, record_of
+from waft._tables import columns_of
 from waft.beneath import Folder
 from waft.failures import BadInput
-from waft.reading import read_json
-from waft.texts import warn
+from waft.reading import json_of, read_json
+from waft.texts import line, warn
 
 _MOST_ROWS = 1200  # of a plot; more cannot be told apart
 
@@ -26,9 +27,9 @@ def describe(path, measured=None):
     folder = Folder(path)
     report = _report(folder)
     animation, ids, rate, frames = animation_of(folder)
-    bounds = _folder.bounds_of(folder)
+    bounds = _folder.volume_of(folder)
     title = report.get("title") or report["scene"].removesuffix(".json").removesuffix(".waft")
-    run = {"title": title, "scene": report["scene"], "version": report["version"], "seed": report["seed"],
+    run = {"title": line(title), "scene": line(report["scene"]), "version": report["version"], "seed": report["seed"],
            "quality": report.get("quality", ""), "stoppedEarly": report.get("stoppedEarly", False),
            "rate": rate, "frames": frames, "bounds": bounds, "marks": marks_of(folder), "plan": _plan(folder, ids, frames),
            "obstacles": _obstacles(folder, bounds, rate, frames), "energy": _energy(folder), "rounds": _rounds(folder),
@@ -37,11 +38,8 @@ def describe(path, measured=None):
 
 
 def _report(folder):
-    path = _folder.needed(folder, "report.json")
-    report = folder.json("report.json")
-    if not isinstance(report, dict) or not {"version", "scene", "seed"} <= report.keys():
-        raise BadInput(f"{path}: expected the report of `waft synthesize`, with version, scene and seed")
-    return report
+    _folder.needed(folder, "report.json")
+    return record_of(folder, "report.json", REPORT)
 
 
 def animation_of(folder):
@@ -50,34 +48,42 @@ def animation_of(folder):
     content = folder.bytes("animation.glb")
     try:
         magic, _, length, size, kind = struct.unpack("<4sIII4s", content[:20])
-        if magic != b"glTF" or kind != b"JSON" or length != len(content):
+        rest, binary = struct.unpack("<I4s", content[20 + size:28 + size])
+        if (magic, kind, binary) != (b"glTF", b"JSON", b"BIN\0") or length != len(content) or 28 + size + rest != length:
             raise ValueError("it is cut, or something else")
-        gltf = json.loads(content[20:20 + size])
-        ids = [int(node["extras"]["ObjectId"]) for node in gltf["nodes"]]
-        rate = float(gltf["asset"]["extras"]["framesPerSecond"])
-        animation = gltf["animations"][0]
-        if len(animation["channels"]) != 2 * len(ids):
-            raise ValueError("not every object has keys of translation and rotation")
-        frames = int(gltf["accessors"][animation["samplers"][0]["input"]]["count"])
-    except (struct.error, ValueError, KeyError, IndexError, TypeError) as error:
+        text = content[20:20 + size].decode("utf-8")
+    except (struct.error, ValueError) as error:
         raise BadInput(f"{path}: expected the animation that `waft synthesize` writes: {error}") from error
-    return content, ids, rate, frames
+    gltf = checked(json_of(text, path), GLTF, path)
+    ids = [int(node["extras"]["ObjectId"]) for node in gltf["nodes"]]
+    animation = gltf["animations"][0]
+    frames = _keys(gltf, int(animation["samplers"][0]["input"]), rest)
+    if len(animation["channels"]) != 2 * len(ids) or len(set(ids)) != len(ids) or not frames:
+        raise BadInput(f"{path}: expected the animation that `waft synthesize` writes: each object once, with keys of translation and "
+                       "rotation")
+    return content, ids, float(gltf["asset"]["extras"]["framesPerSecond"]), frames
 
 
-def _rows(folder, name, is_needed=True):
-    """Rows of a CSV file as dictionaries."""
+def _keys(gltf, number, size):
+    """How many numbers of four bytes an accessor has; 0 where they are not among so many bytes of the buffer."""
+    accessors, views = gltf["accessors"], gltf["bufferViews"]
+    accessor = accessors[number] if number < len(accessors) else {"count": 0, "bufferView": 0}
+    view = int(accessor["bufferView"])
+    if view >= len(views):
+        return 0
+    end = views[view].get("byteOffset", 0) + views[view]["byteLength"]
+    count = int(accessor["count"])
+    return count if end <= size and 4 * count <= views[view]["byteLength"] and count <= MOST_FRAMES else 0
+
+
+def _rows(folder, name, columns, is_needed=True):
+    """Rows of a CSV file with these columns."""
     if folder.found(name) is None and not is_needed:
         return []
-    return folder.rows(name, "a table that `waft synthesize` writes")
+    return columns_of(folder.rows(name, "a table that `waft synthesize` writes"), columns, name)
 
 
-def _number(row, name, path):
-    """A number of a table's row, None where it is not finite."""
-    try:
-        value = float(row[name])
-    except (KeyError, TypeError, ValueError) as error:
-        raise BadInput(f"{path}: column {name}: expected numbers, found '{row.get(name)}'") from error
-    return value if math.isfinite(value) else None
+_MARK = {"Row": int, "Target": int, "ObjectId": int, "Frame": int, "Kind": str, "Status": str, "Residual": float, "Message": str}
 
 
 def marks_of(folder):
@@ -86,19 +92,16 @@ def marks_of(folder):
     places = {}
     data = _folder.read_surface(folder, name)
     if data.GetNumberOfPoints():
-        points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
-        columns = [_folder.array_of(data.GetPointData(), column, name) for column in ("Row", "Target", "Kind", "Frame", "Radius")]
-        for point, row, target, kind, frame, radius in zip(points, *columns):
+        columns = data.GetPointData()
+        whole = (array_of(columns, column, name, kind=int) for column in ("Row", "Target", "Kind", "Frame"))
+        for point, radius, row, target, kind, frame in zip(points_of(data, name).tolist(), array_of(columns, "Radius", name).tolist(),
+                                                           *(column.tolist() for column in whole)):
             if kind in POSITIONAL:
-                places.setdefault((int(row), int(target)), []).append([int(frame), *point.tolist(), float(radius)])
-    marks = []
-    for line in _rows(folder, "constraints.csv"):
-        row, target, owner, frame, residual = (_number(line, column, "constraints.csv")
-                                               for column in ("Row", "Target", "ObjectId", "Frame", "Residual"))
-        marks.append({"row": row, "target": target, "object": owner, "frame": frame, "kind": line["Kind"],
-                      "status": line["Status"], "residual": residual, "message": line["Message"],
-                      "places": sorted(places.get((row, target), []))})
-    return marks
+                places.setdefault((row, target), []).append([frame, *point, radius])
+    return [{"row": mark["Row"], "target": mark["Target"], "object": mark["ObjectId"], "frame": mark["Frame"], "kind": mark["Kind"],
+             "status": mark["Status"], "residual": mark["Residual"], "message": mark["Message"],
+             "places": sorted(places.get((mark["Row"], mark["Target"]), []))}
+            for mark in _rows(folder, "constraints.csv", _MARK)]
 
 
 def _plan(folder, ids, frames):
@@ -107,8 +110,8 @@ def _plan(folder, ids, frames):
     if path is None:
         return None
     tracks = _folder.read_surface(folder, "planned.vtp")
-    own, order = _folder.polylines(tracks, "planned.vtp")
-    points = vtk_to_numpy(tracks.GetPoints().GetData()).astype(float)[order]
+    own, order = polylines(tracks, "planned.vtp")
+    points = points_of(tracks, "planned.vtp")[order]
     places = dict(zip(own.tolist(), points))
     if points.shape[1] != frames or not set(ids) <= places.keys():
         raise BadInput(f"{path}: expected the paths of the objects of animation.glb, {frames} frames each")
@@ -132,19 +135,19 @@ def _obstacles(folder, bounds, rate, frames):
 
 def _energy(folder):
     """How E fell; None where no optimiser was at work."""
-    rows = _rows(folder, "convergence.csv", is_needed=False)
+    names = ("E", "Ex", "Ev", "Ec")
+    rows = _rows(folder, "convergence.csv", dict.fromkeys(names, float), is_needed=False)
     if not rows:
         return None
-    columns = [name for name in ("E", "Ex", "Ev", "Ec") if name in rows[0]]
     kept = rows[::max(1, math.ceil(len(rows) / _MOST_ROWS))]
     if kept[-1] is not rows[-1]:
         kept.append(rows[-1])
-    return {"columns": columns, "rows": [[_number(row, name, "convergence.csv") for name in columns] for row in kept]}
+    return {"columns": list(names), "rows": [list(row.values()) for row in kept]}
 
 
 def _rounds(folder):
-    return [{"stage": row.get("Stage", ""), "control": _number(row, "ControlRms", "rounds.csv")}
-            for row in _rows(folder, "rounds.csv", is_needed=False)]
+    return [{"stage": row["Stage"], "control": row["ControlRms"]}
+            for row in _rows(folder, "rounds.csv", {"Stage": str, "ControlRms": float}, is_needed=False)]
 
 
 def _measured(folder, measured):
@@ -157,16 +160,15 @@ def _measured(folder, measured):
         return None
     path = measured or folder.path / "measure.json"
     try:
-        found = read_json(path) if measured else folder.json("measure.json")
+        found = checked(read_json(path), MEASURED, path) if measured else record_of(folder, "measure.json", MEASURED)
         own = [entry for entry in found if os.path.realpath(entry["folder"]) == os.path.realpath(folder.path)] or found
         if len(own) != 1:
-            raise ValueError(f"none of its {len(found)} entries is about {folder.path}")
-        keys = ("row", "value", "wanted", "drifters", "met", "why")
-        return {"folder": own[0]["folder"], "tracks": own[0]["tracks"], "notes": list(own[0]["notes"]),
-                "rows": [{key: row[key] for key in keys} for row in own[0]["rows"]]}
-    except (BadInput, TypeError, KeyError, ValueError) as error:
-        lack = f"{path}: expected what `waft measure --json` writes: {error}"
+            raise BadInput(f"{path}: expected what `waft measure --json` writes: none of its {len(found)} entries is about {folder.path}")
+    except (BadInput, ValueError) as error:
         if measured:
-            raise BadInput(lack) from error
-        warn(f"{lack}; left out")
+            raise BadInput(str(error)) from error
+        warn(f"{error}; left out")
         return None
+    keys = ("row", "value", "wanted", "drifters", "met", "why")
+    return {"folder": own[0]["folder"], "tracks": own[0]["tracks"], "notes": own[0]["notes"],
+            "rows": [{key: row[key] for key in keys} for row in own[0]["rows"]]}

@@ -4,17 +4,19 @@ import os
 from dataclasses import dataclass
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
+from waft._arrays import array_of, bounds_of, object_ids, points_of, polylines, rate_of, texts_of
 from waft._drifters import END, START
 from waft._flights import Flights
 from waft._kinds import POSITION, REST, VELOCITY
 from waft._folder import read_surface
+from waft._records import REPORT, record_of
 from waft.failures import BadInput
 from waft.reading import dynamics
 from waft.writing import settled
 
 TRACKS = ("optimized", "assimilated", "planned", "poses")
+LEAST_FRAMES, MEASURED_RATES = 8, (4.0, 1000.0)  # of what can be measured; frames a second
 NEAR_ROW = 8  # frames about a position row that are no free flight
 
 
@@ -44,56 +46,29 @@ def read_run(folder, tracks="optimized"):
     path = os.path.join(folder, f"{tracks}.vtp")
     data = read_surface(below, f"{tracks}.vtp")
     ids, positions, arrays = _tracks(path, data)
-    bounds, rate = _field(path, data, "Bounds", 6), float(_field(path, data, "FramesPerSecond", 1)[0])
-    if not rate > 0.0:
-        raise BadInput(f"{path}: FramesPerSecond: expected a positive number, found {rate:g}")
+    bounds, rate = bounds_of(data, path), rate_of(data, path, *MEASURED_RATES)
     slip = _slips(below, ids)
     rows = _rows(below)
     flying, free, touches = flight(rows, ids, positions.shape[1], rate)
-    report = below.json("report.json") if below.found("report.json") else None
-    inertia = bool(report.get("inertia")) if isinstance(report, dict) else False
+    report = record_of(below, "report.json", REPORT) or {}
+    inertia = report.get("inertia", False)
     return Run(str(folder), Flights(positions, rate, flying, free, slip), bounds, arrays, rows, ids, touches, inertia,
                dynamics(data))
 
 
-def _field(path, data, name, size):
-    array = data.GetFieldData().GetArray(name)
-    if array is None or array.GetNumberOfValues() != size:
-        raise BadInput(f"{path}: expected the field data {name} of {size} numbers")
-    return vtk_to_numpy(array).astype(float).ravel()
-
-
 def _tracks(path, data):
-    count = data.GetNumberOfLines()
-    if count == 0 or data.GetNumberOfPoints() == 0:
-        raise BadInput(f"{path}: expected one polyline per object, found none")
-    lengths = np.diff(vtk_to_numpy(data.GetLines().GetOffsetsArray()))
-    if np.any(lengths != lengths[0]) or lengths[0] < 8:
-        raise BadInput(f"{path}: expected polylines with the same number of frames, at least 8")
-    order = vtk_to_numpy(data.GetLines().GetConnectivityArray())
-    identity = data.GetCellData().GetArray("ObjectId")
-    if identity is None:
-        raise BadInput(f"{path}: the array ObjectId is missing")
-    shape = (count, int(lengths[0]))
-    positions = vtk_to_numpy(data.GetPoints().GetData()).astype(float)[order].reshape(*shape, 3)
-    if not np.isfinite(positions).all():
-        raise BadInput(f"{path}: expected positions that are finite numbers")
-    arrays = {}
-    for index in range(data.GetPointData().GetNumberOfArrays()):
-        array = data.GetPointData().GetArray(index)
-        if array is not None:
-            values = vtk_to_numpy(array)[order]
-            arrays[array.GetName()] = values.reshape(*shape, *values.shape[1:])
-    return vtk_to_numpy(identity).astype(int), positions, arrays
+    """Ids, positions, and of the arrays that are measured those that are there [object, frame, 3]."""
+    ids, order = polylines(data, path, LEAST_FRAMES)
+    columns = data.GetPointData()
+    arrays = {name: array_of(columns, name, path, 3, high=np.inf, low=-np.inf)[order] for name in ("AirVelocity", "Control", "Residual")
+              if columns.HasArray(name)}
+    return ids, points_of(data, path)[order], arrays
 
 
 def _slips(folder, ids):
     path = folder.path / "objects.vtp"
-    data = read_surface(folder, "objects.vtp")
-    identity, speed = (data.GetPointData().GetArray(name) for name in ("ObjectId", "SettlingSpeed"))
-    if identity is None or speed is None:
-        raise BadInput(f"{path}: the array {'ObjectId' if identity is None else 'SettlingSpeed'} is missing")
-    of = dict(zip(vtk_to_numpy(identity).tolist(), vtk_to_numpy(speed).tolist()))
+    columns = read_surface(folder, "objects.vtp").GetPointData()
+    of = dict(zip(object_ids(columns, path).tolist(), array_of(columns, "SettlingSpeed", path, low=0.0).tolist()))
     lost = [number for number in ids.tolist() if number not in of]
     if lost:
         raise BadInput(f"{path}: object {lost[0]} of the tracks is missing")
@@ -102,24 +77,18 @@ def _slips(folder, ids):
 
 def _rows(folder):
     """Columns of constraints.vtp, TouchDown and LiftOff (-1 where they are not told) among them; no rows without the file."""
-    names = ("ObjectId", "Frame", "Kind", "Until", "Radius", "Value")
-    told = ("TouchDown", "LiftOff")
+    whole, told = ("ObjectId", "Frame", "Kind", "Until"), ("TouchDown", "LiftOff")
     path = folder.path / "constraints.vtp"
     if folder.found("constraints.vtp") is None:
-        return {name: np.zeros((0, 4) if name == "Value" else 0) for name in (*names, *told)}
-    data = read_surface(folder, "constraints.vtp")
-    rows = {}
-    for name in names:
-        array = data.GetPointData().GetArray(name)
-        if array is None:
-            raise BadInput(f"{path}: the array {name} is missing")
-        rows[name] = vtk_to_numpy(array)
+        return {name: np.zeros((0, 4) if name == "Value" else 0) for name in (*whole, "Radius", "Value", *told)}
+    columns = read_surface(folder, "constraints.vtp").GetPointData()
+    rows = {name: array_of(columns, name, path, kind=int, low=-1) for name in whole}
+    rows.update(Radius=array_of(columns, "Radius", path, low=0.0), Value=array_of(columns, "Value", path, 4))
     for name in told:
-        array = data.GetPointData().GetArray(name)
-        rows[name] = np.full(len(rows["Frame"]), -1) if array is None else vtk_to_numpy(array)
-    status = data.GetPointData().GetAbstractArray("Status")
-    if status is not None and status.IsA("vtkStringArray"):
-        rows["Met"] = np.array([status.GetValue(i) == "met" for i in range(len(rows["Frame"]))])
+        rows[name] = array_of(columns, name, path, kind=int, low=-1) if columns.HasArray(name) else np.full(len(rows["Frame"]), -1)
+    statuses = texts_of(columns, "Status")
+    if statuses:
+        rows["Met"] = np.array([status == "met" for status in statuses], bool)
     return rows
 
 

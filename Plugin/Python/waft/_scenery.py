@@ -18,6 +18,7 @@ from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkTexture
 
+from ._arrays import array_of, points_of
 from ._folder import ground_height
 
 _GRID = (0.52, 0.50, 0.46)
@@ -69,11 +70,10 @@ def lines(points, pieces):
 
 def _split_ground(surface, bounds):
     """The obstacles without the ground, and the ground's height (None: no ground)."""
-    ids = surface.GetPointData().GetArray("ObstacleId")
-    if ids is None or surface.GetNumberOfPolys() == 0:
+    if surface.GetNumberOfPolys() == 0:
         return surface, None
-    ids = vtk_to_numpy(ids)
-    points = vtk_to_numpy(surface.GetPoints().GetData())
+    ids = array_of(surface.GetPointData(), "ObstacleId", "obstacles", kind=int)
+    points = points_of(surface, "obstacles")
     for number in np.unique(ids):
         height = ground_height(points[ids == number], bounds)
         if height is not None:

@@ -49,12 +49,16 @@ def plain(value):
 
 
 def shown(value):
-    text = json.dumps(value, ensure_ascii=False) if isinstance(value, (dict, list, str, bool)) else repr(value)
+    try:
+        text = json.dumps(value, ensure_ascii=False) if isinstance(value, (dict, list, str, bool, type(None))) else repr(value)
+    except RecursionError:
+        return "lists in lists"
     return text if len(text) <= 80 else text[:76] + " ..."
 
 
 _TYPES = {"object": (dict, "an object of named fields"), "array": (list, "a list"), "string": (str, "a text"),
-          "boolean": (bool, "true or false"), "integer": (int, "a whole number"), "number": ((int, float), "a number")}
+          "boolean": (bool, "true or false"), "integer": (int, "a whole number"), "number": ((int, float), "a number"),
+          "null": (type(None), "null")}
 
 
 def _limits(field):
@@ -131,7 +135,8 @@ def _own_fault(value, field, place):
             if not (kind == "integer" and isinstance(value, float) and value.is_integer()):
                 return wrong
     if isinstance(value, (int, float)) and not isinstance(value, bool):
-        if not (math.isfinite(value) and field.get("minimum", -math.inf) <= value <= field.get("maximum", math.inf)):
+        is_finite = isinstance(value, int) or math.isfinite(value)  # a whole number may be too large to be asked
+        if not (is_finite and field.get("minimum", -math.inf) <= value <= field.get("maximum", math.inf)):
             return wrong
     if isinstance(value, str):
         if not field.get("minLength", 0) <= len(value) <= field.get("maxLength", 1 << 30):

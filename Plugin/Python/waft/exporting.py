@@ -51,7 +51,7 @@ def _with_surroundings(folder, parts):
     told = {"framesPerSecond": rate, "firstFrame": 0, "lastFrame": frames - 1}
     for holder in (gltf.content["asset"], gltf.content["scenes"][0]):
         holder["extras"] = {**holder.get("extras", {}), **told}
-    bounds = _folder.bounds_of(below)
+    bounds = _folder.volume_of(below)
     for obstacle in _folder.moving_obstacles(below, bounds, rate, frames):
         if obstacle.ground is not None:
             if "ground" in parts:
@@ -84,8 +84,8 @@ def _add_obstacle(gltf, obstacle):
 
 def _add_mark(gltf, mark):
     for frame, x, y, z, radius in mark["places"]:
-        gltf.add_node(f"mark-{mark['row']:.0f}-{mark['target']:.0f}-{frame}", (x, y, z), extras={
-            "frame": frame, "radius": radius, "ObjectId": int(mark["object"]), "kind": mark["kind"], "status": mark["status"]})
+        gltf.add_node(f"mark-{mark['row']}-{mark['target']}-{frame}", (x, y, z), extras={
+            "frame": frame, "radius": radius, "ObjectId": mark["object"], "kind": mark["kind"], "status": mark["status"]})
 
 
 def _add_camera(gltf, folder):

@@ -198,4 +198,5 @@ def dynamics(tracks):
     without what cannot be had; nothing of others."""
     names = ("ReplayError", "GasReplayError", "GasHiddenHand", "RepairedFraction", "LargestRepair")
     arrays = {name: tracks.GetFieldData().GetArray(name) for name in names}
-    return {name: array.GetValue(0) for name, array in arrays.items() if array is not None and array.GetValue(0) >= 0.0}
+    return {name: array.GetValue(0) for name, array in arrays.items()
+            if array is not None and array.GetNumberOfValues() == 1 and 0.0 <= array.GetValue(0) < math.inf}

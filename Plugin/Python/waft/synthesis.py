@@ -7,6 +7,7 @@ import tempfile
 from typing import TYPE_CHECKING, Callable, Dict, Optional, Union
 
 from waft import failures
+from waft._records import REPORT, record_of
 from waft.beneath import Folder
 from waft.loading import load_plugin, set_threads
 from waft.reading import found_json
@@ -163,10 +164,8 @@ def _state_of(folder, quality):
 
 def _seed_of(folder, otherwise):
     """That of a run that is edited; otherwise, where there is none, another."""
-    below = Folder(folder) if folder is not None else None
-    report = below.json("report.json") if below is not None and below.found("report.json") else None
-    seed = report.get("seed") if isinstance(report, dict) else None
-    return seed if isinstance(seed, int) else otherwise
+    report = record_of(Folder(folder), "report.json", REPORT) if folder is not None else None
+    return int(report["seed"]) if report is not None else otherwise
 
 
 def tell(run, folder):

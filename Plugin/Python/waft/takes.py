@@ -10,7 +10,6 @@ import contextlib
 import csv
 import hashlib
 import io
-import json
 import os
 import pathlib
 import signal
@@ -20,10 +19,12 @@ import threading
 import time
 
 from waft import failures
+from waft._records import FLOWN, MEASURED, TAKES, checked, record_of
 from waft.beneath import Folder
-from waft.failures import BadInput, Interrupted
+from waft.failures import BadInput, Interrupted, WaftError
 from waft.files import write_text
 from waft.loading import version
+from waft.reading import json_of
 from waft.results import Busy, Entry, ResultPlace, check_folder
 from waft.scene import Scene
 from waft.texts import cell, line
@@ -83,7 +84,7 @@ def _take_in(folder, row, tell):
         tell(f"{row['folder']}: {row['message']}")
         return row["status"]
     _change_table(folder, [row])
-    tell(f"{row['folder']}: {row['outcome']}" + (f", {row['met']} of {row['wishes']} wishes met" if "met" in row else "") +
+    tell(f"{row['folder']}: {row['outcome']}" + (f", {row['met']} of {row['wishes']} wishes met" if {"met", "wishes"} <= row.keys() else "") +
          (f": {row['message']}" if row["message"] else ""))
     return row["status"]
 
@@ -138,10 +139,10 @@ class _Flight:
                "message": "" if status in DONE else words, "seconds": round(time.monotonic() - began, 3)}
         self._ends = self._ends or status == failures.MALFORMED  # the others would be refused as well
         if status in DONE:
-            row.update(_summary(Folder(place).json("report.json")))
+            row.update(_summary(_flown(place)))
             status, text, words = self._run("measure", str(place), "--json")
             if status == 0:
-                row["measures"] = json.loads(text)[0]["rows"]
+                row["measures"] = checked(json_of(text, "waft measure"), MEASURED, "waft measure")[0]["rows"]
             else:
                 row["message"] = "not measured" + (f": {words}" if words else "")
         return row
@@ -174,19 +175,27 @@ def _block_stops():
     signal.pthread_sigmask(signal.SIG_BLOCK, STOPS)
 
 
+def _flown(place):
+    """The report of a take that came to its end."""
+    report = record_of(Folder(place), "report.json", FLOWN)
+    if report is None:
+        raise WaftError(f"{place}: expected report.json, which a take that ended leaves")
+    return report
+
+
 def _summary(report):
     """What the table says of a report.json."""
     counts = {status: count for status, count in report["constraints"].items() if status != "unmet"}
     stages = report["stages"].values()
     return {"met": counts["met"], "wishes": sum(counts.values()),
             "processorSeconds": round(sum(stage["processorSeconds"] for stage in stages), 3),
-            "peakMemoryMB": round(max(stage["peakMemoryMB"] for stage in stages), 1)}
+            "peakMemoryMB": round(max((stage["peakMemoryMB"] for stage in stages), default=0.0), 1)}
 
 
 def _rows(folder):
     """Those of the table, by their seeds."""
-    content = Folder(folder).found_json(SEAL) if folder.is_dir() else None
-    return sorted((content or {}).get("takes", []), key=lambda row: row["seed"])
+    found = record_of(Folder(folder), SEAL, TAKES) if folder.is_dir() else None
+    return sorted(found["takes"] if found else [], key=lambda row: row["seed"])
 
 
 def _change_table(folder, rows):
@@ -226,7 +235,7 @@ def table(rows):
     cells = [("seed", "outcome", "wishes", "measures", "seconds", "not as wanted")]
     for row in rows:
         judged = [measure for measure in row.get("measures", ()) if measure["met"] is not None]
-        cells.append((str(row["seed"]), row["outcome"], f"{row['met']}/{row['wishes']}" if "met" in row else "-",
+        cells.append((str(row["seed"]), row["outcome"], f"{row['met']}/{row['wishes']}" if {"met", "wishes"} <= row.keys() else "-",
                       f"{sum(measure['met'] for measure in judged)}/{len(judged)}" if judged else "-", f"{row['seconds']:.0f}",
                       ", ".join(measure["key"] for measure in judged if not measure["met"]) or row["message"]))
     widths = [max(len(own[column]) for own in cells) for column in range(5)]
