@@ -33,6 +33,18 @@ def wide_lines(text):
             yield number
 
 
+def cut_tables(text):
+    """Numbers of the lines where a table begins that has no head: rows after a blank line are no table."""
+    fenced, before = False, ""
+    lines = text.splitlines()
+    for number, line in enumerate(lines, 1):
+        fenced ^= line.lstrip().startswith("```")
+        if line.startswith("|") and not before.startswith("|") and not fenced:
+            if number == len(lines) or not re.fullmatch(r"\|[-:| ]+\|", lines[number]):
+                yield number
+        before = line
+
+
 def text_of(path):
     with open(path, encoding="utf-8") as file:
         return file.read()
@@ -77,6 +89,12 @@ class DocumentsTest(unittest.TestCase):
         for page in pages():
             with self.subTest(page=os.path.relpath(page, SOURCE)):
                 self.assertEqual([], list(wide_lines(text_of(page))))
+
+    def test_tables_are_whole(self):
+        self.assertEqual([5], list(cut_tables("| a |\n|---|\n| 1 |\n\n| 2 |\n| 3 |\n")))
+        for page in pages():
+            with self.subTest(page=os.path.relpath(page, SOURCE)):
+                self.assertEqual([], list(cut_tables(text_of(page))))
 
     def test_every_page_is_in_the_index(self):
         listed = LINK.findall(text_of(os.path.join(DOCUMENTATION, "README.md")))

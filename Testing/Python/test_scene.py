@@ -190,6 +190,36 @@ class SceneTest(unittest.TestCase):
         everything()
         self.assertEqual([], [name for name in sys.modules if name.startswith(("paraview", "vtkmodules", "numpy"))])
 
+    def test_fields_that_do_not_go_together_are_refused(self):
+        scene = everything()
+        before = scene.as_dict()
+        ball = ((0, 0, 0), 1.0, 1.0, 1.0)
+        for call, parts in ((lambda: scene.add_box((0, 0, 1), (1, 1, 0)), ("add_box: max", "above min")),
+                            (lambda: scene.add_cylinder((1, 1, 1), (1, 1, 1), 0.1), ("add_cylinder: top", "apart from base")),
+                            (lambda: scene.add_objects("leaf", count=2, region={"min": (1, 0, 0), "max": (0, 1, 1)}),
+                             ("add_objects: region", "not below its min")),
+                            (lambda: scene.add_keyframe(9, text="A", origin=(0, 0, 1), u=(0, 0, 2), v=(0, 0, -1), width=1),
+                             ("add_keyframe: v", "not parallel")),
+                            (lambda: scene.add_keyframe(9, text="A", origin=(0, 0, 1), u=(0, 3, 0), width=1), ("add_keyframe: u", "not parallel")),
+                            (lambda: scene.add_keyframe(9, text="A", origin=(0, 0, 1), u=(0, 0, 0), width=1), ("add_keyframe: u", "not zero")),
+                            (lambda: scene.add_wind((0, 0, 0), 1.0, *ball), ("add_wind: direction", "not zero")),
+                            (lambda: scene.add_vortex((0, 0, 1), (0, 0, 1), 1.0, 1.0, 1.0, 0.1), ("add_vortex: p2", "apart from p1")),
+                            (lambda: scene.add_orientation(0, 9, (0, 0, 0, 0)), ("add_orientation: value", "not zero")),
+                            (lambda: scene.add_object("leaf", (0, 0, 1), orientation=(0, 0, 0, 0)), ("add_object: orientation", "not zero")),
+                            (lambda: scene.add_sphere((0, 0, 1), 0.1, motion=[{"frame": 5, "position": (0, 0, 1)}] * 2),
+                             ("add_sphere: motion", "frames that grow")),
+                            (lambda: scene.set_domain(max=(9, 9, -9)), ("set_domain: max", "above its min")),
+                            (lambda: scene.save("/nonexistent/x.waft.json"), ("save: path", "a folder that is there"))):
+            with self.assertRaises(waft.BadInput) as refused:
+                call()
+            for part in parts:
+                self.assertIn(part, str(refused.exception))
+            self.assertNotIn(".part", str(refused.exception))
+        self.assertEqual(before, scene.as_dict())
+        scene = waft.Scene()
+        scene.set_domain(min=(-9, -9, -9))
+        scene.set_domain(max=(-5, -5, -5))  # the corners together
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

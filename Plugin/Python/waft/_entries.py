@@ -6,6 +6,7 @@ import re
 from typing import Any, Callable, Dict, TypeVar, cast
 
 from waft import _schema
+from waft._sense import nonsense
 from waft.failures import BadInput
 
 Method = TypeVar("Method", bound=Callable[..., Any])
@@ -71,4 +72,13 @@ def entry_of(method, definition, given, **constant):
         head, *rest = place.strip("/").split("/")
         raise refusal(method, "".join([argument_name(head), *(f"[{part}]" if part.isdigit() else f".{part}" for part in rest)]),
                       expected, found)
+    return entry if definition == "domain" else sensible(method, definition, entry)  # whose corners may come one by one
+
+
+def sensible(method, definition, entry):
+    """The entry; raises BadInput where its fields do not go together."""
+    wrong = nonsense(entry, definition)
+    if wrong is not None:
+        field, expected, found = wrong
+        raise refusal(method, argument_name(field), expected, found)
     return entry

@@ -8,7 +8,7 @@ import re
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
 
 from waft import _schema
-from waft._entries import documented, entry_of, refusal
+from waft._entries import documented, entry_of, refusal, sensible
 from waft.failures import BadInput
 from waft.files import whole_file, write_text
 from waft.reading import json_of, read_json, read_text
@@ -216,12 +216,14 @@ class Scene:
     # Files and looking inside
 
     def save(self, path: Path, *, is_new: bool = False) -> None:
-        """Writes the scene file; paths in it are relative to it. Raises BadInput where something else than a scene is there, or
-        with is_new anything, which stays, and OSError where it cannot be written."""
+        """Writes the scene file; paths in it are relative to it. Raises BadInput where there is no such folder, where something else
+        than a scene is there, or with is_new anything, which stays, and OSError where it cannot be written."""
         path = _schema.plain(path)
         if not isinstance(path, str) or not path:
             raise refusal("save", "path", "the path of a file", _schema.shown(path))
         folder = os.path.dirname(os.path.abspath(path))
+        if not os.path.isdir(folder):
+            raise refusal("save", "path", "the path of a file in a folder that is there", _schema.shown(path))
         content = _schema.with_files(self._data, _schema.definition("scene"), lambda file: os.path.relpath(file, folder))
         text = re.sub(r"\[\s+([-+.\deE,\s]+?)\s+\]", lambda list_: f"[{' '.join(list_[1].split())}]", json.dumps(content, indent=2))
         with whole_file(path, None if is_new else _is_scene) as part:
@@ -284,7 +286,7 @@ class Scene:
     # Inside
 
     def _set(self, method, name, given):
-        self._data[name] = {**self._data.get(name, {}), **entry_of(method, name, _given(given))}
+        self._data[name] = sensible(method, name, {**self._data.get(name, {}), **entry_of(method, name, _given(given))})
 
     def _append(self, name, method, definition, given, **constant):
         entry = self._with_files(method, definition, entry_of(method, definition, _given(given), **constant))
