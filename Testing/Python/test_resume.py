@@ -98,6 +98,9 @@ class Resume(unittest.TestCase):
         energies = [[line.split(",")[:7] for line in (folder / "convergence.csv").read_text().splitlines()]
                     for folder in (whole, out)]
         self.assertEqual(*energies)
+        planned = [[{**row, "seconds": 0} for row in json.loads((folder / "report.json").read_text())["objects"]] for folder in (whole, out)]
+        self.assertEqual(2, len(planned[0]))
+        self.assertEqual(*planned)
         self.assertFalse((out / "checkpoint").exists())
         self.assertEqual([], [entry.name for entry in out.iterdir() if entry.name.startswith(".")])
 

@@ -48,7 +48,9 @@ GLTF = _object("asset nodes animations accessors bufferViews buffers scenes",
                buffers=_list(_object("byteLength", byteLength=_INDEX), minItems=1, maxItems=1),
                scenes=_list(_object("nodes", nodes=_list(_INDEX), extras=_EXTRAS), minItems=1),
                meshes=_list({"type": "object"}), materials=_list({"type": "object"}), cameras=_list({"type": "object"}))
-KEPT = _object("key", key=_TEXT, objects=_list({"type": "object"}))
+KEPT = _object("key objects", key=_TEXT, objects=_list(_object(
+    "objectId rows met status cost branches seconds message", objectId=_COUNT, rows=_COUNT, met=_COUNT, status=_TEXT, cost={},
+    branches=_COUNT, seconds=_SECONDS, message=_TEXT)))
 
 
 def checked(value, schema, place):

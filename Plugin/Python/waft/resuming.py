@@ -5,6 +5,7 @@ import pathlib
 import re
 import stat
 
+from waft._records import KEPT, record_of
 from waft.failures import BadInput
 from waft.files import copy_file, write_csv, write_json, write_xml
 from waft.loading import version
@@ -95,7 +96,7 @@ class Checkpoint:
             write_xml(pipeline.planned(port), folder / name)
         header = list(pipeline.plan_report[0]) if pipeline.plan_report else []
         write_csv(folder / _REPORT, header, [list(row.values()) for row in pipeline.plan_report])
-        write_json(folder / _KEY, {"key": self._key, "manifest": manifest_rows(manifest_of(folder))})
+        write_json(folder / _KEY, {"key": self._key, "objects": pipeline.plan_objects, "manifest": manifest_rows(manifest_of(folder))})
         self.clear()
         self._place.move_in(folder, _FOLDER)
         self._place.discard(temporary)
@@ -103,6 +104,7 @@ class Checkpoint:
     def take_plan(self, pipeline):
         pipeline.take_plan(*(self._below.file(f"{_FOLDER}/{name}") for name in PLAN.values()))
         pipeline.plan_report = self._below.rows(f"{_FOLDER}/{_REPORT}")
+        pipeline.plan_objects = record_of(self._below, f"{_FOLDER}/{_KEY}", KEPT)["objects"]
 
     def copy_plan(self, name):
         """One of the plan's files among the results: the same bytes whether the plan was made or taken."""

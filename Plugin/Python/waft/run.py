@@ -44,6 +44,7 @@ class Run(Pipeline):
     edit_of: Optional[pathlib.Path]  # the file with the air that was kept
     key: str  # of the run, for checkpoints
     plan_report: List[Dict[str, Any]]
+    plan_objects: List[Dict[str, Any]]  # what planning came to
     scene_folder: "tempfile.TemporaryDirectory[str]"  # with the file of a scene that was made here
 
     def _poses(self):

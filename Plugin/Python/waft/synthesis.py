@@ -15,7 +15,7 @@ from waft.resuming import Checkpoint, run_key
 from waft.scene import Scene
 from waft.texts import is_utf8, say, warn
 from waft.watching import Clock, is_main_thread
-from waft.writing import STATE, left_out, read_rows, result_names, result_place, settled, write_results
+from waft.writing import STATE, left_out, planned_objects, read_rows, result_names, result_place, settled, write_results
 
 if TYPE_CHECKING:
     from waft.run import Run
@@ -203,6 +203,7 @@ def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limi
         pipeline.watch("planner", clock)
         pipeline.update("planner")
         pipeline.plan_report = read_rows(pipeline.output("planner", 2))
+        pipeline.plan_objects = planned_objects(pipeline)
     clock.keep()
     if checkpoint is not None and not is_found:
         checkpoint.keep_plan(pipeline)

@@ -228,10 +228,8 @@ def _write_animation(pipeline, place):
             raise failures.WaftError(f"{name}: could not be written: {'; '.join(errors)}")
 
 
-def _planned_objects(pipeline):
-    """What planning came to, one dictionary an object; none when an earlier run's plan was taken."""
-    if pipeline.planner is None:
-        return []
+def planned_objects(pipeline):
+    """What planning came to, one dictionary an object."""
     kinds = {"ObjectId": int, "Rows": int, "Met": int, "Status": str, "Cost": float, "Branches": int,
              "Seconds": float, "Message": str}
     return [{name[0].lower() + name[1:]: kind(row[name]) for name, kind in kinds.items()}
@@ -278,7 +276,7 @@ def _summary(pipeline, scene, energies):
         "energy": dict(zip(("before", "after"), map(float, energies))),
         "dynamics": _dynamics(pipeline),
         "constraints": {**counts, "unmet": [row for row in pipeline.report if row["Status"] != "met"]},
-        "objects": _planned_objects(pipeline),
+        "objects": pipeline.plan_objects,
         "settled": _settled(pipeline),
         "free": _free(pipeline),
         "stoppedEarly": pipeline.stopped,
