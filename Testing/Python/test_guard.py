@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 WAFT = sys.argv.pop(1)
 sys.path.insert(0, str(pathlib.Path(WAFT).resolve().parents[1] / "lib/python3/dist-packages"))
@@ -70,7 +71,8 @@ class Guard(unittest.TestCase):
 
     def test_what_cannot_be_seen_is_told_as_an_escape(self):
         raw = "\x1b[31m\x07\x9b\u202e\u2066\n"
-        for arguments in (("check", f"{raw}.waft.json"), ("new", f"{raw}.json"), ("check", "s", "--database", raw * 90), (raw,), ("takes", raw, "--seeds", raw, "--output", "o")):
+        for arguments in (("check", f"{raw}.waft.json"), ("new", f"{raw}.json"), ("check", "s", "--database", raw * 90), (raw,),
+                          ("takes", raw, "--seeds", raw, "--output", "o")):
             with self.subTest(arguments):
                 done = run(*arguments, cwd=self.folder)
                 self.assertEqual(2, done.returncode, done.stderr)
@@ -84,8 +86,15 @@ class Guard(unittest.TestCase):
         self.assertLess(len(done.stderr), 3000)
 
     def test_a_cell_of_a_table_is_no_formula(self):
-        for text, shown in (("=1+1", "'=1+1"), ("@SUM(A1)", "'@SUM(A1)"), ("-x", "'-x"), ("-1.5e-3", "-1.5e-3"), ("nan", "nan"), ("a=b", "a=b")):
+        for text, shown in (("=1+1", "'=1+1"), ("@SUM(A1)", "'@SUM(A1)"), ("-x", "'-x"), ("-1.5e-3", "-1.5e-3"), ("nan", "nan"),
+                            ("a=b", "a=b")):
             self.assertEqual(shown, texts.cell(text))
+
+    def test_texts_in_html_and_xml(self):
+        text = 'a<b>&"\x01\ufffe\ud800\u202e'
+        self.assertEqual("a&lt;b&gt;&amp;&quot;\\x01\\ufffe\\ud800\\u202e", texts.in_html(text))
+        element = ElementTree.fromstring(f"<a b={texts.in_xml(text)}/>")
+        self.assertEqual('a<b>&"\\x01\\ufffe\\ud800\\u202e', element.get("b"))
 
     def test_a_full_disk_behind_stdout(self):
         scene = self.scene()

@@ -7,11 +7,11 @@ import os
 import pathlib
 import re
 import shutil
-from xml.sax.saxutils import quoteattr
 
 from waft.failures import BadInput
 from waft.reading import open_stream
 from waft.renaming import move_new
+from waft.texts import cell, in_xml
 from waft.temporary import temporary_file
 
 
@@ -75,7 +75,7 @@ def write_csv(path, header, rows):
     with open(path, "w", newline="", encoding="utf-8") as stream:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(header)
-        writer.writerows(rows)
+        writer.writerows([[cell(value) if isinstance(value, str) else value for value in row] for row in rows])
 
 
 def write_json(path, content):
@@ -132,8 +132,8 @@ def _blocks_text(data, path):
         name = named.Get(data.NAME()) if named is not None and named.Has(data.NAME()) else None
         file = f"{path.stem}/{path.stem}_{index}.{'vtt' if block.IsA('vtkTable') else 'vtp'}"
         write_xml(block, path.parent / file)
-        title = f" name={quoteattr(name)}" if name else ""
-        entries.append(f'    <DataSet index="{index}"{title} file={quoteattr(file)}/>\n')
+        title = f" name={in_xml(name)}" if name else ""
+        entries.append(f'    <DataSet index="{index}"{title} file={in_xml(file)}/>\n')
     return f"{head}<vtkMultiBlockDataSet>\n{''.join(entries)}  </vtkMultiBlockDataSet>\n{fields}\n</VTKFile>\n"
 
 
@@ -142,7 +142,7 @@ def write_pvd(path, entries):
     with open(path, "w", encoding="utf-8") as stream:
         stream.write('<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n  <Collection>\n')
         for time, file in entries:
-            stream.write(f'    <DataSet timestep="{number(time)}" part="0" file="{file}"/>\n')
+            stream.write(f'    <DataSet timestep="{number(time)}" part="0" file={in_xml(file)}/>\n')
         stream.write("  </Collection>\n</VTKFile>\n")
 
 

@@ -2,7 +2,6 @@
 """One page that shows a result in a browser, with all that it needs in it: see Documentation/Page.md."""
 import base64
 import hashlib
-import html
 import json
 import os
 import pathlib
@@ -13,6 +12,7 @@ from waft.failures import BadInput, WaftError
 from waft.files import write_text
 from waft.reading import read_text
 from waft.results import ResultPlace
+from waft.texts import in_html
 
 NAME = "page.html"
 STAMP = "page.watch.js"
@@ -51,7 +51,7 @@ def _page(run, animation):
     # In a script's text `<` could end it, or begin a comment.
     inside = {'id="run">': json.dumps(run, separators=(",", ":")).replace("<", "\\u003c"),
               'id="animation">': base64.b64encode(animation).decode(),
-              "<title>": html.escape(run["title"])}
+              "<title>": in_html(run["title"])}
     for before, content in inside.items():
         head, _, tail = text.partition(before)
         text = head + before + content + tail

@@ -2,7 +2,6 @@
 """What waft.synthesize returns: the live stages, and the motion as arrays, pictures and a page in a notebook."""
 import base64
 import contextlib
-import html
 import os
 import pathlib
 import tempfile
@@ -13,6 +12,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from waft.failures import BadInput, WaftError
 from waft.pipeline import Pipeline
+from waft.texts import in_html
 from waft.reading import read_bytes
 
 _MARK = [("row", int), ("target", int), ("object", int), ("frame", int), ("kind", "U12"), ("status", "U12"), ("residual", float),
@@ -146,13 +146,13 @@ class Run(Pipeline):
                 self.render(path)
                 still = f'<img src="data:image/png;base64,{base64.b64encode(read_bytes(path)).decode()}" alt="the last frame"/>'
         except WaftError as error:
-            still = f"<p>{html.escape(str(error))}</p>"
+            still = f"<p>{in_html(str(error))}</p>"
         marks = sorted(self.marks.tolist(), key=lambda mark: mark[5] == "met")
         head = "".join(f"<th>{name}</th>" for name, _ in _MARK)
-        rows = "".join("<tr>" + "".join(f"<td>{html.escape(f'{cell:.3g}' if isinstance(cell, float) else str(cell))}</td>"
+        rows = "".join("<tr>" + "".join(f"<td>{in_html(f'{cell:.3g}' if isinstance(cell, float) else str(cell))}</td>"
                                         for cell in mark) + "</tr>" for mark in marks[:_MOST_MARKS])
         more = f"<p>and {len(marks) - _MOST_MARKS} more, all in run.marks</p>" if len(marks) > _MOST_MARKS else ""
-        return f"<p>{html.escape(repr(self)[1:-1])}</p>{still}<table><tr>{head}</tr>{rows}</table>{more}"
+        return f"<p>{in_html(repr(self)[1:-1])}</p>{still}<table><tr>{head}</tr>{rows}</table>{more}"
 
 
 @contextlib.contextmanager

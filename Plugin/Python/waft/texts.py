@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Texts of others, such as names, titles and messages, where they leave Waft."""
+"""Texts of others, such as names, titles and messages, where they leave Waft: on a line, in a cell of a table, in HTML, in XML."""
+import html
 import os
 import re
 import sys
+from xml.sax import saxutils
 
 # What a terminal, an editor or a browser acts on instead of showing it: controls, those of direction among them, ends of lines,
 # halves of letters, and what is no letter at all.
@@ -24,6 +26,16 @@ def shortened(text, most=1800):
 def cell(text):
     """A text as a cell of a table that programs for tables take for a text: one that begins as a formula does gets an apostrophe."""
     return f"'{text}" if _FORMULA.match(text) and not _is_number(text) else text
+
+
+def in_html(text):
+    """A text within HTML."""
+    return html.escape(line(text))
+
+
+def in_xml(text):
+    """A text as the value of an attribute in XML, with its quotes. XML cannot hold what cannot be seen: it is written as on a line."""
+    return saxutils.quoteattr(line(text))
 
 
 def is_utf8(path):
