@@ -157,5 +157,22 @@ class RunTest(unittest.TestCase):
             waft.synthesize(waft.Scene("nothing flies"))
 
 
+class MemoryTest(unittest.TestCase):
+    def test_too_little_memory_is_no_fault_of_the_input(self):
+        from types import SimpleNamespace
+
+        from waft.pipeline import Pipeline
+
+        for message, kind, status in (("Planner: expected an input that fits into memory, found too little memory for it", waft.WaftError, 1),
+                                      ("Planner: expected an input that fits into memory, found one beyond any", waft.BadInput, 2)):
+            pipeline = Pipeline.__new__(Pipeline)
+            pipeline.database, pipeline.planner = None, SimpleNamespace(UpdatePipeline=lambda: None)
+            pipeline.watches = {"planner": SimpleNamespace(clock=mock.Mock(), errors=[message], was_aborted=False)}
+            with self.assertRaises(waft.WaftError) as raised:
+                pipeline.update("planner")
+            self.assertIs(kind, type(raised.exception))
+            self.assertEqual((message, status), (str(raised.exception), raised.exception.status))
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

@@ -4,10 +4,12 @@ from paraview import servermanager, simple
 
 from waft import reading
 from waft.database import check_database, settle_database
-from waft.failures import BadInput
+from waft.failures import BadInput, WaftError
 from waft.loading import data_file
 from waft.watching import StageWatch
 from waft.writing import read_rows
+
+NO_MEMORY = "found too little memory for it"  # how stages say so
 
 
 class Pipeline:
@@ -61,8 +63,8 @@ class Pipeline:
         return self.watches[name]
 
     def update(self, name, can_stop=True):
-        """Updates a stage that is watched; raises BadInput with its message when it failed, Interrupted when it is
-        to stop and there is nothing to write yet."""
+        """Updates a stage that is watched; raises BadInput with its message when it failed (WaftError where memory ended, which is no
+        fault of the input), Interrupted when it is to stop and there is nothing to write yet."""
         watch = self.watches[name]
         watch.clock.check()
         watch.can_stop = can_stop
@@ -74,7 +76,8 @@ class Pipeline:
         if watch.errors and not watch.was_aborted:
             message = watch.errors[0]
             is_database = self.database is not None and (name == "database" or message.startswith("motion database: "))
-            raise BadInput(f"{self.database_file}: {message}" if is_database else message)
+            kind = WaftError if NO_MEMORY in message else BadInput
+            raise kind(f"{self.database_file}: {message}" if is_database else message)
 
     def _drop(self, name):
         """A stage that was stopped while it looked at its inputs gave nothing: the motion so far is that of the one before."""
