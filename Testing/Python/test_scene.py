@@ -190,6 +190,14 @@ class SceneTest(unittest.TestCase):
         everything()
         self.assertEqual([], [name for name in sys.modules if name.startswith(("paraview", "vtkmodules", "numpy"))])
 
+    def test_an_object_in_place_of_a_choice_of_values_is_refused(self):
+        path = self.folder / "x.waft.json"
+        for velocity in ({}, {"x": 1}, 10 ** 400, [[]]):
+            row = {"kind": "keyframe", "frame": 1, "velocity": velocity, "targets": {"points": []}}
+            path.write_text(json.dumps({"waft": 1, "constraints": [row]}), encoding="utf-8")
+            with self.assertRaisesRegex(waft.BadInput, "constraints/0/velocity: expected"):
+                waft.Scene.load(path)
+
     def test_fields_that_do_not_go_together_are_refused(self):
         scene = everything()
         before = scene.as_dict()

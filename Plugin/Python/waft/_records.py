@@ -30,7 +30,7 @@ FLOWN = {**REPORT, "required": [*REPORT["required"], "constraints", "stages"], "
 _MEASURE = _object("key row value wanted drifters met why", key=_TEXT, row=_TEXT, value=_FIGURE, drifters=_FIGURE, why=_TEXT,
                    wanted=_list(_FIGURE, minItems=2, maxItems=2), met={"anyOf": [_YES, {"type": "null"}]})
 MEASURED = _list(_object("folder tracks notes rows", folder=_TEXT, tracks=_TEXT, notes=_list(_TEXT), rows=_list(_MEASURE)))
-TAKES = _object(takes=_list(_object(
+TAKES = _object("takes", takes=_list(_object(
     "seed folder key status outcome message seconds", seed=REPORT["properties"]["seed"], key=_TEXT, outcome=_TEXT, message=_TEXT,
     folder={"type": "string", "pattern": r"^take-\d{4,}\Z", "description": "the name of a take's folder"}, seconds=_SECONDS,
     status={"type": "integer", "minimum": 0, "maximum": 255}, met=_COUNT, wishes=_COUNT, processorSeconds=_SECONDS, peakMemoryMB=_SECONDS,

@@ -110,8 +110,9 @@ def fault(value, field, place):
 
 
 def _nearest(value, choices, place):
-    """The fault by the choice whose first required field is there, or what is required by any."""
-    if not isinstance(value, dict):
+    """The fault by the choice whose first required field is there, or what is required by any; None where there is no choice of
+    objects."""
+    if not isinstance(value, dict) or not all("required" in resolved(choice) for choice in choices):
         return None
     for choice in map(resolved, choices):
         if choice.get("required", [None])[0] in value:
