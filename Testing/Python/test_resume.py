@@ -7,6 +7,7 @@ import json
 import multiprocessing
 import os
 import pathlib
+import shutil
 import signal
 import sys
 import tempfile
@@ -14,8 +15,11 @@ import unittest
 
 import warm
 
+from waft.results import manifest_of, manifest_rows
+from waft.resuming import PLAN, Checkpoint
 from waft.synthesis import OPTIMISER, synthesize
 from waft.watching import NOTHING_COMPUTED, Clock, note_stops
+from waft.writing import result_place
 
 SCENE = {
     "waft": 1,
@@ -159,6 +163,28 @@ class Resume(unittest.TestCase):
                 self.assertEqual(0, status, text)
                 self.assertRegex(text, f"checkpoint/{name} is damaged.*: done from the start")
                 self.expect_same(out)
+
+    def test_a_plan_that_is_as_its_digests_say_is_looked_at(self):
+        """Somebody else may have written both."""
+        out = self.folder / "somebody"
+        self.kill_at(0.0, out)
+        whole = json.loads((out / "checkpoint" / "key").read_text(encoding="utf-8"))
+        rows = (out / "checkpoint" / "report.csv").read_text(encoding="utf-8")
+        for name, content, words in (("key", json.dumps({**whole, "objects": 5}), "key is damaged"),
+                                     ("key", json.dumps({**whole, "objects": [{"objectId": 1e19}]}), "key is damaged"),
+                                     ("key", json.dumps({**whole, "key": [1]}), "key is damaged"),
+                                     ("report.csv", rows.replace("Status", "Stand", 1), "column Status: expected a text, found nothing"),
+                                     ("report.csv", rows.replace("\n0,", "\nx,", 1), "column Row: expected a whole number, found 'x'"),
+                                     ("planned.vtp", "<VTKFile/>", "planned.vtp: "), ("report.csv", rows, "")):
+            (out / "checkpoint" / name).write_text(content, encoding="utf-8")
+            with result_place(out) as place:
+                if name != "key":
+                    manifest = manifest_rows(manifest_of(out / "checkpoint"))
+                    kept = {**whole, "manifest": [row for row in manifest if row["name"] in ("report.csv", *PLAN.values())]}
+                    (out / "checkpoint" / "key").write_text(json.dumps(kept), encoding="utf-8")
+                self.assertIn(words, Checkpoint(place, whole["key"]).lack())
+            if name == "planned.vtp":
+                shutil.copy(self.whole / name, out / "checkpoint" / name)
 
     def test_a_stop_while_a_clock_is_set_up_is_seen(self):
         def be_stopped():

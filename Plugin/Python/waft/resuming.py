@@ -6,14 +6,17 @@ import re
 import stat
 
 from waft._records import KEPT, record_of
+from waft._tables import columns_of
 from waft.failures import BadInput
 from waft.files import copy_file, write_csv, write_json, write_xml
 from waft.loading import version
+from waft.reading import read_surface
 from waft.results import manifest_in, manifest_of, manifest_rows
 
 PLAN = {0: "planned.vtp", 3: "constraints.vtp", 4: "vortices.vtp"}
 _FOLDER = "checkpoint"
 _REPORT, _KEY = "report.csv", "key"
+_COLUMNS = {"Row": int, "Target": int, "ObjectId": int, "Frame": int, "Kind": str, "Residual": float, "Status": str, "Message": str}
 # Of the optimiser; of the assimilation on its way, and when it is done.
 _STATES = ("spacetime.state", "assimilation.state", "assimilated.state")
 _OWN = re.compile("|".join([*(re.escape(name) for name in (*PLAN.values(), _REPORT, _KEY)),
@@ -78,14 +81,27 @@ class Checkpoint:
         """What keeps a run from going on from here, in words; empty when nothing does."""
         if not self._below.is_folder(_FOLDER):
             return "no stopped run of this scene, seed and version"
-        key = self._below.found_json(f"{_FOLDER}/{_KEY}")
         manifest = self._manifest()
-        if manifest is None or not {*PLAN.values(), _REPORT} <= manifest.keys():
+        try:
+            key = record_of(self._below, f"{_FOLDER}/{_KEY}", KEPT)
+        except BadInput:
+            key = None
+        if key is None or manifest is None or not {*PLAN.values(), _REPORT} <= manifest.keys():
             return f"{self._folder / _KEY} is damaged, or of another version"
-        if key.get("key") != self._key:
+        if key["key"] != self._key:
             return "no stopped run of this scene, seed and version"
         damaged = [name for name, entry in manifest.items() if not entry.fits(self._below, f"{_FOLDER}/{name}")]
-        return f"{self._folder / damaged[0]} is damaged" if damaged else ""
+        return f"{self._folder / damaged[0]} is damaged" if damaged else self._nonsense()
+
+    def _nonsense(self):
+        """What cannot be read of files that are as their digests say, in words: somebody else may have written both."""
+        try:
+            for name in PLAN.values():
+                read_surface(self._below.file(f"{_FOLDER}/{name}"))
+            columns_of(self._below.rows(f"{_FOLDER}/{_REPORT}"), _COLUMNS, self._folder / _REPORT)
+        except BadInput as error:
+            return f"it cannot be read: {error}"
+        return ""
 
     def keep_plan(self, pipeline):
         """Takes the place of whatever another run left."""
