@@ -152,6 +152,12 @@ def glbs():
     yield "JSON that is a list", ".glb", good.glb(json.loads("[]"))
 
 
+def required(extension):
+    content = good.gltf_json()
+    content["extensionsUsed"] = content["extensionsRequired"] = [extension]
+    return good.glb(content)
+
+
 def _deep_glb():
     deep = good.gltf_json()
     deep["nodes"] = [{"children": [i + 1]} for i in range(20000)] + [{"mesh": 0}]
@@ -179,6 +185,10 @@ def vtps():
     yield "of another type", ".vtp", whole.replace(b'"PolyData"', b'"UnstructuredGrid"')
     yield "an unknown compressor", ".vtp", whole.replace(b'header_type', b'compressor="vtkNoCompressor" header_type')
     yield "an appended array that is not there", ".vtp", whole.replace(b'format="ascii"', b'format="appended" offset="99"', 1)
+    zeros = good.packed_zeros(12 * 2 * 10 ** 8)
+    yield "2e8 points that are packed", ".vtp", good.vtp_packed(2 * 10 ** 8, zeros)
+    yield "a block of 2^40 bytes", ".vtp", good.vtp_packed(4, struct.pack("<4Q", 1, 2 ** 40, 0, 100) + bytes(100))
+    yield "blocks that say less than they unpack to", ".vtp", good.vtp_packed(4, zeros[:16] + struct.pack("<Q", 48) + zeros[24:])
     yield "laughs", ".vtp", (b'<?xml version="1.0"?><!DOCTYPE l [<!ENTITY a "ha">' + b"".join(
         f'<!ENTITY {chr(98 + i)} "{f"&{chr(97 + i)};" * 10}">'.encode() for i in range(9)) + b"]><VTKFile>&j;</VTKFile>")
 
@@ -204,10 +214,15 @@ def cases():
         for name, file in (("that is not there", "none.obj"), ("of an unknown kind", "m.fbx"), ("without a kind", "m")):
             scene, pointer = _of(kind, file)
             yield scene_case(group, f"{kind} {name}", scene, pointer, files={"m.fbx": b"x", "m": b"x"})
+    for extension in ("KHR_draco_mesh_compression", "EXT_meshopt_compression", "ACME_warp"):
+        scene, pointer = _of("obstacle", "m.glb")
+        yield scene_case(group, f"glb: requires {extension}", scene, pointer, extension, "export without",
+                         files={"m.glb": required(extension)})
     scene, pointer = _of("obstacle", "m.obj")
     yield scene_case(group, "an open obstacle", scene, pointer, "closed",
                      files={"m.obj": good.obj(faces=good.FACES[:3])})
     for make, suffix in ((good.obj, ".obj"), (good.ply, ".ply"), (good.ply_binary, ".ply"), (good.stl, ".stl"),
-                         (good.glb, ".glb"), (_deep_glb, ".glb"), (good.vtp, ".vtp")):
+                         (good.stl_words, ".stl"), (good.glb, ".glb"), (good.gltf, ".gltf"), (_deep_glb, ".glb"),
+                         (good.vtp, ".vtp")):
         scene, _ = _of("obstacle", f"m{suffix}")
         yield scene_case(group, f"obstacle that is right: {make.__name__}", scene, files={f"m{suffix}": make}, status=(0,))

@@ -30,6 +30,7 @@ def damaged_pngs():
     yield "2^31-1 squared", good.png(claimed=(2 ** 31 - 1, 2 ** 31 - 1))
     yield "2^32-1 wide", good.png(claimed=(2 ** 32 - 1, 1))
     yield "20000 x 20000 with nothing behind", good.png(claimed=(20000, 20000))
+    yield "6000 x 6000 of 8 bytes", good.png(claimed=(6000, 6000), depth=16)
     yield "too little data", good.png(scanlines=b"\x00" * 20)
     yield "damaged compression", good.png(data=b"\x00" * 8 + compressed[8:])
     yield "no compression at all", good.png(data=b"pixels")
@@ -106,6 +107,8 @@ def cases():
         yield scene_case(group, f"font: {name}", _targets(text="I", font="f.ttf"), pointer, files={"f.ttf": content})
     yield scene_case(group, "font that is not there", _targets(text="I", font="none.ttf"), pointer)
     yield scene_case(group, "font by an unknown name", _targets(text="I", font="comic"), pointer)
+    yield scene_case(group, "image of 8000 x 8000 in 8 kB", _targets(image="p.png"), status=(0, 2, 3), files={
+        "p.png": good.png(claimed=(8000, 8000), depth=1, colours=0, scanlines=bytes(8000 * 1001))})
     yield scene_case(group, "image that is right", _targets(image="p.png"), files={"p.png": good.png()}, status=(0, 3))
     for suffix, make in ((".jpg", good.jpg), (".tif", good.tif), (".bmp", good.bmp)):
         yield scene_case(group, f"image that is right, {suffix}", _targets(image=f"p{suffix}"), files={f"p{suffix}": make},

@@ -40,6 +40,8 @@ def vtis():
     yield "neither Wind nor Velocity", good.vti(name="Draft")
     yield "text in place of numbers", good.vti(kind="String", values="65 0 " * 24)
     yield "an unknown type", good.vti(kind="Float128")
+    yield "2e8 points that are packed", good.vti_packed(584, 584, good.packed_zeros(12 * 585 ** 3))
+    yield "room for 2e8 points, and values for eight", good.vti_packed(584, 1, good.packed_zeros(12 * 8) + bytes(200000))
     yield "of another kind", whole.replace(b'"ImageData"', b'"PolyData"', 1)
 
 

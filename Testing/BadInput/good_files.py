@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Small files that are right, to be damaged: pictures, meshes, volumes."""
+import base64
 import json
 import pathlib
 import struct
@@ -80,6 +81,13 @@ def stl():
     return bytes(80) + struct.pack("<I", len(FACES)) + triangles
 
 
+def stl_words():
+    """STL in words."""
+    facets = "".join("facet normal 0 0 0\nouter loop\n" + "".join(
+        "vertex " + " ".join(map(str, POINTS[i])) + "\n" for i in face) + "endloop\nendfacet\n" for face in FACES)
+    return f"solid tetrahedron\n{facets}endsolid tetrahedron\n".encode()
+
+
 def ply(points=len(POINTS), faces=len(FACES), lines=None, properties=("float x", "float y", "float z"),
         listed="list uchar int vertex_indices", form="ascii 1.0"):
     """A PLY in text: points and faces are the numbers that its header tells."""
@@ -118,6 +126,42 @@ def glb(content=None, binary=None, length=None):
     whole = 12 + 8 + len(text) + 8 + len(binary)
     return (struct.pack("<4sII", b"glTF", 2, whole if length is None else length) +
             struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(binary), b"BIN\x00") + binary)
+
+
+def gltf():
+    """The same in text, its bytes in base64."""
+    content = gltf_json()
+    content["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64.b64encode(glb()[-72:]).decode()
+    return (json.dumps(content, indent=1) + "\n").encode()
+
+
+def packed_zeros(count, size=1 << 20):
+    """So many bytes as VTK packs them: how many blocks of which size, the packed size of each, the blocks."""
+    blocks, rest = divmod(count, size)
+    whole, last = zlib.compress(bytes(size), 9), zlib.compress(bytes(rest), 9) if rest else b""
+    sizes = [len(whole)] * blocks + [len(last)] * bool(rest)
+    return struct.pack(f"<{3 + len(sizes)}Q", len(sizes), size, rest, *sizes) + whole * blocks + last
+
+
+def packed(kind, inside, values):
+    """A VTK file of one kind whose values follow its elements, packed."""
+    return (f'<?xml version="1.0"?>\n<VTKFile type="{kind}" version="1.0" byte_order="LittleEndian" header_type="UInt64" '
+            f'compressor="vtkZLibDataCompressor">{inside}<AppendedData encoding="raw">_').encode() + values + (
+                b"</AppendedData></VTKFile>\n")
+
+
+def vtp_packed(points, values):
+    """Points that are packed."""
+    return packed("PolyData", f'<PolyData><Piece NumberOfPoints="{points}"><Points><DataArray type="Float32" '
+                  'NumberOfComponents="3" format="appended" offset="0"/></Points></Piece></PolyData>', values)
+
+
+def vti_packed(last, piece, values):
+    """A wind that is packed, at last + 1 points along each axis, of which the piece has (piece + 1)^3."""
+    whole, part = (" ".join([f"0 {end}"] * 3) for end in (last, piece))
+    return packed("ImageData", f'<ImageData WholeExtent="{whole}" Origin="-2 -2 0" Spacing="1 1 1"><Piece Extent="{part}">'
+                  '<PointData><DataArray type="Float32" Name="Wind" NumberOfComponents="3" format="appended" offset="0"/>'
+                  '</PointData></Piece></ImageData>', values)
 
 
 def vtp(points=4, polys=4, coordinates=None, connectivity=None, offsets=None, lines=0):

@@ -15,6 +15,8 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import numpy as np  # noqa: E402
 from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
+from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR  # noqa: E402
+from vtkmodules.vtkCommonDataModel import vtkImageData  # noqa: E402
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter  # noqa: E402
 from vtkmodules.vtkFiltersSources import vtkCubeSource  # noqa: E402
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter  # noqa: E402
@@ -24,6 +26,7 @@ import sample_folder  # noqa: E402
 
 from waft.failures import BadInput, WaftError  # noqa: E402
 from waft._drawing import pictures  # noqa: E402
+from waft._flyers import _at_most  # noqa: E402
 from waft._folder import load  # noqa: E402
 from waft._scenery import image  # noqa: E402
 from waft.reading import read_surface  # noqa: E402
@@ -229,6 +232,16 @@ class RenderTest(unittest.TestCase):
         # Red and green fall, blue stays; light that is thrown back has no tint.
         self.assertLess(blue[leaf][:, 0].mean(), 0.5 * plain[leaf][:, 0].mean())
         self.assertAlmostEqual(blue[leaf][:, 2].mean(), plain[leaf][:, 2].mean(), delta=3.0)
+
+    def test_a_large_texture_is_averaged_down(self):
+        image = vtkImageData()
+        image.SetDimensions(9000, 10, 1)
+        image.AllocateScalars(VTK_UNSIGNED_CHAR, 1)
+        image.GetPointData().GetScalars().Fill(200)
+        small = _at_most(image, 4096)
+        self.assertEqual(small.GetDimensions(), (3000, 3, 1))
+        self.assertEqual(small.GetScalarRange(), (200.0, 200.0))
+        self.assertIs(_at_most(image, 9000), image)
 
     def test_one_sees_through_obstacles_that_hide_the_motion(self):
         motion = load(WORK)

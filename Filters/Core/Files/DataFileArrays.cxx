@@ -34,19 +34,21 @@ struct Values
   }
 };
 
-bool PlainBytes(const DataFileArrays& file, const Values& values, double& bytes)
+// Each of the two: do the values agree with their header? How many bytes does it say?
+bool PlainBytes(const DataFileArrays& file, const Values& values, ArrayBytes& bytes)
 {
   const std::string head = values.First(static_cast<std::size_t>(file.WordSize));
   if (!Holds(head, 0, static_cast<std::uint64_t>(file.WordSize)))
   {
     return false;
   }
-  bytes = static_cast<double>(ReadUnsigned(head, 0, file.WordSize, file.Order));
-  return bytes <= values.Most();
+  bytes.InMemory = static_cast<double>(ReadUnsigned(head, 0, file.WordSize, file.Order));
+  bytes.InFile = bytes.InMemory + file.WordSize;
+  return bytes.InMemory <= values.Most();
 }
 
 // Number of blocks, bytes of a block and of the last when it is smaller, packed bytes of each.
-bool PackedBytes(const DataFileArrays& file, const Values& values, double& bytes)
+bool PackedBytes(const DataFileArrays& file, const Values& values, ArrayBytes& bytes)
 {
   const auto word = static_cast<std::size_t>(file.WordSize);
   const std::string head = values.First(3 * word);
@@ -58,9 +60,9 @@ bool PackedBytes(const DataFileArrays& file, const Values& values, double& bytes
   const auto size = static_cast<double>(ReadUnsigned(head, word, file.WordSize, file.Order));
   const auto last = static_cast<double>(ReadUnsigned(head, 2 * word, file.WordSize, file.Order));
   const auto count = static_cast<double>(blocks);
-  bytes = last > 0.0 ? (count - 1.0) * size + last : count * size;
+  bytes.InMemory = last > 0.0 ? (count - 1.0) * size + last : count * size;
   if (count * static_cast<double>(word) > values.Most() || last > size ||
-      (blocks > 0 && size > std::max(file.Most(), 1e8)) || bytes > file.Most())
+      (blocks > 0 && size > std::max(file.Most(), 1e8)) || bytes.InMemory > file.Most())
   {
     return false;
   }
@@ -71,6 +73,7 @@ bool PackedBytes(const DataFileArrays& file, const Values& values, double& bytes
   {
     packed += static_cast<double>(ReadUnsigned(sizes, i * word, file.WordSize, file.Order));
   }
+  bytes.InFile = packed;
   return isWhole && packed <= values.Most() + 3.0;
 }
 
@@ -81,10 +84,11 @@ double DataFileArrays::Most() const
   return static_cast<double>(this->Text.size()) * (this->IsPacked ? MostPacked : 1.0);
 }
 
-Result DataFileArrays::Check(const ArrayClaim& claim) const
+Result DataFileArrays::Check(const ArrayClaim& claim, ArrayBytes& bytes) const
 {
   if (claim.Format == "ascii")
   {
+    bytes.InMemory += std::max(claim.Bytes, 0.0);
     return Result::Ok(); // the count was held against the size of the file
   }
   Values values{ {}, claim.Format == "appended" && this->IsRaw };
@@ -98,9 +102,9 @@ Result DataFileArrays::Check(const ArrayClaim& claim) const
       std::min(this->Text.find_first_not_of(" \t\r\n", claim.At), this->Text.size());
     values.Text = this->Text.substr(begin, this->Text.find('<', begin) - begin);
   }
-  double bytes = 0.0;
+  ArrayBytes own;
   const bool isGood =
-    this->IsPacked ? PackedBytes(*this, values, bytes) : PlainBytes(*this, values, bytes);
+    this->IsPacked ? PackedBytes(*this, values, own) : PlainBytes(*this, values, own);
   // A reader does not look at the values of an array without any.
   if (claim.Bytes == 0.0)
   {
@@ -111,12 +115,14 @@ Result DataFileArrays::Check(const ArrayClaim& claim) const
     return Result::Error(claim.Location +
                          "expected its values, found that they are cut or damaged");
   }
-  if (claim.Bytes > 0.0 && bytes != claim.Bytes)
+  if (claim.Bytes > 0.0 && own.InMemory != claim.Bytes)
   {
     return Result::Error(
       claim.Location + "expected " + std::to_string(static_cast<long long>(claim.Bytes)) +
-      " bytes of values, found " + std::to_string(static_cast<long long>(bytes)));
+      " bytes of values, found " + std::to_string(static_cast<long long>(own.InMemory)));
   }
+  bytes.InMemory += own.InMemory;
+  bytes.InFile += own.InFile;
   return Result::Ok();
 }
 

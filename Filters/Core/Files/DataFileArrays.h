@@ -20,6 +20,13 @@ struct ArrayClaim
   std::size_t At = 0;      // of inline values: their byte; of appended ones: their offset
 };
 
+/// Bytes of the values of arrays: in memory, and as they are in the file.
+struct ArrayBytes
+{
+  double InMemory = 0.0;
+  double InFile = 0.0;
+};
+
 /// How a file keeps the values of its arrays.
 struct DataFileArrays
 {
@@ -34,8 +41,8 @@ struct DataFileArrays
 
   /// More of anything does not fit in the file.
   double Most() const;
-  /// Are the values there, and as many as the claim says?
-  Result Check(const ArrayClaim& claim) const;
+  /// Are the values there, and as many as the claim says? Adds to the bytes of others.
+  Result Check(const ArrayClaim& claim, ArrayBytes& bytes) const;
 };
 
 } // namespace waft

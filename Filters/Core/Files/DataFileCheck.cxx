@@ -2,6 +2,7 @@
 #include "Files/DataFileCheck.h"
 
 #include "Files/DataFileArrays.h"
+#include "Files/DataFileRoom.h"
 #include "Files/FileBytes.h"
 #include "Files/TextLines.h"
 #include "Files/XmlTags.h"
@@ -37,10 +38,16 @@ int SizeOf(std::string_view type)
                                                       : 0;
 }
 
+Result CheckOne(const std::string& path, const std::vector<std::string>& types, DataSetBytes& all);
+
 class DataFile
 {
 public:
-  DataFile(std::string_view text, const std::string& path) : Tags(text), Path(path), Arrays(text) {}
+  DataFile(std::string_view text, const std::string& path, DataSetBytes& all) :
+    Tags(text), Path(path), All(all), Arrays(text)
+  {
+    this->All.InFiles += static_cast<double>(text.size());
+  }
 
   Result Check(const std::vector<std::string>& types)
   {
@@ -69,14 +76,25 @@ public:
                              ? "expected a VTK XML file, found no XML"
                              : "expected `</VTKFile>`, found the end of the file or no XML");
     }
+    ArrayBytes bytes;
     for (const ArrayClaim& claim : this->Claims)
     {
-      WAFT_RETURN_IF_FAILED(this->Arrays.Check(claim));
+      WAFT_RETURN_IF_FAILED(this->Arrays.Check(claim, bytes));
     }
-    return Result::Ok();
+    return this->CheckBytes(bytes);
   }
 
 private:
+  Result CheckBytes(const ArrayBytes& bytes) const
+  {
+    if (bytes.InFile > static_cast<double>(this->Arrays.Text.size()))
+    {
+      return Result::Error("expected arrays with values of their own, found some that share them");
+    }
+    this->All.InMemory += std::max(bytes.InMemory, this->Room.Bytes());
+    return this->All.Check();
+  }
+
   Result Open(const XmlTag& tag, const std::string& location, const std::vector<std::string>& types)
   {
     if (this->Stack.empty())
@@ -92,8 +110,9 @@ private:
     }
     if (tag.Name == "ImageData")
     {
-      double points = 0.0;
-      WAFT_RETURN_IF_FAILED(this->ReadExtent(tag, "WholeExtent", location, points));
+      PieceCounts counts;
+      WAFT_RETURN_IF_FAILED(this->ReadExtent(tag, "WholeExtent", location, counts));
+      this->Room.AddTuples(counts.Points, counts.Cells, counts.Rows);
       WAFT_RETURN_IF_FAILED(CheckNumbers(tag, "Origin", location, 3));
       WAFT_RETURN_IF_FAILED(CheckNumbers(tag, "Spacing", location, 3));
       return CheckNumbers(tag, "Direction", location, 9);
@@ -175,10 +194,11 @@ private:
 
   // Six numbers, each pair in order or empty (last = first - 1).
   Result ReadExtent(const XmlTag& tag, const char* name, const std::string& location,
-                    double& points) const
+                    PieceCounts& counts) const
   {
     const std::vector<std::string_view> words = WordsOf(tag.Attribute(name));
-    points = 1.0;
+    counts.Points = 1.0;
+    counts.Cells = 1.0;
     bool isGood = words.size() == 6;
     for (std::size_t axis = 0; isGood && axis < 3; ++axis)
     {
@@ -186,9 +206,10 @@ private:
       long long last = 0;
       isGood = ParseInteger(words[2 * axis], first) && ParseInteger(words[2 * axis + 1], last) &&
                std::max(std::abs(double(first)), std::abs(double(last))) < 1e9 && last >= first;
-      points *= static_cast<double>(last - first + 1);
+      counts.Points *= static_cast<double>(last - first + 1);
+      counts.Cells *= static_cast<double>(std::max(1LL, last - first));
     }
-    return isGood && points <= this->Arrays.Most()
+    return isGood && counts.Points <= this->Arrays.Most()
              ? Result::Ok()
              : Result::Error(location + name +
                              ": expected 6 numbers, first and last of each axis, of "
@@ -202,7 +223,7 @@ private:
     PieceCounts counts;
     if (this->Type == "ImageData")
     {
-      WAFT_RETURN_IF_FAILED(this->ReadExtent(tag, "Extent", location, counts.Points));
+      WAFT_RETURN_IF_FAILED(this->ReadExtent(tag, "Extent", location, counts));
     }
     else
     {
@@ -217,6 +238,11 @@ private:
       counts.Cells += count;
     }
     this->Piece = counts;
+    this->Room.AddPiece();
+    if (this->Type != "ImageData")
+    {
+      this->Room.AddTuples(counts.Points, counts.Cells, counts.Rows);
+    }
     return Result::Ok();
   }
 
@@ -252,6 +278,7 @@ private:
       return Result::Error(claim.Location + "expected values that the file can hold, found " +
                            std::to_string(static_cast<long long>(values)));
     }
+    this->Room.AddArray(parent, components * size);
     claim.Bytes = isCounted ? values * size : -1.0;
     claim.At = tag.End;
     if (claim.Format == "appended")
@@ -286,7 +313,11 @@ private:
     {
       return Result::Error(name + "no such file as " + Quoted(file));
     }
-    const Result checked = CheckDataFile(leaf.string(), { "PolyData", "Table" });
+    if (!this->All.Blocks.insert(std::filesystem::weakly_canonical(leaf, error)).second)
+    {
+      return Result::Error(name + "expected a file of its own, found " + Quoted(file) + " again");
+    }
+    const Result checked = CheckOne(leaf.string(), { "PolyData", "Table" }, this->All);
     return checked ? checked : Result::Error(name + Quoted(file) + ": " + checked.Message());
   }
 
@@ -309,21 +340,29 @@ private:
 
   XmlTags Tags;
   std::string Path;
+  DataSetBytes& All;
   std::vector<std::string_view> Stack;
   bool HasEnd = false;
   std::string Type;
   DataFileArrays Arrays;
   PieceCounts Piece;
+  DataFileRoom Room;
   std::vector<ArrayClaim> Claims;
 };
+
+Result CheckOne(const std::string& path, const std::vector<std::string>& types, DataSetBytes& all)
+{
+  FileBytes file;
+  WAFT_RETURN_IF_FAILED(file.Open(path));
+  return DataFile(file.View(), path, all).Check(types);
+}
 
 } // namespace
 
 Result CheckDataFile(const std::string& path, const std::vector<std::string>& types)
 {
-  FileBytes file;
-  WAFT_RETURN_IF_FAILED(file.Open(path));
-  return DataFile(file.View(), path).Check(types);
+  DataSetBytes all;
+  return CheckOne(path, types, all);
 }
 
 } // namespace waft

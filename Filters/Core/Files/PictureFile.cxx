@@ -74,13 +74,15 @@ std::uint64_t FieldOf(const TiffFields& fields, int tag, std::uint64_t absent)
 
 } // namespace
 
-Result CheckPictureSize(std::uint64_t width, std::uint64_t height)
+Result CheckPictureSize(std::uint64_t width, std::uint64_t height, std::uint64_t pixelBytes)
 {
-  const bool fits = width > 0 && height > 0 && width <= MostPixels && height <= MostPixels / width;
+  const std::uint64_t most =
+    std::min(MostPixels, MostPixelBytes / std::max<std::uint64_t>(1, pixelBytes));
+  const bool fits = width > 0 && height > 0 && width <= most && height <= most / width;
   return fits ? Result::Ok()
-              : Result::Error("expected a picture of 1 to " + std::to_string(MostPixels) +
-                              " pixels, found " + std::to_string(width) + " x " +
-                              std::to_string(height));
+              : Result::Error("expected a picture of 1 to " + std::to_string(most) + " pixels of " +
+                              std::to_string(pixelBytes) + " bytes, found " +
+                              std::to_string(width) + " x " + std::to_string(height));
 }
 
 Result CheckJpeg(std::string_view file)
@@ -116,7 +118,8 @@ Result CheckJpeg(std::string_view file)
     {
       return size < 8 ? Cut("frame header")
                       : CheckPictureSize(ReadUnsigned(file, at + 7, 2, ByteOrder::Big),
-                                         ReadUnsigned(file, at + 5, 2, ByteOrder::Big));
+                                         ReadUnsigned(file, at + 5, 2, ByteOrder::Big),
+                                         ReadUnsigned(file, at + 9, 1, ByteOrder::Big));
     }
     if (marker == 0xda || marker == 0xd9)
     {
@@ -149,7 +152,7 @@ Result CheckBmp(std::string_view file)
                          std::to_string(bits) + " bits, compression " +
                          std::to_string(read(30, 4)));
   }
-  WAFT_RETURN_IF_FAILED(CheckPictureSize(width, height));
+  WAFT_RETURN_IF_FAILED(CheckPictureSize(width, height, 3));
   const std::uint64_t colors = bits == 8 ? (read(46, 4) > 0 ? read(46, 4) : 256) : 0;
   const std::uint64_t stride = (width * bits / 8 + 3) / 4 * 4;
   if (colors > 256 || read(10, 4) < 14 + read(14, 4) + 4 * colors ||
@@ -176,7 +179,6 @@ Result CheckTiff(std::string_view file)
     ReadTiffFields(file, isLittle ? ByteOrder::Little : ByteOrder::Big, fields));
   const std::uint64_t width = FieldOf(fields, 256, 0);
   const std::uint64_t height = FieldOf(fields, 257, 0);
-  WAFT_RETURN_IF_FAILED(CheckPictureSize(width, height));
   const std::uint64_t channels = FieldOf(fields, 277, 1);
   const std::uint64_t bits = FieldOf(fields, 258, 1);
   const auto& allBits = fields[258];
@@ -189,6 +191,8 @@ Result CheckTiff(std::string_view file)
     return Result::Error(
       "expected 1 to 4 channels of 8 or 16 bits in grey, colour or with a palette");
   }
+  const std::uint64_t pixelBytes = meaning == 3 ? 4 : channels * bits / 8;
+  WAFT_RETURN_IF_FAILED(CheckPictureSize(width, height, pixelBytes));
   if (meaning == 3 && (channels != 1 || bits != 8 || fields[320].size() != 3 * 256))
   {
     return Result::Error("field 320: expected a palette of 256 colours");
@@ -200,7 +204,7 @@ Result CheckTiff(std::string_view file)
   const std::uint64_t along = isTiled ? FieldOf(fields, 322, 0) : width;
   const std::uint64_t down =
     isTiled ? FieldOf(fields, 323, 0) : std::min(height, FieldOf(fields, 278, height));
-  WAFT_RETURN_IF_FAILED(CheckPictureSize(along, down));
+  WAFT_RETURN_IF_FAILED(CheckPictureSize(along, down, pixelBytes));
   const std::uint64_t planes = FieldOf(fields, 284, 1) == 2 ? channels : 1;
   const std::uint64_t parts = ((width + along - 1) / along) * ((height + down - 1) / down) * planes;
   if (offsets.size() != parts || sizes.size() != parts)

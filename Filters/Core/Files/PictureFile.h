@@ -10,11 +10,12 @@
 namespace waft
 {
 
-/// Most pixels of a picture that is read.
+/// Most pixels of a picture that is read, and most bytes of them once they are unpacked.
 constexpr std::uint64_t MostPixels = std::uint64_t{ 1 } << 26;
+constexpr std::uint64_t MostPixelBytes = std::uint64_t{ 1 } << 28;
 
-/// At least one pixel, at most MostPixels.
-Result CheckPictureSize(std::uint64_t width, std::uint64_t height);
+/// At least one pixel, at most MostPixels and MostPixelBytes. pixelBytes: of an unpacked one.
+Result CheckPictureSize(std::uint64_t width, std::uint64_t height, std::uint64_t pixelBytes);
 
 /// Is a JPEG with a frame header of a size that may be read? What its data hold the decoder says.
 Result CheckJpeg(std::string_view file);

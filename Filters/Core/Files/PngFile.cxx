@@ -31,11 +31,11 @@ struct Header
   int Color = 0;
   bool IsInterlaced = false;
 
-  int BitsOfPixel() const
+  int Channels() const
   {
-    const int channels = this->Color == 2 ? 3 : this->Color == 4 ? 2 : this->Color == 6 ? 4 : 1;
-    return channels * this->Depth;
+    return this->Color == 2 ? 3 : this->Color == 4 ? 2 : this->Color == 6 ? 4 : 1;
   }
+  int BitsOfPixel() const { return this->Channels() * this->Depth; }
 };
 
 Result ReadHeader(std::string_view data, Header& header)
@@ -49,7 +49,6 @@ Result ReadHeader(std::string_view data, Header& header)
   header.Depth = static_cast<unsigned char>(data[8]);
   header.Color = static_cast<unsigned char>(data[9]);
   header.IsInterlaced = data[12] == 1;
-  WAFT_RETURN_IF_FAILED(CheckPictureSize(header.Width, header.Height));
   const int depth = header.Depth;
   const bool isWhole = depth == 8 || depth == 16;
   const bool isPart = depth == 1 || depth == 2 || depth == 4;
@@ -64,6 +63,10 @@ Result ReadHeader(std::string_view data, Header& header)
                          "type " +
                          std::to_string(color) + " with " + std::to_string(depth) + " bits");
   }
+  // Colours of a palette are unpacked, and parts of a byte to a byte.
+  const int unpacked = (color == 3 ? 4 : header.Channels()) * (depth == 16 ? 2 : 1);
+  WAFT_RETURN_IF_FAILED(
+    CheckPictureSize(header.Width, header.Height, static_cast<std::uint64_t>(unpacked)));
   if (data[10] != 0 || data[11] != 0 || static_cast<unsigned char>(data[12]) > 1)
   {
     return Result::Error("chunk IHDR: expected a known compression, filter and interlacing");

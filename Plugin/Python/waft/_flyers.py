@@ -9,6 +9,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkTexture
 
 from ._scenery import lines, texture
@@ -16,6 +17,7 @@ from .failures import BadInput
 from .reading import read_picture
 from .texts import warn
 
+_MOST_TEXELS = 4096  # along a side
 _MARK = (0.86, 0.25, 0.16)
 _CUT_OUT = "//VTK::TCoord::Impl\n  if (gl_FragData[0].a < 0.5) discard;\n"
 # VTK turns a normal towards the eye; what the first light, the sun, throws on the other side comes through.
@@ -42,6 +44,19 @@ def _set(matrix, linear, offset):
     matrix.DeepCopy((*rows, 0.0, 0.0, 0.0, 1.0))
 
 
+def _at_most(picture, side):
+    """The picture, averaged over blocks where a side of it is longer: drawing takes
+    many bytes for each pixel."""
+    block = -(-max(picture.GetDimensions()) // side)
+    if block <= 1:
+        return picture
+    shrink = vtkImageShrink3D()
+    shrink.SetInputData(picture)
+    shrink.SetShrinkFactors(block, block, 1)
+    shrink.Update()
+    return shrink.GetOutput()
+
+
 def _load_texture(path):
     if not os.path.isfile(path):
         warn(f"{path}: texture missing, plain colour instead")
@@ -52,7 +67,7 @@ def _load_texture(path):
         warn(f"{error}; plain colour instead")
         return None
     made = vtkTexture()
-    made.SetInputData(picture)
+    made.SetInputData(_at_most(picture, _MOST_TEXELS))
     made.InterpolateOn()
     made.MipmapOn()
     return made

@@ -4,6 +4,7 @@
 #include "Files/DataFileCheck.h"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 using namespace waft;
 
@@ -25,6 +26,51 @@ const std::string Image =
   "<DataArray type=\"Float32\" Name=\"Wind\" NumberOfComponents=\"3\" format=\"ascii\">"
   "0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0</DataArray></PointData></Piece></ImageData>"
   "</VTKFile>";
+
+std::string Words(const std::vector<std::uint64_t>& numbers)
+{
+  return std::string(reinterpret_cast<const char*>(numbers.data()), 8 * numbers.size());
+}
+
+// Zeros as VTK packs them: the numbers of the blocks' bytes, and the blocks.
+std::string PackedZeros(std::uint64_t bytes)
+{
+  constexpr std::uint64_t size = 1 << 20;
+  const auto packed = [](std::uint64_t count)
+  {
+    const std::string zeros(count, '\0');
+    std::string made(compressBound(uLong(count)), '\0');
+    uLongf length = made.size();
+    compress(reinterpret_cast<Bytef*>(made.data()), &length,
+             reinterpret_cast<const Bytef*>(zeros.data()), uLong(count));
+    made.resize(length);
+    return made;
+  };
+  const std::string full = packed(size);
+  const std::string rest = bytes % size > 0 ? packed(bytes % size) : std::string();
+  std::string blocks;
+  std::vector<std::uint64_t> head{ 0, size, bytes % size };
+  for (std::uint64_t left = bytes; left > 0; left -= std::min(left, size))
+  {
+    const std::string& block = left < size ? rest : full;
+    head.push_back(block.size());
+    blocks += block;
+    ++head[0];
+  }
+  return Words(head) + blocks;
+}
+
+// A surface of points that are packed; more: elements in its piece.
+std::string PackedSurface(std::uint64_t points, const std::string& more = "")
+{
+  return "<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\" header_type=\"UInt64\" "
+         "compressor=\"vtkZLibDataCompressor\"><PolyData><Piece NumberOfPoints=\"" +
+         std::to_string(points) +
+         "\"><Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"appended\" "
+         "offset=\"0\"/></Points>" +
+         more + "</Piece></PolyData><AppendedData encoding=\"raw\">_" + PackedZeros(12 * points) +
+         "</AppendedData></VTKFile>";
+}
 
 std::string Changed(std::string text, const std::string& from, const std::string& to)
 {
@@ -120,5 +166,54 @@ TEST_F(DataFileCheck, LooksAtBlocksAndTheirFiles)
   this->Folder.Write("part.vtp",
                      Changed(Surface, "NumberOfPoints=\"3\"", "NumberOfPoints=\"1e9\""));
   EXPECT_NE(this->Error(blocks, "vtkMultiBlockDataSet").find("block Segments: \"part.vtp\": "),
+            std::string::npos);
+}
+
+TEST_F(DataFileCheck, BoundsWhatIsUnpacked)
+{
+  const auto error = [this](const std::string& text, const char* type = "PolyData")
+  { return this->Error(text, type); };
+  EXPECT_EQ(error(PackedSurface(1'000'000)), "");
+  EXPECT_NE(error(PackedSurface(200'000'000)).find("536870912 bytes in memory, found 2400000000"),
+            std::string::npos);
+  // Arrays that are the same bytes of the file.
+  std::string many = "<PointData>";
+  for (int i = 0; i < 3; ++i)
+  {
+    many += "<DataArray type=\"Float32\" Name=\"a\" NumberOfComponents=\"3\" format=\"appended\" "
+            "offset=\"0\"/>";
+  }
+  EXPECT_NE(error(PackedSurface(10'000'000, many + "</PointData>")).find("that share them"),
+            std::string::npos);
+  // Pieces and extents that no values stand for.
+  const std::string pieces = Changed(PackedSurface(1'000'000), "</Piece>",
+                                     "</Piece><Piece NumberOfPoints=\"12000000\"/>"
+                                     "<Piece NumberOfPoints=\"12000000\"/>"
+                                     "<Piece NumberOfPoints=\"12000000\"/>"
+                                     "<Piece NumberOfPoints=\"12000000\"/>");
+  EXPECT_NE(error(pieces).find("bytes in memory, found 588000000"), std::string::npos)
+    << error(pieces);
+  std::string ascii =
+    Changed(Image, "Extent=\"0 1 0 1 0 1\" Origin", "Extent=\"0 399 0 399 0 399\" Origin");
+  ascii += std::string(64'000'000, ' ');
+  EXPECT_NE(error(ascii, "ImageData").find("bytes in memory, found 768000000"), std::string::npos)
+    << error(ascii, "ImageData");
+}
+
+TEST_F(DataFileCheck, BlocksShareTheirBounds)
+{
+  const std::string block = "<DataSet index=\"0\" name=\"A\" file=\"a.vtp\"/>";
+  const auto blocks = [](const std::string& inside)
+  {
+    return "<VTKFile type=\"vtkMultiBlockDataSet\"><vtkMultiBlockDataSet>" + inside +
+           "</vtkMultiBlockDataSet></VTKFile>";
+  };
+  this->Folder.Write("a.vtp", PackedSurface(30'000'000));
+  EXPECT_EQ(this->Error(blocks(block), "vtkMultiBlockDataSet"), "");
+  EXPECT_NE(this->Error(blocks(block + block), "vtkMultiBlockDataSet").find("file of its own"),
+            std::string::npos);
+  this->Folder.Write("b.vtp", PackedSurface(30'000'000));
+  EXPECT_NE(this->Error(blocks(block + Changed(block, "a.vtp", "b.vtp")), "vtkMultiBlockDataSet")
+              .find("\"b.vtp\": expected values of at most"),
             std::string::npos);
 }

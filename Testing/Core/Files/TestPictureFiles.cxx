@@ -112,6 +112,20 @@ TEST(PictureFiles, PngOfEveryKind)
   EXPECT_EQ(PngError(Png(9, 1, 1, 0, std::string(3, '\0'))), "");
 }
 
+TEST(PictureFiles, NoMoreBytesThanAMachineHas)
+{
+  // Whole pictures of a few bytes: all their rows are zeros.
+  const auto zeros = [](std::uint32_t side, int depth, int color, std::size_t bits)
+  {
+    return PngError(Png(side, side, depth, color,
+                        std::string(side * (1 + (std::size_t{ side } * bits + 7) / 8), '\0')));
+  };
+  EXPECT_EQ(zeros(6000, 1, 0, 1), "");
+  EXPECT_TRUE(Has(zeros(8200, 1, 0, 1), "67108864 pixels of 1 bytes, found 8200 x 8200"));
+  const std::string claim = Png(6000, 6000, 16, 6, "");
+  EXPECT_TRUE(Has(PngError(claim), "33554432 pixels of 8 bytes, found 6000 x 6000"));
+}
+
 TEST(PictureFiles, NoCutOrChangedPngPasses)
 {
   const std::string good = Png(3, 2, 8, 2, Rows(2));
