@@ -71,7 +71,7 @@ double NumberAt(std::string_view bytes, std::size_t at, const Component& compone
   return component.Scale > 1.0 ? std::max(number / component.Scale, -1.0) : number;
 }
 
-std::size_t NumbersOf(const std::string& type)
+std::size_t WidthOf(const std::string& type)
 {
   return type == "SCALAR" ? 1 : type == "VEC2" ? 2 : type == "VEC3" ? 3 : type == "VEC4" ? 4 : 16;
 }
@@ -105,7 +105,7 @@ std::vector<double> GltfFile::Read(std::uint64_t accessor, const std::string& us
     Refuse(location, std::string("expected ") + type);
   }
   const Component component = ComponentOf(entry, location, kept);
-  const std::size_t width = NumbersOf(type);
+  const std::size_t width = WidthOf(type);
   const std::uint64_t size = width * static_cast<std::uint64_t>(component.Size);
   const std::uint64_t count = IndexAt(entry, "count", location);
   std::vector<double> numbers;

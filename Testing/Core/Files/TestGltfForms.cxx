@@ -71,7 +71,7 @@ private:
   int NumberOfAccessors = 0;
 };
 
-constexpr int Byte = 5120, Unsigned8 = 5121, Short = 5122, Unsigned16 = 5123, Float = 5126;
+constexpr int Signed8 = 5120, Unsigned8 = 5121, Signed16 = 5122, Unsigned16 = 5123, Float32 = 5126;
 
 const std::vector<float> Square{ 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0 };
 const std::string OneMesh = R"("meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}])";
@@ -83,7 +83,7 @@ using Triangles = std::vector<std::array<int, 3>>;
 TEST(GltfForms, TrianglesWithoutIndices)
 {
   GltfText text;
-  text.Add<float>("VEC3", Float, 6, { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1 });
+  text.Add<float>("VEC3", Float32, 6, { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1 });
   EXPECT_EQ(text.Read(OneMesh).Mesh.Triangles, (Triangles{ { 0, 1, 2 }, { 3, 4, 5 } }));
   // Beside a primitive with indices, points and lines.
   text.Add<std::uint16_t>("SCALAR", Unsigned16, 3, { 2, 1, 0 });
@@ -99,7 +99,7 @@ TEST(GltfForms, TrianglesWithoutIndices)
 TEST(GltfForms, StripsAndFans)
 {
   GltfText text;
-  text.Add("VEC3", Float, 4, Square);
+  text.Add("VEC3", Float32, 4, Square);
   const auto triangles = [&text](const std::string& mode)
   {
     return text
@@ -114,12 +114,12 @@ TEST(GltfForms, StripsAndFans)
 TEST(GltfForms, SkinsAreWhereTheirJointsAre)
 {
   GltfText text;
-  text.Add("VEC3", Float, 4, Square);
+  text.Add("VEC3", Float32, 4, Square);
   text.Add<std::uint8_t>("VEC4", Unsigned8, 4, { 0, 1, 9, 9, 0, 1, 9, 9, 0, 1, 9, 9, 1, 0, 9, 9 });
-  text.Add<float>("VEC4", Float, 4, { 1, 0, 0, 0, .5, .5, 0, 0, .5, .5, 0, 0, 1, 0, 0, 0 });
+  text.Add<float>("VEC4", Float32, 4, { 1, 0, 0, 0, .5, .5, 0, 0, .5, .5, 0, 0, 1, 0, 0, 0 });
   // Bound 2 below; the second joint is the first one's child.
-  text.Add<float>("MAT4", Float, 2, { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 2, 1,
-                                      1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 2, 1 });
+  text.Add<float>("MAT4", Float32, 2, { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 2, 1,
+                                        1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 2, 1 });
   const auto skinned = [](const std::string& skin)
   {
     return R"("meshes": [{"primitives": [{"attributes":
@@ -145,7 +145,7 @@ TEST(GltfForms, SkinsAreWhereTheirJointsAre)
 TEST(GltfForms, RequiredExtensionsAreKnownOrNamed)
 {
   GltfText text;
-  text.Add("VEC3", Float, 4, Square);
+  text.Add("VEC3", Float32, 4, Square);
   const auto error = [&text](const std::string& list)
   {
     GltfSurface surface;
@@ -168,12 +168,12 @@ TEST(GltfForms, QuantizedPoints)
 {
   const std::string used = OneMesh + R"(, "extensionsUsed": ["KHR_mesh_quantization"])";
   GltfText parts;
-  parts.Add<std::int16_t>("VEC3", Short, 3, { 0, 32767, -32768, 32767, 0, 0, 0, 0, -32767 },
+  parts.Add<std::int16_t>("VEC3", Signed16, 3, { 0, 32767, -32768, 32767, 0, 0, 0, 0, -32767 },
                           ", \"normalized\": true");
   EXPECT_EQ(parts.Read(used).Mesh.Points,
             (std::vector<Vec3>{ { 0, 1, -1 }, { 1, 0, 0 }, { 0, 0, -1 } }));
   GltfText whole;
-  whole.Add<std::int8_t>("VEC3", Byte, 3, { 0, 127, -128, 1, 0, 0, 0, 0, 0 });
+  whole.Add<std::int8_t>("VEC3", Signed8, 3, { 0, 127, -128, 1, 0, 0, 0, 0, 0 });
   EXPECT_EQ(whole.Read(used).Mesh.Points[0], Vec3(0, 127, -128));
   GltfSurface none;
   EXPECT_NE(whole.Error(OneMesh, none).find("expected floats"), std::string::npos);
@@ -182,10 +182,10 @@ TEST(GltfForms, QuantizedPoints)
 TEST(GltfForms, InstancesAreThereEach)
 {
   GltfText text;
-  text.Add("VEC3", Float, 4, Square);
-  text.Add<float>("VEC3", Float, 2, { 0, 0, 0, 3, 0, 0 });
-  text.Add<std::int16_t>("VEC4", Short, 2, { 0, 0, 0, 32767, 0, 0, 32767, 0 });
-  text.Add<float>("VEC3", Float, 1, { 2, 2, 2 });
+  text.Add("VEC3", Float32, 4, Square);
+  text.Add<float>("VEC3", Float32, 2, { 0, 0, 0, 3, 0, 0 });
+  text.Add<std::int16_t>("VEC4", Signed16, 2, { 0, 0, 0, 32767, 0, 0, 32767, 0 });
+  text.Add<float>("VEC3", Float32, 1, { 2, 2, 2 });
   const auto instanced = [](const std::string& attributes)
   {
     return OneMesh + R"(, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0,
@@ -216,17 +216,17 @@ TEST(GltfForms, SparseAccessors)
            R"(, "indices": {"bufferView": 1, "componentType": 5123}, "values": {"bufferView": 2}})";
   };
   GltfText based = text;
-  based.AddAccessor("VEC3", Float, 4, sparse(2, ", \"bufferView\": 0"));
+  based.AddAccessor("VEC3", Float32, 4, sparse(2, ", \"bufferView\": 0"));
   EXPECT_EQ(based.Read(OneMesh).Mesh.Points,
             (std::vector<Vec3>{ { 0, 0, 0 }, { 5, 0, 0 }, { 1, 1, 0 }, { 0, 5, 0 } }));
   GltfText ofZeros = text;
-  ofZeros.AddAccessor("VEC3", Float, 4, sparse(2, ""));
+  ofZeros.AddAccessor("VEC3", Float32, 4, sparse(2, ""));
   EXPECT_EQ(ofZeros.Read(OneMesh).Mesh.Points,
             (std::vector<Vec3>{ { 0, 0, 0 }, { 5, 0, 0 }, { 0, 0, 0 }, { 0, 5, 0 } }));
   const auto error = [&text](std::size_t elements, int changed)
   {
     GltfText damaged = text;
-    damaged.AddAccessor("VEC3", Float, elements,
+    damaged.AddAccessor("VEC3", Float32, elements,
                         ", \"sparse\": {\"count\": " + std::to_string(changed) +
                           R"(, "indices": {"bufferView": 1, "componentType": 5123},
                             "values": {"bufferView": 2}})");
@@ -241,7 +241,7 @@ TEST(GltfForms, SparseAccessors)
 TEST(GltfForms, NamesOfFiles)
 {
   GltfText text;
-  text.Add("VEC3", Float, 4, Square);
+  text.Add("VEC3", Float32, 4, Square);
   GltfSurface surface;
   EXPECT_EQ(text.Error(OneMesh, surface, "my%20data%c3%A9.bin", "my data\xc3\xa9.bin"), "");
   EXPECT_EQ(text.Error(OneMesh, surface, "my data.bin", "my data.bin"), "");

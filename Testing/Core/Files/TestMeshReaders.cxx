@@ -39,10 +39,10 @@ void ExpectSame(const PolygonSurface& a, const PolygonSurface& b, const std::str
   EXPECT_EQ(a.TextureCoordinates, b.TextureCoordinates) << what;
 }
 
-const std::string PlyHead = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
-                            "property float y\nproperty float z\nelement face 2\n"
-                            "property list uchar int vertex_indices\nend_header\n";
-const std::string PlyRows = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n3 0 2 1\n";
+const std::string SquareHead = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+                               "property float y\nproperty float z\nelement face 2\n"
+                               "property list uchar int vertex_indices\nend_header\n";
+const std::string SquareRows = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n3 0 2 1\n";
 
 template <class Number>
 void Append(std::string& bytes, ByteOrder order, Number number)
@@ -56,7 +56,7 @@ void Append(std::string& bytes, ByteOrder order, Number number)
   bytes.append(raw, sizeof(Number));
 }
 
-// The rows of PlyRows in bytes, each point with a quality behind it, which is no number.
+// The rows of SquareRows in bytes, each point with a quality behind it, which is no number.
 template <class Count, class Index>
 std::string PlyBytes(std::string head, ByteOrder order)
 {
@@ -168,36 +168,37 @@ TEST(MeshReaders, ObjTextureCoordinatesAreThePoints)
 
 TEST(MeshReaders, PlyForms)
 {
-  const std::string whole = PlyHead + PlyRows;
+  const std::string whole = SquareHead + SquareRows;
   const PolygonSurface square = Read(ReadPly, whole);
   ExpectSame(square, Read(ReadObj, ObjSquare), "as OBJ");
   const auto typed = [](const char* type)
-  { return Replaced(PlyHead, "list uchar int", std::string("list ") + type); };
+  { return Replaced(SquareHead, "list uchar int", std::string("list ") + type); };
   for (const std::string& form : {
          whole.substr(0, whole.size() - 1),
          Replaced(whole, "\n", "\r\n"),
          Replaced(whole, "\n", "\r"),
          Replaced(whole, "\n", " \n"),
-         Replaced(PlyHead, "\n", "\n\n") + PlyRows,
-         PlyHead + Replaced(PlyRows, "\n", "\n\n"),
-         PlyHead + Replaced(PlyRows, "\n", "\ncomment 3 0 1 2\n"),
+         Replaced(SquareHead, "\n", "\n\n") + SquareRows,
+         SquareHead + Replaced(SquareRows, "\n", "\n\n"),
+         SquareHead + Replaced(SquareRows, "\n", "\ncomment 3 0 1 2\n"),
          "\xef\xbb\xbf" + whole,
          Replaced(whole, "vertex_indices", "vertex_index"),
-         Replaced(PlyHead, "end_header", "element edge 0\nend_header") + PlyRows,
-         Replaced(PlyHead, "float z", "float z\nproperty float nx") +
-           Replaced(PlyRows, " 0\n", " 0 nan\n"),
-         Replaced(PlyHead, "end_header", "property char kind\nend_header") +
-           Replaced(Replaced(PlyRows, "2 3\n", "2 3 -1\n"), "2 1\n", "2 1 7\n"),
-         typed("char int") + PlyRows,
-         typed("uint16 double") + PlyRows,
-         PlyBytes<std::uint8_t, std::int32_t>(PlyHead, ByteOrder::Little),
-         PlyBytes<std::uint8_t, std::int32_t>(PlyHead, ByteOrder::Big),
+         Replaced(SquareHead, "end_header", "element edge 0\nend_header") + SquareRows,
+         Replaced(SquareHead, "float z", "float z\nproperty float nx") +
+           Replaced(SquareRows, " 0\n", " 0 nan\n"),
+         Replaced(SquareHead, "end_header", "property char kind\nend_header") +
+           Replaced(Replaced(SquareRows, "2 3\n", "2 3 -1\n"), "2 1\n", "2 1 7\n"),
+         typed("char int") + SquareRows,
+         typed("uint16 double") + SquareRows,
+         PlyBytes<std::uint8_t, std::int32_t>(SquareHead, ByteOrder::Little),
+         PlyBytes<std::uint8_t, std::int32_t>(SquareHead, ByteOrder::Big),
          PlyBytes<std::int8_t, std::uint32_t>(typed("char uint"), ByteOrder::Big),
          PlyBytes<std::uint16_t, std::int16_t>(typed("ushort short"), ByteOrder::Big),
          PlyBytes<std::int32_t, std::uint8_t>(typed("int uchar"), ByteOrder::Little),
          PlyBytes<std::uint32_t, float>(typed("uint32 float32"), ByteOrder::Little),
-         PlyBytes<std::uint8_t, std::int32_t>(Replaced(PlyHead, "\n", "\r\n"), ByteOrder::Little),
-         PlyBytes<std::uint8_t, std::int32_t>(Replaced(PlyHead, "\n", "\r"), ByteOrder::Little),
+         PlyBytes<std::uint8_t, std::int32_t>(Replaced(SquareHead, "\n", "\r\n"),
+                                              ByteOrder::Little),
+         PlyBytes<std::uint8_t, std::int32_t>(Replaced(SquareHead, "\n", "\r"), ByteOrder::Little),
        })
   {
     ExpectSame(Read(ReadPly, form), square, form);
@@ -207,13 +208,14 @@ TEST(MeshReaders, PlyForms)
 TEST(MeshReaders, PlyTextureCoordinatesOfPointsAndCorners)
 {
   const std::string ofPoints =
-    Replaced(PlyHead, "float z", "float z\nproperty float s\nproperty float t") +
-    Replaced(PlyRows, " 0\n", " 0 0.5 0.25\n");
+    Replaced(SquareHead, "float z", "float z\nproperty float s\nproperty float t") +
+    Replaced(SquareRows, " 0\n", " 0 0.5 0.25\n");
   EXPECT_EQ(Read(ReadPly, ofPoints).TextureCoordinates,
             std::vector<TextureCoordinate>(4, { 0.5, 0.25 }));
   const std::string ofCorners =
-    Replaced(PlyHead, "end_header", "property list uchar float texcoord\nend_header") +
-    Replaced(Replaced(PlyRows, "2 3\n", "2 3 8 0 0 1 0 1 1 0 1\n"), "2 1\n", "2 1 6 0 0 1 1 0 1\n");
+    Replaced(SquareHead, "end_header", "property list uchar float texcoord\nend_header") +
+    Replaced(Replaced(SquareRows, "2 3\n", "2 3 8 0 0 1 0 1 1 0 1\n"), "2 1\n",
+             "2 1 6 0 0 1 1 0 1\n");
   const PolygonSurface seam = Read(ReadPly, ofCorners);
   ASSERT_EQ(seam.Points.size(), 5u);
   EXPECT_EQ(seam.TextureCoordinates[4], (TextureCoordinate{ 0, 1 }));
