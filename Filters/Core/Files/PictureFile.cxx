@@ -72,6 +72,25 @@ std::uint64_t FieldOf(const TiffFields& fields, int tag, std::uint64_t absent)
   return found == fields.end() || found->second.empty() ? absent : found->second[0];
 }
 
+// Progressive pictures come in scans, and each goes over all pixels, however few its bytes are.
+Result CheckJpegFrame(std::string_view file, std::uint64_t width, std::uint64_t height,
+                      std::uint64_t channels)
+{
+  constexpr std::uint64_t mostPerPixel = 32;
+  WAFT_RETURN_IF_FAILED(CheckPictureSize(width, height, channels));
+  std::uint64_t scans = 0;
+  for (std::size_t at = 0; (at = file.find("\xff\xda", at)) != std::string_view::npos; ++at)
+  {
+    ++scans;
+  }
+  return scans * width * height <= mostPerPixel * MostPixels
+           ? Result::Ok()
+           : Result::Error("expected at most " +
+                           std::to_string(mostPerPixel * MostPixels / (width * height)) +
+                           " scans of " + std::to_string(width) + " x " + std::to_string(height) +
+                           " pixels, found " + std::to_string(scans));
+}
+
 } // namespace
 
 Result CheckPictureSize(std::uint64_t width, std::uint64_t height, std::uint64_t pixelBytes)
@@ -117,9 +136,9 @@ Result CheckJpeg(std::string_view file)
     if (isFrame)
     {
       return size < 8 ? Cut("frame header")
-                      : CheckPictureSize(ReadUnsigned(file, at + 7, 2, ByteOrder::Big),
-                                         ReadUnsigned(file, at + 5, 2, ByteOrder::Big),
-                                         ReadUnsigned(file, at + 9, 1, ByteOrder::Big));
+                      : CheckJpegFrame(file, ReadUnsigned(file, at + 7, 2, ByteOrder::Big),
+                                       ReadUnsigned(file, at + 5, 2, ByteOrder::Big),
+                                       ReadUnsigned(file, at + 9, 1, ByteOrder::Big));
     }
     if (marker == 0xda || marker == 0xd9)
     {

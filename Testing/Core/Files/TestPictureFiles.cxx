@@ -178,6 +178,13 @@ TEST(PictureFiles, JpegByItsFrameHeader)
   };
   EXPECT_EQ(CheckJpeg(start + frame(30, 20)).Message(), "");
   EXPECT_TRUE(Has(CheckJpeg(start + frame(65535, 65535)).Message(), "65535 x 65535"));
+  std::string scans;
+  for (int i = 0; i < 100; ++i)
+  {
+    scans += "\xff\xda";
+  }
+  EXPECT_EQ(CheckJpeg(start + frame(4000, 4000) + scans).Message(), "");
+  EXPECT_TRUE(Has(CheckJpeg(start + frame(8000, 8000) + scans).Message(), "33 scans"));
   EXPECT_TRUE(Has(CheckJpeg(start).Message(), "header"));
   EXPECT_TRUE(Has(CheckJpeg("GIF").Message(), "signature of a JPEG"));
   EXPECT_TRUE(
