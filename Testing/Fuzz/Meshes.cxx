@@ -12,7 +12,9 @@ using namespace waft;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  static constexpr std::array<const char*, 5> kinds{ ".obj", ".ply", ".stl", ".glb", ".vtp" };
+  static constexpr std::array<const char*, 6> kinds{
+    ".obj", ".ply", ".stl", ".glb", ".vtp", ".gltf"
+  };
   if (size == 0)
   {
     return 0;

@@ -13,6 +13,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "BadInput"))
 
+import cases_forms  # noqa: E402
 import cases_meshes  # noqa: E402
 import cases_targets  # noqa: E402
 import cases_winds  # noqa: E402
@@ -22,7 +23,7 @@ from case import LEAF, WIDE, places, with_value  # noqa: E402
 LARGEST = 4000  # bytes of an input
 # As the targets number them.
 PICTURES = (".png", ".jpg", ".tif", ".bmp")
-MESHES = (".obj", ".ply", ".stl", ".glb", ".vtp")
+MESHES = (".obj", ".ply", ".stl", ".glb", ".vtp", ".gltf")
 WINDS = (".vti", ".pvd", ".vdb")
 
 
@@ -56,8 +57,10 @@ def main():
         write("Pictures", name, of_kind(PICTURES, "." + name.rpartition(".")[2], content))
 
     for make, suffix in ((good.obj, ".obj"), (good.ply, ".ply"), (good.ply_binary, ".ply"), (good.stl, ".stl"),
-                         (good.glb, ".glb"), (good.vtp, ".vtp")):
+                         (good.stl_words, ".stl"), (good.glb, ".glb"), (good.gltf, ".gltf"), (good.vtp, ".vtp")):
         write("Meshes", f"right-{make.__name__}{suffix}", of_kind(MESHES, suffix, make()))
+    for number, (_, content) in enumerate(cases_forms.objs()):
+        write("Meshes", f"form-{number}.obj", of_kind(MESHES, ".obj", content))
     for family in (cases_meshes.objs, cases_meshes.plys, cases_meshes.stls, cases_meshes.glbs, cases_meshes.vtps):
         for name, suffix, content in family():
             write("Meshes", name + suffix, of_kind(MESHES, suffix, content))

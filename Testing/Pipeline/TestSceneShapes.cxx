@@ -33,6 +33,21 @@ TEST(SceneShapes, MeshesOfShapesAndObstacles)
   EXPECT_NEAR(bounds[1], 2.0, 1e-12);
 }
 
+TEST(SceneShapes, NoPolygonIsLeftOut)
+{
+  // A quad that crosses itself, one that is bent far and a flat one, each of two triangles.
+  const waft::test::TemporaryFolder folder;
+  folder.Write("body.obj", "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 7\nv 1 1 1\n"
+                           "v 0 1 6\nf 1 2 3 4\nf 5 6 7 8\nf 1 3 2 4\n");
+  vtkNew<vtkMotionSceneReader> reader;
+  reader->SetFileName(folder.Write("a.waft.json", R"({"waft": 1,
+    "shapes": {"own": {"mesh": "body.obj", "size": 0.3}}})"));
+  reader->Update();
+  const std::vector<waft::Shape> shapes = ShapesOf(reader);
+  ASSERT_EQ(shapes.size(), 1u);
+  EXPECT_EQ(shapes[0].Mesh.Triangles.size(), 6u);
+}
+
 TEST(SceneShapes, TrianglesWithoutAreaAreToldWithTheirMesh)
 {
   waft::test::TemporaryFolder folder;
