@@ -419,14 +419,28 @@ class BadInput(unittest.TestCase):
         def driven(path):
             return lambda leaf: leaf.driver_add(path, 2)
 
-        for change, text in ((driven("location"), "has a driver"), (driven("rotation_euler"), "has a driver"),
+        def strip_of(path):
+            def change(leaf):
+                leaf.keyframe_insert(path, frame=1)
+                data = leaf.animation_data
+                data.nla_tracks.new().strips.new("Strip", 1, data.action)
+                data.action = None
+            return change
+
+        def limited(leaf):
+            leaf.constraints.new("LIMIT_LOCATION").mute = True
+            leaf.keyframe_insert('constraints["Limit Location"].influence', frame=1)
+
+        for change, text in ((driven("location"), "has a driver"), (strip_of("delta_location"), "has keys on its delta"),
+                             (lambda leaf: leaf.keyframe_insert("delta_rotation_euler", frame=1), "has keys on its delta"),
+                             (limited, "has keys on its delta transforms or constraints"), (driven("rotation_euler"), "has a driver"),
                              (driven("delta_location"), "has a driver"), (rigid, "is an active rigid body"), (solo, "plays solo"),
                              (half, "blends its action")):
             with self.subTest(text):
                 change(scenes.small_scene())
                 self.refused(text, "Leaf")
         leaf = scenes.small_scene()
-        for harmless in (driven("color"), driven("scale")):
+        for harmless in (driven("color"), driven("scale"), strip_of("location")):
             harmless(leaf)
         leaf.driver_add("location", 1).mute = True
         rigid(leaf)
@@ -624,6 +638,11 @@ class Oddities(unittest.TestCase):
             other.keyframe_insert("location", frame=1)
             leaf.modifiers.new("Hook", "HOOK").object = other
 
+        def grown(leaf, times):
+            leaf.keyframe_insert("scale", frame=1)
+            leaf.scale *= times
+            leaf.keyframe_insert("scale", frame=20)
+
         def keyed(leaf):
             leaf.modifiers.new("Wave off", "SIMPLE_DEFORM").keyframe_insert("factor", frame=1)
 
@@ -631,10 +650,13 @@ class Oddities(unittest.TestCase):
                              (lambda leaf: leaf.modifiers.new("Soft", "SOFT_BODY"), "(the modifier Soft)"),
                              (lambda leaf: leaf.modifiers.new("Waves", "WAVE"), "(the modifier Waves)"),
                              (hooked, "(the modifier Hook)"), (keyed, "(keys on a modifier)"), (shape_keys, "shape keys)"),
-                             (lambda leaf: leaf.keyframe_insert("scale", frame=1), "(keys on its scale)")):
+                             (lambda leaf: grown(leaf, 1.2), "(keys on its scale)")):
             with self.subTest(text):
                 change(scenes.small_scene())
                 self.expect(f"may change its form {text}" if text[0] == "(" else text)
+
+        grown(scenes.small_scene(), 1.0)
+        self.assertEqual([], self.remarks())
 
     def test_two_in_one_place(self):
         copy = self.leaf.copy()

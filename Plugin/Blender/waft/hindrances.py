@@ -3,10 +3,11 @@
 import bpy
 from mathutils import Vector
 
-from .curves import curves_of, has_motion, is_animated, is_simulated
+from .curves import curves_of, has_motion, is_animated, is_simulated, nla_paths
 
 _ONES = Vector((1.0, 1.0, 1.0))
 _PLACE = ("location", "rotation_", "delta_")  # how the data paths begin that place an object
+_BESIDE = ("delta_", "constraints[")  # of these, those that go on beside the keys of a take
 _BENDING = ("ARMATURE", "BUILD", "CLOTH", "DYNAMIC_PAINT", "EXPLODE", "FLUID", "MESH_CACHE", "MESH_SEQUENCE_CACHE", "OCEAN",
             "SOFT_BODY", "WAVE")  # modifiers that change a mesh by themselves
 
@@ -26,8 +27,11 @@ def obstruction(thing):
     if thing.delta_location.length or thing.delta_scale != _ONES or thing.delta_rotation_euler.to_quaternion().angle \
             or thing.delta_rotation_quaternion.angle:
         return "has delta transforms: clear them"
-    if any(not driver.mute and driver.data_path.startswith(_PLACE) for driver in _drivers(thing)):
+    driven = {driver.data_path for driver in _drivers(thing) if not driver.mute}
+    if any(path.startswith(_PLACE) for path in driven):
         return "has a driver on its location or rotation, which would win over the motion: remove or mute it"
+    if any(path.startswith(_BESIDE) for path in driven | nla_paths(thing) | {curve.data_path for curve in curves_of(thing)}):
+        return "has keys on its delta transforms or constraints, which would move it besides: remove them"
     if is_simulated(thing):
         return "is an active rigid body, which the simulation would move: remove that, or tick Animated in Physics > Rigid Body"
     return _nla(thing) or ("" if min(map(abs, thing.scale)) > 0.0 else "has a scale of 0")
@@ -60,10 +64,16 @@ def form_changes(thing):
     for modifier in thing.modifiers:
         if modifier.show_viewport and (modifier.type in _BENDING or _follows(modifier)):
             return f"the modifier {modifier.name}"
-    paths = [curve.data_path for curve in (*curves_of(thing), *_drivers(thing))]
-    if any(path.startswith("modifiers[") for path in paths):
+    curves = (*curves_of(thing), *_drivers(thing))
+    if any(curve.data_path.startswith("modifiers[") for curve in curves):
         return "keys on a modifier"
-    return "keys on its scale" if any(path.startswith("scale") for path in paths) else ""
+    return "keys on its scale" if any(curve.data_path == "scale" and _varies(curve) for curve in curves) else ""
+
+
+def _varies(curve):
+    """Whether a curve has more than one value: place, rotation and scale are often keyed together."""
+    values = {round(key.co[1], 6) for key in curve.keyframe_points}
+    return len(values) != 1 or len(curve.modifiers) > 0
 
 
 def _follows(modifier):
