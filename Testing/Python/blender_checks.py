@@ -799,6 +799,7 @@ class Checked(unittest.TestCase):
                  "overlap there; take fewer, smaller ones, or a wider figure", "Mark",
                  "too near: 29 pairs of the 31 marks at frame 30 are nearer than bodies are wide (0.1 m), the nearest 0.08 m: bodies will "
                  "overlap there; take fewer, smaller ones, or a wider figure"),
+                ("conflict: 26 more", "", "26 more cannot be met"),
                 ("too many: the balls of clearance of 900 bodies take 12 % of the volume, 5 % is what flies well", "",
                  "too many: 900 flyers and the room that they turn in take 12 % of the volume; up to 5 % fly well"),
                 ("Database: traced in a volume 4 m wide, the scene's is 20 m: its segments keep their size and speed, so that marks may be "

@@ -70,13 +70,13 @@ def end_look():
     if told is None:
         return False
     looking = None
-    lost, hard, wrong = told
+    count, lost, hard, wrong = told
     tell = Teller(stage).tell
     stage.problems[:0] = [*(tell(line, True) for line in wrong), *(tell(line) for line in lost)]
     stage.problems += [tell(line) for line in hard]
     title = "Not ready: it cannot be flown" if wrong else _ready(stage)
-    if lost:
-        title = f"It flies, but {_count(len(lost), 'wish', 'wishes')} cannot be met"
+    if count:
+        title = f"It flies, but {_count(count, 'wish', 'wishes')} cannot be met"
     found.put(title, gathered(stage.problems))
     return True
 

@@ -17,6 +17,7 @@ _SENTENCES = [(re.compile(pattern, re.S), words) for pattern, words in (
      "too many: {0} flyers and the room that they turn in take {1} % of the volume; up to {2} % fly well"),
     (r"row \d+ target -?\d+ \(object -?\d+, (?P<frame>frame \d+), \w+\): \w+: (?:\w+ at frame \d+: )?(.*)",
      "cannot be met at {frame}: {1}"),
+    (r"(infeasible|conflict): (\d+) more", "{1} more cannot be met"),
     (r"Database: traced at (\S+) frames per second, the scene has (\S+): .*",
      "{1} frames a second are far from the {0} of the flights that paths are made of: they may look uneven"),
     (r"Database: traced in a volume (\S+) m wide, the scene's is (\S+) m: .*",
