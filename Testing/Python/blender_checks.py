@@ -694,6 +694,12 @@ class Oddities(unittest.TestCase):
         settings.frame_end = 1
         self.expect("shows instances beside its mesh", "Emitter")
 
+    def test_parts_within_an_instance(self):
+        held = bpy.data.collections.new("Held")
+        held.objects.link(self.leaf)
+        scenes.link("Shown", None, instance_type="COLLECTION").instance_collection = held
+        self.expect("what has a part in that takes none", "Shown")
+
     def test_flyer_of_two_scenes(self):
         bpy.data.scenes.new("Another").collection.objects.link(self.leaf)
         self.expect("is in the scene Another, too")

@@ -140,6 +140,10 @@ class Stage:
         layer = by_name(context.view_layer.objects)
         for name, thing in by_name(context.scene.objects).items():
             if thing.waft.role not in parts and field_of(thing) is None:
+                held = thing.instance_collection if thing.instance_type == "COLLECTION" else None
+                if held is not None and any(one.waft.role in parts for one in held.all_objects):
+                    self.problems.warn("is an instance of a collection, and what has a part in that takes none: make its instances real "
+                                       "(Object > Apply), or a library override", thing)
                 continue
             if name not in layer:
                 self._leave_out("is in a collection that the view layer excludes", thing)
