@@ -190,27 +190,28 @@ TEST(PlannerBadInput, SurfacesThatAreNoSolidAreRefusedByName)
   EXPECT_EQ(overlapping.NumberOfTracks(), 1);
 }
 
-TEST(PlannerBadInput, ADatabaseOfAnotherVolumeOrRateIsSaidSo)
+TEST(PlannerBadInput, ADatabaseOfFarOtherVolumeOrRateIsSaidSo)
 {
-  Plan p;
-  p.AddObject(Vec3(0.5, 0.0, 2.0));
-  p.AddRow(0, 100, Vec3(0.0, 0.5, 2.0));
-  p.Fill();
-  p.Run();
-  EXPECT_EQ(p.Warnings, "");
-
-  Plan other;
-  other.Info.Time.FramesPerSecond = 24.0;
-  other.Info.Bounds = Box{ Vec3(-4, -4, 0), Vec3(4, 4, 8) };
-  other.AddObject(Vec3(0.5, 0.0, 2.0));
-  other.AddRow(0, 100, Vec3(0.0, 0.5, 2.0));
-  other.Fill();
-  other.Run();
-  EXPECT_EQ(other.Errors, "");
-  EXPECT_TRUE(Has(other.Warnings, "traced at 30 frames per second, the scene has 24"))
-    << other.Warnings;
-  EXPECT_TRUE(Has(other.Warnings, "4 m wide, the scene's is 8 m")) << other.Warnings;
-  EXPECT_EQ(other.Cell(Report, 0, "Status"), "met");
+  const auto flown = [](double rate, double half)
+  {
+    Plan p;
+    p.Info.Time.FramesPerSecond = rate;
+    p.Info.Bounds = Box{ Vec3(-half, -half, 0), Vec3(half, half, 2.0 * half) };
+    p.AddObject(Vec3(0.5, 0.0, 1.8));
+    p.AddRow(0, 100, Vec3(0.0, 0.5, 1.8));
+    p.Fill();
+    p.Run();
+    EXPECT_EQ(p.Errors, "");
+    return std::string(p.Warnings);
+  };
+  EXPECT_EQ(flown(30.0, 2.0), "");
+  EXPECT_EQ(flown(24.0, 2.28), "");
+  EXPECT_EQ(flown(60.0, 4.0), "");
+  const std::string far = flown(61.0, 4.1);
+  EXPECT_TRUE(Has(far, "traced at 30 frames per second, the scene has 61")) << far;
+  EXPECT_TRUE(Has(far, "4 m wide, the scene's is 8.2 m")) << far;
+  EXPECT_TRUE(Has(flown(14.0, 2.0), "the scene has 14"));
+  EXPECT_TRUE(Has(flown(25.0, 0.98), "the scene's is 1.96 m"));
 }
 
 TEST(PlannerBadInput, MoreTargetsThanObjectsAreNamedAndTheOthersMet)

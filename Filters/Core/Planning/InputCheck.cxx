@@ -3,6 +3,7 @@
 
 #include "Planning/PlannerNumbers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -81,12 +82,22 @@ Result CheckPlanInput(const PlanInput& input)
   return Result::Ok();
 }
 
+namespace
+{
+
+bool IsFar(double one, double other)
+{
+  return std::max(one, other) > (1.0 + 1e-9) * PlannerNumbers::FarFactor * std::min(one, other);
+}
+
+} // namespace
+
 std::vector<std::string> DatabaseRemarks(const MotionDatabase& database, const SceneInfo& scene)
 {
   std::vector<std::string> remarks;
   char text[256];
   const double rate = scene.Time.FramesPerSecond;
-  if (std::abs(database.FramesPerSecond - rate) > 1e-6 * rate)
+  if (IsFar(database.FramesPerSecond, rate))
   {
     std::snprintf(
       text, sizeof text,
@@ -96,7 +107,7 @@ std::vector<std::string> DatabaseRemarks(const MotionDatabase& database, const S
     remarks.emplace_back(text);
   }
   const double width = scene.Bounds.Width();
-  if (std::abs(database.Volume.Width() - width) > PlannerNumbers::OddWidth * width)
+  if (IsFar(database.Volume.Width(), width))
   {
     std::snprintf(text, sizeof text,
                   "Database: traced in a volume %.6g m wide, the scene's is %.6g m: its segments "

@@ -11,8 +11,9 @@ namespace waft
 /// unknown objects or frames, numbers that are not finite. The message names object and frame.
 Result CheckPlanInput(const PlanInput& input);
 
-/// What is odd about flying a scene on a database, a sentence each: another frame rate (segments
-/// are resampled), a volume of another size by more than a tenth (segments keep their own).
+/// What is odd about flying a scene on a database, a sentence each: a frame rate (segments are
+/// resampled) or a width of the volume (segments keep their size) that is more than twice, or less
+/// than half, of the database's.
 std::vector<std::string> DatabaseRemarks(const MotionDatabase& database, const SceneInfo& scene);
 
 } // namespace waft

@@ -19,7 +19,7 @@ struct PlannerNumbers
   static constexpr double CheckMargin = 2e-4;   // kept beyond it by what comes out
   static constexpr double SamePosition = 2e-9;  // apart, positions are taken as one
   static constexpr double GuideEnd = 0.02;      // radius of the mark at the end of a guide
-  static constexpr double OddWidth = 0.1;       // a database's volume of another size is remarked
+  static constexpr double FarFactor = 2.0;      // widths and frame rates farther apart are remarked
   /// Cells of the maps along the width: the fine one finds passages hardly wider than the body.
   static constexpr std::array<int, 2> MapCells{ 32, 64 };
   ///@}
