@@ -24,14 +24,16 @@ from waft.loading import data_file, is_paraview_here as _is_paraview_here, load_
 from waft.scene import Scene
 
 if _typing.TYPE_CHECKING:  # what __getattr__ finds
+    from waft.fetching import fetch
     from waft.measuring import measure
     from waft.showing import show
     from waft.synthesis import synthesize
 
 __version__ = version()
-__all__ = ["BadInput", "Scene", "WaftError", "data_file", "go_on", "load_plugin", "measure", "show", "synthesize", "version"]
+__all__ = ["BadInput", "Scene", "WaftError", "data_file", "fetch", "go_on", "load_plugin", "measure", "show", "synthesize", "version"]
 
-_LATER = {"go_on": "waft.slices", "measure": "waft.measuring", "show": "waft.showing", "synthesize": "waft.synthesis"}  # what takes its time to import, by its module
+_LATER = {"fetch": "waft.fetching", "go_on": "waft.slices", "measure": "waft.measuring", "show": "waft.showing",
+          "synthesize": "waft.synthesis"}  # what takes its time to import, by its module
 _WRAPPED = ("vtkWaftSources", "vtkWaftFilters")
 
 
