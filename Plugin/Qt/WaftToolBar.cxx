@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WaftToolBar.h"
 
+#include "WaftHold.h"
 #include "WaftStages.h"
 
 #include <pqApplicationCore.h>
@@ -31,7 +32,7 @@ constexpr int BarWidth = 360; // pixels
 
 } // namespace
 
-WaftToolBar::WaftToolBar(QWidget* parent) : QToolBar("Waft", parent)
+WaftToolBar::WaftToolBar(QWidget* parent) : QToolBar("Waft", parent), Hold(new WaftHold(this))
 {
   this->setObjectName("WaftToolBar");
   this->Stop = this->AddButton("Stop", "Stop", "Hold the work of Waft; the motion so far stays");
@@ -108,6 +109,11 @@ void WaftToolBar::onTimer()
 {
   if (this->IsInside)
   {
+    return;
+  }
+  if (this->Hold->IsOn())
+  {
+    this->Timer.start();
     return;
   }
   this->IsInside = true;

@@ -9,6 +9,7 @@
 
 class QProgressBar;
 class QToolButton;
+class WaftHold;
 class pqPipelineSource;
 
 namespace waft
@@ -50,6 +51,7 @@ private:
   void Draw();
 
   QTimer Timer;
+  WaftHold* Hold;
   QElapsedTimer SinceDrawn;
   qint64 DrawingTook = 0; // ms, the last time
   QToolButton* Stop;

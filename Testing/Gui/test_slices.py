@@ -39,6 +39,10 @@ class SliceTest(unittest.TestCase):
         self.assertEqual([note["complete"] for note in self.looks].count(1), 1)
         self.assertFalse(self.looks[-1]["flagged"])
 
+    def test_what_is_saved_meanwhile_is_one_motion(self):
+        saved, = [note for note in self.notes if "before" in note]
+        self.assertEqual(saved["before"], saved["after"])
+
     def test_stop_holds_the_work(self):
         for k, begin in enumerate(self.looks):
             held = [note for note in self.looks[k:] if note["work"] == begin["work"]]

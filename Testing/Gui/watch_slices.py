@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs inside ParaView while an event script plays: gives the Waft Animation that the menu made the file of a scene with a feather;
-notes, a line a look, how far the work is. When it is done it compares with a run all at once, and ends ParaView."""
+notes, a line a look, how far the work is. In the middle it saves frames. When it is done it compares with a run all at once,
+and ends ParaView."""
 import hashlib
 import json
 import os
@@ -22,6 +23,8 @@ scene.save(os.environ["WAFT_GUI_SCENE"])
 log = open(os.environ["WAFT_GUI_LOG"], "w", encoding="utf-8")
 view = simple.GetActiveViewOrCreate("RenderView")
 began = time.monotonic()
+is_busy = False
+has_saved = False
 
 
 def stage_of(animation, name):
@@ -37,6 +40,21 @@ def digest(animation):
 def write(**line):
     log.write(json.dumps({"wall": time.monotonic() - began, "processor": time.process_time(), **line}) + "\n")
     log.flush()
+
+
+def work_of(animation):
+    return [stage_of(animation, name).GetWorkDone() for name in ("Planner", "Assimilation", "Rotation")]
+
+
+def save(animation):
+    """Frames and data of all time steps, while the work is not done; the window's events come through meanwhile."""
+    global has_saved
+    has_saved = True
+    folder = os.path.dirname(os.environ["WAFT_GUI_LOG"])
+    before = [*work_of(animation), digest(animation)]
+    simple.SaveAnimation(os.path.join(folder, "frame.png"), view, ImageResolution=[80, 60], FrameWindow=[0, 9])
+    simple.SaveData(os.path.join(folder, "meshes.pvd"), animation, WriteTimeSteps=1)
+    write(before=before, after=[*work_of(animation), digest(animation)])
 
 
 def finish(animation):
@@ -65,12 +83,18 @@ def look():
     complete = rotation.GetComplete()
     points = rotation.GetOutputDataObject(1).GetNumberOfPoints()
     write(complete=complete, points=points, bodies=meshes.GetNumberOfPoints(), flagged=meshes.GetFieldData().HasArray("Complete"),
-          work=[stage_of(animation, name).GetWorkDone() for name in ("Planner", "Assimilation", "Rotation")])
+          work=work_of(animation))
     if complete:
         finish(animation)
+    elif not has_saved:
+        save(animation)
 
 
 def note(*_):
+    global is_busy
+    if is_busy:  # in the middle of a save
+        return
+    is_busy = True
     try:
         look()
         if time.monotonic() - began > DEADLINE:
@@ -78,6 +102,7 @@ def note(*_):
     except Exception:
         traceback.print_exc()
         os._exit(1)
+    is_busy = False
 
 
 interactor = view.GetInteractor()
