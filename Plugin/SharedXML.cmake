@@ -135,21 +135,27 @@ endfunction()
 waft_random_air(WAFT_SMOKE default "0.23 0.92" "0.18 0.72")
 waft_random_air(WAFT_DATABASE advanced "0.27 1.05" "0.16 0.65")
 
-# A port that takes one connection of one type: @WAFT_INPUT_POLYDATA@ inside an InputProperty.
-function(waft_input result type domain)
+# A port that takes one connection: @WAFT_INPUT_POLYDATA@ inside an InputProperty. Of data in blocks the
+# domain asks for the blocks' type, as the stages do (Bridge/Pipeline/StageInputs.h); a list of shapes is
+# blocks itself, of either kind.
+function(waft_input result domain)
+  set(types)
+  foreach(type IN LISTS ARGN)
+    string(APPEND types "\n          <DataType value=\"${type}\"/>")
+  endforeach()
   string(CONFIGURE [=[
         <ProxyGroupDomain name="groups">
           <Group name="sources"/>
           <Group name="filters"/>
         </ProxyGroupDomain>
-        <DataTypeDomain @domain@>
-          <DataType value="@type@"/>
+        <DataTypeDomain @domain@>@types@
         </DataTypeDomain>]=] xml @ONLY)
   set(${result} "${xml}" PARENT_SCOPE)
 endfunction()
-waft_input(WAFT_INPUT_POLYDATA vtkPolyData [[name="input_type"]])
-waft_input(WAFT_INPUT_IMAGE vtkImageData [[name="input_type"]])
-waft_input(WAFT_INPUT_MULTIBLOCK vtkMultiBlockDataSet [[name="input_type" composite_data_supported="1"]])
+waft_input(WAFT_INPUT_POLYDATA [[name="input_type"]] vtkPolyData)
+waft_input(WAFT_INPUT_IMAGE [[name="input_type"]] vtkImageData)
+waft_input(WAFT_INPUT_MULTIBLOCK [[name="input_type" composite_data_supported="1"]]
+  vtkMultiBlockDataSet vtkPartitionedDataSet vtkPartitionedDataSetCollection)
 
 # What the sources of one thin body share: <prefix>_BODY, with the defaults of each.
 function(waft_thin_body prefix length curl camber twist areaDensity thickness settlingSpeed)

@@ -6,6 +6,7 @@
 #include "Bridge/Data/VortexData.h"
 #include "Bridge/Pipeline/FieldSweep.h"
 #include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Grid/SmokeEnsemble.h"
 #include "Grid/SmokeSeries.h"
@@ -50,6 +51,15 @@ Data* Input(vtkInformationVector** inputs, int port)
 {
   return inputs[port]->GetNumberOfInformationObjects() > 0 ? Data::GetData(inputs[port]) : nullptr;
 }
+
+using waft::StageInput;
+
+const waft::StageInputs InputsOfSmoke = {
+  { "Input", StageInput::Type::Anything, StageInput::Number::Optional },
+  { "Obstacles", StageInput::Type::Surfaces, StageInput::Number::Optional },
+  { "Wind", StageInput::Type::Image, StageInput::Number::Optional },
+  { "Vortices", StageInput::Type::Merged, StageInput::Number::Optional },
+};
 
 } // namespace
 
@@ -165,11 +175,7 @@ double vtkGridSmokeSource::GetCacheSize() const
 
 int vtkGridSmokeSource::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == WindIn      ? "vtkImageData"
-                                                      : port == NothingIn ? "vtkDataObject"
-                                                                          : "vtkPolyData");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return 1;
+  return waft::FillInput(InputsOfSmoke, port, info);
 }
 
 int vtkGridSmokeSource::FillOutputPortInformation(int port, vtkInformation* info)
@@ -182,9 +188,10 @@ vtkTypeBool vtkGridSmokeSource::ProcessRequest(vtkInformation* request,
                                                vtkInformationVector** inputs,
                                                vtkInformationVector* outputs)
 {
-  return waft::GuardedRequest(this, request, outputs,
+  return waft::GuardedRequest(this, request, inputs, outputs, InputsOfSmoke,
                               waft::RangesOf<waft::SmokeOptions, waft::EnsembleOptions>(*this),
-                              [&] { return this->Process(request, inputs, outputs); });
+                              [&](vtkInformationVector** taken)
+                              { return this->Process(request, taken, outputs); });
 }
 
 int vtkGridSmokeSource::Process(vtkInformation* request, vtkInformationVector** inputs,

@@ -4,6 +4,7 @@
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/ShapeData.h"
 #include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Scene/ObjectOptions.h"
 
@@ -18,6 +19,18 @@
 
 vtkStandardNewMacro(vtkObjectSource);
 
+namespace
+{
+
+using waft::StageInput;
+
+const waft::StageInputs InputsOfObjects = {
+  { "Input", StageInput::Type::Anything, StageInput::Number::Optional },
+  { "Shapes", StageInput::Type::Blocks, StageInput::Number::Optional },
+};
+
+} // namespace
+
 vtkObjectSource::vtkObjectSource()
 {
   // paraview.simple connects whatever is active to the first port of a new source: it is not used.
@@ -27,17 +40,16 @@ vtkObjectSource::vtkObjectSource()
 vtkTypeBool vtkObjectSource::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                                             vtkInformationVector* outputs)
 {
-  return waft::GuardedRequest(
-    this, request, outputs, waft::RangesOf<waft::ObjectOptions>(*this),
-    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return waft::GuardedRequest(this, request, inputs, outputs, InputsOfObjects,
+                              waft::RangesOf<waft::ObjectOptions>(*this),
+                              [&](vtkInformationVector** taken) {
+                                return this->Superclass::ProcessRequest(request, taken, outputs);
+                              });
 }
 
 int vtkObjectSource::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
-            port == SHAPES_PORT ? "vtkMultiBlockDataSet" : "vtkDataObject");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return 1;
+  return waft::FillInput(InputsOfObjects, port, info);
 }
 
 int vtkObjectSource::RequestInformation(vtkInformation*, vtkInformationVector**,

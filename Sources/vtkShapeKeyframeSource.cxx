@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkShapeKeyframeSource.h"
 
+#include "Bridge/Data/Blocks.h"
 #include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/FieldCollectors.h"
 #include "Bridge/Files/SceneFiles.h"
 #include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Scene/KeyframeOptions.h"
 #include "Scene/LetterSpacing.h"
@@ -30,13 +32,13 @@ struct Drawing
   std::vector<waft::Vec3> Positions;
   std::vector<int> Classes;
 
-  waft::Result Draw(vtkPolyData* input);
+  waft::Result Draw(vtkDataObject* input);
 
 private:
   waft::Result DrawMask(const waft::TargetMask& mask);
   waft::Result DrawText();
   waft::Result DrawImage();
-  waft::Result DrawSurface(vtkPolyData* input);
+  waft::Result DrawSurface(vtkDataObject* data);
   std::size_t Count() const { return static_cast<std::size_t>(this->Options.NumberOfTargets); }
 };
 
@@ -89,8 +91,13 @@ waft::Result Drawing::DrawImage()
   return this->DrawMask(waft::MaskFromPicture(picture, this->Options.ClassColors));
 }
 
-waft::Result Drawing::DrawSurface(vtkPolyData* input)
+waft::Result Drawing::DrawSurface(vtkDataObject* data)
 {
+  vtkSmartPointer<vtkPolyData> input;
+  if (data != nullptr)
+  {
+    WAFT_RETURN_IF_FAILED(waft::OneSurface(data, "Input", input));
+  }
   if (input == nullptr || input->GetNumberOfPoints() == 0)
   {
     return waft::Result::Error("Input: expected a surface, since Shape is Surface");
@@ -103,7 +110,7 @@ waft::Result Drawing::DrawSurface(vtkPolyData* input)
   return waft::Result::Ok();
 }
 
-waft::Result Drawing::Draw(vtkPolyData* input)
+waft::Result Drawing::Draw(vtkDataObject* input)
 {
   switch (this->Options.Shape)
   {
@@ -139,6 +146,12 @@ std::vector<waft::Constraint> RowsOf(const Drawing& drawing)
   }
   return rows;
 }
+
+using waft::StageInput;
+
+const waft::StageInputs InputsOfKeyframes = {
+  { "Input", StageInput::Type::Anything, StageInput::Number::Optional },
+};
 
 } // namespace
 
@@ -176,21 +189,20 @@ void vtkShapeKeyframeSource::SetClassColor(int index, double red, double green, 
   this->Modified();
 }
 
-int vtkShapeKeyframeSource::FillInputPortInformation(int, vtkInformation* info)
+int vtkShapeKeyframeSource::FillInputPortInformation(int port, vtkInformation* info)
 {
-  // paraview.simple connects whatever is active; a text or a picture asks for nothing.
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return 1;
+  return waft::FillInput(InputsOfKeyframes, port, info);
 }
 
 vtkTypeBool vtkShapeKeyframeSource::ProcessRequest(vtkInformation* request,
                                                    vtkInformationVector** inputs,
                                                    vtkInformationVector* outputs)
 {
-  return waft::GuardedRequest(
-    this, request, outputs, waft::RangesOf<waft::KeyframeOptions>(*this),
-    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return waft::GuardedRequest(this, request, inputs, outputs, InputsOfKeyframes,
+                              waft::RangesOf<waft::KeyframeOptions>(*this),
+                              [&](vtkInformationVector** taken) {
+                                return this->Superclass::ProcessRequest(request, taken, outputs);
+                              });
 }
 
 int vtkShapeKeyframeSource::RequestInformation(vtkInformation*, vtkInformationVector**,
@@ -213,7 +225,7 @@ int vtkShapeKeyframeSource::RequestData(vtkInformation*, vtkInformationVector** 
                         ", the last of NumberOfFrames");
   }
   Drawing drawing{ options, {}, {} };
-  if (waft::Result drawn = drawing.Draw(vtkPolyData::GetData(inputs[0])); !drawn)
+  if (waft::Result drawn = drawing.Draw(vtkDataObject::GetData(inputs[0])); !drawn)
   {
     return waft::Fail(this, outputs, drawn.Message());
   }

@@ -12,6 +12,7 @@
 #include "Bridge/Data/VortexData.h"
 #include "Bridge/Pipeline/KeptStage.h"
 #include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 
 #include <vtkImageData.h>
@@ -21,6 +22,9 @@
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
+
+#include <set>
+#include <string>
 
 vtkStandardNewMacro(vtkAirAssimilationFilter);
 
@@ -47,6 +51,17 @@ enum OutputPort
   ReportPort,
   RoundsPort,
   NumberOfOutputs
+};
+
+using waft::StageInput;
+
+const waft::StageInputs Inputs = {
+  { "Tracks", StageInput::Type::Surface },
+  { "Objects", StageInput::Type::Merged },
+  { "Constraints", StageInput::Type::Merged },
+  { "Obstacles", StageInput::Type::Surfaces, StageInput::Number::Optional },
+  { "Wind", StageInput::Type::Image, StageInput::Number::Optional },
+  { "Vortices", StageInput::Type::Merged, StageInput::Number::Optional },
 };
 
 } // namespace
@@ -157,13 +172,7 @@ void vtkAirAssimilationFilter::Restart()
 
 int vtkAirAssimilationFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
-            port == WindPort ? "vtkImageData" : "vtkPolyData");
-  if (port >= ObstaclesPort)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return waft::FillInput(Inputs, port, info);
 }
 
 int vtkAirAssimilationFilter::FillOutputPortInformation(int port, vtkInformation* info)
@@ -179,9 +188,11 @@ vtkTypeBool vtkAirAssimilationFilter::ProcessRequest(vtkInformation* request,
                                                      vtkInformationVector** inputs,
                                                      vtkInformationVector* outputs)
 {
-  return waft::GuardedRequest(
-    this, request, outputs, waft::RangesOf<waft::AssimilationOptions, waft::SliceOptions>(*this),
-    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return waft::GuardedRequest(this, request, inputs, outputs, Inputs,
+                              waft::RangesOf<waft::AssimilationOptions, waft::SliceOptions>(*this),
+                              [&](vtkInformationVector** taken) {
+                                return this->Superclass::ProcessRequest(request, taken, outputs);
+                              });
 }
 
 int vtkAirAssimilationFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
@@ -189,10 +200,8 @@ int vtkAirAssimilationFilter::RequestInformation(vtkInformation*, vtkInformation
 {
   waft::PassTimeSteps(this, inputs, outputs);
   waft::SceneInfo info;
-  if (vtkPolyData* tracks = vtkPolyData::GetData(inputs[PlannedPort]))
-  {
-    (void)waft::SceneInfoFromFieldData(tracks, info);
-  }
+  std::set<std::string> lacking;
+  (void)waft::SceneOfInputs(this, inputs, PlannedPort, info, lacking);
   const std::array<int, 3> n =
     waft::AirLatticeDimensions(info.Bounds, waft::OptionsOf<waft::AssimilationOptions>(*this));
   const int extent[6] = { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMotionAnimationWriter.h"
 
+#include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/PoseData.h"
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/ShapeData.h"
 #include "Bridge/Files/FileWriting.h"
 #include "Bridge/Pipeline/Ranks.h"
 #include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Export/AnimationOptions.h"
 #include "Export/GltfAnimation.h"
@@ -19,6 +21,8 @@
 #include <vtkPolyData.h>
 
 #include <map>
+#include <set>
+#include <string>
 
 vtkStandardNewMacro(vtkMotionAnimationWriter);
 
@@ -26,6 +30,14 @@ namespace
 {
 
 const char* const Endings = ".glb or .csv";
+
+using waft::StageInput;
+
+const waft::StageInputs Inputs = {
+  { "Poses", StageInput::Type::Surface },
+  { "Objects", StageInput::Type::Merged },
+  { "Shapes", StageInput::Type::Blocks },
+};
 
 } // namespace
 
@@ -35,21 +47,27 @@ struct vtkMotionAnimationWriter::Internals
   bool Written = false;
   std::vector<std::string> Warnings;
 
-  waft::Result Run(vtkInformationVector** inputs, const std::string& fileName,
+  waft::Result Run(vtkAlgorithm* stage, vtkInformationVector** inputs, const std::string& fileName,
                    waft::Monitor& monitor);
   waft::Result WriteGlb(vtkInformationVector** inputs, const std::vector<waft::Track>& tracks,
                         const std::vector<waft::PoseTrack>& poses, double framesPerSecond,
                         const std::string& fileName, waft::Monitor& monitor);
 };
 
-waft::Result vtkMotionAnimationWriter::Internals::Run(vtkInformationVector** inputs,
+waft::Result vtkMotionAnimationWriter::Internals::Run(vtkAlgorithm* stage,
+                                                      vtkInformationVector** inputs,
                                                       const std::string& fileName,
                                                       waft::Monitor& monitor)
 {
   this->Warnings.clear();
   vtkPolyData* data = vtkPolyData::GetData(inputs[0]);
   waft::SceneInfo info;
-  WAFT_RETURN_IF_FAILED(waft::SceneInfoFromFieldData(data, info));
+  std::set<std::string> lacking;
+  WAFT_RETURN_IF_FAILED(waft::SceneOfInputs(stage, inputs, 0, info, lacking));
+  if (lacking.count(waft::names::FramesPerSecond) > 0) // of a scene no more is asked here
+  {
+    this->Warnings.push_back(waft::DefaultsText({ waft::names::FramesPerSecond }, info));
+  }
   std::vector<waft::Track> tracks;
   std::vector<waft::PoseTrack> poses;
   WAFT_RETURN_IF_FAILED(waft::PosesFromPolyData(data, tracks, poses));
@@ -118,18 +136,18 @@ vtkMotionAnimationWriter::~vtkMotionAnimationWriter() = default;
 
 int vtkMotionAnimationWriter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
-            port == 2 ? "vtkMultiBlockDataSet" : "vtkPolyData");
-  return 1;
+  return waft::FillInput(Inputs, port, info);
 }
 
 vtkTypeBool vtkMotionAnimationWriter::ProcessRequest(vtkInformation* request,
                                                      vtkInformationVector** inputs,
                                                      vtkInformationVector* outputs)
 {
-  return waft::GuardedRequest(
-    this, request, outputs, waft::RangesOf<waft::AnimationOptions>(*this),
-    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return waft::GuardedRequest(this, request, inputs, outputs, Inputs,
+                              waft::RangesOf<waft::AnimationOptions>(*this),
+                              [&](vtkInformationVector** taken) {
+                                return this->Superclass::ProcessRequest(request, taken, outputs);
+                              });
 }
 
 int vtkMotionAnimationWriter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
@@ -152,7 +170,7 @@ int vtkMotionAnimationWriter::RequestData(vtkInformation*, vtkInformationVector*
   {
     impl.Written = false;
     waft::StageMonitor monitor(this);
-    const waft::Result result = impl.Run(inputs, this->FileName, monitor);
+    const waft::Result result = impl.Run(this, inputs, this->FileName, monitor);
     for (const std::string& warning : impl.Warnings)
     {
       vtkWarningMacro(<< warning);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMotionSceneFileWriter.h"
 
+#include "Bridge/Data/Blocks.h"
 #include "Bridge/Data/SceneBlocks.h"
 #include "Bridge/Files/SceneOutput.h"
+#include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Scene/SceneFileOptions.h"
 
@@ -10,22 +12,34 @@
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
+#include <vtkSmartPointer.h>
 
 #include <vector>
 
 vtkStandardNewMacro(vtkMotionSceneFileWriter);
 
-int vtkMotionSceneFileWriter::FillInputPortInformation(int, vtkInformation* info)
+namespace
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkMultiBlockDataSet");
-  return 1;
+
+using waft::StageInput;
+
+const waft::StageInputs Inputs = {
+  { "Input", StageInput::Type::Blocks },
+};
+
+} // namespace
+
+int vtkMotionSceneFileWriter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  return waft::FillInput(Inputs, port, info);
 }
 
 void vtkMotionSceneFileWriter::WriteData()
 {
   waft::SceneContents scene;
-  waft::Result result =
-    waft::SceneFromBlocks(vtkMultiBlockDataSet::SafeDownCast(this->GetInput()), scene);
+  vtkSmartPointer<vtkMultiBlockDataSet> blocks;
+  waft::Result result = waft::ListOfBlocks(this->GetInput(), Inputs.front().Name, blocks);
+  result = result ? waft::SceneFromBlocks(blocks, scene) : result;
   std::vector<std::string> remarks;
   result = result ? waft::WriteSceneFiles(scene, this->FileName, remarks) : result;
   for (const std::string& remark : remarks)

@@ -9,6 +9,7 @@
 #include "Bridge/Files/SceneOutput.h"
 #include "Bridge/Pipeline/KeptStage.h"
 #include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Scene/SceneFileOptions.h"
 
@@ -34,6 +35,17 @@ enum InputPort
   VorticesPort,
   WindPort,
   NumberOfInputs
+};
+
+using waft::StageInput;
+
+const waft::StageInputs Inputs = {
+  { "Objects", StageInput::Type::Merged },
+  { "Constraints", StageInput::Type::Merged, StageInput::Number::Optional },
+  { "Obstacles", StageInput::Type::Surfaces, StageInput::Number::Optional },
+  { "Shapes", StageInput::Type::Blocks, StageInput::Number::Optional },
+  { "Vortices", StageInput::Type::Merged, StageInput::Number::Optional },
+  { "Wind", StageInput::Type::Image, StageInput::Number::Optional },
 };
 
 } // namespace
@@ -97,23 +109,18 @@ vtkMotionSceneWriter::~vtkMotionSceneWriter() = default;
 
 int vtkMotionSceneWriter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == ShapesPort ? "vtkMultiBlockDataSet"
-                                                      : port == WindPort ? "vtkImageData"
-                                                                         : "vtkPolyData");
-  if (port != ObjectsPort)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return waft::FillInput(Inputs, port, info);
 }
 
 vtkTypeBool vtkMotionSceneWriter::ProcessRequest(vtkInformation* request,
                                                  vtkInformationVector** inputs,
                                                  vtkInformationVector* outputs)
 {
-  return waft::GuardedRequest(
-    this, request, outputs, waft::RangesOf<waft::SceneWriteOptions>(*this),
-    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return waft::GuardedRequest(this, request, inputs, outputs, Inputs,
+                              waft::RangesOf<waft::SceneWriteOptions>(*this),
+                              [&](vtkInformationVector** taken) {
+                                return this->Superclass::ProcessRequest(request, taken, outputs);
+                              });
 }
 
 int vtkMotionSceneWriter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,

@@ -11,6 +11,7 @@
 #include "Bridge/Data/TrackData.h"
 #include "Bridge/Pipeline/KeptStage.h"
 #include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Rotation/RotationRefine.h"
 
@@ -50,6 +51,18 @@ enum OutputPort
   PosesPort,
   ReportPort,
   NumberOfOutputs
+};
+
+using waft::StageInput;
+
+const waft::StageInputs Inputs = {
+  { "Tracks", StageInput::Type::Surface },
+  { "Objects", StageInput::Type::Merged },
+  { "Shapes", StageInput::Type::Blocks },
+  { "Obstacles", StageInput::Type::Surfaces, StageInput::Number::Optional },
+  { "Wind", StageInput::Type::Image, StageInput::Number::Optional },
+  { "Constraints", StageInput::Type::Merged, StageInput::Number::Optional },
+  { "Air", StageInput::Type::Image, StageInput::Number::Optional },
 };
 
 } // namespace
@@ -219,15 +232,7 @@ waft::KeptStage& vtkRotationRefineFilter::Kept()
 
 int vtkRotationRefineFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == ShapesPort ? "vtkMultiBlockDataSet"
-                                                      : port == WindPort || port == AirPort
-                                                        ? "vtkImageData"
-                                                        : "vtkPolyData");
-  if (port >= ObstaclesPort)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return waft::FillInput(Inputs, port, info);
 }
 
 int vtkRotationRefineFilter::FillOutputPortInformation(int port, vtkInformation* info)
@@ -240,9 +245,11 @@ vtkTypeBool vtkRotationRefineFilter::ProcessRequest(vtkInformation* request,
                                                     vtkInformationVector** inputs,
                                                     vtkInformationVector* outputs)
 {
-  return waft::GuardedRequest(
-    this, request, outputs, waft::RangesOf<waft::RotationOptions, waft::SliceOptions>(*this),
-    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return waft::GuardedRequest(this, request, inputs, outputs, Inputs,
+                              waft::RangesOf<waft::RotationOptions, waft::SliceOptions>(*this),
+                              [&](vtkInformationVector** taken) {
+                                return this->Superclass::ProcessRequest(request, taken, outputs);
+                              });
 }
 
 int vtkRotationRefineFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,

@@ -13,6 +13,7 @@
 #include "Bridge/Pipeline/KeptStage.h"
 #include "Bridge/Pipeline/Ranks.h"
 #include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Spacetime/Run/Spacetime.h"
 #include "Spacetime/Run/SpacetimeBudget.h"
@@ -28,6 +29,9 @@
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkTable.h>
+
+#include <set>
+#include <string>
 
 vtkStandardNewMacro(vtkSPHSpacetimeFilter);
 
@@ -55,6 +59,18 @@ enum OutputPort
   ConvergencePort,
   ReportPort,
   NumberOfOutputs
+};
+
+using waft::StageInput;
+
+const waft::StageInputs Inputs = {
+  { "Tracks", StageInput::Type::Surface },
+  { "Objects", StageInput::Type::Merged },
+  { "Constraints", StageInput::Type::Merged },
+  { "Obstacles", StageInput::Type::Surfaces, StageInput::Number::Optional },
+  { "Vortices", StageInput::Type::Merged, StageInput::Number::Optional },
+  { "Wind", StageInput::Type::Image, StageInput::Number::Optional },
+  { "Air", StageInput::Type::Image, StageInput::Number::Optional },
 };
 
 } // namespace
@@ -117,12 +133,12 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs
   this->Solution = waft::SpacetimeOutput();
   waft::SpacetimeInput input;
   const waft::Result taken = this->Take(inputs, input);
+  const bool isEmpty = input.Tracks.empty();
   WAFT_RETURN_IF_FAILED(this->Agree(taken));
   WAFT_RETURN_IF_FAILED(
     waft::RunSpacetime(input, waft::OptionsOf<waft::SpacetimeOptions>(*this->Self), waft::SmpFor(),
                        monitor, this->Solution, &this->Memory, &ranks));
   // A rank that was given the scene gets the result, too, when all were.
-  const bool isEmpty = vtkPolyData::GetData(inputs[PlannedPort])->GetNumberOfPoints() == 0;
   const bool isForAll = ranks.Largest(isEmpty ? 1.0 : 0.0) == 0.0;
   if (isForAll && ranks.Size() > 1)
   {
@@ -228,13 +244,7 @@ void vtkSPHSpacetimeFilter::Restart()
 
 int vtkSPHSpacetimeFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
-            port == BackgroundPort || port == AirPort ? "vtkImageData" : "vtkPolyData");
-  if (port >= ObstaclesPort)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return waft::FillInput(Inputs, port, info);
 }
 
 int vtkSPHSpacetimeFilter::FillOutputPortInformation(int port, vtkInformation* info)
@@ -266,9 +276,11 @@ vtkTypeBool vtkSPHSpacetimeFilter::ProcessRequest(vtkInformation* request,
                                                   vtkInformationVector** inputs,
                                                   vtkInformationVector* outputs)
 {
-  return waft::GuardedRequest(
-    this, request, outputs, waft::RangesOf<waft::SpacetimeOptions, waft::SliceOptions>(*this),
-    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return waft::GuardedRequest(this, request, inputs, outputs, Inputs,
+                              waft::RangesOf<waft::SpacetimeOptions, waft::SliceOptions>(*this),
+                              [&](vtkInformationVector** taken) {
+                                return this->Superclass::ProcessRequest(request, taken, outputs);
+                              });
 }
 
 int vtkSPHSpacetimeFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
@@ -277,10 +289,8 @@ int vtkSPHSpacetimeFilter::RequestInformation(vtkInformation*, vtkInformationVec
   waft::PassTimeSteps(this, inputs, outputs);
   // The wind's lattice depends on the volume alone.
   waft::SceneInfo info;
-  if (vtkPolyData* tracks = vtkPolyData::GetData(inputs[PlannedPort]))
-  {
-    (void)waft::SceneInfoFromFieldData(tracks, info);
-  }
+  std::set<std::string> lacking;
+  (void)waft::SceneOfInputs(this, inputs, PlannedPort, info, lacking);
   const std::array<int, 3> n = waft::WindLatticeDimensions(info.Bounds);
   const int extent[6] = { 0, n[0] - 1, 0, n[1] - 1, 0, n[2] - 1 };
   outputs->GetInformationObject(WindPort)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(),

@@ -12,6 +12,7 @@
 #include "Bridge/Files/InstalledData.h"
 #include "Bridge/Pipeline/KeptStage.h"
 #include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Obstacles/SurfaceRepair.h"
 #include "Planning/InputCheck.h"
@@ -57,6 +58,16 @@ enum OutputPort
   FlightsPort,
   ObjectReportPort,
   NumberOfOutputs
+};
+
+using waft::StageInput;
+
+const waft::StageInputs Inputs = {
+  { "Database", StageInput::Type::Blocks, StageInput::Number::Optional },
+  { "Objects", StageInput::Type::Merged },
+  { "Constraints", StageInput::Type::Merged },
+  { "Obstacles", StageInput::Type::Surfaces, StageInput::Number::Optional },
+  { "Guides", StageInput::Type::Merged, StageInput::Number::Optional },
 };
 
 } // namespace
@@ -246,13 +257,7 @@ waft::KeptStage& vtkStylisticPlannerFilter::Kept()
 
 int vtkStylisticPlannerFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
-            port == DatabasePort ? "vtkMultiBlockDataSet" : "vtkPolyData");
-  if (port == DatabasePort || port == ObstaclesPort || port == GuidesPort)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return waft::FillInput(Inputs, port, info);
 }
 
 int vtkStylisticPlannerFilter::FillOutputPortInformation(int port, vtkInformation* info)
@@ -267,9 +272,10 @@ vtkTypeBool vtkStylisticPlannerFilter::ProcessRequest(vtkInformation* request,
                                                       vtkInformationVector* outputs)
 {
   return waft::GuardedRequest(
-    this, request, outputs,
+    this, request, inputs, outputs, Inputs,
     waft::RangesOf<waft::PlanOptions, waft::TakeOptions, waft::SliceOptions>(*this),
-    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+    [&](vtkInformationVector** taken)
+    { return this->Superclass::ProcessRequest(request, taken, outputs); });
 }
 
 int vtkStylisticPlannerFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,

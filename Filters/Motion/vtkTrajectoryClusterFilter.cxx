@@ -8,6 +8,7 @@
 #include "Bridge/Data/TrackData.h"
 #include "Bridge/Data/VortexData.h"
 #include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Trajectory/TrajectoryClusters.h"
 
@@ -19,6 +20,9 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <set>
+#include <string>
 
 vtkStandardNewMacro(vtkTrajectoryClusterFilter);
 
@@ -33,8 +37,10 @@ struct vtkTrajectoryClusterFilter::Internals
 namespace
 {
 
-// One connection of the inputs as a simulation; the first one gives rate, volume and settling.
-waft::Result AddSimulation(vtkPolyData* tracks, vtkPolyData* vortices, waft::ClusterInput& input)
+// One connection of the inputs as a simulation; the first one gives rate, volume and settling, and
+// `lacking` gets what of these it does not have.
+waft::Result AddSimulation(vtkPolyData* tracks, vtkPolyData* vortices, waft::ClusterInput& input,
+                           std::set<std::string>& lacking)
 {
   waft::TracedSimulation simulation;
   WAFT_RETURN_IF_FAILED(waft::TracksFromPolyData(tracks, simulation.Tracks));
@@ -43,7 +49,19 @@ waft::Result AddSimulation(vtkPolyData* tracks, vtkPolyData* vortices, waft::Clu
     WAFT_RETURN_IF_FAILED(waft::VorticesFromPolyData(vortices, simulation.Vortices));
   }
   waft::SceneInfo info;
+  if (vortices)
+  {
+    WAFT_RETURN_IF_FAILED(waft::SceneInfoFromFieldData(vortices, info));
+  }
   WAFT_RETURN_IF_FAILED(waft::SceneInfoFromFieldData(tracks, info));
+  for (const char* name : { waft::names::Bounds, waft::names::FramesPerSecond })
+  {
+    if (input.Simulations.empty() && !tracks->GetFieldData()->HasArray(name) &&
+        !(vortices && vortices->GetFieldData()->HasArray(name)))
+    {
+      lacking.insert(name);
+    }
+  }
   if (input.Simulations.empty())
   {
     input.FramesPerSecond = info.Time.FramesPerSecond;
@@ -63,17 +81,25 @@ waft::Result AddSimulation(vtkPolyData* tracks, vtkPolyData* vortices, waft::Clu
   return waft::Result::Ok();
 }
 
-waft::Result Gather(vtkInformationVector** inputs, waft::ClusterInput& input)
+waft::Result Gather(vtkInformationVector** inputs, waft::ClusterInput& input,
+                    std::set<std::string>& lacking)
 {
   for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
   {
     const bool hasVortices = i < inputs[1]->GetNumberOfInformationObjects();
     WAFT_RETURN_IF_FAILED(AddSimulation(vtkPolyData::GetData(inputs[0], i),
                                         hasVortices ? vtkPolyData::GetData(inputs[1], i) : nullptr,
-                                        input));
+                                        input, lacking));
   }
   return waft::Result::Ok();
 }
+
+using waft::StageInput;
+
+const waft::StageInputs Inputs = {
+  { "Input", StageInput::Type::Surface, StageInput::Number::Any },
+  { "Vortices", StageInput::Type::Merged, StageInput::Number::AnyOrNone },
+};
 
 } // namespace
 
@@ -97,13 +123,7 @@ vtkTrajectoryClusterFilter::~vtkTrajectoryClusterFilter() = default;
 
 int vtkTrajectoryClusterFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
-  if (port == 1)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return waft::FillInput(Inputs, port, info);
 }
 
 vtkTypeBool vtkTrajectoryClusterFilter::ProcessRequest(vtkInformation* request,
@@ -111,10 +131,11 @@ vtkTypeBool vtkTrajectoryClusterFilter::ProcessRequest(vtkInformation* request,
                                                        vtkInformationVector* outputs)
 {
   return waft::GuardedRequest(
-    this, request, outputs,
+    this, request, inputs, outputs, Inputs,
     waft::RangesOf<waft::ClusterOptions, waft::SegmentationOptions, waft::ClusterTreeOptions,
                    waft::ConnectionOptions>(*this),
-    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+    [&](vtkInformationVector** taken)
+    { return this->Superclass::ProcessRequest(request, taken, outputs); });
 }
 
 int vtkTrajectoryClusterFilter::RequestInformation(vtkInformation*, vtkInformationVector**,
@@ -136,7 +157,15 @@ int vtkTrajectoryClusterFilter::RequestData(vtkInformation*, vtkInformationVecto
     waft::ClusterInput input;
     waft::MotionDatabase database;
     waft::StageMonitor monitor(this);
-    waft::Result result = Gather(inputs, input);
+    std::set<std::string> lacking;
+    waft::Result result = Gather(inputs, input, lacking);
+    if (result && !lacking.empty())
+    {
+      waft::SceneInfo taken;
+      taken.Bounds = input.Volume;
+      taken.Time.FramesPerSecond = input.FramesPerSecond;
+      vtkWarningMacro(<< waft::DefaultsText(lacking, taken));
+    }
     result = result ? waft::ClusterTrajectories(input, Internals::Options(this), waft::SmpFor(),
                                                 monitor, database)
                     : result;

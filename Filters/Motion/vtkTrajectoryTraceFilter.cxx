@@ -3,12 +3,14 @@
 
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Arrays.h"
+#include "Bridge/Data/Blocks.h"
 #include "Bridge/Data/FieldCollectors.h"
 #include "Bridge/Data/FlowData.h"
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/TrackData.h"
 #include "Bridge/Data/VortexData.h"
 #include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Obstacles/ObstacleSet.h"
 
@@ -17,11 +19,13 @@
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
-#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkTrajectoryTraceFilter);
 
@@ -36,6 +40,14 @@ enum InputPort
   NumberOfInputs
 };
 
+using waft::StageInput;
+
+const waft::StageInputs Inputs = {
+  { "Input", StageInput::Type::Image },
+  { "Vortices", StageInput::Type::Merged, StageInput::Number::Optional },
+  { "Obstacles", StageInput::Type::Surfaces, StageInput::Number::Optional },
+};
+
 } // namespace
 
 struct vtkTrajectoryTraceFilter::Internals
@@ -46,13 +58,14 @@ struct vtkTrajectoryTraceFilter::Internals
   waft::FlowLattice Lattice;
   waft::SolidVoxels Solid;     // as the flow says at the present step
   waft::ObstacleSet Obstacles; // as they stand at the present step
-  vtkMTimeType ObstacleChange = 0;
+  std::vector<vtkMTimeType> ObstacleChange;
   double LastTime = 0.0;
   waft::SceneInfo Info;
   vtkNew<vtkPolyData> Tracks;
 
-  waft::Result Begin(vtkInformationVector** inputs, const waft::TraceOptions& options);
-  waft::Result UpdateObstacles(vtkPolyData* data);
+  waft::Result Begin(vtkAlgorithm* stage, vtkInformationVector** inputs,
+                     const waft::TraceOptions& options);
+  waft::Result UpdateObstacles(vtkDataObject* data);
   waft::Result Feed(vtkInformationVector** inputs, bool isFirst);
   waft::Result FeedSteady(vtkInformationVector** inputs);
 };
@@ -61,8 +74,10 @@ namespace
 {
 
 // The scene of the flow: its field data, else the image's bounds and the rate of its time steps.
-waft::Result SceneOfFlow(vtkInformation* input, vtkImageData* image, waft::SceneInfo& info)
+waft::Result SceneOfFlow(vtkAlgorithm* stage, vtkInformationVector** inputs, waft::SceneInfo& info)
 {
+  vtkInformation* input = inputs[FlowPort]->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(input);
   double b[6];
   image->GetBounds(b);
   info.Bounds = waft::Box{ waft::Vec3(b[0], b[2], b[4]), waft::Vec3(b[1], b[3], b[5]) };
@@ -73,18 +88,27 @@ waft::Result SceneOfFlow(vtkInformation* input, vtkImageData* image, waft::Scene
     info.Time.NumberOfFrames = steps;
     info.Time.FramesPerSecond = (steps - 1) / (times[steps - 1] - times[0]);
   }
-  return waft::SceneInfoFromFieldData(image, info);
+  std::set<std::string> lacking;
+  const waft::Result result = waft::SceneOfInputs(stage, inputs, FlowPort, info, lacking);
+  lacking.erase(waft::names::Bounds);
+  lacking.erase(waft::names::Seed); // nothing here is random
+  if (steps < 2 && result && !lacking.empty())
+  {
+    vtkWarningWithObjectMacro(stage, << waft::DefaultsText(lacking, info));
+  }
+  return result;
 }
 
 } // namespace
 
-waft::Result vtkTrajectoryTraceFilter::Internals::Begin(vtkInformationVector** inputs,
+waft::Result vtkTrajectoryTraceFilter::Internals::Begin(vtkAlgorithm* stage,
+                                                        vtkInformationVector** inputs,
                                                         const waft::TraceOptions& options)
 {
   vtkImageData* image = vtkImageData::GetData(inputs[FlowPort]);
   this->Info = waft::SceneInfo();
   WAFT_RETURN_IF_FAILED(waft::FlowLatticeFromImage(image, this->Lattice));
-  WAFT_RETURN_IF_FAILED(SceneOfFlow(inputs[FlowPort]->GetInformationObject(0), image, this->Info));
+  WAFT_RETURN_IF_FAILED(SceneOfFlow(stage, inputs, this->Info));
   std::vector<waft::Vortex> vortices;
   if (vtkPolyData* lines = vtkPolyData::GetData(inputs[VorticesPort]))
   {
@@ -94,7 +118,7 @@ waft::Result vtkTrajectoryTraceFilter::Internals::Begin(vtkInformationVector** i
   trace.FramesPerSecond = this->Info.Time.FramesPerSecond;
   trace.Volume = this->Info.Bounds;
   this->Obstacles = waft::ObstacleSet();
-  this->ObstacleChange = 0;
+  this->ObstacleChange.clear();
   const waft::SolidTest isSolid = [this](const waft::Vec3& x, double)
   {
     return this->Solid.Contains(x) ||
@@ -103,13 +127,20 @@ waft::Result vtkTrajectoryTraceFilter::Internals::Begin(vtkInformationVector** i
   return this->Tracer.Begin(this->Lattice, trace, std::move(vortices), isSolid);
 }
 
-waft::Result vtkTrajectoryTraceFilter::Internals::UpdateObstacles(vtkPolyData* data)
+waft::Result vtkTrajectoryTraceFilter::Internals::UpdateObstacles(vtkDataObject* data)
 {
-  if (!data || !data->GetPoints() || data->GetPoints()->GetMTime() == this->ObstacleChange)
+  if (data == nullptr)
   {
     return waft::Result::Ok();
   }
-  this->ObstacleChange = data->GetPoints()->GetMTime();
+  std::vector<vtkPolyData*> surfaces;
+  WAFT_RETURN_IF_FAILED(waft::SurfacesOf(data, "Obstacles", surfaces));
+  std::vector<vtkMTimeType> change = waft::PointChanges(surfaces);
+  if (change == this->ObstacleChange)
+  {
+    return waft::Result::Ok();
+  }
+  this->ObstacleChange = std::move(change);
   waft::ObstacleCollector collector;
   WAFT_RETURN_IF_FAILED(collector.Add(data, 0.0, this->Info.Time));
   return this->Obstacles.Build(collector.Take());
@@ -122,7 +153,7 @@ waft::Result vtkTrajectoryTraceFilter::Internals::Feed(vtkInformationVector** in
   {
     return waft::Result::Ok(); // the obstacles have more steps than the flow
   }
-  WAFT_RETURN_IF_FAILED(this->UpdateObstacles(vtkPolyData::GetData(inputs[ObstaclesPort])));
+  WAFT_RETURN_IF_FAILED(this->UpdateObstacles(vtkDataObject::GetData(inputs[ObstaclesPort])));
   vtkImageData* image = vtkImageData::GetData(inputs[FlowPort]);
   waft::SolidVoxelsFromImage(image, this->Lattice, this->Solid);
   waft::FlowFrame frame;
@@ -155,22 +186,18 @@ vtkTrajectoryTraceFilter::~vtkTrajectoryTraceFilter() = default;
 
 int vtkTrajectoryTraceFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
-            port == FlowPort ? "vtkImageData" : "vtkPolyData");
-  if (port != FlowPort)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return waft::FillInput(Inputs, port, info);
 }
 
 vtkTypeBool vtkTrajectoryTraceFilter::ProcessRequest(vtkInformation* request,
                                                      vtkInformationVector** inputs,
                                                      vtkInformationVector* outputs)
 {
-  return waft::GuardedRequest(
-    this, request, outputs, waft::RangesOf<waft::TraceOptions, waft::AnnotationOptions>(*this),
-    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return waft::GuardedRequest(this, request, inputs, outputs, Inputs,
+                              waft::RangesOf<waft::TraceOptions, waft::AnnotationOptions>(*this),
+                              [&](vtkInformationVector** taken) {
+                                return this->Superclass::ProcessRequest(request, taken, outputs);
+                              });
 }
 
 int vtkTrajectoryTraceFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
@@ -198,7 +225,7 @@ int vtkTrajectoryTraceFilter::RequestData(vtkInformation* request, vtkInformatio
     auto options = waft::OptionsOf<waft::TraceOptions>(*this);
     waft::CopyFields<waft::AnnotationOptions>(*this, options.Annotation);
     const bool isFirst = impl.Sweep.IsFirst();
-    waft::Result result = isFirst ? impl.Begin(inputs, options) : waft::Result::Ok();
+    waft::Result result = isFirst ? impl.Begin(this, inputs, options) : waft::Result::Ok();
     result = result && impl.Sweep.HasNewStep() ? impl.Feed(inputs, isFirst) : result;
     if (!result)
     {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVDBWriter.h"
 
-#include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/VolumeData.h"
 #include "Bridge/Files/FileWriting.h"
 #include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Volumes/VolumeOptions.h"
 #include "Volumes/VolumeSeries.h"
@@ -19,6 +20,8 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <cmath>
+#include <set>
+#include <string>
 
 vtkStandardNewMacro(vtkVDBWriter);
 
@@ -26,6 +29,12 @@ namespace
 {
 
 const char* const Ending = ".vdb";
+
+using waft::StageInput;
+
+const waft::StageInputs Inputs = {
+  { "Input", StageInput::Type::Image },
+};
 
 } // namespace
 
@@ -38,18 +47,21 @@ struct vtkVDBWriter::Internals
   vtkNew<vtkImageData> Asked; // the step nearest to the time that is asked for
   double AskedDistance = 0.0;
 
-  waft::Result WriteStep(vtkInformation* input, const std::string& fileName);
+  waft::Result WriteStep(vtkAlgorithm* stage, vtkInformationVector** inputs,
+                         const std::string& fileName);
   /// Keeps the step when none before was nearer to the time.
   void Keep(vtkInformation* input, double time);
 };
 
-waft::Result vtkVDBWriter::Internals::WriteStep(vtkInformation* input, const std::string& fileName)
+waft::Result vtkVDBWriter::Internals::WriteStep(vtkAlgorithm* stage, vtkInformationVector** inputs,
+                                                const std::string& fileName)
 {
   if (!waft::HasEnding(fileName, Ending))
   {
     return waft::WrongEnding(fileName, Ending);
   }
-  auto* image = vtkImageData::SafeDownCast(vtkDataObject::GetData(input));
+  vtkInformation* input = inputs[0]->GetInformationObject(0);
+  vtkImageData* image = vtkImageData::GetData(input);
   waft::Volume volume;
   WAFT_RETURN_IF_FAILED(waft::VolumeFromImage(image, volume));
   waft::SceneInfo scene;
@@ -59,7 +71,13 @@ waft::Result vtkVDBWriter::Internals::WriteStep(vtkInformation* input, const std
   scene.Bounds = waft::Box{ waft::Vec3(b[0], b[2], b[4]), waft::Vec3(b[1], b[3], b[5]) };
   const int steps = input->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   scene.Time.NumberOfFrames = std::max(steps, 1);
-  WAFT_RETURN_IF_FAILED(waft::SceneInfoFromFieldData(image, scene));
+  std::set<std::string> lacking;
+  WAFT_RETURN_IF_FAILED(waft::SceneOfInputs(stage, inputs, 0, scene, lacking));
+  if (steps > 1 && this->Step == 0 && lacking.count(waft::names::FramesPerSecond) > 0)
+  {
+    vtkWarningWithObjectMacro(stage,
+                              << waft::DefaultsText({ waft::names::FramesPerSecond }, scene));
+  }
   const double time = waft::TimeSweep::DataTime(input);
   const int frame =
     hasScene ? static_cast<int>(std::lround(time * scene.Time.FramesPerSecond)) : this->Step;
@@ -80,12 +98,19 @@ vtkVDBWriter::vtkVDBWriter() : Impl(std::make_unique<Internals>()) {}
 
 vtkVDBWriter::~vtkVDBWriter() = default;
 
+int vtkVDBWriter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  return waft::FillInput(Inputs, port, info);
+}
+
 vtkTypeBool vtkVDBWriter::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                                          vtkInformationVector* outputs)
 {
-  return waft::GuardedRequest(
-    this, request, outputs, waft::RangesOf<waft::VolumeWriteOptions>(*this),
-    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return waft::GuardedRequest(this, request, inputs, outputs, Inputs,
+                              waft::RangesOf<waft::VolumeWriteOptions>(*this),
+                              [&](vtkInformationVector** taken) {
+                                return this->Superclass::ProcessRequest(request, taken, outputs);
+                              });
 }
 
 int vtkVDBWriter::RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
@@ -116,7 +141,7 @@ int vtkVDBWriter::RequestData(vtkInformation* request, vtkInformationVector** in
   impl.Written = false;
   if (impl.Sweep.HasNewStep())
   {
-    if (const waft::Result written = impl.WriteStep(input, this->FileName); !written)
+    if (const waft::Result written = impl.WriteStep(this, inputs, this->FileName); !written)
     {
       impl.Sweep.Reset(request);
       return waft::Fail(this, outputs, written.Message());

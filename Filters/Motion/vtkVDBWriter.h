@@ -49,6 +49,7 @@ protected:
   vtkVDBWriter();
   ~vtkVDBWriter() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
                           vtkInformationVector* outputs) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputs,

@@ -7,6 +7,7 @@
 #include "Bridge/Data/VortexData.h"
 #include "Bridge/Pipeline/KeptStage.h"
 #include "Bridge/Pipeline/StageExecution.h"
+#include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Vortex/VortexFit.h"
 #include "Vortex/VortexSamples.h"
@@ -38,6 +39,13 @@ enum OutputPort
   VorticesPort,
   ExplainedPort,
   NumberOfOutputs
+};
+
+using waft::StageInput;
+
+const waft::StageInputs Inputs = {
+  { "Input", StageInput::Type::Surface },
+  { "Vortices", StageInput::Type::Merged, StageInput::Number::Optional },
 };
 
 } // namespace
@@ -133,12 +141,7 @@ vtkVortexFitFilter::~vtkVortexFitFilter() = default;
 
 int vtkVortexFitFilter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  if (port == PriorsPort)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return waft::FillInput(Inputs, port, info);
 }
 
 vtkTypeBool vtkVortexFitFilter::ProcessRequest(vtkInformation* request,
@@ -147,9 +150,10 @@ vtkTypeBool vtkVortexFitFilter::ProcessRequest(vtkInformation* request,
 {
   std::vector<waft::PropertyRange> ranges = waft::RangesOf<waft::VortexFitOptions>(*this);
   ranges.emplace_back("PriorFreedom", this->PriorFreedom, waft::limits::Around0(1e9));
-  return waft::GuardedRequest(
-    this, request, outputs, ranges,
-    [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+  return waft::GuardedRequest(this, request, inputs, outputs, Inputs, ranges,
+                              [&](vtkInformationVector** taken) {
+                                return this->Superclass::ProcessRequest(request, taken, outputs);
+                              });
 }
 
 int vtkVortexFitFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,

@@ -6,7 +6,7 @@ import pathlib
 import tempfile
 
 from case import LEAF, Case
-from stages import stage_of, update, wrong_with
+from stages import LONGEST, stage_of, update, wrong_with
 
 SCENE = LEAF | {
     "constraints": [{"kind": "position", "object": 0, "frame": 30, "value": [0.0, 0.0, 1.6], "radius": 0.1}],
@@ -18,17 +18,28 @@ SCENE = LEAF | {
 }
 # Inputs by port; None: nothing is connected.
 STAGES = {
-    "vtkStylisticPlannerFilter": ("database", "objects", "constraints", "obstacles"),
-    "vtkSPHSpacetimeFilter": ("tracks", "objects", "constraints", "obstacles", "vortices", "wind"),
+    "vtkStylisticPlannerFilter": ("database", "objects", "constraints", "obstacles", "guides"),
+    "vtkAirAssimilationFilter": ("tracks", "objects", "constraints", "obstacles", "wind", "vortices"),
+    "vtkSPHSpacetimeFilter": ("tracks", "objects", "constraints", "obstacles", "vortices", "wind", "air"),
     "vtkVortexFitFilter": ("flown", "vortices"),
-    "vtkRotationRefineFilter": ("tracks", "objects", "shapes", "obstacles", "wind", "constraints"),
+    "vtkRotationRefineFilter": ("tracks", "objects", "shapes", "obstacles", "wind", "constraints", "air"),
     "vtkTrajectoryTraceFilter": ("flow", "vortices", "obstacles"),
     "vtkTrajectoryClusterFilter": ("flown", "vortices"),
     "vtkGridSmokeSource": (None, "obstacles", "wind", "vortices"),
     "vtkMotionAnimationWriter": ("poses", "objects", "shapes"),
     "vtkMotionSceneWriter": ("objects", "constraints", "obstacles", "shapes", "vortices", "wind"),
     "vtkVDBWriter": ("flow",),
+    "vtkMotionSceneFileWriter": ("scene",),
+    "vtkObjectSource": (None, "shapes"),
+    "vtkShapeKeyframeSource": ("obstacles",),
 }
+# What is damaged beside being put into blocks; the others take the same data by the same functions.
+DAMAGED = [stage for stage in STAGES if stage not in ("vtkAirAssimilationFilter", "vtkMotionSceneFileWriter", "vtkObjectSource",
+                                                      "vtkShapeKeyframeSource")]
+# How a message calls an input whose name is not that of its data.
+CALLED = {("vtkTrajectoryTraceFilter", "flow"): "Input", ("vtkVDBWriter", "flow"): "Input", ("vtkVortexFitFilter", "flown"): "Input",
+          ("vtkTrajectoryClusterFilter", "flown"): "Input", ("vtkMotionSceneFileWriter", "scene"): "Input",
+          ("vtkShapeKeyframeSource", "obstacles"): "Input"}
 JOINED = ("tracks", "flown", "poses", "obstacles", "vortices")  # whose cells say what belongs together
 
 
@@ -58,7 +69,18 @@ def good():
               "wind": ("reader", 5), "tracks": ("planner", 0), "constraints": ("planner", 3),
               "flown": ("assimilation", 0), "poses": ("rotation", 1)}
     database = read_blocks(data_file("Database/embedded.vtm"))
-    return {"flow": flow, "database": _copy(database)} | {name: _copy(run.output(*place)) for name, place in places.items()}
+    made = {name: _copy(run.output(*place)) for name, place in places.items()}
+    made |= {"flow": flow, "air": flow, "database": _copy(database), "guides": _copy(made["tracks"])}
+    return made | {"scene": _gathered(made)}
+
+
+def _gathered(data):
+    """The output of a scene writer."""
+    writer = stage_of("vtkMotionSceneWriter")
+    for port, name in enumerate(STAGES["vtkMotionSceneWriter"]):
+        writer.SetInputDataObject(port, data[name])
+    writer.Update()
+    return _copy(writer.GetOutputDataObject(0))
 
 
 def _copy(data):
@@ -166,7 +188,7 @@ def _of_block(damage):
 
 
 def _damages(name, port):
-    if name in ("wind", "flow"):
+    if name in ("wind", "flow", "air"):
         return IMAGES
     if name == "shapes":
         return {damage: (_of_block(what), must) for damage, (what, must) in (SURFACES | CELLS).items()
@@ -181,20 +203,132 @@ def _act(stage, port, change, must_fail):
         inputs = [None if name is None else _copy(good()[name]) for name in STAGES[stage]]
         if change:
             change(inputs[port])
-        algorithm = stage_of(stage)
-        for number, data in enumerate(inputs):
-            if data is not None:
-                algorithm.SetInputDataObject(number, data)
-        errors = update(algorithm)
+        algorithm, errors = _run(stage, inputs)
         if must_fail and not errors:
             return "taken without a word"
         return wrong_with(algorithm, errors)
     return act
 
 
+def _group(*blocks):
+    from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+
+    group = vtkMultiBlockDataSet()
+    for number, block in enumerate(blocks):
+        group.SetBlock(number, block)
+    return group
+
+
+def _collection(data):
+    from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection
+
+    collection = vtkPartitionedDataSetCollection()
+    for number in range(data.GetNumberOfBlocks() if data.IsA("vtkMultiBlockDataSet") else 1):
+        is_list = data.IsA("vtkMultiBlockDataSet")
+        collection.SetPartition(number, 0, data.GetBlock(number) if is_list else data)
+        if is_list and data.HasMetaData(number):
+            collection.GetMetaData(number).Copy(data.GetMetaData(number))
+    return collection
+
+
+def _partitions(data):
+    from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSet
+
+    parts = vtkPartitionedDataSet()
+    parts.SetPartition(0, data)
+    return parts
+
+
+def _points():
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+
+    grid = vtkUnstructuredGrid()
+    points = vtkPoints()
+    points.InsertNextPoint(0.0, 0.0, 1.0)
+    grid.SetPoints(points)
+    return grid
+
+
+def _table():
+    from vtkmodules.vtkCommonCore import vtkIntArray
+    from vtkmodules.vtkCommonDataModel import vtkTable
+
+    table = vtkTable()
+    column = vtkIntArray()
+    column.SetName("ObjectId")
+    column.InsertNextValue(0)
+    table.AddColumn(column)
+    return table
+
+
+_SHORT = 0.2  # s that a stage may run whose input is taken
+# One data set is as by itself in these ...
+AS_ONE = {
+    "in a group": _group,
+    "in a group of a group, with empty ones": lambda data: _group(_group(data, data.NewInstance()), None),
+    "in a partitioned collection": _collection,
+}
+# ... and these are put together, or refused by the input's name.
+OTHERWISE = {
+    "in partitions": _partitions,
+    "twice in a group": lambda data: _group(data, data),
+    "with a grid beside it": lambda data: _group(data, _points()),
+    "an empty group": lambda data: _group(),
+    "a group of nothing": lambda data: _group(None, data.NewInstance()),
+    "a grid": lambda data: _points(),
+    "a table": lambda data: _table(),
+}
+LISTS = ("shapes", "database", "scene")  # which are blocks themselves, and stay what they are when one more group is round them
+
+
+def _run(stage, inputs, longest=LONGEST):
+    algorithm = stage_of(stage)
+    if stage == "vtkShapeKeyframeSource":
+        algorithm.SetShape(2)  # the surface that comes in
+    for number, data in enumerate(inputs):
+        if data is not None:
+            algorithm.SetInputDataObject(number, data)
+    return algorithm, update(algorithm, longest)
+
+
+def _all_as_one(stage, form):
+    def act():
+        def formed(name):
+            data = _copy(good()[name])
+            is_itself = name in LISTS and "empty" in form or name == "scene" and "collection" in form  # of lists of lists
+            return data if is_itself else AS_ONE[form](data)
+        algorithm, errors = _run(stage, [name and formed(name) for name in STAGES[stage]], _SHORT)
+        return f"refused: {errors[0][-300:]}" if errors else wrong_with(algorithm, errors)
+    return act
+
+
+def _one_otherwise(stage, port):
+    def wrong_in(form):
+        inputs = [name and _copy(good()[name]) for name in STAGES[stage]]
+        inputs[port] = OTHERWISE[form](inputs[port])
+        algorithm, errors = _run(stage, inputs, _SHORT)
+        name = STAGES[stage][port]
+        called = CALLED.get((stage, name), name.capitalize())
+        if errors and not any(f"{known}: " in errors[0] for known in (called, "motion database", "the scene")):
+            return f"{form}: does not name {called}: {errors[0][-300:]}"
+        if not errors and form in ("a grid", "a table", "with a grid beside it"):
+            return f"{form}: taken without a word"
+        wrong = wrong_with(algorithm, errors)
+        return wrong and f"{form}: {wrong}"
+    return lambda: next(filter(None, map(wrong_in, OTHERWISE)), "")
+
+
 def cases():
     good()
     for stage, inputs in STAGES.items():
+        for form in AS_ONE:
+            yield Case("data", f"{stage}: all {form}", act=_all_as_one(stage, form))
+        for port, name in enumerate(inputs):
+            if name is not None:
+                yield Case("data", f"{stage}: {name}: otherwise", act=_one_otherwise(stage, port))
+    for stage in DAMAGED:
+        inputs = [name for name in STAGES[stage] if name not in ("guides", "air")]
         yield Case("data", f"{stage}: all right", act=_act(stage, 0, None, False))
         for port, name in enumerate(inputs):
             if name is not None:

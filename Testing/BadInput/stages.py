@@ -46,13 +46,13 @@ def listen(algorithm):
     return errors
 
 
-def update(algorithm):
-    """Runs a stage, or asks it to stop after a while; returns its errors."""
+def update(algorithm, longest=LONGEST):
+    """Runs a stage, or asks it to stop after a while [s]; returns its errors."""
     errors = listen(algorithm)
     began = time.monotonic()
 
     def stop(*_):
-        if time.monotonic() - began > LONGEST:
+        if time.monotonic() - began > longest:
             algorithm.SetAbortExecute(1)
     algorithm.AddObserver("ProgressEvent", stop)
     if hasattr(algorithm, "Write"):

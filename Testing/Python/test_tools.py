@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""ParaView's own tools on Waft's data: data by the names of ports, extractors of each port, and states that another process runs.
+"""ParaView's own tools on Waft's data: groups, blocks, tables and thresholds as inputs, data by the names of ports, extractors of
+each port, and states that another process runs.
 
     pvpython test_tools.py PVPYTHON"""
 import csv
@@ -86,6 +87,45 @@ class ToolsTest(unittest.TestCase):
 
     def tracks(self, planner):
         return planner.GetClientSideObject().GetOutputDataObject(0)
+
+    def test_groups_and_extracted_blocks_are_what_is_in_them(self):
+        plain = digest(self.tracks(self.plan()))
+        grouped = {name: simple.GroupDatasets(Input=[self.reader[READER.index(name)]])
+                   for name in ("Objects", "Constraints", "Obstacles")}
+        self.assertEqual(plain, digest(self.tracks(self.plan(**grouped))))
+        both = simple.GroupDatasets(Input=[self.reader[0], self.reader[2]])
+        both.BlockNames = ["Objects", "Obstacles"]
+        extracted = simple.ExtractBlock(Input=both)
+        extracted.Selectors = ["/Root/Obstacles"]
+        self.assertEqual(plain, digest(self.tracks(self.plan(Obstacles=extracted))))
+        self.assertEqual([], self.said)
+
+    def test_an_open_surface_in_blocks_is_refused_as_an_obstacle(self):
+        self.assertEqual(0, self.tracks(self.plan(Obstacles=simple.FeatherShapeSource())).GetNumberOfPoints())
+        self.assertRegex("".join(self.said), "(?i)obstacle 0.*closed")
+
+    def test_rows_of_two_sources_in_a_group_are_one_list(self):
+        rows = [simple.ConstraintSource(NumberOfFrames=FRAMES, FramesPerSecond=RATE, ObjectId=k, Frame=40,
+                                        Value=[0.1 * k, 0.2, 1.8]) for k in (1, 2)]
+        planner = self.plan(Constraints=simple.GroupDatasets(Input=rows))
+        self.assertEqual(3, self.tracks(planner).GetNumberOfLines())
+        self.assertEqual(2, waft.fetch(planner, "Report").GetNumberOfRows())
+
+    def test_objects_by_way_of_a_table_fly_the_same_scene(self):
+        plain = self.tracks(self.plan())
+        table = self.folder / "objects.csv"
+        simple.SaveData(str(table), simple.OutputPort(self.reader, 0), Precision=17)
+        points = simple.TableToPoints(Input=simple.CSVReader(FileName=[str(table)]), XColumn="Points:0", YColumn="Points:1",
+                                      ZColumn="Points:2")
+        planner = self.plan(Objects=points)
+        tracks = self.tracks(planner)
+        self.assertEqual([FRAMES], [round(tracks.GetFieldData().GetArray("NumberOfFrames").GetTuple1(0))])
+        self.assertEqual((plain.GetNumberOfPoints(), len(planner.TimestepValues)), (tracks.GetNumberOfPoints(), FRAMES))
+
+    def test_a_threshold_that_matches_none_is_no_objects(self):
+        none = simple.Threshold(Input=self.reader[0], Scalars=["POINTS", "Mass"], LowerThreshold=5.0, UpperThreshold=6.0)
+        self.plan(Objects=none)
+        self.assertIn("Objects: no objects", "".join(self.said))
 
     def test_data_come_by_the_name_of_their_port(self):
         planner = self.plan()

@@ -3,6 +3,7 @@
 
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Arrays.h"
+#include "Bridge/Data/Blocks.h"
 #include "Bridge/Data/ImageLattice.h"
 #include "Bridge/Data/SceneData.h"
 #include "Obstacles/SolidParts.h"
@@ -21,6 +22,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 namespace waft
 {
@@ -116,6 +119,34 @@ Result SplitObstacles(vtkPolyData* data, std::vector<ObstacleMesh>& obstacles)
     obstacles.push_back(std::move(entry.second));
   }
   return Result::Ok();
+}
+
+// Adds the obstacles of another block.
+void PutBeside(std::vector<ObstacleMesh> others, std::vector<ObstacleMesh>& all)
+{
+  std::set<int> taken;
+  for (const ObstacleMesh& obstacle : all)
+  {
+    taken.insert(obstacle.ObstacleId);
+  }
+  const std::set<int> before = taken;
+  for (const ObstacleMesh& other : others)
+  {
+    taken.insert(other.ObstacleId);
+  }
+  int free = 0;
+  for (ObstacleMesh& other : others)
+  {
+    if (before.count(other.ObstacleId) > 0)
+    {
+      while (!taken.insert(free).second)
+      {
+        ++free;
+      }
+      other.ObstacleId = free;
+    }
+    all.push_back(std::move(other));
+  }
 }
 
 // A step that is not later than the last one: the same again when other inputs have more steps.
@@ -215,14 +246,20 @@ void MoveObstacles(const std::vector<ObstacleMesh>& obstacles, double frame, vtk
   data->SetPoints(points);
 }
 
-Result ObstacleCollector::Add(vtkPolyData* data, double time, const Timeline& line)
+Result ObstacleCollector::Add(vtkDataObject* data, double time, const Timeline& line)
 {
+  std::vector<vtkPolyData*> surfaces;
+  WAFT_RETURN_IF_FAILED(SurfacesOf(data, "Obstacles", surfaces));
+  std::vector<vtkMTimeType> change = PointChanges(surfaces);
+  if (std::all_of(change.begin(), change.end(), [](vtkMTimeType time) { return time == 0; }))
+  {
+    return Result::Ok();
+  }
   if (!this->Steps.empty() && time <= this->LastTime)
   {
     return SeenAlready("Obstacles", time, this->LastTime);
   }
   const int frame = static_cast<int>(std::lround(time * line.FramesPerSecond));
-  const vtkMTimeType change = data->GetPoints() ? data->GetPoints()->GetMTime() : 0;
   this->LastTime = time;
   if (!this->Steps.empty() && change == this->LastChange)
   {
@@ -231,7 +268,12 @@ Result ObstacleCollector::Add(vtkPolyData* data, double time, const Timeline& li
     return Result::Ok();
   }
   std::vector<ObstacleMesh> now;
-  WAFT_RETURN_IF_FAILED(SplitObstacles(data, now));
+  for (vtkPolyData* surface : surfaces)
+  {
+    std::vector<ObstacleMesh> own;
+    WAFT_RETURN_IF_FAILED(SplitObstacles(surface, own));
+    PutBeside(std::move(own), now);
+  }
   if (this->Steps.empty())
   {
     this->Obstacles = now;
@@ -249,7 +291,7 @@ Result ObstacleCollector::Add(vtkPolyData* data, double time, const Timeline& li
   }
   this->Frames.push_back(frame);
   this->Steps.push_back(std::move(offsets));
-  this->LastChange = change;
+  this->LastChange = std::move(change);
   return Result::Ok();
 }
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataObject;
 class vtkImageData;
 class vtkPolyData;
 
@@ -29,21 +30,22 @@ void ObstaclesToPolyData(const std::vector<ObstacleMesh>& obstacles, double fram
 void MoveObstacles(const std::vector<ObstacleMesh>& obstacles, double frame, vtkPolyData* data);
 
 /// Gathers the obstacles over the steps of a time-varying surface. Every obstacle may move, not
-/// turn or deform. Without `ObstacleId` what hangs together is one.
+/// turn or deform. Without `ObstacleId` what hangs together is one. Blocks are put together: an id
+/// that an earlier block has as well becomes the least that none has.
 class ObstacleCollector
 {
 public:
-  /// The surface at one time [s]; steps come in increasing order of time (the same step again is
-  /// passed over, an earlier one refused). A data set whose points did not change since the last
-  /// step costs nothing.
-  Result Add(vtkPolyData* data, double time, const Timeline& line);
+  /// The surface, or blocks of surfaces, at one time [s]; one without points adds nothing. Steps
+  /// come in increasing order of time (the same step again is passed over, an earlier one refused).
+  /// Data whose points did not change since the last step cost nothing.
+  Result Add(vtkDataObject* data, double time, const Timeline& line);
   std::vector<ObstacleMesh> Take();
 
 private:
   std::vector<ObstacleMesh> Obstacles;
   std::vector<int> Frames;              // of the steps seen
   std::vector<std::vector<Vec3>> Steps; // [step][obstacle] displacement
-  vtkMTimeType LastChange = 0;
+  std::vector<vtkMTimeType> LastChange; // of the points of each surface
   double LastTime = 0.0;
 };
 

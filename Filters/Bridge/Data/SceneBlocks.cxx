@@ -156,6 +156,7 @@ Result SceneFromBlocks(vtkMultiBlockDataSet* data, SceneContents& scene)
   {
     return Result::Error("the scene: expected a block `Objects`, found none");
   }
+  WAFT_RETURN_IF_FAILED(SceneInfoFromFieldData(data, parts.Info));
   WAFT_RETURN_IF_FAILED(SceneInfoFromFieldData(objects, parts.Info));
   WAFT_RETURN_IF_FAILED(ObjectsFromPolyData(objects, parts.Objects));
   parts.Authored.Objects = AuthoredFromFieldData(objects);

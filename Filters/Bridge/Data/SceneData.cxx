@@ -33,7 +33,11 @@ void SceneInfoToFieldData(const SceneInfo& info, vtkDataObject* data)
 
 Result SceneInfoFromFieldData(vtkDataObject* data, SceneInfo& info)
 {
-  vtkFieldData* fields = data->GetFieldData();
+  return SceneInfoFromFieldData(data->GetFieldData(), info);
+}
+
+Result SceneInfoFromFieldData(vtkFieldData* fields, SceneInfo& info)
+{
   if (fields->GetAbstractArray(names::Bounds))
   {
     vtkDataArray* bounds = fields->GetArray(names::Bounds);
@@ -145,6 +149,10 @@ Result NumberObjects(const ArraySource& source, std::vector<MotionObject>& objec
 
 Result ObjectsFromPolyData(vtkPolyData* data, std::vector<MotionObject>& objects)
 {
+  if (data->GetNumberOfPoints() == 0)
+  {
+    return Result::Error("Objects: no objects: expected at least one point");
+  }
   const ArraySource source{ data->GetPointData(), "Objects", data->GetNumberOfPoints() };
   std::vector<Vec3> positions;
   WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "Objects", positions));

@@ -10,6 +10,7 @@
 #include <vector>
 
 class vtkDataObject;
+class vtkFieldData;
 class vtkPolyData;
 
 namespace waft
@@ -19,6 +20,7 @@ namespace waft
 void SceneInfoToFieldData(const SceneInfo& info, vtkDataObject* data);
 /// What is absent keeps the value that info has. Fails on an empty volume, frames or rate.
 Result SceneInfoFromFieldData(vtkDataObject* data, SceneInfo& info);
+Result SceneInfoFromFieldData(vtkFieldData* fields, SceneInfo& info);
 
 /// Field data `Authored`: the part of a scene file that made this data (AuthoredScene); nothing is
 /// added for an empty text.

@@ -108,6 +108,33 @@ Result ShapeFromPolyData(vtkPolyData* data, const std::string& name, Shape& shap
   return Result::Ok();
 }
 
+// Groups of shapes are taken as one list.
+Result AddShapes(vtkMultiBlockDataSet* data, std::vector<Shape>& shapes)
+{
+  for (unsigned int i = 0; i < data->GetNumberOfBlocks(); ++i)
+  {
+    const char* name =
+      data->HasMetaData(i) && data->GetMetaData(i)->Has(vtkCompositeDataSet::NAME())
+        ? data->GetMetaData(i)->Get(vtkCompositeDataSet::NAME())
+        : nullptr;
+    const std::string title = name ? name : std::to_string(i);
+    if (auto* group = vtkMultiBlockDataSet::SafeDownCast(data->GetBlock(i)))
+    {
+      WAFT_RETURN_IF_FAILED(AddShapes(group, shapes));
+      continue;
+    }
+    auto* block = vtkPolyData::SafeDownCast(data->GetBlock(i));
+    if (!block)
+    {
+      return Result::Error("Shapes: block " + title + ": expected a surface (vtkPolyData)");
+    }
+    Shape shape;
+    WAFT_RETURN_IF_FAILED(ShapeFromPolyData(block, title, shape));
+    shapes.push_back(std::move(shape));
+  }
+  return Result::Ok();
+}
+
 } // namespace
 
 void ShapesToMultiBlock(const std::vector<Shape>& shapes, const SceneInfo& info,
@@ -128,22 +155,7 @@ void ShapesToMultiBlock(const std::vector<Shape>& shapes, const SceneInfo& info,
 Result ShapesFromMultiBlock(vtkMultiBlockDataSet* data, std::vector<Shape>& shapes)
 {
   std::vector<Shape> read;
-  for (unsigned int i = 0; i < data->GetNumberOfBlocks(); ++i)
-  {
-    const char* name =
-      data->HasMetaData(i) && data->GetMetaData(i)->Has(vtkCompositeDataSet::NAME())
-        ? data->GetMetaData(i)->Get(vtkCompositeDataSet::NAME())
-        : nullptr;
-    const std::string title = name ? name : std::to_string(i);
-    auto* block = vtkPolyData::SafeDownCast(data->GetBlock(i));
-    if (!block)
-    {
-      return Result::Error("Shapes: block " + title + ": expected a surface (vtkPolyData)");
-    }
-    Shape shape;
-    WAFT_RETURN_IF_FAILED(ShapeFromPolyData(block, title, shape));
-    read.push_back(std::move(shape));
-  }
+  WAFT_RETURN_IF_FAILED(AddShapes(data, read));
   shapes = std::move(read);
   return Result::Ok();
 }

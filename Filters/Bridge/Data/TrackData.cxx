@@ -145,6 +145,10 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
 Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks)
 {
   WAFT_RETURN_IF_FAILED(CheckCells(data, "Tracks"));
+  if (data->GetNumberOfCells() == 0)
+  {
+    return Result::Error("Tracks: no objects: expected at least one line");
+  }
   const ArraySource points{ data->GetPointData(), "Tracks", data->GetNumberOfPoints() };
   const ArraySource cells{ data->GetCellData(), "Tracks", data->GetNumberOfCells() };
   std::vector<Vec3> positions, vortex, wind, forces, air, sph, residual;

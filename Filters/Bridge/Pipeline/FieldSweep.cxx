@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/Pipeline/FieldSweep.h"
 
+#include <vtkDataObject.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 using Sddp = vtkStreamingDemandDrivenPipeline;
@@ -135,8 +135,7 @@ Result FieldSweep::Take(vtkInformationVector** inputs, const Timeline& line)
   }
   if (vtkInformation* input = InputOf(inputs, this->ObstaclesPort))
   {
-    vtkPolyData* data = vtkPolyData::GetData(input);
-    if (data != nullptr && data->GetNumberOfPoints() > 0)
+    if (vtkDataObject* data = vtkDataObject::GetData(input))
     {
       WAFT_RETURN_IF_FAILED(this->Obstacles.Add(data, TimeSweep::DataTime(input), line));
     }

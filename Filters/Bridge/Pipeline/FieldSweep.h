@@ -14,7 +14,7 @@
 namespace waft
 {
 
-/// Pulls the optional input ports Obstacles (vtkPolyData), Wind and Air (vtkImageData) of a stage
+/// Pulls the optional input ports Obstacles (surfaces), Wind and Air (vtkImageData) of a stage
 /// over all their steps: RequestSteps in RequestUpdateExtent, Take and Continue in RequestData, at
 /// last the results.
 class FieldSweep

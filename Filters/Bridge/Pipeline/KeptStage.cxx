@@ -4,8 +4,8 @@
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/ConstraintData.h"
-#include "Bridge/Data/SceneData.h"
 #include "Bridge/Pipeline/Ranks.h"
+#include "Bridge/Pipeline/StageInputs.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkInformation.h>
@@ -182,7 +182,12 @@ void KeptStage::Show(vtkInformation* request, vtkInformationVector* outputs)
 Result KeptStage::TakeScene(vtkInformationVector** inputs)
 {
   this->Scene = SceneInfo();
-  return SceneInfoFromFieldData(vtkDataObject::GetData(inputs[this->ScenePort]), this->Scene);
+  std::set<std::string> lacking;
+  const Result result = SceneOfInputs(this->Stage, inputs, this->ScenePort, this->Scene, lacking);
+  // Of the other ranks the first one's scene is theirs as well.
+  const bool isElsewhere = IsWithFirstRank(vtkDataObject::GetData(inputs[this->ScenePort]));
+  this->Defaults = isElsewhere ? "" : DefaultsText(lacking, this->Scene);
+  return result;
 }
 
 bool KeptStage::GoesOn()
@@ -246,6 +251,10 @@ Result KeptStage::End(vtkInformationVector** inputs, const Result& result)
   if (!result)
   {
     return result;
+  }
+  if (!this->Defaults.empty())
+  {
+    vtkWarningWithObjectMacro(this->Stage, << this->Defaults);
   }
   for (const std::string& warning : this->Warnings)
   {

@@ -32,7 +32,8 @@ namespace waft
 class KeptStage
 {
 public:
-  /// scenePort: the input whose field data give the scene; the others: as in FieldSweep.
+  /// scenePort: the input whose field data give the scene (SceneOfInputs); the others: as in
+  /// FieldSweep.
   KeptStage(vtkAlgorithm* stage, int scenePort, int obstaclesPort = FieldSweep::NoPort,
             int windPort = FieldSweep::NoPort, int airPort = FieldSweep::NoPort);
   virtual ~KeptStage() = default;
@@ -119,6 +120,7 @@ private:
 
   vtkAlgorithm* Stage;
   int ScenePort;
+  std::string Defaults; // that the scene has, since no input says another
   StageCache Cache;
   SlicedRun Held;
   bool IsDue = false;        // work that is held is to go on

@@ -156,11 +156,11 @@ int AskingPort(vtkInformation* request)
            : 0;
 }
 
-// The time line that the data of an input carry, if any.
+// The time line that the data of an input carry, if any; a database or shapes have one of their own.
 bool TimelineOf(vtkInformation* input, Timeline& line)
 {
   vtkDataObject* data = vtkDataObject::GetData(input);
-  if (!data || !data->GetFieldData()->HasArray("NumberOfFrames"))
+  if (!data || data->IsA("vtkMultiBlockDataSet") || !data->GetFieldData()->HasArray("NumberOfFrames"))
   {
     return false;
   }
@@ -364,8 +364,14 @@ void PassTimeSteps(vtkAlgorithm* stage, vtkInformationVector** inputs,
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
     {
       vtkInformation* input = inputs[port]->GetInformationObject(i);
+      Timeline line;
       if (!input->Has(Sddp::TIME_STEPS()))
       {
+        if (TimelineOf(input, line))
+        {
+          SetTimeSteps(line, outputs);
+          return;
+        }
         continue;
       }
       for (int out = 0; out < outputs->GetNumberOfInformationObjects(); ++out)
@@ -373,16 +379,6 @@ void PassTimeSteps(vtkAlgorithm* stage, vtkInformationVector** inputs,
         outputs->GetInformationObject(out)->CopyEntry(input, Sddp::TIME_STEPS());
         outputs->GetInformationObject(out)->CopyEntry(input, Sddp::TIME_RANGE());
       }
-      return;
-    }
-  }
-  for (int port = 0; port < stage->GetNumberOfInputPorts(); ++port)
-  {
-    Timeline line;
-    if (inputs[port]->GetNumberOfInformationObjects() > 0 &&
-        TimelineOf(inputs[port]->GetInformationObject(0), line))
-    {
-      SetTimeSteps(line, outputs);
       return;
     }
   }

@@ -124,7 +124,7 @@ private:
 };
 
 /// The number of input ports of a stage is read from it; gives all outputs the time steps of the
-/// first input that has any, else of the first input whose data carry a scene's field data.
+/// first input that has any, or whose data carry a scene's field data.
 void PassTimeSteps(vtkAlgorithm* stage, vtkInformationVector** inputs,
                    vtkInformationVector* outputs);
 /// Gives all outputs the frames of a time line.
