@@ -25,7 +25,7 @@ import picture  # noqa: E402
 import sample_folder  # noqa: E402
 
 from waft.failures import BadInput, WaftError  # noqa: E402
-from waft._drawing import pictures  # noqa: E402
+from waft._drawing import pictures, widest_window  # noqa: E402
 from waft._flyers import _at_most  # noqa: E402
 from waft._folder import load  # noqa: E402
 from waft._scenery import image  # noqa: E402
@@ -171,6 +171,25 @@ class RenderTest(unittest.TestCase):
                 render(WORK)
         finally:
             os.environ["DISPLAY"] = screen
+
+    def test_sizes_that_cannot_be_drawn_are_refused_before_anything_is_touched(self):
+        before = sorted(os.listdir(WORK))
+        widest = widest_window()
+        for size, samples, shutter, wanted in (
+                ((16384, 16384), 2, 0.0, "16384x16384: expected pictures of at most 16.8 million pixels with 2 x 2 samples each, found 268"),
+                ((16384, 8192), 1, 0.0, "at most 67.1 million pixels with 1 x 1"), ((8192, 8192), 2, 0.5, "at most 33.6 million"),
+                ((16384, 16), widest // 16384 + 1, 0.0, f"at most {widest // (widest // 16384 + 1)} pixels a side, found 16384")):
+            with self.subTest(wanted), self.assertRaisesRegex(BadInput, wanted):
+                render(WORK, size=size, samples=samples, shutter=shutter)
+        self.assertEqual(sorted(os.listdir(WORK)), before)
+
+    def test_a_sheet_of_pictures_of_any_form(self):
+        place = WORK + "-sheet"
+        shutil.rmtree(place, ignore_errors=True)
+        sample_folder.write(place)
+        for size in ((4096, 16), (16, 2000)):
+            written = render(place, frames="0:1", size=size, views="side", samples=1, sheet=True, targets=False)
+            self.assertGreater(os.path.getsize(written[-1]), 100)
 
     def test_damaged_folders_are_named_by_file(self):
         def lose_blocks(place):

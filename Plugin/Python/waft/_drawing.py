@@ -7,6 +7,8 @@ import os
 import signal
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
+from vtkmodules.vtkRenderingOpenGL2 import vtkTextureObject
 
 from ._output import write_png
 from ._scenery import image
@@ -30,6 +32,33 @@ def pictures(make_stage, wanted, jobs, with_pixels):
         for number in range(len(wanted)):
             pixels = _received(*ends[number % jobs])
             yield image(pixels) if with_pixels else None
+
+
+def widest_window():
+    """Pixels that a window may have along a side. Asked in a process of its own, since processes that draw later share no window."""
+    fork = multiprocessing.get_context("fork")
+    receiving, sending = fork.Pipe(duplex=False)
+    process = fork.Process(target=_ask_window, args=(sending,), daemon=True)
+    process.start()
+    sending.close()
+    try:
+        return _received(process, receiving)
+    finally:
+        process.kill()
+        process.join()
+        receiving.close()
+
+
+def _ask_window(sending):
+    try:
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(1)
+        window.SetSize(16, 16)
+        window.Initialize()
+        sending.send(vtkTextureObject.GetMaximumTextureSize(window))
+    finally:
+        sending.close()
+        os._exit(0)
 
 
 def _drawn(stage, view, frame, path):

@@ -47,7 +47,7 @@ class Sheet:
             return
         width, height, _ = picture.GetDimensions()
         pixels = vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(height, width, -1)
-        step = max(width // _WIDTH, 1)
+        step = max(min(width // _WIDTH, height), 1)
         tile = reduced(pixels[: height // step * step, : width // step * step], step)[::-1].copy()
         label = _label(frame)[: tile.shape[0], : tile.shape[1]]
         corner = tile[: label.shape[0], : label.shape[1]]

@@ -11,7 +11,7 @@ from vtkmodules.vtkRenderingCore import vtkMapper, vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass, vtkToneMappingPass
 
 from ._cameras import Cameras
-from ._drawing import MOST_JOBS, pictures
+from ._drawing import MOST_JOBS, pictures, widest_window
 from ._exposure import Exposure, Film, seen_through
 from ._flyers import Objects, Trails, add_marks
 from ._folder import load
@@ -28,6 +28,10 @@ from .writing import earlier_results, near_files
 _SEAL = "pictures.json"
 _HIDDEN = 0.1  # share of the motion behind obstacles from which on one sees through them
 _GLASS = 0.22  # opacity of such obstacles
+_ANY_WINDOW = 4096  # pixels a side that every window can draw
+# Pixels that are drawn at once: a texture of them takes 1 GB, where software that draws ends; all of it 4 GB. With an exposure each
+# is kept as light, too.
+_MOST_DRAWN = 1 << 26
 
 
 def parse_frames(text, count):
@@ -51,6 +55,20 @@ def parse_frames(text, count):
             f"frames '{text}': expected 0 <= A <= B and S >= 1; the animation has frames 0 to {count - 1}"
         )
     return range(first, last + 1, step)
+
+
+def _check_size(size, samples, exposure):
+    """Refuses pictures that no memory holds, or no window draws."""
+    each = samples * samples if exposure.is_plain else 2
+    if size[0] * size[1] * each > _MOST_DRAWN:
+        why = f"with {samples} x {samples} samples each" if exposure.is_plain else "with a shutter or an aperture"
+        raise BadInput(f"size {size[0]}x{size[1]}: expected pictures of at most {_MOST_DRAWN / each / 1e6:.1f} million pixels {why}, "
+                       f"found {size[0] * size[1] / 1e6:.1f} million")
+    across = max(size) * (samples if exposure.is_plain else 1)
+    most = widest_window() if across > _ANY_WINDOW else across
+    if across > most:
+        raise BadInput(f"size {size[0]}x{size[1]}: expected at most {most // (across // max(size))} pixels a side, found {max(size)}: the "
+                       f"window draws {most}, and each pixel takes {across // max(size)} of them")
 
 
 def _film(exposure):
@@ -176,7 +194,7 @@ def render(
 
     folder:   what `waft synthesize` wrote
     frames:   "A:B:S", from A to B (B included), every S; all frames if None
-    size:     width and height in pixels
+    size:     width and height in pixels; refused where they are more than can be drawn at once
     movie:    also FOLDER/<view>.ogv and <view>.avi, and <view>.mp4 where the program ffmpeg is found
     views:    of "hero" (near, all that moves is in the picture), "side", "top" (straight down, x to the right) and "follow"
     paths:    a faint trail of each object's last second (up to three objects: since the start)
@@ -235,6 +253,7 @@ def render(
             raise WaftError(
                 "rendering needs a display; run it under: xvfb-run -a -s \"-screen 0 1280x1024x24\""
             )
+        _check_size(size, samples, exposure)
         try:
             drawn = pictures(lambda: Stage(motion, size, samples, paths, targets, obstacle_opacity, style, exposure),
                              [(view, frame, place.path(_picture(view, frame))) for frame in numbers for view in views],
