@@ -142,6 +142,22 @@ class StartingTest(unittest.TestCase):
         self.check(0, "hard: too many", domain={"min": [-1.5, -1.5, 0], "max": [1, 1, 3]},
                    shapes={"leaf": {"builtin": "leaf", "size": 1.1}})
 
+    def test_check_tells_the_first_few_of_what_is_alike(self):
+        rows = [position(0, 30 + i, [1.7, -1.7 + 0.4 * (i % 9), 3.5]) for i in range(9)]
+        said = self.check(3, "cannot be met: conflict: 3 more", constraints=rows)
+        self.assertEqual(5, said.count("cannot be met: row "))
+        boxes = [{"kind": "box", "min": [-1.9 + 0.25 * i, -1.9, 0.2], "max": [-1.7 + 0.25 * i, -1.7, 0.4]} for i in range(12)]
+        said = self.check(0, "hard: too narrow: 6 more", obstacles=boxes)
+        self.assertEqual(5, said.count("0.05 m apart"))
+        self.assertIn("11 remarks", said)
+
+    def test_check_finds_near_obstacles_among_many(self):
+        boxes = [{"kind": "box", "min": [x, y, z], "max": [x + 0.1, y + 0.1, z + 0.1]}
+                 for x in (-1.9, -1.2, -0.5, 0.2, 0.9) for y in (-1.9, -1.2, -0.5, 0.2, 0.9) for z in (0.3, 1.1, 1.9, 2.7, 3.5)]
+        boxes.append({"kind": "box", "min": [1.03, 0.9, 3.5], "max": [1.1, 1.0, 3.6]})
+        said = self.check(0, "hard: too narrow: obstacles 124 and 125 are 0.03 m apart", obstacles=boxes)
+        self.assertEqual(1, said.count("too narrow"))
+
     def test_a_file_stands_by_the_axis_that_is_up(self):
         corners = [(x, y, z) for x in (-0.2, 0.2) for y in (0.1, 2.0) for z in (-0.2, 0.2)]  # tall along y
         faces = ["1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"]

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What of a scene cannot be, and what will be hard, before anything is flown: `waft check`."""
+import collections
 import dataclasses
-import itertools
 import os
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import mutable, vtkIdList
-from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkStaticCellLocator
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import mutable, vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator
 from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 
 from waft._kinds import POSITION, POSITIONAL, REST
@@ -25,12 +25,33 @@ _CROWDED = 0.05  # share of the volume that the bodies' balls of clearance may t
 _JUDGED = 0.02  # progress of the planner from which on the rows are judged
 
 
+_ALIKE = 5  # findings of one kind that are told; the others are counted
+
+
 @dataclasses.dataclass
 class Finding:
-    """A sentence about a scene. is_possible: whether it is only hard."""
+    """A sentence about a scene. is_possible: whether it is only hard; kind: what it has in common with others."""
 
     text: str
     is_possible: bool = True
+    kind: str = ""
+
+    @classmethod
+    def hard(cls, text):
+        return cls(text, True, text.partition(":")[0])
+
+
+def told(findings):
+    """(whether it is only hard, sentence): the first few findings of each kind, and how many more there are of it."""
+    shown = collections.Counter()
+    for finding in findings:
+        kind = (finding.is_possible, finding.kind)
+        shown[kind] += 1
+        if not finding.kind or shown[kind] <= _ALIKE:
+            yield finding.is_possible, finding.text
+    for (is_possible, kind), count in shown.items():
+        if kind and count > _ALIKE:
+            yield is_possible, f"{kind}: {count - _ALIKE} more"
 
 
 class Looked:
@@ -53,8 +74,12 @@ class Looked:
             self.report = read_rows(pipeline.output("planner", 2))
             self.warnings = [text for one in pipeline.watches.values() for text in one.warnings]
             self._take(pipeline)
+            self._surface = vtkPolyData()
+            self._surface.ShallowCopy(pipeline.output("reader", 2))
         finally:
-            pipeline.delete()
+            pipeline.delete()  # and with it the planner's own trees of all obstacles
+        self.obstacles = _by_id(self._surface)
+        self._locator = None
 
     def _take(self, pipeline):
         objects, rows = pipeline.output("reader", 0), pipeline.planned(3)
@@ -73,65 +98,93 @@ class Looked:
         self.can_be = np.array([pair not in lost for pair in zip(self.row.tolist(), self.target.tolist())], bool)
         self.radius = vtk_to_numpy(rows.GetPointData().GetArray("Radius")).copy() if count else np.empty(0)
         self.top_speed = reading.read_blocks(pipeline.database_file).GetBlock(0).GetFieldData().GetArray("TopSpeed").GetComponent(0, 0)
-        self.obstacles = _by_id(pipeline.output("reader", 2))
-        self._surface = vtkStaticCellLocator()
-        self._surface.SetDataSet(pipeline.output("reader", 2))
-        self._surface.BuildLocator()
 
     def height_below(self, place):
         """Height of the first surface straight below a place; its own where there is none."""
+        if self._locator is None:
+            self._locator = vtkStaticCellLocator()
+            self._locator.SetDataSet(self._surface)
+            self._locator.BuildLocator()
         share, hit, at, piece, cell = mutable(0.0), [0.0] * 3, [0.0] * 3, mutable(0), mutable(0)
         low = [place[0], place[1], self.bounds[4] - 1.0]
-        return hit[2] if self._surface.IntersectWithLine(place, low, 0.0, share, hit, at, piece, cell) else place[2]
+        return hit[2] if self._locator.IntersectWithLine(place, low, 0.0, share, hit, at, piece, cell) else place[2]
 
 
 def check(scene, database=None):
     """(Looked, [Finding]) of a scene file; raises BadInput where it is malformed."""
     looked = Looked(scene, database)
     unmet = [Finding(f"row {row['Row']} target {row['Target']} (object {row['ObjectId']}, frame {row['Frame']}, {row['Kind']}): "
-                     f"{row['Status']}: {row['Message']}", False)
+                     f"{row['Status']}: {row['Message']}", False, row["Status"])
              for row in looked.report if row["Status"] in _LOST]
-    hard = [Finding(text) for text in (*looked.warnings, *_haste(looked), *_falls(looked), *_gaps(looked), *_near_marks(looked),
-                                       *_crowd(looked))]
-    return looked, unmet + hard
+    hard = [Finding.hard(text) for text in (*_haste(looked), *_falls(looked), *_gaps(looked), *_tight_marks(looked),
+                                            *_near_marks(looked), *_crowd(looked))]
+    return looked, unmet + [Finding(text) for text in looked.warnings] + hard
+
+
+class _Obstacle:
+    """One of the scene's obstacles: the points of its surface, the box around them, and distances to it."""
+
+    def __init__(self, points, triangles):
+        self._triangles = triangles
+        used = np.unique(triangles)
+        self._all = points
+        self.points = points[used]
+        self.low, self.high = self.points.min(axis=0), self.points.max(axis=0)
+        self._distance = None
+
+    def far(self, points):
+        """Distances of points from the box around it."""
+        return np.linalg.norm(np.maximum(np.maximum(self.low - points, points - self.high), 0.0), axis=1)
+
+    def distances(self, points):
+        """Signed distances of points from its surface."""
+        if self._distance is None:
+            self._distance = vtkImplicitPolyDataDistance()
+            self._distance.SetInput(_surface(self._all, self._triangles))
+        given, found = numpy_to_vtk(np.ascontiguousarray(points), deep=True), vtkDoubleArray()
+        self._distance.FunctionValue(given, found)
+        return vtk_to_numpy(found).ravel()
+
+
+def _surface(points, triangles):
+    used, triangles = np.unique(triangles, return_inverse=True)
+    made, cells, surface = vtkPoints(), vtkCellArray(), vtkPolyData()
+    made.SetData(numpy_to_vtk(np.ascontiguousarray(points[used]), deep=True))
+    triangles = triangles.ravel().astype(np.int64)
+    cells.SetData(numpy_to_vtkIdTypeArray(np.arange(0, len(triangles) + 1, 3), deep=True), numpy_to_vtkIdTypeArray(triangles, deep=True))
+    surface.SetPoints(made)
+    surface.SetPolys(cells)
+    return surface
 
 
 def _by_id(surface):
-    """{ObstacleId: vtkPolyData}"""
+    """{ObstacleId: _Obstacle}"""
     array = surface.GetPointData().GetArray("ObstacleId")
     if array is None or surface.GetNumberOfPolys() == 0:
         return {}
-    owner = vtk_to_numpy(array)
-    found = {}
-    corners = vtkIdList()
-    cells = {}
-    for cell in range(surface.GetNumberOfCells()):
-        surface.GetCellPoints(cell, corners)
-        cells.setdefault(int(owner[corners.GetId(0)]), []).append(cell)
-    for number, own in cells.items():
-        ids = vtkIdList()
-        for cell in own:
-            ids.InsertNextId(cell)
-        part = vtkPolyData()
-        part.Initialize()
-        part.Allocate(len(own))
-        part.SetPoints(surface.GetPoints())
-        part.CopyCells(surface, ids)
-        found[number] = part
-    return found
+    points = vtk_to_numpy(surface.GetPoints().GetData())
+    triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    owner = vtk_to_numpy(array)[triangles[:, 0]]
+    order = np.argsort(owner, kind="stable")
+    numbers, first = np.unique(owner[order], return_index=True)
+    return {int(number): _Obstacle(points, own) for number, own in zip(numbers, np.split(triangles[order], first[1:]))}
 
 
 def _legs(looked):
     """(object's index; place, frame and radius from; index of the row to) between an object's places in time order, those left
     out that cannot be met."""
-    for index, number in enumerate(looked.ids):
-        rows = np.flatnonzero((looked.object == number) & np.isin(looked.kind, POSITIONAL) & looked.can_be)
-        rows = rows[np.argsort(looked.frame[rows], kind="stable")]
+    rows = np.flatnonzero(np.isin(looked.kind, POSITIONAL) & looked.can_be)
+    rows = rows[np.argsort(looked.frame[rows], kind="stable")]
+    of = collections.defaultdict(list)
+    for row, number in zip(rows.tolist(), looked.object[rows].tolist()):
+        of[number].append(row)
+    frames, sources = looked.frame.tolist(), looked.row.tolist()
+    for index, number in enumerate(looked.ids.tolist()):
         place, frame, room, before = looked.starts[index], 0, 0.0, -1
-        for row in rows:
-            if looked.frame[row] > frame and looked.row[row] != before:  # within a given path any speed will do
+        for row in of.get(number, ()):
+            if frames[row] > frame and sources[row] != before:  # within a given path any speed will do
                 yield index, place, frame, room, row
-            place, frame, room, before = looked.places[row], looked.frame[row], looked.radius[row], looked.row[row]
+            place, frame, room, before = looked.places[row], frames[row], looked.radius[row], sources[row]
 
 
 def _haste(looked):
@@ -159,51 +212,79 @@ def _falls(looked):
 
 
 def _gaps(looked):
-    """Obstacles, and obstacles and walls, between which no body passes, though there is room; and marks so near to one."""
+    """Obstacles, and obstacles and walls, between which no body passes, though there is room."""
     wide = 2.0 * float(looked.clearance.max(initial=0.0))
-    distances = {}
-    for number, surface in looked.obstacles.items():
-        distances[number] = vtkImplicitPolyDataDistance()
-        distances[number].SetInput(surface)
-    for one, other in itertools.combinations(looked.obstacles, 2):
-        gap = min(_nearest(distances[one], looked.obstacles[other]), _nearest(distances[other], looked.obstacles[one]))
-        if 1e-6 < gap < wide:
-            yield f"too narrow: obstacles {one} and {other} are {gap:.3g} m apart, the widest body needs {wide:.3g} m to pass"
-    clearance = dict(zip(looked.ids.tolist(), looked.clearance.tolist()))
-    for row in np.flatnonzero(looked.kind == POSITION):
-        own = clearance.get(int(looked.object[row]), 0.5 * wide)
-        for number, distance in distances.items():
-            room = distance.EvaluateFunction(looked.places[row].tolist()) + looked.radius[row]
-            if 0.0 <= room < own:
-                yield (f"too narrow: row {looked.row[row]} target {looked.target[row]} lies {room:.3g} m from obstacle {number}, the "
-                       f"body's clearance radius is {own:.3g} m")
+    numbers, obstacles = list(looked.obstacles), list(looked.obstacles.values())
+    low, high = (np.array([getattr(one, side) for one in obstacles]).reshape(-1, 3) for side in ("low", "high"))
+    for first, one in enumerate(obstacles):
+        rest = slice(first + 1, None)
+        apart = np.linalg.norm(np.maximum(np.maximum(low[rest] - one.high, one.low - high[rest]), 0.0), axis=1)
+        for second in (first + 1 + np.flatnonzero(apart < wide)).tolist():
+            gap = _between(one, obstacles[second], wide)
+            if 1e-6 < gap < wide:
+                yield (f"too narrow: obstacles {numbers[first]} and {numbers[second]} are {gap:.3g} m apart, the widest body needs "
+                       f"{wide:.3g} m to pass")
 
 
 _MOST_POINTS = 2000  # of a surface that are measured from
 
 
-def _nearest(distance, surface):
-    points = vtk_to_numpy(surface.GetPoints().GetData())
-    used = np.unique(vtk_to_numpy(surface.GetPolys().GetConnectivityArray()))
-    used = used[::max(1, len(used) // _MOST_POINTS)]
-    return min((distance.EvaluateFunction(points[i].tolist()) for i in used), default=np.inf)
+def _between(one, other, wide):
+    """Smallest distance of a point of one surface from the other one, where that is less than `wide`; else infinite."""
+    gap = np.inf
+    for here, there in ((one, other), (other, one)):
+        points = here.points[::max(1, len(here.points) // _MOST_POINTS)]
+        points = points[there.far(points) < wide]
+        if len(points) > 0:
+            gap = min(gap, float(there.distances(points).min()))
+    return gap
+
+
+def _tight_marks(looked):
+    """Marks nearer to an obstacle than their body is wide."""
+    wide = 2.0 * float(looked.clearance.max(initial=0.0))
+    clearance = dict(zip(looked.ids.tolist(), looked.clearance.tolist()))
+    rows = np.flatnonzero(looked.kind == POSITION)
+    places, radius = looked.places[rows], looked.radius[rows]
+    own = np.array([clearance.get(number, 0.5 * wide) for number in looked.object[rows].tolist()])
+    found = []
+    for number, obstacle in looked.obstacles.items():
+        near = np.flatnonzero(obstacle.far(places) + radius < own)
+        if len(near) > 0:
+            room = obstacle.distances(places[near]) + radius[near]
+            found += [(rows[near[k]], number, room[k], own[near[k]]) for k in np.flatnonzero((0.0 <= room) & (room < own[near]))]
+    for row, number, room, needed in sorted(found):
+        yield (f"too narrow: row {looked.row[row]} target {looked.target[row]} lies {room:.3g} m from obstacle {number}, the body's "
+               f"clearance radius is {needed:.3g} m")
 
 
 def _near_marks(looked):
     """Frames at which objects are asked to be nearer to one another than they are wide."""
     wide = 2.0 * float(np.median(looked.clearance)) if len(looked.clearance) else 0.0
-    for frame in np.unique(looked.frame[looked.kind == POSITION]):
-        rows = np.flatnonzero((looked.kind == POSITION) & (looked.frame == frame))
-        places = looked.places[rows]
-        near = 0
-        smallest = np.inf
-        for i in range(len(rows) - 1):
-            apart = np.linalg.norm(places[i + 1:] - places[i], axis=1) + looked.radius[rows[i + 1:]] + looked.radius[rows[i]]
-            near += int(np.sum(apart < wide))
-            smallest = min(smallest, float(apart.min()))
+    rows = np.flatnonzero(looked.kind == POSITION)
+    rows = rows[np.argsort(looked.frame[rows], kind="stable")]
+    frames, first = np.unique(looked.frame[rows], return_index=True)
+    for frame, own in zip(frames, np.split(rows, first[1:])):
+        near, smallest = _pairs_within(looked.places[own], looked.radius[own], wide) if len(own) > 1 else (0, 0.0)
         if near:
-            yield (f"too near: {near} pairs of the {len(rows)} marks at frame {frame} are nearer than bodies are wide ({wide:.3g} m), the "
+            yield (f"too near: {near} pairs of the {len(own)} marks at frame {frame} are nearer than bodies are wide ({wide:.3g} m), the "
                    f"nearest {smallest:.3g} m: bodies will overlap there; take fewer, smaller ones, or a wider figure")
+
+
+def _pairs_within(places, radius, wide):
+    """Number of pairs that are nearer than `wide`, radii added, and the distance of the nearest of them. Along the axis of the
+    largest extent only neighbours can be."""
+    axis = np.ptp(places, axis=0).argmax()
+    order = np.argsort(places[:, axis], kind="stable")
+    places, radius = places[order], radius[order]
+    ends = np.searchsorted(places[:, axis], places[:, axis] + wide)
+    near, smallest = 0, np.inf
+    for i, end in enumerate(ends.tolist()):
+        if end > i + 1:
+            apart = np.linalg.norm(places[i + 1:end] - places[i], axis=1) + radius[i + 1:end] + radius[i]
+            near += int(np.count_nonzero(apart < wide))
+            smallest = min(smallest, float(apart.min()))
+    return near, smallest
 
 
 def _crowd(looked):

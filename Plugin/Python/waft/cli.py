@@ -321,12 +321,12 @@ def run_new(options):
 
 
 def run_check(options):
-    from waft.checking import check
+    from waft.checking import check, told
 
     with interruptible("stopped: a check writes nothing"):
         looked, findings = check(options.scene, options.database)
-    for finding in findings:
-        print(line(f"waft: {'hard' if finding.is_possible else 'cannot be met'}: {finding.text}"))
+    for is_possible, text in told(findings):
+        print(line(f"waft: {'hard' if is_possible else 'cannot be met'}: {text}"))
     impossible = sum(not finding.is_possible for finding in findings)
     print(line(f"waft: {options.scene}: {len(looked.ids)} objects, {len(looked.report)} constraints, {impossible} of them cannot be met, "
                f"{len(findings) - impossible} remarks on what will be hard"))
