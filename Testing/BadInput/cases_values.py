@@ -83,4 +83,7 @@ def cases():
     yield scene_case(group, "a colour above 1", with_value(WIDE, "/shapes/leaf/color", [0.1, 2.0, 0.1]),
                      "/shapes/leaf/color")
     yield scene_case(group, "a seed of 2^53", with_value(WIDE, "/seed", 2 ** 53), "/seed")
+    # Large forces are right: what a stage found is only asked to be finite.
+    for size in (100, 3000):
+        yield scene_case(group, f"a leaf of {size} m", with_value(LEAF, "/shapes/leaf/size", size), status=(0, 3))
     yield scene_case(group, "many objects", with_value(WIDE, "/objects/1/count", 10 ** 7), "/objects/1/count")

@@ -37,8 +37,12 @@ void AddScalars(vtkFieldData* data, const char* name, const std::vector<ValueT>&
 }
 
 // What the numbers of an array of this name may be.
-limits::Range RangeOf(const std::string& name)
+limits::Range RangeOf(const ArraySource& source, const std::string& name)
 {
+  if (source.IsComputed)
+  {
+    return limits::Around0(std::numeric_limits<float>::max());
+  }
   static const std::map<std::string, limits::Range> ranges = {
     { names::Velocity, limits::Velocity },
     { names::AngularVelocity, limits::Spin },
@@ -231,7 +235,8 @@ Result ReadDoubles(const ArraySource& source, const char* name, std::vector<doub
 {
   return Read(
     source, name, 1, values, fallback,
-    [](vtkDataArray* array, vtkIdType i) { return array->GetComponent(i, 0); }, RangeOf(name));
+    [](vtkDataArray* array, vtkIdType i) { return array->GetComponent(i, 0); },
+    RangeOf(source, name));
 }
 
 Result ReadInts(const ArraySource& source, const char* name, std::vector<int>& values,
@@ -266,7 +271,7 @@ Result ReadVectors(const ArraySource& source, const char* name, std::vector<Vec3
       array->GetTuple(i, v.data());
       return v;
     },
-    RangeOf(name));
+    RangeOf(source, name));
 }
 
 Result ReadQuaternions(const ArraySource& source, const char* name, std::vector<Quat>& values,
@@ -280,7 +285,7 @@ Result ReadQuaternions(const ArraySource& source, const char* name, std::vector<
       array->GetTuple(i, q);
       return Quat(q[0], q[1], q[2], q[3]);
     },
-    RangeOf(name));
+    RangeOf(source, name));
 }
 
 Result ReadPoints(vtkPoints* points, const std::string& owner, std::vector<Vec3>& values)

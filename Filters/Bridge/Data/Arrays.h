@@ -46,6 +46,10 @@ struct ArraySource
   vtkFieldData* Data;
   std::string Owner;
   vtkIdType Tuples; // expected
+  /// Numbers that a stage found, like forces along tracks: large bodies and strong winds give large
+  /// ones, so that they are only asked to be finite, in the single precision that files have. What
+  /// somebody chose has the range of its name.
+  bool IsComputed = false;
 };
 
 /// Read an array of one component (three, four); the message names owner and array, what was

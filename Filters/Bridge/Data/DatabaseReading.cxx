@@ -38,7 +38,7 @@ vtkDoubleArray* FindRows(const ArraySource& source, const char* name, Result& re
 
 Result ReadBasis(vtkTable* table, MotionDatabase& database)
 {
-  const ArraySource source{ table->GetRowData(), "Basis", table->GetNumberOfRows() };
+  const ArraySource source{ table->GetRowData(), "Basis", table->GetNumberOfRows(), true };
   std::vector<int> groups, ranks;
   std::vector<double> errors, means;
   WAFT_RETURN_IF_FAILED(ReadInts(source, names::Group, groups));
@@ -84,8 +84,8 @@ Result ReadBasis(vtkTable* table, MotionDatabase& database)
 Result ReadSegments(vtkPolyData* data, MotionDatabase& database)
 {
   WAFT_RETURN_IF_FAILED(CheckCells(data, "Segments"));
-  const ArraySource cells{ data->GetCellData(), "Segments", data->GetNumberOfCells() };
-  const ArraySource points{ data->GetPointData(), "Segments", data->GetNumberOfPoints() };
+  const ArraySource cells{ data->GetCellData(), "Segments", data->GetNumberOfCells(), true };
+  const ArraySource points{ data->GetPointData(), "Segments", data->GetNumberOfPoints(), true };
   std::vector<int> groups, simulations, types, vortexIds;
   std::vector<Vec3> winds;
   WAFT_RETURN_IF_FAILED(ReadInts(cells, names::Group, groups));
@@ -146,7 +146,7 @@ Result ReadSegments(vtkPolyData* data, MotionDatabase& database)
 
 Result ReadNodes(vtkTable* table, MotionDatabase& database)
 {
-  const ArraySource source{ table->GetRowData(), "Nodes", table->GetNumberOfRows() };
+  const ArraySource source{ table->GetRowData(), "Nodes", table->GetNumberOfRows(), true };
   database.Nodes.resize(static_cast<std::size_t>(source.Tuples));
   std::vector<ClusterNode>& nodes = database.Nodes;
   WAFT_RETURN_IF_FAILED(ReadColumn(source, names::Group, nodes, &ClusterNode::Group));
@@ -170,7 +170,7 @@ Result ReadNodes(vtkTable* table, MotionDatabase& database)
 
 Result ReadConnections(vtkTable* table, MotionDatabase& database)
 {
-  const ArraySource source{ table->GetRowData(), "Connections", table->GetNumberOfRows() };
+  const ArraySource source{ table->GetRowData(), "Connections", table->GetNumberOfRows(), true };
   std::vector<Connection>& connections = database.Connections;
   connections.resize(static_cast<std::size_t>(source.Tuples));
   std::vector<int> isConnectible;

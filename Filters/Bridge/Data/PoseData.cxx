@@ -42,7 +42,7 @@ Result PosesFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,
                          std::vector<PoseTrack>& poses)
 {
   WAFT_RETURN_IF_FAILED(TracksFromPolyData(data, tracks));
-  const ArraySource points{ data->GetPointData(), "Poses", data->GetNumberOfPoints() };
+  const ArraySource points{ data->GetPointData(), "Poses", data->GetNumberOfPoints(), true };
   const Vec3 zero = Vec3::Zero();
   std::vector<Quat> orientations;
   std::vector<Vec3> spins, torques;

@@ -149,7 +149,7 @@ Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks)
   {
     return Result::Error("Tracks: no objects: expected at least one line");
   }
-  const ArraySource points{ data->GetPointData(), "Tracks", data->GetNumberOfPoints() };
+  const ArraySource points{ data->GetPointData(), "Tracks", data->GetNumberOfPoints(), true };
   const ArraySource cells{ data->GetCellData(), "Tracks", data->GetNumberOfCells() };
   std::vector<Vec3> positions, vortex, wind, forces, air, sph, residual;
   std::vector<int> ids, types, vortexIds;
