@@ -4,6 +4,7 @@
 #include "Constraints/ConstraintConflicts.h"
 #include "Constraints/ConstraintFeasibility.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
@@ -30,7 +31,25 @@ public:
     }
     for (std::size_t n = 0; n < constraints.size(); ++n)
     {
-      this->Members[{ constraints[n].Row, constraints[n].Target }].push_back(n);
+      const Constraint& row = constraints[n];
+      this->Members[{ row.Row, row.Target }].push_back(n);
+      this->Own[row.ObjectId].push_back(row);
+      std::vector<int>& frames = this->Frames[row.ObjectId];
+      if (row.Frame < 0 || row.Frame >= scene.Time.NumberOfFrames)
+      {
+        continue; // it cannot be
+      }
+      frames.push_back(row.Frame);
+      for (const auto& entry :
+           DerivativeStencil(TraitsOf(row.Kind).Derivative, row.Frame, scene.Time))
+      {
+        frames.push_back(entry.first);
+      }
+    }
+    for (auto& [objectId, frames] : this->Frames)
+    {
+      std::sort(frames.begin(), frames.end());
+      frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
     }
   }
 
@@ -69,10 +88,10 @@ private:
       return found->second;
     }
     const MotionObject* object = this->Find(objectId);
-    return this->Windows[objectId] = object
-                                       ? LandingWindows(*object, this->Constraints, this->Obstacles,
-                                                        this->Scene.Time.FramesPerSecond)
-                                       : std::vector<LandingWindow>();
+    return this->Windows[objectId] =
+             object ? LandingWindows(*object, this->Own[objectId], this->Obstacles,
+                                     this->Scene.Time.FramesPerSecond)
+                    : std::vector<LandingWindow>();
   }
 
   ObjectWishes& WishesOf(int objectId)
@@ -119,7 +138,8 @@ private:
     return line;
   }
 
-  /// A row as wishes about positions, one for each of its frames.
+  /// A row as wishes about positions, one for each of its frames that another row of its object
+  /// speaks of: at the others nothing can contradict it.
   std::vector<Wish> Expand(const Constraint& row, int line) const
   {
     Wish wish;
@@ -135,12 +155,14 @@ private:
     }
     const double restHeight = this->Find(row.ObjectId)->RestHeight;
     const int last = std::min(LastFrame(row), this->Scene.Time.NumberOfFrames - 1);
+    (void)WantedPosition(row, row.Frame, restHeight, this->Obstacles, wish.Value); // judged before
+    const std::vector<int>& frames = this->Frames.at(row.ObjectId);
     std::vector<Wish> wishes;
-    for (int f = row.Frame; f <= last; ++f)
+    for (auto f = std::lower_bound(frames.begin(), frames.end(), row.Frame);
+         f != frames.end() && *f <= last; ++f)
     {
-      (void)WantedPosition(row, f, restHeight, this->Obstacles, wish.Value); // judged before
-      wish.Frame = f;
-      wish.Stencil = { { f, 1.0 } };
+      wish.Frame = *f;
+      wish.Stencil = { { *f, 1.0 } };
       wishes.push_back(wish);
     }
     return wishes;
@@ -176,9 +198,13 @@ private:
       const Contradiction found = this->Add(this->Constraints[n], line);
       if (!found.IsEmpty())
       {
-        for (auto& [objectId, wishes] : this->Wishes)
+        for (const std::size_t member : members)
         {
-          wishes.Withdraw(line);
+          const auto wishes = this->Wishes.find(this->Constraints[member].ObjectId);
+          if (wishes != this->Wishes.end())
+          {
+            wishes->second.Withdraw(line);
+          }
         }
         return this->Sentence(found);
       }
@@ -220,6 +246,8 @@ private:
   const SceneInfo& Scene;
   std::map<int, const MotionObject*> Objects;
   std::map<Key, std::vector<std::size_t>> Members;
+  std::map<int, std::vector<Constraint>> Own; // rows of each object
+  std::map<int, std::vector<int>> Frames;     // that they speak of, ascending
   std::map<int, std::vector<LandingWindow>> Windows;
   std::map<int, ObjectWishes> Wishes;
   std::vector<ReportRow> Report;
@@ -240,14 +268,19 @@ std::string LineName(int row, int target, ConstraintKind kind, int frame)
          ToString(kind) + " at frame " + std::to_string(frame) + ")";
 }
 
+const ReportRow* FindLine(const std::vector<ReportRow>& report, int row, int target)
+{
+  const Key key(row, target);
+  const auto found = std::lower_bound(report.begin(), report.end(), key,
+                                      [](const ReportRow& line, const Key& wanted)
+                                      { return Key(line.Row, line.Target) < wanted; });
+  return found == report.end() || Key(found->Row, found->Target) != key ? nullptr : &*found;
+}
+
 bool IsBinding(const Constraint& constraint, const std::vector<ReportRow>& report)
 {
-  const auto less = [](const ReportRow& line, const Key& key)
-  { return Key(line.Row, line.Target) < key; };
-  const Key key(constraint.Row, constraint.Target);
-  const auto found = std::lower_bound(report.begin(), report.end(), key, less);
-  return found == report.end() || Key(found->Row, found->Target) != key ||
-         found->Status == ConstraintStatus::Met;
+  const ReportRow* line = FindLine(report, constraint.Row, constraint.Target);
+  return line == nullptr || line->Status == ConstraintStatus::Met;
 }
 
 } // namespace waft

@@ -9,6 +9,7 @@
 #include "Obstacles/ObstacleSet.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace waft
@@ -33,6 +34,13 @@ std::vector<ReportRow> JudgeConstraints(const std::vector<Constraint>& constrain
 
 /// "row 3 target 0 (position at frame 60)"
 std::string LineName(int row, int target, ConstraintKind kind, int frame);
+
+/// The line of a row and target; null where there is none. report: as JudgeConstraints orders it.
+const ReportRow* FindLine(const std::vector<ReportRow>& report, int row, int target);
+inline ReportRow* FindLine(std::vector<ReportRow>& report, int row, int target)
+{
+  return const_cast<ReportRow*>(FindLine(std::as_const(report), row, target));
+}
 
 /// Is this constraint's line of the report met (so far)? Those that are not bind nobody.
 bool IsBinding(const Constraint& constraint, const std::vector<ReportRow>& report);

@@ -47,9 +47,39 @@ Contradiction ObjectWishes::Add(const Wish& wish)
   }
   if (found.IsEmpty())
   {
-    (IsPositional(wish.Kind) ? this->Positions[wish.Frame] : this->Derivatives).push_back(wish);
+    this->Keep(wish);
   }
   return found;
+}
+
+void ObjectWishes::Keep(const Wish& wish)
+{
+  this->Begin(wish.Line);
+  if (!IsPositional(wish.Kind))
+  {
+    this->Derivatives.push_back(wish);
+    return;
+  }
+  // Another ball about the same place that is no smaller says nothing new: of ten thousand equal
+  // rows one is kept.
+  std::vector<Wish>& own = this->Positions[wish.Frame];
+  const bool isSaid = std::any_of(
+    own.begin(), own.end(),
+    [&](const Wish& other) { return other.Value == wish.Value && other.Radius <= wish.Radius; });
+  if (!isSaid)
+  {
+    own.push_back(wish);
+    this->NewestFrames.push_back(wish.Frame);
+  }
+}
+
+void ObjectWishes::Begin(int line)
+{
+  if (this->NewestLine != line)
+  {
+    this->NewestLine = line;
+    this->NewestFrames.clear();
+  }
 }
 
 Contradiction ObjectWishes::CheckPosition(const Wish& wish) const
@@ -146,28 +176,31 @@ Contradiction ObjectWishes::AddOrientation(const Constraint& row, int line)
       return { wish, { otherLine }, Apart(angle, row.Radius + other.Radius, row.Kind) };
     }
   }
+  this->Begin(line);
   this->Orientations.emplace_back(row, line);
   return {};
 }
 
 void ObjectWishes::Withdraw(int line)
 {
-  const auto erase = [line](std::vector<Wish>& list)
+  if (this->NewestLine != line)
   {
-    list.erase(std::remove_if(list.begin(), list.end(),
-                              [line](const Wish& wish) { return wish.Line == line; }),
-               list.end());
-  };
-  this->Exact.Withdraw(line);
-  erase(this->Derivatives);
-  for (auto& [frame, list] : this->Positions)
-  {
-    erase(list);
+    return;
   }
-  auto& turns = this->Orientations;
-  turns.erase(std::remove_if(turns.begin(), turns.end(),
-                             [line](const auto& turn) { return turn.second == line; }),
-              turns.end());
+  this->Exact.Withdraw(line);
+  while (!this->Derivatives.empty() && this->Derivatives.back().Line == line)
+  {
+    this->Derivatives.pop_back();
+  }
+  for (const int frame : this->NewestFrames)
+  {
+    this->Positions[frame].pop_back();
+  }
+  this->NewestFrames.clear();
+  while (!this->Orientations.empty() && this->Orientations.back().second == line)
+  {
+    this->Orientations.pop_back();
+  }
 }
 
 } // namespace waft

@@ -49,6 +49,8 @@ public:
   void Withdraw(int line);
 
 private:
+  void Keep(const Wish& wish);
+  void Begin(int line);
   Contradiction CheckPosition(const Wish& wish) const;
   Contradiction CheckDerivative(const Wish& derivative, const Wish& candidate) const;
   Contradiction CheckSameDerivative(const Wish& wish) const;
@@ -58,6 +60,8 @@ private:
   std::map<int, std::vector<Wish>> Positions; // by frame
   std::vector<Wish> Derivatives;              // velocities and accelerations
   std::vector<std::pair<Constraint, int>> Orientations;
+  int NewestLine = -1;           // that was added last; -1: the start
+  std::vector<int> NewestFrames; // of the positions that it added
 };
 
 } // namespace waft

@@ -78,7 +78,8 @@ std::string WhyRestInfeasible(const Constraint& row, const MotionObject* object,
   }
   for (const ObstacleMesh& obstacle : obstacles.Obstacles())
   {
-    for (int f = row.Frame + 1; obstacle.ObstacleId == hit.ObstacleId && f <= row.Until; ++f)
+    const bool isBelow = obstacle.ObstacleId == hit.ObstacleId && obstacle.IsMoving();
+    for (int f = row.Frame + 1; isBelow && f <= row.Until; ++f)
     {
       if ((obstacle.Offset(f) - obstacle.Offset(row.Frame)).norm() > tolerance)
       {

@@ -113,13 +113,14 @@ double DistanceToPositions(const Constraint& row, const Motion& motion,
   const std::vector<Vec3>& path = motion.Path->Positions;
   double worst = 0.0;
   const int last = std::min(LastFrame(row), static_cast<int>(path.size()) - 1);
+  const double restHeight = motion.Object ? motion.Object->RestHeight : 0.0;
+  Vec3 wanted; // the same at all its frames
+  if (!WantedPosition(row, row.Frame, restHeight, obstacles, wanted))
+  {
+    return Nowhere;
+  }
   for (int f = row.Frame; f <= last; ++f)
   {
-    Vec3 wanted;
-    if (!WantedPosition(row, f, motion.Object ? motion.Object->RestHeight : 0.0, obstacles, wanted))
-    {
-      return Nowhere;
-    }
     const double distance = (path[f] - wanted).norm();
     worst = distance <= worst ? worst : distance; // keeps NaN
   }

@@ -36,10 +36,14 @@ private:
   {
     std::map<int, double> Coefficients; // that of the lowest frame is 1
     Vec3 Value;
-    std::set<int> Tags;
     int Tag;
+    std::vector<int> Taken; // lowest frames of the rows that were subtracted from what was added
   };
+  std::set<int> TagsOf(const Row& row) const;
+
   std::map<int, Row> Rows; // by lowest frame
+  std::vector<int> Newest; // lowest frames of the rows with the tag that was added last
+  int NewestTag = 0;
 };
 
 } // namespace waft

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/PlanReport.h"
 
+#include "Constraints/ConstraintCheck.h"
 #include "Constraints/ConstraintFeasibility.h"
 #include "Constraints/Rest.h"
 
@@ -17,17 +18,16 @@ namespace
 void Tell(std::vector<ReportRow>& report, const Constraint& row, bool isReached,
           const std::string& text)
 {
-  for (ReportRow& line : report)
+  ReportRow* line = FindLine(report, row.Row, row.Target);
+  if (line == nullptr)
   {
-    if (line.Row == row.Row && line.Target == row.Target)
-    {
-      if (line.Status == ConstraintStatus::Met && !isReached)
-      {
-        line.Status = ConstraintStatus::Unreachable;
-      }
-      line.Message += (line.Message.empty() || text.empty() ? "" : "; ") + text;
-    }
+    return;
   }
+  if (line->Status == ConstraintStatus::Met && !isReached)
+  {
+    line->Status = ConstraintStatus::Unreachable;
+  }
+  line->Message += (line->Message.empty() || text.empty() ? "" : "; ") + text;
 }
 
 std::string Describe(const MarkOutcome& outcome)
@@ -102,13 +102,22 @@ void ReportObject(const MotionObject& object, const ObjectPlan& plan, bool isPla
 
 void ReportStarts(const PlanInput& input, PlanOutput& output)
 {
+  std::map<int, std::vector<Constraint>> rests; // by object
+  for (const Constraint& row : output.Constraints)
+  {
+    if (IsRest(row.Kind))
+    {
+      rests[row.ObjectId].push_back(row);
+    }
+  }
   std::map<int, std::string> reasons;
   for (const MotionObject& object : input.Objects)
   {
-    const std::string why = WhyStartInfeasible(
-      object,
-      LandingWindows(object, output.Constraints, input.Obstacles, input.Scene.Time.FramesPerSecond),
-      input.Obstacles, input.Scene);
+    const std::string why =
+      WhyStartInfeasible(object,
+                         LandingWindows(object, rests[object.ObjectId], input.Obstacles,
+                                        input.Scene.Time.FramesPerSecond),
+                         input.Obstacles, input.Scene);
     if (!why.empty())
     {
       reasons[object.ObjectId] =
@@ -138,13 +147,8 @@ void MarkUnmet(const std::vector<ReportRow>& report, std::vector<Constraint>& co
 {
   for (Constraint& row : constraints)
   {
-    for (const ReportRow& line : report)
-    {
-      if (line.Row == row.Row && line.Target == row.Target)
-      {
-        row.Status = line.Status;
-      }
-    }
+    const ReportRow* line = FindLine(report, row.Row, row.Target);
+    row.Status = line != nullptr ? line->Status : row.Status;
   }
 }
 

@@ -32,6 +32,9 @@ struct PlannerNumbers
   /// many as there are of this number of pairs in all.
   static constexpr std::size_t MostSolutions = 400;
   static constexpr std::size_t MostPairs = 40000000;
+  /// Rows and stretches of time between fixed positions that are shared out all together; more of
+  /// them one after the other, since memory grows with the square.
+  static constexpr std::size_t MostTogether = 3000;
   ///@}
 
   /// @name Marks of an object.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace waft
@@ -39,6 +40,28 @@ struct GivenUp
   std::string Message;
 };
 
+/// Which of some lines go with which: a bit a pair, since of ten thousand lines at one frame nearly
+/// every pair may be a conflict.
+class LinePairs
+{
+public:
+  void Resize(std::size_t count)
+  {
+    this->Count = count;
+    this->Bits.assign(count * count, false);
+  }
+  void Add(std::size_t a, std::size_t b)
+  {
+    this->Bits[a * this->Count + b] = true;
+    this->Bits[b * this->Count + a] = true;
+  }
+  bool Has(std::size_t a, std::size_t b) const { return this->Bits[a * this->Count + b]; }
+
+private:
+  std::size_t Count = 0;
+  std::vector<bool> Bits;
+};
+
 /// The lines of one object, and which of them go with which.
 class ObjectLines
 {
@@ -61,60 +84,60 @@ private:
   };
 
   Leg TooFast(const Line& a, const Line& b) const;
-  void FindConflicts();
-  std::vector<std::size_t> Conflicting(std::size_t first) const;
-  std::vector<std::size_t> Most(const std::vector<std::size_t>& members) const;
-  bool GoTogether(std::size_t a, std::size_t b) const
+  bool IsTooFast(const Stop& from, const Stop& to) const
   {
-    return this->Conflicts.count(std::minmax(a, b)) == 0;
+    return this->Limit.Haste(from, to) > SpeedAllowance;
   }
+  void FindConflicts();
+  std::vector<std::vector<std::size_t>> Clusters() const;
+  std::vector<std::size_t> Most(const std::vector<std::size_t>& members) const;
+  bool GoTogether(std::size_t a, std::size_t b) const { return !this->Conflicts.Has(a, b); }
   std::string Why(std::size_t line, const std::vector<std::size_t>& kept) const;
   std::string Speeds(const Leg& leg) const;
 
   std::vector<Line> Lines;
   const SpeedLimit& Limit;
   double Diagonal; // of the volume [m]
-  std::map<std::pair<std::size_t, std::size_t>, Leg> Conflicts;
+  LinePairs Conflicts;
 };
 
-/// The first leg from one line to the other that cannot be flown, or none.
+/// The first leg from one line to the other that cannot be flown, or none. a does not begin later.
 ObjectLines::Leg ObjectLines::TooFast(const Line& a, const Line& b) const
 {
-  struct Visit
+  if (a.Stops.size() + b.Stops.size() == 2 || a.Last() < b.First())
   {
-    const Stop* At;
-    const Line* Of;
-    bool IsOfBoth = false;
-  };
-  std::vector<Visit> visits;
-  for (const Line* line : { &a, &b })
-  {
-    for (const Stop& stop : line->Stops)
-    {
-      visits.push_back({ &stop, line });
-    }
+    const Leg only{ &a.Stops.back(), &b.Stops.front() };
+    return this->IsTooFast(*only.From, *only.To) ? only : Leg();
   }
-  std::stable_sort(visits.begin(), visits.end(),
-                   [](const Visit& x, const Visit& y) { return x.At->First < y.At->First; });
-  for (std::size_t k = 1; k < visits.size(); ++k)
+  const Stop* before = nullptr;
+  bool wasOfA = false;
+  bool wasOfBoth = false;
+  auto nextA = a.Stops.begin();
+  auto nextB = b.Stops.begin();
+  while (nextA != a.Stops.end() || nextB != b.Stops.end())
   {
-    const Visit& before = visits[k - 1];
-    Visit& visit = visits[k];
-    if (before.IsOfBoth || before.Of == visit.Of)
+    const bool isOfA =
+      nextB == b.Stops.end() || (nextA != a.Stops.end() && nextA->First <= nextB->First);
+    const Stop& stop = isOfA ? *nextA++ : *nextB++;
+    bool isOfBoth = false;
+    if (before != nullptr && !wasOfBoth && wasOfA != isOfA) // within a line any speed will do
     {
-      continue; // within a line any speed will do
+      if (this->IsTooFast(*before, stop))
+      {
+        return { before, &stop };
+      }
+      isOfBoth = stop.First <= before->Last;
     }
-    if (this->Limit.Haste(*before.At, *visit.At) > SpeedAllowance)
-    {
-      return { before.At, visit.At };
-    }
-    visit.IsOfBoth = visit.At->First <= before.At->Last;
+    before = &stop;
+    wasOfA = isOfA;
+    wasOfBoth = isOfBoth;
   }
   return {};
 }
 
 void ObjectLines::FindConflicts()
 {
+  this->Conflicts.Resize(this->Lines.size());
   for (std::size_t i = 0; i < this->Lines.size(); ++i)
   {
     for (std::size_t j = i + 1; j < this->Lines.size(); ++j)
@@ -124,34 +147,39 @@ void ObjectLines::FindConflicts()
       {
         break; // all the later ones are far enough away in time
       }
-      const Leg leg = this->TooFast(this->Lines[i], this->Lines[j]);
-      if (leg.From != nullptr)
+      if (this->TooFast(this->Lines[i], this->Lines[j]).From != nullptr)
       {
-        this->Conflicts[{ i, j }] = leg;
+        this->Conflicts.Add(i, j);
       }
     }
   }
 }
 
-/// All lines that hang together with one by conflicts, in order of time.
-std::vector<std::size_t> ObjectLines::Conflicting(std::size_t first) const
+/// Lines that hang together by conflicts, each cluster in order of time; none of a single line.
+std::vector<std::vector<std::size_t>> ObjectLines::Clusters() const
 {
-  std::vector<std::size_t> found{ first };
-  for (std::size_t k = 0; k < found.size(); ++k)
+  std::vector<std::vector<std::size_t>> clusters;
+  std::vector<std::size_t> open(this->Lines.size()); // not in a cluster yet, in order of time
+  std::iota(open.begin(), open.end(), 0);
+  while (!open.empty())
   {
-    for (const auto& [pair, leg] : this->Conflicts)
+    std::vector<std::size_t> found{ open.front() };
+    open.erase(open.begin());
+    for (std::size_t k = 0; k < found.size(); ++k)
     {
-      for (const auto& [a, b] : { pair, std::pair(pair.second, pair.first) })
-      {
-        if (a == found[k] && std::find(found.begin(), found.end(), b) == found.end())
-        {
-          found.push_back(b);
-        }
-      }
+      const auto reached =
+        std::stable_partition(open.begin(), open.end(),
+                              [&](std::size_t line) { return this->GoTogether(found[k], line); });
+      found.insert(found.end(), reached, open.end());
+      open.erase(reached, open.end());
+    }
+    if (found.size() > 1)
+    {
+      std::sort(found.begin(), found.end());
+      clusters.push_back(std::move(found));
     }
   }
-  std::sort(found.begin(), found.end());
-  return found;
+  return clusters;
 }
 
 /// As many of the members as go together: in time what goes with the one before goes with all, so
@@ -227,11 +255,12 @@ std::string ObjectLines::Why(std::size_t line, const std::vector<std::size_t>& k
   std::size_t named = 0;
   for (const std::size_t other : kept)
   {
-    const auto found = this->Conflicts.find(std::minmax(line, other));
-    if (found != this->Conflicts.end() && named < most)
+    if (named < most && !this->GoTogether(line, other))
     {
+      const auto [first, second] = std::minmax(line, other);
       text += (named++ > 0 ? ", " : "") + this->Lines[other].Name();
-      how = how.empty() ? this->Speeds(found->second) : how;
+      how =
+        how.empty() ? this->Speeds(this->TooFast(this->Lines[first], this->Lines[second])) : how;
     }
   }
   return text + ": " + how;
@@ -254,19 +283,17 @@ void ObjectLines::Settle(const Stop& start, std::map<TargetKey, GivenUp>& givenU
   }
   this->Lines.erase(far, this->Lines.end());
   this->FindConflicts();
-  std::vector<char> isDone(this->Lines.size(), 0);
-  for (const auto& [pair, leg] : this->Conflicts)
+  for (const std::vector<std::size_t>& members : this->Clusters())
   {
-    if (isDone[pair.first] != 0)
-    {
-      continue;
-    }
-    const std::vector<std::size_t> members = this->Conflicting(pair.first);
     const std::vector<std::size_t> kept = this->Most(members);
+    std::vector<char> isKept(this->Lines.size(), 0);
+    for (const std::size_t member : kept)
+    {
+      isKept[member] = 1;
+    }
     for (const std::size_t member : members)
     {
-      isDone[member] = 1;
-      if (std::find(kept.begin(), kept.end(), member) == kept.end())
+      if (isKept[member] == 0)
       {
         givenUp[this->Lines[member].Id] = { ConstraintStatus::Conflict, this->Why(member, kept) };
       }

@@ -4,6 +4,7 @@
 #include "Constraints/Keyframes.h"
 #include "Constraints/LeastCost.h"
 #include "Planning/PlannerNumbers.h"
+#include "Planning/RowTurns.h"
 
 #include <algorithm>
 #include <map>
@@ -16,7 +17,7 @@ namespace waft
 namespace
 {
 
-constexpr std::size_t None = static_cast<std::size_t>(-1);
+constexpr std::size_t None = NoObject;
 
 /// The rows of one (Row, Target).
 struct Wish
@@ -369,6 +370,25 @@ std::size_t Nearest(const Wish& wish, const std::vector<MotionObject>& objects,
   return nearest;
 }
 
+/// By wish, the object: all together, or where they are too many for that one after the other.
+std::vector<std::size_t> Choose(const std::vector<MotionObject>& objects,
+                                const std::vector<Wish>& wishes,
+                                const std::vector<std::vector<Stop>>& stops,
+                                const SpeedLimit& limit)
+{
+  std::vector<Gap> gaps = CollectGaps(objects, stops, wishes);
+  if (wishes.size() + gaps.size() <= PlannerNumbers::MostTogether)
+  {
+    return Cover(objects, wishes, std::move(gaps), limit).Run();
+  }
+  std::vector<TurnWish> turns;
+  for (const Wish& wish : wishes)
+  {
+    turns.push_back({ wish.First, wish.Last, wish.ClassId });
+  }
+  return CoverInTurn(objects, stops, turns, limit);
+}
+
 } // namespace
 
 void CoverRows(const std::vector<MotionObject>& objects, const std::vector<unsigned char>& isFree,
@@ -388,8 +408,7 @@ void CoverRows(const std::vector<MotionObject>& objects, const std::vector<unsig
   {
     isIdle.push_back(own.size() == 1 ? 1 : 0);
   }
-  std::vector<std::size_t> chosen =
-    Cover(objects, free, CollectGaps(objects, stops, free), limit).Run();
+  std::vector<std::size_t> chosen = Choose(objects, free, stops, limit);
   for (const std::size_t object : chosen)
   {
     if (object != None)

@@ -223,6 +223,47 @@ TEST(ConstraintCheck, ALineMayContradictItself)
   EXPECT_NE(f.Judged()[0].Message.find("contradicts itself"), std::string::npos);
 }
 
+TEST(ConstraintCheck, AChainOfThousandsOfVelocitiesIsFollowedToItsEnds)
+{
+  Fixture f;
+  constexpr int count = 8000;
+  f.Scene.Time.NumberOfFrames = count + 2;
+  for (int frame = 1; frame <= count; ++frame)
+  {
+    f.Add(Kind::Velocity, frame, Vec3(0, 0.001, 0));
+  }
+  f.Add(Kind::Position, count, Vec3(0, 0, 2)); // 0.8 m from where the chain from the start leads
+  f.Add(Kind::Position, count + 1, Vec3(0, 0, 2));
+  const std::vector<ReportRow> report = f.Judged();
+  for (int row = 0; row < count; ++row)
+  {
+    ASSERT_EQ(report[row].Status, Met) << row;
+  }
+  EXPECT_EQ(report[count].Status, Conflict);
+  EXPECT_NE(report[count].Message.find("contradicts the object's start, row 0 target 0"),
+            std::string::npos)
+    << report[count].Message;
+  EXPECT_NE(report[count].Message.find(" and 3997 more: no positions satisfy all of them, 0.8 m"),
+            std::string::npos)
+    << report[count].Message;
+  EXPECT_EQ(report[count + 1].Status, Met) << "nothing says where it is at odd frames";
+}
+
+TEST(ConstraintCheck, LongRestsOfManyAreComparedWhereRowsMeet)
+{
+  Fixture f;
+  f.Scene.Time.NumberOfFrames = 1000000;
+  f.Add(Kind::Rest, 200, Vec3(0, 1, 2)).Until = 999999;
+  f.Add(Kind::Rest, 300, Vec3(0, 1, 2)).Until = 999999;
+  f.Add(Kind::Position, 500000, Vec3(0, 1, 0.01));
+  f.Add(Kind::Position, 600000, Vec3(0, 1, 0.5));
+  f.Add(Kind::Velocity, 700000, Vec3(0, 0, 0.2));
+  f.Add(Kind::Rest, 800000, Vec3(0, -1, 2)).Until = 900000;
+  f.Add(Kind::Velocity, 100, Vec3(0, 0, 0.2));
+  EXPECT_EQ(f.Statuses(), (Statuses{ Met, Met, Met, Conflict, Conflict, Conflict, Met }));
+  EXPECT_NE(f.Judged()[5].Message.find("rest at frame 800000"), std::string::npos);
+}
+
 TEST(ConstraintCheck, AgreesWithDenseLinearAlgebraOnExactRows)
 {
   int conflicts = 0;

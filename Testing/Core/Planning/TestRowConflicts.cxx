@@ -173,3 +173,39 @@ TEST(RowConflicts, ThePlannerMeetsWhatIsKept)
   EXPECT_EQ(output.Tracks[0].Positions[150], scene.Constraints[2].Value);
   EXPECT_EQ(output.Constraints[1].Status, Conflict);
 }
+
+TEST(RowConflicts, OfThousandsAtOneFrameOneIsKept)
+{
+  PlanScene scene;
+  scene.AddObject(Vec3(0, 0, 2));
+  constexpr int count = 4000;
+  for (int i = 0; i < count; ++i)
+  {
+    scene.AddRow(ConstraintKind::Position, 0, 100, Vec3(-1.5 + 3.0 * i / count, 0, 2));
+  }
+  const std::vector<ReportRow> report = Judged(scene);
+  EXPECT_EQ(report[0].Status, Met);
+  for (int i = 1; i < count; ++i)
+  {
+    EXPECT_EQ(report[i].Status, Conflict);
+    EXPECT_NE(report[i].Message.find("contradicts row 0 target 0"), std::string::npos);
+  }
+}
+
+TEST(RowConflicts, ThousandsThatAreEqualAreAllKept)
+{
+  PlanScene scene;
+  scene.AddObject(Vec3(0, 0, 2));
+  for (int i = 0; i < 4000; ++i)
+  {
+    scene.AddRow(ConstraintKind::Position, 0, 100, Vec3(0.5, 0, 2));
+  }
+  scene.AddRow(ConstraintKind::Position, 0, 100, Vec3(-0.5, 0, 2));
+  const std::vector<ReportRow> report = Judged(scene);
+  EXPECT_TRUE(std::all_of(report.begin(), report.end() - 1,
+                          [](const ReportRow& line) { return line.Status == Met; }));
+  EXPECT_EQ(report.back().Status, Conflict);
+  EXPECT_NE(report.back().Message.find("row 3 target 0 (position at frame 100): 1 m apart"),
+            std::string::npos)
+    << report.back().Message;
+}

@@ -3,6 +3,7 @@
 
 #include "Base/Random.h"
 #include "PlanScenes.h"
+#include "Planning/RowTurns.h"
 
 #include <gtest/gtest.h>
 
@@ -187,4 +188,56 @@ TEST(RowCover, CoversThousandsInNoTime)
   {
     EXPECT_GE(row.ObjectId, 0);
   }
+}
+
+TEST(RowCover, GivesVeryManyTheirTurnsAndKeepsToWhatCanBeFlown)
+{
+  CoverScene scene;
+  Random random(3);
+  const Box room{ Vec3(-2, -2, 0.5), Vec3(2, 2, 3.5) };
+  for (int i = 0; i < 2000; ++i) // twice as many as are shared out all together
+  {
+    scene.AddObject(random.InBox(room));
+    scene.AddRow(ConstraintKind::Position, -1, 40 + static_cast<int>(random.Index(250)),
+                 random.InBox(room));
+  }
+  scene.AddRow(ConstraintKind::Position, 7, 150, Vec3(0, 0, 2));
+  const std::vector<Constraint> rows = scene.Covered();
+  const auto [left, hasty, sum] = scene.CostOf(rows);
+  EXPECT_EQ(left, 0);
+  EXPECT_LT(hasty, 100);
+  EXPECT_LT(sum, 2000.0); // at random, legs are 2.4 m long
+}
+
+TEST(RowTurns, TheNearestThatCanBeThereGoes)
+{
+  std::vector<MotionObject> objects(3);
+  std::vector<std::vector<Stop>> stops;
+  for (std::size_t o = 0; o < objects.size(); ++o)
+  {
+    objects[o].ObjectId = static_cast<int>(o);
+    objects[o].ClassId = o == 2 ? 1 : 0;
+    objects[o].Position = Vec3(static_cast<double>(o), 0, 2);
+    stops.push_back({ StartOf(objects[o]) });
+  }
+  Stop busy;
+  busy.First = 90;
+  busy.Last = 120;
+  busy.Value = busy.Position = Vec3(0, 0, 2);
+  stops[0].push_back(busy);
+  const auto wish = [](int frame, const Vec3& place, int classId)
+  {
+    TurnWish made;
+    made.First.First = made.First.Last = frame;
+    made.First.Value = made.First.Position = place;
+    made.Last = made.First;
+    made.ClassId = classId;
+    return made;
+  };
+  const std::vector<TurnWish> wishes{ wish(60, Vec3(0.1, 0, 2), -1), wish(100, Vec3(0.1, 0, 2), -1),
+                                      wish(100, Vec3(0.1, 0, 2), 1), wish(101, Vec3(0.6, 0, 2), 0),
+                                      wish(103, Vec3(-2, 0, 2), -1) };
+  // 0 is busy at 100, 1 is at 100 where it is asked for again, and nobody is in time for the last.
+  EXPECT_EQ(CoverInTurn(objects, stops, wishes, Limit),
+            (std::vector<std::size_t>{ 0, 1, 2, NoObject, NoObject }));
 }
