@@ -5,9 +5,10 @@
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
+
+#include <numeric>
 
 namespace waft
 {
@@ -16,8 +17,41 @@ namespace
 {
 
 using Kernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+
+/// A triangle by its index in a mesh, which the tree shares: triangles of the kernel's own would
+/// take twice what the mesh does.
+class Primitive
+{
+public:
+  using Id = int;
+  using Point = Kernel::Point_3;
+  using Datum = Kernel::Triangle_3;
+  using Point_reference = Point;
+  using Datum_reference = Datum;
+  using Shared_data = const TriangleMesh*;
+
+  Primitive(std::vector<int>::const_iterator triangle, Shared_data /*mesh*/) : Triangle(*triangle)
+  {
+  }
+
+  static Shared_data construct_shared_data(Shared_data mesh) { return mesh; }
+  Id id() const { return this->Triangle; }
+  Datum datum(Shared_data mesh) const
+  {
+    return Datum(this->Corner(mesh, 0), this->Corner(mesh, 1), this->Corner(mesh, 2));
+  }
+  Point reference_point(Shared_data mesh) const { return this->Corner(mesh, 0); }
+
+private:
+  Point Corner(Shared_data mesh, std::size_t corner) const
+  {
+    const Vec3& p = mesh->Points[mesh->Triangles[this->Triangle][corner]];
+    return Point(p.x(), p.y(), p.z());
+  }
+
+  int Triangle;
+};
+
 using Traits = CGAL::AABB_traits<Kernel, Primitive>;
 using Tree = CGAL::AABB_tree<Traits>;
 using Node = CGAL::AABB_node<Traits>;
@@ -82,7 +116,6 @@ double SignedArea(const Vec3& a, const Vec3& b, const Vec3& p)
 struct TriangleTree::Internals
 {
   TriangleMesh Mesh;
-  Triangles Soup;
   Tree AABB;
   Box Bounds;
 
@@ -90,10 +123,7 @@ struct TriangleTree::Internals
   {
     return this->Mesh.Points[this->Mesh.Triangles[triangle][corner]];
   }
-  int Index(const Primitive& primitive) const
-  {
-    return static_cast<int>(primitive.id() - this->Soup.begin());
-  }
+  int Index(const Primitive& primitive) const { return primitive.id(); }
 };
 
 namespace
@@ -193,21 +223,19 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : Impl(std::make_unique<Int
 {
   Internals& impl = *this->Impl;
   impl.Mesh = mesh;
-  impl.Soup.reserve(mesh.Triangles.size());
   Eigen::AlignedBox3d bounds;
+  std::vector<int> triangles(mesh.Triangles.size());
+  std::iota(triangles.begin(), triangles.end(), 0);
   for (const auto& triangle : mesh.Triangles)
   {
-    Kernel::Point_3 corners[3];
-    for (int c = 0; c < 3; ++c)
+    for (const int corner : triangle)
     {
-      const Vec3& p = mesh.Points[triangle[c]];
-      corners[c] = Kernel::Point_3(p.x(), p.y(), p.z());
-      bounds.extend(p);
+      bounds.extend(mesh.Points[corner]);
     }
-    impl.Soup.emplace_back(corners[0], corners[1], corners[2]);
   }
   impl.Bounds = Box{ bounds.min(), bounds.max() };
-  impl.AABB.insert(impl.Soup.cbegin(), impl.Soup.cend());
+  const TriangleMesh* own = &impl.Mesh;
+  impl.AABB.insert(triangles.cbegin(), triangles.cend(), own);
   impl.AABB.build(); // not lazily: queries come from many threads
 }
 
