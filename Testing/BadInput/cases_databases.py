@@ -86,6 +86,7 @@ def _damaged_files():
     yield "zeros", whole, lambda content: bytes(500)
     yield "another kind", whole, _named(b"vtkMultiBlockDataSet", b"PolyData")
     yield "no root", whole, lambda content: b'<?xml version="1.0"?>'
+    yield "version 99.0", whole, _versioned
     yield "an index of -1", whole, _named(b'index="0"', b'index="-1"')
     yield "an index of 999999999", whole, _named(b'index="0"', b'index="999999999"')
     yield "an index that is a word", whole, _named(b'index="0"', b'index="a"')
@@ -105,6 +106,7 @@ def _damaged_files():
         b'<?xml version="1.0"?><!DOCTYPE l [<!ENTITY a "ha">' + b"".join(
             f'<!ENTITY {chr(98 + i)} "{f"&{chr(97 + i)};" * 10}">'.encode() for i in range(9)) + b"]><VTKFile>&j;</VTKFile>")
     for block, file in PARTS.items():
+        yield f"{block}: version 99.0", file, _versioned
         yield f"{block}: empty", file, lambda content: b""
         yield f"{block}: junk", file, lambda content: b"junk\n"
         for share in (0.3, 0.7):
@@ -116,6 +118,11 @@ def _damaged_files():
         else:
             yield f"{block}: 1e12 points", file, _numbered(b'NumberOfPoints="', 10 ** 12)
             yield f"{block}: 2^60 lines", file, _numbered(b'NumberOfLines="', 2 ** 60)
+
+
+def _versioned(content):
+    begin = content.index(b'version="', content.index(b"<VTKFile")) + len(b'version="')
+    return content[:begin] + b"99.0" + content[content.index(b'"', begin):]
 
 
 def _numbered(name, number):

@@ -18,6 +18,7 @@ namespace
 {
 
 constexpr std::size_t DeepestElement = 64;
+constexpr long long NewestVersion = 2;   // that VTK's readers know
 constexpr double MostBlocks = 100'000.0; // places of one level of a .vtm
 
 struct PieceCounts
@@ -141,6 +142,14 @@ private:
       return Result::Error(
         "expected a VTK XML file of type " + types.front() + ", found " +
         (tag.Name == "VTKFile" ? Printable(type) : "element " + Quoted(tag.Name)));
+    }
+    const std::string_view version = tag.Attribute("version");
+    long long major = 0;
+    if (!version.empty() && (!ParseInteger(version.substr(0, version.find('.')), major) ||
+                             major < 0 || major > NewestVersion))
+    {
+      return Result::Error(location + "expected the format's version 0 to " +
+                           std::to_string(NewestVersion) + ", found " + Quoted(version));
     }
     this->Type = type;
     this->Arrays.IsPacked = !tag.Attribute("compressor").empty();
