@@ -161,6 +161,31 @@ class SceneTest(unittest.TestCase):
                 self.assertIn(words, str(caught.exception))
         self.assertEqual(before, scene.as_dict())
 
+    def test_lists_end_where_the_schema_says(self):
+        scene = waft.Scene()
+        for call, words in ((lambda: scene.add_objects("leaf", positions=[(0, 0, 1)] * 20001),
+                             "add_objects: positions: expected at most 20000 entries, found 20001"),
+                            (lambda: scene.add_path(0, 0, [(0, 0, 1)] * 100001),
+                             "add_path: points: expected at most 100000 entries, found 100001"),
+                            (lambda: scene.add_sphere((0, 0, 1), 0.1, motion=[{"frame": 0, "position": (0, 0, 1)}] * 10001),
+                             "add_sphere: motion: expected at most 10000 entries, found 10001")):
+            with self.assertRaisesRegex(waft.BadInput, words):
+                call()
+        scene.add_objects("leaf", positions=[(0, 0, 1)] * 20000)
+        with self.assertRaisesRegex(waft.BadInput, "add_object: objects: expected at most 20000 in a scene, found 20001"):
+            scene.add_object("leaf", (0, 0, 1))
+        for _ in range(1000):
+            scene.add_wind((1, 0, 0), 1, (0, 0, 1), 1, 0, 1)
+        with self.assertRaisesRegex(waft.BadInput, "add_wind: winds: expected at most 1000 of them in a scene, found 1001"):
+            scene.add_wind((1, 0, 0), 1, (0, 0, 1), 1, 0, 1)
+        data = scene.as_dict()
+        data["shapes"] = {f"s{i}": {"builtin": "leaf"} for i in range(1001)}
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "many.waft.json"
+            path.write_text(json.dumps(data), encoding="utf-8")
+            with self.assertRaisesRegex(waft.BadInput, "many.waft.json: /shapes: expected at most 1000 entries, found 1001"):
+                waft.Scene.load(path)
+
     def test_what_there_is_to_see_is_public(self):
         names = [name for name in dir(waft) if not name.startswith("__") and not name.startswith("vtk")]
         self.assertEqual(sorted(waft.__all__), sorted(names))

@@ -5,8 +5,8 @@
 
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
+#include <numeric>
+#include <unordered_map>
 
 namespace waft
 {
@@ -20,28 +20,57 @@ struct Neighbor
   float Weight;
 };
 
-// All pairs nearer than `reach`, with Yuksel's weight (1 - d / reach)^8.
-std::vector<std::vector<Neighbor>> Neighbors(const std::vector<Vec3>& points, double reach)
+using Cell = std::array<long, 3>;
+
+struct CellHash
 {
-  using Cell = std::array<long, 3>;
+  std::size_t operator()(const Cell& cell) const
+  {
+    return static_cast<std::size_t>(cell[0]) * 73856093u ^
+           static_cast<std::size_t>(cell[1]) * 19349663u ^
+           static_cast<std::size_t>(cell[2]) * 83492791u;
+  }
+};
+
+// Those of all points nearer than `reach` to each of the first `count`, with Yuksel's weight (1 - d
+// / reach)^8.
+std::vector<std::vector<Neighbor>> Neighbors(const std::vector<Vec3>& points, std::size_t count,
+                                             double reach)
+{
   const auto cellOf = [&](const Vec3& p)
   {
     return Cell{ std::lround(std::floor(p.x() / reach)), std::lround(std::floor(p.y() / reach)),
                  std::lround(std::floor(p.z() / reach)) };
   };
-  std::map<Cell, std::vector<std::uint32_t>> cells;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  const auto around = [](const Cell& home, int offset)
   {
-    cells[cellOf(points[i])].push_back(static_cast<std::uint32_t>(i));
+    return Cell{ home[0] + offset % 3 - 1, home[1] + offset / 3 % 3 - 1, home[2] + offset / 9 - 1 };
+  };
+  std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Cell home = cellOf(points[i]);
+    cells[home].push_back(static_cast<std::uint32_t>(i));
+    for (int offset = 0; count < points.size() && offset < 27; ++offset)
+    {
+      cells[around(home, offset)]; // those of others that count
+    }
   }
-  std::vector<std::vector<Neighbor>> neighbors(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (std::size_t i = count; i < points.size(); ++i)
+  {
+    const auto cell = cells.find(cellOf(points[i]));
+    if (cell != cells.end())
+    {
+      cell->second.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  std::vector<std::vector<Neighbor>> neighbors(count);
+  for (std::size_t i = 0; i < count; ++i)
   {
     const Cell home = cellOf(points[i]);
     for (int offset = 0; offset < 27; ++offset)
     {
-      const auto cell = cells.find(
-        { home[0] + offset % 3 - 1, home[1] + offset / 3 % 3 - 1, home[2] + offset / 9 - 1 });
+      const auto cell = cells.find(around(home, offset));
       if (cell == cells.end())
       {
         continue;
@@ -58,6 +87,77 @@ std::vector<std::vector<Neighbor>> Neighbors(const std::vector<Vec3>& points, do
   }
   return neighbors;
 }
+
+// Points by how crowded they are, in a heap: the worst on top, of equal ones the last.
+class Crowd
+{
+public:
+  explicit Crowd(std::vector<double> crowding) :
+    Crowding(std::move(crowding)), Heap(this->Crowding.size()), PlaceOf(this->Crowding.size())
+  {
+    std::iota(this->Heap.begin(), this->Heap.end(), 0);
+    std::iota(this->PlaceOf.begin(), this->PlaceOf.end(), 0);
+    for (std::size_t place = this->Heap.size() / 2; place-- > 0;)
+    {
+      this->Sink(place);
+    }
+  }
+
+  std::size_t Count() const { return this->Heap.size(); }
+
+  std::uint32_t TakeWorst()
+  {
+    const std::uint32_t worst = this->Heap.front();
+    const std::uint32_t last = this->Heap.back();
+    this->Heap.pop_back();
+    if (!this->Heap.empty())
+    {
+      this->Put(last, 0);
+      this->Sink(0);
+    }
+    return worst;
+  }
+
+  void Relieve(std::uint32_t point, double weight)
+  {
+    this->Crowding[point] -= weight;
+    this->Sink(this->PlaceOf[point]);
+  }
+
+private:
+  bool IsWorse(std::uint32_t a, std::uint32_t b) const
+  {
+    return this->Crowding[a] > this->Crowding[b] ||
+           (this->Crowding[a] == this->Crowding[b] && a > b);
+  }
+  void Put(std::uint32_t point, std::size_t place)
+  {
+    this->Heap[place] = point;
+    this->PlaceOf[point] = static_cast<std::uint32_t>(place);
+  }
+  void Sink(std::size_t place)
+  {
+    const std::uint32_t point = this->Heap[place];
+    for (std::size_t below = 2 * place + 1; below < this->Heap.size(); below = 2 * place + 1)
+    {
+      if (below + 1 < this->Heap.size() && this->IsWorse(this->Heap[below + 1], this->Heap[below]))
+      {
+        ++below;
+      }
+      if (!this->IsWorse(this->Heap[below], point))
+      {
+        break;
+      }
+      this->Put(this->Heap[below], place);
+      place = below;
+    }
+    this->Put(point, place);
+  }
+
+  std::vector<double> Crowding;
+  std::vector<std::uint32_t> Heap;    // points
+  std::vector<std::uint32_t> PlaceOf; // by point
+};
 
 } // namespace
 
@@ -83,29 +183,25 @@ std::vector<std::size_t> EliminateSamples(const std::vector<Vec3>& candidates, s
   {
     std::vector<Vec3> all = candidates;
     all.insert(all.end(), taken.begin(), taken.end());
-    const auto neighbors = Neighbors(all, spacing);
+    const auto neighbors = Neighbors(all, candidates.size(), spacing);
     std::vector<double> crowding(candidates.size(), 0.0);
-    std::set<std::pair<double, std::size_t>> order; // the most crowded last
     for (std::size_t i = 0; i < candidates.size(); ++i)
     {
       for (const Neighbor& neighbor : neighbors[i])
       {
         crowding[i] += neighbor.Weight;
       }
-      order.insert({ crowding[i], i });
     }
-    while (order.size() > count)
+    Crowd crowd(std::move(crowding));
+    while (crowd.Count() > count)
     {
-      const std::size_t worst = std::prev(order.end())->second;
-      order.erase(std::prev(order.end()));
+      const std::uint32_t worst = crowd.TakeWorst();
       kept[worst] = 0;
       for (const Neighbor& neighbor : neighbors[worst])
       {
         if (neighbor.Index < candidates.size() && kept[neighbor.Index])
         {
-          order.erase({ crowding[neighbor.Index], neighbor.Index });
-          crowding[neighbor.Index] -= neighbor.Weight;
-          order.insert({ crowding[neighbor.Index], neighbor.Index });
+          crowd.Relieve(neighbor.Index, neighbor.Weight);
         }
       }
     }
@@ -128,11 +224,13 @@ std::vector<Vec3> SpreadInBox(const Box& box, std::size_t count, std::uint64_t s
 {
   constexpr std::size_t candidatesPerPoint = 16;
   constexpr std::size_t triesPerCandidate = 50;
+  constexpr std::size_t mostTries = 4000000;
   Random random(seed, stream);
   std::vector<Vec3> candidates;
   const std::size_t wanted = std::max<std::size_t>(candidatesPerPoint * count, 64);
+  const std::size_t most = std::min(wanted * triesPerCandidate, mostTries);
   std::size_t tried = 0;
-  for (; tried < wanted * triesPerCandidate && candidates.size() < wanted; ++tried)
+  for (; tried < most && candidates.size() < wanted; ++tried)
   {
     const Vec3 x = random.InBox(box);
     if (isAdmissible(x))

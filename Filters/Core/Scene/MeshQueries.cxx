@@ -42,6 +42,17 @@ double SolidAngle(const Vec3& a, const Vec3& b, const Vec3& c)
 
 } // namespace
 
+Box BoundsOf(const TriangleMesh& mesh)
+{
+  Box box{ Vec3::Constant(HUGE_VAL), Vec3::Constant(-HUGE_VAL) };
+  for (const Vec3& p : mesh.Points)
+  {
+    box.Min = box.Min.cwiseMin(p);
+    box.Max = box.Max.cwiseMax(p);
+  }
+  return box;
+}
+
 bool IsOutside(const TriangleMesh& mesh, const Vec3& center, double radius)
 {
   double winding = 0.0;

@@ -7,6 +7,9 @@
 namespace waft
 {
 
+/// The box around all points.
+Box BoundsOf(const TriangleMesh& mesh);
+
 /// True when a ball lies wholly outside the closed surface.
 bool IsOutside(const TriangleMesh& mesh, const Vec3& center, double radius);
 

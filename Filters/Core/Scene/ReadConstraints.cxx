@@ -4,6 +4,7 @@
 #include "Scene/SceneReader.h"
 
 #include <algorithm>
+#include <set>
 
 namespace waft
 {
@@ -31,7 +32,13 @@ void SceneReader::ReadConstraints(const SceneNode& node)
   const std::size_t rows = node.Size("a list of constraints");
   for (std::size_t row = 0; row < rows; ++row)
   {
-    this->ReadConstraint(node.Item(row), static_cast<int>(row));
+    const SceneNode item = node.Item(row);
+    this->ReadConstraint(item, static_cast<int>(row));
+    if (this->Out.Constraints.size() > SceneLists::Rows)
+    {
+      item.FailWith("expected constraints of at most " + std::to_string(SceneLists::Rows) +
+                    " points and targets in all, found more");
+    }
   }
   this->AssignChosen(node);
 }
@@ -141,10 +148,12 @@ std::vector<int> SceneReader::ObjectIds(const SceneNode& node, bool mayBeAny) co
   {
     ids.clear();
     const SceneNode list = node.At("objects", "");
-    for (std::size_t i = 0; i < list.Size("a list of ids of objects"); ++i)
+    const std::size_t count = list.Size("a list of ids of objects");
+    std::set<int> seen;
+    for (std::size_t i = 0; i < count; ++i)
     {
       const int id = this->ObjectId(list.Item(i), mayBeAny ? -1 : 0);
-      if (id >= 0 && std::find(ids.begin(), ids.end(), id) != ids.end())
+      if (id >= 0 && !seen.insert(id).second)
       {
         list.Item(i).Fail("an id that is not in the list already");
       }
@@ -173,8 +182,8 @@ void SceneReader::AssignChosen(const SceneNode& node)
     if (row.ObjectId < 0)
     {
       node.Item(static_cast<std::size_t>(row.Row))
-        .FailWith("expected enough objects of class \"" + this->Out.Classes[row.ClassId] +
-                  "\" in `objects`, found too few");
+        .FailWith("expected enough objects of class \"" +
+                  Shortened(this->Out.Classes[row.ClassId]) + "\" in `objects`, found too few");
     }
   }
 }

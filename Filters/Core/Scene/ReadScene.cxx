@@ -19,6 +19,9 @@ namespace
 
 constexpr double LeastSide = 1e-3; // of the volume, m
 constexpr double MostSlender = 1000.0;
+constexpr int MostAlike = 5; // warnings of one kind
+// Of an object, comments among them: the library looks for each new one among those before.
+constexpr std::size_t MostFields = 10000;
 
 // "line 3, column 7" of a byte of the text.
 std::string LineAndColumn(const std::string& text, std::size_t byte)
@@ -85,6 +88,10 @@ public:
     return pointer;
   }
   const std::string& Field() const { return this->Levels.back().Field; }
+  bool HasTooMany() const
+  {
+    return !this->Levels.empty() && this->Levels.back().Fields.size() > MostFields;
+  }
 
 private:
   struct Level
@@ -107,11 +114,16 @@ SceneJson ParseText(const std::string& text, const std::string& name)
     {
       return false;
     }
+    if (position.HasTooMany())
+    {
+      throw SceneError{ name + ": " + position.Pointer() + ": expected at most " +
+                        std::to_string(MostFields) + " fields in an object, found more" };
+    }
     if (!position.Pass(event, value))
     {
       throw SceneError{ name + ": " + position.Pointer() +
-                        ": expected every field of an object once, found \"" + position.Field() +
-                        "\" twice" };
+                        ": expected every field of an object once, found \"" +
+                        Shortened(position.Field()) + "\" twice" };
     }
     return true;
   };
@@ -151,7 +163,8 @@ std::string SceneReader::File(const SceneNode& node) const
   std::error_code error;
   if (text.empty() || !std::filesystem::is_regular_file(path, error))
   {
-    node.FailWith("expected a file that exists, found none at \"" + path.string() + "\"");
+    node.FailWith("expected a file that exists, found none at \"" + ShortenedPath(path.string()) +
+                  "\"");
   }
   return path.lexically_normal().string();
 }
@@ -170,6 +183,26 @@ void SceneReader::Check(const SceneNode& node, const std::function<Result()>& lo
   if (!result)
   {
     node.FailWith(result.Message());
+  }
+}
+
+void SceneReader::Warn(const char* kind, const SceneNode& node, const std::string& what)
+{
+  if (++this->WarningsOf[kind] <= MostAlike)
+  {
+    this->Out.Warnings.push_back(this->Name + ": " + node.Pointer() + ": " + what);
+  }
+}
+
+void SceneReader::WarnOfMore()
+{
+  for (const auto& [kind, count] : this->WarningsOf)
+  {
+    if (count > MostAlike)
+    {
+      this->Out.Warnings.push_back(this->Name + ": " + std::to_string(count - MostAlike) +
+                                   " more of " + kind);
+    }
   }
 }
 
@@ -295,6 +328,7 @@ void SceneReader::Read(const SceneNode& root)
   {
     this->ReadVortices(root.At("vortices", ""));
   }
+  this->WarnOfMore();
 }
 
 Result ParseScene(const std::string& text, const std::string& name, const std::string& folder,
@@ -341,6 +375,13 @@ Result ReadScene(const std::string& file, const SceneAssets& assets, Scene& scen
   if (!std::filesystem::is_regular_file(file, error))
   {
     return Result::Error(file + ": expected a scene file, found no such file");
+  }
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (!error && size > SceneLists::Bytes)
+  {
+    return Result::Error(file + ": expected a scene file of at most " +
+                         std::to_string(SceneLists::Bytes / 1000000) + " MB, found " +
+                         std::to_string(size / 1000000) + " MB");
   }
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;

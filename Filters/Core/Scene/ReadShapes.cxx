@@ -55,13 +55,14 @@ void SceneReader::ReadShape(const SceneNode& node, const std::string& name)
           });
     if (!(SurfaceArea(shape.Mesh) > 0.0))
     {
-      mesh.FailWith("expected a surface with an area, found none in \"" + mesh.Text() + "\"");
+      mesh.FailWith("expected a surface with an area, found none in \"" +
+                    ShortenedPath(mesh.Text()) + "\"");
     }
     const std::string flat = RemarkOnFlatTriangles(shape.Mesh);
     if (!flat.empty())
     {
-      this->Out.Warnings.push_back(this->Name + ": " + mesh.Pointer() + ": \"" + mesh.Text() +
-                                   "\": " + flat);
+      this->Warn("shapes with flat triangles", mesh,
+                 "\"" + ShortenedPath(mesh.Text()) + "\": " + flat);
     }
   }
   shape.Name = name;
@@ -77,9 +78,9 @@ void SceneReader::ReadShape(const SceneNode& node, const std::string& name)
     }
     else
     {
-      this->Out.Warnings.push_back(this->Name + ": " + texture.Pointer() +
-                                   ": expected a file that exists, found none at \"" +
-                                   path.string() + "\"; the shape goes on without a texture");
+      this->Warn("textures that are not there", texture,
+                 "expected a file that exists, found none at \"" + ShortenedPath(path.string()) +
+                   "\"; the shape goes on without a texture");
     }
   }
   const auto number = [&](const char* field, double& value)
@@ -111,6 +112,20 @@ void SceneReader::ReadShape(const SceneNode& node, const std::string& name)
     shape.ClassId = this->ClassOf(node.At("class", "").Text());
   }
   this->Out.Shapes.push_back(std::move(shape));
+}
+
+// The names of the first few, for messages.
+std::string SceneReader::KnownShapes() const
+{
+  constexpr std::size_t most = 10;
+  const auto& shapes = this->Out.Shapes;
+  std::string known = shapes.empty() ? "there are none" : "";
+  for (std::size_t s = 0; s < std::min(most, shapes.size()); ++s)
+  {
+    known += (s == 0 ? "" : ", ") + Shortened(shapes[s].Name);
+  }
+  return shapes.size() <= most ? known
+                               : known + " and " + std::to_string(shapes.size() - most) + " more";
 }
 
 // Classes are numbered as they are met.
@@ -145,9 +160,9 @@ void SceneReader::ReadObjects(const SceneNode& node)
   {
     const SceneNode item = node.Item(entry);
     this->ReadObjectEntry(item, entry);
-    if (!limits::Objects.Holds(static_cast<double>(this->Out.Objects.size())))
+    if (this->Out.Objects.size() > SceneLists::Objects)
     {
-      item.FailWith("expected at most " + NumberText(limits::Objects.High, 10) +
+      item.FailWith("expected at most " + std::to_string(SceneLists::Objects) +
                     " objects in a scene, found more");
     }
   }
@@ -166,12 +181,7 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t index)
     std::find_if(shapes.begin(), shapes.end(), [&](const Shape& s) { return s.Name == shapeName; });
   if (shape == shapes.end())
   {
-    std::string known;
-    for (const Shape& s : shapes)
-    {
-      known += (known.empty() ? "" : ", ") + s.Name;
-    }
-    shapeNode.Fail("the name of a shape (" + (known.empty() ? "there are none" : known) + ")");
+    shapeNode.Fail("the name of a shape (" + this->KnownShapes() + ")");
   }
   MotionObject object;
   object.ShapeId = static_cast<int>(shape - shapes.begin());
@@ -218,7 +228,8 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t index)
   else if (atPositions)
   {
     const SceneNode list = node.At("positions", "");
-    for (std::size_t i = 0; i < list.Size("a list of points"); ++i)
+    const std::size_t count = list.Size("a list of points");
+    for (std::size_t i = 0; i < count; ++i)
     {
       positions.push_back(list.Item(i).Vector());
     }
@@ -248,6 +259,10 @@ void SceneReader::KeepObjects(std::size_t count)
     this->IndexOfObject.erase(this->Out.Objects.back().ObjectId);
     this->Out.Objects.pop_back();
   }
+  if (this->Placed.Count() > count)
+  {
+    this->Placed = NearObjects();
+  }
 }
 
 std::vector<Vec3> SceneReader::SpreadObjects(const SceneNode& node, std::size_t entry,
@@ -270,21 +285,33 @@ std::vector<Vec3> SceneReader::SpreadObjects(const SceneNode& node, std::size_t 
     seed = static_cast<std::uint64_t>(node.At("seed", "").Integer("a seed"));
   }
   const auto& objects = this->Out.Objects;
+  while (this->Placed.Count() < objects.size())
+  {
+    const MotionObject& next = objects[this->Placed.Count()];
+    this->Placed.Add(next.Position, next.ClearanceRadius);
+  }
+  const auto& obstacles = this->Out.Obstacles;
+  while (this->BoxOfObstacle.size() < obstacles.size())
+  {
+    this->BoxOfObstacle.push_back(BoundsOf(obstacles[this->BoxOfObstacle.size()].Mesh));
+  }
   const auto isAdmissible = [&](const Vec3& x)
   {
-    if (this->Out.Info.Bounds.InnerDistance(x) < radius)
+    if (this->Out.Info.Bounds.InnerDistance(x) < radius || !this->Placed.HasRoom(x, radius))
     {
       return false;
     }
-    for (const MotionObject& other : objects)
+    for (std::size_t o = 0; o < obstacles.size(); ++o)
     {
-      if ((other.Position - x).norm() < radius + other.ClearanceRadius)
+      const Box& box = this->BoxOfObstacle[o];
+      const Vec3 away = (box.Min - x).cwiseMax(x - box.Max).cwiseMax(0.0);
+      if (away.squaredNorm() <= radius * radius * (1.0 + 1e-9) &&
+          !IsOutside(obstacles[o].Mesh, x, radius))
       {
         return false;
       }
     }
-    return std::all_of(this->Out.Obstacles.begin(), this->Out.Obstacles.end(),
-                       [&](const ObstacleMesh& o) { return IsOutside(o.Mesh, x, radius); });
+    return true;
   };
   std::vector<Vec3> taken;
   for (const MotionObject& other : objects)
@@ -309,10 +336,9 @@ std::vector<Vec3> SceneReader::SpreadObjects(const SceneNode& node, std::size_t 
   }
   if (nearest < 2.0 * radius)
   {
-    this->Out.Warnings.push_back(this->Name + ": " + regionNode.Pointer() + ": " +
-                                 std::to_string(count) + " objects start as near as " +
-                                 std::to_string(nearest) + " m in this region and are " +
-                                 std::to_string(2.0 * radius) + " m wide");
+    this->Warn("regions that are crowded", regionNode,
+               std::to_string(count) + " objects start as near as " + std::to_string(nearest) +
+                 " m in this region and are " + std::to_string(2.0 * radius) + " m wide");
   }
   return positions;
 }

@@ -136,7 +136,8 @@ int SceneReader::TargetClass(const SceneNode& node, const std::string& name) con
   const auto found = std::find(this->Out.Classes.begin(), this->Out.Classes.end(), name);
   if (found == this->Out.Classes.end())
   {
-    node.FailWith("expected the class of a shape, found the unknown class \"" + name + "\"");
+    node.FailWith("expected the class of a shape, found the unknown class \"" + Shortened(name) +
+                  "\"");
   }
   return static_cast<int>(found - this->Out.Classes.begin());
 }
@@ -147,7 +148,8 @@ std::vector<SceneReader::Target> SceneReader::ReadPoints(const SceneNode& node) 
   node.CheckFields("pointTargets");
   const SceneNode points = node.At("points", "");
   std::vector<Target> targets;
-  for (std::size_t i = 0; i < points.Size("a list of points"); ++i)
+  const std::size_t count = points.Size("a list of points");
+  for (std::size_t i = 0; i < count; ++i)
   {
     targets.push_back({ points.Item(i).Vector(), -1 });
   }

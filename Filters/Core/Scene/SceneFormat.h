@@ -27,6 +27,7 @@ public:
 private:
   // WriteScene.cxx
   void WriteInfo();
+  void CheckLists() const;
   std::string SideFile(const std::string& what, bool isShape, std::size_t index);
   std::string ExistingFile(const std::string& path, const std::string& owner) const;
   std::string Relative(const std::string& path) const;

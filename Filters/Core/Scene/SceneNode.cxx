@@ -11,23 +11,24 @@ namespace waft
 namespace
 {
 
+constexpr std::size_t LongestShown = 60; // of a name or value in a message [bytes]
+
 // Short values as they are; long ones by their kind (nothing is walked deeply: a file may nest its
 // lists a million times).
 std::string Describe(const SceneJson& value)
 {
-  constexpr std::size_t longest = 60;
   const auto isFlat = [](const SceneJson& v)
   {
     return !v.is_structured() ||
-           (v.size() <= longest &&
+           (v.size() <= LongestShown &&
             std::none_of(v.begin(), v.end(), [](const SceneJson& w) { return w.is_structured(); }));
   };
   const bool isShallow =
     !value.is_structured() ||
-    (value.size() <= longest && std::all_of(value.begin(), value.end(), isFlat));
+    (value.size() <= LongestShown && std::all_of(value.begin(), value.end(), isFlat));
   const std::string text =
     isShallow ? value.dump(-1, ' ', false, SceneJson::error_handler_t::replace) : std::string();
-  if (isShallow && text.size() <= longest)
+  if (isShallow && text.size() <= LongestShown)
   {
     return text;
   }
@@ -39,7 +40,7 @@ std::string Describe(const SceneJson& value)
   {
     return "a list of " + std::to_string(value.size());
   }
-  return text.substr(0, longest) + "...";
+  return Shortened(text);
 }
 
 // What was expected of a number that is not in its range: the bound that it breaks in the words
@@ -63,18 +64,34 @@ std::string ExpectedNumber(const limits::Range& range, double number)
 
 } // namespace
 
+std::string Shortened(const std::string& text, std::size_t longest)
+{
+  if (text.size() <= longest)
+  {
+    return text;
+  }
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) // within a letter
+  {
+    --end;
+  }
+  return text.substr(0, end) + "...";
+}
+
 std::string PointerToken(const std::string& field)
 {
   std::string token;
-  for (const char c : field)
+  for (const char c : Shortened(field))
   {
     token += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
   }
   return token;
 }
 
-SceneNode::SceneNode(const SceneJson& value, std::string pointer, const limits::Range* range) :
-  Value(value), Address(std::move(pointer)), Range(range)
+SceneNode::SceneNode(const SceneJson& value, std::string pointer, const limits::Range* range,
+                     std::size_t most) :
+  Value(value),
+  Address(std::move(pointer)), Range(range), Most(most)
 {
 }
 
@@ -105,7 +122,8 @@ SceneNode SceneNode::At(const std::string& field, const std::string& expected) c
     throw SceneError{ this->Address + "/" + PointerToken(field) + ": expected " + expected +
                       ", found nothing" };
   }
-  return { *found, this->Address + "/" + PointerToken(field), this->RangeOf(field) };
+  return { *found, this->Address + "/" + PointerToken(field), this->RangeOf(field),
+           this->MostOf(field) };
 }
 
 // Fields whose names the artist chooses have the range of what holds them.
@@ -119,6 +137,21 @@ const limits::Range* SceneNode::RangeOf(const std::string& field) const
   return known != nullptr && known->Range ? &*known->Range : nullptr;
 }
 
+std::size_t SceneNode::MostOf(const std::string& field) const
+{
+  const SceneField* known = this->Table == nullptr ? nullptr : this->Table->Find(field);
+  return known == nullptr ? SceneField::NoList : known->Most;
+}
+
+void SceneNode::CheckNumberOf(const char* entries, std::size_t count) const
+{
+  if (count > this->Most)
+  {
+    this->FailWith("expected at most " + std::to_string(this->Most) + " " + entries + ", found " +
+                   std::to_string(count));
+  }
+}
+
 SceneNode SceneNode::Item(std::size_t i) const
 {
   return { this->Value[i], this->Address + "/" + std::to_string(i), this->Range };
@@ -130,6 +163,7 @@ std::size_t SceneNode::Size(const std::string& expected) const
   {
     this->Fail(expected);
   }
+  this->CheckNumberOf("entries", this->Value.size());
   return this->Value.size();
 }
 
@@ -147,6 +181,7 @@ std::vector<std::string> SceneNode::Fields() const
       fields.push_back(item.key());
     }
   }
+  this->CheckNumberOf("fields", fields.size());
   return fields;
 }
 
@@ -164,7 +199,7 @@ void SceneNode::CheckFields(const std::string& table) const
       }
       throw SceneError{ this->Address + "/" + PointerToken(field) +
                         ": expected one of the fields " + list + ", found the unknown field \"" +
-                        field + "\"" };
+                        Shortened(field) + "\"" };
     }
   }
 }

@@ -31,14 +31,23 @@ struct SceneError
   std::string Message; // "/json/pointer: expected ..., found ..."
 };
 
-/// A field's name as a token of a JSON pointer (RFC 6901).
+/// A name as messages show it: a long one by its beginning, so that the rest of a sentence is read.
+std::string Shortened(const std::string& text, std::size_t longest = 60);
+inline std::string ShortenedPath(const std::string& path)
+{
+  return Shortened(path, 300);
+}
+
+/// A field's name as a token of a JSON pointer (RFC 6901), a long one shortened.
 std::string PointerToken(const std::string& field);
 
 class SceneNode
 {
 public:
   /// `range`: of the numbers in this value, from the table of fields; null where it has none.
-  SceneNode(const SceneJson& value, std::string pointer, const limits::Range* range = nullptr);
+  /// `most`: of the entries in it.
+  SceneNode(const SceneJson& value, std::string pointer, const limits::Range* range = nullptr,
+            std::size_t most = SceneField::NoList);
 
   const std::string& Pointer() const { return this->Address; }
   /// Throws "pointer: expected `expected`, found <this value>".
@@ -53,9 +62,9 @@ public:
   SceneNode At(const std::string& field, const std::string& expected) const;
   /// An element of a list.
   SceneNode Item(std::size_t i) const;
-  /// Number of elements of a list; anything else fails.
+  /// Number of elements of a list, of which there are not too many; anything else fails.
   std::size_t Size(const std::string& expected = "a list") const;
-  /// Names of the fields, comments left out.
+  /// Names of the fields, of which there are not too many; comments left out.
   std::vector<std::string> Fields() const;
   /// Fails unless this is an object whose fields are all in the table of this name. From here on
   /// its fields know the ranges that the table gives them.
@@ -76,10 +85,13 @@ private:
   std::vector<double> Numbers(std::size_t count, const std::string& expected) const;
 
   const limits::Range* RangeOf(const std::string& field) const;
+  std::size_t MostOf(const std::string& field) const;
+  void CheckNumberOf(const char* entries, std::size_t count) const;
 
   const SceneJson& Value;
   std::string Address;
   const limits::Range* Range;
+  std::size_t Most;
   mutable const SceneFieldTable* Table = nullptr; // once the fields were checked
 };
 

@@ -2,6 +2,7 @@
 // The parts of the reader of scenes, one a section of the file. Private to this library.
 #pragma once
 
+#include "Scene/NearObjects.h"
 #include "Scene/Scene.h"
 #include "Scene/SceneNode.h"
 #include "Scene/TargetMask.h"
@@ -68,9 +69,15 @@ private:
   /// Fails at `node` when `load`, which its value asks for, does.
   static void Check(const SceneNode& node, const std::function<Result()>& load);
 
+  /// Adds a warning; of one kind ("obstacles outside the volume") the first few, the others are
+  /// counted.
+  void Warn(const char* kind, const SceneNode& node, const std::string& what);
+  void WarnOfMore();
+
   // ReadShapes.cxx
   void ReadShapes(const SceneNode& node);
   void ReadObjects(const SceneNode& node);
+  std::string KnownShapes() const;
   int ClassOf(const std::string& name);
   int FreeId(const SceneNode& node) const;
   std::vector<Vec3> SpreadObjects(const SceneNode& node, std::size_t entry, double radius);
@@ -105,6 +112,9 @@ private:
   bool HasGround = true;
   double GroundHeight = 0.0;
   std::map<int, std::size_t> IndexOfObject; // by id
+  std::map<std::string, int> WarningsOf;    // by kind, how many there were
+  NearObjects Placed;                       // objects that were looked for room among
+  std::vector<Box> BoxOfObstacle;           // of those that were kept clear of
   std::map<int, std::vector<int>> Choices; // by row of a keyframe, the ids that it may choose among
 };
 

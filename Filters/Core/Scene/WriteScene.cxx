@@ -100,6 +100,21 @@ void SceneFormat::WriteInfo()
   this->Root["air"] = { { "density", info.AirDensity } };
 }
 
+// What the reader would not take is not written.
+void SceneFormat::CheckLists() const
+{
+  for (const SceneField& field : SceneFieldsOf("scene").Fields)
+  {
+    const auto written = this->Root.find(field.Name);
+    if (written != this->Root.end() && written->is_structured() && written->size() > field.Most)
+    {
+      throw SceneError{ "the scene cannot be written: expected at most " +
+                        std::to_string(field.Most) + " " + field.Name + ", found " +
+                        std::to_string(written->size()) };
+    }
+  }
+}
+
 SceneText SceneFormat::Write()
 {
   this->Root = SceneJson::object();
@@ -114,6 +129,7 @@ SceneText SceneFormat::Write()
   this->WriteConstraints();
   this->WriteWinds();
   this->WriteVortices();
+  this->CheckLists();
   this->Out.Json = PrettyText(this->Root);
   return std::move(this->Out);
 }

@@ -145,6 +145,8 @@ def _own_fault(value, field, place):
         if "pattern" in field and not re.search(field["pattern"], value):
             return place, field["description"], shown(value)
     if isinstance(value, list):
+        if len(value) > field.get("maxItems", 1 << 40) and field.get("minItems") != field["maxItems"]:
+            return too_many(field["maxItems"], len(value), place)
         if not field.get("minItems", 0) <= len(value) <= field.get("maxItems", 1 << 40):
             return wrong
         for number, item in enumerate(value):
@@ -156,7 +158,15 @@ def _own_fault(value, field, place):
     return None
 
 
+def too_many(most, count, place):
+    return place, f"at most {most} entries", count
+
+
 def _members_fault(value, field, place):
+    if "maxProperties" in field:
+        count = sum(not name.startswith("_") for name in value)
+        if count > field["maxProperties"]:
+            return too_many(field["maxProperties"], count, place)
     for name in field.get("required", ()):
         if name not in value:
             return f"{place}/{name}", expected(field.get("properties", {}).get(name, {})), "nothing"

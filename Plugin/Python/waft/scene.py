@@ -80,6 +80,7 @@ class Scene:
         if not isinstance(name, str) or not name or name.startswith("_") or name in self.shapes:
             raise refusal("add_shape", "name", "a new name that does not begin with _", _schema.shown(name))
         given = {key: value for key, value in _given(locals()).items() if key != "name"}
+        self._make_room("add_shape", "shapes", len(self.shapes))
         entry = self._with_files("add_shape", "shape", entry_of("add_shape", "shape", given))
         self._data.setdefault("shapes", {})[name] = entry
         return name
@@ -92,7 +93,7 @@ class Scene:
                    comment: Optional[str] = None) -> int:
         """One object; returns its id. `shape`: one that was added, or a built-in one."""
         entry = self._objects_entry("add_object", "singleObject", locals())
-        return self._append_objects(entry)[0]
+        return self._append_objects("add_object", entry)[0]
 
     @documented("objectsInRegion", "objectsAtPositions")
     def add_objects(self, shape: str, *, count: Optional[int] = None, region: Optional[Mapping[str, Vector]] = None,
@@ -105,7 +106,7 @@ class Scene:
         """Several objects: `count` spread in a `region` {"min": ..., "max": ...}, or one at each of `positions`. Returns their
         ids. `shape`: one that was added, or a built-in one."""
         kind = "objectsInRegion" if positions is None else "objectsAtPositions"
-        return self._append_objects(self._objects_entry("add_objects", kind, locals()))
+        return self._append_objects("add_objects", self._objects_entry("add_objects", kind, locals()))
 
     # Marks
 
@@ -288,7 +289,15 @@ class Scene:
     def _set(self, method, name, given):
         self._data[name] = sensible(method, name, {**self._data.get(name, {}), **entry_of(method, name, _given(given))})
 
+    def _make_room(self, method, name, count):
+        """Refuses one entry more than a scene may have."""
+        field = _schema.definition("scene")["properties"][name]
+        most = field.get("maxItems", field.get("maxProperties"))
+        if count >= most:
+            raise refusal(method, name, f"at most {most} of them in a scene", count + 1)
+
     def _append(self, name, method, definition, given, **constant):
+        self._make_room(method, name, len(self._data.get(name, ())))
         entry = self._with_files(method, definition, entry_of(method, definition, _given(given), **constant))
         self._data.setdefault(name, []).append(entry)
         return len(self._data[name]) - 1
@@ -304,12 +313,14 @@ class Scene:
         return _schema.with_files(entry, _schema.definition(definition), there)
 
     def _objects_entry(self, method, definition, given):
+        self._make_room(method, "objects", len(self._data.get("objects", ())))
         entry = entry_of(method, definition, {name: value for name, value in _given(given).items() if name != "kind"})
         if entry["shape"] not in self.shapes:
             builtins = _schema.definition("shape")["properties"]["builtin"]["enum"]
             if entry["shape"] not in builtins:
                 names = ", ".join(dict.fromkeys([*self.shapes, *builtins]))
                 raise refusal(method, "shape", f"one of {names}", _schema.shown(entry["shape"]))
+            self._make_room(method, "shapes", len(self.shapes))
             self._data.setdefault("shapes", {})[entry["shape"]] = {"builtin": entry["shape"]}
         if entry.get("id") in self._ids:
             raise refusal(method, "id", "an id that no object has", entry["id"])
@@ -320,8 +331,11 @@ class Scene:
         first = entry.get("id", len(self._ids))
         return list(range(int(first), int(first) + int(count)))
 
-    def _append_objects(self, entry):
+    def _append_objects(self, method, entry):
         ids = self._new_ids(entry)
+        most = _schema.definition("objectsAtPositions")["properties"]["positions"]["maxItems"]  # of all entries, too
+        if len(self._ids) + len(ids) > most:
+            raise refusal(method, "objects", f"at most {most} in a scene", len(self._ids) + len(ids))
         self._data.setdefault("objects", []).append(entry)
         self._ids += ids
         return ids
@@ -331,10 +345,12 @@ class Scene:
 
     def _append_mark(self, method, entry):
         """Adds a row; its objects have to be there, its frames among those of the scene."""
+        self._make_room(method, "constraints", len(self._data.get("constraints", ())))
         for name in ("object", "objects"):
             ids = entry.get(name, [])
+            known = set(self._ids) if isinstance(ids, list) else self._ids
             for number in ids if isinstance(ids, list) else [ids]:
-                if number != -1 and number not in self._ids:
+                if number != -1 and number not in known:
                     raise refusal(method, name, f"the id of one of the scene's {len(self._ids)} objects", number)
         last = self.frames - 1
         for name, frame in (("frame", entry.get("frame")), ("until", entry.get("until")),

@@ -48,6 +48,10 @@ inline bool IsValidObject(const Json& value, const Json& schema)
       return false;
     }
   }
+  if (value.size() > schema.value("maxProperties", std::size_t(1) << 40))
+  {
+    return false;
+  }
   const Json properties = schema.value("properties", Json::object());
   const Json patterns = schema.value("patternProperties", Json::object());
   for (const auto& item : value.items())

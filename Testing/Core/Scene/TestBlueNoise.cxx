@@ -3,6 +3,7 @@
 #include "Base/Random.h"
 #include "Scene/BlueNoise.h"
 #include "Scene/MeshQueries.h"
+#include "Scene/NearObjects.h"
 
 #include <gtest/gtest.h>
 
@@ -90,5 +91,33 @@ TEST(MeshQueries, BallsAgainstABoxAndASphere)
     {
       EXPECT_EQ(IsOutside(sphere, x, 0.1), r > 0.6);
     }
+  }
+}
+
+TEST(NearObjects, AgreeWithALookAtAll)
+{
+  Random random(7);
+  for (const double scale : { 0.0, 1e-3, 1.0 })
+  {
+    NearObjects near;
+    std::vector<std::pair<Vec3, double>> all;
+    const Box box{ Vec3(-1, -1, -1), Vec3(1, 1, 1) };
+    for (int i = 0; i < 500; ++i)
+    {
+      const Vec3 x = random.InBox(box);
+      const double radius = scale * random.Uniform(0.0, i % 100 == 0 ? 0.3 : 0.02);
+      const bool hasRoom = std::all_of(all.begin(), all.end(),
+                                       [&](const auto& ball)
+                                       { return (ball.first - x).norm() >= radius + ball.second; });
+      EXPECT_EQ(near.HasRoom(x, radius), hasRoom);
+      EXPECT_EQ(near.HasRoom(x, 50.0 * radius + 0.01),
+                std::all_of(all.begin(), all.end(),
+                            [&](const auto& ball) {
+                              return (ball.first - x).norm() >= 50.0 * radius + 0.01 + ball.second;
+                            }));
+      near.Add(x, radius);
+      all.emplace_back(x, radius);
+    }
+    EXPECT_EQ(near.Count(), 500u);
   }
 }

@@ -157,6 +157,30 @@ const Json* NumberSchema(const Json& schema)
   return nullptr;
 }
 
+// The most entries that the schema gives a field; the reader's word for none where it is no list.
+std::size_t MostEntries(const Json& schema)
+{
+  if (schema.contains("$ref"))
+  {
+    return MostEntries(
+      Schema().at(Json::json_pointer(schema["$ref"].get<std::string>().substr(1))));
+  }
+  const std::size_t named = schema.value("maxProperties", SceneField::NoList);
+  const bool isFixed = schema.value("minItems", 0u) > 1; // a vector
+  return isFixed ? SceneField::NoList : schema.value("maxItems", named);
+}
+
+bool HasEntries(const Json& schema)
+{
+  if (schema.contains("$ref"))
+  {
+    return HasEntries(Schema().at(Json::json_pointer(schema["$ref"].get<std::string>().substr(1))));
+  }
+  const std::string type = schema.value("type", "");
+  const bool isNamed = type == "object" && !schema.contains("properties");
+  return isNamed || (type == "array" && schema.value("minItems", 0u) <= 1);
+}
+
 void CollectNumbers(const Json& value, const Json::json_pointer& at,
                     std::vector<Json::json_pointer>& pointers)
 {
@@ -198,6 +222,68 @@ TEST(SceneSchema, BoundsEveryNumberAsTheTableDoes)
       }
     }
   }
+}
+
+TEST(SceneSchema, BoundsEveryListAsTheTableDoes)
+{
+  int lists = 0;
+  for (const SceneFieldTable& table : SceneFieldTables())
+  {
+    const Json& schema = table.Name == "scene" ? Schema() : Schema()["definitions"][table.Name];
+    for (const SceneField& field : table.Fields)
+    {
+      SCOPED_TRACE(table.Name + " " + field.Name);
+      const Json& own = schema["properties"][field.Name];
+      EXPECT_EQ(HasEntries(own), field.Most != SceneField::NoList);
+      EXPECT_EQ(MostEntries(own), field.Most);
+      lists += HasEntries(own);
+    }
+  }
+  EXPECT_EQ(lists, 16);
+}
+
+TEST(SceneSchema, RefusesAListThatIsTooLong)
+{
+  const auto refusal = [](const char* place, const Json& value)
+  {
+    Json scene = Json::parse(Everything);
+    scene[Json::json_pointer(place)] = value;
+    EXPECT_FALSE(IsValid(scene, Schema()));
+    std::string message;
+    EXPECT_FALSE(ReaderAccepts(scene, message));
+    return message;
+  };
+  const Json scene = Json::parse(Everything);
+  EXPECT_EQ(refusal("/winds", Json(1001, scene["winds"][0])),
+            "t: /winds: expected at most 1000 entries, found 1001");
+  EXPECT_EQ(refusal("/objects/2/positions", Json(20001, Json{ 0, 0, 3 })),
+            "t: /objects/2/positions: expected at most 20000 entries, found 20001");
+  Json shapes;
+  for (int i = 0; i <= 1000; ++i)
+  {
+    shapes["s" + std::to_string(i)] = scene["shapes"]["leaf"];
+  }
+  EXPECT_EQ(refusal("/shapes", shapes), "t: /shapes: expected at most 1000 fields, found 1001");
+}
+
+TEST(SceneSchema, RefusesObjectsAndRowsThatAreTooManyInAll)
+{
+  Json scene = Json::parse(Everything);
+  const Json many = { { "shape", "leaf" }, { "positions", Json(15000, Json{ 0, 0, 3 }) } };
+  scene["objects"] = { many, many };
+  std::string message;
+  EXPECT_FALSE(ReaderAccepts(scene, message));
+  EXPECT_EQ(message, "t: /objects/1: expected at most 20000 objects in a scene, found more");
+  scene = Json::parse(Everything);
+  scene["time"]["frames"] = 60000;
+  const Json path = { { "kind", "path" },
+                      { "object", 2 },
+                      { "firstFrame", 0 },
+                      { "points", Json(60000, Json{ 0, 0, 1 }) } };
+  scene["constraints"] = { path, path };
+  EXPECT_FALSE(ReaderAccepts(scene, message));
+  EXPECT_EQ(message, "t: /constraints/1: expected constraints of at most 100000 points and targets "
+                     "in all, found more");
 }
 
 TEST(SceneSchema, RefusesNumbersBeyondTheirBoundsAsTheReaderDoes)
@@ -266,6 +352,7 @@ TEST(SceneSchema, UsesOnlyKeywordsThatThisTestUnderstands)
                                         "items",
                                         "minItems",
                                         "maxItems",
+                                        "maxProperties",
                                         "minimum",
                                         "exclusiveMinimum",
                                         "maximum",

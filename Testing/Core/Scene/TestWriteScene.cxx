@@ -420,4 +420,6 @@ TEST(WriteScene, NamesWhatCannotBeWritten)
   expect(why([](Scene& s) { s.Constraints.back().ClassId = 5; }), "`ClassId`");
   expect(why([](Scene& s) { s.Vortices[0].CoreRadius = 0.0; }), "vortex 0");
   expect(why([](Scene& s) { s.Title = "\xff"; }), "cannot be written");
+  expect(why([](Scene& s) { s.Winds.assign(1001, AnalyticWind()); }),
+         "expected at most 1000 winds, found 1001");
 }
