@@ -85,6 +85,12 @@ def cases():
                              "/shapes/leaf/builtin")
             yield scene_case(group, f"file that is not there: {text}",
                              with_value(LEAF, "/shapes", {"leaf": {"mesh": name + ".obj"}}), "/shapes/leaf")
+    for control in "\x01\n\x1b\x7f\x85\x9f\u061c\u200e\u200f\u202a\u202e\u2066\u2069\ufffe\uffff":
+        name, code = f"a{control}b", f"U+{ord(control):04X}"
+        yield scene_case(group, f"{code} in the name of a shape", with_value(LEAF, "/shapes", {name: {"builtin": "leaf"}}),
+                         "/shapes", code)
+        yield scene_case(group, f"{code} in a class", with_value(LEAF, "/shapes/leaf/class", name), "/shapes/leaf/class", code)
+        yield scene_case(group, f"{code} in the title", with_value(LEAF, "/title", name), "/title", code)
     yield scene_case(group, "a field twice", _rewritten('"frames": 31', '"frames": 31, "frames": 32'), "/time", "frames")
     yield scene_case(group, "a field of the scene twice", _rewritten('"waft": 1,', '"waft": 1, "waft": 1,'), "waft")
     yield scene_case(group, "a field of an object twice", _rewritten('"position"', '"position": [0,0,2], "position"'),

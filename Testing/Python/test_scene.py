@@ -118,6 +118,10 @@ class SceneTest(unittest.TestCase):
         before = scene.as_dict()
         bad = [
             ("title: expected a text, found 3", lambda: waft.Scene(3)),
+            ("title: expected a text without control characters", lambda: waft.Scene("a\u202eb")),
+            ("name: expected a text without control characters", lambda: scene.add_shape("a\x01b", "leaf")),
+            ("class_: expected a text without control characters", lambda: scene.add_shape("x", "leaf", class_="a\n")),
+            ("text: expected a text without control", lambda: scene.add_keyframe(10, text="a\x9f", origin=(0, 0, 1), width=1)),
             ("seed: ", lambda: waft.Scene(seed=-1)),
             ("frames: expected a whole number from 2 to 1000000, found 1", lambda: scene.set_time(1)),
             ("frames: ", lambda: scene.set_time(True)),

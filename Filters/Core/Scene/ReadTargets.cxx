@@ -207,14 +207,14 @@ std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node,
     {
       font = this->File(node.At("font", ""));
     }
-    const std::string letters = text.Text();
+    const std::string letters = text.Lines();
     const auto length = std::count_if(letters.begin(), letters.end(),
                                       [](char c) { return (c & 0xc0) != 0x80; }); // UTF-8
     if (length < 1 || length > MostLetters)
     {
       text.Fail("a text of 1 to " + std::to_string(MostLetters) + " characters");
     }
-    Check(text, [&] { return this->Assets.DrawText(text.Text(), font, picture); });
+    Check(text, [&] { return this->Assets.DrawText(letters, font, picture); });
     TargetMask close = MaskFromPicture(picture, {});
     close.BodyWidth = this->BodyWidth(this->ReadTargetFrame(node, true), close.Width);
     const double distance = TargetDistance(close, count);

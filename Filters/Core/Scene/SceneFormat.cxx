@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/SceneFormat.h"
 
+#include "Base/Characters.h"
+
 #include <algorithm>
 
 namespace waft
@@ -68,6 +70,16 @@ std::string PrettyText(const SceneJson& json)
   std::string text;
   Print(json, 0, text);
   return text + "\n";
+}
+
+void RequireName(const std::string& name, const std::string& owner)
+{
+  const std::string control = FirstControl(name);
+  if (!control.empty())
+  {
+    throw SceneError{ owner + ": expected a name without control characters and marks that turn " +
+                      "the direction of writing, found " + control };
+  }
 }
 
 bool IsReadable(const std::function<void()>& read)

@@ -77,6 +77,9 @@ private:
 /// Whether a text of the format can be read; what `read` throws then is what is wrong with it.
 bool IsReadable(const std::function<void()>& read);
 
+/// Throws on a name that the reader would refuse (SceneNode::Text); owner: whose it is.
+void RequireName(const std::string& name, const std::string& owner);
+
 SceneJson FormatVector(const Vec3& v);
 SceneJson FormatRotation(const Quat& q);
 SceneJson FormatWind(const AnalyticWind& wind);

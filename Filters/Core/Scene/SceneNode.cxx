@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/SceneNode.h"
 
+#include "Base/Characters.h"
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace waft
@@ -12,6 +15,8 @@ namespace
 {
 
 constexpr std::size_t LongestShown = 60; // of a name or value in a message [bytes]
+constexpr const char* WithoutControls =
+  "without control characters and marks that turn the direction of writing";
 
 // Short values as they are; long ones by their kind (nothing is walked deeply: a file may nest its
 // lists a million times).
@@ -176,6 +181,12 @@ std::vector<std::string> SceneNode::Fields() const
   std::vector<std::string> fields;
   for (const auto& item : this->Value.items())
   {
+    const std::string control = FirstControl(item.key());
+    if (!control.empty())
+    {
+      throw SceneError{ this->Address + "/" + PointerToken(item.key()) + ": " + "expected a name " +
+                        WithoutControls + ", found " + control };
+    }
     if (item.key().empty() || item.key().front() != '_')
     {
       fields.push_back(item.key());
@@ -245,13 +256,37 @@ bool SceneNode::Boolean() const
   return this->Value.get<bool>();
 }
 
+void SceneNode::RefuseControls(const std::string& text) const
+{
+  const std::string control = FirstControl(text);
+  if (!control.empty())
+  {
+    this->FailWith(std::string("expected a text ") + WithoutControls + ", found " + control);
+  }
+}
+
 std::string SceneNode::Text() const
 {
   if (!this->Value.is_string())
   {
     this->Fail("a text");
   }
-  return this->Value.get<std::string>();
+  std::string text = this->Value.get<std::string>();
+  this->RefuseControls(text);
+  return text;
+}
+
+std::string SceneNode::Lines() const
+{
+  if (!this->Value.is_string())
+  {
+    this->Fail("a text");
+  }
+  std::string text = this->Value.get<std::string>();
+  std::string line;
+  std::remove_copy(text.begin(), text.end(), std::back_inserter(line), '\n');
+  this->RefuseControls(line);
+  return text;
 }
 
 std::vector<double> SceneNode::Numbers(std::size_t count, const std::string& expected) const

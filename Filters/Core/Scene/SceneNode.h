@@ -77,11 +77,15 @@ public:
   /// An integer in a range that hangs on the rest of the scene.
   std::int64_t Integer(std::int64_t low, std::int64_t high, const std::string& what) const;
   bool Boolean() const;
+  /// A text of one line: it may become a name in any file (Base/Characters.h says what it lacks).
   std::string Text() const;
+  /// A text to be drawn, which may have line breaks.
+  std::string Lines() const;
   Vec3 Vector() const;
   Quat Rotation() const;
 
 private:
+  void RefuseControls(const std::string& text) const;
   std::vector<double> Numbers(std::size_t count, const std::string& expected) const;
 
   const limits::Range* RangeOf(const std::string& field) const;

@@ -82,6 +82,7 @@ void SceneFormat::WriteInfo()
   const SceneJson authored = AuthoredPart(this->In.Authored.Objects);
   if (!this->In.Title.empty())
   {
+    RequireName(this->In.Title, "title");
     this->Root["title"] = this->In.Title;
   }
   for (const auto& item : authored.items())

@@ -89,6 +89,7 @@ void SceneFormat::NameClasses()
                                  : index < this->In.Classes.size()
                                    ? this->In.Classes[index]
                                    : "class " + std::to_string(classId);
+      RequireName(wanted, "Classes");
       std::string name = wanted;
       for (int k = 2; !taken.insert(name).second; ++k)
       {
@@ -206,6 +207,7 @@ void SceneFormat::WriteShapes()
     // A name that begins with _ would be a comment.
     const std::string wanted =
       shape.Name.empty() || shape.Name.front() == '_' ? "shape" + shape.Name : shape.Name;
+    RequireName(wanted, "Shapes: block " + wanted);
     std::string name = wanted;
     for (int k = 2; !taken.insert(name).second; ++k)
     {

@@ -173,6 +173,9 @@ def _members_fault(value, field, place):
     known = field.get("properties", {})
     rest = field.get("additionalProperties", True)
     for name, member in value.items():
+        unnamed = fault(name, field.get("propertyNames", {}), f"{place}/{name}")
+        if unnamed:
+            return unnamed
         if name.startswith("_") and "patternProperties" in field:
             continue
         inner = known.get(name, rest)

@@ -79,6 +79,9 @@ class Scene:
         """A body by a name: a built-in one, or a mesh or photograph. Returns the name."""
         if not isinstance(name, str) or not name or name.startswith("_") or name in self.shapes:
             raise refusal("add_shape", "name", "a new name that does not begin with _", _schema.shown(name))
+        wrong = _schema.fault(name, _schema.definition("name"), "name")
+        if wrong:
+            raise refusal("add_shape", *wrong)
         given = {key: value for key, value in _given(locals()).items() if key != "name"}
         self._make_room("add_shape", "shapes", len(self.shapes))
         entry = self._with_files("add_shape", "shape", entry_of("add_shape", "shape", given))

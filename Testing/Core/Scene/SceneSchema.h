@@ -2,11 +2,14 @@
 // The published JSON schema and a validator for the keywords that it uses.
 #pragma once
 
+#include "Base/Characters.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <string>
 
@@ -26,6 +29,23 @@ inline const Json& Schema()
   static const Json schema =
     LoadJson(std::string(WAFT_SOURCE_DIR) + "/Documentation/scene.schema.json");
   return schema;
+}
+
+inline std::wstring Wide(const std::string& text)
+{
+  std::wstring wide;
+  for (std::size_t at = 0; at < text.size(); at += CharacterAt(text, at).Bytes)
+  {
+    wide += static_cast<wchar_t>(CharacterAt(text, at).Code);
+  }
+  return wide;
+}
+
+inline bool Matches(const std::string& text, const std::string& pattern)
+{
+  static std::map<std::string, std::wregex> made; // which takes longer than to search
+  const auto found = made.try_emplace(pattern, Wide(pattern)).first;
+  return std::regex_search(Wide(text), found->second);
 }
 
 inline bool HasType(const Json& value, const std::string& type)
@@ -56,6 +76,10 @@ inline bool IsValidObject(const Json& value, const Json& schema)
   const Json patterns = schema.value("patternProperties", Json::object());
   for (const auto& item : value.items())
   {
+    if (schema.contains("propertyNames") && !IsValid(item.key(), schema["propertyNames"]))
+    {
+      return false;
+    }
     bool known = properties.contains(item.key());
     if (known && !IsValid(item.value(), properties[item.key()]))
     {
@@ -63,7 +87,7 @@ inline bool IsValidObject(const Json& value, const Json& schema)
     }
     for (const auto& pattern : patterns.items())
     {
-      if (std::regex_search(item.key(), std::regex(pattern.key())))
+      if (Matches(item.key(), pattern.key()))
       {
         known = true;
         if (!IsValid(item.value(), pattern.value()))
@@ -131,8 +155,7 @@ inline bool IsValid(const Json& value, const Json& schema)
   {
     const std::string text = value;
     return text.size() >= schema.value("minLength", 0u) &&
-           (!schema.contains("pattern") ||
-            std::regex_search(text, std::regex(schema["pattern"].get<std::string>())));
+           (!schema.contains("pattern") || Matches(text, schema["pattern"].get<std::string>()));
   }
   if (value.is_array())
   {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <sstream>
 
@@ -217,6 +219,39 @@ TEST(SceneErrors, AreReadableWhateverTheyQuote)
       EXPECT_EQ(message.find('\xFF'), std::string::npos);
     }
   }
+}
+
+TEST(SceneErrors, OfNamesThatNoFileCanHold)
+{
+  const auto errorOfTitle = [](const std::string& title)
+  { return ErrorOf(R"({"waft": 1, "title": ")" + title + "\"}"); };
+  const std::string lack =
+    " without control characters and marks that turn the direction of writing, found ";
+  for (const char* control : { "0000", "0001", "000a", "001b", "007f", "0085", "009f", "061c",
+                               "200e", "200f", "202a", "202e", "2066", "2069", "fffe", "ffff" })
+  {
+    std::string upper = control;
+    std::transform(upper.begin(), upper.end(), upper.begin(),
+                   [](unsigned char c) { return std::toupper(c); });
+    EXPECT_EQ(errorOfTitle(std::string("a\\u") + control + "b"),
+              "test.json: /title: expected a text" + lack + "U+" + upper);
+    const std::string shape = ErrorOf(std::string(R"({"waft": 1, "shapes": {"a\u)") + control +
+                                      R"(b": {"builtin": "leaf"}}})");
+    EXPECT_EQ(shape.find("test.json: /shapes/a"), 0u) << shape;
+    EXPECT_NE(shape.find("b: expected a name" + lack + "U+" + upper), std::string::npos) << shape;
+  }
+  for (const char* good : { "\u05e9\u05dc\u05d5\u05dd", "Bl\u00e4tter \u2618",
+                            "a\u200d\u200b\ufffd", "\U0001f342\ufe0f", "a\u00a0b" })
+  {
+    EXPECT_EQ(errorOfTitle(good), "");
+  }
+}
+
+TEST(SceneErrors, KeepWhatWasExpectedOfALongName)
+{
+  const std::string message = ErrorOf("{\"" + std::string(1000000, 'n') + "\": 1}");
+  EXPECT_NE(message.find("nnn...: expected one of the fields waft, title"), std::string::npos);
+  EXPECT_NE(message.find("found the unknown field \"nnn"), std::string::npos);
 }
 
 TEST(SceneErrors, OfWhatLibrariesThrow)

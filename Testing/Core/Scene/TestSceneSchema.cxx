@@ -181,6 +181,24 @@ bool HasEntries(const Json& schema)
   return isNamed || (type == "array" && schema.value("minItems", 0u) <= 1);
 }
 
+void CollectTexts(const Json& value, const Json::json_pointer& at,
+                  std::vector<Json::json_pointer>& pointers)
+{
+  for (auto item = value.begin(); item != value.end(); ++item)
+  {
+    const Json::json_pointer place =
+      value.is_object() ? at / item.key() : at / static_cast<std::size_t>(item - value.begin());
+    if (item->is_structured())
+    {
+      CollectTexts(*item, place, pointers);
+    }
+    else if (item->is_string())
+    {
+      pointers.push_back(place);
+    }
+  }
+}
+
 void CollectNumbers(const Json& value, const Json::json_pointer& at,
                     std::vector<Json::json_pointer>& pointers)
 {
@@ -359,6 +377,7 @@ TEST(SceneSchema, UsesOnlyKeywordsThatThisTestUnderstands)
                                         "minLength",
                                         "maxLength",
                                         "pattern",
+                                        "propertyNames",
                                         "$ref",
                                         "oneOf",
                                         "anyOf",
@@ -378,6 +397,27 @@ TEST(SceneSchema, AcceptsASceneWithEveryFieldAsTheReaderDoes)
   std::string message;
   EXPECT_TRUE(ReaderAccepts(scene, message)) << message;
   EXPECT_TRUE(IsValid(scene, Schema()));
+}
+
+TEST(SceneSchema, RefusesControlsInEveryTextAsTheReaderDoes)
+{
+  const Json scene = Json::parse(Everything);
+  std::vector<Json::json_pointer> pointers;
+  CollectTexts(scene, Json::json_pointer(), pointers);
+  EXPECT_GT(pointers.size(), 40u);
+  for (const Json::json_pointer& place : pointers)
+  {
+    for (const char* control : { "\x01", "\xC2\x85", "\xE2\x80\xAE", "\xEF\xBF\xBE", "\n" })
+    {
+      Json changed = scene;
+      const std::string text = scene.at(place).get<std::string>() + control;
+      changed[place] = text;
+      std::string message;
+      const bool isDrawn = *control == '\n' && place.back() == "text";
+      EXPECT_EQ(ReaderAccepts(changed, message), isDrawn) << place << " " << text;
+      EXPECT_EQ(IsValid(changed, Schema()), isDrawn) << place << " " << text;
+    }
+  }
 }
 
 TEST(SceneSchema, RefusesWhatTheReaderRefuses)

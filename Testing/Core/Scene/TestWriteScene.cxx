@@ -422,4 +422,7 @@ TEST(WriteScene, NamesWhatCannotBeWritten)
   expect(why([](Scene& s) { s.Title = "\xff"; }), "cannot be written");
   expect(why([](Scene& s) { s.Winds.assign(1001, AnalyticWind()); }),
          "expected at most 1000 winds, found 1001");
+  expect(why([](Scene& s) { s.Title = "a\x01"; }), "title: expected a name without control");
+  expect(why([](Scene& s) { s.Shapes[0].Name = "a\u202eb"; }),
+         "Shapes: block a b: expected a name");
 }
