@@ -69,8 +69,12 @@ waft::Result Drawing::DrawText()
     return waft::Result::Error("Text: expected a text that is not empty");
   }
   waft::Picture picture;
-  WAFT_RETURN_IF_FAILED(
-    waft::VtkSceneAssets().DrawText(this->Options.Text, this->Options.Font, picture));
+  if (const waft::Result drawn =
+        waft::VtkSceneAssets().DrawText(this->Options.Text, this->Options.Font, picture);
+      !drawn)
+  {
+    return waft::Result::Error("Text: " + drawn.Message());
+  }
   const double distance = waft::TargetDistance(waft::MaskFromPicture(picture, {}), this->Count());
   return this->DrawMask(waft::MaskFromPicture(waft::SpreadLetters(picture, distance), {}));
 }

@@ -65,6 +65,22 @@ def damaged_others():
     yield "directory beyond its end.tif", good.tif()[:4] + struct.pack("<I", 10 ** 9) + good.tif()[8:]
 
 
+# Letters that a font lacks, and those that would stand wrongly.
+TEXTS = (
+    ("serif", "\u010cAJ", "'\u010c' (U+010C)"),
+    ("mono", "50 \u20ac", "(U+20AC)"),
+    ("sans", "A\u2192B", "(U+2192)"),
+    ("sans", "\u041c\u0418\u0420", "(U+041C)", "(U+0418)", "(U+0420)"),
+    ("sans", "LOVE\U0001f342YOU", "(U+1F342)"),
+    ("sans", "\u05e9\u05dc\u05d5\u05dd", "(U+05E9)", "from right to left"),
+    ("sans", "\u0645\u0631\u062d\u0628\u0627", "(U+0645)", "from right to left"),
+    ("sans", "\u0928\u092e\u0938\u094d\u0924\u0947", "(U+0928)", "join"),
+    ("sans", "x\u030c", "(U+030C)"),
+    ("sans", "a\u202eb", "U+202E"),
+    ("sans", "a\tb", "U+0009"),
+)
+
+
 def _other_formats():
     yield "scan.mhd", b"ObjectType = Image\nNDims = 2\nDimSize = 4 4\nElementType = MET_UCHAR\nElementDataFile = /etc/passwd\n"
     yield "huge.mhd", b"ObjectType = Image\nNDims = 2\nDimSize = 40000 40000\nElementType = MET_UCHAR\nElementDataFile = scan.raw\n"
@@ -103,6 +119,10 @@ def cases():
     for name, text in (("blanks", "   "), ("nothing", ""), ("a million letters", "m" * 1000000), ("two lines", "a\nb")):
         status = (0, 2, 3) if name == "two lines" else (2,)
         yield scene_case(group, f"text of {name}", _targets(text=text), *([pointer] if status == (2,) else []), status=status)
+    for font, text, *letters in TEXTS:
+        yield scene_case(group, f"text {ascii(text)} in {font}", _targets(text=text, font=font), pointer, *letters)
+    for name, text in (("marks", "E\u0301U\u0308N\u0303"), ("joiners", "a\u200db"), ("blanks", "a\u00a0b")):
+        yield scene_case(group, f"text with {name}", _targets(text=text), status=(0, 3))
     for name, content in (("junk", b"no font at all"), ("empty", b""), ("zeros", bytes(1000)), ("a picture", good.png())):
         yield scene_case(group, f"font: {name}", _targets(text="I", font="f.ttf"), pointer, files={"f.ttf": content})
     yield scene_case(group, "font that is not there", _targets(text="I", font="none.ttf"), pointer)

@@ -241,3 +241,39 @@ TEST(SceneFiles, PicturesAreRead)
   EXPECT_EQ(picture.Pixels[0][3], 0.f) << "a corner is clear";
   EXPECT_FALSE(assets.LoadPicture(std::string(WAFT_SOURCE_DIR) + "/LICENSE", picture));
 }
+
+TEST(SceneFiles, LettersThatAFontLacksAreNamed)
+{
+  const waft::VtkSceneAssets assets;
+  waft::Picture picture;
+  const auto errorOf = [&](const std::string& text, const std::string& font)
+  { return assets.DrawText(text, font, picture).Message(); };
+  const std::string lacks = "\" can draw, found letters that it lacks: ";
+  EXPECT_EQ(errorOf("\u010cAJ", "serif"), "expected a text that the font \"serif" + lacks +
+                                            "'\u010c' (U+010C); name a font file that has them");
+  for (const auto& [text, font, letter] :
+       { std::array{ "50 \u20ac", "mono", "U+20AC" }, std::array{ "A\u2192B", "sans", "U+2192" },
+         std::array{ "\u041c\u0418\u0420", "sans",
+                     "(U+041C), '\u0418' (U+0418), '\u0420' (U+0420)" },
+         std::array{ "LOVE\U0001f342YOU", "sans", "U+1F342" },
+         std::array{ "a\tb", "sans", "U+0009" } })
+  {
+    EXPECT_NE(errorOf(text, font).find(letter), std::string::npos) << errorOf(text, font);
+  }
+  for (const char* text :
+       { "\u00c9T\u00c9", "one\ntwo", "a\u00a0b", "\u201cquoted\u201d \u2013 ~^|$x$" })
+  {
+    EXPECT_EQ(errorOf(text, "sans"), "") << text;
+  }
+}
+
+TEST(SceneFiles, LettersAndTheirMarksAreDrawnAsOne)
+{
+  const waft::VtkSceneAssets assets;
+  waft::Picture whole;
+  waft::Picture parts;
+  ASSERT_TRUE(assets.DrawText("\u00c9\u00dc\u00d1", "sans", whole));
+  ASSERT_TRUE(assets.DrawText("E\u0301U\u0308N\u0303", "sans", parts));
+  EXPECT_EQ(parts.Width, whole.Width);
+  EXPECT_EQ(parts.Pixels, whole.Pixels);
+}

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/Files/SceneFiles.h"
 
-#include "Base/MessageText.h"
 #include "Bridge/Files/FontFiles.h"
 #include "Bridge/Files/MeshFiles.h"
 #include "Bridge/Files/PhotographShape.h"
 #include "Bridge/Files/PictureFiles.h"
+#include "Scene/TextLetters.h"
 #include "Shapes/ThinShape.h"
 
 #include <vtkDataArray.h>
@@ -153,12 +153,13 @@ Result VtkSceneAssets::LoadPicture(const std::string& path, Picture& picture) co
 Result VtkSceneAssets::DrawText(const std::string& text, const std::string& font,
                                 Picture& picture) const
 {
-  constexpr std::size_t longest = 1000;
-  if (text.size() > longest || MessageText(text) != text)
+  constexpr std::size_t longest = 4000; // bytes of 1000 characters
+  if (text.size() > longest)
   {
-    return Result::Error("expected a text of at most " + std::to_string(longest) +
-                         " bytes of valid UTF-8 without control characters");
+    return Result::Error("expected a text of at most " + std::to_string(longest) + " bytes");
   }
+  std::string letters;
+  WAFT_RETURN_IF_FAILED(LettersOf(text, letters));
   constexpr int height = 160; // pixels of the font
   vtkNew<vtkTextProperty> style;
   style->SetFontSize(height);
@@ -181,12 +182,13 @@ Result VtkSceneAssets::DrawText(const std::string& text, const std::string& font
     style->SetFontFamily(VTK_FONT_FILE);
     style->SetFontFile(font.c_str());
   }
+  WAFT_RETURN_IF_FAILED(CheckLetters(style, font, letters));
   vtkNew<vtkMathTextFreeTypeTextRenderer> renderer;
   renderer->SetScaleToPowerOfTwo(false);
   vtkNew<vtkImageData> image;
   int size[2] = { 0, 0 };
   constexpr int dotsPerInch = 72; // a font's point is a pixel
-  if (!renderer->RenderString(style, text, image, size, dotsPerInch, vtkTextRenderer::FreeType))
+  if (!renderer->RenderString(style, letters, image, size, dotsPerInch, vtkTextRenderer::FreeType))
   {
     return Result::Error("expected a text that the font \"" + font + "\" can draw");
   }
