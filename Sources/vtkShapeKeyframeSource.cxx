@@ -31,6 +31,7 @@ struct Drawing
   const waft::KeyframeOptions& Options;
   std::vector<waft::Vec3> Positions;
   std::vector<int> Classes;
+  std::string Remark; // what is odd about the picture
 
   waft::Result Draw(vtkDataObject* input);
 
@@ -91,6 +92,11 @@ waft::Result Drawing::DrawImage()
       !loaded)
   {
     return waft::Result::Error("ImageFile " + this->Options.ImageFile + ": " + loaded.Message());
+  }
+  const std::string remark = waft::RemarkOnTransparency(picture);
+  if (!remark.empty() && this->Options.ClassColors.empty())
+  {
+    this->Remark = "ImageFile " + this->Options.ImageFile + ": " + remark;
   }
   return this->DrawMask(waft::MaskFromPicture(picture, this->Options.ClassColors));
 }
@@ -228,10 +234,14 @@ int vtkShapeKeyframeSource::RequestData(vtkInformation*, vtkInformationVector** 
                       "expected a Frame of at most " + std::to_string(last) +
                         ", the last of NumberOfFrames");
   }
-  Drawing drawing{ options, {}, {} };
+  Drawing drawing{ options, {}, {}, {} };
   if (waft::Result drawn = drawing.Draw(vtkDataObject::GetData(inputs[0])); !drawn)
   {
     return waft::Fail(this, outputs, drawn.Message());
+  }
+  if (!drawing.Remark.empty())
+  {
+    vtkWarningMacro(<< drawing.Remark);
   }
   waft::ConstraintsToPolyData(RowsOf(drawing), info, vtkPolyData::GetData(outputs));
   waft::RequestedTime(outputs, 0, info.Time);

@@ -55,6 +55,7 @@ def damaged_others():
         yield f"zeros behind the signature{suffix}", content[:4] + bytes(len(content))
     start = re.search(rb"\xff[\xc0\xc2]\x00\x11\x08", good.jpg()).end()  # of height and width
     yield "65535 squared.jpg", good.jpg()[:start] + b"\xff\xff\xff\xff" + good.jpg()[start + 4:]
+    yield "inks.jpg", good.jpg()[:start + 4] + b"\x04" + good.jpg()[start + 5:]
     yield "no pixels.jpg", good.jpg()[:start] + bytes(4) + good.jpg()[start + 4:]
     yield "2^31-1 squared.bmp", good.bmp(claimed=(2 ** 31 - 1, 2 ** 31 - 1))
     yield "20000 squared.bmp", good.bmp(claimed=(20000, 20000))

@@ -242,6 +242,61 @@ TEST(SceneFiles, PicturesAreRead)
   EXPECT_FALSE(assets.LoadPicture(std::string(WAFT_SOURCE_DIR) + "/LICENSE", picture));
 }
 
+namespace
+{
+
+// A TIFF of 3 x 2 pixels, abc above def, with a note of how it was held.
+std::string HeldTiff(int orientation)
+{
+  const auto number = [](int value, int size)
+  {
+    std::string bytes;
+    for (int i = 0; i < size; ++i)
+    {
+      bytes += static_cast<char>(value >> 8 * i);
+    }
+    return bytes;
+  };
+  std::string file = std::string("II*\0", 4) + number(8, 4) + number(9, 2);
+  for (const auto& [tag, value] :
+       { std::pair(256, 3), std::pair(257, 2), std::pair(258, 8), std::pair(259, 1),
+         std::pair(262, 1), std::pair(273, 122), std::pair(274, orientation), std::pair(277, 1),
+         std::pair(279, 6) })
+  {
+    file += number(tag, 2) + number(3, 2) + number(1, 4) + number(value, 4);
+  }
+  return file + number(0, 4) + "abcdef";
+}
+
+} // namespace
+
+TEST(SceneFiles, PicturesAreTurnedAsTheyWereHeld)
+{
+  const waft::test::TemporaryFolder folder;
+  const char* shown[] = { "abc/def",  "cba/fed",  "fed/cba",  "def/abc",
+                          "ad/be/cf", "da/eb/fc", "fc/eb/da", "cf/be/ad" };
+  for (int orientation = 1; orientation <= 8; ++orientation)
+  {
+    const std::string path = folder.Write("held.tif", HeldTiff(orientation));
+    waft::Picture picture;
+    const waft::Result result = waft::VtkSceneAssets().LoadPicture(path, picture);
+    ASSERT_TRUE(result) << result.Message();
+    std::string rows;
+    for (int y = picture.Height - 1; y >= 0; --y)
+    {
+      for (int x = 0; x < picture.Width; ++x)
+      {
+        const auto& pixel = picture.Pixels[static_cast<std::size_t>(y * picture.Width + x)];
+        rows += static_cast<char>(std::lround(255.0f * pixel[0]));
+      }
+      rows += y > 0 ? "/" : "";
+    }
+    EXPECT_EQ(rows, shown[orientation - 1]) << orientation;
+    ASSERT_TRUE(waft::ReadStoredPicture(path, picture));
+    EXPECT_EQ(picture.Width, 3) << "textures go by what is stored";
+  }
+}
+
 TEST(SceneFiles, LettersThatAFontLacksAreNamed)
 {
   const waft::VtkSceneAssets assets;

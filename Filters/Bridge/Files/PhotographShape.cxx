@@ -10,7 +10,7 @@ namespace waft
 Result LoadPhotographShape(const std::string& path, const PhotographOptions& options, Shape& shape)
 {
   Picture picture;
-  WAFT_RETURN_IF_FAILED(VtkSceneAssets().LoadPicture(path, picture));
+  WAFT_RETURN_IF_FAILED(ReadStoredPicture(path, picture));
   TargetMask shown = MaskFromPicture(picture, {});
   WAFT_RETURN_IF_FAILED(
     MakePhotographSheet({ shown.Width, shown.Height, std::move(shown.Weights) }, options, shape));

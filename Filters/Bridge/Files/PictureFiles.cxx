@@ -4,14 +4,20 @@
 #include "Bridge/Files/FileReading.h"
 #include "Files/FileBytes.h"
 #include "Files/PictureFile.h"
+#include "Files/PictureOrientation.h"
 #include "Files/PngFile.h"
+#include "Files/TiffFile.h"
 
 #include <vtkBMPReader.h>
 #include <vtkImageData.h>
 #include <vtkJPEGReader.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
-#include <vtkTIFFReader.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace waft
 {
@@ -37,6 +43,58 @@ Result RunFile(vtkImageReader2* reader, const std::string& path, vtkImageData* i
 {
   reader->SetFileName(path.c_str());
   return Run(reader, image);
+}
+
+Result RunTiff(std::string_view bytes, vtkImageData* image)
+{
+  PictureBytes picture;
+  WAFT_RETURN_IF_FAILED(ReadTiff(bytes, picture));
+  image->Initialize();
+  image->SetDimensions(picture.Width, picture.Height, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, picture.Channels);
+  const std::size_t row = static_cast<std::size_t>(picture.Width) * picture.Channels;
+  for (int y = 0; y < picture.Height; ++y)
+  {
+    // The first row of the file is the top one, that of an image the lowest.
+    std::copy_n(&picture.Values[row * static_cast<std::size_t>(y)], row,
+                static_cast<unsigned char*>(image->GetScalarPointer(0, picture.Height - 1 - y, 0)));
+  }
+  return Result::Ok();
+}
+
+// Pixels of an image moved to where an orientation (Files/PictureOrientation.h) has them.
+void Turn(int orientation, vtkImageData* image)
+{
+  const int width = image->GetDimensions()[0];
+  const int height = image->GetDimensions()[1];
+  const bool isExchanged = orientation >= 5; // rows and columns
+  const bool isMirrored =
+    orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7;
+  const bool isUpsideDown =
+    orientation == 3 || orientation == 4 || orientation == 7 || orientation == 8;
+  vtkNew<vtkImageData> turned;
+  turned->SetDimensions(isExchanged ? height : width, isExchanged ? width : height, 1);
+  turned->AllocateScalars(image->GetScalarType(), image->GetNumberOfScalarComponents());
+  vtkDataArray* from = image->GetPointData()->GetScalars();
+  vtkDataArray* to = turned->GetPointData()->GetScalars();
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      // Column and row of the file, whose first row is the top one, as they are seen.
+      std::pair<int, int> seen(x, height - 1 - y);
+      if (isExchanged)
+      {
+        std::swap(seen.first, seen.second);
+      }
+      const int* size = turned->GetDimensions();
+      seen.first = isMirrored ? size[0] - 1 - seen.first : seen.first;
+      seen.second = isUpsideDown ? size[1] - 1 - seen.second : seen.second;
+      to->SetTuple(static_cast<vtkIdType>(size[1] - 1 - seen.second) * size[0] + seen.first,
+                   static_cast<vtkIdType>(y) * width + x, from);
+    }
+  }
+  image->ShallowCopy(turned);
 }
 
 } // namespace
@@ -81,8 +139,20 @@ Result ReadPictureFile(const std::string& path, vtkImageData* image)
     WAFT_RETURN_IF_FAILED(CheckBmp(file.View()));
     return RunFile(vtkNew<vtkBMPReader>(), path, image);
   }
-  WAFT_RETURN_IF_FAILED(CheckTiff(file.View()));
-  return RunFile(vtkNew<vtkTIFFReader>(), path, image);
+  return RunTiff(file.View(), image);
+}
+
+Result ReadUprightPicture(const std::string& path, vtkImageData* image)
+{
+  WAFT_RETURN_IF_FAILED(ReadPictureFile(path, image));
+  FileBytes file;
+  WAFT_RETURN_IF_FAILED(file.Open(path));
+  const int orientation = PictureOrientation(file.View());
+  if (orientation != 1)
+  {
+    Turn(orientation, image);
+  }
+  return Result::Ok();
 }
 
 } // namespace waft

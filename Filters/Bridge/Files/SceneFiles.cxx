@@ -146,6 +146,13 @@ Result VtkSceneAssets::LoadMesh(const std::string& path, TriangleMesh& mesh) con
 Result VtkSceneAssets::LoadPicture(const std::string& path, Picture& picture) const
 {
   vtkNew<vtkImageData> image;
+  WAFT_RETURN_IF_FAILED(ReadUprightPicture(path, image));
+  return PictureFromImage(image, picture);
+}
+
+Result ReadStoredPicture(const std::string& path, Picture& picture)
+{
+  vtkNew<vtkImageData> image;
   WAFT_RETURN_IF_FAILED(ReadPictureFile(path, image));
   return PictureFromImage(image, picture);
 }

@@ -22,4 +22,8 @@ public:
                   Picture& picture) const override;
 };
 
+/// A picture whose pixels are where the file stores them, as texture coordinates have it;
+/// LoadPicture has them where they are seen.
+Result ReadStoredPicture(const std::string& path, Picture& picture);
+
 } // namespace waft

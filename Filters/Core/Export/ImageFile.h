@@ -8,7 +8,7 @@
 namespace waft
 {
 
-/// The bytes of an image as they stand in its file.
+/// The bytes of an image as they stand in its file, but for notes of how a camera was held.
 struct ImageFile
 {
   std::string Bytes;    // empty: no image

@@ -17,11 +17,10 @@ constexpr std::uint64_t MostPixelBytes = std::uint64_t{ 1 } << 28;
 /// At least one pixel, at most MostPixels and MostPixelBytes. pixelBytes: of an unpacked one.
 Result CheckPictureSize(std::uint64_t width, std::uint64_t height, std::uint64_t pixelBytes);
 
-/// Is a JPEG with a frame header of a size that may be read? What its data hold the decoder says.
+/// Is a JPEG in grey or colour with a frame header of a size that may be read? What its data hold
+/// the decoder says.
 Result CheckJpeg(std::string_view file);
 /// Is a BMP of 8 or 24 bits a pixel, uncompressed, with all its rows?
 Result CheckBmp(std::string_view file);
-/// Is a TIFF of 1 to 4 channels of 8 or 16 bits, whose first picture has all its strips or tiles?
-Result CheckTiff(std::string_view file);
 
 } // namespace waft

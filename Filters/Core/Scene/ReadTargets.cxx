@@ -224,6 +224,11 @@ std::vector<SceneReader::Target> SceneReader::ReadTargets(const SceneNode& node,
   const SceneNode image = node.At("image", "");
   const std::string path = this->File(image);
   Check(image, [&] { return this->Assets.LoadPicture(path, picture); });
+  const std::string remark = RemarkOnTransparency(picture);
+  if (!remark.empty() && !node.Has("classes"))
+  {
+    this->Out.Warnings.push_back(this->Name + ": " + image.Pointer() + ": " + remark);
+  }
   std::vector<int> classIds;
   std::vector<std::array<double, 3>> colors;
   if (node.Has("classes"))

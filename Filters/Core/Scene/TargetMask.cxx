@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 
 namespace waft
@@ -10,6 +11,8 @@ namespace waft
 
 namespace
 {
+
+constexpr float Solid = 0.99f; // alpha
 
 double ColorDistance(const std::array<double, 3>& a, const std::array<float, 4>& b)
 {
@@ -56,6 +59,24 @@ bool TargetMask::IsEmpty() const
   return std::none_of(this->Weights.begin(), this->Weights.end(), [](float w) { return w > 0.f; });
 }
 
+std::string RemarkOnTransparency(const Picture& picture)
+{
+  constexpr double most = 0.95; // of the pixels; round pictures in a square have less
+  const auto isSolid = [](const auto& p) { return p[3] >= Solid; };
+  const auto count = std::count_if(picture.Pixels.begin(), picture.Pixels.end(), isSolid);
+  const auto all = static_cast<long>(picture.Pixels.size());
+  if (count == all || static_cast<double>(count) < most * static_cast<double>(all))
+  {
+    return {};
+  }
+  char share[16];
+  std::snprintf(share, sizeof(share), "%.1f",
+                100.0 * static_cast<double>(count) / static_cast<double>(all));
+  return std::string(share) +
+         " % of the picture are opaque and want targets, whatever their colour, since the rest is "
+         "transparent: make its background transparent, or all of it opaque";
+}
+
 TargetMask MaskFromPicture(const Picture& picture,
                            const std::vector<std::array<double, 3>>& classColors)
 {
@@ -63,7 +84,7 @@ TargetMask MaskFromPicture(const Picture& picture,
   mask.Width = picture.Width;
   mask.Height = picture.Height;
   const bool isTransparent = std::any_of(picture.Pixels.begin(), picture.Pixels.end(),
-                                         [](const auto& p) { return p[3] < 0.99f; });
+                                         [](const auto& p) { return p[3] < Solid; });
   const std::array<double, 3> background = BackgroundColor(picture);
   const std::array<float, 4> backgroundPixel = { float(background[0]), float(background[1]),
                                                  float(background[2]), 1.f };

@@ -5,6 +5,7 @@
 #include "Scene/SceneAssets.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace waft
@@ -21,6 +22,10 @@ struct TargetMask
 
   bool IsEmpty() const;
 };
+
+/// What is odd about a picture whose outline is to be its transparency, a sentence; empty: nothing.
+/// One that is clear in a corner only would be a full rectangle of targets.
+std::string RemarkOnTransparency(const Picture& picture);
 
 /// The mask of a picture. Transparent pixels want nothing. A picture without transparency has a
 /// background, the commonest colour of its border, and a pixel wants a target as much as its colour
