@@ -110,6 +110,9 @@ class RunTest(unittest.TestCase):
                               on_progress=lambda _, text: not text.startswith("assimilation"))
         self.assertTrue(run.stopped)
         self.assertEqual(4, run.status)
+        # What the stages say from here on is for the caller, who may give them another input.
+        for stage in (run.planner, run.assimilation):
+            self.assertFalse(stage.GetClientSideObject().HasObserver("ErrorEvent"))
         run.delete()
 
     def stopped_at(self, quality, text):

@@ -14,7 +14,7 @@ from waft.reading import found_json
 from waft.resuming import Checkpoint, run_key
 from waft.scene import Scene
 from waft.texts import is_utf8, say, warn
-from waft.watching import Clock, is_main_thread
+from waft.watching import Clock
 from waft.writing import STATE, left_out, planned_objects, read_rows, result_names, result_place, settled, write_results
 
 if TYPE_CHECKING:
@@ -83,8 +83,8 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
         place = stack.enter_context(result_place(output)) if output is not None and is_first_rank() else None
         pipeline = Run(scene, database)
         stack.push(lambda error, *_: error and pipeline.delete())  # nobody else has a hold of its stages then
-        if not is_main_thread():
-            stack.callback(lambda: [watch.release() for watch in pipeline.watches.values()])
+        # What a stage says once it is the caller's, of an input that he changed, is for him to read.
+        stack.callback(lambda: [watch.release() for watch in pipeline.watches.values()])
         with Clock(time_limit, quiet, "stopped before the paths were planned: nothing was written", on_progress) as clock:
             clock.shares = {name: share for name, share in _SHARES.items() if name not in _WITHOUT[quality]}
             pipeline.read(clock)
