@@ -46,6 +46,8 @@ struct vtkMotionSceneReader::Contents
     if (result)
     {
       result = this->Wind.Build(scene);
+      const std::vector<std::string>& odd = this->Wind.Warnings();
+      scene.Warnings.insert(scene.Warnings.end(), odd.begin(), odd.end());
     }
     this->Error = result.Message();
     this->Scene = std::move(scene);

@@ -13,6 +13,10 @@ def _wind(file):
     return LEAF | {"winds": [{"file": file}]}
 
 
+def _fields(**fields):
+    return LEAF | {"winds": [{"file": "w.vti"} | fields]}
+
+
 def vtis():
     whole = good.vti()
     yield "cut in half", whole[:len(whole) // 2]
@@ -54,7 +58,6 @@ def pvds():
     yield "a file of another kind", good.pvd((0, "m.obj"))
     yield "itself", good.pvd((0, "w.pvd"))
     yield "one time twice", good.pvd((0, "a.vti"), (0, "b.vti"))
-    yield "times that fall", good.pvd((1, "a.vti"), (0, "b.vti"))
     yield "time nan", good.pvd(("nan", "a.vti"), (1, "b.vti"))
     yield "time inf", good.pvd((0, "a.vti"), ("inf", "b.vti"))
     yield "time abc", good.pvd((0, "a.vti"), ("abc", "b.vti"))
@@ -108,5 +111,22 @@ def cases():
     yield scene_case(group, "a velocity beside another wind", LEAF | {"winds": [{"file": "w.vti"}, {"file": "w.vti"}]},
                      "/winds", files={"w.vti": good.vti(name="Velocity")})
     yield scene_case(group, "a wind that is right", _wind("w.vti"), files={"w.vti": good.vti()}, status=(0,))
-    yield scene_case(group, "a series that is right", _wind("w.pvd"), files=BESIDE | {"w.pvd": good.pvd((0, "a.vti"), (1, "b.vti"))},
-                     status=(0,))
+    for name, times in (("that is right", (0, 1)), ("whose times fall", (1, 0))):
+        yield scene_case(group, f"a series {name}", _wind("w.pvd"), status=(0,),
+                         files=BESIDE | {"w.pvd": good.pvd(*zip(times, ("a.vti", "b.vti")))})
+    for name in ("U", "vel"):
+        yield scene_case(group, f"a velocity by the name {name}", _wind("w.vti"), status=(0,),
+                         files={"w.vti": good.vti(name=name)})
+    yield scene_case(group, "what there is in place of a wind", _wind("w.vti"), pointer, "`Draft` (3) of points", "`array`",
+                     files={"w.vti": good.vti(name="Draft")})
+    yield scene_case(group, "a field of another name", _fields(array="Draft"), status=(0,),
+                     files={"w.vti": good.vti(name="Draft")})
+    yield scene_case(group, "a field that is not there", _fields(array="Draft"), pointer, "`Draft`", "`Wind` (3)",
+                     files={"w.vti": good.vti()})
+    for field, values in (("array", ("", 1, ["Wind"], "a\u202eb")), ("up", ("x", "Y", 2, None)),
+                          ("firstFrame", (-1, 1.5, 10**7, "0")), ("scale", (0, -1, 1e308, "2", None))):
+        for value in values:
+            yield scene_case(group, f"{field} {value!r}", _fields(**{field: value}), f"{pointer}/{field}",
+                             files={"w.vti": good.vti()})
+    yield scene_case(group, "a field outside of the volume", _wind("w.vti"), "outside the volume",
+                     files={"w.vti": good.vti(origin="90 90 90")}, status=(0,))

@@ -18,8 +18,10 @@ void Read(const std::string& path)
 {
   Timeline line;
   line.NumberOfFrames = 31;
+  WindFile file;
+  file.Path = path;
   FieldSeries wind;
-  if (ReadWindFile(path, line, wind))
+  if (ReadWindFile(file, line, wind))
   {
     (void)wind.Sample(Vec3(0.1, -0.2, 1.3), 0.4);
     (void)wind.Sample(Vec3(1e6, -1e6, 1e6), 1e6);

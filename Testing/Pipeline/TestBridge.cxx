@@ -266,6 +266,27 @@ TEST(Bridge, WindStepsComeBack)
   EXPECT_EQ(back.Meaning, FieldMeaning::Acceleration);
 }
 
+TEST(Bridge, AWindByAnotherNameIsToldOf)
+{
+  vtkNew<vtkImageData> image;
+  FieldSeries wind;
+  wind.Dimensions = { 2, 2, 2 };
+  wind.Times = { 0.0 };
+  wind.Values.assign(1, FieldSeries::Field(8));
+  FieldSeriesToImage(wind, 0.0, SceneInfo(), image);
+  image->GetPointData()->GetArray("Wind")->SetName("U");
+  FieldCollector collector;
+  EXPECT_EQ(collector.Add(image, 0.0).Message(),
+            "Wind: expected the point data array `Wind` or `Velocity` of 3 components, found, with "
+            "their components: `U` (3) of points, none of cells");
+  FieldCollector air(FieldRole::Air);
+  EXPECT_NE(air.Add(image, 0.0).Message().find("Air: expected the point data array `Velocity`"),
+            std::string::npos);
+  FieldCollector file(FieldRole::WindFile);
+  EXPECT_TRUE(file.Add(image, 0.0));
+  EXPECT_EQ(file.Take().Meaning, FieldMeaning::Velocity);
+}
+
 TEST(Bridge, ShapesComeBack)
 {
   Shape leaf;

@@ -155,6 +155,10 @@ class SceneTest(unittest.TestCase):
             ("missing a required argument: 'max'", lambda: scene.add_box((0, 0, 0))),
             ("file: expected a file that is there", lambda: scene.add_mesh("none.obj")),
             ("file: expected series", lambda: scene.add_wind_file("none.obj")),
+            ("up: expected one of y, z", lambda: scene.add_wind_file("none.vti", up="x")),
+            ("first_frame: expected a whole number from 0", lambda: scene.add_wind_file("none.vti", first_frame=-1)),
+            ("scale: expected a number from 1e-09", lambda: scene.add_wind_file("none.vti", scale=0)),
+            ("array: expected a text of 1 to", lambda: scene.add_wind_file("none.vti", array="")),
             ("comment: expected a text, found 3", lambda: scene.add_wind_file("none.vti", comment=3)),
             ("path: ", lambda: scene.save(3)),
         ]

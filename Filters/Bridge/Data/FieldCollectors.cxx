@@ -4,12 +4,10 @@
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/Blocks.h"
-#include "Bridge/Data/ImageLattice.h"
 #include "Bridge/Data/SceneData.h"
 #include "Obstacles/SolidParts.h"
 
 #include <vtkCellArray.h>
-#include <vtkDataArray.h>
 #include <vtkFloatArray.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
@@ -326,56 +324,41 @@ std::vector<ObstacleMesh> ObstacleCollector::Take()
 
 Result FieldCollector::Add(vtkImageData* data, double time)
 {
-  const bool isWind = this->What == Takes::Wind;
-  const std::string name = isWind ? "Wind" : "Air";
+  const std::string name = this->Role == FieldRole::Air ? "Air" : "Wind";
   if (this->HasLattice && time <= this->LastTime)
   {
     return SeenAlready(name, time, this->LastTime);
   }
-  vtkPointData* arrays = data->GetPointData();
-  vtkDataArray* values = isWind ? arrays->GetArray(names::Wind) : nullptr;
-  const FieldMeaning meaning = values ? FieldMeaning::Acceleration : FieldMeaning::Velocity;
-  values = values ? values : arrays->GetArray(names::Velocity);
-  if (!values || values->GetNumberOfComponents() != 3)
+  FieldArrays field;
+  if (const Result found = FindField(data, this->Role, this->Array, field); !found)
   {
-    return Result::Error(name + ": expected the point data array " +
-                         (isWind ? "`Wind` or `Velocity`" : "`Velocity`") + " of 3 components");
+    return Result::Error(name + ": " + found.Message());
   }
-  FieldSeries lattice;
-  lattice.Meaning = meaning;
-  WAFT_RETURN_IF_FAILED(
-    LatticeFromImage(data, name, lattice.Dimensions, lattice.Origin, lattice.Spacing));
-  if (static_cast<std::size_t>(values->GetNumberOfTuples()) != lattice.NumberOfPoints())
-  {
-    return Result::Error(name + ": expected " + std::to_string(lattice.NumberOfPoints()) +
-                         " values, one a point, found " +
-                         std::to_string(values->GetNumberOfTuples()));
-  }
+  const SeriesLattice& lattice = field.Lattice;
   if (!this->HasLattice)
   {
-    this->Series = lattice;
+    this->Series = FieldSeries(lattice);
     this->HasLattice = true;
   }
   if (lattice.Dimensions != this->Series.Dimensions || lattice.Origin != this->Series.Origin ||
-      lattice.Spacing != this->Series.Spacing || meaning != this->Series.Meaning)
+      lattice.Spacing != this->Series.Spacing || lattice.Meaning != this->Series.Meaning)
   {
     return Result::Error(name + ": expected the same lattice and array at every time step");
   }
-  std::vector<std::array<float, 3>> step(static_cast<std::size_t>(values->GetNumberOfTuples()));
+  std::vector<std::array<float, 3>> step(lattice.NumberOfPoints());
   const limits::Range range =
-    meaning == FieldMeaning::Acceleration ? limits::Acceleration : limits::Velocity;
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    lattice.Meaning == FieldMeaning::Acceleration ? limits::Acceleration : limits::Velocity;
+  for (std::size_t i = 0; i < step.size(); ++i)
   {
     for (int c = 0; c < 3; ++c)
     {
-      const double value = values->GetComponent(i, c);
+      const double value = field.Value(static_cast<vtkIdType>(i), c);
       if (!range.Holds(value))
       {
-        return Result::Error(name + ": array `" + values->GetName() + "`: point " +
-                             std::to_string(i) + ": expected " + range.Text() + ", found " +
-                             NumberText(value));
+        return Result::Error(name + ": array `" + field.Name + "`: point " + std::to_string(i) +
+                             ": expected " + range.Text() + ", found " + NumberText(value));
       }
-      step[static_cast<std::size_t>(i)][static_cast<std::size_t>(c)] = static_cast<float>(value);
+      step[i][static_cast<std::size_t>(c)] = static_cast<float>(value);
     }
   }
   this->LastTime = time;

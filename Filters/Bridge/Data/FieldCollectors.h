@@ -7,10 +7,12 @@
 #include "Base/Mesh.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
+#include "Bridge/Data/FieldArrays.h"
 
 #include <vtkType.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkDataObject;
@@ -53,19 +55,19 @@ private:
 class FieldCollector
 {
 public:
-  enum class Takes
+  /// array: as FindField has it.
+  explicit FieldCollector(FieldRole role = FieldRole::Wind, std::string array = {}) :
+    Role(role), Array(std::move(array))
   {
-    Wind, // `Wind` (an acceleration), without it `Velocity`
-    Air   // `Velocity`
-  };
-  explicit FieldCollector(Takes what = Takes::Wind) : What(what) {}
+  }
   /// As that of ObstacleCollector.
   Result Add(vtkImageData* data, double time);
   /// Those since the last call.
   FieldSeries Take();
 
 private:
-  Takes What;         // errors begin with its name
+  FieldRole Role; // errors begin with its name
+  std::string Array;
   FieldSeries Series; // not yet taken
   bool HasLattice = false;
   double LastTime = 0.0;

@@ -146,7 +146,8 @@ Result MakeFiles(SceneContents scene, const std::string& folder, const std::stri
   Scene& parts = scene.Parts;
   if (!scene.Wind.IsEmpty() && parts.Winds.empty() && parts.WindFiles.empty())
   {
-    parts.WindFiles = { { AddWind(scene, folder, stem, files), {} } };
+    parts.WindFiles.emplace_back();
+    parts.WindFiles.back().Path = AddWind(scene, folder, stem, files);
   }
   SceneText text;
   WAFT_RETURN_IF_FAILED(FormatScene(parts, VtkSceneAssets(), folder, stem, text));

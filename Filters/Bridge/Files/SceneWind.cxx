@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/Files/SceneWind.h"
 
+#include "Base/Limits.h"
 #include "Bridge/Data/FieldCollectors.h"
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Files/WindFiles.h"
@@ -43,7 +44,7 @@ Result SceneWind::Build(const Scene& scene)
   for (const WindFile& file : scene.WindFiles)
   {
     FieldSeries wind;
-    const Result result = ReadWindFile(file.Path, scene.Info.Time, wind);
+    const Result result = ReadWindFile(file, scene.Info.Time, wind);
     if (!result)
     {
       return Result::Error(file.Location + ": " + result.Message());
@@ -54,6 +55,7 @@ Result SceneWind::Build(const Scene& scene)
       return Result::Error(file.Location + ": expected the only wind of the scene (its `Velocity` "
                                            "draws by drag and does not add up with others)");
     }
+    built.Remark(file, wind, scene.Info);
     built.Files.push_back(std::move(wind));
   }
   built.Lattice = LatticeOver(scene.Info.Bounds, built.Analytic);
@@ -70,6 +72,29 @@ Result SceneWind::Build(const Scene& scene)
   }
   *this = std::move(built);
   return Result::Ok();
+}
+
+// What of a file is odd: it is read well, and yet hardly what was meant.
+void SceneWind::Remark(const WindFile& file, const FieldSeries& wind, const SceneInfo& info)
+{
+  const double last = info.Time.Time(info.Time.NumberOfFrames - 1);
+  const auto frameOf = [&](double time)
+  { return NumberText(std::round(time * info.Time.FramesPerSecond), 10); };
+  if (wind.Times.size() > 1 && wind.Times.front() > last)
+  {
+    this->Odd.push_back(file.Location + ": the series begins at frame " +
+                        frameOf(wind.Times.front()) + ", the scene ends at frame " + frameOf(last) +
+                        ": its first field holds throughout; `firstFrame` says where it begins");
+  }
+  const Vec3 size = Vec3(wind.Dimensions[0] - 1, wind.Dimensions[1] - 1, wind.Dimensions[2] - 1)
+                      .cwiseProduct(wind.Spacing);
+  const Vec3 end = wind.Origin + size;
+  if ((wind.Origin.array() > info.Bounds.Max.array()).any() ||
+      (end.array() < info.Bounds.Min.array()).any())
+  {
+    this->Odd.push_back(file.Location + ": the wind's field is outside the volume: from " +
+                        PointText(wind.Origin) + " to " + PointText(end));
+  }
 }
 
 void SceneWind::WholeExtent(int extent[6]) const

@@ -20,6 +20,9 @@ public:
   /// when a file with `Velocity` comes together with another wind: drag and acceleration do not add
   /// up.
   Result Build(const Scene& scene);
+  /// What of the files is odd, a sentence each: a series that begins after the scene's end, a field
+  /// outside the volume.
+  const std::vector<std::string>& Warnings() const { return this->Odd; }
   bool IsEmpty() const { return this->Analytic.empty() && this->Files.empty(); }
   /// The extent of the lattice (0, -1, ... without wind).
   void WholeExtent(int extent[6]) const;
@@ -30,10 +33,12 @@ public:
   bool Makes(const FieldSeries& field) const;
 
 private:
+  void Remark(const WindFile& file, const FieldSeries& wind, const SceneInfo& info);
   FieldSeries At(double time) const; // with one step
 
   std::vector<AnalyticWind> Analytic;
   std::vector<FieldSeries> Files;
+  std::vector<std::string> Odd;
   FieldSeries Lattice; // its dimensions, origin, spacing and meaning
 };
 

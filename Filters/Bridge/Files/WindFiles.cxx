@@ -13,6 +13,8 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -35,7 +37,7 @@ Result AddWindStep(const std::string& path, double time, FieldCollector& collect
   return result ? result : Result::Error("\"" + path + "\": " + result.Message());
 }
 
-// The steps of a .pvd, times increasing.
+// The steps of a .pvd in the order of their times, whatever that of the entries is.
 Result PvdSteps(const std::string& path, std::vector<std::pair<double, std::string>>& steps)
 {
   FileBytes file;
@@ -64,12 +66,6 @@ Result PvdSteps(const std::string& path, std::vector<std::pair<double, std::stri
       return Result::Error(Quoted(name) + ": expected a timestep that is " + limits::Time.Text() +
                            ", found " + Quoted(text));
     }
-    if (!steps.empty() && time <= steps.back().first)
-    {
-      return Result::Error(Quoted(name) + ": expected timesteps that increase, found " +
-                           NumberText(time, 10) + " s after " + NumberText(steps.back().first, 10) +
-                           " s");
-    }
     steps.emplace_back(time, (std::filesystem::path(path).parent_path() / name).string());
   }
   if (!isCollection || !isWhole || tags.IsBroken())
@@ -77,8 +73,17 @@ Result PvdSteps(const std::string& path, std::vector<std::pair<double, std::stri
     return Result::Error("expected a whole ParaView collection of .vti files, found " +
                          std::string(isCollection ? "a cut or damaged one" : "none"));
   }
-  return steps.empty() ? Result::Error("expected at least one file in the collection, found none")
-                       : Result::Ok();
+  if (steps.empty())
+  {
+    return Result::Error("expected at least one file in the collection, found none");
+  }
+  std::stable_sort(steps.begin(), steps.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  const auto twice = std::adjacent_find(
+    steps.begin(), steps.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
+  return twice == steps.end() ? Result::Ok()
+                              : Result::Error("expected one file a timestep, found two at " +
+                                              NumberText(twice->first, 10) + " s");
 }
 
 // The one step of a field on another lattice, zero outside its own box.
@@ -106,13 +111,25 @@ FieldSeries OnLatticeOf(const FieldSeries& lattice, const FieldSeries& step)
   return moved;
 }
 
-Result ReadVdbSeries(const std::string& path, const Timeline& line, FieldSeries& wind)
+// The series that begins with a file: those of lower numbers may be of another year.
+std::vector<std::pair<int, std::string>> SeriesFrom(const std::string& path)
+{
+  std::vector<std::pair<int, std::string>> files = SeriesFiles(path);
+  const auto name = [](const std::string& file) { return std::filesystem::path(file).filename(); };
+  const auto first =
+    std::find_if(files.begin(), files.end(),
+                 [&](const auto& entry) { return name(entry.second) == name(path); });
+  files.erase(files.begin(), first == files.end() ? files.begin() : first);
+  return files;
+}
+
+Result ReadVdbSeries(const WindFile& whole, const Timeline& line, FieldSeries& wind)
 {
   FieldSeries series;
-  for (const auto& [frame, file] : SeriesFiles(path))
+  for (const auto& [frame, file] : SeriesFrom(whole.Path))
   {
     FieldSeries step;
-    Result result = ReadVectorVolume(file, line.Time(frame), step);
+    Result result = ReadVectorVolume(file, whole.Array, line.Time(frame), step);
     if (!result)
     {
       return Result::Error(file + ": " + result.Message());
@@ -144,46 +161,90 @@ Result ReadVdbSeries(const std::string& path, const Timeline& line, FieldSeries&
     return Result::Error("expected a .vdb file that can be read, found none");
   }
   wind = std::move(series);
-  return wind.Validate("Wind");
+  return Result::Ok();
+}
+
+Result ReadImages(const WindFile& file, const std::string& extension, FieldSeries& wind)
+{
+  std::vector<std::pair<double, std::string>> steps;
+  if (extension == ".vti")
+  {
+    steps.emplace_back(0.0, file.Path);
+  }
+  else
+  {
+    WAFT_RETURN_IF_FAILED(PvdSteps(file.Path, steps));
+  }
+  FieldCollector collector(FieldRole::WindFile, file.Array);
+  for (const auto& [time, image] : steps)
+  {
+    WAFT_RETURN_IF_FAILED(AddWindStep(image, time, collector));
+  }
+  wind = collector.Take();
+  return Result::Ok();
+}
+
+// A point (x, y, z) of a file whose y axis is up is (x, -z, y), and so is a vector.
+void TurnYUp(FieldSeries& wind)
+{
+  const std::array<int, 3> n = wind.Dimensions;
+  const Vec3 last = wind.Origin + Vec3(n[0] - 1, n[1] - 1, n[2] - 1).cwiseProduct(wind.Spacing);
+  for (FieldSeries::Field& values : wind.Values)
+  {
+    FieldSeries::Field turned;
+    turned.reserve(values.size());
+    for (int j = 0; j < n[1]; ++j)
+    {
+      for (int k = n[2] - 1; k >= 0; --k)
+      {
+        for (int i = 0; i < n[0]; ++i)
+        {
+          const auto& v = values[(static_cast<std::size_t>(k) * n[1] + j) * n[0] + i];
+          turned.push_back({ v[0], -v[2], v[1] });
+        }
+      }
+    }
+    values = std::move(turned);
+  }
+  wind.Dimensions = { n[0], n[2], n[1] };
+  wind.Origin = Vec3(wind.Origin.x(), -last.z(), wind.Origin.y());
+  wind.Spacing = Vec3(wind.Spacing.x(), wind.Spacing.z(), wind.Spacing.y());
 }
 
 } // namespace
 
-Result ReadWindFile(const std::string& path, const Timeline& line, FieldSeries& wind)
+Result ReadWindFile(const WindFile& file, const Timeline& line, FieldSeries& wind)
 {
-  const std::string extension = Extension(path);
-  if (extension == ".vdb")
-  {
-    return ReadVdbSeries(path, line, wind);
-  }
-  std::vector<std::pair<double, std::string>> steps;
-  if (extension == ".vti")
-  {
-    steps.emplace_back(0.0, path);
-  }
-  else if (extension == ".pvd")
-  {
-    Result result = PvdSteps(path, steps);
-    if (!result)
-    {
-      return result;
-    }
-  }
-  else
+  const std::string extension = Extension(file.Path);
+  if (extension != ".vdb" && extension != ".vti" && extension != ".pvd")
   {
     return Result::Error("expected a .vti, .pvd or .vdb file, found \"" + extension + "\"");
   }
-  FieldCollector collector;
-  for (const auto& [time, file] : steps)
+  FieldSeries read;
+  WAFT_RETURN_IF_FAILED(extension == ".vdb" ? ReadVdbSeries(file, line, read)
+                                            : ReadImages(file, extension, read));
+  if (file.IsYUp)
   {
-    Result result = AddWindStep(file, time, collector);
-    if (!result)
+    TurnYUp(read);
+  }
+  const double shift = file.FirstFrame ? line.Time(*file.FirstFrame) - read.Times.front() : 0.0;
+  for (double& time : read.Times)
+  {
+    time += shift;
+  }
+  for (FieldSeries::Field& values : read.Values)
+  {
+    for (std::array<float, 3>& value : values)
     {
-      return result;
+      for (float& number : value)
+      {
+        number = static_cast<float>(file.Scale * number);
+      }
     }
   }
-  wind = collector.Take();
-  return wind.Validate("Wind");
+  WAFT_RETURN_IF_FAILED(read.Validate("Wind"));
+  wind = std::move(read);
+  return Result::Ok();
 }
 
 } // namespace waft

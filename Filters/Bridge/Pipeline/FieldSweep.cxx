@@ -127,7 +127,7 @@ Result FieldSweep::Take(vtkInformationVector** inputs, const Timeline& line)
   {
     this->Obstacles = ObstacleCollector();
     this->Wind = FieldCollector();
-    this->Air = FieldCollector(FieldCollector::Takes::Air);
+    this->Air = FieldCollector(FieldRole::Air);
   }
   if (!this->Sweep.HasNewStep())
   {

@@ -50,7 +50,7 @@ private:
   TimeSweep Sweep;
   ObstacleCollector Obstacles;
   FieldCollector Wind;
-  FieldCollector Air{ FieldCollector::Takes::Air };
+  FieldCollector Air{ FieldRole::Air };
   bool Keeps = false;
   bool IsKept = false;    // this run takes the obstacles of an earlier sweep
   bool MustSweep = false; // it cannot, after all

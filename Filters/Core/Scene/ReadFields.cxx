@@ -47,8 +47,8 @@ std::string EndingOf(const std::string& path)
   return ending;
 }
 
-// Whether the y axis of an obstacle's file is up, so that it is to be turned.
-bool IsYUp(const SceneNode& node, const std::string& path)
+// Whether the y axis of a file is up, so that it is to be turned.
+bool IsYUp(const SceneNode& node)
 {
   if (!node.Has("up"))
   {
@@ -59,10 +59,6 @@ bool IsYUp(const SceneNode& node, const std::string& path)
   if (axis != "y" && axis != "z")
   {
     up.Fail("y or z");
-  }
-  if (EndingOf(path) == ".glb")
-  {
-    up.FailWith("expected no `up` of a .glb file, whose y axis is up by its format");
   }
   return axis == "y";
 }
@@ -169,7 +165,13 @@ ObstacleMesh SceneReader::ReadObstacle(const SceneNode& node, int index)
     {
       file.Fail("a surface with triangles");
     }
-    if (IsYUp(node, path))
+    const bool isYUp = IsYUp(node);
+    if (node.Has("up") && EndingOf(path) == ".glb")
+    {
+      node.At("up", "").FailWith(
+        "expected no `up` of a .glb file, whose y axis is up by its format");
+    }
+    if (isYUp)
     {
       for (Vec3& p : obstacle.Mesh.Points)
       {
@@ -290,7 +292,28 @@ void SceneReader::ReadWinds(const SceneNode& node)
       {
         file.Fail("a .vti, .pvd or .vdb file");
       }
-      this->Out.WindFiles.push_back({ path, this->Name + ": " + file.Pointer() });
+      WindFile wind;
+      wind.Path = path;
+      wind.Location = this->Name + ": " + file.Pointer();
+      if (item.Has("array"))
+      {
+        wind.Array = item.At("array", "").Text();
+        constexpr std::size_t longest = 1000;
+        if (wind.Array.empty() || wind.Array.size() > longest)
+        {
+          item.At("array", "").Fail("the name of a field of the file");
+        }
+      }
+      wind.IsYUp = IsYUp(item);
+      if (item.Has("firstFrame"))
+      {
+        wind.FirstFrame = static_cast<int>(item.At("firstFrame", "").Integer("a frame"));
+      }
+      if (item.Has("scale"))
+      {
+        wind.Scale = item.At("scale", "").Number();
+      }
+      this->Out.WindFiles.push_back(std::move(wind));
       continue;
     }
     item.CheckFields("analyticWind");

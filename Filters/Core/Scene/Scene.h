@@ -9,6 +9,7 @@
 #include "Constraints/Constraint.h"
 #include "Scene/SceneAssets.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,12 @@ namespace waft
 /// A wind that is read from a file: .vti, .pvd or .vdb.
 struct WindFile
 {
-  std::string Path;     // resolved against the scene file's folder
-  std::string Location; // "FILE: /json/pointer", for messages
+  std::string Path;              // resolved against the scene file's folder
+  std::string Location;          // "FILE: /json/pointer", for messages
+  std::string Array;             // name of the field in it; empty: `Wind`, `Velocity` and the like
+  bool IsYUp = false;            // y is up in it, so that it is to be turned
+  std::optional<int> FirstFrame; // of its first field; none: as the file or its name says
+  double Scale = 1.0;            // of the values
 };
 
 /// Parts of a scene file as they were written, each a scene file itself, with names of files

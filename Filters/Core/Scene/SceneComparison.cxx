@@ -110,7 +110,11 @@ bool AreSameWinds(const Scene& a, const Scene& b)
   };
   return AreSame(a.Winds, b.Winds, isSame) &&
          AreSame(a.WindFiles, b.WindFiles,
-                 [](const WindFile& u, const WindFile& v) { return u.Path == v.Path; });
+                 [](const WindFile& u, const WindFile& v)
+                 {
+                   return u.Path == v.Path && u.Array == v.Array && u.IsYUp == v.IsYUp &&
+                          u.FirstFrame == v.FirstFrame && IsNear(u.Scale, v.Scale);
+                 });
 }
 
 } // namespace waft

@@ -186,7 +186,7 @@ const std::vector<SceneFieldTable>& SceneFieldTables()
         { "radius", Length },
         { "centerTime", Time },
         { "duration", Duration } } },
-    { "windFile", { "file" } },
+    { "windFile", { "file", "array", "up", { "firstFrame", Frame }, { "scale", Coefficient } } },
     { "vortex",
       { { "p1", Coordinate },
         { "p2", Coordinate },

@@ -178,7 +178,24 @@ void SceneFormat::WriteWinds()
     }
     for (const WindFile& file : this->In.WindFiles)
     {
-      list.push_back({ { "file", this->Relative(file.Path) } });
+      SceneJson json = { { "file", this->Relative(file.Path) } };
+      if (!file.Array.empty())
+      {
+        json["array"] = file.Array;
+      }
+      if (file.IsYUp)
+      {
+        json["up"] = "y";
+      }
+      if (file.FirstFrame)
+      {
+        json["firstFrame"] = *file.FirstFrame;
+      }
+      if (file.Scale != 1.0)
+      {
+        json["scale"] = file.Scale;
+      }
+      list.push_back(std::move(json));
     }
   }
   if (!list.empty())

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/VectorVolume.h"
 
+#include "Base/WindFields.h"
 #include "Volumes/VolumeFile.h"
 
-#include <algorithm>
+#include <array>
+#include <vector>
 
 namespace waft
 {
@@ -15,54 +17,67 @@ constexpr double MostWindVoxels = 256.0 * 256.0 * 256.0;
 
 } // namespace
 
-Result ReadVectorVolume(const std::string& path, double time, FieldSeries& step)
+Result ReadVectorVolume(const std::string& path, const std::string& array, double time,
+                        FieldSeries& step)
 {
   VolumeContents contents;
   WAFT_RETURN_IF_FAILED(ListVolume(path, contents));
-  const auto named = [&](const char* name)
+  std::vector<NamedField> fields;
+  for (const VolumeGrid& grid : contents.Grids)
   {
-    return std::find_if(contents.Grids.begin(), contents.Grids.end(),
-                        [name](const VolumeGrid& grid) { return grid.Name == name; });
-  };
-  const auto wind = named("Wind");
-  const auto grid = wind != contents.Grids.end() ? wind : named("Velocity");
-  if (grid == contents.Grids.end())
-  {
-    return Result::Error("expected a vector grid `Wind` or `Velocity`, found neither");
+    fields.push_back({ grid.Name, grid.Components });
   }
-  const std::string location = "grid `" + grid->Name + "`: ";
-  if (grid->Components != 3)
+  WindFields chosen;
+  if (!ChooseWind(fields, array, chosen))
   {
-    return Result::Error(location + "expected vectors, found " + grid->Type);
+    return NoWind(array, ListOfFields(fields));
   }
-  if (grid->Active.IsEmpty())
+  const VolumeGrid* pattern = &contents.Grids[chosen.Fields.front()];
+  VoxelBox active;
+  for (const std::size_t index : chosen.Fields)
+  {
+    const VolumeGrid& grid = contents.Grids[index];
+    const std::string location = "grid `" + grid.Name + "`: ";
+    if (!grid.IsUpright)
+    {
+      return Result::Error(location + "expected a transform that scales and shifts only");
+    }
+    if (!HasLatticeOf(grid, *pattern))
+    {
+      return Result::Error(location + "expected the voxels of `" + pattern->Name + "`");
+    }
+    active.Add(grid.Active);
+  }
+  const std::string location = "grid `" + pattern->Name + "`: ";
+  if (active.IsEmpty())
   {
     return Result::Error(location + "expected active voxels, found none");
   }
-  if (grid->Active.NumberOfVoxels() > MostWindVoxels)
+  if (active.NumberOfVoxels() > MostWindVoxels)
   {
     return Result::Error(location + "expected at most 256^3 voxels, found " +
-                         std::to_string(static_cast<long>(grid->Active.NumberOfVoxels())));
+                         std::to_string(static_cast<long>(active.NumberOfVoxels())));
   }
-  if (!grid->IsUpright)
-  {
-    return Result::Error(location + "expected a transform that scales and shifts only");
-  }
-  VolumeField field;
-  WAFT_RETURN_IF_FAILED(ReadVolumeGrid(path, grid->Name, grid->Active, field));
   FieldSeries read;
-  read.Meaning = grid->Name == "Wind" ? FieldMeaning::Acceleration : FieldMeaning::Velocity;
-  read.Dimensions = grid->Active.Dimensions();
-  read.Spacing = grid->Spacing;
-  const std::array<int, 3>& first = grid->Active.First;
-  read.Origin = grid->Zero + Vec3(first[0], first[1], first[2]).cwiseProduct(grid->Spacing);
+  read.Meaning = chosen.Meaning;
+  read.Dimensions = active.Dimensions();
+  read.Spacing = pattern->Spacing;
+  const std::array<int, 3>& first = active.First;
+  read.Origin = pattern->Zero + Vec3(first[0], first[1], first[2]).cwiseProduct(pattern->Spacing);
   read.Times = { time };
-  read.Values.resize(1);
-  for (std::size_t i = 0; i < field.Values.size(); i += 3)
+  read.Values.assign(1, FieldSeries::Field(read.NumberOfPoints()));
+  for (std::size_t part = 0; part < chosen.Fields.size(); ++part)
   {
-    read.Values[0].push_back({ field.Values[i], field.Values[i + 1], field.Values[i + 2] });
+    VolumeField field;
+    WAFT_RETURN_IF_FAILED(
+      ReadVolumeGrid(path, contents.Grids[chosen.Fields[part]].Name, active, field));
+    const auto components = static_cast<std::size_t>(field.Components);
+    for (std::size_t i = 0; i < field.Values.size(); ++i)
+    {
+      read.Values[0][i / components][part + i % components] = field.Values[i];
+    }
   }
-  WAFT_RETURN_IF_FAILED(read.Validate(grid->Name));
+  WAFT_RETURN_IF_FAILED(read.Validate(pattern->Name));
   step = std::move(read);
   return Result::Ok();
 }

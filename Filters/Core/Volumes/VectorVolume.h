@@ -9,11 +9,12 @@
 namespace waft
 {
 
-/// Reads the vector grid `Wind` (an acceleration) or, without it, `Velocity` of a .vdb file as one
-/// step of a series at a time [s]: the voxels' centres inside the box of active voxels, in metres
-/// as the grid's transform says. The transform may scale and shift, not turn. Fails on a file that
-/// cannot be read, without such a grid, without active voxels, or with more than 256^3 voxels in
-/// the box.
-Result ReadVectorVolume(const std::string& path, double time, FieldSeries& step);
+/// Reads the wind of a .vdb file as one step of a series at a time [s]: the voxels' centres inside
+/// the box of active voxels, in metres as the transform says. array: the grid's name, empty: as
+/// ChooseWind takes it; three grids of numbers do as well. The transform may scale and shift, not
+/// turn. Fails on a file that cannot be read, without such a grid, without active voxels, or with
+/// more than 256^3 voxels in the box.
+Result ReadVectorVolume(const std::string& path, const std::string& array, double time,
+                        FieldSeries& step);
 
 } // namespace waft

@@ -276,6 +276,13 @@ void VoxelBox::Add(const VoxelBox& other)
   }
 }
 
+bool HasLatticeOf(const VolumeGrid& a, const VolumeGrid& b)
+{
+  const double least = a.Spacing.minCoeff();
+  return a.IsUpright && b.IsUpright && (a.Spacing - b.Spacing).norm() < 1e-6 * least &&
+         (a.Zero - b.Zero).norm() < 1e-3 * least;
+}
+
 Result ListVolume(const std::string& path, VolumeContents& contents)
 {
   return Guarded("an OpenVDB file that can be read",

@@ -60,6 +60,9 @@ struct VolumeGrid
   VoxelBox Active;             // of its active voxels
 };
 
+/// Whether voxels of the same indices are at the same places, and along the axes of the world.
+bool HasLatticeOf(const VolumeGrid& a, const VolumeGrid& b);
+
 struct VolumeContents
 {
   std::vector<VolumeGrid> Grids; // in the order of their names

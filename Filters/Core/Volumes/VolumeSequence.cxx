@@ -33,13 +33,6 @@ std::string FieldNameOf(const std::string& grid)
   return grid;
 }
 
-bool HasLatticeOf(const VolumeGrid& a, const VolumeGrid& b)
-{
-  const double least = a.Spacing.minCoeff();
-  return a.IsUpright && b.IsUpright && (a.Spacing - b.Spacing).norm() < 1e-6 * least &&
-         (a.Zero - b.Zero).norm() < 1e-3 * least;
-}
-
 } // namespace
 
 Result VolumeSequence::AddStep(int frame, const std::string& path, bool& hasLattice)

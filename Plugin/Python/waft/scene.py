@@ -207,7 +207,8 @@ class Scene:
         self._append("winds", "add_wind", "analyticWind", locals())
 
     @documented("windFile")
-    def add_wind_file(self, file: Path, *, comment: Optional[str] = None) -> None:
+    def add_wind_file(self, file: Path, *, array: Optional[str] = None, up: Optional[str] = None,
+                      first_frame: Optional[int] = None, scale: Optional[float] = None, comment: Optional[str] = None) -> None:
         """A wind from a file of fields."""
         self._append("winds", "add_wind_file", "windFile", locals())
 

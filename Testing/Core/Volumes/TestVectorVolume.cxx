@@ -55,7 +55,7 @@ TEST(VectorVolume, GivesTheLatticeAndTheValues)
   {
     const std::string path = WriteVolume(folder, name, 0.0);
     FieldSeries step;
-    const Result result = ReadVectorVolume(path, 0.5, step);
+    const Result result = ReadVectorVolume(path, "", 0.5, step);
     ASSERT_TRUE(result) << result.Message();
     EXPECT_EQ(step.Meaning == FieldMeaning::Acceleration, std::string(name) == "Wind");
     EXPECT_EQ(step.Dimensions, (std::array<int, 3>{ 5, 3, 4 }));
@@ -65,23 +65,71 @@ TEST(VectorVolume, GivesTheLatticeAndTheValues)
   }
 }
 
+TEST(VectorVolume, TakesTheNamesOfOtherPrograms)
+{
+  const test::TemporaryFolder folder;
+  for (const char* name : { "vel", "velocity", "VELOCITY", "U", "v" })
+  {
+    FieldSeries step;
+    EXPECT_TRUE(ReadVectorVolume(WriteVolume(folder, name, 0.0), "", 0.0, step)) << name;
+    EXPECT_EQ(step.Meaning, FieldMeaning::Velocity);
+  }
+  FieldSeries step;
+  const std::string path = WriteVolume(folder, "Pressure", 0.0);
+  EXPECT_TRUE(ReadVectorVolume(path, "Pressure", 0.0, step));
+  EXPECT_EQ(step.Meaning, FieldMeaning::Velocity);
+}
+
+TEST(VectorVolume, TakesThreeGridsOfNumbers)
+{
+  const test::TemporaryFolder folder;
+  openvdb::initialize();
+  openvdb::GridPtrVec grids;
+  const char* names[] = { "vel.x", "vel.y", "vel.z" };
+  for (int part = 0; part < 3; ++part)
+  {
+    auto grid = openvdb::FloatGrid::create();
+    grid->setName(names[part]);
+    grid->setTransform(openvdb::math::Transform::createLinearTransform(0.5));
+    // Each has other voxels: the box is that of all.
+    grid->getAccessor().setValue(openvdb::Coord(part, 0, 0), float(part + 1));
+    grid->getAccessor().setValue(openvdb::Coord(1, 1, 1), float(10 * (part + 1)));
+    grids.push_back(grid);
+  }
+  const std::string path = folder.File("parts.vdb");
+  openvdb::io::File file(path);
+  file.write(grids);
+  file.close();
+  FieldSeries step;
+  const Result result = ReadVectorVolume(path, "", 0.0, step);
+  ASSERT_TRUE(result) << result.Message();
+  EXPECT_EQ(step.Dimensions, (std::array<int, 3>{ 3, 2, 2 }));
+  EXPECT_EQ(step.Meaning, FieldMeaning::Velocity);
+  EXPECT_LT((step.Sample(Vec3(0.5, 0.5, 0.5), 0.0) - Vec3(10.0, 20.0, 30.0)).norm(), 1e-5);
+  EXPECT_LT((step.Sample(Vec3(0.0, 0.0, 0.0), 0.0) - Vec3(1.0, 0.0, 0.0)).norm(), 1e-5);
+  EXPECT_LT((step.Sample(Vec3(1.0, 0.0, 0.0), 0.0) - Vec3(0.0, 0.0, 3.0)).norm(), 1e-5);
+}
+
 TEST(VectorVolume, SaysWhatIsWrong)
 {
   const test::TemporaryFolder folder;
   FieldSeries step;
   step.Times = { 7.0 };
   const std::string other = WriteVolume(folder, "Pressure", 0.0);
-  EXPECT_NE(ReadVectorVolume(other, 0.0, step).Message().find("found neither"), std::string::npos);
-  const std::string turned = WriteVolume(folder, "Wind", 0.3);
-  EXPECT_NE(ReadVectorVolume(turned, 0.0, step).Message().find("scales and shifts"),
+  EXPECT_NE(ReadVectorVolume(other, "", 0.0, step).Message().find("`Pressure` (3)"),
             std::string::npos);
-  EXPECT_FALSE(ReadVectorVolume(folder.Write("text.vdb", "no volume"), 0.0, step));
-  EXPECT_FALSE(ReadVectorVolume("/nowhere.vdb", 0.0, step));
+  EXPECT_NE(ReadVectorVolume(other, "vel", 0.0, step).Message().find("expected vectors `vel`"),
+            std::string::npos);
+  const std::string turned = WriteVolume(folder, "Wind", 0.3);
+  EXPECT_NE(ReadVectorVolume(turned, "", 0.0, step).Message().find("scales and shifts"),
+            std::string::npos);
+  EXPECT_FALSE(ReadVectorVolume(folder.Write("text.vdb", "no volume"), "", 0.0, step));
+  EXPECT_FALSE(ReadVectorVolume("/nowhere.vdb", "", 0.0, step));
   std::fstream newer(turned, std::ios::binary | std::ios::in | std::ios::out);
   newer.seekp(8).write("\xff\xff\xff\xff", 4);
   newer.close();
   testing::internal::CaptureStderr();
-  EXPECT_NE(ReadVectorVolume(turned, 0.0, step).Message().find("version 4294967295"),
+  EXPECT_NE(ReadVectorVolume(turned, "", 0.0, step).Message().find("version 4294967295"),
             std::string::npos);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   EXPECT_EQ(step.Times, std::vector<double>{ 7.0 }) << "left as it was";
