@@ -42,6 +42,17 @@ void Join(vtkSMProxy* stage, const char* input, const Source& source)
 
 vtkSMMotionAnimationProxy::~vtkSMMotionAnimationProxy() = default;
 
+void vtkSMMotionAnimationProxy::CreateVTKObjects()
+{
+  this->Superclass::CreateVTKObjects();
+  // Its stages count as its producers, and ParaView's time keeper takes no times from the producers
+  // of what tells times itself, which it knows by their parent: this source.
+  for (const char* name : Stages)
+  {
+    this->RemoveProducer(nullptr, this->GetProxy(name));
+  }
+}
+
 void vtkSMMotionAnimationProxy::UpdateVTKObjects()
 {
   vtkSMProxy* scene = this->GetProxy("Scene");

@@ -51,6 +51,8 @@ protected:
   vtkSMMotionAnimationProxy() = default;
   ~vtkSMMotionAnimationProxy() override;
 
+  void CreateVTKObjects() override;
+
 private:
   vtkSMMotionAnimationProxy(const vtkSMMotionAnimationProxy&) = delete;
   void operator=(const vtkSMMotionAnimationProxy&) = delete;

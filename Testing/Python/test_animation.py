@@ -178,6 +178,15 @@ class AnimationTest(unittest.TestCase):
         self.assertEqual(len(times), 40)
         self.assertAlmostEqual(times[-1], 39 / 30)
 
+    def test_the_session_has_the_frames_of_the_scene(self):
+        self.make(StopAfter="Scene")
+        self.assertEqual(len(simple.GetTimeKeeper().TimestepValues), 40)
+        scene = simple.GetAnimationScene()
+        scene.UpdateAnimationUsingDataTimeSteps()
+        self.assertAlmostEqual(scene.EndTime, 39 / 30)
+        scene.AnimationTime = 1.0
+        self.assertAlmostEqual(scene.AnimationTime, 1.0)
+
     def test_a_state_keeps_it(self):
         animation = self.make(StopAfter="Plan", Quality="Paper", Seed=3)
         state = str(self.folder / "kept.pvsm")
