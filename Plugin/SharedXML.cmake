@@ -27,17 +27,17 @@ set(WAFT_SLICES [=[
       <Property name="GoOn" command="GoOn" panel_visibility="never">
         <Documentation>The next update goes on with the work that is held; nothing where none is.</Documentation>
       </Property>
-      <IntVectorProperty name="Complete" command="GetComplete" information_only="1">
+      <IntVectorProperty name="Complete" command="GetComplete" information_only="1" panel_visibility="advanced">
         <SimpleIntInformationHelper/>
-        <Documentation>1: the last update gave the whole result; 0: the motion so far.</Documentation>
+        <Documentation>1: nothing is left to do, the last update gave the whole result or failed; 0: it gave the motion so far.</Documentation>
       </IntVectorProperty>
-      <DoubleVectorProperty name="WorkDone" command="GetWorkDone" information_only="1">
+      <DoubleVectorProperty name="WorkDone" command="GetWorkDone" information_only="1" panel_visibility="advanced">
         <SimpleDoubleInformationHelper/>
         <Documentation>Of the work that is held: 0 to 1.</Documentation>
       </DoubleVectorProperty>
-      <StringVectorProperty name="Message" command="GetProgressText" information_only="1">
+      <StringVectorProperty name="Message" command="GetProgressText" information_only="1" panel_visibility="advanced">
         <SimpleStringInformationHelper/>
-        <Documentation>What the stage does; done in the end.</Documentation>
+        <Documentation>What the stage does; done in the end, or why it failed.</Documentation>
       </StringVectorProperty>]=])
 string(CONFIGURE "${WAFT_SLICES}" WAFT_SLICES @ONLY)
 # Waft Animation hands it to its stages.

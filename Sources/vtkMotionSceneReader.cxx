@@ -133,7 +133,7 @@ int vtkMotionSceneReader::RequestInformation(vtkInformationVector* outputs)
   wind->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   if (this->FileName.empty())
   {
-    return 1; // a reader that was just made: RequestData asks for the name
+    return waft::FailInformation(outputs); // RequestData asks for the name
   }
   if (!this->Read->Cache.IsCurrent(this, nullptr))
   {
@@ -144,14 +144,15 @@ int vtkMotionSceneReader::RequestInformation(vtkInformationVector* outputs)
       vtkWarningMacro(<< warning);
     }
   }
-  if (this->Read->Error.empty())
+  if (!this->Read->Error.empty())
   {
-    waft::SetTimeSteps(this->Read->Scene.Info.Time, outputs);
-    waft::SetStandsStill(outputs->GetInformationObject(OBSTACLES), !this->Read->IsMoving);
-    waft::SetStandsStill(wind, this->Read->Wind.IsEmpty());
-    this->Read->Wind.WholeExtent(extent);
-    wind->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+    return waft::FailInformation(outputs);
   }
+  waft::SetTimeSteps(this->Read->Scene.Info.Time, outputs);
+  waft::SetStandsStill(outputs->GetInformationObject(OBSTACLES), !this->Read->IsMoving);
+  waft::SetStandsStill(wind, this->Read->Wind.IsEmpty());
+  this->Read->Wind.WholeExtent(extent);
+  wind->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   return 1;
 }
 

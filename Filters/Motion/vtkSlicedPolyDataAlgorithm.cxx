@@ -3,6 +3,7 @@
 
 #include "Base/SliceOptions.h"
 #include "Bridge/Pipeline/KeptStage.h"
+#include "Bridge/Pipeline/StageFailure.h"
 #include "Bridge/Pipeline/StageOptions.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ void vtkSlicedPolyDataAlgorithm::GoOn()
 
 int vtkSlicedPolyDataAlgorithm::GetComplete()
 {
-  return this->Kept().IsComplete() ? 1 : 0;
+  return waft::HasFailed(this) || this->Kept().IsComplete() ? 1 : 0;
 }
 
 double vtkSlicedPolyDataAlgorithm::GetWorkDone()

@@ -37,8 +37,8 @@ public:
   void WorkInSlices();
   /** The next update goes on with the work that is held; nothing where none is. */
   void GoOn();
-  /** 1 when what the last update gave is the whole result, 0 when it is not: the stage's own work
-   * is held, or an input is not complete. */
+  /** 1 when nothing is left to do: what the last update gave is the whole result, or it failed. 0
+   * when it is not: the stage's own work is held, or an input is not complete. */
   int GetComplete();
   /** Of the work that is held: 0 to 1. */
   double GetWorkDone();

@@ -80,6 +80,26 @@ void vtkSMMotionAnimationProxy::UpdateVTKObjects()
   }
 }
 
+void vtkSMMotionAnimationProxy::UpdatePropertyInformation(vtkSMProperty* property)
+{
+  vtkSMProxy* owner = property != nullptr ? property->GetParent() : nullptr;
+  if (owner != nullptr && owner != this)
+  {
+    owner->UpdatePropertyInformation(property);
+    return;
+  }
+  this->Superclass::UpdatePropertyInformation(property);
+}
+
+void vtkSMMotionAnimationProxy::PostUpdateData(bool usingCache)
+{
+  this->Superclass::PostUpdateData(usingCache);
+  for (const char* told : { "Complete", "Message" })
+  {
+    this->UpdatePropertyInformation(this->GetProperty(told));
+  }
+}
+
 bool vtkSMMotionAnimationProxy::AreInRange(int quality, int stop)
 {
   const bool isQuality = quality >= PREVIEW && quality <= PAPER;

@@ -46,12 +46,16 @@ public:
   };
 
   void UpdateVTKObjects() override;
+  using Superclass::UpdatePropertyInformation;
+  /// Those that are a stage's own as well.
+  void UpdatePropertyInformation(vtkSMProperty* property) override;
 
 protected:
   vtkSMMotionAnimationProxy() = default;
   ~vtkSMMotionAnimationProxy() override;
 
   void CreateVTKObjects() override;
+  void PostUpdateData(bool usingCache) override;
 
 private:
   vtkSMMotionAnimationProxy(const vtkSMMotionAnimationProxy&) = delete;

@@ -17,7 +17,6 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkVersionMacros.h>
 
-#include "Base/MessageText.h"
 #include "Bridge/Data/SceneData.h"
 
 #include <algorithm>
@@ -65,15 +64,38 @@ vtkInformationIntegerKey* StandsStillKey()
                : vtkInformationIntegerKey::MakeKey("STANDS_STILL", "waft");
 }
 
-bool StandsStill(vtkInformation* input)
+// What the stage itself says of the output that comes in.
+vtkInformation* ToldOf(vtkInformation* input)
 {
   vtkExecutive* producer = ProducerOf(input);
   if (producer != nullptr && producer->GetAlgorithm()->IsA("vtkPVPostFilter"))
   {
     // ParaView puts it behind each output of a proxy; it hands data through, but no key of ours.
-    input = producer->GetInputInformation(0)->GetInformationObject(0);
+    return producer->GetInputInformation(0)->GetInformationObject(0);
   }
-  return input != nullptr && input->Get(StandsStillKey()) != 0;
+  return input;
+}
+
+bool StandsStill(vtkInformation* input)
+{
+  vtkInformation* told = ToldOf(input);
+  return told != nullptr && told->Get(StandsStillKey()) != 0;
+}
+
+bool HasInputWithoutInformation(vtkAlgorithm* stage)
+{
+  for (int port = 0; port < stage->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < stage->GetNumberOfInputConnections(port); ++i)
+    {
+      vtkInformation* told = ToldOf(stage->GetInputInformation(port, i));
+      if (told != nullptr && HasNoInformation(told))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 bool HasDataTime(vtkInformation* input)
@@ -279,6 +301,10 @@ void TimeSweep::RequestSteps(vtkAlgorithm* stage, vtkInformation* request,
                              vtkInformationVector** inputs, vtkInformationVector* outputs,
                              bool isCurrent)
 {
+  if (HasFailed(stage)) // in the middle of an earlier sweep, perhaps
+  {
+    this->Step = 0;
+  }
   if (this->Step == 0)
   {
     this->NumberOfSteps = 1;
@@ -382,6 +408,7 @@ void PassTimeSteps(vtkAlgorithm* stage, vtkInformationVector** inputs,
       return;
     }
   }
+  RemoveTimes(outputs);
 }
 
 void SetTimeSteps(const Timeline& line, vtkInformationVector* outputs)
@@ -441,13 +468,29 @@ int GuardedRequest(vtkAlgorithm* stage, vtkInformation* request, vtkInformationV
                    const std::vector<PropertyRange>& properties,
                    const std::function<int()>& process)
 {
+  const bool isInformation = request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION());
+  const bool isData = request->Has(vtkDemandDrivenPipeline::REQUEST_DATA());
   std::string lack;
   try
   {
-    const bool usesThem = request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()) ||
-                          request->Has(vtkDemandDrivenPipeline::REQUEST_DATA());
-    const Result checked = usesThem ? CheckProperties(properties) : Result::Ok();
-    return checked ? process() : Fail(stage, outputs, checked.Message());
+    if (isData && HasFailedInput(stage, request, outputs))
+    {
+      return 1;
+    }
+    if (isInformation || isData)
+    {
+      const Result checked = CheckProperties(properties);
+      if (isInformation && (!checked || HasInputWithoutInformation(stage)))
+      {
+        return FailInformation(outputs);
+      }
+      if (!checked)
+      {
+        return Fail(stage, outputs, checked.Message());
+      }
+      ForgetFailure(stage, request, outputs);
+    }
+    return process();
   }
   catch (const std::bad_alloc&)
   {
@@ -468,25 +511,6 @@ int GuardedRequest(vtkAlgorithm* stage, vtkInformation* request, vtkInformationV
 bool IsPieceOfOthers(vtkInformation* request, vtkInformationVector* outputs)
 {
   return outputs->GetInformationObject(AskingPort(request))->Get(Sddp::UPDATE_PIECE_NUMBER()) > 0;
-}
-
-int Empty(vtkInformationVector* outputs)
-{
-  for (int out = 0; out < outputs->GetNumberOfInformationObjects(); ++out)
-  {
-    if (vtkDataObject* data = vtkDataObject::GetData(outputs->GetInformationObject(out)))
-    {
-      data->Initialize();
-    }
-  }
-  return 1;
-}
-
-int Fail(vtkAlgorithm* stage, vtkInformationVector* outputs, const std::string& message)
-{
-  Empty(outputs);
-  vtkErrorWithObjectMacro(stage, << MessageText(message));
-  return 0;
 }
 
 } // namespace waft

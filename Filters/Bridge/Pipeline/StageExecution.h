@@ -16,14 +16,15 @@
 //                        }
 //                        fill the outputs for RequestedTime(outputs, port);
 //
-// On a failure: return Fail(this, outputs, message), which reports and empties the outputs; return
-// 0.
+// On a failure: return Fail(this, outputs, message), which reports and empties the outputs
+// (StageFailure.h).
 #pragma once
 
 #include "Base/Monitor.h"
 #include "Base/Parallel.h"
 #include "Base/Types.h"
 #include "Bridge/Pipeline/PropertyCheck.h"
+#include "Bridge/Pipeline/StageFailure.h"
 
 #include <vtkType.h>
 
@@ -124,7 +125,7 @@ private:
 };
 
 /// The number of input ports of a stage is read from it; gives all outputs the time steps of the
-/// first input that has any, or whose data carry a scene's field data.
+/// first input that has any, or whose data carry a scene's field data, else none.
 void PassTimeSteps(vtkAlgorithm* stage, vtkInformationVector** inputs,
                    vtkInformationVector* outputs);
 /// Gives all outputs the frames of a time line.
@@ -144,8 +145,8 @@ double RequestedTimeOfAll(vtkInformation* request, vtkInformationVector* outputs
 /// The same as RequestedTime, as the nearest frame.
 int RequestedFrame(vtkInformationVector* outputs, int port, const Timeline& line);
 
-/// What every stage's ProcessRequest is: `process`, once the properties are in their ranges, with
-/// exceptions as errors (Fail).
+/// What every stage's ProcessRequest is: `process`, once the properties are in their ranges and no
+/// input is of a stage that failed, with exceptions as errors (Fail).
 int GuardedRequest(vtkAlgorithm* stage, vtkInformation* request, vtkInformationVector* outputs,
                    const std::vector<PropertyRange>& properties,
                    const std::function<int()>& process);
@@ -153,12 +154,5 @@ int GuardedRequest(vtkAlgorithm* stage, vtkInformation* request, vtkInformationV
 /// Whether a request is for the piece of another rank than the first. ParaView asks sources with a
 /// composite output for it, whether they say that they can give pieces or not.
 bool IsPieceOfOthers(vtkInformation* request, vtkInformationVector* outputs);
-
-/// Leaves every output empty; returns 1 for RequestData to return.
-int Empty(vtkInformationVector* outputs);
-
-/// Reports an error of the stage and leaves every output empty; returns 0 for RequestData to
-/// return.
-int Fail(vtkAlgorithm* stage, vtkInformationVector* outputs, const std::string& message);
 
 } // namespace waft

@@ -28,12 +28,14 @@ if _typing.TYPE_CHECKING:  # what __getattr__ finds
     from waft.measuring import measure
     from waft.showing import show
     from waft.synthesis import synthesize
+    from waft.updating import update
 
 __version__ = version()
-__all__ = ["BadInput", "Scene", "WaftError", "data_file", "fetch", "go_on", "load_plugin", "measure", "show", "synthesize", "version"]
+__all__ = ["BadInput", "Scene", "WaftError", "data_file", "fetch", "go_on", "load_plugin", "measure", "show", "synthesize", "update",
+           "version"]
 
 _LATER = {"fetch": "waft.fetching", "go_on": "waft.slices", "measure": "waft.measuring", "show": "waft.showing",
-          "synthesize": "waft.synthesis"}  # what takes its time to import, by its module
+          "synthesize": "waft.synthesis", "update": "waft.updating"}  # what takes its time to import, by its module
 _WRAPPED = ("vtkWaftSources", "vtkWaftFilters")
 
 

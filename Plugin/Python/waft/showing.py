@@ -7,6 +7,7 @@ from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from waft.failures import BadInput
+from waft.updating import update
 
 _SERIES = ("E", "Ex", "Ev", "Ec", "NewSegments")  # what of a table is drawn
 _DIRECTION = (-0.35, 1.0, -0.55)  # that the first camera looks in: from the front and above
@@ -21,7 +22,7 @@ def show(shown: Any, view: Any = None, port: Optional[int] = None) -> List[Any]:
     Of a stage every output that its proxy shows by itself: what is in space in a render view (view: default the active one, or a
     new one), a table of costs in a line chart with a logarithmic axis. An output that is named, by `port` or as OutputPort(stage, 1),
     is shown in any case. The camera takes all in, and the animation of the session has the frames of the scene. Returns the views, the one in
-    space first.
+    space first. Raises BadInput with the sentence of a stage that fails.
     """
     ports = [pair for one in (shown if isinstance(shown, (list, tuple)) else [shown]) for pair in _ports_of(one, port)]
     in_space = [output for output, kind in ports if kind == ""]
@@ -56,7 +57,7 @@ def _ports_of(shown, port):
         return [*_ports_of(shown.rotation, None), (simple.OutputPort(shown.reader, 2), ""), (marks, "")]
     if not isinstance(shown, servermanager.SourceProxy):
         raise BadInput(f"show: expected a stage, a Run or a list of stages, found {shown!r}")
-    shown.UpdatePipeline()
+    update(shown)
     count = shown.SMProxy.GetNumberOfOutputPorts()
     if port is None:
         port = shown.Port or None  # an OutputPort is its stage with the number of the port

@@ -1,31 +1,30 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Stages that work in slices: each update a bounded part, with the motion so far to look at."""
-from waft.failures import BadInput
+from waft.updating import check_proxy, update
 
 
 def go_on(source) -> bool:
     """Goes on with the work that a source holds, by one slice of its stages; True when nothing is left.
 
     source: a proxy, Waft Animation or a stage by itself, whose property Slice [s] is above 0. The first slice is done by
-    UpdatePipeline() or Show(). Works on a pvserver as well. Raises BadInput where source is no proxy.
+    UpdatePipeline() or Show(). Works on a pvserver as well. Raises BadInput where source is no proxy, and with the sentence of a
+    stage that fails: one that has failed has nothing left to do.
     """
-    if not hasattr(source, "SMProxy") or not hasattr(source, "UpdatePipeline"):
-        raise BadInput(f"source: expected a proxy of a source or filter, found {source!r}")
+    check_proxy(source)
     held = _held(source)
     for stage in held:
         stage.InvokeCommand("GoOn")
         stage.MarkModified(stage)
     if held:
         source.SMProxy.MarkModified(source.SMProxy)
-    source.UpdatePipeline()
+    update(source)
     return not _held(source)
 
 
 def _held(source):
     proxy = source.SMProxy
-    stages = [proxy]
-    if proxy.IsA("vtkSMCompoundSourceProxy"):
-        stages += [proxy.GetProxy(index) for index in range(proxy.GetNumberOfProxies())]
+    is_bundle = proxy.IsA("vtkSMCompoundSourceProxy")
+    stages = [proxy.GetProxy(index) for index in range(proxy.GetNumberOfProxies())] if is_bundle else [proxy]
     return [stage for stage in stages if _has_more(stage)]
 
 

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Updates of stages that do not fail in silence."""
+from waft.failures import BadInput
+
+_MARK = "Failure"  # field data of the outputs of a stage that failed, and of those after it: the sentence
+
+
+def update(source) -> None:
+    """Updates a source or filter, Waft Animation or a stage by itself; raises BadInput with the sentence of what failed, its own
+    or one that it takes from. Works on a pvserver as well. Raises BadInput where source is no proxy."""
+    check_proxy(source)
+    source.UpdatePipeline()
+    sentence = failure_of(source)
+    if sentence:
+        raise BadInput(sentence)
+
+
+def check_proxy(source):
+    if not hasattr(source, "SMProxy") or not hasattr(source, "UpdatePipeline"):
+        raise BadInput(f"source: expected a proxy of a source or filter, found {source!r}")
+
+
+def failure_of(source) -> str:
+    """The sentence that the last update of a source failed with; empty where it did not."""
+    proxy = source.SMProxy
+    for port in range(proxy.GetNumberOfOutputPorts()):
+        fields = proxy.GetOutputPort(port).GetDataInformation().GetFieldDataInformation()
+        mark = fields.GetArrayInformation(_MARK)
+        if mark is not None and mark.GetNumberOfStringValues() > 0:
+            return mark.GetStringValue(0)
+    return ""
