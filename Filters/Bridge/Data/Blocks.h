@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Inputs that consist of blocks (groups, extracted blocks, partitions), as what their readers take:
-// merged where that means something, else refused in words. Data without a point, cell or row count as
-// nothing, whatever their kind; owner is the input's name, for messages.
+// merged where that means something, else refused in words. Data without a point, cell or row count
+// as nothing, whatever their kind; owner is the input's name, for messages.
 #pragma once
 
 #include "Base/Result.h"

@@ -178,11 +178,13 @@ int AskingPort(vtkInformation* request)
            : 0;
 }
 
-// The time line that the data of an input carry, if any; a database or shapes have one of their own.
+// The time line that the data of an input carry, if any; a database or shapes have one of their
+// own.
 bool TimelineOf(vtkInformation* input, Timeline& line)
 {
   vtkDataObject* data = vtkDataObject::GetData(input);
-  if (!data || data->IsA("vtkMultiBlockDataSet") || !data->GetFieldData()->HasArray("NumberOfFrames"))
+  if (!data || data->IsA("vtkMultiBlockDataSet") ||
+      !data->GetFieldData()->HasArray("NumberOfFrames"))
   {
     return false;
   }

@@ -157,3 +157,28 @@ TEST(GroundEffect, WhatSettlesStraightOntoItIsThereInTheCushionsTime)
   }
   EXPECT_NEAR(time, 0.15, 0.03);
 }
+
+TEST(GroundEffect, WhatNothingAsksForIsBorneAtItsClearance)
+{
+  OnASlope scene;
+  const double low = 0.5 * Length + 0.01; // m
+  const double reach = 0.25 * Length;
+  EXPECT_EQ(scene.Ground.Factor(OnASlope::Above(low), 100.0), 1.0) << "until it is told from when";
+  scene.Ground.BearFrom(80.0);
+  EXPECT_EQ(scene.Ground.Factor(OnASlope::Above(low), 79.5), 1.0);
+  EXPECT_EQ(scene.Ground.Factor(OnASlope::Above(low + reach + 1e-9), 100.0), 1.0);
+  EXPECT_NEAR(scene.Ground.Factor(OnASlope::Above(low), 100.0), 0.0, 1e-9);
+  for (const double part : { 0.2, 0.5, 0.8 })
+  {
+    const Vec3 x = OnASlope::Above(low + part * reach);
+    Vec3 gradient;
+    EXPECT_NEAR(scene.Ground.Factor(x, 100.0, &gradient), part * part * (3.0 - 2.0 * part), 1e-6);
+    for (int c = 0; c < 3; ++c)
+    {
+      const Vec3 h = 1e-6 * Vec3::Unit(c);
+      const double slope =
+        (scene.Ground.Factor(x + h, 100.0) - scene.Ground.Factor(x - h, 100.0)) / 2e-6;
+      EXPECT_NEAR(gradient[c], slope, 1e-4) << part << " " << c;
+    }
+  }
+}
