@@ -90,6 +90,20 @@ def _contents_of_journals():
                     ".waft-move")
 
 
+def _in_the_way_of_moves():
+    """Something of the user's, or something else, where files that change hands would go."""
+    rows = [{"name": "one", **ROW}]
+    for kind, make in KINDS.items():
+        for which, place in (("new", "one"), ("old", ".waft-move/old/one")):
+            def change(r, mine, make=make, which=which, place=place):
+                _move(r, {"seal": "report.json", "new": [], "old": [], which: rows}, ["one"] if place == "one" else [])
+                if place != "one":
+                    (r / "one").write_bytes(TEXT)
+                (r / place).parent.mkdir(exist_ok=True, parents=True)
+                make(r / place, mine)
+            yield _case(f"a move to {place}, which is {kind}", change, MEASURE, "one", ".waft-move")
+
+
 def _manifests():
     seals = (("report.json", WRITE), ("page.json", PAGE), ("export-glb.json", EXPORT), ("pictures.json", RENDER),
              ("takes.json", ["takes", "scene.waft.json", "--seeds", "1", "--output", "r"]))
@@ -252,6 +266,7 @@ def _puts():
 def cases():
     yield from _names_of_journals()
     yield from _contents_of_journals()
+    yield from _in_the_way_of_moves()
     yield from _manifests()
     yield from _names_in_files()
     yield from _kinds()

@@ -208,7 +208,7 @@ class Results(Base):
             self.write("new")
         self.assertFalse((self.out / "report.json").exists())
         self.put("shapes.vtm")
-        with self.assertRaisesRegex(WaftError, "shapes.vtm: no run of waft wrote it"):
+        with self.assertRaisesRegex(BadInput, "shapes.vtm: no run of waft wrote it"):
             self.write("last")
         self.assertEqual("mine", (self.out / "shapes.vtm").read_text(encoding="utf-8"))
         (self.out / "shapes.vtm").unlink()

@@ -376,6 +376,8 @@ class ResultPlace:
         move = _Move(self.folder, self._room, self._owns)
         try:
             move.go_on()
+        except BadInput as error:
+            raise WaftError(str(error)) from error
         except OSError:
             move.undo()
             raise
@@ -456,13 +458,13 @@ class _Move:
         self._end()
 
     def _hand_over(self, source, name, target, new_name, entry):
-        """Moves a file, unless it was moved before; raises WaftError where one of the user's came in between."""
+        """Moves a file, unless it was moved before; raises BadInput where one of the user's came in between."""
         if source.about(name) is None:
             return
         for path, is_free in ((source.path / name, entry.fits(source, name)),
                               (target.path / new_name, target.about(new_name) is None)):
             if not is_free:
-                raise WaftError(f"{path}: {_NOT_OURS}; the results that were changing hands wait in {self._room.path / _MOVE}")
+                raise BadInput(f"{path}: {_NOT_OURS}; the results that were changing hands wait in {self._room.path / _MOVE}")
         if os.path.dirname(new_name):
             target.make_folder(os.path.dirname(new_name))
         source.move(name, target, new_name)
