@@ -12,6 +12,7 @@ import itertools
 import json
 import os
 import pathlib
+import re
 import shutil
 import struct
 import sys
@@ -156,6 +157,17 @@ class Mutations(unittest.TestCase):
         for cut in (0, 3, 12, 19, 20, 20 + size, 27 + size, len(whole) - 1):
             with Mutated("R/animation.glb", whole[:cut]):
                 self.judge("animation.glb", f"first {cut} bytes", PAGE, EXPORT)
+
+    def test_series(self):
+        for name, commands in (("obstacles.pvd", (PAGE, EXPORT, RENDER)), ("air.pvd", (MEASURE,)), ("shapes.vtm", (RENDER, EXPORT))):
+            whole = pathlib.Path(f"R/{name}").read_text(encoding="utf-8")
+            first = re.search(r"<DataSet[^>]*/>", whole)[0]
+            for before, after in ((first, ""), (first, first * 2), (re.findall(r"<DataSet.*/>", whole, re.DOTALL)[0], ""), ('file="', 'fill="'),
+                                  ('timestep="0"', 'timestep="nan"'), ('timestep="0"', 'timestep="x"'), ('timestep="0"', 'timestep="1e300"'),
+                                  ('index="0"', 'index="-1"'), ('index="0"', 'index="x"'), ('index="0"', 'index="9999"'), ("</", "<"),
+                                  (re.search('file="[^"]*"', first)[0], 'file="poses.vtp"'), (re.search('file="[^"]*"', first)[0], 'file=""')):
+                with Mutated(f"R/{name}", whole.replace(before, after, 1).encode()):
+                    self.judge(name, f"{before[:30]}: {after[:30]}", *commands)
 
     def test_tables(self):
         for name, commands in (("constraints.csv", (PAGE, EXPORT)), ("rounds.csv", (PAGE,)), ("convergence.csv", (PAGE,))):
