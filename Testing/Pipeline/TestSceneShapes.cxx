@@ -39,13 +39,27 @@ TEST(SceneShapes, NoPolygonIsLeftOut)
   const waft::test::TemporaryFolder folder;
   folder.Write("body.obj", "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 7\nv 1 1 1\n"
                            "v 0 1 6\nf 1 2 3 4\nf 5 6 7 8\nf 1 3 2 4\n");
+  // The same and a strip of two.
+  folder.Write("body.vtp", R"(<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian">
+    <PolyData><Piece NumberOfPoints="8" NumberOfStrips="1" NumberOfPolys="3">
+    <Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
+      0 0 0 1 1 0 1 0 0 0 1 0 0 0 1 1 0 7 1 1 1 0 1 6</DataArray></Points>
+    <Strips><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 3</DataArray>
+      <DataArray type="Int64" Name="offsets" format="ascii">4</DataArray></Strips>
+    <Polys><DataArray type="Int64" Name="connectivity" format="ascii">
+        0 1 2 3 4 5 6 7 0 2 1 3</DataArray>
+      <DataArray type="Int64" Name="offsets" format="ascii">4 8 12</DataArray></Polys>
+    </Piece></PolyData></VTKFile>)");
   vtkNew<vtkMotionSceneReader> reader;
-  reader->SetFileName(folder.Write("a.waft.json", R"({"waft": 1,
-    "shapes": {"own": {"mesh": "body.obj", "size": 0.3}}})"));
+  reader->SetFileName(folder.Write("a.waft.json", R"({"waft": 1, "shapes": {
+    "own": {"mesh": "body.obj", "size": 0.3}, "vtk": {"mesh": "body.vtp", "size": 0.3}}})"));
   reader->Update();
   const std::vector<waft::Shape> shapes = ShapesOf(reader);
-  ASSERT_EQ(shapes.size(), 1u);
+  ASSERT_EQ(shapes.size(), 2u);
   EXPECT_EQ(shapes[0].Mesh.Triangles.size(), 6u);
+  EXPECT_EQ(shapes[1].Mesh.Triangles.size(), 8u);
+  EXPECT_EQ(shapes[1].Mesh.Triangles[6], (std::array<int, 3>{ 0, 1, 2 }));
+  EXPECT_EQ(shapes[1].Mesh.Triangles[7], (std::array<int, 3>{ 2, 1, 3 }));
 }
 
 TEST(SceneShapes, TrianglesWithoutAreaAreToldWithTheirMesh)

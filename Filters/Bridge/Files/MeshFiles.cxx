@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/Files/MeshFiles.h"
 
-#include "Base/Limits.h"
 #include "Bridge/Data/Arrays.h"
-#include "Bridge/Data/FieldCollectors.h"
 #include "Bridge/Files/DataFiles.h"
 #include "Bridge/Files/FileReading.h"
 #include "Files/FileBytes.h"
 #include "Files/GltfMesh.h"
 #include "Files/MeshReaders.h"
 
+#include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
@@ -17,7 +16,6 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolygon.h>
-#include <vtkTriangleFilter.h>
 
 namespace waft
 {
@@ -59,13 +57,8 @@ void AddTriangles(const PolygonSurface& polygons, std::size_t first, std::size_t
   }
 }
 
-Result ReadPolygons(const std::string& path, Result (*read)(std::string_view, PolygonSurface&),
-                    SurfaceFile& surface)
+void SplitPolygons(PolygonSurface polygons, SurfaceFile& surface)
 {
-  FileBytes file;
-  WAFT_RETURN_IF_FAILED(file.Open(path));
-  PolygonSurface polygons;
-  WAFT_RETURN_IF_FAILED(read(file.View(), polygons));
   vtkNew<vtkPolygon> polygon;
   polygon->Points->SetDataTypeToDouble();
   vtkNew<vtkIdList> split;
@@ -77,19 +70,16 @@ Result ReadPolygons(const std::string& path, Result (*read)(std::string_view, Po
   }
   surface.Mesh.Points = std::move(polygons.Points);
   surface.TextureCoordinates = std::move(polygons.TextureCoordinates);
-  return Result::Ok();
 }
 
-Result CheckPoints(const TriangleMesh& mesh)
+Result ReadPolygons(const std::string& path, Result (*read)(std::string_view, PolygonSurface&),
+                    SurfaceFile& surface)
 {
-  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
-  {
-    if (!limits::Coordinate.HoldsAll(mesh.Points[i]))
-    {
-      return Result::Error("point " + std::to_string(i) +
-                           ": expected coordinates of at most 1e6, found others");
-    }
-  }
+  FileBytes file;
+  WAFT_RETURN_IF_FAILED(file.Open(path));
+  PolygonSurface polygons;
+  WAFT_RETURN_IF_FAILED(read(file.View(), polygons));
+  SplitPolygons(std::move(polygons), surface);
   return Result::Ok();
 }
 
@@ -106,24 +96,65 @@ Result ReadGltfSurface(const std::string& path, SurfaceFile& surface)
   return Result::Ok();
 }
 
+// The polygons of VTK's data; a strip is its triangles, every second of them turned back.
+Result PolygonsOf(vtkPolyData* data, PolygonSurface& polygons)
+{
+  vtkNew<vtkIdList> ids;
+  const auto add = [&](std::initializer_list<vtkIdType> corners)
+  {
+    for (const vtkIdType corner : corners)
+    {
+      polygons.Corners.push_back(static_cast<int>(ids->GetId(corner)));
+    }
+  };
+  for (vtkIdType cell = 0; cell < data->GetPolys()->GetNumberOfCells(); ++cell)
+  {
+    data->GetPolys()->GetCellAtId(cell, ids);
+    if (ids->GetNumberOfIds() > static_cast<vtkIdType>(MostCorners))
+    {
+      return Result::Error("polygon " + std::to_string(cell) + ": expected at most " +
+                           std::to_string(MostCorners) + " corners, found " +
+                           std::to_string(ids->GetNumberOfIds()));
+    }
+    for (vtkIdType i = 0; ids->GetNumberOfIds() > 2 && i < ids->GetNumberOfIds(); ++i)
+    {
+      add({ i });
+    }
+    polygons.Ends.push_back(polygons.Corners.size());
+  }
+  for (vtkIdType cell = 0; cell < data->GetStrips()->GetNumberOfCells(); ++cell)
+  {
+    data->GetStrips()->GetCellAtId(cell, ids);
+    for (vtkIdType i = 2; i < ids->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType odd = i % 2;
+      add({ i - 2 + odd, i - 1 - odd, i });
+      polygons.Ends.push_back(polygons.Corners.size());
+    }
+  }
+  return Result::Ok();
+}
+
 Result ReadPolyData(const std::string& path, SurfaceFile& surface)
 {
   vtkNew<vtkPolyData> data;
   WAFT_RETURN_IF_FAILED(ReadPolyDataFile(path, data));
-  vtkNew<vtkTriangleFilter> filter;
-  filter->SetInputData(data);
-  filter->PassLinesOff();
-  filter->PassVertsOff();
-  filter->Update();
-  vtkPolyData* triangles = filter->GetOutput();
-  vtkDataArray* coordinates = triangles->GetPointData()->GetTCoords();
+  if (data->GetNumberOfPoints() > static_cast<vtkIdType>(MostOfASurface))
+  {
+    return Result::Error("expected at most " + std::to_string(MostOfASurface) + " points, found " +
+                         std::to_string(data->GetNumberOfPoints()));
+  }
+  PolygonSurface polygons;
+  WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "mesh", polygons.Points));
+  WAFT_RETURN_IF_FAILED(PolygonsOf(data, polygons));
+  vtkDataArray* coordinates = data->GetPointData()->GetTCoords();
   for (vtkIdType i = 0; coordinates && i < coordinates->GetNumberOfTuples(); ++i)
   {
-    surface.TextureCoordinates.push_back(
+    polygons.TextureCoordinates.push_back(
       { coordinates->GetComponent(i, 0), coordinates->GetComponent(i, 1) });
   }
-  WAFT_RETURN_IF_FAILED(MeshFromPolyData(triangles, "mesh", surface.Mesh));
-  return CheckPoints(surface.Mesh);
+  SplitPolygons(std::move(polygons), surface);
+  return Result::Ok();
 }
 
 } // namespace
