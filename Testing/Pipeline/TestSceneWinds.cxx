@@ -162,7 +162,7 @@ TEST(SceneWinds, OfCellsAndOfThreeArrays)
   const vtkIdType right = wind->FindPoint(0.5, 0.5, 1.5);
   ASSERT_GE(right, 0);
   EXPECT_NEAR(wind->GetPointData()->GetArray("Velocity")->GetComponent(right, 0), 1.0, 1e-6);
-  EXPECT_NEAR(wind->GetPointData()->GetArray("Velocity")->GetComponent(right, 2), 20.0, 1e-6);
+  EXPECT_NEAR(wind->GetPointData()->GetArray("Velocity")->GetComponent(right, 2), 21.0, 1e-6);
 }
 
 TEST(SceneWinds, OfAFileWhoseYAxisIsUp)
