@@ -11,8 +11,8 @@ using namespace waft;
 namespace
 {
 
-constexpr int Frames = 91;
-constexpr double Rate = 30.0; // 1/s
+constexpr int FallFrames = 91;
+constexpr double FallRate = 30.0; // 1/s
 
 /// A body that falls through air that moves as one, and its path, which keeps its clearance.
 struct Falling
@@ -25,10 +25,10 @@ struct Falling
 
   explicit Falling(const Vec3& wind, double upTo = 0.0, bool moves = false)
   {
-    this->Scene.Time = { Frames, Rate };
+    this->Scene.Time = { FallFrames, FallRate };
     ObstacleMesh ground;
     ground.Mesh = MakeBox({ Vec3(-5.0, -5.0, -1.0), Vec3(5.0, 5.0, upTo) });
-    for (int f = 0; moves && f < Frames; ++f)
+    for (int f = 0; moves && f < FallFrames; ++f)
     {
       ground.Offsets.emplace_back(0.01 * f, 0.0, 0.0);
     }
@@ -36,18 +36,18 @@ struct Falling
     this->Body.SettlingSpeed = 0.8;
     this->Body.ClearanceRadius = 0.05;
     this->Body.RestHeight = 0.002;
-    for (int f = 0; f < Frames; ++f)
+    for (int f = 0; f < FallFrames; ++f)
     {
-      this->Path.emplace_back(0.0, 0.0, std::max(upTo + 0.06, 1.0 - f / Rate * 0.8));
+      this->Path.emplace_back(0.0, 0.0, std::max(upTo + 0.06, 1.0 - f / FallRate * 0.8));
     }
     FieldSeries air;
     air.Meaning = FieldMeaning::Velocity;
     air.Dimensions = { 2, 2, 2 };
     air.Origin = Vec3(-5.0, -5.0, 0.0);
     air.Spacing = Vec3::Constant(10.0);
-    for (int f = 0; f < Frames; ++f)
+    for (int f = 0; f < FallFrames; ++f)
     {
-      air.Times.push_back(f / Rate);
+      air.Times.push_back(f / FallRate);
       air.Values.emplace_back(
         8, std::array<float, 3>{ float(wind.x()), float(wind.y()), float(wind.z()) });
     }
@@ -69,7 +69,7 @@ TEST(FreeLanding, SinksFromItsClearanceToTheSurface)
   {
     const FreeLanding landing = Falling(Vec3::Zero(), top).Found();
     // The last of the way is as long as the way so far was quick.
-    EXPECT_NEAR(landing.Frame, (1.0 - top - 0.002) / 0.8 * Rate, 1.5) << top;
+    EXPECT_NEAR(landing.Frame, (1.0 - top - 0.002) / 0.8 * FallRate, 1.5) << top;
     EXPECT_LT((landing.Place - Vec3(0.0, 0.0, top)).norm(), 1e-9) << top;
   }
 }
@@ -87,7 +87,7 @@ TEST(FreeLanding, IsNoneWhereTheAirLiftsOrTheGroundMovesOrAMarkIsLater)
   EXPECT_LT(Falling(Vec3(0.0, 0.0, 1.2)).Found().Frame, 0);
   EXPECT_LT(Falling(Vec3::Zero(), 0.0, true).Found().Frame, 0);
   EXPECT_GE(Falling(Vec3::Zero()).Found(70).Frame, 70);
-  EXPECT_LT(Falling(Vec3::Zero()).Found(Frames).Frame, 0);
+  EXPECT_LT(Falling(Vec3::Zero()).Found(FallFrames).Frame, 0);
 }
 
 TEST(FreeLanding, OfADrifterIsARestOfNoRowThatLastsToTheEnd)
@@ -108,8 +108,8 @@ TEST(FreeLanding, OfADrifterIsARestOfNoRowThatLastsToTheEnd)
   EXPECT_EQ(drifter.FreeLanding()->Row, OfNoRow);
   EXPECT_EQ(drifter.FreeLanding()->Target, OfNoRow);
   EXPECT_EQ(FirstFrame(*drifter.FreeLanding()), 50);
-  EXPECT_EQ(LastFrame(*drifter.FreeLanding()), Frames - 1);
-  ASSERT_NE(drifter.HeldAt(Frames - 1), nullptr);
+  EXPECT_EQ(LastFrame(*drifter.FreeLanding()), FallFrames - 1);
+  ASSERT_NE(drifter.HeldAt(FallFrames - 1), nullptr);
   EXPECT_NEAR(drifter.HeldAt(50)->z(), body.RestHeight, 1e-12);
   EXPECT_EQ(drifter.HeldAt(49), nullptr);
 }
