@@ -70,11 +70,11 @@ std::string RemarkOnTransparency(const Picture& picture)
     return {};
   }
   char share[16];
-  std::snprintf(share, sizeof(share), "%.1f",
-                100.0 * static_cast<double>(count) / static_cast<double>(all));
-  return std::string(share) +
-         " % of the picture are opaque and want targets, whatever their colour, since the rest is "
-         "transparent: make its background transparent, or all of it opaque";
+  std::snprintf(share, sizeof(share), "%.2g",
+                100.0 * (1.0 - static_cast<double>(count) / static_cast<double>(all)));
+  return std::string("only ") + share +
+         " % of the picture are transparent, so that all the rest wants targets, whatever its "
+         "colour: make its background transparent, or all of it opaque";
 }
 
 TargetMask MaskFromPicture(const Picture& picture,

@@ -236,3 +236,19 @@ TEST(TargetSampling, ASurfaceIsSampledByArea)
   TriangleMesh nothing;
   EXPECT_FALSE(SampleSurface(nothing, 5, 2, 0, points));
 }
+
+TEST(TargetMask, APictureThatIsClearInACornerOnlyIsToldOf)
+{
+  Picture picture;
+  picture.Width = 100;
+  picture.Height = 100;
+  picture.Pixels.assign(10000, { 0.5f, 0.5f, 0.5f, 1.0f });
+  EXPECT_EQ(RemarkOnTransparency(picture), "");
+  picture.Pixels[0][3] = 0.0f;
+  EXPECT_EQ(RemarkOnTransparency(picture).find("only 0.01 % of the picture are transparent"), 0u);
+  for (std::size_t i = 0; i < 600; ++i)
+  {
+    picture.Pixels[i][3] = 0.0f;
+  }
+  EXPECT_EQ(RemarkOnTransparency(picture), "");
+}
