@@ -276,7 +276,8 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
   std::vector<std::atomic<bool>> isDone(count);
   std::atomic<std::size_t> done{ 0 };
   std::shared_mutex holding;
-  std::atomic<bool> stop{ false };
+  // Who wants the rows judged and nothing flown stops here: the first flight may take long.
+  std::atomic<bool> stop{ !monitor.Tick(0.04, "Planning") };
   objectOptions.Span.Stop = &stop;
   FreeSpaceGrids rooms(input, objectOptions.Span.Margin, stop);
   std::vector<unsigned char> isKnown(count, 0);

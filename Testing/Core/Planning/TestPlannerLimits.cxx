@@ -96,6 +96,33 @@ TEST(Planner, StopsWhenAskedInTheMiddleOfASearch)
   EXPECT_TRUE(output.Tracks.empty());
 }
 
+TEST(Planner, StoppedBeforeTheFirstFlightItHasJudgedTheRows)
+{
+  PlanScene scene;
+  scene.AddObject(Vec3(0, 0, 2));
+  constexpr int count = 3000; // one path through all of them takes minutes and gigabytes
+  scene.Scene.Time.NumberOfFrames = count + 2;
+  for (int frame = 1; frame <= count; ++frame)
+  {
+    scene.AddRow(ConstraintKind::Velocity, 0, frame, Vec3(0, 0, -0.0001));
+  }
+  scene.AddRow(ConstraintKind::Position, 0, 100, Vec3(0, 0, 9));
+  ASSERT_TRUE(bool(scene.Obstacles.Build(scene.Meshes)));
+  struct StopsAtSecond : Monitor
+  {
+    bool Tick(double, const std::string&) override { return ++this->Ticks < 2; }
+    int Ticks = 0;
+  } monitor;
+  PlanOutput output;
+  const PlanInput input{ test::SwirlDatabase(), scene.Objects, scene.Constraints, scene.Obstacles,
+                         scene.Scene };
+  const Result result = PlanMotion(input, PlanOptions(), SerialFor(), monitor, output);
+  EXPECT_TRUE(result.IsStopped());
+  EXPECT_TRUE(output.Tracks.empty());
+  ASSERT_EQ(output.Report.size(), count + 1u);
+  EXPECT_EQ(output.Report.back().Status, ConstraintStatus::Infeasible);
+}
+
 TEST(Planner, RefusesWhatIsMalformed)
 {
   PlanScene scene;
