@@ -9,6 +9,7 @@
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/ShapeData.h"
 #include "Bridge/Data/TrackData.h"
+#include "Bridge/Files/ShapeColors.h"
 #include "Bridge/Pipeline/KeptStage.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
@@ -74,6 +75,8 @@ struct vtkRotationRefineFilter::Internals : waft::KeptStage
   waft::AirOnTracks Air;
   waft::RotationOutput Rotation;
   waft::PosedMeshes Meshes;
+  std::vector<std::vector<std::array<double, 3>>> Colors; // by shape, of its points
+  std::vector<vtkMTimeType> ColoredShapes;                // that they are of
   waft::RotationInput Input;
   std::vector<waft::PoseTrack> PosesSoFar; // of Input
 
@@ -84,6 +87,7 @@ struct vtkRotationRefineFilter::Internals : waft::KeptStage
   ~Internals() override { this->Discard(); }
   waft::Result TakePass(vtkInformationVector** inputs, bool isFirst) override;
   waft::Result Take(vtkInformationVector** inputs, waft::RotationInput& input);
+  waft::Result BuildMeshes(vtkInformationVector** inputs, const waft::RotationInput& input);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   double Slice() const override { return this->Self->Slice; }
   void KeepSoFar() override;
@@ -117,6 +121,23 @@ waft::Result vtkRotationRefineFilter::Internals::Take(vtkInformationVector** inp
   return this->TakeConstraints(inputs[ConstraintsPort], input.Constraints);
 }
 
+waft::Result vtkRotationRefineFilter::Internals::BuildMeshes(vtkInformationVector** inputs,
+                                                             const waft::RotationInput& input)
+{
+  // Textures are read once, and not with each slice that the plan has come to.
+  const std::vector<vtkMTimeType> shapes = waft::InputSignature(inputs[ShapesPort]);
+  if (this->ColoredShapes != shapes || this->Colors.size() != input.Shapes.size())
+  {
+    this->ColoredShapes = shapes;
+    this->Colors.clear();
+    for (const waft::Shape& shape : input.Shapes)
+    {
+      this->Colors.push_back(waft::ColorsOfPoints(shape));
+    }
+  }
+  return this->Meshes.Build(input.Shapes, this->Colors, input.Objects, input.Tracks, this->Scene);
+}
+
 waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inputs,
                                                      waft::Monitor& monitor)
 {
@@ -132,7 +153,7 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
   input.Obstacles = &obstacles;
   const waft::FieldSeries wind = this->Fields.TakeWind();
   input.Wind = &wind;
-  WAFT_RETURN_IF_FAILED(this->Meshes.Build(input.Shapes, input.Objects, input.Tracks, this->Scene));
+  WAFT_RETURN_IF_FAILED(this->BuildMeshes(inputs, input));
   const waft::Result result =
     waft::RunRotationRefine(input, waft::OptionsOf<waft::RotationOptions>(*this->Self),
                             waft::SmpFor(), monitor, this->Rotation);
@@ -192,8 +213,7 @@ waft::Result vtkRotationRefineFilter::Internals::TakeSoFar(vtkInformationVector*
   WAFT_RETURN_IF_FAILED(
     waft::TracksFromPolyData(vtkPolyData::GetData(inputs[TracksPort]), this->Tracks));
   WAFT_RETURN_IF_FAILED(this->Take(inputs, this->Input));
-  WAFT_RETURN_IF_FAILED(
-    this->Meshes.Build(this->Input.Shapes, this->Input.Objects, this->Input.Tracks, this->Scene));
+  WAFT_RETURN_IF_FAILED(this->BuildMeshes(inputs, this->Input));
   this->KeepSoFar();
   return waft::Result::Ok();
 }

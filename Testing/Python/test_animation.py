@@ -97,6 +97,30 @@ class AnimationTest(unittest.TestCase):
                 self.assertEqual(last.SMProxy.GetXMLName(),
                                  "SPHSpacetimeFilter" if quality != "Preview" else "AirAssimilationFilter")
 
+    def test_bodies_have_the_colours_of_their_shapes(self):
+        scene = waft.Scene(seed=5)
+        scene.set_time(10)
+        scene.add_shape("plain", builtin="disc", color=(0.2, 0.4, 1.0))
+        scene.add_shape("painted", builtin="maple", texture=waft.data_file("Shapes/maple-red.png"))
+        scene.add_shape("tinted", builtin="maple", texture=waft.data_file("Shapes/maple-red.png"), color=(0.5, 1.0, 1.0))
+        for shape, x in (("plain", -1), ("painted", 0), ("tinted", 1)):
+            scene.add_object(shape, (x, 0, 3))
+        path = str(self.folder / "coloured.waft.json")
+        scene.save(path)
+        animation = simple.WaftAnimation(FileName=path, Quality="Paper", StopAfter="Plan")
+        self.addCleanup(lambda: simple.Delete(animation))
+        rotation = stage_of(animation, "Rotation")
+        animation.UpdatePipeline()
+        rotation.Active = 1
+        rotation.UpdatePipeline()
+        points = output(animation, "Rotation").GetPointData()
+        colors, shapes = (vtk_to_numpy(points.GetArray(name)) for name in ("Color", "ShapeId"))
+        plain, painted, tinted = (colors[shapes == k].astype(int) for k in range(3))
+        self.assertEqual({tuple(color) for color in plain}, {(51, 102, 255)})
+        self.assertGreater(len(np.unique(painted, axis=0)), 5, "the texture's, at each point")
+        self.assertGreater(painted[:, 0].mean(), 2 * painted[:, 2].mean(), "red")
+        np.testing.assert_allclose(tinted, painted * np.array([0.5, 1, 1]), atol=1)
+
     def test_stops_where_it_is_asked_to(self):
         firsts = {"Scene": "Objects", "Plan": "PlannedTracks", "Assimilation": "AssimilatedTracks",
                   "Optimisation": "OptimisedTracks", "Rotation": "Meshes"}

@@ -15,7 +15,10 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace waft
@@ -73,6 +76,7 @@ PosedMeshes::PosedMeshes() = default;
 PosedMeshes::~PosedMeshes() = default;
 
 Result PosedMeshes::Build(const std::vector<Shape>& shapes,
+                          const std::vector<std::vector<std::array<double, 3>>>& colors,
                           const std::vector<MotionObject>& objects,
                           const std::vector<Track>& tracks, const SceneInfo& info)
 {
@@ -93,6 +97,9 @@ Result PosedMeshes::Build(const std::vector<Shape>& shapes,
   vtkNew<vtkFloatArray> coordinates;
   coordinates->SetName("TextureCoordinates");
   coordinates->SetNumberOfComponents(2);
+  vtkNew<vtkUnsignedCharArray> skin;
+  skin->SetName(names::Color);
+  skin->SetNumberOfComponents(3);
   std::vector<int> pointObjects, pointShapes, cellObjects, cellShapes;
   for (const Track& track : tracks)
   {
@@ -120,11 +127,17 @@ Result PosedMeshes::Build(const std::vector<Shape>& shapes,
     {
       coordinates->InsertNextTuple2(uv[0], uv[1]);
     }
+    for (const auto& color : colors[static_cast<std::size_t>(shapeId)])
+    {
+      const auto byte = [](double part) { return std::round(255.0 * std::clamp(part, 0.0, 1.0)); };
+      skin->InsertNextTuple3(byte(color[0]), byte(color[1]), byte(color[2]));
+    }
   }
   this->Template->Initialize();
   this->Template->SetPolys(triangles);
   AddInts(this->Template->GetPointData(), names::ObjectId, pointObjects);
   AddInts(this->Template->GetPointData(), names::ShapeId, pointShapes);
+  this->Template->GetPointData()->AddArray(skin);
   AddInts(this->Template->GetCellData(), names::ObjectId, cellObjects);
   AddInts(this->Template->GetCellData(), names::ShapeId, cellShapes);
   if (textured)

@@ -10,6 +10,7 @@
 
 #include <vtkNew.h>
 
+#include <array>
 #include <vector>
 
 class vtkPolyData;
@@ -32,9 +33,12 @@ class PosedMeshes
 public:
   PosedMeshes();
   ~PosedMeshes();
-  /// Every track has an object, every object a shape (Fails otherwise).
-  Result Build(const std::vector<Shape>& shapes, const std::vector<MotionObject>& objects,
-               const std::vector<Track>& tracks, const SceneInfo& info);
+  /// Every track has an object, every object a shape (Fails otherwise). colors: by shape, of each
+  /// of its points, 0..1.
+  Result Build(const std::vector<Shape>& shapes,
+               const std::vector<std::vector<std::array<double, 3>>>& colors,
+               const std::vector<MotionObject>& objects, const std::vector<Track>& tracks,
+               const SceneInfo& info);
   /// frame is clamped to the frames there are. tracks: the ones of Build.
   void Fill(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses, int frame,
             vtkPolyData* data) const;
