@@ -134,6 +134,22 @@ void vtkSMMotionRepresentationProxy::SizeBy(const char* array)
   }
 }
 
+bool vtkSMMotionRepresentationProxy::ShowsMeasure()
+{
+  const char* array =
+    vtkSMPropertyHelper(this, "ColorArrayName", /*quiet=*/true).GetInputArrayNameToProcess();
+  const std::string name = array != nullptr ? array : "";
+  const bool isNumber = name == "ObjectId" || name == "ShapeId" || name == "ObstacleId";
+  vtkSMProperty* maps = this->GetProperty("MapScalars");
+  return !isNumber && (maps == nullptr || vtkSMPropertyHelper(maps).GetAsInt() != 0);
+}
+
+bool vtkSMMotionRepresentationProxy::SetScalarBarVisibility(vtkSMProxy* view, bool visible)
+{
+  return (!visible || this->ShowsMeasure()) &&
+         this->Superclass::SetScalarBarVisibility(view, visible);
+}
+
 void vtkSMMotionRepresentationProxy::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -26,6 +26,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   void UpdateVTKObjects() override;
+  using Superclass::SetScalarBarVisibility;
+  /// Numbers of things are no measure, and colours that are taken as they are have none: no bar is
+  /// shown for either.
+  bool SetScalarBarVisibility(vtkSMProxy* view, bool visible) override;
   int LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator) override;
 
 protected:
@@ -39,6 +43,7 @@ private:
   vtkPVDataInformation* Shown();
   void PutOn(vtkPVXMLElement* look);
   void SizeBy(const char* array);
+  bool ShowsMeasure();
 
   bool HasLook = false;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WaftToolBar.h"
 
+#include "WaftCamera.h"
 #include "WaftHold.h"
 #include "WaftStages.h"
 
@@ -32,7 +33,8 @@ constexpr int BarWidth = 360; // pixels
 
 } // namespace
 
-WaftToolBar::WaftToolBar(QWidget* parent) : QToolBar("Waft", parent), Hold(new WaftHold(this))
+WaftToolBar::WaftToolBar(QWidget* parent) :
+  QToolBar("Waft", parent), Camera(new WaftCamera(this)), Hold(new WaftHold(this))
 {
   this->setObjectName("WaftToolBar");
   this->Stop = this->AddButton("Stop", "Stop", "Hold the work of Waft; the motion so far stays");
@@ -86,6 +88,7 @@ QToolButton* WaftToolBar::AddButton(const char* name, const QString& text, const
 // Not those that a script makes, which expects the whole result.
 void WaftToolBar::onSourceMade(pqPipelineSource* source)
 {
+  this->Camera->Follow(source);
   waft::WorkInSlices(source->getProxy());
 }
 
@@ -167,6 +170,7 @@ void WaftToolBar::Draw()
 {
   QElapsedTimer clock;
   clock.start();
+  this->Camera->Refresh();
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   for (pqView* view : model->findItems<pqView*>())
   {

@@ -9,6 +9,7 @@
 
 class QProgressBar;
 class QToolButton;
+class WaftCamera;
 class WaftHold;
 class pqPipelineSource;
 
@@ -50,6 +51,7 @@ private:
   /// Renders all views.
   void Draw();
 
+  WaftCamera* Camera;
   QTimer Timer;
   WaftHold* Hold;
   QElapsedTimer SinceDrawn;

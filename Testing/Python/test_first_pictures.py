@@ -164,6 +164,27 @@ class FirstPicturesTest(unittest.TestCase):
         kept = picture.read(str(SOURCE / "Documentation" / "gallery" / path.name))
         self.assertLess(picture.differing(picture.read(str(path)), kept), most, path.name)
 
+    def test_an_animation_snaps_to_the_frames_of_a_scene(self):
+        view = fresh_view()
+        view.ViewSize = [60, 40]
+        waft.show(self.stages["WaftAnimation"], view)
+        scene = simple.GetAnimationScene()
+        steps = list(simple.GetTimeKeeper().TimestepValues)
+        self.assertTrue(set(self.stages["WaftAnimation"].TimestepValues) <= set(steps))
+        self.assertGreaterEqual(scene.NumberOfFrames, 40)
+        before = str(scene.PlayMode).strip("'")
+        scene.PlayMode = "Snap To TimeSteps"
+        simple.SaveAnimation(str(PLACE / "snap.png"), view, FrameWindow=[0, 9])
+        scene.PlayMode = before
+        self.assertEqual(len(list(PLACE.glob("snap.*.png"))), 10)
+
+    def test_numbers_of_objects_have_no_bar(self):
+        view = fresh_view()
+        for name, port, has in (("RotationRefineFilter", 0, False), ("StylisticPlannerFilter", 0, False), ("SPHSpacetimeFilter", 1, True)):
+            with self.subTest(proxy=name, port=port):
+                shown = simple.Show(simple.OutputPort(self.stages[name], port), view)
+                self.assertEqual(bool(shown.SMProxy.SetScalarBarVisibility(view.SMProxy, True)), has)
+
     def test_the_drawn_air_is_shown_by_its_streamlines(self):
         drift = self.stages["AirAssimilationFilter"]
         view, = waft.show(drift, fresh_view(), port=1)

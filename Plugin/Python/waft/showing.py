@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """First pictures in ParaView's views. How each port of a stage is shown is said by the hints of its proxy."""
+import itertools
 import math
 from typing import Any, List, Optional
 
+import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
@@ -12,7 +14,8 @@ from waft.updating import update
 _SERIES = ("E", "Ex", "Ev", "Ec", "NewSegments")  # what of a table is drawn
 _DIRECTION = (-0.35, 1.0, -0.55)  # that the first camera looks in: from the front and above
 _ROOM = 0.3  # round a single point, in metres
-_NEAR = 0.25  # of the extent of what flies: obstacles this near belong to the picture
+_NEAR = 0.05  # of the extent of what flies: obstacles this near belong to the picture
+_FILLED = 0.9  # of the view's height or width
 _COURSE = 1e-6  # of the largest cost: what is less is not drawn
 
 
@@ -34,7 +37,9 @@ def show(shown: Any, view: Any = None, port: Optional[int] = None) -> List[Any]:
         view = active if active is not None and active.SMProxy.IsA("vtkSMRenderViewProxy") else simple.CreateRenderView()
     for output in in_space:
         simple.Show(output, view)
-    simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
+    scene = simple.GetAnimationScene()
+    scene.UpdateAnimationUsingDataTimeSteps()
+    scene.NumberOfFrames = max(scene.NumberOfFrames, len(simple.GetTimeKeeper().TimestepValues or []))
     simple.Render(view)  # the first of a session sets the camera
     _look_at(view, in_space)
     simple.Render(view)
@@ -94,7 +99,8 @@ def _chart(output):
 
 
 def _look_at(view, outputs):
-    """Takes in all that is shown; of obstacles, a wide ground say, what is near the rest."""
+    """Takes in all that is shown, as near as it fits; of obstacles, a wide ground say, what is near the rest. Plugin/Qt/WaftFrame.cxx
+    says the same for the window."""
     outputs = [output for output in outputs if _about(output).GetNumberOfPoints() > 0]
     wide = [output for output in outputs if "ObstacleId" in output.PointData.keys()]
     low, high = _box([output for output in outputs if output not in wide] or wide)
@@ -107,12 +113,24 @@ def _look_at(view, outputs):
         high = [max(own, min(end, own + near)) for own, end in zip(high, most)]
     if low == high:
         low, high = [end - _ROOM for end in low], [end + _ROOM for end in high]
-    length = math.sqrt(sum(part * part for part in _DIRECTION))
-    view.CameraFocalPoint = [0, 0, 0]
-    view.CameraPosition = [-part / length for part in _DIRECTION]
-    view.CameraViewUp = [0, 0, 1]
-    view.UpdateVTKObjects()
-    view.SMProxy.ResetCamera([end for pair in zip(low, high) for end in pair])
+    forward = _unit(_DIRECTION)
+    right = _unit(np.cross(forward, (0.0, 0.0, 1.0)))
+    up = np.cross(right, forward)
+    width, height = view.ViewSize
+    aspect = width / height if width > 0 and height > 0 else 1.0
+    half = math.tan(math.radians(view.CameraViewAngle) / 2)
+    center = (np.array(low) + high) / 2
+    corners = np.array(list(itertools.product(*zip(low, high)))) - center
+    needed = np.maximum(np.abs(corners @ right) / aspect, np.abs(corners @ up))
+    distance = float(np.max(needed / (_FILLED * half) - corners @ forward))
+    view.InteractionMode = "3D"  # for what lies in a plane as well
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = center - distance * forward, center, [0, 0, 1]
+    view.CameraParallelScale = distance * half
+    view.CenterOfRotation = center
+
+
+def _unit(vector):
+    return np.array(vector) / np.linalg.norm(vector)
 
 
 def _box(outputs):

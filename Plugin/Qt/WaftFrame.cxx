@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WaftFrame.h"
+
+#include <pqDataRepresentation.h>
+#include <pqRenderView.h>
+
+#include <vtkBoundingBox.h>
+#include <vtkDataObject.h>
+#include <vtkMath.h>
+#include <vtkPVDataInformation.h>
+#include <vtkSMOutputPort.h>
+#include <vtkSMPropertyHelper.h>
+#include <vtkSMRenderViewProxy.h>
+#include <vtkVector.h>
+#include <vtkVectorOperators.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+
+namespace
+{
+
+const vtkVector3d Direction(-0.35, 1.0, -0.55); // that the camera looks in
+constexpr double Room = 0.3;                    // round a single point [m]
+constexpr double Near = 0.05;  // of the extent of what flies: obstacles this near belong to it
+constexpr double Filled = 0.9; // of the view's height or width
+
+vtkPVDataInformation* DataOf(pqDataRepresentation* shown)
+{
+  vtkSMOutputPort* port = vtkSMPropertyHelper(shown->getProxy(), "Input").GetAsOutputPort();
+  return port != nullptr ? port->GetDataInformation() : nullptr;
+}
+
+/// Of what flies; without any, of what stands.
+vtkBoundingBox BoxOf(const std::vector<pqDataRepresentation*>& shown)
+{
+  vtkBoundingBox flying, standing;
+  for (pqDataRepresentation* one : shown)
+  {
+    vtkPVDataInformation* data = DataOf(one);
+    if (data != nullptr && data->GetNumberOfPoints() > 0)
+    {
+      double bounds[6];
+      data->GetBounds(bounds);
+      const bool stands = data->GetArrayInformation("ObstacleId", vtkDataObject::POINT) != nullptr;
+      (stands ? standing : flying).AddBounds(bounds);
+    }
+  }
+  if (!flying.IsValid())
+  {
+    return standing;
+  }
+  const double near = Near * flying.GetMaxLength();
+  double bounds[6];
+  flying.GetBounds(bounds);
+  for (int axis = 0; standing.IsValid() && axis < 3; ++axis)
+  {
+    double& low = bounds[2 * axis];
+    double& high = bounds[2 * axis + 1];
+    low = std::min(low, std::max(standing.GetMinPoint()[axis], low - near));
+    high = std::max(high, std::min(standing.GetMaxPoint()[axis], high + near));
+  }
+  return vtkBoundingBox(bounds);
+}
+
+} // namespace
+
+bool IsMotion(pqDataRepresentation* shown)
+{
+  return shown->getProxy()->IsA("vtkSMMotionRepresentationProxy") != 0;
+}
+
+bool Frame(pqRenderView* view, const std::vector<pqDataRepresentation*>& shown)
+{
+  vtkBoundingBox box = BoxOf(shown);
+  if (!box.IsValid())
+  {
+    return false;
+  }
+  if (box.GetMaxLength() <= 0.0)
+  {
+    box.Inflate(Room);
+  }
+  vtkSMRenderViewProxy* proxy = view->getRenderViewProxy();
+  int size[2] = { 0, 0 };
+  vtkSMPropertyHelper(proxy, "ViewSize").Get(size, 2);
+  const double aspect = size[0] > 0 && size[1] > 0 ? static_cast<double>(size[0]) / size[1] : 1.0;
+  const double half = std::tan(
+    0.5 * vtkMath::RadiansFromDegrees(vtkSMPropertyHelper(proxy, "CameraViewAngle").GetAsDouble()));
+  const vtkVector3d forward = Direction.Normalized();
+  const vtkVector3d right = forward.Cross(vtkVector3d(0.0, 0.0, 1.0)).Normalized();
+  const vtkVector3d up = right.Cross(forward);
+  vtkVector3d center;
+  box.GetCenter(center.GetData());
+  double distance = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    vtkVector3d at;
+    box.GetCorner(corner, at.GetData());
+    at = at - center;
+    const double needed = std::max(std::abs(right.Dot(at)) / aspect, std::abs(up.Dot(at)));
+    distance = std::max(distance, needed / (Filled * half) - forward.Dot(at));
+  }
+  const vtkVector3d position = center - forward * distance;
+  const double vertical[3] = { 0.0, 0.0, 1.0 };
+  vtkSMPropertyHelper(proxy, "InteractionMode").Set(0); // in 3D, for what lies in a plane as well
+  vtkSMPropertyHelper(proxy, "CameraPosition").Set(position.GetData(), 3);
+  vtkSMPropertyHelper(proxy, "CameraFocalPoint").Set(center.GetData(), 3);
+  vtkSMPropertyHelper(proxy, "CameraViewUp").Set(vertical, 3);
+  vtkSMPropertyHelper(proxy, "CameraParallelScale").Set(distance * half);
+  vtkSMPropertyHelper(proxy, "CenterOfRotation").Set(center.GetData(), 3);
+  proxy->UpdateVTKObjects();
+  return true;
+}
+
+} // namespace waft

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""ParaView's own window on a virtual screen: the first picture of a Waft Animation by numbers, and Play.
+
+    test_play.py PARAVIEW XVFB PLUGINS MODULES"""
+import pathlib
+import sys
+import tempfile
+import unittest
+
+from window import play
+
+FRAMES, RATE = 40, 30  # of the scene that watch_play.py makes
+LEAST_SHARE = 0.001     # of the picture that two leaves of 25 cm on ways of a metre take
+LEAST_CONTRAST = 60.0  # of 255, against what is behind them
+
+
+class PlayTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory() as folder:
+            cls.status, cls.printed, notes = play("play.xml", pathlib.Path(folder), "watch_play.py", ends=False)
+        cls.first = next((note for note in notes if "share" in note), None)
+        cls.drawn = [note for note in notes if "time" in note]
+
+    def test_it_ends_without_a_complaint(self):
+        self.assertEqual(self.status, 0, self.printed)
+        for sign in ("ERR|", "FATL|", "Traceback", "critical:"):
+            self.assertNotIn(sign, self.printed)
+
+    def test_one_sentence_where_no_file_was_chosen(self):
+        with tempfile.TemporaryDirectory() as folder:
+            _, printed, _ = play("nofile.xml", pathlib.Path(folder))
+        self.assertEqual(printed.count("FileName: expected a scene file, found no name"), 1, printed)
+        self.assertEqual((printed.count("ERR|"), printed.count("missing")), (1, 0), printed)
+
+    def test_bodies_are_seen_in_the_first_picture(self):
+        self.assertGreater(self.first["share"], LEAST_SHARE, self.first)
+        self.assertGreater(self.first["contrast"], LEAST_CONTRAST, self.first)
+        red, green, blue = self.first["color"]
+        self.assertGreater(red, 2 * max(green, blue), "the scene's own colour")
+        self.assertEqual(self.first["bars"], 0, "numbers of objects have no bar")
+
+    def test_the_camera_is_that_of_a_script(self):
+        for own, wanted in zip(self.first["camera"], self.first["shown"]):
+            for a, b in zip(own, wanted):
+                self.assertAlmostEqual(a, b, places=3)
+        self.assertEqual(self.first["camera"][2], [0, 0, 1])
+
+    def test_the_window_knows_the_frames(self):
+        self.assertEqual(self.first["steps"], FRAMES)
+        self.assertAlmostEqual(self.first["end"], (FRAMES - 1) / RATE)
+
+    def test_play_shows_each_frame(self):
+        seen = sorted({round(note["time"] * RATE) for note in self.drawn})
+        self.assertEqual(seen, list(range(seen[0], FRAMES)), "frame numbers")
+        self.assertLessEqual(seen[0], 1)
+        for note in self.drawn:
+            self.assertAlmostEqual(note["time"] * RATE, round(note["time"] * RATE), places=4)
+
+    def test_its_pictures_are_of_other_places(self):
+        early, late = (next(note for note in self.drawn if round(note["time"] * RATE) == frame) for frame in (5, 30))
+        apart = [abs(a - b) for a, b in zip(early["columns"], late["columns"])]
+        self.assertGreater(max(apart), 1.0, "bodies have moved across the picture")
+
+
+if __name__ == "__main__":
+    done = unittest.main(argv=sys.argv[:1], exit=False)
+    sys.exit(0 if done.result.wasSuccessful() else 1)

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs inside ParaView while an event script plays: gives the Waft Animation that the menu made the file of a small scene; notes each
+picture that the window draws, and what the picture is when the work is done; ends ParaView when Play has come to the last frame."""
+import json
+import os
+import time
+import traceback
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+
+import waft
+from waft import showing
+
+DEADLINE = 600.0  # s
+FRAMES = 40
+scene = waft.Scene(seed=5)
+scene.set_time(FRAMES)
+scene.add_shape("red", builtin="maple", size=0.25, color=(0.9, 0.15, 0.1))
+scene.add_objects("red", positions=[(-0.6, -0.5, 2.6), (0.4, 0.3, 2.8)])
+scene.add_position(0, 20, (0.1, 0.2, 2.3), radius=0.05)
+scene.add_position(1, 35, (-0.3, 0.1, 2.2), radius=0.05)
+scene.add_box((-0.2, -0.2, 1.9), (0.2, 0.2, 2.1))
+scene.add_position(1, 38, (0, 0, 2))  # within the box: it cannot be met
+scene.save(os.environ["WAFT_GUI_SCENE"])
+log = open(os.environ["WAFT_GUI_LOG"], "w", encoding="utf-8")
+view = simple.GetActiveViewOrCreate("RenderView")
+keeper = simple.GetTimeKeeper()
+began = time.monotonic()
+done = None  # when the work was; -1: looked at
+hears = looks = ended = False
+
+
+def write(**line):
+    log.write(json.dumps(line) + "\n")
+    log.flush()
+
+
+def picture():
+    """What the window shows: rows, columns, red, green and blue."""
+    grab = vtkWindowToImageFilter()
+    grab.SetInput(view.GetRenderWindow())
+    grab.ShouldRerenderOff()
+    grab.ReadFrontBufferOff()
+    grab.Update()
+    image = grab.GetOutput()
+    width, height, _ = image.GetDimensions()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[..., :3].astype(float)
+
+
+def camera():
+    return [list(view.CameraPosition), list(view.CameraFocalPoint), list(view.CameraViewUp)]
+
+
+def look(animation):
+    """The picture by numbers: what bodies take of it, and how they stand out against what is behind."""
+    at = camera()
+    bodies = simple.GetRepresentation(animation["Meshes"], view)
+    whole = picture()
+    bodies.Visibility = 0
+    view.StillRender()
+    behind = picture()
+    bodies.Visibility = 1
+    view.StillRender()
+    apart = np.abs(whole - behind).max(axis=2)
+    taken = apart > 8
+    bars = [one for one in view.Representations if one.SMProxy.GetXMLName() == "ScalarBarWidgetRepresentation" and one.Visibility]
+    line = {"share": float(taken.mean()), "contrast": float(apart[taken].mean()) if taken.any() else 0.0,
+            "color": whole[taken].mean(axis=0).tolist() if taken.any() else [], "bars": len(bars), "camera": at,
+            "steps": len(keeper.TimestepValues or []), "end": simple.GetAnimationScene().EndTime}
+    showing._look_at(view, [simple.OutputPort(animation, port) for port in (0, 1, 2, 4)])  # those that are shown by themselves
+    write(**line, shown=camera())
+
+
+def step():
+    global done, hears, looks
+    animation = simple.FindSource("WaftAnimation1")
+    if animation is None:
+        return
+    if not animation.FileName:
+        animation.SMProxy.GetProperty("FileName").SetElement(0, os.environ["WAFT_GUI_SCENE"])  # for Apply to push
+        return
+    if not hears:
+        hears = True
+        view.GetRenderWindow().AddObserver("EndEvent", drawn)
+    rotation = animation.SMProxy.GetProxy("Rotation").GetClientSideObject()
+    meshes = rotation.GetOutputDataObject(0)
+    if done is None and meshes is not None and meshes.GetNumberOfPoints() > 0 and rotation.GetComplete():
+        done = time.monotonic()
+    elif done is not None and done > 0 and time.monotonic() - done > 1.0:  # the window has drawn it
+        done = -1.0
+        looks = True
+        look(animation)
+        looks = False
+    if done == -1.0 and ended:
+        os._exit(0)  # ParaView's own way out asks whether to save
+
+
+def drawn(*_):
+    global ended
+    if not looks:
+        image = picture()
+        write(time=keeper.Time, columns=np.round(image.mean(axis=(0, 2)), 3).tolist())
+        ended = ended or keeper.Time >= (FRAMES - 1.5) / 30
+
+
+def note(*_):
+    try:
+        step()
+        if time.monotonic() - began > DEADLINE:
+            raise TimeoutError("Play did not come to the last frame in time")
+    except Exception:
+        traceback.print_exc()
+        os._exit(1)
+
+
+interactor = view.GetInteractor()
+interactor.AddObserver("TimerEvent", note)
+interactor.CreateRepeatingTimer(50)
