@@ -2,6 +2,7 @@
 #include "WaftToolBar.h"
 
 #include "WaftCamera.h"
+#include "WaftCheck.h"
 #include "WaftHold.h"
 #include "WaftStages.h"
 
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
 
 namespace
 {
@@ -34,7 +36,8 @@ constexpr int BarWidth = 360; // pixels
 } // namespace
 
 WaftToolBar::WaftToolBar(QWidget* parent) :
-  QToolBar("Waft", parent), Camera(new WaftCamera(this)), Hold(new WaftHold(this))
+  QToolBar("Waft", parent), Camera(new WaftCamera(this)), Check(new WaftCheck(this)),
+  Hold(new WaftHold(this))
 {
   this->setObjectName("WaftToolBar");
   this->Stop = this->AddButton("Stop", "Stop", "Hold the work of Waft; the motion so far stays");
@@ -60,6 +63,7 @@ WaftToolBar::WaftToolBar(QWidget* parent) :
   this->connect(model, &pqServerManagerModel::sourceAdded, this, &WaftToolBar::onSourceAdded);
   this->connect(model, &pqServerManagerModel::sourceRemoved, this, &WaftToolBar::onDataUpdated);
   this->connect(model, &pqServerManagerModel::dataUpdated, this, &WaftToolBar::onDataUpdated);
+  this->connect(model, &pqServerManagerModel::dataUpdated, this->Check, &WaftCheck::LookAt);
   this->Show(State::Resting, {});
   // ParaView's own rows are full; this one is beside its progress. Once the window has taken it in.
   QTimer::singleShot(0, this, &WaftToolBar::MoveDown);
@@ -89,6 +93,11 @@ QToolButton* WaftToolBar::AddButton(const char* name, const QString& text, const
 void WaftToolBar::onSourceMade(pqPipelineSource* source)
 {
   this->Camera->Follow(source);
+  if (this->Now == State::Resting &&
+      std::string(source->getProxy()->GetXMLName()) == "MotionSceneReader")
+  {
+    this->Bar->setFormat("To fly a scene: Sources > Waft > Waft Animation");
+  }
   waft::WorkInSlices(source->getProxy());
 }
 

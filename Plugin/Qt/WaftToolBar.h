@@ -10,6 +10,7 @@
 class QProgressBar;
 class QToolButton;
 class WaftCamera;
+class WaftCheck;
 class WaftHold;
 class pqPipelineSource;
 
@@ -52,6 +53,7 @@ private:
   void Draw();
 
   WaftCamera* Camera;
+  WaftCheck* Check;
   QTimer Timer;
   WaftHold* Hold;
   QElapsedTimer SinceDrawn;

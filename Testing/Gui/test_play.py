@@ -27,6 +27,10 @@ class PlayTest(unittest.TestCase):
         for sign in ("ERR|", "FATL|", "Traceback", "critical:"):
             self.assertNotIn(sign, self.printed)
 
+    def test_apply_says_what_a_check_says(self):
+        self.assertEqual(self.printed.count("cannot be met: row 2 target 0 (object 1, frame 38, position)"), 1, self.printed)
+        self.assertIn("2 objects, 3 constraints, 1 of them cannot be met", self.printed)
+
     def test_one_sentence_where_no_file_was_chosen(self):
         with tempfile.TemporaryDirectory() as folder:
             _, printed, _ = play("nofile.xml", pathlib.Path(folder))

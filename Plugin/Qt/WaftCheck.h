@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QDateTime>
+#include <QObject>
+#include <QString>
+
+#include <map>
+#include <utility>
+
+class pqPipelineSource;
+
+/// What `waft check` says of the scene files that Apply takes in: which marks cannot be met, and
+/// what will be hard. It comes as one message, while the flight goes on; a scene that has nothing
+/// to be said of is passed over, and one that is malformed is told by its reader. A file is looked
+/// at again when it has changed. Not of a server's files.
+class WaftCheck : public QObject
+{
+  Q_OBJECT
+
+public:
+  explicit WaftCheck(QObject* parent);
+  ~WaftCheck() override;
+
+  void LookAt(pqPipelineSource* source);
+
+private:
+  using Version = std::pair<QString, QDateTime>; // of a file
+
+  void Run(const QString& file);
+
+  QString Command; // empty: this is no whole installation of Waft
+  std::map<pqPipelineSource*, Version> Seen;
+};
