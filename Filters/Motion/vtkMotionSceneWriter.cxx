@@ -69,8 +69,11 @@ waft::Result vtkMotionSceneWriter::Internals::Run(vtkInformationVector** inputs,
   waft::Scene& parts = scene.Parts;
   parts.Info = this->Scene;
   parts.Title = this->Self->Title;
-  WAFT_RETURN_IF_FAILED(
-    waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[ObjectsPort]), parts.Objects));
+  vtkPolyData* objects = vtkPolyData::GetData(inputs[ObjectsPort]);
+  if (objects->GetNumberOfPoints() > 0) // a scene may have none so far
+  {
+    WAFT_RETURN_IF_FAILED(waft::ObjectsFromPolyData(objects, parts.Objects));
+  }
   WAFT_RETURN_IF_FAILED(this->TakeConstraints(inputs[ConstraintsPort], parts.Constraints));
   parts.Obstacles = this->Fields.TakeObstacles();
   const auto authored = [&](int port)

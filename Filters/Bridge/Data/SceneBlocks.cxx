@@ -158,7 +158,10 @@ Result SceneFromBlocks(vtkMultiBlockDataSet* data, SceneContents& scene)
   }
   WAFT_RETURN_IF_FAILED(SceneInfoFromFieldData(data, parts.Info));
   WAFT_RETURN_IF_FAILED(SceneInfoFromFieldData(objects, parts.Info));
-  WAFT_RETURN_IF_FAILED(ObjectsFromPolyData(objects, parts.Objects));
+  if (objects->GetNumberOfPoints() > 0)
+  {
+    WAFT_RETURN_IF_FAILED(ObjectsFromPolyData(objects, parts.Objects));
+  }
   parts.Authored.Objects = AuthoredFromFieldData(objects);
   auto* constraints = FindBlock<vtkPolyData>(data, "Constraints");
   parts.Authored.Constraints = AuthoredFromFieldData(constraints);
