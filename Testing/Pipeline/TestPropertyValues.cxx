@@ -271,7 +271,9 @@ TEST(PropertyValues, OfTextsAndFiles)
   refuses("bytes of valid UTF-8");
   source->SetText("\xed\xa0\x80"); // half of a pair
   refuses("bytes of valid UTF-8");
-  source->SetText("\xc3\xa4\xe2\x82\xac\xf0\x9f\x8d\x83");
+  source->SetText("\xf0\x9f\x8d\x83");
+  refuses("letters that it lacks");
+  source->SetText("\xc3\xa4\xc3\xb8");
   source->SetFont("no such font");
   refuses("no such font");
   source->SetFont("\xff.ttf");

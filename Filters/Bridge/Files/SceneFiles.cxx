@@ -160,10 +160,11 @@ Result ReadStoredPicture(const std::string& path, Picture& picture)
 Result VtkSceneAssets::DrawText(const std::string& text, const std::string& font,
                                 Picture& picture) const
 {
-  constexpr std::size_t longest = 4000; // bytes of 1000 characters
+  constexpr std::size_t longest = 1000;
   if (text.size() > longest)
   {
-    return Result::Error("expected a text of at most " + std::to_string(longest) + " bytes");
+    return Result::Error("expected a text of at most " + std::to_string(longest) +
+                         " bytes of valid UTF-8 without control characters");
   }
   std::string letters;
   WAFT_RETURN_IF_FAILED(LettersOf(text, letters));

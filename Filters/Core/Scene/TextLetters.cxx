@@ -105,7 +105,7 @@ Result LettersOf(const std::string& text, std::string& letters)
     at += character.Bytes;
     if (character.Bytes == 0 || (IsControl(letter) && letter != '\n'))
     {
-      return Result::Error("expected a text of valid UTF-8 without control characters, found " +
+      return Result::Error("expected bytes of valid UTF-8 without control characters, found " +
                            (character.Bytes == 0 ? "other bytes" : CodeText(letter)));
     }
     if (IsIn(Unseen, letter))

@@ -70,7 +70,7 @@ def lines(points, pieces):
 
 def _split_ground(surface, bounds):
     """The obstacles without the ground, and the ground's height (None: no ground)."""
-    if surface.GetNumberOfPolys() == 0:
+    if not surface.GetPointData().HasArray("ObstacleId") or surface.GetNumberOfPolys() == 0:
         return surface, None
     ids = array_of(surface.GetPointData(), "ObstacleId", "obstacles", kind=int)
     points = points_of(surface, "obstacles")

@@ -134,7 +134,7 @@ def blocks_of(text, path):
     try:
         return [name for name in (element.get("file") for element in ElementTree.fromstring(text).iter()) if name]
     except ElementTree.ParseError as error:
-        raise BadInput(f"{path}: expected a whole VTK XML file of blocks: {error}") from error
+        raise BadInput(f"{path}: expected a whole VTK XML file of blocks, found no XML: {error}") from error
 
 
 def read_surface(path):
