@@ -144,9 +144,10 @@ def _write_air(pipeline, place, checkpoint):
         write_tracks(pipeline.output("assimilation", 0), place.path("assimilated.vtp"))
     write_xml(pipeline.output("assimilation", 3), place.path("constraints.vtp"))
     write_csv(place.path("rounds.csv"), *table_rows(pipeline.output("assimilation", 5)))
-    if not pipeline.hurries:
-        interval = AIR_INTERVAL if pipeline.has_air else float("inf")  # without an air all steps are the same calm one
-        _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half, interval)
+    if not pipeline.has_air:  # all steps are the same calm one
+        _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half, float("inf"))
+    elif not pipeline.hurries:
+        _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half, AIR_INTERVAL)
         if checkpoint.air_file.is_file():
             copy_file(checkpoint.air_file, place.path(STATE))
 
@@ -291,5 +292,5 @@ def left_out(pipeline):
     made by --resume."""
     if not pipeline.hurries:
         return []
-    names = [] if pipeline.assimilation is None else ["air.pvd"]
+    names = ["air.pvd"] if pipeline.has_air else []
     return names + (["wind.pvd"] if pipeline.spacetime is not None else [])
