@@ -51,6 +51,7 @@ def save(animation):
     global has_saved
     has_saved = True
     folder = os.path.dirname(os.environ["WAFT_GUI_LOG"])
+    simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()  # ParaView's window does so in a while
     before = [*work_of(animation), digest(animation)]
     simple.SaveAnimation(os.path.join(folder, "frame.png"), view, ImageResolution=[80, 60], FrameWindow=[0, 9])
     simple.SaveData(os.path.join(folder, "meshes.pvd"), animation, WriteTimeSteps=1)
