@@ -40,8 +40,11 @@ class SliceTest(unittest.TestCase):
         self.assertFalse(self.looks[-1]["flagged"])
 
     def test_what_is_saved_meanwhile_is_one_motion(self):
-        saved, = [note for note in self.notes if "before" in note]
-        self.assertEqual(saved["before"], saved["after"])
+        saved = {note["save"]: note for note in self.notes if "save" in note}
+        self.assertEqual({"film", "data"}, saved.keys())
+        for name, note in saved.items():
+            self.assertEqual(note["before"], note["after"], name)
+            self.assertLessEqual(len(note["played"]), 1, name)
 
     def test_stop_holds_the_work(self):
         for k, begin in enumerate(self.looks):

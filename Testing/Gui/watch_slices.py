@@ -25,6 +25,8 @@ view = simple.GetActiveViewOrCreate("RenderView")
 began = time.monotonic()
 is_busy = False
 has_saved = False
+works = set()
+played = set()  # how far the work was while a film was written
 
 
 def stage_of(animation, name):
@@ -51,11 +53,13 @@ def save(animation):
     global has_saved
     has_saved = True
     folder = os.path.dirname(os.environ["WAFT_GUI_LOG"])
-    simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()  # ParaView's window does so in a while
-    before = [*work_of(animation), digest(animation)]
-    simple.SaveAnimation(os.path.join(folder, "frame.png"), view, ImageResolution=[80, 60], FrameWindow=[0, 9])
-    simple.SaveData(os.path.join(folder, "meshes.pvd"), animation, WriteTimeSteps=1)
-    write(before=before, after=[*work_of(animation), digest(animation)])
+    for name, write_it in (
+            ("film", lambda: simple.SaveAnimation(os.path.join(folder, "frame.png"), view, ImageResolution=[80, 60], FrameWindow=[0, 9])),
+            ("data", lambda: simple.SaveData(os.path.join(folder, "meshes.pvd"), animation, WriteTimeSteps=1))):
+        played.clear()
+        before = digest(animation)
+        write_it()
+        write(save=name, played=sorted(played), before=before, after=digest(animation))
 
 
 def finish(animation):
@@ -87,13 +91,16 @@ def look():
           work=work_of(animation))
     if complete:
         finish(animation)
-    elif not has_saved:
+    elif not has_saved and len(works) > 3:  # Apply, which sets the session's time, has come back
         save(animation)
+    works.add(tuple(work_of(animation)))
 
 
 def note(*_):
     global is_busy
     if is_busy:  # in the middle of a save
+        if simple.GetAnimationScene().GetClientSideObject().IsInPlay():
+            played.add(tuple(work_of(simple.FindSource("WaftAnimation1"))))
         return
     is_busy = True
     try:
