@@ -7,7 +7,7 @@ from waft.database import check_database, settle_database
 from waft.failures import BadInput, WaftError
 from waft.loading import data_file
 from waft.watching import StageWatch
-from waft.writing import read_rows
+from waft.writing import AIR_INTERVAL, read_rows
 
 NO_MEMORY = "found too little memory for it"  # how stages say so
 
@@ -141,9 +141,16 @@ class Pipeline:
         """Whether an air was drawn: not by a run that was stopped before."""
         return self.assimilation is not None and self.output("assimilation", 5).GetNumberOfRows() > 0
 
-    def add_rotation(self, seed):
+    def add_rotation(self, seed, hurries=False):
+        """hurries: of the air only the fields that results are written with, which takes a third of the time."""
         tracks, rows = self._tracks_and_rows()
         air = {"Air": simple.OutputPort(self.assimilation, 1)} if self.has_air else {}
+        if air and hurries:
+            rate = self.output("reader").GetFieldData().GetArray("FramesPerSecond").GetValue(0)
+            frames = self.output("reader").GetFieldData().GetArray("NumberOfFrames").GetValue(0)
+            air["Air"] = self._add(simple.ExtractTimeSteps(
+                registrationName="Air", Input=air["Air"], SelectionMode="Select Time Range", TimeStepRange=[0, frames - 1],
+                TimeStepInterval=max(1, round(AIR_INTERVAL * rate))))
         if self.spacetime is not None:
             tracks = simple.OutputPort(self.spacetime, 0)
         self.rotation = self._add(simple.RotationRefineFilter(

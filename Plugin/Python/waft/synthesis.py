@@ -218,7 +218,7 @@ def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limi
         pipeline.stopped_in = "spacetime" if clock.should_stop() else ""
     if pipeline.motion[0] == "planner":
         pipeline.warnings.append("stopped before the paths of the plan were moved by air: they are the plan's")
-    pipeline.add_rotation(pipeline.seed)
+    pipeline.add_rotation(pipeline.seed, clock.interrupted)
     pipeline.watch("rotation", clock)
     pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
 
