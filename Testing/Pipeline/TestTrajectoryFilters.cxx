@@ -289,7 +289,7 @@ TEST(TrajectoryClusterFilter, RefusesTracksThatAreTooShort)
   filter->AddInputConnection(0, trace->GetOutputPort());
   ErrorLog errors(filter);
   filter->Update();
-  EXPECT_TRUE(errors.Contains("ShortestSegment")) << errors.Text;
+  EXPECT_TRUE(errors.Contains("shortest segment (ShortestSegment)")) << errors.Text;
   EXPECT_EQ(filter->GetOutput()->GetNumberOfBlocks(), 0u);
 }
 

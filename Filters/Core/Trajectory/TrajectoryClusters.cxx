@@ -264,9 +264,9 @@ Result ClusterTrajectories(const ClusterInput& input, const ClusterOptions& opti
   }
   if (pieces.empty())
   {
-    return Result::Error("tracks: expected some with " + std::to_string(lengths.front()) +
-                         " samples that move (ShortestSegment), found none: give each simulation "
-                         "more frames (NumberOfFrames) or a finer grid (Resolution)");
+    return Result::Error("tracks: none has " + std::to_string(lengths.front()) +
+                         " samples that move, the shortest segment (ShortestSegment): give each "
+                         "simulation more frames (NumberOfFrames) or a finer grid (Resolution)");
   }
   Thin(pieces, options.MaximumSegments, options.Trees.Seed);
 
