@@ -65,6 +65,17 @@ class Base(unittest.TestCase):
             self.assertIn(part, str(caught.exception))
         self.assertEqual(before, manifest_of(self.out))
 
+    def die_writing(self, text):
+        """A run that is killed while its results change hands, before shapes.vtm is in."""
+        hand_over = Folder.move
+
+        def dying(folder, name, target, new_name, **options):
+            if target.path / new_name == self.out / "shapes.vtm":
+                raise KeyboardInterrupt
+            hand_over(folder, name, target, new_name, **options)
+        with mock.patch.object(Folder, "move", dying), self.assertRaises(KeyboardInterrupt):
+            self.write(text)
+
 
 class Results(Base):
     def test_a_run_replaces_what_a_run_wrote_and_nothing_else(self):
@@ -198,14 +209,7 @@ class Results(Base):
 
     def test_a_move_waits_for_a_file_that_came_in_between(self):
         self.write("old")
-        hand_over = Folder.move
-
-        def dying(folder, name, target, new_name, **options):
-            if target.path / new_name == self.out / "shapes.vtm":
-                raise KeyboardInterrupt
-            hand_over(folder, name, target, new_name, **options)
-        with mock.patch.object(Folder, "move", dying), self.assertRaises(KeyboardInterrupt):
-            self.write("new")
+        self.die_writing("new")
         self.assertFalse((self.out / "report.json").exists())
         self.put("shapes.vtm")
         with self.assertRaisesRegex(BadInput, "shapes.vtm: no run of waft wrote it"):
@@ -269,14 +273,7 @@ class Strangers(Base):
 
     def test_a_move_that_was_cut_short_is_finished_before_reading(self):
         self.write("old")
-        hand_over = Folder.move
-
-        def dying(folder, name, target, new_name, **options):
-            if target.path / new_name == self.out / "shapes.vtm":
-                raise KeyboardInterrupt
-            hand_over(folder, name, target, new_name, **options)
-        with mock.patch.object(Folder, "move", dying), self.assertRaises(KeyboardInterrupt):
-            self.write("new")
+        self.die_writing("new")
         self.assertEqual("new", settled(self.out).text("shapes.vtm"))
         self.assertTrue((self.out / "report.json").exists())
         with self.assertRaisesRegex(BadInput, "no such folder"):
