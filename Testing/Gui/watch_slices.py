@@ -8,7 +8,7 @@ import os
 import time
 import traceback
 
-from paraview import servermanager, simple
+from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import waft

@@ -2,7 +2,6 @@
 """A stage that fails says so once, is done, and all after it is silent: each filter with each of its inputs, and Waft Animation.
 
     pvpython test_failures.py XML_FOLDER"""
-import os
 import pathlib
 import sys
 import tempfile

@@ -39,6 +39,7 @@ class Run(Pipeline):
     stopped: bool
     hurries: bool  # somebody stopped it, and waits
     stopped_in: str  # the stage
+    series: List[str]  # of data that were asked for, a file a frame
     seed: int
     quality: str
     edit_of: Optional[pathlib.Path]  # the file with the air that was kept

@@ -90,6 +90,7 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
             pipeline.read(clock)
             scene_seed = pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)
             pipeline.quality = quality
+            pipeline.series = series
             pipeline.edit_of = _state_of(edit_of, quality)
             pipeline.seed = seed if seed is not None else _seed_of(edit_of, int(scene_seed))
             pipeline.key = run_key(pipeline, f"{quality} {edit_of or ''}".strip())

@@ -293,4 +293,4 @@ def left_out(pipeline):
     if not pipeline.hurries:
         return []
     names = ["air.pvd"] if pipeline.has_air else []
-    return names + (["wind.pvd"] if pipeline.spacetime is not None else [])
+    return names + (["wind.pvd"] if pipeline.spacetime is not None else []) + [f"{name}.pvd" for name in pipeline.series]
