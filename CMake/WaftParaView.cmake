@@ -1,16 +1,20 @@
 # The plugin of ParaView, of the modules that are there.
 
 # ParaView's own window. What these libraries say that they link to asks for the development packages of all that
-# ParaView was built from; the plugin itself needs none of it.
-find_package(Qt5 QUIET COMPONENTS Widgets)
-set(has_window ${Qt5_FOUND})
+# ParaView was built from; the plugin itself needs none of it. ParaView 5.11 has Qt 5 and does not tell so.
+set(WAFT_QT_VERSION 5)
+if(PARAVIEW_QT_MAJOR_VERSION)
+  set(WAFT_QT_VERSION ${PARAVIEW_QT_MAJOR_VERSION})
+endif()
+find_package(Qt${WAFT_QT_VERSION} QUIET COMPONENTS Widgets)
+set(has_window ${Qt${WAFT_QT_VERSION}_FOUND})
 foreach(library IN ITEMS pqCore pqComponents)
   if(TARGET ParaView::${library})
     get_target_property(configurations ParaView::${library} IMPORTED_CONFIGURATIONS)
     foreach(configuration IN LISTS configurations)
       set_property(TARGET ParaView::${library} PROPERTY IMPORTED_LINK_DEPENDENT_LIBRARIES_${configuration})
     endforeach()
-    set_property(TARGET ParaView::${library} PROPERTY INTERFACE_LINK_LIBRARIES Qt5::Widgets)
+    set_property(TARGET ParaView::${library} PROPERTY INTERFACE_LINK_LIBRARIES Qt${WAFT_QT_VERSION}::Widgets)
   else()
     set(has_window OFF)
   endif()

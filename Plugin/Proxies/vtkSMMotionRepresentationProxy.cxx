@@ -150,6 +150,20 @@ bool vtkSMMotionRepresentationProxy::SetScalarBarVisibility(vtkSMProxy* view, bo
          this->Superclass::SetScalarBarVisibility(view, visible);
 }
 
+void vtkSMMotionRepresentationProxy::ViewUpdated(vtkSMProxy* view)
+{
+  this->Superclass::ViewUpdated(view);
+  // A ParaView that has this class shows bars by it, past SetScalarBarVisibility. The view is
+  // updated before it draws: the bar is gone by then.
+#if __has_include(<vtkSMColorMapEditorHelper.h>)
+  if (vtkSMPropertyHelper(this, "Visibility").GetAsInt() != 0 && !this->ShowsMeasure() &&
+      this->IsScalarBarVisible(view))
+  {
+    this->Superclass::SetScalarBarVisibility(view, false);
+  }
+#endif
+}
+
 void vtkSMMotionRepresentationProxy::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

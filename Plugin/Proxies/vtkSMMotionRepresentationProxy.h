@@ -30,6 +30,8 @@ public:
   /// Numbers of things are no measure, and colours that are taken as they are have none: no bar is
   /// shown for either.
   bool SetScalarBarVisibility(vtkSMProxy* view, bool visible) override;
+  /// Takes away a bar that was shown for them all the same.
+  void ViewUpdated(vtkSMProxy* view) override;
   int LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator) override;
 
 protected:

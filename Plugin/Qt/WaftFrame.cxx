@@ -12,7 +12,10 @@
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMRenderViewProxy.h>
 #include <vtkVector.h>
-#include <vtkVectorOperators.h>
+#include <vtkVersionMacros.h>
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
+#include <vtkVectorOperators.h> // of vtkVector.h itself since then
+#endif
 
 #include <algorithm>
 #include <cmath>
