@@ -294,8 +294,7 @@ class Takes(unittest.TestCase):
         self.assertEqual(scene.waft.takes[1].edited, "take-001")
         self.assertGreater(np.abs(keys(one) - first_path).max(), 0.01)
         self.assertEqual(one.animation_data.action.name, "take-002 One")
-        self.assertTrue(any(curve.data_path == "color" for curve in one.animation_data.action.fcurves))
-        self.assertEqual([curve.data_path for curve in own.fcurves], ["color"] * 4)
+        self.assertTrue(any(curve.data_path == "color" for curve in curves.curves_of(one)))
         second = keys(other)
         scene.waft.shown = 0
         self.assertEqual(one.animation_data.action.name, "take-001 One")
@@ -315,6 +314,7 @@ class Takes(unittest.TestCase):
         while len(scene.waft.takes):
             bpy.ops.waft.remove_take()
         self.assertIs(one.animation_data.action, own)
+        self.assertEqual([curve.data_path for curve in curves.curves_of(one)], ["color"] * 4)
         after = everything()
         for name in names:
             for part in ("rotation_mode", "waft"):
@@ -327,7 +327,7 @@ class Takes(unittest.TestCase):
 def keys(thing):
     """The values of the keys of an object's location and rotation."""
     found = []
-    for curve in thing.animation_data.action.fcurves:
+    for curve in curves.curves_of(thing):
         if curve.data_path in ("location", "rotation_quaternion"):
             values = np.empty(2 * len(curve.keyframe_points))
             curve.keyframe_points.foreach_get("co", values)
@@ -939,69 +939,6 @@ class OnDisk(unittest.TestCase):
         until(lambda: preferences.version_of("/nowhere") == "cannot be run: No such file or directory")
         self.assertEqual("Blender.md", preferences.manual_of(WAFT).name)
         self.assertIsNone(preferences.manual_of("/bin/sh"))
-
-
-class Slots(unittest.TestCase):
-    """Actions of Blender 4.4, whose curves are in a bag for each slot, by what stands for them."""
-
-    class Many(list):
-        def __init__(self, make):
-            super().__init__()
-            self._make = make
-
-        def new(self, *arguments, **values):
-            self.append(self._make(*arguments, **values))
-            return self[-1]
-
-    def action(self, *identifiers):
-        def strip(**_):
-            made = types.SimpleNamespace(bags={}, channelbags=[])
-
-            def bag(slot, ensure=False):
-                if ensure and slot.identifier not in made.bags:
-                    made.bags[slot.identifier] = types.SimpleNamespace(fcurves=self.Many(curve))
-                return made.bags.get(slot.identifier)
-
-            made.channelbag = bag
-            return made
-
-        def curve(path, index=0):
-            points = types.SimpleNamespace(add=lambda _: None, foreach_set=lambda *_: None)
-            return types.SimpleNamespace(data_path=path, array_index=index, keyframe_points=points, update=lambda: None)
-
-        def slot(id_type, name):
-            return types.SimpleNamespace(identifier=f"{id_type[:2]}{name}")
-
-        made = types.SimpleNamespace(slots=self.Many(slot), layers=self.Many(lambda _: types.SimpleNamespace(strips=self.Many(strip))))
-        made.slots.extend(types.SimpleNamespace(identifier=identifier) for identifier in identifiers)
-        return made
-
-    def thing(self, name, action=None, slot=None):
-        return types.SimpleNamespace(name=name, animation_data=types.SimpleNamespace(action=action, action_slot=slot))
-
-    def test_reading_makes_nothing(self):
-        action = self.action("MELeaf", "OBLeaf")
-        leaf = self.thing("Leaf", action, action.slots[1])
-        self.assertEqual(([], "OBLeaf"), (curves.curves_of(leaf), curves.slot_of(leaf)))
-        self.assertEqual([], action.layers)
-        self.assertEqual(([], ""), (curves.curves_of(self.thing("Leaf", action)), curves.slot_of(self.thing("Leaf", action))))
-
-    def test_keys_go_into_the_slot_of_the_object(self):
-        values = {"location": np.zeros((4, 3))}
-        for identifiers, own, wanted in ((("MELeaf", "OBLeaf"), "", "OBLeaf"), (("OBOld name", "OBLeaf"), "OBOld name", "OBOld name"),
-                                         (("MELeaf",), "", "OBLeaf"), ((), "", "OBLeaf")):
-            action = self.action(*identifiers)
-            leaf = self.thing("Leaf")
-            slot = curves.replace_curves(action, leaf, values, 1, own)
-            self.assertEqual(wanted, slot)
-            curves.play(leaf, action, slot)
-            self.assertEqual(wanted, leaf.animation_data.action_slot.identifier)
-            self.assertEqual(["location"] * 3, [curve.data_path for curve in curves.curves_of(leaf)])
-            self.assertEqual({wanted}, set(action.layers[0].strips[0].bags))
-            curves.replace_curves(action, leaf, values, 1, slot)
-            self.assertEqual(3, len(curves.curves_of(leaf)))
-        curves.play(leaf, None)
-        self.assertIsNone(leaf.animation_data.action)
 
 
 class Linked(unittest.TestCase):

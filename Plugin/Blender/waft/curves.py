@@ -1,39 +1,57 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Animation curves of objects, read and written whole. Blender 4.4 keeps them in slots of an action, which may be an object's and its
-data's at once; earlier ones in the action. A slot is told by its identifier, "" before 4.4."""
+"""Animation curves of objects, read and written whole. Blender 4.4 keeps them in slots of an action, which animates several objects or
+data, each by a slot of its own; earlier ones in the action. A slot is told by its identifier, which is "" before 4.4."""
+import bpy
 import numpy as np
 
+_HAS_SLOTS = bpy.app.version >= (4, 4, 0)  # 4.3 has some of the names, but actions without slots
+_NO_SLOT = "-"  # in the place of an identifier: the action of an object that none of its slots animates
 _LINEAR = 1  # of Keyframe.interpolation
 
 
-def curves_of(thing):
-    """The curves that animate an object, from its action. Only reads."""
-    data = thing.animation_data
-    if data is None or data.action is None:
+def curves_of(owner):
+    """The curves that animate an object, or another block of data, from its action. Only reads."""
+    return _curves_by(getattr(owner, "animation_data", None))
+
+
+def _curves_by(user):
+    """The curves that animation data, or a strip of the NLA, take from their action."""
+    if user is None or user.action is None:
         return []
-    if not hasattr(data, "action_slot"):
-        return list(data.action.fcurves)
-    if data.action_slot is None:
+    if not _HAS_SLOTS:
+        return list(user.action.fcurves)
+    if user.action_slot is None:
         return []
-    bags = (strip.channelbag(data.action_slot) for layer in data.action.layers for strip in layer.strips)
+    bags = (strip.channelbag(user.action_slot) for layer in user.action.layers for strip in layer.strips)
     return [curve for bag in bags if bag is not None for curve in bag.fcurves]
 
 
 def slot_of(thing):
-    """The identifier of the slot by which an object is animated; "" for none."""
-    slot = getattr(thing.animation_data, "action_slot", None)
-    return slot.identifier if slot is not None else ""
+    """What tells the slot by which the action of an object animates it; "" without an action."""
+    data = thing.animation_data
+    if not _HAS_SLOTS or data is None or data.action is None:
+        return ""
+    return data.action_slot.identifier if data.action_slot is not None else _NO_SLOT
 
 
 def _slot(action, identifier):
-    return next((slot for slot in action.slots if slot.identifier == identifier), None)
+    """The slot of an identifier, else the only one for objects: Blender makes one of what an earlier one has saved, and a user may rename
+    it. None where there is none."""
+    suited = [slot for slot in action.slots if slot.target_id_type in ("OBJECT", "UNSPECIFIED")]
+    named = [slot for slot in suited if slot.identifier == identifier]
+    if named or (len(suited) == 1 and identifier != _NO_SLOT):
+        return (named or suited)[0]
+    return None
 
 
-def _made_curves(action, thing, identifier):
-    """(the curves of an object in an action, to add to; identifier of its slot). Slot, layer and strip are made where there are none."""
-    if not hasattr(action, "slots"):
+def _curves_to_write(action, thing, identifier):
+    """(the curves of an object in an action, to add to and to remove from; identifier of its slot). Slot, layer and strip are made where
+    there are none."""
+    if not _HAS_SLOTS:
         return action.fcurves, ""
-    slot = _slot(action, identifier) or _slot(action, f"OB{thing.name}") or action.slots.new(id_type="OBJECT", name=thing.name)
+    slot = _slot(action, identifier) or action.slots.new(id_type="OBJECT", name=thing.name)
+    if slot.target_id_type == "UNSPECIFIED":
+        slot.target_id_type = "OBJECT"  # its first object would set it, and change the identifier
     layer = action.layers[0] if len(action.layers) else action.layers.new("Layer")
     strip = layer.strips[0] if len(layer.strips) else layer.strips.new(type="KEYFRAME")
     return strip.channelbag(slot, ensure=True).fcurves, slot.identifier
@@ -41,9 +59,9 @@ def _made_curves(action, thing, identifier):
 
 def replace_curves(action, thing, values, first_frame, identifier=""):
     """Gives an action keys of an object at each frame from first_frame on, linear between, for values {data path: array [frames,
-    components]}, in the place of what it had there. identifier: of the object's slot in it, if it has one. Returns that of the slot that
-    they are in."""
-    curves, identifier = _made_curves(action, thing, identifier)
+    components]}, in the place of what it had there. identifier: what slot_of tells of the object's slot in it. Returns that of the
+    slot that they are in."""
+    curves, identifier = _curves_to_write(action, thing, identifier)
     for curve in list(curves):
         if curve.data_path in values:
             curves.remove(curve)
@@ -64,7 +82,7 @@ def play(thing, action, identifier=""):
     data = thing.animation_data or (action and thing.animation_data_create())
     if data:
         data.action = action
-        if action and hasattr(action, "slots"):
+        if action and _HAS_SLOTS:
             data.action_slot = _slot(action, identifier)
 
 
@@ -78,21 +96,14 @@ def nla_paths(thing):
     data = thing.animation_data
     if data is None or not data.use_nla:
         return set()
-    strips = [strip for track in data.nla_tracks if not track.mute for strip in track.strips if not strip.mute and strip.action]
-    return {curve.data_path for strip in strips for curve in _all_curves(strip.action)}
-
-
-def _all_curves(action):
-    """The curves of an action, of all its slots."""
-    if not hasattr(action, "slots"):
-        return list(action.fcurves)
-    return [curve for layer in action.layers for strip in layer.strips for bag in strip.channelbags for curve in bag.fcurves]
+    strips = [strip for track in data.nla_tracks if not track.mute for strip in track.strips if not strip.mute]
+    return {curve.data_path for strip in strips for curve in _curves_by(strip)}
 
 
 def has_motion(owner):
     """Whether a block of data has keys, drivers or NLA tracks; None has none."""
     data = getattr(owner, "animation_data", None)
-    return data is not None and bool(data.action or len(data.drivers) or len(data.nla_tracks))
+    return data is not None and bool(curves_of(owner) or len(data.drivers) or len(data.nla_tracks))
 
 
 def is_animated(thing):
