@@ -38,14 +38,23 @@ def empty_scene(rate, last):
 
 
 def import_animation(source, rate):
-    """Imports a .glb so that its keys are on whole frames. The importer takes the scene's rate without its base."""
+    """Imports a .glb so that its keys are on whole frames. What the importer makes of the base of a rate depends on Blender."""
+    render = bpy.context.scene.render
+    base, render.fps_base = render.fps_base, 1.0
     bpy.ops.import_scene.gltf(filepath=source)
-    factor = rate / bpy.context.scene.render.fps
-    for action in bpy.data.actions if factor != 1.0 else ():
-        for curve in action.fcurves:
-            for key in curve.keyframe_points:
-                key.co.x = round(key.co.x * factor)
-            curve.update()
+    render.fps_base = base
+    factor = rate / render.fps
+    for curve in [curve for action in bpy.data.actions for curve in curves_of(action)] if factor != 1.0 else ():
+        for key in curve.keyframe_points:
+            key.co.x = round(key.co.x * factor)
+        curve.update()
+
+
+def curves_of(action):
+    """All curves of an action, which are in bags from Blender 4.4 on."""
+    if bpy.app.version < (4, 4, 0):
+        return list(action.fcurves)
+    return [curve for layer in action.layers for strip in layer.strips for bag in strip.channelbags for curve in bag.fcurves]
 
 
 def main(source, target, rate, frames):
