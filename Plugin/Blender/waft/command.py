@@ -11,7 +11,7 @@ import threading
 
 ALL_MET, FAILED, BAD_INPUT, NOT_ALL_MET, STOPPED_EARLY = range(5)  # what waft ends with
 _KEPT_LINES = 2000  # of what it says
-_PREFERENCES = "Edit > Preferences > Add-ons > Animation: Waft"
+_PREFERENCES = "Edit > Preferences > Add-ons > Waft"
 _WAIT = 20.0  # s for its version
 
 

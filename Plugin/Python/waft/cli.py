@@ -388,7 +388,7 @@ def run_blender_addon(options):
     from waft.blenderaddon import write_addon
 
     write_addon(options.file)
-    say(f"{options.file}: in Blender, Edit > Preferences > Add-ons > Install")
+    say(f"{options.file}: in Blender, Edit > Preferences > Add-ons > Install (from 4.2 on: Install from Disk)")
     return failures.ALL_MET
 
 
