@@ -3,12 +3,19 @@
 set(WAFT_PYTHON_DIR "lib/python3/dist-packages" CACHE STRING "Where Python modules go, below the prefix")
 
 set(waft_folders Sources Filters/Motion)
+include(WaftFindParaView)
 if(WAFT_PLAIN_VTK)
+  waft_name_python_modules(VTK)
   find_package(VTK 9.1 REQUIRED)
 else()
-  find_package(ParaView 5.11 REQUIRED COMPONENTS RemotingCore RemotingViews)
+  waft_name_python_modules(ParaView)
+  find_package(ParaView REQUIRED COMPONENTS RemotingCore RemotingViews)
+  if(ParaView_VERSION VERSION_LESS 5.11)
+    message(FATAL_ERROR "ParaView ${ParaView_VERSION} is too old: 5.11 or newer is needed")
+  endif()
   list(APPEND waft_folders Plugin/Proxies)
 endif()
+waft_stand_in_for_unused()
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 # Wrappers and plugin are installed side by side with lib/: found from either place, and from lib itself.

@@ -6,14 +6,13 @@ include(CMakePackageConfigHelpers)
 set(package "${CMAKE_BINARY_DIR}/cmake")
 configure_file("${PROJECT_SOURCE_DIR}/CMake/WaftConfig.cmake.in" "${package}/WaftConfig.cmake" @ONLY)
 write_basic_package_version_file("${package}/WaftConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
-install(FILES "${package}/WaftConfig.cmake" "${package}/WaftConfigVersion.cmake"
+install(FILES "${package}/WaftConfig.cmake" "${package}/WaftConfigVersion.cmake" "${PROJECT_SOURCE_DIR}/CMake/WaftFindParaView.cmake"
   DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/waft")
 
 # ParaView's programs load what is in the folder `plugins` beside them, and look nowhere else by themselves: an
 # installation into ParaView's own prefix is found so.
-set(plugins "paraview-${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}/plugins")
 file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/beside-paraview")
-file(CREATE_LINK "../../${CMAKE_INSTALL_LIBDIR}/${plugins}/Waft" "${CMAKE_BINARY_DIR}/beside-paraview/Waft" SYMBOLIC)
+file(CREATE_LINK "../../${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/Waft" "${CMAKE_BINARY_DIR}/beside-paraview/Waft" SYMBOLIC)
 install(FILES "${CMAKE_BINARY_DIR}/beside-paraview/Waft" DESTINATION "${CMAKE_INSTALL_BINDIR}/plugins")
 
 # The manual page and the completions of the command.

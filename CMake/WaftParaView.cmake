@@ -21,6 +21,12 @@ foreach(library IN ITEMS pqCore pqComponents)
 endforeach()
 option(WAFT_WINDOW "Build what needs Qt: Waft's tool bar in ParaView's window" ${has_window})
 
+# Pages of help from the proxies' XML: ParaView makes none with Qt 6 before 6.0.
+set(WAFT_HELP_PAGES ON)
+if(WAFT_QT_VERSION GREATER 5 AND ParaView_VERSION VERSION_LESS 6.0)
+  set(WAFT_HELP_PAGES OFF)
+endif()
+
 set(plugin_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/paraview.plugin")
 if(WAFT_WINDOW)
   list(APPEND plugin_files "${CMAKE_CURRENT_SOURCE_DIR}/Plugin/Qt/paraview.plugin")
@@ -34,6 +40,6 @@ paraview_plugin_scan(
 paraview_plugin_build(
   PLUGINS ${waft_plugins}
   PLUGINS_FILE_NAME "waft.plugins.xml"
-  LIBRARY_SUBDIRECTORY "paraview-${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}/plugins"
+  LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   AUTOLOAD ${waft_plugins})
