@@ -23,6 +23,13 @@
 #include <utility>
 #include <vector>
 
+/// The point of an image that is nearest to a place, -1 outside.
+inline vtkIdType PointAt(vtkImageData* image, double x, double y, double z)
+{
+  double place[3] = { x, y, z };
+  return image->FindPoint(place);
+}
+
 /// Answers an event of some objects for as long as it lives; `data` is what the event brings.
 class Observer
 {

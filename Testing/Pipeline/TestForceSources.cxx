@@ -100,9 +100,8 @@ TEST(WindSource, IsABellAboutAPlaceAndATime)
     double beside[3];
     vtkDataArray* wind = image->GetPointData()->GetArray("Wind");
     ASSERT_NE(wind, nullptr);
-    const double center[3] = { 0.0, 0.0, 2.0 };
-    wind->GetTuple(image->FindPoint(const_cast<double*>(center)), peak);
-    const vtkIdType at = image->FindPoint(0.75, 0.0, 2.0);
+    wind->GetTuple(PointAt(image, 0.0, 0.0, 2.0), peak);
+    const vtkIdType at = PointAt(image, 0.75, 0.0, 2.0);
     wind->GetTuple(at, beside);
     double x[3];
     image->GetPoint(at, x);

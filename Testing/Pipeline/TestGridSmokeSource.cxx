@@ -201,7 +201,7 @@ TEST(GridSmokeSource, TakesObstaclesThatMoveAndVortices)
   EXPECT_EQ(vortices[1].VortexId, 7);
   // 1.6 m of box over 0.333 m voxels, solid inside; its front pushes the air.
   vtkImageData* smoke = Smoke(source);
-  const auto indexAt = [smoke](double x, double y, double z) { return smoke->FindPoint(x, y, z); };
+  const auto indexAt = [smoke](double x, double y, double z) { return PointAt(smoke, x, y, z); };
   vtkDataArray* solid = smoke->GetPointData()->GetArray("Obstacle");
   EXPECT_EQ(solid->GetTuple1(indexAt(0.2, 0.0, 2.0)), 1.0);
   EXPECT_EQ(solid->GetTuple1(indexAt(1.5, 0.0, 2.0)), 0.0);
@@ -234,7 +234,7 @@ TEST(GridSmokeSource, TakesAWindAsImage)
   source->SetInputDataObject(2, wind);
   source->UpdateTimeStep(0.3);
   EXPECT_NEAR(Values(source, "WindForce")[300], 0.5, 1e-6);
-  const vtkIdType middle = Smoke(source)->FindPoint(0.0, 0.0, 2.0);
+  const vtkIdType middle = PointAt(Smoke(source), 0.0, 0.0, 2.0);
   EXPECT_NEAR(Values(source, "Velocity")[3 * middle], 0.25, 0.02); // 0.5 s at 0.5 m/s^2
 }
 

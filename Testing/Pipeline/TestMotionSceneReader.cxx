@@ -138,7 +138,7 @@ TEST(MotionSceneReader, MovingObstaclesAndWindsFollowTheTime)
   vtkImageData* wind = WindOutput(reader);
   vtkDataArray* values = wind->GetPointData()->GetArray("Wind");
   ASSERT_TRUE(values);
-  const vtkIdType center = wind->FindPoint(0.0, 0.0, 2.0);
+  const vtkIdType center = PointAt(wind, 0.0, 0.0, 2.0);
   EXPECT_NEAR(values->GetComponent(center, 1), 2.0 * std::exp(-0.5), 1e-6);
   EXPECT_EQ(values->GetComponent(center, 0), 0.0);
 }

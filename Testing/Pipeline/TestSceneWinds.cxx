@@ -159,7 +159,7 @@ TEST(SceneWinds, OfCellsAndOfThreeArrays)
   EXPECT_EQ(wind->GetDimensions()[1], 1);
   EXPECT_EQ(wind->GetDimensions()[2], 4);
   EXPECT_NEAR(wind->GetOrigin()[0], -0.5, 1e-9);
-  const vtkIdType right = wind->FindPoint(0.5, 0.5, 1.5);
+  const vtkIdType right = PointAt(wind, 0.5, 0.5, 1.5);
   ASSERT_GE(right, 0);
   EXPECT_NEAR(wind->GetPointData()->GetArray("Velocity")->GetComponent(right, 0), 1.0, 1e-6);
   EXPECT_NEAR(wind->GetPointData()->GetArray("Velocity")->GetComponent(right, 2), 21.0, 1e-6);
@@ -199,7 +199,7 @@ TEST(SceneWinds, VolumesAreASeriesByTheirNumbers)
   vtkDataArray* values = wind->GetPointData()->GetArray("Wind");
   ASSERT_TRUE(values);
   ASSERT_EQ(values->GetNumberOfTuples(), 125);
-  const vtkIdType point = wind->FindPoint(1.0, 0.0, 3.0);
+  const vtkIdType point = PointAt(wind, 1.0, 0.0, 3.0);
   EXPECT_NEAR(values->GetComponent(point, 0), 2.0, 1e-6);
   EXPECT_NEAR(values->GetComponent(point, 1), 1.0, 1e-6);
   EXPECT_NEAR(values->GetComponent(point, 2), 1.0, 1e-6);
