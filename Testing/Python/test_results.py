@@ -429,6 +429,28 @@ class FullDisks(unittest.TestCase):
                     self.assertEqual("", said.read_text(encoding="utf-8"))
 
 
+class Forks(unittest.TestCase):
+    def test_a_fork_works_after_vtk_has_used_its_threads(self):
+        from vtkmodules.vtkCommonCore import vtkSMPTools
+        from vtkmodules.vtkCommonDataModel import vtkCellTypes
+        from vtkmodules.vtkFiltersSources import vtkPlaneSource
+
+        from waft.loading import set_threads
+
+        self.addCleanup(vtkSMPTools.SetBackend, vtkSMPTools.GetBackend())
+        set_threads(2)
+        plane = vtkPlaneSource()
+        plane.SetResolution(200, 200)
+        plane.Update()
+        plane.GetOutput().GetCellTypes(vtkCellTypes())  # a loop that VTK divides
+        child = os.fork()
+        if child == 0:
+            signal.alarm(60)
+            plane.GetOutput().GetCellTypes(vtkCellTypes())
+            os._exit(0)
+        self.assertEqual(0, os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+
+
 if __name__ == "__main__":
     done = unittest.main(argv=sys.argv[:1], exit=False, verbosity=2)
     sys.stdout.flush()

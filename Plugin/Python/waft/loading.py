@@ -104,3 +104,13 @@ def set_threads(threads):
 
     vtkSMPTools.SetBackend("STDThread" if threads != 1 else "Sequential")
     vtkSMPTools.Initialize(threads or 0)
+
+
+def _work_alone():
+    """A fork has none of the threads that VTK 9.3 keeps for its loops, and would wait for them for ever."""
+    vtk = sys.modules.get("vtkmodules.vtkCommonCore")
+    if vtk is not None:
+        vtk.vtkSMPTools.SetBackend("Sequential")
+
+
+os.register_at_fork(after_in_child=_work_alone)
