@@ -54,7 +54,7 @@ class Flight(multiprocessing.get_context("fork").Process):
             Clock.show = self.follow
         OPTIMISER.update(NumberOfGasParticles=600, LeashIterations=5, MaximumNumberOfIterations=20)
         run = synthesize(self.scene, quality="paper", threads=1, **self.options)
-        print("\n".join(run.warnings), end="", flush=True)
+        os.write(1, "\n".join(run.warnings).encode())  # past the stream of pvpython, which keeps a last line without an end
         sys.exit(run.status)
 
     def follow(self, name, fraction, _text):

@@ -88,7 +88,8 @@ def serve():
         if child == 0:
             become(lambda: fly(arguments), folder, *(os.open(file, os.O_WRONLY | os.O_APPEND) for file in files))
         status = os.waitpid(child, 0)[1]
-        print(-os.WTERMSIG(status) if os.WIFSIGNALED(status) else os.WEXITSTATUS(status), flush=True)
+        answer = -os.WTERMSIG(status) if os.WIFSIGNALED(status) else os.WEXITSTATUS(status)
+        os.write(1, f"{answer}\n".encode())  # pvpython's sys.stdout of 5.13 keeps it, flushed or not
 
 
 if __name__ == "__main__":
