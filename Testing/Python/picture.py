@@ -4,6 +4,7 @@ later still passes its usual threshold), so tests use this.
 
 As a program: python3 picture.py A.png B.png; exit status 0 when they agree."""
 
+import glob
 import os
 import sys
 
@@ -32,6 +33,12 @@ def differing(first, second):
     if first.shape != second.shape:
         return 1.0
     return float(np.mean(np.abs(first - second).max(axis=2) > TOLERANCE))
+
+
+def kept(path, pixels):
+    """Of the pictures that are kept as NAME.png and NAME.DRAWER.png (drawn by another version of Mesa), the one most like `pixels`."""
+    stem = os.path.splitext(path)[0]
+    return min(map(read, [path, *sorted(glob.glob(f"{glob.escape(stem)}.*.png"))]), key=lambda wanted: differing(pixels, wanted))
 
 
 def agree(first, second):

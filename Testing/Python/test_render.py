@@ -2,7 +2,7 @@
 """`waft render` on a small fixed folder: pictures equal to the ones kept in Data/Baseline, and
 unlike the pictures one frame later and mirrored; files, movies and errors.
 
-    pvbatch test_render.py BASELINE_FOLDER WORK_FOLDER [--update]"""
+    pvbatch test_render.py BASELINE_FOLDER WORK_FOLDER [--update | --update=DRAWER]"""
 
 import multiprocessing
 import os
@@ -33,7 +33,8 @@ from waft.reading import read_surface  # noqa: E402
 from waft.render import Stage, parse_frames, render  # noqa: E402
 
 BASELINE, WORK = sys.argv[1:3]
-UPDATE = "--update" in sys.argv
+UPDATE = next((word for word in sys.argv[3:] if word.startswith("--update")), None)
+DRAWER = f".{UPDATE.partition('=')[2]}" if UPDATE and "=" in UPDATE else ""
 SIZE = (480, 270)
 FRAME = 36
 VIEWS = ("side", "top", "follow")
@@ -51,11 +52,10 @@ class RenderTest(unittest.TestCase):
 
     def test_pictures_are_as_kept(self):
         for view in VIEWS:
-            kept = os.path.join(BASELINE, f"render_{view}.png")
             if UPDATE:
-                shutil.copyfile(self.frame(view, FRAME), kept)
-            wanted = picture.read(kept)
+                shutil.copyfile(self.frame(view, FRAME), os.path.join(BASELINE, f"render_{view}{DRAWER}.png"))
             drawn = picture.read(self.frame(view, FRAME))
+            wanted = picture.kept(os.path.join(BASELINE, f"render_{view}.png"), drawn)
             self.assertLessEqual(picture.differing(drawn, wanted), picture.FRACTION, view)
             later = picture.read(self.frame(view, FRAME + 1))
             self.assertFalse(picture.agree(later, wanted), f"{view}: one frame later passes")
