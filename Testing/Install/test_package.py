@@ -6,17 +6,15 @@
 debootstrap makes the root, from the archive that this machine's own list of sources names: some 2 GB in WORK, and some
 minutes. A root that is there already is taken as it is; Waft is installed into it anew.
 """
-import glob
 import os
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 import unittest
 
-SOURCES = ("/etc/apt/sources.list", "/etc/apt/sources.list.d/*.sources", "/etc/apt/sources.list.d/*.list")
-MOUNTS = {"proc": ["-t", "proc", "proc"], "dev": ["--bind", "/dev"], "dev/shm": ["-t", "tmpfs", "tmpfs"]}
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "Systems"))
+import bare_root  # noqa: E402
 
 # What ParaView made known by itself, in a process that was told nothing of Waft.
 AUTOLOAD = """
@@ -31,58 +29,25 @@ from waft import vtkSPHSpacetimeFilter
 """
 
 
-def suite_and_mirror():
-    """The name of this Debian and the archive that it takes its packages from; no mirror: None."""
-    release = dict(line.rstrip().split("=", 1) for line in open("/etc/os-release", encoding="utf-8") if "=" in line)
-    suite = release.get("VERSION_CODENAME", "").strip('"')
-    for pattern in SOURCES:
-        for path in sorted(glob.glob(pattern)):
-            found = re.search(r"^(?:URIs:\s*|deb\s+(?:\[.*?\]\s*)?)(\S+)", pathlib.Path(path).read_text(encoding="utf-8"), re.M)
-            if found:
-                return suite, found.group(1)
-    return suite, None
-
-
 def lack():
-    """Why there can be no bare root here; empty when there can."""
-    if os.geteuid() != 0:
-        return "this is not root"
-    if shutil.which("debootstrap") is None:
-        return "debootstrap is not there (package debootstrap)"
+    """Why the package cannot be tried here; empty when it can."""
     if PACKAGE is None:
         return f"there is no waft_*.deb in {sys.argv[1]} (./waft package makes it)"
-    if suite_and_mirror()[1] is None:
-        return "no list of sources names an archive of Debian"
-    return ""
+    return bare_root.lack()
 
 
 class PackageTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        suite, mirror = suite_and_mirror()
-        if not (ROOT / "etc/debian_version").exists():
-            subprocess.run(["debootstrap", "--variant=minbase", suite, str(ROOT), mirror], check=True)
-        for path in ("/etc/resolv.conf", "/etc/hosts"):
-            shutil.copy(path, str(ROOT) + path)
-        for path in glob.glob("/etc/apt/apt.conf.d/*") + [path for pattern in SOURCES for path in glob.glob(pattern)]:
-            shutil.copy(path, str(ROOT) + path)
-        for place, options in MOUNTS.items():
-            subprocess.run(["mount", *options, str(ROOT / place)], check=True)
-            cls.addClassCleanup(subprocess.run, ["umount", "--lazy", str(ROOT / place)], check=True)
+        cls.root = cls.enterClassContext(bare_root.BareRoot(ROOT, bare_root.codename()))
         shutil.copy(PACKAGE, ROOT / "tmp" / PACKAGE.name)
-        cls.run_there(cls, "apt-get update -q && apt-get purge -y -q waft || true")
-        status, text = cls.run_there(cls, f"DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends /tmp/{PACKAGE.name}")
+        cls.root.run("apt-get update -q && apt-get purge -y -q waft || true")
+        status, text = cls.root.run(f"apt-get install -y -q --no-install-recommends /tmp/{PACKAGE.name}")
         if status != 0:
             raise RuntimeError(text)
 
-    def run_there(self, command):
-        """Exit status and text of a shell's command in the root, with an environment of its own."""
-        done = subprocess.run(["chroot", str(ROOT), "env", "-i", "PATH=/usr/sbin:/usr/bin:/sbin:/bin", "HOME=/root", "LC_ALL=C.UTF-8",
-                               "sh", "-c", command], text=True, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        return done.returncode, done.stdout
-
     def check_run(self, command):
-        status, text = self.run_there(command)
+        status, text = self.root.run(command)
         self.assertEqual(status, 0, text)
         self.assertIsNone(re.search(r"ERR\||FATL\||Traceback", text), text)
         return text
@@ -118,7 +83,7 @@ class PackageTest(unittest.TestCase):
         self.assertTrue((ROOT / "usr/include/waft/vtkMotionSceneReader.h").is_file())
 
     def test_removing_it_leaves_nothing(self):
-        self.addCleanup(self.run_there, f"apt-get install -y -q --no-install-recommends /tmp/{PACKAGE.name}")
+        self.addCleanup(self.root.run, f"apt-get install -y -q --no-install-recommends /tmp/{PACKAGE.name}")
         self.check_run("apt-get purge -y -q waft")
         self.assertEqual(self.check_run("find / -xdev -ipath '*waft*' -not -path '/tmp/*' -not -path '/var/*' -not -path '/proc/*'"), "")
 
