@@ -63,7 +63,9 @@ set(CPACK_DEBIAN_PACKAGE_DEPENDS "paraview (>= ${ParaView_VERSION_MAJOR}.${ParaV
   "paraview (<< ${ParaView_VERSION_MAJOR}.${next})" python3-paraview
   "python3 (>= 3.${Python3_VERSION_MINOR})" "python3 (<< 3.${next_python})" python3-numpy python3-pil
   libqt5svg5 xvfb xauth libjs-three)
-list(TRANSFORM CPACK_DEBIAN_PACKAGE_DEPENDS REPLACE "^libqt5svg5$" "libqt${WAFT_QT_VERSION}svg${WAFT_QT_VERSION}")
+if(WAFT_QT_VERSION GREATER 5)
+  list(TRANSFORM CPACK_DEBIAN_PACKAGE_DEPENDS REPLACE "^libqt5svg5$" "qt${WAFT_QT_VERSION}-svg-plugins")
+endif()
 list(JOIN CPACK_DEBIAN_PACKAGE_DEPENDS ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "blender, ffmpeg, python3-sklearn, python3-matplotlib, mpi-default-bin")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA
