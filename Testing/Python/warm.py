@@ -37,6 +37,8 @@ def become(act, folder, output, errors):
     nothing = os.open(os.devnull, os.O_RDONLY)
     for source, target in ((nothing, 0), (output, 1), (errors, 2)):
         os.dup2(source, target)
+    # Streams of its own: those of pvpython 5.13 keep what was flushed.
+    sys.stdout, sys.stderr = (open(number, "w", encoding="utf-8", closefd=False, buffering=1) for number in (1, 2))
     status = 1
     try:
         os.chdir(folder)

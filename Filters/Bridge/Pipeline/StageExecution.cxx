@@ -28,6 +28,7 @@
 #include <new>
 #include <set>
 #include <stdexcept>
+#include <unistd.h>
 
 using Sddp = vtkStreamingDemandDrivenPipeline;
 
@@ -226,8 +227,9 @@ bool StageMonitor::Tick(double fraction, const std::string& text)
 
 ParallelFor SmpFor()
 {
+  static const pid_t first = getpid(); // a fork has none of the threads that VTK 9.3 keeps
   if (std::strcmp(vtkSMPTools::GetBackend(), "Sequential") == 0 &&
-      !std::getenv("VTK_SMP_BACKEND_IN_USE"))
+      !std::getenv("VTK_SMP_BACKEND_IN_USE") && getpid() == first)
   {
     vtkSMPTools::SetBackend("STDThread");
   }

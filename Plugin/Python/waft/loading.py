@@ -98,18 +98,23 @@ def _load_library(simple):
     simple.LoadPlugin(str(plugin), remote=False, ns=vars(simple))
 
 
+_has_threads = True
+
+
 def set_threads(threads):
     """Number of threads of every stage (None: all cores). Results do not depend on it."""
     from vtkmodules.vtkCommonCore import vtkSMPTools
 
-    vtkSMPTools.SetBackend("STDThread" if threads != 1 else "Sequential")
+    vtkSMPTools.SetBackend("STDThread" if threads != 1 and _has_threads else "Sequential")
     vtkSMPTools.Initialize(threads or 0)
 
 
 def _work_alone():
-    """A fork has none of the threads that VTK 9.3 keeps for its loops, and would wait for them for ever."""
+    """A fork has none of the threads that VTK keeps for its loops since 9.3, and would wait for them for ever."""
+    global _has_threads
     vtk = sys.modules.get("vtkmodules.vtkCommonCore")
-    if vtk is not None:
+    if vtk is not None and (vtk.vtkVersion.GetVTKMajorVersion(), vtk.vtkVersion.GetVTKMinorVersion()) >= (9, 3):
+        _has_threads = False
         vtk.vtkSMPTools.SetBackend("Sequential")
 
 
