@@ -805,6 +805,12 @@ class Checked(unittest.TestCase):
                  "overlap there; take fewer, smaller ones, or a wider figure", "Mark",
                  "too near: 29 pairs of the 31 marks at frame 30 are nearer than bodies are wide (0.1 m), the nearest 0.08 m: bodies will "
                  "overlap there; take fewer, smaller ones, or a wider figure"),
+                ("too near: 1 pairs of the 2 marks at frame 3 are nearer than bodies are wide (0.1 m), the nearest 0 m (objects 0 and 1, at "
+                 "one place): bodies will overlap there; take fewer, smaller ones, or a wider figure, or ask for one of them at another "
+                 "frame", "Leaf",
+                 "too near: 1 pairs of the 2 marks at frame 8 are nearer than bodies are wide (0.1 m), the nearest 0 m (Leaf and Other, at "
+                 "one place): bodies will overlap there; take fewer, smaller ones, or a wider figure, or ask for one of them at another "
+                 "frame"),
                 ("conflict: 26 more", "", "26 more cannot be met"),
                 ("too many: the balls of clearance of 900 bodies take 12 % of the volume, 5 % is what flies well", "",
                  "too many: 900 flyers and the room that they turn in take 12 % of the volume; up to 5 % fly well"),

@@ -142,6 +142,32 @@ class StartingTest(unittest.TestCase):
         self.check(0, "hard: too many", domain={"min": [-1.5, -1.5, 0], "max": [1, 1, 3]},
                    shapes={"leaf": {"builtin": "leaf", "size": 1.1}})
 
+    def test_check_names_objects_that_are_asked_to_one_place(self):
+        said = self.check(0, "hard: too near: 1 pairs of the 2 marks at frame 60 are nearer than bodies are wide (0.1 m), the nearest 0 m "
+                          "(objects 0 and 1, at one place): ", constraints=[position(n, 60, [-0.9, 0.0, 2]) for n in (1, 0)])
+        self.assertIn("1 remarks", said)
+        self.check(0, "the nearest 0.02 m (objects 0 and 1): ",
+                   constraints=[position(0, 60, [-0.9, 0.0, 2]), position(1, 60, [-0.9, 0.02, 2])])
+        for others in ({"frame": 59}, {"radius": 0.2}, {"object": 0, "radius": 0.05}):  # another time, room for both, the same object
+            self.assertNotIn("too near", self.check(0, constraints=[position(0, 60, [-0.9, 0.0, 2]),
+                                                                    {**position(1, 60, [-0.9, 0.02, 2]), **others}]))
+
+    def test_check_measures_two_marks_by_the_bodies_that_come_there(self):
+        shapes = {"leaf": {"builtin": "leaf"}, "maple": {"builtin": "maple", "size": 0.5}}
+        objects = [{"shape": "leaf", "positions": [[-1.0, -0.5, 2.6], [-0.9, 0.6, 2.4]]}, {"shape": "maple", "position": [0, 0, 2.4]}]
+        marks = [position(number, 60, [0.2 * number - 0.9, 0.0, 2]) for number in range(3)]  # small ones have room there
+        self.check(0, "too near: 1 pairs of the 3 marks at frame 60", "(0.3 m), the nearest 0.2 m (objects 1 and 2)", shapes=shapes,
+                   objects=objects, constraints=marks)
+
+    def test_check_names_the_nearest_few_of_many_that_are_near(self):
+        objects = [{"shape": "leaf", "positions": [[-1.0 + 0.2 * (n % 10), -1.0 + 0.2 * (n // 10), 2.6] for n in range(60)]}]
+        said = self.check(0, "too near: 1770 pairs of the 60 marks at frame 60", objects=objects,
+                          constraints=[position(n, 60, [0, 0, 2]) for n in range(60)])
+        self.assertEqual(3, said.count("at one place"))
+        marks = [position(n, 50 + n // 2, [-1.0 + 0.2 * (n // 2), 0, 2.2]) for n in range(16)]
+        said = self.check(0, "hard: too near: 3 more", "objects 8 and 9", objects=objects, constraints=marks)
+        self.assertNotIn("objects 10 and 11", said)
+
     def test_check_tells_the_first_few_of_what_is_alike(self):
         rows = [position(0, 30 + i, [1.7, -1.7 + 0.4 * (i % 9), 3.5]) for i in range(9)]
         said = self.check(3, "cannot be met: conflict: 3 more", constraints=rows)

@@ -84,7 +84,8 @@ class Teller:
         crowded = re.match(r"too near: .* marks at frame (\d+) ", line)
         if crowded:
             names = self._at.get(int(crowded[1]), ())
-            return next(iter(names)) if len(names) == 1 else ""
+            if len(names) == 1:
+                return next(iter(names))
         found = {}
         for match in _NUMBERED.finditer(line):
             names = self._names(match)

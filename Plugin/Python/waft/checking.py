@@ -258,33 +258,51 @@ def _tight_marks(looked):
                f"clearance radius is {needed:.3g} m")
 
 
+_MOST_PAIRS = 10_000_000  # of marks at one frame that are looked at
+_NAMED = 3  # pairs of them that are named, the nearest
+
+
 def _near_marks(looked):
-    """Frames at which objects are asked to be nearer to one another than they are wide."""
-    wide = 2.0 * float(np.median(looked.clearance)) if len(looked.clearance) else 0.0
-    rows = np.flatnonzero(looked.kind == POSITION)
+    """Frames at which objects are asked to be nearer to one another than they are wide, and which ones those are."""
+    clearance = dict(zip(looked.ids.tolist(), looked.clearance.tolist()))
+    rows = np.flatnonzero((looked.kind == POSITION) & looked.can_be & np.isin(looked.object, looked.ids))
     rows = rows[np.argsort(looked.frame[rows], kind="stable")]
     frames, first = np.unique(looked.frame[rows], return_index=True)
     for frame, own in zip(frames, np.split(rows, first[1:])):
-        near, smallest = _pairs_within(looked.places[own], looked.radius[own], wide) if len(own) > 1 else (0, 0.0)
+        if len(own) < 2:
+            continue
+        owner = looked.object[own]
+        room = np.array([clearance[number] for number in owner.tolist()])
+        near, is_all, nearest = _near_pairs(looked.places[own], looked.radius[own], room, owner)
         if near:
-            yield (f"too near: {near} pairs of the {len(own)} marks at frame {frame} are nearer than bodies are wide ({wide:.3g} m), the "
-                   f"nearest {smallest:.3g} m: bodies will overlap there; take fewer, smaller ones, or a wider figure")
+            named = ", ".join(f"{apart:.3g} m (objects {min(pair)} and {max(pair)}{', at one place' if apart == 0.0 else ''})"
+                              for apart, _, pair in nearest)
+            yield (f"too near: {'' if is_all else 'at least '}{near} pairs of the {len(own)} marks at frame {frame} are nearer than bodies "
+                   f"are wide ({nearest[0][1]:.3g} m), the nearest {named}: bodies will overlap there; take fewer, smaller ones, or a "
+                   "wider figure, or ask for one of them at another frame")
 
 
-def _pairs_within(places, radius, wide):
-    """Number of pairs that are nearer than `wide`, radii added, and the distance of the nearest of them. Along the axis of the
-    largest extent only neighbours can be."""
+def _near_pairs(places, radius, room, owner):
+    """(number of pairs of marks of different owners that are nearer, radii added, than both have room, whether that is of all pairs,
+    [(distance, wide, owners)] of the nearest of them). Along the axis of the largest extent only neighbours can be, of which so many
+    are looked at that the time is bounded; those at one place stand side by side."""
     axis = np.ptp(places, axis=0).argmax()
-    order = np.argsort(places[:, axis], kind="stable")
-    places, radius = places[order], radius[order]
-    ends = np.searchsorted(places[:, axis], places[:, axis] + wide)
-    near, smallest = 0, np.inf
-    for i, end in enumerate(ends.tolist()):
+    order = np.lexsort((places[:, axis - 2], places[:, axis - 1], places[:, axis]))
+    places, radius, room, owner = places[order], radius[order], room[order], owner[order]
+    after = np.arange(1, len(places) + 1)
+    ends = np.searchsorted(places[:, axis], places[:, axis] + 2.0 * room.max())
+    last = np.minimum(ends, after + max(1, _MOST_PAIRS // len(places)))
+    count, found = 0, []
+    for i, end in enumerate(last.tolist()):
         if end > i + 1:
-            apart = np.linalg.norm(places[i + 1:end] - places[i], axis=1) + radius[i + 1:end] + radius[i]
-            near += int(np.count_nonzero(apart < wide))
-            smallest = min(smallest, float(apart.min()))
-    return near, smallest
+            rest = slice(i + 1, end)
+            apart = np.linalg.norm(places[rest] - places[i], axis=1) + radius[rest] + radius[i]
+            near = np.flatnonzero((apart < room[rest] + room[i]) & (owner[rest] != owner[i]))
+            count += len(near)
+            if len(near) > 0:
+                best = near[apart[near].argmin()]
+                found.append((float(apart[best]), float(room[i] + room[i + 1 + best]), (int(owner[i]), int(owner[i + 1 + best]))))
+    return count, bool(np.all(last == ends)), sorted(found)[:_NAMED]
 
 
 def _crowd(looked):
