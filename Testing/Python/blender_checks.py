@@ -801,6 +801,14 @@ class Checked(unittest.TestCase):
                  "no time to fall: Leaf falls 3 m in 1 s: give it 3 s or more, which is 72 frames"),
                 ("too narrow: row 0 target 0 lies 0.01 m from obstacle 0, the body's clearance radius is 0.05 m", "Mark",
                  "too narrow: lies 0.01 m from Post, a flyer turns in a ball of 0.05 m about it"),
+                ("too fast: row 0 target 0: object 1 has 0.4 s for 4 m to its mark at frame 25, 10 m/s; the fastest of the database is 2.2 "
+                 "m/s, and half of that is kept up: give it 3.6 s (86 frames) or more", "Mark",
+                 "too fast: Other has 0.4 s for 4 m: give it 3.6 s or more, which is 86 frames"),
+                ("no time to fall: row 0 target 0: object 0 falls 3 m in 1 s to its rest at frame 25; it settles at 0.8 m/s: give it 3 s (72 "
+                 "frames) or more", "Mark", "no time to fall: Leaf falls 3 m in 1 s: give it 3 s or more, which is 72 frames"),
+                ("too narrow: row 0 target 0 lies 0.01 m from obstacle 0, the body's clearance radius is 0.05 m: move the mark of object 0 at "
+                 "frame 25 away by 0.04 m, or give it that radius", "Mark",
+                 "too narrow: lies 0.01 m from Post, a flyer turns in a ball of 0.05 m about it"),
                 ("too near: 29 pairs of the 31 marks at frame 25 are nearer than bodies are wide (0.1 m), the nearest 0.08 m: bodies will "
                  "overlap there; take fewer, smaller ones, or a wider figure", "Mark",
                  "too near: 29 pairs of the 31 marks at frame 30 are nearer than bodies are wide (0.1 m), the nearest 0.08 m: bodies will "
@@ -823,6 +831,20 @@ class Checked(unittest.TestCase):
                  "turns faster than frames can show are slowed to 60 degrees a frame (3 flyers, 12 frames)"),
                 ("1 object, 1 frame: rows, rests or surfaces turn by up to 90 degrees, more than MaximumTurn (60 degrees a frame)", "",
                  "marks, rests or surfaces turn flyers by up to 90 degrees in a frame (1 flyers, 1 frames)"),
+                ("object 1 (its 2 marks at frames 20 to 25): the air does not take it there: what moves it besides is 37 % of the flow's "
+                 "velocity: give it more time between its marks, or marks that are nearer", "Other",
+                 "the air does not take it to its marks: it is pushed besides, by 37 % of the air's speed; more time between marks helps"),
+                ("1 object, 12 frames (object 1 at frames 3 to 20): turning that frames cannot show is slowed to 60 degrees a frame; where "
+                 "that looks too calm, more frames per second, a wider body or more time between its marks help (what turns faster is "
+                 "slowed to MaximumTurn)", "Other",
+                 "turns faster than frames can show are slowed to 60 degrees a frame (1 flyers, 12 frames)"),
+                ("1 object, 1 frame (object 0 at frame 31): orientations asked for, rests or surfaces turn by up to 90 degrees, more than 60 "
+                 "degrees a frame: ask for orientations more frames apart, and for more time before a rest (MaximumTurn)", "Leaf",
+                 "marks, rests or surfaces turn flyers by up to 90 degrees in a frame (1 flyers, 1 frames)"),
+                ("object 1: the path leaves less than the clearance asked for, 0.05 m: give its marks more room beside what is in the way",
+                 "Other", "comes nearer to something than it is wide"),
+                ("spacetime: the motion stays as it was, since nothing can be bettered by more than Tolerance: E was 2 and is 2", "",
+                 "there was nothing left to better"),
                 ("object 1: its mesh lies up to 0.02 m below a surface, as its centre comes too near", "Other",
                  "cuts a surface by up to 0.02 m"),
                 ("row 0 target 0 (object 0, frame 25, position): infeasible: the position (0, 0, 1) lies 0.1 m inside obstacle 0, expected "

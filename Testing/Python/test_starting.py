@@ -130,13 +130,14 @@ class StartingTest(unittest.TestCase):
         self.assertEqual(["scene.waft.json"], [path.name for path in self.folder.iterdir()])
 
     def test_check_tells_what_is_hard(self):
-        self.check(0, "hard: too fast: row 0 target 0: object 0 has 1 s for", constraints=[position(0, 30, [0.6, -0.5, 2.0])])
-        self.check(0, "hard: no time to fall: row 0", constraints=[{"kind": "rest", "object": 0, "frame": 45, "value": [-1, -0.5, 1]}])
+        self.check(0, "hard: too fast: row 0 target 0: object 0 has 1 s for", " m to its mark at frame 30, ", " frames) or more",
+                   "waft: row N is entry N of `constraints`", constraints=[position(0, 30, [0.6, -0.5, 2.0])])
+        self.check(0, "hard: no time to fall: row 0", " s to its rest at frame 45; ", " frames) or more", constraints=[{"kind": "rest", "object": 0, "frame": 45, "value": [-1, -0.5, 1]}])
         self.check(0, "hard: too near: 1 pairs of the 2 marks at frame 60",
                    constraints=[position(0, 60, [-0.9, 0.0, 2]), position(1, 60, [-0.9, 0.02, 2])])
         self.check(0, "hard: too narrow: obstacles 0 and 1 are 0.05 m apart",
                    obstacles=[{"kind": "box", "min": [1, -1, 0], "max": [1.2, 0, 2]}, {"kind": "box", "min": [1, 0.05, 0], "max": [1.2, 1, 2]}])
-        self.check(0, "hard: too narrow: row 0 target 0 lies 0.02 m from obstacle 0",
+        self.check(0, "hard: too narrow: row 0 target 0 lies 0.02 m from obstacle 0", "move the mark of object 0 at frame 60 away by 0.03 m",
                    obstacles=[{"kind": "box", "min": [-0.5, -1, 0], "max": [-0.3, 0, 2.2]}],
                    constraints=[position(0, 60, [-0.52, -0.4, 2])])
         self.check(0, "hard: too many", domain={"min": [-1.5, -1.5, 0], "max": [1, 1, 3]},

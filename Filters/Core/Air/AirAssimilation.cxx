@@ -2,6 +2,7 @@
 #include "Air/AirAssimilation.h"
 
 #include "Air/AssimilationRun.h"
+#include "Base/NumberText.h"
 #include "Constraints/ConstraintCheck.h"
 
 #include <algorithm>
@@ -18,6 +19,26 @@ constexpr double EnoughControl = 0.065; // of the flow at the bodies
 constexpr double LargeControl = 0.3;    // of the flow, that is told
 constexpr std::size_t MostTold = 10;
 constexpr const char* Finished = "finish";
+
+/// " (its mark at frame 30)", " (its 4 marks at frames 30 to 60)": those that somebody asked for.
+std::string MarksText(const std::vector<Constraint>& rows)
+{
+  int count = 0, first = 0, last = 0;
+  for (const Constraint& row : rows)
+  {
+    if (row.Row != OfNoRow)
+    {
+      first = count == 0 ? row.Frame : std::min(first, row.Frame);
+      last = count == 0 ? row.Frame : std::max(last, row.Frame);
+      ++count;
+    }
+  }
+  const std::string marks = count == 1 ? "its mark" : "its " + std::to_string(count) + " marks";
+  const std::string frames =
+    first == last ? " at frame " + std::to_string(first)
+                  : " at frames " + std::to_string(first) + " to " + std::to_string(last);
+  return count == 0 ? "" : " (" + marks + frames + ")";
+}
 
 } // namespace
 
@@ -221,7 +242,9 @@ void AssimilationRun::Finish(bool isStopped)
     {
       this->Output.Warnings.push_back("object " +
                                       std::to_string(this->Drifters[o].Object().ObjectId) +
-                                      ": the path leaves less than the clearance asked for");
+                                      ": the path leaves less than the clearance asked for, " +
+                                      NumberText(this->Drifters[o].Object().ClearanceRadius) +
+                                      " m: give its marks more room beside what is in the way");
     }
     Track track;
     track.ObjectId = this->Drifters[o].Object().ObjectId;
@@ -346,18 +369,12 @@ void AssimilationRun::TellLargeHands()
     {
       continue;
     }
-    std::string rows;
-    for (const Constraint& row : this->Drifters[o].Rows())
-    {
-      if (row.Row != OfNoRow)
-      {
-        rows += (rows.empty() ? "" : ", ") + std::to_string(row.Row);
-      }
-    }
     this->Output.Warnings.push_back(
-      "object " + std::to_string(this->Drifters[o].Object().ObjectId) + " (rows " + rows +
-      "): the air does not take it there: what moves it besides is " +
-      std::to_string(std::lround(100.0 * part)) + " % of the flow's velocity (rms)");
+      "object " + std::to_string(this->Drifters[o].Object().ObjectId) +
+      MarksText(this->Drifters[o].Rows()) +
+      ": the air does not take it there: what moves it besides is " +
+      std::to_string(std::lround(100.0 * part)) +
+      " % of the flow's velocity: give it more time between its marks, or marks that are nearer");
   }
   if (told > MostTold)
   {

@@ -83,7 +83,8 @@ void AssimilationRun::KeepCheckpoint(int rounds, const Result& result)
   if (!written)
   {
     this->HasCheckpointFailed = true;
-    this->Output.Warnings.push_back("CheckpointFile: " + written.Message());
+    this->Output.Warnings.push_back("no checkpoint is kept: " + written.Message() +
+                                    " (CheckpointFile)");
   }
 }
 
@@ -106,8 +107,8 @@ bool AssimilationRun::Resume(int& rounds)
   }
   if (!lack.empty())
   {
-    this->Output.Warnings.push_back("CheckpointFile: " + path + " " + lack +
-                                    ": ignored, done from the start");
+    this->Output.Warnings.push_back("the checkpoint " + path + " " + lack +
+                                    ": ignored, done from the start (CheckpointFile)");
     return false;
   }
   this->Take(state);
@@ -134,9 +135,9 @@ bool AssimilationRun::Edit(AssimilationState* memory)
     if (!lack.empty() || !kept.Key.IsOfSameAir(this->Key) || !this->HasPaths(kept))
     {
       this->Output.Warnings.push_back(
-        "EditOf: " + this->Options.EditOf + " " +
+        "the air to be kept, " + this->Options.EditOf + ", " +
         (lack.empty() ? "is of another scene, other objects or other properties" : lack) +
-        ": ignored, done from the start");
+        ": ignored, done from the start (EditOf)");
       return false;
     }
   }
@@ -184,7 +185,8 @@ void AssimilationRun::Leave(AssimilationState* memory)
     const Result written = WriteState(this->Options.StateFile, state, this->Parallel);
     if (!written)
     {
-      this->Output.Warnings.push_back("StateFile: " + written.Message());
+      this->Output.Warnings.push_back("no air is kept for edits: " + written.Message() +
+                                      " (StateFile)");
     }
   }
   if (memory != nullptr)

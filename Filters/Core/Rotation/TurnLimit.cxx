@@ -15,6 +15,7 @@ namespace
 {
 constexpr int MostFlights = 12;
 constexpr int MostInVain = 3;
+constexpr int MostNamed = 5;           // objects of which the same is said
 constexpr int Ramp = 8;                // frames over which the flight slows down, and gathers speed
 constexpr double LeastFraction = 0.05; // of the limit, that a flight is left
 constexpr double Quickness = 0.5;      // of the limit, by which torques change turning in a frame
@@ -126,39 +127,74 @@ AttitudeOutcome TurnObjectWithin(double most, const AttitudePlan& plan, const Fl
   return best;
 }
 
+void TurnCount::Tally::Add(int objectId, int frames, int first, int last)
+{
+  if (frames == 0)
+  {
+    return;
+  }
+  this->Frames += frames;
+  if (++this->Objects <= MostNamed)
+  {
+    this->Named +=
+      (this->Objects > 1 ? ", object " : "object ") + std::to_string(objectId) +
+      (first == last ? " at frame " + std::to_string(first)
+                     : " at frames " + std::to_string(first) + " to " + std::to_string(last));
+  }
+}
+
+std::string TurnCount::Tally::Text() const
+{
+  const int more = this->Objects - MostNamed;
+  return Times(this->Objects, "object") + ", " + Times(this->Frames, "frame") + " (" + this->Named +
+         (more > 0 ? " and " + std::to_string(more) + " more" : "") + ")";
+}
+
 void TurnCount::Add(const AttitudeOutcome& outcome)
 {
-  const auto slowed = static_cast<int>(std::count(outcome.Slowed.begin(), outcome.Slowed.end(), 1));
-  this->SlowedFrames += slowed;
-  this->SlowedObjects += slowed > 0;
-  const std::vector<double> turns = Turns(outcome);
-  const auto fast = static_cast<int>(std::count_if(
-    turns.begin(), turns.end(), [this](double turn) { return turn > this->Most * Slack; }));
-  this->FastFrames += fast;
-  this->FastObjects += fast > 0;
-  for (const double turn : turns)
+  const int id = outcome.Poses.ObjectId;
+  int slowed = 0, first = 0, last = 0;
+  for (std::size_t k = 0; k < outcome.Slowed.size(); ++k)
   {
-    this->Greatest = std::max(this->Greatest, turn);
+    if (outcome.Slowed[k] != 0)
+    {
+      last = static_cast<int>(k);
+      first = slowed++ == 0 ? last : first;
+    }
   }
+  this->Slowed.Add(id, slowed, first, last);
+  const std::vector<double> turns = Turns(outcome);
+  int fast = 0;
+  for (std::size_t k = 0; k < turns.size(); ++k)
+  {
+    this->Greatest = std::max(this->Greatest, turns[k]);
+    if (turns[k] > this->Most * Slack)
+    {
+      last = static_cast<int>(k) + 1; // turned since the frame before
+      first = fast++ == 0 ? last : first;
+    }
+  }
+  this->Fast.Add(id, fast, first, last);
 }
 
 std::vector<std::string> TurnCount::Warnings() const
 {
   std::vector<std::string> warnings;
-  const std::string limit =
-    "MaximumTurn (" + NumberText(this->Most * Degrees, 4) + " degrees a frame)";
-  if (this->SlowedFrames > 0)
+  const std::string most = NumberText(this->Most * Degrees, 4) + " degrees a frame";
+  if (this->Slowed.Objects > 0)
   {
-    warnings.push_back(Times(this->SlowedObjects, "object") + ", " +
-                       Times(this->SlowedFrames, "frame") +
-                       ": turning that frames cannot show is slowed to " + limit);
+    warnings.push_back(this->Slowed.Text() + ": turning that frames cannot show is slowed to " +
+                       most +
+                       "; where that looks too calm, more frames per second, a wider body or more "
+                       "time between its marks help (what turns faster is slowed to MaximumTurn)");
   }
-  if (this->FastFrames > 0)
+  if (this->Fast.Objects > 0)
   {
-    warnings.push_back(Times(this->FastObjects, "object") + ", " +
-                       Times(this->FastFrames, "frame") +
-                       ": rows, rests or surfaces turn by up to " +
-                       NumberText(this->Greatest * Degrees, 4) + " degrees, more than " + limit);
+    warnings.push_back(this->Fast.Text() +
+                       ": orientations asked for, rests or surfaces turn by up to " +
+                       NumberText(this->Greatest * Degrees, 4) + " degrees, more than " + most +
+                       ": ask for orientations more frames apart, and for more time before a rest "
+                       "(MaximumTurn)");
   }
   return warnings;
 }

@@ -25,15 +25,26 @@ class TurnCount
 public:
   explicit TurnCount(double most) : Most(most) {}
   void Add(const AttitudeOutcome& outcome);
-  /// How many objects and frames were slowed; how many turn by more all the same, and by how much.
+  /// How many objects and frames were slowed, and which; how many turn by more all the same, and by
+  /// how much.
   std::vector<std::string> Warnings() const;
 
 private:
+  /// Objects of which the same is to be said.
+  struct Tally
+  {
+    void Add(int objectId, int frames, int first, int last);
+    /// "2 objects, 5 frames (object 3 at frames 7 to 10, object 4 at frame 2)": the first few.
+    std::string Text() const;
+
+    int Objects = 0;
+    int Frames = 0;
+    std::string Named;
+  };
+
   double Most; // rad
-  int SlowedObjects = 0;
-  int SlowedFrames = 0;
-  int FastObjects = 0;
-  int FastFrames = 0;
+  Tally Slowed;
+  Tally Fast;
   double Greatest = 0.0; // rad
 };
 

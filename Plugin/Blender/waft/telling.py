@@ -7,11 +7,11 @@ from .problems import Problem
 
 # What waft says, and how it is said here. {} are its groups; what has a number there becomes a name then.
 _SENTENCES = [(re.compile(pattern, re.S), words) for pattern, words in (
-    (r"too fast: row \d+ target \d+: (?P<object>object \d+) has (\S+) s for (\S+) m, .*: give it (?P<seconds>\S+) s or more",
+    (r"too fast: row \d+ target \d+: (?P<object>object \d+) has (\S+) s for (\S+) m[ ,].*: give it (?P<seconds>\S+) s .*or more",
      "too fast: {object} has {1} s for {2} m: give it {seconds} s or more, which is {frames} frames"),
-    (r"no time to fall: row \d+ target \d+: (?P<object>object \d+) falls (\S+) m in (\S+) s; .*: give it (?P<seconds>\S+) s or more",
+    (r"no time to fall: row \d+ target \d+: (?P<object>object \d+) falls (\S+) m in (\S+) s[ ;].*: give it (?P<seconds>\S+) s .*or more",
      "no time to fall: {object} falls {1} m in {2} s: give it {seconds} s or more, which is {frames} frames"),
-    (r"too narrow: row \d+ target \d+ lies (\S+) m from (obstacle \d+), the body's clearance radius is (\S+) m",
+    (r"too narrow: row \d+ target \d+ lies (\S+) m from (obstacle \d+), the body's clearance radius is ([^\s:]+) m(?:: .*)?",
      "too narrow: lies {0} m from {1}, a flyer turns in a ball of {2} m about it"),
     (r"too many: the balls of clearance of (\d+) bodies take (\d+) % of the volume, (\d+) % is what flies well",
      "too many: {0} flyers and the room that they turn in take {1} % of the volume; up to {2} % fly well"),
@@ -22,19 +22,20 @@ _SENTENCES = [(re.compile(pattern, re.S), words) for pattern, words in (
      "{1} frames a second are far from the {0} of the flights that paths are made of: they may look uneven"),
     (r"Database: traced in a volume (\S+) m wide, the scene's is (\S+) m: .*",
      "the volume is {1} m wide, the flights that paths are made of {0} m: marks may be too near or too far apart for them"),
-    (r"(?P<object>object \d+) \(rows ([\d, ]*)\): .* is (\d+) % of .*",
-     "the air does not take it to its marks: it is pushed besides, by {2} % of the air's speed; more time between marks helps"),
+    (r"(?P<object>object \d+)(?: \([^)]*\))?: the air does not take it there: .* is (\d+) % of .*",
+     "the air does not take it to its marks: it is pushed besides, by {1} % of the air's speed; more time between marks helps"),
     (r"and (\d+) more objects that the air does not take to their marks", "{0} more flyers are pushed to their marks besides"),
-    (r"(\d+) objects?, (\d+) frames?: turning that frames cannot show is slowed to MaximumTurn \((\S+) degrees a frame\)",
+    (r"(\d+) objects?, (\d+) frames?(?: \([^)]*\))?: turning that frames cannot show is slowed to (?:MaximumTurn \()?(\S+) degrees.*",
      "turns faster than frames can show are slowed to {2} degrees a frame ({0} flyers, {1} frames)"),
-    (r"(\d+) objects?, (\d+) frames?: rows, rests or surfaces turn by up to (\S+) degrees, more than .*",
+    (r"(\d+) objects?, (\d+) frames?(?: \([^)]*\))?: .*, rests or surfaces turn by up to (\S+) degrees, more than .*",
      "marks, rests or surfaces turn flyers by up to {2} degrees in a frame ({0} flyers, {1} frames)"),
     (r"(?P<object>object \d+): its mesh lies up to (\S+) m below a surface, .*", "cuts a surface by up to {1} m"),
     (r"(?P<object>object \d+): its centre was moved by up to (\S+) m so that .*",
      "lies on a surface, for which its centre was moved by up to {1} m"),
-    (r"(?P<object>object \d+): the path leaves less than the clearance asked for", "comes nearer to something than it is wide"),
+    (r"(?P<object>object \d+): the (?:planned )?path leaves less than the clearance asked for.*",
+     "comes nearer to something than it is wide"),
     (r"stopped before there was an air: the paths are the plan's", "stopped before the air was there: the motion is only planned"),
-    (r"spacetime: nothing can be bettered by more than Tolerance: .*", "there was nothing left to better"),
+    (r"spacetime: (?:.*, since )?nothing can be bettered by more than Tolerance: .*", "there was nothing left to better"),
 )]
 _NUMBERED = re.compile(
     r"(?<![^\s\"'(])/(?:(?P<group>constraints|obstacles|objects|winds|vortices)/(?P<entry>\d+)|shapes/(?P<shape>[^/:]+))(?:/[^: ]*)?"

@@ -99,6 +99,13 @@ class Looked:
         self.radius = vtk_to_numpy(rows.GetPointData().GetArray("Radius")).copy() if count else np.empty(0)
         self.top_speed = reading.read_blocks(pipeline.database_file).GetBlock(0).GetFieldData().GetArray("TopSpeed").GetComponent(0, 0)
 
+    def name(self, row):
+        return f"row {self.row[row]} target {self.target[row]}"
+
+    def time(self, seconds):
+        """As messages have it, in frames besides."""
+        return f"{seconds:.2g} s ({np.ceil(seconds * self.rate):.0f} frames)"
+
     def height_below(self, place):
         """Height of the first surface straight below a place; its own where there is none."""
         if self._locator is None:
@@ -193,9 +200,9 @@ def _haste(looked):
         seconds = (looked.frame[row] - frame) / looked.rate
         distance = float(np.linalg.norm(looked.places[row] - place)) - room - looked.radius[row]
         if distance > _KEPT_UP * looked.top_speed * seconds:
-            yield (f"too fast: row {looked.row[row]} target {looked.target[row]}: object {looked.ids[index]} has {seconds:.3g} s for "
-                   f"{distance:.3g} m, {distance / seconds:.3g} m/s; the fastest of the database is {looked.top_speed:.2g} m/s, and "
-                   f"half of that is kept up: give it {distance / (_KEPT_UP * looked.top_speed):.2g} s or more")
+            yield (f"too fast: {looked.name(row)}: object {looked.ids[index]} has {seconds:.3g} s for {distance:.3g} m to its mark at frame "
+                   f"{looked.frame[row]}, {distance / seconds:.3g} m/s; the fastest of the database is {looked.top_speed:.2g} m/s, and "
+                   f"half of that is kept up: give it {looked.time(distance / (_KEPT_UP * looked.top_speed))} or more")
 
 
 def _falls(looked):
@@ -207,8 +214,9 @@ def _falls(looked):
         height = float(place[2] - looked.height_below(looked.places[row])) - room
         fastest = float(looked.settling[index]) + _SINKING * looked.top_speed
         if height > fastest * seconds:
-            yield (f"no time to fall: row {looked.row[row]} target {looked.target[row]}: object {looked.ids[index]} falls {height:.3g} m "
-                   f"in {seconds:.3g} s; it settles at {looked.settling[index]:.2g} m/s: give it {height / fastest:.2g} s or more")
+            yield (f"no time to fall: {looked.name(row)}: object {looked.ids[index]} falls {height:.3g} m in {seconds:.3g} s to its rest at "
+                   f"frame {looked.frame[row]}; it settles at {looked.settling[index]:.2g} m/s: give it {looked.time(height / fastest)} or "
+                   "more")
 
 
 def _gaps(looked):
@@ -254,8 +262,9 @@ def _tight_marks(looked):
             room = obstacle.distances(places[near]) + radius[near]
             found += [(rows[near[k]], number, room[k], own[near[k]]) for k in np.flatnonzero((0.0 <= room) & (room < own[near]))]
     for row, number, room, needed in sorted(found):
-        yield (f"too narrow: row {looked.row[row]} target {looked.target[row]} lies {room:.3g} m from obstacle {number}, the body's "
-               f"clearance radius is {needed:.3g} m")
+        yield (f"too narrow: {looked.name(row)} lies {room:.3g} m from obstacle {number}, the body's clearance radius is {needed:.3g} m: "
+               f"move the mark of object {looked.object[row]} at frame {looked.frame[row]} away by {needed - room:.2g} m, or give it that "
+               "radius")
 
 
 _MOST_PAIRS = 10_000_000  # of marks at one frame that are looked at

@@ -11,7 +11,7 @@ from waft import failures
 from waft._schema import definition
 from waft._styles import STYLES, VIEWS
 from waft.loading import version
-from waft.texts import is_utf8, line, say, shortened, warn
+from waft.texts import ROWS, is_utf8, line, names_a_row, say, shortened, warn
 from waft.watching import interruptible, tell_guard
 
 DESCRIPTION = "Motion of light things in air that goes where you say and moves like things carried by one air."
@@ -327,6 +327,8 @@ def run_check(options):
         looked, findings = check(options.scene, options.database)
     for is_possible, text in told(findings):
         print(line(f"waft: {'hard' if is_possible else 'cannot be met'}: {text}"))
+    if any(names_a_row(finding.text) for finding in findings):
+        print(f"waft: {ROWS}")
     impossible = sum(not finding.is_possible for finding in findings)
     print(line(f"waft: {options.scene}: {len(looked.ids)} objects, {len(looked.report)} constraints, {impossible} of them cannot be met, "
                f"{len(findings) - impossible} remarks on what will be hard"))

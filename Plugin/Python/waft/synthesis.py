@@ -13,7 +13,7 @@ from waft.loading import load_plugin, set_threads
 from waft.reading import found_json
 from waft.resuming import Checkpoint, run_key
 from waft.scene import Scene
-from waft.texts import is_utf8, say, warn
+from waft.texts import ROWS, is_utf8, say, warn
 from waft.watching import Clock
 from waft.writing import STATE, left_out, planned_objects, read_rows, result_names, result_place, settled, write_results
 
@@ -177,9 +177,11 @@ def tell(run, folder):
         if row["Status"] != "met":
             say(f"waft: row {row['Row']} target {row['Target']} (object {row['ObjectId']}, frame {row['Frame']}, "
                 f"{row['Kind']}): {row['Status']}: {row['Message']}")
+    met = sum(row["Status"] == "met" for row in run.report)
+    if met < len(run.report):
+        say(f"waft: {ROWS}")
     if left_out(run):
         say(f"waft: stopped: without {', '.join(left_out(run))}; --resume goes on and writes all")
-    met = sum(row["Status"] == "met" for row in run.report)
     seconds = ", ".join(f"{name} {watch.seconds:.1f} s" for name, watch in run.watches.items())
     say(f"{folder}: {met} of {len(run.report)} constraints met ({seconds})")
 

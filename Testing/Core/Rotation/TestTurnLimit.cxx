@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The most that a body turns from a frame to the next: who keeps to it, who is slowed and how.
+#include "Base/NumberText.h"
 #include "Base/Random.h"
 #include "Refining.h"
 #include "Rotation/Flight.h"
@@ -182,6 +183,10 @@ TEST(TurnLimit, ANarrowFeatherIsSlowedSmoothlyAndTold)
       EXPECT_LE(GreatestJerk(output.Poses[0]), 0.7 * 30.0 * degrees * Degree) << i;
       ASSERT_EQ(output.Warnings.size(), 1u);
       EXPECT_NE(output.Warnings[0].find("1 object, "), std::string::npos) << output.Warnings[0];
+      EXPECT_NE(output.Warnings[0].find("(object 0 at frames "), std::string::npos);
+      EXPECT_NE(
+        output.Warnings[0].find(" is slowed to " + NumberText(degrees) + " degrees a frame"),
+        std::string::npos);
       EXPECT_NE(output.Warnings[0].find("is slowed to MaximumTurn"), std::string::npos);
     }
   }
@@ -231,8 +236,9 @@ TEST(TurnLimit, ARowThatAsksForMoreIsMetAndTold)
   EXPECT_EQ(output.Report[1].Status, ConstraintStatus::Met);
   ASSERT_FALSE(output.Warnings.empty());
   EXPECT_EQ(output.Warnings.back(),
-            "1 object, 1 frame: rows, rests or surfaces turn by up to 90 degrees, more than "
-            "MaximumTurn (60 degrees a frame)");
+            "1 object, 1 frame (object 0 at frame 31): orientations asked for, rests or surfaces "
+            "turn by up to 90 degrees, more than 60 degrees a frame: ask for orientations more "
+            "frames apart, and for more time before a rest (MaximumTurn)");
 }
 
 TEST(TurnLimit, LandingsKeepToIt)

@@ -84,7 +84,7 @@ void CheckpointFile::Write(const Content& content, bool now)
   if (!result)
   {
     this->HasFailed = true;
-    this->Warnings.push_back("CheckpointFile: " + result.Message());
+    this->Warnings.push_back("no checkpoint is kept: " + result.Message() + " (CheckpointFile)");
   }
   const double to = this->Elapsed();
   this->Schedule.Note(to, to - from);
@@ -99,8 +99,8 @@ bool CheckpointFile::Read(const Content& content, const std::function<bool()>& i
   }
   const auto ignore = [&](const char* reason)
   {
-    this->Warnings.push_back("CheckpointFile: " + path + " " + reason +
-                             ": ignored, solved from the start");
+    this->Warnings.push_back("the checkpoint " + path + " " + reason +
+                             ": ignored, solved from the start (CheckpointFile)");
     return false;
   };
   if (!IsWholeStateFile(path))

@@ -63,7 +63,7 @@ bool SpacetimeRun::Rebase()
   if (!std::isfinite(terms.E))
   {
     this->Output.Warnings.push_back(
-      "WarmStart: the motion so far has no finite cost under what changed: solved from the start");
+      "the motion so far has no finite cost under what changed: solved from the start (WarmStart)");
     state = SolverState();
     this->Region = EditRegion();
     return false;

@@ -163,18 +163,22 @@ void SpacetimeRun::WriteOutput(std::vector<std::vector<Vec3>> positions)
   if (this->IsCut)
   {
     this->Output.Warnings.push_back(
-      finished ? "TimeLimit: its half was up before the coarse levels were done"
-               : "TimeLimit: reached before the last stage; the best so far");
+      finished
+        ? "half of the time limit was up before the optimiser's coarse levels were done: with "
+          "more time the motion may be better (TimeLimit: its half)"
+        : "the time limit was up before the optimiser's last stage: the motion is the best "
+          "so far, more time betters it (TimeLimit: reached before the last stage)");
   }
   const double energy = this->State.Log.back().E;
   if (finished && this->Region.IsEmpty() &&
       this->State.StartEnergy - energy <=
         std::max(1e-6, this->Options.Tolerance) * this->State.StartEnergy)
   {
-    char text[200];
+    char text[250];
     std::snprintf(
       text, sizeof(text),
-      "spacetime: nothing can be bettered by more than Tolerance: E was %.6g and is %.6g",
+      "spacetime: the motion stays as it was, since nothing can be bettered by more than "
+      "Tolerance: E was %.6g and is %.6g",
       this->State.StartEnergy, energy);
     this->Output.Warnings.push_back(text);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/Scene/SpacetimeExport.h"
 
+#include "Base/NumberText.h"
 #include "Constraints/ResolveClearance.h"
 
 #include <algorithm>
@@ -197,7 +198,9 @@ std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
     if (!object.Clear(x))
     {
       warnings.push_back("object " + std::to_string(setup.Objects[o].ObjectId) +
-                         ": the planned path leaves less than the clearance asked for");
+                         ": the planned path leaves less than the clearance asked for, " +
+                         NumberText(setup.Objects[o].ClearanceRadius) +
+                         " m: give its marks more room beside what is in the way");
     }
     // Velocities go along with what has been moved, so that steps follow them as before.
     Vec3 before = Vec3::Zero();
