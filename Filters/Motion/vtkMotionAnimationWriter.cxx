@@ -20,7 +20,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 
-#include <map>
 #include <set>
 #include <string>
 
@@ -91,7 +90,7 @@ waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(
   WAFT_RETURN_IF_FAILED(waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[1]), objects));
   std::vector<waft::Shape> bodies;
   WAFT_RETURN_IF_FAILED(
-    waft::ShapesFromMultiBlock(vtkMultiBlockDataSet::GetData(inputs[2]), bodies));
+    waft::BodiesFromMultiBlock(vtkMultiBlockDataSet::GetData(inputs[2]), bodies));
   std::vector<waft::AnimatedShape> shapes;
   for (waft::Shape& body : bodies)
   {
@@ -107,22 +106,14 @@ waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(
     }
     shapes.push_back(std::move(shape));
   }
-  std::map<int, int> shapeOfObject;
-  for (const waft::MotionObject& object : objects)
-  {
-    shapeOfObject[object.ObjectId] = object.ShapeId;
-  }
+  const waft::ShapesOfTracks shapeOf("Poses", objects, shapes.size());
   std::vector<waft::AnimatedObject> animated;
   for (std::size_t i = 0; i < tracks.size(); ++i)
   {
-    const auto found = shapeOfObject.find(tracks[i].ObjectId);
-    if (found == shapeOfObject.end() || found->second < 0)
-    {
-      return waft::Result::Error("Poses: object " + std::to_string(tracks[i].ObjectId) +
-                                 ": expected an object of this id and its shape");
-    }
-    animated.push_back({ tracks[i].ObjectId, static_cast<std::size_t>(found->second),
-                         tracks[i].Positions, poses[i].Orientations });
+    int shapeId = 0;
+    WAFT_RETURN_IF_FAILED(shapeOf.Find(tracks[i].ObjectId, shapeId));
+    animated.push_back({ tracks[i].ObjectId, static_cast<std::size_t>(shapeId), tracks[i].Positions,
+                         poses[i].Orientations });
   }
   return waft::WriteAnimationGlb(fileName, shapes, animated, framesPerSecond, monitor);
 }

@@ -117,7 +117,7 @@ waft::Result vtkRotationRefineFilter::Internals::Take(vtkInformationVector** inp
   WAFT_RETURN_IF_FAILED(
     waft::ObjectsFromPolyData(vtkPolyData::GetData(inputs[ObjectsPort]), input.Objects));
   WAFT_RETURN_IF_FAILED(
-    waft::ShapesFromMultiBlock(vtkMultiBlockDataSet::GetData(inputs[ShapesPort]), input.Shapes));
+    waft::BodiesFromMultiBlock(vtkMultiBlockDataSet::GetData(inputs[ShapesPort]), input.Shapes));
   return this->TakeConstraints(inputs[ConstraintsPort], input.Constraints);
 }
 

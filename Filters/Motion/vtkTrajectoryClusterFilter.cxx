@@ -43,7 +43,7 @@ waft::Result AddSimulation(vtkPolyData* tracks, vtkPolyData* vortices, waft::Clu
                            std::set<std::string>& lacking)
 {
   waft::TracedSimulation simulation;
-  WAFT_RETURN_IF_FAILED(waft::TracksFromPolyData(tracks, simulation.Tracks));
+  WAFT_RETURN_IF_FAILED(waft::TracksFromPolyData(tracks, simulation.Tracks, "Input"));
   if (vortices)
   {
     WAFT_RETURN_IF_FAILED(waft::VorticesFromPolyData(vortices, simulation.Vortices));

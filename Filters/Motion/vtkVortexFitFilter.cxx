@@ -82,12 +82,8 @@ waft::Result vtkVortexFitFilter::Internals::Run(vtkInformationVector** inputs,
     return waft::Result::Error("PriorFreedom: expected a number above 0");
   }
   vtkPolyData* input = vtkPolyData::GetData(inputs[TracksPort]);
-  if (input->GetNumberOfCells() == 0)
-  {
-    return waft::Result::Error("Tracks: no lines, expected one polyline per object");
-  }
   std::vector<waft::Track> tracks;
-  WAFT_RETURN_IF_FAILED(waft::TracksFromPolyData(input, tracks));
+  WAFT_RETURN_IF_FAILED(waft::TracksFromPolyData(input, tracks, "Input"));
   std::vector<waft::Vortex> priors;
   if (vtkPolyData* lines = vtkPolyData::GetData(inputs[PriorsPort]))
   {

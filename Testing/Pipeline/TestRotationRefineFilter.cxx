@@ -325,6 +325,40 @@ TEST(RotationRefineFilter, ErrorsNameTheArrayAndLeaveNothing)
   EXPECT_EQ(pipeline.Filter->GetOutput(1)->GetNumberOfPoints(), 0);
 }
 
+TEST(RotationRefineFilter, InputsThatAreEmptyOrOfAnotherSceneAreNamed)
+{
+  Pipeline pipeline;
+  ErrorLog errors(pipeline.Filter);
+  const auto expect = [&](const std::string& words)
+  {
+    pipeline.Filter->Update();
+    EXPECT_TRUE(errors.Contains(words)) << errors.Text;
+    EXPECT_EQ(pipeline.Filter->GetOutput(1)->GetNumberOfPoints(), 0);
+    errors.Text.clear();
+  };
+  const vtkNew<vtkMultiBlockDataSet> noShapes, oneShape;
+  pipeline.Producers[2]->SetOutput(noShapes);
+  expect("Shapes: no shapes: expected a block (vtkPolyData) for each ShapeId of Objects");
+  oneShape->SetBlock(0, pipeline.ShapeData->GetBlock(0));
+  pipeline.Producers[2]->SetOutput(oneShape);
+  expect("Tracks: object 5: expected an object of this id and its shape, found its ShapeId 1, "
+         "where Shapes has 0 to 0");
+  pipeline.Producers[2]->SetOutput(pipeline.ShapeData);
+  vtkNew<vtkPolyData> others, pointsAlone;
+  others->DeepCopy(pipeline.TrackData);
+  vtkDataArray* ids = others->GetCellData()->GetArray(names::ObjectId);
+  ids->SetComponent(2, 0, 99);
+  pipeline.Producers[0]->SetOutput(others);
+  expect("Tracks: object 99: expected an object of this id and its shape, found no such object in "
+         "Objects");
+  const vtkNew<vtkPolyData> none;
+  pipeline.Producers[0]->SetOutput(none);
+  expect("Tracks: no objects: expected at least one line, the path of an object, found empty data");
+  pointsAlone->SetPoints(pipeline.TrackData->GetPoints());
+  pipeline.Producers[0]->SetOutput(pointsAlone);
+  expect("Tracks: no objects: expected at least one line, the path of an object, found points");
+}
+
 TEST(RotationRefineFilter, AbortLeavesNothingAndTheNextRunIsWhole)
 {
   Pipeline pipeline;
@@ -424,4 +458,38 @@ TEST(MotionAnimationWriter, CsvAndErrors)
   writer->SetFileName("/no/such/folder/a.glb");
   EXPECT_FALSE(writer->Write());
   EXPECT_TRUE(errors.Contains("/no/such/folder/a.glb")) << errors.Text;
+}
+
+TEST(MotionAnimationWriter, InputsThatAreEmptyOrOfAnotherSceneAreNamed)
+{
+  Pipeline pipeline;
+  pipeline.Filter->Update();
+  vtkNew<vtkPolyData> poses;
+  poses->DeepCopy(pipeline.Filter->GetOutput(1));
+  const test::TemporaryFolder folder;
+  const auto expect =
+    [&](vtkPolyData* given, vtkMultiBlockDataSet* shapes, const char* file, const char* words)
+  {
+    vtkNew<vtkMotionAnimationWriter> writer;
+    writer->SetInputDataObject(0, given);
+    writer->SetInputDataObject(1, pipeline.ObjectData);
+    writer->SetInputDataObject(2, shapes);
+    const std::string path = folder.File(file);
+    writer->SetFileName(path);
+    ErrorLog errors(writer);
+    EXPECT_FALSE(writer->Write());
+    EXPECT_TRUE(errors.Contains(words)) << errors.Text;
+    EXPECT_FALSE(std::filesystem::exists(path));
+  };
+  const vtkNew<vtkPolyData> none;
+  const vtkNew<vtkMultiBlockDataSet> noShapes, oneShape;
+  oneShape->SetBlock(0, pipeline.ShapeData->GetBlock(0));
+  expect(none, pipeline.ShapeData, "poses.csv", "Poses: no objects: expected at least one line");
+  expect(none, pipeline.ShapeData, "a.glb", "Poses: no objects: expected at least one line");
+  expect(pipeline.TrackData, pipeline.ShapeData, "a.glb", "Poses: ");
+  expect(poses, noShapes, "a.glb", "Shapes: no shapes: expected a block (vtkPolyData)");
+  expect(poses, oneShape, "a.glb",
+         "Poses: object 5: expected an object of this id and its shape, found its ShapeId 1");
+  poses->GetCellData()->GetArray(names::ObjectId)->SetComponent(0, 0, 99);
+  expect(poses, pipeline.ShapeData, "a.glb", "found no such object in Objects");
 }

@@ -19,7 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
 namespace waft
 {
@@ -44,7 +44,7 @@ void PosesToPolyData(const std::vector<Track>& tracks, const std::vector<PoseTra
 Result PosesFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,
                          std::vector<PoseTrack>& poses)
 {
-  WAFT_RETURN_IF_FAILED(TracksFromPolyData(data, tracks));
+  WAFT_RETURN_IF_FAILED(TracksFromPolyData(data, tracks, "Poses"));
   const ArraySource points{ data->GetPointData(), "Poses", data->GetNumberOfPoints(), true };
   const Vec3 zero = Vec3::Zero();
   std::vector<Quat> orientations;
@@ -72,6 +72,35 @@ Result PosesFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,
   return Result::Ok();
 }
 
+ShapesOfTracks::ShapesOfTracks(std::string input, const std::vector<MotionObject>& objects,
+                               std::size_t numberOfShapes) :
+  Input(std::move(input)),
+  NumberOfShapes(static_cast<int>(numberOfShapes))
+{
+  for (const MotionObject& object : objects)
+  {
+    this->OfObject[object.ObjectId] = object.ShapeId;
+  }
+}
+
+Result ShapesOfTracks::Find(int objectId, int& shapeId) const
+{
+  const std::string wanted = this->Input + ": object " + std::to_string(objectId) +
+                             ": expected an object of this id and its shape, found ";
+  const auto found = this->OfObject.find(objectId);
+  if (found == this->OfObject.end())
+  {
+    return Result::Error(wanted + "no such object in Objects");
+  }
+  if (found->second < 0 || found->second >= this->NumberOfShapes)
+  {
+    return Result::Error(wanted + "its ShapeId " + std::to_string(found->second) +
+                         ", where Shapes has 0 to " + std::to_string(this->NumberOfShapes - 1));
+  }
+  shapeId = found->second;
+  return Result::Ok();
+}
+
 PosedMeshes::PosedMeshes() = default;
 PosedMeshes::~PosedMeshes() = default;
 
@@ -80,11 +109,7 @@ Result PosedMeshes::Build(const std::vector<Shape>& shapes,
                           const std::vector<MotionObject>& objects,
                           const std::vector<Track>& tracks, const SceneInfo& info)
 {
-  std::map<int, const MotionObject*> objectOfId;
-  for (const MotionObject& object : objects)
-  {
-    objectOfId[object.ObjectId] = &object;
-  }
+  const ShapesOfTracks shapeOf("Tracks", objects, shapes.size());
   this->Bodies.clear();
   bool textured = !shapes.empty();
   for (const Shape& shape : shapes)
@@ -103,14 +128,8 @@ Result PosedMeshes::Build(const std::vector<Shape>& shapes,
   std::vector<int> pointObjects, pointShapes, cellObjects, cellShapes;
   for (const Track& track : tracks)
   {
-    const auto found = objectOfId.find(track.ObjectId);
-    if (found == objectOfId.end() || found->second->ShapeId < 0 ||
-        found->second->ShapeId >= static_cast<int>(shapes.size()))
-    {
-      return Result::Error("Tracks: object " + std::to_string(track.ObjectId) +
-                           ": expected an object of this id and its shape");
-    }
-    const int shapeId = found->second->ShapeId;
+    int shapeId = 0;
+    WAFT_RETURN_IF_FAILED(shapeOf.Find(track.ObjectId, shapeId));
     const Shape& shape = shapes[static_cast<std::size_t>(shapeId)];
     this->BodyOfTrack.push_back(static_cast<std::size_t>(shapeId));
     const auto first = static_cast<vtkIdType>(pointObjects.size());

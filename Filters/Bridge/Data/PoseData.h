@@ -11,6 +11,8 @@
 #include <vtkNew.h>
 
 #include <array>
+#include <map>
+#include <string>
 #include <vector>
 
 class vtkPolyData;
@@ -25,6 +27,22 @@ void PosesToPolyData(const std::vector<Track>& tracks, const std::vector<PoseTra
 /// Needs `Orientation`; the other arrays are zero where absent.
 Result PosesFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,
                          std::vector<PoseTrack>& poses);
+
+/// Which shape the object of a track has.
+class ShapesOfTracks
+{
+public:
+  /// input: what the tracks are called in messages. There is a shape at least.
+  ShapesOfTracks(std::string input, const std::vector<MotionObject>& objects,
+                 std::size_t numberOfShapes);
+  /// Fails where there is no such object, or not the shape that it names.
+  Result Find(int objectId, int& shapeId) const;
+
+private:
+  std::string Input;
+  int NumberOfShapes;
+  std::map<int, int> OfObject;
+};
 
 /// All objects' meshes as one surface: triangles, texture coordinates, `ObjectId` and `ShapeId` (of
 /// points and cells) are made once, points and normals for each frame.

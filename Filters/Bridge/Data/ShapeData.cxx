@@ -160,4 +160,13 @@ Result ShapesFromMultiBlock(vtkMultiBlockDataSet* data, std::vector<Shape>& shap
   return Result::Ok();
 }
 
+Result BodiesFromMultiBlock(vtkMultiBlockDataSet* data, std::vector<Shape>& shapes)
+{
+  WAFT_RETURN_IF_FAILED(ShapesFromMultiBlock(data, shapes));
+  return shapes.empty()
+           ? Result::Error("Shapes: no shapes: expected a block (vtkPolyData) for each "
+                           "ShapeId of Objects, found none")
+           : Result::Ok();
+}
+
 } // namespace waft

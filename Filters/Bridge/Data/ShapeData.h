@@ -20,5 +20,7 @@ void ShapesToMultiBlock(const std::vector<Shape>& shapes, const SceneInfo& info,
 /// Polygons are split into triangles; absent field data has the defaults of Shape. Fails on a block
 /// that is no surface or has no triangle.
 Result ShapesFromMultiBlock(vtkMultiBlockDataSet* data, std::vector<Shape>& shapes);
+/// The same of what has to be flown: fails where there is none.
+Result BodiesFromMultiBlock(vtkMultiBlockDataSet* data, std::vector<Shape>& shapes);
 
 } // namespace waft

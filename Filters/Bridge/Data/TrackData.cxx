@@ -142,18 +142,20 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
   SceneInfoToFieldData(info, data);
 }
 
-Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks)
+Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const std::string& input)
 {
-  WAFT_RETURN_IF_FAILED(CheckCells(data, "Tracks"));
+  WAFT_RETURN_IF_FAILED(CheckCells(data, input));
   if (data->GetNumberOfCells() == 0)
   {
-    return Result::Error("Tracks: no objects: expected at least one line");
+    return Result::Error(input +
+                         ": no objects: expected at least one line, the path of an object, found " +
+                         (data->GetNumberOfPoints() == 0 ? "empty data" : "points alone"));
   }
-  const ArraySource points{ data->GetPointData(), "Tracks", data->GetNumberOfPoints(), true };
-  const ArraySource cells{ data->GetCellData(), "Tracks", data->GetNumberOfCells() };
+  const ArraySource points{ data->GetPointData(), input, data->GetNumberOfPoints(), true };
+  const ArraySource cells{ data->GetCellData(), input, data->GetNumberOfCells() };
   std::vector<Vec3> positions, vortex, wind, forces, air, sph, residual;
   std::vector<int> ids, types, vortexIds;
-  WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "Tracks", positions));
+  WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), input, positions));
   WAFT_RETURN_IF_FAILED(ReadInts(cells, names::ObjectId, ids));
   WAFT_RETURN_IF_FAILED(ReadOptional(points, names::ForceType, types));
   WAFT_RETURN_IF_FAILED(ReadOptional(points, names::VortexId, vortexIds));

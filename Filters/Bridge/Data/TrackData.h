@@ -6,6 +6,7 @@
 #include "Base/Result.h"
 #include "Base/Types.h"
 
+#include <string>
 #include <vector>
 
 class vtkPolyData;
@@ -18,7 +19,9 @@ namespace waft
 /// `SPHVelocity` and `Residual` are written when the tracks have them.
 void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, vtkPolyData* data);
 
-/// One track per line cell, in the order of the cells; needs the cell data `ObjectId`.
-Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks);
+/// One track per line cell, in the order of the cells; needs the cell data `ObjectId`. input: what
+/// the data are called in messages.
+Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,
+                          const std::string& input = "Tracks");
 
 } // namespace waft

@@ -292,7 +292,7 @@ Result Check(const std::vector<AnimatedShape>& shapes, const std::vector<Animate
     if (object.Shape >= shapes.size())
     {
       return Result::Error(name + ": shape " + std::to_string(object.Shape) + " of " +
-                           std::to_string(shapes.size()));
+                           std::to_string(shapes.size()) + ": expected a number below");
     }
     if (object.Positions.empty() || object.Positions.size() != objects[0].Positions.size() ||
         object.Orientations.size() != object.Positions.size())

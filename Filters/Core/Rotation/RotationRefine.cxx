@@ -41,7 +41,8 @@ Result CheckTracks(const RotationInput& input, std::map<int, std::size_t>& objec
     if (object.ShapeId < 0 || object.ShapeId >= static_cast<int>(input.Shapes.size()))
     {
       return Result::Error(name + ": ShapeId " + std::to_string(object.ShapeId) + " of " +
-                           std::to_string(input.Shapes.size()) + " shapes");
+                           std::to_string(input.Shapes.size()) +
+                           " shapes: expected a number below");
     }
     if (!(object.Mass > 0.0) || !std::isfinite(object.Mass))
     {
