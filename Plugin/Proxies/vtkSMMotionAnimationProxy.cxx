@@ -186,19 +186,33 @@ void vtkSMMotionAnimationProxy::SetSlice(double seconds)
   }
 }
 
+// An undo, or a redo, has put them there or away already, beside the property: another registration
+// would be a change of its own, after which nothing is left to redo.
 void vtkSMMotionAnimationProxy::ShowStages(bool shown)
 {
   vtkSMSessionProxyManager* manager = this->GetSessionProxyManager();
+  const auto stands = [&](const char* name)
+  { return manager->IsProxyInGroup(this->GetProxy(name), "sources") != nullptr; };
   if (shown && !this->AreShown)
   {
-    std::for_each(std::begin(Stages), std::end(Stages),
-                  [&](const char* name)
-                  { manager->RegisterProxy("sources", name, this->GetProxy(name)); });
+    for (const char* name : Stages)
+    {
+      if (!stands(name))
+      {
+        manager->RegisterProxy("sources", name, this->GetProxy(name));
+      }
+    }
   }
   else if (!shown && this->AreShown)
   {
     std::for_each(std::rbegin(Stages), std::rend(Stages),
-                  [&](const char* name) { manager->UnRegisterProxy(this->GetProxy(name)); });
+                  [&](const char* name)
+                  {
+                    if (stands(name))
+                    {
+                      manager->UnRegisterProxy(this->GetProxy(name));
+                    }
+                  });
   }
   this->AreShown = shown;
 }

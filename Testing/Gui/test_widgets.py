@@ -78,6 +78,12 @@ class WidgetTest(unittest.TestCase):
         self.assertEqual([note["sources"] for note in notes if note["sources"] == stages][:1], [stages])
         self.assertEqual(notes[-1]["sources"], ["WaftAnimation1"])
 
+    def test_undo_and_redo_take_the_box_along_with_the_stages(self):
+        with tempfile.TemporaryDirectory() as folder:
+            status, printed, notes = play("undo.xml", pathlib.Path(folder), "watch_undo.py")
+        self.check_run(status, printed)  # the script looks at the box
+        self.assertEqual([[False, 0], [True, 6], [False, 0], [True, 6], [False, 0], [True, 6]], notes)
+
     def test_a_scene_by_hand_takes_few_clicks(self):
         with tempfile.TemporaryDirectory() as folder:
             status, printed, notes = play("byhand.xml", pathlib.Path(folder))
