@@ -14,7 +14,7 @@ function(waft_core_library name)
   set(target WaftCore${name})
   add_library(${target} STATIC ${arg_SOURCES})
   target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}/Filters/Core")
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wconversion -Wno-unknown-pragmas -Werror=switch
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wno-unknown-pragmas -Werror=switch
     -Werror=switch-enum $<$<BOOL:${WAFT_WARNINGS_AS_ERRORS}>:-Werror>)
   foreach(dependency IN LISTS arg_DEPENDS)
     target_link_libraries(${target} PUBLIC WaftCore${dependency})

@@ -217,7 +217,6 @@ TEST(VDB, StoppedItKeepsTheFilesThatAreWhole)
 {
   const SmokeFiles files("smoke.vdb");
   const waft::test::TemporaryFolder& folder = files.Folder;
-  vtkGridSmokeSource* smoke = files.Smoke;
   vtkVDBWriter* writer = files.Writer;
   {
     const AbortBeyond stop(writer, 0.3);

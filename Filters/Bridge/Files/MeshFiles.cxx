@@ -16,6 +16,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolygon.h>
+#include <vtkVersionMacros.h>
 
 namespace waft
 {
@@ -44,7 +45,11 @@ void AddTriangles(const PolygonSurface& polygons, std::size_t first, std::size_t
       polygon->Points->SetPoint(i, polygons.Points[static_cast<std::size_t>(corner)].data());
       polygon->PointIds->SetId(i, i);
     }
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+    polygon->TriangulateLocalIds(0, split);
+#else
     polygon->Triangulate(split);
+#endif
   }
   for (vtkIdType i = 0; i + 2 < split->GetNumberOfIds(); i += 3)
   {

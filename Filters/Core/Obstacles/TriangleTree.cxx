@@ -3,8 +3,13 @@
 
 #include "Obstacles/TriangleDistance.h"
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_MAJOR < 6
+#include <CGAL/AABB_traits.h>
+#else
+#include <CGAL/AABB_traits_3.h>
+#endif
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -52,7 +57,11 @@ private:
   int Triangle;
 };
 
+#if CGAL_VERSION_MAJOR < 6
 using Traits = CGAL::AABB_traits<Kernel, Primitive>;
+#else
+using Traits = CGAL::AABB_traits_3<Kernel, Primitive>;
+#endif
 using Tree = CGAL::AABB_tree<Traits>;
 using Node = CGAL::AABB_node<Traits>;
 using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;

@@ -333,7 +333,9 @@ Result PlanMotion(const PlanInput& input, const PlanOptions& options,
       if (isShown[i] == 0 && isDone[i])
       {
         isShown[i] = 1;
-        output.Tracks.push_back({ input.Objects[i].ObjectId, plans[i].Positions });
+        output.Tracks.emplace_back();
+        output.Tracks.back().ObjectId = input.Objects[i].ObjectId;
+        output.Tracks.back().Positions = plans[i].Positions;
       }
     }
   };

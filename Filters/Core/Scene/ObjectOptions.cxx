@@ -70,7 +70,8 @@ Result ObjectOptions::MakePositions(std::vector<Vec3>& positions) const
   {
     for (std::size_t k = 0; k < count; ++k)
     {
-      const double fraction = count > 1 ? static_cast<double>(k) / (count - 1.0) : 0.0;
+      const double fraction =
+        count > 1 ? static_cast<double>(k) / static_cast<double>(count - 1) : 0.0;
       positions.emplace_back(this->Position + fraction * (this->RowEnd - this->Position));
     }
   }

@@ -64,7 +64,6 @@ private:
   void WriteVortices();
 
   Scene In; // classes numbered as they are met in the file
-  const SceneAssets& Assets;
   std::string Folder;
   std::string Stem;
   SceneText Out;

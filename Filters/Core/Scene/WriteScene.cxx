@@ -15,7 +15,7 @@ namespace waft
 SceneFormat::SceneFormat(const Scene& scene, const SceneAssets& assets, std::string folder,
                          std::string stem) :
   In(scene),
-  Assets(assets), Folder(folder.empty() ? "." : std::move(folder)), Stem(std::move(stem)),
+  Folder(folder.empty() ? "." : std::move(folder)), Stem(std::move(stem)),
   Reader({}, {}, assets, Written)
 {
 }

@@ -43,7 +43,8 @@ Result TriangulatePolygon(const Polygon& polygon, double size,
       const auto& b = polygon[(k + 1) % polygon.size()];
       mesh.insert_constraint(Kernel::Point_2(a[0], a[1]), Kernel::Point_2(b[0], b[1]));
     }
-    CGAL::refine_Delaunay_mesh_2(mesh, Criteria(LeastShape, size));
+    CGAL::Delaunay_mesher_2<Triangulation, Criteria>(mesh, Criteria(LeastShape, size))
+      .refine_mesh();
     std::map<Triangulation::Vertex_handle, int> numbers;
     std::vector<std::array<double, 2>> vertices;
     std::vector<std::array<int, 3>> faces;

@@ -100,11 +100,17 @@ TEST(OptionFields, EachTellsDigestsApart)
     return stream.Sum();
   };
   EXPECT_EQ(sum({}), sum({}));
-  EXPECT_NE(sum({}), sum({ 0.6 }));
-  EXPECT_NE(sum({}), sum({ 0.5, 4 }));
-  EXPECT_NE(sum({}), sum({ 0.5, 3, true }));
-  EXPECT_NE(sum({}), sum({ 0.5, 3, false, Kind::Smooth }));
-  EXPECT_NE(sum({}), sum({ 0.5, 3, false, Kind::Rough, "kept" }));
+  const auto changed = [&](auto member, auto value)
+  {
+    SampleOptions options;
+    options.*member = value;
+    return sum(options);
+  };
+  EXPECT_NE(sum({}), changed(&SampleOptions::Size, 0.6));
+  EXPECT_NE(sum({}), changed(&SampleOptions::Count, 4));
+  EXPECT_NE(sum({}), changed(&SampleOptions::IsOpen, true));
+  EXPECT_NE(sum({}), changed(&SampleOptions::Surface, Kind::Smooth));
+  EXPECT_NE(sum({}), changed(&SampleOptions::File, "kept"));
   SampleOptions wider;
   wider.Bounds.Max.z() = 5;
   EXPECT_NE(sum({}), sum(wider));

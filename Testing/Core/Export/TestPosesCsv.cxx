@@ -86,7 +86,8 @@ TEST(PosesCsv, IsNotWrittenWhenItIsStopped)
   };
   StoppingMonitor monitor;
   const Vec3 place = Vec3::Zero();
-  const std::vector<Track> tracks{ { 0, { place } } };
+  std::vector<Track> tracks(1);
+  tracks[0].Positions = { place };
   const std::vector<PoseTrack> poses{ { 0, { Quat::Identity() }, { place }, { place } } };
   const Result result = WritePosesCsv("/nowhere/poses.csv", tracks, poses, { 1, 24.0 }, monitor);
   EXPECT_TRUE(result); // a folder that is not there would fail
