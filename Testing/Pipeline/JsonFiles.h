@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What pipeline tests ask of JSON files. Headers of VTK 9.3 bring a renamed copy of nlohmann's library that does not stand in
-// one unit with the library itself: no header of VTK here, none of the library where VTK is.
+// What pipeline tests ask of JSON files. Headers of VTK 9.3 bring a renamed copy of nlohmann's
+// library that does not stand in one unit with the library itself: no header of VTK here, none of
+// the library where VTK is.
 #pragma once
 
 #include <string>

@@ -117,8 +117,9 @@ std::vector<Matrix4> InstancesOf(GltfFile& file, const GltfNode& node)
   {
     return { node.Transform };
   }
-  const GltfJson& extension = ObjectAt(entry["extensions"], name, location + "/extensions");
-  location += std::string("/extensions/") + name;
+  location += "/extensions";
+  const GltfJson& extension = ObjectAt(entry["extensions"], name, location);
+  location += std::string("/") + name;
   const GltfJson& attributes = ObjectAt(extension, "attributes", location);
   location += "/attributes";
   std::size_t count = 0;

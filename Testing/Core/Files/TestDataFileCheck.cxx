@@ -77,6 +77,8 @@ std::string Changed(std::string text, const std::string& from, const std::string
   return text.replace(text.find(from), from.size(), to);
 }
 
+} // namespace
+
 class DataFileCheck : public testing::Test
 {
 protected:
@@ -97,8 +99,6 @@ protected:
 
   test::TemporaryFolder Folder;
 };
-
-} // namespace
 
 TEST_F(DataFileCheck, HoldsCountsAgainstTheFile)
 {

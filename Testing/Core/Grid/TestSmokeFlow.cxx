@@ -54,11 +54,11 @@ double LargestDivergence(const SmokeSolver& solver)
   return largest;
 }
 
+} // namespace
+
 class ProjectionTest : public testing::TestWithParam<std::tuple<int, BoundaryKind>>
 {
 };
-
-} // namespace
 
 TEST_P(ProjectionTest, LeavesNoDivergenceAndNoFlowThroughSolids)
 {

@@ -127,17 +127,6 @@ TriangleMesh Boulder(Random& random)
   return mesh;
 }
 
-struct MazeCase
-{
-  const char* Name;
-  int Frames;
-  double Window;
-};
-
-class Mazes : public testing::TestWithParam<MazeCase>
-{
-};
-
 /// One object, a mark at a frame and one at 240, all three `clearance` from what stands there.
 void FlyBetweenClearPoints(PlanScene& scene, Random& random, double clearance, int frame)
 {
@@ -156,6 +145,17 @@ void FlyBetweenClearPoints(PlanScene& scene, Random& random, double clearance, i
 }
 
 } // namespace
+
+struct MazeCase
+{
+  const char* Name;
+  int Frames;
+  double Window;
+};
+
+class Mazes : public testing::TestWithParam<MazeCase>
+{
+};
 
 TEST_P(Mazes, AreFlownThroughInTimeClearAndInStyle)
 {

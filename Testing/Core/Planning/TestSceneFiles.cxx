@@ -72,15 +72,16 @@ double AccelerationChange(const std::vector<Vec3>& p, int k)
   return (p[k + 2] - 3.0 * p[k + 1] + 3.0 * p[k] - p[k - 1]).norm();
 }
 
+} // namespace
+
 class SceneFiles : public testing::TestWithParam<const char*>
 {
 };
 
-} // namespace
-
 TEST_P(SceneFiles, AreFlownInStyleAndTwiceAsCloseAsASpline)
 {
-  const Plans& plans = PlansOf(GetParam());
+  const std::string name = GetParam();
+  const Plans& plans = PlansOf(name);
   const auto frames = static_cast<std::size_t>(FreeFrames(plans.Scene));
   const double step = plans.Scene.Scene.Time.Step();
   StyleSamples style;
@@ -112,7 +113,8 @@ TEST_P(SceneFiles, AreFlownInStyleAndTwiceAsCloseAsASpline)
 
 TEST_P(SceneFiles, HaveNoJumpsOfVelocityOrAccelerationAtAnySeam)
 {
-  const Plans& plans = PlansOf(GetParam());
+  const std::string name = GetParam();
+  const Plans& plans = PlansOf(name);
   const int frames = FreeFrames(plans.Scene);
   double most = 0.0; // of the database, from frame to frame
   for (std::size_t i = 0; i < SwirlDatabase().Segments.size(); ++i)
