@@ -9,7 +9,12 @@ import shutil
 import subprocess
 
 SOURCES = ("/etc/apt/sources.list", "/etc/apt/sources.list.d/*.sources", "/etc/apt/sources.list.d/*.list")
-MOUNTS = {"proc": ["-t", "proc", "proc"], "dev": ["--bind", "/dev"], "dev/shm": ["-t", "tmpfs", "tmpfs"]}
+MOUNTS = {
+    "proc": ["-t", "proc", "proc"],
+    "sys": ["-t", "sysfs", "-o", "ro", "sysfs"],
+    "dev": ["--bind", "/dev"],
+    "dev/shm": ["-t", "tmpfs", "tmpfs"],
+}
 
 
 def codename():
