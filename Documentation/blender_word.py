@@ -145,7 +145,7 @@ def main(file, picture=None, frame=KEY):
     make_flyers(scene)
     make_wishes()
     make_room(scene)
-    scene.waft.quality = "assimilated"
+    scene.waft.quality = "air"
     bpy.ops.wm.save_as_mainfile(filepath=os.path.abspath(file))
     if bpy.ops.waft.fly() != {"FINISHED"}:
         raise SystemExit("it did not fly")

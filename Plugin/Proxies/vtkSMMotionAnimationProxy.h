@@ -32,7 +32,8 @@ public:
   enum Qualities
   {
     PREVIEW,
-    ASSIMILATED,
+    AIR,
+    ASSIMILATED = AIR, // what it was called before
     FULL,
     PAPER
   };

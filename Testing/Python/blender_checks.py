@@ -275,6 +275,26 @@ def csv_rows(path):
 
 
 class Takes(unittest.TestCase):
+    def test_a_quality_of_a_file_from_before(self):
+        scenes.small_scene()
+        scene = bpy.context.scene
+        place = save("before") / "take-001"
+        (place / "result").mkdir(parents=True)
+        (place / "result" / "report.json").write_text("{}", encoding="utf-8")
+        stage.Stage(bpy.context).write(place)
+        scene.waft["quality"] = 1  # as files have it
+        bpy.ops.wm.save_mainfile()
+        bpy.ops.wm.open_mainfile(filepath=bpy.data.filepath)
+        scene = bpy.context.scene
+        self.assertEqual(scene.waft.quality, "air")
+        take = scene.waft.takes.add()
+        take.name, take.folder, take.quality = "take-001", str(place), "assimilated"
+        for word, name in (("air", "air"), ("full", "full"), ("assimilated", "air")):
+            scene.waft.quality = word  # as scripts say it
+            self.assertEqual(scene.waft.quality, name)
+            edited = flying._edited(scene, stage.Stage(bpy.context), name)
+            self.assertEqual(edited, str(place / "result") if name == "air" else None)
+
     def test_edit_swap_and_remove(self):
         scenes.leaves_and_marks()
         scene = bpy.context.scene
@@ -573,7 +593,7 @@ class BadInput(unittest.TestCase):
         self.assertEqual(before, everything())
 
     def test_stopped_with_the_best_so_far(self):
-        self.scene.waft.quality = "assimilated"
+        self.scene.waft.quality = "air"
         save("stopped")
         self.assertTrue(flying.begin(bpy.context), list(flying.found))
         run = flying.running.flight

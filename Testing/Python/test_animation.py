@@ -149,9 +149,14 @@ class AnimationTest(unittest.TestCase):
         animation.Seed = 7
         animation.UpdatePipeline()
         self.assertEqual(drift.Resolution, 24)
-        animation.Quality = "Assimilated"
-        animation.UpdatePipeline()
-        self.assertEqual([drift.Resolution, drift.LatticeResolution, drift.Rounds], [64, 48, 3])
+        for word in ("Air", "Assimilated"):  # what it is called, and was before
+            animation.Quality = word
+            animation.UpdatePipeline()
+            self.assertEqual(animation.Quality, "Air")
+            self.assertEqual([drift.Resolution, drift.LatticeResolution, drift.Rounds], [64, 48, 3])
+            animation.Quality = "Preview"
+            animation.UpdatePipeline()
+            self.assertEqual([drift.Resolution, drift.LatticeResolution, drift.Rounds], [32, 32, 1])
 
     def test_stages_can_be_shown_and_hidden(self):
         animation = self.make(StopAfter="Plan")

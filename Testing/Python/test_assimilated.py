@@ -46,7 +46,7 @@ class Assimilated(unittest.TestCase):
         ASSIMILATION.update(COARSE)
         cls.addClassCleanup(ASSIMILATION.clear)
         cls.out = cls.folder / "out"
-        cls.made = waft.synthesize(str(cls.scene), output=str(cls.out), quality="assimilated")
+        cls.made = waft.synthesize(str(cls.scene), output=str(cls.out), quality="air")
 
     def tracks(self, name):
         data = read_surface(str(self.out / name))
@@ -67,7 +67,7 @@ class Assimilated(unittest.TestCase):
         self.assertEqual(images, [f"air_{frame:04d}.vti" for frame in (*range(0, 45, 3), 44)])
         self.assertFalse((self.out / "wind.pvd").exists())
         report = json.loads((self.out / "report.json").read_text())
-        self.assertEqual(report["quality"], "assimilated")
+        self.assertEqual((report["quality"], self.made.quality), ("air", "air"))
         self.assertIn("air.pvd", [row["name"] for row in report["manifest"]])
         with open(self.out / "rounds.csv", newline="", encoding="utf-8") as stream:
             rounds = list(csv.DictReader(stream))
@@ -95,7 +95,7 @@ class Assimilated(unittest.TestCase):
         changed["constraints"][0]["value"] = [0.6, 0.4, 1.1]
         scene = self.folder / "edited.waft.json"
         scene.write_text(json.dumps(changed), encoding="utf-8")
-        edited = waft.synthesize(str(scene), output=str(self.folder / "edited"), quality="assimilated", edit_of=str(self.out))
+        edited = waft.synthesize(str(scene), output=str(self.folder / "edited"), quality="air", edit_of=str(self.out))
         self.assertEqual((edited.status, edited.warnings), (0, []))
         before, _ = self.tracks("optimized.vtp")
         after, _ = self.tracks("../edited/optimized.vtp")
@@ -106,10 +106,10 @@ class Assimilated(unittest.TestCase):
 
     def test_another_seed_is_another_air_which_an_edit_keeps(self):
         first, edited = self.folder / "seeded", self.folder / "seeded-edit"
-        waft.synthesize(str(self.scene), output=str(first), quality="assimilated", seed=9)
+        waft.synthesize(str(self.scene), output=str(first), quality="air", seed=9)
         air = (first / "air/air_0030.vti").read_bytes()
         self.assertNotEqual(air, (self.out / "air/air_0030.vti").read_bytes())
-        self.assertEqual(waft.synthesize(str(self.scene), output=str(edited), quality="assimilated", edit_of=str(first)).warnings, [])
+        self.assertEqual(waft.synthesize(str(self.scene), output=str(edited), quality="air", edit_of=str(first)).warnings, [])
         self.assertEqual(air, (edited / "air/air_0030.vti").read_bytes())
 
     def test_a_run_that_was_killed_goes_on_to_the_same_bytes(self):
@@ -127,14 +127,16 @@ class Assimilated(unittest.TestCase):
         program.write_text(textwrap.dedent(kill), encoding="utf-8")
         done = subprocess.run([PVPYTHON, str(program), str(self.scene), str(out)], check=False, capture_output=True)
         self.assertEqual(done.returncode, -signal.SIGKILL)
-        again = waft.synthesize(str(self.scene), output=str(out), quality="assimilated", resume=True)
-        self.assertEqual((again.status, again.warnings), (0, []))
+        again = waft.synthesize(str(self.scene), output=str(out), quality="air", resume=True)  # the same under both names
+        self.assertEqual((again.status, again.warnings, again.quality), (0, [], "air"))
         for name in ("assimilated.vtp", "poses.csv", "constraints.vtp", "air/air_0044.vti"):
             self.assertEqual((self.out / name).read_bytes(), (out / name).read_bytes(), name)
+        reports = [json.loads((folder / "report.json").read_text(encoding="utf-8")) for folder in (self.out, out)]
+        self.assertEqual(*({name: report[name] for name in ("key", "quality", "seed", "constraints")} for report in reports))
 
     def test_the_air_of_an_edit_has_to_be_there(self):
         with self.assertRaisesRegex(BadInput, "assimilated.state: no such file; expected the folder of a finished run"):
-            waft.synthesize(str(self.scene), quality="assimilated", edit_of=str(self.folder))
+            waft.synthesize(str(self.scene), quality="air", edit_of=str(self.folder))
         with self.assertRaisesRegex(BadInput, "edit_of: a run of quality paper has no air to keep"):
             waft.synthesize(str(self.scene), quality="paper", edit_of=str(self.out))
 
@@ -153,9 +155,10 @@ class Assimilated(unittest.TestCase):
         return vtk_to_numpy(poses.GetArray("AngularVelocity")).copy()
 
     def test_an_unknown_quality_is_named(self):
-        with self.assertRaisesRegex(BadInput, "particles: expected quality full or paper"):
-            waft.synthesize(str(self.scene), quality="assimilated", particles=True)
-        with self.assertRaisesRegex(BadInput, "quality: expected one of preview, assimilated, full, paper, found best"):
+        for word in ("air", "assimilated"):
+            with self.assertRaisesRegex(BadInput, "particles: expected quality full or paper, whose optimiser has particles, found air"):
+                waft.synthesize(str(self.scene), quality=word, particles=True)
+        with self.assertRaisesRegex(BadInput, "quality: expected one of preview, air, full, paper, found best"):
             waft.synthesize(str(self.scene), quality="best")
 
 

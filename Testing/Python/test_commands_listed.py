@@ -16,7 +16,8 @@ SOURCE = pathlib.Path(sys.argv.pop(1)).resolve()
 sys.path.insert(0, str(SOURCE / "CMake"))
 
 import describe_command  # noqa: E402
-from waft import cli  # noqa: E402
+from waft import Scene, cli, takes  # noqa: E402
+from waft._qualities import word_in_keys  # noqa: E402
 
 OWN = {"build", "test", "package"}  # of the script alone
 
@@ -57,6 +58,24 @@ class Listed(unittest.TestCase):
                 self.assertIn(f"\n        {name}) words=", bash)
                 self.assertIn(f"\n  '{name}:", zsh)
                 self.assertIn(f"\n    {name}) _arguments ", zsh)
+
+    def test_a_quality_is_named_by_what_it_was_called_before_as_well(self):
+        main = cli.parser()
+        scene = self.folder / "one.waft.json"
+        Scene(seed=1).save(scene)
+        digests = set()
+        for word in ("air", "assimilated"):
+            for command in (["synthesize"], ["takes", "--seeds", "1"]):
+                options = main.parse_args([*command, str(scene), "--output", "out", "--quality", word])
+                self.assertEqual("air", options.quality)
+            digests.add(takes._Flight(scene, self.folder, word, 1, None).key)
+        self.assertEqual(1, len(digests))
+        self.assertEqual("assimilated", word_in_keys("air"), "as in the keys of runs from before")
+        for made in (describe_command.manual, describe_command.completion_of_bash, describe_command.completion_of_zsh):
+            self.assertRegex(made(main), "preview[ ,]air[ ,]full[ ,]paper")
+        shown = {command.name: command.parser.format_help() for command in describe_command.commands(main)}
+        for name in ("synthesize", "takes"):
+            self.assertIn("--quality {preview,air,full,paper}", shown[name])
 
     def test_what_is_no_command_is_said_in_a_line(self):
         for word, shown in (("fly", "fly"), ("x" * 100000, "x" * 60), ("\x1b[31m", "$'\\E[31m'"), ("a\nb", "$'a\\nb'")):

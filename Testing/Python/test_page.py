@@ -26,6 +26,7 @@ import sample_folder  # noqa: E402
 from browser import PROGRAM, Browser  # noqa: E402
 
 from waft import page as pages  # noqa: E402
+from waft._pagedata import describe  # noqa: E402
 from waft.failures import BadInput, WaftError  # noqa: E402
 from waft.files import write_json, write_pvd, write_xml  # noqa: E402
 from waft.page import write_page  # noqa: E402
@@ -105,6 +106,9 @@ class ContentsTest(unittest.TestCase):
         self.assertEqual(len(run["rounds"]), len((FLOWN / "rounds.csv").read_text(encoding="utf-8").splitlines()) - 1)
         self.assertIsNone(run["energy"])
         self.assertIsNone(run["measured"])
+        former = folder("former")
+        write_json(former / "report.json", {**report, "quality": "assimilated"})
+        self.assertEqual(describe(former)[0]["quality"], "air")
 
     def test_marks_are_those_of_the_run(self):
         run, _, _ = contents(FLOWN)

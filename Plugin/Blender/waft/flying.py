@@ -12,6 +12,7 @@ from . import takes
 from .command import STOPPED_EARLY, find_command
 from .look import Look
 from .problems import Problem, Problems
+from .properties import quality_of
 from .stage import Stage
 from .telling import Teller, gathered
 
@@ -253,7 +254,7 @@ def _edited(scene, stage, quality):
     for take in reversed(scene.waft.takes):
         folder = bpy.path.abspath(take.folder)
         result = os.path.join(folder, _RESULT)
-        if take.quality != quality or take.is_stopped or not os.path.isfile(os.path.join(result, "report.json")):
+        if quality_of(take.quality) != quality or take.is_stopped or not os.path.isfile(os.path.join(result, "report.json")):
             continue
         edit = flights.as_edit_of(folder, stage.scene, stage.files)
         if edit is not None:

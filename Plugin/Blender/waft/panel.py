@@ -5,6 +5,7 @@ import textwrap
 import bpy
 
 from . import flying
+from .properties import quality_of
 from .winds import VORTEX_FACTOR, field_of
 
 _LETTER = 7.0  # pixels, at least, of a letter of a message
@@ -140,7 +141,7 @@ def _draw_field(layout, field):
 
 class WAFT_UL_takes(bpy.types.UIList):
     def draw_item(self, _context, layout, _data, item, _icon, _active, _property):
-        parts = [item.name, item.quality, item.edited and f"edit of {item.edited}", item.is_stopped and "stopped early"]
+        parts = [item.name, quality_of(item.quality), item.edited and f"edit of {item.edited}", item.is_stopped and "stopped early"]
         layout.label(text=", ".join(part for part in parts if part), icon="ACTION")
 
 

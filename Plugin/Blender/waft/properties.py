@@ -18,9 +18,15 @@ ROLES = (
 )
 QUALITIES = (
     ("preview", "Preview", "A drift on a coarse grid, for a quick look"),
-    ("assimilated", "Assimilated", "A drift in one drawn air"),
+    ("air", "Air", "A drift in one drawn air"),
     ("full", "Full", "The drift, and the optimisation after it"),
 )
+_FORMER = {"assimilated": "air"}  # {what a quality was called before: its name}
+
+
+def quality_of(word):
+    """The quality that a word names, be it what it was called before: files and scripts of then have that."""
+    return _FORMER.get(word, word)
 
 
 # Objects that are library overrides keep values of their own, and takes.
@@ -90,6 +96,9 @@ class SceneSettings(bpy.types.PropertyGroup):
     has_ground: BoolProperty(name="Ground", default=True, description="The bottom of the volume is a ground to land on")
     takes: CollectionProperty(type=Take)
     shown: IntProperty(default=-1, update=lambda settings, _: takes.show(settings.id_data, settings.shown))
+
+    def __setattr__(self, name, value):
+        super().__setattr__(name, quality_of(value) if name == "quality" else value)
 
 
 class Report(bpy.types.PropertyGroup):

@@ -10,6 +10,7 @@ import numpy as np
 from waft import _folder
 from waft._arrays import MOST_FRAMES, array_of, points_of, polylines
 from waft._kinds import POSITIONAL
+from waft._qualities import quality_of
 from waft._records import GLTF, MEASURED, REPORT, checked, record_of
 from waft._tables import columns_of
 from waft.beneath import Folder
@@ -30,7 +31,7 @@ def describe(path, measured=None):
     bounds = _folder.volume_of(folder)
     title = report.get("title") or report["scene"].removesuffix(".json").removesuffix(".waft")
     run = {"title": line(title), "scene": line(report["scene"]), "version": report["version"], "seed": report["seed"],
-           "quality": report.get("quality", ""), "stoppedEarly": report.get("stoppedEarly", False),
+           "quality": quality_of(report.get("quality", "")), "stoppedEarly": report.get("stoppedEarly", False),
            "rate": rate, "frames": frames, "bounds": bounds, "marks": marks_of(folder), "plan": _plan(folder, ids, frames),
            "obstacles": _obstacles(folder, bounds, rate, frames), "energy": _energy(folder), "rounds": _rounds(folder),
            "measured": _measured(folder, measured)}

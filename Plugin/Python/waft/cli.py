@@ -8,6 +8,7 @@ import sys
 import time
 
 from waft import failures
+from waft._qualities import QUALITIES, quality_of
 from waft._schema import definition
 from waft._styles import STYLES, VIEWS
 from waft.loading import version
@@ -122,8 +123,8 @@ def parser():
     make.add_argument("--time-limit", type=positive, metavar="S", help="seconds; the best so far is written")
     make.add_argument("--memory-limit", type=positive, metavar="MB",
                       help="of the optimiser: what does not fit is solved window by window, slower")
-    make.add_argument("--quality", choices=("preview", "assimilated", "full", "paper"), default="full",
-                      help="how objects come to their marks, default full")
+    make.add_argument("--quality", type=quality_of, choices=QUALITIES, default="full",
+                      help="how objects come to their marks, default full; air was called assimilated before, which names it still")
     make.add_argument("--preview", dest="quality", action="store_const", const="preview",
                       help="--quality preview: coarse, for a quick look")
     make.add_argument("--resume", action="store_true", help="go on from what an earlier run left in DIR")
@@ -146,7 +147,7 @@ def parser():
     many.add_argument("--jobs", type=_whole(1, 256), default=1, metavar="N", help="takes at a time, default 1")
     many.add_argument("--threads", type=threads, help="of each take; default: all cores together; the result is the same")
     many.add_argument("--database", type=path, metavar="FILE", help="motion database, .vtm (default: the embedded one)")
-    many.add_argument("--quality", choices=("preview", "assimilated", "full", "paper"), default="full", help="default full")
+    many.add_argument("--quality", type=quality_of, choices=QUALITIES, default="full", help="of all takes, default full")
     many.add_argument("--preview", dest="quality", action="store_const", const="preview", help="--quality preview")
     many.set_defaults(run=run_takes, needs_paraview=False)
 

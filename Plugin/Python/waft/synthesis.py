@@ -7,6 +7,7 @@ import tempfile
 from typing import TYPE_CHECKING, Callable, Dict, Optional, Union
 
 from waft import failures
+from waft._qualities import QUALITIES, WITHOUT, quality_of, word_in_keys
 from waft._records import REPORT, record_of
 from waft.beneath import Folder
 from waft.loading import load_plugin, set_threads
@@ -20,16 +21,12 @@ from waft.writing import STATE, left_out, planned_objects, read_rows, result_nam
 if TYPE_CHECKING:
     from waft.run import Run
 
-# How objects come to their marks: drift in one drawn air on a coarse grid; the same on the full one; the optimiser from there, in
-# that air; and, as in the paper, the optimiser from the plan, gas at rest.
-QUALITIES = ("preview", "assimilated", "full", "paper")
 # Properties of stages besides their defaults, and those of a preview.
 ASSIMILATION: Dict[str, Union[int, float]] = {}
 OPTIMISER: Dict[str, Union[int, float]] = {}
 
 # Parts of the time that stages take, for the share that is done.
 _SHARES = {"reader": 1, "database": 1, "planner": 6, "assimilation": 45, "spacetime": 45, "rotation": 2}
-_WITHOUT = {"preview": ("spacetime",), "assimilated": ("spacetime",), "full": (), "paper": ("assimilation",)}
 
 
 def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, database=None, seed: Optional[int] = None,
@@ -46,10 +43,10 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
     same inputs was stopped or killed, to the same motion as if it had not been; what it left is in the folder
     `checkpoint` of output. checkpoint_interval: seconds between two writings there (none: the filter's own).
     meshes: also writes meshes.pvd, all meshes posed, a file a frame; particles: also particles.pvd, the optimiser's gas and
-    objects. memory_limit: megabytes that the optimiser
-    may take (none: as many as it needs). quality: one of QUALITIES (default full). edit_of: the folder of a finished run of the
-    same scene but for some objects' rows: the same air, and only what changed drifts again. on_progress: called with the share
-    that is done (0 to 1) and a sentence, some five times a second; when it returns False the run stops with the best so far.
+    objects. memory_limit: megabytes that the optimiser may take (none: as many as it needs). quality: one of QUALITIES (default
+    full; what one was called before names it, too). edit_of: the folder of a finished run of the same scene but for some objects'
+    rows: the same air, and only what changed drifts again. on_progress: called with the share that is done (0 to 1) and a sentence,
+    some five times a second; when it returns False the run stops with the best so far.
 
     It may be called from any thread, of one run at a time; only in the main one Ctrl-C and SIGTERM stop it. The stages' data are
     read where they are made: in a session that is connected to a pvserver it is refused. The Run has, besides proxies and arrays: status (exit status of the command), report (the constraints,
@@ -72,10 +69,10 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
             raise failures.BadInput(f"{os.fsdecode(path)}: expected a name in UTF-8, as ParaView takes no other")
     if not os.path.isfile(scene):
         raise failures.BadInput(f"{scene}: no such scene file")
-    quality = quality or ("preview" if preview else "full")
+    quality = quality_of(quality or ("preview" if preview else "full"))
     if quality not in QUALITIES:
         raise failures.BadInput(f"quality: expected one of {', '.join(QUALITIES)}, found {quality}")
-    if particles and quality in ("preview", "assimilated"):
+    if particles and "spacetime" in WITHOUT[quality]:
         raise failures.BadInput(f"particles: expected quality full or paper, whose optimiser has particles, found {quality}")
     series = [name for name, wanted in (("meshes", meshes), ("particles", particles)) if wanted]
     set_threads(threads)
@@ -86,14 +83,14 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
         # What a stage says once it is the caller's, of an input that he changed, is for him to read.
         stack.callback(lambda: [watch.release() for watch in pipeline.watches.values()])
         with Clock(time_limit, quiet, "stopped before the paths were planned: nothing was written", on_progress) as clock:
-            clock.shares = {name: share for name, share in _SHARES.items() if name not in _WITHOUT[quality]}
+            clock.shares = {name: share for name, share in _SHARES.items() if name not in WITHOUT[quality]}
             pipeline.read(clock)
             scene_seed = pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)
             pipeline.quality = quality
             pipeline.series = series
             pipeline.edit_of = _state_of(edit_of, quality)
             pipeline.seed = seed if seed is not None else _seed_of(edit_of, int(scene_seed))
-            pipeline.key = run_key(pipeline, f"{quality} {edit_of or ''}".strip())
+            pipeline.key = run_key(pipeline, f"{word_in_keys(quality)} {edit_of or ''}".strip())
             pipeline.warnings = []
             checkpoint = None
             if place is not None:
@@ -196,7 +193,7 @@ def is_first_rank():
 
 def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limit):
     settings = OPTIMISER if memory_limit is None else {**OPTIMISER, "MemoryLimit": memory_limit}
-    optimises = pipeline.quality in ("full", "paper")
+    optimises = "spacetime" not in WITHOUT[pipeline.quality]
     if optimises:
         _check_room(pipeline, settings)
     if is_found:
@@ -213,7 +210,7 @@ def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limi
 
     # After a stop no stage begins but the rotation: the motion so far is turned and written.
     pipeline.stopped_in = "planner" if clock.should_stop() else ""
-    if pipeline.quality != "paper" and not clock.should_stop():
+    if "assimilation" not in WITHOUT[pipeline.quality] and not clock.should_stop():
         _assimilate(pipeline, clock, checkpoint)
         pipeline.stopped_in = "assimilation" if clock.should_stop() else ""
     if optimises and not clock.should_stop():

@@ -19,6 +19,7 @@ import threading
 import time
 
 from waft import failures
+from waft._qualities import word_in_keys
 from waft._records import FLOWN, MEASURED, TAKES, checked, record_of
 from waft.beneath import Folder
 from waft.failures import BadInput, Interrupted, WaftError
@@ -103,7 +104,7 @@ class _Flight:
     """What all takes have in common, and their processes."""
 
     def __init__(self, scene, folder, quality, threads, database):
-        content = hashlib.sha256(f"{version()} {quality}".encode())
+        content = hashlib.sha256(f"{version()} {word_in_keys(quality)}".encode())
         self._scene = Scene.load(scene)
         self._name = os.path.basename(scene)
         if database and not os.path.isfile(database):

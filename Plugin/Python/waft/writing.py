@@ -6,6 +6,7 @@ import re
 import stat
 
 from waft import failures
+from waft._qualities import WITHOUT
 from waft.beneath import Folder
 from waft.files import copy_file, half, in_single_precision, table_rows, write_csv, write_pvd, write_xml
 from waft.loading import version
@@ -64,9 +65,9 @@ def result_names(scene, series, quality):
     """What a run writes, folders with a slash at their end. series: names of SERIES."""
     names = ["planned.vtp", "optimized.vtp", "poses.vtp", "poses.csv", "vortices.vtp", "objects.vtp", "shapes.vtm", "shapes/",
              "constraints.vtp", "constraints.csv", "convergence.csv", "wind.pvd", "wind/", "animation.glb", REPORT]
-    if quality in ("preview", "assimilated"):
+    if "spacetime" in WITHOUT[quality]:
         names = [name for name in names if name not in ("wind.pvd", "wind/")]
-    if quality != "paper":
+    if "assimilation" not in WITHOUT[quality]:
         names += ["assimilated.vtp", "air.pvd", "air/", "rounds.csv", STATE]
     names += ["obstacles.pvd", "obstacles/"] if _do_obstacles_move(scene) else ["obstacles.vtp"]
     return names + [name + end for name in series for end in (".pvd", "/")]
