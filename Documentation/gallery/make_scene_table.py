@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Measures folders that `waft synthesize` wrote, each named after its scene, keeps the figures in scenes.json beside
-itself and writes Scenes.md from all that are kept there. The pictures are make_scene_pictures.py's.
+"""Measures folders that `waft synthesize --quality paper` wrote, each named after its scene, keeps the figures in
+scenes.json beside itself and writes Scenes.md from all that are kept there. The pictures are make_scene_pictures.py's.
 
     python3 Documentation/gallery/make_scene_table.py RESULTS/leaves-letters RESULTS/feather-spiral-a ...
 
@@ -22,10 +22,15 @@ KEPT = HERE / "scenes.json"
 STAGES = ("planner", "spacetime", "rotation")
 HEAD = """# Scenes, flown and measured
 
-Written by [make_scene_table.py](make_scene_table.py) from folders of `waft synthesize`, all at the scenes' full size (about 2500
-particles of air, 300 frames), on two threads; the pictures are by [make_scene_pictures.py](make_scene_pictures.py). What is in
+Written by [make_scene_table.py](make_scene_table.py) from folders of `waft synthesize --quality paper`, all at the scenes'
+full size (about 2500 particles of air, 300 frames), on two threads; the pictures are by [make_scene_pictures.py](make_scene_pictures.py). What is in
 **bold** misses its gate. What the scenes are about is told in [Data/Scenes](../../Data/Scenes/README.md), what the
 measures are in [Measures.md](../Measures.md).
+
+These flights are of the optimiser from the plan, as `--quality paper` flies and the default did once. The default goes
+through a drawn air, and is judged by `waft measure`: what is wanted stands in [Measure](../Measure.md), and what the
+scenes come to in [AirAssimilationFilter](../AirAssimilationFilter.md#figures) and
+[SPHSpacetimeStudy](../SPHSpacetimeStudy.md#in-a-drawn-air).
 """
 GATES = """
 ## Gates

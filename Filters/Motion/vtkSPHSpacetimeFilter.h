@@ -29,9 +29,10 @@
  * by bit, on any number of threads. Stopped half way or by TimeLimit, it gives the best motion so
  * far, and the next run goes on from there.
  *
- * Of several MPI processes each solves for its partition of the frames, to the same bits. All must
- * update the filter together. Inputs and properties of process 0 hold; its outputs hold the result,
- * those of the others are empty.
+ * Of several MPI processes (ranks) rank 0 solves, and each evaluates E and its gradient for a range
+ * of the frames, to the same bits. All must update the filter together. Inputs and properties of
+ * rank 0 hold, and its outputs hold the result. Those of the others are empty, but where every rank
+ * was given the tracks: then all have the result.
  */
 #ifndef vtkSPHSpacetimeFilter_h
 #define vtkSPHSpacetimeFilter_h
@@ -190,8 +191,9 @@ public:
   vtkGetMacro(LeashIterations, int);
   ///@}
   ///@{
-  /** Iterations: half of them on every fourth frame, a third in each stage on every second frame
-   * and on all. 1 to 100000. */
+  /** Iterations at most: a third of them on every fourth frame, two fifths in each stage on every
+   * second, a third in each on all; in a drawn air two ninths, in one stage on all frames.
+   * 1 to 100000. */
   vtkSetClampMacro(MaximumNumberOfIterations, int, 1, 100000);
   vtkGetMacro(MaximumNumberOfIterations, int);
   ///@}

@@ -138,8 +138,9 @@ struct SpacetimeOptions : TermWeights
     visit(OptionField{ "MaximumNumberOfIterations",
                        { 1, 100000 },
                        "",
-                       "Iterations: half of them on every fourth frame, a third in each stage on "
-                       "every second frame and on all." },
+                       "Iterations at most: a third of them on every fourth frame, two fifths in "
+                       "each stage on every second, a third in each on all; in a drawn air two "
+                       "ninths, in one stage on all frames." },
           of.MaximumNumberOfIterations...);
     visit(
       OptionField{
