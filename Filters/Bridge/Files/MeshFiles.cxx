@@ -45,7 +45,7 @@ void AddTriangles(const PolygonSurface& polygons, std::size_t first, std::size_t
       polygon->Points->SetPoint(i, polygons.Points[static_cast<std::size_t>(corner)].data());
       polygon->PointIds->SetId(i, i);
     }
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240101) // 9.3.0 itself has it not
     polygon->TriangulateLocalIds(0, split);
 #else
     polygon->Triangulate(split);
