@@ -35,10 +35,12 @@ def differing(first, second):
     return float(np.mean(np.abs(first - second).max(axis=2) > TOLERANCE))
 
 
-def kept(path, pixels):
-    """Of the pictures that are kept as NAME.png and NAME.DRAWER.png (drawn by another version of Mesa), the one most like `pixels`."""
-    stem = os.path.splitext(path)[0]
-    return min(map(read, [path, *sorted(glob.glob(f"{glob.escape(stem)}.*.png"))]), key=lambda wanted: differing(pixels, wanted))
+def kept(path, pixels, folder=None):
+    """Of the pictures that are kept as NAME.png and NAME.DRAWER.png (drawn by another version of Mesa; in `folder`, if it is given),
+    the one most like `pixels`."""
+    place, name = os.path.split(os.path.splitext(path)[0])
+    others = sorted(glob.glob(os.path.join(glob.escape(str(folder or place)), f"{glob.escape(name)}.*.png")))
+    return min(map(read, [path, *others]), key=lambda wanted: differing(pixels, wanted))
 
 
 def agree(first, second):
