@@ -37,6 +37,8 @@ namespace waft
 namespace
 {
 
+const pid_t LoadedBy = getpid(); // a fork of it has none of the threads that VTK 9.3 keeps
+
 vtkExecutive* ProducerOf(vtkInformation* input)
 {
   vtkExecutive* producer = nullptr;
@@ -227,9 +229,8 @@ bool StageMonitor::Tick(double fraction, const std::string& text)
 
 ParallelFor SmpFor()
 {
-  static const pid_t first = getpid(); // a fork has none of the threads that VTK 9.3 keeps
   if (std::strcmp(vtkSMPTools::GetBackend(), "Sequential") == 0 &&
-      !std::getenv("VTK_SMP_BACKEND_IN_USE") && getpid() == first)
+      !std::getenv("VTK_SMP_BACKEND_IN_USE") && getpid() == LoadedBy)
   {
     vtkSMPTools::SetBackend("STDThread");
   }

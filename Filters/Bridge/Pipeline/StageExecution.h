@@ -60,7 +60,7 @@ private:
 
 /// vtkSMPTools; the first exception of a body reaches the caller. Debian's VTK runs one thread
 /// unless told otherwise: when nobody chose a backend (by VTK_SMP_BACKEND_IN_USE or
-/// vtkSMPTools::SetBackend), STDThread is taken, but in a fork of a process that has had loops.
+/// vtkSMPTools::SetBackend), STDThread is taken, but in a fork of the process that loaded this.
 ParallelFor SmpFor();
 
 /// Knows whether a kept result still belongs to the parameters of its stage and to what comes in:
