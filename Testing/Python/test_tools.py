@@ -7,6 +7,7 @@ import csv
 import hashlib
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -14,9 +15,9 @@ import unittest
 
 from paraview import simple, smstate
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLPImageDataReader, vtkXMLPPolyDataReader
 
 import waft
+from waft.reading import read_image, read_surface
 
 PVPYTHON = sys.argv.pop(1)
 FRAMES, RATE, SEED = 60, 24, 7
@@ -53,10 +54,10 @@ def size_of(file):
     if file.suffix == ".csv":
         with open(file, encoding="utf-8", newline="") as rows:
             return len(list(csv.reader(rows))) - 1
-    reader = vtkXMLPPolyDataReader() if file.suffix == ".pvtp" else vtkXMLPImageDataReader()
-    reader.SetFileName(str(file))
-    reader.Update()
-    return reader.GetOutputDataObject(0).GetNumberOfPoints()
+    # Values stand behind the tags, where VTK 9.2 with a newer Expat reads none: Waft's own readers do.
+    read = read_surface if file.suffix == ".pvtp" else read_image
+    pieces = re.findall(r'Source="([^"]+)"', file.read_text(encoding="utf-8", errors="replace"))
+    return sum(read(file.parent / piece).GetNumberOfPoints() for piece in pieces)
 
 
 class ToolsTest(unittest.TestCase):
