@@ -34,10 +34,7 @@ std::string MarksText(const std::vector<Constraint>& rows)
     }
   }
   const std::string marks = count == 1 ? "its mark" : "its " + std::to_string(count) + " marks";
-  const std::string frames =
-    first == last ? " at frame " + std::to_string(first)
-                  : " at frames " + std::to_string(first) + " to " + std::to_string(last);
-  return count == 0 ? "" : " (" + marks + frames + ")";
+  return count == 0 ? "" : " (" + marks + " " + FramesText(first, last) + ")";
 }
 
 } // namespace

@@ -25,4 +25,11 @@ inline std::string PointText(const Vec3& p)
          ")";
 }
 
+/// "at frame 7", "at frames 7 to 10"
+inline std::string FramesText(int first, int last)
+{
+  return first == last ? "at frame " + std::to_string(first)
+                       : "at frames " + std::to_string(first) + " to " + std::to_string(last);
+}
+
 } // namespace waft

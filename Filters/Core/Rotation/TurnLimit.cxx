@@ -136,10 +136,8 @@ void TurnCount::Tally::Add(int objectId, int frames, int first, int last)
   this->Frames += frames;
   if (++this->Objects <= MostNamed)
   {
-    this->Named +=
-      (this->Objects > 1 ? ", object " : "object ") + std::to_string(objectId) +
-      (first == last ? " at frame " + std::to_string(first)
-                     : " at frames " + std::to_string(first) + " to " + std::to_string(last));
+    this->Named += (this->Objects > 1 ? ", object " : "object ") + std::to_string(objectId) + " " +
+                   FramesText(first, last);
   }
 }
 
