@@ -24,8 +24,8 @@ endfunction()
 
 # The suites of GoogleTest that take longer than some seconds, of any program; all others are fast.
 set(WAFT_SLOW_SUITES AirAssimilation AssimilationContacts AssimilationEdits AssimilationRows AssimilationStart Checkpoint
-  ClusterRuns Clusters DatabaseBuild Edit FreeFlight Landing Landings Mazes MotionDatabaseSource MovingObstacles PlanCache
-  Planner PlannerBadInput PropertyValues Ranks RunSpacetime SceneSchema SpacetimeMotion StylisticPlannerFilter Surfaces WarmStart Windows)
+  *ChainFaces ClusterRuns Clusters DatabaseBuild Edit FreeFlight Landing Landings Mazes MotionDatabaseSource MovingObstacles PlanCache
+  Planner PlannerBadInput PropertyValues Ranks RunChain RunSpacetime SceneSchema SpacetimeMotion StylisticPlannerFilter Surfaces WarmStart Windows)
 
 # waft_discover_tests(<program> <prefix>): each TEST of a program is an entry of ctest, labelled fast or slow.
 function(waft_discover_tests target prefix)

@@ -8,6 +8,7 @@
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
+#include "Grid/NodeSolids.h"
 #include "Grid/SmokeEnsemble.h"
 #include "Grid/SmokeSeries.h"
 

@@ -7,11 +7,11 @@
 #include "Bridge/Data/ShapeData.h"
 #include "Bridge/Data/VortexData.h"
 #include "Bridge/Files/SceneFiles.h"
-#include "Bridge/Files/SceneWind.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Scene/Scene.h"
 #include "Scene/SceneFileOptions.h"
+#include "Scene/SceneWind.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkDemandDrivenPipeline.h>
@@ -45,7 +45,7 @@ struct vtkMotionSceneReader::Contents
     waft::Result result = waft::ReadScene(file, waft::VtkSceneAssets(), scene);
     if (result)
     {
-      result = this->Wind.Build(scene);
+      result = this->Wind.Build(scene, waft::VtkSceneAssets());
       const std::vector<std::string>& odd = this->Wind.Warnings();
       scene.Warnings.insert(scene.Warnings.end(), odd.begin(), odd.end());
     }
@@ -184,7 +184,7 @@ int vtkMotionSceneReader::RequestData(vtkInformation* request, vtkInformationVec
                         vtkPolyData::GetData(outputs, OBSTACLES));
   }
   vtkImageData* wind = vtkImageData::GetData(outputs, WIND);
-  read.Wind.Fill(time, info, wind);
+  waft::FieldSeriesToImage(read.Wind.At(time), time, info, wind);
   waft::AuthoredToFieldData(read.Scene.Authored.Winds, wind);
   (void)waft::RequestedTimeOfAll(request, outputs, info.Time); // filling has cleared the stamps
   return 1;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkWindSource.h"
 
+#include "Bridge/Data/FieldCollectors.h"
 #include "Bridge/Data/SceneData.h"
-#include "Bridge/Files/SceneWind.h"
+#include "Bridge/Files/SceneFiles.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Scene/ForceOptions.h"
+#include "Scene/SceneWind.h"
 
 #include <vtkImageData.h>
 #include <vtkInformation.h>
@@ -24,7 +26,7 @@ waft::Result MakeWind(const waft::WindSourceOptions& options, waft::Scene& scene
   scene.Info = options.Info();
   scene.Winds.resize(1);
   WAFT_RETURN_IF_FAILED(options.Make(scene.Winds.front()));
-  return wind.Build(scene);
+  return wind.Build(scene, waft::VtkSceneAssets());
 }
 
 } // namespace
@@ -71,7 +73,7 @@ int vtkWindSource::RequestData(vtkInformation*, vtkInformationVector**,
   }
   vtkImageData* image = vtkImageData::GetData(outputs);
   const double time = waft::RequestedTime(outputs, 0, scene.Info.Time);
-  wind.Fill(time, scene.Info, image);
+  waft::FieldSeriesToImage(wind.At(time), time, scene.Info, image);
   waft::AuthoredToFieldData(waft::AuthoredWind(scene.Winds.front()), image);
   (void)waft::RequestedTime(outputs, 0, scene.Info.Time); // filling has cleared the stamp
   return 1;

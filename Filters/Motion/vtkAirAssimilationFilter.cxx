@@ -7,13 +7,13 @@
 #include "Bridge/Data/AirData.h"
 #include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/SceneData.h"
-#include "Bridge/Data/SmokeData.h"
 #include "Bridge/Data/TrackData.h"
 #include "Bridge/Data/VortexData.h"
 #include "Bridge/Pipeline/KeptStage.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
+#include "Grid/NodeSolids.h"
 
 #include <vtkImageData.h>
 #include <vtkInformation.h>

@@ -160,16 +160,7 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
   if (result && !result.IsStopped()) // half of the poses are of no use
   {
     this->Tracks = std::move(input.Tracks);
-    std::vector<double> farthest(this->Tracks.size(), 0.0);
-    for (std::size_t i = 0; i < this->Tracks.size(); ++i)
-    {
-      const std::vector<waft::Vec3>& shifts = this->Rotation.Shifts[i];
-      for (std::size_t k = 0; k < shifts.size(); ++k)
-      {
-        this->Tracks[i].Positions[k] += shifts[k];
-        farthest[i] = std::max(farthest[i], shifts[k].norm());
-      }
-    }
+    const std::vector<double> farthest = waft::ApplyShifts(this->Rotation, this->Tracks);
     this->Warnings = this->Rotation.Warnings;
     waft::PosesToPolyData(this->Tracks, this->Rotation.Poses, this->Scene,
                           this->Kept<vtkPolyData>(PosesPort));

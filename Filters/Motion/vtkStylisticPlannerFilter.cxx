@@ -14,7 +14,6 @@
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
-#include "Obstacles/SurfaceRepair.h"
 #include "Planning/InputCheck.h"
 #include "Planning/PlanCache.h"
 #include "Planning/Takes.h"
@@ -158,12 +157,7 @@ waft::Result vtkStylisticPlannerFilter::Internals::TakeObstacles()
     return waft::Result::Ok();
   }
   this->GivenObstacles.clear();
-  WAFT_RETURN_IF_FAILED(this->Obstacles.Build(given));
-  for (const waft::ObstacleMesh& obstacle : this->Obstacles.Obstacles())
-  {
-    WAFT_RETURN_IF_FAILED(waft::CheckSelfIntersection(
-      "Obstacles: obstacle " + std::to_string(obstacle.ObstacleId), obstacle.Mesh));
-  }
+  WAFT_RETURN_IF_FAILED(waft::BuildPlanObstacles(given, this->Obstacles));
   this->GivenObstacles = std::move(given);
   return waft::Result::Ok();
 }
@@ -184,7 +178,6 @@ waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** in
                                this->Obstacles, this->Scene,   guides };
   const auto options = waft::OptionsOf<waft::PlanOptions>(*this->Self);
   const auto choice = waft::OptionsOf<waft::TakeOptions>(*this->Self);
-  this->Warnings = waft::DatabaseRemarks(this->Database, this->Scene);
   waft::PlanOutput& plan = this->Plan;
   std::vector<waft::TakeScore> takes;
   const waft::Result result =
@@ -192,6 +185,7 @@ waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** in
   this->Self->NumberOfPlannedObjects =
     static_cast<int>(std::count_if(plan.Objects.begin(), plan.Objects.end(),
                                    [](const waft::ObjectRow& object) { return object.IsPlanned; }));
+  this->Warnings = waft::PlanRemarks(this->Database, this->Scene, plan);
   this->KeepPlan(plan); // also when stopped: what was planned so far
   waft::TakesToTable(takes, this->Scene, this->Kept<vtkTable>(TakesPort));
   this->Plan = waft::PlanOutput();
@@ -232,14 +226,6 @@ void vtkStylisticPlannerFilter::Internals::KeepPlan(const waft::PlanOutput& plan
   waft::VorticesToPolyData(plan.Vortices, this->Scene, this->Kept<vtkPolyData>(VorticesPort));
   waft::FlightsToTable(plan.Flights, this->Scene, this->Kept<vtkTable>(FlightsPort));
   waft::ObjectRowsToTable(plan.Objects, this->Scene, this->Kept<vtkTable>(ObjectReportPort));
-  for (const waft::ObjectRow& object : plan.Objects)
-  {
-    // The report has no line that could say it.
-    if (object.NumberOfRows == 0 && !object.Message.empty())
-    {
-      this->Warnings.push_back(object.Message);
-    }
-  }
 }
 
 vtkStylisticPlannerFilter::vtkStylisticPlannerFilter() : Impl(std::make_unique<Internals>(this))

@@ -380,6 +380,11 @@ void FieldSeriesToImage(const FieldSeries& series, double time, const SceneInfo&
                         vtkImageData* data)
 {
   data->Initialize();
+  if (series.NumberOfPoints() == 0)
+  {
+    SceneInfoToFieldData(info, data);
+    return;
+  }
   data->SetDimensions(series.Dimensions.data());
   data->SetOrigin(series.Origin.data());
   data->SetSpacing(series.Spacing.data());

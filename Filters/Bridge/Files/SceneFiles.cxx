@@ -5,6 +5,7 @@
 #include "Bridge/Files/MeshFiles.h"
 #include "Bridge/Files/PhotographShape.h"
 #include "Bridge/Files/PictureFiles.h"
+#include "Bridge/Files/WindFiles.h"
 #include "Scene/TextLetters.h"
 #include "Shapes/ThinShape.h"
 
@@ -208,6 +209,11 @@ Result VtkSceneAssets::DrawText(const std::string& text, const std::string& font
   return result && picture.IsEmpty()
            ? Result::Error("expected a text with something to draw, found none")
            : result;
+}
+
+Result VtkSceneAssets::LoadWind(const WindFile& file, const Timeline& line, FieldSeries& wind) const
+{
+  return ReadWindFile(file, line, wind);
 }
 
 } // namespace waft

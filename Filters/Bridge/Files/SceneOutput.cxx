@@ -5,8 +5,8 @@
 #include "Bridge/Data/ShapeData.h"
 #include "Bridge/Files/FileWriting.h"
 #include "Bridge/Files/SceneFiles.h"
-#include "Bridge/Files/SceneWind.h"
 #include "Bridge/Files/WrittenMark.h"
+#include "Scene/SceneWind.h"
 #include "Scene/WriteScene.h"
 #include "Shapes/ThinShape.h"
 
@@ -130,7 +130,7 @@ void FindAuthoredWinds(SceneContents& scene)
     return;
   }
   authored.Info = scene.Parts.Info;
-  if (wind.Build(authored) && wind.Makes(scene.Wind))
+  if (wind.Build(authored, VtkSceneAssets()) && wind.Makes(scene.Wind))
   {
     scene.Parts.Winds = std::move(authored.Winds);
     scene.Parts.WindFiles = std::move(authored.WindFiles);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/InputCheck.h"
 
+#include "Obstacles/SurfaceRepair.h"
 #include "Planning/PlannerNumbers.h"
 
 #include <algorithm>
@@ -115,6 +116,31 @@ std::vector<std::string> DatabaseRemarks(const MotionDatabase& database, const S
                   "them",
                   database.Volume.Width(), width);
     remarks.emplace_back(text);
+  }
+  return remarks;
+}
+
+Result BuildPlanObstacles(const std::vector<ObstacleMesh>& meshes, ObstacleSet& obstacles)
+{
+  WAFT_RETURN_IF_FAILED(obstacles.Build(meshes));
+  for (const ObstacleMesh& obstacle : obstacles.Obstacles())
+  {
+    WAFT_RETURN_IF_FAILED(CheckSelfIntersection(
+      "Obstacles: obstacle " + std::to_string(obstacle.ObstacleId), obstacle.Mesh));
+  }
+  return Result::Ok();
+}
+
+std::vector<std::string> PlanRemarks(const MotionDatabase& database, const SceneInfo& scene,
+                                     const PlanOutput& plan)
+{
+  std::vector<std::string> remarks = DatabaseRemarks(database, scene);
+  for (const ObjectRow& object : plan.Objects)
+  {
+    if (object.NumberOfRows == 0 && !object.Message.empty())
+    {
+      remarks.push_back(object.Message);
+    }
   }
   return remarks;
 }

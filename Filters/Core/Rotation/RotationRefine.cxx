@@ -9,6 +9,7 @@
 #include "Rotation/Attitude.h"
 #include "Rotation/TurnLimit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -355,6 +356,21 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
   ReportOrientations(input, tooFast, result);
   output = std::move(result);
   return Result::Ok();
+}
+
+std::vector<double> ApplyShifts(const RotationOutput& rotation, std::vector<Track>& tracks)
+{
+  std::vector<double> farthest(tracks.size(), 0.0);
+  for (std::size_t i = 0; i < tracks.size(); ++i)
+  {
+    const std::vector<Vec3>& shifts = rotation.Shifts[i];
+    for (std::size_t k = 0; k < shifts.size(); ++k)
+    {
+      tracks[i].Positions[k] += shifts[k];
+      farthest[i] = std::max(farthest[i], shifts[k].norm());
+    }
+  }
+  return farthest;
 }
 
 } // namespace waft

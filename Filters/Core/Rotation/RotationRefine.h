@@ -159,4 +159,7 @@ struct RotationOutput
 Result RunRotationRefine(const RotationInput& input, const RotationOptions& options,
                          const ParallelFor& parallel, Monitor& monitor, RotationOutput& output);
 
+/// Moves the centres of tracks, in their order, by the Shifts; gives the farthest of each [m].
+std::vector<double> ApplyShifts(const RotationOutput& rotation, std::vector<Track>& tracks);
+
 } // namespace waft

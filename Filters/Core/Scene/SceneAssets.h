@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a scene names and Core cannot read by itself: files of meshes and pictures, fonts. The
+// What a scene names and Core cannot read by itself: files of meshes, pictures and winds, fonts.
+// The
 // caller brings the readers.
 #pragma once
 
+#include "Base/FieldSeries.h"
 #include "Base/Mesh.h"
 #include "Base/Result.h"
 #include "Base/Shape.h"
+#include "Base/Types.h"
 
 #include <array>
 #include <string>
@@ -13,6 +16,8 @@
 
 namespace waft
 {
+
+struct WindFile; // Scene/Scene.h
 
 /// A raster of colours, row 0 at the bottom.
 struct Picture
@@ -47,6 +52,8 @@ public:
   /// path of a font file.
   virtual Result DrawText(const std::string& text, const std::string& font,
                           Picture& picture) const = 0;
+  /// The fields of a wind's file, at their times.
+  virtual Result LoadWind(const WindFile& file, const Timeline& line, FieldSeries& wind) const = 0;
 };
 
 } // namespace waft

@@ -66,6 +66,10 @@ public:
     }
     return Result::Ok();
   }
+  Result LoadWind(const WindFile&, const Timeline&, FieldSeries&) const override
+  {
+    return Result::Error("expected a scene without files of winds");
+  }
 };
 
 inline Scene Parsed(const std::string& text)

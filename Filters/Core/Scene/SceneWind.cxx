@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Bridge/Files/SceneWind.h"
+#include "Scene/SceneWind.h"
 
 #include "Base/Limits.h"
-#include "Bridge/Data/FieldCollectors.h"
-#include "Bridge/Data/SceneData.h"
-#include "Bridge/Files/WindFiles.h"
-
-#include <vtkImageData.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace waft
 {
@@ -37,14 +33,14 @@ FieldSeries LatticeOver(const Box& volume, const std::vector<AnalyticWind>& wind
 
 } // namespace
 
-Result SceneWind::Build(const Scene& scene)
+Result SceneWind::Build(const Scene& scene, const SceneAssets& assets)
 {
   SceneWind built;
   built.Analytic = scene.Winds;
   for (const WindFile& file : scene.WindFiles)
   {
     FieldSeries wind;
-    const Result result = ReadWindFile(file, scene.Info.Time, wind);
+    const Result result = assets.LoadWind(file, scene.Info.Time, wind);
     if (!result)
     {
       return Result::Error(file.Location + ": " + result.Message());
@@ -108,6 +104,10 @@ void SceneWind::WholeExtent(int extent[6]) const
 
 FieldSeries SceneWind::At(double time) const
 {
+  if (this->IsEmpty())
+  {
+    return {};
+  }
   FieldSeries now = this->Lattice;
   now.Times = { time };
   now.Values.resize(1);
@@ -132,15 +132,20 @@ FieldSeries SceneWind::At(double time) const
   return now;
 }
 
-void SceneWind::Fill(double time, const SceneInfo& info, vtkImageData* image) const
+FieldSeries SceneWind::OfFrames(const Timeline& line) const
 {
-  image->Initialize();
   if (this->IsEmpty())
   {
-    SceneInfoToFieldData(info, image);
-    return;
+    return {};
   }
-  FieldSeriesToImage(this->At(time), time, info, image);
+  FieldSeries all = this->Lattice;
+  for (int frame = 0; frame < line.NumberOfFrames; ++frame)
+  {
+    FieldSeries now = this->At(line.Time(frame));
+    all.Times.push_back(now.Times.front());
+    all.Values.push_back(std::move(now.Values.front()));
+  }
+  return all;
 }
 
 bool SceneWind::Makes(const FieldSeries& field) const

@@ -5,8 +5,6 @@
 #include "Base/FieldSeries.h"
 #include "Scene/Scene.h"
 
-class vtkImageData;
-
 namespace waft
 {
 
@@ -16,25 +14,26 @@ namespace waft
 class SceneWind
 {
 public:
-  /// Reads the files. Fails when one cannot be read (the message names its place in the scene) or
-  /// when a file with `Velocity` comes together with another wind: drag and acceleration do not add
-  /// up.
-  Result Build(const Scene& scene);
+  /// Reads the files by `assets`. Fails when one cannot be read (the message names its place in the
+  /// scene) or when a file with `Velocity` comes together with another wind: drag and acceleration
+  /// do not add up.
+  Result Build(const Scene& scene, const SceneAssets& assets);
   /// What of the files is odd, a sentence each: a series that begins after the scene's end, a field
   /// outside the volume.
   const std::vector<std::string>& Warnings() const { return this->Odd; }
   bool IsEmpty() const { return this->Analytic.empty() && this->Files.empty(); }
   /// The extent of the lattice (0, -1, ... without wind).
   void WholeExtent(int extent[6]) const;
-  /// The field at a time [s]; an image without points when there is no wind.
-  void Fill(double time, const SceneInfo& info, vtkImageData* image) const;
+  /// The field at a time [s], a series of one step; empty when there is no wind.
+  FieldSeries At(double time) const;
+  /// The fields at all frames; empty when there is no wind.
+  FieldSeries OfFrames(const Timeline& line) const;
 
   /// Whether it has the values of a field that was made of it once, at all the field's times.
   bool Makes(const FieldSeries& field) const;
 
 private:
   void Remark(const WindFile& file, const FieldSeries& wind, const SceneInfo& info);
-  FieldSeries At(double time) const; // with one step
 
   std::vector<AnalyticWind> Analytic;
   std::vector<FieldSeries> Files;

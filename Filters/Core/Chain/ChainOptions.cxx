@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Chain/ChainOptions.h"
+
+#include "Base/Limits.h"
+
+namespace waft
+{
+
+Result ChainOptions::Validate() const
+{
+  const OptionField seed{ "Seed", { -1, 4294967295.0 }, "", "" };
+  const OptionField limit{ "TimeLimit", { 0, 1e9 }, "s", "" };
+  WAFT_RETURN_IF_FAILED(seed.Check(static_cast<double>(this->Seed)));
+  WAFT_RETURN_IF_FAILED(limit.Check(this->TimeLimit));
+  WAFT_RETURN_IF_FAILED(this->Plan.Validate());
+  WAFT_RETURN_IF_FAILED(this->Takes.Validate());
+  WAFT_RETURN_IF_FAILED(this->Air.Validate());
+  WAFT_RETURN_IF_FAILED(this->Optimiser.Validate());
+  return this->Rotation.Validate();
+}
+
+ChainOptions ChainOptions::At(Quality quality)
+{
+  ChainOptions options;
+  options.Detail = quality;
+  if (quality == Quality::Preview)
+  {
+    options.Air.Resolution = 32;
+    options.Air.LatticeResolution = 32;
+    options.Air.Rounds = 1;
+  }
+  return options;
+}
+
+} // namespace waft

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Chain/ChainTable.h"
+
+#include "Chain/ChainOptions.h"
+#include "Scene/SceneFileOptions.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstring>
+
+namespace waft
+{
+namespace
+{
+
+template <class... Options>
+std::vector<OptionField> FieldsOf()
+{
+  std::vector<OptionField> fields;
+  const auto add = [&fields](const OptionField& field) { fields.push_back(field); };
+  (Options::Visit(add), ...);
+  return fields;
+}
+
+std::vector<ChainStageTraits> MakeStages()
+{
+  constexpr ChainStage scene = ChainStage::Scene;
+  constexpr ChainStage planner = ChainStage::Planner;
+  constexpr ChainStage air = ChainStage::Assimilation;
+  constexpr ChainStage optimiser = ChainStage::Spacetime;
+  const std::vector<Quality> all(std::begin(Qualities), std::end(Qualities));
+  const ChainInput objects{ "Objects", { { { scene, "Objects" } } } };
+  const ChainInput obstacles{ "Obstacles", { { { scene, "Obstacles" } } } };
+  const ChainInput wind{ "Wind", { { { scene, "Wind" } } } };
+  const ChainInput airs{ "Air", { { { air, "Air" } } } };
+  const ChainInput rows{ "Constraints",
+                         { { { air, "Constraints" } }, { { planner, "Constraints" } } } };
+  return {
+    { scene,
+      "Scene",
+      "MotionSceneReader",
+      "A scene file is read",
+      1,
+      all,
+      {},
+      { "Objects", "Constraints", "Obstacles", "Shapes", "Vortices", "Wind" },
+      FieldsOf<SceneReadOptions>() },
+    { planner,
+      "Planner",
+      "StylisticPlannerFilter",
+      "Paths are planned from mark to mark out of the motion database",
+      6,
+      all,
+      { { "Database", {} },
+        objects,
+        { "Constraints", { { { scene, "Constraints" } } } },
+        obstacles,
+        { "Guides", {} } },
+      { "Tracks", "Trees", "Report", "Constraints", "Vortices", "Takes", "Flights",
+        "ObjectReport" },
+      FieldsOf<PlanOptions, TakeOptions>() },
+    { air,
+      "Assimilation",
+      "AirAssimilationFilter",
+      "One air is drawn in which all objects drift to their marks with the least control",
+      45,
+      { Quality::Preview, Quality::Air, Quality::Full },
+      { { "Tracks", { { { planner, "Tracks" } } } },
+        objects,
+        { "Constraints", { { { planner, "Constraints" } } } },
+        obstacles,
+        wind,
+        { "Vortices", { { { scene, "Vortices" } } } } },
+      { "Tracks", "Air", "Vortices", "Constraints", "Report", "Rounds" },
+      FieldsOf<AssimilationOptions>() },
+    { optimiser,
+      "Spacetime",
+      "SPHSpacetimeFilter",
+      "All frames of gas and objects are solved at once, from the air or from the plan",
+      45,
+      { Quality::Full, Quality::Paper },
+      { { "Tracks", { { { air, "Tracks" } }, { { planner, "Tracks" } } } },
+        objects,
+        rows,
+        obstacles,
+        { "Vortices",
+          { { { air, "Vortices" } }, { { scene, "Vortices" }, { planner, "Vortices" } } } },
+        wind,
+        airs },
+      { "Tracks", "Particles", "Vortices", "Wind", "Convergence", "Report" },
+      FieldsOf<SpacetimeOptions>() },
+    { ChainStage::Rotation,
+      "Rotation",
+      "RotationRefineFilter",
+      "Bodies are turned by the air along their paths, and laid on surfaces",
+      2,
+      all,
+      { { "Tracks",
+          { { { optimiser, "Tracks" } }, { { air, "Tracks" } }, { { planner, "Tracks" } } } },
+        objects,
+        { "Shapes", { { { scene, "Shapes" } } } },
+        obstacles,
+        wind,
+        rows,
+        airs },
+      { "Meshes", "Poses", "Report" },
+      FieldsOf<RotationOptions>() },
+  };
+}
+
+/// Fields whose values differ from the defaults.
+template <class Options>
+nlohmann::ordered_json Changed(const Options& options)
+{
+  nlohmann::ordered_json changed;
+  const Options defaults;
+  const auto look = [&changed](const OptionField& field, const auto& value, const auto& usual)
+  {
+    if (NumbersOf(value) != NumbersOf(usual))
+    {
+      changed[field.Name] = NumbersOf(value).front();
+    }
+  };
+  Options::Visit(look, options, defaults);
+  return changed;
+}
+
+nlohmann::ordered_json InputsAsJson(const ChainStageTraits& stage)
+{
+  nlohmann::ordered_json inputs = nlohmann::ordered_json::object();
+  for (const ChainInput& input : stage.Inputs)
+  {
+    nlohmann::ordered_json& byQuality = inputs[input.Name] = nlohmann::ordered_json::object();
+    for (const Quality quality : stage.RunsAt)
+    {
+      nlohmann::ordered_json& givers = byQuality[ToString(quality)] = nlohmann::json::array();
+      for (const ChainOutput& output : GiversOf(input, quality))
+      {
+        givers.push_back({ TraitsOf(output.Stage).Name, PortOf(output) });
+      }
+    }
+  }
+  return inputs;
+}
+
+} // namespace
+
+const char* ToString(Quality quality)
+{
+  switch (quality)
+  {
+    case Quality::Preview:
+      return "preview";
+    case Quality::Air:
+      return "air";
+    case Quality::Full:
+      return "full";
+    case Quality::Paper:
+      return "paper";
+  }
+  return "";
+}
+
+const std::vector<ChainStageTraits>& ChainStages()
+{
+  static const std::vector<ChainStageTraits> stages = MakeStages();
+  return stages;
+}
+
+const ChainStageTraits& TraitsOf(ChainStage stage)
+{
+  return ChainStages()[static_cast<std::size_t>(stage)];
+}
+
+bool RunsAt(ChainStage stage, Quality quality)
+{
+  const std::vector<Quality>& qualities = TraitsOf(stage).RunsAt;
+  return std::find(qualities.begin(), qualities.end(), quality) != qualities.end();
+}
+
+std::vector<ChainOutput> GiversOf(const ChainInput& input, Quality quality)
+{
+  const auto run = [quality](const std::vector<ChainOutput>& givers)
+  {
+    return std::all_of(givers.begin(), givers.end(),
+                       [quality](const ChainOutput& one) { return RunsAt(one.Stage, quality); });
+  };
+  const auto first = std::find_if(input.Givers.begin(), input.Givers.end(), run);
+  return first != input.Givers.end() ? *first : std::vector<ChainOutput>();
+}
+
+int PortOf(const ChainOutput& output)
+{
+  const std::vector<const char*>& names = TraitsOf(output.Stage).Outputs;
+  const auto found =
+    std::find_if(names.begin(), names.end(),
+                 [&output](const char* name) { return std::strcmp(name, output.Name) == 0; });
+  return static_cast<int>(found - names.begin());
+}
+
+std::string ChainTableAsJson()
+{
+  nlohmann::ordered_json table;
+  for (const ChainStageTraits& stage : ChainStages())
+  {
+    nlohmann::ordered_json one;
+    one["name"] = stage.Name;
+    one["proxy"] = stage.Proxy;
+    one["sentence"] = stage.Sentence;
+    one["share"] = stage.Share;
+    for (const Quality quality : stage.RunsAt)
+    {
+      one["qualities"].push_back(ToString(quality));
+    }
+    one["inputs"] = InputsAsJson(stage);
+    one["outputs"] = stage.Outputs;
+    for (const OptionField& field : stage.Options)
+    {
+      one["options"].push_back(field.Name);
+    }
+    table["stages"].push_back(one);
+  }
+  for (const Quality quality : Qualities)
+  {
+    const ChainOptions options = ChainOptions::At(quality);
+    table["qualities"].push_back(ToString(quality));
+    nlohmann::ordered_json& settings = table["settings"][ToString(quality)];
+    settings = nlohmann::ordered_json::object();
+    const auto add = [&settings](ChainStage stage, const nlohmann::ordered_json& changed)
+    {
+      if (!changed.empty())
+      {
+        settings[TraitsOf(stage).Name] = changed;
+      }
+    };
+    add(ChainStage::Planner, Changed(options.Plan));
+    add(ChainStage::Assimilation, Changed(options.Air));
+    add(ChainStage::Spacetime, Changed(options.Optimiser));
+    add(ChainStage::Rotation, Changed(options.Rotation));
+  }
+  return table.dump(2) + "\n";
+}
+
+} // namespace waft

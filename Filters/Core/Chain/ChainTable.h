@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stages from a scene to bodies that fly: what each takes and from whom, what it gives, and
+// which qualities run it. Whoever joins stages (RunChain, the command, ParaView's sources, the
+// pages) takes the graph from this table.
+#pragma once
+
+#include "Base/OptionFields.h"
+
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+/// How objects come to their marks.
+enum class Quality
+{
+  Preview, // drift in one drawn air on a coarse grid
+  Air,     // the same on the full grid
+  Full,    // the optimiser from there, in that air
+  Paper    // the optimiser from the plan, gas at rest (Shi et al. 2005)
+};
+inline constexpr Quality Qualities[] = { Quality::Preview, Quality::Air, Quality::Full,
+                                         Quality::Paper };
+
+/// "preview", "air", "full", "paper".
+const char* ToString(Quality quality);
+
+/// In the order in which they run.
+enum class ChainStage
+{
+  Scene,
+  Planner,
+  Assimilation,
+  Spacetime,
+  Rotation
+};
+
+/// An output of a stage.
+struct ChainOutput
+{
+  ChainStage Stage;
+  const char* Name;
+};
+
+struct ChainInput
+{
+  const char* Name;
+  /// Who gives it, the preferred ones first: it takes all of the first list whose stages run.
+  /// Empty: nobody, it is the user's own.
+  std::vector<std::vector<ChainOutput>> Givers;
+};
+
+struct ChainStageTraits
+{
+  ChainStage Stage;
+  const char* Name;     // in ParaView's browser
+  const char* Proxy;    // of the server manager
+  const char* Sentence; // subject first, without its end
+  double Share;         // of the time of a run, roughly
+  std::vector<Quality> RunsAt;
+  std::vector<ChainInput> Inputs;
+  std::vector<const char*> Outputs; // by port
+  std::vector<OptionField> Options;
+};
+
+const std::vector<ChainStageTraits>& ChainStages();
+const ChainStageTraits& TraitsOf(ChainStage stage);
+bool RunsAt(ChainStage stage, Quality quality);
+
+/// What an input takes at a quality; empty where nobody gives it.
+std::vector<ChainOutput> GiversOf(const ChainInput& input, Quality quality);
+/// The index of an output among its stage's.
+int PortOf(const ChainOutput& output);
+
+/// The table as JSON: `stages`, each with `name`, `proxy`, `sentence`, `share`, `qualities`,
+/// `inputs` ({name: {quality: [[stage, port]]}}), `outputs`, `options`; `qualities`; `settings`
+/// ({quality: {stage: {option: value}}}, where they are not the defaults).
+std::string ChainTableAsJson();
+
+} // namespace waft

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Chain/RunChain.h"
+
+#include "Base/StateArchive.h"
+#include "Constraints/MotionProblem.h"
+#include "Grid/NodeSolids.h"
+#include "Planning/InputCheck.h"
+#include "Spacetime/Run/Spacetime.h"
+#include "Spacetime/Run/SpacetimeBudget.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace waft
+{
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+/// Fields of the air's velocity at all frames, one after another.
+FieldSeries AirAt(const DrawnAir& air, double time)
+{
+  FieldSeries now{ static_cast<const SeriesLattice&>(air.Velocity) };
+  now.Times = { time };
+  now.Values = { air.Velocity.Around(time).At(time) };
+  return now;
+}
+
+FieldSeries AirOfFrames(const DrawnAir& air, const Timeline& line)
+{
+  FieldSeries all{ static_cast<const SeriesLattice&>(air.Velocity) };
+  all.Times.clear();
+  for (int frame = 0; frame < line.NumberOfFrames; ++frame)
+  {
+    const double time = line.Time(frame);
+    all.Times.push_back(time);
+    all.Values.push_back(air.Velocity.Around(time).At(time));
+  }
+  return all;
+}
+
+/// One run.
+class Chain
+{
+public:
+  Chain(const ChainInputs& inputs, const ChainOptions& options, const ParallelFor& parallel,
+        Monitor& monitor, Motion& motion, ChainMemory& memory) :
+    Inputs(inputs),
+    Options(options), Parallel(parallel), Whole(monitor), Made(motion), Memory(memory)
+  {
+  }
+  Result Run();
+
+private:
+  using Work = Result (Chain::*)(Monitor& monitor);
+
+  bool Wants(ChainStage stage) const
+  {
+    return stage <= this->Options.StopAfter && RunsAt(stage, this->Options.Detail);
+  }
+  Result CheckRoomAhead() const;
+  void SetUp();
+  /// Runs a stage when it is wanted, else clears what an earlier run left of it.
+  Result Do(ChainStage stage, Work work);
+  /// Whether the output is there of just this problem and these options; else it is cleared, with
+  /// those of the stages after it.
+  template <class... Own>
+  bool IsKept(ChainStage stage, MotionProblem& problem, const Own&... options);
+  void Clear(ChainStage stage);
+  double SecondsLeft() const;
+  void LimitTime(double& limit) const;
+  /// What the scene says, with the paths and rows that a stage begins with.
+  MotionProblem ProblemOf(ChainStage stage) const;
+
+  Result Plan(Monitor& monitor);
+  Result Assimilate(Monitor& monitor);
+  Result Optimise(Monitor& monitor);
+  Result Turn(Monitor& monitor);
+  bool HasAir() const { return !this->Made.Air.Air->Velocity.IsEmpty(); }
+
+  const ChainInputs& Inputs;
+  ChainOptions Options;
+  const ParallelFor& Parallel;
+  Monitor& Whole;
+  Motion& Made;
+  ChainMemory& Memory;
+  Clock::time_point Start = Clock::now();
+  std::vector<ObstacleMesh> Obstacles;
+  FieldSeries Wind;
+  std::uint64_t Key = 0;        // of the stage that works
+  double Done = 0.0, All = 0.0; // shares of the time
+};
+
+Result Chain::CheckRoomAhead() const
+{
+  const Scene& scene = this->Inputs.TheScene;
+  return this->Wants(ChainStage::Spacetime)
+           ? CheckRoom(VolumeAboveGround(scene), scene.Info.Time.NumberOfFrames,
+                       scene.Objects.size(), this->Options.Optimiser)
+           : Result::Ok();
+}
+
+void Chain::SetUp()
+{
+  const Scene& scene = this->Inputs.TheScene;
+  const std::int64_t seed =
+    this->Options.Seed >= 0 ? this->Options.Seed : static_cast<std::int64_t>(scene.Info.Seed);
+  this->Options.Plan.Seed = static_cast<std::uint64_t>(seed);
+  this->Options.Air.Seed = static_cast<int>(seed);
+  this->Options.Rotation.Seed = static_cast<std::uint64_t>(seed);
+  this->Obstacles = ObstaclesOfFrames(scene.Obstacles, scene.Info.Time);
+  this->Wind = this->Inputs.Wind.OfFrames(scene.Info.Time);
+  for (const ChainStageTraits& stage : ChainStages())
+  {
+    this->All += this->Wants(stage.Stage) ? stage.Share : 0.0;
+  }
+  this->Made.IsStopped = false;
+  this->Made.Seconds.clear();
+  this->Made.Report.clear();
+}
+
+double Chain::SecondsLeft() const
+{
+  const std::chrono::duration<double> passed = Clock::now() - this->Start;
+  return this->Options.TimeLimit - passed.count();
+}
+
+// What is left of the run's time, where that is less than a stage's own.
+void Chain::LimitTime(double& limit) const
+{
+  constexpr double least = 0.001; // 0 is none
+  if (this->Options.TimeLimit > 0.0)
+  {
+    const double left = std::max(this->SecondsLeft(), least);
+    limit = limit > 0.0 ? std::min(limit, left) : left;
+  }
+}
+
+MotionProblem Chain::ProblemOf(ChainStage stage) const
+{
+  const Scene& scene = this->Inputs.TheScene;
+  return { scene.Info,      this->Made.PathsBefore(stage),
+           scene.Objects,   this->Made.RowsBefore(stage),
+           this->Obstacles, scene.Vortices,
+           this->Wind };
+}
+
+template <class... Own>
+bool Chain::IsKept(ChainStage stage, MotionProblem& problem, const Own&... options)
+{
+  DigestStream stream;
+  Serialise(stream, problem);
+  for (const auto& [before, key] : this->Memory.Keys)
+  {
+    if (before < stage)
+    {
+      std::uint64_t own = key;
+      stream.Value(own);
+    }
+  }
+  const auto add = [&stream](auto own) { decltype(own)::Visit(SerialiseFieldsWith(stream), own); };
+  (add(options), ...);
+  this->Key = stream.Sum();
+  const auto kept = this->Memory.Keys.find(stage);
+  if (kept != this->Memory.Keys.end() && kept->second == this->Key)
+  {
+    return true;
+  }
+  for (const ChainStageTraits& later : ChainStages())
+  {
+    if (later.Stage >= stage)
+    {
+      this->Clear(later.Stage);
+    }
+  }
+  return false;
+}
+
+void Chain::Clear(ChainStage stage)
+{
+  this->Memory.Keys.erase(stage);
+  this->Made.Warnings.erase(stage);
+  switch (stage)
+  {
+    case ChainStage::Scene:
+      break;
+    case ChainStage::Planner:
+      this->Made.Plan = PlanOutput();
+      this->Made.Takes.clear();
+      break;
+    case ChainStage::Assimilation:
+      this->Made.Air = AssimilationOutput();
+      break;
+    case ChainStage::Spacetime:
+      this->Made.Optimised = SpacetimeOutput();
+      break;
+    case ChainStage::Rotation:
+      this->Made.Turned = RotationOutput();
+      this->Made.Tracks.clear();
+      this->Made.Laid.clear();
+      break;
+  }
+}
+
+Result Chain::Do(ChainStage stage, Work work)
+{
+  const bool isLast = stage == ChainStage::Rotation; // quick, and it turns the best so far
+  if (!this->Wants(stage) || (this->Made.IsStopped && !isLast))
+  {
+    this->Clear(stage);
+    return Result::Ok();
+  }
+  const auto start = Clock::now();
+  const double begin = this->Done;
+  this->Done += TraitsOf(stage).Share / this->All;
+  PartMonitor part(this->Whole, begin, this->Done);
+  SilentMonitor silent;
+  Monitor& monitor = this->Made.IsStopped ? static_cast<Monitor&>(silent) : part;
+  this->Key = 0;
+  const auto before = this->Memory.Keys.count(stage) > 0 ? this->Memory.Keys[stage] : 0;
+  const Result result = (this->*work)(monitor);
+  if (!result)
+  {
+    this->Clear(stage);
+    return result;
+  }
+  this->Made.IsStopped = this->Made.IsStopped || result.IsStopped() ||
+                         (this->Options.TimeLimit > 0.0 && this->SecondsLeft() <= 0.0);
+  if (this->Memory.Keys.count(stage) == 0 || before != this->Key)
+  {
+    this->Made.Seconds[stage] = std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  if (!this->Made.IsStopped)
+  {
+    this->Memory.Keys[stage] = this->Key;
+  }
+  return Result::Ok();
+}
+
+Result Chain::Plan(Monitor& monitor)
+{
+  const Scene& scene = this->Inputs.TheScene;
+  MotionProblem problem{ scene.Info,     {}, scene.Objects, scene.Constraints, this->Obstacles,
+                         scene.Vortices, {} };
+  if (this->IsKept(ChainStage::Planner, problem, this->Options.Plan, this->Options.Takes))
+  {
+    return Result::Ok();
+  }
+  ObstacleSet obstacles;
+  WAFT_RETURN_IF_FAILED(BuildPlanObstacles(this->Obstacles, obstacles));
+  const PlanInput input{ this->Inputs.Database, scene.Objects, scene.Constraints, obstacles,
+                         scene.Info };
+  const Result result = PlanTakes(input, this->Options.Plan, this->Options.Takes, this->Parallel,
+                                  monitor, this->Made.Plan, this->Made.Takes, &this->Memory.Plans);
+  this->Made.Warnings[ChainStage::Planner] =
+    PlanRemarks(this->Inputs.Database, scene.Info, this->Made.Plan);
+  return result;
+}
+
+Result Chain::Assimilate(Monitor& monitor)
+{
+  MotionProblem problem = this->ProblemOf(ChainStage::Assimilation);
+  if (this->IsKept(ChainStage::Assimilation, problem, this->Options.Air))
+  {
+    return Result::Ok();
+  }
+  WAFT_RETURN_IF_FAILED(problem.Wind.Validate("Wind"));
+  AssimilationOptions options = this->Options.Air;
+  this->LimitTime(options.TimeLimit);
+  const SolidsOn solids = [this](const SmokeOptions& smoke)
+  { return NodeSolids(this->Obstacles, smoke); };
+  const Result result = AssimilateAir(problem, options, solids, this->Parallel, monitor,
+                                      this->Made.Air, &this->Memory.Air);
+  this->Made.Warnings[ChainStage::Assimilation] = this->Made.Air.Warnings;
+  return result;
+}
+
+Result Chain::Optimise(Monitor& monitor)
+{
+  SpacetimeInput input{ this->ProblemOf(ChainStage::Spacetime), {} };
+  if (this->HasAir())
+  {
+    input.Vortices = this->Made.Air.Vortices;
+  }
+  else
+  {
+    const std::vector<Vortex>& planned = this->Made.Plan.Vortices;
+    input.Vortices.insert(input.Vortices.end(), planned.begin(), planned.end());
+  }
+  if (this->IsKept(ChainStage::Spacetime, input, this->Options.Optimiser))
+  {
+    return Result::Ok();
+  }
+  WAFT_RETURN_IF_FAILED(input.Wind.Validate("Wind"));
+  if (this->HasAir())
+  {
+    input.Air = AirOfFrames(*this->Made.Air.Air, input.Scene.Time);
+  }
+  SpacetimeOptions options = this->Options.Optimiser;
+  this->LimitTime(options.TimeLimit);
+  const Result result = RunSpacetime(input, options, this->Parallel, monitor, this->Made.Optimised,
+                                     &this->Memory.Optimiser);
+  this->Made.Warnings[ChainStage::Spacetime] = this->Made.Optimised.Warnings;
+  return result;
+}
+
+Result Chain::Turn(Monitor& monitor)
+{
+  const Scene& scene = this->Inputs.TheScene;
+  if (this->Made.Paths().size() < scene.Objects.size())
+  {
+    return Result::Stopped(); // while they were planned
+  }
+  MotionProblem problem = this->ProblemOf(ChainStage::Rotation);
+  if (this->IsKept(ChainStage::Rotation, problem, this->Options.Rotation))
+  {
+    return Result::Ok();
+  }
+  RotationInput input;
+  input.Scene = scene.Info;
+  input.Objects = scene.Objects;
+  input.Shapes = scene.Shapes;
+  input.Tracks = std::move(problem.Tracks);
+  input.Constraints = std::move(problem.Constraints);
+  AirOnTracks air(input.Tracks, scene.Info.Time);
+  for (int frame = 0; this->HasAir() && frame < scene.Info.Time.NumberOfFrames; ++frame)
+  {
+    WAFT_RETURN_IF_FAILED(air.Add(AirAt(*this->Made.Air.Air, scene.Info.Time.Time(frame))));
+  }
+  air.Finish();
+  ObstacleSet obstacles;
+  WAFT_RETURN_IF_FAILED(obstacles.Build(this->Obstacles));
+  input.Air = &air;
+  input.Obstacles = &obstacles;
+  input.Wind = &this->Wind;
+  const Result result =
+    RunRotationRefine(input, this->Options.Rotation, this->Parallel, monitor, this->Made.Turned);
+  if (result && !result.IsStopped())
+  {
+    this->Made.Tracks = std::move(input.Tracks);
+    this->Made.Laid = ApplyShifts(this->Made.Turned, this->Made.Tracks);
+    this->Made.Warnings[ChainStage::Rotation] = this->Made.Turned.Warnings;
+  }
+  return result;
+}
+
+Result Chain::Run()
+{
+  WAFT_RETURN_IF_FAILED(this->Options.Validate());
+  WAFT_RETURN_IF_FAILED(this->CheckRoomAhead());
+  this->SetUp();
+  WAFT_RETURN_IF_FAILED(this->Do(ChainStage::Planner, &Chain::Plan));
+  WAFT_RETURN_IF_FAILED(this->Do(ChainStage::Assimilation, &Chain::Assimilate));
+  WAFT_RETURN_IF_FAILED(this->Do(ChainStage::Spacetime, &Chain::Optimise));
+  WAFT_RETURN_IF_FAILED(this->Do(ChainStage::Rotation, &Chain::Turn));
+  this->Made.Report = JoinReports(this->Made.ReportOf(this->Made.MovedBy()), this->Made.Plan.Report,
+                                  this->Made.Turned.Report, this->Made.Air.Constraints);
+  return this->Made.IsStopped ? Result::Stopped() : Result::Ok();
+}
+
+} // namespace
+
+Result RunChain(const ChainInputs& inputs, const ChainOptions& options, const ParallelFor& parallel,
+                Monitor& monitor, Motion& motion, ChainMemory* memory)
+{
+  ChainMemory none;
+  return Chain(inputs, options, parallel, monitor, motion, memory != nullptr ? *memory : none)
+    .Run();
+}
+
+} // namespace waft

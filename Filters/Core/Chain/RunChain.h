@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From a scene to bodies that fly: all stages, in one call.
+//
+//   Scene scene;  SceneWind wind;  MotionDatabase database;
+//   ReadSceneAndWind("feather.waft.json", BuiltinAssets(), scene, wind);
+//   Motion motion;
+//   RunChain({ scene, wind, database }, ChainOptions::At(Quality::Preview), SerialFor(), monitor,
+//            motion);
+#pragma once
+
+#include "Air/AssimilationState.h"
+#include "Base/Monitor.h"
+#include "Base/Parallel.h"
+#include "Base/Result.h"
+#include "Chain/ChainOptions.h"
+#include "Chain/ChainScene.h"
+#include "Chain/Motion.h"
+#include "Planning/PlanCache.h"
+#include "Spacetime/Run/SpacetimeWarmStart.h"
+#include "Trajectory/MotionDatabase.h"
+
+#include <cstdint>
+#include <map>
+
+namespace waft
+{
+
+struct ChainInputs
+{
+  const Scene& TheScene;
+  const SceneWind& Wind;
+  const MotionDatabase& Database;
+};
+
+/// What runs leave for the next ones: outputs whose inputs and options are the same are not made
+/// again, and stages go on from what they know where only some of it changed.
+struct ChainMemory
+{
+  std::map<ChainStage, std::uint64_t> Keys; // digests of what the outputs in a Motion were made of
+  PlanCache Plans;
+  AssimilationState Air;
+  SpacetimeWarmStart Optimiser;
+};
+
+/// Runs the stages of a quality up to StopAfter. motion: empty, or what the last run with the same
+/// memory left. The same bits on any number of threads. Fails as the stages do, and before anything
+/// is planned where the optimiser would have no room for the scene; the error leaves in motion what
+/// is done already. Stopped, by the monitor or at the TimeLimit, no stage begins but the rotation:
+/// the motion so far is turned, and IsStopped says so. For a monitor that shows what there is so
+/// far motion is written as the stages go.
+Result RunChain(const ChainInputs& inputs, const ChainOptions& options, const ParallelFor& parallel,
+                Monitor& monitor, Motion& motion, ChainMemory* memory = nullptr);
+
+} // namespace waft

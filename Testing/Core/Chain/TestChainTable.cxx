@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The table of stages: what each quality runs, and who gives what to whom.
+#include "Chain/ChainOptions.h"
+#include "Chain/ChainTable.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <set>
+
+using namespace waft;
+
+namespace
+{
+
+const ChainInput& InputOf(ChainStage stage, const char* name)
+{
+  const std::vector<ChainInput>& inputs = TraitsOf(stage).Inputs;
+  return *std::find_if(inputs.begin(), inputs.end(),
+                       [name](const ChainInput& input)
+                       { return std::strcmp(input.Name, name) == 0; });
+}
+
+/// "Stage.Output" of each giver.
+std::set<std::string> Givers(ChainStage stage, const char* input, Quality quality)
+{
+  std::set<std::string> names;
+  for (const ChainOutput& giver : GiversOf(InputOf(stage, input), quality))
+  {
+    names.insert(std::string(TraitsOf(giver.Stage).Name) + "." + giver.Name);
+  }
+  return names;
+}
+
+} // namespace
+
+TEST(ChainTable, HasEachStageAtItsPlace)
+{
+  for (const ChainStageTraits& stage : ChainStages())
+  {
+    EXPECT_EQ(&TraitsOf(stage.Stage), &stage) << stage.Name;
+    EXPECT_FALSE(stage.RunsAt.empty()) << stage.Name;
+    EXPECT_FALSE(stage.Options.empty()) << stage.Name;
+  }
+}
+
+TEST(ChainTable, TakesOnlyWhatEarlierStagesThatRunGive)
+{
+  for (const Quality quality : Qualities)
+  {
+    for (const ChainStageTraits& stage : ChainStages())
+    {
+      for (const ChainInput& input : stage.Inputs)
+      {
+        for (const ChainOutput& giver : GiversOf(input, quality))
+        {
+          EXPECT_LT(giver.Stage, stage.Stage) << stage.Name << " " << input.Name;
+          EXPECT_TRUE(RunsAt(giver.Stage, quality)) << stage.Name << " " << input.Name;
+          EXPECT_LT(PortOf(giver), static_cast<int>(TraitsOf(giver.Stage).Outputs.size()))
+            << stage.Name << " " << input.Name;
+        }
+      }
+    }
+  }
+}
+
+TEST(ChainTable, TheLastStageThatMovesObjectsIsTurned)
+{
+  using Names = std::set<std::string>;
+  constexpr ChainStage last = ChainStage::Rotation;
+  EXPECT_EQ(Givers(last, "Tracks", Quality::Preview), Names{ "Assimilation.Tracks" });
+  EXPECT_EQ(Givers(last, "Tracks", Quality::Full), Names{ "Spacetime.Tracks" });
+  EXPECT_EQ(Givers(last, "Constraints", Quality::Full), Names{ "Assimilation.Constraints" });
+  EXPECT_EQ(Givers(last, "Constraints", Quality::Paper), Names{ "Planner.Constraints" });
+  EXPECT_EQ(Givers(last, "Air", Quality::Paper), Names{});
+  EXPECT_EQ(Givers(ChainStage::Spacetime, "Vortices", Quality::Paper),
+            (Names{ "Scene.Vortices", "Planner.Vortices" }));
+  EXPECT_EQ(Givers(ChainStage::Spacetime, "Vortices", Quality::Full),
+            Names{ "Assimilation.Vortices" });
+  EXPECT_EQ(Givers(ChainStage::Planner, "Database", Quality::Full), Names{});
+}
+
+TEST(ChainTable, APreviewIsCoarserThanTheAirAlone)
+{
+  const ChainOptions coarse = ChainOptions::At(Quality::Preview);
+  const ChainOptions fine = ChainOptions::At(Quality::Air);
+  EXPECT_LT(coarse.Air.Resolution, fine.Air.Resolution);
+  EXPECT_EQ(fine.Air.Resolution, AssimilationOptions().Resolution);
+  const std::string json = ChainTableAsJson();
+  EXPECT_NE(json.find("\"Resolution\": 32.0"), std::string::npos) << json;
+}
+
+TEST(ChainOptions, NamesWhatIsOutOfItsRange)
+{
+  ChainOptions options;
+  EXPECT_TRUE(options.Validate());
+  options.Seed = -2;
+  EXPECT_NE(options.Validate().Message().find("Seed: expected"), std::string::npos);
+  options.Seed = -1;
+  options.Air.Resolution = 1;
+  EXPECT_NE(options.Validate().Message().find("Resolution: expected"), std::string::npos);
+}
