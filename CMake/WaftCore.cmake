@@ -25,7 +25,7 @@ endfunction()
 # The suites of GoogleTest that take longer than some seconds, of any program; all others are fast.
 set(WAFT_SLOW_SUITES AirAssimilation AssimilationContacts AssimilationEdits AssimilationRows AssimilationStart Checkpoint
   *ChainFaces ClusterRuns Clusters DatabaseBuild Edit FreeFlight Landing Landings Mazes MotionDatabaseSource MovingObstacles PlanCache
-  Planner PlannerBadInput PropertyValues Ranks RunChain RunSpacetime SceneSchema SpacetimeMotion StylisticPlannerFilter Surfaces WarmStart Windows)
+  Planner PlannerBadInput PropertyValues RunChain RunSpacetime SceneSchema SpacetimeMotion StylisticPlannerFilter Surfaces WarmStart Windows)
 
 # waft_discover_tests(<program> <prefix>): each TEST of a program is an entry of ctest, labelled fast or slow.
 function(waft_discover_tests target prefix)

@@ -17,7 +17,6 @@
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Spacetime/Run/Spacetime.h"
 #include "Spacetime/Run/SpacetimeBudget.h"
-#include "Spacetime/Run/SpacetimeSerialise.h"
 #include "Spacetime/Run/SpacetimeWarmStart.h"
 
 #include <vtkCellData.h>
@@ -123,7 +122,7 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Take(vtkInformationVector** input
 waft::Result vtkSPHSpacetimeFilter::Internals::Agree(const waft::Result& own)
 {
   waft::ControllerCommunicator ranks(this->Self->Controller);
-  return ranks.Size() > 1 ? waft::ResultOfFirst(ranks, own) : own;
+  return waft::ResultOfFirst(ranks, [&own] { return own; });
 }
 
 waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs,
@@ -135,9 +134,13 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs
   const waft::Result taken = this->Take(inputs, input);
   const bool isEmpty = input.Tracks.empty();
   WAFT_RETURN_IF_FAILED(this->Agree(taken));
-  WAFT_RETURN_IF_FAILED(
-    waft::RunSpacetime(input, waft::OptionsOf<waft::SpacetimeOptions>(*this->Self), waft::SmpFor(),
-                       monitor, this->Solution, &this->Memory, &ranks));
+  const auto solve = [&]
+  {
+    const auto options = waft::OptionsOf<waft::SpacetimeOptions>(*this->Self);
+    return waft::RunSpacetime(input, options, waft::SmpFor(), monitor, this->Solution,
+                              &this->Memory);
+  };
+  WAFT_RETURN_IF_FAILED(waft::ResultOfFirst(ranks, solve));
   // A rank that was given the scene gets the result, too, when all were.
   const bool isForAll = ranks.Largest(isEmpty ? 1.0 : 0.0) == 0.0;
   if (isForAll && ranks.Size() > 1)

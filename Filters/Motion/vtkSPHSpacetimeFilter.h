@@ -29,10 +29,10 @@
  * by bit, on any number of threads. Stopped half way or by TimeLimit, it gives the best motion so
  * far, and the next run goes on from there.
  *
- * Of several MPI processes (ranks) rank 0 solves, and each evaluates E and its gradient for a range
- * of the frames, to the same bits. All must update the filter together. Inputs and properties of
- * rank 0 hold, and its outputs hold the result. Those of the others are empty, but where every rank
- * was given the tracks: then all have the result.
+ * Of several MPI processes (ranks) rank 0 solves, with its threads, and the others wait for it: all
+ * must update the filter together. Inputs and properties of rank 0 hold, and its outputs hold the
+ * result. Those of the others are empty, but where every rank was given the tracks: then all have
+ * the result.
  */
 #ifndef vtkSPHSpacetimeFilter_h
 #define vtkSPHSpacetimeFilter_h
@@ -264,7 +264,8 @@ public:
   void Restart();
 
   ///@{
-  /** The processes that solve together; the global controller, unless set. Null: this one alone. */
+  /** The processes that wait for the first to solve; the global controller, unless set. Null: this
+   * one solves for itself. */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}

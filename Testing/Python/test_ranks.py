@@ -66,6 +66,13 @@ found = {
     "wind": stage.GetOutputDataObject(3).GetNumberOfPoints(),
     "report": stage.GetOutputDataObject(5).GetNumberOfRows(),
 }
+stage.SetCheckpointFile("")
+stage.Restart()
+watch = stage.AddObserver("ProgressEvent", lambda *_: stage.SetAbortExecute(1))  # which the first alone is told of
+stage.Update()
+stage.RemoveObserver(watch)
+stage.SetAbortExecute(0)
+found["stopped"] = [len(course()) > 0, len(said)]
 for port, data in enumerate(make()):  # and a mistake that the first alone can see
     if rank == 0 and port == 1:
         data.GetPointData().GetArray("ObjectId").SetValue(1, 77)
@@ -195,7 +202,7 @@ class Ranks(unittest.TestCase):
                                 for rank in range(processes)]
             self.assertFalse((self.folder / "checkpoint").exists())
         one = found[1][0]
-        self.assertEqual([len(one["points"]), one["said"], one["report"]], [3 * 40, [], 3])
+        self.assertEqual([len(one["points"]), one["said"], one["report"], one["stopped"]], [3 * 40, [], 3, [True, 0]])
         self.assertGreater(one["particles"], 216)
         self.assertLess(one["courses"][0][-1], 0.8 * one["courses"][0][0])
         self.assertEqual(one["alone"], one["courses"][0])
@@ -204,7 +211,7 @@ class Ranks(unittest.TestCase):
         self.assertEqual(first, one)
         self.assertGreater(other.pop("mistakes"), 0)
         self.assertEqual(other, {"courses": [[], []], "said": [], "points": [], "particles": 0, "wind": 0,
-                                 "report": 0, "alone": []})
+                                 "report": 0, "stopped": [False, 0], "alone": []})
 
     def make_scene(self):
         """Two maples in a gust, one with a mark, as a file."""

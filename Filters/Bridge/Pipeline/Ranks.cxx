@@ -4,8 +4,6 @@
 #include <vtkDataObject.h>
 #include <vtkMultiProcessController.h>
 
-#include <string>
-
 namespace waft
 {
 namespace
@@ -50,16 +48,6 @@ void ControllerCommunicator::SendReceive(int other, const void* sent, std::size_
   {
     send();
   }
-}
-
-Result ResultOfFirst(Communicator& ranks, const Result& own)
-{
-  bool isGood(own);
-  std::string message = own.Message();
-  BroadcastStream stream(ranks);
-  stream.Value(isGood);
-  stream.Text(message);
-  return isGood ? Result::Ok() : Result::Error(message);
 }
 
 bool IsWithFirstRank(vtkDataObject* data)

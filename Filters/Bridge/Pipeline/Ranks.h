@@ -3,7 +3,6 @@
 #pragma once
 
 #include "Base/Communicator.h"
-#include "Base/Result.h"
 
 class vtkDataObject;
 class vtkMultiProcessController;
@@ -25,9 +24,6 @@ public:
 private:
   vtkMultiProcessController* Controller;
 };
-
-/// Rank 0's result, on all ranks.
-Result ResultOfFirst(Communicator& ranks, const Result& own);
 
 /// True on a rank but the first of the global controller when the data of a scene came in empty:
 /// they are with the first rank, and here is nothing to do.

@@ -2,9 +2,29 @@
 #include "Base/Communicator.h"
 
 #include <algorithm>
+#include <string>
 
 namespace waft
 {
+namespace
+{
+
+/// Rank 0's.
+Result Told(Communicator& ranks, const Result& own)
+{
+  bool isGood(own);
+  bool isStopped = own.IsStopped();
+  std::string message = own.Message();
+  BroadcastStream stream(ranks);
+  stream.Values(isGood, isStopped);
+  stream.Text(message);
+  return ranks.IsFirst() ? own
+         : isStopped     ? Result::Stopped()
+         : isGood        ? Result::Ok()
+                         : Result::Error(message);
+}
+
+} // namespace
 
 void Communicator::Broadcast(void* bytes, std::size_t size, int from)
 {
@@ -40,11 +60,19 @@ bool BroadcastStream::Bytes(void* bytes, std::size_t size)
   return true;
 }
 
-bool PeerStream::Bytes(void* bytes, std::size_t size)
+Result ResultOfFirst(Communicator& ranks, const std::function<Result()>& work)
 {
-  this->Ranks.SendReceive(this->Other, bytes, this->Reads ? 0 : size, bytes,
-                          this->Reads ? size : 0);
-  return true;
+  Result own = Result::Ok();
+  try
+  {
+    own = ranks.IsFirst() ? work() : own;
+  }
+  catch (...)
+  {
+    (void)Told(ranks, Result::Error("the first process has failed"));
+    throw;
+  }
+  return Told(ranks, own);
 }
 
 } // namespace waft

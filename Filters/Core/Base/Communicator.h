@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ranks, injected by the caller: one here, vtkMultiProcessController in the wrappers.
+// Ranks, injected by the caller: those of a vtkMultiProcessController in the wrappers.
 #pragma once
 
+#include "Base/Result.h"
 #include "Base/StateArchive.h"
 
 #include <cstddef>
+#include <functional>
 
 namespace waft
 {
@@ -30,15 +32,6 @@ public:
   double Largest(double value);
 };
 
-/// One rank.
-class SerialCommunicator : public Communicator
-{
-public:
-  int Rank() const override { return 0; }
-  int Size() const override { return 1; }
-  void SendReceive(int, const void*, std::size_t, void*, std::size_t) override {}
-};
-
 /// What rank 0 writes here the others read: a function that writes and reads a structure makes it
 /// the same on all.
 class BroadcastStream : public StateArchive
@@ -54,23 +47,8 @@ private:
   Communicator& Ranks;
 };
 
-/// What one rank writes here another reads.
-class PeerStream : public StateArchive
-{
-public:
-  PeerStream(Communicator& ranks, int other, bool isReading) :
-    Ranks(ranks), Other(other), Reads(isReading)
-  {
-  }
-  bool IsReading() const override { return this->Reads; }
-
-protected:
-  bool Bytes(void* bytes, std::size_t size) override;
-
-private:
-  Communicator& Ranks;
-  int Other;
-  bool Reads;
-};
+/// What rank 0 alone works out: its result, on all ranks. They wait for it meanwhile, and where
+/// work is left by an exception they get an error.
+Result ResultOfFirst(Communicator& ranks, const std::function<Result()>& work);
 
 } // namespace waft

@@ -220,7 +220,7 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
     {
       Prolong(model, solver->Level, part, state);
     }
-    curve.Evaluations += solver ? solver->Objective->NumberOfEvaluations() : 0;
+    curve.Evaluations += solver ? solver->Objective.NumberOfEvaluations() : 0;
     solver.reset();
     memory = LbfgsMemory();
   };
@@ -237,7 +237,7 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
       solver = std::make_unique<LevelSolver>(
         setup.Model, setup.Model.Fields, setup.Table,
         schedule.LevelOf(coarseness, model.NumberOfFrames, options.TemporalWindow), parallel,
-        Objectives(model, parallel), options.HistorySize);
+        options.HistorySize);
       part = coarseness > 0 ? Restrict(model, solver->Level, state) : StateVector();
     }
     StateVector& x = coarseness > 0 ? part : state;

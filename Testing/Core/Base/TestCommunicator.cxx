@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -60,26 +62,49 @@ TEST(Communicator, BroadcastsStructuresByTheirStreams)
   }
 }
 
-TEST(Communicator, StreamsBetweenTwo)
+TEST(Communicator, GivesAllTheResultOfTheFirst)
 {
-  std::vector<int> list;
-  std::string text;
-  EXPECT_TRUE(RunRanks(3,
-                       [&](Communicator& ranks)
-                       {
-                         if (ranks.IsFirst())
+  for (const Result& own : { Result::Ok(), Result::Stopped(), Result::Error("no room") })
+  {
+    std::vector<Result> found(3);
+    std::atomic<int> workers = 0;
+    EXPECT_TRUE(RunRanks(3,
+                         [&](Communicator& ranks)
                          {
-                           PeerStream stream(ranks, 2, true);
-                           Serialise(stream, list, text);
-                         }
-                         else if (ranks.Rank() == 2)
-                         {
-                           std::vector<int> sent{ 2, 7, 1, 8 };
-                           std::string words; // of no bytes
-                           PeerStream stream(ranks, 0, false);
-                           Serialise(stream, sent, words);
-                         }
-                       }));
-  EXPECT_EQ(list, (std::vector<int>{ 2, 7, 1, 8 }));
-  EXPECT_EQ(text, "");
+                           found[ranks.Rank()] = ResultOfFirst(ranks,
+                                                               [&]
+                                                               {
+                                                                 ++workers;
+                                                                 return own;
+                                                               });
+                         }));
+    EXPECT_EQ(workers.load(), 1);
+    for (const Result& result : found)
+    {
+      EXPECT_EQ(bool(result), bool(own));
+      EXPECT_EQ(result.IsStopped(), own.IsStopped());
+      EXPECT_EQ(result.Message(), own.Message());
+    }
+  }
+}
+
+TEST(Communicator, LeavesNoneWaitingForAFirstThatThrows)
+{
+  std::vector<std::string> messages(3);
+  EXPECT_TRUE(
+    RunRanks(3,
+             [&](Communicator& ranks)
+             {
+               try
+               {
+                 messages[ranks.Rank()] =
+                   ResultOfFirst(ranks, []() -> Result { throw std::bad_alloc(); }).Message();
+               }
+               catch (const std::bad_alloc&)
+               {
+                 messages[ranks.Rank()] = "thrown";
+               }
+             }));
+  EXPECT_EQ(messages, (std::vector<std::string>{ "thrown", "the first process has failed",
+                                                 "the first process has failed" }));
 }

@@ -68,7 +68,6 @@ public:
     if (sentSize > 0)
     {
       this->Mail.Put(this->Own, other, sent, sentSize);
-      this->Sent += sentSize;
     }
     if (receivedSize > 0)
     {
@@ -77,8 +76,7 @@ public:
       std::memcpy(received, message.data(), std::min(message.size(), receivedSize));
     }
   }
-  std::size_t Sent = 0; // bytes
-  bool AllFit = true;   // what came had the size that was expected
+  bool AllFit = true; // what came had the size that was expected
 
 private:
   int Own, Count;

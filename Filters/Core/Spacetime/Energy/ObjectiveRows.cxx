@@ -67,14 +67,9 @@ void SpacetimeObjective::RewindLists()
 
 void SpacetimeObjective::SerialiseLists(StateArchive& stream)
 {
-  this->SerialiseLists(stream, this->AllFrames());
-}
-
-void SpacetimeObjective::SerialiseLists(StateArchive& stream, const FrameRange& frames)
-{
-  for (std::size_t j = frames.Begin; j < frames.End && this->KeepsLists; ++j)
+  for (NeighborList& list : this->Lists)
   {
-    this->Lists[j].Serialise(stream);
+    list.Serialise(stream);
   }
 }
 

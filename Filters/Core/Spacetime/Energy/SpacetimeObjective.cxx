@@ -117,18 +117,19 @@ std::size_t SpacetimeObjective::NumberOfPairs() const
   return sum;
 }
 
-bool SpacetimeObjective::Chunked(const FrameRange& frames, Monitor* monitor, double from, double to,
+bool SpacetimeObjective::Chunked(Monitor* monitor, double from, double to,
                                  const std::function<void(std::size_t, std::size_t)>& body)
 {
+  const std::size_t frames = this->Times.NumberOfFrames();
   // About 0.1 s of one core between two calls of the monitor.
   const std::size_t chunk =
     std::max<std::size_t>(2, 600000 / std::max<std::size_t>(1, this->Problem.NumberOfParticles()));
-  for (std::size_t first = frames.Begin; first < frames.End; first += chunk)
+  for (std::size_t first = 0; first < frames; first += chunk)
   {
-    const std::size_t size = std::min(chunk, frames.End - first);
+    const std::size_t size = std::min(chunk, frames - first);
     this->Parallel(size,
                    [&](std::size_t begin, std::size_t end) { body(first + begin, first + end); });
-    const double fraction = FractionDone(first + size - frames.Begin, frames.Size());
+    const double fraction = FractionDone(first + size, frames);
     if (monitor && !monitor->Tick(from + (to - from) * fraction, {}))
     {
       return false;
@@ -367,8 +368,7 @@ void SpacetimeObjective::ToVelocities(std::size_t j, float* gradient) const
                          model.NumberOfBodies(), stride, step, gradient);
 }
 
-const StateVector& SpacetimeObjective::TakeDeviations(const FrameRange& frames,
-                                                      const StateVector& state)
+const StateVector& SpacetimeObjective::TakeDeviations(const StateVector& state)
 {
   const SpacetimeModel& model = this->Problem;
   if (model.Air.IsEmpty())
@@ -378,10 +378,10 @@ const StateVector& SpacetimeObjective::TakeDeviations(const FrameRange& frames,
   const std::size_t stride = model.Stride();
   this->Deviations.resize(this->Times.NumberOfFrames() * model.FrameSize());
   this->Jacobians.resize(this->Times.NumberOfFrames() * 9 * stride);
-  this->Parallel(frames.Size(),
+  this->Parallel(this->Times.NumberOfFrames(),
                  [&](std::size_t begin, std::size_t end)
                  {
-                   for (std::size_t j = frames.Begin + begin; j < frames.Begin + end; ++j)
+                   for (std::size_t j = begin; j < end; ++j)
                    {
                      const std::size_t offset = this->Offset(j);
                      model.Air.Deviations(state.data() + offset, model.NumberOfBodies(), stride,
@@ -391,61 +391,6 @@ const StateVector& SpacetimeObjective::TakeDeviations(const FrameRange& frames,
                    }
                  });
   return this->Deviations;
-}
-
-FrameRange SpacetimeObjective::FramesRead(const FrameRange& frames) const
-{
-  const auto reach = static_cast<std::size_t>(this->Times.Reach());
-  return frames.Widened(2 * reach, 2 * reach, this->Times.NumberOfFrames());
-}
-
-// The rows that the frames' gradient takes in are those of the step before them, and those of
-// neighbours in time.
-bool SpacetimeObjective::EvaluateFrames(const FrameRange& frames, const StateVector& state,
-                                        StateVector* gradient, Monitor* monitor,
-                                        const FrameVisitor& visit)
-{
-  ++this->Evaluations;
-  const std::size_t all = this->Times.NumberOfFrames();
-  this->Residuals.resize(all * 9 * this->Problem.Stride(), 0.0f);
-  const StateVector& moving = this->TakeDeviations(this->FramesRead(frames), state);
-  const auto reach = static_cast<std::size_t>(this->Times.Reach());
-  const FrameRange steps = frames.Widened(1, 0, all);
-  const bool done = this->Chunked(frames.Widened(reach, reach, all), monitor, 0.0, 0.9,
-                                  [&](std::size_t begin, std::size_t end)
-                                  {
-                                    auto worker = this->Borrow();
-                                    for (std::size_t j = begin; j < end; ++j)
-                                    {
-                                      StateVector* own = frames.Contains(j) ? gradient : nullptr;
-                                      if (steps.Contains(j))
-                                      {
-                                        this->SphFrame(*worker, state, moving, j, own);
-                                      }
-                                      this->SmoothRow(moving, j);
-                                      if (frames.Contains(j))
-                                      {
-                                        this->ObjectFrame(state, j, own);
-                                        if (visit)
-                                        {
-                                          visit(j, worker->Terms);
-                                        }
-                                      }
-                                    }
-                                    this->Return(std::move(worker));
-                                  });
-  if (done && gradient)
-  {
-    this->Parallel(frames.Size(),
-                   [&](std::size_t begin, std::size_t end)
-                   {
-                     for (std::size_t j = frames.Begin + begin; j < frames.Begin + end; ++j)
-                     {
-                       this->GatherFrame(j, *gradient);
-                     }
-                   });
-  }
-  return done;
 }
 
 SpacetimeTerms SpacetimeObjective::Sum() const
@@ -461,22 +406,47 @@ SpacetimeTerms SpacetimeObjective::Sum() const
   return terms;
 }
 
-SpacetimeTerms SpacetimeObjective::EvaluateVisiting(const StateVector& state,
-                                                    const FrameVisitor& visit)
-{
-  (void)this->EvaluateFrames(this->AllFrames(), state, nullptr, nullptr, visit);
-  return this->Sum();
-}
-
 bool SpacetimeObjective::Evaluate(const StateVector& state, StateVector* gradient,
-                                  SpacetimeTerms& terms, Monitor* monitor)
+                                  SpacetimeTerms& terms, Monitor* monitor,
+                                  const FrameVisitor& visit)
 {
-  const bool done = this->EvaluateFrames(this->AllFrames(), state, gradient, monitor);
-  if (done)
+  ++this->Evaluations;
+  const std::size_t frames = this->Times.NumberOfFrames();
+  this->Residuals.resize(frames * 9 * this->Problem.Stride(), 0.0f);
+  const StateVector& moving = this->TakeDeviations(state);
+  const bool done = this->Chunked(monitor, 0.0, 0.9,
+                                  [&](std::size_t begin, std::size_t end)
+                                  {
+                                    auto worker = this->Borrow();
+                                    for (std::size_t j = begin; j < end; ++j)
+                                    {
+                                      this->SphFrame(*worker, state, moving, j, gradient);
+                                      this->SmoothRow(moving, j);
+                                      this->ObjectFrame(state, j, gradient);
+                                      if (visit)
+                                      {
+                                        visit(j, worker->Terms);
+                                      }
+                                    }
+                                    this->Return(std::move(worker));
+                                  });
+  if (!done)
   {
-    terms = this->Sum();
+    return false;
   }
-  return done;
+  if (gradient)
+  {
+    this->Parallel(frames,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                     for (std::size_t j = begin; j < end; ++j)
+                     {
+                       this->GatherFrame(j, *gradient);
+                     }
+                   });
+  }
+  terms = this->Sum();
+  return true;
 }
 
 } // namespace waft

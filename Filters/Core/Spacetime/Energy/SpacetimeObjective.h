@@ -34,39 +34,27 @@ public:
   SpacetimeObjective(const SpacetimeModel& model, const AirFields& fields, const TimeLevel& level,
                      const ParallelFor& parallel, const SphKernelTable& kernels,
                      bool keepsLists = true);
-  virtual ~SpacetimeObjective();
+  ~SpacetimeObjective();
 
+  /// Each frame's terms, on the way to E: by several threads, in any order.
+  using FrameVisitor = std::function<void(std::size_t j, FrameTerms& terms)>;
   /// E, and its gradient where asked for (not null). Deterministic for any number of threads.
   /// False when the monitor asked to stop; the outputs are then not usable.
-  virtual bool Evaluate(const StateVector& state, StateVector* gradient, SpacetimeTerms& terms,
-                        Monitor* monitor = nullptr);
-  /// E, on the way to which each frame's terms are visited: by several threads, in any order.
-  using FrameVisitor = std::function<void(std::size_t j, FrameTerms& terms)>;
-  SpacetimeTerms EvaluateVisiting(const StateVector& state, const FrameVisitor& visit);
-  /// The part of it that some frames make: their blocks of the gradient, their sums. Reads the
-  /// state of FramesRead alone.
-  bool EvaluateFrames(const FrameRange& frames, const StateVector& state, StateVector* gradient,
-                      Monitor* monitor = nullptr, const FrameVisitor& visit = {});
-  FrameRange FramesRead(const FrameRange& frames) const;
-  /// Of the last evaluation of frame j, and of the step into it (Row), nine rows.
-  SpacetimeTerms& FrameSum(std::size_t j) { return this->FrameSums[j]; }
-  float* FrameRows(std::size_t j) { return this->Row(j, 0, 0); }
+  bool Evaluate(const StateVector& state, StateVector* gradient, SpacetimeTerms& terms,
+                Monitor* monitor = nullptr, const FrameVisitor& visit = {});
 
-  /// After Evaluate: makes it so that the rows of all frames can be read.
-  virtual void BringRows() {}
-  /// Half sums of squares of rx and of rv (without weights) by object; of rows, as the next.
+  /// Half sums of squares of rx and of rv (without weights) by object, of the last evaluation.
   void ObjectResiduals(std::vector<double>& ex, std::vector<double>& ev,
                        std::vector<int>& steps) const;
-  /// The velocity residual rv [dx / frame] of a body in the step into frame j.
+  /// The velocity residual rv [dx / frame] of a body in the step into frame j, likewise.
   void VelocityResidual(std::size_t j, std::size_t body, double rv[3]) const;
 
   /// Writes, or reads back, what the neighbour lists remember of the evaluations so far: with it
   /// the next ones give the same bits.
-  virtual void SerialiseLists(StateArchive& stream);
-  void SerialiseLists(StateArchive& stream, const FrameRange& frames);
+  void SerialiseLists(StateArchive& stream);
   /// Remembers the lists as they are now; brings them back to that, whatever was evaluated since.
-  virtual void MarkLists();
-  virtual void RewindLists();
+  void MarkLists();
+  void RewindLists();
 
   /// The rows of a frame at its present state, for outputs. Not thread safe.
   FrameTerms& ForwardFrame(const StateVector& state, std::size_t j);
@@ -77,10 +65,6 @@ public:
   std::size_t NumberOfEvaluations() const { return this->Evaluations; }
   std::size_t NumberOfPairs() const; // directed, entries of the lists
 
-protected:
-  SpacetimeTerms Sum() const; // of all frames
-  FrameRange AllFrames() const { return { 0, this->Times.NumberOfFrames() }; }
-
 private:
   struct Worker;
   std::unique_ptr<Worker> Borrow();
@@ -90,11 +74,12 @@ private:
                 StateVector* gradient);
   void SmoothRow(const StateVector& moving, std::size_t j);
   /// In a drawn air: what E takes for the velocities.
-  const StateVector& TakeDeviations(const FrameRange& frames, const StateVector& state);
+  const StateVector& TakeDeviations(const StateVector& state);
   void ObjectFrame(const StateVector& state, std::size_t j, StateVector* gradient);
   void GatherFrame(std::size_t j, StateVector& gradient) const;
   void ToVelocities(std::size_t j, float* gradient) const;
-  bool Chunked(const FrameRange& frames, Monitor* monitor, double from, double to,
+  SpacetimeTerms Sum() const; // of all frames
+  bool Chunked(Monitor* monitor, double from, double to,
                const std::function<void(std::size_t, std::size_t)>& body);
   /// Row c of a kind (0: rx, 1: rv, 2: rt) of the step into a frame.
   float* Row(std::size_t j, int kind, int c)

@@ -125,7 +125,6 @@ bool UpdateWind(AirFields& fields, SpacetimeObjective& objective, const StateVec
   {
     return false;
   }
-  objective.BringRows();
   const SplineWind before = fields.Wind;
   const SplineWind fitted = EstimateWind(objective, state, WindOptions(), parallel);
   for (double fraction = 1.0; fraction > 0.2; fraction *= 0.5)
@@ -167,7 +166,6 @@ bool UpdateVortices(AirFields& fields, const SpacetimeUnits& units, SpacetimeObj
   }
   const TimeLevel& level = objective.Level();
   const std::vector<Vec3> positions = ObjectPositions(model, level.NumberOfFrames(), state);
-  objective.BringRows();
   std::vector<VortexSample> samples;
   ForFlights(model, level, positions,
              [&](std::size_t j, std::size_t o, const Vec3& x)

@@ -68,21 +68,6 @@ TimeLevel TimeLevel::Make(std::vector<int> frames, int window)
   return level;
 }
 
-void Serialise(StateArchive& stream, TimeLevel& level)
-{
-  stream.List(level.Frames);
-  for (auto* list : { &level.Steps, &level.StepWeights, &level.FrameWeights, &level.SmoothWeights })
-  {
-    stream.List(*list);
-  }
-  for (auto* lists : { &level.Rows, &level.Columns })
-  {
-    stream.List(*lists,
-                [](StateArchive& s, std::vector<TimeLevel::Neighbor>& list) { s.List(list); });
-  }
-  stream.Values(level.FirstFree, level.LastFree);
-}
-
 int TimeLevel::Reach() const
 {
   int reach = 1;

@@ -2,31 +2,13 @@
 // The frames that are solved for: all of them, or some.
 #pragma once
 
-#include "Base/StateArchive.h"
 #include "Spacetime/Model/SpacetimeModel.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 namespace waft
 {
-
-/// Level frames from Begin to before End.
-struct FrameRange
-{
-  std::size_t Begin = 0, End = 0;
-
-  std::size_t Size() const { return this->End - this->Begin; }
-  bool Contains(std::size_t j) const { return j >= this->Begin && j < this->End; }
-  /// With so many more to either side, of as many as there are; none stay none.
-  FrameRange Widened(std::size_t before, std::size_t after, std::size_t frames) const
-  {
-    return this->Size() == 0 ? *this
-                             : FrameRange{ this->Begin - std::min(this->Begin, before),
-                                           std::min(frames, this->End + after) };
-  }
-};
 
 /// Some frames of the time line, in order, the first and the last among them. Steps may differ.
 struct TimeLevel
@@ -64,8 +46,6 @@ struct TimeLevel
   /// All frames.
   static TimeLevel Full(int numberOfFrames, int window);
 };
-
-void Serialise(StateArchive& stream, TimeLevel& level);
 
 /// The gas as a level's steps can follow it: c0 is lowered so far that sound crosses at most one h
 /// in the longest step, the viscosity stays. Stiffer gas has no rollout at such steps, and the

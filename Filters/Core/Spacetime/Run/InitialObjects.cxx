@@ -47,8 +47,7 @@ bool MakeInitialObjects(const SpacetimeModel& model, const ConstraintTable& tabl
             const auto from = state.begin() + static_cast<std::ptrdiff_t>(whole);
             std::copy(from, from + count, alone.begin() + static_cast<std::ptrdiff_t>(part));
           });
-  LevelSolver solver(objects, objects.Fields, table, level, parallel, Objectives(objects, parallel),
-                     History);
+  LevelSolver solver(objects, objects.Fields, table, level, parallel, History);
   LbfgsOptions options;
   options.MaximumNumberOfIterations = Iterations;
   options.Tolerance = Tolerance;

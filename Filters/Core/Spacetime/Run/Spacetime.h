@@ -3,7 +3,6 @@
 // things in one body of air, with the user's requirements met exactly.
 #pragma once
 
-#include "Base/Communicator.h"
 #include "Base/Monitor.h"
 #include "Base/Parallel.h"
 #include "Base/Result.h"
@@ -33,14 +32,8 @@ std::array<int, 3> WindLatticeDimensions(const Box& volume);
 /// CheckpointFile is written at intervals, whole or not at all, and removed when the run ends by
 /// itself. One of the same input and options is gone on from, to the same bits as if the run had
 /// never been ended; any other is ignored with a warning.
-///
-/// ranks: all of them call this together. Rank 0 solves, and all evaluate E, frames of their own
-/// each. Input, options, monitor and memory are rank 0's, those given elsewhere are not used. A
-/// checkpoint may be gone on from by another number of ranks. The output and what memory keeps are
-/// rank 0's, too, and empty elsewhere; the result's bits are the same for any number of ranks.
-/// Null: one rank.
 Result RunSpacetime(const SpacetimeInput& input, const SpacetimeOptions& options,
                     const ParallelFor& parallel, Monitor& monitor, SpacetimeOutput& output,
-                    SpacetimeWarmStart* memory = nullptr, Communicator* ranks = nullptr);
+                    SpacetimeWarmStart* memory = nullptr);
 
 } // namespace waft

@@ -3,7 +3,6 @@
 #include "Spacetime/Run/SpacetimeBudget.h"
 #include "Spacetime/Run/SpacetimeEdit.h"
 #include "Spacetime/Run/SpacetimeRun.h"
-#include "Spacetime/Run/SpacetimeSerialise.h"
 
 #include <cmath>
 #include <utility>

@@ -134,8 +134,9 @@ void SpacetimeRun::TickMeasuring()
 Result SpacetimeRun::MeasureResult(SpacetimeObjective& objective,
                                    const HardConstraints& constraints, FieldExport& fields)
 {
-  const SpacetimeTerms terms = objective.EvaluateVisiting(
-    this->State.Motion, [&](std::size_t j, FrameTerms& of) { fields.Visit(j, of); });
+  SpacetimeTerms terms;
+  objective.Evaluate(this->State.Motion, nullptr, terms, nullptr,
+                     [&](std::size_t j, FrameTerms& of) { fields.Visit(j, of); });
   if (!std::isfinite(terms.E))
   {
     return Result::Error("spacetime: the cost of the result is not finite");

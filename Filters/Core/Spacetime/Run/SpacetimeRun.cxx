@@ -2,7 +2,6 @@
 #include "Spacetime/Run/SpacetimeRun.h"
 
 #include "Spacetime/Run/InitialObjects.h"
-#include "Spacetime/Run/RankedObjective.h"
 #include "Spacetime/Run/SpacetimeBudget.h"
 #include "Spacetime/Run/StageProgress.h"
 #include "Spacetime/Scene/InitialGas.h"
@@ -23,12 +22,10 @@ constexpr double ForUpdates = 1.03;        // work with that for the fields, ove
 
 SpacetimeRun::SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& options,
                            const SpacetimeSetup& problem, const ParallelFor& parallel,
-                           Monitor& monitor, SpacetimeOutput& output, SpacetimeWarmStart* memory,
-                           Communicator& ranks) :
+                           Monitor& monitor, SpacetimeOutput& output, SpacetimeWarmStart* memory) :
   Input(input),
-  Options(options), Problem(problem), Parallel(parallel),
-  MakeObjective(RankedObjectives(problem.Model, parallel, ranks)), Progress(monitor),
-  Output(output), Memory(memory), Clock(std::chrono::steady_clock::now()),
+  Options(options), Problem(problem), Parallel(parallel), Progress(monitor), Output(output),
+  Memory(memory), Clock(std::chrono::steady_clock::now()),
   Checkpoint(input, options, output.Warnings)
 {
 }
@@ -95,7 +92,9 @@ SpacetimeTerms SpacetimeRun::Measure(const StateVector& motion) const
   const TimeLevel full =
     TimeLevel::Full(this->Problem.Model.NumberOfFrames, this->Options.TemporalWindow);
   SpacetimeTerms terms;
-  this->MakeObjective(this->State.Fields, full, false)->Evaluate(motion, nullptr, terms);
+  SpacetimeObjective(this->Problem.Model, this->State.Fields, full, this->Parallel,
+                     FastestSphKernels(), false)
+    .Evaluate(motion, nullptr, terms);
   return terms;
 }
 
@@ -149,9 +148,9 @@ void SpacetimeRun::MakeLevel(int coarseness)
   this->Window = SpacetimeBudget(model, this->Options)
                    .WindowOf(times.NumberOfFrames(), this->Options.MemoryLimit);
   const int history = this->HasWindows(times) ? 0 : this->Options.HistorySize;
-  this->Solver = std::make_unique<LevelSolver>(model, this->State.Fields, this->Problem.Table,
-                                               times, this->Parallel, this->MakeObjective, history,
-                                               this->Region.Movable);
+  this->Solver =
+    std::make_unique<LevelSolver>(model, this->State.Fields, this->Problem.Table, times,
+                                  this->Parallel, history, this->Region.Movable);
 }
 
 void SpacetimeRun::EnterLevel(int coarseness)
@@ -223,7 +222,7 @@ void SpacetimeRun::MarkState()
 {
   if (this->KeepsCheckpoints())
   {
-    this->Solver->Objective->MarkLists();
+    this->Solver->Objective.MarkLists();
   }
 }
 
@@ -232,7 +231,7 @@ void SpacetimeRun::KeepState()
 {
   if (this->Stopped && this->KeepsCheckpoints() && this->Checkpoint.IsDue(true))
   {
-    this->Solver->Objective->RewindLists();
+    this->Solver->Objective.RewindLists();
     this->WriteCheckpoint(true);
   }
 }
@@ -254,7 +253,7 @@ void SpacetimeRun::SerialiseAll(StateArchive& stream)
     // A file may end before its time.
     this->State.Part.resize(this->Solver->Level.NumberOfFrames() * this->Problem.Model.FrameSize());
   }
-  this->Solver->Objective->SerialiseLists(stream);
+  this->Solver->Objective.SerialiseLists(stream);
 }
 
 bool SpacetimeRun::Load()

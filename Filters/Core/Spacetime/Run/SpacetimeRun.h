@@ -2,7 +2,6 @@
 // One run of the optimisation: a state to begin with, a stage after the other, what it leaves.
 #pragma once
 
-#include "Base/Communicator.h"
 #include "Spacetime/Model/EditRegion.h"
 #include "Spacetime/Model/FrameView.h"
 #include "Spacetime/Run/CheckpointFile.h"
@@ -26,7 +25,7 @@ class SpacetimeRun
 public:
   SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& options,
                const SpacetimeSetup& problem, const ParallelFor& parallel, Monitor& monitor,
-               SpacetimeOutput& output, SpacetimeWarmStart* memory, Communicator& ranks);
+               SpacetimeOutput& output, SpacetimeWarmStart* memory);
 
   /// start: all frames of the planned motion.
   Result Run(StateVector start);
@@ -91,7 +90,6 @@ private:
   const SpacetimeOptions& Options;
   const SpacetimeSetup& Problem;
   ParallelFor Parallel;
-  ObjectiveMaker MakeObjective; // of all ranks
   Monitor& Progress;
   SpacetimeOutput& Output;
   SpacetimeWarmStart* Memory;

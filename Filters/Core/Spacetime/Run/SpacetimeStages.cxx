@@ -51,7 +51,7 @@ bool SpacetimeRun::UpdateFields(const Stage& stage)
   const double done = this->FractionAt(this->State.Next);
   StageProgress monitor(this->Progress, done, done, 1);
   LevelSolver& solver = *this->Solver;
-  SpacetimeObjective& objective = *solver.Objective;
+  SpacetimeObjective& objective = solver.Objective;
   const StateVector& state = this->State.Part;
   AirFields& fields = this->State.Fields;
   const AirFields before = fields;

@@ -57,7 +57,7 @@ bool SpacetimeRun::MinimizeInWindows(const Stage& stage)
   }
   if (current.Energies.empty())
   {
-    if (!whole.Objective->Evaluate(state, nullptr, current.Terms, &monitor))
+    if (!whole.Objective.Evaluate(state, nullptr, current.Terms, &monitor))
     {
       this->Stopped = true;
       this->KeepState();
@@ -110,7 +110,7 @@ bool SpacetimeRun::SolveWindow(const Stage& stage, std::pair<std::size_t, std::s
   StateVector& state = this->State.Part;
   const FrameView view(this->Problem.Model, this->Solver->Level, window.first, window.second);
   LevelSolver part(this->Problem.Model, this->State.Fields, this->Problem.Table, view.Level(),
-                   this->Parallel, this->MakeObjective, this->Options.HistorySize);
+                   this->Parallel, this->Options.HistorySize);
   part.Constraints.SetLeash(stage.Leash / this->Problem.Spacing);
   StateVector own = view.Take(state);
   LbfgsMemory memory;

@@ -5,6 +5,7 @@
 #include "Base/FieldSeries.h"
 #include "Base/ForceFields.h"
 #include "Base/Motion.h"
+#include "Base/StateArchive.h"
 #include "Base/Types.h"
 #include "Constraints/ConstraintCheck.h"
 #include "Spacetime/Energy/Convergence.h"
@@ -50,5 +51,7 @@ struct SpacetimeOutput
   double RepairedFraction = 0.0, LargestRepair = 0.0;
   std::vector<std::string> Warnings;
 };
+
+void Serialise(StateArchive& stream, SpacetimeOutput& output);
 
 } // namespace waft

@@ -3,26 +3,11 @@
 
 #include "Spacetime/Solver/Lbfgs.h"
 
-#include <functional>
 #include <memory>
 #include <utility>
 
 namespace waft
 {
-
-/// Makes what evaluates E on a level, as SpacetimeObjective's constructor says.
-using ObjectiveMaker = std::function<std::unique_ptr<SpacetimeObjective>(
-  const AirFields& fields, const TimeLevel& level, bool keepsLists)>;
-
-/// By this process alone. The model must outlive what is made.
-inline ObjectiveMaker Objectives(const SpacetimeModel& model, const ParallelFor& parallel)
-{
-  return [&model, parallel](const AirFields& fields, const TimeLevel& level, bool keepsLists)
-  {
-    return std::make_unique<SpacetimeObjective>(model, fields, level, parallel, FastestSphKernels(),
-                                                keepsLists);
-  };
-}
 
 /// A level of time with everything that solves on it.
 struct LevelSolver
@@ -30,10 +15,11 @@ struct LevelSolver
   /// history: pairs of L-BFGS; 0: no solver of its own, and lists are not kept. movable: as of
   /// HardConstraints.
   LevelSolver(const SpacetimeModel& model, const AirFields& fields, const ConstraintTable& table,
-              TimeLevel times, const ParallelFor& parallel, const ObjectiveMaker& make, int history,
+              TimeLevel times, const ParallelFor& parallel, int history,
               const std::vector<char>& movable = {}) :
     Level(std::move(times)),
-    Objective(make(fields, this->Level, history > 0)), Preconditioner(model, this->Level, parallel),
+    Objective(model, fields, this->Level, parallel, FastestSphKernels(), history > 0),
+    Preconditioner(model, this->Level, parallel),
     Constraints(model, this->Level, table, parallel, movable)
   {
     if (history > 0)
@@ -47,12 +33,12 @@ struct LevelSolver
   LbfgsEnd Minimize(const LbfgsOptions& options, const Lbfgs::Observer& observer, Monitor* monitor,
                     LbfgsMemory& memory, StateVector& state)
   {
-    return this->Solver->Minimize(*this->Objective, this->Preconditioner, this->Constraints,
-                                  options, observer, monitor, memory, state);
+    return this->Solver->Minimize(this->Objective, this->Preconditioner, this->Constraints, options,
+                                  observer, monitor, memory, state);
   }
 
   TimeLevel Level;
-  std::unique_ptr<SpacetimeObjective> Objective;
+  SpacetimeObjective Objective;
   TimelinePreconditioner Preconditioner;
   HardConstraints Constraints;
   std::unique_ptr<Lbfgs> Solver;

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Spacetime/Run/SpacetimeSerialise.h"
+#include "Spacetime/Scene/SpacetimeOutput.h"
+
+#include "Constraints/MotionProblem.h"
 
 namespace waft
 {
-
-void Serialise(StateArchive& stream, SpacetimeOptions& options)
-{
-  SpacetimeOptions::Visit(SerialiseFieldsWith(stream), options);
-}
 
 namespace
 {
@@ -29,12 +26,6 @@ void Serialise(StateArchive& stream, ParticleSeries& particles)
 }
 
 } // namespace
-
-void Serialise(StateArchive& stream, SpacetimeInput& input)
-{
-  Serialise(stream, static_cast<MotionProblem&>(input));
-  Serialise(stream, input.Air);
-}
 
 void Serialise(StateArchive& stream, SpacetimeOutput& output)
 {
