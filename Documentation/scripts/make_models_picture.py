@@ -3,7 +3,7 @@
 from the side.
 
 PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
-  pvbatch Documentation/gallery/make_models_picture.py RUN_FOLDER OBJECT FIRST STEP [PICTURE.png]
+  pvbatch Documentation/scripts/make_models_picture.py RUN_FOLDER OBJECT FIRST STEP [PICTURE.png]
 """
 
 import os
@@ -21,7 +21,7 @@ from waft._flyers import _Look, _set, rotation
 from waft._folder import load
 from waft._output import grab, write_png
 
-HERE = os.path.dirname(os.path.abspath(__file__))
+GALLERY = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "gallery")
 COUNT = 14
 SAMPLES = 2
 
@@ -41,7 +41,7 @@ def orientations(folder, model):
 
 def main():
     folder, index, first, step = sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), int(sys.argv[4])
-    picture = sys.argv[5] if len(sys.argv) > 5 else os.path.join(HERE, "models.png")
+    picture = sys.argv[5] if len(sys.argv) > 5 else os.path.join(GALLERY, "models.png")
     motion = load(folder)
     body = motion.bodies[motion.shapes[index]]
     look = _Look(body)

@@ -3,7 +3,7 @@
 database.
 
 PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
-  pvbatch Documentation/gallery/make_stage_pictures.py [smoke] [tracks] [clusters] [database]
+  pvbatch Documentation/scripts/make_stage_pictures.py [smoke] [tracks] [clusters] [database]
 """
 
 import os
@@ -33,7 +33,7 @@ import waft
 from waft._output import grab, write_png
 from waft._scenery import lines
 
-HERE = os.path.dirname(os.path.abspath(__file__))
+GALLERY = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "gallery")
 SAMPLES = 3
 VORTEX, WIND, NEITHER = (0.80, 0.33, 0.13), (0.16, 0.42, 0.66), (0.72, 0.72, 0.70)
 AGAINST = (0.16, 0.42, 0.66)  # of a vortex that turns the other way
@@ -97,7 +97,7 @@ class Picture:
 
     def write(self, name):
         self.window.Render()
-        write_png(grab(self.window, SAMPLES), os.path.join(HERE, name))
+        write_png(grab(self.window, SAMPLES), os.path.join(GALLERY, name))
 
 
 def tubes(data, radius, sides=10):

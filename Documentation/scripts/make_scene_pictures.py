@@ -4,7 +4,7 @@ from left to right, those at which many marks are passed among them, and scene_N
 lies at rest is seen from above, what flies from the side.
 
 PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
-  pvbatch Documentation/gallery/make_scene_pictures.py RESULTS/leaves-letters RESULTS/feather-spiral-a ...
+  pvbatch Documentation/scripts/make_scene_pictures.py RESULTS/leaves-letters RESULTS/feather-spiral-a ...
 """
 
 import collections
@@ -20,7 +20,7 @@ from waft._output import write_png
 from waft._scenery import image
 from waft.render import Stage
 
-HERE = os.path.dirname(os.path.abspath(__file__))
+GALLERY = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "gallery")
 PANEL = (300, 260)
 END = (480, 360)
 GAP = 6
@@ -57,7 +57,7 @@ def draw(motion, size, views):
 
 
 def write(name, pixels):
-    write_png(image(np.ascontiguousarray(pixels)), os.path.join(HERE, name + ".png"))
+    write_png(image(np.ascontiguousarray(pixels)), os.path.join(GALLERY, name + ".png"))
 
 
 def main(folder):

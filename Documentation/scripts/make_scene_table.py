@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Measures folders that `waft synthesize --quality paper` wrote, each named after its scene, keeps the figures in
-scenes.json beside itself and writes Scenes.md from all that are kept there. The pictures are make_scene_pictures.py's.
+gallery/scenes.json and writes gallery/Scenes.md from all that are kept there. The pictures are make_scene_pictures.py's.
 
-    python3 Documentation/gallery/make_scene_table.py RESULTS/leaves-letters RESULTS/feather-spiral-a ...
+    python3 Documentation/scripts/make_scene_table.py RESULTS/leaves-letters RESULTS/feather-spiral-a ...
 
 A folder of a scene may instead hold a folder for each `--seed`, named by its number: these are pooled.
 """
@@ -11,19 +11,19 @@ import json
 import pathlib
 import sys
 
-HERE = pathlib.Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+GALLERY = ROOT / "Documentation" / "gallery"
 sys.path.insert(0, str(ROOT / "Testing/Python"))
 
 import motion_checks  # noqa: E402
 import style_checks  # noqa: E402
 
-KEPT = HERE / "scenes.json"
+KEPT = GALLERY / "scenes.json"
 STAGES = ("planner", "spacetime", "rotation")
 HEAD = """# Scenes, flown and measured
 
-Written by [make_scene_table.py](make_scene_table.py) from folders of `waft synthesize --quality paper`, all at the scenes'
-full size (about 2500 particles of air, 300 frames), on two threads; the pictures are by [make_scene_pictures.py](make_scene_pictures.py). What is in
+Written by [make_scene_table.py](../scripts/make_scene_table.py) from folders of `waft synthesize --quality paper`, all at the scenes'
+full size (about 2500 particles of air, 300 frames), on two threads; the pictures are by [make_scene_pictures.py](../scripts/make_scene_pictures.py). What is in
 **bold** misses its gate. What the scenes are about is told in [Data/Scenes](../../Data/Scenes/README.md), what the
 measures are in [Measure](../Measure.md#against-the-scene-motion_checkspy).
 
@@ -166,7 +166,7 @@ def main(folders):
         kept.setdefault(folder.name, {}).update(measured(folder))
     kept = dict(sorted(kept.items()))
     KEPT.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
-    (HERE / "Scenes.md").write_text(page(kept), encoding="utf-8")
+    (GALLERY / "Scenes.md").write_text(page(kept), encoding="utf-8")
 
 
 if __name__ == "__main__":

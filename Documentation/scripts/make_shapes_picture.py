@@ -3,7 +3,7 @@
 painted skin.
 
 PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
-  pvbatch Documentation/gallery/make_shapes_picture.py [PICTURE.png]
+  pvbatch Documentation/scripts/make_shapes_picture.py [PICTURE.png]
 """
 
 import os
@@ -20,7 +20,7 @@ import waft  # noqa: F401 (loads the plugin)
 from waft._flyers import _Look, _set
 from waft._output import grab, write_png
 
-HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 COLUMNS = 4
 CELL = 0.16  # m
 SAMPLES = 2
@@ -50,7 +50,7 @@ def shape_of(source, folder, name, options):
     """The one block of a source, its skin painted into the folder."""
     made = source(**options)
     if source is simple.PhotographShapeSource:
-        made.Photograph = os.path.join(HERE, "..", "..", "Data", "Shapes", "maple-red.png")
+        made.Photograph = os.path.join(ROOT, "Data", "Shapes", "maple-red.png")
     else:
         made.TextureFile = os.path.join(folder, name + ".png")
         made.TextureSize = 768
@@ -62,7 +62,7 @@ def shape_of(source, folder, name, options):
 def scene_shapes(folder):
     """Petal and bubble come by name, as a scene asks for them."""
     path = os.path.join(folder, "two.waft.json")
-    petal = os.path.join(HERE, "..", "..", "Data", "Shapes", "petal-pink.png")
+    petal = os.path.join(ROOT, "Data", "Shapes", "petal-pink.png")
     with open(path, "w", encoding="utf-8") as file:
         file.write('{"waft": 1, "shapes": {"petal": {"builtin": "petal", "size": 0.1, "texture": "%s"},'
                    '"bubble": {"builtin": "bubble", "size": 0.1}},'
@@ -82,7 +82,7 @@ def body_of(block):
 
 
 def main():
-    picture = sys.argv[1] if len(sys.argv) > 1 else os.path.join(HERE, "shapes.png")
+    picture = sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "Documentation", "gallery", "shapes.png")
     renderer = vtkRenderer()
     renderer.SetBackground(0.93, 0.94, 0.95)
     with tempfile.TemporaryDirectory() as folder:

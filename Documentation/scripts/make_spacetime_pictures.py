@@ -2,7 +2,7 @@
 """The pictures of the optimiser's page, from one run of a scene.
 
 PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
-  pvbatch Documentation/gallery/make_spacetime_pictures.py [SCENE.waft.json] [PROPERTY=NUMBER ...]
+  pvbatch Documentation/scripts/make_spacetime_pictures.py [SCENE.waft.json] [PROPERTY=NUMBER ...]
 
 SCENE is leaves-letters without one; properties are those of SPHSpacetimeFilter.
 """
@@ -24,7 +24,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import waft
 from make_coverage_picture import SAMPLES, add, name_axis
-from make_stage_pictures import AGAINST, HERE, VORTEX, WIND, Picture, colored, output, tubes
+from make_stage_pictures import AGAINST, GALLERY, VORTEX, WIND, Picture, colored, output, tubes
 from waft._output import grab, write_png
 from waft._scenery import lines
 from waft.files import table_rows
@@ -187,7 +187,7 @@ def convergence(run):
     view.GetRenderWindow().SetSize(820 * SAMPLES, 420 * SAMPLES)
     view.GetScene().AddItem(chart)
     view.GetRenderWindow().Render()
-    write_png(grab(view.GetRenderWindow(), SAMPLES), os.path.join(HERE, "spacetime_convergence.png"))
+    write_png(grab(view.GetRenderWindow(), SAMPLES), os.path.join(GALLERY, "spacetime_convergence.png"))
 
 
 if __name__ == "__main__":

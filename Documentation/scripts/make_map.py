@@ -159,7 +159,7 @@ def main(root, option=""):
         if option != "--check":
             committed.write_text(text, encoding="utf-8")
         elif not committed.is_file() or committed.read_text(encoding="utf-8") != text:
-            print(f"{committed}: expected what make_map.py writes; run: python3 Documentation/make_map.py .")
+            print(f"{committed}: expected what make_map.py writes; run: python3 Documentation/scripts/make_map.py .")
             return 1
     return 0
 

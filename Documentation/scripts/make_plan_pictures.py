@@ -2,7 +2,7 @@
 """The pictures of the planner's page, and its table of takes, from the scenes in Data/Scenes.
 
 PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
-  pvbatch Documentation/gallery/make_plan_pictures.py [trees] [maze] [spiral] [takes]
+  pvbatch Documentation/scripts/make_plan_pictures.py [trees] [maze] [spiral] [takes]
 """
 
 import os

@@ -2,7 +2,7 @@
 """The coverage curve of a motion database, from the table that `waft database` writes beside it.
 
 PYTHONPATH=build/lib/python3/dist-packages xvfb-run -a -s "-screen 0 1280x1024x24" \\
-  pvbatch Documentation/gallery/make_coverage_picture.py FILE.coverage.csv [coverage.png]
+  pvbatch Documentation/scripts/make_coverage_picture.py FILE.coverage.csv [coverage.png]
 """
 
 import csv
@@ -19,7 +19,7 @@ from vtkmodules.vtkViewsContext2D import vtkContextView
 import waft  # noqa: F401 (its modules)
 from waft._output import grab, write_png
 
-HERE = os.path.dirname(os.path.abspath(__file__))
+GALLERY = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "gallery")
 SIZE = (820, 420)
 SAMPLES = 2  # pixels of the window, each way, that make one of the picture
 NEIGHBOURS = 3  # each side, that the line is the mean of
@@ -97,4 +97,4 @@ def main(source, target):
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else os.path.join(HERE, "coverage.png"))
+    main(sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else os.path.join(GALLERY, "coverage.png"))
