@@ -23,7 +23,7 @@ from waft.failures import BadInput, WaftError
 from waft.files import write_xml
 from waft.resuming import Checkpoint
 from waft.results import ResultPlace, manifest_of
-from waft.writing import earlier_results, result_place, settled
+from waft.writing import result_place, settled
 
 _ADDON = types.ModuleType("addon")  # Blender's, without what knows of Blender in it
 _ADDON.__path__ = [str(pathlib.Path(__file__).parents[2] / "Plugin" / "Blender" / "waft")]
@@ -130,19 +130,10 @@ class Results(Base):
             self.refused("report.json")
         self.assertTrue((self.folder / "precious.txt").exists())
 
-    def test_a_folder_of_an_earlier_version(self):
-        earlier = dict.fromkeys(("version", "scene", "seed", "stages", "constraints"), 0)
-        self.put("report.json", json.dumps(earlier))
+    def test_a_report_without_a_manifest_is_not_of_a_run(self):
+        self.put("report.json", json.dumps(dict.fromkeys(("version", "scene", "seed", "stages", "constraints"), 0)))
         self.put("poses.csv", "old")
-        self.put("wind/wind_0000.vti", "old")
-        self.put("shapes/shapes_0.vtp", "old")
-        self.put("shapes/mine.obj")
-        self.refused("shapes/mine.obj")
-        (self.out / "shapes" / "mine.obj").unlink()
-        self.put("wind/mine")  # in nobody's way
-        self.write("new")
-        self.assertEqual({"wind/mine": "mine", "poses.csv": "new", "shapes/leaf.vtp": "new", "shapes.vtm": "new"}, self.texts())
-        self.assertIsNone(earlier_results(Folder(self.folder)))
+        self.refused("report.json")
 
     def test_one_run_at_a_time(self):
         with result_place(self.out):

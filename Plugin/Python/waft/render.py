@@ -3,7 +3,6 @@
 
 import contextlib
 import os
-import re
 from typing import Callable, Dict
 
 import numpy as np
@@ -22,7 +21,6 @@ from ._sheet import Sheet
 from ._styles import STYLES, VIEWS
 from .failures import BadInput, WaftError
 from .results import ResultPlace
-from .writing import earlier_results, near_files
 
 
 _SEAL = "pictures.json"
@@ -235,7 +233,7 @@ def render(
         Loop.require(loop)
     if not os.path.isdir(folder):
         raise BadInput(f"{folder}: no such folder; `waft synthesize` makes it")
-    with ResultPlace(folder, _SEAL, earlier=_earlier_pictures) as place:
+    with ResultPlace(folder, _SEAL) as place:
         motion = load(folder)
         numbers = parse_frames(frames, motion.number_of_frames)
         if loop is not None:
@@ -270,14 +268,6 @@ _MOVIES: Dict[str, Callable] = {".ogv": OggMovie, ".avi": AviMovie, **({".mp4": 
 
 def _picture(view, frame):
     return f"frames/{view}_{frame:04d}.png"
-
-
-def _earlier_pictures(folder):
-    """Names of the pictures beside the results in a Folder of a version that kept no account of them."""
-    if folder.about(_SEAL) is not None or earlier_results(folder) is None:
-        return None
-    pattern = re.compile(rf"frames/({'|'.join(VIEWS)})_\d{{4,}}\.png|({'|'.join(VIEWS)})\.(ogv|avi|mp4)")
-    return [name for name in near_files(folder) if pattern.fullmatch(name)]
 
 
 def _put(drawn, place, numbers, movies, rate, progress):

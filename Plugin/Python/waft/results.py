@@ -54,8 +54,7 @@ class Busy(BadInput):
 
 @dataclasses.dataclass(frozen=True)
 class Entry:
-    """What a run wrote under a name; without a digest, whatever file is there: of a seal, and of the files of versions that kept
-    no manifest. No file says so."""
+    """What a run wrote under a name; without a digest, whatever file is there: of a seal. No file says so."""
 
     size: int = -1
     digest: str = ""
@@ -153,17 +152,15 @@ class ResultPlace:
     """Held by one run from enter to exit: what was cut short is put right first, and temporary folders of dead processes go.
 
     root: the folder that names are relative to. seal: name of the JSON file that holds the manifest. room: name below root of
-    the folder that is locked, for what is not yet whole (none: root itself); it goes when it is empty. earlier: gives the names
-    of the results in a Folder whose seal has no manifest (None: they are none of Waft's). owns: whether a name may be one of
-    these results at all. Raises BadInput when another run is at work there.
+    the folder that is locked, for what is not yet whole (none: root itself); it goes when it is empty. owns: whether a name may
+    be one of these results at all. Raises BadInput when another run is at work there.
     """
 
-    def __init__(self, root, seal, room=None, earlier=None, owns=lambda name: True):
+    def __init__(self, root, seal, room=None, owns=lambda name: True):
         self.root = pathlib.Path(root)
         self.seal = seal
         self.room = self.root / room if room else self.root
         self._room_name = room
-        self._earlier = earlier or (lambda folder: None)
         self._owns = owns
         self._made = []  # folders to remove when they are empty in the end, the innermost first
         self.folder = self._room = None  # Folder of root and room; the latter's descriptor has the lock
@@ -258,9 +255,6 @@ class ResultPlace:
         """{name: Entry} of the results that are there, their seal included."""
         is_there = self.folder.about(self.seal) is not None
         manifest = manifest_in(self.folder, self.seal)
-        if manifest is None:
-            names = self._earlier(self.folder)
-            manifest = names if names is None else dict.fromkeys(names, Entry())
         if manifest is None and is_there:
             raise BadInput(f"{self.root / self.seal}: {_NOT_OURS}")
         for name in filter(lambda name: not self._owns(name), manifest or ()):

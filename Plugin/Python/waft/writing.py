@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The files of a run: their names, what earlier versions wrote, and what is in each."""
+"""The files of a run: their names, and what is in each."""
 import os
 import pathlib
-import re
-import stat
 
 from waft import failures
 from waft._qualities import WITHOUT
@@ -25,32 +23,10 @@ AIR_INTERVAL = 0.1
 # What reads back bit for bit beside points: what else poses.csv says but velocities, which follow from points, and time.
 _EXACT = ("Time", "Orientation", "AngularVelocity")
 
-# What versions without a manifest wrote.
-_EARLIER_NAMES = re.compile(
-    r"(planned|optimized|poses|vortices|objects|constraints|obstacles)\.vtp|(poses|convergence|constraints)\.csv|"
-    r"animation\.glb|(wind|obstacles|meshes)\.pvd|shapes\.vtm|wind/wind_\d{4,}\.vti|"
-    r"(obstacles/obstacles|meshes/meshes)_\d{4,}\.vtp|shapes/(shapes_\d+\.vtp|picture_\d+\.\w+)")
-
-
-def earlier_results(folder):
-    """Names of the results of a version without a manifest in a Folder; None when its report.json is another program's."""
-    report = folder.found_json(REPORT)
-    if not isinstance(report, dict) or not {"version", "scene", "seed", "stages", "constraints"} <= report.keys():
-        return None
-    return [name for name in near_files(folder) if _EARLIER_NAMES.fullmatch(name)]
-
-
-def near_files(folder):
-    """Names of the files in a Folder, and in those that are in it."""
-    names = folder.names()
-    inner = [name for name in names if stat.S_ISDIR(folder.about(name).st_mode)]
-    names += [f"{name}/{entry}" for name in inner for entry in folder.names(name)]
-    return [name for name in names if folder.is_regular(folder.about(name))]
-
 
 def result_place(folder):
     """The ResultPlace of a folder of results."""
-    return ResultPlace(folder, REPORT, earlier=earlier_results)
+    return ResultPlace(folder, REPORT)
 
 
 def settled(folder):
