@@ -6,6 +6,7 @@
 #include "Bridge/Data/Blocks.h"
 #include "Bridge/Data/FieldCollectors.h"
 #include "Bridge/Data/FlowData.h"
+#include "Bridge/Data/ImageLattice.h"
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/TrackData.h"
 #include "Bridge/Data/VortexData.h"
@@ -55,7 +56,7 @@ struct vtkTrajectoryTraceFilter::Internals
   waft::StageCache Cache;
   waft::TimeSweep Sweep{ { FlowPort, ObstaclesPort } };
   waft::TrajectoryTracer Tracer;
-  waft::FlowLattice Lattice;
+  waft::PointLattice Lattice;
   waft::SolidVoxels Solid;     // as the flow says at the present step
   waft::ObstacleSet Obstacles; // as they stand at the present step
   std::vector<vtkMTimeType> ObstacleChange;
@@ -107,7 +108,7 @@ waft::Result vtkTrajectoryTraceFilter::Internals::Begin(vtkAlgorithm* stage,
 {
   vtkImageData* image = vtkImageData::GetData(inputs[FlowPort]);
   this->Info = waft::SceneInfo();
-  WAFT_RETURN_IF_FAILED(waft::FlowLatticeFromImage(image, this->Lattice));
+  WAFT_RETURN_IF_FAILED(waft::LatticeFromImage(image, "Input", this->Lattice));
   WAFT_RETURN_IF_FAILED(SceneOfFlow(stage, inputs, this->Info));
   std::vector<waft::Vortex> vortices;
   if (vtkPolyData* lines = vtkPolyData::GetData(inputs[VorticesPort]))

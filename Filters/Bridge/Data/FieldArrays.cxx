@@ -98,8 +98,7 @@ Result FindField(vtkImageData* data, FieldRole role, const std::string& array, F
     }
   }
   found.Lattice.Meaning = chosen.Meaning;
-  WAFT_RETURN_IF_FAILED(LatticeFromImage(data, "image", found.Lattice.Dimensions,
-                                         found.Lattice.Origin, found.Lattice.Spacing));
+  WAFT_RETURN_IF_FAILED(LatticeFromImage(data, "image", found.Lattice));
   if (attributes != data->GetPointData())
   {
     MoveToCells(found.Lattice);

@@ -4,6 +4,7 @@
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/Blocks.h"
+#include "Bridge/Data/ImageLattice.h"
 #include "Bridge/Data/SceneData.h"
 #include "Obstacles/SolidParts.h"
 
@@ -385,9 +386,7 @@ void FieldSeriesToImage(const FieldSeries& series, double time, const SceneInfo&
     SceneInfoToFieldData(info, data);
     return;
   }
-  data->SetDimensions(series.Dimensions.data());
-  data->SetOrigin(series.Origin.data());
-  data->SetSpacing(series.Spacing.data());
+  LatticeToImage(series, data);
   vtkNew<vtkFloatArray> values;
   values->SetName(series.Meaning == FieldMeaning::Acceleration ? names::Wind : names::Velocity);
   values->SetNumberOfComponents(3);

@@ -3,7 +3,6 @@
 
 #include "Base/Limits.h"
 #include "Bridge/Data/ArrayNames.h"
-#include "Bridge/Data/ImageLattice.h"
 
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
@@ -72,11 +71,6 @@ Result ReadField(vtkImageData* data, const char* name, bool isNeeded,
 
 } // namespace
 
-Result FlowLatticeFromImage(vtkImageData* data, FlowLattice& lattice)
-{
-  return LatticeFromImage(data, "Input", lattice.Dimensions, lattice.Origin, lattice.Spacing);
-}
-
 Result FlowFrameFromImage(vtkImageData* data, double time, FlowFrame& frame)
 {
   frame.Time = time;
@@ -119,7 +113,7 @@ bool SolidVoxels::Contains(const Vec3& x) const
   return solid > 0.5;
 }
 
-void SolidVoxelsFromImage(vtkImageData* data, const FlowLattice& lattice, SolidVoxels& solid)
+void SolidVoxelsFromImage(vtkImageData* data, const PointLattice& lattice, SolidVoxels& solid)
 {
   vtkDataArray* array = data->GetPointData()->GetArray(names::Obstacle);
   solid.Lattice = lattice;

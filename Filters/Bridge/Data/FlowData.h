@@ -12,9 +12,6 @@ class vtkImageData;
 namespace waft
 {
 
-/// Fails when the image is turned or has no points.
-Result FlowLatticeFromImage(vtkImageData* data, FlowLattice& lattice);
-
 /// Needs the point data `Velocity`; `VortexForce` and `WindForce` are read when present. Each has
 /// three components.
 Result FlowFrameFromImage(vtkImageData* data, double time, FlowFrame& frame);
@@ -22,7 +19,7 @@ Result FlowFrameFromImage(vtkImageData* data, double time, FlowFrame& frame);
 /// The solid part of a flow as voxels; none when the image does not say.
 struct SolidVoxels
 {
-  FlowLattice Lattice;
+  PointLattice Lattice;
   std::vector<unsigned char> Values; // 0 air, else solid
 
   /// By the trilinear mean of the voxels around x, so that a wall between two centres stands half
@@ -31,6 +28,6 @@ struct SolidVoxels
 };
 
 /// The point data `Obstacle`, when it is there.
-void SolidVoxelsFromImage(vtkImageData* data, const FlowLattice& lattice, SolidVoxels& solid);
+void SolidVoxelsFromImage(vtkImageData* data, const PointLattice& lattice, SolidVoxels& solid);
 
 } // namespace waft

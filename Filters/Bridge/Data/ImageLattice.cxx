@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/Data/ImageLattice.h"
 
-#include "Base/FieldSeries.h"
-
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
 
 namespace waft
 {
 
-Result LatticeFromImage(vtkImageData* data, const std::string& owner,
-                        std::array<int, 3>& dimensions, Vec3& origin, Vec3& spacing)
+Result LatticeFromImage(vtkImageData* data, const std::string& owner, PointLattice& lattice)
 {
   if (data->GetNumberOfPoints() <= 0)
   {
@@ -20,10 +17,17 @@ Result LatticeFromImage(vtkImageData* data, const std::string& owner,
   {
     return Result::Error(owner + ": expected an image whose axes are those of the world");
   }
-  data->GetDimensions(dimensions.data());
-  data->GetSpacing(spacing.data());
-  data->GetPoint(0, origin.data());
-  return CheckLattice(owner, dimensions, origin, spacing);
+  data->GetDimensions(lattice.Dimensions.data());
+  data->GetSpacing(lattice.Spacing.data());
+  data->GetPoint(0, lattice.Origin.data());
+  return CheckLattice(owner, lattice);
+}
+
+void LatticeToImage(const PointLattice& lattice, vtkImageData* data)
+{
+  data->SetDimensions(lattice.Dimensions.data());
+  data->SetOrigin(lattice.Origin.data());
+  data->SetSpacing(lattice.Spacing.data());
 }
 
 } // namespace waft

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Base/Result.h"
-#include "Base/Types.h"
+#include "Base/PointLattice.h"
 
-#include <array>
 #include <string>
 
 class vtkImageData;
@@ -12,9 +10,11 @@ class vtkImageData;
 namespace waft
 {
 
-/// The points of an image: origin of the first [m], spacing [m]. Fails on axes that are not those
-/// of the world and on what is no lattice (CheckLattice); owner: for messages.
-Result LatticeFromImage(vtkImageData* data, const std::string& owner,
-                        std::array<int, 3>& dimensions, Vec3& origin, Vec3& spacing);
+/// The points of an image. Fails on axes that are not those of the world and on what is no lattice
+/// (CheckLattice); owner: for messages.
+Result LatticeFromImage(vtkImageData* data, const std::string& owner, PointLattice& lattice);
+
+/// Places the points of an image.
+void LatticeToImage(const PointLattice& lattice, vtkImageData* data);
 
 } // namespace waft

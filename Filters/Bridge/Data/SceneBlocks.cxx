@@ -5,6 +5,7 @@
 #include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/FieldCollectors.h"
+#include "Bridge/Data/ImageLattice.h"
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/ShapeData.h"
 #include "Bridge/Data/VortexData.h"
@@ -90,9 +91,7 @@ Result ObstaclesFromBlock(vtkPolyData* block, const Timeline& line,
 void StepToImage(const FieldSeries& series, std::size_t step, const SceneInfo& info,
                  vtkImageData* image)
 {
-  image->SetDimensions(series.Dimensions.data());
-  image->SetOrigin(series.Origin.data());
-  image->SetSpacing(series.Spacing.data());
+  LatticeToImage(series, image);
   vtkNew<vtkFloatArray> values;
   values->SetName(series.Meaning == FieldMeaning::Acceleration ? names::Wind : names::Velocity);
   values->SetNumberOfComponents(3);

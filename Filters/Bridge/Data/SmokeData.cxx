@@ -2,6 +2,7 @@
 #include "Bridge/Data/SmokeData.h"
 
 #include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/ImageLattice.h"
 #include "Bridge/Data/SceneData.h"
 
 #include <vtkFloatArray.h>
@@ -33,9 +34,7 @@ void AddValues(vtkImageData* data, const char* name, const Value* values, int co
 void SmokeFrameToImage(const SmokeFrame& frame, const SceneInfo& info, vtkImageData* data)
 {
   data->Initialize();
-  data->SetDimensions(frame.Dimensions.data());
-  data->SetOrigin(frame.Origin.data());
-  data->SetSpacing(frame.Spacing.data());
+  LatticeToImage(frame, data);
   AddValues<vtkFloatArray>(data, names::Velocity, frame.Velocity.data()->data(), 3);
   AddValues<vtkFloatArray>(data, names::Density, frame.Density.data(), 1);
   AddValues<vtkFloatArray>(data, names::Pressure, frame.Pressure.data(), 1);

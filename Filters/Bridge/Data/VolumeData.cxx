@@ -21,8 +21,7 @@ namespace waft
 Result VolumeFromImage(vtkImageData* data, Volume& volume)
 {
   volume = Volume();
-  WAFT_RETURN_IF_FAILED(
-    LatticeFromImage(data, "Input", volume.Dimensions, volume.Origin, volume.Spacing));
+  WAFT_RETURN_IF_FAILED(LatticeFromImage(data, "Input", volume));
   vtkPointData* arrays = data->GetPointData();
   const std::string ghosts = vtkDataSetAttributes::GhostArrayName();
   for (int a = 0; a < arrays->GetNumberOfArrays(); ++a)
@@ -61,9 +60,7 @@ Result VolumeFromImage(vtkImageData* data, Volume& volume)
 void VolumeToImage(const Volume& volume, const SceneInfo& info, vtkImageData* data)
 {
   data->Initialize();
-  data->SetDimensions(volume.Dimensions.data());
-  data->SetOrigin(volume.Origin.data());
-  data->SetSpacing(volume.Spacing.data());
+  LatticeToImage(volume, data);
   for (const VolumeField& field : volume.Fields)
   {
     vtkNew<vtkFloatArray> array;

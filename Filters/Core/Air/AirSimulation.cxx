@@ -16,7 +16,7 @@ struct Neighbours
   std::vector<int> Low, High;
   std::vector<float> Part;
 
-  Neighbours(const SeriesLattice& of, const SeriesLattice& among, int axis)
+  Neighbours(const PointLattice& of, const PointLattice& among, int axis)
   {
     const auto a = static_cast<std::size_t>(axis);
     const double last = among.Dimensions[a] - 1;
@@ -36,12 +36,10 @@ struct Neighbours
 void Restrict(const SmokeFrame& cells, const AirScene& scene, const SeriesLattice& lattice,
               const ParallelFor& parallel, FieldSeries::Field& values)
 {
-  SeriesLattice grid;
-  grid.Dimensions = cells.Dimensions;
-  grid.Origin = cells.Origin;
-  grid.Spacing = cells.Spacing;
   const std::array<int, 3>& n = lattice.Dimensions;
-  const Neighbours along[3] = { { lattice, grid, 0 }, { lattice, grid, 1 }, { lattice, grid, 2 } };
+  const Neighbours along[3] = { { lattice, cells, 0 },
+                                { lattice, cells, 1 },
+                                { lattice, cells, 2 } };
   values.resize(lattice.NumberOfPoints());
   const auto isWall = [&](int axis, int i)
   {
@@ -53,7 +51,7 @@ void Restrict(const SmokeFrame& cells, const AirScene& scene, const SeriesLattic
   const auto row = [&](int j, int k)
   {
     return cells.Velocity.data() +
-           (static_cast<std::size_t>(k) * grid.Dimensions[1] + j) * grid.Dimensions[0];
+           (static_cast<std::size_t>(k) * cells.Dimensions[1] + j) * cells.Dimensions[0];
   };
   const auto points = [&](std::size_t j, std::size_t k)
   {

@@ -101,26 +101,6 @@ Vec3 SampleSeries(const FieldSeries& field, const Vec3& x, double time, Mat3* ja
 
 } // namespace
 
-Result CheckLattice(const std::string& name, const std::array<int, 3>& dimensions,
-                    const Vec3& origin, const Vec3& spacing)
-{
-  constexpr double most = 1 << 30; // points
-  const Vec3 size(dimensions[0], dimensions[1], dimensions[2]);
-  if (size.minCoeff() < 1.0 || size.prod() > most)
-  {
-    return Result::Error(name + ": expected a lattice of 1 to 2^30 points, found " +
-                         std::to_string(dimensions[0]) + " x " + std::to_string(dimensions[1]) +
-                         " x " + std::to_string(dimensions[2]));
-  }
-  if (!limits::Length.HoldsAll(spacing) || !limits::Coordinate.HoldsAll(origin))
-  {
-    return Result::Error(name + ": expected a lattice with a spacing that is " +
-                         limits::Length.Text() + " and an origin within 1e6 m, found spacing " +
-                         PointText(spacing) + ", origin " + PointText(origin));
-  }
-  return Result::Ok();
-}
-
 FieldSeries::Field FieldSeries::At(double time) const
 {
   if (this->IsEmpty())
@@ -144,7 +124,7 @@ Result FieldSeries::Validate(const std::string& name) const
 {
   if (!this->IsEmpty())
   {
-    WAFT_RETURN_IF_FAILED(CheckLattice(name, this->Dimensions, this->Origin, this->Spacing));
+    WAFT_RETURN_IF_FAILED(CheckLattice(name, *this));
   }
   const limits::Range range =
     this->Meaning == FieldMeaning::Acceleration ? limits::Acceleration : limits::Velocity;

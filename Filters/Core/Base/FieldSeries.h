@@ -3,6 +3,7 @@
 // wind.
 #pragma once
 
+#include "Base/PointLattice.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
 
@@ -19,25 +20,11 @@ enum class FieldMeaning
   Velocity      // array `Velocity`: draws by drag towards it [m/s]
 };
 
-/// Fails unless these are a lattice with 1 to 2^30 points and a spacing and an origin within the
-/// limits of lengths and coordinates [m].
-Result CheckLattice(const std::string& name, const std::array<int, 3>& dimensions,
-                    const Vec3& origin, const Vec3& spacing);
-
-/// Points Origin + (i, j, k) * Spacing, i fastest, and the times at which they have values.
-struct SeriesLattice
+/// The times at which the points of a lattice have values.
+struct SeriesLattice : PointLattice
 {
   FieldMeaning Meaning = FieldMeaning::Acceleration;
-  std::array<int, 3> Dimensions{ 0, 0, 0 };
-  Vec3 Origin = Vec3::Zero();
-  Vec3 Spacing = Vec3::Ones();
   std::vector<double> Times; // s, increasing
-
-  std::size_t NumberOfPoints() const
-  {
-    return static_cast<std::size_t>(this->Dimensions[0]) * this->Dimensions[1] *
-           this->Dimensions[2];
-  }
 };
 
 /// One list of values per time. Sampling is trilinear in space and linear in time, clamped to the

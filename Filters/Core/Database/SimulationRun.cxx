@@ -80,7 +80,7 @@ Result SimulationRun::Begin(const DatabaseOptions& options, int simulation)
   }
 
   const Vec3 spacing = smoke.Spacing();
-  FlowLattice lattice;
+  PointLattice lattice;
   lattice.Dimensions = smoke.Resolution;
   lattice.Spacing = spacing;
   lattice.Origin = smoke.Bounds.Min + 0.5 * spacing;

@@ -4,6 +4,7 @@
 
 #include "Base/FieldSeries.h"
 #include "Base/ForceFields.h"
+#include "Base/PointLattice.h"
 #include "Base/Result.h"
 #include "Base/SceneFrame.h"
 #include "Base/Types.h"
@@ -190,14 +191,11 @@ struct SmokeForces
   Result Validate() const;
 };
 
-/// Cell-centred values of one frame, i fastest; Origin is the centre of the first voxel.
-struct SmokeFrame
+/// Cell-centred values of one frame.
+struct SmokeFrame : PointLattice
 {
   int Frame = 0;
-  double Time = 0.0; // s
-  std::array<int, 3> Dimensions{ 0, 0, 0 };
-  Vec3 Origin = Vec3::Zero();                    // m
-  Vec3 Spacing = Vec3::Ones();                   // m
+  double Time = 0.0;                             // s
   std::vector<std::array<float, 3>> Velocity;    // m/s
   std::vector<std::array<float, 3>> Vorticity;   // 1/s
   std::vector<std::array<float, 3>> VortexForce; // m/s^2

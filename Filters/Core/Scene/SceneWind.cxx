@@ -60,9 +60,7 @@ Result SceneWind::Build(const Scene& scene, const SceneAssets& assets)
     const bool isFirst = &wind == &built.Files.front();
     if (isFirst || wind.Spacing.minCoeff() < built.Lattice.Spacing.minCoeff())
     {
-      built.Lattice.Dimensions = wind.Dimensions;
-      built.Lattice.Origin = wind.Origin;
-      built.Lattice.Spacing = wind.Spacing;
+      static_cast<PointLattice&>(built.Lattice) = wind;
       built.Lattice.Meaning = wind.Meaning;
     }
   }

@@ -15,7 +15,7 @@ using Samples = std::vector<std::array<float, 3>>;
 /// The eight lattice points around x and their weights; clamped to the lattice.
 struct Stencil
 {
-  Stencil(const FlowLattice& lattice, const Vec3& x)
+  Stencil(const PointLattice& lattice, const Vec3& x)
   {
     std::size_t stride = 1;
     std::array<std::array<std::size_t, 2>, 3> offsets;
@@ -99,7 +99,7 @@ Result TraceOptions::Validate() const
   return this->Annotation.Validate();
 }
 
-Result TrajectoryTracer::Begin(const FlowLattice& lattice, const TraceOptions& options,
+Result TrajectoryTracer::Begin(const PointLattice& lattice, const TraceOptions& options,
                                std::vector<Vortex> vortices, SolidTest isSolid)
 {
   if (Result result = options.Validate(); !result)

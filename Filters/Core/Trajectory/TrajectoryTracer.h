@@ -8,6 +8,7 @@
 #include "Base/Motion.h"
 #include "Base/OptionFields.h"
 #include "Base/Parallel.h"
+#include "Base/PointLattice.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
 #include "Trajectory/Annotation.h"
@@ -18,21 +19,6 @@
 
 namespace waft
 {
-
-/// Where the samples of a flow are: Origin + (i, j, k) * Spacing, i fastest. In a smoke grid these
-/// are the voxel centres.
-struct FlowLattice
-{
-  std::array<int, 3> Dimensions{ 0, 0, 0 };
-  Vec3 Origin = Vec3::Zero();  // m
-  Vec3 Spacing = Vec3::Ones(); // m
-
-  std::size_t NumberOfPoints() const
-  {
-    return static_cast<std::size_t>(this->Dimensions[0]) * this->Dimensions[1] *
-           this->Dimensions[2];
-  }
-};
 
 /// The flow at one time. The two force lists may be empty: then the closed forms of the vortices
 /// serve for the first, and there is no wind.
@@ -92,7 +78,7 @@ class TrajectoryTracer
 {
 public:
   /// vortices: of the flow, for the annotation; isSolid may be empty.
-  Result Begin(const FlowLattice& lattice, const TraceOptions& options,
+  Result Begin(const PointLattice& lattice, const TraceOptions& options,
                std::vector<Vortex> vortices = {}, SolidTest isSolid = {});
   /// Frames come in increasing order of time.
   Result Feed(FlowFrame frame, const ParallelFor& parallelFor);
@@ -115,7 +101,7 @@ private:
   Vec3 VelocityAt(const Vec3& x, double time) const;
   Vec3 Step(const Vec3& x, double time, double step) const;
 
-  FlowLattice Lattice;
+  PointLattice Lattice;
   TraceOptions Options;
   std::vector<Vortex> Vortices;
   SolidTest IsSolid;

@@ -3,6 +3,7 @@
 // programs. The one place, besides the level sets of obstacles, that knows OpenVDB.
 #pragma once
 
+#include "Base/PointLattice.h"
 #include "Base/Result.h"
 #include "Base/Types.h"
 
@@ -20,19 +21,10 @@ struct VolumeField
   std::vector<float> Values; // Components a point, i fastest
 };
 
-/// Fields at the points Origin + (i, j, k) * Spacing [m].
-struct Volume
+/// Fields at the points of a lattice.
+struct Volume : PointLattice
 {
-  std::array<int, 3> Dimensions{ 0, 0, 0 };
-  Vec3 Origin = Vec3::Zero();
-  Vec3 Spacing = Vec3::Ones();
   std::vector<VolumeField> Fields;
-
-  std::size_t NumberOfPoints() const
-  {
-    return static_cast<std::size_t>(this->Dimensions[0]) * this->Dimensions[1] *
-           this->Dimensions[2];
-  }
 };
 
 /// The voxels between two corners, both included.

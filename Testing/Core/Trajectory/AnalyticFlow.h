@@ -14,16 +14,16 @@ namespace test
 
 using FlowFunction = std::function<Vec3(const Vec3& x, double time)>;
 
-inline FlowLattice CubeLattice(const Box& box, int points)
+inline PointLattice CubeLattice(const Box& box, int points)
 {
-  FlowLattice lattice;
+  PointLattice lattice;
   lattice.Dimensions = { points, points, points };
   lattice.Spacing = box.Size() / points;
   lattice.Origin = box.Min + 0.5 * lattice.Spacing;
   return lattice;
 }
 
-inline std::vector<std::array<float, 3>> SampleFlow(const FlowLattice& lattice,
+inline std::vector<std::array<float, 3>> SampleFlow(const PointLattice& lattice,
                                                     const FlowFunction& flow, double time)
 {
   std::vector<std::array<float, 3>> values;
@@ -42,7 +42,7 @@ inline std::vector<std::array<float, 3>> SampleFlow(const FlowLattice& lattice,
   return values;
 }
 
-inline FlowFrame FrameOfFlow(const FlowLattice& lattice, const FlowFunction& flow, double time)
+inline FlowFrame FrameOfFlow(const PointLattice& lattice, const FlowFunction& flow, double time)
 {
   FlowFrame frame;
   frame.Time = time;

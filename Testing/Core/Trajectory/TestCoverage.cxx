@@ -21,7 +21,7 @@ std::vector<Track> Traced(double phase)
 {
   TraceOptions options;
   options.SeedStride = 5;
-  const FlowLattice lattice = CubeLattice(options.Volume, 24);
+  const PointLattice lattice = CubeLattice(options.Volume, 24);
   TrajectoryTracer tracer;
   EXPECT_TRUE(tracer.Begin(lattice, options));
   for (int frame = 0; frame < 90; ++frame)

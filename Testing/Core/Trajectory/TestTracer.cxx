@@ -22,7 +22,7 @@ std::vector<Track> Trace(const FlowFunction& flow, const std::vector<double>& ti
                          const TraceOptions& options, int points = 16, int threads = 1,
                          std::vector<Vortex> vortices = {}, SolidTest solid = {})
 {
-  const FlowLattice lattice = CubeLattice(options.Volume, points);
+  const PointLattice lattice = CubeLattice(options.Volume, points);
   TrajectoryTracer tracer;
   EXPECT_TRUE(tracer.Begin(lattice, options, std::move(vortices), std::move(solid)));
   for (const double time : times)
@@ -157,7 +157,7 @@ TEST(Tracer, AnnotationFollowsTheForces)
   const auto vortexForce = [&](const Vec3& x, double time)
   { return Vec3(left.Acceleration(x, time) + other.Acceleration(x, time)); };
 
-  const FlowLattice lattice = CubeLattice(options.Volume, 32);
+  const PointLattice lattice = CubeLattice(options.Volume, 32);
   TrajectoryTracer tracer;
   ASSERT_TRUE(tracer.Begin(lattice, options, vortices));
   for (const double time : Frames(31))
@@ -235,12 +235,12 @@ TEST(Tracer, ThreadsDoNotChangeABit)
 
 TEST(Tracer, RefusesWhatIsWrong)
 {
-  const FlowLattice lattice = CubeLattice(Box(), 4);
+  const PointLattice lattice = CubeLattice(Box(), 4);
   TrajectoryTracer tracer;
   TraceOptions options = Options(0);
   EXPECT_FALSE(tracer.Begin(lattice, options));
   options.SeedStride = 1;
-  EXPECT_FALSE(tracer.Begin(FlowLattice(), options));
+  EXPECT_FALSE(tracer.Begin(PointLattice(), options));
   ASSERT_TRUE(tracer.Begin(lattice, options));
   FlowFrame frame;
   frame.Velocity.resize(3);

@@ -33,7 +33,7 @@ inline ClusterInput Traced(int simulations, int stride)
   {
     TraceOptions options;
     options.SeedStride = stride;
-    const FlowLattice lattice = CubeLattice(options.Volume, 24);
+    const PointLattice lattice = CubeLattice(options.Volume, 24);
     TrajectoryTracer tracer;
     const std::vector<Vortex> vortices{ Upright(4 + s) };
     EXPECT_TRUE(tracer.Begin(lattice, options, vortices));
