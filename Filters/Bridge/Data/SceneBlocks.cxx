@@ -5,7 +5,6 @@
 #include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/FieldCollectors.h"
-#include "Bridge/Data/ImageLattice.h"
 #include "Bridge/Data/SceneData.h"
 #include "Bridge/Data/ShapeData.h"
 #include "Bridge/Data/VortexData.h"
@@ -13,12 +12,10 @@
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <cstring>
@@ -88,23 +85,6 @@ Result ObstaclesFromBlock(vtkPolyData* block, const Timeline& line,
 
 } // namespace
 
-void StepToImage(const FieldSeries& series, std::size_t step, const SceneInfo& info,
-                 vtkImageData* image)
-{
-  LatticeToImage(series, image);
-  vtkNew<vtkFloatArray> values;
-  values->SetName(series.Meaning == FieldMeaning::Acceleration ? names::Wind : names::Velocity);
-  values->SetNumberOfComponents(3);
-  values->SetNumberOfTuples(static_cast<vtkIdType>(series.Values[step].size()));
-  vtkIdType at = 0;
-  for (const std::array<float, 3>& value : series.Values[step])
-  {
-    values->SetTypedTuple(at++, value.data());
-  }
-  image->GetPointData()->AddArray(values);
-  SceneInfoToFieldData(info, image);
-}
-
 void SceneToBlocks(const SceneContents& scene, vtkMultiBlockDataSet* data)
 {
   const Scene& parts = scene.Parts;
@@ -130,7 +110,7 @@ void SceneToBlocks(const SceneContents& scene, vtkMultiBlockDataSet* data)
   for (std::size_t step = 0; step < scene.Wind.Times.size(); ++step)
   {
     vtkNew<vtkImageData> image;
-    StepToImage(scene.Wind, step, info, image);
+    FieldSeriesToImage(scene.Wind, scene.Wind.Times[step], info, image);
     AddDoubles(image->GetFieldData(), names::Time, { scene.Wind.Times[step] });
     AuthoredToFieldData(parts.Authored.Winds, image);
     wind->SetBlock(static_cast<unsigned int>(step), image);

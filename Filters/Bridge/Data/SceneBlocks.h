@@ -6,9 +6,6 @@
 #include "Base/Result.h"
 #include "Scene/Scene.h"
 
-#include <cstddef>
-
-class vtkImageData;
 class vtkMultiBlockDataSet;
 
 namespace waft
@@ -28,9 +25,5 @@ struct SceneContents
 void SceneToBlocks(const SceneContents& scene, vtkMultiBlockDataSet* data);
 /// The same back. Blocks that are missing are empty; only `Objects` has to be there.
 Result SceneFromBlocks(vtkMultiBlockDataSet* data, SceneContents& scene);
-
-/// One step of a series to the last bit; the image is empty before.
-void StepToImage(const FieldSeries& series, std::size_t step, const SceneInfo& info,
-                 vtkImageData* image);
 
 } // namespace waft

@@ -2,6 +2,7 @@
 #include "Bridge/Files/SceneOutput.h"
 
 #include "Base/AtomicFile.h"
+#include "Bridge/Data/FieldCollectors.h"
 #include "Bridge/Data/ShapeData.h"
 #include "Bridge/Files/FileWriting.h"
 #include "Bridge/Files/SceneFiles.h"
@@ -75,7 +76,7 @@ std::string MeshFileOf(const Scene& scene, const SceneMeshFile& file)
 std::string WindStep(const SceneContents& scene, std::size_t step)
 {
   vtkNew<vtkImageData> image;
-  StepToImage(scene.Wind, step, scene.Parts.Info, image);
+  FieldSeriesToImage(scene.Wind, scene.Wind.Times[step], scene.Parts.Info, image);
   return XmlOf<vtkXMLImageDataWriter>(image);
 }
 
