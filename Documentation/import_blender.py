@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Brings an animation of Waft into Blender (3.4 or later), lights it, and renders one frame of it.
 
-blender --background --python Documentation/scripts/import_blender.py -- DIR/animation.glb PICTURE.png [FRAME] [WIDTHxHEIGHT]
+blender --background --python Documentation/import_blender.py -- DIR/animation.glb PICTURE.png [FRAME] [WIDTHxHEIGHT]
 
 In Blender's own window the same is File > Import > glTF 2.0, and 30 as the scene's frame rate: nodes are named
 SHAPE-OBJECT, a mesh is shared by all objects of its shape, and animation frame k is Blender's frame k.

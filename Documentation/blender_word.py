@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Leaves that form a word upright in the air of a room, made in Blender from nothing and flown by the add-on.
 
-blender -b --python Documentation/scripts/blender_word.py -- FILE.blend [PICTURE.png [FRAME]]
+blender -b --python Documentation/blender_word.py -- FILE.blend [PICTURE.png [FRAME]]
 
 FILE.blend is written, and the folder FILE-waft beside it; what is there is never overwritten. The add-on is that of an installed Waft
 (Documentation/Blender.md). In Blender's own window: blender FILE.blend.
