@@ -34,8 +34,7 @@ STAGES = {
     "vtkShapeKeyframeSource": ("obstacles",),
 }
 # What is damaged beside being put into blocks; the others take the same data by the same functions.
-DAMAGED = [stage for stage in STAGES if stage not in ("vtkAirAssimilationFilter", "vtkMotionSceneFileWriter", "vtkObjectSource",
-                                                      "vtkShapeKeyframeSource")]
+DAMAGED = [stage for stage in STAGES if stage not in ("vtkMotionSceneFileWriter", "vtkObjectSource", "vtkShapeKeyframeSource")]
 # How a message calls an input whose name is not that of its data.
 CALLED = {("vtkTrajectoryTraceFilter", "flow"): "Input", ("vtkVDBWriter", "flow"): "Input", ("vtkVortexFitFilter", "flown"): "Input",
           ("vtkTrajectoryClusterFilter", "flown"): "Input", ("vtkMotionSceneFileWriter", "scene"): "Input",

@@ -13,6 +13,8 @@ ABSTRACT = ("vtkPaintedShapeSource", "vtkSlicedPolyDataAlgorithm", "vtkThinShape
 
 # So that a test takes no longer than it must.
 SMALL = {
+    "vtkAirAssimilationFilter": {"Resolution": 16, "LatticeResolution": 8, "Candidates": 1, "Starts": 0, "Rounds": 1,
+                                 "WindRounds": 1},
     "vtkSPHSpacetimeFilter": {"NumberOfGasParticles": 200, "MaximumNumberOfIterations": 5, "LeashIterations": 2},
     "vtkGridSmokeSource": {"NumberOfFrames": 5, "Resolution": (8, 8, 8)},
     "vtkMotionDatabaseSource": {"NumberOfSimulations": 1, "NumberOfFrames": 20, "Resolution": 8},

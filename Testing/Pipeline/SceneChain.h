@@ -4,6 +4,7 @@
 
 #include "Base/TemporaryFolder.h"
 
+#include <vtkAirAssimilationFilter.h>
 #include <vtkMotionSceneReader.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -72,5 +73,37 @@ struct SceneChain
   static vtkPolyData* Poly(vtkAlgorithm* stage, int port)
   {
     return vtkPolyData::SafeDownCast(stage->GetOutputDataObject(port));
+  }
+};
+
+/// The same with a coarse assimilation, which the optimiser goes on from.
+struct AssimilatedChain : SceneChain
+{
+  vtkNew<vtkAirAssimilationFilter> Assimilation;
+
+  explicit AssimilatedChain(const std::string& scene) : SceneChain(scene)
+  {
+    this->Assimilation->SetInputConnection(0, this->Planner->GetOutputPort(0));
+    this->Assimilation->SetInputConnection(
+      1, this->Reader->GetOutputPort(vtkMotionSceneReader::OBJECTS));
+    this->Assimilation->SetInputConnection(2, this->Planner->GetOutputPort(3));
+    this->Assimilation->SetInputConnection(
+      3, this->Reader->GetOutputPort(vtkMotionSceneReader::OBSTACLES));
+    this->Assimilation->SetResolution(16);
+    this->Assimilation->SetLatticeResolution(12);
+    this->Assimilation->SetRounds(1);
+    this->Assimilation->SetCandidates(1);
+    this->Assimilation->SetStarts(0);
+    this->Assimilation->SetWindRounds(2);
+    this->Spacetime->SetInputConnection(0, this->Assimilation->GetOutputPort(0));
+    this->Spacetime->SetInputConnection(6, this->Assimilation->GetOutputPort(1));
+  }
+
+  /// The air feels the wind, too.
+  void BlowWind()
+  {
+    this->SceneChain::BlowWind();
+    this->Assimilation->SetInputConnection(4,
+                                           this->Reader->GetOutputPort(vtkMotionSceneReader::WIND));
   }
 };

@@ -3,6 +3,7 @@
 // outputs; and all is well once the number is.
 #include "PipelineTesting.h"
 
+#include <vtkAirAssimilationFilter.h>
 #include <vtkCellData.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkConstraintSource.h>
@@ -456,6 +457,16 @@ TEST(PropertyValues, OfThePlanner)
   TryNaN<S>(filter, { NUMBER(S, MaxTilt, 0.3), NUMBER(S, ConnectionThreshold, 0.1),
                       NUMBER(S, JoinThreshold, 0.1), NUMBER(S, RetimingLimit, 0.1),
                       NUMBER(S, GuideWeight, 0.1) });
+}
+
+TEST(PropertyValues, OfTheAssimilation)
+{
+  using S = vtkAirAssimilationFilter;
+  vtkNew<S> filter;
+  const SceneData data(filter);
+  TryNaN<S>(filter, { NUMBER(S, WindSpacing, 0.4), NUMBER(S, WindTimeSpacing, 0.5),
+                      NUMBER(S, WindStiffness, 2), NUMBER(S, Smoothness, 0.005),
+                      NUMBER(S, TouchDownSpread, 2), NUMBER(S, TimeLimit, 0) });
 }
 
 TEST(PropertyValues, OfTheOptimisation)

@@ -119,6 +119,24 @@ TEST(Scrubbing, TheChainComputesOnce)
   EXPECT_EQ(errors.Text, "");
 }
 
+TEST(Scrubbing, TheAssimilationComputesOnce)
+{
+  AssimilatedChain chain(WindyScene);
+  chain.BlowWind();
+  const std::vector<vtkAlgorithm*> computing{ chain.Planner, chain.Assimilation };
+  {
+    const WorkCount count(chain.Assimilation);
+    chain.Assimilation->Update();
+    EXPECT_GT(count.Value, 0) << "the counter sees a stage that computes";
+  }
+  ErrorLog errors(chain.Assimilation);
+  for (const int port : { 0, 1, 2, 3 }) // Tracks, Air, Vortices, Constraints
+  {
+    ExpectServed(computing, chain.Assimilation, port, false);
+  }
+  EXPECT_EQ(errors.Text, "");
+}
+
 TEST(Scrubbing, TheDatabasesStagesComputeOnce)
 {
   vtkNew<vtkGridSmokeSource> smoke;

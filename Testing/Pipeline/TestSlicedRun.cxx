@@ -6,7 +6,6 @@
 #include "Bridge/Pipeline/SlicedRun.h"
 #include "SceneChain.h"
 
-#include <vtkAirAssimilationFilter.h>
 #include <vtkFieldData.h>
 
 #include <gtest/gtest.h>
@@ -179,27 +178,13 @@ const char* const Scene = R"({"waft": 1, "time": {"frames": 40},
     [{"frame": 0, "position": [1, -1, 2]}, {"frame": 39, "position": [1, 1, 2]}]}]})";
 
 /// Planner, assimilation, optimiser and rotation.
-struct LongChain : SceneChain
+struct LongChain : AssimilatedChain
 {
-  vtkNew<vtkAirAssimilationFilter> Assimilation;
-
-  LongChain() : SceneChain(Scene)
+  LongChain() : AssimilatedChain(Scene)
   {
-    this->Assimilation->SetInputConnection(0, this->Planner->GetOutputPort(0));
-    this->Assimilation->SetInputConnection(1, this->Reader->GetOutputPort(0));
-    this->Assimilation->SetInputConnection(2, this->Planner->GetOutputPort(3));
-    this->Assimilation->SetInputConnection(3, this->Reader->GetOutputPort(2));
-    this->Assimilation->SetResolution(16);
-    this->Assimilation->SetLatticeResolution(12);
-    this->Assimilation->SetRounds(1);
-    this->Assimilation->SetCandidates(1);
-    this->Assimilation->SetStarts(0);
-    this->Assimilation->SetWindRounds(2);
     this->Spacetime->SetNumberOfGasParticles(125);
     this->Spacetime->SetLeashIterations(1);
     this->Spacetime->SetMaximumNumberOfIterations(6);
-    this->Spacetime->SetInputConnection(0, this->Assimilation->GetOutputPort(0));
-    this->Spacetime->SetInputConnection(6, this->Assimilation->GetOutputPort(1));
   }
   std::vector<vtkSlicedPolyDataAlgorithm*> Sliced() const
   {
