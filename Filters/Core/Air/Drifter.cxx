@@ -32,71 +32,59 @@ Drifter::Drifter(const DriftScene& scene, const MotionObject& object, std::vecto
     this->Latest.push_back(landing.Frame);
     this->Leaving.push_back(landing.Until);
   }
-  this->FixFrames();
   this->AddRows();
-}
-
-void Drifter::FixFrames()
-{
-  const std::size_t frames = this->Planned.size();
-  this->IsFixed.assign(frames, 0);
-  this->Fixed.assign(frames, Vec3::Zero());
-  const auto fix = [&](int frame, const Vec3& x)
-  {
-    this->IsFixed[static_cast<std::size_t>(frame)] = 1;
-    this->Fixed[static_cast<std::size_t>(frame)] = x;
-  };
-  fix(0, this->Body.Position);
-  const int last = static_cast<int>(frames) - 1;
-  for (const LandingWindow& landing : this->Landings)
-  {
-    for (int f = std::max(0, landing.Frame); f <= std::min(last, landing.Until); ++f)
-    {
-      fix(f, landing.Centre);
-    }
-  }
-  for (const Constraint& row : this->Wanted)
-  {
-    if (IsPassing(row.Kind) && row.Radius <= 0.0)
-    {
-      fix(row.Frame, row.Value);
-    }
-  }
+  this->FixFrames();
 }
 
 void Drifter::AddRows()
 {
-  const Timeline& time = this->World.Scene.Time;
   for (const Constraint& row : this->Wanted)
   {
-    if (IsPassing(row.Kind) && row.Radius > 0.0)
+    switch (row.Kind)
     {
-      this->Balls.push_back({ row.Frame, 0, row.Value, row.Radius });
-      this->DriftRows.push_back({ { { row.Frame, 1.0 } }, row.Value, row.Radius });
+      case ConstraintKind::Position:
+        if (row.Radius <= 0.0)
+        {
+          this->Passed.emplace_back(row.Frame, row.Value);
+        }
+        else
+        {
+          this->Balls.push_back({ row.Frame, 0, row.Value, row.Radius });
+          this->DriftRows.push_back({ { { row.Frame, 1.0 } }, row.Value, row.Radius });
+        }
+        break;
+      case ConstraintKind::Velocity:
+      case ConstraintKind::Acceleration:
+        this->AddDifference(row);
+        break;
+      case ConstraintKind::Rest:        // fixed with its landing
+      case ConstraintKind::Orientation: // the path does not know of it
+        break;
     }
-    const int derivative = TraitsOf(row.Kind).Derivative;
-    if (derivative < 1)
-    {
-      continue;
-    }
-    // As lengths for what is exact; as they are for the search.
-    const double scale = std::pow(time.Step(), derivative);
-    DifferenceRow exact;
-    DriftRow sought;
-    for (const auto& [frame, coefficient] : DerivativeStencil(derivative, row.Frame, time))
-    {
-      exact.Terms.push_back({ frame, coefficient * scale });
-      sought.Terms.emplace_back(frame, coefficient * std::pow(time.Step(), derivative - 1));
-    }
-    exact.Value = scale * row.Value;
-    exact.Radius = scale * row.Radius;
-    sought.Value = std::pow(time.Step(), derivative - 1) * row.Value;
-    sought.Radius = std::pow(time.Step(), derivative - 1) * row.Radius;
-    if (!exact.Terms.empty())
-    {
-      this->Differences.push_back(exact);
-      this->DriftRows.push_back(sought);
-    }
+  }
+}
+
+void Drifter::AddDifference(const Constraint& row)
+{
+  const Timeline& time = this->World.Scene.Time;
+  const int derivative = TraitsOf(row.Kind).Derivative;
+  // As lengths for what is exact; as they are for the search.
+  const double scale = std::pow(time.Step(), derivative);
+  DifferenceRow exact;
+  DriftRow sought;
+  for (const auto& [frame, coefficient] : DerivativeStencil(derivative, row.Frame, time))
+  {
+    exact.Terms.push_back({ frame, coefficient * scale });
+    sought.Terms.emplace_back(frame, coefficient * std::pow(time.Step(), derivative - 1));
+  }
+  exact.Value = scale * row.Value;
+  exact.Radius = scale * row.Radius;
+  sought.Value = std::pow(time.Step(), derivative - 1) * row.Value;
+  sought.Radius = std::pow(time.Step(), derivative - 1) * row.Radius;
+  if (!exact.Terms.empty())
+  {
+    this->Differences.push_back(exact);
+    this->DriftRows.push_back(sought);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "Obstacles/ObstacleSet.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace waft
@@ -113,6 +114,7 @@ private:
                               Random& random) const;
   void FixFrames();
   void AddRows();
+  void AddDifference(const Constraint& row);
   void CloseBarrierGaps(std::vector<Vec3>& path) const;
   void MeetRows(std::vector<Vec3>& path) const;
   void TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths) const;
@@ -129,6 +131,7 @@ private:
   std::vector<unsigned char> IsFixed;
   std::vector<Vec3> Fixed;
   std::vector<DriftNeighbour> Neighbours;
+  std::vector<std::pair<int, Vec3>> Passed; // frames and places of exact positions
   std::vector<DriftRow> DriftRows;
   std::vector<PositionBall> Balls;
   std::vector<DifferenceRow> Differences;

@@ -19,6 +19,31 @@ Vec3 PlaceAt(const std::vector<Vec3>& path, double frame)
 
 } // namespace
 
+void Drifter::FixFrames()
+{
+  const std::size_t frames = this->Planned.size();
+  this->IsFixed.assign(frames, 0);
+  this->Fixed.assign(frames, Vec3::Zero());
+  const auto fix = [&](int frame, const Vec3& x)
+  {
+    this->IsFixed[static_cast<std::size_t>(frame)] = 1;
+    this->Fixed[static_cast<std::size_t>(frame)] = x;
+  };
+  fix(0, this->Body.Position);
+  const int last = static_cast<int>(frames) - 1;
+  for (const LandingWindow& landing : this->Landings)
+  {
+    for (int f = std::max(0, landing.Frame); f <= std::min(last, landing.Until); ++f)
+    {
+      fix(f, landing.Centre);
+    }
+  }
+  for (const auto& [frame, place] : this->Passed)
+  {
+    fix(frame, place);
+  }
+}
+
 int Drifter::EarliestTouchDown(std::size_t landing, int most) const
 {
   // Not before another mark, and with some way to go from there.
