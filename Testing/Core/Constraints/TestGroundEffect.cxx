@@ -110,7 +110,7 @@ TEST(GroundEffect, ItsGradientIsThatOfCentralDifferences)
         constexpr double h = 1e-6;
         const double rise = scene.Windy.Factor(x + h * Vec3::Unit(c), frame) -
                             scene.Windy.Factor(x - h * Vec3::Unit(c), frame);
-        EXPECT_NEAR(gradient[c], rise / (2.0 * h), 1e-4) << frame << ", " << part;
+        EXPECT_NEAR(gradient[c], rise / (2.0 * h), 1e-6) << frame << ", " << part;
       }
     }
   }
@@ -178,7 +178,7 @@ TEST(GroundEffect, WhatNothingAsksForIsBorneAtItsClearance)
       const Vec3 h = 1e-6 * Vec3::Unit(c);
       const double slope =
         (scene.Ground.Factor(x + h, 100.0) - scene.Ground.Factor(x - h, 100.0)) / 2e-6;
-      EXPECT_NEAR(gradient[c], slope, 1e-4) << part << " " << c;
+      EXPECT_NEAR(gradient[c], slope, 1e-6) << part << " " << c;
     }
   }
 }
