@@ -1,4 +1,4 @@
-# Waft on a bare Debian 13: built, with its demo flown and all tests passed.
+# Waft on a bare Debian 13: built, with its demo flown and its tests passed.
 #
 #     docker build -t waft .
 #     docker run --rm -v "$PWD:/here" -w /here waft synthesize SCENE --output OUT

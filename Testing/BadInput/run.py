@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every case of bad input, two processes side by side; a table by group, and each case that failed with its reason.
 
-    run.py PVPYTHON GROUPS [PATTERN]      GROUPS: of json,values,...; PATTERN: only cases whose "group: name" it finds
+    run.py PVPYTHON GROUPS [PATTERN [EVERY]]      GROUPS: of json,values,...; PATTERN: only cases whose "group: name" it finds;
+                                                  EVERY: of these every so many-th
 """
 import collections
 import json
@@ -16,9 +17,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 WORKERS = 2
 
 
-def results(pvpython, groups, pattern):
+def results(pvpython, groups, pattern, every):
     """What became of each case; raises RuntimeError when a worker did not come to its end."""
-    workers = [subprocess.Popen([pvpython, str(HERE / "worker.py"), str(first), str(WORKERS), groups, pattern],
+    workers = [subprocess.Popen([pvpython, str(HERE / "worker.py"), str(first), str(WORKERS), groups, pattern, every],
                                 stdout=subprocess.PIPE, text=True) for first in range(WORKERS)]
     found = []
     for worker in workers:
@@ -41,9 +42,9 @@ def table(found):
               "".join(f"{worst[name] or '':>12}" for name in FAULTS) + f"{sum(one['seconds'] for one in members):>9.0f}")
 
 
-def main(pvpython, groups, pattern="."):
+def main(pvpython, groups, pattern=".", every="1"):
     began = time.monotonic()
-    found = results(pvpython, groups, pattern)
+    found = results(pvpython, groups, pattern, every)
     failed = [one for one in found if one["faults"]]
     for one in failed:
         for fault, why in one["faults"]:

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Does some of the cases, each in a fork of this process, which has the package loaded once for all.
 
-    pvpython worker.py FIRST STEP GROUPS PATTERN      cases FIRST, FIRST + STEP, ...; a line of JSON for each
+    pvpython worker.py FIRST STEP GROUPS PATTERN EVERY      of every EVERY-th case that PATTERN finds, FIRST, FIRST + STEP, ...;
+                                                            a line of JSON for each
 """
 import importlib
 import json
@@ -153,7 +154,7 @@ class Worker:
             shutil.rmtree(folder, ignore_errors=True)
 
 
-def main(first, step, groups, pattern):
+def main(first, step, groups, pattern, every):
     import waft.cli  # noqa: F401 (each fork has them then)
     import waft.database  # noqa: F401
     import waft.exporting  # noqa: F401
@@ -163,12 +164,11 @@ def main(first, step, groups, pattern):
     import waft.render  # noqa: F401
     import waft.synthesis  # noqa: F401
 
-    cases = [case for group in groups.split(",") for case in importlib.import_module(f"cases_{group}").cases()]
+    cases = [case for group in groups.split(",") for case in importlib.import_module(f"cases_{group}").cases()
+             if re.search(pattern, f"{case.group}: {case.name}")][::int(every)]
     with tempfile.TemporaryDirectory(prefix="waft-bad-input-") as folder:
         worker = Worker(pathlib.Path(folder))
         for case in cases[int(first)::int(step)]:
-            if not re.search(pattern, f"{case.group}: {case.name}"):
-                continue
             began = time.monotonic()
             found = worker.do(case)
             print(json.dumps({"group": case.group, "name": case.name, "faults": found,

@@ -20,9 +20,9 @@ from waft.reading import read_surface
 SCENES = pathlib.Path(sys.argv.pop(2))
 WAFT = sys.argv.pop(1)
 
-# What the rows came to. Motion is the same to the bit from run to run, so a change of it shows at once; of what a system
-# computes in its own way, and of a change that is meant to change motion a little, the margin takes in a fifth. A change
-# that is meant to change it more writes its figures here, and shows them.
+# What the rows came to. Motion is the same to the bit from run to run and from system to system, so that the margin of a
+# fifth is for changes that are meant to change it a little. One that is meant to change it more writes its figures here,
+# and shows them.
 MARGIN = 1.2
 FIGURES = {
     "feather-maze": {
