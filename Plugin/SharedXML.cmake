@@ -24,6 +24,10 @@ set(WAFT_SLICES [=[
       <Property name="WorkInSlices" command="WorkInSlices" panel_visibility="never">
         <Documentation>From now on the stage works in slices as short as a window wants them.</Documentation>
       </Property>
+      <DoubleVectorProperty name="SliceInUse" command="GetSlice" information_only="1" panel_visibility="never">
+        <SimpleDoubleInformationHelper/>
+        <Documentation>Seconds of work in an update, whoever asked for them.</Documentation>
+      </DoubleVectorProperty>
       <Property name="GoOn" command="GoOn" panel_visibility="never">
         <Documentation>The next update goes on with the work that is held; nothing where none is.</Documentation>
       </Property>
@@ -40,8 +44,6 @@ set(WAFT_SLICES [=[
         <Documentation>What the stage does; done in the end, or why it failed.</Documentation>
       </StringVectorProperty>]=])
 string(CONFIGURE "${WAFT_SLICES}" WAFT_SLICES @ONLY)
-# Waft Animation hands it to its stages.
-string(REPLACE " command=\"SetSlice\"" "" WAFT_ANIMATION_SLICE "${WAFT_SLICE}")
 
 set(WAFT_SEED [=[
       <IntVectorProperty name="Seed" command="SetSeed" number_of_elements="1" default_values="1">

@@ -2,8 +2,6 @@
 #include "vtkSPHSpacetimeFilter.h"
 
 #include "Base/SliceOptions.h"
-#include "Bridge/Data/ArrayNames.h"
-#include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/FieldCollectors.h"
 #include "Bridge/Data/SceneData.h"
@@ -19,7 +17,6 @@
 #include "Spacetime/Run/SpacetimeBudget.h"
 #include "Spacetime/Run/SpacetimeWarmStart.h"
 
-#include <vtkCellData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -159,21 +156,7 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs
 
 void vtkSPHSpacetimeFilter::Internals::KeepSolution()
 {
-  auto* tracks = this->Kept<vtkPolyData>(TracksPort);
-  waft::TracksToPolyData(this->Solution.Tracks, this->Scene, tracks);
-  waft::AddDoubles(tracks->GetCellData(), waft::names::PositionResidual,
-                   this->Solution.PositionResiduals);
-  waft::AddDoubles(tracks->GetCellData(), waft::names::VelocityResidual,
-                   this->Solution.VelocityResiduals);
-  for (const auto& [name, value] :
-       { std::pair(waft::names::ReplayError, this->Solution.ObjectReplayError),
-         std::pair(waft::names::GasReplayError, this->Solution.GasReplayError),
-         std::pair(waft::names::GasHiddenHand, this->Solution.GasHiddenHand),
-         std::pair(waft::names::RepairedFraction, this->Solution.RepairedFraction),
-         std::pair(waft::names::LargestRepair, this->Solution.LargestRepair) })
-  {
-    waft::AddDoubles(tracks->GetFieldData(), name, { value });
-  }
+  waft::OptimisedToPolyData(this->Solution, this->Scene, this->Kept<vtkPolyData>(TracksPort));
   waft::VorticesToPolyData(this->Solution.Vortices, this->Scene,
                            this->Kept<vtkPolyData>(VorticesPort));
   waft::ConvergenceToTable(this->Solution.Convergence, this->Scene,

@@ -8,14 +8,14 @@
 #include "Bridge/Data/TrackData.h"
 #include "Bridge/Data/TreeData.h"
 #include "Bridge/Data/VortexData.h"
-#include "Bridge/Files/DataFiles.h"
-#include "Bridge/Files/InstalledData.h"
+#include "Bridge/Files/EmbeddedDatabase.h"
 #include "Bridge/Pipeline/KeptStage.h"
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
 #include "Planning/InputCheck.h"
 #include "Planning/PlanCache.h"
+#include "Planning/PlanReport.h"
 #include "Planning/Takes.h"
 
 #include <vtkCompositeDataIterator.h>
@@ -29,7 +29,6 @@
 #include <vtkTable.h>
 
 #include <algorithm>
-#include <map>
 
 vtkStandardNewMacro(vtkStylisticPlannerFilter);
 
@@ -94,21 +93,9 @@ struct vtkStylisticPlannerFilter::Internals : waft::KeptStage
   void KeepSoFar() override;
   bool IsActive() const override { return this->Self->Active; }
   waft::Result TakeDatabase(vtkMultiBlockDataSet* data);
-  waft::Result TakeEmbeddedDatabase();
   waft::Result TakeObstacles();
   void KeepPlan(const waft::PlanOutput& plan);
 };
-
-/// Reads the database that comes with Waft: whole, on every rank.
-waft::Result vtkStylisticPlannerFilter::Internals::TakeEmbeddedDatabase()
-{
-  std::string path;
-  WAFT_RETURN_IF_FAILED(waft::FindDataFile("Database/embedded.vtm", path));
-  const vtkNew<vtkMultiBlockDataSet> data;
-  waft::Result result = waft::ReadBlocksFile(path, data);
-  result = result ? waft::DatabaseFromMultiBlock(data, this->Database) : result;
-  return result ? result : waft::Result::Error(path + ": " + result.Message());
-}
 
 /// Takes the database over when it is another than the last time.
 waft::Result vtkStylisticPlannerFilter::Internals::TakeDatabase(vtkMultiBlockDataSet* data)
@@ -118,7 +105,8 @@ waft::Result vtkStylisticPlannerFilter::Internals::TakeDatabase(vtkMultiBlockDat
     if (!this->HasEmbeddedDatabase)
     {
       this->GivenDatabase.clear();
-      WAFT_RETURN_IF_FAILED(this->TakeEmbeddedDatabase());
+      // Whole, on every rank.
+      WAFT_RETURN_IF_FAILED(waft::ReadEmbeddedDatabase(this->Database));
       this->HasEmbeddedDatabase = true;
     }
     return waft::Result::Ok();
@@ -195,24 +183,8 @@ waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** in
 // What is not planned yet stands where it begins.
 void vtkStylisticPlannerFilter::Internals::KeepSoFar()
 {
-  std::map<int, const waft::Track*> planned;
-  for (const waft::Track& track : this->Plan.Tracks)
-  {
-    planned[track.ObjectId] = &track;
-  }
-  std::vector<waft::Track> tracks(this->Objects.size());
-  for (std::size_t i = 0; i < tracks.size(); ++i)
-  {
-    const waft::MotionObject& object = this->Objects[i];
-    const auto known = planned.find(object.ObjectId);
-    tracks[i].ObjectId = object.ObjectId;
-    tracks[i].Positions =
-      known != planned.end()
-        ? known->second->Positions
-        : std::vector<waft::Vec3>(static_cast<std::size_t>(this->Scene.Time.NumberOfFrames),
-                                  object.Position);
-  }
-  waft::TracksToPolyData(tracks, this->Scene, this->Kept<vtkPolyData>(TracksPort));
+  waft::TracksToPolyData(waft::TracksSoFar(this->Plan.Tracks, this->Objects, this->Scene.Time),
+                         this->Scene, this->Kept<vtkPolyData>(TracksPort));
   waft::ConstraintsToPolyData(this->Plan.Constraints, this->Scene,
                               this->Kept<vtkPolyData>(AssignedPort));
 }

@@ -1,94 +1,162 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMMotionAnimationProxy.h"
 
+#include "Chain/ChainTable.h"
+
+#include <vtkClientServerStream.h>
 #include <vtkObjectFactory.h>
 #include <vtkPVXMLElement.h>
 #include <vtkSMProperty.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMSessionProxyManager.h>
+#include <vtkSmartPointer.h>
 
-#include <algorithm>
-#include <iterator>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkSMMotionAnimationProxy);
 
 namespace
 {
 
-// The browser wants those that give before those that take.
-constexpr const char* Stages[] = { "Scene",        "Planner",   "Vortices",
-                                   "Assimilation", "Spacetime", "Rotation" };
+constexpr const char* Requests[] = { "Unfold", "ShowStages" };
 
-// An output of a stage; none where nothing is to be joined.
-struct Source
+/// The stages that are being made.
+class Unfolding
 {
-  vtkSMProxy* Stage = nullptr;
-  unsigned int Port = 0;
-};
-
-void Join(vtkSMProxy* stage, const char* input, const Source& source)
-{
-  vtkSMPropertyHelper property(stage, input);
-  if (source.Stage == nullptr)
+public:
+  explicit Unfolding(vtkSMSourceProxy* source) :
+    Source(source), Manager(source->GetSessionProxyManager()),
+    Detail(static_cast<waft::Quality>(vtkSMPropertyHelper(source, "Quality").GetAsInt())),
+    Last(static_cast<waft::ChainStage>(vtkSMPropertyHelper(source, "StopAfter").GetAsInt())),
+    Seed(vtkSMPropertyHelper(source, "Seed").GetAsInt())
   {
-    property.RemoveAllValues();
-    return;
+    source->UpdatePropertyInformation(source->GetProperty("SliceInUse"));
+    this->IsSliced = vtkSMPropertyHelper(source, "SliceInUse").GetAsDouble() > 0.0;
+    if (this->Seed < 0)
+    {
+      this->Source->UpdatePipelineInformation();
+      this->Source->UpdatePropertyInformation(source->GetProperty("SceneSeed"));
+      this->Seed = vtkSMPropertyHelper(source, "SceneSeed").GetAsInt();
+    }
   }
-  property.Set(source.Stage, source.Port);
-  property.SetNumberOfElements(1);
-}
+  void Run()
+  {
+    for (const waft::ChainStageTraits& stage : waft::ChainStages())
+    {
+      if (stage.Stage <= this->Last && waft::RunsAt(stage.Stage, this->Detail))
+      {
+        this->Add(stage);
+      }
+    }
+  }
+
+private:
+  void Add(const waft::ChainStageTraits& stage)
+  {
+    const bool isFirst = stage.Stage == waft::ChainStage::Scene;
+    vtkSMSourceProxy* proxy = this->Make(isFirst ? "sources" : "filters", stage.Proxy);
+    this->Stages[stage.Stage] = proxy;
+    for (const waft::ChainInput& input : stage.Inputs)
+    {
+      this->Join(proxy, input.Name, waft::GiversOf(input, this->Detail));
+    }
+    for (const auto& [name, value] : waft::SettingsOf(stage.Stage, this->Detail))
+    {
+      vtkSMPropertyHelper(proxy, name.c_str()).Set(value);
+    }
+    if (isFirst)
+    {
+      vtkSMPropertyHelper(proxy, "FileName")
+        .Set(vtkSMPropertyHelper(this->Source, "FileName").GetAsString());
+    }
+    vtkSMPropertyHelper(proxy, "Seed", /*quiet=*/true).Set(this->Seed);
+    for (const char* name : { "NumberOfTakes", "Take" })
+    {
+      vtkSMPropertyHelper(proxy, name, /*quiet=*/true)
+        .Set(vtkSMPropertyHelper(this->Source, name).GetAsInt());
+    }
+    this->Register(proxy, stage.Name);
+    if (this->IsSliced && proxy->GetProperty("WorkInSlices") != nullptr)
+    {
+      proxy->InvokeCommand("WorkInSlices");
+    }
+  }
+
+  void Join(vtkSMSourceProxy* proxy, const char* input,
+            const std::vector<waft::ChainOutput>& givers)
+  {
+    if (givers.empty())
+    {
+      return;
+    }
+    const auto stageOf = [this](const waft::ChainOutput& giver)
+    { return this->Stages[giver.Stage]; };
+    const auto portOf = [](const waft::ChainOutput& giver)
+    { return static_cast<unsigned int>(waft::PortOf(giver)); };
+    if (givers.size() == 1)
+    {
+      vtkSMPropertyHelper(proxy, input).Set(stageOf(givers[0]), portOf(givers[0]));
+      return;
+    }
+    vtkSMSourceProxy* all = this->Make("filters", "AppendPolyData");
+    for (const waft::ChainOutput& giver : givers)
+    {
+      vtkSMPropertyHelper(all, "Input").Add(stageOf(giver), portOf(giver));
+    }
+    this->Register(all, input);
+    vtkSMPropertyHelper(proxy, input).Set(all, 0);
+  }
+
+  vtkSMSourceProxy* Make(const char* group, const char* name)
+  {
+    this->Held.push_back(vtkSmartPointer<vtkSMProxy>::Take(this->Manager->NewProxy(group, name)));
+    return vtkSMSourceProxy::SafeDownCast(this->Held.back());
+  }
+
+  void Register(vtkSMSourceProxy* proxy, const char* name)
+  {
+    proxy->UpdateVTKObjects();
+    this->Manager->RegisterProxy(
+      "sources", this->Manager->GetUniqueProxyName("sources", name, false).c_str(), proxy);
+  }
+
+  vtkSMSourceProxy* Source;
+  vtkSMSessionProxyManager* Manager;
+  waft::Quality Detail;
+  waft::ChainStage Last;
+  int Seed;
+  bool IsSliced = false; // a window's
+  std::map<waft::ChainStage, vtkSMSourceProxy*> Stages;
+  std::vector<vtkSmartPointer<vtkSMProxy>> Held;
+};
 
 } // namespace
 
 vtkSMMotionAnimationProxy::~vtkSMMotionAnimationProxy() = default;
 
-void vtkSMMotionAnimationProxy::CreateVTKObjects()
-{
-  this->Superclass::CreateVTKObjects();
-  // Its stages count as its producers, and ParaView's time keeper takes no times from the producers
-  // of what tells times itself, which it knows by their parent: this source.
-  for (const char* name : Stages)
-  {
-    this->RemoveProducer(nullptr, this->GetProxy(name));
-  }
-}
-
 void vtkSMMotionAnimationProxy::UpdateVTKObjects()
 {
-  vtkSMProxy* scene = this->GetProxy("Scene");
-  if (scene != nullptr && this->GetLocation() != 0)
-  {
-    const std::array<int, 2> wanted{ vtkSMPropertyHelper(this, "Quality").GetAsInt(),
-                                     vtkSMPropertyHelper(this, "StopAfter").GetAsInt() };
-    if (wanted != this->Arranged && this->AreInRange(wanted[0], wanted[1]))
-    {
-      const bool isPreview = wanted[0] == PREVIEW;
-      if (this->Arranged[0] < 0 || isPreview != (this->Arranged[0] == PREVIEW))
-      {
-        this->SetDetail(isPreview);
-      }
-      this->Arrange(wanted[0], wanted[1]);
-      this->Arranged = wanted;
-    }
-    this->SetSeed(vtkSMPropertyHelper(this, "Seed").GetAsInt());
-    this->SetSlice(vtkSMPropertyHelper(this, "Slice").GetAsDouble());
-  }
+  const bool isAsked = this->GetLocation() != 0 && this->TakeRequest();
   this->Superclass::UpdateVTKObjects();
-  if (scene != nullptr && this->GetLocation() != 0)
+  if (isAsked)
   {
-    this->ShowStages(vtkSMPropertyHelper(this, "ShowStages").GetAsInt() != 0);
+    this->Unfold();
   }
 }
 
-void vtkSMMotionAnimationProxy::UpdatePropertyInformation(vtkSMProperty* property)
+// ParaView loads a state's files into a proxy that nobody sees, too.
+void vtkSMMotionAnimationProxy::UpdatePipelineInformation()
 {
-  vtkSMProxy* owner = property != nullptr ? property->GetParent() : nullptr;
-  if (owner != nullptr && owner != this)
+  this->Superclass::UpdatePipelineInformation();
+  if (std::exchange(this->IsOfBefore, false))
   {
-    owner->UpdatePropertyInformation(property);
-    return;
+    vtkWarningMacro("Waft Animation: this state is of an earlier version, in which the source was "
+                    "made of its stages: its own properties are taken over, and of what was set on "
+                    "a stage the state holds nothing; Unfold makes the stages");
   }
-  this->Superclass::UpdatePropertyInformation(property);
 }
 
 void vtkSMMotionAnimationProxy::PostUpdateData(bool usingCache)
@@ -100,127 +168,72 @@ void vtkSMMotionAnimationProxy::PostUpdateData(bool usingCache)
   }
 }
 
-bool vtkSMMotionAnimationProxy::AreInRange(int quality, int stop)
+bool vtkSMMotionAnimationProxy::TakeRequest()
 {
-  const bool isQuality = quality >= PREVIEW && quality <= PAPER;
-  const bool isStop = stop >= AFTER_SCENE && stop <= AFTER_ALL;
-  if (!isQuality)
+  bool isAsked = false;
+  for (const char* name : Requests)
   {
-    vtkErrorMacro("Quality: expected 0 (Preview) to " << PAPER << " (Paper), found " << quality);
-  }
-  if (!isStop)
-  {
-    vtkErrorMacro("StopAfter: expected 0 (Scene) to " << AFTER_ALL << " (Rotation), found "
-                                                      << stop);
-  }
-  return isQuality && isStop;
-}
-
-void vtkSMMotionAnimationProxy::Arrange(int quality, int stop)
-{
-  vtkSMProxy* planner = this->GetProxy("Planner");
-  vtkSMProxy* assimilation = this->GetProxy("Assimilation");
-  vtkSMProxy* spacetime = this->GetProxy("Spacetime");
-  vtkSMProxy* rotation = this->GetProxy("Rotation");
-  const bool draws = quality != PAPER && stop >= AFTER_ASSIMILATION;
-  const bool optimises = (quality == FULL || quality == PAPER) && stop >= AFTER_OPTIMISATION;
-  vtkSMPropertyHelper(planner, "Active").Set(stop >= AFTER_PLAN);
-  vtkSMPropertyHelper(assimilation, "Active").Set(draws);
-  vtkSMPropertyHelper(spacetime, "Active").Set(optimises);
-  vtkSMPropertyHelper(rotation, "Active").Set(stop >= AFTER_ALL);
-
-  const Source tracks = draws ? Source{ assimilation, 0 } : Source{ planner, 0 };
-  const Source rows{ draws ? assimilation : planner, 3 };
-  const Source air = draws ? Source{ assimilation, 1 } : Source{};
-  Join(spacetime, "Tracks", tracks);
-  Join(spacetime, "Constraints", rows);
-  Join(spacetime, "Air", air);
-  Join(spacetime, "Vortices",
-       draws ? Source{ assimilation, 2 } : Source{ this->GetProxy("Vortices"), 0 });
-  Join(rotation, "Tracks", optimises ? Source{ spacetime, 0 } : tracks);
-  Join(rotation, "Constraints", rows);
-  Join(rotation, "Air", air);
-}
-
-void vtkSMMotionAnimationProxy::SetDetail(bool isPreview)
-{
-  vtkSMProxy* assimilation = this->GetProxy("Assimilation");
-  vtkPVXMLElement* hints = assimilation->GetHints();
-  vtkPVXMLElement* preview = hints != nullptr ? hints->FindNestedElementByName("Preview") : nullptr;
-  for (unsigned int i = 0; preview != nullptr && i < preview->GetNumberOfNestedElements(); ++i)
-  {
-    vtkPVXMLElement* value = preview->GetNestedElement(i);
-    const char* name = value->GetAttributeOrEmpty("name");
-    int number = 0;
-    if (isPreview && value->GetScalarAttribute("value", &number) != 0)
+    vtkSMPropertyHelper request(this, name, /*quiet=*/true);
+    if (request.GetAsInt() != 0)
     {
-      vtkSMPropertyHelper(assimilation, name).Set(number);
-    }
-    else if (vtkSMProperty* property = assimilation->GetProperty(name))
-    {
-      property->ResetToXMLDefaults();
+      isAsked = true;
+      request.Set(0);
     }
   }
+  return isAsked;
 }
 
-void vtkSMMotionAnimationProxy::SetSeed(int seed)
+void vtkSMMotionAnimationProxy::Unfold()
 {
-  if (seed < 0)
-  {
-    auto* scene = vtkSMSourceProxy::SafeDownCast(this->GetProxy("Scene"));
-    scene->UpdateVTKObjects();
-    scene->UpdatePipelineInformation();
-    seed = vtkSMPropertyHelper(scene, "SceneSeed").GetAsInt();
-  }
-  for (const char* stage : { "Planner", "Assimilation", "Rotation" })
-  {
-    vtkSMPropertyHelper(this->GetProxy(stage), "Seed").Set(seed);
-  }
+  Unfolding(this).Run();
 }
 
-void vtkSMMotionAnimationProxy::SetSlice(double seconds)
+void vtkSMMotionAnimationProxy::CreateSelectionProxies()
 {
-  for (const char* stage : Stages)
+  if (this->DisableSelectionProxies || this->SelectionProxiesCreated)
   {
-    vtkSMPropertyHelper(this->GetProxy(stage), "Slice", /*quiet=*/true).Set(seconds);
+    return;
   }
-}
-
-// An undo, or a redo, has put them there or away already, beside the property: another registration
-// would be a change of its own, after which nothing is left to redo.
-void vtkSMMotionAnimationProxy::ShowStages(bool shown)
-{
-  vtkSMSessionProxyManager* manager = this->GetSessionProxyManager();
-  const auto stands = [&](const char* name)
-  { return manager->IsProxyInGroup(this->GetProxy(name), "sources") != nullptr; };
-  if (shown && !this->AreShown)
+  this->CreateOutputPorts();
+  this->SelectionProxiesCreated = true;
+  vtkClientServerStream stream;
+  for (unsigned int port = 0; port < this->GetNumberOfAlgorithmOutputPorts(); ++port)
   {
-    for (const char* name : Stages)
+    const auto selects = vtkSmartPointer<vtkSMProxy>::Take(
+      this->GetSessionProxyManager()->NewProxy("filters", "PVExtractSelection"));
+    auto* source = vtkSMSourceProxy::SafeDownCast(selects);
+    if (source == nullptr)
     {
-      if (!stands(name))
-      {
-        manager->RegisterProxy("sources", name, this->GetProxy(name));
-      }
+      continue;
     }
+    source->*(&vtkSMMotionAnimationProxy::DisableSelectionProxies) = true;
+    source->SetLocation(this->GetLocation());
+    source->*(&vtkSMMotionAnimationProxy::SelectionProxiesCreated) = true;
+    source->UpdateVTKObjects();
+    this->SetExtractSelectionProxy(port, source);
+    stream << vtkClientServerStream::Invoke << SIPROXY(this) << "SetupSelectionProxy"
+           << static_cast<int>(port) << SIPROXY(source) << vtkClientServerStream::End;
   }
-  else if (!shown && this->AreShown)
+  this->ExecuteStream(stream);
+}
+
+int vtkSMMotionAnimationProxy::LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator)
+{
+  const int loaded = this->Superclass::LoadXMLState(element, locator);
+  // Stages that were shown come back by themselves.
+  (void)this->TakeRequest();
+  bool isOfNow = false;
+  for (unsigned int i = 0; element != nullptr && i < element->GetNumberOfNestedElements(); ++i)
   {
-    std::for_each(std::rbegin(Stages), std::rend(Stages),
-                  [&](const char* name)
-                  {
-                    if (stands(name))
-                    {
-                      manager->UnRegisterProxy(this->GetProxy(name));
-                    }
-                  });
+    const std::string name = element->GetNestedElement(i)->GetAttributeOrEmpty("name");
+    isOfNow = isOfNow || name == Requests[0];
   }
-  this->AreShown = shown;
+  this->IsOfBefore = loaded != 0 && !isOfNow;
+  return loaded;
 }
 
 void vtkSMMotionAnimationProxy::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Quality: " << this->Arranged[0] << "\n";
-  os << indent << "StopAfter: " << this->Arranged[1] << "\n";
-  os << indent << "AreShown: " << this->AreShown << "\n";
+  os << indent << "IsOfBefore: " << this->IsOfBefore << "\n";
 }

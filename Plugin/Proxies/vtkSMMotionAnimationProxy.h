@@ -1,76 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSMMotionAnimationProxy
- * @brief   the stages from a scene file to bodies that fly, as one source
+ * @brief   a source of all stages, and the stages made from it
  *
- * A compound proxy of ParaView over the stages' own proxies, which its XML names: Scene, Planner,
- * Vortices, Assimilation, Spacetime and Rotation. It holds no data and computes nothing. What a
- * compound cannot say in XML is done here whenever its properties are pushed:
- *
- * - Quality and StopAfter: which stages run (their property Active) and which output the next one
- *   takes. A stage that rests gives empty outputs. The hint Preview of AirAssimilationFilter names
- *   the values of its properties at the quality Preview.
- * - Seed goes to the planner, the assimilation and the rotation; a negative one is the scene's own.
- * - Slice goes to all stages that have it.
- * - ShowStages: the stages stand in the pipeline browser, the very ones that this source runs.
+ * The source runs by itself (vtkMotionAnimationSource). What ParaView's client has to do for it is
+ * here. With the property Unfold the stages become sources and filters of their own, joined as the
+ * table of the chain has it and set as the source is. They give the same bytes, and nothing links
+ * them back. ShowStages, what it was called before, does the same.
  */
 #ifndef vtkSMMotionAnimationProxy_h
 #define vtkSMMotionAnimationProxy_h
 
-#include "vtkSMCompoundSourceProxy.h"
+#include "vtkSMSourceProxy.h"
 #include "vtkWaftProxiesModule.h"
 
-#include <array>
-
-class VTKWAFTPROXIES_EXPORT vtkSMMotionAnimationProxy : public vtkSMCompoundSourceProxy
+class VTKWAFTPROXIES_EXPORT vtkSMMotionAnimationProxy : public vtkSMSourceProxy
 {
 public:
   static vtkSMMotionAnimationProxy* New();
-  vtkTypeMacro(vtkSMMotionAnimationProxy, vtkSMCompoundSourceProxy);
+  vtkTypeMacro(vtkSMMotionAnimationProxy, vtkSMSourceProxy);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum Qualities
-  {
-    PREVIEW,
-    AIR,
-    ASSIMILATED = AIR, // what it was called before
-    FULL,
-    PAPER
-  };
-  enum Stops
-  {
-    AFTER_SCENE,
-    AFTER_PLAN,
-    AFTER_ASSIMILATION,
-    AFTER_OPTIMISATION,
-    AFTER_ALL
-  };
-
   void UpdateVTKObjects() override;
-  using Superclass::UpdatePropertyInformation;
-  /// Those that are a stage's own as well.
-  void UpdatePropertyInformation(vtkSMProperty* property) override;
+  /// Says of a state from before, once, what it holds nothing of.
+  void UpdatePipelineInformation() override;
+  int LoadXMLState(vtkPVXMLElement* element, vtkSMProxyLocator* locator) override;
+  /// ParaView's own ends the process where a source has more than ten ports.
+  void CreateSelectionProxies() override;
 
 protected:
   vtkSMMotionAnimationProxy() = default;
   ~vtkSMMotionAnimationProxy() override;
 
-  void CreateVTKObjects() override;
   void PostUpdateData(bool usingCache) override;
 
 private:
   vtkSMMotionAnimationProxy(const vtkSMMotionAnimationProxy&) = delete;
   void operator=(const vtkSMMotionAnimationProxy&) = delete;
 
-  bool AreInRange(int quality, int stop);
-  void Arrange(int quality, int stop);
-  void SetDetail(bool isPreview);
-  void SetSeed(int seed);
-  void SetSlice(double seconds);
-  void ShowStages(bool shown);
+  /// Whether a property that asks for it is set, which it is then no more.
+  bool TakeRequest();
+  void Unfold();
 
-  std::array<int, 2> Arranged{ -1, -1 }; // quality and stop that the stages stand for
-  bool AreShown = false;
+  bool IsOfBefore = false; // it was loaded from a state of an earlier version
 };
 
 #endif

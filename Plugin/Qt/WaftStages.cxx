@@ -5,11 +5,8 @@
 #include <pqPipelineSource.h>
 #include <pqServerManagerModel.h>
 
-#include <vtkSMCompoundSourceProxy.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMProxy.h>
-
-#include <algorithm>
 
 namespace waft
 {
@@ -17,20 +14,9 @@ namespace waft
 namespace
 {
 
-/// Itself or those that it bundles: all that can work in slices.
-std::vector<vtkSMProxy*> StagesOf(vtkSMProxy* source)
+bool WorksInSlices(vtkSMProxy* source)
 {
-  std::vector<vtkSMProxy*> stages{ source };
-  auto* bundle = vtkSMCompoundSourceProxy::SafeDownCast(source);
-  for (unsigned int i = 0; bundle != nullptr && i < bundle->GetNumberOfProxies(); ++i)
-  {
-    stages.push_back(bundle->GetProxy(i));
-  }
-  const auto last =
-    std::remove_if(stages.begin(), stages.end(),
-                   [](vtkSMProxy* stage) { return stage->GetProperty("WorkInSlices") == nullptr; });
-  stages.erase(last, stages.end());
-  return stages;
+  return source->GetProperty("WorkInSlices") != nullptr;
 }
 
 bool IsComplete(vtkSMProxy* stage)
@@ -41,18 +27,15 @@ bool IsComplete(vtkSMProxy* stage)
 
 } // namespace
 
-std::vector<HeldStage> HeldStages()
+std::vector<pqPipelineSource*> HeldStages()
 {
-  std::vector<HeldStage> held;
+  std::vector<pqPipelineSource*> held;
   const auto model = pqApplicationCore::instance()->getServerManagerModel();
   for (pqPipelineSource* source : model->findItems<pqPipelineSource*>())
   {
-    for (vtkSMProxy* stage : StagesOf(source->getProxy()))
+    if (WorksInSlices(source->getProxy()) && !IsComplete(source->getProxy()))
     {
-      if (!IsComplete(stage))
-      {
-        held.push_back({ source, stage });
-      }
+      held.push_back(source);
     }
   }
   return held;
@@ -60,9 +43,9 @@ std::vector<HeldStage> HeldStages()
 
 void WorkInSlices(vtkSMProxy* source)
 {
-  for (vtkSMProxy* stage : StagesOf(source))
+  if (WorksInSlices(source))
   {
-    stage->InvokeCommand("WorkInSlices");
+    source->InvokeCommand("WorkInSlices");
   }
 }
 
@@ -75,13 +58,12 @@ WorkOfStage WorkOf(vtkSMProxy* stage)
            vtkSMPropertyHelper(stage, "WorkDone").GetAsDouble() };
 }
 
-void GoOn(const std::vector<HeldStage>& held)
+void GoOn(const std::vector<pqPipelineSource*>& held)
 {
-  for (const HeldStage& one : held)
+  for (pqPipelineSource* source : held)
   {
-    one.Stage->InvokeCommand("GoOn");
-    one.Stage->MarkModified(one.Stage);
-    one.Source->getProxy()->MarkModified(one.Source->getProxy());
+    source->getProxy()->InvokeCommand("GoOn");
+    source->getProxy()->MarkModified(source->getProxy());
   }
 }
 

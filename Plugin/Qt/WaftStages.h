@@ -12,15 +12,8 @@ class vtkSMProxy;
 namespace waft
 {
 
-/// One that has shown the motion so far.
-struct HeldStage
-{
-  pqPipelineSource* Source = nullptr;
-  vtkSMProxy* Stage = nullptr; // of Source, or one of those that it bundles
-};
-
-/// Of all sources of the window.
-std::vector<HeldStage> HeldStages();
+/// Those of the window's sources that have shown the motion so far.
+std::vector<pqPipelineSource*> HeldStages();
 
 /// A source, where it can, is to show what there is so far after a short while of work.
 void WorkInSlices(vtkSMProxy* source);
@@ -34,6 +27,6 @@ struct WorkOfStage
 WorkOfStage WorkOf(vtkSMProxy* stage);
 
 /// The next update of these goes on.
-void GoOn(const std::vector<HeldStage>& held);
+void GoOn(const std::vector<pqPipelineSource*>& held);
 
 } // namespace waft

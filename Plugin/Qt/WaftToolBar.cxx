@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <string>
 
 namespace
@@ -129,7 +128,7 @@ void WaftToolBar::onTimer()
     return;
   }
   this->IsInside = true;
-  std::vector<waft::HeldStage> held = waft::HeldStages();
+  std::vector<pqPipelineSource*> held = waft::HeldStages();
   if (!held.empty() && this->Now != State::Stopped)
   {
     this->WorkOn(held);
@@ -151,18 +150,13 @@ void WaftToolBar::onTimer()
   this->IsInside = false;
 }
 
-void WaftToolBar::WorkOn(const std::vector<waft::HeldStage>& held)
+void WaftToolBar::WorkOn(const std::vector<pqPipelineSource*>& held)
 {
   waft::GoOn(held);
   auto* model = pqApplicationCore::instance()->getServerManagerModel();
   const QList<pqTimeKeeper*> keepers = model->findItems<pqTimeKeeper*>();
   const double time = keepers.empty() ? 0.0 : keepers.front()->getTime();
-  std::set<pqPipelineSource*> sources;
-  for (const waft::HeldStage& one : held)
-  {
-    sources.insert(one.Source);
-  }
-  for (pqPipelineSource* source : sources)
+  for (pqPipelineSource* source : held)
   {
     auto* proxy = vtkSMSourceProxy::SafeDownCast(source->getProxy());
     proxy->UpdatePipeline(time);
@@ -208,7 +202,7 @@ void WaftToolBar::onGoOn()
   }
 }
 
-void WaftToolBar::Show(State state, const std::vector<waft::HeldStage>& held)
+void WaftToolBar::Show(State state, const std::vector<pqPipelineSource*>& held)
 {
   const bool ends = state == State::Resting && this->Now != State::Resting;
   this->Now = state;
@@ -222,7 +216,7 @@ void WaftToolBar::Show(State state, const std::vector<waft::HeldStage>& held)
     return;
   }
   // Those after the first wait for it.
-  const waft::WorkOfStage work = waft::WorkOf(held.front().Stage);
+  const waft::WorkOfStage work = waft::WorkOf(held.front()->getProxy());
   this->Bar->setEnabled(true);
   this->Bar->setValue(static_cast<int>(std::lround(BarSteps * std::clamp(work.Done, 0.0, 1.0))));
   this->Bar->setFormat((state == State::Stopped ? "stopped: " : "") + work.Message);

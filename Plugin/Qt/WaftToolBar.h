@@ -14,11 +14,6 @@ class WaftCheck;
 class WaftHold;
 class pqPipelineSource;
 
-namespace waft
-{
-struct HeldStage;
-} // namespace waft
-
 /// Sources that are made in the window work in slices: Apply returns after the first, the others
 /// follow by a timer, with new pictures, until the work is done or Stop is pressed.
 class WaftToolBar : public QToolBar
@@ -47,8 +42,8 @@ private:
 
   QToolButton* AddButton(const char* name, const QString& text, const QString& tip);
   void MoveDown();
-  void Show(State state, const std::vector<waft::HeldStage>& held);
-  void WorkOn(const std::vector<waft::HeldStage>& held);
+  void Show(State state, const std::vector<pqPipelineSource*>& held);
+  void WorkOn(const std::vector<pqPipelineSource*>& held);
   /// Renders all views.
   void Draw();
 

@@ -47,8 +47,8 @@ def writer():
 
 def stages():
     """Those of an animation, which are joined already; nothing of it runs."""
-    animation = simple.WaftAnimation(FileName=os.environ["WAFT_GUI_SCENE"], StopAfter="Scene", ShowStages=1)
-    animation.UpdatePipeline()
+    animation = simple.WaftAnimation(FileName=os.environ["WAFT_GUI_SCENE"], Quality="Full")
+    waft.unfold(animation)
 
 
 def look_at(name):

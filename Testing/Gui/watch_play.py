@@ -85,9 +85,9 @@ def step():
     if not hears:
         hears = True
         view.GetRenderWindow().AddObserver("EndEvent", drawn)
-    rotation = animation.SMProxy.GetProxy("Rotation").GetClientSideObject()
-    meshes = rotation.GetOutputDataObject(0)
-    if done is None and meshes is not None and meshes.GetNumberOfPoints() > 0 and rotation.GetComplete():
+    source = animation.GetClientSideObject()
+    meshes = source.GetOutputDataObject(0)
+    if done is None and meshes is not None and meshes.GetNumberOfPoints() > 0 and source.GetComplete():
         done = time.monotonic()
     elif done is not None and done > 0 and time.monotonic() - done > 1.0:  # the window has drawn it
         done = -1.0

@@ -29,12 +29,8 @@ works = set()
 played = set()  # how far the work was while a film was written
 
 
-def stage_of(animation, name):
-    return animation.SMProxy.GetProxy(name).GetClientSideObject()
-
-
 def digest(animation):
-    poses = stage_of(animation, "Rotation").GetOutputDataObject(1)
+    poses = animation.GetClientSideObject().GetOutputDataObject(1)
     arrays = [poses.GetPoints().GetData(), poses.GetPointData().GetArray("Orientation")]
     return hashlib.sha256(b"".join(vtk_to_numpy(array).tobytes() for array in arrays)).hexdigest()
 
@@ -45,7 +41,7 @@ def write(**line):
 
 
 def work_of(animation):
-    return [stage_of(animation, name).GetWorkDone() for name in ("Planner", "Assimilation", "Rotation")]
+    return animation.GetClientSideObject().GetWorkDone()
 
 
 def save(animation):
@@ -66,8 +62,8 @@ def finish(animation):
     sliced = digest(animation)
     once = simple.WaftAnimation(FileName=animation.FileName)
     simple.UpdatePipeline(proxy=once)
-    write(sliced=sliced, once=digest(once), saved=animation.Slice, slices=[stage_of(made, "Planner").GetSlice() for made in (animation, once)],
-          text=stage_of(animation, "Rotation").GetProgressText())
+    write(sliced=sliced, once=digest(once), saved=animation.Slice, slices=[made.GetClientSideObject().GetSlice() for made in (animation, once)],
+          text=animation.GetClientSideObject().GetProgressText())
     os._exit(0)  # ParaView's own way out asks whether to save
 
 
@@ -79,28 +75,28 @@ def look():
         animation.SMProxy.GetProperty("FileName").SetElement(0, os.environ["WAFT_GUI_SCENE"])  # for Apply to push
         write(chosen=True)
         return
-    rotation = stage_of(animation, "Rotation")
+    source = animation.GetClientSideObject()
     shown = view.SMProxy.FindRepresentation(animation.SMProxy, 0) is not None
-    meshes = rotation.GetOutputDataObject(0)
+    meshes = source.GetOutputDataObject(0)
     if not shown or meshes is None or meshes.GetNumberOfPoints() == 0:
         write(waits=True)  # for Apply, and no more once that has begun
         return
-    complete = rotation.GetComplete()
-    points = rotation.GetOutputDataObject(1).GetNumberOfPoints()
+    complete = source.GetComplete()
+    points = source.GetOutputDataObject(1).GetNumberOfPoints()
     write(complete=complete, points=points, bodies=meshes.GetNumberOfPoints(), flagged=meshes.GetFieldData().HasArray("Complete"),
           work=work_of(animation))
     if complete:
         finish(animation)
     elif not has_saved and len(works) > 3:  # Apply, which sets the session's time, has come back
         save(animation)
-    works.add(tuple(work_of(animation)))
+    works.add(work_of(animation))
 
 
 def note(*_):
     global is_busy
     if is_busy:  # in the middle of a save
         if simple.GetAnimationScene().GetClientSideObject().IsInPlay():
-            played.add(tuple(work_of(simple.FindSource("WaftAnimation1"))))
+            played.add(work_of(simple.FindSource("WaftAnimation1")))
         return
     is_busy = True
     try:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs inside ParaView while an event script plays: gives the Waft Animation that the menu made the file of a small scene, of which
-nothing is to fly; notes, a line a change, whether its stages are to be shown and whether they stand in the pipeline browser."""
+only a plan is to be made; notes, a line a change, how many stages it was unfolded into."""
 import json
 import os
 
@@ -23,8 +23,8 @@ def note(*_):
         return
     if not animation.FileName:  # for Apply to push
         animation.SMProxy.GetProperty("FileName").SetElement(0, os.environ["WAFT_GUI_SCENE"])
-        animation.SMProxy.GetProperty("StopAfter").SetElement(0, 0)
-    line = json.dumps([bool(animation.ShowStages), len(simple.GetSources()) - 1])
+        animation.SMProxy.GetProperty("StopAfter").SetElement(0, 1)
+    line = json.dumps(len(simple.GetSources()) - 1)
     if line != last:
         log.write(line + "\n")
         log.flush()

@@ -3,6 +3,7 @@
 // has them as its properties, as JSON.
 #include "Air/AirAssimilation.h"
 #include "Base/SliceOptions.h"
+#include "Chain/ChainOptions.h"
 #include "Database/DatabaseBuild.h"
 #include "Export/AnimationOptions.h"
 #include "Planning/Takes.h"
@@ -65,6 +66,8 @@ int main()
                                         waft::FeatherBody(), waft::FeatherSkin(), frame) },
     { "vtkLeafShapeSource", FieldsOf(waft::LeafForm(), waft::SheetOptions(), waft::ThinBody(),
                                      waft::SkinOptions(), frame) },
+    { "vtkMotionAnimationSource",
+      FieldsOf(waft::FlightOptions(), waft::TakeOptions(), waft::SliceOptions()) },
     { "vtkMotionAnimationWriter", FieldsOf(waft::AnimationOptions()) },
     { "vtkMotionSceneFileWriter", FieldsOf(waft::SceneSaveOptions()) },
     { "vtkMotionSceneReader", FieldsOf(waft::SceneReadOptions()) },

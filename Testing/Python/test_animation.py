@@ -2,23 +2,37 @@
 """The source Waft Animation: its stages give what waft.synthesize gives, run as far as they are asked, and can be shown.
 
     pvpython test_animation.py"""
+import contextlib
 import os
 import pathlib
 import sys
 import tempfile
+import time
 import unittest
 
 import numpy as np
-from paraview import servermanager, simple
+from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from vtkmodules.vtkCommonCore import VTK_STRING
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkOutputWindow
 
 import waft
+from waft.watching import collect
 
-STAGES = ("Scene", "Planner", "Vortices", "Assimilation", "Spacetime", "Rotation")
-QUICK = {"Spacetime": {"NumberOfGasParticles": 216, "LeashIterations": 2, "MaximumNumberOfIterations": 6},
-         "Assimilation": {"Resolution": 16, "LatticeResolution": 12, "Rounds": 0, "Candidates": 2}}
+# As version 0.1 saved a source that bundled its stages, but for their times.
+OLD_STATE = """<ParaView><ServerManagerState version="5.11.0">
+<Proxy group="sources" type="WaftAnimation" id="2761" servers="1">
+  <Property name="Quality" id="2761.Quality" number_of_elements="1"><Element index="0" value="0"/></Property>
+  <Property name="Seed" id="2761.Seed" number_of_elements="1"><Element index="0" value="9"/></Property>
+  <Property name="ShowStages" id="2761.ShowStages" number_of_elements="1"><Element index="0" value="1"/></Property>
+  <Property name="Slice" id="2761.Slice" number_of_elements="1"><Element index="0" value="0"/></Property>
+  <Property name="StopAfter" id="2761.StopAfter" number_of_elements="1"><Element index="0" value="1"/></Property>
+  <Property name="FileName" id="2761.FileName" number_of_elements="1"><Element index="0" value="SCENE"/></Property>
+  <Property name="NumberOfTakes" id="2761.NumberOfTakes" number_of_elements="1"><Element index="0" value="1"/></Property>
+  <Property name="Take" id="2761.Take" number_of_elements="1"><Element index="0" value="0"/></Property>
+</Proxy>
+<ProxyCollection name="sources"><Item id="2761" name="Flight" logname="Flight"/></ProxyCollection>
+</ServerManagerState></ParaView>"""
 
 
 def make_scene(folder):
@@ -34,13 +48,10 @@ def make_scene(folder):
     return path
 
 
-def stage_of(animation, name):
-    """The proxy of a stage, with Python's attributes."""
-    return servermanager._getPyProxy(animation.SMProxy.GetProxy(name))
-
-
-def output(animation, stage, port=0):
-    return stage_of(animation, stage).GetClientSideObject().GetOutputDataObject(port)
+def output(source, port=0):
+    """The data of a port, by number or name."""
+    number = port if isinstance(port, int) else source[port].Port
+    return source.GetClientSideObject().GetOutputDataObject(number)
 
 
 def places(data):
@@ -55,15 +66,21 @@ class AnimationTest(unittest.TestCase):
         cls.folder = pathlib.Path(folder.name)
         cls.scene = make_scene(folder.name)
 
-    def make(self, settings=None, **properties):
-        """An animation that has run, its stages coarse unless told otherwise."""
+    def make(self, **properties):
+        """An animation that has run."""
         animation = simple.WaftAnimation(FileName=self.scene, **properties)
         self.addCleanup(lambda: simple.Delete(animation))
-        for stage, values in (QUICK if settings is None else settings).items():
-            for name, value in values.items():
-                setattr(stage_of(animation, stage), name, value)
         animation.UpdatePipeline()
         return animation
+
+    @contextlib.contextmanager
+    def unfolded(self, animation):
+        stages = waft.unfold(animation)
+        try:
+            yield stages
+        finally:
+            for stage in reversed(list(stages.values())):
+                simple.Delete(stage)
 
     def ports(self, animation):
         """{port: points of a surface or picture, rows of a table}"""
@@ -73,17 +90,34 @@ class AnimationTest(unittest.TestCase):
             found[name] = about.GetNumberOfPoints() or about.DataInformation.GetNumberOfRows()
         return found
 
+    def check_same(self, ours, wanted):
+        """Two data sets: points and all arrays, bit by bit, but for clocks."""
+        for kind in ("GetPointData", "GetCellData", "GetRowData"):
+            if not hasattr(wanted, kind):
+                continue
+            theirs = getattr(wanted, kind)()
+            self.assertEqual(getattr(ours, kind)().GetNumberOfArrays(), theirs.GetNumberOfArrays())
+            for name in (theirs.GetArrayName(i) for i in range(theirs.GetNumberOfArrays())):
+                if name != "Seconds" and theirs.GetArray(name) is not None:
+                    np.testing.assert_array_equal(vtk_to_numpy(getattr(ours, kind)().GetArray(name)),
+                                                  vtk_to_numpy(theirs.GetArray(name)), name)
+        if hasattr(wanted, "GetPoints") and wanted.GetNumberOfPoints():
+            np.testing.assert_array_equal(places(ours), places(wanted))
+
     def test_gives_what_synthesize_gives(self):
         run = waft.synthesize(self.scene, quality="preview")
-        animation = self.make({})
-        for stage, port in (("planner", 0), ("assimilation", 0), ("rotation", 1)):
-            ours, wanted = output(animation, stage.capitalize(), port), run.output(stage, port)
-            np.testing.assert_array_equal(places(ours), places(wanted))
-        ours, wanted = (vtk_to_numpy(data.GetPointData().GetArray("Orientation")) for data in (ours, wanted))
-        np.testing.assert_array_equal(ours, wanted)
+        animation = self.make()
+        for port, stage, number in (("PlannedTracks", "planner", 0), ("Trees", "planner", 1), ("PlannedReport", "planner", 2),
+                                    ("Marks", "planner", 3), ("AssimilatedTracks", "assimilation", 0), ("Air", "assimilation", 1),
+                                    ("Vortices", "assimilation", 2), ("AssimilatedReport", "assimilation", 4),
+                                    ("Rounds", "assimilation", 5), ("Meshes", "rotation", 0), ("Poses", "rotation", 1)):
+            with self.subTest(port=port):
+                wanted = run.output(stage, number)
+                self.assertGreater(wanted.GetNumberOfElements(0) + wanted.GetNumberOfElements(6), 0)
+                self.check_same(output(animation, port), wanted)
         run.delete()
 
-    def test_each_quality_joins_its_stages(self):
+    def test_each_quality_runs_its_stages(self):
         drifts = ("AssimilatedTracks", "Air", "AssimilatedReport")
         optimises = ("OptimisedTracks", "Gas", "Convergence")
         for quality, filled, empty in (("Preview", drifts, optimises), ("Full", drifts + optimises, ()),
@@ -93,9 +127,12 @@ class AnimationTest(unittest.TestCase):
                 ports = self.ports(animation)
                 self.assertTrue(all(ports[name] > 0 for name in filled + ("Meshes", "Poses", "PlannedTracks", "Marks")), ports)
                 self.assertTrue(all(ports[name] == 0 for name in empty), ports)
-                last = stage_of(animation, "Rotation").Tracks
-                self.assertEqual(last.SMProxy.GetXMLName(),
-                                 "SPHSpacetimeFilter" if quality != "Preview" else "AirAssimilationFilter")
+                if quality == "Full":
+                    with self.unfolded(animation) as stages:
+                        self.assertEqual(set(stages), {"Scene", "Planner", "Assimilation", "Spacetime", "Rotation"})
+                        stages["Rotation"].UpdatePipeline()
+                        self.check_same(output(animation, "Poses"), output(stages["Rotation"], 1))
+                        self.check_same(output(animation, "OptimisedTracks"), output(stages["Spacetime"]))
 
     def test_bodies_have_the_colours_of_their_shapes(self):
         scene = waft.Scene(seed=5)
@@ -107,13 +144,10 @@ class AnimationTest(unittest.TestCase):
             scene.add_object(shape, (x, 0, 3))
         path = str(self.folder / "coloured.waft.json")
         scene.save(path)
-        animation = simple.WaftAnimation(FileName=path, Quality="Paper", StopAfter="Plan")
+        animation = simple.WaftAnimation(FileName=path)
         self.addCleanup(lambda: simple.Delete(animation))
-        rotation = stage_of(animation, "Rotation")
         animation.UpdatePipeline()
-        rotation.Active = 1
-        rotation.UpdatePipeline()
-        points = output(animation, "Rotation").GetPointData()
+        points = output(animation, "Meshes").GetPointData()
         colors, shapes = (vtk_to_numpy(points.GetArray(name)) for name in ("Color", "ShapeId"))
         plain, painted, tinted = (colors[shapes == k].astype(int) for k in range(3))
         self.assertEqual({tuple(color) for color in plain}, {(51, 102, 255)})
@@ -125,53 +159,71 @@ class AnimationTest(unittest.TestCase):
         firsts = {"Scene": "Objects", "Plan": "PlannedTracks", "Assimilation": "AssimilatedTracks",
                   "Optimisation": "OptimisedTracks", "Rotation": "Meshes"}
         animation = self.make(Quality="Full", StopAfter="Scene")
+        seconds = []
         for done, stop in enumerate(firsts, 1):
             animation.StopAfter = stop
+            began = time.process_time()
             animation.UpdatePipeline()
+            seconds.append(time.process_time() - began)
             ports = self.ports(animation)
             self.assertEqual([ports[name] > 0 for name in firsts.values()], [k < done for k in range(5)], (stop, ports))
+        self.assertLess(seconds[-1], 0.5 * sum(seconds), "what is there is not made again")
 
     def test_a_seed_is_another_motion_and_minus_one_the_scenes(self):
         animation = self.make(StopAfter="Plan")
-        own = places(output(animation, "Planner")).copy()
-        self.assertEqual(stage_of(animation, "Planner").Seed, 5)
+        own = places(output(animation, "PlannedTracks")).copy()
         for seed, same in ((6, False), (5, True), (-1, True)):
             animation.Seed = seed
             animation.UpdatePipeline()
-            self.assertEqual(np.array_equal(places(output(animation, "Planner")), own), same, seed)
-        self.assertEqual([stage_of(animation, stage).Seed for stage in ("Assimilation", "Rotation")], [5, 5])
+            self.assertEqual(np.array_equal(places(output(animation, "PlannedTracks")), own), same, seed)
 
-    def test_the_detail_of_a_stage_stays_as_it_was_set(self):
-        animation = self.make({}, StopAfter="Scene")
-        drift = stage_of(animation, "Assimilation")
-        self.assertEqual([drift.Resolution, drift.LatticeResolution, drift.Rounds], [32, 32, 1])
-        drift.Resolution = 24
-        animation.Seed = 7
-        animation.UpdatePipeline()
-        self.assertEqual(drift.Resolution, 24)
-        for word in ("Air", "Assimilated"):  # what it is called, and was before
+    def test_what_a_quality_was_called_before_names_it(self):
+        animation = self.make(StopAfter="Scene")
+        for word in ("Air", "Assimilated"):
             animation.Quality = word
-            animation.UpdatePipeline()
             self.assertEqual(animation.Quality, "Air")
-            self.assertEqual([drift.Resolution, drift.LatticeResolution, drift.Rounds], [64, 48, 3])
-            animation.Quality = "Preview"
-            animation.UpdatePipeline()
-            self.assertEqual([drift.Resolution, drift.LatticeResolution, drift.Rounds], [32, 32, 1])
 
-    def test_stages_can_be_shown_and_hidden(self):
+    def test_unfolds_into_stages_of_their_own(self):
+        for quality, seed, detail in (("Preview", -1, [32, 32, 1]), ("Air", 9, [64, 48, 3])):
+            with self.subTest(quality=quality):
+                animation = self.make(Quality=quality, Seed=seed, StopAfter="Scene", NumberOfTakes=2, Take=1)
+                animation.StopAfter = "Rotation"
+                with self.unfolded(animation) as stages:
+                    self.assertEqual(set(stages), {"Scene", "Planner", "Assimilation", "Rotation"})
+                    self.assertEqual(animation.Unfold, 0)
+                    drift, planner = stages["Assimilation"], stages["Planner"]
+                    self.assertEqual([drift.Resolution, drift.LatticeResolution, drift.Rounds], detail)
+                    self.assertEqual([stages[name].Seed for name in ("Planner", "Assimilation", "Rotation")], 3 * [max(seed, 5)])
+                    self.assertEqual([planner.NumberOfTakes, planner.Take, stages["Scene"].FileName], [2, 1, self.scene])
+                    self.assertEqual(stages["Rotation"].Tracks.SMProxy, drift.SMProxy)
+                    planner.Seed = 99  # a stage's own
+                    self.assertEqual(animation.Seed, seed)
+
+    def test_unfolded_paper_takes_the_vortices_of_scene_and_plan(self):
+        animation = self.make(Quality="Paper", StopAfter="Plan")
+        with self.unfolded(animation) as stages:
+            self.assertEqual(set(stages), {"Scene", "Planner"}, "no more than it runs")
+        animation.StopAfter = "Rotation"
+        with self.unfolded(animation) as stages:
+            vortices = stages["Spacetime"].Vortices
+            self.assertEqual(vortices.SMProxy.GetXMLName(), "AppendPolyData")
+            self.assertEqual([one.SMProxy.GetXMLName() for one in vortices.Input], ["MotionSceneReader", "StylisticPlannerFilter"])
+
+    def test_what_cannot_be_unfolded_is_said(self):
+        reader = simple.MotionSceneReader(FileName=self.scene)
+        self.addCleanup(lambda: simple.Delete(reader))
+        for wrong, words in ((reader, "expected a Waft Animation"), (3, "expected a proxy")):
+            with self.assertRaisesRegex(waft.BadInput, words):
+                waft.unfold(wrong)
+
+    def test_an_old_word_unfolds_too(self):
         animation = self.make(StopAfter="Plan")
-        self.assertIsNone(simple.FindSource("Planner"))
+        before = len(simple.GetSources())
         animation.ShowStages = 1
-        animation.UpdatePipeline()
-        for name in STAGES:
-            self.assertIs(simple.FindSource(name).SMProxy, stage_of(animation, name).SMProxy)
-        planned = places(output(animation, "Planner")).copy()
-        simple.FindSource("Planner").Seed = 99  # a stage's own property: this run's, until a Seed is set here
-        simple.FindSource("Planner").UpdatePipeline()
-        self.assertFalse(np.array_equal(places(output(animation, "Planner")), planned))
-        animation.ShowStages = 0
-        animation.UpdatePipeline()
-        self.assertIsNone(simple.FindSource("Planner"))
+        animation.UpdateVTKObjects()
+        self.assertEqual(len(simple.GetSources()), before + 2)
+        for name in ("Planner", "Scene"):
+            simple.Delete(simple.FindSource(name))
 
     def test_names_what_is_wrong(self):
         animation = self.make(StopAfter="Scene")
@@ -181,8 +233,8 @@ class AnimationTest(unittest.TestCase):
             said.append(text)
 
         hear.CallDataType = VTK_STRING
-        scene = stage_of(animation, "Scene").GetClientSideObject()
-        for speaker in (animation.SMProxy, scene, scene.GetExecutive()):
+        source = animation.GetClientSideObject()
+        for speaker in (animation.SMProxy, source, source.GetExecutive()):
             speaker.AddObserver("ErrorEvent", hear)
         for name, values, expected in (("Quality", (-1, 4), "Quality: expected 0 (Preview) to 3 (Paper), found"),
                                        ("StopAfter", (-1, 5), "StopAfter: expected 0 (Scene) to 4 (Rotation), found"),
@@ -218,19 +270,38 @@ class AnimationTest(unittest.TestCase):
 
     def test_a_state_keeps_it(self):
         animation = self.make(StopAfter="Plan", Quality="Paper", Seed=3)
+        waft.unfold(animation)
         state = str(self.folder / "kept.pvsm")
         simple.SaveState(state)
         text = pathlib.Path(state).read_text(encoding="utf-8")
         self.assertNotIn("embedded.vtm", text)
-        before = places(output(animation, "Planner")).copy()
+        before = places(output(animation, "PlannedTracks")).copy()
         simple.ResetSession()
         waft.load_plugin()
         simple.LoadState(state)
         again = next(s for s in simple.GetSources().values() if s.SMProxy.GetXMLName() == "WaftAnimation")
         again.UpdatePipeline()
         self.assertEqual([again.Quality, again.StopAfter, again.Seed], ["Paper", "Plan", 3])
-        np.testing.assert_array_equal(places(output(again, "Planner")), before)
-        simple.Delete(again)
+        np.testing.assert_array_equal(places(output(again, "PlannedTracks")), before)
+        planner = simple.FindSource("Planner")
+        self.assertEqual(planner.Seed, 3)
+        planner.UpdatePipeline()
+        np.testing.assert_array_equal(places(output(planner)), before)
+
+    def test_a_state_from_before_loads_with_a_sentence(self):
+        said = []
+        text = OLD_STATE.replace("SCENE", self.scene)
+        state = self.folder / "old.pvsm"
+        state.write_text(text, encoding="utf-8")
+        window = vtkOutputWindow.GetInstance()
+        collect(window, "WarningEvent", said)
+        simple.LoadState(str(state))
+        window.RemoveObservers("WarningEvent")
+        again = next(s for s in simple.GetSources().values() if s.SMProxy.GetXMLName() == "WaftAnimation")
+        self.addCleanup(lambda: simple.Delete(again))
+        self.assertEqual([again.Seed, again.StopAfter, again.FileName], [9, "Plan", self.scene])
+        self.assertEqual(len([text for text in said if "of what was set on a stage the state holds nothing" in text]), 1, said)
+        self.assertEqual(len(simple.GetSources()), 1, "stages that were shown come back by themselves")
 
 
 if __name__ == "__main__":

@@ -19,11 +19,12 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 import waft
 import picture
-from test_animation import QUICK, STAGES, stage_of
 
 MOST_DIFFERING = 0.005  # of the pixels, between this picture and the one in the gallery
 MOST_BLENDED = 0.03  # where a volume is blended with what is in it, which drivers do in different ways
 SIDES = 6  # of a tube
+QUICK = {"Spacetime": {"NumberOfGasParticles": 216, "LeashIterations": 2, "MaximumNumberOfIterations": 6},
+         "Assimilation": {"Resolution": 16, "LatticeResolution": 12, "Rounds": 0, "Candidates": 2}}
 XML, SOURCE, PLACE = map(pathlib.Path, sys.argv[1:4])
 
 
@@ -52,10 +53,12 @@ def make_scene(path):
 def make_all(folder):
     """{name: stage} of every proxy, with small inputs."""
     animation = simple.WaftAnimation(FileName=make_scene(folder / "first.waft.json"), Quality="Full")
+    stages = waft.unfold(animation)
     for stage, values in QUICK.items():
         for name, value in values.items():
-            setattr(stage_of(animation, stage), name, value)
-    scene, planner, _, drift, gas, turned = (stage_of(animation, name) for name in STAGES)
+            setattr(stages[stage], name, value)
+    scene, planner, drift, gas, turned = (stages[name] for name in ("Scene", "Planner", "Assimilation", "Spacetime", "Rotation"))
+    animation.Quality = "Preview"  # the stages show what others have
     smoke = simple.GridSmokeSource(Resolution=[24, 24, 24], NumberOfFrames=40, WarmUpSeconds=2)
     traced = simple.TrajectoryTraceFilter(Input=smoke)
     port = simple.OutputPort

@@ -73,8 +73,8 @@ private:
   double LastTime = 0.0;
 };
 
-/// A series at a time as an image with the array `Wind` or `Velocity`, at one of its own times to the
-/// last bit; without a point where the series has none.
+/// A series at a time as an image with the array `Wind` or `Velocity`, at one of its own times to
+/// the last bit; without a point where the series has none.
 void FieldSeriesToImage(const FieldSeries& series, double time, const SceneInfo& info,
                         vtkImageData* data);
 

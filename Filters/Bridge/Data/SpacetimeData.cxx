@@ -2,15 +2,20 @@
 #include "Bridge/Data/SpacetimeData.h"
 
 #include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/Columns.h"
 #include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/TrackData.h"
 
+#include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
+
+#include <utility>
 
 namespace waft
 {
@@ -68,6 +73,21 @@ void ParticlesToPolyData(const ParticleSeries& particles, int frame, const Scene
   AddFloats(arrays, names::Wind, now.Winds, 3);
   AddFloats(arrays, names::VortexForce, now.VortexForces, 3);
   AddFloats(arrays, names::Residual, now.Residuals, 3);
+}
+
+void OptimisedToPolyData(const SpacetimeOutput& solution, const SceneInfo& info, vtkPolyData* data)
+{
+  TracksToPolyData(solution.Tracks, info, data);
+  AddDoubles(data->GetCellData(), names::PositionResidual, solution.PositionResiduals);
+  AddDoubles(data->GetCellData(), names::VelocityResidual, solution.VelocityResiduals);
+  for (const auto& [name, value] : { std::pair(names::ReplayError, solution.ObjectReplayError),
+                                     std::pair(names::GasReplayError, solution.GasReplayError),
+                                     std::pair(names::GasHiddenHand, solution.GasHiddenHand),
+                                     std::pair(names::RepairedFraction, solution.RepairedFraction),
+                                     std::pair(names::LargestRepair, solution.LargestRepair) })
+  {
+    AddDoubles(data->GetFieldData(), name, { value });
+  }
 }
 
 void ConvergenceToTable(const std::vector<ConvergenceRow>& rows, const SceneInfo& info,

@@ -17,6 +17,10 @@ namespace waft
 void ParticlesToPolyData(const ParticleSeries& particles, int frame, const SceneInfo& info,
                          vtkPolyData* data);
 
+/// Tracks with the cell data `PositionResidual`, `VelocityResidual` and, as field data, how far
+/// they are a motion of the model and what was moved after solving.
+void OptimisedToPolyData(const SpacetimeOutput& solution, const SceneInfo& info, vtkPolyData* data);
+
 /// One row per iteration; see VisitConvergence for the columns.
 void ConvergenceToTable(const std::vector<ConvergenceRow>& rows, const SceneInfo& info,
                         vtkTable* table);

@@ -88,7 +88,7 @@ int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** input
   {
     return Empty(outputs);
   }
-  if (!this->RunsOnAllRanks() && IsWithFirstRank(vtkDataObject::GetData(inputs[this->ScenePort])))
+  if (!this->RunsOnAllRanks() && this->IsElsewhere(inputs))
   {
     return Empty(outputs);
   }
@@ -134,7 +134,7 @@ int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** input
       result = result ? this->Begin(inputs) : result;
       if (!result)
       {
-        return Fail(this->Stage, outputs, result.Message());
+        return this->FailWith(result, outputs);
       }
     }
   }
@@ -144,11 +144,31 @@ int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** input
     const Result result = this->Advance(inputs, this->SliceNow());
     if (!result)
     {
-      return Fail(this->Stage, outputs, result.Message());
+      return this->FailWith(result, outputs);
     }
   }
   this->Show(request, outputs);
   return 1;
+}
+
+int KeptStage::FailWith(const Result& result, vtkInformationVector* outputs)
+{
+  const int done = Fail(this->Stage, outputs, result.Message());
+  this->Keep.clear();
+  this->KeepBeforeFailure();
+  this->GiveKept(outputs);
+  return done;
+}
+
+void KeptStage::GiveKept(vtkInformationVector* outputs) const
+{
+  for (std::size_t port = 0; port < this->Keep.size(); ++port)
+  {
+    if (this->Keep[port])
+    {
+      vtkDataObject::GetData(outputs, static_cast<int>(port))->ShallowCopy(this->Keep[port]);
+    }
+  }
 }
 
 void KeptStage::Show(vtkInformation* request, vtkInformationVector* outputs)
@@ -156,14 +176,9 @@ void KeptStage::Show(vtkInformation* request, vtkInformationVector* outputs)
   const double time = RequestedTimeOfAll(request, outputs, this->Scene.Time);
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
-    vtkDataObject* output = vtkDataObject::GetData(outputs, port);
-    output->Initialize();
-    const auto at = static_cast<std::size_t>(port);
-    if (at < this->Keep.size() && this->Keep[at])
-    {
-      output->ShallowCopy(this->Keep[at]);
-    }
+    vtkDataObject::GetData(outputs, port)->Initialize();
   }
+  this->GiveKept(outputs);
   if (this->IsUnfinished)
   {
     this->FillSoFar(time, outputs);
@@ -181,13 +196,22 @@ void KeptStage::Show(vtkInformation* request, vtkInformationVector* outputs)
 
 Result KeptStage::TakeScene(vtkInformationVector** inputs)
 {
+  if (this->ScenePort == FieldSweep::NoPort)
+  {
+    return Result::Ok();
+  }
   this->Scene = SceneInfo();
   std::set<std::string> lacking;
   const Result result = SceneOfInputs(this->Stage, inputs, this->ScenePort, this->Scene, lacking);
   // Of the other ranks the first one's scene is theirs as well.
-  const bool isElsewhere = IsWithFirstRank(vtkDataObject::GetData(inputs[this->ScenePort]));
-  this->Defaults = isElsewhere ? "" : DefaultsText(lacking, this->Scene);
+  this->Defaults = this->IsElsewhere(inputs) ? "" : DefaultsText(lacking, this->Scene);
   return result;
+}
+
+bool KeptStage::IsElsewhere(vtkInformationVector** inputs) const
+{
+  return this->ScenePort != FieldSweep::NoPort &&
+         IsWithFirstRank(vtkDataObject::GetData(inputs[this->ScenePort]));
 }
 
 bool KeptStage::GoesOn()

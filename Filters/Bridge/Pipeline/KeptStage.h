@@ -32,8 +32,8 @@ namespace waft
 class KeptStage
 {
 public:
-  /// scenePort: the input whose field data give the scene (SceneOfInputs); the others: as in
-  /// FieldSweep.
+  /// scenePort: the input whose field data give the scene (SceneOfInputs), or NoPort of a source,
+  /// which sets Scene by itself; the others: as in FieldSweep.
   KeptStage(vtkAlgorithm* stage, int scenePort, int obstaclesPort = FieldSweep::NoPort,
             int windPort = FieldSweep::NoPort, int airPort = FieldSweep::NoPort);
   virtual ~KeptStage() = default;
@@ -67,7 +67,9 @@ protected:
   virtual double Slice() const { return 0.0; }
   /// Fills the Kept outputs with what the run that is held has come to.
   virtual void KeepSoFar() {}
-  /// The same out of inputs that are not complete; stays empty where it fails.
+  /// After a failure: fills those of the Kept outputs that it does not touch.
+  virtual void KeepBeforeFailure() {}
+  /// KeepSoFar, out of inputs that are not complete; stays empty where it fails.
   virtual Result TakeSoFar(vtkInformationVector** inputs);
   /// After work that was held was discarded: what comes must not depend on how far it had come.
   virtual void Forget() {}
@@ -108,11 +110,15 @@ protected:
 
 private:
   Result TakeScene(vtkInformationVector** inputs);
+  /// Of several ranks: the first has the scene.
+  bool IsElsewhere(vtkInformationVector** inputs) const;
   /// Runs Core as far as one update goes, and keeps what came out.
   Result Begin(vtkInformationVector** inputs);
   Result Advance(vtkInformationVector** inputs, double seconds);
   Result End(vtkInformationVector** inputs, const Result& result);
   void Show(vtkInformation* request, vtkInformationVector* outputs);
+  int FailWith(const Result& result, vtkInformationVector* outputs);
+  void GiveKept(vtkInformationVector* outputs) const;
   double SliceNow() const;
   virtual bool RunsOnAllRanks() const { return false; }
   /// Between two steps of what is pulled over time: false when the stage is asked to stop.

@@ -9,6 +9,7 @@
 #include "Spacetime/Model/SpacetimeOptions.h"
 
 #include <cstdint>
+#include <string>
 
 namespace waft
 {
@@ -31,6 +32,38 @@ struct ChainOptions
   Result Validate() const;
   /// Those of a quality: the defaults, and of a preview a coarse air.
   static ChainOptions At(Quality quality);
+};
+
+/// What one source of a whole run has for properties, besides those of the takes and of slices.
+struct FlightOptions
+{
+  std::string FileName;
+  int Quality = 0;
+  int Seed = -1;
+  int StopAfter = 4;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(TextField("FileName", "The scene file. Setting it reads the file anew."), of.FileName...);
+    visit(OptionField{ "Quality",
+                       { 0, 3 },
+                       "",
+                       "How objects come to their marks. Preview: drift in one air on a coarse "
+                       "grid. Air (Assimilated before): the same on the full grid. Full: the "
+                       "optimiser from there. Paper: the optimiser from the plan, gas at rest." },
+          of.Quality...);
+    visit(OptionField{ "Seed",
+                       { -1, 2147483647 },
+                       "",
+                       "Another seed is another motion through the same marks; -1 is the scene's "
+                       "own." },
+          of.Seed...);
+    visit(
+      OptionField{
+        "StopAfter", { 0, 4 }, "", "The last stage that runs; the ports of later ones are empty." },
+      of.StopAfter...);
+  }
 };
 
 } // namespace waft

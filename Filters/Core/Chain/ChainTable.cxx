@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 
 namespace waft
@@ -111,15 +113,15 @@ std::vector<ChainStageTraits> MakeStages()
 
 /// Fields whose values differ from the defaults.
 template <class Options>
-nlohmann::ordered_json Changed(const Options& options)
+std::vector<std::pair<std::string, double>> Changed(const Options& options)
 {
-  nlohmann::ordered_json changed;
+  std::vector<std::pair<std::string, double>> changed;
   const Options defaults;
   const auto look = [&changed](const OptionField& field, const auto& value, const auto& usual)
   {
     if (NumbersOf(value) != NumbersOf(usual))
     {
-      changed[field.Name] = NumbersOf(value).front();
+      changed.emplace_back(field.Name, NumbersOf(value).front());
     }
   };
   Options::Visit(look, options, defaults);
@@ -131,13 +133,13 @@ nlohmann::ordered_json InputsAsJson(const ChainStageTraits& stage)
   nlohmann::ordered_json inputs = nlohmann::ordered_json::object();
   for (const ChainInput& input : stage.Inputs)
   {
-    nlohmann::ordered_json& byQuality = inputs[input.Name] = nlohmann::ordered_json::object();
-    for (const Quality quality : stage.RunsAt)
+    nlohmann::ordered_json& all = inputs[input.Name] = nlohmann::ordered_json::array();
+    for (const std::vector<ChainOutput>& givers : input.Givers)
     {
-      nlohmann::ordered_json& givers = byQuality[ToString(quality)] = nlohmann::json::array();
-      for (const ChainOutput& output : GiversOf(input, quality))
+      nlohmann::ordered_json& together = all.emplace_back(nlohmann::ordered_json::array());
+      for (const ChainOutput& output : givers)
       {
-        givers.push_back({ TraitsOf(output.Stage).Name, PortOf(output) });
+        together.push_back({ TraitsOf(output.Stage).Name, PortOf(output) });
       }
     }
   }
@@ -199,6 +201,25 @@ int PortOf(const ChainOutput& output)
   return static_cast<int>(found - names.begin());
 }
 
+std::vector<std::pair<std::string, double>> SettingsOf(ChainStage stage, Quality quality)
+{
+  const ChainOptions options = ChainOptions::At(quality);
+  switch (stage)
+  {
+    case ChainStage::Scene:
+      break;
+    case ChainStage::Planner:
+      return Changed(options.Plan);
+    case ChainStage::Assimilation:
+      return Changed(options.Air);
+    case ChainStage::Spacetime:
+      return Changed(options.Optimiser);
+    case ChainStage::Rotation:
+      return Changed(options.Rotation);
+  }
+  return {};
+}
+
 std::string ChainTableAsJson()
 {
   nlohmann::ordered_json table;
@@ -223,21 +244,21 @@ std::string ChainTableAsJson()
   }
   for (const Quality quality : Qualities)
   {
-    const ChainOptions options = ChainOptions::At(quality);
     table["qualities"].push_back(ToString(quality));
     nlohmann::ordered_json& settings = table["settings"][ToString(quality)];
     settings = nlohmann::ordered_json::object();
-    const auto add = [&settings](ChainStage stage, const nlohmann::ordered_json& changed)
+    for (const ChainStageTraits& stage : ChainStages())
     {
-      if (!changed.empty())
+      for (const auto& [name, value] : SettingsOf(stage.Stage, quality))
       {
-        settings[TraitsOf(stage).Name] = changed;
+        nlohmann::ordered_json& setting = settings[stage.Name][name];
+        setting = value;
+        if (value == std::floor(value))
+        {
+          setting = static_cast<std::int64_t>(value);
+        }
       }
-    };
-    add(ChainStage::Planner, Changed(options.Plan));
-    add(ChainStage::Assimilation, Changed(options.Air));
-    add(ChainStage::Spacetime, Changed(options.Optimiser));
-    add(ChainStage::Rotation, Changed(options.Rotation));
+    }
   }
   return table.dump(2) + "\n";
 }

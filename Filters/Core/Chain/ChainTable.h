@@ -7,6 +7,7 @@
 #include "Base/OptionFields.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace waft
@@ -73,8 +74,12 @@ std::vector<ChainOutput> GiversOf(const ChainInput& input, Quality quality);
 /// The index of an output among its stage's.
 int PortOf(const ChainOutput& output);
 
+/// Name and value of each option of a stage that is not at its default at a quality.
+std::vector<std::pair<std::string, double>> SettingsOf(ChainStage stage, Quality quality);
+
 /// The table as JSON: `stages`, each with `name`, `proxy`, `sentence`, `share`, `qualities`,
-/// `inputs` ({name: {quality: [[stage, port]]}}), `outputs`, `options`; `qualities`; `settings`
+/// `inputs` ({name: [[[stage, port]]]}, as ChainInput has it), `outputs`, `options`; `qualities`;
+/// `settings`
 /// ({quality: {stage: {option: value}}}, where they are not the defaults).
 std::string ChainTableAsJson();
 

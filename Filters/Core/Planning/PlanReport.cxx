@@ -173,4 +173,26 @@ void CountLines(PlanOutput& output)
   }
 }
 
+std::vector<Track> TracksSoFar(const std::vector<Track>& planned,
+                               const std::vector<MotionObject>& objects, const Timeline& time)
+{
+  std::map<int, const Track*> known;
+  for (const Track& track : planned)
+  {
+    known[track.ObjectId] = &track;
+  }
+  std::vector<Track> tracks(objects.size());
+  for (std::size_t i = 0; i < tracks.size(); ++i)
+  {
+    const MotionObject& object = objects[i];
+    const auto own = known.find(object.ObjectId);
+    tracks[i].ObjectId = object.ObjectId;
+    tracks[i].Positions =
+      own != known.end()
+        ? own->second->Positions
+        : std::vector<Vec3>(static_cast<std::size_t>(time.NumberOfFrames), object.Position);
+  }
+  return tracks;
+}
+
 } // namespace waft

@@ -23,4 +23,9 @@ void MarkUnmet(const std::vector<ReportRow>& report, std::vector<Constraint>& co
 /// Counts the lines of each object, and takes the worst status over into its own.
 void CountLines(PlanOutput& output);
 
+/// The paths of all objects, in their order, while they are planned: those that are not yet stand
+/// where they begin.
+std::vector<Track> TracksSoFar(const std::vector<Track>& planned,
+                               const std::vector<MotionObject>& objects, const Timeline& time);
+
 } // namespace waft

@@ -28,14 +28,15 @@ if _typing.TYPE_CHECKING:  # what __getattr__ finds
     from waft.measuring import measure
     from waft.showing import show
     from waft.synthesis import synthesize
+    from waft.unfolding import unfold
     from waft.updating import update
 
 __version__ = version()
-__all__ = ["BadInput", "Scene", "WaftError", "data_file", "fetch", "go_on", "load_plugin", "measure", "show", "synthesize", "update",
-           "version"]
+__all__ = ["BadInput", "Scene", "WaftError", "data_file", "fetch", "go_on", "load_plugin", "measure", "show", "synthesize",
+           "unfold", "update", "version"]
 
 _LATER = {"fetch": "waft.fetching", "go_on": "waft.slices", "measure": "waft.measuring", "show": "waft.showing",
-          "synthesize": "waft.synthesis", "update": "waft.updating"}  # what takes its time to import, by its module
+          "synthesize": "waft.synthesis", "unfold": "waft.unfolding", "update": "waft.updating"}  # what takes its time to import, by its module
 _WRAPPED = ("vtkWaftSources", "vtkWaftFilters")
 
 

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pipeline of a scene: each stage a ParaView proxy, joined by VTK data alone."""
+import json
+
 from paraview import servermanager, simple
 
 from waft import reading
@@ -9,6 +11,8 @@ from waft.loading import data_file
 from waft.watching import StageWatch
 from waft.writing import AIR_INTERVAL, read_rows
 
+# The stages of the table as they are called here.
+_ATTRIBUTES = {"Scene": "reader", "Planner": "planner", "Assimilation": "assimilation", "Spacetime": "spacetime", "Rotation": "rotation"}
 NO_MEMORY = "found too little memory for it"  # how stages say so
 
 
@@ -32,7 +36,7 @@ class Pipeline:
         if database is not None:
             self.database = self._add(_database_reader(self.database_file))
         self.planner = None
-        self._planned = {}  # outputs of the planner, or of readers of what an earlier run left
+        self._taken = {}  # {port of the planner: the reader of what an earlier run left}
         self.assimilation = None
         self.spacetime = None
         self.rotation = None
@@ -91,50 +95,31 @@ class Pipeline:
         """The data object of an output port, on this side."""
         return getattr(self, name).GetClientSideObject().GetOutputDataObject(port)
 
-    # The stages are joined one by one: which optional inputs there are is known once the reader ran.
+    # The stages are joined one by one, by the table of the chain: which optional inputs there are is known once the reader ran.
 
     def add_planner(self, seed):
         given = {} if self.database is None else {"Database": self.database}
-        self.planner = self._add(simple.StylisticPlannerFilter(
-            registrationName="Planner", Objects=self._scene("Objects"), Constraints=self._scene("Constraints"),
-            Obstacles=self._scene("Obstacles"), **given))
+        self.planner = self._join("Planner", **given)
         self.planner.Seed = seed
-        self._planned = {port: simple.OutputPort(self.planner, port) for port in (0, 3, 4)}
 
     def take_plan(self, tracks, constraints, vortices):
         """Goes on from files of an earlier run instead of planning."""
         for port, path in ((0, tracks), (3, constraints), (4, vortices)):
             reader = self._add(simple.XMLPolyDataReader(FileName=[str(path)]))
             reader.TimeArray = "None"
-            self._planned[port] = reader
+            self._taken[port] = reader
 
     def planned(self, port):
         """The data object of an output of the planner (0 tracks, 3 constraints, 4 vortices)."""
-        source = self._planned[port]
+        source = self._port("Planner", port)
         return source.GetClientSideObject().GetOutputDataObject(source.Port)
 
-    def add_spacetime(self):
-        tracks, rows = self._tracks_and_rows()
-        inputs = {"Obstacles": self._scene("Obstacles"), **self._wind()}
-        if self.assimilation is not None:
-            inputs.update(Air=simple.OutputPort(self.assimilation, 1), Vortices=simple.OutputPort(self.assimilation, 2))
-        else:
-            inputs["Vortices"] = self._vortices()
-        self.spacetime = self._add(simple.SPHSpacetimeFilter(
-            registrationName="Spacetime", Tracks=tracks, Objects=self._scene("Objects"), Constraints=rows, **inputs))
-
-    def _tracks_and_rows(self):
-        """Outputs of the assimilation, or of the plan without one."""
-        if self.assimilation is not None:
-            return simple.OutputPort(self.assimilation, 0), simple.OutputPort(self.assimilation, 3)
-        return self._planned[0], self._planned[3]
-
     def add_assimilation(self, seed):
-        own = {"Vortices": self._scene("Vortices")} if self.output("reader", 4).GetNumberOfCells() > 0 else {}
-        self.assimilation = self._add(simple.AirAssimilationFilter(
-            registrationName="Assimilation", Tracks=self._planned[0], Objects=self._scene("Objects"),
-            Constraints=self._planned[3], Obstacles=self._scene("Obstacles"), **own, **self._wind()))
+        self.assimilation = self._join("Assimilation")
         self.assimilation.Seed = seed
+
+    def add_spacetime(self):
+        self.spacetime = self._join("Spacetime")
 
     @property
     def has_air(self):
@@ -143,20 +128,45 @@ class Pipeline:
 
     def add_rotation(self, seed, hurries=False):
         """hurries: of the air only the fields that results are written with, which takes a third of the time."""
-        tracks, rows = self._tracks_and_rows()
-        air = {"Air": simple.OutputPort(self.assimilation, 1)} if self.has_air else {}
-        if air and hurries:
+        air = {}
+        if self.has_air and hurries:
             rate = self.output("reader").GetFieldData().GetArray("FramesPerSecond").GetValue(0)
             frames = self.output("reader").GetFieldData().GetArray("NumberOfFrames").GetValue(0)
             air["Air"] = self._add(simple.ExtractTimeSteps(
-                registrationName="Air", Input=air["Air"], SelectionMode="Select Time Range", TimeStepRange=[0, frames - 1],
-                TimeStepInterval=max(1, round(AIR_INTERVAL * rate))))
-        if self.spacetime is not None:
-            tracks = simple.OutputPort(self.spacetime, 0)
-        self.rotation = self._add(simple.RotationRefineFilter(
-            registrationName="Rotation", Tracks=tracks, Objects=self._scene("Objects"), Shapes=self._scene("Shapes"),
-            Obstacles=self._scene("Obstacles"), Constraints=rows, **air, **self._wind()))
+                registrationName="Air", Input=self._port("Assimilation", 1), SelectionMode="Select Time Range",
+                TimeStepRange=[0, frames - 1], TimeStepInterval=max(1, round(AIR_INTERVAL * rate))))
+        self.rotation = self._join("Rotation", **air)
         self.rotation.Seed = seed
+
+    def _join(self, name, **given):
+        """A stage of the table, its inputs from the stages that there are; given: inputs that are others."""
+        stage = stages()[name]
+        inputs = {}
+        for own, alternatives in stage["inputs"].items():
+            there = next((givers for givers in alternatives if all(self._is_there(*giver) for giver in givers)), [])
+            ports = [self._port(*giver) for giver in there if not self._is_left_out(own, *giver)]
+            if len(ports) == 1:
+                inputs[own] = ports[0]
+            elif ports:
+                inputs[own] = self._add(simple.AppendGeometry(registrationName=own, Input=ports))
+        made = getattr(simple, stage["proxy"])(registrationName=name, **{**inputs, **given})
+        return self._add(made)
+
+    def _is_there(self, name, port):
+        return getattr(self, _ATTRIBUTES[name]) is not None or (name == "Planner" and port in self._taken)
+
+    def _is_left_out(self, own, name, port):
+        """Whether an input that a stage may go without has nothing in it."""
+        if own == "Air":
+            return not self.has_air
+        if own == "Wind" or (own == "Vortices" and name == "Scene"):
+            return self.output("reader", port).GetNumberOfPoints() == 0
+        return False
+
+    def _port(self, name, port):
+        """An output of a stage of the table, or the reader of what an earlier run left of it."""
+        stage = getattr(self, _ATTRIBUTES[name])
+        return self._taken[port] if stage is None else simple.OutputPort(stage, port)
 
     @property
     def motion(self):
@@ -176,19 +186,19 @@ class Pipeline:
         name, _, _, port = self.motion
         return [dict(row) for row in self.plan_report] if name == "planner" else read_rows(self.output(name, port))
 
-    def _scene(self, name):
-        ports = ("Objects", "Constraints", "Obstacles", "Shapes", "Vortices", "Wind")
-        return simple.OutputPort(self.reader, ports.index(name))
 
-    def _wind(self):
-        """The input of a stage that feels the scene's wind; none without one."""
-        return {"Wind": self._scene("Wind")} if self.output("reader", 5).GetNumberOfPoints() > 0 else {}
+def stages():
+    """{name: what the table of the chain says of a stage}."""
+    from waft.vtkWaftFilters import vtkMotionAnimationSource
 
-    def _vortices(self):
-        planned = self._planned[4]
-        if self.output("reader", 4).GetNumberOfCells() == 0:
-            return planned
-        return self._add(simple.AppendGeometry(registrationName="Vortices", Input=[self._scene("Vortices"), planned]))
+    return {stage["name"]: stage for stage in json.loads(vtkMotionAnimationSource.GetStages())["stages"]}
+
+
+def settings_of(quality, name):
+    """{property: value} that a stage of the table has at a quality besides its defaults."""
+    from waft.vtkWaftFilters import vtkMotionAnimationSource
+
+    return json.loads(vtkMotionAnimationSource.GetStages())["settings"][quality].get(name, {})
 
 
 def _database_reader(path):

@@ -11,21 +11,11 @@ def go_on(source) -> bool:
     stage that fails: one that has failed has nothing left to do.
     """
     check_proxy(source)
-    held = _held(source)
-    for stage in held:
-        stage.InvokeCommand("GoOn")
-        stage.MarkModified(stage)
-    if held:
+    if _has_more(source.SMProxy):
+        source.SMProxy.InvokeCommand("GoOn")
         source.SMProxy.MarkModified(source.SMProxy)
     update(source)
-    return not _held(source)
-
-
-def _held(source):
-    proxy = source.SMProxy
-    is_bundle = proxy.IsA("vtkSMCompoundSourceProxy")
-    stages = [proxy.GetProxy(index) for index in range(proxy.GetNumberOfProxies())] if is_bundle else [proxy]
-    return [stage for stage in stages if _has_more(stage)]
+    return not _has_more(source.SMProxy)
 
 
 def _has_more(stage):

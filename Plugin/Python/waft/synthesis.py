@@ -223,14 +223,9 @@ def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limi
     pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
 
 
-def _preview_of(stage):
-    """{property: value} that a stage's proxy names for a quick look."""
-    hints = stage.SMProxy.GetHints().FindNestedElementByName("Preview")
-    named = [hints.GetNestedElement(i) for i in range(hints.GetNumberOfNestedElements())]
-    return {element.GetAttribute("name"): int(element.GetAttribute("value")) for element in named}
-
-
 def _assimilate(pipeline, clock, checkpoint):
+    from waft.pipeline import settings_of
+
     pipeline.add_assimilation(pipeline.seed)
     if pipeline.edit_of is not None:
         pipeline.assimilation.EditOf = str(pipeline.edit_of)
@@ -240,8 +235,7 @@ def _assimilate(pipeline, clock, checkpoint):
         if checkpoint.air_file.is_file():  # it was done when the run was stopped
             pipeline.assimilation.EditOf = str(checkpoint.air_file)
     watch = pipeline.watch("assimilation", clock)
-    coarse = _preview_of(pipeline.assimilation) if pipeline.quality == "preview" else {}
-    for name, value in {**coarse, **ASSIMILATION}.items():
+    for name, value in {**settings_of(pipeline.quality, "Assimilation"), **ASSIMILATION}.items():
         setattr(pipeline.assimilation, name, value)
     left = clock.remaining()
     if left is not None:

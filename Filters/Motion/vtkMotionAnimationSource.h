@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkMotionAnimationSource
+ * @brief   reads a scene file and runs all stages: bodies that fly, from one source
+ *
+ * It runs waft::RunChain, whose table says which stages a Quality has and who takes what from
+ * whom. What is there already is not made again: another rotation needs no other air, and an edit
+ * of the scene file plans only what it changed.
+ *
+ * Output ports, by the stages that give them; of stages that do not run they are empty:
+ *  - 0 Meshes, 1 Poses: all bodies as they are turned (vtkRotationRefineFilter); the first varies
+ *    in time.
+ *  - 2 Obstacles, 3 Objects: of the scene (vtkMotionSceneReader); the first may vary in time.
+ *  - 4 Marks, 5 PlannedTracks, 6 Trees, 7 PlannedReport: the constraints with their objects, paths
+ *    and the search for them (vtkStylisticPlannerFilter).
+ *  - 8 AssimilatedTracks, 9 Air, 10 Vortices, 11 AssimilatedReport, 12 Rounds: one air and the
+ *    drift in it (vtkAirAssimilationFilter); Air varies in time.
+ *  - 13 OptimisedTracks, 14 Gas, 15 Wind, 16 Convergence, 17 OptimisedReport: of the optimiser
+ *    (vtkSPHSpacetimeFilter); Gas and Wind vary in time.
+ *  - 18 TurnedReport: orientation rows as they were turned.
+ *
+ * The motion is that of these stages joined by hand, bit by bit, on any number of threads. Of
+ * several MPI processes the first alone runs it, and the outputs of the others are empty.
+ */
+#ifndef vtkMotionAnimationSource_h
+#define vtkMotionAnimationSource_h
+
+#include "vtkSlicedPolyDataAlgorithm.h"
+#include "vtkWaftFiltersModule.h"
+
+#include <memory>
+#include <string>
+
+namespace waft
+{
+struct FlightOptions;
+struct TakeOptions;
+} // namespace waft
+
+class VTKWAFTFILTERS_EXPORT vtkMotionAnimationSource : public vtkSlicedPolyDataAlgorithm
+{
+public:
+  static vtkMotionAnimationSource* New();
+  vtkTypeMacro(vtkMotionAnimationSource, vtkSlicedPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Qualities
+  {
+    PREVIEW,
+    AIR,
+    ASSIMILATED = AIR, // what it was called before
+    FULL,
+    PAPER
+  };
+  enum Stops
+  {
+    AFTER_SCENE,
+    AFTER_PLAN,
+    AFTER_ASSIMILATION,
+    AFTER_OPTIMISATION,
+    AFTER_ALL
+  };
+
+  ///@{
+  /** The scene file. Setting it reads the file anew, also under the same name. */
+  void SetFileName(const std::string& name);
+  vtkGetMacro(FileName, std::string);
+  ///@}
+  /** The next update reads the file anew. */
+  void Reload();
+  ///@{
+  /** How objects come to their marks, one of Qualities. */
+  vtkSetMacro(Quality, int);
+  vtkGetMacro(Quality, int);
+  ///@}
+  ///@{
+  /** Another seed is another motion through the same marks; -1 is the scene's own. */
+  vtkSetClampMacro(Seed, int, -1, VTK_INT_MAX);
+  vtkGetMacro(Seed, int);
+  ///@}
+  ///@{
+  /** The last stage that runs, one of Stops; the ports of later ones are empty. */
+  vtkSetMacro(StopAfter, int);
+  vtkGetMacro(StopAfter, int);
+  ///@}
+  ///@{
+  /** Plans to choose from, of consecutive seeds. 1 to 1000. */
+  vtkSetClampMacro(NumberOfTakes, int, 1, 1000);
+  vtkGetMacro(NumberOfTakes, int);
+  ///@}
+  ///@{
+  /** The take that is given, from 0; -1 is the one with the least score. -1 to 999. */
+  vtkSetClampMacro(Take, int, -1, 999);
+  vtkGetMacro(Take, int);
+  ///@}
+
+  /** The seed that the scene file gives; 1 before one was read. */
+  int GetSceneSeed() const;
+  /** The table of stages as JSON: waft::ChainTableAsJson. */
+  static std::string GetStages();
+
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
+
+protected:
+  vtkMotionAnimationSource();
+  ~vtkMotionAnimationSource() override;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector** inputs,
+                         vtkInformationVector* outputs) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                  vtkInformationVector* outputs) override;
+  waft::KeptStage& Kept() override;
+
+private:
+  vtkMotionAnimationSource(const vtkMotionAnimationSource&) = delete;
+  void operator=(const vtkMotionAnimationSource&) = delete;
+
+  std::string RangeError() const;
+
+  // The properties of the same names; what they may be is said there, and a test holds the
+  // literals here against it.
+  friend struct waft::FlightOptions;
+  friend struct waft::TakeOptions;
+  std::string FileName;
+  int Quality = PREVIEW;
+  int Seed = -1;
+  int StopAfter = AFTER_ALL;
+  int NumberOfTakes = 1;
+  int Take = 0;
+
+  struct Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif
