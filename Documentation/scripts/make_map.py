@@ -14,7 +14,7 @@ import re
 import sys
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"/]+)/(?:([^"/]+)/)?', re.MULTILINE)
-LIBRARIES_IN_FOLDERS = ("Spacetime",)
+LIBRARIES_IN_FOLDERS = ("Air", "Spacetime")
 MODULES = {"WaftSources": "Sources", "WaftFilters": "Motion"}  # modules of the plugin, and their rooms
 WIDTH, HEIGHT, GAP, FLOOR, MARGIN = 104, 34, 22, 84, 24  # a room, the space beside it, from floor to floor [px]
 COLOURS = {"Core": "#e4eef8", "Bridge": "#e6f3e2", "VTK": "#fbeeda", "Plugin": "#f3e2ec"}

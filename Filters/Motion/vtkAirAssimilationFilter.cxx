@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAirAssimilationFilter.h"
 
-#include "Air/AirAssimilation.h"
-#include "Air/AssimilationState.h"
+#include "Air/Run/AirAssimilation.h"
+#include "Air/Run/AssimilationState.h"
 #include "Base/SliceOptions.h"
 #include "Bridge/Data/AirData.h"
 #include "Bridge/Data/ConstraintData.h"

@@ -40,6 +40,11 @@ CORE_MAY_INCLUDE = {
 }
 # Folders of a library: each with those below that it includes.
 FOLDER_MAY_INCLUDE = {
+    "Air": {
+        "Field": set(),
+        "Drift": {"Field"},
+        "Run": {"Field", "Drift"},
+    },
     "Spacetime": {
         "Model": set(),
         "Energy": {"Model"},

@@ -57,9 +57,9 @@ class Rules(unittest.TestCase):
 
     def test_a_name_belongs_to_one_class(self):
         files = {"Filters/Core/Grid/A.h": "namespace waft\n{\nclass Solver\n{\n};\n}\n",
-                 "Filters/Core/Air/B.h": "namespace waft\n{\nclass Solver;\nclass Solvers\n{\n};\n}\n"}
+                 "Filters/Core/Air/Field/B.h": "namespace waft\n{\nclass Solver;\nclass Solvers\n{\n};\n}\n"}
         self.assertEqual([], self.violations(files))
-        files["Filters/Core/Air/B.h"] = "namespace waft\n{\nclass Solver : public Base\n{\n};\n}\n"
+        files["Filters/Core/Air/Field/B.h"] = "namespace waft\n{\nclass Solver : public Base\n{\n};\n}\n"
         self.assertEqual(["Solver is defined in B.h too"], self.violations(files))
 
     def test_folders_of_a_library_keep_their_order(self):

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints what the options structs of Core say of their fields, by the class of the pipeline that
 // has them as its properties, as JSON.
-#include "Air/AirAssimilation.h"
+#include "Air/Run/AirAssimilation.h"
 #include "Base/SliceOptions.h"
 #include "Chain/ChainOptions.h"
 #include "Database/DatabaseBuild.h"

@@ -2,7 +2,7 @@
 // What the assimilation gives besides tracks: the air, controls, the course of the solution.
 #pragma once
 
-#include "Air/AirAssimilation.h"
+#include "Air/Run/AirAssimilation.h"
 #include "Base/Types.h"
 
 class vtkImageData;

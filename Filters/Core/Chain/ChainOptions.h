@@ -2,7 +2,7 @@
 // What a user sets of a whole run.
 #pragma once
 
-#include "Air/AirAssimilation.h"
+#include "Air/Run/AirAssimilation.h"
 #include "Chain/ChainTable.h"
 #include "Planning/Takes.h"
 #include "Rotation/RotationRefine.h"

@@ -2,7 +2,7 @@
 // What a run of the chain gives.
 #pragma once
 
-#include "Air/AirAssimilation.h"
+#include "Air/Run/AirAssimilation.h"
 #include "Chain/ChainTable.h"
 #include "Chain/JoinedReport.h"
 #include "Planning/Takes.h"

@@ -8,7 +8,7 @@
 //            motion);
 #pragma once
 
-#include "Air/AssimilationState.h"
+#include "Air/Run/AssimilationState.h"
 #include "Base/Monitor.h"
 #include "Base/Parallel.h"
 #include "Base/Result.h"

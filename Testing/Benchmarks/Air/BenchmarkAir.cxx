@@ -2,8 +2,8 @@
 // WaftBenchmarkAir [objects] [frames] [voxels]: leaves that fall from a cloud to places on the
 // ground in one drawn air, part by part, and one leaf's drift beside the same by a dense matrix and
 // differences.
-#include "Air/AirAssimilation.h"
 #include "Air/PlainDrift.h"
+#include "Air/Run/AirAssimilation.h"
 #include "Base/Primitives.h"
 #include "Base/Random.h"
 

@@ -3,7 +3,7 @@
 // an air is packed for edits, beside its plain bytes; what writing a checkpoint takes on this disk,
 // and what part of a run's time on disks of any speed, beside the former rule (each ten seconds,
 // and at least thirty times what the last writing took).
-#include "Air/PackedSeries.h"
+#include "Air/Field/PackedSeries.h"
 #include "Base/StateArchive.h"
 #include "Base/WritingSchedule.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Drift as its documentation has it, slowly and with nothing shared with Air/Drift.cxx: what
+// Drift as its documentation has it, slowly and with nothing shared with Air/Drift/Drift.cxx: what
 // SolveDrift is held against.
 #pragma once
 
-#include "Air/Drift.h"
+#include "Air/Drift/Drift.h"
 
 namespace waft
 {

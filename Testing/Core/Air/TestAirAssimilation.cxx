@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/AirAssimilation.h"
-#include "Air/AirSimulation.h"
-#include "Air/AirSymmetry.h"
-#include "Air/AssimilationState.h"
+#include "Air/Field/AirSimulation.h"
+#include "Air/Field/AirSymmetry.h"
 #include "Air/PlainDrift.h"
+#include "Air/Run/AirAssimilation.h"
+#include "Air/Run/AssimilationState.h"
 #include "Base/Primitives.h"
 #include "Base/Random.h"
 #include "Grid/SmokeEnsemble.h"

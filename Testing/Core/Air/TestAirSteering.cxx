@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What steers an air, by the fast loops and by plain ones: the same bits.
-#include "Air/AirSteering.h"
+#include "Air/Field/AirSteering.h"
 #include "Base/Random.h"
 
 #include <gtest/gtest.h>

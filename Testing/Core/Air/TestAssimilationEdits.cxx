@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How bodies move in an air, what an edit leaves alone, and what objects keep to besides rows.
-#include "Air/AirStatistics.h"
-#include "Air/AssimilationState.h"
+#include "Air/Field/AirStatistics.h"
+#include "Air/Run/AssimilationState.h"
 #include "Base/Primitives.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/CommonWind.h"
+#include "Air/Field/CommonWind.h"
 #include "Base/Random.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/BandedMatrix.h"
-#include "Air/Drift.h"
+#include "Air/Drift/BandedMatrix.h"
+#include "Air/Drift/Drift.h"
 #include "Air/PlainDrift.h"
 #include "Base/Random.h"
 #include "Obstacles/Shapes.h"

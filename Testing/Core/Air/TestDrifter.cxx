@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/AirAssimilation.h"
-#include "Air/Drifter.h"
+#include "Air/Drift/Drifter.h"
+#include "Air/Run/AirAssimilation.h"
 #include "Base/Primitives.h"
 
 #include <gtest/gtest.h>

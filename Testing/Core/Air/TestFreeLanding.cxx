@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/FreeLanding.h"
+#include "Air/Drift/FreeLanding.h"
 #include "Base/Primitives.h"
 
 #include <gtest/gtest.h>

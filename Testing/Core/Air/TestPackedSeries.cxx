@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Series of half floats are packed without loss, and what is no packed series is refused.
-#include "Air/PackedSeries.h"
+#include "Air/Field/PackedSeries.h"
 #include "Base/Random.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // When an object touches down and lifts off, and its paths brought to such frames.
-#include "Air/Drifter.h"
+#include "Air/Drift/Drifter.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/Drift.h"
+#include "Air/Drift/Drift.h"
 
-#include "Air/BandedMatrix.h"
+#include "Air/Drift/BandedMatrix.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // The path of one body that drifts in a given air through its marks with the least control.
 #pragma once
 
-#include "Air/AirSampler.h"
+#include "Air/Field/AirSampler.h"
 #include "Base/Motion.h"
 #include "Base/Types.h"
 #include "Constraints/GroundEffect.h"

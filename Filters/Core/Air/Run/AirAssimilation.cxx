@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/AirAssimilation.h"
+#include "Air/Run/AirAssimilation.h"
 
-#include "Air/AssimilationRun.h"
+#include "Air/Run/AssimilationRun.h"
 #include "Base/NumberText.h"
 #include "Constraints/ConstraintCheck.h"
 

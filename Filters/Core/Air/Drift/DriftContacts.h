@@ -2,7 +2,7 @@
 // Which objects come too near to each other.
 #pragma once
 
-#include "Air/Drifter.h"
+#include "Air/Drift/Drifter.h"
 #include "Base/Parallel.h"
 
 #include <vector>

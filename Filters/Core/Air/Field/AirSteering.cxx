@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/AirSteering.h"
+#include "Air/Field/AirSteering.h"
 
 #include "Base/Simd.h"
 

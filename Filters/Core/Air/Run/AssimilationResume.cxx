@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a run goes on from: a checkpoint of one that was ended, or a finished one that is edited.
-#include "Air/AssimilationRun.h"
-#include "Air/DriftContacts.h"
+#include "Air/Drift/DriftContacts.h"
+#include "Air/Run/AssimilationRun.h"
 
 #include <algorithm>
 #include <cstdio>

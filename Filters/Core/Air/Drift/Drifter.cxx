@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/Drifter.h"
+#include "Air/Drift/Drifter.h"
 
 #include "Base/Random.h"
 #include "Base/SmoothStep.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/PackedSeries.h"
+#include "Air/Field/PackedSeries.h"
 
 #include "Base/Simd.h"
 

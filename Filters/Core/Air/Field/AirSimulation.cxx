@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/AirSimulation.h"
+#include "Air/Field/AirSimulation.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/FreeLanding.h"
-
-#include "Air/AssimilationRun.h"
+#include "Air/Drift/FreeLanding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,31 +90,6 @@ FreeLanding FindFreeLanding(const DriftScene& scene, const MotionObject& body,
     }
   }
   return {};
-}
-
-void AssimilationRun::LandFreeBodies()
-{
-  const AirSampler air(this->Drawn.Velocity);
-  const int frames = static_cast<int>(this->Paths.front().size());
-  this->Parallel(
-    this->Drifters.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t o = begin; o < end; ++o)
-      {
-        Drifter& drifter = this->Drifters[o];
-        const int first = drifter.FreeFrom();
-        const FreeLanding landing =
-          this->IsKept(o) || first >= frames
-            ? FreeLanding()
-            : FindFreeLanding(this->Around, drifter.Object(), air, this->Paths[o], first);
-        if (landing.Frame >= 0)
-        {
-          drifter.LandFreely(landing.Frame, landing.Place);
-          SolveDrift(drifter.Problem(air), air, this->Weights(), LandingIterations, this->Paths[o]);
-        }
-      }
-    });
 }
 
 } // namespace waft

@@ -3,7 +3,7 @@
 // steered towards a wanted air.
 #pragma once
 
-#include "Air/AirSteering.h"
+#include "Air/Field/AirSteering.h"
 #include "Base/HalfSeries.h"
 #include "Base/Monitor.h"
 #include "Base/Parallel.h"

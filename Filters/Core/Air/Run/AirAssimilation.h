@@ -8,8 +8,8 @@
 // ensemble of one, Courtier, Thepaut, Hollingsworth 1994).
 #pragma once
 
-#include "Air/CommonWind.h"
-#include "Air/Drift.h"
+#include "Air/Drift/Drift.h"
+#include "Air/Field/CommonWind.h"
 #include "Base/HalfSeries.h"
 #include "Base/Monitor.h"
 #include "Base/OptionFields.h"
@@ -208,7 +208,7 @@ std::array<int, 3> AirLatticeDimensions(const Box& volume, const AssimilationOpt
 /// options; may be empty.
 using SolidsOn = std::function<SolidsAtFrame(const SmokeOptions& smoke)>;
 
-struct AssimilationState; // Air/AssimilationState.h
+struct AssimilationState; // Air/Run/AssimilationState.h
 
 /// Errors: tracks that are empty, not finite or of different lengths, fewer than 8 frames, rows or
 /// tracks without object. The same bits on any number of threads. memory, where there is one, is

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/DriftContacts.h"
+#include "Air/Drift/DriftContacts.h"
 
 #include <algorithm>
 #include <cmath>

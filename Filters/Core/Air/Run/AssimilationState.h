@@ -2,7 +2,7 @@
 // How far an assimilation has come: what it goes on from after a stop, or after an edit.
 #pragma once
 
-#include "Air/AirAssimilation.h"
+#include "Air/Run/AirAssimilation.h"
 #include "Base/StateArchive.h"
 #include "Grid/SmokeOptions.h"
 

@@ -2,7 +2,7 @@
 // One object as a problem of drift: its rows, its landings, what it keeps clear of.
 #pragma once
 
-#include "Air/Drift.h"
+#include "Air/Drift/Drift.h"
 #include "Base/Random.h"
 #include "Constraints/Constraint.h"
 #include "Constraints/LinearCluster.h"

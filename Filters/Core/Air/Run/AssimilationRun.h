@@ -2,11 +2,11 @@
 // A run of the assimilation: what its parts share.
 #pragma once
 
-#include "Air/AirAssimilation.h"
-#include "Air/AirSimulation.h"
-#include "Air/AirStatistics.h"
-#include "Air/AssimilationState.h"
-#include "Air/Drifter.h"
+#include "Air/Drift/Drifter.h"
+#include "Air/Field/AirSimulation.h"
+#include "Air/Field/AirStatistics.h"
+#include "Air/Run/AirAssimilation.h"
+#include "Air/Run/AssimilationState.h"
 
 #include <chrono>
 #include <cmath>
@@ -116,8 +116,6 @@ private:
   /// What keeps too near to something is pushed harder first; only what that does not help is moved
   /// out of the way without a look at the air.
   bool FinishPath(std::size_t o, const AirSampler& air);
-
-  // FreeLanding.cxx
   /// What nothing asks for any more and sinks to a surface lies there to the end.
   void LandFreeBodies();
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The objects in the air as it is, and the wind that they need in common.
-#include "Air/AssimilationRun.h"
+#include "Air/Run/AssimilationRun.h"
 
-#include "Air/DriftContacts.h"
+#include "Air/Drift/DriftContacts.h"
+#include "Air/Drift/FreeLanding.h"
 #include "Base/FractionDone.h"
 
 #include <algorithm>
@@ -367,6 +368,31 @@ bool AssimilationRun::FinishPath(std::size_t o, const AirSampler& air)
     SolveDrift(drifter.Problem(air), air, weights, DriftIterations, this->Paths[o]);
   }
   return drifter.MakeExact(this->Paths[o]);
+}
+
+void AssimilationRun::LandFreeBodies()
+{
+  const AirSampler air(this->Drawn.Velocity);
+  const int frames = static_cast<int>(this->Paths.front().size());
+  this->Parallel(
+    this->Drifters.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t o = begin; o < end; ++o)
+      {
+        Drifter& drifter = this->Drifters[o];
+        const int first = drifter.FreeFrom();
+        const FreeLanding landing =
+          this->IsKept(o) || first >= frames
+            ? FreeLanding()
+            : FindFreeLanding(this->Around, drifter.Object(), air, this->Paths[o], first);
+        if (landing.Frame >= 0)
+        {
+          drifter.LandFreely(landing.Frame, landing.Place);
+          SolveDrift(drifter.Problem(air), air, this->Weights(), LandingIterations, this->Paths[o]);
+        }
+      }
+    });
 }
 
 } // namespace waft

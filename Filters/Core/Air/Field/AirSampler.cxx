@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/AirSampler.h"
+#include "Air/Field/AirSampler.h"
 
 #include "Base/Simd.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/AssimilationState.h"
+#include "Air/Run/AssimilationState.h"
 
-#include "Air/PackedSeries.h"
+#include "Air/Field/PackedSeries.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/BandedMatrix.h"
+#include "Air/Drift/BandedMatrix.h"
 
 #include "Base/Simd.h"
 

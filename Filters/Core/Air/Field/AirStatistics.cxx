@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/AirStatistics.h"
+#include "Air/Field/AirStatistics.h"
 
-#include "Air/AirSampler.h"
+#include "Air/Field/AirSampler.h"
 #include "Base/Random.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // Where a body that nothing asks for any more comes down.
 #pragma once
 
-#include "Air/AirSampler.h"
-#include "Air/Drifter.h"
+#include "Air/Drift/Drifter.h"
+#include "Air/Field/AirSampler.h"
 
 #include <vector>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The drawn air, and the same with the force of the common wind.
-#include "Air/AssimilationRun.h"
+#include "Air/Run/AssimilationRun.h"
 
-#include "Air/AirStatistics.h"
-#include "Air/AirSymmetry.h"
+#include "Air/Field/AirStatistics.h"
+#include "Air/Field/AirSymmetry.h"
 #include "Base/FractionDone.h"
 #include "Base/Random.h"
 #include "Grid/SmokeEnsemble.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/AirSymmetry.h"
+#include "Air/Field/AirSymmetry.h"
 
 #include <cmath>
 
