@@ -2,9 +2,9 @@
 #include "Air/Drift/Drift.h"
 
 #include "Air/Drift/BandedMatrix.h"
+#include "Air/Drift/DriftResiduals.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace waft
@@ -12,110 +12,57 @@ namespace waft
 namespace
 {
 
-constexpr int Reach = 4;           // frames that a residual may span, less one
 constexpr double Converged = 1e-4; // relative fall of the cost in an iteration
 constexpr double LeastDamping = 1e-7;
 constexpr double MostDamping = 1e9;
 
-// A residual that is linear about the path: value + sum of Blocks (x - path) over its frames.
-struct Linear
-{
-  int First = 0; // frame of the first block
-  int Count = 0;
-  Vec3 Value = Vec3::Zero();
-  std::array<Mat3, Reach + 1> Blocks;
-};
-
-class DriftSolver
+// The normal equations of a problem about a path, and a step by them.
+class NormalEquations
 {
 public:
-  DriftSolver(const DriftProblem& problem, const AirSampler& air, const DriftWeights& weights) :
-    Problem(problem), Air(air), Weights(weights), Frames(static_cast<int>(problem.IsFixed.size())),
-    Step(problem.Time.Step()), Normal(3 * problem.IsFixed.size(), 3 * ReachOf(problem) + 2)
+  NormalEquations(const DriftProblem& problem, const AirSampler& air, const DriftWeights& weights) :
+    Problem(problem), Weights(weights), Residuals(problem, air, weights),
+    Frames(static_cast<int>(problem.IsFixed.size())), Step(problem.Time.Step()),
+    Matrix(3 * problem.IsFixed.size(), 3 * DriftResiduals::ReachOf(problem) + 2)
   {
-  }
-
-  /// Frames that a residual of the problem spans, less one.
-  static int ReachOf(const DriftProblem& problem)
-  {
-    int reach = problem.ResponseTime > 0.0 ? Reach : 2;
-    for (const DriftRow& row : problem.Rows)
-    {
-      reach = std::max(reach, row.Terms.back().first - row.Terms.front().first);
-    }
-    return reach;
-  }
-
-  /// The control of a step; with its derivatives where `linear`.
-  Vec3 Control(const std::vector<Vec3>& x, int k, Linear* linear) const
-  {
-    const Vec3& a = x[static_cast<std::size_t>(k)];
-    const Vec3& b = x[static_cast<std::size_t>(k) + 1];
-    Mat3 gradient;
-    Vec3 c = (b - a) / this->Step - this->Drifting(k, 0.5 * (a + b), linear ? &gradient : nullptr);
-    const bool inert = this->Problem.ResponseTime > 0.0 && k > 0 && k + 2 < this->Frames;
-    const double inertia = this->Problem.ResponseTime / (2.0 * this->Step * this->Step);
-    if (inert)
-    {
-      c +=
-        inertia * (x[static_cast<std::size_t>(k) + 2] - b - a + x[static_cast<std::size_t>(k) - 1]);
-    }
-    if (linear)
-    {
-      linear->First = inert ? k - 1 : k;
-      linear->Count = inert ? 4 : 2;
-      linear->Value = c;
-      const Mat3 one = Mat3::Identity();
-      const int at = inert ? 1 : 0;
-      linear->Blocks[at] = -one / this->Step - 0.5 * gradient;
-      linear->Blocks[at + 1] = one / this->Step - 0.5 * gradient;
-      if (inert)
-      {
-        linear->Blocks[0] = inertia * one;
-        linear->Blocks[1] -= inertia * one;
-        linear->Blocks[2] -= inertia * one;
-        linear->Blocks[3] = inertia * one;
-      }
-    }
-    return c;
   }
 
   double Cost(const std::vector<Vec3>& x)
   {
     double cost = 0.0;
-    const auto add = [&](const Linear& residual, double weight)
+    const auto add = [&](const DriftResidual& residual, double weight)
     { cost += 0.5 * weight * residual.Value.squaredNorm(); };
-    this->VisitFlight(x, false, add);
-    this->VisitOthers(x, false, add);
+    this->Residuals.VisitFlight(x, false, add);
+    this->Residuals.VisitOthers(x, false, add);
     return cost;
   }
 
   /// Gauss-Newton matrix and gradient.
   double Linearise(const std::vector<Vec3>& x)
   {
-    this->Normal.Clear();
-    this->Gradient.assign(this->Normal.Size(), 0.0);
+    this->Matrix.Clear();
+    this->Gradient.assign(this->Matrix.Size(), 0.0);
     double cost = 0.0;
-    const auto add = [&](const Linear& residual, double weight)
+    const auto add = [&](const DriftResidual& residual, double weight)
     {
       cost += 0.5 * weight * residual.Value.squaredNorm();
       this->Add(residual, weight);
     };
     if (this->Problem.ResponseTime > 0.0)
     {
-      this->VisitFlight(x, true, add);
+      this->Residuals.VisitFlight(x, true, add);
     }
     else
     {
       cost += this->AddFlight(x);
     }
-    this->VisitOthers(x, true, add);
+    this->Residuals.VisitOthers(x, true, add);
     return cost;
   }
 
   bool TakeStep(const std::vector<Vec3>& x, double damping, std::vector<Vec3>& moved)
   {
-    BandedMatrix matrix = this->Normal;
+    BandedMatrix matrix = this->Matrix;
     std::vector<double> step(this->Gradient.size());
     for (int f = 0; f < this->Frames; ++f)
     {
@@ -150,62 +97,9 @@ public:
   }
 
 private:
-  // The velocity that the air, settling and the ground effect give at x in a step.
-  Vec3 Drifting(int k, const Vec3& x, Mat3* gradient) const
-  {
-    Vec3 slope;
-    const double factor = this->Problem.Ground.Factor(x, k + 0.5, gradient ? &slope : nullptr);
-    Vec3 u = this->Air.Between(k, x, gradient);
-    u.z() -= factor * this->Problem.SettlingSpeed;
-    if (gradient)
-    {
-      gradient->row(2) -= this->Problem.SettlingSpeed * slope.transpose();
-    }
-    return u;
-  }
-
-  // Controls and their changes, with their weights.
-  template <class Add>
-  void VisitFlight(const std::vector<Vec3>& x, bool derivatives, const Add& add)
-  {
-    const std::vector<double>& flight = this->Problem.Flight;
-    Linear now, before, change;
-    for (int k = 0; k + 1 < this->Frames; ++k)
-    {
-      const double fraction = flight[static_cast<std::size_t>(k)];
-      if (fraction <= 0.0)
-      {
-        continue;
-      }
-      now.Value = this->Control(x, k, derivatives ? &now : nullptr);
-      add(now, fraction * this->Step);
-      if (k > 0 && flight[static_cast<std::size_t>(k) - 1] > 0.0)
-      {
-        const double both = std::min(fraction, flight[static_cast<std::size_t>(k) - 1]);
-        change.Value = (now.Value - before.Value) / this->Step;
-        if (derivatives)
-        {
-          change.First = before.First;
-          change.Count = now.First + now.Count - before.First;
-          std::fill_n(change.Blocks.begin(), change.Count, Mat3::Zero());
-          for (int i = 0; i < before.Count; ++i)
-          {
-            change.Blocks[i] -= before.Blocks[i] / this->Step;
-          }
-          for (int i = 0; i < now.Count; ++i)
-          {
-            change.Blocks[now.First - before.First + i] += now.Blocks[i] / this->Step;
-          }
-        }
-        add(change, both * this->Weights.Smoothness * this->Step);
-      }
-      std::swap(now, before);
-    }
-  }
-
-  // The same without inertia. With c_k = J_k x and G_k the air's gradient, J_k is -1/dt - G_k / 2
-  // at frame k and 1/dt - G_k / 2 at the next: all blocks of J' W J, whose weights W couple
-  // neighbours in time, come from G_k' G_k and G_k' G_(k-1). Returns the cost.
+  // Controls and their changes, without inertia. With c_k = J_k x and G_k the air's gradient, J_k
+  // is -1/dt - G_k / 2 at frame k and 1/dt - G_k / 2 at the next: all blocks of J' W J, whose
+  // weights W couple neighbours in time, come from G_k' G_k and G_k' G_(k-1). Returns the cost.
   double AddFlight(const std::vector<Vec3>& x)
   {
     const auto steps = static_cast<std::size_t>(this->Frames - 1);
@@ -217,8 +111,9 @@ private:
       if (flight[k] > 0.0)
       {
         const Vec3 middle = 0.5 * (x[k] + x[k + 1]);
-        this->Controls[k] = (x[k + 1] - x[k]) / this->Step -
-                            this->Drifting(static_cast<int>(k), middle, &this->Gradients[k]);
+        this->Controls[k] =
+          (x[k + 1] - x[k]) / this->Step -
+          this->Residuals.Drifting(static_cast<int>(k), middle, &this->Gradients[k]);
       }
     }
     const double h = 1.0 / this->Step;
@@ -274,104 +169,7 @@ private:
     return cost;
   }
 
-  // Accelerations where the control is free, rows and barriers.
-  template <class Add>
-  void VisitOthers(const std::vector<Vec3>& x, bool derivatives, const Add& add)
-  {
-    this->VisitBraking(x, derivatives, add);
-    this->VisitRows(x, derivatives, add);
-    this->VisitBarriers(x, derivatives, add);
-  }
-
-  template <class Add>
-  void VisitBraking(const std::vector<Vec3>& x, bool derivatives, const Add& add)
-  {
-    const double scale = 1.0 / (this->Step * this->Step);
-    Linear bend;
-    for (int f = 1; f + 1 < this->Frames; ++f)
-    {
-      const auto at = static_cast<std::size_t>(f);
-      const double free = 1.0 - std::min(this->Problem.Flight[at - 1], this->Problem.Flight[at]);
-      if (free <= 0.0 || (this->IsFixed(f - 1) && this->IsFixed(f) && this->IsFixed(f + 1)))
-      {
-        continue;
-      }
-      bend.Value = scale * (x[at - 1] - 2.0 * x[at] + x[at + 1]);
-      if (derivatives)
-      {
-        bend.First = f - 1;
-        bend.Count = 3;
-        bend.Blocks[0] = bend.Blocks[2] = scale * Mat3::Identity();
-        bend.Blocks[1] = -2.0 * scale * Mat3::Identity();
-      }
-      add(bend, free * this->Weights.Braking * this->Step);
-    }
-  }
-
-  template <class Add>
-  void VisitRows(const std::vector<Vec3>& x, bool derivatives, const Add& add)
-  {
-    Linear linear;
-    for (const DriftRow& row : this->Problem.Rows)
-    {
-      Vec3 missed = -row.Value;
-      for (const auto& [frame, weight] : row.Terms)
-      {
-        missed += weight * x[static_cast<std::size_t>(frame)];
-      }
-      const double size = missed.norm();
-      if (size <= row.Radius)
-      {
-        continue;
-      }
-      const Vec3 normal = missed / size;
-      const Mat3 along = row.Radius > 0.0 ? Mat3(normal * normal.transpose()) : Mat3::Identity();
-      linear.Value = (1.0 - row.Radius / size) * missed;
-      if (derivatives)
-      {
-        linear.First = row.Terms.front().first;
-        linear.Count = row.Terms.back().first - linear.First + 1;
-        std::fill_n(linear.Blocks.begin(), linear.Count, Mat3::Zero());
-        for (const auto& [frame, weight] : row.Terms)
-        {
-          linear.Blocks[frame - linear.First] = weight * along;
-        }
-      }
-      add(linear, this->Weights.Row);
-    }
-  }
-
-  template <class Add>
-  void VisitBarriers(const std::vector<Vec3>& x, bool derivatives, const Add& add)
-  {
-    if (!this->Problem.TooNear)
-    {
-      return;
-    }
-    Linear linear;
-    for (int f = 0; f < this->Frames; ++f)
-    {
-      if (this->IsFixed(f))
-      {
-        continue;
-      }
-      this->Depths.clear();
-      this->Problem.TooNear(f, x[static_cast<std::size_t>(f)], this->Depths);
-      for (const DriftDepth& depth : this->Depths)
-      {
-        linear.Value = depth.Depth * depth.Normal;
-        if (derivatives)
-        {
-          linear.First = f;
-          linear.Count = 1;
-          linear.Blocks[0] = -depth.Normal * depth.Normal.transpose();
-        }
-        add(linear, this->Weights.Barrier);
-      }
-    }
-  }
-
-  void Add(const Linear& residual, double weight)
+  void Add(const DriftResidual& residual, double weight)
   {
     for (int i = 0; i < residual.Count; ++i)
     {
@@ -412,7 +210,7 @@ private:
     {
       for (std::size_t c = 0; c < (row == column ? r + 1 : 3); ++c)
       {
-        this->Normal.At(3 * row + r, 3 * column + c) +=
+        this->Matrix.At(3 * row + r, 3 * column + c) +=
           block(static_cast<int>(r), static_cast<int>(c));
       }
     }
@@ -424,15 +222,14 @@ private:
   }
 
   const DriftProblem& Problem;
-  const AirSampler& Air;
   const DriftWeights& Weights;
+  DriftResiduals Residuals;
   int Frames;
   double Step;
-  BandedMatrix Normal;
+  BandedMatrix Matrix;
   std::vector<double> Gradient;
   std::vector<Vec3> Controls; // by step, as the air's gradients
   std::vector<Mat3> Gradients;
-  std::vector<DriftDepth> Depths;
 };
 
 } // namespace
@@ -441,11 +238,11 @@ std::vector<Vec3> DriftControls(const DriftProblem& problem, const AirSampler& a
                                 const std::vector<Vec3>& path)
 {
   const DriftWeights weights;
-  const DriftSolver solver(problem, air, weights);
+  const DriftResiduals residuals(problem, air, weights);
   std::vector<Vec3> controls;
   for (int k = 0; k + 1 < static_cast<int>(path.size()); ++k)
   {
-    controls.push_back(solver.Control(path, k, nullptr));
+    controls.push_back(residuals.Control(path, k, nullptr));
   }
   return controls;
 }
@@ -464,16 +261,16 @@ DriftOutcome SolveDrift(const DriftProblem& problem, const AirSampler& air,
   {
     path[f] = problem.IsFixed[f] ? problem.Fixed[f] : path[f];
   }
-  DriftSolver solver(problem, air, weights);
+  NormalEquations equations(problem, air, weights);
   DriftOutcome outcome;
   std::vector<Vec3> trial;
   double damping = 1.0 / problem.Time.Step();
-  outcome.Cost = solver.Linearise(path);
+  outcome.Cost = equations.Linearise(path);
   bool done = false;
   while (!done && outcome.Iterations < maximumIterations)
   {
     ++outcome.Iterations;
-    const double cost = solver.TakeStep(path, damping, trial) ? solver.Cost(trial) : 1e300;
+    const double cost = equations.TakeStep(path, damping, trial) ? equations.Cost(trial) : 1e300;
     if (!(cost < outcome.Cost))
     {
       damping *= 8.0;
@@ -483,7 +280,7 @@ DriftOutcome SolveDrift(const DriftProblem& problem, const AirSampler& air,
     done = outcome.Cost - cost < Converged * outcome.Cost;
     damping = std::max(LeastDamping, damping / 5.0);
     path = trial;
-    outcome.Cost = done ? cost : solver.Linearise(path);
+    outcome.Cost = done ? cost : equations.Linearise(path);
   }
   double sum = 0.0;
   int count = 0;

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a drifting body's path is judged by, residual by residual.
+#pragma once
+
+#include "Air/Drift/Drift.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace waft
+{
+
+/// A residual that is linear about the path: value + sum of Blocks (x - path) over its frames.
+struct DriftResidual
+{
+  static constexpr int Reach = 4; // frames that one may span, less one
+
+  int First = 0; // frame of the first block
+  int Count = 0;
+  Vec3 Value = Vec3::Zero();
+  std::array<Mat3, Reach + 1> Blocks;
+};
+
+/// All residuals of a problem with their weights: add(residual, weight) is called for each that is
+/// not 0 throughout, in a fixed order; its Blocks are set where `derivatives`.
+class DriftResiduals
+{
+public:
+  DriftResiduals(const DriftProblem& problem, const AirSampler& air, const DriftWeights& weights) :
+    Problem(problem), Air(air), Weights(weights), Frames(static_cast<int>(problem.IsFixed.size())),
+    Step(problem.Time.Step())
+  {
+  }
+
+  /// Frames that a residual of the problem spans, less one.
+  static int ReachOf(const DriftProblem& problem);
+  /// The control of a step; with its derivatives where `linear`.
+  Vec3 Control(const std::vector<Vec3>& x, int k, DriftResidual* linear) const;
+  /// The velocity that the air, settling and the ground effect give at x in a step.
+  Vec3 Drifting(int k, const Vec3& x, Mat3* gradient) const;
+
+  /// Controls and their changes.
+  template <class Add>
+  void VisitFlight(const std::vector<Vec3>& x, bool derivatives, const Add& add)
+  {
+    const std::vector<double>& flight = this->Problem.Flight;
+    DriftResidual now, before, change;
+    for (int k = 0; k + 1 < this->Frames; ++k)
+    {
+      const double fraction = flight[static_cast<std::size_t>(k)];
+      if (fraction <= 0.0)
+      {
+        continue;
+      }
+      now.Value = this->Control(x, k, derivatives ? &now : nullptr);
+      add(now, fraction * this->Step);
+      if (k > 0 && flight[static_cast<std::size_t>(k) - 1] > 0.0)
+      {
+        const double both = std::min(fraction, flight[static_cast<std::size_t>(k) - 1]);
+        change.Value = (now.Value - before.Value) / this->Step;
+        if (derivatives)
+        {
+          change.First = before.First;
+          change.Count = now.First + now.Count - before.First;
+          std::fill_n(change.Blocks.begin(), change.Count, Mat3::Zero());
+          for (int i = 0; i < before.Count; ++i)
+          {
+            change.Blocks[i] -= before.Blocks[i] / this->Step;
+          }
+          for (int i = 0; i < now.Count; ++i)
+          {
+            change.Blocks[now.First - before.First + i] += now.Blocks[i] / this->Step;
+          }
+        }
+        add(change, both * this->Weights.Smoothness * this->Step);
+      }
+      std::swap(now, before);
+    }
+  }
+
+  /// Accelerations where the control is free, rows and barriers.
+  template <class Add>
+  void VisitOthers(const std::vector<Vec3>& x, bool derivatives, const Add& add)
+  {
+    this->VisitBraking(x, derivatives, add);
+    this->VisitRows(x, derivatives, add);
+    this->VisitBarriers(x, derivatives, add);
+  }
+
+private:
+  template <class Add>
+  void VisitBraking(const std::vector<Vec3>& x, bool derivatives, const Add& add)
+  {
+    const double scale = 1.0 / (this->Step * this->Step);
+    DriftResidual bend;
+    for (int f = 1; f + 1 < this->Frames; ++f)
+    {
+      const auto at = static_cast<std::size_t>(f);
+      const double free = 1.0 - std::min(this->Problem.Flight[at - 1], this->Problem.Flight[at]);
+      if (free <= 0.0 || (this->IsFixed(f - 1) && this->IsFixed(f) && this->IsFixed(f + 1)))
+      {
+        continue;
+      }
+      bend.Value = scale * (x[at - 1] - 2.0 * x[at] + x[at + 1]);
+      if (derivatives)
+      {
+        bend.First = f - 1;
+        bend.Count = 3;
+        bend.Blocks[0] = bend.Blocks[2] = scale * Mat3::Identity();
+        bend.Blocks[1] = -2.0 * scale * Mat3::Identity();
+      }
+      add(bend, free * this->Weights.Braking * this->Step);
+    }
+  }
+
+  template <class Add>
+  void VisitRows(const std::vector<Vec3>& x, bool derivatives, const Add& add)
+  {
+    DriftResidual linear;
+    for (const DriftRow& row : this->Problem.Rows)
+    {
+      Vec3 missed = -row.Value;
+      for (const auto& [frame, weight] : row.Terms)
+      {
+        missed += weight * x[static_cast<std::size_t>(frame)];
+      }
+      const double size = missed.norm();
+      if (size <= row.Radius)
+      {
+        continue;
+      }
+      const Vec3 normal = missed / size;
+      const Mat3 along = row.Radius > 0.0 ? Mat3(normal * normal.transpose()) : Mat3::Identity();
+      linear.Value = (1.0 - row.Radius / size) * missed;
+      if (derivatives)
+      {
+        linear.First = row.Terms.front().first;
+        linear.Count = row.Terms.back().first - linear.First + 1;
+        std::fill_n(linear.Blocks.begin(), linear.Count, Mat3::Zero());
+        for (const auto& [frame, weight] : row.Terms)
+        {
+          linear.Blocks[frame - linear.First] = weight * along;
+        }
+      }
+      add(linear, this->Weights.Row);
+    }
+  }
+
+  template <class Add>
+  void VisitBarriers(const std::vector<Vec3>& x, bool derivatives, const Add& add)
+  {
+    if (!this->Problem.TooNear)
+    {
+      return;
+    }
+    DriftResidual linear;
+    for (int f = 0; f < this->Frames; ++f)
+    {
+      if (this->IsFixed(f))
+      {
+        continue;
+      }
+      this->Depths.clear();
+      this->Problem.TooNear(f, x[static_cast<std::size_t>(f)], this->Depths);
+      for (const DriftDepth& depth : this->Depths)
+      {
+        linear.Value = depth.Depth * depth.Normal;
+        if (derivatives)
+        {
+          linear.First = f;
+          linear.Count = 1;
+          linear.Blocks[0] = -depth.Normal * depth.Normal.transpose();
+        }
+        add(linear, this->Weights.Barrier);
+      }
+    }
+  }
+
+  bool IsFixed(int frame) const
+  {
+    return this->Problem.IsFixed[static_cast<std::size_t>(frame)] != 0;
+  }
+
+  const DriftProblem& Problem;
+  const AirSampler& Air;
+  const DriftWeights& Weights;
+  int Frames;
+  double Step;
+  std::vector<DriftDepth> Depths;
+};
+
+} // namespace waft
