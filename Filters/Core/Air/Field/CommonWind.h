@@ -13,6 +13,8 @@
 namespace waft
 {
 
+inline constexpr int WindStride = 3; // frames between samples of it
+
 struct CommonWindOptions
 {
   double Spacing = 0.5;     // of the splines, and how far from a wall it holds back [m]

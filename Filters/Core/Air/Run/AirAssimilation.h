@@ -8,8 +8,6 @@
 // ensemble of one, Courtier, Thepaut, Hollingsworth 1994).
 #pragma once
 
-#include "Air/Drift/Drift.h"
-#include "Air/Field/CommonWind.h"
 #include "Base/HalfSeries.h"
 #include "Base/Monitor.h"
 #include "Base/OptionFields.h"
@@ -18,7 +16,9 @@
 #include "Grid/SmokeSeries.h"
 #include "Obstacles/ObstacleSet.h"
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>

@@ -1,56 +1,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a run goes on from: a checkpoint of one that was ended, or a finished one that is edited.
-#include "Air/Drift/DriftContacts.h"
-#include "Air/Run/AssimilationRun.h"
+#include "Air/Run/AssimilationResume.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 #include <utility>
 
 namespace waft
 {
-
-AssimilationState AssimilationRun::State() const
+namespace
 {
-  AssimilationState state;
-  state.Key = this->Key;
-  state.Candidate = this->Candidate;
-  state.Forces = this->Scene.Forces;
-  state.Forces.Wind = FieldSeries();
-  state.Paths = this->Paths;
-  for (const Drifter& drifter : this->Drifters)
+
+// All but the fields.
+AssimilationState Kept(const AirContext& run, const AirState& state,
+                       const AssimilationOutput& output)
+{
+  AssimilationState kept;
+  kept.Key = run.Key;
+  kept.Candidate = state.Candidate;
+  kept.Forces = state.Scene.Forces;
+  kept.Forces.Wind = FieldSeries();
+  kept.Paths = state.Bodies.Paths;
+  for (const Drifter& drifter : state.Bodies.Drifters)
   {
-    state.TouchDowns.emplace_back();
-    state.LiftOffs.emplace_back();
+    kept.TouchDowns.emplace_back();
+    kept.LiftOffs.emplace_back();
     for (std::size_t l = 0; l < drifter.NumberOfLandings(); ++l)
     {
-      state.TouchDowns.back().push_back(drifter.TouchDown(l));
-      state.LiftOffs.back().push_back(drifter.LiftOff(l));
+      kept.TouchDowns.back().push_back(drifter.TouchDown(l));
+      kept.LiftOffs.back().push_back(drifter.LiftOff(l));
     }
   }
-  state.Table = this->Output.Rounds;
-  return state;
+  kept.Table = output.Rounds;
+  return kept;
 }
 
-void AssimilationRun::Take(AssimilationState& state)
+void Take(const AirContext& run, const AssimilationState& kept, AirState& state,
+          AssimilationOutput& output)
 {
-  this->Candidate = state.Candidate;
-  this->Scene.Forces = state.Forces;
-  this->Scene.Forces.Wind = this->Input.Wind;
-  this->Drawn = *state.Air;
-  this->Output.Rounds = state.Table;
+  state.Candidate = kept.Candidate;
+  state.Scene.Forces = kept.Forces;
+  state.Scene.Forces.Wind = run.Input.Wind;
+  state.Drawn = *kept.Air;
+  output.Rounds = kept.Table;
 }
 
-void AssimilationRun::TakePath(std::size_t o, const AssimilationState& state)
+void TakePath(std::size_t o, const AssimilationState& kept, AirBodies& bodies)
 {
-  Drifter& drifter = this->Drifters[o];
-  this->Paths[o] = state.Paths[o];
-  const std::vector<int>& down = state.TouchDowns[o];
-  const std::vector<int>& up = state.LiftOffs[o];
+  Drifter& drifter = bodies.Drifters[o];
+  bodies.Paths[o] = kept.Paths[o];
+  const std::vector<int>& down = kept.TouchDowns[o];
+  const std::vector<int>& up = kept.LiftOffs[o];
   if (down.size() == drifter.NumberOfLandings() + 1 && down.back() >= 0 &&
       down.back() < drifter.NumberOfFrames())
   {
-    drifter.LandFreely(down.back(), state.Paths[o][static_cast<std::size_t>(down.back())]);
+    drifter.LandFreely(down.back(), kept.Paths[o][static_cast<std::size_t>(down.back())]);
   }
   for (std::size_t l = 0; l < std::min({ drifter.NumberOfLandings(), down.size(), up.size() }); ++l)
   {
@@ -59,139 +63,134 @@ void AssimilationRun::TakePath(std::size_t o, const AssimilationState& state)
   }
 }
 
-bool AssimilationRun::HasPaths(const AssimilationState& state) const
+// Whether it is of as many objects and frames.
+bool HasPaths(const AssimilationState& kept, const AirContext& run)
 {
-  const std::size_t frames = this->Input.Tracks.front().Positions.size();
-  return !state.IsEmpty() && state.Paths.size() == this->Drifters.size() &&
-         state.TouchDowns.size() == this->Drifters.size() &&
-         state.LiftOffs.size() == this->Drifters.size() &&
-         state.Air->Velocity.Values.size() == frames &&
-         std::all_of(state.Paths.begin(), state.Paths.end(),
+  const std::size_t count = run.Input.Tracks.size();
+  const std::size_t frames = run.Input.Tracks.front().Positions.size();
+  return !kept.IsEmpty() && kept.Paths.size() == count && kept.TouchDowns.size() == count &&
+         kept.LiftOffs.size() == count && kept.Air->Velocity.Values.size() == frames &&
+         std::all_of(kept.Paths.begin(), kept.Paths.end(),
                      [frames](const std::vector<Vec3>& path) { return path.size() == frames; });
 }
 
-void AssimilationRun::KeepCheckpoint(int rounds, const Result& result)
+} // namespace
+
+void KeepCheckpoint(const AirContext& run, AirState& state, AssimilationOutput& output)
 {
-  if (this->Options.CheckpointFile.empty() || this->HasCheckpointFailed || result.IsStopped())
+  if (run.Options.CheckpointFile.empty() || state.HasCheckpointFailed)
   {
     return;
   }
-  AssimilationState state = this->State();
-  state.Rounds = rounds;
-  state.Air = { std::shared_ptr<void>(), &this->Drawn }; // for the time of the writing
-  const Result written = WriteState(this->Options.CheckpointFile, state, this->Parallel);
+  AssimilationState kept = Kept(run, state, output);
+  kept.Rounds = state.Rounds;
+  kept.Air = { std::shared_ptr<void>(), &state.Drawn }; // for the time of the writing
+  const Result written = WriteState(run.Options.CheckpointFile, kept, run.Parallel);
   if (!written)
   {
-    this->HasCheckpointFailed = true;
-    this->Output.Warnings.push_back("no checkpoint is kept: " + written.Message() +
-                                    " (CheckpointFile)");
+    state.HasCheckpointFailed = true;
+    output.Warnings.push_back("no checkpoint is kept: " + written.Message() + " (CheckpointFile)");
   }
 }
 
-bool AssimilationRun::Resume(int& rounds)
+bool Resume(const AirContext& run, AirState& state, AssimilationOutput& output)
 {
-  const std::string& path = this->Options.CheckpointFile;
+  const std::string& path = run.Options.CheckpointFile;
   if (path.empty())
   {
     return false;
   }
-  AssimilationState state;
-  std::string lack = ReadState(path, state);
-  if (lack.empty() && state.IsEmpty())
+  AssimilationState kept;
+  std::string lack = ReadState(path, kept);
+  if (lack.empty() && kept.IsEmpty())
   {
     return false;
   }
-  if (lack.empty() && !(state.Key.IsSame(this->Key) && this->HasPaths(state)))
+  if (lack.empty() && !(kept.Key.IsSame(run.Key) && HasPaths(kept, run)))
   {
     lack = "belongs to other inputs or properties";
   }
   if (!lack.empty())
   {
-    this->Output.Warnings.push_back("the checkpoint " + path + " " + lack +
-                                    ": ignored, done from the start (CheckpointFile)");
+    output.Warnings.push_back("the checkpoint " + path + " " + lack +
+                              ": ignored, done from the start (CheckpointFile)");
     return false;
   }
-  this->Take(state);
-  for (std::size_t o = 0; o < this->Drifters.size(); ++o)
+  Take(run, kept, state, output);
+  for (std::size_t o = 0; o < state.Bodies.Size(); ++o)
   {
-    this->TakePath(o, state);
+    TakePath(o, kept, state.Bodies);
   }
-  rounds = state.Rounds;
+  state.Rounds = kept.Rounds;
   return true;
 }
 
-bool AssimilationRun::Edit(AssimilationState* memory)
+bool TakeEdit(const AirContext& run, const AssimilationState* memory, AirState& state,
+              AssimilationOutput& output)
 {
   AssimilationState kept;
   std::string lack;
-  if (memory != nullptr && this->Options.WarmStart && memory->IsFinished)
+  if (memory != nullptr && run.Options.WarmStart && memory->IsFinished)
   {
     kept = *memory;
   }
-  else if (!this->Options.EditOf.empty())
+  else if (!run.Options.EditOf.empty())
   {
-    lack = ReadState(this->Options.EditOf, kept);
+    lack = ReadState(run.Options.EditOf, kept);
     lack = lack.empty() && !kept.IsFinished ? "holds no finished run" : lack;
-    if (!lack.empty() || !kept.Key.IsOfSameAir(this->Key) || !this->HasPaths(kept))
+    if (!lack.empty() || !kept.Key.IsOfSameAir(run.Key) || !HasPaths(kept, run))
     {
-      this->Output.Warnings.push_back(
-        "the air to be kept, " + this->Options.EditOf + ", " +
+      output.Warnings.push_back(
+        "the air to be kept, " + run.Options.EditOf + ", " +
         (lack.empty() ? "is of another scene, other objects or other properties" : lack) +
         ": ignored, done from the start (EditOf)");
       return false;
     }
   }
   // A plan that is another one without new rows asks for another motion as a whole.
-  if (!kept.IsFinished || !kept.Key.IsOfSameAir(this->Key) || !this->HasPaths(kept) ||
-      (kept.Key.Wanted == this->Key.Wanted && kept.Key.Planned != this->Key.Planned))
+  if (!kept.IsFinished || !kept.Key.IsOfSameAir(run.Key) || !HasPaths(kept, run) ||
+      (kept.Key.Wanted == run.Key.Wanted && kept.Key.Planned != run.Key.Planned))
   {
     return false;
   }
-  this->Take(kept);
-  this->IsOld.assign(this->Drifters.size(), 0);
-  for (std::size_t o = 0; o < this->Drifters.size(); ++o)
+  Take(run, kept, state, output);
+  state.Bodies.IsOld.assign(state.Bodies.Size(), 0);
+  for (std::size_t o = 0; o < state.Bodies.Size(); ++o)
   {
-    if (kept.Key.Wanted[o] == this->Key.Wanted[o])
+    if (kept.Key.Wanted[o] == run.Key.Wanted[o])
     {
-      this->TakePath(o, kept);
-      this->IsOld[o] = 1;
+      TakePath(o, kept, state.Bodies);
+      state.Bodies.IsOld[o] = 1;
     }
-  }
-  if (!kept.Key.IsSame(this->Key))
-  {
-    (void)this->FirstDrift();
-    PartMonitor drifting(this->Caller, DriftEnd, 1.0, "Letting the objects drift to their marks");
-    (void)this->DriftOn(DriftIterations, drifting);
-    this->Note("edit", nullptr);
   }
   return true;
 }
 
-void AssimilationRun::Leave(AssimilationState* memory)
+void Leave(const AirContext& run, const AirState& state, AssimilationOutput& output,
+           AssimilationState* memory)
 {
-  if (!this->Options.CheckpointFile.empty())
+  if (!run.Options.CheckpointFile.empty())
   {
-    (void)std::remove(this->Options.CheckpointFile.c_str());
+    (void)std::remove(run.Options.CheckpointFile.c_str());
   }
-  if (memory == nullptr && this->Options.StateFile.empty())
+  if (memory == nullptr && run.Options.StateFile.empty())
   {
     return;
   }
-  AssimilationState state = this->State();
-  state.IsFinished = true;
-  state.Air = this->Output.Air;
-  if (!this->Options.StateFile.empty())
+  AssimilationState kept = Kept(run, state, output);
+  kept.IsFinished = true;
+  kept.Air = output.Air;
+  if (!run.Options.StateFile.empty())
   {
-    const Result written = WriteState(this->Options.StateFile, state, this->Parallel);
+    const Result written = WriteState(run.Options.StateFile, kept, run.Parallel);
     if (!written)
     {
-      this->Output.Warnings.push_back("no air is kept for edits: " + written.Message() +
-                                      " (StateFile)");
+      output.Warnings.push_back("no air is kept for edits: " + written.Message() + " (StateFile)");
     }
   }
   if (memory != nullptr)
   {
-    *memory = std::move(state);
+    *memory = std::move(kept);
   }
 }
 

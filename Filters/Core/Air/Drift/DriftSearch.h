@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The best path of one body: from several starts, with several touch-downs and lift-offs.
+#pragma once
+
+#include "Air/Drift/Drifter.h"
+#include "Base/Monitor.h"
+
+#include <vector>
+
+namespace waft
+{
+
+inline constexpr int DriftIterations = 60;
+inline constexpr int FurtherIterations = 12; // where the air has changed little, and of every start
+
+/// How a path is looked for.
+struct DriftSearch
+{
+  DriftWeights Weights;
+  int Starts = 0;         // perturbed ones
+  int Spread = 0;         // frames that it may lie before and after those between which it has to
+  int Step = 1;           // frames between touch-downs that are tried, and between lift-offs
+  bool HasSolids = false; // in the air: what passes through an obstacle is worse than what does not
+};
+
+/// The path with the least control is kept, with its touch-downs and lift-offs; that so far is
+/// among them.
+void SeekPath(const DriftSearch& search, const AirSampler& air, Drifter& drifter,
+              std::vector<Vec3>& path, Monitor& monitor);
+
+/// Exactly through what is asked for. What keeps too near to something is pushed harder first; only
+/// what that does not help is moved out of the way without a look at the air. False where it still
+/// is nearer to something than it may.
+bool FinishPath(DriftWeights weights, const AirSampler& air, const Drifter& drifter,
+                std::vector<Vec3>& path);
+
+} // namespace waft

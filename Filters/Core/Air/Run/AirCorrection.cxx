@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Air/Run/AirCorrection.h"
+
+#include "Air/Field/CommonWind.h"
+#include "Air/Run/AirRounds.h"
+#include "Air/Run/BodyDrift.h"
+#include "Air/Run/RunProgress.h"
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace waft
+{
+namespace
+{
+
+constexpr double SteeringRate = 6.0; // 1/s
+
+// The air as it was without, with the common wind. False: stopped, at some frames.
+bool AddWind(const AirContext& run, const HalfSeries& plain, const CommonWind& common,
+             HalfSeries& air, Monitor& monitor)
+{
+  if (!common.AddTo(plain, air, run.Parallel, monitor))
+  {
+    return false;
+  }
+  for (std::vector<Half3>& field : air.Values)
+  {
+    StopAtFloor(air, field);
+  }
+  return true;
+}
+
+// The wind that would have made the controls needless: what it is at the bodies, and they.
+bool FitWind(const AirContext& run, const AirState& state, CommonWind& common, Monitor& monitor)
+{
+  const AirBodies& bodies = state.Bodies;
+  const AirSampler air(state.Drawn.Velocity);
+  std::map<int, WindSamples> byFrame;
+  for (std::size_t o = 0; o < bodies.Size(); ++o)
+  {
+    const DriftProblem problem = bodies.Drifters[o].Problem(air);
+    const std::vector<Vec3> controls = DriftControls(problem, air, bodies.Paths[o]);
+    for (int k = 1; k < static_cast<int>(controls.size()); k += WindStride)
+    {
+      const auto at = static_cast<std::size_t>(k);
+      if (!IsFreeStep(problem, bodies.Paths[o], k))
+      {
+        continue;
+      }
+      const Vec3 middle = 0.5 * (bodies.Paths[o][at] + bodies.Paths[o][at + 1]);
+      WindSamples& samples = byFrame[k];
+      samples.Frame = k + 0.5;
+      samples.Positions.push_back(middle);
+      samples.Values.push_back(controls[at] + common.At(middle, k + 0.5));
+    }
+  }
+  std::vector<WindSamples> samples;
+  for (auto& [frame, at] : byFrame)
+  {
+    samples.push_back(std::move(at));
+  }
+  return common.Fit(samples, run.Parallel, monitor);
+}
+
+} // namespace
+
+Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
+                AssimilationOutput& output)
+{
+  CommonWindOptions options;
+  options.Spacing = run.Options.WindSpacing;
+  options.TimeSpacing = run.Options.WindTimeSpacing;
+  options.Ridge *= run.Options.WindStiffness;
+  options.Bending *= run.Options.WindStiffness;
+  options.Changing *= run.Options.WindStiffness;
+  CommonWind common(run.Input.Scene.Bounds, run.Input.Scene.Time, options);
+  const double begin = ProgressOf(run.Options.Rounds, state.Rounds, 0.0);
+  const double step =
+    (ProgressOf(run.Options.Rounds, state.Rounds, WindEnd) - begin) / run.Options.WindRounds;
+  for (int k = 0; k < run.Options.WindRounds; ++k)
+  {
+    PartMonitor fitting(run.Caller, begin + k * step, begin + (k + 0.5) * step,
+                        "Fitting the common wind");
+    const bool isFitted = FitWind(run, state, common, fitting);
+    if (!isFitted || !AddWind(run, plain, common, state.Drawn.Velocity, fitting))
+    {
+      state.Drawn.Velocity = plain;
+      return Result::Stopped();
+    }
+    PartMonitor drifting(run.Caller, begin + (k + 0.5) * step, begin + (k + 1) * step,
+                         "Letting the objects drift in the common wind");
+    if (!DriftOn(run, state.Drawn.Velocity, FurtherIterations, state.Bodies, drifting))
+    {
+      return Result::Stopped();
+    }
+    output.Rounds.push_back(RoundOf(run, state, "wind " + std::to_string(k + 1), &common));
+  }
+  return Result::Ok();
+}
+
+Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
+                     AssimilationOutput& output)
+{
+  const int rounds = run.Options.Rounds;
+  const std::string number = std::to_string(state.Rounds + 1);
+  AirSteering steering(state.Drawn.Velocity, std::move(plain), std::move(state.Drawn.Wind),
+                       SteeringRate);
+  state.Drawn.Wind = HalfSeries();
+  HalfSeries air;
+  PartMonitor monitor(run.Caller, ProgressOf(rounds, state.Rounds, WindEnd),
+                      ProgressOf(rounds, state.Rounds, SimulationEnd),
+                      "Simulating the air with the common wind, round " + number + " of at most " +
+                        std::to_string(rounds));
+  const Result simulated =
+    SimulateAir(state.Scene, &steering, run.Parallel, monitor, air, &state.Begun);
+  if (!simulated || simulated.IsStopped())
+  {
+    return simulated;
+  }
+  state.Drawn.Velocity = std::move(air);
+  state.Drawn.Wind = steering.TakePushes();
+  PartMonitor drifting(run.Caller, ProgressOf(rounds, state.Rounds, SimulationEnd),
+                       ProgressOf(rounds, state.Rounds, DriftingEnd),
+                       "Letting the objects drift to their marks");
+  if (!DriftOn(run, state.Drawn.Velocity, DriftIterations, state.Bodies, drifting))
+  {
+    return Result::Stopped();
+  }
+  PartMonitor seeking(run.Caller, ProgressOf(rounds, state.Rounds, DriftingEnd),
+                      ProgressOf(rounds, state.Rounds, 1.0), "Seeking anew what the air has lost");
+  if (!SeekAgain(run, state.Drawn.Velocity, state.Bodies, seeking))
+  {
+    return Result::Stopped();
+  }
+  output.Rounds.push_back(RoundOf(run, state, "simulate " + number));
+  return Result::Ok();
+}
+
+} // namespace waft

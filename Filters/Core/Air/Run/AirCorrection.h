@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a round does: the wind that the controls have in common, and the air with its force.
+#pragma once
+
+#include "Air/Run/AirState.h"
+
+namespace waft
+{
+
+/// The air without and then with the wind that the controls have in common, in which the objects
+/// drift. plain: the air without.
+Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
+                AssimilationOutput& output);
+
+/// Towards the air with the common wind, by what its motion asks for beside what drives it now;
+/// then the objects drift in it.
+Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
+                     AssimilationOutput& output);
+
+} // namespace waft

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Air/Run/AirDraw.h"
+
+#include "Air/Field/AirSymmetry.h"
+#include "Air/Field/ForceDraws.h"
+#include "Air/Run/RunProgress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace waft
+{
+namespace
+{
+
+constexpr int TrialIterations = 12; // of a candidate
+constexpr std::size_t TrialObjects = 48;
+constexpr std::size_t FewestForStatistics = 12; // bodies
+constexpr double PathStructureCost = 2.0;
+constexpr double PathStrengthCost = 0.2;
+constexpr double Tiny = 1e-12; // [m^2/s^2]
+constexpr int CoarseVoxels = 16;
+constexpr double DrawsEnd = 0.03;
+constexpr double TrialsEnd = 0.06;
+constexpr const char* Drawing = "Drawing the forces of the air";
+
+// Of a variance that is not as it is wanted; 0 where either is not known.
+double StrengthCost(double found, double wanted)
+{
+  const double misfit = found > 0.0 && wanted > 0.0 ? std::log(found / wanted) : 0.0;
+  return PathStrengthCost * misfit * misfit;
+}
+
+double TypicalSettlingSpeed(const AirBodies& bodies)
+{
+  std::vector<double> speeds;
+  for (const Drifter& drifter : bodies.Drifters)
+  {
+    speeds.push_back(drifter.Object().SettlingSpeed);
+  }
+  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
+  std::nth_element(speeds.begin(), middle, speeds.end());
+  return *middle;
+}
+
+AirScene CoarseSceneOf(const AirContext& run, const AirScene& scene)
+{
+  AirScene coarse = scene;
+  coarse.LatticeDimensions.fill(CoarseVoxels);
+  for (int& voxels : coarse.Smoke.Resolution)
+  {
+    voxels = std::max(4, voxels * CoarseVoxels / run.Options.Resolution);
+  }
+  if (scene.Solids)
+  {
+    coarse.Solids = run.Solids(coarse.Smoke);
+  }
+  return coarse;
+}
+
+// Whether nothing forbids quarter turns and mirror images.
+bool IsSymmetric(const AirContext& run, const AirScene& scene)
+{
+  return !scene.Solids && run.Input.Wind.IsEmpty() && run.Input.Vortices.empty();
+}
+
+// What the objects' flight in an air costs; the row gets their control.
+double Try(const AirContext& run, const AirBodies& bodies, const AirStatistics& wanted,
+           const HalfSeries& series, AssimilationRound& row)
+{
+  const AirSampler air(series);
+  const std::size_t stride = (bodies.Drifters.size() + TrialObjects - 1) / TrialObjects;
+  const std::size_t count = (bodies.Drifters.size() + stride - 1) / stride;
+  std::vector<double> squares(count, 0.0);
+  FreeFlights flights;
+  flights.Paths.resize(count);
+  flights.IsFree.resize(count);
+  const auto unfree = static_cast<std::size_t>(0.5 * run.Input.Scene.Time.FramesPerSecond);
+  run.Parallel(count,
+               [&](std::size_t begin, std::size_t end)
+               {
+                 for (std::size_t k = begin; k < end; ++k)
+                 {
+                   const Drifter& drifter = bodies.Drifters[k * stride];
+                   const DriftProblem problem = drifter.Problem(air);
+                   std::vector<Vec3>& path = flights.Paths[k];
+                   path = drifter.Starts(air, 0).back();
+                   const DriftOutcome outcome =
+                     SolveDrift(problem, air, run.Search.Weights, TrialIterations, path);
+                   squares[k] = outcome.Control * outcome.Control;
+                   flights.IsFree[k].assign(path.size(), 0);
+                   for (std::size_t f = unfree; f + unfree < path.size(); ++f)
+                   {
+                     flights.IsFree[k][f] = IsFreeStep(problem, path, static_cast<int>(f)) ? 1 : 0;
+                   }
+                 }
+               });
+  double sum = 0.0;
+  for (const double square : squares)
+  {
+    sum += square / static_cast<double>(count);
+  }
+  const AirStatistics found =
+    StatisticsOf(flights, run.Input.Scene.Time.FramesPerSecond, run.Input.Scene.Bounds.Width());
+  row.Control = std::sqrt(sum);
+
+  const double cost = sum / std::max(wanted.VelocityVariance, Tiny);
+  if (count < FewestForStatistics)
+  {
+    return cost + StrengthCost(found.OwnVelocityVariance, wanted.OwnVelocityVariance) +
+           StrengthCost(found.OwnAccelerationVariance, wanted.OwnAccelerationVariance);
+  }
+  const double structure = StructureDistance(found, wanted);
+  return cost + PathStructureCost * structure * structure +
+         StrengthCost(found.VelocityVariance, wanted.VelocityVariance) +
+         StrengthCost(found.AccelerationVariance, wanted.AccelerationVariance);
+}
+
+} // namespace
+
+Result DrawAir(const AirContext& run, AirState& state, AssimilationOutput& output)
+{
+  const AirScene coarse = CoarseSceneOf(run, state.Scene);
+  std::vector<ForceDraw> draws;
+  AirStatistics wanted;
+  PartMonitor drawing(run.Caller, 0.0, DrawsEnd, Drawing);
+  Result result =
+    DrawForces(run.Input, SeedOfAir(run.Input, run.Options), coarse,
+               TypicalSettlingSpeed(state.Bodies), run.Parallel, drawing, draws, wanted);
+  if (!result || result.IsStopped())
+  {
+    return result;
+  }
+  std::vector<AirSymmetry> symmetries = AirSymmetries(run.Input.Scene.Bounds);
+  symmetries.resize(IsSymmetric(run, state.Scene) ? symmetries.size() : 1);
+  const auto candidates = static_cast<std::size_t>(run.Options.Candidates);
+  draws.resize(std::min(draws.size(), (candidates + symmetries.size() - 1) / symmetries.size()));
+  std::vector<HalfSeries> airs(draws.size());
+  PartMonitor trying(run.Caller, DrawsEnd, TrialsEnd, Drawing);
+  result = SimulateSideBySide(
+    draws.size(),
+    [&](std::size_t k)
+    {
+      AirScene scene = coarse;
+      scene.Forces = draws[k].Forces;
+      return scene;
+    },
+    [&](std::size_t k, HalfSeries& air) { airs[k] = std::move(air); }, run.Parallel, trying);
+  if (!result || result.IsStopped())
+  {
+    return result;
+  }
+  double least = 1e300;
+  std::size_t draw = 0;
+  AirSymmetry best;
+  for (std::size_t k = 0; k < candidates && k < draws.size() * symmetries.size(); ++k)
+  {
+    const AirSymmetry& symmetry = symmetries[k % symmetries.size()];
+    const std::size_t from = k / symmetries.size();
+    AssimilationRound row;
+    row.Stage = "draw";
+    row.Candidate = "air " + std::to_string(from + 1) + ", " + symmetry.Text();
+    const double judged = Try(run, state.Bodies, wanted, Image(symmetry, airs[from]), row);
+    row.Seconds = run.Seconds();
+    output.Rounds.push_back(row);
+    if (judged < least)
+    {
+      least = judged;
+      draw = from;
+      best = symmetry;
+      state.Candidate = row.Candidate;
+    }
+  }
+  state.Scene.Forces = Image(best, run.Input.Scene.Bounds, draws[draw].Forces);
+  PartMonitor monitor(run.Caller, TrialsEnd, DrawEnd, "Drawing the air");
+  return SimulateAir(state.Scene, nullptr, run.Parallel, monitor, state.Drawn.Velocity,
+                     &state.Begun);
+}
+
+} // namespace waft

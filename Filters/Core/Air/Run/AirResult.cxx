@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Air/Run/AirResult.h"
+
+#include "Air/Run/AirRounds.h"
+#include "Air/Run/BodyDrift.h"
+#include "Base/NumberText.h"
+#include "Constraints/ConstraintCheck.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace waft
+{
+namespace
+{
+
+constexpr const char* Finished = "finish";
+
+} // namespace
+
+void KeepPlan(const AirContext& run, AssimilationOutput& output)
+{
+  output.Warnings.push_back("stopped before there was an air: the paths are the plan's");
+  output.Tracks = run.Input.Tracks;
+  for (const Track& track : output.Tracks)
+  {
+    output.Controls.emplace_back(track.Positions.size(), Vec3::Zero());
+  }
+  MeasureResiduals(output.Constraints, output.Tracks, run.Input.Objects, run.Obstacles,
+                   run.Input.Scene, output.Report);
+}
+
+void FinishRun(const AirContext& run, bool isStopped, AirState& state, AssimilationOutput& output)
+{
+  AirBodies& bodies = state.Bodies;
+  if (isStopped)
+  {
+    output.Warnings.push_back("stopped: objects may come too near to each other");
+  }
+  else
+  {
+    LandFreeBodies(run, state.Drawn.Velocity, bodies);
+    KeepApart(run, state.Drawn.Velocity, bodies);
+  }
+  const std::vector<char> clear = FinishPaths(run, state.Drawn.Velocity, bodies);
+  if (!output.Rounds.empty() && output.Rounds.back().Stage == Finished)
+  {
+    output.Rounds.pop_back(); // of the run that this one goes on from
+  }
+  output.Rounds.push_back(RoundOf(run, state, Finished));
+  TellLargeHands(bodies, state.Drawn.Velocity, output.Rounds.back().Flow, output.Warnings);
+  const AirSampler air(state.Drawn.Velocity);
+  for (std::size_t o = 0; o < bodies.Size(); ++o)
+  {
+    if (!clear[o])
+    {
+      output.Warnings.push_back("object " + std::to_string(bodies.Drifters[o].Object().ObjectId) +
+                                ": the path leaves less than the clearance asked for, " +
+                                NumberText(bodies.Drifters[o].Object().ClearanceRadius) +
+                                " m: give its marks more room beside what is in the way");
+    }
+    Track track;
+    track.ObjectId = bodies.Drifters[o].Object().ObjectId;
+    track.Positions = bodies.Paths[o];
+    const DriftProblem problem = bodies.Drifters[o].Problem(air);
+    const std::vector<Vec3> between = DriftControls(problem, air, track.Positions);
+    std::vector<Vec3> controls(track.Positions.size(), Vec3::Zero());
+    for (std::size_t f = 0; f < track.Positions.size(); ++f)
+    {
+      track.AirVelocities.push_back(air.At(static_cast<int>(f), track.Positions[f]));
+      const std::size_t before = f > 0 ? f - 1 : 0;
+      const std::size_t after = std::min(f, between.size() - 1);
+      controls[f] = 0.5 * (between[before] + between[after]);
+    }
+    output.Tracks.push_back(std::move(track));
+    output.Controls.push_back(std::move(controls));
+    for (Constraint& row : output.Constraints)
+    {
+      for (const Constraint& own : bodies.Drifters[o].Rows())
+      {
+        if (own.Row == row.Row && own.Target == row.Target && own.ObjectId == row.ObjectId)
+        {
+          row.TouchDown = own.TouchDown;
+          row.LiftOff = own.LiftOff;
+        }
+      }
+    }
+    if (const Constraint* landing = bodies.Drifters[o].FreeLanding())
+    {
+      output.Constraints.push_back(*landing);
+    }
+  }
+  MeasureResiduals(output.Constraints, output.Tracks, run.Input.Objects, run.Obstacles,
+                   run.Input.Scene, output.Report);
+  output.Air = std::make_shared<DrawnAir>(std::move(state.Drawn));
+  output.Vortices = state.Scene.Forces.Vortices;
+}
+
+} // namespace waft

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Air/Run/AirRounds.h"
+
+#include "Air/Drift/PrivateHand.h"
+#include "Constraints/ConstraintCheck.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+namespace
+{
+
+constexpr double LargeControl = 0.3; // of the flow, that is told
+constexpr std::size_t MostTold = 10;
+
+/// " (its mark at frame 30)", " (its 4 marks at frames 30 to 60)": those that somebody asked for.
+std::string MarksText(const std::vector<Constraint>& rows)
+{
+  int count = 0, first = 0, last = 0;
+  for (const Constraint& row : rows)
+  {
+    if (row.Row != OfNoRow)
+    {
+      first = count == 0 ? row.Frame : std::min(first, row.Frame);
+      last = count == 0 ? row.Frame : std::max(last, row.Frame);
+      ++count;
+    }
+  }
+  const std::string marks = count == 1 ? "its mark" : "its " + std::to_string(count) + " marks";
+  return count == 0 ? "" : " (" + marks + " " + FramesText(first, last) + ")";
+}
+
+// Of squares of the common wind, over the steps of free flight.
+double WindAlong(const Drifter& drifter, const CommonWind& common, const AirSampler& air,
+                 const std::vector<Vec3>& path)
+{
+  const DriftProblem problem = drifter.Problem(air);
+  double sum = 0.0;
+  for (std::size_t k = 0; k + 1 < path.size(); k += WindStride)
+  {
+    if (IsFreeStep(problem, path, static_cast<int>(k)))
+    {
+      const Vec3 middle = 0.5 * (path[k] + path[k + 1]);
+      sum += WindStride * common.At(middle, static_cast<double>(k) + 0.5).squaredNorm();
+    }
+  }
+  return sum;
+}
+
+} // namespace
+
+AssimilationRound RoundOf(const AirContext& run, const AirState& state, const std::string& stage,
+                          const CommonWind* common)
+{
+  const AirBodies& bodies = state.Bodies;
+  const AirSampler air(state.Drawn.Velocity);
+  const std::size_t count = bodies.Size();
+  std::vector<PrivateHand> hands(count);
+  std::vector<double> winds(count, 0.0);
+  run.Parallel(count,
+               [&](std::size_t begin, std::size_t end)
+               {
+                 for (std::size_t o = begin; o < end; ++o)
+                 {
+                   hands[o] = HandOf(bodies.Drifters[o], air, bodies.Paths[o]);
+                   winds[o] =
+                     common ? WindAlong(bodies.Drifters[o], *common, air, bodies.Paths[o]) : 0.0;
+                 }
+               });
+  PrivateHand all;
+  double wind = 0.0;
+  std::vector<double> byObject;
+  for (std::size_t o = 0; o < count; ++o)
+  {
+    all.Control += hands[o].Control;
+    all.Flow += hands[o].Flow;
+    all.Steps += hands[o].Steps;
+    wind += winds[o];
+    byObject.push_back(hands[o].Rms(hands[o].Control));
+  }
+  std::sort(byObject.begin(), byObject.end());
+  AssimilationRound row;
+  row.Stage = stage;
+  row.Candidate = state.Candidate;
+  row.Control = all.Rms(all.Control);
+  row.MedianControl = byObject[byObject.size() / 2];
+  row.Flow = all.Rms(all.Flow);
+  row.Wind = all.Rms(wind);
+  row.Seconds = run.Seconds();
+  return row;
+}
+
+void TellLargeHands(const AirBodies& bodies, const HalfSeries& series, double flow,
+                    std::vector<std::string>& warnings)
+{
+  const AirSampler air(series);
+  std::size_t told = 0;
+  for (std::size_t o = 0; o < bodies.Size(); ++o)
+  {
+    const PrivateHand hand = HandOf(bodies.Drifters[o], air, bodies.Paths[o]);
+    const double part = flow > 0.0 ? hand.Rms(hand.Control) / flow : 0.0;
+    if (part <= LargeControl || ++told > MostTold)
+    {
+      continue;
+    }
+    warnings.push_back(
+      "object " + std::to_string(bodies.Drifters[o].Object().ObjectId) +
+      MarksText(bodies.Drifters[o].Rows()) +
+      ": the air does not take it there: what moves it besides is " +
+      std::to_string(std::lround(100.0 * part)) +
+      " % of the flow's velocity: give it more time between its marks, or marks that are nearer");
+  }
+  if (told > MostTold)
+  {
+    warnings.push_back("and " + std::to_string(told - MostTold) +
+                       " more objects that the air does not take to their marks");
+  }
+}
+
+} // namespace waft

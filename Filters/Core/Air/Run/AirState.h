@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All that changes in the course of a run, as one value, and what does not.
+#pragma once
+
+#include "Air/Drift/DriftSearch.h"
+#include "Air/Field/AirSimulation.h"
+#include "Air/Run/AirAssimilation.h"
+#include "Air/Run/AssimilationState.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+/// The objects of a run, in the order of the tracks.
+struct AirBodies
+{
+  std::vector<Drifter> Drifters; // with their touch-downs and lift-offs
+  std::vector<std::vector<Vec3>> Paths;
+  std::vector<char> IsOld; // that an edit leaves as they were; empty: no edit
+
+  std::size_t Size() const { return this->Drifters.size(); }
+  bool IsKept(std::size_t o) const { return !this->IsOld.empty() && this->IsOld[o]; }
+  bool AreAllKept() const
+  {
+    return !this->IsOld.empty() &&
+           std::find(this->IsOld.begin(), this->IsOld.end(), 0) == this->IsOld.end();
+  }
+};
+
+/// A run goes from one of these to the next, stage by stage.
+struct AirState
+{
+  int Rounds = 0;        // simulations with the common wind that are done
+  std::string Candidate; // the draw that goes on
+  AirScene Scene;        // what makes the air: the forces are those drawn
+  SmokeState Begun;      // the air of the first frame, before any wind of ours
+  DrawnAir Drawn;        // the air as it is
+  AirBodies Bodies;
+  bool HasCheckpointFailed = false;
+};
+
+/// What a run is given, and what follows from that alone.
+struct AirContext
+{
+  AirContext(const AssimilationInput& input, const AssimilationOptions& options,
+             const SolidsOn& solids, const ParallelFor& parallel, Monitor& monitor) :
+    Input(input),
+    Options(options), Solids(solids), Parallel(parallel),
+    Caller(monitor), Around{ input.Scene, this->Obstacles, options.Inertia }
+  {
+    const double rate = input.Scene.Time.FramesPerSecond;
+    this->Search.Weights.Smoothness = options.Smoothness;
+    this->Search.Starts = options.Starts;
+    this->Search.Spread = static_cast<int>(std::lround(options.TouchDownSpread * rate));
+    this->Search.Step = std::max(1, static_cast<int>(std::lround(rate / 2.0)));
+  }
+  AirContext(const AirContext&) = delete;
+  void operator=(const AirContext&) = delete;
+
+  double Seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
+  }
+
+  const AssimilationInput& Input;
+  const AssimilationOptions& Options;
+  const SolidsOn& Solids;
+  const ParallelFor& Parallel;
+  Monitor& Caller;
+  /// The motion so far, to who watches.
+  std::function<void(const AirBodies& bodies)> Show;
+  ObstacleSet Obstacles;
+  DriftScene Around; // of all drifters
+  DriftSearch Search;
+  AssimilationKey Key;
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+
+} // namespace waft

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All bodies in the air as it is. What an edit leaves as it was does not move.
+#pragma once
+
+#include "Air/Run/AirState.h"
+
+#include <vector>
+
+namespace waft
+{
+
+/// Each by a search (SeekPath). False: stopped.
+bool SeekPaths(const AirContext& run, const HalfSeries& air, const std::vector<char>& which,
+               AirBodies& bodies, PartMonitor& monitor);
+/// Those whom the air as it has become does not take to their marks.
+bool SeekAgain(const AirContext& run, const HalfSeries& air, AirBodies& bodies,
+               PartMonitor& monitor);
+
+/// Each from its path on, beside the others as they are. False: stopped, and some have not drifted.
+bool DriftOn(const AirContext& run, const HalfSeries& air, int iterations, AirBodies& bodies,
+             Monitor& monitor);
+
+/// What nothing asks for any more and sinks to a surface lies there to the end.
+void LandFreeBodies(const AirContext& run, const HalfSeries& air, AirBodies& bodies);
+
+/// Those that are too near to each other give way, pass by pass harder.
+void KeepApart(const AirContext& run, const HalfSeries& air, AirBodies& bodies);
+
+/// Exactly to the marks (FinishPath). By body: whether it keeps its clearance.
+std::vector<char> FinishPaths(const AirContext& run, const HalfSeries& air, AirBodies& bodies);
+
+} // namespace waft
