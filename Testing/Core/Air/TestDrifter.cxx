@@ -63,6 +63,13 @@ std::vector<Vec3> Straight(const std::vector<Vec3>& path, int last)
   return straight;
 }
 
+/// Looks at what there is so far.
+class Watcher : public SilentMonitor
+{
+public:
+  bool ShowsSoFar() const override { return true; }
+};
+
 double LongestStep(const std::vector<Vec3>& path)
 {
   double longest = 0.0;
@@ -148,9 +155,10 @@ TEST(AssimilationContacts, NoBodyJumpsOutOfACrowd)
   AssimilationOptions options;
   options.Resolution = options.LatticeResolution = 16;
   options.Rounds = 1;
-  SilentMonitor monitor;
+  Watcher monitor;
   AssimilationOutput output;
   ASSERT_TRUE(AssimilateAir(input, options, {}, SerialFor(), monitor, output));
+  ASSERT_EQ(output.Tracks.size(), input.Tracks.size()); // what was shown is not given out besides
   for (const Track& track : output.Tracks)
   {
     for (int f = 1; f + 1 < Frames; ++f)

@@ -161,7 +161,6 @@ Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& 
   {
     return result;
   }
-  output.Tracks.clear(); // what was shown so far
   if (!state.Drawn.Velocity.IsEmpty())
   {
     FinishRun(run, result.IsStopped(), state, output);

@@ -52,6 +52,7 @@ void FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimilat
   }
   output.Rounds.push_back(RoundOf(run, state, Finished));
   TellLargeHands(bodies, state.Drawn.Velocity, output.Rounds.back().Flow, output.Warnings);
+  output.Tracks.clear(); // what was shown so far
   const AirSampler air(state.Drawn.Velocity);
   for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
