@@ -15,8 +15,8 @@ AWAY = 0.3  # from every object, where a witness is let go [m]
 
 
 class AirField:
-    """Velocity [m/s] and the common wind's force [m/s^2] (None without one) [step, k, j, i, 3] on a lattice; linear between its
-    points and steps, that of the outermost point outside."""
+    """Velocity [m/s] [step, k, j, i, 3] on a lattice; linear between its points and steps, that of the outermost point outside. wind:
+    {step: the common wind's force [m/s^2] there}, of some steps."""
 
     def __init__(self, times, velocity, wind, origin, spacing):
         self.times, self.velocity, self.wind = np.asarray(times, float), velocity, wind
@@ -82,10 +82,11 @@ class AirField:
     def wind_share(self, every=10):
         """Rms of the common wind's force over that of the acceleration that the air has of its own, Dv/Dt less the wind's; NaN
         without a wind."""
-        if self.wind is None or len(self.times) < 3:
+        steps = [step for step in sorted(self.wind) if 0 < step < len(self.times) - 1]
+        if not steps:
             return float("nan")
         force, own = [], []
-        for step in range(1, len(self.times) - 1, every):
+        for step in steps[::every if len(self.wind) == len(self.times) else 1]:
             v = self.velocity[step].astype(float)
             change = (self.velocity[step + 1].astype(float) - self.velocity[step - 1]) / (self.times[step + 1] - self.times[step - 1])
             for axis, component in ((2, 0), (1, 1), (0, 2)):
@@ -107,18 +108,18 @@ def read_air(folder):
     check_steps(steps, series)
     if not steps:
         raise BadInput(f"{series}: expected a file for each frame, found none")
-    velocity = wind = shape = frame_of = None
+    velocity = shape = frame_of = None
+    wind = {}
     for index, (_, name) in enumerate(steps):
         path = folder.file(name, "an image that is whole")
         image, fields = _image(path)
         if shape is None:
             shape, frame_of = fields["Velocity"].shape, (image.GetOrigin(), image.GetSpacing())
             velocity = np.empty((len(steps), *shape), np.float32)
-            wind = np.empty_like(velocity) if "Wind" in fields else None
-        if fields["Velocity"].shape != shape or (wind is not None and "Wind" not in fields):
-            raise BadInput(f"{path}: expected the lattice and arrays of the first frame")
+        if fields["Velocity"].shape != shape:
+            raise BadInput(f"{path}: expected the lattice of the first frame")
         velocity[index] = fields["Velocity"]
-        if wind is not None:
+        if "Wind" in fields:
             wind[index] = fields["Wind"]
     return AirField([time for time, _ in steps], velocity, wind, *frame_of)
 

@@ -5,6 +5,8 @@
 # optimiser from there, in that air; paper: as in the paper, the optimiser from the plan, gas at rest.
 WITHOUT = {"preview": ("spacetime",), "air": ("spacetime",), "full": (), "paper": ("assimilation",)}
 QUALITIES = tuple(WITHOUT)
+# What may be kept in full beside the results: every frame of the air, and the state that edits go on from.
+KEPT = ("air", "state")
 _FORMER = {"air": "assimilated"}  # {quality: what it was called before}
 
 

@@ -8,7 +8,7 @@ import sys
 import time
 
 from waft import failures
-from waft._qualities import QUALITIES, quality_of
+from waft._qualities import KEPT, QUALITIES, quality_of
 from waft._schema import definition
 from waft._styles import STYLES, VIEWS
 from waft.loading import version
@@ -23,6 +23,7 @@ DATABASE_EXIT = """exit status: 0 done; 2 malformed usage, nothing computed; 4 s
 simulations that are whole written (nothing when there is none); 1 anything else. FILE.coverage.csv tells what
 each simulation added"""
 
+CLEAN_EXIT = """exit status: 0 done; 2 malformed usage, or DIR is no result; 1 anything else"""
 NEW_EXIT = """exit status: 0 written; 2 malformed usage, or something is there already; 1 anything else"""
 
 CHECK_EXIT = """exit status: 0 nothing stands against it, though some may be hard; 2 malformed scene or usage; 3 some constraint
@@ -98,6 +99,8 @@ size = _argument(_size, "WxH such as 1280x720, each from 16 to 16384", lambda s:
 speeds = _argument(_speeds, "speeds from 0 to 20 m/s with commas between", lambda all_: all(0.0 <= v <= 20.0 for v in all_))
 parts = _argument(_parts, "none, or names of ground, obstacles, marks and camera with commas between",
                   lambda names: len(set(names)) == len(names) and all(name in PARTS for name in names))
+kept = _argument(_names, "names of air and state with commas between",
+                 lambda names: len(set(names)) == len(names) and all(name in KEPT for name in names))
 views = _argument(_names, "names of hero, side, top and follow with commas between",
                   lambda names: len(set(names)) == len(names) and all(name in VIEWS for name in names))
 
@@ -132,6 +135,9 @@ def parser():
                       help="a finished run of the scene before some rows changed: the same air, only what changed drifts again")
     make.add_argument("--meshes", action="store_true", help="also meshes.pvd: all meshes posed, a file a frame")
     make.add_argument("--particles", action="store_true", help="also particles.pvd: the optimiser's gas and objects, a file a frame")
+    make.add_argument("--keep", type=kept, default=(), metavar="K,K",
+                      help="what to write in full: air (every frame of air.pvd), state (what --edit-of goes on from, otherwise kept in "
+                           "the user's store)")
     make.add_argument("--watch", action="store_true",
                       help="fly at preview quality, and again whenever the scene file or a file that it names is saved, until stopped; "
                            "DIR/page.html, open in a browser, follows")
@@ -248,6 +254,13 @@ def parser():
     judge.add_argument("--seed", type=seed, default=20001, help="of the first air of --make-drifters, default 20001")
     judge.set_defaults(run=run_measure)
 
+    tidy = commands.add_parser("clean", help="give back room: what runs keep for later ones, or what a result does without",
+                               epilog=CLEAN_EXIT)
+    tidy.add_argument("folder", type=path, nargs="?", metavar="DIR",
+                      help="a result: its series of fields, particles and meshes go, the motion stays; without DIR the store of states goes")
+    tidy.add_argument("--list", dest="only_lists", action="store_true", help="remove nothing")
+    tidy.set_defaults(run=run_clean, needs_paraview=False)
+
     demo = commands.add_parser("demo", help="the embedded scenes, start to finish, with pictures")
     demo.add_argument("--output", type=path, default="demo", metavar="DIR", help="folder for the results, default demo")
     demo.add_argument("--threads", type=threads, help="default: all cores; the result is the same")
@@ -278,11 +291,18 @@ def _fly(options, quality):
     run = synthesize(options.scene, output=options.output, database=options.database, seed=options.seed,
                      threads=options.threads, time_limit=options.time_limit, quality=quality,
                      resume=options.resume, quiet=False, meshes=options.meshes, particles=options.particles,
-                     memory_limit=options.memory_limit, edit_of=options.edit_of,
+                     memory_limit=options.memory_limit, edit_of=options.edit_of, keep=options.keep,
                      on_progress=_print_json if options.progress == "json" else None)
     tell(run, options.output)
     run.delete()
     return run.status
+
+
+def run_clean(options):
+    from waft.cleaning import clean
+
+    clean(options.folder, options.only_lists)
+    return failures.ALL_MET
 
 
 def _fly_and_show(options):

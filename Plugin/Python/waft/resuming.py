@@ -126,6 +126,10 @@ class Checkpoint:
         """One of the plan's files among the results: the same bytes whether the plan was made or taken."""
         copy_file(self._below.file(f"{_FOLDER}/{name}"), self._place.path(name))
 
+    def hand_on(self, store):
+        """The state of the air, done, is kept in a Store for later edits."""
+        store.keep(self._key, self._below, f"{_FOLDER}/{self.air_file.name}")
+
     def clear(self):
         """Removes what runs left; what someone put beside it meanwhile stays."""
         for name in self._below.names(_FOLDER):

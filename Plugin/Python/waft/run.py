@@ -5,7 +5,7 @@ import contextlib
 import os
 import pathlib
 import tempfile
-from typing import Any, Dict, List, Optional
+from typing import Any, Dict, List, Optional, Sequence
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -43,6 +43,7 @@ class Run(Pipeline):
     seed: int
     quality: str
     edit_of: Optional[pathlib.Path]  # the file with the air that was kept
+    keep: Sequence[str]  # what is written in full
     key: str  # of the run, for checkpoints
     plan_report: List[Dict[str, Any]]
     plan_objects: List[Dict[str, Any]]  # what planning came to

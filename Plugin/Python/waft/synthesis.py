@@ -4,16 +4,17 @@ import contextlib
 import os
 import pathlib
 import tempfile
-from typing import TYPE_CHECKING, Callable, Dict, Optional, Union
+from typing import TYPE_CHECKING, Callable, Dict, Optional, Sequence, Union
 
 from waft import failures
-from waft._qualities import QUALITIES, WITHOUT, quality_of, word_in_keys
+from waft._qualities import KEPT, QUALITIES, WITHOUT, quality_of, word_in_keys
 from waft._records import REPORT, record_of
 from waft.beneath import Folder
 from waft.loading import load_plugin, set_threads
 from waft.reading import found_json
 from waft.resuming import Checkpoint, run_key
 from waft.scene import Scene
+from waft.store import Store
 from waft.texts import ROWS, is_utf8, say, warn
 from waft.watching import Clock
 from waft.writing import STATE, left_out, planned_objects, read_rows, result_names, result_place, settled, write_results
@@ -33,7 +34,8 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
                threads: Optional[int] = None, time_limit: Optional[float] = None, preview: bool = False, resume: bool = False,
                quiet: bool = True, checkpoint_interval: Optional[float] = None, meshes: bool = False,
                memory_limit: Optional[float] = None, quality: Optional[str] = None, edit_of=None,
-               on_progress: Optional[Callable[[float, str], Optional[bool]]] = None, particles: bool = False) -> "Run":
+               on_progress: Optional[Callable[[float, str], Optional[bool]]] = None, particles: bool = False,
+               keep: Sequence[str] = ()) -> "Run":
     """Plans, optimises and turns the objects of a scene; returns the Run with its live proxies and arrays.
 
     scene: a waft.Scene, or the path of a *.waft.json file. output: a folder for the files of `waft synthesize` (none: nothing
@@ -45,7 +47,8 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
     meshes: also writes meshes.pvd, all meshes posed, a file a frame; particles: also particles.pvd, the optimiser's gas and
     objects. memory_limit: megabytes that the optimiser may take (none: as many as it needs). quality: one of QUALITIES (default
     full; what one was called before names it, too). edit_of: the folder of a finished run of the same scene but for some objects'
-    rows: the same air, and only what changed drifts again. on_progress: called with the share that is done (0 to 1) and a sentence,
+    rows: the same air, and only what changed drifts again. keep: what to write in full: air (every frame of air.pvd), state (what edits
+    go on from, otherwise kept in the user's store alone). on_progress: called with the share that is done (0 to 1) and a sentence,
     some five times a second; when it returns False the run stops with the best so far.
 
     It may be called from any thread, of one run at a time; only in the main one Ctrl-C and SIGTERM stop it. The stages' data are
@@ -57,7 +60,7 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
         return _synthesize_made(scene, output=output, database=database, seed=seed, threads=threads, time_limit=time_limit,
                                 preview=preview, resume=resume, quiet=quiet, checkpoint_interval=checkpoint_interval,
                                 meshes=meshes, memory_limit=memory_limit, quality=quality, edit_of=edit_of,
-                                on_progress=on_progress, particles=particles)
+                                on_progress=on_progress, particles=particles, keep=keep)
     load_plugin()
     from waft.run import Run
 
@@ -74,6 +77,8 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
         raise failures.BadInput(f"quality: expected one of {', '.join(QUALITIES)}, found {quality}")
     if particles and "spacetime" in WITHOUT[quality]:
         raise failures.BadInput(f"particles: expected quality full or paper, whose optimiser has particles, found {quality}")
+    for wrong in (name for name in keep if name not in KEPT):
+        raise failures.BadInput(f"keep: expected of {', '.join(KEPT)}, found {wrong!r}")
     series = [name for name, wanted in (("meshes", meshes), ("particles", particles)) if wanted]
     set_threads(threads)
     with contextlib.ExitStack() as stack:
@@ -89,12 +94,15 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
             pipeline.quality = quality
             pipeline.series = series
             pipeline.edit_of = _state_of(edit_of, quality)
+            pipeline.keep = tuple(keep)
             pipeline.seed = seed if seed is not None else _seed_of(edit_of, int(scene_seed))
             pipeline.key = run_key(pipeline, f"{word_in_keys(quality)} {edit_of or ''}".strip())
             pipeline.warnings = []
+            if edit_of is not None and pipeline.edit_of is None:
+                pipeline.warnings.append(f"edit_of: {edit_of}: the state of that run is kept no more: flown from the start, in an air of its own")
             checkpoint = None
             if place is not None:
-                place.check(result_names(scene, series, quality))
+                place.check(result_names(scene, series, quality, keep))
                 checkpoint = Checkpoint(place, pipeline.key)
             lack = checkpoint.lack() if resume and checkpoint is not None else ""
             if lack:
@@ -118,6 +126,7 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
             clock.tell(0.0, clock.phase)
             write_results(pipeline, place, scene, checkpoint, series)
             if checkpoint is not None and not pipeline.stopped:
+                checkpoint.hand_on(Store())
                 checkpoint.clear()
         clock.tell(1.0, "stopped early" if pipeline.stopped else "done")
         clock.check_progress()
@@ -148,16 +157,17 @@ def _check_session():
 
 
 def _state_of(folder, quality):
-    """The file with the air of a finished run; None without a folder."""
+    """The file with the air of a finished run; None without a folder, and where it is kept no more."""
     if folder is None:
         return None
     if quality == "paper":
         raise failures.BadInput("edit_of: a run of quality paper has no air to keep")
-    state = settled(folder).found(STATE)
-    if state is None:
+    place = settled(folder)
+    state, report = place.found(STATE), record_of(place, "report.json", REPORT)
+    if state is None and (report is None or report.get("quality") == "paper"):
         raise failures.BadInput(f"{pathlib.Path(folder) / STATE}: no such file; expected the folder of a finished run, of another quality "
                                 "than paper")
-    return pathlib.Path(state)
+    return pathlib.Path(state) if state is not None else Store().found(report.get("key"))
 
 
 def _seed_of(folder, otherwise):

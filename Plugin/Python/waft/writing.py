@@ -6,7 +6,7 @@ import pathlib
 from waft import failures
 from waft._qualities import WITHOUT
 from waft.beneath import Folder
-from waft.files import copy_file, half, in_single_precision, table_rows, write_csv, write_pvd, write_xml
+from waft.files import copy_file, half, in_single_precision, in_steps, table_rows, write_csv, write_pvd, write_xml
 from waft.loading import version
 from waft.reading import dynamics, found_json
 from waft.results import ResultPlace, settle
@@ -20,6 +20,9 @@ SERIES = {"meshes": ("rotation", 0), "particles": ("spacetime", 1)}
 
 # Of the air's images: between two of them it is as good as straight (1 % off), at any frame rate [s].
 AIR_INTERVAL = 0.1
+# Binary digits below the typical value that replay can tell from more: figures of `waft measure` change by some per cent.
+AIR_DIGITS = 4
+WIND_STEPS = 10  # steps of the air from one that has the common wind's force to the next
 # What reads back bit for bit beside points: what else poses.csv says but velocities, which follow from points, and time.
 _EXACT = ("Time", "Orientation", "AngularVelocity")
 
@@ -37,16 +40,21 @@ def settled(folder):
     return Folder(folder)
 
 
-def result_names(scene, series, quality):
-    """What a run writes, folders with a slash at their end. series: names of SERIES."""
+def result_names(scene, series, quality, keep=()):
+    """What a run writes, folders with a slash at their end. series: names of SERIES; keep: of KEPT."""
     names = ["planned.vtp", "optimized.vtp", "poses.vtp", "poses.csv", "vortices.vtp", "objects.vtp", "shapes.vtm", "shapes/",
              "constraints.vtp", "constraints.csv", "convergence.csv", "wind.pvd", "wind/", "animation.glb", REPORT]
     if "spacetime" in WITHOUT[quality]:
         names = [name for name in names if name not in ("wind.pvd", "wind/")]
     if "assimilation" not in WITHOUT[quality]:
-        names += ["assimilated.vtp", "air.pvd", "air/", "rounds.csv", STATE]
+        names += ["assimilated.vtp", "air.pvd", "air/", "rounds.csv", *([STATE] if "state" in keep else [])]
     names += ["obstacles.pvd", "obstacles/"] if _do_obstacles_move(scene) else ["obstacles.vtp"]
     return names + [name + end for name in series for end in (".pvd", "/")]
+
+
+def is_beyond_results(name):
+    """Whether a file of a run is one that the motion does without: a series of fields, of particles or of meshes, a state."""
+    return name.partition("/")[0].removesuffix(".pvd") in ("air", "wind", *SERIES, STATE)
 
 
 def _do_obstacles_move(scene):
@@ -124,9 +132,25 @@ def _write_air(pipeline, place, checkpoint):
     if not pipeline.has_air:  # all steps are the same calm one
         _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half, float("inf"))
     elif not pipeline.hurries:
-        _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half, AIR_INTERVAL)
-        if checkpoint.air_file.is_file():
+        if "air" in pipeline.keep:
+            _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half)
+        else:
+            _write_series(pipeline, "assimilation", 1, "air", ".vti", place, _Sketch(), AIR_INTERVAL)
+        if "state" in pipeline.keep and checkpoint.air_file.is_file():
             copy_file(checkpoint.air_file, place.path(STATE))
+
+
+class _Sketch:
+    """Makes the steps of the air so small that they are kept: by no more digits than replay sees, the wind's force at some alone."""
+
+    def __init__(self):
+        self._steps = 0
+
+    def __call__(self, data):
+        if self._steps % WIND_STEPS != 0:
+            data.GetPointData().RemoveArray("Wind")
+        self._steps += 1
+        in_steps(data, AIR_DIGITS)
 
 
 def _write_shapes(pipeline, place):
@@ -157,7 +181,7 @@ def _write_series(pipeline, stage, port, name, suffix, place, change=lambda data
         file = f"{name}/{name}_{step:04d}{suffix}"
         data = _at(algorithm, port, time)
         change(data)
-        write_xml(data, place.path(file))
+        write_xml(data, place.path(file), packs_well=name == "air")
         entries.append((time, file))
     write_pvd(place.path(name + ".pvd"), entries)
 
