@@ -5,6 +5,7 @@
 """
 import csv
 import json
+import os
 import pathlib
 import signal
 import subprocess
@@ -12,6 +13,7 @@ import sys
 import tempfile
 import textwrap
 import unittest
+from unittest import mock
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -103,6 +105,25 @@ class Assimilated(unittest.TestCase):
         self.assertEqual(before[:2].tolist(), after[:2].tolist())
         for name in ("air/air_0000.vti", "air/air_0030.vti"):
             self.assertEqual((self.out / name).read_bytes(), (self.folder / "edited" / name).read_bytes())
+
+    def test_what_is_kept_in_full_and_what_an_edit_does_without_a_state(self):
+        kept, edited = self.folder / "kept", self.folder / "kept-edit"
+        with tempfile.TemporaryDirectory() as empty, mock.patch.dict(os.environ, {"WAFT_CACHE": empty}):
+            waft.synthesize(str(self.scene), output=str(kept), quality="air", keep=("air", "state"))
+            self.assertEqual(len(list((kept / "air").iterdir())), 45, "every frame")
+            self.assertEqual(len(os.listdir(empty)), 1, "in the store as well")
+            self.assertTrue((kept / "assimilated.state").is_file())
+            with_state = waft.synthesize(str(self.scene), output=str(edited), quality="air", edit_of=str(kept))
+            self.assertEqual(with_state.warnings, [])
+        with tempfile.TemporaryDirectory() as empty, mock.patch.dict(os.environ, {"WAFT_CACHE": empty}):
+            without = waft.synthesize(str(self.scene), output=str(edited), quality="air", edit_of=str(self.out))
+        self.assertEqual(without.status, 0)
+        self.assertEqual(len(without.warnings), 1)
+        self.assertIn("the state of that run is kept no more: flown from the start", without.warnings[0])
+        for folder in (self.out, edited):
+            self.assertFalse((folder / "assimilated.state").exists())
+        with self.assertRaisesRegex(BadInput, "keep: expected of air, state, found 'all'"):
+            waft.synthesize(str(self.scene), quality="air", keep=("all",))
 
     def test_another_seed_is_another_air_which_an_edit_keeps(self):
         first, edited = self.folder / "seeded", self.folder / "seeded-edit"
