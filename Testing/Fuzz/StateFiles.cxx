@@ -5,6 +5,7 @@
 
 #include "Base/StateArchive.h"
 #include "Database/TracedFiles.h"
+#include "Trajectory/DatabaseFile.h"
 
 #include <vector>
 
@@ -65,5 +66,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const FuzzFile file("simulation0", traced);
   TracedSimulation simulation;
   (void)TracedFiles(file.Folder.string(), "").Read(0, simulation);
+
+  const FuzzFile kept("fuzz.motions", "");
+  StateFileWriter writer(kept.Path);
+  std::string version = "Waft motion database 1";
+  writer.Text(version);
+  writer.Raw(input.data(), input.size());
+  MotionDatabase database;
+  if (writer.Commit())
+  {
+    (void)ReadDatabase(kept.Path, database);
+  }
   return 0;
 }

@@ -108,7 +108,7 @@ Result CheckNode(const MotionDatabase& database, std::size_t n, std::vector<int>
   {
     return Wrong(Name("node", n) + ": its children are not there");
   }
-  int segments = 0;
+  long long segments = 0; // of any numbers that a file may hold
   for (int c = 0; c < node.NumberOfChildren; ++c)
   {
     const ClusterNode& child = database.Nodes[node.FirstChild + c];

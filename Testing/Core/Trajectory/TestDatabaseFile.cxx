@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Base/StateArchive.h"
+#include "Base/TemporaryFolder.h"
+#include "TracedDatabase.h"
+#include "Trajectory/DatabaseFile.h"
+#include "Trajectory/SameDatabase.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+using namespace waft;
+
+namespace
+{
+
+/// Few segments, so that a file of it can be damaged at many places.
+MotionDatabase Sparse()
+{
+  ClusterOptions options;
+  options.MaximumSegments = 60;
+  MotionDatabase database = test::Build(test::Traced(1, 6), options);
+  database.Provenance = { { "seed", "1" }, { "words", "of \"any\"\nkind" }, { "empty", "" } };
+  return database;
+}
+
+std::string BytesOf(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return { std::istreambuf_iterator<char>(file), {} };
+}
+
+/// Refused with a sentence that names the file and has the words; nothing is left of it.
+void ExpectRefused(const std::string& path, const std::string& words)
+{
+  MotionDatabase database;
+  database.Segments.resize(3);
+  const Result result = ReadDatabase(path, database);
+  ASSERT_FALSE(result) << path;
+  EXPECT_NE(result.Message().find(path), std::string::npos) << result.Message();
+  EXPECT_NE(result.Message().find(words), std::string::npos) << result.Message();
+  EXPECT_TRUE(database.Segments.empty());
+}
+
+} // namespace
+
+TEST(DatabaseFile, KeepsEveryNumber)
+{
+  const test::TemporaryFolder folder;
+  const MotionDatabase database = Sparse();
+  ASSERT_TRUE(database.Validate()) << database.Validate().Message();
+  const std::string path = folder.File("a.motions");
+  const Result written = WriteDatabase(path, database);
+  ASSERT_TRUE(written) << written.Message();
+  MotionDatabase read;
+  read.Vortices.resize(2); // of before
+  const Result result = ReadDatabase(path, read);
+  ASSERT_TRUE(result) << result.Message();
+  test::ExpectSame(database, read);
+
+  ASSERT_TRUE(WriteDatabase(folder.File("b.motions"), read));
+  EXPECT_EQ(BytesOf(path), BytesOf(folder.File("b.motions")));
+}
+
+TEST(DatabaseFile, IsRefusedWhereItIsDamaged)
+{
+  const test::TemporaryFolder folder;
+  const std::string path = folder.File("a.motions");
+  ASSERT_TRUE(WriteDatabase(path, Sparse()));
+  const std::string whole = BytesOf(path);
+  for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 97)
+  {
+    std::string bytes = whole;
+    bytes[at] = static_cast<char>(bytes[at] ^ 0x40);
+    ExpectRefused(folder.Write("damaged", bytes), "damaged");
+    ExpectRefused(folder.Write("cut", whole.substr(0, at)), "expected a motion database");
+  }
+  ExpectRefused(folder.Write("longer", whole + "x"), "damaged");
+  ExpectRefused(folder.File("none"), "no file");
+  ExpectRefused(folder.Path().string(), "no file");
+  EXPECT_FALSE(WriteDatabase(folder.File("none/a.motions"), Sparse()));
+}
+
+TEST(DatabaseFile, IsRefusedWhereItsNumbersDoNotFit)
+{
+  const test::TemporaryFolder folder;
+  const std::string path = folder.File("a.motions");
+  {
+    StateFileWriter file(path);
+    std::string format = "Waft motion database 0";
+    file.Text(format);
+    ASSERT_TRUE(file.Commit());
+  }
+  ExpectRefused(path, "version");
+  {
+    StateFileWriter file(path); // of this version, and an enormous number of groups
+    std::string format = "Waft motion database 1";
+    file.Text(format);
+    std::vector<double> numbers(40, 1e300);
+    file.Raw(numbers.data(), numbers.size() * sizeof(double));
+    ASSERT_TRUE(file.Commit());
+  }
+  ExpectRefused(path, "incomplete");
+
+  MotionDatabase database = Sparse();
+  database.Segments[5].Coefficients.conservativeResize(2);
+  ASSERT_TRUE(WriteDatabase(path, database));
+  ExpectRefused(path, "segment 5: coefficients do not match");
+  database = Sparse();
+  database.Groups[0].Basis.resize(0, 0);
+  ASSERT_TRUE(WriteDatabase(path, database));
+  ExpectRefused(path, "group 0");
+  database = Sparse();
+  database.Segments[0].ForceTypes[0] = static_cast<ForceType>(7);
+  ASSERT_TRUE(WriteDatabase(path, database));
+  ExpectRefused(path, "incomplete");
+}
