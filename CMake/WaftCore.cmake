@@ -1,4 +1,10 @@
-# One function for each kind of thing that Filters/Core and Testing/Core are made of.
+# What Filters/Core and Testing/Core are made of: their libraries, and one function for each kind of thing.
+
+# In the order of their dependencies.
+set(WAFT_CORE_PARTS Base Files Obstacles Constraints Scene Shapes Grid Volumes Trajectory Database Planning Air Vortex Particles
+  Spacetime Rotation Chain Export)
+# Where their headers are installed.
+set(WAFT_CORE_INCLUDES "${CMAKE_INSTALL_INCLUDEDIR}/waft/Core")
 
 # waft_build_alone(<source>...): of this folder, sources whose own names (ports, kernels, scenes of a test) are others'
 # too, and that CMAKE_UNITY_BUILD must not put into one unit with others.
@@ -6,20 +12,28 @@ function(waft_build_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# waft_core_library(<Name> SOURCES ... [DEPENDS <Core libraries>...] [PRIVATE <third-party targets>...])
-# A static, position-independent library WaftCore<Name>. Its include root is Filters/Core, and no VTK
-# folder is on its include path. Third-party libraries stay private, Eigen excepted (types of Base).
+# waft_core_library(<Name> SOURCES ... [DEPENDS <Core libraries>...] [PRIVATE <third-party targets>...]
+#   [HEADERS <third-party targets>...] [LINKS <libraries>...])
+# A static, position-independent library WaftCore<Name>, installed as the target Waft::Core<Name>. Its include root is
+# Filters/Core, and no VTK folder is on its include path. Third-party libraries stay private, Eigen excepted (types of
+# Base). Programs that use an installation link to those of PRIVATE, which CMake/WaftConfig.cmake.in finds, and to LINKS;
+# of those of HEADERS they need nothing.
 function(waft_core_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PRIVATE;HEADERS;LINKS" ${ARGN})
   set(target WaftCore${name})
   add_library(${target} STATIC ${arg_SOURCES})
-  target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}/Filters/Core")
+  set_target_properties(${target} PROPERTIES EXPORT_NAME Core${name})
+  target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/Filters/Core>"
+    "$<INSTALL_INTERFACE:${WAFT_CORE_INCLUDES}>")
+  target_compile_features(${target} PUBLIC cxx_std_17)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wno-unknown-pragmas -Werror=switch
     -Werror=switch-enum $<$<BOOL:${WAFT_WARNINGS_AS_ERRORS}>:-Werror>)
   foreach(dependency IN LISTS arg_DEPENDS)
     target_link_libraries(${target} PUBLIC WaftCore${dependency})
   endforeach()
-  target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE ${arg_PRIVATE})
+  list(TRANSFORM arg_HEADERS REPLACE "(.+)" "$<BUILD_INTERFACE:\\1>")
+  list(TRANSFORM arg_LINKS REPLACE "(.+)" "$<INSTALL_INTERFACE:\\1>")
+  target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE ${arg_PRIVATE} ${arg_HEADERS} ${arg_LINKS})
 endfunction()
 
 # The suites of GoogleTest that take longer than some seconds, of any program; all others are fast.
@@ -73,14 +87,10 @@ endfunction()
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(Threads REQUIRED)
 
-# waft_find_openvdb(): the target OpenVDB::openvdb in the folder that calls it. Its find module is not where
-# CMake looks for such, and it brings targets that must not be seen by other folders' packages.
+# waft_find_openvdb(): the target OpenVDB::openvdb in the folder that calls it; it brings targets that must not be seen by
+# other folders' packages.
+include(WaftFindOpenVDB)
 macro(waft_find_openvdb)
-  find_path(WAFT_OPENVDB_MODULES FindOpenVDB.cmake
-    HINTS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/OpenVDB /usr/lib/cmake/OpenVDB
-    PATH_SUFFIXES lib/cmake/OpenVDB lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/OpenVDB
-    DOC "The folder cmake/OpenVDB that libopenvdb-dev installs")
-  mark_as_advanced(WAFT_OPENVDB_MODULES)
-  list(APPEND CMAKE_MODULE_PATH "${WAFT_OPENVDB_MODULES}")
+  waft_add_openvdb_module()
   find_package(OpenVDB REQUIRED COMPONENTS openvdb)
 endmacro()

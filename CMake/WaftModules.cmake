@@ -26,6 +26,7 @@ set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../..;$ORIGIN/../../..")
 
 include(WaftExports)
 add_subdirectory(Filters/Bridge)
+add_subdirectory(Filters/Programs)
 
 list(TRANSFORM waft_folders REPLACE "(.+)" "${CMAKE_CURRENT_SOURCE_DIR}/\\1/vtk.module" OUTPUT_VARIABLE files)
 vtk_module_scan(

@@ -1,13 +1,4 @@
 # What an installation has besides the modules, and packages of all of it: cmake --build build --target package.
-include(CMakePackageConfigHelpers)
-
-# find_package(Waft) for other projects: vtk_module_build installs the targets, these are the two files
-# that CMake looks for.
-set(package "${CMAKE_BINARY_DIR}/cmake")
-configure_file("${PROJECT_SOURCE_DIR}/CMake/WaftConfig.cmake.in" "${package}/WaftConfig.cmake" @ONLY)
-write_basic_package_version_file("${package}/WaftConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
-install(FILES "${package}/WaftConfig.cmake" "${package}/WaftConfigVersion.cmake" "${PROJECT_SOURCE_DIR}/CMake/WaftFindParaView.cmake"
-  DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/waft")
 
 # ParaView's programs load what is in the folder `plugins` beside them, and look nowhere else by themselves: an
 # installation into ParaView's own prefix is found so.
