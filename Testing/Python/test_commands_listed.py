@@ -19,7 +19,7 @@ import describe_command  # noqa: E402
 from waft import Scene, cli, takes  # noqa: E402
 from waft._qualities import word_in_keys  # noqa: E402
 
-OWN = {"build", "test", "package"}  # of the script alone
+OWN = {"packages", "build", "test", "package"}  # of the script alone
 
 
 class Listed(unittest.TestCase):

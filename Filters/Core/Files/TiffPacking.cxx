@@ -33,7 +33,7 @@ bool UnpackRuns(std::string_view packed, std::size_t size, std::string& bytes)
   bytes.reserve(size);
   for (std::size_t at = 0; bytes.size() < size && at < packed.size();)
   {
-    const int head = static_cast<signed char>(packed[at++]);
+    const auto head = static_cast<signed char>(packed[at++]);
     if (head >= 0)
     {
       const std::size_t count = std::min<std::size_t>(head + 1, packed.size() - at);
