@@ -26,9 +26,36 @@
 #include <nlohmann/json.hpp>
 
 #include <iostream>
+#include <iterator>
+#include <type_traits>
+#include <utility>
 
 namespace
 {
+
+/// Of its numbers: "flag", "whole", "real"; or "text".
+template <class Value>
+const char* TypeOf()
+{
+  if constexpr (std::is_same_v<Value, std::string>)
+  {
+    return "text";
+  }
+  else if constexpr (std::is_same_v<Value, waft::Box>)
+  {
+    return "real";
+  }
+  else if constexpr (waft::IsNumber<Value>)
+  {
+    return std::is_same_v<Value, bool>       ? "flag"
+           : std::is_floating_point_v<Value> ? "real"
+                                             : "whole";
+  }
+  else
+  {
+    return TypeOf<std::decay_t<decltype(*std::begin(std::declval<Value&>()))>>();
+  }
+}
 
 template <class... Options>
 nlohmann::json FieldsOf(const Options&... options)
@@ -36,16 +63,19 @@ nlohmann::json FieldsOf(const Options&... options)
   auto fields = nlohmann::json::array();
   const auto add = [&fields](const waft::OptionField& field, const auto& value)
   {
-    nlohmann::json said{ { "name", field.Name }, { "sentence", field.Sentence } };
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>)
+    using Value = std::decay_t<decltype(value)>;
+    nlohmann::json said{ { "name", field.Name },
+                         { "sentence", field.Sentence },
+                         { "type", TypeOf<Value>() } };
+    if constexpr (std::is_same_v<Value, std::string>)
     {
       said["default"] = value;
     }
     else
     {
       const std::vector<double> numbers = waft::NumbersOf(value);
-      said["default"] = waft::IsNumber<std::decay_t<decltype(value)>> ? nlohmann::json(numbers[0])
-                                                                      : nlohmann::json(numbers);
+      said["default"] =
+        waft::IsNumber<Value> ? nlohmann::json(numbers[0]) : nlohmann::json(numbers);
       said["range"] = { field.Range.Low, field.Range.High };
       said["offered"] = { field.Offered.Low, field.Offered.High };
     }

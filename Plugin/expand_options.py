@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes the server manager's XML of proxies whose options Core states: each <Option name="..."/> becomes the property of that name.
+
+    expand_options.py OPTIONS.json IN.xml OUT.xml
+
+Default, range, type and sentence are what Core says of the option (WaftDescribeOptions); an attribute or a child that stands in the
+<Option> comes in place of what would be made, and others are handed on: what a panel is besides (visibility, widget, hints) is stated
+by hand. The class of the proxy says whose options they are."""
+import json
+import pathlib
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+
+KINDS = {"flag": "IntVectorProperty", "whole": "IntVectorProperty", "real": "DoubleVectorProperty", "text": "StringVectorProperty"}
+LARGE = 1e6  # from here on a panel need not name the end of a range
+
+
+def number(value):
+    """As an attribute has it: 3, 0.1, 1e+09."""
+    return f"{value:.17g}" if float(f"{value:g}") != value else f"{value:g}"
+
+
+def label_of(name):
+    return re.sub("(?<=[a-z])(?=[A-Z])", " ", name)
+
+
+def attributes_of(option):
+    name, default = option["name"], option["default"]
+    texts = [default] if option["type"] == "text" else map(number, default if isinstance(default, list) else [default])
+    made = {"name": name, "command": f"Set{name}", "default_values": " ".join(texts),
+            "number_of_elements": str(len(default)) if isinstance(default, list) else "1"}
+    return made if label_of(name) == name else {**made, "label": label_of(name)}
+
+
+def domain_of(option):
+    """None of a text, which may be any."""
+    if option["type"] == "text":
+        return None
+    if option["type"] == "flag":
+        return ElementTree.Element("BooleanDomain", {"name": "bool"})
+    kind = "IntRangeDomain" if option["type"] == "whole" else "DoubleRangeDomain"
+    ends = {end: number(value) for end, value in zip(("min", "max"), option["offered"]) if abs(value) < LARGE}
+    if isinstance(option["default"], list):
+        ends = {end: " ".join(len(option["default"]) * [value]) for end, value in ends.items()}
+    return ElementTree.Element(kind, {"name": "range", **ends})
+
+
+def property_of(option, stated):
+    """The element of an option; stated: its <Option>."""
+    made = ElementTree.Element(KINDS[option["type"]], {**attributes_of(option), **stated.attrib})
+    children = list(stated)
+    domains = [child for child in children if child.tag.endswith("Domain")]
+    if not domains and domain_of(option) is not None and stated.get("repeat_command") is None:
+        domains = [domain_of(option)]
+    sentence = ElementTree.Element("Documentation")
+    sentence.text = option["sentence"]
+    own = stated.find("Documentation")
+    rest = [child for child in children if child not in domains and child is not own]
+    made.extend([*domains, sentence if own is None else own, *rest])
+    return made
+
+
+def expand(root, classes):
+    """Replaces all <Option> in a tree; raises KeyError where Core has no such option."""
+    for proxy in root.iter():
+        options = {option["name"]: option for option in classes.get(proxy.get("class"), ())}
+        for index, child in enumerate(list(proxy)):
+            if child.tag == "Option":
+                if child.get("name") not in options:
+                    raise KeyError(f"{proxy.get('class')}: Core states no option {child.get('name')}")
+                proxy[index] = property_of(options[child.get("name")], child)
+                proxy[index].tail = child.tail
+    return root
+
+
+def main(options, source, target):
+    classes = json.loads(pathlib.Path(options).read_text(encoding="utf-8"))
+    tree = ElementTree.parse(source)
+    expand(tree.getroot(), classes)
+    tree.write(target, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
