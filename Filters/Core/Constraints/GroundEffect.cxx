@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Constraints/GroundEffect.h"
 
+#include "Base/BodyLaw.h"
 #include "Base/SmoothStep.h"
 
 #include <algorithm>
@@ -34,10 +35,12 @@ constexpr double BearingNormal = 0.8; // least z of the normal, 37 degrees
 GroundEffect::GroundEffect(const ObstacleSet& obstacles, const std::vector<LandingWindow>& landings,
                            const MotionObject& body, double framesPerSecond, const AirAt& air) :
   Obstacles(&obstacles),
-  RestHeight(body.RestHeight), Height(2.0 / M_PI * LandingCushionTime * body.SettlingSpeed),
+  RestHeight(body.RestHeight),
+  Height(2.0 / M_PI * LandingCushionTime * LawOf(body).SettlingSpeed()),
   Length(2.0 * body.ClearanceRadius)
 {
-  if (body.SettlingSpeed <= 0.0)
+  const double settling = LawOf(body).SettlingSpeed();
+  if (settling <= 0.0)
   {
     return;
   }
@@ -59,8 +62,7 @@ GroundEffect::GroundEffect(const ObstacleSet& obstacles, const std::vector<Landi
     {
       const Vec3 above = landing.Centre + this->Length * landing.Normal;
       const double speeds = air(above, landing.Until + f).squaredNorm();
-      const double lift =
-        std::min(MostLift, LiftRatio * speeds / (body.SettlingSpeed * body.SettlingSpeed));
+      const double lift = std::min(MostLift, LiftRatio * speeds / (settling * settling));
       const double borne = 1.0 - SmoothStep(f / (BearingTime * framesPerSecond));
       rise.Lift.push_back((1.0 - SmoothStep(f / frames)) * (borne + (1.0 - borne) * lift));
     }

@@ -13,8 +13,9 @@ namespace waft
 /// The velocity of the air at a place [m] and frame [m/s].
 using AirAt = std::function<Vec3(const Vec3& x, int frame)>;
 
-/// Both are finer than any lattice, so they are laws, of the factor f with which a body settles
-/// (downwards by f times its settling speed u) at the height h of its centre above where it rests.
+/// Both are finer than any lattice, so they are laws, of the factor f of a body's slip
+/// (Base/BodyLaw.h: downwards by f times its settling speed u) at the height h of its centre above
+/// where it rests.
 ///
 /// What comes down has to press the air from under it:
 ///   f = sqrt(2 r - r^2),  r = (h + c) / (b + c) from 0 to 1,  c = b / 50,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/ObjectPlan.h"
 
+#include "Base/BodyLaw.h"
 #include "Planning/ObjectProgress.h"
 #include "Planning/PlannerNumbers.h"
 #include "Planning/Seams.h"
@@ -63,7 +64,7 @@ SpanEnd ObjectPlanner::EndAt(std::size_t index, bool isGoal) const
   end.Position = isGoal ? mark.Position : this->Now.Plan.Positions[mark.Until];
   end.IsRest = mark.IsRest;
   end.Descent =
-    PlannerNumbers::LandingDescent * this->Object.SettlingSpeed * this->Scene.Time.Step();
+    PlannerNumbers::LandingDescent * LawOf(this->Object).SettlingSpeed() * this->Scene.Time.Step();
   end.HasVelocity = mark.HasVelocity && !mark.Halts;
   end.Velocity = mark.Velocity;
   if (mark.IsRest || mark.Halts || end.HasVelocity || (!isGoal && this->Now.Halted))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rotation/RotationRefine.h"
 
+#include "Base/BodyLaw.h"
 #include "Base/FractionDone.h"
 #include "Base/Random.h"
 #include "Base/ShapeMeasures.h"
@@ -198,12 +199,12 @@ AttitudePlan MakePlan(const RotationInput& input, const RotationOptions& options
   return plan;
 }
 
-AirCoefficients Coefficients(const RotationInput& input, const RotationOptions& options,
+AirCoefficients Coefficients(const TurningLaw& law, const RotationOptions& options,
                              const MotionObject& object)
 {
   AirCoefficients coefficients;
   coefficients.Model = options.Model;
-  coefficients.Drag = input.Shapes[object.ShapeId].DragCoefficient;
+  coefficients.Drag = law.Drag;
   coefficients.Lift = options.Lift;
   coefficients.PressureShift = options.PressureShift;
   coefficients.Autorotation *= options.Roll;
@@ -312,10 +313,10 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
                  const Track& track = input.Tracks[i];
                  const MotionObject& object = input.Objects[objectOfId.at(track.ObjectId)];
                  const PreparedShape& shape = shapes[object.ShapeId];
+                 const TurningLaw law = TurningLawOf(input.Shapes[object.ShapeId]);
                  const FlightBody body(shape.Panels, shape.Properties, object.Mass,
-                                       input.Scene.AirDensity, Coefficients(input, options, object),
-                                       options.Damping + input.Shapes[object.ShapeId].Damping,
-                                       options.Follow);
+                                       input.Scene.AirDensity, Coefficients(law, options, object),
+                                       options.Damping + law.Damping, options.Follow);
                  AttitudePlan plan = MakePlan(input, options, object, track);
                  plan.BoundingRadius = shape.Properties.BoundingRadius;
                  outcomes[i] = TurnObjectWithin(most, plan, body, MakePath(input, i));

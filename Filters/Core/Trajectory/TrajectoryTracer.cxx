@@ -115,6 +115,7 @@ Result TrajectoryTracer::Begin(const PointLattice& lattice, const TraceOptions& 
   *this = TrajectoryTracer();
   this->Lattice = lattice;
   this->Options = options;
+  this->Law = BodyLaw::Sinking(options.SettlingSpeed);
   this->Vortices = std::move(vortices);
   this->IsSolid = std::move(isSolid);
   return Result::Ok();
@@ -274,10 +275,8 @@ bool TrajectoryTracer::CanBeAt(const Vec3& x, double time) const
 Vec3 TrajectoryTracer::VelocityAt(const Vec3& x, double time) const
 {
   const Stencil stencil(this->Lattice, x);
-  Vec3 velocity = Blend(stencil, this->Before.Velocity, this->Now.Velocity,
-                        TimeFraction(this->Before, this->Now, time));
-  velocity.z() -= this->Options.SettlingSpeed;
-  return velocity;
+  return this->Law.Velocity(Blend(stencil, this->Before.Velocity, this->Now.Velocity,
+                                  TimeFraction(this->Before, this->Now, time)));
 }
 
 Vec3 TrajectoryTracer::Step(const Vec3& x, double time, double step) const

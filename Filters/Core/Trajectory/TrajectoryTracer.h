@@ -3,6 +3,7 @@
 // section 3.1).
 #pragma once
 
+#include "Base/BodyLaw.h"
 #include "Base/ForceFields.h"
 #include "Base/Monitor.h"
 #include "Base/Motion.h"
@@ -103,6 +104,7 @@ private:
 
   PointLattice Lattice;
   TraceOptions Options;
+  BodyLaw Law; // of all tracers
   std::vector<Vortex> Vortices;
   SolidTest IsSolid;
   FlowFrame Before;

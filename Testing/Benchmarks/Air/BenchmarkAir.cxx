@@ -76,7 +76,7 @@ void PrintDrifts(const HalfSeries& air, const Track& track, double rate)
   DriftProblem problem;
   const std::size_t frames = track.Positions.size();
   problem.Time = { static_cast<int>(frames), rate };
-  problem.SettlingSpeed = SettlingSpeed;
+  problem.Law = BodyLaw::Sinking(SettlingSpeed);
   problem.IsFixed.assign(frames, 0);
   problem.Fixed = track.Positions;
   problem.Flight.assign(frames - 1, 1.0);

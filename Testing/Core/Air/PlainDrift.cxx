@@ -25,7 +25,7 @@ Eigen::VectorXd Residuals(const DriftProblem& problem, const FieldSeries& air,
     const Vec3 middle = 0.5 * (x[k] + x[k + 1]);
     const Vec3 u = 0.5 * (air.Sample(middle, air.Times[k]) + air.Sample(middle, air.Times[k + 1]));
     const double factor = problem.Ground.Factor(middle, static_cast<double>(k) + 0.5);
-    Vec3 c = (x[k + 1] - x[k]) / dt - u + factor * problem.SettlingSpeed * Vec3::UnitZ();
+    Vec3 c = (x[k + 1] - x[k]) / dt - u + factor * problem.Law.Slip;
     if (problem.ResponseTime > 0.0 && k > 0 && k + 2 < x.size())
     {
       c += problem.ResponseTime * (x[k + 2] - x[k + 1] - x[k] + x[k - 1]) / (2.0 * dt * dt);

@@ -96,7 +96,7 @@ TEST(AirStatistics, AreThoseOfASolidRotation)
         { static_cast<float>(-spin * y), static_cast<float>(spin * x), 0.0f });
     }
   }
-  const AirStatistics found = DriftStatistics(HalfSeries(air), 30.0, 0.0, SerialFor());
+  const AirStatistics found = DriftStatistics(HalfSeries(air), 30.0, BodyLaw(), SerialFor());
   const double expected = spin * spin * 2.0 * 16.0 / 12.0; // of places all over the box
   EXPECT_NEAR(found.VelocityVariance, expected, 0.2 * expected);
   EXPECT_NEAR(found.AccelerationVariance, spin * spin * expected, 0.25 * spin * spin * expected);

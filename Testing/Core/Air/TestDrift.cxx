@@ -60,7 +60,7 @@ DriftProblem Free(const Vec3& start)
 {
   DriftProblem problem;
   problem.Time = Line();
-  problem.SettlingSpeed = 0.5;
+  problem.Law = BodyLaw::Sinking(0.5);
   problem.IsFixed.assign(Frames, 0);
   problem.Fixed.assign(Frames, Vec3::Zero());
   problem.Flight.assign(Frames - 1, 1.0);
@@ -103,7 +103,7 @@ struct ToAFloor
     std::fill(this->Problem.Flight.begin() + TouchDown, this->Problem.Flight.end(), 0.0);
     MotionObject body;
     body.RestHeight = 0.01;
-    body.SettlingSpeed = this->Problem.SettlingSpeed;
+    body.SettlingSpeed = this->Problem.Law.SettlingSpeed();
     this->Problem.Ground = GroundEffect(this->Obstacles, { landing }, body, 30.0, nullptr);
   }
   ObstacleSet Obstacles;
@@ -204,24 +204,28 @@ TEST(Drift, NeedsNoControlWhereNothingIsWanted)
 {
   const HalfSeries air = Flow(Swirl);
   const FieldSeries floats = Unpacked(air);
-  const DriftProblem problem = Free(Vec3(0.5, 0.2, 3.0));
-  std::vector<Vec3> path(Frames, Vec3(0.5, 0.2, 3.0));
-  const DriftOutcome outcome = SolveDrift(problem, AirSampler(air), {}, 100, path);
-  EXPECT_LT(outcome.Control, 1e-6);
-  // As a Runge-Kutta tracer goes.
-  Vec3 x = path[0];
-  const double dt = Line().Step();
-  const auto velocity = [&](const Vec3& at, double t)
-  { return Vec3(floats.Sample(at, t) - 0.5 * Vec3::UnitZ()); };
-  for (int f = 0; f + 1 < Frames; ++f)
+  for (const Vec3& slip : { Vec3(0.0, 0.0, 0.5), Vec3(0.2, -0.1, 0.5) }) // straight down, gliding
   {
-    const double t = Line().Time(f);
-    const Vec3 k1 = velocity(x, t);
-    const Vec3 k2 = velocity(x + 0.5 * dt * k1, t + 0.5 * dt);
-    const Vec3 k3 = velocity(x + 0.5 * dt * k2, t + 0.5 * dt);
-    x += dt / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + velocity(x + dt * k3, t + dt));
+    DriftProblem problem = Free(Vec3(0.5, 0.2, 3.0));
+    problem.Law.Slip = slip;
+    std::vector<Vec3> path(Frames, Vec3(0.5, 0.2, 3.0));
+    const DriftOutcome outcome = SolveDrift(problem, AirSampler(air), {}, 100, path);
+    EXPECT_LT(outcome.Control, 1e-6);
+    // As a Runge-Kutta tracer goes.
+    Vec3 x = path[0];
+    const double dt = Line().Step();
+    const auto velocity = [&](const Vec3& at, double t)
+    { return Vec3(floats.Sample(at, t) - slip); };
+    for (int f = 0; f + 1 < Frames; ++f)
+    {
+      const double t = Line().Time(f);
+      const Vec3 k1 = velocity(x, t);
+      const Vec3 k2 = velocity(x + 0.5 * dt * k1, t + 0.5 * dt);
+      const Vec3 k3 = velocity(x + 0.5 * dt * k2, t + 0.5 * dt);
+      x += dt / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + velocity(x + dt * k3, t + dt));
+    }
+    EXPECT_LT((path.back() - x).norm(), 2e-3);
   }
-  EXPECT_LT((path.back() - x).norm(), 2e-3);
 }
 
 TEST(Drift, EndsWhereNoChangeCostsLess)
@@ -289,7 +293,7 @@ TEST(Drift, ComesToRestByTheGroundEffect)
     EXPECT_NEAR(PlainSolveDrift(problem, Unpacked(air), {}, 60, plain) / outcome.Cost, 1.0, 1e-2);
     constexpr int down = ToAFloor::TouchDown;
     const double last = 30.0 * (path[down - 1] - path[down]).z();
-    EXPECT_LT(last, 0.7 * problem.SettlingSpeed);
+    EXPECT_LT(last, 0.7 * problem.Law.SettlingSpeed());
     EXPECT_FALSE(IsFreeStep(problem, path, down - 1));
     EXPECT_TRUE(IsFreeStep(problem, path, Frames / 2));
     const std::vector<Vec3> controls = DriftControls(problem, AirSampler(air), path);

@@ -67,6 +67,25 @@ struct AirProblem
     }
   }
 
+  /// Gives all objects a slip to the side besides.
+  void Glide()
+  {
+    const SpacetimeSetup& setup = this->Setup;
+    std::vector<BodyLaw> laws;
+    std::vector<GroundEffect> ground;
+    for (std::size_t o = 0; o < setup.Objects.size(); ++o)
+    {
+      BodyLaw law = LawOf(setup.Objects[o]);
+      law.Slip += law.SettlingSpeed() * Vec3(0.5, -0.25, 0.0);
+      laws.push_back(law.In(setup.Spacing, setup.FrameStep));
+      ground.emplace_back(setup.Obstacles, setup.Landings[o], setup.Objects[o],
+                          this->Input.Scene.Time.FramesPerSecond, nullptr);
+    }
+    SpacetimeModel& model = this->Setup.Model;
+    model.Air = GivenAir(this->Input.Air, setup.Origin, setup.Spacing, setup.FrameStep,
+                         model.NumberOfGas, std::move(laws), std::move(ground));
+  }
+
   // Along the air less the settling speed, by the midpoint rule.
   void Drift(const MotionObject& object, Track& track) const
   {
@@ -146,6 +165,13 @@ TEST(GivenAir, ItsGradientEqualsCentralDifferencesAboveWhatIsLandedOn)
   CheckGradient(AirProblem(8, 3, true), 1e-5); // the cushion bends within a millimetre
 }
 
+TEST(GivenAir, ItsGradientEqualsCentralDifferencesOfWhatGlidesToALanding)
+{
+  AirProblem problem(8, 3, true);
+  problem.Glide();
+  CheckGradient(problem, 1e-5);
+}
+
 TEST(GivenAir, AFrameAtOnceIsAsBodyByBody)
 {
   const AirProblem problem(8);
@@ -203,6 +229,31 @@ TEST(GivenAir, AFrameAtOnceIsAsBodyByBodyInACushion)
     }
     const Vec3 before = x - v;
     EXPECT_LT((model.Air.Carried(i, before, w, 5.0, 1.0) - v).norm(), 0.01 * v.norm()) << i;
+  }
+}
+
+TEST(GivenAir, AFrameAtOnceIsAsBodyByBodyOfWhatGlides)
+{
+  AirProblem problem(8, 3, true);
+  const SpacetimeModel& model = problem.Setup.Model;
+  const GivenAir sinking = model.Air;
+  problem.Glide();
+  const std::size_t stride = model.Stride();
+  std::vector<float> out(model.FrameSize());
+  const float* state = problem.Setup.Start.data() + 5 * model.FrameSize();
+  model.Air.Deviations(state, model.NumberOfBodies(), stride, 5.0, 1.0, out.data(), nullptr);
+  for (std::size_t i = model.NumberOfGas; i < model.NumberOfBodies(); ++i)
+  {
+    const Vec3 x(state[i], state[stride + i], state[2 * stride + i]);
+    const Vec3 v(state[3 * stride + i], state[4 * stride + i], state[5 * stride + i]);
+    const Vec3 w = model.Air.Deviation(i, x, v, 5.0, 1.0);
+    const double settling = problem.Input.Objects[i - model.NumberOfGas].SettlingSpeed *
+                            problem.Setup.FrameStep / problem.Setup.Spacing;
+    EXPECT_GT((w - sinking.Deviation(i, x, v, 5.0, 1.0)).x(), 0.05 * settling) << i;
+    for (int c = 0; c < 3; ++c)
+    {
+      EXPECT_NEAR(out[(3 + c) * stride + i], w[c], 1e-5 * settling) << i;
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Air/Field/AirSampler.h"
+#include "Base/BodyLaw.h"
 #include "Base/Motion.h"
 #include "Base/Types.h"
 #include "Constraints/GroundEffect.h"
@@ -47,8 +48,8 @@ struct DriftDepth
 struct DriftProblem
 {
   Timeline Time;
-  double SettlingSpeed = 0.0;         // m/s
-  double ResponseTime = 0.0;          // SettlingSpeed / g [s]; 0: the body has no inertia
+  BodyLaw Law;
+  double ResponseTime = 0.0;          // the law's [s]; 0: the body has no inertia
   std::vector<unsigned char> IsFixed; // by frame
   std::vector<Vec3> Fixed;            // [m], where IsFixed
   /// By step: 1 where it flies by the air alone, 0 where it lies still, between where it is taken
@@ -68,9 +69,8 @@ struct DriftOutcome
 };
 
 /// The control of a step [m/s]: what moves the body beside the air,
-///   c = x' + ResponseTime x'' - u(x, t) + f SettlingSpeed e_z,
-/// with the factor f of the ground effect, the inertial law v' = (u - v) g / SettlingSpeed - g e_z
-/// in units of velocity.
+///   c = x' + ResponseTime x'' - u(x, t) + f Slip,
+/// with the factor f of the ground effect: what the body's law leaves over, in units of velocity.
 std::vector<Vec3> DriftControls(const DriftProblem& problem, const AirSampler& air,
                                 const std::vector<Vec3>& path);
 

@@ -51,13 +51,12 @@ Vec3 DriftResiduals::Drifting(int k, const Vec3& x, Mat3* gradient) const
 {
   Vec3 slope;
   const double factor = this->Problem.Ground.Factor(x, k + 0.5, gradient ? &slope : nullptr);
-  Vec3 u = this->Air.Between(k, x, gradient);
-  u.z() -= factor * this->Problem.SettlingSpeed;
+  const Vec3 u = this->Air.Between(k, x, gradient);
   if (gradient)
   {
-    gradient->row(2) -= this->Problem.SettlingSpeed * slope.transpose();
+    *gradient = this->Problem.Law.VelocityGradient(*gradient, slope);
   }
-  return u;
+  return this->Problem.Law.Velocity(u, factor);
 }
 
 } // namespace waft

@@ -93,8 +93,8 @@ DriftProblem Drifter::Problem(const AirSampler& air) const
   const Timeline& time = this->World.Scene.Time;
   DriftProblem problem;
   problem.Time = time;
-  problem.SettlingSpeed = this->Body.SettlingSpeed;
-  problem.ResponseTime = this->World.Inertia ? this->Body.SettlingSpeed / StandardGravity : 0.0;
+  problem.Law = LawOf(this->Body);
+  problem.ResponseTime = this->World.Inertia ? problem.Law.ResponseTime(StandardGravity) : 0.0;
   problem.IsFixed = this->IsFixed;
   problem.Fixed = this->Fixed;
   problem.Rows = this->DriftRows;
@@ -233,7 +233,7 @@ std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air, int pertur
   std::vector<Vec3> straight = planned;
   std::vector<Vec3> drifting = planned;
   const double step = this->World.Scene.Time.Step();
-  const Vec3 slip = this->Body.SettlingSpeed * Vec3::UnitZ();
+  const BodyLaw law = LawOf(this->Body);
   const Box& volume = this->World.Scene.Bounds;
   for (std::size_t m = 0; m < marks.size(); ++m)
   {
@@ -244,8 +244,8 @@ std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air, int pertur
     straight[static_cast<std::size_t>(from)] = drifting[static_cast<std::size_t>(from)] = x;
     for (int f = from; f < to; ++f)
     {
-      const Vec3 half = x + 0.5 * step * (air.At(f, x) - slip);
-      x += step * (air.Between(f, half) - slip);
+      const Vec3 half = x + 0.5 * step * law.Velocity(air.At(f, x));
+      x += step * law.Velocity(air.Between(f, half));
       x = x.cwiseMax(volume.Min + Vec3::Constant(this->Body.RestHeight))
             .cwiseMin(volume.Max - Vec3::Constant(this->Body.ClearanceRadius));
       drifting[static_cast<std::size_t>(f) + 1] = x;

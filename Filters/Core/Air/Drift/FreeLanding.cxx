@@ -39,6 +39,7 @@ bool FindGround(const ObstacleSet& obstacles, const Vec3& x, int frame, int fram
 FreeLanding Sink(const DriftScene& scene, const MotionObject& body, const AirSampler& air, Vec3 x,
                  int frame, int frames)
 {
+  const BodyLaw law = LawOf(body);
   const double step = scene.Scene.Time.Step();
   const double reach = Low * body.ClearanceRadius + LowMargin;
   const int last =
@@ -60,8 +61,7 @@ FreeLanding Sink(const DriftScene& scene, const MotionObject& body, const AirSam
       return {}; // the air lifts it
     }
     const double braked = std::clamp(height / reach, 0.0, 1.0);
-    const Vec3 wind = air.Between(f, x);
-    x += step * Vec3(braked * wind.x(), braked * wind.y(), braked * wind.z() - body.SettlingSpeed);
+    x += step * law.Velocity(braked * air.Between(f, x));
   }
   return {};
 }

@@ -43,12 +43,11 @@ Box VolumeOf(const HalfSeries& air)
 }
 
 // The flights of one body, one after another.
-void Fly(const HalfSeries& air, int body, double rate, double settlingSpeed,
-         std::vector<Vec3>& path, std::vector<char>& isFree)
+void Fly(const HalfSeries& air, int body, double rate, const BodyLaw& law, std::vector<Vec3>& path,
+         std::vector<char>& isFree)
 {
   const AirSampler sampler(air);
   const Box volume = VolumeOf(air);
-  const Vec3 slip = settlingSpeed * Vec3::UnitZ();
   const double step = 1.0 / rate;
   const int frames = static_cast<int>(air.Values.size());
   const int unfree = std::max(1, static_cast<int>(std::ceil(Unfree * rate)));
@@ -61,8 +60,8 @@ void Fly(const HalfSeries& air, int body, double rate, double settlingSpeed,
     Vec3 next = x;
     if (f + 1 < frames)
     {
-      const Vec3 half = x + 0.5 * step * (sampler.At(f, x) - slip);
-      next += step * (sampler.Between(f, half) - slip);
+      const Vec3 half = x + 0.5 * step * law.Velocity(sampler.At(f, x));
+      next += step * law.Velocity(sampler.Between(f, half));
     }
     const bool leaves =
       ((next - volume.Min).array() < 0.0).any() || ((volume.Max - next).array() < 0.0).any();
@@ -191,7 +190,7 @@ AirStatistics StatisticsOf(const FreeFlights& flights, double framesPerSecond, d
   return found;
 }
 
-AirStatistics DriftStatistics(const HalfSeries& air, double framesPerSecond, double settlingSpeed,
+AirStatistics DriftStatistics(const HalfSeries& air, double framesPerSecond, const BodyLaw& law,
                               const ParallelFor& parallel)
 {
   FreeFlights flights;
@@ -202,7 +201,7 @@ AirStatistics DriftStatistics(const HalfSeries& air, double framesPerSecond, dou
            {
              for (std::size_t b = begin; b < end; ++b)
              {
-               Fly(air, static_cast<int>(b), framesPerSecond, settlingSpeed, flights.Paths[b],
+               Fly(air, static_cast<int>(b), framesPerSecond, law, flights.Paths[b],
                    flights.IsFree[b]);
              }
            });

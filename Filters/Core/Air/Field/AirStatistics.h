@@ -2,6 +2,7 @@
 // How bodies move that an air carries: what tells a lively air from a calm one.
 #pragma once
 
+#include "Base/BodyLaw.h"
 #include "Base/HalfSeries.h"
 #include "Base/Parallel.h"
 #include "Base/Types.h"
@@ -40,9 +41,9 @@ struct FreeFlights
 /// width: of the volume [m].
 AirStatistics StatisticsOf(const FreeFlights& flights, double framesPerSecond, double width);
 
-/// Of bodies that sink with a settling speed [m/s], let go at random and, where they leave the
-/// volume of the lattice, again. The same on any number of threads.
-AirStatistics DriftStatistics(const HalfSeries& air, double framesPerSecond, double settlingSpeed,
+/// Of bodies of a law, without inertia, let go at random and, where they leave the volume of the
+/// lattice, again. The same on any number of threads.
+AirStatistics DriftStatistics(const HalfSeries& air, double framesPerSecond, const BodyLaw& law,
                               const ParallelFor& parallel);
 
 /// Mean of |ln| of the ratio of the structures where both are known; 0 where none is.

@@ -134,7 +134,7 @@ Result SimulateSideBySide(std::size_t count, const std::function<AirScene(std::s
 }
 
 Result DrawForces(const MotionProblem& problem, std::uint64_t seed, const AirScene& coarse,
-                  double settlingSpeed, const ParallelFor& parallel, PartMonitor& monitor,
+                  const BodyLaw& law, const ParallelFor& parallel, PartMonitor& monitor,
                   std::vector<ForceDraw>& draws, AirStatistics& wanted)
 {
   Random random(seed, AirStream);
@@ -161,7 +161,7 @@ Result DrawForces(const MotionProblem& problem, std::uint64_t seed, const AirSce
   const auto use = [&](std::size_t k, const HalfSeries& air)
   {
     (k < ClosedDraws ? draws[k].Found : open[k - ClosedDraws]) =
-      DriftStatistics(air, rate, settlingSpeed, SerialFor());
+      DriftStatistics(air, rate, law, SerialFor());
   };
   const Result simulated =
     SimulateSideBySide(ClosedDraws + OpenDraws, sceneOf, use, parallel, monitor);

@@ -26,9 +26,9 @@ struct ForceDraw
 
 /// Draws by coarse simulations, those first in whose closed box bodies move most as they do in the
 /// open boxes of the databases (wanted), each scaled to be as strong. coarse: its forces are not
-/// looked at. settlingSpeed: of a typical body [m/s]. The same on any number of threads.
+/// looked at. law: of a typical body. The same on any number of threads.
 Result DrawForces(const MotionProblem& problem, std::uint64_t seed, const AirScene& coarse,
-                  double settlingSpeed, const ParallelFor& parallel, PartMonitor& monitor,
+                  const BodyLaw& law, const ParallelFor& parallel, PartMonitor& monitor,
                   std::vector<ForceDraw>& draws, AirStatistics& wanted);
 
 /// As many airs as `count`, each on one thread: that of sceneOf(k) goes to use(k, air), in any

@@ -32,15 +32,18 @@ double StrengthCost(double found, double wanted)
   return PathStrengthCost * misfit * misfit;
 }
 
-double TypicalSettlingSpeed(const AirBodies& bodies)
+// That of the middle settling speed.
+BodyLaw TypicalLaw(const AirBodies& bodies)
 {
-  std::vector<double> speeds;
+  std::vector<BodyLaw> laws;
   for (const Drifter& drifter : bodies.Drifters)
   {
-    speeds.push_back(drifter.Object().SettlingSpeed);
+    laws.push_back(LawOf(drifter.Object()));
   }
-  const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
-  std::nth_element(speeds.begin(), middle, speeds.end());
+  const auto middle = laws.begin() + static_cast<std::ptrdiff_t>(laws.size() / 2);
+  std::nth_element(laws.begin(), middle, laws.end(),
+                   [](const BodyLaw& a, const BodyLaw& b)
+                   { return a.SettlingSpeed() < b.SettlingSpeed(); });
   return *middle;
 }
 
@@ -125,9 +128,8 @@ Result DrawAir(const AirContext& run, AirState& state, AssimilationOutput& outpu
   std::vector<ForceDraw> draws;
   AirStatistics wanted;
   PartMonitor drawing(run.Caller, 0.0, DrawsEnd, Drawing);
-  Result result =
-    DrawForces(run.Input, SeedOfAir(run.Input, run.Options), coarse,
-               TypicalSettlingSpeed(state.Bodies), run.Parallel, drawing, draws, wanted);
+  Result result = DrawForces(run.Input, SeedOfAir(run.Input, run.Options), coarse,
+                             TypicalLaw(state.Bodies), run.Parallel, drawing, draws, wanted);
   if (!result || result.IsStopped())
   {
     return result;

@@ -19,11 +19,11 @@ constexpr std::size_t NodesPerPlace = 64;
 } // namespace
 
 GivenAir::GivenAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep,
-                   std::size_t numberOfGas, std::vector<double> settling,
+                   std::size_t numberOfGas, std::vector<BodyLaw> laws,
                    std::vector<GroundEffect> ground) :
   Series(&series),
   Origin(origin), Spacing(spacing), FrameStep(frameStep), NumberOfGas(numberOfGas),
-  Settling(std::move(settling)), Ground(std::move(ground))
+  Laws(std::move(laws)), Ground(std::move(ground))
 {
 }
 
@@ -33,22 +33,24 @@ Vec3 GivenAir::Velocity(const Vec3& x, double frame) const
   return (this->FrameStep / this->Spacing) * u;
 }
 
-double GivenAir::Settles(std::size_t object, const Vec3& x, double frame, Vec3* slope) const
+Vec3 GivenAir::Slips(std::size_t object, const Vec3& x, double frame, Mat3* slopes) const
 {
-  const double speed = this->Settling[object];
-  const double factor = this->Ground[object].Factor(this->Origin + this->Spacing * x, frame, slope);
-  if (slope != nullptr)
+  const Vec3& slip = this->Laws[object].Slip;
+  Vec3 slope;
+  const double factor = this->Ground[object].Factor(this->Origin + this->Spacing * x, frame,
+                                                    slopes != nullptr ? &slope : nullptr);
+  if (slopes != nullptr)
   {
-    *slope *= speed * this->Spacing;
+    const Vec3 metric = this->Spacing * slip;
+    *slopes = metric * slope.transpose();
   }
-  return factor * speed;
+  return factor * slip;
 }
 
 Vec3 GivenAir::Drift(std::size_t body, const Vec3& x, double frame) const
 {
-  Vec3 u = this->Velocity(x, frame);
-  u.z() -= body < this->NumberOfGas ? 0.0 : this->Settles(body - this->NumberOfGas, x, frame);
-  return u;
+  const Vec3 u = this->Velocity(x, frame);
+  return body < this->NumberOfGas ? u : Vec3(u - this->Slips(body - this->NumberOfGas, x, frame));
 }
 
 Vec3 GivenAir::Deviation(std::size_t body, const Vec3& x, const Vec3& v, double frame,
@@ -99,12 +101,16 @@ void GivenAir::Deviations(const float* state, std::size_t bodies, std::size_t st
     }
     if (i >= this->NumberOfGas)
     {
-      Vec3 slope;
-      u[2] -= static_cast<float>(
-        this->Settles(i - this->NumberOfGas, x, frame - 0.5 * step, jacobians ? &slope : nullptr));
-      for (int k = 0; k < 3 && jacobians; ++k)
+      Mat3 bySlip;
+      const Vec3 slip = this->Slips(i - this->NumberOfGas, x, frame - 0.5 * step,
+                                    jacobians != nullptr ? &bySlip : nullptr);
+      for (int c = 0; c < 3; ++c)
       {
-        slopes[k][2] -= static_cast<float>(slope[k]);
+        u[c] -= static_cast<float>(slip[c]);
+        for (int k = 0; k < 3 && jacobians; ++k)
+        {
+          slopes[k][c] -= static_cast<float>(bySlip(c, k));
+        }
       }
     }
     for (int c = 0; c < 3; ++c)

@@ -2,6 +2,7 @@
 // A drawn air as the optimiser sees it: what bodies move beside it.
 #pragma once
 
+#include "Base/BodyLaw.h"
 #include "Base/FieldSeries.h"
 #include "Constraints/GroundEffect.h"
 
@@ -13,18 +14,18 @@ namespace waft
 {
 
 /// A velocity field of all frames in dx and frames. In it E is that of the deviations
-///   w = v - (U(x - s v / 2, t - s / 2) - f settling e_z)
-/// of all bodies, where gas does not settle and f is the factor of the ground effect: a velocity
-/// v belongs to the middle of the step s that leads to its frame. What drifts costs nothing, and no
+///   w = v - (U(x - s v / 2, t - s / 2) - f slip)
+/// of all bodies, where gas has no slip and f is the factor of the ground effect: a velocity v
+/// belongs to the middle of the step s that leads to its frame. What drifts costs nothing, and no
 /// viscosity damps what the air itself does.
 class GivenAir
 {
 public:
   GivenAir() = default;
   /// series [m, s, m/s] must outlive the air; origin of the gas' box [m], dx [m], of a frame [s];
-  /// settling: speeds of the bodies behind the gas [dx / frame]; ground: of the same bodies.
+  /// laws: of the bodies behind the gas, in dx and frames; ground: of the same bodies.
   GivenAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep,
-           std::size_t numberOfGas, std::vector<double> settling, std::vector<GroundEffect> ground);
+           std::size_t numberOfGas, std::vector<BodyLaw> laws, std::vector<GroundEffect> ground);
 
   bool IsEmpty() const { return this->Series == nullptr; }
   /// The same for the objects alone.
@@ -54,8 +55,8 @@ public:
 private:
   /// The velocity with which a body at x drifts at a frame.
   Vec3 Drift(std::size_t body, const Vec3& x, double frame) const;
-  /// The speed with which an object settles at x [dx / frame], slope unless null: by x [1 / frame].
-  double Settles(std::size_t object, const Vec3& x, double frame, Vec3* slope = nullptr) const;
+  /// The slip of an object at x, by the factor there [dx / frame]; slopes unless null: by x.
+  Vec3 Slips(std::size_t object, const Vec3& x, double frame, Mat3* slopes = nullptr) const;
   /// What the series says of a frame between two of its own.
   struct Instant
   {
@@ -82,7 +83,7 @@ private:
   Vec3 Origin = Vec3::Zero();
   double Spacing = 1.0, FrameStep = 1.0;
   std::size_t NumberOfGas = 0;
-  std::vector<double> Settling; // by object, as Ground
+  std::vector<BodyLaw> Laws; // by object, as Ground
   std::vector<GroundEffect> Ground;
 };
 

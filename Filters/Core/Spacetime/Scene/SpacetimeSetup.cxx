@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/Scene/SpacetimeSetup.h"
 
+#include "Base/BodyLaw.h"
 #include "Constraints/Rest.h"
 #include "Particles/GasLattice.h"
 #include "Particles/SphSurfaces.h"
@@ -212,14 +213,15 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
   {
     // In still air drag and effective gravity balance at the settling speed. Both are weakened
     // alike for what would come to that speed in less than two frames: the step could not follow.
-    const double rate = setup.FrameStep * gravity / std::max(1e-3, object.SettlingSpeed);
+    const BodyLaw law = LawOf(object);
+    const double rate = law.ResponseRate(setup.FrameStep * gravity);
     const double weakening = std::min(1.0, FastestDrag / rate);
     model.DragRates.push_back(static_cast<float>(weakening * rate));
     model.Gravities.push_back(static_cast<float>(weakening * gravity / setup.AccelerationUnit()));
     model.Clearances.emplace_back(static_cast<float>(object.ClearanceRadius / setup.Spacing),
                                   static_cast<float>(object.RestHeight / setup.Spacing));
     model.BrakeHeights.push_back(
-      static_cast<float>(0.5 * CushionTime * object.SettlingSpeed / setup.Spacing));
+      static_cast<float>(0.5 * CushionTime * law.SettlingSpeed() / setup.Spacing));
     radii += object.ClearanceRadius / setup.Spacing / static_cast<double>(no);
   }
   const double widest = ContactSlack * 2.0 * radii;
@@ -264,17 +266,17 @@ void SetUpAir(const SpacetimeInput& input, const SpacetimeOptions& options, Spac
   const std::size_t no = model.NumberOfObjects;
   const auto air = [&](const Vec3& x, int frame)
   { return input.Air.Sample(x, frame * setup.FrameStep); };
-  std::vector<double> settling;
+  std::vector<BodyLaw> laws;
   std::vector<GroundEffect> ground;
   for (std::size_t o = 0; o < no; ++o)
   {
     const MotionObject& object = setup.Objects[o];
-    settling.push_back(object.SettlingSpeed * setup.FrameStep / setup.Spacing);
+    laws.push_back(LawOf(object).In(setup.Spacing, setup.FrameStep));
     ground.emplace_back(setup.Obstacles, setup.Landings[o], object,
                         input.Scene.Time.FramesPerSecond, air);
   }
   model.Air = GivenAir(input.Air, setup.Origin, setup.Spacing, setup.FrameStep, model.NumberOfGas,
-                       std::move(settling), std::move(ground));
+                       std::move(laws), std::move(ground));
   model.AirDrag = static_cast<float>(options.AirDrag * setup.FrameStep);
   // Half the second difference of a control that changes within this time costs as much as it.
   model.Weights.Control = 4.0 * std::pow(ControlTime / setup.FrameStep, 4);
