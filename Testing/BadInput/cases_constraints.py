@@ -60,6 +60,7 @@ def cases():
                      "/obstacles/1/motion")
     yield scene_case(group, "a region outside the volume",
                      with_value(WIDE, "/objects/1/region", {"min": [5, 5, 5], "max": [6, 6, 6]}), "/objects/1/region")
+    yield scene_case(group, "a region within an obstacle", with_value(WIDE, "/obstacles/1/radius", 5.2), "/objects/1/region")
     yield scene_case(group, "a region turned over",
                      with_value(WIDE, "/objects/1/region", {"min": [1, 1, 3], "max": [-1, -1, 2]}), "/objects/1/region")
 

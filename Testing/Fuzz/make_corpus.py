@@ -47,6 +47,8 @@ def main():
             write("SceneText", f"null{pointer}", json.dumps(with_value(WIDE, pointer, None)).encode())
             write("SceneText", f"huge{pointer}", json.dumps(with_value(WIDE, pointer, 1e308)).encode())
 
+    write("SceneText", "a region within an obstacle", json.dumps(with_value(WIDE, "/obstacles/1/radius", 5.2)).encode())
+
     write("Pictures", "right.png", of_kind(PICTURES, ".png", good.png()))
     write("Pictures", "right.jpg", of_kind(PICTURES, ".jpg", good.jpg()))
     write("Pictures", "right.tif", of_kind(PICTURES, ".tif", good.tif()))

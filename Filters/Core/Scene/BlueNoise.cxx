@@ -225,12 +225,15 @@ std::vector<Vec3> SpreadInBox(const Box& box, std::size_t count, std::uint64_t s
   constexpr std::size_t candidatesPerPoint = 16;
   constexpr std::size_t triesPerCandidate = 50;
   constexpr std::size_t mostTries = 4000000;
+  constexpr std::size_t mostInVain = 20000; // without a single place there are not `count`
   Random random(seed, stream);
   std::vector<Vec3> candidates;
   const std::size_t wanted = std::max<std::size_t>(candidatesPerPoint * count, 64);
   const std::size_t most = std::min(wanted * triesPerCandidate, mostTries);
   std::size_t tried = 0;
-  for (; tried < most && candidates.size() < wanted; ++tried)
+  for (; tried < (candidates.empty() ? std::min(most, mostInVain) : most) &&
+         candidates.size() < wanted;
+       ++tried)
   {
     const Vec3 x = random.InBox(box);
     if (isAdmissible(x))

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Distances to a mesh by trying all triangles: enough for the starts of a scene's objects.
+// What the starts of a scene's objects ask of its meshes.
 #pragma once
 
 #include "Base/Mesh.h"
+#include "Obstacles/TriangleTree.h"
 
 namespace waft
 {
@@ -10,7 +11,7 @@ namespace waft
 /// The box around all points.
 Box BoundsOf(const TriangleMesh& mesh);
 
-/// True when a ball lies wholly outside the closed surface.
-bool IsOutside(const TriangleMesh& mesh, const Vec3& center, double radius);
+/// True when a ball lies wholly outside the solid.
+bool IsOutside(const TriangleTree& solid, const Vec3& center, double radius);
 
 } // namespace waft

@@ -305,8 +305,12 @@ std::vector<Vec3> SceneReader::SpreadObjects(const SceneNode& node, std::size_t 
     {
       const Box& box = this->BoxOfObstacle[o];
       const Vec3 away = (box.Min - x).cwiseMax(x - box.Max).cwiseMax(0.0);
-      if (away.squaredNorm() <= radius * radius * (1.0 + 1e-9) &&
-          !IsOutside(obstacles[o].Mesh, x, radius))
+      if (away.squaredNorm() > radius * radius * (1.0 + 1e-9))
+      {
+        continue;
+      }
+      const auto tree = this->TreeOfObstacle.try_emplace(o, obstacles[o].Mesh).first;
+      if (!IsOutside(tree->second, x, radius))
       {
         return false;
       }

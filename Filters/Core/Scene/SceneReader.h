@@ -2,6 +2,7 @@
 // The parts of the reader of scenes, one a section of the file. Private to this library.
 #pragma once
 
+#include "Obstacles/TriangleTree.h"
 #include "Scene/NearObjects.h"
 #include "Scene/Scene.h"
 #include "Scene/SceneNode.h"
@@ -111,10 +112,11 @@ private:
   Scene& Out;
   bool HasGround = true;
   double GroundHeight = 0.0;
-  std::map<int, std::size_t> IndexOfObject; // by id
-  std::map<std::string, int> WarningsOf;    // by kind, how many there were
-  NearObjects Placed;                       // objects that were looked for room among
-  std::vector<Box> BoxOfObstacle;           // of those that were kept clear of
+  std::map<int, std::size_t> IndexOfObject;           // by id
+  std::map<std::string, int> WarningsOf;              // by kind, how many there were
+  NearObjects Placed;                                 // objects that were looked for room among
+  std::vector<Box> BoxOfObstacle;                     // of those that were kept clear of
+  std::map<std::size_t, TriangleTree> TreeOfObstacle; // of those whose box an object came near
   std::map<int, std::vector<int>> Choices; // by row of a keyframe, the ids that it may choose among
 };
 

@@ -72,7 +72,7 @@ TEST(BlueNoise, LaterPointsKeepAwayFromEarlierOnes)
 
 TEST(MeshQueries, BallsAgainstABoxAndASphere)
 {
-  const TriangleMesh box = MakeBox(Box{ Vec3(0.0, 0.0, 0.0), Vec3(1.0, 2.0, 3.0) });
+  const TriangleTree box(MakeBox(Box{ Vec3(0.0, 0.0, 0.0), Vec3(1.0, 2.0, 3.0) }));
   EXPECT_FALSE(IsOutside(box, Vec3(0.5, 1.0, 1.5), 0.1)); // wholly inside
   EXPECT_TRUE(IsOutside(box, Vec3(0.5, 1.0, 3.2), 0.19));
   EXPECT_FALSE(IsOutside(box, Vec3(0.5, 1.0, 3.2), 0.21));
@@ -81,7 +81,7 @@ TEST(MeshQueries, BallsAgainstABoxAndASphere)
   EXPECT_FALSE(IsOutside(box, Vec3(1.3, 2.4, 1.0), 0.501));
   EXPECT_TRUE(IsOutside(box, Vec3(2.0, 4.0, 5.0), 2.999));
   EXPECT_FALSE(IsOutside(box, Vec3(2.0, 4.0, 5.0), 3.001));
-  const TriangleMesh sphere = MakeSphere(Vec3(1.0, 0.0, 0.0), 0.5);
+  const TriangleTree sphere(MakeSphere(Vec3(1.0, 0.0, 0.0), 0.5));
   Random random(2);
   for (int i = 0; i < 200; ++i)
   {
