@@ -3,7 +3,6 @@
 
 #include "Bridge/Files/DataFiles.h"
 #include "Bridge/Files/PictureFiles.h"
-#include "Files/DataFileCheck.h"
 
 #include <vtkObjectFactory.h>
 
@@ -31,5 +30,5 @@ std::string vtkCheckedFiles::ReadPicture(const std::string& path, vtkImageData* 
 
 std::string vtkCheckedFiles::CheckBlocks(const std::string& path)
 {
-  return waft::CheckDataFile(path, { "vtkMultiBlockDataSet" }).Message();
+  return waft::CheckBlocksFile(path).Message();
 }

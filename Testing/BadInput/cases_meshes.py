@@ -185,6 +185,13 @@ def vtps():
     yield "of another type", ".vtp", whole.replace(b'"PolyData"', b'"UnstructuredGrid"')
     yield "an unknown compressor", ".vtp", whole.replace(b'header_type', b'compressor="vtkNoCompressor" header_type')
     yield "an appended array that is not there", ".vtp", whole.replace(b'format="ascii"', b'format="appended" offset="99"', 1)
+    yield "points of one number", ".vtp", whole.replace(b' NumberOfComponents="3"', b"")
+    for kind in (b"Bit", b"String"):
+        yield f"points of type {kind.decode()}", ".vtp", whole.replace(b"Float64", kind)
+    texts = b'<Array type="String" Name="w" NumberOfTuples="2" format="ascii">' + b"65 0 " * 100 + b"</Array>"
+    yield "more texts than points", ".vtp", whole.replace(b"<Points>", b"<PointData>" + texts + b"</PointData><Points>")
+    yield "more texts than said", ".vtp", whole.replace(b"<PolyData>", b"<PolyData><FieldData>" + texts + b"</FieldData>")
+    yield "values at two places", ".vtp", whole.replace(b'format="ascii"', b'format="ascii" offset="0"')
     zeros = good.packed_zeros(12 * 2 * 10 ** 8)
     yield "2e8 points that are packed", ".vtp", good.vtp_packed(2 * 10 ** 8, zeros)
     yield "a block of 2^40 bytes", ".vtp", good.vtp_packed(4, struct.pack("<4Q", 1, 2 ** 40, 0, 100) + bytes(100))

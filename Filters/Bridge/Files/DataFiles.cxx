@@ -8,8 +8,12 @@
 #include "Files/FileBytes.h"
 #include "Files/InlineData.h"
 
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkImageData.h>
+#include <vtkLZ4DataCompressor.h>
+#include <vtkLZMADataCompressor.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
@@ -17,6 +21,7 @@
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLMultiBlockDataReader.h>
 #include <vtkXMLPolyDataReader.h>
+#include <vtkZLibDataCompressor.h>
 
 #include <string>
 
@@ -24,6 +29,27 @@ namespace waft
 {
 namespace
 {
+
+template <class Compressor>
+vtkSmartPointer<vtkDataCompressor> Tool()
+{
+  return vtkSmartPointer<Compressor>::New();
+}
+
+// What the readers unpack with.
+bool UnpackBlock(const std::string& compressor, const std::string& packed, std::string& bytes)
+{
+  const vtkSmartPointer<vtkDataCompressor> tool =
+    compressor == "vtkZLibDataCompressor"  ? Tool<vtkZLibDataCompressor>()
+    : compressor == "vtkLZ4DataCompressor" ? Tool<vtkLZ4DataCompressor>()
+                                           : Tool<vtkLZMADataCompressor>();
+  vtkNew<vtkCallbackCommand> silence;
+  tool->AddObserver(vtkCommand::ErrorEvent, silence);
+  return compressor == tool->GetClassName() &&
+         tool->Uncompress(reinterpret_cast<const unsigned char*>(packed.data()), packed.size(),
+                          reinterpret_cast<unsigned char*>(bytes.data()),
+                          bytes.size()) == bytes.size();
+}
 
 // A file that CheckDataFile has found whole.
 template <class Reader, class Data>
@@ -47,7 +73,7 @@ Result Read(const std::string& path, Data* data)
 template <class Reader, class Data>
 Result ReadChecked(const std::string& path, const char* type, Data* data)
 {
-  WAFT_RETURN_IF_FAILED(CheckDataFile(path, { type }));
+  WAFT_RETURN_IF_FAILED(CheckDataFile(path, { type }, UnpackBlock));
   return Read<Reader>(path, data);
 }
 
@@ -64,9 +90,14 @@ Result ReadImageFile(const std::string& path, vtkImageData* data)
   return ReadChecked<vtkXMLImageDataReader>(path, "ImageData", data);
 }
 
+Result CheckBlocksFile(const std::string& path)
+{
+  return CheckDataFile(path, { "vtkMultiBlockDataSet" }, UnpackBlock);
+}
+
 Result ReadBlocksFile(const std::string& path, vtkMultiBlockDataSet* data)
 {
-  WAFT_RETURN_IF_FAILED(CheckDataFile(path, { "vtkMultiBlockDataSet" }));
+  WAFT_RETURN_IF_FAILED(CheckBlocksFile(path));
   InlinedBlocks blocks;
   WAFT_RETURN_IF_FAILED(blocks.Make(path));
   WAFT_RETURN_IF_FAILED(Read<vtkXMLMultiBlockDataReader>(blocks.Path(), data));

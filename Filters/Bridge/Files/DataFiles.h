@@ -20,7 +20,8 @@ namespace waft
 Result ReadPolyDataFile(const std::string& path, vtkPolyData* data);
 /// A .vti.
 Result ReadImageFile(const std::string& path, vtkImageData* data);
-/// A .vtm of surfaces and tables, with all their files.
+/// A .vtm of surfaces and tables, with all their files; and the look before it.
 Result ReadBlocksFile(const std::string& path, vtkMultiBlockDataSet* data);
+Result CheckBlocksFile(const std::string& path);
 
 } // namespace waft

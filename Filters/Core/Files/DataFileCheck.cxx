@@ -2,6 +2,7 @@
 #include "Files/DataFileCheck.h"
 
 #include "Files/DataFileArrays.h"
+#include "Files/DataFilePiece.h"
 #include "Files/DataFileRoom.h"
 #include "Files/FileBytes.h"
 #include "Files/TextLines.h"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
 
 namespace waft
 {
@@ -21,31 +21,16 @@ constexpr std::size_t DeepestElement = 64;
 constexpr long long NewestVersion = 2;   // that VTK's readers know
 constexpr double MostBlocks = 100'000.0; // places of one level of a .vtm
 
-struct PieceCounts
-{
-  double Points = 0.0;
-  double Cells = 0.0;
-  double Rows = 0.0;
-  std::map<std::string_view, double> OfKind; // Verts, Lines, Strips, Polys
-};
-
-int SizeOf(std::string_view type)
-{
-  const auto is = [type](std::string_view a, std::string_view b) { return type == a || type == b; };
-  return is("Int8", "UInt8") || is("String", "Bit")   ? 1
-         : is("Int16", "UInt16")                      ? 2
-         : is("Int32", "UInt32") || type == "Float32" ? 4
-         : is("Int64", "UInt64") || type == "Float64" ? 8
-                                                      : 0;
-}
-
-Result CheckOne(const std::string& path, const std::vector<std::string>& types, DataSetBytes& all);
+Result CheckOne(const std::string& path, const std::vector<std::string>& types,
+                const BlockUnpacker& unpack, DataSetBytes& all);
 
 class DataFile
 {
 public:
-  DataFile(std::string_view text, const std::string& path, DataSetBytes& all) :
-    Tags(text), Path(path), All(all), Arrays(text)
+  DataFile(std::string_view text, const std::string& path, const BlockUnpacker& unpack,
+           DataSetBytes& all) :
+    Tags(text),
+    Path(path), Unpack(unpack), All(all), Arrays(text)
   {
     this->All.InFiles += static_cast<double>(text.size());
   }
@@ -82,7 +67,12 @@ public:
     {
       WAFT_RETURN_IF_FAILED(this->Arrays.Check(claim, bytes));
     }
-    return this->CheckBytes(bytes);
+    WAFT_RETURN_IF_FAILED(this->CheckBytes(bytes));
+    for (const ArrayClaim& claim : this->Claims)
+    {
+      WAFT_RETURN_IF_FAILED(this->Arrays.CheckTexts(claim, this->Unpack));
+    }
+    return Result::Ok();
   }
 
 private:
@@ -103,6 +93,11 @@ private:
       WAFT_RETURN_IF_FAILED(this->OpenRoot(tag, location, types));
     }
     const std::string_view parent = this->Stack.empty() ? std::string_view() : this->Stack.back();
+    if ((tag.Name == "Piece" || tag.Name == "ImageData") &&
+        std::find(this->Stack.begin(), this->Stack.end(), tag.Name) != this->Stack.end())
+    {
+      return Result::Error(location + "expected none within another");
+    }
     this->Stack.push_back(tag.Name);
     if (this->Stack.size() > DeepestElement)
     {
@@ -113,6 +108,7 @@ private:
     {
       PieceCounts counts;
       WAFT_RETURN_IF_FAILED(this->ReadExtent(tag, "WholeExtent", location, counts));
+      this->Whole = counts.Places;
       this->Room.AddTuples(counts.Points, counts.Cells, counts.Rows);
       WAFT_RETURN_IF_FAILED(CheckNumbers(tag, "Origin", location, 3));
       WAFT_RETURN_IF_FAILED(CheckNumbers(tag, "Spacing", location, 3));
@@ -152,7 +148,7 @@ private:
                            std::to_string(NewestVersion) + ", found " + Quoted(version));
     }
     this->Type = type;
-    this->Arrays.IsPacked = !tag.Attribute("compressor").empty();
+    this->Arrays.Packer = tag.Attribute("compressor");
     this->Arrays.WordSize = tag.Attribute("header_type") == "UInt64" ? 8 : 4;
     const std::string_view order = tag.Attribute("byte_order");
     this->Arrays.Order = order == "BigEndian" ? ByteOrder::Big : ByteOrder::Little;
@@ -211,8 +207,8 @@ private:
     bool isGood = words.size() == 6;
     for (std::size_t axis = 0; isGood && axis < 3; ++axis)
     {
-      long long first = 0;
-      long long last = 0;
+      long long& first = counts.Places[2 * axis];
+      long long& last = counts.Places[2 * axis + 1];
       isGood = ParseInteger(words[2 * axis], first) && ParseInteger(words[2 * axis + 1], last) &&
                std::max(std::abs(double(first)), std::abs(double(last))) < 1e9 && last >= first;
       counts.Points *= static_cast<double>(last - first + 1);
@@ -233,6 +229,11 @@ private:
     if (this->Type == "ImageData")
     {
       WAFT_RETURN_IF_FAILED(this->ReadExtent(tag, "Extent", location, counts));
+      if (!counts.IsWithin(this->Whole))
+      {
+        return Result::Error(location + "Extent: expected a part of WholeExtent, found " +
+                             Quoted(tag.Attribute("Extent")));
+      }
     }
     else
     {
@@ -261,7 +262,8 @@ private:
     claim.Location = location + "array " + Quoted(tag.Attribute("Name")) + ": ";
     claim.Format = tag.Attribute("format");
     claim.Format = claim.Format.empty() ? "ascii" : claim.Format;
-    const int size = SizeOf(tag.Attribute("type"));
+    const std::string_view type = tag.Attribute("type");
+    const int size = BytesOfType(type);
     double components = 1.0;
     double tuples = 0.0;
     WAFT_RETURN_IF_FAILED(
@@ -270,12 +272,25 @@ private:
     if (size == 0)
     {
       return Result::Error(claim.Location + "expected a type of numbers or String, found " +
-                           Quoted(tag.Attribute("type")));
+                           Quoted(type));
+    }
+    const bool isAppended = claim.Format == "appended";
+    if ((claim.Format != "ascii" && claim.Format != "binary" && !isAppended) ||
+        tag.Has("offset") != isAppended)
+    {
+      return Result::Error(claim.Location + "expected the format ascii, binary, or appended with " +
+                           "an offset, found " + Quoted(claim.Format));
+    }
+    const bool hasNumbers = type != "String" && type != "Bit";
+    if (parent == "Points" && (!hasNumbers || components != 3.0))
+    {
+      return Result::Error(claim.Location + "expected 3 numbers a point, found " +
+                           std::to_string(static_cast<int>(components)) + " of type " +
+                           Quoted(type));
     }
     const auto ofKind = this->Piece.OfKind.find(parent);
     const bool isOffsets = tag.Attribute("Name") == "offsets";
-    const bool isCounted = tag.Attribute("type") != "String" && tag.Attribute("type") != "Bit" &&
-                           (ofKind == this->Piece.OfKind.end() || isOffsets);
+    const bool isCounted = hasNumbers && (ofKind == this->Piece.OfKind.end() || isOffsets);
     tuples = parent == "PointData" || parent == "Points" ? this->Piece.Points
              : parent == "CellData"                      ? this->Piece.Cells
              : parent == "RowData"                       ? this->Piece.Rows
@@ -289,8 +304,9 @@ private:
     }
     this->Room.AddArray(parent, components * size);
     claim.Bytes = isCounted ? values * size : -1.0;
+    claim.Texts = type == "String" ? tuples * std::max(components, 1.0) : -1.0;
     claim.At = tag.End;
-    if (claim.Format == "appended")
+    if (isAppended)
     {
       double offset = 0.0;
       WAFT_RETURN_IF_FAILED(this->ReadCount(tag, "offset", claim.Location, offset));
@@ -326,7 +342,8 @@ private:
     {
       return Result::Error(name + "expected a file of its own, found " + Quoted(file) + " again");
     }
-    const Result checked = CheckOne(leaf.string(), { "PolyData", "Table" }, this->All);
+    const Result checked =
+      CheckOne(leaf.string(), { "PolyData", "Table" }, this->Unpack, this->All);
     return checked ? checked : Result::Error(name + Quoted(file) + ": " + checked.Message());
   }
 
@@ -349,29 +366,33 @@ private:
 
   XmlTags Tags;
   std::string Path;
+  const BlockUnpacker& Unpack;
   DataSetBytes& All;
   std::vector<std::string_view> Stack;
   bool HasEnd = false;
   std::string Type;
   DataFileArrays Arrays;
+  Extent Whole{}; // of an image
   PieceCounts Piece;
   DataFileRoom Room;
   std::vector<ArrayClaim> Claims;
 };
 
-Result CheckOne(const std::string& path, const std::vector<std::string>& types, DataSetBytes& all)
+Result CheckOne(const std::string& path, const std::vector<std::string>& types,
+                const BlockUnpacker& unpack, DataSetBytes& all)
 {
   FileBytes file;
   WAFT_RETURN_IF_FAILED(file.Open(path));
-  return DataFile(file.View(), path, all).Check(types);
+  return DataFile(file.View(), path, unpack, all).Check(types);
 }
 
 } // namespace
 
-Result CheckDataFile(const std::string& path, const std::vector<std::string>& types)
+Result CheckDataFile(const std::string& path, const std::vector<std::string>& types,
+                     const BlockUnpacker& unpack)
 {
   DataSetBytes all;
-  return CheckOne(path, types, all);
+  return CheckOne(path, types, unpack, all);
 }
 
 } // namespace waft

@@ -54,6 +54,11 @@ bool ParseInteger(std::string_view text, long long& number);
 /// Returns how many characters it took.
 std::size_t DecodeBase64(std::string_view text, std::string& bytes,
                          std::size_t most = std::string::npos);
+/// Characters that stand for so many bytes.
+inline std::size_t Base64Size(std::size_t bytes)
+{
+  return (bytes + 2) / 3 * 4;
+}
 
 /// A text of a file for a message: at most 40 bytes, those that are not printable as ?.
 std::string Printable(std::string_view text);

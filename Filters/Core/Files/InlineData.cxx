@@ -21,11 +21,6 @@ struct Layout
   ByteOrder Order = ByteOrder::Little;
 };
 
-std::size_t Base64Size(std::size_t bytes)
-{
-  return (bytes + 2) / 3 * 4;
-}
-
 void EncodeBase64(std::string_view bytes, std::string& text)
 {
   constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

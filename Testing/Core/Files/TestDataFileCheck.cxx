@@ -72,6 +72,15 @@ std::string PackedSurface(std::uint64_t points, const std::string& more = "")
          "</AppendedData></VTKFile>";
 }
 
+bool Unpack(const std::string& compressor, const std::string& packed, std::string& bytes)
+{
+  uLongf size = bytes.size();
+  return compressor == "vtkZLibDataCompressor" &&
+         uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size,
+                    reinterpret_cast<const Bytef*>(packed.data()), uLong(packed.size())) == Z_OK &&
+         size == bytes.size();
+}
+
 std::string Changed(std::string text, const std::string& from, const std::string& to)
 {
   return text.replace(text.find(from), from.size(), to);
@@ -84,7 +93,7 @@ class DataFileCheck : public testing::Test
 protected:
   std::string Error(const std::string& text, const std::string& type) const
   {
-    return CheckDataFile(this->Folder.Write("file", text), { type }).Message();
+    return CheckDataFile(this->Folder.Write("file", text), { type }, Unpack).Message();
   }
   void ExpectErrors(const std::string& good, const std::string& type,
                     const std::vector<std::array<std::string, 3>>& cases) const
@@ -121,7 +130,63 @@ TEST_F(DataFileCheck, HoldsExtentsAgainstTheFile)
     { { { "Extent=\"0 1 0 1 0 1\" Origin", "Extent=\"0 99999 0 99999 0 99999\" Origin",
           "WholeExtent" },
         { "Piece Extent=\"0 1 0 1 0 1\"", "Piece Extent=\"1 0 1 0 1 0\"", "Extent" },
-        { "Piece Extent=\"0 1 0 1 0 1\"", "Piece Extent=\"0 1 0\"", "Extent" } } });
+        { "Piece Extent=\"0 1 0 1 0 1\"", "Piece Extent=\"0 1 0\"", "Extent" },
+        { "Piece Extent=\"0 1 0 1 0 1\"", "Piece Extent=\"0 1 0 1 1 2\"", "part of WholeExtent" },
+        { "<Piece", "<ImageData WholeExtent=\"0 9 0 1 0 1\"/><Piece", "none within another" } } });
+}
+
+TEST_F(DataFileCheck, RefusesPointsThatHaveNoPlace)
+{
+  this->ExpectErrors(
+    Surface, "PolyData",
+    { { { "NumberOfComponents=\"3\"", "",
+          "expected 3 numbers a point, found 1 of type \"Float32\"" },
+        { "NumberOfComponents=\"3\"", "NumberOfComponents=\"4\"", "found 4" },
+        { "type=\"Float32\"", "type=\"String\"", "found 3 of type \"String\"" },
+        { "type=\"Float32\"", "type=\"Bit\"", "found 3 of type \"Bit\"" },
+        { "format=\"ascii\"", "format=\"ascii\" offset=\"0\"", "the format ascii, binary, or" },
+        { "format=\"ascii\"", "format=\"words\"", "the format ascii, binary, or" } } });
+}
+
+TEST_F(DataFileCheck, CountsTexts)
+{
+  const auto surface = [](const std::string& attributes, const std::string& values)
+  {
+    return Changed(Surface, "<Points>",
+                   "<PointData><Array type=\"String\" Name=\"w\" " + attributes + ">" + values +
+                     "</Array></PointData><Points>");
+  };
+  const std::string written = "format=\"ascii\"";
+  EXPECT_EQ(this->Error(surface(written, "65 66 0 0 67 0"), "PolyData"), "");
+  EXPECT_NE(this->Error(surface(written, "65 0 66 0 0 67 0"), "PolyData")
+              .find("array \"w\": expected 3 texts, found 4"),
+            std::string::npos);
+  for (const char* odd : { "65 0 `0 0", "65 0-0 0", "65 256 0", "1e1 0" })
+  {
+    EXPECT_NE(this->Error(surface(written, odd), "PolyData").find("the letters of texts"),
+              std::string::npos)
+      << odd;
+  }
+  // Four bytes that say how many follow, and these: A0B0C0 and A0B00C0.
+  const std::string binary = "format=\"binary\"";
+  EXPECT_EQ(this->Error(surface(binary, "BgAAAEEAQgBDAA=="), "PolyData"), "");
+  EXPECT_NE(this->Error(surface(binary, "BwAAAEEAQgAAQwA="), "PolyData").find("expected 3 texts"),
+            std::string::npos);
+  // Packed: a zero is an empty text.
+  const auto packed = [this](std::uint64_t texts, const std::string& compressor)
+  {
+    const std::string text =
+      Changed("<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\" header_type=\"UInt64\" "
+              "compressor=\"vtkZLibDataCompressor\"><PolyData><FieldData><Array type=\"String\" "
+              "Name=\"w\" NumberOfTuples=\"2000000\" format=\"appended\" offset=\"0\"/></FieldData>"
+              "</PolyData><AppendedData encoding=\"raw\">_" +
+                PackedZeros(texts) + "</AppendedData></VTKFile>",
+              "vtkZLibDataCompressor", compressor);
+    return this->Error(text, "PolyData");
+  };
+  EXPECT_EQ(packed(2'000'000, "vtkZLibDataCompressor"), "");
+  EXPECT_NE(packed(2'000'001, "vtkZLibDataCompressor").find("found 2000001"), std::string::npos);
+  EXPECT_NE(packed(2'000'000, "vtkNoCompressor").find("the letters of texts"), std::string::npos);
 }
 
 TEST_F(DataFileCheck, RefusesPlacesThatAReaderWouldMakeUp)
