@@ -195,6 +195,7 @@ def vtps():
     zeros = good.packed_zeros(12 * 2 * 10 ** 8)
     yield "2e8 points that are packed", ".vtp", good.vtp_packed(2 * 10 ** 8, zeros)
     yield "a block of 2^40 bytes", ".vtp", good.vtp_packed(4, struct.pack("<4Q", 1, 2 ** 40, 0, 100) + bytes(100))
+    yield "no blocks of 2^63 bytes", ".vtp", good.vtp_packed(4, struct.pack("<3Q", 0, 2 ** 63, 2 ** 63) + bytes(100))
     yield "blocks that say less than they unpack to", ".vtp", good.vtp_packed(4, zeros[:16] + struct.pack("<Q", 48) + zeros[24:])
     yield "laughs", ".vtp", (b'<?xml version="1.0"?><!DOCTYPE l [<!ENTITY a "ha">' + b"".join(
         f'<!ENTITY {chr(98 + i)} "{f"&{chr(97 + i)};" * 10}">'.encode() for i in range(9)) + b"]><VTKFile>&j;</VTKFile>")

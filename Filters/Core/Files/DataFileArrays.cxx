@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/DataFileArrays.h"
 
+#include "Base/NumberText.h"
+
 #include <algorithm>
 
 namespace waft
@@ -60,7 +62,7 @@ bool PackedBytes(const DataFileArrays& file, const Values& values, ArrayBytes& b
   const auto size = static_cast<double>(ReadUnsigned(head, word, file.WordSize, file.Order));
   const auto last = static_cast<double>(ReadUnsigned(head, 2 * word, file.WordSize, file.Order));
   const auto count = static_cast<double>(blocks);
-  bytes.InMemory = last > 0.0 ? (count - 1.0) * size + last : count * size;
+  bytes.InMemory = blocks == 0 ? 0.0 : last > 0.0 ? (count - 1.0) * size + last : count * size;
   if (count * static_cast<double>(word) > values.Most() || last > size ||
       (blocks > 0 && size > std::max(file.Most(), 1e8)) || bytes.InMemory > file.Most())
   {
@@ -192,9 +194,8 @@ Result DataFileArrays::Check(const ArrayClaim& claim, ArrayBytes& bytes) const
   }
   if (claim.Bytes > 0.0 && own.InMemory != claim.Bytes)
   {
-    return Result::Error(
-      claim.Location + "expected " + std::to_string(static_cast<long long>(claim.Bytes)) +
-      " bytes of values, found " + std::to_string(static_cast<long long>(own.InMemory)));
+    return Result::Error(claim.Location + "expected " + NumberText(claim.Bytes, 15) +
+                         " bytes of values, found " + NumberText(own.InMemory, 15));
   }
   bytes.InMemory += own.InMemory;
   bytes.InFile += own.InFile;
@@ -217,9 +218,8 @@ Result DataFileArrays::CheckTexts(const ArrayClaim& claim, const BlockUnpacker& 
   }
   return texts <= claim.Texts
            ? Result::Ok()
-           : Result::Error(claim.Location + "expected " +
-                           std::to_string(static_cast<long long>(claim.Texts)) + " texts, found " +
-                           std::to_string(static_cast<long long>(texts)));
+           : Result::Error(claim.Location + "expected " + NumberText(claim.Texts, 15) +
+                           " texts, found " + NumberText(texts, 15));
 }
 
 } // namespace waft

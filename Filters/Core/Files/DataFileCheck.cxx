@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/DataFileCheck.h"
 
+#include "Base/NumberText.h"
 #include "Files/DataFileArrays.h"
 #include "Files/DataFilePiece.h"
 #include "Files/DataFileRoom.h"
@@ -285,8 +286,7 @@ private:
     if (parent == "Points" && (!hasNumbers || components != 3.0))
     {
       return Result::Error(claim.Location + "expected 3 numbers a point, found " +
-                           std::to_string(static_cast<int>(components)) + " of type " +
-                           Quoted(type));
+                           NumberText(components, 15) + " of type " + Quoted(type));
     }
     const auto ofKind = this->Piece.OfKind.find(parent);
     const bool isOffsets = tag.Attribute("Name") == "offsets";
@@ -300,7 +300,7 @@ private:
     if (values > this->Arrays.Most())
     {
       return Result::Error(claim.Location + "expected values that the file can hold, found " +
-                           std::to_string(static_cast<long long>(values)));
+                           NumberText(values, 15));
     }
     this->Room.AddArray(parent, components * size);
     claim.Bytes = isCounted ? values * size : -1.0;

@@ -2,6 +2,7 @@
 // What a VTK XML file takes in memory. Private to this library.
 #pragma once
 
+#include "Base/NumberText.h"
 #include "Base/Result.h"
 
 #include <algorithm>
@@ -30,10 +31,8 @@ struct DataSetBytes
     const double most = std::max(mostOfSmallFiles, mostUnpacking * this->InFiles);
     return this->InMemory <= most
              ? Result::Ok()
-             : Result::Error("expected values of at most " +
-                             std::to_string(static_cast<long long>(most)) +
-                             " bytes in memory, found " +
-                             std::to_string(static_cast<long long>(this->InMemory)));
+             : Result::Error("expected values of at most " + NumberText(most, 15) +
+                             " bytes in memory, found " + NumberText(this->InMemory, 15));
   }
 };
 

@@ -265,6 +265,28 @@ TEST_F(DataFileCheck, BoundsWhatIsUnpacked)
     << error(ascii, "ImageData");
 }
 
+TEST_F(DataFileCheck, TakesNumbersThatNothingCouldHold)
+{
+  const auto error = [this](std::uint64_t blocks, std::uint64_t size, std::uint64_t last)
+  {
+    std::string text = PackedSurface(3);
+    const std::size_t at = text.find(">_") + 2;
+    return this->Error(text.replace(at, 24, Words({ blocks, size, last })), "PolyData");
+  };
+  constexpr std::uint64_t huge = 0x2020202020202020;
+  EXPECT_NE(error(0, huge, huge).find("expected 36 bytes of values, found 0"), std::string::npos);
+  EXPECT_NE(error(huge, huge, huge).find("cut or damaged"), std::string::npos);
+  EXPECT_NE(error(1, huge, 0).find("cut or damaged"), std::string::npos);
+  const std::string much =
+    Changed(PackedSurface(3), "NumberOfComponents=\"3\"", "NumberOfComponents=\"30000000000\"");
+  EXPECT_NE(this
+              ->Error(Changed(much, "NumberOfPoints=\"3\"", "NumberOfPoints=\"30000000000\"") +
+                        std::string(40'000'000, ' '),
+                      "PolyData")
+              .find("expected 3 numbers a point, found 30000000000"),
+            std::string::npos);
+}
+
 TEST_F(DataFileCheck, BlocksShareTheirBounds)
 {
   const std::string block = "<DataSet index=\"0\" name=\"A\" file=\"a.vtp\"/>";
