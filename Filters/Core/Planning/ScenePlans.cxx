@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Planning/ScenePlans.h"
+
+#include <algorithm>
+#include <map>
+
+namespace waft
+{
+
+namespace
+{
+
+std::vector<std::vector<int>> OwnRowsOf(const std::vector<MotionObject>& objects,
+                                        const std::vector<Constraint>& rows,
+                                        const std::vector<unsigned char>& isUsed)
+{
+  std::map<int, std::vector<int>> byId;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    if (isUsed[i] != 0)
+    {
+      byId[rows[i].ObjectId].push_back(static_cast<int>(i));
+    }
+  }
+  std::vector<std::vector<int>> own;
+  for (const MotionObject& object : objects)
+  {
+    own.push_back(byId[object.ObjectId]);
+  }
+  return own;
+}
+
+/// A kept plan whose outcomes name indices in the list of all rows again.
+ObjectPlan WithRows(ObjectPlan plan, const std::vector<int>& own)
+{
+  for (MarkOutcome& outcome : plan.Outcomes)
+  {
+    outcome.Constraint =
+      outcome.Constraint < 0 ? -1 : own[static_cast<std::size_t>(outcome.Constraint)];
+  }
+  return plan;
+}
+
+/// The other way: outcomes count the object's own rows, whose indices in the list may change.
+ObjectPlan WithOrdinals(ObjectPlan plan, const std::vector<int>& own)
+{
+  for (MarkOutcome& outcome : plan.Outcomes)
+  {
+    const auto found = std::lower_bound(own.begin(), own.end(), outcome.Constraint);
+    outcome.Constraint = outcome.Constraint < 0 ? -1 : static_cast<int>(found - own.begin());
+  }
+  return plan;
+}
+
+} // namespace
+
+ScenePlans RecallPlans(const PlanInput& input, std::uint64_t seed,
+                       const std::vector<Constraint>& rows,
+                       const std::vector<unsigned char>& isUsed, PlanCache* memory)
+{
+  const std::size_t count = input.Objects.size();
+  ScenePlans plans;
+  plans.OwnRows = OwnRowsOf(input.Objects, rows, isUsed);
+  plans.IsKnown.assign(count, 0);
+  plans.IsDone = std::vector<std::atomic<bool>>(count);
+  plans.Plans.resize(count);
+  for (std::size_t i = 0; memory != nullptr && i < count; ++i)
+  {
+    plans.Keys.push_back(PlanKey(input.Objects[i], rows, plans.OwnRows[i], input.Guides));
+    const ObjectPlan* known = memory->Find(seed, input.Objects[i].ObjectId, plans.Keys[i]);
+    if (known != nullptr)
+    {
+      plans.Plans[i] = WithRows(*known, plans.OwnRows[i]);
+      plans.IsKnown[i] = 1;
+      plans.IsDone[i] = true;
+    }
+  }
+  return plans;
+}
+
+void KeepPlans(const PlanInput& input, std::uint64_t seed, const ScenePlans& plans,
+               PlanCache& memory)
+{
+  for (std::size_t i = 0; i < plans.Plans.size(); ++i)
+  {
+    if (plans.IsKnown[i] == 0 && plans.IsDone[i])
+    {
+      memory.Keep(seed, input.Objects[i].ObjectId, plans.Keys[i],
+                  WithOrdinals(plans.Plans[i], plans.OwnRows[i]));
+    }
+  }
+}
+
+} // namespace waft

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The plans of all objects of one run: what is known of them before, and the flights that are not.
+#pragma once
+
+#include "Planning/PlanCache.h"
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+namespace waft
+{
+
+/// Each list has one entry an object, in their order.
+struct ScenePlans
+{
+  std::vector<std::vector<int>> OwnRows; // indices of its rows that count, in order
+  std::vector<std::string> Keys;         // what its plan depends on; empty without a memory
+  std::vector<unsigned char> IsKnown;    // its plan is one of an earlier run
+  std::vector<std::atomic<bool>> IsDone; // its plan is whole
+  std::vector<ObjectPlan> Plans;
+};
+
+/// isUsed: one a row, whether it is to be met. memory may be null: then nothing is known.
+ScenePlans RecallPlans(const PlanInput& input, std::uint64_t seed,
+                       const std::vector<Constraint>& rows,
+                       const std::vector<unsigned char>& isUsed, PlanCache* memory);
+
+/// Those that are new and whole.
+void KeepPlans(const PlanInput& input, std::uint64_t seed, const ScenePlans& plans,
+               PlanCache& memory);
+
+/// Plans all objects whose plans are not known, in parallel. While it lasts, soFar has the paths
+/// that are ready, for who asks for them (Monitor::ShowsSoFar); in the end it is empty. False when
+/// the monitor asked to stop; some plans are not done then.
+bool FlyUnknown(const PlanInput& input, const PlanOptions& options, const PlanTools& tools,
+                const std::vector<Constraint>& rows, const std::vector<unsigned char>& isUsed,
+                const ParallelFor& parallelFor, Monitor& monitor, ScenePlans& plans,
+                std::vector<Track>& soFar);
+
+} // namespace waft
