@@ -376,6 +376,10 @@ std::vector<std::size_t> Choose(const std::vector<MotionObject>& objects,
                                 const std::vector<std::vector<Stop>>& stops,
                                 const SpeedLimit& limit)
 {
+  if (wishes.empty())
+  {
+    return {};
+  }
   std::vector<Gap> gaps = CollectGaps(objects, stops, wishes);
   if (wishes.size() + gaps.size() <= PlannerNumbers::MostTogether)
   {

@@ -173,6 +173,17 @@ TEST(RowCover, LeavesOverWhatNobodyCanReachAndSendsWhoIsIdle)
   EXPECT_EQ(rows[1].ObjectId, 0);
 }
 
+TEST(RowCover, SendsTheNearestWhereNoRowCanBeMet)
+{
+  CoverScene scene;
+  scene.AddObject(Vec3(-1.9, 0, 2));
+  scene.AddObject(Vec3(1, 0, 2));
+  scene.AddRow(ConstraintKind::Position, -1, 100, Vec3(1.9, 0, 2));
+  std::vector<Constraint> rows = scene.Constraints;
+  CoverRows(scene.Objects, { 0 }, scene.Obstacles, Limit, rows);
+  EXPECT_EQ(rows[0].ObjectId, 1);
+}
+
 TEST(RowCover, CoversThousandsInNoTime)
 {
   CoverScene scene;
