@@ -15,14 +15,14 @@ namespace
 using Stops = std::vector<Stop>;
 
 /// The first of an object's stops that does not begin before the wish.
-Stops::iterator Next(Stops& own, const TurnWish& wish)
+Stops::iterator Next(Stops& own, const TargetStops& wish)
 {
   return std::upper_bound(own.begin(), own.end(), wish.First.First,
                           [](int frame, const Stop& stop) { return frame <= stop.First; });
 }
 
 /// Of the leg to the wish; Never where the object cannot be there then, or not go on in time.
-RankedCost CostOf(Stops& own, const TurnWish& wish, const SpeedLimit& limit)
+RankedCost CostOf(Stops& own, const TargetStops& wish, const SpeedLimit& limit)
 {
   const auto next = Next(own, wish);
   const Stop& before = *std::prev(next == own.begin() ? next + 1 : next);
@@ -42,17 +42,18 @@ RankedCost CostOf(Stops& own, const TurnWish& wish, const SpeedLimit& limit)
 } // namespace
 
 std::vector<std::size_t> CoverInTurn(const std::vector<MotionObject>& objects,
-                                     std::vector<Stops> stops, const std::vector<TurnWish>& wishes,
+                                     std::vector<Stops> stops,
+                                     const std::vector<TargetStops>& wishes,
                                      const SpeedLimit& limit)
 {
   std::vector<std::size_t> chosen;
-  for (const TurnWish& wish : wishes)
+  for (const TargetStops& wish : wishes)
   {
     std::size_t best = NoObject;
     RankedCost least = RankedCost::Never();
     for (std::size_t o = 0; o < objects.size(); ++o)
     {
-      if (wish.ClassId >= 0 && wish.ClassId != objects[o].ClassId)
+      if (!wish.Suits(objects[o]))
       {
         continue;
       }

@@ -2,8 +2,7 @@
 // Who goes where of very many single rows that any object may fulfil: one row after the other.
 #pragma once
 
-#include "Base/Motion.h"
-#include "Planning/Legs.h"
+#include "Planning/TargetStops.h"
 
 #include <cstddef>
 #include <vector>
@@ -11,20 +10,13 @@
 namespace waft
 {
 
-/// The positions that one target asks for.
-struct TurnWish
-{
-  Stop First, Last; // the same of a single row
-  int ClassId = -1; // -1: any
-};
-
 /// By wish the index of an object, NoObject where none can come in time. Wishes take their turns as
 /// they are listed, in order of time: each gets the object that comes by the shortest of the legs
 /// that can be flown, with as few in haste as may be. stops: the positions that each object is
 /// fixed to, in order of time, its start first.
-inline constexpr std::size_t NoObject = static_cast<std::size_t>(-1);
 std::vector<std::size_t> CoverInTurn(const std::vector<MotionObject>& objects,
                                      std::vector<std::vector<Stop>> stops,
-                                     const std::vector<TurnWish>& wishes, const SpeedLimit& limit);
+                                     const std::vector<TargetStops>& wishes,
+                                     const SpeedLimit& limit);
 
 } // namespace waft

@@ -238,16 +238,17 @@ TEST(RowTurns, TheNearestThatCanBeThereGoes)
   stops[0].push_back(busy);
   const auto wish = [](int frame, const Vec3& place, int classId)
   {
-    TurnWish made;
+    TargetStops made;
     made.First.First = made.First.Last = frame;
     made.First.Value = made.First.Position = place;
     made.Last = made.First;
     made.ClassId = classId;
     return made;
   };
-  const std::vector<TurnWish> wishes{ wish(60, Vec3(0.1, 0, 2), -1), wish(100, Vec3(0.1, 0, 2), -1),
-                                      wish(100, Vec3(0.1, 0, 2), 1), wish(101, Vec3(0.6, 0, 2), 0),
-                                      wish(103, Vec3(-2, 0, 2), -1) };
+  const std::vector<TargetStops> wishes{
+    wish(60, Vec3(0.1, 0, 2), -1), wish(100, Vec3(0.1, 0, 2), -1), wish(100, Vec3(0.1, 0, 2), 1),
+    wish(101, Vec3(0.6, 0, 2), 0), wish(103, Vec3(-2, 0, 2), -1)
+  };
   // 0 is busy at 100, 1 is at 100 where it is asked for again, and nobody is in time for the last.
   EXPECT_EQ(CoverInTurn(objects, stops, wishes, Limit),
             (std::vector<std::size_t>{ 0, 1, 2, NoObject, NoObject }));
