@@ -71,7 +71,7 @@ SplineWind EstimateWind(const SpacetimeObjective& objective, const StateVector& 
       }
       const float* p = state.data() + j * model.FrameSize() + i;
       SplineSamples::Sample sample;
-      sample.Position = Vec3(p[0], p[stride], p[2 * stride]);
+      sample.Position = VectorAt(p, stride);
       double rv[3];
       objective.VelocityResidual(j + 1, i, rv);
       sample.Value = Vec3(rv[0], rv[1], rv[2]) / step;

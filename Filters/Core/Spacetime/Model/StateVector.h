@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Base/Parallel.h"
+#include "Base/Types.h"
 
 #include <cstddef>
 #include <functional>
@@ -13,6 +14,20 @@ namespace waft
 {
 
 using StateVector = std::vector<float>;
+
+/// A body's place or velocity: p is its first component, the others follow a stride apart each.
+inline Vec3 VectorAt(const float* p, std::size_t stride)
+{
+  return Vec3(p[0], p[stride], p[2 * stride]);
+}
+
+inline void SetVector(float* p, std::size_t stride, const Vec3& value)
+{
+  for (int c = 0; c < 3; ++c)
+  {
+    p[c * stride] = static_cast<float>(value[c]);
+  }
+}
 
 class VectorSpace
 {

@@ -17,7 +17,7 @@ Vec3 Position(const SpacetimeModel& model, const StateVector& state, int frame, 
 {
   const std::size_t stride = model.Stride();
   const float* p = state.data() + frame * model.FrameSize() + body;
-  return { p[0], p[stride], p[2 * stride] };
+  return VectorAt(p, stride);
 }
 
 /// shifts: by frame, of one object [dx].

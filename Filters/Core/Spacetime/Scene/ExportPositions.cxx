@@ -191,7 +191,7 @@ std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
     for (std::size_t frame = 0; frame < frames; ++frame)
     {
       const float* p = state.data() + frame * model.FrameSize() + model.NumberOfGas + o;
-      x[frame] = setup.ToWorld(Vec3(p[0], p[stride], p[2 * stride]));
+      x[frame] = setup.ToWorld(VectorAt(p, stride));
     }
     const ObjectExport object(input, setup, o, clusters, kept);
     object.MakeExact(x);
@@ -209,7 +209,7 @@ std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
       float* p = state.data() + frame * model.FrameSize() + model.NumberOfGas + o;
       const bool isKept = object.IsKept(frame);
       const Vec3 local = setup.FromWorld(x[frame]);
-      Vec3 moved = local - Vec3(p[0], p[stride], p[2 * stride]);
+      Vec3 moved = local - VectorAt(p, stride);
       if (isKept || moved.norm() < Rounding)
       {
         moved.setZero();

@@ -35,7 +35,7 @@ void ActiveConstraints::Project(const TimelinePreconditioner& preconditioner,
     const float* p = direction.data() + this->Frames[k] * this->Model.FrameSize() +
                      this->Model.NumberOfGas + this->Objects[k];
     normals.emplace_back(this->Normals[k].cast<double>());
-    beyond.push_back(normals[k].dot(Vec3(p[0], p[stride], p[2 * stride])));
+    beyond.push_back(normals[k].dot(VectorAt(p, stride)));
   }
   this->TakeAway(preconditioner, normals, beyond, direction);
 }

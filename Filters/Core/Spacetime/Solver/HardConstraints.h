@@ -7,7 +7,10 @@
 #include "Spacetime/Model/StateVector.h"
 #include "Spacetime/Model/TimeLevel.h"
 #include "Spacetime/Solver/ActiveConstraints.h"
+#include "Spacetime/Solver/HeldUnknowns.h"
+#include "Spacetime/Solver/LevelClusters.h"
 
+#include <functional>
 #include <vector>
 
 namespace waft
@@ -43,18 +46,16 @@ public:
 private:
   void EnterBalls(const TimelinePreconditioner& preconditioner, StateVector& state) const;
   std::size_t Offset(std::size_t j, std::size_t object) const;
-  void HoldObjects(const std::vector<char>& movable);
-  void TakeClusters(const std::vector<bool>& hasFrame);
-  void ClearHeld(StateVector& direction) const;
-  /// One point a free frame of each cluster, and back.
-  std::vector<Eigen::MatrixX3d> ClusterPoints(const StateVector& vector) const;
-  void SetClusterPoints(const std::vector<Eigen::MatrixX3d>& points, StateVector& vector) const;
+  void TakeBalls(const std::vector<int>& levelOfFrame);
+  void ProjectFrame(std::size_t j, StateVector& state) const;
   void FindWalls(std::size_t j, const StateVector& state, const StateVector& gradient);
 
   const SpacetimeModel& Model;
   const TimeLevel& Level;
   const ConstraintTable& Table;
   ParallelFor Parallel;
+  HeldUnknowns Held;
+  LevelClusters Clusters;
   double Leash = 0.0;
   struct LevelBall
   {
@@ -69,11 +70,6 @@ private:
   std::vector<LevelBall> Balls;      // the user's
   ActiveConstraints Touched;         // likewise
   std::vector<LevelBall> LeashBalls; // radius as set
-  std::vector<LinearCluster> Clusters;
-  std::vector<int> LevelOfFrame; // -1: not on this level
-  bool IsPart = false;
-  std::vector<char> Held; // [level frame * objects + object]: keeps its values
-  std::vector<std::size_t> HeldGas;
   struct Active
   {
     std::size_t Offset;
