@@ -55,15 +55,16 @@ inline bool IsPositional(ConstraintKind kind)
 {
   return TraitsOf(kind).IsPositional;
 }
-/// The object lies still from Frame to Until.
+/// The object lies still from Frame to Until, and lands before that. Another kind that lasts need
+/// not.
 inline bool IsRest(ConstraintKind kind)
 {
-  return TraitsOf(kind).Lasts;
+  return kind == ConstraintKind::Rest;
 }
 /// Its value is a position that is passed, at Frame alone.
 inline bool IsPassing(ConstraintKind kind)
 {
-  return IsPositional(kind) && !IsRest(kind);
+  return IsPositional(kind) && !TraitsOf(kind).Lasts;
 }
 /// Its value is an orientation, in Constraint::Orientation.
 inline bool IsAttitude(ConstraintKind kind)
