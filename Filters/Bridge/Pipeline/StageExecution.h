@@ -22,9 +22,10 @@
 
 #include "Base/Monitor.h"
 #include "Base/Parallel.h"
-#include "Base/Types.h"
 #include "Bridge/Pipeline/PropertyCheck.h"
 #include "Bridge/Pipeline/StageFailure.h"
+#include "Bridge/Pipeline/StageTimes.h"
+#include "Bridge/Pipeline/TimeSweep.h"
 
 #include <vtkType.h>
 
@@ -81,69 +82,6 @@ private:
 
 /// What may have changed upstream of one input port: the pipeline MTime of each connection.
 std::vector<vtkMTimeType> InputSignature(vtkInformationVector* input);
-
-/// Pulls inputs over all their time steps, one pass of RequestData a step, and after the last one
-/// back to the time that was asked of the stage.
-///
-/// All input ports, swept or not, are asked for the same step, and a stage whose result is current
-/// asks for the time that is asked of itself. So after every pass all that is upstream stands at
-/// one time. This matters because ports often come from one source, directly or by way of other
-/// stages: a source fills all its outputs whenever one of them is asked for another time, and the
-/// consumer would see the time that was asked for last.
-///
-/// Two passes are spared, as sources may be slow: the one back, when nobody else takes anything of
-/// all that is upstream; and, once the result is current, any of a source that serves this stage
-/// alone: it does not execute, and so nothing upstream of it is disturbed.
-class TimeSweep
-{
-public:
-  /// In the constructor of the stage: the input ports whose steps are seen one by one. Of the
-  /// others any step will do.
-  explicit TimeSweep(std::vector<int> ports) : Ports(std::move(ports)) {}
-  /// In RequestUpdateExtent.
-  void RequestSteps(vtkAlgorithm* stage, vtkInformation* request, vtkInformationVector** inputs,
-                    vtkInformationVector* outputs, bool isCurrent);
-  /// The time of the data that an input shows in this pass [s] (0 without time).
-  static double DataTime(vtkInformation* input);
-  bool IsFirst() const { return this->Step == 0; }
-  /// False in the pass back to the time that was asked: its step was seen already.
-  bool HasNewStep() const { return this->Step < this->NumberOfSteps; }
-  /// Fraction of the steps that were pulled.
-  double Fraction() const;
-  /// In RequestData, when this step's data was taken: true when another pass was asked for.
-  bool Continue(vtkInformation* request);
-  /// The steps that are left are not wanted: true when the pass back was asked for.
-  bool Leave(vtkInformation* request);
-  /// After a failure in the middle of a sweep.
-  void Reset(vtkInformation* request);
-
-private:
-  std::vector<int> Ports;
-  std::size_t Step = 0;
-  std::size_t NumberOfSteps = 1;
-  bool MustReturn = false; // the last step is not the one that was asked of the stage
-};
-
-/// The number of input ports of a stage is read from it; gives all outputs the time steps of the
-/// first input that has any, or whose data carry a scene's field data, else none.
-void PassTimeSteps(vtkAlgorithm* stage, vtkInformationVector** inputs,
-                   vtkInformationVector* outputs);
-/// Gives all outputs the frames of a time line.
-void SetTimeSteps(const Timeline& line, vtkInformationVector* outputs);
-/// In RequestInformation: whether the data of an output are the same at all its time steps. A
-/// TimeSweep does not pull such an input over time.
-void SetStandsStill(vtkInformation* output, bool standsStill);
-
-/// The time asked of an output port [s], clamped to the time line, and stamped on its data.
-double RequestedTime(vtkInformationVector* outputs, int port, const Timeline& line);
-/// The time asked of the output port that this pass of RequestData serves, clamped to the time
-/// line, and stamped on the data of all ports. A stage of several ports that vary in time takes
-/// this one: the pipeline notes after a pass that every port was made for the asking port's time,
-/// and does not ask the others for that time again.
-double RequestedTimeOfAll(vtkInformation* request, vtkInformationVector* outputs,
-                          const Timeline& line);
-/// The same as RequestedTime, as the nearest frame.
-int RequestedFrame(vtkInformationVector* outputs, int port, const Timeline& line);
 
 /// What every stage's ProcessRequest is: `process`, once the properties are in their ranges and no
 /// input is of a stage that failed, with exceptions as errors (Fail).
