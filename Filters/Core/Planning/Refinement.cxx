@@ -61,14 +61,6 @@ Mat3 FitRotation(const SegmentLibrary& library, const Steps& own, const Steps& w
   return rotation;
 }
 
-struct Trial
-{
-  int Segment = -1;
-  Mat3 Rotation = Mat3::Identity();
-  double Cost = 1e300;
-  double Shift = 1e300; // change of displacement [m]
-};
-
 } // namespace
 
 double ConnectionCost(const SegmentLibrary& library, const Piece& before, const Piece& after)
@@ -90,109 +82,158 @@ double ConnectionCost(const SegmentLibrary& library, const Piece& before, const 
   return scale > 0.0 ? difference / scale : 0.0;
 }
 
+namespace
+{
+
+/// A piece between its neighbours.
+struct Place
+{
+  const Piece& Before;
+  const Piece& Own;
+  const Piece& After;
+
+  double CostOf(const SegmentLibrary& library, const Piece& piece) const
+  {
+    return ConnectionCost(library, this->Before, piece) +
+           ConnectionCost(library, piece, this->After);
+  }
+};
+
+/// Another segment in a piece's stead.
+struct Trial
+{
+  int Segment = -1;
+  Mat3 Rotation = Mat3::Identity();
+  double Cost = 1e300;
+  double Shift = 1e300; // change of displacement [m]
+};
+
+double TotalCost(const SegmentLibrary& library, const PieceChain& chain)
+{
+  double sum = 0.0;
+  for (std::size_t i = 1; i < chain.Pieces.size(); ++i)
+  {
+    sum += ConnectionCost(library, chain.Pieces[i - 1], chain.Pieces[i]);
+  }
+  return sum;
+}
+
+/// As the neighbours fly in the windows that the piece shares with them.
+Steps WantedSteps(const SegmentLibrary& library, const Place& place)
+{
+  const int steps = library.Window() - 1;
+  Steps wanted;
+  AppendWindow(library.Samples(place.Before.Segment), place.Before.Last - steps, steps, wanted);
+  for (Vec3& step : wanted)
+  {
+    step = place.Before.Transform.Rotation * step;
+  }
+  AppendWindow(library.Samples(place.After.Segment), place.After.First, steps, wanted);
+  for (int k = steps; k < 2 * steps; ++k)
+  {
+    wanted[k] = place.After.Transform.Rotation * wanted[k];
+  }
+  return wanted;
+}
+
+Trial TryThere(const SegmentLibrary& library, const Place& place, const Steps& wanted, int segment)
+{
+  Trial trial;
+  const std::vector<Vec3>& old = library.Samples(place.Own.Segment);
+  const std::vector<Vec3>& samples = library.Samples(segment);
+  if (samples.size() != old.size())
+  {
+    return trial;
+  }
+  const int steps = library.Window() - 1;
+  Steps own;
+  AppendWindow(samples, 0, steps, own);
+  AppendWindow(samples, static_cast<int>(samples.size()) - 1 - steps, steps, own);
+  trial.Segment = segment;
+  trial.Rotation = FitRotation(library, own, wanted);
+  Piece candidate = place.Own;
+  candidate.Segment = segment;
+  candidate.Transform.Rotation = trial.Rotation;
+  trial.Cost = place.CostOf(library, candidate);
+  const Vec3 displacement = place.Own.Transform.Rotation * (old.back() - old.front());
+  trial.Shift = (trial.Rotation * (samples.back() - samples.front()) - displacement).norm();
+  return trial;
+}
+
+/// Down the clusters of the piece's top node, the cheapest child at each: the cheapest of all that
+/// are seen, or the piece as it is.
+Trial FindBetter(const SegmentLibrary& library, const Place& place, double maximumShift)
+{
+  const MotionDatabase& database = library.Database();
+  const Steps wanted = WantedSteps(library, place);
+  Trial best;
+  best.Segment = place.Own.Segment;
+  best.Rotation = place.Own.Transform.Rotation;
+  best.Cost = place.CostOf(library, place.Own);
+  int node = database.TopNodes[place.Own.Top];
+  while (node >= 0 && database.Nodes[node].FirstChild >= 0)
+  {
+    const ClusterNode& cluster = database.Nodes[node];
+    int next = -1;
+    double nextCost = 1e300;
+    for (int c = cluster.FirstChild; c < cluster.FirstChild + cluster.NumberOfChildren; ++c)
+    {
+      const Trial trial = TryThere(library, place, wanted, database.Nodes[c].Medoid);
+      if (trial.Cost < nextCost)
+      {
+        nextCost = trial.Cost;
+        next = c;
+      }
+      if (trial.Cost < best.Cost && trial.Shift <= maximumShift)
+      {
+        best = trial;
+      }
+    }
+    node = next;
+  }
+  return best;
+}
+
+/// What follows is moved along with the piece's end.
+void Replace(const SegmentLibrary& library, const Trial& better, std::size_t i, PieceChain& chain)
+{
+  Piece& piece = chain.Pieces[i];
+  const std::vector<Vec3>& old = library.Samples(piece.Segment);
+  const Vec3 head = piece.Transform * old.front();
+  const Vec3 tail = piece.Transform * old.back();
+  piece.Segment = better.Segment;
+  piece.Transform.Rotation = better.Rotation;
+  const std::vector<Vec3>& samples = library.Samples(piece.Segment);
+  piece.Transform.Translation = head - better.Rotation * samples.front();
+  const Vec3 shift = piece.Transform * samples.back() - tail;
+  for (std::size_t j = i + 1; j < chain.Pieces.size(); ++j)
+  {
+    chain.Pieces[j].Transform.Translation += shift;
+  }
+}
+
+} // namespace
+
 RefinementResult RefineChain(const SegmentLibrary& library, double maximumShift, PieceChain& chain)
 {
   RefinementResult result;
-  const MotionDatabase& database = library.Database();
-  const auto total = [&]()
-  {
-    double sum = 0.0;
-    for (std::size_t i = 1; i < chain.Pieces.size(); ++i)
-    {
-      sum += ConnectionCost(library, chain.Pieces[i - 1], chain.Pieces[i]);
-    }
-    return sum;
-  };
-  result.CostBefore = total();
-  const int steps = library.Window() - 1;
+  result.CostBefore = TotalCost(library, chain);
   for (std::size_t i = 1; i + 1 < chain.Pieces.size(); ++i)
   {
-    Piece& piece = chain.Pieces[i];
-    const Piece& before = chain.Pieces[i - 1];
-    const Piece& after = chain.Pieces[i + 1];
-    const std::size_t count = library.Samples(piece.Segment).size();
-    if (piece.First != 0 || piece.Last + 1 != static_cast<int>(count))
+    const Place place{ chain.Pieces[i - 1], chain.Pieces[i], chain.Pieces[i + 1] };
+    const std::size_t count = library.Samples(place.Own.Segment).size();
+    if (place.Own.First != 0 || place.Own.Last + 1 != static_cast<int>(count))
     {
       continue;
     }
-    Steps wanted;
-    AppendWindow(library.Samples(before.Segment), before.Last - steps, steps, wanted);
-    for (Vec3& step : wanted)
+    const Trial better = FindBetter(library, place, maximumShift);
+    if (better.Cost < place.CostOf(library, place.Own))
     {
-      step = before.Transform.Rotation * step;
-    }
-    AppendWindow(library.Samples(after.Segment), after.First, steps, wanted);
-    for (int k = steps; k < 2 * steps; ++k)
-    {
-      wanted[k] = after.Transform.Rotation * wanted[k];
-    }
-    const Vec3 displacement = piece.Transform.Rotation * (library.Samples(piece.Segment).back() -
-                                                          library.Samples(piece.Segment).front());
-    const auto evaluate = [&](int segment)
-    {
-      Trial trial;
-      const std::vector<Vec3>& samples = library.Samples(segment);
-      if (samples.size() != count)
-      {
-        return trial;
-      }
-      Steps own;
-      AppendWindow(samples, 0, steps, own);
-      AppendWindow(samples, static_cast<int>(count) - 1 - steps, steps, own);
-      trial.Segment = segment;
-      trial.Rotation = FitRotation(library, own, wanted);
-      Piece candidate = piece;
-      candidate.Segment = segment;
-      candidate.Transform.Rotation = trial.Rotation;
-      trial.Cost =
-        ConnectionCost(library, before, candidate) + ConnectionCost(library, candidate, after);
-      trial.Shift = (trial.Rotation * (samples.back() - samples.front()) - displacement).norm();
-      return trial;
-    };
-    Trial best;
-    best.Segment = piece.Segment;
-    best.Rotation = piece.Transform.Rotation;
-    best.Cost = ConnectionCost(library, before, piece) + ConnectionCost(library, piece, after);
-    const double original = best.Cost;
-    int node = database.TopNodes[piece.Top];
-    while (node >= 0 && database.Nodes[node].FirstChild >= 0)
-    {
-      const ClusterNode& cluster = database.Nodes[node];
-      int next = -1;
-      double nextCost = 1e300;
-      for (int c = cluster.FirstChild; c < cluster.FirstChild + cluster.NumberOfChildren; ++c)
-      {
-        const Trial trial = evaluate(database.Nodes[c].Medoid);
-        if (trial.Cost < nextCost)
-        {
-          nextCost = trial.Cost;
-          next = c;
-        }
-        if (trial.Cost < best.Cost && trial.Shift <= maximumShift)
-        {
-          best = trial;
-        }
-      }
-      node = next;
-    }
-    if (best.Cost < original)
-    {
-      const std::vector<Vec3>& old = library.Samples(piece.Segment);
-      const Vec3 head = piece.Transform * old.front();
-      const Vec3 tail = piece.Transform * old.back();
-      piece.Segment = best.Segment;
-      piece.Transform.Rotation = best.Rotation;
-      const std::vector<Vec3>& samples = library.Samples(piece.Segment);
-      piece.Transform.Translation = head - best.Rotation * samples.front();
-      const Vec3 shift = piece.Transform * samples.back() - tail;
-      for (std::size_t j = i + 1; j < chain.Pieces.size(); ++j)
-      {
-        chain.Pieces[j].Transform.Translation += shift;
-      }
+      Replace(library, better, i, chain);
       ++result.NumberOfReplaced;
     }
   }
-  result.CostAfter = total();
+  result.CostAfter = TotalCost(library, chain);
   return result;
 }
 
