@@ -78,47 +78,32 @@ private:
 
 constexpr std::array<double, 3> Stencil{ 1.0, -2.0, 1.0 };
 
-} // namespace
-
-std::vector<Vec3> SecondDifferences(const std::vector<Vec3>& positions)
+/// The samples that are sought.
+struct Unknowns
 {
-  std::vector<Vec3> result(positions.size(), Vec3::Zero());
-  for (std::size_t k = 1; k + 1 < positions.size(); ++k)
-  {
-    result[k] = positions[k - 1] - 2.0 * positions[k] + positions[k + 1];
-  }
-  return result;
-}
+  std::vector<int> IndexOf; // by sample; -1: fixed
+  std::vector<std::size_t> Frames;
+};
 
-std::vector<Vec3> SolveWarp(const WarpProblem& problem)
+Unknowns UnknownsOf(const WarpProblem& problem)
 {
-  const std::size_t count = problem.IsFixed.size();
-  std::vector<int> unknown(count, -1);
-  std::vector<std::size_t> frames;
-  for (std::size_t k = 0; k < count; ++k)
+  Unknowns unknowns;
+  unknowns.IndexOf.assign(problem.IsFixed.size(), -1);
+  for (std::size_t k = 0; k < problem.IsFixed.size(); ++k)
   {
     if (problem.IsFixed[k] == 0)
     {
-      unknown[k] = static_cast<int>(frames.size());
-      frames.push_back(k);
+      unknowns.IndexOf[k] = static_cast<int>(unknowns.Frames.size());
+      unknowns.Frames.push_back(k);
     }
   }
-  std::vector<Vec3> x = problem.Fixed;
-  if (frames.empty())
-  {
-    return x;
-  }
+  return unknowns;
+}
 
-  Pentadiagonal matrix(frames.size());
-  std::vector<Vec3> right(frames.size(), Vec3::Zero());
-  if (count - frames.size() < 2)
-  {
-    for (std::size_t i = 0; i < frames.size(); ++i)
-    {
-      matrix.Add(i, i, 1e-13); // two marks at least hold a path where it is
-    }
-  }
-  for (std::size_t k = 1; k + 1 < count; ++k)
+void AddStiffness(const WarpProblem& problem, const std::vector<int>& unknown,
+                  Pentadiagonal& matrix, std::vector<Vec3>& right)
+{
+  for (std::size_t k = 1; k + 1 < unknown.size(); ++k)
   {
     const double weight = problem.StiffnessWeights.empty() ? 1.0 : problem.StiffnessWeights[k];
     Vec3 target = problem.SecondDifferences[k];
@@ -147,6 +132,11 @@ std::vector<Vec3> SolveWarp(const WarpProblem& problem)
       }
     }
   }
+}
+
+void AddSoft(const WarpProblem& problem, const std::vector<int>& unknown, Pentadiagonal& matrix,
+             std::vector<Vec3>& right)
+{
   for (const SoftMark& mark : problem.Soft)
   {
     const int row = unknown[mark.Frame];
@@ -156,68 +146,115 @@ std::vector<Vec3> SolveWarp(const WarpProblem& problem)
       right[row] += mark.Weight * mark.Value;
     }
   }
-  matrix.Factor();
-  matrix.Solve(right);
+}
 
-  // Linear rows by the Schur complement: x = x0 + H^-1 A^T (A H^-1 A^T)^-1 (b - A x0).
-  const auto rows = static_cast<Eigen::Index>(problem.Rows.size());
-  if (rows > 0)
+/// A least-squares solution that does not depend on the rows' units.
+Eigen::MatrixXd SolveBalanced(const Eigen::MatrixXd& schur, const Eigen::MatrixXd& gap)
+{
+  const Eigen::Index rows = schur.rows();
+  Eigen::VectorXd scale(rows);
+  for (Eigen::Index r = 0; r < rows; ++r)
   {
-    std::vector<std::vector<double>> columns(problem.Rows.size());
-    Eigen::MatrixXd schur(rows, rows);
-    Eigen::MatrixXd gap(rows, 3);
-    for (Eigen::Index r = 0; r < rows; ++r)
+    scale(r) = schur(r, r) > 0.0 ? 1.0 / std::sqrt(schur(r, r)) : 0.0;
+  }
+  const Eigen::MatrixXd balanced = scale.asDiagonal() * schur * scale.asDiagonal();
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(balanced);
+  return scale.asDiagonal() * solver.solve(Eigen::MatrixXd(scale.asDiagonal() * gap));
+}
+
+/// Linear rows by the Schur complement: x = x0 + H^-1 A^T (A H^-1 A^T)^-1 (b - A x0). matrix: H,
+/// factored; x: x0 on entry.
+void ImposeRows(const WarpProblem& problem, const std::vector<int>& unknown,
+                const Pentadiagonal& matrix, std::vector<Vec3>& x)
+{
+  const auto rows = static_cast<Eigen::Index>(problem.Rows.size());
+  if (rows == 0)
+  {
+    return;
+  }
+  std::vector<std::vector<double>> columns(problem.Rows.size());
+  Eigen::MatrixXd schur(rows, rows);
+  Eigen::MatrixXd gap(rows, 3);
+  for (Eigen::Index r = 0; r < rows; ++r)
+  {
+    const LinearRow& row = problem.Rows[r];
+    std::vector<double>& column = columns[r];
+    column.assign(x.size(), 0.0);
+    Vec3 value = row.Value;
+    for (std::size_t i = 0; i < row.Frames.size(); ++i)
     {
-      const LinearRow& row = problem.Rows[r];
-      std::vector<double>& column = columns[r];
-      column.assign(frames.size(), 0.0);
-      Vec3 value = row.Value;
-      for (std::size_t i = 0; i < row.Frames.size(); ++i)
+      const int index = unknown[row.Frames[i]];
+      if (index >= 0)
       {
-        const int index = unknown[row.Frames[i]];
-        if (index >= 0)
-        {
-          column[index] += row.Weights[i];
-          value -= row.Weights[i] * right[index];
-        }
-        else
-        {
-          value -= row.Weights[i] * problem.Fixed[row.Frames[i]];
-        }
+        column[index] += row.Weights[i];
+        value -= row.Weights[i] * x[index];
       }
-      matrix.Solve(column);
-      gap.row(r) = value.transpose();
-    }
-    for (Eigen::Index r = 0; r < rows; ++r)
-    {
-      for (Eigen::Index c = 0; c < rows; ++c)
+      else
       {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < problem.Rows[r].Frames.size(); ++i)
-        {
-          const int index = unknown[problem.Rows[r].Frames[i]];
-          sum += index >= 0 ? problem.Rows[r].Weights[i] * columns[c][index] : 0.0;
-        }
-        schur(r, c) = sum;
+        value -= row.Weights[i] * problem.Fixed[row.Frames[i]];
       }
     }
-    Eigen::VectorXd scale(rows);
-    for (Eigen::Index r = 0; r < rows; ++r)
+    matrix.Solve(column);
+    gap.row(r) = value.transpose();
+  }
+  for (Eigen::Index r = 0; r < rows; ++r)
+  {
+    for (Eigen::Index c = 0; c < rows; ++c)
     {
-      scale(r) = schur(r, r) > 0.0 ? 1.0 / std::sqrt(schur(r, r)) : 0.0;
-    }
-    const Eigen::MatrixXd balanced = scale.asDiagonal() * schur * scale.asDiagonal();
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(balanced);
-    const Eigen::MatrixXd multipliers =
-      scale.asDiagonal() * solver.solve(Eigen::MatrixXd(scale.asDiagonal() * gap));
-    for (Eigen::Index r = 0; r < rows; ++r)
-    {
-      for (std::size_t i = 0; i < frames.size(); ++i)
+      double sum = 0.0;
+      for (std::size_t i = 0; i < problem.Rows[r].Frames.size(); ++i)
       {
-        right[i] += columns[r][i] * multipliers.row(r).transpose();
+        const int index = unknown[problem.Rows[r].Frames[i]];
+        sum += index >= 0 ? problem.Rows[r].Weights[i] * columns[c][index] : 0.0;
       }
+      schur(r, c) = sum;
     }
   }
+  const Eigen::MatrixXd multipliers = SolveBalanced(schur, gap);
+  for (Eigen::Index r = 0; r < rows; ++r)
+  {
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+      x[i] += columns[r][i] * multipliers.row(r).transpose();
+    }
+  }
+}
+
+} // namespace
+
+std::vector<Vec3> SecondDifferences(const std::vector<Vec3>& positions)
+{
+  std::vector<Vec3> result(positions.size(), Vec3::Zero());
+  for (std::size_t k = 1; k + 1 < positions.size(); ++k)
+  {
+    result[k] = positions[k - 1] - 2.0 * positions[k] + positions[k + 1];
+  }
+  return result;
+}
+
+std::vector<Vec3> SolveWarp(const WarpProblem& problem)
+{
+  const Unknowns unknowns = UnknownsOf(problem);
+  const std::vector<std::size_t>& frames = unknowns.Frames;
+  std::vector<Vec3> x = problem.Fixed;
+  if (frames.empty())
+  {
+    return x;
+  }
+  Pentadiagonal matrix(frames.size());
+  std::vector<Vec3> right(frames.size(), Vec3::Zero());
+  if (problem.IsFixed.size() - frames.size() < 2)
+  {
+    for (std::size_t i = 0; i < frames.size(); ++i)
+    {
+      matrix.Add(i, i, 1e-13); // two marks at least hold a path where it is
+    }
+  }
+  AddStiffness(problem, unknowns.IndexOf, matrix, right);
+  AddSoft(problem, unknowns.IndexOf, matrix, right);
+  matrix.Factor();
+  matrix.Solve(right);
+  ImposeRows(problem, unknowns.IndexOf, matrix, right);
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
     x[frames[i]] = right[i];
