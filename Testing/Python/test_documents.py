@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pages: every link leads to a file, the index lists every page, lines are at most 120 columns wide, and Python
-examples can be parsed.
+"""The pages: every link leads to a file, the index lists every page, and lines are at most 120 columns wide.
 
     test_documents.py SOURCE"""
 
-import ast
 import glob
 import json
 import os
@@ -16,7 +14,6 @@ SOURCE = sys.argv[1]
 DOCUMENTATION = os.path.join(SOURCE, "Documentation")
 LINK = re.compile(r"\]\(([^)#]+)(?:#[^)]*)?\)")
 WIDTH = 120  # columns; tables and code blocks may be wider
-EXAMPLE = re.compile(r"^```python\n(.*?)^```", re.MULTILINE | re.DOTALL)
 
 
 def pages():
@@ -127,14 +124,6 @@ class DocumentsTest(unittest.TestCase):
         for system in systems:
             installed = {re.sub("^qt6-svg-plugins$", "libqt5svg5", package) for package in (all_have + system).split()}
             self.assertEqual(named - installed, set(), system)
-
-    def test_examples_are_python(self):
-        found = 0
-        for page in pages():
-            for example in EXAMPLE.findall(text_of(page)):
-                ast.parse(example, page)
-                found += 1
-        self.assertGreaterEqual(found, 3)
 
 
 if __name__ == "__main__":
