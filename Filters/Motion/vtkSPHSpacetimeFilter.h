@@ -18,7 +18,7 @@
  * the cell data `PositionResidual` [dx] and `VelocityResidual` [dx / frame]: root mean squares of
  * what gas dynamics does not explain, in gas spacings.
  * Output port 1, Particles (vtkPolyData, varies in time): gas and object particles.
- * Output port 2, Vortices (vtkPolyData): as fitted.
+ * Output port 2, Vortices (vtkPolyData): as fitted; in a drawn air as they came.
  * Output port 3, Wind (vtkImageData, varies in time): on the optimiser's own lattice [m/s^2].
  * Output port 4, Convergence (vtkTable): one row an iteration, each term of E a column.
  * Output port 5, Report (vtkTable): one line per row and target of the constraints.

@@ -19,12 +19,11 @@ struct TakeOptions
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
   {
-    visit(
-      OptionField{ "NumberOfTakes",
-                   { 1, 1000 },
-                   "",
-                   "Plans to choose from, of consecutive seeds; the output Takes scores them." },
-      of.NumberOfTakes...);
+    visit(OptionField{ "NumberOfTakes",
+                       { 1, 1000 },
+                       "",
+                       "Plans to choose from, of consecutive seeds, each with a score." },
+          of.NumberOfTakes...);
     visit(OptionField{ "Take",
                        { -1, 999 },
                        "",
