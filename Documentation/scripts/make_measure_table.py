@@ -4,7 +4,7 @@
     waft measure DIR --json SCENE.json        for each folder of results
     python3 make_measure_table.py [--optimised] SCENE.json...
 
-With --optimised the hands of the optimiser's model are shown, and the air's own figures, which it does not change, are
+With --optimised the residuals of the optimiser's model are shown, and the air's own figures, which it does not change, are
 not. A line a scene, named after its file; what misses what is wanted is in **bold**, what is not measured is "-".
 Processor seconds and the largest memory are of the folder's report.json, where it is still there.
 """
@@ -13,20 +13,20 @@ import pathlib
 import sys
 
 COLUMNS = (
-    ("private hand", ("private_hand",)),
+    ("residual control", ("private_hand",)),
     ("replay", ("replay",)),
     ("variance v; a", ("life_velocity", "life_acceleration")),
     ("energy in four bands", ("band_0.1", "band_0.3", "band_0.6", "band_1.2")),
     ("S2; 3 S_L / S", ("one_air", "one_air_along")),
-    ("told apart", ("told_apart",)),
+    ("AUC", ("told_apart",)),
     ("start: a; jerk", ("start", "start_jerk")),
     ("landing; sd, s", ("landing", "landing_times")),
     ("witnesses: v; a", ("witnesses_life_velocity", "witnesses_life_acceleration")),
-    ("S2; told apart", ("witnesses_one_air", "witnesses_told_apart")),
+    ("S2; AUC", ("witnesses_one_air", "witnesses_told_apart")),
     ("wind's force", ("witnesses_wind",)),
-    ("exact rows", ("exact",)),
+    ("exact", ("exact",)),
 )
-OPTIMISED = (("hidden hand: objects, gas", ("hidden_hand", "hidden_hand_gas")),
+OPTIMISED = (("model residual: objects, gas", ("hidden_hand", "hidden_hand_gas")),
              *(column for column in COLUMNS if not column[1][0].startswith("witnesses")))
 
 

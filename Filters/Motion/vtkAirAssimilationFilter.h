@@ -12,7 +12,7 @@
  * on the air. Input port 5, Vortices (vtkPolyData, optional): the scene's own.
  *
  * Output port 0, Tracks (vtkPolyData): with `AirVelocity` and `Control` [m/s], what moves a body
- * beside the air: its private hand.
+ * beside the air.
  * Output port 1, Air (vtkImageData, varies in time): `Velocity` [m/s]; `Wind` [m/s^2], the force of
  * the common wind, which `Velocity` contains.
  * Output port 2, Vortices (vtkPolyData): all that stir the air.

@@ -300,7 +300,7 @@ class FolderTest(unittest.TestCase):
         file = os.path.join(WORK, "rows.json")
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
             self.assertEqual(cli.main(["measure", self.folder, "--json", file]), 0)
-        self.assertIn("private hand", out.getvalue())
+        self.assertIn("residual control (private hand)", out.getvalue())
         with open(file, encoding="utf-8") as stream:
             rows = {row["key"]: row for row in json.load(stream)[0]["rows"]}
         self.assertTrue(rows["private_hand"]["met"])

@@ -148,7 +148,7 @@ def _measured(runs, given, tracks, air):
     rows = [*_hands(runs, air), _replay(runs, air), *style.rows(""), *_start(airs, others)]
     rows += _witnesses(runs, air, others) + _landing(runs, fewest)
     residuals = [largest_residual(run) for run in runs]
-    rows.append(Row("exact", "exact rows: largest residual", _largest(residuals), (0.0, 1e-9)))
+    rows.append(Row("exact", "exact constraints: largest residual", _largest(residuals), (0.0, 1e-9)))
     return Measured(name, tracks, sum(len(flights) for flights in airs), rows, notes, airs, others)
 
 
@@ -205,7 +205,7 @@ class _Style:
         return rows
 
     def _told_apart(self, key, text):
-        row = Row(f"{key}told_apart", f"{text}told apart: area under the ROC curve", wanted=(0.0, 0.75))
+        row = Row(f"{key}told_apart", f"{text}two-sample AUC (told apart): area under the ROC curve", wanted=(0.0, 0.75))
         if not _telling.is_there():
             row.why = "scikit-learn (python3-sklearn) is not installed"
             return row
@@ -229,10 +229,11 @@ def _spread(flights, mask):
 
 
 def _hands(runs, air):
-    hidden = Row("hidden_hand", "hidden hand: acceleration that the model does not give", wanted=(0.0, 0.2),
+    hidden = Row("hidden_hand", "model residual (hidden hand): acceleration the model does not give", wanted=(0.0, 0.2),
                  why="the tracks have no array AirVelocity or Residual")
-    private = Row("private_hand", "private hand: velocity that the air does not give", wanted=(0.0, 0.1), why="no air.pvd")
-    gas = Row("hidden_hand_gas", "hidden hand of the gas", wanted=(0.0, 0.25), why="no optimised gas")
+    private = Row("private_hand", "residual control (private hand): velocity the air does not give", wanted=(0.0, 0.1),
+                  why="no air.pvd")
+    gas = Row("hidden_hand_gas", "model residual (hidden hand) of the gas", wanted=(0.0, 0.25), why="no optimised gas")
     rows = [hidden, private, gas]
     if len(runs) > 1:
         for row in rows:
@@ -248,7 +249,7 @@ def _hands(runs, air):
     elif "AirVelocity" in run.arrays and "Control" not in run.arrays:
         hidden.value = _ratio(rms(_lacking(run)[inside]), own)
     elif "Control" in run.arrays:
-        hidden.why = "an assimilated motion: see the private hand"
+        hidden.why = "an assimilated motion: see the residual control"
     if air is not None:
         control = _control(flights, air)
         private.value = _ratio(rms(control[inside]), _spread(flights, inside))
@@ -278,10 +279,10 @@ def _control(flights, air):
 
 
 def _replay(runs, air):
-    row = Row("replay", "replay: velocity after 1 s of free drift in the output Air", wanted=(0.0, 0.15),
+    row = Row("replay", "forward replay: velocity after 1 s of free drift in the output Air", wanted=(0.0, 0.15),
               why="no air.pvd; with particles, not measured")
     if len(runs) == 1 and "ReplayError" in runs[0].figures:
-        return Row("replay", "replay: velocity 1 s after gas and objects are let go from the solution", runs[0].figures["ReplayError"],
+        return Row("replay", "forward replay: velocity 1 s after gas and objects are let go", runs[0].figures["ReplayError"],
                    (0.0, 0.25))
     if len(runs) > 1 or air is None:
         row.why = "see each folder" if len(runs) > 1 else row.why
@@ -324,8 +325,8 @@ def _witnesses(runs, air, others):
         return [Row("witnesses", "witnesses: passive bodies in the output Air", why=why)]
     flights = air.witnesses(runs[0].flights, runs[0].bounds)
     rows = _Style([flights], others, len(flights)).rows("witnesses")
-    return rows + [Row("witnesses_wind", "witnesses: force of the common wind over the air's own Dv/Dt", air.wind_share(), (0.0, 0.5),
-                       why="the Air has no array Wind")]
+    return rows + [Row("witnesses_wind", "witnesses: force of the wind correction over the air's own Dv/Dt", air.wind_share(),
+                       (0.0, 0.5), why="the Air has no array Wind")]
 
 
 def _landing(runs, fewest):
