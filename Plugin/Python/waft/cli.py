@@ -12,6 +12,7 @@ from waft._qualities import KEPT, QUALITIES, quality_of
 from waft._schema import definition
 from waft._styles import STYLES, VIEWS
 from waft.loading import version
+from waft.request import SENTENCES
 from waft.texts import ROWS, is_utf8, line, names_a_row, say, shortened, warn
 from waft.watching import interruptible, tell_guard
 
@@ -120,24 +121,14 @@ def parser():
     make = commands.add_parser("synthesize", help="a scene file to an animation", epilog=EXIT)
     make.add_argument("scene", type=path, help="scene file, *.waft.json")
     make.add_argument("--output", type=path, required=True, metavar="DIR", help="folder for the results")
-    make.add_argument("--database", type=path, metavar="FILE", help="motion database, .vtm (default: the embedded one)")
-    make.add_argument("--seed", type=seed, help="instead of the scene's")
-    make.add_argument("--threads", type=threads, help="default: all cores; the result is the same")
-    make.add_argument("--time-limit", type=positive, metavar="S", help="seconds; the best so far is written")
-    make.add_argument("--memory-limit", type=positive, metavar="MB",
-                      help="of the optimiser: what does not fit is solved window by window, slower")
-    make.add_argument("--quality", type=quality_of, choices=QUALITIES, default="full",
-                      help="how objects come to their marks, default full; air was called assimilated before, which names it still")
-    make.add_argument("--preview", dest="quality", action="store_const", const="preview",
-                      help="--quality preview: coarse, for a quick look")
-    make.add_argument("--resume", action="store_true", help="go on from what an earlier run left in DIR")
-    make.add_argument("--edit-of", type=path, metavar="DIR",
-                      help="a finished run of the scene before some rows changed: the same air, only what changed drifts again")
-    make.add_argument("--meshes", action="store_true", help="also meshes.pvd: all meshes posed, a file a frame")
-    make.add_argument("--particles", action="store_true", help="also particles.pvd: the optimiser's gas and objects, a file a frame")
-    make.add_argument("--keep", type=kept, default=(), metavar="K,K",
-                      help="what to write in full: air (every frame of air.pvd), state (what --edit-of goes on from, otherwise kept in "
-                           "the user's store)")
+    for name, how in (("database", {"type": path, "metavar": "FILE"}), ("seed", {"type": seed}), ("threads", {"type": threads}),
+                      ("time_limit", {"type": positive, "metavar": "S"}), ("memory_limit", {"type": positive, "metavar": "MB"}),
+                      ("quality", {"type": quality_of, "choices": QUALITIES, "default": "full"}),
+                      ("resume", {"action": "store_true"}), ("edit_of", {"type": path, "metavar": "DIR"}),
+                      ("meshes", {"action": "store_true"}), ("particles", {"action": "store_true"}),
+                      ("keep", {"type": kept, "default": (), "metavar": "K,K"})):
+        make.add_argument(f"--{name.replace('_', '-')}", help=SENTENCES[name], **how)
+    make.add_argument("--preview", dest="quality", action="store_const", const="preview", help=SENTENCES["preview"])
     make.add_argument("--watch", action="store_true",
                       help="fly at preview quality, and again whenever the scene file or a file that it names is saved, until stopped; "
                            "DIR/page.html, open in a browser, follows")
@@ -152,7 +143,7 @@ def parser():
                                                                                 "that are there already are not flown again")
     many.add_argument("--jobs", type=_whole(1, 256), default=1, metavar="N", help="takes at a time, default 1")
     many.add_argument("--threads", type=threads, help="of each take; default: all cores together; the result is the same")
-    many.add_argument("--database", type=path, metavar="FILE", help="motion database, .vtm (default: the embedded one)")
+    many.add_argument("--database", type=path, metavar="FILE", help=SENTENCES["database"])
     many.add_argument("--quality", type=quality_of, choices=QUALITIES, default="full", help="of all takes, default full")
     many.add_argument("--preview", dest="quality", action="store_const", const="preview", help="--quality preview")
     many.set_defaults(run=run_takes, needs_paraview=False)
@@ -173,7 +164,7 @@ def parser():
 
     look = commands.add_parser("check", help="what of a scene cannot be, and what will be hard", epilog=CHECK_EXIT)
     look.add_argument("scene", type=path, help="scene file, *.waft.json")
-    look.add_argument("--database", type=path, metavar="FILE", help="motion database, .vtm (default: the embedded one)")
+    look.add_argument("--database", type=path, metavar="FILE", help=SENTENCES["database"])
     look.set_defaults(run=run_check)
 
     base = commands.add_parser("database", help="a motion database from simulations of smoke", epilog=DATABASE_EXIT)
@@ -288,11 +279,9 @@ def run_synthesize(options):
 def _fly(options, quality):
     from waft.synthesis import synthesize, tell
 
-    run = synthesize(options.scene, output=options.output, database=options.database, seed=options.seed,
-                     threads=options.threads, time_limit=options.time_limit, quality=quality,
-                     resume=options.resume, quiet=False, meshes=options.meshes, particles=options.particles,
-                     memory_limit=options.memory_limit, edit_of=options.edit_of, keep=options.keep,
-                     on_progress=_print_json if options.progress == "json" else None)
+    asked = {name: value for name, value in vars(options).items() if name in SENTENCES}
+    asked.update(quality=quality, quiet=False, on_progress=_print_json if options.progress == "json" else None)
+    run = synthesize(**asked)
     tell(run, options.output)
     run.delete()
     return run.status

@@ -1,21 +1,23 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From a scene file to an animation."""
 import contextlib
+import dataclasses
 import os
 import pathlib
 import tempfile
-from typing import TYPE_CHECKING, Callable, Dict, Optional, Sequence, Union
+from typing import TYPE_CHECKING, Dict, Union
 
 from waft import failures
-from waft._qualities import KEPT, QUALITIES, WITHOUT, quality_of, word_in_keys
+from waft._qualities import WITHOUT, word_in_keys
 from waft._records import REPORT, record_of
 from waft.beneath import Folder
 from waft.loading import load_plugin, set_threads
 from waft.reading import found_json
+from waft.request import Request, by_options
 from waft.resuming import Checkpoint, run_key
 from waft.scene import Scene
 from waft.store import Store
-from waft.texts import ROWS, is_utf8, say, warn
+from waft.texts import ROWS, say, warn
 from waft.watching import Clock
 from waft.writing import STATE, left_out, planned_objects, read_rows, result_names, result_place, settled, write_results
 
@@ -30,85 +32,69 @@ OPTIMISER: Dict[str, Union[int, float]] = {}
 _SHARES = {"reader": 1, "database": 1, "planner": 6, "assimilation": 45, "spacetime": 45, "rotation": 2}
 
 
-def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, database=None, seed: Optional[int] = None,
-               threads: Optional[int] = None, time_limit: Optional[float] = None, preview: bool = False, resume: bool = False,
-               quiet: bool = True, checkpoint_interval: Optional[float] = None, meshes: bool = False,
-               memory_limit: Optional[float] = None, quality: Optional[str] = None, edit_of=None,
-               on_progress: Optional[Callable[[float, str], Optional[bool]]] = None, particles: bool = False,
-               keep: Sequence[str] = ()) -> "Run":
+@by_options(Request)
+def synthesize(request: Request) -> "Run":
     """Plans, optimises and turns the objects of a scene; returns the Run with its live proxies and arrays.
 
-    scene: a waft.Scene, or the path of a *.waft.json file. output: a folder for the files of `waft synthesize` (none: nothing
-    is written). database: a motion database, .vtm (default: the one that comes with Waft). seed: instead
-    of the scene's. threads: number of threads (default all; the result is the same). time_limit: seconds.
-    preview: a coarse assimilation, for a quick look. resume: goes on from where an earlier run with the
-    same inputs was stopped or killed, to the same motion as if it had not been; what it left is in the folder
-    `checkpoint` of output. checkpoint_interval: seconds between two writings there (none: the filter's own).
-    meshes: also writes meshes.pvd, all meshes posed, a file a frame; particles: also particles.pvd, the optimiser's gas and
-    objects. memory_limit: megabytes that the optimiser may take (none: as many as it needs). quality: one of QUALITIES (default
-    full; what one was called before names it, too). edit_of: the folder of a finished run of the same scene but for some objects'
-    rows: the same air, and only what changed drifts again. keep: what to write in full: air (every frame of air.pvd), state (what edits
-    go on from, otherwise kept in the user's store alone). on_progress: called with the share that is done (0 to 1) and a sentence,
-    some five times a second; when it returns False the run stops with the best so far.
-
     It may be called from any thread, of one run at a time; only in the main one Ctrl-C and SIGTERM stop it. The stages' data are
-    read where they are made: in a session that is connected to a pvserver it is refused. The Run has, besides proxies and arrays: status (exit status of the command), report (the constraints,
-    one dictionary per row), warnings. Raises BadInput on malformed input, and where results would take the place of files that
-    no run wrote; nothing is written then.
+    read where they are made: in a session that is connected to a pvserver it is refused. The Run has, besides proxies and arrays:
+    status (exit status of the command), report (the constraints, one dictionary per row), warnings. Raises BadInput on malformed
+    input, and where results would take the place of files that no run wrote; nothing is written then.
     """
-    if isinstance(scene, Scene):
-        return _synthesize_made(scene, output=output, database=database, seed=seed, threads=threads, time_limit=time_limit,
-                                preview=preview, resume=resume, quiet=quiet, checkpoint_interval=checkpoint_interval,
-                                meshes=meshes, memory_limit=memory_limit, quality=quality, edit_of=edit_of,
-                                on_progress=on_progress, particles=particles, keep=keep)
     load_plugin()
+    _check_session()
+    if not isinstance(request.scene, Scene):
+        return _fly(request)
+    # A file that is there as long as the Run, whose reader may ask for it again.
+    folder = tempfile.TemporaryDirectory(prefix="waft-scene-")
+    path = os.path.join(folder.name, "scene.waft.json")
+    request.scene.save(path)
+    try:
+        run = _fly(dataclasses.replace(request, scene=path))
+    except failures.BadInput as error:
+        raise failures.BadInput(str(error).replace(path, "scene")) from error
+    run.scene_folder = folder
+    return run
+
+
+def _fly(request):
+    """A scene that is a file."""
     from waft.run import Run
 
-    if on_progress is not None and not callable(on_progress):
-        raise failures.BadInput(f"on_progress: expected a function of a share and a sentence, found {on_progress!r}")
-    _check_session()
-    for path in filter(None, (scene, output, database, edit_of)):
-        if not is_utf8(path):
-            raise failures.BadInput(f"{os.fsdecode(path)}: expected a name in UTF-8, as ParaView takes no other")
+    scene, output, quality = request.scene, request.output, request.way
     if not os.path.isfile(scene):
         raise failures.BadInput(f"{scene}: no such scene file")
-    quality = quality_of(quality or ("preview" if preview else "full"))
-    if quality not in QUALITIES:
-        raise failures.BadInput(f"quality: expected one of {', '.join(QUALITIES)}, found {quality}")
-    if particles and "spacetime" in WITHOUT[quality]:
-        raise failures.BadInput(f"particles: expected quality full or paper, whose optimiser has particles, found {quality}")
-    for wrong in (name for name in keep if name not in KEPT):
-        raise failures.BadInput(f"keep: expected of {', '.join(KEPT)}, found {wrong!r}")
-    series = [name for name, wanted in (("meshes", meshes), ("particles", particles)) if wanted]
-    set_threads(threads)
+    set_threads(request.threads)
     with contextlib.ExitStack() as stack:
         place = stack.enter_context(result_place(output)) if output is not None and is_first_rank() else None
-        pipeline = Run(scene, database)
+        pipeline = Run(scene, request.database)
         stack.push(lambda error, *_: error and pipeline.delete())  # nobody else has a hold of its stages then
         # What a stage says once it is the caller's, of an input that he changed, is for him to read.
         stack.callback(lambda: [watch.release() for watch in pipeline.watches.values()])
-        with Clock(time_limit, quiet, "stopped before the paths were planned: nothing was written", on_progress) as clock:
+        with Clock(request.time_limit, request.quiet, "stopped before the paths were planned: nothing was written",
+                   request.on_progress) as clock:
             clock.shares = {name: share for name, share in _SHARES.items() if name not in WITHOUT[quality]}
             pipeline.read(clock)
             scene_seed = pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)
             pipeline.quality = quality
-            pipeline.series = series
-            pipeline.edit_of = _state_of(edit_of, quality)
-            pipeline.keep = tuple(keep)
-            pipeline.seed = seed if seed is not None else _seed_of(edit_of, int(scene_seed))
-            pipeline.key = run_key(pipeline, f"{word_in_keys(quality)} {edit_of or ''}".strip())
+            pipeline.series = request.series
+            pipeline.edit_of = _state_of(request.edit_of, quality)
+            pipeline.keep = tuple(request.keep)
+            pipeline.seed = request.seed if request.seed is not None else _seed_of(request.edit_of, int(scene_seed))
+            pipeline.key = run_key(pipeline, f"{word_in_keys(quality)} {request.edit_of or ''}".strip())
             pipeline.warnings = []
-            if edit_of is not None and pipeline.edit_of is None:
-                pipeline.warnings.append(f"edit_of: {edit_of}: the state of that run is kept no more: flown from the start, in an air of its own")
+            if request.edit_of is not None and pipeline.edit_of is None:
+                pipeline.warnings.append(f"edit_of: {request.edit_of}: the state of that run is kept no more: flown from the start, "
+                                         "in an air of its own")
             checkpoint = None
             if place is not None:
-                place.check(result_names(scene, series, quality, keep))
+                place.check(result_names(scene, pipeline.series, quality, request.keep))
                 checkpoint = Checkpoint(place, pipeline.key)
-            lack = checkpoint.lack() if resume and checkpoint is not None else ""
+            lack = checkpoint.lack() if request.resume and checkpoint is not None else ""
             if lack:
                 pipeline.warnings.append(f"--resume: {output}: {lack}: done from the start")
             try:
-                _run(pipeline, clock, checkpoint, resume and not lack, checkpoint_interval, memory_limit)
+                _run(pipeline, clock, checkpoint, request.resume and not lack, request)
             except failures.BadInput:
                 if checkpoint is not None:
                     checkpoint.clear()
@@ -124,26 +110,13 @@ def synthesize(scene: Union[Scene, str, "os.PathLike[str]"], output=None, databa
         if place is not None:
             clock.phase = "writing the results"
             clock.tell(0.0, clock.phase)
-            write_results(pipeline, place, scene, checkpoint, series)
+            write_results(pipeline, place, scene, checkpoint, pipeline.series)
             if checkpoint is not None and not pipeline.stopped:
                 checkpoint.hand_on(Store())
                 checkpoint.clear()
         clock.tell(1.0, "stopped early" if pipeline.stopped else "done")
         clock.check_progress()
     return pipeline
-
-
-def _synthesize_made(scene, **options):
-    """Of a waft.Scene: by a file that is there as long as the Run, whose reader may ask for it again."""
-    folder = tempfile.TemporaryDirectory(prefix="waft-scene-")
-    path = os.path.join(folder.name, "scene.waft.json")
-    scene.save(path)
-    try:
-        run = synthesize(path, **options)
-    except failures.BadInput as error:
-        raise failures.BadInput(str(error).replace(path, "scene")) from error
-    run.scene_folder = folder
-    return run
 
 
 def _check_session():
@@ -201,8 +174,8 @@ def is_first_rank():
     return controller is None or controller.GetLocalProcessId() == 0
 
 
-def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limit):
-    settings = OPTIMISER if memory_limit is None else {**OPTIMISER, "MemoryLimit": memory_limit}
+def _run(pipeline, clock, checkpoint, is_found, request):
+    settings = OPTIMISER if request.memory_limit is None else {**OPTIMISER, "MemoryLimit": request.memory_limit}
     optimises = "spacetime" not in WITHOUT[pipeline.quality]
     if optimises:
         _check_room(pipeline, settings)
@@ -224,7 +197,7 @@ def _run(pipeline, clock, checkpoint, is_found, checkpoint_interval, memory_limi
         _assimilate(pipeline, clock, checkpoint)
         pipeline.stopped_in = "assimilation" if clock.should_stop() else ""
     if optimises and not clock.should_stop():
-        _optimise(pipeline, clock, checkpoint, settings, checkpoint_interval)
+        _optimise(pipeline, clock, checkpoint, settings, request.checkpoint_interval)
         pipeline.stopped_in = "spacetime" if clock.should_stop() else ""
     if pipeline.motion[0] == "planner":
         pipeline.warnings.append("stopped before the paths of the plan were moved by air: they are the plan's")
