@@ -21,9 +21,8 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 import waft
 from waft.failures import BadInput
 from waft.reading import read_surface
-from waft.synthesis import ASSIMILATION
 
-COARSE = {"Resolution": 32, "LatticeResolution": 32}
+COARSE = {"Assimilation": {"Resolution": 32, "LatticeResolution": 32}}
 SCENE = {
     "waft": 1,
     "seed": 3,
@@ -45,10 +44,8 @@ class Assimilated(unittest.TestCase):
         cls.folder = pathlib.Path(folder.name)
         cls.scene = cls.folder / "three.waft.json"
         cls.scene.write_text(json.dumps(SCENE), encoding="utf-8")
-        ASSIMILATION.update(COARSE)
-        cls.addClassCleanup(ASSIMILATION.clear)
         cls.out = cls.folder / "out"
-        cls.made = waft.synthesize(str(cls.scene), output=str(cls.out), quality="air")
+        cls.made = waft.synthesize(str(cls.scene), output=str(cls.out), quality="air", _settings=COARSE)
 
     def tracks(self, name):
         data = read_surface(str(self.out / name))
@@ -97,7 +94,8 @@ class Assimilated(unittest.TestCase):
         changed["constraints"][0]["value"] = [0.6, 0.4, 1.1]
         scene = self.folder / "edited.waft.json"
         scene.write_text(json.dumps(changed), encoding="utf-8")
-        edited = waft.synthesize(str(scene), output=str(self.folder / "edited"), quality="air", edit_of=str(self.out))
+        edited = waft.synthesize(str(scene), output=str(self.folder / "edited"), quality="air", edit_of=str(self.out),
+                                 _settings=COARSE)
         self.assertEqual((edited.status, edited.warnings), (0, []))
         before, _ = self.tracks("optimized.vtp")
         after, _ = self.tracks("../edited/optimized.vtp")
@@ -109,14 +107,14 @@ class Assimilated(unittest.TestCase):
     def test_what_is_kept_in_full_and_what_an_edit_does_without_a_state(self):
         kept, edited = self.folder / "kept", self.folder / "kept-edit"
         with tempfile.TemporaryDirectory() as empty, mock.patch.dict(os.environ, {"WAFT_CACHE": empty}):
-            waft.synthesize(str(self.scene), output=str(kept), quality="air", keep=("air", "state"))
+            waft.synthesize(str(self.scene), output=str(kept), quality="air", keep=("air", "state"), _settings=COARSE)
             self.assertEqual(len(list((kept / "air").iterdir())), 45, "every frame")
             self.assertEqual(len(os.listdir(empty)), 1, "in the store as well")
             self.assertTrue((kept / "assimilated.state").is_file())
-            with_state = waft.synthesize(str(self.scene), output=str(edited), quality="air", edit_of=str(kept))
+            with_state = waft.synthesize(str(self.scene), output=str(edited), quality="air", edit_of=str(kept), _settings=COARSE)
             self.assertEqual(with_state.warnings, [])
         with tempfile.TemporaryDirectory() as empty, mock.patch.dict(os.environ, {"WAFT_CACHE": empty}):
-            without = waft.synthesize(str(self.scene), output=str(edited), quality="air", edit_of=str(self.out))
+            without = waft.synthesize(str(self.scene), output=str(edited), quality="air", edit_of=str(self.out), _settings=COARSE)
         self.assertEqual(without.status, 0)
         self.assertEqual(len(without.warnings), 1)
         self.assertIn("the state of that run is kept no more: flown from the start", without.warnings[0])
@@ -127,10 +125,11 @@ class Assimilated(unittest.TestCase):
 
     def test_another_seed_is_another_air_which_an_edit_keeps(self):
         first, edited = self.folder / "seeded", self.folder / "seeded-edit"
-        waft.synthesize(str(self.scene), output=str(first), quality="air", seed=9)
+        waft.synthesize(str(self.scene), output=str(first), quality="air", seed=9, _settings=COARSE)
         air = (first / "air/air_0030.vti").read_bytes()
         self.assertNotEqual(air, (self.out / "air/air_0030.vti").read_bytes())
-        self.assertEqual(waft.synthesize(str(self.scene), output=str(edited), quality="air", edit_of=str(first)).warnings, [])
+        again = waft.synthesize(str(self.scene), output=str(edited), quality="air", edit_of=str(first), _settings=COARSE)
+        self.assertEqual(again.warnings, [])
         self.assertEqual(air, (edited / "air/air_0030.vti").read_bytes())
 
     def test_a_run_that_was_killed_goes_on_to_the_same_bytes(self):
@@ -139,16 +138,15 @@ class Assimilated(unittest.TestCase):
             from waft.watching import Clock
             state = pathlib.Path(sys.argv[2]) / "checkpoint" / "assimilation.state"
             Clock.show = lambda *_: state.exists() and os.kill(os.getpid(), signal.SIGKILL)
-            from waft.synthesis import ASSIMILATION
-            ASSIMILATION.update({COARSE})
-            waft.synthesize(sys.argv[1], output=sys.argv[2], quality="assimilated")
+            waft.synthesize(sys.argv[1], output=sys.argv[2], quality="assimilated", _settings={COARSE})
             """
         out = self.folder / "killed"
         program = self.folder / "kill.py"
         program.write_text(textwrap.dedent(kill), encoding="utf-8")
         done = subprocess.run([PVPYTHON, str(program), str(self.scene), str(out)], check=False, capture_output=True)
         self.assertEqual(done.returncode, -signal.SIGKILL)
-        again = waft.synthesize(str(self.scene), output=str(out), quality="air", resume=True)  # the same under both names
+        # The same under both names.
+        again = waft.synthesize(str(self.scene), output=str(out), quality="air", resume=True, _settings=COARSE)
         self.assertEqual((again.status, again.warnings, again.quality), (0, [], "air"))
         for name in ("assimilated.vtp", "poses.csv", "constraints.vtp", "air/air_0044.vti"):
             self.assertEqual((self.out / name).read_bytes(), (out / name).read_bytes(), name)

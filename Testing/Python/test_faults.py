@@ -17,9 +17,11 @@ import waft
 from waft.database import database_place, settle_database
 from waft.results import manifest_of, read_manifest
 from waft.resuming import Checkpoint
-from waft.synthesis import ASSIMILATION, OPTIMISER
 from waft.writing import result_place, write_results
 
+# Many files of air, and small; few iterations.
+COARSE = {"Assimilation": {"Resolution": 16, "LatticeResolution": 8, "Candidates": 1, "Starts": 0}}
+SHORT = {"Spacetime": {"NumberOfGasParticles": 600, "LeashIterations": 5, "MaximumNumberOfIterations": 20}}
 KILL = ctypes.CDLL(None).WaftKillAtRename
 SCENE = {
     "waft": 1,
@@ -54,8 +56,6 @@ class Faults(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = pathlib.Path(folder.name)
-        ASSIMILATION.update(Resolution=16, LatticeResolution=8, Candidates=1, Starts=0)  # many files of air, and small
-        cls.addClassCleanup(ASSIMILATION.clear)
 
     def attack(self, prepared, change, put_right, check):
         """Kills change(folder) at each of its renames in turn, each in a folder of its own as prepared; check(folder) holds at
@@ -85,9 +85,9 @@ class Faults(unittest.TestCase):
         scene = self.folder / "scene.waft.json"
         prepared, wanted = self.folder / "old", self.folder / "new"
         scene.write_text(json.dumps(SCENE), encoding="utf-8")
-        waft.synthesize(scene, output=prepared, preview=True, threads=1, meshes=True)
+        waft.synthesize(scene, output=prepared, preview=True, threads=1, meshes=True, _settings=COARSE)
         (prepared / "notes.txt").write_text("mine", encoding="utf-8")
-        run = waft.synthesize(scene, preview=True, threads=1, seed=7)
+        run = waft.synthesize(scene, preview=True, threads=1, seed=7, _settings=COARSE)
 
         def change(folder):
             with result_place(folder) as place:
@@ -149,11 +149,9 @@ class Faults(unittest.TestCase):
         scene.write_text(json.dumps(SCENE), encoding="utf-8")
         whole = self.folder / "unkilled"
 
-        OPTIMISER.update(NumberOfGasParticles=600, LeashIterations=5, MaximumNumberOfIterations=20)
-        self.addCleanup(OPTIMISER.clear)
-
         def run(folder, resume=False):
-            return waft.synthesize(scene, output=folder, quality="paper", threads=1, resume=resume, checkpoint_interval=0)
+            return waft.synthesize(scene, output=folder, quality="paper", threads=1, resume=resume, checkpoint_interval=0,
+                                   _settings=SHORT)
 
         KILL(0)
         run(whole)

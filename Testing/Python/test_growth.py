@@ -11,7 +11,6 @@ import tempfile
 import unittest
 
 import waft
-from waft.synthesis import ASSIMILATION
 
 SCENE = {
     "waft": 1,
@@ -21,7 +20,7 @@ SCENE = {
     "constraints": [{"kind": "position", "object": 0, "frame": 10, "value": [0.0, 0.0, 1.8], "radius": 0.1}],
 }
 RUNS = 30
-COARSE = {"Resolution": 16, "LatticeResolution": 8, "Candidates": 1, "Starts": 0}
+COARSE = {"Assimilation": {"Resolution": 16, "LatticeResolution": 8, "Candidates": 1, "Starts": 0}}
 MOST_GROWTH = 0.02
 
 
@@ -48,8 +47,6 @@ class Growth(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
-        ASSIMILATION.update(COARSE)
-        self.addCleanup(ASSIMILATION.clear)
 
     def scene(self, **changes):
         path = self.folder / "scene.waft.json"
@@ -61,7 +58,7 @@ class Growth(unittest.TestCase):
         self.assertLess(fraction, MOST_GROWTH, f"megabytes after each run: {[round(size, 1) for size in sizes]}")
 
     def test_one_pipeline_again_and_again(self):
-        run = waft.synthesize(self.scene(), preview=True, threads=1)
+        run = waft.synthesize(self.scene(), preview=True, threads=1, _settings=COARSE)
 
         def again(number):
             run.planner.Seed = 100 + number
@@ -70,7 +67,7 @@ class Growth(unittest.TestCase):
 
     def test_a_pipeline_of_its_own_each_time(self):
         def anew(number):
-            waft.synthesize(self.scene(seed=number + 1), preview=True, threads=1).delete()
+            waft.synthesize(self.scene(seed=number + 1), preview=True, threads=1, _settings=COARSE).delete()
         self.expect_flat(anew)
 
     def test_refused_scenes(self):

@@ -65,11 +65,7 @@ class Mutations(unittest.TestCase):
         cls.addClassCleanup(os.chdir, os.getcwd())
         os.chdir(place.name)
         write_json("scene.waft.json", SCENE)
-        synthesis.ASSIMILATION.update(COARSE)
-        try:
-            synthesis.synthesize("scene.waft.json", output="whole", preview=True)
-        finally:
-            synthesis.ASSIMILATION.clear()
+        synthesis.synthesize("scene.waft.json", output="whole", preview=True, _settings={"Assimilation": COARSE})
         shutil.copytree("whole", "R")
         os.mkdir("T")
         # A run that is begun has read what there was to be read; nor is there anything to be learnt from windows of so short flights.

@@ -283,7 +283,8 @@ def main():
     from waft.loading import load_plugin
 
     load_plugin()
-    with mock.patch.object(synthesis, "ASSIMILATION", COARSE), mock.patch.object(synthesis, "OPTIMISER", SHORT):
+    short = functools.partial(waft.synthesize, _settings={"Assimilation": COARSE, "Spacetime": SHORT})
+    with mock.patch.object(waft, "synthesize", short), mock.patch.object(synthesis, "synthesize", short):
         unittest.main(argv=sys.argv[:1])
 
 

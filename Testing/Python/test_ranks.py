@@ -125,12 +125,12 @@ with open(sys.argv[1], "w", encoding="utf-8") as stream:
 # All processes run this script (--symmetric), as a user's.
 SYNTHESIS = """
 import hashlib, json, os, sys
-import waft, waft.synthesis
+import waft
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 from vtkmodules.util.numpy_support import vtk_to_numpy
-waft.synthesis.OPTIMISER.update(NumberOfGasParticles=216, LeashIterations=2, MaximumNumberOfIterations=6)
 rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
-run = waft.synthesize(sys.argv[2], quality=sys.argv[3])
+run = waft.synthesize(sys.argv[2], quality=sys.argv[3], _settings={"Spacetime": {
+    "NumberOfGasParticles": 216, "LeashIterations": 2, "MaximumNumberOfIterations": 6}})
 
 def digest(array):
     return hashlib.sha256(array.tobytes()).hexdigest()

@@ -17,7 +17,6 @@ from unittest import mock
 
 import numpy as np
 import waft
-from waft import synthesis
 
 os.environ.pop("DISPLAY", None)
 
@@ -123,8 +122,8 @@ class RunTest(unittest.TestCase):
             began.append(told)
             return not any(text in one for one in began)
         out = self.folder / f"stopped {quality} {text}"
-        with mock.patch.object(synthesis, "ASSIMILATION", COARSE):
-            run = waft.synthesize(small_scene(), output=out, quality=quality, threads=1, on_progress=goes_on)
+        run = waft.synthesize(small_scene(), output=out, quality=quality, threads=1, on_progress=goes_on,
+                              _settings={"Assimilation": COARSE})
         self.addCleanup(run.delete)
         self.assertEqual(4, run.status)
         self.assertTrue(any(text in one for one in began), began)

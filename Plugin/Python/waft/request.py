@@ -6,7 +6,8 @@ import functools
 import inspect
 import os
 import textwrap
-from typing import Annotated, Callable, Dict, List, Optional, ParamSpec, Sequence, TypeVar, Union, get_type_hints
+from typing import (
+    Annotated, Any, Callable, Dict, List, Mapping, Optional, ParamSpec, Sequence, TypeVar, Union, get_type_hints)
 
 from waft._qualities import KEPT, QUALITIES, WITHOUT, quality_of
 from waft.failures import BadInput
@@ -46,8 +47,9 @@ class Request:
     on_progress: Annotated[Optional[Progress], "called with the share that is done (0 to 1) and a sentence, some five times a "
                                                "second; when it returns False the run stops with the best so far"] = None
     particles: Annotated[bool, "also particles.pvd: the optimiser's gas and objects, a file a frame"] = False
-    keep: Annotated[Sequence[str], "what to write in full: air (every frame of air.pvd), state (what edits go on from, otherwise kept "
-                                   "in the user's store)"] = ()
+    keep: Annotated[Sequence[str], "what to write in full: air (every frame of air.pvd), state (what edits go on from, otherwise "
+                                   "kept in the user's store)"] = ()
+    _settings: Mapping[str, Mapping[str, Any]] = dataclasses.field(default_factory=dict)  # {stage: {property: value}}, for tests
 
     def __post_init__(self) -> None:
         """Raises BadInput of what can be told without a look at any file."""
@@ -72,6 +74,11 @@ class Request:
     def series(self) -> List[str]:
         """The data that are asked for, a file a frame."""
         return [name for name, is_wanted in (("meshes", self.meshes), ("particles", self.particles)) if is_wanted]
+
+    def settings(self, stage: str) -> Dict[str, Any]:
+        """Properties of a stage besides its defaults and those of the quality."""
+        asked = {"MemoryLimit": self.memory_limit} if stage == "Spacetime" and self.memory_limit is not None else {}
+        return {**self._settings.get(stage, {}), **asked}
 
 
 SENTENCES: Dict[str, str] = {name: hint.__metadata__[0] for name, hint in get_type_hints(Request, include_extras=True).items()

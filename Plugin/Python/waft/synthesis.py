@@ -5,7 +5,7 @@ import dataclasses
 import os
 import pathlib
 import tempfile
-from typing import TYPE_CHECKING, Dict, Union
+from typing import TYPE_CHECKING
 
 from waft import failures
 from waft._qualities import WITHOUT, word_in_keys
@@ -23,10 +23,6 @@ from waft.writing import STATE, left_out, planned_objects, read_rows, result_nam
 
 if TYPE_CHECKING:
     from waft.run import Run
-
-# Properties of stages besides their defaults, and those of a preview.
-ASSIMILATION: Dict[str, Union[int, float]] = {}
-OPTIMISER: Dict[str, Union[int, float]] = {}
 
 # Parts of the time that stages take, for the share that is done.
 _SHARES = {"reader": 1, "database": 1, "planner": 6, "assimilation": 45, "spacetime": 45, "rotation": 2}
@@ -175,10 +171,9 @@ def is_first_rank():
 
 
 def _run(pipeline, clock, checkpoint, is_found, request):
-    settings = OPTIMISER if request.memory_limit is None else {**OPTIMISER, "MemoryLimit": request.memory_limit}
     optimises = "spacetime" not in WITHOUT[pipeline.quality]
     if optimises:
-        _check_room(pipeline, settings)
+        _check_room(pipeline, request.settings("Spacetime"))
     if is_found:
         checkpoint.take_plan(pipeline)
     else:
@@ -194,10 +189,10 @@ def _run(pipeline, clock, checkpoint, is_found, request):
     # After a stop no stage begins but the rotation: the motion so far is turned and written.
     pipeline.stopped_in = "planner" if clock.should_stop() else ""
     if "assimilation" not in WITHOUT[pipeline.quality] and not clock.should_stop():
-        _assimilate(pipeline, clock, checkpoint)
+        _assimilate(pipeline, clock, checkpoint, request.settings("Assimilation"))
         pipeline.stopped_in = "assimilation" if clock.should_stop() else ""
     if optimises and not clock.should_stop():
-        _optimise(pipeline, clock, checkpoint, settings, request.checkpoint_interval)
+        _optimise(pipeline, clock, checkpoint, request.settings("Spacetime"), request.checkpoint_interval)
         pipeline.stopped_in = "spacetime" if clock.should_stop() else ""
     if pipeline.motion[0] == "planner":
         pipeline.warnings.append("stopped before the paths of the plan were moved by air: they are the plan's")
@@ -206,7 +201,7 @@ def _run(pipeline, clock, checkpoint, is_found, request):
     pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
 
 
-def _assimilate(pipeline, clock, checkpoint):
+def _assimilate(pipeline, clock, checkpoint, settings):
     from waft.pipeline import settings_of
 
     pipeline.add_assimilation(pipeline.seed)
@@ -218,7 +213,7 @@ def _assimilate(pipeline, clock, checkpoint):
         if checkpoint.air_file.is_file():  # it was done when the run was stopped
             pipeline.assimilation.EditOf = str(checkpoint.air_file)
     watch = pipeline.watch("assimilation", clock)
-    for name, value in {**settings_of(pipeline.quality, "Assimilation"), **ASSIMILATION}.items():
+    for name, value in {**settings_of(pipeline.quality, "Assimilation"), **settings}.items():
         setattr(pipeline.assimilation, name, value)
     left = clock.remaining()
     if left is not None:
