@@ -92,8 +92,8 @@ class Faults(unittest.TestCase):
         def change(folder):
             with result_place(folder) as place:
                 checkpoint = Checkpoint(place, run.key)
-                checkpoint.keep_plan(run)
-                write_results(run, place, scene, checkpoint)
+                checkpoint.keep_plan(run.pipeline)
+                write_results(run, place, checkpoint)
                 checkpoint.clear()
 
         def put_right(folder):

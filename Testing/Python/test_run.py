@@ -5,6 +5,7 @@
 """
 import base64
 import csv
+import dataclasses
 import json
 import os
 import pathlib
@@ -83,6 +84,11 @@ class RunTest(unittest.TestCase):
         reached = np.linalg.norm(self.run_.positions[self.run_.object_ids.tolist().index(5), 60] - (0.2, 0.1, 1.6))
         self.assertLess(reached, 0.1 + 1e-6)
 
+    def test_what_came_of_a_run_stays(self):
+        self.assertIs(self.run_.pipeline.planner, self.run_.planner)
+        with self.assertRaises(dataclasses.FrozenInstanceError):
+            self.run_.status = 1
+
     def test_a_still_shows_the_bodies(self):
         path = self.folder / "still.png"
         first = self.run_.render(path, frame=0, size=(160, 90))
@@ -93,7 +99,7 @@ class RunTest(unittest.TestCase):
         self.assertNotIn("DISPLAY", os.environ)
         for name, bad in (("frame", 61), ("view", "front"), ("size", (1, 1)), ("path", "still.jpg"),
                           ("style", "noon")):
-            with self.assertRaisesRegex(waft.BadInput, f"Run.render: {name}: "):
+            with self.assertRaisesRegex(waft.BadInput, f"Result.render: {name}: "):
                 self.run_.render(**{name: bad})
 
     def test_a_notebook_shows_a_still_and_the_marks(self):

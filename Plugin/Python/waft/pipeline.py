@@ -36,6 +36,8 @@ class Pipeline:
         if database is not None:
             self.database = self._add(_database_reader(self.database_file))
         self.planner = None
+        self.plan_report = []  # of the rows, and what planning came to, a dictionary each
+        self.plan_objects = []
         self._taken = {}  # {port of the planner: the reader of what an earlier run left}
         self.assimilation = None
         self.spacetime = None

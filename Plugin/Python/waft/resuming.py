@@ -23,11 +23,11 @@ _OWN = re.compile("|".join([*(re.escape(name) for name in (*PLAN.values(), _REPO
                             *(re.escape(state) + r"(\.part\d+)?" for state in _STATES)]))
 
 
-def run_key(pipeline, quality):
+def run_key(pipeline, seed, quality):
     """Tells runs apart: two of one key go the same way."""
     database = pathlib.Path(pipeline.database_file).resolve()
     about = database.stat()
-    key = hashlib.sha256(f"{database} {about.st_size} {about.st_mtime_ns} {pipeline.seed} {quality} {version()}".encode())
+    key = hashlib.sha256(f"{database} {about.st_size} {about.st_mtime_ns} {seed} {quality} {version()}".encode())
     for port in range(6):
         if port != 3:  # what the shapes mean for the motion is in the objects
             key.update(_bytes(pipeline.output("reader", port)))

@@ -2,6 +2,7 @@
 """What waft.synthesize returns: the live stages, and the motion as arrays, pictures and a page in a notebook."""
 import base64
 import contextlib
+import dataclasses
 import os
 import pathlib
 import tempfile
@@ -21,8 +22,15 @@ _COLUMNS = ("Row", "Target", "ObjectId", "Frame", "Kind", "Status", "Residual", 
 _MOST_MARKS = 40  # in a notebook's table; those that are not met first
 
 
-class Run(Pipeline):
-    """The stages (reader, database, planner, assimilation, spacetime, rotation: live proxies) and what came of them.
+def _of_pipeline(name: str) -> Any:
+    """An attribute that is the pipeline's."""
+    return property(lambda self: getattr(self.pipeline, name))
+
+
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
+class Result:
+    """What came of a run, and its pipeline, whose stages (reader, database, planner, assimilation, spacetime, rotation: live
+    proxies) have their names here, too.
 
     positions[object, frame]: numpy array (objects, frames, 3) [m]; orientations[object, frame]: (objects, frames, 4), w x y z,
     body to world; times: (frames) [s]; object_ids: (objects), the id of each object in the arrays; marks: a structured array, a
@@ -30,9 +38,10 @@ class Run(Pipeline):
     after a change of a property and run.rotation.UpdatePipeline() the new ones (marks: of the run).
 
     status: exit status of the command; report: the marks, one dictionary a row; warnings: sentences; stopped: whether it was
-    stopped early, with the best so far; seed and quality: those of the run.
+    stopped early, with the best so far; seed and quality: those of the run. delete(): takes the stages out of ParaView's session.
     """
 
+    pipeline: Pipeline
     status: int
     report: List[Dict[str, Any]]
     warnings: List[str]
@@ -45,9 +54,17 @@ class Run(Pipeline):
     edit_of: Optional[pathlib.Path]  # the file with the air that was kept
     keep: Sequence[str]  # what is written in full
     key: str  # of the run, for checkpoints
-    plan_report: List[Dict[str, Any]]
-    plan_objects: List[Dict[str, Any]]  # what planning came to
-    scene_folder: "tempfile.TemporaryDirectory[str]"  # with the file of a scene that was made here
+    scene_folder: "Optional[tempfile.TemporaryDirectory[str]]" = None  # with the file of a scene that was made here
+
+    scene_file, database_file, watches = map(_of_pipeline, ("scene_file", "database_file", "watches"))
+    reader, database, planner = map(_of_pipeline, ("reader", "database", "planner"))
+    assimilation, spacetime, rotation = map(_of_pipeline, ("assimilation", "spacetime", "rotation"))
+    plan_report, plan_objects, planned = map(_of_pipeline, ("plan_report", "plan_objects", "planned"))
+    motion, moved, has_air, delete = map(_of_pipeline, ("motion", "moved", "has_air", "delete"))
+
+    def output(self, name: str, port: int = 0) -> Any:
+        """The data object of an output port of a stage, on this side."""
+        return self.pipeline.output(name, port)
 
     def _poses(self):
         return self.output("rotation", 1)
@@ -94,15 +111,15 @@ class Run(Pipeline):
         count = len(self.times)
         frame = count - 1 if frame is None else frame
         if not isinstance(frame, (int, np.integer)) or not 0 <= frame < count:
-            raise BadInput(f"Run.render: frame: expected a whole number from 0 to {count - 1}, found {frame!r}")
+            raise BadInput(f"Result.render: frame: expected a whole number from 0 to {count - 1}, found {frame!r}")
         if view not in VIEWS:
-            raise BadInput(f"Run.render: view: expected one of {', '.join(VIEWS)}, found {view!r}")
+            raise BadInput(f"Result.render: view: expected one of {', '.join(VIEWS)}, found {view!r}")
         if options.get("style", "day") not in STYLES:
-            raise BadInput(f"Run.render: style: expected one of {', '.join(STYLES)}, found {options['style']!r}")
+            raise BadInput(f"Result.render: style: expected one of {', '.join(STYLES)}, found {options['style']!r}")
         if len(size) != 2 or min(size) < 16 or max(size) > 16384:
-            raise BadInput(f"Run.render: size: expected width and height from 16 to 16384, found {size!r}")
+            raise BadInput(f"Result.render: size: expected width and height from 16 to 16384, found {size!r}")
         if path is not None and pathlib.Path(path).suffix != ".png":
-            raise BadInput(f"Run.render: path: expected a name that ends with .png, found {os.fspath(path)!r}")
+            raise BadInput(f"Result.render: path: expected a name that ends with .png, found {os.fspath(path)!r}")
         with tempfile.TemporaryDirectory(prefix="waft-still-") as folder, _display():
             self._write_drawn(pathlib.Path(folder))
             stage = Stage(load(folder), size, **options)
@@ -126,7 +143,7 @@ class Run(Pipeline):
 
         rows = self.output("assimilation", 3) if self.assimilation is not None else self.planned(3)
         write_xml(rows, folder / "constraints.vtp")
-        write_bodies(self, Place, self.scene_file)
+        write_bodies(self.pipeline, Place)
 
     def show(self, view=None):
         """The bodies, the obstacles, the paths and the marks in a view of ParaView (default: the active one, or a new one); the
@@ -138,7 +155,8 @@ class Run(Pipeline):
     def __repr__(self):
         objects, frames, _ = self.positions.shape
         met = int(np.sum(self.marks["status"] == "met"))
-        return f"<Run of {os.path.basename(self.scene_file)}: {objects} objects, {frames} frames, {met} of {len(self.marks)} marks met>"
+        return (f"<Result of {os.path.basename(self.scene_file)}: {objects} objects, {frames} frames, "
+                f"{met} of {len(self.marks)} marks met>")
 
     def _repr_html_(self):
         """For notebooks: a still and the table of marks."""
@@ -155,6 +173,9 @@ class Run(Pipeline):
                                         for cell in mark) + "</tr>" for mark in marks[:_MOST_MARKS])
         more = f"<p>and {len(marks) - _MOST_MARKS} more, all in run.marks</p>" if len(marks) > _MOST_MARKS else ""
         return f"<p>{in_html(repr(self)[1:-1])}</p>{still}<table><tr>{head}</tr>{rows}</table>{more}"
+
+
+Run = Result  # the name that it had
 
 
 @contextlib.contextmanager

@@ -20,7 +20,7 @@ _COURSE = 1e-6  # of the largest cost: what is less is not drawn
 
 
 def show(shown: Any, view: Any = None, port: Optional[int] = None) -> List[Any]:
-    """Shows a stage, several in a list, or a Run; with `port` that output of a stage alone.
+    """Shows a stage, several in a list, or a Result; with `port` that output of a stage alone.
 
     Of a stage every output that its proxy shows by itself: what is in space in a render view (view: default the active one, or a
     new one), a table of costs in a line chart with a logarithmic axis. An output that is named, by `port` or as OutputPort(stage, 1),
@@ -57,11 +57,11 @@ def kind_of(stage, port):
 
 def _ports_of(shown, port):
     """(output, kind of its view) of all that is to be shown."""
-    if hasattr(shown, "rotation") and hasattr(shown, "reader"):  # a Run
+    if hasattr(shown, "rotation") and hasattr(shown, "reader"):  # a Result
         marks = simple.OutputPort(shown.planner, 3) if shown.planner is not None else simple.OutputPort(shown.reader, 1)
         return [*_ports_of(shown.rotation, None), (simple.OutputPort(shown.reader, 2), ""), (marks, "")]
     if not isinstance(shown, servermanager.SourceProxy):
-        raise BadInput(f"show: expected a stage, a Run or a list of stages, found {shown!r}")
+        raise BadInput(f"show: expected a stage, a Result or a list of stages, found {shown!r}")
     update(shown)
     count = shown.SMProxy.GetNumberOfOutputPorts()
     if port is None:

@@ -5,7 +5,7 @@ import dataclasses
 import os
 import pathlib
 import tempfile
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Optional
 
 from waft import failures
 from waft._qualities import WITHOUT, word_in_keys
@@ -22,18 +22,18 @@ from waft.watching import Clock
 from waft.writing import STATE, left_out, planned_objects, read_rows, result_names, result_place, settled, write_results
 
 if TYPE_CHECKING:
-    from waft.run import Run
+    from waft.run import Result
 
 # Parts of the time that stages take, for the share that is done.
 _SHARES = {"reader": 1, "database": 1, "planner": 6, "assimilation": 45, "spacetime": 45, "rotation": 2}
 
 
 @by_options(Request)
-def synthesize(request: Request) -> "Run":
-    """Plans, optimises and turns the objects of a scene; returns the Run with its live proxies and arrays.
+def synthesize(request: Request) -> "Result":
+    """Plans, optimises and turns the objects of a scene; returns the Result, with live proxies and arrays.
 
     It may be called from any thread, of one run at a time; only in the main one Ctrl-C and SIGTERM stop it. The stages' data are
-    read where they are made: in a session that is connected to a pvserver it is refused. The Run has, besides proxies and arrays:
+    read where they are made: in a session that is connected to a pvserver it is refused. The Result has, besides those:
     status (exit status of the command), report (the constraints, one dictionary per row), warnings. Raises BadInput on malformed
     input, and where results would take the place of files that no run wrote; nothing is written then.
     """
@@ -41,21 +41,31 @@ def synthesize(request: Request) -> "Run":
     _check_session()
     if not isinstance(request.scene, Scene):
         return _fly(request)
-    # A file that is there as long as the Run, whose reader may ask for it again.
+    # A file that is there as long as the Result, whose reader may ask for it again.
     folder = tempfile.TemporaryDirectory(prefix="waft-scene-")
     path = os.path.join(folder.name, "scene.waft.json")
     request.scene.save(path)
     try:
-        run = _fly(dataclasses.replace(request, scene=path))
+        return _fly(dataclasses.replace(request, scene=path), folder)
     except failures.BadInput as error:
         raise failures.BadInput(str(error).replace(path, "scene")) from error
-    run.scene_folder = folder
-    return run
 
 
-def _fly(request):
+@dataclasses.dataclass(frozen=True)
+class _Course:
+    """What the stages of a run go by. edit_of: the file with the air to keep."""
+
+    request: Request
+    seed: int
+    edit_of: Optional[pathlib.Path]
+    clock: Clock
+    checkpoint: Optional[Checkpoint]
+
+
+def _fly(request, scene_folder=None):
     """A scene that is a file."""
-    from waft.run import Run
+    from waft.pipeline import Pipeline
+    from waft.run import Result
 
     scene, output, quality = request.scene, request.output, request.way
     if not os.path.isfile(scene):
@@ -63,7 +73,7 @@ def _fly(request):
     set_threads(request.threads)
     with contextlib.ExitStack() as stack:
         place = stack.enter_context(result_place(output)) if output is not None and is_first_rank() else None
-        pipeline = Run(scene, request.database)
+        pipeline = Pipeline(scene, request.database)
         stack.push(lambda error, *_: error and pipeline.delete())  # nobody else has a hold of its stages then
         # What a stage says once it is the caller's, of an input that he changed, is for him to read.
         stack.callback(lambda: [watch.release() for watch in pipeline.watches.values()])
@@ -72,47 +82,49 @@ def _fly(request):
             clock.shares = {name: share for name, share in _SHARES.items() if name not in WITHOUT[quality]}
             pipeline.read(clock)
             scene_seed = pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)
-            pipeline.quality = quality
-            pipeline.series = request.series
-            pipeline.edit_of = _state_of(request.edit_of, quality)
-            pipeline.keep = tuple(request.keep)
-            pipeline.seed = request.seed if request.seed is not None else _seed_of(request.edit_of, int(scene_seed))
-            pipeline.key = run_key(pipeline, f"{word_in_keys(quality)} {request.edit_of or ''}".strip())
-            pipeline.warnings = []
-            if request.edit_of is not None and pipeline.edit_of is None:
-                pipeline.warnings.append(f"edit_of: {request.edit_of}: the state of that run is kept no more: flown from the start, "
-                                         "in an air of its own")
+            edit_of = _state_of(request.edit_of, quality)
+            seed = request.seed if request.seed is not None else _seed_of(request.edit_of, int(scene_seed))
+            key = run_key(pipeline, seed, f"{word_in_keys(quality)} {request.edit_of or ''}".strip())
             checkpoint = None
             if place is not None:
-                place.check(result_names(scene, pipeline.series, quality, request.keep))
-                checkpoint = Checkpoint(place, pipeline.key)
-            lack = checkpoint.lack() if request.resume and checkpoint is not None else ""
+                place.check(result_names(scene, request.series, quality, request.keep))
+                checkpoint = Checkpoint(place, key)
+            resumes = request.resume and checkpoint is not None
+            lack = checkpoint.lack() if resumes else ""
+            warnings = []
+            if request.edit_of is not None and edit_of is None:
+                warnings.append(f"edit_of: {request.edit_of}: the state of that run is kept no more: flown from the start, in an air "
+                                "of its own")
             if lack:
-                pipeline.warnings.append(f"--resume: {output}: {lack}: done from the start")
+                warnings.append(f"--resume: {output}: {lack}: done from the start")
             try:
-                _run(pipeline, clock, checkpoint, request.resume and not lack, request)
+                course = _Course(request, seed, edit_of, clock, checkpoint)
+                stopped_in = _run(pipeline, course, is_found=resumes and not lack)
             except failures.BadInput:
                 if checkpoint is not None:
                     checkpoint.clear()
                 raise
             clock.check_progress()
-            pipeline.stopped = clock.interrupted or clock.timed_out
-            pipeline.hurries = clock.interrupted
-        pipeline.report = constraint_report(pipeline)
-        pipeline.warnings += [text for watch in pipeline.watches.values() for text in watch.errors + watch.warnings]
-        unmet = [row for row in pipeline.report if row["Status"] != "met"]
-        pipeline.status = (failures.STOPPED_EARLY if pipeline.stopped
-                           else failures.NOT_ALL_MET if unmet else failures.ALL_MET)
+            stopped, hurries = clock.interrupted or clock.timed_out, clock.interrupted
+        if pipeline.motion[0] == "planner":
+            warnings.append("stopped before the paths of the plan were moved by air: they are the plan's")
+        warnings += [text for watch in pipeline.watches.values() for text in watch.errors + watch.warnings]
+        report = constraint_report(pipeline)
+        is_met = all(row["Status"] == "met" for row in report)
+        status = failures.STOPPED_EARLY if stopped else failures.ALL_MET if is_met else failures.NOT_ALL_MET
+        result = Result(pipeline, status=status, report=report, warnings=warnings, stopped=stopped, hurries=hurries,
+                        stopped_in=stopped_in, series=request.series, keep=tuple(request.keep), seed=seed, quality=quality,
+                        edit_of=edit_of, key=key, scene_folder=scene_folder)
         if place is not None:
             clock.phase = "writing the results"
             clock.tell(0.0, clock.phase)
-            write_results(pipeline, place, scene, checkpoint, pipeline.series)
-            if checkpoint is not None and not pipeline.stopped:
+            write_results(result, place, checkpoint)
+            if checkpoint is not None and not stopped:
                 checkpoint.hand_on(Store())
                 checkpoint.clear()
-        clock.tell(1.0, "stopped early" if pipeline.stopped else "done")
+        clock.tell(1.0, "stopped early" if stopped else "done")
         clock.check_progress()
-    return pipeline
+    return result
 
 
 def _check_session():
@@ -170,14 +182,17 @@ def is_first_rank():
     return controller is None or controller.GetLocalProcessId() == 0
 
 
-def _run(pipeline, clock, checkpoint, is_found, request):
-    optimises = "spacetime" not in WITHOUT[pipeline.quality]
+def _run(pipeline, course, is_found):
+    """Runs the stages of the quality; returns the one in which it was stopped, or an empty text. is_found: the plan of an earlier
+    run is taken."""
+    request, clock, checkpoint = course.request, course.clock, course.checkpoint
+    optimises = "spacetime" not in WITHOUT[request.way]
     if optimises:
         _check_room(pipeline, request.settings("Spacetime"))
     if is_found:
         checkpoint.take_plan(pipeline)
     else:
-        pipeline.add_planner(pipeline.seed)
+        pipeline.add_planner(course.seed)
         pipeline.watch("planner", clock)
         pipeline.update("planner")
         pipeline.plan_report = read_rows(pipeline.output("planner", 2))
@@ -187,54 +202,53 @@ def _run(pipeline, clock, checkpoint, is_found, request):
         checkpoint.keep_plan(pipeline)
 
     # After a stop no stage begins but the rotation: the motion so far is turned and written.
-    pipeline.stopped_in = "planner" if clock.should_stop() else ""
-    if "assimilation" not in WITHOUT[pipeline.quality] and not clock.should_stop():
-        _assimilate(pipeline, clock, checkpoint, request.settings("Assimilation"))
-        pipeline.stopped_in = "assimilation" if clock.should_stop() else ""
+    stopped_in = "planner" if clock.should_stop() else ""
+    if "assimilation" not in WITHOUT[request.way] and not clock.should_stop():
+        _assimilate(pipeline, course)
+        stopped_in = "assimilation" if clock.should_stop() else ""
     if optimises and not clock.should_stop():
-        _optimise(pipeline, clock, checkpoint, request.settings("Spacetime"), request.checkpoint_interval)
-        pipeline.stopped_in = "spacetime" if clock.should_stop() else ""
-    if pipeline.motion[0] == "planner":
-        pipeline.warnings.append("stopped before the paths of the plan were moved by air: they are the plan's")
-    pipeline.add_rotation(pipeline.seed, clock.interrupted)
+        _optimise(pipeline, course)
+        stopped_in = "spacetime" if clock.should_stop() else ""
+    pipeline.add_rotation(course.seed, clock.interrupted)
     pipeline.watch("rotation", clock)
     pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
+    return stopped_in
 
 
-def _assimilate(pipeline, clock, checkpoint, settings):
+def _assimilate(pipeline, course):
     from waft.pipeline import settings_of
 
-    pipeline.add_assimilation(pipeline.seed)
-    if pipeline.edit_of is not None:
-        pipeline.assimilation.EditOf = str(pipeline.edit_of)
-    if checkpoint is not None:
-        pipeline.assimilation.CheckpointFile = str(checkpoint.assimilation_file)
-        pipeline.assimilation.StateFile = str(checkpoint.air_file)
-        if checkpoint.air_file.is_file():  # it was done when the run was stopped
-            pipeline.assimilation.EditOf = str(checkpoint.air_file)
-    watch = pipeline.watch("assimilation", clock)
-    for name, value in {**settings_of(pipeline.quality, "Assimilation"), **settings}.items():
-        setattr(pipeline.assimilation, name, value)
-    left = clock.remaining()
-    if left is not None:
-        pipeline.assimilation.TimeLimit = max(left, 0.001)
-    pipeline.update("assimilation")
-    clock.timed_out = clock.timed_out or (left is not None and watch.seconds >= left)
+    pipeline.add_assimilation(course.seed)
+    if course.edit_of is not None:
+        pipeline.assimilation.EditOf = str(course.edit_of)
+    if course.checkpoint is not None:
+        pipeline.assimilation.CheckpointFile = str(course.checkpoint.assimilation_file)
+        pipeline.assimilation.StateFile = str(course.checkpoint.air_file)
+        if course.checkpoint.air_file.is_file():  # it was done when the run was stopped
+            pipeline.assimilation.EditOf = str(course.checkpoint.air_file)
+    of_quality = settings_of(course.request.way, "Assimilation")
+    _update("assimilation", pipeline, course, {**of_quality, **course.request.settings("Assimilation")})
 
 
-def _optimise(pipeline, clock, checkpoint, settings, checkpoint_interval):
+def _optimise(pipeline, course):
     pipeline.add_spacetime()
-    watch = pipeline.watch("spacetime", clock)
-    for name, value in settings.items():
-        setattr(pipeline.spacetime, name, value)
-    if checkpoint is not None:
-        pipeline.spacetime.CheckpointFile = str(checkpoint.optimiser_file)
-        if checkpoint_interval is not None:
-            pipeline.spacetime.CheckpointInterval = checkpoint_interval
+    if course.checkpoint is not None:
+        pipeline.spacetime.CheckpointFile = str(course.checkpoint.optimiser_file)
+        if course.request.checkpoint_interval is not None:
+            pipeline.spacetime.CheckpointInterval = course.request.checkpoint_interval
+    _update("spacetime", pipeline, course, course.request.settings("Spacetime"))
+
+
+def _update(name, pipeline, course, settings):
+    """Updates a stage of some length, which takes what is left of the time."""
+    stage, clock = getattr(pipeline, name), course.clock
+    watch = pipeline.watch(name, clock)
+    for setting, value in settings.items():
+        setattr(stage, setting, value)
     left = clock.remaining()
     if left is not None:
-        pipeline.spacetime.TimeLimit = max(left, 0.001)
-    pipeline.update("spacetime")
+        stage.TimeLimit = max(left, 0.001)
+    pipeline.update(name)
     clock.timed_out = clock.timed_out or (left is not None and watch.seconds >= left)
 
 

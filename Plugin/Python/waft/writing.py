@@ -69,38 +69,38 @@ def read_rows(table):
     return [dict(zip(header, row)) for row in rows]
 
 
-def write_results(pipeline, place, scene, checkpoint, series=()):
+def write_results(run, place, checkpoint):
     """Every file of a run, all at once: see the user guide for what each holds."""
     for name in ("planned.vtp", "constraints.vtp"):
         checkpoint.copy_plan(name)
-    motion, tracks, vortices, _ = pipeline.motion
-    write_tracks(pipeline.moved(tracks), place.path("optimized.vtp"))
-    write_xml(pipeline.moved(vortices), place.path("vortices.vtp"))
-    write_bodies(pipeline, place, scene)
-    for name in series if not pipeline.hurries else ():
-        _write_series(pipeline, *SERIES[name], name, ".vtp", place)
+    motion, tracks, vortices, _ = run.motion
+    write_tracks(run.moved(tracks), place.path("optimized.vtp"))
+    write_xml(run.moved(vortices), place.path("vortices.vtp"))
+    write_bodies(run, place)
+    for name in run.series if not run.hurries else ():
+        _write_series(run, *SERIES[name], name, ".vtp", place)
     energies = []
     if motion == "spacetime":
-        if not pipeline.hurries:
-            _write_series(pipeline, "spacetime", 3, "wind", ".vti", place)
-        header, rows = table_rows(pipeline.output("spacetime", 4))
+        if not run.hurries:
+            _write_series(run, "spacetime", 3, "wind", ".vti", place)
+        header, rows = table_rows(run.output("spacetime", 4))
         energies = [dict(zip(header, row))["E"] for row in (rows[0], rows[-1])]
         write_csv(place.path("convergence.csv"), header, rows)
     else:
         write_csv(place.path("convergence.csv"), *table_rows(_empty_convergence()))
-    if pipeline.assimilation is not None:
-        _write_air(pipeline, place, checkpoint)
-    _write_report(pipeline, place.path("constraints.csv"))
-    _write_animation(pipeline, place)
-    place.commit(_summary(pipeline, scene, energies))
+    if run.assimilation is not None:
+        _write_air(run, place, checkpoint)
+    _write_report(run, place.path("constraints.csv"))
+    _write_animation(run, place)
+    place.commit(_summary(run, energies))
 
 
-def write_bodies(pipeline, place, scene):
+def write_bodies(pipeline, place):
     """The files with the motion of the bodies and what stands about them, which pictures are drawn from."""
     write_tracks(pipeline.output("rotation", 1), place.path("poses.vtp"))
     write_xml(pipeline.output("reader", 0), place.path("objects.vtp"))
     _write_shapes(pipeline, place)
-    if _do_obstacles_move(scene):
+    if _do_obstacles_move(pipeline.scene_file):
         _write_series(pipeline, "reader", 2, "obstacles", ".vtp", place)
     else:
         write_xml(_at(pipeline.reader.GetClientSideObject(), 2, 0.0), place.path("obstacles.vtp"))
@@ -121,22 +121,22 @@ def _empty_convergence():
     return table
 
 
-def _write_air(pipeline, place, checkpoint):
+def _write_air(run, place, checkpoint):
     """What the assimilation gives besides vortices and the report."""
-    if pipeline.spacetime is None:
+    if run.spacetime is None:
         copy_file(place.path("optimized.vtp"), place.path("assimilated.vtp"))
     else:
-        write_tracks(pipeline.output("assimilation", 0), place.path("assimilated.vtp"))
-    write_xml(pipeline.output("assimilation", 3), place.path("constraints.vtp"))
-    write_csv(place.path("rounds.csv"), *table_rows(pipeline.output("assimilation", 5)))
-    if not pipeline.has_air:  # all steps are the same calm one
-        _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half, float("inf"))
-    elif not pipeline.hurries:
-        if "air" in pipeline.keep:
-            _write_series(pipeline, "assimilation", 1, "air", ".vti", place, half)
+        write_tracks(run.output("assimilation", 0), place.path("assimilated.vtp"))
+    write_xml(run.output("assimilation", 3), place.path("constraints.vtp"))
+    write_csv(place.path("rounds.csv"), *table_rows(run.output("assimilation", 5)))
+    if not run.has_air:  # all steps are the same calm one
+        _write_series(run, "assimilation", 1, "air", ".vti", place, half, float("inf"))
+    elif not run.hurries:
+        if "air" in run.keep:
+            _write_series(run, "assimilation", 1, "air", ".vti", place, half)
         else:
-            _write_series(pipeline, "assimilation", 1, "air", ".vti", place, _Sketch(), AIR_INTERVAL)
-        if "state" in pipeline.keep and checkpoint.air_file.is_file():
+            _write_series(run, "assimilation", 1, "air", ".vti", place, _Sketch(), AIR_INTERVAL)
+        if "state" in run.keep and checkpoint.air_file.is_file():
             copy_file(checkpoint.air_file, place.path(STATE))
 
 
@@ -209,21 +209,21 @@ def _at(algorithm, port, time):
     return copy
 
 
-def _write_report(pipeline, path):
+def _write_report(run, path):
     header = ["Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message", "TouchDown", "LiftOff"]
-    write_csv(path, header, [[row[name] for name in header] for row in pipeline.report])
+    write_csv(path, header, [[row[name] for name in header] for row in run.report])
 
 
-def _write_animation(pipeline, place):
+def _write_animation(run, place):
     from waft.vtkWaftFilters import vtkMotionAnimationWriter
 
     writer = vtkMotionAnimationWriter()
     errors = []
     collect(writer, "ErrorEvent", errors)
-    collect(writer, "WarningEvent", pipeline.warnings)
-    writer.SetInputDataObject(0, pipeline.output("rotation", 1))
-    writer.SetInputDataObject(1, pipeline.output("reader", 0))
-    writer.SetInputDataObject(2, pipeline.output("reader", 3))
+    collect(writer, "WarningEvent", run.warnings)
+    writer.SetInputDataObject(0, run.output("rotation", 1))
+    writer.SetInputDataObject(1, run.output("reader", 0))
+    writer.SetInputDataObject(2, run.output("reader", 3))
     for name in ("animation.glb", "poses.csv"):
         writer.SetFileName(str(place.path(name)))
         if not writer.Write():
@@ -261,37 +261,37 @@ def _dynamics(pipeline):
     return {name[0].lower() + name[1:]: value for name, value in dynamics(pipeline.output("spacetime", 0)).items()}
 
 
-def _summary(pipeline, scene, energies):
+def _summary(run, energies):
     counts = {status: 0 for status in STATUS_ORDER}
-    for row in pipeline.report:
+    for row in run.report:
         counts[row["Status"]] += 1
     return {
         "version": version(),
-        "scene": pathlib.Path(scene).name,
-        "title": str((found_json(scene) or {}).get("title", "")),
-        "seed": pipeline.seed,
-        "key": pipeline.key,
+        "scene": pathlib.Path(run.scene_file).name,
+        "title": str((found_json(run.scene_file) or {}).get("title", "")),
+        "seed": run.seed,
+        "key": run.key,
         "stages": {name: {"seconds": watch.seconds, "processorSeconds": watch.processor_seconds,
                           "peakMemoryMB": watch.peak_mb}
-                   for name, watch in pipeline.watches.items()},
-        "quality": pipeline.quality,
+                   for name, watch in run.watches.items()},
+        "quality": run.quality,
         "energy": dict(zip(("before", "after"), map(float, energies))),
-        "dynamics": _dynamics(pipeline),
-        "constraints": {**counts, "unmet": [row for row in pipeline.report if row["Status"] != "met"]},
-        "objects": pipeline.plan_objects,
-        "settled": _settled(pipeline),
-        "free": _free(pipeline),
-        "stoppedEarly": pipeline.stopped,
-        **({"stopped": {"in": pipeline.stopped_in, "motion": pipeline.motion[0], "leftOut": left_out(pipeline)}}
-           if pipeline.stopped else {}),
-        "warnings": pipeline.warnings,
+        "dynamics": _dynamics(run),
+        "constraints": {**counts, "unmet": [row for row in run.report if row["Status"] != "met"]},
+        "objects": run.plan_objects,
+        "settled": _settled(run),
+        "free": _free(run),
+        "stoppedEarly": run.stopped,
+        **({"stopped": {"in": run.stopped_in, "motion": run.motion[0], "leftOut": left_out(run)}}
+           if run.stopped else {}),
+        "warnings": run.warnings,
     }
 
 
-def left_out(pipeline):
+def left_out(run):
     """The series of a run that somebody stopped and waits for: the fields, which take longer to write than all else. They are
     made by --resume."""
-    if not pipeline.hurries:
+    if not run.hurries:
         return []
-    names = ["air.pvd"] if pipeline.has_air else []
-    return names + (["wind.pvd"] if pipeline.spacetime is not None else []) + [f"{name}.pvd" for name in pipeline.series]
+    names = ["air.pvd"] if run.has_air else []
+    return names + (["wind.pvd"] if run.spacetime is not None else []) + [f"{name}.pvd" for name in run.series]
