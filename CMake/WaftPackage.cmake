@@ -14,7 +14,7 @@ add_custom_command(OUTPUT ${files}
   COMMAND ${CMAKE_COMMAND} -E env "PYTHONPATH=${modules}" PYTHONDONTWRITEBYTECODE=1
     "$<TARGET_FILE:Python3::Interpreter>" "${PROJECT_SOURCE_DIR}/CMake/describe_command.py" ${files}
   DEPENDS "${PROJECT_SOURCE_DIR}/CMake/describe_command.py" "${modules}/waft/cli.py" "${modules}/waft/_qualities.py"
-    "${modules}/waft/_styles.py" "${modules}/waft/scene.schema.json"
+    "${modules}/waft/_styles.py" "${modules}/waft/request.py" "${modules}/waft/scene.schema.json"
   VERBATIM)
 add_custom_target(WaftDescription ALL DEPENDS ${files})
 foreach(file IN LISTS described)

@@ -6,6 +6,7 @@
 import base64
 import csv
 import dataclasses
+import inspect
 import json
 import os
 import pathlib
@@ -14,6 +15,7 @@ import sys
 import tempfile
 import threading
 import unittest
+from typing import Optional
 from unittest import mock
 
 import numpy as np
@@ -164,6 +166,21 @@ class RunTest(unittest.TestCase):
     def test_a_malformed_scene_is_named_as_such(self):
         with self.assertRaisesRegex(waft.BadInput, "^scene: /objects"):
             waft.synthesize(waft.Scene("nothing flies"))
+
+
+class OptionsTest(unittest.TestCase):
+    def test_each_is_shown(self):
+        parameters = inspect.signature(waft.synthesize).parameters
+        self.assertNotIn("_settings", parameters)
+        for name in parameters:
+            self.assertIn(f"\n    {name}: ", waft.synthesize.__doc__)
+        self.assertEqual(Optional[int], parameters["seed"].annotation)
+
+    def test_those_after_the_database_go_by_name(self):
+        with self.assertRaises(TypeError):
+            waft.synthesize("scene.waft.json", "out", None, 7)
+        with self.assertRaisesRegex(TypeError, "synthesize: no option sed; expected scene, output"):
+            waft.synthesize("scene.waft.json", sed=7)
 
 
 class MemoryTest(unittest.TestCase):
