@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkTable
 from vtkmodules.vtkViewsContext2D import vtkContextView
 
 import waft  # noqa: F401 (its modules)
-from waft._output import grab, write_png
+from waft.render._output import grab, write_png
 
 GALLERY = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "gallery")
 SIZE = (820, 420)

@@ -17,9 +17,9 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 import waft  # noqa: F401 (loads the plugin)
-from waft._flyers import _Look, _set, rotation
-from waft._folder import load
-from waft._output import grab, write_png
+from waft.render._flyers import _Look, _set, rotation
+from waft.render._output import grab, write_png
+from waft.results._folder import load
 
 GALLERY = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "gallery")
 COUNT = 14

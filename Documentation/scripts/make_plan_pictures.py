@@ -18,7 +18,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import waft
 from make_stage_pictures import EYE, OBSTACLE, VORTEX, WIND, Picture, output, tubes
-from waft._scenery import lines
+from waft.render._scenery import lines
 
 BOX = (-2.0, 2.0, -2.0, 2.0, 0.0, 4.0)
 FOCUS = (0.0, 0.0, 1.85)

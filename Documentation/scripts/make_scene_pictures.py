@@ -15,10 +15,10 @@ import sys
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from waft._folder import load
-from waft._output import write_png
-from waft._scenery import image
 from waft.render import Stage
+from waft.render._output import write_png
+from waft.render._scenery import image
+from waft.results._folder import load
 
 GALLERY = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "gallery")
 PANEL = (300, 260)

@@ -17,8 +17,8 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer, vtkRenderWindow, vtkTextActor3D
 
 import waft  # noqa: F401 (loads the plugin)
-from waft._flyers import _Look, _set
-from waft._output import grab, write_png
+from waft.render._flyers import _Look, _set
+from waft.render._output import grab, write_png
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 COLUMNS = 4

@@ -25,12 +25,12 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import waft
 from make_coverage_picture import SAMPLES, add, name_axis
 from make_stage_pictures import AGAINST, GALLERY, VORTEX, WIND, Picture, colored, output, tubes
-from waft._output import grab, write_png
-from waft._scenery import lines
 from waft.files import table_rows
 from waft.loading import load_plugin
-from waft.pipeline import Pipeline
 from waft.loading import set_threads
+from waft.pipeline import Pipeline
+from waft.render._output import grab, write_png
+from waft.render._scenery import lines
 
 EYE = (-6.3, -11.2, 6.0)
 FOCUS = (0.0, 0.0, 1.75)

@@ -30,8 +30,8 @@ from vtkmodules.vtkRenderingCore import (
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
 
 import waft
-from waft._output import grab, write_png
-from waft._scenery import lines
+from waft.render._output import grab, write_png
+from waft.render._scenery import lines
 
 GALLERY = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "gallery")
 SAMPLES = 3

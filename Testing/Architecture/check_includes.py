@@ -69,7 +69,8 @@ FILE_CALLS = {"fdopen", "read_bytes", "read_text", "write_bytes", "write_text", 
 FILE_MODULES = {"io": {"open"}, "os": {"open", "remove", "removedirs", "rename", "renames", "replace", "link", "symlink", "truncate"}, "json": {"load", "dump"}, "np": {"load"}, "pickle": {"load"}, "ElementTree": {"parse"},
                 "Image": {"open"}, "shutil": {"copy", "copy2", "copyfile", "copytree", "move"}}
 # Modules of the package waft that read results, and what the accessors (_arrays, _records, _tables) do for them.
-RESULT_READERS = {"_folder", "_pagedata", "_runs", "_airfield", "_flyers", "exporting", "page", "measuring", "takes"}
+RESULT_READERS = {"results._folder", "page._pagedata", "measuring._runs", "measuring._airfield", "render._flyers", "results.exporting",
+                  "page.writing", "measuring.rows", "run.takes"}
 BARE_CALLS = {"GetArray", "GetAbstractArray", "GetTuple3", "vtk_to_numpy", "loads", "DictReader", "found_json"}
 CLASS = re.compile(r"(?:class|struct)\s+(?:\w+_EXPORT\s+)?(\w+)(?!\w|\s*;|::)")
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^">]+)[">]')
@@ -163,28 +164,34 @@ def check_names(root):
                     yield path, number, f"{match.group(1)} is defined in {first[match.group(1)].name} too"
 
 
-def python_imports(path, package):
-    """{name: line} of the modules of a package that one of them imports."""
+def python_modules(root):
+    """{name: path} of the modules of the package waft, those of its packages with a dot; a package by itself is its __init__."""
+    folder = root / "Plugin" / "Python" / "waft"
+    files = [*folder.glob("*.py"), *folder.glob("*/*.py")]
+    return {".".join(path.relative_to(folder).with_suffix("").parts).removesuffix(".__init__"): path for path in sorted(files)}
+
+
+def python_imports(name, modules):
+    """{other: line} of the modules of waft that one of them imports."""
     names = {}
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for node in ast.walk(ast.parse(modules[name].read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             found = [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
-            origin = ".".join(filter(None, [package if node.level else "", node.module]))
-            found = [origin, *(f"{origin}.{alias.name}" for alias in node.names)]
+            above = ["waft", *name.split(".")][:-node.level] if node.level else []
+            origin = ".".join([*above, *filter(None, [node.module])])
+            found = [of if of.partition(".")[2] in modules else origin for of in (f"{origin}.{alias.name}" for alias in node.names)]
         else:
             continue
-        for name in found:
-            if name.startswith(package + "."):
-                names.setdefault(name.split(".")[1], node.lineno)
+        for other in (full.partition(".")[2] for full in found if full.startswith("waft.")):
+            if other in modules:
+                names.setdefault(other, node.lineno)
     return names
 
 
 def check_python(root):
-    folder = root / "Plugin" / "Python" / "waft"
-    modules = {path.stem: path for path in sorted(folder.glob("*.py"))}
-    imports = {name: {other: line for other, line in python_imports(path, folder.name).items() if other in modules}
-               for name, path in modules.items()}
+    modules = python_modules(root)
+    imports = {name: python_imports(name, modules) for name in modules}
     done = set()
 
     def visit(name, way):
@@ -216,8 +223,8 @@ def opened_by(call):
 
 
 def check_files(root):
-    for path in sorted((root / "Plugin" / "Python" / "waft").glob("*.py")):
-        if path.stem in FILE_OWNERS:
+    for name, path in python_modules(root).items():
+        if name in FILE_OWNERS:
             continue
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             name = opened_by(node) if isinstance(node, ast.Call) else ""
@@ -226,8 +233,8 @@ def check_files(root):
 
 
 def check_accessors(root):
-    for path in sorted((root / "Plugin" / "Python" / "waft").glob("*.py")):
-        if path.stem not in RESULT_READERS:
+    for name, path in python_modules(root).items():
+        if name not in RESULT_READERS:
             continue
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             function = node.func if isinstance(node, ast.Call) else None

@@ -83,6 +83,14 @@ class Rules(unittest.TestCase):
         files["Plugin/Python/waft/c.py"] = "import waft.a\n"
         self.assertEqual(["imports in a circle: a -> b -> c -> a"], self.violations(files))
 
+    def test_python_modules_of_packages_import_in_no_circle(self):
+        files = {"Plugin/Python/waft/a/__init__.py": "from waft.a.main import act\n",
+                 "Plugin/Python/waft/a/main.py": "from waft.a import parts\n",
+                 "Plugin/Python/waft/a/parts.py": "import os\n"}
+        self.assertEqual([], self.violations(files))
+        files["Plugin/Python/waft/a/parts.py"] = "from waft.a import act\n"
+        self.assertEqual(["imports in a circle: a -> a.main -> a.parts -> a"], self.violations(files))
+
     def test_files_are_opened_by_their_owners_alone(self):
         clean = ("from waft.reading import read_text\nread_text(path)\nreading.read_bytes(path)\nScene.load(path)\n"
                  "np.load(io.BytesIO(content))\njson.loads(text)\njson.dump(rows, sys.stdout)\n")
@@ -95,10 +103,10 @@ class Rules(unittest.TestCase):
                 self.assertEqual(1, len(self.violations({"Plugin/Python/waft/a.py": line + "\n"})))
 
     def test_results_are_read_by_accessors(self):
-        files = {"Plugin/Python/waft/_folder.py": "from waft._arrays import array_of\narray_of(data, 'A', 'place')\n",
+        files = {"Plugin/Python/waft/results/_folder.py": "from waft.results._arrays import array_of\narray_of(data, 'A', 'place')\n",
                  "Plugin/Python/waft/run.py": "data.GetArray('A')\n"}
         self.assertEqual([], self.violations(files))
-        files["Plugin/Python/waft/_folder.py"] += "data.GetArray('A')\n"
+        files["Plugin/Python/waft/results/_folder.py"] += "data.GetArray('A')\n"
         self.assertEqual(["reads results by GetArray: expected an accessor of _arrays, _records or _tables"], self.violations(files))
 
 

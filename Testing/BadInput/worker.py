@@ -158,10 +158,10 @@ def main(first, step, groups, pattern, every):
     import waft.cli  # noqa: F401 (each fork has them then)
     import waft.database  # noqa: F401
     import waft.exporting  # noqa: F401
-    import waft.measuring  # noqa: F401
-    import waft.page  # noqa: F401
+    import waft.measuring.rows  # noqa: F401
+    import waft.page.writing  # noqa: F401
     import waft.pipeline  # noqa: F401
-    import waft.render  # noqa: F401
+    import waft.render.stage  # noqa: F401
     import waft.synthesis  # noqa: F401
 
     cases = [case for group in groups.split(",") for case in importlib.import_module(f"cases_{group}").cases()

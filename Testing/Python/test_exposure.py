@@ -15,10 +15,10 @@ from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
 import picture  # noqa: E402
 import sample_folder  # noqa: E402
 
-from waft._exposure import Exposure, Film, seen_through  # noqa: E402
-from waft._folder import load  # noqa: E402
 from waft.failures import BadInput  # noqa: E402
 from waft.render import Stage, render  # noqa: E402
+from waft.render._exposure import Exposure, Film, seen_through  # noqa: E402
+from waft.results._folder import load  # noqa: E402
 
 WORK = sys.argv[1]
 SIZE = (320, 180)

@@ -17,8 +17,8 @@ import unittest
 import numpy as np
 
 from warm import become, load
-from waft._output import write_png
-from waft._scenery import image
+from waft.render._output import write_png
+from waft.render._scenery import image
 
 SCHEMA = json.loads(pathlib.Path(sys.argv.pop(1)).read_text(encoding="utf-8"))
 ALL = sys.argv[1:2] == ["all"] and bool(sys.argv.pop(1))

@@ -19,12 +19,13 @@ from vtkmodules.util.numpy_support import vtk_to_numpy  # noqa: E402
 
 import sample_folder  # noqa: E402
 
-from waft import _styles, cli  # noqa: E402
-from waft._cameras import Cameras  # noqa: E402
-from waft._folder import load  # noqa: E402
-from waft._styles import STYLES  # noqa: E402
+from waft import cli  # noqa: E402
 from waft.failures import BadInput  # noqa: E402
 from waft.render import Stage, render  # noqa: E402
+from waft.render import _styles  # noqa: E402
+from waft.render._cameras import Cameras  # noqa: E402
+from waft.render._styles import STYLES  # noqa: E402
+from waft.results._folder import load  # noqa: E402
 
 WORK = sys.argv[1]
 SIZE = (320, 180)

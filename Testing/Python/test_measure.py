@@ -17,14 +17,15 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData  # noqa: E4
 
 import sample_folder  # noqa: E402
 
-from waft import _flights, _telling, cli, measure  # noqa: E402
-from waft._airfield import AirField  # noqa: E402
-from waft._drifters import QUANTUM, Drifters, _decoded, _encoded, make_drifters  # noqa: E402
-from waft._flights import Flights  # noqa: E402
-from waft._runs import flight, read_run  # noqa: E402
+from waft import cli, measure  # noqa: E402
 from waft.failures import BadInput  # noqa: E402
 from waft.files import write_pvd, write_xml  # noqa: E402
-from waft.measuring import _control, _lacking, table  # noqa: E402
+from waft.measuring import _flights, _telling  # noqa: E402
+from waft.measuring._airfield import AirField  # noqa: E402
+from waft.measuring._drifters import QUANTUM, Drifters, _decoded, _encoded, make_drifters  # noqa: E402
+from waft.measuring._flights import Flights  # noqa: E402
+from waft.measuring._runs import flight, read_run  # noqa: E402
+from waft.measuring.rows import _control, _lacking, table  # noqa: E402
 from waft.reading import read_picture  # noqa: E402
 
 WORK = sys.argv[1]
@@ -229,7 +230,7 @@ class DefinitionTest(unittest.TestCase):
     def test_drifters_are_made(self):
         path = os.path.join(WORK, "made.npz")
         os.makedirs(WORK, exist_ok=True)
-        import waft._drifters as module
+        import waft.measuring._drifters as module
 
         kept, module.RESOLUTION = module.RESOLUTION, 16
         try:

@@ -69,7 +69,7 @@ class Mutations(unittest.TestCase):
         shutil.copytree("whole", "R")
         os.mkdir("T")
         # A run that is begun has read what there was to be read; nor is there anything to be learnt from windows of so short flights.
-        from waft import _telling
+        from waft.measuring import _telling
 
         def begun(*_):
             raise failures.Interrupted("begun")

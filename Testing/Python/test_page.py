@@ -25,11 +25,11 @@ import result_files  # noqa: E402
 import sample_folder  # noqa: E402
 from browser import PROGRAM, Browser  # noqa: E402
 
-from waft import page as pages  # noqa: E402
-from waft._pagedata import describe  # noqa: E402
 from waft.failures import BadInput, WaftError  # noqa: E402
 from waft.files import write_json, write_pvd, write_xml  # noqa: E402
 from waft.page import write_page  # noqa: E402
+from waft.page import writing as pages  # noqa: E402
+from waft.page._pagedata import describe  # noqa: E402
 from waft.synthesis import synthesize  # noqa: E402
 
 SCENES, WORK = (pathlib.Path(argument) for argument in sys.argv[1:3])

@@ -17,7 +17,7 @@ from paraview import servermanager, simple
 
 import waft  # noqa: F401 (loads the plugin)
 from waft import vtkWaftFilters, vtkWaftSources
-from waft._kinds import KINDS
+from waft.scene._kinds import KINDS
 
 XML, DESCRIBE_OPTIONS, PLUGIN = sys.argv[1:4]
 sys.path.insert(0, PLUGIN)

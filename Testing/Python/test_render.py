@@ -25,12 +25,12 @@ import picture  # noqa: E402
 import sample_folder  # noqa: E402
 
 from waft.failures import BadInput, WaftError  # noqa: E402
-from waft._drawing import pictures, widest_window  # noqa: E402
-from waft._flyers import _at_most  # noqa: E402
-from waft._folder import load  # noqa: E402
-from waft._scenery import image  # noqa: E402
 from waft.reading import read_surface  # noqa: E402
 from waft.render import Stage, parse_frames, render  # noqa: E402
+from waft.render._drawing import pictures, widest_window  # noqa: E402
+from waft.render._flyers import _at_most  # noqa: E402
+from waft.render._scenery import image  # noqa: E402
+from waft.results._folder import load  # noqa: E402
 
 BASELINE, WORK = sys.argv[1:3]
 UPDATE = next((word for word in sys.argv[3:] if word.startswith("--update")), None)

@@ -16,13 +16,14 @@ import types
 import unittest
 from unittest import mock
 
-from waft import beneath, results
+from waft import beneath
 from waft.beneath import Folder
 from waft.database import database_place, settle_database
 from waft.failures import BadInput, WaftError
 from waft.files import write_xml
 from waft.resuming import Checkpoint
 from waft.results import ResultPlace, manifest_of
+from waft.results import place as results
 from waft.writing import result_place, settled
 
 _ADDON = types.ModuleType("addon")  # Blender's, without what knows of Blender in it

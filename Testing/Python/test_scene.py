@@ -14,7 +14,7 @@ import tempfile
 import unittest
 
 import waft
-from waft import _entries, _schema
+from waft.scene import _entries, _schema
 
 SCENES = sys.argv.pop(1)
 METHODS = {"time": "set_time", "domain": "set_domain", "ground": "set_ground", "air": "set_air", "shape": "add_shape",

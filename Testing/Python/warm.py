@@ -16,8 +16,8 @@ import tempfile
 import traceback
 
 # What a run loads late.
-LOADED = ("waft.cli", "waft.checking", "waft.database", "waft.pipeline", "waft.render", "waft.run", "waft.starting", "waft.synthesis",
-          "waft.writing", "paraview.catalyst.detail")
+LOADED = ("waft.cli", "waft.render.stage", "waft.results.writing", "waft.run.database", "waft.run.pipeline", "waft.run.result",
+          "waft.run.synthesis", "waft.scene.checking", "waft.scene.starting", "paraview.catalyst.detail")
 
 
 def load():

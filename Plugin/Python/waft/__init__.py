@@ -19,24 +19,26 @@ once the plugin is loaded.
 import importlib as _importlib
 import typing as _typing
 
+from waft._moved import find_moved as _find_moved
 from waft.failures import BadInput, WaftError
 from waft.loading import data_file, is_paraview_here as _is_paraview_here, load_classes as _load_classes, load_plugin, version
 from waft.scene import Scene
 
 if _typing.TYPE_CHECKING:  # what __getattr__ finds
-    from waft.fetching import fetch
     from waft.measuring import measure
-    from waft.showing import show
-    from waft.synthesis import synthesize
-    from waft.unfolding import unfold
-    from waft.updating import update
+    from waft.run.fetching import fetch
+    from waft.run.showing import show
+    from waft.run.synthesis import synthesize
+    from waft.run.unfolding import unfold
+    from waft.run.updating import update
 
 __version__ = version()
 __all__ = ["BadInput", "Scene", "WaftError", "data_file", "fetch", "go_on", "load_plugin", "measure", "show", "synthesize",
            "unfold", "update", "version"]
 
-_LATER = {"fetch": "waft.fetching", "go_on": "waft.slices", "measure": "waft.measuring", "show": "waft.showing",
-          "synthesize": "waft.synthesis", "unfold": "waft.unfolding", "update": "waft.updating"}  # what takes its time to import, by its module
+# What takes its time to import, by its module.
+_LATER = {"fetch": "waft.run.fetching", "go_on": "waft.run.slices", "measure": "waft.measuring.rows", "show": "waft.run.showing",
+          "synthesize": "waft.run.synthesis", "unfold": "waft.run.unfolding", "update": "waft.run.updating"}
 _WRAPPED = ("vtkWaftSources", "vtkWaftFilters")
 
 
@@ -65,5 +67,6 @@ def __dir__():
     return [*__all__, *(name for name in globals() if name.startswith("__") or (name.startswith("vtk") and name not in _WRAPPED))]
 
 
+_find_moved()
 if _is_paraview_here():
     load_plugin()

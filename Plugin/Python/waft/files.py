@@ -11,8 +11,8 @@ import shutil
 from waft.failures import BadInput
 from waft.reading import open_stream
 from waft.renaming import move_new
-from waft.texts import cell, in_xml
 from waft.temporary import temporary_file
+from waft.texts import cell, in_xml
 
 
 def number(value):

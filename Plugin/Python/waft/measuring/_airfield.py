@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The air of a result folder (air.pvd): its velocity anywhere, and bodies that drift in it."""
+
+import numpy as np
+
+from waft.beneath import Folder
+from waft.failures import BadInput
+from waft.measuring._drifters import END, NEAR_GROUND, START
+from waft.measuring._flights import Flights, rms
+from waft.reading import read_image
+from waft.results._arrays import array_of, check_steps
+
+WITNESSES = 200
+AWAY = 0.3  # from every object, where a witness is let go [m]
+
+
+class AirField:
+    """Velocity [m/s] [step, k, j, i, 3] on a lattice; linear between its points and steps, that of the outermost point outside. wind:
+    {step: the common wind's force [m/s^2] there}, of some steps."""
+
+    def __init__(self, times, velocity, wind, origin, spacing):
+        self.times, self.velocity, self.wind = np.asarray(times, float), velocity, wind
+        self.origin, self.spacing = np.asarray(origin, float), np.asarray(spacing, float)
+
+    def at(self, places, time):
+        """Velocity at places [n, 3] at one time [s]."""
+        step = float(np.clip(np.interp(time, self.times, np.arange(len(self.times))), 0, len(self.times) - 1))
+        before = min(int(step), max(len(self.times) - 2, 0))
+        after = min(before + 1, len(self.times) - 1)
+        share = step - before
+        return (1.0 - share) * self._in(self.velocity[before], places) + share * self._in(self.velocity[after], places)
+
+    def _in(self, field, places):
+        last = np.array(field.shape[2::-1]) - 1
+        where = np.clip((places - self.origin) / self.spacing, 0.0, last)
+        low = np.minimum(where.astype(int), np.maximum(last - 1, 0))
+        part = where - low
+        high = np.minimum(low + 1, last)
+        total = 0.0
+        for corner in range(8):
+            bits = [(corner >> axis) & 1 for axis in range(3)]
+            i, j, k = (high[:, axis] if bit else low[:, axis] for axis, bit in enumerate(bits))
+            weight = np.prod([part[:, axis] if bit else 1.0 - part[:, axis] for axis, bit in enumerate(bits)], axis=0)
+            total = total + weight[:, None] * field[k, j, i]
+        return total
+
+    def drift(self, places, slip, first, frames, rate):
+        """Places [body, frame, 3] of bodies that are let go at the frame first and sink, by Runge-Kutta steps of fourth order."""
+        path = np.empty((len(places), frames, 3))
+        path[:, 0] = places
+        fall = np.zeros((len(places), 3))
+        fall[:, 2] = slip
+        dt = 1.0 / rate
+        for frame in range(frames - 1):
+            x, t = path[:, frame], (first + frame) * dt
+            k1 = self.at(x, t) - fall
+            k2 = self.at(x + 0.5 * dt * k1, t + 0.5 * dt) - fall
+            k3 = self.at(x + 0.5 * dt * k2, t + 0.5 * dt) - fall
+            k4 = self.at(x + dt * k3, t + dt) - fall
+            path[:, frame + 1] = x + dt / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
+        return path
+
+    def witnesses(self, flights, bounds):
+        """Flights of passive bodies that are let go at the start where no object is."""
+        random = np.random.RandomState(1)
+        low, high = bounds[::2], bounds[1::2]
+        tried = low + random.random_sample((10 * WITNESSES, 3)) * (high - low)
+        apart = np.min(np.linalg.norm(tried[:, None] - flights.positions[None, :, 0], axis=2), axis=1)
+        chosen = np.argsort(apart < AWAY, kind="stable")[:WITNESSES]
+        slip = np.sort(flights.slip)[np.arange(len(chosen)) * len(flights.slip) // len(chosen)]
+        path = self.drift(tried[chosen], slip, 0, flights.positions.shape[1], flights.rate)
+        out = np.cumsum(np.any((path < low) | (path > high), axis=2), axis=1) > 0
+        free = ~out
+        free[:, :int(np.ceil(START * flights.rate))] = False
+        for body in np.flatnonzero(out.any(axis=1)):
+            end = int(np.argmax(out[body]))
+            if path[body, max(end - 1, 0), 2] - low[2] < NEAR_GROUND:
+                free[body, max(end - int(np.ceil(END * flights.rate)), 0):] = False
+        path[out] = np.nan
+        return Flights(path, flights.rate, ~out, free, slip)
+
+    def wind_share(self, every=10):
+        """Rms of the common wind's force over that of the acceleration that the air has of its own, Dv/Dt less the wind's; NaN
+        without a wind."""
+        steps = [step for step in sorted(self.wind) if 0 < step < len(self.times) - 1]
+        if not steps:
+            return float("nan")
+        force, own = [], []
+        for step in steps[::every if len(self.wind) == len(self.times) else 1]:
+            v = self.velocity[step].astype(float)
+            change = (self.velocity[step + 1].astype(float) - self.velocity[step - 1]) / (self.times[step + 1] - self.times[step - 1])
+            for axis, component in ((2, 0), (1, 1), (0, 2)):
+                if v.shape[axis] > 1:
+                    change = change + v[..., component:component + 1] * np.gradient(v, self.spacing[component], axis=axis)
+            wind = self.wind[step].astype(float)
+            force.append(rms(wind.reshape(-1, 3)) ** 2)
+            own.append(rms((change - wind).reshape(-1, 3)) ** 2)
+        return float(np.sqrt(np.mean(force) / np.mean(own))) if np.mean(own) > 0.0 else float("nan")
+
+
+def read_air(folder):
+    """The AirField of a folder, None without air.pvd; raises BadInput that names the file and the lack."""
+    folder = Folder(folder)
+    series = folder.found("air.pvd")
+    if series is None:
+        return None
+    steps = folder.steps("air.pvd")
+    check_steps(steps, series)
+    if not steps:
+        raise BadInput(f"{series}: expected a file for each frame, found none")
+    velocity = shape = frame_of = None
+    wind = {}
+    for index, (_, name) in enumerate(steps):
+        path = folder.file(name, "an image that is whole")
+        image, fields = _image(path)
+        if shape is None:
+            shape, frame_of = fields["Velocity"].shape, (image.GetOrigin(), image.GetSpacing())
+            velocity = np.empty((len(steps), *shape), np.float32)
+        if fields["Velocity"].shape != shape:
+            raise BadInput(f"{path}: expected the lattice of the first frame")
+        velocity[index] = fields["Velocity"]
+        if "Wind" in fields:
+            wind[index] = fields["Wind"]
+    return AirField([time for time, _ in steps], velocity, wind, *frame_of)
+
+
+def _image(path):
+    image = read_image(path)
+    shape = image.GetDimensions()[::-1]
+    columns = image.GetPointData()
+    if not np.prod(shape) > 0:
+        raise BadInput(f"{path}: expected an image with the point data Velocity, found no points")
+    fields = {name: array_of(columns, name, path, 3).reshape(*shape, 3) for name in ("Velocity", "Wind")
+              if name == "Velocity" or columns.HasArray(name)}
+    if not (np.isfinite(image.GetOrigin()).all() and np.isfinite(image.GetSpacing()).all() and min(image.GetSpacing()) > 0.0):
+        raise BadInput(f"{path}: expected a lattice with a finite origin and steps above 0")
+    return image, fields

@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Drifters: bodies that sink through free air of the database's kind, the measure of style (Documentation/Measure.md)."""
+import io
+import os
+import zipfile
+
+import numpy as np
+
+from waft.failures import BadInput
+from waft.files import number, whole_file, write_bytes
+from waft.loading import data_file
+from waft.marks import is_marked_zip, marked_zip
+from waft.measuring._flights import Flights
+from waft.reading import read_bytes
+
+QUANTUM = 2e-6  # places are whole numbers of this [m]
+START, END = 0.5, 0.8  # of a flight, not free: after the start and before the touch-down [s]
+SHORTEST = 2.0  # flights that are kept [s]
+NEAR_GROUND = 0.3  # a body that ends nearer to the floor has landed; others left the volume [m]
+_ARRAYS = ("Bounds", "FramesPerSecond", "NumberOfFrames", "Seeds", "SettlingSpeeds")
+_MOST_BYTES, _MOST_PLACES = 1 << 30, 20000000  # of a file, and of an air
+RESOLUTION = 64  # voxels along the longest side
+
+
+class Drifters:
+    """A set of drifters: for each of some settling speeds the paths of bodies in several airs."""
+
+    def __init__(self, path=None):
+        self.path = path or data_file("Drifters/drifters.npz")
+        if not os.path.isfile(self.path):
+            raise BadInput(f"{self.path}: no such file of drifters")
+        content = read_bytes(self.path, what="a file of drifters")
+        try:
+            with zipfile.ZipFile(io.BytesIO(content)) as archive:
+                if sum(member.file_size for member in archive.infolist()) > _MOST_BYTES:
+                    raise ValueError(f"expected arrays of at most {_MOST_BYTES} bytes")
+            with np.load(io.BytesIO(content)) as data:
+                self._data = {name: data[name] for name in data.files}
+            self.bounds, self.rate, self.frames, self.seeds, self.speeds = (self._data[name] for name in _ARRAYS)
+            self.rate, self.frames = float(self.rate), int(self.frames)
+            self._paths = [[_decoded(self._data, s, a) for a in range(len(self.seeds))] for s in range(len(self.speeds))]
+            self._check()
+        except Exception as error:  # archives and arrays that are none raise errors of many kinds
+            raise BadInput(f"{self.path}: not a file of drifters that Waft made: {error}") from error
+
+    def _check(self):
+        """Raises ValueError with what is wrong with the values."""
+        for array, what, low, high, size in ((self.bounds, "Bounds", -1e9, 1e9, 6), (self.speeds, "SettlingSpeeds", 0.0, 1e9, None),
+                                             (np.array([self.rate]), "FramesPerSecond", 1.0, 1000.0, 1)):
+            is_right = array.ndim == 1 and len(array) == (size or max(len(array), 1)) and array.dtype.kind in "if"
+            if not is_right or not (np.isfinite(array) & (array >= low) & (array <= high)).all():
+                raise ValueError(f"{what}: expected {size or 'some'} numbers from {low:g} to {high:g}")
+        if np.any(self.bounds[::2] >= self.bounds[1::2]):
+            raise ValueError("Bounds: expected the least and the most of x, y and z in turn")
+        counts = [len(paths) for airs in self._paths for paths in airs]
+        if min(counts, default=0) < 1 or max(counts) * self.frames > _MOST_PLACES:
+            raise ValueError(f"expected paths in each air, of at most {_MOST_PLACES} places")
+        if any(not 3 <= len(path) <= self.frames for airs in self._paths for paths in airs for path in paths):
+            raise ValueError(f"expected paths of 3 to {self.frames} frames")
+
+    def airs(self, slips):
+        """One Flights for each air, of bodies with the settling speeds nearest to these, in their shares."""
+        slips = np.sort(np.asarray(slips, float))
+        made = []
+        for air in range(len(self.seeds)):
+            paths = []
+            most = min(len(each[air]) for each in self._paths)
+            for body in range(most):
+                wanted = slips[(2 * body + 1) * len(slips) // (2 * most)]
+                kind = int(np.argmin(np.abs(self.speeds - wanted)))
+                paths.append((self._paths[kind][air][body], self.speeds[kind]))
+            made.append(self._flights(paths))
+        return made
+
+    def _flights(self, paths):
+        positions = np.full((len(paths), self.frames, 3), np.nan)
+        free = np.zeros(positions.shape[:2], bool)
+        for body, (path, _) in enumerate(paths):
+            positions[body, :len(path)] = path
+            landed = path[-1, 2] - self.bounds[4] < NEAR_GROUND
+            end = len(path) - (int(np.ceil(END * self.rate)) if landed else 0)
+            free[body, int(np.ceil(START * self.rate)):max(end, 0)] = True
+        return Flights(positions, self.rate, np.isfinite(positions[..., 0]), free, np.array([slip for _, slip in paths]))
+
+    @staticmethod
+    def fitting(slips, bounds, rate):
+        """Of the sets that come with Waft one that was made for such bodies, else the one of the default volume."""
+        default = Drifters()
+        if not default.lacks(slips, bounds, rate):
+            return default
+        folder = os.path.dirname(default.path)
+        others = (Drifters(os.path.join(folder, name)) for name in sorted(os.listdir(folder)) if name.endswith(".npz"))
+        return next((made for made in others if not made.lacks(slips, bounds, rate)), default)
+
+    def lacks(self, slips, bounds, rate):
+        """Sentences on what the set was not made for."""
+        words = []
+        worst = max(np.min(np.abs(self.speeds - slip)) / max(slip, 0.1) for slip in slips)
+        if worst > 0.15:
+            words.append("other settling speeds than " + ", ".join(f"{speed:g}" for speed in self.speeds) + " m/s")
+        if np.max(np.abs(np.asarray(bounds) - self.bounds)) > 1e-6:
+            words.append("another volume")
+        if abs(rate - self.rate) > 1e-6:
+            words.append(f"another frame rate than {self.rate:g}")
+        return [f"drifters: the scene has {' and '.join(words)}; `waft measure DIR --make-drifters FILE` makes a set for it, "
+                "--drifters FILE takes it"] if words else []
+
+
+def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30.0, frames=300, airs=6, seed=20001, bodies=150,
+                  progress=None):
+    """Simulates airs of the database's kind without obstacles, traces bodies that sink at these speeds [m/s] and writes PATH."""
+    from vtkmodules.vtkFiltersGeneral import vtkPassArrays
+    from vtkmodules.vtkFiltersHybrid import vtkTemporalDataSetCache
+    from waft import vtkWaftFilters, vtkWaftSources
+
+    content = dict(zip(_ARRAYS, (np.array(bounds, float), np.float64(rate), np.int64(frames), seed + np.arange(airs),
+                                 np.array(speeds, float))))
+    sides = np.array(bounds, float)[1::2] - np.array(bounds, float)[::2]
+    for air in range(airs):
+        smoke = vtkWaftSources.vtkGridSmokeSource()
+        smoke.SetBounds(list(bounds))
+        smoke.SetResolution([max(int(round(side / sides.max() * RESOLUTION)), 4) for side in sides])
+        smoke.SetFramesPerSecond(rate)
+        smoke.SetNumberOfFrames(frames)
+        smoke.SetNumberOfObstacles(0)
+        smoke.SetNumberOfEmitters(0)
+        smoke.SetSeed(seed + air)
+        smoke.SetCacheLimit(64)
+        velocity = vtkPassArrays()
+        velocity.SetInputConnection(smoke.GetOutputPort())
+        velocity.AddPointDataArray("Velocity")
+        kept = vtkTemporalDataSetCache()  # each speed passes over all frames
+        kept.SetInputConnection(velocity.GetOutputPort())
+        kept.SetCacheSize(frames)
+        for index, speed in enumerate(speeds):
+            trace = vtkWaftFilters.vtkTrajectoryTraceFilter()
+            trace.SetInputConnection(kept.GetOutputPort())
+            trace.SetSettlingSpeed(speed)
+            trace.Update()
+            paths = _paths(trace.GetOutput(), int(np.ceil(SHORTEST * rate)))
+            chosen = np.unique(np.linspace(0, len(paths) - 1, min(bodies, len(paths))).round().astype(int))
+            if not len(chosen):
+                raise BadInput(f"settling speed {number(speed)}: no body flies for {SHORTEST:g} s in this volume")
+            content.update(_encoded([paths[i] for i in chosen], index, air))
+        if progress:
+            progress((air + 1) / airs, f"air {air + 1} of {airs} simulated")
+    made = io.BytesIO()
+    np.savez_compressed(made, **content)
+    with whole_file(path, is_marked_zip) as part:
+        write_bytes(part, marked_zip(made.getvalue()))
+
+
+def _paths(tracks, shortest):
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    if tracks.GetNumberOfLines() == 0:
+        return []
+    points = vtk_to_numpy(tracks.GetPoints().GetData())
+    order = vtk_to_numpy(tracks.GetLines().GetConnectivityArray())
+    ends = vtk_to_numpy(tracks.GetLines().GetOffsetsArray())
+    return [points[order[a:b]] for a, b in zip(ends, ends[1:]) if b - a >= shortest]
+
+
+def _encoded(paths, speed, air):
+    """Second differences, which are small."""
+    whole = [np.rint(path / QUANTUM).astype(np.int64) for path in paths]
+    bends = np.concatenate([np.diff(path, 2, axis=0) for path in whole])
+    if np.abs(bends).max() > 32767:
+        raise BadInput("drifters: an acceleration beyond what the file holds")
+    return {f"Lengths{speed}_{air}": np.array([len(path) for path in whole], np.int32),
+            f"Starts{speed}_{air}": np.array([path[:2] for path in whole], np.int32),
+            f"Bends{speed}_{air}": bends.astype(np.int16)}
+
+
+def _decoded(data, speed, air):
+    lengths, starts, bends = (data[f"{name}{speed}_{air}"] for name in ("Lengths", "Starts", "Bends"))
+    paths, begin = [], 0
+    for length, (first, second) in zip(lengths.tolist(), starts.astype(np.int64)):
+        own = bends[begin:begin + length - 2].astype(np.int64)
+        begin += length - 2
+        steps = np.cumsum(np.concatenate([(second - first)[None], own]), axis=0)
+        paths.append(QUANTUM * np.concatenate([first[None], first + np.cumsum(steps, axis=0)]))
+    return paths

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The motion in a result folder, and when its objects fly: what `waft measure` needs of it."""
+import os
+from dataclasses import dataclass
+
+import numpy as np
+
+from waft.failures import BadInput
+from waft.measuring._drifters import END, START
+from waft.measuring._flights import Flights
+from waft.reading import dynamics
+from waft.results._arrays import array_of, bounds_of, object_ids, points_of, polylines, rate_of, texts_of
+from waft.results._folder import read_surface
+from waft.results._records import REPORT, record_of
+from waft.results.writing import settled
+from waft.scene._kinds import POSITION, REST, VELOCITY
+
+TRACKS = ("optimized", "assimilated", "planned", "poses")
+LEAST_FRAMES, MEASURED_RATES = 8, (4.0, 1000.0)  # of what can be measured; frames a second
+NEAR_ROW = 8  # frames about a position row that are no free flight
+
+
+@dataclass
+class Run:
+    """A folder's motion: its flights, the arrays of its tracks {name: [object, frame, ...]}, the columns of its rows {name: [row]},
+    the touch-downs [(object, frame)], and what the optimiser says of its own motion {name: number}."""
+
+    folder: str
+    flights: Flights
+    bounds: np.ndarray
+    arrays: dict
+    rows: dict
+    ids: np.ndarray
+    touches: list
+    inertia: bool
+    figures: dict
+
+    @property
+    def width(self):
+        return max(self.bounds[1] - self.bounds[0], self.bounds[3] - self.bounds[2])
+
+
+def read_run(folder, tracks="optimized"):
+    """Reads a folder; raises BadInput that names the file and the lack."""
+    below = settled(folder)
+    path = os.path.join(folder, f"{tracks}.vtp")
+    data = read_surface(below, f"{tracks}.vtp")
+    ids, positions, arrays = _tracks(path, data)
+    bounds, rate = bounds_of(data, path), rate_of(data, path, *MEASURED_RATES)
+    slip = _slips(below, ids)
+    rows = _rows(below)
+    flying, free, touches = flight(rows, ids, positions.shape[1], rate)
+    report = record_of(below, "report.json", REPORT) or {}
+    inertia = report.get("inertia", False)
+    return Run(str(folder), Flights(positions, rate, flying, free, slip), bounds, arrays, rows, ids, touches, inertia,
+               dynamics(data))
+
+
+def _tracks(path, data):
+    """Ids, positions, and of the arrays that are measured those that are there [object, frame, 3]."""
+    ids, order = polylines(data, path, LEAST_FRAMES)
+    columns = data.GetPointData()
+    arrays = {name: array_of(columns, name, path, 3, high=np.inf, low=-np.inf)[order] for name in ("AirVelocity", "Control", "Residual")
+              if columns.HasArray(name)}
+    return ids, points_of(data, path)[order], arrays
+
+
+def _slips(folder, ids):
+    path = folder.path / "objects.vtp"
+    columns = read_surface(folder, "objects.vtp").GetPointData()
+    of = dict(zip(object_ids(columns, path).tolist(), array_of(columns, "SettlingSpeed", path, low=0.0).tolist()))
+    lost = [number for number in ids.tolist() if number not in of]
+    if lost:
+        raise BadInput(f"{path}: object {lost[0]} of the tracks is missing")
+    return np.array([of[number] for number in ids.tolist()])
+
+
+def _rows(folder):
+    """Columns of constraints.vtp, TouchDown and LiftOff (-1 where they are not told) among them; no rows without the file."""
+    whole, told = ("ObjectId", "Frame", "Kind", "Until"), ("TouchDown", "LiftOff")
+    path = folder.path / "constraints.vtp"
+    if folder.found("constraints.vtp") is None:
+        return {name: np.zeros((0, 4) if name == "Value" else 0) for name in (*whole, "Radius", "Value", *told)}
+    columns = read_surface(folder, "constraints.vtp").GetPointData()
+    rows = {name: array_of(columns, name, path, kind=int, low=-1) for name in whole}
+    rows.update(Radius=array_of(columns, "Radius", path, low=0.0), Value=array_of(columns, "Value", path, 4))
+    for name in told:
+        rows[name] = array_of(columns, name, path, kind=int, low=-1) if columns.HasArray(name) else np.full(len(rows["Frame"]), -1)
+    statuses = texts_of(columns, "Status")
+    if statuses:
+        rows["Met"] = np.array([status == "met" for status in statuses], bool)
+    return rows
+
+
+def flight(rows, ids, frames, rate):
+    """(in the air, in free flight) [object, frame], and the touch-downs [(object, frame)]. In the air is an object from the start or
+    a lift-off to its touch-down, but for a path that is given frame by frame; free flight leaves out what is near them, and near
+    rows of position."""
+    flying = np.ones((len(ids), frames), bool)
+    free = np.ones((len(ids), frames), bool)
+    touches = []
+    start, end = int(np.ceil(START * rate)), int(np.ceil(END * rate))
+    number = np.arange(frames)
+    for index, identity in enumerate(ids):
+        own = np.flatnonzero(rows["ObjectId"] == identity)
+        free[index, :start] = False
+        for row in own[rows["Kind"][own] == REST]:
+            touch = int(rows["TouchDown"][row]) if rows["TouchDown"][row] >= 0 else int(rows["Frame"][row])
+            until = max(int(rows["Until"][row]), int(rows["LiftOff"][row]))
+            flying[index, touch + 1 if touch > 0 else 0:until if until < frames - 1 else frames] = False
+            free[index, max(touch - end, 0):until + start] = False
+            if touch > 0:
+                touches.append((index, min(touch, frames - 1)))
+        placed = np.isin(number, rows["Frame"][own[rows["Kind"][own] == POSITION]])
+        flying[index, 1:] &= ~(placed[1:] & placed[:-1])
+        flying[index, :-1] &= ~(placed[1:] & placed[:-1])
+        for frame in np.flatnonzero(placed):
+            free[index, np.abs(number - frame) <= NEAR_ROW] = False
+    return flying, free & flying, touches
+
+
+def largest_residual(run):
+    """The most by which a row that is called met misses the exported motion, beyond its radius: position and rest (its place in
+    plan) over the volume's width, velocity over the top speed; NaN without such rows."""
+    x, v = run.flights.positions, run.flights.velocity
+    place = {number: index for index, number in enumerate(run.ids.tolist())}
+    frames = x.shape[1]
+    speeds = np.linalg.norm(v[:, 1:-1], axis=2)
+    found = []
+    met = run.rows.get("Met", np.ones(len(run.rows["Frame"]), bool))
+    for row in np.flatnonzero(met):
+        frame, kind = int(run.rows["Frame"][row]), int(run.rows["Kind"][row])
+        index = place.get(int(run.rows["ObjectId"][row]))
+        if index is None or not 0 <= frame < frames or kind not in (POSITION, VELOCITY, REST):
+            continue
+        wanted, radius = run.rows["Value"][row][:3], float(run.rows["Radius"][row])
+        if kind == VELOCITY:
+            if 0 < frame < frames - 1 and speeds.max() > 0.0:
+                found.append(max(np.linalg.norm(v[index, frame] - wanted) - radius, 0.0) / speeds.max())
+            continue
+        axes = 3 if kind == POSITION else 2
+        found.append(max(np.linalg.norm((x[index, frame] - wanted)[:axes]) - radius, 0.0) / run.width)
+    return max(found) if found else float("nan")

@@ -1,0 +1,359 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""How good motion is, from the files of a result alone, beside drifters in free air (Documentation/Measure.md)."""
+import math
+import os
+from dataclasses import dataclass, field
+from typing import Callable, List, Optional, Sequence, Union
+
+import numpy as np
+
+from waft.failures import BadInput
+from waft.files import check_target
+from waft.marks import is_marked_zip
+from waft.measuring import _flights, _telling
+from waft.measuring._airfield import read_air
+from waft.measuring._drifters import Drifters, make_drifters
+from waft.measuring._flights import rms
+from waft.measuring._runs import TRACKS, largest_residual, read_run
+
+MANY = 20  # objects from which figures about each frame's mean and about pairs mean something
+START_FRAMES = 10
+REPLAYED = (30, 90, 150)  # frames from which bodies drift on
+GRAVITY = 9.81
+LENGTHS = (4.0, 3.0, 2.0, 1.0)  # of the pieces of a spectrum, the longest that both have [s]
+UNKNOWN = float("nan")
+
+Path = Union[str, "os.PathLike[str]"]
+
+
+@dataclass
+class Row:
+    """One figure: its name, value (NaN where it is not measured, and why), the range that is wanted, and the drifters' own."""
+
+    key: str
+    text: str
+    value: float = UNKNOWN
+    wanted: tuple = (-math.inf, math.inf)
+    drifters: float = UNKNOWN
+    why: str = ""
+
+    @property
+    def met(self):
+        """None where there is nothing to be met."""
+        if math.isnan(self.value) or self.wanted == (-math.inf, math.inf):
+            return None
+        return bool(self.wanted[0] <= self.value <= self.wanted[1])
+
+    def wanted_text(self):
+        low, high = self.wanted
+        if low == -math.inf:
+            return "" if high == math.inf else f"<= {high:g}"
+        return f">= {low:g}" if high == math.inf else f"{low:g} to {high:g}"
+
+    def as_json(self):
+        def plain(number):
+            return float(number) if math.isfinite(number) else None
+
+        return {"key": self.key, "row": self.text, "value": plain(self.value), "wanted": [plain(end) for end in self.wanted],
+                "drifters": plain(self.drifters), "met": self.met, "why": self.why}
+
+
+@dataclass
+class Measured:
+    """The rows of a folder, or of several pooled."""
+
+    name: str
+    tracks: str
+    objects: int
+    rows: list
+    notes: list = field(default_factory=list)
+    airs: list = field(default_factory=list)  # Flights of the motion
+    others: list = field(default_factory=list)  # and of the drifters
+
+    def __getitem__(self, key):
+        return next(row for row in self.rows if row.key == key)
+
+    def as_json(self):
+        return {"folder": self.name, "tracks": self.tracks, "objects": self.objects, "notes": self.notes,
+                "rows": [row.as_json() for row in self.rows]}
+
+
+def measure(folders: Union[Path, Sequence[Path]], tracks: str = "optimized", drifters: Optional[Path] = None, plots: Optional[Path] = None,
+            progress: Optional[Callable[[float, str], None]] = None) -> "List[Measured]":
+    """Measures the motion of folders that `waft synthesize` wrote.
+
+    folders:  one, or a list; with several, what is of the same scene is measured pooled, too
+    tracks:   "optimized", "assimilated", "planned" or "poses": FOLDER/<tracks>.vtp
+    drifters: a file that make_drifters wrote; if None one that comes with Waft, for the scene's volume where there is one
+    plots:    a folder for pictures beside the drifters' (needs matplotlib)
+    progress: called with the part done (0..1) and a sentence
+
+    Returns a list of Measured: one a folder, and last "pooled" where there are several. Raises BadInput that names the file and
+    the lack.
+    """
+    folders = [folders] if isinstance(folders, (str, os.PathLike)) else list(folders)
+    if tracks not in TRACKS:
+        raise BadInput(f"tracks: expected one of {', '.join(TRACKS)}, found '{tracks}'")
+    if not folders:
+        raise BadInput("expected at least one folder")
+    if plots is not None:
+        from waft.measuring._measureplots import check_pictures
+
+        check_pictures([str(folder) for folder in folders] + ["pooled"] * (len(folders) > 1), tracks, plots)
+    runs = [read_run(folder, tracks) for folder in folders]  # what is malformed is told before anything is computed
+    given = drifters and Drifters(drifters)
+    done = []
+    for run in runs:
+        done.append(_measured([run], given, tracks, read_air(run.folder) if tracks != "planned" else None))
+        if progress:
+            progress(len(done) / (len(runs) + 1), f"{run.folder} measured")
+    if len(runs) > 1:
+        done.append(_measured(runs, given, tracks, None))
+    if plots is not None:
+        from waft.measuring._measureplots import draw
+
+        for measured in done:
+            measured.notes += draw(measured, plots)
+    return done
+
+
+def make_drifters_for(folders, path, speeds=None, airs=6, seed=20001, progress=None):
+    """Makes a set of drifters for the volume, frame rate and settling speeds of folders; without a folder for the default volume
+    and rate. speeds: instead of theirs [m/s]."""
+    check_target(path, is_marked_zip)
+    if not folders:
+        if not speeds:
+            raise BadInput("drifters: expected a folder, or settling speeds")
+        make_drifters(path, speeds, airs=airs, seed=seed, progress=progress)
+        return
+    runs = [read_run(folder, "planned") for folder in folders]
+    first = runs[0]
+    for run in runs:
+        if np.any(run.bounds != first.bounds) or run.flights.rate != first.flights.rate:
+            raise BadInput(f"{run.folder}: expected the volume and frame rate of {first.folder}")
+    speeds = speeds or sorted({float(slip) for run in runs for slip in run.flights.slip})
+    make_drifters(path, speeds, first.bounds.tolist(), first.flights.rate, max(run.flights.positions.shape[1] for run in runs),
+                  airs, seed, progress=progress)
+
+
+def _measured(runs, given, tracks, air):
+    airs = [run.flights for run in runs]
+    slips = np.concatenate([flights.slip for flights in airs])
+    reference = given or Drifters.fitting(slips, runs[0].bounds, runs[0].flights.rate)
+    others = reference.airs(slips)
+    fewest = min(len(flights) for flights in airs)
+    name = runs[0].folder if len(runs) == 1 else "pooled"
+    notes = reference.lacks(slips, runs[0].bounds, runs[0].flights.rate)
+    style = _Style(airs, others, fewest)
+    rows = [*_hands(runs, air), _replay(runs, air), *style.rows(""), *_start(airs, others)]
+    rows += _witnesses(runs, air, others) + _landing(runs, fewest)
+    residuals = [largest_residual(run) for run in runs]
+    rows.append(Row("exact", "exact constraints: largest residual", _largest(residuals), (0.0, 1e-9)))
+    return Measured(name, tracks, sum(len(flights) for flights in airs), rows, notes, airs, others)
+
+
+def _largest(values):
+    known = [value for value in values if not math.isnan(value)]
+    return max(known) if known else UNKNOWN
+
+
+class _Style:
+    """Life, bands, one air and told apart of a motion beside its drifters."""
+
+    def __init__(self, airs, others, fewest):
+        self._airs, self._others, self._many = airs, others, fewest >= MANY
+
+    def rows(self, of):
+        key, text = (f"{of}_", f"{of}: ") if of else ("", "")
+        rows = self._life(key, text)
+        if not of:
+            rows += self._bands()
+        return rows + self._one_air(key, text) + [self._told_apart(key, text)]
+
+    def _life(self, key, text):
+        seconds = None if self._many else min(_flights.flight_seconds(self._airs), _flights.flight_seconds(self._others))
+        about = "each frame's mean" if self._many else "its own mean"
+        if seconds is not None and math.isnan(seconds):
+            own, theirs = (UNKNOWN, UNKNOWN), (UNKNOWN, UNKNOWN)
+        else:
+            own, theirs = (_flights.variances(airs, seconds) for airs in (self._airs, self._others))
+        return [Row(f"{key}life_{name}", f"{text}life: variance of {name} about {about}", _ratio(mine, other), (0.7, 1.4), other,
+                    "no free flight")
+                for name, mine, other in zip(("velocity", "acceleration"), own, theirs)]
+
+    def _bands(self):
+        for seconds in LENGTHS:
+            own, theirs = (_flights.band_energies(airs, seconds) for airs in (self._airs, self._others))
+            if np.isfinite(own).all() and np.isfinite(theirs).all():
+                break
+        return [Row(f"band_{low:g}", f"energy at {low:g} to {high:g} Hz", _ratio(mine, other), (0.5, 2.0), other,
+                    "no free flight of a second")
+                for (low, high), mine, other in zip(_flights.BANDS, own, theirs)]
+
+    def _one_air(self, key, text):
+        rows = [Row(f"{key}one_air", f"{text}one air: mean |ln| of S2(r) over the drifters'", wanted=(0.0, 0.2)),
+                Row(f"{key}one_air_along", f"{text}one air: 3 S_L / S below {_flights.NEAR:g} m", wanted=(0.45, 0.85))]
+        if not self._many:
+            for row in rows:
+                row.why = f"fewer than {MANY} objects"
+            return rows
+        (own, rows[1].value), (theirs, rows[1].drifters) = (_flights.structure(airs) for airs in (self._airs, self._others))
+        rows[0].value = _flights.distance_of(own, theirs)
+        rows[0].drifters = _flights.distance_of(*(_flights.structure(self._others[half::2])[0] for half in (0, 1)))
+        for row in rows:
+            row.why = "too few pairs"
+        return rows
+
+    def _told_apart(self, key, text):
+        row = Row(f"{key}told_apart", f"{text}two-sample AUC (told apart): area under the ROC curve", wanted=(0.0, 0.75))
+        if not _telling.is_there():
+            row.why = "scikit-learn (python3-sklearn) is not installed"
+            return row
+        row.value = _telling.area(self._airs, self._others)
+        if not key:
+            row.drifters = _telling.area(self._others[::2], self._others[1::2])
+        row.why = "too little free flight"
+        return row
+
+
+def _ratio(value, other):
+    return value / other if other > 0.0 else UNKNOWN
+
+
+def _spread(flights, mask):
+    """Root of the variance of velocity: about each frame's mean, below MANY objects about each path's own."""
+    many = len(flights) >= MANY
+    squares = (_flights.about_frames(flights.velocity, mask) if many else
+               _flights.about_paths(flights.velocity, mask, mask.shape[1]))
+    return float(np.sqrt(squares.mean())) if len(squares) else UNKNOWN
+
+
+def _hands(runs, air):
+    hidden = Row("hidden_hand", "model residual (hidden hand): acceleration the model does not give", wanted=(0.0, 0.2),
+                 why="the tracks have no array AirVelocity or Residual")
+    private = Row("private_hand", "residual control (private hand): velocity the air does not give", wanted=(0.0, 0.1),
+                  why="no air.pvd")
+    gas = Row("hidden_hand_gas", "model residual (hidden hand) of the gas", wanted=(0.0, 0.25), why="no optimised gas")
+    rows = [hidden, private, gas]
+    if len(runs) > 1:
+        for row in rows:
+            row.why = "see each folder"
+        return rows
+    run = runs[0]
+    flights = run.flights
+    inside = flights.inside
+    own = rms(flights.acceleration[inside])
+    gas.value = run.figures.get("GasHiddenHand", UNKNOWN)
+    if "Residual" in run.arrays:
+        hidden.value = _ratio(rms(run.arrays["Residual"][inside]), own)
+    elif "AirVelocity" in run.arrays and "Control" not in run.arrays:
+        hidden.value = _ratio(rms(_lacking(run)[inside]), own)
+    elif "Control" in run.arrays:
+        hidden.why = "an assimilated motion: see the residual control"
+    if air is not None:
+        control = _control(flights, air)
+        private.value = _ratio(rms(control[inside]), _spread(flights, inside))
+        private.why = "no flight"
+    return rows
+
+
+def _lacking(run):
+    """Dv/Dt less what the air at the body gives: d/dt (U(x(t), t) - slip) for bodies without inertia, k (U - v) - g e_z with it."""
+    flights = run.flights
+    air = run.arrays["AirVelocity"].astype(float)
+    if run.inertia:
+        rate = GRAVITY / np.maximum(flights.slip, 1e-6)
+        given = rate[:, None, None] * (air - flights.velocity)
+        given[..., 2] -= GRAVITY
+    else:
+        given = np.gradient(air, 1.0 / flights.rate, axis=1)
+    return flights.acceleration - given
+
+
+def _control(flights, air):
+    """c = x' - (U(x, t) - slip e_z) of all objects at all frames."""
+    given = np.stack([air.at(flights.positions[:, frame], frame / flights.rate) for frame in range(flights.positions.shape[1])],
+                     axis=1)
+    given[..., 2] -= flights.slip[:, None]
+    return flights.velocity - given
+
+
+def _replay(runs, air):
+    row = Row("replay", "forward replay: velocity after 1 s of free drift in the output Air", wanted=(0.0, 0.15),
+              why="no air.pvd; with particles, not measured")
+    if len(runs) == 1 and "ReplayError" in runs[0].figures:
+        return Row("replay", "forward replay: velocity 1 s after gas and objects are let go", runs[0].figures["ReplayError"],
+                   (0.0, 0.25))
+    if len(runs) > 1 or air is None:
+        row.why = "see each folder" if len(runs) > 1 else row.why
+        return row
+    flights = runs[0].flights
+    later = int(round(flights.rate))
+    wrong, all_ = [np.zeros((0, 3))], [np.zeros((0, 3))]
+    for first in REPLAYED:
+        if first + later + 1 >= flights.positions.shape[1]:
+            continue
+        flown = np.flatnonzero(flights.inside[:, first:first + later + 1].all(axis=1))
+        path = air.drift(flights.positions[flown, first], flights.slip[flown], first, later + 1, flights.rate)
+        drifting = air.at(path[:, -1], (first + later) / flights.rate)
+        drifting[:, 2] -= flights.slip[flown]
+        own = flights.velocity[flown, first + later]
+        wrong.append(drifting - own)
+        all_.append(own)
+    row.value = _ratio(rms(np.concatenate(wrong)), rms(np.concatenate(all_)))
+    row.why = "no flight of a second"
+    return row
+
+
+def _start(airs, others):
+    first = [flights.acceleration[:, 1:START_FRAMES][flights.inside[:, 1:START_FRAMES]] for flights in airs]
+    flown = [flights.acceleration[flights.free] for flights in airs]
+    jerks = [flights.jerk[:, 2:START_FRAMES][flights.inside[:, 2:START_FRAMES]] for flights in airs]
+    theirs = [np.linalg.norm(flights.jerk[flights.free], axis=1) for flights in others]
+    sizes = np.linalg.norm(np.concatenate(jerks), axis=1)
+    theirs = np.concatenate(theirs)
+    jerk = float(np.percentile(theirs, 99)) if len(theirs) else UNKNOWN
+    return [Row("start", f"start: rms |a| of the first {START_FRAMES} frames over that of free flight",
+                _ratio(rms(np.concatenate(first)), rms(np.concatenate(flown))), (0.0, 1.3), why="no flight at the start"),
+            Row("start_jerk", "start: 99th percentile of jerk there over the drifters'",
+                _ratio(float(np.percentile(sizes, 99)), jerk) if len(sizes) else UNKNOWN, (0.0, 1.3), jerk, "no flight at the start")]
+
+
+def _witnesses(runs, air, others):
+    if len(runs) > 1 or air is None:
+        why = "see each folder" if len(runs) > 1 else "no air.pvd"
+        return [Row("witnesses", "witnesses: passive bodies in the output Air", why=why)]
+    flights = air.witnesses(runs[0].flights, runs[0].bounds)
+    rows = _Style([flights], others, len(flights)).rows("witnesses")
+    return rows + [Row("witnesses_wind", "witnesses: force of the wind correction over the air's own Dv/Dt", air.wind_share(),
+                       (0.0, 0.5), why="the Air has no array Wind")]
+
+
+def _landing(runs, fewest):
+    falls, times = [], []
+    for run in runs:
+        flights = run.flights
+        half = int(round(0.5 * flights.rate))
+        for index, touch in run.touches:
+            if touch >= half and flights.flying[index, touch - half:touch + 1].all() and flights.slip[index] > 0.0:
+                drop = flights.positions[index, touch - half, 2] - flights.positions[index, touch, 2]
+                falls.append(drop * flights.rate / half / flights.slip[index])
+                times.append(touch / flights.rate)
+    return [Row("landing", "landing: mean speed down over the last 0.5 s, over settling", float(np.mean(falls)) if falls else UNKNOWN,
+                (-math.inf, 1.0), why="nothing lands"),
+            Row("landing_times", "landing: standard deviation of touch-down times [s]",
+                float(np.std(times)) if len(times) > 1 and fewest >= MANY else UNKNOWN, (0.3, math.inf),
+                why="nothing lands" if fewest >= MANY else f"fewer than {MANY} objects")]
+
+
+def table(measured):
+    """The rows as lines of text."""
+    def figure(number):
+        return "" if math.isnan(number) else "0" if number == 0.0 else f"{number:.3g}" if abs(number) >= 1e-3 else f"{number:.1e}"
+
+    lines = [f"{measured.name}: {measured.tracks}, {measured.objects} object{'s' * (measured.objects != 1)}",
+             f"{'row':<66}{'value':>9}  {'wanted':<13}{'drifters':>9}"]
+    for row in measured.rows:
+        lost = f"  not measured: {row.why}" if math.isnan(row.value) else "" if row.met in (True, None) else "  missed"
+        lines.append(f"{row.text:<66}{figure(row.value) or '-':>9}  {row.wanted_text():<13}{figure(row.drifters):>9}{lost}".rstrip())
+    return lines + [f"note: {note}" for note in measured.notes]

@@ -1,0 +1,305 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What flies: the objects, their shadows, the trails behind them and the marks they aim at."""
+
+import math
+import os
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkImagingCore import vtkImageShrink3D
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkTexture
+
+from waft.failures import BadInput
+from waft.reading import read_picture
+from waft.render._scenery import lines, texture
+from waft.texts import warn
+
+_MOST_TEXELS = 4096  # along a side
+_MARK = (0.86, 0.25, 0.16)
+_CUT_OUT = "//VTK::TCoord::Impl\n  if (gl_FragData[0].a < 0.5) discard;\n"
+# VTK turns a normal towards the eye; what the first light, the sun, throws on the other side comes through.
+_SHINE_THROUGH = (
+    "//VTK::Light::Impl\n  fragOutput0.rgb += %.3f * diffuseColor * lightColor0"
+    " * max(0.0, dot(normalVCVSOutput, lightDirectionVC0));\n"
+)
+
+
+def rotation(quaternion):
+    """3 x 3 matrix of a unit quaternion (w, x, y, z)."""
+    w, x, y, z = quaternion
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def _set(matrix, linear, offset):
+    rows = (*linear[0], offset[0], *linear[1], offset[1], *linear[2], offset[2])
+    matrix.DeepCopy((*rows, 0.0, 0.0, 0.0, 1.0))
+
+
+def _at_most(picture, side):
+    """The picture, averaged over blocks where a side of it is longer: drawing takes
+    many bytes for each pixel."""
+    block = -(-max(picture.GetDimensions()) // side)
+    if block <= 1:
+        return picture
+    shrink = vtkImageShrink3D()
+    shrink.SetInputData(picture)
+    shrink.SetShrinkFactors(block, block, 1)
+    shrink.Update()
+    return shrink.GetOutput()
+
+
+def _load_texture(path):
+    if not os.path.isfile(path):
+        warn(f"{path}: texture missing, plain colour instead")
+        return None
+    try:
+        picture = read_picture(path)
+    except BadInput as error:
+        warn(f"{error}; plain colour instead")
+        return None
+    made = vtkTexture()
+    made.SetInputData(_at_most(picture, _MOST_TEXELS))
+    made.InterpolateOn()
+    made.MipmapOn()
+    return made
+
+
+class _Look:
+    """Mapper, texture and surface properties that all objects of one shape share."""
+
+    def __init__(self, body, style):
+        normals = vtkPolyDataNormals()
+        normals.SetInputData(body.surface)
+        normals.SplittingOff()
+        # The whole outline of an open sheet is kept as it is: consistency only.
+        normals.ConsistencyOn()
+        normals.Update()
+        self.mapper = vtkPolyDataMapper()
+        self.mapper.SetInputConnection(normals.GetOutputPort())
+        self.mapper.ScalarVisibilityOff()
+        self.extent = body.extent
+        has_coordinates = body.surface.GetPointData().GetTCoords() is not None
+        self.texture = _load_texture(body.texture) if body.texture and has_coordinates else None
+        # VTK multiplies a texture by the surface's colour.
+        self.color = body.tint if self.texture else body.color
+        self.opacity = body.opacity
+        self.ambient = style.ambient
+        self.translucency = style.translucency if self.opacity == 1.0 else 0.0
+
+    def object_actor(self):
+        actor = self._actor()
+        look = actor.GetProperty()
+        film = self.opacity < 1.0
+        look.SetColor(*self.color)
+        look.SetAmbient(self.ambient)
+        look.SetDiffuse(0.72)
+        look.SetSpecular(0.9 if film else 0.12)
+        look.SetSpecularPower(60.0 if film else 12.0)
+        if film:
+            look.SetOpacity(self.opacity)
+        else:
+            # Cut out by alpha rather than blended: right from every side without sorting.
+            actor.ForceOpaqueOn()
+            if self.texture:
+                actor.GetShaderProperty().AddFragmentShaderReplacement(
+                    "//VTK::TCoord::Impl", True, _CUT_OUT, False
+                )
+            if self.translucency > 0.0:
+                actor.GetShaderProperty().AddFragmentShaderReplacement(
+                    "//VTK::Light::Impl", True, _SHINE_THROUGH % self.translucency, False
+                )
+        return actor
+
+    def shadow_actor(self):
+        actor = self._actor()
+        actor.GetProperty().SetColor(0.0, 0.0, 0.0)
+        actor.GetProperty().LightingOff()
+        actor.ForceTranslucentOn()
+        return actor
+
+    def _actor(self):
+        actor = vtkActor()
+        actor.SetMapper(self.mapper)
+        if self.texture:
+            actor.SetTexture(self.texture)
+        return actor
+
+
+class Objects:
+    """One actor per object and more for its shadow: its outline cast along each of the sun's rays, which
+    pales with height, and a soft spot that takes over."""
+
+    def __init__(self, motion, renderer, scenery, style):
+        self._motion = motion
+        self._scenery = scenery
+        self._shadow = style.shadow
+        looks = [_Look(body, style) for body in motion.bodies]
+        spot = self._spot()
+        self._planes = {}
+        self._items = []
+        for index, shape in enumerate(motion.shapes):
+            look = looks[shape]
+            actors = [look.object_actor(), *(look.shadow_actor() for _ in scenery.rays), spot()]
+            matrices = [vtkMatrix4x4() for _ in actors]
+            for actor, matrix in zip(actors, matrices):
+                actor.SetUserMatrix(matrix)
+                renderer.AddActor(actor)
+            self._items.append((index, look, actors, matrices))
+
+    def move_to(self, time):
+        """Shows all as they are at a time in frames."""
+        for index, look, actors, matrices in self._items:
+            place, quaternion = self._motion.pose(index, time)
+            turn = rotation(quaternion)
+            _set(matrices[0], turn.tolist(), place.tolist())
+            self._cast(place, turn, look, actors[1:], matrices[1:])
+
+    def _cast(self, place, turn, look, actors, matrices):
+        # From a little above, so that an object that lies on a surface finds it.
+        lift = 0.02 * look.extent
+        met = self._scenery.below(place - lift * self._scenery.sun)
+        for actor in actors:
+            actor.SetVisibility(met is not None)
+        if met is None:
+            return
+        spot, normal, distance = met
+        nearness = distance / (3.0 * look.extent)
+        sharp = self._shadow * math.exp(-nearness)
+        soft = 0.52 * self._shadow * (1.0 - math.exp(-nearness)) / (1.0 + (nearness / 2.5) ** 1.5)
+        basis, flattened = self._plane(normal)
+        # Where all rays' outlines lie on one another they are as dark as one alone.
+        share = 1.0 - (1.0 - sharp) ** (1.0 / len(flattened))
+        for actor, matrix, ray, flatten in zip(actors, matrices, self._scenery.rays, flattened):
+            actor.GetProperty().SetOpacity(share)
+            actor.SetVisibility(bool(sharp > 0.01))
+            shift = ray * (normal @ spot) / (normal @ ray)
+            _set(matrix, (flatten @ turn).tolist(), (flatten @ place + shift).tolist())
+        actors[-1].GetProperty().SetOpacity(soft)
+        actors[-1].SetVisibility(bool(soft > 0.01))
+        width = look.extent * (1.0 + 0.35 * nearness)
+        _set(matrices[-1], (width * basis).tolist(), spot.tolist())
+
+    def _plane(self, normal):
+        """Of a plane with that normal: axes whose third is the normal, and what casts onto it along each of the sun's rays s,
+        x -> x - s (n . x) / (n . s). Few normals come, and often."""
+        key = normal.tobytes()
+        if key not in self._planes:
+            side = np.cross(normal, [0.0, 1.0, 0.0] if abs(normal[1]) < 0.9 else [1.0, 0.0, 0.0])
+            side /= np.linalg.norm(side)
+            if len(self._planes) > 4096:
+                self._planes.clear()
+            self._planes[key] = (
+                np.stack([side, np.cross(normal, side), normal], axis=1),
+                [np.eye(3) - np.outer(ray, normal) / (normal @ ray) for ray in self._scenery.rays],
+            )
+        return self._planes[key]
+
+    @staticmethod
+    def _spot():
+        """A maker of soft round spots of width 1 in the plane z = 0."""
+        axis = np.linspace(-1.0, 1.0, 64)
+        radius = np.hypot(*np.meshgrid(axis, axis))
+        fall = np.where(radius < 1.0, np.exp(-4.0 * radius**2) * (1.0 - radius**2), 0.0)
+        pixels = np.zeros((64, 64, 4), np.uint8)
+        pixels[..., 3] = (255.0 * np.clip(fall, 0.0, 1.0) + 0.5).astype(np.uint8)
+        shade = texture(pixels)
+        plane = vtkPlaneSource()
+        plane.SetOrigin(-1.0, -1.0, 0.0)
+        plane.SetPoint1(1.0, -1.0, 0.0)
+        plane.SetPoint2(-1.0, 1.0, 0.0)
+        mapper = vtkPolyDataMapper()
+        mapper.SetInputConnection(plane.GetOutputPort())
+
+        def make():
+            actor = vtkActor()
+            actor.SetMapper(mapper)
+            actor.SetTexture(shade)
+            actor.GetProperty().SetColor(0.0, 0.0, 0.0)
+            actor.GetProperty().LightingOff()
+            actor.ForceTranslucentOn()
+            return actor
+
+        return make
+
+
+class Trails:
+    """Where each object was in the last second, fading; with at most three objects the whole way
+    since the start, fainter; with more than a hundred shorter and fainter, lest they hide what flies."""
+
+    def __init__(self, motion, renderer, color, width=1.5):
+        self._motion = motion
+        self._color = color
+        objects = len(motion.positions)
+        crowd = min(1.0, math.sqrt(100.0 / objects))
+        self._length = max(int(round(crowd * motion.frames_per_second)), 1)
+        self._strength = 130.0 * crowd
+        self._whole = objects <= 3
+        self._actor = vtkActor()
+        self._actor.SetMapper(vtkPolyDataMapper())
+        self._actor.GetProperty().LightingOff()
+        self._actor.GetProperty().SetLineWidth(width)
+        self._actor.ForceTranslucentOn()
+        renderer.AddActor(self._actor)
+
+    def move_to(self, frame):
+        first = 0 if self._whole else max(frame - self._length, 0)
+        count = frame - first + 1
+        self._actor.SetVisibility(count > 1)
+        if count < 2:
+            return
+        points = self._motion.positions[:, first : frame + 1, :].reshape(-1, 3)
+        objects = len(self._motion.positions)
+        order = np.arange(objects * count).reshape(objects, count)
+        data = lines(points, order)
+        age = np.minimum((frame - np.arange(first, frame + 1)) / self._length, 1.0)
+        shade = np.empty((objects, count, 4), np.uint8)
+        shade[..., :3] = (255.0 * np.array(self._color)).astype(np.uint8)
+        floor = 95.0 if self._whole else 0.0
+        shade[..., 3] = (floor + (self._strength - floor) * (1.0 - age) ** 1.5).astype(np.uint8)
+        data.GetPointData().SetScalars(numpy_to_vtk(shade.reshape(-1, 4), deep=True))
+        self._actor.GetMapper().SetInputData(data)
+
+
+def add_marks(motion, renderer, size):
+    """Small balls where objects pass, a ball of the given radius where one is given, a line for a
+    partial trajectory. Marks of objects that come to rest lie below them and are left out."""
+    for point, radius in motion.marks.flying:
+        _ball(renderer, point, 0.004 * size, 0.9)
+        if radius > 0.004 * size:
+            _ball(renderer, point, radius, 0.16)
+    for points in motion.marks.paths:
+        actor = vtkActor()
+        actor.SetMapper(vtkPolyDataMapper())
+        actor.GetMapper().SetInputData(lines(points, [range(len(points))]))
+        look = actor.GetProperty()
+        look.SetColor(*_MARK)
+        look.SetOpacity(0.6)
+        look.SetLineWidth(2.0)
+        look.LightingOff()
+        renderer.AddActor(actor)
+
+
+def _ball(renderer, point, radius, opacity):
+    sphere = vtkSphereSource()
+    sphere.SetCenter(*point)
+    sphere.SetRadius(radius)
+    sphere.SetThetaResolution(24)
+    sphere.SetPhiResolution(16)
+    actor = vtkActor()
+    actor.SetMapper(vtkPolyDataMapper())
+    actor.GetMapper().SetInputConnection(sphere.GetOutputPort())
+    look = actor.GetProperty()
+    look.SetColor(*_MARK)
+    look.SetAmbient(0.45)
+    look.SetDiffuse(0.6)
+    look.SetOpacity(opacity)
+    renderer.AddActor(actor)

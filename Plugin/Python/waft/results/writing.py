@@ -1,0 +1,297 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The files of a run: their names, and what is in each."""
+import os
+import pathlib
+
+from waft import failures
+from waft.beneath import Folder
+from waft.files import copy_file, half, in_single_precision, in_steps, table_rows, write_csv, write_pvd, write_xml
+from waft.loading import version
+from waft.reading import dynamics, found_json
+from waft.results.place import ResultPlace, settle
+from waft.run._qualities import WITHOUT
+from waft.watching import collect
+
+STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
+REPORT = "report.json"
+STATE = "assimilated.state"
+# Data that is written only when it is asked for, a file a frame: {name: (stage, port)}.
+SERIES = {"meshes": ("rotation", 0), "particles": ("spacetime", 1)}
+
+# Of the air's images: between two of them it is as good as straight (1 % off), at any frame rate [s].
+AIR_INTERVAL = 0.1
+# Binary digits below the typical value that replay can tell from more: figures of `waft measure` change by some per cent.
+AIR_DIGITS = 4
+WIND_STEPS = 10  # steps of the air from one that has the common wind's force to the next
+# What reads back bit for bit beside points: what else poses.csv says but velocities, which follow from points, and time.
+_EXACT = ("Time", "Orientation", "AngularVelocity")
+
+
+def result_place(folder):
+    """The ResultPlace of a folder of results."""
+    return ResultPlace(folder, REPORT)
+
+
+def settled(folder):
+    """The Folder of finished results, to be read: where a change of them was cut short it is finished or undone first."""
+    if not os.path.isdir(folder):
+        raise failures.BadInput(f"{folder}: no such folder; `waft synthesize` makes it")
+    settle(result_place(folder))
+    return Folder(folder)
+
+
+def result_names(scene, series, quality, keep=()):
+    """What a run writes, folders with a slash at their end. series: names of SERIES; keep: of KEPT."""
+    names = ["planned.vtp", "optimized.vtp", "poses.vtp", "poses.csv", "vortices.vtp", "objects.vtp", "shapes.vtm", "shapes/",
+             "constraints.vtp", "constraints.csv", "convergence.csv", "wind.pvd", "wind/", "animation.glb", REPORT]
+    if "spacetime" in WITHOUT[quality]:
+        names = [name for name in names if name not in ("wind.pvd", "wind/")]
+    if "assimilation" not in WITHOUT[quality]:
+        names += ["assimilated.vtp", "air.pvd", "air/", "rounds.csv", *([STATE] if "state" in keep else [])]
+    names += ["obstacles.pvd", "obstacles/"] if _do_obstacles_move(scene) else ["obstacles.vtp"]
+    return names + [name + end for name in series for end in (".pvd", "/")]
+
+
+def is_beyond_results(name):
+    """Whether a file of a run is one that the motion does without: a series of fields, of particles or of meshes, a state."""
+    return name.partition("/")[0].removesuffix(".pvd") in ("air", "wind", *SERIES, STATE)
+
+
+def _do_obstacles_move(scene):
+    """Whether an obstacle of a scene file (one that was read well) is ever at another place."""
+    return any(len({tuple(step["position"]) for step in obstacle.get("motion", ())}) > 1
+               for obstacle in (found_json(scene) or {}).get("obstacles", ()))
+
+
+def read_rows(table):
+    """A table as one dictionary a row, all texts."""
+    header, rows = table_rows(table)
+    return [dict(zip(header, row)) for row in rows]
+
+
+def write_results(run, place, checkpoint):
+    """Every file of a run, all at once: see the user guide for what each holds."""
+    for name in ("planned.vtp", "constraints.vtp"):
+        checkpoint.copy_plan(name)
+    motion, tracks, vortices, _ = run.motion
+    write_tracks(run.moved(tracks), place.path("optimized.vtp"))
+    write_xml(run.moved(vortices), place.path("vortices.vtp"))
+    write_bodies(run, place)
+    for name in run.series if not run.hurries else ():
+        _write_series(run, *SERIES[name], name, ".vtp", place)
+    energies = []
+    if motion == "spacetime":
+        if not run.hurries:
+            _write_series(run, "spacetime", 3, "wind", ".vti", place)
+        header, rows = table_rows(run.output("spacetime", 4))
+        energies = [dict(zip(header, row))["E"] for row in (rows[0], rows[-1])]
+        write_csv(place.path("convergence.csv"), header, rows)
+    else:
+        write_csv(place.path("convergence.csv"), *table_rows(_empty_convergence()))
+    if run.assimilation is not None:
+        _write_air(run, place, checkpoint)
+    _write_report(run, place.path("constraints.csv"))
+    _write_animation(run, place)
+    place.commit(_summary(run, energies))
+
+
+def write_bodies(pipeline, place):
+    """The files with the motion of the bodies and what stands about them, which pictures are drawn from."""
+    write_tracks(pipeline.output("rotation", 1), place.path("poses.vtp"))
+    write_xml(pipeline.output("reader", 0), place.path("objects.vtp"))
+    _write_shapes(pipeline, place)
+    if _do_obstacles_move(pipeline.scene_file):
+        _write_series(pipeline, "reader", 2, "obstacles", ".vtp", place)
+    else:
+        write_xml(_at(pipeline.reader.GetClientSideObject(), 2, 0.0), place.path("obstacles.vtp"))
+
+
+def write_tracks(tracks, path):
+    """Tracks or poses as a file: what drives the bodies to 7 digits, the motion itself to all."""
+    write_xml(in_single_precision(tracks, _EXACT), path)
+
+
+def _empty_convergence():
+    """The optimiser's table of a run that does without it."""
+    from vtkmodules.vtkCommonDataModel import vtkTable
+    from waft.vtkWaftFilters import vtkSPHSpacetimeFilter
+
+    table = vtkTable()
+    vtkSPHSpacetimeFilter.EmptyConvergence(table)
+    return table
+
+
+def _write_air(run, place, checkpoint):
+    """What the assimilation gives besides vortices and the report."""
+    if run.spacetime is None:
+        copy_file(place.path("optimized.vtp"), place.path("assimilated.vtp"))
+    else:
+        write_tracks(run.output("assimilation", 0), place.path("assimilated.vtp"))
+    write_xml(run.output("assimilation", 3), place.path("constraints.vtp"))
+    write_csv(place.path("rounds.csv"), *table_rows(run.output("assimilation", 5)))
+    if not run.has_air:  # all steps are the same calm one
+        _write_series(run, "assimilation", 1, "air", ".vti", place, half, float("inf"))
+    elif not run.hurries:
+        if "air" in run.keep:
+            _write_series(run, "assimilation", 1, "air", ".vti", place, half)
+        else:
+            _write_series(run, "assimilation", 1, "air", ".vti", place, _Sketch(), AIR_INTERVAL)
+        if "state" in run.keep and checkpoint.air_file.is_file():
+            copy_file(checkpoint.air_file, place.path(STATE))
+
+
+class _Sketch:
+    """Makes the steps of the air so small that they are kept: by no more digits than replay sees, the wind's force at some alone."""
+
+    def __init__(self):
+        self._steps = 0
+
+    def __call__(self, data):
+        if self._steps % WIND_STEPS != 0:
+            data.GetPointData().RemoveArray("Wind")
+        self._steps += 1
+        in_steps(data, AIR_DIGITS)
+
+
+def _write_shapes(pipeline, place):
+    """shapes.vtm and its folder with the surfaces, and with copies of the pictures on them, whose `Texture` is relative to
+    the results: they can be drawn from anywhere, and on another machine."""
+    shapes = pipeline.output("reader", 3).NewInstance()
+    shapes.DeepCopy(pipeline.output("reader", 3))
+    pictures = {}
+    for block in range(shapes.GetNumberOfBlocks()):
+        texture = shapes.GetBlock(block).GetFieldData().GetAbstractArray("Texture")
+        source = pathlib.Path(texture.GetValue(0)) if texture is not None and texture.GetValue(0) else None
+        if source is not None:  # of one that is missing the scene's reader has told
+            name = f"shapes/picture_{len(pictures)}{source.suffix}"
+            texture.SetValue(0, pictures.setdefault(source, name) if source.is_file() else "")
+    write_xml(shapes, place.path("shapes.vtm"))
+    for source, name in pictures.items():
+        copy_file(source, place.path(name))
+
+
+def _write_series(pipeline, stage, port, name, suffix, place, change=lambda data: None, interval=0.0):
+    """NAME.pvd with one file a step in the folder NAME, of data that were changed first; of steps closer than `interval` [s]
+    only some, the last always unless the interval is endless."""
+    from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Sddp
+
+    algorithm = getattr(pipeline, stage).GetClientSideObject()
+    entries = []
+    for step, time in spaced(algorithm.GetOutputInformation(port).Get(Sddp.TIME_STEPS()) or (0.0,), interval):
+        file = f"{name}/{name}_{step:04d}{suffix}"
+        data = _at(algorithm, port, time)
+        change(data)
+        write_xml(data, place.path(file), packs_well=name == "air")
+        entries.append((time, file))
+    write_pvd(place.path(name + ".pvd"), entries)
+
+
+def spaced(times, interval):
+    """(number, time) of the first of the times, of those that keep at most the interval from the one before, and of the last:
+    as few as that takes. Of an endless interval the first alone."""
+    steps = list(enumerate(times))
+    if interval == float("inf"):
+        return steps[:1]
+    chosen = steps[:1]
+    for here, after in zip(steps[1:], steps[2:] + [None]):
+        if after is None or after[1] - chosen[-1][1] > interval * (1.0 + 1e-9):
+            chosen.append(here)
+    return chosen
+
+
+def _at(algorithm, port, time):
+    from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Sddp
+
+    algorithm.GetOutputInformation(port).Set(Sddp.UPDATE_TIME_STEP(), time)
+    algorithm.Update(port)
+    copy = algorithm.GetOutputDataObject(port).NewInstance()
+    copy.DeepCopy(algorithm.GetOutputDataObject(port))
+    return copy
+
+
+def _write_report(run, path):
+    header = ["Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message", "TouchDown", "LiftOff"]
+    write_csv(path, header, [[row[name] for name in header] for row in run.report])
+
+
+def _write_animation(run, place):
+    from waft.vtkWaftFilters import vtkMotionAnimationWriter
+
+    writer = vtkMotionAnimationWriter()
+    errors = []
+    collect(writer, "ErrorEvent", errors)
+    collect(writer, "WarningEvent", run.warnings)
+    writer.SetInputDataObject(0, run.output("rotation", 1))
+    writer.SetInputDataObject(1, run.output("reader", 0))
+    writer.SetInputDataObject(2, run.output("reader", 3))
+    for name in ("animation.glb", "poses.csv"):
+        writer.SetFileName(str(place.path(name)))
+        if not writer.Write():
+            raise failures.WaftError(f"{name}: could not be written: {'; '.join(errors)}")
+
+
+def planned_objects(pipeline):
+    """What planning came to, one dictionary an object."""
+    kinds = {"ObjectId": int, "Rows": int, "Met": int, "Status": str, "Cost": float, "Branches": int,
+             "Seconds": float, "Message": str}
+    return [{name[0].lower() + name[1:]: kind(row[name]) for name, kind in kinds.items()}
+            for row in read_rows(pipeline.output("planner", 7))]
+
+
+def _settled(pipeline):
+    """How many bodies are laid on surfaces away from their paths, and by how much at most [m]."""
+    shifts = pipeline.output("rotation", 1).GetCellData().GetArray("Shift")
+    shifts = [shifts.GetValue(i) for i in range(shifts.GetNumberOfTuples())] if shifts is not None else []
+    return {"objects": sum(shift > 0.0 for shift in shifts), "largestShift": max(shifts, default=0.0)}
+
+
+def _free(pipeline):
+    """Bodies that came down and lie though no row asks for it: rests of no row."""
+    if pipeline.assimilation is None:
+        return []
+    rows = pipeline.output("assimilation", 3).GetPointData()
+    objects, targets, frames = (rows.GetArray(name) for name in ("ObjectId", "Target", "TouchDown"))
+    found = [i for i in range(targets.GetNumberOfTuples() if targets is not None else 0) if targets.GetValue(i) < 0]
+    return [{"object": objects.GetValue(i), "touchDown": frames.GetValue(i)} for i in found]
+
+
+def _dynamics(pipeline):
+    if pipeline.spacetime is None:
+        return {}
+    return {name[0].lower() + name[1:]: value for name, value in dynamics(pipeline.output("spacetime", 0)).items()}
+
+
+def _summary(run, energies):
+    counts = {status: 0 for status in STATUS_ORDER}
+    for row in run.report:
+        counts[row["Status"]] += 1
+    return {
+        "version": version(),
+        "scene": pathlib.Path(run.scene_file).name,
+        "title": str((found_json(run.scene_file) or {}).get("title", "")),
+        "seed": run.seed,
+        "key": run.key,
+        "stages": {name: {"seconds": watch.seconds, "processorSeconds": watch.processor_seconds,
+                          "peakMemoryMB": watch.peak_mb}
+                   for name, watch in run.watches.items()},
+        "quality": run.quality,
+        "energy": dict(zip(("before", "after"), map(float, energies))),
+        "dynamics": _dynamics(run),
+        "constraints": {**counts, "unmet": [row for row in run.report if row["Status"] != "met"]},
+        "objects": run.plan_objects,
+        "settled": _settled(run),
+        "free": _free(run),
+        "stoppedEarly": run.stopped,
+        **({"stopped": {"in": run.stopped_in, "motion": run.motion[0], "leftOut": left_out(run)}}
+           if run.stopped else {}),
+        "warnings": run.warnings,
+    }
+
+
+def left_out(run):
+    """The series of a run that somebody stopped and waits for: the fields, which take longer to write than all else. They are
+    made by --resume."""
+    if not run.hurries:
+        return []
+    names = ["air.pvd"] if run.has_air else []
+    return names + (["wind.pvd"] if run.spacetime is not None else []) + [f"{name}.pvd" for name in run.series]

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a flight is asked for: each option of waft.synthesize once, with its type, its sentence and its default. The command
+has its help from here, too."""
+import dataclasses
+import functools
+import inspect
+import os
+import textwrap
+from typing import (
+    Annotated, Any, Callable, Dict, List, Mapping, Optional, ParamSpec, Sequence, TypeVar, Union, get_type_hints)
+
+from waft.failures import BadInput
+from waft.run._qualities import KEPT, QUALITIES, WITHOUT, quality_of
+from waft.scene import Scene
+from waft.texts import is_utf8
+
+Path = Union[str, "os.PathLike[str]"]
+Progress = Callable[[float, str], Optional[bool]]
+P = ParamSpec("P")
+R = TypeVar("R")
+
+
+@dataclasses.dataclass(frozen=True)
+class Request:
+    """The options of waft.synthesize; those after `database` by their names alone."""
+
+    scene: Annotated[Union[Scene, Path], "a waft.Scene, or the path of a *.waft.json file"]
+    output: Annotated[Optional[Path], "folder for the results (default: nothing is written)"] = None
+    database: Annotated[Optional[Path], "motion database, .vtm (default: the embedded one)"] = None
+    _: dataclasses.KW_ONLY
+    seed: Annotated[Optional[int], "instead of the scene's"] = None
+    threads: Annotated[Optional[int], "default: all cores; the result is the same"] = None
+    time_limit: Annotated[Optional[float], "seconds; the best so far is written"] = None
+    preview: Annotated[bool, "quality preview: coarse, for a quick look"] = False
+    resume: Annotated[bool, "go on from what an earlier run of the same inputs left in the output, to the same motion as if it "
+                            "had not been stopped"] = False
+    quiet: Annotated[bool, "say nothing of progress on stderr"] = True
+    checkpoint_interval: Annotated[Optional[float], "seconds between two writings of what `resume` goes on from (default: the "
+                                                    "stage's own)"] = None
+    meshes: Annotated[bool, "also meshes.pvd: all meshes posed, a file a frame"] = False
+    memory_limit: Annotated[Optional[float], "megabytes of the optimiser: what does not fit is solved window by window, "
+                                             "slower"] = None
+    quality: Annotated[Optional[str], f"how objects come to their marks: {', '.join(QUALITIES)} (default full); air was called "
+                                      "assimilated before, which names it still"] = None
+    edit_of: Annotated[Optional[Path], "a finished run of the scene before some rows changed: the same air, only what changed "
+                                       "drifts again"] = None
+    on_progress: Annotated[Optional[Progress], "called with the share that is done (0 to 1) and a sentence, some five times a "
+                                               "second; when it returns False the run stops with the best so far"] = None
+    particles: Annotated[bool, "also particles.pvd: the optimiser's gas and objects, a file a frame"] = False
+    keep: Annotated[Sequence[str], "what to write in full: air (every frame of air.pvd), state (what edits go on from, otherwise "
+                                   "kept in the user's store)"] = ()
+    _settings: Mapping[str, Mapping[str, Any]] = dataclasses.field(default_factory=dict)  # {stage: {property: value}}, for tests
+
+    def __post_init__(self) -> None:
+        """Raises BadInput of what can be told without a look at any file."""
+        if self.on_progress is not None and not callable(self.on_progress):
+            raise BadInput(f"on_progress: expected a function of a share and a sentence, found {self.on_progress!r}")
+        for path in (self.scene, self.output, self.database, self.edit_of):
+            if path and not isinstance(path, Scene) and not is_utf8(path):
+                raise BadInput(f"{os.fsdecode(path)}: expected a name in UTF-8, as ParaView takes no other")
+        if self.way not in QUALITIES:
+            raise BadInput(f"quality: expected one of {', '.join(QUALITIES)}, found {self.way}")
+        if self.particles and "spacetime" in WITHOUT[self.way]:
+            raise BadInput(f"particles: expected quality full or paper, whose optimiser has particles, found {self.way}")
+        for wrong in (name for name in self.keep if name not in KEPT):
+            raise BadInput(f"keep: expected of {', '.join(KEPT)}, found {wrong!r}")
+
+    @property
+    def way(self) -> str:
+        """The quality that is meant."""
+        return quality_of(self.quality or ("preview" if self.preview else "full"))
+
+    @property
+    def series(self) -> List[str]:
+        """The data that are asked for, a file a frame."""
+        return [name for name, is_wanted in (("meshes", self.meshes), ("particles", self.particles)) if is_wanted]
+
+    def settings(self, stage: str) -> Dict[str, Any]:
+        """Properties of a stage besides its defaults and those of the quality."""
+        asked = {"MemoryLimit": self.memory_limit} if stage == "Spacetime" and self.memory_limit is not None else {}
+        return {**self._settings.get(stage, {}), **asked}
+
+
+SENTENCES: Dict[str, str] = {name: hint.__metadata__[0] for name, hint in get_type_hints(Request, include_extras=True).items()
+                             if hasattr(hint, "__metadata__")}
+
+
+def by_options(request: Callable[P, Request]) -> Callable[[Callable[[Request], R]], Callable[P, R]]:
+    """Makes a function of a Request one of its options, with a signature and a documentation that show each."""
+    def decorate(act: Callable[[Request], R]) -> Callable[P, R]:
+        hints = get_type_hints(Request)
+        shown = inspect.signature(act).replace(parameters=[
+            parameter.replace(annotation=hints[name]) for name, parameter in inspect.signature(request).parameters.items()
+            if name in SENTENCES])
+
+        @functools.wraps(act)
+        def call(*args: P.args, **options: P.kwargs) -> R:
+            unknown = [name for name in options if name not in hints]
+            if unknown:
+                raise TypeError(f"{act.__name__}: no option {unknown[0]}; expected {', '.join(SENTENCES)}")
+            return act(request(*args, **options))
+        told = "\n".join(textwrap.fill(f"{name}: {text}", 110, initial_indent="    ", subsequent_indent="        ")
+                         for name, text in SENTENCES.items())
+        call.__doc__ = inspect.cleandoc(act.__doc__ or "").replace("\n\n", f"\n\n{told}\n\n", 1)
+        setattr(call, "__signature__", shown)
+        return call
+    return decorate

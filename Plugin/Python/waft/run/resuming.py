@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a run keeps in its folder while it goes, so that another can go on from it."""
+import hashlib
+import pathlib
+import re
+import stat
+
+from waft.failures import BadInput
+from waft.files import copy_file, write_csv, write_json, write_xml
+from waft.loading import version
+from waft.reading import read_surface
+from waft.results import manifest_in, manifest_of, manifest_rows
+from waft.results._records import KEPT, record_of
+from waft.results._tables import columns_of
+
+PLAN = {0: "planned.vtp", 3: "constraints.vtp", 4: "vortices.vtp"}
+_FOLDER = "checkpoint"
+_REPORT, _KEY = "report.csv", "key"
+_COLUMNS = {"Row": int, "Target": int, "ObjectId": int, "Frame": int, "Kind": str, "Residual": float, "Status": str, "Message": str}
+# Of the optimiser; of the assimilation on its way, and when it is done.
+_STATES = ("spacetime.state", "assimilation.state", "assimilated.state")
+_OWN = re.compile("|".join([*(re.escape(name) for name in (*PLAN.values(), _REPORT, _KEY)),
+                            *(re.escape(state) + r"(\.part\d+)?" for state in _STATES)]))
+
+
+def run_key(pipeline, seed, quality):
+    """Tells runs apart: two of one key go the same way."""
+    database = pathlib.Path(pipeline.database_file).resolve()
+    about = database.stat()
+    key = hashlib.sha256(f"{database} {about.st_size} {about.st_mtime_ns} {seed} {quality} {version()}".encode())
+    for port in range(6):
+        if port != 3:  # what the shapes mean for the motion is in the objects
+            key.update(_bytes(pipeline.output("reader", port)))
+    return key.hexdigest()
+
+
+def _bytes(data):
+    """A data set as bytes; equal ones give the same."""
+    from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLPolyDataWriter
+
+    writer = vtkXMLPolyDataWriter() if data.IsA("vtkPolyData") else vtkXMLImageDataWriter()
+    writer.SetInputDataObject(data)
+    writer.SetDataModeToAscii()
+    writer.WriteToOutputStringOn()
+    writer.Write()
+    return writer.GetOutputString().encode()
+
+
+class Checkpoint:
+    """The folder `checkpoint` in a run's output: the plan, and the states of the stages after it as they were last written.
+
+    place: the ResultPlace of the run. Raises BadInput when the folder holds what no run wrote.
+    """
+
+    def __init__(self, place, key):
+        self._place = place
+        self._below = place.folder
+        self._folder = place.root / _FOLDER
+        self._key = key
+        self.optimiser_file, self.assimilation_file, self.air_file = (self._folder / state for state in _STATES)
+        if self._below.about(_FOLDER) is not None and not self._is_own():
+            raise BadInput(f"{self._folder}: expected no such folder, or one that a stopped run left: it holds something else and "
+                           "stays as it is: move it away, or choose another place for the results")
+
+    def _is_own(self):
+        if not stat.S_ISDIR(self._below.about(_FOLDER).st_mode):
+            return False
+        names = set(self._below.names(_FOLDER))
+        is_plan = names >= {*PLAN.values(), _REPORT} or self._manifest() is not None
+        are_own = all(_OWN.fullmatch(name) and self._below.is_regular(self._below.about(f"{_FOLDER}/{name}")) for name in names)
+        return are_own and (is_plan or not names)
+
+    def _manifest(self):
+        """Of the plan; None where it cannot be read."""
+        try:
+            return manifest_in(self._below, f"{_FOLDER}/{_KEY}")
+        except BadInput:
+            return None
+
+    def lack(self):
+        """What keeps a run from going on from here, in words; empty when nothing does."""
+        if not self._below.is_folder(_FOLDER):
+            return "no stopped run of this scene, seed and version"
+        manifest = self._manifest()
+        try:
+            key = record_of(self._below, f"{_FOLDER}/{_KEY}", KEPT)
+        except BadInput:
+            key = None
+        if key is None or manifest is None or not {*PLAN.values(), _REPORT} <= manifest.keys():
+            return f"{self._folder / _KEY} is damaged, or of another version"
+        if key["key"] != self._key:
+            return "no stopped run of this scene, seed and version"
+        damaged = [name for name, entry in manifest.items() if not entry.fits(self._below, f"{_FOLDER}/{name}")]
+        return f"{self._folder / damaged[0]} is damaged" if damaged else self._nonsense()
+
+    def _nonsense(self):
+        """What cannot be read of files that are as their digests say, in words: somebody else may have written both."""
+        try:
+            for name in PLAN.values():
+                read_surface(self._below.file(f"{_FOLDER}/{name}"))
+            columns_of(self._below.rows(f"{_FOLDER}/{_REPORT}"), _COLUMNS, self._folder / _REPORT)
+        except BadInput as error:
+            return f"it cannot be read: {error}"
+        return ""
+
+    def keep_plan(self, pipeline):
+        """Takes the place of whatever another run left."""
+        temporary = self._place.temporary()
+        folder = temporary / _FOLDER
+        folder.mkdir()
+        for port, name in PLAN.items():
+            write_xml(pipeline.planned(port), folder / name)
+        header = list(pipeline.plan_report[0]) if pipeline.plan_report else []
+        write_csv(folder / _REPORT, header, [list(row.values()) for row in pipeline.plan_report])
+        write_json(folder / _KEY, {"key": self._key, "objects": pipeline.plan_objects, "manifest": manifest_rows(manifest_of(folder))})
+        self.clear()
+        self._place.move_in(folder, _FOLDER)
+        self._place.discard(temporary)
+
+    def take_plan(self, pipeline):
+        pipeline.take_plan(*(self._below.file(f"{_FOLDER}/{name}") for name in PLAN.values()))
+        pipeline.plan_report = self._below.rows(f"{_FOLDER}/{_REPORT}")
+        pipeline.plan_objects = record_of(self._below, f"{_FOLDER}/{_KEY}", KEPT)["objects"]
+
+    def copy_plan(self, name):
+        """One of the plan's files among the results: the same bytes whether the plan was made or taken."""
+        copy_file(self._below.file(f"{_FOLDER}/{name}"), self._place.path(name))
+
+    def hand_on(self, store):
+        """The state of the air, done, is kept in a Store for later edits."""
+        store.keep(self._key, self._below, f"{_FOLDER}/{self.air_file.name}")
+
+    def clear(self):
+        """Removes what runs left; what someone put beside it meanwhile stays."""
+        for name in self._below.names(_FOLDER):
+            if _OWN.fullmatch(name):
+                self._below.remove(f"{_FOLDER}/{name}")
+        if self._below.is_folder(_FOLDER):
+            self._below.remove_empty(_FOLDER)

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A first scene to change by hand: `waft new`."""
+import csv
+import io
+import itertools
+import math
+import os
+
+from waft.failures import BadInput
+from waft.files import check_target
+from waft.reading import read_text
+from waft.scene.builder import Scene
+
+RATE = 30  # frames per second
+FLIGHT = 7.0  # s to a first word or picture
+BETWEEN = 5.0  # s from one to the next
+AFTER = 1.5  # s in which they part again
+SPEED = 0.5  # m/s along a curve: what drifts well
+HOLD = 0.15  # m about the points of a curve
+HIGH, WIDEST = 1.0, 3.2  # m, of a letter and of a word
+THIN = set("iIlj1.,:;'|!()[] ")
+MOST_POINTS = 100000  # of a curve
+PICTURES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp")
+SURFACES = (".vtp", ".obj", ".ply", ".stl", ".glb")
+
+
+def new_scene(path, texts=(), images=(), curves=(), obstacles=(), shape="maple", count=60):
+    """Writes a commented scene that flies: texts and images in the order given, formed one after the other by `count` bodies of a
+    built-in shape; for each curve a body that follows it; obstacles from files. Raises BadInput where there is a file, and of
+    files and texts that no scene can use."""
+    check_target(path)
+    if not str(path).endswith(".waft.json"):
+        raise BadInput(f"{path}: expected a name that ends with .waft.json")
+    for text in texts:
+        if not text.strip():
+            raise BadInput("--text: expected a word, found blanks")
+    for files, kinds in ((images, PICTURES), (obstacles, SURFACES)):
+        for file in files:
+            if not str(file).lower().endswith(kinds):
+                raise BadInput(f"{file}: expected a file that ends with {', '.join(kinds)}")
+    courses = [_course(curve) for curve in curves]
+    if not (texts or images or curves):
+        texts = ["WAFT"]
+    forms = [{"text": text} for text in texts] + [{"image": image} for image in images]
+    keys = [round(RATE * (FLIGHT + BETWEEN * place)) for place in range(len(forms))]
+    last = max([keys[-1]] if keys else [0])
+    last = max([last, *(len(course) - 1 for course in courses)]) + round(RATE * AFTER)
+
+    scene = Scene(f"Made by waft new: {', '.join([*texts, *map(os.path.basename, (*images, *curves))])}"[:200],
+                  comment="Fields that begin with _ are comments. Metres, seconds; z is up; frames are counted from 0. Fly it: "
+                          "waft synthesize THIS --output out --preview. See it again at each change: --watch. What is hard: "
+                          "waft check THIS.")
+    scene.set_time(last + 1, RATE, comment="more frames between marks: a calmer flight")
+    scene.set_domain((-2, -2, 0), (2, 2, 4), comment="the volume; its sides are walls")
+    scene.add_shape("body", shape, comment="leaf, maple, oak, willow, aspen, feather, down, petal, bubble or disc; size [m] and "
+                                           "settlingSpeed [m/s] may be given, too")
+    for file in obstacles:
+        up = {} if str(file).lower().endswith(".glb") else {"up": "y" if str(file).lower().endswith(".obj") else "z"}
+        scene.add_mesh(file, position=(0, 0, 0), scale=1, **up, comment="a closed surface, metres: scale and position put it where it "
+                                                                        "is to be; up is the file's axis that is up")
+    bodies = []
+    if forms:
+        bodies = scene.add_objects("body", count=count, region={"min": (-1.6, -1.2, 2.2), "max": (1.6, 1.2, 3.7)},
+                                   comment="spread in this box at frame 0")
+    for course in courses:
+        body = scene.add_object("body", course[0], comment="follows a curve")
+        scene.add_path(body, 1, course[1:], radius=HOLD, comment=f"one point a frame, within {HOLD:g} m; the curve at {SPEED:g} m/s")
+    for frame, form in zip(keys, forms):
+        width = min(WIDEST, HIGH * _breadth(form["text"])) if form.get("text") else 2.4
+        scene.add_keyframe(frame, **form, origin=(0, 0, 1.9), u=(1, 0, 0), v=(0, 0, 1), width=width, count=len(bodies),
+                           objects=bodies if courses else None, radius=0.02,
+                           comment="upright, seen from the front; velocity \"rest\", v [0, 1, 0] and a low origin: lying on the ground")
+    scene.save(path, is_new=True)
+    return scene
+
+
+def _breadth(text):
+    """About how wide a text is where its letters are 1 high: letters of a sans, without the margins of the outer two."""
+    return sum(0.3 if letter in THIN else 0.7 for letter in text) - 0.2
+
+
+def _course(path):
+    """One point a frame along a curve, at an even speed."""
+    points = _points(path)
+    steps = [math.dist(a, b) for a, b in zip(points, points[1:])]
+    along = [0.0, *itertools.accumulate(steps)]
+    if along[-1] <= SPEED / RATE:
+        raise BadInput(f"{path}: expected a curve longer than {SPEED / RATE:.2g} m, found {along[-1]:.2g} m")
+    count = math.ceil(along[-1] / SPEED * RATE)
+    if count > MOST_POINTS:
+        raise BadInput(f"{path}: expected a curve of {MOST_POINTS / RATE * SPEED:.0f} m at most, found {along[-1]:.3g} m; units are metres")
+    course, piece = [], 0
+    for frame in range(count + 1):
+        at = min(along[-1] * frame / count, along[-1])
+        while piece < len(steps) - 1 and along[piece + 1] < at:
+            piece += 1
+        share = (at - along[piece]) / steps[piece] if steps[piece] > 0.0 else 0.0
+        course.append([round(a + min(share, 1.0) * (b - a), 6) for a, b in zip(points[piece], points[piece + 1])])
+    return course
+
+
+def _points(path):
+    """The rows x,y,z of a file; a first row of words is its head."""
+    points = []
+    text = read_text(path, what="rows x,y,z [m]")
+    try:
+        for number, row in enumerate(csv.reader(io.StringIO(text, newline="")), 1):
+            try:
+                point = [float(cell) for cell in row]
+            except ValueError:
+                point = []
+            if len(point) == 3 and all(map(math.isfinite, point)):
+                points.append(point)
+            elif row and number > 1:
+                raise BadInput(f"{path}: line {number}: expected three numbers x,y,z, found {','.join(row)[:80]}")
+    except csv.Error as error:
+        raise BadInput(f"{path}: expected rows x,y,z [m]: {error}") from error
+    if len(points) < 2:
+        raise BadInput(f"{path}: expected rows x,y,z [m], two at least, found {len(points)}")
+    return points
