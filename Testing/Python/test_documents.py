@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pages: every link leads to a file, the index lists every page, and lines are at most 120 columns wide.
+"""The pages: every link leads to a file, the index lists every page, lines are at most 120 columns wide, and
+figures of time and memory say when they were taken.
 
     test_documents.py SOURCE"""
 
@@ -13,6 +14,9 @@ import unittest
 SOURCE = sys.argv[1]
 DOCUMENTATION = os.path.join(SOURCE, "Documentation")
 LINK = re.compile(r"\]\(([^)#]+)(?:#[^)]*)?\)")
+DATE = re.compile(r"\b20\d\d-\d\d-\d\d\b")
+TAKEN = re.compile(r"\d (?:s|ms|MB|GB) [|]|CPU s|^[|] seconds [|]")
+LIMITS = {"Bad inputs", "Rows"}  # tables of what is allowed or wanted, none of what was measured
 WIDTH = 120  # columns; tables and code blocks may be wider
 
 
@@ -40,6 +44,18 @@ def cut_tables(text):
             if number == len(lines) or not re.fullmatch(r"\|[-:| ]+\|", lines[number]):
                 yield number
         before = line
+
+
+def undated(text):
+    """Headings of sections whose tables have figures of a machine's time or memory, and that do not say when these were
+    taken. A date in the words before the first section is one for all; a page that a script writes keeps it in its data."""
+    lead, *sections = re.split(r"^##+ ", text, flags=re.MULTILINE)
+    if DATE.search(lead) or "Written by [make_" in lead:
+        return
+    for section in sections:
+        rows = [line for line in section.splitlines() if line.startswith("|")]
+        if any(TAKEN.search(row) for row in rows) and not DATE.search(section):
+            yield section.partition("\n")[0]
 
 
 def text_of(path):
@@ -92,6 +108,14 @@ class DocumentsTest(unittest.TestCase):
         for page in pages():
             with self.subTest(page=os.path.relpath(page, SOURCE)):
                 self.assertEqual([], list(cut_tables(text_of(page))))
+
+    def test_figures_say_when_they_were_taken(self):
+        table = "| a | time |\n|---|---|\n| b | 3 s |\n"
+        self.assertEqual(["Old"], list(undated(f"# A\n\n## New\n\n2026-11-26:\n\n{table}\n## Old\n\n{table}")))
+        self.assertEqual([], list(undated(f"# A\n\nOf 2026-11-26.\n\n## Old\n\n{table}")))
+        for page in pages():
+            with self.subTest(page=os.path.relpath(page, SOURCE)):
+                self.assertEqual(set(), set(undated(text_of(page))) - LIMITS)
 
     def test_every_page_is_in_the_index(self):
         listed = LINK.findall(text_of(os.path.join(DOCUMENTATION, "README.md")))
