@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pages: every link leads to a file, the index lists every page, lines are at most 120 columns wide, and
-figures of time and memory say when they were taken.
+"""The pages: every link leads to a file, files that are named are there, the index lists every page, lines are at most
+120 columns wide, and figures of time and memory say when they were taken.
 
     test_documents.py SOURCE"""
 
@@ -84,6 +84,16 @@ class DocumentsTest(unittest.TestCase):
                 if "://" not in target:
                     with self.subTest(page=os.path.relpath(page, SOURCE), target=target):
                         self.assertTrue(os.path.exists(os.path.join(os.path.dirname(page), target)))
+
+    def test_files_that_are_named_are_there(self):
+        count = 0
+        for page in pages():
+            for name in re.findall(r"`((?:CMake|Data|Documentation|Filters|Plugin|Sources|Testing)/[\w./-]+)`", text_of(page)):
+                with self.subTest(page=os.path.relpath(page, SOURCE), name=name):
+                    there = glob.glob(os.path.join(SOURCE, name.replace("GROUP", "*")) + ("" if "." in name else "*"))
+                    self.assertNotEqual([], there)
+                    count += 1
+        self.assertGreater(count, 50)
 
     def test_the_readme_opens_with_an_animation_that_loads_soon(self):
         first = LINK.findall(text_of(os.path.join(SOURCE, "README.md")))[0]
