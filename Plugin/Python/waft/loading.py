@@ -3,6 +3,7 @@
 import os
 import pathlib
 import sys
+from typing import Optional
 
 from waft.reading import read_text
 
@@ -36,12 +37,12 @@ def data_file(name: str) -> str:
     return str(path)
 
 
-def addon_folder():
+def addon_folder() -> Optional[pathlib.Path]:
     """The folder of the add-on for Blender; None where it was not installed."""
     return _find_upwards("share/blender/scripts/addons/waft_addon")
 
 
-def is_paraview_here():
+def is_paraview_here() -> bool:
     """Whether this process is one of ParaView's programs, or has its package imported."""
     try:
         program = os.path.basename(os.readlink("/proc/self/exe"))
@@ -101,7 +102,7 @@ def _load_library(simple):
 _has_threads = True
 
 
-def set_threads(threads):
+def set_threads(threads: Optional[int]) -> None:
     """Number of threads of every stage (None: all cores). Results do not depend on it."""
     from vtkmodules.vtkCommonCore import vtkSMPTools
 

@@ -6,6 +6,7 @@ import os
 import shlex
 import sys
 import time
+from typing import Optional, Sequence
 
 from waft import failures
 from waft.loading import version
@@ -112,7 +113,7 @@ class _Parser(argparse.ArgumentParser):
         super().error(line(shortened(message)))
 
 
-def parser():
+def parser() -> argparse.ArgumentParser:
     main = _Parser(prog="waft", description=DESCRIPTION, epilog=EXIT)
     main.add_argument("--version", action="version", version=f"waft {version()}")
     main.set_defaults(needs_paraview=True)
@@ -259,7 +260,7 @@ def parser():
     return main
 
 
-def parse(arguments=None):
+def parse(arguments: Optional[Sequence[str]] = None) -> argparse.Namespace:
     """The options of a command line; ends the process by SystemExit at --help, --version and malformed usage."""
     main = parser()
     options = main.parse_args(arguments)
@@ -434,7 +435,7 @@ def run_demo(options):
     return demo(options.output, threads=options.threads)
 
 
-def main(arguments=None):
+def main(arguments: Optional[Sequence[str]] = None) -> int:
     try:
         options = parse(arguments)
         return options.run(options)

@@ -3,7 +3,7 @@
 import math
 import os
 from dataclasses import dataclass, field
-from typing import Callable, List, Optional, Sequence, Union
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -33,24 +33,24 @@ class Row:
     key: str
     text: str
     value: float = UNKNOWN
-    wanted: tuple = (-math.inf, math.inf)
+    wanted: Tuple[float, float] = (-math.inf, math.inf)
     drifters: float = UNKNOWN
     why: str = ""
 
     @property
-    def met(self):
+    def met(self) -> Optional[bool]:
         """None where there is nothing to be met."""
         if math.isnan(self.value) or self.wanted == (-math.inf, math.inf):
             return None
         return bool(self.wanted[0] <= self.value <= self.wanted[1])
 
-    def wanted_text(self):
+    def wanted_text(self) -> str:
         low, high = self.wanted
         if low == -math.inf:
             return "" if high == math.inf else f"<= {high:g}"
         return f">= {low:g}" if high == math.inf else f"{low:g} to {high:g}"
 
-    def as_json(self):
+    def as_json(self) -> Dict[str, Any]:
         def plain(number):
             return float(number) if math.isfinite(number) else None
 
@@ -65,15 +65,15 @@ class Measured:
     name: str
     tracks: str
     objects: int
-    rows: list
-    notes: list = field(default_factory=list)
-    airs: list = field(default_factory=list)  # Flights of the motion
-    others: list = field(default_factory=list)  # and of the drifters
+    rows: List[Row]
+    notes: List[str] = field(default_factory=list)
+    airs: List[Any] = field(default_factory=list)  # Flights of the motion
+    others: List[Any] = field(default_factory=list)  # and of the drifters
 
-    def __getitem__(self, key):
+    def __getitem__(self, key: str) -> Row:
         return next(row for row in self.rows if row.key == key)
 
-    def as_json(self):
+    def as_json(self) -> Dict[str, Any]:
         return {"folder": self.name, "tracks": self.tracks, "objects": self.objects, "notes": self.notes,
                 "rows": [row.as_json() for row in self.rows]}
 
@@ -117,7 +117,8 @@ def measure(folders: Union[Path, Sequence[Path]], tracks: str = "optimized", dri
     return done
 
 
-def make_drifters_for(folders, path, speeds=None, airs=6, seed=20001, progress=None):
+def make_drifters_for(folders: Sequence[Path], path: Path, speeds: Optional[Sequence[float]] = None, airs: int = 6, seed: int = 20001,
+                      progress: Optional[Callable[[float, str], Any]] = None) -> None:
     """Makes a set of drifters for the volume, frame rate and settling speeds of folders; without a folder for the default volume
     and rate. speeds: instead of theirs [m/s]."""
     check_target(path, is_marked_zip)
@@ -346,7 +347,7 @@ def _landing(runs, fewest):
                 why="nothing lands" if fewest >= MANY else f"fewer than {MANY} objects")]
 
 
-def table(measured):
+def table(measured: Measured) -> List[str]:
     """The rows as lines of text."""
     def figure(number):
         return "" if math.isnan(number) else "0" if number == 0.0 else f"{number:.3g}" if abs(number) >= 1e-3 else f"{number:.1e}"

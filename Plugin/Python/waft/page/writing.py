@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import re
+from typing import Union
 
 from waft.failures import BadInput, WaftError
 from waft.files import write_text
@@ -17,11 +18,12 @@ from waft.texts import in_html
 NAME = "page.html"
 STAMP = "page.watch.js"
 THREE = "/usr/share/javascript/three/three.min.js"
+Path = Union[str, "os.PathLike[str]"]
 _PARTS = pathlib.Path(__file__).resolve().parent
 _FILE = re.compile(r'<link rel="stylesheet" href="([^"]+)">|<script src="([^"]+)"></script>')
 
 
-def write_page(folder, measured=None, is_watched=False):
+def write_page(folder: Path, measured: Union[Path, bool, None] = None, is_watched: bool = False) -> str:
     """Writes FOLDER/page.html and its manifest, FOLDER/page.json; returns the page's path.
 
     folder:     what `waft synthesize` wrote

@@ -3,7 +3,7 @@
 
 import contextlib
 import os
-from typing import Callable, Dict
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkMapper, vtkRenderer, vtkRenderWindow
@@ -23,6 +23,7 @@ from waft.results import ResultPlace
 from waft.results._folder import load
 
 
+Path = Union[str, "os.PathLike[str]"]
 _SEAL = "pictures.json"
 _HIDDEN = 0.1  # share of the motion behind obstacles from which on one sees through them
 _GLASS = 0.22  # opacity of such obstacles
@@ -32,7 +33,7 @@ _ANY_WINDOW = 4096  # pixels a side that every window can draw
 _MOST_DRAWN = 1 << 26
 
 
-def parse_frames(text, count):
+def parse_frames(text: Optional[str], count: int) -> range:
     """Frame numbers of "A:B:S": from A to B (B included), every S; "A" alone is one frame, and what
     is left out is the first frame, the last one, and 1. Raises BadInput."""
     if text is None or text == "":
@@ -83,36 +84,37 @@ def _film(exposure):
 class Stage:
     """The drawn scene: `draw(view, frame)` leaves the picture in the window and returns it."""
 
-    def __init__(self, motion, size=(1280, 720), samples=2, paths=True, targets=True,
-                 obstacle_opacity=None, style="day", exposure=Exposure()):
+    def __init__(self, motion: Any, size: Tuple[int, int] = (1280, 720), samples: int = 2, paths: bool = True, targets: bool = True,
+                 obstacle_opacity: Optional[float] = None, style: str = "day", exposure: Exposure = Exposure()) -> None:
         self._exposure = exposure
         # Pictures that are averaged lie apart by parts of a pixel.
         self._samples = samples = samples if exposure.is_plain else 1
         self._renderer = vtkRenderer()
-        style = STYLES[style]
-        if style.exposure is not None:
-            self._renderer.SetPass(_film(style.exposure))
+        look = STYLES[style]
+        if look.exposure is not None:
+            self._renderer.SetPass(_film(look.exposure))
         self._window = vtkRenderWindow()
         self._window.SetOffScreenRendering(1)
         self._window.SetMultiSamples(0)
-        self._window.SetAlphaBitPlanes(not style.backdrop)
-        self._is_clear = not style.backdrop
+        self._window.SetAlphaBitPlanes(not look.backdrop)
+        self._is_clear = not look.backdrop
         self._window.SetSize(size[0] * samples, size[1] * samples)
         self._window.AddRenderer(self._renderer)
-        self._scenery = Scenery(motion, self._renderer, style, line_width=samples)
+        self._scenery = Scenery(motion, self._renderer, look, line_width=samples)
         self._cameras = Cameras(motion, size[0] / size[1])
-        self._objects = Objects(motion, self._renderer, self._scenery, style)
-        self._surroundings = [self._scenery]
+        self._objects = Objects(motion, self._renderer, self._scenery, look)
+        self._surroundings: List[Union[Scenery, Trails]] = [self._scenery]
         if paths:
-            self._surroundings.append(Trails(motion, self._renderer, style.trail, width=1.2 * samples))
+            self._surroundings.append(Trails(motion, self._renderer, look.trail, width=1.2 * samples))
         if targets:
             add_marks(motion, self._renderer, self._scenery.size)
         self._motion = motion
         self._obstacle_opacity = obstacle_opacity
-        self._opacities = {}
-        self._frame = self._time = None
+        self._opacities: Dict[str, float] = {}
+        self._frame: Optional[int] = None
+        self._time: Optional[float] = None
 
-    def draw(self, view, frame):
+    def draw(self, view: str, frame: int) -> Any:
         if frame != self._frame:
             for part in self._surroundings:
                 part.move_to(frame)
@@ -170,24 +172,24 @@ class Stage:
 
 
 def render(
-    folder,
-    frames=None,
-    size=(1280, 720),
-    movie=False,
-    views=("side", "top"),
-    paths=True,
-    targets=True,
-    samples=2,
-    obstacle_opacity=None,
-    style="day",
-    loop=None,
-    shutter=0.0,
-    aperture=0.0,
-    subframes=16,
-    sheet=False,
-    jobs=1,
-    progress=None,
-):
+    folder: Path,
+    frames: Optional[str] = None,
+    size: Tuple[int, int] = (1280, 720),
+    movie: bool = False,
+    views: Sequence[str] = ("side", "top"),
+    paths: bool = True,
+    targets: bool = True,
+    samples: int = 2,
+    obstacle_opacity: Optional[float] = None,
+    style: str = "day",
+    loop: Optional[float] = None,
+    shutter: float = 0.0,
+    aperture: float = 0.0,
+    subframes: int = 16,
+    sheet: bool = False,
+    jobs: int = 1,
+    progress: Optional[Callable[[float, str], Any]] = None,
+) -> List[str]:
     """Draws the motion of a folder.
 
     folder:   what `waft synthesize` wrote
@@ -263,7 +265,7 @@ def render(
     return [os.path.join(folder, name) for name in written]
 
 
-_MOVIES: Dict[str, Callable] = {".ogv": OggMovie, ".avi": AviMovie, **({".mp4": Mp4Movie} if Mp4Movie.available() else {})}
+_MOVIES: Dict[str, Callable[..., Any]] = {".ogv": OggMovie, ".avi": AviMovie, **({".mp4": Mp4Movie} if Mp4Movie.available() else {})}
 
 
 def _picture(view, frame):

@@ -71,7 +71,8 @@ class Store:
 
     def remove(self, name) -> None:
         with contextlib.suppress(OSError):  # another process has, too
-            self._folder.remove(name)
+            if self._folder is not None:
+                self._folder.remove(name)
 
     def _drop_oldest(self, latest):
         with contextlib.suppress(OSError):

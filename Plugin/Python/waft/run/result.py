@@ -6,7 +6,7 @@ import dataclasses
 import os
 import pathlib
 import tempfile
-from typing import Any, Dict, List, Optional, Sequence
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -14,7 +14,11 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from waft.failures import BadInput, WaftError
 from waft.reading import read_bytes
 from waft.run.pipeline import Pipeline
+from waft.run.request import Path
 from waft.texts import in_html
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 _MARK = [("row", int), ("target", int), ("object", int), ("frame", int), ("kind", "U12"), ("status", "U12"), ("residual", float),
          ("message", object)]
@@ -75,27 +79,28 @@ class Result:
         return np.array(values)[order].reshape(lines.GetNumberOfCells(), -1, np.shape(values)[1])
 
     @property
-    def positions(self) -> np.ndarray:
+    def positions(self) -> "NDArray[np.float64]":
         return self._by_object(vtk_to_numpy(self._poses().GetPoints().GetData()))
 
     @property
-    def orientations(self) -> np.ndarray:
+    def orientations(self) -> "NDArray[np.float64]":
         return self._by_object(vtk_to_numpy(self._poses().GetPointData().GetArray("Orientation")))
 
     @property
-    def times(self) -> np.ndarray:
+    def times(self) -> "NDArray[np.float64]":
         times = vtk_to_numpy(self._poses().GetPointData().GetArray("Time"))
         return self._by_object(times[:, None])[0, :, 0]
 
     @property
-    def object_ids(self) -> np.ndarray:
+    def object_ids(self) -> "NDArray[np.int64]":
         return np.array(vtk_to_numpy(self._poses().GetCellData().GetArray("ObjectId")), int)
 
     @property
-    def marks(self) -> np.ndarray:
+    def marks(self) -> "NDArray[np.void]":
         return np.array([tuple(row[name] for name in _COLUMNS) for row in self.report], dtype=_MARK)
 
-    def render(self, path=None, frame=None, size=(960, 540), view="side", **options) -> np.ndarray:
+    def render(self, path: Optional[Path] = None, frame: Optional[int] = None, size: Tuple[int, int] = (960, 540), view: str = "side",
+               **options: Any) -> "NDArray[np.uint8]":
         """A still as a numpy array (height, width, 3; of the style clear 4, with alpha) of bytes, the top row first.
 
         path: also writes it, .png. frame: default the last. size: width and height, 16 to 16384. view: hero, side, top or follow.
@@ -145,20 +150,20 @@ class Result:
         write_xml(rows, folder / "constraints.vtp")
         write_bodies(self.pipeline, Place)
 
-    def show(self, view=None):
+    def show(self, view: Any = None) -> Any:
         """The bodies, the obstacles, the paths and the marks in a view of ParaView (default: the active one, or a new one); the
         animation of the session then has the frames of the scene. Returns the view."""
         from waft.run.showing import show
 
         return show(self, view)[0]
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         objects, frames, _ = self.positions.shape
         met = int(np.sum(self.marks["status"] == "met"))
         return (f"<Result of {os.path.basename(self.scene_file)}: {objects} objects, {frames} frames, "
                 f"{met} of {len(self.marks)} marks met>")
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         """For notebooks: a still and the table of marks."""
         try:
             with tempfile.TemporaryDirectory(prefix="waft-still-") as folder:

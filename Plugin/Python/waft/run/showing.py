@@ -46,7 +46,7 @@ def show(shown: Any, view: Any = None, port: Optional[int] = None) -> List[Any]:
     return [view, *charts]
 
 
-def kind_of(stage, port):
+def kind_of(stage: Any, port: int) -> str:
     """"" of an output that is shown in space by itself, "None" of one that is not shown, else the kind of its view."""
     hints = stage.SMProxy.GetHints()
     for element in (hints.GetNestedElement(i) for i in range(hints.GetNumberOfNestedElements() if hints else 0)):

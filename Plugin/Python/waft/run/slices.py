@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Stages that work in slices: each update a bounded part, with the motion so far to look at."""
+from typing import Any
+
 from waft.run.updating import check_proxy, update
 
 
-def go_on(source) -> bool:
+def go_on(source: Any) -> bool:
     """Goes on with the work that a source holds, by one slice of its stages; True when nothing is left.
 
     source: a proxy, Waft Animation or a stage by itself, whose property Slice [s] is above 0. The first slice is done by

@@ -6,7 +6,7 @@ from waft.failures import BadInput
 from waft.run.updating import check_proxy
 
 
-def unfold(animation) -> Dict[str, Any]:
+def unfold(animation: Any) -> Dict[str, Any]:
     """Makes the stages that a Waft Animation runs, in one pipeline and set as it is: {name in the pipeline browser: proxy}. They
     give the same bytes, and nothing links them back. Raises BadInput where animation is no such proxy."""
     from paraview import simple

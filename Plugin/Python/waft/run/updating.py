@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Updates of stages that do not fail in silence."""
+from typing import Any
+
 from waft.failures import BadInput
 
 _MARK = "Failure"  # field data of the outputs of a stage that failed, and of those after it: the sentence
 
 
-def update(source) -> None:
+def update(source: Any) -> None:
     """Updates a source or filter, Waft Animation or a stage by itself; raises BadInput with the sentence of what failed, its own
     or one that it takes from. Works on a pvserver as well. Raises BadInput where source is no proxy."""
     check_proxy(source)
@@ -15,12 +17,12 @@ def update(source) -> None:
         raise BadInput(sentence)
 
 
-def check_proxy(source):
+def check_proxy(source: Any) -> None:
     if not hasattr(source, "SMProxy") or not hasattr(source, "UpdatePipeline"):
         raise BadInput(f"source: expected a proxy of a source or filter, found {source!r}")
 
 
-def failure_of(source) -> str:
+def failure_of(source: Any) -> str:
     """The sentence that the last update of a source failed with; empty where it did not."""
     proxy = source.SMProxy
     for port in range(proxy.GetNumberOfOutputPorts()):

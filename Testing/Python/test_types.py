@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The type hints of the package waft by mypy: the package itself, and a user's script that is held to all that mypy asks for.
+
+    python3 test_types.py MODULES         MODULES: the folder with the package waft in the sources; without mypy it is skipped
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+MODULES = sys.argv[1]
+SCRIPT = """import waft
+from waft.page import write_page
+from waft.render import Stage, render
+
+scene: waft.Scene = waft.Scene("A word")
+scene.add_objects("maple", count=60, region={"min": (-1, -1, 2.5), "max": (1, 1, 3.8)})
+scene.save("word.waft.json")
+run = waft.synthesize(scene, output="out", quality="preview", on_progress=lambda share, text: share < 0.5)
+words: str = run.warnings[0] + run.report[0]["Message"] + run.quality
+counts: int = run.positions.shape[0] + run.status + run.seed + waft.synthesize("word.waft.json", "out", seed=1, keep=("air",)).status
+print(run.planner, run.output("reader", 0), run.orientations[0, 0], run.times[0], run.object_ids[0], run.marks["status"])
+run.render("still.png", size=(640, 360))
+waft.show(run)
+waft.update(run.rotation)
+waft.fetch(run.planner, "Tracks")
+while not waft.go_on(run.planner):
+    pass
+print(waft.unfold(run.planner)["planner"], waft.measure("out")[0]["start"].value, waft.data_file("Scenes").upper(), waft.version().upper())
+for name in render("out", frames="0:9:1", size=(640, 360), views=("hero",)):
+    print(name.upper(), Stage(None).draw("side", 0), write_page("out").upper())
+run.delete()
+"""
+WRONG = {"waft.synthesize(scene, qualty='full')": 'Unexpected keyword argument "qualty"',
+         "waft.synthesize(scene, seed='7')": '"seed" to "synthesize" has incompatible type "str"',
+         "waft.synthesize(scene, 'out', None, 7)": "Too many positional arguments",
+         "run.positons": '"Result" has no attribute "positons"',
+         "run.status = 1": 'Property "status" defined in "Result" is read-only'}
+
+
+class Types(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+
+    def mypy(self, *arguments):
+        return subprocess.run(["mypy", "--ignore-missing-imports", "--python-executable", sys.executable,
+                               "--cache-dir", self.folder / "cache", *arguments],
+                              cwd=MODULES, capture_output=True, text=True, check=False)
+
+    def test_of_the_package(self):
+        done = self.mypy("-p", "waft")
+        self.assertEqual(0, done.returncode, done.stdout)
+
+    def test_of_what_a_user_writes(self):
+        path = self.folder / "script.py"
+        path.write_text(SCRIPT + "".join(f"{line}\n" for line in WRONG), encoding="utf-8")
+        done = self.mypy("--strict", "--follow-imports=silent", path)
+        told = [line for line in done.stdout.splitlines() if ": error: " in line]
+        self.assertEqual(len(WRONG), len(told), done.stdout)
+        for wrong, line in zip(WRONG.values(), told):
+            self.assertIn(wrong, line)
+
+
+if __name__ == "__main__":
+    if shutil.which("mypy") is None:
+        print("mypy was not found")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1])
