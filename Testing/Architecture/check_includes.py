@@ -51,7 +51,8 @@ FOLDER_MAY_INCLUDE = {
         "Solver": {"Model", "Energy"},
         "Fields": {"Model", "Energy"},
         "Scene": {"Model", "Energy", "Fields"},
-        "Run": {"Model", "Energy", "Solver", "Fields", "Scene"},
+        "Paper": {"Model", "Energy", "Fields", "Scene"},
+        "Run": {"Model", "Energy", "Solver", "Fields", "Scene", "Paper"},
     },
 }
 BRIDGE_MAY_INCLUDE = {"Data": {"Data"}, "Files": {"Data", "Files"}, "Pipeline": {"Data", "Pipeline"}}

@@ -2,6 +2,7 @@
 #include "StandardRun.h"
 
 #include "Spacetime/Model/LevelTransfer.h"
+#include "Spacetime/Paper/PaperSchedule.h"
 #include "Spacetime/Run/Schedule.h"
 #include "Spacetime/Scene/InitialGas.h"
 #include "Spacetime/Solver/LevelSolver.h"
@@ -171,7 +172,7 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
 {
   const SpacetimeModel& model = setup.Model;
   Schedule schedule = PlanSchedule(setup, options, model.Size.x());
-  const std::vector<Stage> again = PlanAgain(options, false).Stages;
+  const std::vector<Stage> again = PlanPassesAgain(options, false).Stages;
   schedule.Stages.insert(schedule.Stages.end(), again.begin(), again.end());
   const TimeLevel full = schedule.LevelOf(0, model.NumberOfFrames, options.TemporalWindow);
   SpacetimeTerms terms;

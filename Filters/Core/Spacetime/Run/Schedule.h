@@ -1,75 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a run does, stage by stage: known before it begins, so that it can be left and taken up
-// again at any of them.
+// What a run plans to do.
 #pragma once
 
-#include "Base/StateArchive.h"
-#include "Spacetime/Model/SpacetimeOptions.h"
-#include "Spacetime/Model/TimeLevel.h"
+#include "Spacetime/Model/Schedule.h"
 #include "Spacetime/Scene/SpacetimeSetup.h"
-
-#include <cstdint>
-#include <string>
-#include <vector>
 
 namespace waft
 {
 
-enum class StageKind : std::uint8_t
-{
-  Leash,    // near to the plan
-  Coarsest, // on the coarsest level, where it is none of the passes'
-  Pass,     // of an alternation with the fields
-  Fine,     // on all frames, at last
-  Again,    // from a motion that was solved before
-  Edit,     // the same, some of it changed
-  Fields    // estimates the force fields anew; all others minimise E
-};
-
-struct Stage
-{
-  StageKind Kind = StageKind::Pass;
-  int Coarseness = 0;        // of its level of time: 0: all frames, else of the schedule
-  int Pass = 1;              // alternation
-  char Part = 0;             // 'a' before and 'b' after an update of the fields; 0: whole
-  int Iterations = 0;        // at most
-  double Leash = 0.0;        // m; 0: none
-  bool FitsVortices = false; // of Fields
-
-  bool IsUpdate() const { return this->Kind == StageKind::Fields; }
-  /// Of a minimisation, as Convergence tells it.
-  std::string Name() const;
-  /// The same place of a schedule, whatever a stage may take there.
-  bool IsSame(const Stage& other) const;
-};
-void Serialise(StateArchive& stream, Stage& stage);
-
-struct Schedule
-{
-  /// Frames of the coarse levels, of Coarseness 1 first; those that are not worth while are left
-  /// out.
-  std::vector<std::vector<int>> CoarseFrames;
-  std::vector<Stage> Stages;
-
-  int Coarsest() const { return static_cast<int>(this->CoarseFrames.size()); }
-  /// window: w of Eq. 4 [frames].
-  TimeLevel LevelOf(int coarseness, int numberOfFrames, int window) const;
-  /// Iterations at full resolution that stages from `first` on may take.
-  double Work(std::size_t first, int numberOfFrames) const;
-  /// The first stage at full resolution, and the same stage as another schedule's (as a last resort
-  /// the former).
-  std::size_t FirstFine() const;
-  std::size_t Find(const Stage& stage) const;
-};
-void Serialise(StateArchive& stream, Schedule& schedule);
-
-/// From planned tracks: leash and passes, coarse to fine.
+/// From planned tracks: the passes of the paper, where no drawn air is given.
 Schedule PlanSchedule(const SpacetimeSetup& setup, const SpacetimeOptions& options, double width);
 /// In a drawn air, in which the tracks and their gas fly already: all frames at once, no fields to
 /// be found.
 Schedule PlanInAir(const SpacetimeOptions& options);
 /// From a motion that was solved before, under conditions that may have changed.
-Schedule PlanAgain(const SpacetimeOptions& options, bool fitVortices);
+Schedule PlanAgain(const SpacetimeSetup& setup, const SpacetimeOptions& options, bool fitVortices);
 /// From a motion that was solved before, some of it changed: the fields stay as they are.
 Schedule PlanEdit(const SpacetimeOptions& options);
 

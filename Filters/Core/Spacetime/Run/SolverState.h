@@ -5,7 +5,7 @@
 #include "Base/StateArchive.h"
 #include "Spacetime/Energy/Convergence.h"
 #include "Spacetime/Model/AirFields.h"
-#include "Spacetime/Run/Schedule.h"
+#include "Spacetime/Model/Schedule.h"
 #include "Spacetime/Solver/Lbfgs.h"
 
 #include <cstdint>

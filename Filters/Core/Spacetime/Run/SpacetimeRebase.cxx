@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a run goes on from: the motion kept by the last one.
+#include "Spacetime/Run/Schedule.h"
 #include "Spacetime/Run/SpacetimeBudget.h"
 #include "Spacetime/Run/SpacetimeEdit.h"
 #include "Spacetime/Run/SpacetimeRun.h"
@@ -22,8 +23,7 @@ bool SpacetimeRun::Rebase()
   {
     return false;
   }
-  const bool inAir = !this->Problem.Model.Air.IsEmpty();
-  if (inAir && digest.Physics != memory.Digest.Physics)
+  if (!this->Problem.Model.Air.IsEmpty() && digest.Physics != memory.Digest.Physics)
   {
     return false; // the tracks fly in this air, the last motion may have flown in another
   }
@@ -74,7 +74,7 @@ bool SpacetimeRun::Rebase()
   }
   else if (memory.State.IsDone())
   {
-    state.Plan = inAir ? PlanInAir(this->Options) : PlanAgain(this->Options, hasNewVortices);
+    state.Plan = PlanAgain(this->Problem, this->Options, hasNewVortices);
   }
   else
   {

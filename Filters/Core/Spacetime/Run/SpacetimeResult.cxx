@@ -3,7 +3,7 @@
 #include "Spacetime/Run/SpacetimeRun.h"
 
 #include "Constraints/ConstraintCheck.h"
-#include "Spacetime/Fields/FieldUpdates.h"
+#include "Spacetime/Paper/FieldUpdates.h"
 #include "Spacetime/Scene/SpacetimeExport.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "Spacetime/Run/SpacetimeRun.h"
 
 #include "Spacetime/Run/InitialObjects.h"
+#include "Spacetime/Run/Schedule.h"
 #include "Spacetime/Run/SpacetimeBudget.h"
 #include "Spacetime/Run/StageProgress.h"
 #include "Spacetime/Scene/InitialGas.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the stages of a run do: minimise E with the fields as they are, or estimate these anew.
-#include "Spacetime/Fields/FieldUpdates.h"
+#include "Spacetime/Paper/FieldUpdates.h"
 #include "Spacetime/Run/SpacetimeRun.h"
 #include "Spacetime/Run/StageProgress.h"
 

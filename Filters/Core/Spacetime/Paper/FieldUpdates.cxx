@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Spacetime/Fields/FieldUpdates.h"
+#include "Spacetime/Paper/FieldUpdates.h"
 
 #include "Constraints/MotionProblem.h"
 #include "Spacetime/Fields/WindEstimate.h"
