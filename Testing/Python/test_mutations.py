@@ -71,7 +71,7 @@ class Mutations(unittest.TestCase):
         # A run that is begun has read what there was to be read; nor is there anything to be learnt from windows of so short flights.
         from waft.measuring import _telling
 
-        def begun(*_):
+        def begun(*_, **__):
             raise failures.Interrupted("begun")
         synthesis._run, _telling.is_there, takes._Flight.fly = begun, lambda: False, lambda *_: None
 

@@ -54,7 +54,6 @@ LEFT = {
     ("CONTRIBUTING.md", "cmake --preset sanitize"): NIGHTLY,
     ("CONTRIBUTING.md", "./waft package && cmake"): BUILDS,
     ("CONTRIBUTING.md", "cmake --preset tidy"): NIGHTLY,
-    ("CONTRIBUTING.md", "mypy --ignore-missing-imports"): "needs mypy, which a build does without",
     ("CONTRIBUTING.md", "PYTHONPATH=build/lib/python3/dist-packages xvfb-run"): "draws the pictures that Python.Render compares",
     ("AirAssimilationFilter.md", "c = x' + k^-1 x''"): FORMULA,
     ("AirAssimilationFilter.md", "minimise  1/2 sum"): FORMULA,

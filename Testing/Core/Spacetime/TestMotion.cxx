@@ -164,12 +164,6 @@ TEST(SpacetimeMotion, NeverRaisesTheCostWithinAStageAndMeetsWhatItCanInRandomSce
       EXPECT_NE(row.Status, ConstraintStatus::Unreachable) << seed << ": " << row.Message;
       EXPECT_TRUE(row.Status == ConstraintStatus::Met || !row.Message.empty()) << seed;
     }
-    if (!scene.Input.Vortices.empty())
-    {
-      EXPECT_LE(RootMeanSquare(output.Tracks, &Track::WindAccelerations),
-                2.0 * RootMeanSquare(output.Tracks, &Track::VortexAccelerations))
-        << seed;
-    }
   }
   std::printf("[ figure ] %d of %d rows met\n", met, rows);
   EXPECT_GE(met, rows - 2); // a row may ask for what the pillar or another row forbids

@@ -3,7 +3,6 @@
 // linear rows, the wind's least squares.
 #include "Spacetime/Energy/ObjectTerms.h"
 #include "Spacetime/Fields/VortexSelection.h"
-#include "Spacetime/Fields/WindEstimate.h"
 #include "Spacetime/Model/LevelTransfer.h"
 #include "Spacetime/Run/Schedule.h"
 #include "Spacetime/Scene/SpacetimeExport.h"
@@ -20,10 +19,10 @@ using namespace waft;
 namespace
 {
 
-SpacetimeSetup MakeProblem(const SpacetimeInput& input, int gas = 125)
+SpacetimeSetup MakeProblem(const SpacetimeInput& input)
 {
   SpacetimeOptions options;
-  options.NumberOfGasParticles = gas;
+  options.NumberOfGasParticles = 125;
   options.NumberOfObjectParticles = 3;
   SpacetimeSetup setup;
   const Result result = MakeSetup(input, options, setup);
@@ -320,83 +319,6 @@ TEST(LinearCluster, ProjectsOntoRowsAndBallsTogether)
   clusters[0].ProjectTangent(step);
   EXPECT_LT((0.5 * (step.row(2) - step.row(0))).norm(), 1e-12);
   EXPECT_GT(step.norm(), 1e-3);
-}
-
-TEST(WindEstimate, RecoversASmoothWindThatIsFreeOfDivergence)
-{
-  SceneOptions scene;
-  scene.NumberOfFrames = 40;
-  const SpacetimeInput input = MakeScene(scene);
-  SpacetimeSetup setup = MakeProblem(input, 1000);
-  SpacetimeModel& model = setup.Model;
-  model.Fields.Vortices.clear();
-  model.Gravities.assign(model.NumberOfObjects, 0.0f);
-  const auto truth = [&](const Vec3& x, double frame)
-  {
-    // A turning flow and a mean one that grows with time.
-    const Vec3 r = x - 0.5 * model.Size;
-    return Vec3(1e-2 * Vec3(-r.y(), r.x(), 0.0) + 2e-2 * frame / 40.0 * Vec3(1.0, 0.5, 0.0));
-  };
-  // Gas at rest whose velocities the wind alone explains.
-  StateVector state = setup.Start;
-  const std::size_t stride = model.Stride();
-  for (int frame = 0; frame < 40; ++frame)
-  {
-    for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
-    {
-      float* p = state.data() + frame * model.FrameSize() + i;
-      const Vec3 x(p[0], p[stride], p[2 * stride]);
-      for (int c = 0; c < 3 && frame > 0; ++c)
-      {
-        const float* before = p - model.FrameSize() + (3 + c) * stride;
-        p[(3 + c) * stride] = *before + static_cast<float>(truth(x, frame - 1)[c]);
-      }
-      for (int c = 0; c < 3 && frame == 0; ++c)
-      {
-        p[(3 + c) * stride] = 0.0f;
-      }
-    }
-  }
-  model.Fluid.Viscosity = 0.0;
-  const TimeLevel level = TimeLevel::Full(40, 1);
-  SpacetimeObjective objective(model, model.Fields, level, SerialFor(), FastestSphKernels());
-  SpacetimeTerms terms;
-  objective.Evaluate(state, nullptr, terms);
-  WindOptions options;
-  options.Fit.Ridge = 1e-3;
-  options.Fit.Curvature = 1e-3;
-  options.Fit.TimeSmoothing = 1e-3;
-  options.Fit.Iterations = 100;
-  const SplineWind wind = EstimateWind(objective, state, options, SerialFor());
-  double error = 0.0, scale = 0.0;
-  for (double frame : { 5.0, 20.0, 33.0 })
-  {
-    for (const Vec3& s : { Vec3(0.3, 0.4, 0.5), Vec3(0.6, 0.7, 0.3), Vec3(0.5, 0.2, 0.8) })
-    {
-      const Vec3 x = s.cwiseProduct(model.Size);
-      error = std::max(error, (SampleField(wind, x, frame) - truth(x, frame)).norm());
-      scale = std::max(scale, truth(x, frame).norm());
-    }
-  }
-  EXPECT_LT(error, 0.15 * scale);
-  // The coefficients' divergence by central differences.
-  const auto& n = wind.Dimensions;
-  const auto at = [&](int i, int j, int k, int c)
-  { return wind.Knots[1][4 * ((static_cast<std::size_t>(k) * n[1] + j) * n[0] + i) + c]; };
-  for (int k = 1; k + 1 < n[2]; ++k)
-  {
-    for (int j = 1; j + 1 < n[1]; ++j)
-    {
-      for (int i = 1; i + 1 < n[0]; ++i)
-      {
-        const double divergence =
-          0.5 * (at(i + 1, j, k, 0) - at(i - 1, j, k, 0)) / wind.Spacing[0] +
-          0.5 * (at(i, j + 1, k, 1) - at(i, j - 1, k, 1)) / wind.Spacing[1] +
-          0.5 * (at(i, j, k + 1, 2) - at(i, j, k - 1, 2)) / wind.Spacing[2];
-        EXPECT_NEAR(divergence, 0.0, 1e-6);
-      }
-    }
-  }
 }
 
 TEST(SelectVortices, KeepsTheArtistsAndTheStrongestOfEachPlaceAndTime)

@@ -9,7 +9,7 @@
 namespace waft
 {
 
-/// E = c1 Ex + c2 Ev + c3 Ec + Penalties; each term is half a sum of squares.
+/// E = c1 Ex + c2 Ev + c3 Ec + Penalties + Fields; each term is half a sum of squares.
 struct SpacetimeTerms
 {
   double E = 0.0;
@@ -17,6 +17,7 @@ struct SpacetimeTerms
   double Clearance = 0.0, Approach = 0.0, Contact = 0.0, Separation = 0.0; // weighted
   double Control = 0.0;                                                    // weighted
   double EvObjects = 0.0;                                                  // of Ev
+  double Fields = 0.0; // of the air's fields themselves, weighted
   /// The five before. They are summed frame by frame, so a sum of the columns differs by rounding.
   double Penalties = 0.0;
 
@@ -34,6 +35,7 @@ struct SpacetimeTerms
     visit(of.Separation...);
     visit(of.Control...);
     visit(of.EvObjects...);
+    visit(of.Fields...);
     visit(of.Penalties...);
   }
 };
@@ -95,6 +97,9 @@ void VisitConvergence(Visitor&& visit)
         &Row::Control);
   visit(ConvergenceColumn{ "EvObjects", "(dx/frame)^2", "of Ev: objects; the rest is gas" },
         &Row::EvObjects);
+  visit(ConvergenceColumn{ "Fields", "(dx/frame)^2",
+                           "weighted: strengths of vortices and coefficients of the wind" },
+        &Row::Fields);
 }
 
 /// All columns and Penalties: a row as it was.

@@ -305,7 +305,8 @@ SpacetimeTerms SpacetimeObjective::Sum() const
   }
   const SpacetimeWeights& w = this->Problem.Weights;
   terms.E = w.PositionWeight * terms.Ex + w.VelocityWeight * terms.Ev +
-            w.CoherenceWeight * terms.Ec + terms.Penalties;
+            w.CoherenceWeight * terms.Ec + terms.Penalties + this->Acting.Cost;
+  terms.Fields = this->Acting.Cost;
   return terms;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The smooth wind that explains what vortices and gas dynamics leave of the accelerations.
+// The lattices of smooth winds.
 #pragma once
 
 #include "Spacetime/Energy/SpacetimeObjective.h"
@@ -33,11 +33,5 @@ SplineWind MakeWindLattice(const SpacetimeModel& model, double framesPerKnot);
 
 /// Knots that span all frames.
 int KnotsOf(const SpacetimeModel& model, double framesPerKnot);
-
-/// Least squares over particles and frames (FitSplineField). The objective must just have been
-/// evaluated at `state`, its rows brought; the new wind replaces that in its fields, which stay as
-/// they are.
-SplineWind EstimateWind(const SpacetimeObjective& objective, const StateVector& state,
-                        const WindOptions& options, const ParallelFor& parallel);
 
 } // namespace waft

@@ -10,6 +10,7 @@ void Serialise(StateArchive& stream, AirFields& fields)
 {
   stream.List(fields.Vortices, [](StateArchive& s, Vortex& v) { Serialise(s, v); });
   Serialise(stream, fields.Wind);
+  stream.Value(fields.Cost);
 }
 
 } // namespace waft

@@ -15,6 +15,7 @@ struct AirFields
 {
   std::vector<Vortex> Vortices; // in dx and frames
   SplineWind Wind;              // estimated
+  double Cost = 0.0;            // their own part of E (Paper/FieldPenalty.h)
 };
 
 void Serialise(StateArchive& stream, AirFields& fields);

@@ -1,226 +1,168 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/Paper/FieldUpdates.h"
 
-#include "Constraints/MotionProblem.h"
-#include "Spacetime/Fields/WindEstimate.h"
 #include "Vortex/VortexFit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace waft
 {
 namespace
 {
 
-constexpr double WindBound = 1.8; // of the vortices' rms acceleration; twice would be an error
-constexpr double VortexTolerance = 1.02; // E may grow by this factor for new vortices
-constexpr int SampleStride = 2;          // frames between samples of a vortex fit
+constexpr double LeastGain = 1e-6;   // of E
+constexpr double LeastShare = 1e-4;  // of what the fields explain: a vortex below it is left out
+constexpr std::size_t Stride = 2;    // frames between samples of a vortex fit
+constexpr std::size_t GasStride = 8; // every eighth gas particle witnesses one of these, in turn
 
-template <typename Visit>
-void ForFlights(const SpacetimeModel& model, const TimeLevel& level,
-                const std::vector<Vec3>& positions, Visit visit)
+bool IsBetter(const SpacetimeTerms& next, const SpacetimeTerms& before)
 {
-  for (std::size_t j = 0; j + 1 < level.NumberOfFrames(); ++j)
+  return std::isfinite(next.E) && next.E < (1.0 - LeastGain) * before.E;
+}
+
+/// Solves for the objective's fields, and says what E is with them. The objective must just have
+/// been evaluated at `state` with the shapes of the vortices as they are. False: stopped.
+bool Try(AirFields& fields, SpacetimeObjective& objective, const StateVector& state,
+         const FieldChoice& choice, const ParallelFor& parallel, Monitor* monitor,
+         SpacetimeTerms& terms, std::vector<int>& dropped)
+{
+  FieldNormal normal(objective.Model(), fields, choice);
+  if (!normal.Gather(objective, state, parallel, monitor) || !normal.Solve(fields, monitor))
   {
-    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    return false;
+  }
+  dropped = normal.Idle(fields, LeastShare);
+  if (!dropped.empty())
+  {
+    const std::set<int> idle(dropped.begin(), dropped.end());
+    fields.Vortices.erase(std::remove_if(fields.Vortices.begin(), fields.Vortices.end(),
+                                         [&](const Vortex& vortex)
+                                         { return idle.count(vortex.VortexId) > 0; }),
+                          fields.Vortices.end());
+  }
+  fields.Cost = FieldCost(objective.Model(), fields);
+  return objective.Evaluate(state, nullptr, terms, monitor);
+}
+
+/// What all particles ask of the vortices: their present acceleration and what is left over.
+std::vector<VortexSample> SamplesOf(const SpacetimeUnits& units,
+                                    const SpacetimeObjective& objective,
+                                    const std::vector<Track>& planned, const StateVector& state)
+{
+  const SpacetimeModel& model = objective.Model();
+  const TimeLevel& level = objective.Level();
+  std::set<int> known;
+  for (const Vortex& vortex : objective.Fields().Vortices)
+  {
+    known.insert(vortex.VortexId);
+  }
+  std::vector<VortexSample> samples;
+  for (std::size_t j = 0; j + 1 < level.NumberOfFrames(); j += Stride)
+  {
+    const int frame = level.Frames[j];
+    for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
     {
-      if (!StepIsBound(model, level, j + 1, o))
+      const bool isObject = i >= model.NumberOfGas;
+      const std::size_t o = i - model.NumberOfGas;
+      if (isObject ? !StepHasLaw(model, level, j + 1, o) : (i + 3 * j / Stride) % GasStride != 0)
       {
-        visit(j, o, positions[j * model.NumberOfObjects + o]);
+        continue;
       }
+      const Vec3 x = VectorAt(state.data() + j * model.FrameSize() + i, model.Stride());
+      Vec3 asked;
+      objective.VelocityResidual(j + 1, i, asked.data());
+      asked /= level.Steps[j + 1];
+      for (const Vortex& vortex : objective.Fields().Vortices)
+      {
+        asked += vortex.Acceleration(x, frame);
+      }
+      VortexSample sample;
+      sample.Track = static_cast<int>(isObject ? o : model.NumberOfObjects + i);
+      sample.Frame = frame;
+      sample.Time = frame * units.FrameStep;
+      sample.Position = units.ToWorld(x);
+      sample.Acceleration = asked * units.AccelerationUnit();
+      sample.Weight = isObject ? model.BodyWeight(i) : static_cast<double>(GasStride);
+      const std::vector<int> none;
+      const std::vector<int>& ids = isObject ? planned[o].VortexIds : none;
+      if (static_cast<std::size_t>(frame) < ids.size() && known.count(ids[frame]))
+      {
+        sample.VortexId = ids[frame];
+      }
+      samples.push_back(sample);
     }
   }
-}
-
-Vec3 VortexAcceleration(const AirFields& fields, const Vec3& x, double frame)
-{
-  Vec3 sum = Vec3::Zero();
-  for (const Vortex& vortex : fields.Vortices)
-  {
-    sum += vortex.Acceleration(x, frame);
-  }
-  return sum;
-}
-
-void Scale(SplineWind& wind, double factor)
-{
-  for (std::vector<float>& knot : wind.Knots)
-  {
-    for (float& value : knot)
-    {
-      value *= static_cast<float>(factor);
-    }
-  }
+  return samples;
 }
 
 } // namespace
 
-std::vector<Vec3> ObjectPositions(const SpacetimeModel& model, std::size_t frames,
-                                  const StateVector& state)
+bool SolveFields(AirFields& fields, SpacetimeObjective& objective, const StateVector& state,
+                 const FieldChoice& choice, const ParallelFor& parallel, Monitor* monitor,
+                 SpacetimeTerms& terms, std::vector<int>& dropped)
 {
-  std::vector<Vec3> positions;
-  for (std::size_t j = 0; j < frames; ++j)
-  {
-    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
-    {
-      const float* p = state.data() + j * model.FrameSize() + model.NumberOfGas + o;
-      positions.emplace_back(p[0], p[model.Stride()], p[2 * model.Stride()]);
-    }
-  }
-  return positions;
-}
-
-void HoldWind(const SpacetimeModel& model, const TimeLevel& level,
-              const std::vector<Vec3>& positions, AirFields& fields)
-{
-  if (fields.Wind.IsEmpty())
-  {
-    return;
-  }
-  struct Sums
-  {
-    double Vortices = 0.0, Wind = 0.0;
-  } flights, all;
-  for (std::size_t j = 0; j < level.NumberOfFrames(); ++j)
-  {
-    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
-    {
-      const Vec3& x = positions[j * model.NumberOfObjects + o];
-      const double vortices = VortexAcceleration(fields, x, level.Frames[j]).squaredNorm();
-      const double wind = SampleField(fields.Wind, x, level.Frames[j]).squaredNorm();
-      all.Vortices += vortices;
-      all.Wind += wind;
-      if (j + 1 < level.NumberOfFrames() && !StepIsBound(model, level, j + 1, o))
-      {
-        flights.Vortices += vortices;
-        flights.Wind += wind;
-      }
-    }
-  }
-  double factor = 1.0;
-  for (const Sums& sums : { flights, all })
-  {
-    if (sums.Vortices > 0.0 && sums.Wind > WindBound * WindBound * sums.Vortices)
-    {
-      factor = std::min(factor, WindBound * std::sqrt(sums.Vortices / sums.Wind));
-    }
-  }
-  if (factor < 1.0)
-  {
-    Scale(fields.Wind, factor);
-  }
-}
-
-bool UpdateWind(AirFields& fields, SpacetimeObjective& objective, const StateVector& state,
-                const ParallelFor& parallel, Monitor* monitor, SpacetimeTerms& terms)
-{
-  const SpacetimeModel& model = objective.Model();
-  // New vortices may be weaker than those that the wind was held to.
-  const std::vector<Vec3> positions =
-    ObjectPositions(model, objective.Level().NumberOfFrames(), state);
-  HoldWind(model, objective.Level(), positions, fields);
-  // The residuals that the estimate reads belong to the last evaluation: make that this state.
   if (!objective.Evaluate(state, nullptr, terms, monitor))
   {
     return false;
   }
-  const SplineWind before = fields.Wind;
-  const SplineWind fitted = EstimateWind(objective, state, WindOptions(), parallel);
-  for (double fraction = 1.0; fraction > 0.2; fraction *= 0.5)
+  const AirFields before = fields;
+  SpacetimeTerms next;
+  const bool going = Try(fields, objective, state, choice, parallel, monitor, next, dropped);
+  if (going && IsBetter(next, terms))
   {
-    fields.Wind = fitted;
-    HoldWind(model, objective.Level(), positions, fields);
-    Scale(fields.Wind, fraction);
-    SpacetimeTerms next;
-    if (!objective.Evaluate(state, nullptr, next, monitor))
-    {
-      fields.Wind = before;
-      return false;
-    }
-    if (std::isfinite(next.E) && next.E < terms.E)
-    {
-      terms = next;
-      return true;
-    }
+    terms = next;
+    return true;
   }
-  fields.Wind = before;
-  return objective.Evaluate(state, nullptr, terms, monitor);
+  fields = before;
+  dropped.clear();
+  return going;
 }
 
-bool UpdateVortices(AirFields& fields, const SpacetimeUnits& units, SpacetimeObjective& objective,
-                    const std::vector<Track>& planned, const Box& bounds, std::uint64_t seed,
-                    const StateVector& state, Monitor& monitor, SpacetimeTerms& terms)
+bool RefitVortices(AirFields& fields, const SpacetimeUnits& units, SpacetimeObjective& objective,
+                   const std::vector<Track>& planned, const Box& bounds, std::uint64_t seed,
+                   const StateVector& state, const FieldChoice& choice, const ParallelFor& parallel,
+                   Monitor& monitor, SpacetimeTerms& terms, std::vector<int>& dropped)
 {
-  const SpacetimeModel& model = objective.Model();
   if (!objective.Evaluate(state, nullptr, terms, &monitor))
   {
     return false;
   }
-  std::vector<Vortex> priors;
-  std::set<int> known;
+  std::vector<Vortex> recorded;
   for (const Vortex& vortex : fields.Vortices)
   {
-    priors.push_back(ToWorld(units, vortex));
-    known.insert(vortex.VortexId);
+    recorded.push_back(ToWorld(units, vortex));
   }
-  const TimeLevel& level = objective.Level();
-  const std::vector<Vec3> positions = ObjectPositions(model, level.NumberOfFrames(), state);
-  std::vector<VortexSample> samples;
-  ForFlights(model, level, positions,
-             [&](std::size_t j, std::size_t o, const Vec3& x)
-             {
-               const int frame = level.Frames[j];
-               if (j % SampleStride != 0)
-               {
-                 return;
-               }
-               Vec3 rv;
-               objective.VelocityResidual(j + 1, model.NumberOfGas + o, rv.data());
-               // What the motion asks for: the fields as they are and what they leave over.
-               Vec3 a = VortexAcceleration(fields, x, frame) + rv / level.Steps[j + 1];
-               if (!fields.Wind.IsEmpty())
-               {
-                 a += SampleField(fields.Wind, x, frame);
-               }
-               VortexSample sample;
-               sample.Track = static_cast<int>(o);
-               sample.Frame = frame;
-               sample.Time = frame * units.FrameStep;
-               sample.Position = units.ToWorld(x);
-               sample.Acceleration = a * units.AccelerationUnit();
-               const std::vector<int>& ids = planned[o].VortexIds;
-               if (static_cast<std::size_t>(frame) < ids.size() && known.count(ids[frame]))
-               {
-                 sample.VortexId = ids[frame];
-               }
-               samples.push_back(sample);
-             });
   VortexFitOptions options;
   options.Bounds = bounds;
   options.Seed = seed;
   options.MaximumNewVortices = 0;
   std::vector<Vortex> fitted;
-  const Result result = FitVortices(samples, priors, options, monitor, fitted);
+  const Result result =
+    FitVortices(SamplesOf(units, objective, planned, state), recorded, options, monitor, fitted);
   if (!result || result.IsStopped() || fitted.empty())
   {
     return !result.IsStopped();
   }
-  const std::vector<Vortex> before = fields.Vortices;
+  const AirFields before = fields;
   fields.Vortices.clear();
   for (const Vortex& vortex : fitted)
   {
     fields.Vortices.push_back(ToModel(units, vortex));
   }
   SpacetimeTerms next;
-  const bool evaluated = objective.Evaluate(state, nullptr, next, &monitor);
-  if (evaluated && std::isfinite(next.E) && next.E <= VortexTolerance * terms.E)
+  const bool going = objective.Evaluate(state, nullptr, next, &monitor) &&
+                     Try(fields, objective, state, choice, parallel, &monitor, next, dropped);
+  if (going && IsBetter(next, terms))
   {
     terms = next;
     return true;
   }
-  fields.Vortices = before;
-  return evaluated;
+  fields = before;
+  dropped.clear();
+  return going;
 }
 
 } // namespace waft

@@ -24,6 +24,7 @@ void AddLast(StageKind kind, int pass, int iterations, bool vortices, std::vecto
   stages.push_back(Minimise(kind, 0, pass, 'a', iterations));
   stages.push_back(Update(0, pass, vortices));
   stages.push_back(Minimise(kind, 0, pass, 'b', iterations));
+  stages.push_back(Update(0, pass, false));
 }
 
 } // namespace

@@ -12,7 +12,7 @@ namespace waft
 namespace
 {
 
-constexpr const char* Format = "Waft spacetime checkpoint 8";
+constexpr const char* Format = "Waft spacetime checkpoint 9";
 constexpr double WritingFraction = 0.02;                 // of the time, for checkpoints
 constexpr std::size_t PieceBytes = std::size_t(4) << 20; // between two looks at the clock
 

@@ -2,6 +2,7 @@
 #include "Spacetime/Run/SpacetimeBudget.h"
 
 #include "Particles/GasLattice.h"
+#include "Spacetime/Paper/FieldNormal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +36,10 @@ SpacetimeBudget::SpacetimeBudget(const SpacetimeModel& model, const SpacetimeOpt
   const double list = particles * (ListGrowth * entry * neighbors + 8.0 * sizeof(float));
   // The motion, the one it began with, and the rows of an evaluation of the whole.
   this->Base = SmallParts + model.NumberOfFrames * (2.0 * frame + rows);
+  if (options.EstimateWind && model.Air.IsEmpty())
+  {
+    this->Base += FieldBytes(model);
+  }
   if (!model.Air.IsEmpty()) // deviations and the air's Jacobians
   {
     this->Base += model.NumberOfFrames * (frame + rows);

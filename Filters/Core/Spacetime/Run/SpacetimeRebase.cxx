@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a run goes on from: the motion kept by the last one.
+#include "Spacetime/Paper/FieldPenalty.h"
 #include "Spacetime/Run/Schedule.h"
 #include "Spacetime/Run/SpacetimeBudget.h"
 #include "Spacetime/Run/SpacetimeEdit.h"
@@ -35,6 +36,7 @@ bool SpacetimeRun::Rebase()
   SolverState& state = this->State;
   state.Fields.Vortices = hasNewVortices ? model.Fields.Vortices : memory.State.Fields.Vortices;
   state.Fields.Wind = this->Options.EstimateWind ? memory.State.Fields.Wind : SplineWind();
+  state.Fields.Cost = FieldCost(model, state.Fields);
   state.Motion = memory.State.Motion;
   MoveToPlan(memory, this->Options, this->Problem, state.Motion);
   TimeLevel level = TimeLevel::Full(model.NumberOfFrames, this->Options.TemporalWindow);

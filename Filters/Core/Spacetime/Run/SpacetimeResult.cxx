@@ -3,7 +3,6 @@
 #include "Spacetime/Run/SpacetimeRun.h"
 
 #include "Constraints/ConstraintCheck.h"
-#include "Spacetime/Paper/FieldUpdates.h"
 #include "Spacetime/Scene/SpacetimeExport.h"
 
 #include <algorithm>
@@ -63,12 +62,6 @@ Result SpacetimeRun::Export()
   std::vector<std::vector<Vec3>> positions =
     ExportPositions(this->Input, this->Problem, kept, motion, this->Output.Warnings);
   this->MeasureRepairs(solved, positions);
-  if (this->Region.IsEmpty()) // the objects have moved since the wind was estimated
-  {
-    HoldWind(this->Problem.Model, level,
-             ObjectPositions(this->Problem.Model, level.NumberOfFrames(), motion),
-             this->State.Fields);
-  }
   SpacetimeObjective objective(this->Problem.Model, this->State.Fields, level, this->Parallel,
                                FastestSphKernels(), false);
   FieldExport fields(this->Input, this->Problem, motion);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Spacetime/Run/SpacetimeRun.h"
 
+#include "Spacetime/Paper/FieldPenalty.h"
 #include "Spacetime/Run/InitialObjects.h"
 #include "Spacetime/Run/Schedule.h"
 #include "Spacetime/Run/SpacetimeBudget.h"
@@ -104,6 +105,7 @@ Result SpacetimeRun::Begin(StateVector start)
   const SpacetimeModel& model = this->Problem.Model;
   this->State.Motion = std::move(start);
   this->State.Fields = model.Fields;
+  this->State.Fields.Cost = FieldCost(model, this->State.Fields);
   this->State.Plan = PlanSchedule(this->Problem, this->Options, this->Input.Scene.Bounds.Width());
   const SpacetimeTerms terms = this->Measure(this->State.Motion);
   if (!std::isfinite(terms.E))

@@ -5,7 +5,9 @@
 #include "Spacetime/Run/StageProgress.h"
 
 #include <cstdio>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace waft
 {
@@ -58,25 +60,39 @@ bool SpacetimeRun::UpdateFields(const Stage& stage)
   std::vector<ConvergenceRow>& log = this->State.Log;
   const std::size_t rows = log.size();
   SpacetimeTerms terms;
+  std::vector<int> dropped;
   bool going = true;
   const double violation = solver.Constraints.MaxViolation(state);
-  if (stage.FitsVortices && this->Options.FitVortexFields && !fields.Vortices.empty())
+  FieldChoice choice;
+  choice.Vortices = this->Options.FitVortexFields && !fields.Vortices.empty();
+  choice.Wind = this->Options.EstimateWind;
+  const auto record = [&](const char* what)
   {
-    monitor.Text = "spacetime: fitting vortices";
-    going = UpdateVortices(fields, this->Problem, objective, this->Input.Tracks,
-                           this->Input.Scene.Bounds, this->Input.Scene.Seed, state, monitor, terms);
+    std::string name = what + std::to_string(log.size());
+    for (const int id : dropped)
+    {
+      name += ", vortex " + std::to_string(id) + " left out";
+    }
+    this->Record(stage.Pass, name, 0, terms, violation, 0.0);
+  };
+  if (choice.Vortices || choice.Wind)
+  {
+    monitor.Text = "spacetime: solving for the air's fields";
+    going = SolveFields(fields, objective, state, choice, this->Parallel, &monitor, terms, dropped);
     if (going)
     {
-      this->Record(stage.Pass, "vortices " + std::to_string(stage.Pass), 0, terms, violation, 0.0);
+      record("fields ");
     }
   }
-  if (going && this->Options.EstimateWind)
+  if (going && stage.FitsVortices && choice.Vortices)
   {
-    monitor.Text = "spacetime: estimating the wind";
-    going = UpdateWind(fields, objective, state, this->Parallel, &monitor, terms);
+    monitor.Text = "spacetime: fitting vortices";
+    going =
+      RefitVortices(fields, this->Problem, objective, this->Input.Tracks, this->Input.Scene.Bounds,
+                    this->Input.Scene.Seed, state, choice, this->Parallel, monitor, terms, dropped);
     if (going)
     {
-      this->Record(stage.Pass, "wind " + std::to_string(log.size()), 0, terms, violation, 0.0);
+      record("vortices ");
     }
   }
   if (!going) // done as a whole or not at all

@@ -173,6 +173,21 @@ private:
 
 } // namespace
 
+std::vector<Vec3> ObjectPositions(const SpacetimeModel& model, std::size_t frames,
+                                  const StateVector& state)
+{
+  std::vector<Vec3> positions;
+  for (std::size_t j = 0; j < frames; ++j)
+  {
+    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    {
+      positions.push_back(
+        VectorAt(state.data() + j * model.FrameSize() + model.NumberOfGas + o, model.Stride()));
+    }
+  }
+  return positions;
+}
+
 std::vector<std::vector<Vec3>> ExportPositions(const SpacetimeInput& input,
                                                const SpacetimeSetup& setup, const KeptMotion& kept,
                                                StateVector& state,

@@ -14,6 +14,10 @@
 namespace waft
 {
 
+/// Positions of all objects at all frames of a level [level frame * objects + object].
+std::vector<Vec3> ObjectPositions(const SpacetimeModel& model, std::size_t frames,
+                                  const StateVector& state);
+
 /// What a local edit leaves as it was: all outside its region. Both null: nothing.
 struct KeptMotion
 {

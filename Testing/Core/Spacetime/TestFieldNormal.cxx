@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The fields for a motion as it is: held against a dense solve, and against fields that are known.
+#include "Spacetime/Fields/WindEstimate.h"
+#include "Spacetime/Paper/BlockTridiagonal.h"
+#include "Spacetime/Paper/ClosedCurl.h"
+#include "Spacetime/Paper/FieldNormal.h"
+#include "Spacetime/Paper/FieldUpdates.h"
+#include "SpacetimeScenes.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace waft;
+
+namespace
+{
+
+SpacetimeSetup GasInNoise(const SpacetimeInput& input, int gas)
+{
+  SpacetimeOptions options;
+  options.NumberOfGasParticles = gas;
+  options.NumberOfObjectParticles = 3;
+  SpacetimeSetup setup;
+  const Result result = MakeSetup(input, options, setup);
+  EXPECT_TRUE(result) << result.Message();
+  SpacetimeModel& model = setup.Model;
+  std::mt19937 random(3);
+  std::normal_distribution<float> noise(0.0f, 0.02f);
+  for (int frame = 1; frame < model.NumberOfFrames; ++frame)
+  {
+    float* v = setup.Start.data() + frame * model.FrameSize() + 3 * model.Stride();
+    for (std::size_t i = 0; i < 3 * model.Stride(); ++i)
+    {
+      v[i] += noise(random);
+    }
+  }
+  model.Fields.Cost = FieldCost(model, model.Fields);
+  return setup;
+}
+
+struct FieldProblem
+{
+  explicit FieldProblem(const SceneOptions& scene, int gas = 1000) :
+    Input(MakeScene(scene)), Setup(GasInNoise(Input, gas)), Fields(Setup.Model.Fields),
+    Level(TimeLevel::Full(Setup.Model.NumberOfFrames, 1)),
+    Objective(Setup.Model, Fields, Level, ThreadedFor(2), FastestSphKernels())
+  {
+  }
+  SpacetimeInput Input;
+  SpacetimeSetup Setup;
+  AirFields Fields;
+  TimeLevel Level;
+  SpacetimeObjective Objective;
+};
+
+SceneOptions FieldScene()
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 40;
+  return scene;
+}
+
+} // namespace
+
+TEST(FieldNormal, BlocksAreSolvedAsADenseMatrixIs)
+{
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(12, 12);
+  for (int k = 0; k < 12; k += 3)
+  {
+    const Eigen::MatrixXd a = Eigen::MatrixXd::Random(3, 3);
+    dense.block<3, 3>(k, k) = a * a.transpose() + 4.0 * Eigen::MatrixXd::Identity(3, 3);
+    if (k < 9)
+    {
+      dense.block<3, 3>(k, k + 3).setRandom();
+      dense.block<3, 3>(k + 3, k) = dense.block<3, 3>(k, k + 3).transpose().eval();
+    }
+  }
+  const auto block = [&](std::size_t row, std::size_t column)
+  {
+    return Eigen::MatrixXd(
+      dense.block<3, 3>(static_cast<Eigen::Index>(3 * row), static_cast<Eigen::Index>(3 * column)));
+  };
+  BlockTridiagonal blocks;
+  blocks.NumberOfBlocks = 4;
+  blocks.Diagonal = [&](std::size_t k) { return block(k, k); };
+  blocks.Upper = [&](std::size_t k) { return block(k, k + 1); };
+  const Eigen::MatrixXd right = Eigen::MatrixXd::Random(12, 2);
+  Eigen::MatrixXd solved = right;
+  blocks.Solve(solved);
+  EXPECT_LT((dense * solved - right).norm(), 1e-12);
+}
+
+TEST(FieldNormal, AClosedWindHasNoDivergenceAndNothingThroughTheWalls)
+{
+  const Vec3 size(9.0, 12.0, 15.0);
+  SplineWind wind = MakeLattice(size, LatticeDimensions(Vec3(3.0, 4.0, 5.0)), 15.0);
+  const Eigen::SparseMatrix<double, Eigen::RowMajor> curl = ClosedCurl(wind);
+  const Eigen::VectorXd c = curl * Eigen::VectorXd::Random(curl.cols());
+  std::vector<float> knot(4 * wind.NumberOfNodes());
+  for (std::size_t i = 0; i < 3 * wind.NumberOfNodes(); ++i)
+  {
+    knot[i / 3 * 4 + i % 3] = static_cast<float>(c[static_cast<Eigen::Index>(i)]);
+  }
+  wind.Knots = { knot, knot };
+  const double scale = c.lpNorm<Eigen::Infinity>();
+  Vec3 mean = Vec3::Zero();
+  for (int i = 0; i <= 10; ++i)
+  {
+    for (int j = 0; j <= 10; ++j)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        Vec3 x = size.cwiseProduct(Vec3(0.1 * i, 0.1 * j, 0.05 * (i + j)));
+        for (const double wall : { 0.0, size[axis] })
+        {
+          x[axis] = wall;
+          EXPECT_NEAR(SampleField(wind, x, 3.0)[axis], 0.0, 1e-5 * scale);
+        }
+      }
+    }
+  }
+  constexpr int Points = 24;
+  for (int n = 0; n < Points * Points * Points; ++n)
+  {
+    const Vec3 s(n % Points + 0.5, n / Points % Points + 0.5, n / Points / Points + 0.5);
+    mean += SampleField(wind, size.cwiseProduct(s / Points), 3.0);
+  }
+  EXPECT_LT(mean.norm() / (Points * Points * Points), 1e-2 * scale);
+  const auto& n = wind.Dimensions;
+  for (int k = 1; k + 1 < n[2]; ++k)
+  {
+    for (int j = 1; j + 1 < n[1]; ++j)
+    {
+      for (int i = 1; i + 1 < n[0]; ++i)
+      {
+        double divergence = 0.0;
+        const int here[3] = { i, j, k };
+        for (int a = 0; a < 3; ++a)
+        {
+          int up[3] = { here[0], here[1], here[2] };
+          int down[3] = { here[0], here[1], here[2] };
+          ++up[a];
+          --down[a];
+          divergence +=
+            0.5 / wind.Spacing[a] *
+            (c[static_cast<Eigen::Index>(3 * wind.Node(up[0], up[1], up[2]) + a)] -
+             c[static_cast<Eigen::Index>(3 * wind.Node(down[0], down[1], down[2]) + a)]);
+        }
+        EXPECT_NEAR(divergence, 0.0, 1e-12);
+      }
+    }
+  }
+}
+
+// The matrix and the right side made by trying one unknown after the other in E itself.
+TEST(FieldNormal, CostsWhatEDoes)
+{
+  FieldProblem problem(FieldScene());
+  ASSERT_FALSE(problem.Fields.Vortices.empty());
+  SpacetimeTerms terms;
+  problem.Objective.Evaluate(problem.Setup.Start, nullptr, terms);
+  FieldNormal normal(problem.Setup.Model, problem.Fields, FieldChoice());
+  ASSERT_TRUE(normal.Gather(problem.Objective, problem.Setup.Start, SerialFor()));
+  const double before = terms.E - normal.Cost(problem.Fields);
+  AirFields solved = problem.Fields;
+  normal.Solve(solved);
+  for (const double fraction : { 1.0, 0.5, -0.3 })
+  {
+    AirFields& fields = problem.Fields;
+    fields = solved;
+    for (std::size_t k = 0; k < fields.Vortices.size(); ++k)
+    {
+      fields.Vortices[k].Strength *= fraction;
+    }
+    for (std::vector<float>& knot : fields.Wind.Knots)
+    {
+      for (float& value : knot)
+      {
+        value *= static_cast<float>(fraction);
+      }
+    }
+    fields.Cost = FieldCost(problem.Setup.Model, fields);
+    problem.Objective.Evaluate(problem.Setup.Start, nullptr, terms);
+    EXPECT_NEAR(terms.E - normal.Cost(fields), before, 2e-6 * before);
+  }
+}
+
+TEST(FieldNormal, AgreesWithADenseSolve)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 20;
+  FieldProblem problem(scene, 150);
+  SpacetimeTerms terms;
+  problem.Objective.Evaluate(problem.Setup.Start, nullptr, terms);
+  FieldNormal normal(problem.Setup.Model, problem.Fields, FieldChoice());
+  ASSERT_TRUE(normal.Gather(problem.Objective, problem.Setup.Start, ThreadedFor(2)));
+  AirFields solved = problem.Fields;
+  normal.Solve(solved);
+  EXPECT_LT(normal.ScaledGradient(solved, terms.E), 1e-5);
+  EXPECT_GT(normal.ScaledGradient(problem.Fields, terms.E), 1e-3);
+  // Samples as rows of one dense matrix, its unknowns potential by knot, then strengths.
+  const SpacetimeModel& model = problem.Setup.Model;
+  const Eigen::MatrixXd curl = Eigen::MatrixXd(ClosedCurl(solved.Wind));
+  const auto knots = static_cast<Eigen::Index>(solved.Wind.Knots.size());
+  const Eigen::Index winds = knots * curl.cols();
+  const Eigen::Index unknowns = winds + static_cast<Eigen::Index>(solved.Vortices.size());
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(unknowns, unknowns);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
+  for (std::size_t j = 0; j + 1 < problem.Level.NumberOfFrames(); ++j)
+  {
+    const double s = problem.Level.Frames[j] / solved.Wind.FramesPerKnot;
+    const auto knot = std::min<Eigen::Index>(static_cast<Eigen::Index>(s), knots - 2);
+    const double t = s - static_cast<double>(knot);
+    for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
+    {
+      if (i >= model.NumberOfGas && !StepHasLaw(model, problem.Level, j + 1, i - model.NumberOfGas))
+      {
+        continue;
+      }
+      const Vec3 x =
+        VectorAt(problem.Setup.Start.data() + j * model.FrameSize() + i, model.Stride());
+      Vec3 target;
+      problem.Objective.VelocityResidual(j + 1, i, target.data());
+      Eigen::MatrixXd row = Eigen::MatrixXd::Zero(3, unknowns);
+      const SplineStencil stencil = solved.Wind.Stencil(x);
+      for (int n = 0; n < 27; ++n)
+      {
+        const double w = static_cast<double>(stencil.Weights[0][n % 3]) *
+                         stencil.Weights[1][n / 3 % 3] * stencil.Weights[2][n / 9];
+        const auto node = static_cast<Eigen::Index>(
+          3 * solved.Wind.Node(stencil.First[0] + n % 3, stencil.First[1] + n / 3 % 3,
+                               stencil.First[2] + n / 9));
+        row.middleCols(knot * curl.cols(), curl.cols()) += (1.0 - t) * w * curl.middleRows(node, 3);
+        row.middleCols((knot + 1) * curl.cols(), curl.cols()) += t * w * curl.middleRows(node, 3);
+      }
+      for (std::size_t n = 0; n < solved.Vortices.size(); ++n)
+      {
+        Vortex unit = problem.Fields.Vortices[n];
+        target += unit.Acceleration(x, problem.Level.Frames[j]);
+        unit.Strength = 1.0;
+        row.col(winds + static_cast<Eigen::Index>(n)) =
+          unit.Acceleration(x, problem.Level.Frames[j]);
+      }
+      const double weight = model.VelocityWeight(i);
+      matrix.selfadjointView<Eigen::Lower>().rankUpdate(row.transpose(), weight);
+      right += weight * row.transpose() * target;
+    }
+  }
+  matrix = Eigen::MatrixXd(matrix.selfadjointView<Eigen::Lower>());
+  const FieldPenalty penalty;
+  const double mean = MeanNodeWeight(model, solved.Wind, static_cast<int>(knots));
+  const Eigen::MatrixXd inSpace =
+    curl.transpose() * (PenaltyInSpace(solved.Wind, penalty).OfVectors() * curl);
+  const Eigen::MatrixXd square = curl.transpose() * curl;
+  for (Eigen::Index k = 0; k < knots; ++k)
+  {
+    const auto block = [&](Eigen::Index a, Eigen::Index b)
+    { return matrix.block(a * curl.cols(), b * curl.cols(), curl.cols(), curl.cols()); };
+    block(k, k) += mean * inSpace;
+    if (k + 1 < knots)
+    {
+      block(k, k) += mean * penalty.TimeSmoothing * square;
+      block(k + 1, k + 1) += mean * penalty.TimeSmoothing * square;
+      block(k, k + 1) -= mean * penalty.TimeSmoothing * square;
+      block(k + 1, k) -= mean * penalty.TimeSmoothing * square;
+    }
+  }
+  for (std::size_t n = 0; n < solved.Vortices.size(); ++n)
+  {
+    const auto at = winds + static_cast<Eigen::Index>(n);
+    matrix(at, at) +=
+      mean * penalty.Ridge * VortexNorm(model, solved.Wind, problem.Fields.Vortices[n]);
+  }
+  const Eigen::VectorXd dense = matrix.completeOrthogonalDecomposition().solve(right);
+  const double cost = 0.5 * dense.dot(matrix * dense) - right.dot(dense);
+  EXPECT_NEAR(normal.Cost(solved), cost, 1e-6 * std::abs(cost));
+}
+
+TEST(FieldNormal, RecoversASwirlThatTheMotionFollows)
+{
+  FieldProblem problem(FieldScene());
+  SpacetimeModel& model = problem.Setup.Model;
+  problem.Fields = AirFields();
+  model.Gravities.assign(model.NumberOfObjects, 0.0f);
+  model.Fluid.Viscosity = 0.0;
+  const auto truth = [&](const Vec3& x)
+  {
+    const Vec3 s = M_PI * x.cwiseQuotient(model.Size);
+    return Vec3(1e-2 *
+                Vec3(std::sin(s.x()) * std::cos(s.y()) * model.Size.x(),
+                     -std::cos(s.x()) * std::sin(s.y()) * model.Size.y(), 0.0) /
+                model.Size.x());
+  };
+  StateVector& state = problem.Setup.Start;
+  for (int frame = 0; frame < model.NumberOfFrames; ++frame)
+  {
+    for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
+    {
+      float* p = state.data() + frame * model.FrameSize() + i;
+      const Vec3 v = frame * truth(VectorAt(p, model.Stride()));
+      SetVector(p + 3 * model.Stride(), model.Stride(), v);
+    }
+  }
+  FieldChoice choice;
+  choice.Vortices = false;
+  SpacetimeTerms before, terms;
+  std::vector<int> dropped;
+  problem.Objective.Evaluate(state, nullptr, before);
+  ASSERT_TRUE(SolveFields(problem.Fields, problem.Objective, state, choice, SerialFor(), nullptr,
+                          terms, dropped));
+  EXPECT_LT(terms.E, before.E);
+  EXPECT_LT(terms.Ev, 0.1 * before.Ev);
+  double error = 0.0;
+  for (const Vec3& s : { Vec3(0.3, 0.4, 0.5), Vec3(0.6, 0.7, 0.3), Vec3(0.5, 0.2, 0.8) })
+  {
+    const Vec3 x = s.cwiseProduct(model.Size);
+    error = std::max(error, (SampleField(problem.Fields.Wind, x, 20.0) - truth(x)).norm());
+  }
+  EXPECT_LT(error, 0.25 * 1e-2);
+}
