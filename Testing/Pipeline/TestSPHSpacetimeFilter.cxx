@@ -138,7 +138,8 @@ TEST(SPHSpacetimeFilter, FillsItsSixPorts)
       columns += std::string(" ") + table->GetColumnName(column);
     }
     EXPECT_EQ(columns, " Pass Stage Iteration E Ex Ev Ec MaxViolation Leash Seconds Clearance "
-                       "Approach Contact Separation Control EvObjects Fields");
+                       "Approach Contact Separation Control EvObjects Fields E2 "
+                       "ShareVortices ShareWind ShareGas ShareDrag ShareLanding ShareNone");
   }
   vtkTable* report = p.Table(5);
   ASSERT_EQ(report->GetNumberOfRows(), 3);

@@ -3,6 +3,7 @@
 import contextlib
 import csv
 import json
+import math
 import os
 import pathlib
 import re
@@ -193,14 +194,16 @@ def in_single_precision(data, exact=()):
 
 
 def table_rows(table):
-    """Header and rows of a vtkTable, doubles with 17 digits."""
+    """Header and rows of a vtkTable, doubles with 17 digits; what is no number is empty."""
     header = [table.GetColumnName(c) for c in range(table.GetNumberOfColumns())]
     rows = []
     for r in range(table.GetNumberOfRows()):
         row = []
         for c in range(table.GetNumberOfColumns()):
             value = table.GetValue(r, c)
-            row.append(number(value.ToDouble()) if value.IsDouble() or value.IsFloat()
-                       else value.ToString())
+            if value.IsDouble() or value.IsFloat():
+                row.append("" if math.isnan(value.ToDouble()) else number(value.ToDouble()))
+            else:
+                row.append(value.ToString())
         rows.append(row)
     return header, rows

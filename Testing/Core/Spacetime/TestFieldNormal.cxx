@@ -321,3 +321,45 @@ TEST(FieldNormal, RecoversASwirlThatTheMotionFollows)
   }
   EXPECT_LT(error, 0.25 * 1e-2);
 }
+
+TEST(Convergence, TellsEq2AndWhatMovesTheObjects)
+{
+  FieldProblem problem(FieldScene(), 300);
+  SpacetimeModel& model = problem.Setup.Model;
+  SpacetimeTerms terms;
+  problem.Objective.Evaluate(problem.Setup.Start, nullptr, terms);
+  const double weighted = terms.E2;
+  model.Weights.ObjectPosition = 1.0;
+  model.Weights.ObjectCoherence = 1.0;
+  problem.Objective.Evaluate(problem.Setup.Start, nullptr, terms);
+  const SpacetimeWeights& w = model.Weights;
+  const double eq2 =
+    w.PositionWeight * terms.Ex + w.VelocityWeight * terms.Ev + w.CoherenceWeight * terms.Ec;
+  EXPECT_NEAR(terms.E2, eq2, 1e-9 * eq2);
+  EXPECT_NEAR(weighted, eq2, 1e-9 * eq2);
+  ConvergenceRow row;
+  static_cast<SpacetimeTerms&>(row) = terms;
+  row.SetShares(false);
+  // What nothing of the model gives, from the residuals.
+  double none = 0.0;
+  for (std::size_t j = 0; j + 1 < problem.Level.NumberOfFrames(); ++j)
+  {
+    for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
+    {
+      const std::size_t i = model.NumberOfGas + o;
+      const float* v = problem.Setup.Start.data() + j * model.FrameSize() + 3 * model.Stride() + i;
+      Vec3 rv;
+      problem.Objective.VelocityResidual(j + 1, i, rv.data());
+      if (StepHasLaw(model, problem.Level, j + 1, o))
+      {
+        none +=
+          rv.dot(VectorAt(v + model.FrameSize(), model.Stride()) - VectorAt(v, model.Stride()));
+      }
+    }
+  }
+  EXPECT_GT(terms.Motion, 0.0);
+  EXPECT_NEAR(row.ShareNone, none / terms.Motion, 1e-4);
+  EXPECT_NE(row.ShareVortices, 0.0);
+  row.SetShares(true);
+  EXPECT_TRUE(std::isnan(row.ShareNone) && std::isnan(row.E2));
+}

@@ -4,6 +4,7 @@
 
 #include "Base/StateArchive.h"
 
+#include <cmath>
 #include <string>
 
 namespace waft
@@ -18,6 +19,9 @@ struct SpacetimeTerms
   double Control = 0.0;                                                    // weighted
   double EvObjects = 0.0;                                                  // of Ev
   double Fields = 0.0; // of the air's fields themselves, weighted
+  double E2 = 0.0;     // Eq. 2 as the paper has it
+  /// Over free steps of objects: the sum of a . a, and of its product with each that makes it up.
+  double Motion = 0.0, ByVortices = 0.0, ByWind = 0.0, ByGas = 0.0, ByDrag = 0.0, ByLanding = 0.0;
   /// The five before. They are summed frame by frame, so a sum of the columns differs by rounding.
   double Penalties = 0.0;
 
@@ -36,6 +40,13 @@ struct SpacetimeTerms
     visit(of.Control...);
     visit(of.EvObjects...);
     visit(of.Fields...);
+    visit(of.E2...);
+    visit(of.Motion...);
+    visit(of.ByVortices...);
+    visit(of.ByWind...);
+    visit(of.ByGas...);
+    visit(of.ByDrag...);
+    visit(of.ByLanding...);
     visit(of.Penalties...);
   }
 };
@@ -53,6 +64,23 @@ struct ConvergenceRow : SpacetimeTerms
   double MaxViolation = 0.0; // m
   double Leash = 0.0;        // m; 0: released
   double Seconds = 0.0;      // since RunSpacetime began
+  /// Of a . a; not a number in a drawn air, and where nothing flies freely.
+  double ShareVortices = 0.0, ShareWind = 0.0, ShareGas = 0.0, ShareDrag = 0.0;
+  double ShareLanding = 0.0, ShareNone = 0.0;
+
+  /// From the sums.
+  void SetShares(bool inAir)
+  {
+    const double all = inAir || this->Motion <= 0.0 ? std::nan("") : this->Motion;
+    this->ShareVortices = this->ByVortices / all;
+    this->ShareWind = this->ByWind / all;
+    this->ShareGas = this->ByGas / all;
+    this->ShareDrag = this->ByDrag / all;
+    this->ShareLanding = this->ByLanding / all;
+    this->ShareNone = 1.0 - (this->ShareVortices + this->ShareWind + this->ShareGas +
+                             this->ShareDrag + this->ShareLanding);
+    this->E2 = inAir ? std::nan("") : this->E2;
+  }
 };
 
 struct ConvergenceColumn
@@ -100,13 +128,27 @@ void VisitConvergence(Visitor&& visit)
   visit(ConvergenceColumn{ "Fields", "(dx/frame)^2",
                            "weighted: strengths of vortices and coefficients of the wind" },
         &Row::Fields);
+  visit(ConvergenceColumn{ "E2", "", "Eq. 2 alone: objects weigh as gas does" }, &Row::E2);
+  visit(ConvergenceColumn{ "ShareVortices", "",
+                           "of the objects' acceleration a: sum a_k . a over sum a . a in free "
+                           "steps, by vortices" },
+        &Row::ShareVortices);
+  visit(ConvergenceColumn{ "ShareWind", "", "by the estimated and the given wind" },
+        &Row::ShareWind);
+  visit(ConvergenceColumn{ "ShareGas", "", "by the gas' pressure and viscosity" }, &Row::ShareGas);
+  visit(ConvergenceColumn{ "ShareDrag", "", "by drag towards the air, settling within" },
+        &Row::ShareDrag);
+  visit(ConvergenceColumn{ "ShareLanding", "", "by the damping of landings" }, &Row::ShareLanding);
+  visit(ConvergenceColumn{ "ShareNone", "", "by nothing of the model: rv / s" }, &Row::ShareNone);
 }
 
 /// All columns and Penalties: a row as it was.
 inline void Serialise(StateArchive& stream, ConvergenceRow& row)
 {
   Serialise(stream, static_cast<SpacetimeTerms&>(row));
-  stream.Values(row.Pass, row.Iteration, row.MaxViolation, row.Leash, row.Seconds);
+  stream.Values(row.Pass, row.Iteration, row.MaxViolation, row.Leash, row.Seconds,
+                row.ShareVortices, row.ShareWind, row.ShareGas, row.ShareDrag, row.ShareLanding,
+                row.ShareNone);
   stream.Text(row.Stage);
 }
 

@@ -45,6 +45,8 @@ public:
   {
     return (this->HasWinds ? this->VortexForce : this->Force).data() + c * this->BodyStride;
   }
+  /// Acceleration of an object by the damping of its landing.
+  const Vec3& ByLanding(std::size_t object) const { return this->Damping[object].Acceleration; }
   /// Of a particle, by its number: density, P (in rho0 dx^2 / frame^2), and the fraction of the
   /// density that is not gas.
   struct AirAt

@@ -48,6 +48,38 @@ void SpacetimeObjective::ObjectResiduals(std::vector<double>& ex, std::vector<do
   }
 }
 
+void SpacetimeObjective::ShareFrame(FrameTerms& terms, const StateVector& moving, std::size_t j)
+{
+  const SpacetimeModel& model = this->Problem;
+  SpacetimeTerms& sums = this->FrameSums[j];
+  sums.Motion = sums.ByVortices = sums.ByWind = sums.ByGas = sums.ByDrag = sums.ByLanding = 0.0;
+  const bool last = j + 1 == this->Times.NumberOfFrames();
+  for (std::size_t o = 0; o < model.NumberOfObjects && !last && model.Air.IsEmpty(); ++o)
+  {
+    if (!this->HasLaw[(j + 1) * model.NumberOfObjects + o])
+    {
+      continue;
+    }
+    const std::size_t i = model.NumberOfGas + o;
+    for (int c = 0; c < 3; ++c)
+    {
+      const float* v = moving.data() + this->Offset(j) + (3 + c) * model.Stride() + i;
+      const double a = (static_cast<double>(v[model.FrameSize()]) - *v) / this->Times.Steps[j + 1];
+      const double vortices = terms.ByVortices(c)[i];
+      const double wind = terms.External(c)[i] - vortices;
+      const double drag = static_cast<double>(model.DragRates[o]) * terms.Average(c)[i] -
+                          (c == 2 ? model.Gravities[o] : 0.0f);
+      const double landing = terms.ByLanding(o)[c];
+      sums.Motion += a * a;
+      sums.ByVortices += vortices * a;
+      sums.ByWind += wind * a;
+      sums.ByDrag += drag * a;
+      sums.ByLanding += landing * a;
+      sums.ByGas += (terms.Acceleration(c)[i] - vortices - wind - drag - landing) * a;
+    }
+  }
+}
+
 void SpacetimeObjective::MarkLists()
 {
   this->Marked.clear();

@@ -163,6 +163,7 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state,
   const auto objectStep = static_cast<float>(weights.ObjectPosition);
   const auto objectAir = static_cast<float>(weights.ObjectCoherence);
   double ex = 0.0, ev = 0.0, ec = 0.0, evObjects = 0.0;
+  double exPlain = 0.0, ecPlain = 0.0; // objects as gas
   for (int c = 0; c < 3; ++c)
   {
     const float* x = here + c * stride;
@@ -176,11 +177,12 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state,
     float* dbar = terms.AverageBar(c);
     float* outX = last ? nullptr : this->Row(j + 1, 0, c);
     float* outV = last ? nullptr : this->Row(j + 1, 1, c);
-    const auto add =
-      [&](std::size_t i, float weight, float own, float flight, float law, float air, float slip)
+    const auto add = [&](std::size_t i, float weight, float own, float flight, float law, float air,
+                         float airPlain, float slip)
     {
       const float rs = d[i] - slip;
       ec += static_cast<double>(weight * air * rs) * rs;
+      ecPlain += static_cast<double>(weight * airPlain * rs) * rs;
       float byAverage = weight * air * ws * rs;
       float byAcceleration = 0.0f;
       if (!last)
@@ -188,6 +190,7 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state,
         const float rx = flight * ((xn[i] - x[i]) - s * (vn[i] + eps * d[i]));
         const float rv = law * ((wn[i] - w[i]) - s * a[i]);
         ex += static_cast<double>(own * weight * rx) * rx;
+        exPlain += static_cast<double>(weight * rx) * rx;
         ev += static_cast<double>(weight * rv) * rv;
         const float byX = own * weight * wx * rx;
         const float byV = weight * wv * rv;
@@ -201,15 +204,16 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state,
     };
     for (std::size_t i = 0; i < ng; ++i)
     {
-      add(i, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 0.0f);
+      add(i, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 1.0f, 0.0f);
     }
     const double ofGas = ev;
     for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
     {
       const bool isBound = !last && this->Bound[(j + 1) * model.NumberOfObjects + o];
       const bool hasLaw = last || this->HasLaw[(j + 1) * model.NumberOfObjects + o];
+      const float fraction = model.CoherenceFraction(this->Times.Frames[j], o);
       add(ng + o, static_cast<float>(model.Offsets.size()), objectStep, isBound ? 0.0f : 1.0f,
-          hasLaw ? 1.0f : 0.0f, objectAir * model.CoherenceFraction(this->Times.Frames[j], o),
+          hasLaw ? 1.0f : 0.0f, objectAir * fraction, fraction,
           c == 2 ? model.SettlingSlip(o) : 0.0f);
     }
     evObjects += ev - ofGas;
@@ -218,7 +222,12 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state,
   sums.Ex = 0.5 * stepWeight * ex;
   sums.Ev = 0.5 * stepWeight * ev;
   sums.EvObjects = 0.5 * stepWeight * evObjects;
-  sums.Ec = 0.5 * weights.SpatialShare * this->SpatialScale * this->Times.FrameWeights[j] * ec;
+  const double spatial =
+    0.5 * weights.SpatialShare * this->SpatialScale * this->Times.FrameWeights[j];
+  sums.Ec = spatial * ec;
+  sums.E2 = weights.PositionWeight * 0.5 * stepWeight * exPlain + weights.VelocityWeight * sums.Ev +
+            weights.CoherenceWeight * spatial * ecPlain;
+  this->ShareFrame(terms, moving, j);
   if (gradient)
   {
     float* g = gradient->data() + this->Offset(j);
@@ -279,6 +288,7 @@ void SpacetimeObjective::SmoothRow(const StateVector& moving, std::size_t j)
     }
   }
   this->FrameSums[j].Ec += 0.5 * fraction * w * sum;
+  this->FrameSums[j].E2 += model.Weights.CoherenceWeight * 0.5 * fraction * w * sum;
   this->FrameSums[j].Control = 0.5 * control;
 }
 

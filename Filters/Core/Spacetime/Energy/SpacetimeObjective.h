@@ -72,6 +72,8 @@ private:
   NeighborList& ListOf(Worker& worker, std::size_t j);
   void SphFrame(Worker& worker, const StateVector& state, const StateVector& moving, std::size_t j,
                 StateVector* gradient);
+  /// What of the objects' acceleration is whose.
+  void ShareFrame(FrameTerms& terms, const StateVector& moving, std::size_t j);
   void SmoothRow(const StateVector& moving, std::size_t j);
   /// In a drawn air: what E takes for the velocities.
   const StateVector& TakeDeviations(const StateVector& state);

@@ -86,6 +86,7 @@ void SpacetimeRun::Record(int pass, const std::string& stage, int iteration,
   row.MaxViolation = std::max(0.0, violation) * this->Problem.Spacing;
   row.Leash = leash;
   row.Seconds = this->Seconds();
+  row.SetShares(!this->Problem.Model.Air.IsEmpty());
   this->State.Log.push_back(std::move(row));
 }
 
