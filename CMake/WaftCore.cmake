@@ -1,8 +1,8 @@
 # What Filters/Core and Testing/Core are made of: their libraries, and one function for each kind of thing.
 
 # In the order of their dependencies.
-set(WAFT_CORE_PARTS Base Files Obstacles Constraints Scene Shapes Grid Volumes Trajectory Database Planning Air Vortex Particles
-  Spacetime Rotation Chain Export)
+set(WAFT_CORE_PARTS Base Files Store Obstacles Constraints Scene Shapes Grid Volumes Trajectory Database Planning Air Vortex
+  Particles Spacetime Rotation Chain Export)
 # Where their headers are installed.
 set(WAFT_CORE_INCLUDES "${CMAKE_INSTALL_INCLUDEDIR}/waft/Core")
 

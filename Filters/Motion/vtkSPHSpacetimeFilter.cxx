@@ -143,7 +143,7 @@ waft::Result vtkSPHSpacetimeFilter::Internals::Run(vtkInformationVector** inputs
   if (isForAll && ranks.Size() > 1)
   {
     waft::BroadcastStream stream(ranks);
-    waft::Serialise(stream, this->Solution);
+    stream.Values(this->Solution);
   }
   this->Warnings = this->Solution.Warnings;
   if (isForAll || ranks.IsFirst())

@@ -3,8 +3,8 @@
 // read.
 #include "Fuzz.h"
 
-#include "Base/StateArchive.h"
 #include "Database/TracedFiles.h"
+#include "Store/StateFile.h"
 #include "Trajectory/DatabaseFile.h"
 
 #include <vector>
@@ -14,66 +14,63 @@ using namespace waft;
 namespace
 {
 
+constexpr StateKind Lists = { "lists", 1 };
+
 void ReadLists(const std::string& path)
 {
-  StateFileReader reader(path);
-  std::string text;
-  std::vector<double> numbers;
-  std::vector<Vec3> points;
-  std::vector<std::vector<int>> lists;
-  int value = 0;
-  reader.Text(text);
-  reader.List(numbers);
-  reader.List(points);
-  reader.List(lists, [](StateArchive& stream, std::vector<int>& list) { stream.List(list); });
-  reader.Value(value);
-  (void)reader.IsAtEnd();
+  const auto content = [](StateArchive& file)
+  {
+    std::string text;
+    std::vector<double> numbers;
+    std::vector<Vec3> points;
+    std::vector<std::vector<int>> lists;
+    int value = 0;
+    file.Values(text, numbers, points, lists, value);
+    return true;
+  };
+  (void)ReadStateFile(path, Lists, {}, content);
 }
 
-template <class T>
-void Append(std::string& bytes, const T& value)
+/// A whole file of this kind and key.
+bool Write(const std::string& path, const StateKind& kind, std::uint64_t key,
+           const std::string& content)
 {
-  bytes.append(reinterpret_cast<const char*>(&value), sizeof(T));
+  StateFileWriter writer(path, kind, key);
+  writer.Raw(content.data(), content.size());
+  return bool(writer.Commit());
 }
 
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  std::string input = FuzzBytes(data, size);
+  const std::string input = FuzzBytes(data, size);
   {
     const FuzzFile file("fuzz.state", input);
-    (void)IsWholeStateFile(file.Path);
     ReadLists(file.Path);
-    StateFileWriter writer(file.Path);
-    writer.Raw(input.data(), input.size());
-    if (writer.Commit())
+    // Of no kind that there is: the header itself is of these bytes.
+    Digest digest;
+    digest.Add(input.data(), input.size());
+    const std::uint64_t sum = digest.Sum();
+    const FuzzFile headed("fuzz.header",
+                          input + std::string(reinterpret_cast<const char*>(&sum), sizeof(sum)));
+    ReadLists(headed.Path);
+    if (Write(file.Path, Lists, 0, input))
     {
       ReadLists(file.Path);
     }
   }
 
-  const std::string format = "Waft traced simulation 2";
-  std::string traced;
-  Append(traced, static_cast<std::uint64_t>(format.size()));
-  traced += format;
-  Append(traced, std::uint64_t{ 0 }); // no parameters
-  Append(traced, 0);                  // the simulation
-  traced += input;
-  Digest digest;
-  digest.Add(traced.data(), traced.size());
-  Append(traced, digest.Sum());
-  const FuzzFile file("simulation0", traced);
+  const FuzzFile traced("simulation0", "");
   TracedSimulation simulation;
-  (void)TracedFiles(file.Folder.string(), "").Read(0, simulation);
+  if (Write(traced.Path, { "traced simulation", 3 }, DigestOf(std::string(), 0), input))
+  {
+    (void)TracedFiles(traced.Folder.string(), "").Read(0, simulation);
+  }
 
   const FuzzFile kept("fuzz.motions", "");
-  StateFileWriter writer(kept.Path);
-  std::string version = "Waft motion database 1";
-  writer.Text(version);
-  writer.Raw(input.data(), input.size());
   MotionDatabase database;
-  if (writer.Commit())
+  if (Write(kept.Path, { "motion database", 2 }, 0, input))
   {
     (void)ReadDatabase(kept.Path, database);
   }

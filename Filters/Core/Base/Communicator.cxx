@@ -16,8 +16,7 @@ Result Told(Communicator& ranks, const Result& own)
   bool isStopped = own.IsStopped();
   std::string message = own.Message();
   BroadcastStream stream(ranks);
-  stream.Values(isGood, isStopped);
-  stream.Text(message);
+  stream.Values(isGood, isStopped, message);
   return ranks.IsFirst() ? own
          : isStopped     ? Result::Stopped()
          : isGood        ? Result::Ok()
@@ -26,19 +25,20 @@ Result Told(Communicator& ranks, const Result& own)
 
 } // namespace
 
-void Communicator::Broadcast(void* bytes, std::size_t size, int from)
+void Communicator::Broadcast(const void* sent, void* received, std::size_t size, int from)
 {
   const int ranks = this->Size();
   const int slot = (this->Rank() - from + ranks) % ranks;
+  const void* passedOn = slot == 0 ? sent : received;
   for (int reached = 1; reached < ranks; reached *= 2)
   {
     if (slot < reached && slot + reached < ranks)
     {
-      this->SendReceive((slot + reached + from) % ranks, bytes, size, nullptr, 0);
+      this->SendReceive((slot + reached + from) % ranks, passedOn, size, nullptr, 0);
     }
     else if (slot >= reached && slot < 2 * reached)
     {
-      this->SendReceive((slot - reached + from) % ranks, nullptr, 0, bytes, size);
+      this->SendReceive((slot - reached + from) % ranks, nullptr, 0, received, size);
     }
   }
 }
@@ -52,12 +52,6 @@ double Communicator::Largest(double value)
     value = std::max(value, other);
   }
   return value;
-}
-
-bool BroadcastStream::Bytes(void* bytes, std::size_t size)
-{
-  this->Ranks.Broadcast(bytes, size);
-  return true;
 }
 
 Result ResultOfFirst(Communicator& ranks, const std::function<Result()>& work)

@@ -27,7 +27,12 @@ public:
                            std::size_t receivedSize) = 0;
 
   /// The bytes of one rank, on all of them: all call it, as Largest.
-  void Broadcast(void* bytes, std::size_t size, int from = 0);
+  void Broadcast(void* bytes, std::size_t size, int from = 0)
+  {
+    this->Broadcast(bytes, bytes, size, from);
+  }
+  /// The same: `from` sends, the others receive.
+  void Broadcast(const void* sent, void* received, std::size_t size, int from);
   /// The largest of all ranks' values.
   double Largest(double value);
 };
@@ -41,7 +46,16 @@ public:
   bool IsReading() const override { return !this->Ranks.IsFirst(); }
 
 protected:
-  bool Bytes(void* bytes, std::size_t size) override;
+  bool Put(const void* bytes, std::size_t size) override
+  {
+    this->Ranks.Broadcast(bytes, nullptr, size, 0);
+    return true;
+  }
+  bool Get(void* bytes, std::size_t size) override
+  {
+    this->Ranks.Broadcast(nullptr, bytes, size, 0);
+    return true;
+  }
 
 private:
   Communicator& Ranks;

@@ -25,6 +25,16 @@ struct SeriesLattice : PointLattice
 {
   FieldMeaning Meaning = FieldMeaning::Acceleration;
   std::vector<double> Times; // s, increasing
+
+  template <class Visitor, class... Holder>
+  static void VisitLattice(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Meaning...);
+    visit(of.Dimensions...);
+    visit(of.Origin...);
+    visit(of.Spacing...);
+    visit(of.Times...);
+  }
 };
 
 /// One list of values per time. Sampling is trilinear in space and linear in time, clamped to the
@@ -34,6 +44,13 @@ struct FieldSeries : SeriesLattice
   using Field = std::vector<std::array<float, 3>>; // [point]
 
   std::vector<Field> Values; // [time]
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    VisitLattice(visit, of...);
+    visit(of.Values...);
+  }
 
   FieldSeries() = default;
   explicit FieldSeries(const SeriesLattice& lattice) : SeriesLattice(lattice) {}

@@ -58,6 +58,17 @@ struct AnalyticWind
   double CenterTime = 0.0; // s
   double Duration = 3.0;   // s
 
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Direction...);
+    visit(of.Strength...);
+    visit(of.Center...);
+    visit(of.Radius...);
+    visit(of.CenterTime...);
+    visit(of.Duration...);
+  }
+
   Vec3 Acceleration(const Vec3& x, double time) const;
 };
 

@@ -23,6 +23,15 @@ struct ObstacleMesh
   TriangleMesh Mesh;         // where it stands at frame 0
   std::vector<Vec3> Offsets; // displacement from frame 0, one a frame; empty: it stands still
 
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.ObstacleId...);
+    visit(of.Mesh.Points...);
+    visit(of.Mesh.Triangles...);
+    visit(of.Offsets...);
+  }
+
   bool IsMoving() const { return !this->Offsets.empty(); }
   /// Displacement at a frame, linear between frames.
   Vec3 Offset(double frame) const

@@ -35,6 +35,23 @@ struct MotionObject
   double SettlingSpeed = 0.8;          // m/s, terminal fall speed in still air
   double ClearanceRadius = 0.05;       // m, half the largest extent
   double RestHeight = 0.0; // m, height of the centre of mass above a plane that the body lies on
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.ObjectId...);
+    visit(of.ShapeId...);
+    visit(of.ClassId...);
+    visit(of.Mass...);
+    visit(of.Position...);
+    visit(of.Velocity...);
+    visit(of.VelocityGiven...);
+    visit(of.Orientation...);
+    visit(of.AngularVelocity...);
+    visit(of.SettlingSpeed...);
+    visit(of.ClearanceRadius...);
+    visit(of.RestHeight...);
+  }
 };
 
 /// The path of one object, one sample a frame from frame 0. Optional lists are empty or as long as
@@ -51,6 +68,21 @@ struct Track
   std::vector<Vec3> Forces;              // m/s^2, vortex plus wind, after the optimiser
   std::vector<Vec3> AirVelocities;       // m/s, of the gas at the object
   std::vector<Vec3> Residuals;           // m/s^2, what no term of the optimiser's model gives
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.ObjectId...);
+    visit(of.Positions...);
+    visit(of.SphVelocities...);
+    visit(of.ForceTypes...);
+    visit(of.VortexIds...);
+    visit(of.VortexAccelerations...);
+    visit(of.WindAccelerations...);
+    visit(of.Forces...);
+    visit(of.AirVelocities...);
+    visit(of.Residuals...);
+  }
 };
 
 /// Central differences of the positions [m/s], one-sided and of second order at the ends; zero for

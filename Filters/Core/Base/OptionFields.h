@@ -15,7 +15,6 @@
 
 #include "Base/Limits.h"
 #include "Base/Result.h"
-#include "Base/StateArchive.h"
 #include "Base/Types.h"
 
 #include <string>
@@ -141,26 +140,6 @@ void CopyFields(const From& from, To& to)
     }
   };
   Options::Visit(copy, from, to);
-}
-
-/// A visitor that writes or reads each field.
-inline auto SerialiseFieldsWith(StateArchive& stream)
-{
-  return [&stream](const OptionField&, auto& value)
-  {
-    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>)
-    {
-      stream.Text(value);
-    }
-    else if constexpr (IsList<std::decay_t<decltype(value)>>)
-    {
-      stream.List(value);
-    }
-    else
-    {
-      EachNumber(value, [&stream](auto& number) { stream.Value(number); });
-    }
-  };
 }
 
 } // namespace waft

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a computation needs to go on later, as a stream of bytes: one function of a class both
-// writes it and reads it back, so that the two cannot differ.
+// Values as a stream of bytes: to a file and back, to other ranks, to a digest that tells them from
+// others. What a type consists of is said once, by its Visit, so that writing, reading and
+// comparing cannot differ.
 #pragma once
 
-#include "Base/AtomicFile.h"
 #include "Base/Digest.h"
-#include "Base/Result.h"
 #include "Base/Types.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <cstdio>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -17,93 +18,190 @@
 namespace waft
 {
 
-/// Bytes in the machine's own order. Writing leaves what is named as it is. Once anything fails
-/// nothing more is moved and IsGood is false.
+struct OptionField;
+
+/// Values that are moved as the bytes that they are in memory, lists of them at once.
+template <class T>
+inline constexpr bool IsFlat =
+  (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) || std::is_enum_v<T>;
+template <class T, std::size_t N>
+inline constexpr bool IsFlat<std::array<T, N>> = IsFlat<T>;
+template <>
+inline constexpr bool IsFlat<Vec3> = sizeof(Vec3) == 3 * sizeof(double);
+
+/// Has as many items as it is given.
+template <class T>
+inline constexpr bool IsSequence = false;
+template <class T>
+inline constexpr bool IsSequence<std::vector<T>> = true;
+template <>
+inline constexpr bool IsSequence<std::string> = true;
+template <class T>
+inline constexpr bool IsArray = false;
+template <class T, std::size_t N>
+inline constexpr bool IsArray<std::array<T, N>> = true;
+
+/// A visitor that writes what it is given, or reads it: numbers, texts, points, rotations,
+/// matrices, structs with a Visit, and lists and arrays of these; bytes in the machine's own order.
+/// What is const can be written alone, and writing leaves all as it is. Once anything fails nothing
+/// more is moved and IsGood is false.
 class StateArchive
 {
 public:
   virtual ~StateArchive() = default;
   virtual bool IsReading() const = 0;
   bool IsGood() const { return this->Good; }
-  /// Bytes that may still be read: a damaged number of elements is not believed.
+  /// What was read cannot be.
+  void Refuse() { this->Good = false; }
+  /// Bytes that may still be read: a damaged number of items is not believed.
   virtual std::uint64_t Left() const { return UINT64_MAX; }
 
-  template <class T>
-  void Value(T& value)
-  {
-    static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
-    this->Move(&value, sizeof(T));
-  }
-  void Value(Vec3& value) { this->Move(value.data(), 3 * sizeof(double)); }
   template <class... T>
   void Values(T&... values)
   {
-    (this->Value(values), ...);
+    ((*this)(values), ...);
   }
-  void Text(std::string& text)
-  {
-    text.resize(this->Count(text.size(), 1));
-    this->Move(text.data(), text.size());
-  }
-  /// Bytes whose number both sides know.
-  void Raw(void* bytes, std::size_t size) { this->Move(bytes, size); }
-  /// Of numbers, points or arrays of numbers.
   template <class T>
-  void List(std::vector<T>& values)
+  void operator()(T& value)
   {
-    static_assert(std::is_trivially_copyable_v<T> || std::is_same_v<T, Vec3>);
-    this->Resize(values, sizeof(T));
-    this->Move(values.data(), values.size() * sizeof(T));
-  }
-  /// Of anything: serialise(stream, element) moves one.
-  template <class T, class Serialiser>
-  void List(std::vector<T>& values, const Serialiser& serialise)
-  {
-    this->Resize(values, 1);
-    for (T& value : values)
+    using Plain = std::remove_const_t<T>;
+    if constexpr (IsFlat<Plain>)
     {
-      serialise(*this, value);
+      this->Raw(&value, sizeof(T));
+    }
+    else if constexpr (std::is_same_v<Plain, bool>)
+    {
+      this->Flag(value);
+    }
+    else if constexpr (std::is_same_v<Plain, Quat>)
+    {
+      this->Raw(value.coeffs().data(), 4 * sizeof(double));
+    }
+    else if constexpr (std::is_base_of_v<Eigen::EigenBase<Plain>, Plain>)
+    {
+      this->Matrix(value);
+    }
+    else if constexpr (IsSequence<Plain>)
+    {
+      this->Length(value);
+      this->Items(value);
+    }
+    else if constexpr (IsArray<Plain>)
+    {
+      this->Items(value);
+    }
+    else
+    {
+      Plain::Visit(*this, value);
+    }
+  }
+  /// Of options, whose Visit says more of each field.
+  template <class T>
+  void operator()(const OptionField&, T& value)
+  {
+    (*this)(value);
+  }
+
+  /// Bytes whose number both sides know.
+  void Raw(void* bytes, std::size_t size)
+  {
+    this->Good =
+      this->Good &&
+      (size == 0 || (this->IsReading() ? this->Get(bytes, size) : this->Put(bytes, size)));
+  }
+  void Raw(const void* bytes, std::size_t size)
+  {
+    this->Good = this->Good && !this->IsReading() && (size == 0 || this->Put(bytes, size));
+  }
+  /// How many items a list has: it is made as long when it is read.
+  template <class List>
+  void Length(List& list)
+  {
+    using Item = typename List::value_type;
+    auto length = static_cast<std::uint64_t>(list.size());
+    this->Values(length);
+    if (this->IsReading())
+    {
+      this->Good = this->Good && length <= this->Left() / (IsFlat<Item> ? sizeof(Item) : 1);
+      if constexpr (!std::is_const_v<List>)
+      {
+        list.resize(this->Good ? static_cast<std::size_t>(length) : 0);
+      }
     }
   }
 
 protected:
-  virtual bool Bytes(void* bytes, std::size_t size) = 0;
-  void Fail() { this->Good = false; }
+  virtual bool Put(const void*, std::size_t) { return false; }
+  virtual bool Get(void*, std::size_t) { return false; }
 
 private:
-  void Move(void* bytes, std::size_t size)
+  template <class List>
+  void Items(List& list)
   {
-    this->Good = this->Good && (size == 0 || this->Bytes(bytes, size));
-  }
-  std::size_t Count(std::size_t count, std::size_t bytes)
-  {
-    std::uint64_t moved = count;
-    this->Value(moved);
-    this->Good = this->Good && (!this->IsReading() || moved <= this->Left() / bytes);
-    return this->IsReading() && !this->Good ? 0 : static_cast<std::size_t>(moved);
-  }
-  template <class T>
-  void Resize(std::vector<T>& values, std::size_t bytes)
-  {
-    const std::size_t count = this->Count(values.size(), bytes);
-    if (this->IsReading())
+    using Item = typename List::value_type;
+    if constexpr (IsFlat<Item>)
     {
-      values.resize(count);
+      this->Raw(list.data(), list.size() * sizeof(Item));
     }
+    else
+    {
+      for (auto& item : list)
+      {
+        (*this)(item);
+      }
+    }
+  }
+  // Any byte may have been read.
+  template <class T>
+  void Flag(T& flag)
+  {
+    std::uint8_t byte = flag ? 1 : 0;
+    this->Values(byte);
+    if constexpr (!std::is_const_v<T>)
+    {
+      flag = byte != 0;
+    }
+  }
+  template <class Dense>
+  void Matrix(Dense& matrix)
+  {
+    auto rows = static_cast<std::uint64_t>(matrix.rows());
+    auto columns = static_cast<std::uint64_t>(matrix.cols());
+    this->Values(rows, columns);
+    if constexpr (!std::is_const_v<Dense>)
+    {
+      if (this->IsReading())
+      {
+        constexpr std::uint64_t most = std::numeric_limits<int>::max(); // of which products fit
+        constexpr int fixed = Dense::ColsAtCompileTime;
+        const bool fits = rows <= most && columns <= most &&
+                          rows * columns <= this->Left() / sizeof(double) &&
+                          (fixed == Eigen::Dynamic || columns == std::uint64_t(fixed));
+        this->Good = this->Good && fits;
+        if (!this->Good)
+        {
+          return;
+        }
+        matrix.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
+      }
+    }
+    this->Raw(matrix.data(), static_cast<std::size_t>(matrix.size()) * sizeof(double));
   }
 
   bool Good = true;
 };
 
-/// Keeps nothing but the digest.
+/// Keeps nothing but the digest: of inputs and options it is the key of what follows from them.
 class DigestStream : public StateArchive
 {
 public:
   bool IsReading() const override { return false; }
+  /// As Digest's.
   std::uint64_t Sum() const { return this->Checks.Sum(); }
+  std::string Text() const { return this->Checks.Text(); }
 
 protected:
-  bool Bytes(void* bytes, std::size_t size) override
+  bool Put(const void* bytes, std::size_t size) override
   {
     this->Checks.Add(bytes, size);
     return true;
@@ -113,6 +211,14 @@ private:
   Digest Checks;
 };
 
+template <class... T>
+std::uint64_t DigestOf(const T&... values)
+{
+  DigestStream sum;
+  sum.Values(values...);
+  return sum.Sum();
+}
+
 /// Keeps what is written, in memory.
 class MemoryStream : public StateArchive
 {
@@ -121,57 +227,12 @@ public:
   std::vector<char> Content;
 
 protected:
-  bool Bytes(void* bytes, std::size_t size) override
+  bool Put(const void* bytes, std::size_t size) override
   {
     const char* first = static_cast<const char*>(bytes);
     this->Content.insert(this->Content.end(), first, first + size);
     return true;
   }
-};
-
-/// Writes a file whole or not at all.
-class StateFileWriter : public StateArchive
-{
-public:
-  explicit StateFileWriter(const std::string& path);
-
-  bool IsReading() const override { return false; }
-  /// The file takes its place, its checksum at the end. Errors name the path and the reason; what
-  /// stood there before is then untouched and nothing is left beside it.
-  Result Commit();
-
-protected:
-  bool Bytes(void* bytes, std::size_t size) override;
-
-private:
-  PartFile File;
-  Digest Checks;
-};
-
-/// True when there is a file that StateFileWriter wrote, and it is whole.
-bool IsWholeStateFile(const std::string& path);
-
-/// Reads what StateFileWriter wrote.
-class StateFileReader : public StateArchive
-{
-public:
-  explicit StateFileReader(const std::string& path);
-  ~StateFileReader() override;
-  StateFileReader(const StateFileReader&) = delete;
-  void operator=(const StateFileReader&) = delete;
-
-  bool IsReading() const override { return true; }
-  /// Nothing is left over.
-  bool IsAtEnd() const { return this->IsGood() && this->Rest == 0; }
-  std::uint64_t Left() const override { return this->Rest; }
-
-protected:
-  bool Bytes(void* bytes, std::size_t size) override;
-
-private:
-  friend bool IsWholeStateFile(const std::string& path);
-  std::FILE* File = nullptr;
-  std::uint64_t Rest = 0; // bytes before the checksum
 };
 
 } // namespace waft

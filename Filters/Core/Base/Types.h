@@ -26,6 +26,13 @@ struct Box
   Vec3 Min{ -2.0, -2.0, 0.0 };
   Vec3 Max{ 2.0, 2.0, 4.0 };
 
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Min...);
+    visit(of.Max...);
+  }
+
   Vec3 Size() const { return this->Max - this->Min; }
   Vec3 Center() const { return 0.5 * (this->Min + this->Max); }
   /// L: the larger horizontal side [m].
@@ -55,6 +62,16 @@ struct SceneInfo
   Timeline Time;
   double AirDensity = 1.2; // kg/m^3
   std::uint64_t Seed = 1;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Bounds...);
+    visit(of.Time.NumberOfFrames...);
+    visit(of.Time.FramesPerSecond...);
+    visit(of.AirDensity...);
+    visit(of.Seed...);
+  }
 };
 
 } // namespace waft

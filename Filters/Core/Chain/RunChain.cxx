@@ -67,7 +67,7 @@ private:
   /// Whether the output is there of just this problem and these options; else it is cleared, with
   /// those of the stages after it.
   template <class... Own>
-  bool IsKept(ChainStage stage, MotionProblem& problem, const Own&... options);
+  bool IsKept(ChainStage stage, const MotionProblem& problem, const Own&... options);
   void Clear(ChainStage stage);
   double SecondsLeft() const;
   void LimitTime(double& limit) const;
@@ -148,20 +148,18 @@ MotionProblem Chain::ProblemOf(ChainStage stage) const
 }
 
 template <class... Own>
-bool Chain::IsKept(ChainStage stage, MotionProblem& problem, const Own&... options)
+bool Chain::IsKept(ChainStage stage, const MotionProblem& problem, const Own&... options)
 {
   DigestStream stream;
-  Serialise(stream, problem);
+  stream.Values(problem);
   for (const auto& [before, key] : this->Memory.Keys)
   {
     if (before < stage)
     {
-      std::uint64_t own = key;
-      stream.Value(own);
+      stream.Values(key);
     }
   }
-  const auto add = [&stream](auto own) { decltype(own)::Visit(SerialiseFieldsWith(stream), own); };
-  (add(options), ...);
+  stream.Values(options...);
   this->Key = stream.Sum();
   const auto kept = this->Memory.Keys.find(stage);
   if (kept != this->Memory.Keys.end() && kept->second == this->Key)

@@ -119,6 +119,25 @@ struct Constraint
   int ClassId = -1;                    // -1: any
   ConstraintStatus Status =
     ConstraintStatus::Met; // what an earlier stage found: only met rows bind
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.ObjectId...);
+    visit(of.Frame...);
+    visit(of.Kind...);
+    visit(of.Value...);
+    visit(of.Orientation...);
+    visit(of.Radius...);
+    visit(of.Until...);
+    visit(of.TouchDown...);
+    visit(of.LiftOff...);
+    visit(of.Row...);
+    visit(of.Target...);
+    visit(of.Group...);
+    visit(of.ClassId...);
+    visit(of.Status...);
+  }
 };
 
 /// The frame until which a row holds, or a rest goes on.
@@ -150,6 +169,19 @@ struct ReportRow
   double Residual = 0.0; // distance beyond Radius, in the unit of Value
   ConstraintStatus Status = ConstraintStatus::Met;
   std::string Message;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Row...);
+    visit(of.Target...);
+    visit(of.ObjectId...);
+    visit(of.Frame...);
+    visit(of.Kind...);
+    visit(of.Residual...);
+    visit(of.Status...);
+    visit(of.Message...);
+  }
 };
 
 } // namespace waft

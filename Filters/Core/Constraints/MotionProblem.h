@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the stages take that move objects to their marks, and its way into streams of bytes.
+// What the stages take that move objects to their marks.
 #pragma once
 
 #include "Base/FieldSeries.h"
 #include "Base/ForceFields.h"
 #include "Base/Mesh.h"
 #include "Base/Motion.h"
-#include "Base/StateArchive.h"
+#include "Base/Result.h"
 #include "Constraints/Constraint.h"
 
 #include <vector>
@@ -23,19 +23,21 @@ struct MotionProblem
   std::vector<ObstacleMesh> Obstacles; // the ground among them
   std::vector<Vortex> Vortices;
   FieldSeries Wind; // the user's, or empty
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Scene...);
+    visit(of.Tracks...);
+    visit(of.Objects...);
+    visit(of.Constraints...);
+    visit(of.Obstacles...);
+    visit(of.Vortices...);
+    visit(of.Wind...);
+  }
 };
 
 /// At least one track, at least so many frames, in each track one finite position a frame.
 Result CheckTracks(const MotionProblem& problem, int leastFrames);
-
-void Serialise(StateArchive& stream, Track& track);
-void Serialise(StateArchive& stream, ReportRow& line);
-void Serialise(StateArchive& stream, Vortex& vortex);
-void Serialise(StateArchive& stream, AnalyticWind& wind);
-void Serialise(StateArchive& stream, FieldSeries& field);
-void Serialise(StateArchive& stream, Constraint& constraint);
-void Serialise(StateArchive& stream, MotionObject& object);
-void Serialise(StateArchive& stream, ObstacleMesh& obstacle);
-void Serialise(StateArchive& stream, MotionProblem& problem);
 
 } // namespace waft

@@ -208,8 +208,7 @@ void NeighborList::Serialise(StateArchive& stream)
 {
   NeighborCourse course = this->Now;
   std::vector<float> reference = course.Reference ? *course.Reference : std::vector<float>();
-  stream.Values(course.Skin, course.Uses);
-  stream.List(reference);
+  stream.Values(course.Skin, course.Uses, reference);
   if (stream.IsReading())
   {
     course.Reference = reference.empty()

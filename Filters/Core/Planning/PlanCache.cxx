@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Planning/PlanCache.h"
 
-#include "Base/MemberDigest.h"
 #include "Base/StateArchive.h"
 #include "Constraints/MotionProblem.h"
 
@@ -17,21 +16,12 @@ namespace
 /// Of what all plans of a scene have in common besides the database.
 std::string SharedKey(const PlanInput& input, const PlanOptions& options)
 {
-  Digest digest;
-  for (const ObstacleMesh& obstacle : input.Obstacles.Obstacles())
-  {
-    digest.Add(obstacle.ObstacleId);
-    digest.AddList(obstacle.Mesh.Points);
-    digest.AddList(obstacle.Mesh.Triangles);
-    digest.AddList(obstacle.Offsets);
-  }
-  digest.Add(input.Scene.Bounds.Min);
-  digest.Add(input.Scene.Bounds.Max);
-  digest.Add(input.Scene.Time.NumberOfFrames);
-  digest.Add(input.Scene.Time.FramesPerSecond);
-  PlanOptions::VisitStyle([&digest](const OptionField&, const auto& value) { digest.Add(value); },
-                          options);
-  return digest.Text();
+  DigestStream sum;
+  const Timeline& time = input.Scene.Time;
+  sum.Values(input.Obstacles.Obstacles(), input.Scene.Bounds, time.NumberOfFrames,
+             time.FramesPerSecond);
+  PlanOptions::VisitStyle(sum, options);
+  return sum.Text();
 }
 
 std::size_t BytesOf(const ObjectPlan& plan)
@@ -53,8 +43,7 @@ std::string PlanKey(const MotionObject& object, const std::vector<Constraint>& r
                     const std::vector<int>& own, const std::vector<Guide>& guides)
 {
   MemoryStream key;
-  MotionObject body = object;
-  Serialise(key, body);
+  key.Values(object);
   std::map<std::pair<int, int>, int> numbers; // of rows by Row and Target, in that order
   for (const int index : own)
   {
@@ -65,22 +54,20 @@ std::string PlanKey(const MotionObject& object, const std::vector<Constraint>& r
   {
     entry.second = next++;
   }
-  std::size_t count = own.size();
-  key.Value(count);
+  key.Length(own);
   for (const int index : own)
   {
     Constraint row = rows[index];
     row.Row = numbers[{ row.Row, row.Target }];
     row.Target = 0;
     row.Group = row.ClassId = -1; // it has its object
-    Serialise(key, row);
+    key.Values(row);
   }
   for (const Guide& guide : guides)
   {
     if (guide.ObjectId == object.ObjectId)
     {
-      std::vector<Vec3> points = guide.Points;
-      key.List(points);
+      key.Values(guide.Points);
     }
   }
   return { key.Content.begin(), key.Content.end() };
@@ -100,10 +87,10 @@ Result PlanCache::Tools(const PlanInput& input, const SegmentLibraryOptions& opt
                         const ParallelFor& parallelFor, std::shared_ptr<const PlanTools>& tools)
 {
   MemoryStream key;
-  auto address = reinterpret_cast<std::uintptr_t>(&input.Database);
-  SegmentLibraryOptions own = options;
-  key.Values(address, own.FramesPerSecond, own.Freedom, own.MaximumTilt, own.MaximumConnectionCost,
-             own.MinimumNumberOfNeighbours, own.RoughConnectionFactor);
+  const auto address = reinterpret_cast<std::uintptr_t>(&input.Database);
+  key.Values(address, options.FramesPerSecond, options.Freedom, options.MaximumTilt,
+             options.MaximumConnectionCost, options.MinimumNumberOfNeighbours,
+             options.RoughConnectionFactor);
   const std::string wanted =
     this->DatabaseKey + std::string(key.Content.begin(), key.Content.end());
   if (!this->KeptTools || wanted != this->ToolsKey)
@@ -118,8 +105,8 @@ Result PlanCache::Tools(const PlanInput& input, const SegmentLibraryOptions& opt
 
 void PlanCache::Begin(const PlanInput& input, const PlanOptions& options)
 {
-  Digest database;
-  MemberDigest{ database }(input.Database);
+  DigestStream database;
+  database.Values(input.Database);
   this->DatabaseKey = database.Text();
   const std::string shared = this->DatabaseKey + SharedKey(input, options);
   if (shared != this->Shared)

@@ -132,8 +132,7 @@ struct MotionDatabase
   static void Visit(Visitor&& visit, Holder&... of)
   {
     visit(of.FramesPerSecond...);
-    visit(of.Volume.Min...);
-    visit(of.Volume.Max...);
+    visit(of.Volume...);
     visit(of.Window...);
     visit(of.SettlingSpeed...);
     visit(of.TopSpeed...);

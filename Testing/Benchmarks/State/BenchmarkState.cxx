@@ -4,8 +4,8 @@
 // and what part of a run's time on disks of any speed, beside the former rule (each ten seconds,
 // and at least thirty times what the last writing took).
 #include "Air/Field/PackedSeries.h"
-#include "Base/StateArchive.h"
 #include "Base/WritingSchedule.h"
+#include "Store/StateFile.h"
 
 #include <algorithm>
 #include <chrono>
@@ -56,15 +56,10 @@ double CpuSeconds(const std::function<void()>& work)
 
 void Pack(int side, int frames)
 {
-  HalfSeries series = Waves(side, frames);
+  const HalfSeries series = Waves(side, frames);
   MemoryStream plain, packed;
-  const double asItIs = CpuSeconds(
-    [&]
-    {
-      plain.List(series.Values,
-                 [](StateArchive& s, std::vector<Half3>& values) { s.List(values); });
-    });
-  const double seconds = CpuSeconds([&] { SerialisePacked(packed, series.Values); });
+  const double asItIs = CpuSeconds([&] { plain.Values(series.Values); });
+  const double seconds = CpuSeconds([&] { WritePacked(packed, series.Values); });
   std::printf("air of %d^3 points, %d frames, 1 thread: plain %.1f MB %.2f CPU-s, packed %.1f MB "
               "%.2f CPU-s\n",
               side, frames, static_cast<double>(plain.Content.size()) / 1e6, asItIs,
@@ -72,10 +67,10 @@ void Pack(int side, int frames)
 }
 
 /// Seconds by the clock.
-double WriteOnce(const std::string& path, std::vector<char>& bytes)
+double WriteOnce(const std::string& path, const std::vector<char>& bytes)
 {
   const auto begin = std::chrono::steady_clock::now();
-  StateFileWriter file(path);
+  StateFileWriter file(path, { "benchmark", 1 });
   file.Raw(bytes.data(), bytes.size());
   const Result result = file.Commit();
   if (!result)

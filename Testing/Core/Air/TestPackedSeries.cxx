@@ -2,6 +2,7 @@
 // Series of half floats are packed without loss, and what is no packed series is refused.
 #include "Air/Field/PackedSeries.h"
 #include "Base/Random.h"
+#include "Base/ReadingStream.h"
 
 #include <gtest/gtest.h>
 
@@ -15,43 +16,19 @@ namespace
 
 using Values = std::vector<std::vector<Half3>>;
 
-class ReadingStream : public StateArchive
-{
-public:
-  explicit ReadingStream(std::vector<char> content) : Content(std::move(content)) {}
-  bool IsReading() const override { return true; }
-  std::uint64_t Left() const override { return this->Content.size() - this->At; }
-
-protected:
-  bool Bytes(void* bytes, std::size_t size) override
-  {
-    if (size > this->Left())
-    {
-      return false;
-    }
-    std::memcpy(bytes, this->Content.data() + this->At, size);
-    this->At += size;
-    return true;
-  }
-
-private:
-  std::vector<char> Content;
-  std::size_t At = 0;
-};
-
-std::vector<char> Pack(Values values)
+std::vector<char> Pack(const Values& values)
 {
   MemoryStream stream;
-  SerialisePacked(stream, values);
+  WritePacked(stream, values);
   EXPECT_TRUE(stream.IsGood());
   return stream.Content;
 }
 
 void ExpectReadsBack(const Values& values)
 {
-  ReadingStream stream(Pack(values));
+  test::ReadingStream stream(Pack(values));
   Values read;
-  SerialisePacked(stream, read);
+  ReadPacked(stream, read);
   EXPECT_TRUE(stream.IsGood());
   EXPECT_EQ(stream.Left(), 0U);
   EXPECT_EQ(read, values);
@@ -107,18 +84,18 @@ TEST(PackedSeries, DamagedBytesAreRefused)
   const std::vector<char> whole = Pack(Values(3, std::vector<Half3>(50, Half3{ 1, 2, 3 })));
   for (std::size_t length = 0; length < whole.size(); ++length)
   {
-    ReadingStream stream(
+    test::ReadingStream stream(
       std::vector<char>(whole.begin(), whole.begin() + static_cast<long>(length)));
     Values read;
-    SerialisePacked(stream, read);
+    ReadPacked(stream, read);
     EXPECT_FALSE(stream.IsGood()) << length;
   }
   // A number of points that the bytes cannot be: nothing is made room for.
   std::vector<char> many = whole;
   const std::uint64_t points = 1000000000;
   std::memcpy(many.data() + sizeof(std::uint64_t), &points, sizeof(points));
-  ReadingStream stream(many);
+  test::ReadingStream stream(many);
   Values read;
-  SerialisePacked(stream, read);
+  ReadPacked(stream, read);
   EXPECT_FALSE(stream.IsGood());
 }

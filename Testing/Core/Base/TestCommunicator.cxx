@@ -10,17 +10,6 @@
 
 using namespace waft;
 
-namespace
-{
-
-void Serialise(StateArchive& stream, std::vector<int>& list, std::string& text)
-{
-  stream.List(list);
-  stream.Text(text);
-}
-
-} // namespace
-
 TEST(Communicator, BroadcastsFromAnyRankAndFindsTheLargest)
 {
   for (const int size : { 1, 2, 3, 6 })
@@ -53,7 +42,7 @@ TEST(Communicator, BroadcastsStructuresByTheirStreams)
                        [&](Communicator& ranks)
                        {
                          BroadcastStream stream(ranks);
-                         Serialise(stream, lists[ranks.Rank()], texts[ranks.Rank()]);
+                         stream.Values(lists[ranks.Rank()], texts[ranks.Rank()]);
                        }));
   for (int r = 0; r < 3; ++r)
   {

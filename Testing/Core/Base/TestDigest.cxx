@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Digest.h"
-#include "Base/MemberDigest.h"
+#include "Base/StateArchive.h"
 
 #include <gtest/gtest.h>
 
@@ -109,8 +109,8 @@ std::string DigestAfter(const Change& change)
 {
   Whole whole;
   change(whole);
-  Digest digest;
-  MemberDigest{ digest }(whole);
+  DigestStream digest;
+  digest.Values(whole);
   return digest.Text();
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/OptionFields.h"
+#include "Base/StateArchive.h"
 
 #include <gtest/gtest.h>
 
@@ -93,12 +94,7 @@ TEST(OptionFields, AreCopiedByName)
 
 TEST(OptionFields, EachTellsDigestsApart)
 {
-  const auto sum = [](SampleOptions options)
-  {
-    DigestStream stream;
-    SampleOptions::Visit(SerialiseFieldsWith(stream), options);
-    return stream.Sum();
-  };
+  const auto sum = [](const SampleOptions& options) { return DigestOf(options); };
   EXPECT_EQ(sum({}), sum({}));
   const auto changed = [&](auto member, auto value)
   {

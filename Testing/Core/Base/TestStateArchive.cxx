@@ -1,126 +1,147 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Base/StateArchive.h"
-#include "Base/TemporaryFolder.h"
+#include "Base/ReadingStream.h"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <sys/stat.h>
-
 using namespace waft;
-namespace fs = std::filesystem;
 
 namespace
 {
+
+enum class Mood : unsigned char
+{
+  Calm,
+  Wild
+};
+
+struct Inner
+{
+  Quat Turn = Quat(0.5, 0.5, -0.5, 0.5);
+  std::array<float, 3> Colour{ 1.0f, 2.0f, 3.0f };
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Turn...);
+    visit(of.Colour...);
+  }
+};
 
 struct Sample
 {
   int Number = 7;
   bool Flag = true;
+  Mood State = Mood::Wild;
   Vec3 Place{ 1.0, -0.0, 1e-300 };
   std::string Name = "leaf";
   std::vector<float> Row{ 1.0f, 2.0f, 3.0f };
   std::vector<Vec3> Points{ Vec3(1, 2, 3) };
   std::vector<std::vector<double>> Rows{ { 1.0 }, {}, { 2.0, 3.0 } };
+  std::vector<std::array<std::string, 2>> Words{ { "a", "" }, { "b", "c" } };
+  std::vector<Inner> Inners{ 2 };
+  Eigen::MatrixXd Matrix = Eigen::MatrixXd::Constant(2, 3, 0.25);
+  Eigen::VectorXd Vector = Eigen::VectorXd::Constant(4, -1.0);
 
-  void Serialise(StateArchive& stream)
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
   {
-    stream.Values(this->Number, this->Flag, this->Place);
-    stream.Text(this->Name);
-    stream.List(this->Row);
-    stream.List(this->Points);
-    stream.List(this->Rows, [](StateArchive& s, std::vector<double>& row) { s.List(row); });
+    visit(of.Number...);
+    visit(of.Flag...);
+    visit(of.State...);
+    visit(of.Place...);
+    visit(of.Name...);
+    visit(of.Row...);
+    visit(of.Points...);
+    visit(of.Rows...);
+    visit(of.Words...);
+    visit(of.Inners...);
+    visit(of.Matrix...);
+    visit(of.Vector...);
   }
 };
 
-void WriteSample(const std::string& path)
+template <class Value>
+std::vector<char> BytesOf(Value& value)
 {
-  Sample sample;
-  StateFileWriter writer(path);
-  sample.Serialise(writer);
-  ASSERT_TRUE(writer.Commit());
+  MemoryStream stream;
+  stream.Values(value);
+  EXPECT_TRUE(stream.IsGood());
+  return stream.Content;
+}
+
+Sample Other()
+{
+  Sample other;
+  other.Number = 0;
+  other.Flag = false;
+  other.State = Mood::Calm;
+  other.Place = Vec3::Zero();
+  other.Name.clear();
+  other.Row = { 4.0f, 4.0f, 4.0f, 4.0f };
+  other.Points.clear();
+  other.Rows = { { 9.0 } };
+  other.Words.clear();
+  other.Inners.clear();
+  other.Matrix.resize(0, 0);
+  other.Vector.resize(1);
+  return other;
 }
 
 } // namespace
 
-TEST(StateArchive, ReadsBackWhatWasWritten)
+TEST(StateArchive, ReadsBackWhatWasWrittenOfAConstValueToo)
 {
-  const test::TemporaryFolder folder;
-  const std::string path = folder.File("state");
-  Sample sample;
-  {
-    StateFileWriter writer(path);
-    sample.Serialise(writer);
-    EXPECT_FALSE(fs::exists(path)); // not before it is whole
-    ASSERT_TRUE(writer.Commit());
-  }
-  EXPECT_TRUE(IsWholeStateFile(path));
-  Sample read;
-  read = { 0, false, Vec3::Zero(), "", {}, { Vec3::Zero(), Vec3::Zero() }, { { 4.0 } } };
-  StateFileReader reader(path);
-  read.Serialise(reader);
-  EXPECT_TRUE(reader.IsAtEnd());
-  EXPECT_EQ(read.Number, sample.Number);
+  const Sample sample;
+  const std::vector<char> bytes = BytesOf(sample);
+  Sample changeable;
+  EXPECT_EQ(BytesOf(changeable), bytes);
+  Sample read = Other();
+  EXPECT_NE(BytesOf(read), bytes);
+  test::ReadingStream stream(bytes);
+  stream.Values(read);
+  EXPECT_TRUE(stream.IsGood());
+  EXPECT_EQ(stream.Left(), 0u);
+  EXPECT_EQ(BytesOf(read), bytes);
   EXPECT_EQ(read.Flag, sample.Flag);
-  EXPECT_EQ(read.Place, sample.Place);
   EXPECT_EQ(read.Name, sample.Name);
-  EXPECT_EQ(read.Row, sample.Row);
-  EXPECT_EQ(read.Points, sample.Points);
   EXPECT_EQ(read.Rows, sample.Rows);
+  EXPECT_EQ(read.Words, sample.Words);
+  EXPECT_EQ(read.Matrix, sample.Matrix);
+  EXPECT_EQ(read.Vector, sample.Vector);
+  EXPECT_EQ(read.Inners[1].Turn.coeffs(), sample.Inners[1].Turn.coeffs());
 }
 
-TEST(StateArchive, SeesDamageAndBelievesNoNumberOfElements)
+TEST(StateArchive, ReadsNothingIntoAConstValue)
 {
-  const test::TemporaryFolder folder;
-  const std::string path = folder.File("state");
-  WriteSample(path);
-  const auto size = static_cast<long>(fs::file_size(path));
-  for (long at = 0; at < size; ++at)
+  const int seven = 7;
+  test::ReadingStream stream(BytesOf(seven));
+  const int kept = 1;
+  stream.Values(kept);
+  EXPECT_FALSE(stream.IsGood());
+  EXPECT_EQ(kept, 1);
+}
+
+TEST(StateArchive, BelievesNoNumberOfItems)
+{
+  const Sample sample;
+  const std::vector<char> whole = BytesOf(sample);
+  for (std::size_t at = 0; at < whole.size(); ++at)
   {
-    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
-    file.seekg(at);
-    const char byte = static_cast<char>(file.get());
-    file.seekp(at);
-    file.put(static_cast<char>(byte ^ 0x40));
-    file.close();
-    EXPECT_FALSE(IsWholeStateFile(path)) << at;
-    StateFileReader reader(path); // must not ask for petabytes
+    std::vector<char> damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x40);
+    test::ReadingStream stream(damaged); // must not ask for petabytes
     Sample read;
-    read.Serialise(reader);
-    std::fstream back(path, std::ios::in | std::ios::out | std::ios::binary);
-    back.seekp(at);
-    back.put(byte);
+    stream.Values(read);
+    test::ReadingStream cut({ whole.begin(), whole.begin() + static_cast<long>(at) });
+    cut.Values(read);
+    EXPECT_FALSE(cut.IsGood()) << at;
   }
-  ASSERT_TRUE(IsWholeStateFile(path));
-  fs::resize_file(path, static_cast<std::uintmax_t>(size - 1));
-  EXPECT_FALSE(IsWholeStateFile(path));
-  fs::resize_file(path, 3);
-  EXPECT_FALSE(IsWholeStateFile(path));
-  EXPECT_FALSE(IsWholeStateFile(path + "none"));
-  EXPECT_FALSE(StateFileReader(path + "none").IsGood());
-  ASSERT_EQ(::mkfifo((path + "pipe").c_str(), 0600), 0);
-  EXPECT_FALSE(StateFileReader(path + "pipe").IsGood()); // is not waited for
-  EXPECT_FALSE(StateFileReader("/dev/zero").IsGood());
 }
 
-TEST(StateArchive, LeavesTheOldFileUntilTheNewOneIsWhole)
+TEST(StateArchive, OfADigestTellsValuesApart)
 {
-  const test::TemporaryFolder folder;
-  const std::string path = folder.File("state");
-  WriteSample(path);
-  Sample sample;
-  {
-    StateFileWriter writer(path);
-    writer.Value(sample.Number); // and gives up
-  }
-  EXPECT_TRUE(IsWholeStateFile(path));
-  EXPECT_EQ(
-    std::distance(fs::directory_iterator(fs::path(path).parent_path()), fs::directory_iterator()),
-    1);
-  StateFileWriter nowhere(path + "/none/state");
-  sample.Serialise(nowhere);
-  const Result result = nowhere.Commit();
-  EXPECT_FALSE(result);
-  EXPECT_NE(result.Message().find("cannot write"), std::string::npos);
+  const Sample sample;
+  EXPECT_EQ(DigestOf(sample), DigestOf(Sample()));
+  EXPECT_NE(DigestOf(sample), DigestOf(Other()));
+  EXPECT_NE(DigestOf(1, 2), DigestOf(2, 1));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Base/StateArchive.h"
 #include "Base/TemporaryFolder.h"
+#include "Store/StateFile.h"
 #include "TracedDatabase.h"
 #include "Trajectory/DatabaseFile.h"
 #include "Trajectory/SameDatabase.h"
@@ -88,17 +88,13 @@ TEST(DatabaseFile, IsRefusedWhereItsNumbersDoNotFit)
   const test::TemporaryFolder folder;
   const std::string path = folder.File("a.motions");
   {
-    StateFileWriter file(path);
-    std::string format = "Waft motion database 0";
-    file.Text(format);
+    StateFileWriter file(path, { "motion database", 1 });
     ASSERT_TRUE(file.Commit());
   }
   ExpectRefused(path, "version");
   {
-    StateFileWriter file(path); // of this version, and an enormous number of groups
-    std::string format = "Waft motion database 1";
-    file.Text(format);
-    std::vector<double> numbers(40, 1e300);
+    StateFileWriter file(path, { "motion database", 2 }); // and an enormous number of groups
+    const std::vector<double> numbers(40, 1e300);
     file.Raw(numbers.data(), numbers.size() * sizeof(double));
     ASSERT_TRUE(file.Commit());
   }

@@ -117,14 +117,13 @@ PackedPlanes Packed(const Frames& values, std::size_t k)
   return packed;
 }
 
-// What was read cannot be: more is asked for than any stream has.
-void Refuse(StateArchive& stream)
-{
-  stream.Raw(nullptr, SIZE_MAX);
-}
+} // namespace
 
-void Write(StateArchive& stream, const Frames& values, const ParallelFor& parallel)
+void WritePacked(StateArchive& stream, const Frames& values, const ParallelFor& parallel)
 {
+  const std::uint64_t points = values.empty() ? 0 : values.front().size();
+  stream.Length(values);
+  stream.Values(points);
   for (std::size_t first = 0; first < values.size() && stream.IsGood(); first += FramesAtOnce)
   {
     std::vector<PackedPlanes> packed(std::min(FramesAtOnce, values.size() - first));
@@ -136,16 +135,23 @@ void Write(StateArchive& stream, const Frames& values, const ParallelFor& parall
                  packed[k] = Packed(values, first + k);
                }
              });
-    for (PackedPlanes& frame : packed)
+    for (const PackedPlanes& frame : packed)
     {
-      stream.List(frame[0]);
-      stream.List(frame[1]);
+      stream.Values(frame);
     }
   }
 }
 
-void Read(StateArchive& stream, Frames& values, std::size_t points)
+void ReadPacked(StateArchive& stream, Frames& values)
 {
+  std::uint64_t points = 0;
+  stream.Length(values);
+  stream.Values(points);
+  if (points > UINT32_MAX / 3)
+  {
+    stream.Refuse();
+    return;
+  }
   const std::size_t count = 3 * points;
   for (std::size_t k = 0; k < values.size() && stream.IsGood(); ++k)
   {
@@ -153,16 +159,16 @@ void Read(StateArchive& stream, Frames& values, std::size_t points)
     for (auto& plane : planes)
     {
       std::vector<char> packed;
-      stream.List(packed);
+      stream.Values(packed);
       if (count > MostUnpacked * packed.size())
       {
-        Refuse(stream);
+        stream.Refuse();
         return;
       }
       plane.resize(count);
       if (count > 0 && ZSTD_decompress(plane.data(), count, packed.data(), packed.size()) != count)
       {
-        Refuse(stream);
+        stream.Refuse();
         return;
       }
     }
@@ -173,28 +179,6 @@ void Read(StateArchive& stream, Frames& values, std::size_t points)
       Join(planes[0].data(), planes[1].data(), other.Last, other.Before, count,
            values[k].data()->data());
     }
-  }
-}
-
-} // namespace
-
-void SerialisePacked(StateArchive& stream, std::vector<std::vector<Half3>>& values,
-                     const ParallelFor& parallel)
-{
-  std::uint64_t points = values.empty() ? 0 : values.front().size();
-  stream.List(values, [](StateArchive&, std::vector<Half3>&) {}); // their number
-  stream.Value(points);
-  if (!stream.IsReading())
-  {
-    Write(stream, values, parallel);
-  }
-  else if (points > UINT32_MAX / 3)
-  {
-    Refuse(stream);
-  }
-  else
-  {
-    Read(stream, values, static_cast<std::size_t>(points));
   }
 }
 

@@ -9,11 +9,13 @@
 namespace waft
 {
 
-/// Moves the values of a series, all times of which have the same number of points. Air changes so
+/// The values of a series, all times of which have the same number of points. Air changes so
 /// evenly that what a value differs from the straight line through the two times before is mostly
-/// within a byte; these differences are what is written, low and high bytes apart, by Zstandard. A
-/// stream with anything else is refused. The same bytes on any number of threads.
-void SerialisePacked(StateArchive& stream, std::vector<std::vector<Half3>>& values,
-                     const ParallelFor& parallel = SerialFor());
+/// within a byte; these differences are what is written, low and high bytes apart, by Zstandard.
+/// The same bytes on any number of threads.
+void WritePacked(StateArchive& stream, const std::vector<std::vector<Half3>>& values,
+                 const ParallelFor& parallel = SerialFor());
+/// What was written so; a stream with anything else is refused.
+void ReadPacked(StateArchive& stream, std::vector<std::vector<Half3>>& values);
 
 } // namespace waft

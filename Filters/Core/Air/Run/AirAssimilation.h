@@ -178,6 +178,18 @@ struct AssimilationRound
   double Flow = 0.0;          // rms of the air's velocity at the bodies in flight [m/s]
   double Wind = 0.0;          // rms of the common wind at the bodies [m/s]
   double Seconds = 0.0;       // since the run began
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Stage...);
+    visit(of.Candidate...);
+    visit(of.Control...);
+    visit(of.MedianControl...);
+    visit(of.Flow...);
+    visit(of.Wind...);
+    visit(of.Seconds...);
+  }
 };
 
 /// An air of all frames on one lattice.

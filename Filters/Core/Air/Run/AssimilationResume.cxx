@@ -101,14 +101,14 @@ bool Resume(const AirContext& run, AirState& state, AssimilationOutput& output)
     return false;
   }
   AssimilationState kept;
-  std::string lack = ReadState(path, kept);
+  std::string lack = ReadState(path, &run.Key, kept);
   if (lack.empty() && kept.IsEmpty())
   {
     return false;
   }
-  if (lack.empty() && !(kept.Key.IsSame(run.Key) && HasPaths(kept, run)))
+  if (lack.empty() && !HasPaths(kept, run))
   {
-    lack = "belongs to other inputs or properties";
+    lack = "is incomplete";
   }
   if (!lack.empty())
   {
@@ -136,7 +136,7 @@ bool TakeEdit(const AirContext& run, const AssimilationState* memory, AirState& 
   }
   else if (!run.Options.EditOf.empty())
   {
-    lack = ReadState(run.Options.EditOf, kept);
+    lack = ReadState(run.Options.EditOf, nullptr, kept);
     lack = lack.empty() && !kept.IsFinished ? "holds no finished run" : lack;
     if (!lack.empty() || !kept.Key.IsOfSameAir(run.Key) || !HasPaths(kept, run))
     {

@@ -10,57 +10,18 @@ namespace waft
 namespace
 {
 
-constexpr const char* Format = "Waft assimilation 3";
+constexpr StateKind AssimilationKind = { "assimilation", 4 };
 
-// A digest changes nothing of what it reads.
-template <class T>
-T& Read(const T& value)
+void WriteSeries(StateArchive& stream, const HalfSeries& series, const ParallelFor& parallel)
 {
-  return const_cast<T&>(value);
+  HalfSeries::VisitLattice(stream, series);
+  WritePacked(stream, series.Values, parallel);
 }
 
-void SerialiseSeries(StateArchive& stream, HalfSeries& series, const ParallelFor& parallel)
+void ReadSeries(StateArchive& stream, HalfSeries& series)
 {
-  stream.Values(series.Meaning, series.Dimensions[0], series.Dimensions[1], series.Dimensions[2],
-                series.Origin, series.Spacing);
-  stream.List(series.Times);
-  SerialisePacked(stream, series.Values, parallel);
-}
-
-// What is written is only read of, what is read is made anew: the air may be another's, too.
-void SerialiseAir(StateArchive& stream, std::shared_ptr<const DrawnAir>& air,
-                  const ParallelFor& parallel)
-{
-  const auto moved =
-    stream.IsReading() ? std::make_shared<DrawnAir>() : std::const_pointer_cast<DrawnAir>(air);
-  SerialiseSeries(stream, moved->Velocity, parallel);
-  SerialiseSeries(stream, moved->Wind, parallel);
-  air = moved;
-}
-
-void SerialiseRound(StateArchive& stream, AssimilationRound& row)
-{
-  stream.Text(row.Stage);
-  stream.Text(row.Candidate);
-  stream.Values(row.Control, row.MedianControl, row.Flow, row.Wind, row.Seconds);
-}
-
-void Serialise(StateArchive& stream, AssimilationState& state, const ParallelFor& parallel)
-{
-  stream.Value(state.Key.Surroundings);
-  stream.List(state.Key.Ids);
-  stream.List(state.Key.Wanted);
-  stream.List(state.Key.Planned);
-  stream.Values(state.Rounds, state.IsFinished);
-  stream.Text(state.Candidate);
-  stream.List(state.Forces.Vortices, [](StateArchive& s, Vortex& v) { Serialise(s, v); });
-  stream.List(state.Forces.Winds, [](StateArchive& s, AnalyticWind& w) { Serialise(s, w); });
-  SerialiseAir(stream, state.Air, parallel);
-  stream.List(state.Paths, [](StateArchive& s, std::vector<Vec3>& path) { s.List(path); });
-  const auto frames = [](StateArchive& s, std::vector<int>& list) { s.List(list); };
-  stream.List(state.TouchDowns, frames);
-  stream.List(state.LiftOffs, frames);
-  stream.List(state.Table, SerialiseRound);
+  HalfSeries::VisitLattice(stream, series);
+  ReadPacked(stream, series.Values);
 }
 
 } // namespace
@@ -75,70 +36,64 @@ AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions&
   scene.Obstacles = input.Obstacles;
   scene.Vortices = input.Vortices;
   scene.Wind = input.Wind;
-  Serialise(around, scene);
+  around.Values(scene);
   AssimilationOptions seedless = options; // whoever named the seed
   seedless.Seed = -1;
-  AssimilationOptions::VisitAir(SerialiseFieldsWith(around), seedless);
+  AssimilationOptions::VisitAir(around, seedless);
   key.Surroundings = around.Sum();
   for (const Track& track : input.Tracks)
   {
-    DigestStream wanted, planned;
+    DigestStream wanted;
     for (const MotionObject& object : input.Objects)
     {
       if (object.ObjectId == track.ObjectId)
       {
-        Serialise(wanted, Read(object));
+        wanted.Values(object);
       }
     }
     for (const Constraint& row : input.Constraints)
     {
       if (row.ObjectId == track.ObjectId)
       {
-        Serialise(wanted, Read(row));
+        wanted.Values(row);
       }
     }
-    planned.List(Read(track.Positions));
     key.Ids.push_back(track.ObjectId);
     key.Wanted.push_back(wanted.Sum());
-    key.Planned.push_back(planned.Sum());
+    key.Planned.push_back(DigestOf(track.Positions));
   }
   return key;
 }
 
-Result WriteState(const std::string& path, AssimilationState& state, const ParallelFor& parallel)
+Result WriteState(const std::string& path, const AssimilationState& state,
+                  const ParallelFor& parallel)
 {
-  StateFileWriter file(path);
-  std::string format = Format;
-  file.Text(format);
-  Serialise(file, state, parallel);
+  StateFileWriter file(path, AssimilationKind, DigestOf(state.Key));
+  file.Values(state);
+  WriteSeries(file, state.Air->Velocity, parallel);
+  WriteSeries(file, state.Air->Wind, parallel);
   return file.Commit();
 }
 
-std::string ReadState(const std::string& path, AssimilationState& state)
+std::string ReadState(const std::string& path, const AssimilationKey* key, AssimilationState& state)
 {
   state = AssimilationState();
-  if (!StateFileReader(path).IsGood())
+  const auto content = [&state](StateArchive& file)
   {
-    return "";
-  }
-  if (!IsWholeStateFile(path))
-  {
-    return "is damaged";
-  }
-  StateFileReader file(path);
-  std::string format;
-  file.Text(format);
-  if (format != Format)
-  {
-    return "is no assimilation of this version";
-  }
-  Serialise(file, state, SerialFor());
-  if (!file.IsAtEnd())
+    const auto air = std::make_shared<DrawnAir>();
+    file.Values(state);
+    ReadSeries(file, air->Velocity);
+    ReadSeries(file, air->Wind);
+    state.Air = air;
+    return true;
+  };
+  const auto wanted = key != nullptr ? std::optional(DigestOf(*key)) : std::nullopt;
+  const StateLack lack = ReadStateFile(path, AssimilationKind, wanted, content);
+  if (lack != StateLack::None)
   {
     state = AssimilationState();
-    return "is incomplete";
   }
-  return "";
+  return lack != StateLack::NoFile ? ToString(lack, AssimilationKind) : "";
 }
 
 } // namespace waft

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "Air/Run/AirAssimilation.h"
-#include "Base/StateArchive.h"
 #include "Grid/SmokeOptions.h"
+#include "Store/StateFile.h"
 
 #include <cstdint>
 #include <string>
@@ -21,11 +21,15 @@ struct AssimilationKey
   std::vector<std::uint64_t> Wanted; // objects with their rows
   std::vector<std::uint64_t> Planned; // their tracks
 
-  bool IsSame(const AssimilationKey& other) const
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
   {
-    return this->IsOfSameAir(other) && this->Wanted == other.Wanted &&
-           this->Planned == other.Planned;
+    visit(of.Surroundings...);
+    visit(of.Ids...);
+    visit(of.Wanted...);
+    visit(of.Planned...);
   }
+
   bool IsOfSameAir(const AssimilationKey& other) const
   {
     return this->Surroundings == other.Surroundings && this->Ids == other.Ids;
@@ -47,13 +51,31 @@ struct AssimilationState
   std::vector<std::vector<int>> LiftOffs;   // likewise
   std::vector<AssimilationRound> Table;
 
+  /// All but the Air, whose bytes are packed.
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Key...);
+    visit(of.Rounds...);
+    visit(of.IsFinished...);
+    visit(of.Candidate...);
+    visit(of.Forces.Vortices...);
+    visit(of.Forces.Winds...);
+    visit(of.Paths...);
+    visit(of.TouchDowns...);
+    visit(of.LiftOffs...);
+    visit(of.Table...);
+  }
+
   bool IsEmpty() const { return this->Air->Velocity.IsEmpty(); }
 };
 
 /// Writes a state whole or not at all; errors name the path and the reason.
-Result WriteState(const std::string& path, AssimilationState& state, const ParallelFor& parallel);
-/// What keeps the file from being a state, in words; empty when nothing does. A file that is not
-/// there leaves the state empty.
-std::string ReadState(const std::string& path, AssimilationState& state);
+Result WriteState(const std::string& path, const AssimilationState& state,
+                  const ParallelFor& parallel);
+/// The state of a run of this key, or of any where that is null. What keeps the file from being
+/// one, in words; empty when nothing does. The state is empty then, and where there is no file.
+std::string ReadState(const std::string& path, const AssimilationKey* key,
+                      AssimilationState& state);
 
 } // namespace waft

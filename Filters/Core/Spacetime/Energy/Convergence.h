@@ -2,8 +2,6 @@
 // The terms of E, and the table that tells how they fell: each column is named here, once.
 #pragma once
 
-#include "Base/StateArchive.h"
-
 #include <cmath>
 #include <string>
 
@@ -51,11 +49,6 @@ struct SpacetimeTerms
   }
 };
 
-inline void Serialise(StateArchive& stream, SpacetimeTerms& terms)
-{
-  SpacetimeTerms::Visit([&](double& value) { stream.Value(value); }, terms);
-}
-
 struct ConvergenceRow : SpacetimeTerms
 {
   int Pass = 0;
@@ -80,6 +73,24 @@ struct ConvergenceRow : SpacetimeTerms
     this->ShareNone = 1.0 - (this->ShareVortices + this->ShareWind + this->ShareGas +
                              this->ShareDrag + this->ShareLanding);
     this->E2 = inAir ? std::nan("") : this->E2;
+  }
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    SpacetimeTerms::Visit(visit, of...);
+    visit(of.Pass...);
+    visit(of.Stage...);
+    visit(of.Iteration...);
+    visit(of.MaxViolation...);
+    visit(of.Leash...);
+    visit(of.Seconds...);
+    visit(of.ShareVortices...);
+    visit(of.ShareWind...);
+    visit(of.ShareGas...);
+    visit(of.ShareDrag...);
+    visit(of.ShareLanding...);
+    visit(of.ShareNone...);
   }
 };
 
@@ -140,16 +151,6 @@ void VisitConvergence(Visitor&& visit)
         &Row::ShareDrag);
   visit(ConvergenceColumn{ "ShareLanding", "", "by the damping of landings" }, &Row::ShareLanding);
   visit(ConvergenceColumn{ "ShareNone", "", "by nothing of the model: rv / s" }, &Row::ShareNone);
-}
-
-/// All columns and Penalties: a row as it was.
-inline void Serialise(StateArchive& stream, ConvergenceRow& row)
-{
-  Serialise(stream, static_cast<SpacetimeTerms&>(row));
-  stream.Values(row.Pass, row.Iteration, row.MaxViolation, row.Leash, row.Seconds,
-                row.ShareVortices, row.ShareWind, row.ShareGas, row.ShareDrag, row.ShareLanding,
-                row.ShareNone);
-  stream.Text(row.Stage);
 }
 
 } // namespace waft

@@ -4,6 +4,7 @@
 
 #include "Base/Monitor.h"
 #include "Base/Parallel.h"
+#include "Base/StateArchive.h"
 #include "Particles/NeighborList.h"
 #include "Spacetime/Energy/Convergence.h"
 #include "Spacetime/Energy/FrameTerms.h"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "Base/ForceFields.h"
-#include "Base/StateArchive.h"
 #include "Spacetime/Model/SplineWind.h"
 
 #include <vector>
@@ -16,8 +15,14 @@ struct AirFields
   std::vector<Vortex> Vortices; // in dx and frames
   SplineWind Wind;              // estimated
   double Cost = 0.0;            // their own part of E (Paper/FieldPenalty.h)
-};
 
-void Serialise(StateArchive& stream, AirFields& fields);
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Vortices...);
+    visit(of.Wind...);
+    visit(of.Cost...);
+  }
+};
 
 } // namespace waft

@@ -71,12 +71,6 @@ bool Stage::IsSame(const Stage& other) const
          this->Part == other.Part && this->Leash == other.Leash;
 }
 
-void Serialise(StateArchive& stream, Stage& stage)
-{
-  stream.Values(stage.Kind, stage.Coarseness, stage.Pass, stage.Part, stage.Iterations, stage.Leash,
-                stage.FitsVortices);
-}
-
 TimeLevel Schedule::LevelOf(int coarseness, int numberOfFrames, int window) const
 {
   return coarseness > 0 ? TimeLevel::Make(this->CoarseFrames[coarseness - 1], window)
@@ -110,13 +104,6 @@ std::size_t Schedule::Find(const Stage& stage) const
                                   [&](const Stage& own) { return own.IsSame(stage); });
   return found != this->Stages.end() ? static_cast<std::size_t>(found - this->Stages.begin())
                                      : this->FirstFine();
-}
-
-void Serialise(StateArchive& stream, Schedule& schedule)
-{
-  stream.List(schedule.Stages, [](StateArchive& s, Stage& stage) { Serialise(s, stage); });
-  stream.List(schedule.CoarseFrames,
-              [](StateArchive& s, std::vector<int>& frames) { s.List(frames); });
 }
 
 } // namespace waft

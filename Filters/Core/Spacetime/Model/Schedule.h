@@ -3,7 +3,6 @@
 // again at any of them.
 #pragma once
 
-#include "Base/StateArchive.h"
 #include "Spacetime/Model/SpacetimeOptions.h"
 #include "Spacetime/Model/TimeLevel.h"
 
@@ -35,13 +34,24 @@ struct Stage
   double Leash = 0.0;        // m; 0: none
   bool FitsVortices = false; // of Fields
 
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Kind...);
+    visit(of.Coarseness...);
+    visit(of.Pass...);
+    visit(of.Part...);
+    visit(of.Iterations...);
+    visit(of.Leash...);
+    visit(of.FitsVortices...);
+  }
+
   bool IsUpdate() const { return this->Kind == StageKind::Fields; }
   /// Of a minimisation, as Convergence tells it.
   std::string Name() const;
   /// The same place of a schedule, whatever a stage may take there.
   bool IsSame(const Stage& other) const;
 };
-void Serialise(StateArchive& stream, Stage& stage);
 
 struct Schedule
 {
@@ -49,6 +59,13 @@ struct Schedule
   /// out.
   std::vector<std::vector<int>> CoarseFrames;
   std::vector<Stage> Stages;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.CoarseFrames...);
+    visit(of.Stages...);
+  }
 
   int Coarsest() const { return static_cast<int>(this->CoarseFrames.size()); }
   /// window: w of Eq. 4 [frames].
@@ -60,7 +77,6 @@ struct Schedule
   std::size_t FirstFine() const;
   std::size_t Find(const Stage& stage) const;
 };
-void Serialise(StateArchive& stream, Schedule& schedule);
 
 /// A stage that minimises E, on frames of a coarseness.
 Stage Minimise(StageKind kind, int coarseness, int pass, char part, int iterations);

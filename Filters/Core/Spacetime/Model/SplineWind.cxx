@@ -80,11 +80,4 @@ Vec3 SampleField(const SplineWind& field, const Vec3& x, double frame)
   return value;
 }
 
-void Serialise(StateArchive& stream, SplineWind& wind)
-{
-  stream.Values(wind.Dimensions[0], wind.Dimensions[1], wind.Dimensions[2], wind.Origin,
-                wind.Spacing, wind.FramesPerKnot, wind.Drag);
-  stream.List(wind.Knots, [](StateArchive& s, std::vector<float>& knot) { s.List(knot); });
-}
-
 } // namespace waft

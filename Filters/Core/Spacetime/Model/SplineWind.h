@@ -2,7 +2,6 @@
 // A field in space and time as quadratic B-splines on a lattice, and its value at a place.
 #pragma once
 
-#include "Base/StateArchive.h"
 #include "Base/Types.h"
 #include "Particles/SphKernels.h"
 
@@ -30,6 +29,17 @@ struct SplineWind
   std::vector<std::vector<float>> Knots; // (x, y, z, 0) a node [dx / frame^2], or [dx / frame]
   double Drag = 0.0; // 0: an acceleration; otherwise draws velocities with this rate [1 / frame]
 
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Dimensions...);
+    visit(of.Origin...);
+    visit(of.Spacing...);
+    visit(of.FramesPerKnot...);
+    visit(of.Knots...);
+    visit(of.Drag...);
+  }
+
   bool IsEmpty() const { return this->Knots.empty(); }
   std::size_t NumberOfNodes() const { return this->Node(0, 0, this->Dimensions[2]); }
   /// Index of a node in a row of all, x running fastest.
@@ -47,7 +57,5 @@ struct SplineWind
 
 /// Value of a field at a place [dx] and frame.
 Vec3 SampleField(const SplineWind& field, const Vec3& x, double frame);
-
-void Serialise(StateArchive& stream, SplineWind& wind);
 
 } // namespace waft

@@ -12,7 +12,7 @@ namespace waft
 namespace
 {
 
-constexpr const char* Format = "Waft spacetime checkpoint 9";
+constexpr StateKind CheckpointKind = { "spacetime checkpoint", 10 };
 constexpr double WritingFraction = 0.02;                 // of the time, for checkpoints
 constexpr std::size_t PieceBytes = std::size_t(4) << 20; // between two looks at the clock
 
@@ -30,9 +30,9 @@ public:
   }
 
 protected:
-  bool Bytes(void* bytes, std::size_t size) override
+  bool Put(const void* bytes, std::size_t size) override
   {
-    char* at = static_cast<char*>(bytes);
+    const char* at = static_cast<const char*>(bytes);
     for (std::size_t done = 0; done < size && !this->IsLate() && this->File.IsGood();)
     {
       const std::size_t piece = std::min(PieceBytes, size - done);
@@ -52,8 +52,8 @@ private:
 
 CheckpointFile::CheckpointFile(const SpacetimeInput& input, const SpacetimeOptions& options,
                                std::vector<std::string>& warnings) :
-  Input(input),
-  Options(options), Warnings(warnings), Begin(Clock::now()),
+  Path(options.CheckpointFile),
+  Key(this->IsNamed() ? DigestOfRun(input, options) : 0), Warnings(warnings), Begin(Clock::now()),
   Schedule(options.CheckpointInterval, WritingFraction)
 {
 }
@@ -71,13 +71,9 @@ bool CheckpointFile::IsDue(bool now) const
 void CheckpointFile::Write(const Content& content, bool now)
 {
   const double from = this->Elapsed();
-  StateFileWriter file(this->Path());
+  StateFileWriter file(this->Path, CheckpointKind, this->Key);
   TimedStream stream(file, now ? std::numeric_limits<double>::infinity()
                                : this->Schedule.Allowance(from));
-  std::string format = Format;
-  std::uint64_t key = DigestOfRun(this->Input, this->Options);
-  stream.Text(format);
-  stream.Value(key);
   content(stream);
   const bool isGivenUp = stream.IsLate() && file.IsGood();
   const Result result = isGivenUp ? Result::Ok() : file.Commit();
@@ -90,47 +86,20 @@ void CheckpointFile::Write(const Content& content, bool now)
   this->Schedule.Note(to, to - from);
 }
 
-bool CheckpointFile::Read(const Content& content, const std::function<bool()>& isSound)
+bool CheckpointFile::Read(const StateContent& content)
 {
-  const std::string& path = this->Path();
-  if (path.empty() || !StateFileReader(path).IsGood())
+  const StateLack lack = ReadStateFile(this->Path, CheckpointKind, this->Key, content);
+  if (lack != StateLack::None && lack != StateLack::NoFile)
   {
-    return false;
-  }
-  const auto ignore = [&](const char* reason)
-  {
-    this->Warnings.push_back("the checkpoint " + path + " " + reason +
+    this->Warnings.push_back("the checkpoint " + this->Path + " " + ToString(lack, CheckpointKind) +
                              ": ignored, solved from the start (CheckpointFile)");
-    return false;
-  };
-  if (!IsWholeStateFile(path))
-  {
-    return ignore("is damaged");
   }
-  StateFileReader stream(path);
-  std::string format;
-  std::uint64_t key = 0;
-  stream.Text(format);
-  if (format != Format)
-  {
-    return ignore("is no checkpoint of this version");
-  }
-  stream.Value(key);
-  if (key != DigestOfRun(this->Input, this->Options))
-  {
-    return ignore("belongs to other inputs or properties");
-  }
-  content(stream);
-  if (!stream.IsAtEnd() || !isSound())
-  {
-    return ignore("is incomplete");
-  }
-  return true;
+  return lack == StateLack::None;
 }
 
 void CheckpointFile::Remove() const
 {
-  std::remove(this->Path().c_str());
+  std::remove(this->Path.c_str());
 }
 
 } // namespace waft

@@ -2,10 +2,10 @@
 // The file that a run can be taken up from.
 #pragma once
 
-#include "Base/StateArchive.h"
 #include "Base/WritingSchedule.h"
 #include "Spacetime/Model/SpacetimeOptions.h"
 #include "Spacetime/Scene/SpacetimeInput.h"
+#include "Store/StateFile.h"
 
 #include <chrono>
 #include <functional>
@@ -22,24 +22,23 @@ public:
                  std::vector<std::string>& warnings);
 
   /// A file is named.
-  bool IsNamed() const { return !this->Path().empty(); }
+  bool IsNamed() const { return !this->Path.empty(); }
   /// The schedule says so, or somebody asks for it now; never again once writing failed.
   bool IsDue(bool now) const;
   using Content = std::function<void(StateArchive& stream)>;
   /// now: however long it takes. Otherwise it is given up when it takes too long; the last file
   /// stays then.
   void Write(const Content& content, bool now);
-  /// False when there is none, or when it is not of this run: then a warning says why. What content
-  /// read of a file that ends too early, or where isSound says so, is to be thrown away.
-  bool Read(const Content& content, const std::function<bool()>& isSound);
+  /// False when there is none, or when it is not of this run: then a warning says why, and what
+  /// content read is to be thrown away.
+  bool Read(const StateContent& content);
   void Remove() const;
 
 private:
-  const std::string& Path() const { return this->Options.CheckpointFile; }
   double Elapsed() const;
 
-  const SpacetimeInput& Input;
-  const SpacetimeOptions& Options;
+  const std::string Path;
+  std::uint64_t Key; // of the run
   std::vector<std::string>& Warnings;
   std::chrono::steady_clock::time_point Begin;
   WritingSchedule Schedule;

@@ -2,7 +2,6 @@
 // All that changes in the course of a run, as one value.
 #pragma once
 
-#include "Base/StateArchive.h"
 #include "Spacetime/Energy/Convergence.h"
 #include "Spacetime/Model/AirFields.h"
 #include "Spacetime/Model/Schedule.h"
@@ -21,6 +20,15 @@ struct WindowSweep
   std::uint64_t Index = 0;      // of the window, in the sweep
   SpacetimeTerms Terms;         // E of the whole, now
   std::vector<double> Energies; // E of the whole after each sweep
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Sweep...);
+    visit(of.Index...);
+    visit(of.Terms...);
+    visit(of.Energies...);
+  }
 };
 
 /// A run goes from one of these to the next, stage by stage; two of the same bits go the same way.
@@ -43,11 +51,26 @@ struct SolverState
   LbfgsMemory Curvature; // of Part
   WindowSweep Sweep;
 
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Plan...);
+    visit(of.Next...);
+    visit(of.IsInside...);
+    visit(of.Coarseness...);
+    visit(of.StartEnergy...);
+    visit(of.Seconds...);
+    visit(of.Log...);
+    visit(of.Fields...);
+    visit(of.Motion...);
+    visit(of.Beginning...);
+    visit(of.Part...);
+    visit(of.Curvature...);
+    visit(of.Sweep...);
+  }
+
   bool IsDone() const { return this->Next >= this->Plan.Stages.size(); }
   const Stage& Now() const { return this->Plan.Stages[this->Next]; }
 };
-
-/// The one way in which a state goes to files and back.
-void Serialise(StateArchive& stream, SolverState& state);
 
 } // namespace waft

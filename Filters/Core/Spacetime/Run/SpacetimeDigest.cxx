@@ -11,49 +11,20 @@ namespace waft
 namespace
 {
 
-// A digest changes nothing of what it reads.
-template <class T>
-T& Read(const T& value)
-{
-  return const_cast<T&>(value);
-}
-
-void AddScene(DigestStream& sum, const SceneInfo& scene)
-{
-  SceneInfo s = scene;
-  sum.Values(s.Bounds.Min, s.Bounds.Max, s.Time.NumberOfFrames, s.Time.FramesPerSecond,
-             s.AirDensity, s.Seed);
-}
-
 void AddSurroundings(DigestStream& sum, const SpacetimeInput& input)
 {
-  for (const ObstacleMesh& obstacle : input.Obstacles)
-  {
-    sum.Value(Read(obstacle.ObstacleId));
-    sum.List(Read(obstacle.Mesh.Points));
-    sum.List(Read(obstacle.Mesh.Triangles));
-    sum.List(Read(obstacle.Offsets));
-  }
-  for (FieldSeries* field : { &Read(input.Wind), &Read(input.Air) })
-  {
-    sum.Values(field->Meaning, field->Dimensions[0], field->Dimensions[1], field->Dimensions[2],
-               field->Origin, field->Spacing);
-    sum.List(field->Times);
-    sum.List(field->Values,
-             [](StateArchive& s, std::vector<std::array<float, 3>>& values) { s.List(values); });
-  }
+  sum.Values(input.Scene, input.Obstacles, input.Wind, input.Air);
 }
 
-void AddConstraint(DigestStream& sum, const Constraint& row)
+// What a row asks of a path; attitudes, groups and classes are others' concern.
+void AddConstraint(DigestStream& sum, const Constraint& c)
 {
-  Constraint c = row;
   sum.Values(c.ObjectId, c.Frame, c.Kind, c.Value, c.Radius, c.Until, c.TouchDown, c.LiftOff, c.Row,
              c.Target, c.Status);
 }
 
-void AddObject(DigestStream& sum, const MotionObject& object)
+void AddObject(DigestStream& sum, const MotionObject& o)
 {
-  MotionObject o = object;
   sum.Values(o.ObjectId, o.SettlingSpeed, o.ClearanceRadius, o.RestHeight);
 }
 
@@ -64,7 +35,7 @@ std::uint64_t DigestOfVortices(const std::vector<Vortex>& vortices, const std::s
   {
     if (without.count(vortex.VortexId) == 0)
     {
-      Serialise(sum, Read(vortex));
+      sum.Values(vortex);
     }
   }
   return sum.Sum();
@@ -78,24 +49,23 @@ std::vector<std::uint64_t> DigestOfRequests(const SpacetimeSetup& setup)
   for (std::size_t index = 0; index < sums.size(); ++index)
   {
     DigestStream& sum = sums[index];
-    sum.Values(Read(setup.Table.Planned[index]), Read(model.Flags[index]), Read(model.Reach[index]),
-               Read(model.CoherenceFractions[index]), Read(model.NearestMarks[index]));
+    sum.Values(setup.Table.Planned[index], model.Flags[index], model.Reach[index],
+               model.CoherenceFractions[index], model.NearestMarks[index]);
     if (model.Flags[index] & FixedPosition)
     {
-      sum.Value(Read(setup.ExactPositions[index]));
+      sum.Values(setup.ExactPositions[index]);
     }
   }
   for (const PositionBall& ball : setup.Table.Balls)
   {
-    sums[static_cast<std::size_t>(ball.Frame) * no + ball.Object].Values(Read(ball.Center),
-                                                                         Read(ball.Radius));
+    sums[static_cast<std::size_t>(ball.Frame) * no + ball.Object].Values(ball.Center, ball.Radius);
   }
   for (const DifferenceRow& row : setup.Table.Rows)
   {
     for (const DifferenceRow::Term& term : row.Terms)
     {
-      sums[static_cast<std::size_t>(term.Frame) * no + row.Object].Values(
-        Read(term.Coefficient), Read(row.Value), Read(row.Radius));
+      sums[static_cast<std::size_t>(term.Frame) * no + row.Object].Values(term.Coefficient,
+                                                                          row.Value, row.Radius);
     }
   }
   std::vector<std::uint64_t> requests;
@@ -111,31 +81,25 @@ std::vector<std::uint64_t> DigestOfRequests(const SpacetimeSetup& setup)
 std::uint64_t DigestOfRun(const SpacetimeInput& input, const SpacetimeOptions& options)
 {
   DigestStream sum;
-  std::string kernels = FastestSphKernels().Name;
-  sum.Text(kernels);
-  AddScene(sum, input.Scene);
+  const std::string kernels = FastestSphKernels().Name;
+  sum.Values(kernels);
   AddSurroundings(sum, input);
-  SpacetimeOptions::VisitPhysics(SerialiseFieldsWith(sum), Read(options));
-  SpacetimeOptions::VisitSchedule(SerialiseFieldsWith(sum), Read(options));
+  SpacetimeOptions::VisitPhysics(sum, options);
+  SpacetimeOptions::VisitSchedule(sum, options);
   for (const Track& track : input.Tracks)
   {
-    sum.Value(Read(track.ObjectId));
-    sum.List(Read(track.Positions));
-    sum.List(Read(track.VortexIds));
+    sum.Values(track.ObjectId, track.Positions, track.VortexIds);
   }
   for (const MotionObject& object : input.Objects)
   {
     AddObject(sum, object);
-    sum.Value(Read(object.Position));
+    sum.Values(object.Position);
   }
   for (const Constraint& row : input.Constraints)
   {
     AddConstraint(sum, row);
   }
-  for (const Vortex& vortex : input.Vortices)
-  {
-    Serialise(sum, Read(vortex));
-  }
+  sum.Values(input.Vortices);
   return sum.Sum();
 }
 
@@ -144,18 +108,15 @@ ProblemDigest DigestOfProblem(const SpacetimeInput& input, const SpacetimeOption
 {
   ProblemDigest digest;
   DigestStream shape;
-  shape.Values(Read(setup.Model.Size), Read(setup.Model.NumberOfFrames), Read(setup.Origin),
-               Read(setup.Spacing), Read(setup.FrameStep));
-  std::uint64_t counts[3] = { setup.Model.NumberOfGas, setup.Model.NumberOfObjects,
-                              setup.Model.Offsets.size() };
-  shape.Values(counts[0], counts[1], counts[2]);
+  const std::size_t particles = setup.Model.Offsets.size();
+  shape.Values(setup.Model.Size, setup.Model.NumberOfFrames, setup.Origin, setup.Spacing,
+               setup.FrameStep, setup.Model.NumberOfGas, setup.Model.NumberOfObjects, particles);
   DigestStream physics;
-  AddScene(physics, input.Scene);
   AddSurroundings(physics, input);
-  SpacetimeOptions::VisitPhysics(SerialiseFieldsWith(physics), Read(options));
+  SpacetimeOptions::VisitPhysics(physics, options);
   for (const MotionObject& object : setup.Objects)
   {
-    shape.Value(Read(object.ObjectId));
+    shape.Values(object.ObjectId);
     AddObject(physics, object);
   }
   std::set<int> claimed;

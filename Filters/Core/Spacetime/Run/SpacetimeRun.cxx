@@ -250,7 +250,7 @@ void SpacetimeRun::WriteCheckpoint(bool now)
 // The lists are no state, but what they remember of evaluations tells the bits of the next.
 void SpacetimeRun::SerialiseAll(StateArchive& stream)
 {
-  Serialise(stream, this->State);
+  stream.Values(this->State);
   if (stream.IsReading())
   {
     this->MakeLevel(std::clamp(this->State.Coarseness, 0, this->State.Plan.Coarsest()));
@@ -262,8 +262,12 @@ void SpacetimeRun::SerialiseAll(StateArchive& stream)
 
 bool SpacetimeRun::Load()
 {
-  const auto content = [this](StateArchive& stream) { this->SerialiseAll(stream); };
-  if (this->Checkpoint.Read(content, [this]() { return !this->State.IsDone(); }))
+  const auto content = [this](StateArchive& stream)
+  {
+    this->SerialiseAll(stream);
+    return !this->State.IsDone();
+  };
+  if (this->Checkpoint.Read(content))
   {
     return true;
   }

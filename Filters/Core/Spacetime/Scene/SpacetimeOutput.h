@@ -5,7 +5,6 @@
 #include "Base/FieldSeries.h"
 #include "Base/ForceFields.h"
 #include "Base/Motion.h"
-#include "Base/StateArchive.h"
 #include "Base/Types.h"
 #include "Constraints/ConstraintCheck.h"
 #include "Spacetime/Energy/Convergence.h"
@@ -25,10 +24,30 @@ struct ParticleSeries
     std::vector<float> Densities, Pressures;  // kg/m^3, Pa
     std::vector<float> Winds, VortexForces;   // three each, m/s^2
     std::vector<float> Residuals;             // three each: what no term gives [m/s^2]
+
+    template <class Visitor, class... Holder>
+    static void Visit(Visitor&& visit, Holder&... of)
+    {
+      visit(of.Positions...);
+      visit(of.Velocities...);
+      visit(of.Densities...);
+      visit(of.Pressures...);
+      visit(of.Winds...);
+      visit(of.VortexForces...);
+      visit(of.Residuals...);
+    }
   };
   std::vector<int> ObjectIds; // -1: gas
   std::vector<float> Masses;  // kg, as the SPH sums weigh them
   std::vector<Frame> Frames;
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.ObjectIds...);
+    visit(of.Masses...);
+    visit(of.Frames...);
+  }
 };
 
 struct SpacetimeOutput
@@ -50,8 +69,26 @@ struct SpacetimeOutput
   /// volume's width, so that all that is asked for holds; and by how much at most [m].
   double RepairedFraction = 0.0, LargestRepair = 0.0;
   std::vector<std::string> Warnings;
-};
 
-void Serialise(StateArchive& stream, SpacetimeOutput& output);
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Tracks...);
+    visit(of.Particles...);
+    visit(of.Vortices...);
+    visit(of.Wind...);
+    visit(of.Convergence...);
+    visit(of.Report...);
+    visit(of.PositionResiduals...);
+    visit(of.VelocityResiduals...);
+    visit(of.Spacing...);
+    visit(of.ObjectReplayError...);
+    visit(of.GasReplayError...);
+    visit(of.GasHiddenHand...);
+    visit(of.RepairedFraction...);
+    visit(of.LargestRepair...);
+    visit(of.Warnings...);
+  }
+};
 
 } // namespace waft

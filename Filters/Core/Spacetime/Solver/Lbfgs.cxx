@@ -135,21 +135,6 @@ void Lbfgs::Remember(const TimelinePreconditioner& preconditioner,
   memory.Pairs.Rho.push_back(1.0 / sy);
 }
 
-void Serialise(StateArchive& stream, LbfgsMemory& memory)
-{
-  const auto vector = [](StateArchive& s, StateVector& v) { s.List(v); };
-  stream.List(memory.Pairs.S, vector);
-  stream.List(memory.Pairs.Y, vector);
-  stream.List(memory.Pairs.Rho);
-  stream.List(memory.Energies);
-  if (!memory.Energies.empty()) // else there is no iterate yet
-  {
-    stream.List(memory.Gradient);
-  }
-  stream.Value(memory.Gamma);
-  Serialise(stream, memory.Terms);
-}
-
 LbfgsEnd Lbfgs::Minimize(SpacetimeObjective& objective,
                          const TimelinePreconditioner& preconditioner, HardConstraints& constraints,
                          const LbfgsOptions& options, const Observer& observer, Monitor* monitor,

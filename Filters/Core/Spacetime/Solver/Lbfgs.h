@@ -3,7 +3,6 @@
 #pragma once
 
 #include "Base/Monitor.h"
-#include "Base/StateArchive.h"
 #include "Spacetime/Energy/SpacetimeObjective.h"
 #include "Spacetime/Solver/HardConstraints.h"
 #include "Spacetime/Solver/TimelinePreconditioner.h"
@@ -34,6 +33,14 @@ struct CurvaturePairs // the oldest first
 {
   std::vector<StateVector> S, Y;
   std::vector<double> Rho; // 1 / s.y
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.S...);
+    visit(of.Y...);
+    visit(of.Rho...);
+  }
 };
 
 /// What the iterations after the present one depend on, besides the state and the objective's
@@ -47,13 +54,21 @@ struct LbfgsMemory
   SpacetimeTerms Terms;         // of the present iterate
   std::vector<double> Energies; // of all iterates of the last call of Minimize
 
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Pairs...);
+    visit(of.Gradient...);
+    visit(of.Gamma...);
+    visit(of.Terms...);
+    visit(of.Energies...);
+  }
+
   int NumberOfIterations() const
   {
     return this->Energies.empty() ? 0 : static_cast<int>(this->Energies.size()) - 1;
   }
 };
-
-void Serialise(StateArchive& stream, LbfgsMemory& memory);
 
 /// The solver with its work space, of vectors of so many frames.
 class Lbfgs
