@@ -4,8 +4,8 @@
 // and what part of a run's time on disks of any speed, beside the former rule (each ten seconds,
 // and at least thirty times what the last writing took).
 #include "Air/Field/PackedSeries.h"
-#include "Base/WritingSchedule.h"
 #include "Store/StateFile.h"
+#include "Store/WritingSchedule.h"
 
 #include <algorithm>
 #include <chrono>

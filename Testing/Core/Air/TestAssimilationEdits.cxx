@@ -199,7 +199,7 @@ TEST(AssimilationEdits, ACheckpointGoesOnToTheSameBits)
   AssimilationOutput stopped;
   EXPECT_TRUE(AssimilateAir(Crossing(), options, {}, SerialFor(), stopping, stopped).IsStopped());
   AssimilationState state;
-  EXPECT_EQ(ReadState(options.CheckpointFile, nullptr, state), "");
+  EXPECT_EQ(ReadState(options.CheckpointFile, state), "");
   EXPECT_FALSE(state.IsEmpty());
   const AssimilationOutput resumed = Assimilated(Crossing(), options);
   EXPECT_EQ(resumed.Warnings, whole.Warnings);
@@ -208,7 +208,7 @@ TEST(AssimilationEdits, ACheckpointGoesOnToTheSameBits)
     EXPECT_EQ(whole.Tracks[o].Positions, resumed.Tracks[o].Positions);
   }
   EXPECT_EQ(whole.Air->Wind.Values, resumed.Air->Wind.Values);
-  EXPECT_EQ(ReadState(options.CheckpointFile, nullptr, state), ""); // it is gone
+  EXPECT_EQ(ReadState(options.CheckpointFile, state), ""); // it is gone
   EXPECT_TRUE(state.IsEmpty());
 }
 

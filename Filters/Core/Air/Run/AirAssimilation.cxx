@@ -65,10 +65,11 @@ bool GoesOn(const AirContext& run, const AirState& state, const AssimilationOutp
 
 // An air is drawn, the objects drift in it; then, round by round, it is simulated with the force of
 // the wind that their controls have in common.
-Result Assimilate(const AirContext& run, AirState& state, AssimilationOutput& output)
+Result Assimilate(const AirContext& run, CheckpointFile& checkpoint, AirState& state,
+                  AssimilationOutput& output)
 {
   Result result = Result::Ok();
-  if (!Resume(run, state, output))
+  if (!Resume(run, checkpoint, state, output))
   {
     result = DrawAir(run, state, output);
     if (!result || result.IsStopped())
@@ -79,7 +80,7 @@ Result Assimilate(const AirContext& run, AirState& state, AssimilationOutput& ou
     result = FirstDrift(run, state, output);
     if (!result.IsStopped())
     {
-      KeepCheckpoint(run, state, output);
+      KeepCheckpoint(run, state, output, checkpoint);
     }
   }
   if (run.Options.Rounds == 0 && !result.IsStopped())
@@ -99,7 +100,7 @@ Result Assimilate(const AirContext& run, AirState& state, AssimilationOutput& ou
     if (!result.IsStopped())
     {
       ++state.Rounds;
-      KeepCheckpoint(run, state, output);
+      KeepCheckpoint(run, state, output, checkpoint);
     }
   }
   return result;
@@ -156,7 +157,8 @@ Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& 
   {
     *memory = AssimilationState();
   }
-  const Result result = isEdit ? Result::Ok() : Assimilate(run, state, output);
+  CheckpointFile checkpoint = CheckpointOf(run, output);
+  const Result result = isEdit ? Result::Ok() : Assimilate(run, checkpoint, state, output);
   if (!result)
   {
     return result;
@@ -171,6 +173,7 @@ Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& 
   }
   if (!result.IsStopped())
   {
+    checkpoint.Remove();
     Leave(run, state, output, memory);
   }
   return result;

@@ -42,7 +42,6 @@ struct AirState
   SmokeState Begun;      // the air of the first frame, before any wind of ours
   DrawnAir Drawn;        // the air as it is
   AirBodies Bodies;
-  bool HasCheckpointFailed = false;
 };
 
 /// What a run is given, and what follows from that alone.

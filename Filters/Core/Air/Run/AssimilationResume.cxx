@@ -2,7 +2,6 @@
 #include "Air/Run/AssimilationResume.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <utility>
 
@@ -76,44 +75,36 @@ bool HasPaths(const AssimilationState& kept, const AirContext& run)
 
 } // namespace
 
-void KeepCheckpoint(const AirContext& run, AirState& state, AssimilationOutput& output)
+CheckpointFile CheckpointOf(const AirContext& run, AssimilationOutput& output)
 {
-  if (run.Options.CheckpointFile.empty() || state.HasCheckpointFailed)
+  return { { run.Options.CheckpointFile, AssimilationKind, DigestOf(run.Key), 0.0, "done" },
+           output.Warnings };
+}
+
+void KeepCheckpoint(const AirContext& run, const AirState& state, const AssimilationOutput& output,
+                    CheckpointFile& checkpoint)
+{
+  if (!checkpoint.IsDue(true))
   {
     return;
   }
   AssimilationState kept = Kept(run, state, output);
   kept.Rounds = state.Rounds;
   kept.Air = { std::shared_ptr<void>(), &state.Drawn }; // for the time of the writing
-  const Result written = WriteState(run.Options.CheckpointFile, kept, run.Parallel);
-  if (!written)
-  {
-    state.HasCheckpointFailed = true;
-    output.Warnings.push_back("no checkpoint is kept: " + written.Message() + " (CheckpointFile)");
-  }
+  checkpoint.Write([&](StateArchive& file) { WriteState(file, kept, run.Parallel); }, true);
 }
 
-bool Resume(const AirContext& run, AirState& state, AssimilationOutput& output)
+bool Resume(const AirContext& run, CheckpointFile& checkpoint, AirState& state,
+            AssimilationOutput& output)
 {
-  const std::string& path = run.Options.CheckpointFile;
-  if (path.empty())
-  {
-    return false;
-  }
   AssimilationState kept;
-  std::string lack = ReadState(path, &run.Key, kept);
-  if (lack.empty() && kept.IsEmpty())
+  const auto content = [&](StateArchive& file)
   {
-    return false;
-  }
-  if (lack.empty() && !HasPaths(kept, run))
+    ReadState(file, kept);
+    return HasPaths(kept, run);
+  };
+  if (!checkpoint.Read(content))
   {
-    lack = "is incomplete";
-  }
-  if (!lack.empty())
-  {
-    output.Warnings.push_back("the checkpoint " + path + " " + lack +
-                              ": ignored, done from the start (CheckpointFile)");
     return false;
   }
   Take(run, kept, state, output);
@@ -136,7 +127,7 @@ bool TakeEdit(const AirContext& run, const AssimilationState* memory, AirState& 
   }
   else if (!run.Options.EditOf.empty())
   {
-    lack = ReadState(run.Options.EditOf, nullptr, kept);
+    lack = ReadState(run.Options.EditOf, kept);
     lack = lack.empty() && !kept.IsFinished ? "holds no finished run" : lack;
     if (!lack.empty() || !kept.Key.IsOfSameAir(run.Key) || !HasPaths(kept, run))
     {
@@ -169,10 +160,6 @@ bool TakeEdit(const AirContext& run, const AssimilationState* memory, AirState& 
 void Leave(const AirContext& run, const AirState& state, AssimilationOutput& output,
            AssimilationState* memory)
 {
-  if (!run.Options.CheckpointFile.empty())
-  {
-    (void)std::remove(run.Options.CheckpointFile.c_str());
-  }
   if (memory == nullptr && run.Options.StateFile.empty())
   {
     return;

@@ -3,14 +3,18 @@
 #pragma once
 
 #include "Air/Run/AirState.h"
+#include "Store/CheckpointFile.h"
 
 namespace waft
 {
 
-/// To the checkpoint of a run that is not stopped.
-void KeepCheckpoint(const AirContext& run, AirState& state, AssimilationOutput& output);
-/// From the checkpoint; false where there is none that fits.
-bool Resume(const AirContext& run, AirState& state, AssimilationOutput& output);
+CheckpointFile CheckpointOf(const AirContext& run, AssimilationOutput& output);
+/// Of a run that is not stopped.
+void KeepCheckpoint(const AirContext& run, const AirState& state, const AssimilationOutput& output,
+                    CheckpointFile& checkpoint);
+/// False where there is none that fits.
+bool Resume(const AirContext& run, CheckpointFile& checkpoint, AirState& state,
+            AssimilationOutput& output);
 
 /// The air and what did not change from the last run (memory, or null), or from EditOf; only the
 /// rest is to drift. False where there is nothing that fits.

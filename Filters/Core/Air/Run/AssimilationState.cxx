@@ -10,8 +10,6 @@ namespace waft
 namespace
 {
 
-constexpr StateKind AssimilationKind = { "assimilation", 4 };
-
 void WriteSeries(StateArchive& stream, const HalfSeries& series, const ParallelFor& parallel)
 {
   HalfSeries::VisitLattice(stream, series);
@@ -65,30 +63,39 @@ AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions&
   return key;
 }
 
+void WriteState(StateArchive& file, const AssimilationState& state, const ParallelFor& parallel)
+{
+  file.Values(state);
+  WriteSeries(file, state.Air->Velocity, parallel);
+  WriteSeries(file, state.Air->Wind, parallel);
+}
+
+void ReadState(StateArchive& file, AssimilationState& state)
+{
+  const auto air = std::make_shared<DrawnAir>();
+  file.Values(state);
+  ReadSeries(file, air->Velocity);
+  ReadSeries(file, air->Wind);
+  state.Air = air;
+}
+
 Result WriteState(const std::string& path, const AssimilationState& state,
                   const ParallelFor& parallel)
 {
   StateFileWriter file(path, AssimilationKind, DigestOf(state.Key));
-  file.Values(state);
-  WriteSeries(file, state.Air->Velocity, parallel);
-  WriteSeries(file, state.Air->Wind, parallel);
+  WriteState(file, state, parallel);
   return file.Commit();
 }
 
-std::string ReadState(const std::string& path, const AssimilationKey* key, AssimilationState& state)
+std::string ReadState(const std::string& path, AssimilationState& state)
 {
   state = AssimilationState();
   const auto content = [&state](StateArchive& file)
   {
-    const auto air = std::make_shared<DrawnAir>();
-    file.Values(state);
-    ReadSeries(file, air->Velocity);
-    ReadSeries(file, air->Wind);
-    state.Air = air;
+    ReadState(file, state);
     return true;
   };
-  const auto wanted = key != nullptr ? std::optional(DigestOf(*key)) : std::nullopt;
-  const StateLack lack = ReadStateFile(path, AssimilationKind, wanted, content);
+  const StateLack lack = ReadStateFile(path, AssimilationKind, {}, content);
   if (lack != StateLack::None)
   {
     state = AssimilationState();

@@ -70,12 +70,15 @@ struct AssimilationState
   bool IsEmpty() const { return this->Air->Velocity.IsEmpty(); }
 };
 
-/// Writes a state whole or not at all; errors name the path and the reason.
+inline constexpr StateKind AssimilationKind = { "assimilation", 4 };
+
+void WriteState(StateArchive& file, const AssimilationState& state, const ParallelFor& parallel);
+void ReadState(StateArchive& file, AssimilationState& state);
+/// A file whole or not at all; errors name the path and the reason.
 Result WriteState(const std::string& path, const AssimilationState& state,
                   const ParallelFor& parallel);
-/// The state of a run of this key, or of any where that is null. What keeps the file from being
-/// one, in words; empty when nothing does. The state is empty then, and where there is no file.
-std::string ReadState(const std::string& path, const AssimilationKey* key,
-                      AssimilationState& state);
+/// What keeps the file from being a state, in words; empty when nothing does. The state is empty
+/// then, and where there is no file.
+std::string ReadState(const std::string& path, AssimilationState& state);
 
 } // namespace waft

@@ -20,6 +20,16 @@ namespace
 constexpr double CoarseTimeFraction = 0.5; // of a time limit, for the coarse levels
 constexpr double ForUpdates = 1.03;        // work with that for the fields, over that without
 
+Checkpoint CheckpointOf(const SpacetimeInput& input, const SpacetimeOptions& options)
+{
+  const std::string& path = options.CheckpointFile;
+  return { path,
+           { "spacetime checkpoint", 10 },
+           path.empty() ? 0 : DigestOfRun(input, options),
+           options.CheckpointInterval,
+           "solved" };
+}
+
 } // namespace
 
 SpacetimeRun::SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& options,
@@ -28,7 +38,7 @@ SpacetimeRun::SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& 
   Input(input),
   Options(options), Problem(problem), Parallel(parallel), Progress(monitor), Output(output),
   Memory(memory), Clock(std::chrono::steady_clock::now()),
-  Checkpoint(input, options, output.Warnings)
+  Checkpoint(CheckpointOf(input, options), output.Warnings)
 {
 }
 

@@ -4,11 +4,11 @@
 
 #include "Spacetime/Model/EditRegion.h"
 #include "Spacetime/Model/FrameView.h"
-#include "Spacetime/Run/CheckpointFile.h"
 #include "Spacetime/Run/SpacetimeWarmStart.h"
 #include "Spacetime/Scene/SpacetimeExport.h"
 #include "Spacetime/Scene/SpacetimeOutput.h"
 #include "Spacetime/Solver/LevelSolver.h"
+#include "Store/CheckpointFile.h"
 
 #include <chrono>
 #include <memory>

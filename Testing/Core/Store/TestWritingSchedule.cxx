@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Writing keeps within its part of the time on disks of any speed, and comes through on each.
-#include "Base/WritingSchedule.h"
+#include "Store/WritingSchedule.h"
 
 #include <gtest/gtest.h>
 

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Spacetime/Run/CheckpointFile.h"
-
-#include "Spacetime/Run/SpacetimeDigest.h"
+#include "Store/CheckpointFile.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <utility>
 
 namespace waft
 {
 namespace
 {
 
-constexpr StateKind CheckpointKind = { "spacetime checkpoint", 10 };
 constexpr double WritingFraction = 0.02;                 // of the time, for checkpoints
 constexpr std::size_t PieceBytes = std::size_t(4) << 20; // between two looks at the clock
 
@@ -50,11 +48,9 @@ private:
 
 } // namespace
 
-CheckpointFile::CheckpointFile(const SpacetimeInput& input, const SpacetimeOptions& options,
-                               std::vector<std::string>& warnings) :
-  Path(options.CheckpointFile),
-  Key(this->IsNamed() ? DigestOfRun(input, options) : 0), Warnings(warnings), Begin(Clock::now()),
-  Schedule(options.CheckpointInterval, WritingFraction)
+CheckpointFile::CheckpointFile(Checkpoint what, std::vector<std::string>& warnings) :
+  What(std::move(what)), Warnings(warnings), Begin(Clock::now()),
+  Schedule(this->What.Interval, WritingFraction)
 {
 }
 
@@ -65,13 +61,13 @@ double CheckpointFile::Elapsed() const
 
 bool CheckpointFile::IsDue(bool now) const
 {
-  return !this->HasFailed && (now || this->Schedule.IsDue(this->Elapsed()));
+  return this->IsNamed() && !this->HasFailed && (now || this->Schedule.IsDue(this->Elapsed()));
 }
 
 void CheckpointFile::Write(const Content& content, bool now)
 {
   const double from = this->Elapsed();
-  StateFileWriter file(this->Path, CheckpointKind, this->Key);
+  StateFileWriter file(this->What.Path, this->What.Kind, this->What.Key);
   TimedStream stream(file, now ? std::numeric_limits<double>::infinity()
                                : this->Schedule.Allowance(from));
   content(stream);
@@ -88,18 +84,22 @@ void CheckpointFile::Write(const Content& content, bool now)
 
 bool CheckpointFile::Read(const StateContent& content)
 {
-  const StateLack lack = ReadStateFile(this->Path, CheckpointKind, this->Key, content);
+  const StateLack lack = ReadStateFile(this->What.Path, this->What.Kind, this->What.Key, content);
   if (lack != StateLack::None && lack != StateLack::NoFile)
   {
-    this->Warnings.push_back("the checkpoint " + this->Path + " " + ToString(lack, CheckpointKind) +
-                             ": ignored, solved from the start (CheckpointFile)");
+    this->Warnings.push_back("the checkpoint " + this->What.Path + " " +
+                             ToString(lack, this->What.Kind) + ": ignored, " + this->What.Done +
+                             " from the start (CheckpointFile)");
   }
   return lack == StateLack::None;
 }
 
 void CheckpointFile::Remove() const
 {
-  std::remove(this->Path.c_str());
+  if (this->IsNamed())
+  {
+    (void)std::remove(this->What.Path.c_str());
+  }
 }
 
 } // namespace waft
