@@ -2,12 +2,9 @@
 // Sums over bytes that tell damaged or other data apart.
 #pragma once
 
-#include "Base/Types.h"
-
+#include <cstddef>
 #include <cstdint>
 #include <string>
-#include <type_traits>
-#include <vector>
 
 namespace waft
 {
@@ -18,27 +15,6 @@ class Digest
 {
 public:
   void Add(const void* bytes, std::size_t size);
-  template <typename Number>
-  void Add(Number number)
-  {
-    static_assert(std::is_arithmetic_v<Number> || std::is_enum_v<Number>, "a number");
-    this->Add(&number, sizeof(Number));
-  }
-  void Add(const Vec3& v) { this->Add(v.data(), 3 * sizeof(double)); }
-  /// Numbers, arrays of numbers or points, and how many they are.
-  template <typename Item>
-  void AddList(const std::vector<Item>& items)
-  {
-    static_assert(std::is_trivially_copyable_v<Item> || std::is_same_v<Item, Vec3>, "numbers");
-    this->Add(items.size());
-    this->Add(items.data(), items.size() * sizeof(Item));
-  }
-  template <typename Matrix>
-  void AddMatrix(const Matrix& matrix)
-  {
-    this->Add(matrix.size());
-    this->Add(matrix.data(), static_cast<std::size_t>(matrix.size()) * sizeof(double));
-  }
 
   /// The first of the sums; both, in sixteen bytes.
   std::uint64_t Sum() const;

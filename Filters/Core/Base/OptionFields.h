@@ -57,11 +57,6 @@ inline OptionField TextField(const char* name, const char* sentence)
 }
 
 template <class Value>
-inline constexpr bool IsList = false;
-template <class Item>
-inline constexpr bool IsList<std::vector<Item>> = true;
-
-template <class Value>
 inline constexpr bool IsNumber = std::is_arithmetic_v<Value> || std::is_enum_v<Value>;
 
 /// Calls use(number) for each number of a field in its order; those of a box are xmin, xmax, ymin,

@@ -3,7 +3,7 @@
 // boxes with windows (and how much faster a classic RRT-Connect gets through it, where OMPL is
 // installed), the same maze in 100,000 triangles, letters on the ground, and spans of many frames.
 // Arguments: number of seeds [50], and one of maze, fine, fast, narrow, letters, long [all].
-#include "Base/Digest.h"
+#include "Base/StateArchive.h"
 #include "PlainBlending.h"
 #include "PlanScenes.h"
 #include "RandomChains.h"
@@ -177,10 +177,10 @@ void LongSpans(int count)
     const Stopwatch watch;
     const PlanOutput output = Plan(scene, 1, SerialFor());
     const double seconds = watch.CpuSeconds();
-    Digest positions;
+    DigestStream positions;
     for (const Track& track : output.Tracks)
     {
-      positions.AddList(track.Positions);
+      positions.Values(track.Positions);
     }
     std::printf(
       "span of %d frames, %d objects, 1 thread: %.2f s of processor time, %.1f us a frame "

@@ -56,14 +56,11 @@ TEST(Digest, TellsEachChangeOfABitAndOfTheOrder)
 
 TEST(Digest, OfListsSaysWhereOneEnds)
 {
-  const std::vector<int> one = { 1 }, two = { 1, 2 }, none;
-  Digest a, b, c;
-  a.AddList(two);
-  a.AddList(none);
-  b.AddList(one);
-  b.AddList(std::vector<int>{ 2 });
-  c.AddList(none);
-  c.AddList(two);
+  const std::vector<int> one = { 1 }, two = { 1, 2 }, last = { 2 }, none;
+  DigestStream a, b, c;
+  a.Values(two, none);
+  b.Values(one, last);
+  c.Values(none, two);
   EXPECT_NE(a.Text(), b.Text());
   EXPECT_NE(a.Text(), c.Text());
   EXPECT_NE(b.Text(), c.Text());
