@@ -16,7 +16,13 @@ vtkStandardNewMacro(vtkConstraintSource);
 
 vtkConstraintSource::vtkConstraintSource()
 {
+  waft::TakeDefaults<waft::ConstraintOptions>(*this);
   this->SetNumberOfInputPorts(0);
+}
+
+double vtkConstraintSource::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::ConstraintOptions>(property, value);
 }
 
 void vtkConstraintSource::SetNumberOfWaypoints(int count)

@@ -14,9 +14,15 @@ vtkStandardNewMacro(vtkFeatherShapeSource);
 
 vtkFeatherShapeSource::vtkFeatherShapeSource()
 {
+  waft::TakeDefaults<waft::FeatherForm, waft::SceneFrame>(*this);
   waft::CopyFields<waft::SheetOptions>(waft::FeatherSheet(), *this);
   waft::CopyFields<waft::ThinBody>(waft::FeatherBody(), *this);
   waft::CopyFields<waft::SkinOptions>(waft::FeatherSkin(), *this);
+}
+
+double vtkFeatherShapeSource::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::FeatherForm>(property, value);
 }
 
 vtkTypeBool vtkFeatherShapeSource::ProcessRequest(vtkInformation* request,

@@ -9,6 +9,7 @@
 #ifndef vtkFeatherShapeSource_h
 #define vtkFeatherShapeSource_h
 
+#include "WaftProperty.h"
 #include "vtkPaintedShapeSource.h"
 
 namespace waft
@@ -23,21 +24,9 @@ public:
   vtkTypeMacro(vtkFeatherShapeSource, vtkPaintedShapeSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /** 0 Flight (a wing's), 1 Contour (a body's, downy at its base), 2 Down. */
-  vtkSetClampMacro(Kind, int, 0, 2);
-  vtkGetMacro(Kind, int);
-  ///@}
-  ///@{
-  /** Length of the bare shaft, 1 by nature, 0 (none)..3. */
-  vtkSetClampMacro(ShaftLength, double, 0.0, 3.0);
-  vtkGetMacro(ShaftLength, double);
-  ///@}
-  ///@{
-  /** How unlike the two vanes are, 1 by nature, -2..2. */
-  vtkSetClampMacro(Asymmetry, double, -2.0, 2.0);
-  vtkGetMacro(Asymmetry, double);
-  ///@}
+  WaftProperty(int, Kind);
+  WaftProperty(double, ShaftLength);
+  WaftProperty(double, Asymmetry);
 
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
@@ -52,12 +41,10 @@ private:
   vtkFeatherShapeSource(const vtkFeatherShapeSource&) = delete;
   void operator=(const vtkFeatherShapeSource&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  static double InRange(const char* property, double value);
+
+  // Whose fields the properties are.
   friend struct waft::FeatherForm;
-  int Kind = 0;
-  double ShaftLength = 1.0;
-  double Asymmetry = 1.0;
 };
 
 #endif

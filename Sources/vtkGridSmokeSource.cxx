@@ -163,11 +163,17 @@ waft::Result vtkGridSmokeSource::Internals::Show(vtkGridSmokeSource& self, int& 
 
 vtkGridSmokeSource::vtkGridSmokeSource() : Impl(std::make_unique<Internals>())
 {
+  waft::TakeDefaults<waft::SmokeOptions, waft::EnsembleOptions>(*this);
   this->SetNumberOfInputPorts(NumberOfInputs);
   this->SetNumberOfOutputPorts(NumberOfOutputs);
 }
 
 vtkGridSmokeSource::~vtkGridSmokeSource() = default;
+
+double vtkGridSmokeSource::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::SmokeOptions, waft::EnsembleOptions>(property, value);
+}
 
 double vtkGridSmokeSource::GetCacheSize() const
 {

@@ -12,6 +12,17 @@
 
 vtkStandardNewMacro(vtkLeafShapeSource);
 
+vtkLeafShapeSource::vtkLeafShapeSource()
+{
+  waft::TakeDefaults<waft::LeafForm, waft::SheetOptions, waft::ThinBody, waft::SkinOptions,
+                     waft::SceneFrame>(*this);
+}
+
+double vtkLeafShapeSource::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::LeafForm>(property, value);
+}
+
 vtkTypeBool vtkLeafShapeSource::ProcessRequest(vtkInformation* request,
                                                vtkInformationVector** inputs,
                                                vtkInformationVector* outputs)

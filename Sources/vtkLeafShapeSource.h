@@ -9,6 +9,7 @@
 #ifndef vtkLeafShapeSource_h
 #define vtkLeafShapeSource_h
 
+#include "WaftProperty.h"
 #include "vtkPaintedShapeSource.h"
 
 namespace waft
@@ -23,27 +24,15 @@ public:
   vtkTypeMacro(vtkLeafShapeSource, vtkPaintedShapeSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /** 0 Ovate (toothed, as a beech's), 1 Maple, 2 Oak, 3 Willow, 4 Birch, 5 Aspen (nearly round). */
-  vtkSetClampMacro(Kind, int, 0, 5);
-  vtkGetMacro(Kind, int);
-  ///@}
-  ///@{
-  /** Length of the stem, 1 by nature, 0 (none)..3. */
-  vtkSetClampMacro(StemLength, double, 0.0, 3.0);
-  vtkGetMacro(StemLength, double);
-  ///@}
-  ///@{
-  /** Depth of lobes and teeth, 1 by nature, 0..1.5. */
-  vtkSetClampMacro(Lobing, double, 0.0, 1.5);
-  vtkGetMacro(Lobing, double);
-  ///@}
+  WaftProperty(int, Kind);
+  WaftProperty(double, StemLength);
+  WaftProperty(double, Lobing);
 
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
 
 protected:
-  vtkLeafShapeSource() = default;
+  vtkLeafShapeSource();
   ~vtkLeafShapeSource() override = default;
 
   waft::Result MakeOutline(waft::Outline& outline, std::string& name) override;
@@ -52,12 +41,10 @@ private:
   vtkLeafShapeSource(const vtkLeafShapeSource&) = delete;
   void operator=(const vtkLeafShapeSource&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  static double InRange(const char* property, double value);
+
+  // Whose fields the properties are.
   friend struct waft::LeafForm;
-  int Kind = 0;
-  double StemLength = 1.0;
-  double Lobing = 1.0;
 };
 
 #endif

@@ -53,11 +53,17 @@ struct vtkMotionDatabaseSource::Internals
 
 vtkMotionDatabaseSource::vtkMotionDatabaseSource() : Impl(std::make_unique<Internals>())
 {
+  waft::TakeDefaults<waft::DatabaseOptions>(*this);
   this->SetNumberOfInputPorts(0);
   this->SetNumberOfOutputPorts(2);
 }
 
 vtkMotionDatabaseSource::~vtkMotionDatabaseSource() = default;
+
+double vtkMotionDatabaseSource::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::DatabaseOptions>(property, value);
+}
 
 int vtkMotionDatabaseSource::FillOutputPortInformation(int port, vtkInformation* info)
 {

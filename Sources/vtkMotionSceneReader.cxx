@@ -73,6 +73,7 @@ struct vtkMotionSceneReader::Contents
 
 vtkMotionSceneReader::vtkMotionSceneReader() : Read(new Contents)
 {
+  waft::TakeDefaults<waft::SceneReadOptions>(*this);
   this->SetNumberOfInputPorts(0);
   this->SetNumberOfOutputPorts(WIND + 1);
 }

@@ -29,6 +29,7 @@
 #ifndef vtkMotionSceneReader_h
 #define vtkMotionSceneReader_h
 
+#include "WaftProperty.h"
 #include "vtkAlgorithm.h"
 #include "vtkWaftSourcesModule.h"
 
@@ -64,14 +65,7 @@ public:
   vtkGetMacro(FileName, std::string);
   ///@}
 
-  ///@{
-  /** Every MPI process gives the whole scene, and all stages do the same on each; default off: the
-   * first process alone does, so that nothing counts twice, and the outputs of the others are
-   * empty. For scripts that each process runs by itself (pvbatch --symmetric). */
-  vtkSetMacro(OnEveryRank, bool);
-  vtkGetMacro(OnEveryRank, bool);
-  vtkBooleanMacro(OnEveryRank, bool);
-  ///@}
+  WaftFlag(OnEveryRank);
 
   /** The seed that the scene file gives; 1 before one was read. */
   int GetSceneSeed() const;
@@ -96,11 +90,9 @@ private:
 
   struct Contents;
   std::unique_ptr<Contents> Read;
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  // Whose fields the properties are.
   friend struct waft::SceneReadOptions;
   std::string FileName;
-  bool OnEveryRank = false;
 };
 
 #endif

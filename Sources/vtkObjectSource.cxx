@@ -33,8 +33,14 @@ const waft::StageInputs InputsOfObjects = {
 
 vtkObjectSource::vtkObjectSource()
 {
+  waft::TakeDefaults<waft::ObjectOptions>(*this);
   // paraview.simple connects whatever is active to the first port of a new source: it is not used.
   this->SetNumberOfInputPorts(SHAPES_PORT + 1);
+}
+
+double vtkObjectSource::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::ObjectOptions>(property, value);
 }
 
 vtkTypeBool vtkObjectSource::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,

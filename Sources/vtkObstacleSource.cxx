@@ -19,7 +19,13 @@ vtkStandardNewMacro(vtkObstacleSource);
 
 vtkObstacleSource::vtkObstacleSource()
 {
+  waft::TakeDefaults<waft::ObstacleSourceOptions>(*this);
   this->SetNumberOfInputPorts(0);
+}
+
+double vtkObstacleSource::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::ObstacleSourceOptions>(property, value);
 }
 
 vtkTypeBool vtkObstacleSource::ProcessRequest(vtkInformation* request,

@@ -11,6 +11,7 @@
 #ifndef vtkObstacleSource_h
 #define vtkObstacleSource_h
 
+#include "WaftProperty.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkWaftSourcesModule.h"
 
@@ -34,67 +35,19 @@ public:
     SPHERE = 2,
     CYLINDER = 3
   };
-  ///@{
-  /** What stands in the way: nothing (0), a box (1), a sphere (2) or a cylinder (3). */
-  vtkSetClampMacro(Kind, int, NONE, CYLINDER);
-  vtkGetMacro(Kind, int);
-  ///@}
-  ///@{
-  /** Lowest corner of a box [m]. */
-  vtkSetVector3Macro(Corner, double);
-  vtkGetVector3Macro(Corner, double);
-  ///@}
-  ///@{
-  /** Extents of a box [m], more than 0. */
-  vtkSetVector3Macro(Size, double);
-  vtkGetVector3Macro(Size, double);
-  ///@}
-  ///@{
-  /** Middle of a sphere [m]. */
-  vtkSetVector3Macro(Center, double);
-  vtkGetVector3Macro(Center, double);
-  ///@}
-  ///@{
-  /** Middle of one end of a cylinder [m]. */
-  vtkSetVector3Macro(Base, double);
-  vtkGetVector3Macro(Base, double);
-  ///@}
-  ///@{
-  /** Middle of the other end of a cylinder [m]. */
-  vtkSetVector3Macro(Top, double);
-  vtkGetVector3Macro(Top, double);
-  ///@}
-  ///@{
-  /** Of a sphere or a cylinder [m], more than 0. */
-  vtkSetMacro(Radius, double);
-  vtkGetMacro(Radius, double);
-  ///@}
-  ///@{
-  /** Whether there is a ground to land on, all over the volume and beyond. */
-  vtkSetMacro(Ground, bool);
-  vtkGetMacro(Ground, bool);
-  vtkBooleanMacro(Ground, bool);
-  ///@}
-  ///@{
-  /** Height of the ground [m]. */
-  vtkSetMacro(GroundHeight, double);
-  vtkGetMacro(GroundHeight, double);
-  ///@}
-  ///@{
-  /** The volume (xmin, xmax, ymin, ymax, zmin, zmax) [m]. */
-  vtkSetVector6Macro(Bounds, double);
-  vtkGetVector6Macro(Bounds, double);
-  ///@}
-  ///@{
-  /** Frames of the scene, 1 or more. */
-  vtkSetClampMacro(NumberOfFrames, int, 1, VTK_INT_MAX);
-  vtkGetMacro(NumberOfFrames, int);
-  ///@}
-  ///@{
-  /** Frames per second, more than 0. */
-  vtkSetMacro(FramesPerSecond, double);
-  vtkGetMacro(FramesPerSecond, double);
-  ///@}
+
+  WaftProperty(int, Kind);
+  WaftVector(double, Corner, 3);
+  WaftVector(double, Size, 3);
+  WaftVector(double, Center, 3);
+  WaftVector(double, Base, 3);
+  WaftVector(double, Top, 3);
+  WaftOpenProperty(double, Radius);
+  WaftFlag(Ground);
+  WaftOpenProperty(double, GroundHeight);
+  WaftVector(double, Bounds, 6);
+  WaftProperty(int, NumberOfFrames);
+  WaftOpenProperty(double, FramesPerSecond);
 
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
@@ -112,22 +65,11 @@ private:
   vtkObstacleSource(const vtkObstacleSource&) = delete;
   void operator=(const vtkObstacleSource&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  static double InRange(const char* property, double value);
+
+  // Whose fields the properties are.
   friend struct waft::ObstacleSourceOptions;
   friend struct waft::SceneFrame;
-  int Kind = BOX;
-  double Corner[3] = { -0.5, -0.5, 0.0 };
-  double Size[3] = { 1.0, 1.0, 1.0 };
-  double Center[3] = { 0.0, 0.0, 1.0 };
-  double Base[3] = { 0.0, 0.0, 0.0 };
-  double Top[3] = { 0.0, 0.0, 2.0 };
-  double Radius = 0.3;
-  bool Ground = false;
-  double GroundHeight = 0.0;
-  double Bounds[6] = { -2.0, 2.0, -2.0, 2.0, 0.0, 4.0 };
-  int NumberOfFrames = 300;
-  double FramesPerSecond = 30.0;
 };
 
 #endif

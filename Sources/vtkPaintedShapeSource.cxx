@@ -20,6 +20,11 @@ waft::Result WriteSkin(const waft::Outline& outline, const waft::SkinOptions& sk
 
 } // namespace
 
+double vtkPaintedShapeSource::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::PlanForm, waft::SheetOptions, waft::SkinOptions>(property, value);
+}
+
 waft::Result vtkPaintedShapeSource::MakeShape(waft::Shape& shape)
 {
   waft::Outline outline;

@@ -13,6 +13,17 @@
 
 vtkStandardNewMacro(vtkPhotographShapeSource);
 
+vtkPhotographShapeSource::vtkPhotographShapeSource()
+{
+  waft::TakeDefaults<waft::PhotographFile, waft::PhotographOptions, waft::ThinBody,
+                     waft::SceneFrame>(*this);
+}
+
+double vtkPhotographShapeSource::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::PhotographOptions>(property, value);
+}
+
 vtkTypeBool vtkPhotographShapeSource::ProcessRequest(vtkInformation* request,
                                                      vtkInformationVector** inputs,
                                                      vtkInformationVector* outputs)

@@ -12,6 +12,7 @@
 #ifndef vtkPhotographShapeSource_h
 #define vtkPhotographShapeSource_h
 
+#include "WaftProperty.h"
 #include "vtkThinShapeSource.h"
 
 namespace waft
@@ -27,32 +28,16 @@ public:
   vtkTypeMacro(vtkPhotographShapeSource, vtkThinShapeSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /** The photograph, a picture file. */
-  vtkSetMacro(Photograph, std::string);
-  vtkGetMacro(Photograph, std::string);
-  ///@}
-  ///@{
-  /** Alpha above which a pixel belongs to the body, 0.01..0.99. */
-  vtkSetClampMacro(Threshold, double, 0.01, 0.99);
-  vtkGetMacro(Threshold, double);
-  ///@}
-  ///@{
-  /** How far the outline may be off, in lengths, 0.0005..0.1. */
-  vtkSetClampMacro(Detail, double, 0.0005, 0.1);
-  vtkGetMacro(Detail, double);
-  ///@}
-  ///@{
-  /** About as many triangles, 20..20000; a fine outline takes more. */
-  vtkSetClampMacro(NumberOfTriangles, int, 20, 20000);
-  vtkGetMacro(NumberOfTriangles, int);
-  ///@}
+  WaftText(Photograph);
+  WaftProperty(double, Threshold);
+  WaftProperty(double, Detail);
+  WaftProperty(int, NumberOfTriangles);
 
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
 
 protected:
-  vtkPhotographShapeSource() = default;
+  vtkPhotographShapeSource();
   ~vtkPhotographShapeSource() override = default;
 
   waft::Result MakeShape(waft::Shape& shape) override;
@@ -61,14 +46,11 @@ private:
   vtkPhotographShapeSource(const vtkPhotographShapeSource&) = delete;
   void operator=(const vtkPhotographShapeSource&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  static double InRange(const char* property, double value);
+
+  // Whose fields the properties are.
   friend struct waft::PhotographFile;
   friend struct waft::PhotographOptions;
-  std::string Photograph;
-  double Threshold = 0.5;
-  double Detail = 0.006;
-  int NumberOfTriangles = 500;
 };
 
 #endif

@@ -165,7 +165,15 @@ const waft::StageInputs InputsOfKeyframes = {
 
 } // namespace
 
-vtkShapeKeyframeSource::vtkShapeKeyframeSource() = default;
+vtkShapeKeyframeSource::vtkShapeKeyframeSource()
+{
+  waft::TakeDefaults<waft::KeyframeOptions>(*this);
+}
+
+double vtkShapeKeyframeSource::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::KeyframeOptions>(property, value);
+}
 
 void vtkShapeKeyframeSource::SetNumberOfClassColors(int count)
 {

@@ -18,6 +18,11 @@ vtkThinShapeSource::vtkThinShapeSource()
   this->SetNumberOfInputPorts(0);
 }
 
+double vtkThinShapeSource::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::Bending, waft::ThinBody, waft::SceneFrame>(property, value);
+}
+
 int vtkThinShapeSource::RequestInformation(vtkInformation*, vtkInformationVector**,
                                            vtkInformationVector* outputs)
 {

@@ -40,10 +40,16 @@ struct vtkVDBReader::Internals
 
 vtkVDBReader::vtkVDBReader() : Impl(std::make_unique<Internals>())
 {
+  waft::TakeDefaults<waft::VolumeReadOptions>(*this);
   this->SetNumberOfInputPorts(0);
 }
 
 vtkVDBReader::~vtkVDBReader() = default;
+
+double vtkVDBReader::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::VolumeReadOptions>(property, value);
+}
 
 void vtkVDBReader::SetFileName(const std::string& name)
 {

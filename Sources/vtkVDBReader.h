@@ -15,6 +15,7 @@
 #ifndef vtkVDBReader_h
 #define vtkVDBReader_h
 
+#include "WaftProperty.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkWaftSourcesModule.h"
 
@@ -38,11 +39,8 @@ public:
   void SetFileName(const std::string& name);
   vtkGetMacro(FileName, std::string);
   ///@}
-  ///@{
-  /** Frame k is at time k / FramesPerSecond; 0: as the files say, else 30. */
-  vtkSetClampMacro(FramesPerSecond, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(FramesPerSecond, double);
-  ///@}
+
+  WaftProperty(double, FramesPerSecond);
 
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
@@ -60,11 +58,11 @@ private:
   vtkVDBReader(const vtkVDBReader&) = delete;
   void operator=(const vtkVDBReader&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  static double InRange(const char* property, double value);
+
+  // Whose fields the properties are.
   friend struct waft::VolumeReadOptions;
   std::string FileName;
-  double FramesPerSecond = 0.0;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

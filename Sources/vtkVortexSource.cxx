@@ -14,7 +14,13 @@ vtkStandardNewMacro(vtkVortexSource);
 
 vtkVortexSource::vtkVortexSource()
 {
+  waft::TakeDefaults<waft::VortexSourceOptions>(*this);
   this->SetNumberOfInputPorts(0);
+}
+
+double vtkVortexSource::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::VortexSourceOptions>(property, value);
 }
 
 vtkTypeBool vtkVortexSource::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,

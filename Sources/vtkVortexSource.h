@@ -11,6 +11,7 @@
 #ifndef vtkVortexSource_h
 #define vtkVortexSource_h
 
+#include "WaftProperty.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkWaftSourcesModule.h"
 
@@ -28,56 +29,16 @@ public:
   vtkTypeMacro(vtkVortexSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /** The number of the vortex, 0 or more; different in each of those that are appended. */
-  vtkSetClampMacro(VortexId, int, 0, VTK_INT_MAX);
-  vtkGetMacro(VortexId, int);
-  ///@}
-  ///@{
-  /** One end of the axis [m]. */
-  vtkSetVector3Macro(P1, double);
-  vtkGetVector3Macro(P1, double);
-  ///@}
-  ///@{
-  /** The other end [m]: the air turns as the fingers of a right hand that points there. */
-  vtkSetVector3Macro(P2, double);
-  vtkGetVector3Macro(P2, double);
-  ///@}
-  ///@{
-  /** How hard it turns the air [m^2/s^2]; below 0 the other way. */
-  vtkSetMacro(Strength, double);
-  vtkGetMacro(Strength, double);
-  ///@}
-  ///@{
-  /** Where the acceleration is largest [m from the axis], more than 0. */
-  vtkSetMacro(CoreRadius, double);
-  vtkGetMacro(CoreRadius, double);
-  ///@}
-  ///@{
-  /** When it is strongest [s]. */
-  vtkSetMacro(CenterTime, double);
-  vtkGetMacro(CenterTime, double);
-  ///@}
-  ///@{
-  /** Standard deviation of its strength over time [s], more than 0. */
-  vtkSetMacro(Duration, double);
-  vtkGetMacro(Duration, double);
-  ///@}
-  ///@{
-  /** The volume (xmin, xmax, ymin, ymax, zmin, zmax) [m]. */
-  vtkSetVector6Macro(Bounds, double);
-  vtkGetVector6Macro(Bounds, double);
-  ///@}
-  ///@{
-  /** Frames of the scene, 1 or more. */
-  vtkSetClampMacro(NumberOfFrames, int, 1, VTK_INT_MAX);
-  vtkGetMacro(NumberOfFrames, int);
-  ///@}
-  ///@{
-  /** Frames per second, more than 0. */
-  vtkSetMacro(FramesPerSecond, double);
-  vtkGetMacro(FramesPerSecond, double);
-  ///@}
+  WaftProperty(int, VortexId);
+  WaftVector(double, P1, 3);
+  WaftVector(double, P2, 3);
+  WaftOpenProperty(double, Strength);
+  WaftOpenProperty(double, CoreRadius);
+  WaftOpenProperty(double, CenterTime);
+  WaftOpenProperty(double, Duration);
+  WaftVector(double, Bounds, 6);
+  WaftProperty(int, NumberOfFrames);
+  WaftOpenProperty(double, FramesPerSecond);
 
   vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;
@@ -95,21 +56,12 @@ private:
   vtkVortexSource(const vtkVortexSource&) = delete;
   void operator=(const vtkVortexSource&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  static double InRange(const char* property, double value);
+
+  // Whose fields the properties are.
   friend struct waft::VortexSourceOptions;
   friend struct waft::PassingForce;
   friend struct waft::SceneFrame;
-  int VortexId = 0;
-  double P1[3] = { 0.0, 0.0, 0.5 };
-  double P2[3] = { 0.0, 0.0, 3.5 };
-  double Strength = 2.0;
-  double CoreRadius = 0.3;
-  double CenterTime = 5.0;
-  double Duration = 3.0;
-  double Bounds[6] = { -2.0, 2.0, -2.0, 2.0, 0.0, 4.0 };
-  int NumberOfFrames = 300;
-  double FramesPerSecond = 30.0;
 };
 
 #endif

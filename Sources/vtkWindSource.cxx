@@ -33,7 +33,13 @@ waft::Result MakeWind(const waft::WindSourceOptions& options, waft::Scene& scene
 
 vtkWindSource::vtkWindSource()
 {
+  waft::TakeDefaults<waft::WindSourceOptions>(*this);
   this->SetNumberOfInputPorts(0);
+}
+
+double vtkWindSource::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::WindSourceOptions>(property, value);
 }
 
 vtkTypeBool vtkWindSource::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,

@@ -153,11 +153,17 @@ void vtkAirAssimilationFilter::Internals::FillVarying(double time,
 
 vtkAirAssimilationFilter::vtkAirAssimilationFilter() : Impl(std::make_unique<Internals>(this))
 {
+  waft::TakeDefaults<waft::AssimilationOptions>(*this);
   this->SetNumberOfInputPorts(NumberOfInputs);
   this->SetNumberOfOutputPorts(NumberOfOutputs);
 }
 
 vtkAirAssimilationFilter::~vtkAirAssimilationFilter() = default;
+
+double vtkAirAssimilationFilter::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::AssimilationOptions>(property, value);
+}
 
 waft::KeptStage& vtkAirAssimilationFilter::Kept()
 {

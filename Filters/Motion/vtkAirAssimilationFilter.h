@@ -26,6 +26,7 @@
 #ifndef vtkAirAssimilationFilter_h
 #define vtkAirAssimilationFilter_h
 
+#include "WaftProperty.h"
 #include "vtkSlicedPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
@@ -44,108 +45,25 @@ public:
   vtkTypeMacro(vtkAirAssimilationFilter, vtkSlicedPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /** Voxels of the simulation along the longest side of the volume. 16 to 256. */
-  vtkSetClampMacro(Resolution, int, 16, 256);
-  vtkGetMacro(Resolution, int);
-  ///@}
-  ///@{
-  /** Points of the lattice of the air that objects drift in and that is given out, along the
-   * longest side. 8 to 256. */
-  vtkSetClampMacro(LatticeResolution, int, 8, 256);
-  vtkGetMacro(LatticeResolution, int);
-  ///@}
-  ///@{
-  /** Airs that are tried by coarse simulations: draws of the forces, and of each its quarter turns
-   * and mirror images where nothing forbids them. The one goes on in which objects need the least
-   * control and move as bodies do. 1 to 256. */
-  vtkSetClampMacro(Candidates, int, 1, 256);
-  vtkGetMacro(Candidates, int);
-  ///@}
-  ///@{
-  /** Paths that each object's search begins with besides its plan, the straight line and free
-   * drift. 0 to 1000. */
-  vtkSetClampMacro(Starts, int, 0, 1000);
-  vtkGetMacro(Starts, int);
-  ///@}
-  ///@{
-  /** How often the air is simulated again, at most, with the force of the common wind. 0 to 10.
-   * */
-  vtkSetClampMacro(Rounds, int, 0, 10);
-  vtkGetMacro(Rounds, int);
-  ///@}
-  ///@{
-  /** Alternations of fitting the common wind with drifting in it, in a round. 0 to 100. */
-  vtkSetClampMacro(WindRounds, int, 0, 100);
-  vtkGetMacro(WindRounds, int);
-  ///@}
-  ///@{
-  /** Spacing of the common wind's splines in space, in metres. 0.001 to 1000. */
-  vtkSetClampMacro(WindSpacing, double, 0.001, 1000.0);
-  vtkGetMacro(WindSpacing, double);
-  ///@}
-  ///@{
-  /** Spacing of the common wind's splines in time, in seconds. 0.001 to 1000. */
-  vtkSetClampMacro(WindTimeSpacing, double, 0.001, 1000.0);
-  vtkGetMacro(WindTimeSpacing, double);
-  ///@}
-  ///@{
-  /** Factor of what a common wind that is not smooth costs. 0.001 to 1000. */
-  vtkSetClampMacro(WindStiffness, double, 0.001, 1000.0);
-  vtkGetMacro(WindStiffness, double);
-  ///@}
-  ///@{
-  /** Cost of changes of the control over that of the control, in s^2. 0 to 10. */
-  vtkSetClampMacro(Smoothness, double, 0.0, 10.0);
-  vtkGetMacro(Smoothness, double);
-  ///@}
-  ///@{
-  /** Seconds that an object may lie before the frame from which it has to. 0 to 60. */
-  vtkSetClampMacro(TouchDownSpread, double, 0.0, 60.0);
-  vtkGetMacro(TouchDownSpread, double);
-  ///@}
-  ///@{
-  /** Bodies come after the air as g / SettlingSpeed has it, instead of at once. */
-  vtkSetMacro(Inertia, bool);
-  vtkGetMacro(Inertia, bool);
-  vtkBooleanMacro(Inertia, bool);
-  ///@}
-  ///@{
-  /** Seconds after which the best motion so far is given; 0: no limit. With a limit two runs may
-   * differ. 0 to 1e+09. */
-  vtkSetClampMacro(TimeLimit, double, 0.0, 1e+09);
-  vtkGetMacro(TimeLimit, double);
-  ///@}
-  ///@{
-  /** Seed of the forces that are drawn: another one is another air; -1 is the scene's own. */
-  vtkSetClampMacro(Seed, int, -1, VTK_INT_MAX);
-  vtkGetMacro(Seed, int);
-  ///@}
-  ///@{
-  /** When only some objects, rows or tracks changed since the last run: the same air, and only
-   * what changed drifts again. */
-  vtkSetMacro(WarmStart, bool);
-  vtkGetMacro(WarmStart, bool);
-  vtkBooleanMacro(WarmStart, bool);
-  ///@}
-  ///@{
-  /** A file that the state of a run is written to after each of its parts, whole or not at all;
-   * empty: none. A run of the same inputs and properties that was ended before its time goes on
-   * from it, to the same bits; a run that ends by itself removes it. */
-  vtkSetStdStringFromCharMacro(CheckpointFile);
-  vtkGetCharFromStdStringMacro(CheckpointFile);
-  ///@}
-  ///@{
-  /** A file that a finished run is kept in, for later edits; empty: none. */
-  vtkSetStdStringFromCharMacro(StateFile);
-  vtkGetCharFromStdStringMacro(StateFile);
-  ///@}
-  ///@{
-  /** The State File of a run of the same scene that differs in some objects' rows: the same air,
-   * and only what changed drifts again; empty: none. */
-  vtkSetStdStringFromCharMacro(EditOf);
-  vtkGetCharFromStdStringMacro(EditOf);
-  ///@}
+  WaftProperty(int, Resolution);
+  WaftProperty(int, LatticeResolution);
+  WaftProperty(int, Candidates);
+  WaftProperty(int, Starts);
+  WaftProperty(int, Rounds);
+  WaftProperty(int, WindRounds);
+  WaftProperty(double, WindSpacing);
+  WaftProperty(double, WindTimeSpacing);
+  WaftProperty(double, WindStiffness);
+  WaftProperty(double, Smoothness);
+  WaftProperty(double, TouchDownSpread);
+  WaftFlag(Inertia);
+  WaftProperty(double, TimeLimit);
+  WaftProperty(int, Seed);
+  WaftFlag(WarmStart);
+  WaftFile(CheckpointFile);
+  WaftFile(StateFile);
+  WaftFile(EditOf);
+
   /** Forgets the last run: the next one draws an air. */
   void Restart();
 
@@ -184,27 +102,10 @@ private:
   vtkAirAssimilationFilter(const vtkAirAssimilationFilter&) = delete;
   void operator=(const vtkAirAssimilationFilter&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  static double InRange(const char* property, double value);
+
+  // Whose fields the properties are.
   friend struct waft::AssimilationOptions;
-  int Resolution = 64;
-  int LatticeResolution = 48;
-  int Candidates = 32;
-  int Starts = 8;
-  int Rounds = 3;
-  int WindRounds = 5;
-  double WindSpacing = 0.4;
-  double WindTimeSpacing = 0.5;
-  double WindStiffness = 2.0;
-  double Smoothness = 0.005;
-  double TouchDownSpread = 2.0;
-  bool Inertia = false;
-  int Seed = -1;
-  double TimeLimit = 0.0;
-  bool WarmStart = true;
-  std::string CheckpointFile;
-  std::string StateFile;
-  std::string EditOf;
 
   bool Active = true;
 

@@ -383,12 +383,18 @@ void vtkMotionAnimationSource::Internals::FillVarying(double time,
 
 vtkMotionAnimationSource::vtkMotionAnimationSource() : Impl(std::make_unique<Internals>(this))
 {
+  waft::TakeDefaults<waft::FlightOptions, waft::TakeOptions>(*this);
   this->SetNumberOfInputPorts(0);
   this->SetNumberOfOutputPorts(NumberOfOutputs);
   this->Impl->Named.Modified();
 }
 
 vtkMotionAnimationSource::~vtkMotionAnimationSource() = default;
+
+double vtkMotionAnimationSource::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::FlightOptions, waft::TakeOptions>(property, value);
+}
 
 waft::KeptStage& vtkMotionAnimationSource::Kept()
 {

@@ -25,6 +25,7 @@
 #ifndef vtkMotionAnimationSource_h
 #define vtkMotionAnimationSource_h
 
+#include "WaftProperty.h"
 #include "vtkSlicedPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
@@ -68,31 +69,11 @@ public:
   ///@}
   /** The next update reads the file anew. */
   void Reload();
-  ///@{
-  /** How objects come to their marks, one of Qualities. */
-  vtkSetMacro(Quality, int);
-  vtkGetMacro(Quality, int);
-  ///@}
-  ///@{
-  /** Another seed is another motion through the same marks; -1 is the scene's own. */
-  vtkSetClampMacro(Seed, int, -1, VTK_INT_MAX);
-  vtkGetMacro(Seed, int);
-  ///@}
-  ///@{
-  /** The last stage that runs, one of Stops; the ports of later ones are empty. */
-  vtkSetMacro(StopAfter, int);
-  vtkGetMacro(StopAfter, int);
-  ///@}
-  ///@{
-  /** Plans to choose from, of consecutive seeds. 1 to 1000. */
-  vtkSetClampMacro(NumberOfTakes, int, 1, 1000);
-  vtkGetMacro(NumberOfTakes, int);
-  ///@}
-  ///@{
-  /** The take that is given, from 0; -1 is the one with the least score. -1 to 999. */
-  vtkSetClampMacro(Take, int, -1, 999);
-  vtkGetMacro(Take, int);
-  ///@}
+  WaftOpenProperty(int, Quality);
+  WaftProperty(int, Seed);
+  WaftOpenProperty(int, StopAfter);
+  WaftProperty(int, NumberOfTakes);
+  WaftProperty(int, Take);
 
   /** The seed that the scene file gives; 1 before one was read. */
   int GetSceneSeed() const;
@@ -119,16 +100,12 @@ private:
 
   std::string RangeError() const;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  static double InRange(const char* property, double value);
+
+  // Whose fields the properties are.
   friend struct waft::FlightOptions;
   friend struct waft::TakeOptions;
   std::string FileName;
-  int Quality = PREVIEW;
-  int Seed = -1;
-  int StopAfter = AFTER_ALL;
-  int NumberOfTakes = 1;
-  int Take = 0;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -120,6 +120,7 @@ waft::Result vtkMotionAnimationWriter::Internals::WriteGlb(
 
 vtkMotionAnimationWriter::vtkMotionAnimationWriter() : Impl(std::make_unique<Internals>())
 {
+  waft::TakeDefaults<waft::AnimationOptions>(*this);
   this->SetNumberOfInputPorts(3);
 }
 

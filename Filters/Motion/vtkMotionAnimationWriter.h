@@ -17,6 +17,7 @@
 #ifndef vtkMotionAnimationWriter_h
 #define vtkMotionAnimationWriter_h
 
+#include "WaftProperty.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
@@ -35,11 +36,7 @@ public:
   vtkTypeMacro(vtkMotionAnimationWriter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /** The file to write, .glb or .csv. */
-  vtkSetMacro(FileName, std::string);
-  vtkGetMacro(FileName, std::string);
-  ///@}
+  WaftText(FileName);
 
   /** Writes now, even when nothing changed. False when the file could not be written (the error was
    * reported). */
@@ -62,10 +59,8 @@ private:
   vtkMotionAnimationWriter(const vtkMotionAnimationWriter&) = delete;
   void operator=(const vtkMotionAnimationWriter&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  // Whose fields the properties are.
   friend struct waft::AnimationOptions;
-  std::string FileName;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

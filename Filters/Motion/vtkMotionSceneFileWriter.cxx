@@ -29,6 +29,11 @@ const waft::StageInputs Inputs = {
 
 } // namespace
 
+vtkMotionSceneFileWriter::vtkMotionSceneFileWriter()
+{
+  waft::TakeDefaults<waft::SceneSaveOptions>(*this);
+}
+
 int vtkMotionSceneFileWriter::FillInputPortInformation(int port, vtkInformation* info)
 {
   return waft::FillInput(Inputs, port, info);

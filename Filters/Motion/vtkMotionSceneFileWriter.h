@@ -9,6 +9,7 @@
 #ifndef vtkMotionSceneFileWriter_h
 #define vtkMotionSceneFileWriter_h
 
+#include "WaftProperty.h"
 #include "vtkWaftFiltersModule.h"
 #include "vtkWriter.h"
 
@@ -26,14 +27,10 @@ public:
   vtkTypeMacro(vtkMotionSceneFileWriter, vtkWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /** The file to write, ending in .waft.json. */
-  vtkSetMacro(FileName, std::string);
-  vtkGetMacro(FileName, std::string);
-  ///@}
+  WaftText(FileName);
 
 protected:
-  vtkMotionSceneFileWriter() = default;
+  vtkMotionSceneFileWriter();
   ~vtkMotionSceneFileWriter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -43,10 +40,8 @@ private:
   vtkMotionSceneFileWriter(const vtkMotionSceneFileWriter&) = delete;
   void operator=(const vtkMotionSceneFileWriter&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  // Whose fields the properties are.
   friend struct waft::SceneSaveOptions;
-  std::string FileName;
 };
 
 #endif

@@ -105,6 +105,7 @@ waft::Result vtkMotionSceneWriter::Internals::Run(vtkInformationVector** inputs,
 
 vtkMotionSceneWriter::vtkMotionSceneWriter() : Impl(std::make_unique<Internals>(this))
 {
+  waft::TakeDefaults<waft::SceneWriteOptions>(*this);
   this->SetNumberOfInputPorts(NumberOfInputs);
 }
 

@@ -27,6 +27,7 @@
 #ifndef vtkMotionSceneWriter_h
 #define vtkMotionSceneWriter_h
 
+#include "WaftProperty.h"
 #include "vtkMultiBlockDataSetAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
@@ -45,16 +46,8 @@ public:
   vtkTypeMacro(vtkMotionSceneWriter, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /** The file to write, ending in .waft.json. */
-  vtkSetMacro(FileName, std::string);
-  vtkGetMacro(FileName, std::string);
-  ///@}
-  ///@{
-  /** The scene's title. */
-  vtkSetMacro(Title, std::string);
-  vtkGetMacro(Title, std::string);
-  ///@}
+  WaftText(FileName);
+  WaftText(Title);
 
   /** Writes now, even when nothing changed. False when the file could not be written (the error was
    * reported). */
@@ -88,11 +81,8 @@ private:
   vtkMotionSceneWriter(const vtkMotionSceneWriter&) = delete;
   void operator=(const vtkMotionSceneWriter&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  // Whose fields the properties are.
   friend struct waft::SceneWriteOptions;
-  std::string FileName;
-  std::string Title;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

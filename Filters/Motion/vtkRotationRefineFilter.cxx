@@ -230,11 +230,17 @@ void vtkRotationRefineFilter::Internals::FillVarying(double time,
 
 vtkRotationRefineFilter::vtkRotationRefineFilter() : Impl(std::make_unique<Internals>(this))
 {
+  waft::TakeDefaults<waft::RotationOptions>(*this);
   this->SetNumberOfInputPorts(NumberOfInputs);
   this->SetNumberOfOutputPorts(NumberOfOutputs);
 }
 
 vtkRotationRefineFilter::~vtkRotationRefineFilter() = default;
+
+double vtkRotationRefineFilter::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::RotationOptions>(property, value);
+}
 
 waft::KeptStage& vtkRotationRefineFilter::Kept()
 {

@@ -31,6 +31,7 @@
 #ifndef vtkRotationRefineFilter_h
 #define vtkRotationRefineFilter_h
 
+#include "WaftProperty.h"
 #include "vtkSlicedPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
@@ -48,76 +49,20 @@ public:
   vtkTypeMacro(vtkRotationRefineFilter, vtkSlicedPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /** 0: Paper, 1: Plate. */
-  vtkSetClampMacro(Model, int, 0, 1);
-  vtkGetMacro(Model, int);
-  ///@}
-  ///@{
-  /** Rate at which angular momentum dies away besides the air's drag [1/s], 0..1000. */
-  vtkSetClampMacro(Damping, double, 0.0, 1000.0);
-  vtkGetMacro(Damping, double);
-  ///@}
-  ///@{
-  /** Extra slope of the normal force at small angles of attack, 0..4 (Plate). */
-  vtkSetClampMacro(Lift, double, 0.0, 4.0);
-  vtkGetMacro(Lift, double);
-  ///@}
-  ///@{
-  /** Centre of pressure of an edge-on plate, in half chords ahead of the centre, 0..1 (Plate). */
-  vtkSetClampMacro(PressureShift, double, 0.0, 1.0);
-  vtkGetMacro(PressureShift, double);
-  ///@}
-  ///@{
-  /** Rate at which the hidden sideslip is forgotten [1/s], 0..1000 (Plate). */
-  vtkSetClampMacro(Follow, double, 0.0, 1000.0);
-  vtkGetMacro(Follow, double);
-  ///@}
-  ///@{
-  /** How readily a body rolls on when it turns over, 0..4; 1 as plates do (Plate). */
-  vtkSetClampMacro(Roll, double, 0.0, 4.0);
-  vtkGetMacro(Roll, double);
-  ///@}
-  ///@{
-  /** Pitch of the propeller that a thin body is about its normal [rad], -1..1 (Plate). */
-  vtkSetClampMacro(Spin, double, -1.0, 1.0);
-  vtkGetMacro(Spin, double);
-  ///@}
-  ///@{
-  /** How much objects of one shape differ, 0..0.5. */
-  vtkSetClampMacro(VariationPerObject, double, 0.0, 0.5);
-  vtkGetMacro(VariationPerObject, double);
-  ///@}
-  ///@{
-  /** Time in which a body settles before it rests [s], 0..1000. */
-  vtkSetClampMacro(LandingTime, double, 0.0, 1000.0);
-  vtkGetMacro(LandingTime, double);
-  ///@}
-  ///@{
-  /** Longest time over which an orientation row draws the pose towards it [s], 0..1000. */
-  vtkSetClampMacro(TurningTime, double, 0.0, 1000.0);
-  vtkGetMacro(TurningTime, double);
-  ///@}
-  ///@{
-  /** The fastest turn that an orientation row may ask for [rad/s], 1..1000. */
-  vtkSetClampMacro(TurningRate, double, 1.0, 1000.0);
-  vtkGetMacro(TurningRate, double);
-  ///@}
-  ///@{
-  /** The most that a body turns from a frame to the next [degrees], 5..180. */
-  vtkSetClampMacro(MaximumTurn, double, 5.0, 180.0);
-  vtkGetMacro(MaximumTurn, double);
-  ///@}
-  ///@{
-  /** Pixels on a side of the pictures that tell what hides what, 8..1024. */
-  vtkSetClampMacro(RasterSize, int, 8, 1024);
-  vtkGetMacro(RasterSize, int);
-  ///@}
-  ///@{
-  /** Seed of the variation, 0 or more. */
-  vtkSetClampMacro(Seed, int, 0, VTK_INT_MAX);
-  vtkGetMacro(Seed, int);
-  ///@}
+  WaftProperty(int, Model);
+  WaftProperty(double, Damping);
+  WaftProperty(double, Lift);
+  WaftProperty(double, PressureShift);
+  WaftProperty(double, Follow);
+  WaftProperty(double, Roll);
+  WaftProperty(double, Spin);
+  WaftProperty(double, VariationPerObject);
+  WaftProperty(double, LandingTime);
+  WaftProperty(double, TurningTime);
+  WaftProperty(double, TurningRate);
+  WaftProperty(double, MaximumTurn);
+  WaftProperty(int, RasterSize);
+  WaftProperty(int, Seed);
 
   ///@{
   /// Take an optional input away.
@@ -155,23 +100,10 @@ private:
   vtkRotationRefineFilter(const vtkRotationRefineFilter&) = delete;
   void operator=(const vtkRotationRefineFilter&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  static double InRange(const char* property, double value);
+
+  // Whose fields the properties are.
   friend struct waft::RotationOptions;
-  int Model = 1;
-  double Damping = 0.3;
-  double Lift = 2.9;
-  double PressureShift = 0.0;
-  double Follow = 0.5;
-  double Roll = 1.0;
-  double Spin = 0.0;
-  double VariationPerObject = 0.15;
-  double LandingTime = 0.7;
-  double TurningTime = 2.0;
-  double TurningRate = 60.0;
-  double MaximumTurn = 60.0;
-  int RasterSize = 128;
-  int Seed = 1;
 
   bool Active = true;
 

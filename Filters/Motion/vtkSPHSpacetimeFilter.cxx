@@ -191,12 +191,18 @@ void vtkSPHSpacetimeFilter::Internals::FillVarying(double time, vtkInformationVe
 
 vtkSPHSpacetimeFilter::vtkSPHSpacetimeFilter() : Impl(std::make_unique<Internals>(this))
 {
+  waft::TakeDefaults<waft::SpacetimeOptions>(*this);
   this->SetNumberOfInputPorts(NumberOfInputs);
   this->SetNumberOfOutputPorts(NumberOfOutputs);
   this->Controller = vtkMultiProcessController::GetGlobalController();
 }
 
 vtkSPHSpacetimeFilter::~vtkSPHSpacetimeFilter() = default;
+
+double vtkSPHSpacetimeFilter::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::SpacetimeOptions>(property, value);
+}
 
 waft::KeptStage& vtkSPHSpacetimeFilter::Kept()
 {

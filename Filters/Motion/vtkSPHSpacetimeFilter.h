@@ -37,6 +37,7 @@
 #ifndef vtkSPHSpacetimeFilter_h
 #define vtkSPHSpacetimeFilter_h
 
+#include "WaftProperty.h"
 #include "vtkSlicedPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
@@ -60,198 +61,41 @@ public:
   vtkTypeMacro(vtkSPHSpacetimeFilter, vtkSlicedPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /** Gas particles that fill the volume; they set the spacing dx. 64 to 200000. */
-  vtkSetClampMacro(NumberOfGasParticles, int, 64, 200000);
-  vtkGetMacro(NumberOfGasParticles, int);
-  ///@}
-  ///@{
-  /** Particles of all objects together, shared among them, one to five each. 1 to 100000. */
-  vtkSetClampMacro(NumberOfObjectParticles, int, 1, 100000);
-  vtkGetMacro(NumberOfObjectParticles, int);
-  ///@}
-  ///@{
-  /** Weight c1 of Eq. 2: positions follow their prediction. 1e-6 to 1e+06. */
-  vtkSetClampMacro(PositionWeight, double, 1e-6, 1e+06);
-  vtkGetMacro(PositionWeight, double);
-  ///@}
-  ///@{
-  /** Weight c2 of Eq. 2: velocities follow their prediction. 1e-6 to 1e+06. */
-  vtkSetClampMacro(VelocityWeight, double, 1e-6, 1e+06);
-  vtkGetMacro(VelocityWeight, double);
-  ///@}
-  ///@{
-  /** Weight c3 of Eq. 2: how much objects move with the air about them. 0 to 1e+06. */
-  vtkSetClampMacro(CoherenceWeight, double, 0.0, 1e+06);
-  vtkGetMacro(CoherenceWeight, double);
-  ///@}
-  ///@{
-  /** Fraction c31 of neighbours in space in Eq. 4; the rest is neighbours in time. 0 to 1. */
-  vtkSetClampMacro(SpatialShare, double, 0.0, 1.0);
-  vtkGetMacro(SpatialShare, double);
-  ///@}
-  ///@{
-  /** How often the air about it counts in Eq. 4 for an object, where it counts once for gas:
-   * objects are what is seen. 0 to 1e+06. */
-  vtkSetClampMacro(ObjectCoherence, double, 0.0, 1e+06);
-  vtkGetMacro(ObjectCoherence, double);
-  ///@}
-  ///@{
-  /** How often PositionWeight counts for an object, where it counts once for gas: a step of its own
-   * beside its velocity is seen as a kink at the next mark. 0.001 to 1e+06. */
-  vtkSetClampMacro(ObjectPosition, double, 0.001, 1e+06);
-  vtkGetMacro(ObjectPosition, double);
-  ///@}
-  ///@{
-  /** Frames w to either side in Eq. 4. 1 to 30. */
-  vtkSetClampMacro(TemporalWindow, int, 1, 30);
-  vtkGetMacro(TemporalWindow, int);
-  ///@}
-  ///@{
-  /** Smoothing length h over the spacing dx. 0.8 to 2. */
-  vtkSetClampMacro(SmoothingLength, double, 0.8, 2.0);
-  vtkGetMacro(SmoothingLength, double);
-  ///@}
-  ///@{
-  /** Sound speed times frame step over h: how stiff the gas is. 0.1 to 1. */
-  vtkSetClampMacro(CourantNumber, double, 0.1, 1.0);
-  vtkGetMacro(CourantNumber, double);
-  ///@}
-  ///@{
-  /** Artificial viscosity alpha. 0 to 2. */
-  vtkSetClampMacro(Viscosity, double, 0.0, 2.0);
-  vtkGetMacro(Viscosity, double);
-  ///@}
-  ///@{
-  /** Factor epsilon of the XSPH correction, Eq. 10. 0 to 1. */
-  vtkSetClampMacro(XsphFactor, double, 0.0, 1.0);
-  vtkGetMacro(XsphFactor, double);
-  ///@}
-  ///@{
-  /** Exponent gamma of the equation of state, Eq. 12. 1 to 7. */
-  vtkSetClampMacro(PressureExponent, double, 1.0, 7.0);
-  vtkGetMacro(PressureExponent, double);
-  ///@}
-  ///@{
-  /** Reduced gravity of the objects in m/s^2; with it and drag they fall at their
-   * SettlingSpeed in still air. 0 to 20. */
-  vtkSetClampMacro(EffectiveGravity, double, 0.0, 20.0);
-  vtkGetMacro(EffectiveGravity, double);
-  ///@}
-  ///@{
-  /** Distance between centres that objects keep, in metres; negative: from their sizes; 0:
-   * none. -1 to 100. */
-  vtkSetClampMacro(ContactDistance, double, -1.0, 100.0);
-  vtkGetMacro(ContactDistance, double);
-  ///@}
-  ///@{
-  /** Rate in 1/s with which a wind given as a velocity draws the gas. 0 to 100. */
-  vtkSetClampMacro(WindDrag, double, 0.0, 100.0);
-  vtkGetMacro(WindDrag, double);
-  ///@}
-  ///@{
-  /** Rate in 1/s with which gas that moves otherwise than the drawn air of the input Air comes
-   * back to it. With less its disorder shakes the objects. 0 to 100. */
-  vtkSetClampMacro(AirDrag, double, 0.0, 100.0);
-  vtkGetMacro(AirDrag, double);
-  ///@}
-  ///@{
-  /** Estimate a smooth wind from what nothing else explains, and freeze it in the prediction. */
-  vtkSetMacro(EstimateWind, bool);
-  vtkGetMacro(EstimateWind, bool);
-  vtkBooleanMacro(EstimateWind, bool);
-  ///@}
-  ///@{
-  /** Fit the vortices anew between the passes. */
-  vtkSetMacro(FitVortexFields, bool);
-  vtkGetMacro(FitVortexFields, bool);
-  vtkBooleanMacro(FitVortexFields, bool);
-  ///@}
-  ///@{
-  /** How many of the vortices that the planned paths bring stir the air, the strongest of each
-   * place and time first; those of the scene itself always do. 0 to 1000. */
-  vtkSetClampMacro(MaximumNumberOfVortices, int, 0, 1000);
-  vtkGetMacro(MaximumNumberOfVortices, int);
-  ///@}
-  ///@{
-  /** Alternations of solving with estimating the force fields. 1 to 10. */
-  vtkSetClampMacro(Passes, int, 1, 10);
-  vtkGetMacro(Passes, int);
-  ///@}
-  ///@{
-  /** Keep every point near the planned path at first, in a ball that grows and is then
-   * removed. */
-  vtkSetMacro(UseLeash, bool);
-  vtkGetMacro(UseLeash, bool);
-  vtkBooleanMacro(UseLeash, bool);
-  ///@}
-  ///@{
-  /** Iterations at each of the five radii of the leash. 1 to 10000. */
-  vtkSetClampMacro(LeashIterations, int, 1, 10000);
-  vtkGetMacro(LeashIterations, int);
-  ///@}
-  ///@{
-  /** Iterations at most: a third of them on every fourth frame, two fifths in each stage on every
-   * second, a third in each on all; in a drawn air two ninths, in one stage on all frames.
-   * 1 to 100000. */
-  vtkSetClampMacro(MaximumNumberOfIterations, int, 1, 100000);
-  vtkGetMacro(MaximumNumberOfIterations, int);
-  ///@}
-  ///@{
-  /** A stage ends when E fell by less than this fraction in 20 iterations; 0: never. 0 to 1. */
-  vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
-  vtkGetMacro(Tolerance, double);
-  ///@}
-  ///@{
-  /** Seconds after which the best motion so far is given; 0: no limit. With a limit two runs
-   * may differ. 0 to 1e+09. */
-  vtkSetClampMacro(TimeLimit, double, 0.0, 1e+09);
-  vtkGetMacro(TimeLimit, double);
-  ///@}
-  ///@{
-  /** Pairs that L-BFGS keeps. 1 to 20. */
-  vtkSetClampMacro(HistorySize, int, 1, 20);
-  vtkGetMacro(HistorySize, int);
-  ///@}
-  ///@{
-  /** After a change, go on from the motion and the fields of the last run instead of from the
-   * planned tracks, as long as objects, frames and gas are the same. The first run of a filter is
-   * the same with it and without. */
-  vtkSetMacro(WarmStart, bool);
-  vtkGetMacro(WarmStart, bool);
-  vtkBooleanMacro(WarmStart, bool);
-  ///@}
-  ///@{
-  /** When only some tracks or rows changed since the last run: seconds before and after the changed
-   * frames that are solved again; 0: all is solved on. 0 to 1000. */
-  vtkSetClampMacro(EditDuration, double, 0.0, 1000.0);
-  vtkGetMacro(EditDuration, double);
-  ///@}
-  ///@{
-  /** Then: metres about the changed objects within which gas and objects move; nothing else does.
-   * 0: all is solved on. 0 to 1000. */
-  vtkSetClampMacro(EditRadius, double, 0.0, 1000.0);
-  vtkGetMacro(EditRadius, double);
-  ///@}
-  ///@{
-  /** Megabytes that a run may take besides its input; 0: no limit. Frames are solved in windows, in
-   * several times the time, where all at once would take more. 0 to 1e+09. */
-  vtkSetClampMacro(MemoryLimit, double, 0.0, 1e+09);
-  vtkGetMacro(MemoryLimit, double);
-  ///@}
-  ///@{
-  /** A file that the state of a run is written to at intervals, whole or not at all; empty: none.
-   * A run of the same inputs and properties that was ended before its time goes on from it, to the
-   * same bits; a run that ends by itself removes it. */
-  vtkSetStdStringFromCharMacro(CheckpointFile);
-  vtkGetCharFromStdStringMacro(CheckpointFile);
-  ///@}
-  ///@{
-  /** Seconds between two writings of CheckpointFile, and as many more as keep them within 2 % of
-   * the time; 0: after each iteration. 0 to 1e+06. */
-  vtkSetClampMacro(CheckpointInterval, double, 0.0, 1e+06);
-  vtkGetMacro(CheckpointInterval, double);
-  ///@}
+  WaftProperty(int, NumberOfGasParticles);
+  WaftProperty(int, NumberOfObjectParticles);
+  WaftProperty(double, PositionWeight);
+  WaftProperty(double, VelocityWeight);
+  WaftProperty(double, CoherenceWeight);
+  WaftProperty(double, SpatialShare);
+  WaftProperty(double, ObjectCoherence);
+  WaftProperty(double, ObjectPosition);
+  WaftProperty(int, TemporalWindow);
+  WaftProperty(double, SmoothingLength);
+  WaftProperty(double, CourantNumber);
+  WaftProperty(double, Viscosity);
+  WaftProperty(double, XsphFactor);
+  WaftProperty(double, PressureExponent);
+  WaftProperty(double, EffectiveGravity);
+  WaftProperty(double, ContactDistance);
+  WaftProperty(double, WindDrag);
+  WaftProperty(double, AirDrag);
+  WaftFlag(EstimateWind);
+  WaftFlag(FitVortexFields);
+  WaftProperty(int, MaximumNumberOfVortices);
+  WaftProperty(int, Passes);
+  WaftFlag(UseLeash);
+  WaftProperty(int, LeashIterations);
+  WaftProperty(int, MaximumNumberOfIterations);
+  WaftProperty(double, Tolerance);
+  WaftProperty(double, TimeLimit);
+  WaftProperty(int, HistorySize);
+  WaftFlag(WarmStart);
+  WaftProperty(double, EditDuration);
+  WaftProperty(double, EditRadius);
+  WaftProperty(double, MemoryLimit);
+  WaftFile(CheckpointFile);
+  WaftProperty(double, CheckpointInterval);
+
   /** Whether there is room, with these properties, for so many objects and frames in a volume
    * (xmin, xmax, ymin, ymax, zmin, zmax) [m] above its ground: for layers of gas, and in memory.
    * Says what is lacking; empty when nothing is. A script may ask before anything is planned. */
@@ -306,44 +150,11 @@ private:
   vtkSPHSpacetimeFilter(const vtkSPHSpacetimeFilter&) = delete;
   void operator=(const vtkSPHSpacetimeFilter&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  static double InRange(const char* property, double value);
+
+  // Whose fields the properties are.
   friend struct waft::SpacetimeOptions;
   friend struct waft::TermWeights;
-  int NumberOfGasParticles = 2500;
-  int NumberOfObjectParticles = 125;
-  double PositionWeight = 5.0;
-  double VelocityWeight = 10.0;
-  double CoherenceWeight = 0.05;
-  double SpatialShare = 0.5;
-  double ObjectCoherence = 24.0;
-  double ObjectPosition = 30.0;
-  int TemporalWindow = 1;
-  double SmoothingLength = 1.2;
-  double CourantNumber = 0.5;
-  double Viscosity = 0.2;
-  double XsphFactor = 0.0;
-  double PressureExponent = 1.0;
-  double EffectiveGravity = 0.8;
-  double ContactDistance = -1.0;
-  double WindDrag = 2.0;
-  double AirDrag = 8.0;
-  bool EstimateWind = true;
-  bool FitVortexFields = true;
-  int Passes = 2;
-  bool UseLeash = true;
-  int LeashIterations = 20;
-  int MaximumNumberOfVortices = 16;
-  int MaximumNumberOfIterations = 150;
-  double Tolerance = 0.01;
-  double TimeLimit = 0.0;
-  int HistorySize = 6;
-  bool WarmStart = true;
-  double EditDuration = 1.0;
-  double EditRadius = 1.0;
-  double MemoryLimit = 0.0;
-  std::string CheckpointFile;
-  double CheckpointInterval = 10.0;
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   bool Active = true;

@@ -202,11 +202,17 @@ void vtkStylisticPlannerFilter::Internals::KeepPlan(const waft::PlanOutput& plan
 
 vtkStylisticPlannerFilter::vtkStylisticPlannerFilter() : Impl(std::make_unique<Internals>(this))
 {
+  waft::TakeDefaults<waft::PlanOptions, waft::TakeOptions>(*this);
   this->SetNumberOfInputPorts(NumberOfInputs);
   this->SetNumberOfOutputPorts(NumberOfOutputs);
 }
 
 vtkStylisticPlannerFilter::~vtkStylisticPlannerFilter() = default;
+
+double vtkStylisticPlannerFilter::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::PlanOptions, waft::TakeOptions>(property, value);
+}
 
 waft::KeptStage& vtkStylisticPlannerFilter::Kept()
 {

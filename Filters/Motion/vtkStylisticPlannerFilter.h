@@ -39,6 +39,7 @@
 #ifndef vtkStylisticPlannerFilter_h
 #define vtkStylisticPlannerFilter_h
 
+#include "WaftProperty.h"
 #include "vtkSlicedPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
@@ -64,64 +65,18 @@ public:
     YAW_AND_TILT = 1,
     ANY = 2
   };
-  ///@{
-  /** Which rotations may carry a segment to its place: Yaw (0), YawAndTilt (1) or Any (2). */
-  vtkSetClampMacro(RotationFreedom, int, YAW, ANY);
-  vtkGetMacro(RotationFreedom, int);
-  ///@}
-  ///@{
-  /** Largest lean of the vertical under YawAndTilt [rad], 0..pi. */
-  vtkSetClampMacro(MaxTilt, double, 0.0, 3.14159265358979323846);
-  vtkGetMacro(MaxTilt, double);
-  ///@}
-  ///@{
-  /** Residual over chord of the shared window (Eq. 1) above which two representatives do not
-   * follow each other; more than 0. */
-  vtkSetMacro(ConnectionThreshold, double);
-  vtkGetMacro(ConnectionThreshold, double);
-  ///@}
-  ///@{
-  /** Relative offset of velocity that a path found at once may cost; more is granted as the search
-   * lasts; more than 0. */
-  vtkSetMacro(JoinThreshold, double);
-  vtkGetMacro(JoinThreshold, double);
-  ///@}
-  ///@{
-  /** Paths looked for in each flight; the one nearest to the style of the database is taken;
-   * 1..1000. */
-  vtkSetClampMacro(NumberOfCandidates, int, 1, 1000);
-  vtkGetMacro(NumberOfCandidates, int);
-  ///@}
-  ///@{
-  /** Limit of branches of the two trees of one flight, 1..1000000. */
-  vtkSetClampMacro(MaximumNumberOfBranches, int, 1, 1000000);
-  vtkGetMacro(MaximumNumberOfBranches, int);
-  ///@}
-  ///@{
-  /** Fraction by which a path may last longer or shorter before its time is scaled, 0..0.5. */
-  vtkSetClampMacro(RetimingLimit, double, 0.0, 0.5);
-  vtkGetMacro(RetimingLimit, double);
-  ///@}
-  ///@{
-  /** How closely paths follow their guides, 0 (not at all) to 1. */
-  vtkSetClampMacro(GuideWeight, double, 0.0, 1.0);
-  vtkGetMacro(GuideWeight, double);
-  ///@}
-  ///@{
-  /** Plans to choose from, of the seeds from Seed on, 1..1000. */
-  vtkSetClampMacro(NumberOfTakes, int, 1, 1000);
-  vtkGetMacro(NumberOfTakes, int);
-  ///@}
-  ///@{
-  /** The take that is given, from 0; -1: the one with the least score. */
-  vtkSetClampMacro(Take, int, -1, 999);
-  vtkGetMacro(Take, int);
-  ///@}
-  ///@{
-  /** Seed of everything random, 0 or more. */
-  vtkSetClampMacro(Seed, int, 0, VTK_INT_MAX);
-  vtkGetMacro(Seed, int);
-  ///@}
+
+  WaftProperty(int, RotationFreedom);
+  WaftProperty(double, MaxTilt);
+  WaftOpenProperty(double, ConnectionThreshold);
+  WaftOpenProperty(double, JoinThreshold);
+  WaftProperty(int, NumberOfCandidates);
+  WaftProperty(int, MaximumNumberOfBranches);
+  WaftProperty(double, RetimingLimit);
+  WaftProperty(double, GuideWeight);
+  WaftProperty(int, NumberOfTakes);
+  WaftProperty(int, Take);
+  WaftProperty(int, Seed);
 
   /** How many objects the last execution planned; the others were as before. */
   vtkGetMacro(NumberOfPlannedObjects, int);
@@ -171,22 +126,12 @@ private:
   vtkStylisticPlannerFilter(const vtkStylisticPlannerFilter&) = delete;
   void operator=(const vtkStylisticPlannerFilter&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  static double InRange(const char* property, double value);
+
+  // Whose fields the properties are.
   friend struct waft::PlanOptions;
   friend struct waft::RotationRange;
   friend struct waft::TakeOptions;
-  int RotationFreedom = YAW_AND_TILT;
-  double MaxTilt = 0.34906585039886591;
-  double ConnectionThreshold = 0.06;
-  double JoinThreshold = 0.05;
-  int NumberOfCandidates = 32;
-  int MaximumNumberOfBranches = 20000;
-  double RetimingLimit = 0.15;
-  double GuideWeight = 0.5;
-  int NumberOfTakes = 1;
-  int Take = 0;
-  int Seed = 1;
   int NumberOfPlannedObjects = 0;
 
   bool Active = true;

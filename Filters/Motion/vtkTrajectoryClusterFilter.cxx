@@ -116,10 +116,18 @@ waft::ClusterOptions vtkTrajectoryClusterFilter::Internals::Options(
 
 vtkTrajectoryClusterFilter::vtkTrajectoryClusterFilter() : Impl(std::make_unique<Internals>())
 {
+  waft::TakeDefaults<waft::ClusterOptions, waft::SegmentationOptions, waft::ClusterTreeOptions,
+                     waft::ConnectionOptions>(*this);
   this->SetNumberOfInputPorts(2);
 }
 
 vtkTrajectoryClusterFilter::~vtkTrajectoryClusterFilter() = default;
+
+double vtkTrajectoryClusterFilter::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::ClusterOptions, waft::SegmentationOptions, waft::ClusterTreeOptions,
+                       waft::ConnectionOptions>(property, value);
+}
 
 int vtkTrajectoryClusterFilter::FillInputPortInformation(int port, vtkInformation* info)
 {

@@ -20,6 +20,7 @@
 #ifndef vtkTrajectoryClusterFilter_h
 #define vtkTrajectoryClusterFilter_h
 
+#include "WaftProperty.h"
 #include "vtkMultiBlockDataSetAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
@@ -48,78 +49,21 @@ public:
     ANY = 2
   };
 
-  ///@{
-  /** Shortest and longest segments [samples]; the longest at least twice the shortest. */
-  vtkSetClampMacro(ShortestSegment, int, 4, VTK_INT_MAX);
-  vtkGetMacro(ShortestSegment, int);
-  vtkSetClampMacro(LongestSegment, int, 8, VTK_INT_MAX);
-  vtkGetMacro(LongestSegment, int);
-  ///@}
-  ///@{
-  /** Lengths of the groups grow by this ratio; above 1. */
-  vtkSetMacro(LengthRatio, double);
-  vtkGetMacro(LengthRatio, double);
-  ///@}
-  ///@{
-  /** Bends that peak below this curvature are no features [1/m]; 0: four over the width. */
-  vtkSetClampMacro(FeatureCurvature, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(FeatureCurvature, double);
-  ///@}
-  ///@{
-  /** Bends part where the curvature between them falls to the lower peak over this; above 1. */
-  vtkSetMacro(FeatureContrast, double);
-  vtkGetMacro(FeatureContrast, double);
-  ///@}
-  ///@{
-  /** Segments of a lower mean speed are left out [m/s]. */
-  vtkSetClampMacro(LeastSpeed, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(LeastSpeed, double);
-  ///@}
-  ///@{
-  /** Samples that consecutive segments overlap in; 3 to those of the shortest segment. */
-  vtkSetClampMacro(Window, int, 3, VTK_INT_MAX);
-  vtkGetMacro(Window, int);
-  ///@}
-  ///@{
-  /** Error of the compression: rms left out over rms of the segments, 1e-6 to 1. */
-  vtkSetClampMacro(RelativeError, double, 1e-6, 1.0);
-  vtkGetMacro(RelativeError, double);
-  ///@}
-  ///@{
-  /** More segments than this are thinned at random; 0: all are kept. */
-  vtkSetClampMacro(MaximumSegments, int, 0, VTK_INT_MAX);
-  vtkGetMacro(MaximumSegments, int);
-  ///@}
-  ///@{
-  /** Initial clusters of all groups together. */
-  vtkSetClampMacro(NumberOfTopNodes, int, 1, VTK_INT_MAX);
-  vtkGetMacro(NumberOfTopNodes, int);
-  ///@}
-  ///@{
-  /** Children of an inner node, at most; at least 2. */
-  vtkSetClampMacro(Branching, int, 2, VTK_INT_MAX);
-  vtkGetMacro(Branching, int);
-  ///@}
-  ///@{
-  /** Which rotations the connection table may use: 0 Yaw, 1 YawAndTilt, 2 Any. */
-  vtkSetClampMacro(RotationFreedom, int, YAW, ANY);
-  vtkGetMacro(RotationFreedom, int);
-  ///@}
-  ///@{
-  /** Largest lean of the vertical under YawAndTilt [rad]. */
-  vtkSetClampMacro(MaxTilt, double, 0.0, 3.14159265358979323846);
-  vtkGetMacro(MaxTilt, double);
-  ///@}
-  ///@{
-  /** Pairs whose residual over chord is above this do not connect. */
-  vtkSetMacro(NotConnectible, double);
-  vtkGetMacro(NotConnectible, double);
-  ///@}
-  ///@{
-  /** Seed of clustering and thinning. */
-  vtkSetClampMacro(Seed, int, 0, VTK_INT_MAX);
-  vtkGetMacro(Seed, int);
-  ///@}
+  WaftProperty(int, ShortestSegment);
+  WaftProperty(int, LongestSegment);
+  WaftOpenProperty(double, LengthRatio);
+  WaftProperty(double, FeatureCurvature);
+  WaftOpenProperty(double, FeatureContrast);
+  WaftProperty(double, LeastSpeed);
+  WaftProperty(int, Window);
+  WaftProperty(double, RelativeError);
+  WaftProperty(int, MaximumSegments);
+  WaftProperty(int, NumberOfTopNodes);
+  WaftProperty(int, Branching);
+  WaftProperty(int, RotationFreedom);
+  WaftProperty(double, MaxTilt);
+  WaftOpenProperty(double, NotConnectible);
+  WaftProperty(int, Seed);
 
   /** Takes every connection from input port 1. */
   void RemoveAllVortices();
@@ -141,28 +85,14 @@ private:
   vtkTrajectoryClusterFilter(const vtkTrajectoryClusterFilter&) = delete;
   void operator=(const vtkTrajectoryClusterFilter&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  static double InRange(const char* property, double value);
+
+  // Whose fields the properties are.
   friend struct waft::ClusterOptions;
   friend struct waft::RotationRange;
   friend struct waft::ClusterTreeOptions;
   friend struct waft::ConnectionOptions;
   friend struct waft::SegmentationOptions;
-  int ShortestSegment = 12;
-  int LongestSegment = 60;
-  double LengthRatio = 1.5;
-  double FeatureCurvature = 0.0;
-  double FeatureContrast = 2.0;
-  double LeastSpeed = 0.02;
-  int Window = 6;
-  double RelativeError = 0.002;
-  int MaximumSegments = 6000;
-  int NumberOfTopNodes = 100;
-  int Branching = 4;
-  int RotationFreedom = YAW_AND_TILT;
-  double MaxTilt = 0.34906585039886591;
-  double NotConnectible = 0.15;
-  int Seed = 1;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -180,10 +180,16 @@ waft::Result vtkTrajectoryTraceFilter::Internals::FeedSteady(vtkInformationVecto
 
 vtkTrajectoryTraceFilter::vtkTrajectoryTraceFilter() : Impl(std::make_unique<Internals>())
 {
+  waft::TakeDefaults<waft::TraceOptions, waft::AnnotationOptions>(*this);
   this->SetNumberOfInputPorts(NumberOfInputs);
 }
 
 vtkTrajectoryTraceFilter::~vtkTrajectoryTraceFilter() = default;
+
+double vtkTrajectoryTraceFilter::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::TraceOptions, waft::AnnotationOptions>(property, value);
+}
 
 int vtkTrajectoryTraceFilter::FillInputPortInformation(int port, vtkInformation* info)
 {

@@ -22,6 +22,7 @@
 #ifndef vtkTrajectoryTraceFilter_h
 #define vtkTrajectoryTraceFilter_h
 
+#include "WaftProperty.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
@@ -40,31 +41,11 @@ public:
   vtkTypeMacro(vtkTrajectoryTraceFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /** Tracers start at every SeedStride-th point along each axis; at least 1. */
-  vtkSetClampMacro(SeedStride, int, 1, VTK_INT_MAX);
-  vtkGetMacro(SeedStride, int);
-  ///@}
-  ///@{
-  /** Tracers sink through the air at this speed [m/s]; 0: they follow it. */
-  vtkSetMacro(SettlingSpeed, double);
-  vtkGetMacro(SettlingSpeed, double);
-  ///@}
-  ///@{
-  /** A point is driven by a vortex when |f_vortex| > VortexShare (|f_vortex| + |f_wind|), 0..1. */
-  vtkSetClampMacro(VortexShare, double, 0.0, 1.0);
-  vtkGetMacro(VortexShare, double);
-  ///@}
-  ///@{
-  /** A force below this drives nothing [m/s^2]. */
-  vtkSetClampMacro(ForceFloor, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(ForceFloor, double);
-  ///@}
-  ///@{
-  /** Stretches of one cause that are shorter take the cause before them [s]. */
-  vtkSetClampMacro(ShortestRun, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(ShortestRun, double);
-  ///@}
+  WaftProperty(int, SeedStride);
+  WaftOpenProperty(double, SettlingSpeed);
+  WaftProperty(double, VortexShare);
+  WaftProperty(double, ForceFloor);
+  WaftProperty(double, ShortestRun);
 
   ///@{
   /// Take an optional input away.
@@ -91,15 +72,11 @@ private:
   vtkTrajectoryTraceFilter(const vtkTrajectoryTraceFilter&) = delete;
   void operator=(const vtkTrajectoryTraceFilter&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  static double InRange(const char* property, double value);
+
+  // Whose fields the properties are.
   friend struct waft::AnnotationOptions;
   friend struct waft::TraceOptions;
-  int SeedStride = 8;
-  double SettlingSpeed = 0.0;
-  double VortexShare = 0.5;
-  double ForceFloor = 0.05;
-  double ShortestRun = 0.3;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

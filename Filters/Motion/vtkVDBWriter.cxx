@@ -94,7 +94,10 @@ void vtkVDBWriter::Internals::Keep(vtkInformation* input, double time)
   }
 }
 
-vtkVDBWriter::vtkVDBWriter() : Impl(std::make_unique<Internals>()) {}
+vtkVDBWriter::vtkVDBWriter() : Impl(std::make_unique<Internals>())
+{
+  waft::TakeDefaults<waft::VolumeWriteOptions>(*this);
+}
 
 vtkVDBWriter::~vtkVDBWriter() = default;
 

@@ -14,6 +14,7 @@
 #ifndef vtkVDBWriter_h
 #define vtkVDBWriter_h
 
+#include "WaftProperty.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
@@ -32,11 +33,7 @@ public:
   vtkTypeMacro(vtkVDBWriter, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /** The file to write, .vdb; of a time series the name without the frame. */
-  vtkSetMacro(FileName, std::string);
-  vtkGetMacro(FileName, std::string);
-  ///@}
+  WaftText(FileName);
 
   /** Writes now, even when nothing changed. False when a file could not be written (the error was
    * reported) or it was stopped. */
@@ -59,10 +56,8 @@ private:
   vtkVDBWriter(const vtkVDBWriter&) = delete;
   void operator=(const vtkVDBWriter&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  // Whose fields the properties are.
   friend struct waft::VolumeWriteOptions;
-  std::string FileName;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -129,11 +129,17 @@ void vtkVortexFitFilter::Internals::KeepForces(vtkPolyData* input,
 
 vtkVortexFitFilter::vtkVortexFitFilter() : Impl(std::make_unique<Internals>(this))
 {
+  waft::TakeDefaults<waft::VortexFitOptions>(*this);
   this->SetNumberOfInputPorts(NumberOfInputs);
   this->SetNumberOfOutputPorts(NumberOfOutputs);
 }
 
 vtkVortexFitFilter::~vtkVortexFitFilter() = default;
+
+double vtkVortexFitFilter::InRange(const char* property, double value)
+{
+  return waft::InRange<waft::VortexFitOptions>(property, value);
+}
 
 int vtkVortexFitFilter::FillInputPortInformation(int port, vtkInformation* info)
 {

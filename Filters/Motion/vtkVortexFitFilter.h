@@ -22,6 +22,7 @@
 #ifndef vtkVortexFitFilter_h
 #define vtkVortexFitFilter_h
 
+#include "WaftProperty.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkWaftFiltersModule.h"
 
@@ -39,49 +40,28 @@ public:
   vtkTypeMacro(vtkVortexFitFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /** Vortices that may be added to the priors, strongest first; 0..1000. */
-  vtkSetClampMacro(MaximumNewVortices, int, 0, 1000);
-  vtkGetMacro(MaximumNewVortices, int);
-  ///@}
-  ///@{
-  /** Fraction of the energy in its region that a new vortex must explain, 0..1. */
-  vtkSetClampMacro(MinimumGain, double, 0.0, 1.0);
-  vtkGetMacro(MinimumGain, double);
-  ///@}
+  WaftProperty(int, MaximumNewVortices);
+  WaftProperty(double, MinimumGain);
+
   ///@{
   /** Takes `WindAcceleration` off `Force` before fitting. */
   vtkSetMacro(SubtractWind, bool);
   vtkGetMacro(SubtractWind, bool);
   vtkBooleanMacro(SubtractWind, bool);
   ///@}
-  ///@{
-  /** Lets a uniform acceleration beside each vortex take up wind that is not known. */
-  vtkSetMacro(UniformBackground, bool);
-  vtkGetMacro(UniformBackground, bool);
-  vtkBooleanMacro(UniformBackground, bool);
-  ///@}
+
+  WaftFlag(UniformBackground);
+
   ///@{
   /** How far results may go from priors: 1 is half of the strength, 0.1 of the volume's width, 20
    * degrees and half a second (standard deviations); more than 0. */
   vtkSetMacro(PriorFreedom, double);
   vtkGetMacro(PriorFreedom, double);
   ///@}
-  ///@{
-  /** Local searches for each vortex, 1..64. */
-  vtkSetClampMacro(NumberOfStarts, int, 1, 64);
-  vtkGetMacro(NumberOfStarts, int);
-  ///@}
-  ///@{
-  /** Rounds in which each vortex is fitted to what the others leave, 1..20. */
-  vtkSetClampMacro(Sweeps, int, 1, 20);
-  vtkGetMacro(Sweeps, int);
-  ///@}
-  ///@{
-  /** Seed of the starts of the searches, 0 or more. */
-  vtkSetClampMacro(Seed, int, 0, VTK_INT_MAX);
-  vtkGetMacro(Seed, int);
-  ///@}
+
+  WaftProperty(int, NumberOfStarts);
+  WaftProperty(int, Sweeps);
+  WaftProperty(int, Seed);
 
   ///@{
   /// Take an optional input away.
@@ -105,17 +85,12 @@ private:
   vtkVortexFitFilter(const vtkVortexFitFilter&) = delete;
   void operator=(const vtkVortexFitFilter&) = delete;
 
-  // The properties of the same names; what they may be is said there, and a test holds the
-  // literals here against it.
+  static double InRange(const char* property, double value);
+
+  // Whose fields the properties are.
   friend struct waft::VortexFitOptions;
-  int MaximumNewVortices = 4;
-  double MinimumGain = 0.2;
   bool SubtractWind = true;
-  bool UniformBackground = true;
   double PriorFreedom = 1.0;
-  int NumberOfStarts = 4;
-  int Sweeps = 2;
-  int Seed = 1;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -313,6 +313,35 @@ TEST(PropertyValues, OfFilesThatCannotBe)
   EXPECT_EQ(optimiser->GetCheckpointFile(), std::string());
 }
 
+TEST(PropertyValues, AreKeptInTheRangesOfCore)
+{
+  vtkNew<vtkVortexFitFilter> fit;
+  fit->SetSweeps(100);
+  EXPECT_EQ(fit->GetSweeps(), 20);
+  fit->SetSweeps(-1);
+  EXPECT_EQ(fit->GetSweeps(), 1);
+  const vtkMTimeType before = fit->GetMTime();
+  fit->SetSweeps(0);
+  EXPECT_EQ(fit->GetMTime(), before);
+  fit->SetMinimumGain(NaN);
+  EXPECT_TRUE(std::isnan(fit->GetMinimumGain()));
+
+  // Of a shape's properties each class of its line knows its own.
+  vtkNew<vtkLeafShapeSource> leaf;
+  leaf->SetKind(99);
+  leaf->SetWidth(99);
+  leaf->SetCurl(99);
+  EXPECT_EQ(leaf->GetKind(), 5);
+  EXPECT_EQ(leaf->GetWidth(), 3.0);
+  EXPECT_EQ(leaf->GetCurl(), 2.0);
+
+  // No end that only keeps out nonsense, nor any of a size: these are refused when it works.
+  leaf->SetNumberOfFrames(VTK_INT_MAX);
+  leaf->SetLength(-1);
+  EXPECT_EQ(leaf->GetNumberOfFrames(), VTK_INT_MAX);
+  EXPECT_EQ(leaf->GetLength(), -1);
+}
+
 TEST(PropertyValues, OfCountsThatAreStored)
 {
   vtkNew<vtkConstraintSource> waypoints;

@@ -53,6 +53,7 @@ constexpr Range Around0(double reach)
   return { -reach, reach };
 }
 
+inline constexpr double Nonsense = 1e6; ///< An end from here on bounds nothing that is wanted.
 inline constexpr Range Finite = Around0(std::numeric_limits<double>::max());
 inline constexpr double MostInt = std::numeric_limits<int>::max();
 inline constexpr Range Coordinate = Around0(1e6);   ///< Of a point [m].
