@@ -5,7 +5,8 @@
 
 Default, range, type and sentence are what Core says of the option (WaftDescribeOptions); an attribute or a child that stands in the
 <Option> comes in place of what would be made, and others are handed on: what a panel is besides (visibility, widget, hints) is stated
-by hand. The class of the proxy says whose options they are."""
+by hand. A panel hides an option for as long as an input takes its effect away. The class of the proxy says whose options they
+are."""
 import json
 import pathlib
 import re
@@ -46,6 +47,16 @@ def domain_of(option):
     return ElementTree.Element(kind, {"name": "range", **ends})
 
 
+def hide_without_effect(made, acts):
+    """Beside what decorates a property by its hints already."""
+    hints = made.find("Hints")
+    if hints is None:
+        hints = ElementTree.SubElement(made, "Hints")
+    wanted = {"inverse": "1"} if acts["joined"] else {}
+    ElementTree.SubElement(hints, "PropertyWidgetDecorator", {
+        "type": "GenericDecorator", "mode": "visibility", "property": acts["input"], "value": "null", **wanted})
+
+
 def property_of(option, stated):
     """The element of an option; stated: its <Option>."""
     made = ElementTree.Element(KINDS[option["type"]], {**attributes_of(option), **stated.attrib})
@@ -58,6 +69,8 @@ def property_of(option, stated):
     own = stated.find("Documentation")
     rest = [child for child in children if child not in domains and child is not own]
     made.extend([*domains, sentence if own is None else own, *rest])
+    if "acts" in option:
+        hide_without_effect(made, option["acts"])
     return made
 
 

@@ -65,7 +65,7 @@ nlohmann::json FieldsOf(const Options&... options)
   {
     using Value = std::decay_t<decltype(value)>;
     nlohmann::json said{ { "name", field.Name },
-                         { "sentence", field.Sentence },
+                         { "sentence", field.Text() },
                          { "type", TypeOf<Value>() } };
     if constexpr (std::is_same_v<Value, std::string>)
     {
@@ -78,6 +78,10 @@ nlohmann::json FieldsOf(const Options&... options)
         waft::IsNumber<Value> ? nlohmann::json(numbers[0]) : nlohmann::json(numbers);
       said["range"] = { field.Range.Low, field.Range.High };
       said["offered"] = { field.Offered.Low, field.Offered.High };
+    }
+    if (*field.Input)
+    {
+      said["acts"] = { { "input", field.Input }, { "joined", field.ActsWhereJoined } };
     }
     fields.push_back(said);
   };

@@ -126,6 +126,7 @@ class ProxyTest(unittest.TestCase):
                     self.assertIn(decorator.get("property"), own)
                     decides = own[decorator.get("property")]
                     choices = [entry.get("value") for entry in decides.iter("Entry")] or ["0", "1"]
+                    choices = ["null"] if decides.tag == "InputProperty" else choices
                     for value in (decorator.get("values") or decorator.get("value")).split():
                         self.assertIn(value, choices)
         self.assertGreater(groups, 15)
@@ -180,6 +181,17 @@ class ProxyTest(unittest.TestCase):
         self.assertEqual((size.get("default_values"), size.find("Documentation").text), ("4 8", "Mine."))
         with self.assertRaisesRegex(KeyError, "vtkA: Core states no option Other"):
             expand_options.expand(ElementTree.fromstring('<P class="vtkA"><Option name="Other"/></P>'), classes)
+
+    def test_a_panel_hides_what_has_no_effect(self):
+        option = {"name": "Drag", "type": "real", "default": 1.0, "offered": [0, 9], "sentence": "How fast."}
+        decorator = '<PropertyWidgetDecorator type="GenericDecorator" mode="visibility" property="Air" value="null"%s />'
+        for joined, ending in ((False, ""), (True, ' inverse="1"')):
+            classes = {"vtkA": [{**option, "acts": {"input": "Air", "joined": joined}}]}
+            for inside, kept in (("", ""), ("<Hints><Other /></Hints>", "<Other />")):
+                made = expand_options.expand(ElementTree.fromstring(
+                    f'<P class="vtkA"><Option name="Drag">{inside}</Option></P>'), classes)
+                self.assertEqual(f"<Hints>{kept}{decorator % ending}</Hints>",
+                                 ElementTree.tostring(made.find("DoubleVectorProperty/Hints"), encoding="unicode"))
 
     def test_options_are_those_of_core(self):
         classes = json.loads(subprocess.run([DESCRIBE_OPTIONS], check=True, capture_output=True).stdout)

@@ -32,6 +32,9 @@ struct OptionField
   const char* Sentence;
   /// What a panel offers, where that is less than what may be.
   limits::Range Offered = Range;
+  /// The input of the stage that decides whether the option has an effect; "": it always has.
+  const char* Input = "";
+  bool ActsWhereJoined = true; ///< Else it acts only where that input is not joined.
 
   /// "NAME: expected a number from LOW to HIGH m, found VALUE" where the value is out of range.
   Result Check(double value) const
@@ -43,6 +46,28 @@ struct OptionField
     const std::string unit = *this->Unit ? std::string(" ") + this->Unit : std::string();
     return Result::Error(std::string(this->Name) + ": expected " + this->Range.Text() + unit +
                          ", found " + NumberText(value, 10));
+  }
+
+  /// The same of an option that has an effect only where an input of the stage is joined.
+  OptionField With(const char* input) const
+  {
+    OptionField field = *this;
+    field.Input = input;
+    return field;
+  }
+  /// Only where it is not.
+  OptionField Without(const char* input) const
+  {
+    OptionField field = this->With(input);
+    field.ActsWhereJoined = false;
+    return field;
+  }
+
+  /// The sentence, and when the option has no effect.
+  std::string Text() const
+  {
+    const std::string where = this->ActsWhereJoined ? " No effect unless " : " No effect where ";
+    return this->Sentence + (*this->Input ? where + this->Input + " is joined." : std::string());
   }
 };
 

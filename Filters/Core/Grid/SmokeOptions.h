@@ -128,7 +128,8 @@ struct SmokeOptions : AirRun
     visit(
       OptionField{
         "WindDrag", limits::Factor, "1/s",
-        "Rate at which an input wind that is a velocity draws the air towards it, in 1/s." },
+        "Rate at which an input wind that is a velocity draws the air towards it, in 1/s." }
+        .With("Wind"),
       of.WindDrag...);
     visit(OptionField{ "CourantNumber", limits::Above(0, 1e9), "",
                        "A substep moves no air farther than this many voxels." },

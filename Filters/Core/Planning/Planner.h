@@ -92,7 +92,8 @@ struct PlanOptions : RotationRange
         "GuideWeight",
         { 0, 1 },
         "",
-        "How closely paths follow their guides: 0 not at all, 1 as closely as the style allows." },
+        "How closely paths follow their guides: 0 not at all, 1 as closely as the style allows." }
+        .With("Guides"),
       of.GuideWeight...);
   }
 

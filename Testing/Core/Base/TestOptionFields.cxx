@@ -56,6 +56,15 @@ struct Stage
 
 } // namespace
 
+TEST(OptionFields, SayWhenTheyHaveNoEffect)
+{
+  const OptionField always{ "Drag", { 0, 9 }, "1/s", "How fast." };
+  EXPECT_EQ(always.Text(), "How fast.");
+  EXPECT_EQ(always.With("Air").Text(), "How fast. No effect unless Air is joined.");
+  EXPECT_EQ(always.Without("Air").Text(), "How fast. No effect where Air is joined.");
+  EXPECT_EQ(always.Without("Air").Range.High, 9);
+}
+
 TEST(OptionFields, TheFirstOutOfItsRangeIsNamed)
 {
   SampleOptions options;

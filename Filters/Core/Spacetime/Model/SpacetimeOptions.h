@@ -83,7 +83,8 @@ struct SpacetimeOptions : TermWeights
                        { 0, 20 },
                        "m/s^2",
                        "Reduced gravity of the objects in m/s^2; with it and drag they fall at "
-                       "their SettlingSpeed in still air." },
+                       "their SettlingSpeed in still air." }
+            .Without("Air"),
           of.EffectiveGravity...);
     visit(OptionField{ "ContactDistance",
                        { -1, 100 },
@@ -94,7 +95,8 @@ struct SpacetimeOptions : TermWeights
     visit(OptionField{ "WindDrag",
                        { 0, 100 },
                        "1/s",
-                       "Rate in 1/s with which a wind given as a velocity draws the gas." },
+                       "Rate in 1/s with which a wind given as a velocity draws the gas." }
+            .Without("Air"),
           of.WindDrag...);
     visit(
       OptionField{
@@ -102,14 +104,16 @@ struct SpacetimeOptions : TermWeights
         { 0, 100 },
         "1/s",
         "Rate in 1/s with which gas that moves otherwise than a drawn air comes back to it. "
-        "With less its disorder shakes the objects." },
+        "With less its disorder shakes the objects." }
+        .With("Air"),
       of.AirDrag...);
     visit(
       FlagField(
         "EstimateWind",
-        "Estimate a smooth wind from what nothing else explains, and freeze it in the prediction."),
+        "Estimate a smooth wind from what nothing else explains, and freeze it in the prediction.")
+        .Without("Air"),
       of.EstimateWind...);
-    visit(FlagField("FitVortexFields", "Fit the vortices anew between the passes."),
+    visit(FlagField("FitVortexFields", "Fit the vortices anew between the passes.").Without("Air"),
           of.FitVortexFields...);
     visit(
       OptionField{ "MaximumNumberOfVortices",
@@ -126,14 +130,17 @@ struct SpacetimeOptions : TermWeights
   {
     visit(
       OptionField{
-        "Passes", { 1, 10 }, "", "Alternations of solving with estimating the force fields." },
+        "Passes", { 1, 10 }, "", "Alternations of solving with estimating the force fields." }
+        .Without("Air"),
       of.Passes...);
     visit(FlagField("UseLeash", "Keep every point near the planned path at first, in a ball that "
-                                "grows and is then removed."),
+                                "grows and is then removed.")
+            .Without("Air"),
           of.UseLeash...);
     visit(
       OptionField{
-        "LeashIterations", { 1, 10000 }, "", "Iterations at each of the five radii of the leash." },
+        "LeashIterations", { 1, 10000 }, "", "Iterations at each of the five radii of the leash." }
+        .Without("Air"),
       of.LeashIterations...);
     visit(OptionField{ "MaximumNumberOfIterations",
                        { 1, 100000 },

@@ -47,7 +47,8 @@ struct TermWeights
                        { 0, 1e+06 },
                        "",
                        "How often the air about it counts in Eq. 4 for an object, where it counts "
-                       "once for gas: objects are what is seen." },
+                       "once for gas: objects are what is seen." }
+            .Without("Air"),
           of.ObjectCoherence...);
     visit(
       OptionField{
