@@ -65,7 +65,7 @@ def property_of(option, stated):
     if not domains and domain_of(option) is not None and stated.get("repeat_command") is None:
         domains = [domain_of(option)]
     sentence = ElementTree.Element("Documentation")
-    sentence.text = option["sentence"]
+    sentence.text = option["text"]
     own = stated.find("Documentation")
     rest = [child for child in children if child not in domains and child is not own]
     made.extend([*domains, sentence if own is None else own, *rest])

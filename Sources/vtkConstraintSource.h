@@ -85,7 +85,7 @@ private:
   // Whose fields the properties are.
   friend struct waft::ConstraintOptions;
   friend struct waft::SceneFrame;
-  std::vector<std::array<double, 3>> Waypoints{ { -0.5, 0.0, 2.0 }, { 0.5, 0.0, 2.0 } };
+  std::vector<std::array<double, 3>> Waypoints;
 };
 
 #endif

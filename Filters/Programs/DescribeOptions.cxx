@@ -65,7 +65,8 @@ nlohmann::json FieldsOf(const Options&... options)
   {
     using Value = std::decay_t<decltype(value)>;
     nlohmann::json said{ { "name", field.Name },
-                         { "sentence", field.Text() },
+                         { "sentence", field.Sentence },
+                         { "text", field.Text() },
                          { "type", TypeOf<Value>() } };
     if constexpr (std::is_same_v<Value, std::string>)
     {
@@ -78,6 +79,10 @@ nlohmann::json FieldsOf(const Options&... options)
         waft::IsNumber<Value> ? nlohmann::json(numbers[0]) : nlohmann::json(numbers);
       said["range"] = { field.Range.Low, field.Range.High };
       said["offered"] = { field.Offered.Low, field.Offered.High };
+    }
+    if (*field.Unset)
+    {
+      said["unset"] = field.Unset;
     }
     if (*field.Input)
     {

@@ -122,6 +122,10 @@ class Assimilated(unittest.TestCase):
             self.assertFalse((folder / "assimilated.state").exists())
         with self.assertRaisesRegex(BadInput, "keep: expected of air, state, found 'all'"):
             waft.synthesize(str(self.scene), quality="air", keep=("all",))
+        for option, value, expected in (("seed", -1, "a whole number from 0 to 2147483647"), ("memory_limit", 0, "a number above 0"),
+                                        ("checkpoint_interval", -1, "a number from 0 to")):
+            with self.assertRaisesRegex(BadInput, f"{option}: expected {expected}.*, found {value}"):
+                waft.synthesize("scene.waft.json", **{option: value})
 
     def test_another_seed_is_another_air_which_an_edit_keeps(self):
         first, edited = self.folder / "seeded", self.folder / "seeded-edit"

@@ -187,7 +187,7 @@ class Command(unittest.TestCase):
         self.assertEqual(2, run("fly").returncode)
         for option, value, part in (("--seed", "x", "whole number"), ("--seed", "-1", "from 0"),
                                     ("--threads", "0", "from 1 to 1024"), ("--threads", "1" + 18 * "0", "from 1"), ("--time-limit", "nan", "positive"),
-                                    ("--memory-limit", "0", "positive")):
+                                    ("--memory-limit", "0", "above 0")):
             done = run("synthesize", self.scene(), "--output", self.folder / "o", option, value)
             self.assertEqual(2, done.returncode)
             self.assertRegex(done.stderr, f"{option}: expected .*{part}.*, found '{value}'")

@@ -164,9 +164,9 @@ class ProxyTest(unittest.TestCase):
                     self.check_property(proxy, described, used, fresh)
 
     def test_an_option_is_made_from_what_core_says_of_it(self):
-        classes = {"vtkA": [{"name": "CoreRadius", "type": "real", "default": 0.25, "offered": [0, 2e9], "sentence": "How wide."},
-                            {"name": "Smooth", "type": "flag", "default": 1.0, "offered": [0, 1], "sentence": "Whether."},
-                            {"name": "Size", "type": "whole", "default": [4.0, 8.0], "offered": [1, 64], "sentence": "Voxels."}]}
+        classes = {"vtkA": [{"name": "CoreRadius", "type": "real", "default": 0.25, "offered": [0, 2e9], "text": "How wide."},
+                            {"name": "Smooth", "type": "flag", "default": 1.0, "offered": [0, 1], "text": "Whether."},
+                            {"name": "Size", "type": "whole", "default": [4.0, 8.0], "offered": [1, 64], "text": "Voxels."}]}
         stated = """<G><P class="vtkA"><Option name="CoreRadius" panel_visibility="advanced"/><Option name="Smooth"><Hints/></Option>
             <Option name="Size"><D name="x"/><XDomain name="own"/><Documentation>Mine.</Documentation></Option></P></G>"""
         made = expand_options.expand(ElementTree.fromstring(stated), classes)[0]
@@ -183,7 +183,7 @@ class ProxyTest(unittest.TestCase):
             expand_options.expand(ElementTree.fromstring('<P class="vtkA"><Option name="Other"/></P>'), classes)
 
     def test_a_panel_hides_what_has_no_effect(self):
-        option = {"name": "Drag", "type": "real", "default": 1.0, "offered": [0, 9], "sentence": "How fast."}
+        option = {"name": "Drag", "type": "real", "default": 1.0, "offered": [0, 9], "text": "How fast."}
         decorator = '<PropertyWidgetDecorator type="GenericDecorator" mode="visibility" property="Air" value="null"%s />'
         for joined, ending in ((False, ""), (True, ' inverse="1"')):
             classes = {"vtkA": [{**option, "acts": {"input": "Air", "joined": joined}}]}

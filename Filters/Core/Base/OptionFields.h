@@ -35,6 +35,9 @@ struct OptionField
   /// The input of the stage that decides whether the option has an effect; "": it always has.
   const char* Input = "";
   bool ActsWhereJoined = true; ///< Else it acts only where that input is not joined.
+  /// What it means that the option has the low end of its range, where that stands for none of it;
+  /// "": it is a number as others.
+  const char* Unset = "";
 
   /// "NAME: expected a number from LOW to HIGH m, found VALUE" where the value is out of range.
   Result Check(double value) const
@@ -63,11 +66,28 @@ struct OptionField
     return field;
   }
 
-  /// The sentence, and when the option has no effect.
+  /// The low end of its range stands for this. Whoever leaves an option out need not know the end.
+  OptionField Or(const char* unset) const
+  {
+    OptionField field = *this;
+    field.Unset = unset;
+    return field;
+  }
+
+  /// The sentence, what stands for none of it, and when the option has no effect.
   std::string Text() const
   {
-    const std::string where = this->ActsWhereJoined ? " No effect unless " : " No effect where ";
-    return this->Sentence + (*this->Input ? where + this->Input + " is joined." : std::string());
+    std::string text = this->Sentence;
+    if (*this->Unset)
+    {
+      text += " " + NumberText(this->Range.Low, 10) + ": " + this->Unset + ".";
+    }
+    if (*this->Input)
+    {
+      text += this->ActsWhereJoined ? " No effect unless " : " No effect where ";
+      text += std::string(this->Input) + " is joined.";
+    }
+    return text;
   }
 };
 

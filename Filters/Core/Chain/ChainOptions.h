@@ -53,12 +53,11 @@ struct FlightOptions
                        "grid. Air (Assimilated before): the same on the full grid. Full: the "
                        "optimiser from there. Paper: the optimiser from the plan, gas at rest." },
           of.Quality...);
-    visit(OptionField{ "Seed",
-                       { -1, 2147483647 },
-                       "",
-                       "Another seed is another motion through the same marks; -1 is the scene's "
-                       "own." },
-          of.Seed...);
+    visit(
+      OptionField{
+        "Seed", { -1, 2147483647 }, "", "Another seed is another motion through the same marks." }
+        .Or("the scene's own"),
+      of.Seed...);
     visit(
       OptionField{
         "StopAfter", { 0, 4 }, "", "The last stage that runs; the ports of later ones are empty." },

@@ -62,6 +62,8 @@ TEST(OptionFields, SayWhenTheyHaveNoEffect)
   EXPECT_EQ(always.Text(), "How fast.");
   EXPECT_EQ(always.With("Air").Text(), "How fast. No effect unless Air is joined.");
   EXPECT_EQ(always.Without("Air").Text(), "How fast. No effect where Air is joined.");
+  EXPECT_EQ(always.Or("none").Without("Air").Text(),
+            "How fast. 0: none. No effect where Air is joined.");
   EXPECT_EQ(always.Without("Air").Range.High, 9);
 }
 

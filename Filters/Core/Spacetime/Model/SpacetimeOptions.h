@@ -163,8 +163,9 @@ struct SpacetimeOptions : TermWeights
         "MemoryLimit",
         { 0, 1e+09 },
         "MB",
-        "Megabytes that a run may take besides its input; 0: no limit. Frames are solved in "
-        "windows, in several times the time, where all at once would take more." },
+        "Megabytes that a run may take besides its input. Frames are solved in windows, in several "
+        "times the time, where all at once would take more." }
+        .Or("no limit"),
       of.MemoryLimit...);
   }
 
@@ -200,12 +201,13 @@ struct SpacetimeOptions : TermWeights
                 "empty: none. A run of the same inputs and properties that was ended before its "
                 "time goes on from it, to the same bits; a run that ends by itself removes it."),
       of.CheckpointFile...);
-    visit(OptionField{ "CheckpointInterval",
-                       { 0, 1e+06 },
-                       "s",
-                       "Seconds between two writings of Checkpoint File, and as many more as keep "
-                       "them within 2 % of the time; 0: after each iteration." },
-          of.CheckpointInterval...);
+    visit(
+      OptionField{ "CheckpointInterval",
+                   { 0, 1e+06 },
+                   "s",
+                   "Seconds between two writings of what a run that was ended goes on from, and "
+                   "as many more as keep them within 2 % of the time; 0: after each iteration." },
+      of.CheckpointInterval...);
   }
 
   template <class Visitor, class... Holder>

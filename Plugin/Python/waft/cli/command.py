@@ -9,10 +9,11 @@ import time
 from typing import Optional, Sequence
 
 from waft import failures
+from waft._options import option
 from waft.loading import version
 from waft.render._styles import STYLES, VIEWS
 from waft.run._qualities import KEPT, QUALITIES, quality_of
-from waft.run.request import SENTENCES
+from waft.run.request import SENTENCES, STATED
 from waft.scene._schema import definition
 from waft.texts import ROWS, is_utf8, line, names_a_row, say, shortened, warn
 from waft.watching import interruptible, tell_guard
@@ -80,6 +81,18 @@ def _whole(first, last):
     return _argument(int, f"a whole number from {first} to {last}", lambda n: first <= n <= last)
 
 
+def _stated(stated):
+    """A number of which Core says what it may be."""
+    return _argument(int if stated.is_whole else float, stated.expected, stated.accepts)
+
+
+def _of_database(name, **how):
+    """How argparse takes an option of the database's simulations."""
+    stated = option("vtkMotionDatabaseSource", name)
+    default = int(stated.default) if stated.is_whole else stated.default
+    return {"type": _stated(stated), "default": default, **how, "help": f"{how['help']}default {default}"}
+
+
 def _fits(path):
     """Whether a file system takes a path, and ParaView."""
     name = os.fsencode(path)
@@ -122,8 +135,9 @@ def parser() -> argparse.ArgumentParser:
     make = commands.add_parser("synthesize", help="a scene file to an animation", epilog=EXIT)
     make.add_argument("scene", type=path, help="scene file, *.waft.json")
     make.add_argument("--output", type=path, required=True, metavar="DIR", help="folder for the results")
-    for name, how in (("database", {"type": path, "metavar": "FILE"}), ("seed", {"type": seed}), ("threads", {"type": threads}),
-                      ("time_limit", {"type": positive, "metavar": "S"}), ("memory_limit", {"type": positive, "metavar": "MB"}),
+    for name, how in (("database", {"type": path, "metavar": "FILE"}), ("seed", {"type": _stated(STATED["seed"])}),
+                      ("threads", {"type": threads}), ("time_limit", {"type": positive, "metavar": "S"}),
+                      ("memory_limit", {"type": _stated(STATED["memory_limit"]), "metavar": "MB"}),
                       ("quality", {"type": quality_of, "choices": QUALITIES, "default": "full"}),
                       ("resume", {"action": "store_true"}), ("edit_of", {"type": path, "metavar": "DIR"}),
                       ("meshes", {"action": "store_true"}), ("particles", {"action": "store_true"}),
@@ -170,17 +184,16 @@ def parser() -> argparse.ArgumentParser:
 
     base = commands.add_parser("database", help="a motion database from simulations of smoke", epilog=DATABASE_EXIT)
     base.add_argument("--output", type=path, required=True, metavar="FILE.vtm", help="file for the database")
-    base.add_argument("--simulations", type=_whole(1, 1000000), default=8, help="default 8")
-    base.add_argument("--frames", type=_whole(2, 1000000), default=300, help="frames of each, default 300")
-    base.add_argument("--resolution", type=_whole(4, 1024), default=64, help="cells along a side, default 64")
-    base.add_argument("--seed", type=seed, default=1, help="of the first simulation, default 1")
+    base.add_argument("--simulations", **_of_database("NumberOfSimulations", help=""))
+    base.add_argument("--frames", **_of_database("NumberOfFrames", help="frames of each, "))
+    base.add_argument("--resolution", **_of_database("Resolution", help="cells along a side, "))
+    base.add_argument("--seed", **_of_database("Seed", type=seed, help="of the first simulation, "))
     base.add_argument("--threads", type=threads, help="default: all cores; the result is the same")
     base.add_argument("--until-covered", type=share, nargs="?", const=0.05, default=0.0, metavar="SHARE",
                       help="stop when less than this share of a simulation's segments is new (without a number "
                            "0.05); --simulations is then the most")
-    base.add_argument("--coverage-tolerance", type=share, default=0.05, metavar="SHARE",
-                      help="a segment is new when it is farther from all before than this share of the rms chord, "
-                           "default 0.05")
+    base.add_argument("--coverage-tolerance", **_of_database("CoverageTolerance", metavar="SHARE", help=(
+        "a segment is new when it is farther from all before than this share of the rms chord, ")))
     base.add_argument("--time-limit", type=positive, metavar="S", help="seconds; the simulations that are whole "
                                                                        "are used")
     base.add_argument("--resume", action="store_true", help="go on from what a stopped run left beside FILE")

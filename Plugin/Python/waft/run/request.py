@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a flight is asked for: each option of waft.synthesize once, with its type, its sentence and its default. The command
-has its help from here, too."""
+"""What a flight is asked for: each option of waft.synthesize once, with its type, its sentence and its default; what Core says of
+an option of a stage, it says here. The command has its help from here, too."""
 import dataclasses
 import functools
 import inspect
@@ -9,6 +9,7 @@ import textwrap
 from typing import (
     Annotated, Any, Callable, Dict, List, Mapping, Optional, ParamSpec, Sequence, TypeVar, Union, get_type_hints)
 
+from waft._options import Option, option
 from waft.failures import BadInput
 from waft.run._qualities import KEPT, QUALITIES, WITHOUT, quality_of
 from waft.scene import Scene
@@ -28,18 +29,17 @@ class Request:
     output: Annotated[Optional[Path], "folder for the results (default: nothing is written)"] = None
     database: Annotated[Optional[Path], "motion database, .vtm (default: the embedded one)"] = None
     _: dataclasses.KW_ONLY
-    seed: Annotated[Optional[int], "instead of the scene's"] = None
+    seed: Annotated[Optional[int], option("vtkMotionAnimationSource", "Seed")] = None
     threads: Annotated[Optional[int], "default: all cores; the result is the same"] = None
     time_limit: Annotated[Optional[float], "seconds; the best so far is written"] = None
     preview: Annotated[bool, "quality preview: coarse, for a quick look"] = False
     resume: Annotated[bool, "go on from what an earlier run of the same inputs left in the output, to the same motion as if it "
                             "had not been stopped"] = False
     quiet: Annotated[bool, "say nothing of progress on stderr"] = True
-    checkpoint_interval: Annotated[Optional[float], "seconds between two writings of what `resume` goes on from (default: the "
-                                                    "stage's own)"] = None
+    checkpoint_interval: Annotated[Optional[float], option("vtkSPHSpacetimeFilter", "CheckpointInterval",
+                                                           of="the optimiser")] = None
     meshes: Annotated[bool, "also meshes.pvd: all meshes posed, a file a frame"] = False
-    memory_limit: Annotated[Optional[float], "megabytes of the optimiser: what does not fit is solved window by window, "
-                                             "slower"] = None
+    memory_limit: Annotated[Optional[float], option("vtkSPHSpacetimeFilter", "MemoryLimit", of="the optimiser")] = None
     quality: Annotated[Optional[str], f"how objects come to their marks: {', '.join(QUALITIES)} (default full); air was called "
                                       "assimilated before, which names it still"] = None
     edit_of: Annotated[Optional[Path], "a finished run of the scene before some rows changed: the same air, only what changed "
@@ -55,6 +55,9 @@ class Request:
         """Raises BadInput of what can be told without a look at any file."""
         if self.on_progress is not None and not callable(self.on_progress):
             raise BadInput(f"on_progress: expected a function of a share and a sentence, found {self.on_progress!r}")
+        for name, stated in STATED.items():
+            if getattr(self, name) is not None:
+                stated.check(name, getattr(self, name))
         for path in (self.scene, self.output, self.database, self.edit_of):
             if path and not isinstance(path, Scene) and not is_utf8(path):
                 raise BadInput(f"{os.fsdecode(path)}: expected a name in UTF-8, as ParaView takes no other")
@@ -81,8 +84,10 @@ class Request:
         return {**self._settings.get(stage, {}), **asked}
 
 
-SENTENCES: Dict[str, str] = {name: hint.__metadata__[0] for name, hint in get_type_hints(Request, include_extras=True).items()
-                             if hasattr(hint, "__metadata__")}
+_SAID = {name: hint.__metadata__[0] for name, hint in get_type_hints(Request, include_extras=True).items()
+         if hasattr(hint, "__metadata__")}
+STATED: Dict[str, Option] = {name: said for name, said in _SAID.items() if isinstance(said, Option)}
+SENTENCES: Dict[str, str] = {name: said.clause if isinstance(said, Option) else said for name, said in _SAID.items()}
 
 
 def by_options(request: Callable[P, Request]) -> Callable[[Callable[[Request], R]], Callable[P, R]]:
