@@ -89,6 +89,10 @@ waft::Result vtkVortexFitFilter::Internals::Run(vtkInformationVector** inputs,
   {
     WAFT_RETURN_IF_FAILED(waft::VorticesFromPolyData(lines, priors));
   }
+  if (this->Self->Quantity != vtkVortexFitFilter::Force)
+  {
+    WAFT_RETURN_IF_FAILED(waft::TakeAirAccelerations(this->Scene.Time, tracks));
+  }
   std::vector<waft::VortexSample> samples;
   WAFT_RETURN_IF_FAILED(
     waft::SamplesFromTracks(tracks, this->Scene.Time, this->Self->SubtractWind, samples));
@@ -151,6 +155,7 @@ vtkTypeBool vtkVortexFitFilter::ProcessRequest(vtkInformation* request,
                                                vtkInformationVector* outputs)
 {
   std::vector<waft::PropertyRange> ranges = waft::RangesOf<waft::VortexFitOptions>(*this);
+  ranges.emplace_back("Quantity", this->Quantity, waft::limits::UpTo(AirAcceleration));
   ranges.emplace_back("PriorFreedom", this->PriorFreedom, waft::limits::Around0(1e9));
   return waft::GuardedRequest(this, request, inputs, outputs, Inputs, ranges,
                               [&](vtkInformationVector** taken) {
@@ -175,6 +180,7 @@ void vtkVortexFitFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   waft::PrintFields<waft::VortexFitOptions>(os, indent, *this);
+  os << indent << "Quantity: " << this->Quantity << "\n";
   os << indent << "SubtractWind: " << this->SubtractWind << "\n";
   os << indent << "PriorFreedom: " << this->PriorFreedom << "\n";
 }

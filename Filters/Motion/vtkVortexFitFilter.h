@@ -6,6 +6,7 @@
  * Input port 0, Input (vtkPolyData): Tracks with the point data `Force` [m/s^2, vortex plus wind];
  * `ForceType` and `VortexId` say which vortex claims a point, `WindAcceleration` is taken off first
  * when SubtractWind is on.
+ * With Quantity AirAcceleration the point data `AirVelocity` take the place of these.
  * Input port 1, Vortices (vtkPolyData, optional): first guesses and priors. They keep their
  * `VortexId`; they may be edited, added or deleted by hand.
  *
@@ -39,6 +40,18 @@ public:
   static vtkVortexFitFilter* New();
   vtkTypeMacro(vtkVortexFitFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum
+  {
+    Force,
+    AirAcceleration
+  };
+  ///@{
+  /** What is fitted: Force, the array of this name, or AirAcceleration, the rate at which
+   * `AirVelocity` changes along the paths. */
+  vtkSetMacro(Quantity, int);
+  vtkGetMacro(Quantity, int);
+  ///@}
 
   WaftProperty(int, MaximumNewVortices);
   WaftProperty(double, MinimumGain);
@@ -89,6 +102,7 @@ private:
 
   // Whose fields the properties are.
   friend struct waft::VortexFitOptions;
+  int Quantity = Force;
   bool SubtractWind = true;
   double PriorFreedom = 1.0;
 

@@ -76,6 +76,7 @@ LEFT = {
     ("SPHSpacetimeTheory.md", "rx = x' - x"): FORMULA,
     ("SPHSpacetimeTheory.md", "W = sigma q^4"): FORMULA,
     ("SPHSpacetimeTheory.md", "a_o += - g' z"): FORMULA,
+    ("SPHSpacetimeTheory.md", "E(c) = sum c2 m"): FORMULA,
     ("SPHSpacetimeTheory.md", "w = v - (U("): FORMULA,
     ("Systems.md", "docker build"): "builds an image on the network; Testing/Systems builds in bare roots",
     ("Systems.md", "Testing/Systems/run"): "a bare root each, on the network, for half an hour",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Vortex/VortexSamples.h"
 
+#include <algorithm>
 #include <string>
 
 namespace waft
@@ -39,6 +40,34 @@ Result SamplesFromTracks(const std::vector<Track>& tracks, const Timeline& time,
       }
       samples.push_back(sample);
     }
+  }
+  return Result::Ok();
+}
+
+Result TakeAirAccelerations(const Timeline& time, std::vector<Track>& tracks)
+{
+  for (Track& track : tracks)
+  {
+    const std::vector<Vec3>& air = track.AirVelocities;
+    const std::size_t frames = track.Positions.size();
+    if (air.size() != frames)
+    {
+      return Result::Error(
+        "Tracks: object " + std::to_string(track.ObjectId) +
+        " has no point data `AirVelocity`, expected tracks of the assimilation or "
+        "of the optimiser");
+    }
+    track.Forces.assign(frames, Vec3::Zero());
+    for (std::size_t k = 0; k < frames && frames > 1; ++k)
+    {
+      const std::size_t before = k > 0 ? k - 1 : k;
+      const std::size_t after = std::min(k + 1, frames - 1);
+      track.Forces[k] =
+        (air[after] - air[before]) / (static_cast<double>(after - before) * time.Step());
+    }
+    track.WindAccelerations.clear();
+    track.VortexIds.clear();
+    track.ForceTypes.clear();
   }
   return Result::Ok();
 }

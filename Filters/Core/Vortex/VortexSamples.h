@@ -20,6 +20,12 @@ namespace waft
 Result SamplesFromTracks(const std::vector<Track>& tracks, const Timeline& time, bool subtractWind,
                          std::vector<VortexSample>& samples);
 
+/// Takes in place of Forces what the air about each track does: the rate at which its AirVelocities
+/// change along the path [m/s^2], by central differences, one-sided at both ends. What was put into
+/// the air is no part of that; pressure is. WindAccelerations and annotations are dropped. Error: a
+/// track without AirVelocities.
+Result TakeAirAccelerations(const Timeline& time, std::vector<Track>& tracks);
+
 /// Sum of the vortices' accelerations at the positions of a track [m/s^2], one a frame.
 std::vector<Vec3> VortexForces(const Track& track, const std::vector<Vortex>& vortices,
                                const Timeline& time);

@@ -5,6 +5,8 @@
 #include "Spacetime/Paper/ClosedCurl.h"
 #include "Spacetime/Paper/FieldNormal.h"
 #include "Spacetime/Paper/FieldUpdates.h"
+#include "Spacetime/Run/Spacetime.h"
+#include "Spacetime/Run/SpacetimeWarmStart.h"
 #include "SpacetimeScenes.h"
 
 #include <Eigen/Dense>
@@ -362,4 +364,72 @@ TEST(Convergence, TellsEq2AndWhatMovesTheObjects)
   EXPECT_NE(row.ShareVortices, 0.0);
   row.SetShares(true);
   EXPECT_TRUE(std::isnan(row.ShareNone) && std::isnan(row.E2));
+}
+
+// Fields that say something of the air say it of bodies, too, that they were not solved for.
+TEST(FieldNormal, ExplainsBodiesThatAreLeftOut)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 90;
+  const SpacetimeInput input = MakeScene(scene);
+  SpacetimeOptions options;
+  options.NumberOfGasParticles = 1000;
+  options.NumberOfObjectParticles = 3;
+  options.MaximumNumberOfIterations = 30;
+  options.LeashIterations = 5;
+  SpacetimeWarmStart memory;
+  SpacetimeOutput output;
+  SilentMonitor monitor;
+  ASSERT_TRUE(RunSpacetime(input, options, ThreadedFor(2), monitor, output, &memory));
+  SpacetimeSetup setup;
+  ASSERT_TRUE(MakeSetup(input, options, setup));
+  const SpacetimeModel& model = setup.Model;
+  const TimeLevel level = TimeLevel::Full(model.NumberOfFrames, 1);
+  AirFields fields = memory.State.Fields;
+  const StateVector& state = memory.State.Motion;
+  SpacetimeObjective objective(model, fields, level, ThreadedFor(2), FastestSphKernels());
+  SpacetimeTerms terms;
+  objective.Evaluate(state, nullptr, terms);
+  const auto isLeftOut = [&](std::size_t body)
+  { return (body < model.NumberOfGas ? body : body - model.NumberOfGas) % 5 == 2; };
+  FieldChoice choice;
+  choice.Counts = [&](std::size_t body) { return !isLeftOut(body); };
+  FieldNormal normal(model, fields, choice);
+  ASSERT_TRUE(normal.Gather(objective, state, ThreadedFor(2)));
+  AirFields solved = fields;
+  ASSERT_TRUE(normal.Solve(solved));
+  // Of what is asked of the fields, by those that counted and those that did not.
+  double asked[2] = { 0.0, 0.0 }, left[2] = { 0.0, 0.0 };
+  const auto field = [](const AirFields& of, const Vec3& x, int frame)
+  {
+    Vec3 sum = SampleField(of.Wind, x, frame);
+    for (const Vortex& vortex : of.Vortices)
+    {
+      sum += vortex.Acceleration(x, frame);
+    }
+    return sum;
+  };
+  for (std::size_t j = 0; j + 1 < level.NumberOfFrames(); ++j)
+  {
+    for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
+    {
+      if (i >= model.NumberOfGas && !StepHasLaw(model, level, j + 1, i - model.NumberOfGas))
+      {
+        continue;
+      }
+      const Vec3 x = VectorAt(state.data() + j * model.FrameSize() + i, model.Stride());
+      Vec3 target;
+      objective.VelocityResidual(j + 1, i, target.data());
+      target += field(fields, x, level.Frames[j]);
+      const int group = isLeftOut(i) ? 1 : 0;
+      asked[group] += model.BodyWeight(i) * target.squaredNorm();
+      left[group] +=
+        model.BodyWeight(i) * (target - field(solved, x, level.Frames[j])).squaredNorm();
+    }
+  }
+  const double counted = 1.0 - left[0] / asked[0];
+  const double others = 1.0 - left[1] / asked[1];
+  std::printf("[ figure ] explained of those that count %.3f, of those left out %.3f\n", counted,
+              others);
+  EXPECT_GT(others, 0.7 * counted);
 }

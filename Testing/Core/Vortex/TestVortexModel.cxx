@@ -85,3 +85,26 @@ TEST(VortexSamples, AreForcesLessWindWithTheirAnnotation)
   const Result result = SamplesFromTracks({ track }, time, false, samples);
   EXPECT_NE(result.Message().find("object 8 has no point data `Force`"), std::string::npos);
 }
+
+TEST(VortexSamples, OfTheAirAreTheRateAtWhichItChangesAlongThePath)
+{
+  std::vector<Track> tracks(1);
+  tracks[0].ObjectId = 4;
+  const Timeline time{ 4, 10.0 };
+  for (int k = 0; k < 4; ++k)
+  {
+    tracks[0].Positions.emplace_back(0.1 * k, 0.0, 1.0);
+    tracks[0].AirVelocities.emplace_back(0.3 * k, 0.02 * k * k, 1.0);
+  }
+  tracks[0].WindAccelerations.assign(4, Vec3::UnitX());
+  ASSERT_TRUE(static_cast<bool>(TakeAirAccelerations(time, tracks)));
+  std::vector<VortexSample> samples;
+  ASSERT_TRUE(static_cast<bool>(SamplesFromTracks(tracks, time, true, samples)));
+  EXPECT_LT((samples[0].Acceleration - Vec3(3.0, 0.2, 0.0)).norm(), 1e-12);
+  EXPECT_LT((samples[2].Acceleration - Vec3(3.0, 0.8, 0.0)).norm(), 1e-12);
+  EXPECT_LT((samples[3].Acceleration - Vec3(3.0, 1.0, 0.0)).norm(), 1e-12);
+  tracks[0].AirVelocities.clear();
+  EXPECT_NE(
+    TakeAirAccelerations(time, tracks).Message().find("object 4 has no point data `AirVelocity`"),
+    std::string::npos);
+}
