@@ -127,6 +127,29 @@ class DocumentsTest(unittest.TestCase):
             with self.subTest(page=os.path.relpath(page, SOURCE)):
                 self.assertEqual(set(), set(undated(text_of(page))) - LIMITS)
 
+    def test_nothing_of_the_paper_is_without_a_row(self):
+        """Paper.md has a row for each section, equation and figure, and the folders and tests that it names are there."""
+        rows = [[cell.strip() for cell in line.strip("| ").split(" | ")]
+                for line in text_of(os.path.join(DOCUMENTATION, "Paper.md")).splitlines() if line.startswith("| ")]
+        rows = [row for row in rows if len(row) == 6 and row[1] != "stage"]
+        firsts = [row[0] for row in rows]
+        sections = ("Abstract", "1 ", "1.1 ", "2 ", "3 ", "3.1 ", "3.2 ", "4 ", "5 ", "6 ", "7 ", "8 ",
+                    *(f"Appendix {letter} " for letter in "ABC"))
+        for name in (*sections, *(f"Eq. {number} " for number in range(1, 14)), *(f"Fig. {number} " for number in range(1, 10))):
+            self.assertTrue(any(first.startswith(name) for first in firsts), name)
+        tests = {".".join(found) for path in glob.glob(os.path.join(SOURCE, "Testing", "*", "**", "*.cxx"), recursive=True)
+                 for found in re.findall(r"^TEST(?:_[FP])?\((\w+), (\w+)\)", text_of(path), re.MULTILINE)}
+        tests |= {f"Python.{name}" for name in re.findall(
+            r"waft_python_test\((\w+)", text_of(os.path.join(SOURCE, "Testing", "Python", "CMakeLists.txt")))}
+        qualities = {"all", "air", "database", "full", "none", "paper", "preview", "-"}
+        for first, _, folders, named, run_by, why in rows:
+            with self.subTest(row=first):
+                for folder in folders.split(", "):
+                    self.assertTrue(folder == "-" or os.path.isdir(os.path.join(SOURCE, "Filters", "Core", folder)), folder)
+                self.assertLessEqual(set(re.findall(r"`([\w.]+)`", named)), tests)
+                self.assertLessEqual(set(run_by.split(", ")), qualities)
+                self.assertGreater(len(why), 10)
+
     def test_every_page_is_in_the_index(self):
         listed = LINK.findall(text_of(os.path.join(DOCUMENTATION, "README.md")))
         for page in glob.glob(os.path.join(DOCUMENTATION, "*.md")):

@@ -49,7 +49,9 @@ BUILDS = "installs, builds or packs: CI and Install do it"
 NIGHTLY = "takes minutes, and tools that a build does without"
 PROJECT = "Install.Core builds it and compares it with the page"
 EXCERPT = "an excerpt, simplified, of Data/Scenes/examples/make_examples.py, which Python.Examples runs: its calls are bound"
+BY_HAND = "Python.SixStages runs it on a coarse grid, and compares what a page quotes of it"
 LEFT = {
+    ("README.md", "pvpython Documentation/examples/six_stages.py"): BY_HAND,
     ("CONTRIBUTING.md", "ninja -C build WaftTestGrid"): BUILDS,
     ("CONTRIBUTING.md", "cmake --preset sanitize"): NIGHTLY,
     ("CONTRIBUTING.md", "./waft package && cmake"): BUILDS,
@@ -70,7 +72,9 @@ LEFT = {
     ("Hardening.md", "./waft package && cmake"): BUILDS,
     ("Measure.md", "python3 Testing/Python/motion_checks.py"): "its usage; Python.MotionChecks runs it",
     ("Obstacles.md", "z = surface height"): FORMULA,
+    ("Paper.md", "pvpython Documentation/scripts/paper_table.py"): "Python.SixStages runs it on a small result",
     ("Performance.md", "Testing/Benchmarks/all"): "benchmarks, for an hour",
+    ("Pipeline.md", "pvpython Documentation/examples/six_stages.py"): BY_HAND,
     ("SPHSpacetimeFilter.md", "frames (2 F + R)"): FORMULA,
     ("SPHSpacetimeTheory.md", "E = c1 Ex"): FORMULA,
     ("SPHSpacetimeTheory.md", "rx = x' - x"): FORMULA,
@@ -83,6 +87,7 @@ LEFT = {
     ("Takes.md", "seed  outcome"): "what `waft takes` prints; Python.Takes compares the form",
     ("Takes.md", "#!/bin/sh"): "a script for a cluster's queue; its command is parsed",
     ("UserGuide.md", "cmake -S . -B build"): BUILDS,
+    ("UserGuide.md", "plan = simple.StylisticPlannerFilter("): BY_HAND,
     ("UserGuide.md", "from waft.render import render"): "draws, which takes a display; Python.Render does",
     ("VortexFitFilter.md", "f(x, t) = exp("): FORMULA,
     ("VortexFitFilter.md", "minimise  sum_i"): FORMULA,

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The stages of the paper joined by hand (Documentation/examples/six_stages.py), on a coarse grid with few particles: the bytes
+of waft.synthesize with the database that the script wrote, and in each port what the page on the pipeline names.
+
+    pvpython test_six_stages.py SOURCE"""
+
+import ast
+import contextlib
+import functools
+import io
+import pathlib
+import re
+import runpy
+import sys
+import tempfile
+import unittest
+from unittest import mock
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import waft
+
+SOURCE = pathlib.Path(sys.argv[1])
+SCRIPT = SOURCE / "Documentation" / "examples" / "six_stages.py"
+AIR = {"Resolution": [16, 16, 16], "NumberOfFrames": 60, "NumberOfObstacles": 1}
+SHORT = {"NumberOfGasParticles": 216, "LeashIterations": 2, "MaximumNumberOfIterations": 6}
+
+
+def make_scene(path):
+    """Three leaves, each with a mark to pass and then to lie down."""
+    scene = waft.Scene("Three leaves", seed=5)
+    scene.set_time(61)
+    scene.add_objects("maple", count=3, region={"min": (-0.6, -0.6, 1.2), "max": (0.6, 0.6, 1.5)})
+    for leaf in range(3):
+        scene.add_position(leaf, 36, (0.5 * leaf - 0.5, 0.1, 1.0), radius=0.1)
+    scene.save(path)
+
+
+def numbers(data):
+    """The points of a data set and its arrays, by name."""
+    attributes = data.GetPointData()
+    return {"": data.GetPoints().GetData(),
+            **{attributes.GetArrayName(i): attributes.GetArray(i) for i in range(attributes.GetNumberOfArrays())}}
+
+
+class SixStagesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        kept = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(kept.cleanup)
+        cls.folder = pathlib.Path(kept.name)
+        scene = cls.folder / "three.waft.json"
+        make_scene(scene)
+        made = {name: functools.partial(getattr(simple, name), **settings)
+                for name, settings in (("GridSmokeSource", AIR), ("SPHSpacetimeFilter", SHORT))}
+        with mock.patch.multiple(simple, **made), mock.patch.object(sys, "argv", [SCRIPT.name, str(scene), str(cls.folder)]):
+            cls.stages = runpy.run_path(str(SCRIPT))
+        cls.run_dir = cls.folder / "out"
+        cls.flight = waft.synthesize(scene, quality="paper", database=cls.folder / "air.vtm", output=cls.run_dir,
+                                     _settings={"Spacetime": SHORT})
+
+    def test_gives_the_bytes_of_synthesize(self):
+        for name in ("poses.csv", "animation.glb"):
+            self.assertEqual((self.run_dir / name).read_bytes(), (self.folder / name).read_bytes(), name)
+        for stage, ours, ports in (("planner", "plan", (0, 1, 3, 4)), ("spacetime", "gas", (0, 2)), ("rotation", "turn", (1,))):
+            for port in ports:
+                wanted = self.flight.output(stage, port)
+                self.assertGreater(wanted.GetNumberOfPoints(), 0)
+                found = numbers(waft.fetch(self.stages[ours], port))
+                self.assertEqual(set(found), set(numbers(wanted)))
+                for name, values in numbers(wanted).items():
+                    with self.subTest(stage=stage, port=port, array=name):
+                        np.testing.assert_array_equal(vtk_to_numpy(found[name]), vtk_to_numpy(values))
+
+    def test_every_port_of_the_page_is_there(self):
+        """The table of the page names, port by port, arrays that the data have."""
+        page = (SOURCE / "Documentation" / "Pipeline.md").read_text(encoding="utf-8")
+        rows = re.findall(r"^\| `(\w+)` \| `(\w+)` \| (.*?) \|", page, re.MULTILINE)
+        self.assertGreater(len(rows), 15)
+        for variable, port, words in rows:
+            with self.subTest(stage=variable, port=port):
+                names = self.names(waft.fetch(self.stages[variable], port))
+                for array in re.findall(r"`(\w+)`", words):
+                    self.assertIn(array, names)
+
+    def test_changes_of_the_page_are_taken(self):
+        page = (SOURCE / "Documentation" / "Pipeline.md").read_text(encoding="utf-8")
+        lines = re.findall(r"^\| `(\w+)\.(\w+) = (.*?)` \|", page, re.MULTILINE)
+        self.assertGreater(len(lines), 3)
+        for variable, name, value in lines:
+            with self.subTest(stage=variable, property=name):
+                stage, wanted = type(self.stages[variable])(), ast.literal_eval(value)
+                self.assertNotEqual(self.stages[variable].GetPropertyValue(name), wanted)
+                setattr(stage, name, wanted)
+                self.assertEqual(stage.GetPropertyValue(name), wanted)
+
+    def test_the_table_of_the_paper_is_made_of_its_folder(self):
+        said = io.StringIO()
+        script = SOURCE / "Documentation" / "scripts" / "paper_table.py"
+        with contextlib.redirect_stdout(said), mock.patch.object(sys, "argv", [script.name, str(self.run_dir)]):
+            runpy.run_path(str(script), run_name="__main__")
+        rows = dict(re.findall(r"^\| (.*?) \| .*? \| (.*?) \|$", said.getvalue(), re.MULTILINE))
+        self.assertEqual(rows["objects"], "3")
+        self.assertEqual(rows["object particles"], "15 (default)")
+        self.assertRegex(rows["iterations at which E grew within a stage"], r"^0 of \d+$")
+        self.assertRegex(rows["strength of vortices : of the wind, at the objects"], r"^\d\.\d\d : \d\.\d\d m/s\^2$")
+
+    def test_the_user_guide_quotes_it(self):
+        guide = (SOURCE / "Documentation" / "UserGuide.md").read_text(encoding="utf-8")
+        quoted = next(block for block in re.findall(r"```python\n(.*?)```", guide, re.DOTALL) if block.startswith("plan = "))
+        script = SCRIPT.read_text(encoding="utf-8").splitlines()
+        self.assertEqual([line for line in quoted.splitlines() if line not in script], [])
+
+    def names(self, data):
+        """Names of all arrays, and blocks, of a data set."""
+        found = set()
+        if data.IsA("vtkMultiBlockDataSet"):
+            for i in range(data.GetNumberOfBlocks()):
+                found.add(data.GetMetaData(i).Get(data.NAME()))
+            return found
+        for kind in ("GetPointData", "GetCellData", "GetRowData"):
+            if hasattr(data, kind):
+                found.update(getattr(data, kind)().GetArrayName(i) for i in range(getattr(data, kind)().GetNumberOfArrays()))
+        return found
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
