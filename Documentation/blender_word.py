@@ -87,7 +87,7 @@ def make_flyers(scene):
         bpy.data.objects.remove(emitter)
 
 
-def make_wishes():
+def make_marks():
     word = bpy.data.curves.new("Word", "FONT")
     word.body, word.align_x, word.align_y = WORD, "CENTER", "CENTER"
     text = link("Word", word, location=(0.0, 0.0, 1.5), rotation_euler=(math.pi / 2.0, 0.0, 0.0), scale=(1.65, 1.65, 1.65))
@@ -143,7 +143,7 @@ def main(file, picture=None, frame=KEY):
     scene = bpy.context.scene
     scene.frame_start, scene.frame_end, scene.render.fps = 0, LAST, 30
     make_flyers(scene)
-    make_wishes()
+    make_marks()
     make_room(scene)
     scene.waft.quality = "air"
     bpy.ops.wm.save_as_mainfile(filepath=os.path.abspath(file))

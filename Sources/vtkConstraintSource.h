@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkConstraintSource
- * @brief   wishes about one object, made by hand
+ * @brief   constraints on one object, made by hand
  *
  * Output port 0, Constraints (vtkPolyData): one vertex a row. Without UseWaypoints it is one row of
  * Kind at Frame: a position, velocity, acceleration or rest of Value, or an orientation. With

@@ -6,7 +6,7 @@
  * Output port 0 (vtkImageData, time-varying): one float array a grid of numbers or vectors, on the
  * lattice of the first vector grid, over the active voxels of all files. Grids named vel or v are
  * called `Velocity`, so that the image may serve as `Wind` of other stages. Field data of a scene,
- * as the files note it, else from the lattice.
+ * as the files record it, else from the lattice.
  *
  * A FileName whose stem ends in digits stands for all files of its folder that differ in these
  * digits alone; they are the frame. Grids on another lattice are left out with a warning. A turned

@@ -14,7 +14,7 @@ import sys
 
 COLUMNS = (
     ("residual control", ("private_hand",)),
-    ("replay", ("replay",)),
+    ("forward replay", ("replay",)),
     ("variance v; a", ("life_velocity", "life_acceleration")),
     ("energy in four bands", ("band_0.1", "band_0.3", "band_0.6", "band_1.2")),
     ("S2; 3 S_L / S", ("one_air", "one_air_along")),

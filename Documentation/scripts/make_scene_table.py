@@ -28,9 +28,9 @@ full size (about 2500 particles of air, 300 frames), on two threads; the picture
 measures are in [Measure](../Measure.md#against-the-scene-motion_checkspy).
 
 These flights are of the optimiser from the plan, as `--quality paper` flies and the default did once. The default goes
-through a drawn air, and is judged by `waft measure`: what is wanted stands in [Measure](../Measure.md), and what the
+through a sampled air, and is judged by `waft measure`: what is wanted stands in [Measure](../Measure.md), and what the
 scenes come to in [AirAssimilationFilter](../AirAssimilationFilter.md#figures) and
-[SPHSpacetimeStudy](../SPHSpacetimeStudy.md#in-a-drawn-air).
+[SPHSpacetimeStudy](../SPHSpacetimeStudy.md#in-a-sampled-air).
 """
 GATES = """
 ## Gates

@@ -80,8 +80,8 @@ struct vtkAirAssimilationFilter::Internals : waft::KeptStage
   waft::Result Take(vtkInformationVector** inputs, waft::AssimilationInput& input);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   double Slice() const override { return this->Self->Slice; }
-  void KeepSoFar() override;
-  waft::Result TakeSoFar(vtkInformationVector** inputs) override;
+  void Publish() override;
+  waft::Result PublishFrom(vtkInformationVector** inputs) override;
   bool IsActive() const override { return this->Self->Active; }
   void FillVarying(double time, vtkInformationVector* outputs) const override;
 };
@@ -129,7 +129,7 @@ waft::Result vtkAirAssimilationFilter::Internals::Run(vtkInformationVector** inp
   return waft::Result::Ok();
 }
 
-void vtkAirAssimilationFilter::Internals::KeepSoFar()
+void vtkAirAssimilationFilter::Internals::Publish()
 {
   waft::TracksToPolyData(this->Solution.Tracks, this->Scene, this->Kept<vtkPolyData>(TracksPort));
   waft::ConstraintsToPolyData(this->Solution.Constraints, this->Scene,
@@ -137,7 +137,7 @@ void vtkAirAssimilationFilter::Internals::KeepSoFar()
   waft::RoundsToTable(this->Solution.Rounds, this->Scene, this->Kept<vtkTable>(RoundsPort));
 }
 
-waft::Result vtkAirAssimilationFilter::Internals::TakeSoFar(vtkInformationVector** inputs)
+waft::Result vtkAirAssimilationFilter::Internals::PublishFrom(vtkInformationVector** inputs)
 {
   this->Kept<vtkPolyData>(TracksPort)->ShallowCopy(vtkPolyData::GetData(inputs[PlannedPort]));
   this->Kept<vtkPolyData>(ConstraintsPort)->ShallowCopy(vtkPolyData::GetData(inputs[RowsPort]));

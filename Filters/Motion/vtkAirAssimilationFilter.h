@@ -14,7 +14,7 @@
  * Output port 0, Tracks (vtkPolyData): with `AirVelocity` and `Control` [m/s], what moves a body
  * beside the air.
  * Output port 1, Air (vtkImageData, varies in time): `Velocity` [m/s]; `Wind` [m/s^2], the force of
- * the common wind, which `Velocity` contains.
+ * the wind correction, which `Velocity` contains.
  * Output port 2, Vortices (vtkPolyData): all that stir the air.
  * Output port 3, Constraints (vtkPolyData): with `TouchDown`, the frame from which a rest is kept.
  * Output port 4, Report (vtkTable): one line per row and target of the constraints.

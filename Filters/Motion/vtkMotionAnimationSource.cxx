@@ -101,10 +101,10 @@ struct vtkMotionAnimationSource::Internals : waft::KeptStage
   bool Wants(waft::ChainStage stage) const;
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   double Slice() const override { return this->Self->Slice; }
-  void KeepSoFar() override;
+  void Publish() override;
   void KeepBeforeFailure() override;
   void FillVarying(double time, vtkInformationVector* outputs) const override;
-  void FillSoFar(double time, vtkInformationVector* outputs) const override;
+  void FillPublished(double time, vtkInformationVector* outputs) const override;
 
 private:
   void KeepScene();
@@ -168,7 +168,7 @@ waft::Result vtkMotionAnimationSource::Internals::Run(vtkInformationVector**,
     waft::RunChain({ this->Read, this->Wind, this->Database }, this->Options(), waft::SmpFor(),
                    monitor, this->Made, &this->Memory);
   WAFT_RETURN_IF_FAILED(result);
-  for (const auto& [stage, seconds] : this->Made.Seconds) // what was kept has told already
+  for (const auto& [stage, seconds] : this->Made.Seconds) // what was kept has warned already
   {
     const std::vector<std::string>& warnings = this->Made.Warnings[stage];
     this->Warnings.insert(this->Warnings.end(), warnings.begin(), warnings.end());
@@ -298,7 +298,7 @@ void vtkMotionAnimationSource::Internals::StandAsBegun(std::vector<waft::Track> 
   }
 }
 
-void vtkMotionAnimationSource::Internals::KeepSoFar()
+void vtkMotionAnimationSource::Internals::Publish()
 {
   this->KeepScene();
   if (!this->Wants(waft::ChainStage::Planner))
@@ -355,8 +355,8 @@ void vtkMotionAnimationSource::Internals::FillMeshes(double time,
   }
 }
 
-void vtkMotionAnimationSource::Internals::FillSoFar(double time,
-                                                    vtkInformationVector* outputs) const
+void vtkMotionAnimationSource::Internals::FillPublished(double time,
+                                                        vtkInformationVector* outputs) const
 {
   this->FillMeshes(time, outputs);
 }
@@ -365,7 +365,7 @@ void vtkMotionAnimationSource::Internals::FillVarying(double time,
                                                       vtkInformationVector* outputs) const
 {
   this->FillMeshes(time, outputs);
-  const waft::DrawnAir& air = *this->Made.Air.Air;
+  const waft::SampledAir& air = *this->Made.Air.Air;
   if (!air.Velocity.IsEmpty())
   {
     waft::AirToImage(air.Velocity, air.Wind, time, this->Scene,

@@ -78,7 +78,7 @@ struct vtkRotationRefineFilter::Internals : waft::KeptStage
   std::vector<std::vector<std::array<double, 3>>> Colors; // by shape, of its points
   std::vector<vtkMTimeType> ColoredShapes;                // that they are of
   waft::RotationInput Input;
-  std::vector<waft::PoseTrack> PosesSoFar; // of Input
+  std::vector<waft::PoseTrack> PublishedPoses; // of Input
 
   explicit Internals(vtkRotationRefineFilter* self) :
     KeptStage(self, TracksPort, ObstaclesPort, WindPort, AirPort), Self(self)
@@ -90,9 +90,9 @@ struct vtkRotationRefineFilter::Internals : waft::KeptStage
   waft::Result BuildMeshes(vtkInformationVector** inputs, const waft::RotationInput& input);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   double Slice() const override { return this->Self->Slice; }
-  void KeepSoFar() override;
-  waft::Result TakeSoFar(vtkInformationVector** inputs) override;
-  void FillSoFar(double time, vtkInformationVector* outputs) const override;
+  void Publish() override;
+  waft::Result PublishFrom(vtkInformationVector** inputs) override;
+  void FillPublished(double time, vtkInformationVector* outputs) const override;
   bool IsActive() const override { return this->Self->Active; }
   void FillVarying(double time, vtkInformationVector* outputs) const override;
 };
@@ -174,15 +174,15 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
 }
 
 // Those that are not turned yet keep the orientation that they begin with.
-void vtkRotationRefineFilter::Internals::KeepSoFar()
+void vtkRotationRefineFilter::Internals::Publish()
 {
   std::map<int, waft::Quat> begun;
   for (const waft::MotionObject& object : this->Input.Objects)
   {
     begun[object.ObjectId] = object.Orientation;
   }
-  this->PosesSoFar = this->Rotation.Poses;
-  for (std::size_t i = this->PosesSoFar.size(); i < this->Input.Tracks.size(); ++i)
+  this->PublishedPoses = this->Rotation.Poses;
+  for (std::size_t i = this->PublishedPoses.size(); i < this->Input.Tracks.size(); ++i)
   {
     const waft::Track& track = this->Input.Tracks[i];
     waft::PoseTrack still;
@@ -190,30 +190,31 @@ void vtkRotationRefineFilter::Internals::KeepSoFar()
     still.Orientations.assign(track.Positions.size(), begun[track.ObjectId]);
     still.AngularVelocities.assign(track.Positions.size(), waft::Vec3::Zero());
     still.Torques.assign(track.Positions.size(), waft::Vec3::Zero());
-    this->PosesSoFar.push_back(std::move(still));
+    this->PublishedPoses.push_back(std::move(still));
   }
-  waft::PosesToPolyData(this->Input.Tracks, this->PosesSoFar, this->Scene,
+  waft::PosesToPolyData(this->Input.Tracks, this->PublishedPoses, this->Scene,
                         this->Kept<vtkPolyData>(PosesPort));
 }
 
-waft::Result vtkRotationRefineFilter::Internals::TakeSoFar(vtkInformationVector** inputs)
+waft::Result vtkRotationRefineFilter::Internals::PublishFrom(vtkInformationVector** inputs)
 {
   this->Input = waft::RotationInput();
   this->Rotation = waft::RotationOutput();
-  this->PosesSoFar.clear();
+  this->PublishedPoses.clear();
   WAFT_RETURN_IF_FAILED(
     waft::TracksFromPolyData(vtkPolyData::GetData(inputs[TracksPort]), this->Tracks));
   WAFT_RETURN_IF_FAILED(this->Take(inputs, this->Input));
   WAFT_RETURN_IF_FAILED(this->BuildMeshes(inputs, this->Input));
-  this->KeepSoFar();
+  this->Publish();
   return waft::Result::Ok();
 }
 
-void vtkRotationRefineFilter::Internals::FillSoFar(double time, vtkInformationVector* outputs) const
+void vtkRotationRefineFilter::Internals::FillPublished(double time,
+                                                       vtkInformationVector* outputs) const
 {
-  if (!this->PosesSoFar.empty())
+  if (!this->PublishedPoses.empty())
   {
-    this->Meshes.Fill(this->Input.Tracks, this->PosesSoFar, this->FrameAt(time),
+    this->Meshes.Fill(this->Input.Tracks, this->PublishedPoses, this->FrameAt(time),
                       vtkPolyData::GetData(outputs, MeshesPort));
   }
 }

@@ -85,9 +85,9 @@ struct vtkSPHSpacetimeFilter::Internals : waft::KeptStage
   waft::Result Take(vtkInformationVector** inputs, waft::SpacetimeInput& input);
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   double Slice() const override { return this->Self->Slice; }
-  void KeepSoFar() override;
+  void Publish() override;
   void Forget() override { this->Memory = waft::SpacetimeWarmStart(); }
-  waft::Result TakeSoFar(vtkInformationVector** inputs) override;
+  waft::Result PublishFrom(vtkInformationVector** inputs) override;
   bool IsActive() const override { return this->Self->Active; }
   waft::Result Agree(const waft::Result& own) override;
   bool RunsOnAllRanks() const override { return true; }
@@ -164,14 +164,14 @@ void vtkSPHSpacetimeFilter::Internals::KeepSolution()
   waft::ReportToTable(this->Solution.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
 }
 
-void vtkSPHSpacetimeFilter::Internals::KeepSoFar()
+void vtkSPHSpacetimeFilter::Internals::Publish()
 {
   waft::TracksToPolyData(this->Solution.Tracks, this->Scene, this->Kept<vtkPolyData>(TracksPort));
   waft::ConvergenceToTable(this->Solution.Convergence, this->Scene,
                            this->Kept<vtkTable>(ConvergencePort));
 }
 
-waft::Result vtkSPHSpacetimeFilter::Internals::TakeSoFar(vtkInformationVector** inputs)
+waft::Result vtkSPHSpacetimeFilter::Internals::PublishFrom(vtkInformationVector** inputs)
 {
   this->Kept<vtkPolyData>(TracksPort)->ShallowCopy(vtkPolyData::GetData(inputs[PlannedPort]));
   return waft::Result::Ok();

@@ -11,14 +11,14 @@
  * Input port 4, Vortices (vtkPolyData, optional): first guesses and priors.
  * Input port 5, Wind (vtkImageData, optional, may vary in time): `Wind` or `Velocity`, a fixed
  * background.
- * Input port 6, Air (vtkImageData, optional, may vary in time): `Velocity` [m/s] of a drawn air, in
- * which the wind is contained already: the gas begins in it and is drawn towards it.
+ * Input port 6, Air (vtkImageData, optional, may vary in time): `Velocity` [m/s] of a sampled air,
+ * in which the wind is contained already: the gas begins in it and is drawn towards it.
  *
  * Output port 0, Tracks (vtkPolyData): with `Force`, `AirVelocity` and `SPHVelocity` besides, and
  * the cell data `PositionResidual` [dx] and `VelocityResidual` [dx / frame]: root mean squares of
  * what gas dynamics does not explain, in gas spacings.
  * Output port 1, Particles (vtkPolyData, varies in time): gas and object particles.
- * Output port 2, Vortices (vtkPolyData): as fitted; in a drawn air as they came.
+ * Output port 2, Vortices (vtkPolyData): as fitted; in a sampled air as they came.
  * Output port 3, Wind (vtkImageData, varies in time): on the optimiser's own lattice [m/s^2].
  * Output port 4, Convergence (vtkTable): one row an iteration, each term of E a column.
  * Output port 5, Report (vtkTable): one line per row and target of the constraints.

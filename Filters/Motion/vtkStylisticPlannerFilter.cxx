@@ -90,7 +90,7 @@ struct vtkStylisticPlannerFilter::Internals : waft::KeptStage
   ~Internals() override { this->Discard(); }
   waft::Result Run(vtkInformationVector** inputs, waft::Monitor& monitor) override;
   double Slice() const override { return this->Self->Slice; }
-  void KeepSoFar() override;
+  void Publish() override;
   bool IsActive() const override { return this->Self->Active; }
   waft::Result TakeDatabase(vtkMultiBlockDataSet* data);
   waft::Result TakeObstacles();
@@ -181,7 +181,7 @@ waft::Result vtkStylisticPlannerFilter::Internals::Run(vtkInformationVector** in
 }
 
 // What is not planned yet stands where it begins.
-void vtkStylisticPlannerFilter::Internals::KeepSoFar()
+void vtkStylisticPlannerFilter::Internals::Publish()
 {
   waft::TracksToPolyData(waft::TracksSoFar(this->Plan.Tracks, this->Objects, this->Scene.Time),
                          this->Scene, this->Kept<vtkPolyData>(TracksPort));

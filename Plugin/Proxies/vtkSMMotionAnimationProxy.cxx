@@ -162,9 +162,9 @@ void vtkSMMotionAnimationProxy::UpdatePipelineInformation()
 void vtkSMMotionAnimationProxy::PostUpdateData(bool usingCache)
 {
   this->Superclass::PostUpdateData(usingCache);
-  for (const char* told : { "Complete", "Message" })
+  for (const char* reported : { "Complete", "Message" })
   {
-    this->UpdatePropertyInformation(this->GetProperty(told));
+    this->UpdatePropertyInformation(this->GetProperty(reported));
   }
 }
 

@@ -57,7 +57,7 @@ QString SceneOf(pqPipelineSource* source)
 }
 
 /// What the command printed, as one message: its last line, which sums up, and the findings.
-void Tell(const QString& printed)
+void Warn(const QString& printed)
 {
   QStringList lines =
     printed.split('\n', Qt::SkipEmptyParts).replaceInStrings(QRegularExpression("^waft: "), "");
@@ -109,7 +109,7 @@ void WaftCheck::Run(const QString& file)
   this->connect(check, QOverload<int, QProcess::ExitStatus>::of(&QProcess::finished), this,
                 [check]
                 {
-                  Tell(QString::fromUtf8(check->readAllStandardOutput()));
+                  Warn(QString::fromUtf8(check->readAllStandardOutput()));
                   check->deleteLater();
                 });
   check->start(this->Command, { "check", file });

@@ -12,8 +12,8 @@ class pqPipelineSource;
 
 /// What `waft check` says of the scene files that Apply takes in: which marks cannot be met, and
 /// what will be hard. It comes as one message, while the flight goes on; a scene that has nothing
-/// to be said of is passed over, and one that is malformed is told by its reader. A file is looked
-/// at again when it has changed. Not of a server's files.
+/// to be said of is passed over, and one that is malformed is reported by its reader. A file is
+/// looked at again when it has changed. Not of a server's files.
 class WaftCheck : public QObject
 {
   Q_OBJECT

@@ -9,7 +9,7 @@ import tempfile
 
 from case import LEAF, OUT, Case, synthesize
 
-WISHING = LEAF | {"constraints": [{"kind": "position", "object": 0, "frame": 30, "value": [0.0, 0.0, 1.6], "radius": 0.1}]}
+CONSTRAINED = LEAF | {"constraints": [{"kind": "position", "object": 0, "frame": 30, "value": [0.0, 0.0, 1.6], "radius": 0.1}]}
 _made = tempfile.TemporaryDirectory()
 
 
@@ -165,7 +165,7 @@ def _damaged_results():
                 else:
                     path.write_bytes(change(path.read_bytes()))
                 return ["render", "r", "--frames", "0"]
-            # Without obstacles and wishes there is something to draw, too.
+            # Without obstacles and constraints there is something to draw, too.
             if damage != "gone" or name not in ("obstacles.vtp", "constraints.vtp"):
                 yield Case("command", f"render with {name} {damage}", make, says=(pathlib.Path(name).name,))
 
@@ -193,7 +193,7 @@ def _damaged_results():
 def _stopped_run():
     """A folder of results whose run ended without a word behind its plan."""
     out = pathlib.Path(_made.name) / "stopped"
-    _write_scene(pathlib.Path(_made.name), WISHING)
+    _write_scene(pathlib.Path(_made.name), CONSTRAINED)
     child = os.fork()
     if child == 0:
         from waft import cli, resuming
@@ -218,7 +218,7 @@ def _damaged_checkpoints():
                                ("no UTF-8", lambda content: b"\xff\xfe\xff" * 20),
                                ("of one bit another", lambda content: content[:-40] + bytes([content[-40] ^ 1]) + content[-39:])):
             def make(folder, _results, name=name, change=change):
-                _write_scene(folder, WISHING)
+                _write_scene(folder, CONSTRAINED)
                 shutil.copytree(_stopped_run(), folder / OUT)
                 path = folder / OUT / "checkpoint" / name
                 if change is None:
@@ -229,7 +229,7 @@ def _damaged_checkpoints():
             yield Case("command", f"--resume with {name} {damage}", make, status=(0,), says=("--resume", "1 of 1"))
 
     def whole(folder, _results):
-        _write_scene(folder, WISHING)
+        _write_scene(folder, CONSTRAINED)
         shutil.copytree(_stopped_run(), folder / OUT)
         return synthesize("scene.waft.json", OUT, "--resume")
     yield Case("command", "--resume with a checkpoint that is right", whole, status=(0,), says=("1 of 1",))

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Wishes that are no wishes, and wishes that cannot be met."""
+"""Constraints that are none, and constraints that cannot be met."""
 from case import LEAF, WIDE, scene_case, with_value
 
 POSITION = {"kind": "position", "object": 0, "frame": 30, "value": [0.0, 0.0, 1.6]}
 
 
-def _wishing(*wishes, **more):
-    return LEAF | {"constraints": list(wishes)} | more
+def _constrained(*constraints, **more):
+    return LEAF | {"constraints": list(constraints)} | more
 
 
 def cases():
@@ -65,12 +65,12 @@ def cases():
                      with_value(WIDE, "/objects/1/region", {"min": [1, 1, 3], "max": [-1, -1, 2]}), "/objects/1/region")
 
     unmet = {
-        "in an obstacle": _wishing(POSITION, obstacles=[{"kind": "sphere", "center": [0.0, 0.0, 1.5], "radius": 0.3}]),
-        "outside the volume": _wishing(POSITION | {"value": [0.0, 0.0, 9.0]}),
-        "two places at once": _wishing(POSITION, POSITION | {"value": [0.5, 0.0, 1.6]}),
-        "too far in a frame": _wishing(POSITION | {"frame": 29}, POSITION | {"value": [1.9, 1.9, 3.9]}),
-        "another start": _wishing(POSITION | {"frame": 0}),
+        "in an obstacle": _constrained(POSITION, obstacles=[{"kind": "sphere", "center": [0.0, 0.0, 1.5], "radius": 0.3}]),
+        "outside the volume": _constrained(POSITION | {"value": [0.0, 0.0, 9.0]}),
+        "two places at once": _constrained(POSITION, POSITION | {"value": [0.5, 0.0, 1.6]}),
+        "too far in a frame": _constrained(POSITION | {"frame": 29}, POSITION | {"value": [1.9, 1.9, 3.9]}),
+        "another start": _constrained(POSITION | {"frame": 0}),
     }
     for name, scene in unmet.items():
-        yield scene_case(group, f"wish that cannot be met: {name}", scene, "row 0" if "two" not in name else "row ",
+        yield scene_case(group, f"constraint that cannot be met: {name}", scene, "row 0" if "two" not in name else "row ",
                          status=(3,))

@@ -117,7 +117,7 @@ class WidgetTest(unittest.TestCase):
         self.assertEqual(self.shown(box), ["BoxWidgetRepresentation"])
         self.assertEqual([min(box["points"]), max(box["points"])], [[-1.25, -0.5, 0], [-0.25, 0.5, 2]])
 
-    def test_a_wish_is_one_place_and_then_a_way(self):
+    def test_a_constraint_is_one_place_and_then_a_way(self):
         notes = self.of("ConstraintSource")
         one = [note for note in notes if note["points"] == [[0, 0, 2.5]]]
         self.assertTrue(one, notes)

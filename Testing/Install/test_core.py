@@ -51,9 +51,9 @@ class CoreTest(unittest.TestCase):
     def fly(self, *database):
         status, text = run(os.path.join(OWN, "fly-feather"), os.path.join(PROJECT, "feather-box.waft.json"), *database)
         self.assertEqual(status, 0, text)
-        told = re.fullmatch(r"mark 0: met, at +(\S+) +(\S+) +(\S+)\n", text)
-        self.assertIsNotNone(told, text)
-        self.assertLess(math.dist(map(float, told.groups()), (0.7, 0.1, 1.1)), 0.021)
+        reported = re.fullmatch(r"mark 0: met, at +(\S+) +(\S+) +(\S+)\n", text)
+        self.assertIsNotNone(reported, text)
+        self.assertLess(math.dist(map(float, reported.groups()), (0.7, 0.1, 1.1)), 0.021)
 
     def test_flies_with_the_database_that_comes_along(self):
         if not os.path.isfile(os.path.join(PREFIX, "share", "waft", "Database", "embedded.motions")):

@@ -109,7 +109,7 @@ class InstallTest(unittest.TestCase):
             version = re.search(r"^project\(Waft VERSION (\S+)", file.read(), re.M).group(1)
         self.assertEqual(self.check_run([os.path.join(PREFIX, "bin", "waft"), "--version"]), f"waft {version}\n")
 
-    def test_another_version_of_a_part_is_told(self):
+    def test_another_version_of_a_part_is_reported(self):
         other = os.path.join(WORK, "other")
         shutil.copytree(PREFIX, other, symlinks=True)
         with open(os.path.join(other, "share", "waft", "VERSION"), "w", encoding="utf-8") as file:

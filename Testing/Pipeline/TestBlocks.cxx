@@ -276,9 +276,9 @@ TEST_F(Blocks, WhatAPortDoesNotTakeIsRefusedByItsName)
       chain.Planner->SetInputConnection(port, this->Made.Data(data));
       const ErrorLog errors(chain.Planner);
       chain.Planner->Update();
-      const bool isTold = errors.Contains(std::string(names[port]) + ": expected") ||
-                          errors.Contains("motion database: block `Segments` is missing");
-      EXPECT_TRUE(isTold) << names[port] << ": " << errors.Text;
+      const bool isReported = errors.Contains(std::string(names[port]) + ": expected") ||
+                              errors.Contains("motion database: block `Segments` is missing");
+      EXPECT_TRUE(isReported) << names[port] << ": " << errors.Text;
       EXPECT_EQ(SceneChain::Poly(chain.Planner, 0)->GetNumberOfPoints(), 0) << names[port];
     }
   }
@@ -290,7 +290,7 @@ TEST_F(Blocks, WhatAPortDoesNotTakeIsRefusedByItsName)
   EXPECT_TRUE(errors.Contains("Wind: expected one data set, found 2 blocks")) << errors.Text;
 }
 
-TEST_F(Blocks, NoObjectsAreToldAsThat)
+TEST_F(Blocks, NoObjectsAreReportedAsThat)
 {
   const vtkNew<vtkPolyData> none;
   this->Chain.Planner->SetInputConnection(1, this->Made.Data(none));

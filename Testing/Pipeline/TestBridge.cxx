@@ -266,7 +266,7 @@ TEST(Bridge, WindStepsComeBack)
   EXPECT_EQ(back.Meaning, FieldMeaning::Acceleration);
 }
 
-TEST(Bridge, AWindByAnotherNameIsToldOf)
+TEST(Bridge, AWindByAnotherNameIsWarnedOf)
 {
   vtkNew<vtkImageData> image;
   FieldSeries wind;

@@ -62,7 +62,7 @@ TEST(SceneShapes, NoPolygonIsLeftOut)
   EXPECT_EQ(shapes[1].Mesh.Triangles[7], (std::array<int, 3>{ 2, 1, 3 }));
 }
 
-TEST(SceneShapes, TrianglesWithoutAreaAreToldWithTheirMesh)
+TEST(SceneShapes, TrianglesWithoutAreaAreReportedWithTheirMesh)
 {
   waft::test::TemporaryFolder folder;
   folder.Write("body.obj", std::string(Tetrahedron) + "f 1 2 1\n");

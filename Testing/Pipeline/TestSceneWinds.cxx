@@ -230,7 +230,7 @@ TEST(SceneWinds, ASeriesBeginsWithTheFileThatIsNamed)
   EXPECT_NEAR(speed(placed, 2.0, ""), 3.0, 1e-6);
 }
 
-TEST(SceneWinds, OutsideOfTheVolumeAreToldOf)
+TEST(SceneWinds, OutsideOfTheVolumeAreWarnedOf)
 {
   waft::test::TemporaryFolder folder;
   WriteWind(folder.File("w.vti"), "Wind", 1.0); // from (-2, -2, 0) to (2, 2, 4)

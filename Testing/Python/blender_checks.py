@@ -28,7 +28,7 @@ import blender_scenes as scenes  # noqa: E402
 
 addon_utils.enable("waft_addon", default_set=True)
 
-from waft_addon import bodies, command, curves, flight, flying, panel, preferences, stage, surfaces, telling  # noqa: E402
+from waft_addon import bodies, command, curves, flight, flying, panel, preferences, reporting, stage, surfaces  # noqa: E402
 
 FOLDER, WAFT = sys.argv[sys.argv.index("--") + 1:][:2]
 NEAR, ALIKE = 1e-5, 1e-4  # m, rad: what comes back and what goes out agree to
@@ -787,7 +787,7 @@ class Checked(unittest.TestCase):
         said = {problem.object: problem.text for problem in flying.found}
         self.assertRegex(said["Inside"], r"cannot be met at frame 60: the position .* inside Post")
         self.assertIn("contradicts Mark (position at frame 30): ", said["Hasty"])
-        self.assertEqual("It flies, but 2 wishes cannot be met", flying.found.title)
+        self.assertEqual("It flies, but 2 marks cannot be met", flying.found.title)
         for problem in flying.found:
             self.assertNotRegex(problem.text, JARGON)
         bpy.ops.waft.dismiss()
@@ -813,7 +813,7 @@ class Checked(unittest.TestCase):
         scenes.obstacle("Post", scenes.box_mesh("Post", 0.1), location=(0.7, 0.0, 0.5))
         looked = stage.Stage(bpy.context)
         shape = next(iter(looked.scene["shapes"]))
-        tell = telling.Teller(looked).tell
+        report = reporting.Reporter(looked).report
         for line, about, text in (
                 ("too fast: row 0 target 0: object 1 has 0.4 s for 4 m, 10 m/s; the fastest of the database is 2.2 m/s, and half of that is "
                  "kept up: give it 3.6 s or more", "Mark", "too fast: Other has 0.4 s for 4 m: give it 3.6 s or more, which is 86 frames"),
@@ -875,27 +875,28 @@ class Checked(unittest.TestCase):
                  "it has 3 flights and the limit of turning"),
                 ("obstacle 7 and object 99 of /winds/3: unheard of at frames 1 and 2", "", None)):
             with self.subTest(line):
-                told = tell(line)
-                self.assertEqual(about, told.object)
+                log = report(line)
+                self.assertEqual(about, log.object)
                 if text is not None:
-                    self.assertEqual(text, told.text)
-                    self.assertNotRegex(told.text, JARGON)
+                    self.assertEqual(text, log.text)
+                    self.assertNotRegex(log.text, JARGON)
 
     def test_like_sentences_are_one(self):
-        looked = [telling.Problem(f"too fast: Leaf has 0.4 s for {d} m", "Word", False) for d in range(40)]
-        other = telling.Problem("too fast: Leaf has 0.4 s for 3 m", "Mark", False)
-        told = telling.gathered([*looked, other])
-        self.assertEqual(["too fast: Leaf has 0.4 s for 0 m (and 39 more like this)", other.text], [problem.text for problem in told])
-        many = [telling.Problem("hangs on a parent: clear it", f"Leaf {n}") for n in range(50)]
-        told = telling.gathered([*many, other])
-        self.assertEqual(["Leaf 0", "Mark"], [problem.object for problem in told])
-        self.assertEqual(tuple(f"Leaf {n}" for n in range(1, 50)), told[0].others)
+        looked = [reporting.Problem(f"too fast: Leaf has 0.4 s for {d} m", "Word", False) for d in range(40)]
+        other = reporting.Problem("too fast: Leaf has 0.4 s for 3 m", "Mark", False)
+        log = reporting.gathered([*looked, other])
+        self.assertEqual(["too fast: Leaf has 0.4 s for 0 m (and 39 more like this)", other.text],
+                         [problem.text for problem in log])
+        many = [reporting.Problem("hangs on a parent: clear it", f"Leaf {n}") for n in range(50)]
+        log = reporting.gathered([*many, other])
+        self.assertEqual(["Leaf 0", "Mark"], [problem.object for problem in log])
+        self.assertEqual(tuple(f"Leaf {n}" for n in range(1, 50)), log[0].others)
 
     def test_paths_stay_as_they_are(self):
         scenes.small_scene()
-        tell = telling.Teller(stage.Stage(bpy.context)).tell
+        report = reporting.Reporter(stage.Stage(bpy.context)).report
         for line in ('the font "/home/me/objects/0/shapes/a.ttf" cannot be read', "/tmp/winds/3.vti: no such file"):
-            self.assertEqual(("", line), (tell(line).object, tell(line).text))
+            self.assertEqual(("", line), (report(line).object, report(line).text))
 
 
 class Panel(unittest.TestCase):
@@ -925,7 +926,7 @@ class Panel(unittest.TestCase):
         scenes.small_scene()
         shown = bpy.context.window_manager.waft
         shown.is_open, shown.page = False, 0
-        flying.found.put("take-001: all is well", [telling.Problem(f"remark {n}", f"Thing {n}", False) for n in range(7)])
+        flying.found.put("take-001: all is well", [reporting.Problem(f"remark {n}", f"Thing {n}", False) for n in range(7)])
         folded = self.drawn(panel.WAFT_PT_fly)
         self.assertIn(("label", "take-001: all is well"), folded)
         self.assertIn(("operator", "waft.dismiss"), folded)
@@ -1044,7 +1045,7 @@ class Linked(unittest.TestCase):
         finally:
             bpy.app.handlers.frame_change_post.remove(move)
         self.assertEqual(["Other"], [problem.object for problem in flying.found if "something else in the file moves it" in problem.text])
-        self.assertIn("take-001: all 1 wishes are met", flying.found.title)
+        self.assertIn("take-001: all 1 marks are met", flying.found.title)
         scene = bpy.context.scene
         scene.frame_set(30)
         there = leaf.matrix_world.translation.copy()

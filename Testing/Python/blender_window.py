@@ -60,15 +60,15 @@ def steps():
     expect(leaf_state() == before, "nothing to change")
     in_view(lambda: bpy.ops.ed.undo_push(message="Made"))
     expect(in_view(lambda: bpy.ops.waft.fly("INVOKE_DEFAULT")) == {"RUNNING_MODAL"}, "a run beside Blender")
-    told = set()
+    reported = set()
     for _ in range(10 * MOST):
         yield 0.1
         if flying.running is None:
             break
-        told.add(flying.running.flight.fraction)
+        reported.add(flying.running.flight.fraction)
         expect(leaf_state() == BEFORE, "nothing to change meanwhile")
     expect(flying.running is None, f"an end within {MOST} s")
-    expect(len(told) > 1, "progress")
+    expect(len(reported) > 1, "progress")
     yield 0.5
     expect(leaf_state() == FLOWN, f"a take, found {leaf_state()}")
     in_view(bpy.ops.ed.undo)

@@ -28,38 +28,38 @@ def row_errors(rows, scene):
     by_place = collections.defaultdict(list)
     for row in rows:
         by_place[row.row].append(row)
-    for number, wish in enumerate(scene.get("constraints", [])):
+    for number, entry in enumerate(scene.get("constraints", [])):
         found = by_place.pop(number, [])
         kinds = {"position": POSITION, "velocity": VELOCITY, "acceleration": ACCELERATION,
                  "orientation": ORIENTATION, "rest": REST, "path": POSITION, "keyframe": POSITION}
         place = f"constraint {number}"
-        if wish["kind"] == "keyframe":
-            wanted = _keyframe_targets(wish)
-            first = [r for r in found if r.kind == (REST if wish.get("velocity") == "rest" else POSITION)]
+        if entry["kind"] == "keyframe":
+            wanted = _keyframe_targets(entry)
+            first = [r for r in found if r.kind == (REST if entry.get("velocity") == "rest" else POSITION)]
             if not first or (wanted is not None and [r.value[:3] for r in first] != wanted):
                 errors.append(f"{place}: its targets are others")
-            if any(r.frame != wish["frame"] for r in first):
+            if any(r.frame != entry["frame"] for r in first):
                 errors.append(f"{place}: its frame is another")
             ids = [r.object for r in first]
-            if len(set(ids)) != len(ids) or not set(ids) <= set(wish.get("objects", ids)):
+            if len(set(ids)) != len(ids) or not set(ids) <= set(entry.get("objects", ids)):
                 errors.append(f"{place}: two targets for one object, or an object that is not in its list")
             continue
-        points = wish["points"] if wish["kind"] == "path" else [wish["value"]]
-        frame = wish["firstFrame"] if wish["kind"] == "path" else wish["frame"]
-        wanted = [(kinds[wish["kind"]], frame + k, tuple(map(float, p)), wish.get("radius", 0.0))
+        points = entry["points"] if entry["kind"] == "path" else [entry["value"]]
+        frame = entry["firstFrame"] if entry["kind"] == "path" else entry["frame"]
+        wanted = [(kinds[entry["kind"]], frame + k, tuple(map(float, p)), entry.get("radius", 0.0))
                   for k, p in enumerate(points)]
         width = len(points[0])
         seen = [(r.kind, r.frame, r.value[:width], r.radius) for r in found]
         # An orientation is made a unit quaternion.
-        if wish["kind"] != "orientation" and seen != wanted:
+        if entry["kind"] != "orientation" and seen != wanted:
             errors.append(f"{place}: taken as {seen}")
-        if found and wish.get("object", -1) >= 0 and {r.object for r in found} != {wish["object"]}:
+        if found and entry.get("object", -1) >= 0 and {r.object for r in found} != {entry["object"]}:
             errors.append(f"{place}: given to another object")
     return errors + [f"row {number}: not in the scene" for number in by_place]
 
 
-def _keyframe_targets(wish):
-    points = wish["targets"].get("points")
+def _keyframe_targets(entry):
+    points = entry["targets"].get("points")
     return None if points is None else [tuple(map(float, p)) for p in points]
 
 

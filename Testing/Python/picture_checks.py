@@ -18,15 +18,15 @@ def overlap(folder, scene_file, tracks):
     scene_file = pathlib.Path(scene_file)
     scene = json.loads(scene_file.read_text(encoding="utf-8"))
     last = scene.get("time", {}).get("frames", 300) - 1
-    wishes = [wish["targets"] for wish in scene.get("constraints", [])
-              if wish["kind"] == "keyframe" and wish.get("velocity") == "rest" and wish.get("until", last) == last]
-    if not wishes or "image" not in wishes[-1] or "classes" in wishes[-1]:
+    sought = [entry["targets"] for entry in scene.get("constraints", [])
+              if entry["kind"] == "keyframe" and entry.get("velocity") == "rest" and entry.get("until", last) == last]
+    if not sought or "image" not in sought[-1] or "classes" in sought[-1]:
         return None
-    wanted = read_opaque(scene_file.parent / wishes[-1]["image"])
+    wanted = read_opaque(scene_file.parent / sought[-1]["image"])
     if wanted is None:
         return None
     bodies = result_files.read_shape_meshes(folder)
-    pixel = wishes[-1]["width"] / len(wanted[0])
+    pixel = sought[-1]["width"] / len(wanted[0])
     total = sum(map(sum, wanted))
     if sum(plan_area(*bodies[number]) for number in tracks) < total * pixel * pixel:
         return None
@@ -34,7 +34,7 @@ def overlap(folder, scene_file, tracks):
     for number, track in tracks.items():
         points, polys = bodies[number]
         pose = track[-1]
-        places = [_on_picture([a + b for a, b in zip(pose.x, result_files.rotated(pose.q, p))], wishes[-1], wanted)
+        places = [_on_picture([a + b for a, b in zip(pose.x, result_files.rotated(pose.q, p))], sought[-1], wanted)
                   for p in points]
         for corners in polys:
             fill(seen, [places[i] for i in corners])

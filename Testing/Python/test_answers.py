@@ -60,7 +60,7 @@ class Answers(unittest.TestCase):
         self.assertEqual("conflict", self.lines[1]["Status"])
         self.assertIn("contradicts row 0 target 0", self.lines[1]["Message"])
 
-    def test_what_cannot_be_met_is_come_to_as_near_as_planned_and_told_as_flown(self):
+    def test_what_cannot_be_met_is_come_to_as_near_as_planned_and_reported_as_flown(self):
         line = self.lines[2]
         self.assertEqual("unreachable", line["Status"])
         flown = self.distance(self.poses, line)

@@ -139,7 +139,7 @@ class FailuresTest(unittest.TestCase):
                 self.assertEqual(len(said), 1, said)
                 self.assertEqual(animation.Complete, 1)
 
-    def test_nothing_is_told_of_what_was_before(self):
+    def test_nothing_is_reported_of_what_was_before(self):
         animation, _ = self.make(FileName=self.scene, StopAfter="Plan")
         waft.update(animation)
         self.assertEqual(len(animation.TimestepValues), 40)

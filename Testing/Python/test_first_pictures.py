@@ -189,7 +189,7 @@ class FirstPicturesTest(unittest.TestCase):
                 shown = simple.Show(simple.OutputPort(self.stages[name], port), view)
                 self.assertEqual(bool(shown.SMProxy.SetScalarBarVisibility(view.SMProxy, True)), has)
 
-    def test_the_drawn_air_is_shown_by_its_streamlines(self):
+    def test_the_sampled_air_is_shown_by_its_streamlines(self):
         drift = self.stages["AirAssimilationFilter"]
         view, = waft.show(drift, fresh_view(), port=1)
         at_the_end()

@@ -41,22 +41,22 @@ class Guard(unittest.TestCase):
 
     def test_a_name_gives_no_orders(self):
         reading, writing = os.pipe()
-        told = guard.Told(reading)
+        reports = guard.Reports(reading)
         names = ["D\nlimit 0.1", "E\nlimit x", "F\nwords ", 'G"]\n["made", "/tmp"', "\udcff\n", "H\r\0\u2028" + "x" * 5000]
         os.environ["WAFT_GUARD"] = str(writing)
         try:
             for name in names:
-                watching.tell_guard("made", pathlib.Path(name))
-            watching.tell_guard("words", "")
-            watching.tell_guard("limit", 5)
+                watching.report_to_guard("made", pathlib.Path(name))
+            watching.report_to_guard("words", "")
+            watching.report_to_guard("limit", 5)
         finally:
             del os.environ["WAFT_GUARD"]
-        told.read()
+        reports.read()
         os.close(writing)
         os.close(reading)
-        self.assertEqual(names, told.made)
-        self.assertEqual("", told.words)
-        self.assertIsNotNone(told.deadline)
+        self.assertEqual(names, reports.made)
+        self.assertEqual("", reports.words)
+        self.assertIsNotNone(reports.deadline)
 
     def test_names_of_any_kind_in_any_locale(self):
         self.scene("é\u05d0.waft.json")
@@ -69,7 +69,7 @@ class Guard(unittest.TestCase):
             self.assertIn(b"expected a path in UTF-8", done.stderr)
             self.assertNotIn(b"Traceback", done.stderr)
 
-    def test_what_cannot_be_seen_is_told_as_an_escape(self):
+    def test_what_cannot_be_seen_is_reported_as_an_escape(self):
         raw = "\x1b[31m\x07\x9b\u202e\u2066\n"
         for arguments in (("check", f"{raw}.waft.json"), ("new", f"{raw}.json"), ("check", "s", "--database", raw * 90), (raw,),
                           ("takes", raw, "--seeds", raw, "--output", "o")):
@@ -126,7 +126,7 @@ class Guard(unittest.TestCase):
         self.assertEqual((0, b""), (done.returncode, done.stderr))
         self.assertFalse(trap.exists())
 
-    def test_a_working_folder_that_is_gone_is_told(self):
+    def test_a_working_folder_that_is_gone_is_reported(self):
         gone = self.folder / "gone"
         gone.mkdir()
         for command in ("new a.waft.json", "check a.waft.json"):

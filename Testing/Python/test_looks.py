@@ -200,7 +200,7 @@ class LoopTest(unittest.TestCase):
         with Image.open(self.loop("one", 1.0, frames="5")) as made:
             self.assertEqual(made.n_frames, 1)
 
-    def test_what_cannot_be_is_told(self):
+    def test_what_cannot_be_is_reported(self):
         place = folder("limits")
         for limit in (0.0, -1.0, 1001.0, float("nan")):
             with self.subTest(limit), self.assertRaisesRegex(BadInput, "loop .*: expected its largest size"):
@@ -236,7 +236,7 @@ class CommandTest(unittest.TestCase):
         self.assertEqual(self.parsed("--views", "hero,follow").views, ("hero", "follow"))
         self.assertEqual(self.parsed("--style", "paper").style, "paper")
 
-    def test_bad_ones_are_told(self):
+    def test_bad_ones_are_reported(self):
         cases = (("--style", "noon", "invalid choice: 'noon'"), ("--loop", "0", "megabytes above 0, at most 1000"),
                  ("--loop", "much", "megabytes above 0, at most 1000"), ("--loop", "nan", "megabytes above 0, at most 1000"),
                  ("--views", "heroes", "names of hero, side, top and follow"))

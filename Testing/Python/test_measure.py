@@ -20,7 +20,7 @@ import sample_folder  # noqa: E402
 from waft import cli, measure  # noqa: E402
 from waft.failures import BadInput  # noqa: E402
 from waft.files import write_pvd, write_xml  # noqa: E402
-from waft.measuring import _flights, _telling  # noqa: E402
+from waft.measuring import _flights, _two_sample  # noqa: E402
 from waft.measuring._airfield import AirField  # noqa: E402
 from waft.measuring._drifters import QUANTUM, Drifters, _decoded, _encoded, make_drifters  # noqa: E402
 from waft.measuring._flights import Flights  # noqa: E402
@@ -157,7 +157,7 @@ class DefinitionTest(unittest.TestCase):
         self.assertTrue(np.all(np.diff(values) > 0.0))
         self.assertLess(along, 1e-3)  # a solid body does not stretch
 
-    def test_a_passive_body_has_no_private_hand(self):
+    def test_a_passive_body_has_no_residual_control(self):
         air = turning_air()
         path = air.drift(places(COUNT), np.full(COUNT, SLIP), 0, FRAMES, RATE)
         moved = flights(path, SLIP)
@@ -168,7 +168,7 @@ class DefinitionTest(unittest.TestCase):
         control = _control(flights(pushed, SLIP), air)[:, 1:-1]
         self.assertLess(np.abs(control - [0.0, 0.0, 0.1]).max(), 1e-3)
 
-    def test_the_hidden_hand_is_what_the_air_does_not_give(self):
+    def test_the_model_residual_is_what_the_air_does_not_give(self):
         class Run:
             inertia = False
             flights = None
@@ -203,16 +203,16 @@ class DefinitionTest(unittest.TestCase):
         self.assertEqual(list(np.flatnonzero(~flying[0])), [*range(30, 41)], "a mark alone is flown through")
         self.assertEqual(list(np.flatnonzero(free[0])), [*range(15, 22), 49, 50, 51, *range(69, 90)])
 
-    @unittest.skipUnless(_telling.is_there(), "scikit-learn is not installed")
-    def test_told_apart(self):
+    @unittest.skipUnless(_two_sample.is_there(), "scikit-learn is not installed")
+    def test_two_sample_auc(self):
         one, same, other = (flights(waves(24, f, seed=s)) for f, s in ((0.5, 1), (0.5, 2), (1.2, 3)))
-        self.assertLess(_telling.area([one], [same]), 0.7)
-        self.assertGreater(_telling.area([one], [other]), 0.95)
+        self.assertLess(_two_sample.area([one], [same]), 0.7)
+        self.assertGreater(_two_sample.area([one], [other]), 0.95)
 
     def test_a_steady_drift_changes_no_feature(self):
         still = waves(6, 0.7)
         carried = still + np.arange(300)[None, :, None] / RATE * np.array([0.6, -0.2, 0.1])
-        self.assertLess(np.abs(_telling.windows([flights(still)])[0] - _telling.windows([flights(carried)])[0]).max(), 1e-6)
+        self.assertLess(np.abs(_two_sample.windows([flights(still)])[0] - _two_sample.windows([flights(carried)])[0]).max(), 1e-6)
 
     def test_drifters_come_back_from_their_file(self):
         path = waves(3, 0.8)

@@ -202,11 +202,11 @@ class Pictures(unittest.TestCase):
         a, b = 0.25 * size, 0.5 * size
         mesh = ([(-a, -b, 0.0), (a, -b, 0.0), (a, b, 0.0), (-a, b, 0.0)], [(0, 1, 2), (0, 2, 3)])
         targets = {"image": "p.png", "origin": [0, 5, 0], "u": [1, 0, 0], "v": [0, 1, 0], "width": 2.0}
-        wish = {"kind": "keyframe", "frame": 9, "velocity": "rest", "targets": targets, **other}
+        entry = {"kind": "keyframe", "frame": 9, "velocity": "rest", "targets": targets, **other}
         with tempfile.TemporaryDirectory() as folder:
             self.picture(pathlib.Path(folder))
             scene = pathlib.Path(folder, "s.waft.json")
-            scene.write_text(json.dumps({"time": {"frames": 20}, "constraints": [wish]}), encoding="utf-8")
+            scene.write_text(json.dumps({"time": {"frames": 20}, "constraints": [entry]}), encoding="utf-8")
             with unittest.mock.patch.object(result_files, "read_shape_meshes", return_value={0: mesh}):
                 return picture_checks.overlap(folder, scene, {0: [pose]})
 

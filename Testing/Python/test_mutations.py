@@ -69,11 +69,11 @@ class Mutations(unittest.TestCase):
         shutil.copytree("whole", "R")
         os.mkdir("T")
         # A run that is begun has read what there was to be read; nor is there anything to be learnt from windows of so short flights.
-        from waft.measuring import _telling
+        from waft.measuring import _two_sample
 
         def begun(*_, **__):
             raise failures.Interrupted("begun")
-        synthesis._run, _telling.is_there, takes._Flight.fly = begun, lambda: False, lambda *_: None
+        synthesis._run, _two_sample.is_there, takes._Flight.fly = begun, lambda: False, lambda *_: None
 
     def judge(self, name, kind, *commands):
         """Calls commands one after the other in a fork of this process: one in turn, and of some mutants none, where not all are asked

@@ -249,7 +249,7 @@ class BrowserTest(unittest.TestCase):
         text = self.browser.run("document.body.innerText")
         for words in ("Leaves </script> & a <ball>", "48 of 48", "preview", "word.waft.json", "10 s"):
             self.assertIn(words, text)
-        self.assertEqual(self.browser.run("document.querySelectorAll('#wishes tbody tr').length"), 48)
+        self.assertEqual(self.browser.run("document.querySelectorAll('#constraints tbody tr').length"), 48)
         self.assertGreaterEqual(self.browser.run("document.querySelectorAll('#plots figure').length"), 2)
 
     def test_all_that_is_worked_has_a_name(self):

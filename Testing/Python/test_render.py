@@ -89,7 +89,7 @@ class RenderTest(unittest.TestCase):
         self.assertEqual(len(contents[0]), 5 * len(VIEWS) + len(VIEWS))
         self.assertEqual(contents[0], contents[1])
 
-    def test_a_process_that_ends_before_its_time_is_told(self):
+    def test_a_process_that_ends_before_its_time_is_reported(self):
         place = WORK + "-dies"
         os.makedirs(place, exist_ok=True)
 

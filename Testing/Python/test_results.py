@@ -394,7 +394,7 @@ class Strangers(Base):
 
 
 class FullDisks(unittest.TestCase):
-    def test_a_file_that_is_not_whole_is_told_and_vtk_is_silent(self):
+    def test_a_file_that_is_not_whole_is_reported_and_vtk_is_silent(self):
         from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
         from vtkmodules.vtkFiltersSources import vtkPlaneSource
 

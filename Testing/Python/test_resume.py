@@ -18,7 +18,7 @@ import warm
 from waft.results import manifest_of, manifest_rows
 from waft.resuming import PLAN, Checkpoint
 from waft.synthesis import synthesize
-from waft.watching import NOTHING_COMPUTED, Clock, note_stops
+from waft.watching import NOTHING_COMPUTED, Clock, keep_stops
 from waft.writing import result_place
 
 SHORT = {"Spacetime": {"NumberOfGasParticles": 600, "LeashIterations": 5, "MaximumNumberOfIterations": 20}}
@@ -50,7 +50,7 @@ class Flight(multiprocessing.get_context("fork").Process):
         log = os.open(self.log, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
         os.dup2(log, 1)
         os.dup2(log, 2)
-        note_stops()
+        keep_stops()
         if self.signal_at is not None:
             Clock.show = self.follow
         run = synthesize(self.scene, quality="paper", threads=1, _settings=SHORT, **self.options)
@@ -188,7 +188,7 @@ class Resume(unittest.TestCase):
 
     def test_a_stop_while_a_clock_is_set_up_is_seen(self):
         def be_stopped():
-            note_stops()
+            keep_stops()
             clock = Clock(quiet=True)
             os.kill(os.getpid(), signal.SIGTERM)  # it goes to the handler of before
             with clock:

@@ -47,23 +47,23 @@ class RunTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = pathlib.Path(folder.name)
-        cls.told = []
+        cls.reported = []
         made = []
 
         def fly():
             made.append(waft.synthesize(small_scene(), output=cls.folder / "out", quality="preview", threads=1,
-                                        on_progress=lambda share, text: cls.told.append((share, text))))
+                                        on_progress=lambda share, text: cls.reported.append((share, text))))
         thread = threading.Thread(target=fly)
         thread.start()
         thread.join()
         cls.run_, = made
 
     def test_progress_grows_to_done(self):
-        shares = [share for share, _ in self.told]
+        shares = [share for share, _ in self.reported]
         self.assertEqual(sorted(shares), shares)
         self.assertTrue(0.0 <= shares[0] < 0.5)
-        self.assertEqual((1.0, "done"), self.told[-1])
-        self.assertTrue(any(text.startswith("assimilation: ") for _, text in self.told), self.told)
+        self.assertEqual((1.0, "done"), self.reported[-1])
+        self.assertTrue(any(text.startswith("assimilation: ") for _, text in self.reported), self.reported)
 
     def test_arrays_are_what_poses_csv_holds(self):
         run = self.run_
@@ -126,8 +126,8 @@ class RunTest(unittest.TestCase):
         """(the run, report.json, the folder) of one that is stopped when its progress first tells a text."""
         began = []
 
-        def goes_on(_, told):
-            began.append(told)
+        def goes_on(_, reported):
+            began.append(reported)
             return not any(text in one for one in began)
         out = self.folder / f"stopped {quality} {text}"
         run = waft.synthesize(small_scene(), output=out, quality=quality, threads=1, on_progress=goes_on,

@@ -64,8 +64,8 @@ def _stairs(scene):
     scene["time"] = {"frames": 120, "framesPerSecond": 30}
     scene["objects"][0]["count"] = 12
     scene["constraints"] = scene["constraints"][::3]
-    for number, wish in enumerate(scene["constraints"]):
-        wish.update(object=number, frame=110)
+    for number, entry in enumerate(scene["constraints"]):
+        entry.update(object=number, frame=110)
     for place in scene["obstacles"][-1]["motion"]:
         place["frame"] = round(place["frame"] * 119 / 299)
 

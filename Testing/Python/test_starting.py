@@ -94,10 +94,10 @@ class StartingTest(unittest.TestCase):
         self.assertEqual(0, checked.returncode, checked.stdout)
         flown = self.waft_itself("synthesize", "a.waft.json", "--output", "out", "--preview", "--progress", "json")
         self.assertEqual(0, flown.returncode, flown.stderr)
-        told = [json.loads(line) for line in flown.stdout.splitlines()]
-        self.assertEqual({"fraction": 1.0, "text": "done"}, told[-1])
-        self.assertGreater(len(told), 5)
-        fractions = [one["fraction"] for one in told]
+        reported = [json.loads(line) for line in flown.stdout.splitlines()]
+        self.assertEqual({"fraction": 1.0, "text": "done"}, reported[-1])
+        self.assertGreater(len(reported), 5)
+        fractions = [one["fraction"] for one in reported]
         self.assertEqual(sorted(fractions), fractions)
 
     def test_a_new_scene_takes_words_pictures_curves_and_obstacles(self):

@@ -70,7 +70,7 @@ class Takes(unittest.TestCase):
         self.assertEqual(0, alone.returncode, alone.stderr)
         self.assertEqual(poses, (self.folder / "alone" / "poses.csv").read_bytes())
 
-    def test_a_changed_scene_is_flown_anew_and_what_cannot_be_met_is_told(self):
+    def test_a_changed_scene_is_flown_anew_and_what_cannot_be_met_is_reported(self):
         # Neither a texture that is missing nor a TMPDIR that is no folder keeps a take from being flown.
         self.write({**SCENE, "shapes": {"leaf": {"builtin": "leaf", "texture": "none.png"}}})
         flown = subprocess.run(self.command("7"), cwd=self.folder, capture_output=True, text=True, check=False,
@@ -81,7 +81,7 @@ class Takes(unittest.TestCase):
         self.write({**SCENE, "constraints": [far]})
         done = self.takes("7")
         self.assertEqual(3, done.returncode, done.stderr)
-        self.assertIn("take-0007: not all met, 0 of 1 wishes met", done.stderr)
+        self.assertIn("take-0007: not all met, 0 of 1 constraints met", done.stderr)
         self.assertEqual("not all met", self.rows()[7]["outcome"])
         self.assertNotEqual(before, self.places(7))
 

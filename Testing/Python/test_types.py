@@ -60,9 +60,9 @@ class Types(unittest.TestCase):
         path = self.folder / "script.py"
         path.write_text(SCRIPT + "".join(f"{line}\n" for line in WRONG), encoding="utf-8")
         done = self.mypy("--strict", "--follow-imports=silent", path)
-        told = [line for line in done.stdout.splitlines() if ": error: " in line]
-        self.assertEqual(len(WRONG), len(told), done.stdout)
-        for wrong, line in zip(WRONG.values(), told):
+        reported = [line for line in done.stdout.splitlines() if ": error: " in line]
+        self.assertEqual(len(WRONG), len(reported), done.stdout)
+        for wrong, line in zip(WRONG.values(), reported):
             self.assertIn(wrong, line)
 
 

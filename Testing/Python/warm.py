@@ -81,7 +81,7 @@ def serve():
     from waft import cli, watching
 
     def fly(arguments):
-        watching.note_stops()
+        watching.keep_stops()
         return cli.main(arguments)
 
     for line in open(0, encoding="utf-8"):  # pvpython's sys.stdin gives no lines

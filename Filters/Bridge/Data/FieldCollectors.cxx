@@ -37,7 +37,7 @@ std::vector<ObstacleMesh> SplitBySolid(const TriangleMesh& whole)
   std::vector<ObstacleMesh> obstacles(static_cast<std::size_t>(count));
   if (count <= 1)
   {
-    // Points without a triangle are told of where the obstacle is built.
+    // Points without a triangle are reported where the obstacle is built.
     obstacles.resize(whole.Points.empty() ? 0 : 1);
     for (ObstacleMesh& obstacle : obstacles)
     {

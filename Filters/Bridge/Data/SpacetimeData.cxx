@@ -82,7 +82,7 @@ void OptimisedToPolyData(const SpacetimeOutput& solution, const SceneInfo& info,
   AddDoubles(data->GetCellData(), names::VelocityResidual, solution.VelocityResiduals);
   for (const auto& [name, value] : { std::pair(names::ReplayError, solution.ObjectReplayError),
                                      std::pair(names::GasReplayError, solution.GasReplayError),
-                                     std::pair(names::GasHiddenHand, solution.GasHiddenHand),
+                                     std::pair(names::GasHiddenHand, solution.GasModelResidual),
                                      std::pair(names::RepairedFraction, solution.RepairedFraction),
                                      std::pair(names::LargestRepair, solution.LargestRepair) })
   {

@@ -48,7 +48,7 @@ bool HasUnfinishedInput(vtkAlgorithm* stage, vtkInformationVector** inputs)
   return false;
 }
 
-/// Passes the caller's ticks on and notes how far they are.
+/// Passes the caller's ticks on and records how far they are.
 class NotingMonitor : public Monitor
 {
 public:
@@ -103,7 +103,7 @@ int KeptStage::RequestData(vtkInformation* request, vtkInformationVector** input
         return 1;
       }
       this->Keep.clear();
-      if (!this->TakeScene(inputs) || !this->TakeSoFar(inputs))
+      if (!this->TakeScene(inputs) || !this->PublishFrom(inputs))
       {
         this->Keep.clear();
       }
@@ -181,7 +181,7 @@ void KeptStage::Show(vtkInformation* request, vtkInformationVector* outputs)
   this->GiveKept(outputs);
   if (this->IsUnfinished)
   {
-    this->FillSoFar(time, outputs);
+    this->FillPublished(time, outputs);
     for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
     {
       AddInts(vtkDataObject::GetData(outputs, port)->GetFieldData(), names::Complete, { 0 });
@@ -265,7 +265,7 @@ Result KeptStage::Advance(vtkInformationVector** inputs, double seconds)
     return this->End(inputs, result);
   }
   monitor.Hold();
-  this->KeepSoFar();
+  this->Publish();
   this->Cache.MarkCurrent(this->Stage, inputs);
   return Result::Ok();
 }
@@ -314,14 +314,14 @@ Result KeptStage::TakePass(vtkInformationVector**, bool)
   return Result::Ok();
 }
 
-Result KeptStage::TakeSoFar(vtkInformationVector**)
+Result KeptStage::PublishFrom(vtkInformationVector**)
 {
   return Result::Ok();
 }
 
 void KeptStage::FillVarying(double, vtkInformationVector*) const {}
 
-void KeptStage::FillSoFar(double, vtkInformationVector*) const {}
+void KeptStage::FillPublished(double, vtkInformationVector*) const {}
 
 Result KeptStage::TakeConstraints(vtkInformationVector* input,
                                   std::vector<Constraint>& constraints) const

@@ -4,9 +4,9 @@
 // The Internals of such a stage derive from KeptStage and say how to take the inputs and run Core;
 // its RequestUpdateExtent and RequestData are those of KeptStage.
 //
-// With a Slice one update does a bounded part of the work. What there is so far is shown then, with
-// the field data `Complete` of 0; GoOn makes the next update do the next part. A stage whose input
-// is not complete shows what that comes to without work.
+// With a Slice one update does a bounded part of the work. What there is so far is published then,
+// with the field data `Complete` of 0; GoOn makes the next update do the next part. A stage whose
+// input is not complete publishes what that comes to without work.
 #pragma once
 
 #include "Base/Motion.h"
@@ -66,15 +66,15 @@ protected:
   /// Seconds of work in an update; 0: all.
   virtual double Slice() const { return 0.0; }
   /// Fills the Kept outputs with what the run that is held has come to.
-  virtual void KeepSoFar() {}
+  virtual void Publish() {}
   /// After a failure: fills those of the Kept outputs that it does not touch.
   virtual void KeepBeforeFailure() {}
-  /// KeepSoFar, out of inputs that are not complete; stays empty where it fails.
-  virtual Result TakeSoFar(vtkInformationVector** inputs);
+  /// Publish, out of inputs that are not complete; stays empty where it fails.
+  virtual Result PublishFrom(vtkInformationVector** inputs);
   /// After work that was held was discarded: what comes must not depend on how far it had come.
   virtual void Forget() {}
   /// FillVarying, of what there is so far.
-  virtual void FillSoFar(double time, vtkInformationVector* outputs) const;
+  virtual void FillPublished(double time, vtkInformationVector* outputs) const;
   /// After each pass over what is pulled over time, the first of a run being told: takes from
   /// Fields what is not to be kept until Run.
   virtual Result TakePass(vtkInformationVector** inputs, bool isFirst);

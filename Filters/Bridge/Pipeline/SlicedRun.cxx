@@ -65,11 +65,11 @@ struct SlicedRun::Thread : Monitor
   bool Tick(double fraction, const std::string& text) override
   {
     const Clock::time_point now = Clock::now();
-    if (text == this->Text && now - this->Told < BetweenMessages)
+    if (text == this->Text && now - this->Reported < BetweenMessages)
     {
       return this->GoesOn; // written in the caller's turns alone
     }
-    this->Told = now;
+    this->Reported = now;
     std::unique_lock<std::mutex> lock(this->Mutex);
     this->Fraction = fraction;
     this->Text = text;
@@ -78,7 +78,7 @@ struct SlicedRun::Thread : Monitor
     this->Turned.wait(lock, [this] { return this->IsWorkersTurn; });
     return this->GoesOn;
   }
-  bool ShowsSoFar() const override { return true; }
+  bool Publishes() const override { return true; }
 
   Work Do;
   std::thread Worker;
@@ -89,7 +89,7 @@ struct SlicedRun::Thread : Monitor
   bool GoesOn = true;
   double Fraction = 0.0;
   std::string Text;
-  Clock::time_point Told;
+  Clock::time_point Reported;
   Result Outcome = Result::Ok();
   std::exception_ptr Thrown;
 };

@@ -47,8 +47,8 @@ bool HasInputWithoutInformation(vtkAlgorithm* stage)
   {
     for (int i = 0; i < stage->GetNumberOfInputConnections(port); ++i)
     {
-      vtkInformation* told = ToldOf(stage->GetInputInformation(port, i));
-      if (told != nullptr && HasNoInformation(told))
+      vtkInformation* produced = ProducedInformation(stage->GetInputInformation(port, i));
+      if (produced != nullptr && HasNoInformation(produced))
       {
         return true;
       }

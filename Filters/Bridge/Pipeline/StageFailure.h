@@ -34,7 +34,7 @@ void RemoveTimes(vtkInformationVector* outputs);
 /// has given up as well. Not of several ranks, where all of them must find it.
 bool HasFailedInput(vtkAlgorithm* stage, vtkInformation* request, vtkInformationVector* outputs);
 
-/// What is told of an earlier failure is over, in a request for information or for data.
+/// What is reported of an earlier failure is over, in a request for information or for data.
 void ForgetFailure(vtkAlgorithm* stage, vtkInformation* request, vtkInformationVector* outputs);
 
 /// Whether the last execution failed, the stage's own or one before it.

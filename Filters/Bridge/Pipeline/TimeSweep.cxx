@@ -32,8 +32,8 @@ vtkInformationIntegerKey* StandsStillKey()
 
 bool StandsStill(vtkInformation* input)
 {
-  vtkInformation* told = ToldOf(input);
-  return told != nullptr && told->Get(StandsStillKey()) != 0;
+  vtkInformation* produced = ProducedInformation(input);
+  return produced != nullptr && produced->Get(StandsStillKey()) != 0;
 }
 
 bool HasDataTime(vtkInformation* input)

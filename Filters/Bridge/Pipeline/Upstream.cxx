@@ -74,7 +74,7 @@ vtkExecutive* ProducerOf(vtkInformation* input)
   return producer;
 }
 
-vtkInformation* ToldOf(vtkInformation* input)
+vtkInformation* ProducedInformation(vtkInformation* input)
 {
   vtkExecutive* producer = ProducerOf(input);
   if (producer != nullptr && producer->GetAlgorithm()->IsA("vtkPVPostFilter"))

@@ -14,7 +14,7 @@ namespace waft
 vtkExecutive* ProducerOf(vtkInformation* input);
 
 /// What the stage itself says of the output that comes in.
-vtkInformation* ToldOf(vtkInformation* input);
+vtkInformation* ProducedInformation(vtkInformation* input);
 
 /// Whether nobody else takes an output of the source of this input.
 bool IsOnlyConsumer(vtkAlgorithm* stage, vtkInformation* input);

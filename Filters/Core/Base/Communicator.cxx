@@ -10,7 +10,7 @@ namespace
 {
 
 /// Rank 0's.
-Result Told(Communicator& ranks, const Result& own)
+Result FromFirst(Communicator& ranks, const Result& own)
 {
   bool isGood(own);
   bool isStopped = own.IsStopped();
@@ -63,10 +63,10 @@ Result ResultOfFirst(Communicator& ranks, const std::function<Result()>& work)
   }
   catch (...)
   {
-    (void)Told(ranks, Result::Error("the first process has failed"));
+    (void)FromFirst(ranks, Result::Error("the first process has failed"));
     throw;
   }
-  return Told(ranks, own);
+  return FromFirst(ranks, own);
 }
 
 } // namespace waft

@@ -20,9 +20,9 @@ public:
   /// fraction: 0..1 of this kernel; text: a short sentence. Returns false to ask the kernel to
   /// stop.
   virtual bool Tick(double fraction, const std::string& text) = 0;
-  /// Whether somebody looks during a Tick at what there is so far. A kernel that has an output for
-  /// it then writes there, from the thread that ticks alone.
-  virtual bool ShowsSoFar() const { return false; }
+  /// Whether what there is so far is published during a Tick. A kernel that has an output for it
+  /// then writes there, from the thread that ticks alone.
+  virtual bool Publishes() const { return false; }
 };
 
 /// A part of a kernel's work, from `begin` to `end` of the whole. May be asked from any thread: the
@@ -55,7 +55,7 @@ public:
     }
     return !this->IsStopped;
   }
-  bool ShowsSoFar() const override { return this->Whole.ShowsSoFar(); }
+  bool Publishes() const override { return this->Whole.Publishes(); }
 
 private:
   Monitor& Whole;

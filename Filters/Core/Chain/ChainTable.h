@@ -16,7 +16,7 @@ namespace waft
 /// How objects come to their marks.
 enum class Quality
 {
-  Preview, // drift in one drawn air on a coarse grid
+  Preview, // drift in one sampled air on a coarse grid
   Air,     // the same on the full grid
   Full,    // the optimiser from there, in that air
   Paper    // the optimiser from the plan, gas at rest (Shi et al. 2005)

@@ -10,7 +10,7 @@ namespace waft
 {
 
 /// A line, and of a rest the frames from which and until which it is kept (-1: of other rows, and
-/// where no stage tells).
+/// where no stage says).
 struct JoinedRow : ReportRow
 {
   int TouchDown = -1;

@@ -20,7 +20,7 @@ namespace
 using Clock = std::chrono::steady_clock;
 
 /// Fields of the air's velocity at all frames, one after another.
-FieldSeries AirAt(const DrawnAir& air, double time)
+FieldSeries AirAt(const SampledAir& air, double time)
 {
   FieldSeries now{ static_cast<const SeriesLattice&>(air.Velocity) };
   now.Times = { time };
@@ -28,7 +28,7 @@ FieldSeries AirAt(const DrawnAir& air, double time)
   return now;
 }
 
-FieldSeries AirOfFrames(const DrawnAir& air, const Timeline& line)
+FieldSeries AirOfFrames(const SampledAir& air, const Timeline& line)
 {
   FieldSeries all{ static_cast<const SeriesLattice&>(air.Velocity) };
   all.Times.clear();

@@ -46,8 +46,8 @@ struct ChainMemory
 /// memory left. The same bits on any number of threads. Fails as the stages do, and before anything
 /// is planned where the optimiser would have no room for the scene; the error leaves in motion what
 /// is done already. Stopped, by the monitor or at the TimeLimit, no stage begins but the rotation:
-/// the motion so far is turned, and IsStopped says so. For a monitor that shows what there is so
-/// far motion is written as the stages go.
+/// the motion so far is turned, and IsStopped says so. For a monitor that publishes, motion
+/// is written as the stages go.
 Result RunChain(const ChainInputs& inputs, const ChainOptions& options, const ParallelFor& parallel,
                 Monitor& monitor, Motion& motion, ChainMemory* memory = nullptr);
 

@@ -94,11 +94,11 @@ private:
                     : std::vector<LandingWindow>();
   }
 
-  ObjectWishes& WishesOf(int objectId)
+  KeptConstraints& KeptOf(int objectId)
   {
     const double tolerance =
       2.0 * ToleranceOf(ConstraintKind::Position, { this->Scene.Bounds.Width() });
-    return this->Wishes.try_emplace(objectId, this->Find(objectId)->Position, tolerance)
+    return this->Kept.try_emplace(objectId, this->Find(objectId)->Position, tolerance)
       .first->second;
   }
 
@@ -138,34 +138,34 @@ private:
     return line;
   }
 
-  /// A row as wishes about positions, one for each of its frames that another row of its object
+  /// A row as balls about positions, one for each of its frames that another row of its object
   /// speaks of: at the others nothing can contradict it.
-  std::vector<Wish> Expand(const Constraint& row, int line) const
+  std::vector<ConstraintBall> Expand(const Constraint& row, int line) const
   {
-    Wish wish;
-    wish.Value = row.Value;
-    wish.Radius = RadiusOf(row);
-    wish.Line = line;
-    wish.Kind = row.Kind;
-    wish.Frame = row.Frame;
-    wish.Stencil = DerivativeStencil(TraitsOf(row.Kind).Derivative, row.Frame, this->Scene.Time);
+    ConstraintBall ball;
+    ball.Value = row.Value;
+    ball.Radius = RadiusOf(row);
+    ball.Line = line;
+    ball.Kind = row.Kind;
+    ball.Frame = row.Frame;
+    ball.Stencil = DerivativeStencil(TraitsOf(row.Kind).Derivative, row.Frame, this->Scene.Time);
     if (!IsPositional(row.Kind))
     {
-      return { wish };
+      return { ball };
     }
     const double restHeight = this->Find(row.ObjectId)->RestHeight;
     const int last = std::min(LastFrame(row), this->Scene.Time.NumberOfFrames - 1);
-    (void)WantedPosition(row, row.Frame, restHeight, this->Obstacles, wish.Value); // judged before
+    (void)WantedPosition(row, row.Frame, restHeight, this->Obstacles, ball.Value); // judged before
     const std::vector<int>& frames = this->Frames.at(row.ObjectId);
-    std::vector<Wish> wishes;
+    std::vector<ConstraintBall> balls;
     for (auto f = std::lower_bound(frames.begin(), frames.end(), row.Frame);
          f != frames.end() && *f <= last; ++f)
     {
-      wish.Frame = *f;
-      wish.Stencil = { { *f, 1.0 } };
-      wishes.push_back(wish);
+      ball.Frame = *f;
+      ball.Stencil = { { *f, 1.0 } };
+      balls.push_back(ball);
     }
-    return wishes;
+    return balls;
   }
 
   Contradiction Add(const Constraint& row, int line)
@@ -174,14 +174,14 @@ private:
     {
       return {}; // not assigned yet
     }
-    ObjectWishes& wishes = this->WishesOf(row.ObjectId);
+    KeptConstraints& kept = this->KeptOf(row.ObjectId);
     if (IsAttitude(row.Kind))
     {
-      return wishes.AddOrientation(row, line);
+      return kept.AddOrientation(row, line);
     }
-    for (const Wish& wish : this->Expand(row, line))
+    for (const ConstraintBall& ball : this->Expand(row, line))
     {
-      Contradiction found = wishes.Add(wish);
+      Contradiction found = kept.Add(ball);
       if (!found.IsEmpty())
       {
         return found;
@@ -200,10 +200,10 @@ private:
       {
         for (const std::size_t member : members)
         {
-          const auto wishes = this->Wishes.find(this->Constraints[member].ObjectId);
-          if (wishes != this->Wishes.end())
+          const auto kept = this->Kept.find(this->Constraints[member].ObjectId);
+          if (kept != this->Kept.end())
           {
-            wishes->second.Withdraw(line);
+            kept->second.Withdraw(line);
           }
         }
         return this->Sentence(found);
@@ -220,12 +220,12 @@ private:
   std::string Sentence(const Contradiction& found) const
   {
     constexpr std::size_t most = 4; // names in one sentence
-    const Wish& wish = found.Candidate;
+    const ConstraintBall& ball = found.Candidate;
     if (found.Lines.empty())
     {
-      return this->NameOf(wish.Line, wish.Kind, wish.Frame) + " contradicts itself: " + found.How;
+      return this->NameOf(ball.Line, ball.Kind, ball.Frame) + " contradicts itself: " + found.How;
     }
-    std::string text = this->NameOf(wish.Line, wish.Kind, wish.Frame) + " contradicts ";
+    std::string text = this->NameOf(ball.Line, ball.Kind, ball.Frame) + " contradicts ";
     std::size_t named = 0;
     for (const int line : found.Lines)
     {
@@ -249,7 +249,7 @@ private:
   std::map<int, std::vector<Constraint>> Own; // rows of each object
   std::map<int, std::vector<int>> Frames;     // that they speak of, ascending
   std::map<int, std::vector<LandingWindow>> Windows;
-  std::map<int, ObjectWishes> Wishes;
+  std::map<int, KeptConstraints> Kept;
   std::vector<ReportRow> Report;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What of the artist's wishes can be, and how far a motion is from them: the lines of the Report.
+// Which constraints can be met, and how far a motion is from them: the lines of the Report.
 #pragma once
 
 #include "Base/Motion.h"
@@ -15,14 +15,14 @@
 namespace waft
 {
 
-/// Judges wishes before anything is planned. One line per (Row, Target), in that order; constraints
+/// Judges constraints before anything is planned. One line per (Row, Target), in that order; rows
 /// of equal Row and Target are judged together, Kind and Frame of the line are those of the first.
 /// Status Infeasible: impossible by itself (a position inside an obstacle or outside the volume,
 /// its ball wholly so; a rest with nothing, or something that moves, below; an object that does not
 /// exist; more targets of one group than objects of the class; a frame or a number out of range).
 /// Positions inside the surface that their object lands on or lies on at that time are allowed.
 /// Status Conflict: contradicts lines before it, about the same object, or the object's start:
-/// the message names them and the earlier lines are kept. Exact wishes contradict each other where
+/// the message names them and the earlier lines are kept. Exact ones contradict each other where
 /// they, as linear equations on positions (velocity and acceleration as central differences), have
 /// no common solution; balls where they have no common point, or none with the velocities and
 /// accelerations on adjacent frames. Rows with ObjectId -1 are judged for conflicts once assigned:

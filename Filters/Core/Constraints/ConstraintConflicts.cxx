@@ -20,60 +20,61 @@ std::string Apart(double distance, double allowed, ConstraintKind kind)
 
 } // namespace
 
-ObjectWishes::ObjectWishes(const Vec3& start, double tolerance) : Tolerance(tolerance)
+KeptConstraints::KeptConstraints(const Vec3& start, double tolerance) : Tolerance(tolerance)
 {
-  Wish wish;
-  wish.Stencil = { { 0, 1.0 } };
-  wish.Value = start;
-  this->Add(wish);
+  ConstraintBall ball;
+  ball.Stencil = { { 0, 1.0 } };
+  ball.Value = start;
+  this->Add(ball);
 }
 
-Contradiction ObjectWishes::Add(const Wish& wish)
+Contradiction KeptConstraints::Add(const ConstraintBall& ball)
 {
   Contradiction found =
-    IsPositional(wish.Kind) ? this->CheckPosition(wish) : this->CheckSameDerivative(wish);
-  if (found.IsEmpty() && !IsPositional(wish.Kind))
+    IsPositional(ball.Kind) ? this->CheckPosition(ball) : this->CheckSameDerivative(ball);
+  if (found.IsEmpty() && !IsPositional(ball.Kind))
   {
-    found = this->CheckDerivative(wish, wish);
+    found = this->CheckDerivative(ball, ball);
   }
   std::set<int> lines;
   double gap = 0.0;
-  if (found.IsEmpty() && wish.Radius == 0.0 &&
-      this->Exact.Add(wish.Stencil, wish.Value, wish.Line, this->Tolerance, lines, gap) ==
+  if (found.IsEmpty() && ball.Radius == 0.0 &&
+      this->Exact.Add(ball.Stencil, ball.Value, ball.Line, this->Tolerance, lines, gap) ==
         LinearRows::Answer::Contradictory)
   {
-    found = { wish, lines,
+    found = { ball, lines,
               "no positions satisfy all of them, " + NumberText(gap) + " m are missing" };
   }
   if (found.IsEmpty())
   {
-    this->Keep(wish);
+    this->Keep(ball);
   }
   return found;
 }
 
-void ObjectWishes::Keep(const Wish& wish)
+void KeptConstraints::Keep(const ConstraintBall& ball)
 {
-  this->Begin(wish.Line);
-  if (!IsPositional(wish.Kind))
+  this->Begin(ball.Line);
+  if (!IsPositional(ball.Kind))
   {
-    this->Derivatives.push_back(wish);
+    this->Derivatives.push_back(ball);
     return;
   }
   // Another ball about the same place that is no smaller says nothing new: of ten thousand equal
   // rows one is kept.
-  std::vector<Wish>& own = this->Positions[wish.Frame];
-  const bool isSaid = std::any_of(
-    own.begin(), own.end(),
-    [&](const Wish& other) { return other.Value == wish.Value && other.Radius <= wish.Radius; });
+  std::vector<ConstraintBall>& own = this->Positions[ball.Frame];
+  const bool isSaid = std::any_of(own.begin(), own.end(),
+                                  [&](const ConstraintBall& other) {
+                                    return other.Value == ball.Value && other.Radius <= ball.Radius;
+                                  });
   if (!isSaid)
   {
-    own.push_back(wish);
-    this->NewestFrames.push_back(wish.Frame);
+    own.push_back(ball);
+    this->NewestFrames.push_back(ball.Frame);
   }
 }
 
-void ObjectWishes::Begin(int line)
+void KeptConstraints::Begin(int line)
 {
   if (this->NewestLine != line)
   {
@@ -82,24 +83,24 @@ void ObjectWishes::Begin(int line)
   }
 }
 
-Contradiction ObjectWishes::CheckPosition(const Wish& wish) const
+Contradiction KeptConstraints::CheckPosition(const ConstraintBall& ball) const
 {
-  const auto positions = this->Positions.find(wish.Frame);
+  const auto positions = this->Positions.find(ball.Frame);
   for (std::size_t n = 0; positions != this->Positions.end() && n < positions->second.size(); ++n)
   {
-    const Wish& other = positions->second[n];
-    const double distance = (wish.Value - other.Value).norm();
-    if (distance > wish.Radius + other.Radius + this->Tolerance)
+    const ConstraintBall& other = positions->second[n];
+    const double distance = (ball.Value - other.Value).norm();
+    if (distance > ball.Radius + other.Radius + this->Tolerance)
     {
-      return { wish, { other.Line }, Apart(distance, wish.Radius + other.Radius, wish.Kind) };
+      return { ball, { other.Line }, Apart(distance, ball.Radius + other.Radius, ball.Kind) };
     }
   }
-  for (const Wish& derivative : this->Derivatives)
+  for (const ConstraintBall& derivative : this->Derivatives)
   {
     Contradiction found;
-    if (derivative.Stencil.count(wish.Frame))
+    if (derivative.Stencil.count(ball.Frame))
     {
-      found = this->CheckDerivative(derivative, wish);
+      found = this->CheckDerivative(derivative, ball);
     }
     if (!found.IsEmpty())
     {
@@ -109,15 +110,15 @@ Contradiction ObjectWishes::CheckPosition(const Wish& wish) const
   return {};
 }
 
-Contradiction ObjectWishes::CheckSameDerivative(const Wish& wish) const
+Contradiction KeptConstraints::CheckSameDerivative(const ConstraintBall& ball) const
 {
-  for (const Wish& other : this->Derivatives)
+  for (const ConstraintBall& other : this->Derivatives)
   {
-    const double distance = (wish.Value - other.Value).norm();
-    if (other.Kind == wish.Kind && other.Frame == wish.Frame &&
-        distance > wish.Radius + other.Radius + this->Tolerance)
+    const double distance = (ball.Value - other.Value).norm();
+    if (other.Kind == ball.Kind && other.Frame == ball.Frame &&
+        distance > ball.Radius + other.Radius + this->Tolerance)
     {
-      return { wish, { other.Line }, Apart(distance, wish.Radius + other.Radius, wish.Kind) };
+      return { ball, { other.Line }, Apart(distance, ball.Radius + other.Radius, ball.Kind) };
     }
   }
   return {};
@@ -125,7 +126,8 @@ Contradiction ObjectWishes::CheckSameDerivative(const Wish& wish) const
 
 /// Positions at all frames of a derivative's stencil decide whether it can hold: the smallest ball
 /// of each frame counts, the candidate's among them.
-Contradiction ObjectWishes::CheckDerivative(const Wish& derivative, const Wish& candidate) const
+Contradiction KeptConstraints::CheckDerivative(const ConstraintBall& derivative,
+                                               const ConstraintBall& candidate) const
 {
   Vec3 centre = -derivative.Value;
   double reach = derivative.Radius;
@@ -133,12 +135,12 @@ Contradiction ObjectWishes::CheckDerivative(const Wish& derivative, const Wish& 
   std::set<int> lines{ derivative.Line };
   for (const auto& [frame, c] : derivative.Stencil)
   {
-    const Wish* best =
+    const ConstraintBall* best =
       IsPositional(candidate.Kind) && candidate.Frame == frame ? &candidate : nullptr;
     const auto positions = this->Positions.find(frame);
     for (std::size_t n = 0; positions != this->Positions.end() && n < positions->second.size(); ++n)
     {
-      const Wish& position = positions->second[n];
+      const ConstraintBall& position = positions->second[n];
       best = !best || position.Radius < best->Radius ? &position : best;
     }
     if (!best)
@@ -158,10 +160,10 @@ Contradiction ObjectWishes::CheckDerivative(const Wish& derivative, const Wish& 
   return { candidate, lines,
            "the places allow no " + std::string(ToString(derivative.Kind)) + " nearer than " +
              NumberText(centre.norm() - reach + derivative.Radius) +
-             " to the one wished, expected " + NumberText(derivative.Radius) };
+             " to the one wanted, expected " + NumberText(derivative.Radius) };
 }
 
-Contradiction ObjectWishes::AddOrientation(const Constraint& row, int line)
+Contradiction KeptConstraints::AddOrientation(const Constraint& row, int line)
 {
   for (const auto& [other, otherLine] : this->Orientations)
   {
@@ -169,11 +171,11 @@ Contradiction ObjectWishes::AddOrientation(const Constraint& row, int line)
     if (other.Frame == row.Frame &&
         angle > row.Radius + other.Radius + TraitsOf(row.Kind).Tolerance)
     {
-      Wish wish;
-      wish.Line = line;
-      wish.Kind = row.Kind;
-      wish.Frame = row.Frame;
-      return { wish, { otherLine }, Apart(angle, row.Radius + other.Radius, row.Kind) };
+      ConstraintBall ball;
+      ball.Line = line;
+      ball.Kind = row.Kind;
+      ball.Frame = row.Frame;
+      return { ball, { otherLine }, Apart(angle, row.Radius + other.Radius, row.Kind) };
     }
   }
   this->Begin(line);
@@ -181,7 +183,7 @@ Contradiction ObjectWishes::AddOrientation(const Constraint& row, int line)
   return {};
 }
 
-void ObjectWishes::Withdraw(int line)
+void KeptConstraints::Withdraw(int line)
 {
   if (this->NewestLine != line)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wishes that are impossible by themselves.
+// Constraints that are impossible by themselves.
 #pragma once
 
 #include "Base/Motion.h"

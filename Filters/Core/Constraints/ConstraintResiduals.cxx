@@ -36,8 +36,8 @@ double BeyondRadius(const Constraint& row, double distance)
   return std::isfinite(distance) ? std::max(0.0, distance - RadiusOf(row)) : Nowhere;
 }
 
-void Note(const Constraint& row, ConstraintKind kindOfLine, double distance, double tolerance,
-          Finding& finding)
+void Record(const Constraint& row, ConstraintKind kindOfLine, double distance, double tolerance,
+            Finding& finding)
 {
   const double residual = BeyondRadius(row, distance);
   finding.ObjectId = row.ObjectId;
@@ -56,7 +56,7 @@ void Note(const Constraint& row, ConstraintKind kindOfLine, double distance, dou
   }
 }
 
-void Tell(ReportRow& line, const std::string& message)
+void AddMessage(ReportRow& line, const std::string& message)
 {
   line.Message += (line.Message.empty() ? "" : "; ") + message;
 }
@@ -75,11 +75,11 @@ void Apply(const std::map<Key, Finding>& findings, std::vector<ReportRow>& repor
     if (line.Status == ConstraintStatus::Met && !found->second.Message.empty())
     {
       line.Status = ConstraintStatus::Unreachable;
-      Tell(line, found->second.Message);
+      AddMessage(line, found->second.Message);
     }
     else if (line.Status == ConstraintStatus::Unreachable && IsPositional(line.Kind))
     {
-      Tell(line, "it comes within " + NumberText(line.Residual, 3) + " m");
+      AddMessage(line, "it comes within " + NumberText(line.Residual, 3) + " m");
     }
   }
 }
@@ -212,8 +212,8 @@ void MeasureResiduals(const std::vector<Constraint>& constraints, const std::vec
       finding.Excess = Nowhere;
       continue;
     }
-    Note(row, kind->second, Distance(row, motion->second, obstacles), ToleranceOf(row.Kind, scales),
-         finding);
+    Record(row, kind->second, Distance(row, motion->second, obstacles),
+           ToleranceOf(row.Kind, scales), finding);
   }
   Apply(findings, report);
 }
@@ -241,7 +241,7 @@ void MeasureOrientationResiduals(const std::vector<Constraint>& constraints,
         angle = pose.Orientations[row.Frame].angularDistance(row.Orientation);
       }
     }
-    Note(row, kind->second, angle, ToleranceOf(row.Kind, {}), finding);
+    Record(row, kind->second, angle, ToleranceOf(row.Kind, {}), finding);
   }
   Apply(findings, report);
 }

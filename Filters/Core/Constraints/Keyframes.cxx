@@ -149,7 +149,7 @@ std::set<int> Candidates(const std::vector<MotionObject>& objects, const Group& 
 }
 
 /// The objects that a target may have, each where it is before. Who has another place at the time
-/// is penalized.
+/// is penalised.
 std::vector<NearestColumns::Candidate> CandidatesFor(const Target& target,
                                                      const std::vector<MotionObject>& objects,
                                                      const std::set<int>& ids,

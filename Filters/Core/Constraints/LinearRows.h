@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exact wishes about one object as linear equations on its positions.
+// Exact constraints on one object as linear equations on its positions.
 #pragma once
 
 #include "Base/Types.h"

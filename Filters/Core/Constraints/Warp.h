@@ -18,7 +18,7 @@ struct LinearRow
   Vec3 Value = Vec3::Zero();
 };
 
-/// A soft wish that x[Frame] lie at Value.
+/// A soft constraint: x[Frame] is to lie at Value.
 struct SoftMark
 {
   int Frame = 0;

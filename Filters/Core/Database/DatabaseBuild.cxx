@@ -31,8 +31,8 @@ private:
   Monitor& Whole;
 };
 
-/// Tells how far it is and goes on: what the simulations took minutes for is clustered in seconds,
-/// and without that there is nothing to show for them.
+/// Reports how far it is and goes on: what the simulations took minutes for is clustered in
+/// seconds, and without that there is nothing to show for them.
 class ToTheEnd : public Monitor
 {
 public:

@@ -51,7 +51,7 @@ inline float Wrapped(const Reach& reach, float at, float d)
 
 // Displacements are multiples of 2^-18 voxels (up to 16 voxels): sums with halves and complements
 // to one are then exact, so that a mirror image of the air is carried to the same bits.
-inline float Quantize(float d)
+inline float Quantise(float d)
 {
   constexpr float grain = 48.0f;
   return (d + grain) - grain;
@@ -164,7 +164,7 @@ void TracePlane(const CarrierFlow& flow, int k, const std::array<float*, 3>& dis
 #pragma GCC ivdep
       for (int i = 0; i < count; ++i)
       {
-        h[i] = Quantize(scale * (v[i] + next[i]));
+        h[i] = Quantise(scale * (v[i] + next[i]));
       }
     }
     for (int axis = 0; axis < 3; ++axis)
@@ -178,7 +178,7 @@ void TracePlane(const CarrierFlow& flow, int k, const std::array<float*, 3>& dis
       for (int i = 0; i < count; ++i)
       {
         out[i] =
-          Quantize(-flow.Scale[axis] * Linear(layout, flow.Velocity[axis], FootAt(feet, row, i)));
+          Quantise(-flow.Scale[axis] * Linear(layout, flow.Velocity[axis], FootAt(feet, row, i)));
       }
     }
   }

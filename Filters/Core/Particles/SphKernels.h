@@ -56,7 +56,7 @@ constexpr std::size_t SphFarRecords = 8;
 
 /// Neighbours in groups of eight, each pair once: of a gas particle some of the gas about it, of an
 /// object's all gas about it. The last group is filled with the index of the first far record.
-struct SphNeighbors
+struct SphNeighbours
 {
   const std::uint32_t* Starts; // n + 1 entries, in groups of eight
   const std::uint16_t* Narrow; // either this list
@@ -136,7 +136,7 @@ struct SphKernelTable
   const char* Name;
 
   /// density[i] = sum_j m_j W_ij, and the far ones' entries; fills `pairs`.
-  void (*Density)(const SphConstants&, const SphRecord*, const SphNeighbors&, std::size_t n,
+  void (*Density)(const SphConstants&, const SphRecord*, const SphNeighbours&, std::size_t n,
                   const SphPairs& pairs, float* density);
   /// Adds to First: -sum_j m_j (p_i + p_j + Pi_ij) F x_ij, to Second: sum_j m_j W_ij (v_j - v_i).
   /// n sums and the far ones', here and below.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of one instruction set: a choice between the two widths of the lists' indices.
-void DensityAny(const SphConstants& c, const SphRecord* records, const SphNeighbors& list,
+void DensityAny(const SphConstants& c, const SphRecord* records, const SphNeighbours& list,
                 std::size_t n, const SphPairs& pairs, float* density)
 {
   list.Narrow ? DensitySum(c, records, list.Starts, list.Narrow, n, pairs, density)

@@ -74,7 +74,7 @@ std::vector<Vec3> ClearPath(const ClearanceField& field, WarpProblem warp,
   freedom.Reach = PlannerNumbers::RepairReach;
   freedom.MeetRows = [&](std::vector<Vec3>& path)
   { LayOnLandings(field, warp, options.Tolerance, path); };
-  std::map<int, Vec3> wishes;
+  std::map<int, Vec3> wanted;
   freedom.Yield = [&](const std::vector<Vec3>& pushes, std::vector<Vec3>& path)
   {
     for (std::size_t k = 0; k < path.size(); ++k)
@@ -82,11 +82,11 @@ std::vector<Vec3> ClearPath(const ClearanceField& field, WarpProblem warp,
       if (warp.IsFixed[k] == 0 && !pushes[k].isZero(0.0))
       {
         // Marks are soft: what one round does not bring about the next ones add.
-        wishes.emplace(static_cast<int>(k), path[k]).first->second += pushes[k];
+        wanted.emplace(static_cast<int>(k), path[k]).first->second += pushes[k];
       }
     }
     warp.Soft.clear();
-    for (const auto& [frame, value] : wishes)
+    for (const auto& [frame, value] : wanted)
     {
       warp.Soft.push_back({ frame, value, PlannerNumbers::RepairPull });
     }

@@ -90,13 +90,13 @@ bool FlightGrower::PlaceRoot(Level& level)
   if (task.Start.HasVelocity)
   {
     const Vec3 own = samples[std::min(piece.First + 1, piece.Last)] - samples[piece.First];
-    const Vec3& wish = task.Start.Velocity;
-    yaw =
-      std::atan2(own.x() * wish.y() - own.y() * wish.x(), own.x() * wish.x() + own.y() * wish.y());
+    const Vec3& wanted = task.Start.Velocity;
+    yaw = std::atan2(own.x() * wanted.y() - own.y() * wanted.x(),
+                     own.x() * wanted.x() + own.y() * wanted.y());
     const Vec3 turned = Eigen::AngleAxisd(yaw, Vec3::UnitZ()) * own;
     // The more draws miss, the less is asked.
     this->Tolerance += PlannerNumbers::MismatchGrowth;
-    if ((turned - wish).norm() > this->Tolerance * (wish.norm() + this->Library.TypicalStep()))
+    if ((turned - wanted).norm() > this->Tolerance * (wanted.norm() + this->Library.TypicalStep()))
     {
       return false;
     }

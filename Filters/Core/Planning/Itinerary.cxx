@@ -80,13 +80,13 @@ public:
       mark->second.Velocity = value;
       mark->second.Halts = row.Value.norm() < PlannerNumbers::HaltingSpeed;
     }
-    this->StartsAsTold = this->StartsAsTold || (derivative == 1 && row.Frame == 0);
+    this->StartsAsAsked = this->StartsAsAsked || (derivative == 1 && row.Frame == 0);
   }
 
   Itinerary Finish()
   {
     Mark& first = this->Marks.begin()->second;
-    if (!this->StartsAsTold && !first.IsRest && this->Object.Velocity.norm() > 0.0 &&
+    if (!this->StartsAsAsked && !first.IsRest && this->Object.Velocity.norm() > 0.0 &&
         this->Scene.Time.NumberOfFrames > 1)
     {
       first.HasVelocity = true;
@@ -120,8 +120,8 @@ private:
 
   const MotionObject& Object;
   const SceneInfo& Scene;
-  std::map<int, Mark> Marks; // by frame
-  bool StartsAsTold = false; // a row says how fast
+  std::map<int, Mark> Marks;  // by frame
+  bool StartsAsAsked = false; // a row says how fast
   Itinerary Result;
 };
 

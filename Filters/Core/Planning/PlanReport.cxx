@@ -15,8 +15,8 @@ namespace
 {
 
 /// Adds a sentence to the line of a constraint.
-void Tell(std::vector<ReportRow>& report, const Constraint& row, bool isReached,
-          const std::string& text)
+void AddToReport(std::vector<ReportRow>& report, const Constraint& row, bool isReached,
+                 const std::string& text)
 {
   ReportRow* line = FindLine(report, row.Row, row.Target);
   if (line == nullptr)
@@ -77,10 +77,10 @@ void ReportObject(const MotionObject& object, const ObjectPlan& plan, bool isPla
       continue; // the end of a guide
     }
     const Constraint& row = output.Constraints[outcome.Constraint];
-    Tell(output.Report, row, outcome.IsReached,
-         outcome.IsReached ? Describe(outcome)
-                           : "no path found in the limits" +
-                               (outcome.Message.empty() ? "" : ": " + outcome.Message));
+    AddToReport(output.Report, row, outcome.IsReached,
+                outcome.IsReached ? Describe(outcome)
+                                  : "no path found in the limits" +
+                                      (outcome.Message.empty() ? "" : ": " + outcome.Message));
     output.Flights.push_back({ object.ObjectId, row.Row, row.Target, row.Frame, outcome.IsReached,
                                outcome.RetimingFactor, outcome.Cost, outcome.NumberOfBranches,
                                outcome.Seconds });
@@ -94,7 +94,7 @@ void ReportObject(const MotionObject& object, const ObjectPlan& plan, bool isPla
     own.Message = text;
     if (last != nullptr)
     {
-      Tell(output.Report, output.Constraints[last->Constraint], true, text);
+      AddToReport(output.Report, output.Constraints[last->Constraint], true, text);
     }
   }
   output.Objects.push_back(std::move(own));

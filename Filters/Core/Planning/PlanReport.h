@@ -9,7 +9,8 @@
 namespace waft
 {
 
-/// Tells the lines of the object's rows what became of them, and adds its flights and its own line.
+/// Reports in the lines of the object's rows what became of them, and adds its flights and its own
+/// line.
 void ReportObject(const MotionObject& object, const ObjectPlan& plan, bool isPlanned,
                   PlanOutput& output);
 

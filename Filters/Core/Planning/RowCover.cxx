@@ -17,17 +17,18 @@ namespace
 {
 
 /// The rows of one (Row, Target).
-struct Wish
+struct TargetRows
 {
   std::vector<std::size_t> Rows;
   TargetStops Stops;
   bool IsFree = true; // it can be met
 };
 
-std::vector<Wish> CollectWishes(const std::vector<unsigned char>& isFree,
-                                const ObstacleSet& obstacles, const std::vector<Constraint>& rows)
+std::vector<TargetRows> CollectTargets(const std::vector<unsigned char>& isFree,
+                                       const ObstacleSet& obstacles,
+                                       const std::vector<Constraint>& rows)
 {
-  std::map<std::pair<int, int>, Wish> wishes;
+  std::map<std::pair<int, int>, TargetRows> targets;
   for (std::size_t i = 0; i < rows.size(); ++i)
   {
     const Constraint& row = rows[i];
@@ -36,23 +37,23 @@ std::vector<Wish> CollectWishes(const std::vector<unsigned char>& isFree,
       continue;
     }
     const Stop stop = StopOf(row, 0.0, obstacles);
-    Wish& wish = wishes[{ row.Row, row.Target }];
-    const bool isNew = wish.Rows.empty();
-    TargetStops& asked = wish.Stops;
+    TargetRows& target = targets[{ row.Row, row.Target }];
+    const bool isNew = target.Rows.empty();
+    TargetStops& asked = target.Stops;
     asked.First = isNew || stop.First < asked.First.First ? stop : asked.First;
     asked.Last = isNew || stop.Last > asked.Last.Last ? stop : asked.Last;
     asked.ClassId = std::max(asked.ClassId, row.ClassId);
-    wish.IsFree = wish.IsFree && isFree[i] != 0;
-    wish.Rows.push_back(i);
+    target.IsFree = target.IsFree && isFree[i] != 0;
+    target.Rows.push_back(i);
   }
-  std::vector<Wish> result;
-  for (auto& entry : wishes)
+  std::vector<TargetRows> result;
+  for (auto& entry : targets)
   {
     result.push_back(std::move(entry.second));
   }
   // Those that can be met come first, in order of time.
   std::stable_sort(result.begin(), result.end(),
-                   [](const Wish& a, const Wish& b) {
+                   [](const TargetRows& a, const TargetRows& b) {
                      return std::pair(!a.IsFree, a.Stops.First.First) <
                             std::pair(!b.IsFree, b.Stops.First.First);
                    });
@@ -90,17 +91,17 @@ std::vector<std::vector<Stop>> FixedStops(const std::vector<MotionObject>& objec
   return stops;
 }
 
-/// The object that comes nearest in time to a wish that no way leads to: of those that have nothing
-/// else to do, or of all when the wish cannot be met anyway.
-std::size_t Nearest(const Wish& wish, const std::vector<MotionObject>& objects,
+/// The object that comes nearest in time to a target that no way leads to: of those that have
+/// nothing else to do, or of all when the target cannot be met anyway.
+std::size_t Nearest(const TargetRows& target, const std::vector<MotionObject>& objects,
                     const std::vector<unsigned char>& isIdle, const SpeedLimit& limit)
 {
   std::size_t nearest = NoObject;
   double least = 0.0;
   for (std::size_t o = 0; o < objects.size(); ++o)
   {
-    const double haste = limit.Haste(StartOf(objects[o]), wish.Stops.First);
-    if (wish.Stops.Suits(objects[o]) && (isIdle[o] != 0 || !wish.IsFree) &&
+    const double haste = limit.Haste(StartOf(objects[o]), target.Stops.First);
+    if (target.Stops.Suits(objects[o]) && (isIdle[o] != 0 || !target.IsFree) &&
         (nearest == NoObject || haste < least))
     {
       nearest = o;
@@ -110,16 +111,16 @@ std::size_t Nearest(const Wish& wish, const std::vector<MotionObject>& objects,
   return nearest;
 }
 
-/// By wish, the object: all together, or where they are too many for that one after the other.
+/// By target, the object: all together, or where they are too many for that one after the other.
 std::vector<std::size_t> Choose(const std::vector<MotionObject>& objects,
-                                const std::vector<TargetStops>& wishes,
+                                const std::vector<TargetStops>& targets,
                                 const std::vector<std::vector<Stop>>& stops,
                                 const SpeedLimit& limit)
 {
-  const std::vector<FlightGap> gaps = CollectGaps(objects, stops, wishes);
-  return wishes.size() + gaps.size() <= PlannerNumbers::MostTogether
-           ? CoverTogether(objects, wishes, gaps, limit)
-           : CoverInTurn(objects, stops, wishes, limit);
+  const std::vector<FlightGap> gaps = CollectGaps(objects, stops, targets);
+  return targets.size() + gaps.size() <= PlannerNumbers::MostTogether
+           ? CoverTogether(objects, targets, gaps, limit)
+           : CoverInTurn(objects, stops, targets, limit);
 }
 
 } // namespace
@@ -127,17 +128,17 @@ std::vector<std::size_t> Choose(const std::vector<MotionObject>& objects,
 void CoverRows(const std::vector<MotionObject>& objects, const std::vector<unsigned char>& isFree,
                const ObstacleSet& obstacles, const SpeedLimit& limit, std::vector<Constraint>& rows)
 {
-  const std::vector<Wish> wishes = CollectWishes(isFree, obstacles, rows);
-  if (wishes.empty())
+  const std::vector<TargetRows> targets = CollectTargets(isFree, obstacles, rows);
+  if (targets.empty())
   {
     return;
   }
   std::vector<TargetStops> free; // which come first
-  for (const Wish& wish : wishes)
+  for (const TargetRows& target : targets)
   {
-    if (wish.IsFree)
+    if (target.IsFree)
     {
-      free.push_back(wish.Stops);
+      free.push_back(target.Stops);
     }
   }
   const std::vector<std::vector<Stop>> stops = FixedStops(objects, isFree, obstacles, rows);
@@ -154,19 +155,19 @@ void CoverRows(const std::vector<MotionObject>& objects, const std::vector<unsig
       isIdle[object] = 0;
     }
   }
-  chosen.resize(wishes.size(), NoObject);
-  for (std::size_t w = 0; w < wishes.size(); ++w)
+  chosen.resize(targets.size(), NoObject);
+  for (std::size_t w = 0; w < targets.size(); ++w)
   {
     if (chosen[w] == NoObject)
     {
-      chosen[w] = Nearest(wishes[w], objects, isIdle, limit);
+      chosen[w] = Nearest(targets[w], objects, isIdle, limit);
     }
     if (chosen[w] == NoObject)
     {
       continue;
     }
     isIdle[chosen[w]] = 0;
-    for (const std::size_t row : wishes[w].Rows)
+    for (const std::size_t row : targets[w].Rows)
     {
       rows[row].ObjectId = objects[chosen[w]].ObjectId;
     }

@@ -10,13 +10,13 @@
 namespace waft
 {
 
-/// By wish the index of an object, NoObject where none can come in time. Wishes take their turns as
-/// they are listed, in order of time: each gets the object that comes by the shortest of the legs
-/// that can be flown, with as few in haste as may be. stops: the positions that each object is
+/// By target the index of an object, NoObject where none can come in time. Targets take their turns
+/// as they are listed, in order of time: each gets the object that comes by the shortest of the
+/// legs that can be flown, with as few in haste as may be. stops: the positions that each object is
 /// fixed to, in order of time, its start first.
 std::vector<std::size_t> CoverInTurn(const std::vector<MotionObject>& objects,
                                      std::vector<std::vector<Stop>> stops,
-                                     const std::vector<TargetStops>& wishes,
+                                     const std::vector<TargetStops>& targets,
                                      const SpeedLimit& limit);
 
 } // namespace waft

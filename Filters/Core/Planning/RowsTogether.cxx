@@ -17,18 +17,18 @@ namespace
 
 constexpr std::size_t None = NoObject;
 
-/// Is the wish within the gap's time, and of a kind that its object can fulfil?
-bool Fits(const TargetStops& wish, const FlightGap& gap, const std::vector<MotionObject>& objects)
+/// Is the target within the gap's time, and of a kind that its object can fulfil?
+bool Fits(const TargetStops& target, const FlightGap& gap, const std::vector<MotionObject>& objects)
 {
-  return wish.First.First > gap.From.Last && (gap.IsOpen || wish.Last.Last < gap.To.First) &&
-         wish.Suits(objects[gap.Object]);
+  return target.First.First > gap.From.Last && (gap.IsOpen || target.Last.Last < gap.To.First) &&
+         target.Suits(objects[gap.Object]);
 }
 
-/// What the search has settled: this gap goes first to this wish, or it does not.
+/// What the search has settled: this gap goes first to this target, or it does not.
 struct Decision
 {
   std::size_t Gap = 0;
-  std::size_t Wish = 0;
+  std::size_t Target = 0;
   bool IsNext = true;
 };
 
@@ -36,22 +36,22 @@ struct Solution
 {
   RankedCost Cost;
   std::vector<Decision> Decisions;
-  std::vector<std::size_t> GapOf; // by wish, None: left over
+  std::vector<std::size_t> GapOf; // by target, None: left over
   bool HasMistake = false;
   Decision Mistake; // the way that begins with it ends where another object is to go on
 };
 
 /// The ways of objects as an assignment: what comes next takes what was before, either the end of a
-/// fixed position or a wish. A way that begins at one object's position may then end at another's,
-/// or pass a wish of the wrong class; so first legs of such ways are decided one by one, the
-/// cheapest solution first (branch and bound).
+/// fixed position or a target. A way that begins at one object's position may then end at
+/// another's, or pass a target of the wrong class; so first legs of such ways are decided one by
+/// one, the cheapest solution first (branch and bound).
 class Cover
 {
 public:
-  Cover(const std::vector<MotionObject>& objects, const std::vector<TargetStops>& wishes,
+  Cover(const std::vector<MotionObject>& objects, const std::vector<TargetStops>& targets,
         const std::vector<FlightGap>& gaps, const SpeedLimit& limit) :
     Objects(objects),
-    Wishes(wishes), Gaps(gaps), Limit(limit)
+    Targets(targets), Gaps(gaps), Limit(limit)
   {
     for (std::size_t g = 0; g < this->Gaps.size(); ++g)
     {
@@ -62,11 +62,11 @@ public:
     }
   }
 
-  /// By wish, the object, None where it is left over.
+  /// By target, the object, None where it is left over.
   std::vector<std::size_t> Run() const
   {
     const std::size_t pairs =
-      (this->Wishes.size() + this->Closed.size()) * (this->Wishes.size() + this->Gaps.size());
+      (this->Targets.size() + this->Closed.size()) * (this->Targets.size() + this->Gaps.size());
     const std::size_t most =
       std::min(PlannerNumbers::MostSolutions, PlannerNumbers::MostPairs / pairs + 1);
     std::multimap<RankedCost, Solution> open; // equal ones in the order in which they were found
@@ -80,7 +80,7 @@ public:
       for (const bool isNext : { true, false })
       {
         std::vector<Decision> decisions = best.Decisions;
-        decisions.push_back({ best.Mistake.Gap, best.Mistake.Wish, isNext });
+        decisions.push_back({ best.Mistake.Gap, best.Mistake.Target, isNext });
         Solution solution = this->Solve(std::move(decisions));
         open.emplace(solution.Cost, std::move(solution));
       }
@@ -108,20 +108,20 @@ private:
   struct Beginning
   {
     std::vector<Stop> From;                                 // by gap
-    std::set<std::pair<std::size_t, std::size_t>> Excluded; // (gap, wish): not its next
+    std::set<std::pair<std::size_t, std::size_t>> Excluded; // (gap, target): not its next
   };
 
   Solution Solve(std::vector<Decision> decisions) const;
   Beginning Settle(const std::vector<Decision>& decisions, Solution& solution) const;
-  /// What may lead to each open wish, and to each fixed position at the end of a gap.
-  void AddWishes(const Beginning& begin, const Solution& solution,
-                 AssignmentProblem& problem) const;
+  /// What may lead to each open target, and to each fixed position at the end of a gap.
+  void AddTargets(const Beginning& begin, const Solution& solution,
+                  AssignmentProblem& problem) const;
   void AddEnds(const Beginning& begin, const Solution& solution, AssignmentProblem& problem) const;
   /// Follows each gap's way, and finds the first that is not what it should be.
   void Follow(const std::vector<int>& chosen, Solution& solution) const;
 
   const std::vector<MotionObject>& Objects;
-  const std::vector<TargetStops>& Wishes;
+  const std::vector<TargetStops>& Targets;
   const std::vector<FlightGap>& Gaps;
   const SpeedLimit& Limit;
   std::vector<std::size_t> Closed; // gaps after which a position is fixed
@@ -140,26 +140,26 @@ Cover::Beginning Cover::Settle(const std::vector<Decision>& decisions, Solution&
     const std::size_t g = decision.Gap;
     if (!decision.IsNext)
     {
-      excluded.emplace(g, decision.Wish);
+      excluded.emplace(g, decision.Target);
       continue;
     }
-    const TargetStops& wish = this->Wishes[decision.Wish];
-    solution.Cost = solution.Cost + this->Leg(begin.From[g], wish.First);
-    solution.GapOf[decision.Wish] = g;
-    begin.From[g] = wish.Last;
+    const TargetStops& target = this->Targets[decision.Target];
+    solution.Cost = solution.Cost + this->Leg(begin.From[g], target.First);
+    solution.GapOf[decision.Target] = g;
+    begin.From[g] = target.Last;
     excluded.erase(excluded.lower_bound({ g, 0 }), excluded.lower_bound({ g + 1, 0 }));
   }
   return begin;
 }
 
-void Cover::AddWishes(const Beginning& begin, const Solution& solution,
-                      AssignmentProblem& problem) const
+void Cover::AddTargets(const Beginning& begin, const Solution& solution,
+                       AssignmentProblem& problem) const
 {
-  const std::size_t wishes = this->Wishes.size();
+  const std::size_t targets = this->Targets.size();
   const std::size_t gaps = this->Gaps.size();
-  for (std::size_t w = 0; w < wishes; ++w)
+  for (std::size_t w = 0; w < targets; ++w)
   {
-    const TargetStops& wish = this->Wishes[w];
+    const TargetStops& target = this->Targets[w];
     if (solution.GapOf[w] != None)
     {
       problem.LeftOut[w] = RankedCost();
@@ -167,63 +167,63 @@ void Cover::AddWishes(const Beginning& begin, const Solution& solution,
     }
     for (std::size_t g = 0; g < gaps; ++g)
     {
-      if (Fits(wish, this->Gaps[g], this->Objects) && wish.First.First > begin.From[g].Last &&
+      if (Fits(target, this->Gaps[g], this->Objects) && target.First.First > begin.From[g].Last &&
           begin.Excluded.count({ g, w }) == 0)
       {
-        problem.At(w, g) = this->Leg(begin.From[g], wish.First);
+        problem.At(w, g) = this->Leg(begin.From[g], target.First);
       }
     }
-    for (std::size_t v = 0; v < wishes; ++v)
+    for (std::size_t v = 0; v < targets; ++v)
     {
-      const TargetStops& before = this->Wishes[v];
-      if (solution.GapOf[v] == None && before.Last.Last < wish.First.First &&
-          (before.ClassId < 0 || wish.ClassId < 0 || before.ClassId == wish.ClassId))
+      const TargetStops& before = this->Targets[v];
+      if (solution.GapOf[v] == None && before.Last.Last < target.First.First &&
+          (before.ClassId < 0 || target.ClassId < 0 || before.ClassId == target.ClassId))
       {
-        problem.At(w, gaps + v) = this->Leg(before.Last, wish.First);
+        problem.At(w, gaps + v) = this->Leg(before.Last, target.First);
       }
     }
-    problem.At(w, gaps + w) = { static_cast<std::int64_t>(wishes + gaps), 0.0 };
+    problem.At(w, gaps + w) = { static_cast<std::int64_t>(targets + gaps), 0.0 };
   }
 }
 
 void Cover::AddEnds(const Beginning& begin, const Solution& solution,
                     AssignmentProblem& problem) const
 {
-  const std::size_t wishes = this->Wishes.size();
+  const std::size_t targets = this->Targets.size();
   for (std::size_t k = 0; k < this->Closed.size(); ++k)
   {
     const std::size_t g = this->Closed[k];
     const FlightGap& gap = this->Gaps[g];
-    problem.At(wishes + k, g) = this->Leg(begin.From[g], gap.To);
+    problem.At(targets + k, g) = this->Leg(begin.From[g], gap.To);
     if (begin.From[g].First == gap.From.First) // as the user wants it, however fast
     {
-      problem.At(wishes + k, g) = { 0, (gap.To.Value - gap.From.Value).squaredNorm() };
+      problem.At(targets + k, g) = { 0, (gap.To.Value - gap.From.Value).squaredNorm() };
     }
-    for (std::size_t v = 0; v < wishes; ++v)
+    for (std::size_t v = 0; v < targets; ++v)
     {
-      if (solution.GapOf[v] == None && Fits(this->Wishes[v], gap, this->Objects))
+      if (solution.GapOf[v] == None && Fits(this->Targets[v], gap, this->Objects))
       {
-        problem.At(wishes + k, this->Gaps.size() + v) = this->Leg(this->Wishes[v].Last, gap.To);
+        problem.At(targets + k, this->Gaps.size() + v) = this->Leg(this->Targets[v].Last, gap.To);
       }
     }
   }
 }
 
-/// Rows are wishes, then the frames at which gaps end; columns are those at which gaps begin, then
-/// wishes. A gap that was decided to go first to a wish begins there. A wish that is left over
+/// Rows are targets, then the frames at which gaps end; columns are those at which gaps begin, then
+/// targets. A gap that was decided to go first to a target begins there. A target that is left over
 /// takes itself, so that no way begins with it.
 Solution Cover::Solve(std::vector<Decision> decisions) const
 {
-  const std::size_t wishes = this->Wishes.size();
+  const std::size_t targets = this->Targets.size();
   const std::size_t gaps = this->Gaps.size();
-  const auto count = static_cast<std::int64_t>(wishes + gaps);
+  const auto count = static_cast<std::int64_t>(targets + gaps);
   Solution solution;
-  solution.GapOf.assign(wishes, None);
+  solution.GapOf.assign(targets, None);
   const Beginning begin = this->Settle(decisions, solution);
   // Nothing of this is ever left out where it can be otherwise, neither a way to a fixed position.
   AssignmentProblem problem(
-    gaps + wishes, std::vector<RankedCost>(wishes + this->Closed.size(), { count * count, 0.0 }));
-  this->AddWishes(begin, solution, problem);
+    gaps + targets, std::vector<RankedCost>(targets + this->Closed.size(), { count * count, 0.0 }));
+  this->AddTargets(begin, solution, problem);
   this->AddEnds(begin, solution, problem);
   const std::vector<int> chosen = AssignLeastCost(problem);
   for (std::size_t row = 0; row < chosen.size(); ++row)
@@ -239,9 +239,9 @@ Solution Cover::Solve(std::vector<Decision> decisions) const
 
 void Cover::Follow(const std::vector<int>& chosen, Solution& solution) const
 {
-  const std::size_t wishes = this->Wishes.size();
+  const std::size_t targets = this->Targets.size();
   const std::size_t gaps = this->Gaps.size();
-  std::vector<std::size_t> nextOf(gaps + wishes, None); // rows of the assignment
+  std::vector<std::size_t> nextOf(gaps + targets, None); // rows of the assignment
   for (std::size_t row = 0; row < chosen.size(); ++row)
   {
     if (chosen[row] >= 0)
@@ -254,14 +254,14 @@ void Cover::Follow(const std::vector<int>& chosen, Solution& solution) const
     const std::size_t first = nextOf[g];
     std::size_t next = first;
     bool isRight = true;
-    for (; next < wishes; next = nextOf[gaps + next])
+    for (; next < targets; next = nextOf[gaps + next])
     {
-      isRight = isRight && Fits(this->Wishes[next], this->Gaps[g], this->Objects);
+      isRight = isRight && Fits(this->Targets[next], this->Gaps[g], this->Objects);
       solution.GapOf[next] = g;
     }
-    const std::size_t end = next == None ? None : this->Closed[next - wishes];
+    const std::size_t end = next == None ? None : this->Closed[next - targets];
     isRight = isRight && end == (this->Gaps[g].IsOpen ? None : g);
-    if (!isRight && first < wishes && !solution.HasMistake)
+    if (!isRight && first < targets && !solution.HasMistake)
     {
       solution.HasMistake = true;
       solution.Mistake = { g, first, true };
@@ -273,7 +273,7 @@ void Cover::Follow(const std::vector<int>& chosen, Solution& solution) const
 
 std::vector<FlightGap> CollectGaps(const std::vector<MotionObject>& objects,
                                    const std::vector<std::vector<Stop>>& stops,
-                                   const std::vector<TargetStops>& wishes)
+                                   const std::vector<TargetStops>& targets)
 {
   std::vector<FlightGap> gaps;
   for (std::size_t o = 0; o < objects.size(); ++o)
@@ -285,8 +285,8 @@ std::vector<FlightGap> CollectGaps(const std::vector<MotionObject>& objects,
       gap.From = stops[o][k];
       gap.IsOpen = k + 1 == stops[o].size();
       gap.To = gap.IsOpen ? Stop() : stops[o][k + 1];
-      if (std::any_of(wishes.begin(), wishes.end(),
-                      [&](const TargetStops& wish) { return Fits(wish, gap, objects); }))
+      if (std::any_of(targets.begin(), targets.end(),
+                      [&](const TargetStops& target) { return Fits(target, gap, objects); }))
       {
         gaps.push_back(gap);
       }
@@ -296,10 +296,10 @@ std::vector<FlightGap> CollectGaps(const std::vector<MotionObject>& objects,
 }
 
 std::vector<std::size_t> CoverTogether(const std::vector<MotionObject>& objects,
-                                       const std::vector<TargetStops>& wishes,
+                                       const std::vector<TargetStops>& targets,
                                        const std::vector<FlightGap>& gaps, const SpeedLimit& limit)
 {
-  return wishes.empty() ? std::vector<std::size_t>() : Cover(objects, wishes, gaps, limit).Run();
+  return targets.empty() ? std::vector<std::size_t>() : Cover(objects, targets, gaps, limit).Run();
 }
 
 } // namespace waft

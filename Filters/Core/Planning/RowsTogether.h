@@ -19,16 +19,16 @@ struct FlightGap
   bool IsOpen = true; // no position is fixed after it
 };
 
-/// Those that a wish is within. stops: the positions that each object is fixed to, in order of
+/// Those that a target is within. stops: the positions that each object is fixed to, in order of
 /// time, its start first.
 std::vector<FlightGap> CollectGaps(const std::vector<MotionObject>& objects,
                                    const std::vector<std::vector<Stop>>& stops,
-                                   const std::vector<TargetStops>& wishes);
+                                   const std::vector<TargetStops>& targets);
 
-/// By wish the index of an object, NoObject where it is left over. Time and memory grow with the
-/// square of wishes and gaps.
+/// By target the index of an object, NoObject where it is left over. Time and memory grow with the
+/// square of targets and gaps.
 std::vector<std::size_t> CoverTogether(const std::vector<MotionObject>& objects,
-                                       const std::vector<TargetStops>& wishes,
+                                       const std::vector<TargetStops>& targets,
                                        const std::vector<FlightGap>& gaps, const SpeedLimit& limit);
 
 } // namespace waft

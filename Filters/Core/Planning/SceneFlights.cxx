@@ -19,7 +19,7 @@ namespace waft
 namespace
 {
 
-/// What the threads that plan and the one that ticks the monitor tell each other.
+/// What the threads that plan and the one that ticks the monitor report to each other.
 struct FlightWatch
 {
   std::atomic<std::size_t> Done{ 0 };
@@ -28,9 +28,9 @@ struct FlightWatch
 };
 
 /// Runs the work in a thread of its own while the caller's ticks the monitor; before each tick,
-/// `show` is called.
+/// `publish` is called.
 void RunWhileTicking(const std::function<void()>& work, std::size_t count,
-                     const std::function<void()>& show, Monitor& monitor, FlightWatch& watch)
+                     const std::function<void()>& publish, Monitor& monitor, FlightWatch& watch)
 {
   std::mutex mutex;
   std::condition_variable ended;
@@ -47,7 +47,7 @@ void RunWhileTicking(const std::function<void()>& work, std::size_t count,
   while (!ended.wait_for(lock, std::chrono::milliseconds(50), [&]() { return hasEnded; }))
   {
     const std::size_t planned = watch.Done;
-    show();
+    publish();
     const std::unique_lock<std::shared_mutex> hold(watch.Holding);
     const bool goesOn = monitor.Tick(
       0.05 + 0.9 * static_cast<double>(planned) / static_cast<double>(count),
@@ -96,15 +96,15 @@ Itinerary GuidedItinerary(const PlanInput& input, const MotionObject& object,
   return itinerary;
 }
 
-/// Adds the paths that are ready and not yet shown.
-void ShowReady(const std::vector<MotionObject>& objects, const ScenePlans& plans,
-               std::vector<char>& isShown, std::vector<Track>& soFar)
+/// Adds the paths that are ready and not yet published.
+void PublishReady(const std::vector<MotionObject>& objects, const ScenePlans& plans,
+                  std::vector<char>& isPublished, std::vector<Track>& soFar)
 {
   for (std::size_t i = 0; i < objects.size(); ++i)
   {
-    if (isShown[i] == 0 && plans.IsDone[i])
+    if (isPublished[i] == 0 && plans.IsDone[i])
     {
-      isShown[i] = 1;
+      isPublished[i] = 1;
       soFar.emplace_back();
       soFar.back().ObjectId = objects[i].ObjectId;
       soFar.back().Positions = plans.Plans[i].Positions;
@@ -156,16 +156,16 @@ bool FlyUnknown(const PlanInput& input, const PlanOptions& options, const PlanTo
       fly(unknown[k]);
     }
   };
-  std::vector<char> isShown(input.Objects.size(), 0);
-  const auto show = [&]()
+  std::vector<char> isPublished(input.Objects.size(), 0);
+  const auto publish = [&]()
   {
-    if (monitor.ShowsSoFar())
+    if (monitor.Publishes())
     {
-      ShowReady(input.Objects, plans, isShown, soFar);
+      PublishReady(input.Objects, plans, isPublished, soFar);
     }
   };
-  RunWhileTicking([&]() { parallelFor(unknown.size(), flyRange); }, unknown.size(), show, monitor,
-                  watch);
+  RunWhileTicking([&]() { parallelFor(unknown.size(), flyRange); }, unknown.size(), publish,
+                  monitor, watch);
   soFar.clear();
   return !watch.Stop;
 }

@@ -31,7 +31,7 @@ void KeepPlans(const PlanInput& input, std::uint64_t seed, const ScenePlans& pla
                PlanCache& memory);
 
 /// Plans all objects whose plans are not known, in parallel. While it lasts, soFar has the paths
-/// that are ready, for who asks for them (Monitor::ShowsSoFar); in the end it is empty. False when
+/// that are ready, for who asks for them (Monitor::Publishes); in the end it is empty. False when
 /// the monitor asked to stop; some plans are not done then.
 bool FlyUnknown(const PlanInput& input, const PlanOptions& options, const PlanTools& tools,
                 const std::vector<Constraint>& rows, const std::vector<unsigned char>& isUsed,

@@ -94,7 +94,7 @@ Vec3 SpanSearch::Seed(int tree, double& frame)
 
 /// How far along the way a tree has come: to the point of the way that is nearest to a free end and
 /// in its sight.
-void SpanSearch::NoteProgress(int tree, const Vec3& end)
+void SpanSearch::RecordProgress(int tree, const Vec3& end)
 {
   const std::vector<Vec3>& way = this->Task.Way;
   std::size_t nearest = 0;
@@ -215,7 +215,7 @@ void SpanSearch::Step()
 void SpanSearch::Insert(int tree, const Branch& branch)
 {
   this->Trees[tree].push_back(branch);
-  this->NoteProgress(tree, branch.FreeEnd);
+  this->RecordProgress(tree, branch.FreeEnd);
   const auto index = static_cast<int>(this->Trees[tree].size()) - 1;
   this->MeetOther(tree, index);
   if (tree == 0)

@@ -26,7 +26,7 @@ struct SpanEnd
 {
   Vec3 Position = Vec3::Zero();
   bool HasVelocity = false;
-  Vec3 Velocity = Vec3::Zero(); // wish [m per frame]
+  Vec3 Velocity = Vec3::Zero(); // wanted [m per frame]
   bool IsRest = false;          // the object lies still there
   double Descent = 0.0; // before a rest: fastest fall in the last second, 0: any [m per frame]
 };
@@ -58,7 +58,7 @@ struct Branch
   int Elapsed = 0; // frames from the tree's root to the free end
   Vec3 FreeEnd = Vec3::Zero();
   double Cost = 0.0;     // of the connection to the parent
-  double Mismatch = 0.0; // of the root's velocity with the wish, relative to the typical speed
+  double Mismatch = 0.0; // of the root's velocity with that wanted, over the typical speed
   int Failures = 0;
 };
 
@@ -122,7 +122,7 @@ private:
   bool CanEndHere(const Piece& piece) const;
   double Score(double gap, double angle, int rawFrames, double mismatch) const;
   Vec3 Seed(int tree, double& frame);
-  void NoteProgress(int tree, const Vec3& end);
+  void RecordProgress(int tree, const Vec3& end);
 
   const SegmentLibrary& Library;
   const ClearanceField& Field;

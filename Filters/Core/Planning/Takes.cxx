@@ -24,7 +24,7 @@ public:
                           this->Count == 1 ? text
                                            : "Take " + std::to_string(this->Take) + ": " + text);
   }
-  bool ShowsSoFar() const override { return this->Take == 0 && this->All.ShowsSoFar(); }
+  bool Publishes() const override { return this->Take == 0 && this->All.Publishes(); }
 
 private:
   Monitor& All;

@@ -32,7 +32,7 @@ struct AttitudePlan
   double TurningTime = 2.0;  // s
   double TurningRate = 60.0; // rad/s, the most that an orientation row may ask for
   std::vector<int> Held;     // frames where rows hold the centre: it is not moved there
-  double Tolerance = 0.0;    // m: a vertex deeper than this below a surface is told; also the most
+  double Tolerance = 0.0;    // m: a vertex deeper than this below a surface is named; also the most
                              // that the centre may be moved
 };
 

@@ -10,7 +10,7 @@ namespace waft
 {
 namespace
 {
-constexpr double LeastTold = 1e-5; // m: the centre was moved by less: nobody sees it
+constexpr double LeastReported = 1e-5; // m: a centre that was moved by less is seen by nobody
 
 /// A shift of one frame comes and goes smoothly in the frames around, the largest counts; where
 /// rows hold the centre there is none.
@@ -66,7 +66,7 @@ void KeepAbove(const AttitudePlan& plan, FrameMarks& marks, AttitudeOutcome& out
   {
     out.Shifts = marks.Shifts;
   }
-  if (farthest > LeastTold)
+  if (farthest > LeastReported)
   {
     out.Warnings.push_back(name + ": its centre was moved by up to " + NumberText(farthest, 3) +
                            " m so that its mesh touches the surface and does not cut it");

@@ -28,7 +28,7 @@ struct FrameMarks
 /// Other than ResolveClearance, which keeps the ball about a centre clear from frame to frame, this
 /// lifts the vertices of a posed mesh over one surface a frame, after as much as it can turn; they
 /// share how a move spreads over frames (SpreadPushes). Turns poses and, where that is not enough,
-/// moves the centre, smoothly in time; marks both and tells of a centre that was moved and of a
+/// moves the centre, smoothly in time; marks both and warns of a centre that was moved and of a
 /// mesh that lies below a surface all the same.
 void KeepAbove(const AttitudePlan& plan, FrameMarks& marks, AttitudeOutcome& out);
 

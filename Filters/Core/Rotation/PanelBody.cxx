@@ -193,7 +193,7 @@ void PanelBody::LookFromAllAround(const TriangleMesh& mesh, const std::vector<Pi
                const int face = static_cast<int>(node) / (Nodes * Nodes);
                const int row = static_cast<int>(node) / Nodes % Nodes;
                const Vec3 d = NodeDirection(Nodes, face, row, static_cast<int>(node) % Nodes);
-               const RasterView view = Rasterize(mesh, d, resolution);
+               const RasterView view = Rasterise(mesh, d, resolution);
                std::fill(seen.begin(), seen.end(), 0.0);
                std::fill(all.begin(), all.end(), 0.0);
                for (std::size_t i = 0; i < pieces.size(); ++i)

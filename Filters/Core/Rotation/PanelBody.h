@@ -6,7 +6,7 @@
 #include "Base/Parallel.h"
 #include "Base/Result.h"
 #include "Base/Shape.h"
-#include "Rotation/Rasterizer.h"
+#include "Rotation/Rasteriser.h"
 #include "Rotation/RigidBody.h"
 
 #include <Eigen/Core>

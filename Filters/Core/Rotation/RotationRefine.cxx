@@ -222,13 +222,13 @@ AirCoefficients Coefficients(const TurningLaw& law, const RotationOptions& optio
 }
 
 /// Judges the orientation rows by themselves, measures them on the poses, and warns of those that
-/// no earlier stage has told.
+/// no earlier stage has reported.
 void ReportOrientations(const RotationInput& input,
                         const std::map<std::pair<int, int>, std::string>& tooFast,
                         RotationOutput& output)
 {
   std::vector<Constraint> rows;
-  std::set<std::pair<int, int>> told;
+  std::set<std::pair<int, int>> reported;
   for (const Constraint& row : input.Constraints)
   {
     if (IsAttitude(row.Kind))
@@ -236,7 +236,7 @@ void ReportOrientations(const RotationInput& input,
       rows.push_back(row);
       if (row.Status != ConstraintStatus::Met)
       {
-        told.insert({ row.Row, row.Target });
+        reported.insert({ row.Row, row.Target });
       }
     }
   }
@@ -252,7 +252,7 @@ void ReportOrientations(const RotationInput& input,
     {
       line.Message += "; " + reason->second;
     }
-    if (line.Status != ConstraintStatus::Met && told.count(key) == 0)
+    if (line.Status != ConstraintStatus::Met && reported.count(key) == 0)
     {
       output.Warnings.push_back("object " + std::to_string(line.ObjectId) + ": " + line.Message);
     }
@@ -322,7 +322,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
                  outcomes[i] = TurnObjectWithin(most, plan, body, MakePath(input, i));
                }
              });
-    for (std::size_t i = first; monitor.ShowsSoFar() && i < first + count; ++i)
+    for (std::size_t i = first; monitor.Publishes() && i < first + count; ++i)
     {
       output.Poses.push_back(outcomes[i].Poses);
     }

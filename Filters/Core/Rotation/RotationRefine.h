@@ -154,7 +154,7 @@ struct RotationOutput
 };
 
 /// Fails when a shape has no area, a mass is not positive, a track has no object or another length;
-/// nothing is written then but, for a monitor that shows it, Poses of the first tracks: those
+/// nothing is written then but, for a monitor that publishes, Poses of the first tracks: those
 /// turned so far. Results do not depend on the number of threads.
 Result RunRotationRefine(const RotationInput& input, const RotationOptions& options,
                          const ParallelFor& parallel, Monitor& monitor, RotationOutput& output);

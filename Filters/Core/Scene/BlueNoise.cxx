@@ -14,7 +14,7 @@ namespace waft
 namespace
 {
 
-struct Neighbor
+struct Neighbour
 {
   std::uint32_t Index;
   float Weight;
@@ -34,8 +34,8 @@ struct CellHash
 
 // Those of all points nearer than `reach` to each of the first `count`, with Yuksel's weight (1 - d
 // / reach)^8.
-std::vector<std::vector<Neighbor>> Neighbors(const std::vector<Vec3>& points, std::size_t count,
-                                             double reach)
+std::vector<std::vector<Neighbour>> Neighbours(const std::vector<Vec3>& points, std::size_t count,
+                                               double reach)
 {
   const auto cellOf = [&](const Vec3& p)
   {
@@ -64,7 +64,7 @@ std::vector<std::vector<Neighbor>> Neighbors(const std::vector<Vec3>& points, st
       cell->second.push_back(static_cast<std::uint32_t>(i));
     }
   }
-  std::vector<std::vector<Neighbor>> neighbors(count);
+  std::vector<std::vector<Neighbour>> neighbours(count);
   for (std::size_t i = 0; i < count; ++i)
   {
     const Cell home = cellOf(points[i]);
@@ -80,12 +80,12 @@ std::vector<std::vector<Neighbor>> Neighbors(const std::vector<Vec3>& points, st
         const double d = (points[i] - points[j]).norm();
         if (j != i && d < reach)
         {
-          neighbors[i].push_back({ j, static_cast<float>(std::pow(1.0 - d / reach, 8)) });
+          neighbours[i].push_back({ j, static_cast<float>(std::pow(1.0 - d / reach, 8)) });
         }
       }
     }
   }
-  return neighbors;
+  return neighbours;
 }
 
 // Points by how crowded they are, in a heap: the worst on top, of equal ones the last.
@@ -183,13 +183,13 @@ std::vector<std::size_t> EliminateSamples(const std::vector<Vec3>& candidates, s
   {
     std::vector<Vec3> all = candidates;
     all.insert(all.end(), taken.begin(), taken.end());
-    const auto neighbors = Neighbors(all, candidates.size(), spacing);
+    const auto neighbours = Neighbours(all, candidates.size(), spacing);
     std::vector<double> crowding(candidates.size(), 0.0);
     for (std::size_t i = 0; i < candidates.size(); ++i)
     {
-      for (const Neighbor& neighbor : neighbors[i])
+      for (const Neighbour& neighbour : neighbours[i])
       {
-        crowding[i] += neighbor.Weight;
+        crowding[i] += neighbour.Weight;
       }
     }
     Crowd crowd(std::move(crowding));
@@ -197,11 +197,11 @@ std::vector<std::size_t> EliminateSamples(const std::vector<Vec3>& candidates, s
     {
       const std::uint32_t worst = crowd.TakeWorst();
       kept[worst] = 0;
-      for (const Neighbor& neighbor : neighbors[worst])
+      for (const Neighbour& neighbour : neighbours[worst])
       {
-        if (neighbor.Index < candidates.size() && kept[neighbor.Index])
+        if (neighbour.Index < candidates.size() && kept[neighbour.Index])
         {
-          crowd.Relieve(neighbor.Index, neighbor.Weight);
+          crowd.Relieve(neighbour.Index, neighbour.Weight);
         }
       }
     }

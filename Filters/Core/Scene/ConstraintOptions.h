@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wishes about one object, made by hand.
+// Constraints on one object, made by hand.
 #pragma once
 
 #include "Base/SceneFrame.h"
@@ -39,10 +39,10 @@ struct ConstraintOptions : SceneFrame
     visit(OptionField{ "Kind",
                        { 0, NumberOfConstraintKinds - 1 },
                        "",
-                       "What is wished. Rest: it lies still on the first surface straight below." },
+                       "What is wanted. Rest: it lies still on the first surface straight below." },
           of.Kind...);
     visit(OptionField{ "Frame", limits::UpTo(limits::MostInt), "",
-                       "Frame of the wish, or of the first waypoint." },
+                       "Frame of the constraint, or of the first waypoint." },
           of.Frame...);
     visit(OptionField{ "LastFrame",
                        { -1, limits::MostInt },
@@ -61,11 +61,11 @@ struct ConstraintOptions : SceneFrame
     visit(OptionField{ "Orientation",
                        limits::Direction,
                        "",
-                       "Orientation wished, a quaternion (w, x, y, z), body to world.",
+                       "Orientation wanted, a quaternion (w, x, y, z), body to world.",
                        { -1, 1 } },
           of.Orientation...);
     visit(OptionField{ "Radius", limits::Distance, "",
-                       "By how much the wish may be missed, in the unit of its value (orientation: "
+                       "By how much it may be missed, in the unit of its value (orientation: "
                        "radians); 0 is exact." },
           of.Radius...);
     visit(FlagField("UseWaypoints", "Several places, a way through them, instead of Value."),

@@ -13,8 +13,8 @@ namespace waft
 namespace
 {
 
-constexpr double SamePlace = 1e-6; // m, along the surface
-constexpr double Told = 1e-9;      // m, from which a shift is told
+constexpr double SamePlace = 1e-6;     // m, along the surface
+constexpr double LeastReported = 1e-9; // m, from which a shift is reported
 
 // Where rests that wait for their objects are, at frame 0: x and y in steps of SamePlace.
 using Places = std::set<std::pair<long long, long long>>;
@@ -87,7 +87,7 @@ Result SettleStarts(const std::vector<ObstacleMesh>& obstacles, const std::vecto
       continue;
     }
     object.Position = centre;
-    if (shift > Told)
+    if (shift > LeastReported)
     {
       ++count;
       who = shift > farthest ? object.ObjectId : who;

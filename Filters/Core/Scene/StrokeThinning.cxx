@@ -11,7 +11,8 @@ namespace
 {
 
 // The eight neighbours from north, clockwise; outside the raster is empty.
-std::array<int, 8> NeighborsOf(const std::vector<char>& raster, int width, int height, int x, int y)
+std::array<int, 8> NeighboursOf(const std::vector<char>& raster, int width, int height, int x,
+                                int y)
 {
   constexpr int dx[8] = { 0, 1, 1, 1, 0, -1, -1, -1 };
   constexpr int dy[8] = { 1, 1, 0, -1, -1, -1, 0, 1 };
@@ -54,7 +55,7 @@ std::vector<char> ThinStrokes(std::vector<char> raster, int width, int height)
         for (int x = 0; x < width; ++x)
         {
           const std::size_t i = std::size_t(y) * width + x;
-          if (raster[i] && IsRemovable(NeighborsOf(raster, width, height, x, y), second))
+          if (raster[i] && IsRemovable(NeighboursOf(raster, width, height, x, y), second))
           {
             removed.push_back(i);
           }

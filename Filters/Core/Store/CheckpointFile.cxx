@@ -79,7 +79,7 @@ void CheckpointFile::Write(const Content& content, bool now)
     this->Warnings.push_back("no checkpoint is kept: " + result.Message() + " (CheckpointFile)");
   }
   const double to = this->Elapsed();
-  this->Schedule.Note(to, to - from);
+  this->Schedule.Record(to, to - from);
 }
 
 bool CheckpointFile::Read(const StateContent& content)

@@ -30,7 +30,7 @@ public:
                                  : this->Fraction * now - this->Spent;
   }
   /// A writing ended now, whole or given up, after so many seconds.
-  void Note(double now, double seconds)
+  void Record(double now, double seconds)
   {
     this->Last = now;
     this->Spent += seconds;

@@ -114,7 +114,7 @@ private:
     }
   }
 
-  void Note(const VortexSearchResult& found, const std::vector<VortexSample>& used, Slot& slot)
+  void Record(const VortexSearchResult& found, const std::vector<VortexSample>& used, Slot& slot)
   {
     FromParameters(found.Parameters, slot.Value);
     slot.Value.ObjectCount = CountWitnesses(slot.Value, used);
@@ -152,7 +152,7 @@ private:
       SearchVortex(used, sweep > 0 ? &start : &belief, slot.IsNew ? nullptr : &belief, options,
                    stream, this->Progress, this->Stopped);
     this->AddToSum(slot.Value, -1.0);
-    this->Note(found, used, slot);
+    this->Record(found, used, slot);
     this->AddToSum(slot.Value, 1.0);
   }
 
@@ -213,7 +213,7 @@ private:
       VortexSearchResult found =
         SearchVortex(seed, nullptr, nullptr, this->Options, static_cast<std::uint64_t>(nextId),
                      this->Progress, this->Stopped);
-      this->Note(found, seed, slot);
+      this->Record(found, seed, slot);
       // Once more with all that feel it, wherever they were found.
       const std::vector<VortexSample> felt =
         SamplesOf(slot.Value, {}, rest, this->Options.Bounds.Width());
@@ -222,7 +222,7 @@ private:
         const VortexParameters start = found.Parameters;
         found = SearchVortex(felt, &start, nullptr, this->Options,
                              static_cast<std::uint64_t>(nextId), this->Progress, this->Stopped);
-        this->Note(found, felt, slot);
+        this->Record(found, felt, slot);
       }
       if (found.Explained >= this->Options.MinimumGain && slot.Value.ObjectCount > 0)
       {

@@ -50,8 +50,8 @@ class Flight(Process):
 
     def take(self, line):
         try:
-            told = json.loads(line)
-            self.fraction, self.text = float(told["fraction"]), str(told["text"])
+            progress = json.loads(line)
+            self.fraction, self.text = float(progress["fraction"]), str(progress["text"])
         except (ValueError, KeyError, TypeError):
             super().take(line)
 
@@ -93,7 +93,7 @@ def read_poses(folder, objects, frames):
     return table[:, :, 3:6], table[:, :, 6:10]
 
 
-def wishes(folder):
+def marks(folder):
     """The rows of a result's constraints.csv, as dictionaries of texts."""
     with open(os.path.join(folder, "constraints.csv"), encoding="utf-8", newline="") as stream:
         return list(csv.DictReader(stream))

@@ -13,8 +13,8 @@ from .command import STOPPED_EARLY, find_command
 from .look import Look
 from .problems import Problem, Problems
 from .properties import quality_of
+from .reporting import Reporter, gathered
 from .stage import Stage
-from .telling import Teller, gathered
 
 _RESULT = "result"  # folder of a run's files, beside the scene file
 _TICK = 0.1  # s
@@ -67,17 +67,17 @@ def end_look():
     """Takes in what waft has said where it has ended; returns whether it has."""
     global looking
     stage, look = looking
-    told = look.poll()
-    if told is None:
+    ended = look.poll()
+    if ended is None:
         return False
     looking = None
-    count, lost, hard, wrong = told
-    tell = Teller(stage).tell
-    stage.problems[:0] = [*(tell(line, True) for line in wrong), *(tell(line) for line in lost)]
-    stage.problems += [tell(line) for line in hard]
+    count, lost, hard, wrong = ended
+    report = Reporter(stage).report
+    stage.problems[:0] = [*(report(line, True) for line in wrong), *(report(line) for line in lost)]
+    stage.problems += [report(line) for line in hard]
     title = "Not ready: it cannot be flown" if wrong else _ready(stage)
     if count:
-        title = f"It flies, but {_count(count, 'wish', 'wishes')} cannot be met"
+        title = f"It flies, but {_count(count, 'mark')} cannot be met"
     found.put(title, gathered(stage.problems))
     return True
 
@@ -138,25 +138,25 @@ def end(context, outcome):
     result = os.path.join(run.folder, _RESULT)
     try:
         poses = flights.read_poses(result, len(run.stage.flyers), len(run.stage.frames))
-        wishes = flights.wishes(result)
+        marks = flights.marks(result)
     except (OSError, ValueError) as error:
         found.put("No take: nothing was changed", problems)
         found.error(str(error))
         return False
-    teller = Teller(run.stage)
-    unmet = [row for row in wishes if row["Status"] != "met"]
-    missed = [teller.tell(f"row {row['Row']} target {row['Target']} (object {row['ObjectId']}, frame {row['Frame']}, {row['Kind']}): "
-                          f"{row['Status']}: {row['Message']}") for row in unmet]
+    report = Reporter(run.stage).report
+    unmet = [row for row in marks if row["Status"] != "met"]
+    missed = [report(f"row {row['Row']} target {row['Target']} (object {row['ObjectId']}, frame {row['Frame']}, {row['Kind']}): "
+                     f"{row['Status']}: {row['Message']}") for row in unmet]
     take = {"name": run.name, "folder": bpy.path.relpath(run.folder), "quality": run.quality, "edited": run.edited,
             "is_stopped": outcome.status == STOPPED_EARLY, "written": json.dumps(run.stage.manifest)}
-    told = Problems(gathered([*missed, *problems]))
+    log = Problems(gathered([*missed, *problems]))
     gone, strays = takes.add(context.scene, take, run.stage, *poses)
     for name in gone:
-        told.warn(f"{name} is no longer there: its motion is left out")
+        log.warn(f"{name} is no longer there: its motion is left out")
     for name, apart in strays:
-        told.append(Problem(f"is up to {apart:.2g} m from where the take puts it: something else in the file moves it", name, False))
-    met = f"all {len(wishes)} wishes are met" if not unmet else f"{len(wishes) - len(unmet)} of {len(wishes)} wishes are met"
-    found.put(f"{run.name}: {met if wishes else 'flown'}" + (f", {_count(len(told), 'remark')}" if told else ""), told)
+        log.append(Problem(f"is up to {apart:.2g} m from where the take puts it: something else in the file moves it", name, False))
+    met = f"all {len(marks)} marks are met" if not unmet else f"{len(marks) - len(unmet)} of {len(marks)} marks are met"
+    found.put(f"{run.name}: {met if marks else 'flown'}" + (f", {_count(len(log), 'remark')}" if log else ""), log)
     return True
 
 
@@ -265,16 +265,16 @@ def _edited(scene, stage, quality):
 
 def _reported(run, outcome):
     """What a flight that ended said, as Problems."""
-    told = Problems()
-    tell = Teller(run.stage).tell
+    log = Problems()
+    report = Reporter(run.stage).report
     lines = [line.removeprefix("waft: ") for line in outcome.words.splitlines() if line.startswith("waft: ")]
     if run.flight.was_stopped and not outcome.has_result:
-        told.warn("stopped before there was anything to keep: nothing was changed")
+        log.warn("stopped before there was anything to keep: nothing was changed")
     elif outcome.status < 0 or outcome.status > 128:  # as a process ends, and as a shell tells it
-        told.error(f"waft was killed (signal {-outcome.status if outcome.status < 0 else outcome.status - 128}): nothing was changed")
+        log.error(f"waft was killed (signal {-outcome.status if outcome.status < 0 else outcome.status - 128}): nothing was changed")
     elif not outcome.has_result:
         wrong = [line for line in lines if not line.startswith("warning:")] or [outcome.words[-300:] or "waft ended without a word"]
-        told += [tell(line, True) for line in wrong]
-        told.warn(f"waft ended with status {outcome.status}: nothing was changed")
-    told += [tell(line.removeprefix("warning: ")) for line in lines if line.startswith("warning: ")]
-    return told
+        log += [report(line, True) for line in wrong]
+        log.warn(f"waft ended with status {outcome.status}: nothing was changed")
+    log += [report(line.removeprefix("warning: ")) for line in lines if line.startswith("warning: ")]
+    return log

@@ -29,7 +29,7 @@ class Look(Process):
         self._clear()
 
     def poll(self):
-        """(how many wishes cannot be met; sentences: which, what is hard, why it failed) once it has ended, else None."""
+        """(how many marks cannot be met; sentences: which, what is hard, why it failed) once it has ended, else None."""
         status = self.status()
         if status is None:
             return None

@@ -18,7 +18,7 @@ ROLES = (
 )
 QUALITIES = (
     ("preview", "Preview", "A drift on a coarse grid, for a quick look"),
-    ("air", "Air", "A drift in one drawn air"),
+    ("air", "Air", "A drift in one sampled air"),
     ("full", "Full", "The drift, and the optimisation after it"),
 )
 _FORMER = {"assimilated": "air"}  # {what a quality was called before: its name}

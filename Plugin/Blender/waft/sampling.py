@@ -12,7 +12,7 @@ def pose_values(thing):
 
 
 def set_pose(thing, values):
-    """Gives back what pose_values told."""
+    """Gives back what pose_values gave."""
     at = 0
     for name, size in _POSE:
         setattr(thing, name, values[at:at + size])

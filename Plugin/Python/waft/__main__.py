@@ -4,7 +4,7 @@ import sys
 
 from waft import ending
 from waft.cli import main
-from waft.watching import note_stops
+from waft.watching import keep_stops
 
 
 def arguments():
@@ -16,5 +16,5 @@ def arguments():
     return [os.fsdecode(argument) for argument in os.pread(int(given), size, 0).split(b"\0")]
 
 
-note_stops()
+keep_stops()
 ending.leave(lambda: main(arguments()))

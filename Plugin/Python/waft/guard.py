@@ -5,7 +5,7 @@
 
 The child looks whether to stop between two pieces of its work. While ParaView starts, and within a long call of a
 library, it cannot; as long as it has nothing to write it is ended from here then, at once and without a trace. It
-tells through a pipe, a line of JSON each (`[key, value]`: a name may hold any letter), what stands for it:
+reports through a pipe, a line of JSON each (`[key, value]`: a name may hold any letter), what stands for it:
 
     limit S         the time limit: S seconds from now
     words TEXT      what to say when it is ended; none: it has something to write and ends by itself
@@ -34,8 +34,8 @@ NOTHING_BEGUN = "stopped before anything was begun"
 SEARCHED = ("PATH", "PYTHONPATH", "LD_LIBRARY_PATH", "PV_PLUGIN_PATH", "QT_PLUGIN_PATH")
 
 
-class Told:
-    """What the child told of itself."""
+class Reports:
+    """What the child reported of itself."""
 
     def __init__(self, end):
         os.set_blocking(end, False)
@@ -73,25 +73,25 @@ def watch(arguments):
     child = start(["pvpython", str(package / "__main__.py")], STOPS, pass_fds=(writing, given), env=environment)
     os.close(writing)
     os.close(given)
-    told = Told(reading)
+    reports = Reports(reading)
     asked = None
     while child.poll() is None:
         got = signal.sigtimedwait(STOPS | {signal.SIGCHLD}, 0.1)
-        told.read()
+        reports.read()
         now = time.monotonic()
         if got is not None and got.si_signo in STOPS:
             child.send_signal(got.si_signo)
             asked = asked or now
-        if told.deadline is not None and now >= told.deadline:
-            asked = asked or told.deadline
-        if asked is not None and told.words and now >= asked + GRACE:
+        if reports.deadline is not None and now >= reports.deadline:
+            asked = asked or reports.deadline
+        if asked is not None and reports.words and now >= asked + GRACE:
             child.kill()
             child.wait()
-            told.read()
-            for folder in told.made:
+            reports.read()
+            for folder in reports.made:
                 with contextlib.suppress(OSError):
                     os.rmdir(folder)
-            say(told.words)
+            say(reports.words)
             return failures.STOPPED_EARLY
     return child.returncode
 
@@ -144,7 +144,7 @@ def main(arguments):
     if not options.needs_paraview:
         from waft import cli, watching
 
-        watching.note_stops()
+        watching.keep_stops()
         return cli.main(arguments)
     signal.pthread_sigmask(signal.SIG_BLOCK, STOPS | {signal.SIGCHLD})
     if arguments[:1] not in (["demo"], ["render"]) or os.environ.get("DISPLAY"):

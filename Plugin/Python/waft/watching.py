@@ -14,19 +14,19 @@ from waft.texts import line
 
 STOPS = (signal.SIGINT, signal.SIGTERM)
 NOTHING_COMPUTED = "stopped before anything was computed: nothing was written"
-_noted = []  # stops that came while nobody was there to take them
+_kept_stops = []  # stops that came while nobody was there to take them
 
 
-def note_stops():
+def keep_stops():
     """For the command, whose signals come in blocked: a stop that comes before a Clock is there waits for it, one that
     comes after it finds nothing left to do but to write."""
     for number in STOPS:
-        signal.signal(number, lambda which, _: _noted.append(which))
+        signal.signal(number, lambda which, _: _kept_stops.append(which))
     signal.pthread_sigmask(signal.SIG_UNBLOCK, STOPS)
 
 
-def tell_guard(key, value):
-    """Tells the process that guards this one, if there is one (guard.py)."""
+def report_to_guard(key, value):
+    """Reports to the process that guards this one, if there is one (guard.py)."""
     pipe = os.environ.get("WAFT_GUARD")
     if pipe is not None:
         os.write(int(pipe), json.dumps([key, value if isinstance(value, (int, float)) else str(value)]).encode() + b"\n")
@@ -57,9 +57,9 @@ def interruptible(words):
         raise Interrupted(words)
 
     with _handling(interrupt):
-        if _noted:
+        if _kept_stops:
             interrupt()
-        tell_guard("words", words)
+        report_to_guard("words", words)
         yield
 
 
@@ -149,7 +149,7 @@ class Clock:
         self._failure = None
         self.started = time.monotonic()
         self.time_limit = time_limit
-        self.interrupted = bool(_noted)
+        self.interrupted = bool(_kept_stops)
         self.timed_out = False
         self.words = words
         self._quiet = quiet or not sys.stderr.isatty()
@@ -158,10 +158,10 @@ class Clock:
 
     def __enter__(self):
         self._handling.__enter__()
-        self.interrupted = self.interrupted or bool(_noted)  # by the handler before ours, since this was made
-        tell_guard("words", self.words)
+        self.interrupted = self.interrupted or bool(_kept_stops)  # by the handler before ours, since this was made
+        report_to_guard("words", self.words)
         if self.time_limit:
-            tell_guard("limit", self.time_limit)
+            report_to_guard("limit", self.time_limit)
         return self
 
     def __exit__(self, *error):
@@ -176,7 +176,7 @@ class Clock:
         """From now on there is something to write when it is stopped."""
         if self.words:
             self.words = ""
-            tell_guard("words", self.words)
+            report_to_guard("words", self.words)
 
     def check(self):
         """Raises Interrupted when it is to stop and there is nothing to write."""
@@ -206,7 +206,7 @@ class Clock:
         if now - self._last < 0.2:
             return
         self._last = now
-        self.tell(self._whole(name, fraction), self.phase or (f"{name}: {text}" if text else name))
+        self.report(self._whole(name, fraction), self.phase or (f"{name}: {text}" if text else name))
         if self._quiet:
             return
         print("\r\033[K" + line(f"{name} {100.0 * fraction:3.0f} %  {text or ''}")[:104], end="", file=sys.stderr)
@@ -220,7 +220,7 @@ class Clock:
             before += share
         return 0.0
 
-    def tell(self, done, text):
+    def report(self, done, text):
         """Calls on_progress."""
         self._done = max(self._done, done)
         if self.on_progress is None or self._failure is not None:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // WaftBenchmarkAir [objects] [frames] [voxels]: leaves that fall from a cloud to places on the
-// ground in one drawn air, part by part, and one leaf's drift beside the same by a dense matrix and
-// differences.
+// ground in one sampled air, part by part, and one leaf's drift beside the same by a dense matrix
+// and differences.
 #include "Air/PlainDrift.h"
 #include "Air/Run/AirAssimilation.h"
 #include "Base/Primitives.h"

@@ -106,7 +106,7 @@ CeresComparison CompareWithCeres(StandardProblem& problem, int iterations, int c
     return true;
   };
   LbfgsMemory memory;
-  (void)solver.Minimize(objective, preconditioner, constraints, lbfgs, count, nullptr, memory,
+  (void)solver.Minimise(objective, preconditioner, constraints, lbfgs, count, nullptr, memory,
                         state);
   result.Waft.Seconds = Seconds() - from;
   z = reference.From(state);

@@ -188,7 +188,7 @@ int RunEddies(double viscosity)
   std::printf(
     "gas of %.2f m between particles, %.0f frames a second, viscosity %.2f\n\n"
     "| wave, dx | m | shear wave: nu, m^2/s | vortices of gas alone: half after, s | left "
-    "after 3 s, 8 s | of a drawn air: left after 3 s, 8 s |\n"
+    "after 3 s, 8 s | of a sampled air: left after 3 s, 8 s |\n"
     "|---|---|---|---|---|---|\n",
     Spacing, FrameRate, viscosity);
   const double unit = Spacing * Spacing * FrameRate;

@@ -253,7 +253,7 @@ StandardCurve SolveStandard(const SpacetimeSetup& setup, const SpacetimeOptions&
       }
       return true;
     };
-    solver->Minimize(minimise, observer, nullptr, memory, x);
+    solver->Minimise(minimise, observer, nullptr, memory, x);
   }
   leave();
   return curve;

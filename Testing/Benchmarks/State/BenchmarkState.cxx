@@ -112,7 +112,7 @@ void Share(double megabytes, double speed, double duration)
         isWhole ? writing : std::min(writing, allowance + PieceMegabytes / speed);
       now += taken;
       spent += taken;
-      schedule.Note(now, taken);
+      schedule.Record(now, taken);
       first = isWhole && first == 0.0 ? now : first;
     }
   }

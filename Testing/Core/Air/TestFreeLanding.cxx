@@ -90,7 +90,7 @@ TEST(FreeLanding, IsNoneWhereTheAirLiftsOrTheGroundMovesOrAMarkIsLater)
   EXPECT_LT(Falling(Vec3::Zero()).Found(FallFrames).Frame, 0);
 }
 
-TEST(FreeLanding, OfADrifterIsARestOfNoRowThatLastsToTheEnd)
+TEST(FreeLanding, OfABodyIsARestOfNoRowThatLastsToTheEnd)
 {
   const Falling scene(Vec3::Zero());
   const DriftScene around{ scene.Scene, scene.Obstacles, false };
@@ -100,16 +100,16 @@ TEST(FreeLanding, OfADrifterIsARestOfNoRowThatLastsToTheEnd)
   mark.ObjectId = body.ObjectId;
   mark.Frame = 20;
   mark.Value = Vec3(0.1, 0.0, 0.6);
-  Drifter drifter(around, body, scene.Path, { mark });
-  EXPECT_EQ(drifter.FreeFrom(), 21);
-  EXPECT_EQ(drifter.FreeLanding(), nullptr);
-  drifter.LandFreely(50, Vec3::Zero());
-  ASSERT_NE(drifter.FreeLanding(), nullptr);
-  EXPECT_EQ(drifter.FreeLanding()->Row, OfNoRow);
-  EXPECT_EQ(drifter.FreeLanding()->Target, OfNoRow);
-  EXPECT_EQ(FirstFrame(*drifter.FreeLanding()), 50);
-  EXPECT_EQ(LastFrame(*drifter.FreeLanding()), FallFrames - 1);
-  ASSERT_NE(drifter.HeldAt(FallFrames - 1), nullptr);
-  EXPECT_NEAR(drifter.HeldAt(50)->z(), body.RestHeight, 1e-12);
-  EXPECT_EQ(drifter.HeldAt(49), nullptr);
+  BodyProblem problem(around, body, scene.Path, { mark });
+  EXPECT_EQ(problem.FreeFrom(), 21);
+  EXPECT_EQ(problem.FreeLanding(), nullptr);
+  problem.LandFreely(50, Vec3::Zero());
+  ASSERT_NE(problem.FreeLanding(), nullptr);
+  EXPECT_EQ(problem.FreeLanding()->Row, OfNoRow);
+  EXPECT_EQ(problem.FreeLanding()->Target, OfNoRow);
+  EXPECT_EQ(FirstFrame(*problem.FreeLanding()), 50);
+  EXPECT_EQ(LastFrame(*problem.FreeLanding()), FallFrames - 1);
+  ASSERT_NE(problem.HeldAt(FallFrames - 1), nullptr);
+  EXPECT_NEAR(problem.HeldAt(50)->z(), body.RestHeight, 1e-12);
+  EXPECT_EQ(problem.HeldAt(49), nullptr);
 }

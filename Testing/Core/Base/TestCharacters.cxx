@@ -23,7 +23,7 @@ TEST(Characters, AreReadAsTheyWereWritten)
   }
 }
 
-TEST(Characters, OfNoNameAreTold)
+TEST(Characters, OfNoNameAreReported)
 {
   EXPECT_EQ(FirstControl(std::string("a\0b", 3)), "U+0000");
   EXPECT_EQ(FirstControl("a\nb"), "U+000A");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene with a ground, a box and a lift, to judge wishes in.
+// A scene with a ground, a box and a lift, to judge constraints in.
 #pragma once
 
 #include "Constraints/ConstraintCheck.h"

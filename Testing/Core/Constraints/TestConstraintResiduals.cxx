@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// By how much a motion misses what is wished of it.
+// By how much a motion misses what is wanted of it.
 #include "ConstraintFixture.h"
 
 #include <cmath>

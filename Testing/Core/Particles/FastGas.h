@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Particles/NeighborList.h"
+#include "Particles/NeighbourList.h"
 #include "RandomGas.h"
 
 #include <vector>
@@ -23,7 +23,7 @@ struct FastGas
         row[c].push_back(static_cast<float>(x[c]));
       }
     }
-    NeighborScratch scratch;
+    NeighbourScratch scratch;
     this->List.Build(kernels, this->N, gas.State.NumberOfGas, row[0].data(), row[1].data(),
                      row[2].data(), 2.55f, scratch);
     for (const std::uint32_t i : this->List.Order())
@@ -44,7 +44,7 @@ struct FastGas
   SphConstants Constants;
   std::size_t N;
   std::vector<SphRecord> Records; // by place, as all sums
-  NeighborList List;
+  NeighbourList List;
   std::vector<std::uint32_t> Starts;
   std::vector<SphPairGroup> Groups;
   std::vector<float> Nearest;

@@ -63,7 +63,7 @@ void CompareWithReference(RandomGas gas, double tolerance)
   {
     FastGas fast(gas, *table);
     const std::size_t n = fast.N;
-    const SphNeighbors list = fast.List.View();
+    const SphNeighbours list = fast.List.View();
     const std::vector<std::uint32_t>& order = fast.List.Order();
     const SphPairs pairs = fast.Pairs();
     const std::size_t all = n + SphFarRecords;

@@ -61,7 +61,7 @@ TEST(Planner, NamesAStartThatCannotBe)
   EXPECT_EQ(output.Report[2].Status, ConstraintStatus::Met);
 }
 
-TEST(Planner, NamesAWishThatIsFarTooFast)
+TEST(Planner, NamesAConstraintThatIsFarTooFast)
 {
   PlanScene scene;
   scene.AddObject(Vec3(-1.8, 0.0, 2.0));

@@ -236,7 +236,7 @@ TEST(RowTurns, TheNearestThatCanBeThereGoes)
   busy.Last = 120;
   busy.Value = busy.Position = Vec3(0, 0, 2);
   stops[0].push_back(busy);
-  const auto wish = [](int frame, const Vec3& place, int classId)
+  const auto target = [](int frame, const Vec3& place, int classId)
   {
     TargetStops made;
     made.First.First = made.First.Last = frame;
@@ -245,11 +245,12 @@ TEST(RowTurns, TheNearestThatCanBeThereGoes)
     made.ClassId = classId;
     return made;
   };
-  const std::vector<TargetStops> wishes{
-    wish(60, Vec3(0.1, 0, 2), -1), wish(100, Vec3(0.1, 0, 2), -1), wish(100, Vec3(0.1, 0, 2), 1),
-    wish(101, Vec3(0.6, 0, 2), 0), wish(103, Vec3(-2, 0, 2), -1)
-  };
+  const std::vector<TargetStops> targets{ target(60, Vec3(0.1, 0, 2), -1),
+                                          target(100, Vec3(0.1, 0, 2), -1),
+                                          target(100, Vec3(0.1, 0, 2), 1),
+                                          target(101, Vec3(0.6, 0, 2), 0),
+                                          target(103, Vec3(-2, 0, 2), -1) };
   // 0 is busy at 100, 1 is at 100 where it is asked for again, and nobody is in time for the last.
-  EXPECT_EQ(CoverInTurn(objects, stops, wishes, Limit),
+  EXPECT_EQ(CoverInTurn(objects, stops, targets, Limit),
             (std::vector<std::size_t>{ 0, 1, 2, NoObject, NoObject }));
 }

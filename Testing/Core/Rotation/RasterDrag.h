@@ -2,7 +2,7 @@
 // Drag of a body pixel by pixel, what its panels are held against.
 #pragma once
 
-#include "Rotation/Rasterizer.h"
+#include "Rotation/Rasteriser.h"
 
 namespace waft::fixtures
 {

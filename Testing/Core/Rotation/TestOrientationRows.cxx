@@ -75,7 +75,7 @@ TEST(OrientationRows, RowsThatNoTurningRateCanMeetAreNamed)
   EXPECT_EQ(Refine(input, faster).Report[1].Status, ConstraintStatus::Met);
 }
 
-TEST(OrientationRows, TwoWishesAtOneFrameAreNamed)
+TEST(OrientationRows, TwoConstraintsAtOneFrameAreNamed)
 {
   RotationInput input = OneObject(CurledLeaf(), SwayingPath(60));
   for (const double angle : { 0.3, 1.0 })
@@ -91,7 +91,7 @@ TEST(OrientationRows, TwoWishesAtOneFrameAreNamed)
   EXPECT_EQ(output.Warnings.size(), 1u);
 }
 
-TEST(OrientationRows, RowsThatAnEarlierStageGaveUpAreMeasuredAndNotToldAgain)
+TEST(OrientationRows, RowsThatAnEarlierStageGaveUpAreMeasuredAndNotReportedAgain)
 {
   RotationInput input = OneObject(CurledLeaf(), SwayingPath(60));
   input.Constraints = { OrientationRow(30, Quat(0.0, 0.0, 1.0, 0.0)) };

@@ -87,7 +87,7 @@ TEST(PanelBody, AgreesWithTheRasterPixelByPixel)
   {
     const Vec3 w = 1.5 * random.Direction();
     const Wrench pixels =
-      RasterDrag(Rasterize(shape.Mesh, w.normalized(), 256), w, Mat3::Zero(), 1.1, 1.0);
+      RasterDrag(Rasterise(shape.Mesh, w.normalized(), 256), w, Mat3::Zero(), 1.1, 1.0);
     const Wrench panels = leaf.Panels.Evaluate(w, Mat3::Zero(), PaperDrag());
     const double scale = 0.5 * 1.1 * 1.5 * 1.5 * leaf.Panels.Area();
     EXPECT_LT((pixels.Force - panels.Force).norm(), 0.02 * scale);

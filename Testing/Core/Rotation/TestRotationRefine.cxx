@@ -5,7 +5,7 @@
 using namespace waft;
 using namespace waft::fixtures;
 
-TEST(RotationRefine, AStartThatIsNotUnitIsMadeSoAndTold)
+TEST(RotationRefine, AStartThatIsNotUnitIsMadeSoAndReported)
 {
   RotationInput input = OneObject(CurledLeaf(), SwayingPath(5));
   const Quat start = Quat(0.8, 0.1, -0.5, 0.3).normalized();
@@ -20,7 +20,7 @@ TEST(RotationRefine, AStartThatIsNotUnitIsMadeSoAndTold)
   EXPECT_EQ(output.Warnings.size(), 1u);
 }
 
-TEST(RotationRefine, TrianglesWithoutAreaAreTold)
+TEST(RotationRefine, TrianglesWithoutAreaAreReported)
 {
   RotationInput input = OneObject(CurledLeaf(), SwayingPath(5));
   EXPECT_TRUE(Refine(input).Warnings.empty());

@@ -238,7 +238,7 @@ TEST(Surfaces, AMeshThatPassesOverAnEdgeDoesNotCutIt)
   }
 }
 
-TEST(Surfaces, WhatCannotBeClearedIsTold)
+TEST(Surfaces, WhatCannotBeClearedIsReported)
 {
   // The centre itself goes below the ground.
   const ObstacleSet ground = Build({ Slab() });

@@ -150,7 +150,7 @@ TEST(TurnLimit, ABodyThatKeepsToItFliesAsWithoutItToTheBit)
   EXPECT_TRUE(limited.Warnings.empty());
 }
 
-TEST(TurnLimit, ANarrowFeatherIsSlowedSmoothlyAndTold)
+TEST(TurnLimit, ANarrowFeatherIsSlowedSmoothlyAndReported)
 {
   for (int i = 0; i < 6; ++i)
   {
@@ -227,7 +227,7 @@ TEST(TurnLimit, OrientationRowsStayExactWithinIt)
   }
 }
 
-TEST(TurnLimit, ARowThatAsksForMoreIsMetAndTold)
+TEST(TurnLimit, ARowThatAsksForMoreIsMetAndReported)
 {
   RotationInput input = OneObject(CurledLeaf(), SwayingPath(60));
   input.Constraints = { OrientationRow(30, Quat::Identity()),

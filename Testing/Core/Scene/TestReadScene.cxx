@@ -67,7 +67,7 @@ TEST(ReadScene, EveryFieldOfTheGlobalSections)
   EXPECT_TRUE(Parsed(R"({"waft": 1, "ground": {"enabled": false}})").Obstacles.empty());
 }
 
-TEST(ReadScene, AMissingTextureIsTold)
+TEST(ReadScene, AMissingTextureIsReported)
 {
   const Scene scene =
     Parsed(R"({"waft": 1, "shapes": {"leaf": {"builtin": "leaf", "texture": "none.png"}}})");

@@ -237,7 +237,7 @@ TEST(TargetSampling, ASurfaceIsSampledByArea)
   EXPECT_FALSE(SampleSurface(nothing, 5, 2, 0, points));
 }
 
-TEST(TargetMask, APictureThatIsClearInACornerOnlyIsToldOf)
+TEST(TargetMask, APictureThatIsClearInACornerOnlyIsWarnedOf)
 {
   Picture picture;
   picture.Width = 100;

@@ -74,9 +74,9 @@ void ReferenceObjective::AddCoherence(const double* z, const std::vector<Frame>&
       std::sqrt(weight * air * w.SpatialShare * this->Level.FrameWeights[j]) / (1.0 - own);
     const double time = std::sqrt(weight * (1.0 - w.SpatialShare) * this->Level.SmoothWeights[j]);
     Vec3 rt = this->At(z, j, i, 3);
-    for (const TimeLevel::Neighbor& neighbor : this->Level.Rows[j])
+    for (const TimeLevel::Neighbour& neighbour : this->Level.Rows[j])
     {
-      rt -= neighbor.Coefficient * this->At(z, neighbor.Frame, i, 3);
+      rt -= neighbour.Coefficient * this->At(z, neighbour.Frame, i, 3);
     }
     const Vec3 rs = frames[j].Averages[i] - slip * Vec3::UnitZ();
     for (int c = 0; c < 3; ++c)
@@ -84,9 +84,9 @@ void ReferenceObjective::AddCoherence(const double* z, const std::vector<Frame>&
       rows.Depends(this->Column(j, i, Average, c), space);
       rows.Values.push_back(space * rs[c]);
       rows.Depends(this->Column(j, i, Speed, c), time);
-      for (const TimeLevel::Neighbor& neighbor : this->Level.Rows[j])
+      for (const TimeLevel::Neighbour& neighbour : this->Level.Rows[j])
       {
-        rows.Depends(this->Column(neighbor.Frame, i, Speed, c), -time * neighbor.Coefficient);
+        rows.Depends(this->Column(neighbour.Frame, i, Speed, c), -time * neighbour.Coefficient);
       }
       rows.Values.push_back(time * rt[c]);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// E beside a drawn air: what the air does costs nothing, objects go with it, and the gradient is
+// E beside a sampled air: what the air does costs nothing, objects go with it, and the gradient is
 // exact.
 #include "Spacetime/Run/InitialObjects.h"
 #include "Spacetime/Scene/InitialGas.h"
@@ -325,8 +325,8 @@ TEST(GivenAir, ARunInItKeepsTheMotionAndSaysHowFarItIsOne)
     }
     ASSERT_EQ(output.Tracks[o].Residuals.size(), 50u);
   }
-  EXPECT_LT(output.GasHiddenHand, 0.25);
-  EXPECT_GE(output.GasHiddenHand, 0.0);
+  EXPECT_LT(output.GasModelResidual, 0.25);
+  EXPECT_GE(output.GasModelResidual, 0.0);
   const std::vector<float>& residuals = output.Particles.Frames.back().Residuals;
   EXPECT_EQ(residuals.size(), output.Particles.Frames.back().Velocities.size());
 }

@@ -34,7 +34,7 @@ Course Simulate(WritingSchedule schedule, double writing, double late, double du
     const bool isWhole = writing <= allowance;
     const double taken = isWhole ? writing : std::min(writing, allowance + late);
     now += taken;
-    schedule.Note(now, taken);
+    schedule.Record(now, taken);
     course.Spent += taken;
     course.WorstFraction = std::max(course.WorstFraction, (course.Spent - late) / now);
     if (isWhole)
@@ -79,7 +79,7 @@ TEST(WritingSchedule, ALookAtTheClockThatComesLateIsPaidBack)
 TEST(WritingSchedule, WithoutAnIntervalOneIsAlwaysDue)
 {
   WritingSchedule schedule(0.0, 0.02);
-  schedule.Note(1.0, 1.0);
+  schedule.Record(1.0, 1.0);
   EXPECT_TRUE(schedule.IsDue(1.0));
   EXPECT_GT(schedule.Allowance(1.0), 1e300);
 }

@@ -11,7 +11,7 @@ namespace
 {
 
 /// The distance that two objects keep at a frame.
-double KeptDistance(const Drifter& a, const Drifter& b, int frame, int second)
+double KeptDistance(const BodyProblem& a, const BodyProblem& b, int frame, int second)
 {
   const double radii = a.Object().ClearanceRadius + b.Object().ClearanceRadius;
   double distance = radii;
@@ -34,16 +34,16 @@ double KeptDistance(const Drifter& a, const Drifter& b, int frame, int second)
 
 } // namespace
 
-std::vector<std::vector<DriftNeighbour>> FindContacts(const std::vector<Drifter>& drifters,
+std::vector<std::vector<DriftNeighbour>> FindContacts(const std::vector<BodyProblem>& bodies,
                                                       const std::vector<std::vector<Vec3>>& paths,
                                                       double framesPerSecond,
                                                       const ParallelFor& parallel)
 {
-  const std::size_t count = drifters.size();
+  const std::size_t count = bodies.size();
   double largest = 0.0;
-  for (const Drifter& drifter : drifters)
+  for (const BodyProblem& body : bodies)
   {
-    largest = std::max(largest, drifter.Object().ClearanceRadius);
+    largest = std::max(largest, body.Object().ClearanceRadius);
   }
   const int second = std::max(1, static_cast<int>(std::lround(framesPerSecond)));
   struct Pair
@@ -53,46 +53,44 @@ std::vector<std::vector<DriftNeighbour>> FindContacts(const std::vector<Drifter>
   };
   const std::size_t frames = paths.empty() ? 0 : paths.front().size();
   std::vector<std::vector<Pair>> pairs(frames);
-  parallel(frames,
-           [&](std::size_t begin, std::size_t end)
-           {
-             std::vector<std::size_t> order(count);
-             for (std::size_t f = begin; f < end; ++f)
-             {
-               // Swept along x.
-               std::iota(order.begin(), order.end(), std::size_t(0));
-               std::sort(order.begin(), order.end(),
-                         [&](std::size_t a, std::size_t b) {
-                           return paths[a][f].x() != paths[b][f].x()
-                                    ? paths[a][f].x() < paths[b][f].x()
-                                    : a < b;
-                         });
-               for (std::size_t i = 0; i < count; ++i)
-               {
-                 const std::size_t a = order[i];
-                 for (std::size_t j = i + 1; j < count; ++j)
-                 {
-                   const std::size_t b = order[j];
-                   if (paths[b][f].x() - paths[a][f].x() > 2.0 * largest)
-                   {
-                     break;
-                   }
-                   const double apart = (paths[a][f] - paths[b][f]).norm();
-                   if (apart >=
-                       drifters[a].Object().ClearanceRadius + drifters[b].Object().ClearanceRadius)
-                   {
-                     continue;
-                   }
-                   const double kept =
-                     KeptDistance(drifters[a], drifters[b], static_cast<int>(f), second);
-                   if (apart < kept)
-                   {
-                     pairs[f].push_back({ a, b, kept });
-                   }
-                 }
-               }
-             }
-           });
+  parallel(
+    frames,
+    [&](std::size_t begin, std::size_t end)
+    {
+      std::vector<std::size_t> order(count);
+      for (std::size_t f = begin; f < end; ++f)
+      {
+        // Swept along x.
+        std::iota(order.begin(), order.end(), std::size_t(0));
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t a, std::size_t b) {
+                    return paths[a][f].x() != paths[b][f].x() ? paths[a][f].x() < paths[b][f].x()
+                                                              : a < b;
+                  });
+        for (std::size_t i = 0; i < count; ++i)
+        {
+          const std::size_t a = order[i];
+          for (std::size_t j = i + 1; j < count; ++j)
+          {
+            const std::size_t b = order[j];
+            if (paths[b][f].x() - paths[a][f].x() > 2.0 * largest)
+            {
+              break;
+            }
+            const double apart = (paths[a][f] - paths[b][f]).norm();
+            if (apart >= bodies[a].Object().ClearanceRadius + bodies[b].Object().ClearanceRadius)
+            {
+              continue;
+            }
+            const double kept = KeptDistance(bodies[a], bodies[b], static_cast<int>(f), second);
+            if (apart < kept)
+            {
+              pairs[f].push_back({ a, b, kept });
+            }
+          }
+        }
+      }
+    });
   std::vector<std::vector<DriftNeighbour>> contacts(count);
   for (std::size_t f = 0; f < frames; ++f)
   {

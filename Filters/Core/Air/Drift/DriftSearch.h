@@ -2,7 +2,7 @@
 // The best path of one body: from several starts, with several touch-downs and lift-offs.
 #pragma once
 
-#include "Air/Drift/Drifter.h"
+#include "Air/Drift/BodyProblem.h"
 #include "Base/Monitor.h"
 
 #include <vector>
@@ -25,13 +25,13 @@ struct DriftSearch
 
 /// The path with the least control is kept, with its touch-downs and lift-offs; that so far is
 /// among them.
-void SeekPath(const DriftSearch& search, const AirSampler& air, Drifter& drifter,
+void SeekPath(const DriftSearch& search, const AirSampler& air, BodyProblem& body,
               std::vector<Vec3>& path, Monitor& monitor);
 
 /// Exactly through what is asked for. What keeps too near to something is pushed harder first; only
 /// what that does not help is moved out of the way without a look at the air. False where it still
 /// is nearer to something than it may.
-bool FinishPath(DriftWeights weights, const AirSampler& air, const Drifter& drifter,
+bool FinishPath(DriftWeights weights, const AirSampler& air, const BodyProblem& body,
                 std::vector<Vec3>& path);
 
 } // namespace waft

@@ -2,7 +2,7 @@
 // Where a body that nothing asks for any more comes down.
 #pragma once
 
-#include "Air/Drift/Drifter.h"
+#include "Air/Drift/BodyProblem.h"
 #include "Air/Field/AirSampler.h"
 
 #include <vector>

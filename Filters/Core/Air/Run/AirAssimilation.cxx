@@ -27,7 +27,7 @@ void ShowPaths(const AirBodies& bodies, std::vector<Track>& tracks)
   tracks.resize(bodies.Size());
   for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
-    tracks[o].ObjectId = bodies.Drifters[o].Object().ObjectId;
+    tracks[o].ObjectId = bodies.Problems[o].Object().ObjectId;
     tracks[o].Positions = bodies.Paths[o];
   }
 }
@@ -36,7 +36,7 @@ void ShowPaths(const AirBodies& bodies, std::vector<Track>& tracks)
 Result FirstDrift(const AirContext& run, AirState& state, AssimilationOutput& output)
 {
   PartMonitor monitor(run.Caller, DrawEnd, DriftEnd, "Letting the objects drift to their marks");
-  (void)SeekPaths(run, state.Drawn.Velocity, std::vector<char>(state.Bodies.Size(), 1),
+  (void)SeekPaths(run, state.Sampled.Velocity, std::vector<char>(state.Bodies.Size(), 1),
                   state.Bodies, monitor);
   output.Rounds.push_back(RoundOf(run, state, "drift"));
   return monitor.Tick(1.0, "") ? Result::Ok() : Result::Stopped();
@@ -47,7 +47,7 @@ void DriftEdited(const AirContext& run, AirState& state, AssimilationOutput& out
 {
   (void)FirstDrift(run, state, output);
   PartMonitor drifting(run.Caller, DriftEnd, 1.0, "Letting the objects drift to their marks");
-  (void)DriftOn(run, state.Drawn.Velocity, DriftIterations, state.Bodies, drifting);
+  (void)DriftOn(run, state.Sampled.Velocity, DriftIterations, state.Bodies, drifting);
   output.Rounds.push_back(RoundOf(run, state, "edit"));
 }
 
@@ -74,7 +74,7 @@ Result Assimilate(const AirContext& run, CheckpointFile& checkpoint, AirState& s
     result = DrawAir(run, state, output);
     if (!result || result.IsStopped())
     {
-      state.Drawn.Velocity = HalfSeries();
+      state.Sampled.Velocity = HalfSeries();
       return result;
     }
     result = FirstDrift(run, state, output);
@@ -85,12 +85,12 @@ Result Assimilate(const AirContext& run, CheckpointFile& checkpoint, AirState& s
   }
   if (run.Options.Rounds == 0 && !result.IsStopped())
   {
-    const HalfSeries plain = state.Drawn.Velocity;
+    const HalfSeries plain = state.Sampled.Velocity;
     result = FindWind(run, plain, state, output);
   }
   while (!result.IsStopped() && GoesOn(run, state, output))
   {
-    HalfSeries plain = state.Drawn.Velocity;
+    HalfSeries plain = state.Sampled.Velocity;
     result = FindWind(run, plain, state, output);
     if (!result.IsStopped())
     {
@@ -139,15 +139,15 @@ Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& 
   state.Scene = SetUpScene(setUp);
   setUp.Search.HasSolids = static_cast<bool>(state.Scene.Solids);
   setUp.Key = KeyOf(input, options);
-  setUp.Show = [&](const AirBodies& bodies)
+  setUp.Publish = [&](const AirBodies& bodies)
   {
-    if (monitor.ShowsSoFar())
+    if (monitor.Publishes())
     {
       ShowPaths(bodies, output.Tracks);
     }
   };
   const AirContext& run = setUp;
-  run.Show(state.Bodies);
+  run.Publish(state.Bodies);
   const bool isEdit = TakeEdit(run, memory, state, output);
   if (isEdit && !state.Bodies.AreAllKept())
   {
@@ -163,7 +163,7 @@ Result AssimilateAir(const AssimilationInput& input, const AssimilationOptions& 
   {
     return result;
   }
-  if (!state.Drawn.Velocity.IsEmpty())
+  if (!state.Sampled.Velocity.IsEmpty())
   {
     FinishRun(run, result.IsStopped(), state, output);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One drawn air in which all objects drift to their marks with the least control.
+// One sampled air in which all objects drift to their marks with the least control.
 //
 // Not of Shi et al. 2005: there plans are drawn one by one and one gas is fitted to them. Here one
 // air is drawn first, as the simulations of the database are; the objects drift in it with the
@@ -84,27 +84,27 @@ struct AssimilationOptions
         "Rounds",
         { 0, 10 },
         "",
-        "How often the air is simulated again, at most, with the force of the common wind." },
+        "How often the air is simulated again, at most, with the force of the wind correction." },
       of.Rounds...);
     visit(OptionField{ "WindRounds",
                        { 0, 100 },
                        "",
-                       "Alternations of fitting the common wind with drifting in it, in a round." },
+                       "Alternations of fitting the correction with drifting in it, in a round." },
           of.WindRounds...);
     visit(OptionField{ "WindSpacing",
                        { 1e-3, 1e3 },
                        "m",
-                       "Spacing of the common wind's splines in space, in metres." },
+                       "Spacing of the wind correction's splines in space, in metres." },
           of.WindSpacing...);
     visit(OptionField{ "WindTimeSpacing",
                        { 1e-3, 1e3 },
                        "s",
-                       "Spacing of the common wind's splines in time, in seconds." },
+                       "Spacing of the wind correction's splines in time, in seconds." },
           of.WindTimeSpacing...);
     visit(OptionField{ "WindStiffness",
                        { 1e-3, 1e3 },
                        "",
-                       "Factor of what a common wind that is not smooth costs." },
+                       "Factor of what a wind correction that is not smooth costs." },
           of.WindStiffness...);
     visit(OptionField{ "Smoothness",
                        { 0, 10 },
@@ -173,10 +173,10 @@ struct AssimilationRound
 {
   std::string Stage; // "draw", "drift", "wind", "simulate"
   std::string Candidate;
-  double Control = 0.0;       // rms of the private hand in flight [m/s]
+  double Control = 0.0;       // rms of the residual control in flight [m/s]
   double MedianControl = 0.0; // of the objects' rms [m/s]
   double Flow = 0.0;          // rms of the air's velocity at the bodies in flight [m/s]
-  double Wind = 0.0;          // rms of the common wind at the bodies [m/s]
+  double Wind = 0.0;          // rms of the wind correction at the bodies [m/s]
   double Seconds = 0.0;       // since the run began
 
   template <class Visitor, class... Holder>
@@ -193,17 +193,17 @@ struct AssimilationRound
 };
 
 /// An air of all frames on one lattice.
-struct DrawnAir
+struct SampledAir
 {
   HalfSeries Velocity; // m/s
-  HalfSeries Wind;     // m/s^2, the common wind's force in it; may be empty
+  HalfSeries Wind;     // m/s^2, the wind correction's force in it; may be empty
 };
 
 struct AssimilationOutput
 {
   std::vector<Track> Tracks;               // AirVelocities among them
   std::vector<std::vector<Vec3>> Controls; // by track and frame [m/s]
-  std::shared_ptr<const DrawnAir> Air = std::make_shared<DrawnAir>();
+  std::shared_ptr<const SampledAir> Air = std::make_shared<SampledAir>();
   std::vector<Vortex> Vortices;        // all that stir the air
   std::vector<Constraint> Constraints; // with TouchDown and LiftOff
   std::vector<ReportRow> Report;

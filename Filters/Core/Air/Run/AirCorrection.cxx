@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Run/AirCorrection.h"
 
-#include "Air/Field/CommonWind.h"
+#include "Air/Field/WindCorrection.h"
 #include "Air/Run/AirRounds.h"
 #include "Air/Run/BodyDrift.h"
 #include "Air/Run/RunProgress.h"
@@ -18,11 +18,11 @@ namespace
 
 constexpr double SteeringRate = 6.0; // 1/s
 
-// The air as it was without, with the common wind. False: stopped, at some frames.
-bool AddWind(const AirContext& run, const HalfSeries& plain, const CommonWind& common,
+// The air as it was without, with the wind correction. False: stopped, at some frames.
+bool AddWind(const AirContext& run, const HalfSeries& plain, const WindCorrection& correction,
              HalfSeries& air, Monitor& monitor)
 {
-  if (!common.AddTo(plain, air, run.Parallel, monitor))
+  if (!correction.AddTo(plain, air, run.Parallel, monitor))
   {
     return false;
   }
@@ -34,14 +34,15 @@ bool AddWind(const AirContext& run, const HalfSeries& plain, const CommonWind& c
 }
 
 // The wind that would have made the controls needless: what it is at the bodies, and they.
-bool FitWind(const AirContext& run, const AirState& state, CommonWind& common, Monitor& monitor)
+bool FitWind(const AirContext& run, const AirState& state, WindCorrection& correction,
+             Monitor& monitor)
 {
   const AirBodies& bodies = state.Bodies;
-  const AirSampler air(state.Drawn.Velocity);
+  const AirSampler air(state.Sampled.Velocity);
   std::map<int, WindSamples> byFrame;
   for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
-    const DriftProblem problem = bodies.Drifters[o].Problem(air);
+    const DriftProblem problem = bodies.Problems[o].In(air);
     const std::vector<Vec3> controls = DriftControls(problem, air, bodies.Paths[o]);
     for (int k = 1; k < static_cast<int>(controls.size()); k += WindStride)
     {
@@ -54,7 +55,7 @@ bool FitWind(const AirContext& run, const AirState& state, CommonWind& common, M
       WindSamples& samples = byFrame[k];
       samples.Frame = k + 0.5;
       samples.Positions.push_back(middle);
-      samples.Values.push_back(controls[at] + common.At(middle, k + 0.5));
+      samples.Values.push_back(controls[at] + correction.At(middle, k + 0.5));
     }
   }
   std::vector<WindSamples> samples;
@@ -62,7 +63,7 @@ bool FitWind(const AirContext& run, const AirState& state, CommonWind& common, M
   {
     samples.push_back(std::move(at));
   }
-  return common.Fit(samples, run.Parallel, monitor);
+  return correction.Fit(samples, run.Parallel, monitor);
 }
 
 } // namespace
@@ -70,33 +71,33 @@ bool FitWind(const AirContext& run, const AirState& state, CommonWind& common, M
 Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
                 AssimilationOutput& output)
 {
-  CommonWindOptions options;
+  WindCorrectionOptions options;
   options.Spacing = run.Options.WindSpacing;
   options.TimeSpacing = run.Options.WindTimeSpacing;
   options.Ridge *= run.Options.WindStiffness;
   options.Bending *= run.Options.WindStiffness;
   options.Changing *= run.Options.WindStiffness;
-  CommonWind common(run.Input.Scene.Bounds, run.Input.Scene.Time, options);
+  WindCorrection correction(run.Input.Scene.Bounds, run.Input.Scene.Time, options);
   const double begin = ProgressOf(run.Options.Rounds, state.Rounds, 0.0);
   const double step =
     (ProgressOf(run.Options.Rounds, state.Rounds, WindEnd) - begin) / run.Options.WindRounds;
   for (int k = 0; k < run.Options.WindRounds; ++k)
   {
     PartMonitor fitting(run.Caller, begin + k * step, begin + (k + 0.5) * step,
-                        "Fitting the common wind");
-    const bool isFitted = FitWind(run, state, common, fitting);
-    if (!isFitted || !AddWind(run, plain, common, state.Drawn.Velocity, fitting))
+                        "Fitting the wind correction");
+    const bool isFitted = FitWind(run, state, correction, fitting);
+    if (!isFitted || !AddWind(run, plain, correction, state.Sampled.Velocity, fitting))
     {
-      state.Drawn.Velocity = plain;
+      state.Sampled.Velocity = plain;
       return Result::Stopped();
     }
     PartMonitor drifting(run.Caller, begin + (k + 0.5) * step, begin + (k + 1) * step,
-                         "Letting the objects drift in the common wind");
-    if (!DriftOn(run, state.Drawn.Velocity, FurtherIterations, state.Bodies, drifting))
+                         "Letting the objects drift in the wind correction");
+    if (!DriftOn(run, state.Sampled.Velocity, FurtherIterations, state.Bodies, drifting))
     {
       return Result::Stopped();
     }
-    output.Rounds.push_back(RoundOf(run, state, "wind " + std::to_string(k + 1), &common));
+    output.Rounds.push_back(RoundOf(run, state, "wind " + std::to_string(k + 1), &correction));
   }
   return Result::Ok();
 }
@@ -106,32 +107,32 @@ Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
 {
   const int rounds = run.Options.Rounds;
   const std::string number = std::to_string(state.Rounds + 1);
-  AirSteering steering(state.Drawn.Velocity, std::move(plain), std::move(state.Drawn.Wind),
+  AirSteering steering(state.Sampled.Velocity, std::move(plain), std::move(state.Sampled.Wind),
                        SteeringRate);
-  state.Drawn.Wind = HalfSeries();
+  state.Sampled.Wind = HalfSeries();
   HalfSeries air;
   PartMonitor monitor(run.Caller, ProgressOf(rounds, state.Rounds, WindEnd),
                       ProgressOf(rounds, state.Rounds, SimulationEnd),
-                      "Simulating the air with the common wind, round " + number + " of at most " +
-                        std::to_string(rounds));
+                      "Simulating the air with the wind correction, round " + number +
+                        " of at most " + std::to_string(rounds));
   const Result simulated =
     SimulateAir(state.Scene, &steering, run.Parallel, monitor, air, &state.Begun);
   if (!simulated || simulated.IsStopped())
   {
     return simulated;
   }
-  state.Drawn.Velocity = std::move(air);
-  state.Drawn.Wind = steering.TakePushes();
+  state.Sampled.Velocity = std::move(air);
+  state.Sampled.Wind = steering.TakePushes();
   PartMonitor drifting(run.Caller, ProgressOf(rounds, state.Rounds, SimulationEnd),
                        ProgressOf(rounds, state.Rounds, DriftingEnd),
                        "Letting the objects drift to their marks");
-  if (!DriftOn(run, state.Drawn.Velocity, DriftIterations, state.Bodies, drifting))
+  if (!DriftOn(run, state.Sampled.Velocity, DriftIterations, state.Bodies, drifting))
   {
     return Result::Stopped();
   }
   PartMonitor seeking(run.Caller, ProgressOf(rounds, state.Rounds, DriftingEnd),
                       ProgressOf(rounds, state.Rounds, 1.0), "Seeking anew what the air has lost");
-  if (!SeekAgain(run, state.Drawn.Velocity, state.Bodies, seeking))
+  if (!SeekAgain(run, state.Sampled.Velocity, state.Bodies, seeking))
   {
     return Result::Stopped();
   }

@@ -12,7 +12,7 @@ namespace waft
 Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
                 AssimilationOutput& output);
 
-/// Towards the air with the common wind, by what its motion asks for beside what drives it now;
+/// Towards the air with the wind correction, by what its motion asks for beside what drives it now;
 /// then the objects drift in it.
 Result SimulateAgain(const AirContext& run, HalfSeries plain, AirState& state,
                      AssimilationOutput& output);

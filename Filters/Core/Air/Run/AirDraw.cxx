@@ -36,9 +36,9 @@ double StrengthCost(double found, double wanted)
 BodyLaw TypicalLaw(const AirBodies& bodies)
 {
   std::vector<BodyLaw> laws;
-  for (const Drifter& drifter : bodies.Drifters)
+  for (const BodyProblem& body : bodies.Problems)
   {
-    laws.push_back(LawOf(drifter.Object()));
+    laws.push_back(LawOf(body.Object()));
   }
   const auto middle = laws.begin() + static_cast<std::ptrdiff_t>(laws.size() / 2);
   std::nth_element(laws.begin(), middle, laws.end(),
@@ -73,8 +73,8 @@ double Try(const AirContext& run, const AirBodies& bodies, const AirStatistics& 
            const HalfSeries& series, AssimilationRound& row)
 {
   const AirSampler air(series);
-  const std::size_t stride = (bodies.Drifters.size() + TrialObjects - 1) / TrialObjects;
-  const std::size_t count = (bodies.Drifters.size() + stride - 1) / stride;
+  const std::size_t stride = (bodies.Problems.size() + TrialObjects - 1) / TrialObjects;
+  const std::size_t count = (bodies.Problems.size() + stride - 1) / stride;
   std::vector<double> squares(count, 0.0);
   FreeFlights flights;
   flights.Paths.resize(count);
@@ -85,10 +85,10 @@ double Try(const AirContext& run, const AirBodies& bodies, const AirStatistics& 
                {
                  for (std::size_t k = begin; k < end; ++k)
                  {
-                   const Drifter& drifter = bodies.Drifters[k * stride];
-                   const DriftProblem problem = drifter.Problem(air);
+                   const BodyProblem& body = bodies.Problems[k * stride];
+                   const DriftProblem problem = body.In(air);
                    std::vector<Vec3>& path = flights.Paths[k];
-                   path = drifter.Starts(air, 0).back();
+                   path = body.Starts(air, 0).back();
                    const DriftOutcome outcome =
                      SolveDrift(problem, air, run.Search.Weights, TrialIterations, path);
                    squares[k] = outcome.Control * outcome.Control;
@@ -176,7 +176,7 @@ Result DrawAir(const AirContext& run, AirState& state, AssimilationOutput& outpu
   }
   state.Scene.Forces = Image(best, run.Input.Scene.Bounds, draws[draw].Forces);
   PartMonitor monitor(run.Caller, TrialsEnd, DrawEnd, "Drawing the air");
-  return SimulateAir(state.Scene, nullptr, run.Parallel, monitor, state.Drawn.Velocity,
+  return SimulateAir(state.Scene, nullptr, run.Parallel, monitor, state.Sampled.Velocity,
                      &state.Begun);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The drawn air.
+// The sampled air: its forces are drawn.
 #pragma once
 
 #include "Air/Run/AirState.h"

@@ -42,31 +42,31 @@ void FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimilat
   }
   else
   {
-    LandFreeBodies(run, state.Drawn.Velocity, bodies);
-    KeepApart(run, state.Drawn.Velocity, bodies);
+    LandFreeBodies(run, state.Sampled.Velocity, bodies);
+    KeepApart(run, state.Sampled.Velocity, bodies);
   }
-  const std::vector<char> clear = FinishPaths(run, state.Drawn.Velocity, bodies);
+  const std::vector<char> clear = FinishPaths(run, state.Sampled.Velocity, bodies);
   if (!output.Rounds.empty() && output.Rounds.back().Stage == Finished)
   {
     output.Rounds.pop_back(); // of the run that this one goes on from
   }
   output.Rounds.push_back(RoundOf(run, state, Finished));
-  TellLargeHands(bodies, state.Drawn.Velocity, output.Rounds.back().Flow, output.Warnings);
-  output.Tracks.clear(); // what was shown so far
-  const AirSampler air(state.Drawn.Velocity);
+  WarnOfLargeControls(bodies, state.Sampled.Velocity, output.Rounds.back().Flow, output.Warnings);
+  output.Tracks.clear(); // what was published
+  const AirSampler air(state.Sampled.Velocity);
   for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
     if (!clear[o])
     {
-      output.Warnings.push_back("object " + std::to_string(bodies.Drifters[o].Object().ObjectId) +
+      output.Warnings.push_back("object " + std::to_string(bodies.Problems[o].Object().ObjectId) +
                                 ": the path leaves less than the clearance asked for, " +
-                                NumberText(bodies.Drifters[o].Object().ClearanceRadius) +
+                                NumberText(bodies.Problems[o].Object().ClearanceRadius) +
                                 " m: give its marks more room beside what is in the way");
     }
     Track track;
-    track.ObjectId = bodies.Drifters[o].Object().ObjectId;
+    track.ObjectId = bodies.Problems[o].Object().ObjectId;
     track.Positions = bodies.Paths[o];
-    const DriftProblem problem = bodies.Drifters[o].Problem(air);
+    const DriftProblem problem = bodies.Problems[o].In(air);
     const std::vector<Vec3> between = DriftControls(problem, air, track.Positions);
     std::vector<Vec3> controls(track.Positions.size(), Vec3::Zero());
     for (std::size_t f = 0; f < track.Positions.size(); ++f)
@@ -80,7 +80,7 @@ void FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimilat
     output.Controls.push_back(std::move(controls));
     for (Constraint& row : output.Constraints)
     {
-      for (const Constraint& own : bodies.Drifters[o].Rows())
+      for (const Constraint& own : bodies.Problems[o].Rows())
       {
         if (own.Row == row.Row && own.Target == row.Target && own.ObjectId == row.ObjectId)
         {
@@ -89,14 +89,14 @@ void FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimilat
         }
       }
     }
-    if (const Constraint* landing = bodies.Drifters[o].FreeLanding())
+    if (const Constraint* landing = bodies.Problems[o].FreeLanding())
     {
       output.Constraints.push_back(*landing);
     }
   }
   MeasureResiduals(output.Constraints, output.Tracks, run.Input.Objects, run.Obstacles,
                    run.Input.Scene, output.Report);
-  output.Air = std::make_shared<DrawnAir>(std::move(state.Drawn));
+  output.Air = std::make_shared<SampledAir>(std::move(state.Sampled));
   output.Vortices = state.Scene.Forces.Vortices;
 }
 

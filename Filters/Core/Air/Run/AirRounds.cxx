@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Run/AirRounds.h"
 
-#include "Air/Drift/PrivateHand.h"
+#include "Air/Drift/ResidualControl.h"
 #include "Constraints/ConstraintCheck.h"
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace waft
 namespace
 {
 
-constexpr double LargeControl = 0.3; // of the flow, that is told
-constexpr std::size_t MostTold = 10;
+constexpr double LargeControl = 0.3; // of the flow, that is warned of
+constexpr std::size_t MostWarnings = 10;
 
 /// " (its mark at frame 30)", " (its 4 marks at frames 30 to 60)": those that somebody asked for.
 std::string MarksText(const std::vector<Constraint>& rows)
@@ -32,18 +32,18 @@ std::string MarksText(const std::vector<Constraint>& rows)
   return count == 0 ? "" : " (" + marks + " " + FramesText(first, last) + ")";
 }
 
-// Of squares of the common wind, over the steps of free flight.
-double WindAlong(const Drifter& drifter, const CommonWind& common, const AirSampler& air,
+// Of squares of the wind correction, over the steps of free flight.
+double WindAlong(const BodyProblem& body, const WindCorrection& correction, const AirSampler& air,
                  const std::vector<Vec3>& path)
 {
-  const DriftProblem problem = drifter.Problem(air);
+  const DriftProblem problem = body.In(air);
   double sum = 0.0;
   for (std::size_t k = 0; k + 1 < path.size(); k += WindStride)
   {
     if (IsFreeStep(problem, path, static_cast<int>(k)))
     {
       const Vec3 middle = 0.5 * (path[k] + path[k + 1]);
-      sum += WindStride * common.At(middle, static_cast<double>(k) + 0.5).squaredNorm();
+      sum += WindStride * correction.At(middle, static_cast<double>(k) + 0.5).squaredNorm();
     }
   }
   return sum;
@@ -52,33 +52,34 @@ double WindAlong(const Drifter& drifter, const CommonWind& common, const AirSamp
 } // namespace
 
 AssimilationRound RoundOf(const AirContext& run, const AirState& state, const std::string& stage,
-                          const CommonWind* common)
+                          const WindCorrection* correction)
 {
   const AirBodies& bodies = state.Bodies;
-  const AirSampler air(state.Drawn.Velocity);
+  const AirSampler air(state.Sampled.Velocity);
   const std::size_t count = bodies.Size();
-  std::vector<PrivateHand> hands(count);
+  std::vector<ResidualControl> residuals(count);
   std::vector<double> winds(count, 0.0);
   run.Parallel(count,
                [&](std::size_t begin, std::size_t end)
                {
                  for (std::size_t o = begin; o < end; ++o)
                  {
-                   hands[o] = HandOf(bodies.Drifters[o], air, bodies.Paths[o]);
-                   winds[o] =
-                     common ? WindAlong(bodies.Drifters[o], *common, air, bodies.Paths[o]) : 0.0;
+                   residuals[o] = ResidualControlOf(bodies.Problems[o], air, bodies.Paths[o]);
+                   winds[o] = correction
+                                ? WindAlong(bodies.Problems[o], *correction, air, bodies.Paths[o])
+                                : 0.0;
                  }
                });
-  PrivateHand all;
+  ResidualControl all;
   double wind = 0.0;
   std::vector<double> byObject;
   for (std::size_t o = 0; o < count; ++o)
   {
-    all.Control += hands[o].Control;
-    all.Flow += hands[o].Flow;
-    all.Steps += hands[o].Steps;
+    all.Control += residuals[o].Control;
+    all.Flow += residuals[o].Flow;
+    all.Steps += residuals[o].Steps;
     wind += winds[o];
-    byObject.push_back(hands[o].Rms(hands[o].Control));
+    byObject.push_back(residuals[o].Rms(residuals[o].Control));
   }
   std::sort(byObject.begin(), byObject.end());
   AssimilationRound row;
@@ -92,29 +93,29 @@ AssimilationRound RoundOf(const AirContext& run, const AirState& state, const st
   return row;
 }
 
-void TellLargeHands(const AirBodies& bodies, const HalfSeries& series, double flow,
-                    std::vector<std::string>& warnings)
+void WarnOfLargeControls(const AirBodies& bodies, const HalfSeries& series, double flow,
+                         std::vector<std::string>& warnings)
 {
   const AirSampler air(series);
-  std::size_t told = 0;
+  std::size_t warned = 0;
   for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
-    const PrivateHand hand = HandOf(bodies.Drifters[o], air, bodies.Paths[o]);
-    const double part = flow > 0.0 ? hand.Rms(hand.Control) / flow : 0.0;
-    if (part <= LargeControl || ++told > MostTold)
+    const ResidualControl residual = ResidualControlOf(bodies.Problems[o], air, bodies.Paths[o]);
+    const double part = flow > 0.0 ? residual.Rms(residual.Control) / flow : 0.0;
+    if (part <= LargeControl || ++warned > MostWarnings)
     {
       continue;
     }
     warnings.push_back(
-      "object " + std::to_string(bodies.Drifters[o].Object().ObjectId) +
-      MarksText(bodies.Drifters[o].Rows()) +
+      "object " + std::to_string(bodies.Problems[o].Object().ObjectId) +
+      MarksText(bodies.Problems[o].Rows()) +
       ": the air does not take it there: what moves it besides is " +
       std::to_string(std::lround(100.0 * part)) +
       " % of the flow's velocity: give it more time between its marks, or marks that are nearer");
   }
-  if (told > MostTold)
+  if (warned > MostWarnings)
   {
-    warnings.push_back("and " + std::to_string(told - MostTold) +
+    warnings.push_back("and " + std::to_string(warned - MostWarnings) +
                        " more objects that the air does not take to their marks");
   }
 }

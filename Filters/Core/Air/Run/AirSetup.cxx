@@ -85,7 +85,7 @@ Result SetUpBodies(const AirContext& run, AirBodies& bodies, AssimilationOutput&
       row.Row = row.Target = OfNoRow;
       rows.push_back(row);
     }
-    bodies.Drifters.emplace_back(run.Around, *object->second, track.Positions, rows);
+    bodies.Problems.emplace_back(run.Around, *object->second, track.Positions, rows);
     bodies.Paths.push_back(track.Positions);
   }
   return Result::Ok();

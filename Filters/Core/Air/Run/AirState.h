@@ -20,11 +20,11 @@ namespace waft
 /// The objects of a run, in the order of the tracks.
 struct AirBodies
 {
-  std::vector<Drifter> Drifters; // with their touch-downs and lift-offs
+  std::vector<BodyProblem> Problems; // with their touch-downs and lift-offs
   std::vector<std::vector<Vec3>> Paths;
   std::vector<char> IsOld; // that an edit leaves as they were; empty: no edit
 
-  std::size_t Size() const { return this->Drifters.size(); }
+  std::size_t Size() const { return this->Problems.size(); }
   bool IsKept(std::size_t o) const { return !this->IsOld.empty() && this->IsOld[o]; }
   bool AreAllKept() const
   {
@@ -36,11 +36,11 @@ struct AirBodies
 /// A run goes from one of these to the next, stage by stage.
 struct AirState
 {
-  int Rounds = 0;        // simulations with the common wind that are done
+  int Rounds = 0;        // simulations with the wind correction that are done
   std::string Candidate; // the draw that goes on
   AirScene Scene;        // what makes the air: the forces are those drawn
   SmokeState Begun;      // the air of the first frame, before any wind of ours
-  DrawnAir Drawn;        // the air as it is
+  SampledAir Sampled;    // the air as it is
   AirBodies Bodies;
 };
 
@@ -72,10 +72,10 @@ struct AirContext
   const SolidsOn& Solids;
   const ParallelFor& Parallel;
   Monitor& Caller;
-  /// The motion so far, to who watches.
-  std::function<void(const AirBodies& bodies)> Show;
+  /// Of the motion so far, to who watches.
+  std::function<void(const AirBodies& bodies)> Publish;
   ObstacleSet Obstacles;
-  DriftScene Around; // of all drifters
+  DriftScene Around; // of all bodies
   DriftSearch Search;
   AssimilationKey Key;
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();

@@ -20,14 +20,14 @@ AssimilationState Kept(const AirContext& run, const AirState& state,
   kept.Forces = state.Scene.Forces;
   kept.Forces.Wind = FieldSeries();
   kept.Paths = state.Bodies.Paths;
-  for (const Drifter& drifter : state.Bodies.Drifters)
+  for (const BodyProblem& body : state.Bodies.Problems)
   {
     kept.TouchDowns.emplace_back();
     kept.LiftOffs.emplace_back();
-    for (std::size_t l = 0; l < drifter.NumberOfLandings(); ++l)
+    for (std::size_t l = 0; l < body.NumberOfLandings(); ++l)
     {
-      kept.TouchDowns.back().push_back(drifter.TouchDown(l));
-      kept.LiftOffs.back().push_back(drifter.LiftOff(l));
+      kept.TouchDowns.back().push_back(body.TouchDown(l));
+      kept.LiftOffs.back().push_back(body.LiftOff(l));
     }
   }
   kept.Table = output.Rounds;
@@ -40,25 +40,25 @@ void Take(const AirContext& run, const AssimilationState& kept, AirState& state,
   state.Candidate = kept.Candidate;
   state.Scene.Forces = kept.Forces;
   state.Scene.Forces.Wind = run.Input.Wind;
-  state.Drawn = *kept.Air;
+  state.Sampled = *kept.Air;
   output.Rounds = kept.Table;
 }
 
 void TakePath(std::size_t o, const AssimilationState& kept, AirBodies& bodies)
 {
-  Drifter& drifter = bodies.Drifters[o];
+  BodyProblem& body = bodies.Problems[o];
   bodies.Paths[o] = kept.Paths[o];
   const std::vector<int>& down = kept.TouchDowns[o];
   const std::vector<int>& up = kept.LiftOffs[o];
-  if (down.size() == drifter.NumberOfLandings() + 1 && down.back() >= 0 &&
-      down.back() < drifter.NumberOfFrames())
+  if (down.size() == body.NumberOfLandings() + 1 && down.back() >= 0 &&
+      down.back() < body.NumberOfFrames())
   {
-    drifter.LandFreely(down.back(), kept.Paths[o][static_cast<std::size_t>(down.back())]);
+    body.LandFreely(down.back(), kept.Paths[o][static_cast<std::size_t>(down.back())]);
   }
-  for (std::size_t l = 0; l < std::min({ drifter.NumberOfLandings(), down.size(), up.size() }); ++l)
+  for (std::size_t l = 0; l < std::min({ body.NumberOfLandings(), down.size(), up.size() }); ++l)
   {
-    drifter.SetTouchDown(l, down[l]);
-    drifter.SetLiftOff(l, up[l]);
+    body.SetTouchDown(l, down[l]);
+    body.SetLiftOff(l, up[l]);
   }
 }
 
@@ -90,7 +90,7 @@ void KeepCheckpoint(const AirContext& run, const AirState& state, const Assimila
   }
   AssimilationState kept = Kept(run, state, output);
   kept.Rounds = state.Rounds;
-  kept.Air = { std::shared_ptr<void>(), &state.Drawn }; // for the time of the writing
+  kept.Air = { std::shared_ptr<void>(), &state.Sampled }; // for the time of the writing
   checkpoint.Write([&](StateArchive& file) { WriteState(file, kept, run.Parallel); }, true);
 }
 

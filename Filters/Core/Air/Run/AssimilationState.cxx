@@ -72,7 +72,7 @@ void WriteState(StateArchive& file, const AssimilationState& state, const Parall
 
 void ReadState(StateArchive& file, AssimilationState& state)
 {
-  const auto air = std::make_shared<DrawnAir>();
+  const auto air = std::make_shared<SampledAir>();
   file.Values(state);
   ReadSeries(file, air->Velocity);
   ReadSeries(file, air->Wind);

@@ -41,11 +41,11 @@ AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions&
 struct AssimilationState
 {
   AssimilationKey Key;
-  int Rounds = 0; // simulations with the common wind that are done
+  int Rounds = 0; // simulations with the wind correction that are done
   bool IsFinished = false;
   std::string Candidate;
   SmokeForces Forces; // but for the wind, which is the input's
-  std::shared_ptr<const DrawnAir> Air = std::make_shared<DrawnAir>();
+  std::shared_ptr<const SampledAir> Air = std::make_shared<SampledAir>();
   std::vector<std::vector<Vec3>> Paths;
   std::vector<std::vector<int>> TouchDowns; // one a landing
   std::vector<std::vector<int>> LiftOffs;   // likewise

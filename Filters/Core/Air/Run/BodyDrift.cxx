@@ -3,7 +3,7 @@
 
 #include "Air/Drift/DriftContacts.h"
 #include "Air/Drift/FreeLanding.h"
-#include "Air/Drift/PrivateHand.h"
+#include "Air/Drift/ResidualControl.h"
 #include "Base/FractionDone.h"
 
 #include <algorithm>
@@ -32,16 +32,16 @@ double SharpestBend(const std::vector<Vec3>& path)
   return sharpest;
 }
 
-// Tells each drifter what is too near to it; who has such neighbours.
+// Gives each body what is too near to it; who has such neighbours.
 std::vector<char> FindNeighbours(const AirContext& run, AirBodies& bodies)
 {
   std::vector<std::vector<DriftNeighbour>> contacts =
-    FindContacts(bodies.Drifters, bodies.Paths, run.Input.Scene.Time.FramesPerSecond, run.Parallel);
+    FindContacts(bodies.Problems, bodies.Paths, run.Input.Scene.Time.FramesPerSecond, run.Parallel);
   std::vector<char> touches;
   for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
     touches.push_back(contacts[o].empty() ? 0 : 1);
-    bodies.Drifters[o].SetNeighbours(std::move(contacts[o]));
+    bodies.Problems[o].SetNeighbours(std::move(contacts[o]));
   }
   return touches;
 }
@@ -65,12 +65,12 @@ bool DriftSome(const AirContext& run, const HalfSeries& series, int iterations,
                    }
                    if (which[o] && !bodies.IsKept(o))
                    {
-                     SolveDrift(bodies.Drifters[o].Problem(air), air, weights, iterations,
+                     SolveDrift(bodies.Problems[o].In(air), air, weights, iterations,
                                 bodies.Paths[o]);
                    }
                  }
                });
-  run.Show(bodies);
+  run.Publish(bodies);
   return part.Tick(1.0, "");
 }
 
@@ -93,11 +93,11 @@ bool SeekPaths(const AirContext& run, const HalfSeries& series, const std::vecto
                    }
                    if (which[o] && !bodies.IsKept(o))
                    {
-                     SeekPath(run.Search, air, bodies.Drifters[o], bodies.Paths[o], monitor);
+                     SeekPath(run.Search, air, bodies.Problems[o], bodies.Paths[o], monitor);
                    }
                  }
                });
-  run.Show(bodies);
+  run.Publish(bodies);
   return monitor.Tick(1.0, "");
 }
 
@@ -105,18 +105,18 @@ bool SeekAgain(const AirContext& run, const HalfSeries& series, AirBodies& bodie
                PartMonitor& monitor)
 {
   const AirSampler air(series);
-  std::vector<PrivateHand> hands;
-  PrivateHand all;
+  std::vector<ResidualControl> residuals;
+  ResidualControl all;
   for (std::size_t o = 0; o < bodies.Size(); ++o)
   {
-    hands.push_back(HandOf(bodies.Drifters[o], air, bodies.Paths[o]));
-    all.Flow += hands.back().Flow;
-    all.Steps += hands.back().Steps;
+    residuals.push_back(ResidualControlOf(bodies.Problems[o], air, bodies.Paths[o]));
+    all.Flow += residuals.back().Flow;
+    all.Steps += residuals.back().Steps;
   }
   std::vector<char> which;
-  for (const PrivateHand& hand : hands)
+  for (const ResidualControl& residual : residuals)
   {
-    which.push_back(hand.Rms(hand.Control) > SoughtAgain * all.Rms(all.Flow) ? 1 : 0);
+    which.push_back(residual.Rms(residual.Control) > SoughtAgain * all.Rms(all.Flow) ? 1 : 0);
   }
   return SeekPaths(run, series, which, bodies, monitor);
 }
@@ -138,16 +138,16 @@ void LandFreeBodies(const AirContext& run, const HalfSeries& series, AirBodies& 
                {
                  for (std::size_t o = begin; o < end; ++o)
                  {
-                   Drifter& drifter = bodies.Drifters[o];
-                   const int first = drifter.FreeFrom();
+                   BodyProblem& body = bodies.Problems[o];
+                   const int first = body.FreeFrom();
                    const FreeLanding landing =
                      bodies.IsKept(o) || first >= frames
                        ? FreeLanding()
-                       : FindFreeLanding(run.Around, drifter.Object(), air, bodies.Paths[o], first);
+                       : FindFreeLanding(run.Around, body.Object(), air, bodies.Paths[o], first);
                    if (landing.Frame >= 0)
                    {
-                     drifter.LandFreely(landing.Frame, landing.Place);
-                     SolveDrift(drifter.Problem(air), air, run.Search.Weights, LandingIterations,
+                     body.LandFreely(landing.Frame, landing.Place);
+                     SolveDrift(body.In(air), air, run.Search.Weights, LandingIterations,
                                 bodies.Paths[o]);
                    }
                  }
@@ -199,7 +199,7 @@ std::vector<char> FinishPaths(const AirContext& run, const HalfSeries& series, A
                    // What an edit left alone is exact already.
                    const bool isClear =
                      bodies.IsKept(o) ||
-                     FinishPath(run.Search.Weights, air, bodies.Drifters[o], bodies.Paths[o]);
+                     FinishPath(run.Search.Weights, air, bodies.Problems[o], bodies.Paths[o]);
                    clear[o] = isClear ? 1 : 0;
                  }
                });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The terms of E, and the table that tells how they fell: each column is named here, once.
+// The terms of E, and the log of how they fell: each column is named here, once.
 #pragma once
 
 #include <cmath>
@@ -57,7 +57,7 @@ struct ConvergenceRow : SpacetimeTerms
   double MaxViolation = 0.0; // m
   double Leash = 0.0;        // m; 0: released
   double Seconds = 0.0;      // since RunSpacetime began
-  /// Of a . a; not a number in a drawn air, and where nothing flies freely.
+  /// Of a . a; not a number in a sampled air, and where nothing flies freely.
   double ShareVortices = 0.0, ShareWind = 0.0, ShareGas = 0.0, ShareDrag = 0.0;
   double ShareLanding = 0.0, ShareNone = 0.0;
 
@@ -132,7 +132,7 @@ void VisitConvergence(Visitor&& visit)
   visit(ConvergenceColumn{ "Separation", "dx^2", "weighted: gas too near to gas" },
         &Row::Separation);
   visit(ConvergenceColumn{ "Control", "(dx/frame)^2",
-                           "weighted: in a drawn air, jerks of what moves objects beside it" },
+                           "weighted: in a sampled air, jerks of what moves objects beside it" },
         &Row::Control);
   visit(ConvergenceColumn{ "EvObjects", "(dx/frame)^2", "of Ev: objects; the rest is gas" },
         &Row::EvObjects);

@@ -247,7 +247,7 @@ void FrameTerms::ForwardAlone(const float* state)
   }
 }
 
-void FrameTerms::Forward(const float* state, int frame, double step, NeighborList& list)
+void FrameTerms::Forward(const float* state, int frame, double step, NeighbourList& list)
 {
   if (this->IsAlone())
   {
@@ -263,10 +263,10 @@ void FrameTerms::Forward(const float* state, int frame, double step, NeighborLis
               this->Scratch);
   this->Order = list.Order().data();
   this->PositionParticles(state);
-  const SphNeighbors neighbors = list.View();
+  const SphNeighbours neighbours = list.View();
   this->AddWalls(frame);
   this->MakeRoom(list.NumberOfEntries());
-  this->Kernels.Density(this->Constants, this->Records.data(), neighbors, n, this->Pairs,
+  this->Kernels.Density(this->Constants, this->Records.data(), neighbours, n, this->Pairs,
                         this->Density.data());
   const float self = static_cast<float>(this->Fluid.GasMass * this->Fluid.Kernel(0.0));
   const float* gradient = this->PsiGradient.data();

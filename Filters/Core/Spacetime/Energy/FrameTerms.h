@@ -3,7 +3,7 @@
 // and the adjoint of these.
 #pragma once
 
-#include "Particles/NeighborList.h"
+#include "Particles/NeighbourList.h"
 #include "Spacetime/Energy/LandingDamping.h"
 #include "Spacetime/Model/SpacetimeModel.h"
 
@@ -22,10 +22,10 @@ public:
   FrameTerms(const SpacetimeModel& model, const AirFields& fields, const SphFluid& fluid,
              const SphKernelTable& kernels);
 
-  /// state: the frame's six rows, in a drawn air with the deviations as velocities; step: frames to
-  /// the next one. Brings `list` up to date. Then Acceleration (all of it, external fields
+  /// state: the frame's six rows, in a sampled air with the deviations as velocities; step: frames
+  /// to the next one. Brings `list` up to date. Then Acceleration (all of it, external fields
   /// included) and Average hold.
-  void Forward(const float* state, int frame, double step, NeighborList& list);
+  void Forward(const float* state, int frame, double step, NeighbourList& list);
   /// Of the frame of the last Forward: AccelerationBar and AverageBar in; adds their pull-back to
   /// the six rows of `gradient`.
   void Adjoint(float* gradient);
@@ -59,7 +59,7 @@ private:
   /// Rows go through several terms in one sweep, so many entries at a time.
   static constexpr std::size_t Block = 256;
 
-  /// Objects in a drawn air without any gas.
+  /// Objects in a sampled air without any gas.
   bool IsAlone() const { return this->Model.NumberOfGas == 0 && !this->Model.Air.IsEmpty(); }
   void ForwardAlone(const float* state);
   void FillPositions(const float* state);
@@ -104,7 +104,7 @@ private:
   bool HasWinds = false;
   std::vector<DampingForce> Damping; // one an object
   std::vector<SphVortex> Active;
-  NeighborScratch Scratch;
+  NeighbourScratch Scratch;
   /// The pairs of the frame that Forward was last called for, and sums over them.
   std::vector<std::uint32_t> PairStarts;
   std::vector<SphPairGroup> PairGroups;

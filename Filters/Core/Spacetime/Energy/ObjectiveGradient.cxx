@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a frame's gradient has from the rows of the steps beside it, in a drawn air by way of the
+// What a frame's gradient has from the rows of the steps beside it, in a sampled air by way of the
 // deviations from that.
 #include "Spacetime/Energy/SpacetimeObjective.h"
 
@@ -44,7 +44,7 @@ void SpacetimeObjective::GatherFrame(std::size_t j, StateVector& gradient) const
     {
       gv[i] += rt[i];
     }
-    for (const TimeLevel::Neighbor& column : this->Times.Columns[j])
+    for (const TimeLevel::Neighbour& column : this->Times.Columns[j])
     {
       const float* other = row(column.Frame, 2, c);
       const auto coefficient = static_cast<float>(column.Coefficient);

@@ -83,7 +83,7 @@ void SpacetimeObjective::ShareFrame(FrameTerms& terms, const StateVector& moving
 void SpacetimeObjective::MarkLists()
 {
   this->Marked.clear();
-  for (const NeighborList& list : this->Lists)
+  for (const NeighbourList& list : this->Lists)
   {
     this->Marked.push_back(list.Course());
   }
@@ -99,7 +99,7 @@ void SpacetimeObjective::RewindLists()
 
 void SpacetimeObjective::SerialiseLists(StateArchive& stream)
 {
-  for (NeighborList& list : this->Lists)
+  for (NeighbourList& list : this->Lists)
   {
     list.Serialise(stream);
   }

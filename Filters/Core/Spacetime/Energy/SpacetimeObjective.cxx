@@ -18,7 +18,7 @@ struct SpacetimeObjective::Worker
   {
   }
   FrameTerms Terms;
-  NeighborList List; // of the frame at hand, where lists are not kept
+  NeighbourList List; // of the frame at hand, where lists are not kept
 };
 
 SpacetimeObjective::SpacetimeObjective(const SpacetimeModel& model, const AirFields& fields,
@@ -74,13 +74,13 @@ void SpacetimeObjective::Return(std::unique_ptr<Worker> worker)
   this->Pool.push_back(std::move(worker));
 }
 
-NeighborList& SpacetimeObjective::ListOf(Worker& worker, std::size_t j)
+NeighbourList& SpacetimeObjective::ListOf(Worker& worker, std::size_t j)
 {
   if (this->KeepsLists)
   {
     return this->Lists[j];
   }
-  worker.List = NeighborList();
+  worker.List = NeighbourList();
   return worker.List;
 }
 
@@ -110,7 +110,7 @@ FrameTerms& SpacetimeObjective::ForwardFrame(const StateVector& state, std::size
 std::size_t SpacetimeObjective::NumberOfPairs() const
 {
   std::size_t sum = 0;
-  for (const NeighborList& list : this->Lists)
+  for (const NeighbourList& list : this->Lists)
   {
     sum += list.NumberOfEntries();
   }
@@ -150,7 +150,7 @@ void SpacetimeObjective::SphFrame(Worker& worker, const StateVector& state,
   const float* deviations = moving.data() + this->Offset(j);
   FrameTerms& terms = worker.Terms;
   const double step = last ? 0.0 : this->Times.Steps[j + 1];
-  NeighborList& list = this->ListOf(worker, j);
+  NeighbourList& list = this->ListOf(worker, j);
   terms.Forward(deviations, this->Times.Frames[j], last ? 1.0 : step, list);
 
   const double stepWeight = last ? 0.0 : this->Times.StepWeights[j + 1];
@@ -256,10 +256,10 @@ void SpacetimeObjective::SmoothRow(const StateVector& moving, std::size_t j)
     const auto row = [&](std::size_t k)
     { return moving.data() + this->Offset(k) + (3 + c) * stride; };
     std::copy(row(j), row(j) + model.NumberOfBodies(), r);
-    for (const TimeLevel::Neighbor& neighbor : this->Times.Rows[j])
+    for (const TimeLevel::Neighbour& neighbour : this->Times.Rows[j])
     {
-      const float* v = row(neighbor.Frame);
-      const auto coefficient = static_cast<float>(neighbor.Coefficient);
+      const float* v = row(neighbour.Frame);
+      const auto coefficient = static_cast<float>(neighbour.Coefficient);
       for (std::size_t i = 0; i < model.NumberOfBodies(); ++i)
       {
         r[i] -= coefficient * v[i];

@@ -5,7 +5,7 @@
 #include "Base/Monitor.h"
 #include "Base/Parallel.h"
 #include "Base/StateArchive.h"
-#include "Particles/NeighborList.h"
+#include "Particles/NeighbourList.h"
 #include "Spacetime/Energy/Convergence.h"
 #include "Spacetime/Energy/FrameTerms.h"
 #include "Spacetime/Model/StateVector.h"
@@ -25,7 +25,7 @@ namespace waft
 ///   rv = v^{j+1} - v^j - s (a^j + f^j)
 ///   rs = D^j / (1 - m W(0) / rho0)
 ///   rt = v^j - mean of v^k over the neighbours in time
-/// In a drawn air v is the deviation from it (GivenAir) but in rx, which takes velocities.
+/// In a sampled air v is the deviation from it (GivenAir) but in rx, which takes velocities.
 class SpacetimeObjective
 {
 public:
@@ -70,13 +70,13 @@ private:
   struct Worker;
   std::unique_ptr<Worker> Borrow();
   void Return(std::unique_ptr<Worker> worker);
-  NeighborList& ListOf(Worker& worker, std::size_t j);
+  NeighbourList& ListOf(Worker& worker, std::size_t j);
   void SphFrame(Worker& worker, const StateVector& state, const StateVector& moving, std::size_t j,
                 StateVector* gradient);
   /// What of the objects' acceleration is whose.
   void ShareFrame(FrameTerms& terms, const StateVector& moving, std::size_t j);
   void SmoothRow(const StateVector& moving, std::size_t j);
-  /// In a drawn air: what E takes for the velocities.
+  /// In a sampled air: what E takes for the velocities.
   const StateVector& TakeDeviations(const StateVector& state);
   void ObjectFrame(const StateVector& state, std::size_t j, StateVector* gradient);
   void GatherFrame(std::size_t j, StateVector& gradient) const;
@@ -104,10 +104,10 @@ private:
   double SpatialScale; // 1 / (1 - m W(0))^2
   std::size_t Evaluations = 0;
 
-  std::vector<NeighborList> Lists;    // by frame; empty when they are not kept
-  std::vector<NeighborCourse> Marked; // of the lists
+  std::vector<NeighbourList> Lists;    // by frame; empty when they are not kept
+  std::vector<NeighbourCourse> Marked; // of the lists
   std::vector<float> Residuals; // weighted, of the step into frame j: rx, rv and rt, nine rows
-  StateVector Deviations;       // in a drawn air
+  StateVector Deviations;       // in a sampled air
   StateVector Jacobians;        // nine rows a frame, of the air where they are taken
   std::vector<SpacetimeTerms> FrameSums;
   std::vector<std::uint8_t> Bound;  // [frame * objects + object]: no free flight into the frame

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A drawn air as the optimiser sees it: what bodies move beside it.
+// A sampled air as the optimiser sees it: what bodies move beside it.
 #pragma once
 
 #include "Base/BodyLaw.h"

@@ -47,7 +47,7 @@ struct Stage
   }
 
   bool IsUpdate() const { return this->Kind == StageKind::Fields; }
-  /// Of a minimisation, as Convergence tells it.
+  /// Of a minimisation, as Convergence logs it.
   std::string Name() const;
   /// The same place of a schedule, whatever a stage may take there.
   bool IsSame(const Stage& other) const;

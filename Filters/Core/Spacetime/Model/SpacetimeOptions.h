@@ -103,7 +103,7 @@ struct SpacetimeOptions : TermWeights
         "AirDrag",
         { 0, 100 },
         "1/s",
-        "Rate in 1/s with which gas that moves otherwise than a drawn air comes back to it. "
+        "Rate in 1/s with which gas that moves otherwise than a sampled air comes back to it. "
         "With less its disorder shakes the objects." }
         .With("Air"),
       of.AirDrag...);
@@ -146,7 +146,7 @@ struct SpacetimeOptions : TermWeights
                        { 1, 100000 },
                        "",
                        "Iterations at most: a third of them on every fourth frame, two fifths in "
-                       "each stage on every second, a third in each on all; in a drawn air two "
+                       "each stage on every second, a third in each on all; in a sampled air two "
                        "ninths, in one stage on all frames." },
           of.MaximumNumberOfIterations...);
     visit(

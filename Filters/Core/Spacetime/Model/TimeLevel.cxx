@@ -60,9 +60,9 @@ TimeLevel TimeLevel::Make(std::vector<int> frames, int window)
   }
   for (int j = 0; j < n; ++j)
   {
-    for (const Neighbor& neighbor : level.Rows[j])
+    for (const Neighbour& neighbour : level.Rows[j])
     {
-      level.Columns[neighbor.Frame].push_back({ j, neighbor.Coefficient });
+      level.Columns[neighbour.Frame].push_back({ j, neighbour.Coefficient });
     }
   }
   return level;
@@ -73,9 +73,9 @@ int TimeLevel::Reach() const
   int reach = 1;
   for (std::size_t j = 0; j < this->Rows.size(); ++j)
   {
-    for (const Neighbor& neighbor : this->Rows[j])
+    for (const Neighbour& neighbour : this->Rows[j])
     {
-      reach = std::max(reach, std::abs(neighbor.Frame - static_cast<int>(j)));
+      reach = std::max(reach, std::abs(neighbour.Frame - static_cast<int>(j)));
     }
   }
   return reach;
@@ -111,19 +111,19 @@ TimeLevel TimeLevel::Part(std::size_t first, std::size_t last) const
   for (int j = 0; j < count; ++j)
   {
     bool isWhole = true;
-    for (Neighbor& neighbor : part.Rows[j])
+    for (Neighbour& neighbour : part.Rows[j])
     {
-      neighbor.Frame -= static_cast<int>(begin);
-      isWhole = isWhole && neighbor.Frame >= 0 && neighbor.Frame < count;
+      neighbour.Frame -= static_cast<int>(begin);
+      isWhole = isWhole && neighbour.Frame >= 0 && neighbour.Frame < count;
     }
     if (!isWhole) // nothing free is in it
     {
       part.Rows[j].clear();
       part.SmoothWeights[j] = 0.0;
     }
-    for (const Neighbor& neighbor : part.Rows[j])
+    for (const Neighbour& neighbour : part.Rows[j])
     {
-      part.Columns[neighbor.Frame].push_back({ j, neighbor.Coefficient });
+      part.Columns[neighbour.Frame].push_back({ j, neighbour.Coefficient });
     }
   }
   part.FirstFree = first - begin;
@@ -181,7 +181,7 @@ double SmoothnessWeight(const SpacetimeModel& model, const TimeLevel& level, std
   { return k > 0 && StepHasLaw(model, level, k, static_cast<std::size_t>(object)); };
   const auto& row = level.Rows[j];
   const bool inFlight = flies(j) && std::all_of(row.begin(), row.end(),
-                                                [&](const TimeLevel::Neighbor& n) {
+                                                [&](const TimeLevel::Neighbour& n) {
                                                   return flies(static_cast<std::size_t>(n.Frame));
                                                 });
   return inFlight ? weights.VelocityWeight * weights.Control * level.SmoothWeights[j] : 0.0;

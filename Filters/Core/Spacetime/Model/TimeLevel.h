@@ -20,13 +20,13 @@ struct TimeLevel
   /// smoothness row j. All one at full resolution.
   std::vector<double> StepWeights, FrameWeights, SmoothWeights;
   /// Row j of Eq. 4's second term: v^j - sum of Coefficients[k] v^k over the neighbours in time.
-  struct Neighbor
+  struct Neighbour
   {
     int Frame;
     double Coefficient;
   };
-  std::vector<std::vector<Neighbor>> Rows;    // neighbours of row j
-  std::vector<std::vector<Neighbor>> Columns; // rows in which frame j is a neighbour
+  std::vector<std::vector<Neighbour>> Rows;    // neighbours of row j
+  std::vector<std::vector<Neighbour>> Columns; // rows in which frame j is a neighbour
 
   /// Unknowns of level frames outside these keep their values.
   std::size_t FirstFree = 0;
@@ -61,12 +61,12 @@ bool StepIsBound(const SpacetimeModel& model, const TimeLevel& level, std::size_
 bool StepIsGiven(const SpacetimeModel& model, const TimeLevel& level, std::size_t j,
                  std::size_t object);
 
-/// True when rv counts in that step: in free flight, in a drawn air without what follows a path
+/// True when rv counts in that step: in free flight, in a sampled air without what follows a path
 /// that is given frame by frame, which no force has to explain.
 bool StepHasLaw(const SpacetimeModel& model, const TimeLevel& level, std::size_t j,
                 std::size_t object);
 
-/// The weight of row j of Eq. 4's second term for an object, or for gas (-1). In a drawn air an
+/// The weight of row j of Eq. 4's second term for an object, or for gas (-1). In a sampled air an
 /// object's is that of Control: it keeps what moves it beside the air from jerks, in flight alone.
 double SmoothnessWeight(const SpacetimeModel& model, const TimeLevel& level, std::size_t j,
                         long object);

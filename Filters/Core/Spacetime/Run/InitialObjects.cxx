@@ -54,7 +54,7 @@ bool MakeInitialObjects(const SpacetimeModel& model, const ConstraintTable& tabl
   LbfgsMemory memory;
   const auto observer = [&](int iteration, const SpacetimeTerms&)
   { return monitor.Tick(static_cast<double>(iteration) / Iterations, {}); };
-  const LbfgsEnd end = solver.Minimize(options, observer, &monitor, memory, alone);
+  const LbfgsEnd end = solver.Minimise(options, observer, &monitor, memory, alone);
   if (end == LbfgsEnd::Stopped)
   {
     return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Objects that give way to each other in the drawn air: where its optimisation starts.
+// Objects that give way to each other in the sampled air: where its optimisation starts.
 #pragma once
 
 #include "Base/Monitor.h"

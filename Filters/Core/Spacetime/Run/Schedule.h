@@ -8,10 +8,10 @@
 namespace waft
 {
 
-/// From planned tracks: the passes of the paper, where no drawn air is given.
+/// From planned tracks: the passes of the paper, where no sampled air is given.
 Schedule PlanSchedule(const SpacetimeSetup& setup, const SpacetimeOptions& options, double width);
-/// In a drawn air, in which the tracks and their gas fly already: all frames at once, no fields to
-/// be found.
+/// In a sampled air, in which the tracks and their gas fly already: all frames at once, no fields
+/// to be found.
 Schedule PlanInAir(const SpacetimeOptions& options);
 /// From a motion that was solved before, under conditions that may have changed.
 Schedule PlanAgain(const SpacetimeSetup& setup, const SpacetimeOptions& options, bool fitVortices);

@@ -29,11 +29,11 @@ SpacetimeBudget::SpacetimeBudget(const SpacetimeModel& model, const SpacetimeOpt
   const double rows = sizeof(float) * 9.0 * double(model.Stride());
   const double exported = sizeof(float) * 17.0 * particles;
   const double reach = 2.0 * options.SmoothingLength + UsualSkin;
-  const double neighbors =
+  const double neighbours =
     WallFraction * 4.0 / 3.0 * M_PI * reach * reach * reach + 4.0; // whole groups of eight
   const double entry = particles < 65535.0 ? 2.0 : 4.0;
-  // Of the positions of its construction a list may keep the last ones too; see NeighborCourse.
-  const double list = particles * (ListGrowth * entry * neighbors + 8.0 * sizeof(float));
+  // Of the positions of its construction a list may keep the last ones too; see NeighbourCourse.
+  const double list = particles * (ListGrowth * entry * neighbours + 8.0 * sizeof(float));
   // The motion, the one it began with, and the rows of an evaluation of the whole.
   this->Base = SmallParts + model.NumberOfFrames * (2.0 * frame + rows);
   if (options.EstimateWind && model.Air.IsEmpty())

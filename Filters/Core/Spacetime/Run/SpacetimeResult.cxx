@@ -19,14 +19,14 @@ constexpr auto BetweenPictures = std::chrono::milliseconds(500);
 
 } // namespace
 
-void SpacetimeRun::ShowMotion()
+void SpacetimeRun::PublishMotion()
 {
   const auto now = std::chrono::steady_clock::now();
-  if (!this->Progress.ShowsSoFar() || now - this->Shown < BetweenPictures)
+  if (!this->Progress.Publishes() || now - this->Published < BetweenPictures)
   {
     return;
   }
-  this->Shown = now;
+  this->Published = now;
   StateVector motion = this->State.Motion;
   this->View->Merge(StateVector(this->State.Part), motion);
   const std::size_t objects = this->Output.Tracks.size();
@@ -76,7 +76,7 @@ Result SpacetimeRun::Export()
 // come to more than it began with.
 void SpacetimeRun::KeepTheBetter(const HardConstraints& constraints)
 {
-  // Who stopped it does not wait for what the last iteration has told.
+  // Who stopped it does not wait for what the last iteration has reported.
   const bool isKnown = this->Stopped && this->State.Coarseness == 0 && !this->State.Log.empty() &&
                        this->State.Log.back().E < this->State.StartEnergy;
   if (this->State.Beginning.empty() || isKnown)

@@ -45,7 +45,7 @@ SpacetimeRun::SpacetimeRun(const SpacetimeInput& input, const SpacetimeOptions& 
 Result SpacetimeRun::Run(StateVector start)
 {
   this->Output.Spacing = this->Problem.Spacing;
-  if (this->Progress.ShowsSoFar())
+  if (this->Progress.Publishes())
   {
     this->Output.Tracks = this->Input.Tracks;
   }
@@ -201,8 +201,8 @@ bool SpacetimeRun::RunStage()
   }
   else
   {
-    isDone = this->HasWindows(this->Solver->Level) ? this->MinimizeInWindows(stage)
-                                                   : this->Minimize(stage);
+    isDone = this->HasWindows(this->Solver->Level) ? this->MinimiseInWindows(stage)
+                                                   : this->Minimise(stage);
   }
   this->State.IsInside = false;
   if (isDone)

@@ -55,8 +55,8 @@ private:
   void MakeLevel(int coarseness);
   void LeaveLevel();
   /// All three return false when the run was stopped.
-  bool Minimize(const Stage& stage);
-  bool MinimizeInWindows(const Stage& stage);
+  bool Minimise(const Stage& stage);
+  bool MinimiseInWindows(const Stage& stage);
   bool SolveWindow(const Stage& stage, std::pair<std::size_t, std::size_t> window, double done,
                    Monitor& monitor);
   bool UpdateFields(const Stage& stage);
@@ -73,8 +73,8 @@ private:
   void WriteCheckpoint(bool now);
   void SerialiseAll(StateArchive& stream);
 
-  /// The objects' motion so far, now and then, for a monitor that shows it.
-  void ShowMotion();
+  /// The objects' motion so far, now and then, for a monitor that publishes.
+  void PublishMotion();
   Result Export();
   void KeepTheBetter(const HardConstraints& constraints);
   void MeasureRepairs(const std::vector<Vec3>& solved,
@@ -103,8 +103,8 @@ private:
   std::unique_ptr<LevelSolver> Solver; // of Part
   std::size_t Window = 0;              // free frames that are solved at once on the present level
   double AllWork = 1.0;                // expected, in iterations at full resolution
-  std::chrono::steady_clock::time_point Shown; // last
-  bool Stopped = false;                        // by the monitor
+  std::chrono::steady_clock::time_point Published; // last
+  bool Stopped = false;                            // by the monitor
   bool IsCut = false; // by the time limit: what follows is no course to go on from
 };
 

@@ -12,7 +12,7 @@
 namespace waft
 {
 
-bool SpacetimeRun::Minimize(const Stage& stage)
+bool SpacetimeRun::Minimise(const Stage& stage)
 {
   const std::string name = stage.Name();
   StageProgress monitor(this->Progress, this->FractionAt(this->State.Next),
@@ -38,11 +38,11 @@ bool SpacetimeRun::Minimize(const Stage& stage)
     const bool isUp = this->TimeIsUp();
     this->KeepCheckpoint(isUp);
     this->MarkState();
-    this->ShowMotion();
+    this->PublishMotion();
     this->IsCut = this->IsCut || isUp;
     return !isUp;
   };
-  const LbfgsEnd end = solver.Minimize(options, observer, &monitor, this->State.Curvature, state);
+  const LbfgsEnd end = solver.Minimise(options, observer, &monitor, this->State.Curvature, state);
   this->Stopped = this->Stopped || !monitor.Going;
   this->KeepState();
   return end != LbfgsEnd::Stopped;

@@ -33,7 +33,7 @@ std::vector<std::pair<std::size_t, std::size_t>> SpacetimeRun::Windows(int sweep
   return windows;
 }
 
-bool SpacetimeRun::MinimizeInWindows(const Stage& stage)
+bool SpacetimeRun::MinimiseInWindows(const Stage& stage)
 {
   const std::string name = stage.Name();
   LevelSolver& whole = *this->Solver;
@@ -134,7 +134,7 @@ bool SpacetimeRun::SolveWindow(const Stage& stage, std::pair<std::size_t, std::s
     Monitor& Outer;
     double Done;
   } inner(monitor, done);
-  const LbfgsEnd end = part.Minimize(options, observer, &inner, memory, own);
+  const LbfgsEnd end = part.Minimise(options, observer, &inner, memory, own);
   if (end == LbfgsEnd::Stopped)
   {
     this->Stopped = true;

@@ -101,7 +101,7 @@ void SetUpLandings(const SpacetimeInput& input, const std::vector<int>& grounds,
       for (int frame = window.Frame; frame <= std::min(frames - 1, window.Until); ++frame)
       {
         // It arrives without speed, so it is braked over the frames before; from then on the
-        // surface carries its weight. A drawn air brakes it in the step to the rest itself.
+        // surface carries its weight. A sampled air brakes it in the step to the rest itself.
         const bool arrives = frame == window.Frame && !input.Air.IsEmpty();
         Fix(setup, frame, o, window.Centre, arrives ? 0 : FixedVelocity);
         coherence(frame) = 0.0f;

@@ -109,7 +109,7 @@ bool MeasureDynamics(const SpacetimeSetup& setup, SpacetimeObjective& objective,
       accelerations += a * a;
     }
   }
-  output.GasHiddenHand = accelerations > 0.0 ? std::sqrt(residuals / accelerations) : -1.0;
+  output.GasModelResidual = accelerations > 0.0 ? std::sqrt(residuals / accelerations) : -1.0;
   const ReplayError replay =
     MeasureReplay(objective, state, static_cast<int>(std::lround(1.0 / setup.FrameStep)), monitor);
   output.ObjectReplayError = replay.Objects;
@@ -179,7 +179,7 @@ void FieldExport::Visit(std::size_t frame, FrameTerms& terms)
   }
 }
 
-// The acceleration that no term of the model gives into a frame, in a drawn air about the frame
+// The acceleration that no term of the model gives into a frame, in a sampled air about the frame
 // before: objects go with it, so that there it is the change of their control.
 void FieldExport::AppendResidual(const SpacetimeObjective& objective, int frame, std::size_t object,
                                  const Vec3& controlBefore, const Vec3& control, Track& track) const
@@ -308,7 +308,7 @@ bool FieldExport::Write(SpacetimeObjective& objective,
   {
     this->AppendObjects(objective, frame, deviations, output.Tracks);
     this->AddResiduals(objective, frame, output.Tracks);
-    // An abort is noted, and the rest still written: a result without its last frames is none.
+    // An abort is recorded, and the rest still written: a result without its last frames is none.
     going = monitor.Tick(1.0, "writing the motion") && going;
   }
   series.Frames = std::move(this->Frames);

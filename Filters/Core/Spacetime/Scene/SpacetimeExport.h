@@ -55,7 +55,7 @@ private:
     double Witness = 0.0; // how much of the density there is the gas'
     Vec3 Relative, Vortex, Wind;
   };
-  /// What moves an object in a drawn air beside it, from the frame before on: the gas' deviation
+  /// What moves an object in a sampled air beside it, from the frame before on: the gas' deviation
   /// that is felt there, and the control that neither air nor gas gives [dx / frame].
   struct AirDeviation
   {

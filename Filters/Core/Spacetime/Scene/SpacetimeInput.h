@@ -11,7 +11,7 @@ namespace waft
 /// Its Vortices are first guesses and priors (see SelectVortices), its Wind a fixed background.
 struct SpacetimeInput : MotionProblem
 {
-  /// Velocity of a drawn air, in which Wind is contained already, or empty: what is solved
+  /// Velocity of a sampled air, in which Wind is contained already, or empty: what is solved
   /// for is how gas and objects deviate from it (Model/GivenAir.h).
   FieldSeries Air;
 };

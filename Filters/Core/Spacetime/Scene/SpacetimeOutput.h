@@ -62,9 +62,9 @@ struct SpacetimeOutput
   std::vector<double> VelocityResiduals; // the same of v [dx / frame]
   double Spacing = 0.0;                  // dx [m]
   /// How far it is a motion of the model. ReplayErrors: of objects and gas, a second after they
-  /// were let go (Rollout.h); GasHiddenHand: rms of the gas' Residuals over that of Dv/Dt.
+  /// were let go (Rollout.h); GasModelResidual: rms of the gas' Residuals over that of Dv/Dt.
   /// Negative: not to be had.
-  double ObjectReplayError = -1.0, GasReplayError = -1.0, GasHiddenHand = -1.0;
+  double ObjectReplayError = -1.0, GasReplayError = -1.0, GasModelResidual = -1.0;
   /// Of all frames of all objects, those that were moved after solving by more than 1e-5 of the
   /// volume's width, so that all that is asked for holds; and by how much at most [m].
   double RepairedFraction = 0.0, LargestRepair = 0.0;
@@ -84,7 +84,7 @@ struct SpacetimeOutput
     visit(of.Spacing...);
     visit(of.ObjectReplayError...);
     visit(of.GasReplayError...);
-    visit(of.GasHiddenHand...);
+    visit(of.GasModelResidual...);
     visit(of.RepairedFraction...);
     visit(of.LargestRepair...);
     visit(of.Warnings...);

@@ -254,7 +254,7 @@ void SetUpObjects(const SpacetimeInput& input, const SpacetimeOptions& options,
   model.Approach = setup.Table.Planned;
 }
 
-// In a drawn air objects go with it: no drag is too fast, nothing else moves or slows them, and
+// In a sampled air objects go with it: no drag is too fast, nothing else moves or slows them, and
 // they begin and land as they came here.
 void SetUpAir(const SpacetimeInput& input, const SpacetimeOptions& options, SpacetimeSetup& setup)
 {
@@ -291,7 +291,7 @@ void SetUpBackground(const SpacetimeInput& input, const SpacetimeOptions& option
                      SpacetimeSetup& setup)
 {
   const FieldSeries& given = input.Wind;
-  if (given.IsEmpty() || !input.Air.IsEmpty()) // a drawn air contains it
+  if (given.IsEmpty() || !input.Air.IsEmpty()) // a sampled air contains it
   {
     return;
   }

@@ -135,7 +135,7 @@ void Lbfgs::Remember(const TimelinePreconditioner& preconditioner,
   memory.Pairs.Rho.push_back(1.0 / sy);
 }
 
-LbfgsEnd Lbfgs::Minimize(SpacetimeObjective& objective,
+LbfgsEnd Lbfgs::Minimise(SpacetimeObjective& objective,
                          const TimelinePreconditioner& preconditioner, HardConstraints& constraints,
                          const LbfgsOptions& options, const Observer& observer, Monitor* monitor,
                          LbfgsMemory& memory, StateVector& state)

@@ -52,7 +52,7 @@ struct LbfgsMemory
   StateVector Gradient;
   double Gamma = 1.0;
   SpacetimeTerms Terms;         // of the present iterate
-  std::vector<double> Energies; // of all iterates of the last call of Minimize
+  std::vector<double> Energies; // of all iterates of the last call of Minimise
 
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
@@ -81,7 +81,7 @@ public:
 
   /// Minimises from `state`, which always holds the best feasible iterate. Iteration 0 is the
   /// projected start. Stopped by the monitor, the memory is as after the last iterate.
-  LbfgsEnd Minimize(SpacetimeObjective& objective, const TimelinePreconditioner& preconditioner,
+  LbfgsEnd Minimise(SpacetimeObjective& objective, const TimelinePreconditioner& preconditioner,
                     HardConstraints& constraints, const LbfgsOptions& options,
                     const Observer& observer, Monitor* monitor, LbfgsMemory& memory,
                     StateVector& state);

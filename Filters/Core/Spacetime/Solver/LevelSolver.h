@@ -30,10 +30,10 @@ struct LevelSolver
   }
 
   /// Minimises from `state`, as Lbfgs does.
-  LbfgsEnd Minimize(const LbfgsOptions& options, const Lbfgs::Observer& observer, Monitor* monitor,
+  LbfgsEnd Minimise(const LbfgsOptions& options, const Lbfgs::Observer& observer, Monitor* monitor,
                     LbfgsMemory& memory, StateVector& state)
   {
-    return this->Solver->Minimize(this->Objective, this->Preconditioner, this->Constraints, options,
+    return this->Solver->Minimise(this->Objective, this->Preconditioner, this->Constraints, options,
                                   observer, monitor, memory, state);
   }
 

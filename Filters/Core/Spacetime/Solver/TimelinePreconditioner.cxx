@@ -84,9 +84,9 @@ TimelinePreconditioner::Band TimelinePreconditioner::Factor(long object) const
     addRow({ { 2 * j + 1, 1.0 } },
            fraction * air * w.CoherenceWeight * w.SpatialShare * this->Level.FrameWeights[j]);
     std::vector<Entry> row{ { 2 * j + 1, 1.0 } };
-    for (const auto& neighbor : this->Level.Rows[j])
+    for (const auto& neighbour : this->Level.Rows[j])
     {
-      row.push_back({ 2 * neighbor.Frame + 1, -neighbor.Coefficient });
+      row.push_back({ 2 * neighbour.Frame + 1, -neighbour.Coefficient });
     }
     addRow(row, SmoothnessWeight(this->Model, this->Level, static_cast<std::size_t>(j), object));
     if (j > 0 && (object < 0 || !StepIsBound(this->Model, this->Level, j, object)))

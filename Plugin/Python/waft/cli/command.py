@@ -16,7 +16,7 @@ from waft.run._qualities import KEPT, QUALITIES, quality_of
 from waft.run.request import SENTENCES, STATED
 from waft.scene._schema import definition
 from waft.texts import ROWS, is_utf8, line, names_a_row, say, shortened, warn
-from waft.watching import interruptible, tell_guard
+from waft.watching import interruptible, report_to_guard
 
 DESCRIPTION = "Motion of light things in air that goes where you say and moves like things carried by one air."
 EXIT = """exit status: 0 all constraints met; 2 malformed input or usage, nothing computed; 3 some constraint could not
@@ -291,12 +291,12 @@ def run_synthesize(options):
 
 
 def _fly(options, quality):
-    from waft.run.synthesis import synthesize, tell
+    from waft.run.synthesis import report_run, synthesize
 
     asked = {name: value for name, value in vars(options).items() if name in SENTENCES}
     asked.update(quality=quality, quiet=False, on_progress=_print_json if options.progress == "json" else None)
     run = synthesize(**asked)
-    tell(run, options.output)
+    report_run(run, options.output)
     run.delete()
     return run.status
 
@@ -329,7 +329,7 @@ def run_takes(options):
     from waft.run.takes import fly_takes, table
 
     status, rows = fly_takes(options.scene, options.seeds, options.output, options.quality, options.jobs, options.threads,
-                             options.database, tell=lambda text: say(f"waft: {text}"))
+                             options.database, log=lambda text: say(f"waft: {text}"))
     print(table(rows), end="")
     return status
 
@@ -345,11 +345,11 @@ def run_new(options):
 
 
 def run_check(options):
-    from waft.scene.checking import check, told
+    from waft.scene.checking import check, first_of_each
 
     with interruptible("stopped: a check writes nothing"):
         looked, findings = check(options.scene, options.database)
-    for is_possible, text in told(findings):
+    for is_possible, text in first_of_each(findings):
         print(line(f"waft: {'hard' if is_possible else 'cannot be met'}: {text}"))
     if any(names_a_row(finding.text) for finding in findings):
         print(f"waft: {ROWS}")
@@ -461,6 +461,6 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
 
 
 def _give_up(error, status):
-    tell_guard("words", "")  # said here
+    report_to_guard("words", "")  # said here
     say(f"waft: {shortened(error)}")
     return status

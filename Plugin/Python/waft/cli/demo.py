@@ -6,7 +6,7 @@ import pathlib
 from waft import failures
 from waft.beneath import Folder
 from waft.loading import data_file
-from waft.run.synthesis import synthesize, tell
+from waft.run.synthesis import report_run, synthesize
 from waft.texts import say, warn
 from waft.watching import interruptible
 
@@ -27,7 +27,7 @@ def run_demo(folder, threads=None):
         say(f"{name}: planning, optimising, turning ...")
         run = synthesize(data_file(f"Scenes/{name}.waft.json"), output=target, threads=threads, quiet=False,
                          quality="air")
-        tell(run, target)
+        report_run(run, target)
         status = max(status, run.status)
         if run.stopped:
             return run.status

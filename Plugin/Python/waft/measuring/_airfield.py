@@ -16,7 +16,7 @@ AWAY = 0.3  # from every object, where a witness is let go [m]
 
 class AirField:
     """Velocity [m/s] [step, k, j, i, 3] on a lattice; linear between its points and steps, that of the outermost point outside. wind:
-    {step: the common wind's force [m/s^2] there}, of some steps."""
+    {step: the wind correction's force [m/s^2] there}, of some steps."""
 
     def __init__(self, times, velocity, wind, origin, spacing):
         self.times, self.velocity, self.wind = np.asarray(times, float), velocity, wind
@@ -80,8 +80,8 @@ class AirField:
         return Flights(path, flights.rate, ~out, free, slip)
 
     def wind_share(self, every=10):
-        """Rms of the common wind's force over that of the acceleration that the air has of its own, Dv/Dt less the wind's; NaN
-        without a wind."""
+        """Rms of the wind correction's force over that of the acceleration that the air has of its own, Dv/Dt less the wind's;
+        NaN without a wind."""
         steps = [step for step in sorted(self.wind) if 0 < step < len(self.times) - 1]
         if not steps:
             return float("nan")

@@ -76,15 +76,15 @@ def _slips(folder, ids):
 
 
 def _rows(folder):
-    """Columns of constraints.vtp, TouchDown and LiftOff (-1 where they are not told) among them; no rows without the file."""
-    whole, told = ("ObjectId", "Frame", "Kind", "Until"), ("TouchDown", "LiftOff")
+    """Columns of constraints.vtp, TouchDown and LiftOff (-1 where they are not given) among them; no rows without the file."""
+    whole, times = ("ObjectId", "Frame", "Kind", "Until"), ("TouchDown", "LiftOff")
     path = folder.path / "constraints.vtp"
     if folder.found("constraints.vtp") is None:
-        return {name: np.zeros((0, 4) if name == "Value" else 0) for name in (*whole, "Radius", "Value", *told)}
+        return {name: np.zeros((0, 4) if name == "Value" else 0) for name in (*whole, "Radius", "Value", *times)}
     columns = read_surface(folder, "constraints.vtp").GetPointData()
     rows = {name: array_of(columns, name, path, kind=int, low=-1) for name in whole}
     rows.update(Radius=array_of(columns, "Radius", path, low=0.0), Value=array_of(columns, "Value", path, 4))
-    for name in told:
+    for name in times:
         rows[name] = array_of(columns, name, path, kind=int, low=-1) if columns.HasArray(name) else np.full(len(rows["Frame"]), -1)
     statuses = texts_of(columns, "Status")
     if statuses:

@@ -10,7 +10,7 @@ import numpy as np
 from waft.failures import BadInput
 from waft.files import check_target
 from waft.marks import is_marked_zip
-from waft.measuring import _flights, _telling
+from waft.measuring import _flights, _two_sample
 from waft.measuring._airfield import read_air
 from waft.measuring._drifters import Drifters, make_drifters
 from waft.measuring._flights import rms
@@ -100,7 +100,7 @@ def measure(folders: Union[Path, Sequence[Path]], tracks: str = "optimized", dri
         from waft.measuring._measureplots import check_pictures
 
         check_pictures([str(folder) for folder in folders] + ["pooled"] * (len(folders) > 1), tracks, plots)
-    runs = [read_run(folder, tracks) for folder in folders]  # what is malformed is told before anything is computed
+    runs = [read_run(folder, tracks) for folder in folders]  # what is malformed is reported before anything is computed
     given = drifters and Drifters(drifters)
     done = []
     for run in runs:
@@ -146,7 +146,7 @@ def _measured(runs, given, tracks, air):
     name = runs[0].folder if len(runs) == 1 else "pooled"
     notes = reference.lacks(slips, runs[0].bounds, runs[0].flights.rate)
     style = _Style(airs, others, fewest)
-    rows = [*_hands(runs, air), _replay(runs, air), *style.rows(""), *_start(airs, others)]
+    rows = [*_residuals(runs, air), _replay(runs, air), *style.rows(""), *_start(airs, others)]
     rows += _witnesses(runs, air, others) + _landing(runs, fewest)
     residuals = [largest_residual(run) for run in runs]
     rows.append(Row("exact", "exact constraints: largest residual", _largest(residuals), (0.0, 1e-9)))
@@ -159,7 +159,7 @@ def _largest(values):
 
 
 class _Style:
-    """Life, bands, one air and told apart of a motion beside its drifters."""
+    """Life, bands, one air and two-sample AUC of a motion beside its drifters."""
 
     def __init__(self, airs, others, fewest):
         self._airs, self._others, self._many = airs, others, fewest >= MANY
@@ -169,7 +169,7 @@ class _Style:
         rows = self._life(key, text)
         if not of:
             rows += self._bands()
-        return rows + self._one_air(key, text) + [self._told_apart(key, text)]
+        return rows + self._one_air(key, text) + [self._two_sample_auc(key, text)]
 
     def _life(self, key, text):
         seconds = None if self._many else min(_flights.flight_seconds(self._airs), _flights.flight_seconds(self._others))
@@ -205,14 +205,14 @@ class _Style:
             row.why = "too few pairs"
         return rows
 
-    def _told_apart(self, key, text):
+    def _two_sample_auc(self, key, text):
         row = Row(f"{key}told_apart", f"{text}two-sample AUC (told apart): area under the ROC curve", wanted=(0.0, 0.75))
-        if not _telling.is_there():
+        if not _two_sample.is_there():
             row.why = "scikit-learn (python3-sklearn) is not installed"
             return row
-        row.value = _telling.area(self._airs, self._others)
+        row.value = _two_sample.area(self._airs, self._others)
         if not key:
-            row.drifters = _telling.area(self._others[::2], self._others[1::2])
+            row.drifters = _two_sample.area(self._others[::2], self._others[1::2])
         row.why = "too little free flight"
         return row
 
@@ -229,7 +229,7 @@ def _spread(flights, mask):
     return float(np.sqrt(squares.mean())) if len(squares) else UNKNOWN
 
 
-def _hands(runs, air):
+def _residuals(runs, air):
     hidden = Row("hidden_hand", "model residual (hidden hand): acceleration the model does not give", wanted=(0.0, 0.2),
                  why="the tracks have no array AirVelocity or Residual")
     private = Row("private_hand", "residual control (private hand): velocity the air does not give", wanted=(0.0, 0.1),

@@ -27,11 +27,11 @@ function begin() {
   const speeds = speedPlot(run, objects, (frame) => player.seek(frame));
   const plots = [speeds, run.energy && energyPlot(run.energy), run.rounds.length ? roundsPlot(run.rounds) : null];
   byName("plots").append(...plots.filter(Boolean).map(({ root }) => root));
-  if (run.measured) tellMeasured(run.measured);
-  tellMarks(run, names, (mark) => {
+  if (run.measured) reportMeasured(run.measured);
+  reportMarks(run, names, (mark) => {
     player.seek(mark.frame);
     if (ids.has(mark.object)) follow(ids.get(mark.object));
-    tell(mark);
+    report(mark);
   });
   drawTicks(byName("ticks"), run);
   byName("save").href = URL.createObjectURL(new Blob([animation], { type: "model/gltf-binary" }));
@@ -42,9 +42,9 @@ function begin() {
     clearTimeout(noted);
     noted = setTimeout(() => { byName("note").textContent = ""; }, 5000);
   }
-  function tell(mark) {
+  function report(mark) {
     const who = names.get(mark.object) || "no object";
-    note(`${who}, frame ${mark.frame}: ${wishText(mark)}: ${mark.status}` + (mark.message ? ` (${mark.message})` : ""));
+    note(`${who}, frame ${mark.frame}: ${constraintText(mark)}: ${mark.status}` + (mark.message ? ` (${mark.message})` : ""));
   }
 
   function follow(index) {
@@ -104,7 +104,7 @@ function begin() {
     flyers.moveTo(player.frame);
     const object = nearest(x, y, flyers.at, 26);
     const spot = object < 0 && byName("marks").checked ? nearest(x, y, marks.spots.map(({ place }) => place), 18) : -1;
-    if (spot >= 0) return tell(marks.spots[spot].mark);
+    if (spot >= 0) return report(marks.spots[spot].mark);
     if (object >= 0) note(`following ${objects[object].name}`);
     follow(object);
   };
@@ -180,9 +180,9 @@ function planned({ low, high, steps }, count, frames) {
 }
 
 function lack(text) {
-  const told = element("p", text, { className: "lack" });
-  told.setAttribute("role", "alert");
-  byName("stage").append(told);
+  const notice = element("p", text, { className: "lack" });
+  notice.setAttribute("role", "alert");
+  byName("stage").append(notice);
 }
 
 try {

@@ -33,7 +33,7 @@ function tellFacts(run, objects, shapes) {
   byName("facts").append(...facts.flatMap(([name, value, kind = ""]) => [element("dt", name), element("dd", String(value), { className: kind })]));
 }
 
-function tellMeasured({ folder, tracks, rows, notes }) {
+function reportMeasured({ folder, tracks, rows, notes }) {
   byName("measured").hidden = false;
   byName("measured-note").textContent = [`How the motion (${tracks}) compares with bodies that drift in free air.`, ...notes].join(" ");
   const wanted = ([low, high]) => low === null ? high === null ? "" : `≤ ${figure(high)}` : high === null ? `≥ ${figure(low)}` : `${figure(low)} to ${figure(high)}`;
@@ -45,24 +45,24 @@ function tellMeasured({ folder, tracks, rows, notes }) {
   ])));
 }
 
-const WISHES = { rest: "lie", position: "pass", velocity: "velocity", acceleration: "acceleration", orientation: "turn" };
+const CONSTRAINTS = { rest: "lie", position: "pass", velocity: "velocity", acceleration: "acceleration", orientation: "turn" };
 const UNITS = { rest: "m", position: "m", velocity: "m/s", acceleration: "m/s²", orientation: "rad" };
 
-function wishText(mark) {
-  return mark.kind === "position" && mark.places.length > 1 ? `path, to ${mark.places[mark.places.length - 1][0]}` : WISHES[mark.kind] || mark.kind;
+function constraintText(mark) {
+  return mark.kind === "position" && mark.places.length > 1 ? `path, to ${mark.places[mark.places.length - 1][0]}` : CONSTRAINTS[mark.kind] || mark.kind;
 }
 
-function tellMarks(run, names, choose) {
+function reportMarks(run, names, choose) {
   if (!run.marks.length) return;
-  byName("wishes").hidden = false;
+  byName("constraints").hidden = false;
   const order = { met: 1 };  // what was missed comes first
   const marks = [...run.marks].sort((a, b) => (order[a.status] || 0) - (order[b.status] || 0));
-  byName("wishes").querySelector("tbody").append(...marks.map((mark) => {
+  byName("constraints").querySelector("tbody").append(...marks.map((mark) => {
     const go = element("button", names.get(mark.object) || "none", { type: "button", title: "Go there and follow it" });
     go.addEventListener("click", () => choose(mark));
     const status = element("td", mark.status, { className: `status ${mark.status}` });
     const row = element("tr", [status, element("td", go), element("td", String(mark.frame)),
-      element("td", wishText(mark)), element("td", `${figure(mark.residual)} ${UNITS[mark.kind] || ""}`)]);
+      element("td", constraintText(mark)), element("td", `${figure(mark.residual)} ${UNITS[mark.kind] || ""}`)]);
     if (mark.message) row.title = mark.message;
     return row;
   }));

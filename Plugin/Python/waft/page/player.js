@@ -47,9 +47,9 @@ class Player {
     const frame = Math.round(this.frame), seconds = (frame / this.run.rate).toFixed(1);
     this.slider.value = frame;
     this.slider.setAttribute("aria-valuetext", `frame ${frame}, ${seconds} seconds`);
-    if (this.told !== frame)
+    if (this.reported !== frame)
       byName("clock").replaceChildren(element("span", `frame ${frame} · `, { className: "wide" }), `${seconds} s`);
-    this.told = frame;
+    this.reported = frame;
     byName("play").setAttribute("aria-pressed", this.playing);
     byName("play").setAttribute("aria-label", this.playing ? "Pause" : "Play");
     this.changed();

@@ -122,11 +122,11 @@ function energyPlot({ columns, rows }) {
 
 function roundsPlot(rounds) {
   const after = rounds.filter(({ stage }) => stage !== "draw");
-  const drawnAirs = rounds.filter(({ stage }) => stage === "draw");
-  const best = drawnAirs.length ? [Math.min(...drawnAirs.map(({ control }) => control))] : [];
+  const sampledAirs = rounds.filter(({ stage }) => stage === "draw");
+  const best = sampledAirs.length ? [Math.min(...sampledAirs.map(({ control }) => control))] : [];
   const controls = [...best, ...after.map(({ control }) => control)];
   if (controls.length < 2) return null;
-  const first = best.length ? [`best of ${drawnAirs.length} drawn airs`] : [];
+  const first = best.length ? [`best of ${sampledAirs.length} sampled airs`] : [];
   const names = [...first, ...after.map(({ stage }) => stage)];
   const plot = new Plot({ title: "Control", unit: "what the air does not do, m/s", of: "rounds",
     series: [{ name: `${names[0]} → ${names[names.length - 1]}`, values: controls }],

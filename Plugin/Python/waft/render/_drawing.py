@@ -92,7 +92,7 @@ def _paint(make_stage, wanted, with_pixels, sending):
             picture = _drawn(stage, view, frame, path)
             width, height, _ = picture.GetDimensions()
             sending.send(vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(height, width, -1) if with_pixels else None)
-    except Exception as error:  # of any kind: it is told where the pictures are waited for
+    except Exception as error:  # of any kind: it is reported where the pictures are waited for
         sending.send(error if isinstance(error, WaftError) else WaftError(f"drawing: {error}"))
     finally:
         sending.close()

@@ -25,7 +25,7 @@ def _clean_store(only_lists):
         say(f"{store.path / entry.name}: {entry.size / _MEGABYTE:.1f} MB")
         if not only_lists:
             store.remove(entry.name)
-    return _told(sum(entry.size for entry in entries), store.path, only_lists)
+    return _report(sum(entry.size for entry in entries), store.path, only_lists)
 
 
 def _clean_folder(folder, only_lists):
@@ -48,9 +48,9 @@ def _clean_folder(folder, only_lists):
             place.folder.remove(name)
             if "/" in name:
                 place.folder.remove_empty(name.rpartition("/")[0])
-    return _told(sum(sizes.values()), folder, only_lists)
+    return _report(sum(sizes.values()), folder, only_lists)
 
 
-def _told(size, where, only_lists):
+def _report(size, where, only_lists):
     say(f"{where}: {size / _MEGABYTE:.1f} MB {'to remove' if only_lists else 'removed'}")
     return size

@@ -49,9 +49,9 @@ def _with_surroundings(folder, parts):
     below = Folder(folder)
     animation, _, rate, frames = _pagedata.animation_of(below)
     gltf = Gltf(animation)
-    told = {"framesPerSecond": rate, "firstFrame": 0, "lastFrame": frames - 1}
+    timing = {"framesPerSecond": rate, "firstFrame": 0, "lastFrame": frames - 1}
     for holder in (gltf.content["asset"], gltf.content["scenes"][0]):
-        holder["extras"] = {**holder.get("extras", {}), **told}
+        holder["extras"] = {**holder.get("extras", {}), **timing}
     bounds = _folder.volume_of(below)
     for obstacle in _folder.moving_obstacles(below, bounds, rate, frames):
         if obstacle.ground is not None:

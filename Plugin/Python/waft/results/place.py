@@ -28,7 +28,7 @@ from waft.files import write_json
 from waft.reading import json_of, open_stream
 from waft.scene._schema import fault
 from waft.temporary import is_temporary, sweep_files, temporary_name
-from waft.watching import tell_guard
+from waft.watching import report_to_guard
 
 _MOVE = ".waft-move"
 _JOURNAL = "journal.json"
@@ -197,7 +197,7 @@ class ResultPlace:
                 folder.make_folder(self._room_name)
             self._made = [*([self.room] if self._room_name is not None else []), *missing]
             for made in self._made:
-                tell_guard("made", made)
+                report_to_guard("made", made)
             room = folder if self._room_name is None else folder.below(self._room_name)
             try:
                 fcntl.flock(room.descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -414,7 +414,7 @@ class _Move:
         for name in (*self._incoming, *self._outgoing):
             if not owns(name):
                 raise BadInput(f"{path}: {name}: expected names of these results alone")
-            # Whatever else could be wrong with a name is told before the first file is moved.
+            # Whatever else could be wrong with a name is reported before the first file is moved.
             for folder, inner in ((root, name), (room, self._new(name)), (room, self._old(name))):
                 try:
                     folder.about(inner)

@@ -22,7 +22,7 @@ SERIES = {"meshes": ("rotation", 0), "particles": ("spacetime", 1)}
 AIR_INTERVAL = 0.1
 # Binary digits below the typical value that replay can tell from more: figures of `waft measure` change by some per cent.
 AIR_DIGITS = 4
-WIND_STEPS = 10  # steps of the air from one that has the common wind's force to the next
+WIND_STEPS = 10  # steps of the air from one that has the wind correction's force to the next
 # What reads back bit for bit beside points: what else poses.csv says but velocities, which follow from points, and time.
 _EXACT = ("Time", "Orientation", "AngularVelocity")
 
@@ -162,7 +162,7 @@ def _write_shapes(pipeline, place):
     for block in range(shapes.GetNumberOfBlocks()):
         texture = shapes.GetBlock(block).GetFieldData().GetAbstractArray("Texture")
         source = pathlib.Path(texture.GetValue(0)) if texture is not None and texture.GetValue(0) else None
-        if source is not None:  # of one that is missing the scene's reader has told
+        if source is not None:  # of one that is missing the scene's reader has warned
             name = f"shapes/picture_{len(pictures)}{source.suffix}"
             texture.SetValue(0, pictures.setdefault(source, name) if source.is_file() else "")
     write_xml(shapes, place.path("shapes.vtm"))

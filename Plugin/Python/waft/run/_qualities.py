@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The qualities of a run, which say how objects come to their marks."""
 
-# The stages that each goes without. preview: drift in one drawn air on a coarse grid; air: the same on the full one; full: the
+# The stages that each goes without. preview: drift in one sampled air on a coarse grid; air: the same on the full one; full: the
 # optimiser from there, in that air; paper: as in the paper, the optimiser from the plan, gas at rest.
 WITHOUT = {"preview": ("spacetime",), "air": ("spacetime",), "full": (), "paper": ("assimilation",)}
 QUALITIES = tuple(WITHOUT)

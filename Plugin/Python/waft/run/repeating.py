@@ -13,7 +13,7 @@ POLL = 0.25  # s between two looks at the files
 
 def fly_when_saved(scene, fly):
     """Calls fly(), a status, now and after each change of the scene file or a file that it names, until it is stopped; a scene that
-    is malformed is told, and waited for. Returns the status of the last flight that came to its end."""
+    is malformed is reported, and waited for. Returns the status of the last flight that came to its end."""
     if not os.path.isfile(scene):
         raise failures.BadInput(f"{scene}: no such scene file")
     look = Look(scene)

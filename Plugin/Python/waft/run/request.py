@@ -104,9 +104,9 @@ def by_options(request: Callable[P, Request]) -> Callable[[Callable[[Request], R
             if unknown:
                 raise TypeError(f"{act.__name__}: no option {unknown[0]}; expected {', '.join(SENTENCES)}")
             return act(request(*args, **options))
-        told = "\n".join(textwrap.fill(f"{name}: {text}", 110, initial_indent="    ", subsequent_indent="        ")
+        each = "\n".join(textwrap.fill(f"{name}: {text}", 110, initial_indent="    ", subsequent_indent="        ")
                          for name, text in SENTENCES.items())
-        call.__doc__ = inspect.cleandoc(act.__doc__ or "").replace("\n\n", f"\n\n{told}\n\n", 1)
+        call.__doc__ = inspect.cleandoc(act.__doc__ or "").replace("\n\n", f"\n\n{each}\n\n", 1)
         setattr(call, "__signature__", shown)
         return call
     return decorate

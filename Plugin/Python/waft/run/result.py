@@ -38,10 +38,10 @@ class Result:
 
     positions[object, frame]: numpy array (objects, frames, 3) [m]; orientations[object, frame]: (objects, frames, 4), w x y z,
     body to world; times: (frames) [s]; object_ids: (objects), the id of each object in the arrays; marks: a structured array, a
-    row for each mark: row, target, object, frame, kind, status, residual, message. They are those of the stages as they are:
+    row a constraint: row, target, object, frame, kind, status, residual, message. They are those of the stages as they are:
     after a change of a property and run.rotation.UpdatePipeline() the new ones (marks: of the run).
 
-    status: exit status of the command; report: the marks, one dictionary a row; warnings: sentences; stopped: whether it was
+    status: exit status of the command; report: the constraints, a dictionary each; warnings: sentences; stopped: whether it was
     stopped early, with the best so far; seed and quality: those of the run. delete(): takes the stages out of ParaView's session.
     """
 

@@ -117,12 +117,12 @@ def _fly(request, scene_folder=None):
                         edit_of=edit_of, key=key, scene_folder=scene_folder)
         if place is not None:
             clock.phase = "writing the results"
-            clock.tell(0.0, clock.phase)
+            clock.report(0.0, clock.phase)
             write_results(result, place, checkpoint)
             if checkpoint is not None and not stopped:
                 checkpoint.hand_on(Store())
                 checkpoint.clear()
-        clock.tell(1.0, "stopped early" if stopped else "done")
+        clock.report(1.0, "stopped early" if stopped else "done")
         clock.check_progress()
     return result
 
@@ -157,7 +157,7 @@ def _seed_of(folder, otherwise):
     return int(report["seed"]) if report is not None else otherwise
 
 
-def tell(run, folder):
+def report_run(run, folder):
     """What came out, on stderr: warnings, constraints that are not met, and a line of figures."""
     for warning in run.warnings:
         warn(warning)
@@ -288,7 +288,7 @@ def constraint_report(pipeline):
 
 
 def _add_rests(pipeline, report):
-    """The frames from and until which each rest is kept; -1 of other rows, and where no stage tells."""
+    """The frames from and until which each rest is kept; -1 of other rows, and where no stage says."""
     names = ("TouchDown", "LiftOff")
     frames = {}
     if pipeline.assimilation is not None:

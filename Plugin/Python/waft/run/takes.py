@@ -39,9 +39,9 @@ PATIENCE = 120.0  # s that another process may take to change the table
 _FIRST = ["seed", "folder", "outcome", "met", "wishes", "seconds", "processorSeconds", "peakMemoryMB"]
 
 
-def fly_takes(scene, seeds, output, quality="full", jobs=1, threads=None, database=None, tell=print):
+def fly_takes(scene, seeds, output, quality="full", jobs=1, threads=None, database=None, log=print):
     """Flies the takes of these seeds that are not there yet, `jobs` at a time, each on `threads` threads (by default all cores
-    together), and puts them in the table of `output`. tell: called with a line for each.
+    together), and puts them in the table of `output`. log: called with a line for each.
 
     Returns the exit status of all and the rows of the table (dictionaries). Raises BadInput before anything is computed: of a scene
     that is malformed, and of files of others where the table or a take would be.
@@ -55,7 +55,7 @@ def fly_takes(scene, seeds, output, quality="full", jobs=1, threads=None, databa
         Folder(folder).is_folder(take_name(seed))  # raises of a link, which would lead a flight elsewhere
     for seed in seeds:
         if seed not in missing:
-            tell(f"{take_name(seed)}: there already")
+            log(f"{take_name(seed)}: there already")
     statuses = [done[seed]["status"] for seed in seeds if seed not in missing]
     stopped = False
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
@@ -68,7 +68,7 @@ def fly_takes(scene, seeds, output, quality="full", jobs=1, threads=None, databa
             except Interrupted:
                 stopped = True
                 flight.stop()
-            statuses += [_take_in(folder, future.result(), tell) for future in ended]
+            statuses += [_take_in(folder, future.result(), log) for future in ended]
     rows = [row for row in _rows(folder) if row["seed"] in seeds]
     return _status_of_all(stopped, statuses), rows
 
@@ -77,16 +77,16 @@ def take_name(seed):
     return f"take-{seed:04d}"
 
 
-def _take_in(folder, row, tell):
+def _take_in(folder, row, log):
     """Puts a row in the table; returns its status, None of a take that was not begun."""
     if row is None:
         return None
     if row["status"] == failures.MALFORMED:  # nothing was computed: no row
-        tell(f"{row['folder']}: {row['message']}")
+        log(f"{row['folder']}: {row['message']}")
         return row["status"]
     _change_table(folder, [row])
-    tell(f"{row['folder']}: {row['outcome']}" + (f", {row['met']} of {row['wishes']} wishes met" if {"met", "wishes"} <= row.keys() else "") +
-         (f": {row['message']}" if row["message"] else ""))
+    met = f", {row['met']} of {row['wishes']} constraints met" if {"met", "wishes"} <= row.keys() else ""
+    log(f"{row['folder']}: {row['outcome']}{met}" + (f": {row['message']}" if row["message"] else ""))
     return row["status"]
 
 
@@ -232,8 +232,8 @@ def _as_csv(rows):
 
 
 def table(rows):
-    """The rows for a reader: wishes met, how many measures are within what is wanted, and which are not."""
-    cells = [("seed", "outcome", "wishes", "measures", "seconds", "not as wanted")]
+    """The rows for a reader: constraints met, how many measures are within what is wanted, and which are not."""
+    cells = [("seed", "outcome", "constraints", "measures", "seconds", "not as wanted")]
     for row in rows:
         judged = [measure for measure in row.get("measures", ()) if measure["met"] is not None]
         cells.append((str(row["seed"]), row["outcome"], f"{row['met']}/{row['wishes']}" if {"met", "wishes"} <= row.keys() else "-",

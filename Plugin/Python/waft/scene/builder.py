@@ -116,7 +116,7 @@ class Scene:
     @documented("positionConstraint")
     def add_position(self, object: int, frame: int, value: Vector, *, radius: Optional[float] = None,
                      comment: Optional[str] = None) -> int:
-        """An object is at a place at a frame. Returns the row, as all marks do."""
+        """An object is at a place at a frame. Returns the row, as all constraints do."""
         return self._add_mark("add_position", "position", locals())
 
     @documented("velocityConstraint")

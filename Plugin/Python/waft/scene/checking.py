@@ -25,7 +25,7 @@ _CROWDED = 0.05  # share of the volume that the bodies' balls of clearance may t
 _JUDGED = 0.02  # progress of the planner from which on the rows are judged
 
 
-_ALIKE = 5  # findings of one kind that are told; the others are counted
+_ALIKE = 5  # findings of one kind that are reported; the others are counted
 
 
 @dataclasses.dataclass
@@ -41,7 +41,7 @@ class Finding:
         return cls(text, True, text.partition(":")[0])
 
 
-def told(findings):
+def first_of_each(findings):
     """(whether it is only hard, sentence): the first few findings of each kind, and how many more there are of it."""
     shown = collections.Counter()
     for finding in findings:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/Drift/Drifter.h"
+#include "Air/Drift/BodyProblem.h"
 #include "Air/Run/AirAssimilation.h"
 #include "Base/Primitives.h"
 
@@ -67,7 +67,7 @@ std::vector<Vec3> Straight(const std::vector<Vec3>& path, int last)
 class Watcher : public SilentMonitor
 {
 public:
-  bool ShowsSoFar() const override { return true; }
+  bool Publishes() const override { return true; }
 };
 
 double LongestStep(const std::vector<Vec3>& path)
@@ -82,20 +82,20 @@ double LongestStep(const std::vector<Vec3>& path)
 
 } // namespace
 
-TEST(Drifter, SeesAWallThatIsThinnerThanAStep)
+TEST(BodyProblem, SeesAWallThatIsThinnerThanAStep)
 {
   const BehindAWall scene;
   const DriftScene around{ scene.Scene, scene.Obstacles, false };
-  const Drifter body(around, scene.Object, scene.Plan, { scene.Row });
+  const BodyProblem body(around, scene.Object, scene.Plan, { scene.Row });
   EXPECT_FALSE(body.PassesThrough(scene.Plan));
   EXPECT_TRUE(body.PassesThrough(Straight(scene.Plan, LiesAt)));
 }
 
-TEST(Drifter, FallsBackOnThePlanBroughtToItsTouchDown)
+TEST(BodyProblem, FallsBackOnThePlanBroughtToItsTouchDown)
 {
   const BehindAWall scene;
   const DriftScene around{ scene.Scene, scene.Obstacles, false };
-  Drifter body(around, scene.Object, scene.Plan, { scene.Row });
+  BodyProblem body(around, scene.Object, scene.Plan, { scene.Row });
   body.SetTouchDown(0, ComesDownAt);
   std::vector<Vec3> path = Straight(scene.Plan, ComesDownAt); // cannot be pushed out of the wall
   EXPECT_TRUE(body.MakeExact(path));
@@ -108,17 +108,17 @@ TEST(Drifter, FallsBackOnThePlanBroughtToItsTouchDown)
   EXPECT_LT(LongestStep(path), 1.5 * hastening * LongestStep(scene.Plan));
 }
 
-TEST(Drifter, CountsTheStepsThatItFlies)
+TEST(BodyProblem, CountsTheStepsThatItFlies)
 {
   BehindAWall scene;
   const DriftScene around{ scene.Scene, scene.Obstacles, false };
-  Drifter body(around, scene.Object, scene.Plan, { scene.Row });
+  BodyProblem body(around, scene.Object, scene.Plan, { scene.Row });
   EXPECT_EQ(body.NumberOfFlownSteps(), LiesAt);
   body.SetTouchDown(0, ComesDownAt);
   EXPECT_EQ(body.NumberOfFlownSteps(), ComesDownAt);
   scene.Row.Frame = 0;
   scene.Row.Until = 20;
-  Drifter leaving(around, scene.Object, scene.Plan, { scene.Row });
+  BodyProblem leaving(around, scene.Object, scene.Plan, { scene.Row });
   EXPECT_EQ(leaving.NumberOfFlownSteps(), Frames - 1 - 20);
   leaving.SetLiftOff(0, 30);
   EXPECT_EQ(leaving.NumberOfFlownSteps(), Frames - 1 - 30);

@@ -14,7 +14,7 @@ namespace waft
 {
 
 /// Work space of a list's construction, one a thread.
-struct NeighborScratch
+struct NeighbourScratch
 {
   std::vector<std::uint32_t> CellStarts, CellOf, Next, Found;
   std::vector<float> X, Y, Z;
@@ -22,7 +22,7 @@ struct NeighborScratch
 
 /// What decides which entries a list has, in which order, and when they are built anew. A copy
 /// costs nothing: the positions are shared until the next construction.
-struct NeighborCourse
+struct NeighbourCourse
 {
   float Skin = 0.2f;                                   // [dx]
   int Uses = 0;                                        // calls of Update since Build
@@ -34,28 +34,28 @@ struct NeighborCourse
 /// do not see each other. Two bytes an entry up to 65535 particles, four beyond.
 /// The lists speak of slots: the gas by cells of the reach's size, so that what is near in space
 /// is near in memory however the gas has mixed, then the objects' particles as they are numbered.
-class NeighborList
+class NeighbourList
 {
 public:
   /// x, y, z: n coordinates; reach: support plus skin.
   void Build(const SphKernelTable& kernels, std::size_t n, std::size_t numberOfGas, const float* x,
-             const float* y, const float* z, float reach, NeighborScratch& scratch);
+             const float* y, const float* z, float reach, NeighbourScratch& scratch);
   /// Builds again when a particle has moved half the skin since the last time. The skin adapts:
   /// wider while particles move far from one call to the next, narrower once they settle. What it
   /// is depends on the calls so far, the sums over the lists do not.
   void Update(const SphKernelTable& kernels, std::size_t n, std::size_t numberOfGas, const float* x,
-              const float* y, const float* z, float support, NeighborScratch& scratch);
+              const float* y, const float* z, float support, NeighbourScratch& scratch);
   /// True when a particle has moved farther than `distance` since Build, or nothing was built.
   bool IsStale(const float* x, const float* y, const float* z, float distance) const;
 
-  const NeighborCourse& Course() const { return this->Now; }
+  const NeighbourCourse& Course() const { return this->Now; }
   /// The next Update builds the entries as they were, and goes on from there.
-  void Restore(NeighborCourse course);
+  void Restore(NeighbourCourse course);
   /// Writes the course, or reads one back and restores it.
   void Serialise(StateArchive& stream);
 
   /// By slot.
-  SphNeighbors View() const;
+  SphNeighbours View() const;
   /// The particle in each slot.
   const std::vector<std::uint32_t>& Order() const { return this->Particles; }
   std::size_t NumberOfEntries() const
@@ -64,10 +64,10 @@ public:
   }
 
 private:
-  void Append(const NeighborScratch& scratch, std::size_t found);
+  void Append(const NeighbourScratch& scratch, std::size_t found);
 
   std::size_t Count = 0;
-  NeighborCourse Now;
+  NeighbourCourse Now;
   bool IsRestored = false; // entries are to be built from the course's reference
   std::vector<std::uint32_t> Particles;
   std::vector<std::uint32_t> Starts;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether motion can be told from that of drifters: a classifier on windows of one second of free flight."""
+"""Two-sample AUC of motion and drifters: a classifier on windows of one second of free flight."""
 import numpy as np
 
 from waft.measuring._flights import stretches

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/Field/CommonWind.h"
+#include "Air/Field/WindCorrection.h"
 
 #include "Base/Simd.h"
 
@@ -43,8 +43,10 @@ double Hold(double s, double& slope)
 
 } // namespace
 
-CommonWind::CommonWind(const Box& volume, const Timeline& time, const CommonWindOptions& options) :
-  Volume(volume), Time(time), Options(options)
+WindCorrection::WindCorrection(const Box& volume, const Timeline& time,
+                               const WindCorrectionOptions& options) :
+  Volume(volume),
+  Time(time), Options(options)
 {
   for (int c = 0; c < 3; ++c)
   {
@@ -61,7 +63,7 @@ CommonWind::CommonWind(const Box& volume, const Timeline& time, const CommonWind
   this->Coefficients.assign(3 * this->NodesPerKnot() * static_cast<std::size_t>(this->Knots), 0.0);
 }
 
-CommonWind::Splines CommonWind::SplinesAt(int axis, double x) const
+WindCorrection::Splines WindCorrection::SplinesAt(int axis, double x) const
 {
   const double h = this->Spacing[axis];
   const double low = this->Volume.Min[axis];
@@ -84,7 +86,7 @@ CommonWind::Splines CommonWind::SplinesAt(int axis, double x) const
   return s;
 }
 
-CommonWind::Level CommonWind::LevelAt(double frame) const
+WindCorrection::Level WindCorrection::LevelAt(double frame) const
 {
   const double knot = std::clamp(frame / this->FramesPerKnot, 0.0, this->Knots - 3.0);
   Level level;
@@ -93,7 +95,8 @@ CommonWind::Level CommonWind::LevelAt(double frame) const
   return level;
 }
 
-CommonWind::Nodes CommonWind::At(const Level& level, const std::vector<double>& coefficients) const
+WindCorrection::Nodes WindCorrection::At(const Level& level,
+                                         const std::vector<double>& coefficients) const
 {
   const std::size_t size = 3 * this->NodesPerKnot();
   Nodes nodes(size, 0.0);
@@ -108,7 +111,7 @@ CommonWind::Nodes CommonWind::At(const Level& level, const std::vector<double>& 
   return nodes;
 }
 
-Vec3 CommonWind::Curl(const Basis& basis, const double* nodes) const
+Vec3 WindCorrection::Curl(const Basis& basis, const double* nodes) const
 {
   const Splines& x = basis.Along[0];
   const Splines& y = basis.Along[1];
@@ -136,7 +139,7 @@ Vec3 CommonWind::Curl(const Basis& basis, const double* nodes) const
   return w;
 }
 
-Vec3 CommonWind::At(const Vec3& x, double frame) const
+Vec3 WindCorrection::At(const Vec3& x, double frame) const
 {
   Basis basis;
   for (int c = 0; c < 3; ++c)
@@ -186,8 +189,8 @@ WAFT_SIMD_CLONES void Contract(const double* values, std::size_t outer, std::siz
 
 } // namespace
 
-bool CommonWind::AddTo(const HalfSeries& air, HalfSeries& sum, const ParallelFor& parallel,
-                       Monitor& monitor) const
+bool WindCorrection::AddTo(const HalfSeries& air, HalfSeries& sum, const ParallelFor& parallel,
+                           Monitor& monitor) const
 {
   PartMonitor part(monitor, 1.0, 1.0);
   enum Part

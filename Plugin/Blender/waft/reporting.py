@@ -49,8 +49,8 @@ _PLAIN = {"MaximumTurn": "the limit of turning", "the database's top speed": "th
 _MANY = 3  # other objects of which the same is said at once
 
 
-class Teller:
-    """Tells of a stage (stage.py)."""
+class Reporter:
+    """Reports on a stage (stage.py)."""
 
     def __init__(self, stage):
         self._sources = stage.sources
@@ -62,7 +62,7 @@ class Teller:
         for row, name in zip(stage.scene.get("constraints", []), self._sources.get("constraints", [])):
             self._at.setdefault(row["frame"], set()).add(name)
 
-    def tell(self, line, is_error=False):
+    def report(self, line, is_error=False):
         """The Problem that a sentence of waft is."""
         about = self._about(line)
         line = line[_WHERE.match(line).end():]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/Field/CommonWind.h"
+#include "Air/Field/WindCorrection.h"
 #include "Base/Random.h"
 
 #include <gtest/gtest.h>
@@ -23,12 +23,12 @@ Vec3 Gyre(const Vec3& x, double t)
            -a * std::sin(k * x.x()) * std::cos(k * x.y()), 0.0 };
 }
 
-CommonWind Fitted(const ParallelFor& parallel)
+WindCorrection Fitted(const ParallelFor& parallel)
 {
-  CommonWindOptions options;
+  WindCorrectionOptions options;
   options.Iterations = 300;
   options.Ridge = options.Bending = options.Changing = 1e-5;
-  CommonWind wind(Volume, Time, options);
+  WindCorrection wind(Volume, Time, options);
   Random random(2);
   std::vector<WindSamples> samples;
   for (int f = 0; f < Time.NumberOfFrames; f += 3)
@@ -47,9 +47,9 @@ CommonWind Fitted(const ParallelFor& parallel)
   return wind;
 }
 
-TEST(CommonWind, FindsTheFlowThatItsSamplesAreOf)
+TEST(WindCorrection, FindsTheFlowThatItsSamplesAreOf)
 {
-  const CommonWind wind = Fitted(SerialFor());
+  const WindCorrection wind = Fitted(SerialFor());
   Random random(9);
   double missed = 0.0, all = 0.0;
   for (int s = 0; s < 500; ++s)
@@ -62,9 +62,9 @@ TEST(CommonWind, FindsTheFlowThatItsSamplesAreOf)
   EXPECT_LT(std::sqrt(missed / all), 0.1);
 }
 
-TEST(CommonWind, IsSolenoidalAndRunsAlongWalls)
+TEST(WindCorrection, IsSolenoidalAndRunsAlongWalls)
 {
-  const CommonWind wind = Fitted(SerialFor());
+  const WindCorrection wind = Fitted(SerialFor());
   Random random(4);
   const double h = 1e-4;
   for (int s = 0; s < 100; ++s)
@@ -84,9 +84,9 @@ TEST(CommonWind, IsSolenoidalAndRunsAlongWalls)
   }
 }
 
-TEST(CommonWind, IsAddedToALatticeAsItIs)
+TEST(WindCorrection, IsAddedToALatticeAsItIs)
 {
-  const CommonWind wind = Fitted(SerialFor());
+  const WindCorrection wind = Fitted(SerialFor());
   FieldSeries sum;
   sum.Meaning = FieldMeaning::Velocity;
   sum.Dimensions = { 7, 6, 5 };
@@ -106,10 +106,10 @@ TEST(CommonWind, IsAddedToALatticeAsItIs)
   }
 }
 
-TEST(CommonWind, IsTheSameOnAnyNumberOfThreads)
+TEST(WindCorrection, IsTheSameOnAnyNumberOfThreads)
 {
-  const CommonWind one = Fitted(SerialFor());
-  const CommonWind four = Fitted(ThreadedFor(4));
+  const WindCorrection one = Fitted(SerialFor());
+  const WindCorrection four = Fitted(ThreadedFor(4));
   const Vec3 x(0.3, 0.7, 1.1);
   EXPECT_EQ(one.At(x, 33.3), four.At(x, 33.3));
 }

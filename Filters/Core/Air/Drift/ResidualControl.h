@@ -2,7 +2,7 @@
 // How much of a body's flight is its control's, and how much the air's.
 #pragma once
 
-#include "Air/Drift/Drifter.h"
+#include "Air/Drift/BodyProblem.h"
 
 #include <cmath>
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace waft
 {
 
 /// Sums over the steps of free flight.
-struct PrivateHand
+struct ResidualControl
 {
   double Control = 0.0; // of squares [m^2/s^2]
   double Flow = 0.0;    // of squares of the air's velocity there
@@ -23,6 +23,7 @@ struct PrivateHand
   }
 };
 
-PrivateHand HandOf(const Drifter& drifter, const AirSampler& air, const std::vector<Vec3>& path);
+ResidualControl ResidualControlOf(const BodyProblem& body, const AirSampler& air,
+                                  const std::vector<Vec3>& path);
 
 } // namespace waft

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Random.h"
-#include "Particles/NeighborList.h"
+#include "Particles/NeighbourList.h"
 
 #include <gtest/gtest.h>
 
@@ -26,10 +26,10 @@ void CheckAgainstBruteForce(std::size_t n, std::size_t gas, const Vec3& size, fl
       x[c].push_back(static_cast<float>(p[c]));
     }
   }
-  NeighborScratch scratch;
-  NeighborList list;
+  NeighbourScratch scratch;
+  NeighbourList list;
   list.Build(FastestSphKernels(), n, gas, x[0].data(), x[1].data(), x[2].data(), reach, scratch);
-  const SphNeighbors view = list.View();
+  const SphNeighbours view = list.View();
   std::vector<std::size_t> particles(list.Order().begin(), list.Order().end());
   particles.push_back(n); // the far one
   for (std::size_t i = gas; i < n; ++i)
@@ -78,19 +78,19 @@ void CheckAgainstBruteForce(std::size_t n, std::size_t gas, const Vec3& size, fl
 
 } // namespace
 
-TEST(NeighborList, EqualsBruteForce)
+TEST(NeighbourList, EqualsBruteForce)
 {
   CheckAgainstBruteForce(700, 650, Vec3(4.0, 3.0, 5.0), 2.55f);
   CheckAgainstBruteForce(300, 300, Vec3(9.0, 0.5, 0.5), 1.0f);
   CheckAgainstBruteForce(40, 20, Vec3(0.2, 0.2, 0.2), 2.0f);
 }
 
-TEST(NeighborList, UsesWideIndicesForManyParticles)
+TEST(NeighbourList, UsesWideIndicesForManyParticles)
 {
   CheckAgainstBruteForce(66000, 65900, Vec3(20.0, 20.0, 20.0), 1.0f);
 }
 
-TEST(NeighborList, LaysWhatIsNearInSpaceSideBySide)
+TEST(NeighbourList, LaysWhatIsNearInSpaceSideBySide)
 {
   // Gas in a row, numbered at random.
   constexpr std::size_t n = 500;
@@ -100,8 +100,8 @@ TEST(NeighborList, LaysWhatIsNearInSpaceSideBySide)
   {
     p = static_cast<float>(random.Uniform(0.0, 100.0));
   }
-  NeighborScratch scratch;
-  NeighborList list;
+  NeighbourScratch scratch;
+  NeighbourList list;
   constexpr float Reach = 1.0f;
   list.Build(FastestSphKernels(), n, n, x.data(), y.data(), z.data(), Reach, scratch);
   float last = 0.0f;
@@ -112,11 +112,11 @@ TEST(NeighborList, LaysWhatIsNearInSpaceSideBySide)
   }
 }
 
-TEST(NeighborList, IsStaleOnlyAfterALongMove)
+TEST(NeighbourList, IsStaleOnlyAfterALongMove)
 {
   std::vector<float> x{ 0.0f, 1.0f, 2.0f }, y(3, 0.0f), z(3, 0.0f);
-  NeighborScratch scratch;
-  NeighborList list;
+  NeighbourScratch scratch;
+  NeighbourList list;
   EXPECT_TRUE(list.IsStale(x.data(), y.data(), z.data(), 0.1f));
   list.Build(FastestSphKernels(), 3, 3, x.data(), y.data(), z.data(), 2.5f, scratch);
   y[1] = 0.09f;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One object as a problem of drift: its rows, its landings, what it keeps clear of.
+// One body as a problem of drift: its rows, its landings, what it keeps clear of.
 #pragma once
 
 #include "Air/Drift/Drift.h"
@@ -33,12 +33,12 @@ struct DriftNeighbour
   double Distance = 0.0;
 };
 
-class Drifter
+class BodyProblem
 {
 public:
   /// planned: its path so far; rows: those that bind it.
-  Drifter(const DriftScene& scene, const MotionObject& object, std::vector<Vec3> planned,
-          std::vector<Constraint> rows);
+  BodyProblem(const DriftScene& scene, const MotionObject& object, std::vector<Vec3> planned,
+              std::vector<Constraint> rows);
 
   const MotionObject& Object() const { return this->Body; }
   const std::vector<Constraint>& Rows() const { return this->Wanted; }
@@ -84,8 +84,8 @@ public:
     this->Neighbours = std::move(neighbours);
   }
 
-  /// As the touch-downs and lift-offs are set, in an air. Points into this drifter.
-  DriftProblem Problem(const AirSampler& air) const;
+  /// As the touch-downs and lift-offs are set, in an air. Points into this one.
+  DriftProblem In(const AirSampler& air) const;
 
   /// Paths to begin with: the plan, brought to the touch-downs; straight from mark to mark; free
   /// drift from each mark, bent to the next; and some that are perturbed from these.

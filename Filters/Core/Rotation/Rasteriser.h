@@ -36,7 +36,7 @@ struct RasterView
 
 /// resolution: pixels on each side, 1 or more. Both sides of a sheet count. An edge that two
 /// triangles share gives each pixel to one of them only.
-RasterView Rasterize(const TriangleMesh& mesh, const Vec3& direction, int resolution);
+RasterView Rasterise(const TriangleMesh& mesh, const Vec3& direction, int resolution);
 
 /// Force and torque about the body's origin.
 struct Wrench

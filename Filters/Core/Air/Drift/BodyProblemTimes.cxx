@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // When an object touches down and lifts off, and its paths brought to such frames.
-#include "Air/Drift/Drifter.h"
+#include "Air/Drift/BodyProblem.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ Vec3 PlaceAt(const std::vector<Vec3>& path, double frame)
 
 } // namespace
 
-void Drifter::FixFrames()
+void BodyProblem::FixFrames()
 {
   const std::size_t frames = this->Planned.size();
   this->IsFixed.assign(frames, 0);
@@ -44,7 +44,7 @@ void Drifter::FixFrames()
   }
 }
 
-int Drifter::EarliestTouchDown(std::size_t landing, int most) const
+int BodyProblem::EarliestTouchDown(std::size_t landing, int most) const
 {
   // Not before another mark, and with some way to go from there.
   int earliest = this->Latest[landing] - most;
@@ -59,7 +59,7 @@ int Drifter::EarliestTouchDown(std::size_t landing, int most) const
   return std::clamp(earliest, 0, this->Latest[landing]);
 }
 
-void Drifter::SetTouchDown(std::size_t landing, int frame)
+void BodyProblem::SetTouchDown(std::size_t landing, int frame)
 {
   LandingWindow& window = this->Landings[landing];
   this->RestOf(window).TouchDown = frame;
@@ -68,7 +68,7 @@ void Drifter::SetTouchDown(std::size_t landing, int frame)
   this->FixFrames();
 }
 
-int Drifter::LatestLiftOff(std::size_t landing, int most) const
+int BodyProblem::LatestLiftOff(std::size_t landing, int most) const
 {
   // Most of the way to the next mark, or to the end, is flown.
   const int frames = this->NumberOfFrames();
@@ -81,7 +81,7 @@ int Drifter::LatestLiftOff(std::size_t landing, int most) const
   return std::max(leaving, leaving + std::min(most, (next - leaving) / 3));
 }
 
-void Drifter::SetLiftOff(std::size_t landing, int frame)
+void BodyProblem::SetLiftOff(std::size_t landing, int frame)
 {
   LandingWindow& window = this->Landings[landing];
   this->RestOf(window).LiftOff = frame;
@@ -90,7 +90,7 @@ void Drifter::SetLiftOff(std::size_t landing, int frame)
   this->FixFrames();
 }
 
-int Drifter::FreeFrom() const
+int BodyProblem::FreeFrom() const
 {
   const int second = static_cast<int>(std::lround(this->World.Scene.Time.FramesPerSecond));
   int first = 1;
@@ -101,7 +101,7 @@ int Drifter::FreeFrom() const
   return first;
 }
 
-void Drifter::LandFreely(int frame, const Vec3& place)
+void BodyProblem::LandFreely(int frame, const Vec3& place)
 {
   Constraint rest;
   rest.ObjectId = this->Body.ObjectId;
@@ -123,14 +123,14 @@ void Drifter::LandFreely(int frame, const Vec3& place)
   this->FixFrames();
 }
 
-const Constraint* Drifter::FreeLanding() const
+const Constraint* BodyProblem::FreeLanding() const
 {
   const bool has =
     !this->Wanted.empty() && IsRest(this->Wanted.back().Kind) && this->Wanted.back().Row == OfNoRow;
   return has ? &this->Wanted.back() : nullptr;
 }
 
-int Drifter::NumberOfFlownSteps() const
+int BodyProblem::NumberOfFlownSteps() const
 {
   const int last = this->NumberOfFrames() - 1;
   int flown = last;
@@ -141,7 +141,7 @@ int Drifter::NumberOfFlownSteps() const
   return std::max(flown, 1);
 }
 
-Constraint& Drifter::RestOf(const LandingWindow& landing)
+Constraint& BodyProblem::RestOf(const LandingWindow& landing)
 {
   return *std::find_if(this->Wanted.begin(), this->Wanted.end(),
                        [&](const Constraint& row) {
@@ -150,8 +150,8 @@ Constraint& Drifter::RestOf(const LandingWindow& landing)
                        });
 }
 
-std::vector<Vec3> Drifter::Retimed(const std::vector<Vec3>& path, std::size_t landing,
-                                   int touchDown) const
+std::vector<Vec3> BodyProblem::Retimed(const std::vector<Vec3>& path, std::size_t landing,
+                                       int touchDown) const
 {
   // From the mark before on it goes faster, to be there earlier.
   const int early = this->Landings[landing].Frame;
@@ -170,8 +170,8 @@ std::vector<Vec3> Drifter::Retimed(const std::vector<Vec3>& path, std::size_t la
   return retimed;
 }
 
-std::vector<Vec3> Drifter::Delayed(const std::vector<Vec3>& path, std::size_t landing,
-                                   int liftOff) const
+std::vector<Vec3> BodyProblem::Delayed(const std::vector<Vec3>& path, std::size_t landing,
+                                       int liftOff) const
 {
   // To the mark after it goes faster; without one all is later.
   const int late = this->Landings[landing].Until;
@@ -195,7 +195,7 @@ std::vector<Vec3> Drifter::Delayed(const std::vector<Vec3>& path, std::size_t la
   return delayed;
 }
 
-std::vector<Vec3> Drifter::RetimedPlan() const
+std::vector<Vec3> BodyProblem::RetimedPlan() const
 {
   std::vector<Vec3> planned = this->Planned;
   for (std::size_t l = 0; l < this->Landings.size(); ++l)

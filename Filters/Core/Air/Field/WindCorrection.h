@@ -15,7 +15,7 @@ namespace waft
 
 inline constexpr int WindStride = 3; // frames between samples of it
 
-struct CommonWindOptions
+struct WindCorrectionOptions
 {
   double Spacing = 0.5;     // of the splines, and how far from a wall it holds back [m]
   double TimeSpacing = 0.5; // of the splines [s]
@@ -36,10 +36,10 @@ struct WindSamples
 
 /// W = curl A [m/s] with A in cubic B-splines of space and time: solenoidal. The parts of A along a
 /// wall vanish there as Bridson, Houriham, Nordenstam 2007 have it, so that W is tangential there.
-class CommonWind
+class WindCorrection
 {
 public:
-  CommonWind(const Box& volume, const Timeline& time, const CommonWindOptions& options);
+  WindCorrection(const Box& volume, const Timeline& time, const WindCorrectionOptions& options);
 
   /// Least squares over all samples; goes on from the wind as it is. The same on any number of
   /// threads. False: stopped, the wind fits as well as it does by then.
@@ -84,7 +84,7 @@ private:
 
   Box Volume;
   Timeline Time;
-  CommonWindOptions Options;
+  WindCorrectionOptions Options;
   std::array<int, 3> Count{}; // splines along each axis
   Vec3 Spacing = Vec3::Ones();
   int Knots = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Particles/NeighborList.h"
+#include "Particles/NeighbourList.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,9 +44,9 @@ CellGrid MakeGrid(std::size_t n, const float* const points[3], float reach)
 
 } // namespace
 
-void NeighborList::Build(const SphKernelTable& kernels, std::size_t n, std::size_t numberOfGas,
-                         const float* x, const float* y, const float* z, float reach,
-                         NeighborScratch& scratch)
+void NeighbourList::Build(const SphKernelTable& kernels, std::size_t n, std::size_t numberOfGas,
+                          const float* x, const float* y, const float* z, float reach,
+                          NeighbourScratch& scratch)
 {
   const float* points[3] = { x, y, z };
   this->Count = n;
@@ -125,7 +125,7 @@ void NeighborList::Build(const SphKernelTable& kernels, std::size_t n, std::size
 }
 
 // The slots found, filled up to a group of eight with the far one.
-void NeighborList::Append(const NeighborScratch& scratch, std::size_t found)
+void NeighbourList::Append(const NeighbourScratch& scratch, std::size_t found)
 {
   const auto append = [&](auto& list)
   {
@@ -141,16 +141,16 @@ void NeighborList::Append(const NeighborScratch& scratch, std::size_t found)
                                                           : append(this->Wide);
 }
 
-void NeighborList::Update(const SphKernelTable& kernels, std::size_t n, std::size_t numberOfGas,
-                          const float* x, const float* y, const float* z, float support,
-                          NeighborScratch& scratch)
+void NeighbourList::Update(const SphKernelTable& kernels, std::size_t n, std::size_t numberOfGas,
+                           const float* x, const float* y, const float* z, float support,
+                           NeighbourScratch& scratch)
 {
   // A list costs about as much to build as four evaluations of its sums.
   constexpr int FewUses = 5;
   constexpr int ManyUses = 15;
   constexpr float NarrowestSkin = 0.1f;
   constexpr float WidestSkin = 0.5f;
-  NeighborCourse& now = this->Now;
+  NeighbourCourse& now = this->Now;
   if (this->IsRestored && now.Reference && now.Reference->size() == 3 * n)
   {
     const auto at = now.Reference; // which Build replaces
@@ -175,7 +175,7 @@ void NeighborList::Update(const SphKernelTable& kernels, std::size_t n, std::siz
   this->Build(kernels, n, numberOfGas, x, y, z, support + now.Skin, scratch);
 }
 
-bool NeighborList::IsStale(const float* x, const float* y, const float* z, float distance) const
+bool NeighbourList::IsStale(const float* x, const float* y, const float* z, float distance) const
 {
   const std::size_t n = this->Count;
   if (n == 0)
@@ -197,16 +197,16 @@ bool NeighborList::IsStale(const float* x, const float* y, const float* z, float
   return !(largest <= distance * distance);
 }
 
-void NeighborList::Restore(NeighborCourse course)
+void NeighbourList::Restore(NeighbourCourse course)
 {
   this->Now = std::move(course);
   this->Count = 0;
   this->IsRestored = this->Now.Reference != nullptr;
 }
 
-void NeighborList::Serialise(StateArchive& stream)
+void NeighbourList::Serialise(StateArchive& stream)
 {
-  NeighborCourse course = this->Now;
+  NeighbourCourse course = this->Now;
   std::vector<float> reference = course.Reference ? *course.Reference : std::vector<float>();
   stream.Values(course.Skin, course.Uses, reference);
   if (stream.IsReading())
@@ -218,7 +218,7 @@ void NeighborList::Serialise(StateArchive& stream)
   }
 }
 
-SphNeighbors NeighborList::View() const
+SphNeighbours NeighbourList::View() const
 {
   const bool narrow = this->Wide.empty();
   return { this->Starts.data(), narrow ? this->Narrow.data() : nullptr,

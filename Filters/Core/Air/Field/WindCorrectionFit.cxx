@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The common wind by least squares.
-#include "Air/Field/CommonWind.h"
+// The wind correction by least squares.
+#include "Air/Field/WindCorrection.h"
 
 namespace waft
 {
@@ -21,7 +21,7 @@ double Dot(const std::vector<double>& a, const std::vector<double>& b)
 
 } // namespace
 
-void CommonWind::AddCurl(const Basis& basis, const Vec3& value, Nodes& nodes) const
+void WindCorrection::AddCurl(const Basis& basis, const Vec3& value, Nodes& nodes) const
 {
   const Splines& x = basis.Along[0];
   const Splines& y = basis.Along[1];
@@ -47,7 +47,7 @@ void CommonWind::AddCurl(const Basis& basis, const Vec3& value, Nodes& nodes) co
   }
 }
 
-void CommonWind::Penalise(const std::vector<double>& a, std::vector<double>& sum) const
+void WindCorrection::Penalise(const std::vector<double>& a, std::vector<double>& sum) const
 {
   const double unit = 1.0 / this->Spacing.squaredNorm() * 3.0; // coefficients over the spacing
   const double ridge = this->Options.Ridge * unit;
@@ -85,8 +85,8 @@ void CommonWind::Penalise(const std::vector<double>& a, std::vector<double>& sum
   }
 }
 
-bool CommonWind::Fit(const std::vector<WindSamples>& samples, const ParallelFor& parallel,
-                     Monitor& monitor)
+bool WindCorrection::Fit(const std::vector<WindSamples>& samples, const ParallelFor& parallel,
+                         Monitor& monitor)
 {
   if (samples.empty())
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Base/Random.h"
 #include "RasterDrag.h"
-#include "Rotation/Rasterizer.h"
+#include "Rotation/Rasteriser.h"
 #include "RotationFixtures.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 using namespace waft;
 using namespace waft::fixtures;
 
-TEST(Rasterizer, AreaOfARectangleAtAnyAngle)
+TEST(Rasteriser, AreaOfARectangleAtAnyAngle)
 {
   const Shape sheet = Sheet(0.3, 0.1, 3);
   Random random(3);
@@ -17,28 +17,28 @@ TEST(Rasterizer, AreaOfARectangleAtAnyAngle)
   {
     const Vec3 d = random.Direction();
     const double expected = 0.03 * std::abs(d.z());
-    EXPECT_NEAR(Rasterize(sheet.Mesh, d, 128).Area(), expected, 0.01 * expected) << d.transpose();
+    EXPECT_NEAR(Rasterise(sheet.Mesh, d, 128).Area(), expected, 0.01 * expected) << d.transpose();
   }
   const Vec3 grazing = Vec3(1.0, 0.7, 0.02).normalized();
   const double expected = 0.03 * grazing.z();
-  EXPECT_NEAR(Rasterize(sheet.Mesh, grazing, 128).Area(), expected, 0.01 * expected);
+  EXPECT_NEAR(Rasterise(sheet.Mesh, grazing, 128).Area(), expected, 0.01 * expected);
 }
 
-TEST(Rasterizer, AreaOfASphere)
+TEST(Rasteriser, AreaOfASphere)
 {
   const Shape ball = Ball(0.05, 48);
   const double expected = std::acos(-1.0) * 0.05 * 0.05;
   Random random(5);
   for (int i = 0; i < 10; ++i)
   {
-    EXPECT_NEAR(Rasterize(ball.Mesh, random.Direction(), 128).Area(), expected, 0.01 * expected);
+    EXPECT_NEAR(Rasterise(ball.Mesh, random.Direction(), 128).Area(), expected, 0.01 * expected);
   }
 }
 
-TEST(Rasterizer, SharedEdgesGiveEachPixelToOneTriangle)
+TEST(Rasteriser, SharedEdgesGiveEachPixelToOneTriangle)
 {
   // The diagonals of the quads run through pixel centres.
-  const RasterView view = Rasterize(Sheet(1.0, 1.0, 4).Mesh, Vec3::UnitZ(), 64);
+  const RasterView view = Rasterise(Sheet(1.0, 1.0, 4).Mesh, Vec3::UnitZ(), 64);
   int covered = 0;
   int visible = 0;
   for (std::size_t t = 0; t < view.Covered.size(); ++t)
@@ -50,9 +50,9 @@ TEST(Rasterizer, SharedEdgesGiveEachPixelToOneTriangle)
   EXPECT_EQ(visible, 64 * 64);
 }
 
-TEST(Rasterizer, TheForemostSurfaceIsSeen)
+TEST(Rasteriser, TheForemostSurfaceIsSeen)
 {
-  const RasterView view = Rasterize(Ball(1.0, 16).Mesh, Vec3(0.3, -0.2, 1.0), 64);
+  const RasterView view = Rasterise(Ball(1.0, 16).Mesh, Vec3(0.3, -0.2, 1.0), 64);
   for (std::size_t p = 0; p < view.TriangleIds.size(); ++p)
   {
     if (view.TriangleIds[p] >= 0)
@@ -62,7 +62,7 @@ TEST(Rasterizer, TheForemostSurfaceIsSeen)
   }
 }
 
-TEST(Rasterizer, TorqueOfAnOffCentreTwoPanelPlate)
+TEST(Rasteriser, TorqueOfAnOffCentreTwoPanelPlate)
 {
   // Two squares of 0.1 m, at x = 0.15 level and at x = -0.1 tilted by 60 degrees about y.
   TriangleMesh mesh;
@@ -83,7 +83,7 @@ TEST(Rasterizer, TorqueOfAnOffCentreTwoPanelPlate)
   add(right, 0.05 * Vec3::UnitX(), 0.05 * Vec3::UnitY());
   add(left, 0.05 * lean, 0.05 * Vec3::UnitY());
   const Vec3 w(0.0, 0.0, -1.7);
-  const Wrench drag = RasterDrag(Rasterize(mesh, w.normalized(), 128), w, Mat3::Zero(), 1.3, 1.2);
+  const Wrench drag = RasterDrag(Rasterise(mesh, w.normalized(), 128), w, Mat3::Zero(), 1.3, 1.2);
   const double press = 0.5 * 1.3 * 1.2 * 1.7 * 1.7;
   const Vec3 expected = right.cross(Vec3(0.0, 0.0, press * 0.01)) +
                         left.cross(Vec3(0.0, 0.0, press * 0.01 * std::cos(tilt)));

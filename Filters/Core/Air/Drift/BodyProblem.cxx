@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Air/Drift/Drifter.h"
+#include "Air/Drift/BodyProblem.h"
 
 #include "Base/Random.h"
 #include "Base/SmoothStep.h"
@@ -21,8 +21,8 @@ constexpr double ClearanceSlack = 5e-4;   // of L, of the 1e-3 that clearance ma
 
 } // namespace
 
-Drifter::Drifter(const DriftScene& scene, const MotionObject& object, std::vector<Vec3> planned,
-                 std::vector<Constraint> rows) :
+BodyProblem::BodyProblem(const DriftScene& scene, const MotionObject& object,
+                         std::vector<Vec3> planned, std::vector<Constraint> rows) :
   World(scene),
   Body(object), Planned(std::move(planned)), Wanted(std::move(rows)),
   Landings(LandingWindows(object, this->Wanted, scene.Obstacles, scene.Scene.Time.FramesPerSecond))
@@ -36,7 +36,7 @@ Drifter::Drifter(const DriftScene& scene, const MotionObject& object, std::vecto
   this->FixFrames();
 }
 
-void Drifter::AddRows()
+void BodyProblem::AddRows()
 {
   for (const Constraint& row : this->Wanted)
   {
@@ -64,7 +64,7 @@ void Drifter::AddRows()
   }
 }
 
-void Drifter::AddDifference(const Constraint& row)
+void BodyProblem::AddDifference(const Constraint& row)
 {
   const Timeline& time = this->World.Scene.Time;
   const int derivative = TraitsOf(row.Kind).Derivative;
@@ -88,7 +88,7 @@ void Drifter::AddDifference(const Constraint& row)
   }
 }
 
-DriftProblem Drifter::Problem(const AirSampler& air) const
+DriftProblem BodyProblem::In(const AirSampler& air) const
 {
   const Timeline& time = this->World.Scene.Time;
   DriftProblem problem;
@@ -134,7 +134,7 @@ DriftProblem Drifter::Problem(const AirSampler& air) const
   return problem;
 }
 
-void Drifter::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths) const
+void BodyProblem::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths) const
 {
   const Clearance asked = RequiredClearance(this->Body, this->Landings, frame);
   const double radius = asked.Radius + BarrierMargin;
@@ -177,8 +177,8 @@ void Drifter::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& depths)
 }
 
 // Bent between its marks by slow waves.
-std::vector<Vec3> Drifter::Perturbed(std::vector<Vec3> path, const std::vector<int>& marks,
-                                     Random& random) const
+std::vector<Vec3> BodyProblem::Perturbed(std::vector<Vec3> path, const std::vector<int>& marks,
+                                         Random& random) const
 {
   const int frames = static_cast<int>(path.size());
   for (std::size_t m = 0; m < marks.size(); ++m)
@@ -212,7 +212,7 @@ std::vector<Vec3> Drifter::Perturbed(std::vector<Vec3> path, const std::vector<i
   return path;
 }
 
-std::vector<int> Drifter::Marks() const
+std::vector<int> BodyProblem::Marks() const
 {
   std::vector<int> marks;
   for (std::size_t f = 0; f < this->IsFixed.size(); ++f)
@@ -225,7 +225,7 @@ std::vector<int> Drifter::Marks() const
   return marks;
 }
 
-std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air, int perturbed) const
+std::vector<std::vector<Vec3>> BodyProblem::Starts(const AirSampler& air, int perturbed) const
 {
   const std::size_t frames = this->Planned.size();
   const std::vector<int> marks = this->Marks();
@@ -279,7 +279,7 @@ std::vector<std::vector<Vec3>> Drifter::Starts(const AirSampler& air, int pertur
 
 // Of walls and of surfaces that are landed on barriers leave a small gap, that a shift takes
 // away.
-void Drifter::CloseBarrierGaps(std::vector<Vec3>& path) const
+void BodyProblem::CloseBarrierGaps(std::vector<Vec3>& path) const
 {
   const Box& volume = this->World.Scene.Bounds;
   for (std::size_t f = 0; f < path.size(); ++f)
@@ -307,7 +307,7 @@ void Drifter::CloseBarrierGaps(std::vector<Vec3>& path) const
   }
 }
 
-void Drifter::MeetRows(std::vector<Vec3>& path) const
+void BodyProblem::MeetRows(std::vector<Vec3>& path) const
 {
   for (std::size_t f = 0; f < path.size(); ++f)
   {
@@ -346,13 +346,13 @@ void Drifter::MeetRows(std::vector<Vec3>& path) const
   }
 }
 
-PathClearance Drifter::Around() const
+PathClearance BodyProblem::Around() const
 {
   return { this->World.Obstacles, this->World.Scene.Bounds, this->Landings, this->Body,
            ClearanceSlack * this->World.Scene.Bounds.Width() };
 }
 
-bool Drifter::PassesThrough(const std::vector<Vec3>& path) const
+bool BodyProblem::PassesThrough(const std::vector<Vec3>& path) const
 {
   for (std::size_t f = 0; f + 1 < path.size(); ++f)
   {
@@ -366,13 +366,13 @@ bool Drifter::PassesThrough(const std::vector<Vec3>& path) const
   return false;
 }
 
-bool Drifter::IsClear(std::vector<Vec3> path) const
+bool BodyProblem::IsClear(std::vector<Vec3> path) const
 {
   this->MeetRows(path);
   return this->Around().BlockedSteps(path).empty();
 }
 
-bool Drifter::MakeExact(std::vector<Vec3>& path) const
+bool BodyProblem::MakeExact(std::vector<Vec3>& path) const
 {
   this->MeetRows(path);
   std::vector<double> weights;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Rotation/Rasterizer.h"
+#include "Rotation/Rasteriser.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -82,7 +82,7 @@ int RasterView::CoveredPixels() const
   return count;
 }
 
-RasterView Rasterize(const TriangleMesh& mesh, const Vec3& direction, int resolution)
+RasterView Rasterise(const TriangleMesh& mesh, const Vec3& direction, int resolution)
 {
   RasterView view;
   view.Direction = direction.normalized();
