@@ -64,6 +64,7 @@ enum OutputPort
   ConvergencePort,
   OptimisedReportPort,
   TurnedReportPort,
+  FittedVorticesPort,
   NumberOfOutputs
 };
 
@@ -178,6 +179,11 @@ waft::Result vtkMotionAnimationSource::Internals::Run(vtkInformationVector**,
   this->KeepAir();
   this->KeepOptimised();
   WAFT_RETURN_IF_FAILED(this->KeepPoses());
+  if (this->Made.Seconds.count(waft::ChainStage::VortexFit) > 0 || !this->Made.Fit.Vortices.empty())
+  {
+    waft::AirVortexFitToPolyData(this->Made.Fit, this->Scene,
+                                 this->Kept<vtkPolyData>(FittedVorticesPort));
+  }
   return result;
 }
 
@@ -435,7 +441,7 @@ std::string vtkMotionAnimationSource::RangeError() const
   };
   const std::string quality = error("Quality", PAPER, "Preview", "Paper", this->Quality);
   return !quality.empty() ? quality
-                          : error("StopAfter", AFTER_ALL, "Scene", "Rotation", this->StopAfter);
+                          : error("StopAfter", AFTER_ALL, "Scene", "VortexFit", this->StopAfter);
 }
 
 int vtkMotionAnimationSource::FillOutputPortInformation(int port, vtkInformation* info)

@@ -9,6 +9,7 @@
 #include "Bridge/Pipeline/StageExecution.h"
 #include "Bridge/Pipeline/StageInputs.h"
 #include "Bridge/Pipeline/StageOptions.h"
+#include "Vortex/AirVortexFit.h"
 #include "Vortex/VortexFit.h"
 #include "Vortex/VortexSamples.h"
 
@@ -89,19 +90,33 @@ waft::Result vtkVortexFitFilter::Internals::Run(vtkInformationVector** inputs,
   {
     WAFT_RETURN_IF_FAILED(waft::VorticesFromPolyData(lines, priors));
   }
-  if (this->Self->Quantity != vtkVortexFitFilter::Force)
+  const waft::VortexFitOptions options = this->Options();
+  waft::AirVortexFit found;
+  waft::Result result = waft::Result::Ok();
+  if (options.Quantity == AirAcceleration)
   {
+    result = waft::FitAirVortices(tracks, this->Scene.Time, priors, options, monitor, found);
     WAFT_RETURN_IF_FAILED(waft::TakeAirAccelerations(this->Scene.Time, tracks));
   }
-  std::vector<waft::VortexSample> samples;
-  WAFT_RETURN_IF_FAILED(
-    waft::SamplesFromTracks(tracks, this->Scene.Time, this->Self->SubtractWind, samples));
-  std::vector<waft::Vortex> fitted;
-  const waft::Result result = waft::FitVortices(samples, priors, this->Options(), monitor, fitted);
+  else
+  {
+    std::vector<waft::VortexSample> samples;
+    WAFT_RETURN_IF_FAILED(
+      waft::SamplesFromTracks(tracks, this->Scene.Time, this->Self->SubtractWind, samples));
+    result = waft::FitVortices(samples, priors, options, monitor, found.Vortices);
+  }
   if (result)
   {
-    waft::VorticesToPolyData(fitted, this->Scene, this->Kept<vtkPolyData>(VorticesPort));
-    this->KeepForces(input, tracks, fitted);
+    auto* kept = this->Kept<vtkPolyData>(VorticesPort);
+    if (options.Quantity == AirAcceleration)
+    {
+      waft::AirVortexFitToPolyData(found, this->Scene, kept);
+    }
+    else
+    {
+      waft::VorticesToPolyData(found.Vortices, this->Scene, kept);
+    }
+    this->KeepForces(input, tracks, found.Vortices);
   }
   return result;
 }
@@ -155,7 +170,6 @@ vtkTypeBool vtkVortexFitFilter::ProcessRequest(vtkInformation* request,
                                                vtkInformationVector* outputs)
 {
   std::vector<waft::PropertyRange> ranges = waft::RangesOf<waft::VortexFitOptions>(*this);
-  ranges.emplace_back("Quantity", this->Quantity, waft::limits::UpTo(AirAcceleration));
   ranges.emplace_back("PriorFreedom", this->PriorFreedom, waft::limits::Around0(1e9));
   return waft::GuardedRequest(this, request, inputs, outputs, Inputs, ranges,
                               [&](vtkInformationVector** taken) {
@@ -180,7 +194,6 @@ void vtkVortexFitFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   waft::PrintFields<waft::VortexFitOptions>(os, indent, *this);
-  os << indent << "Quantity: " << this->Quantity << "\n";
   os << indent << "SubtractWind: " << this->SubtractWind << "\n";
   os << indent << "PriorFreedom: " << this->PriorFreedom << "\n";
 }

@@ -6,7 +6,9 @@
  * Input port 0, Input (vtkPolyData): Tracks with the point data `Force` [m/s^2, vortex plus wind];
  * `ForceType` and `VortexId` say which vortex claims a point, `WindAcceleration` is taken off first
  * when SubtractWind is on.
- * With Quantity AirAcceleration the point data `AirVelocity` take the place of these.
+ * With Quantity AirAcceleration the point data `AirVelocity` take the place of these, and the field
+ * data `Explained` and `ExplainedLeftOut` of output port 0 say how much of it the vortices explain,
+ * of all tracks and of every fifth by a fit that did not see it (NaN of fewer than five).
  * Input port 1, Vortices (vtkPolyData, optional): first guesses and priors. They keep their
  * `VortexId`; they may be edited, added or deleted by hand.
  *
@@ -46,13 +48,7 @@ public:
     Force,
     AirAcceleration
   };
-  ///@{
-  /** What is fitted: Force, the array of this name, or AirAcceleration, the rate at which
-   * `AirVelocity` changes along the paths. */
-  vtkSetMacro(Quantity, int);
-  vtkGetMacro(Quantity, int);
-  ///@}
-
+  WaftProperty(int, Quantity);
   WaftProperty(int, MaximumNewVortices);
   WaftProperty(double, MinimumGain);
 
@@ -102,7 +98,6 @@ private:
 
   // Whose fields the properties are.
   friend struct waft::VortexFitOptions;
-  int Quantity = Force;
   bool SubtractWind = true;
   double PriorFreedom = 1.0;
 

@@ -36,7 +36,7 @@ CORE_MAY_INCLUDE = {
     "Particles": {"Base", "Obstacles"},
     "Spacetime": {"Base", "Constraints", "Obstacles", "Particles", "Store", "Vortex"},
     "Rotation": {"Base", "Constraints", "Obstacles"},
-    "Chain": {"Air", "Base", "Constraints", "Grid", "Obstacles", "Planning", "Rotation", "Scene", "Shapes", "Spacetime", "Trajectory"},
+    "Chain": {"Air", "Base", "Constraints", "Grid", "Obstacles", "Planning", "Rotation", "Scene", "Shapes", "Spacetime", "Trajectory", "Vortex"},
     "Export": {"Base"},
 }
 # Folders of a library: each with those below that it includes.

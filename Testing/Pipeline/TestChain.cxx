@@ -29,6 +29,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkStylisticPlannerFilter.h>
 #include <vtkTable.h>
+#include <vtkVortexFitFilter.h>
 
 #include <gtest/gtest.h>
 
@@ -138,6 +139,16 @@ private:
         auto rotation = vtkSmartPointer<vtkRotationRefineFilter>::New();
         rotation->SetSeed(seed);
         return rotation;
+      }
+      case ChainStage::VortexFit:
+      {
+        auto fit = vtkSmartPointer<vtkVortexFitFilter>::New();
+        fit->SetSeed(seed);
+        fit->SetQuantity(options.Fit.Quantity);
+        fit->SetMaximumNewVortices(options.Fit.MaximumNewVortices);
+        fit->SetMinimumGain(options.Fit.MinimumGain);
+        fit->SetUniformBackground(options.Fit.UniformBackground);
+        return fit;
       }
     }
     return nullptr;
@@ -285,6 +296,12 @@ TEST_P(ChainFaces, OneCallGivesWhatJoinedStagesGive)
   ExpectSame(data, joined.At<vtkPolyData>(ChainStage::Rotation, "Poses"), "poses");
   ReportToTable(motion.Turned.Report, info, table);
   ExpectSame(table, joined.At<vtkTable>(ChainStage::Rotation, "Report"), "turned report");
+  if (joined.Has(ChainStage::VortexFit))
+  {
+    AirVortexFitToPolyData(motion.Fit, info, data);
+    EXPECT_GT(data->GetNumberOfCells(), 0);
+    ExpectSame(data, joined.At<vtkPolyData>(ChainStage::VortexFit, "Vortices"), "vortices of air");
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, ChainFaces, testing::ValuesIn(Qualities),

@@ -120,7 +120,7 @@ class AnimationTest(unittest.TestCase):
     def test_each_quality_runs_its_stages(self):
         drifts = ("AssimilatedTracks", "Air", "AssimilatedReport")
         optimises = ("OptimisedTracks", "Gas", "Convergence")
-        for quality, filled, empty in (("Preview", drifts, optimises), ("Full", drifts + optimises, ()),
+        for quality, filled, empty in (("Preview", drifts, optimises), ("Full", drifts + optimises + ("FittedVortices",), ()),
                                        ("Paper", optimises, drifts)):
             with self.subTest(quality=quality):
                 animation = self.make(Quality=quality)
@@ -129,10 +129,12 @@ class AnimationTest(unittest.TestCase):
                 self.assertTrue(all(ports[name] == 0 for name in empty), ports)
                 if quality == "Full":
                     with self.unfolded(animation) as stages:
-                        self.assertEqual(set(stages), {"Scene", "Planner", "Assimilation", "Spacetime", "Rotation"})
+                        self.assertEqual(set(stages), {"Scene", "Planner", "Assimilation", "Spacetime", "Rotation", "VortexFit"})
                         stages["Rotation"].UpdatePipeline()
                         self.check_same(output(animation, "Poses"), output(stages["Rotation"], 1))
                         self.check_same(output(animation, "OptimisedTracks"), output(stages["Spacetime"]))
+                        stages["VortexFit"].UpdatePipeline()
+                        self.check_same(output(animation, "FittedVortices"), output(stages["VortexFit"]))
 
     def test_bodies_have_the_colours_of_their_shapes(self):
         scene = waft.Scene(seed=5)
@@ -157,7 +159,7 @@ class AnimationTest(unittest.TestCase):
 
     def test_stops_where_it_is_asked_to(self):
         firsts = {"Scene": "Objects", "Plan": "PlannedTracks", "Assimilation": "AssimilatedTracks",
-                  "Optimisation": "OptimisedTracks", "Rotation": "Meshes"}
+                  "Optimisation": "OptimisedTracks", "Rotation": "Meshes", "Vortex Fit": "FittedVortices"}
         animation = self.make(Quality="Full", StopAfter="Scene")
         seconds = []
         for done, stop in enumerate(firsts, 1):
@@ -166,7 +168,7 @@ class AnimationTest(unittest.TestCase):
             animation.UpdatePipeline()
             seconds.append(time.process_time() - began)
             ports = self.ports(animation)
-            self.assertEqual([ports[name] > 0 for name in firsts.values()], [k < done for k in range(5)], (stop, ports))
+            self.assertEqual([ports[name] > 0 for name in firsts.values()], [k < done for k in range(len(firsts))], (stop, ports))
         self.assertLess(seconds[-1], 0.5 * sum(seconds), "what is there is not made again")
 
     def test_a_seed_is_another_motion_and_minus_one_the_scenes(self):
@@ -237,7 +239,7 @@ class AnimationTest(unittest.TestCase):
         for speaker in (animation.SMProxy, source, source.GetExecutive()):
             speaker.AddObserver("ErrorEvent", hear)
         for name, values, expected in (("Quality", (-1, 4), "Quality: expected 0 (Preview) to 3 (Paper), found"),
-                                       ("StopAfter", (-1, 5), "StopAfter: expected 0 (Scene) to 4 (Rotation), found"),
+                                       ("StopAfter", (-1, 6), "StopAfter: expected 0 (Scene) to 5 (VortexFit), found"),
                                        ("FileName", (str(self.folder / "none.waft.json"),), "none.waft.json")):
             for value in values:
                 with self.subTest(name=name, value=value):

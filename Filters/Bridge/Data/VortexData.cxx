@@ -2,6 +2,7 @@
 #include "Bridge/Data/VortexData.h"
 
 #include "Bridge/Data/ArrayNames.h"
+#include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/Columns.h"
 #include "Bridge/Data/SceneData.h"
 
@@ -11,6 +12,8 @@
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+
+#include <cmath>
 
 namespace waft
 {
@@ -42,6 +45,16 @@ void VorticesToPolyData(const std::vector<Vortex>& vortices, const SceneInfo& in
   AddColumn(arrays, names::Confidence, vortices, &Vortex::Confidence);
   AddColumn(arrays, names::ObjectCount, vortices, &Vortex::ObjectCount);
   SceneInfoToFieldData(info, data);
+}
+
+void AirVortexFitToPolyData(const AirVortexFit& fit, const SceneInfo& info, vtkPolyData* data)
+{
+  VorticesToPolyData(fit.Vortices, info, data);
+  AddDoubles(data->GetFieldData(), names::Explained, { fit.Explained });
+  if (!std::isnan(fit.ExplainedLeftOut))
+  {
+    AddDoubles(data->GetFieldData(), names::ExplainedLeftOut, { fit.ExplainedLeftOut });
+  }
 }
 
 Result VorticesFromPolyData(vtkPolyData* data, std::vector<Vortex>& vortices)

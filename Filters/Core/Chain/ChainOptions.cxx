@@ -23,6 +23,10 @@ ChainOptions ChainOptions::At(Quality quality)
 {
   ChainOptions options;
   options.Detail = quality;
+  options.Fit.Quantity = VortexFitOptions::AirAcceleration;
+  options.Fit.MaximumNewVortices = 16;
+  options.Fit.MinimumGain = 0.02;
+  options.Fit.UniformBackground = false;
   if (quality == Quality::Preview)
   {
     options.Air.Resolution = 32;

@@ -7,6 +7,7 @@
 #include "Planning/Takes.h"
 #include "Rotation/RotationRefine.h"
 #include "Spacetime/Model/SpacetimeOptions.h"
+#include "Vortex/VortexFit.h"
 
 #include <cstdint>
 #include <string>
@@ -19,7 +20,7 @@ struct ChainOptions
 {
   Quality Detail = Quality::Full;
   std::int64_t Seed = -1; // -1: the scene's own
-  ChainStage StopAfter = ChainStage::Rotation;
+  ChainStage StopAfter = ChainStage::VortexFit;
   /// Seconds after which the best motion so far is turned and given; 0: no limit. With a limit two
   /// runs may differ.
   double TimeLimit = 0.0;
@@ -28,6 +29,7 @@ struct ChainOptions
   AssimilationOptions Air;
   SpacetimeOptions Optimiser;
   RotationOptions Rotation;
+  VortexFitOptions Fit; // its Bounds are the scene's
 
   Result Validate() const;
   /// Those of a quality: the defaults, and of a preview a coarse air.
@@ -40,7 +42,7 @@ struct FlightOptions
   std::string FileName;
   int Quality = 0;
   int Seed = -1;
-  int StopAfter = 4;
+  int StopAfter = 5;
 
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
@@ -60,7 +62,7 @@ struct FlightOptions
       of.Seed...);
     visit(
       OptionField{
-        "StopAfter", { 0, 4 }, "", "The last stage that runs; the ports of later ones are empty." },
+        "StopAfter", { 0, 5 }, "", "The last stage that runs; the ports of later ones are empty." },
       of.StopAfter...);
   }
 };

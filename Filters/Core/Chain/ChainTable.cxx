@@ -108,6 +108,15 @@ std::vector<ChainStageTraits> MakeStages()
         airs },
       { "Meshes", "Poses", "Report" },
       FieldsOf<RotationOptions>() },
+    { ChainStage::VortexFit,
+      "VortexFit",
+      "VortexFitFilter",
+      "Vortices are fitted to how the air turns about the paths",
+      1,
+      { Quality::Full },
+      { { "Input", { { { optimiser, "Tracks" } } } }, { "Vortices", {} } },
+      { "Vortices", "Tracks" },
+      FieldsOf<VortexFitOptions>() },
   };
 }
 
@@ -216,6 +225,8 @@ std::vector<std::pair<std::string, double>> SettingsOf(ChainStage stage, Quality
       return Changed(options.Optimiser);
     case ChainStage::Rotation:
       return Changed(options.Rotation);
+    case ChainStage::VortexFit:
+      return Changed(options.Fit);
   }
   return {};
 }

@@ -18,7 +18,7 @@ enum class Quality
 {
   Preview, // drift in one sampled air on a coarse grid
   Air,     // the same on the full grid
-  Full,    // the optimiser from there, in that air
+  Full,    // the optimiser from there, in that air, and vortices that explain it
   Paper    // the optimiser from the plan, gas at rest (Shi et al. 2005)
 };
 inline constexpr Quality Qualities[] = { Quality::Preview, Quality::Air, Quality::Full,
@@ -34,7 +34,8 @@ enum class ChainStage
   Planner,
   Assimilation,
   Spacetime,
-  Rotation
+  Rotation,
+  VortexFit // tells of the motion, and changes nothing of it
 };
 
 /// An output of a stage.

@@ -8,6 +8,7 @@
 #include "Planning/Takes.h"
 #include "Rotation/RotationRefine.h"
 #include "Spacetime/Scene/SpacetimeOutput.h"
+#include "Vortex/AirVortexFit.h"
 
 #include <map>
 #include <string>
@@ -24,6 +25,7 @@ struct Motion
   AssimilationOutput Air;
   SpacetimeOutput Optimised;
   RotationOutput Turned;
+  AirVortexFit Fit;
 
   std::vector<Track> Tracks; // where bodies are: the paths, laid on surfaces
   std::vector<double> Laid;  // by how much at most, by track [m]

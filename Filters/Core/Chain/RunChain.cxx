@@ -78,6 +78,7 @@ private:
   Result Assimilate(Monitor& monitor);
   Result Optimise(Monitor& monitor);
   Result Turn(Monitor& monitor);
+  Result Fit(Monitor& monitor);
   bool HasAir() const { return !this->Made.Air.Air->Velocity.IsEmpty(); }
 
   const ChainInputs& Inputs;
@@ -110,6 +111,7 @@ void Chain::SetUp()
   this->Options.Plan.Seed = static_cast<std::uint64_t>(seed);
   this->Options.Air.Seed = static_cast<int>(seed);
   this->Options.Rotation.Seed = static_cast<std::uint64_t>(seed);
+  this->Options.Fit.Seed = static_cast<std::uint64_t>(seed);
   this->Obstacles = ObstaclesOfFrames(scene.Obstacles, scene.Info.Time);
   this->Wind = this->Inputs.Wind.OfFrames(scene.Info.Time);
   for (const ChainStageTraits& stage : ChainStages())
@@ -199,12 +201,15 @@ void Chain::Clear(ChainStage stage)
       this->Made.Tracks.clear();
       this->Made.Laid.clear();
       break;
+    case ChainStage::VortexFit:
+      this->Made.Fit = AirVortexFit();
+      break;
   }
 }
 
 Result Chain::Do(ChainStage stage, Work work)
 {
-  const bool isLast = stage == ChainStage::Rotation; // quick, and it turns the best so far
+  const bool isLast = stage == ChainStage::Rotation; // that bodies take; quick, of the best so far
   if (!this->Wants(stage) || (this->Made.IsStopped && !isLast))
   {
     this->Clear(stage);
@@ -344,6 +349,18 @@ Result Chain::Turn(Monitor& monitor)
   return result;
 }
 
+Result Chain::Fit(Monitor& monitor)
+{
+  const MotionProblem problem = this->ProblemOf(ChainStage::VortexFit);
+  if (this->IsKept(ChainStage::VortexFit, problem, this->Options.Fit))
+  {
+    return Result::Ok();
+  }
+  VortexFitOptions options = this->Options.Fit;
+  options.Bounds = problem.Scene.Bounds;
+  return FitAirVortices(problem.Tracks, problem.Scene.Time, {}, options, monitor, this->Made.Fit);
+}
+
 Result Chain::Run()
 {
   WAFT_RETURN_IF_FAILED(this->Options.Validate());
@@ -353,6 +370,7 @@ Result Chain::Run()
   WAFT_RETURN_IF_FAILED(this->Do(ChainStage::Assimilation, &Chain::Assimilate));
   WAFT_RETURN_IF_FAILED(this->Do(ChainStage::Spacetime, &Chain::Optimise));
   WAFT_RETURN_IF_FAILED(this->Do(ChainStage::Rotation, &Chain::Turn));
+  WAFT_RETURN_IF_FAILED(this->Do(ChainStage::VortexFit, &Chain::Fit));
   this->Made.Report = JoinReports(this->Made.ReportOf(this->Made.MovedBy()), this->Made.Plan.Report,
                                   this->Made.Turned.Report, this->Made.Air.Constraints);
   return this->Made.IsStopped ? Result::Stopped() : Result::Ok();

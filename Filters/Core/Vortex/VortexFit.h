@@ -30,7 +30,14 @@ struct VortexSample
 /// The volume gives the scales: L is its width.
 struct VortexFitOptions
 {
+  enum
+  {
+    Force,
+    AirAcceleration
+  };
+
   Box Bounds;
+  int Quantity = Force;
   std::uint64_t Seed = 1;
   int NumberOfStarts = 4; // the prior's among them
   int Sweeps = 2;
@@ -66,6 +73,12 @@ struct VortexFitOptions
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
   {
+    visit(OptionField{ "Quantity",
+                       { 0, 1 },
+                       "",
+                       "What is fitted: the array Force, or the rate at which AirVelocity changes "
+                       "along the paths." },
+          of.Quantity...);
     visit(OptionField{ "MaximumNewVortices",
                        { 0, 1000 },
                        "",

@@ -81,6 +81,17 @@ TEST(ChainTable, TheLastStageThatMovesObjectsIsTurned)
   EXPECT_EQ(Givers(ChainStage::Planner, "Database", Quality::Full), Names{});
 }
 
+TEST(ChainTable, VorticesAreFittedToWhatTheOptimiserGivesInAnAir)
+{
+  for (const Quality quality : Qualities)
+  {
+    EXPECT_EQ(RunsAt(ChainStage::VortexFit, quality), quality == Quality::Full);
+  }
+  EXPECT_EQ(Givers(ChainStage::VortexFit, "Input", Quality::Full),
+            std::set<std::string>{ "Spacetime.Tracks" });
+  EXPECT_EQ(ChainOptions::At(Quality::Full).Fit.Quantity, VortexFitOptions::AirAcceleration);
+}
+
 TEST(ChainTable, APreviewIsCoarserThanTheAirAlone)
 {
   const ChainOptions coarse = ChainOptions::At(Quality::Preview);

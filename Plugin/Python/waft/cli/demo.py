@@ -25,8 +25,7 @@ def run_demo(folder, threads=None):
         if os.path.isdir(folder):
             Folder(folder).is_folder(name)  # raises of a link, which would lead elsewhere
         say(f"{name}: planning, optimising, turning ...")
-        run = synthesize(data_file(f"Scenes/{name}.waft.json"), output=target, threads=threads, quiet=False,
-                         quality="air")
+        run = synthesize(data_file(f"Scenes/{name}.waft.json"), output=target, threads=threads, quiet=False)
         report_run(run, target)
         status = max(status, run.status)
         if run.stopped:

@@ -15,6 +15,7 @@ from waft.watching import collect
 STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
 REPORT = "report.json"
 STATE = "assimilated.state"
+FITTED = "fitted_vortices.vtp"
 # Data that is written only when it is asked for, a file a frame: {name: (stage, port)}.
 SERIES = {"meshes": ("rotation", 0), "particles": ("spacetime", 1)}
 
@@ -48,6 +49,8 @@ def result_names(scene, series, quality, keep=()):
         names = [name for name in names if name not in ("wind.pvd", "wind/")]
     if "assimilation" not in WITHOUT[quality]:
         names += ["assimilated.vtp", "air.pvd", "air/", "rounds.csv", *([STATE] if "state" in keep else [])]
+    if "fit" not in WITHOUT[quality]:
+        names.append(FITTED)
     names += ["obstacles.pvd", "obstacles/"] if _do_obstacles_move(scene) else ["obstacles.vtp"]
     return names + [name + end for name in series for end in (".pvd", "/")]
 
@@ -90,6 +93,8 @@ def write_results(run, place, checkpoint):
         write_csv(place.path("convergence.csv"), *table_rows(_empty_convergence()))
     if run.assimilation is not None:
         _write_air(run, place, checkpoint)
+    if run.fit is not None:
+        write_xml(run.output("fit"), place.path(FITTED))
     _write_report(run, place.path("constraints.csv"))
     _write_animation(run, place)
     place.commit(_summary(run, energies))
@@ -261,6 +266,17 @@ def _dynamics(pipeline):
     return {name[0].lower() + name[1:]: value for name, value in dynamics(pipeline.output("spacetime", 0)).items()}
 
 
+def _fit(pipeline):
+    """How many vortices were fitted to the air about the paths, and what part of its accelerations they explain: of all objects, and
+    of every fifth by a fit that did not see it (None of fewer than five)."""
+    if pipeline.fit is None:
+        return {}
+    vortices = pipeline.output("fit")
+    explained, left_out = (vortices.GetFieldData().GetArray(name) for name in ("Explained", "ExplainedLeftOut"))
+    return {"vortices": vortices.GetNumberOfCells(), "explained": explained.GetValue(0) if explained is not None else 0.0,
+            "explainedLeftOut": left_out.GetValue(0) if left_out is not None else None}
+
+
 def _summary(run, energies):
     counts = {status: 0 for status in STATUS_ORDER}
     for row in run.report:
@@ -277,6 +293,7 @@ def _summary(run, energies):
         "quality": run.quality,
         "energy": dict(zip(("before", "after"), map(float, energies))),
         "dynamics": _dynamics(run),
+        "fit": _fit(run),
         "constraints": {**counts, "unmet": [row for row in run.report if row["Status"] != "met"]},
         "objects": run.plan_objects,
         "settled": _settled(run),

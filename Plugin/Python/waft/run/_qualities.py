@@ -2,8 +2,8 @@
 """The qualities of a run, which say how objects come to their marks."""
 
 # The stages that each goes without. preview: drift in one sampled air on a coarse grid; air: the same on the full one; full: the
-# optimiser from there, in that air; paper: as in the paper, the optimiser from the plan, gas at rest.
-WITHOUT = {"preview": ("spacetime",), "air": ("spacetime",), "full": (), "paper": ("assimilation",)}
+# optimiser from there, in that air, and vortices fitted to it; paper: as in the paper, the optimiser from the plan, gas at rest.
+WITHOUT = {"preview": ("spacetime", "fit"), "air": ("spacetime", "fit"), "full": (), "paper": ("assimilation", "fit")}
 QUALITIES = tuple(WITHOUT)
 # What may be kept in full beside the results: every frame of the air, and the state that edits go on from.
 KEPT = ("air", "state")

@@ -12,13 +12,14 @@ from waft.run.database import check_database, settle_database
 from waft.watching import StageWatch
 
 # The stages of the table as they are called here.
-_ATTRIBUTES = {"Scene": "reader", "Planner": "planner", "Assimilation": "assimilation", "Spacetime": "spacetime", "Rotation": "rotation"}
+_ATTRIBUTES = {"Scene": "reader", "Planner": "planner", "Assimilation": "assimilation", "Spacetime": "spacetime", "Rotation": "rotation",
+               "VortexFit": "fit"}
 NO_MEMORY = "found too little memory for it"  # how stages say so
 
 
 class Pipeline:
     """The live proxies: reader, database (None: the planner takes the one that comes with Waft), planner, assimilation and
-    spacetime (None where the quality has none), rotation.
+    spacetime (None where the quality has none), rotation, fit (None likewise).
 
     Change a property of any of them and call UpdatePipeline() on the last: only what depends on the
     change is computed again.
@@ -42,6 +43,7 @@ class Pipeline:
         self.assimilation = None
         self.spacetime = None
         self.rotation = None
+        self.fit = None
         self.watches = {}
 
     def _add(self, stage):
@@ -139,6 +141,10 @@ class Pipeline:
                 TimeStepRange=[0, frames - 1], TimeStepInterval=max(1, round(AIR_INTERVAL * rate))))
         self.rotation = self._join("Rotation", **air)
         self.rotation.Seed = seed
+
+    def add_fit(self, seed):
+        self.fit = self._join("VortexFit")
+        self.fit.Seed = seed
 
     def _join(self, name, **given):
         """A stage of the table, its inputs from the stages that there are; given: inputs that are others."""

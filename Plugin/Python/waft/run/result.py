@@ -62,7 +62,7 @@ class Result:
 
     scene_file, database_file, watches = map(_of_pipeline, ("scene_file", "database_file", "watches"))
     reader, database, planner = map(_of_pipeline, ("reader", "database", "planner"))
-    assimilation, spacetime, rotation = map(_of_pipeline, ("assimilation", "spacetime", "rotation"))
+    assimilation, spacetime, rotation, fit = map(_of_pipeline, ("assimilation", "spacetime", "rotation", "fit"))
     plan_report, plan_objects, planned = map(_of_pipeline, ("plan_report", "plan_objects", "planned"))
     motion, moved, has_air, delete = map(_of_pipeline, ("motion", "moved", "has_air", "delete"))
 

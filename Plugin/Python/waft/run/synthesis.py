@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from waft.run.result import Result
 
 # Parts of the time that stages take, for the share that is done.
-_SHARES = {"reader": 1, "database": 1, "planner": 6, "assimilation": 45, "spacetime": 45, "rotation": 2}
+_SHARES = {"reader": 1, "database": 1, "planner": 6, "assimilation": 45, "spacetime": 45, "rotation": 2, "fit": 1}
 
 
 @by_options(Request)
@@ -212,6 +212,8 @@ def _run(pipeline, course, is_found):
     pipeline.add_rotation(course.seed, clock.interrupted)
     pipeline.watch("rotation", clock)
     pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
+    if "fit" not in WITHOUT[request.way] and not clock.should_stop():
+        _fit(pipeline, course)
     return stopped_in
 
 
@@ -237,6 +239,16 @@ def _optimise(pipeline, course):
         if course.request.checkpoint_interval is not None:
             pipeline.spacetime.CheckpointInterval = course.request.checkpoint_interval
     _update("spacetime", pipeline, course, course.request.settings("Spacetime"))
+
+
+def _fit(pipeline, course):
+    from waft.run.pipeline import settings_of
+
+    pipeline.add_fit(course.seed)
+    pipeline.watch("fit", course.clock)
+    for setting, value in settings_of(course.request.way, "VortexFit").items():
+        setattr(pipeline.fit, setting, value)
+    pipeline.update("fit", can_stop=False)  # quick
 
 
 def _update(name, pipeline, course, settings):
