@@ -193,7 +193,7 @@ void ObjectPlanner::PlanFlight(std::size_t from, int lastFrame, int attempt)
       this->Now.Miss(this->Now.Way.Marks[from + 1], span.Positions.back());
     }
   }
-  this->Now.Keep(this->Library, this->Scene.Time, request, span);
+  this->Now.Keep(this->Library, this->Options.Span.Gauge, this->Scene.Time, request, span);
 }
 
 /// The flight on from a mark found no way: it may have come there too fast, or head on to a wall.

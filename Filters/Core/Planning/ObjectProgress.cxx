@@ -56,8 +56,8 @@ void ObjectProgress::LieStill(const Mark& mark)
   }
 }
 
-void ObjectProgress::Keep(const SegmentLibrary& library, const Timeline& time,
-                          const SpanRequest& request, SpanResult& span)
+void ObjectProgress::Keep(const SegmentLibrary& library, const StyleGauge* gauge,
+                          const Timeline& time, const SpanRequest& request, SpanResult& span)
 {
   const int first = request.FirstFrame;
   const int frames = request.Clock.Frames;
@@ -73,8 +73,11 @@ void ObjectProgress::Keep(const SegmentLibrary& library, const Timeline& time,
       this->Plan.Samples[first + k] = { base + span.Sources[k].Piece, span.Sources[k].Sample };
     }
   }
-  StyleGauge::Append(span.Positions, time.Step(), std::max(1, request.Clock.LaunchFrames),
-                     frames - request.Clock.BrakeFrames, this->History);
+  if (gauge != nullptr)
+  {
+    gauge->Append(span.Positions, time.Step(), std::max(1, request.Clock.LaunchFrames),
+                  frames - request.Clock.BrakeFrames, this->History);
+  }
   for (int k = 1; k < frames; ++k)
   {
     this->Warp.SecondDifferences[first + k] = span.SecondDifferences[k];

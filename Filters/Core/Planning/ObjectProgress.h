@@ -26,9 +26,10 @@ struct ObjectProgress
   /// A mark of Way that was not reached: the object goes on from where it came to, and what was
   /// held there is void.
   void Miss(Mark& mark, const Vec3& position);
-  /// Adds a span that was flown; its trees are taken from it.
-  void Keep(const SegmentLibrary& library, const Timeline& time, const SpanRequest& request,
-            SpanResult& span);
+  /// Adds a span that was flown; its trees are taken from it. gauge: whose history it keeps, or
+  /// null.
+  void Keep(const SegmentLibrary& library, const StyleGauge* gauge, const Timeline& time,
+            const SpanRequest& request, SpanResult& span);
 
   Itinerary Way; // marks that are missed become positions where the object just was
   ClearanceField Field;

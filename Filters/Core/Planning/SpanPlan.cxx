@@ -137,15 +137,13 @@ double SpanPlanner::StyleDistance(const std::vector<Vec3>& positions) const
     return 0.0;
   }
   StyleHistory flight;
-  StyleGauge::Append(positions, this->Options.FrameStep,
-                     std::max(1, this->Request.Clock.LaunchFrames),
-                     this->Request.Clock.Frames - this->Request.Clock.BrakeFrames, flight);
+  this->Options.Gauge->Append(positions, this->Options.FrameStep,
+                              std::max(1, this->Request.Clock.LaunchFrames),
+                              this->Request.Clock.Frames - this->Request.Clock.BrakeFrames, flight);
   StyleHistory history = this->Request.History;
-  history.LogCurvature.insert(history.LogCurvature.end(), flight.LogCurvature.begin(),
-                              flight.LogCurvature.end());
-  history.Acceleration.insert(history.Acceleration.end(), flight.Acceleration.begin(),
-                              flight.Acceleration.end());
-  return this->Options.Gauge->Distance(std::move(history)) +
+  history.LogCurvature.Add(flight.LogCurvature);
+  history.Acceleration.Add(flight.Acceleration);
+  return this->Options.Gauge->Distance(history) +
          PlannerNumbers::AccelerationExcessWeight * this->Options.Gauge->AccelerationExcess(flight);
 }
 

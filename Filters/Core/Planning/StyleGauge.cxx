@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 namespace waft
 {
@@ -29,26 +31,40 @@ std::vector<double> QuantilesOf(std::vector<double> values)
   return result;
 }
 
-/// Largest distance between the distribution of the values and that of the quantiles.
-double DistanceTo(const std::vector<double>& quantiles, std::vector<double>& values)
+void AddTo(const std::vector<double>& quantiles, const std::vector<double>& values,
+           ValuesByQuantile& all)
 {
-  if (values.empty() || quantiles.empty())
+  all.Counts.resize(quantiles.size() + 1, 0);
+  for (const double value : values)
+  {
+    const auto below = std::lower_bound(quantiles.begin(), quantiles.end(), value);
+    ++all.Counts[static_cast<std::size_t>(below - quantiles.begin())];
+    all.Largest = std::max(all.Largest, value);
+  }
+}
+
+/// Largest distance between the distribution of the values and that of the quantiles. It is taken
+/// on at the first or the last value between two of these.
+double DistanceTo(const std::vector<double>& quantiles, const ValuesByQuantile& values)
+{
+  const auto count = static_cast<double>(
+    std::accumulate(values.Counts.begin(), values.Counts.end(), std::int64_t(0)));
+  if (count == 0.0 || quantiles.empty())
   {
     return 0.0;
   }
-  std::sort(values.begin(), values.end());
   double worst = 0.0;
-  std::size_t below = 0;
-  for (std::size_t i = 0; i < values.size(); ++i)
+  std::int64_t before = 0;
+  for (std::size_t below = 0; below < values.Counts.size(); ++below)
   {
-    while (below < quantiles.size() && quantiles[below] < values[i])
+    if (values.Counts[below] > 0)
     {
-      ++below;
+      const double reference = static_cast<double>(below) / static_cast<double>(quantiles.size());
+      const auto after = before + values.Counts[below];
+      worst = std::max({ worst, std::abs(static_cast<double>(before) / count - reference),
+                         std::abs(static_cast<double>(after) / count - reference) });
+      before = after;
     }
-    const double reference = static_cast<double>(below) / static_cast<double>(quantiles.size());
-    const auto count = static_cast<double>(values.size());
-    worst = std::max({ worst, std::abs(static_cast<double>(i) / count - reference),
-                       std::abs((static_cast<double>(i) + 1.0) / count - reference) });
   }
   return worst;
 }
@@ -63,8 +79,16 @@ StyleGauge::StyleGauge(const MotionDatabase& database)
   this->Acceleration = QuantilesOf(std::move(samples.Acceleration));
 }
 
+void ValuesByQuantile::Add(const ValuesByQuantile& others)
+{
+  this->Counts.resize(std::max(this->Counts.size(), others.Counts.size()), 0);
+  std::transform(others.Counts.begin(), others.Counts.end(), this->Counts.begin(),
+                 this->Counts.begin(), std::plus<std::int64_t>());
+  this->Largest = std::max(this->Largest, others.Largest);
+}
+
 void StyleGauge::Append(const std::vector<Vec3>& positions, double step, int first, int last,
-                        StyleHistory& history)
+                        StyleHistory& history) const
 {
   if (first >= last)
   {
@@ -73,13 +97,11 @@ void StyleGauge::Append(const std::vector<Vec3>& positions, double step, int fir
   StyleSamples samples;
   AppendStyle(positions, step, static_cast<std::size_t>(first), static_cast<std::size_t>(last),
               samples);
-  history.LogCurvature.insert(history.LogCurvature.end(), samples.LogCurvature.begin(),
-                              samples.LogCurvature.end());
-  history.Acceleration.insert(history.Acceleration.end(), samples.Acceleration.begin(),
-                              samples.Acceleration.end());
+  AddTo(this->LogCurvature, samples.LogCurvature, history.LogCurvature);
+  AddTo(this->Acceleration, samples.Acceleration, history.Acceleration);
 }
 
-double StyleGauge::Distance(StyleHistory history) const
+double StyleGauge::Distance(const StyleHistory& history) const
 {
   return PlannerNumbers::CurvatureWeight * DistanceTo(this->LogCurvature, history.LogCurvature) +
          PlannerNumbers::AccelerationWeight * DistanceTo(this->Acceleration, history.Acceleration);
@@ -87,12 +109,9 @@ double StyleGauge::Distance(StyleHistory history) const
 
 double StyleGauge::AccelerationExcess(const StyleHistory& flight) const
 {
-  double most = 0.0;
-  for (double acceleration : flight.Acceleration)
-  {
-    most = std::max(most, acceleration);
-  }
-  return this->HighAcceleration > 0.0 ? std::max(0.0, most / this->HighAcceleration - 1.0) : 0.0;
+  return this->HighAcceleration > 0.0
+           ? std::max(0.0, flight.Acceleration.Largest / this->HighAcceleration - 1.0)
+           : 0.0;
 }
 
 } // namespace waft

@@ -5,16 +5,27 @@
 #include "Base/Types.h"
 #include "Trajectory/MotionDatabase.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace waft
 {
 
-/// Curvatures and accelerations along what an object has flown so far.
+/// How many of some values lie between which quantiles of the database: all that the distance of
+/// two distributions needs, and no longer for a longer flight.
+struct ValuesByQuantile
+{
+  std::vector<std::int64_t> Counts; // one more than quantiles; none: no value yet
+  double Largest = 0.0;
+
+  void Add(const ValuesByQuantile& others);
+};
+
+/// Curvatures [ln(1/m)] and accelerations [m/s^2] along what an object has flown so far.
 struct StyleHistory
 {
-  std::vector<double> LogCurvature; // ln(1/m)
-  std::vector<double> Acceleration; // m/s^2
+  ValuesByQuantile LogCurvature;
+  ValuesByQuantile Acceleration;
 };
 
 class StyleGauge
@@ -24,11 +35,11 @@ public:
   explicit StyleGauge(const MotionDatabase& database);
 
   /// Adds the inner samples first..last-1 of a path [s between samples].
-  static void Append(const std::vector<Vec3>& positions, double step, int first, int last,
-                     StyleHistory& history);
+  void Append(const std::vector<Vec3>& positions, double step, int first, int last,
+              StyleHistory& history) const;
   /// Kolmogorov-Smirnov distances of the curvatures and of the accelerations, weighted 1.25 and
   /// 0.75 and added; 0 without samples.
-  double Distance(StyleHistory history) const;
+  double Distance(const StyleHistory& history) const;
   /// By how much the largest acceleration of a flight exceeds what one in a hundred samples of the
   /// database does, relative to that; at least 0.
   double AccelerationExcess(const StyleHistory& flight) const;
