@@ -7,6 +7,7 @@ import csv
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -20,7 +21,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import waft
 from waft.failures import BadInput
+from waft.measuring import measure
 from waft.reading import read_surface
+from waft.results.exporting import export
 
 COARSE = {"Assimilation": {"Resolution": 32, "LatticeResolution": 32}}
 SCENE = {
@@ -126,6 +129,23 @@ class Assimilated(unittest.TestCase):
                                         ("checkpoint_interval", -1, "a number from 0 to")):
             with self.assertRaisesRegex(BadInput, f"{option}: expected {expected}.*, found {value}"):
                 waft.synthesize("scene.waft.json", **{option: value})
+
+    def test_the_table_of_poses_may_be_left_out(self):
+        out = self.folder / "no-csv"
+        shutil.copytree(self.out, out)
+        waft.synthesize(str(self.scene), output=str(out), quality="air", csv=False, _settings=COARSE)
+        before, after = (json.loads((folder / "report.json").read_text(encoding="utf-8")) for folder in (self.out, out))
+        self.assertEqual(([], ["poses.csv"]), (before["without"], after["without"]))
+        self.assertEqual({"poses.csv"}, {row["name"] for row in before["manifest"]} - {row["name"] for row in after["manifest"]})
+        self.assertFalse((out / "poses.csv").exists(), "that of the run before")
+        for name in ("poses.vtp", "animation.glb", "constraints.csv"):
+            self.assertEqual((self.out / name).read_bytes(), (out / name).read_bytes(), name)
+        export(str(out), "glb", ("ground",))
+        measured = [[row.as_json() for row in measure([str(folder)])[0].rows] for folder in (self.out, out)]
+        self.assertGreater(len(measured[0]), 10)
+        self.assertEqual(*measured)
+        waft.synthesize(str(self.scene), output=str(out), quality="air", resume=True, _settings=COARSE)
+        self.assertEqual((self.out / "poses.csv").read_bytes(), (out / "poses.csv").read_bytes())
 
     def test_another_seed_is_another_air_which_an_edit_keeps(self):
         first, edited = self.folder / "seeded", self.folder / "seeded-edit"

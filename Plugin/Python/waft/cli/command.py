@@ -144,6 +144,8 @@ def parser() -> argparse.ArgumentParser:
                       ("keep", {"type": kept, "default": (), "metavar": "K,K"})):
         make.add_argument(f"--{name.replace('_', '-')}", help=SENTENCES[name], **how)
     make.add_argument("--preview", dest="quality", action="store_const", const="preview", help=SENTENCES["preview"])
+    make.add_argument("--no-csv", dest="csv", action="store_false",
+                      help="without poses.csv; poses.vtp and animation.glb hold the same motion")
     make.add_argument("--watch", action="store_true",
                       help="fly at preview quality, and again whenever the scene file or a file that it names is saved, until stopped; "
                            "DIR/page.html, open in a browser, follows")

@@ -16,6 +16,7 @@ STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
 REPORT = "report.json"
 STATE = "assimilated.state"
 FITTED = "fitted_vortices.vtp"
+POSES = "poses.csv"
 # Data that is written only when it is asked for, a file a frame: {name: (stage, port)}.
 SERIES = {"meshes": ("rotation", 0), "particles": ("spacetime", 1)}
 
@@ -41,18 +42,22 @@ def settled(folder):
     return Folder(folder)
 
 
-def result_names(scene, series, quality, keep=()):
-    """What a run writes, folders with a slash at their end. series: names of SERIES; keep: of KEPT."""
-    names = ["planned.vtp", "optimized.vtp", "poses.vtp", "poses.csv", "vortices.vtp", "objects.vtp", "shapes.vtm", "shapes/",
-             "constraints.vtp", "constraints.csv", "convergence.csv", "wind.pvd", "wind/", "animation.glb", REPORT]
-    if "spacetime" in WITHOUT[quality]:
-        names = [name for name in names if name not in ("wind.pvd", "wind/")]
-    if "assimilation" not in WITHOUT[quality]:
-        names += ["assimilated.vtp", "air.pvd", "air/", "rounds.csv", *([STATE] if "state" in keep else [])]
-    if "fit" not in WITHOUT[quality]:
+def result_names(scene, request):
+    """What a run that was asked for by a Request writes of a scene file, folders with a slash at their end."""
+    names = ["planned.vtp", "optimized.vtp", "poses.vtp", *_tables_of_poses(request), "vortices.vtp", "objects.vtp", "shapes.vtm",
+             "shapes/", "constraints.vtp", "constraints.csv", "convergence.csv", "animation.glb", REPORT]
+    if "spacetime" not in WITHOUT[request.way]:
+        names += ["wind.pvd", "wind/"]
+    if "assimilation" not in WITHOUT[request.way]:
+        names += ["assimilated.vtp", "air.pvd", "air/", "rounds.csv", *([STATE] if "state" in request.keep else [])]
+    if "fit" not in WITHOUT[request.way]:
         names.append(FITTED)
     names += ["obstacles.pvd", "obstacles/"] if _do_obstacles_move(scene) else ["obstacles.vtp"]
-    return names + [name + end for name in series for end in (".pvd", "/")]
+    return names + [name + end for name in request.series for end in (".pvd", "/")]
+
+
+def _tables_of_poses(request):
+    return [POSES] if request.csv else []
 
 
 def is_beyond_results(name):
@@ -229,7 +234,7 @@ def _write_animation(run, place):
     writer.SetInputDataObject(0, run.output("rotation", 1))
     writer.SetInputDataObject(1, run.output("reader", 0))
     writer.SetInputDataObject(2, run.output("reader", 3))
-    for name in ("animation.glb", "poses.csv"):
+    for name in ("animation.glb", *_tables_of_poses(run.request)):
         writer.SetFileName(str(place.path(name)))
         if not writer.Write():
             raise failures.WaftError(f"{name}: could not be written: {'; '.join(errors)}")
@@ -298,6 +303,7 @@ def _summary(run, energies):
         "objects": run.plan_objects,
         "settled": _settled(run),
         "free": _free(run),
+        "without": [] if run.request.csv else [POSES],
         "stoppedEarly": run.stopped,
         **({"stopped": {"in": run.stopped_in, "motion": run.motion[0], "leftOut": left_out(run)}}
            if run.stopped else {}),

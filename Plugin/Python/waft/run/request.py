@@ -49,6 +49,7 @@ class Request:
     particles: Annotated[bool, "also particles.pvd: the optimiser's gas and objects, a file a frame"] = False
     keep: Annotated[Sequence[str], "what to write in full: air (every frame of air.pvd), state (what edits go on from, otherwise "
                                    "kept in the user's store)"] = ()
+    csv: Annotated[bool, "write poses.csv, the motion as a table, which poses.vtp and animation.glb hold as well"] = True
     _settings: Mapping[str, Mapping[str, Any]] = dataclasses.field(default_factory=dict)  # {stage: {property: value}}, for tests
 
     def __post_init__(self) -> None:

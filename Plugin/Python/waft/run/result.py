@@ -14,7 +14,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from waft.failures import BadInput, WaftError
 from waft.reading import read_bytes
 from waft.run.pipeline import Pipeline
-from waft.run.request import Path
+from waft.run.request import Path, Request
 from waft.texts import in_html
 
 if TYPE_CHECKING:
@@ -58,6 +58,7 @@ class Result:
     edit_of: Optional[pathlib.Path]  # the file with the air that was kept
     keep: Sequence[str]  # what is written in full
     key: str  # of the run, for checkpoints
+    request: Request  # what was asked for
     scene_folder: "Optional[tempfile.TemporaryDirectory[str]]" = None  # with the file of a scene that was made here
 
     scene_file, database_file, watches = map(_of_pipeline, ("scene_file", "database_file", "watches"))

@@ -87,7 +87,7 @@ def _fly(request, scene_folder=None):
             key = run_key(pipeline, seed, f"{word_in_keys(quality)} {request.edit_of or ''}".strip())
             checkpoint = None
             if place is not None:
-                place.check(result_names(scene, request.series, quality, request.keep))
+                place.check(result_names(scene, request))
                 checkpoint = Checkpoint(place, key)
             resumes = request.resume and checkpoint is not None
             lack = checkpoint.lack() if resumes else ""
@@ -114,7 +114,7 @@ def _fly(request, scene_folder=None):
         status = failures.STOPPED_EARLY if stopped else failures.ALL_MET if is_met else failures.NOT_ALL_MET
         result = Result(pipeline, status=status, report=report, warnings=warnings, stopped=stopped, hurries=hurries,
                         stopped_in=stopped_in, series=request.series, keep=tuple(request.keep), seed=seed, quality=quality,
-                        edit_of=edit_of, key=key, scene_folder=scene_folder)
+                        edit_of=edit_of, key=key, request=request, scene_folder=scene_folder)
         if place is not None:
             clock.phase = "writing the results"
             clock.report(0.0, clock.phase)
