@@ -41,7 +41,7 @@ SCENE = "Data/Scenes/feather-waypoints.waft.json"
 COARSE = {"Resolution": 16, "LatticeResolution": 12, "Candidates": 2, "Rounds": 1}  # an air for tests of the course
 SHORT = {"NumberOfGasParticles": 216, "LeashIterations": 2, "MaximumNumberOfIterations": 6}  # an optimisation, likewise
 
-RUN = ("blender-addon", "check", "export", "measure", "new", "page")  # each a second or two; the other commands are parsed
+RUN = ("blender-addon", "check", "export", "info", "measure", "new", "page")  # each a second or two; the other commands are parsed
 OWN = ("build", "package", "packages", "test")  # of the script `waft` alone: Python.CommandsListed calls it
 
 FORMULA = "a formula"

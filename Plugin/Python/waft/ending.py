@@ -53,7 +53,7 @@ def leave(act):
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # for what waits in buffers
         status = -signal.SIGPIPE if error.errno == errno.EPIPE else failures.FAILED
         if status == failures.FAILED:
-            say(f"waft: {error}")
+            say(f"waft: {error}", "error")
     if status < 0:
         _end_by(-status)
     sys.exit(status)
@@ -73,7 +73,7 @@ def _fill_gaps():
 def _end_by(number):
     """Ends the process by a signal, as if there were no other in between."""
     if number == signal.SIGKILL:  # whose action cannot be set
-        say("waft: ended by SIGKILL, as systems do when memory runs out")
+        say("waft: ended by SIGKILL, as systems do when memory runs out", "error")
     else:
         signal.signal(number, signal.SIG_DFL)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, [number])

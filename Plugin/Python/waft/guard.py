@@ -60,17 +60,21 @@ class Reports:
 
 
 def watch(arguments):
-    """Runs `waft` with these arguments to its end; returns its exit status, negative when a signal ended it."""
+    """Runs `waft` with these arguments to its end; returns its exit status, negative when a signal ended it. Raises Interrupted where
+    it had to be ended."""
+    from waft.cli import speaking
+
+    variables, descriptors = speaking.for_child()
     reading, writing = os.pipe()
     given = os.memfd_create("waft")  # pvpython takes no names that are not of its locale
     os.write(given, b"\0".join(map(os.fsencode, arguments)))
     package = pathlib.Path(__file__).resolve().parent
-    environment = {**os.environ, "WAFT_GUARD": str(writing), "WAFT_ARGUMENTS": str(given),
+    environment = {**os.environ, **variables, "WAFT_GUARD": str(writing), "WAFT_ARGUMENTS": str(given),
                    "LC_ALL": "C.UTF-8",  # whose names of files are any
                    "OMPI_MCA_ess_singleton_isolated": "1",  # no daemon of MPI
                    "HWLOC_COMPONENTS": os.environ.get("HWLOC_COMPONENTS", "-gl"),  # nor a look at the X server's cards
                    "PYTHONPATH": os.pathsep.join([str(package.parent), *filter(None, [os.environ.get("PYTHONPATH")])])}
-    child = start(["pvpython", str(package / "__main__.py")], STOPS, pass_fds=(writing, given), env=environment)
+    child = start(["pvpython", str(package / "__main__.py")], STOPS, pass_fds=(writing, given, *descriptors), env=environment)
     os.close(writing)
     os.close(given)
     reports = Reports(reading)
@@ -91,16 +95,19 @@ def watch(arguments):
             for folder in reports.made:
                 with contextlib.suppress(OSError):
                     os.rmdir(folder)
-            say(reports.words)
-            return failures.STOPPED_EARLY
+            clear_line()
+            raise failures.Interrupted(reports.words)
     return child.returncode
 
 
-def say(text):
-    """A line on stderr, in place of the progress line when that is a terminal."""
+def clear_line():
+    """Takes away the progress line of a child that cannot any more."""
     if sys.stderr.isatty():
         print("\r\033[K", end="", file=sys.stderr)
-    texts.say(f"waft: {text}")
+
+
+def say(text):
+    texts.say(f"waft: {text}", "error")
 
 
 def parse(arguments):
@@ -129,8 +136,8 @@ def settle_environment():
     folder = os.environ.get("TMPDIR")
     if folder is not None and not (os.path.isdir(folder) and os.access(folder, os.W_OK | os.X_OK)):
         os.environ["TMPDIR"] = tempfile.gettempdir()  # as Python has it; MPI would take the other, and fail
-    os.environ.pop("WAFT_GUARD", None)
-    os.environ.pop("WAFT_ARGUMENTS", None)
+    for name in ("WAFT_GUARD", "WAFT_ARGUMENTS", "WAFT_LOG"):
+        os.environ.pop(name, None)
 
 
 def main(arguments):
@@ -141,19 +148,23 @@ def main(arguments):
         say("the working folder is gone: expected to be called in one that is there")
         return failures.FAILED
     settle_environment()
-    if not options.needs_paraview:
-        from waft import cli, watching
+    from waft import cli, watching
 
+    if not options.needs_paraview:
         watching.keep_stops()
         return cli.main(arguments)
     signal.pthread_sigmask(signal.SIG_BLOCK, STOPS | {signal.SIGCHLD})
+    return cli.carry_out(options, arguments, lambda _: watch_with_display(arguments))
+
+
+def watch_with_display(arguments):
+    """The same with a display, where one is needed."""
     if arguments[:1] not in (["demo"], ["render"]) or os.environ.get("DISPLAY"):
         return watch(arguments)
     with display() as is_there:
         if is_there:
             return watch(arguments)
-    say(NOTHING_BEGUN)
-    return failures.STOPPED_EARLY
+    raise failures.Interrupted(NOTHING_BEGUN)
 
 
 def run():

@@ -40,6 +40,17 @@ def is_marked_zip(path):
     return content == marked_zip(content[:-size - 2] + b"\0\0")
 
 
+def mark_of_text(content):
+    """The last line of a text that Waft wrote, whose lines before it are given."""
+    return _COMMENT + _digest(content) + b"\n"
+
+
+def is_marked_text(path):
+    content = _content(path)
+    size = len(mark_of_text(b""))
+    return len(content) > size and content[-size:] == mark_of_text(content[:-size])
+
+
 def marked_rows(rows):
     """A list of dictionaries that is to be written as JSON, with the mark in the first."""
     bare = [{name: value for name, value in row.items() if name != "digest"} for row in rows]

@@ -3,8 +3,9 @@
 import html
 import os
 import re
-import sys
 from xml.sax import saxutils
+
+from waft import messages
 
 # What a terminal, an editor or a browser acts on instead of showing it: controls, those of direction among them, ends of lines,
 # halves of letters, and what is no letter at all.
@@ -61,10 +62,10 @@ def _is_number(text):
     return True
 
 
-def say(text):
-    """A line on stderr."""
-    print(line(text), file=sys.stderr, flush=True)
+def say(text, kind="note"):
+    """A message, a line: "error", "warning" or "note"; "detail" is shown where more is asked for, "record" stands in the log alone."""
+    messages.emit(line(text), kind)
 
 
 def warn(text):
-    say(f"waft: warning: {text}")
+    say(f"waft: warning: {text}", "warning")

@@ -3,6 +3,7 @@
 import contextlib
 import json
 import os
+import re
 import resource
 import signal
 import sys
@@ -10,10 +11,11 @@ import threading
 import time
 
 from waft.failures import Interrupted
-from waft.texts import line
+from waft.texts import line, say
 
 STOPS = (signal.SIGINT, signal.SIGTERM)
 NOTHING_COMPUTED = "stopped before anything was computed: nothing was written"
+_FIGURES = re.compile(r"[\d.,+-]+")
 _kept_stops = []  # stops that came while nobody was there to take them
 
 
@@ -154,6 +156,8 @@ class Clock:
         self.words = words
         self._quiet = quiet or not sys.stderr.isatty()
         self._last = 0.0
+        self.stage = ""  # that which is updated; those before it serve it
+        self._told = ""  # its last sentence, without figures, which change all the time
         self._handling = _handling(self._stop)
 
     def __enter__(self):
@@ -206,6 +210,10 @@ class Clock:
         if now - self._last < 0.2:
             return
         self._last = now
+        told = _FIGURES.sub("", text or "")
+        if name == self.stage and told and told != self._told:
+            self._told = told
+            say(f"waft: {name}: {text}", "detail")
         self.report(self._whole(name, fraction), self.phase or (f"{name}: {text}" if text else name))
         if self._quiet:
             return

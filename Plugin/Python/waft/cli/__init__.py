@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command `waft`."""
-from waft.cli.command import main, parse, parser
+from waft.cli.command import carry_out, main, parse, parser
 
-__all__ = ["main", "parse", "parser"]
+__all__ = ["carry_out", "main", "parse", "parser"]

@@ -6,11 +6,14 @@ import os
 import shlex
 import sys
 import time
-from typing import Optional, Sequence
+from typing import Callable, Optional, Sequence
 
 from waft import failures
 from waft._options import option
+from waft.cli.answers import answer, tell
+from waft.cli.speaking import speaking
 from waft.loading import version
+from waft.messages import is_quiet
 from waft.render._styles import STYLES, VIEWS
 from waft.run._qualities import KEPT, QUALITIES, quality_of
 from waft.run.request import SENTENCES, STATED
@@ -27,6 +30,7 @@ simulations that are whole written (nothing when there is none); 1 anything else
 each simulation added"""
 
 CLEAN_EXIT = """exit status: 0 done; 2 malformed usage, or DIR is no result; 1 anything else"""
+INFO_EXIT = """exit status: 0 told; 2 malformed usage, or neither a result nor a scene; 1 anything else"""
 NEW_EXIT = """exit status: 0 written; 2 malformed usage, or something is there already; 1 anything else"""
 
 CHECK_EXIT = """exit status: 0 nothing stands against it, though some may be hard; 2 malformed scene or usage; 3 some constraint
@@ -126,10 +130,28 @@ class _Parser(argparse.ArgumentParser):
         super().error(line(shortened(message)))
 
 
+ANSWERING = ("synthesize", "check", "info", "render", "page")  # commands that answer programs, too
+
+
+def _add_common(command, answers):
+    """The options that say how much is said, and where."""
+    if answers:
+        command.add_argument("--json", dest="as_json", action="store_true",
+                             help="the answer as one JSON document on stdout, all else on stderr")
+    loudness = command.add_mutually_exclusive_group()
+    loudness.add_argument("-q", "--quiet", dest="loudness", action="store_const", const="quiet", default="normal",
+                          help="say nothing but errors, warnings and what is not met")
+    loudness.add_argument("-v", "--verbose", dest="loudness", action="store_const", const="verbose",
+                          help="say what each stage does, too")
+    command.add_argument("--log", type=path, metavar="FILE",
+                         help="every message with its time in FILE, also those that are not shown; an older log makes room, any other "
+                              "file stays")
+
+
 def parser() -> argparse.ArgumentParser:
     main = _Parser(prog="waft", description=DESCRIPTION, epilog=EXIT)
     main.add_argument("--version", action="version", version=f"waft {version()}")
-    main.set_defaults(needs_paraview=True)
+    main.set_defaults(needs_paraview=True, as_json=False)
     commands = main.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
     make = commands.add_parser("synthesize", help="a scene file to an animation", epilog=EXIT)
@@ -183,6 +205,11 @@ def parser() -> argparse.ArgumentParser:
     look.add_argument("scene", type=path, help="scene file, *.waft.json")
     look.add_argument("--database", type=path, metavar="FILE", help=SENTENCES["database"])
     look.set_defaults(run=run_check)
+
+    about = commands.add_parser("info", help="what a result or a scene holds, and whether a result can be gone on with",
+                                epilog=INFO_EXIT)
+    about.add_argument("place", type=path, metavar="DIR", help="what synthesize wrote, or a scene file")
+    about.set_defaults(run=run_info, needs_paraview=False)
 
     base = commands.add_parser("database", help="a motion database from simulations of smoke", epilog=DATABASE_EXIT)
     base.add_argument("--output", type=path, required=True, metavar="FILE.vtm", help="file for the database")
@@ -272,6 +299,8 @@ def parser() -> argparse.ArgumentParser:
     demo.add_argument("--output", type=path, default="demo", metavar="DIR", help="folder for the results, default demo")
     demo.add_argument("--threads", type=threads, help="default: all cores; the result is the same")
     demo.set_defaults(run=run_demo)
+    for name, command in commands.choices.items():
+        _add_common(command, name in ANSWERING)
     return main
 
 
@@ -279,8 +308,12 @@ def parse(arguments: Optional[Sequence[str]] = None) -> argparse.Namespace:
     """The options of a command line; ends the process by SystemExit at --help, --version and malformed usage."""
     main = parser()
     options = main.parse_args(arguments)
-    if options.command == "synthesize" and options.watch and (options.time_limit is not None or options.resume):
-        main.error("--watch: expected neither --time-limit nor --resume with it")
+    options.answer = {}
+    if options.command == "synthesize":
+        if options.watch and (options.time_limit is not None or options.resume):
+            main.error("--watch: expected neither --time-limit nor --resume with it")
+        if options.as_json and (options.watch or options.progress == "json"):
+            main.error("--json: expected neither --watch nor --progress json with it, which say more than one thing on stdout")
     return options
 
 
@@ -293,13 +326,16 @@ def run_synthesize(options):
 
 
 def _fly(options, quality):
+    from waft.results.describing import describe_result
     from waft.run.synthesis import report_run, synthesize
 
     asked = {name: value for name, value in vars(options).items() if name in SENTENCES}
-    asked.update(quality=quality, quiet=False, on_progress=_print_json if options.progress == "json" else None)
+    asked.update(quality=quality, quiet=is_quiet(), on_progress=_print_json if options.progress == "json" else None)
     run = synthesize(**asked)
     report_run(run, options.output)
     run.delete()
+    if options.as_json:
+        options.answer["result"] = describe_result(options.output)
     return run.status
 
 
@@ -352,13 +388,30 @@ def run_check(options):
     with interruptible("stopped: a check writes nothing"):
         looked, findings = check(options.scene, options.database)
     for is_possible, text in first_of_each(findings):
-        print(line(f"waft: {'hard' if is_possible else 'cannot be met'}: {text}"))
+        tell(options, f"waft: {'hard' if is_possible else 'cannot be met'}: {text}")
     if any(names_a_row(finding.text) for finding in findings):
-        print(f"waft: {ROWS}")
+        tell(options, f"waft: {ROWS}")
     impossible = sum(not finding.is_possible for finding in findings)
-    print(line(f"waft: {options.scene}: {len(looked.ids)} objects, {len(looked.report)} constraints, {impossible} of them cannot be met, "
-               f"{len(findings) - impossible} remarks on what will be hard"))
+    tell(options, f"waft: {options.scene}: {len(looked.ids)} objects, {len(looked.report)} constraints, {impossible} of them cannot be "
+                  f"met, {len(findings) - impossible} remarks on what will be hard")
+    options.answer.update(scene=options.scene, objects=len(looked.ids), constraints=len(looked.report), findings=[
+        {"possible": finding.is_possible, "kind": finding.kind, "text": finding.text} for finding in findings])
     return failures.NOT_ALL_MET if impossible else failures.ALL_MET
+
+
+def run_info(options):
+    from waft.results.describing import describe_result, words_of_result
+    from waft.scene.describing import describe_scene, words_of_scene
+
+    if os.path.isdir(options.place):
+        found = options.answer["result"] = describe_result(options.place)
+        words = words_of_result(found)
+    else:
+        found = options.answer["scene"] = describe_scene(options.place)
+        words = words_of_scene(found)
+    for text in words:
+        tell(options, text)
+    return failures.ALL_MET
 
 
 def run_database(options):
@@ -383,13 +436,15 @@ def run_render(options):
     began = time.monotonic()
     drawn = []
     with interruptible("stopped: the pictures that were drawn are whole"):
-        render(options.folder, frames=options.frames, size=options.size, movie=options.movie, views=options.views,
+        written = render(options.folder, frames=options.frames, size=options.size, movie=options.movie, views=options.views,
                obstacle_opacity=options.obstacle_opacity, paths=not options.no_trails, targets=not options.no_marks,
                style=options.style, loop=options.loop, shutter=options.shutter, aperture=options.aperture,
                subframes=options.subframes, sheet=options.sheet, jobs=options.jobs,
                progress=lambda done, text: drawn.append(text))
     seconds = time.monotonic() - began
     count = len(drawn) * len(options.views)
+    options.answer.update(folder=options.folder, files=[os.path.relpath(file, options.folder) for file in written],
+                          seconds=round(seconds, 3))
     say(f"{options.folder}: {count} pictures in {seconds:.1f} s, {count / seconds:.1f} frames a second")
     return failures.ALL_MET
 
@@ -399,6 +454,7 @@ def run_page(options):
 
     with interruptible("stopped: no page was written"):
         page = write_page(options.folder, options.measure)
+    options.answer.update(page=page, bytes=os.path.getsize(page))
     say(f"{page}: {os.path.getsize(page) / 1e6:.1f} MB; open it in a browser")
     return failures.ALL_MET
 
@@ -451,18 +507,39 @@ def run_demo(options):
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
+    arguments = sys.argv[1:] if arguments is None else list(arguments)
+    options = parse(arguments)
+    return carry_out(options, arguments, _run)
+
+
+def _run(options):
+    status = options.run(options)
+    answer(options, status)
+    return status
+
+
+def carry_out(options: argparse.Namespace, arguments: Sequence[str], act: Callable[[argparse.Namespace], int]) -> int:
+    """The exit status of act(options), which says as much as the command line asks, and in the log; what it raises is reported."""
     try:
-        options = parse(arguments)
-        return options.run(options)
+        with speaking(options, arguments) as ended:
+            return ended(_carry_out(options, act))
+    except (failures.WaftError, OSError) as error:  # of the log
+        return _give_up(options, error, getattr(error, "status", failures.FAILED))
+
+
+def _carry_out(options, act):
+    try:
+        return act(options)
     except failures.WaftError as error:
-        return _give_up(error, error.status)
+        return _give_up(options, error, error.status)
     except OSError as error:
-        return _give_up(error, failures.FAILED)
+        return _give_up(options, error, failures.FAILED)
     except MemoryError:
-        return _give_up("too little memory", failures.FAILED)
+        return _give_up(options, "too little memory", failures.FAILED)
 
 
-def _give_up(error, status):
+def _give_up(options, error, status):
     report_to_guard("words", "")  # said here
-    say(f"waft: {shortened(error)}")
+    say(f"waft: {shortened(error)}", "error")
+    answer(options, status, shortened(error))
     return status

@@ -27,6 +27,18 @@ REPORT = _object("version scene seed", version=_TEXT, key=_TEXT, scene=_TEXT, ti
 FLOWN = {**REPORT, "required": [*REPORT["required"], "constraints", "stages"], "properties": {
     **REPORT["properties"], "constraints": _object("met", **_STATUSES), "stages": {
         "type": "object", "additionalProperties": {**_STAGE, "required": ["processorSeconds", "peakMemoryMB"]}}}}
+_ROW = {"anyOf": [_COUNT, {"type": "string", "description": "a whole number", "pattern": r"\A-?[0-9]{1,15}\Z"}]}
+_UNMET = _object("Row Target ObjectId Frame Kind Status Message", Row=_ROW, Target=_ROW, ObjectId=_ROW, Frame=_ROW, Kind=_TEXT,
+                 Status=_TEXT, Message=_TEXT)
+_RATE = {"type": "number", "minimum": 0.001, "maximum": 1000000}
+TOLD = {**REPORT, "properties": {
+    **REPORT["properties"], "constraints": _object(**_STATUSES, unmet=_list(_UNMET)), "objects": _list({}), "warnings": _list(_TEXT),
+    "without": _list(_TEXT), "time": _object("frames framesPerSecond", frames=_COUNT, framesPerSecond=_RATE),
+    "stopped": {"type": "object", "required": ["in", "motion", "leftOut"], "properties": {
+        "in": _TEXT, "motion": _TEXT, "leftOut": _list(_TEXT)}},
+    "energy": _object(before=_FIGURE, after=_FIGURE), "settled": _object(objects=_COUNT, largestShift=_SECONDS),
+    "defaults": {"type": "object", "additionalProperties": {"type": "object", "required": ["value", "from"], "properties": {
+        "value": {"anyOf": [_COUNT, _TEXT]}, "from": _TEXT}}}}}
 _MEASURE = _object("key row value wanted drifters met why", key=_TEXT, row=_TEXT, value=_FIGURE, drifters=_FIGURE, why=_TEXT,
                    wanted=_list(_FIGURE, minItems=2, maxItems=2), met={"anyOf": [_YES, {"type": "null"}]})
 MEASURED = _list(_object("folder tracks notes rows", folder=_TEXT, tracks=_TEXT, notes=_list(_TEXT), rows=_list(_MEASURE)))

@@ -49,6 +49,10 @@ class Store:
                 return self._folder.path / name
         return None
 
+    def holds(self, key) -> bool:
+        """Whether there is the state of a run, without its being used."""
+        return any(entry.name == self._name(key) for entry in self.entries())
+
     def keep(self, key, folder, name) -> None:
         """Takes a file of a Folder over as the state of a run, where there is room for it."""
         own = self._name(key)

@@ -282,6 +282,12 @@ def _fit(pipeline):
             "explainedLeftOut": left_out.GetValue(0) if left_out is not None else None}
 
 
+def _time(pipeline):
+    fields = pipeline.output("reader").GetFieldData()
+    return {"frames": int(fields.GetArray("NumberOfFrames").GetValue(0)),
+            "framesPerSecond": float(fields.GetArray("FramesPerSecond").GetValue(0))}
+
+
 def _summary(run, energies):
     counts = {status: 0 for status in STATUS_ORDER}
     for row in run.report:
@@ -296,6 +302,7 @@ def _summary(run, energies):
                           "peakMemoryMB": watch.peak_mb}
                    for name, watch in run.watches.items()},
         "quality": run.quality,
+        "time": _time(run),
         "energy": dict(zip(("before", "after"), map(float, energies))),
         "dynamics": _dynamics(run),
         "fit": _fit(run),

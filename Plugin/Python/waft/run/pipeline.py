@@ -9,6 +9,7 @@ from waft.failures import BadInput, WaftError
 from waft.loading import data_file
 from waft.results.writing import AIR_INTERVAL, read_rows
 from waft.run.database import check_database, settle_database
+from waft.texts import say
 from waft.watching import StageWatch
 
 # The stages of the table as they are called here.
@@ -75,9 +76,10 @@ class Pipeline:
         fault of the input), Interrupted when it is to stop and there is nothing to write yet."""
         watch = self.watches[name]
         watch.clock.check()
-        watch.can_stop = can_stop
+        watch.can_stop, watch.clock.stage = can_stop, name
         getattr(self, name).UpdatePipeline()
-        watch.can_stop = False
+        watch.can_stop, watch.clock.stage = False, ""
+        say(f"waft: {name}: {watch.seconds:.1f} s, {watch.processor_seconds:.1f} s of processor time, {watch.peak_mb:.0f} MB", "detail")
         watch.clock.check()
         if watch.was_aborted and name in ("assimilation", "spacetime") and self.output(name).GetNumberOfPoints() == 0:
             self._drop(name)

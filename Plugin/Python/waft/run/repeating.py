@@ -23,7 +23,7 @@ def fly_when_saved(scene, fly):
             status = fly()
         except failures.BadInput as error:
             status = error.status
-            say(f"waft: {error}")
+            say(f"waft: {error}", "error")
         if status == failures.STOPPED_EARLY:
             return status
         try:

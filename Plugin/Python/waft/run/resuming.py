@@ -46,6 +46,38 @@ def _bytes(data):
     return writer.GetOutputString().encode()
 
 
+def _manifest_in(below):
+    """Of the plan in a Folder; None where it cannot be read."""
+    try:
+        return manifest_in(below, f"{_FOLDER}/{_KEY}")
+    except BadInput:
+        return None
+
+
+def key_and_damage(below):
+    """(key of the run that left a checkpoint in a Folder, None where it cannot be told; what of it is damaged, in words)"""
+    manifest = _manifest_in(below)
+    try:
+        key = record_of(below, f"{_FOLDER}/{_KEY}", KEPT)
+    except BadInput:
+        key = None
+    folder = below.path / _FOLDER
+    if key is None or manifest is None or not {*PLAN.values(), _REPORT} <= manifest.keys():
+        return None, f"{folder / _KEY} is damaged, or of another version"
+    damaged = [name for name, entry in manifest.items() if not entry.fits(below, f"{_FOLDER}/{name}")]
+    return key["key"], f"{folder / damaged[0]} is damaged" if damaged else ""
+
+
+def stages_done(below):
+    """The stages that the checkpoint in a Folder has something of, in their order; none where there is no checkpoint."""
+    try:
+        names = set(below.names(_FOLDER))
+    except BadInput:  # it is no folder
+        return []
+    marks = {"planner": {_KEY}, "assimilation": set(_STATES[1:]), "spacetime": {_STATES[0]}}
+    return [stage for stage, own in marks.items() if names & own]
+
+
 class Checkpoint:
     """The folder `checkpoint` in a run's output: the plan, and the states of the stages after it as they were last written.
 
@@ -71,27 +103,16 @@ class Checkpoint:
         return are_own and (is_plan or not names)
 
     def _manifest(self):
-        """Of the plan; None where it cannot be read."""
-        try:
-            return manifest_in(self._below, f"{_FOLDER}/{_KEY}")
-        except BadInput:
-            return None
+        return _manifest_in(self._below)
 
     def lack(self):
         """What keeps a run from going on from here, in words; empty when nothing does."""
         if not self._below.is_folder(_FOLDER):
             return "no stopped run of this scene, seed and version"
-        manifest = self._manifest()
-        try:
-            key = record_of(self._below, f"{_FOLDER}/{_KEY}", KEPT)
-        except BadInput:
-            key = None
-        if key is None or manifest is None or not {*PLAN.values(), _REPORT} <= manifest.keys():
-            return f"{self._folder / _KEY} is damaged, or of another version"
-        if key["key"] != self._key:
+        key, damage = key_and_damage(self._below)
+        if key is not None and key != self._key:
             return "no stopped run of this scene, seed and version"
-        damaged = [name for name, entry in manifest.items() if not entry.fits(self._below, f"{_FOLDER}/{name}")]
-        return f"{self._folder / damaged[0]} is damaged" if damaged else self._nonsense()
+        return damage or self._nonsense()
 
     def _nonsense(self):
         """What cannot be read of files that are as their digests say, in words: somebody else may have written both."""

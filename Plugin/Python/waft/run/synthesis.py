@@ -164,10 +164,10 @@ def report_run(run, folder):
     for row in run.report:
         if row["Status"] != "met":
             say(f"waft: row {row['Row']} target {row['Target']} (object {row['ObjectId']}, frame {row['Frame']}, "
-                f"{row['Kind']}): {row['Status']}: {row['Message']}")
+                f"{row['Kind']}): {row['Status']}: {row['Message']}", "warning")
     met = sum(row["Status"] == "met" for row in run.report)
     if met < len(run.report):
-        say(f"waft: {ROWS}")
+        say(f"waft: {ROWS}", "warning")
     if left_out(run):
         say(f"waft: stopped: without {', '.join(left_out(run))}; --resume goes on and writes all")
     seconds = ", ".join(f"{name} {watch.seconds:.1f} s" for name, watch in run.watches.items())
