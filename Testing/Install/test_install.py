@@ -24,7 +24,7 @@ def environment(**extra):
     """This process's, without what points to some Waft."""
     kept = {k: v for k, v in os.environ.items()
             if k not in ("PYTHONPATH", "PV_PLUGIN_PATH", "LD_LIBRARY_PATH", "WAFT_DATA")}
-    return {**kept, "PYTHONDONTWRITEBYTECODE": "1", **extra}
+    return {**kept, "PYTHONDONTWRITEBYTECODE": "1", "WAFT_DEFAULTS": "off", **extra}
 
 
 def run(command, **extra):

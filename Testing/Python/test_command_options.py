@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the command says, and where: -q, -v, --log, --json.
+"""What the command says, and where: -q, -v, --log, --json; and what a user says once for all: waft.toml and WAFT_*.
 
     test_command_options.py WAFT SOURCE       WAFT: the command of the build or of an installed tree
 """
@@ -7,6 +7,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -18,7 +19,10 @@ WAFT = sys.argv.pop(1)
 SOURCE = pathlib.Path(sys.argv.pop(1)).resolve()
 sys.path.insert(0, str(pathlib.Path(WAFT).resolve().parents[1] / "lib/python3/dist-packages"))
 
-from waft import marks  # noqa: E402
+from waft import cli, marks  # noqa: E402
+from waft.cli import defaults  # noqa: E402
+from waft.failures import BadInput  # noqa: E402
+from waft.run.takes import fly_takes  # noqa: E402
 from waft.scene import _schema  # noqa: E402
 
 ANSWERS = json.loads((SOURCE / "Documentation" / "command.schema.json").read_text(encoding="utf-8"))
@@ -37,13 +41,16 @@ class Case(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
+        self.home = self.folder / "home"
+        (self.home / ".config").mkdir(parents=True)
 
     def scene(self, name="scene.waft.json", **changed):
         (self.folder / name).write_text(json.dumps({**SCENE, **changed}), encoding="utf-8")
         return name
 
     def run_waft(self, *arguments, status=0, **variables):
-        environment = {**os.environ, "WAFT_CACHE": str(self.folder / "cache"), **variables}
+        kept = {name: value for name, value in os.environ.items() if not name.startswith(("WAFT_", "XDG_"))}
+        environment = {**kept, "WAFT_CACHE": str(self.folder / "cache"), "HOME": str(self.home), **variables}
         done = subprocess.run([WAFT, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True, check=False, env=environment)
         self.assertEqual(status, done.returncode, done.stderr)
         return done
@@ -107,7 +114,7 @@ class Said(Case):
         self.run_waft("info", scene, "--log", "none/run.log", status=2)
         self.run_waft("info", scene, "--log", ".", status=2)
         self.assertEqual(SCENE, json.loads((self.folder / scene).read_text(encoding="utf-8")))
-        self.assertEqual({scene, "run.log"}, set(os.listdir(self.folder)) - {"cache"})
+        self.assertEqual({scene, "run.log", "home"}, set(os.listdir(self.folder)) - {"cache"})
 
     def test_errors_and_names_in_a_log(self):
         done = self.run_waft("check", "\u202egone\n.json", "--log", "run.log", status=2)
@@ -159,12 +166,17 @@ class Answers(Case):
         for more in (("--watch",), ("--progress", "json")):
             self.assertIn("--json: expected neither", self.run_waft("synthesize", "s", "--output", "o", "--json", *more, status=2).stderr)
 
-    def test_a_flight_its_check_its_page_and_its_pictures(self):
+    def test_a_flight_by_settings_its_check_its_page_and_its_pictures(self):
         scene = self.scene()
-        done = self.run_waft("synthesize", scene, "--output", "flown", "--preview", "--json", status=3)
+        (self.home / ".config" / "waft.toml").write_text('threads = 1\nquality = "paper"\noutput = "flown"\n', encoding="utf-8")
+        done = self.run_waft("synthesize", scene, "--json", status=3, WAFT_QUALITY="preview")
         held = self.document(done)["result"]
         self.assertEqual(("flown", "preview", 1), (held["folder"], held["quality"], held["constraints"]["infeasible"]))
-        for words in ("row 1 target 0", "1 of 2 constraints met"):
+        taken = {"threads": {"value": 1, "from": "waft.toml"}, "quality": {"value": "preview", "from": "WAFT_QUALITY"},
+                 "output": {"value": "flown", "from": "waft.toml"}}
+        self.assertEqual(taken, held["defaults"])
+        self.assertEqual(taken, json.loads((self.folder / "flown" / "report.json").read_text(encoding="utf-8"))["defaults"])
+        for words in ("threads 1, by waft.toml", "quality preview, by WAFT_QUALITY", "row 1 target 0", "1 of 2 constraints met"):
             self.assertIn(words, done.stderr)
         info = self.document(self.run_waft("info", "flown", "--json"))["result"]
         self.assertEqual(held, info)
@@ -182,6 +194,106 @@ class Answers(Case):
         self.assertEqual(shown["bytes"], (self.folder / "flown" / "page.html").stat().st_size)
         commands = {file["name"]: file["command"] for file in self.document(self.run_waft("info", "flown", "--json"))["result"]["files"]}
         self.assertEqual(("page", "render"), (commands["page.html"], commands["frames/"]))
+
+
+class Settings(Case):
+    def settings(self, text, folder=".config"):
+        (self.home / folder).mkdir(exist_ok=True)
+        (self.home / folder / "waft.toml").write_text(text, encoding="utf-8")
+
+    def options(self, *arguments, **variables):
+        kept = {name: value for name, value in os.environ.items() if not name.startswith(("WAFT_", "XDG_"))}
+        with mock.patch.dict(os.environ, {**kept, "HOME": str(self.home), **variables}, clear=True):
+            options = cli.parse(["synthesize", "s.waft.json", *arguments])
+            cli.command.settle(options)
+            return options
+
+    def test_who_goes_before_whom(self):
+        self.assertEqual("full", self.options("--output", "o").quality)
+        self.settings('# mine\nquality = "assimilated"\noutput = "there"\nthreads = 3\n')
+        options = self.options()
+        self.assertEqual(("air", "there", 3), (options.quality, options.output, options.threads))
+        self.assertEqual({"waft.toml"}, {taken["from"] for taken in options.taken.values()})
+        options = self.options("--preview", WAFT_THREADS="5", WAFT_QUALITY="paper", WAFT_OUTPUT="")
+        self.assertEqual(("preview", "there", 5), (options.quality, options.output, options.threads))
+        self.assertEqual({"output": "waft.toml", "threads": "WAFT_THREADS"}, {name: taken["from"] for name, taken in options.taken.items()})
+        options = self.options("--output", "o", "--quality", "full", "--threads", "2", WAFT_THREADS="5")
+        self.assertEqual(("full", "o", 2, {}), (options.quality, options.output, options.threads, options.taken))
+        options = self.options("--output", "o", WAFT_DEFAULTS="off", WAFT_THREADS="5")
+        self.assertEqual(("full", None, {}), (options.quality, options.threads, options.taken))
+        self.settings("threads = 7\n", "elsewhere")
+        self.assertEqual(7, self.options("--output", "o", XDG_CONFIG_HOME=str(self.home / "elsewhere")).threads)
+        self.assertEqual(3, self.options("--output", "o", XDG_CONFIG_HOME="elsewhere").threads, "no whole path: ignored")
+        self.assertIsNone(self.options("--output", "o", HOME="").threads)
+
+    def test_what_is_wrong_is_refused_by_file_line_and_key(self):
+        where = re.escape(str(self.home / ".config" / "waft.toml"))
+        for text, words in (
+                ("threads = 2\nquality = 'fast'\n", "line 2: quality: expected one of preview, air, full, paper, found 'fast'"),
+                ("\nthreads = 0", "line 2: threads: expected a whole number from 1 to 1024, found '0'"),
+                ("threads = '4'", "line 1: threads: expected a whole number, found \"4\""),
+                ("threads = true", "line 1: threads: expected a whole number, found true"),
+                ("threads = 2.5", "line 1: threads: expected a whole number, found 2.5"),
+                ("# a\n\n'output' = 7", "line 3: output: expected a text in quotes, found 7"),
+                ("output = ''", "line 1: output: expected a path"),
+                ("threads = 1\nseed = 7", "line 2: seed: expected one of threads, quality, output, found a key of another name"),
+                ("threads = 1\n[synthesize]\nthreads = 2", "line 2: synthesize: expected one of"),
+                ("threads = 1\na.b = 2", "line 2: a: expected one of"),
+                ("quality = [\n'full',\n]", "line 3: quality: expected a text in quotes, found"),
+                ("quality = 1979-05-27", "line 1: quality: expected a text in quotes, found \"1979-05-27\""),
+                ("threads = 1\nquality = preview\n", "line 2: quality: expected TOML such as quality = \"preview\": Invalid value"),
+                ("threads = 1\nthreads = 2\n", "line 2: threads: expected TOML"),
+                ("threads", "line 1: threads: expected TOML"),
+                ("# " + "x" * 20000, "expected a file of at most 16384 bytes")):
+            with self.subTest(text[:40]):
+                self.settings(text)
+                with self.assertRaisesRegex(BadInput, f"^{where}: {re.escape(words)}"):
+                    self.options("--output", "o")
+        (self.home / ".config" / "waft.toml").write_bytes(b"quality = '\xff'\n")
+        with self.assertRaisesRegex(BadInput, f"^{where}: expected a file of TOML in UTF-8"):
+            self.options("--output", "o")
+        for make in (os.mkfifo, os.mkdir):
+            (self.home / "odd").mkdir(exist_ok=True)
+            make(self.home / "odd" / "waft.toml")
+            with self.assertRaisesRegex(BadInput, "odd/waft.toml: expected a file of TOML, found a (pipe|folder)"):
+                self.options("--output", "o", XDG_CONFIG_HOME=str(self.home / "odd"))
+            shutil.rmtree(self.home / "odd")
+        self.settings("")
+        for name, value, words in (("WAFT_THREADS", "many", "expected a whole number from 1 to 1024, found 'many'"),
+                                   ("WAFT_QUALITY", "fast", "expected one of preview, air, full, paper, found 'fast'")):
+            with self.assertRaisesRegex(BadInput, f"^{name}: {words}"):
+                self.options("--output", "o", **{name: value})
+        with self.assertRaisesRegex(BadInput, "expected --output DIR, the variable WAFT_OUTPUT, or output in"):
+            self.options()
+
+    def test_it_is_refused_before_paraview_is_started_and_asked_of_flights_alone(self):
+        self.settings("speed = 3\n")
+        tools = self.folder / "tools"
+        tools.mkdir()
+        for name, program in (("python3", os.path.realpath(sys.executable)), *((name, shutil.which(name)) for name in ("env", "sh", "pwd"))):
+            (tools / name).symlink_to(program)
+        scene = self.scene()
+        done = self.run_waft("synthesize", scene, "--output", "out", "--json", status=2, PATH=str(tools))
+        self.assertIn("waft.toml: line 1: speed: expected one of", done.stderr)
+        self.assertIn("speed", self.document(done)["error"])
+        self.assertFalse((self.folder / "out").exists())
+        self.run_waft("synthesize", "--help", PATH=str(tools))
+        self.run_waft("info", scene, PATH=str(tools))
+        self.run_waft("new", "more.waft.json", PATH=str(tools))
+
+    def test_takes_do_without(self):
+        self.settings("speed = 3\n")
+        self.scene(constraints=[{"kind": "position", "object": 0, "frame": 31, "value": [0, 0, 2]}])  # which a flight alone finds
+        with mock.patch.dict(os.environ, {"HOME": str(self.home), "WAFT_THREADS": "many"}):
+            os.environ.pop("WAFT_DEFAULTS", None)
+            said = []
+            status, _ = fly_takes(str(self.folder / "scene.waft.json"), [1], str(self.folder / "takes"), "preview", log=said.append)
+        self.assertEqual(2, status)
+        self.assertRegex(" ".join(said), "/constraints/0/frame")
+
+    def test_the_names_are_options(self):
+        actions = cli.parse(["synthesize", "s", "--output", "o"]).defaults_of()
+        self.assertEqual(set(defaults.NAMES), set(actions))
 
 
 if __name__ == "__main__":

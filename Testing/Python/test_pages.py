@@ -59,6 +59,7 @@ LEFT = {
     ("CONTRIBUTING.md", "PYTHONPATH=build/lib/python3/dist-packages xvfb-run"): "draws the pictures that Python.Render compares",
     ("AirAssimilationFilter.md", "c = x' + k^-1 x''"): FORMULA,
     ("AirAssimilationFilter.md", "minimise  1/2 sum"): FORMULA,
+    ("Command.md", "threads = 2"): "Python.CommandOptions goes by it",
     ("Core.md", "cmake --preset core-only"): BUILDS,
     ("Core.md", "cmake_minimum_required"): PROJECT,
     ("Core.md", "#include"): PROJECT,

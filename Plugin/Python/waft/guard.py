@@ -136,7 +136,7 @@ def settle_environment():
     folder = os.environ.get("TMPDIR")
     if folder is not None and not (os.path.isdir(folder) and os.access(folder, os.W_OK | os.X_OK)):
         os.environ["TMPDIR"] = tempfile.gettempdir()  # as Python has it; MPI would take the other, and fail
-    for name in ("WAFT_GUARD", "WAFT_ARGUMENTS", "WAFT_LOG"):
+    for name in ("WAFT_GUARD", "WAFT_ARGUMENTS", "WAFT_GUARD_LOG"):
         os.environ.pop(name, None)
 
 

@@ -11,6 +11,7 @@ import threading
 import time
 
 from waft.failures import Interrupted
+from waft.messages import is_quiet
 from waft.texts import line, say
 
 STOPS = (signal.SIGINT, signal.SIGTERM)
@@ -154,7 +155,7 @@ class Clock:
         self.interrupted = bool(_kept_stops)
         self.timed_out = False
         self.words = words
-        self._quiet = quiet or not sys.stderr.isatty()
+        self._quiet = quiet or is_quiet() or not sys.stderr.isatty()
         self._last = 0.0
         self.stage = ""  # that which is updated; those before it serve it
         self._told = ""  # its last sentence, without figures, which change all the time

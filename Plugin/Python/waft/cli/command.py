@@ -10,10 +10,10 @@ from typing import Callable, Optional, Sequence
 
 from waft import failures
 from waft._options import option
+from waft.cli import defaults
 from waft.cli.answers import answer, tell
 from waft.cli.speaking import speaking
 from waft.loading import version
-from waft.messages import is_quiet
 from waft.render._styles import STYLES, VIEWS
 from waft.run._qualities import KEPT, QUALITIES, quality_of
 from waft.run.request import SENTENCES, STATED
@@ -156,11 +156,11 @@ def parser() -> argparse.ArgumentParser:
 
     make = commands.add_parser("synthesize", help="a scene file to an animation", epilog=EXIT)
     make.add_argument("scene", type=path, help="scene file, *.waft.json")
-    make.add_argument("--output", type=path, required=True, metavar="DIR", help="folder for the results")
+    make.add_argument("--output", type=path, metavar="DIR", help="folder for the results")
     for name, how in (("database", {"type": path, "metavar": "FILE"}), ("seed", {"type": _stated(STATED["seed"])}),
                       ("threads", {"type": threads}), ("time_limit", {"type": positive, "metavar": "S"}),
                       ("memory_limit", {"type": _stated(STATED["memory_limit"]), "metavar": "MB"}),
-                      ("quality", {"type": quality_of, "choices": QUALITIES, "default": "full"}),
+                      ("quality", {"type": quality_of, "choices": QUALITIES}),
                       ("resume", {"action": "store_true"}), ("edit_of", {"type": path, "metavar": "DIR"}),
                       ("meshes", {"action": "store_true"}), ("particles", {"action": "store_true"}),
                       ("keep", {"type": kept, "default": (), "metavar": "K,K"})):
@@ -173,7 +173,8 @@ def parser() -> argparse.ArgumentParser:
                            "DIR/page.html, open in a browser, follows")
     make.add_argument("--progress", choices=("line", "json"), default="line",
                       help="line: on a terminal; json: each message as a line of JSON on stdout, {\"fraction\", \"text\"}")
-    make.set_defaults(run=run_synthesize)
+    make.set_defaults(run=run_synthesize, defaults_of=lambda: {
+        action.dest: action for action in make._actions if action.dest in defaults.NAMES and not action.const})
 
     many = commands.add_parser("takes", help="many variations of a scene, and a table of them", epilog=TAKES_EXIT)
     many.add_argument("scene", type=path, help="scene file, *.waft.json")
@@ -317,6 +318,17 @@ def parse(arguments: Optional[Sequence[str]] = None) -> argparse.Namespace:
     return options
 
 
+def settle(options: argparse.Namespace) -> None:
+    """Fills in what the command line leaves open. Raises BadInput of defaults of the user's that are wrong, and where there are none
+    of what is needed."""
+    if options.command != "synthesize":
+        return
+    options.taken = defaults.apply(options, options.defaults_of())
+    options.quality = options.quality or "full"
+    if options.output is None:
+        raise failures.BadInput("expected --output DIR, the variable WAFT_OUTPUT, or output in ~/.config/waft.toml")
+
+
 def run_synthesize(options):
     if options.watch:
         from waft.run.repeating import fly_when_saved
@@ -330,7 +342,10 @@ def _fly(options, quality):
     from waft.run.synthesis import report_run, synthesize
 
     asked = {name: value for name, value in vars(options).items() if name in SENTENCES}
-    asked.update(quality=quality, quiet=is_quiet(), on_progress=_print_json if options.progress == "json" else None)
+    asked.update(quality=quality, quiet=False, on_progress=_print_json if options.progress == "json" else None,
+                 _defaults=options.taken)
+    for name, taken in options.taken.items():
+        say(f"waft: {name} {taken['value']}, by {taken['from']}")
     run = synthesize(**asked)
     report_run(run, options.output)
     run.delete()
@@ -529,6 +544,7 @@ def carry_out(options: argparse.Namespace, arguments: Sequence[str], act: Callab
 
 def _carry_out(options, act):
     try:
+        settle(options)
         return act(options)
     except failures.WaftError as error:
         return _give_up(options, error, error.status)

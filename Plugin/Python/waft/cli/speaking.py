@@ -15,7 +15,7 @@ from waft.loading import version
 from waft.marks import is_marked_text, mark_of_text
 from waft.texts import line, say, shortened
 
-_INHERITED = "WAFT_LOG"  # the descriptor of the log of the process that guards this one
+_INHERITED = "WAFT_GUARD_LOG"  # the descriptor of the log of the process that guards this one
 
 
 def for_child():

@@ -302,6 +302,7 @@ def _summary(run, energies):
                           "peakMemoryMB": watch.peak_mb}
                    for name, watch in run.watches.items()},
         "quality": run.quality,
+        "defaults": dict(run.request._defaults),
         "time": _time(run),
         "energy": dict(zip(("before", "after"), map(float, energies))),
         "dynamics": _dynamics(run),

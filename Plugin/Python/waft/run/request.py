@@ -51,6 +51,7 @@ class Request:
                                    "kept in the user's store)"] = ()
     csv: Annotated[bool, "write poses.csv, the motion as a table, which poses.vtp and animation.glb hold as well"] = True
     _settings: Mapping[str, Mapping[str, Any]] = dataclasses.field(default_factory=dict)  # {stage: {property: value}}, for tests
+    _defaults: Mapping[str, Mapping[str, Any]] = dataclasses.field(default_factory=dict)  # what the command took from the user's settings
 
     def __post_init__(self) -> None:
         """Raises BadInput of what can be told without a look at any file."""

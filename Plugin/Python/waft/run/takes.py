@@ -162,7 +162,8 @@ class _Flight:
             if self._ends:
                 return None, "", ""
             child = subprocess.Popen(["python3", "-I", str(guard), *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                     stderr=subprocess.PIPE, text=True, start_new_session=True, preexec_fn=_block_stops)
+                                     stderr=subprocess.PIPE, text=True, start_new_session=True, preexec_fn=_block_stops,
+                                     env={**os.environ, "WAFT_DEFAULTS": "off"})
             self._children.add(child)
         text, errors = child.communicate()
         with self._lock:
