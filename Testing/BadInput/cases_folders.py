@@ -115,7 +115,7 @@ def _manifests():
                 _write(r / seal, content)
             if seal != "pictures.json" or ".." in name:  # only what is drawn anew is replaced: of others nothing is done
                 yield _case(f"a manifest of {seal} names {name!r}", change, arguments, has_links=True)
-        own = {"page.json": "page.html", "export-glb.json": "scene.glb", "pictures.json": "frames/side_0000.png"}
+        own = {"page.json": "page.html", "export-glb.json": "scene.glb", "pictures.json": "frames/hero_0000.png"}
         own = own.get(seal, "thesis.txt")
         rows = ({"size": -1, "digest": ""}, {"size": len(TEXT), "digest": ""}, {"size": -1, "digest": ROW["digest"]}, {},
                 {"digest": ROW["digest"]}, {"size": True, "digest": ROW["digest"]}, {**ROW, "more": 1})
@@ -208,7 +208,7 @@ def _kinds():
             "assimilated.state": (EDIT,),
             "page.json": (PAGE,), "page.html": (PAGE,), "export-glb.json": (EXPORT,), "scene.glb": (EXPORT,),
             "pictures.json": (RENDER,),
-            "frames/side_0000.png": (RENDER,), "checkpoint": (WRITE,), "checkpoint/key": (WRITE,),
+            "frames/hero_0000.png": (RENDER,), "checkpoint": (WRITE,), "checkpoint/key": (WRITE,),
             "checkpoint/assimilation.state": (WRITE,),
             ".waft-move": (PAGE, MEASURE, EDIT), ".waft-move/journal.json": (PAGE, MEASURE), ".waft-put": (RENDER, PAGE)}
     for number, (name, commands) in enumerate(read.items()):
@@ -218,7 +218,7 @@ def _kinds():
             def change(r, mine, name=name, make=make):
                 path = r / name
                 path.parent.mkdir(exist_ok=True)
-                if name == "frames/side_0000.png":
+                if name == "frames/hero_0000.png":
                     os.environ["DISPLAY"] = ":nowhere"  # asked for before it is used
                 if path.is_dir():
                     shutil.rmtree(path)

@@ -234,8 +234,8 @@ def parser() -> argparse.ArgumentParser:
     show.add_argument("--frames", metavar="A:B:S", help="first, last and step; default all")
     show.add_argument("--size", type=size, default=(1280, 720), metavar="WxH", help="of the pictures, default 1280x720")
     show.add_argument("--movie", action="store_true", help="also DIR/VIEW.ogv and .avi, and .mp4 with ffmpeg")
-    show.add_argument("--views", type=views, default=("side", "top"), metavar="V,V",
-                      help="of hero (near, on all that moves), side, top and follow; default side,top")
+    show.add_argument("--views", type=views, default=("hero", "top"), metavar="V,V",
+                      help="of hero (near, goes along), side (still), top and follow; default hero,top")
     show.add_argument("--style", choices=tuple(STYLES), default="day", help="default day")
     show.add_argument("--loop", type=megabytes, nargs="?", const=3.0, metavar="MB",
                       help="also DIR/VIEW.webp, an animation that begins again, of at most so many megabytes; default 3")

@@ -9,14 +9,25 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 _VIEW_ANGLE = 28.0  # degrees, of the picture's height
 _MARGIN = 1.06  # room round what must be seen
+_LOW, _HIGH = 20.0, 50.0  # degrees that the hero's camera looks down by, on what flies and on what lies
+_RISE = 1.0  # s, spread of the time in which it rises
+_LAG = 0.3  # s, spread of the time over which a camera that goes along is smoothed
+_AROUND = 0.4  # s, before and after a frame, of whose way a single object fills the picture
+_CUT, _FEW = 0.2, 10  # share that the hero's camera may cut off of what flies, but for that many objects
+_LEAST = 1.8  # half the picture's height at least, in halves of the largest body's extent
+
+
+def _axes(direction):
+    """Right, up and along [..., 3, 3] of cameras that look along directions [..., 3]."""
+    level = np.hypot(direction[..., :1], direction[..., 1:2])
+    right = np.where(level > 0.0, np.cross(direction, [0.0, 0.0, 1.0]), [1.0, 0.0, 0.0])
+    right /= np.linalg.norm(right, axis=-1, keepdims=True)
+    return np.stack([right, np.cross(right, direction), direction], axis=-2)
 
 
 def _fit(points, direction, aspect):
     """Centre and distance from which all points are seen, looking along `direction`."""
-    right = np.cross(direction, [0.0, 0.0, 1.0])
-    right /= np.linalg.norm(right)
-    up = np.cross(right, direction)
-    axes = np.stack([right, up, direction])
+    axes = _axes(direction)
     seen = points @ axes.T
     center = 0.5 * (seen.min(axis=0) + seen.max(axis=0))
     half = math.tan(math.radians(_VIEW_ANGLE) / 2.0)
@@ -28,14 +39,19 @@ def _fit(points, direction, aspect):
     return center @ axes, float(distance)
 
 
-def _perspective(center, direction, distance, size):
-    camera = vtkCamera()
-    camera.SetViewAngle(_VIEW_ANGLE)
-    camera.SetFocalPoint(*center)
-    camera.SetPosition(*(center - direction * distance))
-    camera.SetViewUp(0.0, 0.0, 1.0)
-    camera.SetClippingRange(0.15 * distance, distance + 60.0 * size)
-    return camera
+def _blurred(values, spread):
+    """Averages over time [frame, ...], by a bell that ends after three spreads; before the first frame and after the last all stands."""
+    reach = max(int(3.0 * spread), 1)
+    weights = np.exp(-0.5 * (np.arange(-reach, reach + 1) / max(spread, 1e-9)) ** 2)
+    values = np.concatenate([values[:1]] * reach + [values] + [values[-1:]] * reach)
+    windows = np.lib.stride_tricks.sliding_window_view(values, 2 * reach + 1, axis=0)
+    return windows @ (weights / weights.sum())
+
+
+def _largest(values, reach):
+    """The largest within so many frames of each [frame]."""
+    padded = np.pad(values, reach, mode="edge")
+    return np.lib.stride_tricks.sliding_window_view(padded, 2 * reach + 1).max(axis=1)
 
 
 class Cameras:
@@ -46,20 +62,21 @@ class Cameras:
         self._aspect = aspect
         bounds = motion.bounds
         self._size = max(bounds[1] - bounds[0], bounds[3] - bounds[2])
-        reach = 0.5 * max(body.extent for body in motion.bodies)
-        self._reach = reach
-        self._highest = float(motion.positions[..., 2].max()) + reach
-        self._fixed = {}
-        self._approach = None
+        self._reaches = np.array([0.5 * motion.bodies[shape].extent for shape in motion.shapes])
+        self._reach = float(self._reaches.max())
+        self._highest = float(motion.positions[..., 2].max()) + self._reach
+        self._still = None
+        self._tracks = {}
 
     def at(self, view, frame):
-        if view == "follow":
-            return self._follow(frame)
-        if view == "hero":
-            return self._hero(frame)
-        if view not in self._fixed:
-            self._fixed[view] = self._side() if view == "side" else self._top()
-        return self._fixed[view]
+        if view == "side":
+            self._still = self._still or self._side()
+            return self._still
+        if view not in self._tracks:
+            self._tracks[view] = self._track(*getattr(self, f"_{view}")(), is_parallel=view == "top")
+        directions, centers, distances = self._tracks[view]
+        make = self._overhead if view == "top" else self._perspective
+        return make(centers[frame], directions[frame], distances[frame])
 
     def horizon(self, view, frame):
         """Height of the horizon in the picture, 0 at the bottom and 1 at the top; above 1 when
@@ -71,41 +88,60 @@ class Cameras:
         half = math.tan(math.radians(_VIEW_ANGLE) / 2.0)
         return 0.5 + 0.5 * math.tan(pitch) / half
 
-    def _hero(self, frame):
-        """Near and low, but the higher the more objects come to lie, so that what they lay can be read. All that moves in the
-        next seconds, of many objects until the end, is in the picture, so the camera nears what the motion ends with."""
-        if self._approach is None:
-            self._approach = self._make_approach()
-        direction, centers, distances = self._approach
-        return _perspective(centers[frame], direction, distances[frame], self._size)
-
-    def _make_approach(self):
-        """Direction of the hero's camera, and of each frame the centre and distance [frame, 3], [frame]."""
+    def _hero(self):
+        """Directions [frame, 3], low while things fly, and the higher the more of them lie, so that what they lay can be read; and how
+        many may be cut off [frame]: a picture of many that fly is full where it cuts some at its edges, but not what they lay."""
         motion = self._motion
-        frames = motion.number_of_frames
         objects, resting = len(motion.positions), len(motion.marks.resting)
         # A few that lie write nothing.
-        lying = min(resting / objects, 1.0) * min(max(resting - 1, 0) / 5.0, 1.0)
-        ahead = int(2.0 * motion.frames_per_second * math.sqrt(objects))
-        pitch = math.radians(12.0 + 38.0 * lying)
-        direction = np.array([-0.08, 1.0, 0.0]) / math.hypot(0.08, 1.0) * math.cos(pitch)
-        direction[2] = -math.sin(pitch)
-        reach = self._reach * np.array([[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]])
-        # Few frames tell as much as all: an object moves less than the margin in between.
-        step = max(int(round(0.2 * motion.frames_per_second)), 1)
-        keys = np.unique(np.append(np.arange(0, frames, step), frames - 1))
-        fits = []
-        for at in range(len(keys)):
-            places = motion.positions[:, keys[at:][keys[at:] <= keys[at] + ahead], :].reshape(-1, 3)
-            center, distance = _fit(np.concatenate([places + reach[0], places + reach[1]]), direction, self._aspect)
-            fits.append([*center, distance])
-        spread = 0.6 * motion.frames_per_second
-        # It comes late, lest the smoothing cuts off what moves last; before the first frame and after the last all stands.
-        around = np.arange(-int(3.0 * spread), frames + int(3.0 * spread))
-        ways = np.array([np.interp(around - 1.5 * spread, keys, column) for column in np.array(fits).T])
-        weights = np.exp(-0.5 * ((np.arange(frames)[:, None] - around) / spread) ** 2)
-        smooth = (weights @ ways.T) / weights.sum(axis=1)[:, None]
-        return direction, smooth[:, :3], smooth[:, 3]
+        most = min(resting / objects, 1.0) * min(max(resting - 1, 0) / 5.0, 1.0)
+        away = np.linalg.norm(motion.positions - motion.positions[:, -1:], axis=2)
+        lying = most * _blurred((away < self._reaches[:, None]).mean(axis=0), _RISE * motion.frames_per_second)
+        pitch = np.radians(_LOW + (_HIGH - _LOW) * lying)
+        level = np.array([-0.08, 1.0]) / math.hypot(0.08, 1.0)
+        directions = np.column_stack([np.cos(pitch)[:, None] * level, -np.sin(pitch)])
+        free = max(1.0 - len(motion.marks.flying) / objects, 0.0)  # of what passes marks in the air one wants to see all
+        return directions, _CUT * free * max(objects - _FEW, 0) * np.clip(1.0 - 1.5 * lying, 0.0, 1.0)
+
+    def _follow(self):
+        """From the side and a little above, none cut off."""
+        direction = np.array([-0.45, 1.0, -0.22])
+        return self._constant(direction / np.linalg.norm(direction))
+
+    def _top(self):
+        """Straight down (a word is read there), x to the right, none cut off."""
+        return self._constant([0.0, 0.0, -1.0])
+
+    def _constant(self, direction):
+        count = self._motion.number_of_frames
+        return np.tile(direction, (count, 1)), np.zeros(count)
+
+    def _track(self, directions, cut, is_parallel):
+        """(directions, centres, distances) of a camera that has all objects but `cut` [frame] in each frame's picture and goes without
+        a jolt: its centre is that of their box, smoothed, and from it the distance is found that is needed, over some time the
+        largest. Of a parallel projection it is half the picture's height."""
+        motion = self._motion
+        rate, count = motion.frames_per_second, motion.number_of_frames
+        objects, each = len(motion.positions), np.arange(count)
+        cut = np.minimum(cut.astype(int), objects - 1)
+        axes = _axes(directions)
+        seen = np.einsum("fad,ofd->ofa", axes, motion.positions)
+        reaches = self._reaches[:, None, None]
+        low = np.sort(seen - reaches, axis=0)[cut // 2, each]
+        high = np.sort(seen + reaches, axis=0)[objects - 1 - cut // 2, each]
+        centers = _blurred(np.einsum("fa,fad->fd", 0.5 * (low + high), axes), _LAG * rate)
+        # Few objects are small in the picture of what they pass through; many are their own surroundings.
+        around = _AROUND * rate / math.sqrt(objects)
+        half = np.array([self._aspect, 1.0]) * (1.0 if is_parallel else math.tan(math.radians(_VIEW_ANGLE) / 2.0))
+        needed = np.full(count, _LEAST * self._reach / half[1])
+        for shift in sorted({int(round(around * part)) for part in (-1.0, -0.5, 0.0, 0.5, 1.0)}):
+            frames = np.clip(each + shift, 0, count - 1)
+            away = np.einsum("fad,ofd->ofa", axes, motion.positions[:, frames] - centers)
+            room = ((np.abs(away[..., :2]) + reaches) / half).max(axis=2) * _MARGIN
+            room -= 0.0 if is_parallel else away[..., 2]
+            needed = np.maximum(needed, np.sort(room, axis=0)[objects - 1 - cut, each])
+        spread = _LAG * rate
+        return directions, centers, _blurred(_largest(needed, max(int(3.0 * spread), 1)), spread)
 
     def _side(self):
         direction = np.array([-0.20, 1.0, -0.15])
@@ -116,40 +152,25 @@ class Cameras:
         floor = places * [1.0, 1.0, 0.0] + [0.0, 0.0, self._motion.bounds[4]]
         seen = np.concatenate([places + reach[0], places + reach[1], floor])
         center, distance = _fit(seen, direction, self._aspect)
-        return _perspective(center, direction, distance, self._size)
+        return self._perspective(center, direction, distance)
 
-    def _top(self):
-        """Straight down on where the motion ends (a word is read there), x to the right."""
-        last = self._motion.positions[:, -1, :]
-        places = [last] + [np.atleast_2d(p) for p in self._motion.marks.resting]
-        places += [np.atleast_2d(p) for p, _ in self._motion.marks.flying]
-        places = np.concatenate(places)
-        low = places.min(axis=0)[:2] - 2.0 * self._reach
-        high = places.max(axis=0)[:2] + 2.0 * self._reach
-        center = 0.5 * (low + high)
-        extent = np.maximum(high - low, 0.4 * self._size)
-        top = self._highest + 0.5 * self._size
+    def _perspective(self, center, direction, distance):
         camera = vtkCamera()
-        camera.ParallelProjectionOn()
-        camera.SetParallelScale(0.5 * _MARGIN * max(extent[1], extent[0] / self._aspect))
-        camera.SetFocalPoint(center[0], center[1], self._motion.bounds[4])
-        camera.SetPosition(center[0], center[1], top)
-        camera.SetViewUp(0.0, 1.0, 0.0)
-        camera.SetClippingRange(0.1 * self._size, top - self._motion.bounds[4] + self._size)
+        camera.SetViewAngle(_VIEW_ANGLE)
+        camera.SetFocalPoint(*center)
+        camera.SetPosition(*(center - direction * distance))
+        camera.SetViewUp(0.0, 0.0, 1.0)
+        camera.SetClippingRange(0.15 * distance, distance + 60.0 * self._size)
         return camera
 
-    def _follow(self, frame):
-        """From the side and a little above, on the middle of all objects, smoothed over time."""
-        motion = self._motion
-        spread = 0.5 * motion.frames_per_second  # frames; a hand-held camera lags that much
-        frames = np.arange(motion.number_of_frames)
-        weight = np.exp(-0.5 * ((frames - frame) / spread) ** 2)
-        weight /= weight.sum()
-        middle = np.einsum("f,ofd->d", weight, motion.positions) / len(motion.positions)
-        away = np.linalg.norm(motion.positions - motion.positions.mean(axis=0), axis=2).max(axis=0)
-        radius = max(float(weight @ away) + 2.0 * self._reach, 0.12 * self._size)
-        direction = np.array([-0.45, 1.0, -0.22])
-        direction /= np.linalg.norm(direction)
-        half = math.tan(math.radians(_VIEW_ANGLE) / 2.0)
-        distance = 1.15 * radius / (half * min(self._aspect, 1.0))
-        return _perspective(middle, direction, distance, self._size)
+    def _overhead(self, center, direction, height):
+        """A parallel projection that shows so much to each side of the centre, from above all that flies."""
+        bottom, top = self._motion.bounds[4], self._highest + 0.5 * self._size
+        camera = vtkCamera()
+        camera.ParallelProjectionOn()
+        camera.SetParallelScale(height)
+        camera.SetFocalPoint(center[0], center[1], bottom)
+        camera.SetPosition(center[0], center[1], top)
+        camera.SetViewUp(0.0, 1.0, 0.0)
+        camera.SetClippingRange(0.1 * self._size, top - bottom + self._size)
+        return camera

@@ -18,6 +18,7 @@ from waft.render._scenery import lines, texture
 from waft.texts import warn
 
 _MOST_TEXELS = 4096  # along a side
+_NEAR = 5.0  # extents of a body, of height, in which its shadow's outline pales
 _MARK = (0.86, 0.25, 0.16)
 _CUT_OUT = "//VTK::TCoord::Impl\n  if (gl_FragData[0].a < 0.5) discard;\n"
 # VTK turns a normal towards the eye; what the first light, the sun, throws on the other side comes through.
@@ -172,7 +173,7 @@ class Objects:
         if met is None:
             return
         spot, normal, distance = met
-        nearness = distance / (3.0 * look.extent)
+        nearness = distance / (_NEAR * look.extent)
         sharp = self._shadow * math.exp(-nearness)
         soft = 0.52 * self._shadow * (1.0 - math.exp(-nearness)) / (1.0 + (nearness / 2.5) ** 1.5)
         basis, flattened = self._plane(normal)
@@ -241,7 +242,7 @@ class Trails:
         objects = len(motion.positions)
         crowd = min(1.0, math.sqrt(100.0 / objects))
         self._length = max(int(round(crowd * motion.frames_per_second)), 1)
-        self._strength = 130.0 * crowd
+        self._strength = 90.0 * crowd
         self._whole = objects <= 3
         self._actor = vtkActor()
         self._actor.SetMapper(vtkPolyDataMapper())

@@ -21,9 +21,8 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, v
 from waft.results._arrays import array_of, points_of
 from waft.results._folder import ground_height
 
-_GRID = (0.52, 0.50, 0.46)
-_OBSTACLE = (0.60, 0.66, 0.72)
-_EDGE = (0.33, 0.38, 0.44)
+_OBSTACLE = (0.67, 0.65, 0.61)
+_EDGE = (0.36, 0.36, 0.36)
 
 # Layers that lie on the ground are this much apart, in parts of the volume's width: below what can
 # be seen, above what the depth buffer mixes up.
@@ -325,7 +324,7 @@ class Scenery:
         actor = vtkActor()
         actor.SetMapper(mapper)
         look = actor.GetProperty()
-        look.SetColor(*_GRID)
+        look.SetColor(*(0.6 * self._ground))
         look.SetOpacity(self._style.grid)
         look.SetLineWidth(self._line_width)
         look.LightingOff()

@@ -28,8 +28,8 @@ class Style:
 
 STYLES = {
     "day": Style(
-        sky=(0.50, 0.66, 0.83), horizon=(0.90, 0.925, 0.94), ground=(0.885, 0.870, 0.835),
-        trail=(0.25, 0.33, 0.45), grid=0.22),
+        sky=(0.25, 0.40, 0.57), horizon=(0.58, 0.67, 0.73), ground=(0.65, 0.70, 0.71),
+        trail=(0.20, 0.27, 0.33), grid=0.18, pool=(0.3, 4.5), shadow=0.55),
     "studio": Style(
         sky=(0.46, 0.55, 0.60), horizon=(0.60, 0.68, 0.71), ground=(0.78, 0.83, 0.84),
         trail=(0.20, 0.30, 0.36), grid=0.0, pool=(0.2, 3.0),
@@ -40,7 +40,7 @@ STYLES = {
         suns=12, sun_radius=0.10, shadow=0.42, translucency=0.55, exposure=1.45, ambient=0.30),
     "dark": Style(
         sky=(0.025, 0.035, 0.050), horizon=(0.045, 0.060, 0.075), ground=(0.170, 0.215, 0.240),
-        trail=(0.75, 0.80, 0.85), grid=0.0, pool=(0.1, 1.6),
+        trail=(0.42, 0.47, 0.50), grid=0.0, pool=(0.1, 1.6),
         suns=12, sun_radius=0.10, shadow=0.80, translucency=0.70, exposure=1.45, ambient=0.30),
     "clear": Style(
         sky=(0.0, 0.0, 0.0), horizon=(0.0, 0.0, 0.0), ground=(0.0, 0.0, 0.0),

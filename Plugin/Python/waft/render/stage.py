@@ -176,7 +176,7 @@ def render(
     frames: Optional[str] = None,
     size: Tuple[int, int] = (1280, 720),
     movie: bool = False,
-    views: Sequence[str] = ("side", "top"),
+    views: Sequence[str] = ("hero", "top"),
     paths: bool = True,
     targets: bool = True,
     samples: int = 2,
@@ -196,7 +196,7 @@ def render(
     frames:   "A:B:S", from A to B (B included), every S; all frames if None
     size:     width and height in pixels; refused where they are more than can be drawn at once
     movie:    also FOLDER/<view>.ogv and <view>.avi, and <view>.mp4 where the program ffmpeg is found
-    views:    of "hero" (near, all that moves is in the picture), "side", "top" (straight down, x to the right) and "follow"
+    views:    of "hero" (near, goes along), "side" (still, on the whole motion), "top" (straight down, x to the right) and "follow"
     paths:    a faint trail of each object's last second (up to three objects: since the start)
     targets:  small marks where the scene wants objects to pass
     samples:  samples x samples pixels are drawn for each one (1: jagged, and the fastest)
