@@ -28,8 +28,8 @@ class Style:
 
 STYLES = {
     "day": Style(
-        sky=(0.25, 0.40, 0.57), horizon=(0.58, 0.67, 0.73), ground=(0.65, 0.70, 0.71),
-        trail=(0.20, 0.27, 0.33), grid=0.18, pool=(0.3, 4.5), shadow=0.55),
+        sky=(0.20, 0.33, 0.48), horizon=(0.44, 0.53, 0.59), ground=(0.50, 0.55, 0.57),
+        trail=(0.15, 0.20, 0.25), grid=0.18, pool=(0.3, 4.5), shadow=0.55),
     "studio": Style(
         sky=(0.46, 0.55, 0.60), horizon=(0.60, 0.68, 0.71), ground=(0.78, 0.83, 0.84),
         trail=(0.20, 0.30, 0.36), grid=0.0, pool=(0.2, 3.0),
