@@ -19,7 +19,7 @@ once the plugin is loaded.
 import importlib as _importlib
 import typing as _typing
 
-from waft._moved import find_moved as _find_moved
+from waft.importing import find_moved as _find_moved
 from waft.failures import BadInput, WaftError
 from waft.loading import data_file, is_paraview_here as _is_paraview_here, load_classes as _load_classes, load_plugin, version
 from waft.scene import Scene

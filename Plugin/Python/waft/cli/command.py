@@ -9,12 +9,12 @@ import time
 from typing import Callable, Optional, Sequence
 
 from waft import failures
-from waft._options import option
 from waft.cli import defaults
 from waft.cli.answers import answer, tell
 from waft.cli.speaking import speaking
 from waft.loading import version
 from waft.render._styles import STYLES, VIEWS
+from waft.run._options import option
 from waft.run._qualities import KEPT, QUALITIES, quality_of
 from waft.run.request import SENTENCES, STATED
 from waft.scene._schema import definition

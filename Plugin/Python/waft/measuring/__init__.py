@@ -2,7 +2,7 @@
 """How good a motion is."""
 from typing import TYPE_CHECKING
 
-from waft._later import later
+from waft.importing import later
 
 if TYPE_CHECKING:
     from waft.measuring.rows import Measured, Row, make_drifters_for, measure, table

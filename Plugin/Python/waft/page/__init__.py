@@ -2,7 +2,7 @@
 """A result as one page for a browser."""
 from typing import TYPE_CHECKING
 
-from waft._later import later
+from waft.importing import later
 
 if TYPE_CHECKING:
     from waft.page.writing import NAME, STAMP, THREE, write_page

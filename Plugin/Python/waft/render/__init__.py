@@ -2,7 +2,7 @@
 """Pictures and movies of a result."""
 from typing import TYPE_CHECKING
 
-from waft._later import later
+from waft.importing import later
 
 if TYPE_CHECKING:
     from waft.render.stage import Stage, parse_frames, render

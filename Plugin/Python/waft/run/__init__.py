@@ -2,7 +2,7 @@
 """From a scene to an animation: what is asked for, the stages, what came of them."""
 from typing import TYPE_CHECKING
 
-from waft._later import later
+from waft.importing import later
 
 if TYPE_CHECKING:
     from waft.run.result import Result, Run

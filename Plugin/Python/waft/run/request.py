@@ -9,7 +9,7 @@ import textwrap
 from typing import (
     Annotated, Any, Callable, Dict, List, Mapping, Optional, ParamSpec, Sequence, TypeVar, Union, get_type_hints)
 
-from waft._options import Option, option
+from waft.run._options import Option, option
 from waft.failures import BadInput
 from waft.run._qualities import KEPT, QUALITIES, WITHOUT, quality_of
 from waft.scene import Scene

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Modules by the names that they had before there were packages of them: `import waft.synthesis` gives waft.run.synthesis."""
+"""Names that are found when they are first used: of modules that take their time to import, or need ParaView, and of modules by what they
+were called before there were packages of them (`import waft.synthesis` gives waft.run.synthesis)."""
 import importlib
 import sys
 from importlib.machinery import ModuleSpec
 from types import ModuleType
-from typing import Any, Optional
+from typing import Any, Callable, Collection, Optional
 
 _PACKAGES = {"scene": ("checking", "starting"),
              "run": ("database", "fetching", "pipeline", "repeating", "resuming", "showing", "slices", "synthesis", "takes", "unfolding",
@@ -12,6 +13,15 @@ _PACKAGES = {"scene": ("checking", "starting"),
              "results": ("cleaning", "exporting", "store", "writing"),
              "cli": ("blenderaddon", "demo")}
 _NOW = {f"waft.{name}": f"waft.{package}.{name}" for package, names in _PACKAGES.items() for name in names}
+
+
+def later(module: str, names: Collection[str]) -> Callable[[str], Any]:
+    """A package's __getattr__, for names of one of its modules."""
+    def find(name: str) -> Any:
+        if name not in names:
+            raise AttributeError(f"module '{module.rpartition('.')[0]}' has no attribute '{name}'")
+        return getattr(importlib.import_module(module), name)
+    return find
 
 
 class _Moved:

@@ -49,7 +49,7 @@ class Option:
 
 @functools.lru_cache(maxsize=None)
 def _classes() -> Dict[str, List[Dict[str, Any]]]:
-    return read_json(pathlib.Path(__file__).parent / "options.json")
+    return read_json(pathlib.Path(__file__).parents[1] / "options.json")
 
 
 def option(owner: str, name: str, of: str = "") -> Option:
