@@ -14,6 +14,7 @@ MODULES = sys.argv[1]
 SCRIPT = """import waft
 from waft.page import write_page
 from waft.render import Stage, render
+from waft.run import Run
 
 scene: waft.Scene = waft.Scene("A word")
 scene.add_objects("maple", count=60, region={"min": (-1, -1, 2.5), "max": (1, 1, 3.8)})
@@ -31,13 +32,21 @@ while not waft.go_on(run.planner):
 print(waft.unfold(run.planner)["planner"], waft.measure("out")[0]["start"].value, waft.data_file("Scenes").upper(), waft.version().upper())
 for name in render("out", frames="0:9:1", size=(640, 360), views=("hero",)):
     print(name.upper(), Stage(None).draw("side", 0), write_page("out").upper())
-run.delete()
+run.seed = 7
+run.save("two")
+loaded: Run = waft.load("two")
+print(run.page("page.html").upper(), loaded.folder, loaded.positions.mean(), loaded.seed + 1, loaded.show(), loaded.to_pandas().head())
+for shown in (run, loaded):
+    print(shown.to_pyvista(frame=3).keys(), shown.plot(window_size=(640, 360)))
+    shown.delete()
 """
 WRONG = {"waft.synthesize(scene, qualty='full')": 'Unexpected keyword argument "qualty"',
          "waft.synthesize(scene, seed='7')": '"seed" to "synthesize" has incompatible type "str"',
          "waft.synthesize(scene, 'out', None, 7)": "Too many positional arguments",
          "run.positons": '"Result" has no attribute "positons"',
-         "run.status = 1": 'Property "status" defined in "Result" is read-only'}
+         "run.status = 1": 'Property "status" defined in "Run" is read-only',
+         "run.seed = '7'": 'Incompatible types in assignment (expression has type "str", variable has type "int")',
+         "waft.load(3)": 'Argument 1 to "load" has incompatible type "int"'}
 
 
 class Types(unittest.TestCase):

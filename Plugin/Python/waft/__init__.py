@@ -9,8 +9,10 @@
 
     run = waft.synthesize(scene, quality="preview", output="out")
     run.positions[object, frame], run.orientations, run.times, run.marks     # numpy arrays
-    run.planner.Seed = 7            # change one property of a stage ...
+    run.seed = 7                    # another flight through the same marks
+    run.rotation.Seed = 3           # change one property of a stage ...
     run.rotation.UpdatePipeline()   # ... and update: only what depends on it is computed again
+    run = waft.load("out")          # what was written, nothing flown again
 
 Scenes need nothing but Python. All else needs ParaView: in pvpython, pvbatch and ParaView's own shell the plugin is loaded by the
 import, elsewhere by its first use or by load_plugin(). The VTK classes are there by name, `from waft import vtkSPHSpacetimeFilter`,
@@ -27,18 +29,21 @@ from waft.scene import Scene
 if _typing.TYPE_CHECKING:  # what __getattr__ finds
     from waft.measuring import measure
     from waft.run.fetching import fetch
+    from waft.run.finished import load
     from waft.run.showing import show
+    from waft.run.slices import go_on
     from waft.run.synthesis import synthesize
     from waft.run.unfolding import unfold
     from waft.run.updating import update
 
 __version__ = version()
-__all__ = ["BadInput", "Scene", "WaftError", "data_file", "fetch", "go_on", "load_plugin", "measure", "show", "synthesize",
+__all__ = ["BadInput", "Scene", "WaftError", "data_file", "fetch", "go_on", "load", "load_plugin", "measure", "show", "synthesize",
            "unfold", "update", "version"]
 
 # What takes its time to import, by its module.
-_LATER = {"fetch": "waft.run.fetching", "go_on": "waft.run.slices", "measure": "waft.measuring.rows", "show": "waft.run.showing",
-          "synthesize": "waft.run.synthesis", "unfold": "waft.run.unfolding", "update": "waft.run.updating"}
+_LATER = {"fetch": "waft.run.fetching", "go_on": "waft.run.slices", "load": "waft.run.finished", "measure": "waft.measuring.rows",
+          "show": "waft.run.showing", "synthesize": "waft.run.synthesis", "unfold": "waft.run.unfolding",
+          "update": "waft.run.updating"}
 _WRAPPED = ("vtkWaftSources", "vtkWaftFilters")
 
 

@@ -51,6 +51,16 @@ def is_marked_text(path):
     return len(content) > size and content[-size:] == mark_of_text(content[:-size])
 
 
+def marked_html(content):
+    """A page with its mark, a comment at its end."""
+    return content + b"<!-- " + _COMMENT + _digest(content) + b" -->\n"
+
+
+def is_marked_html(path):
+    content = _content(path)
+    return content == marked_html(content[:-len(marked_html(b""))])
+
+
 def marked_rows(rows):
     """A list of dictionaries that is to be written as JSON, with the mark in the first."""
     bare = [{name: value for name, value in row.items() if name != "digest"} for row in rows]

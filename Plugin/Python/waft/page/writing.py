@@ -9,7 +9,8 @@ import re
 from typing import Union
 
 from waft.failures import BadInput, WaftError
-from waft.files import write_text
+from waft.files import whole_file, write_bytes, write_text
+from waft.marks import is_marked_html, marked_html
 from waft.page import _pagedata
 from waft.reading import read_text
 from waft.results import ResultPlace
@@ -45,6 +46,19 @@ def write_page(folder: Path, measured: Union[Path, bool, None] = None, is_watche
         write_text(place.path(NAME), page)
         place.commit({})
     return os.path.join(folder, NAME)
+
+
+def page_of(folder: Path) -> str:
+    """The page of a folder as a text."""
+    return _page(*_pagedata.describe(folder))
+
+
+def write_text_of_page(page: str, path: str) -> str:
+    """Writes a page under a name, with Waft's mark; returns the name. Raises BadInput where something is in the way that is no page of
+    Waft's, or was changed since."""
+    with whole_file(path, is_marked_html) as part:
+        write_bytes(part, marked_html(page.encode()))
+    return path
 
 
 def _page(run, animation):

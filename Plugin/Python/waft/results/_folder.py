@@ -54,6 +54,7 @@ class Motion:
     bodies: list
     marks: Marks
     obstacles: list  # (time in seconds, vtkPolyData), growing time
+    poses: vtkPolyData  # positions and orientations as they were read
 
     @property
     def number_of_frames(self):
@@ -101,6 +102,7 @@ def load(path):
         bodies=bodies,
         marks=_marks(folder),
         obstacles=obstacles_of(folder),
+        poses=poses,
     )
 
 

@@ -22,6 +22,7 @@ def _list(items, **limits):
 _STAGE = _object(seconds=_SECONDS, processorSeconds=_SECONDS, peakMemoryMB=_SECONDS)
 _STATUSES = {status: _COUNT for status in ("met", "infeasible", "conflict", "unreachable")}
 REPORT = _object("version scene seed", version=_TEXT, key=_TEXT, scene=_TEXT, title=_TEXT, quality=_TEXT, stoppedEarly=_YES, inertia=_YES,
+                 warnings=_list(_TEXT),
                  seed={"type": "integer", "minimum": 0, "maximum": 9007199254740991}, constraints=_object(**_STATUSES, unmet=_list({})),
                  stages={"type": "object", "additionalProperties": _STAGE})
 FLOWN = {**REPORT, "required": [*REPORT["required"], "constraints", "stages"], "properties": {

@@ -9,11 +9,14 @@ from waft.files import copy_file, half, in_single_precision, in_steps, table_row
 from waft.loading import version
 from waft.reading import dynamics, found_json
 from waft.results.place import ResultPlace, settle
+from waft.results.store import Store
 from waft.run._qualities import WITHOUT
+from waft.texts import is_utf8
 from waft.watching import collect
 
 STATUS_ORDER = ("met", "infeasible", "conflict", "unreachable")
 REPORT = "report.json"
+PLAN = {0: "planned.vtp", 3: "constraints.vtp", 4: "vortices.vtp"}  # what is kept of a plan, by the planner's ports
 STATE = "assimilated.state"
 FITTED = "fitted_vortices.vtp"
 POSES = "poses.csv"
@@ -77,32 +80,68 @@ def read_rows(table):
     return [dict(zip(header, row)) for row in rows]
 
 
-def write_results(run, place, checkpoint):
-    """Every file of a run, all at once: see the user guide for what each holds."""
+def write_results(run, place, checkpoint, is_shown_alone=False):
+    """Every file of a Flight, all at once: see the user guide for what each holds. checkpoint: has the plan. is_shown_alone: those that a
+    page is made of alone."""
     for name in ("planned.vtp", "constraints.vtp"):
         checkpoint.copy_plan(name)
-    motion, tracks, vortices, _ = run.motion
-    write_tracks(run.moved(tracks), place.path("optimized.vtp"))
-    write_xml(run.moved(vortices), place.path("vortices.vtp"))
     write_bodies(run, place)
-    for name in run.series if not run.hurries else ():
-        _write_series(run, *SERIES[name], name, ".vtp", place)
-    energies = []
-    if motion == "spacetime":
-        if not run.hurries:
-            _write_series(run, "spacetime", 3, "wind", ".vti", place)
-        header, rows = table_rows(run.output("spacetime", 4))
-        energies = [dict(zip(header, row))["E"] for row in (rows[0], rows[-1])]
-        write_csv(place.path("convergence.csv"), header, rows)
-    else:
-        write_csv(place.path("convergence.csv"), *table_rows(_empty_convergence()))
+    energies = _write_convergence(run, place)
     if run.assimilation is not None:
-        _write_air(run, place, checkpoint)
+        write_xml(run.output("assimilation", 3), place.path("constraints.vtp"))
+        write_csv(place.path("rounds.csv"), *table_rows(run.output("assimilation", 5)))
     if run.fit is not None:
         write_xml(run.output("fit"), place.path(FITTED))
     _write_report(run, place.path("constraints.csv"))
     _write_animation(run, place)
+    if not is_shown_alone:
+        _write_fields(run, place, checkpoint)
     place.commit(_summary(run, energies))
+
+
+def save_results(run, folder, is_shown_alone=False):
+    """The files of a Flight that is over in a folder."""
+    if not is_utf8(folder):
+        raise failures.BadInput(f"{os.fsdecode(folder)}: expected a name in UTF-8, as ParaView takes no other")
+    with result_place(folder) as place:
+        place.check(result_names(run.scene_file, run.request))
+        run.pipeline.rewind()
+        write_results(run, place, _Kept(run, place), is_shown_alone)
+
+
+class _Kept:
+    """In place of the checkpoint of a run: its plan, and the state of its air where the store has it."""
+
+    def __init__(self, run, place):
+        self._run, self._place = run, place
+        self.air_file = Store().found(run.key) or pathlib.Path(os.devnull)
+
+    def copy_plan(self, name):
+        port = next(port for port, own in PLAN.items() if own == name)
+        write_xml(self._run.planned(port), self._place.path(name))
+
+
+def _write_fields(run, place, checkpoint):
+    """The motion by itself, and what moves it."""
+    _, tracks, vortices, _ = run.motion
+    write_tracks(run.moved(tracks), place.path("optimized.vtp"))
+    write_xml(run.moved(vortices), place.path("vortices.vtp"))
+    for name in run.series if not run.hurries else ():
+        _write_series(run, *SERIES[name], name, ".vtp", place)
+    if run.motion[0] == "spacetime" and not run.hurries:
+        _write_series(run, "spacetime", 3, "wind", ".vti", place)
+    if run.assimilation is not None:
+        _write_air(run, place, checkpoint)
+
+
+def _write_convergence(run, place):
+    """convergence.csv; returns E before and after, nothing where no optimiser was at work."""
+    if run.motion[0] != "spacetime":
+        write_csv(place.path("convergence.csv"), *table_rows(_empty_convergence()))
+        return []
+    header, rows = table_rows(run.output("spacetime", 4))
+    write_csv(place.path("convergence.csv"), header, rows)
+    return [dict(zip(header, row))["E"] for row in (rows[0], rows[-1])]
 
 
 def write_bodies(pipeline, place):
@@ -132,13 +171,11 @@ def _empty_convergence():
 
 
 def _write_air(run, place, checkpoint):
-    """What the assimilation gives besides vortices and the report."""
+    """The assimilation's motion and air."""
     if run.spacetime is None:
         copy_file(place.path("optimized.vtp"), place.path("assimilated.vtp"))
     else:
         write_tracks(run.output("assimilation", 0), place.path("assimilated.vtp"))
-    write_xml(run.output("assimilation", 3), place.path("constraints.vtp"))
-    write_csv(place.path("rounds.csv"), *table_rows(run.output("assimilation", 5)))
     if not run.has_air:  # all steps are the same calm one
         _write_series(run, "assimilation", 1, "air", ".vti", place, half, float("inf"))
     elif not run.hurries:

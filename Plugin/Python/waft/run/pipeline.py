@@ -89,6 +89,12 @@ class Pipeline:
             kind = WaftError if NO_MEMORY in message else BadInput
             raise kind(f"{self.database_file}: {message}" if is_database else message)
 
+    def rewind(self):
+        """Shows the first frame in all outputs, as when the stages ran: what is written of them tells of it."""
+        for stage in (self.planner, self.assimilation, self.spacetime, self.rotation):
+            if stage is not None:
+                stage.UpdatePipeline(0.0)
+
     def _drop(self, name):
         """A stage that was stopped while it looked at its inputs gave nothing: the motion so far is that of the one before."""
         stage = getattr(self, name)

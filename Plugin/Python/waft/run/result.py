@@ -1,21 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What waft.synthesize returns: the live stages, and the motion as arrays, pictures and a page in a notebook."""
-import base64
+"""A flight that is over: its motion as arrays, tables, pictures, a page, and in ParaView. Result is what waft.synthesize returns, with
+the live stages; waft.load gives a Run of a folder."""
 import contextlib
-import dataclasses
 import os
 import pathlib
 import tempfile
-from typing import TYPE_CHECKING, Any, Dict, List, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, ContextManager, Dict, Iterator, List, Optional, Tuple
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from waft.failures import BadInput, WaftError
-from waft.reading import read_bytes
-from waft.run.pipeline import Pipeline
-from waft.run.request import Path, Request
-from waft.texts import in_html
+from waft.failures import BadInput
+from waft.run import _pictures, _tables
+from waft.run._flight import Flight
+from waft.run.request import Path
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -23,56 +21,66 @@ if TYPE_CHECKING:
 _MARK = [("row", int), ("target", int), ("object", int), ("frame", int), ("kind", "U12"), ("status", "U12"), ("residual", float),
          ("message", object)]
 _COLUMNS = ("Row", "Target", "ObjectId", "Frame", "Kind", "Status", "Residual", "Message")
-_MOST_MARKS = 40  # in a notebook's table; those that are not met first
 
 
-def _of_pipeline(name: str) -> Any:
-    """An attribute that is the pipeline's."""
-    return property(lambda self: getattr(self.pipeline, name))
-
-
-@dataclasses.dataclass(frozen=True, repr=False, eq=False)
-class Result:
-    """What came of a run, and its pipeline, whose stages (reader, database, planner, assimilation, spacetime, rotation: live
-    proxies) have their names here, too.
+class Run:
+    """A flight that is over.
 
     positions[object, frame]: numpy array (objects, frames, 3) [m]; orientations[object, frame]: (objects, frames, 4), w x y z,
     body to world; times: (frames) [s]; object_ids: (objects), the id of each object in the arrays; marks: a structured array, a
-    row a constraint: row, target, object, frame, kind, status, residual, message. They are those of the stages as they are:
-    after a change of a property and run.rotation.UpdatePipeline() the new ones (marks: of the run).
+    row a constraint: row, target, object, frame, kind, status, residual, message.
 
     status: exit status of the command; report: the constraints, a dictionary each; warnings: sentences; stopped: whether it was
-    stopped early, with the best so far; seed and quality: those of the run. delete(): takes the stages out of ParaView's session.
+    stopped early, with the best so far; seed and quality: those of the flight; folder: the path of its files, None where there are none.
     """
 
-    pipeline: Pipeline
-    status: int
-    report: List[Dict[str, Any]]
-    warnings: List[str]
-    stopped: bool
-    hurries: bool  # somebody stopped it, and waits
-    stopped_in: str  # the stage
-    series: List[str]  # of data that were asked for, a file a frame
-    seed: int
-    quality: str
-    edit_of: Optional[pathlib.Path]  # the file with the air that was kept
-    keep: Sequence[str]  # what is written in full
-    key: str  # of the run, for checkpoints
-    request: Request  # what was asked for
-    scene_folder: "Optional[tempfile.TemporaryDirectory[str]]" = None  # with the file of a scene that was made here
+    def __init__(self, about: Any, folder: Optional[Path]) -> None:
+        self._about = about  # a Flight, or what is told of one
+        self._folder = None if folder is None else os.fspath(folder)
 
-    scene_file, database_file, watches = map(_of_pipeline, ("scene_file", "database_file", "watches"))
-    reader, database, planner = map(_of_pipeline, ("reader", "database", "planner"))
-    assimilation, spacetime, rotation, fit = map(_of_pipeline, ("assimilation", "spacetime", "rotation", "fit"))
-    plan_report, plan_objects, planned = map(_of_pipeline, ("plan_report", "plan_objects", "planned"))
-    motion, moved, has_air, delete = map(_of_pipeline, ("motion", "moved", "has_air", "delete"))
+    @property
+    def status(self) -> int:
+        return self._about.status
 
-    def output(self, name: str, port: int = 0) -> Any:
-        """The data object of an output port of a stage, on this side."""
-        return self.pipeline.output(name, port)
+    @property
+    def report(self) -> List[Dict[str, Any]]:
+        return self._about.report
 
-    def _poses(self):
-        return self.output("rotation", 1)
+    @property
+    def warnings(self) -> List[str]:
+        return self._about.warnings
+
+    @property
+    def stopped(self) -> bool:
+        return self._about.stopped
+
+    @property
+    def quality(self) -> str:
+        return self._about.quality
+
+    @property
+    def seed(self) -> int:
+        return self._about.seed
+
+    @property
+    def folder(self) -> Optional[str]:
+        return self._folder
+
+    def _poses(self) -> Any:
+        """The poses as VTK data."""
+        raise NotImplementedError
+
+    def _drawn(self) -> ContextManager[Any]:
+        """A results._folder.Motion for a while."""
+        raise NotImplementedError
+
+    def _scene(self) -> str:
+        """The name of the scene."""
+        raise NotImplementedError
+
+    def _page(self) -> str:
+        """The page of the flight."""
+        raise NotImplementedError
 
     def _by_object(self, values):
         lines = self._poses().GetLines()
@@ -108,100 +116,181 @@ class Result:
         options: of waft.render.Stage: samples, paths, targets, obstacle_opacity, style. Without a display a virtual one is used
         (Xvfb); raises WaftError where there is none.
         """
-        from waft.results._folder import load
-        from waft.render._output import write_png
-        from waft.files import whole_file
-        from waft.render._styles import STYLES, VIEWS
-        from waft.render import Stage
+        return _pictures.still(self._drawn, len(self.times), type(self).__name__, path, frame, size, view, options)
 
-        count = len(self.times)
-        frame = count - 1 if frame is None else frame
-        if not isinstance(frame, (int, np.integer)) or not 0 <= frame < count:
-            raise BadInput(f"Result.render: frame: expected a whole number from 0 to {count - 1}, found {frame!r}")
-        if view not in VIEWS:
-            raise BadInput(f"Result.render: view: expected one of {', '.join(VIEWS)}, found {view!r}")
-        if options.get("style", "day") not in STYLES:
-            raise BadInput(f"Result.render: style: expected one of {', '.join(STYLES)}, found {options['style']!r}")
-        if len(size) != 2 or min(size) < 16 or max(size) > 16384:
-            raise BadInput(f"Result.render: size: expected width and height from 16 to 16384, found {size!r}")
-        if path is not None and pathlib.Path(path).suffix != ".png":
-            raise BadInput(f"Result.render: path: expected a name that ends with .png, found {os.fspath(path)!r}")
-        with tempfile.TemporaryDirectory(prefix="waft-still-") as folder, _display():
-            self._write_drawn(pathlib.Path(folder))
-            stage = Stage(load(folder), size, **options)
-            picture = stage.draw(view, int(frame))
-            del stage  # its window goes before the display does
+    def page(self, path: Optional[Path] = None) -> str:
+        """Writes the page that shows the flight in a browser (Documentation/Page.md); returns its path.
+
+        path: a name that ends with .html (default: page.html in the folder of the flight). Raises BadInput where something is in the way
+        that Waft did not write, and where there is neither a path nor a folder.
+        """
+        from waft.page.writing import write_page, write_text_of_page
+
         if path is not None:
-            with whole_file(os.fspath(path), lambda path: True) as part:
-                write_png(picture, part)
-        width, height, _ = picture.GetDimensions()
-        return vtk_to_numpy(picture.GetPointData().GetScalars()).reshape(height, width, -1)[::-1].copy()
+            if pathlib.Path(path).suffix != ".html":
+                raise BadInput(f"{type(self).__name__}.page: path: expected a name that ends with .html, found {os.fspath(path)!r}")
+            return write_text_of_page(self._page(), os.fspath(path))
+        if self.folder is None:
+            raise BadInput(f"{type(self).__name__}.page: path: expected the name of a file, found none: this flight is in no folder")
+        return write_page(self.folder)
 
-    def _write_drawn(self, folder):
-        from waft.files import write_xml
-        from waft.results.writing import write_bodies
-
-        class Place:
-            @staticmethod
-            def path(name):
-                (folder / name).parent.mkdir(parents=True, exist_ok=True)
-                return folder / name
-
-        rows = self.output("assimilation", 3) if self.assimilation is not None else self.planned(3)
-        write_xml(rows, folder / "constraints.vtp")
-        write_bodies(self.pipeline, Place)
+    def save(self, folder: Path) -> None:
+        """Writes the files of the flight into a folder, as `output` of waft.synthesize does. Raises BadInput where results would take
+        the place of files that no run wrote, or that were changed since; nothing is written then."""
+        raise NotImplementedError
 
     def show(self, view: Any = None) -> Any:
         """The bodies, the obstacles, the paths and the marks in a view of ParaView (default: the active one, or a new one); the
         animation of the session then has the frames of the scene. Returns the view."""
-        from waft.run.showing import show
+        raise NotImplementedError
 
-        return show(self, view)[0]
+    def delete(self) -> None:
+        """Takes all that belongs to the flight out of ParaView's session."""
+        raise NotImplementedError
+
+    def to_pandas(self) -> Any:
+        """A pandas.DataFrame with a row an object and a frame, and the columns of poses.csv: object, frame, time [s], x, y, z [m], qw, qx,
+        qy, qz, vx, vy, vz [m/s], wx, wy, wz [rad/s]. Raises WaftError where pandas is not installed."""
+        return _tables.frame_of(self, self._poses())
+
+    def to_pyvista(self, frame: Optional[int] = None) -> Any:
+        """A pyvista.MultiBlock: `bodies`, a block a shape, posed at a frame (default: the last); `paths`, a line an object with the arrays
+        of the poses; `obstacles`; `marks`, the places that are asked for. Raises WaftError where PyVista is not installed."""
+        frame = _pictures.checked_frame(frame, len(self.times), f"{type(self).__name__}.to_pyvista")
+        with self._drawn() as motion:
+            return _tables.blocks_of(motion, frame)
+
+    def plot(self, frame: Optional[int] = None, **options: Any) -> Any:
+        """Shows a frame (default: the last) in a window of PyVista, with the bodies in their colours and pictures. options: of
+        pyvista.Plotter.show, whose answer is returned. Raises WaftError where PyVista is not installed."""
+        frame = _pictures.checked_frame(frame, len(self.times), f"{type(self).__name__}.plot")
+        with self._drawn() as motion:
+            return _tables.plot(motion, frame, options)
+
+    def __dir__(self) -> List[str]:
+        return [name for name in super().__dir__() if not name.startswith("_") or name.startswith("__")]
 
     def __repr__(self) -> str:
         objects, frames, _ = self.positions.shape
         met = int(np.sum(self.marks["status"] == "met"))
-        return (f"<Result of {os.path.basename(self.scene_file)}: {objects} objects, {frames} frames, "
+        return (f"<{type(self).__name__} of {self._scene()}: {objects} objects, {frames} frames, "
                 f"{met} of {len(self.marks)} marks met>")
 
     def _repr_html_(self) -> str:
-        """For notebooks: a still and the table of marks."""
-        try:
-            with tempfile.TemporaryDirectory(prefix="waft-still-") as folder:
-                path = pathlib.Path(folder) / "still.png"
-                self.render(path)
-                still = f'<img src="data:image/png;base64,{base64.b64encode(read_bytes(path)).decode()}" alt="the last frame"/>'
-        except WaftError as error:
-            still = f"<p>{in_html(str(error))}</p>"
-        marks = sorted(self.marks.tolist(), key=lambda mark: mark[5] == "met")
-        head = "".join(f"<th>{name}</th>" for name, _ in _MARK)
-        rows = "".join("<tr>" + "".join(f"<td>{in_html(f'{cell:.3g}' if isinstance(cell, float) else str(cell))}</td>"
-                                        for cell in mark) + "</tr>" for mark in marks[:_MOST_MARKS])
-        more = f"<p>and {len(marks) - _MOST_MARKS} more, all in run.marks</p>" if len(marks) > _MOST_MARKS else ""
-        return f"<p>{in_html(repr(self)[1:-1])}</p>{still}<table><tr>{head}</tr>{rows}</table>{more}"
+        """For notebooks."""
+        return _pictures.cell(self)
 
 
-Run = Result  # the name that it had
+# What of a flight was an attribute of its Result before.
+_FORMER = ("pipeline", "hurries", "stopped_in", "series", "edit_of", "keep", "key", "scene_folder", "scene_file", "database_file", "watches",
+           "request", "plan_report", "plan_objects", "planned", "motion", "moved", "has_air")
 
 
-@contextlib.contextmanager
-def _display():
-    """The display that there is, or a virtual one for now."""
-    from waft.display import display
+class Result(Run):
+    """A flight with its stages: reader, database, planner, assimilation, spacetime, rotation, fit are live proxies of ParaView; the
+    arrays are those of the stages as they are: after a change of a property and run.rotation.UpdatePipeline() the new ones (marks: of the run).
+    """
 
-    if os.environ.get("DISPLAY"):
-        yield
-        return
-    before = {name: os.environ.get(name) for name in ("DISPLAY", "XAUTHORITY")}
-    try:
-        with display() as is_there:
-            if not is_there:
-                raise WaftError("stopped before there was a virtual display")
-            yield
-    except OSError as error:
-        raise WaftError(f"rendering needs a display, or Xvfb for a virtual one: {error}") from error
-    finally:
-        for name, value in before.items():
-            os.environ.pop(name, None)
-            if value is not None:
-                os.environ[name] = value
+    def __init__(self, flight: Flight, folder: Optional[Path] = None) -> None:
+        super().__init__(flight, folder)
+        self._about: Flight = flight
+
+    @property
+    def seed(self) -> int:
+        """The number that plan, air and turns are drawn by. Another one flies anew, all stages with the properties that they have: what
+        waft.synthesize(..., seed=N) gives. It takes the time of a flight; Ctrl-C stops it, with the best so far. Raises BadInput, and leaves
+        the seed as it was, of a flight in the air of another (edit_of) or on a plan that was read (resume), and where a stage fails."""
+        return self._about.seed
+
+    @seed.setter
+    def seed(self, seed: int) -> None:
+        from waft.run.reseeding import fly_by
+
+        fly_by(self._about, seed)
+        self._folder = None  # its files are those of the flight before
+
+    @property
+    def reader(self) -> Any:
+        return self._about.reader
+
+    @property
+    def database(self) -> Any:
+        return self._about.database
+
+    @property
+    def planner(self) -> Any:
+        return self._about.planner
+
+    @property
+    def assimilation(self) -> Any:
+        return self._about.assimilation
+
+    @property
+    def spacetime(self) -> Any:
+        return self._about.spacetime
+
+    @property
+    def rotation(self) -> Any:
+        return self._about.rotation
+
+    @property
+    def fit(self) -> Any:
+        return self._about.fit
+
+    def output(self, name: str, port: int = 0) -> Any:
+        """The data object of an output port of a stage, on this side."""
+        return self._about.output(name, port)
+
+    def delete(self) -> None:
+        """Takes the stages out of ParaView's session."""
+        self._about.pipeline.delete()
+
+    def save(self, folder: Path) -> None:
+        from waft.results.writing import save_results
+
+        save_results(self._about, folder)
+        self._folder = os.fspath(folder)
+
+    def show(self, view: Any = None) -> Any:
+        from waft.run.showing import show
+
+        return show(self, view)[0]
+
+    def _poses(self) -> Any:
+        return self.output("rotation", 1)
+
+    def _scene(self) -> str:
+        return os.path.basename(self._about.scene_file)
+
+    @contextlib.contextmanager
+    def _drawn(self) -> Iterator[Any]:
+        from waft.files import write_xml
+        from waft.results._folder import load
+        from waft.results.writing import write_bodies
+
+        with tempfile.TemporaryDirectory(prefix="waft-still-") as folder:
+            class Place:
+                @staticmethod
+                def path(name):
+                    path = pathlib.Path(folder) / name
+                    path.parent.mkdir(parents=True, exist_ok=True)
+                    return path
+
+            rows = self.output("assimilation", 3) if self.assimilation is not None else self._about.planned(3)
+            write_xml(rows, Place.path("constraints.vtp"))
+            write_bodies(self._about.pipeline, Place)
+            yield load(folder)
+
+    def _page(self) -> str:
+        from waft.page.writing import page_of
+        from waft.results.writing import save_results
+
+        with tempfile.TemporaryDirectory(prefix="waft-page-") as folder:
+            save_results(self._about, os.path.join(folder, "out"), is_shown_alone=True)
+            return page_of(os.path.join(folder, "out"))
+
+    if not TYPE_CHECKING:
+        def __getattr__(self, name):
+            if name in _FORMER:
+                return getattr(self._about, name)
+            raise AttributeError(f"'Result' object has no attribute '{name}'")

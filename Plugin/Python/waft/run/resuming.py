@@ -12,8 +12,8 @@ from waft.reading import read_surface
 from waft.results import manifest_in, manifest_of, manifest_rows
 from waft.results._records import KEPT, record_of
 from waft.results._tables import columns_of
+from waft.results.writing import PLAN
 
-PLAN = {0: "planned.vtp", 3: "constraints.vtp", 4: "vortices.vtp"}
 _FOLDER = "checkpoint"
 _REPORT, _KEY = "report.csv", "key"
 _COLUMNS = {"Row": int, "Target": int, "ObjectId": int, "Frame": int, "Kind": str, "Residual": float, "Status": str, "Message": str}

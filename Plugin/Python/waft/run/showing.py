@@ -9,6 +9,8 @@ from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from waft.failures import BadInput
+from waft.run._sources import look, sources_of
+from waft.run.finished import FinishedRun
 from waft.run.updating import update
 
 _SERIES = ("E", "Ex", "Ev", "Ec", "NewSegments")  # what of a table is drawn
@@ -20,7 +22,7 @@ _COURSE = 1e-6  # of the largest cost: what is less is not drawn
 
 
 def show(shown: Any, view: Any = None, port: Optional[int] = None) -> List[Any]:
-    """Shows a stage, several in a list, or a Result; with `port` that output of a stage alone.
+    """Shows a stage, several in a list, or a Run; with `port` that output of a stage alone.
 
     Of a stage every output that its proxy shows by itself: what is in space in a render view (view: default the active one, or a
     new one), a table of costs in a line chart with a logarithmic axis. An output that is named, by `port` or as OutputPort(stage, 1),
@@ -36,7 +38,7 @@ def show(shown: Any, view: Any = None, port: Optional[int] = None) -> List[Any]:
     if view is None:
         view = active if active is not None and active.SMProxy.IsA("vtkSMRenderViewProxy") else simple.CreateRenderView()
     for output in in_space:
-        simple.Show(output, view)
+        look(output, simple.Show(output, view))
     scene = simple.GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.NumberOfFrames = max(scene.NumberOfFrames, len(simple.GetTimeKeeper().TimestepValues or []))
@@ -60,8 +62,10 @@ def _ports_of(shown, port):
     if hasattr(shown, "rotation") and hasattr(shown, "reader"):  # a Result
         marks = simple.OutputPort(shown.planner, 3) if shown.planner is not None else simple.OutputPort(shown.reader, 1)
         return [*_ports_of(shown.rotation, None), (simple.OutputPort(shown.reader, 2), ""), (marks, "")]
+    if isinstance(shown, FinishedRun):
+        return [(simple.OutputPort(source, 0), "") for source in sources_of(shown)]
     if not isinstance(shown, servermanager.SourceProxy):
-        raise BadInput(f"show: expected a stage, a Result or a list of stages, found {shown!r}")
+        raise BadInput(f"show: expected a stage, a Run or a list of stages, found {shown!r}")
     update(shown)
     count = shown.SMProxy.GetNumberOfOutputPorts()
     if port is None:

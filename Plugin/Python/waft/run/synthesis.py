@@ -64,6 +64,7 @@ class _Course:
 
 def _fly(request, scene_folder=None):
     """A scene that is a file."""
+    from waft.run._flight import Flight
     from waft.run.pipeline import Pipeline
     from waft.run.result import Result
 
@@ -110,21 +111,19 @@ def _fly(request, scene_folder=None):
             warnings.append("stopped before the paths of the plan were moved by air: they are the plan's")
         warnings += [text for watch in pipeline.watches.values() for text in watch.errors + watch.warnings]
         report = constraint_report(pipeline)
-        is_met = all(row["Status"] == "met" for row in report)
-        status = failures.STOPPED_EARLY if stopped else failures.ALL_MET if is_met else failures.NOT_ALL_MET
-        result = Result(pipeline, status=status, report=report, warnings=warnings, stopped=stopped, hurries=hurries,
-                        stopped_in=stopped_in, series=request.series, keep=tuple(request.keep), seed=seed, quality=quality,
-                        edit_of=edit_of, key=key, request=request, scene_folder=scene_folder)
+        flight = Flight(pipeline, report=report, warnings=warnings, stopped=stopped, hurries=hurries, stopped_in=stopped_in,
+                        series=request.series, keep=tuple(request.keep), seed=seed, quality=quality, edit_of=edit_of, key=key,
+                        request=request, scene_folder=scene_folder)
         if place is not None:
             clock.phase = "writing the results"
             clock.report(0.0, clock.phase)
-            write_results(result, place, checkpoint)
+            write_results(flight, place, checkpoint)
             if checkpoint is not None and not stopped:
                 checkpoint.hand_on(Store())
                 checkpoint.clear()
         clock.report(1.0, "stopped early" if stopped else "done")
         clock.check_progress()
-    return result
+    return Result(flight, output)
 
 
 def _check_session():

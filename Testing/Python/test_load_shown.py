@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A flight that waft.load gave in ParaView's views, and in its states, which show it again without flying.
+
+    pvbatch test_load_shown.py         on a screen
+"""
+import sys
+import unittest
+
+import numpy as np
+import test_load
+import waft
+from paraview import simple
+
+
+class ShownTest(test_load.Base):
+    def test_in_paraview_and_in_its_states(self):
+        folder = self.copy()
+        run = waft.load(folder)
+        view = run.show()
+        self.addCleanup(lambda: [simple.Delete(one) for one in simple.GetRenderViews()])
+        self.assertEqual([view], waft.show(run))  # the same sources
+        sources = {name: source for (name, _), source in simple.GetSources().items() if source not in self.stages()}
+        self.assertEqual({"Bodies", "Paths", "Obstacles", "Marks"}, set(sources))
+        animation = simple.GetAnimationScene()
+        self.assertEqual((41, run.times[-1]), (animation.NumberOfFrames, animation.EndTime))
+        for frame in (0, 40):
+            bodies = waft.fetch(sources["Bodies"], 0, time=run.times[frame])
+            posed = waft.fetch(self.flown.rotation, "Meshes", time=run.times[frame])
+            np.testing.assert_allclose(bodies.GetBounds(), posed.GetBounds(), atol=1e-6)
+            self.assertEqual(posed.GetNumberOfPoints(), bodies.GetNumberOfPoints())
+        heights = [waft.fetch(sources["Obstacles"], 0, time=run.times[frame]).GetBounds()[5] for frame in (0, 40)]
+        self.assertAlmostEqual(0.4, heights[1] - heights[0], places=5)
+        state = self.folder / "state.pvsm"
+        simple.SaveState(str(state))
+        run.delete()
+        self.assertEqual(set(), {source for source in simple.GetSources().values() if source not in self.stages()})
+        simple.LoadState(str(state))
+        back = [source for (name, _), source in simple.GetSources().items() if name == "Bodies"]
+        self.assertEqual(1, len(back))
+        again = waft.fetch(back[0], 0, time=run.times[40])
+        np.testing.assert_allclose(again.GetBounds(), bodies.GetBounds(), atol=1e-9)
+
+    def stages(self):
+        return [self.flown.reader, self.flown.planner, self.flown.assimilation, self.flown.rotation]
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
