@@ -231,6 +231,58 @@ class SceneTest(unittest.TestCase):
             with self.assertRaisesRegex(waft.BadInput, "constraints/0/velocity: expected"):
                 waft.Scene.load(path)
 
+    def test_what_the_reader_would_refuse_is_refused_by_the_call(self):
+        """Each: how a scene is begun, the call, its argument, words of the message."""
+        origin, key = (0, 0, 1), {"frame": 50, "position": (0, 0, 1)}
+        for begin, call, argument, words in (
+                (lambda s: s.add_position(0, 50, origin), lambda s: s.set_time(20), "set_time: frames", "more than 50, a frame of constraint 0"),
+                (lambda s: s.add_path(0, 40, [origin] * 5), lambda s: s.set_time(44), "set_time: frames", "more than 44"),
+                (lambda s: s.add_sphere(origin, 0.1, motion=[key]), lambda s: s.set_time(50), "set_time: frames", "a frame of obstacle 0"),
+                (None, lambda s: s.add_sphere(origin, 0.1, motion=[{**key, "frame": 60}]), "add_sphere: motion", "frames from 0 to 59"),
+                (None, lambda s: s.add_rest(0, 40, origin, until=39), "add_rest: until", "a frame from 40 on"),
+                (None, lambda s: s.add_keyframe(40, points=[origin], velocity="rest", until=39), "add_keyframe: until", "from 40 on"),
+                (None, lambda s: s.add_keyframe(40, points=[origin] * 2, objects=[0]), "add_keyframe: objects", "2 or more"),
+                (None, lambda s: s.add_keyframe(40, points=[origin], objects=[]), "add_keyframe: objects", "1 or more"),
+                (None, lambda s: s.add_keyframe(40, points=[origin] * 2, objects=[1, 1]), "add_keyframe: objects", "each object once"),
+                (None, lambda s: s.add_keyframe(40, points=[origin], objects=[-1]), "add_keyframe: objects", "only with assign inOrder"),
+                (None, lambda s: s.add_keyframe(40, points=[origin], classes=["red"]), "add_keyframe: classes", "none has one"),
+                (lambda s: s.add_shape("r", "leaf", class_="red"), lambda s: s.add_keyframe(40, points=[origin] * 2, classes=["red"]),
+                 "add_keyframe: classes", "2 classes, one a point"),
+                (lambda s: s.add_keyframe(40, points=[origin] * 4), lambda s: s.save(self.folder / "x.waft.json"), "save: constraints[0]",
+                 "at most 3 targets, the number of objects, found 4"),
+                (lambda s: s.add_keyframe(40, text="A", origin=origin, width=1, count=4), lambda s: s.save(self.folder / "x.waft.json"),
+                 "save: constraints[0]", "at most 3 targets"),
+                (None, lambda s: s.add_keyframe(40, text="  ", origin=origin, width=1), "add_keyframe: text", "something to draw"),
+                (None, lambda s: s.add_keyframe(40, text="\u05e9", origin=origin, width=1), "add_keyframe: text", "from left to right"),
+                (None, lambda s: s.add_keyframe(40, mesh=__file__, origin=origin), "add_keyframe: mesh", "ends with .vtp"),
+                (None, lambda s: s.add_keyframe(40, image=__file__, origin=origin, width=1), "add_keyframe: image", "ends with .png"),
+                (None, lambda s: s.add_mesh(__file__), "add_mesh: file", "ends with .vtp"),
+                (None, lambda s: s.add_wind_file(__file__), "add_wind_file: file", ".vti, .pvd or .vdb"),
+                (None, lambda s: s.add_shape("m", mesh=__file__), "add_shape: mesh", "ends with .vtp"),
+                (None, lambda s: s.set_ground(height=4), "set_ground: height", "below the top of the volume, found 4 m and 4 m"),
+                (lambda s: s.set_ground(height=3), lambda s: s.set_domain(max=(2, 2, 2)), "set_domain: max", "below the top"),
+                (None, lambda s: s.set_domain((0, 0, 0), (1e-4, 1e-4, 1e-4)), "set_domain: max", "sides from 0.001 m on"),
+                (None, lambda s: s.set_domain((0, 0, 0), (9, 9, 0.0089)), "set_domain: max", "at most 1000 times the shortest"),
+                (lambda s: s.add_object("leaf", origin, id=4), lambda s: s.add_object("leaf", origin), "add_object: id", "found 4"),
+                (lambda s: s.add_object("leaf", origin, id=6), lambda s: s.add_objects("leaf", positions=[origin] * 3), "add_objects: id",
+                 "found 6"),
+                (lambda s: s.add_sphere(origin, 0.1, id=1), lambda s: s.add_sphere(origin, 0.1), "add_sphere: id", "found 1"),
+                (None, lambda s: s.add_orientation(0, 9, (1e-13, 0, 0, 0)), "add_orientation: value", "not zero"),
+                (None, lambda s: s.add_position(0, 9, origin, comment="\ud800"), "add_position: comment", "whole letters"),
+                (None, lambda s: waft.Scene("\udc00"), "__init__: title", "whole letters")):
+            with self.subTest(argument=argument, words=words):
+                scene = waft.Scene()
+                scene.set_time(60)
+                scene.add_objects("leaf", positions=[(0, 0, 2), (0.5, 0, 2), (1, 0, 2)])
+                if begin is not None:
+                    begin(scene)
+                before = scene.as_dict()
+                with self.assertRaises(waft.BadInput) as refused:
+                    call(scene)
+                self.assertTrue(str(refused.exception).startswith(f"Scene.{argument}: expected "), refused.exception)
+                self.assertIn(words, str(refused.exception))
+                self.assertEqual(before, scene.as_dict())
+
     def test_fields_that_do_not_go_together_are_refused(self):
         scene = everything()
         before = scene.as_dict()

@@ -59,8 +59,9 @@ def entry_of(method, definition, given, **constant):
     entry = dict(constant)
     for argument, value in given.items():
         if argument == "comment" and value is not None:
-            if not isinstance(value, str):
-                raise refusal(method, argument, "a text", _schema.shown(value))
+            wrong = _schema.fault(value, {"type": "string"}, argument)
+            if wrong is not None:
+                raise refusal(method, *wrong)
             entry = {"_": value, **entry}
         elif value is not None and argument != "self":
             entry[field_name(argument)] = _schema.plain(value)

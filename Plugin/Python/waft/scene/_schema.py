@@ -140,6 +140,8 @@ def _own_fault(value, field, place):
         if not (is_finite and field.get("minimum", -math.inf) <= value <= field.get("maximum", math.inf)):
             return wrong
     if isinstance(value, str):
+        if any("\ud800" <= letter <= "\udfff" for letter in value):
+            return place, "a text of whole letters", "half of one"
         if not field.get("minLength", 0) <= len(value) <= field.get("maxLength", 1 << 30):
             return place, f"a text of {field.get('minLength', 0)} to {field['maxLength']} letters", f"{len(value)} letters"
         if "pattern" in field and not re.search(field["pattern"], value):

@@ -12,6 +12,7 @@ from waft.files import whole_file, write_text
 from waft.reading import json_of, read_json, read_text
 from waft.scene import _schema
 from waft.scene._entries import documented, entry_of, refusal, sensible
+from waft.scene._sense import classes_of, last_frame, last_frames, targets_of
 
 Vector = Sequence[float]  # a tuple, a list or a numpy array of three numbers
 Quaternion = Sequence[float]  # w, x, y, z
@@ -19,6 +20,7 @@ Path = Union[str, "os.PathLike[str]"]
 Motion = Sequence[Mapping[str, Any]]  # [{"frame": 0, "position": (0, 0, 1)}, ...]
 
 _LISTS = ("objects", "constraints", "obstacles", "winds", "vortices")
+_TOP = 4.0  # of the volume where none is set [m]
 _TARGETS = {"points": "pointTargets", "text": "textTargets", "image": "imageTargets", "mesh": "meshTargets"}
 
 
@@ -42,7 +44,7 @@ class Scene:
     def __init__(self, title: Optional[str] = None, *, seed: Optional[int] = None, comment: Optional[str] = None) -> None:
         """An empty scene: a volume of 4 m x 4 m x 4 m, 300 frames, 30 a second."""
         self._data = entry_of("__init__", "scene", _given(locals()), waft=1)
-        self._ids: List[int] = []
+        self._ids: Dict[int, None] = {}  # in their order
 
     # The stage
 
@@ -55,13 +57,13 @@ class Scene:
     @documented("domain")
     def set_domain(self, min: Optional[Vector] = None, max: Optional[Vector] = None, *, comment: Optional[str] = None) -> None:
         """The volume that objects stay in; its sides are walls."""
-        self._set("set_domain", "domain", locals())
+        self._set("set_domain", "domain", locals(), "ground")
 
     @documented("ground")
     def set_ground(self, height: Optional[float] = None, enabled: Optional[bool] = None, *,
                    comment: Optional[str] = None) -> None:
         """A closed slab below a height, an obstacle."""
-        self._set("set_ground", "ground", locals())
+        self._set("set_ground", "ground", locals(), "domain")
 
     @documented("air")
     def set_air(self, density: Optional[float] = None, *, comment: Optional[str] = None) -> None:
@@ -167,6 +169,11 @@ class Scene:
         own = _schema.definition("keyframeConstraint")["properties"]
         others = {name: value for name, value in given.items() if name not in own and name != "comment"}
         targets = self._with_files("add_keyframe", definition, entry_of("add_keyframe", definition, others))
+        known = classes_of(self._data)
+        for name in targets.get("classes", ()):
+            if name and not name.startswith("_") and name not in known:
+                raise refusal("add_keyframe", "classes", f"classes of shapes and objects ({', '.join(sorted(known)) or 'none has one'})",
+                              _schema.shown(name))
         rest = {name: value for name, value in given.items() if name not in others}
         return self._append_mark("add_keyframe", entry_of("add_keyframe", "keyframeConstraint", {**rest, "targets": targets},
                                                           kind="keyframe"))
@@ -229,6 +236,9 @@ class Scene:
         folder = os.path.dirname(os.path.abspath(path))
         if not os.path.isdir(folder):
             raise refusal("save", "path", "the path of a file in a folder that is there", _schema.shown(path))
+        for number, row in enumerate(self._data.get("constraints", ())):
+            if row["kind"] == "keyframe" and "objects" not in row and targets_of(row) > len(self._ids):
+                raise refusal("save", f"constraints[{number}]", f"at most {len(self._ids)} targets, the number of objects", targets_of(row))
         content = _schema.with_files(self._data, _schema.definition("scene"), lambda file: os.path.relpath(file, folder))
         text = re.sub(r"\[\s+([-+.\deE,\s]+?)\s+\]", lambda list_: f"[{' '.join(list_[1].split())}]", json.dumps(content, indent=2))
         with whole_file(path, None if is_new else _is_scene) as part:
@@ -247,7 +257,7 @@ class Scene:
         folder = os.path.dirname(os.path.abspath(path))
         scene._data = _schema.with_files(data, _schema.definition("scene"), lambda file: os.path.join(folder, file))
         for objects in scene._data.get("objects", ()):
-            scene._ids += scene._new_ids(objects)
+            scene._ids.update(dict.fromkeys(scene._new_ids(objects)))
         return scene
 
     def as_dict(self) -> Dict[str, Any]:
@@ -279,7 +289,7 @@ class Scene:
         """A copy whose seed is another: another flight to the same marks."""
         copy = type(self)(seed=seed)  # refuses what is no seed
         copy._data = {**self._data, "seed": seed}
-        copy._ids = list(self._ids)
+        copy._ids = dict(self._ids)
         return copy
 
     def __repr__(self) -> str:
@@ -290,8 +300,19 @@ class Scene:
 
     # Inside
 
-    def _set(self, method, name, given):
-        self._data[name] = sensible(method, name, {**self._data.get(name, {}), **entry_of(method, name, _given(given))})
+    def _set(self, method, name, given, other=None):
+        """Sets fields of a part of the stage; other: the part that it has to go with, of ground and domain."""
+        entry = sensible(method, name, {**self._data.get(name, {}), **entry_of(method, name, _given(given))})
+        for what, last in last_frames(self._data) if "frames" in entry and name == "time" else ():
+            if entry["frames"] <= last:
+                raise refusal(method, "frames", f"more than {last}, a frame of {what}", entry["frames"])
+        if other is not None:
+            parts = {**self._data, name: entry}
+            height, top = parts.get("ground", {}).get("height"), parts.get("domain", {}).get("max", [0.0, 0.0, _TOP])[2]
+            if height is not None and height >= top:
+                raise refusal(method, "height" if name == "ground" else "max", "a ground below the top of the volume",
+                              f"{height:g} m and {top:g} m")
+        self._data[name] = entry
 
     def _make_room(self, method, name, count):
         """Refuses one entry more than a scene may have."""
@@ -326,8 +347,9 @@ class Scene:
                 raise refusal(method, "shape", f"one of {names}", _schema.shown(entry["shape"]))
             self._make_room(method, "shapes", len(self.shapes))
             self._data.setdefault("shapes", {})[entry["shape"]] = {"builtin": entry["shape"]}
-        if entry.get("id") in self._ids:
-            raise refusal(method, "id", "an id that no object has", entry["id"])
+        taken = next((number for number in self._new_ids(entry) if number in self._ids), None)
+        if taken is not None:
+            raise refusal(method, "id", "an id that no object has", taken)
         return entry
 
     def _new_ids(self, entry):
@@ -341,7 +363,7 @@ class Scene:
         if len(self._ids) + len(ids) > most:
             raise refusal(method, "objects", f"at most {most} in a scene", len(self._ids) + len(ids))
         self._data.setdefault("objects", []).append(entry)
-        self._ids += ids
+        self._ids.update(dict.fromkeys(ids))
         return ids
 
     def _add_mark(self, method, kind, given):
@@ -352,22 +374,28 @@ class Scene:
         self._make_room(method, "constraints", len(self._data.get("constraints", ())))
         for name in ("object", "objects"):
             ids = entry.get(name, [])
-            known = set(self._ids) if isinstance(ids, list) else self._ids
             for number in ids if isinstance(ids, list) else [ids]:
-                if number != -1 and number not in known:
+                if number != -1 and number not in self._ids:
                     raise refusal(method, name, f"the id of one of the scene's {len(self._ids)} objects", number)
         last = self.frames - 1
         for name, frame in (("frame", entry.get("frame")), ("until", entry.get("until")),
-                            ("first_frame", entry.get("firstFrame")),
-                            ("points", entry.get("firstFrame", 0) + len(entry.get("points", ())) - 1)):
+                            ("first_frame", entry.get("firstFrame")), ("points", last_frame(entry))):
             if frame is not None and frame > last:
                 raise refusal(method, name, f"a frame from 0 to {last}, as set_time says", frame)
         self._data.setdefault("constraints", []).append(entry)
         return len(self._data["constraints"]) - 1
 
     def _add_obstacle(self, method, kind, given):
-        place = self._append("obstacles", method, f"{kind}Obstacle", given, kind=kind)
-        return self._data["obstacles"][place].get("id", place)
+        there = self._data.get("obstacles", [])
+        entry = self._with_files(method, f"{kind}Obstacle", entry_of(method, f"{kind}Obstacle", _given(given), kind=kind))
+        own = entry.get("id", len(there))
+        if own in (obstacle.get("id", place) for place, obstacle in enumerate(there)):
+            raise refusal(method, "id", "an id that no obstacle has", own)
+        late = next((step["frame"] for step in entry.get("motion", ()) if step["frame"] >= self.frames), None)
+        if late is not None:
+            raise refusal(method, "motion", f"frames from 0 to {self.frames - 1}, as set_time says", late)
+        self._append("obstacles", method, f"{kind}Obstacle", given, kind=kind)
+        return own
 
 
 def _is_scene(path):
