@@ -27,7 +27,7 @@ endforeach()
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE DESTINATION share/doc/waft)
 install(FILES LICENSE DESTINATION share/doc/waft RENAME copyright)
 install(DIRECTORY Documentation DESTINATION share/doc/waft
-  FILES_MATCHING REGEX "\\.(md|png|webp|svg|json)$"
+  FILES_MATCHING REGEX "\\.(md|png|webp|svg|json|pvsm)$"
   PATTERN scripts EXCLUDE)
 
 set(CPACK_GENERATOR DEB TGZ)

@@ -9,6 +9,8 @@ import pathlib
 
 from paraview import simple
 
+import waft
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 GALLERY = ROOT / "Documentation" / "gallery"
 SIZE = (560, 440)
@@ -24,14 +26,19 @@ def load(**where):
 def draw(view, path, size):
     """Colours and camera by the data that there are now."""
     view.ViewSize = size
-    simple.Render(view)
-    for shown in view.Representations:
-        if getattr(shown, "Visibility", 0) and shown.ColorArrayName[1] is not None and shown.LookupTable is not None:
+    time = view.ViewTime
+    parts = [shown for shown in view.Representations if getattr(shown, "Visibility", 0)]
+    waft.show([shown.Input for shown in parts], view)
+    view.ViewTime = time
+    for shown in parts:
+        array = shown.ColorArrayName[1]
+        if array in RANGES:
+            simple.GetColorTransferFunction(array).RescaleTransferFunction(*RANGES[array])
+        elif array == "Strength":  # of either sense, about 0
+            most = max(map(abs, shown.Input.CellData[array].GetRange()))
+            simple.GetColorTransferFunction(array).RescaleTransferFunction(-most, most)
+        elif array:
             shown.RescaleTransferFunctionToDataRange()
-            array = shown.ColorArrayName[1]
-            if array in RANGES:
-                simple.GetColorTransferFunction(array).RescaleTransferFunction(*RANGES[array])
-    simple.ResetCamera(view)
     simple.SaveScreenshot(str(path), view, ImageResolution=size)
 
 

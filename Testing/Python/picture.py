@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures compared pixel by pixel. VTK's own image difference hardly sees motion (a whole frame
-later still passes its usual threshold), so tests use this.
+"""Pictures of `waft render` compared pixel by pixel. They are whole scenes, in which VTK's own means (baseline.py) does not
+see a frame go by.
 
 As a program: python3 picture.py A.png B.png; exit status 0 when they agree."""
 
@@ -35,11 +35,9 @@ def differing(first, second):
     return float(np.mean(np.abs(first - second).max(axis=2) > TOLERANCE))
 
 
-def kept(path, pixels, folder=None):
-    """Of the pictures that are kept as NAME.png and NAME.DRAWER.png (drawn by another version of Mesa; in `folder`, if it is given),
-    the one most like `pixels`."""
-    place, name = os.path.split(os.path.splitext(path)[0])
-    others = sorted(glob.glob(os.path.join(glob.escape(str(folder or place)), f"{glob.escape(name)}.*.png")))
+def kept(path, pixels):
+    """Of the pictures that are kept as NAME.png and NAME.DRAWER.png (drawn by another version of Mesa), the one most like `pixels`."""
+    others = sorted(glob.glob(f"{glob.escape(os.path.splitext(path)[0])}.*.png"))
     return min(map(read, [path, *others]), key=lambda wanted: differing(pixels, wanted))
 
 

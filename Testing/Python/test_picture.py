@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The comparison of pictures itself: what it takes for equal and what not."""
+"""The comparisons of pictures themselves: what they take for equal and what not."""
 
 import os
 import sys
@@ -12,6 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import baseline  # noqa: E402
 import picture  # noqa: E402
 
 
@@ -65,6 +66,24 @@ class PictureTest(unittest.TestCase):
                 self.assertEqual(picture.main(first, path), status)
         with self.assertRaises(FileNotFoundError):
             picture.read(os.path.join(folder, "a.png"))
+
+    def test_baselines_and_their_alternatives(self):
+        moved = self.plain.copy()
+        moved[10:30, 10:14] = 255
+        with tempfile.TemporaryDirectory() as folder:
+            drawn, kept, other = (os.path.join(folder, n) for n in ("drawn.png", "kept.png", "kept_1.png"))
+            write(moved, drawn)
+            self.assertEqual(baseline.error(drawn, kept), float("inf"), "a baseline that is not there")
+            write(self.changed(5000, 20), kept)
+            self.assertFalse(baseline.agree(drawn, kept))
+            self.assertAlmostEqual(baseline.error(drawn, kept), 12.9, delta=0.1)  # 2 x 18 of 4 x 20 pixels are no shift's
+            write(np.roll(moved, 1, axis=1), other)
+            self.assertTrue(baseline.agree(drawn, kept), "the alternative, of a pixel's shift")
+            write(np.roll(moved, 4, axis=1), other)
+            self.assertFalse(baseline.agree(drawn, kept))
+            write(self.plain[:25], kept)
+            os.remove(other)
+            self.assertFalse(baseline.agree(drawn, kept), "another size")
 
 
 if __name__ == "__main__":

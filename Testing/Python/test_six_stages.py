@@ -6,7 +6,6 @@ of waft.synthesize with the database that the script wrote, and in each port wha
 
 import ast
 import contextlib
-import functools
 import io
 import pathlib
 import re
@@ -20,22 +19,11 @@ import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+import six_stages_small
 import waft
 
 SOURCE = pathlib.Path(sys.argv[1])
 SCRIPT = SOURCE / "Documentation" / "examples" / "six_stages.py"
-AIR = {"Resolution": [16, 16, 16], "NumberOfFrames": 60, "NumberOfObstacles": 1}
-SHORT = {"NumberOfGasParticles": 216, "LeashIterations": 2, "MaximumNumberOfIterations": 6}
-
-
-def make_scene(path):
-    """Three leaves, each with a mark to pass and then to lie down."""
-    scene = waft.Scene("Three leaves", seed=5)
-    scene.set_time(61)
-    scene.add_objects("maple", count=3, region={"min": (-0.6, -0.6, 1.2), "max": (0.6, 0.6, 1.5)})
-    for leaf in range(3):
-        scene.add_position(leaf, 36, (0.5 * leaf - 0.5, 0.1, 1.0), radius=0.1)
-    scene.save(path)
 
 
 def numbers(data):
@@ -52,14 +40,11 @@ class SixStagesTest(unittest.TestCase):
         cls.addClassCleanup(kept.cleanup)
         cls.folder = pathlib.Path(kept.name)
         scene = cls.folder / "three.waft.json"
-        make_scene(scene)
-        made = {name: functools.partial(getattr(simple, name), **settings)
-                for name, settings in (("GridSmokeSource", AIR), ("SPHSpacetimeFilter", SHORT))}
-        with mock.patch.multiple(simple, **made), mock.patch.object(sys, "argv", [SCRIPT.name, str(scene), str(cls.folder)]):
-            cls.stages = runpy.run_path(str(SCRIPT))
+        six_stages_small.make_scene(scene)
+        cls.stages = six_stages_small.join(SCRIPT, scene, cls.folder)
         cls.run_dir = cls.folder / "out"
         cls.flight = waft.synthesize(scene, quality="paper", database=cls.folder / "air.vtm", output=cls.run_dir,
-                                     _settings={"Spacetime": SHORT})
+                                     _settings={"Spacetime": six_stages_small.SHORT})
 
     def test_gives_the_bytes_of_synthesize(self):
         for name in ("poses.csv", "animation.glb"):
