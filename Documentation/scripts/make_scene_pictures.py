@@ -56,19 +56,26 @@ def draw(motion, size, views):
     return [vtk_to_numpy(stage.draw(*view).GetPointData().GetScalars()).reshape(size[1], size[0], 3) for view in views]
 
 
-def write(name, pixels):
-    write_png(image(np.ascontiguousarray(pixels)), os.path.join(GALLERY, name + ".png"))
+def write(path, pixels):
+    write_png(image(np.ascontiguousarray(pixels)), str(path))
 
 
-def main(folder):
-    motion = load(folder)
-    name = "scene_" + os.path.basename(folder)
+def draw_moments(folder, path):
+    """Writes the moments of a folder side by side; returns its motion and the last of its views."""
+    motion = load(str(folder))
     views = moments(folder, motion.number_of_frames - 1)
     gap = np.full((PANEL[1], GAP, 3), 255, np.uint8)
     panels = [part for panel in draw(motion, PANEL, views) for part in (panel, gap)]
-    write(name, np.concatenate(panels[:-1], axis=1))
-    write(name + "_end", draw(motion, END, views[-1:])[0])
+    write(path, np.concatenate(panels[:-1], axis=1))
+    return motion, views[-1]
 
 
-for each in sys.argv[1:]:
-    main(each.rstrip("/"))
+def main(folder):
+    path = os.path.join(GALLERY, "scene_" + os.path.basename(folder))
+    motion, last = draw_moments(folder, path + ".png")
+    write(path + "_end.png", draw(motion, END, [last])[0])
+
+
+if __name__ == "__main__":
+    for each in sys.argv[1:]:
+        main(each.rstrip("/"))

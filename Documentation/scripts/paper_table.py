@@ -136,13 +136,17 @@ ROWS = (
 )
 
 
-def main(folders):
-    columns = [column(pathlib.Path(folder)) for folder in folders]
-    print(f"{datetime.date.today()}:\n")
-    print("| what | the paper says | " + " | ".join(name for name, _ in columns) + " |")
-    print("|---" * (2 + len(columns)) + "|")
+def lines(columns):
+    """The table, of (scene, cells) of each column."""
+    yield "| what | the paper says | " + " | ".join(name for name, _ in columns) + " |"
+    yield "|---" * (2 + len(columns)) + "|"
     for number, (what, said) in enumerate(ROWS):
-        print(f"| {what} | {said} | " + " | ".join(cells[number] for _, cells in columns) + " |")
+        yield f"| {what} | {said} | " + " | ".join(cells[number] for _, cells in columns) + " |"
+
+
+def main(folders):
+    print(f"{datetime.date.today()}:\n")
+    print("\n".join(lines([column(pathlib.Path(folder)) for folder in folders])))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The figures of the page on the paper, made anew: a scene of Fig. 4 is flown at full size in both qualities, and
+Documentation/scripts/make_paper_figures.py draws and measures it into a copy of the page.
+
+    pvbatch test_paper_figures.py SOURCE FOLDER [RESULTS]        RESULTS: a folder with paper/SCENE and full/SCENE, not flown then
+"""
+import json
+import pathlib
+import re
+import shutil
+import sys
+import unittest
+
+import waft
+import picture
+
+SOURCE, FOLDER = map(pathlib.Path, sys.argv[1:3])
+SCENE = "feather-waypoints-a"
+sys.path.insert(0, str(SOURCE / "Documentation" / "scripts"))
+
+import make_paper_figures  # noqa: E402
+import paper_table  # noqa: E402
+
+PAGE = (SOURCE / "Documentation" / "Paper.md").read_text(encoding="utf-8")
+
+
+class PaperFiguresTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(FOLDER, ignore_errors=True)
+        (FOLDER / "gallery").mkdir(parents=True)
+        (FOLDER / "Paper.md").write_text(PAGE, encoding="utf-8")
+        cls.results = {quality: (pathlib.Path(sys.argv[3]) if sys.argv[3:] else FOLDER) / quality / SCENE
+                       for quality in make_paper_figures.QUALITIES}
+        for quality, folder in cls.results.items():
+            if not sys.argv[3:]:
+                waft.synthesize(SOURCE / "Data" / "Scenes" / f"{SCENE}.waft.json", quality=quality, output=folder)
+        make_paper_figures.main(["--into", str(FOLDER), *map(str, cls.results.values())])
+        cls.page = (FOLDER / "Paper.md").read_text(encoding="utf-8")
+        cls.kept = json.loads((FOLDER / "gallery" / "figures.json").read_text(encoding="utf-8"))[SCENE]
+
+    def test_both_qualities_have_their_picture(self):
+        drawn = []
+        for quality in make_paper_figures.QUALITIES:
+            self.assertIn(f"| {SCENE}, `{quality}` | ![{SCENE} in {quality}](gallery/figure_{SCENE}_{quality}.png) |", self.page)
+            drawn.append(picture.read(str(FOLDER / "gallery" / f"figure_{SCENE}_{quality}.png")))
+        self.assertEqual(drawn[0].shape, drawn[1].shape)
+        self.assertGreater(picture.differing(*drawn), picture.FRACTION, "two flights look alike")
+
+    def test_rows_are_those_of_measure(self):
+        for quality, folder in self.results.items():
+            for row in waft.measure(folder)[0].rows:
+                kept = self.kept[quality]["rows"][row.key]
+                self.assertEqual(kept, {"value": row.as_json()["value"], "met": row.met})
+            self.assertEqual(self.kept[quality]["rows"]["exact"]["met"], True, "marks are met exactly")
+            self.assertRegex(self.page, rf"\n\| {SCENE}, `{quality}` \| 1 \| ")
+
+    def test_the_table_is_that_of_its_script(self):
+        for line in paper_table.lines([(SCENE, paper_table.column(self.results["paper"])[1])]):
+            self.assertIn(f"\n{line}\n", self.page)
+
+    def test_every_figure_has_its_caption_and_its_scenes(self):
+        for page in (PAGE, self.page):
+            self.assertEqual(re.findall(r"^\*(Fig\. \d.*)\*$", page, re.MULTILINE), [caption for caption, _ in make_paper_figures.FIGURES])
+            for scene in make_paper_figures.SCENES:
+                self.assertEqual(len(re.findall(rf"^\| {scene}, `\w+` \| (?:!|-)", page, re.MULTILINE)), 2)
+
+    def test_nothing_else_of_the_page_changes(self):
+        sections = {name for name in (make_paper_figures.PICTURES, make_paper_figures.MEASURES, make_paper_figures.TABLE)}
+        for before, after in zip(*(re.split(r"^#+ ", page, flags=re.MULTILINE) for page in (PAGE, self.page))):
+            if before.partition("\n")[0] not in sections:
+                self.assertEqual(before, after)
+
+    def test_other_results_are_refused(self):
+        wrong = FOLDER / "wrong"
+        wrong.mkdir()
+        (wrong / "report.json").write_text(json.dumps({"scene": f"{SCENE}.waft.json", "quality": "air"}), encoding="utf-8")
+        with self.assertRaises(SystemExit) as caught:
+            make_paper_figures.main(["--into", str(FOLDER), str(wrong)])
+        self.assertIn("expected a scene of Figs. 4 to 9 in quality paper or full, found feather-waypoints-a in air", str(caught.exception))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
