@@ -44,6 +44,8 @@ def taken(folder, into):
     scene, quality = report["scene"].split(".")[0], report["quality"]
     if scene not in SCENES or quality not in QUALITIES:
         raise SystemExit(f"{folder}: expected a scene of Figs. 4 to 9 in quality paper or full, found {scene} in {quality}")
+    if report["stoppedEarly"]:
+        raise SystemExit(f"{folder}: expected a run that went to its end, found one that was stopped; --resume goes on with it")
     make_scene_pictures.draw_moments(folder, into / "gallery" / f"figure_{scene}_{quality}.png")
     measured = waft.measure(folder)[0].as_json()
     entry = {"date": datetime.date.fromtimestamp((folder / "report.json").stat().st_mtime).isoformat(), "objects": measured["objects"],

@@ -74,10 +74,12 @@ class PaperFiguresTest(unittest.TestCase):
     def test_other_results_are_refused(self):
         wrong = FOLDER / "wrong"
         wrong.mkdir()
-        (wrong / "report.json").write_text(json.dumps({"scene": f"{SCENE}.waft.json", "quality": "air"}), encoding="utf-8")
-        with self.assertRaises(SystemExit) as caught:
-            make_paper_figures.main(["--into", str(FOLDER), str(wrong)])
-        self.assertIn("expected a scene of Figs. 4 to 9 in quality paper or full, found feather-waypoints-a in air", str(caught.exception))
+        for values, text in (({"quality": "air"}, f"expected a scene of Figs. 4 to 9 in quality paper or full, found {SCENE} in air"),
+                             ({"quality": "full", "stoppedEarly": True}, "expected a run that went to its end, found one that was stopped")):
+            (wrong / "report.json").write_text(json.dumps({"scene": f"{SCENE}.waft.json", **values}), encoding="utf-8")
+            with self.assertRaises(SystemExit) as caught:
+                make_paper_figures.main(["--into", str(FOLDER), str(wrong)])
+            self.assertIn(text, str(caught.exception))
 
 
 if __name__ == "__main__":
