@@ -24,7 +24,7 @@ from waft.measuring import _flights, _two_sample  # noqa: E402
 from waft.measuring._airfield import AirField  # noqa: E402
 from waft.measuring._drifters import QUANTUM, Drifters, _decoded, _encoded, make_drifters  # noqa: E402
 from waft.measuring._flights import Flights  # noqa: E402
-from waft.measuring._runs import flight, read_run  # noqa: E402
+from waft.measuring._runs import flight, marked, read_run  # noqa: E402
 from waft.measuring.rows import _control, _lacking, table  # noqa: E402
 from waft.reading import read_picture  # noqa: E402
 
@@ -66,8 +66,9 @@ def turning_air(frames=FRAMES, nodes=9):
     return AirField(np.arange(frames) / RATE, np.repeat(one[None], frames, axis=0), None, [-2.0, -2.0, 0.0], spacing)
 
 
-def write_folder(folder, positions, slip=SLIP, air=None, rest=None, said=None):
-    """What `waft measure` reads of a result: rest is the frame from which all lie, said what an optimiser says of it."""
+def write_folder(folder, positions, slip=SLIP, air=None, rest=None, said=None, mark=None):
+    """What `waft measure` reads of a result: rest is the frame from which all lie, mark one at which all have a ball to pass through,
+    said what an optimiser says of it."""
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
     count, frames = positions.shape[:2]
@@ -90,14 +91,15 @@ def write_folder(folder, positions, slip=SLIP, air=None, rest=None, said=None):
     sample_folder.add(objects.GetPointData(), "ObjectId", np.arange(count), np.int32)
     sample_folder.add(objects.GetPointData(), "SettlingSpeed", np.full(count, slip))
     write_xml(objects, os.path.join(folder, "objects.vtp"))
-    if rest is not None:
-        rows = sample_folder._vertices(positions[:, rest])
+    if rest is not None or mark is not None:
+        frame, what, until, radius = (mark, 0, mark, 0.02) if rest is None else (rest, 4, frames - 1, 0.0)
+        rows = sample_folder._vertices(positions[:, frame])
         columns = rows.GetPointData()
-        for name, value, kind in (("Frame", rest, np.int32), ("Kind", 4, np.uint8), ("Until", frames - 1, np.int32),
-                                  ("Radius", 0.0, float)):
+        for name, value, kind in (("Frame", frame, np.int32), ("Kind", what, np.uint8), ("Until", until, np.int32),
+                                  ("Radius", radius, float)):
             sample_folder.add(columns, name, np.full(count, value), kind)
         sample_folder.add(columns, "ObjectId", np.arange(count), np.int32)
-        sample_folder.add(columns, "Value", np.pad(positions[:, rest], ((0, 0), (0, 1))))
+        sample_folder.add(columns, "Value", np.pad(positions[:, frame], ((0, 0), (0, 1))))
         write_xml(rows, os.path.join(folder, "constraints.vtp"))
     if air is not None:
         os.makedirs(os.path.join(folder, "air"))
@@ -194,6 +196,34 @@ class DefinitionTest(unittest.TestCase):
         self.assertEqual(list(np.flatnonzero(free[1])), [*range(35, 90)])
         self.assertEqual(list(np.flatnonzero(free[2])), [15])
         self.assertEqual(touches, [(0, 60), (2, 40)])
+
+    def test_a_jump_at_a_mark_is_seen_and_told_by_its_size(self):
+        frame, jump = 60, 0.2
+        folder = os.path.join(WORK, "marks")
+
+        def figures(positions):
+            write_folder(folder, positions, mark=frame)
+            measured = measure(folder)[0]
+            return [measured[key] for key in ("mark_steps", "mark_pushes")]
+
+        smooth = waves(COUNT, 0.5, frames=FRAMES)
+        steps, pushes = figures(smooth)
+        self.assertTrue(steps.met and pushes.met, (steps, pushes))
+        jumping = smooth.copy()
+        jumping[:, frame, 1] += jump  # there for the frame of the mark alone
+        steps, pushes = figures(jumping)
+        longest = 0.1 * math.pi / RATE  # of the waves
+        self.assertAlmostEqual(steps.value, math.hypot(longest, jump) / longest, delta=0.2)
+        self.assertGreater(pushes.value, 1.0)
+        self.assertFalse(steps.met or pushes.met)
+        jumping = smooth.copy()
+        jumping[:, 20, 1] += jump  # the same away from marks
+        self.assertTrue(all(row.met for row in figures(jumping)))
+
+    def test_marks_are_positions_and_touch_downs(self):
+        rows = {"ObjectId": np.array([5, 5, 7, 9]), "Frame": np.array([10, 12, 30, 4]), "Kind": np.array([0, 1, 4, 0])}
+        found = marked(rows, np.array([5, 7]), FRAMES, [(1, 28)])
+        self.assertEqual([tuple(entry) for entry in np.argwhere(found)], [(0, 10), (1, 28)])
 
     def test_a_given_path_is_no_flight(self):
         frames = np.array([*range(30, 41), 60])

@@ -50,6 +50,15 @@ def stretches(mask):
     return list(zip(bodies.tolist(), starts.tolist(), ends.tolist()))
 
 
+def widened(mask, frames):
+    """A mask [body, frame], and that many frames before and after."""
+    wide = mask.copy()
+    for shift in range(1, frames + 1):
+        wide[:, shift:] |= mask[:, :-shift]
+        wide[:, :-shift] |= mask[:, shift:]
+    return wide
+
+
 def rms(vectors):
     """Root of the mean square length; NaN of none."""
     return float(np.sqrt(np.mean(np.sum(vectors**2, axis=-1)))) if len(vectors) else float("nan")

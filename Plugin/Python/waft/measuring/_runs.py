@@ -23,7 +23,8 @@ NEAR_ROW = 8  # frames about a position row that are no free flight
 @dataclass
 class Run:
     """A folder's motion: its flights, the arrays of its tracks {name: [object, frame, ...]}, the columns of its rows {name: [row]},
-    the touch-downs [(object, frame)], and what the optimiser says of its own motion {name: number}."""
+    the touch-downs [(object, frame)], at which frames an object is at a mark [object, frame], and what the optimiser says of its own
+    motion {name: number}."""
 
     folder: str
     flights: Flights
@@ -32,6 +33,7 @@ class Run:
     rows: dict
     ids: np.ndarray
     touches: list
+    marked: np.ndarray
     inertia: bool
     figures: dict
 
@@ -52,8 +54,8 @@ def read_run(folder, tracks="optimized"):
     flying, free, touches = flight(rows, ids, positions.shape[1], rate)
     report = record_of(below, "report.json", REPORT) or {}
     inertia = report.get("inertia", False)
-    return Run(str(folder), Flights(positions, rate, flying, free, slip), bounds, arrays, rows, ids, touches, inertia,
-               dynamics(data))
+    return Run(str(folder), Flights(positions, rate, flying, free, slip), bounds, arrays, rows, ids, touches,
+               marked(rows, ids, positions.shape[1], touches), inertia, dynamics(data))
 
 
 def _tracks(path, data):
@@ -117,6 +119,19 @@ def flight(rows, ids, frames, rate):
         for frame in np.flatnonzero(placed):
             free[index, np.abs(number - frame) <= NEAR_ROW] = False
     return flying, free & flying, touches
+
+
+def marked(rows, ids, frames, touches):
+    """Whether an object is where a row of position or the touch-down of a rest asks it to be [object, frame]."""
+    found = np.zeros((len(ids), frames), bool)
+    place = {number: index for index, number in enumerate(ids.tolist())}
+    for row in np.flatnonzero(rows["Kind"] == POSITION):
+        index, frame = place.get(int(rows["ObjectId"][row])), int(rows["Frame"][row])
+        if index is not None and 0 <= frame < frames:
+            found[index, frame] = True
+    for index, frame in touches:
+        found[index, frame] = True
+    return found
 
 
 def largest_residual(run):

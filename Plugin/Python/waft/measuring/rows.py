@@ -18,6 +18,7 @@ from waft.measuring._runs import TRACKS, largest_residual, read_run
 
 MANY = 20  # objects from which figures about each frame's mean and about pairs mean something
 START_FRAMES = 10
+MARK_STEPS, MARK_FRAMES = 5, 10  # frames about a mark whose steps, and whose accelerations, are held against the rest of the flight
 REPLAYED = (30, 90, 150)  # frames from which bodies drift on
 GRAVITY = 9.81
 LENGTHS = (4.0, 3.0, 2.0, 1.0)  # of the pieces of a spectrum, the longest that both have [s]
@@ -147,7 +148,7 @@ def _measured(runs, given, tracks, air):
     notes = reference.lacks(slips, runs[0].bounds, runs[0].flights.rate)
     style = _Style(airs, others, fewest)
     rows = [*_residuals(runs, air), _replay(runs, air), *style.rows(""), *_start(airs, others)]
-    rows += _witnesses(runs, air, others) + _landing(runs, fewest)
+    rows += _marks(runs) + _witnesses(runs, air, others) + _landing(runs, fewest)
     residuals = [largest_residual(run) for run in runs]
     rows.append(Row("exact", "exact constraints: largest residual", _largest(residuals), (0.0, 1e-9)))
     return Measured(name, tracks, sum(len(flights) for flights in airs), rows, notes, airs, others)
@@ -318,6 +319,30 @@ def _start(airs, others):
                 _ratio(rms(np.concatenate(first)), rms(np.concatenate(flown))), (0.0, 1.3), why="no flight at the start"),
             Row("start_jerk", "start: 99th percentile of jerk there over the drifters'",
                 _ratio(float(np.percentile(sizes, 99)), jerk) if len(sizes) else UNKNOWN, (0.0, 1.3), jerk, "no flight at the start")]
+
+
+def _marks(runs):
+    """Whether bodies jump at their marks: the longest step there, and how hard they are pushed."""
+    steps, pushes = ([np.zeros(0)], [np.zeros(0)]), ([np.zeros(0)], [np.zeros(0)])  # away from marks, about them
+    for run in runs:
+        flights = run.flights
+        step = np.linalg.norm(np.diff(flights.positions, axis=1), axis=2)
+        flown = flights.flying[:, 1:] & flights.flying[:, :-1] & np.isfinite(step)
+        near = _flights.widened(run.marked, MARK_STEPS)
+        near = near[:, 1:] | near[:, :-1]
+        push = np.linalg.norm(flights.acceleration, axis=2)
+        about = _flights.widened(run.marked, MARK_FRAMES)
+        for of, values, mask, where in ((steps, step, flown, near), (pushes, push, flights.inside, about)):
+            of[0].append(values[mask & ~where])
+            of[1].append(values[mask & where])
+    (far, close), (free, pushed) = ([np.concatenate(part) for part in of] for of in (steps, pushes))
+    why = "no flight beside a mark"
+    return [Row("mark_steps", f"marks: longest step within {MARK_STEPS} frames over the 99.9th percentile elsewhere",
+                _ratio(float(close.max()), float(np.percentile(far, 99.9))) if len(far) and len(close) else UNKNOWN, (0.0, 1.5),
+                why=why),
+            Row("mark_pushes", f"marks: 90th percentile of |a| within {MARK_FRAMES} frames over the 99th elsewhere",
+                _ratio(float(np.percentile(pushed, 90)), float(np.percentile(free, 99))) if len(free) and len(pushed) else UNKNOWN,
+                (0.0, 1.0), why=why)]
 
 
 def _witnesses(runs, air, others):
