@@ -3,6 +3,7 @@
 
 #include "Base/Simd.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -91,6 +92,24 @@ bool BandedMatrix::Factor()
     }
   }
   return EliminateAny(this->Values.data(), band, done, this->N);
+}
+
+void BandedMatrix::Multiply(const std::vector<double>& x, std::vector<double>& y) const
+{
+  const std::size_t band = this->Width - 1;
+  y.assign(this->N, 0.0);
+  for (std::size_t i = 0; i < this->N; ++i)
+  {
+    const double* diagonal = this->Values.data() + i * this->Width + band;
+    double sum = *diagonal * x[i];
+    for (std::size_t d = std::min(band, i); d > 0; --d)
+    {
+      const double entry = *(diagonal - d);
+      sum += entry * x[i - d];
+      y[i - d] += entry * x[i];
+    }
+    y[i] += sum;
+  }
 }
 
 void BandedMatrix::Solve(std::vector<double>& b) const

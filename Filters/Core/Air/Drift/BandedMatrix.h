@@ -24,6 +24,8 @@ public:
   /// i - halfBand <= j <= i: the lower half is what is stored.
   double& At(std::size_t i, std::size_t j) { return this->Row(i)[j]; }
 
+  /// y = this x, before it is factored.
+  void Multiply(const std::vector<double>& x, std::vector<double>& y) const;
   /// In place; false where the matrix is not positive definite.
   bool Factor();
   /// Of the factors, in place.

@@ -18,7 +18,6 @@ constexpr double LargestBarrierGap = 0.02; // m
 constexpr int PerturbationWaves = 3;
 constexpr double PerturbationSize = 0.15; // of L, of the slowest wave
 constexpr double ClearanceSlack = 5e-4;   // of L, of the 1e-3 that clearance may miss
-
 } // namespace
 
 BodyProblem::BodyProblem(const DriftScene& scene, const MotionObject& object,
@@ -34,58 +33,6 @@ BodyProblem::BodyProblem(const DriftScene& scene, const MotionObject& object,
   }
   this->AddRows();
   this->FixFrames();
-}
-
-void BodyProblem::AddRows()
-{
-  for (const Constraint& row : this->Wanted)
-  {
-    switch (row.Kind)
-    {
-      case ConstraintKind::Position:
-        if (row.Radius <= 0.0)
-        {
-          this->Passed.emplace_back(row.Frame, row.Value);
-        }
-        else
-        {
-          this->Balls.push_back({ row.Frame, 0, row.Value, row.Radius });
-          this->DriftRows.push_back({ { { row.Frame, 1.0 } }, row.Value, row.Radius });
-        }
-        break;
-      case ConstraintKind::Velocity:
-      case ConstraintKind::Acceleration:
-        this->AddDifference(row);
-        break;
-      case ConstraintKind::Rest:        // fixed with its landing
-      case ConstraintKind::Orientation: // the path does not know of it
-        break;
-    }
-  }
-}
-
-void BodyProblem::AddDifference(const Constraint& row)
-{
-  const Timeline& time = this->World.Scene.Time;
-  const int derivative = TraitsOf(row.Kind).Derivative;
-  // As lengths for what is exact; as they are for the search.
-  const double scale = std::pow(time.Step(), derivative);
-  DifferenceRow exact;
-  DriftRow sought;
-  for (const auto& [frame, coefficient] : DerivativeStencil(derivative, row.Frame, time))
-  {
-    exact.Terms.push_back({ frame, coefficient * scale });
-    sought.Terms.emplace_back(frame, coefficient * std::pow(time.Step(), derivative - 1));
-  }
-  exact.Value = scale * row.Value;
-  exact.Radius = scale * row.Radius;
-  sought.Value = std::pow(time.Step(), derivative - 1) * row.Value;
-  sought.Radius = std::pow(time.Step(), derivative - 1) * row.Radius;
-  if (!exact.Terms.empty())
-  {
-    this->Differences.push_back(exact);
-    this->DriftRows.push_back(sought);
-  }
 }
 
 DriftProblem BodyProblem::In(const AirSampler& air) const
@@ -151,15 +98,6 @@ void BodyProblem::TooNear(int frame, const Vec3& x, std::vector<DriftDepth>& dep
     const bool floor = c == 2 && asked.Exempt >= 0;
     push(Vec3::Unit(c), volume.Min[c] + (floor ? asked.LandingDistance : radius) - x[c]);
     push(-Vec3::Unit(c), x[c] - volume.Max[c] + radius);
-  }
-  // Each of two gives way by half.
-  const auto before = [](const DriftNeighbour& n, int f) { return n.Frame < f; };
-  for (auto n = std::lower_bound(this->Neighbours.begin(), this->Neighbours.end(), frame, before);
-       n != this->Neighbours.end() && n->Frame == frame; ++n)
-  {
-    const Vec3 apart = x - n->Position;
-    const double distance = apart.norm();
-    push(distance > 1e-9 ? Vec3(apart / distance) : Vec3::UnitZ(), 0.5 * (n->Distance - distance));
   }
   const ObstacleSet& obstacles = this->World.Obstacles;
   if (obstacles.SignedDistance(x, frame, radius, asked.Exempt) < radius)
@@ -303,45 +241,6 @@ void BodyProblem::CloseBarrierGaps(std::vector<Vec3>& path) const
         asked.LandingDistance - distance < LargestBarrierGap)
     {
       path[f] += (asked.LandingDistance - distance) * hit.Normal;
-    }
-  }
-}
-
-void BodyProblem::MeetRows(std::vector<Vec3>& path) const
-{
-  for (std::size_t f = 0; f < path.size(); ++f)
-  {
-    path[f] = this->IsFixed[f] ? this->Fixed[f] : path[f];
-  }
-  this->CloseBarrierGaps(path);
-  for (const PositionBall& ball : this->Balls)
-  {
-    Vec3& x = path[static_cast<std::size_t>(ball.Frame)];
-    const double away = (x - ball.Center).norm();
-    if (!this->IsFixed[static_cast<std::size_t>(ball.Frame)] && away > ball.Radius)
-    {
-      x = ball.Center + ball.Radius / away * (x - ball.Center);
-    }
-  }
-  const FixedAt fixedAt = [this](int frame, std::size_t) -> const Vec3*
-  {
-    const auto f = static_cast<std::size_t>(frame);
-    return this->IsFixed[f] ? &this->Fixed[f] : nullptr;
-  };
-  for (const LinearCluster& cluster :
-       MakeClusters(this->Differences, this->Balls, fixedAt, std::vector<bool>(path.size(), true)))
-  {
-    Eigen::MatrixX3d positions(static_cast<Eigen::Index>(cluster.Frames().size()), 3);
-    Eigen::Index row = 0;
-    for (const int f : cluster.Frames())
-    {
-      positions.row(row++) = path[static_cast<std::size_t>(f)].transpose();
-    }
-    cluster.Project(positions);
-    row = 0;
-    for (const int f : cluster.Frames())
-    {
-      path[static_cast<std::size_t>(f)] = positions.row(row++).transpose();
     }
   }
 }

@@ -5,6 +5,7 @@
 #include "Air/Drift/Drift.h"
 #include "Base/Random.h"
 #include "Constraints/Constraint.h"
+#include "Constraints/KeptDistances.h"
 #include "Constraints/LinearCluster.h"
 #include "Constraints/ResolveClearance.h"
 #include "Constraints/Rest.h"
@@ -23,14 +24,6 @@ struct DriftScene
   const SceneInfo& Scene;
   const ObstacleSet& Obstacles;
   bool Inertia = false;
-};
-
-/// Another object that is too near at a frame: where it is, and how far apart they keep [m].
-struct DriftNeighbour
-{
-  int Frame = 0;
-  Vec3 Position = Vec3::Zero();
-  double Distance = 0.0;
 };
 
 class BodyProblem
@@ -78,14 +71,14 @@ public:
     const auto f = static_cast<std::size_t>(frame);
     return this->IsFixed[f] ? &this->Fixed[f] : nullptr;
   }
-  /// In the order of frames; until they are set again.
-  void SetNeighbours(std::vector<DriftNeighbour> neighbours)
-  {
-    this->Neighbours = std::move(neighbours);
-  }
+  /// All that holds it to places: those frames, and its balls; in the order of frames.
+  std::vector<HeldMark> HeldMarks() const;
 
   /// As the touch-downs and lift-offs are set, in an air. Points into this one.
   DriftProblem In(const AirSampler& air) const;
+  /// In a problem of its own, at the nearest place of each ball that a path misses, fixed: a drift
+  /// then bends the path there, where MakeExact would move one frame alone. False: it misses none.
+  bool HoldToBalls(const std::vector<Vec3>& path, DriftProblem& problem) const;
 
   /// Paths to begin with: the plan, brought to the touch-downs; straight from mark to mark; free
   /// drift from each mark, bent to the next; and some that are perturbed from these.
@@ -130,7 +123,6 @@ private:
   std::vector<int> Leaving; // lift-offs likewise
   std::vector<unsigned char> IsFixed;
   std::vector<Vec3> Fixed;
-  std::vector<DriftNeighbour> Neighbours;
   std::vector<std::pair<int, Vec3>> Passed; // frames and places of exact positions
   std::vector<DriftRow> DriftRows;
   std::vector<PositionBall> Balls;

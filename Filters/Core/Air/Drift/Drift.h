@@ -24,6 +24,8 @@ struct DriftWeights
   /// Of what lies nearer to an obstacle or a wall than it may over that of the control [1/s^2],
   /// summed over frames.
   double Barrier = 400.0;
+  /// Of how much nearer two bodies are than they keep over the control [1/s^2], summed over frames.
+  double Contact = 200.0;
   /// Of missed balls, velocities and accelerations, summed over rows.
   double Row = 1e4;
 };

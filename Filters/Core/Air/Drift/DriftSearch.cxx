@@ -12,7 +12,6 @@ namespace
 
 constexpr std::size_t FollowedStarts = 3; // the cheapest by then
 constexpr int FollowedIterations = 24;    // the air changes anyhow before the last drift
-constexpr int HarderPushes = 3;
 
 // Of two paths the one that judges less goes on.
 struct Merit
@@ -138,17 +137,6 @@ void SeekPath(const DriftSearch& search, const AirSampler& air, BodyProblem& bod
       body.SetLiftOff(l, timesBefore[l].second);
     }
   }
-}
-
-bool FinishPath(DriftWeights weights, const AirSampler& air, const BodyProblem& body,
-                std::vector<Vec3>& path)
-{
-  for (int k = 0; k < HarderPushes && !body.IsClear(path); ++k)
-  {
-    weights.Barrier *= 10.0;
-    SolveDrift(body.In(air), air, weights, DriftIterations, path);
-  }
-  return body.MakeExact(path);
 }
 
 } // namespace waft

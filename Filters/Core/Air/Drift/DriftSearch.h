@@ -28,10 +28,4 @@ struct DriftSearch
 void SeekPath(const DriftSearch& search, const AirSampler& air, BodyProblem& body,
               std::vector<Vec3>& path, Monitor& monitor);
 
-/// Exactly through what is asked for. What keeps too near to something is pushed harder first; only
-/// what that does not help is moved out of the way without a look at the air. False where it still
-/// is nearer to something than it may.
-bool FinishPath(DriftWeights weights, const AirSampler& air, const BodyProblem& body,
-                std::vector<Vec3>& path);
-
 } // namespace waft

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Air/Run/BodyDrift.h"
 
-#include "Air/Drift/DriftContacts.h"
+#include "Air/Drift/DriftTogether.h"
 #include "Air/Drift/FreeLanding.h"
 #include "Air/Drift/ResidualControl.h"
 #include "Base/FractionDone.h"
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
+#include <memory>
 #include <utility>
 
 namespace waft
@@ -17,43 +19,33 @@ namespace
 
 constexpr int LandingIterations = 24; // of a path that is good but for its end
 constexpr double SoughtAgain = 0.2;   // control over the flow, of what is lost where it is
-constexpr int ContactPasses = 8;
-// Of the sharpest bend of a path, what giving way may make of it: a body between others would
-// rather jump out from between them than come a centimetre too near.
-constexpr double SharpestGivingWay = 1.5;
+constexpr int ContactPasses = 4;
+constexpr double ContactMargin = 0.5; // of what two need, to which their contacts are looked for
+constexpr double Touching = 1e-3;     // m, by which a pair may be too near
+constexpr int HarderPushes = 3;
 
-double SharpestBend(const std::vector<Vec3>& path)
+double RateOf(const AirContext& run)
 {
-  double sharpest = 0.0;
-  for (std::size_t f = 1; f + 1 < path.size(); ++f)
-  {
-    sharpest = std::max(sharpest, (path[f - 1] - 2.0 * path[f] + path[f + 1]).norm());
-  }
-  return sharpest;
+  return run.Input.Scene.Time.FramesPerSecond;
 }
 
-// Gives each body what is too near to it; who has such neighbours.
-std::vector<char> FindNeighbours(const AirContext& run, AirBodies& bodies)
+// Adds who is nearer to another than they keep.
+void AddTouching(const std::vector<DriftContact>& contacts,
+                 const std::vector<std::vector<Vec3>>& paths, std::vector<char>& which)
 {
-  std::vector<std::vector<DriftNeighbour>> contacts =
-    FindContacts(bodies.Problems, bodies.Paths, run.Input.Scene.Time.FramesPerSecond, run.Parallel);
-  std::vector<char> touches;
-  for (std::size_t o = 0; o < bodies.Size(); ++o)
+  const std::vector<std::vector<double>> residue = ContactResidue(contacts, paths);
+  for (std::size_t o = 0; o < residue.size(); ++o)
   {
-    touches.push_back(contacts[o].empty() ? 0 : 1);
-    bodies.Problems[o].SetNeighbours(std::move(contacts[o]));
+    const double most = *std::max_element(residue[o].begin(), residue[o].end());
+    which[o] = most > Touching ? 1 : which[o];
   }
-  return touches;
 }
 
-// False: stopped, and some have not drifted.
-bool DriftSome(const AirContext& run, const HalfSeries& series, int iterations,
-               const DriftWeights& weights, const std::vector<char>& which, AirBodies& bodies,
-               Monitor& monitor)
+// Each by itself. False: stopped, and some have not drifted.
+bool DriftAlone(const AirContext& run, const AirSampler& air, int iterations,
+                const std::vector<char>& which, AirBodies& bodies, PartMonitor& part)
 {
-  PartMonitor part(monitor, 0.0, 1.0);
   std::atomic<std::size_t> done{ 0 };
-  const AirSampler air(series);
   run.Parallel(bodies.Size(),
                [&](std::size_t begin, std::size_t end)
                {
@@ -65,13 +57,28 @@ bool DriftSome(const AirContext& run, const HalfSeries& series, int iterations,
                    }
                    if (which[o] && !bodies.IsKept(o))
                    {
-                     SolveDrift(bodies.Problems[o].In(air), air, weights, iterations,
+                     SolveDrift(bodies.Problems[o].In(air), air, run.Search.Weights, iterations,
                                 bodies.Paths[o]);
                    }
                  }
                });
-  run.Publish(bodies);
   return part.Tick(1.0, "");
+}
+
+// Those that may move, among the others.
+std::vector<TogetherBody> Together(const AirSampler& air, const DriftWeights& weights,
+                                   const std::vector<char>& which, const AirBodies& bodies)
+{
+  std::vector<TogetherBody> together(bodies.Size());
+  for (std::size_t o = 0; o < bodies.Size(); ++o)
+  {
+    together[o].Weights = weights;
+    if (which[o] && !bodies.IsKept(o))
+    {
+      together[o].Problem = std::make_unique<DriftProblem>(bodies.Problems[o].In(air));
+    }
+  }
+  return together;
 }
 
 } // namespace
@@ -121,12 +128,29 @@ bool SeekAgain(const AirContext& run, const HalfSeries& series, AirBodies& bodie
   return SeekPaths(run, series, which, bodies, monitor);
 }
 
-bool DriftOn(const AirContext& run, const HalfSeries& air, int iterations, AirBodies& bodies,
+bool DriftOn(const AirContext& run, const HalfSeries& series, int iterations, AirBodies& bodies,
              Monitor& monitor)
 {
-  (void)FindNeighbours(run, bodies);
-  return DriftSome(run, air, iterations, run.Search.Weights, std::vector<char>(bodies.Size(), 1),
-                   bodies, monitor);
+  PartMonitor part(monitor, 0.0, 1.0);
+  const AirSampler air(series);
+  const KeptDistances kept = KeptBy(bodies.Problems, RateOf(run));
+  const auto contacts = [&]
+  { return FindContacts(kept, bodies.Paths, ContactMargin, run.Parallel); };
+  std::vector<char> touches(bodies.Size(), 0);
+  AddTouching(contacts(), bodies.Paths, touches);
+  std::vector<char> alone(bodies.Size());
+  std::transform(touches.begin(), touches.end(), alone.begin(), std::logical_not<char>());
+  bool goesOn = DriftAlone(run, air, iterations, alone, bodies, part);
+  if (goesOn)
+  {
+    const std::vector<DriftContact> near = contacts();
+    AddTouching(near, bodies.Paths, touches);
+    const DriftWeights& weights = run.Search.Weights;
+    goesOn = SolveTogether(Together(air, weights, touches, bodies), near, air, weights.Contact,
+                           iterations, run.Parallel, part, bodies.Paths);
+  }
+  run.Publish(bodies);
+  return goesOn;
 }
 
 void LandFreeBodies(const AirContext& run, const HalfSeries& series, AirBodies& bodies)
@@ -154,43 +178,84 @@ void LandFreeBodies(const AirContext& run, const HalfSeries& series, AirBodies& 
                });
 }
 
-void KeepApart(const AirContext& run, const HalfSeries& air, AirBodies& bodies)
+void KeepApart(const AirContext& run, const HalfSeries& series, AirBodies& bodies)
 {
   PartMonitor monitor(run.Caller, 1.0, 1.0, "Keeping the objects apart");
+  const AirSampler air(series);
+  const KeptDistances kept = KeptBy(bodies.Problems, RateOf(run));
   DriftWeights weights = run.Search.Weights;
-  std::vector<double> allowed;
-  for (const std::vector<Vec3>& path : bodies.Paths)
-  {
-    allowed.push_back(SharpestGivingWay * SharpestBend(path));
-  }
+  std::vector<char> touches(bodies.Size(), 0);
   for (int pass = 0; pass < ContactPasses; ++pass)
   {
-    const std::vector<char> touches = FindNeighbours(run, bodies);
-    if (std::find(touches.begin(), touches.end(), 1) == touches.end())
+    const std::vector<DriftContact> contacts =
+      FindContacts(kept, bodies.Paths, ContactMargin, run.Parallel);
+    std::vector<char> now(bodies.Size(), 0);
+    AddTouching(contacts, bodies.Paths, now);
+    if (std::find(now.begin(), now.end(), 1) == now.end())
     {
       return;
     }
-    weights.Barrier *= 2.0;
-    const std::vector<std::vector<Vec3>> before = bodies.Paths;
-    if (!DriftSome(run, air, FurtherIterations, weights, touches, bodies, monitor))
+    std::transform(now.begin(), now.end(), touches.begin(), touches.begin(),
+                   std::logical_or<char>());
+    if (!SolveTogether(Together(air, weights, touches, bodies), contacts, air, weights.Contact,
+                       DriftIterations, run.Parallel, monitor, bodies.Paths))
     {
-      bodies.Paths = before;
       return;
     }
-    for (std::size_t o = 0; o < before.size(); ++o)
-    {
-      if (SharpestBend(bodies.Paths[o]) > allowed[o])
-      {
-        bodies.Paths[o] = before[o];
-      }
-    }
+    run.Publish(bodies);
+    weights.Contact *= 2.0;
   }
 }
 
 std::vector<char> FinishPaths(const AirContext& run, const HalfSeries& series, AirBodies& bodies)
 {
   const AirSampler air(series);
+  const KeptDistances kept = KeptBy(bodies.Problems, RateOf(run));
+  SilentMonitor monitor;
+  DriftWeights weights = run.Search.Weights;
+  std::vector<double> barriers(bodies.Size(), weights.Barrier);
+  const auto drift = [&](const std::vector<TogetherBody>& together)
+  {
+    (void)SolveTogether(together, FindContacts(kept, bodies.Paths, ContactMargin, run.Parallel),
+                        air, weights.Contact, DriftIterations, run.Parallel, monitor, bodies.Paths);
+  };
+  // What keeps too near to something is pushed harder first; only what that does not help is moved
+  // out of the way without a look at the air.
   std::vector<char> clear(bodies.Size(), 1);
+  for (int k = 0; k < HarderPushes; ++k)
+  {
+    std::vector<char> blocked(bodies.Size(), 0);
+    run.Parallel(bodies.Size(),
+                 [&](std::size_t begin, std::size_t end)
+                 {
+                   for (std::size_t o = begin; o < end; ++o)
+                   {
+                     blocked[o] =
+                       !bodies.IsKept(o) && !bodies.Problems[o].IsClear(bodies.Paths[o]) ? 1 : 0;
+                   }
+                 });
+    if (std::find(blocked.begin(), blocked.end(), 1) == blocked.end())
+    {
+      break;
+    }
+    std::vector<TogetherBody> together = Together(air, weights, blocked, bodies);
+    for (std::size_t o = 0; o < bodies.Size(); ++o)
+    {
+      barriers[o] *= blocked[o] ? 10.0 : 1.0;
+      together[o].Weights.Barrier = barriers[o];
+    }
+    drift(together);
+  }
+  std::vector<TogetherBody> held = Together(air, weights, clear, bodies);
+  for (std::size_t o = 0; o < bodies.Size(); ++o)
+  {
+    held[o].Weights.Barrier = barriers[o];
+    if (held[o].Problem && !bodies.Problems[o].HoldToBalls(bodies.Paths[o], *held[o].Problem))
+    {
+      held[o].Problem.reset();
+    }
+  }
+  drift(held);
   run.Parallel(bodies.Size(),
                [&](std::size_t begin, std::size_t end)
                {
@@ -198,8 +263,7 @@ std::vector<char> FinishPaths(const AirContext& run, const HalfSeries& series, A
                  {
                    // What an edit left alone is exact already.
                    const bool isClear =
-                     bodies.IsKept(o) ||
-                     FinishPath(run.Search.Weights, air, bodies.Problems[o], bodies.Paths[o]);
+                     bodies.IsKept(o) || bodies.Problems[o].MakeExact(bodies.Paths[o]);
                    clear[o] = isClear ? 1 : 0;
                  }
                });

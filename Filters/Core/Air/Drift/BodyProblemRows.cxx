@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What rows ask of an object's path, and how it comes to that exactly.
+#include "Air/Drift/BodyProblem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace waft
+{
+namespace
+{
+
+Vec3 NearestOf(const PositionBall& ball, const Vec3& x)
+{
+  const double away = (x - ball.Center).norm();
+  return away > ball.Radius ? Vec3(ball.Center + ball.Radius / away * (x - ball.Center)) : x;
+}
+
+} // namespace
+
+void BodyProblem::AddRows()
+{
+  for (const Constraint& row : this->Wanted)
+  {
+    switch (row.Kind)
+    {
+      case ConstraintKind::Position:
+        if (row.Radius <= 0.0)
+        {
+          this->Passed.emplace_back(row.Frame, row.Value);
+        }
+        else
+        {
+          this->Balls.push_back({ row.Frame, 0, row.Value, row.Radius });
+          this->DriftRows.push_back({ { { row.Frame, 1.0 } }, row.Value, row.Radius });
+        }
+        break;
+      case ConstraintKind::Velocity:
+      case ConstraintKind::Acceleration:
+        this->AddDifference(row);
+        break;
+      case ConstraintKind::Rest:        // fixed with its landing
+      case ConstraintKind::Orientation: // the path does not know of it
+        break;
+    }
+  }
+}
+
+void BodyProblem::AddDifference(const Constraint& row)
+{
+  const Timeline& time = this->World.Scene.Time;
+  const int derivative = TraitsOf(row.Kind).Derivative;
+  // As lengths for what is exact; as they are for the search.
+  const double scale = std::pow(time.Step(), derivative);
+  DifferenceRow exact;
+  DriftRow sought;
+  for (const auto& [frame, coefficient] : DerivativeStencil(derivative, row.Frame, time))
+  {
+    exact.Terms.push_back({ frame, coefficient * scale });
+    sought.Terms.emplace_back(frame, coefficient * std::pow(time.Step(), derivative - 1));
+  }
+  exact.Value = scale * row.Value;
+  exact.Radius = scale * row.Radius;
+  sought.Value = std::pow(time.Step(), derivative - 1) * row.Value;
+  sought.Radius = std::pow(time.Step(), derivative - 1) * row.Radius;
+  if (!exact.Terms.empty())
+  {
+    this->Differences.push_back(exact);
+    this->DriftRows.push_back(sought);
+  }
+}
+
+std::vector<HeldMark> BodyProblem::HeldMarks() const
+{
+  std::map<int, HeldMark> marks;
+  for (const PositionBall& ball : this->Balls)
+  {
+    const auto [mark, isFirst] =
+      marks.try_emplace(ball.Frame, HeldMark{ ball.Frame, ball.Center, ball.Radius });
+    if (!isFirst && ball.Radius < mark->second.Radius)
+    {
+      mark->second = { ball.Frame, ball.Center, ball.Radius };
+    }
+  }
+  for (int frame = 0; frame < this->NumberOfFrames(); ++frame)
+  {
+    if (const Vec3* place = this->HeldAt(frame))
+    {
+      marks[frame] = { frame, *place, 0.0 };
+    }
+  }
+  std::vector<HeldMark> ordered;
+  for (const auto& [frame, mark] : marks)
+  {
+    ordered.push_back(mark);
+  }
+  return ordered;
+}
+
+bool BodyProblem::HoldToBalls(const std::vector<Vec3>& path, DriftProblem& problem) const
+{
+  bool misses = false;
+  for (const PositionBall& ball : this->Balls)
+  {
+    const auto f = static_cast<std::size_t>(ball.Frame);
+    const Vec3 held = NearestOf(ball, problem.IsFixed[f] ? problem.Fixed[f] : path[f]);
+    if (!this->IsFixed[f] && held != path[f])
+    {
+      problem.IsFixed[f] = 1;
+      problem.Fixed[f] = held;
+      misses = true;
+    }
+  }
+  return misses;
+}
+
+void BodyProblem::MeetRows(std::vector<Vec3>& path) const
+{
+  for (std::size_t f = 0; f < path.size(); ++f)
+  {
+    path[f] = this->IsFixed[f] ? this->Fixed[f] : path[f];
+  }
+  this->CloseBarrierGaps(path);
+  for (const PositionBall& ball : this->Balls)
+  {
+    Vec3& x = path[static_cast<std::size_t>(ball.Frame)];
+    x = this->HeldAt(ball.Frame) ? x : NearestOf(ball, x);
+  }
+  const FixedAt fixedAt = [this](int frame, std::size_t) { return this->HeldAt(frame); };
+  for (const LinearCluster& cluster :
+       MakeClusters(this->Differences, this->Balls, fixedAt, std::vector<bool>(path.size(), true)))
+  {
+    Eigen::MatrixX3d positions(static_cast<Eigen::Index>(cluster.Frames().size()), 3);
+    Eigen::Index row = 0;
+    for (const int f : cluster.Frames())
+    {
+      positions.row(row++) = path[static_cast<std::size_t>(f)].transpose();
+    }
+    cluster.Project(positions);
+    row = 0;
+    for (const int f : cluster.Frames())
+    {
+      path[static_cast<std::size_t>(f)] = positions.row(row++).transpose();
+    }
+  }
+}
+
+} // namespace waft

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The normal equations of a body's drift about a path.
+#pragma once
+
+#include "Air/Drift/BandedMatrix.h"
+#include "Air/Drift/DriftResiduals.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace waft
+{
+
+/// Unknowns are the places at the frames, three a frame; those of fixed frames do not change.
+class DriftEquations
+{
+public:
+  DriftEquations(const DriftProblem& problem, const AirSampler& air, const DriftWeights& weights);
+
+  double Cost(const std::vector<Vec3>& x);
+  /// Gauss-Newton matrix and gradient; returns the cost.
+  double Linearise(const std::vector<Vec3>& x);
+  /// To these, of weight / 2 depth^2: the depth falls as the body moves along the normal.
+  void AddPush(int frame, const Vec3& normal, double depth, double weight);
+
+  /// Of the matrix with a damping on its diagonal; false where it is not positive definite.
+  bool Factor(double damping);
+  /// The gradient, turned round.
+  std::vector<double> Descent() const;
+  /// By the factors, in place.
+  void Solve(std::vector<double>& b) const { this->Factors.Solve(b); }
+  /// The matrix with the damping of the factors, times x.
+  void Multiply(const std::vector<double>& x, std::vector<double>& y) const;
+
+  bool IsFixed(int frame) const
+  {
+    return this->Problem.IsFixed[static_cast<std::size_t>(frame)] != 0;
+  }
+
+private:
+  double AddFlight(const std::vector<Vec3>& x);
+  void Add(const DriftResidual& residual, double weight);
+  void AddGradient(std::size_t frame, const Vec3& gradient);
+  void AddBlock(std::size_t row, std::size_t column, const Mat3& block);
+
+  const DriftProblem& Problem;
+  const DriftWeights& Weights;
+  DriftResiduals Residuals;
+  int Frames;
+  double Step;
+  double Damping = 0.0;
+  BandedMatrix Matrix, Factors;
+  std::vector<double> Gradients;
+  std::vector<Vec3> Controls; // by step, as the air's gradients
+  std::vector<Mat3> AirGradients;
+};
+
+/// The damping of Levenberg's method, and when it ends.
+class DriftDamping
+{
+public:
+  explicit DriftDamping(const Timeline& time) : Value(1.0 / time.Step()) {}
+
+  double Value;
+
+  /// After a step that did not lower the cost; false: none will.
+  bool Raise()
+  {
+    this->Value *= 8.0;
+    return this->Value <= 1e9;
+  }
+  /// After one that did.
+  void Lower() { this->Value = std::max(1e-7, this->Value / 5.0); }
+  static bool IsConverged(double before, double cost) { return before - cost < 1e-4 * before; }
+};
+
+/// A path moved by a step in the unknowns.
+inline void MoveBy(const std::vector<double>& step, std::vector<Vec3>& path)
+{
+  for (std::size_t f = 0; f < path.size(); ++f)
+  {
+    path[f] += Vec3(step[3 * f], step[3 * f + 1], step[3 * f + 2]);
+  }
+}
+
+} // namespace waft
