@@ -24,9 +24,9 @@ from waft.measuring import _flights, _two_sample  # noqa: E402
 from waft.measuring._airfield import AirField  # noqa: E402
 from waft.measuring._drifters import QUANTUM, Drifters, _decoded, _encoded, make_drifters  # noqa: E402
 from waft.measuring._flights import Flights  # noqa: E402
-from waft.measuring._runs import flight, marked, read_run  # noqa: E402
+from waft.measuring._runs import flight, held, read_run  # noqa: E402
 from waft.measuring.rows import _control, _lacking, table  # noqa: E402
-from waft.reading import read_picture  # noqa: E402
+from waft.reading import read_picture, read_surface  # noqa: E402
 
 WORK = sys.argv[1]
 shutil.rmtree(WORK, ignore_errors=True)  # of a version whose files this one does not replace
@@ -220,10 +220,40 @@ class DefinitionTest(unittest.TestCase):
         jumping[:, 20, 1] += jump  # the same away from marks
         self.assertTrue(all(row.met for row in figures(jumping)))
 
-    def test_marks_are_positions_and_touch_downs(self):
+    def test_rows_of_position_hold_objects(self):
         rows = {"ObjectId": np.array([5, 5, 7, 9]), "Frame": np.array([10, 12, 30, 4]), "Kind": np.array([0, 1, 4, 0])}
-        found = marked(rows, np.array([5, 7]), FRAMES, [(1, 28)])
-        self.assertEqual([tuple(entry) for entry in np.argwhere(found)], [(0, 10), (1, 28)])
+        self.assertEqual([tuple(entry) for entry in np.argwhere(held(rows, np.array([5, 7]), FRAMES))], [(0, 10)])
+
+    def test_a_landing_is_a_mark_of_its_own(self):
+        folder, rest = os.path.join(WORK, "landings"), 60
+        positions = waves(COUNT, 0.5, frames=FRAMES)
+        positions[:, rest - 5:, 2] += 0.3  # all are thrown up before they come to lie
+        measured = measure(write_folder(folder, positions, rest=rest))[0]
+        self.assertGreater(measured["mark_steps"].value, 1.5)
+        self.assertGreater(measured["landing_pushes"].value, 1.0)
+        self.assertIsNone(measured["landing_pushes"].met)
+        self.assertTrue(math.isnan(measured["mark_pushes"].value))
+
+    def test_turning_that_frames_cannot_show_is_counted(self):
+        folder = write_folder(os.path.join(WORK, "turning"), waves(COUNT, 0.5, frames=FRAMES))
+        self.assertTrue(math.isnan(measure(folder)[0]["turning"].value))
+
+        def shares(degrees):
+            poses = read_surface(os.path.join(folder, "planned.vtp"))
+            angle = np.radians(np.concatenate([np.zeros((COUNT, 1)), np.cumsum(degrees, axis=1)], axis=1)).reshape(-1)
+            zero = np.zeros_like(angle)
+            sample_folder.add(poses.GetPointData(), "Orientation", np.stack([np.cos(angle / 2), zero, zero, np.sin(angle / 2)], axis=1))
+            write_xml(poses, os.path.join(folder, "poses.vtp"))
+            measured = measure(folder)[0]
+            return [measured[key] for key in ("turning", "turning_peak")]
+
+        degrees = 20.0 * np.random.RandomState(2).triangular(0.0, 0.3, 1.0, (COUNT, FRAMES - 1))
+        self.assertTrue(all(row.met and row.value < 0.06 for row in shares(degrees)), "none is fast, few are at the end")
+        degrees[:, ::10] = 40.0  # held there by a limit
+        fast, peak = shares(degrees)
+        self.assertAlmostEqual(fast.value, 9 / 89, delta=1e-3)
+        self.assertAlmostEqual(peak.value, fast.value)
+        self.assertFalse(fast.met or peak.met)
 
     def test_a_given_path_is_no_flight(self):
         frames = np.array([*range(30, 41), 60])

@@ -23,8 +23,9 @@ NEAR_ROW = 8  # frames about a position row that are no free flight
 @dataclass
 class Run:
     """A folder's motion: its flights, the arrays of its tracks {name: [object, frame, ...]}, the columns of its rows {name: [row]},
-    the touch-downs [(object, frame)], at which frames an object is at a mark [object, frame], and what the optimiser says of its own
-    motion {name: number}."""
+    the touch-downs [(object, frame)], whether a row of position holds an object at a frame [object, frame], how far each
+    turns from a frame to the next [object, step] in degrees (NaN without poses), and what the optimiser says of its own motion
+    {name: number}."""
 
     folder: str
     flights: Flights
@@ -33,7 +34,8 @@ class Run:
     rows: dict
     ids: np.ndarray
     touches: list
-    marked: np.ndarray
+    placed: np.ndarray
+    turns: np.ndarray
     inertia: bool
     figures: dict
 
@@ -55,7 +57,7 @@ def read_run(folder, tracks="optimized"):
     report = record_of(below, "report.json", REPORT) or {}
     inertia = report.get("inertia", False)
     return Run(str(folder), Flights(positions, rate, flying, free, slip), bounds, arrays, rows, ids, touches,
-               marked(rows, ids, positions.shape[1], touches), inertia, dynamics(data))
+               held(rows, ids, positions.shape[1]), _turns(below, ids, positions.shape[1]), inertia, dynamics(data))
 
 
 def _tracks(path, data):
@@ -75,6 +77,21 @@ def _slips(folder, ids):
     if lost:
         raise BadInput(f"{path}: object {lost[0]} of the tracks is missing")
     return np.array([of[number] for number in ids.tolist()])
+
+
+def _turns(folder, ids, frames):
+    """Of poses.vtp, where it is there and has these objects and frames."""
+    unknown = np.full((len(ids), frames - 1), np.nan)
+    path = folder.path / "poses.vtp"
+    if folder.found("poses.vtp") is None:
+        return unknown
+    data = read_surface(folder, "poses.vtp")
+    own, order = polylines(data, path, LEAST_FRAMES)
+    if order.shape[1] != frames or not np.isin(ids, own).all():
+        return unknown
+    poses = array_of(data.GetPointData(), "Orientation", path, 4)[order[[own.tolist().index(number) for number in ids.tolist()]]]
+    cosines = np.abs(np.sum(poses[:, 1:] * poses[:, :-1], axis=2))
+    return np.degrees(2.0 * np.arccos(np.minimum(cosines, 1.0)))
 
 
 def _rows(folder):
@@ -121,16 +138,14 @@ def flight(rows, ids, frames, rate):
     return flying, free & flying, touches
 
 
-def marked(rows, ids, frames, touches):
-    """Whether an object is where a row of position or the touch-down of a rest asks it to be [object, frame]."""
+def held(rows, ids, frames):
+    """Whether a row of position, exact or a ball, holds an object at a frame [object, frame]."""
     found = np.zeros((len(ids), frames), bool)
     place = {number: index for index, number in enumerate(ids.tolist())}
     for row in np.flatnonzero(rows["Kind"] == POSITION):
         index, frame = place.get(int(rows["ObjectId"][row])), int(rows["Frame"][row])
         if index is not None and 0 <= frame < frames:
             found[index, frame] = True
-    for index, frame in touches:
-        found[index, frame] = True
     return found
 
 

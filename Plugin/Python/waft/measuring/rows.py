@@ -19,6 +19,7 @@ from waft.measuring._runs import TRACKS, largest_residual, read_run
 MANY = 20  # objects from which figures about each frame's mean and about pairs mean something
 START_FRAMES = 10
 MARK_STEPS, MARK_FRAMES = 5, 10  # frames about a mark whose steps, and whose accelerations, are held against the rest of the flight
+FAST_TURN, AT_LIMIT = 25.0, 1.0  # degrees a frame at 30 frames a second, that an eye can follow; and within which of a limit one lies
 REPLAYED = (30, 90, 150)  # frames from which bodies drift on
 GRAVITY = 9.81
 LENGTHS = (4.0, 3.0, 2.0, 1.0)  # of the pieces of a spectrum, the longest that both have [s]
@@ -148,7 +149,7 @@ def _measured(runs, given, tracks, air):
     notes = reference.lacks(slips, runs[0].bounds, runs[0].flights.rate)
     style = _Style(airs, others, fewest)
     rows = [*_residuals(runs, air), _replay(runs, air), *style.rows(""), *_start(airs, others)]
-    rows += _marks(runs) + _witnesses(runs, air, others) + _landing(runs, fewest)
+    rows += _marks(runs) + _witnesses(runs, air, others) + _landing(runs, fewest) + _turning(runs)
     residuals = [largest_residual(run) for run in runs]
     rows.append(Row("exact", "exact constraints: largest residual", _largest(residuals), (0.0, 1e-9)))
     return Measured(name, tracks, sum(len(flights) for flights in airs), rows, notes, airs, others)
@@ -323,26 +324,40 @@ def _start(airs, others):
 
 def _marks(runs):
     """Whether bodies jump at their marks: the longest step there, and how hard they are pushed."""
-    steps, pushes = ([np.zeros(0)], [np.zeros(0)]), ([np.zeros(0)], [np.zeros(0)])  # away from marks, about them
+    steps, pushes, landings = _Beside(), _Beside(), _Beside()
     for run in runs:
         flights = run.flights
+        touched = np.zeros_like(run.placed)
+        for index, frame in run.touches:
+            touched[index, frame] = True
         step = np.linalg.norm(np.diff(flights.positions, axis=1), axis=2)
-        flown = flights.flying[:, 1:] & flights.flying[:, :-1] & np.isfinite(step)
-        near = _flights.widened(run.marked, MARK_STEPS)
-        near = near[:, 1:] | near[:, :-1]
+        near = _flights.widened(run.placed | touched, MARK_STEPS)
+        steps.add(step, flights.flying[:, 1:] & flights.flying[:, :-1] & np.isfinite(step), near[:, 1:] | near[:, :-1])
         push = np.linalg.norm(flights.acceleration, axis=2)
-        about = _flights.widened(run.marked, MARK_FRAMES)
-        for of, values, mask, where in ((steps, step, flown, near), (pushes, push, flights.inside, about)):
-            of[0].append(values[mask & ~where])
-            of[1].append(values[mask & where])
-    (far, close), (free, pushed) = ([np.concatenate(part) for part in of] for of in (steps, pushes))
-    why = "no flight beside a mark"
+        placed, landed = (_flights.widened(mask, MARK_FRAMES) for mask in (run.placed, touched))
+        pushes.add(push, flights.inside & ~landed, placed)
+        landings.add(push, flights.inside & ~placed, landed)
+    where, why = f"within {MARK_FRAMES} frames over the 99th elsewhere", "no flight beside a mark"
     return [Row("mark_steps", f"marks: longest step within {MARK_STEPS} frames over the 99.9th percentile elsewhere",
-                _ratio(float(close.max()), float(np.percentile(far, 99.9))) if len(far) and len(close) else UNKNOWN, (0.0, 1.5),
-                why=why),
-            Row("mark_pushes", f"marks: 90th percentile of |a| within {MARK_FRAMES} frames over the 99th elsewhere",
-                _ratio(float(np.percentile(pushed, 90)), float(np.percentile(free, 99))) if len(free) and len(pushed) else UNKNOWN,
-                (0.0, 1.0), why=why)]
+                steps.ratio(100.0, 99.9), (0.0, 1.5), why=why),
+            Row("mark_pushes", f"marks: 90th percentile of |a| {where}", pushes.ratio(90.0, 99.0), (0.0, 1.0), why=why),
+            Row("landing_pushes", f"landing: 90th percentile of |a| {where}", landings.ratio(90.0, 99.0), why="nothing lands")]
+
+
+class _Beside:
+    """Values near to something, and those elsewhere."""
+
+    def __init__(self):
+        self._near, self._far = [np.zeros(0)], [np.zeros(0)]
+
+    def add(self, values, mask, near):
+        self._near.append(values[mask & near])
+        self._far.append(values[mask & ~near])
+
+    def ratio(self, near, far):
+        """A percentile of the former over one of the latter; NaN without either."""
+        close, away = np.concatenate(self._near), np.concatenate(self._far)
+        return _ratio(float(np.percentile(close, near)), float(np.percentile(away, far))) if len(close) and len(away) else UNKNOWN
 
 
 def _witnesses(runs, air, others):
@@ -370,6 +385,22 @@ def _landing(runs, fewest):
             Row("landing_times", "landing: standard deviation of touch-down times [s]",
                 float(np.std(times)) if len(times) > 1 and fewest >= MANY else UNKNOWN, (0.3, math.inf),
                 why="nothing lands" if fewest >= MANY else f"fewer than {MANY} objects")]
+
+
+def _turning(runs):
+    """Whether an eye can follow how bodies turn: how many steps are too fast, and how many lie at a limit."""
+    turned, peaks = [np.zeros(0)], [np.zeros(0, bool)]
+    for run in runs:
+        flown = run.flights.flying[:, 1:] & run.flights.flying[:, :-1] & np.isfinite(run.turns)
+        turns = run.turns[flown] * run.flights.rate / 30.0
+        turned.append(turns)
+        peaks.append(turns > turns.max(initial=0.0) - AT_LIMIT)
+    turns, peak = np.concatenate(turned), np.concatenate(peaks)
+    shares = (float((turns > FAST_TURN).mean()), float(peak.mean())) if len(turns) else (UNKNOWN, UNKNOWN)
+    return [Row("turning", f"turning: share of steps of more than {FAST_TURN:g} degrees at 30 frames a second", shares[0], (0.0, 0.05),
+                why="no poses.vtp"),
+            Row("turning_peak", f"turning: share of steps within {AT_LIMIT:g} degree of the largest", shares[1], (0.0, 0.05),
+                why="no poses.vtp")]
 
 
 def table(measured: Measured) -> List[str]:
