@@ -24,6 +24,12 @@ void KeptDistances::AddBody(double radius, double settlingSpeed, int frames,
                            ? std::max(ShortestParting, 2.0 * radius / settlingSpeed)
                            : LongestParting;
   body.Parting = seconds * this->Rate;
+  std::stable_sort(marks.begin(), marks.end(),
+                   [](const HeldMark& a, const HeldMark& b)
+                   { return a.Frame != b.Frame ? a.Frame < b.Frame : a.Radius < b.Radius; });
+  marks.erase(std::unique(marks.begin(), marks.end(),
+                          [](const HeldMark& a, const HeldMark& b) { return a.Frame == b.Frame; }),
+              marks.end());
   body.Marks = std::move(marks);
   int next = 0;
   for (int frame = 0; !body.Marks.empty() && frame < frames; ++frame)
@@ -59,6 +65,19 @@ int KeptDistances::MarksAbout(const Body& body, int frame, Nearby (&found)[2])
     }
   }
   return count;
+}
+
+std::array<int, 2> KeptDistances::MarkFrames(int frame, std::size_t body) const
+{
+  std::array<int, 2> frames{ -1, -1 };
+  Nearby found[2];
+  const int count = MarksAbout(this->Bodies[body], frame, found);
+  for (int k = 0; k < count; ++k)
+  {
+    const int at = found[k].Mark->Frame;
+    frames[at < frame ? 0 : 1] = at;
+  }
+  return frames;
 }
 
 double KeptDistances::At(int frame, std::size_t a, std::size_t b) const

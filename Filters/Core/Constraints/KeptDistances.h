@@ -4,6 +4,7 @@
 
 #include "Base/Types.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -29,8 +30,8 @@ class KeptDistances
 public:
   explicit KeptDistances(double framesPerSecond) : Rate(framesPerSecond) {}
 
-  /// radius: half of what two like it need between their centres; settlingSpeed: a second. Marks:
-  /// in the order of frames.
+  /// radius: half of what two like it need between their centres; settlingSpeed: a second. Of
+  /// several marks at a frame the narrowest counts.
   void AddBody(double radius, double settlingSpeed, int frames, std::vector<HeldMark> marks);
 
   std::size_t NumberOfBodies() const { return this->Bodies.size(); }
@@ -39,6 +40,9 @@ public:
   {
     return this->Bodies[a].Radius + this->Bodies[b].Radius;
   }
+  /// The frames of the marks that tell at a frame: the last one before it and the first that is
+  /// not; -1 where there is none that near.
+  std::array<int, 2> MarkFrames(int frame, std::size_t body) const;
   /// What they keep at a frame.
   double At(int frame, std::size_t a, std::size_t b) const;
 

@@ -170,3 +170,52 @@ TEST(AssimilationContacts, NoBodyJumpsOutOfACrowd)
     }
   }
 }
+
+/// A wall of leaves whose marks, balls, are nearer to each other than they are wide.
+TEST(AssimilationContacts, NoBodyJumpsIntoItsBall)
+{
+  AssimilationInput input;
+  input.Scene.Time = { Frames, 30.0 };
+  const double apart = 0.086, radius = 0.02;
+  for (int o = 0; o < 49; ++o)
+  {
+    MotionObject object;
+    object.ObjectId = o;
+    object.SettlingSpeed = 0.8;
+    object.ClearanceRadius = 0.0775;
+    const Vec3 offset(o % 7 - 3.0, 0.0, o / 7 - 3.0);
+    object.Position = Vec3(0.0, 0.0, 2.6) + 0.2 * Vec3(offset.z(), offset.x(), 0.3 * (o % 3));
+    input.Objects.push_back(object);
+    Constraint row;
+    row.ObjectId = o;
+    row.Row = o;
+    row.Frame = LiesAt;
+    row.Radius = radius;
+    row.Value = Vec3(0.1, 0.0, 1.7) + apart * offset;
+    input.Constraints.push_back(row);
+    Track track;
+    track.ObjectId = o;
+    for (int f = 0; f < Frames; ++f)
+    {
+      const double s = f / double(LiesAt);
+      track.Positions.push_back((1.0 - s) * object.Position + s * row.Value);
+    }
+    input.Tracks.push_back(track);
+  }
+  AssimilationOptions options;
+  options.Resolution = options.LatticeResolution = 16;
+  options.Rounds = 1;
+  options.Starts = 0;
+  SilentMonitor monitor;
+  AssimilationOutput output;
+  ASSERT_TRUE(AssimilateAir(input, options, {}, SerialFor(), monitor, output));
+  for (std::size_t o = 0; o < output.Tracks.size(); ++o)
+  {
+    const std::vector<Vec3>& x = output.Tracks[o].Positions;
+    EXPECT_LE((x[LiesAt] - input.Constraints[o].Value).norm(), radius * (1.0 + 1e-12)) << o;
+    for (std::size_t f = LiesAt - 10; f <= LiesAt + 10; ++f)
+    {
+      EXPECT_LT(900.0 * (x[f - 1] - 2.0 * x[f] + x[f + 1]).norm(), 25.0) << o << ", frame " << f;
+    }
+  }
+}

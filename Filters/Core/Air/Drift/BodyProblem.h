@@ -71,7 +71,7 @@ public:
     const auto f = static_cast<std::size_t>(frame);
     return this->IsFixed[f] ? &this->Fixed[f] : nullptr;
   }
-  /// All that holds it to places: those frames, and its balls; in the order of frames.
+  /// All that holds it to places: those frames, and its balls.
   std::vector<HeldMark> HeldMarks() const;
 
   /// As the touch-downs and lift-offs are set, in an air. Points into this one.

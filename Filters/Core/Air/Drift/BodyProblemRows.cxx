@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace waft
 {
@@ -73,29 +72,19 @@ void BodyProblem::AddDifference(const Constraint& row)
 
 std::vector<HeldMark> BodyProblem::HeldMarks() const
 {
-  std::map<int, HeldMark> marks;
+  std::vector<HeldMark> marks;
   for (const PositionBall& ball : this->Balls)
   {
-    const auto [mark, isFirst] =
-      marks.try_emplace(ball.Frame, HeldMark{ ball.Frame, ball.Center, ball.Radius });
-    if (!isFirst && ball.Radius < mark->second.Radius)
-    {
-      mark->second = { ball.Frame, ball.Center, ball.Radius };
-    }
+    marks.push_back({ ball.Frame, ball.Center, ball.Radius });
   }
   for (int frame = 0; frame < this->NumberOfFrames(); ++frame)
   {
     if (const Vec3* place = this->HeldAt(frame))
     {
-      marks[frame] = { frame, *place, 0.0 };
+      marks.push_back({ frame, *place, 0.0 });
     }
   }
-  std::vector<HeldMark> ordered;
-  for (const auto& [frame, mark] : marks)
-  {
-    ordered.push_back(mark);
-  }
-  return ordered;
+  return marks;
 }
 
 bool BodyProblem::HoldToBalls(const std::vector<Vec3>& path, DriftProblem& problem) const

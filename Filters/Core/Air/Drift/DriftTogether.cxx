@@ -12,8 +12,8 @@ namespace waft
 namespace
 {
 
-constexpr int MostGradients = 40;     // conjugate ones, of a step
-constexpr double StepAccuracy = 1e-2; // of the right hand side's norm, in which a step is solved
+constexpr int MostGradients = 24;     // conjugate ones, of a step
+constexpr double StepAccuracy = 5e-2; // of the right hand side's norm, in which a step is solved
 constexpr double SamePlace = 1e-9;    // m: bodies nearer than this have no direction to part in
 
 using Unknowns = std::vector<std::vector<double>>; // by moving body

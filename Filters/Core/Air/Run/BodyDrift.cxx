@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -19,7 +20,9 @@ namespace
 
 constexpr int LandingIterations = 24; // of a path that is good but for its end
 constexpr double SoughtAgain = 0.2;   // control over the flow, of what is lost where it is
-constexpr int ContactPasses = 4;
+constexpr int ContactPasses = 3;
+constexpr double FirmContact = 4.0; // over the usual weight, of the last pass and after it
+constexpr int ContactIterations = 24;
 constexpr double ContactMargin = 0.5; // of what two need, to which their contacts are looked for
 constexpr double Touching = 1e-3;     // m, by which a pair may be too near
 constexpr int HarderPushes = 3;
@@ -198,12 +201,12 @@ void KeepApart(const AirContext& run, const HalfSeries& series, AirBodies& bodie
     std::transform(now.begin(), now.end(), touches.begin(), touches.begin(),
                    std::logical_or<char>());
     if (!SolveTogether(Together(air, weights, touches, bodies), contacts, air, weights.Contact,
-                       DriftIterations, run.Parallel, monitor, bodies.Paths))
+                       ContactIterations, run.Parallel, monitor, bodies.Paths))
     {
       return;
     }
     run.Publish(bodies);
-    weights.Contact *= 2.0;
+    weights.Contact *= std::pow(FirmContact, 1.0 / (ContactPasses - 1));
   }
 }
 
@@ -211,8 +214,9 @@ std::vector<char> FinishPaths(const AirContext& run, const HalfSeries& series, A
 {
   const AirSampler air(series);
   const KeptDistances kept = KeptBy(bodies.Problems, RateOf(run));
-  SilentMonitor monitor;
+  PartMonitor monitor(run.Caller, 1.0, 1.0, "Bringing the objects to their marks exactly");
   DriftWeights weights = run.Search.Weights;
+  weights.Contact *= FirmContact;
   std::vector<double> barriers(bodies.Size(), weights.Barrier);
   const auto drift = [&](const std::vector<TogetherBody>& together)
   {

@@ -23,10 +23,10 @@ bool DriftOn(const AirContext& run, const HalfSeries& air, int iterations, AirBo
 /// What nothing asks for any more and sinks to a surface lies there to the end.
 void LandFreeBodies(const AirContext& run, const HalfSeries& air, AirBodies& bodies);
 
-/// Those that are too near to each other give way, pass by pass harder.
+/// Those that are too near to each other give way together, pass by pass harder.
 void KeepApart(const AirContext& run, const HalfSeries& air, AirBodies& bodies);
 
-/// Exactly to the marks (FinishPath). By body: whether it keeps its clearance.
+/// Exactly to the marks, and clear of what is in the way. By body: whether it keeps its clearance.
 std::vector<char> FinishPaths(const AirContext& run, const HalfSeries& air, AirBodies& bodies);
 
 } // namespace waft
