@@ -71,7 +71,7 @@ struct Problem
     std::fill(model.Gravities.begin(), model.Gravities.end(), 0.0f);
     std::fill(model.Flags.begin(), model.Flags.end(), std::uint8_t(0));
     std::fill(model.Reach.begin(), model.Reach.end(), 0.0f);
-    model.NearestMarks.clear();
+    model.Kept = KeptDistances(30.0);
     model.CoherenceFractions.clear();
     return model;
   }
@@ -304,11 +304,12 @@ inline const std::vector<Term>& Terms()
       {
         m.Weights.Contact = 5.0;
         m.Weights.ContactDistance = 2.5;
-        m.NearestMarks.assign(m.Flags.size(), 0);
+        m.Kept = KeptDistances(30.0);
         for (std::size_t o = 0; o < m.NumberOfObjects; ++o)
         {
           m.Flags[o] |= FixedPosition;
-          m.Approach.push_back(0.5 * m.Size + 1.5 * o * Vec3::UnitX());
+          m.Kept.AddBody(1.25, 100.0, m.NumberOfFrames,
+                         { { 0, 0.5 * m.Size + 1.5 * o * Vec3::UnitX(), 0.0 } });
         }
       } },
     { "separation",

@@ -173,24 +173,9 @@ double ObstacleClearance(const SpacetimeModel& model, int frame, std::size_t obj
 
 double PairDistance(const SpacetimeModel& model, int frame, std::size_t a, std::size_t b)
 {
-  double distance = model.Weights.ContactDistance;
-  if (model.NearestMarks.empty())
-  {
-    return distance;
-  }
-  const std::size_t n = model.NumberOfObjects;
-  for (const std::size_t o : { a, b })
-  {
-    const std::int32_t mark = model.NearestMarks[static_cast<std::size_t>(frame) * n + o];
-    if (mark >= 0 && model.Flag(mark, a) & model.Flag(mark, b) & FixedPosition)
-    {
-      const Vec3* approach = model.Approach.data() + static_cast<std::size_t>(mark) * n;
-      const double aside = (frame - mark) / model.MarkDuration;
-      const double growth = model.Weights.ContactDistance * aside * aside;
-      distance = std::min(distance, (approach[a] - approach[b]).norm() + growth);
-    }
-  }
-  return distance;
+  const double distance = model.Weights.ContactDistance;
+  return model.Kept.NumberOfBodies() == 0 ? distance
+                                          : std::min(distance, model.Kept.At(frame, a, b));
 }
 
 ObjectTerms AddObjectTerms(const SpacetimeModel& model, int frame, double scale, const float* state,

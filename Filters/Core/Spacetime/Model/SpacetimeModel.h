@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Constraints/ClearanceRule.h"
+#include "Constraints/KeptDistances.h"
 #include "Particles/ObstacleField.h"
 #include "Particles/RestDensity.h"
 #include "Particles/SphFluid.h"
@@ -66,10 +67,8 @@ struct SpacetimeModel
   /// how near [dx]; Reach 0: none. Both [frame * NumberOfObjects + object].
   std::vector<Vec3> Approach;
   std::vector<float> Reach;
-  /// The frame nearest to a frame at which the object's position is fixed; -1: none within
-  /// MarkDuration [frames]. Empty: none at all [frame * NumberOfObjects + object].
-  std::vector<std::int32_t> NearestMarks;
-  double MarkDuration = 30.0;
+  /// What marks leave objects of ContactDistance [dx]; of no bodies: all of it.
+  KeptDistances Kept{ 30.0 };
   /// How much of rs an object answers for at a frame, 0 to 1: less where it brakes, none where it
   /// lies still. Empty: all [frame * NumberOfObjects + object].
   std::vector<float> CoherenceFractions;

@@ -50,7 +50,9 @@ std::vector<std::uint64_t> DigestOfRequests(const SpacetimeSetup& setup)
   {
     DigestStream& sum = sums[index];
     sum.Values(setup.Table.Planned[index], model.Flags[index], model.Reach[index],
-               model.CoherenceFractions[index], model.NearestMarks[index]);
+               model.CoherenceFractions[index]);
+    const auto marks = model.Kept.MarkFrames(static_cast<int>(index / no), index % no);
+    sum.Values(marks[0], marks[1]);
     if (model.Flags[index] & FixedPosition)
     {
       sum.Values(setup.ExactPositions[index]);

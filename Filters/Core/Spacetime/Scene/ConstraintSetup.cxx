@@ -28,9 +28,6 @@ double LandingReach(double before) // s; in m
 // Of the volume's width: what comes down as near to each other does so alike.
 constexpr double AlikeRadius = 0.1;
 
-// In which things may come from their places to the contact distance, where that is more [s].
-constexpr double MarkTime = 1.0;
-
 // Braking is not the air's way; a cost of it would have it done in no time. So the cost of slipping
 // through the air fades before a rest, and comes back after it [s].
 constexpr double FadeBegins = 0.8;
@@ -175,29 +172,29 @@ void SetUpApproaches(double rate, SpacetimeSetup& setup)
   }
 }
 
-// Once all that is fixed is known.
-void SetUpNearestMarks(double rate, SpacetimeModel& model)
+// Once all that holds them is known.
+void SetUpKeptDistances(double rate, SpacetimeSetup& setup)
 {
-  model.MarkDuration = std::max(1.0, MarkTime * rate);
-  const auto reach = static_cast<int>(model.MarkDuration);
-  model.NearestMarks.assign(model.Flags.size(), -1);
+  SpacetimeModel& model = setup.Model;
+  std::vector<std::vector<HeldMark>> marks(model.NumberOfObjects);
+  for (const PositionBall& ball : setup.Table.Balls)
+  {
+    marks[ball.Object].push_back({ ball.Frame, ball.Center, ball.Radius });
+  }
+  model.Kept = KeptDistances(rate);
   for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
   {
-    const auto mark = [&](int frame) -> std::int32_t&
-    { return model.NearestMarks[static_cast<std::size_t>(frame) * model.NumberOfObjects + o]; };
-    for (int frame = 0, last = -reach - 1; frame < model.NumberOfFrames; ++frame)
+    for (int frame = 0; frame < model.NumberOfFrames; ++frame)
     {
-      last = model.Flag(frame, o) & FixedPosition ? frame : last;
-      mark(frame) = frame - last <= reach ? last : -1;
-    }
-    for (int frame = model.NumberOfFrames - 1, next = frame + reach + 1; frame >= 0; --frame)
-    {
-      next = model.Flag(frame, o) & FixedPosition ? frame : next;
-      if (next - frame <= reach && (mark(frame) < 0 || next - frame < frame - mark(frame)))
+      if (model.Flag(frame, o) & FixedPosition)
       {
-        mark(frame) = next;
+        const std::size_t index = static_cast<std::size_t>(frame) * model.NumberOfObjects + o;
+        marks[o].push_back({ frame, model.Approach[index], 0.0 });
       }
     }
+    model.Kept.AddBody(0.5 * model.Weights.ContactDistance,
+                       setup.Objects[o].SettlingSpeed / setup.Spacing, model.NumberOfFrames,
+                       std::move(marks[o]));
   }
 }
 
@@ -314,7 +311,7 @@ void SetUpConstraints(const SpacetimeInput& input, const std::vector<int>& groun
         break;
     }
   }
-  SetUpNearestMarks(input.Scene.Time.FramesPerSecond, setup.Model);
+  SetUpKeptDistances(input.Scene.Time.FramesPerSecond, setup);
 }
 
 } // namespace waft
