@@ -22,6 +22,9 @@ constexpr int LandingIterations = 24; // of a path that is good but for its end
 constexpr double SoughtAgain = 0.2;   // control over the flow, of what is lost where it is
 constexpr int ContactPasses = 3;
 constexpr double FirmContact = 4.0; // over the usual weight, of the last pass and after it
+// Over the usual weight in the end, of changes of the control: what contact and a mark ask for at
+// once is spread over more frames.
+constexpr double EvenControl = 2.0;
 constexpr int ContactIterations = 24;
 constexpr double ContactMargin = 0.5; // of what two need, to which their contacts are looked for
 constexpr double Touching = 1e-3;     // m, by which a pair may be too near
@@ -187,6 +190,7 @@ void KeepApart(const AirContext& run, const HalfSeries& series, AirBodies& bodie
   const AirSampler air(series);
   const KeptDistances kept = KeptBy(bodies.Problems, RateOf(run));
   DriftWeights weights = run.Search.Weights;
+  weights.Smoothness *= EvenControl;
   std::vector<char> touches(bodies.Size(), 0);
   for (int pass = 0; pass < ContactPasses; ++pass)
   {
@@ -217,6 +221,7 @@ std::vector<char> FinishPaths(const AirContext& run, const HalfSeries& series, A
   PartMonitor monitor(run.Caller, 1.0, 1.0, "Bringing the objects to their marks exactly");
   DriftWeights weights = run.Search.Weights;
   weights.Contact *= FirmContact;
+  weights.Smoothness *= EvenControl;
   std::vector<double> barriers(bodies.Size(), weights.Barrier);
   const auto drift = [&](const std::vector<TogetherBody>& together)
   {
