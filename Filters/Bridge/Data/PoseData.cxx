@@ -5,6 +5,7 @@
 #include "Bridge/Data/ArrayNames.h"
 #include "Bridge/Data/Arrays.h"
 #include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/ShapeData.h"
 #include "Bridge/Data/TrackData.h"
 
 #include <vtkCellArray.h>
@@ -111,11 +112,11 @@ Result PosedMeshes::Build(const std::vector<Shape>& shapes,
 {
   const ShapesOfTracks shapeOf("Tracks", objects, shapes.size());
   this->Bodies.clear();
-  bool textured = !shapes.empty();
+  bool textured = false;
   for (const Shape& shape : shapes)
   {
     this->Bodies.push_back({ shape.Mesh.Points, SmoothNormals(shape.Mesh) });
-    textured = textured && !shape.TextureCoordinates.empty();
+    textured = textured || !shape.TextureCoordinates.empty();
   }
   this->BodyOfTrack.clear();
   vtkNew<vtkCellArray> triangles;
@@ -142,9 +143,11 @@ Result PosedMeshes::Build(const std::vector<Shape>& shapes,
     pointShapes.insert(pointShapes.end(), shape.Mesh.Points.size(), shapeId);
     cellObjects.insert(cellObjects.end(), shape.Mesh.Triangles.size(), track.ObjectId);
     cellShapes.insert(cellShapes.end(), shape.Mesh.Triangles.size(), shapeId);
-    for (const auto& uv : shape.TextureCoordinates)
+    for (std::size_t i = 0; i < shape.Mesh.Points.size(); ++i)
     {
-      coordinates->InsertNextTuple2(uv[0], uv[1]);
+      const bool has = i < shape.TextureCoordinates.size();
+      coordinates->InsertNextTuple2(has ? shape.TextureCoordinates[i][0] : 0.0,
+                                    has ? shape.TextureCoordinates[i][1] : 0.0);
     }
     for (const auto& color : colors[static_cast<std::size_t>(shapeId)])
     {
@@ -164,6 +167,7 @@ Result PosedMeshes::Build(const std::vector<Shape>& shapes,
     this->Template->GetPointData()->SetTCoords(coordinates);
   }
   SceneInfoToFieldData(info, this->Template);
+  LooksToFieldData(shapes, this->Template->GetFieldData());
   return Result::Ok();
 }
 

@@ -45,7 +45,8 @@ private:
 };
 
 /// All objects' meshes as one surface: triangles, texture coordinates, `ObjectId` and `ShapeId` (of
-/// points and cells) are made once, points and normals for each frame.
+/// points and cells) are made once, points and normals for each frame. What shapes look like is in
+/// its field data (LooksToFieldData); coordinates of a shape without any are zero.
 class PosedMeshes
 {
 public:

@@ -54,10 +54,7 @@ void ShapeToPolyData(const Shape& shape, vtkPolyData* data)
   AddDoubles(fields, names::SettlingSpeed, { shape.SettlingSpeed });
   AddDoubles(fields, names::Damping, { shape.Damping });
   AddInts(fields, names::ClassId, { shape.ClassId });
-  AddVectors(fields, names::Color, { Vec3(shape.Color[0], shape.Color[1], shape.Color[2]) });
-  AddVectors(fields, names::Tint, { Vec3(shape.Tint[0], shape.Tint[1], shape.Tint[2]) });
-  AddDoubles(fields, names::Opacity, { Opacity(shape) });
-  AddStrings(fields, names::Texture, { shape.Texture });
+  LooksToFieldData({ shape }, fields);
   AuthoredToFieldData(shape.Authored, data);
 }
 
@@ -136,6 +133,24 @@ Result AddShapes(vtkMultiBlockDataSet* data, std::vector<Shape>& shapes)
 }
 
 } // namespace
+
+void LooksToFieldData(const std::vector<Shape>& shapes, vtkFieldData* fields)
+{
+  std::vector<Vec3> colors, tints;
+  std::vector<double> opacities;
+  std::vector<std::string> textures;
+  for (const Shape& shape : shapes)
+  {
+    colors.emplace_back(shape.Color[0], shape.Color[1], shape.Color[2]);
+    tints.emplace_back(shape.Tint[0], shape.Tint[1], shape.Tint[2]);
+    opacities.push_back(Opacity(shape));
+    textures.push_back(shape.Texture);
+  }
+  AddVectors(fields, names::Color, colors);
+  AddVectors(fields, names::Tint, tints);
+  AddDoubles(fields, names::Opacity, opacities);
+  AddStrings(fields, names::Texture, textures);
+}
 
 void ShapesToMultiBlock(const std::vector<Shape>& shapes, const SceneInfo& info,
                         vtkMultiBlockDataSet* data)

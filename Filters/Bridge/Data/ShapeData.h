@@ -8,6 +8,7 @@
 
 #include <vector>
 
+class vtkFieldData;
 class vtkMultiBlockDataSet;
 
 namespace waft
@@ -22,5 +23,7 @@ void ShapesToMultiBlock(const std::vector<Shape>& shapes, const SceneInfo& info,
 Result ShapesFromMultiBlock(vtkMultiBlockDataSet* data, std::vector<Shape>& shapes);
 /// The same of what has to be flown: fails where there is none.
 Result BodiesFromMultiBlock(vtkMultiBlockDataSet* data, std::vector<Shape>& shapes);
+/// `Color`, `Tint`, `Opacity`, `Texture`, with a tuple a shape.
+void LooksToFieldData(const std::vector<Shape>& shapes, vtkFieldData* fields);
 
 } // namespace waft

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkActorOfParts.h"
+
+#include <vtkObjectFactory.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <utility>
+
+vtkStandardNewMacro(vtkActorOfParts);
+
+void vtkActorOfParts::SetParts(std::vector<vtkSmartPointer<vtkActor>> parts)
+{
+  this->Parts = std::move(parts);
+  this->Modified();
+}
+
+bool vtkActorOfParts::DrawsParts(vtkViewport* viewport) const
+{
+  auto* renderer = vtkRenderer::SafeDownCast(viewport);
+  return !this->Parts.empty() && (renderer == nullptr || renderer->GetSelector() == nullptr);
+}
+
+int vtkActorOfParts::Draw(vtkViewport* viewport, int (vtkActor::*draw)(vtkViewport*))
+{
+  int drawn = 0;
+  for (vtkActor* part : this->Parts)
+  {
+    part->SetUserMatrix(this->GetMatrix());
+    part->SetPropertyKeys(this->GetPropertyKeys());
+    drawn = std::max(drawn, (part->*draw)(viewport));
+  }
+  return drawn;
+}
+
+int vtkActorOfParts::RenderOpaqueGeometry(vtkViewport* viewport)
+{
+  return this->DrawsParts(viewport) ? this->Draw(viewport, &vtkActor::RenderOpaqueGeometry)
+                                    : this->Superclass::RenderOpaqueGeometry(viewport);
+}
+
+int vtkActorOfParts::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
+{
+  return this->DrawsParts(viewport)
+           ? this->Draw(viewport, &vtkActor::RenderTranslucentPolygonalGeometry)
+           : this->Superclass::RenderTranslucentPolygonalGeometry(viewport);
+}
+
+vtkTypeBool vtkActorOfParts::HasTranslucentPolygonalGeometry()
+{
+  return this->Parts.empty()
+           ? this->Superclass::HasTranslucentPolygonalGeometry()
+           : std::any_of(this->Parts.begin(), this->Parts.end(), [](vtkActor* part)
+                         { return part->HasTranslucentPolygonalGeometry() != 0; });
+}
+
+vtkTypeBool vtkActorOfParts::HasOpaqueGeometry()
+{
+  return this->Parts.empty() ? this->Superclass::HasOpaqueGeometry()
+                             : std::any_of(this->Parts.begin(), this->Parts.end(),
+                                           [](vtkActor* part)
+                                           { return part->HasOpaqueGeometry() != 0; });
+}
+
+void vtkActorOfParts::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (vtkActor* part : this->Parts)
+  {
+    part->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkActorOfParts::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Parts: " << this->Parts.size() << "\n";
+}

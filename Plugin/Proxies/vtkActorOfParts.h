@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkActorOfParts
+ * @brief   an actor of a representation that draws actors of its own in place of its mapper's data
+ *
+ * The parts are where this actor is, and seen where it is. Where a view picks by what it draws, and
+ * where there are no parts, the mapper's data are drawn, as by any actor.
+ */
+#ifndef vtkActorOfParts_h
+#define vtkActorOfParts_h
+
+#include "vtkPVLODActor.h"
+#include "vtkSmartPointer.h"
+#include "vtkWaftProxiesModule.h"
+
+#include <vector>
+
+class VTKWAFTPROXIES_EXPORT vtkActorOfParts : public vtkPVLODActor
+{
+public:
+  static vtkActorOfParts* New();
+  vtkTypeMacro(vtkActorOfParts, vtkPVLODActor);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void SetParts(std::vector<vtkSmartPointer<vtkActor>> parts);
+
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
+  vtkTypeBool HasTranslucentPolygonalGeometry() override;
+  vtkTypeBool HasOpaqueGeometry() override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkActorOfParts() = default;
+  ~vtkActorOfParts() override = default;
+
+private:
+  vtkActorOfParts(const vtkActorOfParts&) = delete;
+  void operator=(const vtkActorOfParts&) = delete;
+
+  bool DrawsParts(vtkViewport* viewport) const;
+  int Draw(vtkViewport* viewport, int (vtkActor::*draw)(vtkViewport*));
+
+  std::vector<vtkSmartPointer<vtkActor>> Parts;
+};
+
+#endif
