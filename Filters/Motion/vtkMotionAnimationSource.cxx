@@ -204,7 +204,9 @@ void vtkMotionAnimationSource::Internals::KeepPlan()
   {
     return;
   }
-  waft::ConstraintsToPolyData(plan.Constraints, this->Scene, this->Kept<vtkPolyData>(MarksPort));
+  std::vector<waft::Constraint> marks = plan.Constraints;
+  waft::TakeStatuses(this->Made.Report, marks);
+  waft::ConstraintsToPolyData(marks, this->Scene, this->Kept<vtkPolyData>(MarksPort));
   waft::TracksToPolyData(plan.Tracks, this->Scene, this->Kept<vtkPolyData>(PlannedTracksPort));
   waft::TreesToPolyData(plan.Trees, this->Scene, this->Kept<vtkPolyData>(TreesPort));
   waft::ReportToTable(plan.Report, this->Scene, this->Kept<vtkTable>(PlannedReportPort));

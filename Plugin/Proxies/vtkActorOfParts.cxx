@@ -50,16 +50,17 @@ vtkTypeBool vtkActorOfParts::HasTranslucentPolygonalGeometry()
 {
   return this->Parts.empty()
            ? this->Superclass::HasTranslucentPolygonalGeometry()
-           : std::any_of(this->Parts.begin(), this->Parts.end(), [](vtkActor* part)
+           : std::any_of(this->Parts.begin(), this->Parts.end(),
+                         [](vtkActor* part)
                          { return part->HasTranslucentPolygonalGeometry() != 0; });
 }
 
 vtkTypeBool vtkActorOfParts::HasOpaqueGeometry()
 {
-  return this->Parts.empty() ? this->Superclass::HasOpaqueGeometry()
-                             : std::any_of(this->Parts.begin(), this->Parts.end(),
-                                           [](vtkActor* part)
-                                           { return part->HasOpaqueGeometry() != 0; });
+  return this->Parts.empty()
+           ? this->Superclass::HasOpaqueGeometry()
+           : std::any_of(this->Parts.begin(), this->Parts.end(),
+                         [](vtkActor* part) { return part->HasOpaqueGeometry() != 0; });
 }
 
 void vtkActorOfParts::ReleaseGraphicsResources(vtkWindow* window)

@@ -3,7 +3,6 @@
 
 #include <vtkDataObject.h>
 #include <vtkObjectFactory.h>
-#include <vtkPVArrayInformation.h>
 #include <vtkPVDataInformation.h>
 #include <vtkPVXMLElement.h>
 #include <vtkSMOutputPort.h>
@@ -114,24 +113,9 @@ void vtkSMMotionRepresentationProxy::PutOn(vtkPVXMLElement* look)
   {
     vtkSMPropertyHelper(this, "Representation").Set(type);
   }
-  if (const char* array = look->GetAttribute("size"))
-  {
-    this->SizeBy(array);
-  }
   const char* color = look->GetAttribute("color");
   vtkSMPropertyHelper(this, "ColorArrayName")
     .SetInputArrayToProcess(AssociationOf(look), color != nullptr ? color : "");
-}
-
-void vtkSMMotionRepresentationProxy::SizeBy(const char* array)
-{
-  vtkPVArrayInformation* found = this->Shown()->GetArrayInformation(array, vtkDataObject::POINT);
-  if (found != nullptr && found->GetComponentRange(0)[0] > 0.0)
-  {
-    vtkSMPropertyHelper(this, "SelectScaleArray").Set(array);
-    vtkSMPropertyHelper(this, "ScaleMode").Set("Magnitude");
-    vtkSMPropertyHelper(this, "ScaleFactor").Set(2.0); // a glyph's ball has the diameter 1
-  }
 }
 
 bool vtkSMMotionRepresentationProxy::ShowsMeasure()

@@ -4,11 +4,10 @@
  * @brief   a representation of ParaView that begins with a look of its own
  *
  * Its XML names the look, by hints FirstPicture, of which the first counts whose array `color` is
- * there: the attributes `color` (an array) and `of` (POINTS or CELLS), `size` (a point array that
- * gives the radii of balls, where all of them are positive), `type` (of the representation) and a
- * nested Property, name and value, for each property that differs from ParaView's default. The look
- * is put on once, when there are first points to show; what is loaded from a state or set later
- * stays. Where no hint counts, data look as ParaView has it.
+ * there: the attributes `color` (an array) and `of` (POINTS or CELLS), `type` (of the
+ * representation) and a nested Property, name and value, for each property that differs from
+ * ParaView's default. The look is put on once, when there are first points to show; what is loaded
+ * from a state or set later stays. Where no hint counts, data look as ParaView has it.
  */
 #ifndef vtkSMMotionRepresentationProxy_h
 #define vtkSMMotionRepresentationProxy_h
@@ -44,7 +43,6 @@ private:
 
   vtkPVDataInformation* Shown();
   void PutOn(vtkPVXMLElement* look);
-  void SizeBy(const char* array);
   bool ShowsMeasure();
 
   bool HasLook = false;

@@ -86,6 +86,10 @@ void WaftCamera::Refresh()
     }
     else if (waft::Frame(view, shown))
     {
+      if (isNew)
+      {
+        waft::SetBackdrop(view);
+      }
       this->Framed[view] = PlaceOf(view);
       if (this->Framed[view] != before)
       {

@@ -30,6 +30,8 @@ const vtkVector3d Direction(-0.35, 1.0, -0.55); // that the camera looks in
 constexpr double Room = 0.3;                    // round a single point [m]
 constexpr double Near = 0.05;  // of the extent of what flies: obstacles this near belong to it
 constexpr double Filled = 0.9; // of the view's height or width
+const double Below[3] = { 0.43, 0.51, 0.57 }; // what is behind all, at the foot of the picture
+const double Above[3] = { 0.27, 0.36, 0.44 };
 
 vtkPVDataInformation* DataOf(pqDataRepresentation* shown)
 {
@@ -117,6 +119,20 @@ bool Frame(pqRenderView* view, const std::vector<pqDataRepresentation*>& shown)
   vtkSMPropertyHelper(proxy, "CenterOfRotation").Set(center.GetData(), 3);
   proxy->UpdateVTKObjects();
   return true;
+}
+
+void SetBackdrop(pqRenderView* view)
+{
+  vtkSMRenderViewProxy* proxy = view->getRenderViewProxy();
+  vtkSMPropertyHelper ofPalette(proxy, "UseColorPaletteForBackground");
+  if (ofPalette.GetAsInt() != 0)
+  {
+    ofPalette.Set(0);
+    vtkSMPropertyHelper(proxy, "Background").Set(Below, 3);
+    vtkSMPropertyHelper(proxy, "Background2").Set(Above, 3);
+    vtkSMPropertyHelper(proxy, "BackgroundColorMode").Set("Gradient");
+    proxy->UpdateVTKObjects();
+  }
 }
 
 } // namespace waft

@@ -18,4 +18,7 @@ bool IsMotion(pqDataRepresentation* shown);
 /// done, where nothing has points.
 bool Frame(pqRenderView* view, const std::vector<pqDataRepresentation*>& shown);
 
+/// A soft background in place of the palette's; nothing where a user has chosen one.
+void SetBackdrop(pqRenderView* view);
+
 } // namespace waft

@@ -4,6 +4,7 @@
 #include "WaftCamera.h"
 #include "WaftCheck.h"
 #include "WaftHold.h"
+#include "WaftMenu.h"
 #include "WaftStages.h"
 
 #include <pqApplicationCore.h>
@@ -66,6 +67,7 @@ WaftToolBar::WaftToolBar(QWidget* parent) :
   this->Show(State::Resting, {});
   // ParaView's own rows are full; this one is beside its progress. Once the window has taken it in.
   QTimer::singleShot(0, this, &WaftToolBar::MoveDown);
+  waft::AddToSourcesMenu();
 }
 
 void WaftToolBar::MoveDown()
@@ -95,7 +97,7 @@ void WaftToolBar::onSourceMade(pqPipelineSource* source)
   if (this->Now == State::Resting &&
       std::string(source->getProxy()->GetXMLName()) == "MotionSceneReader")
   {
-    this->Bar->setFormat("To fly a scene: Sources > Waft > Waft Animation");
+    this->Bar->setFormat("To fly a scene: File > Open, or Sources > Waft > Waft Animation");
   }
   waft::WorkInSlices(source->getProxy());
 }

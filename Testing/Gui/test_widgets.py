@@ -76,6 +76,12 @@ class WidgetTest(unittest.TestCase):
         self.assertEqual({note["views"] for note in notes}, {1}, "no spreadsheet or chart on Apply")
         self.assertEqual(notes[-1]["sources"], ["Assimilation", "Planner", "Rotation", "Scene", "WaftAnimation1"])
 
+    def test_files_open_without_a_question(self):
+        with tempfile.TemporaryDirectory() as folder:
+            status, printed, notes = play("open.xml", pathlib.Path(folder), "watch_open.py")
+        self.check_run(status, printed)
+        self.assertEqual(notes, [[], ["WaftAnimation"], ["MotionResultsReader", "WaftAnimation"]])
+
     def test_undo_and_redo_take_the_stages_along(self):
         with tempfile.TemporaryDirectory() as folder:
             status, printed, notes = play("undo.xml", pathlib.Path(folder), "watch_undo.py")

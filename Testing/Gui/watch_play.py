@@ -70,6 +70,8 @@ def look(animation):
     line = {"share": float(taken.mean()), "contrast": float(apart[taken].mean()) if taken.any() else 0.0,
             "color": whole[taken].mean(axis=0).tolist() if taken.any() else [], "bars": len(bars), "camera": at,
             "steps": len(keeper.TimestepValues or []), "end": simple.GetAnimationScene().EndTime}
+    line["looks"] = [str(simple.GetRepresentation(animation[port], view).Representation).strip("'") for port in ("Meshes", "Poses", "Obstacles", "Marks")]
+    line["background"] = str(view.BackgroundColorMode).strip("'")
     showing._look_at(view, [simple.OutputPort(animation, port) for port in (0, 1, 2, 4)])  # those that are shown by themselves
     write(**line, shown=camera())
 

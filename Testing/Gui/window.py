@@ -38,7 +38,7 @@ def run_paraview(folder, arguments):
     with Screen() as display:
         environment = {**os.environ, "DISPLAY": display, "HOME": str(folder), "XDG_RUNTIME_DIR": str(folder),
                        "PV_PLUGIN_PATH": PLUGINS, "PYTHONPATH": MODULES, "WAFT_GUI_LOG": str(folder / "log"),
-                       "WAFT_GUI_SCENE": str(folder / "kept.waft.json")}
+                       "WAFT_GUI_SCENE": str(folder / "kept.waft.json"), "WAFT_GUI_SAMPLES": str(HERE.parent / "Python")}
         done = subprocess.run([PARAVIEW, "--dr", *arguments], env=environment, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, check=False)
     return done.returncode, done.stdout
@@ -49,7 +49,7 @@ def play(events, folder, watch="watch_widgets.py", ends=True):
     the events, else the script ends it."""
     script = folder / "events.xml"
     text = (HERE / events).read_text(encoding="utf-8")
-    script.write_text(text.replace("@PANEL@", PANEL).replace("@VIEW@", VIEW), encoding="utf-8")
+    script.write_text(text.replace("@PANEL@", PANEL).replace("@VIEW@", VIEW).replace("@FOLDER@", str(folder)), encoding="utf-8")
     status, printed = run_paraview(folder, [f"--script={HERE / watch}", f"--test-directory={folder}",
                                             f"--test-script={script}", *(["--exit"] if ends else [])])
     return status, printed, [json.loads(line) for line in (folder / "log").read_text(encoding="utf-8").splitlines()]

@@ -191,6 +191,7 @@ def _write_constraints(path, positions):
     add(columns, "ObjectId", [row[0] for row in rows], np.int32)
     add(columns, "Frame", [row[1] for row in rows], np.int32)
     add(columns, "Kind", [row[2] for row in rows], np.uint8)
+    add(columns, "Value", [[*row[3], 0.0] for row in rows])
     add(columns, "Radius", [row[4] for row in rows])
     add(columns, "Row", [row[5] for row in rows], np.int32)
     add(columns, "Target", [row[6] for row in rows], np.int32)

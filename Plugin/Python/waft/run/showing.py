@@ -18,6 +18,7 @@ _DIRECTION = (-0.35, 1.0, -0.55)  # that the first camera looks in: from the fro
 _ROOM = 0.3  # round a single point, in metres
 _NEAR = 0.05  # of the extent of what flies: obstacles this near belong to the picture
 _FILLED = 0.9  # of the view's height or width
+_BELOW, _ABOVE = (0.43, 0.51, 0.57), (0.27, 0.36, 0.44)  # what is behind all, at the foot of the picture and above
 _COURSE = 1e-6  # of the largest cost: what is less is not drawn
 
 
@@ -26,7 +27,8 @@ def show(shown: Any, view: Any = None, port: Optional[int] = None) -> List[Any]:
 
     Of a stage every output that its proxy shows by itself: what is in space in a render view (view: default the active one, or a
     new one), a table of costs in a line chart with a logarithmic axis. An output that is named, by `port` or as OutputPort(stage, 1),
-    is shown in any case. The camera takes all in, and the animation of the session has the frames of the scene. Returns the views, the one in
+    is shown in any case. The camera takes all in, a view that showed nothing gets a soft
+    background, and the animation of the session has the frames of the scene. Returns the views, the one in
     space first. Raises BadInput with the sentence of a stage that fails.
     """
     ports = [pair for one in (shown if isinstance(shown, (list, tuple)) else [shown]) for pair in _ports_of(one, port)]
@@ -37,6 +39,8 @@ def show(shown: Any, view: Any = None, port: Optional[int] = None) -> List[Any]:
     active = simple.GetActiveView()
     if view is None:
         view = active if active is not None and active.SMProxy.IsA("vtkSMRenderViewProxy") else simple.CreateRenderView()
+    if not any(_is_seen(one) for one in view.Representations):
+        _set_backdrop(view)
     for output in in_space:
         look(output, simple.Show(output, view))
     scene = simple.GetAnimationScene()
@@ -100,6 +104,18 @@ def _chart(output):
     chart.BottomAxisTitle = "row"
     simple.Render(chart)
     return chart
+
+
+def _is_seen(shown):
+    return hasattr(shown, "Input") and bool(shown.Visibility)
+
+
+def _set_backdrop(view):
+    """A soft background in place of the palette's; nothing where a user has chosen one."""
+    if view.UseColorPaletteForBackground:
+        view.UseColorPaletteForBackground = 0
+        view.BackgroundColorMode = "Gradient"
+        view.Background, view.Background2 = _BELOW, _ABOVE
 
 
 def _look_at(view, outputs):

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMarkRingsRepresentation.h"
+
+#include <vtkActor.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPointGaussianMapper.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+vtkStandardNewMacro(vtkMarkRingsRepresentation);
+
+namespace
+{
+
+constexpr double Least = 0.006;       // radius of a ring, over the diagonal of the volume
+constexpr int Position = 0, Rest = 4; // Kinds of rows that are places
+using Rgb = std::array<unsigned char, 3>;
+constexpr Rgb Waiting{ 235, 150, 40 }, Met{ 40, 190, 120 }, Missed{ 215, 60, 45 };
+// Offsets are in radii. The colour is as it is told, whatever the light.
+constexpr const char* Ring = "//VTK::Color::Impl\n"
+                             "  float away = length(offsetVCVSOutput.xy);\n"
+                             "  if (away > 1.0 || away < 0.72) discard;\n"
+                             "  ambientColor = vertexColorVSOutput.rgb;\n"
+                             "  diffuseColor = vec3(0.0);\n";
+
+double ValueOf(vtkDataArray* array, vtkIdType tuple, double otherwise)
+{
+  return array != nullptr && tuple < array->GetNumberOfTuples() ? array->GetComponent(tuple, 0)
+                                                                : otherwise;
+}
+
+/// Radius where rows have none [m].
+double LeastRadius(vtkPolyData* marks)
+{
+  std::array<double, 6> box{};
+  vtkDataArray* volume = marks->GetFieldData()->GetArray("Bounds");
+  if (volume != nullptr && volume->GetNumberOfValues() == 6)
+  {
+    for (vtkIdType i = 0; i < 6; ++i)
+    {
+      box[static_cast<std::size_t>(i)] = volume->GetVariantValue(i).ToDouble();
+    }
+  }
+  else
+  {
+    marks->GetBounds(box.data());
+  }
+  return Least * std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
+}
+
+void DrawRings(vtkActor* actor)
+{
+  vtkNew<vtkPointGaussianMapper> mapper;
+  mapper->SetScaleArray("Radius");
+  mapper->SetScaleFactor(1.0);
+  mapper->EmissiveOff();
+  mapper->SetSplatShaderCode(Ring);
+  mapper->ScalarVisibilityOn();
+  mapper->SetColorModeToDirectScalars();
+  actor->SetMapper(mapper);
+}
+
+} // namespace
+
+void vtkMarkRingsRepresentation::AddParts(vtkPolyData* block, double time, Parts& parts)
+{
+  vtkPointData* rows = block->GetPointData();
+  vtkDataArray* kinds = rows->GetArray("Kind");
+  const double rate = ValueOf(block->GetFieldData()->GetArray("FramesPerSecond"), 0, 30.0);
+  const double now = std::round(time * rate);
+  const double least = LeastRadius(block);
+  vtkNew<vtkPoints> places;
+  vtkNew<vtkFloatArray> radii;
+  radii->SetName("Radius");
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName("Color");
+  colors->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < block->GetNumberOfPoints(); ++i)
+  {
+    const double kind = ValueOf(kinds, i, Position);
+    if (kind != Position && kind != Rest)
+    {
+      continue;
+    }
+    places->InsertNextPoint(block->GetPoint(i));
+    const double radius = kind == Rest ? 0.0 : ValueOf(rows->GetArray("Radius"), i, 0.0);
+    radii->InsertNextValue(static_cast<float>(std::max(radius, least)));
+    const bool isMet = ValueOf(rows->GetArray("Status"), i, 0.0) == 0.0;
+    const Rgb& color =
+      now < ValueOf(rows->GetArray("Frame"), i, HUGE_VAL) ? Waiting : (isMet ? Met : Missed);
+    colors->InsertNextTypedTuple(color.data());
+  }
+  if (places->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  const auto rings = vtkSmartPointer<vtkPolyData>::New();
+  rings->SetPoints(places);
+  rings->GetPointData()->SetScalars(colors);
+  rings->GetPointData()->AddArray(radii);
+  Part part;
+  part.Actor = this->ActorFor(parts, rings, nullptr, DrawRings);
+  parts.push_back(std::move(part));
+}
+
+void vtkMarkRingsRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

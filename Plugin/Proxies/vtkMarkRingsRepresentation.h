@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkMarkRingsRepresentation
+ * @brief   shows marks as rings that face the viewer
+ *
+ * Of rows of places (point data `Kind`). A ring is of the row's `Radius`; a small one where that is
+ * none. From its `Frame` on it is green where its `Status` is met, and red where it is not.
+ */
+#ifndef vtkMarkRingsRepresentation_h
+#define vtkMarkRingsRepresentation_h
+
+#include "vtkPartsRepresentation.h"
+#include "vtkWaftProxiesModule.h"
+
+class VTKWAFTPROXIES_EXPORT vtkMarkRingsRepresentation : public vtkPartsRepresentation
+{
+public:
+  static vtkMarkRingsRepresentation* New();
+  vtkTypeMacro(vtkMarkRingsRepresentation, vtkPartsRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkMarkRingsRepresentation() = default;
+  ~vtkMarkRingsRepresentation() override = default;
+
+  void AddParts(vtkPolyData* block, double time, Parts& parts) override;
+  bool VariesInTime() const override { return true; }
+
+private:
+  vtkMarkRingsRepresentation(const vtkMarkRingsRepresentation&) = delete;
+  void operator=(const vtkMarkRingsRepresentation&) = delete;
+};
+
+#endif

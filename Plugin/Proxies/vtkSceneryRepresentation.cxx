@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSceneryRepresentation.h"
+
+#include "PartOfSurface.h"
+
+#include <vtkActor.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPlaneSource.h>
+#include <vtkPolyData.h>
+#include <vtkTexture.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+vtkStandardNewMacro(vtkSceneryRepresentation);
+
+namespace
+{
+
+constexpr int Texels = 128;       // of the floor's alpha, along a side
+constexpr double Strength = 0.8;  // of the floor in its middle
+constexpr double Standing = 0.55; // opacity of obstacles: what flies behind them is seen
+constexpr double Floor[3] = { 0.93, 0.92, 0.89 };
+constexpr double Obstacle[3] = { 0.80, 0.82, 0.84 };
+
+using Box = std::array<double, 6>;
+
+Box BoxOf(vtkPolyData* data)
+{
+  Box box{};
+  data->GetBounds(box.data());
+  return box;
+}
+
+/// A flat slab that reaches past the whole floor of the volume.
+bool IsGround(vtkPolyData* obstacle, vtkDataArray* volume)
+{
+  if (volume == nullptr || volume->GetNumberOfValues() != 6)
+  {
+    return false;
+  }
+  const Box own = BoxOf(obstacle);
+  const auto at = [volume](vtkIdType i) { return volume->GetVariantValue(i).ToDouble(); };
+  for (vtkIdType i = 0; i < obstacle->GetNumberOfPoints(); ++i)
+  {
+    const double z = obstacle->GetPoint(i)[2];
+    if (z != own[4] && z != own[5])
+    {
+      return false;
+    }
+  }
+  return own[0] <= at(0) && own[1] >= at(1) && own[2] <= at(2) && own[3] >= at(3) && own[5] < at(5);
+}
+
+vtkSmartPointer<vtkPolyData> TopOf(vtkPolyData* slab)
+{
+  const Box box = BoxOf(slab);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(box[0], box[2], box[5]);
+  plane->SetPoint1(box[1], box[2], box[5]);
+  plane->SetPoint2(box[0], box[3], box[5]);
+  plane->Update();
+  return plane->GetOutput();
+}
+
+vtkSmartPointer<vtkTexture> MakePool()
+{
+  vtkNew<vtkImageData> picture;
+  picture->SetDimensions(Texels, Texels, 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  for (int y = 0; y < Texels; ++y)
+  {
+    for (int x = 0; x < Texels; ++x)
+    {
+      const auto from = [](int texel) { return 2.0 * (texel + 0.5) / Texels - 1.0; };
+      const double left = std::max(0.0, 1.0 - std::hypot(from(x), from(y)));
+      const double share = left * left * (3.0 - 2.0 * left);
+      auto* pixel = static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0));
+      std::fill_n(pixel, 3, static_cast<unsigned char>(255));
+      pixel[3] = static_cast<unsigned char>(std::lround(255.0 * Strength * share));
+    }
+  }
+  auto pool = vtkSmartPointer<vtkTexture>::New();
+  pool->SetInputData(picture);
+  pool->InterpolateOn();
+  return pool;
+}
+
+} // namespace
+
+vtkSceneryRepresentation::vtkSceneryRepresentation() : Pool(MakePool()) {}
+
+vtkSceneryRepresentation::~vtkSceneryRepresentation() = default;
+
+void vtkSceneryRepresentation::AddParts(vtkPolyData* block, double, Parts& parts)
+{
+  vtkDataArray* volume = block->GetFieldData()->GetArray("Bounds");
+  for (const auto& [number, surface] : waft::PartsBy("ObstacleId", block))
+  {
+    const bool isGround = IsGround(surface, volume);
+    Part part;
+    std::copy_n(isGround ? Floor : Obstacle, 3, part.Color);
+    part.IsLit = !isGround;
+    part.IsBlended = isGround;
+    part.Opacity = isGround ? 1.0 : Standing;
+    const vtkSmartPointer<vtkPolyData> drawn = isGround ? TopOf(surface) : surface;
+    part.Actor = this->ActorFor(parts, drawn, isGround ? this->Pool : nullptr);
+    parts.push_back(std::move(part));
+  }
+}
+
+void vtkSceneryRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Pool: " << this->Pool << "\n";
+}
