@@ -23,9 +23,9 @@ namespace
 {
 
 constexpr int Texels = 128;       // of the floor's alpha, along a side
-constexpr double Strength = 0.8;  // of the floor in its middle
+constexpr double Strength = 0.6;  // of the floor in its middle
 constexpr double Standing = 0.55; // opacity of obstacles: what flies behind them is seen
-constexpr double Floor[3] = { 0.93, 0.92, 0.89 };
+constexpr double Floor[3] = { 0.86, 0.86, 0.84 };
 constexpr double Obstacle[3] = { 0.80, 0.82, 0.84 };
 
 using Box = std::array<double, 6>;

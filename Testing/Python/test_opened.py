@@ -17,10 +17,11 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 import sample_folder
 import waft
+from waft.watching import collect
 
 PLACE = pathlib.Path(sys.argv[1])
 SIZE = (640, 360)
-LEAST_SHARE = 0.01  # of the picture that the sample's six bodies take
+LEAST_SHARE = 0.0025  # of the picture that the sample's five leaves, seen from the side, and a bubble take
 LEAST_CONTRAST = 40.0  # of 255, of bodies against what is behind them
 
 
@@ -59,10 +60,12 @@ class OpenedTest(unittest.TestCase):
 
     def messages(self, report):
         """What a reader says of a folder."""
-        reader = simple.MotionResultsReader(FileName=str(report))
+        reader, said = simple.MotionResultsReader(FileName=str(report)), []
+        collect(reader.GetClientSideObject(), "ErrorEvent", said)
         with self.assertRaises(waft.BadInput) as caught:
             waft.update(reader)
         self.assertEqual(surface(reader["Meshes"]).GetNumberOfPoints(), 0)
+        self.assertEqual(len(said), 1, said)
         return str(caught.exception)
 
     def test_a_scene_opens_as_what_flies_it(self):
@@ -148,6 +151,7 @@ class OpenedTest(unittest.TestCase):
         poses = report.with_name("poses.vtp")
         poses.rename(report.with_name("kept"))
         reader = simple.MotionResultsReader(FileName=str(report))
+        collect(reader.GetClientSideObject(), "ErrorEvent", [])
         with self.assertRaises(waft.BadInput):
             waft.update(reader)
         report.with_name("kept").rename(poses)
@@ -188,7 +192,7 @@ class PictureTest(unittest.TestCase):
         self.assertGreater(np.abs(seen - behind).max(axis=2)[mask].mean(), LEAST_CONTRAST)
         red, green, blue = np.moveaxis(seen[mask], 1, 0)
         brown = (red > 1.3 * green) & (green > 1.1 * blue)
-        self.assertGreater(brown.sum(), 500, "the texture's colour")
+        self.assertGreater(brown.mean(), 0.25, "the texture's colour")
         self.assertEqual([self.shown[name].Representation for name in ("Meshes", "Marks", "Obstacles")], ["Skins", "Rings", "Scenery"])
 
     def test_the_outline_is_cut_out_and_films_let_the_back_be_seen(self):
@@ -225,14 +229,16 @@ class PictureTest(unittest.TestCase):
 
     def test_bodies_can_be_picked(self):
         self.at(20)
-        _, _, mask = self.taken("picked")
-        rows, columns = np.nonzero(mask)
-        simple.SelectSurfaceCells(Rectangle=[int(columns.min()), int(rows.min()), int(columns.max()), int(rows.max())], View=self.view)
+        for name in ("Poses", "Marks", "Obstacles"):
+            self.shown[name].Visibility = 0
         try:
-            chosen = self.reader.SMProxy.GetSelectionInput(0)
-            self.assertIsNotNone(chosen, "cells of the meshes")
+            simple.Render(self.view)
+            simple.SelectSurfaceCells(Rectangle=[0, 0, SIZE[0] - 1, SIZE[1] - 1], View=self.view)
+            self.assertIsNotNone(self.reader.SMProxy.GetSelectionInput(0), "cells of the meshes")
         finally:
             simple.ClearSelection()
+            for name in ("Poses", "Marks", "Obstacles"):
+                self.shown[name].Visibility = 1
 
     def test_rings_are_green_once_they_are_met(self):
         colors = {}
