@@ -17,17 +17,17 @@ vtkStandardNewMacro(vtkFaintPathsRepresentation);
 namespace
 {
 
-constexpr vtkIdType Most = 150; // lines that are drawn
-constexpr double Few = 12.0;    // lines from which on they are fainter than a single one
-constexpr double Strength = 0.4;
-constexpr double Color[3] = { 1.0, 0.97, 0.90 };
+constexpr vtkIdType MostLines = 150; // lines that are drawn
+constexpr double FewLines = 12.0;    // lines from which on they are fainter than a single one
+constexpr double PathStrength = 0.4;
+constexpr double PathColor[3] = { 1.0, 0.97, 0.90 };
 
 } // namespace
 
 void vtkFaintPathsRepresentation::AddParts(vtkPolyData* block, double, Parts& parts)
 {
   vtkCellArray* lines = block->GetLines();
-  const vtkIdType step = (lines->GetNumberOfCells() - 1) / Most + 1;
+  const vtkIdType step = (lines->GetNumberOfCells() - 1) / MostLines + 1;
   waft::PartOfSurface chosen(block);
   vtkIdType count = 0, place = 0, drawn = 0;
   const vtkIdType* points = nullptr;
@@ -47,8 +47,8 @@ void vtkFaintPathsRepresentation::AddParts(vtkPolyData* block, double, Parts& pa
   paths->SetLines(paths->GetPolys());
   paths->SetPolys(vtkNew<vtkCellArray>());
   Part part;
-  std::copy_n(Color, 3, part.Color);
-  part.Opacity = Strength * std::min(1.0, std::sqrt(Few / static_cast<double>(drawn)));
+  std::copy_n(PathColor, 3, part.Color);
+  part.Opacity = PathStrength * std::min(1.0, std::sqrt(FewLines / static_cast<double>(drawn)));
   part.IsLit = false;
   part.Actor = this->ActorFor(parts, paths, nullptr);
   parts.push_back(std::move(part));

@@ -23,7 +23,7 @@ namespace
 {
 
 constexpr double Least = 0.006;       // radius of a ring, over the diagonal of the volume
-constexpr double Few = 60.0;          // marks from which on rings are smaller
+constexpr double FewMarks = 60.0;     // marks from which on rings are smaller
 constexpr int Position = 0, Rest = 4; // Kinds of rows that are places
 using Rgb = std::array<unsigned char, 3>;
 constexpr Rgb Waiting{ 235, 150, 40 }, Met{ 40, 190, 120 }, Missed{ 215, 60, 45 };
@@ -57,7 +57,7 @@ double LeastRadius(vtkPolyData* marks)
     marks->GetBounds(box.data());
   }
   const auto crowd = static_cast<double>(marks->GetNumberOfPoints());
-  return Least * std::min(1.0, std::sqrt(Few / crowd)) *
+  return Least * std::min(1.0, std::sqrt(FewMarks / crowd)) *
          std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
 }
 
