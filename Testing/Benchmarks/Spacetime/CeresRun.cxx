@@ -21,20 +21,6 @@ double Seconds()
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-// The unknowns with gas that left the box put back to its walls.
-std::vector<double> Held(const SpacetimeModel& model, const double* z, std::size_t size)
-{
-  std::vector<double> held(z, z + size);
-  for (std::size_t k = 0; k < size; ++k)
-  {
-    if (k / 6 % model.NumberOfBodies() < model.NumberOfGas && k % 6 < 3)
-    {
-      held[k] = std::clamp(held[k], 0.0, model.Size[static_cast<int>(k % 6)]);
-    }
-  }
-  return held;
-}
-
 class Cost : public ceres::FirstOrderFunction
 {
 public:
@@ -45,16 +31,11 @@ public:
   bool Evaluate(const double* z, double* cost, double* gradient) const override
   {
     ++this->Evaluations;
-    const std::vector<double> held = Held(this->Model, z, this->Reference.Size());
+    const std::vector<double> held = HeldInBox(this->Model, z, this->Reference.Size());
     *cost = this->Reference.Evaluate(held.data(), gradient);
-    for (std::size_t k = 0; k < held.size() && gradient; ++k)
+    if (gradient != nullptr)
     {
-      const std::size_t frame = k / 6 / this->Model.NumberOfBodies();
-      const std::size_t body = k / 6 % this->Model.NumberOfBodies();
-      const bool isFixed =
-        body >= this->Model.NumberOfGas && k % 6 < 3 &&
-        (this->Model.Flag(static_cast<int>(frame), body - this->Model.NumberOfGas) & FixedPosition);
-      gradient[k] = isFixed || held[k] != z[k] ? 0.0 : gradient[k];
+      HoldGradient(this->Model, z, held, gradient);
     }
     return true;
   }
@@ -67,6 +48,33 @@ private:
 };
 
 } // namespace
+
+std::vector<double> HeldInBox(const SpacetimeModel& model, const double* z, std::size_t size)
+{
+  std::vector<double> held(z, z + size);
+  for (std::size_t k = 0; k < size; ++k)
+  {
+    if (k / 6 % model.NumberOfBodies() < model.NumberOfGas && k % 6 < 3)
+    {
+      held[k] = std::clamp(held[k], 0.0, model.Size[static_cast<int>(k % 6)]);
+    }
+  }
+  return held;
+}
+
+void HoldGradient(const SpacetimeModel& model, const double* z, const std::vector<double>& held,
+                  double* gradient)
+{
+  for (std::size_t k = 0; k < held.size(); ++k)
+  {
+    const std::size_t frame = k / 6 / model.NumberOfBodies();
+    const std::size_t body = k / 6 % model.NumberOfBodies();
+    const bool isFixed =
+      body >= model.NumberOfGas && k % 6 < 3 &&
+      (model.Flag(static_cast<int>(frame), body - model.NumberOfGas) & FixedPosition);
+    gradient[k] = isFixed || held[k] != z[k] ? 0.0 : gradient[k];
+  }
+}
 
 CeresComparison CompareWithCeres(StandardProblem& problem, int iterations, int ceresIterations,
                                  const ParallelFor& parallel)
@@ -87,7 +95,7 @@ CeresComparison CompareWithCeres(StandardProblem& problem, int iterations, int c
   double from = Seconds();
   ceres::Solve(options, ceresProblem, z.data(), &summary);
   result.Ceres.Seconds = Seconds() - from;
-  z = Held(model, z.data(), z.size());
+  z = HeldInBox(model, z.data(), z.size());
   result.Ceres.Cost = reference.Evaluate(z.data(), nullptr);
 
   const TimeLevel level = TimeLevel::Full(model.NumberOfFrames, 1);

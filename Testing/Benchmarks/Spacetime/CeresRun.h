@@ -5,6 +5,8 @@
 #include "Base/Parallel.h"
 #include "StandardProblem.h"
 
+#include <vector>
+
 namespace waft
 {
 
@@ -14,6 +16,12 @@ struct SolverEnd
   double Seconds = 0.0; // of the processor
   int Evaluations = 0;  // of E and its gradient
 };
+
+/// Unknowns as ReferenceObjective has them, with gas that left the box put back to its walls.
+std::vector<double> HeldInBox(const SpacetimeModel& model, const double* z, std::size_t size);
+/// Takes from a gradient at `z`, held as `held`, what moves fixed places or gas out of the box.
+void HoldGradient(const SpacetimeModel& model, const double* z, const std::vector<double>& held,
+                  double* gradient);
 
 struct CeresComparison
 {

@@ -197,16 +197,21 @@ ReferenceObjective::Numbers ReferenceObjective::Tangent(const double* z,
   return result;
 }
 
-ReferenceObjective::Numbers ReferenceObjective::PullBack(const std::vector<Frame>& frames,
-                                                         const RowSet& rows,
-                                                         const Numbers& weights) const
+ReferenceObjective::Numbers ReferenceObjective::ByQuantities(const RowSet& rows,
+                                                             const Numbers& weights) const
 {
-  const std::size_t bodies = this->Model.NumberOfBodies();
   Numbers bars(2 * this->Size());
   for (const RowSet::Entry& entry : rows.Entries)
   {
     bars[entry.Column] += entry.Value * weights[entry.Row];
   }
+  return bars;
+}
+
+ReferenceObjective::Numbers ReferenceObjective::PullBack(const std::vector<Frame>& frames,
+                                                         const Numbers& bars) const
+{
+  const std::size_t bodies = this->Model.NumberOfBodies();
   const auto bar = [&](std::size_t j, std::size_t i, Quantity quantity)
   { return Vec3(bars.data() + this->Column(j, i, quantity, 0)); };
   Numbers result(this->Size());
@@ -256,17 +261,28 @@ ReferenceObjective::Numbers ReferenceObjective::Adjoint(const double* z,
                                                         const Numbers& weights) const
 {
   const std::vector<Frame> frames = this->Frames(z);
-  return this->PullBack(frames, this->MakeRows(z, frames), weights);
+  return this->PullBack(frames, this->ByQuantities(this->MakeRows(z, frames), weights));
 }
 
-double ReferenceObjective::Evaluate(const double* z, double* gradient) const
+double ReferenceObjective::Evaluate(const double* z, double* gradient,
+                                    std::vector<Vec3>* byAcceleration) const
 {
   const std::vector<Frame> frames = this->Frames(z);
   const RowSet rows = this->MakeRows(z, frames);
-  if (gradient != nullptr)
+  if (gradient != nullptr || byAcceleration != nullptr)
   {
-    const Numbers sum = this->PullBack(frames, rows, rows.Values);
-    std::copy(sum.begin(), sum.end(), gradient);
+    const Numbers bars = this->ByQuantities(rows, rows.Values);
+    if (gradient != nullptr)
+    {
+      const Numbers sum = this->PullBack(frames, bars);
+      std::copy(sum.begin(), sum.end(), gradient);
+    }
+    const std::size_t bodies = this->Model.NumberOfBodies();
+    for (std::size_t k = 0; k < frames.size() * bodies && byAcceleration != nullptr; ++k)
+    {
+      byAcceleration->emplace_back(bars.data() +
+                                   this->Column(k / bodies, k % bodies, Acceleration, 0));
+    }
   }
   double e = 0.0;
   for (const double r : rows.Values)

@@ -34,8 +34,14 @@ public:
   Numbers Rows(const double* z) const;
   Numbers Tangent(const double* z, const Numbers& change) const;
   Numbers Adjoint(const double* z, const Numbers& weights) const;
-  /// E, and its gradient unless null.
-  double Evaluate(const double* z, double* gradient) const;
+  /// E, and unless null its gradient, and its slope by what accelerates each body [frame * bodies +
+  /// body], by which fields of any kind are known to act on it.
+  double Evaluate(const double* z, double* gradient,
+                  std::vector<Vec3>* byAcceleration = nullptr) const;
+  Vec3 PlaceOf(const double* z, std::size_t j, std::size_t body) const
+  {
+    return this->At(z, j, body, 0);
+  }
 
 private:
   /// What the rows are made of, of a frame: each body's place, velocity, acceleration a and
@@ -108,8 +114,9 @@ private:
   /// root (distance - |x_a - x_b|) for bodies nearer to each other, of objects their PairDistance.
   void AddPairs(const double* z, std::size_t j, std::size_t first, std::size_t last,
                 double distance, double weight, RowSet& rows) const;
-  Numbers PullBack(const std::vector<Frame>& frames, const RowSet& rows,
-                   const Numbers& weights) const;
+  /// The weighted sum of the rows by each quantity, and from there by the unknowns.
+  Numbers ByQuantities(const RowSet& rows, const Numbers& weights) const;
+  Numbers PullBack(const std::vector<Frame>& frames, const Numbers& bars) const;
 
   const SpacetimeModel& Model;
   TimeLevel Level;
