@@ -85,10 +85,12 @@ public:
   WaftProperty(int, Passes);
   WaftFlag(UseLeash);
   WaftProperty(int, LeashIterations);
+  WaftFlag(MoveGas);
   WaftProperty(int, MaximumNumberOfIterations);
   WaftProperty(double, Tolerance);
   WaftProperty(double, TimeLimit);
   WaftProperty(int, HistorySize);
+  WaftProperty(int, WindowLength);
   WaftFlag(WarmStart);
   WaftProperty(double, EditDuration);
   WaftProperty(double, EditRadius);

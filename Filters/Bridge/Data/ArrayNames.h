@@ -167,6 +167,8 @@ constexpr const char* GasReplayError = "GasReplayError";
 constexpr const char* GasHiddenHand = "GasHiddenHand";
 constexpr const char* RepairedFraction = "RepairedFraction";
 constexpr const char* LargestRepair = "LargestRepair";
+constexpr const char* ForceSquares = "ForceSquares";
+constexpr const char* VorticesPart = "VorticesPart";
 
 } // namespace names
 } // namespace waft

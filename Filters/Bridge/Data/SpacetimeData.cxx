@@ -15,6 +15,7 @@
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 
+#include <cmath>
 #include <utility>
 
 namespace waft
@@ -87,6 +88,22 @@ void OptimisedToPolyData(const SpacetimeOutput& solution, const SceneInfo& info,
                                      std::pair(names::LargestRepair, solution.LargestRepair) })
   {
     AddDoubles(data->GetFieldData(), name, { value });
+  }
+  // In a sampled air nothing of it can be had.
+  if (!solution.Convergence.empty() && !std::isnan(solution.Convergence.back().ShareNone))
+  {
+    const ConvergenceRow& last = solution.Convergence.back();
+    std::vector<double> squares;
+    for (const double sum : { last.VorticesSquared, last.WindSquared, last.GasSquared,
+                              last.DragSquared, last.LandingSquared, last.NoneSquared })
+    {
+      squares.push_back(sum / last.Motion);
+    }
+    AddDoubles(data->GetFieldData(), names::ForceSquares, squares);
+    if (!std::isnan(solution.VorticesPart))
+    {
+      AddDoubles(data->GetFieldData(), names::VorticesPart, { solution.VorticesPart });
+    }
   }
 }
 

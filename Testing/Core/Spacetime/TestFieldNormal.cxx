@@ -5,6 +5,7 @@
 #include "Spacetime/Paper/ClosedCurl.h"
 #include "Spacetime/Paper/FieldNormal.h"
 #include "Spacetime/Paper/FieldUpdates.h"
+#include "Spacetime/Paper/VorticesPart.h"
 #include "Spacetime/Run/Spacetime.h"
 #include "Spacetime/Run/SpacetimeWarmStart.h"
 #include "SpacetimeScenes.h"
@@ -343,7 +344,7 @@ TEST(Convergence, TellsEq2AndWhatMovesTheObjects)
   static_cast<SpacetimeTerms&>(row) = terms;
   row.SetShares(false);
   // What nothing of the model gives, from the residuals.
-  double none = 0.0;
+  double none = 0.0, noneSquared = 0.0, vorticesSquared = 0.0;
   for (std::size_t j = 0; j + 1 < problem.Level.NumberOfFrames(); ++j)
   {
     for (std::size_t o = 0; o < model.NumberOfObjects; ++o)
@@ -356,14 +357,56 @@ TEST(Convergence, TellsEq2AndWhatMovesTheObjects)
       {
         none +=
           rv.dot(VectorAt(v + model.FrameSize(), model.Stride()) - VectorAt(v, model.Stride()));
+        noneSquared += rv.squaredNorm();
+        Vec3 swirl = Vec3::Zero();
+        for (const Vortex& vortex : problem.Fields.Vortices)
+        {
+          swirl += vortex.Acceleration(VectorAt(v - 3 * model.Stride(), model.Stride()),
+                                       problem.Level.Frames[j]);
+        }
+        vorticesSquared += swirl.squaredNorm();
       }
     }
   }
   EXPECT_GT(terms.Motion, 0.0);
   EXPECT_NEAR(row.ShareNone, none / terms.Motion, 1e-4);
+  EXPECT_NEAR(row.NoneSquared, noneSquared, 1e-4 * noneSquared);
+  EXPECT_NEAR(row.VorticesSquared, vorticesSquared, 1e-4 * vorticesSquared);
   EXPECT_NE(row.ShareVortices, 0.0);
   row.SetShares(true);
   EXPECT_TRUE(std::isnan(row.ShareNone) && std::isnan(row.E2));
+}
+
+TEST(VorticesPart, IsWhatEvOfTheObjectsRisesByWithoutThem)
+{
+  FieldProblem problem(FieldScene(), 300);
+  const StateVector& state = problem.Setup.Start;
+  SpacetimeTerms terms;
+  problem.Objective.Evaluate(state, nullptr, terms);
+  FieldNormal both(problem.Setup.Model, problem.Fields, FieldChoice());
+  ASSERT_TRUE(both.Gather(problem.Objective, state, SerialFor()));
+  ASSERT_TRUE(both.Solve(problem.Fields));
+  problem.Objective.Evaluate(state, nullptr, terms);
+  const double with = terms.EvObjects;
+  const double part = PartOfVortices(problem.Objective, state, true, SerialFor());
+  const double partOfAll = PartOfVortices(problem.Objective, state, false, SerialFor());
+  // The same by E itself, of each air one after the other.
+  problem.Fields.Vortices.clear();
+  problem.Objective.Evaluate(state, nullptr, terms);
+  const double sameWind = terms.EvObjects;
+  FieldChoice wind;
+  wind.Vortices = false;
+  FieldNormal alone(problem.Setup.Model, problem.Fields, wind);
+  ASSERT_TRUE(alone.Gather(problem.Objective, state, SerialFor()));
+  ASSERT_TRUE(alone.Solve(problem.Fields));
+  problem.Objective.Evaluate(state, nullptr, terms);
+  const double otherWind = terms.EvObjects;
+  problem.Fields.Wind = SplineWind();
+  problem.Objective.Evaluate(state, nullptr, terms);
+  EXPECT_NEAR(part, (otherWind - with) / terms.EvObjects, 1e-4);
+  EXPECT_NEAR(partOfAll, (sameWind - with) / terms.EvObjects, 1e-4);
+  EXPECT_NE(otherWind, sameWind);
+  EXPECT_EQ(PartOfVortices(problem.Objective, state, true, SerialFor()), 0.0); // there are none
 }
 
 // Fields that say something of the air say it of bodies, too, that they were not solved for.

@@ -280,6 +280,25 @@ TEST(RunSpacetime, FillsItsOutputs)
   }
 }
 
+TEST(RunSpacetime, BeginsWithGasAtRestWhereThatIsAskedFor)
+{
+  SceneOptions scene;
+  scene.NumberOfFrames = 30;
+  SpacetimeOptions options = QuickOptions();
+  options.NumberOfGasParticles = 125;
+  const SpacetimeOutput moving = RunScene(MakeScene(scene), options);
+  options.MoveGas = false;
+  const SpacetimeOutput still = RunScene(MakeScene(scene), options);
+  EXPECT_EQ(moving.Convergence[1].Stage, "gas moved");
+  EXPECT_EQ(still.Convergence[0].E, moving.Convergence[0].E);
+  for (const ConvergenceRow& row : still.Convergence)
+  {
+    EXPECT_NE(row.Stage, "gas moved");
+  }
+  EXPECT_LT(still.Convergence.back().E, still.Convergence.front().E);
+  EXPECT_NE(still.Tracks[0].Positions, moving.Tracks[0].Positions);
+}
+
 TEST(RunSpacetime, KeepsTheBestSoFarWhenStopped)
 {
   SceneOptions scene;

@@ -78,6 +78,32 @@ double MeasurePeak(const SpacetimeInput& input, const SpacetimeOptions& options)
 
 } // namespace
 
+TEST(Windows, AreAskedForByTheirLengthAsByAMemoryLimit)
+{
+  const SpacetimeInput input = Scene(40, 2);
+  SpacetimeOptions options = QuickOptions();
+  options.NumberOfGasParticles = 125;
+  options.MemoryLimit = 1.00001e-6 * BudgetOf(input, options).Of(16);
+  const SpacetimeOutput limited = RunScene(input, options);
+  ASSERT_EQ(BudgetOf(input, options).WindowOf(40, options.MemoryLimit), 12u);
+  options.MemoryLimit = 0.0;
+  options.WindowLength = 12;
+  EXPECT_EQ(BudgetOf(input, options).WindowOf(40, 0.0), 12u);
+  EXPECT_EQ(BudgetOf(input, options).WindowOf(10, 0.0), 10u);
+  ExpectSameMotion(RunScene(input, options), limited);
+  // Long windows are cut to what memory there is.
+  options.WindowLength = 30;
+  EXPECT_EQ(BudgetOf(input, options).WindowOf(40, 1.00001e-6 * BudgetOf(input, options).Of(16)),
+            12u);
+  options.WindowLength = 3;
+  SilentMonitor monitor;
+  SpacetimeOutput output;
+  EXPECT_NE(RunSpacetime(input, options, SerialFor(), monitor, output)
+              .Message()
+              .find("WindowLength: expected 0 or 8 frames at least"),
+            std::string::npos);
+}
+
 TEST(Windows, EndWithinFivePercentOfAllAtOnce)
 {
   const SpacetimeInput input = Scene(120, 5);

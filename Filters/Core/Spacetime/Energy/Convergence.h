@@ -20,6 +20,9 @@ struct SpacetimeTerms
   double E2 = 0.0;     // Eq. 2 as the paper has it
   /// Over free steps of objects: the sum of a . a, and of its product with each that makes it up.
   double Motion = 0.0, ByVortices = 0.0, ByWind = 0.0, ByGas = 0.0, ByDrag = 0.0, ByLanding = 0.0;
+  /// Likewise the sum of squares of each, and of what nothing of the model gives.
+  double VorticesSquared = 0.0, WindSquared = 0.0, GasSquared = 0.0, DragSquared = 0.0;
+  double LandingSquared = 0.0, NoneSquared = 0.0;
   /// The five before. They are summed frame by frame, so a sum of the columns differs by rounding.
   double Penalties = 0.0;
 
@@ -45,6 +48,12 @@ struct SpacetimeTerms
     visit(of.ByGas...);
     visit(of.ByDrag...);
     visit(of.ByLanding...);
+    visit(of.VorticesSquared...);
+    visit(of.WindSquared...);
+    visit(of.GasSquared...);
+    visit(of.DragSquared...);
+    visit(of.LandingSquared...);
+    visit(of.NoneSquared...);
     visit(of.Penalties...);
   }
 };

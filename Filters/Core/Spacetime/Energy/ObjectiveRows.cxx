@@ -53,6 +53,8 @@ void SpacetimeObjective::ShareFrame(FrameTerms& terms, const StateVector& moving
   const SpacetimeModel& model = this->Problem;
   SpacetimeTerms& sums = this->FrameSums[j];
   sums.Motion = sums.ByVortices = sums.ByWind = sums.ByGas = sums.ByDrag = sums.ByLanding = 0.0;
+  sums.VorticesSquared = sums.WindSquared = sums.GasSquared = sums.DragSquared = 0.0;
+  sums.LandingSquared = sums.NoneSquared = 0.0;
   const bool last = j + 1 == this->Times.NumberOfFrames();
   for (std::size_t o = 0; o < model.NumberOfObjects && !last && model.Air.IsEmpty(); ++o)
   {
@@ -70,12 +72,20 @@ void SpacetimeObjective::ShareFrame(FrameTerms& terms, const StateVector& moving
       const double drag = static_cast<double>(model.DragRates[o]) * terms.Average(c)[i] -
                           (c == 2 ? model.Gravities[o] : 0.0f);
       const double landing = terms.ByLanding(o)[c];
+      const double gas = terms.Acceleration(c)[i] - vortices - wind - drag - landing;
+      const double none = a - terms.Acceleration(c)[i];
       sums.Motion += a * a;
       sums.ByVortices += vortices * a;
       sums.ByWind += wind * a;
       sums.ByDrag += drag * a;
       sums.ByLanding += landing * a;
-      sums.ByGas += (terms.Acceleration(c)[i] - vortices - wind - drag - landing) * a;
+      sums.ByGas += gas * a;
+      sums.VorticesSquared += vortices * vortices;
+      sums.WindSquared += wind * wind;
+      sums.GasSquared += gas * gas;
+      sums.DragSquared += drag * drag;
+      sums.LandingSquared += landing * landing;
+      sums.NoneSquared += none * none;
     }
   }
 }

@@ -30,11 +30,13 @@ struct SpacetimeOptions : TermWeights
   int Passes = 2;
   bool UseLeash = true;
   int LeashIterations = 20;
+  bool MoveGas = true;
   /// A third of it on every fourth frame and in each of the last stages, two fifths in those
   /// between; see PlanSchedule.
   int MaximumNumberOfIterations = 150;
   double Tolerance = 0.01;
   int HistorySize = 6;
+  int WindowLength = 0;
   double MemoryLimit = 0.0;
   double TimeLimit = 0.0; // one may break bit-equality
   bool WarmStart = true;
@@ -142,6 +144,10 @@ struct SpacetimeOptions : TermWeights
         "LeashIterations", { 1, 10000 }, "", "Iterations at each of the five radii of the leash." }
         .Without("Air"),
       of.LeashIterations...);
+    visit(FlagField("MoveGas", "Begin with gas that moves with the planned objects; off: with gas "
+                               "at rest, from which the objects are calmed rather than it stirred.")
+            .Without("Air"),
+          of.MoveGas...);
     visit(OptionField{ "MaximumNumberOfIterations",
                        { 1, 100000 },
                        "",
@@ -158,6 +164,13 @@ struct SpacetimeOptions : TermWeights
       of.Tolerance...);
     visit(OptionField{ "HistorySize", { 1, 20 }, "", "Pairs that L-BFGS keeps." },
           of.HistorySize...);
+    visit(OptionField{ "WindowLength",
+                       { 0, 1e+06 },
+                       "frames",
+                       "Frames of a level that are solved at once, in windows one after the other "
+                       "and in several times the time, eight or more; the others stay meanwhile." }
+            .Or("all"),
+          of.WindowLength...);
     visit(
       OptionField{
         "MemoryLimit",

@@ -142,6 +142,8 @@ void FieldNormal::Gather(const SpacetimeObjective& objective, const StateVector&
   const TimeLevel& level = objective.Level();
   const SplineWind& wind = objective.Fields().Wind;
   const auto block = static_cast<Eigen::Index>(3 * this->Lattice.NumberOfNodes());
+  const bool isWithout = this->Vortices.empty() && !this->Choice.VorticesAct;
+  std::vector<Vortex> absent; // of the fields, those that act at a frame
   std::vector<std::size_t> active;
   std::vector<double> factors;
   std::vector<Vec3> unit;
@@ -151,6 +153,14 @@ void FieldNormal::Gather(const SpacetimeObjective& objective, const StateVector&
     const double step = level.Steps[j + 1];
     const double t = TimeOf(this->Lattice, std::max(2, this->Knots), frame).Fraction;
     const double shares[2] = { 1.0 - t, t };
+    absent.clear();
+    for (const Vortex& vortex : objective.Fields().Vortices)
+    {
+      if (isWithout && vortex.TimeFactor(frame) >= LeastTimeFactor)
+      {
+        absent.push_back(vortex);
+      }
+    }
     active.clear();
     factors.clear();
     for (std::size_t n = 0; n < this->Vortices.size(); ++n)
@@ -176,6 +186,10 @@ void FieldNormal::Gather(const SpacetimeObjective& objective, const StateVector&
       Vec3 target;
       objective.VelocityResidual(j + 1, i, target.data());
       target /= step;
+      for (std::size_t n = 0; n < absent.size(); ++n)
+      {
+        target += absent[n].Acceleration(x, frame);
+      }
       for (std::size_t n = 0; n < active.size(); ++n)
       {
         unit[n] = factors[n] * this->Vortices[active[n]].SpatialAcceleration(x);

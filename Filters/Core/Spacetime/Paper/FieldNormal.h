@@ -20,6 +20,9 @@ struct FieldChoice
 {
   bool Vortices = true;
   bool Wind = true;
+  /// Vortices that are not solved for act as they are; else the rest is solved for as if they were
+  /// not there.
+  bool VorticesAct = true;
   /// Bodies that count; empty: all.
   std::function<bool(std::size_t body)> Counts;
 };

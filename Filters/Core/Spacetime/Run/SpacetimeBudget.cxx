@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr double Megabyte = 1e6;
-constexpr std::size_t ShortestWindow = 8; // frames: in shorter ones hardly anything can move
+constexpr std::size_t ShortestWindow = 8; // frames
 constexpr double ListGrowth = 1.3;        // of a list's room over its entries
 constexpr double WallFraction = 0.85;     // of neighbours that walls leave, on average
 constexpr double UsualSkin = 0.2;         // [dx]
@@ -48,14 +48,17 @@ SpacetimeBudget::SpacetimeBudget(const SpacetimeModel& model, const SpacetimeOpt
   // Of a window: its part of the state, L-BFGS with its pairs, rows and lists.
   this->PerFrame = frame * (6.0 + 2.0 * options.HistorySize) + rows + list;
   this->Halo = static_cast<std::size_t>(4 * options.TemporalWindow);
+  this->Asked = static_cast<std::size_t>(options.WindowLength);
 }
 
 std::size_t SpacetimeBudget::WindowOf(std::size_t frames, double limit) const
 {
   const double room = limit * Megabyte - this->Base;
-  if (limit <= 0.0 || this->PerFrame * double(frames) <= room)
+  const std::size_t wanted = this->Asked > 0 ? std::min(frames, this->Asked) : frames;
+  const std::size_t held = wanted < frames ? std::min(frames, wanted + this->Halo) : frames;
+  if (limit <= 0.0 || this->PerFrame * double(held) <= room)
   {
-    return frames;
+    return wanted;
   }
   const double fit = std::max(0.0, room / this->PerFrame - double(this->Halo));
   return std::max(ShortestWindow, static_cast<std::size_t>(fit));
@@ -65,8 +68,17 @@ Result SpacetimeBudget::Validate(std::size_t frames, const SpacetimeOptions& opt
                                  double machine) const
 {
   const double least = this->Of(std::min(frames, ShortestWindow + this->Halo)) / Megabyte;
-  const double whole = this->Of(frames) / Megabyte;
+  const std::size_t asked = this->Asked > 0 ? std::min(frames, this->Asked + this->Halo) : frames;
+  const double whole = this->Of(asked) / Megabyte;
   char text[300];
+  if (this->Asked > 0 && this->Asked < ShortestWindow)
+  {
+    std::snprintf(text, sizeof(text),
+                  "WindowLength: expected 0 or %zu frames at least, as hardly anything can move in "
+                  "fewer, found %zu",
+                  ShortestWindow, this->Asked);
+    return Result::Error(text);
+  }
   if (options.MemoryLimit > 0.0 && options.MemoryLimit < least)
   {
     std::snprintf(text, sizeof(text),
@@ -79,7 +91,7 @@ Result SpacetimeBudget::Validate(std::size_t frames, const SpacetimeOptions& opt
     std::snprintf(text, sizeof(text),
                   "%zu frames of so many particles take %.0f MB, the machine has %.0f MB: expected "
                   "fewer frames or NumberOfGasParticles, or a MemoryLimit of %.0f MB or more",
-                  frames, std::ceil(whole), machine / Megabyte, std::ceil(least));
+                  asked, std::ceil(whole), machine / Megabyte, std::ceil(least));
     return Result::Error(text);
   }
   return Result::Ok();

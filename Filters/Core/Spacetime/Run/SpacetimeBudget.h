@@ -18,6 +18,7 @@ struct SpacetimeBudget
   double Exported = 0.0; // bytes of what it gives, when nothing is solved any more
   double PerFrame = 0.0; // bytes of each frame that is solved at once
   std::size_t Halo = 0;  // frames beside a window that count as well
+  std::size_t Asked = 0; // frames of a window at most; 0: all
 
   SpacetimeBudget(const SpacetimeModel& model, const SpacetimeOptions& options);
 
@@ -26,9 +27,11 @@ struct SpacetimeBudget
   {
     return this->Base + std::max(this->Exported, this->PerFrame * double(frames));
   }
-  /// Free frames of a window within the MemoryLimit; all when they fit, or without a limit.
+  /// Free frames of a window: all or the WindowLength where these fit within the MemoryLimit, or
+  /// without a limit; else as many as do.
   std::size_t WindowOf(std::size_t frames, double limit) const;
-  /// Fails when so many frames take more than the MemoryLimit or, without one, more than `machine`
+  /// Fails when the WindowLength is too short, and when so many frames, or the windows that are
+  /// asked for, take more than the MemoryLimit or, without one, more than `machine`
   /// [bytes]: a system ends what asks for more. The error says how much it takes.
   Result Validate(std::size_t frames, const SpacetimeOptions& options,
                   double machine = MachineMemory()) const;

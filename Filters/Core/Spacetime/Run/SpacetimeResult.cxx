@@ -3,6 +3,7 @@
 #include "Spacetime/Run/SpacetimeRun.h"
 
 #include "Constraints/ConstraintCheck.h"
+#include "Spacetime/Paper/VorticesPart.h"
 #include "Spacetime/Scene/SpacetimeExport.h"
 
 #include <algorithm>
@@ -145,6 +146,12 @@ Result SpacetimeRun::MeasureResult(SpacetimeObjective& objective,
   }
   this->Record(this->Options.Passes, "final", 0, terms,
                constraints.MaxViolation(this->State.Motion), 0.0);
+  if (!this->Stopped) // who stopped it does not wait
+  {
+    this->Output.VorticesPart =
+      PartOfVortices(objective, this->State.Motion, this->Options.EstimateWind, this->Parallel);
+    this->TickMeasuring();
+  }
   return Result::Ok();
 }
 

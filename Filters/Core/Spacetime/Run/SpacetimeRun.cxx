@@ -24,7 +24,7 @@ Checkpoint CheckpointOf(const SpacetimeInput& input, const SpacetimeOptions& opt
 {
   const std::string& path = options.CheckpointFile;
   return { path,
-           { "spacetime checkpoint", 10 },
+           { "spacetime checkpoint", 11 },
            path.empty() ? 0 : DigestOfRun(input, options),
            options.CheckpointInterval,
            "solved" };
@@ -134,7 +134,8 @@ Result SpacetimeRun::Begin(StateVector start)
   monitor.Text = "spacetime: moving the gas";
   SpacetimeObjective objective(model, this->State.Fields, full, this->Parallel, FastestSphKernels(),
                                false); // one frame after the other
-  if (goesOn && MakeInitialGas(objective, this->Parallel, monitor, motion))
+  const bool moves = this->Options.MoveGas || !model.Air.IsEmpty();
+  if (goesOn && moves && MakeInitialGas(objective, this->Parallel, monitor, motion))
   {
     this->Record(0, "gas moved", 0, this->Measure(motion), 0.0, 0.0);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Minimisation where memory is bounded: windows of frames one after the other, the frames beside
-// them as they are, every second sweep shifted by half a window (Shi et al. 2005, section 5:
-// disjoint subsets of the frames).
+// Minimisation where memory is bounded or windows are asked for: windows of frames one after the
+// other, the frames beside them as they are, every second sweep shifted by half a window (Shi et
+// al. 2005, section 5: disjoint subsets of the frames).
 #include "Spacetime/Run/SpacetimeRun.h"
 #include "Spacetime/Run/StageProgress.h"
 

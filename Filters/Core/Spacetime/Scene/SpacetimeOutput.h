@@ -9,6 +9,7 @@
 #include "Constraints/ConstraintCheck.h"
 #include "Spacetime/Energy/Convergence.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,9 @@ struct SpacetimeOutput
   /// were let go (Rollout.h); GasModelResidual: rms of the gas' Residuals over that of Dv/Dt.
   /// Negative: not to be had.
   double ObjectReplayError = -1.0, GasReplayError = -1.0, GasModelResidual = -1.0;
+  /// What the vortices explain of the objects' motion (PartOfVortices); not a number where that
+  /// cannot be had.
+  double VorticesPart = std::nan("");
   /// Of all frames of all objects, those that were moved after solving by more than 1e-5 of the
   /// volume's width, so that all that is asked for holds; and by how much at most [m].
   double RepairedFraction = 0.0, LargestRepair = 0.0;
@@ -85,6 +89,7 @@ struct SpacetimeOutput
     visit(of.ObjectReplayError...);
     visit(of.GasReplayError...);
     visit(of.GasModelResidual...);
+    visit(of.VorticesPart...);
     visit(of.RepairedFraction...);
     visit(of.LargestRepair...);
     visit(of.Warnings...);
