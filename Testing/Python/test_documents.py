@@ -142,12 +142,18 @@ class DocumentsTest(unittest.TestCase):
         tests |= {f"Python.{name}" for name in re.findall(
             r"waft_python_test\((\w+)", text_of(os.path.join(SOURCE, "Testing", "Python", "CMakeLists.txt")))}
         qualities = {"all", "air", "database", "full", "none", "paper", "preview", "-"}
-        for first, _, folders, named, run_by, why in rows:
+        for first, stages, folders, named, run_by, why in rows:
             with self.subTest(row=first):
                 for folder in folders.split(", "):
                     self.assertTrue(folder == "-" or os.path.isdir(os.path.join(SOURCE, "Filters", "Core", folder)), folder)
                 self.assertEqual(set(), set(re.findall(r"`([\w.]+)`", named)) - tests)
-                self.assertLessEqual(set(run_by.split(", ")), qualities)
+                if run_by.startswith("none: "):  # the properties that switch it on
+                    proxies = "".join(text_of(os.path.join(SOURCE, "Plugin", "XML", f"{stage}.xml")) for stage in stages.split(", "))
+                    switches = re.findall(r"`(\w+)`", run_by)
+                    self.assertTrue(switches and all(f'name="{switch}"' in proxies for switch in switches), run_by)
+                else:
+                    self.assertLessEqual(set(run_by.split(", ")), qualities)
+                    self.assertTrue(run_by != "none" or "left out for good" in why)
                 self.assertGreater(len(why), 10)
 
     def test_every_page_is_in_the_index(self):

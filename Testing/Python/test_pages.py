@@ -74,6 +74,7 @@ LEFT = {
     ("Measure.md", "python3 Testing/Python/motion_checks.py"): "its usage; Python.MotionChecks runs it",
     ("Obstacles.md", "z = surface height"): FORMULA,
     ("Paper.md", "pvpython Documentation/scripts/paper_table.py"): "Python.SixStages runs it on a small result",
+    ("Paper.md", "pvpython Documentation/scripts/paper_switches.py"): "Python.SixStages flies each switch of it on a small scene",
     ("Performance.md", "Testing/Benchmarks/all"): "benchmarks, for an hour",
     ("Pipeline.md", "pvpython Documentation/examples/six_stages.py"): BY_HAND,
     ("SPHSpacetimeFilter.md", "frames (2 F + R)"): FORMULA,

@@ -7,6 +7,7 @@ of waft.synthesize with the database that the script wrote, and in each port wha
 import ast
 import contextlib
 import io
+import json
 import pathlib
 import re
 import runpy
@@ -59,6 +60,14 @@ class SixStagesTest(unittest.TestCase):
                     with self.subTest(stage=stage, port=port, array=name):
                         np.testing.assert_array_equal(vtk_to_numpy(found[name]), vtk_to_numpy(values))
 
+    def test_the_report_says_what_moved_the_objects(self):
+        forces = json.loads((self.run_dir / "report.json").read_text(encoding="utf-8"))["forces"]
+        self.assertEqual(["vortices", "wind", "gas", "drag", "landing", "none"], list(forces))
+        self.assertAlmostEqual(1.0, sum(force["share"] for force in forces.values()), places=6)
+        for name, force in forces.items():  # what makes up the motion by a share has some size
+            self.assertGreaterEqual(force["square"], force["share"] ** 2 * (1.0 - 1e-9), name)
+        self.assertTrue(-1.0 < forces["vortices"]["part"] < 1.0)
+
     def test_every_port_of_the_page_is_there(self):
         """The table of the page names, port by port, arrays that the data have."""
         page = (SOURCE / "Documentation" / "Pipeline.md").read_text(encoding="utf-8")
@@ -91,6 +100,22 @@ class SixStagesTest(unittest.TestCase):
         self.assertEqual(rows["object particles"], "15 (default)")
         self.assertRegex(rows["iterations at which E grew within a stage"], r"^0 of \d+$")
         self.assertRegex(rows["strength of vortices : of the wind, at the objects"], r"^\d\.\d\d : \d\.\d\d m/s\^2$")
+
+    def test_each_switch_of_the_paper_changes_the_flight(self):
+        script = runpy.run_path(str(SOURCE / "Documentation" / "scripts" / "paper_switches.py"))
+        script["SWITCHES"]["windows"]["Spacetime"]["WindowLength"] = 20
+        poses = {}
+        for name, settings in script["SWITCHES"].items():
+            short = {"Spacetime": {**SHORT, **settings.get("Spacetime", {})}}
+            if "Smoke" in settings:
+                short["Smoke"] = {**AIR, **settings["Smoke"]}
+            folder = self.folder / "switches" / name
+            script["fly"](self.folder / "three.waft.json", folder, {**settings, **short})
+            poses[name] = (folder / "poses.csv").read_bytes()
+            cells = script["row"](name, folder).strip("| ").split(" | ")
+            self.assertEqual(len(script["COLUMNS"]), len(cells), name)
+            self.assertLess(float(cells[script["COLUMNS"].index("exact")]), 1e-12, name)
+        self.assertEqual(len(poses), len(set(poses.values())))
 
     def test_the_user_guide_quotes_it(self):
         guide = (SOURCE / "Documentation" / "UserGuide.md").read_text(encoding="utf-8")

@@ -86,7 +86,7 @@ def write_results(run, place, checkpoint, is_shown_alone=False):
     for name in ("planned.vtp", "constraints.vtp"):
         checkpoint.copy_plan(name)
     write_bodies(run, place)
-    energies = _write_convergence(run, place)
+    progress = _write_convergence(run, place)
     if run.assimilation is not None:
         write_xml(run.output("assimilation", 3), place.path("constraints.vtp"))
         write_csv(place.path("rounds.csv"), *table_rows(run.output("assimilation", 5)))
@@ -96,7 +96,7 @@ def write_results(run, place, checkpoint, is_shown_alone=False):
     _write_animation(run, place)
     if not is_shown_alone:
         _write_fields(run, place, checkpoint)
-    place.commit(_summary(run, energies))
+    place.commit(_summary(run, progress))
 
 
 def save_results(run, folder, is_shown_alone=False):
@@ -135,13 +135,13 @@ def _write_fields(run, place, checkpoint):
 
 
 def _write_convergence(run, place):
-    """convergence.csv; returns E before and after, nothing where no optimiser was at work."""
+    """convergence.csv; returns its first and its last row, nothing where no optimiser was at work."""
     if run.motion[0] != "spacetime":
         write_csv(place.path("convergence.csv"), *table_rows(_empty_convergence()))
         return []
     header, rows = table_rows(run.output("spacetime", 4))
     write_csv(place.path("convergence.csv"), header, rows)
-    return [dict(zip(header, row))["E"] for row in (rows[0], rows[-1])]
+    return [dict(zip(header, row)) for row in (rows[0], rows[-1])]
 
 
 def write_bodies(pipeline, place):
@@ -325,7 +325,21 @@ def _time(pipeline):
             "framesPerSecond": float(fields.GetArray("FramesPerSecond").GetValue(0))}
 
 
-def _summary(run, energies):
+def _forces(pipeline, progress):
+    """What moved the objects, of an optimiser that stirs its own air: of each force its share and its squares over those of the
+    motion, of vortices besides what they explain that wind alone would not (SPHSpacetimeFilter); nothing in a sampled air."""
+    told = pipeline.output("spacetime", 0).GetFieldData() if pipeline.spacetime is not None else None
+    squares, part = (told and told.GetArray(name) for name in ("ForceSquares", "VorticesPart"))
+    if not squares:
+        return {}
+    forces = {name.lower(): {"share": float(progress[-1][f"Share{name}"]), "square": squares.GetValue(number)}
+              for number, name in enumerate(("Vortices", "Wind", "Gas", "Drag", "Landing", "None"))}
+    if part:
+        forces["vortices"]["part"] = part.GetValue(0)
+    return forces
+
+
+def _summary(run, progress):
     counts = {status: 0 for status in STATUS_ORDER}
     for row in run.report:
         counts[row["Status"]] += 1
@@ -341,8 +355,9 @@ def _summary(run, energies):
         "quality": run.quality,
         "defaults": dict(run.request._defaults),
         "time": _time(run),
-        "energy": dict(zip(("before", "after"), map(float, energies))),
+        "energy": {when: float(row["E"]) for when, row in zip(("before", "after"), progress)},
         "dynamics": _dynamics(run),
+        "forces": _forces(run, progress),
         "fit": _fit(run),
         "constraints": {**counts, "unmet": [row for row in run.report if row["Status"] != "met"]},
         "objects": run.plan_objects,
