@@ -209,6 +209,8 @@ def _run(pipeline, course, is_found):
         _optimise(pipeline, course)
         stopped_in = "spacetime" if clock.should_stop() else ""
     pipeline.add_rotation(course.seed, clock.interrupted)
+    for setting, value in course.request.settings("Rotation").items():
+        setattr(pipeline.rotation, setting, value)
     pipeline.watch("rotation", clock)
     pipeline.update("rotation", can_stop=False)  # quick, and the best so far is to be written whole
     if "fit" not in WITHOUT[request.way] and not clock.should_stop():
