@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Flies a scene in quality `paper` with what the paper has and no quality runs, one switch at a time, and prints a table of a page.
+"""Flies a scene in quality `paper` with what the paper has and no quality runs, one switch at a time, and prints a table.
 
     pvpython paper_switches.py SCENE FOLDER [NAME...]      names: those of SWITCHES; default: all
 
-A run is kept in FOLDER/NAME and taken from there when it is there; FOLDER must be. Each is held against `as it is`, but the closed
+A run is kept in FOLDER/NAME and taken from there when it is there; FOLDER must be. Each is held against `as it is`, the closed
 box against `open box`: both plan with a database of three simulations of the same random forces, which takes 7 GB.
 """
 import json
@@ -28,7 +28,8 @@ SWITCHES = {  # what is set of which stage
     "closed box": {"Smoke": {axis: "Closed" for axis in AXES}},
 }
 ROWS = ("hidden_hand", "hidden_hand_gas", "replay", "life_velocity", "life_acceleration", "exact")
-COLUMNS = ("run", "E", "E2", "model residual: objects, gas", "forward replay", "variance v; a", "exact", "turned by, rad/s", "CPU s")
+COLUMNS = ("run", "E", "E2", "model residual: objects, gas", "forward replay", "variance v; a", "exact", "turned by, rad/s",
+           "CPU s")
 
 
 def make_database(path, settings):
