@@ -28,7 +28,7 @@ os.environ.pop("DISPLAY", None)
 COARSE = {"Resolution": 16, "LatticeResolution": 12, "Candidates": 2, "Rounds": 1}  # an air for tests of the course
 
 
-PUBLIC = {"assimilation", "database", "delete", "folder", "marks", "object_ids", "orientations", "output", "page", "planner", "plot",
+PUBLIC = {"assimilation", "database", "delete", "fit", "folder", "marks", "object_ids", "orientations", "output", "page", "planner", "plot",
           "positions", "quality", "reader", "render", "report", "rotation", "save", "seed", "show", "spacetime", "status", "stopped", "times",
           "to_pandas", "to_pyvista", "warnings"}
 
@@ -262,7 +262,8 @@ class MemoryTest(unittest.TestCase):
                                       ("Planner: expected an input that fits into memory, found one beyond any", waft.BadInput, 2)):
             pipeline = Pipeline.__new__(Pipeline)
             pipeline.database, pipeline.planner = None, SimpleNamespace(UpdatePipeline=lambda: None)
-            pipeline.watches = {"planner": SimpleNamespace(clock=mock.Mock(), errors=[message], was_aborted=False)}
+            pipeline.watches = {"planner": SimpleNamespace(clock=mock.Mock(), errors=[message], was_aborted=False, seconds=0.0,
+                                                            processor_seconds=0.0, peak_mb=0.0)}
             with self.assertRaises(waft.WaftError) as raised:
                 pipeline.update("planner")
             self.assertIs(kind, type(raised.exception))

@@ -66,6 +66,11 @@ def write_text(path, text):
     write_bytes(path, text.encode())
 
 
+def appending(path):
+    """A descriptor of a file that is there, no link, to write on at its end and to read."""
+    return os.open(path, os.O_RDWR | os.O_APPEND | os.O_NOFOLLOW | os.O_CLOEXEC)
+
+
 def copy_file(source, path):
     """The bytes of a file that may be anybody's, piece by piece."""
     with open_stream(source) as content, open(path, "wb") as stream:

@@ -10,7 +10,7 @@ import os
 import shlex
 
 from waft import messages
-from waft.files import whole_file, write_text
+from waft.files import appending, whole_file, write_text
 from waft.loading import version
 from waft.marks import is_marked_text, mark_of_text
 from waft.texts import line, say, shortened
@@ -56,4 +56,4 @@ def _begun(path, arguments):
             write_text(part, f"waft {version()}: waft {words}\n")
     except OSError as error:
         raise OSError(f"{path}: could not be written: {error.strerror}") from error
-    return os.open(path, os.O_RDWR | os.O_APPEND | os.O_NOFOLLOW | os.O_CLOEXEC)
+    return appending(path)

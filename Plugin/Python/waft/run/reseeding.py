@@ -2,12 +2,12 @@
 """The same stages once more, by another seed: run.seed = 7."""
 from waft.failures import BadInput, WaftError
 from waft.results.writing import planned_objects, read_rows
+from waft.run._constraints import constraint_report
 from waft.run._flight import Flight
 from waft.run._qualities import word_in_keys
 from waft.run.pipeline import NO_MEMORY
 from waft.run.request import STATED
 from waft.run.resuming import run_key
-from waft.run.synthesis import constraint_report
 from waft.watching import Clock
 
 _STAGES = ("planner", "assimilation", "spacetime", "rotation", "fit")

@@ -10,7 +10,6 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from waft.failures import BadInput
 from waft.run._sources import look, sources_of
-from waft.run.finished import FinishedRun
 from waft.run.updating import update
 
 _SERIES = ("E", "Ex", "Ev", "Ec", "NewSegments")  # what of a table is drawn
@@ -66,7 +65,7 @@ def _ports_of(shown, port):
     if hasattr(shown, "rotation") and hasattr(shown, "reader"):  # a Result
         marks = simple.OutputPort(shown.planner, 3) if shown.planner is not None else simple.OutputPort(shown.reader, 1)
         return [*_ports_of(shown.rotation, None), (simple.OutputPort(shown.reader, 2), ""), (marks, "")]
-    if isinstance(shown, FinishedRun):
+    if hasattr(shown, "_sources"):  # a FinishedRun
         return [(simple.OutputPort(source, 0), "") for source in sources_of(shown)]
     if not isinstance(shown, servermanager.SourceProxy):
         raise BadInput(f"show: expected a stage, a Run or a list of stages, found {shown!r}")
