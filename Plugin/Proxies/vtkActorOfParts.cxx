@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkActorOfParts.h"
 
+#include <vtkMath.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderer.h>
 
@@ -9,10 +10,25 @@
 
 vtkStandardNewMacro(vtkActorOfParts);
 
-void vtkActorOfParts::SetParts(std::vector<vtkSmartPointer<vtkActor>> parts)
+void vtkActorOfParts::SetParts(std::vector<vtkSmartPointer<vtkActor>> parts, double reach)
 {
   this->Parts = std::move(parts);
+  this->Reach = reach;
   this->Modified();
+}
+
+double* vtkActorOfParts::GetBounds()
+{
+  double* bounds = this->Superclass::GetBounds();
+  if (bounds == nullptr || this->Parts.empty() || vtkMath::AreBoundsInitialized(bounds) == 0)
+  {
+    return bounds;
+  }
+  for (int side = 0; side < 6; ++side)
+  {
+    this->Reached[side] = bounds[side] + (side % 2 == 0 ? -this->Reach : this->Reach);
+  }
+  return this->Reached;
 }
 
 bool vtkActorOfParts::DrawsParts(vtkViewport* viewport) const

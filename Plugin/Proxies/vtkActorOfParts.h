@@ -22,8 +22,12 @@ public:
   vtkTypeMacro(vtkActorOfParts, vtkPVLODActor);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  void SetParts(std::vector<vtkSmartPointer<vtkActor>> parts);
+  /// reach: how far beyond the mapper's data they are drawn [m], so that a part of a picture that
+  /// has a part's edge alone has it, too.
+  void SetParts(std::vector<vtkSmartPointer<vtkActor>> parts, double reach);
 
+  using Superclass::GetBounds;
+  double* GetBounds() override;
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
   vtkTypeBool HasTranslucentPolygonalGeometry() override;
@@ -42,6 +46,8 @@ private:
   int Draw(vtkViewport* viewport, int (vtkActor::*draw)(vtkViewport*));
 
   std::vector<vtkSmartPointer<vtkActor>> Parts;
+  double Reach = 0.0;
+  double Reached[6];
 };
 
 #endif

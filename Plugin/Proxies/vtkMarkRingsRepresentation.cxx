@@ -113,6 +113,7 @@ void vtkMarkRingsRepresentation::AddParts(vtkPolyData* block, double time, Parts
   rings->GetPointData()->AddArray(radii);
   Part part;
   part.Actor = this->ActorFor(parts, rings, nullptr, DrawRings);
+  part.Reach = radii->GetRange()[1];
   parts.push_back(std::move(part));
 }
 

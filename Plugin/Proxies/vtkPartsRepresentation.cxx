@@ -93,11 +93,13 @@ void vtkPartsRepresentation::Make(vtkDataObject* data, double time)
     this->Time = time;
     this->MakeTime.Modified();
     std::vector<vtkSmartPointer<vtkActor>> actors;
+    double reach = 0.0;
     for (const Part& part : this->Made)
     {
       actors.push_back(part.Actor);
+      reach = std::max(reach, part.Reach);
     }
-    static_cast<vtkActorOfParts*>(this->Actor)->SetParts(std::move(actors));
+    static_cast<vtkActorOfParts*>(this->Actor)->SetParts(std::move(actors), reach);
   }
   if (this->PaintTime < this->MakeTime || this->PaintTime < this->Property->GetMTime())
   {

@@ -40,6 +40,7 @@ protected:
     double Opacity = 1.0;                // likewise
     bool IsLit = true;
     bool IsBlended = false; // by the alpha of its texture
+    double Reach = 0.0;     // how far beyond the data it is drawn [m]
   };
   using Parts = std::vector<Part>;
 
