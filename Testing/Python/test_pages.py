@@ -58,6 +58,7 @@ LEFT = {
     ("CONTRIBUTING.md", "cmake --preset tidy"): NIGHTLY,
     ("CONTRIBUTING.md", "PYTHONPATH=build/lib/python3/dist-packages xvfb-run"): "draws the pictures that Python.Render compares",
     ("AirAssimilationFilter.md", "c = x' + k^-1 x''"): FORMULA,
+    ("AirAssimilationFilter.md", "kept = min("): FORMULA,
     ("AirAssimilationFilter.md", "minimise  1/2 sum"): FORMULA,
     ("Command.md", "threads = 2"): "Python.CommandOptions goes by it",
     ("Core.md", "cmake --preset core-only"): BUILDS,

@@ -106,9 +106,9 @@ class SixStagesTest(unittest.TestCase):
         script["SWITCHES"]["windows"]["Spacetime"]["WindowLength"] = 20
         poses = {}
         for name, settings in script["SWITCHES"].items():
-            short = {"Spacetime": {**SHORT, **settings.get("Spacetime", {})}}
+            short = {"Spacetime": {**six_stages_small.SHORT, **settings.get("Spacetime", {})}}
             if "Smoke" in settings:
-                short["Smoke"] = {**AIR, **settings["Smoke"]}
+                short["Smoke"] = {**six_stages_small.AIR, **settings["Smoke"]}
             folder = self.folder / "switches" / name
             script["fly"](self.folder / "three.waft.json", folder, {**settings, **short})
             poses[name] = (folder / "poses.csv").read_bytes()

@@ -335,7 +335,7 @@ TEST(Checkpoint, OneOfSomethingElseIsIgnoredAndSaidSo)
   ASSERT_EQ(::truncate(path.c_str(), 3000), 0);
   expectIgnored(input, few, "damaged");
   {
-    StateFileWriter file(path, { "spacetime checkpoint", 10 }, DigestOfRun(input, few));
+    StateFileWriter file(path, { "spacetime checkpoint", 11 }, DigestOfRun(input, few));
     const std::uint64_t none = 0;
     file.Values(none, none);
     ASSERT_TRUE(file.Commit());
