@@ -18,6 +18,7 @@ constexpr double LargestBarrierGap = 0.02; // m
 constexpr int PerturbationWaves = 3;
 constexpr double PerturbationSize = 0.15; // of L, of the slowest wave
 constexpr double ClearanceSlack = 5e-4;   // of L, of the 1e-3 that clearance may miss
+
 } // namespace
 
 BodyProblem::BodyProblem(const DriftScene& scene, const MotionObject& object,

@@ -210,6 +210,11 @@ def stages():
     return {stage["name"]: stage for stage in json.loads(vtkMotionAnimationSource.GetStages())["stages"]}
 
 
+def shares():
+    """{attribute of a Pipeline: the part of the time that its stage takes, roughly}."""
+    return {"database": 1, **{_ATTRIBUTES[name]: stage["share"] for name, stage in stages().items()}}
+
+
 def settings_of(quality, name):
     """{property: value} that a stage of the table has at a quality besides its defaults."""
     from waft.vtkWaftFilters import vtkMotionAnimationSource

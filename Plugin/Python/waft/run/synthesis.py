@@ -25,9 +25,6 @@ from waft.watching import Clock
 if TYPE_CHECKING:
     from waft.run.result import Result
 
-# Parts of the time that stages take, for the share that is done.
-_SHARES = {"reader": 1, "database": 1, "planner": 6, "assimilation": 45, "spacetime": 45, "rotation": 2, "fit": 1}
-
 
 @by_options(Request)
 def synthesize(request: Request) -> "Result":
@@ -66,7 +63,7 @@ class _Course:
 def _fly(request, scene_folder=None):
     """A scene that is a file."""
     from waft.run._flight import Flight
-    from waft.run.pipeline import Pipeline
+    from waft.run.pipeline import Pipeline, shares
     from waft.run.result import Result
 
     scene, output, quality = request.scene, request.output, request.way
@@ -81,7 +78,7 @@ def _fly(request, scene_folder=None):
         stack.callback(lambda: [watch.release() for watch in pipeline.watches.values()])
         with Clock(request.time_limit, request.quiet, "stopped before the paths were planned: nothing was written",
                    request.on_progress) as clock:
-            clock.shares = {name: share for name, share in _SHARES.items() if name not in WITHOUT[quality]}
+            clock.shares = {name: share for name, share in shares().items() if name not in WITHOUT[quality]}
             pipeline.read(clock)
             scene_seed = pipeline.output("reader").GetFieldData().GetArray("Seed").GetValue(0)
             edit_of = _state_of(request.edit_of, quality)
