@@ -6,8 +6,9 @@
  * Output port 0, Objects (vtkPolyData): a vertex an object with the arrays `ObjectId`, `ShapeId`,
  * `ClassId` (int), `Mass` [kg], `SettlingSpeed` [m/s, terminal fall speed in still air],
  * `ClearanceRadius`, `RestHeight` [m] (double), `Velocity` [m/s], `AngularVelocity` [rad/s, world]
- * (double[3]), `Orientation` (double[4]; w, x, y, z), and `ObjectIdGiven` (unsigned char): 0 says
- * that whoever takes several sources' objects, appended, is to number them; ids of 1 are kept.
+ * (double[3]), `Orientation` (double[4]; w, x, y, z), `OrientationGiven` (unsigned char; 0: objects
+ * start turned as in flight), and `ObjectIdGiven` (unsigned char): 0 says that whoever takes
+ * several sources' objects, appended, is to number them; ids of 1 are kept.
  * With an input at port 1, Shapes (vtkMultiBlockDataSet), the block ShapeId says Mass,
  * SettlingSpeed, ClearanceRadius, RestHeight and ClassId instead of the properties; port 0 takes
  * nothing. The field data `Bounds`, `NumberOfFrames`, `FramesPerSecond` and `AirDensity` describe

@@ -5,6 +5,7 @@
 
 #include <vtkAppendPolyData.h>
 #include <vtkObjectSource.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <gtest/gtest.h>
@@ -31,6 +32,32 @@ TEST(ObjectSource, GivesOneObjectWithItsScene)
   EXPECT_EQ(info.Time.NumberOfFrames, 31);
   EXPECT_EQ(info.Bounds.Max, waft::Vec3(2.0, 2.0, 4.0));
   EXPECT_EQ(TimeSteps(source).size(), 31u);
+}
+
+TEST(ObjectSource, SaysWhetherAPoseIsGiven)
+{
+  vtkNew<vtkObjectSource> source;
+  const auto isGiven = [&]
+  {
+    source->Update();
+    std::vector<waft::MotionObject> objects;
+    EXPECT_TRUE(waft::ObjectsFromPolyData(source->GetOutput(), objects));
+    return objects.at(0).OrientationGiven;
+  };
+  EXPECT_EQ(isGiven(), 0);
+  source->SetAngles(0.0, 0.0, 30.0);
+  EXPECT_EQ(isGiven(), 1);
+  source->SetAngles(0.0, 0.0, 0.0);
+  source->SetOrientation(-1.0, 0.0, 0.0, 0.0); // level, and asked for
+  EXPECT_EQ(isGiven(), 1);
+  // Data of others says so by having the array `Orientation`, or not.
+  source->GetOutput()->GetPointData()->RemoveArray("OrientationGiven");
+  std::vector<waft::MotionObject> objects;
+  ASSERT_TRUE(waft::ObjectsFromPolyData(source->GetOutput(), objects));
+  EXPECT_EQ(objects[0].OrientationGiven, 1);
+  source->GetOutput()->GetPointData()->RemoveArray("Orientation");
+  ASSERT_TRUE(waft::ObjectsFromPolyData(source->GetOutput(), objects));
+  EXPECT_EQ(objects[0].OrientationGiven, 0);
 }
 
 TEST(ObjectSource, RefusesAnOrientationOfZeros)

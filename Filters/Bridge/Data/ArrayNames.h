@@ -46,6 +46,7 @@ constexpr const char* Mass = "Mass";
 constexpr const char* SettlingSpeed = "SettlingSpeed";
 constexpr const char* ObjectIdGiven = "ObjectIdGiven";
 constexpr const char* VelocityGiven = "VelocityGiven";
+constexpr const char* OrientationGiven = "OrientationGiven";
 constexpr const char* ClassId = "ClassId";
 constexpr const char* ClearanceRadius = "ClearanceRadius";
 constexpr const char* RestHeight = "RestHeight";

@@ -106,6 +106,9 @@ void ObjectsToPolyData(const std::vector<MotionObject>& objects, const SceneInfo
             [](const MotionObject& object)
             { return static_cast<unsigned char>(object.VelocityGiven); });
   AddColumn(arrays, names::Orientation, objects, &MotionObject::Orientation);
+  AddColumn(arrays, names::OrientationGiven, objects,
+            [](const MotionObject& object)
+            { return static_cast<unsigned char>(object.OrientationGiven); });
   AddColumn(arrays, names::AngularVelocity, objects, &MotionObject::AngularVelocity);
   AddColumn(arrays, names::SettlingSpeed, objects, &MotionObject::SettlingSpeed);
   AddColumn(arrays, names::ClassId, objects, &MotionObject::ClassId);
@@ -156,7 +159,9 @@ Result ObjectsFromPolyData(vtkPolyData* data, std::vector<MotionObject>& objects
   const ArraySource source{ data->GetPointData(), "Objects", data->GetNumberOfPoints() };
   std::vector<Vec3> positions;
   WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "Objects", positions));
-  std::vector<MotionObject> read(positions.size());
+  MotionObject fallback;
+  fallback.OrientationGiven = data->GetPointData()->HasArray(names::Orientation) ? 1 : 0;
+  std::vector<MotionObject> read(positions.size(), fallback);
   WAFT_RETURN_IF_FAILED(ReadColumn(source, names::ObjectId, read, &MotionObject::ObjectId));
   const auto readOptional = [&](const char* name, auto member)
   { return ReadOptionalColumn(source, name, read, member); };
@@ -166,6 +171,7 @@ Result ObjectsFromPolyData(vtkPolyData* data, std::vector<MotionObject>& objects
   WAFT_RETURN_IF_FAILED(readOptional(names::Velocity, &MotionObject::Velocity));
   WAFT_RETURN_IF_FAILED(readOptional(names::VelocityGiven, &MotionObject::VelocityGiven));
   WAFT_RETURN_IF_FAILED(readOptional(names::Orientation, &MotionObject::Orientation));
+  WAFT_RETURN_IF_FAILED(readOptional(names::OrientationGiven, &MotionObject::OrientationGiven));
   WAFT_RETURN_IF_FAILED(readOptional(names::AngularVelocity, &MotionObject::AngularVelocity));
   WAFT_RETURN_IF_FAILED(readOptional(names::SettlingSpeed, &MotionObject::SettlingSpeed));
   WAFT_RETURN_IF_FAILED(readOptional(names::ClearanceRadius, &MotionObject::ClearanceRadius));

@@ -32,7 +32,8 @@ std::string AuthoredFromFieldData(vtkDataObject* data);
 /// (the array `ObjectIdGiven`).
 void ObjectsToPolyData(const std::vector<MotionObject>& objects, const SceneInfo& info,
                        vtkPolyData* data, bool hasOwnIds = true);
-/// Needs `ObjectId`; the other arrays have the defaults of MotionObject. Ids that are given must
+/// Needs `ObjectId`; the other arrays have the defaults of MotionObject, but for
+/// `OrientationGiven`: without it an `Orientation` that is there is given. Ids that are given must
 /// differ. Objects whose `ObjectIdGiven` is 0 take, in their order, the least numbers that no given
 /// id takes: makers that do not know of each other need not agree.
 Result ObjectsFromPolyData(vtkPolyData* data, std::vector<MotionObject>& objects);

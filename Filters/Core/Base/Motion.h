@@ -31,6 +31,7 @@ struct MotionObject
   Vec3 Velocity = Vec3::Zero();
   int VelocityGiven = 0; // 1: an exact requirement; 0: it starts as its air does
   Quat Orientation = Quat::Identity();
+  int OrientationGiven = 1;            // 0: it starts turned and turning as bodies in flight are
   Vec3 AngularVelocity = Vec3::Zero(); // rad/s, world
   double SettlingSpeed = 0.8;          // m/s, terminal fall speed in still air
   double ClearanceRadius = 0.05;       // m, half the largest extent
@@ -47,6 +48,7 @@ struct MotionObject
     visit(of.Velocity...);
     visit(of.VelocityGiven...);
     visit(of.Orientation...);
+    visit(of.OrientationGiven...);
     visit(of.AngularVelocity...);
     visit(of.SettlingSpeed...);
     visit(of.ClearanceRadius...);

@@ -3,6 +3,7 @@
 
 #include "Base/NumberText.h"
 #include "Base/SmoothStep.h"
+#include "Rotation/FlightStart.h"
 #include "Rotation/FloorContact.h"
 #include "Rotation/KeepAbove.h"
 #include "Rotation/PoseRates.h"
@@ -14,6 +15,7 @@ namespace waft
 {
 namespace
 {
+constexpr std::uint64_t OfStarts = 0x57a2700000000; // streams of Random, one an object
 constexpr double SettlingHeight = 3.0; // bounding radii: nearer than that a landing body settles
 
 std::string Short(double x)
@@ -85,7 +87,8 @@ private:
     return nullptr;
   }
 
-  void Start()
+  /// The pose that the object begins with, made unit.
+  Quat GivenStart()
   {
     Quat q = this->Plan.Object->Orientation;
     const double norm = q.norm();
@@ -104,14 +107,32 @@ private:
       }
       q.coeffs() /= norm;
     }
+    return q;
+  }
+
+  void Start()
+  {
+    const MotionObject& object = *this->Plan.Object;
+    FlightState& state = this->State.Flight;
+    if (object.OrientationGiven != 0)
+    {
+      state.Orientation = this->GivenStart();
+      state.SetVelocity(this->Body, this->Path.RelativeVelocities[0]);
+    }
+    else
+    {
+      const auto stream = OfStarts + static_cast<std::uint64_t>(object.ObjectId);
+      state = StateInFlight(this->Body, this->Path, Random(this->Plan.Seed, stream));
+    }
     if (const Constraint* key = this->KeyAt(0, 0))
     {
-      q = this->Towards(q, *key);
+      this->TurnState(this->Towards(state.Orientation, *key) * state.Orientation.conjugate());
       this->Marks.Frames[0].Freedom = PoseFreedom::Fixed;
     }
-    this->State.Flight.Orientation = q;
-    this->State.Flight.SetAngularVelocity(this->Body, this->Plan.Object->AngularVelocity);
-    this->State.Flight.SetVelocity(this->Body, this->Path.RelativeVelocities[0]);
+    if (object.OrientationGiven != 0 || !object.AngularVelocity.isZero())
+    {
+      state.SetAngularVelocity(this->Body, object.AngularVelocity);
+    }
     if (!this->Path.FastestTurning.empty())
     {
       this->Out.Slowed[0] =
@@ -253,10 +274,17 @@ private:
     poses[k] = target;
     this->Marks.Frames[k].Freedom = PoseFreedom::Fixed;
     this->Out.Poses.AngularVelocities[k] = missing * this->Out.Poses.AngularVelocities[k];
+    this->TurnState(missing);
+    this->State.Flight.Orientation = target;
+  }
+
+  /// The body turns on as it did before in its own axes, and flies on as it did.
+  void TurnState(const Quat& turn)
+  {
     FlightState& state = this->State.Flight;
     const Vec3 velocity = state.Velocity(this->Body);
-    state.AngularMomentum = missing * state.AngularMomentum;
-    state.Orientation = target;
+    state.AngularMomentum = turn * state.AngularMomentum;
+    state.Orientation = (turn * state.Orientation).normalized();
     state.SetVelocity(this->Body, velocity);
   }
 

@@ -28,6 +28,7 @@ struct AttitudePlan
   std::vector<Constraint> Keys;     // orientation rows
   const ObstacleSet* Obstacles = nullptr;
   Timeline Time;
+  std::uint64_t Seed = 1; // of the pose in flight, where the object has none given
   double LandingTime = 0.7;  // s
   double TurningTime = 2.0;  // s
   double TurningRate = 60.0; // rad/s, the most that an orientation row may ask for

@@ -153,6 +153,7 @@ AttitudePlan MakePlan(const RotationInput& input, const RotationOptions& options
   plan.Body = &input.Shapes[object.ShapeId];
   plan.Obstacles = input.Obstacles;
   plan.Time = input.Scene.Time;
+  plan.Seed = options.Seed;
   plan.LandingTime = options.LandingTime;
   plan.TurningTime = options.TurningTime;
   plan.TurningRate = options.TurningRate;

@@ -54,6 +54,7 @@ Result ObjectOptions::MakeBody(MotionObject& object) const
   {
     object.Orientation = FromAngles(this->Angles) * object.Orientation;
   }
+  object.OrientationGiven = this->Angles.isZero() && q == ObjectOptions().Orientation ? 0 : 1;
   object.AngularVelocity = this->AngularVelocity;
   return Result::Ok();
 }

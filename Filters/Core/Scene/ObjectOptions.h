@@ -51,7 +51,8 @@ struct ObjectOptions : SceneFrame
 
   /// Mass, settling speed, clearance, height at rest and class are those of a body.
   void TakeBodyOf(const Shape& shape);
-  /// A velocity of zero is none: the object starts as its air does. Objects without an ObjectId are
+  /// A velocity of zero is none: the object starts as its air does; so is the Orientation that is
+  /// the default, without Angles: it starts turned as in flight. Objects without an ObjectId are
   /// numbered from 0. Fails where a spread finds no room.
   Result MakeObjects(std::vector<MotionObject>& objects) const;
 
@@ -82,12 +83,14 @@ struct ObjectOptions : SceneFrame
     visit(OptionField{ "Velocity", limits::Velocity, "m/s",
                        "Velocity at frame 0, in metres per second." },
           of.Velocity...);
-    visit(OptionField{ "Orientation",
-                       limits::Direction,
-                       "",
-                       "Orientation at frame 0, a quaternion (w, x, y, z), body to world.",
-                       { -1, 1 } },
-          of.Orientation...);
+    visit(
+      OptionField{ "Orientation",
+                   limits::Direction,
+                   "",
+                   "Orientation at frame 0, a quaternion (w, x, y, z), body to world; 1, 0, 0, 0 "
+                   "without Angles: none is given, objects start turned as in flight.",
+                   { -1, 1 } },
+      of.Orientation...);
     visit(OptionField{ "Angles",
                        limits::Direction,
                        "degrees",

@@ -184,6 +184,7 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t index)
     shapeNode.Fail("the name of a shape (" + this->KnownShapes() + ")");
   }
   MotionObject object;
+  object.OrientationGiven = 0;
   object.ShapeId = static_cast<int>(shape - shapes.begin());
   object.ClassId = shape->ClassId;
   object.SettlingSpeed = shape->SettlingSpeed;
@@ -215,6 +216,7 @@ void SceneReader::ReadObjectEntry(const SceneNode& node, std::size_t index)
   if (node.Has("orientation"))
   {
     object.Orientation = node.At("orientation", "").Rotation();
+    object.OrientationGiven = 1;
   }
   if (node.Has("angularVelocity"))
   {

@@ -74,7 +74,8 @@ bool IsSameShape(const Shape& a, const Shape& b)
 bool IsSameObject(const MotionObject& a, const MotionObject& b)
 {
   return a.ObjectId == b.ObjectId && a.ShapeId == b.ShapeId && a.ClassId == b.ClassId &&
-         (a.VelocityGiven != 0) == (b.VelocityGiven != 0) && IsNear(a.Position, b.Position) &&
+         (a.VelocityGiven != 0) == (b.VelocityGiven != 0) &&
+         (a.OrientationGiven != 0) == (b.OrientationGiven != 0) && IsNear(a.Position, b.Position) &&
          IsNear(a.Velocity, b.Velocity) && IsNear(a.Orientation, b.Orientation) &&
          IsNear(a.AngularVelocity, b.AngularVelocity) && IsNear(a.Mass, b.Mass) &&
          IsNear(a.SettlingSpeed, b.SettlingSpeed) && IsNear(a.ClearanceRadius, b.ClearanceRadius) &&

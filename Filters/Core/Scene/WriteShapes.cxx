@@ -262,7 +262,7 @@ SceneJson SceneFormat::FormatObject(const MotionObject& object) const
   {
     json["velocity"] = FormatVector(object.Velocity);
   }
-  if (object.Orientation.coeffs() != Quat::Identity().coeffs())
+  if (object.OrientationGiven != 0)
   {
     json["orientation"] = FormatRotation(object.Orientation);
   }

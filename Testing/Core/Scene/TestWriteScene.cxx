@@ -50,9 +50,9 @@ void ExpectSameObjects(const std::vector<MotionObject>& a, const std::vector<Mot
                         {
                           return std::tie(item.ObjectId, item.ShapeId, item.ClassId, item.Mass,
                                           item.Position, item.Velocity, item.Orientation.coeffs(),
-                                          item.VelocityGiven, item.AngularVelocity,
-                                          item.SettlingSpeed, item.ClearanceRadius,
-                                          item.RestHeight);
+                                          item.VelocityGiven, item.OrientationGiven,
+                                          item.AngularVelocity, item.SettlingSpeed,
+                                          item.ClearanceRadius, item.RestHeight);
                         });
 }
 
