@@ -7,6 +7,7 @@
 #include "Bridge/Data/AirData.h"
 #include "Bridge/Data/ConstraintData.h"
 #include "Bridge/Data/SceneData.h"
+#include "Bridge/Data/ShapeData.h"
 #include "Bridge/Data/TrackData.h"
 #include "Bridge/Data/VortexData.h"
 #include "Bridge/Pipeline/KeptStage.h"
@@ -18,6 +19,7 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -39,6 +41,7 @@ enum InputPort
   ObstaclesPort,
   WindPort,
   ScenesVorticesPort,
+  ShapesPort,
   NumberOfInputs
 };
 
@@ -62,6 +65,7 @@ const waft::StageInputs Inputs = {
   { "Obstacles", StageInput::Type::Surfaces, StageInput::Number::Optional },
   { "Wind", StageInput::Type::Image, StageInput::Number::Optional },
   { "Vortices", StageInput::Type::Merged, StageInput::Number::Optional },
+  { "Shapes", StageInput::Type::Blocks, StageInput::Number::Optional },
 };
 
 } // namespace
@@ -98,6 +102,10 @@ waft::Result vtkAirAssimilationFilter::Internals::Take(vtkInformationVector** in
   if (vtkPolyData* vortices = vtkPolyData::GetData(inputs[ScenesVorticesPort]))
   {
     WAFT_RETURN_IF_FAILED(waft::VorticesFromPolyData(vortices, input.Vortices));
+  }
+  if (auto* shapes = vtkMultiBlockDataSet::GetData(inputs[ShapesPort]))
+  {
+    WAFT_RETURN_IF_FAILED(waft::BodiesFromMultiBlock(shapes, input.Shapes));
   }
   input.Obstacles = this->Fields.TakeObstacles();
   input.Wind = this->Fields.TakeWind();

@@ -12,7 +12,8 @@
  * on the air. Input port 5, Vortices (vtkPolyData, optional): the scene's own.
  *
  * Output port 0, Tracks (vtkPolyData): with `AirVelocity` and `Control` [m/s], what moves a body
- * beside the air.
+ * beside the air; with Shapes and Glide `Slip` [m/s, world], their own velocity relative to the air
+ * by their poses, `Orientation` and `AngularVelocity` [rad/s, world].
  * Output port 1, Air (vtkImageData, varies in time): `Velocity` [m/s]; `Wind` [m/s^2], the force of
  * the wind correction, which `Velocity` contains.
  * Output port 2, Vortices (vtkPolyData): all that stir the air.
@@ -56,6 +57,7 @@ public:
   WaftProperty(double, WindStiffness);
   WaftProperty(double, Smoothness);
   WaftProperty(double, TouchDownSpread);
+  WaftProperty(double, Glide);
   WaftFlag(Inertia);
   WaftProperty(double, TimeLimit);
   WaftProperty(int, Seed);
@@ -72,6 +74,7 @@ public:
   void RemoveAllObstacles() { this->SetInputConnection(3, nullptr); }
   void RemoveAllWind() { this->SetInputConnection(4, nullptr); }
   void RemoveAllVortices() { this->SetInputConnection(5, nullptr); }
+  void RemoveAllShapes() { this->SetInputConnection(6, nullptr); }
   ///@}
 
   ///@{

@@ -4,7 +4,8 @@
  * @brief   turns objects in the air while their centres follow given paths
  *
  * Input port 0, Tracks (vtkPolyData): one polyline an object, one point a frame; the point data
- * `AirVelocity` [m/s], when there, is the air's velocity along the path.
+ * `AirVelocity` [m/s], when there, is the air's velocity along the path. With `Slip` [m/s] the
+ * tracks' own `Orientation` and `AngularVelocity` are the poses, which the path was found with.
  * Input port 1, Objects (vtkPolyData): `ObjectId`, `ShapeId`, `Mass`, initial `Orientation` and
  * `AngularVelocity`.
  * Input port 2, Shapes (vtkMultiBlockDataSet): the meshes, centred on their mass.
@@ -20,7 +21,9 @@
  * texture coordinates, normals and the point and cell data `ObjectId`, `ShapeId`.
  * Output port 1, Poses (vtkPolyData): Tracks with `Orientation` (w, x, y, z), `AngularVelocity`
  * [rad/s, world] and `Torque` [N m, world] at every frame, and by line `Shift` [m]: how far its
- * centre is moved from its track at most, so that the mesh lies on a surface.
+ * centre is moved from its track at most, so that the mesh lies on a surface; of poses that came
+ * with `Slip` also `Agreement` (2, degrees), by line and of all as field data: median and 90th
+ * percentile of how far half a second of turning in the air leads away from them.
  * Output port 2, Report (vtkTable): one line for each orientation row, with the columns of the
  * planner's Report; `Residual` [rad] is measured on the poses, beyond the row's radius.
  *

@@ -53,6 +53,8 @@ constexpr const char* RestHeight = "RestHeight";
 
 // Poses (of each line).
 constexpr const char* Shift = "Shift";
+constexpr const char* Agreement = "Agreement"; // degrees; of all bodies as field data
+constexpr const char* Slip = "Slip";           // m/s, of a body relative to the air
 
 // Shapes (field data of each block).
 constexpr const char* DragCoefficient = "DragCoefficient";

@@ -42,6 +42,51 @@ void PosesToPolyData(const std::vector<Track>& tracks, const std::vector<PoseTra
   AddVectors(data->GetPointData(), names::Torque, torques);
 }
 
+namespace
+{
+
+/// Median and 90th percentile in degrees.
+std::array<double, 2> AgreementOf(std::vector<double> away)
+{
+  std::sort(away.begin(), away.end());
+  const auto at = [&away](double part)
+  {
+    const auto k = static_cast<std::size_t>(part * static_cast<double>(away.size()));
+    return away.empty() ? std::nan("") : away[k] * 180.0 / std::acos(-1.0);
+  };
+  return { at(0.5), at(0.9) };
+}
+
+void AddPairs(const std::vector<std::array<double, 2>>& pairs, vtkFieldData* data)
+{
+  vtkNew<vtkDoubleArray> values;
+  values->SetName(names::Agreement);
+  values->SetNumberOfComponents(2);
+  for (const std::array<double, 2>& pair : pairs)
+  {
+    values->InsertNextTuple(pair.data());
+  }
+  data->AddArray(values);
+}
+
+} // namespace
+
+void AddAgreement(const std::vector<std::vector<double>>& away, vtkPolyData* data)
+{
+  std::vector<double> all;
+  std::vector<std::array<double, 2>> lines;
+  for (const std::vector<double>& line : away)
+  {
+    lines.push_back(AgreementOf(line));
+    all.insert(all.end(), line.begin(), line.end());
+  }
+  if (!all.empty())
+  {
+    AddPairs(lines, data->GetCellData());
+    AddPairs({ AgreementOf(all) }, data->GetFieldData());
+  }
+}
+
 Result PosesFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,
                          std::vector<PoseTrack>& poses)
 {

@@ -24,6 +24,10 @@ namespace waft
 /// track, in their order.
 void PosesToPolyData(const std::vector<Track>& tracks, const std::vector<PoseTrack>& poses,
                      const SceneInfo& info, vtkPolyData* data);
+/// Adds `Agreement` (double[2], degrees): of each line, and of all as field data, the median and
+/// the 90th percentile of how far turning in the air leads away from poses that came with their
+/// path [rad, by line]; NaN of a line without. Nothing where no line has any.
+void AddAgreement(const std::vector<std::vector<double>>& away, vtkPolyData* data);
 /// Needs `Orientation`; the other arrays are zero where absent.
 Result PosesFromPolyData(vtkPolyData* data, std::vector<Track>& tracks,
                          std::vector<PoseTrack>& poses);

@@ -67,7 +67,8 @@ Result ReadOptional(const ArraySource& source, const char* name, std::vector<int
 void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, vtkPolyData* data)
 {
   const Vec3 zero = Vec3::Zero();
-  std::vector<Vec3> positions, velocities, vortex, wind, forces, air, sph, residual;
+  std::vector<Vec3> positions, velocities, vortex, wind, forces, air, sph, residual, slips, spins;
+  std::vector<Quat> orientations;
   std::vector<int> frames, vortexIds, objectIds;
   std::vector<double> times;
   std::vector<ForceType> types;
@@ -75,6 +76,7 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
   bool hasAir = false;
   bool hasSph = false;
   bool hasResidual = false;
+  bool hasSlip = false;
   vtkNew<vtkCellArray> lines;
   for (const Track& track : tracks)
   {
@@ -97,10 +99,14 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
     Append(track.AirVelocities, count, zero, air);
     Append(track.SphVelocities, count, zero, sph);
     Append(track.Residuals, count, zero, residual);
+    Append(track.Slips, count, zero, slips);
+    Append(track.Orientations, count, Quat(Quat::Identity()), orientations);
+    Append(track.AngularVelocities, count, zero, spins);
     hasForces = hasForces || !track.Forces.empty();
     hasAir = hasAir || !track.AirVelocities.empty();
     hasSph = hasSph || !track.SphVelocities.empty();
     hasResidual = hasResidual || !track.Residuals.empty();
+    hasSlip = hasSlip || !track.Slips.empty();
     objectIds.push_back(track.ObjectId);
   }
   std::vector<unsigned char> typeBytes;
@@ -138,6 +144,12 @@ void TracksToPolyData(const std::vector<Track>& tracks, const SceneInfo& info, v
   {
     AddVectors(arrays, names::Residual, residual);
   }
+  if (hasSlip)
+  {
+    AddVectors(arrays, names::Slip, slips);
+    AddQuaternions(arrays, names::Orientation, orientations);
+    AddVectors(arrays, names::AngularVelocity, spins);
+  }
   AddInts(data->GetCellData(), names::ObjectId, objectIds);
   SceneInfoToFieldData(info, data);
 }
@@ -153,7 +165,8 @@ Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const s
   }
   const ArraySource points{ data->GetPointData(), input, data->GetNumberOfPoints(), true };
   const ArraySource cells{ data->GetCellData(), input, data->GetNumberOfCells() };
-  std::vector<Vec3> positions, vortex, wind, forces, air, sph, residual;
+  std::vector<Vec3> positions, vortex, wind, forces, air, sph, residual, slips, spins;
+  std::vector<Quat> orientations;
   std::vector<int> ids, types, vortexIds;
   WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), input, positions));
   WAFT_RETURN_IF_FAILED(ReadInts(cells, names::ObjectId, ids));
@@ -165,6 +178,12 @@ Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const s
   WAFT_RETURN_IF_FAILED(ReadOptional(points, names::AirVelocity, air));
   WAFT_RETURN_IF_FAILED(ReadOptional(points, names::SPHVelocity, sph));
   WAFT_RETURN_IF_FAILED(ReadOptional(points, names::Residual, residual));
+  WAFT_RETURN_IF_FAILED(ReadOptional(points, names::Slip, slips));
+  if (!slips.empty())
+  {
+    WAFT_RETURN_IF_FAILED(ReadQuaternions(points, names::Orientation, orientations));
+    WAFT_RETURN_IF_FAILED(ReadVectors(points, names::AngularVelocity, spins));
+  }
   std::vector<ForceType> forceTypes;
   for (const int type : types)
   {
@@ -187,6 +206,9 @@ Result TracksFromPolyData(vtkPolyData* data, std::vector<Track>& tracks, const s
     track.AirVelocities = Pick(air, line);
     track.SphVelocities = Pick(sph, line);
     track.Residuals = Pick(residual, line);
+    track.Slips = Pick(slips, line);
+    track.Orientations = Pick(orientations, line);
+    track.AngularVelocities = Pick(spins, line);
     read.push_back(std::move(track));
   }
   tracks = std::move(read);

@@ -14,6 +14,13 @@ struct TriangleMesh
 {
   std::vector<Vec3> Points;                  // m
   std::vector<std::array<int, 3>> Triangles; // indices into Points
+
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Points...);
+    visit(of.Triangles...);
+  }
 };
 
 /// A closed obstacle that may move without turning.
@@ -27,8 +34,7 @@ struct ObstacleMesh
   static void Visit(Visitor&& visit, Holder&... of)
   {
     visit(of.ObstacleId...);
-    visit(of.Mesh.Points...);
-    visit(of.Mesh.Triangles...);
+    visit(of.Mesh...);
     visit(of.Offsets...);
   }
 

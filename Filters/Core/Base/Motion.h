@@ -70,6 +70,11 @@ struct Track
   std::vector<Vec3> Forces;              // m/s^2, vortex plus wind, after the optimiser
   std::vector<Vec3> AirVelocities;       // m/s, of the gas at the object
   std::vector<Vec3> Residuals;           // m/s^2, what no term of the optimiser's model gives
+  /// m/s, the body's own velocity relative to the air, by its pose: it glides. Empty: it sinks
+  /// straight down at its SettlingSpeed. The next two are the poses that Slips belongs to.
+  std::vector<Vec3> Slips;
+  std::vector<Quat> Orientations;      // body to world, unit
+  std::vector<Vec3> AngularVelocities; // rad/s, world
 
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
@@ -84,6 +89,9 @@ struct Track
     visit(of.Forces...);
     visit(of.AirVelocities...);
     visit(of.Residuals...);
+    visit(of.Slips...);
+    visit(of.Orientations...);
+    visit(of.AngularVelocities...);
   }
 };
 

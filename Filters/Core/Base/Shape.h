@@ -29,6 +29,16 @@ struct Shape
   std::array<double, 3> Tint{ 1.0, 1.0, 1.0 };  // 0..1, times the texture's: a colour asked for
   std::string Texture;                          // path of an image, or empty
   std::string Authored; // part of a scene file that says this shape (Scene/Scene.h), or empty
+
+  /// What its flight depends on.
+  template <class Visitor, class... Holder>
+  static void Visit(Visitor&& visit, Holder&... of)
+  {
+    visit(of.Mesh...);
+    visit(of.DragCoefficient...);
+    visit(of.Thickness...);
+    visit(of.Damping...);
+  }
 };
 
 } // namespace waft

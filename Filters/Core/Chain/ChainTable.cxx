@@ -35,6 +35,7 @@ std::vector<ChainStageTraits> MakeStages()
   const ChainInput objects{ "Objects", { { { scene, "Objects" } } } };
   const ChainInput obstacles{ "Obstacles", { { { scene, "Obstacles" } } } };
   const ChainInput wind{ "Wind", { { { scene, "Wind" } } } };
+  const ChainInput shapes{ "Shapes", { { { scene, "Shapes" } } } };
   const ChainInput airs{ "Air", { { { air, "Air" } } } };
   const ChainInput rows{ "Constraints",
                          { { { air, "Constraints" } }, { { planner, "Constraints" } } } };
@@ -73,7 +74,8 @@ std::vector<ChainStageTraits> MakeStages()
         { "Constraints", { { { planner, "Constraints" } } } },
         obstacles,
         wind,
-        { "Vortices", { { { scene, "Vortices" } } } } },
+        { "Vortices", { { { scene, "Vortices" } } } },
+        shapes },
       { "Tracks", "Air", "Vortices", "Constraints", "Report", "Rounds" },
       FieldsOf<AssimilationOptions>() },
     { optimiser,
@@ -101,7 +103,7 @@ std::vector<ChainStageTraits> MakeStages()
       { { "Tracks",
           { { { optimiser, "Tracks" } }, { { air, "Tracks" } }, { { planner, "Tracks" } } } },
         objects,
-        { "Shapes", { { { scene, "Shapes" } } } },
+        shapes,
         obstacles,
         wind,
         rows,

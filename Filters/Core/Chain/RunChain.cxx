@@ -264,8 +264,10 @@ Result Chain::Plan(Monitor& monitor)
 
 Result Chain::Assimilate(Monitor& monitor)
 {
-  MotionProblem problem = this->ProblemOf(ChainStage::Assimilation);
-  if (this->IsKept(ChainStage::Assimilation, problem, this->Options.Air))
+  AssimilationInput problem{ this->ProblemOf(ChainStage::Assimilation),
+                             this->Inputs.TheScene.Shapes, this->Options.Rotation };
+  if (this->IsKept(ChainStage::Assimilation, problem, problem.Shapes, this->Options.Air,
+                   this->Options.Rotation))
   {
     return Result::Ok();
   }

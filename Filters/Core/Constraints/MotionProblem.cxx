@@ -26,6 +26,11 @@ Result CheckTracks(const MotionProblem& problem, int leastFrames)
       return Result::Error(name + ": " + std::to_string(track.Positions.size()) +
                            " points, one a frame (" + std::to_string(frames) + ") expected");
     }
+    if (!track.Slips.empty() && track.Slips.size() != track.Positions.size())
+    {
+      return Result::Error(name + ": Slip of " + std::to_string(track.Slips.size()) +
+                           " frames, one a frame (" + std::to_string(frames) + ") expected");
+    }
     for (std::size_t k = 0; k < track.Positions.size(); ++k)
     {
       if (!track.Positions[k].allFinite())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rotation/Attitude.h"
 
+#include "Base/BodyLaw.h"
 #include "Base/NumberText.h"
 #include "Base/SmoothStep.h"
 #include "Rotation/FlightStart.h"
@@ -38,6 +39,10 @@ public:
     this->Out.Poses.Orientations.assign(this->Marks.Frames.size(), Quat::Identity());
     this->Out.Poses.AngularVelocities.assign(this->Marks.Frames.size(), Vec3::Zero());
     this->Out.Poses.Torques.assign(this->Marks.Frames.size(), Vec3::Zero());
+    if (plan.Glides)
+    {
+      this->Out.Poses.Slips.assign(this->Marks.Frames.size(), Vec3::Zero());
+    }
     this->Out.Slowed.assign(this->Marks.Frames.size(), 0);
     this->Out.Swept.assign(this->Marks.Frames.size(), 0.0);
   }
@@ -114,7 +119,7 @@ private:
   {
     const MotionObject& object = *this->Plan.Object;
     FlightState& state = this->State.Flight;
-    if (object.OrientationGiven != 0)
+    if (object.OrientationGiven != 0 || this->HasFlown())
     {
       state.Orientation = this->GivenStart();
       state.SetVelocity(this->Body, this->Path.RelativeVelocities[0]);
@@ -138,7 +143,14 @@ private:
       this->Out.Slowed[0] =
         LimitTurning(this->Body, this->Path.FastestTurning[0], this->State.Flight);
     }
-    this->Record(0);
+    if (this->HasFlown())
+    {
+      this->TakeFlown(0);
+    }
+    else
+    {
+      this->Record(0);
+    }
     if (!this->Plan.Rests.empty() && this->Plan.Rests.front().Frame <= 0)
     {
       const LandingWindow& rest = this->Plan.Rests.front();
@@ -152,6 +164,25 @@ private:
     this->Out.Poses.Orientations[frame] = state.Orientation;
     this->Out.Poses.AngularVelocities[frame] = state.AngularVelocity(this->Body);
     this->Out.Poses.Torques[frame] = AirTorque(this->Body, this->Path, state, frame);
+    if (this->Plan.Glides)
+    {
+      this->Out.Poses.Slips[frame] =
+        this->Body.Slips ? state.Velocity(this->Body)
+                         : Vec3(-LawOf(*this->Plan.Object).SettlingSpeed() * Vec3::UnitZ());
+    }
+  }
+
+  /// The pose that its path was found with.
+  bool HasFlown() const { return !this->Plan.Path->Slips.empty(); }
+  void TakeFlown(int frame)
+  {
+    const Track& track = *this->Plan.Path;
+    const auto k = static_cast<std::size_t>(frame);
+    FlightState& state = this->State.Flight;
+    state.Orientation = track.Orientations[k].normalized();
+    state.SetAngularVelocity(this->Body, track.AngularVelocities[k]);
+    state.SetVelocity(this->Body, track.Slips[k]);
+    this->Record(frame);
   }
 
   /// The pose nearest to q that a row allows.
@@ -185,6 +216,11 @@ private:
     }
     for (int k = from; k < end; ++k)
     {
+      if (this->HasFlown())
+      {
+        this->TakeFlown(k + 1);
+        continue;
+      }
       const Settling settling = rest != nullptr ? this->SettlingBefore(*rest, k) : Settling();
       Floor floor;
       const bool near = this->FindFloor(k, floor);
@@ -366,6 +402,10 @@ private:
       this->Out.Poses.Orientations[i] = lying;
       this->Out.Poses.AngularVelocities[i].setZero();
       this->Out.Poses.Torques[i].setZero();
+      if (this->Plan.Glides)
+      {
+        this->Out.Poses.Slips[i].setZero();
+      }
       this->Marks.Frames[i].Freedom = PoseFreedom::Fixed;
       this->Marks.Changed[i] = 0;
       this->Marks.Shifts[i] = laid.Shift * Vec3::UnitZ();

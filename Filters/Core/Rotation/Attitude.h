@@ -28,10 +28,11 @@ struct AttitudePlan
   std::vector<Constraint> Keys;     // orientation rows
   const ObstacleSet* Obstacles = nullptr;
   Timeline Time;
-  std::uint64_t Seed = 1; // of the pose in flight, where the object has none given
+  std::uint64_t Seed = 1;    // of the pose in flight, where the object has none given
   double LandingTime = 0.7;  // s
   double TurningTime = 2.0;  // s
   double TurningRate = 60.0; // rad/s, the most that an orientation row may ask for
+  bool Glides = false;       // how it slips is wanted
   std::vector<int> Held;     // frames where rows hold the centre: it is not moved there
   double Tolerance = 0.0;    // m: a vertex deeper than this below a surface is named; also the most
                              // that the centre may be moved

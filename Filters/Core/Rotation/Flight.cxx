@@ -151,16 +151,23 @@ bool TakeBack(const FlightBody& body, const Quat& orientation, double most, Vec3
 FlightBody::FlightBody(const PanelBody& panels, const ShellProperties& properties, double mass,
                        double airDensity, const AirCoefficients& coefficients, double damping,
                        double follow) :
+  FlightBody(panels, properties, mass, mass, airDensity, coefficients, damping, follow)
+{
+}
+
+FlightBody::FlightBody(const PanelBody& panels, const ShellProperties& properties, double mass,
+                       double moved, double airDensity, const AirCoefficients& coefficients,
+                       double damping, double follow) :
   Panels(&panels),
   Coefficients(coefficients), AirDensity(airDensity), Damping(damping), Follow(follow)
 {
   const bool plate = coefficients.Model == AirModel::Plate;
   this->Inertia = mass * properties.InertiaPerMass;
-  Mat3 moved = mass * Mat3::Identity();
+  this->Mass = moved * Mat3::Identity();
   if (plate)
   {
     this->Inertia += airDensity * panels.AddedInertia();
-    moved += airDensity * panels.AddedMass();
+    this->Mass += airDensity * panels.AddedMass();
   }
   // A straight line of triangles has no inertia about itself.
   this->Inertia += 1e-9 * this->Inertia.trace() * Mat3::Identity();
@@ -168,8 +175,7 @@ FlightBody::FlightBody(const PanelBody& panels, const ShellProperties& propertie
   const Eigen::SelfAdjointEigenSolver<Mat3> principal(this->Inertia);
   this->PrincipalInertia = principal.eigenvalues();
   this->PrincipalAxes = principal.eigenvectors();
-  this->Mass = moved;
-  this->InverseMass = moved.inverse();
+  this->InverseMass = this->Mass.inverse();
   this->Slips = plate && panels.Flatness() >= LeastFlatness;
 
   const Mat3& spread = properties.SecondMoment;

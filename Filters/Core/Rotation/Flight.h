@@ -29,8 +29,11 @@ class FlightBody
 {
 public:
   /// damping [1/s] turns the angular momentum down as exp(-damping t). follow [1/s]: how fast the
-  /// hidden sideslip is forgotten.
+  /// sideslip is forgotten. moved [kg]: the mass that slips, where it is another one than the mass
+  /// that turns.
   FlightBody(const PanelBody& panels, const ShellProperties& properties, double mass,
+             double airDensity, const AirCoefficients& coefficients, double damping, double follow);
+  FlightBody(const PanelBody& panels, const ShellProperties& properties, double mass, double moved,
              double airDensity, const AirCoefficients& coefficients, double damping, double follow);
 
   const PanelBody* Panels;

@@ -7,7 +7,9 @@
 #include "Base/ShapeMeasures.h"
 #include "Constraints/ConstraintCheck.h"
 #include "Constraints/Rest.h"
+#include "Rotation/Agreement.h"
 #include "Rotation/Attitude.h"
+#include "Rotation/StillAir.h"
 #include "Rotation/TurnLimit.h"
 
 #include <algorithm>
@@ -19,15 +21,15 @@ namespace waft
 {
 namespace
 {
-struct PreparedShape
-{
-  ShellProperties Properties;
-  PanelBody Panels;
-};
-
 bool IsBetween(double x, double low, double high)
 {
   return std::isfinite(x) && x >= low && x <= high;
+}
+
+/// How it turns was found with its path.
+bool HasFlown(const Track& track)
+{
+  return !track.Slips.empty();
 }
 
 Result CheckTracks(const RotationInput& input, std::map<int, std::size_t>& objectOfId)
@@ -67,9 +69,17 @@ Result CheckTracks(const RotationInput& input, std::map<int, std::size_t>& objec
       return Result::Error(name + ": expected " + std::to_string(input.Tracks[0].Positions.size()) +
                            " frames, found " + std::to_string(track.Positions.size()));
     }
-    if (!track.AirVelocities.empty() && track.AirVelocities.size() != track.Positions.size())
+    const std::size_t frames = track.Positions.size();
+    if (!track.AirVelocities.empty() && track.AirVelocities.size() != frames)
     {
       return Result::Error(name + ": AirVelocity has another length than the positions");
+    }
+    if (HasFlown(track) &&
+        (track.Orientations.size() != frames || track.AngularVelocities.size() != frames ||
+         track.Slips.size() != frames))
+    {
+      return Result::Error(name + ": expected Slip, Orientation and AngularVelocity of one length "
+                                  "with the positions");
     }
     for (std::size_t k = 0; k < track.Positions.size(); ++k)
     {
@@ -89,12 +99,16 @@ Vec3 Curl(const Mat3& gradient)
               gradient(1, 0) - gradient(0, 1));
 }
 
-FlightPath MakePath(const RotationInput& input, std::size_t i)
+/// draw [m/s]: of the weight of a body that glides; 0: its path draws it.
+FlightPath MakePath(const RotationInput& input, std::size_t i, double draw)
 {
   const Track& track = input.Tracks[i];
+  const bool isDrawn = draw > 0.0;
   FlightPath path;
   path.Step = input.Scene.Time.Step();
-  path.RelativeVelocities = CentralVelocities(track.Positions, path.Step);
+  path.RelativeVelocities = isDrawn
+                              ? std::vector<Vec3>(track.Positions.size(), -draw * Vec3::UnitZ())
+                              : CentralVelocities(track.Positions, path.Step);
   const bool given = input.Air != nullptr && !input.Air->IsEmpty();
   const bool blown = !given && input.Wind != nullptr && !input.Wind->IsEmpty() &&
                      input.Wind->Meaning == FieldMeaning::Velocity;
@@ -120,8 +134,11 @@ FlightPath MakePath(const RotationInput& input, std::size_t i)
     {
       path.AirTurning.push_back(0.5 * Curl(gradient));
     }
-    path.RelativeVelocities[k] -=
-      given || track.AirVelocities.empty() ? air : track.AirVelocities[k];
+    if (!isDrawn)
+    {
+      path.RelativeVelocities[k] -=
+        given || track.AirVelocities.empty() ? air : track.AirVelocities[k];
+    }
   }
   return path;
 }
@@ -200,8 +217,7 @@ AttitudePlan MakePlan(const RotationInput& input, const RotationOptions& options
   return plan;
 }
 
-AirCoefficients Coefficients(const TurningLaw& law, const RotationOptions& options,
-                             const MotionObject& object)
+AirCoefficients Coefficients(const TurningLaw& law, const RotationOptions& options)
 {
   AirCoefficients coefficients;
   coefficients.Model = options.Model;
@@ -210,7 +226,13 @@ AirCoefficients Coefficients(const TurningLaw& law, const RotationOptions& optio
   coefficients.PressureShift = options.PressureShift;
   coefficients.Autorotation *= options.Roll;
   coefficients.Spin = options.Spin;
-  // No two leaves are cut alike.
+  return coefficients;
+}
+
+/// No two leaves are cut alike.
+AirCoefficients Varied(AirCoefficients coefficients, const RotationOptions& options,
+                       const MotionObject& object)
+{
   Random random(options.Seed, 0x70053 + static_cast<std::uint64_t>(object.ObjectId));
   const auto vary = [&](double& value)
   { value *= 1.0 + options.VariationPerObject * random.Uniform(-1.0, 1.0); };
@@ -220,6 +242,46 @@ AirCoefficients Coefficients(const TurningLaw& law, const RotationOptions& optio
   vary(coefficients.RotationalLift);
   vary(coefficients.Spin);
   return coefficients;
+}
+
+/// By the object's own coefficients.
+Glider GliderOf(const RotationInput& input, const RotationOptions& options,
+                const PreparedShape& shape, const MotionObject& object)
+{
+  const TurningLaw law = TurningLawOf(input.Shapes[static_cast<std::size_t>(object.ShapeId)]);
+  const AirCoefficients common = Coefficients(law, options);
+  return { shape.Panels,
+           shape.Properties,
+           object.Mass,
+           input.Scene.AirDensity,
+           Varied(common, options, object),
+           options.Damping + law.Damping,
+           options.Follow };
+}
+
+/// glider: a body of the shape where bodies glide, or null.
+Result Prepare(const RotationInput& input, const RotationOptions& options, std::size_t shapeId,
+               const MotionObject* glider, const ParallelFor& parallel, PreparedShape& shape)
+{
+  const Shape& given = input.Shapes[shapeId];
+  if (!shape.IsPrepared)
+  {
+    WAFT_RETURN_IF_FAILED(ComputeShellProperties(given, shape.Properties));
+    WAFT_RETURN_IF_FAILED(
+      shape.Panels.Build(given, shape.Properties, options.RasterSize, parallel));
+    shape.IsPrepared = true;
+  }
+  if (glider != nullptr && shape.Draw <= 0.0)
+  {
+    const auto one = [&](std::size_t k)
+    {
+      MotionObject object = *glider;
+      object.ObjectId = static_cast<int>(k); // one as they differ
+      return GliderOf(input, options, shape, object);
+    };
+    shape.Draw = DrawOverFall(one, LawOf(*glider).SettlingSpeed(), parallel);
+  }
+  return Result::Ok();
 }
 
 /// Judges the orientation rows by themselves, measures them on the poses, and warns of those that
@@ -272,27 +334,32 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
     return Result::Error("AirDensity must be 0 or more");
   }
 
-  std::vector<unsigned char> used(input.Shapes.size(), 0);
+  std::vector<const MotionObject*> users(input.Shapes.size(), nullptr); // the first of each shape
+  bool glides = input.Glides;
   for (const Track& track : input.Tracks)
   {
-    used[input.Objects[objectOfId[track.ObjectId]].ShapeId] = 1;
+    const MotionObject& object = input.Objects[objectOfId[track.ObjectId]];
+    const MotionObject*& user = users[static_cast<std::size_t>(object.ShapeId)];
+    user = user != nullptr ? user : &object;
+    glides = glides || HasFlown(track);
   }
   RotationOutput result;
-  std::vector<PreparedShape> shapes(input.Shapes.size());
+  PreparedShapes own;
+  PreparedShapes& shapes = input.Prepared != nullptr ? *input.Prepared : own;
+  shapes.resize(input.Shapes.size());
   for (std::size_t s = 0; s < shapes.size(); ++s)
   {
-    if (used[s] == 0)
+    if (users[s] == nullptr)
     {
       continue;
     }
-    WAFT_RETURN_IF_FAILED(ComputeShellProperties(input.Shapes[s], shapes[s].Properties));
     const std::string flat = RemarkOnFlatTriangles(input.Shapes[s].Mesh);
     if (!flat.empty())
     {
       result.Warnings.push_back("shape '" + input.Shapes[s].Name + "': " + flat);
     }
     WAFT_RETURN_IF_FAILED(
-      shapes[s].Panels.Build(input.Shapes[s], shapes[s].Properties, options.RasterSize, parallel));
+      Prepare(input, options, s, glides ? users[s] : nullptr, parallel, shapes[s]));
     if (!monitor.Tick(0.1 * FractionDone(s + 1, shapes.size()),
                       "Looking at shapes from all around"))
     {
@@ -301,6 +368,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
   }
 
   std::vector<AttitudeOutcome> outcomes(input.Tracks.size());
+  result.Away.resize(input.Tracks.size());
   const double most = options.MaximumTurn * std::acos(-1.0) / 180.0; // rad a frame
   constexpr std::size_t Batch = 8; // objects between two ticks of the monitor
   for (std::size_t first = 0; first < outcomes.size(); first += Batch)
@@ -314,13 +382,22 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
                  const Track& track = input.Tracks[i];
                  const MotionObject& object = input.Objects[objectOfId.at(track.ObjectId)];
                  const PreparedShape& shape = shapes[object.ShapeId];
-                 const TurningLaw law = TurningLawOf(input.Shapes[object.ShapeId]);
-                 const FlightBody body(shape.Panels, shape.Properties, object.Mass,
-                                       input.Scene.AirDensity, Coefficients(law, options, object),
-                                       options.Damping + law.Damping, options.Follow);
+                 const Glider glider = GliderOf(input, options, shape, object);
+                 double draw = input.Glides || HasFlown(track)
+                                 ? shape.Draw * LawOf(object).SettlingSpeed()
+                                 : 0.0;
+                 const FlightBody body = glider.DrawnAt(draw);
+                 draw = body.Slips ? draw : 0.0;
                  AttitudePlan plan = MakePlan(input, options, object, track);
                  plan.BoundingRadius = shape.Properties.BoundingRadius;
-                 outcomes[i] = TurnObjectWithin(most, plan, body, MakePath(input, i));
+                 plan.Glides = input.Glides;
+                 FlightPath path = MakePath(input, i, draw);
+                 outcomes[i] = TurnObjectWithin(most, plan, body, path);
+                 if (HasFlown(track) && draw > 0.0)
+                 {
+                   SetLimit(most, path);
+                   result.Away[i] = TurnedAway(plan, body, path);
+                 }
                }
              });
     for (std::size_t i = first; monitor.Publishes() && i < first + count; ++i)
@@ -355,6 +432,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
   }
   const std::vector<std::string> fast = turns.Warnings();
   result.Warnings.insert(result.Warnings.end(), fast.begin(), fast.end());
+  result.Slowed = fast;
   ReportOrientations(input, tooFast, result);
   output = std::move(result);
   return Result::Ok();

@@ -13,7 +13,7 @@
 #include "Constraints/Constraint.h"
 #include "Obstacles/ObstacleSet.h"
 #include "Rotation/AirOnTracks.h"
-#include "Rotation/PanelBody.h"
+#include "Rotation/PreparedShapes.h"
 
 #include <string>
 #include <vector>
@@ -139,6 +139,10 @@ struct RotationInput
   /// counts: bodies move relative to it, its gradient turns them, and half its vorticity is the
   /// turning that Damping draws them to.
   const AirOnTracks* Air = nullptr;
+  /// Bodies are drawn by their weight alone, whatever their paths, and their Slips are given: where
+  /// they glide is for who moves them. Tracks with Slips keep the poses that are theirs.
+  bool Glides = false;
+  PreparedShapes* Prepared = nullptr; // of an earlier run with these Shapes and options; or none
 };
 
 struct RotationOutput
@@ -147,10 +151,14 @@ struct RotationOutput
   /// m, by which centres are moved so that meshes touch surfaces and do not cut them: in the order
   /// of Tracks, one a frame, or empty for a track that stays; at most 1e-3 of the volume's width.
   std::vector<std::vector<Vec3>> Shifts;
+  /// rad, how far half a second of turning in the air leads away from the poses that tracks came
+  /// with (Rotation/Agreement.h); empty for those that came without. In the order of Tracks.
+  std::vector<std::vector<double>> Away;
   /// One line for each orientation row: judged by itself, then measured on the poses, with the
   /// reason where the greatest turning rate does not do.
   std::vector<ReportRow> Report;
   std::vector<std::string> Warnings; // objects and shapes are named; rows that are not met too
+  std::vector<std::string> Slowed;   // those of them that tell of MaximumTurn
 };
 
 /// Fails when a shape has no area, a mass is not positive, a track has no object or another length;

@@ -99,6 +99,12 @@ std::string Times(int count, const std::string& noun)
 }
 } // namespace
 
+void SetLimit(double most, FlightPath& path)
+{
+  path.FastestTurning.assign(path.RelativeVelocities.size(), most / path.Step);
+  path.QuickestChange = Unlimited;
+}
+
 AttitudeOutcome TurnObjectWithin(double most, const AttitudePlan& plan, const FlightBody& body,
                                  FlightPath path)
 {

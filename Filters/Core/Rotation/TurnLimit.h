@@ -19,6 +19,9 @@ namespace waft
 AttitudeOutcome TurnObjectWithin(double most, const AttitudePlan& plan, const FlightBody& body,
                                  FlightPath path);
 
+/// Sets that limit for all of a flight, whether or not it would turn by more.
+void SetLimit(double most, FlightPath& path);
+
 /// Counts what the limit does to all objects of a scene.
 class TurnCount
 {

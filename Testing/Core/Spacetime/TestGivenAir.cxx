@@ -172,6 +172,31 @@ TEST(GivenAir, ItsGradientEqualsCentralDifferencesOfWhatGlidesToALanding)
   CheckGradient(problem, 1e-5);
 }
 
+TEST(GivenAir, ItsGradientEqualsCentralDifferencesOfWhatSweepsFromSideToSide)
+{
+  AirProblem problem(8);
+  std::vector<std::vector<Vec3>> slips(problem.Setup.Objects.size());
+  for (std::size_t o = 0; o < slips.size(); ++o)
+  {
+    for (int frame = 0; frame < 8; ++frame)
+    {
+      const double phase = 1.3 * frame + static_cast<double>(o);
+      slips[o].emplace_back(0.6 * std::sin(phase), 0.4 * std::cos(phase), -0.8);
+    }
+  }
+  GivenAir& air = problem.Setup.Model.Air;
+  const std::size_t body = problem.Setup.Model.NumberOfGas;
+  const Vec3 x = Vec3::Constant(3.0), still = Vec3::Zero();
+  const Vec3 sinking = air.Deviation(body, x, still, 2.0, 1.0);
+  air.SetSlips(slips);
+  const Vec3 sweeping = air.Deviation(body, x, still, 2.0, 1.0);
+  const Vec3 slip = 0.5 * (slips[0][1] + slips[0][2]); // in the middle of the step
+  const Vec3 law = problem.Setup.Objects[0].SettlingSpeed * Vec3::UnitZ();
+  const double unit = problem.Setup.FrameStep / problem.Setup.Spacing;
+  EXPECT_LT((sweeping - sinking + unit * (slip + law)).norm(), 1e-9);
+  CheckGradient(problem);
+}
+
 TEST(GivenAir, AFrameAtOnceIsAsBodyByBody)
 {
   const AirProblem problem(8);

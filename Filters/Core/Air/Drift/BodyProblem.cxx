@@ -36,12 +36,22 @@ BodyProblem::BodyProblem(const DriftScene& scene, const MotionObject& object,
   this->FixFrames();
 }
 
+void BodyProblem::SetSlips(const std::vector<Vec3>& slips)
+{
+  this->Slips.clear();
+  for (std::size_t k = 0; k + 1 < slips.size(); ++k)
+  {
+    this->Slips.push_back(0.5 * (slips[k] + slips[k + 1]));
+  }
+}
+
 DriftProblem BodyProblem::In(const AirSampler& air) const
 {
   const Timeline& time = this->World.Scene.Time;
   DriftProblem problem;
   problem.Time = time;
   problem.Law = LawOf(this->Body);
+  problem.Slips = this->Slips;
   problem.ResponseTime = this->World.Inertia ? problem.Law.ResponseTime(StandardGravity) : 0.0;
   problem.IsFixed = this->IsFixed;
   problem.Fixed = this->Fixed;

@@ -62,6 +62,9 @@ public:
   /// That as a row of no scene: Row and Target are -1. Null: it does not.
   const Constraint* FreeLanding() const;
 
+  /// By frame: its own velocity relative to the air [m/s], in place of its sinking straight down.
+  void SetSlips(const std::vector<Vec3>& slips);
+
   int NumberOfFrames() const { return static_cast<int>(this->Planned.size()); }
   /// Steps that it does not lie through, at least one.
   int NumberOfFlownSteps() const;
@@ -119,6 +122,7 @@ private:
   std::vector<Vec3> Planned;
   std::vector<Constraint> Wanted;
   std::vector<LandingWindow> Landings;
+  std::vector<Vec3> Slips;  // by step [m/s], or empty
   std::vector<int> Latest;  // touch-downs, as the rows have them
   std::vector<int> Leaving; // lift-offs likewise
   std::vector<unsigned char> IsFixed;

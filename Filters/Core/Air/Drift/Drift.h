@@ -51,6 +51,7 @@ struct DriftProblem
 {
   Timeline Time;
   BodyLaw Law;
+  std::vector<Vec3> Slips;            // by step [m/s], of the body in the air; empty: the law's
   double ResponseTime = 0.0;          // the law's [s]; 0: the body has no inertia
   std::vector<unsigned char> IsFixed; // by frame
   std::vector<Vec3> Fixed;            // [m], where IsFixed

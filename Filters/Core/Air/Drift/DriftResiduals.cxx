@@ -47,16 +47,27 @@ Vec3 DriftResiduals::Control(const std::vector<Vec3>& x, int k, DriftResidual* l
   return c;
 }
 
+BodyLaw DriftResiduals::LawIn(int k) const
+{
+  BodyLaw law = this->Problem.Law;
+  if (!this->Problem.Slips.empty())
+  {
+    law.Slip = -this->Problem.Slips[static_cast<std::size_t>(k)];
+  }
+  return law;
+}
+
 Vec3 DriftResiduals::Drifting(int k, const Vec3& x, Mat3* gradient) const
 {
+  const BodyLaw law = this->LawIn(k);
   Vec3 slope;
   const double factor = this->Problem.Ground.Factor(x, k + 0.5, gradient ? &slope : nullptr);
   const Vec3 u = this->Air.Between(k, x, gradient);
   if (gradient)
   {
-    *gradient = this->Problem.Law.VelocityGradient(*gradient, slope);
+    *gradient = law.VelocityGradient(*gradient, slope);
   }
-  return this->Problem.Law.Velocity(u, factor);
+  return law.Velocity(u, factor);
 }
 
 } // namespace waft

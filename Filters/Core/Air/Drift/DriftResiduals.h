@@ -38,6 +38,7 @@ public:
   static int ReachOf(const DriftProblem& problem);
   /// The control of a step; with its derivatives where `linear`.
   Vec3 Control(const std::vector<Vec3>& x, int k, DriftResidual* linear) const;
+  BodyLaw LawIn(int k) const;
   /// The velocity that the air, settling and the ground effect give at x in a step.
   Vec3 Drifting(int k, const Vec3& x, Mat3* gradient) const;
 

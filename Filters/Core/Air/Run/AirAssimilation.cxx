@@ -8,6 +8,7 @@
 #include "Air/Run/AirSetup.h"
 #include "Air/Run/AssimilationResume.h"
 #include "Air/Run/BodyDrift.h"
+#include "Air/Run/BodyTurning.h"
 #include "Air/Run/RunProgress.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ namespace
 {
 
 constexpr int LeastFrames = 8;
+constexpr int MorePasses = 1;           // of turning, after the last air
 constexpr double EnoughControl = 0.065; // of the flow at the bodies
 
 void ShowPaths(const AirBodies& bodies, std::vector<Track>& tracks)
@@ -42,10 +44,33 @@ Result FirstDrift(const AirContext& run, AirState& state, AssimilationOutput& ou
   return monitor.Tick(1.0, "") ? Result::Ok() : Result::Stopped();
 }
 
+// Who turns otherwise in the air as it has become does so, and drifts on from there.
+Result TurnDisagreeing(const AirContext& run, AirState& state)
+{
+  std::vector<char> which;
+  for (int pass = 0; pass < MorePasses; ++pass)
+  {
+    const Result found = FindDisagreeing(run, state.Sampled.Velocity, state.Bodies, which);
+    if (!found || found.IsStopped() || std::find(which.begin(), which.end(), 1) == which.end())
+    {
+      return found;
+    }
+    const Result turned =
+      TurnAndDrift(run, state.Sampled.Velocity, FurtherIterations, which, state.Bodies);
+    if (!turned || turned.IsStopped())
+    {
+      return turned;
+    }
+  }
+  return Result::Ok();
+}
+
 // What an edit changed, in the air that it leaves.
 void DriftEdited(const AirContext& run, AirState& state, AssimilationOutput& output)
 {
   (void)FirstDrift(run, state, output);
+  (void)TurnAndDrift(run, state.Sampled.Velocity, FurtherIterations, Everybody(state.Bodies),
+                     state.Bodies);
   PartMonitor drifting(run.Caller, DriftEnd, 1.0, "Letting the objects drift to their marks");
   (void)DriftOn(run, state.Sampled.Velocity, DriftIterations, state.Bodies, drifting);
   output.Rounds.push_back(RoundOf(run, state, "edit"));
@@ -103,7 +128,13 @@ Result Assimilate(const AirContext& run, CheckpointFile& checkpoint, AirState& s
       KeepCheckpoint(run, state, output, checkpoint);
     }
   }
-  return result;
+  if (!result.IsStopped() && state.Bodies.Poses.empty()) // the first air took everybody
+  {
+    result = TurnAndDrift(run, state.Sampled.Velocity, DriftIterations, Everybody(state.Bodies),
+                          state.Bodies);
+    WAFT_RETURN_IF_FAILED(result);
+  }
+  return result.IsStopped() ? result : TurnDisagreeing(run, state);
 }
 
 } // namespace

@@ -15,6 +15,7 @@
 #include "Constraints/MotionProblem.h"
 #include "Grid/SmokeSeries.h"
 #include "Obstacles/ObstacleSet.h"
+#include "Rotation/RotationRefine.h"
 
 #include <array>
 #include <cstdint>
@@ -39,6 +40,7 @@ struct AssimilationOptions
   double WindStiffness = 2.0;
   double Smoothness = 0.005;
   double TouchDownSpread = 2.0;
+  double Glide = 1.0;
   bool Inertia = false;
   int Seed = -1;
   double TimeLimit = 0.0;
@@ -118,6 +120,13 @@ struct AssimilationOptions
         "s",
         "Seconds that an object may lie before and after the frames between which it has to." },
       of.TouchDownSpread...);
+    visit(OptionField{ "Glide",
+                       { 0, 1 },
+                       "",
+                       "How much of the way that its pose gives it through the air a body goes: 1 "
+                       "glides and sweeps from side to side, 0 sinks straight down whatever its "
+                       "pose. No effect without Shapes, and with Inertia." },
+          of.Glide...);
     visit(FlagField("Inertia",
                     "Bodies come after the air as g / SettlingSpeed has it, instead of at once."),
           of.Inertia...);
@@ -166,7 +175,11 @@ struct AssimilationOptions
 };
 
 /// Its Vortices are the scene's own, which stir the air with the random ones.
-using AssimilationInput = MotionProblem;
+struct AssimilationInput : MotionProblem
+{
+  std::vector<Shape> Shapes; // by ShapeId: what flies; empty: nothing glides
+  RotationOptions Turning;   // its Seed is not read: it is the air's
+};
 
 /// What a round brought.
 struct AssimilationRound
@@ -210,6 +223,12 @@ struct AssimilationOutput
   std::vector<AssimilationRound> Rounds;
   std::vector<std::string> Warnings;
 };
+
+/// Whether bodies go where their poses take them.
+inline bool GlidesIn(const AssimilationInput& input, const AssimilationOptions& options)
+{
+  return options.Glide > 0.0 && !options.Inertia && !input.Shapes.empty();
+}
 
 /// Of the forces that are drawn.
 std::uint64_t SeedOfAir(const AssimilationInput& input, const AssimilationOptions& options);

@@ -4,6 +4,7 @@
 #include "Air/Field/WindCorrection.h"
 #include "Air/Run/AirRounds.h"
 #include "Air/Run/BodyDrift.h"
+#include "Air/Run/BodyTurning.h"
 #include "Air/Run/RunProgress.h"
 
 #include <map>
@@ -81,8 +82,19 @@ Result FindWind(const AirContext& run, const HalfSeries& plain, AirState& state,
   const double begin = ProgressOf(run.Options.Rounds, state.Rounds, 0.0);
   const double step =
     (ProgressOf(run.Options.Rounds, state.Rounds, WindEnd) - begin) / run.Options.WindRounds;
+  const int again = run.Options.WindRounds / 2;
   for (int k = 0; k < run.Options.WindRounds; ++k)
   {
+    if ((k == 0 && state.Bodies.Poses.empty()) || k == again)
+    {
+      const Result turned = TurnAndDrift(run, state.Sampled.Velocity, FurtherIterations,
+                                         Everybody(state.Bodies), state.Bodies);
+      if (!turned || turned.IsStopped())
+      {
+        state.Sampled.Velocity = plain;
+        return turned;
+      }
+    }
     PartMonitor fitting(run.Caller, begin + k * step, begin + (k + 0.5) * step,
                         "Fitting the wind correction");
     const bool isFitted = FitWind(run, state, correction, fitting);

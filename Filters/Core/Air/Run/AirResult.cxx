@@ -3,6 +3,7 @@
 
 #include "Air/Run/AirRounds.h"
 #include "Air/Run/BodyDrift.h"
+#include "Air/Run/BodyTurning.h"
 #include "Base/NumberText.h"
 #include "Constraints/ConstraintCheck.h"
 
@@ -63,9 +64,7 @@ void FinishRun(const AirContext& run, bool isStopped, AirState& state, Assimilat
                                 NumberText(bodies.Problems[o].Object().ClearanceRadius) +
                                 " m: give its marks more room beside what is in the way");
     }
-    Track track;
-    track.ObjectId = bodies.Problems[o].Object().ObjectId;
-    track.Positions = bodies.Paths[o];
+    Track track = FlownTrack(bodies, o);
     const DriftProblem problem = bodies.Problems[o].In(air);
     const std::vector<Vec3> between = DriftControls(problem, air, track.Positions);
     std::vector<Vec3> controls(track.Positions.size(), Vec3::Zero());

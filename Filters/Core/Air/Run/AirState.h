@@ -22,7 +22,9 @@ struct AirBodies
 {
   std::vector<BodyProblem> Problems; // with their touch-downs and lift-offs
   std::vector<std::vector<Vec3>> Paths;
-  std::vector<char> IsOld; // that an edit leaves as they were; empty: no edit
+  std::vector<PoseTrack> Poses; // that they fly in, with the slips that the Problems have; or empty
+  PreparedShapes Shapes;        // that turn; found once
+  std::vector<char> IsOld;      // that an edit leaves as they were; empty: no edit
 
   std::size_t Size() const { return this->Problems.size(); }
   bool IsKept(std::size_t o) const { return !this->IsOld.empty() && this->IsOld[o]; }

@@ -20,6 +20,7 @@ AssimilationState Kept(const AirContext& run, const AirState& state,
   kept.Forces = state.Scene.Forces;
   kept.Forces.Wind = FieldSeries();
   kept.Paths = state.Bodies.Paths;
+  kept.Poses = state.Bodies.Poses;
   for (const BodyProblem& body : state.Bodies.Problems)
   {
     kept.TouchDowns.emplace_back();
@@ -48,6 +49,12 @@ void TakePath(std::size_t o, const AssimilationState& kept, AirBodies& bodies)
 {
   BodyProblem& body = bodies.Problems[o];
   bodies.Paths[o] = kept.Paths[o];
+  if (!kept.Poses.empty())
+  {
+    bodies.Poses.resize(bodies.Size());
+    bodies.Poses[o] = kept.Poses[o];
+    body.SetSlips(kept.Poses[o].Slips);
+  }
   const std::vector<int>& down = kept.TouchDowns[o];
   const std::vector<int>& up = kept.LiftOffs[o];
   if (down.size() == body.NumberOfLandings() + 1 && down.back() >= 0 &&
@@ -68,7 +75,9 @@ bool HasPaths(const AssimilationState& kept, const AirContext& run)
   const std::size_t count = run.Input.Tracks.size();
   const std::size_t frames = run.Input.Tracks.front().Positions.size();
   return !kept.IsEmpty() && kept.Paths.size() == count && kept.TouchDowns.size() == count &&
-         kept.LiftOffs.size() == count && kept.Air->Velocity.Values.size() == frames &&
+         kept.LiftOffs.size() == count &&
+         kept.Poses.size() == (GlidesIn(run.Input, run.Options) ? count : 0) &&
+         kept.Air->Velocity.Values.size() == frames &&
          std::all_of(kept.Paths.begin(), kept.Paths.end(),
                      [frames](const std::vector<Vec3>& path) { return path.size() == frames; });
 }

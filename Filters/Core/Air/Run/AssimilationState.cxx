@@ -28,13 +28,20 @@ AssimilationKey KeyOf(const AssimilationInput& input, const AssimilationOptions&
 {
   AssimilationKey key;
   DigestStream around;
-  AssimilationInput scene; // without objects and rows
+  MotionProblem scene; // without objects and rows
   scene.Scene = input.Scene;
   scene.Scene.Seed = SeedOfAir(input, options);
   scene.Obstacles = input.Obstacles;
   scene.Vortices = input.Vortices;
   scene.Wind = input.Wind;
   around.Values(scene);
+  if (GlidesIn(input, options))
+  {
+    around.Values(input.Shapes);
+    RotationOptions turning = input.Turning;
+    turning.Seed = 0;
+    around.Values(turning);
+  }
   AssimilationOptions seedless = options; // whoever named the seed
   seedless.Seed = -1;
   AssimilationOptions::VisitAir(around, seedless);

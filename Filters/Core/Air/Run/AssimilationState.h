@@ -47,6 +47,7 @@ struct AssimilationState
   SmokeForces Forces; // but for the wind, which is the input's
   std::shared_ptr<const SampledAir> Air = std::make_shared<SampledAir>();
   std::vector<std::vector<Vec3>> Paths;
+  std::vector<PoseTrack> Poses;             // or empty
   std::vector<std::vector<int>> TouchDowns; // one a landing
   std::vector<std::vector<int>> LiftOffs;   // likewise
   std::vector<AssimilationRound> Table;
@@ -62,6 +63,7 @@ struct AssimilationState
     visit(of.Forces.Vortices...);
     visit(of.Forces.Winds...);
     visit(of.Paths...);
+    visit(of.Poses...);
     visit(of.TouchDowns...);
     visit(of.LiftOffs...);
     visit(of.Table...);
@@ -70,7 +72,7 @@ struct AssimilationState
   bool IsEmpty() const { return this->Air->Velocity.IsEmpty(); }
 };
 
-inline constexpr StateKind AssimilationKind = { "assimilation", 4 };
+inline constexpr StateKind AssimilationKind = { "assimilation", 5 };
 
 void WriteState(StateArchive& file, const AssimilationState& state, const ParallelFor& parallel);
 void ReadState(StateArchive& file, AssimilationState& state);

@@ -33,9 +33,34 @@ Vec3 GivenAir::Velocity(const Vec3& x, double frame) const
   return (this->FrameStep / this->Spacing) * u;
 }
 
+void GivenAir::SetSlips(const std::vector<std::vector<Vec3>>& slips)
+{
+  this->PoseSlips = slips;
+  for (std::vector<Vec3>& ofObject : this->PoseSlips)
+  {
+    for (Vec3& slip : ofObject)
+    {
+      slip *= -this->FrameStep / this->Spacing;
+    }
+  }
+}
+
+Vec3 GivenAir::SlipOf(std::size_t object, double frame) const
+{
+  if (this->PoseSlips.empty() || this->PoseSlips[object].empty())
+  {
+    return this->Laws[object].Slip;
+  }
+  const std::vector<Vec3>& slips = this->PoseSlips[object];
+  const double held = std::clamp(frame, 0.0, static_cast<double>(slips.size() - 1));
+  const auto before = static_cast<std::size_t>(held);
+  const std::size_t after = std::min(before + 1, slips.size() - 1);
+  return slips[before] + (held - static_cast<double>(before)) * (slips[after] - slips[before]);
+}
+
 Vec3 GivenAir::Slips(std::size_t object, const Vec3& x, double frame, Mat3* slopes) const
 {
-  const Vec3& slip = this->Laws[object].Slip;
+  const Vec3 slip = this->SlipOf(object, frame);
   Vec3 slope;
   const double factor = this->Ground[object].Factor(this->Origin + this->Spacing * x, frame,
                                                     slopes != nullptr ? &slope : nullptr);

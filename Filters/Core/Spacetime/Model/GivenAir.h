@@ -14,7 +14,7 @@ namespace waft
 {
 
 /// A velocity field of all frames in dx and frames. In it E is that of the deviations
-///   w = v - (U(x - s v / 2, t - s / 2) - f slip)
+///   w = v - (U(x - s v / 2, t - s / 2) - f slip(t - s / 2))
 /// of all bodies, where gas has no slip and f is the factor of the ground effect: a velocity v
 /// belongs to the middle of the step s that leads to its frame. What drifts costs nothing, and no
 /// viscosity damps what the air itself does.
@@ -26,6 +26,10 @@ public:
   /// laws: of the bodies behind the gas, in dx and frames; ground: of the same bodies.
   GivenAir(const FieldSeries& series, const Vec3& origin, double spacing, double frameStep,
            std::size_t numberOfGas, std::vector<BodyLaw> laws, std::vector<GroundEffect> ground);
+
+  /// By object and frame: the bodies' own velocities relative to the air [m/s], between frames
+  /// linear; an empty list leaves the law's.
+  void SetSlips(const std::vector<std::vector<Vec3>>& slips);
 
   bool IsEmpty() const { return this->Series == nullptr; }
   /// The same for the objects alone.
@@ -55,7 +59,9 @@ public:
 private:
   /// The velocity with which a body at x drifts at a frame.
   Vec3 Drift(std::size_t body, const Vec3& x, double frame) const;
-  /// The slip of an object at x, by the factor there [dx / frame]; slopes unless null: by x.
+  /// The slip of an object [dx / frame] as its law or its pose has it.
+  Vec3 SlipOf(std::size_t object, double frame) const;
+  /// That at x, by the factor there; slopes unless null: by x.
   Vec3 Slips(std::size_t object, const Vec3& x, double frame, Mat3* slopes = nullptr) const;
   /// What the series says of a frame between two of its own.
   struct Instant
@@ -83,7 +89,8 @@ private:
   Vec3 Origin = Vec3::Zero();
   double Spacing = 1.0, FrameStep = 1.0;
   std::size_t NumberOfGas = 0;
-  std::vector<BodyLaw> Laws; // by object, as Ground
+  std::vector<BodyLaw> Laws;                // by object, as Ground
+  std::vector<std::vector<Vec3>> PoseSlips; // by object and frame [dx / frame]
   std::vector<GroundEffect> Ground;
 };
 

@@ -41,7 +41,8 @@ std::uint64_t DigestOfVortices(const std::vector<Vortex>& vortices, const std::s
   return sum.Sum();
 }
 
-std::vector<std::uint64_t> DigestOfRequests(const SpacetimeSetup& setup)
+std::vector<std::uint64_t> DigestOfRequests(const SpacetimeInput& input,
+                                            const SpacetimeSetup& setup)
 {
   const SpacetimeModel& model = setup.Model;
   const std::size_t no = model.NumberOfObjects;
@@ -51,6 +52,11 @@ std::vector<std::uint64_t> DigestOfRequests(const SpacetimeSetup& setup)
     DigestStream& sum = sums[index];
     sum.Values(setup.Table.Planned[index], model.Flags[index], model.Reach[index],
                model.CoherenceFractions[index]);
+    const std::vector<Vec3>& slips = input.Tracks[index % no].Slips;
+    if (!slips.empty())
+    {
+      sum.Values(slips[index / no]);
+    }
     const auto marks = model.Kept.MarkFrames(static_cast<int>(index / no), index % no);
     sum.Values(marks[0], marks[1]);
     if (model.Flags[index] & FixedPosition)
@@ -90,7 +96,7 @@ std::uint64_t DigestOfRun(const SpacetimeInput& input, const SpacetimeOptions& o
   SpacetimeOptions::VisitSchedule(sum, options);
   for (const Track& track : input.Tracks)
   {
-    sum.Values(track.ObjectId, track.Positions, track.VortexIds);
+    sum.Values(track.ObjectId, track.Positions, track.VortexIds, track.Slips);
   }
   for (const MotionObject& object : input.Objects)
   {
@@ -130,7 +136,7 @@ ProblemDigest DigestOfProblem(const SpacetimeInput& input, const SpacetimeOption
   digest.Physics = physics.Sum();
   digest.Vortices = DigestOfVortices(input.Vortices, {});
   digest.SceneVortices = DigestOfVortices(input.Vortices, claimed);
-  digest.Requests = DigestOfRequests(setup);
+  digest.Requests = DigestOfRequests(input, setup);
   return digest;
 }
 

@@ -290,6 +290,10 @@ bool FieldExport::Write(SpacetimeObjective& objective,
   {
     output.Tracks[o].ObjectId = this->Setup.Objects[o].ObjectId;
     output.Tracks[o].Positions = positions[o];
+    const Track& given = this->Input.Tracks[o]; // it glides as it came
+    output.Tracks[o].Slips = given.Slips;
+    output.Tracks[o].Orientations = given.Orientations;
+    output.Tracks[o].AngularVelocities = given.AngularVelocities;
   }
   ParticleSeries& series = output.Particles;
   series = ParticleSeries();

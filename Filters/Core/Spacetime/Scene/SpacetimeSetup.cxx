@@ -277,6 +277,12 @@ void SetUpAir(const SpacetimeInput& input, const SpacetimeOptions& options, Spac
   }
   model.Air = GivenAir(input.Air, setup.Origin, setup.Spacing, setup.FrameStep, model.NumberOfGas,
                        std::move(laws), std::move(ground));
+  std::vector<std::vector<Vec3>> slips;
+  for (const Track& track : input.Tracks)
+  {
+    slips.push_back(track.Slips);
+  }
+  model.Air.SetSlips(slips);
   model.AirDrag = static_cast<float>(options.AirDrag * setup.FrameStep);
   // Half the second difference of a control that changes within this time costs as much as it.
   model.Weights.Control = 4.0 * std::pow(ControlTime / setup.FrameStep, 4);

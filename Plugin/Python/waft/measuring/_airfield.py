@@ -44,19 +44,20 @@ class AirField:
             total = total + weight[:, None] * field[k, j, i]
         return total
 
-    def drift(self, places, slip, first, frames, rate):
-        """Places [body, frame, 3] of bodies that are let go at the frame first and sink, by Runge-Kutta steps of fourth order."""
+    def drift(self, places, own, first, frames, rate):
+        """Places [body, frame, 3] of bodies that are let go at the frame first and go by their own velocity [body, frame, 3] relative
+        to the air, frames from there on, by Runge-Kutta steps of fourth order."""
         path = np.empty((len(places), frames, 3))
         path[:, 0] = places
-        fall = np.zeros((len(places), 3))
-        fall[:, 2] = slip
         dt = 1.0 / rate
         for frame in range(frames - 1):
             x, t = path[:, frame], (first + frame) * dt
-            k1 = self.at(x, t) - fall
-            k2 = self.at(x + 0.5 * dt * k1, t + 0.5 * dt) - fall
-            k3 = self.at(x + 0.5 * dt * k2, t + 0.5 * dt) - fall
-            k4 = self.at(x + dt * k3, t + dt) - fall
+            before, after = own[:, frame], own[:, frame + 1]
+            between = 0.5 * (before + after)
+            k1 = self.at(x, t) + before
+            k2 = self.at(x + 0.5 * dt * k1, t + 0.5 * dt) + between
+            k3 = self.at(x + 0.5 * dt * k2, t + 0.5 * dt) + between
+            k4 = self.at(x + dt * k3, t + dt) + after
             path[:, frame + 1] = x + dt / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
         return path
 
@@ -68,7 +69,10 @@ class AirField:
         apart = np.min(np.linalg.norm(tried[:, None] - flights.positions[None, :, 0], axis=2), axis=1)
         chosen = np.argsort(apart < AWAY, kind="stable")[:WITNESSES]
         slip = np.sort(flights.slip)[np.arange(len(chosen)) * len(flights.slip) // len(chosen)]
-        path = self.drift(tried[chosen], slip, 0, flights.positions.shape[1], flights.rate)
+        frames = flights.positions.shape[1]
+        sinking = np.zeros((len(chosen), frames, 3))
+        sinking[..., 2] = -slip[:, None]
+        path = self.drift(tried[chosen], sinking, 0, frames, flights.rate)
         out = np.cumsum(np.any((path < low) | (path > high), axis=2), axis=1) > 0
         free = ~out
         free[:, :int(np.ceil(START * flights.rate))] = False

@@ -16,6 +16,7 @@ from waft.reading import read_bytes
 QUANTUM = 2e-6  # places are whole numbers of this [m]
 START, END = 0.5, 0.8  # of a flight, not free: after the start and before the touch-down [s]
 SHORTEST = 2.0  # flights that are kept [s]
+JOIN = 3  # frames about the end of a glide that another follows
 NEAR_GROUND = 0.3  # a body that ends nearer to the floor has landed; others left the volume [m]
 _ARRAYS = ("Bounds", "FramesPerSecond", "NumberOfFrames", "Seeds", "SettlingSpeeds")
 _MOST_BYTES, _MOST_PLACES = 1 << 30, 20000000  # of a file, and of an air
@@ -104,6 +105,41 @@ class Drifters:
             words.append(f"another frame rate than {self.rate:g}")
         return [f"drifters: the scene has {' and '.join(words)}; `waft measure DIR --make-drifters FILE` makes a set for it, "
                 "--drifters FILE takes it"] if words else []
+
+
+def gliding(drifters, airs):
+    """The drifters turned as the bodies of these airs are: each goes the way besides that a body of nearly its settling speed glides,
+    frame by frame. The same where nothing glides."""
+    bodies = [(flights, body) for flights in airs if flights.glide is not None for body in range(len(flights)) if _flown(flights, body)]
+    if not bodies:
+        return drifters
+    speeds = np.array([flights.slip[body] for flights, body in bodies])
+    return [_glided(each, bodies, speeds, np.random.RandomState(number)) for number, each in enumerate(drifters)]
+
+
+def _flown(flights, body):
+    """Frames from the start on in which it flies."""
+    flying = flights.flying[body]
+    return int(np.argmin(flying)) if not flying.all() else len(flying)
+
+
+def _glided(drifters, bodies, speeds, random):
+    positions, free = drifters.positions.copy(), drifters.free.copy()
+    frames = positions.shape[1]
+    for drifter, speed in enumerate(drifters.slip):
+        near = np.flatnonzero(np.abs(speeds - speed) <= np.abs(speeds - speed).min() + 1e-9)
+        velocity = np.zeros((0, 3))
+        joins = []
+        while len(velocity) < frames:
+            flights, body = bodies[near[random.randint(len(near))]]
+            own = flights.glide[body, :_flown(flights, body)] + [0.0, 0.0, flights.slip[body]]
+            joins.append(len(velocity))
+            velocity = np.concatenate([velocity, own])
+        between = 0.5 * (velocity[1:frames] + velocity[:frames - 1]) / drifters.rate
+        positions[drifter, 1:] += np.cumsum(between, axis=0)
+        for join in joins[1:]:  # no way of flight
+            free[drifter, max(join - JOIN, 0):join + JOIN] = False
+    return Flights(positions, drifters.rate, drifters.flying, free, drifters.slip)
 
 
 def make_drifters(path, speeds, bounds=(-2.0, 2.0, -2.0, 2.0, 0.0, 4.0), rate=30.0, frames=300, airs=6, seed=20001, bodies=150,

@@ -5,6 +5,7 @@ All figures are of positions alone. A motion is a list of Flights, one for each 
 mean of the bodies of one air.
 """
 from dataclasses import dataclass
+from typing import Optional
 
 import numpy as np
 
@@ -17,13 +18,15 @@ LEAST_PAIRS = 50  # a bin with fewer says nothing
 @dataclass
 class Flights:
     """Bodies in one air: positions [body, frame, 3] in metres, NaN where a body is not; when each is in the air, and when it
-    flies freely [body, frame]; settling speeds [body] in m/s."""
+    flies freely [body, frame]; settling speeds [body] in m/s; where bodies glide their own velocity relative to the air [body, frame,
+    3] in m/s, in place of sinking at these."""
 
     positions: np.ndarray
     rate: float
     flying: np.ndarray
     free: np.ndarray
     slip: np.ndarray
+    glide: Optional[np.ndarray] = None
 
     def __post_init__(self):
         x, dt = self.positions, 1.0 / self.rate
@@ -31,6 +34,7 @@ class Flights:
         self.velocity[:, 1:-1] = (x[:, 2:] - x[:, :-2]) / (2.0 * dt)
         self.acceleration[:, 1:-1] = (x[:, 2:] - 2.0 * x[:, 1:-1] + x[:, :-2]) / dt**2
         self.jerk[:, 2:-2] = (x[:, 4:] - 2.0 * x[:, 3:-1] + 2.0 * x[:, 1:-3] - x[:, :-4]) / (2.0 * dt**3)
+        self.carried = self.velocity if self.glide is None else self.velocity - self.glide  # what the air gives
         self.free = self.free & np.isfinite(self.jerk[..., 0])
         # A central difference across a lift-off or touch-down is no velocity of flight.
         inside = self.flying.copy()
@@ -40,6 +44,14 @@ class Flights:
 
     def __len__(self):
         return len(self.positions)
+
+    def own(self):
+        """The velocity [body, frame, 3] that bodies have relative to the air."""
+        if self.glide is not None:
+            return self.glide
+        sinking = np.zeros_like(self.positions)
+        sinking[..., 2] = -self.slip[:, None]
+        return sinking
 
 
 def stretches(mask):
@@ -145,7 +157,7 @@ def _pairs(air, every):
         if len(here) < 2:
             continue
         i, j = np.triu_indices(len(here), 1)
-        x, v = air.positions[here, frame], air.velocity[here, frame]
+        x, v = air.positions[here, frame], air.carried[here, frame]
         apart, differing = x[i] - x[j], v[i] - v[j]
         distance = np.linalg.norm(apart, axis=1)
         near = (distance < DISTANCES[-1]) & (distance > 1e-6)
@@ -158,7 +170,8 @@ def structure(airs, every=5):
     """S2(r) = <|dv|^2> / (2 var v) in the bins between DISTANCES (NaN where pairs are few), and 3 S_L / S of the pairs nearer than
     NEAR."""
     pairs = np.concatenate([np.zeros((3, 0))] + [_pairs(air, every) for air in airs], axis=1)
-    variance = variances(airs)[0]
+    squares = np.concatenate([np.zeros(0)] + [about_frames(air.carried, air.free) for air in airs])
+    variance = float(squares.mean()) if len(squares) else float("nan")
     bin_of = np.searchsorted(DISTANCES, pairs[0]) - 1
     values = np.full(len(DISTANCES) - 1, np.nan)
     for bin_ in range(len(values)):

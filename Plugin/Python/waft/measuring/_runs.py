@@ -56,7 +56,7 @@ def read_run(folder, tracks="optimized"):
     flying, free, touches = flight(rows, ids, positions.shape[1], rate)
     report = record_of(below, "report.json", REPORT) or {}
     inertia = report.get("inertia", False)
-    return Run(str(folder), Flights(positions, rate, flying, free, slip), bounds, arrays, rows, ids, touches,
+    return Run(str(folder), Flights(positions, rate, flying, free, slip, arrays.get("Slip")), bounds, arrays, rows, ids, touches,
                held(rows, ids, positions.shape[1]), _turns(below, ids, positions.shape[1]), inertia, dynamics(data))
 
 
@@ -64,7 +64,7 @@ def _tracks(path, data):
     """Ids, positions, and of the arrays that are measured those that are there [object, frame, 3]."""
     ids, order = polylines(data, path, LEAST_FRAMES)
     columns = data.GetPointData()
-    arrays = {name: array_of(columns, name, path, 3, high=np.inf, low=-np.inf)[order] for name in ("AirVelocity", "Control", "Residual")
+    arrays = {name: array_of(columns, name, path, 3, high=np.inf, low=-np.inf)[order] for name in ("AirVelocity", "Control", "Residual", "Slip")
               if columns.HasArray(name)}
     return ids, points_of(data, path)[order], arrays
 

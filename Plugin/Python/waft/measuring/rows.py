@@ -12,7 +12,7 @@ from waft.files import check_target
 from waft.marks import is_marked_zip
 from waft.measuring import _flights, _two_sample
 from waft.measuring._airfield import read_air
-from waft.measuring._drifters import Drifters, make_drifters
+from waft.measuring._drifters import Drifters, gliding, make_drifters
 from waft.measuring._flights import rms
 from waft.measuring._runs import TRACKS, largest_residual, read_run
 
@@ -147,9 +147,10 @@ def _measured(runs, given, tracks, air):
     fewest = min(len(flights) for flights in airs)
     name = runs[0].folder if len(runs) == 1 else "pooled"
     notes = reference.lacks(slips, runs[0].bounds, runs[0].flights.rate)
-    style = _Style(airs, others, fewest)
+    plain, others = others, gliding(others, airs)
+    style = _Style(airs, others, fewest, plain)
     rows = [*_residuals(runs, air), _replay(runs, air), *style.rows(""), *_start(airs, others)]
-    rows += _marks(runs) + _witnesses(runs, air, others) + _landing(runs, fewest) + _turning(runs)
+    rows += _marks(runs) + _witnesses(runs, air, plain) + _landing(runs, fewest) + _turning(runs)
     residuals = [largest_residual(run) for run in runs]
     rows.append(Row("exact", "exact constraints: largest residual", _largest(residuals), (0.0, 1e-9)))
     return Measured(name, tracks, sum(len(flights) for flights in airs), rows, notes, airs, others)
@@ -161,10 +162,11 @@ def _largest(values):
 
 
 class _Style:
-    """Life, bands, one air and two-sample AUC of a motion beside its drifters."""
+    """Life, bands, one air and two-sample AUC of a motion beside its drifters; one air by what the air gives bodies, beside drifters
+    that sink straight down."""
 
-    def __init__(self, airs, others, fewest):
-        self._airs, self._others, self._many = airs, others, fewest >= MANY
+    def __init__(self, airs, others, fewest, plain=None):
+        self._airs, self._others, self._many, self._plain = airs, others, fewest >= MANY, others if plain is None else plain
 
     def rows(self, of):
         key, text = (f"{of}_", f"{of}: ") if of else ("", "")
@@ -200,9 +202,9 @@ class _Style:
             for row in rows:
                 row.why = f"fewer than {MANY} objects"
             return rows
-        (own, rows[1].value), (theirs, rows[1].drifters) = (_flights.structure(airs) for airs in (self._airs, self._others))
+        (own, rows[1].value), (theirs, rows[1].drifters) = (_flights.structure(airs) for airs in (self._airs, self._plain))
         rows[0].value = _flights.distance_of(own, theirs)
-        rows[0].drifters = _flights.distance_of(*(_flights.structure(self._others[half::2])[0] for half in (0, 1)))
+        rows[0].drifters = _flights.distance_of(*(_flights.structure(self._plain[half::2])[0] for half in (0, 1)))
         for row in rows:
             row.why = "too few pairs"
         return rows
@@ -269,16 +271,15 @@ def _lacking(run):
         given = rate[:, None, None] * (air - flights.velocity)
         given[..., 2] -= GRAVITY
     else:
-        given = np.gradient(air, 1.0 / flights.rate, axis=1)
+        given = np.gradient(air + flights.own(), 1.0 / flights.rate, axis=1)
     return flights.acceleration - given
 
 
 def _control(flights, air):
-    """c = x' - (U(x, t) - slip e_z) of all objects at all frames."""
+    """c = x' - (U(x, t) + slip) of all objects at all frames, with their own slip where they glide, else straight down."""
     given = np.stack([air.at(flights.positions[:, frame], frame / flights.rate) for frame in range(flights.positions.shape[1])],
                      axis=1)
-    given[..., 2] -= flights.slip[:, None]
-    return flights.velocity - given
+    return flights.velocity - given - flights.own()
 
 
 def _replay(runs, air):
@@ -297,9 +298,9 @@ def _replay(runs, air):
         if first + later + 1 >= flights.positions.shape[1]:
             continue
         flown = np.flatnonzero(flights.inside[:, first:first + later + 1].all(axis=1))
-        path = air.drift(flights.positions[flown, first], flights.slip[flown], first, later + 1, flights.rate)
-        drifting = air.at(path[:, -1], (first + later) / flights.rate)
-        drifting[:, 2] -= flights.slip[flown]
+        slips = flights.own()[flown, first:first + later + 1]
+        path = air.drift(flights.positions[flown, first], slips, first, later + 1, flights.rate)
+        drifting = air.at(path[:, -1], (first + later) / flights.rate) + slips[:, -1]
         own = flights.velocity[flown, first + later]
         wrong.append(drifting - own)
         all_.append(own)

@@ -24,6 +24,7 @@ POSES = "poses.csv"
 SERIES = {"meshes": ("rotation", 0), "particles": ("spacetime", 1)}
 
 # Of the air's images: between two of them it is as good as straight (1 % off), at any frame rate [s].
+AGREEING = (15.0, 45.0)  # degrees: median and 90th percentile of half a second of turning in the air
 AIR_INTERVAL = 0.1
 # Binary digits below the typical value that replay can tell from more: figures of `waft measure` change by some per cent.
 AIR_DIGITS = 4
@@ -292,6 +293,19 @@ def _settled(pipeline):
     return {"objects": sum(shift > 0.0 for shift in shifts), "largestShift": max(shifts, default=0.0)}
 
 
+def _agreement(pipeline):
+    """How far half a second of turning in the air leads away from the poses [degrees]: of all bodies, and of whom by more than is
+    wanted."""
+    poses = pipeline.output("rotation", 1)
+    lines, together = (data.GetArray("Agreement") for data in (poses.GetCellData(), poses.GetFieldData()))
+    if lines is None:
+        return {}
+    objects, (middle, high) = poses.GetCellData().GetArray("ObjectId"), AGREEING
+    beyond = [objects.GetValue(i) for i in range(lines.GetNumberOfTuples()) if lines.GetComponent(i, 0) > middle
+              or lines.GetComponent(i, 1) > high]
+    return {"median": together.GetComponent(0, 0), "ninetieth": together.GetComponent(0, 1), "beyond": beyond}
+
+
 def _free(pipeline):
     """Bodies that came down and lie though no row asks for it: rests of no row."""
     if pipeline.assimilation is None:
@@ -362,6 +376,7 @@ def _summary(run, progress):
         "constraints": {**counts, "unmet": [row for row in run.report if row["Status"] != "met"]},
         "objects": run.plan_objects,
         "settled": _settled(run),
+        "agreement": _agreement(run),
         "free": _free(run),
         "without": [] if run.request.csv else [POSES],
         "stoppedEarly": run.stopped,

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Air/Run/BodyTurning.h"
+
+#include "Air/Run/BodyDrift.h"
+
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace waft
+{
+namespace
+{
+
+constexpr double Beyond = 60.0; // degrees, of a body's mean
+constexpr const char* TurningText = "Turning the objects in the air";
+
+struct Turning
+{
+  RotationInput Input;
+  std::vector<std::size_t> Which; // bodies, by track
+  AirOnTracks Air;
+};
+
+/// Bodies that may turn anew, with their touch-downs as they are, in the air about their paths.
+/// flown: with the poses that they have.
+Result SetUp(const AirContext& run, const HalfSeries& series, const std::vector<char>& which,
+             bool flown, AirBodies& bodies, Turning& turning)
+{
+  RotationInput& input = turning.Input;
+  input.Scene = run.Input.Scene;
+  input.Shapes = run.Input.Shapes;
+  input.Obstacles = &run.Obstacles;
+  input.Glides = !flown;
+  input.Prepared = &bodies.Shapes;
+  for (std::size_t o = 0; o < bodies.Size(); ++o)
+  {
+    if (!which[o] || bodies.IsKept(o))
+    {
+      continue;
+    }
+    turning.Which.push_back(o);
+    const BodyProblem& body = bodies.Problems[o];
+    input.Objects.push_back(body.Object());
+    input.Tracks.push_back(flown ? FlownTrack(bodies, o) : Track());
+    input.Tracks.back().ObjectId = body.Object().ObjectId;
+    input.Tracks.back().Positions = bodies.Paths[o];
+    input.Constraints.insert(input.Constraints.end(), body.Rows().begin(), body.Rows().end());
+  }
+  const Timeline& line = run.Input.Scene.Time;
+  turning.Air = AirOnTracks(input.Tracks, line);
+  for (int frame = 0; !input.Tracks.empty() && frame < line.NumberOfFrames; ++frame)
+  {
+    FieldSeries now{ static_cast<const SeriesLattice&>(series) };
+    now.Times = { line.Time(frame) };
+    now.Values = { series.Around(now.Times.front()).At(now.Times.front()) };
+    WAFT_RETURN_IF_FAILED(turning.Air.Add(std::move(now)));
+  }
+  turning.Air.Finish();
+  input.Air = &turning.Air;
+  return Result::Ok();
+}
+
+RotationOptions OptionsOf(const AirContext& run)
+{
+  RotationOptions options = run.Input.Turning;
+  options.Seed = SeedOfAir(run.Input, run.Options);
+  return options;
+}
+
+} // namespace
+
+Track FlownTrack(const AirBodies& bodies, std::size_t o)
+{
+  Track track;
+  track.ObjectId = bodies.Problems[o].Object().ObjectId;
+  track.Positions = bodies.Paths[o];
+  if (!bodies.Poses.empty())
+  {
+    track.Slips = bodies.Poses[o].Slips;
+    track.Orientations = bodies.Poses[o].Orientations;
+    track.AngularVelocities = bodies.Poses[o].AngularVelocities;
+  }
+  return track;
+}
+
+Result TurnAndDrift(const AirContext& run, const HalfSeries& air, int iterations,
+                    const std::vector<char>& which, AirBodies& bodies)
+{
+  if (!GlidesIn(run.Input, run.Options))
+  {
+    return Result::Ok();
+  }
+  Turning turning;
+  WAFT_RETURN_IF_FAILED(SetUp(run, air, which, false, bodies, turning));
+  RotationOutput turned;
+  PartMonitor monitor(run.Caller, -1.0, -1.0, TurningText);
+  const Result result = turning.Which.empty() ? Result::Ok()
+                                              : RunRotationRefine(turning.Input, OptionsOf(run),
+                                                                  run.Parallel, monitor, turned);
+  if (!result || result.IsStopped())
+  {
+    return result;
+  }
+  bodies.Poses.resize(bodies.Size());
+  const double glide = run.Options.Glide;
+  for (std::size_t i = 0; i < turning.Which.size(); ++i)
+  {
+    const std::size_t o = turning.Which[i];
+    PoseTrack& poses = bodies.Poses[o];
+    poses = std::move(turned.Poses[i]);
+    const Vec3 sinking = LawOf(turning.Input.Objects[i]).Velocity(Vec3::Zero());
+    for (Vec3& slip : poses.Slips)
+    {
+      slip = glide * slip + (1.0 - glide) * sinking;
+    }
+    bodies.Problems[o].SetSlips(poses.Slips);
+  }
+  PartMonitor drifting(run.Caller, -1.0, -1.0, "Letting the objects drift to their marks");
+  return DriftOn(run, air, iterations, bodies, drifting) ? Result::Ok() : Result::Stopped();
+}
+
+Result FindDisagreeing(const AirContext& run, const HalfSeries& air, AirBodies& bodies,
+                       std::vector<char>& which)
+{
+  const std::vector<char> all(bodies.Size(), 1);
+  which.assign(bodies.Size(), 0);
+  if (bodies.Poses.empty())
+  {
+    return Result::Ok();
+  }
+  Turning turning;
+  WAFT_RETURN_IF_FAILED(SetUp(run, air, all, true, bodies, turning));
+  PartMonitor monitor(run.Caller, -1.0, -1.0, TurningText);
+  RotationOutput turned;
+  const Result result = turning.Which.empty() ? Result::Ok()
+                                              : RunRotationRefine(turning.Input, OptionsOf(run),
+                                                                  run.Parallel, monitor, turned);
+  if (!result || result.IsStopped())
+  {
+    return result;
+  }
+  const double most = Beyond * std::acos(-1.0) / 180.0;
+  for (std::size_t i = 0; i < turning.Which.size(); ++i)
+  {
+    const std::vector<double>& away = turned.Away[i];
+    const double sum = std::accumulate(away.begin(), away.end(), 0.0);
+    which[turning.Which[i]] = sum > most * static_cast<double>(away.size()) ? 1 : 0;
+  }
+  return Result::Ok();
+}
+
+} // namespace waft

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How the bodies turn in the air along their paths, and where that takes them.
+#pragma once
+
+#include "Air/Run/AirState.h"
+
+namespace waft
+{
+
+/// A body's path, with the poses that it flies in where it glides.
+Track FlownTrack(const AirBodies& bodies, std::size_t o);
+
+inline std::vector<char> Everybody(const AirBodies& bodies)
+{
+  return std::vector<char>(bodies.Size(), 1);
+}
+
+/// Turns bodies by the air as it is, along their paths, and lets them drift on from there by the
+/// slips of those poses, which stay theirs. What an edit leaves as it was keeps its own. Nothing
+/// where nothing glides.
+Result TurnAndDrift(const AirContext& run, const HalfSeries& air, int iterations,
+                    const std::vector<char>& which, AirBodies& bodies);
+
+/// Those whose poses are not what the air as it has become makes of them (Rotation/Agreement.h). An
+/// edit asks no body that it leaves as it was.
+Result FindDisagreeing(const AirContext& run, const HalfSeries& air, AirBodies& bodies,
+                       std::vector<char>& which);
+
+} // namespace waft

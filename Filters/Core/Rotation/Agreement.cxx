@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rotation/Agreement.h"
+
+#include "Rotation/RigidBody.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waft
+{
+namespace
+{
+
+constexpr int AgreementStride = 10;      // frames
+constexpr double AgreementTime = 0.5;    // s
+constexpr double AgreementLanding = 2.0; // landing times before a rest, in which it settles
+
+/// Whether nothing but the air turns it from a frame to another.
+bool FliesFreely(const AttitudePlan& plan, int from, int to)
+{
+  const double rate = plan.Time.FramesPerSecond;
+  const double landing = AgreementLanding * plan.LandingTime * rate;
+  const double turning = plan.TurningTime * rate;
+  return std::none_of(plan.Rests.begin(), plan.Rests.end(),
+                      [&](const LandingWindow& rest)
+                      { return to > rest.Frame - landing && from < rest.Until; }) &&
+         std::none_of(plan.Keys.begin(), plan.Keys.end(),
+                      [&](const Constraint& key)
+                      { return to > key.Frame - turning && from <= key.Frame; });
+}
+
+} // namespace
+
+std::vector<double> TurnedAway(const AttitudePlan& plan, const FlightBody& body,
+                               const FlightPath& path)
+{
+  std::vector<double> away;
+  const Track& track = *plan.Path;
+  const int span = std::max(1, static_cast<int>(std::lround(AgreementTime / path.Step)));
+  const int last = static_cast<int>(track.Slips.size()) - 1;
+  for (int first = 0; first + span <= last; first += AgreementStride)
+  {
+    if (!FliesFreely(plan, first, first + span))
+    {
+      continue;
+    }
+    const auto from = static_cast<std::size_t>(first);
+    const auto to = static_cast<std::size_t>(first + span);
+    FlightState state;
+    state.Orientation = track.Orientations[from].normalized();
+    state.SetAngularVelocity(body, track.AngularVelocities[from]);
+    state.SetVelocity(body, track.Slips[from]);
+    for (int k = first; k < first + span; ++k)
+    {
+      AdvanceFrame(body, path, k, Settling(), nullptr, state);
+    }
+    away.push_back(LogMap(state.Orientation * track.Orientations[to].conjugate()).norm());
+  }
+  return away;
+}
+
+} // namespace waft

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether poses that were found with a path are those of the air that the body ends up in.
+#pragma once
+
+#include "Rotation/Attitude.h"
+
+#include <vector>
+
+namespace waft
+{
+
+/// From every tenth pose of a body's flight on it is turned again for half a second in the air
+/// along its path, from its own turning and slip: how far that leads away from its poses [rad]. In
+/// the order of frames; without those where rests or orientation rows turn it. Tumbling is chaotic:
+/// over longer times no two flights agree.
+std::vector<double> TurnedAway(const AttitudePlan& plan, const FlightBody& body,
+                               const FlightPath& path);
+
+} // namespace waft

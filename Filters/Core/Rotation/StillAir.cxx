@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rotation/StillAir.h"
+
+#include "Rotation/FlightStart.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace waft
+{
+namespace
+{
+
+constexpr std::size_t StillFalls = 12;
+constexpr int FallFrames = 240;         // of a fall
+constexpr double FallStep = 1.0 / 30.0; // s
+constexpr int DrawTries = 5;
+constexpr double DrawTolerance = 0.015;
+constexpr double DrawChange = 1.4; // of the speed, from a try to the next
+
+/// m/s
+double MeanFall(const std::function<Glider(std::size_t)>& glider, double speed,
+                const ParallelFor& parallel)
+{
+  FlightPath path;
+  path.Step = FallStep;
+  path.RelativeVelocities.assign(FallFrames + 1, Vec3(0.0, 0.0, -speed));
+  std::array<double, StillFalls> falls{};
+  parallel(StillFalls,
+           [&](std::size_t begin, std::size_t end)
+           {
+             for (std::size_t i = begin; i < end; ++i)
+             {
+               const FlightBody body = glider(i).DrawnAt(speed);
+               FlightState state = StateInFlight(body, path, Random(1, i));
+               for (int k = 0; k < FallFrames; ++k)
+               {
+                 AdvanceFrame(body, path, k, Settling(), nullptr, state);
+                 falls[i] -= state.Velocity(body).z() / FallFrames;
+               }
+             }
+           });
+  return std::accumulate(falls.begin(), falls.end(), 0.0) / StillFalls;
+}
+
+} // namespace
+
+FlightBody Glider::DrawnAt(double speed) const
+{
+  const double weight =
+    0.5 * this->AirDensity * this->Coefficients.Drag * this->Panels.Area() * speed * speed;
+  const double moved = weight > 0.0 ? weight / StandardGravity : this->Mass;
+  return { this->Panels,     this->Properties,   this->Mass,    moved,
+           this->AirDensity, this->Coefficients, this->Damping, this->Follow };
+}
+
+double DrawOverFall(const std::function<Glider(std::size_t)>& glider, double settlingSpeed,
+                    const ParallelFor& parallel)
+{
+  const Glider first = glider(0);
+  if (!(settlingSpeed > 0.0) || !(first.AirDensity > 0.0) || !first.DrawnAt(settlingSpeed).Slips)
+  {
+    return 1.0;
+  }
+  double factor = 1.0, best = 1.0;
+  double least = 1e300; // deviation
+  for (int k = 0; k < DrawTries && least > DrawTolerance; ++k)
+  {
+    const double speed = factor * settlingSpeed;
+    const double fall = MeanFall(glider, speed, parallel) / settlingSpeed;
+    if (std::abs(fall - 1.0) < least)
+    {
+      least = std::abs(fall - 1.0);
+      best = factor;
+    }
+    factor *= std::clamp(1.0 / std::max(fall, 0.1), 1.0 / DrawChange, DrawChange);
+  }
+  return best;
+}
+
+} // namespace waft
