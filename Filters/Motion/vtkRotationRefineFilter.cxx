@@ -167,7 +167,7 @@ waft::Result vtkRotationRefineFilter::Internals::Run(vtkInformationVector** inpu
     waft::AddDoubles(this->Kept<vtkPolyData>(PosesPort)->GetCellData(), waft::names::Shift,
                      farthest);
     waft::AddAgreement(this->Rotation.Away, this->Kept<vtkPolyData>(PosesPort));
-    waft::AddTouchDowns(this->Input.Constraints, this->Kept<vtkPolyData>(PosesPort));
+    waft::AddTouchDowns(this->Rotation.Constraints, this->Kept<vtkPolyData>(PosesPort));
     waft::ReportToTable(this->Rotation.Report, this->Scene, this->Kept<vtkTable>(ReportPort));
   }
   input = waft::RotationInput(); // it points to what ends here

@@ -49,11 +49,16 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
   AddColumn(arrays, names::Radius, constraints, &Constraint::Radius);
   AddColumn(arrays, names::Until, constraints, &Constraint::Until);
   AddColumn(arrays, names::TouchDown, constraints, &Constraint::TouchDown);
+  AddColumn(arrays, names::Settled, constraints, &Constraint::Settled);
   AddColumn(arrays, names::LiftOff, constraints, &Constraint::LiftOff);
   AddColumn(arrays, names::Row, constraints, &Constraint::Row);
   AddColumn(arrays, names::Target, constraints, &Constraint::Target);
   AddColumn(arrays, names::Group, constraints, &Constraint::Group);
   AddColumn(arrays, names::ClassId, constraints, &Constraint::ClassId);
+  AddColumn(arrays, names::FaceUp, constraints,
+            [](const Constraint& row) { return static_cast<unsigned char>(row.Side); });
+  AddColumn(arrays, names::Facing, constraints, &Constraint::Facing);
+  AddColumn(arrays, names::FacingTolerance, constraints, &Constraint::FacingTolerance);
   AddColumn(arrays, names::Status, constraints,
             [](const Constraint& row) { return static_cast<int>(row.Status); });
   SceneInfoToFieldData(info, data);
@@ -69,7 +74,8 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   fallback.Until = last;
   fallback.Row = -1;
   std::vector<Constraint> read(static_cast<std::size_t>(source.Tuples), fallback);
-  std::vector<int> kinds, statuses;
+  std::vector<int> kinds, statuses, sides;
+  const int any = static_cast<int>(FaceUp::Any);
   std::vector<Quat> values;
   std::vector<Vec3> positions; // shown alone: `Value` is what counts
   WAFT_RETURN_IF_FAILED(ReadPoints(data->GetPoints(), "Constraints", positions));
@@ -82,11 +88,15 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
   WAFT_RETURN_IF_FAILED(readOptional(names::Radius, &Constraint::Radius));
   WAFT_RETURN_IF_FAILED(readOptional(names::Until, &Constraint::Until));
   WAFT_RETURN_IF_FAILED(readOptional(names::TouchDown, &Constraint::TouchDown));
+  WAFT_RETURN_IF_FAILED(readOptional(names::Settled, &Constraint::Settled));
   WAFT_RETURN_IF_FAILED(readOptional(names::LiftOff, &Constraint::LiftOff));
   WAFT_RETURN_IF_FAILED(readOptional(names::Row, &Constraint::Row));
   WAFT_RETURN_IF_FAILED(readOptional(names::Target, &Constraint::Target));
   WAFT_RETURN_IF_FAILED(readOptional(names::Group, &Constraint::Group));
   WAFT_RETURN_IF_FAILED(readOptional(names::ClassId, &Constraint::ClassId));
+  WAFT_RETURN_IF_FAILED(ReadInts(source, names::FaceUp, sides, &any));
+  WAFT_RETURN_IF_FAILED(readOptional(names::Facing, &Constraint::Facing));
+  WAFT_RETURN_IF_FAILED(readOptional(names::FacingTolerance, &Constraint::FacingTolerance));
   WAFT_RETURN_IF_FAILED(ReadInts(source, names::Status, statuses, &met));
   for (std::size_t i = 0; i < read.size(); ++i)
   {
@@ -108,7 +118,17 @@ Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
       return Result::Error(vertex + ": array `Radius`: expected 0 or more, found " +
                            std::to_string(row.Radius));
     }
+    if (sides[i] < 0 || sides[i] > static_cast<int>(FaceUp::Down))
+    {
+      return Result::Error(vertex + ": array `FaceUp`: expected 0 to 2, found " +
+                           std::to_string(sides[i]));
+    }
     row.Kind = static_cast<ConstraintKind>(kinds[i]);
+    row.Side = static_cast<FaceUp>(sides[i]);
+    if (!row.Facing.isZero())
+    {
+      row.Facing.normalize();
+    }
     // Value has four components; a quaternion is read as (w, x, y, z).
     const Quat& v = values[i];
     if (IsAttitude(row.Kind))
@@ -143,21 +163,26 @@ void AddTouchDowns(const std::vector<Constraint>& constraints, vtkPolyData* trac
     return;
   }
   const int last = static_cast<int>(tracks->GetNumberOfPoints() / count) - 1;
-  std::map<int, int> touchDowns; // by ObjectId
+  std::map<int, const Constraint*> rests; // by ObjectId
   for (const Constraint& row : constraints)
   {
     if (IsRest(row.Kind) && row.Status == ConstraintStatus::Met && LastFrame(row) >= last)
     {
-      touchDowns[row.ObjectId] = FirstFrame(row);
+      rests[row.ObjectId] = &row;
     }
   }
-  std::vector<int> frames;
+  std::vector<int> touchDowns, settled;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const auto found = touchDowns.find(static_cast<int>(ids->GetTuple1(i)));
-    frames.push_back(found != touchDowns.end() ? found->second : -1);
+    const auto found = rests.find(static_cast<int>(ids->GetTuple1(i)));
+    const Constraint* rest = found != rests.end() ? found->second : nullptr;
+    settled.push_back(rest != nullptr ? FirstFrame(*rest) : -1);
+    touchDowns.push_back(rest != nullptr && rest->TouchDown >= 0
+                           ? std::min(rest->TouchDown, settled.back())
+                           : settled.back());
   }
-  AddInts(tracks->GetCellData(), names::TouchDown, frames);
+  AddInts(tracks->GetCellData(), names::TouchDown, touchDowns);
+  AddInts(tracks->GetCellData(), names::Settled, settled);
 }
 
 void ReportToTable(const std::vector<ReportRow>& lines, const SceneInfo& info, vtkTable* table)
@@ -177,6 +202,8 @@ void ReportToTable(const std::vector<ReportRow>& lines, const SceneInfo& info, v
   AddColumn(columns, names::Status, report,
             [](const ReportRow& line) { return std::string(ToString(line.Status)); });
   AddColumn(columns, names::Message, report, &ReportRow::Message);
+  AddColumn(columns, names::TouchDown, report, &ReportRow::TouchDown);
+  AddColumn(columns, names::Settled, report, &ReportRow::Settled);
   SceneInfoToFieldData(info, table);
 }
 

@@ -24,24 +24,36 @@ void ConstraintsToPolyData(const std::vector<Constraint>& constraints, const Sce
 Result ConstraintsFromPolyData(vtkPolyData* data, const Timeline& time,
                                std::vector<Constraint>& constraints);
 
-/// What a report says of rows becomes their Status, which was the planner's.
+/// What a report says of rows becomes their Status, which was the planner's, and says when rests
+/// began, where that is known.
 template <class Line>
 void TakeStatuses(const std::vector<Line>& report, std::vector<Constraint>& constraints)
 {
-  std::map<std::pair<int, int>, ConstraintStatus> statuses;
+  std::map<std::pair<int, int>, const ReportRow*> lines;
   for (const ReportRow& line : report)
   {
-    statuses[{ line.Row, line.Target }] = line.Status;
+    lines[{ line.Row, line.Target }] = &line;
   }
   for (Constraint& row : constraints)
   {
-    const auto found = statuses.find({ row.Row, row.Target });
-    row.Status = found != statuses.end() ? found->second : row.Status;
+    const auto found = lines.find({ row.Row, row.Target });
+    if (found == lines.end())
+    {
+      continue;
+    }
+    const ReportRow& line = *found->second;
+    row.Status = line.Status;
+    if (IsRest(row.Kind) && line.Settled >= 0)
+    {
+      row.TouchDown = line.TouchDown;
+      row.Settled = line.Settled;
+    }
   }
 }
 
-/// Cell data `TouchDown` of tracks or poses: the frame from which a body lies to the end, asked for
-/// or not; -1: it does not.
+/// Cell data `TouchDown` and `Settled` of tracks or poses: the frame at which a body that lies to
+/// the end, asked for or not, comes to its surface, and from which it is still; -1: it does not
+/// lie.
 void AddTouchDowns(const std::vector<Constraint>& constraints, vtkPolyData* tracks);
 
 /// One line per row of the report but for those of no row; Kind and Status as text.

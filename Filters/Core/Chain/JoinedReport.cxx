@@ -84,6 +84,7 @@ std::vector<JoinedRow> JoinReports(const std::vector<ReportRow>& moved,
     if (const auto rest = kept.find(KeyOf(row)); rest != kept.end())
     {
       line.TouchDown = rest->second->TouchDown;
+      line.Settled = rest->second->Settled;
       line.LiftOff = rest->second->LiftOff;
     }
     joined.push_back(std::move(line));

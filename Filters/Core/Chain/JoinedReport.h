@@ -9,11 +9,10 @@
 namespace waft
 {
 
-/// A line, and of a rest the frames from which and until which it is kept (-1: of other rows, and
-/// where no stage says).
+/// A line, of a rest with the frame of its TouchDown, from which it is Settled, and until which it
+/// is kept (-1: of other rows, and where no stage says).
 struct JoinedRow : ReportRow
 {
-  int TouchDown = -1;
   int LiftOff = -1;
 };
 

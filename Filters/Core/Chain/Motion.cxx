@@ -34,6 +34,11 @@ const std::vector<Constraint>& Motion::Rows() const
   return this->RowsBefore(ChainStage::Rotation);
 }
 
+const std::vector<Constraint>& Motion::RowsAtLast() const
+{
+  return !this->Turned.Constraints.empty() ? this->Turned.Constraints : this->Air.Constraints;
+}
+
 const std::vector<ReportRow>& Motion::ReportOf(ChainStage stage) const
 {
   return stage == ChainStage::Spacetime      ? this->Optimised.Report

@@ -45,6 +45,8 @@ struct Motion
   /// With their touch-downs where there was an air; the planner's else.
   const std::vector<Constraint>& RowsBefore(ChainStage stage) const;
   const std::vector<Constraint>& Rows() const;
+  /// With the touch-downs of poses where they are turned.
+  const std::vector<Constraint>& RowsAtLast() const;
 };
 
 } // namespace waft

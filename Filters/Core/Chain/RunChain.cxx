@@ -374,7 +374,7 @@ Result Chain::Run()
   WAFT_RETURN_IF_FAILED(this->Do(ChainStage::Rotation, &Chain::Turn));
   WAFT_RETURN_IF_FAILED(this->Do(ChainStage::VortexFit, &Chain::Fit));
   this->Made.Report = JoinReports(this->Made.ReportOf(this->Made.MovedBy()), this->Made.Plan.Report,
-                                  this->Made.Turned.Report, this->Made.Air.Constraints);
+                                  this->Made.Turned.Report, this->Made.RowsAtLast());
   return this->Made.IsStopped ? Result::Stopped() : Result::Ok();
 }
 

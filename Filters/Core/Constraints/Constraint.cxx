@@ -122,4 +122,26 @@ const char* ToString(ConstraintStatus status)
   return "unknown";
 }
 
+const char* ToString(FaceUp side)
+{
+  switch (side)
+  {
+    case FaceUp::Any:
+      return "any";
+    case FaceUp::Up:
+      return "up";
+    case FaceUp::Down:
+      return "down";
+  }
+  return "unknown";
+}
+
+const FaceUp* FindFaceUp(const std::string& name)
+{
+  static constexpr FaceUp Sides[] = { FaceUp::Any, FaceUp::Up, FaceUp::Down };
+  const auto* found = std::find_if(std::begin(Sides), std::end(Sides),
+                                   [&](FaceUp side) { return name == ToString(side); });
+  return found == std::end(Sides) ? nullptr : found;
+}
+
 } // namespace waft

@@ -101,6 +101,19 @@ const char* ToString(ConstraintStatus status);
 /// line of it.
 inline constexpr int OfNoRow = -1;
 
+/// Which side of a body that lies still looks up: that of its z axis, or the other.
+enum class FaceUp : unsigned char
+{
+  Any, // as it comes down
+  Up,
+  Down
+};
+
+/// "any", "up", "down".
+const char* ToString(FaceUp side);
+/// The side of this name, or null.
+const FaceUp* FindFaceUp(const std::string& name);
+
 /// What is wanted of one object at one frame.
 struct Constraint
 {
@@ -111,12 +124,18 @@ struct Constraint
   Quat Orientation = Quat::Identity(); // of an orientation row
   double Radius = 0.0;                 // same unit as Value (orientation: rad); 0: exact
   int Until = 0;                       // rest lasts from Frame to this frame
-  int TouchDown = -1;                  // of a rest: lies there from this frame on; -1: from Frame
-  int LiftOff = -1;                    // of a rest: lies there until this frame; -1: until Until
-  int Row = 0;                         // index in the scene's list
-  int Target = 0;                      // index in that row's list of targets
-  int Group = -1;                      // rows of one group go to distinct objects
-  int ClassId = -1;                    // -1: any
+  int TouchDown = -1;        // of a rest: comes to its surface at this frame; -1: at Frame
+  int Settled = -1;          // of a rest: still from this frame on; -1: from TouchDown on
+  int LiftOff = -1;          // of a rest: lies there until this frame; -1: until Until
+  int Row = 0;               // index in the scene's list
+  int Target = 0;            // index in that row's list of targets
+  int Group = -1;            // rows of one group go to distinct objects
+  int ClassId = -1;          // -1: any
+  FaceUp Side = FaceUp::Any; // of a rest
+  /// Of a position: the body's z axis is within FacingTolerance of it at Frame; zero: none is
+  /// asked.
+  Vec3 Facing = Vec3::Zero();
+  double FacingTolerance = 0.35; // rad
   ConstraintStatus Status =
     ConstraintStatus::Met; // what an earlier stage found: only met rows bind
 
@@ -131,11 +150,15 @@ struct Constraint
     visit(of.Radius...);
     visit(of.Until...);
     visit(of.TouchDown...);
+    visit(of.Settled...);
     visit(of.LiftOff...);
     visit(of.Row...);
     visit(of.Target...);
     visit(of.Group...);
     visit(of.ClassId...);
+    visit(of.Side...);
+    visit(of.Facing...);
+    visit(of.FacingTolerance...);
     visit(of.Status...);
   }
 };
@@ -155,7 +178,8 @@ inline double RadiusOf(const Constraint& row)
 /// The frame from which a row holds or, as a rest may, is met already.
 inline int FirstFrame(const Constraint& row)
 {
-  return row.TouchDown >= 0 ? std::min(row.TouchDown, row.Frame) : row.Frame;
+  const int still = row.Settled >= 0 ? row.Settled : row.TouchDown;
+  return still >= 0 ? std::min(still, row.Frame) : row.Frame;
 }
 
 /// One line of the Report, one per (Row, Target).
@@ -169,6 +193,8 @@ struct ReportRow
   double Residual = 0.0; // distance beyond Radius, in the unit of Value
   ConstraintStatus Status = ConstraintStatus::Met;
   std::string Message;
+  int TouchDown = -1; // as those of the Constraint, in lines of a stage that knows them
+  int Settled = -1;
 
   template <class Visitor, class... Holder>
   static void Visit(Visitor&& visit, Holder&... of)
@@ -181,6 +207,8 @@ struct ReportRow
     visit(of.Residual...);
     visit(of.Status...);
     visit(of.Message...);
+    visit(of.TouchDown...);
+    visit(of.Settled...);
   }
 };
 

@@ -7,17 +7,19 @@
 #include "Rotation/FlightStart.h"
 #include "Rotation/FloorContact.h"
 #include "Rotation/KeepAbove.h"
+#include "Rotation/Landing.h"
 #include "Rotation/PoseRates.h"
-#include "Rotation/RestingPose.h"
+#include "Rotation/RigidBody.h"
 
 #include <cmath>
+#include <optional>
 
 namespace waft
 {
 namespace
 {
+constexpr double SamePose = 0.02; // rad, from where on flown poses go on
 constexpr std::uint64_t OfStarts = 0x57a2700000000; // streams of Random, one an object
-constexpr double SettlingHeight = 3.0; // bounding radii: nearer than that a landing body settles
 
 std::string Short(double x)
 {
@@ -41,7 +43,8 @@ public:
     this->Out.Poses.Torques.assign(this->Marks.Frames.size(), Vec3::Zero());
     if (plan.Glides)
     {
-      this->Out.Poses.Slips.assign(this->Marks.Frames.size(), Vec3::Zero());
+      const Vec3 sinking = LawOf(*plan.Object).Velocity(Vec3::Zero());
+      this->Out.Poses.Slips.assign(this->Marks.Frames.size(), sinking);
     }
     this->Out.Slowed.assign(this->Marks.Frames.size(), 0);
     this->Out.Swept.assign(this->Marks.Frames.size(), 0.0);
@@ -80,9 +83,9 @@ private:
     return nullptr;
   }
 
-  const LandingWindow* RestAfter(int frame) const
+  const PlannedRest* RestAfter(int frame) const
   {
-    for (const LandingWindow& rest : this->Plan.Rests)
+    for (const PlannedRest& rest : this->Plan.Rests)
     {
       if (rest.Frame > frame)
       {
@@ -153,8 +156,9 @@ private:
     }
     if (!this->Plan.Rests.empty() && this->Plan.Rests.front().Frame <= 0)
     {
-      const LandingWindow& rest = this->Plan.Rests.front();
-      this->LieStill(rest, 0, this->LyingPose(rest, this->State.Flight.Orientation));
+      const PlannedRest& rest = this->Plan.Rests.front();
+      this->Out.Rests.push_back({ rest.Row, rest.Target, 0, 0 });
+      this->LieStill(rest, 0, this->LandingOn(rest).Lay(this->State.Flight.Orientation));
     }
   }
 
@@ -164,11 +168,9 @@ private:
     this->Out.Poses.Orientations[frame] = state.Orientation;
     this->Out.Poses.AngularVelocities[frame] = state.AngularVelocity(this->Body);
     this->Out.Poses.Torques[frame] = AirTorque(this->Body, this->Path, state, frame);
-    if (this->Plan.Glides)
+    if (this->Plan.Glides && this->Body.Slips)
     {
-      this->Out.Poses.Slips[frame] =
-        this->Body.Slips ? state.Velocity(this->Body)
-                         : Vec3(-LawOf(*this->Plan.Object).SettlingSpeed() * Vec3::UnitZ());
+      this->Out.Poses.Slips[frame] = state.Velocity(this->Body);
     }
   }
 
@@ -202,28 +204,37 @@ private:
 
   int FlyToNextEvent(int from)
   {
-    const LandingWindow* rest = this->RestAfter(from);
-    int end = this->Last;
+    const PlannedRest* rest = this->RestAfter(from);
     const Constraint* key = this->KeyAt(from + 1, this->Last);
-    if (key != nullptr && key->Frame < (rest != nullptr ? rest->Frame : this->Last + 1))
-    {
-      end = key->Frame;
-    }
-    else
+    if (key != nullptr && key->Frame >= (rest != nullptr ? rest->Frame : this->Last + 1))
     {
       key = nullptr;
-      end = rest != nullptr ? std::min(rest->Frame, this->Last) : this->Last;
     }
+    std::optional<Landing> landing;
+    if (rest != nullptr)
+    {
+      landing = this->LandingOn(*rest);
+    }
+    const int end = key != nullptr    ? key->Frame
+                    : rest != nullptr ? std::min(landing->LastStirring(), this->Last)
+                                      : this->Last;
     for (int k = from; k < end; ++k)
     {
-      if (this->HasFlown())
+      const Quat& now = this->State.Flight.Orientation;
+      const Settling settling = landing ? landing->Draw(k, now) : Settling();
+      const bool lands = landing && (settling.Weight > 0.0 || landing->IsNear(k));
+      if (this->HasFlown() && !this->IsLive && !lands)
       {
         this->TakeFlown(k + 1);
         continue;
       }
-      const Settling settling = rest != nullptr ? this->SettlingBefore(*rest, k) : Settling();
+      this->IsLive = true;
       Floor floor;
       const bool near = this->FindFloor(k, floor);
+      if (near && landing && landing->IsNear(k))
+      {
+        landing->Support(k, now, floor);
+      }
       const FrameEvents events = AdvanceFrame(this->Body, this->Path, k, settling,
                                               near ? &floor : nullptr, this->State.Flight);
       this->Out.Slowed[k] = events.Slowed;
@@ -241,31 +252,10 @@ private:
     }
     else if (rest != nullptr && rest->Frame <= this->Last)
     {
-      this->Land(*rest, from);
+      this->Land(*rest, *landing, from);
       return this->State.Frame;
     }
     return end;
-  }
-
-  /// Late, or near the surface, which is early for who comes down early.
-  Settling SettlingBefore(const LandingWindow& rest, int frame) const
-  {
-    Settling settling;
-    settling.Normal = rest.Normal;
-    // A little earlier than the blend to the lying pose, so that little is left for it to do.
-    const double time = std::max(this->Plan.LandingTime, 1e-9);
-    const double left = (rest.Frame - frame) / this->Plan.Time.FramesPerSecond;
-    settling.Weight = SmoothStep((1.4 * time - left) / (0.6 * time));
-    if (this->Plan.Obstacles != nullptr && rest.ObstacleId >= 0)
-    {
-      const double reach = this->Plan.BoundingRadius;
-      const double height = this->Plan.Obstacles->SignedDistance(this->Plan.Path->Positions[frame],
-                                                                 frame, SettlingHeight * reach);
-      const double soon = SmoothStep((4.0 * time - left) / time); // not as it takes off for there
-      settling.Weight =
-        std::max(settling.Weight, soon * SmoothStep(SettlingHeight - height / reach));
-    }
-    return settling;
   }
 
   /// The surface nearest to the centre from a frame to the next; false when none is in reach.
@@ -340,60 +330,27 @@ private:
     return (ExpMap(fraction * turn) * start).normalized();
   }
 
-  RestingPose LyingPose(const LandingWindow& rest, const Quat& arriving) const
+  Landing LandingOn(const PlannedRest& rest) const
   {
-    // A row within the rest chooses the heading.
-    const Constraint* key = this->KeyAt(rest.Frame, rest.Until);
-    const Quat heading = key != nullptr ? key->Orientation.normalized() : arriving;
     const int first = std::max(rest.Frame, 0);
-    if (rest.ObstacleId < 0 || this->Plan.Obstacles == nullptr)
-    {
-      RestingPose level;
-      const Mat3 turn = heading.toRotationMatrix();
-      level.Orientation = (LeastTurn(turn.col(2), rest.Normal, turn.col(0)) * heading).normalized();
-      return level;
-    }
     const int end = std::min(rest.Until, this->Last);
-    const bool held =
-      std::any_of(this->Marks.Held.begin() + first, this->Marks.Held.begin() + end + 1,
-                  [](unsigned char isHeld) { return isHeld != 0; });
-    return LayDown(this->Plan.Body->Mesh, *this->Plan.Obstacles, first,
-                   this->Plan.Path->Positions[first], rest.Normal, heading,
-                   held ? 0.0 : this->Plan.Tolerance, key == nullptr);
+    const auto held = this->Marks.Held.begin();
+    const bool isHeld = std::any_of(held + first, held + std::max(first, end) + 1,
+                                    [](unsigned char frame) { return frame != 0; });
+    return { this->Plan, rest, this->KeyAt(rest.Frame, rest.Until), isHeld };
   }
 
-  void Land(const LandingWindow& rest, int from)
+  void Land(const PlannedRest& rest, const Landing& landing, int from)
   {
-    std::vector<Quat>& poses = this->Out.Poses.Orientations;
-    const RestingPose laid = this->LyingPose(rest, poses[rest.Frame]);
-    const Quat& lying = laid.Orientation;
-    const double span = std::min<double>(
-      rest.Frame - from, std::max(this->Plan.LandingTime * this->Plan.Time.FramesPerSecond, 1.0));
-    // Who touches the surface before the blend begins turns the right side up there too.
-    for (int i = rest.Frame - 1; i > from && i > rest.Frame - 2.0 * span; --i)
-    {
-      this->Marks.Frames[i] = { PoseFreedom::Landing, lying };
-    }
-    Quat after = Quat::Identity();
-    for (int i = rest.Frame - 1; i > from && i > rest.Frame - span; --i)
-    {
-      // The same way round as a frame later: the turn left to do never jumps.
-      Quat left = lying * poses[i].conjugate();
-      if (left.dot(after) < 0.0)
-      {
-        left.coeffs() = -left.coeffs();
-      }
-      after = left;
-      const double fraction = SmoothStep(1.0 - (rest.Frame - i) / span);
-      poses[i] = (ExpMap(fraction * SignedLogMap(left)) * poses[i]).normalized();
-      this->Marks.Changed[i] = 1;
-    }
-    this->State.Flight.Orientation = lying;
-    this->LieStill(rest, rest.Frame, laid);
+    RestTimes times;
+    const RestingPose laid = landing.Settle(from, std::max(this->Lain + 1, landing.FirstNear()),
+                                            this->Marks, this->Out, times);
+    this->Out.Rests.push_back(times);
+    this->LieStill(rest, times.Settled, laid);
   }
 
   /// The same pose from a frame to the end of the rest; then free flight begins anew.
-  void LieStill(const LandingWindow& rest, int first, const RestingPose& laid)
+  void LieStill(const PlannedRest& rest, int first, const RestingPose& laid)
   {
     const Quat lying = laid.Orientation;
     const int end = std::min(rest.Until, this->Last);
@@ -402,10 +359,6 @@ private:
       this->Out.Poses.Orientations[i] = lying;
       this->Out.Poses.AngularVelocities[i].setZero();
       this->Out.Poses.Torques[i].setZero();
-      if (this->Plan.Glides)
-      {
-        this->Out.Poses.Slips[i].setZero();
-      }
       this->Marks.Frames[i].Freedom = PoseFreedom::Fixed;
       this->Marks.Changed[i] = 0;
       this->Marks.Shifts[i] = laid.Shift * Vec3::UnitZ();
@@ -413,18 +366,22 @@ private:
     const int second = static_cast<int>(std::ceil(this->Plan.Time.FramesPerSecond));
     for (int i = end + 1; i <= std::min(end + second, this->Last); ++i)
     {
-      this->Marks.Frames[i].Freedom = PoseFreedom::Leaving;
+      this->Marks.Frames[i] = { PoseFreedom::Leaving, lying };
     }
     this->State.Flight = FlightState();
     this->State.Flight.Orientation = lying;
     this->State.Flight.SetVelocity(this->Body, this->Path.RelativeVelocities[end]);
-    this->State.Frame = end;
+    this->State.Frame = this->Lain = end;
+    this->IsLive =
+      this->HasFlown() && this->Plan.Path->Orientations[end].angularDistance(lying) > SamePose;
   }
 
   const AttitudePlan& Plan;
   const FlightBody& Body;
   const FlightPath& Path;
   int Last;
+  int Lain = -1;       // last frame of the rest before
+  bool IsLive = false; // it turns here, though it came with poses: it lies otherwise than they do
   Now State;
   AttitudeOutcome Out;
   FrameMarks Marks;

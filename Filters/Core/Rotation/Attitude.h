@@ -17,15 +17,31 @@
 namespace waft
 {
 
+/// One rest of an object.
+struct PlannedRest : LandingWindow
+{
+  int Deadline = 0; // it lies still from this frame on at the latest
+  FaceUp Side = FaceUp::Any;
+};
+
+/// When a rest of the flown poses began.
+struct RestTimes
+{
+  int Row = 0;
+  int Target = 0;
+  int TouchDown = 0; // frame of the first contact
+  int Settled = 0;   // frame from which it is still
+};
+
 /// What happens to one object; rests do not overlap and are in order, keys are in order of Frame.
 struct AttitudePlan
 {
   const MotionObject* Object = nullptr;
   const Track* Path = nullptr;
   const Shape* Body = nullptr;
-  double BoundingRadius = 0.0;      // m
-  std::vector<LandingWindow> Rests; // ObstacleId -1: nothing below, it hangs level
-  std::vector<Constraint> Keys;     // orientation rows
+  double BoundingRadius = 0.0;    // m
+  std::vector<PlannedRest> Rests; // ObstacleId -1: nothing below, it hangs level
+  std::vector<Constraint> Keys;   // orientation rows
   const ObstacleSet* Obstacles = nullptr;
   Timeline Time;
   std::uint64_t Seed = 1;    // of the pose in flight, where the object has none given
@@ -44,6 +60,7 @@ struct AttitudeOutcome
   std::vector<Vec3> Shifts; // m, by which the centre was moved, one a frame; empty: not at all
   std::map<std::pair<int, int>, std::string> TooFast; // (Row, Target) of keys that no turning rate
                                                       // can meet, and why
+  std::vector<RestTimes> Rests;
   std::vector<std::string> Warnings;
   // From each frame to the next:
   std::vector<unsigned char> Slowed; // the limit of turning acted

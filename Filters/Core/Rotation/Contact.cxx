@@ -91,7 +91,7 @@ private:
       SurfaceHit hit;
       this->Input.Obstacles->SignedDistance(x, static_cast<double>(k), hit);
       const Vec3 further = moved + (depth + 0.5 * Rounding) * hit.Normal;
-      if ((shift + further).norm() > this->Input.MostShift)
+      if (further.norm() > this->Input.MostShift)
       {
         break;
       }

@@ -15,8 +15,8 @@ namespace waft
 enum class PoseFreedom : unsigned char
 {
   Free,    // towards lying flat along the nearest surface, on the nearer side
-  Leaving, // the same, but with the body's z axis outwards
-  Landing, // the same, but with the body's z axis along that of Target
+  Leaving, // the same, but with the body's z axis along that of Target
+  Landing, // likewise
   Fixed    // not at all
 };
 
@@ -40,7 +40,7 @@ struct ContactInput
 
 /// Changes orientations where a vertex would be below a surface; `changed` marks these frames. Adds
 /// to `shifts` [m, one a frame, those that Positions have in them already] what the centre must
-/// move besides, at most MostShift in all; frames that are Fixed are left alone. Returns the
+/// move besides, at most MostShift; frames that are Fixed are left alone. Returns the
 /// deepest that a vertex still lies below a surface [m], 0 when none does.
 double KeepAboveSurfaces(const ContactInput& input, std::vector<Quat>& orientations,
                          std::vector<unsigned char>& changed, std::vector<Vec3>& shifts);

@@ -16,6 +16,7 @@ namespace
 constexpr int MostSteps = 256; // a frame
 constexpr double LeastContactSteps = 8.0;
 constexpr double StepOfRate = 0.4;    // product of step and fastest rate
+constexpr double SlipOnFloor = 10.0;  // 1/s, at which what touches loses its sideslip
 constexpr double SettlingRate = 7.0;  // rad/s, critically damped
 constexpr double LeastFlatness = 0.3; // below it a body has no glide of its own
 
@@ -288,8 +289,13 @@ FrameEvents AdvanceFrame(const FlightBody& body, const FlightPath& path, int fra
     Fade(body, path, here + 1.0 / steps, fade, state);
     if (floor != nullptr)
     {
-      Floor now = *floor;
-      now.Height += (i + 1) * h * floor->Rate;
+      const Floor now = floor->After((i + 1) * h);
+      if (PressOnFloor(body, now, h, state) && body.Slips)
+      {
+        const Vec3 along = Between(path.RelativeVelocities, here + 1.0 / steps);
+        const Vec3 slip = std::exp(-SlipOnFloor * h) * (state.Velocity(body) - along);
+        state.SetVelocity(body, along + slip);
+      }
       events.Touched = TouchFloor(body, now, state) || events.Touched;
     }
     events.Slowed = LimitTurning(body, fastest, state) || events.Slowed;

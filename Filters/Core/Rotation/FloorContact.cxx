@@ -9,8 +9,10 @@ namespace
 {
 constexpr int Halvings = 30;
 constexpr int MostPushes = 8;
-constexpr double TouchSlack = 1e-9; // m
-constexpr double OnTheFloor = 1e-5; // m: points this near are touched
+constexpr double TouchSlack = 1e-9;     // m
+constexpr double OnTheFloor = 1e-5;     // m: points this near are touched
+constexpr double RockingDamping = 15.0; // 1/s
+constexpr double Softness = 0.02; // of the body's reach: points this near to the lowest carry, too
 
 /// Height of the lowest point [m].
 double Lowest(const Floor& floor, const Quat& orientation)
@@ -74,8 +76,10 @@ bool Push(const FlightBody& body, const Floor& floor, FlightState& state)
 }
 } // namespace
 
-bool TouchFloor(const FlightBody& body, const Floor& floor, FlightState& state)
+bool TouchFloor(const FlightBody& body, const Floor& below, FlightState& state)
 {
+  Floor floor = below;
+  floor.Height += below.Give;
   if (Lowest(floor, state.Orientation) >= -TouchSlack)
   {
     return false;
@@ -86,6 +90,32 @@ bool TouchFloor(const FlightBody& body, const Floor& floor, FlightState& state)
   for (int i = 0; i < MostPushes && Push(body, floor, state); ++i)
   {
   }
+  return true;
+}
+
+bool PressOnFloor(const FlightBody& body, const Floor& floor, double time, FlightState& state)
+{
+  const double lowest = Lowest(floor, state.Orientation);
+  if (!(floor.Weight > 0.0) || lowest > 0.0)
+  {
+    return false;
+  }
+  const double soft = Softness * body.Reach;
+  const Vec3 up = state.Orientation.conjugate() * floor.Normal;
+  Vec3 arm = Vec3::Zero();
+  double all = 0.0;
+  for (const Vec3& point : *floor.Points)
+  {
+    const double share = 1.0 - (floor.Height + up.dot(point) - lowest) / soft;
+    if (share > 0.0)
+    {
+      arm += share * point;
+      all += share;
+    }
+  }
+  arm = state.Orientation * Vec3(arm / all);
+  state.AngularMomentum += time * floor.Weight * arm.cross(floor.Normal);
+  state.AngularMomentum *= std::exp(-RockingDamping * time);
   return true;
 }
 

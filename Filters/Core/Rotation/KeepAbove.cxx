@@ -12,22 +12,23 @@ namespace
 {
 constexpr double LeastReported = 1e-5; // m: a centre that was moved by less is seen by nobody
 
-/// A shift of one frame comes and goes smoothly in the frames around, the largest counts; where
-/// rows hold the centre there is none.
-void SpreadShifts(int reach, FrameMarks& marks)
+/// A shift of one frame comes and goes smoothly in the frames around, the largest counts. Lying
+/// bodies and landing ones stay where they are, and where rows hold the centre there is none.
+std::vector<Vec3> Spread(const std::vector<Vec3>& own, int reach, const FrameMarks& marks)
 {
-  const std::vector<Vec3> spread = SpreadPushes(marks.Shifts, reach);
+  std::vector<Vec3> spread = SpreadPushes(own, reach);
   for (std::size_t k = 0; k < spread.size(); ++k)
   {
-    if (marks.Frames[k].Freedom != PoseFreedom::Fixed)
+    if (marks.Frames[k].Freedom == PoseFreedom::Fixed || marks.Landing[k] != 0)
     {
-      marks.Shifts[k] = spread[k];
+      spread[k] = own[k];
     }
     if (marks.Held[k] != 0)
     {
-      marks.Shifts[k].setZero();
+      spread[k].setZero();
     }
   }
+  return spread;
 }
 } // namespace
 
@@ -35,11 +36,12 @@ void KeepAbove(const AttitudePlan& plan, FrameMarks& marks, AttitudeOutcome& out
 {
   const double fps = plan.Time.FramesPerSecond;
   const std::string name = "object " + std::to_string(plan.Object->ObjectId);
-  SpreadShifts(static_cast<int>(0.5 * plan.LandingTime * fps), marks);
+  marks.Shifts = Spread(marks.Shifts, static_cast<int>(0.5 * plan.LandingTime * fps), marks);
+  const std::vector<Vec3> before = marks.Shifts;
   std::vector<Vec3> positions = plan.Path->Positions;
   for (std::size_t k = 0; k < positions.size(); ++k)
   {
-    positions[k] += marks.Shifts[k];
+    positions[k] += before[k];
   }
   ContactInput contact;
   contact.Mesh = &plan.Body->Mesh;
@@ -51,18 +53,26 @@ void KeepAbove(const AttitudePlan& plan, FrameMarks& marks, AttitudeOutcome& out
   contact.MostShift = plan.Tolerance;
   const double deepest =
     KeepAboveSurfaces(contact, out.Poses.Orientations, marks.Changed, marks.Shifts);
-  double farthest = 0.0;
-  SpreadShifts(contact.SmoothingFrames, marks);
-  for (const Vec3& shift : marks.Shifts)
+  std::vector<Vec3> further = marks.Shifts;
+  for (std::size_t k = 0; k < further.size(); ++k)
   {
-    farthest = std::max(farthest, shift.norm());
+    further[k] -= before[k];
+  }
+  further = Spread(further, contact.SmoothingFrames, marks);
+  double farthest = marks.Moved;
+  bool isShifted = false;
+  for (std::size_t k = 0; k < further.size(); ++k)
+  {
+    marks.Shifts[k] = before[k] + further[k];
+    farthest = std::max(farthest, further[k].norm());
+    isShifted = isShifted || !marks.Shifts[k].isZero(0.0);
   }
   if (deepest > plan.Tolerance)
   {
     out.Warnings.push_back(name + ": its mesh lies up to " + NumberText(deepest, 3) +
                            " m below a surface, as its centre comes too near");
   }
-  if (farthest > 0.0)
+  if (isShifted)
   {
     out.Shifts = marks.Shifts;
   }

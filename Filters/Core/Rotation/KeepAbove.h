@@ -15,14 +15,16 @@ namespace waft
 struct FrameMarks
 {
   explicit FrameMarks(std::size_t count) :
-    Frames(count), Changed(count, 0), Held(count, 0), Shifts(count, Vec3::Zero())
+    Frames(count), Changed(count, 0), Held(count, 0), Landing(count, 0), Shifts(count, Vec3::Zero())
   {
   }
 
   std::vector<ContactFrame> Frames;   // how the pose may be changed
   std::vector<unsigned char> Changed; // the pose was turned after the flight
   std::vector<unsigned char> Held;    // rows hold the centre
+  std::vector<unsigned char> Landing; // the shift is what the ground does: it stays
   std::vector<Vec3> Shifts;           // m, of the centre
+  double Moved = 0.0;                 // m, at most, besides what its pose asks for where it lies
 };
 
 /// Other than ResolveClearance, which keeps the ball about a centre clear from frame to frame, this

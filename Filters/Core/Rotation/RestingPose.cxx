@@ -133,18 +133,14 @@ private:
   double MostShift;
 };
 
-/// The pose with z along the normal, or along that of a plane through what is below, or leaning.
-RestingPose LayAlong(const Layer& layer, const Vec3& normal, const Quat& heading)
+/// The pose as it lies on a plane of this normal, or on one through what is below, or leaning.
+RestingPose LayAlong(const Layer& layer, const Vec3& normal, const Quat& lying)
 {
-  const auto along = [&](const Vec3& n)
-  {
-    const Mat3 turn = heading.toRotationMatrix();
-    return (LeastTurn(turn.col(2), n, turn.col(0)) * heading).normalized();
-  };
-  RestingPose best = layer.Settle(along(normal));
+  RestingPose best = layer.Settle(lying);
   if (best.Depth > ContactDistance)
   {
-    const RestingPose fitted = layer.Settle(along(layer.MeanNormal(best.Orientation, normal)));
+    const Quat lean = LeastTurn(normal, layer.MeanNormal(lying, normal), Vec3::UnitX());
+    const RestingPose fitted = layer.Settle((lean * lying).normalized());
     for (const RestingPose& pose : { fitted, layer.Lean(fitted), layer.Lean(best) })
     {
       best = pose.Depth < best.Depth ? pose : best;
@@ -155,15 +151,15 @@ RestingPose LayAlong(const Layer& layer, const Vec3& normal, const Quat& heading
 } // namespace
 
 RestingPose LayDown(const TriangleMesh& mesh, const ObstacleSet& obstacles, double frame,
-                    const Vec3& center, const Vec3& normal, const Quat& heading, double mostShift,
+                    const Vec3& center, const Vec3& normal, const Quat& lying, double mostShift,
                     bool mayTurn)
 {
   const Layer layer(mesh, obstacles, frame, center, mostShift);
-  RestingPose best = LayAlong(layer, normal, heading);
+  RestingPose best = LayAlong(layer, normal, lying);
   for (int i = 1; mayTurn && i <= 2 * MostTurns && best.Depth > ContactDistance; ++i)
   {
     const double angle = (i % 2 == 1 ? TurnStep : -TurnStep) * ((i + 1) / 2);
-    const RestingPose turned = LayAlong(layer, normal, ExpMap(angle * normal) * heading);
+    const RestingPose turned = LayAlong(layer, normal, ExpMap(angle * normal) * lying);
     best = turned.Depth < best.Depth ? turned : best;
   }
   return best;

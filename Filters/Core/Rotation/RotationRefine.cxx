@@ -5,22 +5,23 @@
 #include "Base/FractionDone.h"
 #include "Base/Random.h"
 #include "Base/ShapeMeasures.h"
-#include "Constraints/ConstraintCheck.h"
 #include "Constraints/Rest.h"
 #include "Rotation/Agreement.h"
 #include "Rotation/Attitude.h"
+#include "Rotation/RotationReport.h"
 #include "Rotation/StillAir.h"
 #include "Rotation/TurnLimit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 namespace waft
 {
 namespace
 {
+constexpr double BrakedTime = 0.15; // s, before a touch-down and after a lift-off
+
 bool IsBetween(double x, double low, double high)
 {
   return std::isfinite(x) && x >= low && x <= high;
@@ -143,8 +144,7 @@ FlightPath MakePath(const RotationInput& input, std::size_t i, double draw)
   return path;
 }
 
-LandingWindow LandingOf(const Constraint& row, const MotionObject& object,
-                        const RotationInput& input)
+PlannedRest LandingOf(const Constraint& row, const MotionObject& object, const RotationInput& input)
 {
   std::vector<LandingWindow> windows;
   if (input.Obstacles != nullptr)
@@ -158,7 +158,11 @@ LandingWindow LandingOf(const Constraint& row, const MotionObject& object,
     level.Until = LastFrame(row);
     windows.push_back(level);
   }
-  return windows.front();
+  PlannedRest rest{ windows.front() };
+  const bool isAsked = row.Target != OfNoRow;
+  rest.Deadline = isAsked ? std::max(row.Frame, rest.Frame) : rest.Until;
+  rest.Side = row.Side;
+  return rest;
 }
 
 AttitudePlan MakePlan(const RotationInput& input, const RotationOptions& options,
@@ -244,6 +248,20 @@ AirCoefficients Varied(AirCoefficients coefficients, const RotationOptions& opti
   return coefficients;
 }
 
+/// What lies is drawn by nothing, nor is what a surface brakes shortly before.
+void EndDraw(const AttitudePlan& plan, FlightPath& path)
+{
+  const double braked = std::max(1.0, BrakedTime / path.Step); // frames
+  for (const auto& rest : plan.Rests)
+  {
+    for (int k = 0; k < static_cast<int>(path.RelativeVelocities.size()); ++k)
+    {
+      const double left = k <= rest.Frame ? rest.Frame - k : k - rest.Until;
+      path.RelativeVelocities[static_cast<std::size_t>(k)] *= std::clamp(left / braked, 0.0, 1.0);
+    }
+  }
+}
+
 /// By the object's own coefficients.
 Glider GliderOf(const RotationInput& input, const RotationOptions& options,
                 const PreparedShape& shape, const MotionObject& object)
@@ -284,43 +302,6 @@ Result Prepare(const RotationInput& input, const RotationOptions& options, std::
   return Result::Ok();
 }
 
-/// Judges the orientation rows by themselves, measures them on the poses, and warns of those that
-/// no earlier stage has reported.
-void ReportOrientations(const RotationInput& input,
-                        const std::map<std::pair<int, int>, std::string>& tooFast,
-                        RotationOutput& output)
-{
-  std::vector<Constraint> rows;
-  std::set<std::pair<int, int>> reported;
-  for (const Constraint& row : input.Constraints)
-  {
-    if (IsAttitude(row.Kind))
-    {
-      rows.push_back(row);
-      if (row.Status != ConstraintStatus::Met)
-      {
-        reported.insert({ row.Row, row.Target });
-      }
-    }
-  }
-  const ObstacleSet none;
-  output.Report =
-    JudgeConstraints(rows, input.Objects, input.Obstacles ? *input.Obstacles : none, input.Scene);
-  MeasureOrientationResiduals(rows, output.Poses, output.Report);
-  for (ReportRow& line : output.Report)
-  {
-    const std::pair<int, int> key(line.Row, line.Target);
-    const auto reason = tooFast.find(key);
-    if (line.Status == ConstraintStatus::Unreachable && reason != tooFast.end())
-    {
-      line.Message += "; " + reason->second;
-    }
-    if (line.Status != ConstraintStatus::Met && reported.count(key) == 0)
-    {
-      output.Warnings.push_back("object " + std::to_string(line.ObjectId) + ": " + line.Message);
-    }
-  }
-}
 } // namespace
 
 Result RunRotationRefine(const RotationInput& input, const RotationOptions& options,
@@ -392,6 +373,10 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
                  plan.BoundingRadius = shape.Properties.BoundingRadius;
                  plan.Glides = input.Glides;
                  FlightPath path = MakePath(input, i, draw);
+                 if (draw > 0.0)
+                 {
+                   EndDraw(plan, path);
+                 }
                  outcomes[i] = TurnObjectWithin(most, plan, body, path);
                  if (HasFlown(track) && draw > 0.0)
                  {
@@ -413,6 +398,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
 
   std::map<std::pair<int, int>, std::string> tooFast;
   TurnCount turns(most);
+  result.Constraints = input.Constraints;
   for (AttitudeOutcome& outcome : outcomes)
   {
     for (std::size_t k = 0; k < outcome.Poses.Orientations.size(); ++k)
@@ -425,6 +411,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
       }
     }
     turns.Add(outcome);
+    TakeRestTimes(outcome.Poses.ObjectId, outcome.Rests, result);
     result.Poses.push_back(std::move(outcome.Poses));
     result.Shifts.push_back(std::move(outcome.Shifts));
     tooFast.merge(outcome.TooFast);
@@ -434,6 +421,7 @@ Result RunRotationRefine(const RotationInput& input, const RotationOptions& opti
   result.Warnings.insert(result.Warnings.end(), fast.begin(), fast.end());
   result.Slowed = fast;
   ReportOrientations(input, tooFast, result);
+  ReportRests(result);
   output = std::move(result);
   return Result::Ok();
 }

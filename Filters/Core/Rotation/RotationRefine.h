@@ -149,13 +149,16 @@ struct RotationOutput
 {
   std::vector<PoseTrack> Poses; // in the order of Tracks
   /// m, by which centres are moved so that meshes touch surfaces and do not cut them: in the order
-  /// of Tracks, one a frame, or empty for a track that stays; at most 1e-3 of the volume's width.
+  /// of Tracks, one a frame, or empty for a track that stays; as bodies land and lie by what their
+  /// poses ask for, upwards, besides by at most 1e-3 of the volume's width.
   std::vector<std::vector<Vec3>> Shifts;
   /// rad, how far half a second of turning in the air leads away from the poses that tracks came
   /// with (Rotation/Agreement.h); empty for those that came without. In the order of Tracks.
   std::vector<std::vector<double>> Away;
+  /// Those given, rests with TouchDown, the frame of the first contact, and Settled.
+  std::vector<Constraint> Constraints;
   /// One line for each orientation row: judged by itself, then measured on the poses, with the
-  /// reason where the greatest turning rate does not do.
+  /// reason where the greatest turning rate does not do. Then one for each rest that is kept.
   std::vector<ReportRow> Report;
   std::vector<std::string> Warnings; // objects and shapes are named; rows that are not met too
   std::vector<std::string> Slowed;   // those of them that tell of MaximumTurn

@@ -128,7 +128,7 @@ Quat Surroundings::FlatTurn(std::size_t k, const Vec3& normal) const
   const ContactFrame& frame = (*this->Input.Frames)[k];
   const Mat3 turn = this->Orientations[k].toRotationMatrix();
   Vec3 up = normal;
-  if (frame.Freedom == PoseFreedom::Landing)
+  if (frame.Freedom == PoseFreedom::Landing || frame.Freedom == PoseFreedom::Leaving)
   {
     up = frame.Target * Vec3::UnitZ();
   }

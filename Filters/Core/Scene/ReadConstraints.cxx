@@ -106,7 +106,47 @@ void SceneReader::ReadConstraint(const SceneNode& node, int index)
             node.At("until", "").Integer(constraint.Frame, last, "a frame not before `frame`"))
         : last;
   }
+  ReadSides(node, constraint);
   this->Out.Constraints.push_back(constraint);
+}
+
+void SceneReader::ReadSides(const SceneNode& node, Constraint& constraint)
+{
+  if (node.Has("facing"))
+  {
+    const SceneNode facing = node.At("facing", "");
+    if (constraint.Kind != ConstraintKind::Position)
+    {
+      facing.FailWith(
+        "expected `facing` only where objects do not rest: `faceUp` says how they lie");
+    }
+    facing.CheckFields("facing");
+    const SceneNode direction = facing.At("direction", "a direction [x, y, z]");
+    const double length = direction.Vector().norm();
+    if (!(length > 1e-12))
+    {
+      direction.Fail("a direction that is not zero");
+    }
+    constraint.Facing = direction.Vector() / length;
+    if (facing.Has("tolerance"))
+    {
+      constraint.FacingTolerance = facing.At("tolerance", "").Number();
+    }
+  }
+  if (node.Has("faceUp"))
+  {
+    const SceneNode side = node.At("faceUp", "");
+    if (!IsRest(constraint.Kind))
+    {
+      side.FailWith("expected `faceUp` only with \"velocity\": \"rest\"");
+    }
+    const FaceUp* found = FindFaceUp(side.Text());
+    if (found == nullptr)
+    {
+      side.Fail("any, up or down");
+    }
+    constraint.Side = *found;
+  }
 }
 
 void SceneReader::ReadPath(const SceneNode& node, int row)
@@ -232,6 +272,7 @@ void SceneReader::ReadKeyframe(const SceneNode& node, int row)
     constraint.Until =
       static_cast<int>(until.Integer(constraint.Frame, last, "a frame not before `frame`"));
   }
+  ReadSides(node, constraint);
   bool inOrder = false;
   if (node.Has("assign"))
   {
@@ -274,6 +315,7 @@ void SceneReader::ReadKeyframe(const SceneNode& node, int row)
       moving.Kind = ConstraintKind::Velocity;
       moving.Value = *velocity;
       moving.Radius = 0.0;
+      moving.Facing = Vec3::Zero();
       this->Out.Constraints.push_back(moving);
     }
   }

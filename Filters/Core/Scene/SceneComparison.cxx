@@ -86,6 +86,8 @@ bool IsSameRow(const Constraint& a, const Constraint& b, bool mindsObject)
 {
   return a.Kind == b.Kind && a.Frame == b.Frame && a.Target == b.Target && a.ClassId == b.ClassId &&
          (a.Group < 0) == (b.Group < 0) && (a.ObjectId == b.ObjectId || !mindsObject) &&
+         a.Side == b.Side && IsNear(a.Facing, b.Facing) &&
+         (a.Facing.isZero() || IsNear(a.FacingTolerance, b.FacingTolerance)) &&
          IsNear(a.Radius, b.Radius) && (a.Until == b.Until || !TraitsOf(a.Kind).Lasts) &&
          (IsAttitude(a.Kind) ? IsNear(a.Orientation, b.Orientation) : IsNear(a.Value, b.Value));
 }

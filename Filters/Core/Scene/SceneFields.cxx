@@ -13,6 +13,7 @@ const std::vector<SceneFieldTable>& SceneFieldTables()
   constexpr Range IdOrAny = { -1, Id.High };
   constexpr Range Fraction = UpTo(1);
   constexpr Range Several = { 1, SceneLists::Objects };
+  constexpr Range Tolerance = { 0, 3.141592653589793 };
   static const std::vector<SceneFieldTable> tables = {
     { "scene",
       { { "waft", Version },
@@ -86,13 +87,16 @@ const std::vector<SceneFieldTable>& SceneFieldTables()
         { "object", IdOrAny },
         { "frame", Frame },
         { "value", Coordinate },
-        { "radius", Distance } } },
+        { "radius", Distance },
+        "facing" } },
+    { "facing", { { "direction", Direction }, { "tolerance", Tolerance } } },
     { "restConstraint",
       { "kind",
         { "object", IdOrAny },
         { "frame", Frame },
         { "until", Frame },
-        { "value", Coordinate } } },
+        { "value", Coordinate },
+        "faceUp" } },
     { "velocityConstraint",
       { "kind",
         { "object", Id },
@@ -125,7 +129,9 @@ const std::vector<SceneFieldTable>& SceneFieldTables()
         "assign",
         { "velocity", Velocity },
         { "until", Frame },
-        { "radius", Distance } } },
+        { "radius", Distance },
+        "facing",
+        "faceUp" } },
     { "pointTargets",
       { { "points", Coordinate, SceneLists::Objects }, { "classes", SceneLists::Objects } } },
     { "textTargets",

@@ -90,6 +90,8 @@ private:
 
   // ReadConstraints.cxx
   void ReadConstraints(const SceneNode& node);
+  /// What is asked of the pose: `facing` and `faceUp`.
+  static void ReadSides(const SceneNode& node, Constraint& constraint);
   void ReadPath(const SceneNode& node, int row);
   void ReadKeyframe(const SceneNode& node, int row);
   int ObjectId(const SceneNode& node, int lowest) const;

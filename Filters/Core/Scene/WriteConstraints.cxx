@@ -19,6 +19,25 @@ std::string NameOf(const Constraint& row)
   return "Constraints: row " + std::to_string(row.Row) + ", target " + std::to_string(row.Target);
 }
 
+/// What is asked of the pose.
+void FormatSides(const Constraint& row, SceneJson& json)
+{
+  if (!row.Facing.isZero())
+  {
+    json["facing"]["direction"] = FormatVector(row.Facing);
+    json["facing"]["tolerance"] = row.FacingTolerance;
+  }
+  if (row.Side != FaceUp::Any)
+  {
+    json["faceUp"] = ToString(row.Side);
+  }
+}
+
+bool HaveSameSides(const Constraint& a, const Constraint& b)
+{
+  return a.Facing == b.Facing && a.FacingTolerance == b.FacingTolerance && a.Side == b.Side;
+}
+
 /// Whether the targets of a keyframe may be rows of this kind.
 bool IsOfKeyframe(ConstraintKind kind)
 {
@@ -80,6 +99,7 @@ bool SceneFormat::FormatSimple(const Rows& rows, SceneJson& json) const
   {
     json["radius"] = row.Radius;
   }
+  FormatSides(row, json);
   return true;
 }
 
@@ -90,8 +110,9 @@ bool SceneFormat::FormatPath(const Rows& rows, SceneJson& json) const
   for (const Constraint* row : rows)
   {
     if (row->Kind != ConstraintKind::Position || row->Group >= 0 || row->ClassId >= 0 ||
-        row->ObjectId < 0 || row->ObjectId != first.ObjectId || row->Target != first.Target ||
-        row->Radius != first.Radius || row->Frame != first.Frame + static_cast<int>(points.size()))
+        !row->Facing.isZero() || row->ObjectId < 0 || row->ObjectId != first.ObjectId ||
+        row->Target != first.Target || row->Radius != first.Radius ||
+        row->Frame != first.Frame + static_cast<int>(points.size()))
     {
       return false;
     }
@@ -138,7 +159,7 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
     if (IsOfKeyframe(row->Kind))
     {
       if (row->Kind != first.Kind || row->Frame != first.Frame || row->Radius != first.Radius ||
-          (IsRest(row->Kind) && row->Until != first.Until))
+          !HaveSameSides(*row, first) || (IsRest(row->Kind) && row->Until != first.Until))
       {
         return false;
       }
@@ -199,6 +220,7 @@ bool SceneFormat::FormatKeyframe(const Rows& rows, SceneJson& json) const
   {
     json["radius"] = first.Radius;
   }
+  FormatSides(first, json);
   return true;
 }
 

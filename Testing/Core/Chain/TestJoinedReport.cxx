@@ -56,9 +56,11 @@ TEST(JoinedReport, TellsWhenRestsBeginAndEnd)
   rest.Kind = ConstraintKind::Rest;
   rest.Row = 3;
   rest.TouchDown = 28;
+  rest.Settled = 33;
   rest.LiftOff = 40;
   const std::vector<JoinedRow> joined =
     JoinReports({ Line(3, ConstraintStatus::Met, "", ConstraintKind::Rest) }, {}, {}, { rest });
   EXPECT_EQ(joined[0].TouchDown, 28);
+  EXPECT_EQ(joined[0].Settled, 33);
   EXPECT_EQ(joined[0].LiftOff, 40);
 }

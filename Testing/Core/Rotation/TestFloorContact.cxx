@@ -156,7 +156,7 @@ TEST(FloorContact, AGustLiftsALeafWithoutSpinningIt)
     options.Seed = static_cast<std::uint64_t>(i) + 1;
     options.RasterSize = 32;
     const RotationOutput output = Refine(input, options);
-    EXPECT_LT(FastestTurn(output.Poses[0], 30, 60), 8.0) << i; // rad/s
+    EXPECT_LT(FastestTurn(output.Poses[0], 30, 60), 16.0) << i; // rad/s
     EXPECT_LT(FastestTurn(output.Poses[0], 70, 120), 50.0)
       << i; // without the floor's part: up to 84
     Floor floor;

@@ -60,23 +60,48 @@ Landed Land(const ObstacleSet& obstacles, const Quat& start, double phase, doubl
   return landed;
 }
 
+Vec3 Centre(const Landed& landed, int frame)
+{
+  const std::vector<Vec3>& shifts = landed.Output.Shifts[0];
+  return landed.Input.Tracks[0].Positions[frame] +
+         (shifts.empty() ? Vec3(Vec3::Zero()) : shifts[frame]);
+}
+
 double LowestVertex(const Landed& landed, int frame, double slope)
 {
   const Vec3 normal = Vec3(-slope, 0.0, 1.0).normalized();
   double lowest = 1e300;
   for (const Vec3& p : landed.Input.Shapes[0].Mesh.Points)
   {
-    const Vec3 x =
-      landed.Input.Tracks[0].Positions[frame] + landed.Output.Poses[0].Orientations[frame] * p;
+    const Vec3 x = Centre(landed, frame) + landed.Output.Poses[0].Orientations[frame] * p;
     lowest = std::min(lowest, x.dot(normal));
   }
   return lowest;
 }
 
+/// It does not hang, and it is not level.
+void ExpectOnThreePoints(const Landed& landed, int frame, double slope)
+{
+  const Vec3 normal = Vec3(-slope, 0.0, 1.0).normalized();
+  const Quat& q = landed.Output.Poses[0].Orientations[frame];
+  EXPECT_NEAR(LowestVertex(landed, frame, slope), 0.0, 2e-9);
+  int carrying = 0;
+  for (const Vec3& p : landed.Input.Shapes[0].Mesh.Points)
+  {
+    carrying += normal.dot(Centre(landed, frame) + q * p) < 1e-7 ? 1 : 0;
+  }
+  EXPECT_GE(carrying, 3);
+  const double tilt = std::acos(std::min(1.0, std::abs((q * Vec3::UnitZ()).dot(normal))));
+  EXPECT_LT(tilt, 0.2);
+  if ((q * Vec3::UnitZ()).dot(normal) > 0.0) // the other way round this leaf stands level
+  {
+    EXPECT_GT(tilt, 0.005);
+  }
+}
+
 void ExpectGoodLanding(const Landed& landed, double slope)
 {
   const PoseTrack& poses = landed.Output.Poses[0];
-  const Vec3 normal = Vec3(-slope, 0.0, 1.0).normalized();
   EXPECT_TRUE(landed.Output.Warnings.empty());
   for (int k = 0; k < static_cast<int>(poses.Orientations.size()); ++k)
   {
@@ -90,11 +115,17 @@ void ExpectGoodLanding(const Landed& landed, double slope)
   {
     EXPECT_EQ(poses.Orientations[k].coeffs(), poses.Orientations[90].coeffs());
     EXPECT_EQ(poses.AngularVelocities[k].norm(), 0.0);
-    EXPECT_LT(LowestVertex(landed, k, slope), 1e-3 * 4.0);
-    EXPECT_GT((poses.Orientations[k] * Vec3::UnitZ()).dot(normal), 1.0 - 1e-12);
   }
+  ExpectOnThreePoints(landed, 90, slope);
+  const Vec3 beside = Centre(landed, 90) - landed.Input.Tracks[0].Positions[90];
+  EXPECT_EQ(beside.x(), 0.0);
+  EXPECT_EQ(beside.y(), 0.0);
+  ASSERT_EQ(landed.Output.Constraints.size(), landed.Input.Constraints.size());
+  EXPECT_LE(landed.Output.Constraints[0].TouchDown, 90);
+  EXPECT_GT(landed.Output.Constraints[0].TouchDown, 60);
+  EXPECT_EQ(landed.Output.Constraints[0].Settled, 90);
   // It comes to rest gently and stirs again afterwards.
-  EXPECT_LT(poses.AngularVelocities[89].norm(), 0.5);
+  EXPECT_LT(poses.AngularVelocities[89].norm(), 3.0);
   EXPECT_GT(Angle(poses.Orientations[150], poses.Orientations[130]), 1e-4);
   for (int k = 70; k < 90; ++k)
   {
@@ -117,6 +148,90 @@ TEST(Landing, OnASlope)
 {
   const ObstacleSet slope = Ground(0.4);
   ExpectGoodLanding(Land(slope, Quat(0.1, 1.0, 0.0, 0.0).normalized(), 1.0, 0.4), 0.4);
+}
+
+TEST(Landing, UntilItTouchesItFliesAsOverNoGround)
+{
+  const ObstacleSet ground = Ground();
+  std::vector<double> early, late;
+  for (int i = 0; i < 40; ++i)
+  {
+    const Quat start = ExpMap(0.3 * i * Vec3(std::cos(1.0 * i), std::sin(1.0 * i), 0.2));
+    const Landed landed = Land(ground, start, 0.7 * i);
+    RotationInput above = landed.Input;
+    above.Obstacles = nullptr;
+    above.Constraints.clear();
+    const RotationOutput flown = Refine(above);
+    const int touch = landed.Output.Constraints[0].TouchDown;
+    const auto& poses = landed.Output.Poses[0].Orientations;
+    for (int k = 0; k < std::min(touch, 86); ++k) // it must be still at 90
+    {
+      EXPECT_LT(Angle(poses[k], flown.Poses[0].Orientations[k]), 0.02) << i << ", frame " << k;
+    }
+    const auto tilt = [&](int k)
+    { return std::acos(std::min(1.0, std::abs((poses[k] * Vec3::UnitZ()).z()))); };
+    early.push_back(tilt(touch - 30));
+    late.push_back(tilt(touch - 6));
+  }
+  std::sort(early.begin(), early.end());
+  std::sort(late.begin(), late.end());
+  EXPECT_NEAR(late[20] / early[20], 1.0, 0.35);
+}
+
+TEST(Landing, WhoComesDownEarlierRocksAndIsStillInTime)
+{
+  const ObstacleSet ground = Ground();
+  int rocking = 0;
+  for (int i = 0; i < 12; ++i)
+  {
+    Landed landed = Land(ground, ExpMap(0.5 * i * Vec3(std::cos(1.0 * i), 0.3, 0.2)), 0.7 * i);
+    landed.Input.Constraints[0].Frame = 120; // its centre is still from frame 90 on
+    landed.Input.Constraints[0].TouchDown = 90;
+    landed.Output = Refine(landed.Input);
+    const Constraint& row = landed.Output.Constraints[0];
+    EXPECT_LE(row.TouchDown, 90);
+    EXPECT_GE(row.Settled, 90);
+    EXPECT_LE(row.Settled, 120);
+    rocking += row.Settled > 95 ? 1 : 0;
+    const PoseTrack& poses = landed.Output.Poses[0];
+    for (int k = 0; k < 130; ++k)
+    {
+      EXPECT_GE(LowestVertex(landed, k, 0.0), -1e-9) << i << ", frame " << k;
+      if (k >= row.Settled)
+      {
+        EXPECT_EQ(poses.Orientations[k].coeffs(), poses.Orientations[120].coeffs());
+        EXPECT_EQ(poses.AngularVelocities[k].norm(), 0.0);
+      }
+      if (k >= 90) // it rocks where it is, on the ground
+      {
+        EXPECT_LT(LowestVertex(landed, k, 0.0), 1e-3) << i << ", frame " << k;
+        EXPECT_EQ(Centre(landed, k).head<2>(), landed.Input.Tracks[0].Positions[90].head<2>());
+      }
+    }
+    ExpectOnThreePoints(landed, 120, 0.0);
+  }
+  EXPECT_GT(rocking, 6);
+}
+
+TEST(Landing, ComesDownOnTheSideThatIsAskedFor)
+{
+  const ObstacleSet ground = Ground();
+  int up = 0;
+  for (int i = 0; i < 12; ++i)
+  {
+    Landed landed =
+      Land(ground, ExpMap(0.5 * i * Vec3(std::cos(1.0 * i), std::sin(1.0 * i), 0.2)), 0.7 * i);
+    const auto z = [&] { return (landed.Output.Poses[0].Orientations[90] * Vec3::UnitZ()).z(); };
+    up += z() > 0.0 ? 1 : 0;
+    for (const FaceUp side : { FaceUp::Up, FaceUp::Down })
+    {
+      landed.Input.Constraints[0].Side = side;
+      landed.Output = Refine(landed.Input);
+      EXPECT_GT((side == FaceUp::Up ? 1.0 : -1.0) * z(), 0.9) << i;
+      ExpectOnThreePoints(landed, 90, 0.0);
+    }
+  }
+  EXPECT_GT(up, 0);
 }
 
 TEST(Landing, ARowWithinTheRestChoosesTheHeading)
@@ -204,8 +319,8 @@ TEST(Landing, WhoTouchesDownEarlyDoesNotFlip)
     for (std::size_t k = 2; k < q.size(); ++k)
     {
       const Vec3 rate = 30.0 * LogMap(q[k] * q[k - 1].conjugate());
-      EXPECT_LT((rate - before).norm(), 20.0) << "start " << i << ", frame " << k; // a flip: 94
-      EXPECT_LT(rate.norm(), k < 30 ? 40.0 : 20.0) << "start " << i << ", frame " << k;
+      EXPECT_LT((rate - before).norm(), 25.0) << "start " << i << ", frame " << k; // a flip: 94
+      EXPECT_LT(rate.norm(), k < 30 ? 40.0 : 25.0) << "start " << i << ", frame " << k;
       before = rate;
     }
   }

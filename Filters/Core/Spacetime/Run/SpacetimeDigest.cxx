@@ -19,8 +19,8 @@ void AddSurroundings(DigestStream& sum, const SpacetimeInput& input)
 // What a row asks of a path; attitudes, groups and classes are others' concern.
 void AddConstraint(DigestStream& sum, const Constraint& c)
 {
-  sum.Values(c.ObjectId, c.Frame, c.Kind, c.Value, c.Radius, c.Until, c.TouchDown, c.LiftOff, c.Row,
-             c.Target, c.Status);
+  sum.Values(c.ObjectId, c.Frame, c.Kind, c.Value, c.Radius, c.Until, c.TouchDown, c.Settled,
+             c.LiftOff, c.Row, c.Target, c.Status);
 }
 
 void AddObject(DigestStream& sum, const MotionObject& o)

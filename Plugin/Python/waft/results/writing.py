@@ -84,12 +84,11 @@ def read_rows(table):
 def write_results(run, place, checkpoint, is_shown_alone=False):
     """Every file of a Flight, all at once: see the user guide for what each holds. checkpoint: has the plan. is_shown_alone: those that a
     page is made of alone."""
-    for name in ("planned.vtp", "constraints.vtp"):
-        checkpoint.copy_plan(name)
+    checkpoint.copy_plan("planned.vtp")
     write_bodies(run, place)
     progress = _write_convergence(run, place)
+    write_xml(_posed_rows(run), place.path("constraints.vtp"))
     if run.assimilation is not None:
-        write_xml(run.output("assimilation", 3), place.path("constraints.vtp"))
         write_csv(place.path("rounds.csv"), *table_rows(run.output("assimilation", 5)))
     if run.fit is not None:
         write_xml(run.output("fit"), place.path(FITTED))
@@ -257,8 +256,23 @@ def _at(algorithm, port, time):
     return copy
 
 
+def _posed_rows(run):
+    """The constraints, with when their rests touched and were still as the bodies were turned."""
+    rows = run.output("planner", 3) if run.assimilation is None else run.output("assimilation", 3)
+    begun = {(int(line["Row"]), int(line["Target"])): line for line in run.report if line["Settled"] != "-1"}
+    posed = rows.NewInstance()
+    posed.DeepCopy(rows)
+    number, target, *times = (posed.GetPointData().GetArray(name) for name in ("Row", "Target", "TouchDown", "Settled"))
+    for i in range(posed.GetNumberOfPoints()):
+        line = begun.get((number.GetValue(i), target.GetValue(i)))
+        if line is not None:
+            for name, column in zip(("TouchDown", "Settled"), times):
+                column.SetValue(i, int(line[name]))
+    return posed
+
+
 def _write_report(run, path):
-    header = ["Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message", "TouchDown", "LiftOff"]
+    header = ["Row", "Target", "ObjectId", "Frame", "Kind", "Residual", "Status", "Message", "TouchDown", "Settled", "LiftOff"]
     write_csv(path, header, [[row[name] for name in header] for row in run.report])
 
 

@@ -20,9 +20,10 @@ def constraint_report(pipeline):
 
 
 def _add_rests(pipeline, report):
-    """The frames from and until which each rest is kept; -1 of other rows, and where no stage says."""
+    """When each rest touches its surface, is still, and lifts off; -1 of other rows, and where no stage says."""
     names = ("TouchDown", "LiftOff")
     frames = {}
+    begun = {(row["Row"], row["Target"]): row for row in read_rows(pipeline.output("rotation", 2)) if row["Settled"] != "-1"}
     if pipeline.assimilation is not None:
         rows = pipeline.output("assimilation", 3).GetPointData()
         columns = [rows.GetArray(name) for name in ("Row", "Target", *names)]
@@ -31,7 +32,10 @@ def _add_rests(pipeline, report):
             frames[row, target] = found
     for line in report:
         found = frames.get((int(line["Row"]), int(line["Target"])), (-1, -1))
-        line.update(zip(names, map(str, found)))
+        line.update(zip(names, map(str, found)), Settled="-1")
+        posed = begun.get((line["Row"], line["Target"]))
+        if posed is not None and line["Kind"] == "rest":
+            line.update((name, posed[name]) for name in ("TouchDown", "Settled"))
 
 
 def _sentences(message, are_approaches):

@@ -66,6 +66,8 @@ def _rules(entry, definition):
                any(unicodedata.bidirectional(letter) in ("R", "AL") for letter in entry["text"]))
     if definition == "pointTargets" and "classes" in entry:
         yield "classes", f"{len(entry['points'])} classes, one a point", len(entry["classes"]) != len(entry["points"])
+    if "facing" in entry:
+        yield "facing", "a direction that is not zero", not math.hypot(*entry["facing"]["direction"]) > _SMALLEST
     if "until" in entry:
         yield "until", f"a frame from {entry['frame']} on, where it begins", entry["until"] < entry["frame"]
     if definition == "keyframeConstraint" and "objects" in entry:

@@ -117,7 +117,7 @@ class Scene:
 
     @documented("positionConstraint")
     def add_position(self, object: int, frame: int, value: Vector, *, radius: Optional[float] = None,
-                     comment: Optional[str] = None) -> int:
+                     facing: Optional[Mapping[str, Any]] = None, comment: Optional[str] = None) -> int:
         """An object is at a place at a frame. Returns the row, as all constraints do."""
         return self._add_mark("add_position", "position", locals())
 
@@ -141,7 +141,7 @@ class Scene:
 
     @documented("restConstraint")
     def add_rest(self, object: int, frame: int, value: Vector, *, until: Optional[int] = None,
-                 comment: Optional[str] = None) -> int:
+                 face_up: Optional[str] = None, comment: Optional[str] = None) -> int:
         """An object lies still on the first surface straight below a place, from a frame on."""
         return self._add_mark("add_rest", "rest", locals())
 
@@ -159,6 +159,7 @@ class Scene:
                      classes: Union[Sequence[str], Mapping[str, Vector], None] = None,
                      objects: Optional[Sequence[int]] = None, assign: Optional[str] = None,
                      velocity: Union[str, Vector, None] = None, until: Optional[int] = None, radius: Optional[float] = None,
+                     facing: Optional[Mapping[str, Any]] = None, face_up: Optional[str] = None,
                      comment: Optional[str] = None) -> int:
         """Objects form points, a text, an image or the surface of a mesh at a frame (one of these four)."""
         given = _given(locals())
